@@ -1,0 +1,169 @@
+//! The chain in proximal frames: every frame has its origin and its z axis on
+//! the axis of its own joint, whatever the convention of the table.
+
+use super::inertia::{Body, Turn, enter_x, leave_x, enter_z, leave_z};
+use super::symbols::Symbols;
+use crate::expr::Expr;
+use crate::linear::{Symmetric3, Vector3};
+use crate::robot::{Convention, Interpretation, JointType, Robot, Row, Value};
+
+/// Where the origin of a joint's frame is on the axis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Origin {
+    /// After the offset d: at the common normal with the next axis.
+    AfterOffset,
+    /// Before the offset d: at the common normal with the previous axis.
+    BeforeOffset,
+}
+
+/// A link in its proximal frame.
+#[derive(Clone, Copy, Debug)]
+pub struct Link<'g> {
+    /// The joint that moves it.
+    pub joint_type: JointType,
+    /// Turn about x from the previous frame.
+    pub twist: Turn<Expr<'g>>,
+    /// Turn about z: variable for a revolute joint.
+    pub turn: Turn<Expr<'g>>,
+    /// Where the origin is in the previous frame (at q = 0 for a prismatic joint).
+    pub offset: Vector3<Expr<'g>>,
+    /// Displacement along the joint's axis: q for a prismatic joint, else zero.
+    pub slide: Expr<'g>,
+    /// Inertial parameters about the frame's origin.
+    pub body: Body<Expr<'g>>,
+    /// gear_ratio^2 * motor_inertia.
+    pub reflected: Expr<'g>,
+}
+
+impl<'g> Link<'g> {
+    /// A vector of the previous frame, in this frame.
+    pub fn enter(&self, v: Vector3<Expr<'g>>) -> Vector3<Expr<'g>> {
+        enter_z(self.turn, enter_x(self.twist, v))
+    }
+
+    /// A vector of this frame, in the previous frame.
+    pub fn leave(&self, v: Vector3<Expr<'g>>) -> Vector3<Expr<'g>> {
+        leave_x(self.twist, leave_z(self.turn, v))
+    }
+
+    /// Where the origin is in the previous frame.
+    pub fn position(&self, zero: Expr<'g>) -> Vector3<Expr<'g>> {
+        self.offset + leave_x(self.twist, Vector3::new(zero, zero, self.slide))
+    }
+}
+
+/// A robot in proximal frames.
+pub struct Chain<'g> {
+    /// Zero.
+    pub zero: Expr<'g>,
+    /// One.
+    pub one: Expr<'g>,
+    /// Acceleration of gravity in the base frame.
+    pub gravity: Vector3<Expr<'g>>,
+    /// What the grouping of parameters left on the base: it matters to the potential energy alone.
+    pub base: Body<Expr<'g>>,
+    /// The links.
+    pub links: Vec<Link<'g>>,
+}
+
+/// The four cells of a row that come between two z axes, and the link's parameters after them.
+struct Twist<'g> {
+    a: Expr<'g>,
+    turn: Turn<Expr<'g>>,
+}
+
+impl<'g> Chain<'g> {
+    /// The chain of a robot, each frame's origin where `origins` says.
+    pub fn new(symbols: &mut Symbols<'g>, robot: &Robot, origins: &[Origin]) -> Self {
+        let zero = symbols.graph().zero();
+        let twists = twists(symbols, robot);
+        let mut previous_shift = zero;
+        let links = robot.rows.iter().enumerate().map(|(i, row)| {
+            let d = symbols.value(&row.d);
+            // The origin is at d + shift along the axis.
+            let shift = match origins[i] {
+                Origin::AfterOffset => zero,
+                Origin::BeforeOffset => -d,
+            };
+            let twist = &twists[i];
+            let along = leave_x(twist.turn, Vector3::new(zero, zero, d + shift));
+            let offset = along + Vector3::new(twist.a, zero, -previous_shift);
+            previous_shift = shift;
+            let (s, c) = symbols.joint_sin_cos(i, row.joint_type, &row.theta);
+            let slide = match row.joint_type {
+                JointType::Revolute => zero,
+                JointType::Prismatic => symbols.joint(i).q,
+            };
+            let body = body(symbols, robot.convention, row, &twists[i + 1])
+                .moved(Vector3::new(zero, zero, -shift));
+            let ratio = symbols.value(&row.gear_ratio);
+            let reflected = ratio * ratio * symbols.value(&row.motor_inertia);
+            Link { joint_type: row.joint_type, twist: twist.turn, turn: Turn { s, c }, offset, slide, body, reflected }
+        });
+        let links = links.collect();
+        let gravity = Vector3([0, 1, 2].map(|k| symbols.value(&robot.gravity[k])));
+        Chain { zero, one: symbols.graph().one(), gravity, base: Body::splat(zero), links }
+    }
+
+    /// Moves to the previous link what a joint cannot tell apart: base inertial
+    /// parameters by the rules of Gautier and Khalil (1990).
+    ///
+    /// A revolute joint: the part that is invariant under rotation about its
+    /// axis. A prismatic joint: the whole inertia tensor, for both links turn alike.
+    pub fn group_parameters(&mut self) {
+        for i in (0..self.links.len()).rev() {
+            let link = self.links[i];
+            let (moving, rest) = match link.joint_type {
+                JointType::Revolute => {
+                    let (invariant, rest) = link.body.split_revolute(self.zero);
+                    (invariant.left_x(link.twist).moved(link.offset), rest)
+                }
+                JointType::Prismatic => {
+                    let mut tensor = Body::splat(self.zero);
+                    tensor.inertia = link.body.inertia;
+                    let rest = Body { inertia: Symmetric3::splat(self.zero), ..link.body };
+                    (tensor.left_z(link.turn).left_x(link.twist), rest)
+                }
+            };
+            self.links[i].body = rest;
+            let previous = match i {
+                0 => &mut self.base,
+                _ => &mut self.links[i - 1].body,
+            };
+            *previous = previous.joined(moving);
+        }
+    }
+}
+
+/// The twist before each joint, and the one after the last.
+fn twists<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> Vec<Twist<'g>> {
+    let none = Value::zero();
+    let cells = robot.rows.iter().map(|row| (&row.a, &row.alpha));
+    let cells: Vec<_> = match robot.convention {
+        Convention::Standard => core::iter::once((&none, &none)).chain(cells).collect(),
+        Convention::Modified => cells.chain(core::iter::once((&none, &none))).collect(),
+    };
+    let twist = |(a, alpha): (&Value, &Value)| {
+        let (s, c) = symbols.sin_cos(alpha);
+        Twist { a: symbols.value(a), turn: Turn { s, c } }
+    };
+    cells.into_iter().map(twist).collect()
+}
+
+/// The link's parameters in the frame on its joint's axis, after the offset d.
+/// A standard link frame comes after the row's a and alpha, a modified one before the next row's.
+fn body<'g>(symbols: &mut Symbols<'g>, convention: Convention, row: &Row, next: &Twist<'g>) -> Body<Expr<'g>> {
+    let zero = symbols.graph().zero();
+    let mass = symbols.value(&row.mass);
+    let com = Vector3([0, 1, 2].map(|k| symbols.value(&row.com[k])));
+    let [xx, yy, zz, xy, yz, xz] = [0, 1, 2, 3, 4, 5].map(|k| symbols.value(&row.inertia[k]));
+    let inertia = Symmetric3 { xx, yy, zz, xy, yz, xz };
+    match convention {
+        Convention::Modified => Body::new(mass, com, inertia),
+        Convention::Standard => {
+            let central = Body { mass: zero, moment: Vector3::splat(zero), inertia }.left_x(next.turn);
+            let com = leave_x(next.turn, com) + Vector3::new(next.a, zero, zero);
+            Body::new(mass, com, central.inertia)
+        }
+    }
+}

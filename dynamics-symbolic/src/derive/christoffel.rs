@@ -1,0 +1,120 @@
+//! Christoffel symbols of the first kind from composite bodies.
+//!
+//! With S_j the axis of joint j as a spatial motion vector (w, v), x and x* the
+//! spatial cross products (Featherstone 2008, 2.9), and I_m the composite
+//! inertia of links m to n, the velocity products of joints j <= k < m act on
+//! joint m by D_j . S_k (k outside j), and those of joints j <= m with joint m act on joint
+//! i <= m by -D_j . S_i, where
+//!
+//!   D_j = I_m (S_m x S_j) - S_j x* (I_m S_m) - S_m x* (I_m S_j).
+
+use super::chain::{Chain, Link};
+use super::inertia::Body;
+use crate::exact::Rational;
+use crate::expr::{Expr, Graph};
+use crate::linear::Vector3;
+use crate::robot::JointType;
+
+type Vector<'g> = Vector3<Expr<'g>>;
+
+/// A spatial motion vector: angular, and linear at the frame's origin.
+#[derive(Clone, Copy)]
+struct Motion<'g> {
+    w: Vector<'g>,
+    v: Vector<'g>,
+}
+
+/// A spatial force vector: moment about the frame's origin, and force.
+#[derive(Clone, Copy)]
+struct Force<'g> {
+    n: Vector<'g>,
+    f: Vector<'g>,
+}
+
+impl<'g> Motion<'g> {
+    /// Along z, for the joint itself.
+    fn axis(joint_type: JointType, zero: Expr<'g>, one: Expr<'g>) -> Self {
+        let (z, none) = (Vector3::new(zero, zero, one), Vector3::splat(zero));
+        match joint_type {
+            JointType::Revolute => Motion { w: z, v: none },
+            JointType::Prismatic => Motion { w: none, v: z },
+        }
+    }
+
+    /// In the next frame.
+    fn enter(self, link: &Link<'g>, zero: Expr<'g>) -> Self {
+        Motion { w: link.enter(self.w), v: link.enter(self.v + self.w.cross(link.position(zero))) }
+    }
+
+    /// Motion cross motion.
+    fn cross(self, other: Self) -> Self {
+        Motion { w: self.w.cross(other.w), v: self.w.cross(other.v) + self.v.cross(other.w) }
+    }
+
+    /// Motion cross force.
+    fn cross_force(self, force: Force<'g>) -> Force<'g> {
+        Force { n: self.w.cross(force.n) + self.v.cross(force.f), f: self.w.cross(force.f) }
+    }
+
+    fn dot(self, force: Force<'g>) -> Expr<'g> {
+        self.w.dot(force.n) + self.v.dot(force.f)
+    }
+}
+
+/// I S: momentum of a body that moves.
+fn momentum<'g>(body: &Body<Expr<'g>>, motion: Motion<'g>) -> Force<'g> {
+    Force {
+        n: body.inertia.apply(motion.w) + body.moment.cross(motion.v),
+        f: motion.v * body.mass + motion.w.cross(body.moment),
+    }
+}
+
+/// The symbols c_ijk, symmetric in j and k, indexed [i][j][k].
+pub fn christoffel<'g>(graph: &'g Graph, chain: &Chain<'g>) -> Vec<Vec<Vec<Expr<'g>>>> {
+    let n = chain.links.len();
+    let zero = chain.zero;
+    let half = graph.rational(&(Rational::ONE / Rational::from(2)));
+    let axes = axes(chain);
+    let mut symbols = vec![vec![vec![zero; n]; n]; n];
+    let mut composite = Body::splat(zero);
+    for m in (0..n).rev() {
+        composite = composite.joined(chain.links[m].body);
+        let axis = axes[m][m];
+        let axis_momentum = momentum(&composite, axis);
+        for j in 0..=m {
+            let other = axes[m][j];
+            let d = difference(
+                momentum(&composite, axis.cross(other)),
+                other.cross_force(axis_momentum),
+                axis.cross_force(momentum(&composite, other)),
+            );
+            for (i, &s) in axes[m].iter().enumerate() {
+                let value = half * s.dot(d);
+                symbols[i][j][m] = -value;
+                symbols[i][m][j] = -value;
+                if j <= i && i < m {
+                    symbols[m][j][i] = value;
+                    symbols[m][i][j] = value;
+                }
+            }
+        }
+        let link = &chain.links[m];
+        composite = composite.left_z(link.turn).left_x(link.twist).moved(link.position(zero));
+    }
+    symbols
+}
+
+fn difference<'g>(a: Force<'g>, b: Force<'g>, c: Force<'g>) -> Force<'g> {
+    Force { n: a.n - b.n - c.n, f: a.f - b.f - c.f }
+}
+
+/// The axes of joints 0 to m in frame m, for every m.
+fn axes<'g>(chain: &Chain<'g>) -> Vec<Vec<Motion<'g>>> {
+    let mut axes: Vec<Vec<Motion<'g>>> = Vec::with_capacity(chain.links.len());
+    for link in &chain.links {
+        let mut row: Vec<_> = axes.last().into_iter().flatten().map(|s| s.enter(link, chain.zero)).collect();
+        row.push(Motion::axis(link.joint_type, chain.zero, chain.one));
+        axes.push(row);
+    }
+    axes
+}

@@ -1,0 +1,87 @@
+//! The outputs of each function, on one chain.
+
+use super::chain::Chain;
+use super::symbols::Symbols;
+use super::{christoffel, composite, energy, kinematics, recursive, solve};
+use crate::expr::Expr;
+use crate::function::Function;
+use crate::linear::Vector3;
+use crate::robot::{Interpretation, Robot};
+
+/// What a function puts out, in the order of its contract: matrices by rows.
+/// Forward dynamics: the accelerations, the pivots, and M's diagonal.
+pub fn outputs<'g>(
+    symbols: &mut Symbols<'g>,
+    robot: &Robot,
+    chain: &Chain<'g>,
+    function: Function,
+) -> Vec<Expr<'g>> {
+    let graph = symbols.graph();
+    let (zero, one) = (graph.zero(), graph.one());
+    let still = vec![zero; robot.rows.len()];
+    let weightless = Vector3::splat(zero);
+    let qd = symbols.all(|joint| joint.qd);
+    let qdd = symbols.all(|joint| joint.qdd);
+    match function {
+        Function::MassMatrix => composite::mass_matrix(chain).concat(),
+        Function::CoriolisVector => recursive::inverse_dynamics(chain, &qd, &still, weightless),
+        Function::GravityVector => energy::gravity_vector(chain),
+        Function::FrictionVector => friction(symbols, robot),
+        Function::InverseDynamics => {
+            let forces = recursive::inverse_dynamics(chain, &qd, &qdd, chain.gravity);
+            sum(forces, &friction(symbols, robot))
+        }
+        Function::BiasForce => {
+            let forces = recursive::inverse_dynamics(chain, &qd, &still, chain.gravity);
+            sum(forces, &friction(symbols, robot))
+        }
+        Function::ForwardDynamics => {
+            let matrix = composite::mass_matrix(chain);
+            let bias = outputs(symbols, robot, chain, Function::BiasForce);
+            let applied = symbols.all(|joint| joint.tau);
+            let net = applied.into_iter().zip(bias).map(|(tau, bias)| tau - bias).collect();
+            let diagonal: Vec<_> = (0..matrix.len()).map(|i| matrix[i][i]).collect();
+            let solution = solve::solve(graph, matrix, net);
+            [solution.x, solution.pivots, diagonal].concat()
+        }
+        Function::KineticEnergy => vec![energy::kinetic_energy(graph, chain, &qd)],
+        Function::PotentialEnergy => vec![energy::potential_energy(chain)],
+        Function::CoriolisMatrix => {
+            let contract = |row: &Vec<Expr<'g>>| row.iter().zip(&qd).fold(zero, |sum, (&c, &qd)| sum + c * qd);
+            let symbols = christoffel::christoffel(graph, chain);
+            symbols.iter().flatten().map(contract).collect()
+        }
+        Function::CoriolisCoefficients => {
+            let n = robot.rows.len();
+            let pairs: Vec<_> = (0..n).flat_map(|j| (j + 1..n).map(move |k| (j, k))).collect();
+            let symbols = christoffel::christoffel(graph, chain);
+            symbols.iter().flat_map(|c| pairs.iter().map(|&(j, k)| c[j][k] + c[k][j])).collect()
+        }
+        Function::CentrifugalCoefficients => {
+            let symbols = christoffel::christoffel(graph, chain);
+            symbols.iter().flat_map(|c| (0..c.len()).map(|j| c[j][j])).collect()
+        }
+        Function::ForwardKinematics => {
+            let frames = kinematics::frames(symbols, robot);
+            frames.last().map(|frame| frame.homogeneous(zero, one)).unwrap_or_default()
+        }
+        Function::LinkPoses => {
+            let frames = kinematics::frames(symbols, robot);
+            frames.iter().flat_map(|frame| frame.homogeneous(zero, one)).collect()
+        }
+        Function::Jacobian => kinematics::jacobian(symbols, robot),
+    }
+}
+
+/// F_i = viscous_i qd_i + coulomb_i sign(qd_i)
+fn friction<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> Vec<Expr<'g>> {
+    let force = |(i, row): (usize, &crate::robot::Row)| {
+        let joint = *symbols.joint(i);
+        symbols.value(&row.viscous) * joint.qd + symbols.value(&row.coulomb) * joint.sign
+    };
+    robot.rows.iter().enumerate().map(force).collect()
+}
+
+fn sum<'g>(a: Vec<Expr<'g>>, b: &[Expr<'g>]) -> Vec<Expr<'g>> {
+    a.into_iter().zip(b).map(|(a, &b)| a + b).collect()
+}

@@ -1,0 +1,134 @@
+//! The symbols of a robot's equations on a graph.
+
+use crate::exact::Rational;
+use crate::expr::{Expr, Graph, Level};
+use crate::robot::{Interpretation, JointType, Robot, Symbol, Value};
+
+/// The variables of one joint.
+#[derive(Clone, Copy, Debug)]
+pub struct JointSymbols<'g> {
+    /// Sine and cosine of the position (revolute joints).
+    pub sin_cos: (Expr<'g>, Expr<'g>),
+    /// Position.
+    pub q: Expr<'g>,
+    /// Velocity.
+    pub qd: Expr<'g>,
+    /// Acceleration.
+    pub qdd: Expr<'g>,
+    /// Force or torque.
+    pub tau: Expr<'g>,
+    /// Sign of the velocity.
+    pub sign: Expr<'g>,
+}
+
+/// The symbols of a robot on a graph.
+pub struct Symbols<'g> {
+    graph: &'g Graph,
+    meanings: Vec<Symbol>,
+    pi: Expr<'g>,
+    fields: Vec<Expr<'g>>,
+    angles: Vec<(Value, Expr<'g>, Expr<'g>)>,
+    joints: Vec<JointSymbols<'g>>,
+}
+
+impl<'g> Symbols<'g> {
+    /// Makes the symbols of a robot.
+    pub fn new(graph: &'g Graph, robot: &Robot) -> Self {
+        let mut meanings = vec![Symbol::Pi];
+        let pi = graph.symbol(Level::Constant);
+        let fields = (0..robot.fields.len())
+            .map(|i| {
+                meanings.push(Symbol::Field(i));
+                graph.symbol(Level::Parameter)
+            })
+            .collect();
+        let joints = (0..robot.rows.len())
+            .map(|i| {
+                let (s, c) = graph.circle(Level::Variable);
+                meanings.extend([Symbol::Sine(i), Symbol::Cosine(i)]);
+                let mut variable = |meaning| {
+                    meanings.push(meaning);
+                    graph.symbol(Level::Variable)
+                };
+                JointSymbols {
+                    sin_cos: (s, c),
+                    q: variable(Symbol::Position(i)),
+                    qd: variable(Symbol::Velocity(i)),
+                    qdd: variable(Symbol::Acceleration(i)),
+                    tau: variable(Symbol::Force(i)),
+                    sign: variable(Symbol::VelocitySign(i)),
+                }
+            })
+            .collect();
+        Symbols { graph, meanings, pi, fields, angles: Vec::new(), joints }
+    }
+
+    /// The graph.
+    pub fn graph(&self) -> &'g Graph {
+        self.graph
+    }
+
+    /// What each symbol of the graph stands for, in the order of the graph's symbols.
+    pub fn meanings(&self) -> &[Symbol] {
+        &self.meanings
+    }
+
+    /// The variables of joint i.
+    pub fn joint(&self, i: usize) -> &JointSymbols<'g> {
+        &self.joints[i]
+    }
+
+    /// One variable of every joint.
+    pub fn all(&self, variable: impl Fn(&JointSymbols<'g>) -> Expr<'g>) -> Vec<Expr<'g>> {
+        self.joints.iter().map(variable).collect()
+    }
+
+    /// Sine and cosine of q_i + theta (revolute) or of theta (prismatic). The
+    /// constant rotates the sine and cosine of q: added to q it would cost
+    /// digits where q is large.
+    pub fn joint_sin_cos(&mut self, i: usize, joint_type: JointType, theta: &Value) -> (Expr<'g>, Expr<'g>) {
+        let (st, ct) = self.sin_cos(theta);
+        match joint_type {
+            JointType::Prismatic => (st, ct),
+            JointType::Revolute => {
+                let (s, c) = self.joints[i].sin_cos;
+                (s * ct + c * st, c * ct - s * st)
+            }
+        }
+    }
+}
+
+impl<'g> Interpretation for Symbols<'g> {
+    type Number = Expr<'g>;
+
+    fn rational(&mut self, x: &Rational) -> Expr<'g> {
+        self.graph.rational(x)
+    }
+
+    fn pi(&mut self) -> Expr<'g> {
+        self.pi
+    }
+
+    fn field(&mut self, index: usize) -> Expr<'g> {
+        self.fields[index]
+    }
+
+    fn quotient(&mut self, a: Expr<'g>, b: Expr<'g>) -> Expr<'g> {
+        a / b
+    }
+
+    fn circle(&mut self, angle: &Value) -> (Expr<'g>, Expr<'g>) {
+        if let Some((_, s, c)) = self.angles.iter().find(|(known, ..)| known == angle) {
+            return (*s, *c);
+        }
+        let opposite = -angle.clone();
+        if let Some((_, s, c)) = self.angles.iter().find(|(known, ..)| *known == opposite) {
+            return (-*s, *c);
+        }
+        let level = if angle.is_number() { Level::Constant } else { Level::Parameter };
+        let (s, c) = self.graph.circle(level);
+        self.meanings.extend([Symbol::AngleSine(angle.clone()), Symbol::AngleCosine(angle.clone())]);
+        self.angles.push((angle.clone(), s, c));
+        (s, c)
+    }
+}

@@ -1,0 +1,168 @@
+//! The field of integers modulo a prime below 2^63.
+//!
+//! Two different rational functions of total degree d agree at a random point
+//! of this field with probability below d/p (Schwartz 1980, Zippel 1979).
+
+use super::{Rational, SplitMix64};
+use core::ops::{Add, Mul, Neg, Sub};
+use dashu_int::Sign;
+
+/// A number modulo the prime `P`, always reduced.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Residue<const P: u64>(u64);
+
+/// 2^61 - 1, whose reduction is two shifts and an addition.
+const MERSENNE_61: u64 = (1 << 61) - 1;
+
+impl<const P: u64> Residue<P> {
+    /// Zero.
+    pub const ZERO: Self = Residue(0);
+    /// One.
+    pub const ONE: Self = Residue(1);
+
+    /// The residue of an integer.
+    pub fn new(n: u64) -> Self {
+        Residue(n % P)
+    }
+
+    /// The representative in 0..P.
+    pub fn get(self) -> u64 {
+        self.0
+    }
+
+    /// Whether this is zero.
+    pub fn is_zero(self) -> bool {
+        self.0 == 0
+    }
+
+    /// A random element.
+    pub fn random(random: &mut SplitMix64) -> Self {
+        Residue::new(random.next_u64())
+    }
+
+    /// The residue of a rational number, or `None` where P divides its
+    /// denominator, or its numerator without the number being zero: such a
+    /// number has no faithful image.
+    pub fn from_rational(x: &Rational) -> Option<Self> {
+        let (sign, magnitude) = x.numerator().clone().into_parts();
+        let numerator = match sign {
+            Sign::Positive => Residue(magnitude % P),
+            Sign::Negative => -Residue(magnitude % P),
+        };
+        let image = numerator * Residue(x.denominator() % P).inverse()?;
+        (image.is_zero() == x.is_zero()).then_some(image)
+    }
+
+    /// The multiplicative inverse; zero has none.
+    pub fn inverse(self) -> Option<Self> {
+        if self.is_zero() {
+            return None;
+        }
+        // Extended Euclid: t*self = r (mod P) in every step.
+        let (mut r0, mut r1) = (P as i128, self.0 as i128);
+        let (mut t0, mut t1) = (0_i128, 1_i128);
+        while r1 != 0 {
+            let quotient = r0 / r1;
+            (r0, r1) = (r1, r0 - quotient * r1);
+            (t0, t1) = (t1, t0 - quotient * t1);
+        }
+        Some(Residue(t0.rem_euclid(P as i128) as u64))
+    }
+}
+
+impl<const P: u64> Add for Residue<P> {
+    type Output = Self;
+
+    #[inline]
+    fn add(self, other: Self) -> Self {
+        let sum = self.0 + other.0;
+        Residue(if sum >= P { sum - P } else { sum })
+    }
+}
+
+impl<const P: u64> Sub for Residue<P> {
+    type Output = Self;
+
+    #[inline]
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+impl<const P: u64> Neg for Residue<P> {
+    type Output = Self;
+
+    #[inline]
+    fn neg(self) -> Self {
+        Residue(if self.0 == 0 { 0 } else { P - self.0 })
+    }
+}
+
+impl<const P: u64> Mul for Residue<P> {
+    type Output = Self;
+
+    #[inline]
+    fn mul(self, other: Self) -> Self {
+        let product = self.0 as u128 * other.0 as u128;
+        if P == MERSENNE_61 {
+            let folded = (product as u64 & P) + (product >> 61) as u64;
+            return Residue(if folded >= P { folded - P } else { folded });
+        }
+        Residue((product % P as u128) as u64)
+    }
+}
+
+/// A random point (sine, cosine) of the unit circle over the field:
+/// s = 2t/(1+t^2), c = (1-t^2)/(1+t^2).
+pub fn circle_point<const P: u64>(random: &mut SplitMix64) -> (Residue<P>, Residue<P>) {
+    loop {
+        let t = Residue::<P>::random(random);
+        if let Some(scale) = (Residue::ONE + t * t).inverse() {
+            return ((t + t) * scale, (Residue::ONE - t * t) * scale);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    type Mersenne = Residue<MERSENNE_61>;
+    type Other = Residue<{ (1 << 62) - 57 }>;
+
+    fn check_field<const P: u64>() {
+        let mut random = SplitMix64::new(1);
+        for _ in 0..200 {
+            let (a, b) = (Residue::<P>::random(&mut random), Residue::<P>::random(&mut random));
+            assert_eq!(a * a.inverse().unwrap(), Residue::ONE);
+            assert_eq!((a + b) * (a - b), a * a - b * b);
+            let expected = (a.get() as u128 * b.get() as u128 % P as u128) as u64;
+            assert_eq!((a * b).get(), expected);
+            let (s, c) = circle_point::<P>(&mut random);
+            assert_eq!(s * s + c * c, Residue::ONE);
+        }
+    }
+
+    #[test]
+    fn field_laws() {
+        check_field::<MERSENNE_61>();
+        check_field::<{ (1 << 62) - 57 }>();
+    }
+
+    #[test]
+    fn rationals_map_to_quotients() {
+        let x = Rational::from_parts((-22).into(), 7_u32.into());
+        let image = Mersenne::from_rational(&x).unwrap();
+        assert_eq!(image * Mersenne::new(7), -Mersenne::new(22));
+        let image = Other::from_rational(&x).unwrap();
+        assert_eq!(image * Other::new(7), -Other::new(22));
+    }
+
+    #[test]
+    fn a_number_without_faithful_image_is_refused() {
+        let p = Rational::from(MERSENNE_61);
+        assert_eq!(Mersenne::from_rational(&p), None);
+        assert_eq!(Mersenne::from_rational(&(Rational::ONE / p)), None);
+        assert_eq!(Mersenne::from_rational(&Rational::ZERO), Some(Mersenne::ZERO));
+    }
+}

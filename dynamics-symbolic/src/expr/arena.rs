@@ -1,0 +1,403 @@
+//! The arena of nodes, and the constructors that fold and share.
+
+use super::{Expr, Operation};
+use crate::exact::{Rational, Residue, SplitMix64};
+use core::cell::RefCell;
+use core::hash::{BuildHasherDefault, Hasher};
+use std::collections::HashMap;
+
+/// The field of the fingerprints.
+pub(crate) type Fingerprint = Residue<{ (1 << 61) - 1 }>;
+
+/// The index of a node.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct NodeId(u32);
+
+impl NodeId {
+    /// The index as a number.
+    pub fn index(self) -> usize {
+        self.0 as usize
+    }
+
+    /// The node of that index.
+    pub(crate) fn from_index(index: usize) -> Self {
+        NodeId(u32::try_from(index).expect("fewer than 2^31 nodes"))
+    }
+
+    /// The node itself, or minus the node.
+    pub fn edge(self, negative: bool) -> Edge {
+        Edge(self.0 << 1 | negative as u32)
+    }
+}
+
+/// A node with a sign.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Edge(u32);
+
+impl Edge {
+    /// The node without the sign.
+    pub fn node(self) -> NodeId {
+        NodeId(self.0 >> 1)
+    }
+
+    /// Whether the edge stands for minus its node.
+    pub fn is_negative(self) -> bool {
+        self.0 & 1 == 1
+    }
+
+    /// Minus this edge where `negate` holds, else this edge.
+    pub fn negate_if(self, negate: bool) -> Edge {
+        Edge(self.0 ^ negate as u32)
+    }
+}
+
+impl core::ops::Neg for Edge {
+    type Output = Edge;
+
+    fn neg(self) -> Edge {
+        self.negate_if(true)
+    }
+}
+
+/// What an expression depends on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Level {
+    /// Known at compile time: evaluated exactly, rounded once.
+    Constant,
+    /// Depends on parameters only.
+    Parameter,
+    /// Depends on variables.
+    Variable,
+}
+
+/// A node: what it is, how deep its dependencies go, and its fingerprint.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Node {
+    pub(crate) operation: Operation,
+    pub(crate) level: Level,
+    pub(crate) value: Fingerprint,
+}
+
+/// Keys are fingerprints, which are as good as random already.
+#[derive(Default)]
+pub(crate) struct FingerprintHasher(u64);
+
+impl Hasher for FingerprintHasher {
+    fn finish(&self) -> u64 {
+        self.0
+    }
+
+    fn write(&mut self, _: &[u8]) {
+        unreachable!("fingerprints are hashed as one u64");
+    }
+
+    fn write_u64(&mut self, value: u64) {
+        // The table takes its control byte from the top seven bits.
+        self.0 = value.wrapping_mul(0x9E37_79B9_7F4A_7C15);
+    }
+}
+
+/// A map from fingerprints.
+pub(crate) type FingerprintMap<V> = HashMap<u64, V, BuildHasherDefault<FingerprintHasher>>;
+
+#[derive(Default)]
+struct Arena {
+    nodes: Vec<Node>,
+    rationals: Vec<Rational>,
+    by_value: FingerprintMap<NodeId>,
+    alternatives: Vec<(NodeId, Operation)>,
+    symbols: u32,
+}
+
+/// A graph of expressions. Its [`Expr`] handles are `Copy` and have operators.
+pub struct Graph {
+    arena: RefCell<Arena>,
+    random: RefCell<SplitMix64>,
+}
+
+impl Default for Graph {
+    fn default() -> Self {
+        Graph::new()
+    }
+}
+
+impl Graph {
+    /// A graph with the numbers 0 and 1.
+    pub fn new() -> Self {
+        let graph = Graph {
+            arena: RefCell::default(),
+            random: RefCell::new(SplitMix64::new(0x0072_6f62_6f74)),
+        };
+        graph.rational(&Rational::ZERO);
+        graph.rational(&Rational::ONE);
+        graph
+    }
+
+    /// Zero.
+    pub fn zero(&self) -> Expr<'_> {
+        self.expr(Edge(0))
+    }
+
+    /// One.
+    pub fn one(&self) -> Expr<'_> {
+        self.expr(Edge(2))
+    }
+
+    /// The handle of an edge.
+    pub fn expr(&self, edge: Edge) -> Expr<'_> {
+        Expr { graph: self, edge }
+    }
+
+    /// A new symbol.
+    pub fn symbol(&self, level: Level) -> Expr<'_> {
+        let value = Fingerprint::random(&mut self.random.borrow_mut());
+        self.symbol_with(level, value)
+    }
+
+    /// Two new symbols for the sine and the cosine of one angle: a point of the unit circle.
+    pub fn circle(&self, level: Level) -> (Expr<'_>, Expr<'_>) {
+        let (s, c) = crate::exact::circle_point(&mut self.random.borrow_mut());
+        (self.symbol_with(level, s), self.symbol_with(level, c))
+    }
+
+    fn symbol_with(&self, level: Level, value: Fingerprint) -> Expr<'_> {
+        let mut arena = self.arena.borrow_mut();
+        let operation = Operation::Symbol(arena.symbols);
+        arena.symbols += 1;
+        // A node is the symbol itself, not minus it; circles are symmetric to both axes.
+        let value = if value.get() > (-value).get() { -value } else { value };
+        let edge = arena.intern(operation, level, value);
+        self.expr(edge)
+    }
+
+    /// An exact number.
+    pub fn rational(&self, x: &Rational) -> Expr<'_> {
+        let edge = self.arena.borrow_mut().rational(x);
+        self.expr(edge)
+    }
+
+    pub(crate) fn add(&self, a: Edge, b: Edge) -> Edge {
+        self.arena.borrow_mut().add(a, b)
+    }
+
+    pub(crate) fn mul(&self, a: Edge, b: Edge) -> Edge {
+        self.arena.borrow_mut().mul(a, b)
+    }
+
+    pub(crate) fn div(&self, a: Edge, b: Edge) -> Edge {
+        self.arena.borrow_mut().div(a, b)
+    }
+
+    /// How many nodes there are.
+    pub fn len(&self) -> usize {
+        self.arena.borrow().nodes.len()
+    }
+
+    /// Whether the graph has no nodes (it always has 0 and 1).
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// What the node is.
+    pub fn operation(&self, id: NodeId) -> Operation {
+        self.node(id).operation
+    }
+
+    /// What the node depends on.
+    pub fn level_of(&self, id: NodeId) -> Level {
+        self.node(id).level
+    }
+
+    pub(crate) fn node(&self, id: NodeId) -> Node {
+        self.arena.borrow().nodes[id.index()]
+    }
+
+    /// The exact number of a [`Operation::Rational`] node.
+    pub fn rational_of(&self, index: u32) -> Rational {
+        self.arena.borrow().rationals[index as usize].clone()
+    }
+
+    /// Other ways of writing nodes that were met during construction.
+    pub(crate) fn alternatives(&self) -> Vec<(NodeId, Operation)> {
+        self.arena.borrow().alternatives.clone()
+    }
+}
+
+impl Arena {
+    fn node(&self, edge: Edge) -> &Node {
+        &self.nodes[edge.node().index()]
+    }
+
+    fn value(&self, edge: Edge) -> Fingerprint {
+        let value = self.node(edge).value;
+        if edge.is_negative() { -value } else { value }
+    }
+
+    fn level(&self, edge: Edge) -> Level {
+        self.node(edge).level
+    }
+
+    /// The node of that value: the one that exists, or a new one. A node's own
+    /// sign is the one whose fingerprint is the smaller representative.
+    fn intern(&mut self, operation: Operation, level: Level, value: Fingerprint) -> Edge {
+        let negative = value.get() > (-value).get();
+        let value = if negative { -value } else { value };
+        let operation = match operation {
+            Operation::Add(a, b) => {
+                let (a, b) = (a.negate_if(negative), b.negate_if(negative));
+                Operation::Add(a.min(b), a.max(b))
+            }
+            Operation::Mul(a, b) => Operation::Mul(a.min(b), a.max(b)),
+            other => other,
+        };
+        if let Some(&id) = self.by_value.get(&value.get()) {
+            let node = &mut self.nodes[id.index()];
+            if level < node.level {
+                // The same value with fewer dependencies: it cannot depend on this node.
+                let other = core::mem::replace(&mut node.operation, operation);
+                node.level = level;
+                self.alternatives.push((id, other));
+            } else if level != Level::Constant && node.operation != operation {
+                self.alternatives.push((id, operation));
+            }
+            return id.edge(negative);
+        }
+        let id = NodeId::from_index(self.nodes.len());
+        self.nodes.push(Node { operation, level, value });
+        self.by_value.insert(value.get(), id);
+        id.edge(negative)
+    }
+
+    fn rational(&mut self, x: &Rational) -> Edge {
+        // A number without faithful image gets no shared node; the proof, over
+        // another prime, is what counts.
+        let value = Fingerprint::from_rational(x)
+            .unwrap_or_else(|| Fingerprint::new(self.nodes.len() as u64 ^ 0x5DEE_CE66));
+        let negative = value.get() > (-value).get();
+        let magnitude = if negative { -x } else { x.clone() };
+        let index = self.rationals.len() as u32;
+        let edge = self.intern(Operation::Rational(index), Level::Constant, value);
+        if self.node(edge).operation == Operation::Rational(index) {
+            self.rationals.push(magnitude);
+        }
+        edge
+    }
+
+    fn as_rational(&self, edge: Edge) -> Option<Rational> {
+        match self.node(edge).operation {
+            Operation::Rational(index) => {
+                let x = self.rationals[index as usize].clone();
+                Some(if edge.is_negative() { -x } else { x })
+            }
+            _ => None,
+        }
+    }
+
+    fn is_zero(&self, edge: Edge) -> bool {
+        edge.node() == NodeId(0)
+    }
+
+    fn is_constant(&self, edge: Edge) -> bool {
+        self.level(edge) == Level::Constant
+    }
+
+    fn is_one(&self, edge: Edge) -> bool {
+        edge.node() == NodeId(1)
+    }
+
+    fn add(&mut self, a: Edge, b: Edge) -> Edge {
+        if self.is_zero(a) {
+            return b;
+        }
+        if self.is_zero(b) {
+            return a;
+        }
+        if let (Some(x), Some(y)) = (self.as_rational(a), self.as_rational(b)) {
+            return self.rational(&(x + y));
+        }
+        if let Some(folded) = self.fold_constant_term(a, b).or_else(|| self.fold_constant_term(b, a)) {
+            return folded;
+        }
+        let level = self.level(a).max(self.level(b));
+        let value = self.value(a) + self.value(b);
+        if value.is_zero() {
+            return NodeId(0).edge(false);
+        }
+        self.intern(Operation::Add(a, b), level, value)
+    }
+
+    /// k1 + (k2 + x) = (k1 + k2) + x for constants k1, k2.
+    fn fold_constant_term(&mut self, constant: Edge, sum: Edge) -> Option<Edge> {
+        if !self.is_constant(constant) || self.is_constant(sum) {
+            return None;
+        }
+        let Operation::Add(a, b) = self.node(sum).operation else {
+            return None;
+        };
+        let (a, b) = (a.negate_if(sum.is_negative()), b.negate_if(sum.is_negative()));
+        let (inner, rest) = match (self.is_constant(a), self.is_constant(b)) {
+            (true, false) => (a, b),
+            (false, true) => (b, a),
+            _ => return None,
+        };
+        let folded = self.add(constant, inner);
+        Some(self.add(folded, rest))
+    }
+
+    fn mul(&mut self, a: Edge, b: Edge) -> Edge {
+        if self.is_zero(a) || self.is_zero(b) {
+            return NodeId(0).edge(false);
+        }
+        if self.is_one(a) {
+            return b.negate_if(a.is_negative());
+        }
+        if self.is_one(b) {
+            return a.negate_if(b.is_negative());
+        }
+        if let (Some(x), Some(y)) = (self.as_rational(a), self.as_rational(b)) {
+            return self.rational(&(x * y));
+        }
+        if let Some(folded) = self.fold_constant_factor(a, b).or_else(|| self.fold_constant_factor(b, a)) {
+            return folded;
+        }
+        let level = self.level(a).max(self.level(b));
+        let value = self.node(a).value * self.node(b).value;
+        self.intern(Operation::Mul(a.node(), b.node()), level, value)
+            .negate_if(a.is_negative() != b.is_negative())
+    }
+
+    /// k1 (k2 x) = (k1 k2) x for constants k1, k2.
+    fn fold_constant_factor(&mut self, constant: Edge, product: Edge) -> Option<Edge> {
+        if !self.is_constant(constant) || self.is_constant(product) {
+            return None;
+        }
+        let node = *self.node(product);
+        let Operation::Mul(a, b) = node.operation else {
+            return None;
+        };
+        let (inner, rest) = match (self.nodes[a.index()].level, self.nodes[b.index()].level) {
+            (Level::Constant, _) => (a, b),
+            (_, Level::Constant) => (b, a),
+            _ => return None,
+        };
+        // The product's own sign may differ from its factors': compare values.
+        let flipped = node.value != self.nodes[a.index()].value * self.nodes[b.index()].value;
+        let folded = self.mul(constant, inner.edge(false));
+        Some(self.mul(folded, rest.edge(flipped != product.is_negative())))
+    }
+
+    fn div(&mut self, a: Edge, b: Edge) -> Edge {
+        if self.is_zero(a) {
+            return a;
+        }
+        if let Some(y) = self.as_rational(b).filter(|y| !y.is_zero()) {
+            let reciprocal = self.rational(&(Rational::ONE / y));
+            return self.mul(a, reciprocal);
+        }
+        let level = self.level(a).max(self.level(b));
+        let inverse = self.node(b).value.inverse().unwrap_or(Fingerprint::ZERO);
+        let value = self.node(a).value * inverse;
+        self.intern(Operation::Div(a.node(), b.node()), level, value)
+            .negate_if(a.is_negative() != b.is_negative())
+    }
+}

@@ -1,0 +1,86 @@
+//! Handles of expressions, with the operators of arithmetic.
+
+use super::{Edge, Graph, Level};
+use core::fmt;
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+/// An expression of a [`Graph`].
+#[derive(Clone, Copy)]
+pub struct Expr<'g> {
+    pub(crate) graph: &'g Graph,
+    pub(crate) edge: Edge,
+}
+
+impl<'g> Expr<'g> {
+    /// The node and sign that this expression is.
+    pub fn edge(self) -> Edge {
+        self.edge
+    }
+
+    /// Whether the expression is identically zero.
+    pub fn is_zero(self) -> bool {
+        self.edge.node() == self.graph.zero().edge.node()
+    }
+
+    /// What the expression depends on.
+    pub fn level(self) -> Level {
+        self.graph.node(self.edge.node()).level
+    }
+
+    fn with(self, edge: Edge) -> Self {
+        Expr { edge, ..self }
+    }
+}
+
+/// Equal as rational functions.
+impl PartialEq for Expr<'_> {
+    fn eq(&self, other: &Self) -> bool {
+        self.edge == other.edge
+    }
+}
+
+impl fmt::Debug for Expr<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{:?}", self.edge)
+    }
+}
+
+impl Add for Expr<'_> {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        self.with(self.graph.add(self.edge, other.edge))
+    }
+}
+
+impl Sub for Expr<'_> {
+    type Output = Self;
+
+    fn sub(self, other: Self) -> Self {
+        self.with(self.graph.add(self.edge, -other.edge))
+    }
+}
+
+impl Mul for Expr<'_> {
+    type Output = Self;
+
+    fn mul(self, other: Self) -> Self {
+        self.with(self.graph.mul(self.edge, other.edge))
+    }
+}
+
+impl Div for Expr<'_> {
+    type Output = Self;
+
+    fn div(self, other: Self) -> Self {
+        self.with(self.graph.div(self.edge, other.edge))
+    }
+}
+
+impl Neg for Expr<'_> {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        self.with(-self.edge)
+    }
+}

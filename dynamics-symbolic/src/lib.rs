@@ -1,0 +1,18 @@
+//! The symbolic engine of `robot-dynamics`.
+//!
+//! Data flows one way through the modules of this crate:
+//! [`robot`] (a description of an arm) is written as expressions on a graph
+//! ([`expr`]), by one of several derivations (`derive`), becomes a straight-line
+//! program (`program`), is proven equal to the textbook Lagrangian (`prove`)
+//! and leaves as Rust tokens (`emit`).
+
+pub mod derive;
+pub mod exact;
+pub mod expr;
+pub mod function;
+pub mod linear;
+pub mod program;
+pub mod prove;
+pub mod robot;
+
+pub use function::Function;

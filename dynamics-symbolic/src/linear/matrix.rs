@@ -1,0 +1,147 @@
+//! Matrices.
+
+use super::{Ring, Vector3};
+use core::ops::{Add, Mul, Sub};
+
+/// A 3 x 3 matrix by rows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Matrix3<R>(pub [[R; 3]; 3]);
+
+impl<R: Ring> Matrix3<R> {
+    /// The matrix times a vector.
+    pub fn apply(&self, v: Vector3<R>) -> Vector3<R> {
+        Vector3(self.0.map(|row| Vector3(row).dot(v)))
+    }
+
+    /// The transpose.
+    pub fn transpose(&self) -> Self {
+        let m = &self.0;
+        Matrix3(core::array::from_fn(|i| core::array::from_fn(|j| m[j][i])))
+    }
+
+    /// Column j.
+    pub fn column(&self, j: usize) -> Vector3<R> {
+        Vector3(self.0.map(|row| row[j]))
+    }
+
+    /// The matrix product.
+    pub fn product(&self, other: &Self) -> Self {
+        let columns = other.transpose();
+        Matrix3(self.0.map(|row| columns.0.map(|column| Vector3(row).dot(Vector3(column)))))
+    }
+}
+
+/// A symmetric 3 x 3 matrix.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Symmetric3<R> {
+    /// Entry (1, 1).
+    pub xx: R,
+    /// Entry (2, 2).
+    pub yy: R,
+    /// Entry (3, 3).
+    pub zz: R,
+    /// Entry (1, 2).
+    pub xy: R,
+    /// Entry (2, 3).
+    pub yz: R,
+    /// Entry (1, 3).
+    pub xz: R,
+}
+
+impl<R: Ring> Symmetric3<R> {
+    /// The same entry everywhere.
+    pub fn splat(x: R) -> Self {
+        Symmetric3 { xx: x, yy: x, zz: x, xy: x, yz: x, xz: x }
+    }
+
+    /// The matrix times a vector.
+    pub fn apply(&self, v: Vector3<R>) -> Vector3<R> {
+        let [x, y, z] = v.0;
+        Vector3::new(
+            self.xx * x + self.xy * y + self.xz * z,
+            self.xy * x + self.yy * y + self.yz * z,
+            self.xz * x + self.yz * y + self.zz * z,
+        )
+    }
+
+    /// All nine entries.
+    pub fn full(&self) -> Matrix3<R> {
+        Matrix3([
+            [self.xx, self.xy, self.xz],
+            [self.xy, self.yy, self.yz],
+            [self.xz, self.yz, self.zz],
+        ])
+    }
+
+    /// The upper triangle of a matrix that is symmetric.
+    pub fn from_upper(m: &Matrix3<R>) -> Self {
+        let m = &m.0;
+        Symmetric3 { xx: m[0][0], yy: m[1][1], zz: m[2][2], xy: m[0][1], yz: m[1][2], xz: m[0][2] }
+    }
+
+    /// R J R^T
+    pub fn rotated(&self, rotation: &Matrix3<R>) -> Self {
+        Symmetric3::from_upper(&rotation.product(&self.full()).product(&rotation.transpose()))
+    }
+
+    /// The part of a point mass in the inertia about another point, to first
+    /// order in the first moment h: for a shift r, (h.r) 1 - h r^T, symmetrised:
+    /// 2 (h.r) 1 - h r^T - r h^T.
+    pub fn shift(h: Vector3<R>, r: Vector3<R>) -> Self {
+        let ([a, b, c], [x, y, z]) = (h.0, r.0);
+        let (ax, by, cz) = (a * x, b * y, c * z);
+        Symmetric3 {
+            xx: by + by + cz + cz,
+            yy: ax + ax + cz + cz,
+            zz: ax + ax + by + by,
+            xy: -(a * y + b * x),
+            yz: -(b * z + c * y),
+            xz: -(a * z + c * x),
+        }
+    }
+}
+
+impl<R: Ring> Add for Symmetric3<R> {
+    type Output = Self;
+
+    fn add(self, o: Self) -> Self {
+        Symmetric3 {
+            xx: self.xx + o.xx,
+            yy: self.yy + o.yy,
+            zz: self.zz + o.zz,
+            xy: self.xy + o.xy,
+            yz: self.yz + o.yz,
+            xz: self.xz + o.xz,
+        }
+    }
+}
+
+impl<R: Ring> Sub for Symmetric3<R> {
+    type Output = Self;
+
+    fn sub(self, o: Self) -> Self {
+        Symmetric3 {
+            xx: self.xx - o.xx,
+            yy: self.yy - o.yy,
+            zz: self.zz - o.zz,
+            xy: self.xy - o.xy,
+            yz: self.yz - o.yz,
+            xz: self.xz - o.xz,
+        }
+    }
+}
+
+impl<R: Ring> Mul<R> for Symmetric3<R> {
+    type Output = Self;
+
+    fn mul(self, k: R) -> Self {
+        Symmetric3 {
+            xx: self.xx * k,
+            yy: self.yy * k,
+            zz: self.zz * k,
+            xy: self.xy * k,
+            yz: self.yz * k,
+            xz: self.xz * k,
+        }
+    }
+}

@@ -1,0 +1,235 @@
+//! From expressions on a graph to a program.
+
+use super::{Constant, ConstantId, ConstantPool, Instruction, Operand, Output, Program};
+use crate::robot::Symbol;
+use crate::expr::{Edge, Graph, Level, NodeId, Operation};
+
+/// How a node of the graph appears in the program: an operand that is the node, or minus the node.
+#[derive(Clone, Copy)]
+struct Place {
+    operand: Operand,
+    negative: bool,
+}
+
+struct Builder<'g> {
+    graph: &'g Graph,
+    meanings: &'g [Symbol],
+    /// What a node is taken to be: its own operation, or an equal one.
+    definition: &'g dyn Fn(NodeId) -> Operation,
+    places: Vec<Option<Place>>,
+    constants: Vec<Option<ConstantId>>,
+    preferred_negative: Vec<bool>,
+    program: Program,
+}
+
+impl Program {
+    /// The program that computes `outputs`, each node by the operation that `definition` gives.
+    pub fn new(
+        graph: &Graph,
+        meanings: &[Symbol],
+        outputs: &[Edge],
+        definition: &dyn Fn(NodeId) -> Operation,
+    ) -> Program {
+        let mut builder = Builder {
+            graph,
+            meanings,
+            definition,
+            places: vec![None; graph.len()],
+            constants: vec![None; graph.len()],
+            preferred_negative: vec![false; graph.len()],
+            program: Program {
+                inputs: Vec::new(),
+                constants: ConstantPool::default(),
+                instructions: Vec::new(),
+                outputs: Vec::new(),
+            },
+        };
+        for output in outputs.iter().rev() {
+            builder.preferred_negative[output.node().index()] = output.is_negative();
+        }
+        for &output in outputs {
+            let output = builder.output(output);
+            builder.program.outputs.push(output);
+        }
+        builder.program
+    }
+}
+
+impl Builder<'_> {
+    fn output(&mut self, edge: Edge) -> Output {
+        if self.graph.level_of(edge.node()) == Level::Constant {
+            return Output { operand: self.constant_operand(edge), negative: false };
+        }
+        let place = self.place(edge.node());
+        Output { operand: place.operand, negative: place.negative != edge.is_negative() }
+    }
+
+    /// Places a node and all that it needs; on an explicit stack, for chains are long.
+    fn place(&mut self, root: NodeId) -> Place {
+        let mut stack = vec![(root, false)];
+        while let Some((id, operands_placed)) = stack.pop() {
+            if self.places[id.index()].is_some() || self.graph.level_of(id) == Level::Constant {
+                continue;
+            }
+            let operation = (self.definition)(id);
+            if operands_placed {
+                let place = self.emit(id, operation);
+                self.places[id.index()] = Some(place);
+            } else {
+                stack.push((id, true));
+                let mut operands: Vec<_> = operation.operands().map(|id| (id, false)).collect();
+                operands.reverse();
+                stack.extend(operands);
+            }
+        }
+        self.places[root.index()].expect("the root was placed")
+    }
+
+    fn emit(&mut self, id: NodeId, operation: Operation) -> Place {
+        match operation {
+            Operation::Rational(_) => unreachable!("numbers are constants"),
+            Operation::Symbol(index) => {
+                self.program.inputs.push(self.meanings[index as usize].clone());
+                Place { operand: Operand::Input(self.program.inputs.len() as u32 - 1), negative: false }
+            }
+            Operation::Add(a, b) => self.emit_sum(id, a, b),
+            Operation::Mul(a, b) => self.emit_product(id, a, b),
+            Operation::Div(a, b) => self.emit_quotient(id, a, b),
+        }
+    }
+
+    fn push(&mut self, instruction: Instruction, negative: bool) -> Place {
+        self.program.instructions.push(instruction);
+        Place { operand: Operand::Result(self.program.instructions.len() as u32 - 1), negative }
+    }
+
+    /// The operand of an edge, and whether it must still be negated.
+    fn read(&mut self, edge: Edge) -> Place {
+        if self.graph.level_of(edge.node()) == Level::Constant {
+            // A positive literal, its sign in the instruction.
+            let negative = self.is_negative_constant(edge);
+            return Place { operand: self.constant_operand(edge.negate_if(negative)), negative };
+        }
+        let place = self.places[edge.node().index()].expect("operands are placed first");
+        Place { negative: place.negative != edge.is_negative(), ..place }
+    }
+
+    fn emit_sum(&mut self, id: NodeId, a: Edge, b: Edge) -> Place {
+        let (a, b) = (self.read(a), self.read(b));
+        let prefer_negative = self.preferred_negative[id.index()];
+        match (a.negative, b.negative) {
+            (false, false) => self.push(Instruction::Add(a.operand, b.operand), false),
+            (true, true) => self.push(Instruction::Add(a.operand, b.operand), true),
+            // a - b = -(b - a)
+            (false, true) if prefer_negative => self.push(Instruction::Sub(b.operand, a.operand), true),
+            (false, true) => self.push(Instruction::Sub(a.operand, b.operand), false),
+            (true, false) if prefer_negative => self.push(Instruction::Sub(a.operand, b.operand), true),
+            (true, false) => self.push(Instruction::Sub(b.operand, a.operand), false),
+        }
+    }
+
+    /// The sign that relates a node to the product or quotient of its operands'
+    /// own values: fingerprints are of the node up to sign.
+    fn emit_product(&mut self, id: NodeId, a: NodeId, b: NodeId) -> Place {
+        let product = self.graph.node(a).value * self.graph.node(b).value;
+        let flipped = product != self.graph.node(id).value;
+        let (mut a, mut b) = (self.read(a.edge(false)), self.read(b.edge(false)));
+        if matches!(b.operand, Operand::Constant(_)) {
+            (a, b) = (b, a);
+        }
+        let mut negative = flipped ^ a.negative ^ b.negative;
+        if let Operand::Constant(constant) = a.operand
+            && negative != self.preferred_negative[id.index()]
+            && self.is_output(id)
+        {
+            a.operand = Operand::Constant(self.negated(constant));
+            negative = !negative;
+        }
+        self.push(Instruction::Mul(a.operand, b.operand), negative)
+    }
+
+    fn emit_quotient(&mut self, id: NodeId, a: NodeId, b: NodeId) -> Place {
+        let inverse = self.graph.node(b).value.inverse();
+        let quotient = inverse.map(|inverse| self.graph.node(a).value * inverse);
+        let flipped = quotient != Some(self.graph.node(id).value);
+        let (a, b) = (self.read(a.edge(false)), self.read(b.edge(false)));
+        self.push(Instruction::Div(a.operand, b.operand), flipped ^ a.negative ^ b.negative)
+    }
+
+    fn is_output(&self, id: NodeId) -> bool {
+        self.preferred_negative[id.index()]
+    }
+
+    fn constant_operand(&mut self, edge: Edge) -> Operand {
+        let id = self.constant(edge.node());
+        Operand::Constant(if edge.is_negative() { self.negated(id) } else { id })
+    }
+
+    fn negated(&mut self, id: ConstantId) -> ConstantId {
+        match self.program.constants.get(id).clone() {
+            Constant::Neg(inner) => inner,
+            Constant::Rational(x) => self.program.constants.push(Constant::Rational(-x)),
+            _ => self.program.constants.push(Constant::Neg(id)),
+        }
+    }
+
+    /// The pool's entry of a constant node; recursion is as deep as the constant is nested.
+    fn constant(&mut self, root: NodeId) -> ConstantId {
+        let mut stack = vec![root];
+        while let Some(&id) = stack.last() {
+            if self.constants[id.index()].is_some() {
+                stack.pop();
+                continue;
+            }
+            let operation = self.graph.operation(id);
+            let missing: Vec<_> =
+                operation.operands().filter(|id| self.constants[id.index()].is_none()).collect();
+            if missing.is_empty() {
+                let constant = self.define_constant(id, operation);
+                self.constants[id.index()] = Some(constant);
+                stack.pop();
+            } else {
+                stack.extend(missing);
+            }
+        }
+        self.constants[root.index()].expect("the constant was defined")
+    }
+
+    fn define_constant(&mut self, id: NodeId, operation: Operation) -> ConstantId {
+        let node = self.graph.node(id);
+        let known = |constants: &[Option<ConstantId>], id: NodeId| constants[id.index()].expect("operands come first");
+        let (constant, value) = match operation {
+            Operation::Rational(index) => (Constant::Rational(self.graph.rational_of(index)), node.value),
+            Operation::Symbol(index) => (Constant::Symbol(self.meanings[index as usize].clone()), node.value),
+            Operation::Add(a, b) => {
+                let [a, b] = [a, b].map(|edge| {
+                    let id = known(&self.constants, edge.node());
+                    if edge.is_negative() { self.negated(id) } else { id }
+                });
+                (Constant::Add(a, b), node.value)
+            }
+            Operation::Mul(a, b) => {
+                let value = self.graph.node(a).value * self.graph.node(b).value;
+                (Constant::Mul(known(&self.constants, a), known(&self.constants, b)), value)
+            }
+            Operation::Div(a, b) => {
+                let inverse = self.graph.node(b).value.inverse().unwrap_or(self.graph.node(b).value);
+                let value = self.graph.node(a).value * inverse;
+                (Constant::Div(known(&self.constants, a), known(&self.constants, b)), value)
+            }
+        };
+        let id = self.program.constants.push(constant);
+        if value == node.value { id } else { self.negated(id) }
+    }
+
+    /// Whether a rational constant is negative; other constants keep the sign that they have.
+    fn is_negative_constant(&self, edge: Edge) -> bool {
+        match self.graph.operation(edge.node()) {
+            Operation::Rational(index) => {
+                let positive = self.graph.rational_of(index).sign() == dashu_int::Sign::Positive;
+                positive == edge.is_negative()
+            }
+            _ => edge.is_negative(),
+        }
+    }
+}

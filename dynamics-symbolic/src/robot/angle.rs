@@ -1,0 +1,130 @@
+//! Constant angles: whole quarter turns, which are exact, and a rest.
+
+use super::Value;
+use crate::exact::Rational;
+
+/// A distance to a multiple of a quarter turn below which an angle means that
+/// multiple: decimals such as 1.5707963267948966 are pi/2.
+const TOLERANCE: f64 = 1e-9;
+
+/// A constant angle: `quarter_turns` * pi/2, plus the angle `rest`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Angle {
+    /// Whole quarter turns, modulo 4.
+    pub quarter_turns: u8,
+    /// What remains, `None` where that is zero.
+    pub rest: Option<Value>,
+}
+
+/// c0 + c1 pi + others, with rational c0, c1.
+struct LinearForm {
+    number: Rational,
+    pi: Rational,
+    others: Value,
+}
+
+impl Angle {
+    /// Takes the whole quarter turns out of an angle.
+    pub fn new(angle: &Value) -> Self {
+        let form = LinearForm::of(angle);
+        let radians = form.number.to_f64().value() + form.pi.to_f64().value() * core::f64::consts::PI;
+        let nearest = (radians / core::f64::consts::FRAC_PI_2).round();
+        let is_multiple = (radians - nearest * core::f64::consts::FRAC_PI_2).abs() <= TOLERANCE;
+        if is_multiple {
+            return Angle { quarter_turns: nearest.rem_euclid(4.0) as u8, rest: nonzero(form.others) };
+        }
+        let quarters = (&form.pi * Rational::from(2)).round();
+        let pi = form.pi - Rational::from(quarters.clone()) / Rational::from(2);
+        let constant = Value::Rational(form.number) + Value::Rational(pi) * Value::Pi;
+        let quarters = f64::try_from(quarters).unwrap_or(0.0);
+        Angle { quarter_turns: quarters.rem_euclid(4.0) as u8, rest: nonzero(constant + form.others) }
+    }
+}
+
+fn nonzero(value: Value) -> Option<Value> {
+    (!value.is_zero()).then_some(value)
+}
+
+impl LinearForm {
+    fn of(value: &Value) -> Self {
+        let zero = || Rational::ZERO;
+        match value {
+            Value::Rational(r) => LinearForm { number: r.clone(), pi: zero(), others: Value::zero() },
+            Value::Pi => LinearForm { number: zero(), pi: Rational::ONE, others: Value::zero() },
+            Value::Neg(a) => LinearForm::of(a).scaled(&Rational::from(-1)),
+            Value::Add(a, b) => LinearForm::of(a).plus(LinearForm::of(b)),
+            Value::Mul(a, b) => match (a.as_rational(), b.as_rational()) {
+                (Some(k), _) => LinearForm::of(b).scaled(k),
+                (_, Some(k)) => LinearForm::of(a).scaled(k),
+                _ => LinearForm::opaque(value),
+            },
+            Value::Div(a, b) => match b.as_rational() {
+                Some(k) if !k.is_zero() => LinearForm::of(a).scaled(&(Rational::ONE / k)),
+                _ => LinearForm::opaque(value),
+            },
+            Value::Field(_) => LinearForm::opaque(value),
+        }
+    }
+
+    fn opaque(value: &Value) -> Self {
+        LinearForm { number: Rational::ZERO, pi: Rational::ZERO, others: value.clone() }
+    }
+
+    fn scaled(self, k: &Rational) -> Self {
+        LinearForm {
+            number: self.number * k,
+            pi: self.pi * k,
+            others: self.others * Value::Rational(k.clone()),
+        }
+    }
+
+    fn plus(self, other: Self) -> Self {
+        LinearForm {
+            number: self.number + other.number,
+            pi: self.pi + other.pi,
+            others: self.others + other.others,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn rational(numerator: i64, denominator: u64) -> Value {
+        Value::Rational(Rational::from_parts(numerator.into(), denominator.into()))
+    }
+
+    #[test]
+    fn quarter_turns_are_exact() {
+        let half_pi = Value::Pi * rational(1, 2);
+        let cases = [
+            (Value::zero(), 0),
+            (half_pi.clone(), 1),
+            (-half_pi.clone(), 3),
+            (Value::Pi, 2),
+            (Value::from_f64(1.5707963267948966).unwrap(), 1),
+            (rational(-15_707_963_268, 10_000_000_000), 3),
+            (Value::Pi * rational(90, 180), 1),
+        ];
+        for (angle, quarter_turns) in cases {
+            assert_eq!(Angle::new(&angle), Angle { quarter_turns, rest: None }, "{angle:?}");
+        }
+    }
+
+    #[test]
+    fn other_angles_keep_a_rest() {
+        let angle = Angle::new(&(Value::Pi * rational(2, 3)));
+        assert_eq!(angle.quarter_turns, 1);
+        let rest = angle.rest.unwrap().to_f64(&[]);
+        assert!((rest - core::f64::consts::FRAC_PI_6).abs() < 1e-15);
+        let angle = Angle::new(&rational(15708, 10000));
+        assert_eq!(angle, Angle { quarter_turns: 0, rest: Some(rational(15708, 10000)) });
+    }
+
+    #[test]
+    fn parameters_are_kept_apart_from_quarter_turns() {
+        let angle = Angle::new(&(Value::field(0) + Value::Pi * rational(1, 2)));
+        assert_eq!(angle, Angle { quarter_turns: 1, rest: Some(Value::field(0)) });
+    }
+}

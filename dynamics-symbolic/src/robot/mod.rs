@@ -1,0 +1,79 @@
+//! The description of a robot arm: what a Denavit-Hartenberg table says, as data.
+//!
+//! No syntax in here: the macro's parser builds these types, and so can any
+//! other program.
+
+mod angle;
+mod interpretation;
+mod symbol;
+mod value;
+
+pub use angle::Angle;
+pub use interpretation::Interpretation;
+pub use symbol::Symbol;
+pub use value::Value;
+
+/// How a row of the table places link frame i in link frame i-1.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Convention {
+    /// `Rz(theta) Tz(d) Tx(a) Rx(alpha)`.
+    Standard,
+    /// `Rx(alpha) Tx(a) Rz(theta) Tz(d)` (Craig), where row i holds alpha_{i-1} and a_{i-1}.
+    Modified,
+}
+
+/// The kind of a joint: its variable is added to `theta` (revolute) or `d` (prismatic).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum JointType {
+    /// Rotation about z.
+    Revolute,
+    /// Translation along z.
+    Prismatic,
+}
+
+/// One row of the table: a joint and the link that it moves. SI units, radians.
+#[derive(Clone, Debug)]
+pub struct Row {
+    /// The joint's name.
+    pub name: String,
+    /// Revolute or prismatic.
+    pub joint_type: JointType,
+    /// Link length, m.
+    pub a: Value,
+    /// Link twist, rad.
+    pub alpha: Value,
+    /// Link offset, m.
+    pub d: Value,
+    /// Joint angle (its constant part where the joint is revolute), rad.
+    pub theta: Value,
+    /// Mass of the link, kg.
+    pub mass: Value,
+    /// Centre of mass in the link frame, m.
+    pub com: [Value; 3],
+    /// Inertia tensor about the centre of mass, axes parallel to the link
+    /// frame: entries xx, yy, zz, xy, yz, xz of the tensor, kg m^2.
+    pub inertia: [Value; 6],
+    /// Rotor inertia of the motor, kg m^2.
+    pub motor_inertia: Value,
+    /// Gear ratio, motor speed over joint speed.
+    pub gear_ratio: Value,
+    /// Viscous friction at the joint, N m s (or N s/m).
+    pub viscous: Value,
+    /// Coulomb friction at the joint, N m (or N).
+    pub coulomb: Value,
+}
+
+/// A serial arm on a fixed base.
+#[derive(Clone, Debug)]
+pub struct Robot {
+    /// Name of the arm.
+    pub name: String,
+    /// Names of the symbolic parameters; [`Value::field`] i stands for `fields[i]`.
+    pub fields: Vec<String>,
+    /// Convention of the rows.
+    pub convention: Convention,
+    /// Acceleration of gravity in the base frame, m/s^2.
+    pub gravity: [Value; 3],
+    /// The rows, from the base outwards.
+    pub rows: Vec<Row>,
+}
