@@ -7,7 +7,9 @@
 //! and leaves as Rust tokens (`emit`).
 
 pub mod derive;
+pub mod emit;
 pub mod exact;
+mod expand;
 pub mod expr;
 pub mod function;
 pub mod linear;
@@ -15,4 +17,8 @@ pub mod program;
 pub mod prove;
 pub mod robot;
 
+pub use emit::stub;
+pub use expand::{Method, expand};
 pub use function::Function;
+pub use program::Operations;
+pub use prove::ProofFailure;

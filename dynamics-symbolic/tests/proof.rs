@@ -16,12 +16,25 @@ fn all_functions_of_all_robots() {
         for function in Function::ALL {
             let graph = Graph::new();
             let mut symbols = Symbols::new(&graph, &robot);
-            let mut chain = Chain::new(&mut symbols, &robot, &vec![Origin::AfterOffset; robot.rows.len()]);
+            let mut chain = Chain::new(
+                &mut symbols,
+                &robot,
+                &vec![Origin::AfterOffset; robot.rows.len()],
+            );
             chain.group_parameters();
-            let outputs: Vec<_> = outputs(&mut symbols, &robot, &chain, function).iter().map(|e| e.edge()).collect();
-            let program = Program::new(&graph, symbols.meanings(), &outputs, &|id| graph.operation(id));
+            let outputs: Vec<_> = outputs(&mut symbols, &robot, &chain, function)
+                .iter()
+                .map(|e| e.edge())
+                .collect();
+            let program = Program::new(&graph, symbols.meanings(), &outputs, &|id| {
+                graph.operation(id)
+            });
             let result = prove::prove(&robot, function, &program);
-            println!("{name} {} {:?} {result:?}", function.name(), program.operations());
+            println!(
+                "{name} {} {:?} {result:?}",
+                function.name(),
+                program.operations()
+            );
         }
     }
 }

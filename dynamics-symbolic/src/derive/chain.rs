@@ -1,7 +1,7 @@
 //! The chain in proximal frames: every frame has its origin and its z axis on
 //! the axis of its own joint, whatever the convention of the table.
 
-use super::inertia::{Body, Turn, enter_x, leave_x, enter_z, leave_z};
+use super::inertia::{Body, Turn, enter_x, enter_z, leave_x, leave_z};
 use super::symbols::Symbols;
 use crate::expr::Expr;
 use crate::linear::{Symmetric3, Vector3};
@@ -98,11 +98,25 @@ impl<'g> Chain<'g> {
                 .moved(Vector3::new(zero, zero, -shift));
             let ratio = symbols.value(&row.gear_ratio);
             let reflected = ratio * ratio * symbols.value(&row.motor_inertia);
-            Link { joint_type: row.joint_type, twist: twist.turn, turn: Turn { s, c }, offset, slide, body, reflected }
+            Link {
+                joint_type: row.joint_type,
+                twist: twist.turn,
+                turn: Turn { s, c },
+                offset,
+                slide,
+                body,
+                reflected,
+            }
         });
         let links = links.collect();
         let gravity = Vector3([0, 1, 2].map(|k| symbols.value(&robot.gravity[k])));
-        Chain { zero, one: symbols.graph().one(), gravity, base: Body::splat(zero), links }
+        Chain {
+            zero,
+            one: symbols.graph().one(),
+            gravity,
+            base: Body::splat(zero),
+            links,
+        }
     }
 
     /// Moves to the previous link what a joint cannot tell apart: base inertial
@@ -121,7 +135,10 @@ impl<'g> Chain<'g> {
                 JointType::Prismatic => {
                     let mut tensor = Body::splat(self.zero);
                     tensor.inertia = link.body.inertia;
-                    let rest = Body { inertia: Symmetric3::splat(self.zero), ..link.body };
+                    let rest = Body {
+                        inertia: Symmetric3::splat(self.zero),
+                        ..link.body
+                    };
                     (tensor.left_z(link.turn).left_x(link.twist), rest)
                 }
             };
@@ -145,23 +162,43 @@ fn twists<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> Vec<Twist<'g>> {
     };
     let twist = |(a, alpha): (&Value, &Value)| {
         let (s, c) = symbols.sin_cos(alpha);
-        Twist { a: symbols.value(a), turn: Turn { s, c } }
+        Twist {
+            a: symbols.value(a),
+            turn: Turn { s, c },
+        }
     };
     cells.into_iter().map(twist).collect()
 }
 
 /// The link's parameters in the frame on its joint's axis, after the offset d.
 /// A standard link frame comes after the row's a and alpha, a modified one before the next row's.
-fn body<'g>(symbols: &mut Symbols<'g>, convention: Convention, row: &Row, next: &Twist<'g>) -> Body<Expr<'g>> {
+fn body<'g>(
+    symbols: &mut Symbols<'g>,
+    convention: Convention,
+    row: &Row,
+    next: &Twist<'g>,
+) -> Body<Expr<'g>> {
     let zero = symbols.graph().zero();
     let mass = symbols.value(&row.mass);
     let com = Vector3([0, 1, 2].map(|k| symbols.value(&row.com[k])));
     let [xx, yy, zz, xy, yz, xz] = [0, 1, 2, 3, 4, 5].map(|k| symbols.value(&row.inertia[k]));
-    let inertia = Symmetric3 { xx, yy, zz, xy, yz, xz };
+    let inertia = Symmetric3 {
+        xx,
+        yy,
+        zz,
+        xy,
+        yz,
+        xz,
+    };
     match convention {
         Convention::Modified => Body::new(mass, com, inertia),
         Convention::Standard => {
-            let central = Body { mass: zero, moment: Vector3::splat(zero), inertia }.left_x(next.turn);
+            let central = Body {
+                mass: zero,
+                moment: Vector3::splat(zero),
+                inertia,
+            }
+            .left_x(next.turn);
             let com = leave_x(next.turn, com) + Vector3::new(next.a, zero, zero);
             Body::new(mass, com, central.inertia)
         }

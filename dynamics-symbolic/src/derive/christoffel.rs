@@ -43,17 +43,26 @@ impl<'g> Motion<'g> {
 
     /// In the next frame.
     fn enter(self, link: &Link<'g>, zero: Expr<'g>) -> Self {
-        Motion { w: link.enter(self.w), v: link.enter(self.v + self.w.cross(link.position(zero))) }
+        Motion {
+            w: link.enter(self.w),
+            v: link.enter(self.v + self.w.cross(link.position(zero))),
+        }
     }
 
     /// Motion cross motion.
     fn cross(self, other: Self) -> Self {
-        Motion { w: self.w.cross(other.w), v: self.w.cross(other.v) + self.v.cross(other.w) }
+        Motion {
+            w: self.w.cross(other.w),
+            v: self.w.cross(other.v) + self.v.cross(other.w),
+        }
     }
 
     /// Motion cross force.
     fn cross_force(self, force: Force<'g>) -> Force<'g> {
-        Force { n: self.w.cross(force.n) + self.v.cross(force.f), f: self.w.cross(force.f) }
+        Force {
+            n: self.w.cross(force.n) + self.v.cross(force.f),
+            f: self.w.cross(force.f),
+        }
     }
 
     fn dot(self, force: Force<'g>) -> Expr<'g> {
@@ -70,7 +79,7 @@ fn momentum<'g>(body: &Body<Expr<'g>>, motion: Motion<'g>) -> Force<'g> {
 }
 
 /// The symbols c_ijk, symmetric in j and k, indexed [i][j][k].
-pub fn christoffel<'g>(graph: &'g Graph, chain: &Chain<'g>) -> Vec<Vec<Vec<Expr<'g>>>> {
+pub(super) fn christoffel<'g>(graph: &'g Graph, chain: &Chain<'g>) -> Vec<Vec<Vec<Expr<'g>>>> {
     let n = chain.links.len();
     let zero = chain.zero;
     let half = graph.rational(&(Rational::ONE / Rational::from(2)));
@@ -99,20 +108,31 @@ pub fn christoffel<'g>(graph: &'g Graph, chain: &Chain<'g>) -> Vec<Vec<Vec<Expr<
             }
         }
         let link = &chain.links[m];
-        composite = composite.left_z(link.turn).left_x(link.twist).moved(link.position(zero));
+        composite = composite
+            .left_z(link.turn)
+            .left_x(link.twist)
+            .moved(link.position(zero));
     }
     symbols
 }
 
 fn difference<'g>(a: Force<'g>, b: Force<'g>, c: Force<'g>) -> Force<'g> {
-    Force { n: a.n - b.n - c.n, f: a.f - b.f - c.f }
+    Force {
+        n: a.n - b.n - c.n,
+        f: a.f - b.f - c.f,
+    }
 }
 
 /// The axes of joints 0 to m in frame m, for every m.
 fn axes<'g>(chain: &Chain<'g>) -> Vec<Vec<Motion<'g>>> {
     let mut axes: Vec<Vec<Motion<'g>>> = Vec::with_capacity(chain.links.len());
     for link in &chain.links {
-        let mut row: Vec<_> = axes.last().into_iter().flatten().map(|s| s.enter(link, chain.zero)).collect();
+        let mut row: Vec<_> = axes
+            .last()
+            .into_iter()
+            .flatten()
+            .map(|s| s.enter(link, chain.zero))
+            .collect();
         row.push(Motion::axis(link.joint_type, chain.zero, chain.one));
         axes.push(row);
     }

@@ -9,7 +9,7 @@ use crate::linear::Vector3;
 use crate::robot::JointType;
 
 /// M(q) by rows, both triangles.
-pub fn mass_matrix<'g>(chain: &Chain<'g>) -> Vec<Vec<Expr<'g>>> {
+pub(super) fn mass_matrix<'g>(chain: &Chain<'g>) -> Vec<Vec<Expr<'g>>> {
     let n = chain.links.len();
     let zero = chain.zero;
     let mut matrix = vec![vec![zero; n]; n];
@@ -20,12 +20,14 @@ pub fn mass_matrix<'g>(chain: &Chain<'g>) -> Vec<Vec<Expr<'g>>> {
         let inertia = composite.inertia;
         // f = z x h, n = J z (revolute); f = m z, n = h x z (prismatic).
         let (mut force, mut moment) = match link.joint_type {
-            JointType::Revolute => {
-                (Vector3::new(-h[1], h[0], zero), Vector3::new(inertia.xz, inertia.yz, inertia.zz))
-            }
-            JointType::Prismatic => {
-                (Vector3::new(zero, zero, composite.mass), Vector3::new(h[1], -h[0], zero))
-            }
+            JointType::Revolute => (
+                Vector3::new(-h[1], h[0], zero),
+                Vector3::new(inertia.xz, inertia.yz, inertia.zz),
+            ),
+            JointType::Prismatic => (
+                Vector3::new(zero, zero, composite.mass),
+                Vector3::new(h[1], -h[0], zero),
+            ),
         };
         for i in (0..=j).rev() {
             let along = match chain.links[i].joint_type {

@@ -7,7 +7,7 @@ use crate::linear::Vector3;
 use crate::robot::JointType;
 
 /// T = sum 1/2 w.J w + v.(w x h) + 1/2 m v.v, and 1/2 r^2 J_m qd^2 for each motor.
-pub fn kinetic_energy<'g>(graph: &'g Graph, chain: &Chain<'g>, qd: &[Expr<'g>]) -> Expr<'g> {
+pub(super) fn kinetic_energy<'g>(graph: &'g Graph, chain: &Chain<'g>, qd: &[Expr<'g>]) -> Expr<'g> {
     let half = graph.rational(&(Rational::ONE / Rational::from(2)));
     let zero = chain.zero;
     let (mut w, mut v) = (Vector3::splat(zero), Vector3::splat(zero));
@@ -21,17 +21,21 @@ pub fn kinetic_energy<'g>(graph: &'g Graph, chain: &Chain<'g>, qd: &[Expr<'g>]) 
             JointType::Prismatic => v.0[2] = v[2] + qd,
         }
         let body = &link.body;
-        squares = squares + w.dot(body.inertia.apply(w)) + body.mass * v.dot(v) + link.reflected * (qd * qd);
+        squares = squares
+            + w.dot(body.inertia.apply(w))
+            + body.mass * v.dot(v)
+            + link.reflected * (qd * qd);
         mixed = mixed + body.moment.dot(v.cross(w));
     }
     half * squares + mixed
 }
 
 /// U = -g.h, with h the first moment of the whole arm about the base's origin.
-pub fn potential_energy<'g>(chain: &Chain<'g>) -> Expr<'g> {
+pub(super) fn potential_energy<'g>(chain: &Chain<'g>) -> Expr<'g> {
     let moments = composite_moments(chain);
     let first = chain.links.first().zip(moments.first());
-    let outer = first.map(|(link, (mass, moment))| link.leave(*moment) + link.position(chain.zero) * *mass);
+    let outer =
+        first.map(|(link, (mass, moment))| link.leave(*moment) + link.position(chain.zero) * *mass);
     let total = outer.map_or(chain.base.moment, |outer| chain.base.moment + outer);
     -chain.gravity.dot(total)
 }
@@ -39,7 +43,7 @@ pub fn potential_energy<'g>(chain: &Chain<'g>) -> Expr<'g> {
 /// G = dU/dq from first moments: G_i = z.(g x h_i) for a revolute joint, -m_i g_z
 /// for a prismatic one, with the mass and the first moment of links i to n
 /// about the origin of frame i.
-pub fn gravity_vector<'g>(chain: &Chain<'g>) -> Vec<Expr<'g>> {
+pub(super) fn gravity_vector<'g>(chain: &Chain<'g>) -> Vec<Expr<'g>> {
     let mut g = chain.gravity;
     let moments = composite_moments(chain);
     let force = |(link, (mass, h)): (&super::chain::Link<'g>, &(Expr<'g>, Vector3<Expr<'g>>))| {

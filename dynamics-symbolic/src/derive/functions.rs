@@ -39,7 +39,11 @@ pub fn outputs<'g>(
             let matrix = composite::mass_matrix(chain);
             let bias = outputs(symbols, robot, chain, Function::BiasForce);
             let applied = symbols.all(|joint| joint.tau);
-            let net = applied.into_iter().zip(bias).map(|(tau, bias)| tau - bias).collect();
+            let net = applied
+                .into_iter()
+                .zip(bias)
+                .map(|(tau, bias)| tau - bias)
+                .collect();
             let diagonal: Vec<_> = (0..matrix.len()).map(|i| matrix[i][i]).collect();
             let solution = solve::solve(graph, matrix, net);
             [solution.x, solution.pivots, diagonal].concat()
@@ -47,27 +51,45 @@ pub fn outputs<'g>(
         Function::KineticEnergy => vec![energy::kinetic_energy(graph, chain, &qd)],
         Function::PotentialEnergy => vec![energy::potential_energy(chain)],
         Function::CoriolisMatrix => {
-            let contract = |row: &Vec<Expr<'g>>| row.iter().zip(&qd).fold(zero, |sum, (&c, &qd)| sum + c * qd);
+            let contract = |row: &Vec<Expr<'g>>| {
+                row.iter()
+                    .zip(&qd)
+                    .fold(zero, |sum, (&c, &qd)| sum + c * qd)
+            };
             let symbols = christoffel::christoffel(graph, chain);
             symbols.iter().flatten().map(contract).collect()
         }
         Function::CoriolisCoefficients => {
             let n = robot.rows.len();
-            let pairs: Vec<_> = (0..n).flat_map(|j| (j + 1..n).map(move |k| (j, k))).collect();
+            let pairs: Vec<_> = (0..n)
+                .flat_map(|j| (j + 1..n).map(move |k| (j, k)))
+                .collect();
             let symbols = christoffel::christoffel(graph, chain);
-            symbols.iter().flat_map(|c| pairs.iter().map(|&(j, k)| c[j][k] + c[k][j])).collect()
+            symbols
+                .iter()
+                .flat_map(|c| pairs.iter().map(|&(j, k)| c[j][k] + c[k][j]))
+                .collect()
         }
         Function::CentrifugalCoefficients => {
             let symbols = christoffel::christoffel(graph, chain);
-            symbols.iter().flat_map(|c| (0..c.len()).map(|j| c[j][j])).collect()
+            symbols
+                .iter()
+                .flat_map(|c| (0..c.len()).map(|j| c[j][j]))
+                .collect()
         }
         Function::ForwardKinematics => {
             let frames = kinematics::frames(symbols, robot);
-            frames.last().map(|frame| frame.homogeneous(zero, one)).unwrap_or_default()
+            frames
+                .last()
+                .map(|frame| frame.homogeneous(zero, one))
+                .unwrap_or_default()
         }
         Function::LinkPoses => {
             let frames = kinematics::frames(symbols, robot);
-            frames.iter().flat_map(|frame| frame.homogeneous(zero, one)).collect()
+            frames
+                .iter()
+                .flat_map(|frame| frame.homogeneous(zero, one))
+                .collect()
         }
         Function::Jacobian => kinematics::jacobian(symbols, robot),
     }

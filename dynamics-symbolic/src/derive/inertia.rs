@@ -71,19 +71,37 @@ pub fn enter_z<R: Ring>(turn: Turn<R>, v: Vector3<R>) -> Vector3<R> {
 fn tensor_leave_x<R: Ring>(turn: Turn<R>, j: Symmetric3<R>) -> Symmetric3<R> {
     let (yy, zz, yz) = turn.leave_block(j.yy, j.zz, j.yz);
     let (xy, xz) = turn.leave(j.xy, j.xz);
-    Symmetric3 { xx: j.xx, yy, zz, xy, yz, xz }
+    Symmetric3 {
+        xx: j.xx,
+        yy,
+        zz,
+        xy,
+        yz,
+        xz,
+    }
 }
 
 fn tensor_leave_z<R: Ring>(turn: Turn<R>, j: Symmetric3<R>) -> Symmetric3<R> {
     let (xx, yy, xy) = turn.leave_block(j.xx, j.yy, j.xy);
     let (xz, yz) = turn.leave(j.xz, j.yz);
-    Symmetric3 { xx, yy, zz: j.zz, xy, yz, xz }
+    Symmetric3 {
+        xx,
+        yy,
+        zz: j.zz,
+        xy,
+        yz,
+        xz,
+    }
 }
 
 impl<R: Ring> Body<R> {
     /// The same parameter ten times (for zero).
     pub fn splat(x: R) -> Self {
-        Body { mass: x, moment: Vector3::splat(x), inertia: Symmetric3::splat(x) }
+        Body {
+            mass: x,
+            moment: Vector3::splat(x),
+            inertia: Symmetric3::splat(x),
+        }
     }
 
     /// A body by its mass, centre of mass and inertia about the centre of mass:
@@ -100,7 +118,11 @@ impl<R: Ring> Body<R> {
             yz: -(hy * z),
             xz: -(hx * z),
         };
-        Body { mass, moment, inertia: inertia + steiner }
+        Body {
+            mass,
+            moment,
+            inertia: inertia + steiner,
+        }
     }
 
     /// Both bodies as one.

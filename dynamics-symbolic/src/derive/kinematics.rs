@@ -6,15 +6,15 @@ use crate::linear::{Matrix3, Vector3};
 use crate::robot::{Convention, Interpretation, JointType, Robot};
 
 /// A link frame, and the axis of its joint, in the base.
-pub struct Frame<'g> {
+pub(super) struct Frame<'g> {
     /// Axes of the link frame in the base, by columns.
-    pub rotation: Matrix3<Expr<'g>>,
+    pub(super) rotation: Matrix3<Expr<'g>>,
     /// Origin of the link frame in the base.
-    pub origin: Vector3<Expr<'g>>,
+    pub(super) origin: Vector3<Expr<'g>>,
     /// Direction of the joint's axis in the base.
-    pub axis: Vector3<Expr<'g>>,
+    pub(super) axis: Vector3<Expr<'g>>,
     /// A point of the joint's axis in the base.
-    pub axis_origin: Vector3<Expr<'g>>,
+    pub(super) axis_origin: Vector3<Expr<'g>>,
 }
 
 /// The orientation that is reached so far: the columns are the axes.
@@ -48,7 +48,7 @@ impl<'g> Axes<'g> {
 }
 
 /// Every link frame, from the base outwards.
-pub fn frames<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> Vec<Frame<'g>> {
+pub(super) fn frames<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> Vec<Frame<'g>> {
     let (zero, one) = (symbols.graph().zero(), symbols.graph().one());
     let mut axes = Axes {
         x: Vector3::new(one, zero, zero),
@@ -78,16 +78,23 @@ pub fn frames<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> Vec<Frame<'g>> {
             }
         };
         let rows = Matrix3([axes.x.0, axes.y.0, axes.z.0]);
-        frames.push(Frame { rotation: rows.transpose(), origin: axes.origin, axis, axis_origin });
+        frames.push(Frame {
+            rotation: rows.transpose(),
+            origin: axes.origin,
+            axis,
+            axis_origin,
+        });
     }
     frames
 }
 
 impl<'g> Frame<'g> {
     /// The homogeneous transform, by rows.
-    pub fn homogeneous(&self, zero: Expr<'g>, one: Expr<'g>) -> Vec<Expr<'g>> {
+    pub(super) fn homogeneous(&self, zero: Expr<'g>, one: Expr<'g>) -> Vec<Expr<'g>> {
         let rows = self.rotation.0.iter().zip(&self.origin.0);
-        let mut entries: Vec<_> = rows.flat_map(|(row, &x)| [row[0], row[1], row[2], x]).collect();
+        let mut entries: Vec<_> = rows
+            .flat_map(|(row, &x)| [row[0], row[1], row[2], x])
+            .collect();
         entries.extend([zero, zero, zero, one]);
         entries
     }
@@ -96,10 +103,12 @@ impl<'g> Frame<'g> {
 /// The geometric Jacobian of the last frame's origin by rows: vx vy vz wx wy wz.
 ///
 /// Columns (z x (p - o), z) for a revolute joint, (z, 0) for a prismatic one.
-pub fn jacobian<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> Vec<Expr<'g>> {
+pub(super) fn jacobian<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> Vec<Expr<'g>> {
     let zero = symbols.graph().zero();
     let frames = frames(symbols, robot);
-    let Some(tip) = frames.last().map(|frame| frame.origin) else { return Vec::new() };
+    let Some(tip) = frames.last().map(|frame| frame.origin) else {
+        return Vec::new();
+    };
     let columns: Vec<_> = frames
         .iter()
         .zip(&robot.rows)

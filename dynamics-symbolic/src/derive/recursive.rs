@@ -43,14 +43,18 @@ impl<'g> Motion<'g> {
 }
 
 /// Joint forces of a motion: M qdd + V (+ G where `gravity` is the chain's), without friction.
-pub fn inverse_dynamics<'g>(
+pub(super) fn inverse_dynamics<'g>(
     chain: &Chain<'g>,
     qd: &[Expr<'g>],
     qdd: &[Expr<'g>],
     gravity: Vector<'g>,
 ) -> Vec<Expr<'g>> {
     let rest = Vector3::splat(chain.zero);
-    let mut motion = Motion { w: rest, wd: rest, a: -gravity };
+    let mut motion = Motion {
+        w: rest,
+        wd: rest,
+        a: -gravity,
+    };
     let mut wrenches = Vec::with_capacity(chain.links.len());
     for (link, (&qd, &qdd)) in chain.links.iter().zip(qd.iter().zip(qdd)) {
         motion = outward(chain, link, motion, qd, qdd);
@@ -60,7 +64,13 @@ pub fn inverse_dynamics<'g>(
 }
 
 /// The motion of a link from that of the previous one.
-fn outward<'g>(chain: &Chain<'g>, link: &Link<'g>, previous: Motion<'g>, qd: Expr<'g>, qdd: Expr<'g>) -> Motion<'g> {
+fn outward<'g>(
+    chain: &Chain<'g>,
+    link: &Link<'g>,
+    previous: Motion<'g>,
+    qd: Expr<'g>,
+    qdd: Expr<'g>,
+) -> Motion<'g> {
     let zero = chain.zero;
     let w = link.enter(previous.w);
     let wd = link.enter(previous.wd);
@@ -75,7 +85,11 @@ fn outward<'g>(chain: &Chain<'g>, link: &Link<'g>, previous: Motion<'g>, qd: Exp
         // a' = a + qdd z + 2 w x z qd
         JointType::Prismatic => {
             let twice = qd + qd;
-            Motion { w, wd, a: Vector3::new(a[0] + w[1] * twice, a[1] - w[0] * twice, a[2] + qdd) }
+            Motion {
+                w,
+                wd,
+                a: Vector3::new(a[0] + w[1] * twice, a[1] - w[0] * twice, a[2] + qdd),
+            }
         }
     }
 }
@@ -95,14 +109,30 @@ fn euler<'g>(link: &Link<'g>, motion: &Motion<'g>) -> Vector<'g> {
     let ([x, y, z], [xd, yd, zd]) = (motion.w.0, motion.wd.0);
     let (xx, yy, zz) = (x * x, y * y, z * z);
     Vector3::new(
-        j.xx * xd + (j.zz - j.yy) * (y * z) + j.xy * (yd - x * z) + j.xz * (zd + x * y) + j.yz * (yy - zz),
-        j.yy * yd + (j.xx - j.zz) * (x * z) + j.yz * (zd - x * y) + j.xy * (xd + y * z) + j.xz * (zz - xx),
-        j.zz * zd + (j.yy - j.xx) * (x * y) + j.xz * (xd - y * z) + j.yz * (yd + x * z) + j.xy * (xx - yy),
+        j.xx * xd
+            + (j.zz - j.yy) * (y * z)
+            + j.xy * (yd - x * z)
+            + j.xz * (zd + x * y)
+            + j.yz * (yy - zz),
+        j.yy * yd
+            + (j.xx - j.zz) * (x * z)
+            + j.yz * (zd - x * y)
+            + j.xy * (xd + y * z)
+            + j.xz * (zz - xx),
+        j.zz * zd
+            + (j.yy - j.xx) * (x * y)
+            + j.xz * (xd - y * z)
+            + j.yz * (yd + x * z)
+            + j.xy * (xx - yy),
     )
 }
 
 /// Joint forces from the links' wrenches, from the tip inwards.
-fn inward<'g>(chain: &Chain<'g>, wrenches: Vec<(Vector<'g>, Vector<'g>)>, qdd: &[Expr<'g>]) -> Vec<Expr<'g>> {
+fn inward<'g>(
+    chain: &Chain<'g>,
+    wrenches: Vec<(Vector<'g>, Vector<'g>)>,
+    qdd: &[Expr<'g>],
+) -> Vec<Expr<'g>> {
     let mut forces = vec![chain.zero; chain.links.len()];
     let mut outer = (Vector3::splat(chain.zero), Vector3::splat(chain.zero));
     for (i, link) in chain.links.iter().enumerate().rev() {

@@ -8,15 +8,19 @@
 use crate::expr::{Expr, Graph};
 
 /// The solution of M x = b, and the pivots d.
-pub struct Solution<'g> {
+pub(super) struct Solution<'g> {
     /// x
-    pub x: Vec<Expr<'g>>,
+    pub(super) x: Vec<Expr<'g>>,
     /// d
-    pub pivots: Vec<Expr<'g>>,
+    pub(super) pivots: Vec<Expr<'g>>,
 }
 
 /// Solves M x = b, unrolled; entries that are zero cost nothing.
-pub fn solve<'g>(graph: &'g Graph, mut m: Vec<Vec<Expr<'g>>>, mut b: Vec<Expr<'g>>) -> Solution<'g> {
+pub(super) fn solve<'g>(
+    graph: &'g Graph,
+    mut m: Vec<Vec<Expr<'g>>>,
+    mut b: Vec<Expr<'g>>,
+) -> Solution<'g> {
     let n = b.len();
     let mut reciprocals = vec![graph.zero(); n];
     // m[i][j], i < j, becomes U_ij; m[j][j] becomes d_j; b becomes U^-1 b.
@@ -38,5 +42,8 @@ pub fn solve<'g>(graph: &'g Graph, mut m: Vec<Vec<Expr<'g>>>, mut b: Vec<Expr<'g
         let coupled = (0..j).fold(b[j] * reciprocals[j], |sum, i| sum - m[i][j] * x[i]);
         x.push(coupled);
     }
-    Solution { x, pivots: (0..n).map(|j| m[j][j]).collect() }
+    Solution {
+        x,
+        pivots: (0..n).map(|j| m[j][j]).collect(),
+    }
 }

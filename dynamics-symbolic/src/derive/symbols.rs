@@ -60,7 +60,14 @@ impl<'g> Symbols<'g> {
                 }
             })
             .collect();
-        Symbols { graph, meanings, pi, fields, angles: Vec::new(), joints }
+        Symbols {
+            graph,
+            meanings,
+            pi,
+            fields,
+            angles: Vec::new(),
+            joints,
+        }
     }
 
     /// The graph.
@@ -86,7 +93,12 @@ impl<'g> Symbols<'g> {
     /// Sine and cosine of q_i + theta (revolute) or of theta (prismatic). The
     /// constant rotates the sine and cosine of q: added to q it would cost
     /// digits where q is large.
-    pub fn joint_sin_cos(&mut self, i: usize, joint_type: JointType, theta: &Value) -> (Expr<'g>, Expr<'g>) {
+    pub fn joint_sin_cos(
+        &mut self,
+        i: usize,
+        joint_type: JointType,
+        theta: &Value,
+    ) -> (Expr<'g>, Expr<'g>) {
         let (st, ct) = self.sin_cos(theta);
         match joint_type {
             JointType::Prismatic => (st, ct),
@@ -125,9 +137,16 @@ impl<'g> Interpretation for Symbols<'g> {
         if let Some((_, s, c)) = self.angles.iter().find(|(known, ..)| *known == opposite) {
             return (-*s, *c);
         }
-        let level = if angle.is_number() { Level::Constant } else { Level::Parameter };
+        let level = if angle.is_number() {
+            Level::Constant
+        } else {
+            Level::Parameter
+        };
         let (s, c) = self.graph.circle(level);
-        self.meanings.extend([Symbol::AngleSine(angle.clone()), Symbol::AngleCosine(angle.clone())]);
+        self.meanings.extend([
+            Symbol::AngleSine(angle.clone()),
+            Symbol::AngleCosine(angle.clone()),
+        ]);
         self.angles.push((angle.clone(), s, c));
         (s, c)
     }

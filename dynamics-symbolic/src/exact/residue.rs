@@ -133,7 +133,10 @@ mod tests {
     fn check_field<const P: u64>() {
         let mut random = SplitMix64::new(1);
         for _ in 0..200 {
-            let (a, b) = (Residue::<P>::random(&mut random), Residue::<P>::random(&mut random));
+            let (a, b) = (
+                Residue::<P>::random(&mut random),
+                Residue::<P>::random(&mut random),
+            );
             assert_eq!(a * a.inverse().unwrap(), Residue::ONE);
             assert_eq!((a + b) * (a - b), a * a - b * b);
             let expected = (a.get() as u128 * b.get() as u128 % P as u128) as u64;
@@ -163,6 +166,9 @@ mod tests {
         let p = Rational::from(MERSENNE_61);
         assert_eq!(Mersenne::from_rational(&p), None);
         assert_eq!(Mersenne::from_rational(&(Rational::ONE / p)), None);
-        assert_eq!(Mersenne::from_rational(&Rational::ZERO), Some(Mersenne::ZERO));
+        assert_eq!(
+            Mersenne::from_rational(&Rational::ZERO),
+            Some(Mersenne::ZERO)
+        );
     }
 }

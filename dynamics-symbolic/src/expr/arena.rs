@@ -165,7 +165,11 @@ impl Graph {
         let operation = Operation::Symbol(arena.symbols);
         arena.symbols += 1;
         // A node is the symbol itself, not minus it; circles are symmetric to both axes.
-        let value = if value.get() > (-value).get() { -value } else { value };
+        let value = if value.get() > (-value).get() {
+            -value
+        } else {
+            value
+        };
         let edge = arena.intern(operation, level, value);
         self.expr(edge)
     }
@@ -263,7 +267,11 @@ impl Arena {
             return id.edge(negative);
         }
         let id = NodeId::from_index(self.nodes.len());
-        self.nodes.push(Node { operation, level, value });
+        self.nodes.push(Node {
+            operation,
+            level,
+            value,
+        });
         self.by_value.insert(value.get(), id);
         id.edge(negative)
     }
@@ -315,7 +323,10 @@ impl Arena {
         if let (Some(x), Some(y)) = (self.as_rational(a), self.as_rational(b)) {
             return self.rational(&(x + y));
         }
-        if let Some(folded) = self.fold_constant_term(a, b).or_else(|| self.fold_constant_term(b, a)) {
+        if let Some(folded) = self
+            .fold_constant_term(a, b)
+            .or_else(|| self.fold_constant_term(b, a))
+        {
             return folded;
         }
         let level = self.level(a).max(self.level(b));
@@ -334,7 +345,10 @@ impl Arena {
         let Operation::Add(a, b) = self.node(sum).operation else {
             return None;
         };
-        let (a, b) = (a.negate_if(sum.is_negative()), b.negate_if(sum.is_negative()));
+        let (a, b) = (
+            a.negate_if(sum.is_negative()),
+            b.negate_if(sum.is_negative()),
+        );
         let (inner, rest) = match (self.is_constant(a), self.is_constant(b)) {
             (true, false) => (a, b),
             (false, true) => (b, a),
@@ -357,7 +371,10 @@ impl Arena {
         if let (Some(x), Some(y)) = (self.as_rational(a), self.as_rational(b)) {
             return self.rational(&(x * y));
         }
-        if let Some(folded) = self.fold_constant_factor(a, b).or_else(|| self.fold_constant_factor(b, a)) {
+        if let Some(folded) = self
+            .fold_constant_factor(a, b)
+            .or_else(|| self.fold_constant_factor(b, a))
+        {
             return folded;
         }
         let level = self.level(a).max(self.level(b));

@@ -27,7 +27,10 @@ impl<R: Ring> Matrix3<R> {
     /// The matrix product.
     pub fn product(&self, other: &Self) -> Self {
         let columns = other.transpose();
-        Matrix3(self.0.map(|row| columns.0.map(|column| Vector3(row).dot(Vector3(column)))))
+        Matrix3(
+            self.0
+                .map(|row| columns.0.map(|column| Vector3(row).dot(Vector3(column)))),
+        )
     }
 }
 
@@ -51,7 +54,14 @@ pub struct Symmetric3<R> {
 impl<R: Ring> Symmetric3<R> {
     /// The same entry everywhere.
     pub fn splat(x: R) -> Self {
-        Symmetric3 { xx: x, yy: x, zz: x, xy: x, yz: x, xz: x }
+        Symmetric3 {
+            xx: x,
+            yy: x,
+            zz: x,
+            xy: x,
+            yz: x,
+            xz: x,
+        }
     }
 
     /// The matrix times a vector.
@@ -76,12 +86,23 @@ impl<R: Ring> Symmetric3<R> {
     /// The upper triangle of a matrix that is symmetric.
     pub fn from_upper(m: &Matrix3<R>) -> Self {
         let m = &m.0;
-        Symmetric3 { xx: m[0][0], yy: m[1][1], zz: m[2][2], xy: m[0][1], yz: m[1][2], xz: m[0][2] }
+        Symmetric3 {
+            xx: m[0][0],
+            yy: m[1][1],
+            zz: m[2][2],
+            xy: m[0][1],
+            yz: m[1][2],
+            xz: m[0][2],
+        }
     }
 
     /// R J R^T
     pub fn rotated(&self, rotation: &Matrix3<R>) -> Self {
-        Symmetric3::from_upper(&rotation.product(&self.full()).product(&rotation.transpose()))
+        Symmetric3::from_upper(
+            &rotation
+                .product(&self.full())
+                .product(&rotation.transpose()),
+        )
     }
 
     /// The part of a point mass in the inertia about another point, to first

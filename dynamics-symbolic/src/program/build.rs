@@ -1,8 +1,8 @@
 //! From expressions on a graph to a program.
 
 use super::{Constant, ConstantId, ConstantPool, Instruction, Operand, Output, Program};
-use crate::robot::Symbol;
 use crate::expr::{Edge, Graph, Level, NodeId, Operation};
+use crate::robot::Symbol;
 
 /// How a node of the graph appears in the program: an operand that is the node, or minus the node.
 #[derive(Clone, Copy)]
@@ -58,10 +58,16 @@ impl Program {
 impl Builder<'_> {
     fn output(&mut self, edge: Edge) -> Output {
         if self.graph.level_of(edge.node()) == Level::Constant {
-            return Output { operand: self.constant_operand(edge), negative: false };
+            return Output {
+                operand: self.constant_operand(edge),
+                negative: false,
+            };
         }
         let place = self.place(edge.node());
-        Output { operand: place.operand, negative: place.negative != edge.is_negative() }
+        Output {
+            operand: place.operand,
+            negative: place.negative != edge.is_negative(),
+        }
     }
 
     /// Places a node and all that it needs; on an explicit stack, for chains are long.
@@ -89,8 +95,13 @@ impl Builder<'_> {
         match operation {
             Operation::Rational(_) => unreachable!("numbers are constants"),
             Operation::Symbol(index) => {
-                self.program.inputs.push(self.meanings[index as usize].clone());
-                Place { operand: Operand::Input(self.program.inputs.len() as u32 - 1), negative: false }
+                self.program
+                    .inputs
+                    .push(self.meanings[index as usize].clone());
+                Place {
+                    operand: Operand::Input(self.program.inputs.len() as u32 - 1),
+                    negative: false,
+                }
             }
             Operation::Add(a, b) => self.emit_sum(id, a, b),
             Operation::Mul(a, b) => self.emit_product(id, a, b),
@@ -100,7 +111,10 @@ impl Builder<'_> {
 
     fn push(&mut self, instruction: Instruction, negative: bool) -> Place {
         self.program.instructions.push(instruction);
-        Place { operand: Operand::Result(self.program.instructions.len() as u32 - 1), negative }
+        Place {
+            operand: Operand::Result(self.program.instructions.len() as u32 - 1),
+            negative,
+        }
     }
 
     /// The operand of an edge, and whether it must still be negated.
@@ -108,10 +122,16 @@ impl Builder<'_> {
         if self.graph.level_of(edge.node()) == Level::Constant {
             // A positive literal, its sign in the instruction.
             let negative = self.is_negative_constant(edge);
-            return Place { operand: self.constant_operand(edge.negate_if(negative)), negative };
+            return Place {
+                operand: self.constant_operand(edge.negate_if(negative)),
+                negative,
+            };
         }
         let place = self.places[edge.node().index()].expect("operands are placed first");
-        Place { negative: place.negative != edge.is_negative(), ..place }
+        Place {
+            negative: place.negative != edge.is_negative(),
+            ..place
+        }
     }
 
     fn emit_sum(&mut self, id: NodeId, a: Edge, b: Edge) -> Place {
@@ -121,9 +141,13 @@ impl Builder<'_> {
             (false, false) => self.push(Instruction::Add(a.operand, b.operand), false),
             (true, true) => self.push(Instruction::Add(a.operand, b.operand), true),
             // a - b = -(b - a)
-            (false, true) if prefer_negative => self.push(Instruction::Sub(b.operand, a.operand), true),
+            (false, true) if prefer_negative => {
+                self.push(Instruction::Sub(b.operand, a.operand), true)
+            }
             (false, true) => self.push(Instruction::Sub(a.operand, b.operand), false),
-            (true, false) if prefer_negative => self.push(Instruction::Sub(a.operand, b.operand), true),
+            (true, false) if prefer_negative => {
+                self.push(Instruction::Sub(a.operand, b.operand), true)
+            }
             (true, false) => self.push(Instruction::Sub(b.operand, a.operand), false),
         }
     }
@@ -153,7 +177,10 @@ impl Builder<'_> {
         let quotient = inverse.map(|inverse| self.graph.node(a).value * inverse);
         let flipped = quotient != Some(self.graph.node(id).value);
         let (a, b) = (self.read(a.edge(false)), self.read(b.edge(false)));
-        self.push(Instruction::Div(a.operand, b.operand), flipped ^ a.negative ^ b.negative)
+        self.push(
+            Instruction::Div(a.operand, b.operand),
+            flipped ^ a.negative ^ b.negative,
+        )
     }
 
     fn is_output(&self, id: NodeId) -> bool {
@@ -162,7 +189,11 @@ impl Builder<'_> {
 
     fn constant_operand(&mut self, edge: Edge) -> Operand {
         let id = self.constant(edge.node());
-        Operand::Constant(if edge.is_negative() { self.negated(id) } else { id })
+        Operand::Constant(if edge.is_negative() {
+            self.negated(id)
+        } else {
+            id
+        })
     }
 
     fn negated(&mut self, id: ConstantId) -> ConstantId {
@@ -182,8 +213,10 @@ impl Builder<'_> {
                 continue;
             }
             let operation = self.graph.operation(id);
-            let missing: Vec<_> =
-                operation.operands().filter(|id| self.constants[id.index()].is_none()).collect();
+            let missing: Vec<_> = operation
+                .operands()
+                .filter(|id| self.constants[id.index()].is_none())
+                .collect();
             if missing.is_empty() {
                 let constant = self.define_constant(id, operation);
                 self.constants[id.index()] = Some(constant);
@@ -197,29 +230,56 @@ impl Builder<'_> {
 
     fn define_constant(&mut self, id: NodeId, operation: Operation) -> ConstantId {
         let node = self.graph.node(id);
-        let known = |constants: &[Option<ConstantId>], id: NodeId| constants[id.index()].expect("operands come first");
+        let known = |constants: &[Option<ConstantId>], id: NodeId| {
+            constants[id.index()].expect("operands come first")
+        };
         let (constant, value) = match operation {
-            Operation::Rational(index) => (Constant::Rational(self.graph.rational_of(index)), node.value),
-            Operation::Symbol(index) => (Constant::Symbol(self.meanings[index as usize].clone()), node.value),
+            Operation::Rational(index) => (
+                Constant::Rational(self.graph.rational_of(index)),
+                node.value,
+            ),
+            Operation::Symbol(index) => (
+                Constant::Symbol(self.meanings[index as usize].clone()),
+                node.value,
+            ),
             Operation::Add(a, b) => {
                 let [a, b] = [a, b].map(|edge| {
                     let id = known(&self.constants, edge.node());
-                    if edge.is_negative() { self.negated(id) } else { id }
+                    if edge.is_negative() {
+                        self.negated(id)
+                    } else {
+                        id
+                    }
                 });
                 (Constant::Add(a, b), node.value)
             }
             Operation::Mul(a, b) => {
                 let value = self.graph.node(a).value * self.graph.node(b).value;
-                (Constant::Mul(known(&self.constants, a), known(&self.constants, b)), value)
+                (
+                    Constant::Mul(known(&self.constants, a), known(&self.constants, b)),
+                    value,
+                )
             }
             Operation::Div(a, b) => {
-                let inverse = self.graph.node(b).value.inverse().unwrap_or(self.graph.node(b).value);
+                let inverse = self
+                    .graph
+                    .node(b)
+                    .value
+                    .inverse()
+                    .unwrap_or(self.graph.node(b).value);
                 let value = self.graph.node(a).value * inverse;
-                (Constant::Div(known(&self.constants, a), known(&self.constants, b)), value)
+                (
+                    Constant::Div(known(&self.constants, a), known(&self.constants, b)),
+                    value,
+                )
             }
         };
         let id = self.program.constants.push(constant);
-        if value == node.value { id } else { self.negated(id) }
+        if value == node.value {
+            id
+        } else {
+            self.negated(id)
+        }
     }
 
     /// Whether a rational constant is negative; other constants keep the sign that they have.

@@ -1,8 +1,8 @@
 //! The constants of a program: exact until they are rounded, once, at emission.
 
 use super::{Approximation, Arithmetic, Real};
-use crate::robot::Symbol;
 use crate::exact::Rational;
+use crate::robot::Symbol;
 
 /// The index of a constant in its pool.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]

@@ -26,7 +26,11 @@ impl Operations {
 
 impl fmt::Display for Operations {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} multiplications, {} additions", self.multiplications, self.additions)?;
+        write!(
+            f,
+            "{} multiplications, {} additions",
+            self.multiplications, self.additions
+        )?;
         if self.divisions > 0 {
             write!(f, ", {} divisions", self.divisions)?;
         }
@@ -57,7 +61,9 @@ impl Program {
         let mut angles: Vec<&Symbol> = Vec::new();
         for input in &self.inputs {
             let same = |other: &&Symbol| match (input, other) {
-                (Symbol::Sine(i) | Symbol::Cosine(i), Symbol::Sine(j) | Symbol::Cosine(j)) => i == j,
+                (Symbol::Sine(i) | Symbol::Cosine(i), Symbol::Sine(j) | Symbol::Cosine(j)) => {
+                    i == j
+                }
                 (
                     Symbol::AngleSine(a) | Symbol::AngleCosine(a),
                     Symbol::AngleSine(b) | Symbol::AngleCosine(b),

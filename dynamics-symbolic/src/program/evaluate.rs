@@ -1,8 +1,8 @@
 //! Evaluation of programs in any arithmetic: a prime field, high precision, doubles.
 
 use super::{Instruction, Operand, Program};
-use crate::robot::Symbol;
 use crate::exact::Rational;
+use crate::robot::Symbol;
 
 /// An arithmetic, and the values of the symbols in it.
 pub trait Arithmetic {
@@ -27,7 +27,11 @@ impl Program {
     /// The values of the outputs.
     pub fn evaluate<A: Arithmetic>(&self, arithmetic: &mut A) -> Vec<A::Number> {
         let constants = self.constants.evaluate(arithmetic);
-        let inputs: Vec<_> = self.inputs.iter().map(|symbol| arithmetic.symbol(symbol)).collect();
+        let inputs: Vec<_> = self
+            .inputs
+            .iter()
+            .map(|symbol| arithmetic.symbol(symbol))
+            .collect();
         let mut results: Vec<A::Number> = Vec::with_capacity(self.instructions.len());
         let read = |results: &[A::Number], operand: Operand| match operand {
             Operand::Constant(id) => constants[id.index()].clone(),
@@ -49,7 +53,11 @@ impl Program {
         }
         let output = |output: &super::Output| {
             let value = read(&results, output.operand);
-            if output.negative { arithmetic.neg(value) } else { value }
+            if output.negative {
+                arithmetic.neg(value)
+            } else {
+                value
+            }
         };
         self.outputs.iter().map(output).collect()
     }

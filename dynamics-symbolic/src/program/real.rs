@@ -25,19 +25,31 @@ pub struct Approximation {
 impl Real {
     /// Arithmetic in that many bits.
     pub fn new(precision: usize) -> Self {
-        Real { context: Context::new(precision), precision }
+        Real {
+            context: Context::new(precision),
+            precision,
+        }
     }
 
     /// A result that was rounded once, from operands that contribute `error`.
     fn rounded(&self, value: Float, error: Float) -> Approximation {
         let ulp = absolute(&value) >> (self.precision as isize - 1);
-        Approximation { error: coarse(error + ulp), value }
+        Approximation {
+            error: coarse(error + ulp),
+            value,
+        }
     }
 
     fn exact(&self, x: &Rational) -> Float {
         let numerator = self.context.convert_int::<2>(x.numerator().clone()).value();
-        let denominator = self.context.convert_int::<2>(x.denominator().clone().into()).value();
-        self.context.div(numerator.repr(), denominator.repr()).expect("a positive denominator").value()
+        let denominator = self
+            .context
+            .convert_int::<2>(x.denominator().clone().into())
+            .value();
+        self.context
+            .div(numerator.repr(), denominator.repr())
+            .expect("a positive denominator")
+            .value()
     }
 
     fn angle(&mut self, angle: &Value) -> Approximation {
@@ -66,7 +78,11 @@ impl Real {
 }
 
 fn absolute(x: &Float) -> Float {
-    if x.sign() == dashu_int::Sign::Negative { -x.clone() } else { x.clone() }
+    if x.sign() == dashu_int::Sign::Negative {
+        -x.clone()
+    } else {
+        x.clone()
+    }
 }
 
 /// An error bound needs few digits: rounded to 32 bits and enlarged to stay a bound.
@@ -105,22 +121,38 @@ impl Arithmetic for Real {
     }
 
     fn neg(&mut self, a: Approximation) -> Approximation {
-        Approximation { value: -a.value, error: a.error }
+        Approximation {
+            value: -a.value,
+            error: a.error,
+        }
     }
 
     fn add(&mut self, a: Approximation, b: Approximation) -> Approximation {
-        let value = self.context.add(a.value.repr(), b.value.repr()).expect("finite").value();
+        let value = self
+            .context
+            .add(a.value.repr(), b.value.repr())
+            .expect("finite")
+            .value();
         self.rounded(value, a.error + b.error)
     }
 
     fn mul(&mut self, a: Approximation, b: Approximation) -> Approximation {
-        let value = self.context.mul(a.value.repr(), b.value.repr()).expect("finite").value();
-        let error = absolute(&a.value) * &b.error + absolute(&b.value) * &a.error + a.error * b.error;
+        let value = self
+            .context
+            .mul(a.value.repr(), b.value.repr())
+            .expect("finite")
+            .value();
+        let error =
+            absolute(&a.value) * &b.error + absolute(&b.value) * &a.error + a.error * b.error;
         self.rounded(value, error)
     }
 
     fn div(&mut self, a: Approximation, b: Approximation) -> Approximation {
-        let value = self.context.div(a.value.repr(), b.value.repr()).expect("a nonzero divisor").value();
+        let value = self
+            .context
+            .div(a.value.repr(), b.value.repr())
+            .expect("a nonzero divisor")
+            .value();
         // |a/b - a'/b'| <= (ea + |a'/b'| eb) / (|b'| - eb)
         let room = absolute(&b.value) - &b.error;
         let error = (a.error + absolute(&value) * b.error) / room;

@@ -39,7 +39,11 @@ impl Assignment {
     pub fn new(robot: &Robot, seed: u64) -> Self {
         let mut random = SplitMix64::new(seed);
         let pi = Number::random(&mut random);
-        let fields = robot.fields.iter().map(|_| Number::random(&mut random)).collect();
+        let fields = robot
+            .fields
+            .iter()
+            .map(|_| Number::random(&mut random))
+            .collect();
         let joints = robot.rows.iter().map(|_| JointPoint {
             sin_cos: circle_point(&mut random),
             q: Number::random(&mut random),
@@ -49,7 +53,14 @@ impl Assignment {
             sign: Number::random(&mut random),
         });
         let joints = joints.collect();
-        Assignment { random, pi, fields, angles: Vec::new(), joints, unfaithful: false }
+        Assignment {
+            random,
+            pi,
+            fields,
+            angles: Vec::new(),
+            joints,
+            unfaithful: false,
+        }
     }
 
     /// The variables of the joints.

@@ -44,6 +44,9 @@ impl<R: Ring> Mul for Dual<R> {
     type Output = Self;
 
     fn mul(self, o: Self) -> Self {
-        Dual::new(self.value * o.value, self.value * o.derivative + self.derivative * o.value)
+        Dual::new(
+            self.value * o.value,
+            self.value * o.derivative + self.derivative * o.value,
+        )
     }
 }

@@ -32,11 +32,18 @@ pub struct ProofFailure {
 
 impl fmt::Display for ProofFailure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "the program derived for `{}` is not equal to the textbook Lagrangian", self.function.name())?;
+        write!(
+            f,
+            "the program derived for `{}` is not equal to the textbook Lagrangian",
+            self.function.name()
+        )?;
         if let Some(output) = self.output {
             write!(f, " (output {})", output + 1)?;
         }
-        write!(f, "; this is a defect of robot-dynamics, please report it with the table")
+        write!(
+            f,
+            "; this is a defect of robot-dynamics, please report it with the table"
+        )
     }
 }
 
@@ -51,11 +58,17 @@ pub fn prove(robot: &Robot, function: Function, program: &Program) -> Result<(),
     let computed = program.evaluate(&mut assignment);
     let expected = Textbook::new(&mut assignment, robot).expected(function, &computed);
     if computed.len() != expected.len() {
-        return Err(ProofFailure { function, output: None });
+        return Err(ProofFailure {
+            function,
+            output: None,
+        });
     }
     let differs = |(computed, expected): (&Option<Number>, &Number)| *computed != Some(*expected);
     match computed.iter().zip(&expected).position(differs) {
-        Some(output) => Err(ProofFailure { function, output: Some(output) }),
+        Some(output) => Err(ProofFailure {
+            function,
+            output: Some(output),
+        }),
         None => Ok(()),
     }
 }

@@ -114,7 +114,14 @@ impl Textbook {
                 d: point.value(&row.d),
                 mass: point.value(&row.mass),
                 com: Vector3([0, 1, 2].map(|k| point.value(&row.com[k]))),
-                inertia: Symmetric3 { xx, yy, zz, xy, yz, xz },
+                inertia: Symmetric3 {
+                    xx,
+                    yy,
+                    zz,
+                    xy,
+                    yz,
+                    xz,
+                },
                 reflected: ratio * ratio * point.value(&row.motor_inertia),
                 viscous: point.value(&row.viscous),
                 coulomb: point.value(&row.coulomb),
@@ -129,7 +136,14 @@ impl Textbook {
             gravity,
             rows,
             half,
-            q: joints.iter().map(|j| Position { s: j.sin_cos.0, c: j.sin_cos.1, q: j.q }).collect(),
+            q: joints
+                .iter()
+                .map(|j| Position {
+                    s: j.sin_cos.0,
+                    c: j.sin_cos.1,
+                    q: j.q,
+                })
+                .collect(),
             qd: joints.iter().map(|j| j.qd).collect(),
             qdd: joints.iter().map(|j| j.qdd).collect(),
             tau: joints.iter().map(|j| j.tau).collect(),
@@ -158,9 +172,13 @@ impl Textbook {
             Function::CoriolisMatrix => self.coriolis_matrix().concat(),
             Function::CoriolisCoefficients => self.coriolis_coefficients(),
             Function::CentrifugalCoefficients => self.centrifugal_coefficients(),
-            Function::ForwardKinematics => {
-                self.poses(&self.q).last().map(homogeneous).into_iter().flatten().collect()
-            }
+            Function::ForwardKinematics => self
+                .poses(&self.q)
+                .last()
+                .map(homogeneous)
+                .into_iter()
+                .flatten()
+                .collect(),
             Function::LinkPoses => self.poses(&self.q).iter().flat_map(homogeneous).collect(),
             Function::Jacobian => self.jacobian().concat(),
         }
@@ -178,10 +196,16 @@ impl Textbook {
             // sin(theta + q), cos(theta + q)
             JointType::Revolute => {
                 let (s, c) = (lift(row.turn.0), lift(row.turn.1));
-                let turn = (s * position.c + c * position.s, c * position.c - s * position.s);
+                let turn = (
+                    s * position.c + c * position.s,
+                    c * position.c - s * position.s,
+                );
                 (turn, lift(row.d))
             }
-            JointType::Prismatic => ((lift(row.turn.0), lift(row.turn.1)), lift(row.d) + position.q),
+            JointType::Prismatic => (
+                (lift(row.turn.0), lift(row.turn.1)),
+                lift(row.d) + position.q,
+            ),
         };
         let (sa, ca) = (lift(row.twist.0), lift(row.twist.1));
         let screw_z = Pose {
@@ -276,7 +300,11 @@ impl Textbook {
     /// The positions with their derivatives in the direction of joint k.
     fn along(&self, k: usize) -> Vec<Position<Dual<Number>>> {
         let rate = |i: usize| if i == k { Number::ONE } else { Number::ZERO };
-        self.q.iter().enumerate().map(|(i, q)| q.moving(rate(i))).collect()
+        self.q
+            .iter()
+            .enumerate()
+            .map(|(i, q)| q.moving(rate(i)))
+            .collect()
     }
 
     /// c_ijk, Christoffel symbols of the first kind, indexed [i][j][k].
@@ -285,21 +313,34 @@ impl Textbook {
         let slopes: Vec<Matrix> = (0..n)
             .map(|k| {
                 let matrix = self.mass_matrix(&self.along(k));
-                matrix.into_iter().map(|row| row.into_iter().map(|x| x.derivative).collect()).collect()
+                matrix
+                    .into_iter()
+                    .map(|row| row.into_iter().map(|x| x.derivative).collect())
+                    .collect()
             })
             .collect();
         let symbol = |i: usize, j: usize, k: usize| {
             self.half * (slopes[k][i][j] + slopes[j][i][k] - slopes[i][j][k])
         };
-        let matrix = |i| (0..n).map(|j| (0..n).map(|k| symbol(i, j, k)).collect()).collect();
+        let matrix = |i| {
+            (0..n)
+                .map(|j| (0..n).map(|k| symbol(i, j, k)).collect())
+                .collect()
+        };
         (0..n).map(matrix).collect()
     }
 
     /// V = d/dt (dT/dqd) - dT/dq at qdd = 0, which is sum c_ijk qd_j qd_k.
     fn coriolis_vector(&self) -> Vector {
         let n = self.dof();
-        let moving: Vec<_> = self.q.iter().zip(&self.qd).map(|(q, &qd)| q.moving(qd)).collect();
-        let constant = |x: &[Number]| -> Vec<Dual<Number>> { x.iter().map(|&x| Dual::lift(x)).collect() };
+        let moving: Vec<_> = self
+            .q
+            .iter()
+            .zip(&self.qd)
+            .map(|(q, &qd)| q.moving(qd))
+            .collect();
+        let constant =
+            |x: &[Number]| -> Vec<Dual<Number>> { x.iter().map(|&x| Dual::lift(x)).collect() };
         let energy = |qd: &[Number]| self.kinetic_energy(&moving, &constant(qd)).derivative;
         let still = energy(&self.qd);
         let mut unit = vec![Number::ZERO; n];
@@ -311,30 +352,47 @@ impl Textbook {
                 unit[i] = Number::ONE;
                 let momentum_rate = energy(&shifted) - still - energy(&unit);
                 unit[i] = Number::ZERO;
-                let slope = self.kinetic_energy(&self.along(i), &constant(&self.qd)).derivative;
+                let slope = self
+                    .kinetic_energy(&self.along(i), &constant(&self.qd))
+                    .derivative;
                 momentum_rate - slope
             })
             .collect()
     }
 
     fn gravity_vector(&self) -> Vector {
-        (0..self.dof()).map(|i| self.potential_energy(&self.along(i)).derivative).collect()
+        (0..self.dof())
+            .map(|i| self.potential_energy(&self.along(i)).derivative)
+            .collect()
     }
 
     fn friction_vector(&self) -> Vector {
-        let force = |((row, &qd), &sign): ((&Row, &Number), &Number)| row.viscous * qd + row.coulomb * sign;
-        self.rows.iter().zip(&self.qd).zip(&self.signs).map(force).collect()
+        let force =
+            |((row, &qd), &sign): ((&Row, &Number), &Number)| row.viscous * qd + row.coulomb * sign;
+        self.rows
+            .iter()
+            .zip(&self.qd)
+            .zip(&self.signs)
+            .map(force)
+            .collect()
     }
 
     fn bias_force(&self) -> Vector {
-        sum(&sum(&self.coriolis_vector(), &self.gravity_vector()), &self.friction_vector())
+        sum(
+            &sum(&self.coriolis_vector(), &self.gravity_vector()),
+            &self.friction_vector(),
+        )
     }
 
     fn inverse_dynamics(&self, qdd: &[Number]) -> Vector {
         let inertial: Vector = self
             .mass_matrix(&self.q)
             .iter()
-            .map(|row| row.iter().zip(qdd).fold(Number::ZERO, |sum, (&m, &x)| sum + m * x))
+            .map(|row| {
+                row.iter()
+                    .zip(qdd)
+                    .fold(Number::ZERO, |sum, (&m, &x)| sum + m * x)
+            })
             .collect();
         sum(&inertial, &self.bias_force())
     }
@@ -352,28 +410,48 @@ impl Textbook {
         }
         let singular = pivots.contains(&Some(Number::ZERO));
         let satisfied = singular || self.inverse_dynamics(&computed[..n]) == self.tau;
-        let accelerations = computed[..n].iter().map(|&x| if satisfied { x } else { x + Number::ONE });
-        let pivots = pivots.iter().zip(&computed[n..]).map(|(pivot, &computed)| pivot.unwrap_or(computed));
+        let accelerations = computed[..n]
+            .iter()
+            .map(|&x| if satisfied { x } else { x + Number::ONE });
+        let pivots = pivots
+            .iter()
+            .zip(&computed[n..])
+            .map(|(pivot, &computed)| pivot.unwrap_or(computed));
         let diagonal = (0..n).map(|i| matrix[i][i]);
         accelerations.chain(pivots).chain(diagonal).collect()
     }
 
     fn coriolis_matrix(&self) -> Matrix {
-        let contract = |row: &Vector| row.iter().zip(&self.qd).fold(Number::ZERO, |sum, (&c, &qd)| sum + c * qd);
-        self.christoffel().iter().map(|matrix| matrix.iter().map(contract).collect()).collect()
+        let contract = |row: &Vector| {
+            row.iter()
+                .zip(&self.qd)
+                .fold(Number::ZERO, |sum, (&c, &qd)| sum + c * qd)
+        };
+        self.christoffel()
+            .iter()
+            .map(|matrix| matrix.iter().map(contract).collect())
+            .collect()
     }
 
     /// By rows; columns (1,2), (1,3), ..., (n-1,n).
     fn coriolis_coefficients(&self) -> Vector {
         let n = self.dof();
-        let pairs: Vec<_> = (0..n).flat_map(|j| (j + 1..n).map(move |k| (j, k))).collect();
-        let row = |matrix: &Matrix| -> Vector { pairs.iter().map(|&(j, k)| matrix[j][k] + matrix[k][j]).collect() };
+        let pairs: Vec<_> = (0..n)
+            .flat_map(|j| (j + 1..n).map(move |k| (j, k)))
+            .collect();
+        let row = |matrix: &Matrix| -> Vector {
+            pairs
+                .iter()
+                .map(|&(j, k)| matrix[j][k] + matrix[k][j])
+                .collect()
+        };
         self.christoffel().iter().flat_map(row).collect()
     }
 
     /// By rows; column j is the coefficient of qd_j^2.
     fn centrifugal_coefficients(&self) -> Vector {
-        let diagonal = |matrix: &Matrix| -> Vector { (0..self.dof()).map(|j| matrix[j][j]).collect() };
+        let diagonal =
+            |matrix: &Matrix| -> Vector { (0..self.dof()).map(|j| matrix[j][j]).collect() };
         self.christoffel().iter().flat_map(diagonal).collect()
     }
 
@@ -425,7 +503,9 @@ fn pivots(mut matrix: Matrix) -> Vec<Option<Number>> {
     let mut pivots = vec![None; n];
     for j in (0..n).rev() {
         pivots[j] = Some(matrix[j][j]);
-        let Some(inverse) = matrix[j][j].inverse() else { break };
+        let Some(inverse) = matrix[j][j].inverse() else {
+            break;
+        };
         for i in 0..j {
             let factor = matrix[i][j] * inverse;
             for k in 0..j {

@@ -27,17 +27,24 @@ impl Angle {
     /// Takes the whole quarter turns out of an angle.
     pub fn new(angle: &Value) -> Self {
         let form = LinearForm::of(angle);
-        let radians = form.number.to_f64().value() + form.pi.to_f64().value() * core::f64::consts::PI;
+        let radians =
+            form.number.to_f64().value() + form.pi.to_f64().value() * core::f64::consts::PI;
         let nearest = (radians / core::f64::consts::FRAC_PI_2).round();
         let is_multiple = (radians - nearest * core::f64::consts::FRAC_PI_2).abs() <= TOLERANCE;
         if is_multiple {
-            return Angle { quarter_turns: nearest.rem_euclid(4.0) as u8, rest: nonzero(form.others) };
+            return Angle {
+                quarter_turns: nearest.rem_euclid(4.0) as u8,
+                rest: nonzero(form.others),
+            };
         }
         let quarters = (&form.pi * Rational::from(2)).round();
         let pi = form.pi - Rational::from(quarters.clone()) / Rational::from(2);
         let constant = Value::Rational(form.number) + Value::Rational(pi) * Value::Pi;
         let quarters = f64::try_from(quarters).unwrap_or(0.0);
-        Angle { quarter_turns: quarters.rem_euclid(4.0) as u8, rest: nonzero(constant + form.others) }
+        Angle {
+            quarter_turns: quarters.rem_euclid(4.0) as u8,
+            rest: nonzero(constant + form.others),
+        }
     }
 }
 
@@ -49,8 +56,16 @@ impl LinearForm {
     fn of(value: &Value) -> Self {
         let zero = || Rational::ZERO;
         match value {
-            Value::Rational(r) => LinearForm { number: r.clone(), pi: zero(), others: Value::zero() },
-            Value::Pi => LinearForm { number: zero(), pi: Rational::ONE, others: Value::zero() },
+            Value::Rational(r) => LinearForm {
+                number: r.clone(),
+                pi: zero(),
+                others: Value::zero(),
+            },
+            Value::Pi => LinearForm {
+                number: zero(),
+                pi: Rational::ONE,
+                others: Value::zero(),
+            },
             Value::Neg(a) => LinearForm::of(a).scaled(&Rational::from(-1)),
             Value::Add(a, b) => LinearForm::of(a).plus(LinearForm::of(b)),
             Value::Mul(a, b) => match (a.as_rational(), b.as_rational()) {
@@ -67,7 +82,11 @@ impl LinearForm {
     }
 
     fn opaque(value: &Value) -> Self {
-        LinearForm { number: Rational::ZERO, pi: Rational::ZERO, others: value.clone() }
+        LinearForm {
+            number: Rational::ZERO,
+            pi: Rational::ZERO,
+            others: value.clone(),
+        }
     }
 
     fn scaled(self, k: &Rational) -> Self {
@@ -108,7 +127,14 @@ mod tests {
             (Value::Pi * rational(90, 180), 1),
         ];
         for (angle, quarter_turns) in cases {
-            assert_eq!(Angle::new(&angle), Angle { quarter_turns, rest: None }, "{angle:?}");
+            assert_eq!(
+                Angle::new(&angle),
+                Angle {
+                    quarter_turns,
+                    rest: None
+                },
+                "{angle:?}"
+            );
         }
     }
 
@@ -119,12 +145,24 @@ mod tests {
         let rest = angle.rest.unwrap().to_f64(&[]);
         assert!((rest - core::f64::consts::FRAC_PI_6).abs() < 1e-15);
         let angle = Angle::new(&rational(15708, 10000));
-        assert_eq!(angle, Angle { quarter_turns: 0, rest: Some(rational(15708, 10000)) });
+        assert_eq!(
+            angle,
+            Angle {
+                quarter_turns: 0,
+                rest: Some(rational(15708, 10000))
+            }
+        );
     }
 
     #[test]
     fn parameters_are_kept_apart_from_quarter_turns() {
         let angle = Angle::new(&(Value::field(0) + Value::Pi * rational(1, 2)));
-        assert_eq!(angle, Angle { quarter_turns: 1, rest: Some(Value::field(0)) });
+        assert_eq!(
+            angle,
+            Angle {
+                quarter_turns: 1,
+                rest: Some(Value::field(0))
+            }
+        );
     }
 }

@@ -46,7 +46,10 @@ pub trait Interpretation {
         let angle = Angle::new(angle);
         let (s, c) = match &angle.rest {
             Some(rest) => self.circle(rest),
-            None => (self.rational(&Rational::ZERO), self.rational(&Rational::ONE)),
+            None => (
+                self.rational(&Rational::ZERO),
+                self.rational(&Rational::ONE),
+            ),
         };
         match angle.quarter_turns {
             0 => (s, c),

@@ -7,11 +7,32 @@ use serde_json::Value as Json;
 /// The robots that have a data file.
 #[allow(dead_code)]
 pub const NAMES: [&str; 26] = [
-    "aristo", "cylindrical_rpp", "elbow_3r", "gantry_ppp", "geared_link", "generic_chain_n1",
-    "generic_chain_n10", "generic_chain_n12", "generic_chain_n2", "generic_chain_n3",
-    "generic_chain_n4", "generic_chain_n6", "generic_chain_n7", "generic_mixed_n6_standard",
-    "moving_mass", "one_link", "panda", "puma560", "rrr_planar", "scara", "spherical_wrist",
-    "stanford", "two_link_craig", "two_link_saha", "ur5", "vertical_mass",
+    "aristo",
+    "cylindrical_rpp",
+    "elbow_3r",
+    "gantry_ppp",
+    "geared_link",
+    "generic_chain_n1",
+    "generic_chain_n10",
+    "generic_chain_n12",
+    "generic_chain_n2",
+    "generic_chain_n3",
+    "generic_chain_n4",
+    "generic_chain_n6",
+    "generic_chain_n7",
+    "generic_mixed_n6_standard",
+    "moving_mass",
+    "one_link",
+    "panda",
+    "puma560",
+    "rrr_planar",
+    "scara",
+    "spherical_wrist",
+    "stanford",
+    "two_link_craig",
+    "two_link_saha",
+    "ur5",
+    "vertical_mass",
 ];
 
 /// The exact decimal that the shortest representation of a double spells.
@@ -27,27 +48,35 @@ pub fn decimal(x: f64) -> Value {
 
 /// Reads a robot.
 pub fn robot(name: &str) -> Robot {
-    let path = format!("{}/../tests/data/robots/{name}.json", env!("CARGO_MANIFEST_DIR"));
+    let path = format!(
+        "{}/../tests/data/robots/{name}.json",
+        env!("CARGO_MANIFEST_DIR")
+    );
     let json: Json = serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap();
     let cell = |row: &Json, key: &str| decimal(row[key].as_f64().unwrap());
-    let rows = json["joints"].as_array().unwrap().iter().enumerate().map(|(i, row)| Row {
-        name: format!("joint{}", i + 1),
-        joint_type: match row["type"].as_str().unwrap() {
-            "revolute" => JointType::Revolute,
-            _ => JointType::Prismatic,
-        },
-        a: cell(row, "a"),
-        alpha: cell(row, "alpha"),
-        d: cell(row, "d"),
-        theta: cell(row, "theta"),
-        mass: cell(row, "mass"),
-        com: [0, 1, 2].map(|k| decimal(row["com"][k].as_f64().unwrap())),
-        inertia: [0, 1, 2, 3, 4, 5].map(|k| decimal(row["inertia"][k].as_f64().unwrap())),
-        motor_inertia: cell(row, "motor_inertia"),
-        gear_ratio: cell(row, "gear_ratio"),
-        viscous: cell(row, "viscous"),
-        coulomb: cell(row, "coulomb"),
-    });
+    let rows = json["joints"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .enumerate()
+        .map(|(i, row)| Row {
+            name: format!("joint{}", i + 1),
+            joint_type: match row["type"].as_str().unwrap() {
+                "revolute" => JointType::Revolute,
+                _ => JointType::Prismatic,
+            },
+            a: cell(row, "a"),
+            alpha: cell(row, "alpha"),
+            d: cell(row, "d"),
+            theta: cell(row, "theta"),
+            mass: cell(row, "mass"),
+            com: [0, 1, 2].map(|k| decimal(row["com"][k].as_f64().unwrap())),
+            inertia: [0, 1, 2, 3, 4, 5].map(|k| decimal(row["inertia"][k].as_f64().unwrap())),
+            motor_inertia: cell(row, "motor_inertia"),
+            gear_ratio: cell(row, "gear_ratio"),
+            viscous: cell(row, "viscous"),
+            coulomb: cell(row, "coulomb"),
+        });
     Robot {
         name: name.to_owned(),
         fields: Vec::new(),

@@ -1,0 +1,342 @@
+//! The body of a method: inputs, straight-line assignments, outputs.
+
+use super::signature::{Shape, ident, shape};
+use crate::function::Function;
+use crate::program::{ConstantId, Instruction, Operand, Program};
+use crate::robot::{Robot, Symbol, Value};
+use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, TokenStream, TokenTree};
+use quote::quote;
+
+/// Up to so many results are declared by a `let` each, as a person would write
+/// them; more are declared by one pattern for each group. rustc crashes on
+/// about 2,900 nested scopes, which is what `let`s are to debug information
+/// (rust-lang/rust#93908).
+const MOST_LETS: usize = 500;
+const GROUP: usize = 200;
+
+/// How a result appears in the text.
+#[derive(Clone, Copy, PartialEq)]
+enum Use {
+    /// As a variable.
+    Named,
+    /// A product that is written into the one sum that reads it.
+    Inlined,
+}
+
+struct Writer<'p> {
+    program: &'p Program,
+    uses: Vec<Use>,
+    constants: Vec<f64>,
+    inputs: Vec<Ident>,
+    names: Vec<Option<Ident>>,
+}
+
+pub(super) fn body(
+    robot: &Robot,
+    function: Function,
+    program: &Program,
+    path: &TokenStream,
+) -> TokenStream {
+    let writer = Writer::new(robot, program);
+    let inputs = inputs(robot, program, path);
+    let number = quote!(let k = <T as #path::Scalar>::from_f64;);
+    let assignments = writer.assignments();
+    let outputs = writer.outputs(function, robot.rows.len(), path);
+    quote!(#inputs #number #assignments #outputs)
+}
+
+/// The literal of a double, its sign apart.
+pub(super) fn literal(x: f64) -> TokenStream {
+    let magnitude = Literal::f64_unsuffixed(x.abs());
+    if x.is_sign_negative() && x != 0.0 {
+        quote!(-#magnitude)
+    } else {
+        quote!(#magnitude)
+    }
+}
+
+fn input_name(robot: &Robot, symbol: &Symbol, angles: &[&Symbol]) -> String {
+    let angle_number = |value: &Value| {
+        let same = |symbol: &&Symbol| match symbol {
+            Symbol::AngleSine(other) | Symbol::AngleCosine(other) => other == value,
+            _ => false,
+        };
+        angles
+            .iter()
+            .filter(|s| matches!(s, Symbol::AngleSine(_) | Symbol::AngleCosine(_)))
+            .position(same)
+            .unwrap_or(0)
+            + 1
+    };
+    match symbol {
+        Symbol::Pi => "pi".to_owned(),
+        Symbol::Field(i) => format!("p_{}", robot.fields[*i]),
+        Symbol::AngleSine(angle) => format!("sa{}", angle_number(angle)),
+        Symbol::AngleCosine(angle) => format!("ca{}", angle_number(angle)),
+        Symbol::Sine(i) => format!("s{}", i + 1),
+        Symbol::Cosine(i) => format!("c{}", i + 1),
+        Symbol::Position(i) => format!("q{}", i + 1),
+        Symbol::Velocity(i) => format!("qd{}", i + 1),
+        Symbol::Acceleration(i) => format!("qdd{}", i + 1),
+        Symbol::Force(i) => format!("tau{}", i + 1),
+        Symbol::VelocitySign(i) => format!("sgn{}", i + 1),
+    }
+}
+
+/// Reads what the program needs from the arguments and the fields, and nothing else.
+fn inputs(robot: &Robot, program: &Program, path: &TokenStream) -> TokenStream {
+    let angles = program.angles();
+    let name = |symbol: &Symbol| ident(&input_name(robot, symbol, &angles));
+    let element = |vector: &str, i: usize| {
+        let (vector, i) = (ident(vector), Literal::usize_unsuffixed(i));
+        quote!(#vector.data.0[0][#i])
+    };
+    let mut lines = TokenStream::new();
+    for angle in &angles {
+        let (sine, cosine, argument) = match angle {
+            Symbol::Sine(i) | Symbol::Cosine(i) => (
+                name(&Symbol::Sine(*i)),
+                name(&Symbol::Cosine(*i)),
+                element("q", *i),
+            ),
+            Symbol::AngleSine(value) | Symbol::AngleCosine(value) => {
+                let (s, c) = (
+                    Symbol::AngleSine(value.clone()),
+                    Symbol::AngleCosine(value.clone()),
+                );
+                let argument = parametric(robot, value, path);
+                (name(&s), name(&c), argument)
+            }
+            _ => continue,
+        };
+        lines.extend(quote!(let (#sine, #cosine) = #path::Scalar::sin_cos(#argument);));
+    }
+    for symbol in &program.inputs {
+        let value = match symbol {
+            Symbol::Position(i) => element("q", *i),
+            Symbol::Velocity(i) => element("qd", *i),
+            Symbol::Acceleration(i) => element("qdd", *i),
+            Symbol::Force(i) => element("tau", *i),
+            Symbol::VelocitySign(i) => {
+                let velocity = element("qd", *i);
+                quote!(#path::Scalar::sign(#velocity))
+            }
+            Symbol::Field(i) => parametric(robot, &Value::Field(*i), path),
+            _ => continue,
+        };
+        let name = name(symbol);
+        lines.extend(quote!(let #name = #value;));
+    }
+    lines
+}
+
+/// A parametric cell as an expression over the fields.
+fn parametric(robot: &Robot, value: &Value, path: &TokenStream) -> TokenStream {
+    match value {
+        Value::Rational(_) | Value::Pi => {
+            let x = literal(value.to_f64(&[]));
+            quote!(<T as #path::Scalar>::from_f64(#x))
+        }
+        Value::Field(i) => {
+            let field = proc_macro2::Ident::new(&robot.fields[*i], proc_macro2::Span::call_site());
+            quote!(<T as #path::Scalar>::from_f64(self.#field))
+        }
+        Value::Neg(a) => {
+            let a = parametric(robot, a, path);
+            quote!((-#a))
+        }
+        Value::Add(a, b) => {
+            let (a, b) = (parametric(robot, a, path), parametric(robot, b, path));
+            quote!((#a + #b))
+        }
+        Value::Mul(a, b) => {
+            let (a, b) = (parametric(robot, a, path), parametric(robot, b, path));
+            quote!((#a * #b))
+        }
+        Value::Div(a, b) => {
+            let (a, b) = (parametric(robot, a, path), parametric(robot, b, path));
+            quote!((#a / #b))
+        }
+    }
+}
+
+impl<'p> Writer<'p> {
+    fn new(robot: &Robot, program: &'p Program) -> Self {
+        let uses = uses(program);
+        let mut count = 0;
+        let names = uses
+            .iter()
+            .map(|&used| {
+                (used == Use::Named).then(|| {
+                    count += 1;
+                    ident(&format!("t{count}"))
+                })
+            })
+            .collect();
+        let angles = program.angles();
+        let inputs = program
+            .inputs
+            .iter()
+            .map(|symbol| ident(&input_name(robot, symbol, &angles)))
+            .collect();
+        let needed = needed_constants(program);
+        let constants = program
+            .constants
+            .round(|id| needed.get(id.index()).copied().unwrap_or(false));
+        Writer {
+            program,
+            uses,
+            constants,
+            inputs,
+            names,
+        }
+    }
+
+    fn assignments(&self) -> TokenStream {
+        let named: Vec<_> = self.names.iter().flatten().collect();
+        let mut tokens = Vec::new();
+        let declare_each = named.len() <= MOST_LETS;
+        for (index, instruction) in self.program.instructions.iter().enumerate() {
+            let Some(name) = &self.names[index] else {
+                continue;
+            };
+            if declare_each {
+                tokens.push(TokenTree::from(ident("let")));
+            }
+            tokens.push(name.clone().into());
+            tokens.push(punct('='));
+            self.write(instruction, &mut tokens);
+            tokens.push(punct(';'));
+        }
+        let mut declarations = TokenStream::new();
+        if !declare_each {
+            for group in named.chunks(GROUP) {
+                let types = group.iter().map(|_| quote!(T));
+                declarations.extend(quote!(let (#(#group,)*): (#(#types,)*);));
+            }
+        }
+        declarations.extend(tokens);
+        declarations
+    }
+
+    fn write(&self, instruction: &Instruction, tokens: &mut Vec<TokenTree>) {
+        let (a, b) = instruction.operands();
+        let operator = match instruction {
+            Instruction::Add(..) => '+',
+            Instruction::Sub(..) => '-',
+            Instruction::Mul(..) => '*',
+            Instruction::Div(..) => '/',
+        };
+        self.write_operand(a, tokens);
+        tokens.push(punct(operator));
+        self.write_operand(b, tokens);
+    }
+
+    fn write_operand(&self, operand: Operand, tokens: &mut Vec<TokenTree>) {
+        match operand {
+            Operand::Constant(id) => self.write_constant(id, tokens),
+            Operand::Input(index) => tokens.push(self.inputs[index as usize].clone().into()),
+            Operand::Result(index) => {
+                match (&self.names[index as usize], self.uses[index as usize]) {
+                    (Some(name), Use::Named) => tokens.push(name.clone().into()),
+                    _ => self.write(&self.program.instructions[index as usize], tokens),
+                }
+            }
+        }
+    }
+
+    fn write_constant(&self, id: ConstantId, tokens: &mut Vec<TokenTree>) {
+        tokens.push(ident("k").into());
+        tokens.push(Group::new(Delimiter::Parenthesis, literal(self.constants[id.index()])).into());
+    }
+
+    fn output(&self, index: usize) -> TokenStream {
+        let output = self.program.outputs[index];
+        let mut tokens = Vec::new();
+        if output.negative {
+            tokens.push(punct('-'));
+        }
+        self.write_operand(output.operand, &mut tokens);
+        tokens.into_iter().collect()
+    }
+
+    /// A matrix from outputs by rows; nalgebra takes columns.
+    fn matrix(&self, first: usize, rows: usize, columns: usize, path: &TokenStream) -> TokenStream {
+        let columns = (0..columns).map(|column| {
+            let entries = (0..rows).map(|row| self.output(first + row * columns + column));
+            quote!([#(#entries),*])
+        });
+        quote!(#path::nalgebra::SMatrix::from_data(#path::nalgebra::ArrayStorage([#(#columns),*])))
+    }
+
+    fn outputs(&self, function: Function, dof: usize, path: &TokenStream) -> TokenStream {
+        match shape(function, dof) {
+            Shape::Number => self.output(0),
+            Shape::Matrix(rows, columns) => self.matrix(0, rows, columns, path),
+            Shape::Poses(count) => {
+                let poses = (0..count).map(|i| self.matrix(16 * i, 4, 4, path));
+                quote!([#(#poses),*])
+            }
+            Shape::Accelerations(n) => {
+                let accelerations = self.matrix(0, n, 1, path);
+                let tests = (0..n).rev().map(|joint| {
+                    let (pivot, diagonal) = (self.output(n + joint), self.output(2 * n + joint));
+                    let joint = Literal::usize_unsuffixed(joint);
+                    quote!(#path::SingularMassMatrix::test(#joint, #pivot, #diagonal)?;)
+                });
+                quote!(#(#tests)* ::core::result::Result::Ok(#accelerations))
+            }
+        }
+    }
+}
+
+fn punct(c: char) -> TokenTree {
+    Punct::new(c, Spacing::Alone).into()
+}
+
+/// A product that only one sum reads is written into that sum.
+fn uses(program: &Program) -> Vec<Use> {
+    let mut readers = vec![(0, false); program.instructions.len()];
+    for instruction in &program.instructions {
+        let is_sum = matches!(instruction, Instruction::Add(..) | Instruction::Sub(..));
+        let (a, b) = instruction.operands();
+        for operand in [a, b] {
+            if let Operand::Result(index) = operand {
+                readers[index as usize] = (readers[index as usize].0 + 1, is_sum);
+            }
+        }
+    }
+    for output in &program.outputs {
+        if let Operand::Result(index) = output.operand {
+            readers[index as usize] = (2, false);
+        }
+    }
+    let used = |(instruction, readers): (&Instruction, &(i32, bool))| match (instruction, readers) {
+        (Instruction::Mul(..), (1, true)) => Use::Inlined,
+        _ => Use::Named,
+    };
+    program
+        .instructions
+        .iter()
+        .zip(&readers)
+        .map(used)
+        .collect()
+}
+
+fn needed_constants(program: &Program) -> Vec<bool> {
+    let instructions = program.instructions.iter().flat_map(|instruction| {
+        let (a, b) = instruction.operands();
+        [a, b]
+    });
+    let operands = instructions.chain(program.outputs.iter().map(|output| output.operand));
+    let mut needed = Vec::new();
+    for operand in operands {
+        if let Operand::Constant(id) = operand {
+            if needed.len() <= id.index() {
+                needed.resize(id.index() + 1, false);
+            }
+            needed[id.index()] = true;
+        }
+    }
+    needed
+}

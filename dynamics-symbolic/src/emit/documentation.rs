@@ -1,0 +1,123 @@
+//! The documentation of the generated methods.
+
+use super::formula::formulas;
+use super::signature::{Shape, shape};
+use crate::function::Function;
+use crate::program::Program;
+use crate::robot::Robot;
+
+/// What a function is, in a line, its shapes, units and other names.
+fn description(function: Function) -> &'static str {
+    match function {
+        Function::MassMatrix => {
+            "Mass matrix M(q), N x N, both triangles, reflected motor inertias included \
+             (kg m^2, kg m or kg). Also: joint-space inertia matrix, H (Featherstone), B (Siciliano), D (Spong)."
+        }
+        Function::CoriolisVector => {
+            "Coriolis and centrifugal vector V(q, qd), N m or N: inverse dynamics without gravity, friction and \
+             acceleration."
+        }
+        Function::GravityVector => {
+            "Gravity vector G(q) = dU/dq, N m or N: inverse dynamics at rest."
+        }
+        Function::FrictionVector => {
+            "Friction vector F(qd) = viscous qd + coulomb sign(qd), N m or N, with sign(0) = 0."
+        }
+        Function::InverseDynamics => {
+            "Inverse dynamics tau = M(q) qdd + V(q, qd) + G(q) + F(qd), N m or N, as one program."
+        }
+        Function::ForwardDynamics => {
+            "Forward dynamics: the accelerations qdd with M(q) qdd + V(q, qd) + G(q) + F(qd) = tau, rad/s^2 or m/s^2."
+        }
+        Function::KineticEnergy => {
+            "Kinetic energy T(q, qd) = 1/2 qd^T M(q) qd, reflected motor inertias included, J."
+        }
+        Function::PotentialEnergy => {
+            "Potential energy U(q) = -sum m g.c, zero at the origin of the base frame, J."
+        }
+        Function::BiasForce => {
+            "Bias force V(q, qd) + G(q) + F(qd), N m or N: inverse dynamics without acceleration."
+        }
+        Function::CoriolisMatrix => {
+            "Coriolis matrix C(q, qd), N x N, from the Christoffel symbols of the first kind: C qd = V, and \
+             dM/dt - 2 C is skew-symmetric."
+        }
+        Function::CoriolisCoefficients => {
+            "Coriolis coefficients B(q), N x N(N-1)/2, columns in the order (1,2), (1,3), ..., (N-1,N), of the \
+             configuration-space form tau = M qdd + B [qd qd] + C [qd^2] + G."
+        }
+        Function::CentrifugalCoefficients => {
+            "Centrifugal coefficients C(q), N x N, of the configuration-space form \
+             tau = M qdd + B [qd qd] + C [qd^2] + G."
+        }
+        Function::ForwardKinematics => {
+            "Forward kinematics: the homogeneous transform of the last link frame in the base frame, m."
+        }
+        Function::LinkPoses => {
+            "Homogeneous transforms of every link frame in the base frame, from the base outwards, m."
+        }
+        Function::Jacobian => {
+            "Geometric Jacobian of the last link frame's origin, 6 x N, rows vx vy vz wx wy wz, in the base frame."
+        }
+    }
+}
+
+/// The lines of a method's documentation.
+pub(super) fn documentation(robot: &Robot, function: Function, program: &Program) -> Vec<String> {
+    let mut lines = vec![format!(" {}", description(function)), String::new()];
+    lines.push(
+        " `q` in rad (revolute) or m (prismatic), `qd` and `qdd` per second and second squared."
+            .to_owned(),
+    );
+    lines.push(String::new());
+    lines.push(format!(" Operations: {}.", program.operations()));
+    if let Some(formulas) = formulas(robot, program).filter(|_| robot.rows.len() <= 3) {
+        lines.extend(formula_lines(function, robot.rows.len(), &formulas));
+    }
+    lines.push(String::new());
+    lines.push(match function {
+        Function::ForwardDynamics => {
+            " # Errors\n\n `SingularMassMatrix` where M(q) is not positive definite, or an input is not finite: it names \
+             the joint whose pivot failed."
+                .to_owned()
+        }
+        _ => " Never panics and never allocates; input that is not finite gives output that is not finite.".to_owned(),
+    });
+    lines
+}
+
+/// The formulas, each behind the name of its entry.
+fn formula_lines(function: Function, dof: usize, formulas: &[String]) -> Vec<String> {
+    let (symbol, columns) = match (shape(function, dof), function) {
+        (Shape::Number, Function::KineticEnergy) => ("T", 1),
+        (Shape::Number, _) => ("U", 1),
+        (Shape::Matrix(_, columns), Function::MassMatrix) => ("M", columns),
+        (Shape::Matrix(_, 1), Function::CoriolisVector) => ("V", 1),
+        (Shape::Matrix(_, 1), Function::GravityVector) => ("G", 1),
+        (Shape::Matrix(_, 1), Function::FrictionVector) => ("F", 1),
+        (Shape::Matrix(_, 1), Function::InverseDynamics) => ("tau", 1),
+        (Shape::Matrix(_, columns), Function::CoriolisCoefficients) => ("B", columns),
+        (
+            Shape::Matrix(_, columns),
+            Function::CoriolisMatrix | Function::CentrifugalCoefficients,
+        ) => ("C", columns),
+        _ => return Vec::new(),
+    };
+    let name = |index: usize| match shape(function, dof) {
+        Shape::Number => symbol.to_owned(),
+        _ if columns == 1 && symbol != "M" && symbol != "C" && symbol != "B" => {
+            format!("{symbol}{}", index + 1)
+        }
+        _ => format!("{symbol}{}{}", index / columns + 1, index % columns + 1),
+    };
+    let mut lines = vec![String::new(), " ```text".to_owned()];
+    lines.extend(
+        formulas
+            .iter()
+            .enumerate()
+            .map(|(index, formula)| format!(" {} = {formula}", name(index))),
+    );
+    lines.push(" ```".to_owned());
+    lines.push(" with si, ci the sine and cosine of qi.".to_owned());
+    lines
+}

@@ -1,0 +1,37 @@
+//! Emission: programs as Rust methods.
+//!
+//! Straight-line code, one assignment a line, generic over the runtime's
+//! `Scalar`. Tokens are built by hand where there are many, and are the same
+//! for the same program each time.
+
+mod body;
+mod documentation;
+mod formula;
+mod signature;
+
+use signature::signature;
+pub use signature::stub;
+
+use crate::function::Function;
+use crate::program::Program;
+use crate::robot::Robot;
+use proc_macro2::TokenStream;
+use quote::quote;
+
+/// The documented method of a function; `path` is the path of the runtime crate.
+pub fn method(
+    robot: &Robot,
+    function: Function,
+    program: &Program,
+    path: &TokenStream,
+) -> TokenStream {
+    let documentation = documentation::documentation(robot, function, program);
+    let signature = signature(function, robot.rows.len(), path);
+    let body = body::body(robot, function, program, path);
+    quote! {
+        #(#[doc = #documentation])*
+        #[inline]
+        #[allow(unused_variables, clippy::all)]
+        pub #signature { #body }
+    }
+}
