@@ -16,6 +16,7 @@ pub mod linear;
 pub mod program;
 pub mod prove;
 pub mod robot;
+pub mod simplify;
 
 pub use emit::stub;
 pub use expand::{Method, expand};

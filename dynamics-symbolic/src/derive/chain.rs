@@ -1,7 +1,7 @@
 //! The chain in proximal frames: every frame has its origin and its z axis on
 //! the axis of its own joint, whatever the convention of the table.
 
-use super::inertia::{Body, Turn, enter_x, enter_z, leave_x, leave_z};
+use super::inertia::{Body, Keep, Turn, enter_x, enter_z, leave_x, leave_z};
 use super::symbols::Symbols;
 use crate::expr::Expr;
 use crate::linear::{Symmetric3, Vector3};
@@ -21,7 +21,9 @@ pub enum Origin {
 pub struct Link<'g> {
     /// The joint that moves it.
     pub joint_type: JointType,
-    /// Turn about x from the previous frame.
+    /// Turn about z of the previous frame, where that frame does not turn with its own link.
+    pub before: Turn<Expr<'g>>,
+    /// Turn about x that follows.
     pub twist: Turn<Expr<'g>>,
     /// Turn about z: variable for a revolute joint.
     pub turn: Turn<Expr<'g>>,
@@ -38,17 +40,25 @@ pub struct Link<'g> {
 impl<'g> Link<'g> {
     /// A vector of the previous frame, in this frame.
     pub fn enter(&self, v: Vector3<Expr<'g>>) -> Vector3<Expr<'g>> {
-        enter_z(self.turn, enter_x(self.twist, v))
+        enter_z(self.turn, enter_x(self.twist, enter_z(self.before, v)))
     }
 
     /// A vector of this frame, in the previous frame.
     pub fn leave(&self, v: Vector3<Expr<'g>>) -> Vector3<Expr<'g>> {
-        leave_x(self.twist, leave_z(self.turn, v))
+        leave_z(self.before, leave_x(self.twist, leave_z(self.turn, v)))
+    }
+
+    /// A body of this frame, in the previous frame and about its origin.
+    pub fn leave_body(&self, body: Body<Expr<'g>>, zero: Expr<'g>) -> Body<Expr<'g>> {
+        body.left_z(self.turn)
+            .left_x(self.twist)
+            .left_z(self.before)
+            .moved(self.position(zero))
     }
 
     /// Where the origin is in the previous frame.
     pub fn position(&self, zero: Expr<'g>) -> Vector3<Expr<'g>> {
-        self.offset + leave_x(self.twist, Vector3::new(zero, zero, self.slide))
+        self.offset + self.leave(Vector3::new(zero, zero, self.slide))
     }
 }
 
@@ -100,6 +110,10 @@ impl<'g> Chain<'g> {
             let reflected = ratio * ratio * symbols.value(&row.motor_inertia);
             Link {
                 joint_type: row.joint_type,
+                before: Turn {
+                    s: zero,
+                    c: symbols.graph().one(),
+                },
                 twist: twist.turn,
                 turn: Turn { s, c },
                 offset,
@@ -124,12 +138,12 @@ impl<'g> Chain<'g> {
     ///
     /// A revolute joint: the part that is invariant under rotation about its
     /// axis. A prismatic joint: the whole inertia tensor, for both links turn alike.
-    pub fn group_parameters(&mut self) {
+    pub fn group_parameters(&mut self, keep: &[Keep]) {
         for i in (0..self.links.len()).rev() {
             let link = self.links[i];
             let (moving, rest) = match link.joint_type {
                 JointType::Revolute => {
-                    let (invariant, rest) = link.body.split_revolute(self.zero);
+                    let (invariant, rest) = link.body.split_revolute(self.zero, keep[i]);
                     (invariant.left_x(link.twist).moved(link.offset), rest)
                 }
                 JointType::Prismatic => {
@@ -148,6 +162,37 @@ impl<'g> Chain<'g> {
                 _ => &mut self.links[i - 1].body,
             };
             *previous = previous.joined(moving);
+        }
+    }
+}
+
+impl<'g> Chain<'g> {
+    /// Lets frames stay behind their joints: where `stays` holds, frame i keeps
+    /// the orientation that it has before joint i turns, and the link's
+    /// parameters turn in it. Between parallel axes the frames that stay behind
+    /// are all alike, and angles add up: sin and cos of q2 + q3 from those of
+    /// q2 and q3.
+    pub fn stay_behind(&mut self, stays: &[bool]) {
+        let none = Turn {
+            s: self.zero,
+            c: self.one,
+        };
+        let mut turned = none;
+        for (i, link) in self.links.iter_mut().enumerate() {
+            link.offset = leave_z(turned, link.offset);
+            let is_parallel = link.twist.s.is_zero() && link.twist.c == self.one;
+            if is_parallel {
+                // Rz(turned) Rz(turn): one turn about the common direction.
+                link.turn = turned.plus(link.turn);
+                turned = none;
+            }
+            link.before = turned;
+            turned = none;
+            if stays[i] && link.joint_type == JointType::Revolute {
+                turned = link.turn;
+                link.turn = none;
+                link.body = link.body.left_z(turned);
+            }
         }
     }
 }

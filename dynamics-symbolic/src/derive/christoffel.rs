@@ -107,11 +107,7 @@ pub(super) fn christoffel<'g>(graph: &'g Graph, chain: &Chain<'g>) -> Vec<Vec<Ve
                 }
             }
         }
-        let link = &chain.links[m];
-        composite = composite
-            .left_z(link.turn)
-            .left_x(link.twist)
-            .moved(link.position(zero));
+        composite = chain.links[m].leave_body(composite, zero);
     }
     symbols
 }

@@ -44,10 +44,8 @@ pub(super) fn mass_matrix<'g>(chain: &Chain<'g>) -> Vec<Vec<Expr<'g>>> {
         }
         matrix[j][j] = matrix[j][j] + link.reflected;
         if j > 0 {
-            composite = composite
-                .left_z(link.turn)
-                .left_x(link.twist)
-                .moved(link.position(zero))
+            composite = link
+                .leave_body(composite, zero)
                 .joined(chain.links[j - 1].body);
         }
     }

@@ -32,7 +32,7 @@ pub(super) fn kinetic_energy<'g>(graph: &'g Graph, chain: &Chain<'g>, qd: &[Expr
 
 /// U = -g.h, with h the first moment of the whole arm about the base's origin.
 pub(super) fn potential_energy<'g>(chain: &Chain<'g>) -> Expr<'g> {
-    let moments = composite_moments(chain);
+    let moments = composite_moments(chain, chain.one);
     let first = chain.links.first().zip(moments.first());
     let outer =
         first.map(|(link, (mass, moment))| link.leave(*moment) + link.position(chain.zero) * *mass);
@@ -43,9 +43,15 @@ pub(super) fn potential_energy<'g>(chain: &Chain<'g>) -> Expr<'g> {
 /// G = dU/dq from first moments: G_i = z.(g x h_i) for a revolute joint, -m_i g_z
 /// for a prismatic one, with the mass and the first moment of links i to n
 /// about the origin of frame i.
+///
+/// Bodies are scaled by one component of g beforehand, so that the direction
+/// of gravity is what enters the products: a component of 1 costs nothing.
 pub(super) fn gravity_vector<'g>(chain: &Chain<'g>) -> Vec<Expr<'g>> {
-    let mut g = chain.gravity;
-    let moments = composite_moments(chain);
+    let Some(scale) = chain.gravity.0.into_iter().rev().find(|g| !g.is_zero()) else {
+        return vec![chain.zero; chain.links.len()];
+    };
+    let mut g = Vector3(chain.gravity.0.map(|component| component / scale));
+    let moments = composite_moments(chain, scale);
     let force = |(link, (mass, h)): (&super::chain::Link<'g>, &(Expr<'g>, Vector3<Expr<'g>>))| {
         g = link.enter(g);
         match link.joint_type {
@@ -56,14 +62,14 @@ pub(super) fn gravity_vector<'g>(chain: &Chain<'g>) -> Vec<Expr<'g>> {
     chain.links.iter().zip(&moments).map(force).collect()
 }
 
-/// Mass and first moment of links i to n about the origin of frame i.
-fn composite_moments<'g>(chain: &Chain<'g>) -> Vec<(Expr<'g>, Vector3<Expr<'g>>)> {
+/// Mass and first moment of links i to n about the origin of frame i, times `scale`.
+fn composite_moments<'g>(chain: &Chain<'g>, scale: Expr<'g>) -> Vec<(Expr<'g>, Vector3<Expr<'g>>)> {
     let zero = chain.zero;
     let mut composites = Vec::with_capacity(chain.links.len());
     let mut outer = (zero, Vector3::splat(zero));
     for link in chain.links.iter().rev() {
-        let mass = link.body.mass + outer.0;
-        let moment = link.body.moment + outer.1;
+        let mass = link.body.mass * scale + outer.0;
+        let moment = link.body.moment * scale + outer.1;
         composites.push((mass, moment));
         outer = (mass, link.leave(moment) + link.position(zero) * mass);
     }

@@ -8,6 +8,32 @@ use crate::function::Function;
 use crate::linear::Vector3;
 use crate::robot::{Interpretation, Robot};
 
+/// How a function is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Form {
+    /// By the recursion that is made for it.
+    Recursive,
+    /// From other functions: M qdd + V + G, the contraction of the Christoffel
+    /// symbols, or inverse dynamics at rest.
+    Assembled,
+}
+
+impl Form {
+    /// The forms that are worth a trial. Assembled motions grow with a higher
+    /// power of the number of joints: they win for up to three.
+    pub fn of(function: Function, dof: usize) -> &'static [Form] {
+        match function {
+            Function::GravityVector => &[Form::Recursive, Form::Assembled],
+            Function::InverseDynamics | Function::BiasForce | Function::CoriolisVector
+                if dof <= 3 =>
+            {
+                &[Form::Recursive, Form::Assembled]
+            }
+            _ => &[Form::Recursive],
+        }
+    }
+}
+
 /// What a function puts out, in the order of its contract: matrices by rows.
 /// Forward dynamics: the accelerations, the pivots, and M's diagonal.
 pub fn outputs<'g>(
@@ -15,7 +41,11 @@ pub fn outputs<'g>(
     robot: &Robot,
     chain: &Chain<'g>,
     function: Function,
+    form: Form,
 ) -> Vec<Expr<'g>> {
+    if form == Form::Assembled {
+        return assembled(symbols, robot, chain, function);
+    }
     let graph = symbols.graph();
     let (zero, one) = (graph.zero(), graph.one());
     let still = vec![zero; robot.rows.len()];
@@ -37,7 +67,7 @@ pub fn outputs<'g>(
         }
         Function::ForwardDynamics => {
             let matrix = composite::mass_matrix(chain);
-            let bias = outputs(symbols, robot, chain, Function::BiasForce);
+            let bias = outputs(symbols, robot, chain, Function::BiasForce, Form::Recursive);
             let applied = symbols.all(|joint| joint.tau);
             let net = applied
                 .into_iter()
@@ -92,6 +122,60 @@ pub fn outputs<'g>(
                 .collect()
         }
         Function::Jacobian => kinematics::jacobian(symbols, robot),
+    }
+}
+
+/// The functions that have a second form.
+fn assembled<'g>(
+    symbols: &mut Symbols<'g>,
+    robot: &Robot,
+    chain: &Chain<'g>,
+    function: Function,
+) -> Vec<Expr<'g>> {
+    let graph = symbols.graph();
+    let zero = graph.zero();
+    let qd = symbols.all(|joint| joint.qd);
+    match function {
+        Function::CoriolisVector => {
+            let products = |c: &Vec<Vec<Expr<'g>>>| -> Expr<'g> {
+                c.iter().zip(&qd).fold(zero, |sum, (row, &qdj)| {
+                    let inner = row
+                        .iter()
+                        .zip(&qd)
+                        .fold(zero, |sum, (&c, &qdk)| sum + c * qdk);
+                    sum + inner * qdj
+                })
+            };
+            christoffel::christoffel(graph, chain)
+                .iter()
+                .map(products)
+                .collect()
+        }
+        Function::BiasForce => {
+            let motion = assembled(symbols, robot, chain, Function::CoriolisVector);
+            let gravity = energy::gravity_vector(chain);
+            sum(sum(motion, &gravity), &friction(symbols, robot))
+        }
+        Function::InverseDynamics => {
+            let qdd = symbols.all(|joint| joint.qdd);
+            let inertial = composite::mass_matrix(chain)
+                .iter()
+                .map(|row| {
+                    row.iter()
+                        .zip(&qdd)
+                        .fold(zero, |sum, (&m, &qdd)| sum + m * qdd)
+                })
+                .collect();
+            sum(
+                inertial,
+                &assembled(symbols, robot, chain, Function::BiasForce),
+            )
+        }
+        Function::GravityVector => {
+            let still = vec![zero; robot.rows.len()];
+            recursive::inverse_dynamics(chain, &still, &still, chain.gravity)
+        }
+        _ => outputs(symbols, robot, chain, function, Form::Recursive),
     }
 }
 

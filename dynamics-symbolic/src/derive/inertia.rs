@@ -34,6 +34,12 @@ impl<R: Ring> Turn<R> {
         (self.c * u + self.s * v, self.c * v - self.s * u)
     }
 
+    /// Both turns, one after the other.
+    pub fn plus(self, other: Self) -> Self {
+        let (c, s) = self.leave(other.c, other.s);
+        Turn { s, c }
+    }
+
     /// The 2 x 2 symmetric block (uu, vv, uv), out of the turned frame.
     ///
     /// With k = s (uu - vv) + 2 c uv: uu' = uu - s k, vv' = vv + s k, uv' = c k - uv.
@@ -176,19 +182,31 @@ impl<R: Ring> Body<R> {
     }
 
     /// The part that is invariant under rotation about z, and the rest without
-    /// mass, h_z and J_yy (Gautier and Khalil 1990).
-    pub fn split_revolute(self, zero: R) -> (Self, Self) {
-        let yy = self.inertia.yy;
+    /// mass and h_z, and without J_yy or J_xx (Gautier and Khalil 1990).
+    pub fn split_revolute(self, zero: R, keep: Keep) -> (Self, Self) {
+        let moving = match keep {
+            Keep::Xx => self.inertia.yy,
+            Keep::Yy => self.inertia.xx,
+        };
         let mut invariant = Body::splat(zero);
         invariant.mass = self.mass;
         invariant.moment.0[2] = self.moment[2];
-        invariant.inertia.xx = yy;
-        invariant.inertia.yy = yy;
+        invariant.inertia.xx = moving;
+        invariant.inertia.yy = moving;
         let mut rest = self;
         rest.mass = zero;
         rest.moment.0[2] = zero;
-        rest.inertia.xx = self.inertia.xx - yy;
-        rest.inertia.yy = zero;
+        rest.inertia.xx = self.inertia.xx - moving;
+        rest.inertia.yy = self.inertia.yy - moving;
         (invariant, rest)
     }
+}
+
+/// Which of J_xx and J_yy remains on a link behind a revolute joint; only their difference matters.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Keep {
+    /// J_xx - J_yy, as J_xx.
+    Xx,
+    /// J_yy - J_xx, as J_yy.
+    Yy,
 }

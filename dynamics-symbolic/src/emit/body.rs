@@ -39,7 +39,8 @@ pub(super) fn body(
 ) -> TokenStream {
     let writer = Writer::new(robot, program);
     let inputs = inputs(robot, program, path);
-    let number = quote!(let k = <T as #path::Scalar>::from_f64;);
+    let k = ident("k");
+    let number = quote!(let #k = <T as #path::Scalar>::from_f64;);
     let assignments = writer.assignments();
     let outputs = writer.outputs(function, robot.rows.len(), path);
     quote!(#inputs #number #assignments #outputs)

@@ -105,7 +105,6 @@ struct Arena {
     nodes: Vec<Node>,
     rationals: Vec<Rational>,
     by_value: FingerprintMap<NodeId>,
-    alternatives: Vec<(NodeId, Operation)>,
     symbols: u32,
 }
 
@@ -192,6 +191,21 @@ impl Graph {
         self.arena.borrow_mut().div(a, b)
     }
 
+    /// The node of a sum, and the sum as that node's definition, not folded.
+    pub(crate) fn write_sum(&self, a: Edge, b: Edge) -> (Edge, Operation) {
+        self.arena.borrow_mut().write_sum(a, b)
+    }
+
+    /// The node of a product, and the product as that node's definition, not folded.
+    pub(crate) fn write_product(&self, a: Edge, b: Edge) -> (Edge, Operation) {
+        self.arena.borrow_mut().write_product(a, b)
+    }
+
+    /// The node of a quotient, and the quotient as that node's definition, not folded.
+    pub(crate) fn write_quotient(&self, a: Edge, b: Edge) -> (Edge, Operation) {
+        self.arena.borrow_mut().write_quotient(a, b)
+    }
+
     /// How many nodes there are.
     pub fn len(&self) -> usize {
         self.arena.borrow().nodes.len()
@@ -220,11 +234,6 @@ impl Graph {
     pub fn rational_of(&self, index: u32) -> Rational {
         self.arena.borrow().rationals[index as usize].clone()
     }
-
-    /// Other ways of writing nodes that were met during construction.
-    pub(crate) fn alternatives(&self) -> Vec<(NodeId, Operation)> {
-        self.arena.borrow().alternatives.clone()
-    }
 }
 
 impl Arena {
@@ -244,6 +253,16 @@ impl Arena {
     /// The node of that value: the one that exists, or a new one. A node's own
     /// sign is the one whose fingerprint is the smaller representative.
     fn intern(&mut self, operation: Operation, level: Level, value: Fingerprint) -> Edge {
+        self.write(operation, level, value).0
+    }
+
+    /// As [`Arena::intern`], with the operation as a definition of the node.
+    fn write(
+        &mut self,
+        operation: Operation,
+        level: Level,
+        value: Fingerprint,
+    ) -> (Edge, Operation) {
         let negative = value.get() > (-value).get();
         let value = if negative { -value } else { value };
         let operation = match operation {
@@ -254,26 +273,55 @@ impl Arena {
             Operation::Mul(a, b) => Operation::Mul(a.min(b), a.max(b)),
             other => other,
         };
-        if let Some(&id) = self.by_value.get(&value.get()) {
-            let node = &mut self.nodes[id.index()];
-            if level < node.level {
-                // The same value with fewer dependencies: it cannot depend on this node.
-                let other = core::mem::replace(&mut node.operation, operation);
-                node.level = level;
-                self.alternatives.push((id, other));
-            } else if level != Level::Constant && node.operation != operation {
-                self.alternatives.push((id, operation));
+        let id = match self.by_value.get(&value.get()) {
+            Some(&id) => {
+                let node = &mut self.nodes[id.index()];
+                if level < node.level {
+                    // The same value with fewer dependencies: it cannot depend on this node.
+                    node.operation = operation;
+                    node.level = level;
+                }
+                id
             }
-            return id.edge(negative);
-        }
-        let id = NodeId::from_index(self.nodes.len());
-        self.nodes.push(Node {
+            None => {
+                let id = NodeId::from_index(self.nodes.len());
+                self.nodes.push(Node {
+                    operation,
+                    level,
+                    value,
+                });
+                self.by_value.insert(value.get(), id);
+                id
+            }
+        };
+        (id.edge(negative), operation)
+    }
+
+    fn write_sum(&mut self, a: Edge, b: Edge) -> (Edge, Operation) {
+        let level = self.level(a).max(self.level(b));
+        let value = self.value(a) + self.value(b);
+        self.write(Operation::Add(a, b), level, value)
+    }
+
+    fn write_product(&mut self, a: Edge, b: Edge) -> (Edge, Operation) {
+        let level = self.level(a).max(self.level(b));
+        let value = self.node(a).value * self.node(b).value;
+        let (edge, operation) = self.write(Operation::Mul(a.node(), b.node()), level, value);
+        (
+            edge.negate_if(a.is_negative() != b.is_negative()),
             operation,
-            level,
-            value,
-        });
-        self.by_value.insert(value.get(), id);
-        id.edge(negative)
+        )
+    }
+
+    fn write_quotient(&mut self, a: Edge, b: Edge) -> (Edge, Operation) {
+        let level = self.level(a).max(self.level(b));
+        let inverse = self.node(b).value.inverse().unwrap_or(Fingerprint::ZERO);
+        let value = self.node(a).value * inverse;
+        let (edge, operation) = self.write(Operation::Div(a.node(), b.node()), level, value);
+        (
+            edge.negate_if(a.is_negative() != b.is_negative()),
+            operation,
+        )
     }
 
     fn rational(&mut self, x: &Rational) -> Edge {
@@ -329,12 +377,10 @@ impl Arena {
         {
             return folded;
         }
-        let level = self.level(a).max(self.level(b));
-        let value = self.value(a) + self.value(b);
-        if value.is_zero() {
+        if (self.value(a) + self.value(b)).is_zero() {
             return NodeId(0).edge(false);
         }
-        self.intern(Operation::Add(a, b), level, value)
+        self.write_sum(a, b).0
     }
 
     /// k1 + (k2 + x) = (k1 + k2) + x for constants k1, k2.
@@ -377,10 +423,7 @@ impl Arena {
         {
             return folded;
         }
-        let level = self.level(a).max(self.level(b));
-        let value = self.node(a).value * self.node(b).value;
-        self.intern(Operation::Mul(a.node(), b.node()), level, value)
-            .negate_if(a.is_negative() != b.is_negative())
+        self.write_product(a, b).0
     }
 
     /// k1 (k2 x) = (k1 k2) x for constants k1, k2.
@@ -411,10 +454,6 @@ impl Arena {
             let reciprocal = self.rational(&(Rational::ONE / y));
             return self.mul(a, reciprocal);
         }
-        let level = self.level(a).max(self.level(b));
-        let inverse = self.node(b).value.inverse().unwrap_or(Fingerprint::ZERO);
-        let value = self.node(a).value * inverse;
-        self.intern(Operation::Div(a.node(), b.node()), level, value)
-            .negate_if(a.is_negative() != b.is_negative())
+        self.write_quotient(a, b).0
     }
 }

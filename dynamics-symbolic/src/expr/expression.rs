@@ -1,6 +1,6 @@
 //! Handles of expressions, with the operators of arithmetic.
 
-use super::{Edge, Graph, Level};
+use super::{Edge, Fingerprint, Graph, Level};
 use core::fmt;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -25,6 +25,16 @@ impl<'g> Expr<'g> {
     /// What the expression depends on.
     pub fn level(self) -> Level {
         self.graph.node(self.edge.node()).level
+    }
+
+    /// The value at the graph's random point.
+    pub(crate) fn fingerprint(self) -> Fingerprint {
+        let value = self.graph.node(self.edge.node()).value;
+        if self.edge.is_negative() {
+            -value
+        } else {
+            value
+        }
     }
 
     fn with(self, edge: Edge) -> Self {

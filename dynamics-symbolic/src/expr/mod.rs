@@ -15,5 +15,6 @@ mod expression;
 mod operation;
 
 pub use arena::{Edge, Graph, Level, NodeId};
+pub(crate) use arena::{Fingerprint, FingerprintMap};
 pub use expression::Expr;
 pub use operation::Operation;

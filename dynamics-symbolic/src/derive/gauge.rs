@@ -1,0 +1,130 @@
+//! The freedom in writing the equations: where frames are, what they turn
+//! with, which of two equal parameters remains. The functions are the same
+//! whatever is chosen; the number of operations is not.
+
+use super::chain::{Chain, Origin};
+use super::functions::{Form, outputs};
+use super::inertia::Keep;
+use super::symbols::Symbols;
+use crate::expr::Graph;
+use crate::function::Function;
+use crate::robot::Robot;
+use crate::simplify::Network;
+
+/// One choice for every joint.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Gauge {
+    /// Where the frame's origin is on the axis.
+    pub origins: Vec<Origin>,
+    /// Whether the frame stays behind its joint: see [`Chain::stay_behind`].
+    pub stays: Vec<bool>,
+    /// Which moment of inertia is kept.
+    pub keep: Vec<Keep>,
+}
+
+/// How many nodes of trial graphs one search may make: the search ends within
+/// a fraction of a second where the engine runs unoptimised.
+const MOST_NODES: usize = 100_000;
+
+impl Gauge {
+    /// Origins at the next common normal, frames that turn with their links.
+    pub fn plain(dof: usize) -> Self {
+        Gauge {
+            origins: vec![Origin::AfterOffset; dof],
+            stays: vec![false; dof],
+            keep: vec![Keep::Xx; dof],
+        }
+    }
+
+    /// The chain of a robot in this gauge, with base inertial parameters.
+    pub fn chain<'g>(&self, symbols: &mut Symbols<'g>, robot: &Robot) -> Chain<'g> {
+        let mut chain = Chain::new(symbols, robot, &self.origins);
+        chain.group_parameters(&self.keep);
+        chain.stay_behind(&self.stays);
+        chain
+    }
+
+    /// The gauge for the shortest program of a function that a descent finds:
+    /// single choices and neighbouring pairs are reversed for as long as the
+    /// number of operations falls.
+    pub fn search(robot: &Robot, function: Function, form: Form) -> Self {
+        let dof = robot.rows.len();
+        let mut gauge = Gauge::plain(dof);
+        let mut nodes = 0;
+        let mut cost = gauge.cost(robot, function, form, &mut nodes);
+        loop {
+            let before = cost;
+            for step in steps(dof) {
+                if nodes > MOST_NODES {
+                    return gauge;
+                }
+                gauge.reverse(&step);
+                let trial = gauge.cost(robot, function, form, &mut nodes);
+                if trial < cost {
+                    cost = trial;
+                } else {
+                    gauge.reverse(&step);
+                }
+            }
+            if cost == before {
+                return gauge;
+            }
+        }
+    }
+
+    /// Operations before any simplification.
+    fn cost(&self, robot: &Robot, function: Function, form: Form, nodes: &mut usize) -> usize {
+        let graph = Graph::new();
+        let mut symbols = Symbols::new(&graph, robot);
+        let chain = self.chain(&mut symbols, robot);
+        let outputs: Vec<_> = outputs(&mut symbols, robot, &chain, function, form)
+            .iter()
+            .map(|e| e.edge())
+            .collect();
+        *nodes += graph.len();
+        Network::new(&graph, &outputs).cost()
+    }
+
+    fn reverse(&mut self, step: &[Choice]) {
+        for choice in step {
+            match *choice {
+                Choice::Origin(i) => {
+                    self.origins[i] = match self.origins[i] {
+                        Origin::AfterOffset => Origin::BeforeOffset,
+                        Origin::BeforeOffset => Origin::AfterOffset,
+                    }
+                }
+                Choice::Stay(i) => self.stays[i] = !self.stays[i],
+                Choice::Keep(i) => {
+                    self.keep[i] = match self.keep[i] {
+                        Keep::Xx => Keep::Yy,
+                        Keep::Yy => Keep::Xx,
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// A choice that can be reversed.
+#[derive(Clone, Copy, Debug)]
+enum Choice {
+    Origin(usize),
+    Stay(usize),
+    Keep(usize),
+}
+
+/// The steps of one round of the descent, the most promising first.
+fn steps(dof: usize) -> Vec<Vec<Choice>> {
+    use Choice::{Keep, Origin, Stay};
+    let single = (0..dof)
+        .rev()
+        .map(|i| vec![Stay(i)])
+        .chain((0..dof).map(|i| vec![Origin(i)]));
+    let pairs = (1..dof)
+        .rev()
+        .flat_map(|i| [vec![Stay(i - 1), Stay(i)], vec![Origin(i - 1), Origin(i)]]);
+    let mixed = (0..dof).map(|i| vec![Stay(i), Origin(i)]);
+    let keep = (0..dof).map(|i| vec![Keep(i)]);
+    single.chain(pairs).chain(mixed).chain(keep).collect()
+}

@@ -1,0 +1,239 @@
+//! The part of a graph that a program computes, with one definition for each node.
+
+use crate::expr::{Edge, Fingerprint, FingerprintMap, Graph, Level, NodeId, Operation};
+
+/// The nodes that the outputs need, and the definition of each.
+pub struct Network<'g> {
+    graph: &'g Graph,
+    outputs: Vec<Edge>,
+    /// The definition of each node; meaningful where the node is active or constant.
+    definitions: Vec<Operation>,
+    values: Vec<Fingerprint>,
+    inverses: Vec<Option<Fingerprint>>,
+    free: Vec<bool>,
+    /// How many active nodes and outputs read each node: active where positive.
+    readers: Vec<u32>,
+    cost: usize,
+}
+
+impl<'g> Network<'g> {
+    /// The network of some outputs, every node by the graph's own operation.
+    pub fn new(graph: &'g Graph, outputs: &[Edge]) -> Self {
+        let mut network = Network {
+            graph,
+            outputs: outputs.to_vec(),
+            definitions: Vec::new(),
+            values: Vec::new(),
+            inverses: Vec::new(),
+            free: Vec::new(),
+            readers: Vec::new(),
+            cost: 0,
+        };
+        network.grow();
+        for output in outputs {
+            network.activate(output.node());
+        }
+        network
+    }
+
+    /// The network of some outputs with the definitions that are given, the
+    /// first of each node, and else the graph's own.
+    pub(super) fn with_definitions(
+        graph: &'g Graph,
+        outputs: &[Edge],
+        definitions: Vec<(NodeId, Operation)>,
+    ) -> Self {
+        let mut network = Network::new(graph, &[]);
+        for (id, operation) in definitions.into_iter().rev() {
+            network.definitions[id.index()] = operation;
+        }
+        network.outputs = outputs.to_vec();
+        for output in outputs {
+            network.activate(output.node());
+        }
+        network
+    }
+
+    /// Whether a node is minus the product of two others.
+    pub(super) fn is_flipped(&self, id: NodeId, a: NodeId, b: NodeId) -> bool {
+        self.value(id) != self.value(a) * self.value(b)
+    }
+
+    /// Whether a node is minus the quotient of two others.
+    pub(super) fn is_flipped_quotient(&self, id: NodeId, a: NodeId, b: NodeId) -> bool {
+        self.value(id) * self.value(b) != self.value(a)
+    }
+
+    /// How many nodes and outputs read a node.
+    pub(super) fn readers(&self, id: NodeId) -> u32 {
+        self.readers[id.index()]
+    }
+
+    /// Takes note of nodes that are new in the graph.
+    pub(super) fn grow(&mut self) {
+        for index in self.definitions.len()..self.graph.len() {
+            let node = self.graph.node(NodeId::from_index(index));
+            let is_leaf = matches!(
+                node.operation,
+                Operation::Symbol(_) | Operation::Rational(_)
+            );
+            self.definitions.push(node.operation);
+            self.values.push(node.value);
+            self.inverses.push(node.value.inverse());
+            self.free.push(is_leaf || node.level == Level::Constant);
+            self.readers.push(0);
+        }
+    }
+
+    pub(super) fn graph(&self) -> &'g Graph {
+        self.graph
+    }
+
+    /// The operations that the program takes.
+    pub fn cost(&self) -> usize {
+        self.cost
+    }
+
+    /// The definition of a node.
+    pub fn definition(&self, id: NodeId) -> Operation {
+        self.definitions[id.index()]
+    }
+
+    /// The outputs.
+    pub fn outputs(&self) -> &[Edge] {
+        &self.outputs
+    }
+
+    pub(super) fn value(&self, id: NodeId) -> Fingerprint {
+        self.values[id.index()]
+    }
+
+    pub(super) fn inverse(&self, id: NodeId) -> Option<Fingerprint> {
+        self.inverses[id.index()]
+    }
+
+    /// Whether a node takes no operation: a symbol or a constant.
+    pub(super) fn is_free(&self, id: NodeId) -> bool {
+        self.free[id.index()]
+    }
+
+    pub(super) fn is_constant(&self, id: NodeId) -> bool {
+        self.graph.level_of(id) == Level::Constant
+    }
+
+    pub(super) fn is_active(&self, id: NodeId) -> bool {
+        self.readers[id.index()] > 0
+    }
+
+    /// One more reader of a node.
+    pub(super) fn activate(&mut self, root: NodeId) {
+        let mut stack = vec![root];
+        while let Some(id) = stack.pop() {
+            self.readers[id.index()] += 1;
+            if self.readers[id.index()] == 1 && !self.free[id.index()] {
+                self.cost += 1;
+                stack.extend(self.definitions[id.index()].operands());
+            }
+        }
+    }
+
+    /// One reader of a node less.
+    fn release(&mut self, root: NodeId) {
+        let mut stack = vec![root];
+        while let Some(id) = stack.pop() {
+            self.readers[id.index()] -= 1;
+            if self.readers[id.index()] == 0 && !self.free[id.index()] {
+                self.cost -= 1;
+                stack.extend(self.definitions[id.index()].operands());
+            }
+        }
+    }
+
+    /// Gives an active node another definition.
+    pub(super) fn redefine(&mut self, id: NodeId, operation: Operation) {
+        let old = std::mem::replace(&mut self.definitions[id.index()], operation);
+        for operand in operation.operands() {
+            self.activate(operand);
+        }
+        for operand in old.operands() {
+            self.release(operand);
+        }
+    }
+
+    /// Defines a node that is not active.
+    pub(super) fn define_inactive(&mut self, id: NodeId, operation: Operation) {
+        debug_assert!(!self.is_active(id));
+        self.definitions[id.index()] = operation;
+    }
+
+    /// How many operations only this node needs, itself included.
+    pub(super) fn cone(&mut self, id: NodeId) -> usize {
+        let before = self.cost;
+        let operands: Vec<_> = self.definition(id).operands().collect();
+        for &operand in &operands {
+            self.release(operand);
+        }
+        let cone = before - self.cost + 1;
+        for &operand in &operands {
+            self.activate(operand);
+        }
+        cone
+    }
+
+    /// Active nodes that take an operation, operands before readers.
+    pub(super) fn order(&self) -> Vec<NodeId> {
+        let mut order = Vec::with_capacity(self.cost);
+        let mut done = vec![false; self.definitions.len()];
+        let mut stack: Vec<_> = self
+            .outputs
+            .iter()
+            .rev()
+            .map(|edge| (edge.node(), false))
+            .collect();
+        while let Some((id, operands_done)) = stack.pop() {
+            if done[id.index()] || self.free[id.index()] {
+                continue;
+            }
+            if operands_done {
+                done[id.index()] = true;
+                order.push(id);
+            } else {
+                stack.push((id, true));
+                stack.extend(self.definition(id).operands().map(|id| (id, false)));
+            }
+        }
+        order
+    }
+
+    /// Active nodes that are free.
+    pub(super) fn leaves(&self) -> Vec<NodeId> {
+        (0..self.definitions.len())
+            .map(NodeId::from_index)
+            .filter(|&id| self.is_free(id) && self.is_active(id))
+            .collect()
+    }
+
+    /// Marks the node and all that depend on it: what its definition may not read.
+    pub(super) fn dependents(&self, id: NodeId, order: &[NodeId]) -> Vec<bool> {
+        let mut depends = vec![false; self.definitions.len()];
+        depends[id.index()] = true;
+        for &node in order {
+            if self
+                .definition(node)
+                .operands()
+                .any(|operand| depends[operand.index()])
+            {
+                depends[node.index()] = true;
+            }
+        }
+        depends
+    }
+
+    /// The nodes of `candidates` by value.
+    pub(super) fn index(&self, candidates: &[NodeId]) -> FingerprintMap<NodeId> {
+        candidates
+            .iter()
+            .map(|&id| (self.value(id).get(), id))
+            .collect()
+    }
+}
