@@ -1,0 +1,135 @@
+//! Errors of one macro call: collected, then reported all together.
+
+use std::cell::RefCell;
+use std::fmt::Display;
+
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::quote_spanned;
+
+/// The place of an error: from one token to another.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Place {
+    first: Span,
+    last: Span,
+}
+
+impl Place {
+    /// From the start of this place to the end of the other.
+    pub(crate) fn to(self, end: impl Into<Place>) -> Place {
+        Place {
+            first: self.first,
+            last: end.into().last,
+        }
+    }
+}
+
+impl From<Span> for Place {
+    fn from(span: Span) -> Place {
+        Place {
+            first: span,
+            last: span,
+        }
+    }
+}
+
+impl From<&Ident> for Place {
+    fn from(ident: &Ident) -> Place {
+        ident.span().into()
+    }
+}
+
+/// Evidence that an error was reported: whoever receives it has nothing to add.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Reported(());
+
+/// Collects the errors of one macro call.
+///
+/// Dropping it without [`Diagnostics::into_compile_errors`] would lose errors, so
+/// that panics.
+#[derive(Debug, Default)]
+pub(crate) struct Diagnostics {
+    errors: RefCell<Vec<(Place, String)>>,
+}
+
+impl Diagnostics {
+    /// Nothing reported yet.
+    pub(crate) fn new() -> Diagnostics {
+        Diagnostics::default()
+    }
+
+    /// Reports an error.
+    pub(crate) fn error(&self, at: impl Into<Place>, message: impl Display) -> Reported {
+        self.errors
+            .borrow_mut()
+            .push((at.into(), message.to_string()));
+        Reported(())
+    }
+
+    /// Whether nothing was reported.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.errors.borrow().is_empty()
+    }
+
+    /// One `compile_error!` for each error, from the top of the call to its end.
+    pub(crate) fn into_compile_errors(self) -> TokenStream {
+        let mut errors = self.errors.take();
+        errors.sort_by_key(|(place, _)| position(place.first));
+        errors
+            .into_iter()
+            .map(|(place, message)| {
+                // The compiler underlines from the path's span to the braces' span.
+                let path = quote_spanned!(place.first=> ::core::compile_error!);
+                let body = quote_spanned!(place.last=> { #message });
+                quote_spanned!(place.first=> #path #body)
+            })
+            .collect()
+    }
+
+    /// The messages alone, in the order of reporting.
+    #[cfg(test)]
+    pub(crate) fn into_messages(self) -> Vec<String> {
+        self.errors.take().into_iter().map(|(_, m)| m).collect()
+    }
+}
+
+/// Line and column. Outside of the compiler, in this crate's own tests, there are none.
+fn position(span: Span) -> (usize, usize) {
+    match proc_macro::is_available() {
+        true => (span.unwrap().line(), span.unwrap().column()),
+        false => (0, 0),
+    }
+}
+
+impl Drop for Diagnostics {
+    fn drop(&mut self) {
+        if !self.is_empty() && !std::thread::panicking() {
+            panic!("errors of a macro call were dropped unread");
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_error_becomes_a_compile_error() {
+        let diagnostics = Diagnostics::new();
+        diagnostics.error(Span::call_site(), "first");
+        diagnostics.error(Span::call_site(), "second \"quoted\"");
+        let tokens = diagnostics.into_compile_errors().to_string();
+        assert_eq!(tokens.matches("compile_error !").count(), 2);
+        assert!(tokens.contains(r#""second \"quoted\"""#));
+    }
+
+    #[test]
+    fn no_error_leaves_no_tokens() {
+        assert!(Diagnostics::new().into_compile_errors().is_empty());
+    }
+
+    #[test]
+    #[should_panic(expected = "dropped unread")]
+    fn errors_cannot_be_lost() {
+        Diagnostics::new().error(Span::call_site(), "lost");
+    }
+}

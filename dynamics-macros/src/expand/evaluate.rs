@@ -1,0 +1,76 @@
+//! Every generated function at one state, for the checks.
+
+use dynamics_symbolic::Function;
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::quote;
+
+use super::Target;
+
+/// The body of `Evaluate::evaluate`.
+pub(super) fn evaluation(target: &Target, functions: &[Function]) -> TokenStream {
+    let path = target.path;
+    let values = functions.iter().filter_map(|function| {
+        let name = Ident::new(function.name(), Span::call_site());
+        let arguments = arguments(*function)?;
+        Some(quote!(#name: ::core::option::Option::Some(Self::#name(self, #arguments)),))
+    });
+    let coefficients = [
+        Function::CoriolisCoefficients,
+        Function::CentrifugalCoefficients,
+    ];
+    let configuration_space = coefficients
+        .iter()
+        .all(|function| functions.contains(function))
+        .then(|| configuration_space(target));
+    quote! {
+        #path::Evaluation {
+            #(#values)*
+            #configuration_space
+            ..::core::default::Default::default()
+        }
+    }
+}
+
+/// The arguments at a state; `None` where the checks do not read the function itself.
+fn arguments(function: Function) -> Option<TokenStream> {
+    Some(match function {
+        Function::MassMatrix
+        | Function::GravityVector
+        | Function::PotentialEnergy
+        | Function::ForwardKinematics
+        | Function::LinkPoses
+        | Function::Jacobian => quote!(&state.q),
+        Function::FrictionVector => quote!(&state.qd),
+        Function::CoriolisVector
+        | Function::KineticEnergy
+        | Function::BiasForce
+        | Function::CoriolisMatrix => quote!(&state.q, &state.qd),
+        Function::InverseDynamics => quote!(&state.q, &state.qd, &state.qdd),
+        Function::ForwardDynamics => quote!(&state.q, &state.qd, tau),
+        Function::CoriolisCoefficients | Function::CentrifugalCoefficients => return None,
+    })
+}
+
+/// `B [qd qd] + C [qd^2]`, the velocity terms of the configuration-space form (Craig,
+/// Introduction to Robotics, 3rd ed., equation 6.63): `[qd qd]` holds the products in
+/// the order (1,2), (1,3), ..., (n-1,n).
+fn configuration_space(target: &Target) -> TokenStream {
+    let path = target.path;
+    let n = target.n();
+    let pairs = target.dof * target.dof.saturating_sub(1) / 2;
+    quote! {
+        configuration_space_coriolis: ::core::option::Option::Some({
+            let mut products = #path::nalgebra::SVector::<f64, #pairs>::zeros();
+            let mut pair = 0;
+            for i in 0..#n {
+                for j in i + 1..#n {
+                    products[pair] = state.qd[i] * state.qd[j];
+                    pair += 1;
+                }
+            }
+            let squares = state.qd.component_mul(&state.qd);
+            Self::coriolis_coefficients(self, &state.q) * products
+                + Self::centrifugal_coefficients(self, &state.q) * squares
+        }),
+    }
+}

@@ -1,0 +1,162 @@
+//! A model to the items of its struct. Nothing in here can fail.
+
+mod evaluate;
+mod structure;
+mod table;
+mod test;
+mod traits;
+
+use dynamics_symbolic::{Function, Method, stub};
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{ToTokens, quote};
+
+use crate::syntax::{Entry, Row, Structure};
+use crate::validate::{Model, plain};
+
+/// The struct, its methods and the traits of the runtime.
+pub(crate) fn robot(
+    structure: &Structure,
+    model: &Model,
+    methods: &[Method],
+    path: &TokenStream,
+) -> TokenStream {
+    let target = Target::new(structure, model.robot.rows.len(), path);
+    let functions: Vec<Function> = methods.iter().map(|method| method.function).collect();
+    let rows = &model.robot.rows;
+    let names: Vec<String> = rows.iter().map(|row| row.name.clone()).collect();
+    let table = table::table(structure, &model.robot, path);
+    let evaluation = evaluate::evaluation(&target, &functions);
+    let item = structure::as_written(structure);
+    let bodies = methods.iter().map(|method| &method.tokens);
+    let inherent = target.inherent(&names, &operations(methods, path), &table, bodies);
+    let traits = traits::traits(&target, &functions, &table, &evaluation);
+    let test = model
+        .tests
+        .then(|| test::agrees_with_newton_euler(&target, structure));
+    quote!(#item #inherent #traits #test)
+}
+
+/// After an error: the same items with methods that have no body, for the type check
+/// of the code around the call.
+pub(crate) fn stubs(structure: &Structure, entries: &[Entry], path: &TokenStream) -> TokenStream {
+    let names = joint_names(entries);
+    let target = Target::new(structure, names.len(), path);
+    let functions = functions_to_stub(entries);
+    let unimplemented = quote!(::core::unimplemented!());
+    let item = structure::repaired(structure);
+    let bodies = functions.iter().map(|f| stub(*f, target.dof, path));
+    let inherent = target.inherent(&names, &[], &unimplemented, bodies);
+    let traits = traits::traits(&target, &functions, &unimplemented, &unimplemented);
+    quote!(#item #inherent #traits)
+}
+
+/// Names of the rows that could be told apart as rows.
+fn joint_names(entries: &[Entry]) -> Vec<String> {
+    let rows = entries.iter().find_map(|entry| match entry {
+        Entry::Joints(_, rows) => rows.as_ref(),
+        _ => None,
+    });
+    let name = |row: &Row| row.name.as_ref().map(plain).unwrap_or_default();
+    rows.map_or_else(Vec::new, |rows| rows.iter().map(name).collect())
+}
+
+/// The functions that the user's code may call: those asked for, all where that is not
+/// known, the default set where nothing was asked for.
+fn functions_to_stub(entries: &[Entry]) -> Vec<Function> {
+    let asked = entries.iter().find_map(|entry| match entry {
+        Entry::Functions(functions) => Some(functions),
+        _ => None,
+    });
+    match asked {
+        None => Function::default_set(true),
+        Some(None) => Function::ALL.to_vec(),
+        Some(Some(functions)) => functions.iter().map(|(f, _)| *f).collect(),
+    }
+}
+
+/// The entries of the constant `OPERATIONS`.
+fn operations(methods: &[Method], path: &TokenStream) -> Vec<TokenStream> {
+    let entry = |method: &Method| {
+        let name = method.function.name();
+        let [multiplications, additions, divisions, sin_cos] = [
+            method.operations.multiplications,
+            method.operations.additions,
+            method.operations.divisions,
+            method.operations.sin_cos,
+        ]
+        .map(Literal::u32_unsuffixed);
+        quote! {
+            (#name, #path::Operations {
+                multiplications: #multiplications,
+                additions: #additions,
+                divisions: #divisions,
+                sin_cos: #sin_cos,
+            })
+        }
+    };
+    methods.iter().map(entry).collect()
+}
+
+/// For whom items are written.
+struct Target<'a> {
+    name: &'a Ident,
+    /// Attributes that switch the struct on and off: its impls go with it.
+    cfgs: &'a TokenStream,
+    /// Number of joints; zero where an error left it unknown.
+    dof: usize,
+    /// Path of the runtime crate.
+    path: &'a TokenStream,
+}
+
+impl<'a> Target<'a> {
+    fn new(structure: &'a Structure, dof: usize, path: &'a TokenStream) -> Target<'a> {
+        Target {
+            name: &structure.name,
+            cfgs: &structure.cfgs,
+            dof,
+            path,
+        }
+    }
+
+    /// The number of joints as a literal.
+    fn n(&self) -> Literal {
+        Literal::usize_unsuffixed(self.dof)
+    }
+
+    /// The inherent impl. `table` is the body of the method of that name.
+    fn inherent(
+        &self,
+        names: &[String],
+        operations: &[TokenStream],
+        table: &TokenStream,
+        methods: impl Iterator<Item = impl ToTokens>,
+    ) -> TokenStream {
+        let Target {
+            name, cfgs, path, ..
+        } = self;
+        let n = self.n();
+        let count = Literal::usize_unsuffixed(operations.len());
+        quote! {
+            #cfgs
+            #[allow(dead_code, unused_variables, unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+            impl #name {
+                /// Number of joints.
+                pub const DOF: usize = #n;
+
+                /// Names of the joints, from the base outwards.
+                pub const JOINT_NAMES: [&'static str; #n] = [#(#names),*];
+
+                /// Operations of each generated method, by the method's name.
+                pub const OPERATIONS: [(&'static str, #path::Operations); #count] =
+                    [#(#operations),*];
+
+                /// The table in numbers, as it was written: what the numeric checks read.
+                pub fn table(&self) -> #path::Table<#n> {
+                    #table
+                }
+
+                #(#methods)*
+            }
+        }
+    }
+}

@@ -1,0 +1,67 @@
+//! The struct item.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use crate::syntax::{Field, Shape, Structure};
+
+/// Types that a struct with an error in it may keep: they are `Copy` and need no path.
+const PRIMITIVES: [&str; 15] = [
+    "f64", "f32", "i8", "i16", "i32", "i64", "i128", "isize", "u8", "u16", "u32", "u64", "u128",
+    "usize", "bool",
+];
+
+/// The struct as it was written, with the usual derives where there is none.
+pub(super) fn as_written(structure: &Structure) -> TokenStream {
+    item(structure, &|field| field.written.clone())
+}
+
+/// The struct as it was meant: wrong fields are `f64`.
+pub(super) fn repaired(structure: &Structure) -> TokenStream {
+    item(
+        structure,
+        &|field| match PRIMITIVES.contains(&field.written.to_string().as_str()) {
+            true => field.written.clone(),
+            false => quote!(f64),
+        },
+    )
+}
+
+fn item(structure: &Structure, field_type: &dyn Fn(&Field) -> TokenStream) -> TokenStream {
+    let Structure {
+        attributes,
+        visibility,
+        name,
+        ..
+    } = structure;
+    let derive = match structure.has_derive {
+        true => TokenStream::new(),
+        false => quote!(#[derive(Clone, Copy, Debug, PartialEq)]),
+    };
+    let fields = fields(structure).map(|field| {
+        let Field {
+            attributes,
+            visibility,
+            name,
+            ..
+        } = field;
+        let name = name.iter();
+        let written = field_type(field);
+        quote!(#attributes #visibility #(#name:)* #written)
+    });
+    let body = match structure.shape {
+        Shape::Unit => quote!(;),
+        Shape::Named => quote!({ #(#fields),* }),
+        Shape::Tuple => quote!(( #(#fields),* );),
+    };
+    quote!(#derive #attributes #visibility struct #name #body)
+}
+
+/// The fields, without one whose name stands twice.
+fn fields(structure: &Structure) -> impl Iterator<Item = &Field> {
+    let fields = &structure.fields;
+    fields.iter().enumerate().filter_map(|(i, field)| {
+        let again = field.name.is_some() && fields[..i].iter().any(|f| f.name == field.name);
+        (!again).then_some(field)
+    })
+}

@@ -1,0 +1,123 @@
+//! The table in numbers, which the runtime's checks read.
+
+use dynamics_symbolic::robot::{Convention, JointType, Robot, Row, Value};
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::quote;
+
+use crate::syntax::Structure;
+
+/// The expression that builds the table.
+pub(super) fn table(structure: &Structure, robot: &Robot, path: &TokenStream) -> TokenStream {
+    let fields: Vec<&Ident> = structure
+        .fields
+        .iter()
+        .filter_map(|f| f.name.as_ref())
+        .collect();
+    let convention = match robot.convention {
+        Convention::Standard => quote!(#path::Convention::Standard),
+        Convention::Modified => quote!(#path::Convention::Modified),
+    };
+    let gravity = robot.gravity.iter().map(|value| number(value, &fields));
+    let rows = robot.rows.iter().map(|row| self::row(row, &fields, path));
+    quote! {
+        #path::Table {
+            convention: #convention,
+            gravity: [#(#gravity),*],
+            rows: [#(#rows),*],
+        }
+    }
+}
+
+fn row(row: &Row, fields: &[&Ident], path: &TokenStream) -> TokenStream {
+    let joint_type = match row.joint_type {
+        JointType::Revolute => quote!(#path::JointType::Revolute),
+        JointType::Prismatic => quote!(#path::JointType::Prismatic),
+    };
+    let [a, alpha, d, theta] =
+        [&row.a, &row.alpha, &row.d, &row.theta].map(|value| number(value, fields));
+    let mass = number(&row.mass, fields);
+    let com = row.com.iter().map(|value| number(value, fields));
+    let inertia = row.inertia.iter().map(|value| number(value, fields));
+    let [motor_inertia, gear_ratio] =
+        [&row.motor_inertia, &row.gear_ratio].map(|value| number(value, fields));
+    let [viscous, coulomb] = [&row.viscous, &row.coulomb].map(|value| number(value, fields));
+    quote! {
+        #path::Row {
+            joint_type: #joint_type,
+            a: #a,
+            alpha: #alpha,
+            d: #d,
+            theta: #theta,
+            mass: #mass,
+            com: [#(#com),*],
+            inertia: [#(#inertia),*],
+            motor_inertia: #motor_inertia,
+            gear_ratio: #gear_ratio,
+            viscous: #viscous,
+            coulomb: #coulomb,
+        }
+    }
+}
+
+/// The value as an `f64` expression: one literal where it is known, rounded once where
+/// it is rational.
+fn number(value: &Value, fields: &[&Ident]) -> TokenStream {
+    if value.is_number() {
+        return literal(value.to_f64(&[]));
+    }
+    let number = |value: &Value| number(value, fields);
+    match value {
+        Value::Field(index) => {
+            let field = fields[*index];
+            quote!(self.#field)
+        }
+        Value::Neg(a) => {
+            let a = number(a);
+            quote!((-#a))
+        }
+        Value::Add(a, b) => {
+            let (a, b) = (number(a), number(b));
+            quote!((#a + #b))
+        }
+        Value::Mul(a, b) => {
+            let (a, b) = (number(a), number(b));
+            quote!((#a * #b))
+        }
+        Value::Div(a, b) => {
+            let (a, b) = (number(a), number(b));
+            quote!((#a / #b))
+        }
+        Value::Rational(_) | Value::Pi => literal(value.to_f64(&[])),
+    }
+}
+
+/// The number as a literal that reads back as the same double, its sign apart: a
+/// literal token holds none.
+fn literal(number: f64) -> TokenStream {
+    let magnitude = Literal::f64_suffixed(number.abs());
+    match number < 0.0 {
+        true => quote!((-#magnitude)),
+        false => quote!(#magnitude),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn constants_are_single_literals() {
+        let pi_half = Value::Pi.checked_div(Value::integer(2)).unwrap();
+        assert_eq!(number(&pi_half, &[]).to_string(), "1.5707963267948966f64");
+        let tenth = Value::integer(1).checked_div(Value::integer(10)).unwrap();
+        assert_eq!(number(&-tenth, &[]).to_string(), "(- 0.1f64)");
+    }
+
+    #[test]
+    fn fields_are_read_from_the_struct() {
+        let field = Ident::new("l1", proc_macro2::Span::call_site());
+        let value = Value::field(0) * Value::integer(2) - Value::integer(1);
+        let tokens = number(&value, &[&field]).to_string();
+        assert_eq!(tokens, "((self . l1 * 2f64) + (- 1f64))");
+    }
+}

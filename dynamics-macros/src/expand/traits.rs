@@ -1,0 +1,127 @@
+//! The runtime's traits: their methods hand on to the struct's own.
+
+use dynamics_symbolic::Function;
+use proc_macro2::TokenStream;
+use quote::{ToTokens, quote};
+
+use super::Target;
+
+/// The impls of all traits that the functions allow for. `table` and `evaluation` are
+/// the bodies of the methods of that name.
+pub(super) fn traits(
+    target: &Target,
+    functions: &[Function],
+    table: &TokenStream,
+    evaluation: &TokenStream,
+) -> TokenStream {
+    let has = |function| functions.contains(&function);
+    let model = model(target, table);
+    let evaluate = evaluate(target, evaluation);
+    let forward_dynamics = has(Function::ForwardDynamics).then(|| forward_dynamics(target));
+    let energy =
+        (has(Function::KineticEnergy) && has(Function::PotentialEnergy)).then(|| energy(target));
+    quote!(#model #evaluate #forward_dynamics #energy)
+}
+
+/// The start of an impl, and the number of joints in it. Where an error left the
+/// number unknown the impl is for all of them.
+fn header(target: &Target, name: TokenStream) -> (TokenStream, TokenStream) {
+    let (generics, n) = match target.dof {
+        0 => (quote!(<const N: usize>), quote!(N)),
+        _ => (quote!(), target.n().into_token_stream()),
+    };
+    (start(target, &generics, quote!(#name<#n>)), n)
+}
+
+fn start(target: &Target, generics: &TokenStream, name: TokenStream) -> TokenStream {
+    let Target {
+        name: structure,
+        cfgs,
+        path,
+        ..
+    } = target;
+    quote! {
+        #cfgs
+        #[automatically_derived]
+        #[allow(unused_variables, clippy::all, clippy::pedantic, clippy::nursery)]
+        impl #generics #path::#name for #structure
+    }
+}
+
+fn model(target: &Target, table: &TokenStream) -> TokenStream {
+    let path = target.path;
+    let (header, n) = header(target, quote!(Model));
+    // An unknown number of joints has no names; the body stands in for a table too.
+    let (names, table) = match target.dof {
+        0 => (quote!([""; N]), table.clone()),
+        _ => (quote!(Self::JOINT_NAMES), quote!(Self::table(self))),
+    };
+    quote! {
+        #header {
+            const JOINT_NAMES: [&'static str; #n] = #names;
+
+            #[inline]
+            fn table(&self) -> #path::Table<#n> {
+                #table
+            }
+        }
+    }
+}
+
+fn evaluate(target: &Target, evaluation: &TokenStream) -> TokenStream {
+    let path = target.path;
+    let (header, n) = match target.dof {
+        // One impl, so that a check of the robot infers the number.
+        0 => (start(target, &quote!(), quote!(Evaluate<0>)), quote!(0)),
+        _ => header(target, quote!(Evaluate)),
+    };
+    quote! {
+        #header {
+            fn evaluate(
+                &self,
+                state: &#path::State<#n>,
+                tau: &#path::nalgebra::SVector<f64, #n>,
+            ) -> #path::Evaluation<#n> {
+                #evaluation
+            }
+        }
+    }
+}
+
+fn forward_dynamics(target: &Target) -> TokenStream {
+    let path = target.path;
+    let (header, n) = header(target, quote!(ForwardDynamics));
+    let vector = quote!(#path::nalgebra::SVector<T, #n>);
+    quote! {
+        #header {
+            #[inline]
+            fn forward_dynamics<T: #path::Scalar>(
+                &self,
+                q: &#vector,
+                qd: &#vector,
+                tau: &#vector,
+            ) -> ::core::result::Result<#vector, #path::SingularMassMatrix> {
+                Self::forward_dynamics(self, q, qd, tau)
+            }
+        }
+    }
+}
+
+fn energy(target: &Target) -> TokenStream {
+    let path = target.path;
+    let (header, n) = header(target, quote!(Energy));
+    let vector = quote!(#path::nalgebra::SVector<T, #n>);
+    quote! {
+        #header {
+            #[inline]
+            fn kinetic_energy<T: #path::Scalar>(&self, q: &#vector, qd: &#vector) -> T {
+                Self::kinetic_energy(self, q, qd)
+            }
+
+            #[inline]
+            fn potential_energy<T: #path::Scalar>(&self, q: &#vector) -> T {
+                Self::potential_energy(self, q)
+            }
+        }
+    }
+}

@@ -1,0 +1,196 @@
+//! The entries of a call: `key: value,` and `let name = value;`.
+
+use dynamics_symbolic::Function;
+use dynamics_symbolic::robot::Convention;
+use proc_macro2::{Delimiter, Ident};
+
+use super::cursor::Cursor;
+use super::expression::expression;
+use super::list::{Key, colon, comma_separated, end_item, key, skip_docs};
+use super::row::rows;
+use super::vector::vector;
+use crate::diagnose::{Place, Reported};
+use crate::syntax::{Entry, Row};
+use crate::words;
+
+/// The keys of the table.
+const KEYS: [&str; 5] = ["convention", "gravity", "joints", "functions", "tests"];
+
+/// Reads all entries.
+pub(super) fn entries(cursor: &mut Cursor) -> Vec<Entry> {
+    let mut entries = Vec::new();
+    let mut seen = Vec::new();
+    while !cursor.at_end() {
+        let start = cursor.taken();
+        let end = skip_docs(cursor).and_then(|()| match cursor.take_word("let") {
+            Some(_) => binding(cursor, &mut entries).map(|what| (';', what)),
+            None if at_bare_binding(cursor) => {
+                cursor.expected("`let` in front of a name that is bound");
+                binding(cursor, &mut entries).map(|what| (';', what))
+            }
+            None => keyed(cursor, &mut seen, &mut entries).map(|what| (',', what)),
+        });
+        match end {
+            Ok((separator, what)) => end_item(cursor, separator, &what, at_entry),
+            Err(_) => cursor.recover(start),
+        }
+    }
+    entries
+}
+
+/// Skips what stands in front of the first entry.
+pub(super) fn skip_to_entry(cursor: &mut Cursor) {
+    while !cursor.at_end() && !at_entry(cursor) {
+        cursor.take();
+    }
+}
+
+/// Whether `name = ` comes next, where the name is not one of the keys.
+fn at_bare_binding(cursor: &mut Cursor) -> bool {
+    let is_key = |word: &Ident| words::nearest(&word.to_string(), &KEYS).is_some();
+    cursor.at_name_before('=') && !cursor.peek_ident().is_some_and(is_key)
+}
+
+fn at_entry(cursor: &mut Cursor) -> bool {
+    cursor.at_key() || cursor.peek_ident().is_some_and(|word| word == "let")
+}
+
+/// Reads `name = value`, behind `let`.
+fn binding(cursor: &mut Cursor, entries: &mut Vec<Entry>) -> Result<String, Reported> {
+    let Some(name) = cursor.take_ident() else {
+        return Err(cursor.expected("a name after `let`: `let name = value;`"));
+    };
+    let what = format!("`let {name} = ...`");
+    let value = match cursor.take_char('=') {
+        Some(_) => expression(cursor),
+        None => Err(cursor.expected(format_args!("`=` after `let {name}`"))),
+    };
+    match value {
+        Ok(value) => {
+            entries.push(Entry::Let(name, Some(value)));
+            Ok(what)
+        }
+        Err(reported) => {
+            // The name is known from here on, though not its value.
+            entries.push(Entry::Let(name, None));
+            Err(reported)
+        }
+    }
+}
+
+/// Reads `key: value`. The second entry with one key is read for its errors, then
+/// dropped.
+fn keyed(
+    cursor: &mut Cursor,
+    seen: &mut Vec<&'static str>,
+    entries: &mut Vec<Entry>,
+) -> Result<String, Reported> {
+    let unknown = |word: &str| words::unknown("key", word, &KEYS);
+    let key = key(cursor, "key", &KEYS, unknown)?;
+    let twice = seen.contains(&key.name);
+    if twice {
+        key.twice(cursor);
+    }
+    seen.push(key.name);
+    let (entry, end) = value(cursor, &key);
+    if !twice {
+        entries.push(entry);
+    }
+    end.map(|()| format!("`{}`", key.ident))
+}
+
+/// Reads `: value` of that key; what cannot be read leaves an entry without value.
+fn value(cursor: &mut Cursor, key: &Key) -> (Entry, Result<(), Reported>) {
+    let colon = colon(cursor, &key.ident.to_string());
+    let start = cursor.here();
+    match key.name {
+        "convention" => split(colon.and_then(|()| convention(cursor)), Entry::Convention),
+        "gravity" => split(colon.and_then(|()| vector(cursor)), Entry::Gravity),
+        "joints" => split(colon.and_then(|()| joints(cursor)), |rows| {
+            Entry::Joints(start, rows)
+        }),
+        "functions" => split(colon.and_then(|()| functions(cursor)), Entry::Functions),
+        _ => split(colon.and_then(|()| truth(cursor)), Entry::Tests),
+    }
+}
+
+fn joints(cursor: &mut Cursor) -> Result<Vec<Row>, Reported> {
+    let group = cursor.take_list(Delimiter::Bracket, "`[name: revolute { ... }, ...]`")?;
+    Ok(rows(cursor.inside(&group)))
+}
+
+fn split<T>(
+    value: Result<T, Reported>,
+    entry: impl FnOnce(Option<T>) -> Entry,
+) -> (Entry, Result<(), Reported>) {
+    match value {
+        Ok(value) => (entry(Some(value)), Ok(())),
+        Err(reported) => (entry(None), Err(reported)),
+    }
+}
+
+fn convention(cursor: &mut Cursor) -> Result<Convention, Reported> {
+    let word = choice(cursor, "convention", &["standard", "modified"])?;
+    Ok(match word == "standard" {
+        true => Convention::Standard,
+        false => Convention::Modified,
+    })
+}
+
+fn truth(cursor: &mut Cursor) -> Result<bool, Reported> {
+    Ok(choice(cursor, "value", &["true", "false"])? == "true")
+}
+
+/// Takes one of the words.
+fn choice(cursor: &mut Cursor, what: &str, known: &[&'static str]) -> Result<Ident, Reported> {
+    let Some(ident) = cursor.take_ident() else {
+        return Err(cursor.expected(words::either(known)));
+    };
+    if known.iter().any(|word| ident == word) {
+        return Ok(ident);
+    }
+    let wrong = words::unknown(what, &ident.to_string(), known);
+    Err(cursor.error(&ident, wrong.message))
+}
+
+/// Reads `[mass_matrix, ...]`. A wrong name leaves the choice unknown.
+fn functions(cursor: &mut Cursor) -> Result<Vec<(Function, Place)>, Reported> {
+    let group = cursor.take_list(Delimiter::Bracket, "`[function, ...]`")?;
+    let mut inside = cursor.inside(&group);
+    if inside.at_end() {
+        let message =
+            "no function is asked for: name one, or leave `functions` out for the default set";
+        return Err(cursor.error(group.span(), message));
+    }
+    let mut functions = Vec::new();
+    let mut wrong = None;
+    let at_name = |cursor: &mut Cursor| cursor.peek_ident().is_some();
+    let end = comma_separated(&mut inside, at_name, |cursor| {
+        let Some(name) = cursor.take_ident() else {
+            return Err(cursor.expected("the name of a function"));
+        };
+        if let Err(reported) = function(cursor, &name, &mut functions) {
+            wrong = Some(reported);
+        }
+        Ok(format!("`{name}`"))
+    });
+    wrong.map_or(end.map(|()| functions), Err)
+}
+
+/// Adds the function of that name.
+fn function(
+    cursor: &Cursor,
+    name: &Ident,
+    functions: &mut Vec<(Function, Place)>,
+) -> Result<(), Reported> {
+    let word = name.to_string();
+    let Some(function) = Function::from_name(&word) else {
+        let wrong = words::unknown("function", &word, &Function::ALL.map(Function::name));
+        return Err(cursor.error(name, wrong.message));
+    };
+    if functions.iter().any(|(other, _)| *other == function) {
+        return Err(cursor.error(name, format_args!("`{word}` is asked for twice")));
+    }
+    functions.push((function, name.into()));
+    Ok(())
+}

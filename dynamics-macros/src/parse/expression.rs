@@ -1,0 +1,247 @@
+//! Constant expressions.
+
+use proc_macro2::{Delimiter, Group, Ident, Literal, TokenTree};
+
+use super::cursor::Cursor;
+use super::number::number;
+use crate::diagnose::{Place, Reported};
+use crate::syntax::{Expr, ExprKind, Operator};
+use crate::words::shortened;
+
+/// Nesting that is read: far below what the stack can take.
+const DEEPEST: usize = 100;
+
+/// Terms that one value may have.
+const MOST_TERMS: usize = 500;
+
+/// Reads a value.
+pub(super) fn expression(cursor: &mut Cursor) -> Result<Expr, Reported> {
+    let expr = sum(cursor, &mut Limits::default())?;
+    no_other_operator(cursor)?;
+    Ok(expr)
+}
+
+/// Whether a value may start here.
+pub(super) fn at_value(cursor: &mut Cursor) -> bool {
+    cursor.at('-')
+        || matches!(
+            cursor.peek(),
+            Some(TokenTree::Ident(_) | TokenTree::Literal(_))
+        )
+}
+
+/// What was read of one value, against the limits.
+#[derive(Default)]
+struct Limits {
+    depth: usize,
+    terms: usize,
+}
+
+fn sum(cursor: &mut Cursor, limits: &mut Limits) -> Result<Expr, Reported> {
+    let operators = [('+', Operator::Add), ('-', Operator::Sub)];
+    chain(cursor, limits, operators, product)
+}
+
+fn product(cursor: &mut Cursor, limits: &mut Limits) -> Result<Expr, Reported> {
+    let operators = [('*', Operator::Mul), ('/', Operator::Div)];
+    chain(cursor, limits, operators, operand)
+}
+
+/// Reads operands of one level of precedence, from the left.
+fn chain(
+    cursor: &mut Cursor,
+    limits: &mut Limits,
+    operators: [(char, Operator); 2],
+    operand: impl Fn(&mut Cursor, &mut Limits) -> Result<Expr, Reported>,
+) -> Result<Expr, Reported> {
+    let mut left = operand(cursor, limits)?;
+    while let Some((_, operator)) = operators.into_iter().find(|(c, _)| cursor.at(*c)) {
+        cursor.take();
+        let right = operand(cursor, limits)?;
+        left = Expr {
+            place: left.place.to(right.place),
+            kind: ExprKind::Binary(operator, Box::new(left), Box::new(right)),
+        };
+    }
+    Ok(left)
+}
+
+/// Reads an operand with its signs.
+fn operand(cursor: &mut Cursor, limits: &mut Limits) -> Result<Expr, Reported> {
+    limits.terms += 1;
+    if limits.terms > MOST_TERMS {
+        let message = format!("a value has at most {MOST_TERMS} terms: name parts of it by `let`");
+        return Err(error_here(cursor, &message));
+    }
+    limits.depth += 1;
+    if limits.depth > DEEPEST {
+        let message = format!("nested more than {DEEPEST} deep: name parts of it by `let`");
+        return Err(error_here(cursor, &message));
+    }
+    let expr = match cursor.take_fragment() {
+        Some(group) => within(cursor, &group, limits),
+        None => plain_operand(cursor, limits),
+    };
+    limits.depth -= 1;
+    expr
+}
+
+fn plain_operand(cursor: &mut Cursor, limits: &mut Limits) -> Result<Expr, Reported> {
+    if let Some(minus) = cursor.take_char('-') {
+        let value = operand(cursor, limits)?;
+        return Ok(Expr {
+            place: Place::from(minus).to(value.place),
+            kind: ExprKind::Minus(Box::new(value)),
+        });
+    }
+    if let Some(group) = cursor.take_group(Delimiter::Parenthesis) {
+        return within(cursor, &group, limits);
+    }
+    match cursor.peek().cloned() {
+        Some(TokenTree::Literal(literal)) => {
+            cursor.take();
+            number_literal(cursor, &literal)
+        }
+        Some(TokenTree::Ident(ident)) => {
+            cursor.take();
+            name(cursor, ident, limits)
+        }
+        _ => Err(cursor.expected("a value")),
+    }
+}
+
+fn number_literal(cursor: &mut Cursor, literal: &Literal) -> Result<Expr, Reported> {
+    let text = literal.to_string();
+    let place = Place::from(literal.span());
+    // A literal that another macro made may carry its sign.
+    let digits = text.strip_prefix('-').unwrap_or(&text);
+    if !digits.starts_with(|c: char| c.is_ascii_digit()) {
+        let found = shortened(&text);
+        return Err(cursor.error(place, format_args!("expected a number, found `{found}`")));
+    }
+    let value = number(digits).map_err(|message| cursor.error(place, message))?;
+    let value = if digits == text { value } else { -value };
+    Ok(Expr {
+        kind: ExprKind::Number(value),
+        place,
+    })
+}
+
+/// Reads what starts with a name: the name alone, or `deg(x)`.
+fn name(cursor: &mut Cursor, ident: Ident, limits: &mut Limits) -> Result<Expr, Reported> {
+    let word = ident.to_string();
+    let place = Place::from(&ident);
+    if let Some(construct) = construct(&word) {
+        return Err(cursor.error(place, foreign(construct)));
+    }
+    if word == "self" {
+        let message = "a field is written by its name alone, without `self`";
+        return Err(cursor.error(place, message));
+    }
+    if cursor.at_path_separator() {
+        return Err(path(cursor, place));
+    }
+    if let Some(arguments) = cursor.take_group(Delimiter::Parenthesis) {
+        if word != "deg" {
+            let message = format!("`{word}(...)` is not known: the only function is `deg(x)`");
+            return Err(cursor.error(place, message));
+        }
+        let angle = within(cursor, &arguments, limits)?;
+        return Ok(Expr {
+            kind: ExprKind::Degrees(Box::new(angle)),
+            place: place.to(arguments.span()),
+        });
+    }
+    if word == "deg" {
+        return Err(cursor.error(place, "`deg` takes an angle in degrees: `deg(90)`"));
+    }
+    Ok(Expr {
+        kind: ExprKind::Name(word),
+        place,
+    })
+}
+
+/// What a keyword starts, where that is never a value.
+fn construct(keyword: &str) -> Option<&'static str> {
+    match keyword {
+        "if" => Some("`if`"),
+        "match" => Some("`match`"),
+        "unsafe" | "const" | "async" | "loop" | "while" | "for" => Some("a block"),
+        "move" => Some("a closure"),
+        "true" | "false" => Some("a truth value"),
+        _ => None,
+    }
+}
+
+fn path(cursor: &mut Cursor, start: Place) -> Reported {
+    let mut last = None;
+    while cursor.at_path_separator() {
+        cursor.take();
+        cursor.take();
+        last = cursor.take_ident().or(last);
+    }
+    let message = match last {
+        Some(last) if last == "PI" => "write `PI` alone, without a path".to_owned(),
+        _ => foreign("a path"),
+    };
+    cursor.error(start.to(cursor.last()), message)
+}
+
+/// The value between delimiters.
+fn within(cursor: &mut Cursor, group: &Group, limits: &mut Limits) -> Result<Expr, Reported> {
+    let mut inside = cursor.inside(group);
+    if inside.at_end() {
+        return Err(cursor.error(group.span(), "expected a value between the parentheses"));
+    }
+    let expr = sum(&mut inside, limits)?;
+    no_other_operator(&mut inside)?;
+    if !inside.at_end() {
+        return Err(inside.expected("one value and `)`"));
+    }
+    let place = match group.delimiter() {
+        // The tokens of the fragment say more than its place in the other macro.
+        Delimiter::None => expr.place,
+        _ => group.span().into(),
+    };
+    Ok(Expr {
+        kind: expr.kind,
+        place,
+    })
+}
+
+/// Refuses what would make more of a value than the operators of this grammar do.
+fn no_other_operator(cursor: &mut Cursor) -> Result<(), Reported> {
+    let what = match cursor.peek() {
+        Some(TokenTree::Punct(punct)) => match punct.as_char() {
+            '.' => "a method call",
+            '<' | '>' | '=' | '!' => "a comparison",
+            '^' => "`^` (a power is a product: `x * x`)",
+            '%' => "`%`",
+            '&' | '|' => "a logical operator",
+            '?' => "`?`",
+            _ => return Ok(()),
+        },
+        Some(TokenTree::Group(group)) => match group.delimiter() {
+            Delimiter::Bracket => "an array index",
+            Delimiter::Brace => "a block",
+            Delimiter::Parenthesis => "a call",
+            Delimiter::None => return Ok(()),
+        },
+        Some(TokenTree::Ident(ident)) if ident == "as" => "a cast",
+        _ => return Ok(()),
+    };
+    Err(error_here(cursor, &foreign(what)))
+}
+
+/// The message about what is no part of a value.
+fn foreign(what: &str) -> String {
+    format!(
+        "{what} does not belong in a value, which is made of numbers, `PI`, `deg(x)`, fields, \
+         `let` names, `+ - * /` and parentheses"
+    )
+}
+
+fn error_here(cursor: &mut Cursor, message: &str) -> Reported {
+    let here = cursor.here();
+    cursor.error(here, message)
+}

@@ -1,0 +1,86 @@
+//! The cell `inertia`: entries of a tensor, or a solid.
+
+use proc_macro2::{Delimiter, Group, Ident};
+
+use super::cursor::Cursor;
+use super::expression::expression;
+use super::list::{comma_separated, fill, key};
+use super::vector::values;
+use crate::diagnose::{Place, Reported};
+use crate::syntax::{Expr, Given, Inertia, InertiaKind, Solid};
+use crate::words::{self, Wrong};
+
+/// The entries of a tensor, in the engine's order.
+pub(super) const ENTRIES: [&str; 6] = ["xx", "yy", "zz", "xy", "yz", "xz"];
+
+/// The solids and their arguments.
+const SOLIDS: [(&str, Solid, &[&str]); 4] = [
+    ("cuboid", Solid::Cuboid, &["x", "y", "z"]),
+    ("cylinder", Solid::Cylinder, &["radius", "length"]),
+    ("rod", Solid::Rod, &["length"]),
+    ("sphere", Solid::Sphere, &["radius"]),
+];
+
+/// Reads `{ xx: ..., ... }` or `cuboid(x, y, z)` and the like.
+pub(super) fn inertia(cursor: &mut Cursor) -> Result<Inertia, Reported> {
+    if let Some(group) = cursor.take_group(Delimiter::Brace) {
+        return Ok(Inertia {
+            place: group.span().into(),
+            kind: InertiaKind::Tensor(Box::new(tensor(cursor, &group))),
+        });
+    }
+    let Some(name) = cursor.take_ident() else {
+        return Err(cursor.expected(
+            "a tensor `{ xx: ..., yy: ..., zz: ... }` or a solid: \
+             `cuboid(x, y, z)`, `cylinder(radius, length)`, `rod(length)` or `sphere(radius)`",
+        ));
+    };
+    solid(cursor, &name)
+}
+
+fn tensor(cursor: &Cursor, group: &Group) -> [Given<Expr>; 6] {
+    let mut entries: [Given<Expr>; 6] = Default::default();
+    let outcome = comma_separated(&mut cursor.inside(group), Cursor::at_key, |cursor| {
+        let key = key(cursor, "tensor entry", &ENTRIES, unknown_entry)?;
+        let what = format!("`{}`", key.ident);
+        let index = ENTRIES.iter().position(|entry| *entry == key.name);
+        fill(cursor, &mut entries[index.unwrap_or(0)], key, expression)?;
+        Ok(what)
+    });
+    if outcome.is_err() {
+        entries.iter_mut().for_each(Given::doubt);
+    }
+    entries
+}
+
+/// The message for a word that is no entry: below the diagonal, or a slip.
+fn unknown_entry(word: &str) -> Wrong {
+    let mirrored = |entry: &&&str| entry.chars().rev().eq(word.chars());
+    match ENTRIES.iter().find(mirrored) {
+        Some(entry) => Wrong {
+            message: format!(
+                "unknown tensor entry `{word}`: the tensor is symmetric, write `{entry}`"
+            ),
+            meant: Some(entry),
+        },
+        None => words::unknown("tensor entry", word, &ENTRIES),
+    }
+}
+
+fn solid(cursor: &mut Cursor, name: &Ident) -> Result<Inertia, Reported> {
+    let word = name.to_string();
+    let Some((right, solid, arguments)) = SOLIDS.iter().find(|(solid, ..)| *solid == word) else {
+        let message = words::unknown("solid", &word, &SOLIDS.map(|(name, ..)| name)).message;
+        return Err(cursor.error(name, message));
+    };
+    let shown = format!("{right}({})", arguments.join(", "));
+    let Some(group) = cursor.take_group(Delimiter::Parenthesis) else {
+        return Err(cursor.expected(format_args!("`{shown}`")));
+    };
+    let place = Place::from(name).to(group.span());
+    let values = values(cursor, &group, arguments.len(), &shown)?;
+    Ok(Inertia {
+        place,
+        kind: InertiaKind::Solid(*solid, values),
+    })
+}

@@ -1,0 +1,209 @@
+//! The rows of the table and their cells.
+
+use dynamics_symbolic::robot::JointType;
+use proc_macro2::{Delimiter, Group, Ident};
+
+use super::cursor::Cursor;
+use super::expression::expression;
+use super::inertia::{ENTRIES, inertia};
+use super::list::{Key, colon, comma_separated, fill, key};
+use super::vector::vector;
+use crate::diagnose::Reported;
+use crate::syntax::{Allow, Friction, Motor, Row};
+use crate::words::{self, Wrong};
+
+/// The cells of a row.
+const CELLS: [&str; 10] = [
+    "a", "alpha", "d", "theta", "mass", "com", "inertia", "motor", "friction", "allow",
+];
+
+const MOTOR: [&str; 2] = ["inertia", "gear_ratio"];
+const FRICTION: [&str; 2] = ["viscous", "coulomb"];
+const JOINT_TYPES: [&str; 2] = ["revolute", "prismatic"];
+
+/// What a row looks like, for messages.
+const JOINT: &str = "a joint: `name: revolute { ... }` or `name: prismatic { ... }`";
+
+/// Reads the rows. One that holds an error is returned all the same: it counts.
+pub(super) fn rows(mut cursor: Cursor) -> Vec<Row> {
+    let mut rows = Vec::new();
+    let _ = comma_separated(&mut cursor, Cursor::at_key, |cursor| {
+        if cursor.at(',') {
+            return Err(cursor.expected(JOINT));
+        }
+        let mut row = Row::default();
+        let end = row_into(cursor, &mut row);
+        rows.push(row);
+        end
+    });
+    rows
+}
+
+/// Reads `name: revolute { cells }`.
+fn row_into(cursor: &mut Cursor, row: &mut Row) -> Result<String, Reported> {
+    let Some(name) = cursor.take_ident() else {
+        return Err(cursor.expected(JOINT));
+    };
+    row.name = Some(name.clone());
+    let label = format!("joint `{name}`");
+    let cells = match cursor.take_group(Delimiter::Brace) {
+        Some(cells) => {
+            report_incomplete(cursor, &name);
+            cells
+        }
+        None => {
+            colon(cursor, &name.to_string())?;
+            joint_type(cursor, &name, row);
+            let what = format!("the cells of {label}: `{{ ... }}`");
+            cursor.take_list(Delimiter::Brace, &what)?
+        }
+    };
+    self::cells(cursor.inside(&cells), row);
+    Ok(label)
+}
+
+/// Reports a row of which one word alone stands in front of the cells.
+fn report_incomplete(cursor: &Cursor, word: &Ident) {
+    let is_type = JOINT_TYPES.iter().any(|joint_type| word == joint_type);
+    let message = match is_type {
+        true => format!("this joint has no name: write `name: {word} {{ ... }}`"),
+        false => format!(
+            "joint `{word}` has no type: \
+             write `{word}: revolute {{ ... }}` or `{word}: prismatic {{ ... }}`"
+        ),
+    };
+    cursor.error(word, message);
+}
+
+/// Reads the joint's type. Without one, reading goes on at the cells.
+fn joint_type(cursor: &mut Cursor, name: &Ident, row: &mut Row) {
+    let Some(ident) = cursor.take_ident() else {
+        let choice = words::either(&JOINT_TYPES);
+        cursor.expected(format_args!("the type of joint `{name}`: {choice}"));
+        return;
+    };
+    let word = ident.to_string();
+    row.joint_type = match word.as_str() {
+        "revolute" => Some(JointType::Revolute),
+        "prismatic" => Some(JointType::Prismatic),
+        _ => {
+            let wrong = words::unknown("joint type", &word, &JOINT_TYPES);
+            cursor.error(&ident, wrong.message);
+            None
+        }
+    };
+}
+
+fn cells(mut cursor: Cursor, row: &mut Row) {
+    let outcome = comma_separated(&mut cursor, Cursor::at_key, |cursor| {
+        let key = key(cursor, "cell", &CELLS, unknown_cell)?;
+        let what = format!("the cell `{}`", key.ident);
+        cell(cursor, key, row)?;
+        Ok(what)
+    });
+    if outcome.is_err() {
+        row.mass.doubt();
+        row.allow.doubt();
+    }
+}
+
+fn cell(cursor: &mut Cursor, key: Key, row: &mut Row) -> Result<(), Reported> {
+    match key.name {
+        "a" => fill(cursor, &mut row.a, key, expression),
+        "alpha" => fill(cursor, &mut row.alpha, key, expression),
+        "d" => fill(cursor, &mut row.d, key, expression),
+        "theta" => fill(cursor, &mut row.theta, key, expression),
+        "mass" => fill(cursor, &mut row.mass, key, expression),
+        "com" => fill(cursor, &mut row.com, key, vector),
+        "inertia" => fill(cursor, &mut row.inertia, key, inertia),
+        "motor" => fill(cursor, &mut row.motor, key, motor),
+        "friction" => fill(cursor, &mut row.friction, key, friction),
+        _ => fill(cursor, &mut row.allow, key, allow),
+    }
+}
+
+/// The message for a word that is no cell; it may be at home elsewhere.
+fn unknown_cell(word: &str) -> Wrong {
+    let home = [
+        ("motor", MOTOR.as_slice()),
+        ("friction", FRICTION.as_slice()),
+        ("inertia", ENTRIES.as_slice()),
+    ];
+    match home.iter().find(|(_, words)| words.contains(&word)) {
+        Some((cell, _)) => Wrong {
+            message: format!("unknown cell `{word}`: it belongs in `{cell}: {{ {word}: ... }}`"),
+            meant: None,
+        },
+        None => words::unknown("cell", word, &CELLS),
+    }
+}
+
+fn motor(cursor: &mut Cursor) -> Result<Motor, Reported> {
+    let group = braces(cursor, "{ inertia: ..., gear_ratio: ... }")?;
+    let mut motor = Motor {
+        place: group.span().into(),
+        inertia: Default::default(),
+        gear_ratio: Default::default(),
+    };
+    let outcome = comma_separated(&mut cursor.inside(&group), Cursor::at_key, |cursor| {
+        let unknown = |word: &str| words::unknown("motor entry", word, &MOTOR);
+        let key = key(cursor, "motor entry", &MOTOR, unknown)?;
+        let what = format!("`{}`", key.ident);
+        let slot = match key.name {
+            "inertia" => &mut motor.inertia,
+            _ => &mut motor.gear_ratio,
+        };
+        fill(cursor, slot, key, expression)?;
+        Ok(what)
+    });
+    if outcome.is_err() {
+        motor.gear_ratio.doubt();
+    }
+    Ok(motor)
+}
+
+fn friction(cursor: &mut Cursor) -> Result<Friction, Reported> {
+    let group = braces(cursor, "{ viscous: ..., coulomb: ... }")?;
+    let mut friction = Friction::default();
+    // A coefficient that is left out is zero, whatever else could not be read.
+    let _ = comma_separated(&mut cursor.inside(&group), Cursor::at_key, |cursor| {
+        let unknown = |word: &str| words::unknown("friction entry", word, &FRICTION);
+        let key = key(cursor, "friction entry", &FRICTION, unknown)?;
+        let what = format!("`{}`", key.ident);
+        let slot = match key.name {
+            "viscous" => &mut friction.viscous,
+            _ => &mut friction.coulomb,
+        };
+        fill(cursor, slot, key, expression)?;
+        Ok(what)
+    });
+    Ok(friction)
+}
+
+fn braces(cursor: &mut Cursor, what: &str) -> Result<Group, Reported> {
+    cursor
+        .take_group(Delimiter::Brace)
+        .ok_or_else(|| cursor.expected(format_args!("`{what}`")))
+}
+
+/// Reads `[unphysical_inertia]`. A wrong word leaves it unknown what was to be allowed.
+fn allow(cursor: &mut Cursor) -> Result<Allow, Reported> {
+    const KNOWN: [&str; 1] = ["unphysical_inertia"];
+    let group = cursor.take_list(Delimiter::Bracket, "`[unphysical_inertia]`")?;
+    let mut allow = Allow::default();
+    let mut wrong = None;
+    let at_word = |cursor: &mut Cursor| cursor.peek_ident().is_some();
+    let end = comma_separated(&mut cursor.inside(&group), at_word, |cursor| {
+        let Some(word) = cursor.take_ident() else {
+            return Err(cursor.expected(words::either(&KNOWN)));
+        };
+        if word == KNOWN[0] {
+            allow.unphysical_inertia = true;
+        } else {
+            let message = words::unknown("allowance", &word.to_string(), &KNOWN).message;
+            wrong = Some(cursor.error(&word, message));
+        }
+        Ok(format!("`{word}`"))
+    });
+    wrong.map_or(end.map(|()| allow), Err)
+}

@@ -1,0 +1,311 @@
+//! The struct item at the head of a call.
+
+use proc_macro2::{Delimiter, Group, Ident, TokenStream, TokenTree};
+use quote::quote;
+
+use super::cursor::Cursor;
+use crate::diagnose::{Place, Reported};
+use crate::syntax::{Field, Shape, Structure};
+use crate::words;
+
+/// Reads the struct item. Where it cannot be read, reading goes on behind it.
+pub(super) fn structure(cursor: &mut Cursor) -> Option<Structure> {
+    let attributes = attributes(cursor);
+    let visibility = visibility(cursor);
+    let (name, body) = match item(cursor).ok()? {
+        Item::Struct(name) => {
+            let generic = generics(cursor);
+            let body = body(cursor, &name, generic);
+            (name, body)
+        }
+        Item::Other(name) => {
+            skip_body(cursor);
+            (name, Body::unreadable(Shape::Unit))
+        }
+    };
+    Some(Structure {
+        attributes: attributes.all,
+        cfgs: attributes.cfgs,
+        has_derive: attributes.has_derive,
+        visibility,
+        name,
+        shape: body.shape,
+        fields: body.fields,
+        complete: body.complete,
+    })
+}
+
+#[derive(Default)]
+struct Attributes {
+    all: TokenStream,
+    cfgs: TokenStream,
+    has_derive: bool,
+}
+
+fn attributes(cursor: &mut Cursor) -> Attributes {
+    let mut attributes = Attributes::default();
+    while cursor.at('#') {
+        let hash = cursor.take();
+        let Some(group) = cursor.take_group(Delimiter::Bracket) else {
+            cursor.expected("an attribute after `#`");
+            continue;
+        };
+        let tokens = quote!(#hash #group);
+        match first_word(&group).as_deref() {
+            Some("derive") => attributes.has_derive = true,
+            Some("cfg") => attributes.cfgs.extend(tokens.clone()),
+            _ => {}
+        }
+        attributes.all.extend(tokens);
+    }
+    attributes
+}
+
+fn first_word(group: &Group) -> Option<String> {
+    match group.stream().into_iter().next() {
+        Some(TokenTree::Ident(ident)) => Some(ident.to_string()),
+        _ => None,
+    }
+}
+
+/// Takes `pub`, `pub(crate)` and the like.
+fn visibility(cursor: &mut Cursor) -> TokenStream {
+    let Some(public) = cursor.take_word("pub") else {
+        return TokenStream::new();
+    };
+    let restriction = match cursor.peek() {
+        Some(TokenTree::Group(group)) if restricts(group) => cursor.take(),
+        _ => None,
+    };
+    quote!(#public #restriction)
+}
+
+/// Whether the group is the `(crate)` of `pub(crate)`, not the type of a tuple field.
+fn restricts(group: &Group) -> bool {
+    group.delimiter() == Delimiter::Parenthesis
+        && first_word(group)
+            .is_some_and(|word| ["crate", "self", "super", "in"].contains(&word.as_str()))
+}
+
+/// The kind of item, and its name.
+enum Item {
+    Struct(Ident),
+    /// Reported; its name is what the user's code knows.
+    Other(Ident),
+}
+
+/// Takes `struct Name`. Where another word stands in place of `struct`, or none, that is
+/// reported and the name is read all the same.
+fn item(cursor: &mut Cursor) -> Result<Item, Reported> {
+    const WHAT: &str = "`struct Name;` or `struct Name { field: f64 }`, then the robot's table";
+    if cursor.take_word("struct").is_some() {
+        let name = cursor.take_ident().map(Item::Struct);
+        return name.ok_or_else(|| cursor.expected("the struct's name"));
+    }
+    // The table starts here: the struct was forgotten.
+    if cursor.at_key() || cursor.peek_ident().is_none_or(|word| word == "let") {
+        return Err(cursor.expected(WHAT));
+    }
+    let reported = cursor.expected(WHAT);
+    let word = cursor.take_ident().ok_or(reported)?;
+    let is_slip = words::nearest(&word.to_string(), &["struct"]).is_some();
+    Ok(match cursor.take_ident() {
+        Some(name) if is_slip => Item::Struct(name),
+        Some(name) => Item::Other(name),
+        None => Item::Struct(word),
+    })
+}
+
+/// Generic parameters and `where` clauses are refused and skipped. Returns whether
+/// there were any.
+fn generics(cursor: &mut Cursor) -> bool {
+    if !cursor.at('<') && cursor.peek_ident().is_none_or(|word| word != "where") {
+        return false;
+    }
+    let start = cursor.here();
+    while !cursor.at_end() && !cursor.at(';') && !at_body(cursor) {
+        cursor.take();
+    }
+    cursor.error(
+        start.to(cursor.last()),
+        "the struct has no generic parameters: its fields are `f64`, its methods are generic",
+    );
+    true
+}
+
+/// Skips the tokens of an item that is no struct.
+fn skip_body(cursor: &mut Cursor) {
+    while !cursor.at_end() && !cursor.at_key() {
+        let is_last = cursor.at(';') || at_body(cursor);
+        cursor.take();
+        if is_last {
+            return;
+        }
+    }
+}
+
+fn at_body(cursor: &mut Cursor) -> bool {
+    matches!(cursor.peek(), Some(TokenTree::Group(group)) if group.delimiter() != Delimiter::Bracket)
+}
+
+/// What follows the name.
+struct Body {
+    shape: Shape,
+    fields: Vec<Field>,
+    complete: bool,
+}
+
+impl Body {
+    fn unreadable(shape: Shape) -> Body {
+        Body {
+            shape,
+            fields: Vec::new(),
+            complete: false,
+        }
+    }
+}
+
+/// Takes what follows the name. The types in a generic struct were refused before.
+fn body(cursor: &mut Cursor, name: &Ident, generic: bool) -> Body {
+    if cursor.take_char(';').is_some() {
+        return Body {
+            complete: true,
+            ..Body::unreadable(Shape::Unit)
+        };
+    }
+    if let Some(group) = cursor.take_group(Delimiter::Brace) {
+        let (fields, complete) = fields(cursor.inside(&group), |c| named_field(c, generic));
+        return Body {
+            shape: Shape::Named,
+            fields,
+            complete,
+        };
+    }
+    if let Some(group) = cursor.take_group(Delimiter::Parenthesis) {
+        cursor.error(
+            group.span(),
+            "fields need names, by which the table refers to them: `{ name: f64 }`",
+        );
+        cursor.take_char(';');
+        let (fields, _) = fields(cursor.inside(&group), tuple_field);
+        return Body {
+            fields,
+            ..Body::unreadable(Shape::Tuple)
+        };
+    }
+    cursor.expected(format_args!(
+        "`;` or `{{ field: f64 }}` after `struct {name}`"
+    ));
+    if cursor.at(',') {
+        cursor.take();
+    }
+    Body::unreadable(Shape::Unit)
+}
+
+/// Reads the fields, and whether all of them could be read.
+fn fields(
+    mut cursor: Cursor,
+    field: impl Fn(&mut Cursor) -> Result<Field, Reported>,
+) -> (Vec<Field>, bool) {
+    let mut fields = Vec::new();
+    let mut complete = true;
+    while !cursor.at_end() {
+        let start = cursor.taken();
+        match field(&mut cursor) {
+            Ok(field) => fields.push(field),
+            Err(_) => {
+                complete = false;
+                cursor.recover(start);
+            }
+        }
+    }
+    (fields, complete)
+}
+
+fn named_field(cursor: &mut Cursor, generic: bool) -> Result<Field, Reported> {
+    let attributes = field_attributes(cursor);
+    let visibility = visibility(cursor);
+    let Some(name) = cursor.take_ident() else {
+        return Err(cursor.expected("a field: `name: f64`"));
+    };
+    if cursor.take_char(':').is_none() {
+        cursor.expected(format_args!("`:` after `{name}`"));
+    }
+    let written = field_type(cursor, &name, generic);
+    Ok(Field {
+        attributes,
+        visibility,
+        name: Some(name),
+        written,
+    })
+}
+
+fn tuple_field(cursor: &mut Cursor) -> Result<Field, Reported> {
+    let attributes = field_attributes(cursor);
+    let visibility = visibility(cursor);
+    let (written, _) = type_tokens(cursor);
+    cursor.take_char(',');
+    Ok(Field {
+        attributes,
+        visibility,
+        name: None,
+        written,
+    })
+}
+
+/// The field's attributes. One that could take the field away is refused.
+fn field_attributes(cursor: &mut Cursor) -> TokenStream {
+    let attributes = attributes(cursor);
+    if !attributes.cfgs.is_empty() {
+        cursor.error(
+            cursor.last(),
+            "a field that the table refers to cannot be switched off by `cfg`",
+        );
+        return TokenStream::new();
+    }
+    attributes.all
+}
+
+/// Takes the type and the comma behind it. Only `f64` is accepted.
+fn field_type(cursor: &mut Cursor, name: &Ident, generic: bool) -> TokenStream {
+    let (written, place) = type_tokens(cursor);
+    let is_f64 = written.to_string() == "f64";
+    if written.is_empty() {
+        cursor.expected(format_args!("`f64`, the type of the field `{name}`"));
+    } else if !is_f64 && !generic {
+        let message = format!("the field `{name}` is an `f64`, as every field of a robot");
+        cursor.error(place, message);
+    } else if is_f64 && !cursor.at_end() && !cursor.at(',') {
+        cursor.expected(format_args!("`,` after the field `{name}`"));
+        cursor.take_char(';');
+    }
+    cursor.take_char(',');
+    written
+}
+
+/// The tokens up to where a type ends, and their place. A comma between angle
+/// brackets belongs to it.
+fn type_tokens(cursor: &mut Cursor) -> (TokenStream, Place) {
+    let start = cursor.here();
+    let mut tokens = TokenStream::new();
+    let mut angles = 0usize;
+    while angles > 0 || !at_end_of_type(cursor, &tokens) {
+        let Some(token) = cursor.take() else {
+            break;
+        };
+        match &token {
+            TokenTree::Punct(punct) if punct.as_char() == '<' => angles += 1,
+            TokenTree::Punct(punct) if punct.as_char() == '>' => angles = angles.saturating_sub(1),
+            _ => {}
+        }
+        tokens.extend([token]);
+    }
+    (tokens, start.to(cursor.last()))
+}
+
+/// Whether no further token belongs to the type. Nothing belongs to `f64` but itself:
+/// behind it the next field starts.
+fn at_end_of_type(cursor: &mut Cursor, tokens: &TokenStream) -> bool {
+    let at_separator = cursor.at_end() || cursor.at(',') || cursor.at(';');
+    at_separator || tokens.to_string() == "f64"
+}

@@ -1,0 +1,50 @@
+//! `[x, y, z]` and the arguments of a solid.
+
+use proc_macro2::{Delimiter, Group};
+
+use super::cursor::Cursor;
+use super::expression::{at_value, expression};
+use super::list::comma_separated;
+use crate::diagnose::Reported;
+use crate::syntax::{Expr, Vector};
+
+/// Reads `[x, y, z]`.
+pub(super) fn vector(cursor: &mut Cursor) -> Result<Vector, Reported> {
+    let group = cursor
+        .take_group(Delimiter::Bracket)
+        .ok_or_else(|| cursor.expected("`[x, y, z]`"))?;
+    let mut values = values(cursor, &group, 3, "[x, y, z]")?.into_iter();
+    Ok(std::array::from_fn(|_| values.next().flatten()))
+}
+
+/// Reads that many values between commas; `None` stands for one that could not be
+/// read. `shown` is how a message shows the list.
+pub(super) fn values(
+    cursor: &Cursor,
+    group: &Group,
+    number: usize,
+    shown: &str,
+) -> Result<Vec<Option<Expr>>, Reported> {
+    let mut values = Vec::new();
+    let outcome = comma_separated(&mut cursor.inside(group), at_value, |cursor| {
+        let value = expression(cursor);
+        let end = value.as_ref().err().copied();
+        values.push(value.ok());
+        end.map_or(Ok("this value".to_owned()), Err)
+    });
+    if values.len() == number {
+        return Ok(values);
+    }
+    outcome?;
+    let message = format!("expected `{shown}`, found {}", count(values.len()));
+    Err(cursor.error(group.span(), message))
+}
+
+/// "1 value", "2 values", ...
+pub(super) fn count(values: usize) -> String {
+    match values {
+        0 => "no value".to_owned(),
+        1 => "1 value".to_owned(),
+        n => format!("{n} values"),
+    }
+}

@@ -1,0 +1,167 @@
+//! What is accepted, and what it means.
+
+use dynamics_symbolic::Function;
+use dynamics_symbolic::exact::Rational;
+use dynamics_symbolic::robot::{Convention, JointType, Value};
+use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
+
+use super::*;
+
+/// The exact value of the cell `a`.
+fn a(value: &str) -> Rational {
+    let model = model(&with_cells(&format!("a: {value}")));
+    let value = model.robot.rows[0].a.as_rational().cloned();
+    value.expect("a rational number")
+}
+
+fn rational(text: &str) -> Rational {
+    text.parse().unwrap()
+}
+
+const TWO_LINK: &str = "
+    /// Two links.
+    #[derive(Clone)]
+    pub struct TwoLink { m1: f64, pub l1: f64, g: f64, }
+    convention: modified,
+    gravity: [0, -g, 0],
+    let half = l1 / 2;
+    joints: [
+        /// The first joint.
+        shoulder: revolute { mass: m1, com: [half, 0, 0], },
+        r#type: prismatic {},
+    ],
+    functions: [mass_matrix, jacobian,],
+    tests: true,
+";
+
+#[test]
+fn a_whole_call() {
+    let model = model(TWO_LINK);
+    assert_eq!(model.robot.name, "TwoLink");
+    assert_eq!(model.robot.fields, ["m1", "l1", "g"]);
+    assert_eq!(model.robot.convention, Convention::Modified);
+    assert_eq!(model.robot.gravity[1], -Value::field(2));
+    let [shoulder, second] = model.robot.rows.as_slice() else {
+        panic!("two rows");
+    };
+    assert_eq!(shoulder.name, "shoulder");
+    assert_eq!(shoulder.joint_type, JointType::Revolute);
+    assert_eq!(shoulder.mass, Value::field(0));
+    let half = Value::field(1).checked_div(Value::integer(2)).unwrap();
+    assert_eq!(shoulder.com[0], half);
+    assert_eq!(second.name, "type");
+    assert_eq!(second.joint_type, JointType::Prismatic);
+    assert!(second.mass.is_zero());
+    let functions: Vec<Function> = model.functions.iter().map(|(f, _)| *f).collect();
+    assert_eq!(functions, [Function::MassMatrix, Function::Jacobian]);
+    assert!(model.tests);
+}
+
+#[test]
+fn arithmetic_is_exact() {
+    for (value, exact) in [
+        ("0.1 + 0.2", "3/10"),
+        ("1 - 2 - 3", "-4"),
+        ("2 * 3 + 4 * 5", "26"),
+        ("2 * (3 + 4) * 5", "70"),
+        ("8 / 4 / 2", "1"),
+        ("-2 * -3", "6"),
+        ("- -1", "1"),
+        ("1 / 3 * 3", "1"),
+        ("1e-3 * 1_000", "1"),
+        ("0.0254 * 12f64", "381/1250"),
+    ] {
+        assert_eq!(a(value), rational(exact), "{value}");
+    }
+}
+
+#[test]
+fn degrees_are_exact_fractions_of_pi() {
+    let model = model(&with_cells("alpha: deg(90), theta: deg(-180)"));
+    let half = Value::Rational(rational("1/2"));
+    assert_eq!(model.robot.rows[0].alpha, half * Value::Pi);
+    assert_eq!(
+        model.robot.rows[0].alpha.to_f64(&[]),
+        core::f64::consts::FRAC_PI_2
+    );
+    assert_eq!(
+        model.robot.rows[0].theta.to_f64(&[]),
+        -core::f64::consts::PI
+    );
+}
+
+#[test]
+fn a_fragment_of_another_macro_is_one_operand() {
+    // What `$x * 2` becomes where `$x:expr` is `1 + 2`.
+    let sum: TokenStream = "1 + 2".parse().unwrap();
+    let fragment = TokenTree::from(Group::new(Delimiter::None, sum));
+    let product = quote::quote! {
+        struct Arm; convention: standard, gravity: [0, 0, 0],
+        joints: [joint: revolute { a: #fragment * 2 }]
+    };
+    let (model, messages) = read(product);
+    let robot = model.unwrap_or_else(|| panic!("{messages:#?}")).robot;
+    assert_eq!(robot.rows[0].a.as_rational(), Some(&rational("6")));
+}
+
+#[test]
+fn an_empty_visibility_fragment_is_looked_through() {
+    let nothing = TokenTree::from(Group::new(Delimiter::None, TokenStream::new()));
+    let (model, messages) = read(quote::quote! {
+        #nothing struct Arm; convention: standard, gravity: [0, 0, 0],
+        joints: [joint: revolute {}]
+    });
+    assert!(model.is_some(), "{messages:#?}");
+}
+
+#[test]
+fn solids_use_the_mass_of_the_row() {
+    let model = model(&with_cells("mass: 3, inertia: rod(2)"));
+    let inertia = &model.robot.rows[0].inertia;
+    assert_eq!(inertia[0], Value::zero());
+    assert_eq!(inertia[1], Value::integer(1));
+    assert_eq!(inertia[2], Value::integer(1));
+}
+
+#[test]
+fn tensors_that_some_body_has() {
+    for tensor in [
+        // A lamina, a slender rod, a point: the limits.
+        "xx: 1, yy: 2, zz: 3",
+        "xx: 0, yy: 0.08333333333333333, zz: 0.08333333333333333",
+        "xx: 0, yy: 0, zz: 0",
+        // A lamina in doubles: 0.1 + 0.2 is not 0.3 there.
+        "xx: 0.1, yy: 0.2, zz: 0.30000000000000004",
+        // A slender rod along the diagonal of the x and y axes, and along all three.
+        "xx: 1, yy: 1, zz: 2, xy: -1",
+        "xx: 2, yy: 2, zz: 2, xy: -1, yz: -1, xz: -1",
+        "xx: 0.70337, yy: 0.70661, zz: 0.009117, xy: -0.000139, yz: 0.019169, xz: 0.006772",
+        // The moment about one axis, all that matters of a planar link.
+        "zz: 0.35",
+        "",
+    ] {
+        model(&with_cells(&format!("mass: 1, inertia: {{ {tensor} }}")));
+    }
+}
+
+#[test]
+fn tensors_beyond_the_limits_where_the_row_allows_them() {
+    let cells = "mass: 4.8, inertia: { xx: 0.066, yy: 0.086, zz: 0.0125 }";
+    model(&with_cells(&format!(
+        "{cells}, allow: [unphysical_inertia]"
+    )));
+    model(&with_cells("mass: 1, allow: [unphysical_inertia]"));
+}
+
+#[test]
+fn friction_vector_is_in_the_default_set_where_a_row_has_friction() {
+    let has_friction = |cells: &str| {
+        let functions = model(&with_cells(cells)).functions;
+        functions
+            .iter()
+            .any(|(f, _)| *f == Function::FrictionVector)
+    };
+    assert!(has_friction("mass: 1, friction: { viscous: 0.1 }"));
+    assert!(!has_friction("mass: 1, friction: { viscous: 0 }"));
+    assert!(!has_friction("mass: 1"));
+}

@@ -1,0 +1,125 @@
+//! Input that no person writes: an error or a model, soon, and no overflow of the stack.
+
+use super::*;
+
+#[test]
+fn deep_nesting() {
+    for depth in [101, 20_000] {
+        let parentheses = format!("a: {}1{}", "(".repeat(depth), ")".repeat(depth));
+        let signs = format!("a: {}1", "-".repeat(depth));
+        for cells in [parentheses, signs] {
+            let message = message(&with_cells(&cells));
+            assert_eq!(
+                message,
+                "nested more than 100 deep: name parts of it by `let`"
+            );
+        }
+    }
+    let shallow = format!("a: {}1{}", "(".repeat(90), ")".repeat(90));
+    model(&with_cells(&shallow));
+}
+
+#[test]
+fn long_values() {
+    let ones = vec!["1"; 20_000].join(" + ");
+    let message = message(&with_cells(&format!("a: {ones}")));
+    assert_eq!(
+        message,
+        "a value has at most 500 terms: name parts of it by `let`"
+    );
+}
+
+#[test]
+fn lets_that_double() {
+    let mut lets = "struct Arm { x: f64 } let x0 = x + 1;".to_owned();
+    for i in 1..60 {
+        lets += &format!("let x{i} = x{0} * x{0};", i - 1);
+    }
+    let rest = "convention: standard, gravity: [0, 0, 0], joints: [j: revolute { a: x59 }]";
+    let message = message(&format!("{lets} {rest}"));
+    assert_eq!(message, "more than 500 terms, the `let`s in it written out");
+}
+
+#[test]
+fn numbers_that_square() {
+    let digits = "1.".to_owned() + &"0123456789".repeat(9);
+    let mut lets = format!("struct Arm; let x0 = {digits};");
+    for i in 1..60 {
+        lets += &format!("let x{i} = x{0} * x{0} / 1.5;", i - 1);
+    }
+    let rest = "convention: standard, gravity: [0, 0, 0], joints: [j: revolute { a: x59 }]";
+    let message = message(&format!("{lets} {rest}"));
+    assert_eq!(message, "more than 500 terms, the `let`s in it written out");
+}
+
+#[test]
+fn literals_without_end() {
+    let message = message(&with_cells(&format!("a: {}", "7".repeat(100_000))));
+    assert_eq!(message, "more than 100 digits");
+    let zeros = format!("a: 1e{}", "9".repeat(1_000));
+    assert_eq!(messages(&with_cells(&zeros)).len(), 1);
+}
+
+#[test]
+fn more_joints_than_any_robot_has() {
+    let row = |i| format!("joint{i}: revolute {{ a: 1 }}");
+    let rows: Vec<String> = (0..1_000).map(row).collect();
+    assert_eq!(message(&with_rows(&rows.join(","))), "more than 200 joints");
+}
+
+#[test]
+fn words_without_end() {
+    let word = "x".repeat(100_000);
+    let messages = messages(&with_cells(&format!("{word}: 1, a: {word}, d: \"{word}\"")));
+    assert_eq!(messages.len(), 3);
+    assert!(messages.iter().all(|message| message.len() < 300));
+}
+
+/// Every prefix and every call with one token missing is read to its end: there is
+/// an error or there is a model.
+#[test]
+fn tokens_left_out() {
+    let source = "@[::path] #[doc = \"x\"] pub(crate) struct Arm { pub m: f64, l: f64 }
+        let half = l / 2; convention: standard, gravity: [0, 0, -9.81],
+        joints: [one: revolute { a: l, alpha: deg(90), mass: m, com: [half, 0, 0],
+            inertia: { xx: 1, yy: 1, zz: 1 }, motor: { inertia: 1, gear_ratio: 2 },
+            friction: { viscous: 1, coulomb: 2 }, allow: [unphysical_inertia] },
+            two: prismatic { mass: 1, inertia: cuboid(1, 2, 3) }],
+        functions: [mass_matrix, jacobian], tests: false";
+    let tokens: TokenStream = source.parse().unwrap();
+    let variants = without_one(&tokens).into_iter().chain(prefixes(&tokens));
+    for variant in variants {
+        let shown = variant.to_string();
+        let (model, messages) = read(variant);
+        assert_eq!(model.is_none(), !messages.is_empty(), "{shown}");
+        assert!(messages.len() <= 4, "{shown}: {messages:#?}");
+    }
+}
+
+fn prefixes(tokens: &TokenStream) -> Vec<TokenStream> {
+    let all: Vec<_> = tokens.clone().into_iter().collect();
+    (0..all.len())
+        .map(|end| all[..end].iter().cloned().collect())
+        .collect()
+}
+
+/// The tokens with one left out, at every depth.
+fn without_one(tokens: &TokenStream) -> Vec<TokenStream> {
+    let all: Vec<_> = tokens.clone().into_iter().collect();
+    let mut variants = Vec::new();
+    for (i, token) in all.iter().enumerate() {
+        let with = |replacement: Option<proc_macro2::TokenTree>| -> TokenStream {
+            let (before, after) = (&all[..i], &all[i + 1..]);
+            let tokens = before.iter().cloned().chain(replacement);
+            tokens.chain(after.iter().cloned()).collect()
+        };
+        variants.push(with(None));
+        if let proc_macro2::TokenTree::Group(group) = token {
+            for inside in without_one(&group.stream()) {
+                let group = proc_macro2::Group::new(group.delimiter(), inside);
+                variants.push(with(Some(group.into())));
+            }
+        }
+    }
+    variants
+}

@@ -1,0 +1,51 @@
+//! The whole path from tokens to items. Places of errors, and that no others follow from them, are
+//! shown by the compile-fail tests of the root package.
+
+mod accepted;
+mod expansion;
+mod hostile;
+mod messages;
+
+use proc_macro2::TokenStream;
+
+use crate::diagnose::Diagnostics;
+use crate::validate::Model;
+use crate::{parse, validate};
+
+/// The model of a call and the messages about it.
+fn read(tokens: TokenStream) -> (Option<Model>, Vec<String>) {
+    let diagnostics = Diagnostics::new();
+    let call = parse::call(tokens, &diagnostics);
+    let model = validate::model(&call, &diagnostics);
+    (model, diagnostics.into_messages())
+}
+
+/// The messages about a call.
+fn messages(source: &str) -> Vec<String> {
+    let (model, messages) = read(source.parse().expect("the source lexes"));
+    assert_eq!(model.is_none(), !messages.is_empty());
+    messages
+}
+
+/// The only message about a call.
+fn message(source: &str) -> String {
+    let messages = messages(source);
+    assert_eq!(messages.len(), 1, "{messages:#?}");
+    messages.concat()
+}
+
+/// The model of a call without errors.
+fn model(source: &str) -> Model {
+    let (model, messages) = read(source.parse().expect("the source lexes"));
+    model.unwrap_or_else(|| panic!("{messages:#?}"))
+}
+
+/// A call with those rows and otherwise nothing wrong.
+fn with_rows(rows: &str) -> String {
+    format!("struct Arm; convention: standard, gravity: [0, 0, -9.81], joints: [{rows}],")
+}
+
+/// A call with those cells and otherwise nothing wrong.
+fn with_cells(cells: &str) -> String {
+    with_rows(&format!("joint: revolute {{ {cells} }}"))
+}

@@ -1,0 +1,185 @@
+//! The inertia of a row, and whether a body can have it.
+
+use dynamics_symbolic::exact::Rational;
+use dynamics_symbolic::robot::Value;
+
+use super::row::is_negative;
+use super::scope::Scope;
+use super::{all, solid};
+use crate::diagnose::Place;
+use crate::syntax::{Expr, Given, InertiaKind, Row, Solid};
+
+/// The tensor about the centre of mass: entries xx, yy, zz, xy, yz, xz.
+pub(super) fn inertia(row: &Row, mass: Option<&Value>, scope: &mut Scope) -> Option<[Value; 6]> {
+    let inertia = match &row.inertia {
+        Given::Absent => return Some([0; 6].map(Value::integer)),
+        Given::Unreadable => return None,
+        Given::As(inertia) => inertia,
+    };
+    match &inertia.kind {
+        InertiaKind::Solid(solid, sizes) => {
+            if row.mass.is_absent() {
+                let message = "a solid's inertia needs the row's `mass`";
+                scope.error(inertia.place, message);
+            }
+            self::solid(*solid, sizes, mass, scope)
+        }
+        InertiaKind::Tensor(entries) => {
+            let values = all(entries.each_ref().map(|entry| scope.given(entry)))?;
+            if allows_unphysical(row) {
+                return Some(values);
+            }
+            match refusal(&known(entries, &values)) {
+                None => Some(values),
+                Some(reason) => {
+                    report(reason, inertia.place, scope);
+                    None
+                }
+            }
+        }
+    }
+}
+
+fn solid(
+    solid: Solid,
+    sizes: &[Option<Expr>],
+    mass: Option<&Value>,
+    scope: &mut Scope,
+) -> Option<[Value; 6]> {
+    let mut values = Vec::new();
+    for size in sizes.iter().flatten() {
+        let value = scope.value(size);
+        if value.as_ref().is_some_and(is_negative) {
+            scope.error(size.place, "a length cannot be negative");
+        }
+        values.extend(value);
+    }
+    solid::tensor(solid, mass?, &values)
+}
+
+/// Whether the row says so, or was meant to say something about it.
+fn allows_unphysical(row: &Row) -> bool {
+    match &row.allow {
+        Given::Absent => false,
+        Given::Unreadable => true,
+        Given::As(allow) => allow.unphysical_inertia,
+    }
+}
+
+fn report(reason: &str, place: Place, scope: &Scope) {
+    let message = format!(
+        "no body has this inertia tensor: {reason} \
+         (published data can be like that: `allow: [unphysical_inertia]` on the row accepts it)"
+    );
+    scope.error(place, message);
+}
+
+/// The entries that are known numbers.
+///
+/// One diagonal entry alone is the moment about one axis, which is all that matters
+/// of a planar arm's link or of the link next to the base: then the other two are
+/// taken as not known. Elsewhere what is left out is zero.
+fn known(entries: &[Given<Expr>; 6], values: &[Value; 6]) -> [Option<Rational>; 6] {
+    let diagonal = entries[..3]
+        .iter()
+        .filter(|entry| !entry.is_absent())
+        .count();
+    let mut known = values.each_ref().map(number);
+    if diagonal == 1 {
+        for (entry, known) in entries[..3].iter().zip(&mut known) {
+            if entry.is_absent() {
+                *known = None;
+            }
+        }
+    }
+    known
+}
+
+/// The value where it is a number; one with pi in it to double precision.
+fn number(value: &Value) -> Option<Rational> {
+    match value.as_rational() {
+        Some(rational) => Some(rational.clone()),
+        None if value.is_number() => Rational::try_from(value.to_f64(&[])).ok(),
+        None => None,
+    }
+}
+
+/// Why no mass distribution has this tensor, as far as its entries are known.
+///
+/// With a density rho >= 0 the tensor is `J = tr(S) 1 - S`, where `S`, the integral of
+/// `rho r r'`, is positive semidefinite, and every such `S` belongs to some density.
+/// Since `S = tr(J)/2 1 - J`, a tensor is possible exactly where `tr(J)/2 1 - J` is
+/// positive semidefinite, which is the triangle inequality of the principal moments
+/// (Wensing, Kim and Slotine 2018, IEEE RA-L 3(1), 60-67). It makes `J` positive
+/// semidefinite too; that is decided first, for a clearer message.
+fn refusal(entries: &[Option<Rational>; 6]) -> Option<&'static str> {
+    let [xx, yy, zz, xy, yz, xz] = entries.clone();
+    let half_trace = match (&xx, &yy, &zz) {
+        (Some(xx), Some(yy), Some(zz)) => Some((xx + yy + zz) / Rational::from(2)),
+        _ => None,
+    };
+    let scale = entries.iter().flatten().map(magnitude).max()?;
+    let second_moment = |j: &Option<Rational>| Some(half_trace.as_ref()? - j.as_ref()?);
+    let opposite = |j: &Option<Rational>| Some(-j.as_ref()?.clone());
+    let s = [&xx, &yy, &zz].map(second_moment);
+    let [s_xy, s_yz, s_xz] = [&xy, &yz, &xz].map(opposite);
+    let [s_xx, s_yy, s_zz] = s;
+    if [&xx, &yy, &zz]
+        .into_iter()
+        .flatten()
+        .any(|j| *j < Rational::ZERO)
+    {
+        return Some("a moment of inertia is negative");
+    }
+    if !is_semidefinite(&[xx, yy, zz, xy, yz, xz], &scale) {
+        return Some("one of its principal moments is negative");
+    }
+    if !is_semidefinite(&[s_xx, s_yy, s_zz, s_xy, s_yz, s_xz], &scale) {
+        return Some("the largest principal moment exceeds the sum of the other two");
+    }
+    None
+}
+
+/// Whether every principal minor of the symmetric matrix that is known is at least
+/// zero (exact arithmetic). Entries that are decimals of limiting cases, such as a
+/// slender rod's, may be off by `SLACK`, relative to `scale`.
+fn is_semidefinite(matrix: &[Option<Rational>; 6], scale: &Rational) -> bool {
+    let [a, b, c, f, g, h] = matrix.each_ref().map(Option::as_ref);
+    let one = |x: Option<&Rational>| x.cloned();
+    let two = |x: Option<&Rational>, y: Option<&Rational>, xy: Option<&Rational>| {
+        Some(x? * y? - xy? * xy?)
+    };
+    // | a f h |
+    // | f b g |
+    // | h g c |
+    let three = || {
+        let (a, b, c, f, g, h) = (a?, b?, c?, f?, g?, h?);
+        let minors = a * (b * c - g * g) - f * (f * c - g * h) + h * (f * g - b * h);
+        Some(minors)
+    };
+    let slack = Rational::from_parts(1.into(), SLACK_DENOMINATOR.into());
+    let first = &slack * scale;
+    let second = &first * scale;
+    let third = &second * scale;
+    [
+        (one(a), &first),
+        (one(b), &first),
+        (one(c), &first),
+        (two(a, b, f), &second),
+        (two(b, c, g), &second),
+        (two(a, c, h), &second),
+        (three(), &third),
+    ]
+    .into_iter()
+    .all(|(minor, slack)| minor.is_none_or(|minor| minor >= -slack.clone()))
+}
+
+/// A relative error of 1e-12: some thousand roundings of a double.
+const SLACK_DENOMINATOR: u64 = 1_000_000_000_000;
+
+fn magnitude(x: &Rational) -> Rational {
+    match *x < Rational::ZERO {
+        true => -x.clone(),
+        false => x.clone(),
+    }
+}

@@ -1,0 +1,167 @@
+//! A syntax tree to the description of a robot.
+//!
+//! What comes out is a robot that makes sense; every reason why one does not is
+//! reported. A value that could not be read is unknown (`None`) from then on, so
+//! that nothing is said about it twice.
+
+mod fields;
+mod inertia;
+mod row;
+mod scope;
+mod solid;
+
+use dynamics_symbolic::Function;
+use dynamics_symbolic::robot::{Convention, Robot, Row, Value};
+use proc_macro2::Ident;
+
+use crate::diagnose::{Diagnostics, Place};
+use crate::syntax::{self, Call, Entry, Structure};
+use scope::Scope;
+
+/// Joints that a robot may have: the engine's work grows with their cube.
+const MOST_JOINTS: usize = 200;
+
+/// What is to be generated.
+pub(crate) struct Model {
+    /// The robot.
+    pub(crate) robot: Robot,
+    /// The functions, each with the place where it was asked for by name.
+    pub(crate) functions: Vec<(Function, Option<Place>)>,
+    /// Whether a test is to be generated too.
+    pub(crate) tests: bool,
+}
+
+/// The model that the call describes, or `None` where an error was reported.
+pub(crate) fn model(call: &Call, diagnostics: &Diagnostics) -> Option<Model> {
+    let mut scope = Scope::new(call, diagnostics);
+    let parts = Parts::read(call, &mut scope);
+    if let Some(structure) = &call.structure {
+        parts.report_missing(&structure.name, diagnostics);
+        if parts.have_values() {
+            fields::report_unused(structure, &scope, &call.table, diagnostics);
+        }
+    }
+    match diagnostics.is_empty() {
+        true => parts.model(call.structure.as_ref()?),
+        false => None,
+    }
+}
+
+/// The names of the struct's fields.
+pub(crate) fn field_names(structure: &Structure) -> Vec<String> {
+    let names = structure.fields.iter().filter_map(|f| f.name.as_ref());
+    names.map(plain).collect()
+}
+
+/// The identifier's name, without the `r#` of a raw one.
+pub(crate) fn plain(ident: &Ident) -> String {
+    let text = ident.to_string();
+    text.strip_prefix("r#").unwrap_or(&text).to_owned()
+}
+
+/// The entries' meanings. Outer `None`: not written; inner `None`: in error.
+#[derive(Default)]
+struct Parts {
+    convention: Option<Option<Convention>>,
+    gravity: Option<[Option<Value>; 3]>,
+    rows: Option<Vec<Option<Row>>>,
+    functions: Option<Vec<(Function, Place)>>,
+    tests: bool,
+}
+
+impl Parts {
+    /// Reads the entries in the order in which they were written, which is the order
+    /// in which `let` binds names.
+    fn read(call: &Call, scope: &mut Scope) -> Parts {
+        let mut parts = Parts::default();
+        for entry in &call.entries {
+            match entry {
+                Entry::Let(name, value) => scope.bind(name, value.as_ref()),
+                Entry::Convention(convention) => parts.convention = Some(*convention),
+                Entry::Gravity(gravity) => parts.gravity = Some(scope.vector(gravity.as_ref())),
+                Entry::Joints(place, joints) => {
+                    let joints = joints.as_deref();
+                    parts.rows = Some(joints.map_or_else(Vec::new, |joints| {
+                        report_number(joints, *place, scope);
+                        row::rows(joints, scope)
+                    }));
+                }
+                Entry::Functions(functions) => parts.functions = functions.clone(),
+                Entry::Tests(tests) => parts.tests = tests.unwrap_or(false),
+            }
+        }
+        parts
+    }
+
+    /// Whether both entries that use fields are there.
+    fn have_values(&self) -> bool {
+        self.gravity.is_some() && self.rows.as_ref().is_some_and(|rows| !rows.is_empty())
+    }
+
+    fn report_missing(&self, name: &Ident, diagnostics: &Diagnostics) {
+        if self.convention.is_none() {
+            diagnostics.error(
+                name,
+                "missing `convention`: write `convention: standard` or `convention: modified`",
+            );
+        }
+        if self.gravity.is_none() {
+            diagnostics.error(
+                name,
+                "missing `gravity`, the acceleration of gravity in the base frame: \
+                 write `gravity: [0, 0, -9.81]`, for example",
+            );
+        }
+        if self.rows.is_none() {
+            diagnostics.error(
+                name,
+                "missing `joints`: write `joints: [name: revolute { ... }, ...]`",
+            );
+        }
+    }
+
+    fn model(self, structure: &Structure) -> Option<Model> {
+        let robot = Robot {
+            name: plain(&structure.name),
+            fields: field_names(structure),
+            convention: self.convention??,
+            gravity: all(self.gravity?)?,
+            rows: self.rows?.into_iter().collect::<Option<_>>()?,
+        };
+        let functions = match self.functions {
+            Some(functions) => functions.into_iter().map(|(f, at)| (f, Some(at))).collect(),
+            None => {
+                let default = Function::default_set(has_friction(&robot));
+                default.into_iter().map(|f| (f, None)).collect()
+            }
+        };
+        Some(Model {
+            robot,
+            functions,
+            tests: self.tests,
+        })
+    }
+}
+
+fn report_number(joints: &[syntax::Row], place: Place, scope: &Scope) {
+    if joints.is_empty() {
+        scope.error(place, "no joints: a robot has at least one");
+    }
+    if let Some(name) = joints.get(MOST_JOINTS).and_then(|row| row.name.as_ref()) {
+        scope.error(name, format_args!("more than {MOST_JOINTS} joints"));
+    }
+}
+
+fn has_friction(robot: &Robot) -> bool {
+    let mut values = robot
+        .rows
+        .iter()
+        .flat_map(|row| [&row.viscous, &row.coulomb]);
+    values.any(|value| !value.is_zero())
+}
+
+/// The values, where all of them are known.
+fn all<const N: usize>(values: [Option<Value>; N]) -> Option<[Value; N]> {
+    let values: Option<Vec<Value>> = values.into_iter().collect();
+    values?.try_into().ok()
+}

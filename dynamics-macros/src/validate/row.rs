@@ -1,0 +1,130 @@
+//! The rows of the table.
+
+use dynamics_symbolic::exact::Rational;
+use dynamics_symbolic::robot::{JointType, Row, Value};
+
+use super::scope::Scope;
+use super::{all, inertia, plain};
+use crate::syntax::{self, Expr, Friction, Given, Motor};
+
+/// The meaning of each row; `None` where it is in error.
+pub(super) fn rows(rows: &[syntax::Row], scope: &mut Scope) -> Vec<Option<Row>> {
+    report_duplicates(rows, scope);
+    rows.iter().map(|row| self::row(row, scope)).collect()
+}
+
+fn report_duplicates(rows: &[syntax::Row], scope: &Scope) {
+    let mut seen = Vec::new();
+    for name in rows.iter().filter_map(|row| row.name.as_ref()) {
+        let word = plain(name);
+        if seen.contains(&word) {
+            scope.error(name, format_args!("there is a joint `{word}` already"));
+        }
+        seen.push(word);
+    }
+}
+
+fn row(row: &syntax::Row, scope: &mut Scope) -> Option<Row> {
+    let (d, theta) = offsets(row, scope);
+    let a = scope.given(&row.a);
+    let alpha = scope.given(&row.alpha);
+    let mass = not_negative(&row.mass, "a mass", scope);
+    let com = match &row.com {
+        Given::Absent => std::array::from_fn(|_| Some(Value::zero())),
+        com => scope.vector(com.value()),
+    };
+    let inertia = inertia::inertia(row, mass.as_ref(), scope);
+    let (motor_inertia, gear_ratio) = motor(&row.motor, scope);
+    let (viscous, coulomb) = friction(&row.friction, scope);
+    Some(Row {
+        name: plain(row.name.as_ref()?),
+        joint_type: row.joint_type?,
+        a: a?,
+        alpha: alpha?,
+        d: d?,
+        theta: theta?,
+        mass: mass?,
+        com: all(com)?,
+        inertia: inertia?,
+        motor_inertia: motor_inertia?,
+        gear_ratio: gear_ratio?,
+        viscous: viscous?,
+        coulomb: coulomb?,
+    })
+}
+
+/// `d` and `theta`: the joint's variable is added to one of them.
+fn offsets(row: &syntax::Row, scope: &mut Scope) -> (Option<Value>, Option<Value>) {
+    match row.joint_type {
+        Some(JointType::Prismatic) => (
+            scope.given_beside_variable(&row.d, "d"),
+            scope.given(&row.theta),
+        ),
+        Some(JointType::Revolute) => (
+            scope.given(&row.d),
+            scope.given_beside_variable(&row.theta, "theta"),
+        ),
+        None => (scope.given(&row.d), scope.given(&row.theta)),
+    }
+}
+
+/// A cell that is refused where it is known to be negative.
+fn not_negative(cell: &Given<Expr>, what: &str, scope: &mut Scope) -> Option<Value> {
+    let value = scope.given(cell)?;
+    match cell.value() {
+        Some(expr) if is_negative(&value) => {
+            scope.error(expr.place, format_args!("{what} cannot be negative"));
+            None
+        }
+        _ => Some(value),
+    }
+}
+
+fn friction(cell: &Given<Friction>, scope: &mut Scope) -> (Option<Value>, Option<Value>) {
+    match cell {
+        Given::Absent => (Some(Value::zero()), Some(Value::zero())),
+        Given::Unreadable => (None, None),
+        Given::As(friction) => (
+            not_negative(&friction.viscous, "a friction coefficient", scope),
+            not_negative(&friction.coulomb, "a friction torque or force", scope),
+        ),
+    }
+}
+
+/// The motor's inertia and its gear ratio.
+fn motor(cell: &Given<Motor>, scope: &mut Scope) -> (Option<Value>, Option<Value>) {
+    let motor = match cell {
+        Given::Absent => return (Some(Value::zero()), Some(Value::zero())),
+        Given::Unreadable => return (None, None),
+        Given::As(motor) => motor,
+    };
+    let inertia = not_negative(&motor.inertia, "a motor's inertia", scope);
+    let gear_ratio = scope.given(&motor.gear_ratio);
+    let stands_still = gear_ratio.as_ref().is_some_and(Value::is_zero);
+    if stands_still && inertia.as_ref().is_some_and(|value| !value.is_zero()) {
+        report_gear_ratio(motor, scope);
+    }
+    (inertia, gear_ratio)
+}
+
+fn report_gear_ratio(motor: &Motor, scope: &Scope) {
+    match motor.gear_ratio.value() {
+        Some(expr) => scope.error(
+            expr.place,
+            "a gear ratio of zero: a motor with inertia turns with its joint",
+        ),
+        None => scope.error(
+            motor.place,
+            "missing `gear_ratio`, motor speed over joint speed: \
+             write `gear_ratio: 1` for a direct drive",
+        ),
+    }
+}
+
+/// Whether the value is a number below zero.
+pub(super) fn is_negative(value: &Value) -> bool {
+    match value.as_rational() {
+        Some(rational) => *rational < Rational::ZERO,
+        None => value.is_number() && value.to_f64(&[]) < 0.0,
+    }
+}

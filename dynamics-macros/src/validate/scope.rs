@@ -1,0 +1,296 @@
+//! The names that a value may use, and what a value comes to.
+
+use std::collections::BTreeMap;
+use std::fmt::Display;
+
+use dynamics_symbolic::exact::Rational;
+use dynamics_symbolic::robot::Value;
+use proc_macro2::Ident;
+
+use super::plain;
+use crate::diagnose::{Diagnostics, Place};
+use crate::syntax::{Call, Entry, Expr, ExprKind, Given, Operator, Vector};
+use crate::words;
+
+/// Terms that a value may have, `let`s written out.
+const MOST_TERMS: usize = 500;
+
+/// The names that a value may use.
+pub(super) struct Scope<'d> {
+    diagnostics: &'d Diagnostics,
+    names: BTreeMap<String, Binding>,
+    /// Every name that the call binds by `let`, wherever.
+    lets: Vec<String>,
+    /// Whether each of the fields was used.
+    used: Vec<bool>,
+    /// Whether all fields are known; if not, any name may be one.
+    complete: bool,
+}
+
+enum Binding {
+    Field(usize),
+    /// `None`: the value is in error.
+    Let(Option<Measured>),
+}
+
+/// A value and the number of its terms.
+#[derive(Clone)]
+struct Measured {
+    value: Value,
+    terms: usize,
+}
+
+impl<'d> Scope<'d> {
+    /// The fields alone.
+    pub(super) fn new(call: &Call, diagnostics: &'d Diagnostics) -> Scope<'d> {
+        let mut scope = Scope {
+            diagnostics,
+            names: BTreeMap::new(),
+            lets: Vec::new(),
+            used: Vec::new(),
+            complete: call.structure.as_ref().is_some_and(|s| s.complete),
+        };
+        let fields = call.structure.iter().flat_map(|s| &s.fields);
+        for name in fields.filter_map(|field| field.name.as_ref()) {
+            let index = scope.used.len();
+            // One that cannot be bound can be used by no value.
+            let bound = scope.insert(name, "field", Binding::Field(index));
+            scope.used.push(!bound);
+        }
+        for entry in &call.entries {
+            if let Entry::Let(name, _) = entry {
+                scope.lets.push(plain(name));
+            }
+        }
+        scope
+    }
+
+    /// Reports an error.
+    pub(super) fn error(&self, at: impl Into<Place>, message: impl Display) {
+        self.diagnostics.error(at, message);
+    }
+
+    /// Binds the name to the value.
+    pub(super) fn bind(&mut self, name: &Ident, value: Option<&Expr>) {
+        let value = value.and_then(|value| self.measured(value, None));
+        self.insert(name, "`let`", Binding::Let(value));
+    }
+
+    /// Returns whether the name was free.
+    fn insert(&mut self, name: &Ident, what: &str, binding: Binding) -> bool {
+        let word = plain(name);
+        if word == "PI" || word == "deg" {
+            let message =
+                format!("a {what} cannot be named `{word}`, which means something already");
+            self.error(name, message);
+            return false;
+        }
+        let message = match self.names.get(&word) {
+            None => {
+                self.names.insert(word, binding);
+                return true;
+            }
+            Some(Binding::Field(_)) => format!("there is a field `{word}` already"),
+            Some(Binding::Let(_)) => format!("there is a `let {word}` already"),
+        };
+        self.error(name, message);
+        false
+    }
+
+    /// Whether the field of that index was used in a value.
+    pub(super) fn is_used(&self, field: usize) -> bool {
+        self.used.get(field).copied().unwrap_or(true)
+    }
+
+    /// The value of an expression, or `None` where it is in error.
+    pub(super) fn value(&mut self, expr: &Expr) -> Option<Value> {
+        self.cell(expr, None)
+    }
+
+    /// The value of a cell; left out, it is zero.
+    pub(super) fn given(&mut self, cell: &Given<Expr>) -> Option<Value> {
+        match cell {
+            Given::Absent => Some(Value::zero()),
+            Given::Unreadable => None,
+            Given::As(expr) => self.value(expr),
+        }
+    }
+
+    /// The value of the cell to which the joint's variable is added.
+    pub(super) fn given_beside_variable(
+        &mut self,
+        cell: &Given<Expr>,
+        name: &'static str,
+    ) -> Option<Value> {
+        match cell {
+            Given::As(expr) => self.cell(expr, Some(name)),
+            other => self.given(other),
+        }
+    }
+
+    /// The values of three expressions.
+    pub(super) fn vector(&mut self, vector: Option<&Vector>) -> [Option<Value>; 3] {
+        match vector {
+            Some(vector) => vector.each_ref().map(|expr| self.value(expr.as_ref()?)),
+            None => [None, None, None],
+        }
+    }
+
+    fn cell(&mut self, expr: &Expr, variable: Option<&'static str>) -> Option<Value> {
+        let value = self.measured(expr, variable)?.value;
+        if value.is_number() && !value.to_f64(&[]).is_finite() {
+            self.overflow(expr.place);
+            return None;
+        }
+        Some(value)
+    }
+
+    fn measured(&mut self, expr: &Expr, variable: Option<&'static str>) -> Option<Measured> {
+        let (value, terms) = match &expr.kind {
+            ExprKind::Number(number) => (Value::Rational(number.clone()), 1),
+            ExprKind::Name(name) => return self.lookup(name, expr.place, variable),
+            ExprKind::Degrees(angle) => {
+                let angle = self.measured(angle, variable)?;
+                // The quotient first: deg(90) is PI/2, with no rounding of 90 PI.
+                let turns = angle.value.checked_div(Value::integer(180))?;
+                (turns * Value::Pi, angle.terms + 2)
+            }
+            ExprKind::Minus(value) => {
+                let value = self.measured(value, variable)?;
+                (-value.value, value.terms)
+            }
+            ExprKind::Binary(operator, left, right) => {
+                // Both sides before either `?`: there may be errors in both.
+                let a = self.measured(left, variable);
+                let b = self.measured(right, variable)?;
+                if *operator == Operator::Div && is_identically_zero(&b.value) {
+                    self.error(right.place, "division by zero");
+                    return None;
+                }
+                let a = a?;
+                let terms = a.terms + b.terms;
+                self.limit(terms, expr.place)?;
+                (apply(*operator, a.value, b.value)?, terms)
+            }
+        };
+        let rational = value.as_rational();
+        if rational.is_some_and(|r| r.to_f64().value().is_infinite()) {
+            self.overflow(expr.place);
+            return None;
+        }
+        Some(Measured { value, terms })
+    }
+
+    fn limit(&self, terms: usize, place: Place) -> Option<()> {
+        if terms <= MOST_TERMS {
+            return Some(());
+        }
+        let message = format!("more than {MOST_TERMS} terms, the `let`s in it written out");
+        self.error(place, message);
+        None
+    }
+
+    fn overflow(&self, place: Place) {
+        let message = "this value is larger than the largest `f64`";
+        self.error(place, message);
+    }
+
+    fn lookup(
+        &mut self,
+        name: &str,
+        place: Place,
+        variable: Option<&'static str>,
+    ) -> Option<Measured> {
+        if name == "PI" {
+            let value = Value::Pi;
+            return Some(Measured { value, terms: 1 });
+        }
+        match self.names.get(name.strip_prefix("r#").unwrap_or(name)) {
+            Some(Binding::Field(index)) => {
+                self.used[*index] = true;
+                let value = Value::field(*index);
+                Some(Measured { value, terms: 1 })
+            }
+            Some(Binding::Let(value)) => value.clone(),
+            None => {
+                if self.complete {
+                    let message = self.unknown(name, variable);
+                    self.error(place, message);
+                }
+                None
+            }
+        }
+    }
+
+    /// What to say about a name that is not in scope. A field that was meant is used.
+    fn unknown(&mut self, name: &str, variable: Option<&'static str>) -> String {
+        if self.lets.iter().any(|bound| bound == name) {
+            return format!("`{name}` is bound further down: move its `let` above this line");
+        }
+        let names: Vec<&str> = self.names.keys().map(String::as_str).collect();
+        let meant = words::nearest(name, &[names.as_slice(), &["PI"]].concat());
+        if let Some(Binding::Field(index)) = meant.and_then(|meant| self.names.get(meant)) {
+            self.used[*index] = true;
+        }
+        let hint = match meant {
+            Some(right) => format!("did you mean `{right}`?"),
+            None if names.is_empty() => {
+                "the struct has no fields, and no `let` is above".to_owned()
+            }
+            None => format!("expected a field or a `let`: {}", words::either(&names)),
+        };
+        let message = format!("unknown name `{}`: {hint}", words::shortened(name));
+        match variable {
+            Some(cell) => format!(
+                "{message} (the joint's own variable is not written: it is added to `{cell}`)"
+            ),
+            None => message,
+        }
+    }
+}
+
+/// The result, or `None` for a quotient by the number zero.
+fn apply(operator: Operator, a: Value, b: Value) -> Option<Value> {
+    match operator {
+        Operator::Add => Some(a + b),
+        Operator::Sub => Some(a - b),
+        Operator::Mul => Some(a * b),
+        Operator::Div => a.checked_div(b),
+    }
+}
+
+/// Whether the value is zero whatever the fields are.
+///
+/// A value is a rational function of the fields and of pi, which is transcendental:
+/// where it vanishes at one point chosen at random, it is zero (Schwartz 1980,
+/// J. ACM 27(4), 701-717). The arithmetic is exact.
+fn is_identically_zero(value: &Value) -> bool {
+    at_random_point(value).is_some_and(|r| r.is_zero())
+}
+
+/// The value at one fixed point with 64-bit coordinates, `None` at a pole.
+fn at_random_point(value: &Value) -> Option<Rational> {
+    Some(match value {
+        Value::Rational(r) => r.clone(),
+        Value::Pi => Rational::from(coordinate(0)),
+        Value::Field(index) => Rational::from(coordinate(*index as u64 + 1)),
+        Value::Neg(a) => -at_random_point(a)?,
+        Value::Add(a, b) => at_random_point(a)? + at_random_point(b)?,
+        Value::Mul(a, b) => at_random_point(a)? * at_random_point(b)?,
+        Value::Div(a, b) => {
+            let divisor = at_random_point(b)?;
+            match divisor.is_zero() {
+                true => return None,
+                false => at_random_point(a)? / divisor,
+            }
+        }
+    })
+}
+
+/// The output of SplitMix64 at that place of its sequence.
+fn coordinate(index: u64) -> u64 {
+    let mut z = index.wrapping_add(1).wrapping_mul(0x9E37_79B9_7F4A_7C15);
+    z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+    z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+    z ^ (z >> 31)
+}

@@ -1,0 +1,142 @@
+//! Words that a message offers in place of a wrong one.
+
+/// What to say about a word that is none of the right ones, and which one was meant.
+pub(crate) struct Wrong {
+    pub(crate) message: String,
+    pub(crate) meant: Option<&'static str>,
+}
+
+/// A word that is none of `known`: the message names the nearest right word where one
+/// is near, all of them elsewhere.
+pub(crate) fn unknown(what: &str, word: &str, known: &[&'static str]) -> Wrong {
+    let meant = nearest(word, known);
+    let hint = match meant {
+        Some(right) => format!("did you mean `{right}`?"),
+        None => format!("expected {}", either(known)),
+    };
+    Wrong {
+        message: format!("unknown {what} `{}`: {hint}", shortened(word)),
+        meant,
+    }
+}
+
+/// The words as a choice: "`a`, `b` or `c`".
+pub(crate) fn either(words: &[&str]) -> String {
+    let quoted: Vec<String> = words.iter().map(|word| format!("`{word}`")).collect();
+    match quoted.split_last() {
+        None => String::new(),
+        Some((last, [])) => last.clone(),
+        Some((last, rest)) => format!("{} or {last}", rest.join(", ")),
+    }
+}
+
+/// The text, cut where it would fill the screen.
+pub(crate) fn shortened(text: &str) -> String {
+    const LONGEST: usize = 40;
+    match text.char_indices().nth(LONGEST) {
+        Some((end, _)) => format!("{}...", &text[..end]),
+        None => text.to_owned(),
+    }
+}
+
+/// The known word that `word` was most likely meant to be.
+///
+/// Case does not count; words of one or two letters must agree, longer ones may be off
+/// by one edit, from six letters on by two, from nine by three.
+pub(crate) fn nearest<'a>(word: &str, known: &[&'a str]) -> Option<&'a str> {
+    let word = word.to_lowercase();
+    known
+        .iter()
+        .map(|right| (edits(&word, &right.to_lowercase()), *right))
+        .filter(|(edits, right)| *edits <= tolerated(word.len().min(right.len())))
+        .min_by_key(|(edits, _)| *edits)
+        .map(|(_, right)| right)
+}
+
+/// Edits within which two words count as near, the shorter having `length` letters.
+fn tolerated(length: usize) -> usize {
+    match length {
+        0..=2 => 0,
+        3..=5 => 1,
+        _ => (length / 3).min(3),
+    }
+}
+
+/// Number of insertions, deletions, substitutions and swaps of neighbours that turn
+/// `a` into `b` (optimal string alignment distance).
+fn edits(a: &str, b: &str) -> usize {
+    let a: Vec<char> = a.chars().take(LONGEST).collect();
+    let b: Vec<char> = b.chars().take(LONGEST).collect();
+    let mut rows = vec![(0..=b.len()).collect::<Vec<usize>>()];
+    for i in 1..=a.len() {
+        let mut row = vec![i];
+        for j in 1..=b.len() {
+            let substitution = rows[i - 1][j - 1] + usize::from(a[i - 1] != b[j - 1]);
+            let mut best = substitution.min(rows[i - 1][j] + 1).min(row[j - 1] + 1);
+            if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
+                best = best.min(rows[i - 2][j - 2] + 1);
+            }
+            row.push(best);
+        }
+        rows.push(row);
+    }
+    rows[a.len()][b.len()]
+}
+
+/// Letters that are compared: more than in any right word.
+const LONGEST: usize = 64;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn edits_are_counted() {
+        assert_eq!(edits("mass", "mass"), 0);
+        assert_eq!(edits("mas", "mass"), 1);
+        assert_eq!(edits("masss", "mass"), 1);
+        assert_eq!(edits("mess", "mass"), 1);
+        assert_eq!(edits("aplha", "alpha"), 1);
+        assert_eq!(edits("", "abc"), 3);
+        assert_eq!(edits("kitten", "sitting"), 3);
+    }
+
+    #[test]
+    fn a_slip_of_the_finger_is_near() {
+        let cells = ["a", "alpha", "d", "theta", "mass", "com", "inertia"];
+        assert_eq!(nearest("aplha", &cells), Some("alpha"));
+        assert_eq!(nearest("Mass", &cells), Some("mass"));
+        assert_eq!(nearest("intertia", &cells), Some("inertia"));
+        assert_eq!(nearest("A", &cells), Some("a"));
+    }
+
+    #[test]
+    fn another_word_is_not_near() {
+        let cells = ["a", "alpha", "d", "theta", "mass", "com", "inertia"];
+        for word in ["b", "ma", "offset", "length", "", "x"] {
+            assert_eq!(nearest(word, &cells), None, "{word}");
+        }
+    }
+
+    #[test]
+    fn choices_are_listed() {
+        assert_eq!(either(&["a"]), "`a`");
+        assert_eq!(either(&["a", "b", "c"]), "`a`, `b` or `c`");
+    }
+
+    #[test]
+    fn a_message_names_the_right_words() {
+        let wrong = unknown("key", "foo", &["gravity", "joints"]);
+        assert_eq!(
+            wrong.message,
+            "unknown key `foo`: expected `gravity` or `joints`"
+        );
+        assert_eq!(wrong.meant, None);
+        let wrong = unknown("key", "gravty", &["gravity", "joints"]);
+        assert_eq!(
+            wrong.message,
+            "unknown key `gravty`: did you mean `gravity`?"
+        );
+        assert_eq!(wrong.meant, Some("gravity"));
+    }
+}

@@ -1,0 +1,225 @@
+//! The difference between generated and numeric values at one state.
+
+use nalgebra::{Matrix4, SMatrix, SVector};
+
+use super::scale::Scale;
+use crate::{Evaluation, JointType, NewtonEuler, SingularMassMatrix, State, Table};
+
+/// Below this relative pivot the numeric mass matrix counts as singular: its own roundings then
+/// decide whether a factorisation succeeds.
+const SINGULAR: f64 = 1e-10;
+
+/// The largest relative error of one function at one state.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Deviation {
+    pub(super) function: &'static str,
+    /// Infinite where a value is not a number.
+    pub(super) error: f64,
+    /// The joint of the worst entry, where entries belong to joints.
+    pub(super) joint: Option<usize>,
+}
+
+/// The deviation of every generated function, in the order of the documentation.
+pub(super) fn deviations<const N: usize>(
+    generated: &Evaluation<N>,
+    numeric: &NewtonEuler<N>,
+    table: &Table<N>,
+    state: &State<N>,
+    tau: &SVector<f64, N>,
+) -> Vec<Deviation> {
+    let State { q, qd, .. } = state;
+    let mass_matrix = numeric.mass_matrix(q);
+    let scale = Scale::new(table, &mass_matrix, state);
+    let coriolis_vector = numeric.coriolis_vector(q, qd);
+    let matrix = Deviation::of_matrix::<N, N>;
+    let vector = Deviation::of_matrix::<N, 1>;
+    let found = [
+        generated
+            .mass_matrix
+            .map(|m| matrix("mass_matrix", &(m - mass_matrix), scale.mass_matrix)),
+        generated.coriolis_vector.map(|v| {
+            vector(
+                "coriolis_vector",
+                &(v - coriolis_vector),
+                scale.coriolis_vector,
+            )
+        }),
+        generated.gravity_vector.map(|g| {
+            let difference = g - numeric.gravity_vector(q);
+            vector("gravity_vector", &difference, scale.gravity_vector)
+        }),
+        generated.friction_vector.map(|f| {
+            let difference = f - numeric.friction_vector(qd);
+            vector("friction_vector", &difference, scale.friction_vector)
+        }),
+        generated
+            .inverse_dynamics
+            .map(|t| vector("inverse_dynamics", &(t - tau), scale.inverse_dynamics)),
+        generated.forward_dynamics.and_then(|qdd| match qdd {
+            Ok(qdd) => {
+                let residual = mass_matrix * qdd + numeric.bias_force(q, qd) - tau;
+                let scale = scale.inverse_dynamics + scale.mass_matrix * qdd.amax();
+                Some(vector("forward_dynamics", &residual, scale))
+            }
+            Err(error) => refused(&mass_matrix, &error),
+        }),
+        generated.kinetic_energy.map(|t| {
+            let difference = t - numeric.kinetic_energy(q, qd);
+            Deviation::of_number("kinetic_energy", difference, scale.coriolis_vector)
+        }),
+        generated.potential_energy.map(|u| {
+            let difference = u - numeric.potential_energy(q);
+            Deviation::of_number("potential_energy", difference, scale.potential_energy)
+        }),
+        generated.bias_force.map(|b| {
+            let difference = b - numeric.bias_force(q, qd);
+            vector("bias_force", &difference, scale.bias_force)
+        }),
+        generated.coriolis_matrix.map(|c| {
+            let difference = c - numeric.coriolis_matrix(q, qd);
+            matrix("coriolis_matrix", &difference, scale.coriolis_matrix)
+        }),
+        generated.configuration_space_coriolis.map(|v| {
+            let difference = v - coriolis_vector;
+            vector(
+                "configuration_space_form",
+                &difference,
+                scale.coriolis_vector,
+            )
+        }),
+        generated.forward_kinematics.map(|pose| {
+            let difference = pose - numeric.forward_kinematics(q);
+            let entries = pose_entries(None, difference, scale.position);
+            Deviation::worst("forward_kinematics", entries)
+        }),
+        generated.link_poses.map(|poses| {
+            let numeric = numeric.link_poses(q);
+            let entries =
+                (0..N).flat_map(|i| pose_entries(Some(i), poses[i] - numeric[i], scale.position));
+            Deviation::worst("link_poses", entries)
+        }),
+        generated.jacobian.map(|jacobian| {
+            let difference = jacobian - numeric.jacobian(q);
+            let entries = jacobian_entries(table, &difference, scale.position);
+            Deviation::worst("jacobian", entries)
+        }),
+    ];
+    found.into_iter().flatten().collect()
+}
+
+/// A refusal to solve is right where the numeric mass matrix is singular too.
+fn refused<const N: usize>(
+    mass_matrix: &SMatrix<f64, N, N>,
+    error: &SingularMassMatrix,
+) -> Option<Deviation> {
+    let regular = mass_matrix.cholesky().is_some_and(|factor| {
+        let factor = factor.l_dirty().diagonal();
+        (0..N).all(|i| factor[i] * factor[i] > SINGULAR * mass_matrix[(i, i)])
+    });
+    regular.then_some(Deviation {
+        function: "forward_dynamics",
+        error: f64::INFINITY,
+        joint: Some(error.joint),
+    })
+}
+
+/// Entries of a transform's difference: those of the rotation are of size 1.
+fn pose_entries(
+    joint: Option<usize>,
+    difference: Matrix4<f64>,
+    position: f64,
+) -> impl Iterator<Item = Entry> {
+    (0..4).flat_map(move |row| {
+        (0..4).map(move |column| Entry {
+            joint,
+            difference: difference[(row, column)],
+            scale: if row < 3 && column == 3 {
+                position
+            } else {
+                1.0
+            },
+        })
+    })
+}
+
+/// Entries of a Jacobian's difference: axes are of size 1, velocities of revolute joints as large
+/// as the distance from their axis.
+fn jacobian_entries<const N: usize>(
+    table: &Table<N>,
+    difference: &SMatrix<f64, 6, N>,
+    position: f64,
+) -> impl Iterator<Item = Entry> {
+    (0..N).flat_map(move |joint| {
+        let revolute = table.rows[joint].joint_type == JointType::Revolute;
+        (0..6).map(move |row| Entry {
+            joint: Some(joint),
+            difference: difference[(row, joint)],
+            scale: if row < 3 && revolute { position } else { 1.0 },
+        })
+    })
+}
+
+/// One entry of a difference, and the magnitude that the entry could have.
+struct Entry {
+    joint: Option<usize>,
+    difference: f64,
+    scale: f64,
+}
+
+impl Entry {
+    /// Where the scale is zero nothing but an exact agreement will do.
+    fn relative(&self) -> f64 {
+        if self.difference == 0.0 {
+            return 0.0;
+        }
+        let relative = self.difference.abs() / self.scale;
+        if relative.is_nan() {
+            f64::INFINITY
+        } else {
+            relative
+        }
+    }
+}
+
+impl Deviation {
+    fn worst(function: &'static str, entries: impl Iterator<Item = Entry>) -> Self {
+        let mut worst = Deviation {
+            function,
+            error: 0.0,
+            joint: None,
+        };
+        for entry in entries {
+            let error = entry.relative();
+            if error > worst.error {
+                worst.error = error;
+                worst.joint = entry.joint;
+            }
+        }
+        worst
+    }
+
+    /// Row i belongs to joint i.
+    fn of_matrix<const R: usize, const C: usize>(
+        function: &'static str,
+        difference: &SMatrix<f64, R, C>,
+        scale: f64,
+    ) -> Self {
+        let entries = (0..R).flat_map(|row| {
+            (0..C).map(move |column| Entry {
+                joint: Some(row),
+                difference: difference[(row, column)],
+                scale,
+            })
+        });
+        Deviation::worst(function, entries)
+    }
+
+    fn of_number(function: &'static str, difference: f64, scale: f64) -> Self {
+        let entry = Entry {
+            joint: None,
+            difference,
+            scale,
+        };
+        Deviation::worst(function, core::iter::once(entry))
+    }
+}

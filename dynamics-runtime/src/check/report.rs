@@ -1,0 +1,197 @@
+//! What a comparison found.
+
+use core::fmt;
+
+use nalgebra::SVector;
+
+use super::deviation::Deviation;
+use crate::State;
+
+/// The largest error of every generated function, and where it occurs.
+///
+/// Printed, it is a table; the states of the errors beyond the tolerance follow it, and with the
+/// alternate form `{:#}` the states of all.
+#[derive(Clone, Debug, PartialEq)]
+#[must_use]
+pub struct Report {
+    /// One entry for each function that was compared.
+    pub functions: Vec<FunctionReport>,
+    /// Number of states at which the robot was evaluated.
+    pub states: usize,
+    /// Seed of the random states.
+    pub seed: u64,
+    joint_names: Vec<&'static str>,
+}
+
+/// The largest error of one function, relative to the natural scale of its values.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FunctionReport {
+    /// Name of the function.
+    pub function: &'static str,
+    /// Number of states at which it was compared.
+    pub states: usize,
+    /// The largest relative error; infinite where a value was not a number.
+    pub error: f64,
+    /// The largest error that passes.
+    pub tolerance: f64,
+    /// The joint of the entry with the largest error, counted from 0, where there is one.
+    pub joint: Option<usize>,
+    /// Name of the state of the largest error.
+    pub label: String,
+    /// Joint positions there.
+    pub q: Vec<f64>,
+    /// Joint velocities there.
+    pub qd: Vec<f64>,
+    /// Joint accelerations there.
+    pub qdd: Vec<f64>,
+}
+
+impl FunctionReport {
+    /// Whether the error is within the tolerance.
+    pub fn is_ok(&self) -> bool {
+        self.error <= self.tolerance
+    }
+
+    fn note(&mut self, deviation: &Deviation, label: &str, q: [Vec<f64>; 3]) {
+        self.error = deviation.error;
+        self.joint = deviation.joint;
+        self.label = label.into();
+        [self.q, self.qd, self.qdd] = q;
+    }
+}
+
+impl Report {
+    pub(super) fn new(joint_names: &[&'static str], states: usize, seed: u64) -> Self {
+        Report {
+            functions: Vec::new(),
+            states,
+            seed,
+            joint_names: joint_names.into(),
+        }
+    }
+
+    /// Takes in what was found at one state.
+    pub(super) fn record<const N: usize>(
+        &mut self,
+        deviation: &Deviation,
+        tolerance: f64,
+        label: &str,
+        state: &State<N>,
+    ) {
+        let entry = self.entry(deviation.function, tolerance);
+        entry.states += 1;
+        if entry.states == 1 || deviation.error > entry.error {
+            let values = [state.q, state.qd, state.qdd];
+            entry.note(
+                deviation,
+                label,
+                values.map(|v: SVector<f64, N>| v.as_slice().into()),
+            );
+        }
+    }
+
+    fn entry(&mut self, function: &'static str, tolerance: f64) -> &mut FunctionReport {
+        let known = self.functions.iter().position(|f| f.function == function);
+        let index = known.unwrap_or_else(|| {
+            self.functions.push(FunctionReport {
+                function,
+                states: 0,
+                error: 0.0,
+                tolerance,
+                joint: None,
+                label: String::new(),
+                q: Vec::new(),
+                qd: Vec::new(),
+                qdd: Vec::new(),
+            });
+            self.functions.len() - 1
+        });
+        &mut self.functions[index]
+    }
+
+    /// Whether every error is within its tolerance, and there was something to compare.
+    pub fn is_ok(&self) -> bool {
+        !self.functions.is_empty() && self.functions.iter().all(FunctionReport::is_ok)
+    }
+
+    /// Panics with the printed report unless [`Report::is_ok`].
+    #[track_caller]
+    pub fn assert_ok(&self) {
+        assert!(self.is_ok(), "{self}");
+    }
+}
+
+impl fmt::Display for Report {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            f,
+            "comparison with recursive Newton-Euler at {} states (seed {})",
+            self.states, self.seed
+        )?;
+        if self.functions.is_empty() {
+            return write!(f, "\nno function of this robot can be compared");
+        }
+        self.fmt_table(f)?;
+        for function in &self.functions {
+            if f.alternate() || !function.is_ok() {
+                write!(f, "\n{function}")?;
+            }
+        }
+        Ok(())
+    }
+}
+
+const COLUMNS: usize = 7;
+const HEADS: [&str; COLUMNS] = [
+    "function",
+    "states",
+    "error",
+    "tolerance",
+    "",
+    "joint",
+    "state",
+];
+const NUMBERS: core::ops::RangeInclusive<usize> = 1..=3;
+
+impl Report {
+    fn cells(&self, row: &FunctionReport) -> [String; COLUMNS] {
+        [
+            row.function.into(),
+            row.states.to_string(),
+            format!("{:.1e}", row.error),
+            format!("{:.1e}", row.tolerance),
+            if row.is_ok() { "ok" } else { "WRONG" }.into(),
+            row.joint.map_or("", |i| self.joint_names[i]).into(),
+            row.label.clone(),
+        ]
+    }
+
+    /// Names to the left, numbers to the right of their columns.
+    fn fmt_table(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut lines = vec![HEADS.map(String::from)];
+        lines.extend(self.functions.iter().map(|row| self.cells(row)));
+        let width = |i: usize| lines.iter().map(|line| line[i].chars().count()).max();
+        let widths: [usize; COLUMNS] = core::array::from_fn(|i| width(i).unwrap_or(0));
+        for line in &lines {
+            let cells = line.iter().zip(widths).enumerate();
+            let padded = cells.map(|(i, (cell, width))| match NUMBERS.contains(&i) {
+                true => format!("{cell:>width$}"),
+                false => format!("{cell:width$}"),
+            });
+            let text: Vec<String> = padded.collect();
+            write!(f, "\n{}", text.join("  ").trim_end())?;
+        }
+        Ok(())
+    }
+}
+
+/// The function, its error and the state of the error.
+impl fmt::Display for FunctionReport {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            f,
+            "{}: error {:.1e} at {:?}\n  q = {:?}\n  qd = {:?}\n  qdd = {:?}",
+            self.function, self.error, self.label, self.q, self.qd, self.qdd
+        )
+    }
+}

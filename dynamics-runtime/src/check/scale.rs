@@ -1,0 +1,135 @@
+//! The natural magnitude of each quantity at a state: what its error is relative to.
+
+use nalgebra::{SMatrix, SVector};
+
+use crate::{JointType, State, Table};
+
+/// Magnitudes that a quantity could have at a state of this size, whatever it cancels to there.
+///
+/// An error relative to the value itself means nothing where the value is the small difference of
+/// large terms.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Scale {
+    /// max|M|.
+    pub(super) mass_matrix: f64,
+    /// max|M| max|qd|^2, for V and for the kinetic energy.
+    pub(super) coriolis_vector: f64,
+    /// max|M| max|qd|.
+    pub(super) coriolis_matrix: f64,
+    /// Weight times lever arm.
+    pub(super) gravity_vector: f64,
+    /// max of |viscous qd| + |coulomb|.
+    pub(super) friction_vector: f64,
+    /// max|M| max|qdd| and the scales of V, G and F.
+    pub(super) inverse_dynamics: f64,
+    /// The scales of V, G and F.
+    pub(super) bias_force: f64,
+    /// Weight times distance.
+    pub(super) potential_energy: f64,
+    /// Distance from the base, m.
+    pub(super) position: f64,
+}
+
+impl Scale {
+    pub(super) fn new<const N: usize>(
+        table: &Table<N>,
+        mass_matrix: &SMatrix<f64, N, N>,
+        state: &State<N>,
+    ) -> Self {
+        let mass = mass_matrix.amax();
+        let speed = state.qd.amax();
+        let weight = table.total_mass() * norm(&table.gravity);
+        let position = reach(table, &state.q);
+        let coriolis_vector = mass * speed * speed;
+        let gravity_vector = weight * lever_arm(table, position);
+        let friction_vector = friction(table, &state.qd);
+        let bias_force = coriolis_vector + gravity_vector + friction_vector;
+        Scale {
+            mass_matrix: mass,
+            coriolis_vector,
+            coriolis_matrix: mass * speed,
+            gravity_vector,
+            friction_vector,
+            inverse_dynamics: mass * state.qdd.amax() + bias_force,
+            bias_force,
+            potential_energy: weight * position,
+            position,
+        }
+    }
+}
+
+/// A bound of every frame's and every centre of mass's distance from the base.
+fn reach<const N: usize>(table: &Table<N>, q: &SVector<f64, N>) -> f64 {
+    let mut origins = 0.0;
+    let mut centre = 0.0_f64;
+    for (row, q) in table.rows.iter().zip(q.iter()) {
+        let d = match row.joint_type {
+            JointType::Revolute => row.d,
+            JointType::Prismatic => row.d + q,
+        };
+        origins += row.a.abs() + d.abs();
+        centre = centre.max(norm(&row.com));
+    }
+    origins + centre
+}
+
+/// What turns a weight into the force or torque of a joint: the reach, and 1 at a prismatic joint.
+fn lever_arm<const N: usize>(table: &Table<N>, reach: f64) -> f64 {
+    let prismatic = table
+        .rows
+        .iter()
+        .any(|row| row.joint_type == JointType::Prismatic);
+    if prismatic { reach.max(1.0) } else { reach }
+}
+
+fn friction<const N: usize>(table: &Table<N>, qd: &SVector<f64, N>) -> f64 {
+    let of_joint = |(row, qd): (&crate::Row, &f64)| (row.viscous * qd).abs() + row.coulomb.abs();
+    let joints = table.rows.iter().zip(qd.iter()).map(of_joint);
+    joints.fold(0.0, f64::max)
+}
+
+fn norm(vector: &[f64; 3]) -> f64 {
+    nalgebra::Vector3::from(*vector).norm()
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::{Matrix2, Vector2};
+
+    use super::Scale;
+    use crate::{Convention, JointType, Row, State, Table};
+
+    #[test]
+    fn scales_of_a_small_arm() {
+        let slide = Row {
+            d: 1.0,
+            mass: 2.0,
+            com: [0.0, 0.0, -0.5],
+            viscous: 3.0,
+            ..Row::new(JointType::Prismatic)
+        };
+        let turn = Row {
+            a: -0.25,
+            coulomb: 1.0,
+            ..Row::new(JointType::Revolute)
+        };
+        let table = Table {
+            convention: Convention::Standard,
+            gravity: [0.0, 0.0, -10.0],
+            rows: [slide, turn],
+        };
+        let state = State {
+            q: Vector2::new(-3.0, 100.0),
+            qd: Vector2::new(-2.0, 1.0),
+            qdd: Vector2::new(0.0, 5.0),
+        };
+        let scale = Scale::new(&table, &Matrix2::new(4.0, 0.0, 0.0, 1.0), &state);
+
+        assert_eq!(scale.position, 2.0 + 0.25 + 0.5);
+        assert_eq!(scale.coriolis_vector, 16.0);
+        assert_eq!(scale.coriolis_matrix, 8.0);
+        assert_eq!(scale.gravity_vector, 20.0 * 2.75);
+        assert_eq!(scale.friction_vector, 6.0);
+        assert_eq!(scale.inverse_dynamics, 20.0 + 16.0 + 55.0 + 6.0);
+    }
+}

@@ -1,0 +1,95 @@
+//! The states at which a model is checked.
+
+use core::f64::consts::FRAC_PI_2;
+
+use nalgebra::SVector;
+
+use super::Check;
+use super::random::SplitMix64;
+use crate::State;
+
+/// Right angles in all combinations would be 4^N states; this many random combinations do.
+const RIGHT_ANGLES: usize = 8;
+const LARGE_ANGLES: usize = 4;
+const AT_REST: usize = 4;
+
+impl Check {
+    /// The special states, then the random ones, each with a name.
+    pub(super) fn states<const N: usize>(&self) -> Vec<(String, State<N>)> {
+        let mut random = SplitMix64(self.seed);
+        let mut states = vec![(
+            "zero".into(),
+            State {
+                q: SVector::zeros(),
+                qd: SVector::zeros(),
+                qdd: SVector::zeros(),
+            },
+        )];
+        let mut add = |label: String, change: &dyn Fn(&mut SplitMix64, &mut State<N>)| {
+            let mut state = self.random_state(&mut random);
+            change(&mut random, &mut state);
+            states.push((label, state));
+        };
+
+        add("zero, moving".into(), &|_, state| state.q.fill(0.0));
+        add("pi/2".into(), &|_, state| state.q.fill(FRAC_PI_2));
+        add("-pi/2".into(), &|_, state| state.q.fill(-FRAC_PI_2));
+        for i in 0..RIGHT_ANGLES {
+            add(format!("right angles {i}"), &|random, state| {
+                state.q = state.q.map(|_| (random.next() % 4) as f64 * FRAC_PI_2);
+            });
+        }
+        for i in 0..LARGE_ANGLES {
+            add(format!("large angles {i}"), &|random, state| {
+                state.q = state.q.map(|_| random.within(&(-1e3..=1e3)));
+            });
+        }
+        for i in 0..AT_REST {
+            add(format!("at rest {i}"), &|_, state| state.qd.fill(0.0));
+        }
+        for i in 0..self.samples {
+            add(format!("random {i}"), &|_, _| {});
+        }
+        states
+    }
+
+    fn random_state<const N: usize>(&self, random: &mut SplitMix64) -> State<N> {
+        let mut vector = |range| SVector::from_fn(|_, _| random.within(range));
+        State {
+            q: vector(&self.positions),
+            qd: vector(&self.velocities),
+            qdd: vector(&self.accelerations),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use core::f64::consts::FRAC_PI_2;
+
+    use crate::Check;
+
+    #[test]
+    fn equal_settings_give_equal_states() {
+        let check = Check::new().samples(5).seed(3);
+        assert_eq!(check.states::<4>(), check.clone().states::<4>());
+        assert_ne!(check.states::<4>(), check.clone().seed(4).states::<4>());
+    }
+
+    #[test]
+    fn special_states_are_what_their_names_say() {
+        let states = Check::new().samples(2).states::<3>();
+        for (label, state) in &states {
+            let quarters = state.q / FRAC_PI_2;
+            match label.split(' ').next().unwrap() {
+                "zero" => assert!(state.qdd.amax() == 0.0 && state.q == state.qd),
+                "zero," => assert!(state.q.amax() == 0.0 && state.qd.amin() > 0.0),
+                "pi/2" | "-pi/2" | "right" => assert_eq!(quarters, quarters.map(f64::round)),
+                "large" => assert!(state.q.amax() > 100.0),
+                "at" => assert!(state.qd.amax() == 0.0 && state.qdd.amin() > 0.0),
+                _ => assert!(state.q.amax() <= 2.0 * FRAC_PI_2),
+            }
+        }
+        assert_eq!(states.len(), 1 + 1 + 2 + 8 + 4 + 4 + 2);
+    }
+}

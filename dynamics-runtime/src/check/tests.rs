@@ -1,0 +1,227 @@
+//! The check passes what is right and finds what is wrong.
+
+use nalgebra::{Matrix2, SVector, Vector2};
+
+use crate::test_arms::{CRAIG_ARM, CraigArm};
+use crate::{
+    Check, Evaluate, Evaluation, Model, NewtonEuler, Report, SingularMassMatrix, State, Table,
+    check_against_rnea,
+};
+
+/// The textbook arm with one value of its evaluation changed.
+struct Damaged(fn(&State<2>, &mut Evaluation<2>));
+
+impl Model<2> for Damaged {
+    const JOINT_NAMES: [&'static str; 2] = CraigArm::JOINT_NAMES;
+
+    fn table(&self) -> Table<2> {
+        CRAIG_ARM.table()
+    }
+}
+
+impl Evaluate<2> for Damaged {
+    fn evaluate(&self, state: &State<2>, tau: &SVector<f64, 2>) -> Evaluation<2> {
+        let mut evaluation = CRAIG_ARM.evaluate(state, tau);
+        (self.0)(state, &mut evaluation);
+        evaluation
+    }
+}
+
+/// Names of the functions that do not pass.
+fn wrong(report: &Report) -> Vec<&str> {
+    let wrong = report.functions.iter().filter(|function| !function.is_ok());
+    wrong.map(|function| function.function).collect()
+}
+
+fn check(damage: fn(&State<2>, &mut Evaluation<2>)) -> Report {
+    Check::new().samples(20).run(&Damaged(damage))
+}
+
+#[test]
+fn a_right_model_passes_with_room_to_spare() {
+    let report = check_against_rnea(&CRAIG_ARM);
+    report.assert_ok();
+    assert_eq!(report.functions.len(), 8);
+    for function in &report.functions {
+        assert!(function.error < 1e-14, "{function}");
+        assert_eq!(function.states, report.states);
+    }
+}
+
+/// A relative change far above the tolerance and far below what a wrong term does.
+const WRONG: f64 = 1.0 + 1e-9;
+
+fn numeric() -> NewtonEuler<2> {
+    NewtonEuler::new(&CRAIG_ARM.table())
+}
+
+type Damage = (&'static str, fn(&State<2>, &mut Evaluation<2>));
+
+/// One for each function.
+const DAMAGES: [Damage; 14] = [
+    ("mass_matrix", |_, e| {
+        e.mass_matrix.as_mut().unwrap()[(1, 0)] *= WRONG;
+    }),
+    ("coriolis_vector", |_, e| {
+        e.coriolis_vector.as_mut().unwrap()[1] *= WRONG;
+    }),
+    ("gravity_vector", |_, e| {
+        e.gravity_vector.as_mut().unwrap()[0] *= WRONG;
+    }),
+    // The arm has no friction: anything but zero is wrong.
+    ("friction_vector", |_, e| {
+        e.friction_vector = Some(Vector2::new(1e-300, 0.0));
+    }),
+    ("inverse_dynamics", |_, e| {
+        e.inverse_dynamics.as_mut().unwrap()[1] *= WRONG;
+    }),
+    ("forward_dynamics", |_, e| {
+        *e.forward_dynamics.as_mut().unwrap().as_mut().unwrap() *= WRONG;
+    }),
+    ("kinetic_energy", |_, e| {
+        *e.kinetic_energy.as_mut().unwrap() *= WRONG;
+    }),
+    ("potential_energy", |_, e| {
+        *e.potential_energy.as_mut().unwrap() *= WRONG;
+    }),
+    ("bias_force", |_, e| {
+        e.bias_force.as_mut().unwrap()[0] *= WRONG;
+    }),
+    // C qd is V still: C' is no matrix of Christoffel symbols, though.
+    ("coriolis_matrix", |state, e| {
+        let State { q, qd, .. } = state;
+        let shift = Matrix2::new(qd[1], -qd[0], 0.0, 0.0) * 1e-9;
+        e.coriolis_matrix = Some(numeric().coriolis_matrix(q, qd) + shift);
+    }),
+    ("configuration_space_form", |state, e| {
+        let v = numeric().coriolis_vector(&state.q, &state.qd);
+        e.configuration_space_coriolis = Some(v * WRONG);
+    }),
+    ("forward_kinematics", |state, e| {
+        e.forward_kinematics = Some(numeric().forward_kinematics(&state.q) * WRONG);
+    }),
+    ("link_poses", |state, e| {
+        let mut poses = numeric().link_poses(&state.q);
+        poses[0].m14 += 1e-9;
+        e.link_poses = Some(poses);
+    }),
+    ("jacobian", |state, e| {
+        let mut jacobian = numeric().jacobian(&state.q);
+        jacobian[(5, 1)] *= WRONG;
+        e.jacobian = Some(jacobian);
+    }),
+];
+
+/// Each damage is found, in the function that has it and in no other.
+#[test]
+fn every_function_is_compared() {
+    for (function, damage) in DAMAGES {
+        assert_eq!(wrong(&check(damage)), [function]);
+    }
+}
+
+/// The same values without the damage pass.
+#[test]
+fn kinematics_and_matrix_forms_pass() {
+    let report = check(|state, e| {
+        let State { q, qd, .. } = state;
+        e.coriolis_matrix = Some(numeric().coriolis_matrix(q, qd));
+        e.configuration_space_coriolis = Some(numeric().coriolis_vector(q, qd));
+        e.forward_kinematics = Some(numeric().forward_kinematics(q));
+        e.link_poses = Some(numeric().link_poses(q));
+        e.jacobian = Some(numeric().jacobian(q));
+        e.friction_vector = Some(numeric().friction_vector(qd));
+    });
+    report.assert_ok();
+    assert_eq!(report.functions.len(), DAMAGES.len());
+}
+
+#[test]
+fn a_value_that_is_not_a_number_fails() {
+    let report = check(|_, e| e.potential_energy = Some(f64::NAN));
+    assert_eq!(wrong(&report), ["potential_energy"]);
+    let report = check(|_, e| e.mass_matrix.as_mut().unwrap()[(0, 1)] = f64::NAN);
+    assert_eq!(wrong(&report), ["mass_matrix"]);
+    assert_eq!(report.functions[0].joint, Some(0));
+}
+
+#[test]
+fn a_refusal_fails_where_the_mass_matrix_is_regular() {
+    let report = check(|_, e| {
+        e.forward_dynamics = Some(Err(SingularMassMatrix {
+            joint: 1,
+            relative_pivot: 0.0,
+        }));
+    });
+    assert_eq!(wrong(&report), ["forward_dynamics"]);
+    let function = report.functions.iter().find(|f| !f.is_ok()).unwrap();
+    assert_eq!(function.joint, Some(1));
+}
+
+/// Without the outer mass the mass matrix is singular, and refusing it is right.
+#[test]
+fn a_refusal_passes_where_the_mass_matrix_is_singular() {
+    let massless = CraigArm {
+        m2: 0.0,
+        ..CRAIG_ARM
+    };
+    let report = check_against_rnea(&massless);
+    report.assert_ok();
+    let names = report.functions.iter().map(|f| f.function);
+    assert!(!names.collect::<Vec<_>>().contains(&"forward_dynamics"));
+}
+
+#[test]
+fn the_report_names_the_state_of_the_largest_error() {
+    let report = check(|state, e| {
+        if state.q[0] > 100.0 {
+            e.gravity_vector.as_mut().unwrap()[1] += state.q[0];
+        }
+    });
+    let function = report.functions.iter().find(|f| !f.is_ok()).unwrap();
+    assert_eq!(
+        (function.function, function.joint),
+        ("gravity_vector", Some(1))
+    );
+    assert!(function.label.starts_with("large angles"));
+    assert!(function.q[0] > 100.0);
+}
+
+#[test]
+fn the_printed_report_is_a_table() {
+    let report = check(|_, e| e.kinetic_energy = Some(-1.0));
+    let text = report.to_string();
+    let lines: Vec<&str> = text.lines().collect();
+    assert!(lines[0].starts_with("comparison with recursive Newton-Euler at 40 states (seed 0)"));
+    // The name of the state starts where its heading does.
+    let column = lines[1].rfind("state").unwrap();
+    let labels = [
+        "zero", "pi/2", "-pi/2", "right", "large", "at rest", "random",
+    ];
+    for line in &lines[2..10] {
+        assert!(
+            labels.iter().any(|label| line[column..].starts_with(label)),
+            "{text}"
+        );
+    }
+    assert_eq!(
+        lines.iter().filter(|line| line.contains("WRONG")).count(),
+        1
+    );
+    assert!(text.contains("kinetic_energy: error") && text.contains("qdd = ["));
+    // All states in the alternate form.
+    assert_eq!(format!("{report:#}").matches("qdd = [").count(), 8);
+}
+
+#[test]
+#[should_panic(expected = "WRONG")]
+fn assertion_panics_with_the_report() {
+    check(|_, e| e.kinetic_energy = Some(-1.0)).assert_ok();
+}
+
+#[test]
+fn a_report_of_nothing_is_not_ok() {
+    let report = check(|_, e| *e = Evaluation::default());
+    assert!(!report.is_ok());
+    assert!(report.to_string().contains("no function"));
+}

@@ -1,0 +1,12 @@
+//! The way of the macro's tokens to the procedural macro.
+
+/// Generates a struct with the equations of motion of a robot arm as its methods, from the arm's
+/// Denavit-Hartenberg table. The crate `robot-dynamics` documents the table and the methods.
+// `$crate` is this crate under whatever name and through whatever re-export the caller sees it, so
+// that the generated code finds the runtime without a dependency of its own.
+#[macro_export]
+macro_rules! robot_dynamics {
+    ($($tokens:tt)*) => {
+        $crate::__private::expand! { @[$crate] $($tokens)* }
+    };
+}

@@ -1,0 +1,159 @@
+//! What a generated robot is to generic code.
+
+use core::fmt;
+
+use nalgebra::{Matrix4, SMatrix, SVector};
+
+use crate::{Scalar, Table};
+
+/// An arm with `N` joints that can show the table it was generated from.
+pub trait Model<const N: usize> {
+    /// Names of the joints, from the base outwards.
+    const JOINT_NAMES: [&'static str; N];
+
+    /// The table as numbers.
+    fn table(&self) -> Table<N>;
+}
+
+/// An arm whose joint accelerations can be computed: what a simulation needs.
+pub trait ForwardDynamics<const N: usize> {
+    /// Joint accelerations qdd of `M(q) qdd + V(q, qd) + G(q) + F(qd) = tau`.
+    ///
+    /// `q` in rad or m, `qd` per second, `tau` in N m or N.
+    ///
+    /// # Errors
+    ///
+    /// [`SingularMassMatrix`] where M(q) is not positive definite, or holds a NaN.
+    fn forward_dynamics<T: Scalar>(
+        &self,
+        q: &SVector<T, N>,
+        qd: &SVector<T, N>,
+        tau: &SVector<T, N>,
+    ) -> Result<SVector<T, N>, SingularMassMatrix>;
+}
+
+/// An arm whose mechanical energy can be computed.
+pub trait Energy<const N: usize> {
+    /// Kinetic energy 1/2 qd^T M(q) qd with the motors' reflected inertias, J.
+    fn kinetic_energy<T: Scalar>(&self, q: &SVector<T, N>, qd: &SVector<T, N>) -> T;
+
+    /// Potential energy U = -sum m g.c, zero where all centres of mass are at the base's origin, J.
+    fn potential_energy<T: Scalar>(&self, q: &SVector<T, N>) -> T;
+}
+
+/// An arm all of whose generated functions can be evaluated at a state: what the checks need.
+pub trait Evaluate<const N: usize>: Model<N> {
+    /// Every function at one state, `None` where the function was not generated.
+    ///
+    /// `tau` are the joint torques at which the forward dynamics is evaluated.
+    fn evaluate(&self, state: &State<N>, tau: &SVector<f64, N>) -> Evaluation<N>;
+}
+
+/// Position, velocity and acceleration of all joints.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct State<const N: usize> {
+    /// Joint positions, rad or m.
+    pub q: SVector<f64, N>,
+    /// Joint velocities, rad/s or m/s.
+    pub qd: SVector<f64, N>,
+    /// Joint accelerations, rad/s^2 or m/s^2.
+    pub qdd: SVector<f64, N>,
+}
+
+/// Values of the generated functions at one state, `None` where a function was not generated.
+#[derive(Clone, Debug, Default)]
+pub struct Evaluation<const N: usize> {
+    /// M(q).
+    pub mass_matrix: Option<SMatrix<f64, N, N>>,
+    /// V(q, qd).
+    pub coriolis_vector: Option<SVector<f64, N>>,
+    /// G(q).
+    pub gravity_vector: Option<SVector<f64, N>>,
+    /// F(qd).
+    pub friction_vector: Option<SVector<f64, N>>,
+    /// M qdd + V + G + F.
+    pub inverse_dynamics: Option<SVector<f64, N>>,
+    /// qdd, at the torques that were given.
+    pub forward_dynamics: Option<Result<SVector<f64, N>, SingularMassMatrix>>,
+    /// Kinetic energy.
+    pub kinetic_energy: Option<f64>,
+    /// Potential energy.
+    pub potential_energy: Option<f64>,
+    /// V + G + F.
+    pub bias_force: Option<SVector<f64, N>>,
+    /// C(q, qd) of the Christoffel symbols of the first kind.
+    pub coriolis_matrix: Option<SMatrix<f64, N, N>>,
+    /// B(q) [qd qd] + C(q) [qd^2], where both coefficient functions exist.
+    pub configuration_space_coriolis: Option<SVector<f64, N>>,
+    /// Transform of the last frame in the base frame.
+    pub forward_kinematics: Option<Matrix4<f64>>,
+    /// Transform of every frame in the base frame.
+    pub link_poses: Option<[Matrix4<f64>; N]>,
+    /// Geometric Jacobian of the last frame's origin in the base frame.
+    pub jacobian: Option<SMatrix<f64, 6, N>>,
+}
+
+/// The mass matrix was not positive definite: a pivot of its factorisation was not greater than 0.
+///
+/// It happens where the links beyond a joint have no inertia about it, where the data are
+/// unphysical, and where the state is not finite.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SingularMassMatrix {
+    /// The joint of the pivot, counted from 0.
+    pub joint: usize,
+    /// The pivot over the diagonal entry of M that it came from.
+    pub relative_pivot: f64,
+}
+
+impl SingularMassMatrix {
+    /// What generated code calls for each pivot, from the tip inwards.
+    ///
+    /// A pivot that is not greater than the rounding error of its diagonal entry
+    /// cannot be told from zero.
+    ///
+    /// # Errors
+    ///
+    /// Where the pivot cannot be told from zero, is negative or NaN.
+    #[doc(hidden)]
+    #[inline]
+    pub fn test<T: Scalar>(joint: usize, pivot: T, diagonal: T) -> Result<(), Self> {
+        if (pivot - diagonal * T::from_f64(f64::EPSILON)).is_positive() {
+            return Ok(());
+        }
+        let relative_pivot = pivot.ratio_to_f64(diagonal);
+        Err(SingularMassMatrix {
+            joint,
+            relative_pivot,
+        })
+    }
+}
+
+impl fmt::Display for SingularMassMatrix {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            f,
+            "the mass matrix is not positive definite at joint {} (relative pivot {:e})",
+            self.joint + 1,
+            self.relative_pivot
+        )
+    }
+}
+
+impl core::error::Error for SingularMassMatrix {}
+
+#[cfg(test)]
+mod tests {
+    use super::SingularMassMatrix;
+
+    #[test]
+    fn the_error_counts_joints_from_one() {
+        let error = SingularMassMatrix {
+            joint: 2,
+            relative_pivot: -1e-17,
+        };
+        assert_eq!(
+            error.to_string(),
+            "the mass matrix is not positive definite at joint 3 (relative pivot -1e-17)"
+        );
+    }
+}

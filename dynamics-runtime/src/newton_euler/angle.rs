@@ -1,0 +1,95 @@
+//! Sines and cosines of joint angles and of the table's constant angles.
+
+use core::f64::consts::FRAC_PI_2;
+
+/// Constant angles closer than this to a multiple of pi/2 mean exactly that multiple, rad.
+///
+/// It is the distance at which a right angle written with ten digits, 1.570796327, is still meant.
+const RIGHT_ANGLE_TOLERANCE: f64 = 1e-9;
+
+/// Sine and cosine of one angle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct SinCos {
+    pub(super) sin: f64,
+    pub(super) cos: f64,
+}
+
+impl SinCos {
+    /// The angle zero.
+    pub(super) const ZERO: SinCos = SinCos { sin: 0.0, cos: 1.0 };
+
+    /// A joint angle.
+    pub(super) fn of_joint(angle: f64) -> Self {
+        let (sin, cos) = angle.sin_cos();
+        SinCos { sin, cos }
+    }
+
+    /// A constant angle of the table: at multiples of pi/2 the values are 0 and +-1 exactly.
+    pub(super) fn of_constant(angle: f64) -> Self {
+        let quarters = (angle / FRAC_PI_2).round();
+        if (angle - quarters * FRAC_PI_2).abs() > RIGHT_ANGLE_TOLERANCE {
+            return SinCos::of_joint(angle);
+        }
+        let (sin, cos) = match quarters.rem_euclid(4.0) {
+            0.0 => (0.0, 1.0),
+            1.0 => (1.0, 0.0),
+            2.0 => (0.0, -1.0),
+            3.0 => (-1.0, 0.0),
+            // The angle is not finite.
+            _ => (f64::NAN, f64::NAN),
+        };
+        SinCos { sin, cos }
+    }
+
+    /// The sum of two angles, by the addition theorems.
+    ///
+    /// Adding a constant to a joint angle before taking the sine would round the sum: at 1e6 rad
+    /// that costs ten digits.
+    pub(super) fn plus(self, other: SinCos) -> Self {
+        SinCos {
+            sin: self.sin * other.cos + self.cos * other.sin,
+            cos: self.cos * other.cos - self.sin * other.sin,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use core::f64::consts::{FRAC_PI_2, PI};
+
+    use super::SinCos;
+
+    fn of(angle: f64) -> (f64, f64) {
+        let SinCos { sin, cos } = SinCos::of_constant(angle);
+        (sin, cos)
+    }
+
+    #[test]
+    fn right_angles_are_exact() {
+        assert_eq!(of(0.0), (0.0, 1.0));
+        assert_eq!(of(FRAC_PI_2), (1.0, 0.0));
+        assert_eq!(of(-FRAC_PI_2), (-1.0, 0.0));
+        assert_eq!(of(PI), (0.0, -1.0));
+        assert_eq!(of(-7.0 * FRAC_PI_2), (1.0, 0.0));
+        let ten_digits = (FRAC_PI_2 * 1e9).round() / 1e9;
+        assert_eq!(of(ten_digits), (1.0, 0.0));
+    }
+
+    #[test]
+    fn other_angles_are_left_alone() {
+        for angle in [1.0, -0.3, FRAC_PI_2 + 1e-8, PI - 1e-5] {
+            assert_eq!(of(angle), angle.sin_cos());
+        }
+    }
+
+    #[test]
+    fn what_is_not_finite_propagates() {
+        assert!(of(f64::NAN).0.is_nan() && of(f64::INFINITY).1.is_nan());
+    }
+
+    #[test]
+    fn a_constant_offset_does_not_round_the_joint_angle() {
+        let sum = SinCos::of_joint(1e6).plus(SinCos::of_constant(FRAC_PI_2));
+        assert_eq!((sum.sin, sum.cos), (1e6_f64.cos(), -1e6_f64.sin()));
+    }
+}

@@ -1,0 +1,78 @@
+//! Places of the frames, and the Jacobian.
+
+use core::array;
+
+use nalgebra::{Matrix4, SMatrix, SVector};
+
+use super::NewtonEuler;
+use super::link::Pose;
+use crate::JointType;
+
+impl<const N: usize> NewtonEuler<N> {
+    /// Frame i in frame i-1, for every joint.
+    pub(super) fn joint_poses(&self, q: &SVector<f64, N>) -> [Pose; N] {
+        array::from_fn(|i| self.links[i].pose(q[i]))
+    }
+
+    /// The joints' frames in the base.
+    pub(super) fn poses_in_base(&self, q: &SVector<f64, N>) -> [Pose; N] {
+        let mut pose = Pose::identity();
+        self.joint_poses(q).map(|next| {
+            pose = pose.then(&next);
+            pose
+        })
+    }
+
+    /// The table's link frames in the base.
+    fn table_frames(&self, q: &SVector<f64, N>) -> [Pose; N] {
+        let poses = self.poses_in_base(q);
+        array::from_fn(|i| poses[i].then(&self.links[i].table_frame))
+    }
+
+    /// Homogeneous transforms of all link frames of the table in the base frame.
+    pub fn link_poses(&self, q: &SVector<f64, N>) -> [Matrix4<f64>; N] {
+        self.table_frames(q).map(|pose| homogeneous(&pose))
+    }
+
+    /// Homogeneous transform of the last frame in the base frame; the identity for no joints.
+    pub fn forward_kinematics(&self, q: &SVector<f64, N>) -> Matrix4<f64> {
+        self.link_poses(q)
+            .last()
+            .copied()
+            .unwrap_or_else(Matrix4::identity)
+    }
+
+    /// Geometric Jacobian of the last frame's origin p: rows vx vy vz wx wy wz in the base frame.
+    ///
+    /// Column i is `(z_i x (p - p_i), z_i)` for a revolute joint, `(z_i, 0)` for a prismatic one
+    /// (Craig, section 5.8).
+    pub fn jacobian(&self, q: &SVector<f64, N>) -> SMatrix<f64, 6, N> {
+        let poses = self.poses_in_base(q);
+        let tip = self
+            .forward_kinematics(q)
+            .fixed_view::<3, 1>(0, 3)
+            .into_owned();
+        let mut jacobian = SMatrix::<f64, 6, N>::zeros();
+        for (i, pose) in poses.iter().enumerate() {
+            let axis = pose.rotation.column(2).into_owned();
+            let mut column = jacobian.column_mut(i);
+            match self.links[i].joint_type {
+                JointType::Revolute => {
+                    let lever = tip - pose.position;
+                    column.fixed_rows_mut::<3>(0).copy_from(&axis.cross(&lever));
+                    column.fixed_rows_mut::<3>(3).copy_from(&axis);
+                }
+                JointType::Prismatic => column.fixed_rows_mut::<3>(0).copy_from(&axis),
+            }
+        }
+        jacobian
+    }
+}
+
+fn homogeneous(pose: &Pose) -> Matrix4<f64> {
+    let mut matrix = pose.rotation.to_homogeneous();
+    matrix
+        .fixed_view_mut::<3, 1>(0, 3)
+        .copy_from(&pose.position);
+    matrix
+}

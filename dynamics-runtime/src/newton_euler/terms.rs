@@ -1,0 +1,76 @@
+//! The terms of `tau = M qdd + V + G + F`, each by the recursion.
+
+use nalgebra::{SMatrix, SVector, Vector3};
+
+use super::NewtonEuler;
+use crate::Scalar;
+
+impl<const N: usize> NewtonEuler<N> {
+    /// Mass matrix M(q): column j is the torque of a unit acceleration of joint j, at rest and
+    /// without gravity. Reflected inertias are on the diagonal.
+    pub fn mass_matrix(&self, q: &SVector<f64, N>) -> SMatrix<f64, N, N> {
+        let mut mass_matrix = SMatrix::<f64, N, N>::zeros();
+        for j in 0..N {
+            let mut unit = SVector::zeros();
+            unit[j] = 1.0;
+            let column = self.recursion(q, &SVector::zeros(), &unit, &Vector3::zeros());
+            mass_matrix.set_column(j, &column);
+        }
+        mass_matrix
+    }
+
+    /// Coriolis and centrifugal torques V(q, qd): no acceleration, no gravity.
+    pub fn coriolis_vector(&self, q: &SVector<f64, N>, qd: &SVector<f64, N>) -> SVector<f64, N> {
+        self.recursion(q, qd, &SVector::zeros(), &Vector3::zeros())
+    }
+
+    /// Gravity torques G(q) = dU/dq: no velocity, no acceleration.
+    pub fn gravity_vector(&self, q: &SVector<f64, N>) -> SVector<f64, N> {
+        self.recursion(q, &SVector::zeros(), &SVector::zeros(), &self.gravity)
+    }
+
+    /// Friction torques F(qd) = viscous qd + coulomb sign(qd), sign(0) = 0.
+    pub fn friction_vector(&self, qd: &SVector<f64, N>) -> SVector<f64, N> {
+        SVector::from_fn(|i, _| {
+            let link = &self.links[i];
+            link.viscous * qd[i] + link.coulomb * Scalar::sign(qd[i])
+        })
+    }
+
+    /// Torques of a motion, M qdd + V + G + F.
+    pub fn inverse_dynamics(
+        &self,
+        q: &SVector<f64, N>,
+        qd: &SVector<f64, N>,
+        qdd: &SVector<f64, N>,
+    ) -> SVector<f64, N> {
+        self.recursion(q, qd, qdd, &self.gravity) + self.friction_vector(qd)
+    }
+
+    /// Torques without acceleration, V + G + F.
+    pub fn bias_force(&self, q: &SVector<f64, N>, qd: &SVector<f64, N>) -> SVector<f64, N> {
+        self.inverse_dynamics(q, qd, &SVector::zeros())
+    }
+
+    /// Coriolis matrix C(q, qd) of the Christoffel symbols of the first kind, so that V = C qd and
+    /// Mdot - 2 C is skew.
+    ///
+    /// With these symbols C = 1/2 dV/dqd. V is quadratic in qd, so its central difference over any
+    /// distance h is the derivative itself: `C e_j = (V(qd + h e_j) - V(qd - h e_j)) / (4 h)`. The
+    /// greatest speed is taken for h, which keeps rounding at the scale of C.
+    pub fn coriolis_matrix(&self, q: &SVector<f64, N>, qd: &SVector<f64, N>) -> SMatrix<f64, N, N> {
+        let mut coriolis_matrix = SMatrix::<f64, N, N>::zeros();
+        let h = qd.amax();
+        if h == 0.0 {
+            return coriolis_matrix;
+        }
+        for j in 0..N {
+            let mut distance = SVector::zeros();
+            distance[j] = h;
+            let difference = self.coriolis_vector(q, &(qd + distance))
+                - self.coriolis_vector(q, &(qd - distance));
+            coriolis_matrix.set_column(j, &(difference / (4.0 * h)));
+        }
+        coriolis_matrix
+    }
+}

@@ -1,0 +1,301 @@
+//! Closed forms from books, and the identities that the equations of motion of every arm satisfy.
+
+use nalgebra::{
+    Matrix1, Matrix2, Matrix3, Matrix4, Rotation3, SMatrix, SVector, Vector1, Vector2, Vector3,
+};
+
+use super::NewtonEuler;
+use crate::test_arms::{CRAIG_ARM, general_table, random_state};
+use crate::{Convention, JointType, Model, Row, State, Table};
+
+#[track_caller]
+fn assert_near<const R: usize, const C: usize>(
+    computed: SMatrix<f64, R, C>,
+    expected: SMatrix<f64, R, C>,
+    tolerance: f64,
+) {
+    let within = (computed - expected).iter().all(|e| e.abs() <= tolerance);
+    assert!(
+        within,
+        "{computed}{expected}{:e}",
+        (computed - expected).amax()
+    );
+}
+
+fn seeds() -> impl Iterator<Item = u64> {
+    1..=20
+}
+
+/// The cases of the identities: arms of both conventions, at a state each.
+fn general_cases() -> impl Iterator<Item = (NewtonEuler<6>, State<6>)> {
+    [Convention::Standard, Convention::Modified]
+        .into_iter()
+        .flat_map(|convention| seeds().map(move |seed| (convention, seed)))
+        .map(|(convention, seed)| {
+            let table = general_table(convention, seed);
+            (NewtonEuler::new(&table), random_state(seed))
+        })
+}
+
+/// A slender rod of length a, hinged at one end, hanging down at q = 0:
+/// (1/3) m a^2 qdd + (1/2) m g a sin q = tau (Saha).
+#[test]
+fn hanging_rod() {
+    let (m, a, g) = (1.7, 0.9, 9.81);
+    let rod = Row {
+        a,
+        mass: m,
+        com: [-a / 2.0, 0.0, 0.0],
+        inertia: [0.0, m * a * a / 12.0, m * a * a / 12.0, 0.0, 0.0, 0.0],
+        ..Row::new(JointType::Revolute)
+    };
+    let arm = NewtonEuler::new(&Table {
+        convention: Convention::Standard,
+        gravity: [g, 0.0, 0.0],
+        rows: [rod],
+    });
+    for seed in seeds() {
+        let State { q, qd, .. } = random_state::<1>(seed);
+        let weight = m * g * a / 2.0;
+        assert_near(arm.mass_matrix(&q), Matrix1::new(m * a * a / 3.0), 1e-15);
+        assert_near(arm.coriolis_vector(&q, &qd), Vector1::new(0.0), 1e-14);
+        assert_near(
+            arm.gravity_vector(&q),
+            Vector1::new(weight * q[0].sin()),
+            1e-14,
+        );
+        assert!((arm.potential_energy(&q) + weight * q[0].cos()).abs() < 1e-14);
+    }
+}
+
+/// Two point masses, Craig (6.60) to (6.62).
+#[test]
+fn two_links_with_point_masses() {
+    let arm = NewtonEuler::new(&CRAIG_ARM.table());
+    for seed in seeds() {
+        let State { q, qd, .. } = random_state::<2>(seed);
+        assert_near(arm.mass_matrix(&q), CRAIG_ARM.mass_matrix(&q), 1e-14);
+        let v = CRAIG_ARM.coriolis_vector(&q, &qd);
+        assert_near(arm.coriolis_vector(&q, &qd), v, 1e-13);
+        assert_near(arm.gravity_vector(&q), CRAIG_ARM.gravity_vector(&q), 1e-13);
+    }
+}
+
+/// Two slender rods (Saha): i11, i12, i22, h1, h2, gamma1, gamma2 with angles from the horizontal.
+#[test]
+fn two_links_with_slender_rods() {
+    let (m1, m2, a1, a2, g) = (3.0, 1.0, 2.0, 1.0, 9.81);
+    let rod = |m: f64, a: f64| Row {
+        a,
+        mass: m,
+        com: [-a / 2.0, 0.0, 0.0],
+        inertia: [0.0, m * a * a / 12.0, m * a * a / 12.0, 0.0, 0.0, 0.0],
+        ..Row::new(JointType::Revolute)
+    };
+    let arm = NewtonEuler::new(&Table {
+        convention: Convention::Standard,
+        gravity: [0.0, -g, 0.0],
+        rows: [rod(m1, a1), rod(m2, a2)],
+    });
+    for seed in seeds() {
+        let State { q, qd, .. } = random_state::<2>(seed);
+        let ((s2, c2), c1, c12) = (q[1].sin_cos(), q[0].cos(), (q[0] + q[1]).cos());
+        let i22 = m2 * a2 * a2 / 3.0;
+        let i12 = i22 + m2 * a1 * a2 * c2 / 2.0;
+        let i11 = m1 * a1 * a1 / 3.0 + i22 + m2 * a1 * a1 + m2 * a1 * a2 * c2;
+        assert_near(arm.mass_matrix(&q), Matrix2::new(i11, i12, i12, i22), 1e-14);
+
+        let h = m2 * a1 * a2 * s2 / 2.0;
+        let h1 = -h * (2.0 * qd[0] * qd[1] + qd[1] * qd[1]);
+        let h2 = h * qd[0] * qd[0];
+        assert_near(arm.coriolis_vector(&q, &qd), Vector2::new(h1, h2), 1e-13);
+
+        let gamma2 = m2 * g * a2 * c12 / 2.0;
+        let gamma1 = m1 * g * a1 * c1 / 2.0 + m2 * g * a1 * c1 + gamma2;
+        assert_near(arm.gravity_vector(&q), Vector2::new(gamma1, gamma2), 2e-13);
+    }
+}
+
+/// A mass that slides along a rotating rail: M = diag(m r^2, m), V = (2 m r rd qd, -m r qd^2).
+///
+/// The polar coordinates of a point: the joints of the arm are one of each type.
+#[test]
+fn mass_on_a_rotating_rail() {
+    let (m, g) = (2.5, 9.81);
+    let turn = Row::new(JointType::Revolute);
+    // Turns z of the second joint into the plane of the first: the rail points along -y at q = 0.
+    let rail = Row {
+        alpha: core::f64::consts::FRAC_PI_2,
+        mass: m,
+        ..Row::new(JointType::Prismatic)
+    };
+    let arm = NewtonEuler::new(&Table {
+        convention: Convention::Modified,
+        gravity: [0.0, -g, 0.0],
+        rows: [turn, rail],
+    });
+    for seed in seeds() {
+        let State { q, qd, .. } = random_state::<2>(seed);
+        let ((s, c), r) = (q[0].sin_cos(), q[1]);
+        assert_near(
+            arm.mass_matrix(&q),
+            Matrix2::new(m * r * r, 0.0, 0.0, m),
+            1e-14,
+        );
+        let v = Vector2::new(2.0 * m * r * qd[1] * qd[0], -m * r * qd[0] * qd[0]);
+        assert_near(arm.coriolis_vector(&q, &qd), v, 1e-13);
+        let g = Vector2::new(m * g * r * s, -m * g * c);
+        assert_near(arm.gravity_vector(&q), g, 1e-13);
+    }
+}
+
+/// The same arm, once in the frames of the standard and once of the modified convention.
+#[test]
+fn conventions_agree() {
+    for seed in seeds() {
+        let standard = general_table::<6>(Convention::Standard, seed);
+        let (a, b) = (
+            NewtonEuler::new(&standard),
+            NewtonEuler::new(&to_modified(&standard)),
+        );
+        let State { q, qd, qdd } = random_state(seed);
+        let tau = a.inverse_dynamics(&q, &qd, &qdd);
+        assert_near(tau, b.inverse_dynamics(&q, &qd, &qdd), 1e-13 * tau.amax());
+        assert_near(a.mass_matrix(&q), b.mass_matrix(&q), 1e-13);
+        let last = &standard.rows[5];
+        let flange = transform_along_x(last.alpha, last.a);
+        assert_near(
+            a.forward_kinematics(&q),
+            b.forward_kinematics(&q) * flange,
+            1e-14,
+        );
+    }
+}
+
+fn transform_along_x(alpha: f64, a: f64) -> Matrix4<f64> {
+    let rotation = Rotation3::from_axis_angle(&Vector3::x_axis(), alpha);
+    rotation
+        .to_homogeneous()
+        .append_translation(&Vector3::new(a, 0.0, 0.0))
+}
+
+fn to_modified<const N: usize>(table: &Table<N>) -> Table<N> {
+    let row = |i: usize| {
+        let row = table.rows[i];
+        let rotation = Rotation3::from_axis_angle(&Vector3::x_axis(), row.alpha);
+        let com = rotation * Vector3::from(row.com) + Vector3::new(row.a, 0.0, 0.0);
+        let [xx, yy, zz, xy, yz, xz] = row.inertia;
+        let inertia = Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz);
+        let turned = rotation.matrix() * inertia * rotation.matrix().transpose();
+        let entries = [(0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (0, 2)];
+        let (alpha, a) = match i {
+            0 => (0.0, 0.0),
+            _ => (table.rows[i - 1].alpha, table.rows[i - 1].a),
+        };
+        Row {
+            alpha,
+            a,
+            com: com.into(),
+            inertia: entries.map(|entry| turned[entry]),
+            ..row
+        }
+    };
+    Table {
+        convention: Convention::Modified,
+        rows: core::array::from_fn(row),
+        ..*table
+    }
+}
+
+/// M is symmetric and positive definite.
+#[test]
+fn mass_matrix_is_symmetric_and_positive_definite() {
+    for (arm, State { q, .. }) in general_cases() {
+        let m = arm.mass_matrix(&q);
+        assert_near(m, m.transpose(), 1e-14 * m.amax());
+        assert!(m.cholesky().is_some());
+    }
+}
+
+/// 1/2 qd' M qd = T.
+#[test]
+fn kinetic_energy_is_the_form_of_the_mass_matrix() {
+    for (arm, State { q, qd, .. }) in general_cases() {
+        let expected = 0.5 * qd.dot(&(arm.mass_matrix(&q) * qd));
+        assert!((arm.kinetic_energy(&q, &qd) - expected).abs() < 1e-14 * expected);
+    }
+}
+
+/// tau = M qdd + V + G + F, and C qd = V.
+#[test]
+fn terms_add_up() {
+    for (arm, State { q, qd, qdd }) in general_cases() {
+        let v = arm.coriolis_vector(&q, &qd);
+        let bias = v + arm.gravity_vector(&q) + arm.friction_vector(&qd);
+        let tau = arm.mass_matrix(&q) * qdd + bias;
+        assert_near(arm.inverse_dynamics(&q, &qd, &qdd), tau, 1e-13 * tau.amax());
+        assert_near(arm.bias_force(&q, &qd), bias, 1e-13 * tau.amax());
+        assert_near(arm.coriolis_matrix(&q, &qd) * qd, v, 1e-13 * tau.amax());
+    }
+}
+
+/// Mdot - 2 C is skew: holds for the Christoffel symbols and for few other factors of V.
+#[test]
+fn coriolis_matrix_is_that_of_the_christoffel_symbols() {
+    let h = 1e-5;
+    for (arm, State { q, qd, .. }) in general_cases() {
+        let change = arm.mass_matrix(&(q + qd * h)) - arm.mass_matrix(&(q - qd * h));
+        let difference = change / (2.0 * h) - arm.coriolis_matrix(&q, &qd) * 2.0;
+        let scale = arm.mass_matrix(&q).amax() * qd.amax();
+        assert_near(difference, -difference.transpose(), 1e-8 * scale);
+    }
+}
+
+/// G = dU/dq.
+#[test]
+fn gravity_vector_is_the_gradient_of_the_potential_energy() {
+    let h = 1e-5;
+    for (arm, State { q, .. }) in general_cases() {
+        let gradient = SVector::from_fn(|i, _| {
+            let mut step = SVector::zeros();
+            step[i] = h;
+            let change = arm.potential_energy(&(q + step)) - arm.potential_energy(&(q - step));
+            change / (2.0 * h)
+        });
+        assert_near(arm.gravity_vector(&q), gradient, 1e-7);
+    }
+}
+
+/// J qd is the velocity of the last frame: (pdot, w) with Rdot R' = [w]x.
+#[test]
+fn jacobian_is_the_velocity_of_the_last_frame() {
+    let h = 1e-5;
+    for (arm, State { q, qd, .. }) in general_cases() {
+        let pose = arm.forward_kinematics(&q);
+        let change = arm.forward_kinematics(&(q + qd * h)) - arm.forward_kinematics(&(q - qd * h));
+        let rate = change / (2.0 * h);
+        let spin: Matrix3<f64> =
+            rate.fixed_view::<3, 3>(0, 0) * pose.fixed_view::<3, 3>(0, 0).transpose();
+        let expected = [rate.m14, rate.m24, rate.m34, spin.m32, spin.m13, spin.m21];
+        assert_near(arm.jacobian(&q) * qd, SVector::from(expected), 1e-8);
+    }
+}
+
+/// sign(0) = 0: a joint at rest has no dry friction.
+#[test]
+fn friction_is_odd_and_zero_at_rest() {
+    let arm = NewtonEuler::new(&general_table::<6>(Convention::Standard, 1));
+    let State { qd, .. } = random_state(1);
+    assert_eq!(arm.friction_vector(&SVector::zeros()).amax(), 0.0);
+    assert_eq!(arm.friction_vector(&-qd), -arm.friction_vector(&qd));
+    assert!(arm.friction_vector(&qd).amin() > 0.1);
+}
+
+#[test]
+fn what_is_not_finite_propagates() {
+    let arm = NewtonEuler::new(&general_table::<6>(Convention::Modified, 1));
+    let nan = SVector::repeat(f64::NAN);
+    assert!(arm.mass_matrix(&nan)[(0, 0)].is_nan());
+    assert!(arm.inverse_dynamics(&SVector::zeros(), &nan, &nan)[0].is_nan());
+    assert!(arm.potential_energy(&nan).is_nan());
+}

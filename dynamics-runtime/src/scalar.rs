@@ -1,0 +1,142 @@
+//! The numbers that generated code runs on.
+
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+/// A real number type on which every generated function can be evaluated.
+///
+/// The trait asks for what straight-line code of equations of motion needs and for nothing more,
+/// so that it can be implemented for numbers which are no complete field: dual numbers, SIMD lanes,
+/// numbers of extended precision. It is implemented for `f32` and `f64`.
+///
+/// No method panics. Values that are not finite propagate as IEEE 754 arithmetic has it.
+///
+/// ```
+/// use dynamics_runtime::Scalar;
+///
+/// fn height<T: Scalar>(length: T, angle: T) -> T {
+///     let (_, cosine) = angle.sin_cos();
+///     length * (T::from_f64(1.0) - cosine)
+/// }
+/// assert_eq!(height(2.0_f64, 0.0), 0.0);
+/// assert_eq!(height(2.0_f32, 0.0), 0.0);
+/// ```
+pub trait Scalar:
+    nalgebra::Scalar
+    + Copy
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+{
+    /// The number nearest to `x`.
+    fn from_f64(x: f64) -> Self;
+
+    /// Sine and cosine of an angle in radians.
+    fn sin_cos(self) -> (Self, Self);
+
+    /// The square root; NaN of a negative number.
+    fn sqrt(self) -> Self;
+
+    /// `self * a + b`: rounded once where the target has a fused instruction for it, else a
+    /// product and a sum.
+    ///
+    /// A fused operation in software is many times slower than the two operations that it
+    /// replaces, so it is used only where the compiler may emit the instruction: always on
+    /// `aarch64`, and on x86 where the target feature `fma` is switched on.
+    fn mul_add(self, a: Self, b: Self) -> Self;
+
+    /// The sign as a number: -1, 0 or 1. Zero of either sign gives 0, NaN gives NaN.
+    fn sign(self) -> Self;
+
+    /// Whether the number is greater than zero; false for NaN. A type of several lanes answers
+    /// for all of them.
+    fn is_positive(self) -> bool;
+
+    /// `self / of` in double precision, for error reports. A type of several lanes answers with
+    /// the least ratio of its lanes.
+    fn ratio_to_f64(self, of: Self) -> f64;
+}
+
+/// Whether the target multiplies and adds in one instruction.
+const FUSED: bool = cfg!(any(target_feature = "fma", target_arch = "aarch64"));
+
+macro_rules! impl_scalar {
+    ($($float:ident),*) => {$(
+        impl Scalar for $float {
+            #[inline]
+            fn from_f64(x: f64) -> Self {
+                x as $float
+            }
+
+            #[inline]
+            fn sin_cos(self) -> (Self, Self) {
+                $float::sin_cos(self)
+            }
+
+            #[inline]
+            fn sqrt(self) -> Self {
+                $float::sqrt(self)
+            }
+
+            #[inline]
+            fn mul_add(self, a: Self, b: Self) -> Self {
+                if FUSED { $float::mul_add(self, a, b) } else { self * a + b }
+            }
+
+            #[inline]
+            fn sign(self) -> Self {
+                if self == 0.0 { 0.0 } else { self.signum() }
+            }
+
+            #[inline]
+            fn is_positive(self) -> bool {
+                self > 0.0
+            }
+
+            #[inline]
+            fn ratio_to_f64(self, of: Self) -> f64 {
+                f64::from(self) / f64::from(of)
+            }
+        }
+    )*};
+}
+
+impl_scalar!(f32, f64);
+
+#[cfg(test)]
+mod tests {
+    use super::Scalar;
+
+    fn signs<T: Scalar>() -> [T; 4] {
+        [2.5, -2.5, 0.0, -0.0].map(|x| T::from_f64(x).sign())
+    }
+
+    #[test]
+    fn sign_is_zero_at_either_zero() {
+        assert_eq!(signs::<f64>(), [1.0, -1.0, 0.0, 0.0]);
+        assert_eq!(signs::<f32>(), [1.0, -1.0, 0.0, 0.0]);
+        assert!(signs::<f64>()[3].is_sign_positive());
+    }
+
+    #[test]
+    fn nan_is_neither_signed_nor_positive() {
+        assert!(Scalar::sign(f64::NAN).is_nan());
+        assert!(!Scalar::is_positive(f64::NAN));
+        assert!(!Scalar::is_positive(0.0_f64));
+        assert!(Scalar::is_positive(f64::MIN_POSITIVE));
+    }
+
+    #[test]
+    fn multiply_add_is_fused_exactly_where_the_target_is() {
+        // (1 + e)(1 - e) - 1 = -e^2 survives one rounding, and is lost in two.
+        let e = f64::EPSILON;
+        let expected = if super::FUSED { -e * e } else { 0.0 };
+        assert_eq!(Scalar::mul_add(1.0 + e, 1.0 - e, -1.0), expected);
+    }
+
+    #[test]
+    fn ratio_is_taken_in_double_precision() {
+        assert_eq!(Scalar::ratio_to_f64(1.0_f32, 3.0_f32), 1.0 / 3.0);
+    }
+}

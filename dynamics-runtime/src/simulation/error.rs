@@ -1,0 +1,149 @@
+//! How a simulation ends early.
+
+use core::fmt;
+
+use nalgebra::SVector;
+
+use super::Trajectory;
+use crate::SingularMassMatrix;
+
+/// A simulation that could not reach its end, with everything that it computed before.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SimulationError<const N: usize> {
+    /// The time reached, s.
+    pub time: f64,
+    /// The joint positions reached, rad or m.
+    pub q: SVector<f64, N>,
+    /// The joint velocities reached, rad/s or m/s.
+    pub qd: SVector<f64, N>,
+    /// Why the motion does not go on from there.
+    pub cause: Cause,
+    /// The samples up to there.
+    pub trajectory: Trajectory<N>,
+}
+
+/// Why a simulation ended early.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Cause {
+    /// A setting makes no sense.
+    InvalidSetting(InvalidSetting),
+    /// The mass matrix is not positive definite.
+    SingularMassMatrix(SingularMassMatrix),
+    /// The torque law returned a torque that is not finite.
+    NonFiniteTorque {
+        /// The joint, counted from 0.
+        joint: usize,
+    },
+    /// An acceleration is not finite.
+    NonFiniteAcceleration {
+        /// The joint, counted from 0.
+        joint: usize,
+    },
+    /// A position or a velocity is not finite.
+    NonFiniteState {
+        /// The joint, counted from 0.
+        joint: usize,
+    },
+    /// The error stays beyond the tolerance even at steps that are lost in the rounding of the time.
+    StepTooSmall,
+    /// The greatest number of steps between two samples was made.
+    TooManySteps,
+}
+
+/// A setting of a simulation that makes no sense.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum InvalidSetting {
+    /// The duration is not a positive finite number of seconds.
+    Duration(f64),
+    /// There are fewer than two samples, or more than memory holds.
+    Samples(usize),
+    /// The step, or the longest step, is not finite, not positive, or lost in the rounding of the
+    /// time.
+    Step(f64),
+    /// A tolerance is not a positive finite number.
+    Tolerance(f64),
+    /// An initial position or velocity is not finite.
+    InitialState {
+        /// The joint, counted from 0.
+        joint: usize,
+    },
+}
+
+impl<const N: usize> fmt::Display for SimulationError<N> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            f,
+            "the simulation ended at t = {} s: {} (q = {:?}, qd = {:?})",
+            self.time,
+            self.cause,
+            self.q.as_slice(),
+            self.qd.as_slice()
+        )
+    }
+}
+
+impl<const N: usize> core::error::Error for SimulationError<N> {
+    fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
+        match &self.cause {
+            Cause::SingularMassMatrix(source) => Some(source),
+            Cause::InvalidSetting(source) => Some(source),
+            _ => None,
+        }
+    }
+}
+
+impl fmt::Display for Cause {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Cause::InvalidSetting(setting) => setting.fmt(f),
+            Cause::SingularMassMatrix(error) => error.fmt(f),
+            Cause::NonFiniteTorque { joint } => {
+                write!(f, "the torque of joint {} is not finite", joint + 1)
+            }
+            Cause::NonFiniteAcceleration { joint } => {
+                write!(f, "the acceleration of joint {} is not finite", joint + 1)
+            }
+            Cause::NonFiniteState { joint } => {
+                write!(f, "the state of joint {} is not finite", joint + 1)
+            }
+            Cause::StepTooSmall => write!(f, "no step is short enough for the tolerance"),
+            Cause::TooManySteps => write!(f, "too many steps between two samples"),
+        }
+    }
+}
+
+impl fmt::Display for InvalidSetting {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            InvalidSetting::Duration(duration) => {
+                write!(f, "a duration of {duration} s is not possible")
+            }
+            InvalidSetting::Samples(samples) => write!(f, "{samples} samples are not possible"),
+            InvalidSetting::Step(step) => write!(f, "a step of {step} s is not possible"),
+            InvalidSetting::Tolerance(tolerance) => {
+                write!(f, "a tolerance of {tolerance} is not possible")
+            }
+            InvalidSetting::InitialState { joint } => {
+                write!(f, "the initial state of joint {} is not finite", joint + 1)
+            }
+        }
+    }
+}
+
+impl core::error::Error for Cause {}
+
+impl core::error::Error for InvalidSetting {}
+
+impl From<InvalidSetting> for Cause {
+    fn from(setting: InvalidSetting) -> Self {
+        Cause::InvalidSetting(setting)
+    }
+}
+
+impl From<SingularMassMatrix> for Cause {
+    fn from(error: SingularMassMatrix) -> Self {
+        Cause::SingularMassMatrix(error)
+    }
+}

@@ -1,0 +1,183 @@
+//! Motion of an arm under a torque law.
+
+mod adaptive;
+mod error;
+mod fixed_step;
+mod method;
+mod motion;
+mod trajectory;
+
+use nalgebra::SVector;
+
+use crate::ForwardDynamics;
+use crate::integrate::Phase;
+use motion::Motion;
+use trajectory::Recorder;
+
+pub use error::{Cause, InvalidSetting, SimulationError};
+pub use method::{DormandPrince, Method};
+pub use trajectory::Trajectory;
+
+/// The torque law of free motion: no torque.
+pub type NoTorque<const N: usize> = fn(f64, &SVector<f64, N>, &SVector<f64, N>) -> SVector<f64, N>;
+
+/// A simulation of an arm: set it up, then [`run`](Simulation::run) it.
+///
+/// As it is made, the arm starts from rest at q = 0, moves freely for 1 s, is sampled 101 times
+/// and is integrated by [`DormandPrince`] with its default tolerance.
+///
+/// ```
+/// use dynamics_runtime::nalgebra::{SVector, Vector1};
+/// use dynamics_runtime::{ForwardDynamics, Scalar, Simulation, SingularMassMatrix};
+///
+/// /// A cart of 2 kg on a rail.
+/// struct Cart;
+///
+/// impl ForwardDynamics<1> for Cart {
+///     fn forward_dynamics<T: Scalar>(
+///         &self,
+///         _q: &SVector<T, 1>,
+///         _qd: &SVector<T, 1>,
+///         tau: &SVector<T, 1>,
+///     ) -> Result<SVector<T, 1>, SingularMassMatrix> {
+///         Ok(Vector1::new(tau[0] / T::from_f64(2.0)))
+///     }
+/// }
+///
+/// let motion = Simulation::new(&Cart)
+///     .torque(|_t, _q, _qd| Vector1::new(4.0))
+///     .duration(3.0)
+///     .samples(4)
+///     .run()?;
+/// assert_eq!(motion.t, [0.0, 1.0, 2.0, 3.0]);
+/// assert!((motion.q[3][0] - 9.0).abs() < 1e-12);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+#[must_use]
+pub struct Simulation<'a, R, L, const N: usize> {
+    robot: &'a R,
+    torque: L,
+    method: Method,
+    initial: Phase<N>,
+    duration: f64,
+    samples: usize,
+}
+
+impl<'a, R, const N: usize> Simulation<'a, R, NoTorque<N>, N>
+where
+    R: ForwardDynamics<N>,
+{
+    /// Free motion of the arm.
+    pub fn new(robot: &'a R) -> Self {
+        Simulation {
+            robot,
+            torque: |_, _, _| SVector::zeros(),
+            method: Method::default(),
+            initial: Phase::zeros(),
+            duration: 1.0,
+            samples: 101,
+        }
+    }
+}
+
+impl<'a, R, L, const N: usize> Simulation<'a, R, L, N> {
+    /// The joint torques as a function of t in s, q in rad or m, and qd; in N m or N.
+    pub fn torque<F>(self, law: F) -> Simulation<'a, R, F, N>
+    where
+        F: Fn(f64, &SVector<f64, N>, &SVector<f64, N>) -> SVector<f64, N>,
+    {
+        let Simulation {
+            robot,
+            method,
+            initial,
+            duration,
+            samples,
+            ..
+        } = self;
+        Simulation {
+            robot,
+            torque: law,
+            method,
+            initial,
+            duration,
+            samples,
+        }
+    }
+
+    /// The method of integration.
+    pub fn method(self, method: Method) -> Self {
+        Simulation { method, ..self }
+    }
+
+    /// Positions and velocities at t = 0.
+    pub fn initial(self, q: SVector<f64, N>, qd: SVector<f64, N>) -> Self {
+        let initial = Phase { q, qd };
+        Simulation { initial, ..self }
+    }
+
+    /// The time simulated, s.
+    pub fn duration(self, duration: f64) -> Self {
+        Simulation { duration, ..self }
+    }
+
+    /// The number of samples, at equal intervals, the first at t = 0 and the last at the end.
+    pub fn samples(self, samples: usize) -> Self {
+        Simulation { samples, ..self }
+    }
+}
+
+impl<R, L, const N: usize> Simulation<'_, R, L, N>
+where
+    R: ForwardDynamics<N>,
+    L: Fn(f64, &SVector<f64, N>, &SVector<f64, N>) -> SVector<f64, N>,
+{
+    /// Runs the simulation. It allocates the samples at the start and nothing later.
+    ///
+    /// # Errors
+    ///
+    /// [`SimulationError`], with the time and the state reached and all samples up to there, where
+    /// a setting is invalid, where the motion reaches a singular mass matrix or a torque, an
+    /// acceleration or a state that is not finite, and where the error cannot be held
+    /// ([`Cause`]). Never panics, unless the torque law does.
+    pub fn run(&self) -> Result<Trajectory<N>, Box<SimulationError<N>>> {
+        let mut recorder = Recorder::new(self.initial);
+        match self.record(&mut recorder) {
+            Ok(()) => Ok(recorder.trajectory),
+            Err(cause) => Err(Box::new(SimulationError {
+                time: recorder.t,
+                q: recorder.phase.q,
+                qd: recorder.phase.qd,
+                cause,
+                trajectory: recorder.trajectory,
+            })),
+        }
+    }
+
+    fn record(&self, recorder: &mut Recorder<N>) -> Result<(), Cause> {
+        self.validate()?;
+        recorder.plan(self.duration, self.samples)?;
+        let motion = Motion {
+            robot: self.robot,
+            torque: &self.torque,
+        };
+        let acceleration = |t: f64, phase: &Phase<N>| motion.acceleration(t, phase);
+        self.method.integrate(&acceleration, recorder)
+    }
+
+    fn validate(&self) -> Result<(), InvalidSetting> {
+        if !(self.duration > 0.0 && self.duration.is_finite()) {
+            return Err(InvalidSetting::Duration(self.duration));
+        }
+        if self.samples < 2 {
+            return Err(InvalidSetting::Samples(self.samples));
+        }
+        if let Some(joint) = self.initial.first_non_finite() {
+            return Err(InvalidSetting::InitialState { joint });
+        }
+        self.method.validate(self.duration)
+    }
+}
+
+#[cfg(test)]
+mod tests;

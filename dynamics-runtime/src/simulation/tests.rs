@@ -1,0 +1,295 @@
+//! What a run returns, and how it ends.
+
+use core::cell::Cell;
+use core::f64::consts::FRAC_PI_2;
+
+use nalgebra::{SVector, Vector1, Vector2};
+
+use crate::test_arms::CRAIG_ARM;
+use crate::{
+    Cause, DormandPrince, ForwardDynamics, InvalidSetting, Method, Scalar, Simulation,
+    SingularMassMatrix,
+};
+
+/// A unit mass on a rail.
+struct Cart;
+
+impl ForwardDynamics<1> for Cart {
+    fn forward_dynamics<T: Scalar>(
+        &self,
+        _: &SVector<T, 1>,
+        _: &SVector<T, 1>,
+        tau: &SVector<T, 1>,
+    ) -> Result<SVector<T, 1>, SingularMassMatrix> {
+        Ok(*tau)
+    }
+}
+
+/// A unit mass that vanishes where q reaches 1.
+struct Vanishing;
+
+impl ForwardDynamics<1> for Vanishing {
+    fn forward_dynamics<T: Scalar>(
+        &self,
+        q: &SVector<T, 1>,
+        _: &SVector<T, 1>,
+        tau: &SVector<T, 1>,
+    ) -> Result<SVector<T, 1>, SingularMassMatrix> {
+        let mass = T::from_f64(1.0) - q[0];
+        if mass.is_positive() {
+            Ok(Vector1::new(tau[0] / mass))
+        } else {
+            Err(SingularMassMatrix {
+                joint: 0,
+                relative_pivot: 0.0,
+            })
+        }
+    }
+}
+
+fn methods(step: f64) -> [Method; 4] {
+    [
+        Method::CraigEuler { step },
+        Method::SemiImplicitEuler { step },
+        Method::RungeKutta4 { step },
+        Method::default(),
+    ]
+}
+
+fn unit(x: f64) -> SVector<f64, 1> {
+    Vector1::new(x)
+}
+
+#[test]
+fn samples_are_at_equal_intervals_and_end_at_the_duration() {
+    for method in methods(0.03) {
+        let cart = Simulation::new(&Cart).initial(unit(1.0), unit(2.0));
+        let run = cart.method(method).duration(0.7).samples(8).run().unwrap();
+        assert_eq!(run.len(), 8);
+        assert_eq!((run.t[0], run.t[7]), (0.0, 0.7));
+        for (k, t) in run.t.iter().enumerate() {
+            assert_eq!(*t, 0.7 * k as f64 / 7.0);
+            assert!((run.q[k][0] - (1.0 + 2.0 * t)).abs() < 1e-14, "{method:?}");
+            assert_eq!(run.qd[k][0], 2.0);
+        }
+    }
+}
+
+#[test]
+fn the_law_is_given_time_position_and_velocity() {
+    // A spring, a damper and a ramp: q'' = 5 t + 2 - 5 q - 2 q', q = exp(-t) sin(2 t) + t.
+    let law = |t: f64, q: &SVector<f64, 1>, qd: &SVector<f64, 1>| {
+        unit(5.0 * t + 2.0 - 5.0 * q[0] - 2.0 * qd[0])
+    };
+    let cart = Simulation::new(&Cart).initial(unit(0.0), unit(3.0));
+    let run = cart.torque(law).duration(2.0).samples(21).run().unwrap();
+    for (t, q) in run.t.iter().zip(&run.q) {
+        let expected = (-t).exp() * (2.0 * t).sin() + t;
+        assert!((q[0] - expected).abs() < 1e-8, "t = {t}");
+    }
+}
+
+#[test]
+fn free_motion_conserves_energy() {
+    let arm = Simulation::new(&CRAIG_ARM).initial(Vector2::new(0.3, -1.0), Vector2::zeros());
+    let accurate = Method::DormandPrince(DormandPrince::with_tolerance(1e-12));
+    let run = arm.method(accurate).duration(3.0).run().unwrap();
+    let energies = run.energies(&CRAIG_ARM);
+    assert_eq!(energies.len(), 101);
+    assert!(run.qd.last().unwrap().amax() > 0.1);
+    assert!(run.energy_drift(&CRAIG_ARM) < 1e-10 * energies[0].abs());
+}
+
+#[test]
+fn energy_drift_is_the_largest_and_keeps_what_is_not_a_number() {
+    let arm = Simulation::new(&CRAIG_ARM).initial(Vector2::new(0.3, -1.0), Vector2::zeros());
+    let mut run = arm.samples(3).run().unwrap();
+    run.q[1][0] = f64::NAN;
+    assert!(run.energy_drift(&CRAIG_ARM).is_nan());
+    run.q[1] = run.q[0];
+    run.qd[1] = Vector2::new(1.0, 0.0);
+    let expected = 0.5 * CRAIG_ARM.mass_matrix(&run.q[0])[(0, 0)];
+    assert!((run.energy_drift(&CRAIG_ARM) - expected).abs() < 1e-9);
+    run.t.clear();
+    run.q.clear();
+    run.qd.clear();
+    assert_eq!(run.energy_drift(&CRAIG_ARM), 0.0);
+}
+
+#[test]
+fn a_torque_that_is_not_a_number_ends_the_run_and_loses_nothing() {
+    for method in methods(0.01) {
+        let law = |t: f64, _: &SVector<f64, 1>, _: &SVector<f64, 1>| {
+            unit(if t < 0.55 { 1.0 } else { f64::NAN })
+        };
+        let cart = Simulation::new(&Cart).torque(law).method(method);
+        let error = cart.samples(11).run().unwrap_err();
+        assert_eq!(error.cause, Cause::NonFiniteTorque { joint: 0 });
+        // The longest step before it.
+        assert!((error.time - 0.55).abs() < 0.0101, "{method:?}: {error}");
+        assert!((error.qd[0] - error.time).abs() < 1e-12);
+        assert_eq!(error.trajectory.len(), 6);
+        assert_eq!(error.trajectory.t[5], 0.5);
+    }
+}
+
+#[test]
+fn a_singular_mass_matrix_ends_the_run() {
+    for method in methods(1e-3) {
+        let start = Simulation::new(&Vanishing).initial(unit(0.0), unit(1.0));
+        let error = start
+            .method(method)
+            .duration(2.0)
+            .samples(21)
+            .run()
+            .unwrap_err();
+        let singular = Cause::SingularMassMatrix(SingularMassMatrix {
+            joint: 0,
+            relative_pivot: 0.0,
+        });
+        assert_eq!(error.cause, singular);
+        assert!((error.time - 1.0).abs() < 2e-3, "{method:?}: {error}");
+        assert!((error.q[0] - error.time).abs() < 1e-12);
+        assert!(error.trajectory.len() >= 10);
+        assert!(std::error::Error::source(&error).is_some());
+    }
+}
+
+#[test]
+fn a_singular_start_ends_the_run_at_once() {
+    for method in methods(1e-3) {
+        let start = Simulation::new(&Vanishing).initial(unit(1.0), unit(0.0));
+        let error = start.method(method).run().unwrap_err();
+        assert!(matches!(error.cause, Cause::SingularMassMatrix(_)));
+        assert_eq!((error.time, error.q[0]), (0.0, 1.0));
+    }
+}
+
+/// q'' = q'^3 from q' = 1: q' = 1 / sqrt(1 - 2 t), which is infinite at t = 1/2.
+#[test]
+fn a_blow_up_ends_the_run() {
+    for method in methods(1e-3) {
+        let law = |_: f64, _: &SVector<f64, 1>, qd: &SVector<f64, 1>| unit(qd[0].powi(3));
+        let start = Simulation::new(&Cart)
+            .torque(law)
+            .initial(unit(0.0), unit(1.0));
+        let error = start.method(method).samples(11).run().unwrap_err();
+        assert!((error.time - 0.5).abs() < 0.05, "{method:?}: {error}");
+        assert!(error.q[0].is_finite() && error.qd[0].is_finite());
+        assert!(error.trajectory.len() >= 5);
+        assert!(error.trajectory.qd.iter().all(|qd| qd[0].is_finite()));
+    }
+}
+
+/// An arm at rest in equilibrium has no error to estimate; a short push must still be seen.
+#[test]
+fn a_push_at_rest_is_not_stepped_over() {
+    let law = |t: f64, _: &SVector<f64, 1>, _: &SVector<f64, 1>| {
+        unit(if (60.0..61.0).contains(&t) { 1.0 } else { 0.0 })
+    };
+    let cart = Simulation::new(&Cart).torque(law).duration(100.0);
+    let capped = Method::DormandPrince(DormandPrince {
+        max_step: Some(0.5),
+        ..DormandPrince::default()
+    });
+    let run = cart.method(capped).samples(2).run().unwrap();
+    assert!((run.qd[1][0] - 1.0).abs() < 1e-6, "{}", run.qd[1][0]);
+}
+
+#[test]
+fn steps_are_no_longer_than_the_longest() {
+    let evaluations = Cell::new(0);
+    let law = |_: f64, _: &SVector<f64, 1>, _: &SVector<f64, 1>| {
+        evaluations.set(evaluations.get() + 1);
+        unit(0.0)
+    };
+    Simulation::new(&Cart).torque(law).samples(2).run().unwrap();
+    let by_default = evaluations.replace(0);
+    // 50 steps of six evaluations, and the few shorter steps at the start.
+    assert!((300..=360).contains(&by_default), "{by_default}");
+}
+
+#[test]
+fn dry_friction_that_sticks_ends_in_too_many_steps() {
+    let law = |_: f64, _: &SVector<f64, 1>, qd: &SVector<f64, 1>| unit(0.5 - Scalar::sign(qd[0]));
+    let settings = DormandPrince {
+        max_steps: 1000,
+        ..DormandPrince::default()
+    };
+    let start = Simulation::new(&Cart)
+        .torque(law)
+        .initial(unit(0.0), unit(0.1));
+    let method = Method::DormandPrince(settings);
+    let error = start.method(method).samples(11).run().unwrap_err();
+    assert_eq!(error.cause, Cause::TooManySteps);
+    assert!((error.time - 0.2).abs() < 1e-3, "{error}");
+    assert_eq!(error.trajectory.len(), 3);
+}
+
+#[test]
+fn settings_that_make_no_sense_are_refused() {
+    for duration in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        let error = Simulation::new(&CRAIG_ARM)
+            .duration(duration)
+            .run()
+            .unwrap_err();
+        assert!(matches!(
+            error.cause,
+            Cause::InvalidSetting(InvalidSetting::Duration(_))
+        ));
+        assert!(error.trajectory.is_empty() && error.time == 0.0);
+    }
+    for samples in [0, 1, usize::MAX] {
+        let error = Simulation::new(&CRAIG_ARM)
+            .samples(samples)
+            .run()
+            .unwrap_err();
+        assert_eq!(error.cause, InvalidSetting::Samples(samples).into());
+    }
+    for step in [0.0, -1.0, f64::NAN, f64::INFINITY, 1e-17] {
+        let fixed = &methods(step)[..3];
+        let adaptive = Method::DormandPrince(DormandPrince {
+            max_step: Some(step),
+            ..DormandPrince::default()
+        });
+        for method in fixed.iter().chain([&adaptive]) {
+            let error = Simulation::new(&CRAIG_ARM)
+                .method(*method)
+                .run()
+                .unwrap_err();
+            assert!(matches!(
+                error.cause,
+                Cause::InvalidSetting(InvalidSetting::Step(_))
+            ));
+        }
+    }
+    for tolerance in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        let method = Method::DormandPrince(DormandPrince::with_tolerance(tolerance));
+        let error = Simulation::new(&CRAIG_ARM)
+            .method(method)
+            .run()
+            .unwrap_err();
+        assert!(matches!(
+            error.cause,
+            Cause::InvalidSetting(InvalidSetting::Tolerance(_))
+        ));
+    }
+    let nowhere = Vector2::new(0.0, f64::NAN);
+    let error = Simulation::new(&CRAIG_ARM)
+        .initial(Vector2::zeros(), nowhere)
+        .run()
+        .unwrap_err();
+    assert_eq!(
+        error.cause,
+        InvalidSetting::InitialState { joint: 1 }.into()
+    );
+}
+
+#[test]
+fn errors_say_where_and_why() {
+    let start = Simulation::new(&Vanishing).initial(unit(FRAC_PI_2), unit(0.0));
+    let text = start.run().unwrap_err().to_string();
+    let expected = "the simulation ended at t = 0 s: the mass matrix is not positive definite at \
+                    joint 1 (relative pivot 0e0) (q = [1.5707963267948966], qd = [0.0])";
+    assert_eq!(text, expected);
+}

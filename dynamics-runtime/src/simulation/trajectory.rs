@@ -1,0 +1,128 @@
+//! The samples of a motion.
+
+use nalgebra::SVector;
+
+use super::InvalidSetting;
+use crate::Energy;
+use crate::integrate::Phase;
+
+/// A sampled motion: sample k is `(t[k], q[k], qd[k])`.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Trajectory<const N: usize> {
+    /// Times, s.
+    pub t: Vec<f64>,
+    /// Joint positions, rad or m.
+    pub q: Vec<SVector<f64, N>>,
+    /// Joint velocities, rad/s or m/s.
+    pub qd: Vec<SVector<f64, N>>,
+}
+
+impl<const N: usize> Trajectory<N> {
+    /// The number of samples.
+    pub fn len(&self) -> usize {
+        self.t.len()
+    }
+
+    /// Whether there is no sample.
+    pub fn is_empty(&self) -> bool {
+        self.t.is_empty()
+    }
+
+    /// Kinetic plus potential energy at every sample, J.
+    pub fn energies<R: Energy<N>>(&self, robot: &R) -> Vec<f64> {
+        let states = self.q.iter().zip(&self.qd);
+        let energy =
+            |(q, qd)| robot.kinetic_energy::<f64>(q, qd) + robot.potential_energy::<f64>(q);
+        states.map(energy).collect()
+    }
+
+    /// The largest distance of the energy from that of the first sample, J; 0 without samples, NaN
+    /// where an energy is not a number.
+    ///
+    /// In free motion without friction the energy is constant, and this is an error of the
+    /// integration.
+    pub fn energy_drift<R: Energy<N>>(&self, robot: &R) -> f64 {
+        let energies = self.energies(robot);
+        let distances = energies.iter().map(|energy| (energy - energies[0]).abs());
+        // Not `f64::max`, which drops a NaN.
+        distances.fold(0.0, |worst: f64, next| {
+            if worst.is_nan() || next <= worst {
+                worst
+            } else {
+                next
+            }
+        })
+    }
+}
+
+/// A run as it is recorded: the plan of its samples, the samples taken, the phase reached.
+pub(super) struct Recorder<const N: usize> {
+    pub(super) t: f64,
+    pub(super) phase: Phase<N>,
+    pub(super) trajectory: Trajectory<N>,
+    duration: f64,
+    samples: usize,
+}
+
+impl<const N: usize> Recorder<N> {
+    /// At the start, with nothing planned.
+    pub(super) fn new(phase: Phase<N>) -> Self {
+        Recorder {
+            t: 0.0,
+            phase,
+            trajectory: Trajectory::default(),
+            duration: 0.0,
+            samples: 0,
+        }
+    }
+
+    /// Makes room for all samples; it must be at least two.
+    pub(super) fn plan(&mut self, duration: f64, samples: usize) -> Result<(), InvalidSetting> {
+        self.duration = duration;
+        self.samples = samples;
+        let Trajectory { t, q, qd } = &mut self.trajectory;
+        t.try_reserve_exact(samples)
+            .and_then(|()| q.try_reserve_exact(samples))
+            .and_then(|()| qd.try_reserve_exact(samples))
+            .map_err(|_| InvalidSetting::Samples(samples))
+    }
+
+    pub(super) fn duration(&self) -> f64 {
+        self.duration
+    }
+
+    /// Time between two samples.
+    pub(super) fn interval(&self) -> f64 {
+        self.duration / (self.samples - 1) as f64
+    }
+
+    /// Time of the next sample; `None` when all have been taken.
+    pub(super) fn next_sample(&self) -> Option<f64> {
+        let next = self.trajectory.len();
+        match next + 1 {
+            last if last == self.samples => Some(self.duration),
+            taken if taken < self.samples => {
+                Some(self.duration * next as f64 / (self.samples - 1) as f64)
+            }
+            _ => None,
+        }
+    }
+
+    /// Moves to the end of a step.
+    pub(super) fn reach(&mut self, t: f64, phase: Phase<N>) {
+        self.t = t;
+        self.phase = phase;
+    }
+
+    /// Takes the phase reached as a sample.
+    pub(super) fn sample(&mut self) {
+        self.push(self.t, self.phase);
+    }
+
+    /// Takes a sample.
+    pub(super) fn push(&mut self, t: f64, phase: Phase<N>) {
+        self.trajectory.t.push(t);
+        self.trajectory.q.push(phase.q);
+        self.trajectory.qd.push(phase.qd);
+    }
+}

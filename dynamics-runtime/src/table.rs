@@ -1,0 +1,97 @@
+//! The Denavit-Hartenberg table as plain numbers: what the numeric algorithms read.
+
+/// How a row of the table places link frame i in link frame i-1.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Convention {
+    /// `Rz(theta) Tz(d) Tx(a) Rx(alpha)`: the frame at the far end of the link.
+    Standard,
+    /// `Rx(alpha) Tx(a) Rz(theta) Tz(d)` (Craig): the frame on the joint's own axis; row i holds
+    /// alpha and a of link i-1.
+    Modified,
+}
+
+/// The kind of a joint: its variable is added to `theta` (revolute) or to `d` (prismatic).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum JointType {
+    /// Rotation about z.
+    Revolute,
+    /// Translation along z.
+    Prismatic,
+}
+
+/// One row of the table: a joint and the link that it moves. SI units, radians.
+///
+/// `alpha` and `theta` within 1e-9 of a multiple of pi/2 mean exactly that multiple.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Row {
+    /// Revolute or prismatic.
+    pub joint_type: JointType,
+    /// Link length, m.
+    pub a: f64,
+    /// Link twist, rad.
+    pub alpha: f64,
+    /// Link offset (its constant part where the joint is prismatic), m.
+    pub d: f64,
+    /// Joint angle (its constant part where the joint is revolute), rad.
+    pub theta: f64,
+    /// Mass of the link, kg.
+    pub mass: f64,
+    /// Centre of mass in the link frame, m.
+    pub com: [f64; 3],
+    /// Entries xx, yy, zz, xy, yz, xz of the inertia tensor about the centre of mass, axes
+    /// parallel to the link frame, kg m^2. Off-diagonal entries are those of the tensor: minus the
+    /// product integrals.
+    pub inertia: [f64; 6],
+    /// Rotor inertia of the motor, kg m^2.
+    pub motor_inertia: f64,
+    /// Motor speed over joint speed.
+    pub gear_ratio: f64,
+    /// Viscous friction at the joint, N m s or N s/m.
+    pub viscous: f64,
+    /// Coulomb friction at the joint, N m or N.
+    pub coulomb: f64,
+}
+
+impl Row {
+    /// A row of zeros: a massless link at the place of the one before it.
+    pub const fn new(joint_type: JointType) -> Self {
+        Row {
+            joint_type,
+            a: 0.0,
+            alpha: 0.0,
+            d: 0.0,
+            theta: 0.0,
+            mass: 0.0,
+            com: [0.0; 3],
+            inertia: [0.0; 6],
+            motor_inertia: 0.0,
+            gear_ratio: 0.0,
+            viscous: 0.0,
+            coulomb: 0.0,
+        }
+    }
+
+    /// Inertia of the motor at the joint, `gear_ratio^2 * motor_inertia`, in kg m^2 (revolute) or
+    /// kg (prismatic).
+    pub const fn reflected_inertia(&self) -> f64 {
+        self.gear_ratio * self.gear_ratio * self.motor_inertia
+    }
+}
+
+/// The table of an arm with `N` joints on a fixed base, as numbers. Nothing is validated.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Table<const N: usize> {
+    /// Convention of the rows.
+    pub convention: Convention,
+    /// Acceleration of gravity in the base frame, m/s^2: (0, 0, -9.81) where z points up.
+    pub gravity: [f64; 3],
+    /// The rows, from the base outwards.
+    pub rows: [Row; N],
+}
+
+impl<const N: usize> Table<N> {
+    /// Mass of all links, kg.
+    pub fn total_mass(&self) -> f64 {
+        self.rows.iter().map(|row| row.mass).sum()
+    }
+}

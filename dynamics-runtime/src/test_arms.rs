@@ -1,0 +1,202 @@
+//! Arms for the tests: one whose equations of motion are printed in a book, one with everything.
+
+use nalgebra::{Matrix2, SVector, Vector2};
+
+use crate::check::random::SplitMix64;
+use crate::{
+    Convention, Energy, Evaluate, Evaluation, ForwardDynamics, JointType, Model, Row, Scalar,
+    SingularMassMatrix, State, Table,
+};
+
+/// The two-link arm with point masses at the ends of its links, Craig (6.60) to (6.62).
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct CraigArm {
+    pub(crate) m1: f64,
+    pub(crate) m2: f64,
+    pub(crate) l1: f64,
+    pub(crate) l2: f64,
+    pub(crate) g: f64,
+}
+
+pub(crate) const CRAIG_ARM: CraigArm = CraigArm {
+    m1: 4.6,
+    m2: 2.3,
+    l1: 0.5,
+    l2: 0.3,
+    g: 9.81,
+};
+
+impl CraigArm {
+    fn constants<T: Scalar>(&self) -> [T; 5] {
+        [self.m1, self.m2, self.l1, self.l2, self.g].map(T::from_f64)
+    }
+
+    /// (6.60).
+    pub(crate) fn mass_matrix<T: Scalar>(&self, q: &SVector<T, 2>) -> Matrix2<T> {
+        let [m1, m2, l1, l2, _] = self.constants::<T>();
+        let (_, c2) = q[1].sin_cos();
+        let far = l2 * l2 * m2;
+        let mixed = l1 * l2 * m2 * c2;
+        let m11 = far + mixed + mixed + l1 * l1 * (m1 + m2);
+        Matrix2::new(m11, far + mixed, far + mixed, far)
+    }
+
+    /// (6.61).
+    pub(crate) fn coriolis_vector<T: Scalar>(
+        &self,
+        q: &SVector<T, 2>,
+        qd: &SVector<T, 2>,
+    ) -> Vector2<T> {
+        let [_, m2, l1, l2, _] = self.constants::<T>();
+        let (s2, _) = q[1].sin_cos();
+        let h = m2 * l1 * l2 * s2;
+        let two = T::from_f64(2.0);
+        Vector2::new(
+            -h * qd[1] * qd[1] - two * h * qd[0] * qd[1],
+            h * qd[0] * qd[0],
+        )
+    }
+
+    /// (6.62).
+    pub(crate) fn gravity_vector<T: Scalar>(&self, q: &SVector<T, 2>) -> Vector2<T> {
+        let [m1, m2, l1, l2, g] = self.constants::<T>();
+        let ((s1, c1), (s2, c2)) = (q[0].sin_cos(), q[1].sin_cos());
+        let outer = m2 * l2 * g * (c1 * c2 - s1 * s2);
+        Vector2::new(outer + (m1 + m2) * l1 * g * c1, outer)
+    }
+}
+
+impl Model<2> for CraigArm {
+    const JOINT_NAMES: [&'static str; 2] = ["shoulder", "elbow"];
+
+    fn table(&self) -> Table<2> {
+        let revolute = Row::new(JointType::Revolute);
+        Table {
+            convention: Convention::Modified,
+            gravity: [0.0, -self.g, 0.0],
+            rows: [
+                Row {
+                    mass: self.m1,
+                    com: [self.l1, 0.0, 0.0],
+                    ..revolute
+                },
+                Row {
+                    a: self.l1,
+                    mass: self.m2,
+                    com: [self.l2, 0.0, 0.0],
+                    ..revolute
+                },
+            ],
+        }
+    }
+}
+
+impl ForwardDynamics<2> for CraigArm {
+    fn forward_dynamics<T: Scalar>(
+        &self,
+        q: &SVector<T, 2>,
+        qd: &SVector<T, 2>,
+        tau: &SVector<T, 2>,
+    ) -> Result<SVector<T, 2>, SingularMassMatrix> {
+        let m = self.mass_matrix(q);
+        let (v, g) = (self.coriolis_vector(q, qd), self.gravity_vector(q));
+        let pivot = m[(0, 0)] - m[(0, 1)] * m[(0, 1)] / m[(1, 1)];
+        if !pivot.is_positive() {
+            return Err(SingularMassMatrix {
+                joint: 0,
+                relative_pivot: pivot.ratio_to_f64(m[(0, 0)]),
+            });
+        }
+        let f1 = tau[0] - v[0] - g[0];
+        let f2 = tau[1] - v[1] - g[1];
+        let qdd1 = (f1 - m[(0, 1)] / m[(1, 1)] * f2) / pivot;
+        let qdd2 = (f2 - m[(0, 1)] * qdd1) / m[(1, 1)];
+        Ok(Vector2::new(qdd1, qdd2))
+    }
+}
+
+impl Energy<2> for CraigArm {
+    fn kinetic_energy<T: Scalar>(&self, q: &SVector<T, 2>, qd: &SVector<T, 2>) -> T {
+        let m = self.mass_matrix(q);
+        let momentum = m[(0, 1)] * qd[0] * qd[1];
+        let squares = m[(0, 0)] * qd[0] * qd[0] + m[(1, 1)] * qd[1] * qd[1];
+        T::from_f64(0.5) * squares + momentum
+    }
+
+    fn potential_energy<T: Scalar>(&self, q: &SVector<T, 2>) -> T {
+        let [m1, m2, l1, l2, g] = self.constants::<T>();
+        let ((s1, c1), (s2, c2)) = (q[0].sin_cos(), q[1].sin_cos());
+        g * ((m1 + m2) * l1 * s1 + m2 * l2 * (s1 * c2 + c1 * s2))
+    }
+}
+
+impl Evaluate<2> for CraigArm {
+    fn evaluate(&self, state: &State<2>, tau: &SVector<f64, 2>) -> Evaluation<2> {
+        let State { q, qd, qdd } = state;
+        let mass_matrix = self.mass_matrix(q);
+        let bias_force = self.coriolis_vector(q, qd) + self.gravity_vector(q);
+        Evaluation {
+            mass_matrix: Some(mass_matrix),
+            coriolis_vector: Some(self.coriolis_vector(q, qd)),
+            gravity_vector: Some(self.gravity_vector(q)),
+            inverse_dynamics: Some(mass_matrix * qdd + bias_force),
+            forward_dynamics: Some(self.forward_dynamics(q, qd, tau)),
+            kinetic_energy: Some(self.kinetic_energy(q, qd)),
+            potential_energy: Some(self.potential_energy(q)),
+            bias_force: Some(bias_force),
+            ..Evaluation::default()
+        }
+    }
+}
+
+/// An arm with joints of both types and no zero cell.
+pub(crate) fn general_table<const N: usize>(convention: Convention, seed: u64) -> Table<N> {
+    let mut random = SplitMix64(seed);
+    let mut gravity = [0.0; 3];
+    gravity.fill_with(|| random.within(&(-9.0..=9.0)));
+    Table {
+        convention,
+        gravity,
+        rows: core::array::from_fn(|_| general_row(&mut random)),
+    }
+}
+
+fn general_row(random: &mut SplitMix64) -> Row {
+    let joint_type = match random.next() % 3 {
+        0 => JointType::Prismatic,
+        _ => JointType::Revolute,
+    };
+    let mut within = |low, high| random.within(&(low..=high));
+    Row {
+        joint_type,
+        a: within(-0.5, 0.5),
+        alpha: within(-3.0, 3.0),
+        d: within(-0.5, 0.5),
+        theta: within(-3.0, 3.0),
+        mass: within(0.5, 4.0),
+        com: [within(-0.2, 0.2), within(-0.2, 0.2), within(-0.2, 0.2)],
+        inertia: [
+            within(0.02, 0.03),
+            within(0.02, 0.03),
+            within(0.02, 0.03),
+            within(-0.002, 0.002),
+            within(-0.002, 0.002),
+            within(-0.002, 0.002),
+        ],
+        motor_inertia: within(1e-4, 3e-4),
+        gear_ratio: within(-60.0, 60.0),
+        viscous: within(0.1, 0.3),
+        coulomb: within(0.1, 0.3),
+    }
+}
+
+/// A state of moderate size.
+pub(crate) fn random_state<const N: usize>(seed: u64) -> State<N> {
+    let mut random = SplitMix64(seed);
+    let mut vector = || SVector::from_fn(|_, _| random.within(&(-3.0..=3.0)));
+    State {
+        q: vector(),
+        qd: vector(),
+        qdd: vector(),
+    }
+}

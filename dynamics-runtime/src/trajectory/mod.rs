@@ -1,0 +1,5 @@
+//! Trajectories for joints to follow.
+
+mod cycloidal;
+
+pub use cycloidal::{Cycloidal, InvalidDuration};

@@ -1,0 +1,64 @@
+//! A simulation allocates its samples at the start and nothing while it runs.
+
+use allocation_counter::measure;
+use dynamics_runtime::nalgebra::{SVector, Vector1};
+use dynamics_runtime::{
+    Cycloidal, DormandPrince, ForwardDynamics, Method, Scalar, Simulation, SingularMassMatrix,
+};
+
+/// A pendulum.
+struct Pendulum;
+
+impl ForwardDynamics<1> for Pendulum {
+    fn forward_dynamics<T: Scalar>(
+        &self,
+        q: &SVector<T, 1>,
+        _: &SVector<T, 1>,
+        tau: &SVector<T, 1>,
+    ) -> Result<SVector<T, 1>, SingularMassMatrix> {
+        let (sin, _) = q[0].sin_cos();
+        Ok(Vector1::new(tau[0] - sin))
+    }
+}
+
+fn allocations(method: Method) -> u64 {
+    let simulation = Simulation::new(&Pendulum)
+        .initial(Vector1::new(1.0), Vector1::new(0.0))
+        .torque(|_, _, qd| -qd * 0.1)
+        .method(method)
+        .samples(11);
+    let mut samples = 0;
+    let info = measure(|| samples = simulation.run().unwrap().len());
+    assert_eq!(samples, 11);
+    info.count_total
+}
+
+/// Times, positions, velocities: three, however many steps there are.
+#[test]
+fn a_run_allocates_its_samples_only() {
+    for step in [0.1, 1e-3] {
+        assert_eq!(allocations(Method::CraigEuler { step }), 3);
+        assert_eq!(allocations(Method::SemiImplicitEuler { step }), 3);
+        assert_eq!(allocations(Method::RungeKutta4 { step }), 3);
+    }
+    for tolerance in [1e-3, 1e-12] {
+        let settings = DormandPrince::with_tolerance(tolerance);
+        assert_eq!(allocations(Method::DormandPrince(settings)), 3);
+    }
+}
+
+#[test]
+fn the_cycloidal_law_does_not_allocate() {
+    let law = Cycloidal::new(Vector1::new(0.0), Vector1::new(1.0), 2.0).unwrap();
+    let mut state = law.at(0.0);
+    let info = measure(|| state = law.at(0.5));
+    assert_eq!(info.count_total, 0);
+    assert!(state.q[0] > 0.0);
+}
+
+/// The measure itself: it sees an allocation.
+#[test]
+fn an_allocation_is_counted() {
+    let info = measure(|| drop(std::hint::black_box(vec![1.0; 10])));
+    assert_eq!(info.count_total, 1);
+}

@@ -1,0 +1,19 @@
+use robot_dynamics::robot_dynamics;
+
+robot_dynamics! {
+    pub struct Arm;
+    convention: standard,
+    gravity: [0, 0, -9.81],
+    joints: [
+        joint: revolute {
+            mass: 4.8,
+            inertia: { xx: 0.066, yy: 0.086, zz: 0.0125 },
+            allow: [unphysical],
+        },
+    ],
+}
+
+fn main() {
+    let q = robot_dynamics::nalgebra::SVector::<f64, 1>::zeros();
+    let _ = Arm.mass_matrix(&q);
+}

@@ -1,0 +1,20 @@
+use robot_dynamics::robot_dynamics;
+
+robot_dynamics! {
+    pub struct Arm;
+    convention: standard,
+    gravity: [0, 0, -9.81],
+    joints: [
+        joint: revolute {
+            mas: 1,
+            aplha: PI/2,
+            con: [0, 0, 1],
+            frictions: { viscous: 0.1 },
+        },
+    ],
+}
+
+fn main() {
+    let q = robot_dynamics::nalgebra::SVector::<f64, 1>::zeros();
+    let _ = Arm.mass_matrix(&q);
+}

@@ -1,0 +1,7 @@
+use robot_dynamics::robot_dynamics;
+
+robot_dynamics! {
+    pub struct Arm;
+}
+
+fn main() {}

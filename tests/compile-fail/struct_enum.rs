@@ -1,0 +1,10 @@
+use robot_dynamics::robot_dynamics;
+
+robot_dynamics! {
+    pub enum Arm { Left, Right }
+    convention: standard,
+    gravity: [0, 0, -9.81],
+    joints: [joint: revolute { mass: 1 }],
+}
+
+fn main() {}

@@ -1,0 +1,22 @@
+use robot_dynamics::robot_dynamics;
+
+robot_dynamics! {
+    pub struct Arm;
+    convention: standard,
+    gravity: [0, 0, -9.81],
+    joints: [
+        joint: revolute {
+            a: 1 +,
+            alpha: * 2,
+            d: (),
+            theta: (1, 2),
+            mass: 2(3),
+            com: [deg, deg(), deg(1, 2)],
+        },
+    ],
+}
+
+fn main() {
+    let q = robot_dynamics::nalgebra::SVector::<f64, 1>::zeros();
+    let _ = Arm.mass_matrix(&q);
+}

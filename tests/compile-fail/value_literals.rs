@@ -1,0 +1,22 @@
+use robot_dynamics::robot_dynamics;
+
+robot_dynamics! {
+    pub struct Arm;
+    convention: standard,
+    gravity: [0, 0, -9.81],
+    joints: [
+        joint: revolute {
+            mass: 1.5f32,
+            a: 1e309,
+            alpha: 0x10,
+            d: "0.3",
+            theta: true,
+            com: [1e-999999999, 1e999999999, 'x'],
+        },
+    ],
+}
+
+fn main() {
+    let q = robot_dynamics::nalgebra::SVector::<f64, 1>::zeros();
+    let _ = Arm.mass_matrix(&q);
+}
