@@ -40,7 +40,7 @@ fn derive_form(robot: &Robot, function: Function, form: Form) -> Program {
     let outputs = functions::outputs(&mut symbols, robot, &chain, function, form);
     let outputs: Vec<_> = outputs.iter().map(|e| e.edge()).collect();
     let mut network = Network::new(&graph, &outputs);
-    simplify(&mut network, Effort(30_000_000));
+    simplify(&mut network, Effort::DEFAULT);
     Program::new(&graph, symbols.meanings(), &outputs, &|id| {
         network.definition(id)
     })

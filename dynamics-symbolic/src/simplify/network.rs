@@ -1,6 +1,6 @@
 //! The part of a graph that a program computes, with one definition for each node.
 
-use crate::expr::{Edge, Fingerprint, FingerprintMap, Graph, Level, NodeId, Operation};
+use crate::expr::{Edge, Fingerprint, Graph, Level, NodeId, Operation};
 
 /// The nodes that the outputs need, and the definition of each.
 pub struct Network<'g> {
@@ -213,27 +213,8 @@ impl<'g> Network<'g> {
             .collect()
     }
 
-    /// Marks the node and all that depend on it: what its definition may not read.
-    pub(super) fn dependents(&self, id: NodeId, order: &[NodeId]) -> Vec<bool> {
-        let mut depends = vec![false; self.definitions.len()];
-        depends[id.index()] = true;
-        for &node in order {
-            if self
-                .definition(node)
-                .operands()
-                .any(|operand| depends[operand.index()])
-            {
-                depends[node.index()] = true;
-            }
-        }
-        depends
-    }
-
-    /// The nodes of `candidates` by value.
-    pub(super) fn index(&self, candidates: &[NodeId]) -> FingerprintMap<NodeId> {
-        candidates
-            .iter()
-            .map(|&id| (self.value(id).get(), id))
-            .collect()
+    /// How many nodes the graph has.
+    pub(super) fn len(&self) -> usize {
+        self.definitions.len()
     }
 }

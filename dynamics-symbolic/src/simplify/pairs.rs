@@ -2,7 +2,7 @@
 //! x + (y + z), x + y z, x (y + z), x y z, with any signs.
 
 use super::Network;
-use super::resubstitute::canonical;
+use super::survey::{Survey, canonical};
 use crate::expr::{Edge, Fingerprint, FingerprintMap, NodeId, Operation};
 
 /// The sums and products of all pairs of some nodes, by value.
@@ -45,21 +45,23 @@ impl Pairs {
 }
 
 /// Redefines every node that two operations on other active nodes can replace
-/// with fewer operations in all.
-pub(super) fn resubstitute_pairs(network: &mut Network<'_>, left: &mut usize) {
-    let order = network.order();
-    let mut nodes = network.leaves();
-    nodes.extend(&order);
+/// with fewer operations in all. The table grows with the square of the
+/// program's length: long programs are left as they are.
+pub(super) fn resubstitute_pairs(network: &mut Network<'_>, longest: usize, left: &mut usize) {
+    let mut survey = Survey::new(network);
+    let nodes = survey.nodes();
     let work = 2 * nodes.len() * nodes.len();
-    if work > *left {
+    if nodes.len() > longest || work > *left {
         return;
     }
     *left -= work;
     let pairs = Pairs::new(network, &nodes);
-    for id in order {
+    for id in survey.order().to_vec() {
         if network.is_active(id) && network.cone(id) >= 3 && *left >= 3 * nodes.len() {
             *left -= 3 * nodes.len();
-            replace(network, &pairs, id);
+            if replace(network, &survey, &pairs, id) {
+                survey = Survey::new(network);
+            }
         }
     }
 }
@@ -71,56 +73,35 @@ struct Replacement {
     inner_operation: Operation,
 }
 
-fn replace(network: &mut Network<'_>, pairs: &Pairs, id: NodeId) {
-    let order = network.order();
-    let depends = network.dependents(id, &order);
-    let is_available = |network: &Network<'_>, other: NodeId| {
-        network.is_active(other) && !depends.get(other.index()).is_some_and(|&depends| depends)
-    };
-    let mut candidates = network.leaves();
-    candidates.extend(order);
-    candidates.retain(|&other| is_available(network, other));
+/// Whether the node was redefined.
+fn replace(network: &mut Network<'_>, survey: &Survey, pairs: &Pairs, id: NodeId) -> bool {
     let target = network.value(id);
-    for x in candidates {
+    let dependents = survey.dependents(network, id);
+    for x in survey.candidates(network, &dependents, usize::MAX) {
         let value = network.value(x);
         let product = network.inverse(x).map(|inverse| target * inverse);
-        let questions = [
-            (Some(target - value), Some(false)),
-            (Some(target + value), Some(true)),
-            (product, None),
-        ];
+        let questions = [(Some(target - value), Some(false)), (Some(target + value), Some(true)), (product, None)];
         for (rest, sum_sign) in questions {
-            let Some((inner_operation, negative)) = rest.and_then(|rest| pairs.find(rest)) else {
-                continue;
-            };
-            if !inner_operation
-                .operands()
-                .all(|operand| is_available(network, operand))
-            {
+            let Some((inner_operation, negative)) = rest.and_then(|rest| pairs.find(rest)) else { continue };
+            let is_available = |other| survey.is_available(network, &dependents, other);
+            if !inner_operation.operands().all(is_available) {
                 continue;
             }
-            let Some(inner) = network.inner_node(inner_operation) else {
-                continue;
-            };
+            let Some(inner) = network.inner_node(inner_operation) else { continue };
             let outer = match sum_sign {
                 Some(sign) => Operation::Add(x.edge(sign), inner.edge(negative)),
                 None => Operation::Mul(x, inner),
             };
-            try_replacement(
-                network,
-                id,
-                &Replacement {
-                    outer,
-                    inner,
-                    inner_operation,
-                },
-            );
+            if try_replacement(network, id, &Replacement { outer, inner, inner_operation }) {
+                return true;
+            }
         }
     }
+    false
 }
 
 /// Redefines the node if that saves operations.
-fn try_replacement(network: &mut Network<'_>, id: NodeId, replacement: &Replacement) {
+fn try_replacement(network: &mut Network<'_>, id: NodeId, replacement: &Replacement) -> bool {
     let before = network.cost();
     let old = network.definition(id);
     let old_inner = network.definition(replacement.inner);
@@ -129,7 +110,9 @@ fn try_replacement(network: &mut Network<'_>, id: NodeId, replacement: &Replacem
     if network.cost() >= before {
         network.redefine(id, old);
         network.define_inactive(replacement.inner, old_inner);
+        return false;
     }
+    true
 }
 
 impl Network<'_> {

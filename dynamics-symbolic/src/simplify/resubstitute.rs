@@ -1,29 +1,27 @@
 //! A node as one operation on two others that are there anyway.
 
 use super::Network;
-use crate::expr::{Fingerprint, FingerprintMap, NodeId, Operation};
+use super::survey::{Dependents, Survey, find};
+use crate::expr::{NodeId, Operation};
 
 /// Redefines every node that one operation on other active nodes can replace
 /// with fewer operations in all.
 pub(super) fn resubstitute(network: &mut Network<'_>, left: &mut usize) {
-    for id in network.order() {
+    let mut survey = Survey::new(network);
+    let window = (*left / (6 * survey.order().len().max(1))).max(NARROWEST);
+    for id in survey.order().to_vec() {
         if !network.is_active(id) || network.cone(id) < 2 {
             continue;
         }
-        let order = network.order();
-        let mut candidates = network.leaves();
-        candidates.extend(&order);
-        if *left < 3 * candidates.len() {
-            *left = 0;
+        let dependents = survey.dependents(network, id);
+        let candidates = survey.candidates(network, &dependents, window);
+        *left = left.saturating_sub(3 * candidates.len());
+        if *left == 0 {
             return;
         }
-        *left -= 3 * candidates.len();
-        let depends = network.dependents(id, &order);
-        candidates.retain(|other| !depends[other.index()]);
-        let index = network.index(&candidates);
-        let mut best = (network.cost(), network.definition(id));
-        let old = best.1;
-        for operation in single_operations(network, id, &candidates, &index) {
+        let old = network.definition(id);
+        let mut best = (network.cost(), old);
+        for operation in single_operations(network, &survey, &dependents, id, &candidates) {
             network.redefine(id, operation);
             if network.cost() < best.0 {
                 best = (network.cost(), operation);
@@ -32,53 +30,39 @@ pub(super) fn resubstitute(network: &mut Network<'_>, left: &mut usize) {
         }
         if best.1 != old {
             network.redefine(id, best.1);
+            survey = Survey::new(network);
         }
     }
 }
 
-/// The smaller of the representatives of a value and its opposite, and whether that is the opposite.
-pub(super) fn canonical(value: Fingerprint) -> (Fingerprint, bool) {
-    let opposite = -value;
-    if opposite.get() < value.get() {
-        (opposite, true)
-    } else {
-        (value, false)
-    }
-}
+/// In a long program, a node is compared with as many nodes before it, at least.
+const NARROWEST: usize = 40;
 
-/// The node of a value among the candidates, with the sign that gives the value.
-fn find(index: &FingerprintMap<NodeId>, value: Fingerprint) -> Option<(NodeId, bool)> {
-    let (canonical, negative) = canonical(value);
-    index.get(&canonical.get()).map(|&id| (id, negative))
-}
-
-/// All sums and products of two candidates that equal a node.
+/// All sums and products of a candidate and another active node that equal a node.
 fn single_operations(
     network: &Network<'_>,
+    survey: &Survey,
+    dependents: &Dependents,
     id: NodeId,
     candidates: &[NodeId],
-    index: &FingerprintMap<NodeId>,
 ) -> Vec<Operation> {
     let target = network.value(id);
+    let is_available = |other| survey.is_available(network, dependents, other);
     let mut found = Vec::new();
     for &a in candidates {
         let value = network.value(a);
         for negative in [false, true] {
-            let rest = if negative {
-                target + value
-            } else {
-                target - value
-            };
-            if let Some((b, sign)) = find(index, rest)
-                && b >= a
+            let rest = if negative { target + value } else { target - value };
+            if let Some((b, sign)) = find(survey.index(), rest)
+                && is_available(b)
             {
                 found.push(Operation::Add(a.edge(negative), b.edge(sign)));
             }
         }
-        // n = a b, asked as: is a b = n for the b of value n / a.
+        // n = a b, asked as: is there a node of the value n / a.
         if let Some(inverse) = network.inverse(a)
-            && let Some((b, _)) = find(index, target * inverse)
-            && b >= a
+            && let Some((b, _)) = find(survey.index(), target * inverse)
+            && is_available(b)
         {
             found.push(Operation::Mul(a, b));
         }

@@ -11,7 +11,7 @@ use super::Network;
 use crate::expr::{Edge, Expr, Fingerprint, Graph, NodeId, Operation};
 
 /// How often moves that cost nothing are made.
-const DRIFTS: usize = 4;
+const DRIFTS: usize = 2;
 
 /// A constant, exact and as a fingerprint.
 #[derive(Clone, Copy)]
@@ -72,6 +72,17 @@ struct Sum<'g> {
     is_output: bool,
     /// Terms of other sums that the multiple of this one is a factor of.
     readers: Vec<(usize, usize)>,
+}
+
+/// A multiple to try.
+#[derive(Clone, Copy)]
+enum Candidate {
+    /// The sum itself.
+    One,
+    /// That which makes the coefficient of this term 1.
+    Own(usize),
+    /// That which makes the coefficient 1 in this reader, in this term of it.
+    Reader(usize, usize),
 }
 
 struct Scaling<'n, 'g> {
@@ -301,12 +312,9 @@ impl<'n, 'g> Scaling<'n, 'g> {
     /// Sums of up to `longest` terms with a first coefficient of 1, the others as they are.
     fn start(&mut self, longest: usize) {
         for sum in 0..self.sums.len() {
-            let candidate = self
-                .candidates(sum)
-                .first()
-                .copied()
-                .filter(|_| self.sums[sum].terms.len() <= longest);
-            self.sums[sum].scale = candidate.unwrap_or(self.one);
+            let candidate = self.candidates(sum)[0];
+            let is_short = self.sums[sum].terms.len() <= longest;
+            self.sums[sum].scale = if is_short { self.exact(sum, candidate) } else { self.one };
         }
     }
 
@@ -318,42 +326,81 @@ impl<'n, 'g> Scaling<'n, 'g> {
     /// itself; with `drift`, another one also where it is no better.
     fn improve(&mut self, sum: usize, drift: bool) -> bool {
         let old = self.sums[sum].scale;
-        let mut best = (self.local_cost(sum), old);
+        let mut best = (self.local_cost(sum), None);
         for candidate in self.candidates(sum) {
-            self.sums[sum].scale = candidate;
-            let cost = self.local_cost(sum);
-            if cost < best.0 || drift && cost == best.0 && best.1.value == old.value {
-                best = (cost, candidate);
+            let (value, inverse) = self.approach(sum, candidate);
+            if value == old.value {
+                continue;
             }
+            self.sums[sum].scale = Scale { exact: old.exact, value, inverse };
+            let cost = self.local_cost(sum);
+            if cost < best.0 || drift && cost == best.0 && best.1.is_none() {
+                best = (cost, Some(candidate));
+            }
+            self.sums[sum].scale = old;
         }
-        self.sums[sum].scale = best.1;
-        best.1.value != old.value
+        if let Some(candidate) = best.1 {
+            self.sums[sum].scale = self.exact(sum, candidate);
+        }
+        best.1.is_some()
     }
 
-    fn candidates(&self, sum: usize) -> Vec<Scale<'g>> {
-        let own = self.sums[sum]
-            .terms
-            .iter()
-            .filter(|term| term.node.is_some());
-        let own = own.map(|term| term.coefficient.times(self.exact_multiple(&term.factors)));
-        let readers = self.sums[sum]
-            .readers
-            .iter()
-            .filter_map(|&(reader, index)| {
+    fn candidates(&self, sum: usize) -> Vec<Candidate> {
+        let terms = self.sums[sum].terms.iter().enumerate();
+        let own = terms.filter(|(_, term)| term.node.is_some()).map(|(index, _)| Candidate::Own(index));
+        let readers = self.sums[sum].readers.iter().filter_map(|&(reader, index)| {
+            // Linear readers only: the multiple enters once.
+            let factors = &self.sums[reader].terms[index].factors;
+            let mut powers = factors.iter().filter(|&&(other, _)| other == sum);
+            let linear = powers.next() == Some(&(sum, false)) && powers.next().is_none();
+            linear.then_some(Candidate::Reader(reader, index))
+        });
+        own.chain(readers).chain([Candidate::One]).collect()
+    }
+
+    /// The multiple that a candidate stands for, and its inverse, as fingerprints.
+    fn approach(&self, sum: usize, candidate: Candidate) -> (Fingerprint, Fingerprint) {
+        match candidate {
+            Candidate::One => (Fingerprint::ONE, Fingerprint::ONE),
+            Candidate::Own(index) => {
+                let term = &self.sums[sum].terms[index];
+                let (value, inverse) = self.multiple_and_inverse(&term.factors);
+                (term.coefficient.value * value, term.coefficient.inverse * inverse)
+            }
+            Candidate::Reader(reader, index) => {
+                let (sum, reader) = (&self.sums[sum], &self.sums[reader]);
+                let term = &reader.terms[index];
+                let (value, inverse) = self.multiple_and_inverse(&term.factors);
+                (
+                    sum.scale.value * reader.scale.value * term.coefficient.inverse * inverse,
+                    sum.scale.inverse * reader.scale.inverse * term.coefficient.value * value,
+                )
+            }
+        }
+    }
+
+    /// The multiple that a candidate stands for.
+    fn exact(&self, sum: usize, candidate: Candidate) -> Scale<'g> {
+        match candidate {
+            Candidate::One => self.one,
+            Candidate::Own(index) => {
+                let term = &self.sums[sum].terms[index];
+                term.coefficient.times(self.exact_multiple(&term.factors))
+            }
+            Candidate::Reader(reader, index) => {
                 let term = &self.sums[reader].terms[index];
-                // Linear readers only: the multiple enters once.
-                let linear = term.factors.iter().filter(|&&(s, _)| s == sum).count() == 1
-                    && term
-                        .factors
-                        .iter()
-                        .all(|&(s, inverted)| s != sum || !inverted);
-                let coefficient = term
-                    .coefficient
-                    .times(self.exact_multiple(&term.factors))
-                    .over(self.sums[reader].scale);
-                linear.then(|| self.sums[sum].scale.over(coefficient))
-            });
-        own.chain(readers).chain([self.one]).collect()
+                let coefficient = term.coefficient.times(self.exact_multiple(&term.factors));
+                self.sums[sum].scale.times(self.sums[reader].scale).over(coefficient)
+            }
+        }
+    }
+
+    fn multiple_and_inverse(&self, factors: &[(usize, bool)]) -> (Fingerprint, Fingerprint) {
+        factors.iter().fold((Fingerprint::ONE, Fingerprint::ONE), |(product, inverse), &(sum, inverted)| {
+            let scale = self.sums[sum].scale;
+            let (a, b) = if inverted { (scale.inverse, scale.value) } else { (scale.value, scale.inverse) };
+            (product * a, inverse * b)
+        })
     }
 
     fn exact_multiple(&self, factors: &[(usize, bool)]) -> Scale<'g> {

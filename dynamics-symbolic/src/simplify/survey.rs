@@ -1,0 +1,93 @@
+//! The active nodes of a network in their order, and by value.
+
+use super::Network;
+use crate::expr::{Fingerprint, FingerprintMap, NodeId};
+
+/// A look at a network: valid until a definition changes.
+pub(super) struct Survey {
+    order: Vec<NodeId>,
+    leaves: Vec<NodeId>,
+    /// Where a node is in the order, from 1; leaves are at 0.
+    positions: Vec<u32>,
+    index: FingerprintMap<NodeId>,
+}
+
+impl Survey {
+    pub(super) fn new(network: &Network<'_>) -> Self {
+        let (order, leaves) = (network.order(), network.leaves());
+        let mut positions = vec![0; network.len()];
+        for (position, id) in order.iter().enumerate() {
+            positions[id.index()] = position as u32 + 1;
+        }
+        let index = order.iter().chain(&leaves).map(|&id| (network.value(id).get(), id)).collect();
+        Survey { order, leaves, positions, index }
+    }
+
+    /// Active nodes that take an operation, operands before readers.
+    pub(super) fn order(&self) -> &[NodeId] {
+        &self.order
+    }
+
+    /// The nodes by value.
+    pub(super) fn index(&self) -> &FingerprintMap<NodeId> {
+        &self.index
+    }
+
+    /// Every active node.
+    pub(super) fn nodes(&self) -> Vec<NodeId> {
+        self.leaves.iter().chain(&self.order).copied().collect()
+    }
+
+    /// The nodes that depend on a node, itself included: what its definition may not read.
+    pub(super) fn dependents(&self, network: &Network<'_>, id: NodeId) -> Dependents {
+        let first = self.positions[id.index()] as usize;
+        let mut depends = vec![true];
+        for &node in &self.order[first..] {
+            let reads = network.definition(node).operands().any(|operand| {
+                let position = self.position(operand);
+                position >= first && depends[position - first]
+            });
+            depends.push(reads);
+        }
+        Dependents { first, depends }
+    }
+
+    fn position(&self, id: NodeId) -> usize {
+        self.positions.get(id.index()).map_or(0, |&position| position as usize)
+    }
+
+    /// Whether a definition of the node of some dependents may read a node.
+    pub(super) fn is_available(&self, network: &Network<'_>, dependents: &Dependents, id: NodeId) -> bool {
+        let position = self.position(id);
+        let depends = position >= dependents.first && dependents.depends[position - dependents.first];
+        !depends && network.is_active(id)
+    }
+
+    /// The leaves, and up to `window` nodes before and after the node of some
+    /// dependents, as far as its definition may read them.
+    pub(super) fn candidates(&self, network: &Network<'_>, dependents: &Dependents, window: usize) -> Vec<NodeId> {
+        let position = dependents.first - 1;
+        let from = position.saturating_sub(window);
+        let to = position.saturating_add(window).min(self.order.len());
+        let near = self.order[from..to].iter().filter(|&&id| self.is_available(network, dependents, id));
+        self.leaves.iter().chain(near).copied().collect()
+    }
+}
+
+/// Which nodes depend on a node, by their position from that node's on.
+pub(super) struct Dependents {
+    first: usize,
+    depends: Vec<bool>,
+}
+
+/// The smaller of the representatives of a value and its opposite, and whether that is the opposite.
+pub(super) fn canonical(value: Fingerprint) -> (Fingerprint, bool) {
+    let opposite = -value;
+    if opposite.get() < value.get() { (opposite, true) } else { (value, false) }
+}
+
+/// The node of a value, with the sign that gives the value.
+pub(super) fn find(index: &FingerprintMap<NodeId>, value: Fingerprint) -> Option<(NodeId, bool)> {
+    let (canonical, negative) = canonical(value);
+    index.get(&canonical.get()).map(|&id| (id, negative))
+}
