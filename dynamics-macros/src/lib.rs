@@ -27,7 +27,9 @@ mod validate;
 mod words;
 
 use diagnose::Diagnostics;
-use dynamics_symbolic::Method;
+use dynamics_symbolic::program::Program;
+use dynamics_symbolic::robot::Robot;
+use dynamics_symbolic::{Function, Method, expand_with};
 use proc_macro2::{Span, TokenStream};
 use quote::quote;
 
@@ -36,14 +38,17 @@ use quote::quote;
 /// and the methods.
 #[proc_macro]
 pub fn robot_dynamics(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
-    generate(input.into()).into()
+    generate(input.into(), &dynamics_symbolic::derive::derive).into()
 }
 
-fn generate(input: TokenStream) -> TokenStream {
+/// Finds the program of a function.
+type Derivation = dyn Fn(&Robot, Function) -> Program;
+
+fn generate(input: TokenStream, derivation: &Derivation) -> TokenStream {
     let diagnostics = Diagnostics::new();
     let call = parse::call(input, &diagnostics);
     let generated = validate::model(&call, &diagnostics).and_then(|model| {
-        let methods = derive(&model, &call, &diagnostics)?;
+        let methods = methods(&model, &call, derivation, &diagnostics)?;
         Some((model, methods))
     });
     let items = match (&call.structure, &generated) {
@@ -59,13 +64,14 @@ fn generate(input: TokenStream) -> TokenStream {
 
 /// The methods, or `None` where the engine could not prove one of them: that is
 /// reported at the function's name in the call.
-fn derive(
+fn methods(
     model: &validate::Model,
     call: &syntax::Call,
+    derivation: &Derivation,
     diagnostics: &Diagnostics,
 ) -> Option<Vec<Method>> {
     let functions: Vec<_> = model.functions.iter().map(|(f, _)| *f).collect();
-    let failures = match dynamics_symbolic::expand(&model.robot, &functions, &call.path) {
+    let failures = match expand_with(&model.robot, &functions, &call.path, derivation) {
         Ok(methods) => return Some(methods),
         Err(failures) => failures,
     };

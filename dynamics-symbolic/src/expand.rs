@@ -3,7 +3,7 @@
 use crate::derive::derive;
 use crate::emit;
 use crate::function::Function;
-use crate::program::Operations;
+use crate::program::{Operations, Program};
 use crate::prove::{ProofFailure, prove};
 use crate::robot::Robot;
 use proc_macro2::TokenStream;
@@ -27,6 +27,20 @@ pub fn expand(
     robot: &Robot,
     functions: &[Function],
     path: &TokenStream,
+) -> Result<Vec<Method>, Vec<ProofFailure>> {
+    expand_with(robot, functions, path, &derive)
+}
+
+/// As [`expand`], with programs from another derivation: they must pass the same proof.
+///
+/// # Errors
+///
+/// The functions whose program is not equal to the textbook definition.
+pub fn expand_with(
+    robot: &Robot,
+    functions: &[Function],
+    path: &TokenStream,
+    derive: &dyn Fn(&Robot, Function) -> Program,
 ) -> Result<Vec<Method>, Vec<ProofFailure>> {
     let mut methods = Vec::with_capacity(functions.len());
     let mut failures = Vec::new();

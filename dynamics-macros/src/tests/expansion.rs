@@ -1,9 +1,10 @@
 //! What a call expands to.
 
 use super::*;
+use dynamics_symbolic::derive::derive;
 
 fn expansion(source: &str) -> String {
-    crate::generate(source.parse().expect("the source lexes")).to_string()
+    crate::generate(source.parse().expect("the source lexes"), &derive).to_string()
 }
 
 #[test]

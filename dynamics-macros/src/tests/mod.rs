@@ -2,6 +2,7 @@
 //! shown by the compile-fail tests of the root package.
 
 mod accepted;
+mod damage;
 mod expansion;
 mod hostile;
 mod messages;

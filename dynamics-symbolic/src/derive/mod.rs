@@ -12,6 +12,7 @@ mod kinematics;
 mod recursive;
 mod solve;
 pub mod symbols;
+pub mod textbook;
 
 use crate::expr::Graph;
 use crate::function::Function;

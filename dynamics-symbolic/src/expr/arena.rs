@@ -362,11 +362,12 @@ impl Arena {
     }
 
     fn add(&mut self, a: Edge, b: Edge) -> Edge {
-        if self.is_zero(a) {
-            return b;
-        }
+        // Zero has one sign: of two zeros the first counts.
         if self.is_zero(b) {
             return a;
+        }
+        if self.is_zero(a) {
+            return b;
         }
         if let (Some(x), Some(y)) = (self.as_rational(a), self.as_rational(b)) {
             return self.rational(&(x + y));

@@ -91,6 +91,10 @@ impl Neg for Expr<'_> {
     type Output = Self;
 
     fn neg(self) -> Self {
-        self.with(-self.edge)
+        if self.is_zero() {
+            self
+        } else {
+            self.with(-self.edge)
+        }
     }
 }

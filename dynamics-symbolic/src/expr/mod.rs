@@ -11,10 +11,12 @@
 //! points.)
 
 mod arena;
+mod differentiate;
 mod expression;
 mod operation;
 
 pub use arena::{Edge, Graph, Level, NodeId};
 pub(crate) use arena::{Fingerprint, FingerprintMap};
+pub use differentiate::Direction;
 pub use expression::Expr;
 pub use operation::Operation;

@@ -9,11 +9,11 @@
 //! used on the textbook's side, and the prime is another than the graph's.
 
 mod assignment;
+mod definition;
 mod dual;
-mod textbook;
 
 pub use assignment::{Assignment, Number};
-pub use textbook::Textbook;
+pub use definition::Definition;
 
 use crate::function::Function;
 use crate::program::Program;
@@ -50,13 +50,13 @@ impl fmt::Display for ProofFailure {
 impl std::error::Error for ProofFailure {}
 
 /// The point at which programs are compared. Fixed: the same table gives the same expansion.
-const SEED: u64 = 0x7072_6f6f_66;
+const SEED: u64 = 0x0070_726f_6f66;
 
 /// Proves that a program computes its function.
 pub fn prove(robot: &Robot, function: Function, program: &Program) -> Result<(), ProofFailure> {
     let mut assignment = Assignment::new(robot, SEED);
     let computed = program.evaluate(&mut assignment);
-    let expected = Textbook::new(&mut assignment, robot).expected(function, &computed);
+    let expected = Definition::new(&mut assignment, robot).expected(function, &computed);
     if computed.len() != expected.len() {
         return Err(ProofFailure {
             function,

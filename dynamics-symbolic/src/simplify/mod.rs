@@ -26,7 +26,10 @@ pub struct Effort {
 
 impl Effort {
     /// Fractions of a second for six joints where the engine runs unoptimised.
-    pub const DEFAULT: Effort = Effort { lookups: 3_000_000, pairs: 300 };
+    pub const DEFAULT: Effort = Effort {
+        lookups: 3_000_000,
+        pairs: 300,
+    };
 }
 
 /// Shortens a network until nothing is found, or the effort is spent.
@@ -50,5 +53,72 @@ fn shorten(network: &mut Network<'_>, left: &mut usize) {
         if network.cost() == before || *left == 0 {
             return;
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::expr::{Expr, Graph, Level, Operation};
+    use crate::program::Program;
+    use crate::robot::Symbol;
+
+    fn program(graph: &Graph, network: &Network<'_>, symbols: usize) -> Program {
+        let meanings: Vec<_> = (0..symbols).map(Symbol::Position).collect();
+        Program::new(graph, &meanings, network.outputs(), &|id| {
+            network.definition(id)
+        })
+    }
+
+    fn simplified(graph: &Graph, outputs: &[Expr<'_>], symbols: usize) -> Program {
+        let outputs: Vec<_> = outputs.iter().map(|e| e.edge()).collect();
+        let mut network = Network::new(graph, &outputs);
+        simplify(&mut network, Effort::DEFAULT);
+        program(graph, &network, symbols)
+    }
+
+    #[test]
+    fn a_common_factor_is_taken_out() {
+        let graph = Graph::new();
+        let [x, y, z] = [(); 3].map(|()| graph.symbol(Level::Variable));
+        let program = simplified(&graph, &[x + y, x * z + y * z], 3);
+        assert_eq!(program.operations().total(), 2);
+    }
+
+    #[test]
+    fn a_difference_of_squares_is_a_product_where_its_factors_are_there() {
+        let graph = Graph::new();
+        let [x, y] = [(); 2].map(|()| graph.symbol(Level::Variable));
+        let program = simplified(&graph, &[x + y, x - y, x * x - y * y], 2);
+        assert_eq!(program.operations().total(), 3);
+    }
+
+    #[test]
+    fn constants_move_to_where_they_merge() {
+        let graph = Graph::new();
+        let [x, y, z, w] = [(); 4].map(|()| graph.symbol(Level::Variable));
+        let three = graph.rational(&crate::exact::Rational::from(3));
+        let third = graph.one() / three;
+        // (3 x y + 3 z w) / 3
+        let sum = (three * x) * y + (three * z) * w;
+        let program = simplified(&graph, &[third * sum * x], 4);
+        assert_eq!(program.operations().multiplications, 3);
+    }
+
+    /// A wrong simplification, on purpose: the proof is what must notice.
+    #[test]
+    fn a_wrong_definition_changes_what_the_program_computes() {
+        let graph = Graph::new();
+        let [x, y, z] = [(); 3].map(|()| graph.symbol(Level::Variable));
+        let output = (x * y + z) * x;
+        let mut network = Network::new(&graph, &[output.edge()]);
+        let sound = program(&graph, &network, 3);
+        let sum = (x * y + z).edge().node();
+        let Operation::Add(a, b) = network.definition(sum) else {
+            panic!("a sum")
+        };
+        network.redefine(sum, Operation::Add(a, -b));
+        let damaged = program(&graph, &network, 3);
+        assert_ne!(sound.instructions, damaged.instructions);
     }
 }

@@ -80,19 +80,35 @@ fn replace(network: &mut Network<'_>, survey: &Survey, pairs: &Pairs, id: NodeId
     for x in survey.candidates(network, &dependents, usize::MAX) {
         let value = network.value(x);
         let product = network.inverse(x).map(|inverse| target * inverse);
-        let questions = [(Some(target - value), Some(false)), (Some(target + value), Some(true)), (product, None)];
+        let questions = [
+            (Some(target - value), Some(false)),
+            (Some(target + value), Some(true)),
+            (product, None),
+        ];
         for (rest, sum_sign) in questions {
-            let Some((inner_operation, negative)) = rest.and_then(|rest| pairs.find(rest)) else { continue };
+            let Some((inner_operation, negative)) = rest.and_then(|rest| pairs.find(rest)) else {
+                continue;
+            };
             let is_available = |other| survey.is_available(network, &dependents, other);
             if !inner_operation.operands().all(is_available) {
                 continue;
             }
-            let Some(inner) = network.inner_node(inner_operation) else { continue };
+            let Some(inner) = network.inner_node(inner_operation) else {
+                continue;
+            };
             let outer = match sum_sign {
                 Some(sign) => Operation::Add(x.edge(sign), inner.edge(negative)),
                 None => Operation::Mul(x, inner),
             };
-            if try_replacement(network, id, &Replacement { outer, inner, inner_operation }) {
+            if try_replacement(
+                network,
+                id,
+                &Replacement {
+                    outer,
+                    inner,
+                    inner_operation,
+                },
+            ) {
                 return true;
             }
         }

@@ -52,7 +52,11 @@ fn single_operations(
     for &a in candidates {
         let value = network.value(a);
         for negative in [false, true] {
-            let rest = if negative { target + value } else { target - value };
+            let rest = if negative {
+                target + value
+            } else {
+                target - value
+            };
             if let Some((b, sign)) = find(survey.index(), rest)
                 && is_available(b)
             {

@@ -66,7 +66,6 @@ struct Term<'g> {
 
 /// A sum, with the multiple of it that is computed.
 struct Sum<'g> {
-    node: NodeId,
     terms: Vec<Term<'g>>,
     scale: Scale<'g>,
     is_output: bool,
@@ -101,9 +100,7 @@ pub(super) fn rescale(network: &mut Network<'_>) {
     let Some(mut scaling) = Scaling::new(network, graph, &order) else {
         return;
     };
-    if !scaling.descend() {
-        return;
-    }
+    scaling.descend();
     let definitions = scaling.rewrite(graph, &order);
     let rewritten = Network::with_definitions(graph, network.outputs(), definitions);
     if rewritten.cost() < network.cost() {
@@ -129,7 +126,6 @@ impl<'n, 'g> Scaling<'n, 'g> {
                 let is_output = network.outputs().iter().any(|output| output.node() == id);
                 scaling.sum_of[id.index()] = Some(scaling.sums.len());
                 scaling.sums.push(Sum {
-                    node: id,
                     terms,
                     scale: one,
                     is_output,
@@ -187,7 +183,7 @@ impl<'n, 'g> Scaling<'n, 'g> {
                 });
             }
         }
-        Some(terms)
+        merge(terms)
     }
 
     /// The sums whose multiples are passed on by a node.
@@ -281,11 +277,10 @@ impl<'n, 'g> Scaling<'n, 'g> {
         terms.sum::<usize>() + outputs + products
     }
 
-    /// Whether better multiples were found, by descents from several starts:
-    /// from the sums as they are, and from sums whose first coefficient is 1.
-    fn descend(&mut self) -> bool {
-        let first = self.total_cost();
-        let mut best = (first, self.scales());
+    /// Descents from several starts: from the sums as they are, and from sums
+    /// whose first coefficient is 1. The best multiples found are kept.
+    fn descend(&mut self) {
+        let mut best = (self.total_cost(), self.scales());
         for longest in [0, 1, usize::MAX] {
             self.start(longest);
             for _ in 0..DRIFTS {
@@ -306,7 +301,6 @@ impl<'n, 'g> Scaling<'n, 'g> {
         for (sum, scale) in self.sums.iter_mut().zip(best.1) {
             sum.scale = scale;
         }
-        best.0 < first
     }
 
     /// Sums of up to `longest` terms with a first coefficient of 1, the others as they are.
@@ -314,7 +308,11 @@ impl<'n, 'g> Scaling<'n, 'g> {
         for sum in 0..self.sums.len() {
             let candidate = self.candidates(sum)[0];
             let is_short = self.sums[sum].terms.len() <= longest;
-            self.sums[sum].scale = if is_short { self.exact(sum, candidate) } else { self.one };
+            self.sums[sum].scale = if is_short {
+                self.exact(sum, candidate)
+            } else {
+                self.one
+            };
         }
     }
 
@@ -332,7 +330,11 @@ impl<'n, 'g> Scaling<'n, 'g> {
             if value == old.value {
                 continue;
             }
-            self.sums[sum].scale = Scale { exact: old.exact, value, inverse };
+            self.sums[sum].scale = Scale {
+                exact: old.exact,
+                value,
+                inverse,
+            };
             let cost = self.local_cost(sum);
             if cost < best.0 || drift && cost == best.0 && best.1.is_none() {
                 best = (cost, Some(candidate));
@@ -347,14 +349,19 @@ impl<'n, 'g> Scaling<'n, 'g> {
 
     fn candidates(&self, sum: usize) -> Vec<Candidate> {
         let terms = self.sums[sum].terms.iter().enumerate();
-        let own = terms.filter(|(_, term)| term.node.is_some()).map(|(index, _)| Candidate::Own(index));
-        let readers = self.sums[sum].readers.iter().filter_map(|&(reader, index)| {
-            // Linear readers only: the multiple enters once.
-            let factors = &self.sums[reader].terms[index].factors;
-            let mut powers = factors.iter().filter(|&&(other, _)| other == sum);
-            let linear = powers.next() == Some(&(sum, false)) && powers.next().is_none();
-            linear.then_some(Candidate::Reader(reader, index))
-        });
+        let own = terms
+            .filter(|(_, term)| term.node.is_some())
+            .map(|(index, _)| Candidate::Own(index));
+        let readers = self.sums[sum]
+            .readers
+            .iter()
+            .filter_map(|&(reader, index)| {
+                // Linear readers only: the multiple enters once.
+                let factors = &self.sums[reader].terms[index].factors;
+                let mut powers = factors.iter().filter(|&&(other, _)| other == sum);
+                let linear = powers.next() == Some(&(sum, false)) && powers.next().is_none();
+                linear.then_some(Candidate::Reader(reader, index))
+            });
         own.chain(readers).chain([Candidate::One]).collect()
     }
 
@@ -365,7 +372,10 @@ impl<'n, 'g> Scaling<'n, 'g> {
             Candidate::Own(index) => {
                 let term = &self.sums[sum].terms[index];
                 let (value, inverse) = self.multiple_and_inverse(&term.factors);
-                (term.coefficient.value * value, term.coefficient.inverse * inverse)
+                (
+                    term.coefficient.value * value,
+                    term.coefficient.inverse * inverse,
+                )
             }
             Candidate::Reader(reader, index) => {
                 let (sum, reader) = (&self.sums[sum], &self.sums[reader]);
@@ -390,17 +400,27 @@ impl<'n, 'g> Scaling<'n, 'g> {
             Candidate::Reader(reader, index) => {
                 let term = &self.sums[reader].terms[index];
                 let coefficient = term.coefficient.times(self.exact_multiple(&term.factors));
-                self.sums[sum].scale.times(self.sums[reader].scale).over(coefficient)
+                self.sums[sum]
+                    .scale
+                    .times(self.sums[reader].scale)
+                    .over(coefficient)
             }
         }
     }
 
     fn multiple_and_inverse(&self, factors: &[(usize, bool)]) -> (Fingerprint, Fingerprint) {
-        factors.iter().fold((Fingerprint::ONE, Fingerprint::ONE), |(product, inverse), &(sum, inverted)| {
-            let scale = self.sums[sum].scale;
-            let (a, b) = if inverted { (scale.inverse, scale.value) } else { (scale.value, scale.inverse) };
-            (product * a, inverse * b)
-        })
+        factors.iter().fold(
+            (Fingerprint::ONE, Fingerprint::ONE),
+            |(product, inverse), &(sum, inverted)| {
+                let scale = self.sums[sum].scale;
+                let (a, b) = if inverted {
+                    (scale.inverse, scale.value)
+                } else {
+                    (scale.value, scale.inverse)
+                };
+                (product * a, inverse * b)
+            },
+        )
     }
 
     fn exact_multiple(&self, factors: &[(usize, bool)]) -> Scale<'g> {
@@ -478,6 +498,25 @@ impl<'n, 'g> Scaling<'n, 'g> {
         }
         total.expect("a sum has terms")
     }
+}
+
+/// c1 x + c2 x = (c1 + c2) x, also where other terms stand between.
+fn merge(terms: Vec<Term<'_>>) -> Option<Vec<Term<'_>>> {
+    let mut merged: Vec<Term<'_>> = Vec::with_capacity(terms.len());
+    for term in terms {
+        match merged.iter_mut().find(|other| other.node == term.node) {
+            Some(other) => {
+                let sum = other.coefficient.exact + term.coefficient.exact;
+                if sum.is_zero() {
+                    merged.retain(|other| other.node != term.node);
+                } else {
+                    other.coefficient = Scale::new(sum)?;
+                }
+            }
+            None => merged.push(term),
+        }
+    }
+    Some(merged)
 }
 
 /// Whether a node is a sum, or a constant multiple.

@@ -19,8 +19,17 @@ impl Survey {
         for (position, id) in order.iter().enumerate() {
             positions[id.index()] = position as u32 + 1;
         }
-        let index = order.iter().chain(&leaves).map(|&id| (network.value(id).get(), id)).collect();
-        Survey { order, leaves, positions, index }
+        let index = order
+            .iter()
+            .chain(&leaves)
+            .map(|&id| (network.value(id).get(), id))
+            .collect();
+        Survey {
+            order,
+            leaves,
+            positions,
+            index,
+        }
     }
 
     /// Active nodes that take an operation, operands before readers.
@@ -53,23 +62,38 @@ impl Survey {
     }
 
     fn position(&self, id: NodeId) -> usize {
-        self.positions.get(id.index()).map_or(0, |&position| position as usize)
+        self.positions
+            .get(id.index())
+            .map_or(0, |&position| position as usize)
     }
 
     /// Whether a definition of the node of some dependents may read a node.
-    pub(super) fn is_available(&self, network: &Network<'_>, dependents: &Dependents, id: NodeId) -> bool {
+    pub(super) fn is_available(
+        &self,
+        network: &Network<'_>,
+        dependents: &Dependents,
+        id: NodeId,
+    ) -> bool {
         let position = self.position(id);
-        let depends = position >= dependents.first && dependents.depends[position - dependents.first];
+        let depends =
+            position >= dependents.first && dependents.depends[position - dependents.first];
         !depends && network.is_active(id)
     }
 
     /// The leaves, and up to `window` nodes before and after the node of some
     /// dependents, as far as its definition may read them.
-    pub(super) fn candidates(&self, network: &Network<'_>, dependents: &Dependents, window: usize) -> Vec<NodeId> {
+    pub(super) fn candidates(
+        &self,
+        network: &Network<'_>,
+        dependents: &Dependents,
+        window: usize,
+    ) -> Vec<NodeId> {
         let position = dependents.first - 1;
         let from = position.saturating_sub(window);
         let to = position.saturating_add(window).min(self.order.len());
-        let near = self.order[from..to].iter().filter(|&&id| self.is_available(network, dependents, id));
+        let near = self.order[from..to]
+            .iter()
+            .filter(|&&id| self.is_available(network, dependents, id));
         self.leaves.iter().chain(near).copied().collect()
     }
 }
@@ -83,7 +107,11 @@ pub(super) struct Dependents {
 /// The smaller of the representatives of a value and its opposite, and whether that is the opposite.
 pub(super) fn canonical(value: Fingerprint) -> (Fingerprint, bool) {
     let opposite = -value;
-    if opposite.get() < value.get() { (opposite, true) } else { (value, false) }
+    if opposite.get() < value.get() {
+        (opposite, true)
+    } else {
+        (value, false)
+    }
 }
 
 /// The node of a value, with the sign that gives the value.

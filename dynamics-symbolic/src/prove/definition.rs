@@ -35,7 +35,7 @@ struct Row {
 }
 
 /// A robot at a random point of the field.
-pub struct Textbook {
+pub struct Definition {
     convention: Convention,
     gravity: Vector3<Number>,
     rows: Vec<Row>,
@@ -100,7 +100,7 @@ impl<R: Lift> Lift for Dual<R> {
     }
 }
 
-impl Textbook {
+impl Definition {
     /// Reads the raw table.
     pub fn new(point: &mut Assignment, robot: &Robot) -> Self {
         let rows = robot.rows.iter().map(|row| {
@@ -131,7 +131,7 @@ impl Textbook {
         let gravity = Vector3([0, 1, 2].map(|k| point.value(&robot.gravity[k])));
         let half = Interpretation::rational(point, &(Rational::ONE / Rational::from(2)));
         let joints = point.joints();
-        Textbook {
+        Definition {
             convention: robot.convention,
             gravity,
             rows,

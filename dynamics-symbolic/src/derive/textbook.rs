@@ -1,0 +1,141 @@
+//! The Lagrangian as in textbooks, expanded by differentiation on the graph.
+//!
+//! T = sum 1/2 (m c'.c' + w.I w) + sum 1/2 r^2 J_m qd^2 and U = -sum m g.c in
+//! the base frame, M_ij = d2T/dqd_i dqd_j, V_i = sum c_ijk qd_j qd_k with the
+//! Christoffel symbols c_ijk = 1/2 (dM_ij/dq_k + dM_ik/dq_j - dM_jk/dq_i), and
+//! G_i = dU/dq_i. Long beyond three joints, and therefore no way to a program;
+//! the shorter derivations are compared with it.
+
+use super::kinematics::frames;
+use super::symbols::Symbols;
+use crate::exact::Rational;
+use crate::expr::{Direction, Expr};
+use crate::linear::{Symmetric3, Vector3};
+use crate::robot::{Interpretation, Robot};
+
+/// The equations of motion by the textbook.
+pub struct Textbook<'g> {
+    /// T
+    pub kinetic_energy: Expr<'g>,
+    /// U
+    pub potential_energy: Expr<'g>,
+    /// M, by rows.
+    pub mass_matrix: Vec<Vec<Expr<'g>>>,
+    /// V
+    pub coriolis_vector: Vec<Expr<'g>>,
+    /// G
+    pub gravity_vector: Vec<Expr<'g>>,
+}
+
+impl<'g> Textbook<'g> {
+    /// Derives the equations from the raw table.
+    pub fn new(symbols: &mut Symbols<'g>, robot: &Robot) -> Self {
+        let n = robot.rows.len();
+        let half = symbols
+            .graph()
+            .rational(&(Rational::ONE / Rational::from(2)));
+        let kinetic_energy = kinetic_energy(symbols, robot, half);
+        let potential_energy = potential_energy(symbols, robot);
+        let one = symbols.graph().one();
+        let along_qd: Vec<_> = (0..n)
+            .map(|i| Direction::new().with(symbols.joint(i).qd, one))
+            .collect();
+        let along_q: Vec<_> = (0..n).map(|i| along_position(symbols, i, one)).collect();
+        let mass_matrix: Vec<Vec<_>> = along_qd
+            .iter()
+            .map(|i| {
+                along_qd
+                    .iter()
+                    .map(|j| kinetic_energy.derivative(i).derivative(j))
+                    .collect()
+            })
+            .collect();
+        let slope = |i: usize, j: usize, k: usize| mass_matrix[i][j].derivative(&along_q[k]);
+        let qd = symbols.all(|joint| joint.qd);
+        let zero = symbols.graph().zero();
+        let coriolis = |i: usize| {
+            let pairs = (0..n).flat_map(|j| (0..n).map(move |k| (j, k)));
+            pairs.fold(zero, |sum, (j, k)| {
+                let christoffel = half * (slope(i, j, k) + slope(i, k, j) - slope(j, k, i));
+                sum + christoffel * qd[j] * qd[k]
+            })
+        };
+        let coriolis_vector = (0..n).map(coriolis).collect();
+        let gravity_vector = along_q
+            .iter()
+            .map(|direction| potential_energy.derivative(direction))
+            .collect();
+        Textbook {
+            kinetic_energy,
+            potential_energy,
+            mass_matrix,
+            coriolis_vector,
+            gravity_vector,
+        }
+    }
+}
+
+/// The direction in which position i changes at a rate: s' = c q', c' = -s q'.
+fn along_position<'g>(symbols: &Symbols<'g>, i: usize, rate: Expr<'g>) -> Direction<'g> {
+    add_position(Direction::new(), symbols, i, rate)
+}
+
+fn add_position<'g>(
+    direction: Direction<'g>,
+    symbols: &Symbols<'g>,
+    i: usize,
+    rate: Expr<'g>,
+) -> Direction<'g> {
+    let joint = symbols.joint(i);
+    let (s, c) = joint.sin_cos;
+    direction
+        .with(s, c * rate)
+        .with(c, -(s * rate))
+        .with(joint.q, rate)
+}
+
+fn kinetic_energy<'g>(symbols: &mut Symbols<'g>, robot: &Robot, half: Expr<'g>) -> Expr<'g> {
+    let motion = (0..robot.rows.len()).fold(Direction::new(), |direction, i| {
+        let qd = symbols.joint(i).qd;
+        add_position(direction, symbols, i, qd)
+    });
+    let mut twice = symbols.graph().zero();
+    for (i, frame) in frames(symbols, robot).iter().enumerate() {
+        let row = &robot.rows[i];
+        let com = Vector3([0, 1, 2].map(|k| symbols.value(&row.com[k])));
+        let center = frame.rotation.apply(com) + frame.origin;
+        let velocity = Vector3(center.0.map(|x| x.derivative(&motion)));
+        // [w]x = R^T R', in the link frame.
+        let rate = |j: usize| Vector3(frame.rotation.column(j).0.map(|x| x.derivative(&motion)));
+        let entry = |i: usize, j: usize| frame.rotation.column(i).dot(rate(j));
+        let w = Vector3::new(entry(2, 1), entry(0, 2), entry(1, 0));
+        let [xx, yy, zz, xy, yz, xz] = [0, 1, 2, 3, 4, 5].map(|k| symbols.value(&row.inertia[k]));
+        let inertia = Symmetric3 {
+            xx,
+            yy,
+            zz,
+            xy,
+            yz,
+            xz,
+        };
+        let ratio = symbols.value(&row.gear_ratio);
+        let reflected = ratio * ratio * symbols.value(&row.motor_inertia);
+        let qd = symbols.joint(i).qd;
+        twice = twice
+            + symbols.value(&row.mass) * velocity.dot(velocity)
+            + w.dot(inertia.apply(w))
+            + reflected * qd * qd;
+    }
+    half * twice
+}
+
+fn potential_energy<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> Expr<'g> {
+    let gravity = Vector3([0, 1, 2].map(|k| symbols.value(&robot.gravity[k])));
+    let mut energy = symbols.graph().zero();
+    for (row, frame) in robot.rows.iter().zip(frames(symbols, robot)) {
+        let com = Vector3([0, 1, 2].map(|k| symbols.value(&row.com[k])));
+        let center = frame.rotation.apply(com) + frame.origin;
+        energy = energy - symbols.value(&row.mass) * gravity.dot(center);
+    }
+    energy
+}

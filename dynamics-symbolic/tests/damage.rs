@@ -1,0 +1,116 @@
+//! The proof refuses damaged programs: every single operation matters.
+
+mod support;
+
+use dynamics_symbolic::Function;
+use dynamics_symbolic::derive::derive;
+use dynamics_symbolic::exact::Rational;
+use dynamics_symbolic::program::{Constant, Instruction, Operand, Program};
+use dynamics_symbolic::prove::prove;
+
+/// Ways in which a simplification may go wrong.
+const DAMAGES: [fn(&mut Program, usize); 4] =
+    [wrong_sign, dropped_term, dropped_factor, rounded_constant];
+
+fn wrong_sign(program: &mut Program, index: usize) {
+    let instruction = &mut program.instructions[index];
+    *instruction = match *instruction {
+        Instruction::Add(a, b) => Instruction::Sub(a, b),
+        Instruction::Sub(a, b) => Instruction::Add(a, b),
+        other => other,
+    };
+}
+
+fn dropped_term(program: &mut Program, index: usize) {
+    let zero = Operand::Constant(program.constants.push(Constant::Rational(Rational::ZERO)));
+    let instruction = &mut program.instructions[index];
+    *instruction = match *instruction {
+        Instruction::Add(a, _) => Instruction::Add(a, zero),
+        Instruction::Sub(_, b) => Instruction::Sub(zero, b),
+        other => other,
+    };
+}
+
+fn dropped_factor(program: &mut Program, index: usize) {
+    let one = Operand::Constant(program.constants.push(Constant::Rational(Rational::ONE)));
+    let instruction = &mut program.instructions[index];
+    *instruction = match *instruction {
+        Instruction::Mul(a, _) => Instruction::Mul(a, one),
+        Instruction::Div(a, _) => Instruction::Div(a, one),
+        other => other,
+    };
+}
+
+/// One unit in the twentieth digit.
+fn rounded_constant(program: &mut Program, index: usize) {
+    let instruction = program.instructions[index];
+    let (a, b) = instruction.operands();
+    let Operand::Constant(id) = a else { return };
+    let Constant::Rational(exact) = program.constants.get(id).clone() else {
+        return;
+    };
+    let error = Rational::ONE / Rational::from(10).pow(20);
+    let rounded = Constant::Rational(exact * (Rational::ONE + error));
+    let a = Operand::Constant(program.constants.push(rounded));
+    program.instructions[index] = match instruction {
+        Instruction::Add(..) => Instruction::Add(a, b),
+        Instruction::Sub(..) => Instruction::Sub(a, b),
+        Instruction::Mul(..) => Instruction::Mul(a, b),
+        Instruction::Div(..) => Instruction::Div(a, b),
+    };
+}
+
+#[test]
+fn every_damage_to_every_operation_is_found() {
+    let mut refused = 0;
+    for name in [
+        "puma560",
+        "stanford",
+        "scara",
+        "two_link_saha",
+        "generic_chain_n3",
+    ] {
+        let robot = support::robot(name);
+        for function in Function::ALL {
+            let sound = derive(&robot, function);
+            assert_eq!(prove(&robot, function, &sound), Ok(()));
+            for index in 0..sound.instructions.len() {
+                for damage in DAMAGES {
+                    let mut program = sound.clone();
+                    damage(&mut program, index);
+                    if program.instructions[index] == sound.instructions[index] {
+                        continue;
+                    }
+                    let failure = prove(&robot, function, &program)
+                        .expect_err(&format!("{name} {}: operation {index}", function.name()));
+                    assert_eq!(failure.function, function);
+                    assert!(failure.to_string().contains(function.name()));
+                    refused += 1;
+                }
+            }
+        }
+    }
+    assert!(refused > 5_000, "only {refused} damages were made");
+}
+
+#[test]
+fn a_program_of_another_function_is_refused() {
+    let robot = support::robot("elbow_3r");
+    let gravity = derive(&robot, Function::GravityVector);
+    assert!(prove(&robot, Function::CoriolisVector, &gravity).is_err());
+    assert!(prove(&robot, Function::MassMatrix, &gravity).is_err());
+}
+
+#[test]
+fn a_program_of_another_robot_is_refused() {
+    let robot = support::robot("elbow_3r");
+    let mut other = robot.clone();
+    other.rows[2].com[0] = support::decimal(0.123);
+    for function in [
+        Function::MassMatrix,
+        Function::GravityVector,
+        Function::InverseDynamics,
+    ] {
+        assert!(prove(&other, function, &derive(&robot, function)).is_err());
+    }
+}
