@@ -108,8 +108,8 @@ pub struct SingularMassMatrix {
 impl SingularMassMatrix {
     /// What generated code calls for each pivot, from the tip inwards.
     ///
-    /// A pivot that is not greater than the rounding error of its diagonal entry
-    /// cannot be told from zero.
+    /// A pivot that is not greater than the rounding errors of the differences that
+    /// it is made of cannot be told from zero: no digit of the accelerations would be right.
     ///
     /// # Errors
     ///
@@ -117,7 +117,7 @@ impl SingularMassMatrix {
     #[doc(hidden)]
     #[inline]
     pub fn test<T: Scalar>(joint: usize, pivot: T, diagonal: T) -> Result<(), Self> {
-        if (pivot - diagonal * T::from_f64(f64::EPSILON)).is_positive() {
+        if (pivot - diagonal * T::epsilon() * T::from_f64(8.0)).is_positive() {
             return Ok(());
         }
         let relative_pivot = pivot.ratio_to_f64(diagonal);
@@ -144,6 +144,16 @@ impl core::error::Error for SingularMassMatrix {}
 #[cfg(test)]
 mod tests {
     use super::SingularMassMatrix;
+
+    #[test]
+    fn a_pivot_of_rounding_errors_is_no_pivot() {
+        assert!(SingularMassMatrix::test(0, 1e-14, 1.0).is_ok());
+        assert!(SingularMassMatrix::test(0, 1e-15, 1.0).is_err());
+        assert!(SingularMassMatrix::test(0, 1e-15, 1e-10).is_ok());
+        assert!(SingularMassMatrix::test(0, 1e-7_f32, 1.0).is_err());
+        let error = SingularMassMatrix::test(3, f64::NAN, 1.0).unwrap_err();
+        assert!(error.joint == 3 && error.relative_pivot.is_nan());
+    }
 
     #[test]
     fn the_error_counts_joints_from_one() {

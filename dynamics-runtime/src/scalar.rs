@@ -32,6 +32,9 @@ pub trait Scalar:
     /// The number nearest to `x`.
     fn from_f64(x: f64) -> Self;
 
+    /// The distance from 1 to the next larger number.
+    fn epsilon() -> Self;
+
     /// Sine and cosine of an angle in radians.
     fn sin_cos(self) -> (Self, Self);
 
@@ -67,6 +70,11 @@ macro_rules! impl_scalar {
             #[inline]
             fn from_f64(x: f64) -> Self {
                 x as $float
+            }
+
+            #[inline]
+            fn epsilon() -> Self {
+                $float::EPSILON
             }
 
             #[inline]

@@ -21,7 +21,7 @@ pub enum JointType {
 
 /// One row of the table: a joint and the link that it moves. SI units, radians.
 ///
-/// `alpha` and `theta` within 1e-9 of a multiple of pi/2 mean exactly that multiple.
+/// Where `alpha` or `theta` is the double nearest to a multiple of pi/2, it means exactly that multiple.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Row {
     /// Revolute or prismatic.

@@ -1,6 +1,8 @@
 //! The table in numbers, which the runtime's checks read.
 
-use dynamics_symbolic::robot::{Convention, JointType, Robot, Row, Value};
+use std::f64::consts::FRAC_PI_2;
+
+use dynamics_symbolic::robot::{Angle, Convention, JointType, Robot, Row, Value};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
@@ -33,8 +35,8 @@ fn row(row: &Row, fields: &[&Ident], path: &TokenStream) -> TokenStream {
         JointType::Revolute => quote!(#path::JointType::Revolute),
         JointType::Prismatic => quote!(#path::JointType::Prismatic),
     };
-    let [a, alpha, d, theta] =
-        [&row.a, &row.alpha, &row.d, &row.theta].map(|value| number(value, fields));
+    let [a, d] = [&row.a, &row.d].map(|value| number(value, fields));
+    let [alpha, theta] = [&row.alpha, &row.theta].map(|value| angle(value, fields));
     let mass = number(&row.mass, fields);
     let com = row.com.iter().map(|value| number(value, fields));
     let inertia = row.inertia.iter().map(|value| number(value, fields));
@@ -57,6 +59,15 @@ fn row(row: &Row, fields: &[&Ident], path: &TokenStream) -> TokenStream {
             coulomb: #coulomb,
         }
     }
+}
+
+/// An angle: what means a multiple of a quarter turn is the double nearest to it.
+fn angle(value: &Value, fields: &[&Ident]) -> TokenStream {
+    if value.is_number() && Angle::new(value).rest.is_none() {
+        let quarter_turns = (value.to_f64(&[]) / FRAC_PI_2).round();
+        return literal(quarter_turns * FRAC_PI_2);
+    }
+    number(value, fields)
 }
 
 /// The value as an `f64` expression: one literal where it is known, rounded once where
@@ -111,6 +122,20 @@ mod tests {
         assert_eq!(number(&pi_half, &[]).to_string(), "1.5707963267948966f64");
         let tenth = Value::integer(1).checked_div(Value::integer(10)).unwrap();
         assert_eq!(number(&-tenth, &[]).to_string(), "(- 0.1f64)");
+    }
+
+    #[test]
+    fn right_angles_are_right_however_they_are_written() {
+        let ten_digits = Value::from_f64(1.570796327).unwrap();
+        assert_eq!(
+            angle(&-ten_digits, &[]).to_string(),
+            "(- 1.5707963267948966f64)"
+        );
+        let eight_digits = Value::integer(15_707_963).checked_div(Value::integer(10_000_000));
+        assert_eq!(
+            angle(&eight_digits.unwrap(), &[]).to_string(),
+            "1.5707963f64"
+        );
     }
 
     #[test]

@@ -2,10 +2,12 @@
 
 use core::f64::consts::FRAC_PI_2;
 
-/// Constant angles closer than this to a multiple of pi/2 mean exactly that multiple, rad.
+/// Constant angles closer than this to a multiple of pi/2, relative to the angle, mean exactly that
+/// multiple: the multiple itself is a rounded number.
 ///
-/// It is the distance at which a right angle written with ten digits, 1.570796327, is still meant.
-const RIGHT_ANGLE_TOLERANCE: f64 = 1e-9;
+/// The macro's own rule is wider: decimals within 1e-9 rad are written into the table as the double
+/// nearest to the multiple.
+const RIGHT_ANGLE_TOLERANCE: f64 = 4.0 * f64::EPSILON;
 
 /// Sine and cosine of one angle.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,7 +29,7 @@ impl SinCos {
     /// A constant angle of the table: at multiples of pi/2 the values are 0 and +-1 exactly.
     pub(super) fn of_constant(angle: f64) -> Self {
         let quarters = (angle / FRAC_PI_2).round();
-        if (angle - quarters * FRAC_PI_2).abs() > RIGHT_ANGLE_TOLERANCE {
+        if (angle - quarters * FRAC_PI_2).abs() > RIGHT_ANGLE_TOLERANCE * angle.abs() {
             return SinCos::of_joint(angle);
         }
         let (sin, cos) = match quarters.rem_euclid(4.0) {
@@ -71,13 +73,12 @@ mod tests {
         assert_eq!(of(-FRAC_PI_2), (-1.0, 0.0));
         assert_eq!(of(PI), (0.0, -1.0));
         assert_eq!(of(-7.0 * FRAC_PI_2), (1.0, 0.0));
-        let ten_digits = (FRAC_PI_2 * 1e9).round() / 1e9;
-        assert_eq!(of(ten_digits), (1.0, 0.0));
+        assert_eq!(of(FRAC_PI_2.next_up()), (1.0, 0.0));
     }
 
     #[test]
     fn other_angles_are_left_alone() {
-        for angle in [1.0, -0.3, FRAC_PI_2 + 1e-8, PI - 1e-5] {
+        for angle in [1.0, -0.3, 1e-300, FRAC_PI_2 + 1e-10, PI - 1e-5] {
             assert_eq!(of(angle), angle.sin_cos());
         }
     }

@@ -81,7 +81,7 @@ pub(super) fn documentation(robot: &Robot, function: Function, program: &Program
              the joint whose pivot failed."
                 .to_owned()
         }
-        _ => " Never panics and never allocates; input that is not finite gives output that is not finite.".to_owned(),
+        _ => " Never panics, never allocates; what depends on an input that is not finite is not finite.".to_owned(),
     });
     lines
 }
