@@ -40,7 +40,8 @@ pub(super) fn body(
     let writer = Writer::new(robot, program);
     let inputs = inputs(robot, program, path);
     let k = ident("k");
-    let number = quote!(let #k = <T as #path::Scalar>::from_f64;);
+    let reads_constants = writer.constants.iter().any(|x| !x.is_nan());
+    let number = reads_constants.then(|| quote!(let #k = <T as #path::Scalar>::from_f64;));
     let assignments = writer.assignments();
     let outputs = writer.outputs(function, robot.rows.len(), path);
     quote!(#inputs #number #assignments #outputs)
@@ -112,7 +113,9 @@ fn inputs(robot: &Robot, program: &Program, path: &TokenStream) -> TokenStream {
         };
         lines.extend(quote!(let (#sine, #cosine) = #path::Scalar::sin_cos(#argument);));
     }
-    for symbol in &program.inputs {
+    let mut symbols: Vec<_> = program.inputs.iter().collect();
+    symbols.sort_by_key(|symbol| place(symbol));
+    for symbol in symbols {
         let value = match symbol {
             Symbol::Position(i) => element("q", *i),
             Symbol::Velocity(i) => element("qd", *i),
@@ -129,6 +132,20 @@ fn inputs(robot: &Robot, program: &Program, path: &TokenStream) -> TokenStream {
         lines.extend(quote!(let #name = #value;));
     }
     lines
+}
+
+/// Where an input is read: fields first, then the arguments in their order.
+fn place(symbol: &Symbol) -> (u8, usize) {
+    match symbol {
+        Symbol::Pi | Symbol::AngleSine(_) | Symbol::AngleCosine(_) => (0, 0),
+        Symbol::Field(i) => (1, *i),
+        Symbol::Sine(i) | Symbol::Cosine(i) => (2, *i),
+        Symbol::Position(i) => (3, *i),
+        Symbol::Velocity(i) => (4, *i),
+        Symbol::VelocitySign(i) => (5, *i),
+        Symbol::Acceleration(i) => (6, *i),
+        Symbol::Force(i) => (7, *i),
+    }
 }
 
 /// A parametric cell as an expression over the fields.

@@ -34,8 +34,10 @@ impl fmt::Display for Operations {
         if self.divisions > 0 {
             write!(f, ", {} divisions", self.divisions)?;
         }
-        if self.sin_cos > 0 {
-            write!(f, ", {} sines and cosines", self.sin_cos)?;
+        match self.sin_cos {
+            0 => {}
+            1 => write!(f, ", sine and cosine of one angle")?,
+            angles => write!(f, ", sines and cosines of {angles} angles")?,
         }
         Ok(())
     }

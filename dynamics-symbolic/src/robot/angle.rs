@@ -122,7 +122,7 @@ mod tests {
             (half_pi.clone(), 1),
             (-half_pi.clone(), 3),
             (Value::Pi, 2),
-            (Value::from_f64(1.5707963267948966).unwrap(), 1),
+            (Value::from_f64(core::f64::consts::FRAC_PI_2).unwrap(), 1),
             (rational(-15_707_963_268, 10_000_000_000), 3),
             (Value::Pi * rational(90, 180), 1),
         ];

@@ -284,10 +284,7 @@ impl<'n, 'g> Scaling<'n, 'g> {
         for longest in [0, 1, usize::MAX] {
             self.start(longest);
             for _ in 0..DRIFTS {
-                while (0..self.sums.len())
-                    .fold(false, |changed, sum| self.improve(sum, false) || changed)
-                {
-                }
+                self.settle();
                 let cost = self.total_cost();
                 if cost < best.0 {
                     best = (cost, self.scales());
@@ -300,6 +297,18 @@ impl<'n, 'g> Scaling<'n, 'g> {
         }
         for (sum, scale) in self.sums.iter_mut().zip(best.1) {
             sum.scale = scale;
+        }
+    }
+
+    /// Improves multiples until none can be.
+    fn settle(&mut self) {
+        loop {
+            let improved = (0..self.sums.len())
+                .filter(|&sum| self.improve(sum, false))
+                .count();
+            if improved == 0 {
+                return;
+            }
         }
     }
 

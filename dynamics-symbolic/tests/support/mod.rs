@@ -6,7 +6,7 @@ use serde_json::Value as Json;
 
 /// The robots that have a data file.
 #[allow(dead_code)]
-pub const NAMES: [&str; 26] = [
+pub(crate) const NAMES: [&str; 26] = [
     "aristo",
     "cylindrical_rpp",
     "elbow_3r",
@@ -36,7 +36,7 @@ pub const NAMES: [&str; 26] = [
 ];
 
 /// The exact decimal that the shortest representation of a double spells.
-pub fn decimal(x: f64) -> Value {
+pub(crate) fn decimal(x: f64) -> Value {
     let text = format!("{x:e}");
     let (digits, exponent) = text.split_once('e').unwrap();
     let point = digits.find('.').map_or(0, |at| digits.len() - at - 1) as i32;
@@ -47,7 +47,7 @@ pub fn decimal(x: f64) -> Value {
 }
 
 /// Reads a robot.
-pub fn robot(name: &str) -> Robot {
+pub(crate) fn robot(name: &str) -> Robot {
     let path = format!(
         "{}/../tests/data/robots/{name}.json",
         env!("CARGO_MANIFEST_DIR")

@@ -1,0 +1,78 @@
+//! The lengths of programs: a snapshot, and the bounds that the project promises.
+//!
+//! Counted are multiplications, additions and divisions of the emitted code;
+//! sines and cosines of the joint angles apart, friction left out.
+
+mod support;
+
+use dynamics_symbolic::derive::derive;
+use dynamics_symbolic::robot::{Robot, Value};
+use dynamics_symbolic::{Function, Operations};
+use expect_test::expect_file;
+
+fn without_friction(name: &str) -> Robot {
+    let mut robot = support::robot(name);
+    for row in &mut robot.rows {
+        row.viscous = Value::zero();
+        row.coulomb = Value::zero();
+    }
+    robot
+}
+
+fn operations(robot: &Robot, function: Function) -> Operations {
+    derive(robot, function).operations()
+}
+
+#[test]
+fn snapshot_of_all_robots() {
+    let mut table = String::from(
+        "robot                       function                        mul    add   div  total  sin_cos\n",
+    );
+    for name in support::NAMES {
+        let robot = without_friction(name);
+        for function in Function::default_set(false) {
+            let count = operations(&robot, function);
+            table += &format!(
+                "{name:27} {:28} {:6} {:6} {:5} {:6} {:8}\n",
+                function.name(),
+                count.multiplications,
+                count.additions,
+                count.divisions,
+                count.total(),
+                count.sin_cos,
+            );
+        }
+    }
+    expect_file!["golden/counts.txt"].assert_eq(&table);
+}
+
+/// The shortest programs known from other generators and trials: tau, V, M, G.
+const BOUNDS: [(&str, [u32; 4]); 6] = [
+    ("two_link_saha", [24, 6, 3, 7]),
+    ("elbow_3r", [150, 105, 45, 14]),
+    ("stanford", [250, 220, 125, 24]),
+    ("puma560", [295, 250, 165, 24]),
+    ("ur5", [250, 220, 100, 14]),
+    ("panda", [580, 555, 425, 90]),
+];
+
+#[test]
+fn programs_are_shorter_than_any_other_generator_s() {
+    let functions = [
+        Function::InverseDynamics,
+        Function::CoriolisVector,
+        Function::MassMatrix,
+        Function::GravityVector,
+    ];
+    for (name, bounds) in BOUNDS {
+        let robot = without_friction(name);
+        for (function, bound) in functions.into_iter().zip(bounds) {
+            let total = operations(&robot, function).total();
+            assert!(
+                total <= bound,
+                "{name} {}: {total} > {bound}",
+                function.name()
+            );
+        }
+    }
+}

@@ -1,0 +1,85 @@
+//! The text of generated code: readable, and the same each time.
+
+mod support;
+
+use dynamics_symbolic::robot::{Robot, Value};
+use dynamics_symbolic::{Function, expand};
+use expect_test::expect_file;
+use quote::quote;
+
+/// The generated methods as formatted Rust.
+fn text(robot: &Robot, functions: &[Function]) -> String {
+    let path = quote!(::robot_dynamics);
+    let methods = expand(robot, functions, &path).expect("proven");
+    let methods = methods.iter().map(|method| &method.tokens);
+    let file = syn::parse2(quote!(impl Arm { #(#methods)* })).expect("Rust");
+    prettyplease::unparse(&file)
+}
+
+/// The arm of Craig's (6.60) to (6.62) with symbolic parameters.
+fn two_link_craig() -> Robot {
+    let mut robot = support::robot("two_link_craig");
+    robot.fields = ["m1", "m2", "l1", "l2", "g"].map(str::to_owned).to_vec();
+    for (row, (mass, length)) in robot.rows.iter_mut().zip([(0, 2), (1, 3)]) {
+        row.mass = Value::field(mass);
+        row.a = Value::field(length);
+    }
+    robot.gravity[1] = -Value::field(4);
+    robot
+}
+
+#[test]
+fn two_link_arm_with_numbers() {
+    let text = text(&support::robot("two_link_saha"), &Function::ALL);
+    expect_file!["golden/two_link_saha.rs"].assert_eq(&text);
+}
+
+#[test]
+fn two_link_arm_with_parameters() {
+    let text = text(&two_link_craig(), &Function::default_set(false));
+    expect_file!["golden/two_link_craig.rs"].assert_eq(&text);
+}
+
+#[test]
+fn gantry_has_no_sines() {
+    let text = text(&support::robot("gantry_ppp"), &Function::default_set(true));
+    assert!(!text.contains("sin_cos("));
+    expect_file!["golden/gantry_ppp.rs"].assert_eq(&text);
+}
+
+#[test]
+fn expansion_is_deterministic() {
+    for name in ["puma560", "generic_chain_n3", "scara"] {
+        let robot = support::robot(name);
+        assert_eq!(
+            text(&robot, &Function::ALL),
+            text(&robot, &Function::ALL),
+            "{name}"
+        );
+    }
+}
+
+/// rustc crashes on about 2,900 `let`s in one function with debug information (rust-lang/rust#93908).
+#[test]
+fn long_programs_declare_their_names_in_groups() {
+    let long = text(
+        &support::robot("generic_chain_n12"),
+        &[Function::MassMatrix],
+    );
+    assert!(
+        long.matches("let ").count() < 100,
+        "{}",
+        long.matches("let ").count()
+    );
+    assert!(long.matches(';').count() > 1_000);
+}
+
+#[test]
+fn nothing_is_read_that_is_not_used() {
+    // The first angle of an arm with a vertical first axis does not matter.
+    let text = text(
+        &support::robot("puma560"),
+        &[Function::MassMatrix, Function::GravityVector],
+    );
+    assert!(!text.contains("s1") && !text.contains("c1 "));
+}
