@@ -1,0 +1,90 @@
+//! Energies and what derives from them.
+
+use robot_dynamics::nalgebra::{SVector, Vector1, Vector3};
+
+use super::gradient::unit;
+use super::samples::{Magnitude, assert_small, states};
+use crate::dual::along;
+use crate::robots::Arm;
+
+/// T = 1/2 qd'M qd.
+pub(super) fn kinetic_energy_is_that_of_the_mass_matrix<
+    const N: usize,
+    const P: usize,
+    R: Arm<N, P>,
+>(
+    robot: &R,
+) {
+    for state in states() {
+        let m = robot.mass_matrix(&state.q);
+        let expected = 0.5 * state.qd.dot(&(m * state.qd));
+        let kinetic = robot.kinetic_energy(&state.q, &state.qd);
+        let magnitude = Magnitude::at(robot, &state);
+        assert_small(&Vector1::new(kinetic - expected), magnitude.coriolis, N);
+    }
+}
+
+/// U = -sum m g.c, zero where all centres of mass are at the base's origin.
+pub(super) fn potential_energy_is_that_of_the_weights<
+    const N: usize,
+    const P: usize,
+    R: Arm<N, P>,
+>(
+    robot: &R,
+) {
+    let table = robot.table();
+    let gravity = Vector3::from(table.gravity);
+    for state in states() {
+        let poses = robot.link_poses(&state.q);
+        let links = table.rows.iter().zip(poses);
+        let energy = links.map(|(row, pose)| {
+            let com = pose * Vector3::from(row.com).push(1.0);
+            -row.mass * gravity.dot(&com.xyz())
+        });
+        let difference = robot.potential_energy(&state.q) - energy.sum::<f64>();
+        let magnitude = Magnitude::at(robot, &state).gravity;
+        assert_small(&Vector1::new(difference), magnitude, N);
+    }
+}
+
+/// G = dU/dq.
+pub(super) fn gravity_vector_is_the_gradient_of_the_potential_energy<
+    const N: usize,
+    const P: usize,
+    R: Arm<N, P>,
+>(
+    robot: &R,
+) {
+    for state in states::<N>() {
+        let slope = |k| {
+            robot
+                .potential_energy(&along(&state.q, &unit(k)))
+                .derivative
+        };
+        let gradient = SVector::<f64, N>::from_fn(|k, _| slope(k));
+        let difference = robot.gravity_vector(&state.q) - gradient;
+        let magnitude = Magnitude::at(robot, &state);
+        // A prismatic joint feels the weight itself, whatever the reach.
+        let weight = magnitude.gravity / magnitude.reach.min(1.0);
+        assert_small(&difference, weight, N);
+    }
+}
+
+/// d(T + U)/dt = qd'(tau - F).
+pub(super) fn power_of_the_torques_is_the_rate_of_the_energy<
+    const N: usize,
+    const P: usize,
+    R: Arm<N, P>,
+>(
+    robot: &R,
+) {
+    for state in states() {
+        let q = along(&state.q, &state.qd);
+        let qd = along(&state.qd, &state.qdd);
+        let rate = (robot.kinetic_energy(&q, &qd) + robot.potential_energy(&q)).derivative;
+        let torque = robot.inverse_dynamics(&state.q, &state.qd, &state.qdd)
+            - robot.friction_vector(&state.qd);
+        let magnitude = Magnitude::at(robot, &state).torque * state.qd.abs().sum();
+        assert_small(&Vector1::new(rate - torque.dot(&state.qd)), magnitude, N);
+    }
+}

@@ -1,0 +1,29 @@
+//! Friction.
+
+use robot_dynamics::nalgebra::{SVector, Vector1};
+
+use super::samples::{assert_small, states};
+use crate::robots::Arm;
+
+/// F = viscous qd + coulomb sign(qd), and nothing where the table has none.
+pub(super) fn friction_is_that_of_the_table<const N: usize, const P: usize, R: Arm<N, P>>(
+    robot: &R,
+) {
+    let table = robot.table();
+    for state in states() {
+        let friction = robot.friction_vector(&state.qd);
+        for (i, row) in table.rows.iter().enumerate() {
+            let qd = state.qd[i];
+            let expected = row.viscous * qd + row.coulomb * qd.signum();
+            assert_small(&Vector1::new(friction[i] - expected), expected.abs(), 1);
+        }
+    }
+}
+
+/// sign(0) = 0, for zeros of either sign.
+pub(super) fn nothing_rubs_at_rest<const N: usize, const P: usize, R: Arm<N, P>>(robot: &R) {
+    for zero in [0.0, -0.0] {
+        let friction = robot.friction_vector(&SVector::repeat(zero));
+        assert_eq!(friction, SVector::<f64, N>::zeros());
+    }
+}

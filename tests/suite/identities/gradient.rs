@@ -1,0 +1,28 @@
+//! Exact derivatives of the mass matrix.
+
+use robot_dynamics::nalgebra::{SMatrix, SVector};
+
+use crate::dual::along;
+use crate::robots::Arm;
+
+/// dM/dt along the velocity `qd`.
+pub(super) fn mass_matrix_rate<const N: usize, const P: usize, R: Arm<N, P>>(
+    robot: &R,
+    q: &SVector<f64, N>,
+    qd: &SVector<f64, N>,
+) -> SMatrix<f64, N, N> {
+    robot.mass_matrix(&along(q, qd)).map(|m| m.derivative)
+}
+
+/// dM/dq_k for each joint k.
+pub(super) fn mass_matrix_gradient<const N: usize, const P: usize, R: Arm<N, P>>(
+    robot: &R,
+    q: &SVector<f64, N>,
+) -> [SMatrix<f64, N, N>; N] {
+    std::array::from_fn(|k| mass_matrix_rate(robot, q, &unit(k)))
+}
+
+/// The unit vector of joint `k`.
+pub(super) fn unit<const N: usize>(k: usize) -> SVector<f64, N> {
+    SVector::from_fn(|i, _| if i == k { 1.0 } else { 0.0 })
+}

@@ -1,0 +1,39 @@
+//! Inverse dynamics and its parts.
+
+use robot_dynamics::nalgebra::SVector;
+
+use super::samples::{Magnitude, assert_small, states};
+use crate::robots::Arm;
+
+/// tau = M qdd + V + G + F.
+pub(super) fn inverse_dynamics_is_the_sum_of_its_terms<
+    const N: usize,
+    const P: usize,
+    R: Arm<N, P>,
+>(
+    robot: &R,
+) {
+    for state in states() {
+        let sum = robot.mass_matrix(&state.q) * state.qdd
+            + robot.coriolis_vector(&state.q, &state.qd)
+            + robot.gravity_vector(&state.q)
+            + robot.friction_vector(&state.qd);
+        let torque = robot.inverse_dynamics(&state.q, &state.qd, &state.qdd);
+        assert_small(&(torque - sum), Magnitude::at(robot, &state).torque, N);
+    }
+}
+
+/// V + G + F = tau(q, qd, 0).
+pub(super) fn bias_force_is_the_torque_without_acceleration<
+    const N: usize,
+    const P: usize,
+    R: Arm<N, P>,
+>(
+    robot: &R,
+) {
+    for state in states() {
+        let torque = robot.inverse_dynamics(&state.q, &state.qd, &SVector::zeros());
+        let bias = robot.bias_force(&state.q, &state.qd);
+        assert_small(&(torque - bias), Magnitude::at(robot, &state).torque, N);
+    }
+}

@@ -1,0 +1,116 @@
+//! Poses and the Jacobian.
+
+use robot_dynamics::nalgebra::{Matrix3, Matrix4, RowVector4, Vector3};
+use robot_dynamics::{Convention, JointType, Row};
+
+use super::gradient::unit;
+use super::samples::{Magnitude, assert_small, states};
+use crate::dual::along;
+use crate::robots::Arm;
+
+fn rotation(pose: &Matrix4<f64>) -> Matrix3<f64> {
+    pose.fixed_view::<3, 3>(0, 0).into_owned()
+}
+
+fn position(pose: &Matrix4<f64>) -> Vector3<f64> {
+    pose.fixed_view::<3, 1>(0, 3).into_owned()
+}
+
+/// Rotation by `angle` about z and displacement by `d` along it.
+fn about_z(angle: f64, d: f64) -> Matrix4<f64> {
+    let mut pose = Matrix4::from_axis_angle(&Vector3::z_axis(), angle);
+    pose[(2, 3)] = d;
+    pose
+}
+
+/// Rotation by `angle` about x and displacement by `a` along it.
+fn about_x(angle: f64, a: f64) -> Matrix4<f64> {
+    let mut pose = Matrix4::from_axis_angle(&Vector3::x_axis(), angle);
+    pose[(0, 3)] = a;
+    pose
+}
+
+/// `Rz(theta) Tz(d) Tx(a) Rx(alpha)` or `Rx(alpha) Tx(a) Rz(theta) Tz(d)`.
+fn transform(convention: Convention, row: &Row, q: f64) -> Matrix4<f64> {
+    let joint = match row.joint_type {
+        JointType::Revolute => about_z(row.theta + q, row.d),
+        JointType::Prismatic => about_z(row.theta, row.d + q),
+    };
+    let link = about_x(row.alpha, row.a);
+    match convention {
+        Convention::Standard => joint * link,
+        Convention::Modified => link * joint,
+    }
+}
+
+pub(super) fn link_poses_are_products_of_the_transforms_of_the_table<
+    const N: usize,
+    const P: usize,
+    R: Arm<N, P>,
+>(
+    robot: &R,
+) {
+    let table = robot.table();
+    for state in states() {
+        let reach = Magnitude::at(robot, &state).reach;
+        let mut expected = Matrix4::identity();
+        for (i, pose) in robot.link_poses(&state.q).iter().enumerate() {
+            expected *= transform(table.convention, &table.rows[i], state.q[i]);
+            assert_small(&rotation(&(pose - expected)), 1.0, N);
+            assert_small(&position(&(pose - expected)), reach, N);
+        }
+    }
+}
+
+pub(super) fn last_link_pose_is_the_forward_kinematics<
+    const N: usize,
+    const P: usize,
+    R: Arm<N, P>,
+>(
+    robot: &R,
+) {
+    for state in states() {
+        let difference = robot.forward_kinematics(&state.q) - robot.link_poses(&state.q)[N - 1];
+        assert_small(&rotation(&difference), 1.0, N);
+        let reach = Magnitude::at(robot, &state).reach;
+        assert_small(&position(&difference), reach, N);
+    }
+}
+
+/// R'R = 1 and det R = 1 for every link, above a last row of 0, 0, 0, 1.
+pub(super) fn rotations_are_orthonormal<const N: usize, const P: usize, R: Arm<N, P>>(robot: &R) {
+    for state in states() {
+        for pose in robot.link_poses(&state.q) {
+            let r = rotation(&pose);
+            assert_small(&(r.transpose() * r - Matrix3::identity()), 1.0, N);
+            assert!(r.determinant() > 0.0);
+            assert_eq!(pose.row(3), RowVector4::new(0.0, 0.0, 0.0, 1.0));
+        }
+    }
+}
+
+/// Column j of the Jacobian is the velocity of the last frame's origin above its angular
+/// velocity, where joint j moves at unit speed: dp/dq_j, and the w of dR/dq_j R' = [w x].
+pub(super) fn jacobian_is_the_derivative_of_the_pose<
+    const N: usize,
+    const P: usize,
+    R: Arm<N, P>,
+>(
+    robot: &R,
+) {
+    for state in states() {
+        let jacobian = robot.jacobian(&state.q);
+        let reach = Magnitude::at(robot, &state).reach;
+        let pose = robot.forward_kinematics(&state.q);
+        for j in 0..N {
+            let moving = robot.forward_kinematics(&along(&state.q, &unit(j)));
+            let rate = moving.map(|x| x.derivative);
+            let linear = jacobian.fixed_view::<3, 1>(0, j) - position(&rate);
+            assert_small(&linear, reach.max(1.0), N);
+
+            let spin = rotation(&rate) * rotation(&pose).transpose();
+            let angular = Vector3::new(spin[(2, 1)], spin[(0, 2)], spin[(1, 0)]);
+            assert_small(&(jacobian.fixed_view::<3, 1>(3, j) - angular), 1.0, N);
+        }
+    }
+}

@@ -1,0 +1,90 @@
+//! What is not a number stays visible: a result is finite only where it does not depend on it.
+
+use robot_dynamics::nalgebra::SVector;
+
+use super::samples::{Magnitude, TOLERANCE, states};
+use crate::robots::Arm;
+
+/// Every function at one position, as one list of numbers.
+fn all_functions<const N: usize, const P: usize, R: Arm<N, P>>(
+    robot: &R,
+    q: &SVector<f64, N>,
+    qd: &SVector<f64, N>,
+) -> Vec<f64> {
+    let mut values = vec![robot.kinetic_energy(q, qd), robot.potential_energy(q)];
+    values.extend(robot.mass_matrix(q).iter());
+    values.extend(robot.coriolis_vector(q, qd).iter());
+    values.extend(robot.gravity_vector(q).iter());
+    values.extend(robot.inverse_dynamics(q, qd, qd).iter());
+    values.extend(robot.bias_force(q, qd).iter());
+    values.extend(robot.coriolis_matrix(q, qd).iter());
+    values.extend(robot.coriolis_coefficients(q).iter());
+    values.extend(robot.centrifugal_coefficients(q).iter());
+    values.extend(robot.link_poses(q).iter().flatten());
+    values.extend(robot.forward_kinematics(q).iter());
+    values.extend(robot.jacobian(q).iter());
+    match robot.forward_dynamics(q, qd, qd) {
+        Ok(qdd) => values.extend(qdd.iter()),
+        Err(_) => values.extend([f64::NAN; N]),
+    }
+    values
+}
+
+/// Where a result at positions `q` is finite, it is what it is at every other position.
+fn positions_do_not_vanish<const N: usize, const P: usize, R: Arm<N, P>>(robot: &R, q: f64) {
+    let state = states::<N>().next().expect("a state");
+    let is = Magnitude::at(robot, &state);
+    let bound = TOLERANCE * N as f64 * (is.torque + is.reach + 1.0);
+    let found = all_functions(robot, &SVector::repeat(q), &state.qd);
+    for other in states::<N>().take(3) {
+        let finite = all_functions(robot, &other.q, &state.qd);
+        for (i, (found, finite)) in found.iter().zip(finite).enumerate() {
+            let same = (found - finite).abs() <= bound;
+            assert!(
+                same || !found.is_finite(),
+                "value {i}: {found} instead of {finite}"
+            );
+        }
+    }
+}
+
+pub(super) fn not_a_number_is_never_turned_into_a_number<
+    const N: usize,
+    const P: usize,
+    R: Arm<N, P>,
+>(
+    robot: &R,
+) {
+    positions_do_not_vanish(robot, f64::NAN);
+
+    let state = states::<N>().next().expect("a state");
+    let nan = SVector::repeat(f64::NAN);
+    assert!(robot.kinetic_energy(&state.q, &nan).is_nan());
+    let torque = robot.inverse_dynamics(&state.q, &state.qd, &nan);
+    assert!(torque.iter().all(|x| x.is_nan()), "{torque}");
+}
+
+pub(super) fn infinite_positions_are_never_turned_into_numbers<
+    const N: usize,
+    const P: usize,
+    R: Arm<N, P>,
+>(
+    robot: &R,
+) {
+    positions_do_not_vanish(robot, f64::INFINITY);
+    positions_do_not_vanish(robot, f64::NEG_INFINITY);
+}
+
+pub(super) fn forward_dynamics_does_not_hide_a_torque_that_is_not_a_number<
+    const N: usize,
+    const P: usize,
+    R: Arm<N, P>,
+>(
+    robot: &R,
+) {
+    let state = states::<N>().next().expect("a state");
+    let nan = SVector::repeat(f64::NAN);
+    if let Ok(qdd) = robot.forward_dynamics(&state.q, &state.qd, &nan) {
+        assert!(qdd.iter().all(|x| x.is_nan()), "{qdd}");
+    }
+}

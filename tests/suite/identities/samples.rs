@@ -1,0 +1,95 @@
+//! Seeded states, and the magnitudes that errors at them are relative to.
+
+use robot_dynamics::nalgebra::{Dim, Matrix, RawStorage, SVector};
+use robot_dynamics::{JointType, Row, State, Table};
+
+use crate::random::Random;
+use crate::robots::Arm;
+
+/// What two results may differ by, for each joint, relative to their magnitude: the bound of the
+/// accuracy tests for both of them, and as much again for the sums of the test itself.
+pub(super) const TOLERANCE: f64 = 1.6e-14;
+
+/// Twelve states: joints anywhere, at speeds and accelerations of an arm at work.
+pub(super) fn states<const N: usize>() -> impl Iterator<Item = State<N>> {
+    let mut random = Random::seeded(2_026);
+    (0..12).map(move |_| State {
+        q: random.vector(std::f64::consts::PI),
+        qd: random.vector(3.0),
+        qdd: random.vector(10.0),
+    })
+}
+
+/// The natural magnitudes of an arm's quantities at one state.
+pub(super) struct Magnitude {
+    /// max |M|
+    pub(super) inertia: f64,
+    /// max |M| max |qd|
+    pub(super) coriolis_matrix: f64,
+    /// max |M| max |qd|^2
+    pub(super) coriolis: f64,
+    /// sum m |g| reach
+    pub(super) gravity: f64,
+    /// max |M| max |qdd|, with those of the Coriolis terms, gravity and friction.
+    pub(super) torque: f64,
+    /// Distance of the last frame and the centres of mass from the base, m.
+    pub(super) reach: f64,
+}
+
+impl Magnitude {
+    pub(super) fn at<const N: usize, const P: usize, R: Arm<N, P>>(
+        robot: &R,
+        state: &State<N>,
+    ) -> Self {
+        let table = robot.table();
+        let speed = largest(&state.qd);
+        let inertia = largest(&robot.mass_matrix(&state.q));
+        let reach = reach(&table, &state.q);
+        let gravity = table.total_mass() * norm(table.gravity) * reach;
+        let coriolis = inertia * speed * speed;
+        let friction = largest(&robot.friction_vector(&state.qd));
+        Magnitude {
+            inertia,
+            coriolis_matrix: inertia * speed,
+            coriolis,
+            gravity,
+            torque: inertia * largest(&state.qdd) + coriolis + gravity + friction,
+            reach,
+        }
+    }
+}
+
+fn norm(v: [f64; 3]) -> f64 {
+    v.iter().map(|x| x * x).sum::<f64>().sqrt()
+}
+
+fn reach<const N: usize>(table: &Table<N>, q: &SVector<f64, N>) -> f64 {
+    let link = |(row, q): (&Row, &f64)| {
+        let travel = match row.joint_type {
+            JointType::Revolute => 0.0,
+            JointType::Prismatic => q.abs(),
+        };
+        row.a.abs() + row.d.abs() + travel + norm(row.com)
+    };
+    table.rows.iter().zip(q.iter()).map(link).sum()
+}
+
+/// The largest absolute value.
+pub(super) fn largest<R: Dim, C: Dim, S: RawStorage<f64, R, C>>(
+    matrix: &Matrix<f64, R, C, S>,
+) -> f64 {
+    matrix.iter().map(|x| x.abs()).fold(0.0, f64::max)
+}
+
+/// Asserts that `difference` is within [`TOLERANCE`] of `magnitude` for each of `joints`.
+#[track_caller]
+pub(super) fn assert_small<R: Dim, C: Dim, S: RawStorage<f64, R, C>>(
+    difference: &Matrix<f64, R, C, S>,
+    magnitude: f64,
+    joints: usize,
+) {
+    let bound = TOLERANCE * joints as f64 * magnitude;
+    for (i, x) in difference.iter().enumerate() {
+        assert!(x.abs() <= bound, "entry {i} is {x:e}, beyond {bound:e}");
+    }
+}

@@ -1,0 +1,19 @@
+//! What holds for every robot of `tests/data/robots`.
+
+#[path = "../support/data.rs"]
+mod data;
+#[path = "../support/decimal.rs"]
+mod decimal;
+#[path = "../support/dual.rs"]
+mod dual;
+#[path = "../support/random.rs"]
+mod random;
+#[path = "../robots/mod.rs"]
+mod robots;
+
+mod accuracy;
+mod aristo;
+mod free_fall;
+mod identities;
+mod reference;
+mod table;

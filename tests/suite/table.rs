@@ -1,0 +1,64 @@
+//! The tables of `robots` are those of `tests/data/robots`, cell by cell.
+
+use robot_dynamics::{Convention, JointType, Row};
+
+use crate::data::read;
+use crate::reference::{JointRow, RobotFile};
+use crate::robots::*;
+
+/// The row that the file describes. A motor without inertia needs no gear.
+fn expected(joint: JointRow) -> Row {
+    let geared = joint.motor_inertia != 0.0;
+    Row {
+        joint_type: match joint.joint_type.as_str() {
+            "revolute" => JointType::Revolute,
+            "prismatic" => JointType::Prismatic,
+            other => panic!("{other} is no joint"),
+        },
+        a: joint.a,
+        alpha: joint.alpha,
+        d: joint.d,
+        theta: joint.theta,
+        mass: joint.mass,
+        com: joint.com,
+        inertia: joint.inertia,
+        motor_inertia: joint.motor_inertia,
+        gear_ratio: if geared { joint.gear_ratio } else { 0.0 },
+        viscous: joint.viscous,
+        coulomb: joint.coulomb,
+    }
+}
+
+fn convention(name: &str) -> Convention {
+    match name {
+        "standard" => Convention::Standard,
+        "modified" => Convention::Modified,
+        other => panic!("{other} is no convention"),
+    }
+}
+
+fn is_that_of_its_file<const N: usize, const P: usize, R: Arm<N, P>>(robot: &R) {
+    let file: RobotFile = read("robots", R::FILE);
+    let table = robot.table();
+    assert_eq!(table.convention, convention(&file.convention));
+    assert_eq!(table.gravity, file.gravity);
+    assert_eq!(file.joints.len(), N);
+    for (joint, (row, name)) in file
+        .joints
+        .into_iter()
+        .zip(table.rows.into_iter().zip(R::JOINT_NAMES))
+    {
+        assert_eq!(row, expected(joint), "joint {name}");
+    }
+}
+
+macro_rules! tests {
+    ($($file:ident: $robot:ident, $n:literal, $p:literal;)*) => {$(
+        #[test]
+        fn $file() {
+            assert_eq!($robot::DOF, $n);
+            is_that_of_its_file(&$robot);
+        }
+    )*};
+}
+for_each_robot!(tests);

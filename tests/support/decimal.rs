@@ -1,0 +1,104 @@
+//! Decimals of more digits than a double holds, and the exact error of a double against them.
+
+use std::ops::Add;
+
+use serde::Deserialize;
+
+/// A reference value: the double nearest to it, and what that double leaves.
+#[derive(Clone, Copy, Debug, Default, Deserialize)]
+#[serde(try_from = "String")]
+pub(crate) struct Decimal {
+    nearest: f64,
+    rest: f64,
+}
+
+impl Decimal {
+    /// The double nearest to the value.
+    pub(crate) fn nearest(self) -> f64 {
+        self.nearest
+    }
+
+    /// Whether the value is zero.
+    pub(crate) fn is_zero(self) -> bool {
+        self.nearest == 0.0
+    }
+
+    /// `x` minus the value. The first difference is exact where `x` is near, so that the
+    /// result holds the error of `x` and not the rounding of the reference.
+    pub(crate) fn error_of(self, x: f64) -> f64 {
+        (x - self.nearest) - self.rest
+    }
+}
+
+impl Add for Decimal {
+    type Output = Self;
+
+    /// The sum, with the rounding of the leading parts kept (Knuth's two-sum).
+    fn add(self, other: Self) -> Self {
+        let nearest = self.nearest + other.nearest;
+        let part = nearest - self.nearest;
+        let lost = (self.nearest - (nearest - part)) + (other.nearest - part);
+        Decimal {
+            nearest,
+            rest: self.rest + other.rest + lost,
+        }
+    }
+}
+
+impl TryFrom<String> for Decimal {
+    type Error = std::num::ParseFloatError;
+
+    fn try_from(text: String) -> Result<Self, Self::Error> {
+        let nearest: f64 = text.parse()?;
+        let rest = difference(&text, &format!("{nearest:.34e}"))?;
+        Ok(Decimal { nearest, rest })
+    }
+}
+
+/// The difference of two decimals of at most 36 digits that agree in most of them.
+fn difference(a: &str, b: &str) -> Result<f64, std::num::ParseFloatError> {
+    let ((a, a_exponent), (b, b_exponent)) = (integer(a), integer(b));
+    let exponent = a_exponent.min(b_exponent);
+    let scaled = |digits: i128, from: i32| digits * 10_i128.pow((from - exponent) as u32);
+    let difference = scaled(a, a_exponent) - scaled(b, b_exponent);
+    format!("{difference}e{exponent}").parse()
+}
+
+/// The digits of a decimal as an integer, and the power of ten that it is to be multiplied by.
+fn integer(text: &str) -> (i128, i32) {
+    let (mantissa, exponent) = text.split_once('e').unwrap_or((text, "0"));
+    let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+    let digits: i128 = format!("{whole}{fraction}").parse().expect("digits");
+    let exponent: i32 = exponent.parse().expect("an exponent");
+    if digits == 0 {
+        (0, 0)
+    } else {
+        (digits, exponent - fraction.len() as i32)
+    }
+}
+
+#[test]
+fn a_sum_keeps_what_its_rounding_loses() {
+    let [large, small] = [
+        "1.000000000000000000000000e+16",
+        "1.234567890123456789012345e-01",
+    ]
+    .map(|text| Decimal::try_from(text.to_owned()).expect("a number"));
+    assert_eq!((large + small).error_of(1e16), -0.123_456_789_012_345_68);
+}
+
+#[test]
+fn the_error_of_a_double_is_known_beyond_its_own_digits() {
+    let tenth = Decimal::try_from("1.000000000000000000000000e-01".to_owned()).expect("a number");
+    assert_eq!(tenth.nearest(), 0.1);
+    // 0.1 as a double is 0.1000000000000000055511151231257827...
+    assert!((tenth.error_of(0.1) - 5.551115123125783e-18).abs() < 1e-30);
+    assert!((tenth.error_of(0.1 + 2f64.powi(-56)) - 1.942890293094024e-17).abs() < 1e-30);
+
+    let third = Decimal::try_from("-3.333333333333333333333333333333e-1".to_owned()).expect("one");
+    assert!((third.error_of(-1.0 / 3.0) - 1.850371707708594e-17).abs() < 1e-30);
+
+    let zero = Decimal::try_from("0".to_owned()).expect("a number");
+    assert!(zero.is_zero());
+    assert_eq!(zero.error_of(1e-300), 1e-300);
+}
