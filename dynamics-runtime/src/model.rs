@@ -23,7 +23,8 @@ pub trait ForwardDynamics<const N: usize> {
     ///
     /// # Errors
     ///
-    /// [`SingularMassMatrix`] where M(q) is not positive definite, or holds a NaN.
+    /// [`SingularMassMatrix`] where M(q) is not positive definite to working precision, or holds a
+    /// NaN.
     fn forward_dynamics<T: Scalar>(
         &self,
         q: &SVector<T, N>,
@@ -93,7 +94,8 @@ pub struct Evaluation<const N: usize> {
     pub jacobian: Option<SMatrix<f64, 6, N>>,
 }
 
-/// The mass matrix was not positive definite: a pivot of its factorisation was not greater than 0.
+/// The mass matrix was not positive definite, as far as its digits can tell: a pivot of its
+/// factorisation was not greater than the rounding errors of its diagonal entry (8 epsilon of it).
 ///
 /// It happens where the links beyond a joint have no inertia about it, where the data are
 /// unphysical, and where the state is not finite.

@@ -200,13 +200,13 @@ fn right_angles_are_exact_in_every_spelling() {
 
 robot_dynamics! {
     /// A pendulum whose fields are named as the variables of generated code may be.
-    struct Names { q: f64, qd: f64, k: f64, s1: f64, c1: f64, t1: f64, pi: f64, ratio: f64 }
+    struct Names { q: f64, qd: f64, k: f64, s1: f64, c1: f64, t1: f64, pi: f64, r#type: f64 }
     convention: standard,
     gravity: [q, 0, 0],
     joints: [
         r#loop: revolute {
             a: qd, mass: k, com: [-s1, c1, 0], inertia: { zz: t1 },
-            motor: { inertia: pi, gear_ratio: ratio },
+            motor: { inertia: pi, gear_ratio: r#type },
         },
     ],
     tests: true,
@@ -224,7 +224,7 @@ fn fields_and_joints_may_have_any_name() {
         c1,
         t1,
         pi,
-        ratio: 4.0,
+        r#type: 4.0,
     };
     // m (a - l)^2 + I + n^2 J
     assert_eq!(

@@ -47,10 +47,10 @@ pub(crate) fn model(call: &Call, diagnostics: &Diagnostics) -> Option<Model> {
     }
 }
 
-/// The names of the struct's fields.
+/// The names of the struct's fields as they are written, the `r#` of a raw one included.
 pub(crate) fn field_names(structure: &Structure) -> Vec<String> {
     let names = structure.fields.iter().filter_map(|f| f.name.as_ref());
-    names.map(plain).collect()
+    names.map(ToString::to_string).collect()
 }
 
 /// The identifier's name, without the `r#` of a raw one.

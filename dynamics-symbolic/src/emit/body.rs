@@ -1,6 +1,6 @@
 //! The body of a method: inputs, straight-line assignments, outputs.
 
-use super::signature::{Shape, ident, shape};
+use super::signature::{Shape, field, ident, plain, shape};
 use crate::function::Function;
 use crate::program::{ConstantId, Instruction, Operand, Program};
 use crate::robot::{Robot, Symbol, Value};
@@ -72,7 +72,7 @@ fn input_name(robot: &Robot, symbol: &Symbol, angles: &[&Symbol]) -> String {
     };
     match symbol {
         Symbol::Pi => "pi".to_owned(),
-        Symbol::Field(i) => format!("p_{}", robot.fields[*i]),
+        Symbol::Field(i) => format!("p_{}", plain(&robot.fields[*i])),
         Symbol::AngleSine(angle) => format!("sa{}", angle_number(angle)),
         Symbol::AngleCosine(angle) => format!("ca{}", angle_number(angle)),
         Symbol::Sine(i) => format!("s{}", i + 1),
@@ -156,7 +156,7 @@ fn parametric(robot: &Robot, value: &Value, path: &TokenStream) -> TokenStream {
             quote!(<T as #path::Scalar>::from_f64(#x))
         }
         Value::Field(i) => {
-            let field = proc_macro2::Ident::new(&robot.fields[*i], proc_macro2::Span::call_site());
+            let field = field(&robot.fields[*i]);
             quote!(<T as #path::Scalar>::from_f64(self.#field))
         }
         Value::Neg(a) => {

@@ -104,7 +104,7 @@ fn symbol(robot: &Robot, symbol: &Symbol) -> String {
     let joint = |name: &str, i: &usize| format!("{name}{}", i + 1);
     match symbol {
         Symbol::Pi => "pi".to_owned(),
-        Symbol::Field(i) => robot.fields[*i].clone(),
+        Symbol::Field(i) => super::signature::plain(&robot.fields[*i]).to_owned(),
         Symbol::AngleSine(_) => "sin(angle)".to_owned(),
         Symbol::AngleCosine(_) => "cos(angle)".to_owned(),
         Symbol::Sine(i) => joint("s", i),

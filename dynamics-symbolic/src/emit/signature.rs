@@ -113,3 +113,17 @@ pub fn stub(function: Function, dof: usize, path: &TokenStream) -> TokenStream {
 pub(super) fn ident(name: &str) -> proc_macro2::Ident {
     proc_macro2::Ident::new(name, proc_macro2::Span::mixed_site())
 }
+
+/// A field's name without the `r#` of a raw identifier.
+pub(super) fn plain(field: &str) -> &str {
+    field.strip_prefix("r#").unwrap_or(field)
+}
+
+/// The identifier of a field of the user's struct.
+pub(super) fn field(name: &str) -> proc_macro2::Ident {
+    let span = proc_macro2::Span::call_site();
+    match name.strip_prefix("r#") {
+        Some(raw) => proc_macro2::Ident::new_raw(raw, span),
+        None => proc_macro2::Ident::new(name, span),
+    }
+}

@@ -68,7 +68,8 @@ pub struct Row {
 pub struct Robot {
     /// Name of the arm.
     pub name: String,
-    /// Names of the symbolic parameters; [`Value::field`] i stands for `fields[i]`.
+    /// Names of the symbolic parameters as Rust identifiers (`r#type` is one); [`Value::field`] i
+    /// stands for `fields[i]`.
     pub fields: Vec<String>,
     /// Convention of the rows.
     pub convention: Convention,
