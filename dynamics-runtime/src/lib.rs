@@ -21,6 +21,7 @@ mod newton_euler;
 mod operations;
 mod scalar;
 mod simulation;
+mod sine;
 mod table;
 mod trajectory;
 

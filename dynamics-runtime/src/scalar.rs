@@ -2,6 +2,8 @@
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
+use crate::sine::sin_cos_array;
+
 /// A real number type on which every generated function can be evaluated.
 ///
 /// The trait asks for what straight-line code of equations of motion needs and for nothing more,
@@ -38,6 +40,15 @@ pub trait Scalar:
     /// Sine and cosine of an angle in radians.
     fn sin_cos(self) -> (Self, Self);
 
+    /// Sine and cosine of several angles in radians, which generated functions ask for at once.
+    ///
+    /// `f64` evaluates them in the lanes of a vector register, with an error below one unit in the
+    /// last place.
+    #[inline]
+    fn sin_cos_array<const K: usize>(angles: [Self; K]) -> [(Self, Self); K] {
+        angles.map(Self::sin_cos)
+    }
+
     /// The square root; NaN of a negative number.
     fn sqrt(self) -> Self;
 
@@ -65,8 +76,10 @@ pub trait Scalar:
 const FUSED: bool = cfg!(any(target_feature = "fma", target_arch = "aarch64"));
 
 macro_rules! impl_scalar {
-    ($($float:ident),*) => {$(
+    ($float:ident, $($sin_cos:item)*) => {
         impl Scalar for $float {
+            $(#[inline] $sin_cos)*
+
             #[inline]
             fn from_f64(x: f64) -> Self {
                 x as $float
@@ -75,11 +88,6 @@ macro_rules! impl_scalar {
             #[inline]
             fn epsilon() -> Self {
                 $float::EPSILON
-            }
-
-            #[inline]
-            fn sin_cos(self) -> (Self, Self) {
-                $float::sin_cos(self)
             }
 
             #[inline]
@@ -107,10 +115,26 @@ macro_rules! impl_scalar {
                 f64::from(self) / f64::from(of)
             }
         }
-    )*};
+    };
 }
 
-impl_scalar!(f32, f64);
+impl_scalar! {
+    f32,
+    fn sin_cos(self) -> (Self, Self) {
+        f32::sin_cos(self)
+    }
+}
+
+impl_scalar! {
+    f64,
+    fn sin_cos(self) -> (Self, Self) {
+        let [value] = sin_cos_array([self]);
+        value
+    }
+    fn sin_cos_array<const K: usize>(angles: [Self; K]) -> [(Self, Self); K] {
+        sin_cos_array(angles)
+    }
+}
 
 #[cfg(test)]
 mod tests {

@@ -93,26 +93,32 @@ fn inputs(robot: &Robot, program: &Program, path: &TokenStream) -> TokenStream {
         let (vector, i) = (ident(vector), Literal::usize_unsuffixed(i));
         quote!(#vector.data.0[0][#i])
     };
-    let mut lines = TokenStream::new();
+    let (mut pairs, mut arguments) = (Vec::new(), Vec::new());
     for angle in &angles {
         let (sine, cosine, argument) = match angle {
-            Symbol::Sine(i) | Symbol::Cosine(i) => (
-                name(&Symbol::Sine(*i)),
-                name(&Symbol::Cosine(*i)),
-                element("q", *i),
-            ),
+            Symbol::Sine(i) | Symbol::Cosine(i) => {
+                (Symbol::Sine(*i), Symbol::Cosine(*i), element("q", *i))
+            }
             Symbol::AngleSine(value) | Symbol::AngleCosine(value) => {
-                let (s, c) = (
+                let argument = parametric(robot, value, path);
+                (
                     Symbol::AngleSine(value.clone()),
                     Symbol::AngleCosine(value.clone()),
-                );
-                let argument = parametric(robot, value, path);
-                (name(&s), name(&c), argument)
+                    argument,
+                )
             }
             _ => continue,
         };
-        lines.extend(quote!(let (#sine, #cosine) = #path::Scalar::sin_cos(#argument);));
+        let (sine, cosine) = (name(&sine), name(&cosine));
+        pairs.push(quote!((#sine, #cosine)));
+        arguments.push(argument);
     }
+    // All angles in one call, which evaluates them in the lanes of a vector register.
+    let mut lines = match (&pairs[..], &arguments[..]) {
+        ([], _) => TokenStream::new(),
+        ([pair], [argument]) => quote!(let #pair = #path::Scalar::sin_cos(#argument);),
+        _ => quote!(let [#(#pairs),*] = #path::Scalar::sin_cos_array([#(#arguments),*]);),
+    };
     let mut symbols: Vec<_> = program.inputs.iter().collect();
     symbols.sort_by_key(|symbol| place(symbol));
     for symbol in symbols {

@@ -1,0 +1,196 @@
+//! Against sines in double-double arithmetic.
+
+use super::{LARGEST, sin_cos_array};
+use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
+
+/// An unevaluated sum of two doubles: about 31 digits.
+#[derive(Clone, Copy)]
+struct DoubleDouble(f64, f64);
+
+fn two_sum(a: f64, b: f64) -> DoubleDouble {
+    let sum = a + b;
+    let part = sum - a;
+    DoubleDouble(sum, (a - (sum - part)) + (b - part))
+}
+
+fn two_product(a: f64, b: f64) -> DoubleDouble {
+    let product = a * b;
+    DoubleDouble(product, f64::mul_add(a, b, -product))
+}
+
+impl DoubleDouble {
+    fn plus(self, o: Self) -> Self {
+        let DoubleDouble(high, low) = two_sum(self.0, o.0);
+        let DoubleDouble(tail, rest) = two_sum(self.1, o.1);
+        let DoubleDouble(high, low) = two_sum(high, low + tail);
+        two_sum(high, low + rest)
+    }
+
+    fn times(self, o: Self) -> Self {
+        let DoubleDouble(high, low) = two_product(self.0, o.0);
+        two_sum(high, low + (self.0 * o.1 + self.1 * o.0))
+    }
+
+    fn over(self, divisor: f64) -> Self {
+        let quotient = self.0 / divisor;
+        let DoubleDouble(high, low) = two_product(quotient, divisor);
+        let rest = self.plus(DoubleDouble(-high, -low));
+        two_sum(quotient, rest.0 / divisor)
+    }
+
+    fn negated(self) -> Self {
+        DoubleDouble(-self.0, -self.1)
+    }
+}
+
+/// pi/2 in four doubles: 212 bits.
+const HALF_PI: [f64; 4] = [
+    FRAC_PI_2,
+    6.123233995736766e-17,
+    -1.4973849048591698e-33,
+    5.562271104316826e-50,
+];
+
+/// Sine and cosine of an angle of magnitude up to [`LARGEST`] by Taylor series.
+fn reference(x: f64) -> [DoubleDouble; 2] {
+    let n = (x / FRAC_PI_2).round();
+    // Exact: what is left of the largest part takes the smaller ones, to 160 bits.
+    let parts = HALF_PI.map(|part| two_product(-n, part));
+    let lead = two_sum(x, parts[0].0);
+    let inner = two_sum(lead.1, parts[0].1)
+        .plus(parts[1])
+        .plus(parts[2])
+        .plus(parts[3]);
+    let rest = DoubleDouble(lead.0, 0.0).plus(inner);
+    let square = rest.times(rest);
+    let series = |first: DoubleDouble, start: f64| {
+        let (mut sum, mut term) = (first, first);
+        for k in 0..16 {
+            let k = start + 2.0 * f64::from(k);
+            term = term.times(square).over(-(k + 1.0) * (k + 2.0));
+            sum = sum.plus(term);
+        }
+        sum
+    };
+    let (s, c) = (series(rest, 1.0), series(DoubleDouble(1.0, 0.0), 0.0));
+    match n.rem_euclid(4.0) {
+        0.0 => [s, c],
+        1.0 => [c, s.negated()],
+        2.0 => [s.negated(), c.negated()],
+        _ => [c.negated(), s],
+    }
+}
+
+/// The error in units in the last place of the exact value.
+fn ulps(computed: f64, exact: DoubleDouble) -> f64 {
+    let error = (computed - exact.0) - exact.1;
+    let ulp = (exact.0.abs().next_up() - exact.0.abs()).max(f64::MIN_POSITIVE * f64::EPSILON);
+    (error / ulp).abs()
+}
+
+fn largest_error(angles: &[f64]) -> f64 {
+    let mut largest = 0.0_f64;
+    for chunk in angles.chunks_exact(8) {
+        let lanes: [f64; 8] = chunk.try_into().unwrap();
+        for (&x, (s, c)) in lanes.iter().zip(sin_cos_array(lanes)) {
+            let [sine, cosine] = reference(x);
+            largest = largest.max(ulps(s, sine)).max(ulps(c, cosine));
+        }
+    }
+    largest
+}
+
+/// Reproducible angles: uniform in magnitude and uniform in exponent by turns.
+fn angles(count: usize, seed: u64) -> Vec<f64> {
+    let mut state = seed;
+    let mut next = || {
+        state = state
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        (state >> 11) as f64 / (1_u64 << 53) as f64
+    };
+    (0..count)
+        .map(|i| {
+            let sign = if next() < 0.5 { -1.0 } else { 1.0 };
+            sign * match i % 4 {
+                0 => next() * LARGEST,
+                1 => next() * 2.0 * PI,
+                2 => next() * FRAC_PI_4,
+                _ => (next() * 47.0 - 30.0).exp2().min(LARGEST),
+            }
+        })
+        .collect()
+}
+
+#[test]
+fn errors_stay_below_one_ulp() {
+    let largest = largest_error(&angles(200_000, 1));
+    assert!(largest < 0.85, "{largest}");
+}
+
+/// The same for ten million angles: `cargo test --release -p dynamics-runtime -- --ignored`.
+#[test]
+#[ignore = "takes a minute where it is not optimised"]
+fn errors_stay_below_one_ulp_for_ten_million_angles() {
+    let largest = (0..100)
+        .map(|seed| largest_error(&angles(100_000, seed)))
+        .fold(0.0, f64::max);
+    println!("largest error: {largest} ulp");
+    assert!(largest < 0.85, "{largest}");
+}
+
+/// Doubles near multiples of pi/2 and pi/4, where digits cancel.
+#[test]
+fn errors_stay_below_one_ulp_where_digits_cancel() {
+    let last = (LARGEST / FRAC_PI_4) as i32;
+    let near = (1..last).flat_map(|k| {
+        let x = f64::from(k) * FRAC_PI_4;
+        [x, x.next_up(), x.next_down(), -x]
+    });
+    let near: Vec<_> = near.filter(|x| x.abs() <= LARGEST).collect();
+    let largest = largest_error(&near);
+    assert!(largest < 0.85, "{largest}");
+}
+
+#[test]
+fn special_values() {
+    let [(s, c), (t, d)] = sin_cos_array([0.0, -0.0]);
+    assert!(s == 0.0 && s.is_sign_positive() && c == 1.0);
+    assert!(t == 0.0 && t.is_sign_negative() && d == 1.0);
+    let tiny = 5e-324;
+    assert_eq!(sin_cos_array([tiny, -tiny]), [(tiny, 1.0), (-tiny, 1.0)]);
+    for x in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        let [(s, c), (t, _)] = sin_cos_array([x, 1.0]);
+        assert!(s.is_nan() && c.is_nan() && !t.is_nan());
+    }
+}
+
+#[test]
+fn every_number_of_lanes_gives_the_same_digits() {
+    fn same<const K: usize>(angles: &[f64]) {
+        let array: [f64; K] = angles[..K].try_into().unwrap();
+        for (&x, value) in array.iter().zip(sin_cos_array(array)) {
+            assert_eq!(sin_cos_array([x]), [value]);
+        }
+    }
+    for seed in 0..200 {
+        let mut angles = angles(20, seed);
+        same::<2>(&angles);
+        same::<3>(&angles);
+        same::<7>(&angles);
+        same::<20>(&angles);
+        angles[4] = 1e9;
+        same::<7>(&angles);
+    }
+}
+
+#[test]
+fn huge_angles_are_reduced_exactly() {
+    for x in [1.1e5, 1e6, 1e15, 1e22, f64::MAX] {
+        let [(s, c)] = sin_cos_array([x]);
+        assert_eq!((s, c), x.sin_cos());
+    }
+    // sin(10^22), a classic.
+    let [(s, _)] = sin_cos_array([1e22]);
+    assert!((s + 0.852_200_849_767_188_8).abs() < 1e-15);
+}
