@@ -1,5 +1,7 @@
 //! Sine and cosine on [-pi/4, pi/4] by minimax polynomials.
 
+use super::lanes::Lanes;
+
 /// sin x = x + x^3 (S[0] + S[1] x^2 + ...), relative error 3.5e-18.
 const S: [f64; 6] = [
     -0.16666666666666632,
@@ -22,16 +24,27 @@ const C: [f64; 6] = [
 
 /// Sine and cosine of x + e, where e is below the last place of x.
 #[inline(always)]
-pub(super) fn sin_cos_reduced(x: f64, e: f64) -> (f64, f64) {
+pub(super) fn sin_cos_reduced<L: Lanes>(x: L, e: L) -> (L, L) {
+    let (half, one) = (L::splat(0.5), L::splat(1.0));
     let z = x * x;
     let cube = z * x;
     // sin (x + e) = x + (x^3 S0 + (x^5 S1 + ... + e (1 - x^2/2)))
-    let tail = S[1] + z * (S[2] + z * (S[3] + z * (S[4] + z * S[5])));
-    let sine = x - ((z * (0.5 * e - cube * tail) - e) - cube * S[0]);
+    let sine = x - ((z * (half * e - cube * horner(z, &S[1..])) - e) - cube * L::splat(S[0]));
     // cos (x + e) = 1 - x^2/2 + (x^4 (C0 + ...) - x e); w loses 1 - w - x^2/2.
-    let half = 0.5 * z;
-    let w = 1.0 - half;
-    let tail = C[0] + z * (C[1] + z * (C[2] + z * (C[3] + z * (C[4] + z * C[5]))));
-    let cosine = w + (((1.0 - w) - half) + (z * z * tail - x * e));
+    let half_z = half * z;
+    let w = one - half_z;
+    let cosine = w + (((one - w) - half_z) + (z * z * horner(z, &C) - x * e));
     (sine, cosine)
+}
+
+/// k0 + z (k1 + z (k2 + ...))
+#[inline(always)]
+fn horner<L: Lanes>(z: L, coefficients: &[f64]) -> L {
+    let (last, others) = coefficients
+        .split_last()
+        .expect("a polynomial has coefficients");
+    others
+        .iter()
+        .rev()
+        .fold(L::splat(*last), |sum, &k| L::splat(k) + z * sum)
 }
