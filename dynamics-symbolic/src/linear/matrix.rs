@@ -105,9 +105,8 @@ impl<R: Ring> Symmetric3<R> {
         )
     }
 
-    /// The part of a point mass in the inertia about another point, to first
-    /// order in the first moment h: for a shift r, (h.r) 1 - h r^T, symmetrised:
-    /// 2 (h.r) 1 - h r^T - r h^T.
+    /// What a shift by r adds to the inertia of a body with the first moment h,
+    /// to first order in r: 2 (h.r) 1 - h r^T - r h^T.
     pub fn shift(h: Vector3<R>, r: Vector3<R>) -> Self {
         let ([a, b, c], [x, y, z]) = (h.0, r.0);
         let (ax, by, cz) = (a * x, b * y, c * z);
@@ -163,6 +162,65 @@ impl<R: Ring> Mul<R> for Symmetric3<R> {
             xy: self.xy * k,
             yz: self.yz * k,
             xz: self.xz * k,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const INERTIA: Symmetric3<i64> = Symmetric3 {
+        xx: 2,
+        yy: 3,
+        zz: 5,
+        xy: 7,
+        yz: 11,
+        xz: 13,
+    };
+    const V: Vector3<i64> = Vector3([1, -2, 4]);
+    const H: Vector3<i64> = Vector3([3, 5, -7]);
+
+    /// x to y, y to z, z to x: a rotation.
+    const CYCLE: Matrix3<i64> = Matrix3([[0, 0, 1], [1, 0, 0], [0, 1, 0]]);
+
+    /// [v]x
+    fn cross_matrix(v: Vector3<i64>) -> Matrix3<i64> {
+        let [x, y, z] = v.0;
+        Matrix3([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+    }
+
+    #[test]
+    fn a_product_applies_the_right_factor_first() {
+        let (a, b) = (INERTIA.full(), cross_matrix(H));
+        assert_eq!(a.product(&b).apply(V), a.apply(b.apply(V)));
+        assert_eq!(b.apply(V), H.cross(V));
+        assert_eq!(b.transpose().apply(V), V.cross(H));
+        assert_eq!(a.column(2), Vector3([13, 11, 5]));
+    }
+
+    #[test]
+    fn a_symmetric_matrix_acts_as_its_nine_entries() {
+        assert_eq!(INERTIA.apply(V), INERTIA.full().apply(V));
+        assert_eq!(Symmetric3::from_upper(&INERTIA.full()), INERTIA);
+        assert_eq!(INERTIA + INERTIA - INERTIA * 2, Symmetric3::splat(0));
+    }
+
+    #[test]
+    fn a_rotated_tensor_acts_in_the_turned_axes() {
+        let rotated = INERTIA.rotated(&CYCLE);
+        let expected = CYCLE.apply(INERTIA.apply(CYCLE.transpose().apply(V)));
+        assert_eq!(rotated.apply(V), expected);
+        assert_eq!((rotated.xx, rotated.yy, rotated.zz), (5, 2, 3));
+    }
+
+    /// 2 (h.r) 1 - h r^T - r h^T = -([h]x [r]x + [r]x [h]x)
+    #[test]
+    fn the_shift_of_a_first_moment() {
+        let shift = Symmetric3::shift(H, V);
+        let both = |x: Vector3<i64>| -(H.cross(V.cross(x)) + V.cross(H.cross(x)));
+        for x in [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map(Vector3) {
+            assert_eq!(shift.apply(x), both(x));
         }
     }
 }

@@ -77,3 +77,39 @@ impl<R: Ring> Mul<R> for Vector3<R> {
         self.scale(k)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const A: Vector3<i64> = Vector3([2, -3, 5]);
+    const B: Vector3<i64> = Vector3([7, 11, -13]);
+
+    #[test]
+    fn axes_are_right_handed() {
+        let [x, y, z] = [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map(Vector3);
+        assert_eq!(x.cross(y), z);
+        assert_eq!(y.cross(z), x);
+        assert_eq!(z.cross(x), y);
+    }
+
+    #[test]
+    fn products() {
+        assert_eq!(A.dot(B), 14 - 33 - 65);
+        let normal = A.cross(B);
+        assert_eq!((normal.dot(A), normal.dot(B)), (0, 0));
+        // |a x b|^2 = |a|^2 |b|^2 - (a.b)^2
+        assert_eq!(
+            normal.dot(normal),
+            A.dot(A) * B.dot(B) - A.dot(B) * A.dot(B)
+        );
+    }
+
+    #[test]
+    fn sums_and_multiples() {
+        assert_eq!(A + B - B, A);
+        assert_eq!(A * 3, A + A + A);
+        assert_eq!(-A, A.scale(-1));
+        assert_eq!((A + Vector3::splat(1))[1], A[1] + 1);
+    }
+}

@@ -152,11 +152,8 @@ impl Builder<'_> {
         }
     }
 
-    /// The sign that relates a node to the product or quotient of its operands'
-    /// own values: fingerprints are of the node up to sign.
     fn emit_product(&mut self, id: NodeId, a: NodeId, b: NodeId) -> Place {
-        let product = self.graph.node(a).value * self.graph.node(b).value;
-        let flipped = product != self.graph.node(id).value;
+        let flipped = self.is_flipped(id, Operation::Mul(a, b));
         let (mut a, mut b) = (self.read(a.edge(false)), self.read(b.edge(false)));
         if matches!(b.operand, Operand::Constant(_)) {
             (a, b) = (b, a);
@@ -173,9 +170,7 @@ impl Builder<'_> {
     }
 
     fn emit_quotient(&mut self, id: NodeId, a: NodeId, b: NodeId) -> Place {
-        let inverse = self.graph.node(b).value.inverse();
-        let quotient = inverse.map(|inverse| self.graph.node(a).value * inverse);
-        let flipped = quotient != Some(self.graph.node(id).value);
+        let flipped = self.is_flipped(id, Operation::Div(a, b));
         let (a, b) = (self.read(a.edge(false)), self.read(b.edge(false)));
         self.push(
             Instruction::Div(a.operand, b.operand),
@@ -204,7 +199,7 @@ impl Builder<'_> {
         }
     }
 
-    /// The pool's entry of a constant node; recursion is as deep as the constant is nested.
+    /// The pool's entry of a constant node; on an explicit stack, for constants are nested deeply.
     fn constant(&mut self, root: NodeId) -> ConstantId {
         let mut stack = vec![root];
         while let Some(&id) = stack.last() {
@@ -228,57 +223,49 @@ impl Builder<'_> {
         self.constants[root.index()].expect("the constant was defined")
     }
 
+    /// The node as a constant: its operation, negated where that is minus the node.
     fn define_constant(&mut self, id: NodeId, operation: Operation) -> ConstantId {
-        let node = self.graph.node(id);
-        let known = |constants: &[Option<ConstantId>], id: NodeId| {
-            constants[id.index()].expect("operands come first")
-        };
-        let (constant, value) = match operation {
-            Operation::Rational(index) => (
-                Constant::Rational(self.graph.rational_of(index)),
-                node.value,
-            ),
-            Operation::Symbol(index) => (
-                Constant::Symbol(self.meanings[index as usize].clone()),
-                node.value,
-            ),
+        let constant = match operation {
+            Operation::Rational(index) => Constant::Rational(self.graph.rational_of(index)),
+            Operation::Symbol(index) => Constant::Symbol(self.meanings[index as usize].clone()),
             Operation::Add(a, b) => {
                 let [a, b] = [a, b].map(|edge| {
-                    let id = known(&self.constants, edge.node());
+                    let id = self.known(edge.node());
                     if edge.is_negative() {
                         self.negated(id)
                     } else {
                         id
                     }
                 });
-                (Constant::Add(a, b), node.value)
+                Constant::Add(a, b)
             }
-            Operation::Mul(a, b) => {
-                let value = self.graph.node(a).value * self.graph.node(b).value;
-                (
-                    Constant::Mul(known(&self.constants, a), known(&self.constants, b)),
-                    value,
-                )
-            }
-            Operation::Div(a, b) => {
-                let inverse = self
-                    .graph
-                    .node(b)
-                    .value
-                    .inverse()
-                    .unwrap_or(self.graph.node(b).value);
-                let value = self.graph.node(a).value * inverse;
-                (
-                    Constant::Div(known(&self.constants, a), known(&self.constants, b)),
-                    value,
-                )
-            }
+            Operation::Mul(a, b) => Constant::Mul(self.known(a), self.known(b)),
+            Operation::Div(a, b) => Constant::Div(self.known(a), self.known(b)),
         };
-        let id = self.program.constants.push(constant);
-        if value == node.value {
-            id
+        let constant = self.program.constants.push(constant);
+        if self.is_flipped(id, operation) {
+            self.negated(constant)
         } else {
-            self.negated(id)
+            constant
+        }
+    }
+
+    /// The entry of a constant that was defined before.
+    fn known(&self, id: NodeId) -> ConstantId {
+        self.constants[id.index()].expect("operands come first")
+    }
+
+    /// Whether a node is minus the product or quotient that defines it:
+    /// fingerprints are of the node up to sign.
+    fn is_flipped(&self, id: NodeId, operation: Operation) -> bool {
+        let value = |id: NodeId| self.graph.node(id).value;
+        match operation {
+            Operation::Mul(a, b) => value(a) * value(b) != value(id),
+            Operation::Div(a, b) => {
+                let quotient = value(b).inverse().map(|inverse| value(a) * inverse);
+                quotient != Some(value(id))
+            }
+            Operation::Rational(_) | Operation::Symbol(_) | Operation::Add(..) => false,
         }
     }
 

@@ -68,17 +68,19 @@ impl ConstantPool {
 
     /// The constants that `needed` asks for as correctly rounded doubles (the others as NaN).
     ///
-    /// The precision is raised until every rounding is certain. A constant that
-    /// is zero for a reason that the engine cannot know is never certain: it is
-    /// within 2^-2000 of zero then, and rounds to zero.
+    /// The precision is raised until every rounding is certain. What never is
+    /// certain is a tie that the engine cannot know to be one, such as
+    /// 2 cos(pi/3) (1 + 2^-53): it rounds to either side. A constant is infinite
+    /// where it exceeds the largest double, where it is a quotient by zero, and
+    /// where it is the sine of an angle beyond 2^[`MOST_BITS`].
     pub fn round(&self, needed: impl Fn(ConstantId) -> bool) -> Vec<f64> {
-        let mut precision = 160;
+        let mut precision = FEWEST_BITS;
         loop {
             let values = self.evaluate(&mut Real::new(precision));
-            let last = precision > 2_000;
+            let is_last = 2 * precision > MOST_BITS;
             let round = |(index, value): (usize, &Approximation)| match value.round() {
                 _ if !needed(ConstantId(index as u32)) => Some(f64::NAN),
-                None if last => Some(value.nearest()),
+                None if is_last => Some(value.nearest()),
                 rounded => rounded,
             };
             if let Some(rounded) = values.iter().enumerate().map(round).collect() {
@@ -86,5 +88,96 @@ impl ConstantPool {
             }
             precision *= 2;
         }
+    }
+}
+
+/// The precision that is enough nearly always.
+const FEWEST_BITS: usize = 160;
+
+/// The precision beyond which no rounding is pursued.
+const MOST_BITS: usize = 2_560;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::robot::Value;
+
+    fn rational(pool: &mut ConstantPool, numerator: i64, denominator: u64) -> ConstantId {
+        let x = Rational::from_parts(numerator.into(), denominator.into());
+        pool.push(Constant::Rational(x))
+    }
+
+    /// 2 cos(pi/3), which is 1.
+    fn hidden_one(pool: &mut ConstantPool) -> ConstantId {
+        let third = Value::Rational(Rational::from_parts(1.into(), 3_u32.into()));
+        let angle = Value::Pi * third;
+        let cosine = pool.push(Constant::Symbol(Symbol::AngleCosine(angle)));
+        pool.push(Constant::Add(cosine, cosine))
+    }
+
+    #[test]
+    fn a_constant_is_rounded_once() {
+        let mut pool = ConstantPool::default();
+        let tenth = rational(&mut pool, 1, 10);
+        let fifth = rational(&mut pool, 2, 10);
+        let sum = pool.push(Constant::Add(tenth, fifth));
+        let product = pool.push(Constant::Mul(sum, sum));
+        let opposite = pool.push(Constant::Neg(product));
+        let quotient = pool.push(Constant::Div(tenth, sum));
+        let rounded = pool.round(|_| true);
+        assert_eq!(rounded[sum.index()], 0.3);
+        assert_eq!(rounded[product.index()], 0.09);
+        assert_eq!(rounded[opposite.index()], -0.09);
+        assert_eq!(rounded[quotient.index()], 1.0 / 3.0);
+    }
+
+    #[test]
+    fn constants_that_nothing_needs_are_not_rounded() {
+        let mut pool = ConstantPool::default();
+        let (a, b) = (rational(&mut pool, 1, 2), rational(&mut pool, 3, 2));
+        let rounded = pool.round(|id| id == b);
+        assert!(rounded[a.index()].is_nan());
+        assert_eq!(rounded[b.index()], 1.5);
+    }
+
+    /// 2 cos(pi/3) - 1 is no exact zero to the engine, and rounds to zero.
+    #[test]
+    fn a_hidden_zero_rounds_to_zero() {
+        let mut pool = ConstantPool::default();
+        let one = hidden_one(&mut pool);
+        let minus_one = rational(&mut pool, -1, 1);
+        let zero = pool.push(Constant::Add(one, minus_one));
+        let rounded = pool.round(|_| true);
+        assert_eq!(rounded[one.index()], 1.0);
+        assert_eq!(rounded[zero.index()].to_bits(), 0.0_f64.to_bits());
+    }
+
+    #[test]
+    fn a_hidden_tie_rounds_to_either_side() {
+        let mut pool = ConstantPool::default();
+        let one = hidden_one(&mut pool);
+        let tie = rational(&mut pool, (1 << 53) + 1, 1);
+        let product = pool.push(Constant::Mul(one, tie));
+        let rounded = pool.round(|_| true)[product.index()];
+        let neighbours = [(1_u64 << 53) as f64, ((1_u64 << 53) + 2) as f64];
+        assert!(neighbours.contains(&rounded));
+    }
+
+    #[test]
+    fn what_has_no_double_is_infinite() {
+        let mut pool = ConstantPool::default();
+        let one = hidden_one(&mut pool);
+        let minus_one = rational(&mut pool, -1, 1);
+        let zero = pool.push(Constant::Add(one, minus_one));
+        let quotient = pool.push(Constant::Div(minus_one, zero));
+        let mut large = rational(&mut pool, 2, 1);
+        for _ in 0..11 {
+            large = pool.push(Constant::Mul(large, large));
+        }
+        let opposite = pool.push(Constant::Neg(large));
+        let rounded = pool.round(|_| true);
+        assert_eq!(rounded[quotient.index()], f64::INFINITY);
+        assert_eq!(rounded[large.index()], f64::INFINITY);
+        assert_eq!(rounded[opposite.index()], f64::NEG_INFINITY);
     }
 }

@@ -83,3 +83,89 @@ impl Program {
         angles
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::program::{ConstantPool, Operand, Output};
+    use crate::robot::Value;
+
+    fn program(inputs: Vec<Symbol>, instructions: Vec<Instruction>) -> Program {
+        Program {
+            inputs,
+            constants: ConstantPool::default(),
+            instructions,
+            outputs: Vec::new(),
+        }
+    }
+
+    #[test]
+    fn operations_are_counted_by_kind_and_negation_is_free() {
+        let (a, b) = (Operand::Input(0), Operand::Input(1));
+        let instructions = vec![
+            Instruction::Add(a, b),
+            Instruction::Sub(a, b),
+            Instruction::Mul(a, b),
+            Instruction::Div(a, b),
+        ];
+        let mut program = program(vec![Symbol::Position(0), Symbol::Position(1)], instructions);
+        program.outputs.push(Output {
+            operand: Operand::Result(0),
+            negative: true,
+        });
+        let operations = program.operations();
+        let expected = Operations {
+            multiplications: 1,
+            additions: 2,
+            divisions: 1,
+            sin_cos: 0,
+        };
+        assert_eq!(operations, expected);
+        assert_eq!(operations.total(), 4);
+    }
+
+    #[test]
+    fn an_angle_is_counted_once() {
+        let (one, two) = (Value::integer(1), Value::integer(2));
+        let inputs = vec![
+            Symbol::Cosine(1),
+            Symbol::Position(0),
+            Symbol::Sine(1),
+            Symbol::Sine(0),
+            Symbol::AngleSine(one.clone()),
+            Symbol::AngleCosine(one.clone()),
+            Symbol::AngleCosine(two.clone()),
+        ];
+        let program = program(inputs, Vec::new());
+        let angles = [
+            Symbol::Cosine(1),
+            Symbol::Sine(0),
+            Symbol::AngleSine(one),
+            Symbol::AngleCosine(two),
+        ];
+        assert_eq!(program.angles(), angles.each_ref());
+        assert_eq!(program.operations().sin_cos, 4);
+    }
+
+    #[test]
+    fn counts_as_text() {
+        let mut operations = Operations {
+            multiplications: 3,
+            additions: 2,
+            ..Operations::default()
+        };
+        assert_eq!(operations.to_string(), "3 multiplications, 2 additions");
+        operations.divisions = 1;
+        operations.sin_cos = 1;
+        assert_eq!(
+            operations.to_string(),
+            "3 multiplications, 2 additions, 1 divisions, sine and cosine of one angle"
+        );
+        operations.sin_cos = 2;
+        assert!(
+            operations
+                .to_string()
+                .ends_with(", sines and cosines of 2 angles")
+        );
+    }
+}

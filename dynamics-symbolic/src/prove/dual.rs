@@ -50,3 +50,35 @@ impl<R: Ring> Mul for Dual<R> {
         )
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn variable(x: i64) -> Dual<i64> {
+        Dual::new(x, 1)
+    }
+
+    fn constant(x: i64) -> Dual<i64> {
+        Dual::new(x, 0)
+    }
+
+    #[test]
+    fn rules_of_differentiation() {
+        let (x, k) = (variable(5), constant(3));
+        assert_eq!(x + k, Dual::new(8, 1));
+        assert_eq!(k - x, Dual::new(-2, -1));
+        assert_eq!(-x, Dual::new(-5, -1));
+        // (3 x^2 - x)' = 6 x - 1
+        assert_eq!(k * x * x - x, Dual::new(70, 29));
+    }
+
+    /// Dual numbers over dual numbers: (x^3)'' = 6 x.
+    #[test]
+    fn second_derivatives() {
+        let x = Dual::new(variable(2), constant(1));
+        let cube = x * x * x;
+        assert_eq!(cube.value, Dual::new(8, 12));
+        assert_eq!(cube.derivative, Dual::new(12, 12));
+    }
+}

@@ -26,7 +26,8 @@ use core::fmt;
 pub struct ProofFailure {
     /// The function.
     pub function: Function,
-    /// The first output that differs, counted from 0, or `None` where the count of outputs is wrong.
+    /// The first output that differs, counted from 0, or `None` where the count
+    /// of outputs is wrong, or a number of the table has no image in the field.
     pub output: Option<usize>,
 }
 
@@ -53,22 +54,103 @@ impl std::error::Error for ProofFailure {}
 const SEED: u64 = 0x0070_726f_6f66;
 
 /// Proves that a program computes its function.
+///
+/// # Errors
+///
+/// The first output that differs from the definition, if one does. A table that
+/// divides by zero defines nothing: no program is proven for it.
 pub fn prove(robot: &Robot, function: Function, program: &Program) -> Result<(), ProofFailure> {
     let mut assignment = Assignment::new(robot, SEED);
     let computed = program.evaluate(&mut assignment);
-    let expected = Definition::new(&mut assignment, robot).expected(function, &computed);
+    let definition = Definition::new(&mut assignment, robot);
+    let failure = |output| ProofFailure { function, output };
+    let expected = definition.expected(function, &computed);
+    let expected = expected.ok_or_else(|| failure(None))?;
     if computed.len() != expected.len() {
-        return Err(ProofFailure {
-            function,
-            output: None,
-        });
+        return Err(failure(None));
     }
     let differs = |(computed, expected): (&Option<Number>, &Number)| *computed != Some(*expected);
     match computed.iter().zip(&expected).position(differs) {
-        Some(output) => Err(ProofFailure {
-            function,
-            output: Some(output),
-        }),
+        Some(output) => Err(failure(Some(output))),
         None => Ok(()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::program::ConstantPool;
+    use crate::robot::{Convention, JointType, Row, Value};
+
+    fn one_joint(mass: Value) -> Robot {
+        let zero = Value::zero;
+        let row = Row {
+            name: "joint".to_owned(),
+            joint_type: JointType::Revolute,
+            a: Value::integer(1),
+            alpha: zero(),
+            d: zero(),
+            theta: zero(),
+            mass,
+            com: [(); 3].map(|()| zero()),
+            inertia: [(); 6].map(|()| zero()),
+            motor_inertia: zero(),
+            gear_ratio: Value::integer(1),
+            viscous: zero(),
+            coulomb: zero(),
+        };
+        Robot {
+            name: "Pendulum".to_owned(),
+            fields: Vec::new(),
+            convention: Convention::Standard,
+            gravity: [(); 3].map(|()| zero()),
+            rows: vec![row],
+        }
+    }
+
+    fn empty_program() -> Program {
+        Program {
+            inputs: Vec::new(),
+            constants: ConstantPool::default(),
+            instructions: Vec::new(),
+            outputs: Vec::new(),
+        }
+    }
+
+    /// One joint has no Coriolis coefficients: a program without outputs is right.
+    #[test]
+    fn a_function_without_outputs() {
+        let function = Function::CoriolisCoefficients;
+        let robot = one_joint(Value::integer(1));
+        assert_eq!(prove(&robot, function, &empty_program()), Ok(()));
+    }
+
+    #[test]
+    fn nothing_is_proven_for_a_table_that_divides_by_zero() {
+        let zero = Value::Pi * Value::Pi - Value::Pi * Value::Pi;
+        let robot = one_joint(Value::integer(1).checked_div(zero).unwrap());
+        for function in Function::ALL {
+            let failure = ProofFailure {
+                function,
+                output: None,
+            };
+            assert_eq!(prove(&robot, function, &empty_program()), Err(failure));
+        }
+    }
+
+    /// Inverses exist because 2^62 - 57 is prime. Fermat: b^(p-1) = 1.
+    #[test]
+    fn the_modulus_passes_fermats_test() {
+        const P: u64 = (1 << 62) - 57;
+        for base in 2..40 {
+            let mut power = Number::ONE;
+            for bit in (0..62).rev() {
+                power = power * power;
+                if (P - 1) >> bit & 1 == 1 {
+                    power = power * Number::new(base);
+                }
+            }
+            assert_eq!(power, Number::ONE);
+        }
     }
 }

@@ -1,0 +1,79 @@
+//! Forward dynamics: accelerations, and the pivots of the elimination that finds them.
+
+use super::super::assignment::Number;
+use super::{Definition, Matrix, Vector};
+
+impl Definition {
+    /// Accelerations, pivots, and the diagonal of M.
+    ///
+    /// The accelerations are right if they satisfy the equations of motion. Where
+    /// M is identically singular there are none, and the pivots up to the first
+    /// zero are all that the generated function reads.
+    pub(super) fn forward_dynamics(&self, computed: &[Option<Number>]) -> Vector {
+        let n = self.dof();
+        if computed.len() != 3 * n {
+            return Vec::new();
+        }
+        let matrix = self.mass_matrix(&self.q);
+        let diagonal = (0..n).map(|i| matrix[i][i]);
+        // An output without a value is unequal to every number that is expected.
+        let computed: Vector = computed.iter().map(|x| x.unwrap_or(Number::ZERO)).collect();
+        let (accelerations, computed_pivots) = (&computed[..n], &computed[n..]);
+        let pivots = pivots(matrix.clone());
+        let is_singular = pivots.contains(&Some(Number::ZERO));
+        let is_right = is_singular || self.inverse_dynamics(accelerations) == self.tau;
+        let error = if is_right { Number::ZERO } else { Number::ONE };
+        let pivots = pivots.iter().zip(computed_pivots);
+        accelerations
+            .iter()
+            .map(|&x| x + error)
+            .chain(pivots.map(|(pivot, &computed)| pivot.unwrap_or(computed)))
+            .chain(diagonal)
+            .collect()
+    }
+}
+
+/// The pivots of M = U D U^T, eliminated from the last row upwards; none after one that is zero.
+fn pivots(mut matrix: Matrix) -> Vec<Option<Number>> {
+    let n = matrix.len();
+    let mut pivots = vec![None; n];
+    for j in (0..n).rev() {
+        pivots[j] = Some(matrix[j][j]);
+        let Some(inverse) = matrix[j][j].inverse() else {
+            break;
+        };
+        for i in 0..j {
+            let factor = matrix[i][j] * inverse;
+            for k in 0..j {
+                matrix[i][k] = matrix[i][k] - factor * matrix[j][k];
+            }
+        }
+    }
+    pivots
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn matrix(rows: &[&[u64]]) -> Matrix {
+        let row = |row: &&[u64]| row.iter().map(|&x| Number::new(x)).collect();
+        rows.iter().map(row).collect()
+    }
+
+    #[test]
+    fn the_product_of_the_pivots_is_the_determinant() {
+        let pivots = pivots(matrix(&[&[4, 2, 1], &[2, 5, 3], &[1, 3, 6]]));
+        let product = pivots
+            .iter()
+            .fold(Number::ONE, |product, x| product * x.unwrap());
+        assert_eq!(product, Number::new(67));
+        assert_eq!(pivots[2], Some(Number::new(6)));
+    }
+
+    #[test]
+    fn a_zero_pivot_ends_the_elimination() {
+        let pivots = pivots(matrix(&[&[1, 0, 0], &[0, 2, 4], &[0, 4, 8]]));
+        assert_eq!(pivots, [None, Some(Number::ZERO), Some(Number::new(8))]);
+    }
+}

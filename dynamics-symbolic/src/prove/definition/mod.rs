@@ -1,0 +1,96 @@
+//! The textbook definition, evaluated in the prime field from the raw table.
+//!
+//!   A_i = Rz(theta) Tz(d) Tx(a) Rx(alpha)   or   Rx(alpha) Tx(a) Rz(theta) Tz(d)
+//!   T = sum 1/2 (m c'.c' + w.I w) + sum 1/2 r^2 J_m qd^2,   U = -sum m g.c
+//!   M_ij = d2T / dqd_i dqd_j
+//!   V_i = sum_jk c_ijk qd_j qd_k,  c_ijk = 1/2 (dM_ij/dq_k + dM_ik/dq_j - dM_jk/dq_i)
+//!   G_i = dU/dq_i
+//!
+//! Velocities are derivatives of positions by dual numbers. T is quadratic in
+//! qd, so that its second derivatives are differences, without a limit.
+
+mod elimination;
+mod energy;
+mod equations;
+mod kinematics;
+mod pose;
+mod row;
+
+use super::assignment::{Assignment, JointPoint, Number};
+use crate::exact::Rational;
+use crate::function::Function;
+use crate::linear::Vector3;
+use crate::robot::{Convention, Interpretation, Robot};
+use pose::Position;
+use row::Row;
+
+type Vector = Vec<Number>;
+type Matrix = Vec<Vector>;
+
+/// A robot at a random point of the field.
+pub struct Definition {
+    convention: Convention,
+    gravity: Vector3<Number>,
+    rows: Vec<Row>,
+    half: Number,
+    q: Vec<Position<Number>>,
+    qd: Vector,
+    qdd: Vector,
+    tau: Vector,
+    signs: Vector,
+    unfaithful: bool,
+}
+
+impl Definition {
+    /// Reads the raw table.
+    pub fn new(point: &mut Assignment, robot: &Robot) -> Self {
+        let rows = robot.rows.iter().map(|row| Row::new(point, row)).collect();
+        let gravity = Vector3([0, 1, 2].map(|k| point.value(&robot.gravity[k])));
+        let half = Interpretation::rational(point, &(Rational::ONE / Rational::from(2)));
+        let joints = point.joints();
+        let all = |variable: fn(&JointPoint) -> Number| joints.iter().map(variable).collect();
+        Definition {
+            convention: robot.convention,
+            gravity,
+            rows,
+            half,
+            q: joints.iter().map(Position::new).collect(),
+            qd: all(|joint| joint.qd),
+            qdd: all(|joint| joint.qdd),
+            tau: all(|joint| joint.tau),
+            signs: all(|joint| joint.sign),
+            unfaithful: point.is_unfaithful(),
+        }
+    }
+
+    /// What the outputs of a function must be, or `None` where the table has a
+    /// number without faithful image in the field. Forward dynamics is judged by
+    /// the equation that its result must satisfy: where M qdd + V + G + F = tau
+    /// holds for the `computed` accelerations, they are what is expected.
+    pub fn expected(&self, function: Function, computed: &[Option<Number>]) -> Option<Vector> {
+        if self.unfaithful {
+            return None;
+        }
+        Some(match function {
+            Function::MassMatrix => self.mass_matrix(&self.q).concat(),
+            Function::CoriolisVector => self.coriolis_vector(),
+            Function::GravityVector => self.gravity_vector(),
+            Function::FrictionVector => self.friction_vector(),
+            Function::InverseDynamics => self.inverse_dynamics(&self.qdd),
+            Function::ForwardDynamics => self.forward_dynamics(computed),
+            Function::KineticEnergy => vec![self.kinetic_energy(&self.q, &self.qd)],
+            Function::PotentialEnergy => vec![self.potential_energy(&self.q)],
+            Function::BiasForce => self.bias_force(),
+            Function::CoriolisMatrix => self.coriolis_matrix().concat(),
+            Function::CoriolisCoefficients => self.coriolis_coefficients(),
+            Function::CentrifugalCoefficients => self.centrifugal_coefficients(),
+            Function::ForwardKinematics => self.forward_kinematics(),
+            Function::LinkPoses => self.link_poses(),
+            Function::Jacobian => self.jacobian().concat(),
+        })
+    }
+
+    fn dof(&self) -> usize {
+        self.rows.len()
+    }
+}

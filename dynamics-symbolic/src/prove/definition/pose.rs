@@ -1,0 +1,128 @@
+//! Positions of joints and poses of links, over the field or over dual numbers.
+
+use super::super::assignment::{JointPoint, Number};
+use super::super::dual::Dual;
+use super::{Definition, Row};
+use crate::linear::{Matrix3, Ring, Vector3};
+use crate::robot::{Convention, JointType};
+
+/// A ring that the table's numbers are part of.
+pub(super) trait Lift: Ring {
+    /// The number in this ring.
+    fn lift(x: Number) -> Self;
+}
+
+impl Lift for Number {
+    fn lift(x: Number) -> Self {
+        x
+    }
+}
+
+impl<R: Lift> Lift for Dual<R> {
+    fn lift(x: Number) -> Self {
+        Dual::new(R::lift(x), R::lift(Number::ZERO))
+    }
+}
+
+/// The position of a joint: sine and cosine of an angle, or a displacement.
+#[derive(Clone, Copy)]
+pub(super) struct Position<R> {
+    s: R,
+    c: R,
+    q: R,
+}
+
+impl Position<Number> {
+    pub(super) fn new(joint: &JointPoint) -> Self {
+        let (s, c) = joint.sin_cos;
+        Position { s, c, q: joint.q }
+    }
+}
+
+impl<R: Ring> Position<R> {
+    /// The position with its derivative where q changes at the rate `rate`.
+    pub(super) fn moving(self, rate: R) -> Position<Dual<R>> {
+        Position {
+            s: Dual::new(self.s, self.c * rate),
+            c: Dual::new(self.c, -(self.s * rate)),
+            q: Dual::new(self.q, rate),
+        }
+    }
+}
+
+/// A homogeneous transform.
+#[derive(Clone, Copy)]
+pub(super) struct Pose<R> {
+    pub(super) rotation: Matrix3<R>,
+    pub(super) origin: Vector3<R>,
+}
+
+impl<R: Lift> Pose<R> {
+    /// Rz(angle) Tz(d)
+    fn screw_z((s, c): (R, R), d: R) -> Self {
+        let (zero, one) = (R::lift(Number::ZERO), R::lift(Number::ONE));
+        Pose {
+            rotation: Matrix3([[c, -s, zero], [s, c, zero], [zero, zero, one]]),
+            origin: Vector3::new(zero, zero, d),
+        }
+    }
+
+    /// Rx(angle) Tx(a)
+    fn screw_x((s, c): (R, R), a: R) -> Self {
+        let (zero, one) = (R::lift(Number::ZERO), R::lift(Number::ONE));
+        Pose {
+            rotation: Matrix3([[one, zero, zero], [zero, c, -s], [zero, s, c]]),
+            origin: Vector3::new(a, zero, zero),
+        }
+    }
+
+    fn then(&self, next: &Pose<R>) -> Pose<R> {
+        Pose {
+            rotation: self.rotation.product(&next.rotation),
+            origin: self.rotation.apply(next.origin) + self.origin,
+        }
+    }
+}
+
+impl Definition {
+    /// The positions with their derivatives in the direction of joint k.
+    pub(super) fn along(&self, k: usize) -> Vec<Position<Dual<Number>>> {
+        let rate = |i: usize| if i == k { Number::ONE } else { Number::ZERO };
+        let joints = self.q.iter().enumerate();
+        joints.map(|(i, q)| q.moving(rate(i))).collect()
+    }
+
+    /// The poses of all link frames in the base.
+    pub(super) fn poses<R: Lift>(&self, q: &[Position<R>]) -> Vec<Pose<R>> {
+        let mut poses: Vec<Pose<R>> = Vec::with_capacity(q.len());
+        for (row, position) in self.rows.iter().zip(q) {
+            let transform = transform(self.convention, row, position);
+            poses.push(match poses.last() {
+                Some(previous) => previous.then(&transform),
+                None => transform,
+            });
+        }
+        poses
+    }
+}
+
+/// A_i of the table.
+fn transform<R: Lift>(convention: Convention, row: &Row, position: &Position<R>) -> Pose<R> {
+    let lift = R::lift;
+    let (s, c) = (lift(row.turn.0), lift(row.turn.1));
+    let (turn, d) = match row.joint_type {
+        JointType::Revolute => {
+            // sin(theta + q), cos(theta + q)
+            let sine = s * position.c + c * position.s;
+            let cosine = c * position.c - s * position.s;
+            ((sine, cosine), lift(row.d))
+        }
+        JointType::Prismatic => ((s, c), lift(row.d) + position.q),
+    };
+    let screw_z = Pose::screw_z(turn, d);
+    let screw_x = Pose::screw_x((lift(row.twist.0), lift(row.twist.1)), lift(row.a));
+    match convention {
+        Convention::Standard => screw_z.then(&screw_x),
+        Convention::Modified => screw_x.then(&screw_z),
+    }
+}

@@ -1,0 +1,62 @@
+//! Which multiple of each sum is computed.
+//!
+//! A sum c1 x1 + c2 x2 + ... with constant coefficients may be computed as any
+//! multiple of itself: the multiple passes through products for nothing and is
+//! made good in the coefficients of the sums that read it, or at an output.
+//! Computed as x1 + (c2/c1) x2 + ..., the sum takes one multiplication less,
+//! and where its readers multiply by a constant anyway none is added. The
+//! multiples are chosen one by one for as long as coefficients become 1.
+
+mod cost;
+mod descent;
+mod multiple;
+mod rewrite;
+mod terms;
+
+use super::Network;
+use crate::expr::{Graph, NodeId};
+use multiple::Multiple;
+use terms::{Factor, Sum};
+
+/// The sums of a network, each with the multiple of it that is computed.
+struct Scaling<'n, 'g> {
+    network: &'n Network<'g>,
+    sums: Vec<Sum<'g>>,
+    /// The sum that a node is, by the index of the node.
+    sum_of: Vec<Option<usize>>,
+    /// Outputs that are products of sums: the factors of their multiple.
+    products: Vec<Vec<Factor>>,
+    one: Multiple<'g>,
+}
+
+/// Chooses the multiples, and rewrites the network where that saves operations.
+pub(super) fn rescale(network: &mut Network<'_>) {
+    let order = network.order();
+    let graph: &Graph = network.graph();
+    let Some(mut scaling) = Scaling::new(network, &order) else {
+        return;
+    };
+    scaling.descend();
+    let definitions = scaling.rewrite(&order);
+    let rewritten = Network::with_definitions(graph, network.outputs(), definitions);
+    if rewritten.cost() < network.cost() {
+        *network = rewritten;
+    }
+}
+
+impl<'n, 'g> Scaling<'n, 'g> {
+    /// The sums as they are. `None` where a constant has no inverse fingerprint.
+    fn new(network: &'n Network<'g>, order: &[NodeId]) -> Option<Self> {
+        let graph = network.graph();
+        let mut scaling = Scaling {
+            network,
+            sums: Vec::new(),
+            sum_of: vec![None; graph.len()],
+            products: Vec::new(),
+            one: Multiple::new(graph.one())?,
+        };
+        scaling.collect(order)?;
+        scaling.connect();
+        Some(scaling)
+    }
+}

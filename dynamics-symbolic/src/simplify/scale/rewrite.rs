@@ -1,0 +1,123 @@
+//! The network with the multiples that were chosen.
+
+use super::Scaling;
+use super::terms::Place;
+use crate::expr::{Edge, Graph, NodeId, Operation};
+
+impl<'g> Scaling<'_, 'g> {
+    /// The definitions of the rewritten network.
+    pub(super) fn rewrite(&self, order: &[NodeId]) -> Vec<(NodeId, Operation)> {
+        let mut writer = Writer::new(self.network.graph());
+        for &id in order {
+            writer.stored[id.index()] = self.write_node(&mut writer, id);
+        }
+        for output in self.network.outputs() {
+            self.correct(&mut writer, output.node());
+        }
+        writer.definitions
+    }
+
+    /// What is computed in the place of a node: nothing where a sum has absorbed it.
+    fn write_node(&self, writer: &mut Writer<'g>, id: NodeId) -> Option<Edge> {
+        if let Some(sum) = self.sum_of[id.index()] {
+            return Some(self.write_sum(writer, sum));
+        }
+        match self.network.definition(id) {
+            Operation::Mul(a, b)
+                if !self.network.is_constant(a) && !self.network.is_constant(b) =>
+            {
+                let flipped = self.network.is_flipped(id, a, b);
+                let (a, b) = (writer.stored(a), writer.stored(b));
+                Some(writer.mul(a, b).negate_if(flipped))
+            }
+            Operation::Div(a, b) => {
+                let flipped = self.network.is_flipped_quotient(id, a, b);
+                let (a, b) = (writer.stored(a), writer.stored(b));
+                Some(writer.div(a, b).negate_if(flipped))
+            }
+            _ => None,
+        }
+    }
+
+    fn write_sum(&self, writer: &mut Writer<'g>, sum: usize) -> Edge {
+        let mut total: Option<Edge> = None;
+        for (index, term) in self.sums[sum].terms.iter().enumerate() {
+            let coefficient = self
+                .exact_coefficient(Place { sum, term: index })
+                .over(self.sums[sum].multiple)
+                .exact
+                .edge();
+            let term = match term.node {
+                None => coefficient,
+                Some(node) => writer.scaled(coefficient, writer.stored(node)),
+            };
+            total = Some(match total {
+                None => term,
+                Some(total) => writer.add(total, term),
+            });
+        }
+        total.expect("a sum is not zero: a term remains")
+    }
+
+    /// Undoes the multiple of an output.
+    fn correct(&self, writer: &mut Writer<'g>, output: NodeId) {
+        let multiple = match self.sum_of[output.index()] {
+            Some(sum) => self.sums[sum].multiple,
+            None => self.exact_product(&self.factors(output)),
+        };
+        if !self.network.is_free(output) {
+            writer.scaled(multiple.exact.edge(), writer.stored(output));
+        }
+    }
+}
+
+/// Writes operations on the graph exactly as they are given, and keeps them as definitions.
+struct Writer<'g> {
+    graph: &'g Graph,
+    definitions: Vec<(NodeId, Operation)>,
+    stored: Vec<Option<Edge>>,
+}
+
+impl<'g> Writer<'g> {
+    fn new(graph: &'g Graph) -> Self {
+        Writer {
+            graph,
+            definitions: Vec::new(),
+            stored: vec![None; graph.len()],
+        }
+    }
+
+    /// What is computed in the place of a node.
+    fn stored(&self, node: NodeId) -> Edge {
+        let stored = self.stored.get(node.index()).copied().flatten();
+        stored.unwrap_or(node.edge(false))
+    }
+
+    fn keep(&mut self, (edge, operation): (Edge, Operation)) -> Edge {
+        self.definitions.push((edge.node(), operation));
+        edge
+    }
+
+    fn scaled(&mut self, coefficient: Edge, edge: Edge) -> Edge {
+        let one = self.graph.one().edge();
+        if coefficient.node() == one.node() {
+            return edge.negate_if(coefficient.is_negative());
+        }
+        self.mul(coefficient, edge)
+    }
+
+    fn add(&mut self, a: Edge, b: Edge) -> Edge {
+        let written = self.graph.write_sum(a, b);
+        self.keep(written)
+    }
+
+    fn mul(&mut self, a: Edge, b: Edge) -> Edge {
+        let written = self.graph.write_product(a, b);
+        self.keep(written)
+    }
+
+    fn div(&mut self, a: Edge, b: Edge) -> Edge {
+        let written = self.graph.write_quotient(a, b);
+        self.keep(written)
+    }
+}
