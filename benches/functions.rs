@@ -5,8 +5,8 @@
 //! `RUSTFLAGS="-C target-cpu=native"`.
 
 use divan::{Bencher, black_box, counter::ItemsCount};
-use robot_dynamics::nalgebra::SVector;
 use robot_dynamics::NewtonEuler;
+use robot_dynamics::nalgebra::SVector;
 
 macro_rules! every_function {
     ($($table:tt)*) => { robot_dynamics! { $($table)* } };

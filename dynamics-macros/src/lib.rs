@@ -77,7 +77,10 @@ fn methods(
     };
     let name = call.structure.as_ref().map(|structure| &structure.name);
     for failure in failures {
-        let asked = model.functions.iter().find(|(f, _)| *f == failure.function);
+        let asked = model
+            .functions
+            .iter()
+            .find(|(f, _)| *f == failure.function());
         let place = asked.and_then(|(_, place)| *place);
         let place = place.or(name.map(Into::into));
         diagnostics.error(place.unwrap_or_else(|| Span::call_site().into()), failure);

@@ -9,6 +9,13 @@ fn main() {
         .expect("a function");
     let program = dynamics_symbolic::derive::derive(&robot, function);
     let path = quote::quote!(robot_dynamics);
-    let text = dynamics_symbolic::emit::method(&robot, function, &program, &path).to_string();
+    let text = dynamics_symbolic::emit::method(
+        &robot,
+        function,
+        &program,
+        &program.rounded_constants(),
+        &path,
+    )
+    .to_string();
     println!("{}", text.replace(" ;", ";\n").replace("] ", "]\n"));
 }

@@ -6,6 +6,7 @@ use crate::function::Function;
 use crate::program::{Operations, Program};
 use crate::prove::{ProofFailure, prove};
 use crate::robot::Robot;
+use core::fmt;
 use proc_macro2::TokenStream;
 
 /// A generated method.
@@ -18,16 +19,52 @@ pub struct Method {
     pub operations: Operations,
 }
 
+/// Why a function cannot be generated.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Failure {
+    /// Its program is not equal to the textbook definition: a defect of this crate.
+    Proof(ProofFailure),
+    /// A constant of its program, a product or a quotient of numbers in the table, is too large for
+    /// a double.
+    Overflow(Function),
+}
+
+impl Failure {
+    /// The function.
+    pub fn function(&self) -> Function {
+        match self {
+            Failure::Proof(failure) => failure.function,
+            Failure::Overflow(function) => *function,
+        }
+    }
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Failure::Proof(failure) => failure.fmt(f),
+            Failure::Overflow(function) => write!(
+                f,
+                "a constant in `{}` is too large for a double-precision number: numbers of the table \
+                 combine to more than 1.8e308, are the units right?",
+                function.name()
+            ),
+        }
+    }
+}
+
+impl std::error::Error for Failure {}
+
 /// Derives, proves and emits the functions of a robot; `path` is the path of the runtime crate.
 ///
 /// # Errors
 ///
-/// The functions whose program is not equal to the textbook definition: a defect of this crate.
+/// Every function that cannot be generated, with the reason.
 pub fn expand(
     robot: &Robot,
     functions: &[Function],
     path: &TokenStream,
-) -> Result<Vec<Method>, Vec<ProofFailure>> {
+) -> Result<Vec<Method>, Vec<Failure>> {
     expand_with(robot, functions, path, &derive)
 }
 
@@ -35,23 +72,18 @@ pub fn expand(
 ///
 /// # Errors
 ///
-/// The functions whose program is not equal to the textbook definition.
+/// Every function that cannot be generated, with the reason.
 pub fn expand_with(
     robot: &Robot,
     functions: &[Function],
     path: &TokenStream,
     derive: &dyn Fn(&Robot, Function) -> Program,
-) -> Result<Vec<Method>, Vec<ProofFailure>> {
+) -> Result<Vec<Method>, Vec<Failure>> {
     let mut methods = Vec::with_capacity(functions.len());
     let mut failures = Vec::new();
     for &function in functions {
-        let program = derive(robot, function);
-        match prove(robot, function, &program) {
-            Ok(()) => methods.push(Method {
-                function,
-                tokens: emit::method(robot, function, &program, path),
-                operations: program.operations(),
-            }),
+        match method(robot, function, derive(robot, function), path) {
+            Ok(method) => methods.push(method),
             Err(failure) => failures.push(failure),
         }
     }
@@ -60,4 +92,24 @@ pub fn expand_with(
     } else {
         Err(failures)
     }
+}
+
+/// Proves a program, rounds its constants and emits it.
+fn method(
+    robot: &Robot,
+    function: Function,
+    program: Program,
+    path: &TokenStream,
+) -> Result<Method, Failure> {
+    prove(robot, function, &program).map_err(Failure::Proof)?;
+    let constants = program.rounded_constants();
+    if constants.iter().any(|x| x.is_infinite()) {
+        return Err(Failure::Overflow(function));
+    }
+    let tokens = emit::method(robot, function, &program, &constants, path);
+    Ok(Method {
+        function,
+        tokens,
+        operations: program.operations(),
+    })
 }

@@ -19,7 +19,6 @@ pub mod robot;
 pub mod simplify;
 
 pub use emit::stub;
-pub use expand::{Method, expand, expand_with};
+pub use expand::{Failure, Method, expand, expand_with};
 pub use function::Function;
 pub use program::Operations;
-pub use prove::ProofFailure;

@@ -74,6 +74,24 @@ fn long_programs_declare_their_names_in_groups() {
     assert!(long.matches(';').count() > 1_000);
 }
 
+/// Cells that are numbers, and a constant of the program that is none.
+#[test]
+fn an_overflow_is_an_error_that_names_the_function() {
+    let mut robot = support::robot("one_link");
+    robot.rows[0].mass = support::decimal(1e300);
+    robot.rows[0].com[0] = support::decimal(1e10);
+    let functions = [Function::MassMatrix, Function::GravityVector];
+    let failures = expand(&robot, &functions, &quote!(path))
+        .err()
+        .expect("a failure");
+    assert_eq!(failures.len(), 2);
+    assert!(
+        failures[0]
+            .to_string()
+            .contains("a constant in `mass_matrix` is too large")
+    );
+}
+
 #[test]
 fn nothing_is_read_that_is_not_used() {
     // The first angle of an arm with a vertical first axis does not matter.

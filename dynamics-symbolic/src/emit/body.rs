@@ -26,7 +26,7 @@ enum Use {
 struct Writer<'p> {
     program: &'p Program,
     uses: Vec<Use>,
-    constants: Vec<f64>,
+    constants: &'p [f64],
     inputs: Vec<Ident>,
     names: Vec<Option<Ident>>,
 }
@@ -35,9 +35,10 @@ pub(super) fn body(
     robot: &Robot,
     function: Function,
     program: &Program,
+    constants: &[f64],
     path: &TokenStream,
 ) -> TokenStream {
-    let writer = Writer::new(robot, program);
+    let writer = Writer::new(robot, program, constants);
     let inputs = inputs(robot, program, path);
     let k = ident("k");
     let reads_constants = writer.constants.iter().any(|x| !x.is_nan());
@@ -185,7 +186,7 @@ fn parametric(robot: &Robot, value: &Value, path: &TokenStream) -> TokenStream {
 }
 
 impl<'p> Writer<'p> {
-    fn new(robot: &Robot, program: &'p Program) -> Self {
+    fn new(robot: &Robot, program: &'p Program, constants: &'p [f64]) -> Self {
         let uses = uses(program);
         let mut count = 0;
         let names = uses
@@ -203,10 +204,6 @@ impl<'p> Writer<'p> {
             .iter()
             .map(|symbol| ident(&input_name(robot, symbol, &angles)))
             .collect();
-        let needed = needed_constants(program);
-        let constants = program
-            .constants
-            .round(|id| needed.get(id.index()).copied().unwrap_or(false));
         Writer {
             program,
             uses,
@@ -345,22 +342,4 @@ fn uses(program: &Program) -> Vec<Use> {
         .zip(&readers)
         .map(used)
         .collect()
-}
-
-fn needed_constants(program: &Program) -> Vec<bool> {
-    let instructions = program.instructions.iter().flat_map(|instruction| {
-        let (a, b) = instruction.operands();
-        [a, b]
-    });
-    let operands = instructions.chain(program.outputs.iter().map(|output| output.operand));
-    let mut needed = Vec::new();
-    for operand in operands {
-        if let Operand::Constant(id) = operand {
-            if needed.len() <= id.index() {
-                needed.resize(id.index() + 1, false);
-            }
-            needed[id.index()] = true;
-        }
-    }
-    needed
 }

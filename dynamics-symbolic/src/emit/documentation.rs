@@ -63,7 +63,12 @@ fn description(function: Function) -> &'static str {
 }
 
 /// The lines of a method's documentation.
-pub(super) fn documentation(robot: &Robot, function: Function, program: &Program) -> Vec<String> {
+pub(super) fn documentation(
+    robot: &Robot,
+    function: Function,
+    program: &Program,
+    constants: &[f64],
+) -> Vec<String> {
     let mut lines = vec![format!(" {}", description(function)), String::new()];
     lines.push(
         " `q` in rad (revolute) or m (prismatic), `qd` and `qdd` per second and second squared."
@@ -71,7 +76,7 @@ pub(super) fn documentation(robot: &Robot, function: Function, program: &Program
     );
     lines.push(String::new());
     lines.push(format!(" Operations: {}.", program.operations()));
-    if let Some(formulas) = formulas(robot, program).filter(|_| robot.rows.len() <= 3) {
+    if let Some(formulas) = formulas(robot, program, constants).filter(|_| robot.rows.len() <= 3) {
         lines.extend(formula_lines(function, robot.rows.len(), &formulas));
     }
     lines.push(String::new());

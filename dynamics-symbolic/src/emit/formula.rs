@@ -1,18 +1,17 @@
 //! Short programs as formulas that a person can read.
 
-use crate::program::{ConstantPool, Instruction, Operand, Program, Real};
+use crate::program::{Instruction, Operand, Program};
 use crate::robot::{Robot, Symbol};
 
 /// A formula longer than this is no help.
 const LONGEST: usize = 150;
 
 /// The outputs as formulas, or `None` where one of them is too long to read.
-pub(super) fn formulas(robot: &Robot, program: &Program) -> Option<Vec<String>> {
-    let constants = constants(&program.constants);
+pub(super) fn formulas(robot: &Robot, program: &Program, constants: &[f64]) -> Option<Vec<String>> {
     let mut texts: Vec<Text> = Vec::with_capacity(program.instructions.len());
     for instruction in &program.instructions {
         let (a, b) = instruction.operands();
-        let read = |operand| read(robot, program, &constants, &texts, operand);
+        let read = |operand| read(robot, program, constants, &texts, operand);
         let (a, b) = (read(a), read(b));
         let text = match instruction {
             Instruction::Add(..) => Text {
@@ -38,7 +37,7 @@ pub(super) fn formulas(robot: &Robot, program: &Program) -> Option<Vec<String>> 
         texts.push(text);
     }
     let output = |output: &crate::program::Output| {
-        let text = read(robot, program, &constants, &texts, output.operand);
+        let text = read(robot, program, constants, &texts, output.operand);
         if output.negative {
             format!("-{}", text.above(1))
         } else {
@@ -71,13 +70,6 @@ impl Text {
             format!("({})", self.text)
         }
     }
-}
-
-fn constants(pool: &ConstantPool) -> Vec<f64> {
-    pool.evaluate(&mut Real::new(120))
-        .iter()
-        .map(|x| x.nearest())
-        .collect()
 }
 
 fn read(

@@ -18,16 +18,18 @@ use crate::robot::Robot;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// The documented method of a function; `path` is the path of the runtime crate.
+/// The documented method of a function, with the rounded constants of its program; `path` is the
+/// path of the runtime crate.
 pub fn method(
     robot: &Robot,
     function: Function,
     program: &Program,
+    constants: &[f64],
     path: &TokenStream,
 ) -> TokenStream {
-    let documentation = documentation::documentation(robot, function, program);
+    let documentation = documentation::documentation(robot, function, program, constants);
     let signature = signature(function, robot.rows.len(), path);
-    let body = body::body(robot, function, program, path);
+    let body = body::body(robot, function, program, constants, path);
     quote! {
         #(#[doc = #documentation])*
         #[inline]

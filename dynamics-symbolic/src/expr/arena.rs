@@ -328,7 +328,7 @@ impl Arena {
         // A number without faithful image gets no shared node; the proof, over
         // another prime, is what counts.
         let value = Fingerprint::from_rational(x)
-            .unwrap_or_else(|| Fingerprint::new(self.nodes.len() as u64 ^ 0x5DEE_CE66));
+            .unwrap_or_else(|| Fingerprint::random(&mut SplitMix64::new(self.nodes.len() as u64)));
         let negative = value.get() > (-value).get();
         let magnitude = if negative { -x } else { x.clone() };
         let index = self.rationals.len() as u32;

@@ -70,3 +70,31 @@ pub struct Program {
     /// The outputs in the order of the function's contract.
     pub outputs: Vec<Output>,
 }
+
+impl Program {
+    /// The constants as doubles, correctly rounded; NaN where the program reads none.
+    pub fn rounded_constants(&self) -> Vec<f64> {
+        let needed = self.needed_constants();
+        self.constants
+            .round(|id| needed.get(id.index()).copied().unwrap_or(false))
+    }
+
+    /// Which constants instructions and outputs read; others serve to define them.
+    fn needed_constants(&self) -> Vec<bool> {
+        let instructions = self.instructions.iter().flat_map(|instruction| {
+            let (a, b) = instruction.operands();
+            [a, b]
+        });
+        let operands = instructions.chain(self.outputs.iter().map(|output| output.operand));
+        let mut needed = Vec::new();
+        for operand in operands {
+            if let Operand::Constant(id) = operand {
+                if needed.len() <= id.index() {
+                    needed.resize(id.index() + 1, false);
+                }
+                needed[id.index()] = true;
+            }
+        }
+        needed
+    }
+}

@@ -2,10 +2,16 @@
 
 use super::Value;
 use crate::exact::Rational;
+use core::f64::consts::{FRAC_PI_2, PI};
+use dashu_int::IBig;
+use dashu_int::ops::RemEuclid;
 
 /// A distance to a multiple of a quarter turn below which an angle means that
 /// multiple: decimals such as 1.5707963267948966 are pi/2.
 const TOLERANCE: f64 = 1e-9;
+
+/// Beyond it the spacing of doubles comes near to the tolerance.
+const LARGEST: f64 = 1e6;
 
 /// A constant angle: `quarter_turns` * pi/2, plus the angle `rest`.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,22 +33,17 @@ impl Angle {
     /// Takes the whole quarter turns out of an angle.
     pub fn new(angle: &Value) -> Self {
         let form = LinearForm::of(angle);
-        let radians =
-            form.number.to_f64().value() + form.pi.to_f64().value() * core::f64::consts::PI;
-        let nearest = (radians / core::f64::consts::FRAC_PI_2).round();
-        let is_multiple = (radians - nearest * core::f64::consts::FRAC_PI_2).abs() <= TOLERANCE;
-        if is_multiple {
+        if let Some(quarter_turns) = form.whole_quarter_turns() {
             return Angle {
-                quarter_turns: nearest.rem_euclid(4.0) as u8,
+                quarter_turns,
                 rest: nonzero(form.others),
             };
         }
         let quarters = (&form.pi * Rational::from(2)).round();
         let pi = form.pi - Rational::from(quarters.clone()) / Rational::from(2);
         let constant = Value::Rational(form.number) + Value::Rational(pi) * Value::Pi;
-        let quarters = f64::try_from(quarters).unwrap_or(0.0);
         Angle {
-            quarter_turns: quarters.rem_euclid(4.0) as u8,
+            quarter_turns: modulo_4(&quarters),
             rest: nonzero(constant + form.others),
         }
     }
@@ -52,7 +53,30 @@ fn nonzero(value: Value) -> Option<Value> {
     (!value.is_zero()).then_some(value)
 }
 
+/// The remainder of a whole number of quarter turns.
+fn modulo_4(quarters: &IBig) -> u8 {
+    let quarters: u64 = quarters
+        .rem_euclid(IBig::from(4))
+        .try_into()
+        .expect("0 to 3");
+    quarters as u8
+}
+
 impl LinearForm {
+    /// The constant part as whole quarter turns modulo 4, where it is a multiple of one: exactly,
+    /// or as decimals that are near enough.
+    fn whole_quarter_turns(&self) -> Option<u8> {
+        let of_pi = &self.pi * Rational::from(2);
+        if self.number.is_zero() && of_pi.is_int() {
+            return Some(modulo_4(&of_pi.round()));
+        }
+        let radians = self.number.to_f64().value() + self.pi.to_f64().value() * PI;
+        let nearest = (radians / FRAC_PI_2).round();
+        let is_near =
+            radians.abs() <= LARGEST && (radians - nearest * FRAC_PI_2).abs() <= TOLERANCE;
+        is_near.then(|| nearest.rem_euclid(4.0) as u8)
+    }
+
     fn of(value: &Value) -> Self {
         let zero = || Rational::ZERO;
         match value {
@@ -122,7 +146,7 @@ mod tests {
             (half_pi.clone(), 1),
             (-half_pi.clone(), 3),
             (Value::Pi, 2),
-            (Value::from_f64(core::f64::consts::FRAC_PI_2).unwrap(), 1),
+            (Value::from_f64(FRAC_PI_2).unwrap(), 1),
             (rational(-15_707_963_268, 10_000_000_000), 3),
             (Value::Pi * rational(90, 180), 1),
         ];
@@ -136,6 +160,19 @@ mod tests {
                 "{angle:?}"
             );
         }
+    }
+
+    #[test]
+    fn many_turns_are_counted_exactly() {
+        let turns = |n: i64| Value::Pi * rational(n, 2);
+        assert_eq!(
+            Angle::new(&turns(4_000_000_000_000_000_001)).quarter_turns,
+            1
+        );
+        assert_eq!(Angle::new(&turns(-1)).quarter_turns, 3);
+        // Radians that are large are no multiple, whatever doubles say.
+        let large = Value::Rational(Rational::from(10).pow(20));
+        assert!(Angle::new(&large).rest.is_some());
     }
 
     #[test]

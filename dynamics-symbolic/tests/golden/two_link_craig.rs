@@ -95,8 +95,10 @@ impl Arm {
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
-        let (s1, c1) = ::robot_dynamics::Scalar::sin_cos(q.data.0[0][0]);
-        let (s2, c2) = ::robot_dynamics::Scalar::sin_cos(q.data.0[0][1]);
+        let [(s1, c1), (s2, c2)] = ::robot_dynamics::Scalar::sin_cos_array([
+            q.data.0[0][0],
+            q.data.0[0][1],
+        ]);
         let p_m1 = <T as ::robot_dynamics::Scalar>::from_f64(self.m1);
         let p_m2 = <T as ::robot_dynamics::Scalar>::from_f64(self.m2);
         let p_l1 = <T as ::robot_dynamics::Scalar>::from_f64(self.l1);
@@ -129,8 +131,10 @@ impl Arm {
         qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
         qdd: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
-        let (s1, c1) = ::robot_dynamics::Scalar::sin_cos(q.data.0[0][0]);
-        let (s2, c2) = ::robot_dynamics::Scalar::sin_cos(q.data.0[0][1]);
+        let [(s1, c1), (s2, c2)] = ::robot_dynamics::Scalar::sin_cos_array([
+            q.data.0[0][0],
+            q.data.0[0][1],
+        ]);
         let p_m1 = <T as ::robot_dynamics::Scalar>::from_f64(self.m1);
         let p_m2 = <T as ::robot_dynamics::Scalar>::from_f64(self.m2);
         let p_l1 = <T as ::robot_dynamics::Scalar>::from_f64(self.l1);
@@ -181,8 +185,10 @@ impl Arm {
         ::robot_dynamics::nalgebra::SVector<T, 2>,
         ::robot_dynamics::SingularMassMatrix,
     > {
-        let (s1, c1) = ::robot_dynamics::Scalar::sin_cos(q.data.0[0][0]);
-        let (s2, c2) = ::robot_dynamics::Scalar::sin_cos(q.data.0[0][1]);
+        let [(s1, c1), (s2, c2)] = ::robot_dynamics::Scalar::sin_cos_array([
+            q.data.0[0][0],
+            q.data.0[0][1],
+        ]);
         let p_m1 = <T as ::robot_dynamics::Scalar>::from_f64(self.m1);
         let p_m2 = <T as ::robot_dynamics::Scalar>::from_f64(self.m2);
         let p_l1 = <T as ::robot_dynamics::Scalar>::from_f64(self.l1);
@@ -287,8 +293,10 @@ impl Arm {
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> T {
-        let (s1, c1) = ::robot_dynamics::Scalar::sin_cos(q.data.0[0][0]);
-        let (s2, c2) = ::robot_dynamics::Scalar::sin_cos(q.data.0[0][1]);
+        let [(s1, c1), (s2, c2)] = ::robot_dynamics::Scalar::sin_cos_array([
+            q.data.0[0][0],
+            q.data.0[0][1],
+        ]);
         let p_m1 = <T as ::robot_dynamics::Scalar>::from_f64(self.m1);
         let p_m2 = <T as ::robot_dynamics::Scalar>::from_f64(self.m2);
         let p_l1 = <T as ::robot_dynamics::Scalar>::from_f64(self.l1);

@@ -83,8 +83,10 @@ impl Arm {
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
-        let (s1, c1) = ::robot_dynamics::Scalar::sin_cos(q.data.0[0][0]);
-        let (s2, c2) = ::robot_dynamics::Scalar::sin_cos(q.data.0[0][1]);
+        let [(s1, c1), (s2, c2)] = ::robot_dynamics::Scalar::sin_cos_array([
+            q.data.0[0][0],
+            q.data.0[0][1],
+        ]);
         let k = <T as ::robot_dynamics::Scalar>::from_f64;
         let t1 = c1 * c2 - s1 * s2;
         let t2 = k(4.905) * t1;
@@ -132,8 +134,10 @@ impl Arm {
         qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
         qdd: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
-        let (s2, c2) = ::robot_dynamics::Scalar::sin_cos(q.data.0[0][1]);
-        let (s1, c1) = ::robot_dynamics::Scalar::sin_cos(q.data.0[0][0]);
+        let [(s2, c2), (s1, c1)] = ::robot_dynamics::Scalar::sin_cos_array([
+            q.data.0[0][1],
+            q.data.0[0][0],
+        ]);
         let qd1 = qd.data.0[0][0];
         let qd2 = qd.data.0[0][1];
         let qdd1 = qdd.data.0[0][0];
@@ -174,8 +178,10 @@ impl Arm {
         ::robot_dynamics::nalgebra::SVector<T, 2>,
         ::robot_dynamics::SingularMassMatrix,
     > {
-        let (s2, c2) = ::robot_dynamics::Scalar::sin_cos(q.data.0[0][1]);
-        let (s1, c1) = ::robot_dynamics::Scalar::sin_cos(q.data.0[0][0]);
+        let [(s2, c2), (s1, c1)] = ::robot_dynamics::Scalar::sin_cos_array([
+            q.data.0[0][1],
+            q.data.0[0][0],
+        ]);
         let qd1 = qd.data.0[0][0];
         let qd2 = qd.data.0[0][1];
         let tau1 = tau.data.0[0][0];
@@ -259,8 +265,10 @@ impl Arm {
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> T {
-        let (s1, c1) = ::robot_dynamics::Scalar::sin_cos(q.data.0[0][0]);
-        let (s2, c2) = ::robot_dynamics::Scalar::sin_cos(q.data.0[0][1]);
+        let [(s1, c1), (s2, c2)] = ::robot_dynamics::Scalar::sin_cos_array([
+            q.data.0[0][0],
+            q.data.0[0][1],
+        ]);
         let k = <T as ::robot_dynamics::Scalar>::from_f64;
         let t1 = c2 + k(10.0);
         let t2 = c1 * s2 + s1 * t1;
@@ -281,8 +289,10 @@ impl Arm {
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
         qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
-        let (s2, c2) = ::robot_dynamics::Scalar::sin_cos(q.data.0[0][1]);
-        let (s1, c1) = ::robot_dynamics::Scalar::sin_cos(q.data.0[0][0]);
+        let [(s2, c2), (s1, c1)] = ::robot_dynamics::Scalar::sin_cos_array([
+            q.data.0[0][1],
+            q.data.0[0][0],
+        ]);
         let qd1 = qd.data.0[0][0];
         let qd2 = qd.data.0[0][1];
         let k = <T as ::robot_dynamics::Scalar>::from_f64;
@@ -397,8 +407,10 @@ impl Arm {
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::Matrix4<T> {
-        let (s1, c1) = ::robot_dynamics::Scalar::sin_cos(q.data.0[0][0]);
-        let (s2, c2) = ::robot_dynamics::Scalar::sin_cos(q.data.0[0][1]);
+        let [(s1, c1), (s2, c2)] = ::robot_dynamics::Scalar::sin_cos_array([
+            q.data.0[0][0],
+            q.data.0[0][1],
+        ]);
         let k = <T as ::robot_dynamics::Scalar>::from_f64;
         let t1 = c1 * c2 - s1 * s2;
         let t2 = s1 * c2 + c1 * s2;
@@ -426,8 +438,10 @@ impl Arm {
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> [::robot_dynamics::nalgebra::Matrix4<T>; 2] {
-        let (s1, c1) = ::robot_dynamics::Scalar::sin_cos(q.data.0[0][0]);
-        let (s2, c2) = ::robot_dynamics::Scalar::sin_cos(q.data.0[0][1]);
+        let [(s1, c1), (s2, c2)] = ::robot_dynamics::Scalar::sin_cos_array([
+            q.data.0[0][0],
+            q.data.0[0][1],
+        ]);
         let k = <T as ::robot_dynamics::Scalar>::from_f64;
         let t1 = k(2.0) * c1;
         let t2 = k(2.0) * s1;
@@ -467,8 +481,10 @@ impl Arm {
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SMatrix<T, 6, 2> {
-        let (s1, c1) = ::robot_dynamics::Scalar::sin_cos(q.data.0[0][0]);
-        let (s2, c2) = ::robot_dynamics::Scalar::sin_cos(q.data.0[0][1]);
+        let [(s1, c1), (s2, c2)] = ::robot_dynamics::Scalar::sin_cos_array([
+            q.data.0[0][0],
+            q.data.0[0][1],
+        ]);
         let k = <T as ::robot_dynamics::Scalar>::from_f64;
         let t1 = s1 * c2 + c1 * s2;
         let t2 = k(2.0) * s1 + t1;
