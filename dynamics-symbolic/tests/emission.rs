@@ -92,6 +92,27 @@ fn an_overflow_is_an_error_that_names_the_function() {
     );
 }
 
+/// A parameter may be zero: programs divide by what the user divides by, and
+/// forward dynamics by its pivots.
+#[test]
+fn no_division_by_a_parameter_is_invented() {
+    let mut elbow = support::robot("elbow_3r");
+    elbow.fields = ["gx", "gy", "gz", "m", "x"].map(str::to_owned).to_vec();
+    elbow.gravity = [0, 1, 2].map(Value::field);
+    elbow.rows[2].mass = Value::field(3);
+    elbow.rows[2].com[0] = Value::field(4);
+    for robot in [elbow, two_link_craig()] {
+        for method in expand(&robot, &Function::ALL, &quote!(path)).expect("proven") {
+            let allowed = method.function == Function::ForwardDynamics;
+            assert!(
+                allowed || method.operations.divisions == 0,
+                "{}",
+                method.function.name()
+            );
+        }
+    }
+}
+
 #[test]
 fn nothing_is_read_that_is_not_used() {
     // The first angle of an arm with a vertical first axis does not matter.
@@ -99,5 +120,5 @@ fn nothing_is_read_that_is_not_used() {
         &support::robot("puma560"),
         &[Function::MassMatrix, Function::GravityVector],
     );
-    assert!(!text.contains("s1") && !text.contains("c1 "));
+    assert!(!text.contains("s_1") && !text.contains("c_1 "));
 }

@@ -93,3 +93,28 @@ fn a_mass_that_is_not_a_number_is_an_error_at_run_time() {
         );
     }
 }
+
+robot_dynamics! {
+    /// An elbow arm whose gravity may point anywhere, or be switched off.
+    struct AnyGravity { gx: f64, gy: f64, gz: f64 }
+    convention: standard,
+    gravity: [gx, gy, gz],
+    joints: [
+        waist: revolute { d: 0.5, alpha: PI/2, mass: 2, com: [0.1, -0.2, 0.05], inertia: sphere(0.1) },
+        shoulder: revolute { a: 0.5, mass: 1.5, com: [-0.2, 0.02, 0], inertia: rod(0.5) },
+        elbow: revolute { a: 0.4, mass: 1, com: [-0.2, 0, 0.01], inertia: rod(0.4) },
+    ],
+}
+
+/// No function divides by a parameter that may be zero.
+#[test]
+fn parameters_may_be_zero() {
+    for (gx, gy, gz) in [
+        (0.0, -9.81, 0.0),
+        (9.81, 0.0, 0.0),
+        (0.0, 0.0, -1.62),
+        (0.0, 0.0, 0.0),
+    ] {
+        check_against_rnea(&AnyGravity { gx, gy, gz }).assert_ok();
+    }
+}

@@ -2,7 +2,7 @@
 
 use super::chain::Chain;
 use crate::exact::Rational;
-use crate::expr::{Expr, Graph};
+use crate::expr::{Expr, Graph, Level};
 use crate::linear::Vector3;
 use crate::robot::JointType;
 
@@ -45,11 +45,17 @@ pub(super) fn potential_energy<'g>(chain: &Chain<'g>) -> Expr<'g> {
 /// about the origin of frame i.
 ///
 /// Bodies are scaled by one component of g beforehand, so that the direction
-/// of gravity is what enters the products: a component of 1 costs nothing.
+/// of gravity is what enters the products: a component of 1 costs nothing. The
+/// component must be a number: a parameter may be zero.
 pub(super) fn gravity_vector<'g>(chain: &Chain<'g>) -> Vec<Expr<'g>> {
-    let Some(scale) = chain.gravity.0.into_iter().rev().find(|g| !g.is_zero()) else {
-        return vec![chain.zero; chain.links.len()];
-    };
+    let is_number = |g: &Expr<'g>| g.level() == Level::Constant && !g.is_zero();
+    let scale = chain
+        .gravity
+        .0
+        .into_iter()
+        .rev()
+        .find(is_number)
+        .unwrap_or(chain.one);
     let mut g = Vector3(chain.gravity.0.map(|component| component / scale));
     let moments = composite_moments(chain, scale);
     let force = |(link, (mass, h)): (&super::chain::Link<'g>, &(Expr<'g>, Vector3<Expr<'g>>))| {

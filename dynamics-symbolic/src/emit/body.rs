@@ -40,9 +40,9 @@ pub(super) fn body(
 ) -> TokenStream {
     let writer = Writer::new(robot, program, constants);
     let inputs = inputs(robot, program, path);
-    let k = ident("k");
+    let real = ident("real");
     let reads_constants = writer.constants.iter().any(|x| !x.is_nan());
-    let number = reads_constants.then(|| quote!(let #k = <T as #path::Scalar>::from_f64;));
+    let number = reads_constants.then(|| quote!(let #real = <T as #path::Scalar>::from_f64;));
     let assignments = writer.assignments();
     let outputs = writer.outputs(function, robot.rows.len(), path);
     quote!(#inputs #number #assignments #outputs)
@@ -58,6 +58,8 @@ pub(super) fn literal(x: f64) -> TokenStream {
     }
 }
 
+/// The variable of an input. Names end in `_i`: an identifier pattern that
+/// happens to be the name of a user's constant would be that constant.
 fn input_name(robot: &Robot, symbol: &Symbol, angles: &[&Symbol]) -> String {
     let angle_number = |value: &Value| {
         let same = |symbol: &&Symbol| match symbol {
@@ -74,15 +76,15 @@ fn input_name(robot: &Robot, symbol: &Symbol, angles: &[&Symbol]) -> String {
     match symbol {
         Symbol::Pi => "pi".to_owned(),
         Symbol::Field(i) => format!("p_{}", plain(&robot.fields[*i])),
-        Symbol::AngleSine(angle) => format!("sa{}", angle_number(angle)),
-        Symbol::AngleCosine(angle) => format!("ca{}", angle_number(angle)),
-        Symbol::Sine(i) => format!("s{}", i + 1),
-        Symbol::Cosine(i) => format!("c{}", i + 1),
-        Symbol::Position(i) => format!("q{}", i + 1),
-        Symbol::Velocity(i) => format!("qd{}", i + 1),
-        Symbol::Acceleration(i) => format!("qdd{}", i + 1),
-        Symbol::Force(i) => format!("tau{}", i + 1),
-        Symbol::VelocitySign(i) => format!("sgn{}", i + 1),
+        Symbol::AngleSine(angle) => format!("sa_{}", angle_number(angle)),
+        Symbol::AngleCosine(angle) => format!("ca_{}", angle_number(angle)),
+        Symbol::Sine(i) => format!("s_{}", i + 1),
+        Symbol::Cosine(i) => format!("c_{}", i + 1),
+        Symbol::Position(i) => format!("q_{}", i + 1),
+        Symbol::Velocity(i) => format!("qd_{}", i + 1),
+        Symbol::Acceleration(i) => format!("qdd_{}", i + 1),
+        Symbol::Force(i) => format!("tau_{}", i + 1),
+        Symbol::VelocitySign(i) => format!("sign_{}", i + 1),
     }
 }
 
@@ -194,7 +196,7 @@ impl<'p> Writer<'p> {
             .map(|&used| {
                 (used == Use::Named).then(|| {
                     count += 1;
-                    ident(&format!("t{count}"))
+                    ident(&format!("t_{count}"))
                 })
             })
             .collect();
@@ -267,7 +269,7 @@ impl<'p> Writer<'p> {
     }
 
     fn write_constant(&self, id: ConstantId, tokens: &mut Vec<TokenTree>) {
-        tokens.push(ident("k").into());
+        tokens.push(ident("real").into());
         tokens.push(Group::new(Delimiter::Parenthesis, literal(self.constants[id.index()])).into());
     }
 

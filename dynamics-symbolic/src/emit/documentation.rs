@@ -1,10 +1,10 @@
 //! The documentation of the generated methods.
 
 use super::formula::formulas;
-use super::signature::{Shape, shape};
+use super::signature::{Shape, arguments, shape};
 use crate::function::Function;
 use crate::program::Program;
-use crate::robot::Robot;
+use crate::robot::{JointType, Robot};
 
 /// What a function is, in a line, its shapes, units and other names.
 fn description(function: Function) -> &'static str {
@@ -70,10 +70,7 @@ pub(super) fn documentation(
     constants: &[f64],
 ) -> Vec<String> {
     let mut lines = vec![format!(" {}", description(function)), String::new()];
-    lines.push(
-        " `q` in rad (revolute) or m (prismatic), `qd` and `qdd` per second and second squared."
-            .to_owned(),
-    );
+    lines.push(format!(" {}", units(robot, function)));
     lines.push(String::new());
     lines.push(format!(" Operations: {}.", program.operations()));
     if let Some(formulas) = formulas(robot, program, constants).filter(|_| robot.rows.len() <= 3) {
@@ -82,13 +79,32 @@ pub(super) fn documentation(
     lines.push(String::new());
     lines.push(match function {
         Function::ForwardDynamics => {
-            " # Errors\n\n `SingularMassMatrix` where M(q) is not positive definite, or an input is not finite: it names \
-             the joint whose pivot failed."
+            " # Errors\n\n `SingularMassMatrix` where M(q) is not positive definite to working precision, or not finite: \
+             it names the joint whose pivot failed.\n\n Never panics, never allocates; what depends on an input that \
+             is not finite is not finite."
                 .to_owned()
         }
         _ => " Never panics, never allocates; what depends on an input that is not finite is not finite.".to_owned(),
     });
     lines
+}
+
+/// The units of the arguments.
+fn units(robot: &Robot, function: Function) -> String {
+    let is = |joint_type| robot.rows.iter().all(|row| row.joint_type == joint_type);
+    let (position, force) = match (is(JointType::Revolute), is(JointType::Prismatic)) {
+        (true, _) => ("rad", "N m"),
+        (_, true) => ("m", "N"),
+        _ => ("rad or m", "N m or N"),
+    };
+    let unit = |argument: &&str| match *argument {
+        "q" => format!("`q`: joint positions, {position}"),
+        "qd" => format!("`qd`: joint velocities, {position} per s"),
+        "qdd" => format!("`qdd`: joint accelerations, {position} per s^2"),
+        _ => format!("`tau`: joint forces and torques, {force}"),
+    };
+    let units: Vec<_> = arguments(function).iter().map(unit).collect();
+    format!("{}.", units.join("; "))
 }
 
 /// The formulas, each behind the name of its entry.
@@ -123,6 +139,5 @@ fn formula_lines(function: Function, dof: usize, formulas: &[String]) -> Vec<Str
             .map(|(index, formula)| format!(" {} = {formula}", name(index))),
     );
     lines.push(" ```".to_owned());
-    lines.push(" with si, ci the sine and cosine of qi.".to_owned());
     lines
 }

@@ -5,7 +5,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::{ToTokens, quote};
 
 /// The arguments of a function after `&self`, in order.
-fn arguments(function: Function) -> &'static [&'static str] {
+pub(super) fn arguments(function: Function) -> &'static [&'static str] {
     match function {
         Function::MassMatrix
         | Function::GravityVector

@@ -72,7 +72,7 @@ impl ConstantPool {
     /// certain is a tie that the engine cannot know to be one, such as
     /// 2 cos(pi/3) (1 + 2^-53): it rounds to either side. A constant is infinite
     /// where it exceeds the largest double, where it is a quotient by zero, and
-    /// where it is the sine of an angle beyond 2^[`MOST_BITS`].
+    /// where it is the sine of an angle beyond 2^`MOST_BITS`.
     pub fn round(&self, needed: impl Fn(ConstantId) -> bool) -> Vec<f64> {
         let mut precision = FEWEST_BITS;
         loop {

@@ -26,13 +26,14 @@ impl Operations {
 
 impl fmt::Display for Operations {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            f,
-            "{} multiplications, {} additions",
-            self.multiplications, self.additions
-        )?;
+        let several = |count: u32, word: &str| match count {
+            1 => format!("1 {word}"),
+            _ => format!("{count} {word}s"),
+        };
+        let products = several(self.multiplications, "multiplication");
+        write!(f, "{products}, {}", several(self.additions, "addition"))?;
         if self.divisions > 0 {
-            write!(f, ", {} divisions", self.divisions)?;
+            write!(f, ", {}", several(self.divisions, "division"))?;
         }
         match self.sin_cos {
             0 => {}
@@ -159,7 +160,7 @@ mod tests {
         operations.sin_cos = 1;
         assert_eq!(
             operations.to_string(),
-            "3 multiplications, 2 additions, 1 divisions, sine and cosine of one angle"
+            "3 multiplications, 2 additions, 1 division, sine and cosine of one angle"
         );
         operations.sin_cos = 2;
         assert!(

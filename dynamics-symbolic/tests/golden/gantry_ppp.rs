@@ -1,7 +1,7 @@
 impl Arm {
     /// Mass matrix M(q), N x N, both triangles, reflected motor inertias included (kg m^2, kg m or kg). Also: joint-space inertia matrix, H (Featherstone), B (Siciliano), D (Spong).
     ///
-    /// `q` in rad (revolute) or m (prismatic), `qd` and `qdd` per second and second squared.
+    /// `q`: joint positions, m.
     ///
     /// Operations: 0 multiplications, 0 additions.
     ///
@@ -16,7 +16,6 @@ impl Arm {
     /// M32 = 0
     /// M33 = 3
     /// ```
-    /// with si, ci the sine and cosine of qi.
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
     #[inline]
@@ -25,18 +24,18 @@ impl Arm {
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 3>,
     ) -> ::robot_dynamics::nalgebra::SMatrix<T, 3, 3> {
-        let k = <T as ::robot_dynamics::Scalar>::from_f64;
+        let real = <T as ::robot_dynamics::Scalar>::from_f64;
         ::robot_dynamics::nalgebra::SMatrix::from_data(
             ::robot_dynamics::nalgebra::ArrayStorage([
-                [k(22.0), k(0.0), k(0.0)],
-                [k(0.0), k(10.0), k(0.0)],
-                [k(0.0), k(0.0), k(3.0)],
+                [real(22.0), real(0.0), real(0.0)],
+                [real(0.0), real(10.0), real(0.0)],
+                [real(0.0), real(0.0), real(3.0)],
             ]),
         )
     }
     /// Coriolis and centrifugal vector V(q, qd), N m or N: inverse dynamics without gravity, friction and acceleration.
     ///
-    /// `q` in rad (revolute) or m (prismatic), `qd` and `qdd` per second and second squared.
+    /// `q`: joint positions, m; `qd`: joint velocities, m per s.
     ///
     /// Operations: 0 multiplications, 0 additions.
     ///
@@ -45,7 +44,6 @@ impl Arm {
     /// V2 = 0
     /// V3 = 0
     /// ```
-    /// with si, ci the sine and cosine of qi.
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
     #[inline]
@@ -55,14 +53,14 @@ impl Arm {
         q: &::robot_dynamics::nalgebra::SVector<T, 3>,
         qd: &::robot_dynamics::nalgebra::SVector<T, 3>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 3> {
-        let k = <T as ::robot_dynamics::Scalar>::from_f64;
+        let real = <T as ::robot_dynamics::Scalar>::from_f64;
         ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([[k(0.0), k(0.0), k(0.0)]]),
+            ::robot_dynamics::nalgebra::ArrayStorage([[real(0.0), real(0.0), real(0.0)]]),
         )
     }
     /// Gravity vector G(q) = dU/dq, N m or N: inverse dynamics at rest.
     ///
-    /// `q` in rad (revolute) or m (prismatic), `qd` and `qdd` per second and second squared.
+    /// `q`: joint positions, m.
     ///
     /// Operations: 0 multiplications, 0 additions.
     ///
@@ -71,7 +69,6 @@ impl Arm {
     /// G2 = 0
     /// G3 = 0
     /// ```
-    /// with si, ci the sine and cosine of qi.
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
     #[inline]
@@ -80,14 +77,16 @@ impl Arm {
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 3>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 3> {
-        let k = <T as ::robot_dynamics::Scalar>::from_f64;
+        let real = <T as ::robot_dynamics::Scalar>::from_f64;
         ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([[k(215.82), k(0.0), k(0.0)]]),
+            ::robot_dynamics::nalgebra::ArrayStorage([
+                [real(215.82), real(0.0), real(0.0)],
+            ]),
         )
     }
     /// Friction vector F(qd) = viscous qd + coulomb sign(qd), N m or N, with sign(0) = 0.
     ///
-    /// `q` in rad (revolute) or m (prismatic), `qd` and `qdd` per second and second squared.
+    /// `qd`: joint velocities, m per s.
     ///
     /// Operations: 6 multiplications, 3 additions.
     ///
@@ -96,7 +95,6 @@ impl Arm {
     /// F2 = 4 qd2 + 6 sign(qd2)
     /// F3 = 3 qd3 + 4 sign(qd3)
     /// ```
-    /// with si, ci the sine and cosine of qi.
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
     #[inline]
@@ -105,23 +103,23 @@ impl Arm {
         &self,
         qd: &::robot_dynamics::nalgebra::SVector<T, 3>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 3> {
-        let qd1 = qd.data.0[0][0];
-        let qd2 = qd.data.0[0][1];
-        let qd3 = qd.data.0[0][2];
-        let sgn1 = ::robot_dynamics::Scalar::sign(qd.data.0[0][0]);
-        let sgn2 = ::robot_dynamics::Scalar::sign(qd.data.0[0][1]);
-        let sgn3 = ::robot_dynamics::Scalar::sign(qd.data.0[0][2]);
-        let k = <T as ::robot_dynamics::Scalar>::from_f64;
-        let t1 = k(5.0) * qd1 + k(8.0) * sgn1;
-        let t2 = k(4.0) * qd2 + k(6.0) * sgn2;
-        let t3 = k(3.0) * qd3 + k(4.0) * sgn3;
+        let qd_1 = qd.data.0[0][0];
+        let qd_2 = qd.data.0[0][1];
+        let qd_3 = qd.data.0[0][2];
+        let sign_1 = ::robot_dynamics::Scalar::sign(qd.data.0[0][0]);
+        let sign_2 = ::robot_dynamics::Scalar::sign(qd.data.0[0][1]);
+        let sign_3 = ::robot_dynamics::Scalar::sign(qd.data.0[0][2]);
+        let real = <T as ::robot_dynamics::Scalar>::from_f64;
+        let t_1 = real(5.0) * qd_1 + real(8.0) * sign_1;
+        let t_2 = real(4.0) * qd_2 + real(6.0) * sign_2;
+        let t_3 = real(3.0) * qd_3 + real(4.0) * sign_3;
         ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([[t1, t2, t3]]),
+            ::robot_dynamics::nalgebra::ArrayStorage([[t_1, t_2, t_3]]),
         )
     }
     /// Inverse dynamics tau = M(q) qdd + V(q, qd) + G(q) + F(qd), N m or N, as one program.
     ///
-    /// `q` in rad (revolute) or m (prismatic), `qd` and `qdd` per second and second squared.
+    /// `q`: joint positions, m; `qd`: joint velocities, m per s; `qdd`: joint accelerations, m per s^2.
     ///
     /// Operations: 8 multiplications, 7 additions.
     ///
@@ -130,7 +128,6 @@ impl Arm {
     /// tau2 = 6 sign(qd2) + 10 qdd2 + 4 qd2
     /// tau3 = 3 (qd3 + qdd3 + 1.3333333333333333 sign(qd3))
     /// ```
-    /// with si, ci the sine and cosine of qi.
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
     #[inline]
@@ -141,37 +138,39 @@ impl Arm {
         qd: &::robot_dynamics::nalgebra::SVector<T, 3>,
         qdd: &::robot_dynamics::nalgebra::SVector<T, 3>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 3> {
-        let qd1 = qd.data.0[0][0];
-        let qd2 = qd.data.0[0][1];
-        let qd3 = qd.data.0[0][2];
-        let sgn1 = ::robot_dynamics::Scalar::sign(qd.data.0[0][0]);
-        let sgn2 = ::robot_dynamics::Scalar::sign(qd.data.0[0][1]);
-        let sgn3 = ::robot_dynamics::Scalar::sign(qd.data.0[0][2]);
-        let qdd1 = qdd.data.0[0][0];
-        let qdd2 = qdd.data.0[0][1];
-        let qdd3 = qdd.data.0[0][2];
-        let k = <T as ::robot_dynamics::Scalar>::from_f64;
-        let t1 = qdd1 + k(9.81);
-        let t2 = k(22.0) * t1 + k(5.0) * qd1;
-        let t3 = k(8.0) * sgn1 + t2;
-        let t4 = k(10.0) * qdd2 + k(4.0) * qd2;
-        let t5 = k(6.0) * sgn2 + t4;
-        let t6 = qd3 + qdd3;
-        let t7 = t6 + k(1.3333333333333333) * sgn3;
-        let t8 = k(3.0) * t7;
+        let qd_1 = qd.data.0[0][0];
+        let qd_2 = qd.data.0[0][1];
+        let qd_3 = qd.data.0[0][2];
+        let sign_1 = ::robot_dynamics::Scalar::sign(qd.data.0[0][0]);
+        let sign_2 = ::robot_dynamics::Scalar::sign(qd.data.0[0][1]);
+        let sign_3 = ::robot_dynamics::Scalar::sign(qd.data.0[0][2]);
+        let qdd_1 = qdd.data.0[0][0];
+        let qdd_2 = qdd.data.0[0][1];
+        let qdd_3 = qdd.data.0[0][2];
+        let real = <T as ::robot_dynamics::Scalar>::from_f64;
+        let t_1 = qdd_1 + real(9.81);
+        let t_2 = real(22.0) * t_1 + real(5.0) * qd_1;
+        let t_3 = real(8.0) * sign_1 + t_2;
+        let t_4 = real(10.0) * qdd_2 + real(4.0) * qd_2;
+        let t_5 = real(6.0) * sign_2 + t_4;
+        let t_6 = qd_3 + qdd_3;
+        let t_7 = t_6 + real(1.3333333333333333) * sign_3;
+        let t_8 = real(3.0) * t_7;
         ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([[t3, t5, t8]]),
+            ::robot_dynamics::nalgebra::ArrayStorage([[t_3, t_5, t_8]]),
         )
     }
     /// Forward dynamics: the accelerations qdd with M(q) qdd + V(q, qd) + G(q) + F(qd) = tau, rad/s^2 or m/s^2.
     ///
-    /// `q` in rad (revolute) or m (prismatic), `qd` and `qdd` per second and second squared.
+    /// `q`: joint positions, m; `qd`: joint velocities, m per s; `tau`: joint forces and torques, N.
     ///
     /// Operations: 8 multiplications, 7 additions.
     ///
     /** # Errors
 
- `SingularMassMatrix` where M(q) is not positive definite, or an input is not finite: it names the joint whose pivot failed.*/
+ `SingularMassMatrix` where M(q) is not positive definite to working precision, or not finite: it names the joint whose pivot failed.
+
+ Never panics, never allocates; what depends on an input that is not finite is not finite.*/
     #[inline]
     #[allow(unused_variables, clippy::all)]
     pub fn forward_dynamics<T: ::robot_dynamics::Scalar>(
@@ -183,44 +182,43 @@ impl Arm {
         ::robot_dynamics::nalgebra::SVector<T, 3>,
         ::robot_dynamics::SingularMassMatrix,
     > {
-        let qd1 = qd.data.0[0][0];
-        let qd2 = qd.data.0[0][1];
-        let qd3 = qd.data.0[0][2];
-        let sgn1 = ::robot_dynamics::Scalar::sign(qd.data.0[0][0]);
-        let sgn2 = ::robot_dynamics::Scalar::sign(qd.data.0[0][1]);
-        let sgn3 = ::robot_dynamics::Scalar::sign(qd.data.0[0][2]);
-        let tau1 = tau.data.0[0][0];
-        let tau2 = tau.data.0[0][1];
-        let tau3 = tau.data.0[0][2];
-        let k = <T as ::robot_dynamics::Scalar>::from_f64;
-        let t1 = tau1 - k(215.82);
-        let t2 = k(5.0) * qd1 - t1;
-        let t3 = k(8.0) * sgn1 + t2;
-        let t4 = k(0.045454545454545456) * t3;
-        let t5 = tau2 - k(4.0) * qd2;
-        let t6 = t5 - k(6.0) * sgn2;
-        let t7 = k(0.1) * t6;
-        let t8 = qd3 - k(0.3333333333333333) * tau3;
-        let t9 = t8 + k(1.3333333333333333) * sgn3;
-        ::robot_dynamics::SingularMassMatrix::test(2, k(3.0), k(3.0))?;
-        ::robot_dynamics::SingularMassMatrix::test(1, k(10.0), k(10.0))?;
-        ::robot_dynamics::SingularMassMatrix::test(0, k(22.0), k(22.0))?;
+        let qd_1 = qd.data.0[0][0];
+        let qd_2 = qd.data.0[0][1];
+        let qd_3 = qd.data.0[0][2];
+        let sign_1 = ::robot_dynamics::Scalar::sign(qd.data.0[0][0]);
+        let sign_2 = ::robot_dynamics::Scalar::sign(qd.data.0[0][1]);
+        let sign_3 = ::robot_dynamics::Scalar::sign(qd.data.0[0][2]);
+        let tau_1 = tau.data.0[0][0];
+        let tau_2 = tau.data.0[0][1];
+        let tau_3 = tau.data.0[0][2];
+        let real = <T as ::robot_dynamics::Scalar>::from_f64;
+        let t_1 = tau_1 - real(215.82);
+        let t_2 = real(5.0) * qd_1 - t_1;
+        let t_3 = real(8.0) * sign_1 + t_2;
+        let t_4 = real(0.045454545454545456) * t_3;
+        let t_5 = tau_2 - real(4.0) * qd_2;
+        let t_6 = t_5 - real(6.0) * sign_2;
+        let t_7 = real(0.1) * t_6;
+        let t_8 = qd_3 - real(0.3333333333333333) * tau_3;
+        let t_9 = t_8 + real(1.3333333333333333) * sign_3;
+        ::robot_dynamics::SingularMassMatrix::test(2, real(3.0), real(3.0))?;
+        ::robot_dynamics::SingularMassMatrix::test(1, real(10.0), real(10.0))?;
+        ::robot_dynamics::SingularMassMatrix::test(0, real(22.0), real(22.0))?;
         ::core::result::Result::Ok(
             ::robot_dynamics::nalgebra::SMatrix::from_data(
-                ::robot_dynamics::nalgebra::ArrayStorage([[-t4, t7, -t9]]),
+                ::robot_dynamics::nalgebra::ArrayStorage([[-t_4, t_7, -t_9]]),
             ),
         )
     }
     /// Kinetic energy T(q, qd) = 1/2 qd^T M(q) qd, reflected motor inertias included, J.
     ///
-    /// `q` in rad (revolute) or m (prismatic), `qd` and `qdd` per second and second squared.
+    /// `q`: joint positions, m; `qd`: joint velocities, m per s.
     ///
     /// Operations: 6 multiplications, 4 additions.
     ///
     /// ```text
     /// T = 6 (qd1 qd1 + 0.5833333333333334 (qd1 qd1 + qd2 qd2) + 0.25 (qd1 qd1 + qd2 qd2 + qd3 qd3))
     /// ```
-    /// with si, ci the sine and cosine of qi.
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
     #[inline]
@@ -230,28 +228,27 @@ impl Arm {
         q: &::robot_dynamics::nalgebra::SVector<T, 3>,
         qd: &::robot_dynamics::nalgebra::SVector<T, 3>,
     ) -> T {
-        let qd1 = qd.data.0[0][0];
-        let qd2 = qd.data.0[0][1];
-        let qd3 = qd.data.0[0][2];
-        let k = <T as ::robot_dynamics::Scalar>::from_f64;
-        let t1 = qd1 * qd1;
-        let t2 = t1 + qd2 * qd2;
-        let t3 = t1 + k(0.5833333333333334) * t2;
-        let t4 = t2 + qd3 * qd3;
-        let t5 = t3 + k(0.25) * t4;
-        let t6 = k(6.0) * t5;
-        t6
+        let qd_1 = qd.data.0[0][0];
+        let qd_2 = qd.data.0[0][1];
+        let qd_3 = qd.data.0[0][2];
+        let real = <T as ::robot_dynamics::Scalar>::from_f64;
+        let t_1 = qd_1 * qd_1;
+        let t_2 = t_1 + qd_2 * qd_2;
+        let t_3 = t_1 + real(0.5833333333333334) * t_2;
+        let t_4 = t_2 + qd_3 * qd_3;
+        let t_5 = t_3 + real(0.25) * t_4;
+        let t_6 = real(6.0) * t_5;
+        t_6
     }
     /// Potential energy U(q) = -sum m g.c, zero at the origin of the base frame, J.
     ///
-    /// `q` in rad (revolute) or m (prismatic), `qd` and `qdd` per second and second squared.
+    /// `q`: joint positions, m.
     ///
-    /// Operations: 1 multiplications, 1 additions.
+    /// Operations: 1 multiplication, 1 addition.
     ///
     /// ```text
     /// U = (-215.82) (0.04045454545454545 - q1)
     /// ```
-    /// with si, ci the sine and cosine of qi.
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
     #[inline]
@@ -260,10 +257,10 @@ impl Arm {
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 3>,
     ) -> T {
-        let q1 = q.data.0[0][0];
-        let k = <T as ::robot_dynamics::Scalar>::from_f64;
-        let t1 = k(0.04045454545454545) - q1;
-        let t2 = k(-215.82) * t1;
-        t2
+        let q_1 = q.data.0[0][0];
+        let real = <T as ::robot_dynamics::Scalar>::from_f64;
+        let t_1 = real(0.04045454545454545) - q_1;
+        let t_2 = real(-215.82) * t_1;
+        t_2
     }
 }

@@ -1,17 +1,16 @@
 impl Arm {
     /// Mass matrix M(q), N x N, both triangles, reflected motor inertias included (kg m^2, kg m or kg). Also: joint-space inertia matrix, H (Featherstone), B (Siciliano), D (Spong).
     ///
-    /// `q` in rad (revolute) or m (prismatic), `qd` and `qdd` per second and second squared.
+    /// `q`: joint positions, rad.
     ///
     /// Operations: 0 multiplications, 3 additions, sine and cosine of one angle.
     ///
     /// ```text
-    /// M11 = 8.333333333333334 + c2 + c2
-    /// M12 = c2 + 0.3333333333333333
-    /// M21 = c2 + 0.3333333333333333
+    /// M11 = 8.333333333333334 + cos(q2) + cos(q2)
+    /// M12 = cos(q2) + 0.3333333333333333
+    /// M21 = cos(q2) + 0.3333333333333333
     /// M22 = 0.3333333333333333
     /// ```
-    /// with si, ci the sine and cosine of qi.
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
     #[inline]
@@ -20,29 +19,28 @@ impl Arm {
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SMatrix<T, 2, 2> {
-        let (s2, c2) = ::robot_dynamics::Scalar::sin_cos(q.data.0[0][1]);
-        let k = <T as ::robot_dynamics::Scalar>::from_f64;
-        let t1 = c2 + c2;
-        let t2 = k(8.333333333333334) + t1;
-        let t3 = c2 + k(0.3333333333333333);
+        let (s_2, c_2) = ::robot_dynamics::Scalar::sin_cos(q.data.0[0][1]);
+        let real = <T as ::robot_dynamics::Scalar>::from_f64;
+        let t_1 = c_2 + c_2;
+        let t_2 = real(8.333333333333334) + t_1;
+        let t_3 = c_2 + real(0.3333333333333333);
         ::robot_dynamics::nalgebra::SMatrix::from_data(
             ::robot_dynamics::nalgebra::ArrayStorage([
-                [t2, t3],
-                [t3, k(0.3333333333333333)],
+                [t_2, t_3],
+                [t_3, real(0.3333333333333333)],
             ]),
         )
     }
     /// Coriolis and centrifugal vector V(q, qd), N m or N: inverse dynamics without gravity, friction and acceleration.
     ///
-    /// `q` in rad (revolute) or m (prismatic), `qd` and `qdd` per second and second squared.
+    /// `q`: joint positions, rad; `qd`: joint velocities, rad per s.
     ///
     /// Operations: 4 multiplications, 2 additions, sine and cosine of one angle.
     ///
     /// ```text
-    /// V1 = s2 qd1 qd1 - s2 (qd1 + qd2) (qd1 + qd2)
-    /// V2 = s2 qd1 qd1
+    /// V1 = sin(q2) qd1 qd1 - sin(q2) (qd1 + qd2) (qd1 + qd2)
+    /// V2 = sin(q2) qd1 qd1
     /// ```
-    /// with si, ci the sine and cosine of qi.
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
     #[inline]
@@ -52,29 +50,28 @@ impl Arm {
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
         qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
-        let (s2, c2) = ::robot_dynamics::Scalar::sin_cos(q.data.0[0][1]);
-        let qd1 = qd.data.0[0][0];
-        let qd2 = qd.data.0[0][1];
-        let t1 = qd1 * qd1;
-        let t2 = s2 * t1;
-        let t3 = qd1 + qd2;
-        let t4 = t3 * t3;
-        let t5 = t2 - s2 * t4;
+        let (s_2, c_2) = ::robot_dynamics::Scalar::sin_cos(q.data.0[0][1]);
+        let qd_1 = qd.data.0[0][0];
+        let qd_2 = qd.data.0[0][1];
+        let t_1 = qd_1 * qd_1;
+        let t_2 = s_2 * t_1;
+        let t_3 = qd_1 + qd_2;
+        let t_4 = t_3 * t_3;
+        let t_5 = t_2 - s_2 * t_4;
         ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([[t5, t2]]),
+            ::robot_dynamics::nalgebra::ArrayStorage([[t_5, t_2]]),
         )
     }
     /// Gravity vector G(q) = dU/dq, N m or N: inverse dynamics at rest.
     ///
-    /// `q` in rad (revolute) or m (prismatic), `qd` and `qdd` per second and second squared.
+    /// `q`: joint positions, rad.
     ///
     /// Operations: 4 multiplications, 2 additions, sines and cosines of 2 angles.
     ///
     /// ```text
-    /// G1 = 4.905 (c1 c2 - s1 s2) + 49.05 c1
-    /// G2 = 4.905 (c1 c2 - s1 s2)
+    /// G1 = 4.905 (cos(q1) cos(q2) - sin(q1) sin(q2)) + 49.05 cos(q1)
+    /// G2 = 4.905 (cos(q1) cos(q2) - sin(q1) sin(q2))
     /// ```
-    /// with si, ci the sine and cosine of qi.
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
     #[inline]
@@ -83,21 +80,21 @@ impl Arm {
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
-        let [(s1, c1), (s2, c2)] = ::robot_dynamics::Scalar::sin_cos_array([
+        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Scalar::sin_cos_array([
             q.data.0[0][0],
             q.data.0[0][1],
         ]);
-        let k = <T as ::robot_dynamics::Scalar>::from_f64;
-        let t1 = c1 * c2 - s1 * s2;
-        let t2 = k(4.905) * t1;
-        let t3 = t2 + k(49.05) * c1;
+        let real = <T as ::robot_dynamics::Scalar>::from_f64;
+        let t_1 = c_1 * c_2 - s_1 * s_2;
+        let t_2 = real(4.905) * t_1;
+        let t_3 = t_2 + real(49.05) * c_1;
         ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([[t3, t2]]),
+            ::robot_dynamics::nalgebra::ArrayStorage([[t_3, t_2]]),
         )
     }
     /// Friction vector F(qd) = viscous qd + coulomb sign(qd), N m or N, with sign(0) = 0.
     ///
-    /// `q` in rad (revolute) or m (prismatic), `qd` and `qdd` per second and second squared.
+    /// `qd`: joint velocities, rad per s.
     ///
     /// Operations: 0 multiplications, 0 additions.
     ///
@@ -105,7 +102,6 @@ impl Arm {
     /// F1 = 0
     /// F2 = 0
     /// ```
-    /// with si, ci the sine and cosine of qi.
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
     #[inline]
@@ -114,16 +110,21 @@ impl Arm {
         &self,
         qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
-        let k = <T as ::robot_dynamics::Scalar>::from_f64;
+        let real = <T as ::robot_dynamics::Scalar>::from_f64;
         ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([[k(0.0), k(0.0)]]),
+            ::robot_dynamics::nalgebra::ArrayStorage([[real(0.0), real(0.0)]]),
         )
     }
     /// Inverse dynamics tau = M(q) qdd + V(q, qd) + G(q) + F(qd), N m or N, as one program.
     ///
-    /// `q` in rad (revolute) or m (prismatic), `qd` and `qdd` per second and second squared.
+    /// `q`: joint positions, rad; `qd`: joint velocities, rad per s; `qdd`: joint accelerations, rad per s^2.
     ///
     /// Operations: 11 multiplications, 10 additions, sines and cosines of 2 angles.
+    ///
+    /// ```text
+    /// tau1 = 8 qdd1 + 49.05 cos(q1) + sin(q2) (qd1 qd1 - 4.905 sin(q1)) + 0.3333333333333333 (qdd1 + qdd2) + cos(q2) (qdd1 + 4.905 cos(q1)) - (sin(q2) (qd1 + qd2) (qd1 + qd2) - cos(q2) (qdd1 + qdd2))
+    /// tau2 = sin(q2) (qd1 qd1 - 4.905 sin(q1)) + 0.3333333333333333 (qdd1 + qdd2) + cos(q2) (qdd1 + 4.905 cos(q1))
+    /// ```
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
     #[inline]
@@ -134,39 +135,41 @@ impl Arm {
         qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
         qdd: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
-        let [(s2, c2), (s1, c1)] = ::robot_dynamics::Scalar::sin_cos_array([
+        let [(s_2, c_2), (s_1, c_1)] = ::robot_dynamics::Scalar::sin_cos_array([
             q.data.0[0][1],
             q.data.0[0][0],
         ]);
-        let qd1 = qd.data.0[0][0];
-        let qd2 = qd.data.0[0][1];
-        let qdd1 = qdd.data.0[0][0];
-        let qdd2 = qdd.data.0[0][1];
-        let k = <T as ::robot_dynamics::Scalar>::from_f64;
-        let t1 = qd1 + qd2;
-        let t2 = t1 * t1;
-        let t3 = qdd1 + qdd2;
-        let t4 = s2 * t2 - c2 * t3;
-        let t5 = k(8.0) * qdd1 + k(49.05) * c1;
-        let t6 = qd1 * qd1 - k(4.905) * s1;
-        let t7 = qdd1 + k(4.905) * c1;
-        let t8 = k(0.3333333333333333) * t3 + c2 * t7;
-        let t9 = s2 * t6 + t8;
-        let t10 = t5 + t9;
-        let t11 = t10 - t4;
+        let qd_1 = qd.data.0[0][0];
+        let qd_2 = qd.data.0[0][1];
+        let qdd_1 = qdd.data.0[0][0];
+        let qdd_2 = qdd.data.0[0][1];
+        let real = <T as ::robot_dynamics::Scalar>::from_f64;
+        let t_1 = qd_1 + qd_2;
+        let t_2 = t_1 * t_1;
+        let t_3 = qdd_1 + qdd_2;
+        let t_4 = s_2 * t_2 - c_2 * t_3;
+        let t_5 = real(8.0) * qdd_1 + real(49.05) * c_1;
+        let t_6 = qd_1 * qd_1 - real(4.905) * s_1;
+        let t_7 = qdd_1 + real(4.905) * c_1;
+        let t_8 = real(0.3333333333333333) * t_3 + c_2 * t_7;
+        let t_9 = s_2 * t_6 + t_8;
+        let t_10 = t_5 + t_9;
+        let t_11 = t_10 - t_4;
         ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([[t11, t9]]),
+            ::robot_dynamics::nalgebra::ArrayStorage([[t_11, t_9]]),
         )
     }
     /// Forward dynamics: the accelerations qdd with M(q) qdd + V(q, qd) + G(q) + F(qd) = tau, rad/s^2 or m/s^2.
     ///
-    /// `q` in rad (revolute) or m (prismatic), `qd` and `qdd` per second and second squared.
+    /// `q`: joint positions, rad; `qd`: joint velocities, rad per s; `tau`: joint forces and torques, N m.
     ///
-    /// Operations: 15 multiplications, 12 additions, 1 divisions, sines and cosines of 2 angles.
+    /// Operations: 15 multiplications, 12 additions, 1 division, sines and cosines of 2 angles.
     ///
     /** # Errors
 
- `SingularMassMatrix` where M(q) is not positive definite, or an input is not finite: it names the joint whose pivot failed.*/
+ `SingularMassMatrix` where M(q) is not positive definite to working precision, or not finite: it names the joint whose pivot failed.
+
+ Never panics, never allocates; what depends on an input that is not finite is not finite.*/
     #[inline]
     #[allow(unused_variables, clippy::all)]
     pub fn forward_dynamics<T: ::robot_dynamics::Scalar>(
@@ -178,55 +181,54 @@ impl Arm {
         ::robot_dynamics::nalgebra::SVector<T, 2>,
         ::robot_dynamics::SingularMassMatrix,
     > {
-        let [(s2, c2), (s1, c1)] = ::robot_dynamics::Scalar::sin_cos_array([
+        let [(s_2, c_2), (s_1, c_1)] = ::robot_dynamics::Scalar::sin_cos_array([
             q.data.0[0][1],
             q.data.0[0][0],
         ]);
-        let qd1 = qd.data.0[0][0];
-        let qd2 = qd.data.0[0][1];
-        let tau1 = tau.data.0[0][0];
-        let tau2 = tau.data.0[0][1];
-        let k = <T as ::robot_dynamics::Scalar>::from_f64;
-        let t1 = qd1 + qd2;
-        let t2 = t1 * t1;
-        let t3 = qd1 * qd1;
-        let t4 = k(0.2038735983690112) * t3 - s1;
-        let t5 = s2 * t4 + c1 * c2;
-        let t6 = k(4.905) * t5;
-        let t7 = tau1 - k(49.05) * c1;
-        let t8 = t6 - t7;
-        let t9 = t8 - s2 * t2;
-        let t10 = t6 - tau2;
-        let t11 = c2 + k(0.3333333333333333);
-        let t12 = k(3.0) * t11;
-        let t13 = t9 - t10 * t12;
-        let t14 = k(8.333333333333334) + k(2.0) * c2;
-        let t15 = t14 - t11 * t12;
-        let t16 = k(1.0) / t15;
-        let t17 = t13 * t16;
-        let t18 = t12 * t17 - k(3.0) * t10;
+        let qd_1 = qd.data.0[0][0];
+        let qd_2 = qd.data.0[0][1];
+        let tau_1 = tau.data.0[0][0];
+        let tau_2 = tau.data.0[0][1];
+        let real = <T as ::robot_dynamics::Scalar>::from_f64;
+        let t_1 = qd_1 + qd_2;
+        let t_2 = t_1 * t_1;
+        let t_3 = qd_1 * qd_1;
+        let t_4 = real(0.2038735983690112) * t_3 - s_1;
+        let t_5 = s_2 * t_4 + c_1 * c_2;
+        let t_6 = real(4.905) * t_5;
+        let t_7 = tau_1 - real(49.05) * c_1;
+        let t_8 = t_6 - t_7;
+        let t_9 = t_8 - s_2 * t_2;
+        let t_10 = t_6 - tau_2;
+        let t_11 = c_2 + real(0.3333333333333333);
+        let t_12 = real(3.0) * t_11;
+        let t_13 = t_9 - t_10 * t_12;
+        let t_14 = real(8.333333333333334) + real(2.0) * c_2;
+        let t_15 = t_14 - t_11 * t_12;
+        let t_16 = real(1.0) / t_15;
+        let t_17 = t_13 * t_16;
+        let t_18 = t_12 * t_17 - real(3.0) * t_10;
         ::robot_dynamics::SingularMassMatrix::test(
             1,
-            k(0.3333333333333333),
-            k(0.3333333333333333),
+            real(0.3333333333333333),
+            real(0.3333333333333333),
         )?;
-        ::robot_dynamics::SingularMassMatrix::test(0, t15, t14)?;
+        ::robot_dynamics::SingularMassMatrix::test(0, t_15, t_14)?;
         ::core::result::Result::Ok(
             ::robot_dynamics::nalgebra::SMatrix::from_data(
-                ::robot_dynamics::nalgebra::ArrayStorage([[-t17, t18]]),
+                ::robot_dynamics::nalgebra::ArrayStorage([[-t_17, t_18]]),
             ),
         )
     }
     /// Kinetic energy T(q, qd) = 1/2 qd^T M(q) qd, reflected motor inertias included, J.
     ///
-    /// `q` in rad (revolute) or m (prismatic), `qd` and `qdd` per second and second squared.
+    /// `q`: joint positions, rad; `qd`: joint velocities, rad per s.
     ///
     /// Operations: 6 multiplications, 3 additions, sine and cosine of one angle.
     ///
     /// ```text
-    /// T = (qd1 + qd2) qd1 c2 + 4 (qd1 qd1 + 0.041666666666666664 (qd1 + qd2) (qd1 + qd2))
+    /// T = (qd1 + qd2) qd1 cos(q2) + 4 (qd1 qd1 + 0.041666666666666664 (qd1 + qd2) (qd1 + qd2))
     /// ```
-    /// with si, ci the sine and cosine of qi.
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
     #[inline]
@@ -236,27 +238,26 @@ impl Arm {
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
         qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> T {
-        let (s2, c2) = ::robot_dynamics::Scalar::sin_cos(q.data.0[0][1]);
-        let qd1 = qd.data.0[0][0];
-        let qd2 = qd.data.0[0][1];
-        let k = <T as ::robot_dynamics::Scalar>::from_f64;
-        let t1 = qd1 + qd2;
-        let t2 = qd1 * c2;
-        let t3 = t1 * t1;
-        let t4 = qd1 * qd1 + k(0.041666666666666664) * t3;
-        let t5 = t1 * t2 + k(4.0) * t4;
-        t5
+        let (s_2, c_2) = ::robot_dynamics::Scalar::sin_cos(q.data.0[0][1]);
+        let qd_1 = qd.data.0[0][0];
+        let qd_2 = qd.data.0[0][1];
+        let real = <T as ::robot_dynamics::Scalar>::from_f64;
+        let t_1 = qd_1 + qd_2;
+        let t_2 = qd_1 * c_2;
+        let t_3 = t_1 * t_1;
+        let t_4 = qd_1 * qd_1 + real(0.041666666666666664) * t_3;
+        let t_5 = t_1 * t_2 + real(4.0) * t_4;
+        t_5
     }
     /// Potential energy U(q) = -sum m g.c, zero at the origin of the base frame, J.
     ///
-    /// `q` in rad (revolute) or m (prismatic), `qd` and `qdd` per second and second squared.
+    /// `q`: joint positions, rad.
     ///
     /// Operations: 3 multiplications, 2 additions, sines and cosines of 2 angles.
     ///
     /// ```text
-    /// U = 4.905 (c1 s2 + s1 (c2 + 10))
+    /// U = 4.905 (cos(q1) sin(q2) + sin(q1) (cos(q2) + 10))
     /// ```
-    /// with si, ci the sine and cosine of qi.
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
     #[inline]
@@ -265,19 +266,19 @@ impl Arm {
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> T {
-        let [(s1, c1), (s2, c2)] = ::robot_dynamics::Scalar::sin_cos_array([
+        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Scalar::sin_cos_array([
             q.data.0[0][0],
             q.data.0[0][1],
         ]);
-        let k = <T as ::robot_dynamics::Scalar>::from_f64;
-        let t1 = c2 + k(10.0);
-        let t2 = c1 * s2 + s1 * t1;
-        let t3 = k(4.905) * t2;
-        t3
+        let real = <T as ::robot_dynamics::Scalar>::from_f64;
+        let t_1 = c_2 + real(10.0);
+        let t_2 = c_1 * s_2 + s_1 * t_1;
+        let t_3 = real(4.905) * t_2;
+        t_3
     }
     /// Bias force V(q, qd) + G(q) + F(qd), N m or N: inverse dynamics without acceleration.
     ///
-    /// `q` in rad (revolute) or m (prismatic), `qd` and `qdd` per second and second squared.
+    /// `q`: joint positions, rad; `qd`: joint velocities, rad per s.
     ///
     /// Operations: 8 multiplications, 5 additions, sines and cosines of 2 angles.
     ///
@@ -289,38 +290,37 @@ impl Arm {
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
         qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
-        let [(s2, c2), (s1, c1)] = ::robot_dynamics::Scalar::sin_cos_array([
+        let [(s_2, c_2), (s_1, c_1)] = ::robot_dynamics::Scalar::sin_cos_array([
             q.data.0[0][1],
             q.data.0[0][0],
         ]);
-        let qd1 = qd.data.0[0][0];
-        let qd2 = qd.data.0[0][1];
-        let k = <T as ::robot_dynamics::Scalar>::from_f64;
-        let t1 = qd1 + qd2;
-        let t2 = t1 * t1;
-        let t3 = qd1 * qd1;
-        let t4 = k(0.2038735983690112) * t3 - s1;
-        let t5 = s2 * t4 + c1 * c2;
-        let t6 = k(4.905) * t5;
-        let t7 = k(49.05) * c1 + t6;
-        let t8 = t7 - s2 * t2;
+        let qd_1 = qd.data.0[0][0];
+        let qd_2 = qd.data.0[0][1];
+        let real = <T as ::robot_dynamics::Scalar>::from_f64;
+        let t_1 = qd_1 + qd_2;
+        let t_2 = t_1 * t_1;
+        let t_3 = qd_1 * qd_1;
+        let t_4 = real(0.2038735983690112) * t_3 - s_1;
+        let t_5 = s_2 * t_4 + c_1 * c_2;
+        let t_6 = real(4.905) * t_5;
+        let t_7 = real(49.05) * c_1 + t_6;
+        let t_8 = t_7 - s_2 * t_2;
         ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([[t8, t6]]),
+            ::robot_dynamics::nalgebra::ArrayStorage([[t_8, t_6]]),
         )
     }
     /// Coriolis matrix C(q, qd), N x N, from the Christoffel symbols of the first kind: C qd = V, and dM/dt - 2 C is skew-symmetric.
     ///
-    /// `q` in rad (revolute) or m (prismatic), `qd` and `qdd` per second and second squared.
+    /// `q`: joint positions, rad; `qd`: joint velocities, rad per s.
     ///
-    /// Operations: 2 multiplications, 1 additions, sine and cosine of one angle.
+    /// Operations: 2 multiplications, 1 addition, sine and cosine of one angle.
     ///
     /// ```text
-    /// C11 = -s2 qd2
-    /// C12 = -(s2 qd2 + qd1 s2)
-    /// C21 = qd1 s2
+    /// C11 = -sin(q2) qd2
+    /// C12 = -(sin(q2) qd2 + qd1 sin(q2))
+    /// C21 = qd1 sin(q2)
     /// C22 = 0
     /// ```
-    /// with si, ci the sine and cosine of qi.
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
     #[inline]
@@ -330,28 +330,27 @@ impl Arm {
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
         qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SMatrix<T, 2, 2> {
-        let (s2, c2) = ::robot_dynamics::Scalar::sin_cos(q.data.0[0][1]);
-        let qd1 = qd.data.0[0][0];
-        let qd2 = qd.data.0[0][1];
-        let k = <T as ::robot_dynamics::Scalar>::from_f64;
-        let t1 = s2 * qd2;
-        let t2 = qd1 * s2;
-        let t3 = t1 + t2;
+        let (s_2, c_2) = ::robot_dynamics::Scalar::sin_cos(q.data.0[0][1]);
+        let qd_1 = qd.data.0[0][0];
+        let qd_2 = qd.data.0[0][1];
+        let real = <T as ::robot_dynamics::Scalar>::from_f64;
+        let t_1 = s_2 * qd_2;
+        let t_2 = qd_1 * s_2;
+        let t_3 = t_1 + t_2;
         ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([[-t1, t2], [-t3, k(0.0)]]),
+            ::robot_dynamics::nalgebra::ArrayStorage([[-t_1, t_2], [-t_3, real(0.0)]]),
         )
     }
     /// Coriolis coefficients B(q), N x N(N-1)/2, columns in the order (1,2), (1,3), ..., (N-1,N), of the configuration-space form tau = M qdd + B [qd qd] + C [qd^2] + G.
     ///
-    /// `q` in rad (revolute) or m (prismatic), `qd` and `qdd` per second and second squared.
+    /// `q`: joint positions, rad.
     ///
-    /// Operations: 1 multiplications, 0 additions, sine and cosine of one angle.
+    /// Operations: 1 multiplication, 0 additions, sine and cosine of one angle.
     ///
     /// ```text
-    /// B11 = -2 s2
+    /// B11 = -2 sin(q2)
     /// B21 = 0
     /// ```
-    /// with si, ci the sine and cosine of qi.
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
     #[inline]
@@ -360,26 +359,25 @@ impl Arm {
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SMatrix<T, 2, 1> {
-        let (s2, c2) = ::robot_dynamics::Scalar::sin_cos(q.data.0[0][1]);
-        let k = <T as ::robot_dynamics::Scalar>::from_f64;
-        let t1 = k(2.0) * s2;
+        let (s_2, c_2) = ::robot_dynamics::Scalar::sin_cos(q.data.0[0][1]);
+        let real = <T as ::robot_dynamics::Scalar>::from_f64;
+        let t_1 = real(2.0) * s_2;
         ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([[-t1, k(0.0)]]),
+            ::robot_dynamics::nalgebra::ArrayStorage([[-t_1, real(0.0)]]),
         )
     }
     /// Centrifugal coefficients C(q), N x N, of the configuration-space form tau = M qdd + B [qd qd] + C [qd^2] + G.
     ///
-    /// `q` in rad (revolute) or m (prismatic), `qd` and `qdd` per second and second squared.
+    /// `q`: joint positions, rad.
     ///
     /// Operations: 0 multiplications, 0 additions, sine and cosine of one angle.
     ///
     /// ```text
     /// C11 = 0
-    /// C12 = -s2
-    /// C21 = s2
+    /// C12 = -sin(q2)
+    /// C21 = sin(q2)
     /// C22 = 0
     /// ```
-    /// with si, ci the sine and cosine of qi.
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
     #[inline]
@@ -388,15 +386,18 @@ impl Arm {
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SMatrix<T, 2, 2> {
-        let (s2, c2) = ::robot_dynamics::Scalar::sin_cos(q.data.0[0][1]);
-        let k = <T as ::robot_dynamics::Scalar>::from_f64;
+        let (s_2, c_2) = ::robot_dynamics::Scalar::sin_cos(q.data.0[0][1]);
+        let real = <T as ::robot_dynamics::Scalar>::from_f64;
         ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([[k(0.0), s2], [-s2, k(0.0)]]),
+            ::robot_dynamics::nalgebra::ArrayStorage([
+                [real(0.0), s_2],
+                [-s_2, real(0.0)],
+            ]),
         )
     }
     /// Forward kinematics: the homogeneous transform of the last link frame in the base frame, m.
     ///
-    /// `q` in rad (revolute) or m (prismatic), `qd` and `qdd` per second and second squared.
+    /// `q`: joint positions, rad.
     ///
     /// Operations: 6 multiplications, 4 additions, sines and cosines of 2 angles.
     ///
@@ -407,27 +408,27 @@ impl Arm {
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::Matrix4<T> {
-        let [(s1, c1), (s2, c2)] = ::robot_dynamics::Scalar::sin_cos_array([
+        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Scalar::sin_cos_array([
             q.data.0[0][0],
             q.data.0[0][1],
         ]);
-        let k = <T as ::robot_dynamics::Scalar>::from_f64;
-        let t1 = c1 * c2 - s1 * s2;
-        let t2 = s1 * c2 + c1 * s2;
-        let t3 = k(2.0) * c1 + t1;
-        let t4 = k(2.0) * s1 + t2;
+        let real = <T as ::robot_dynamics::Scalar>::from_f64;
+        let t_1 = c_1 * c_2 - s_1 * s_2;
+        let t_2 = s_1 * c_2 + c_1 * s_2;
+        let t_3 = real(2.0) * c_1 + t_1;
+        let t_4 = real(2.0) * s_1 + t_2;
         ::robot_dynamics::nalgebra::SMatrix::from_data(
             ::robot_dynamics::nalgebra::ArrayStorage([
-                [t1, t2, k(0.0), k(0.0)],
-                [-t2, t1, k(0.0), k(0.0)],
-                [k(0.0), k(0.0), k(1.0), k(0.0)],
-                [t3, t4, k(0.0), k(1.0)],
+                [t_1, t_2, real(0.0), real(0.0)],
+                [-t_2, t_1, real(0.0), real(0.0)],
+                [real(0.0), real(0.0), real(1.0), real(0.0)],
+                [t_3, t_4, real(0.0), real(1.0)],
             ]),
         )
     }
     /// Homogeneous transforms of every link frame in the base frame, from the base outwards, m.
     ///
-    /// `q` in rad (revolute) or m (prismatic), `qd` and `qdd` per second and second squared.
+    /// `q`: joint positions, rad.
     ///
     /// Operations: 6 multiplications, 4 additions, sines and cosines of 2 angles.
     ///
@@ -438,39 +439,39 @@ impl Arm {
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> [::robot_dynamics::nalgebra::Matrix4<T>; 2] {
-        let [(s1, c1), (s2, c2)] = ::robot_dynamics::Scalar::sin_cos_array([
+        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Scalar::sin_cos_array([
             q.data.0[0][0],
             q.data.0[0][1],
         ]);
-        let k = <T as ::robot_dynamics::Scalar>::from_f64;
-        let t1 = k(2.0) * c1;
-        let t2 = k(2.0) * s1;
-        let t3 = c1 * c2 - s1 * s2;
-        let t4 = s1 * c2 + c1 * s2;
-        let t5 = t1 + t3;
-        let t6 = t2 + t4;
+        let real = <T as ::robot_dynamics::Scalar>::from_f64;
+        let t_1 = real(2.0) * c_1;
+        let t_2 = real(2.0) * s_1;
+        let t_3 = c_1 * c_2 - s_1 * s_2;
+        let t_4 = s_1 * c_2 + c_1 * s_2;
+        let t_5 = t_1 + t_3;
+        let t_6 = t_2 + t_4;
         [
             ::robot_dynamics::nalgebra::SMatrix::from_data(
                 ::robot_dynamics::nalgebra::ArrayStorage([
-                    [c1, s1, k(0.0), k(0.0)],
-                    [-s1, c1, k(0.0), k(0.0)],
-                    [k(0.0), k(0.0), k(1.0), k(0.0)],
-                    [t1, t2, k(0.0), k(1.0)],
+                    [c_1, s_1, real(0.0), real(0.0)],
+                    [-s_1, c_1, real(0.0), real(0.0)],
+                    [real(0.0), real(0.0), real(1.0), real(0.0)],
+                    [t_1, t_2, real(0.0), real(1.0)],
                 ]),
             ),
             ::robot_dynamics::nalgebra::SMatrix::from_data(
                 ::robot_dynamics::nalgebra::ArrayStorage([
-                    [t3, t4, k(0.0), k(0.0)],
-                    [-t4, t3, k(0.0), k(0.0)],
-                    [k(0.0), k(0.0), k(1.0), k(0.0)],
-                    [t5, t6, k(0.0), k(1.0)],
+                    [t_3, t_4, real(0.0), real(0.0)],
+                    [-t_4, t_3, real(0.0), real(0.0)],
+                    [real(0.0), real(0.0), real(1.0), real(0.0)],
+                    [t_5, t_6, real(0.0), real(1.0)],
                 ]),
             ),
         ]
     }
     /// Geometric Jacobian of the last link frame's origin, 6 x N, rows vx vy vz wx wy wz, in the base frame.
     ///
-    /// `q` in rad (revolute) or m (prismatic), `qd` and `qdd` per second and second squared.
+    /// `q`: joint positions, rad.
     ///
     /// Operations: 6 multiplications, 4 additions, sines and cosines of 2 angles.
     ///
@@ -481,19 +482,19 @@ impl Arm {
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SMatrix<T, 6, 2> {
-        let [(s1, c1), (s2, c2)] = ::robot_dynamics::Scalar::sin_cos_array([
+        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Scalar::sin_cos_array([
             q.data.0[0][0],
             q.data.0[0][1],
         ]);
-        let k = <T as ::robot_dynamics::Scalar>::from_f64;
-        let t1 = s1 * c2 + c1 * s2;
-        let t2 = k(2.0) * s1 + t1;
-        let t3 = c1 * c2 - s1 * s2;
-        let t4 = k(2.0) * c1 + t3;
+        let real = <T as ::robot_dynamics::Scalar>::from_f64;
+        let t_1 = s_1 * c_2 + c_1 * s_2;
+        let t_2 = real(2.0) * s_1 + t_1;
+        let t_3 = c_1 * c_2 - s_1 * s_2;
+        let t_4 = real(2.0) * c_1 + t_3;
         ::robot_dynamics::nalgebra::SMatrix::from_data(
             ::robot_dynamics::nalgebra::ArrayStorage([
-                [-t2, t4, k(0.0), k(0.0), k(0.0), k(1.0)],
-                [-t1, t3, k(0.0), k(0.0), k(0.0), k(1.0)],
+                [-t_2, t_4, real(0.0), real(0.0), real(0.0), real(1.0)],
+                [-t_1, t_3, real(0.0), real(0.0), real(0.0), real(1.0)],
             ]),
         )
     }
