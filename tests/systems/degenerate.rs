@@ -1,7 +1,7 @@
 //! Tables at the edge: without gravity, without friction, without mass.
 
 use robot_dynamics::nalgebra::Vector2;
-use robot_dynamics::{SingularMassMatrix, robot_dynamics};
+use robot_dynamics::{SingularMassMatrix, check_against_rnea, robot_dynamics};
 
 use crate::random::Random;
 
