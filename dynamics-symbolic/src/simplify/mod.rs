@@ -27,7 +27,7 @@ pub struct Effort {
 impl Effort {
     /// Fractions of a second for six joints where the engine runs unoptimised.
     pub const DEFAULT: Effort = Effort {
-        lookups: 3_000_000,
+        lookups: 1_000_000,
         pairs: 300,
     };
 }
