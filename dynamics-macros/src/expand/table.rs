@@ -126,7 +126,8 @@ mod tests {
 
     #[test]
     fn right_angles_are_right_however_they_are_written() {
-        let ten_digits = Value::from_f64(1.570796327).unwrap();
+        let ten_digits = Value::integer(1_570_796_327).checked_div(Value::integer(1_000_000_000));
+        let ten_digits = ten_digits.unwrap();
         assert_eq!(
             angle(&-ten_digits, &[]).to_string(),
             "(- 1.5707963267948966f64)"

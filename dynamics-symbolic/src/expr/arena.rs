@@ -1,104 +1,10 @@
 //! The arena of nodes, and the constructors that fold and share.
 
+use super::fingerprint::{Fingerprint, FingerprintMap};
+use super::node::{Edge, Level, Node, NodeId};
 use super::{Expr, Operation};
-use crate::exact::{Rational, Residue, SplitMix64};
+use crate::exact::{Rational, SplitMix64};
 use core::cell::RefCell;
-use core::hash::{BuildHasherDefault, Hasher};
-use std::collections::HashMap;
-
-/// The field of the fingerprints.
-pub(crate) type Fingerprint = Residue<{ (1 << 61) - 1 }>;
-
-/// The index of a node.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct NodeId(u32);
-
-impl NodeId {
-    /// The index as a number.
-    pub fn index(self) -> usize {
-        self.0 as usize
-    }
-
-    /// The node of that index.
-    pub(crate) fn from_index(index: usize) -> Self {
-        NodeId(u32::try_from(index).expect("fewer than 2^31 nodes"))
-    }
-
-    /// The node itself, or minus the node.
-    pub fn edge(self, negative: bool) -> Edge {
-        Edge(self.0 << 1 | negative as u32)
-    }
-}
-
-/// A node with a sign.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct Edge(u32);
-
-impl Edge {
-    /// The node without the sign.
-    pub fn node(self) -> NodeId {
-        NodeId(self.0 >> 1)
-    }
-
-    /// Whether the edge stands for minus its node.
-    pub fn is_negative(self) -> bool {
-        self.0 & 1 == 1
-    }
-
-    /// Minus this edge where `negate` holds, else this edge.
-    pub fn negate_if(self, negate: bool) -> Edge {
-        Edge(self.0 ^ negate as u32)
-    }
-}
-
-impl core::ops::Neg for Edge {
-    type Output = Edge;
-
-    fn neg(self) -> Edge {
-        self.negate_if(true)
-    }
-}
-
-/// What an expression depends on.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Level {
-    /// Known at compile time: evaluated exactly, rounded once.
-    Constant,
-    /// Depends on parameters only.
-    Parameter,
-    /// Depends on variables.
-    Variable,
-}
-
-/// A node: what it is, how deep its dependencies go, and its fingerprint.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Node {
-    pub(crate) operation: Operation,
-    pub(crate) level: Level,
-    pub(crate) value: Fingerprint,
-}
-
-/// Keys are fingerprints, which are as good as random already.
-#[derive(Default)]
-pub(crate) struct FingerprintHasher(u64);
-
-impl Hasher for FingerprintHasher {
-    fn finish(&self) -> u64 {
-        self.0
-    }
-
-    fn write(&mut self, _: &[u8]) {
-        unreachable!("fingerprints are hashed as one u64");
-    }
-
-    fn write_u64(&mut self, value: u64) {
-        // The table takes its control byte from the top seven bits.
-        self.0 = value.wrapping_mul(0x9E37_79B9_7F4A_7C15);
-    }
-}
-
-/// A map from fingerprints.
-pub(crate) type FingerprintMap<V> = HashMap<u64, V, BuildHasherDefault<FingerprintHasher>>;
 
 #[derive(Default)]
 struct Arena {
@@ -134,12 +40,12 @@ impl Graph {
 
     /// Zero.
     pub fn zero(&self) -> Expr<'_> {
-        self.expr(Edge(0))
+        self.expr(NodeId::ZERO.edge(false))
     }
 
     /// One.
     pub fn one(&self) -> Expr<'_> {
-        self.expr(Edge(2))
+        self.expr(NodeId::ONE.edge(false))
     }
 
     /// The handle of an edge.
@@ -350,7 +256,7 @@ impl Arena {
     }
 
     fn is_zero(&self, edge: Edge) -> bool {
-        edge.node() == NodeId(0)
+        edge.node() == NodeId::ZERO
     }
 
     fn is_constant(&self, edge: Edge) -> bool {
@@ -358,7 +264,7 @@ impl Arena {
     }
 
     fn is_one(&self, edge: Edge) -> bool {
-        edge.node() == NodeId(1)
+        edge.node() == NodeId::ONE
     }
 
     fn add(&mut self, a: Edge, b: Edge) -> Edge {
@@ -379,7 +285,7 @@ impl Arena {
             return folded;
         }
         if (self.value(a) + self.value(b)).is_zero() {
-            return NodeId(0).edge(false);
+            return NodeId::ZERO.edge(false);
         }
         self.write_sum(a, b).0
     }
@@ -407,7 +313,7 @@ impl Arena {
 
     fn mul(&mut self, a: Edge, b: Edge) -> Edge {
         if self.is_zero(a) || self.is_zero(b) {
-            return NodeId(0).edge(false);
+            return NodeId::ZERO.edge(false);
         }
         if self.is_one(a) {
             return b.negate_if(a.is_negative());

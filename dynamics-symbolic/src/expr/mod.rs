@@ -13,10 +13,13 @@
 mod arena;
 mod differentiate;
 mod expression;
+mod fingerprint;
+mod node;
 mod operation;
 
-pub use arena::{Edge, Graph, Level, NodeId};
-pub(crate) use arena::{Fingerprint, FingerprintMap};
+pub use arena::Graph;
 pub use differentiate::Direction;
 pub use expression::Expr;
+pub(crate) use fingerprint::{Fingerprint, FingerprintMap};
+pub use node::{Edge, Level, NodeId};
 pub use operation::Operation;
