@@ -74,6 +74,10 @@ impl Builder<'_> {
     fn place(&mut self, root: NodeId) -> Place {
         let mut stack = vec![(root, false)];
         while let Some((id, operands_placed)) = stack.pop() {
+            assert!(
+                stack.len() <= 3 * self.graph.len(),
+                "the definitions of a program form a cycle"
+            );
             if self.places[id.index()].is_some() || self.graph.level_of(id) == Level::Constant {
                 continue;
             }

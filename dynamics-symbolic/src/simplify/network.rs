@@ -45,7 +45,10 @@ impl<'g> Network<'g> {
     ) -> Self {
         let mut network = Network::new(graph, &[]);
         for (id, operation) in definitions.into_iter().rev() {
-            network.definitions[id.index()] = operation;
+            // A sum may come out equal to a symbol or a constant, which need no definition.
+            if !network.is_free(id) {
+                network.definitions[id.index()] = operation;
+            }
         }
         network.outputs = outputs.to_vec();
         for output in outputs {

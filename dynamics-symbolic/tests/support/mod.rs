@@ -36,6 +36,7 @@ pub(crate) const NAMES: [&str; 26] = [
 ];
 
 /// The exact decimal that the shortest representation of a double spells.
+#[allow(dead_code)]
 pub(crate) fn decimal(x: f64) -> Value {
     let text = format!("{x:e}");
     let (digits, exponent) = text.split_once('e').unwrap();
@@ -47,6 +48,7 @@ pub(crate) fn decimal(x: f64) -> Value {
 }
 
 /// Reads a robot.
+#[allow(dead_code)]
 pub(crate) fn robot(name: &str) -> Robot {
     let path = format!(
         "{}/../tests/data/robots/{name}.json",
