@@ -72,7 +72,7 @@ pub(crate) enum Entry {
     /// `gravity: [0, 0, -9.81]`
     Gravity(Option<Vector>),
     /// `joints: [...]`
-    Joints(Place, Option<Vec<Row>>),
+    Joints(Place, Option<Joints>),
     /// `functions: [...]`
     Functions(Option<Vec<(Function, Place)>>),
     /// `tests: true`
@@ -114,6 +114,14 @@ impl<T> Given<T> {
             Given::Absent | Given::Unreadable => None,
         }
     }
+}
+
+/// `[name: revolute { cells }, ...]`
+pub(crate) struct Joints {
+    /// The rows that could be told apart as rows.
+    pub(crate) rows: Vec<Row>,
+    /// Whether these are all.
+    pub(crate) complete: bool,
 }
 
 /// `name: revolute { cells }`

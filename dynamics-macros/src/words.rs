@@ -9,7 +9,7 @@ pub(crate) struct Wrong {
 /// A word that is none of `known`: the message names the nearest right word where one
 /// is near, all of them elsewhere.
 pub(crate) fn unknown(what: &str, word: &str, known: &[&'static str]) -> Wrong {
-    let meant = nearest(word, known);
+    let meant = nearest(word, known).or_else(|| begun(word, known));
     let hint = match meant {
         Some(right) => format!("did you mean `{right}`?"),
         None => format!("expected {}", either(known)),
@@ -51,6 +51,16 @@ pub(crate) fn nearest<'a>(word: &str, known: &[&'a str]) -> Option<&'a str> {
         .filter(|(edits, right)| *edits <= tolerated(word.len().min(right.len())))
         .min_by_key(|(edits, _)| *edits)
         .map(|(_, right)| right)
+}
+
+/// The first of the known words of which `word` is a part from the start: `gear` of
+/// `gear_ratio`.
+fn begun<'a>(word: &str, known: &[&'a str]) -> Option<&'a str> {
+    let begins = |right: &&&str| {
+        let rest = right.strip_prefix(word);
+        rest.is_some_and(|rest| rest.starts_with('_'))
+    };
+    known.iter().find(begins).copied()
 }
 
 /// Edits within which two words count as near, the shorter having `length` letters.
@@ -115,6 +125,16 @@ mod tests {
         let cells = ["a", "alpha", "d", "theta", "mass", "com", "inertia"];
         for word in ["b", "ma", "offset", "length", "", "x"] {
             assert_eq!(nearest(word, &cells), None, "{word}");
+        }
+    }
+
+    #[test]
+    fn the_first_part_of_a_word_stands_for_it() {
+        let functions = ["coriolis_vector", "gravity_vector", "coriolis_matrix"];
+        assert_eq!(begun("coriolis", &functions), Some("coriolis_vector"));
+        assert_eq!(begun("gravity", &functions), Some("gravity_vector"));
+        for word in ["", "grav", "vector", "gravity_", "gravity_vector"] {
+            assert_eq!(begun(word, &functions), None, "{word}");
         }
     }
 

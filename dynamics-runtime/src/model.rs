@@ -84,6 +84,12 @@ pub struct Evaluation<const N: usize> {
     pub bias_force: Option<SVector<f64, N>>,
     /// C(q, qd) of the Christoffel symbols of the first kind.
     pub coriolis_matrix: Option<SMatrix<f64, N, N>>,
+    /// B(q) of `V = B(q) [qd qd] + C(q) [qd^2]`: the column of each pair of joints in the order
+    /// (1,2), (1,3), ..., (N-1,N).
+    pub coriolis_coefficients: Option<Vec<SVector<f64, N>>>,
+    /// C(q) of `V = B(q) [qd qd] + C(q) [qd^2]`: column j belongs to the square of joint j's
+    /// velocity.
+    pub centrifugal_coefficients: Option<SMatrix<f64, N, N>>,
     /// B(q) [qd qd] + C(q) [qd^2], where both coefficient functions exist.
     pub configuration_space_coriolis: Option<SVector<f64, N>>,
     /// Transform of the last frame in the base frame.
@@ -103,7 +109,8 @@ pub struct Evaluation<const N: usize> {
 pub struct SingularMassMatrix {
     /// The joint of the pivot, counted from 0.
     pub joint: usize,
-    /// The pivot over the diagonal entry of M that it came from.
+    /// The pivot over the size of the diagonal entry of M that it came from: negative where the
+    /// pivot is, 0 where it is 0, NaN where either is NaN.
     pub relative_pivot: f64,
 }
 
@@ -112,6 +119,8 @@ impl SingularMassMatrix {
     ///
     /// A pivot that is not greater than the rounding errors of the differences that
     /// it is made of cannot be told from zero: no digit of the accelerations would be right.
+    /// The diagonal entry gives their size, whatever its sign: that M is positive
+    /// definite is a matter of the pivots alone.
     ///
     /// # Errors
     ///
@@ -119,15 +128,29 @@ impl SingularMassMatrix {
     #[doc(hidden)]
     #[inline]
     pub fn test<T: Scalar>(joint: usize, pivot: T, diagonal: T) -> Result<(), Self> {
-        if (pivot - diagonal * T::epsilon() * T::from_f64(8.0)).is_positive() {
+        let rounding = diagonal * T::epsilon() * T::from_f64(8.0);
+        if (pivot - rounding).is_positive() && (pivot + rounding).is_positive() {
             return Ok(());
         }
-        let relative_pivot = pivot.ratio_to_f64(diagonal);
         Err(SingularMassMatrix {
             joint,
-            relative_pivot,
+            relative_pivot: relative_pivot(pivot, diagonal),
         })
     }
+}
+
+/// `pivot / |diagonal|`, and the pivot itself where that is 0/0 or the quotient of infinities.
+#[cold]
+fn relative_pivot<T: Scalar>(pivot: T, diagonal: T) -> f64 {
+    let one = T::from_f64(1.0);
+    let ratio = pivot.ratio_to_f64(diagonal * diagonal.sign());
+    let ratio = if ratio.is_nan() && !diagonal.ratio_to_f64(one).is_nan() {
+        pivot.ratio_to_f64(one)
+    } else {
+        ratio
+    };
+    // Turns a zero that is negative into one that is not.
+    ratio + 0.0
 }
 
 impl fmt::Display for SingularMassMatrix {
@@ -155,6 +178,40 @@ mod tests {
         assert!(SingularMassMatrix::test(0, 1e-7_f32, 1.0).is_err());
         let error = SingularMassMatrix::test(3, f64::NAN, 1.0).unwrap_err();
         assert!(error.joint == 3 && error.relative_pivot.is_nan());
+    }
+
+    fn relative_pivot(pivot: f64, diagonal: f64) -> f64 {
+        SingularMassMatrix::test(0, pivot, diagonal)
+            .unwrap_err()
+            .relative_pivot
+    }
+
+    #[test]
+    fn the_relative_pivot_has_the_sign_of_the_pivot() {
+        assert_eq!(relative_pivot(-0.5, -0.25), -2.0);
+        assert_eq!(relative_pivot(-0.5, 0.25), -2.0);
+        assert_eq!(relative_pivot(-1.0, 0.0), f64::NEG_INFINITY);
+        assert_eq!(
+            relative_pivot(f64::NEG_INFINITY, f64::INFINITY),
+            f64::NEG_INFINITY
+        );
+        for diagonal in [-1.0, -0.0, 0.0, 1.0, f64::INFINITY] {
+            for pivot in [0.0, -0.0] {
+                let zero = relative_pivot(pivot, diagonal);
+                assert!(zero == 0.0 && zero.is_sign_positive(), "{diagonal}");
+            }
+        }
+        assert!(relative_pivot(1.0, f64::NAN).is_nan());
+        assert!(relative_pivot(f64::NAN, 0.0).is_nan());
+    }
+
+    #[test]
+    fn a_negative_inertia_does_not_read_as_a_regular_one() {
+        let error = SingularMassMatrix::test(0, -1.0, -1.0).unwrap_err();
+        assert_eq!(
+            error.to_string(),
+            "the mass matrix is not positive definite at joint 1 (relative pivot -1e0)"
+        );
     }
 
     #[test]

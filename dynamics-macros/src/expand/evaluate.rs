@@ -9,10 +9,19 @@ use super::Target;
 /// The body of `Evaluate::evaluate`.
 pub(super) fn evaluation(target: &Target, functions: &[Function]) -> TokenStream {
     let path = target.path;
-    let values = functions.iter().filter_map(|function| {
+    let values = functions.iter().map(|function| {
         let name = Ident::new(function.name(), Span::call_site());
-        let arguments = arguments(*function)?;
-        Some(quote!(#name: ::core::option::Option::Some(Self::#name(self, #arguments)),))
+        let arguments = arguments(*function);
+        let value = quote!(Self::#name(self, #arguments));
+        let value = match function {
+            // A matrix of as many columns as pairs of joints, a number that the type of the
+            // field cannot name.
+            Function::CoriolisCoefficients => {
+                quote!(#value.column_iter().map(|column| column.into_owned()).collect())
+            }
+            _ => value,
+        };
+        quote!(#name: ::core::option::Option::Some(#value),)
     });
     let coefficients = [
         Function::CoriolisCoefficients,
@@ -31,15 +40,17 @@ pub(super) fn evaluation(target: &Target, functions: &[Function]) -> TokenStream
     }
 }
 
-/// The arguments at a state; `None` where the checks do not read the function itself.
-fn arguments(function: Function) -> Option<TokenStream> {
-    Some(match function {
+/// The arguments at a state.
+fn arguments(function: Function) -> TokenStream {
+    match function {
         Function::MassMatrix
         | Function::GravityVector
         | Function::PotentialEnergy
         | Function::ForwardKinematics
         | Function::LinkPoses
-        | Function::Jacobian => quote!(&state.q),
+        | Function::Jacobian
+        | Function::CoriolisCoefficients
+        | Function::CentrifugalCoefficients => quote!(&state.q),
         Function::FrictionVector => quote!(&state.qd),
         Function::CoriolisVector
         | Function::KineticEnergy
@@ -47,8 +58,7 @@ fn arguments(function: Function) -> Option<TokenStream> {
         | Function::CoriolisMatrix => quote!(&state.q, &state.qd),
         Function::InverseDynamics => quote!(&state.q, &state.qd, &state.qdd),
         Function::ForwardDynamics => quote!(&state.q, &state.qd, tau),
-        Function::CoriolisCoefficients | Function::CentrifugalCoefficients => return None,
-    })
+    }
 }
 
 /// `B [qd qd] + C [qd^2]`, the velocity terms of the configuration-space form (Craig,

@@ -50,14 +50,17 @@ pub(crate) fn stubs(structure: &Structure, entries: &[Entry], path: &TokenStream
     quote!(#item #inherent #traits)
 }
 
-/// Names of the rows that could be told apart as rows.
+/// Names of the joints; none where an error left their number unknown.
 fn joint_names(entries: &[Entry]) -> Vec<String> {
-    let rows = entries.iter().find_map(|entry| match entry {
-        Entry::Joints(_, rows) => rows.as_ref(),
+    let joints = entries.iter().find_map(|entry| match entry {
+        Entry::Joints(_, joints) => joints.as_ref(),
         _ => None,
     });
     let name = |row: &Row| row.name.as_ref().map(plain).unwrap_or_default();
-    rows.map_or_else(Vec::new, |rows| rows.iter().map(name).collect())
+    match joints {
+        Some(joints) if joints.complete => joints.rows.iter().map(name).collect(),
+        _ => Vec::new(),
+    }
 }
 
 /// The functions that the user's code may call: those asked for, all where that is not
@@ -138,7 +141,7 @@ impl<'a> Target<'a> {
         let count = Literal::usize_unsuffixed(operations.len());
         quote! {
             #cfgs
-            #[allow(dead_code, unused_variables, unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
+            #[allow(dead_code, deprecated, unused_variables, unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
             impl #name {
                 /// Number of joints.
                 pub const DOF: usize = #n;

@@ -36,7 +36,11 @@ fn item(structure: &Structure, field_type: &dyn Fn(&Field) -> TokenStream) -> To
     } = structure;
     let derive = match structure.has_derive {
         true => TokenStream::new(),
-        false => quote!(#[derive(Clone, Copy, Debug, PartialEq)]),
+        // `Eq` on a struct without fields would be gone with the first field.
+        false => quote! {
+            #[derive(Clone, Copy, Debug, PartialEq)]
+            #[allow(clippy::derive_partial_eq_without_eq)]
+        },
     };
     let fields = fields(structure).map(|field| {
         let Field {

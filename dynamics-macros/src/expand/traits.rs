@@ -43,7 +43,7 @@ fn start(target: &Target, generics: &TokenStream, name: TokenStream) -> TokenStr
     quote! {
         #cfgs
         #[automatically_derived]
-        #[allow(unused_variables, clippy::all, clippy::pedantic, clippy::nursery)]
+        #[allow(deprecated, unused_variables, clippy::all, clippy::pedantic, clippy::nursery)]
         impl #generics #path::#name for #structure
     }
 }

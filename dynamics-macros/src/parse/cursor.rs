@@ -11,6 +11,7 @@ use crate::words::shortened;
 ///
 /// Groups without delimiters, in which `macro_rules!` wraps some of its fragments,
 /// are looked through, except by [`Cursor::take_fragment`].
+#[derive(Clone)]
 pub(crate) struct Cursor<'d> {
     /// What is left, the next token last.
     rest: Vec<TokenTree>,
@@ -116,6 +117,17 @@ impl<'d> Cursor<'d> {
         }
     }
 
+    /// Takes the tokens in front of the next of these characters, or all that are left.
+    pub(crate) fn take_until(&mut self, characters: &[char]) -> TokenStream {
+        let mut tokens = TokenStream::new();
+        while !characters.iter().any(|c| self.at(*c))
+            && let Some(token) = self.take()
+        {
+            tokens.extend([token]);
+        }
+        tokens
+    }
+
     /// The next token where it is an identifier or a keyword.
     pub(crate) fn peek_ident(&mut self) -> Option<&Ident> {
         match self.peek() {
@@ -218,6 +230,15 @@ impl<'d> Cursor<'d> {
                 return;
             }
         }
+    }
+}
+
+/// The identifier or keyword that the group starts with.
+pub(super) fn first_word(group: &Group) -> Option<String> {
+    match group.stream().into_iter().next()? {
+        TokenTree::Ident(ident) => Some(ident.to_string()),
+        TokenTree::Group(group) if is_fragment(&group) => first_word(&group),
+        _ => None,
     }
 }
 

@@ -7,11 +7,19 @@ use proc_macro2::{Delimiter, Ident};
 use super::cursor::Cursor;
 use super::expression::expression;
 use super::list::{Key, colon, comma_separated, end_item, key, skip_docs};
-use super::row::rows;
+use super::row::joints;
 use super::vector::vector;
 use crate::diagnose::{Place, Reported};
-use crate::syntax::{Entry, Row};
+use crate::syntax::{Entry, Joints};
 use crate::words;
+
+/// Functions that have their names already, though nothing generates them.
+const NOT_GENERATED_YET: [&str; 4] = [
+    "inverse_dynamics_derivatives",
+    "forward_dynamics_derivatives",
+    "regressor",
+    "base_parameters",
+];
 
 /// The keys of the table.
 const KEYS: [&str; 5] = ["convention", "gravity", "joints", "functions", "tests"];
@@ -24,6 +32,7 @@ pub(super) fn entries(cursor: &mut Cursor) -> Vec<Entry> {
         let start = cursor.taken();
         let end = skip_docs(cursor).and_then(|()| match cursor.take_word("let") {
             Some(_) => binding(cursor, &mut entries).map(|what| (';', what)),
+            None if at_constant(cursor) => constant(cursor, &mut entries).map(|what| (';', what)),
             None if at_bare_binding(cursor) => {
                 cursor.expected("`let` in front of a name that is bound");
                 binding(cursor, &mut entries).map(|what| (';', what))
@@ -51,12 +60,47 @@ fn at_bare_binding(cursor: &mut Cursor) -> bool {
     cursor.at_name_before('=') && !cursor.peek_ident().is_some_and(is_key)
 }
 
+/// Whether a Rust constant comes next.
+fn at_constant(cursor: &mut Cursor) -> bool {
+    let is_constant = |word: &Ident| word == "const" || word == "static";
+    cursor.peek_ident().is_some_and(is_constant) && !cursor.at_key()
+}
+
 fn at_entry(cursor: &mut Cursor) -> bool {
-    cursor.at_key() || cursor.peek_ident().is_some_and(|word| word == "let")
+    cursor.at_key() || cursor.peek_ident().is_some_and(|word| word == "let") || at_constant(cursor)
+}
+
+/// Reads `const NAME: type = value`, which is refused, as the `let` that was meant.
+fn constant(cursor: &mut Cursor, entries: &mut Vec<Entry>) -> Result<String, Reported> {
+    let start = cursor.here();
+    cursor.take();
+    cursor.take_word("mut");
+    let Some(name) = cursor.take_ident() else {
+        return Err(cursor.expected("a name: `let name = value;`"));
+    };
+    let place = start.to(&name);
+    if cursor.at(':') {
+        cursor.take_until(&['=', ';', ',']);
+    }
+    let has_value = cursor.take_char('=').is_some();
+    let shown = match has_value {
+        true => words::shortened(&cursor.clone().take_until(&[';']).to_string()),
+        false => "...".to_owned(),
+    };
+    let reported = cursor.error(
+        place,
+        format_args!("a value is named by `let`: write `let {name} = {shown};`"),
+    );
+    let value = has_value.then(|| expression(cursor).ok()).flatten();
+    entries.push(Entry::Let(name, value));
+    Err(reported)
 }
 
 /// Reads `name = value`, behind `let`.
 fn binding(cursor: &mut Cursor, entries: &mut Vec<Entry>) -> Result<String, Reported> {
+    if let Some(word) = cursor.take_word("mut") {
+        cursor.error(&word, "no `mut` here: the value of a `let` does not change");
+    }
     let Some(name) = cursor.take_ident() else {
         return Err(cursor.expected("a name after `let`: `let name = value;`"));
     };
@@ -106,17 +150,17 @@ fn value(cursor: &mut Cursor, key: &Key) -> (Entry, Result<(), Reported>) {
     match key.name {
         "convention" => split(colon.and_then(|()| convention(cursor)), Entry::Convention),
         "gravity" => split(colon.and_then(|()| vector(cursor)), Entry::Gravity),
-        "joints" => split(colon.and_then(|()| joints(cursor)), |rows| {
-            Entry::Joints(start, rows)
+        "joints" => split(colon.and_then(|()| table(cursor)), |joints| {
+            Entry::Joints(start, joints)
         }),
         "functions" => split(colon.and_then(|()| functions(cursor)), Entry::Functions),
         _ => split(colon.and_then(|()| truth(cursor)), Entry::Tests),
     }
 }
 
-fn joints(cursor: &mut Cursor) -> Result<Vec<Row>, Reported> {
+fn table(cursor: &mut Cursor) -> Result<Joints, Reported> {
     let group = cursor.take_list(Delimiter::Bracket, "`[name: revolute { ... }, ...]`")?;
-    Ok(rows(cursor.inside(&group)))
+    Ok(joints(cursor.inside(&group)))
 }
 
 fn split<T>(
@@ -185,6 +229,9 @@ fn function(
 ) -> Result<(), Reported> {
     let word = name.to_string();
     let Some(function) = Function::from_name(&word) else {
+        if NOT_GENERATED_YET.contains(&word.as_str()) {
+            return Err(cursor.error(name, format_args!("`{word}` is not generated yet")));
+        }
         let wrong = words::unknown("function", &word, &Function::ALL.map(Function::name));
         return Err(cursor.error(name, wrong.message));
     };

@@ -57,6 +57,9 @@ fn chain(
     let mut left = operand(cursor, limits)?;
     while let Some((_, operator)) = operators.into_iter().find(|(c, _)| cursor.at(*c)) {
         cursor.take();
+        if operator == Operator::Mul && cursor.at('*') {
+            return Err(power(cursor, &left));
+        }
         let right = operand(cursor, limits)?;
         left = Expr {
             place: left.place.to(right.place),
@@ -64,6 +67,19 @@ fn chain(
         };
     }
     Ok(left)
+}
+
+/// Reports the power `left ** right`, at its second `*`.
+fn power(cursor: &mut Cursor, left: &Expr) -> Reported {
+    let start = cursor.last();
+    cursor.take();
+    let base = match &left.kind {
+        ExprKind::Name(name) => name,
+        _ => "x",
+    };
+    let message =
+        format!("`**` does not belong in a value: a power is a product, `{base} * {base}`");
+    cursor.error(start.to(cursor.last()), message)
 }
 
 /// Reads an operand with its signs.

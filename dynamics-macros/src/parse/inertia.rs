@@ -53,9 +53,18 @@ fn tensor(cursor: &Cursor, group: &Group) -> [Given<Expr>; 6] {
     entries
 }
 
-/// The message for a word that is no entry: below the diagonal, or a slip.
+/// The message for a word that is no entry: `Ixx` and the like, below the diagonal, or a
+/// slip.
 fn unknown_entry(word: &str) -> Wrong {
-    let mirrored = |entry: &&&str| entry.chars().rev().eq(word.chars());
+    let lower = word.to_lowercase();
+    let axes = lower.trim_start_matches('i').trim_start_matches('_');
+    if let Some(entry) = ENTRIES.iter().find(|entry| **entry == axes) {
+        return Wrong {
+            message: format!("unknown tensor entry `{word}`: did you mean `{entry}`?"),
+            meant: Some(entry),
+        };
+    }
+    let mirrored = |entry: &&&str| entry.chars().rev().eq(axes.chars());
     match ENTRIES.iter().find(mirrored) {
         Some(entry) => Wrong {
             message: format!(

@@ -1,8 +1,8 @@
 //! Lists between commas, and the `key: value` items in them.
 
-use proc_macro2::{Group, Ident, TokenTree};
+use proc_macro2::{Ident, TokenTree};
 
-use super::cursor::Cursor;
+use super::cursor::{Cursor, first_word};
 use crate::diagnose::{Place, Reported};
 use crate::syntax::Given;
 use crate::words::{self, Wrong};
@@ -53,7 +53,8 @@ pub(super) fn end_item<'d>(
 pub(super) fn skip_docs(cursor: &mut Cursor) -> Result<(), Reported> {
     while let Some(hash) = cursor.take_char('#') {
         match cursor.take() {
-            Some(TokenTree::Group(group)) if starts_with(&group, "doc") => {}
+            Some(TokenTree::Group(group))
+                if first_word(&group).is_some_and(|word| word == "doc") => {}
             Some(TokenTree::Group(group)) => {
                 cursor.error(
                     Place::from(hash).to(group.span()),
@@ -64,10 +65,6 @@ pub(super) fn skip_docs(cursor: &mut Cursor) -> Result<(), Reported> {
         }
     }
     Ok(())
-}
-
-fn starts_with(group: &Group, word: &str) -> bool {
-    matches!(group.stream().into_iter().next(), Some(TokenTree::Ident(ident)) if ident == word)
 }
 
 /// The key of an item.

@@ -1,5 +1,7 @@
 //! The rows of the table and their cells.
 
+use std::cell::Cell;
+
 use dynamics_symbolic::robot::JointType;
 use proc_macro2::{Delimiter, Group, Ident};
 
@@ -8,8 +10,8 @@ use super::expression::expression;
 use super::inertia::{ENTRIES, inertia};
 use super::list::{Key, colon, comma_separated, fill, key};
 use super::vector::vector;
-use crate::diagnose::Reported;
-use crate::syntax::{Allow, Friction, Motor, Row};
+use crate::diagnose::{Place, Reported};
+use crate::syntax::{Allow, Friction, Joints, Motor, Row};
 use crate::words::{self, Wrong};
 
 /// The cells of a row.
@@ -24,19 +26,32 @@ const JOINT_TYPES: [&str; 2] = ["revolute", "prismatic"];
 /// What a row looks like, for messages.
 const JOINT: &str = "a joint: `name: revolute { ... }` or `name: prismatic { ... }`";
 
-/// Reads the rows. One that holds an error is returned all the same: it counts.
-pub(super) fn rows(mut cursor: Cursor) -> Vec<Row> {
+/// Reads the rows. One that holds an error is returned all the same: it counts, unless
+/// it cannot be told where it ends.
+pub(super) fn joints(mut cursor: Cursor) -> Joints {
     let mut rows = Vec::new();
-    let _ = comma_separated(&mut cursor, Cursor::at_key, |cursor| {
+    let complete = Cell::new(true);
+    // What is no row behind a missing comma is skipped.
+    let at_row = |cursor: &mut Cursor| {
+        let at_row = cursor.at_key();
+        complete.set(complete.get() && at_row);
+        at_row
+    };
+    let _ = comma_separated(&mut cursor, at_row, |cursor| {
         if cursor.at(',') {
             return Err(cursor.expected(JOINT));
         }
         let mut row = Row::default();
         let end = row_into(cursor, &mut row);
+        let at_end = cursor.at_end() || cursor.at(',');
+        complete.set(complete.get() && (end.is_ok() || at_end));
         rows.push(row);
         end
     });
-    rows
+    Joints {
+        rows,
+        complete: complete.get(),
+    }
 }
 
 /// Reads `name: revolute { cells }`.
@@ -44,7 +59,18 @@ fn row_into(cursor: &mut Cursor, row: &mut Row) -> Result<String, Reported> {
     let Some(name) = cursor.take_ident() else {
         return Err(cursor.expected(JOINT));
     };
-    row.name = Some(name.clone());
+    if let Some(group) = cursor.take_group(Delimiter::Parenthesis) {
+        let place = Place::from(&name).to(group.span());
+        let message = "the cells of a joint stand in braces: `name: revolute { ... }`";
+        return Err(cursor.error(place, message));
+    }
+    let name = behind_extra_word(cursor, name);
+    match name == "_" {
+        true => {
+            cursor.error(&name, "a joint needs a name: `_` is none");
+        }
+        false => row.name = Some(name.clone()),
+    }
     let label = format!("joint `{name}`");
     let cells = match cursor.take_group(Delimiter::Brace) {
         Some(cells) => {
@@ -60,6 +86,18 @@ fn row_into(cursor: &mut Cursor, row: &mut Row) -> Result<String, Reported> {
     };
     self::cells(cursor.inside(&cells), row);
     Ok(label)
+}
+
+/// Reports a word in front of a row's name. Returns the name.
+fn behind_extra_word(cursor: &mut Cursor, word: Ident) -> Ident {
+    match cursor.at_key().then(|| cursor.take_ident()).flatten() {
+        Some(name) => {
+            let message = format!("no word stands in front of a joint's name: write `{name}: ...`");
+            cursor.error(&word, message);
+            name
+        }
+        None => word,
+    }
 }
 
 /// Reports a row of which one word alone stands in front of the cells.

@@ -3,7 +3,7 @@
 use proc_macro2::{Delimiter, Group, Ident, TokenStream, TokenTree};
 use quote::quote;
 
-use super::cursor::Cursor;
+use super::cursor::{Cursor, first_word};
 use crate::diagnose::{Place, Reported};
 use crate::syntax::{Field, Shape, Structure};
 use crate::words;
@@ -39,6 +39,8 @@ pub(super) fn structure(cursor: &mut Cursor) -> Option<Structure> {
 struct Attributes {
     all: TokenStream,
     cfgs: TokenStream,
+    /// The last of the `cfg`s.
+    switch: Option<Place>,
     has_derive: bool,
 }
 
@@ -50,21 +52,37 @@ fn attributes(cursor: &mut Cursor) -> Attributes {
             cursor.expected("an attribute after `#`");
             continue;
         };
-        let tokens = quote!(#hash #group);
-        match first_word(&group).as_deref() {
-            Some("derive") => attributes.has_derive = true,
-            Some("cfg") => attributes.cfgs.extend(tokens.clone()),
-            _ => {}
-        }
-        attributes.all.extend(tokens);
+        attributes.note(&mut cursor.inside(&group), &|meta| quote!(#hash [#meta]));
+        attributes.all.extend(quote!(#hash #group));
     }
     attributes
 }
 
-fn first_word(group: &Group) -> Option<String> {
-    match group.stream().into_iter().next() {
-        Some(TokenTree::Ident(ident)) => Some(ident.to_string()),
-        _ => None,
+impl Attributes {
+    /// Notes what the content of an attribute says about the item, be it under a
+    /// condition. `attribute` puts around a part of the content what stands around it.
+    fn note(&mut self, meta: &mut Cursor, attribute: &dyn Fn(TokenStream) -> TokenStream) {
+        match meta.peek_ident().map(ToString::to_string).as_deref() {
+            Some("derive") => self.has_derive = true,
+            Some("cfg") => {
+                let start = meta.here();
+                self.cfgs.extend(attribute(meta.take_until(&[','])));
+                self.switch = Some(start.to(meta.last()));
+            }
+            Some("cfg_attr") => {
+                meta.take();
+                if let Some(arguments) = meta.take_group(Delimiter::Parenthesis) {
+                    let mut arguments = meta.inside(&arguments);
+                    let condition = arguments.take_until(&[',']);
+                    let attribute = |meta| attribute(quote!(cfg_attr(#condition, #meta)));
+                    while arguments.take_char(',').is_some() {
+                        self.note(&mut arguments, &attribute);
+                        arguments.take_until(&[',']);
+                    }
+                }
+            }
+            _ => {}
+        }
     }
 }
 
@@ -228,10 +246,21 @@ fn named_field(cursor: &mut Cursor, generic: bool) -> Result<Field, Reported> {
     let Some(name) = cursor.take_ident() else {
         return Err(cursor.expected("a field: `name: f64`"));
     };
-    if cursor.take_char(':').is_none() {
-        cursor.expected(format_args!("`:` after `{name}`"));
-    }
-    let written = field_type(cursor, &name, generic);
+    let written = match cursor.take_char(':') {
+        None if cursor.at_end() || cursor.at(',') => {
+            cursor.error(
+                &name,
+                format_args!("the field `{name}` has no type: write `{name}: f64`"),
+            );
+            cursor.take_char(',');
+            TokenStream::new()
+        }
+        None => {
+            cursor.expected(format_args!("`:` after `{name}`"));
+            field_type(cursor, &name, generic)
+        }
+        Some(_) => field_type(cursor, &name, generic),
+    };
     Ok(Field {
         attributes,
         visibility,
@@ -256,9 +285,9 @@ fn tuple_field(cursor: &mut Cursor) -> Result<Field, Reported> {
 /// The field's attributes. One that could take the field away is refused.
 fn field_attributes(cursor: &mut Cursor) -> TokenStream {
     let attributes = attributes(cursor);
-    if !attributes.cfgs.is_empty() {
+    if let Some(switch) = attributes.switch {
         cursor.error(
-            cursor.last(),
+            switch,
             "a field that the table refers to cannot be switched off by `cfg`",
         );
         return TokenStream::new();
@@ -275,6 +304,15 @@ fn field_type(cursor: &mut Cursor, name: &Ident, generic: bool) -> TokenStream {
     } else if !is_f64 && !generic {
         let message = format!("the field `{name}` is an `f64`, as every field of a robot");
         cursor.error(place, message);
+    } else if is_f64 && cursor.at('=') {
+        let start = cursor.here();
+        cursor.take_until(&[',']);
+        cursor.error(
+            start.to(cursor.last()),
+            format_args!(
+                "a field has no default: `{name}` gets its value where the struct is built"
+            ),
+        );
     } else if is_f64 && !cursor.at_end() && !cursor.at(',') {
         cursor.expected(format_args!("`,` after the field `{name}`"));
         cursor.take_char(';');

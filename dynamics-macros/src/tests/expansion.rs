@@ -1,10 +1,11 @@
 //! What a call expands to.
 
 use super::*;
-use dynamics_symbolic::derive::derive;
+use dynamics_symbolic::derive::derive as derive_program;
+use proc_macro2::{Delimiter, Group, TokenTree};
 
 fn expansion(source: &str) -> String {
-    crate::generate(source.parse().expect("the source lexes"), &derive).to_string()
+    crate::generate(source.parse().expect("the source lexes"), &derive_program).to_string()
 }
 
 #[test]
@@ -23,7 +24,58 @@ fn derives_are_added_where_there_is_none() {
     let own = expansion(&format!("#[derive(Default)] {call}"));
     assert_eq!(own.matches("# [derive").count(), 1);
     let conditional = expansion(&format!("#[cfg_attr(test, derive(Default))] {call}"));
-    assert_eq!(conditional.matches("# [derive").count(), 1);
+    assert_eq!(conditional.matches("# [derive").count(), 0);
+    let other = expansion(&format!("#[cfg_attr(test, must_use)] {call}"));
+    assert_eq!(other.matches("# [derive").count(), 1);
+}
+
+/// What a macro's `$(#[$attribute:meta])*` makes of an attribute.
+fn handed_on(attribute: &str) -> TokenStream {
+    let content: TokenStream = attribute.parse().expect("the attribute lexes");
+    let fragment = TokenTree::from(Group::new(Delimiter::None, content));
+    quote::quote!(#[#fragment])
+}
+
+#[test]
+fn attributes_that_another_macro_hands_on_are_read() {
+    let [derive, cfg, doc] = ["derive(Debug)", "cfg(unix)", "doc = \"x\""].map(handed_on);
+    let call = quote::quote! {
+        #derive #cfg #doc struct Arm { #doc m: f64 }
+        #doc convention: standard, gravity: [0, 0, 0],
+        joints: [#doc joint: revolute { #doc mass: m }]
+    };
+    let items = crate::generate(call, &derive_program).to_string();
+    assert!(!items.contains("compile_error"), "{items}");
+    assert!(!items.contains("PartialEq"));
+    let impls = items.matches(" impl ").count();
+    assert_eq!(items.matches("# [cfg (unix)]").count(), impls + 1);
+    let switched = quote::quote!(struct Arm { #cfg m: f64 } convention: standard,
+        gravity: [0, 0, 0], joints: [joint: revolute { mass: m }]);
+    let (_, messages) = read(switched);
+    assert_eq!(
+        messages,
+        ["a field that the table refers to cannot be switched off by `cfg`"]
+    );
+}
+
+#[test]
+fn a_condition_around_the_switch_goes_with_it() {
+    let attribute = "#[cfg_attr(unix, derive(Debug), cfg(test), cfg_attr(windows, cfg(doc)))]";
+    let items = expansion(&format!("{attribute} {}", with_cells("mass: 1")));
+    let impls = items.matches(" impl ").count();
+    for copied in [
+        "# [cfg_attr (unix , cfg (test))]",
+        "# [cfg_attr (unix , cfg_attr (windows , cfg (doc)))]",
+    ] {
+        assert_eq!(items.matches(copied).count(), impls, "{copied}");
+    }
+}
+
+#[test]
+fn names_of_tests_keep_the_case_of_the_struct() {
+    let items = expansion(&format!("{} tests: true", with_cells("mass: 1")));
+    assert!(items.contains("fn Arm_agrees_with_recursive_newton_euler ()"));
+    assert!(items.contains("mod Arm_model"));
 }
 
 #[test]
@@ -71,4 +123,24 @@ fn without_rows_the_stubs_take_any_number_of_joints() {
     let items = expansion("struct Arm; convention: standard, gravity: [0, 0, 0]");
     assert!(items.contains("const N : usize"));
     assert!(items.contains("DOF : usize = 0"));
+}
+
+#[test]
+fn rows_that_cannot_be_counted_leave_the_number_unknown() {
+    for (rows, joints) in [
+        ("[one: revolute {}, two: revolute {}]", 0),
+        ("joint one revolute: {}, two: revolute {}", 0),
+        ("joint one: revolute {}, joint two: revolute {}", 2),
+        ("one: revolute {} two = revolute {}", 0),
+        ("\"one\": revolute {}, two: revolute {}", 0),
+        ("one: revolute {} two: revolute {}", 2),
+        ("one { mass: 1 }, revolute { mass: 1 }", 2),
+        ("one: revolute, two: {}", 2),
+        ("revolute(one, a: 1), prismatic(two)", 2),
+        ("_: revolute {}", 1),
+    ] {
+        let items = expansion(&with_rows(rows));
+        assert!(items.contains("compile_error"), "{rows}");
+        assert!(items.contains(&format!("DOF : usize = {joints}")), "{rows}");
+    }
 }

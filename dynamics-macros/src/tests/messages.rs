@@ -35,6 +35,15 @@ fn nothing_is_said_twice() {
         "struct Arm; convention: standard, gravity: [0, 0, 0], joints: [j: revolute { motor: { inertia: 1, ratio: 2 } }]",
         "struct Arm; convention: standard, gravity: [0, 0, 0], joints: [j: revolute { inertia: { Ixx: 1, yy: 1, zz: 2 } }]",
         "struct Arm; m = 1; convention: standard, gravity: [0, 0, 0], joints: [j: revolute { mass: m }]",
+        // Rust in place of the table's own words.
+        "struct Arm; let mut m = 3; convention: standard, gravity: [0, 0, 0], joints: [j: revolute { mass: m }]",
+        "struct Arm; const M: f64 = 3.0; convention: standard, gravity: [0, 0, 0], joints: [j: revolute { mass: M }]",
+        "struct Arm; const M: f64; convention: standard, gravity: [0, 0, 0], joints: [j: revolute { mass: M }]",
+        "struct Arm { m, l: f64 } convention: standard, gravity: [0, 0, 0], joints: [j: revolute { mass: m, a: l }]",
+        "struct Arm { m: f64 = 1.0 } convention: standard, gravity: [0, 0, 0], joints: [j: revolute { mass: m }]",
+        "struct Arm { l: f64 } convention: standard, gravity: [0, 0, 0], joints: [revolute(j, a: l)]",
+        "struct Arm { l: f64 } convention: standard, gravity: [0, 0, 0], joints: [j: revolute { a: l**2 }]",
+        "struct Arm; convention: standard, gravity: [0, 0, 0], joints: [_: revolute {}]",
         // The slip was a key that stands there already.
         "struct Arm; convention: standard, gravity: [0, 0, 0], joints: [j: revolute { mass: 1, masss: 2 }]",
     ] {

@@ -15,7 +15,7 @@ use dynamics_symbolic::robot::{Convention, Robot, Row, Value};
 use proc_macro2::Ident;
 
 use crate::diagnose::{Diagnostics, Place};
-use crate::syntax::{self, Call, Entry, Structure};
+use crate::syntax::{Call, Entry, Joints, Structure};
 use scope::Scope;
 
 /// Joints that a robot may have: the engine's work grows with their cube.
@@ -80,10 +80,9 @@ impl Parts {
                 Entry::Convention(convention) => parts.convention = Some(*convention),
                 Entry::Gravity(gravity) => parts.gravity = Some(scope.vector(gravity.as_ref())),
                 Entry::Joints(place, joints) => {
-                    let joints = joints.as_deref();
-                    parts.rows = Some(joints.map_or_else(Vec::new, |joints| {
+                    parts.rows = Some(joints.as_ref().map_or_else(Vec::new, |joints| {
                         report_number(joints, *place, scope);
-                        row::rows(joints, scope)
+                        row::rows(&joints.rows, scope)
                     }));
                 }
                 Entry::Functions(functions) => parts.functions = functions.clone(),
@@ -143,11 +142,15 @@ impl Parts {
     }
 }
 
-fn report_number(joints: &[syntax::Row], place: Place, scope: &Scope) {
-    if joints.is_empty() {
+fn report_number(joints: &Joints, place: Place, scope: &Scope) {
+    if joints.rows.is_empty() && joints.complete {
         scope.error(place, "no joints: a robot has at least one");
     }
-    if let Some(name) = joints.get(MOST_JOINTS).and_then(|row| row.name.as_ref()) {
+    if let Some(name) = joints
+        .rows
+        .get(MOST_JOINTS)
+        .and_then(|row| row.name.as_ref())
+    {
         scope.error(name, format_args!("more than {MOST_JOINTS} joints"));
     }
 }

@@ -5,16 +5,25 @@ use nalgebra::{Matrix4, SMatrix, SVector};
 use super::scale::Scale;
 use crate::{Evaluation, JointType, NewtonEuler, SingularMassMatrix, State, Table};
 
-/// Below this relative pivot the numeric mass matrix counts as singular: its own roundings then
-/// decide whether a factorisation succeeds.
+/// Below this part of its diagonal entry a pivot of the numeric mass matrix counts as zero: its own
+/// roundings then decide whether a factorisation succeeds.
 const SINGULAR: f64 = 1e-10;
+
+/// Below this part of the largest |M| a pivot, and with it the diagonal entry that bounds it, counts
+/// as zero too.
+///
+/// Where nothing resists a joint at some state (point masses on its axis), the numeric entry is not
+/// 0 but the roundings of terms as large as those elsewhere in M, at most a few 1e-16 of them.
+/// Measured against itself such an entry looks regular. No real arm comes near the bound: a finger of
+/// 1e-6 kg m^2 on an arm of 1e4 kg m^2 is a hundred times above it.
+const VANISHING: f64 = 1e-12;
 
 /// The largest relative error of one function at one state.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Deviation {
     pub(super) function: &'static str,
-    /// Infinite where a value is not a number.
-    pub(super) error: f64,
+    /// Infinite where a value is not a number; `None` where there was nothing to compare.
+    pub(super) error: Option<f64>,
     /// The joint of the worst entry, where entries belong to joints.
     pub(super) joint: Option<usize>,
 }
@@ -55,11 +64,11 @@ pub(super) fn deviations<const N: usize>(
         generated
             .inverse_dynamics
             .map(|t| vector("inverse_dynamics", &(t - tau), scale.inverse_dynamics)),
-        generated.forward_dynamics.and_then(|qdd| match qdd {
+        generated.forward_dynamics.map(|qdd| match qdd {
             Ok(qdd) => {
                 let residual = mass_matrix * qdd + numeric.bias_force(q, qd) - tau;
                 let scale = scale.inverse_dynamics + scale.mass_matrix * qdd.amax();
-                Some(vector("forward_dynamics", &residual, scale))
+                vector("forward_dynamics", &residual, scale)
             }
             Err(error) => refused(&mass_matrix, &error),
         }),
@@ -78,6 +87,15 @@ pub(super) fn deviations<const N: usize>(
         generated.coriolis_matrix.map(|c| {
             let difference = c - numeric.coriolis_matrix(q, qd);
             matrix("coriolis_matrix", &difference, scale.coriolis_matrix)
+        }),
+        generated.coriolis_coefficients.as_ref().map(|columns| {
+            let entries = coriolis_entries(columns, numeric, q, scale.coefficients);
+            Deviation::worst("coriolis_coefficients", entries)
+        }),
+        generated.centrifugal_coefficients.map(|c| {
+            let difference = c - centrifugal_coefficients(numeric, q);
+            let scale = scale.coefficients;
+            matrix("centrifugal_coefficients", &difference, scale)
         }),
         generated.configuration_space_coriolis.map(|v| {
             let difference = v - coriolis_vector;
@@ -107,20 +125,72 @@ pub(super) fn deviations<const N: usize>(
     found.into_iter().flatten().collect()
 }
 
-/// A refusal to solve is right where the numeric mass matrix is singular too.
-fn refused<const N: usize>(
+/// A refusal to solve is right where the numeric mass matrix is singular too: there is nothing to
+/// compare then. Where it is regular, nothing excuses the refusal.
+pub(super) fn refused<const N: usize>(
     mass_matrix: &SMatrix<f64, N, N>,
     error: &SingularMassMatrix,
-) -> Option<Deviation> {
+) -> Deviation {
+    let largest = mass_matrix.amax();
     let regular = mass_matrix.cholesky().is_some_and(|factor| {
         let factor = factor.l_dirty().diagonal();
-        (0..N).all(|i| factor[i] * factor[i] > SINGULAR * mass_matrix[(i, i)])
+        (0..N).all(|i| {
+            let pivot = factor[i] * factor[i];
+            pivot > SINGULAR * mass_matrix[(i, i)] && pivot > VANISHING * largest
+        })
     });
-    regular.then_some(Deviation {
+    Deviation {
         function: "forward_dynamics",
-        error: f64::INFINITY,
+        error: regular.then_some(f64::INFINITY),
         joint: Some(error.joint),
+    }
+}
+
+/// Entries of the difference of B(q): V is quadratic in qd, so that its polarisation
+/// `V(e_j + e_k) - V(e_j) - V(e_k)` is the column of the pair (j, k).
+///
+/// A column that is missing or too many is not a number.
+fn coriolis_entries<const N: usize>(
+    columns: &[SVector<f64, N>],
+    numeric: &NewtonEuler<N>,
+    q: &SVector<f64, N>,
+    scale: f64,
+) -> impl Iterator<Item = Entry> {
+    let squares = centrifugal_coefficients(numeric, q);
+    let pairs = (0..N).flat_map(|j| (j + 1..N).map(move |k| (j, k)));
+    let expected: Vec<SVector<f64, N>> = pairs
+        .map(|(j, k)| {
+            let both = numeric.coriolis_vector(q, &(unit(j) + unit(k)));
+            both - squares.column(j) - squares.column(k)
+        })
+        .collect();
+    let missing = SVector::repeat(f64::NAN);
+    let column =
+        move |of: &[SVector<f64, N>], pair: usize| of.get(pair).copied().unwrap_or(missing);
+    (0..columns.len().max(expected.len())).flat_map(move |pair| {
+        let difference = column(columns, pair) - column(&expected, pair);
+        (0..N).map(move |joint| Entry {
+            joint: Some(joint),
+            difference: difference[joint],
+            scale,
+        })
     })
+}
+
+/// C(q): column j is V at the unit velocity of joint j.
+fn centrifugal_coefficients<const N: usize>(
+    numeric: &NewtonEuler<N>,
+    q: &SVector<f64, N>,
+) -> SMatrix<f64, N, N> {
+    let mut coefficients = SMatrix::<f64, N, N>::zeros();
+    for j in 0..N {
+        coefficients.set_column(j, &numeric.coriolis_vector(q, &unit(j)));
+    }
+    coefficients
+}
+
+fn unit<const N: usize>(joint: usize) -> SVector<f64, N> {
+    SVector::from_fn(|i, _| if i == joint { 1.0 } else { 0.0 })
 }
 
 /// Entries of a transform's difference: those of the rotation are of size 1.
@@ -183,19 +253,18 @@ impl Entry {
 
 impl Deviation {
     fn worst(function: &'static str, entries: impl Iterator<Item = Entry>) -> Self {
-        let mut worst = Deviation {
-            function,
-            error: 0.0,
-            joint: None,
-        };
+        let mut worst = (0.0, None);
         for entry in entries {
             let error = entry.relative();
-            if error > worst.error {
-                worst.error = error;
-                worst.joint = entry.joint;
+            if error > worst.0 {
+                worst = (error, entry.joint);
             }
         }
-        worst
+        Deviation {
+            function,
+            error: Some(worst.0),
+            joint: worst.1,
+        }
     }
 
     /// Row i belongs to joint i.

@@ -9,13 +9,16 @@ use crate::State;
 
 /// The largest error of every generated function, and where it occurs.
 ///
-/// Printed, it is a table; the states of the errors beyond the tolerance follow it, and with the
-/// alternate form `{:#}` the states of all.
+/// Printed, it is a table; the functions that could not be compared follow it, then the states of
+/// the errors beyond the tolerance, and with the alternate form `{:#}` the states of all.
 #[derive(Clone, Debug, PartialEq)]
 #[must_use]
 pub struct Report {
     /// One entry for each function that was compared.
     pub functions: Vec<FunctionReport>,
+    /// The functions that could be compared at no state: forward dynamics where the mass matrix is
+    /// singular everywhere, and refusing to solve is right.
+    pub not_compared: Vec<&'static str>,
     /// Number of states at which the robot was evaluated.
     pub states: usize,
     /// Seed of the random states.
@@ -51,19 +54,13 @@ impl FunctionReport {
     pub fn is_ok(&self) -> bool {
         self.error <= self.tolerance
     }
-
-    fn note(&mut self, deviation: &Deviation, label: &str, q: [Vec<f64>; 3]) {
-        self.error = deviation.error;
-        self.joint = deviation.joint;
-        self.label = label.into();
-        [self.q, self.qd, self.qdd] = q;
-    }
 }
 
 impl Report {
     pub(super) fn new(joint_names: &[&'static str], states: usize, seed: u64) -> Self {
         Report {
             functions: Vec::new(),
+            not_compared: Vec::new(),
             states,
             seed,
             joint_names: joint_names.into(),
@@ -78,21 +75,33 @@ impl Report {
         label: &str,
         state: &State<N>,
     ) {
+        let Some(error) = deviation.error else {
+            self.miss(deviation.function);
+            return;
+        };
         let entry = self.entry(deviation.function, tolerance);
         entry.states += 1;
-        if entry.states == 1 || deviation.error > entry.error {
-            let values = [state.q, state.qd, state.qdd];
-            entry.note(
-                deviation,
-                label,
-                values.map(|v: SVector<f64, N>| v.as_slice().into()),
-            );
+        if entry.states == 1 || error > entry.error {
+            entry.error = error;
+            entry.joint = deviation.joint;
+            entry.label = label.into();
+            [entry.q, entry.qd, entry.qdd] = [state.q, state.qd, state.qdd]
+                .map(|values: SVector<f64, N>| values.as_slice().into());
+        }
+    }
+
+    /// Notes a function that could not be compared at a state, unless it was at another.
+    fn miss(&mut self, function: &'static str) {
+        let compared = self.functions.iter().any(|f| f.function == function);
+        if !compared && !self.not_compared.contains(&function) {
+            self.not_compared.push(function);
         }
     }
 
     fn entry(&mut self, function: &'static str, tolerance: f64) -> &mut FunctionReport {
         let known = self.functions.iter().position(|f| f.function == function);
         let index = known.unwrap_or_else(|| {
+            self.not_compared.retain(|missed| *missed != function);
             self.functions.push(FunctionReport {
                 function,
                 states: 0,
@@ -129,9 +138,16 @@ impl fmt::Display for Report {
             self.states, self.seed
         )?;
         if self.functions.is_empty() {
-            return write!(f, "\nno function of this robot can be compared");
+            write!(f, "\nno function of this robot can be compared")?;
+        } else {
+            self.fmt_table(f)?;
         }
-        self.fmt_table(f)?;
+        for function in &self.not_compared {
+            write!(
+                f,
+                "\n{function}: not compared at any state (the mass matrix is singular)"
+            )?;
+        }
         for function in &self.functions {
             if f.alternate() || !function.is_ok() {
                 write!(f, "\n{function}")?;

@@ -2,6 +2,7 @@
 
 use nalgebra::{Matrix2, SVector, Vector2};
 
+use super::deviation;
 use crate::test_arms::{CRAIG_ARM, CraigArm};
 use crate::{
     Check, Evaluate, Evaluation, Model, NewtonEuler, Report, SingularMassMatrix, State, Table,
@@ -55,10 +56,17 @@ fn numeric() -> NewtonEuler<2> {
     NewtonEuler::new(&CRAIG_ARM.table())
 }
 
+/// B(q) and C(q), Craig (6.61).
+fn coefficients(state: &State<2>) -> (Vector2<f64>, Matrix2<f64>) {
+    let CraigArm { m2, l1, l2, .. } = CRAIG_ARM;
+    let h = m2 * l1 * l2 * state.q[1].sin();
+    (Vector2::new(-2.0 * h, 0.0), Matrix2::new(0.0, -h, h, 0.0))
+}
+
 type Damage = (&'static str, fn(&State<2>, &mut Evaluation<2>));
 
 /// One for each function.
-const DAMAGES: [Damage; 14] = [
+const DAMAGES: [Damage; 16] = [
     ("mass_matrix", |_, e| {
         e.mass_matrix.as_mut().unwrap()[(1, 0)] *= WRONG;
     }),
@@ -93,6 +101,14 @@ const DAMAGES: [Damage; 14] = [
         let shift = Matrix2::new(qd[1], -qd[0], 0.0, 0.0) * 1e-9;
         e.coriolis_matrix = Some(numeric().coriolis_matrix(q, qd) + shift);
     }),
+    ("coriolis_coefficients", |state, e| {
+        let (coriolis, _) = coefficients(state);
+        e.coriolis_coefficients = Some(vec![coriolis * WRONG]);
+    }),
+    ("centrifugal_coefficients", |state, e| {
+        let (_, centrifugal) = coefficients(state);
+        e.centrifugal_coefficients = Some(centrifugal * WRONG);
+    }),
     ("configuration_space_form", |state, e| {
         let v = numeric().coriolis_vector(&state.q, &state.qd);
         e.configuration_space_coriolis = Some(v * WRONG);
@@ -126,6 +142,9 @@ fn kinematics_and_matrix_forms_pass() {
     let report = check(|state, e| {
         let State { q, qd, .. } = state;
         e.coriolis_matrix = Some(numeric().coriolis_matrix(q, qd));
+        let (coriolis, centrifugal) = coefficients(state);
+        e.coriolis_coefficients = Some(vec![coriolis]);
+        e.centrifugal_coefficients = Some(centrifugal);
         e.configuration_space_coriolis = Some(numeric().coriolis_vector(q, qd));
         e.forward_kinematics = Some(numeric().forward_kinematics(q));
         e.link_poses = Some(numeric().link_poses(q));
@@ -169,6 +188,46 @@ fn a_refusal_passes_where_the_mass_matrix_is_singular() {
     report.assert_ok();
     let names = report.functions.iter().map(|f| f.function);
     assert!(!names.collect::<Vec<_>>().contains(&"forward_dynamics"));
+    assert_eq!(report.not_compared, ["forward_dynamics"]);
+}
+
+/// A joint that moves a thousandth of a millionth of the largest inertia is small, not singular.
+#[test]
+fn a_refusal_fails_where_one_inertia_is_small() {
+    let light = CraigArm {
+        m2: 1e-8,
+        ..CRAIG_ARM
+    };
+    let m = light.mass_matrix(&Vector2::zeros());
+    assert!(m[(1, 1)] < 1e-9 * m[(0, 0)]);
+    let refused = SingularMassMatrix {
+        joint: 1,
+        relative_pivot: 0.0,
+    };
+    assert_eq!(deviation::refused(&m, &refused).error, Some(f64::INFINITY));
+    let vanishing = Matrix2::new(4e-33, 0.0, 0.0, 0.7);
+    assert_eq!(deviation::refused(&vanishing, &refused).error, None);
+}
+
+#[test]
+fn columns_that_are_missing_or_too_many_fail() {
+    let report = check(|_, e| e.coriolis_coefficients = Some(Vec::new()));
+    assert_eq!(wrong(&report), ["coriolis_coefficients"]);
+    let report = check(|state, e| {
+        e.coriolis_coefficients = Some(vec![coefficients(state).0; 2]);
+    });
+    assert_eq!(wrong(&report), ["coriolis_coefficients"]);
+}
+
+#[test]
+fn a_function_compared_at_one_state_is_compared() {
+    let report = check(|state, e| {
+        if state.q[0] > 0.0 {
+            e.mass_matrix = None;
+        }
+    });
+    assert!(report.not_compared.is_empty());
+    assert!(!report.to_string().contains("not compared"));
 }
 
 #[test]

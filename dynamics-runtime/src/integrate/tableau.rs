@@ -46,13 +46,15 @@ pub(super) const DENSE: [f64; STAGES] = [
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::{A, C, ERROR, STAGES};
 
     const B: [f64; 6] = A[STAGES - 1];
 
     #[track_caller]
     fn assert_rounding(computed: f64, expected: f64) {
-        assert!((computed - expected).abs() < 1e-14, "{computed} {expected}");
+        assert_abs_diff_eq!(computed, expected, epsilon = 1e-14);
     }
 
     /// sum_j a_ij = c_i.

@@ -1,5 +1,6 @@
 //! Closed forms from books, and the identities that the equations of motion of every arm satisfy.
 
+use approx::{assert_abs_diff_eq, assert_relative_eq};
 use nalgebra::{
     Matrix1, Matrix2, Matrix3, Matrix4, Rotation3, SMatrix, SVector, Vector1, Vector2, Vector3,
 };
@@ -14,12 +15,7 @@ fn assert_near<const R: usize, const C: usize>(
     expected: SMatrix<f64, R, C>,
     tolerance: f64,
 ) {
-    let within = (computed - expected).iter().all(|e| e.abs() <= tolerance);
-    assert!(
-        within,
-        "{computed}{expected}{:e}",
-        (computed - expected).amax()
-    );
+    assert_abs_diff_eq!(computed, expected, epsilon = tolerance);
 }
 
 fn seeds() -> impl Iterator<Item = u64> {
@@ -64,7 +60,8 @@ fn hanging_rod() {
             Vector1::new(weight * q[0].sin()),
             1e-14,
         );
-        assert!((arm.potential_energy(&q) + weight * q[0].cos()).abs() < 1e-14);
+        let expected = -weight * q[0].cos();
+        assert_abs_diff_eq!(arm.potential_energy(&q), expected, epsilon = 1e-14);
     }
 }
 
@@ -222,7 +219,8 @@ fn mass_matrix_is_symmetric_and_positive_definite() {
 fn kinetic_energy_is_the_form_of_the_mass_matrix() {
     for (arm, State { q, qd, .. }) in general_cases() {
         let expected = 0.5 * qd.dot(&(arm.mass_matrix(&q) * qd));
-        assert!((arm.kinetic_energy(&q, &qd) - expected).abs() < 1e-14 * expected);
+        let computed = arm.kinetic_energy(&q, &qd);
+        assert_relative_eq!(computed, expected, max_relative = 1e-14);
     }
 }
 

@@ -22,8 +22,8 @@ impl DormandPrince {
             least: 16.0 * f64::EPSILON * duration,
             greatest: self.longest_step(duration),
         };
-        let mut run = Adaptive::start(acceleration, 0.0, recorder.phase, tolerance, range)?;
         recorder.sample();
+        let mut run = Adaptive::start(acceleration, 0.0, recorder.phase, tolerance, range)?;
         while let Some(t) = recorder.next_sample() {
             let mut steps = 0;
             while run.t < t {

@@ -59,8 +59,8 @@ pub enum InvalidSetting {
     Duration(f64),
     /// There are fewer than two samples, or more than memory holds.
     Samples(usize),
-    /// The step, or the longest step, is not finite, not positive, or lost in the rounding of the
-    /// time.
+    /// The step, or the longest step, is not positive, or lost in the rounding of the time; or the
+    /// step of a method of fixed step is not finite.
     Step(f64),
     /// A tolerance is not a positive finite number.
     Tolerance(f64),

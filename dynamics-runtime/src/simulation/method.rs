@@ -11,24 +11,26 @@ use crate::integrate::{Phase, craig_euler, rk4, semi_implicit_euler};
 ///
 /// The methods of fixed step divide the interval between two samples into the least whole number of
 /// equal steps that are no longer than `step`, so that every sample is the end of a step. An
-/// interval of 0.2 s and a step of 1 ms give 200 steps of 1 ms.
+/// interval of 0.2 s and a step of 1 ms give 200 steps of 1 ms. A `step` longer than the interval
+/// gives one step; an infinite one is an error all the same, for it says nothing of the accuracy
+/// that is wanted.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Method {
     /// Euler's scheme as Craig has it, (6.117): `qd+ = qd + qdd h`, `q+ = q + qd h + qdd h^2 / 2`
     /// with the old velocity in the second equation. First order.
     CraigEuler {
-        /// The longest step, s.
+        /// The longest step, s: positive and finite.
         step: f64,
     },
     /// The semi-implicit Euler scheme: `qd+ = qd + qdd h`, `q+ = q + qd+ h`. First order.
     SemiImplicitEuler {
-        /// The longest step, s.
+        /// The longest step, s: positive and finite.
         step: f64,
     },
     /// The classical Runge-Kutta method. Fourth order.
     RungeKutta4 {
-        /// The longest step, s.
+        /// The longest step, s: positive and finite.
         step: f64,
     },
     /// The Dormand-Prince method of order 5(4) with error control and dense output.
@@ -58,7 +60,7 @@ pub struct DormandPrince {
     pub relative_tolerance: f64,
     /// Absolute tolerance of a step, rad or m, and per second.
     pub absolute_tolerance: f64,
-    /// The longest step, s; `None` for a fiftieth of the duration.
+    /// The longest step, s; `None` for a fiftieth of the duration, infinity for no bound.
     ///
     /// The estimate vanishes in an arm at rest, and steps would become as long as the run: a torque
     /// that comes and goes within one step would never be seen.
@@ -88,6 +90,12 @@ impl Default for DormandPrince {
     /// between two samples.
     fn default() -> Self {
         DormandPrince::with_tolerance(1e-9)
+    }
+}
+
+impl From<DormandPrince> for Method {
+    fn from(settings: DormandPrince) -> Self {
+        Method::DormandPrince(settings)
     }
 }
 
@@ -123,7 +131,11 @@ impl Method {
                         return Err(InvalidSetting::Tolerance(tolerance));
                     }
                 }
-                validate_step(settings.longest_step(duration), duration)
+                let longest = settings.longest_step(duration);
+                match longest {
+                    f64::INFINITY => Ok(()),
+                    _ => validate_step(longest, duration),
+                }
             }
         }
     }

@@ -105,9 +105,12 @@ impl<'a, R, L, const N: usize> Simulation<'a, R, L, N> {
         }
     }
 
-    /// The method of integration.
-    pub fn method(self, method: Method) -> Self {
-        Simulation { method, ..self }
+    /// The method of integration: a [`Method`], or the settings of [`DormandPrince`] alone.
+    pub fn method(self, method: impl Into<Method>) -> Self {
+        Simulation {
+            method: method.into(),
+            ..self
+        }
     }
 
     /// Positions and velocities at t = 0.

@@ -3,12 +3,13 @@
 use core::cell::Cell;
 use core::f64::consts::FRAC_PI_2;
 
+use approx::{assert_abs_diff_eq, assert_relative_eq};
 use nalgebra::{SVector, Vector1, Vector2};
 
 use crate::test_arms::CRAIG_ARM;
 use crate::{
     Cause, DormandPrince, ForwardDynamics, InvalidSetting, Method, Scalar, Simulation,
-    SingularMassMatrix,
+    SingularMassMatrix, Trajectory,
 };
 
 /// A unit mass on a rail.
@@ -69,7 +70,7 @@ fn samples_are_at_equal_intervals_and_end_at_the_duration() {
         assert_eq!((run.t[0], run.t[7]), (0.0, 0.7));
         for (k, t) in run.t.iter().enumerate() {
             assert_eq!(*t, 0.7 * k as f64 / 7.0);
-            assert!((run.q[k][0] - (1.0 + 2.0 * t)).abs() < 1e-14, "{method:?}");
+            assert_abs_diff_eq!(run.q[k][0], 1.0 + 2.0 * t, epsilon = 1e-14);
             assert_eq!(run.qd[k][0], 2.0);
         }
     }
@@ -85,7 +86,7 @@ fn the_law_is_given_time_position_and_velocity() {
     let run = cart.torque(law).duration(2.0).samples(21).run().unwrap();
     for (t, q) in run.t.iter().zip(&run.q) {
         let expected = (-t).exp() * (2.0 * t).sin() + t;
-        assert!((q[0] - expected).abs() < 1e-8, "t = {t}");
+        assert_abs_diff_eq!(q[0], expected, epsilon = 1e-8);
     }
 }
 
@@ -109,7 +110,7 @@ fn energy_drift_is_the_largest_and_keeps_what_is_not_a_number() {
     run.q[1] = run.q[0];
     run.qd[1] = Vector2::new(1.0, 0.0);
     let expected = 0.5 * CRAIG_ARM.mass_matrix(&run.q[0])[(0, 0)];
-    assert!((run.energy_drift(&CRAIG_ARM) - expected).abs() < 1e-9);
+    assert_abs_diff_eq!(run.energy_drift(&CRAIG_ARM), expected, epsilon = 1e-9);
     run.t.clear();
     run.q.clear();
     run.qd.clear();
@@ -127,7 +128,7 @@ fn a_torque_that_is_not_a_number_ends_the_run_and_loses_nothing() {
         assert_eq!(error.cause, Cause::NonFiniteTorque { joint: 0 });
         // The longest step before it.
         assert!((error.time - 0.55).abs() < 0.0101, "{method:?}: {error}");
-        assert!((error.qd[0] - error.time).abs() < 1e-12);
+        assert_relative_eq!(error.qd[0], error.time, max_relative = 1e-12);
         assert_eq!(error.trajectory.len(), 6);
         assert_eq!(error.trajectory.t[5], 0.5);
     }
@@ -149,7 +150,7 @@ fn a_singular_mass_matrix_ends_the_run() {
         });
         assert_eq!(error.cause, singular);
         assert!((error.time - 1.0).abs() < 2e-3, "{method:?}: {error}");
-        assert!((error.q[0] - error.time).abs() < 1e-12);
+        assert_relative_eq!(error.q[0], error.time, max_relative = 1e-12);
         assert!(error.trajectory.len() >= 10);
         assert!(std::error::Error::source(&error).is_some());
     }
@@ -162,6 +163,18 @@ fn a_singular_start_ends_the_run_at_once() {
         let error = start.method(method).run().unwrap_err();
         assert!(matches!(error.cause, Cause::SingularMassMatrix(_)));
         assert_eq!((error.time, error.q[0]), (0.0, 1.0));
+        let Trajectory { t, q, qd } = error.trajectory;
+        assert_eq!((t, q, qd), (vec![0.0], vec![unit(1.0)], vec![unit(0.0)]));
+    }
+}
+
+#[test]
+fn an_infinite_torque_at_the_start_leaves_the_first_sample() {
+    for method in methods(1e-3) {
+        let cart = Simulation::new(&Cart).torque(|_, _, _| unit(f64::INFINITY));
+        let error = cart.method(method).run().unwrap_err();
+        assert_eq!(error.cause, Cause::NonFiniteTorque { joint: 0 });
+        assert_eq!(error.trajectory.t, [0.0], "{method:?}");
     }
 }
 
@@ -210,6 +223,23 @@ fn steps_are_no_longer_than_the_longest() {
 }
 
 #[test]
+fn steps_may_be_longer_than_the_duration() {
+    let start = || Simulation::new(&Cart).initial(unit(0.0), unit(1.0));
+    for method in &methods(1e3)[..3] {
+        let run = start().method(*method).samples(3).run().unwrap();
+        assert_eq!(run.q, [unit(0.0), unit(0.5), unit(1.0)], "{method:?}");
+    }
+    for max_step in [1e3, f64::MAX, f64::INFINITY] {
+        let settings = DormandPrince {
+            max_step: Some(max_step),
+            ..DormandPrince::default()
+        };
+        let run = start().method(settings).samples(3).run().unwrap();
+        assert_abs_diff_eq!(run.q[2][0], 1.0, epsilon = 1e-14);
+    }
+}
+
+#[test]
 fn dry_friction_that_sticks_ends_in_too_many_steps() {
     let law = |_: f64, _: &SVector<f64, 1>, qd: &SVector<f64, 1>| unit(0.5 - Scalar::sign(qd[0]));
     let settings = DormandPrince {
@@ -246,7 +276,14 @@ fn settings_that_make_no_sense_are_refused() {
             .unwrap_err();
         assert_eq!(error.cause, InvalidSetting::Samples(samples).into());
     }
-    for step in [0.0, -1.0, f64::NAN, f64::INFINITY, 1e-17] {
+    for method in &methods(f64::INFINITY)[..3] {
+        let error = Simulation::new(&CRAIG_ARM)
+            .method(*method)
+            .run()
+            .unwrap_err();
+        assert_eq!(error.cause, InvalidSetting::Step(f64::INFINITY).into());
+    }
+    for step in [0.0, -1.0, f64::NAN, f64::NEG_INFINITY, 1e-17] {
         let fixed = &methods(step)[..3];
         let adaptive = Method::DormandPrince(DormandPrince {
             max_step: Some(step),

@@ -40,7 +40,9 @@ impl<const N: usize> Trajectory<N> {
     /// where an energy is not a number.
     ///
     /// In free motion without friction the energy is constant, and this is an error of the
-    /// integration.
+    /// integration. The samples of [`DormandPrince`](crate::DormandPrince) lie between its steps:
+    /// the drift then includes the interpolation error of the dense output, which is of lower order
+    /// than the steps and grows with their length.
     pub fn energy_drift<R: Energy<N>>(&self, robot: &R) -> f64 {
         let energies = self.energies(robot);
         let distances = energies.iter().map(|energy| (energy - energies[0]).abs());

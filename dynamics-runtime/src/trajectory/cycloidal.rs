@@ -6,6 +6,7 @@ use core::fmt;
 use nalgebra::SVector;
 
 use crate::State;
+use crate::integrate::first_non_finite;
 
 /// Motion of all joints from rest to rest by the cycloidal law.
 ///
@@ -39,16 +40,27 @@ pub struct Cycloidal<const N: usize> {
     duration: f64,
 }
 
-/// The duration of a trajectory is not a positive finite number.
+/// No trajectory has this duration.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct InvalidDuration(
+pub struct InvalidDuration {
     /// The duration, s.
-    pub f64,
-);
+    pub duration: f64,
+    /// The first joint, counted from 0, whose distance, velocity or acceleration would not be
+    /// finite; `None` where the duration itself is not a positive finite number.
+    pub joint: Option<usize>,
+}
 
 impl fmt::Display for InvalidDuration {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "a trajectory cannot last {} s", self.0)
+        let InvalidDuration { duration, joint } = self;
+        match joint {
+            None => write!(f, "a trajectory cannot last {duration} s"),
+            Some(joint) => write!(
+                f,
+                "joint {} cannot travel its distance in {duration} s: its rates are not finite",
+                joint + 1
+            ),
+        }
     }
 }
 
@@ -59,20 +71,27 @@ impl<const N: usize> Cycloidal<N> {
     ///
     /// # Errors
     ///
-    /// [`InvalidDuration`] unless the duration is positive and finite.
+    /// [`InvalidDuration`] unless the duration is positive and finite, and with it every joint's
+    /// distance, velocity and acceleration.
     pub fn new(
         start: SVector<f64, N>,
         end: SVector<f64, N>,
         duration: f64,
     ) -> Result<Self, InvalidDuration> {
-        if duration > 0.0 && duration.is_finite() {
-            Ok(Cycloidal {
-                start,
-                end,
-                duration,
-            })
-        } else {
-            Err(InvalidDuration(duration))
+        let refused = |joint| Err(InvalidDuration { duration, joint });
+        if !(duration > 0.0 && duration.is_finite()) {
+            return refused(None);
+        }
+        let law = Cycloidal {
+            start,
+            end,
+            duration,
+        };
+        // It is not finite where the distance or the greatest velocity is not.
+        let greatest_acceleration = law.acceleration(1.0);
+        match first_non_finite(&greatest_acceleration) {
+            Some(joint) => refused(Some(joint)),
+            None => Ok(law),
         }
     }
 
@@ -83,7 +102,7 @@ impl<const N: usize> Cycloidal<N> {
         // From the nearer end: the law is symmetric about the middle, and T - t is exact there.
         let left = self.duration - t;
         let first_half = t <= left;
-        let x = TAU * t.min(left) / self.duration;
+        let x = TAU * (t.min(left) / self.duration);
         let travelled = distance * (x_minus_sine(x) / TAU);
         State {
             q: if first_half {
@@ -92,15 +111,34 @@ impl<const N: usize> Cycloidal<N> {
                 self.end - travelled
             },
             // 1 - cos x = 2 sin^2(x/2), without the cancellation.
-            qd: distance * (2.0 * (0.5 * x).sin().powi(2) / self.duration),
-            qdd: distance * (TAU * self.sine(t) / (self.duration * self.duration)),
+            qd: (distance / self.duration * (2.0 * (0.5 * x).sin().powi(2))).map(positive_zero),
+            qdd: self.acceleration(self.sine(t)).map(positive_zero),
         }
+    }
+
+    /// The motion at `n` times at equal intervals, the first at t = 0 and the last at the end: the
+    /// times of the samples of a [`Simulation`](crate::Simulation). One sample is that of t = 0.
+    pub fn samples(&self, n: usize) -> impl Iterator<Item = (f64, State<N>)> + use<N> {
+        let law = *self;
+        (0..n).map(move |k| {
+            let t = match k {
+                0 => 0.0,
+                last if last + 1 == n => law.duration,
+                _ => law.duration * k as f64 / (n - 1) as f64,
+            };
+            (t, law.at(t))
+        })
+    }
+
+    /// qdd where sin x is `sine`; no T^2, which may overflow or vanish where qdd does neither.
+    fn acceleration(&self, sine: f64) -> SVector<f64, N> {
+        (self.end - self.start) / self.duration * (TAU * sine) / self.duration
     }
 
     /// sin(2 pi t / T), from the nearest of its zeros 0, T/2 and T: the distance from it is exact.
     fn sine(&self, t: f64) -> f64 {
         let quarter = 0.25 * self.duration;
-        let sine = |distance: f64| (TAU * distance / self.duration).sin();
+        let sine = |distance: f64| (TAU * (distance / self.duration)).sin();
         if t < quarter {
             sine(t)
         } else if t > 3.0 * quarter {
@@ -109,6 +147,11 @@ impl<const N: usize> Cycloidal<N> {
             sine(0.5 * self.duration - t)
         }
     }
+}
+
+/// The number itself, and +0 for -0.
+fn positive_zero(x: f64) -> f64 {
+    x + 0.0
 }
 
 /// x - sin x for x from 0 to pi, to a few units in the last place.
@@ -133,6 +176,7 @@ fn x_minus_sine(x: f64) -> f64 {
 mod tests {
     use core::f64::consts::PI;
 
+    use approx::{assert_abs_diff_eq, assert_relative_eq};
     use nalgebra::{Vector1, Vector2};
 
     use super::{Cycloidal, InvalidDuration};
@@ -180,7 +224,7 @@ mod tests {
             let x = 2.0 * PI * s;
             let expected = x * x * x / 6.0 * (1.0 - x * x / 20.0 + x.powi(4) / 840.0) / 2.0;
             let computed = half_turn().at(10.0 * s).q[0];
-            assert!((computed / expected - 1.0).abs() < 2e-15, "s = {s}");
+            assert_relative_eq!(computed, expected, epsilon = 0.0, max_relative = 2e-15);
         }
     }
 
@@ -189,7 +233,7 @@ mod tests {
         let (below, above) = (2.5 - 1e-12, 2.5 + 1e-12);
         let (a, b) = (half_turn().at(below), half_turn().at(above));
         let slope = (b.q[0] - a.q[0]) / (above - below);
-        assert!((slope / a.qd[0] - 1.0).abs() < 1e-3);
+        assert_relative_eq!(slope, a.qd[0], max_relative = 1e-3);
     }
 
     #[test]
@@ -211,8 +255,19 @@ mod tests {
         for t in [0.4, 2.5, 4.9, 5.1, 8.3] {
             let [before, now, after] = [t - h, t, t + h].map(|t| half_turn().at(t));
             let slope = |a: f64, b: f64| (b - a) / (2.0 * h);
-            assert!((slope(before.q[0], after.q[0]) - now.qd[0]).abs() < 1e-9);
-            assert!((slope(before.qd[0], after.qd[0]) - now.qdd[0]).abs() < 1e-9);
+            assert_abs_diff_eq!(slope(before.q[0], after.q[0]), now.qd[0], epsilon = 1e-9);
+            assert_abs_diff_eq!(slope(before.qd[0], after.qd[0]), now.qdd[0], epsilon = 1e-9);
+        }
+    }
+
+    #[test]
+    fn zeros_at_the_ends_are_positive() {
+        let law = Cycloidal::new(Vector2::zeros(), Vector2::new(3.0, -2.0), 2.0).unwrap();
+        for t in [-1.0, 0.0, 2.0, 3.0] {
+            let state = law.at(t);
+            for rate in state.qd.iter().chain(&state.qdd) {
+                assert!(*rate == 0.0 && rate.is_sign_positive(), "t = {t}: {rate}");
+            }
         }
     }
 
@@ -220,8 +275,74 @@ mod tests {
     fn durations_that_are_none_are_refused() {
         for duration in [0.0, -1.0, f64::NAN, f64::INFINITY] {
             let error = Cycloidal::new(Vector1::zeros(), Vector1::zeros(), duration).unwrap_err();
-            assert_eq!(error.to_string(), InvalidDuration(duration).to_string());
+            assert_eq!(error.joint, None);
+            assert_eq!(error.duration.to_bits(), duration.to_bits());
+            assert_eq!(
+                error.to_string(),
+                format!("a trajectory cannot last {duration} s")
+            );
         }
+    }
+
+    #[test]
+    fn rates_that_are_not_finite_are_refused() {
+        for (start, end, duration) in [
+            (0.0, 1.0, 1e-320),
+            (0.0, 1.0, 1e-160),
+            (0.0, 1e308, 1.0),
+            (-1e308, 1e308, 1e10),
+            (0.0, f64::INFINITY, 1.0),
+            (f64::NAN, 0.0, 1.0),
+        ] {
+            let [start, end] = [start, end].map(|x| Vector2::new(0.0, x));
+            let error = Cycloidal::new(start, end, duration).unwrap_err();
+            let expected = InvalidDuration {
+                duration,
+                joint: Some(1),
+            };
+            assert_eq!(error, expected);
+            assert_eq!(
+                error.to_string(),
+                format!(
+                    "joint 2 cannot travel its distance in {duration} s: its rates are not finite"
+                )
+            );
+        }
+    }
+
+    /// What is accepted is finite at all times.
+    #[test]
+    fn extreme_durations_and_distances_are_finite() {
+        for (distance, duration) in [
+            (0.0, 1e-320),
+            (1e-200, 1e-200),
+            (1.0, 1e-150),
+            (1e307, 10.0),
+            (1.0, f64::MAX),
+            (f64::MAX, f64::MAX),
+        ] {
+            let law = Cycloidal::new(Vector1::zeros(), Vector1::new(distance), duration).unwrap();
+            for k in 0..=32 {
+                let state = law.at(duration * (f64::from(k) / 32.0));
+                for value in [state.q[0], state.qd[0], state.qdd[0]] {
+                    assert!(value.is_finite(), "{distance:e} {duration:e}");
+                }
+            }
+            assert_eq!(law.at(duration).q[0], distance);
+        }
+    }
+
+    #[test]
+    fn samples_are_at_equal_intervals() {
+        let law = half_turn();
+        let samples: Vec<_> = law.samples(4).collect();
+        let times = [0.0, 10.0 / 3.0, 20.0 / 3.0, 10.0];
+        assert_eq!(samples.len(), 4);
+        for ((t, state), expected) in samples.into_iter().zip(times) {
+            assert_eq!((t, state), (expected, law.at(expected)));
+        }
+        assert_eq!(law.samples(0).count(), 0);
+        assert_eq!(law.samples(1).next(), Some((0.0, law.at(0.0))));
     }
 
     #[test]

@@ -1,0 +1,97 @@
+//! The check of generated robots at the edges: singular arms, robots of few functions.
+
+use dynamics_runtime::{check_against_rnea, robot_dynamics};
+
+robot_dynamics! {
+    /// Two point masses on the vertical axis of the waist wherever the elbow is upright: nothing
+    /// resists the waist there.
+    struct PointMasses { m1: f64, m2: f64 }
+
+    convention: modified,
+    gravity: [0, 0, -9.81],
+    joints: [
+        waist: revolute { d: 0.4, mass: m1 },
+        elbow: revolute { alpha: PI/2, mass: m2, com: [0.7, 0, 0] },
+    ],
+}
+
+const POINT_MASSES: PointMasses = PointMasses { m1: 2.0, m2: 1.5 };
+
+#[test]
+fn an_arm_that_is_singular_at_some_states_passes() {
+    let report = check_against_rnea(&POINT_MASSES);
+    report.assert_ok();
+    let forward = report
+        .functions
+        .iter()
+        .find(|f| f.function == "forward_dynamics")
+        .expect("most states are regular");
+    assert!(
+        forward.states > 100 && forward.states < report.states,
+        "{report}"
+    );
+    assert!(!report.to_string().contains("not compared"), "{report}");
+}
+
+#[test]
+fn what_is_compared_nowhere_is_said() {
+    let report = check_against_rnea(&PointMasses { m1: 2.0, m2: 0.0 });
+    report.assert_ok();
+    assert_eq!(report.not_compared, ["forward_dynamics"]);
+    let line = "\nforward_dynamics: not compared at any state";
+    assert!(report.to_string().contains(line), "{report}");
+}
+
+robot_dynamics! {
+    struct CoriolisOnly { mass: f64 }
+
+    convention: standard,
+    gravity: [0, 0, -9.81],
+    joints: [
+        turn: revolute { a: 0.3, alpha: PI/2, mass: mass, com: [-0.1, 0.05, 0], inertia: rod(0.3) },
+        lift: revolute { a: 0.4, alpha: 0.3, mass: 1.2, com: [-0.2, 0, 0.1], inertia: rod(0.4) },
+        slide: prismatic { a: 0.1, alpha: 0.2, mass: 0.8, com: [0, 0.1, 0.2] },
+    ],
+    functions: [coriolis_coefficients],
+    tests: true,
+}
+
+robot_dynamics! {
+    struct CentrifugalOnly { mass: f64 }
+
+    convention: standard,
+    gravity: [0, 0, -9.81],
+    joints: [
+        turn: revolute { a: 0.3, alpha: PI/2, mass: mass, com: [-0.1, 0.05, 0], inertia: rod(0.3) },
+        lift: revolute { a: 0.4, alpha: 0.3, mass: 1.2, com: [-0.2, 0, 0.1], inertia: rod(0.4) },
+        slide: prismatic { a: 0.1, alpha: 0.2, mass: 0.8, com: [0, 0.1, 0.2] },
+    ],
+    functions: [centrifugal_coefficients],
+    tests: true,
+}
+
+robot_dynamics! {
+    /// One joint has no pair of joints: the matrix of the pairs has no columns.
+    struct NoPair;
+
+    convention: modified,
+    gravity: [0, 0, -9.81],
+    joints: [turn: revolute { mass: 1, com: [0.5, 0, 0] }],
+    functions: [coriolis_coefficients],
+    tests: true,
+}
+
+#[test]
+fn coefficients_are_compared_alone() {
+    let coriolis = check_against_rnea(&CoriolisOnly { mass: 2.0 });
+    let centrifugal = check_against_rnea(&CentrifugalOnly { mass: 2.0 });
+    for (report, name) in [
+        (coriolis, "coriolis_coefficients"),
+        (centrifugal, "centrifugal_coefficients"),
+    ] {
+        report.assert_ok();
+        assert_eq!(report.functions.len(), 1);
+        assert_eq!(report.functions[0].function, name);
+        assert_eq!(report.functions[0].states, report.states);
+    }
+}

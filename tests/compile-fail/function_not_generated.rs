@@ -1,0 +1,20 @@
+use robot_dynamics::robot_dynamics;
+
+robot_dynamics! {
+    pub struct Arm;
+    convention: standard,
+    gravity: [0, 0, -9.81],
+    joints: [joint: revolute { mass: 1 }],
+    functions: [
+        inverse_dynamics_derivatives,
+        forward_dynamics_derivatives,
+        regressor,
+        base_parameters,
+        mass_matrix,
+    ],
+}
+
+fn main() {
+    let q = robot_dynamics::nalgebra::SVector::<f64, 1>::zeros();
+    let _ = Arm.mass_matrix(&q);
+}

@@ -1,0 +1,20 @@
+use robot_dynamics::robot_dynamics;
+
+robot_dynamics! {
+    pub struct Arm;
+    convention: standard,
+    gravity: [0, 0, -9.81],
+    joints: [
+        joint: revolute {
+            mass: 1,
+            inertia: { ixx: 1, Iyx: 0, I_zz: 1 },
+            motor: { inertia: 1, gear: 50 },
+        },
+    ],
+    functions: [gravity, coriolis, mass_matrix],
+}
+
+fn main() {
+    let q = robot_dynamics::nalgebra::SVector::<f64, 1>::zeros();
+    let _ = Arm.mass_matrix(&q);
+}
