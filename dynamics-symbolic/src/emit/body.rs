@@ -2,9 +2,9 @@
 
 use super::signature::{Shape, field, ident, plain, shape};
 use crate::function::Function;
-use crate::program::{ConstantId, Instruction, Operand, Program};
+use crate::program::{Instruction, Operand, Program};
 use crate::robot::{Robot, Symbol, Value};
-use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, TokenStream, TokenTree};
+use proc_macro2::{Ident, Literal, Punct, Spacing, TokenStream, TokenTree};
 use quote::quote;
 
 /// Up to so many results are declared by a `let` each, as a person would write
@@ -244,6 +244,10 @@ impl<'p> Writer<'p> {
 
     fn write(&self, instruction: &Instruction, tokens: &mut Vec<TokenTree>) {
         let (a, b) = instruction.operands();
+        if let Some(fused) = self.fused(instruction) {
+            tokens.extend(fused);
+            return;
+        }
         let operator = match instruction {
             Instruction::Add(..) => '+',
             Instruction::Sub(..) => '-',
@@ -255,9 +259,50 @@ impl<'p> Writer<'p> {
         self.write_operand(b, tokens);
     }
 
+    /// A sum with a product in it: a b + c as `a.mul_add(b, c)`, which the
+    /// runtime makes one operation where the target has it, and two elsewhere.
+    fn fused(&self, instruction: &Instruction) -> Option<TokenStream> {
+        let read = |operand| {
+            let mut tokens = Vec::new();
+            self.write_operand(operand, &mut tokens);
+            tokens.into_iter().collect::<TokenStream>()
+        };
+        let (a, b) = match *instruction {
+            Instruction::Add(a, b) | Instruction::Sub(a, b) => (a, b),
+            _ => return None,
+        };
+        let is_difference = matches!(instruction, Instruction::Sub(..));
+        if let Some((x, y)) = self.inlined_product(b) {
+            let (y, a) = (read(y), read(a));
+            let x = match x {
+                Operand::Constant(id) if is_difference => {
+                    self.constant(-self.constants[id.index()])
+                }
+                _ if is_difference => {
+                    let x = read(x);
+                    quote!((-#x))
+                }
+                _ => read(x),
+            };
+            return Some(quote!(#x.mul_add(#y, #a)));
+        }
+        let (x, y) = self.inlined_product(a)?;
+        let (x, y, b) = (read(x), read(y), read(b));
+        let b = if is_difference { quote!(-#b) } else { b };
+        Some(quote!(#x.mul_add(#y, #b)))
+    }
+
+    fn inlined_product(&self, operand: Operand) -> Option<(Operand, Operand)> {
+        let Operand::Result(index) = operand else {
+            return None;
+        };
+        let is_inlined = self.uses[index as usize] == Use::Inlined;
+        is_inlined.then(|| self.program.instructions[index as usize].operands())
+    }
+
     fn write_operand(&self, operand: Operand, tokens: &mut Vec<TokenTree>) {
         match operand {
-            Operand::Constant(id) => self.write_constant(id, tokens),
+            Operand::Constant(id) => tokens.extend(self.constant(self.constants[id.index()])),
             Operand::Input(index) => tokens.push(self.inputs[index as usize].clone().into()),
             Operand::Result(index) => {
                 match (&self.names[index as usize], self.uses[index as usize]) {
@@ -268,9 +313,9 @@ impl<'p> Writer<'p> {
         }
     }
 
-    fn write_constant(&self, id: ConstantId, tokens: &mut Vec<TokenTree>) {
-        tokens.push(ident("real").into());
-        tokens.push(Group::new(Delimiter::Parenthesis, literal(self.constants[id.index()])).into());
+    fn constant(&self, x: f64) -> TokenStream {
+        let (real, literal) = (ident("real"), literal(x));
+        quote!(#real(#literal))
     }
 
     fn output(&self, index: usize) -> TokenStream {

@@ -110,9 +110,9 @@ impl Arm {
         let sign_2 = ::robot_dynamics::Scalar::sign(qd.data.0[0][1]);
         let sign_3 = ::robot_dynamics::Scalar::sign(qd.data.0[0][2]);
         let real = <T as ::robot_dynamics::Scalar>::from_f64;
-        let t_1 = real(5.0) * qd_1 + real(8.0) * sign_1;
-        let t_2 = real(4.0) * qd_2 + real(6.0) * sign_2;
-        let t_3 = real(3.0) * qd_3 + real(4.0) * sign_3;
+        let t_1 = real(8.0).mul_add(sign_1, real(5.0) * qd_1);
+        let t_2 = real(6.0).mul_add(sign_2, real(4.0) * qd_2);
+        let t_3 = real(4.0).mul_add(sign_3, real(3.0) * qd_3);
         ::robot_dynamics::nalgebra::SMatrix::from_data(
             ::robot_dynamics::nalgebra::ArrayStorage([[t_1, t_2, t_3]]),
         )
@@ -149,12 +149,12 @@ impl Arm {
         let qdd_3 = qdd.data.0[0][2];
         let real = <T as ::robot_dynamics::Scalar>::from_f64;
         let t_1 = qdd_1 + real(9.81);
-        let t_2 = real(22.0) * t_1 + real(5.0) * qd_1;
-        let t_3 = real(8.0) * sign_1 + t_2;
-        let t_4 = real(10.0) * qdd_2 + real(4.0) * qd_2;
-        let t_5 = real(6.0) * sign_2 + t_4;
+        let t_2 = real(5.0).mul_add(qd_1, real(22.0) * t_1);
+        let t_3 = real(8.0).mul_add(sign_1, t_2);
+        let t_4 = real(4.0).mul_add(qd_2, real(10.0) * qdd_2);
+        let t_5 = real(6.0).mul_add(sign_2, t_4);
         let t_6 = qd_3 + qdd_3;
-        let t_7 = t_6 + real(1.3333333333333333) * sign_3;
+        let t_7 = real(1.3333333333333333).mul_add(sign_3, t_6);
         let t_8 = real(3.0) * t_7;
         ::robot_dynamics::nalgebra::SMatrix::from_data(
             ::robot_dynamics::nalgebra::ArrayStorage([[t_3, t_5, t_8]]),
@@ -193,14 +193,14 @@ impl Arm {
         let tau_3 = tau.data.0[0][2];
         let real = <T as ::robot_dynamics::Scalar>::from_f64;
         let t_1 = tau_1 - real(215.82);
-        let t_2 = real(5.0) * qd_1 - t_1;
-        let t_3 = real(8.0) * sign_1 + t_2;
+        let t_2 = real(5.0).mul_add(qd_1, -t_1);
+        let t_3 = real(8.0).mul_add(sign_1, t_2);
         let t_4 = real(0.045454545454545456) * t_3;
-        let t_5 = tau_2 - real(4.0) * qd_2;
-        let t_6 = t_5 - real(6.0) * sign_2;
+        let t_5 = real(-4.0).mul_add(qd_2, tau_2);
+        let t_6 = real(-6.0).mul_add(sign_2, t_5);
         let t_7 = real(0.1) * t_6;
-        let t_8 = qd_3 - real(0.3333333333333333) * tau_3;
-        let t_9 = t_8 + real(1.3333333333333333) * sign_3;
+        let t_8 = real(-0.3333333333333333).mul_add(tau_3, qd_3);
+        let t_9 = real(1.3333333333333333).mul_add(sign_3, t_8);
         ::robot_dynamics::SingularMassMatrix::test(2, real(3.0), real(3.0))?;
         ::robot_dynamics::SingularMassMatrix::test(1, real(10.0), real(10.0))?;
         ::robot_dynamics::SingularMassMatrix::test(0, real(22.0), real(22.0))?;
@@ -233,10 +233,10 @@ impl Arm {
         let qd_3 = qd.data.0[0][2];
         let real = <T as ::robot_dynamics::Scalar>::from_f64;
         let t_1 = qd_1 * qd_1;
-        let t_2 = t_1 + qd_2 * qd_2;
-        let t_3 = t_1 + real(0.5833333333333334) * t_2;
-        let t_4 = t_2 + qd_3 * qd_3;
-        let t_5 = t_3 + real(0.25) * t_4;
+        let t_2 = qd_2.mul_add(qd_2, t_1);
+        let t_3 = real(0.5833333333333334).mul_add(t_2, t_1);
+        let t_4 = qd_3.mul_add(qd_3, t_2);
+        let t_5 = real(0.25).mul_add(t_4, t_3);
         let t_6 = real(6.0) * t_5;
         t_6
     }

@@ -32,7 +32,7 @@ impl Arm {
         let t_6 = p_l2 * t_3;
         let t_7 = t_6 + t_5;
         let t_8 = t_5 + t_7;
-        let t_9 = p_l1 * t_2 + t_8;
+        let t_9 = p_l1.mul_add(t_2, t_8);
         ::robot_dynamics::nalgebra::SMatrix::from_data(
             ::robot_dynamics::nalgebra::ArrayStorage([[t_9, t_7], [t_7, t_6]]),
         )
@@ -66,7 +66,7 @@ impl Arm {
         let t_2 = p_l1 * s_2;
         let t_3 = t_1 * t_2;
         let t_4 = qd_1 * t_3;
-        let t_5 = qd_2 * t_3 + t_4;
+        let t_5 = qd_2.mul_add(t_3, t_4);
         let t_6 = t_5 + t_4;
         let t_7 = qd_2 * t_6;
         let t_8 = qd_1 * t_4;
@@ -104,9 +104,9 @@ impl Arm {
         let t_1 = p_m2 + p_m1;
         let t_2 = p_l1 * t_1;
         let t_3 = p_m2 * p_l2;
-        let t_4 = c_1 * c_2 - s_1 * s_2;
+        let t_4 = (-s_1).mul_add(s_2, c_1 * c_2);
         let t_5 = t_3 * t_4;
-        let t_6 = c_1 * t_2 + t_5;
+        let t_6 = c_1.mul_add(t_2, t_5);
         let t_7 = p_g * t_6;
         let t_8 = p_g * t_5;
         ::robot_dynamics::nalgebra::SMatrix::from_data(
@@ -141,7 +141,7 @@ impl Arm {
         let qd_2 = qd.data.0[0][1];
         let qdd_1 = qdd.data.0[0][0];
         let qdd_2 = qdd.data.0[0][1];
-        let t_1 = p_g * c_1 + p_l1 * qdd_1;
+        let t_1 = p_l1.mul_add(qdd_1, p_g * c_1);
         let t_2 = p_m2 + p_m1;
         let t_3 = p_l1 * t_2;
         let t_4 = p_m2 * p_l2;
@@ -150,14 +150,14 @@ impl Arm {
         let t_7 = c_2 * t_4;
         let t_8 = s_2 * t_4;
         let t_9 = qd_1 * qd_1;
-        let t_10 = p_g * s_1 - p_l1 * t_9;
-        let t_11 = t_8 * t_10 - t_7 * t_1;
-        let t_12 = t_5 * t_6 - t_11;
+        let t_10 = (-p_l1).mul_add(t_9, p_g * s_1);
+        let t_11 = (-t_7).mul_add(t_1, t_8 * t_10);
+        let t_12 = t_5.mul_add(t_6, -t_11);
         let t_13 = qd_1 + qd_2;
         let t_14 = t_13 * t_13;
-        let t_15 = t_7 * t_6 - t_8 * t_14;
-        let t_16 = t_12 + p_l1 * t_15;
-        let t_17 = t_1 * t_3 + t_16;
+        let t_15 = (-t_8).mul_add(t_14, t_7 * t_6);
+        let t_16 = p_l1.mul_add(t_15, t_12);
+        let t_17 = t_1.mul_add(t_3, t_16);
         ::robot_dynamics::nalgebra::SMatrix::from_data(
             ::robot_dynamics::nalgebra::ArrayStorage([[t_17, t_12]]),
         )
@@ -205,13 +205,13 @@ impl Arm {
         let t_5 = c_2 * t_4;
         let t_6 = s_2 * t_4;
         let t_7 = qd_1 * qd_1;
-        let t_8 = p_g * s_1 - p_l1 * t_7;
-        let t_9 = t_5 * t_3 - t_6 * t_8;
+        let t_8 = (-p_l1).mul_add(t_7, p_g * s_1);
+        let t_9 = (-t_6).mul_add(t_8, t_5 * t_3);
         let t_10 = qd_1 + qd_2;
         let t_11 = t_10 * t_10;
         let t_12 = t_6 * t_11;
-        let t_13 = p_l1 * t_12 - t_9;
-        let t_14 = t_2 * t_3 - t_13;
+        let t_13 = p_l1.mul_add(t_12, -t_9);
+        let t_14 = t_2.mul_add(t_3, -t_13);
         let t_15 = t_14 - tau_1;
         let t_16 = t_9 - tau_2;
         let t_17 = p_l2 * t_4;
@@ -219,13 +219,13 @@ impl Arm {
         let t_19 = t_17 + t_18;
         let t_20 = real(1.0) / t_17;
         let t_21 = t_19 * t_20;
-        let t_22 = t_16 * t_21 - t_15;
+        let t_22 = t_16.mul_add(t_21, -t_15);
         let t_23 = t_18 + t_19;
-        let t_24 = p_l1 * t_2 + t_23;
-        let t_25 = t_24 - t_19 * t_21;
+        let t_24 = p_l1.mul_add(t_2, t_23);
+        let t_25 = (-t_19).mul_add(t_21, t_24);
         let t_26 = real(1.0) / t_25;
         let t_27 = t_22 * t_26;
-        let t_28 = t_16 * t_20 + t_21 * t_27;
+        let t_28 = t_21.mul_add(t_27, t_16 * t_20);
         ::robot_dynamics::SingularMassMatrix::test(1, t_17, t_17)?;
         ::robot_dynamics::SingularMassMatrix::test(0, t_25, t_24)?;
         ::core::result::Result::Ok(
@@ -269,8 +269,8 @@ impl Arm {
         let t_7 = t_2 * t_2;
         let t_8 = p_l2 * t_1;
         let t_9 = t_8 * t_4;
-        let t_10 = t_6 * t_7 + t_4 * t_9;
-        let t_11 = t_1 * t_5 + real(0.5) * t_10;
+        let t_10 = t_4.mul_add(t_9, t_6 * t_7);
+        let t_11 = real(0.5).mul_add(t_10, t_1 * t_5);
         t_11
     }
     /// Potential energy U(q) = -sum m g.c, zero at the origin of the base frame, J.
@@ -301,9 +301,9 @@ impl Arm {
         let p_g = <T as ::robot_dynamics::Scalar>::from_f64(self.g);
         let t_1 = p_m2 + p_m1;
         let t_2 = p_m2 * p_l2;
-        let t_3 = p_l1 * t_1 + c_2 * t_2;
+        let t_3 = c_2.mul_add(t_2, p_l1 * t_1);
         let t_4 = s_2 * t_2;
-        let t_5 = s_1 * t_3 + c_1 * t_4;
+        let t_5 = c_1.mul_add(t_4, s_1 * t_3);
         let t_6 = p_g * t_5;
         t_6
     }

@@ -57,7 +57,7 @@ impl Arm {
         let t_2 = s_2 * t_1;
         let t_3 = qd_1 + qd_2;
         let t_4 = t_3 * t_3;
-        let t_5 = t_2 - s_2 * t_4;
+        let t_5 = (-s_2).mul_add(t_4, t_2);
         ::robot_dynamics::nalgebra::SMatrix::from_data(
             ::robot_dynamics::nalgebra::ArrayStorage([[t_5, t_2]]),
         )
@@ -85,9 +85,9 @@ impl Arm {
             q.data.0[0][1],
         ]);
         let real = <T as ::robot_dynamics::Scalar>::from_f64;
-        let t_1 = c_1 * c_2 - s_1 * s_2;
+        let t_1 = (-s_1).mul_add(s_2, c_1 * c_2);
         let t_2 = real(4.905) * t_1;
-        let t_3 = t_2 + real(49.05) * c_1;
+        let t_3 = real(49.05).mul_add(c_1, t_2);
         ::robot_dynamics::nalgebra::SMatrix::from_data(
             ::robot_dynamics::nalgebra::ArrayStorage([[t_3, t_2]]),
         )
@@ -147,12 +147,12 @@ impl Arm {
         let t_1 = qd_1 + qd_2;
         let t_2 = t_1 * t_1;
         let t_3 = qdd_1 + qdd_2;
-        let t_4 = s_2 * t_2 - c_2 * t_3;
-        let t_5 = real(8.0) * qdd_1 + real(49.05) * c_1;
-        let t_6 = qd_1 * qd_1 - real(4.905) * s_1;
-        let t_7 = qdd_1 + real(4.905) * c_1;
-        let t_8 = real(0.3333333333333333) * t_3 + c_2 * t_7;
-        let t_9 = s_2 * t_6 + t_8;
+        let t_4 = (-c_2).mul_add(t_3, s_2 * t_2);
+        let t_5 = real(49.05).mul_add(c_1, real(8.0) * qdd_1);
+        let t_6 = real(-4.905).mul_add(s_1, qd_1 * qd_1);
+        let t_7 = real(4.905).mul_add(c_1, qdd_1);
+        let t_8 = c_2.mul_add(t_7, real(0.3333333333333333) * t_3);
+        let t_9 = s_2.mul_add(t_6, t_8);
         let t_10 = t_5 + t_9;
         let t_11 = t_10 - t_4;
         ::robot_dynamics::nalgebra::SMatrix::from_data(
@@ -193,21 +193,21 @@ impl Arm {
         let t_1 = qd_1 + qd_2;
         let t_2 = t_1 * t_1;
         let t_3 = qd_1 * qd_1;
-        let t_4 = real(0.2038735983690112) * t_3 - s_1;
-        let t_5 = s_2 * t_4 + c_1 * c_2;
+        let t_4 = real(0.2038735983690112).mul_add(t_3, -s_1);
+        let t_5 = c_1.mul_add(c_2, s_2 * t_4);
         let t_6 = real(4.905) * t_5;
-        let t_7 = tau_1 - real(49.05) * c_1;
+        let t_7 = real(-49.05).mul_add(c_1, tau_1);
         let t_8 = t_6 - t_7;
-        let t_9 = t_8 - s_2 * t_2;
+        let t_9 = (-s_2).mul_add(t_2, t_8);
         let t_10 = t_6 - tau_2;
         let t_11 = c_2 + real(0.3333333333333333);
         let t_12 = real(3.0) * t_11;
-        let t_13 = t_9 - t_10 * t_12;
-        let t_14 = real(8.333333333333334) + real(2.0) * c_2;
-        let t_15 = t_14 - t_11 * t_12;
+        let t_13 = (-t_10).mul_add(t_12, t_9);
+        let t_14 = real(2.0).mul_add(c_2, real(8.333333333333334));
+        let t_15 = (-t_11).mul_add(t_12, t_14);
         let t_16 = real(1.0) / t_15;
         let t_17 = t_13 * t_16;
-        let t_18 = t_12 * t_17 - real(3.0) * t_10;
+        let t_18 = real(-3.0).mul_add(t_10, t_12 * t_17);
         ::robot_dynamics::SingularMassMatrix::test(
             1,
             real(0.3333333333333333),
@@ -245,8 +245,8 @@ impl Arm {
         let t_1 = qd_1 + qd_2;
         let t_2 = qd_1 * c_2;
         let t_3 = t_1 * t_1;
-        let t_4 = qd_1 * qd_1 + real(0.041666666666666664) * t_3;
-        let t_5 = t_1 * t_2 + real(4.0) * t_4;
+        let t_4 = real(0.041666666666666664).mul_add(t_3, qd_1 * qd_1);
+        let t_5 = real(4.0).mul_add(t_4, t_1 * t_2);
         t_5
     }
     /// Potential energy U(q) = -sum m g.c, zero at the origin of the base frame, J.
@@ -272,7 +272,7 @@ impl Arm {
         ]);
         let real = <T as ::robot_dynamics::Scalar>::from_f64;
         let t_1 = c_2 + real(10.0);
-        let t_2 = c_1 * s_2 + s_1 * t_1;
+        let t_2 = s_1.mul_add(t_1, c_1 * s_2);
         let t_3 = real(4.905) * t_2;
         t_3
     }
@@ -300,11 +300,11 @@ impl Arm {
         let t_1 = qd_1 + qd_2;
         let t_2 = t_1 * t_1;
         let t_3 = qd_1 * qd_1;
-        let t_4 = real(0.2038735983690112) * t_3 - s_1;
-        let t_5 = s_2 * t_4 + c_1 * c_2;
+        let t_4 = real(0.2038735983690112).mul_add(t_3, -s_1);
+        let t_5 = c_1.mul_add(c_2, s_2 * t_4);
         let t_6 = real(4.905) * t_5;
-        let t_7 = real(49.05) * c_1 + t_6;
-        let t_8 = t_7 - s_2 * t_2;
+        let t_7 = real(49.05).mul_add(c_1, t_6);
+        let t_8 = (-s_2).mul_add(t_2, t_7);
         ::robot_dynamics::nalgebra::SMatrix::from_data(
             ::robot_dynamics::nalgebra::ArrayStorage([[t_8, t_6]]),
         )
@@ -413,10 +413,10 @@ impl Arm {
             q.data.0[0][1],
         ]);
         let real = <T as ::robot_dynamics::Scalar>::from_f64;
-        let t_1 = c_1 * c_2 - s_1 * s_2;
-        let t_2 = s_1 * c_2 + c_1 * s_2;
-        let t_3 = real(2.0) * c_1 + t_1;
-        let t_4 = real(2.0) * s_1 + t_2;
+        let t_1 = (-s_1).mul_add(s_2, c_1 * c_2);
+        let t_2 = c_1.mul_add(s_2, s_1 * c_2);
+        let t_3 = real(2.0).mul_add(c_1, t_1);
+        let t_4 = real(2.0).mul_add(s_1, t_2);
         ::robot_dynamics::nalgebra::SMatrix::from_data(
             ::robot_dynamics::nalgebra::ArrayStorage([
                 [t_1, t_2, real(0.0), real(0.0)],
@@ -446,8 +446,8 @@ impl Arm {
         let real = <T as ::robot_dynamics::Scalar>::from_f64;
         let t_1 = real(2.0) * c_1;
         let t_2 = real(2.0) * s_1;
-        let t_3 = c_1 * c_2 - s_1 * s_2;
-        let t_4 = s_1 * c_2 + c_1 * s_2;
+        let t_3 = (-s_1).mul_add(s_2, c_1 * c_2);
+        let t_4 = c_1.mul_add(s_2, s_1 * c_2);
         let t_5 = t_1 + t_3;
         let t_6 = t_2 + t_4;
         [
@@ -487,10 +487,10 @@ impl Arm {
             q.data.0[0][1],
         ]);
         let real = <T as ::robot_dynamics::Scalar>::from_f64;
-        let t_1 = s_1 * c_2 + c_1 * s_2;
-        let t_2 = real(2.0) * s_1 + t_1;
-        let t_3 = c_1 * c_2 - s_1 * s_2;
-        let t_4 = real(2.0) * c_1 + t_3;
+        let t_1 = c_1.mul_add(s_2, s_1 * c_2);
+        let t_2 = real(2.0).mul_add(s_1, t_1);
+        let t_3 = (-s_1).mul_add(s_2, c_1 * c_2);
+        let t_4 = real(2.0).mul_add(c_1, t_3);
         ::robot_dynamics::nalgebra::SMatrix::from_data(
             ::robot_dynamics::nalgebra::ArrayStorage([
                 [-t_2, t_4, real(0.0), real(0.0), real(0.0), real(1.0)],
