@@ -1,21 +1,17 @@
-//! Prints the generated text of one function of one robot.
+//! Prints the generated text of one function of one robot:
+//! `cargo run -p dynamics-symbolic --example show -- two_link_saha mass_matrix`
 #[path = "../tests/support/mod.rs"]
 mod support;
+
+use dynamics_symbolic::{Function, expand};
 
 fn main() {
     let mut arguments = std::env::args().skip(1);
     let robot = support::robot(&arguments.next().expect("a robot"));
-    let function = dynamics_symbolic::Function::from_name(&arguments.next().expect("a function"))
-        .expect("a function");
-    let program = dynamics_symbolic::derive::derive(&robot, function);
-    let path = quote::quote!(robot_dynamics);
-    let text = dynamics_symbolic::emit::method(
-        &robot,
-        function,
-        &program,
-        &program.rounded_constants(),
-        &path,
-    )
-    .to_string();
-    println!("{}", text.replace(" ;", ";\n").replace("] ", "]\n"));
+    let name = arguments.next().expect("a function");
+    let function = Function::from_name(&name).expect("the name of a function");
+    let methods = expand(&robot, &[function], &quote::quote!(robot_dynamics));
+    let method = &methods.unwrap_or_else(|failures| panic!("{}", failures[0]))[0].tokens;
+    let file = syn::parse2(quote::quote!(impl Robot { #method })).expect("Rust");
+    print!("{}", prettyplease::unparse(&file));
 }

@@ -81,13 +81,12 @@ pub fn outputs<'g>(
         Function::KineticEnergy => vec![energy::kinetic_energy(graph, chain, &qd)],
         Function::PotentialEnergy => vec![energy::potential_energy(chain)],
         Function::CoriolisMatrix => {
-            let contract = |row: &Vec<Expr<'g>>| {
-                row.iter()
-                    .zip(&qd)
-                    .fold(zero, |sum, (&c, &qd)| sum + c * qd)
-            };
             let symbols = christoffel::christoffel(graph, chain);
-            symbols.iter().flatten().map(contract).collect()
+            symbols
+                .iter()
+                .flatten()
+                .map(|row| dot(zero, row, &qd))
+                .collect()
         }
         Function::CoriolisCoefficients => {
             let n = robot.rows.len();
@@ -137,14 +136,9 @@ fn assembled<'g>(
     let qd = symbols.all(|joint| joint.qd);
     match function {
         Function::CoriolisVector => {
-            let products = |c: &Vec<Vec<Expr<'g>>>| -> Expr<'g> {
-                c.iter().zip(&qd).fold(zero, |sum, (row, &qdj)| {
-                    let inner = row
-                        .iter()
-                        .zip(&qd)
-                        .fold(zero, |sum, (&c, &qdk)| sum + c * qdk);
-                    sum + inner * qdj
-                })
+            let products = |c: &Vec<Vec<Expr<'g>>>| {
+                let contracted: Vec<_> = c.iter().map(|row| dot(zero, row, &qd)).collect();
+                dot(zero, &contracted, &qd)
             };
             christoffel::christoffel(graph, chain)
                 .iter()
@@ -160,11 +154,7 @@ fn assembled<'g>(
             let qdd = symbols.all(|joint| joint.qdd);
             let inertial = composite::mass_matrix(chain)
                 .iter()
-                .map(|row| {
-                    row.iter()
-                        .zip(&qdd)
-                        .fold(zero, |sum, (&m, &qdd)| sum + m * qdd)
-                })
+                .map(|row| dot(zero, row, &qdd))
                 .collect();
             sum(
                 inertial,
@@ -186,6 +176,10 @@ fn friction<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> Vec<Expr<'g>> {
         symbols.value(&row.viscous) * joint.qd + symbols.value(&row.coulomb) * joint.sign
     };
     robot.rows.iter().enumerate().map(force).collect()
+}
+
+fn dot<'g>(zero: Expr<'g>, a: &[Expr<'g>], b: &[Expr<'g>]) -> Expr<'g> {
+    a.iter().zip(b).fold(zero, |sum, (&a, &b)| sum + a * b)
 }
 
 fn sum<'g>(a: Vec<Expr<'g>>, b: &[Expr<'g>]) -> Vec<Expr<'g>> {

@@ -72,17 +72,27 @@ impl Gauge {
         }
     }
 
-    /// Operations before any simplification.
+    /// The network of a function in this gauge, before any simplification.
+    pub fn network<'g>(
+        &self,
+        symbols: &mut Symbols<'g>,
+        robot: &Robot,
+        function: Function,
+        form: Form,
+    ) -> Network<'g> {
+        let chain = self.chain(symbols, robot);
+        let outputs = outputs(symbols, robot, &chain, function, form);
+        let outputs: Vec<_> = outputs.iter().map(|e| e.edge()).collect();
+        Network::new(symbols.graph(), &outputs)
+    }
+
+    /// Operations before any simplification; adds the nodes of the trial graph to `nodes`.
     fn cost(&self, robot: &Robot, function: Function, form: Form, nodes: &mut usize) -> usize {
         let graph = Graph::new();
         let mut symbols = Symbols::new(&graph, robot);
-        let chain = self.chain(&mut symbols, robot);
-        let outputs: Vec<_> = outputs(&mut symbols, robot, &chain, function, form)
-            .iter()
-            .map(|e| e.edge())
-            .collect();
+        let cost = self.network(&mut symbols, robot, function, form).cost();
         *nodes += graph.len();
-        Network::new(&graph, &outputs).cost()
+        cost
     }
 
     fn reverse(&mut self, step: &[Choice]) {

@@ -18,7 +18,7 @@ use crate::expr::Graph;
 use crate::function::Function;
 use crate::program::Program;
 use crate::robot::Robot;
-use crate::simplify::{Effort, Network, simplify};
+use crate::simplify::{Effort, simplify};
 use functions::Form;
 use gauge::Gauge;
 use symbols::Symbols;
@@ -37,12 +37,9 @@ fn derive_form(robot: &Robot, function: Function, form: Form) -> Program {
     let gauge = Gauge::search(robot, function, form);
     let graph = Graph::new();
     let mut symbols = Symbols::new(&graph, robot);
-    let chain = gauge.chain(&mut symbols, robot);
-    let outputs = functions::outputs(&mut symbols, robot, &chain, function, form);
-    let outputs: Vec<_> = outputs.iter().map(|e| e.edge()).collect();
-    let mut network = Network::new(&graph, &outputs);
+    let mut network = gauge.network(&mut symbols, robot, function, form);
     simplify(&mut network, Effort::DEFAULT);
-    Program::new(&graph, symbols.meanings(), &outputs, &|id| {
+    Program::new(&graph, symbols.meanings(), network.outputs(), &|id| {
         network.definition(id)
     })
 }
