@@ -121,7 +121,13 @@ macro_rules! impl_scalar {
 impl_scalar! {
     f32,
     fn sin_cos(self) -> (Self, Self) {
-        f32::sin_cos(self)
+        let [value] = Scalar::sin_cos_array([self]);
+        value
+    }
+    // By way of double precision: rounded once more, and as fast.
+    fn sin_cos_array<const K: usize>(angles: [Self; K]) -> [(Self, Self); K] {
+        let values = sin_cos_array(angles.map(f64::from));
+        values.map(|(s, c)| (s as f32, c as f32))
     }
 }
 

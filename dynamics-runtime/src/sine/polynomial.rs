@@ -2,14 +2,14 @@
 
 use super::lanes::Lanes;
 
-/// sin x = x + x^3 (S[0] + S[1] x^2 + ...), relative error 3.5e-18.
+/// sin x = x - x^3 (S[0] + S[1] x^2 + ...), relative error 3.5e-18.
 const S: [f64; 6] = [
-    -0.16666666666666632,
-    0.008333333333322413,
-    -0.00019841269829807778,
-    2.755731369191555e-06,
-    -2.505075811569819e-08,
-    1.5896795713489563e-10,
+    0.16666666666666632,
+    -0.008333333333322413,
+    0.00019841269829807778,
+    -2.755731369191555e-06,
+    2.505075811569819e-08,
+    -1.5896795713489563e-10,
 ];
 
 /// cos x = 1 - x^2/2 + x^4 (C[0] + C[1] x^2 + ...), error 5e-20.
@@ -22,29 +22,25 @@ const C: [f64; 6] = [
     -1.1359648042271599e-11,
 ];
 
-/// Sine and cosine of x + e, where e is below the last place of x.
+/// Sine and cosine of x + e, where e is below the last place of x, or both are tiny.
+///
+/// Both polynomials are split in halves (Estrin 1960): a single call waits for its longest chain
+/// of operations, not for their number.
 #[inline(always)]
 pub(super) fn sin_cos_reduced<L: Lanes>(x: L, e: L) -> (L, L) {
-    let (half, one) = (L::splat(0.5), L::splat(1.0));
+    let k = |constant: f64| x.constant(constant);
     let z = x * x;
-    let cube = z * x;
-    // sin (x + e) = x + (x^3 S0 + (x^5 S1 + ... + e (1 - x^2/2)))
-    let sine = x - ((z * (half * e - cube * horner(z, &S[1..])) - e) - cube * L::splat(S[0]));
-    // cos (x + e) = 1 - x^2/2 + (x^4 (C0 + ...) - x e); w loses 1 - w - x^2/2.
-    let half_z = half * z;
-    let w = one - half_z;
-    let cosine = w + (((one - w) - half_z) + (z * z * horner(z, &C) - x * e));
+    let (cube, zz) = (x * z, z * z);
+    // cos x = w + (1 - w - z/2) + ...: what 1 - z/2 loses is made good.
+    let half_z = k(0.5) * z;
+    let w = k(1.0) - half_z;
+    let lost = (k(1.0) - w) - half_z;
+    // sin (x + e) = x - (x^3 S0 + x^5 (S1 + ...) - e (1 - x^2/2)); -0 stays what it is.
+    let series = (k(S[1]) + z * k(S[2])) + zz * ((k(S[3]) + z * k(S[4])) + zz * k(S[5]));
+    let sine = x - (cube * k(S[0]) + ((z * cube) * series - e * w));
+    // cos (x + e) = 1 - x^2/2 + x^4 (C0 + ...) - x e
+    let low = (k(C[2]) + z * k(C[3])) + zz * (k(C[4]) + z * k(C[5]));
+    let series = (k(C[0]) + z * k(C[1])) + zz * low;
+    let cosine = w + (lost + (zz * series - x * e));
     (sine, cosine)
-}
-
-/// k0 + z (k1 + z (k2 + ...))
-#[inline(always)]
-fn horner<L: Lanes>(z: L, coefficients: &[f64]) -> L {
-    let (last, others) = coefficients
-        .split_last()
-        .expect("a polynomial has coefficients");
-    others
-        .iter()
-        .rev()
-        .fold(L::splat(*last), |sum, &k| L::splat(k) + z * sum)
 }
