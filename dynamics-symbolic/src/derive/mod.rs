@@ -39,7 +39,8 @@ fn derive_form(robot: &Robot, function: Function, form: Form) -> Program {
     let mut symbols = Symbols::new(&graph, robot);
     let mut network = gauge.network(&mut symbols, robot, function, form);
     simplify(&mut network, Effort::DEFAULT);
-    Program::new(&graph, symbols.meanings(), network.outputs(), &|id| {
+    let program = Program::new(&graph, symbols.meanings(), network.outputs(), &|id| {
         network.definition(id)
-    })
+    });
+    program.balanced()
 }
