@@ -46,7 +46,7 @@ impl Gauge {
 
     /// The gauge for the shortest program of a function that a descent finds:
     /// single choices and neighbouring pairs are reversed for as long as the
-    /// number of operations falls.
+    /// work of the operations falls.
     pub fn search(robot: &Robot, function: Function, form: Form) -> Self {
         let dof = robot.rows.len();
         let mut gauge = Gauge::plain(dof);
@@ -86,7 +86,7 @@ impl Gauge {
         Network::new(symbols.graph(), &outputs)
     }
 
-    /// Operations before any simplification; adds the nodes of the trial graph to `nodes`.
+    /// The work before any simplification; adds the nodes of the trial graph to `nodes`.
     pub(super) fn cost(
         &self,
         robot: &Robot,
@@ -96,7 +96,7 @@ impl Gauge {
     ) -> usize {
         let graph = Graph::new();
         let mut symbols = Symbols::new(&graph, robot);
-        let cost = self.network(&mut symbols, robot, function, form).cost();
+        let cost = self.network(&mut symbols, robot, function, form).work();
         *nodes += graph.len();
         cost
     }

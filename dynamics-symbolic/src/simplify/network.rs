@@ -99,6 +99,17 @@ impl<'g> Network<'g> {
         self.cost
     }
 
+    /// What the operations take: two for an addition, three for a multiplication or a division.
+    /// Processors have as many adders as multipliers, and many an addition is fused with a product.
+    pub fn work(&self) -> usize {
+        let work = |(index, operation): (usize, &Operation)| match operation {
+            _ if self.readers[index] == 0 || self.free[index] => 0,
+            Operation::Add(..) => 2,
+            _ => 3,
+        };
+        self.definitions.iter().enumerate().map(work).sum()
+    }
+
     /// The definition of a node.
     pub fn definition(&self, id: NodeId) -> Operation {
         self.definitions[id.index()]
