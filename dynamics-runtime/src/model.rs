@@ -179,7 +179,7 @@ impl SingularMassMatrix {
 /// `pivot / |diagonal|`, and the pivot itself where that is 0/0 or the quotient of infinities.
 #[cold]
 fn relative_pivot<T: Scalar>(pivot: T, diagonal: T) -> f64 {
-    let one = T::from_f64(1.0);
+    let one = pivot.constant(1.0);
     let ratio = pivot.ratio_to_f64(diagonal * diagonal.sign());
     let ratio = if ratio.is_nan() && !diagonal.ratio_to_f64(one).is_nan() {
         pivot.ratio_to_f64(one)
