@@ -13,6 +13,7 @@
 
 pub use nalgebra;
 
+mod batch;
 mod check;
 mod integrate;
 mod macros;
@@ -28,8 +29,12 @@ mod trajectory;
 #[cfg(test)]
 mod test_arms;
 
+pub use batch::{Batch, BatchError, LengthMismatch, States, StatesMut};
 pub use check::{Check, FunctionReport, Report, check_against_rnea};
-pub use model::{Energy, Evaluate, Evaluation, ForwardDynamics, Model, SingularMassMatrix, State};
+pub use model::{
+    CoriolisVector, Energy, Evaluate, Evaluation, ForwardDynamics, GravityVector, InverseDynamics,
+    MassMatrix, Model, SingularMassMatrix, State,
+};
 pub use newton_euler::NewtonEuler;
 pub use operations::Operations;
 pub use scalar::Scalar;

@@ -33,6 +33,44 @@ pub trait ForwardDynamics<const N: usize> {
     ) -> Result<SVector<T, N>, SingularMassMatrix>;
 }
 
+/// An arm whose mass matrix can be computed.
+pub trait MassMatrix<const N: usize> {
+    /// Mass matrix M(q), both triangles, reflected motor inertias included; kg m^2, kg m or kg.
+    ///
+    /// `q` in rad or m. None of it fails: what depends on an input that is not finite is not
+    /// finite.
+    fn mass_matrix<T: Scalar>(&self, q: &SVector<T, N>) -> SMatrix<T, N, N>;
+}
+
+/// An arm whose Coriolis and centrifugal forces can be computed.
+pub trait CoriolisVector<const N: usize> {
+    /// Coriolis and centrifugal vector V(q, qd), N m or N.
+    ///
+    /// `q` in rad or m, `qd` per second.
+    fn coriolis_vector<T: Scalar>(&self, q: &SVector<T, N>, qd: &SVector<T, N>) -> SVector<T, N>;
+}
+
+/// An arm whose gravity forces can be computed.
+pub trait GravityVector<const N: usize> {
+    /// Gravity vector G(q) = dU/dq, N m or N.
+    ///
+    /// `q` in rad or m.
+    fn gravity_vector<T: Scalar>(&self, q: &SVector<T, N>) -> SVector<T, N>;
+}
+
+/// An arm whose joint forces can be computed from its motion.
+pub trait InverseDynamics<const N: usize> {
+    /// Inverse dynamics tau = M(q) qdd + V(q, qd) + G(q) + F(qd), N m or N.
+    ///
+    /// `q` in rad or m, `qd` per second, `qdd` per second squared.
+    fn inverse_dynamics<T: Scalar>(
+        &self,
+        q: &SVector<T, N>,
+        qd: &SVector<T, N>,
+        qdd: &SVector<T, N>,
+    ) -> SVector<T, N>;
+}
+
 /// An arm whose mechanical energy can be computed.
 pub trait Energy<const N: usize> {
     /// Kinetic energy 1/2 qd^T M(q) qd with the motors' reflected inertias, J.
@@ -126,10 +164,9 @@ impl SingularMassMatrix {
     ///
     /// Where the pivot cannot be told from zero, is negative or NaN.
     #[doc(hidden)]
-    #[inline]
+    #[inline(always)]
     pub fn test<T: Scalar>(joint: usize, pivot: T, diagonal: T) -> Result<(), Self> {
-        let rounding = diagonal * T::epsilon() * T::from_f64(8.0);
-        if (pivot - rounding).is_positive() && (pivot + rounding).is_positive() {
+        if pivot.exceeds_rounding_of(diagonal) {
             return Ok(());
         }
         Err(SingularMassMatrix {
@@ -142,7 +179,7 @@ impl SingularMassMatrix {
 /// `pivot / |diagonal|`, and the pivot itself where that is 0/0 or the quotient of infinities.
 #[cold]
 fn relative_pivot<T: Scalar>(pivot: T, diagonal: T) -> f64 {
-    let one = T::from_f64(1.0);
+    let one = pivot.constant(1.0);
     let ratio = pivot.ratio_to_f64(diagonal * diagonal.sign());
     let ratio = if ratio.is_nan() && !diagonal.ratio_to_f64(one).is_nan() {
         pivot.ratio_to_f64(one)

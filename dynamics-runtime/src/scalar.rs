@@ -34,6 +34,16 @@ pub trait Scalar:
     /// The number nearest to `x`.
     fn from_f64(x: f64) -> Self;
 
+    /// The number nearest to `x`, in the arithmetic of `self`, whose value does not matter.
+    ///
+    /// Generated functions make their constants so. It is [`from_f64`](Scalar::from_f64) but for
+    /// types whose arithmetic is known from their values alone: lanes that are chosen at run time,
+    /// numbers of a precision that is.
+    #[inline(always)]
+    fn constant(self, x: f64) -> Self {
+        Self::from_f64(x)
+    }
+
     /// The distance from 1 to the next larger number.
     fn epsilon() -> Self;
 
@@ -66,6 +76,15 @@ pub trait Scalar:
     /// Whether the number is greater than zero; false for NaN. A type of several lanes answers
     /// for all of them.
     fn is_positive(self) -> bool;
+
+    /// Whether the number, which is a difference of numbers of the size of `size`, is positive
+    /// beyond their rounding errors, 8 epsilon of `size`; false for NaN. A type of several lanes
+    /// answers for all of them.
+    #[inline(always)]
+    fn exceeds_rounding_of(self, size: Self) -> bool {
+        let rounding = size * Self::epsilon() * size.constant(8.0);
+        (self - rounding).is_positive() && (self + rounding).is_positive()
+    }
 
     /// `self / of` in double precision, for error reports. A type of several lanes answers with
     /// the least ratio of its lanes.

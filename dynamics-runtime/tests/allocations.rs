@@ -1,9 +1,10 @@
-//! A simulation allocates its samples at the start and nothing while it runs.
+//! A simulation allocates its samples at the start and nothing while it runs; a batch nothing.
 
 use allocation_counter::measure;
 use dynamics_runtime::nalgebra::{SVector, Vector1};
 use dynamics_runtime::{
-    Cycloidal, DormandPrince, ForwardDynamics, Method, Scalar, Simulation, SingularMassMatrix,
+    Batch, Cycloidal, DormandPrince, ForwardDynamics, Method, Scalar, Simulation,
+    SingularMassMatrix,
 };
 
 /// A pendulum.
@@ -54,6 +55,28 @@ fn the_cycloidal_law_does_not_allocate() {
     let info = measure(|| state = law.at(0.5));
     assert_eq!(info.count_total, 0);
     assert!(state.q[0] > 0.0);
+}
+
+#[test]
+fn a_batch_does_not_allocate() {
+    for count in [0, 3, 8, 100] {
+        let [q, qd, tau] = [0.1, 0.2, 0.3].map(|x| vec![Vector1::new(x); count]);
+        let mut qdd = vec![Vector1::new(0.0); count];
+        let rows = measure(|| {
+            let batch = Pendulum.forward_dynamics_batch(&q, &qd, &tau, &mut qdd);
+            batch.unwrap();
+        });
+        assert_eq!(rows.count_total, 0, "{count} states");
+        let [q, qd, tau] = [0.1, 0.2, 0.3].map(|x| vec![x; count]);
+        let mut column = vec![0.0; count];
+        let columns = measure(|| {
+            let (q, qd, tau) = ([&q[..]], [&qd[..]], [&tau[..]]);
+            let batch = Pendulum.forward_dynamics_batch(q, qd, tau, [&mut column[..]]);
+            batch.unwrap();
+        });
+        assert_eq!(columns.count_total, 0, "{count} states");
+        assert!(qdd.iter().zip(&column).all(|(a, b)| a[0] == *b));
+    }
 }
 
 /// The measure itself: it sees an allocation.

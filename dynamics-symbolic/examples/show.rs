@@ -11,7 +11,9 @@ fn main() {
     let name = arguments.next().expect("a function");
     let function = Function::from_name(&name).expect("the name of a function");
     let methods = expand(&robot, &[function], &quote::quote!(robot_dynamics));
-    let method = &methods.unwrap_or_else(|failures| panic!("{}", failures[0]))[0].tokens;
-    let file = syn::parse2(quote::quote!(impl Robot { #method })).expect("Rust");
+    let method = &methods.unwrap_or_else(|failures| panic!("{}", failures[0]))[0];
+    // The program stands in the implementation of the function's trait where there is one.
+    let program = method.provided.as_ref().unwrap_or(&method.tokens);
+    let file = syn::parse2(quote::quote!(impl Robot { #program })).expect("Rust");
     print!("{}", prettyplease::unparse(&file));
 }

@@ -15,6 +15,9 @@ pub struct Method {
     pub function: Function,
     /// The documented item of the inherent implementation.
     pub tokens: TokenStream,
+    /// The item of the runtime's trait for the function, where there is one: see
+    /// [`Function::trait_name`].
+    pub provided: Option<TokenStream>,
     /// What it costs.
     pub operations: Operations,
 }
@@ -106,10 +109,11 @@ fn method(
     if constants.iter().any(|x| x.is_infinite()) {
         return Err(Failure::Overflow(function));
     }
-    let tokens = emit::method(robot, function, &program, &constants, path);
+    let emitted = emit::method(robot, function, &program, &constants, path);
     Ok(Method {
         function,
-        tokens,
+        tokens: emitted.inherent,
+        provided: emitted.provided,
         operations: program.operations(),
     })
 }

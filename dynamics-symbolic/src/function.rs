@@ -76,6 +76,19 @@ impl Function {
         }
     }
 
+    /// The name of the runtime's trait for the function, where there is one: those functions
+    /// that are also evaluated at many states at once.
+    pub fn trait_name(self) -> Option<&'static str> {
+        match self {
+            Function::MassMatrix => Some("MassMatrix"),
+            Function::CoriolisVector => Some("CoriolisVector"),
+            Function::GravityVector => Some("GravityVector"),
+            Function::InverseDynamics => Some("InverseDynamics"),
+            Function::ForwardDynamics => Some("ForwardDynamics"),
+            _ => None,
+        }
+    }
+
     /// The function of that name.
     pub fn from_name(name: &str) -> Option<Function> {
         Function::ALL.into_iter().find(|f| f.name() == name)

@@ -11,8 +11,15 @@ use quote::quote;
 fn text(robot: &Robot, functions: &[Function]) -> String {
     let path = quote!(::robot_dynamics);
     let methods = expand(robot, functions, &path).expect("proven");
+    let n = robot.rows.len();
+    let traits = methods.iter().filter_map(|method| {
+        let name = quote::format_ident!("{}", method.function.trait_name()?);
+        let item = method.provided.as_ref().expect("the trait's item");
+        let n = proc_macro2::Literal::usize_unsuffixed(n);
+        Some(quote!(impl #path::#name<#n> for Arm { #item }))
+    });
     let methods = methods.iter().map(|method| &method.tokens);
-    let file = syn::parse2(quote!(impl Arm { #(#methods)* })).expect("Rust");
+    let file = syn::parse2(quote!(impl Arm { #(#methods)* } #(#traits)*)).expect("Rust");
     prettyplease::unparse(&file)
 }
 

@@ -6,7 +6,7 @@ mod table;
 mod test;
 mod traits;
 
-use dynamics_symbolic::{Function, Method, stub};
+use dynamics_symbolic::{Function, Method, stub, stub_of_trait};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, quote};
 
@@ -29,11 +29,16 @@ pub(crate) fn robot(
     let item = structure::as_written(structure);
     let bodies = methods.iter().map(|method| &method.tokens);
     let inherent = target.inherent(&names, &operations(methods, path), &table, bodies);
+    let provided = methods.iter().filter_map(|method| {
+        let item = method.provided.clone()?;
+        Some((method.function, item))
+    });
+    let provided = traits::provided(&target, provided);
     let traits = traits::traits(&target, &functions, &table, &evaluation);
     let test = model
         .tests
         .then(|| test::agrees_with_newton_euler(&target, structure));
-    quote!(#item #inherent #traits #test)
+    quote!(#item #inherent #provided #traits #test)
 }
 
 /// After an error: the same items with methods that have no body, for the type check
@@ -46,8 +51,13 @@ pub(crate) fn stubs(structure: &Structure, entries: &[Entry], path: &TokenStream
     let item = structure::repaired(structure);
     let bodies = functions.iter().map(|f| stub(*f, target.dof, path));
     let inherent = target.inherent(&names, &[], &unimplemented, bodies);
+    let provided = functions.iter().filter_map(|f| {
+        let item = stub_of_trait(*f, target.dof, path)?;
+        Some((*f, item))
+    });
+    let provided = traits::provided(&target, provided);
     let traits = traits::traits(&target, &functions, &unimplemented, &unimplemented);
-    quote!(#item #inherent #traits)
+    quote!(#item #inherent #provided #traits)
 }
 
 /// Names of the joints; none where an error left their number unknown.

@@ -1,7 +1,8 @@
-//! The runtime's traits: their methods hand on to the struct's own.
+//! The runtime's traits: those of single functions hold the programs, the methods of the others
+//! hand on to the struct's own.
 
 use dynamics_symbolic::Function;
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, quote};
 
 use super::Target;
@@ -17,10 +18,22 @@ pub(super) fn traits(
     let has = |function| functions.contains(&function);
     let model = model(target, table);
     let evaluate = evaluate(target, evaluation);
-    let forward_dynamics = has(Function::ForwardDynamics).then(|| forward_dynamics(target));
     let energy =
         (has(Function::KineticEnergy) && has(Function::PotentialEnergy)).then(|| energy(target));
-    quote!(#model #evaluate #forward_dynamics #energy)
+    quote!(#model #evaluate #energy)
+}
+
+/// The traits of single functions, whose methods hold the programs.
+pub(super) fn provided(
+    target: &Target,
+    items: impl Iterator<Item = (Function, TokenStream)>,
+) -> TokenStream {
+    let implementation = |(function, item): (Function, TokenStream)| {
+        let name = Ident::new(function.trait_name()?, Span::call_site());
+        let (header, _) = header(target, name.into_token_stream());
+        Some(quote!(#header { #item }))
+    };
+    items.filter_map(implementation).collect()
 }
 
 /// The start of an impl, and the number of joints in it. Where an error left the
@@ -83,25 +96,6 @@ fn evaluate(target: &Target, evaluation: &TokenStream) -> TokenStream {
                 tau: &#path::nalgebra::SVector<f64, #n>,
             ) -> #path::Evaluation<#n> {
                 #evaluation
-            }
-        }
-    }
-}
-
-fn forward_dynamics(target: &Target) -> TokenStream {
-    let path = target.path;
-    let (header, n) = header(target, quote!(ForwardDynamics));
-    let vector = quote!(#path::nalgebra::SVector<T, #n>);
-    quote! {
-        #header {
-            #[inline]
-            fn forward_dynamics<T: #path::Scalar>(
-                &self,
-                q: &#vector,
-                qd: &#vector,
-                tau: &#vector,
-            ) -> ::core::result::Result<#vector, #path::SingularMassMatrix> {
-                Self::forward_dynamics(self, q, qd, tau)
             }
         }
     }

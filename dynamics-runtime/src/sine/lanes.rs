@@ -7,7 +7,7 @@ use fearless_simd::{Select, Simd, SimdBase, SimdFloat, SimdMask, f64x2, f64x4, f
 ///
 /// No operation rounds otherwise in one lane than in eight, nor on one processor than on
 /// another: every width and every target gives the same digits.
-pub(super) trait Lanes:
+pub(crate) trait Lanes:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self>
 {
     /// The number `x` in every lane, in the arithmetic of `self`.
@@ -23,6 +23,7 @@ pub(super) trait Lanes:
     fn turned_by_bit<const BIT: u32>(self, of: Self) -> Self;
 
     /// The sign of a lane turned where one of the two lowest bits of `of` is set, but not both.
+    #[inline(always)]
     fn turned_by_lowest_bits(self, of: Self) -> Self {
         self.turned_by_bit::<0>(of).turned_by_bit::<1>(of)
     }

@@ -17,12 +17,12 @@ mod reduction;
 mod tests;
 
 use fearless_simd::{Level, SimdBase, SimdFrom, dispatch, f64x2, f64x4, f64x8};
-use lanes::Lanes;
+pub(crate) use lanes::Lanes;
 use polynomial::sin_cos_reduced;
 use reduction::{Reduced, reduce};
 
 /// The largest magnitude that the vectorised reduction takes.
-const LARGEST: f64 = 1e5;
+pub(crate) const LARGEST: f64 = 1e5;
 
 /// Sine and cosine of every angle, rad.
 ///
@@ -58,7 +58,7 @@ fn store<const W: usize>((sines, cosines): Pair<W>, values: &mut [(f64, f64)]) {
 
 /// Sine and cosine of one angle.
 #[inline]
-fn one(x: f64) -> (f64, f64) {
+pub(crate) fn one(x: f64) -> (f64, f64) {
     if x.all_within(LARGEST) {
         sin_cos(x)
     } else {
@@ -114,7 +114,7 @@ fn level() -> Level {
 
 /// Sine and cosine of angles of magnitude up to [`LARGEST`].
 #[inline(always)]
-fn sin_cos<L: Lanes>(x: L) -> (L, L) {
+pub(crate) fn sin_cos<L: Lanes>(x: L) -> (L, L) {
     let Reduced { n, rest, tail } = reduce(x);
     let (s, c) = sin_cos_reduced(rest, tail);
     // A quarter turn: (s, c) -> (c, -s).

@@ -1,6 +1,6 @@
 //! The body of a method: inputs, straight-line assignments, outputs.
 
-use super::signature::{Shape, field, ident, plain, shape};
+use super::signature::{Shape, arguments, field, ident, plain, shape};
 use crate::function::Function;
 use crate::program::{Instruction, Operand, Program};
 use crate::robot::{Robot, Symbol, Value};
@@ -39,13 +39,37 @@ pub(super) fn body(
     path: &TokenStream,
 ) -> TokenStream {
     let writer = Writer::new(robot, program, constants);
-    let inputs = inputs(robot, program, path);
-    let real = ident("real");
     let reads_constants = writer.constants.iter().any(|x| !x.is_nan());
-    let number = reads_constants.then(|| quote!(let #real = <T as #path::Scalar>::from_f64;));
+    let number =
+        (reads_constants || reads_fields(program)).then(|| constants_of(arguments(function), path));
+    let inputs = inputs(robot, program, path);
     let assignments = writer.assignments();
     let outputs = writer.outputs(function, robot.rows.len(), path);
-    quote!(#inputs #number #assignments #outputs)
+    quote!(#number #inputs #assignments #outputs)
+}
+
+/// Whether a field of the struct, or a cell made of fields, is an input.
+fn reads_fields(program: &Program) -> bool {
+    program.inputs.iter().any(|symbol| {
+        matches!(
+            symbol,
+            Symbol::Field(_) | Symbol::AngleSine(_) | Symbol::AngleCosine(_)
+        )
+    })
+}
+
+/// `real`, which makes a constant of a double in the arithmetic of the arguments: lanes of a
+/// vector know the processor's instructions, and so how many they are, from each other alone.
+fn constants_of(arguments: &[&str], path: &TokenStream) -> TokenStream {
+    let (real, x) = (ident("real"), ident("x"));
+    let like = element(arguments[0], 0);
+    quote!(let #real = |#x: f64| #path::Scalar::constant(#like, #x);)
+}
+
+/// One element of an argument.
+fn element(vector: &str, i: usize) -> TokenStream {
+    let (vector, i) = (ident(vector), Literal::usize_unsuffixed(i));
+    quote!(#vector.data.0[0][#i])
 }
 
 /// The literal of a double, its sign apart.
@@ -92,10 +116,6 @@ fn input_name(robot: &Robot, symbol: &Symbol, angles: &[&Symbol]) -> String {
 fn inputs(robot: &Robot, program: &Program, path: &TokenStream) -> TokenStream {
     let angles = program.angles();
     let name = |symbol: &Symbol| ident(&input_name(robot, symbol, &angles));
-    let element = |vector: &str, i: usize| {
-        let (vector, i) = (ident(vector), Literal::usize_unsuffixed(i));
-        quote!(#vector.data.0[0][#i])
-    };
     let (mut pairs, mut arguments) = (Vec::new(), Vec::new());
     for angle in &angles {
         let (sine, cosine, argument) = match angle {
@@ -103,7 +123,7 @@ fn inputs(robot: &Robot, program: &Program, path: &TokenStream) -> TokenStream {
                 (Symbol::Sine(*i), Symbol::Cosine(*i), element("q", *i))
             }
             Symbol::AngleSine(value) | Symbol::AngleCosine(value) => {
-                let argument = parametric(robot, value, path);
+                let argument = parametric(robot, value);
                 (
                     Symbol::AngleSine(value.clone()),
                     Symbol::AngleCosine(value.clone()),
@@ -134,7 +154,7 @@ fn inputs(robot: &Robot, program: &Program, path: &TokenStream) -> TokenStream {
                 let velocity = element("qd", *i);
                 quote!(#path::Scalar::sign(#velocity))
             }
-            Symbol::Field(i) => parametric(robot, &Value::Field(*i), path),
+            Symbol::Field(i) => parametric(robot, &Value::Field(*i)),
             _ => continue,
         };
         let name = name(symbol);
@@ -158,30 +178,31 @@ fn place(symbol: &Symbol) -> (u8, usize) {
 }
 
 /// A parametric cell as an expression over the fields.
-fn parametric(robot: &Robot, value: &Value, path: &TokenStream) -> TokenStream {
+fn parametric(robot: &Robot, value: &Value) -> TokenStream {
+    let real = ident("real");
     match value {
         Value::Rational(_) | Value::Pi => {
             let x = literal(value.to_f64(&[]));
-            quote!(<T as #path::Scalar>::from_f64(#x))
+            quote!(#real(#x))
         }
         Value::Field(i) => {
             let field = field(&robot.fields[*i]);
-            quote!(<T as #path::Scalar>::from_f64(self.#field))
+            quote!(#real(self.#field))
         }
         Value::Neg(a) => {
-            let a = parametric(robot, a, path);
+            let a = parametric(robot, a);
             quote!((-#a))
         }
         Value::Add(a, b) => {
-            let (a, b) = (parametric(robot, a, path), parametric(robot, b, path));
+            let (a, b) = (parametric(robot, a), parametric(robot, b));
             quote!((#a + #b))
         }
         Value::Mul(a, b) => {
-            let (a, b) = (parametric(robot, a, path), parametric(robot, b, path));
+            let (a, b) = (parametric(robot, a), parametric(robot, b));
             quote!((#a * #b))
         }
         Value::Div(a, b) => {
-            let (a, b) = (parametric(robot, a, path), parametric(robot, b, path));
+            let (a, b) = (parametric(robot, a), parametric(robot, b));
             quote!((#a / #b))
         }
     }

@@ -10,7 +10,8 @@ mod formula;
 mod signature;
 
 use signature::signature;
-pub use signature::stub;
+use signature::{call, provided};
+pub use signature::{stub, stub_of_trait};
 
 use crate::function::Function;
 use crate::program::Program;
@@ -18,22 +19,42 @@ use crate::robot::Robot;
 use proc_macro2::TokenStream;
 use quote::quote;
 
+/// A method of the struct, and of a trait of the runtime where the function has one.
+pub struct Emitted {
+    /// The documented item of the inherent implementation.
+    pub inherent: TokenStream,
+    /// The item of the implementation of the trait that is named as the function is, where the
+    /// runtime has one.
+    pub provided: Option<TokenStream>,
+}
+
 /// The documented method of a function, with the rounded constants of its program; `path` is the
 /// path of the runtime crate.
+///
+/// The body of a function that the runtime calls in lanes stands in the implementation of its
+/// trait: it must be compiled into the loop over the lanes, for the instructions that are chosen
+/// there.
 pub fn method(
     robot: &Robot,
     function: Function,
     program: &Program,
     constants: &[f64],
     path: &TokenStream,
-) -> TokenStream {
+) -> Emitted {
     let documentation = documentation::documentation(robot, function, program, constants);
     let signature = signature(function, robot.rows.len(), path);
     let body = body::body(robot, function, program, constants, path);
-    quote! {
-        #(#[doc = #documentation])*
-        #[inline]
-        #[allow(unused_variables, clippy::all)]
-        pub #signature { #body }
+    let (inherent, provided) = match provided(function, robot.rows.len(), path, &body) {
+        None => (body, None),
+        Some(item) => (call(function, robot.rows.len(), path), Some(item)),
+    };
+    Emitted {
+        inherent: quote! {
+            #(#[doc = #documentation])*
+            #[inline]
+            #[allow(unused_variables, clippy::all)]
+            pub #signature { #inherent }
+        },
+        provided,
     }
 }

@@ -84,16 +84,54 @@ fn output_type(function: Function, dof: usize, n: &TokenStream, path: &TokenStre
 /// `fn name<T: Scalar>(&self, q: &SVector<T, N>, ...) -> ...`, without visibility. With
 /// `dof` zero, which no robot has, it is generic over the number of joints.
 pub(super) fn signature(function: Function, dof: usize, path: &TokenStream) -> TokenStream {
+    let generic = (dof == 0).then(|| quote!(, const N: usize));
+    signature_with(function, dof, path, generic)
+}
+
+fn signature_with(
+    function: Function,
+    dof: usize,
+    path: &TokenStream,
+    generic: Option<TokenStream>,
+) -> TokenStream {
     let name = ident(function.name());
-    let (generic, n) = match dof {
-        0 => (quote!(, const N: usize), quote!(N)),
-        _ => (quote!(), Literal::usize_unsuffixed(dof).into_token_stream()),
-    };
+    let n = number_of_joints(dof);
     let arguments = arguments(function).iter().map(|argument| ident(argument));
     let output = output_type(function, dof, &n, path);
     quote! {
         fn #name<T: #path::Scalar #generic>(&self #(, #arguments: &#path::nalgebra::SVector<T, #n>)*) -> #output
     }
+}
+
+fn number_of_joints(dof: usize) -> TokenStream {
+    match dof {
+        0 => quote!(N),
+        _ => Literal::usize_unsuffixed(dof).into_token_stream(),
+    }
+}
+
+/// The item of the runtime's trait for the function, if there is one. With `dof` zero the
+/// implementation is generic over the number of joints.
+pub(super) fn provided(
+    function: Function,
+    dof: usize,
+    path: &TokenStream,
+    body: &TokenStream,
+) -> Option<TokenStream> {
+    function.trait_name()?;
+    let signature = signature_with(function, dof, path, None);
+    Some(quote! {
+        #[inline(always)]
+        #signature { #body }
+    })
+}
+
+/// The call of the method of the runtime's trait.
+pub(super) fn call(function: Function, dof: usize, path: &TokenStream) -> TokenStream {
+    let n = number_of_joints(dof);
+    let [name, of] = [function.name(), function.trait_name().unwrap_or_default()].map(ident);
+    let arguments = arguments(function).iter().map(|argument| ident(argument));
+    quote!(<Self as #path::#of<#n>>::#name(self #(, #arguments)*))
 }
 
 /// A method of the right signature without a body: it stands in after an error
@@ -108,6 +146,12 @@ pub fn stub(function: Function, dof: usize, path: &TokenStream) -> TokenStream {
         #[allow(unused_variables)]
         pub #signature { ::core::unimplemented!() }
     }
+}
+
+/// The item of the runtime's trait for the function, if there is one, without a body: see
+/// [`stub`].
+pub fn stub_of_trait(function: Function, dof: usize, path: &TokenStream) -> Option<TokenStream> {
+    provided(function, dof, path, &quote!(::core::unimplemented!()))
 }
 
 pub(super) fn ident(name: &str) -> proc_macro2::Ident {

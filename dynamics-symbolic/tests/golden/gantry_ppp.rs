@@ -24,14 +24,7 @@ impl Arm {
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 3>,
     ) -> ::robot_dynamics::nalgebra::SMatrix<T, 3, 3> {
-        let real = <T as ::robot_dynamics::Scalar>::from_f64;
-        ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([
-                [real(22.0), real(0.0), real(0.0)],
-                [real(0.0), real(10.0), real(0.0)],
-                [real(0.0), real(0.0), real(3.0)],
-            ]),
-        )
+        <Self as ::robot_dynamics::MassMatrix<3>>::mass_matrix(self, q)
     }
     /// Coriolis and centrifugal vector V(q, qd), N m or N: inverse dynamics without gravity, friction and acceleration.
     ///
@@ -53,10 +46,7 @@ impl Arm {
         q: &::robot_dynamics::nalgebra::SVector<T, 3>,
         qd: &::robot_dynamics::nalgebra::SVector<T, 3>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 3> {
-        let real = <T as ::robot_dynamics::Scalar>::from_f64;
-        ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([[real(0.0), real(0.0), real(0.0)]]),
-        )
+        <Self as ::robot_dynamics::CoriolisVector<3>>::coriolis_vector(self, q, qd)
     }
     /// Gravity vector G(q) = dU/dq, N m or N: inverse dynamics at rest.
     ///
@@ -77,12 +67,7 @@ impl Arm {
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 3>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 3> {
-        let real = <T as ::robot_dynamics::Scalar>::from_f64;
-        ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([
-                [real(215.82), real(0.0), real(0.0)],
-            ]),
-        )
+        <Self as ::robot_dynamics::GravityVector<3>>::gravity_vector(self, q)
     }
     /// Friction vector F(qd) = viscous qd + coulomb sign(qd), N m or N, with sign(0) = 0.
     ///
@@ -103,13 +88,13 @@ impl Arm {
         &self,
         qd: &::robot_dynamics::nalgebra::SVector<T, 3>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 3> {
+        let real = |x: f64| ::robot_dynamics::Scalar::constant(qd.data.0[0][0], x);
         let qd_1 = qd.data.0[0][0];
         let qd_2 = qd.data.0[0][1];
         let qd_3 = qd.data.0[0][2];
         let sign_1 = ::robot_dynamics::Scalar::sign(qd.data.0[0][0]);
         let sign_2 = ::robot_dynamics::Scalar::sign(qd.data.0[0][1]);
         let sign_3 = ::robot_dynamics::Scalar::sign(qd.data.0[0][2]);
-        let real = <T as ::robot_dynamics::Scalar>::from_f64;
         let t_1 = real(8.0).mul_add(sign_1, real(5.0) * qd_1);
         let t_2 = real(6.0).mul_add(sign_2, real(4.0) * qd_2);
         let t_3 = real(4.0).mul_add(sign_3, real(3.0) * qd_3);
@@ -138,27 +123,9 @@ impl Arm {
         qd: &::robot_dynamics::nalgebra::SVector<T, 3>,
         qdd: &::robot_dynamics::nalgebra::SVector<T, 3>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 3> {
-        let qd_1 = qd.data.0[0][0];
-        let qd_2 = qd.data.0[0][1];
-        let qd_3 = qd.data.0[0][2];
-        let sign_1 = ::robot_dynamics::Scalar::sign(qd.data.0[0][0]);
-        let sign_2 = ::robot_dynamics::Scalar::sign(qd.data.0[0][1]);
-        let sign_3 = ::robot_dynamics::Scalar::sign(qd.data.0[0][2]);
-        let qdd_1 = qdd.data.0[0][0];
-        let qdd_2 = qdd.data.0[0][1];
-        let qdd_3 = qdd.data.0[0][2];
-        let real = <T as ::robot_dynamics::Scalar>::from_f64;
-        let t_1 = qdd_1 + real(9.81);
-        let t_2 = real(22.0).mul_add(t_1, real(5.0) * qd_1);
-        let t_3 = real(8.0).mul_add(sign_1, t_2);
-        let t_4 = real(4.0).mul_add(qd_2, real(10.0) * qdd_2);
-        let t_5 = real(6.0).mul_add(sign_2, t_4);
-        let t_6 = qd_3 + qdd_3;
-        let t_7 = real(1.3333333333333333).mul_add(sign_3, t_6);
-        let t_8 = real(3.0) * t_7;
-        ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([[t_3, t_5, t_8]]),
-        )
+        <Self as ::robot_dynamics::InverseDynamics<
+            3,
+        >>::inverse_dynamics(self, q, qd, qdd)
     }
     /// Forward dynamics: the accelerations qdd with M(q) qdd + V(q, qd) + G(q) + F(qd) = tau, rad/s^2 or m/s^2.
     ///
@@ -182,33 +149,9 @@ impl Arm {
         ::robot_dynamics::nalgebra::SVector<T, 3>,
         ::robot_dynamics::SingularMassMatrix,
     > {
-        let qd_1 = qd.data.0[0][0];
-        let qd_2 = qd.data.0[0][1];
-        let qd_3 = qd.data.0[0][2];
-        let sign_1 = ::robot_dynamics::Scalar::sign(qd.data.0[0][0]);
-        let sign_2 = ::robot_dynamics::Scalar::sign(qd.data.0[0][1]);
-        let sign_3 = ::robot_dynamics::Scalar::sign(qd.data.0[0][2]);
-        let tau_1 = tau.data.0[0][0];
-        let tau_2 = tau.data.0[0][1];
-        let tau_3 = tau.data.0[0][2];
-        let real = <T as ::robot_dynamics::Scalar>::from_f64;
-        let t_1 = real(5.0).mul_add(qd_1, -tau_1);
-        let t_2 = real(215.82) + t_1;
-        let t_3 = real(8.0).mul_add(sign_1, t_2);
-        let t_4 = real(0.045454545454545456) * t_3;
-        let t_5 = real(-4.0).mul_add(qd_2, tau_2);
-        let t_6 = real(-6.0).mul_add(sign_2, t_5);
-        let t_7 = real(0.1) * t_6;
-        let t_8 = real(-0.3333333333333333).mul_add(tau_3, qd_3);
-        let t_9 = real(1.3333333333333333).mul_add(sign_3, t_8);
-        ::robot_dynamics::SingularMassMatrix::test(2, real(3.0), real(3.0))?;
-        ::robot_dynamics::SingularMassMatrix::test(1, real(10.0), real(10.0))?;
-        ::robot_dynamics::SingularMassMatrix::test(0, real(22.0), real(22.0))?;
-        ::core::result::Result::Ok(
-            ::robot_dynamics::nalgebra::SMatrix::from_data(
-                ::robot_dynamics::nalgebra::ArrayStorage([[-t_4, t_7, -t_9]]),
-            ),
-        )
+        <Self as ::robot_dynamics::ForwardDynamics<
+            3,
+        >>::forward_dynamics(self, q, qd, tau)
     }
     /// Kinetic energy T(q, qd) = 1/2 qd^T M(q) qd, reflected motor inertias included, J.
     ///
@@ -228,10 +171,10 @@ impl Arm {
         q: &::robot_dynamics::nalgebra::SVector<T, 3>,
         qd: &::robot_dynamics::nalgebra::SVector<T, 3>,
     ) -> T {
+        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
         let qd_1 = qd.data.0[0][0];
         let qd_2 = qd.data.0[0][1];
         let qd_3 = qd.data.0[0][2];
-        let real = <T as ::robot_dynamics::Scalar>::from_f64;
         let t_1 = qd_1 * qd_1;
         let t_2 = qd_2.mul_add(qd_2, t_1);
         let t_3 = qd_3.mul_add(qd_3, t_2);
@@ -257,10 +200,124 @@ impl Arm {
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 3>,
     ) -> T {
+        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
         let q_1 = q.data.0[0][0];
-        let real = <T as ::robot_dynamics::Scalar>::from_f64;
         let t_1 = real(0.04045454545454545) - q_1;
         let t_2 = real(-215.82) * t_1;
         t_2
+    }
+}
+impl ::robot_dynamics::MassMatrix<3> for Arm {
+    #[inline(always)]
+    fn mass_matrix<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 3>,
+    ) -> ::robot_dynamics::nalgebra::SMatrix<T, 3, 3> {
+        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+        ::robot_dynamics::nalgebra::SMatrix::from_data(
+            ::robot_dynamics::nalgebra::ArrayStorage([
+                [real(22.0), real(0.0), real(0.0)],
+                [real(0.0), real(10.0), real(0.0)],
+                [real(0.0), real(0.0), real(3.0)],
+            ]),
+        )
+    }
+}
+impl ::robot_dynamics::CoriolisVector<3> for Arm {
+    #[inline(always)]
+    fn coriolis_vector<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 3>,
+        qd: &::robot_dynamics::nalgebra::SVector<T, 3>,
+    ) -> ::robot_dynamics::nalgebra::SVector<T, 3> {
+        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+        ::robot_dynamics::nalgebra::SMatrix::from_data(
+            ::robot_dynamics::nalgebra::ArrayStorage([[real(0.0), real(0.0), real(0.0)]]),
+        )
+    }
+}
+impl ::robot_dynamics::GravityVector<3> for Arm {
+    #[inline(always)]
+    fn gravity_vector<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 3>,
+    ) -> ::robot_dynamics::nalgebra::SVector<T, 3> {
+        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+        ::robot_dynamics::nalgebra::SMatrix::from_data(
+            ::robot_dynamics::nalgebra::ArrayStorage([
+                [real(215.82), real(0.0), real(0.0)],
+            ]),
+        )
+    }
+}
+impl ::robot_dynamics::InverseDynamics<3> for Arm {
+    #[inline(always)]
+    fn inverse_dynamics<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 3>,
+        qd: &::robot_dynamics::nalgebra::SVector<T, 3>,
+        qdd: &::robot_dynamics::nalgebra::SVector<T, 3>,
+    ) -> ::robot_dynamics::nalgebra::SVector<T, 3> {
+        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+        let qd_1 = qd.data.0[0][0];
+        let qd_2 = qd.data.0[0][1];
+        let qd_3 = qd.data.0[0][2];
+        let sign_1 = ::robot_dynamics::Scalar::sign(qd.data.0[0][0]);
+        let sign_2 = ::robot_dynamics::Scalar::sign(qd.data.0[0][1]);
+        let sign_3 = ::robot_dynamics::Scalar::sign(qd.data.0[0][2]);
+        let qdd_1 = qdd.data.0[0][0];
+        let qdd_2 = qdd.data.0[0][1];
+        let qdd_3 = qdd.data.0[0][2];
+        let t_1 = qdd_1 + real(9.81);
+        let t_2 = real(22.0).mul_add(t_1, real(5.0) * qd_1);
+        let t_3 = real(8.0).mul_add(sign_1, t_2);
+        let t_4 = real(4.0).mul_add(qd_2, real(10.0) * qdd_2);
+        let t_5 = real(6.0).mul_add(sign_2, t_4);
+        let t_6 = qd_3 + qdd_3;
+        let t_7 = real(1.3333333333333333).mul_add(sign_3, t_6);
+        let t_8 = real(3.0) * t_7;
+        ::robot_dynamics::nalgebra::SMatrix::from_data(
+            ::robot_dynamics::nalgebra::ArrayStorage([[t_3, t_5, t_8]]),
+        )
+    }
+}
+impl ::robot_dynamics::ForwardDynamics<3> for Arm {
+    #[inline(always)]
+    fn forward_dynamics<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 3>,
+        qd: &::robot_dynamics::nalgebra::SVector<T, 3>,
+        tau: &::robot_dynamics::nalgebra::SVector<T, 3>,
+    ) -> ::core::result::Result<
+        ::robot_dynamics::nalgebra::SVector<T, 3>,
+        ::robot_dynamics::SingularMassMatrix,
+    > {
+        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+        let qd_1 = qd.data.0[0][0];
+        let qd_2 = qd.data.0[0][1];
+        let qd_3 = qd.data.0[0][2];
+        let sign_1 = ::robot_dynamics::Scalar::sign(qd.data.0[0][0]);
+        let sign_2 = ::robot_dynamics::Scalar::sign(qd.data.0[0][1]);
+        let sign_3 = ::robot_dynamics::Scalar::sign(qd.data.0[0][2]);
+        let tau_1 = tau.data.0[0][0];
+        let tau_2 = tau.data.0[0][1];
+        let tau_3 = tau.data.0[0][2];
+        let t_1 = real(5.0).mul_add(qd_1, -tau_1);
+        let t_2 = real(215.82) + t_1;
+        let t_3 = real(8.0).mul_add(sign_1, t_2);
+        let t_4 = real(0.045454545454545456) * t_3;
+        let t_5 = real(-4.0).mul_add(qd_2, tau_2);
+        let t_6 = real(-6.0).mul_add(sign_2, t_5);
+        let t_7 = real(0.1) * t_6;
+        let t_8 = real(-0.3333333333333333).mul_add(tau_3, qd_3);
+        let t_9 = real(1.3333333333333333).mul_add(sign_3, t_8);
+        ::robot_dynamics::SingularMassMatrix::test(2, real(3.0), real(3.0))?;
+        ::robot_dynamics::SingularMassMatrix::test(1, real(10.0), real(10.0))?;
+        ::robot_dynamics::SingularMassMatrix::test(0, real(22.0), real(22.0))?;
+        ::core::result::Result::Ok(
+            ::robot_dynamics::nalgebra::SMatrix::from_data(
+                ::robot_dynamics::nalgebra::ArrayStorage([[-t_4, t_7, -t_9]]),
+            ),
+        )
     }
 }

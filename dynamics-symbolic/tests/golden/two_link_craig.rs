@@ -19,23 +19,7 @@ impl Arm {
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SMatrix<T, 2, 2> {
-        let (s_2, c_2) = ::robot_dynamics::Scalar::sin_cos(q.data.0[0][1]);
-        let p_m1 = <T as ::robot_dynamics::Scalar>::from_f64(self.m1);
-        let p_m2 = <T as ::robot_dynamics::Scalar>::from_f64(self.m2);
-        let p_l1 = <T as ::robot_dynamics::Scalar>::from_f64(self.l1);
-        let p_l2 = <T as ::robot_dynamics::Scalar>::from_f64(self.l2);
-        let t_1 = p_m2 + p_m1;
-        let t_2 = p_l1 * t_1;
-        let t_3 = p_m2 * p_l2;
-        let t_4 = c_2 * t_3;
-        let t_5 = p_l1 * t_4;
-        let t_6 = p_l2 * t_3;
-        let t_7 = t_6 + t_5;
-        let t_8 = p_l1.mul_add(t_2, t_5);
-        let t_9 = t_7 + t_8;
-        ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([[t_9, t_7], [t_7, t_6]]),
-        )
+        <Self as ::robot_dynamics::MassMatrix<2>>::mass_matrix(self, q)
     }
     /// Coriolis and centrifugal vector V(q, qd), N m or N: inverse dynamics without gravity, friction and acceleration.
     ///
@@ -56,23 +40,7 @@ impl Arm {
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
         qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
-        let (s_2, c_2) = ::robot_dynamics::Scalar::sin_cos(q.data.0[0][1]);
-        let p_m2 = <T as ::robot_dynamics::Scalar>::from_f64(self.m2);
-        let p_l1 = <T as ::robot_dynamics::Scalar>::from_f64(self.l1);
-        let p_l2 = <T as ::robot_dynamics::Scalar>::from_f64(self.l2);
-        let qd_1 = qd.data.0[0][0];
-        let qd_2 = qd.data.0[0][1];
-        let t_1 = p_m2 * p_l2;
-        let t_2 = p_l1 * s_2;
-        let t_3 = t_1 * t_2;
-        let t_4 = qd_1 * t_3;
-        let t_5 = qd_2.mul_add(t_3, t_4);
-        let t_6 = t_4 + t_5;
-        let t_7 = qd_2 * t_6;
-        let t_8 = qd_1 * t_4;
-        ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([[-t_7, t_8]]),
-        )
+        <Self as ::robot_dynamics::CoriolisVector<2>>::coriolis_vector(self, q, qd)
     }
     /// Gravity vector G(q) = dU/dq, N m or N: inverse dynamics at rest.
     ///
@@ -92,26 +60,7 @@ impl Arm {
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
-        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Scalar::sin_cos_array([
-            q.data.0[0][0],
-            q.data.0[0][1],
-        ]);
-        let p_m1 = <T as ::robot_dynamics::Scalar>::from_f64(self.m1);
-        let p_m2 = <T as ::robot_dynamics::Scalar>::from_f64(self.m2);
-        let p_l1 = <T as ::robot_dynamics::Scalar>::from_f64(self.l1);
-        let p_l2 = <T as ::robot_dynamics::Scalar>::from_f64(self.l2);
-        let p_g = <T as ::robot_dynamics::Scalar>::from_f64(self.g);
-        let t_1 = p_m2 + p_m1;
-        let t_2 = p_l1 * t_1;
-        let t_3 = p_m2 * p_l2;
-        let t_4 = (-s_1).mul_add(s_2, c_1 * c_2);
-        let t_5 = t_3 * t_4;
-        let t_6 = c_1.mul_add(t_2, t_5);
-        let t_7 = p_g * t_6;
-        let t_8 = p_g * t_5;
-        ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([[t_7, t_8]]),
-        )
+        <Self as ::robot_dynamics::GravityVector<2>>::gravity_vector(self, q)
     }
     /// Inverse dynamics tau = M(q) qdd + V(q, qd) + G(q) + F(qd), N m or N, as one program.
     ///
@@ -128,15 +77,211 @@ impl Arm {
         qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
         qdd: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
+        <Self as ::robot_dynamics::InverseDynamics<
+            2,
+        >>::inverse_dynamics(self, q, qd, qdd)
+    }
+    /// Forward dynamics: the accelerations qdd with M(q) qdd + V(q, qd) + G(q) + F(qd) = tau, rad/s^2 or m/s^2.
+    ///
+    /// `q`: joint positions, rad; `qd`: joint velocities, rad per s; `tau`: joint forces and torques, N m.
+    ///
+    /// Operations: 23 multiplications, 14 additions, 2 divisions, sines and cosines of 2 angles.
+    ///
+    /** # Errors
+
+ `SingularMassMatrix` where M(q) is not positive definite to working precision, or not finite: it names the joint whose pivot failed.
+
+ Never panics, never allocates; what depends on an input that is not finite is not finite.*/
+    #[inline]
+    #[allow(unused_variables, clippy::all)]
+    pub fn forward_dynamics<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        tau: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::core::result::Result<
+        ::robot_dynamics::nalgebra::SVector<T, 2>,
+        ::robot_dynamics::SingularMassMatrix,
+    > {
+        <Self as ::robot_dynamics::ForwardDynamics<
+            2,
+        >>::forward_dynamics(self, q, qd, tau)
+    }
+    /// Kinetic energy T(q, qd) = 1/2 qd^T M(q) qd, reflected motor inertias included, J.
+    ///
+    /// `q`: joint positions, rad; `qd`: joint velocities, rad per s.
+    ///
+    /// Operations: 11 multiplications, 4 additions, sine and cosine of one angle.
+    ///
+    /// ```text
+    /// T = 0.5 ((m2 + m1) l1 qd1 l1 qd1 + (qd1 + qd2) l2 m2 l2 (qd1 + qd2)) + m2 l2 cos(q2) l1 qd1 (qd1 + qd2)
+    /// ```
+    ///
+    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
+    #[inline]
+    #[allow(unused_variables, clippy::all)]
+    pub fn kinetic_energy<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> T {
+        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+        let (s_2, c_2) = ::robot_dynamics::Scalar::sin_cos(q.data.0[0][1]);
+        let p_m1 = real(self.m1);
+        let p_m2 = real(self.m2);
+        let p_l1 = real(self.l1);
+        let p_l2 = real(self.l2);
+        let qd_1 = qd.data.0[0][0];
+        let qd_2 = qd.data.0[0][1];
+        let t_1 = p_m2 * p_l2;
+        let t_2 = p_l1 * qd_1;
+        let t_3 = c_2 * t_2;
+        let t_4 = qd_1 + qd_2;
+        let t_5 = t_3 * t_4;
+        let t_6 = p_m2 + p_m1;
+        let t_7 = t_2 * t_2;
+        let t_8 = p_l2 * t_1;
+        let t_9 = t_8 * t_4;
+        let t_10 = t_4.mul_add(t_9, t_6 * t_7);
+        let t_11 = t_1.mul_add(t_5, real(0.5) * t_10);
+        t_11
+    }
+    /// Potential energy U(q) = -sum m g.c, zero at the origin of the base frame, J.
+    ///
+    /// `q`: joint positions, rad.
+    ///
+    /// Operations: 7 multiplications, 3 additions, sines and cosines of 2 angles.
+    ///
+    /// ```text
+    /// U = g (cos(q1) sin(q2) m2 l2 + sin(q1) (l1 (m2 + m1) + cos(q2) m2 l2))
+    /// ```
+    ///
+    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
+    #[inline]
+    #[allow(unused_variables, clippy::all)]
+    pub fn potential_energy<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> T {
+        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
         let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Scalar::sin_cos_array([
             q.data.0[0][0],
             q.data.0[0][1],
         ]);
-        let p_m1 = <T as ::robot_dynamics::Scalar>::from_f64(self.m1);
-        let p_m2 = <T as ::robot_dynamics::Scalar>::from_f64(self.m2);
-        let p_l1 = <T as ::robot_dynamics::Scalar>::from_f64(self.l1);
-        let p_l2 = <T as ::robot_dynamics::Scalar>::from_f64(self.l2);
-        let p_g = <T as ::robot_dynamics::Scalar>::from_f64(self.g);
+        let p_m1 = real(self.m1);
+        let p_m2 = real(self.m2);
+        let p_l1 = real(self.l1);
+        let p_l2 = real(self.l2);
+        let p_g = real(self.g);
+        let t_1 = p_m2 + p_m1;
+        let t_2 = p_m2 * p_l2;
+        let t_3 = c_2.mul_add(t_2, p_l1 * t_1);
+        let t_4 = s_2 * t_2;
+        let t_5 = s_1.mul_add(t_3, c_1 * t_4);
+        let t_6 = p_g * t_5;
+        t_6
+    }
+}
+impl ::robot_dynamics::MassMatrix<2> for Arm {
+    #[inline(always)]
+    fn mass_matrix<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::robot_dynamics::nalgebra::SMatrix<T, 2, 2> {
+        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+        let (s_2, c_2) = ::robot_dynamics::Scalar::sin_cos(q.data.0[0][1]);
+        let p_m1 = real(self.m1);
+        let p_m2 = real(self.m2);
+        let p_l1 = real(self.l1);
+        let p_l2 = real(self.l2);
+        let t_1 = p_m2 + p_m1;
+        let t_2 = p_l1 * t_1;
+        let t_3 = p_m2 * p_l2;
+        let t_4 = c_2 * t_3;
+        let t_5 = p_l1 * t_4;
+        let t_6 = p_l2 * t_3;
+        let t_7 = t_6 + t_5;
+        let t_8 = p_l1.mul_add(t_2, t_5);
+        let t_9 = t_7 + t_8;
+        ::robot_dynamics::nalgebra::SMatrix::from_data(
+            ::robot_dynamics::nalgebra::ArrayStorage([[t_9, t_7], [t_7, t_6]]),
+        )
+    }
+}
+impl ::robot_dynamics::CoriolisVector<2> for Arm {
+    #[inline(always)]
+    fn coriolis_vector<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
+        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+        let (s_2, c_2) = ::robot_dynamics::Scalar::sin_cos(q.data.0[0][1]);
+        let p_m2 = real(self.m2);
+        let p_l1 = real(self.l1);
+        let p_l2 = real(self.l2);
+        let qd_1 = qd.data.0[0][0];
+        let qd_2 = qd.data.0[0][1];
+        let t_1 = p_m2 * p_l2;
+        let t_2 = p_l1 * s_2;
+        let t_3 = t_1 * t_2;
+        let t_4 = qd_1 * t_3;
+        let t_5 = qd_2.mul_add(t_3, t_4);
+        let t_6 = t_4 + t_5;
+        let t_7 = qd_2 * t_6;
+        let t_8 = qd_1 * t_4;
+        ::robot_dynamics::nalgebra::SMatrix::from_data(
+            ::robot_dynamics::nalgebra::ArrayStorage([[-t_7, t_8]]),
+        )
+    }
+}
+impl ::robot_dynamics::GravityVector<2> for Arm {
+    #[inline(always)]
+    fn gravity_vector<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
+        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Scalar::sin_cos_array([
+            q.data.0[0][0],
+            q.data.0[0][1],
+        ]);
+        let p_m1 = real(self.m1);
+        let p_m2 = real(self.m2);
+        let p_l1 = real(self.l1);
+        let p_l2 = real(self.l2);
+        let p_g = real(self.g);
+        let t_1 = p_m2 + p_m1;
+        let t_2 = p_l1 * t_1;
+        let t_3 = p_m2 * p_l2;
+        let t_4 = (-s_1).mul_add(s_2, c_1 * c_2);
+        let t_5 = t_3 * t_4;
+        let t_6 = c_1.mul_add(t_2, t_5);
+        let t_7 = p_g * t_6;
+        let t_8 = p_g * t_5;
+        ::robot_dynamics::nalgebra::SMatrix::from_data(
+            ::robot_dynamics::nalgebra::ArrayStorage([[t_7, t_8]]),
+        )
+    }
+}
+impl ::robot_dynamics::InverseDynamics<2> for Arm {
+    #[inline(always)]
+    fn inverse_dynamics<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qdd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
+        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Scalar::sin_cos_array([
+            q.data.0[0][0],
+            q.data.0[0][1],
+        ]);
+        let p_m1 = real(self.m1);
+        let p_m2 = real(self.m2);
+        let p_l1 = real(self.l1);
+        let p_l2 = real(self.l2);
+        let p_g = real(self.g);
         let qd_1 = qd.data.0[0][0];
         let qd_2 = qd.data.0[0][1];
         let qdd_1 = qdd.data.0[0][0];
@@ -162,20 +307,10 @@ impl Arm {
             ::robot_dynamics::nalgebra::ArrayStorage([[t_17, t_12]]),
         )
     }
-    /// Forward dynamics: the accelerations qdd with M(q) qdd + V(q, qd) + G(q) + F(qd) = tau, rad/s^2 or m/s^2.
-    ///
-    /// `q`: joint positions, rad; `qd`: joint velocities, rad per s; `tau`: joint forces and torques, N m.
-    ///
-    /// Operations: 23 multiplications, 14 additions, 2 divisions, sines and cosines of 2 angles.
-    ///
-    /** # Errors
-
- `SingularMassMatrix` where M(q) is not positive definite to working precision, or not finite: it names the joint whose pivot failed.
-
- Never panics, never allocates; what depends on an input that is not finite is not finite.*/
-    #[inline]
-    #[allow(unused_variables, clippy::all)]
-    pub fn forward_dynamics<T: ::robot_dynamics::Scalar>(
+}
+impl ::robot_dynamics::ForwardDynamics<2> for Arm {
+    #[inline(always)]
+    fn forward_dynamics<T: ::robot_dynamics::Scalar>(
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
         qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
@@ -184,20 +319,20 @@ impl Arm {
         ::robot_dynamics::nalgebra::SVector<T, 2>,
         ::robot_dynamics::SingularMassMatrix,
     > {
+        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
         let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Scalar::sin_cos_array([
             q.data.0[0][0],
             q.data.0[0][1],
         ]);
-        let p_m1 = <T as ::robot_dynamics::Scalar>::from_f64(self.m1);
-        let p_m2 = <T as ::robot_dynamics::Scalar>::from_f64(self.m2);
-        let p_l1 = <T as ::robot_dynamics::Scalar>::from_f64(self.l1);
-        let p_l2 = <T as ::robot_dynamics::Scalar>::from_f64(self.l2);
-        let p_g = <T as ::robot_dynamics::Scalar>::from_f64(self.g);
+        let p_m1 = real(self.m1);
+        let p_m2 = real(self.m2);
+        let p_l1 = real(self.l1);
+        let p_l2 = real(self.l2);
+        let p_g = real(self.g);
         let qd_1 = qd.data.0[0][0];
         let qd_2 = qd.data.0[0][1];
         let tau_1 = tau.data.0[0][0];
         let tau_2 = tau.data.0[0][1];
-        let real = <T as ::robot_dynamics::Scalar>::from_f64;
         let t_1 = p_m2 + p_m1;
         let t_2 = p_l1 * t_1;
         let t_3 = p_g * c_1;
@@ -233,78 +368,5 @@ impl Arm {
                 ::robot_dynamics::nalgebra::ArrayStorage([[t_27, -t_28]]),
             ),
         )
-    }
-    /// Kinetic energy T(q, qd) = 1/2 qd^T M(q) qd, reflected motor inertias included, J.
-    ///
-    /// `q`: joint positions, rad; `qd`: joint velocities, rad per s.
-    ///
-    /// Operations: 11 multiplications, 4 additions, sine and cosine of one angle.
-    ///
-    /// ```text
-    /// T = 0.5 ((m2 + m1) l1 qd1 l1 qd1 + (qd1 + qd2) l2 m2 l2 (qd1 + qd2)) + m2 l2 cos(q2) l1 qd1 (qd1 + qd2)
-    /// ```
-    ///
-    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
-    #[allow(unused_variables, clippy::all)]
-    pub fn kinetic_energy<T: ::robot_dynamics::Scalar>(
-        &self,
-        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
-        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
-    ) -> T {
-        let (s_2, c_2) = ::robot_dynamics::Scalar::sin_cos(q.data.0[0][1]);
-        let p_m1 = <T as ::robot_dynamics::Scalar>::from_f64(self.m1);
-        let p_m2 = <T as ::robot_dynamics::Scalar>::from_f64(self.m2);
-        let p_l1 = <T as ::robot_dynamics::Scalar>::from_f64(self.l1);
-        let p_l2 = <T as ::robot_dynamics::Scalar>::from_f64(self.l2);
-        let qd_1 = qd.data.0[0][0];
-        let qd_2 = qd.data.0[0][1];
-        let real = <T as ::robot_dynamics::Scalar>::from_f64;
-        let t_1 = p_m2 * p_l2;
-        let t_2 = p_l1 * qd_1;
-        let t_3 = c_2 * t_2;
-        let t_4 = qd_1 + qd_2;
-        let t_5 = t_3 * t_4;
-        let t_6 = p_m2 + p_m1;
-        let t_7 = t_2 * t_2;
-        let t_8 = p_l2 * t_1;
-        let t_9 = t_8 * t_4;
-        let t_10 = t_4.mul_add(t_9, t_6 * t_7);
-        let t_11 = t_1.mul_add(t_5, real(0.5) * t_10);
-        t_11
-    }
-    /// Potential energy U(q) = -sum m g.c, zero at the origin of the base frame, J.
-    ///
-    /// `q`: joint positions, rad.
-    ///
-    /// Operations: 7 multiplications, 3 additions, sines and cosines of 2 angles.
-    ///
-    /// ```text
-    /// U = g (cos(q1) sin(q2) m2 l2 + sin(q1) (l1 (m2 + m1) + cos(q2) m2 l2))
-    /// ```
-    ///
-    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
-    #[allow(unused_variables, clippy::all)]
-    pub fn potential_energy<T: ::robot_dynamics::Scalar>(
-        &self,
-        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
-    ) -> T {
-        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Scalar::sin_cos_array([
-            q.data.0[0][0],
-            q.data.0[0][1],
-        ]);
-        let p_m1 = <T as ::robot_dynamics::Scalar>::from_f64(self.m1);
-        let p_m2 = <T as ::robot_dynamics::Scalar>::from_f64(self.m2);
-        let p_l1 = <T as ::robot_dynamics::Scalar>::from_f64(self.l1);
-        let p_l2 = <T as ::robot_dynamics::Scalar>::from_f64(self.l2);
-        let p_g = <T as ::robot_dynamics::Scalar>::from_f64(self.g);
-        let t_1 = p_m2 + p_m1;
-        let t_2 = p_m2 * p_l2;
-        let t_3 = c_2.mul_add(t_2, p_l1 * t_1);
-        let t_4 = s_2 * t_2;
-        let t_5 = s_1.mul_add(t_3, c_1 * t_4);
-        let t_6 = p_g * t_5;
-        t_6
     }
 }

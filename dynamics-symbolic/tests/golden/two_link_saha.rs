@@ -19,17 +19,7 @@ impl Arm {
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SMatrix<T, 2, 2> {
-        let (s_2, c_2) = ::robot_dynamics::Scalar::sin_cos(q.data.0[0][1]);
-        let real = <T as ::robot_dynamics::Scalar>::from_f64;
-        let t_1 = c_2 + c_2;
-        let t_2 = real(8.333333333333334) + t_1;
-        let t_3 = real(0.3333333333333333) + c_2;
-        ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([
-                [t_2, t_3],
-                [t_3, real(0.3333333333333333)],
-            ]),
-        )
+        <Self as ::robot_dynamics::MassMatrix<2>>::mass_matrix(self, q)
     }
     /// Coriolis and centrifugal vector V(q, qd), N m or N: inverse dynamics without gravity, friction and acceleration.
     ///
@@ -50,17 +40,7 @@ impl Arm {
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
         qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
-        let (s_2, c_2) = ::robot_dynamics::Scalar::sin_cos(q.data.0[0][1]);
-        let qd_1 = qd.data.0[0][0];
-        let qd_2 = qd.data.0[0][1];
-        let t_1 = qd_1 * qd_1;
-        let t_2 = s_2 * t_1;
-        let t_3 = qd_1 + qd_2;
-        let t_4 = t_3 * t_3;
-        let t_5 = (-s_2).mul_add(t_4, t_2);
-        ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([[t_5, t_2]]),
-        )
+        <Self as ::robot_dynamics::CoriolisVector<2>>::coriolis_vector(self, q, qd)
     }
     /// Gravity vector G(q) = dU/dq, N m or N: inverse dynamics at rest.
     ///
@@ -80,17 +60,7 @@ impl Arm {
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
-        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Scalar::sin_cos_array([
-            q.data.0[0][0],
-            q.data.0[0][1],
-        ]);
-        let real = <T as ::robot_dynamics::Scalar>::from_f64;
-        let t_1 = (-s_1).mul_add(s_2, c_1 * c_2);
-        let t_2 = real(4.905) * t_1;
-        let t_3 = real(49.05).mul_add(c_1, t_2);
-        ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([[t_3, t_2]]),
-        )
+        <Self as ::robot_dynamics::GravityVector<2>>::gravity_vector(self, q)
     }
     /// Friction vector F(qd) = viscous qd + coulomb sign(qd), N m or N, with sign(0) = 0.
     ///
@@ -110,7 +80,7 @@ impl Arm {
         &self,
         qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
-        let real = <T as ::robot_dynamics::Scalar>::from_f64;
+        let real = |x: f64| ::robot_dynamics::Scalar::constant(qd.data.0[0][0], x);
         ::robot_dynamics::nalgebra::SMatrix::from_data(
             ::robot_dynamics::nalgebra::ArrayStorage([[real(0.0), real(0.0)]]),
         )
@@ -135,29 +105,9 @@ impl Arm {
         qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
         qdd: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
-        let [(s_2, c_2), (s_1, c_1)] = ::robot_dynamics::Scalar::sin_cos_array([
-            q.data.0[0][1],
-            q.data.0[0][0],
-        ]);
-        let qd_1 = qd.data.0[0][0];
-        let qd_2 = qd.data.0[0][1];
-        let qdd_1 = qdd.data.0[0][0];
-        let qdd_2 = qdd.data.0[0][1];
-        let real = <T as ::robot_dynamics::Scalar>::from_f64;
-        let t_1 = qd_1 + qd_2;
-        let t_2 = t_1 * t_1;
-        let t_3 = qdd_1 + qdd_2;
-        let t_4 = real(-4.905).mul_add(s_1, qd_1 * qd_1);
-        let t_5 = real(4.905).mul_add(c_1, qdd_1);
-        let t_6 = s_2.mul_add(t_4, real(0.3333333333333333) * t_3);
-        let t_7 = c_2.mul_add(t_5, t_6);
-        let t_8 = real(49.05).mul_add(c_1, real(8.0) * qdd_1);
-        let t_9 = (-s_2).mul_add(t_2, c_2 * t_3);
-        let t_10 = t_8 + t_9;
-        let t_11 = t_10 + t_7;
-        ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([[t_11, t_7]]),
-        )
+        <Self as ::robot_dynamics::InverseDynamics<
+            2,
+        >>::inverse_dynamics(self, q, qd, qdd)
     }
     /// Forward dynamics: the accelerations qdd with M(q) qdd + V(q, qd) + G(q) + F(qd) = tau, rad/s^2 or m/s^2.
     ///
@@ -181,44 +131,9 @@ impl Arm {
         ::robot_dynamics::nalgebra::SVector<T, 2>,
         ::robot_dynamics::SingularMassMatrix,
     > {
-        let [(s_2, c_2), (s_1, c_1)] = ::robot_dynamics::Scalar::sin_cos_array([
-            q.data.0[0][1],
-            q.data.0[0][0],
-        ]);
-        let qd_1 = qd.data.0[0][0];
-        let qd_2 = qd.data.0[0][1];
-        let tau_1 = tau.data.0[0][0];
-        let tau_2 = tau.data.0[0][1];
-        let real = <T as ::robot_dynamics::Scalar>::from_f64;
-        let t_1 = qd_1 + qd_2;
-        let t_2 = t_1 * t_1;
-        let t_3 = qd_1 * qd_1;
-        let t_4 = real(0.2038735983690112).mul_add(t_3, -s_1);
-        let t_5 = s_2.mul_add(t_4, c_1 * c_2);
-        let t_6 = real(4.905) * t_5;
-        let t_7 = t_6 - tau_2;
-        let t_8 = real(0.3333333333333333) + c_2;
-        let t_9 = real(3.0) * t_8;
-        let t_10 = real(49.05).mul_add(c_1, -tau_1);
-        let t_11 = (-s_2).mul_add(t_2, t_10);
-        let t_12 = t_11 + t_6;
-        let t_13 = (-t_7).mul_add(t_9, t_12);
-        let t_14 = real(2.0).mul_add(c_2, real(8.333333333333334));
-        let t_15 = (-t_8).mul_add(t_9, t_14);
-        let t_16 = real(1.0) / t_15;
-        let t_17 = t_13 * t_16;
-        let t_18 = real(-3.0).mul_add(t_7, t_9 * t_17);
-        ::robot_dynamics::SingularMassMatrix::test(
-            1,
-            real(0.3333333333333333),
-            real(0.3333333333333333),
-        )?;
-        ::robot_dynamics::SingularMassMatrix::test(0, t_15, t_14)?;
-        ::core::result::Result::Ok(
-            ::robot_dynamics::nalgebra::SMatrix::from_data(
-                ::robot_dynamics::nalgebra::ArrayStorage([[-t_17, t_18]]),
-            ),
-        )
+        <Self as ::robot_dynamics::ForwardDynamics<
+            2,
+        >>::forward_dynamics(self, q, qd, tau)
     }
     /// Kinetic energy T(q, qd) = 1/2 qd^T M(q) qd, reflected motor inertias included, J.
     ///
@@ -238,10 +153,10 @@ impl Arm {
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
         qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> T {
+        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
         let (s_2, c_2) = ::robot_dynamics::Scalar::sin_cos(q.data.0[0][1]);
         let qd_1 = qd.data.0[0][0];
         let qd_2 = qd.data.0[0][1];
-        let real = <T as ::robot_dynamics::Scalar>::from_f64;
         let t_1 = qd_1 + qd_2;
         let t_2 = qd_1 * c_2;
         let t_3 = t_1 * t_1;
@@ -266,11 +181,11 @@ impl Arm {
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> T {
+        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
         let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Scalar::sin_cos_array([
             q.data.0[0][0],
             q.data.0[0][1],
         ]);
-        let real = <T as ::robot_dynamics::Scalar>::from_f64;
         let t_1 = real(10.0) + c_2;
         let t_2 = s_1.mul_add(t_1, c_1 * s_2);
         let t_3 = real(4.905) * t_2;
@@ -290,13 +205,13 @@ impl Arm {
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
         qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
+        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
         let [(s_2, c_2), (s_1, c_1)] = ::robot_dynamics::Scalar::sin_cos_array([
             q.data.0[0][1],
             q.data.0[0][0],
         ]);
         let qd_1 = qd.data.0[0][0];
         let qd_2 = qd.data.0[0][1];
-        let real = <T as ::robot_dynamics::Scalar>::from_f64;
         let t_1 = qd_1 + qd_2;
         let t_2 = t_1 * t_1;
         let t_3 = qd_1 * qd_1;
@@ -330,10 +245,10 @@ impl Arm {
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
         qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SMatrix<T, 2, 2> {
+        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
         let (s_2, c_2) = ::robot_dynamics::Scalar::sin_cos(q.data.0[0][1]);
         let qd_1 = qd.data.0[0][0];
         let qd_2 = qd.data.0[0][1];
-        let real = <T as ::robot_dynamics::Scalar>::from_f64;
         let t_1 = s_2 * qd_2;
         let t_2 = qd_1 * s_2;
         let t_3 = t_1 + t_2;
@@ -359,8 +274,8 @@ impl Arm {
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SMatrix<T, 2, 1> {
+        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
         let (s_2, c_2) = ::robot_dynamics::Scalar::sin_cos(q.data.0[0][1]);
-        let real = <T as ::robot_dynamics::Scalar>::from_f64;
         let t_1 = real(2.0) * s_2;
         ::robot_dynamics::nalgebra::SMatrix::from_data(
             ::robot_dynamics::nalgebra::ArrayStorage([[-t_1, real(0.0)]]),
@@ -386,8 +301,8 @@ impl Arm {
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SMatrix<T, 2, 2> {
+        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
         let (s_2, c_2) = ::robot_dynamics::Scalar::sin_cos(q.data.0[0][1]);
-        let real = <T as ::robot_dynamics::Scalar>::from_f64;
         ::robot_dynamics::nalgebra::SMatrix::from_data(
             ::robot_dynamics::nalgebra::ArrayStorage([
                 [real(0.0), s_2],
@@ -408,11 +323,11 @@ impl Arm {
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::Matrix4<T> {
+        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
         let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Scalar::sin_cos_array([
             q.data.0[0][0],
             q.data.0[0][1],
         ]);
-        let real = <T as ::robot_dynamics::Scalar>::from_f64;
         let t_1 = (-s_1).mul_add(s_2, c_1 * c_2);
         let t_2 = c_1.mul_add(s_2, s_1 * c_2);
         let t_3 = real(2.0).mul_add(c_1, t_1);
@@ -439,11 +354,11 @@ impl Arm {
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> [::robot_dynamics::nalgebra::Matrix4<T>; 2] {
+        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
         let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Scalar::sin_cos_array([
             q.data.0[0][0],
             q.data.0[0][1],
         ]);
-        let real = <T as ::robot_dynamics::Scalar>::from_f64;
         let t_1 = real(2.0) * c_1;
         let t_2 = real(2.0) * s_1;
         let t_3 = (-s_1).mul_add(s_2, c_1 * c_2);
@@ -482,11 +397,11 @@ impl Arm {
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SMatrix<T, 6, 2> {
+        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
         let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Scalar::sin_cos_array([
             q.data.0[0][0],
             q.data.0[0][1],
         ]);
-        let real = <T as ::robot_dynamics::Scalar>::from_f64;
         let t_1 = c_1.mul_add(s_2, s_1 * c_2);
         let t_2 = real(2.0).mul_add(s_1, t_1);
         let t_3 = (-s_1).mul_add(s_2, c_1 * c_2);
@@ -496,6 +411,148 @@ impl Arm {
                 [-t_2, t_4, real(0.0), real(0.0), real(0.0), real(1.0)],
                 [-t_1, t_3, real(0.0), real(0.0), real(0.0), real(1.0)],
             ]),
+        )
+    }
+}
+impl ::robot_dynamics::MassMatrix<2> for Arm {
+    #[inline(always)]
+    fn mass_matrix<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::robot_dynamics::nalgebra::SMatrix<T, 2, 2> {
+        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+        let (s_2, c_2) = ::robot_dynamics::Scalar::sin_cos(q.data.0[0][1]);
+        let t_1 = c_2 + c_2;
+        let t_2 = real(8.333333333333334) + t_1;
+        let t_3 = real(0.3333333333333333) + c_2;
+        ::robot_dynamics::nalgebra::SMatrix::from_data(
+            ::robot_dynamics::nalgebra::ArrayStorage([
+                [t_2, t_3],
+                [t_3, real(0.3333333333333333)],
+            ]),
+        )
+    }
+}
+impl ::robot_dynamics::CoriolisVector<2> for Arm {
+    #[inline(always)]
+    fn coriolis_vector<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
+        let (s_2, c_2) = ::robot_dynamics::Scalar::sin_cos(q.data.0[0][1]);
+        let qd_1 = qd.data.0[0][0];
+        let qd_2 = qd.data.0[0][1];
+        let t_1 = qd_1 * qd_1;
+        let t_2 = s_2 * t_1;
+        let t_3 = qd_1 + qd_2;
+        let t_4 = t_3 * t_3;
+        let t_5 = (-s_2).mul_add(t_4, t_2);
+        ::robot_dynamics::nalgebra::SMatrix::from_data(
+            ::robot_dynamics::nalgebra::ArrayStorage([[t_5, t_2]]),
+        )
+    }
+}
+impl ::robot_dynamics::GravityVector<2> for Arm {
+    #[inline(always)]
+    fn gravity_vector<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
+        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Scalar::sin_cos_array([
+            q.data.0[0][0],
+            q.data.0[0][1],
+        ]);
+        let t_1 = (-s_1).mul_add(s_2, c_1 * c_2);
+        let t_2 = real(4.905) * t_1;
+        let t_3 = real(49.05).mul_add(c_1, t_2);
+        ::robot_dynamics::nalgebra::SMatrix::from_data(
+            ::robot_dynamics::nalgebra::ArrayStorage([[t_3, t_2]]),
+        )
+    }
+}
+impl ::robot_dynamics::InverseDynamics<2> for Arm {
+    #[inline(always)]
+    fn inverse_dynamics<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qdd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
+        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+        let [(s_2, c_2), (s_1, c_1)] = ::robot_dynamics::Scalar::sin_cos_array([
+            q.data.0[0][1],
+            q.data.0[0][0],
+        ]);
+        let qd_1 = qd.data.0[0][0];
+        let qd_2 = qd.data.0[0][1];
+        let qdd_1 = qdd.data.0[0][0];
+        let qdd_2 = qdd.data.0[0][1];
+        let t_1 = qd_1 + qd_2;
+        let t_2 = t_1 * t_1;
+        let t_3 = qdd_1 + qdd_2;
+        let t_4 = real(-4.905).mul_add(s_1, qd_1 * qd_1);
+        let t_5 = real(4.905).mul_add(c_1, qdd_1);
+        let t_6 = s_2.mul_add(t_4, real(0.3333333333333333) * t_3);
+        let t_7 = c_2.mul_add(t_5, t_6);
+        let t_8 = real(49.05).mul_add(c_1, real(8.0) * qdd_1);
+        let t_9 = (-s_2).mul_add(t_2, c_2 * t_3);
+        let t_10 = t_8 + t_9;
+        let t_11 = t_10 + t_7;
+        ::robot_dynamics::nalgebra::SMatrix::from_data(
+            ::robot_dynamics::nalgebra::ArrayStorage([[t_11, t_7]]),
+        )
+    }
+}
+impl ::robot_dynamics::ForwardDynamics<2> for Arm {
+    #[inline(always)]
+    fn forward_dynamics<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        tau: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::core::result::Result<
+        ::robot_dynamics::nalgebra::SVector<T, 2>,
+        ::robot_dynamics::SingularMassMatrix,
+    > {
+        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+        let [(s_2, c_2), (s_1, c_1)] = ::robot_dynamics::Scalar::sin_cos_array([
+            q.data.0[0][1],
+            q.data.0[0][0],
+        ]);
+        let qd_1 = qd.data.0[0][0];
+        let qd_2 = qd.data.0[0][1];
+        let tau_1 = tau.data.0[0][0];
+        let tau_2 = tau.data.0[0][1];
+        let t_1 = qd_1 + qd_2;
+        let t_2 = t_1 * t_1;
+        let t_3 = qd_1 * qd_1;
+        let t_4 = real(0.2038735983690112).mul_add(t_3, -s_1);
+        let t_5 = s_2.mul_add(t_4, c_1 * c_2);
+        let t_6 = real(4.905) * t_5;
+        let t_7 = t_6 - tau_2;
+        let t_8 = real(0.3333333333333333) + c_2;
+        let t_9 = real(3.0) * t_8;
+        let t_10 = real(49.05).mul_add(c_1, -tau_1);
+        let t_11 = (-s_2).mul_add(t_2, t_10);
+        let t_12 = t_11 + t_6;
+        let t_13 = (-t_7).mul_add(t_9, t_12);
+        let t_14 = real(2.0).mul_add(c_2, real(8.333333333333334));
+        let t_15 = (-t_8).mul_add(t_9, t_14);
+        let t_16 = real(1.0) / t_15;
+        let t_17 = t_13 * t_16;
+        let t_18 = real(-3.0).mul_add(t_7, t_9 * t_17);
+        ::robot_dynamics::SingularMassMatrix::test(
+            1,
+            real(0.3333333333333333),
+            real(0.3333333333333333),
+        )?;
+        ::robot_dynamics::SingularMassMatrix::test(0, t_15, t_14)?;
+        ::core::result::Result::Ok(
+            ::robot_dynamics::nalgebra::SMatrix::from_data(
+                ::robot_dynamics::nalgebra::ArrayStorage([[-t_17, t_18]]),
+            ),
         )
     }
 }

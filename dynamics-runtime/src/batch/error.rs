@@ -1,0 +1,72 @@
+//! What can be wrong with a batch.
+
+use core::fmt;
+
+use crate::SingularMassMatrix;
+
+/// An argument of a batch holds another number of states than the first argument, `q`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct LengthMismatch {
+    /// The argument, by its name.
+    pub argument: &'static str,
+    /// The number of states in it; where its columns differ from one another, the length of the
+    /// first one that differs.
+    pub found: usize,
+    /// The number of states in `q`.
+    pub expected: usize,
+}
+
+impl fmt::Display for LengthMismatch {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let LengthMismatch {
+            argument,
+            found,
+            expected,
+        } = self;
+        write!(
+            f,
+            "`{argument}` has {found} states where `q` has {expected}"
+        )
+    }
+}
+
+impl core::error::Error for LengthMismatch {}
+
+/// The forward dynamics of a batch failed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum BatchError {
+    /// An argument holds another number of states than `q`. Nothing was written.
+    Length(LengthMismatch),
+    /// The mass matrix of a state is not positive definite. The accelerations of all states that
+    /// have none are NaN, those of the others are written.
+    Singular {
+        /// The first such state, counted from 0.
+        state: usize,
+        /// What `forward_dynamics` returns at that state.
+        error: SingularMassMatrix,
+    },
+}
+
+impl From<LengthMismatch> for BatchError {
+    fn from(mismatch: LengthMismatch) -> Self {
+        BatchError::Length(mismatch)
+    }
+}
+
+impl fmt::Display for BatchError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            BatchError::Length(mismatch) => mismatch.fmt(f),
+            BatchError::Singular { state, error } => write!(f, "state {state}: {error}"),
+        }
+    }
+}
+
+impl core::error::Error for BatchError {
+    fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
+        match self {
+            BatchError::Length(mismatch) => Some(mismatch),
+            BatchError::Singular { error, .. } => Some(error),
+        }
+    }
+}

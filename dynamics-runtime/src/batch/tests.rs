@@ -1,0 +1,156 @@
+//! The lanes of every instruction set that this processor has.
+
+use fearless_simd::{Level, Simd};
+use nalgebra::{Matrix3, SVector, Vector2, Vector3};
+
+use super::function::{Function, M, Qdd, Tau};
+use super::layout::{States, StatesMut};
+use super::run::{Failure, run};
+use crate::check::random::SplitMix64;
+use crate::test_arms::CRAIG_ARM;
+use crate::{ForwardDynamics, InverseDynamics, MassMatrix, Scalar};
+
+/// The instruction sets that this processor has.
+fn levels() -> Vec<Level> {
+    let best = Level::new();
+    #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+    {
+        let lesser = [
+            best.as_sse2().map(Simd::level),
+            best.as_sse4_2().map(Simd::level),
+            best.as_avx2().map(Simd::level),
+        ];
+        let mut levels: Vec<_> = lesser.into_iter().flatten().collect();
+        levels.push(best);
+        levels
+    }
+    #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
+    vec![best]
+}
+
+/// No arm: each operation of [`Scalar`] for itself.
+struct Operations;
+
+impl InverseDynamics<3> for Operations {
+    #[inline(always)]
+    fn inverse_dynamics<T: Scalar>(
+        &self,
+        a: &Vector3<T>,
+        b: &Vector3<T>,
+        c: &Vector3<T>,
+    ) -> Vector3<T> {
+        let (sine, cosine) = a[0].sin_cos();
+        let root = (b[1] * b[1] + a[1].constant(0.25)).sqrt();
+        Vector3::new(
+            sine * T::from_f64(3.0) - cosine / c[0],
+            a[2].sign() + root * b[2].sign(),
+            -c[2] * T::epsilon(),
+        )
+    }
+}
+
+impl MassMatrix<3> for Operations {
+    /// Products and sums alone.
+    #[inline(always)]
+    fn mass_matrix<T: Scalar>(&self, q: &Vector3<T>) -> Matrix3<T> {
+        Matrix3::from_fn(|i, j| q[i] * q[j] - q[i].constant(0.1 * j as f64))
+    }
+}
+
+fn states<const N: usize>(count: usize, seed: u64) -> Vec<SVector<f64, N>> {
+    let mut random = SplitMix64(seed);
+    let state = |_| SVector::from_fn(|_, _| random.within(&(-4.0..=4.0)));
+    (0..count).map(state).collect()
+}
+
+/// The function at three vectors for each state.
+fn of_three<F, R, const N: usize>(
+    level: Level,
+    robot: &R,
+    [a, b, c]: [&Vec<SVector<f64, N>>; 3],
+) -> (Vec<SVector<f64, N>>, Failure)
+where
+    F: Function<R, N, 3, 1>,
+{
+    let mut values = vec![SVector::repeat(7.0); a.len()];
+    let arguments = (a.source(), b.source(), c.source());
+    let results = (&mut values).sink();
+    let failure = run::<F, R, _, _, N, 3, 1>(level, robot, arguments, results, a.len());
+    (values, failure)
+}
+
+#[test]
+fn every_operation_is_that_of_a_double_in_every_lane() {
+    for count in 0..=20 {
+        let (mut a, mut b, c) = (states(count, 1), states(count, 2), states(count, 3));
+        let special = [0.0, -0.0, f64::NAN, f64::INFINITY, -3e6, 1e22];
+        for (i, x) in special.into_iter().enumerate().filter(|(i, _)| *i < count) {
+            a[i][0] = x;
+            a[i][2] = x;
+            b[count - 1 - i][2] = x;
+        }
+        for level in levels() {
+            let (values, failure) = of_three::<Tau, _, 3>(level, &Operations, [&a, &b, &c]);
+            assert!(failure.is_none());
+            for (i, value) in values.iter().enumerate() {
+                let expected = Operations.inverse_dynamics(&a[i], &b[i], &c[i]);
+                let [value, expected] = [value, &expected].map(|v| v.map(f64::to_bits));
+                let same = value.iter().zip(&expected).all(|(x, y)| {
+                    x == y || f64::from_bits(*x).is_nan() && f64::from_bits(*y).is_nan()
+                });
+                assert!(same, "{level:?}: state {i} of {count}");
+            }
+        }
+    }
+}
+
+#[test]
+fn matrices_come_in_either_layout() {
+    for level in levels() {
+        for count in [0, 1, 7, 8, 9, 20] {
+            let q = states::<3>(count, 5);
+            let mut rows = vec![Matrix3::zeros(); count];
+            let mut entries = [[(); 3]; 3].map(|column| column.map(|()| vec![0.0; count]));
+            let columns = entries.each_mut().map(|c| c.each_mut().map(|c| &mut c[..]));
+            let q_columns = [0, 1, 2].map(|j| q.iter().map(|q| q[j]).collect::<Vec<_>>());
+            let views = q_columns.each_ref().map(|column| &column[..]);
+            let (rows_sink, q_source) = ((&mut rows).sink(), (&q).source());
+            run::<M, _, _, _, 3, 1, 3>(level, &Operations, (q_source,), rows_sink, count);
+            let sink = columns.sink();
+            run::<M, _, _, _, 3, 1, 3>(level, &Operations, (views.source(),), sink, count);
+            for (state, q) in q.iter().enumerate() {
+                let expected = Operations.mass_matrix(q);
+                assert_eq!(rows[state], expected, "{level:?}");
+                let found = Matrix3::from_fn(|i, j| entries[j][i][state]);
+                assert_eq!(found, expected, "{level:?}");
+            }
+        }
+    }
+}
+
+/// An arm whose constants are made by `from_f64`, with no lane to ask.
+#[test]
+fn a_state_without_accelerations_is_found_in_any_lane() {
+    let mut arm = CRAIG_ARM;
+    // Stretched, the arm has no inertia along itself.
+    arm.m1 = 0.0;
+    let (q, qd, tau) = (states(21, 7), states(21, 8), states(21, 9));
+    for level in levels() {
+        for singular in 0..21 {
+            let mut q = q.clone();
+            q[singular][1] = 0.0;
+            let (values, failure) = of_three::<Qdd, _, 2>(level, &arm, [&q, &qd, &tau]);
+            let error = arm.forward_dynamics(&q[singular], &qd[singular], &tau[singular]);
+            assert_eq!(failure, error.err().map(|error| (singular, error)));
+            for (i, value) in values.iter().enumerate() {
+                match arm.forward_dynamics(&q[i], &qd[i], &tau[i]) {
+                    Ok(expected) => {
+                        let error: Vector2<f64> = value - expected;
+                        assert!(error.amax() <= 1e-12 * expected.amax(), "{level:?}: {i}");
+                    }
+                    Err(_) => assert!(value.iter().all(|x| x.is_nan())),
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,231 @@
+//! Several doubles in the lanes of one vector register, as a [`Scalar`].
+
+use core::any::Any;
+use core::fmt;
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+use fearless_simd::{
+    Bytes, ExtractToken, Level, Select, Simd, SimdBase, SimdFloat, SimdMask, dispatch,
+};
+
+use crate::{Scalar, sine};
+
+/// A loop over an array whose first rounds are unrolled, whatever the compiler thinks of it: so the
+/// numbers stay in registers.
+macro_rules! for_each_index {
+    ($length:ident, $i:ident => $do:expr) => {
+        for_each_index!($length, $i => $do; 0 1 2 3 4 5 6 7 8 9 10 11);
+        for $i in 12..$length {
+            $do;
+        }
+    };
+    ($length:ident, $i:ident => $do:expr; $($index:literal)*) => {
+        $(if $index < $length {
+            let $i = $index;
+            $do;
+        })*
+    };
+}
+
+/// As many doubles as a vector register of the instruction set `S` holds.
+///
+/// `S` cannot be had where the processor lacks the instructions, so that every number carries the
+/// proof that its operations may run; it takes no space.
+#[derive(Clone, Copy)]
+pub struct Wide<S: Simd>(pub(super) S::f64s);
+
+impl<S: Simd> Wide<S> {
+    /// The number `x` in every lane.
+    #[inline(always)]
+    fn splat(self, x: f64) -> S::f64s {
+        S::f64s::splat(self.0.token(), x)
+    }
+}
+
+macro_rules! impl_operator {
+    ($($operator:ident, $method:ident;)*) => {$(
+        impl<S: Simd> $operator for Wide<S> {
+            type Output = Self;
+
+            #[inline(always)]
+            fn $method(self, other: Self) -> Self {
+                Wide($operator::$method(self.0, other.0))
+            }
+        }
+    )*};
+}
+
+impl_operator! {
+    Add, add;
+    Sub, sub;
+    Mul, mul;
+    Div, div;
+}
+
+impl<S: Simd> Neg for Wide<S> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Wide(-self.0)
+    }
+}
+
+impl<S: Simd> PartialEq for Wide<S> {
+    fn eq(&self, other: &Self) -> bool {
+        self.0.as_slice() == other.0.as_slice()
+    }
+}
+
+impl<S: Simd> fmt::Debug for Wide<S> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.as_slice().fmt(f)
+    }
+}
+
+impl<S: Simd> Scalar for Wide<S> {
+    /// Generated functions do not come here: they make their constants by
+    /// [`constant`](Scalar::constant), which need not ask the processor.
+    #[cold]
+    fn from_f64(x: f64) -> Self {
+        Wide(S::f64s::splat(token(), x))
+    }
+
+    #[inline(always)]
+    fn constant(self, x: f64) -> Self {
+        Wide(self.splat(x))
+    }
+
+    #[cold]
+    fn epsilon() -> Self {
+        Self::from_f64(f64::EPSILON)
+    }
+
+    #[inline(always)]
+    fn sin_cos(self) -> (Self, Self) {
+        let [value] = Self::sin_cos_array([self]);
+        value
+    }
+
+    #[inline(always)]
+    fn sin_cos_array<const K: usize>(angles: [Self; K]) -> [(Self, Self); K] {
+        // Not `map`: the functions of arrays that take a closure are not inlined for certain, and
+        // the closure by itself has none of the instructions.
+        let Some(&first) = angles.first() else {
+            return angles.map(Self::sin_cos);
+        };
+        let limit = first.splat(sine::LARGEST);
+        let mut within = first.0.abs().simd_le(limit);
+        for angle in &angles[1..] {
+            within &= angle.0.abs().simd_le(limit);
+        }
+        let mut values = [(first, first); K];
+        if within.all_true() {
+            for_each_index!(K, i => values[i] = sine::sin_cos(angles[i]));
+        } else {
+            // By way of memory that is used nowhere else: what has an address stays out of the
+            // registers.
+            let mut copy = [first; K];
+            for_each_index!(K, i => copy[i] = angles[i]);
+            let copy = sin_cos_of_large(&copy);
+            for_each_index!(K, i => values[i] = copy[i]);
+        }
+        values
+    }
+
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        Wide(self.0.sqrt())
+    }
+
+    #[inline(always)]
+    fn mul_add(self, a: Self, b: Self) -> Self {
+        Wide(self.0.mul_add(a.0, b.0))
+    }
+
+    #[inline(always)]
+    fn sign(self) -> Self {
+        let (zero, one) = (self.splat(0.0), self.splat(1.0));
+        // Zero of either sign is +0, and NaN is NaN, plus zero.
+        let is_signed = self.0.abs().simd_gt(zero);
+        Wide(is_signed.select(one.copysign(self.0), self.0 + zero))
+    }
+
+    #[inline(always)]
+    fn is_positive(self) -> bool {
+        self.0.simd_gt(self.splat(0.0)).all_true()
+    }
+
+    #[inline(always)]
+    fn exceeds_rounding_of(self, size: Self) -> bool {
+        let rounding = size * size.constant(8.0 * f64::EPSILON);
+        (self - rounding).is_positive() && (self + rounding).is_positive()
+    }
+
+    #[cold]
+    fn ratio_to_f64(self, of: Self) -> f64 {
+        let (of, ratios) = (of.0, self.0);
+        let ratios = ratios.as_slice().iter().zip(of.as_slice());
+        let least = |least: f64, ratio: f64| if least <= ratio { least } else { ratio };
+        ratios.map(|(a, b)| a / b).reduce(least).unwrap_or(f64::NAN)
+    }
+}
+
+/// Angles among which there is a large one, or no number: what one state does, for each.
+#[cold]
+#[inline(never)]
+fn sin_cos_of_large<S: Simd, const K: usize>(angles: &[Wide<S>; K]) -> [(Wide<S>, Wide<S>); K] {
+    angles.map(|mut angle| {
+        let mut sine = angle;
+        for (x, s) in angle.0.as_mut_slice().iter_mut().zip(sine.0.as_mut_slice()) {
+            (*s, *x) = sine::one(*x);
+        }
+        (sine, angle)
+    })
+}
+
+/// The instruction set, asked of the processor.
+fn token<S: Simd>() -> S {
+    let same = |token: &dyn Any| token.downcast_ref::<S>().copied();
+    // The best one has all the others in it.
+    let level = Level::new();
+    let mut found = dispatch!(level, simd => same(&simd));
+    #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+    {
+        found = found
+            .or_else(|| same(&level.as_avx2()?))
+            .or_else(|| same(&level.as_sse4_2()?))
+            .or_else(|| same(&level.as_sse2()?));
+    }
+    found.expect("lanes exist only where the processor has their instructions")
+}
+
+impl<S: Simd> sine::Lanes for Wide<S> {
+    #[inline(always)]
+    fn constant(self, x: f64) -> Self {
+        Wide(self.splat(x))
+    }
+
+    #[inline(always)]
+    fn exact_product_from(self, b: Self, a: Self) -> Self {
+        Wide((-self.0).mul_add(b.0, a.0))
+    }
+
+    #[inline(always)]
+    fn select_by_lowest_bit(self, odd: Self, even: Self) -> Self {
+        let lowest = self.0.bitcast::<S::u64s>() << 63;
+        let none = S::u64s::splat(self.0.token(), 0);
+        Wide(lowest.simd_eq(none).select(even.0, odd.0))
+    }
+
+    #[inline(always)]
+    fn turned_by_bit<const BIT: u32>(self, of: Self) -> Self {
+        let turn = (of.0.bitcast::<S::u64s>() << (63 - BIT)) & (1 << 63);
+        Wide((self.0.bitcast::<S::u64s>() ^ turn).bitcast())
+    }
+
+    #[inline(always)]
+    fn all_within(self, limit: f64) -> bool {
+        self.0.abs().simd_le(self.splat(limit)).all_true()
+    }
+}
