@@ -15,6 +15,7 @@ pub use nalgebra;
 
 mod batch;
 mod check;
+mod configuration;
 mod integrate;
 mod macros;
 mod model;
@@ -31,6 +32,9 @@ mod test_arms;
 
 pub use batch::{Batch, BatchError, LengthMismatch, States, StatesMut};
 pub use check::{Check, FunctionReport, Report, check_against_rnea};
+pub use configuration::Configuration;
+#[doc(hidden)]
+pub use configuration::{Evaluated, JointSines};
 pub use model::{
     CoriolisVector, Energy, Evaluate, Evaluation, ForwardDynamics, GravityVector, InverseDynamics,
     MassMatrix, Model, SingularMassMatrix, State,

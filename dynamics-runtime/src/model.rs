@@ -4,12 +4,16 @@ use core::fmt;
 
 use nalgebra::{Matrix4, SMatrix, SVector};
 
-use crate::{Scalar, Table};
+use crate::{JointSines, Scalar, Table};
 
 /// An arm with `N` joints that can show the table it was generated from.
 pub trait Model<const N: usize> {
     /// Names of the joints, from the base outwards.
     const JOINT_NAMES: [&'static str; N];
+
+    /// Whether a generated function of q reads the sine and cosine of a joint's position:
+    /// [`Configuration`](crate::Configuration) evaluates no others.
+    const READS_ANGLE: [bool; N] = [true; N];
 
     /// The table as numbers.
     fn table(&self) -> Table<N>;
@@ -31,6 +35,20 @@ pub trait ForwardDynamics<const N: usize> {
         qd: &SVector<T, N>,
         tau: &SVector<T, N>,
     ) -> Result<SVector<T, N>, SingularMassMatrix>;
+    /// The same, with the sines of the joint positions from `sines`: see
+    /// [`Configuration`](crate::Configuration).
+    #[doc(hidden)]
+    #[inline]
+    fn forward_dynamics_at<T: Scalar>(
+        &self,
+        sines: &impl JointSines<T>,
+        q: &SVector<T, N>,
+        qd: &SVector<T, N>,
+        tau: &SVector<T, N>,
+    ) -> Result<SVector<T, N>, SingularMassMatrix> {
+        let _ = sines;
+        self.forward_dynamics(q, qd, tau)
+    }
 }
 
 /// An arm whose mass matrix can be computed.
@@ -40,6 +58,18 @@ pub trait MassMatrix<const N: usize> {
     /// `q` in rad or m. None of it fails: what depends on an input that is not finite is not
     /// finite.
     fn mass_matrix<T: Scalar>(&self, q: &SVector<T, N>) -> SMatrix<T, N, N>;
+    /// The same, with the sines of the joint positions from `sines`: see
+    /// [`Configuration`](crate::Configuration).
+    #[doc(hidden)]
+    #[inline]
+    fn mass_matrix_at<T: Scalar>(
+        &self,
+        sines: &impl JointSines<T>,
+        q: &SVector<T, N>,
+    ) -> SMatrix<T, N, N> {
+        let _ = sines;
+        self.mass_matrix(q)
+    }
 }
 
 /// An arm whose Coriolis and centrifugal forces can be computed.
@@ -48,6 +78,19 @@ pub trait CoriolisVector<const N: usize> {
     ///
     /// `q` in rad or m, `qd` per second.
     fn coriolis_vector<T: Scalar>(&self, q: &SVector<T, N>, qd: &SVector<T, N>) -> SVector<T, N>;
+    /// The same, with the sines of the joint positions from `sines`: see
+    /// [`Configuration`](crate::Configuration).
+    #[doc(hidden)]
+    #[inline]
+    fn coriolis_vector_at<T: Scalar>(
+        &self,
+        sines: &impl JointSines<T>,
+        q: &SVector<T, N>,
+        qd: &SVector<T, N>,
+    ) -> SVector<T, N> {
+        let _ = sines;
+        self.coriolis_vector(q, qd)
+    }
 }
 
 /// An arm whose gravity forces can be computed.
@@ -56,6 +99,18 @@ pub trait GravityVector<const N: usize> {
     ///
     /// `q` in rad or m.
     fn gravity_vector<T: Scalar>(&self, q: &SVector<T, N>) -> SVector<T, N>;
+    /// The same, with the sines of the joint positions from `sines`: see
+    /// [`Configuration`](crate::Configuration).
+    #[doc(hidden)]
+    #[inline]
+    fn gravity_vector_at<T: Scalar>(
+        &self,
+        sines: &impl JointSines<T>,
+        q: &SVector<T, N>,
+    ) -> SVector<T, N> {
+        let _ = sines;
+        self.gravity_vector(q)
+    }
 }
 
 /// An arm whose joint forces can be computed from its motion.
@@ -69,6 +124,20 @@ pub trait InverseDynamics<const N: usize> {
         qd: &SVector<T, N>,
         qdd: &SVector<T, N>,
     ) -> SVector<T, N>;
+    /// The same, with the sines of the joint positions from `sines`: see
+    /// [`Configuration`](crate::Configuration).
+    #[doc(hidden)]
+    #[inline]
+    fn inverse_dynamics_at<T: Scalar>(
+        &self,
+        sines: &impl JointSines<T>,
+        q: &SVector<T, N>,
+        qd: &SVector<T, N>,
+        qdd: &SVector<T, N>,
+    ) -> SVector<T, N> {
+        let _ = sines;
+        self.inverse_dynamics(q, qd, qdd)
+    }
 }
 
 /// An arm whose mechanical energy can be computed.

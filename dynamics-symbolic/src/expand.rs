@@ -20,6 +20,8 @@ pub struct Method {
     pub provided: Option<TokenStream>,
     /// What it costs.
     pub operations: Operations,
+    /// The joints whose position's sine or cosine it reads.
+    pub angles: Vec<usize>,
 }
 
 /// Why a function cannot be generated.
@@ -115,5 +117,6 @@ fn method(
         tokens: emitted.inherent,
         provided: emitted.provided,
         operations: program.operations(),
+        angles: program.joint_angles(),
     })
 }

@@ -11,6 +11,7 @@ mod trajectory;
 
 mod aborted_runs;
 mod check;
+mod configuration;
 mod contract;
 mod degenerate;
 mod masses;

@@ -34,7 +34,8 @@ pub(crate) fn robot(
         Some((method.function, item))
     });
     let provided = traits::provided(&target, provided);
-    let traits = traits::traits(&target, &functions, &table, &evaluation);
+    let angles = angles(model.robot.rows.len(), methods);
+    let traits = traits::traits(&target, &functions, &angles, &table, &evaluation);
     let test = model
         .tests
         .then(|| test::agrees_with_newton_euler(&target, structure));
@@ -56,7 +57,7 @@ pub(crate) fn stubs(structure: &Structure, entries: &[Entry], path: &TokenStream
         Some((*f, item))
     });
     let provided = traits::provided(&target, provided);
-    let traits = traits::traits(&target, &functions, &unimplemented, &unimplemented);
+    let traits = traits::traits(&target, &functions, &[], &unimplemented, &unimplemented);
     quote!(#item #inherent #provided #traits)
 }
 
@@ -85,6 +86,13 @@ fn functions_to_stub(entries: &[Entry]) -> Vec<Function> {
         Some(None) => Function::ALL.to_vec(),
         Some(Some(functions)) => functions.iter().map(|(f, _)| *f).collect(),
     }
+}
+
+/// Of each joint, whether a function that may be told sines reads that of its position.
+fn angles(dof: usize, methods: &[Method]) -> Vec<bool> {
+    let told = methods.iter().filter(|method| method.provided.is_some());
+    let joints: Vec<usize> = told.flat_map(|method| method.angles.clone()).collect();
+    (0..dof).map(|joint| joints.contains(&joint)).collect()
 }
 
 /// The entries of the constant `OPERATIONS`.

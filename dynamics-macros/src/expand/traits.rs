@@ -7,16 +7,17 @@ use quote::{ToTokens, quote};
 
 use super::Target;
 
-/// The impls of all traits that the functions allow for. `table` and `evaluation` are
-/// the bodies of the methods of that name.
+/// The impls of all traits that the functions allow for. `angles` says of each joint whether a
+/// function of a [`provided`] trait reads its sine; `table` and `evaluation` are the bodies of the methods of that name.
 pub(super) fn traits(
     target: &Target,
     functions: &[Function],
+    angles: &[bool],
     table: &TokenStream,
     evaluation: &TokenStream,
 ) -> TokenStream {
     let has = |function| functions.contains(&function);
-    let model = model(target, table);
+    let model = model(target, angles, table);
     let evaluate = evaluate(target, evaluation);
     let energy =
         (has(Function::KineticEnergy) && has(Function::PotentialEnergy)).then(|| energy(target));
@@ -61,7 +62,7 @@ fn start(target: &Target, generics: &TokenStream, name: TokenStream) -> TokenStr
     }
 }
 
-fn model(target: &Target, table: &TokenStream) -> TokenStream {
+fn model(target: &Target, angles: &[bool], table: &TokenStream) -> TokenStream {
     let path = target.path;
     let (header, n) = header(target, quote!(Model));
     // An unknown number of joints has no names; the body stands in for a table too.
@@ -69,9 +70,15 @@ fn model(target: &Target, table: &TokenStream) -> TokenStream {
         0 => (quote!([""; N]), table.clone()),
         _ => (quote!(Self::JOINT_NAMES), quote!(Self::table(self))),
     };
+    let angles = (!angles.is_empty()).then(|| {
+        quote! {
+            const READS_ANGLE: [bool; #n] = [#(#angles),*];
+        }
+    });
     quote! {
         #header {
             const JOINT_NAMES: [&'static str; #n] = #names;
+            #angles
 
             #[inline]
             fn table(&self) -> #path::Table<#n> {

@@ -42,7 +42,7 @@ pub(super) fn body(
     let reads_constants = writer.constants.iter().any(|x| !x.is_nan());
     let number =
         (reads_constants || reads_fields(program)).then(|| constants_of(arguments(function), path));
-    let inputs = inputs(robot, program, path);
+    let inputs = inputs(robot, function, program, path);
     let assignments = writer.assignments();
     let outputs = writer.outputs(function, robot.rows.len(), path);
     quote!(#number #inputs #assignments #outputs)
@@ -113,35 +113,10 @@ fn input_name(robot: &Robot, symbol: &Symbol, angles: &[&Symbol]) -> String {
 }
 
 /// Reads what the program needs from the arguments and the fields, and nothing else.
-fn inputs(robot: &Robot, program: &Program, path: &TokenStream) -> TokenStream {
+fn inputs(robot: &Robot, function: Function, program: &Program, path: &TokenStream) -> TokenStream {
     let angles = program.angles();
     let name = |symbol: &Symbol| ident(&input_name(robot, symbol, &angles));
-    let (mut pairs, mut arguments) = (Vec::new(), Vec::new());
-    for angle in &angles {
-        let (sine, cosine, argument) = match angle {
-            Symbol::Sine(i) | Symbol::Cosine(i) => {
-                (Symbol::Sine(*i), Symbol::Cosine(*i), element("q", *i))
-            }
-            Symbol::AngleSine(value) | Symbol::AngleCosine(value) => {
-                let argument = parametric(robot, value);
-                (
-                    Symbol::AngleSine(value.clone()),
-                    Symbol::AngleCosine(value.clone()),
-                    argument,
-                )
-            }
-            _ => continue,
-        };
-        let (sine, cosine) = (name(&sine), name(&cosine));
-        pairs.push(quote!((#sine, #cosine)));
-        arguments.push(argument);
-    }
-    // All angles in one call, which evaluates them in the lanes of a vector register.
-    let mut lines = match (&pairs[..], &arguments[..]) {
-        ([], _) => TokenStream::new(),
-        ([pair], [argument]) => quote!(let #pair = #path::Scalar::sin_cos(#argument);),
-        _ => quote!(let [#(#pairs),*] = #path::Scalar::sin_cos_array([#(#arguments),*]);),
-    };
+    let mut lines = sines(robot, function, &angles, path);
     let mut symbols: Vec<_> = program.inputs.iter().collect();
     symbols.sort_by_key(|symbol| place(symbol));
     for symbol in symbols {
@@ -161,6 +136,50 @@ fn inputs(robot: &Robot, program: &Program, path: &TokenStream) -> TokenStream {
         lines.extend(quote!(let #name = #value;));
     }
     lines
+}
+
+/// The sines and cosines, all angles of a kind in one call, which evaluates them in the lanes of a
+/// vector register. Where the runtime may know those of the joints, they come from `sines`.
+fn sines(robot: &Robot, function: Function, angles: &[&Symbol], path: &TokenStream) -> TokenStream {
+    let pair = |sine: Symbol, cosine: Symbol| {
+        let [s, c] = [sine, cosine].map(|symbol| ident(&input_name(robot, &symbol, angles)));
+        quote!((#s, #c))
+    };
+    let are_asked_for = function.trait_name().is_some();
+    let (mut joints, mut known, mut positions) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut pairs, mut arguments) = (Vec::new(), Vec::new());
+    for angle in angles {
+        match angle {
+            Symbol::Sine(i) | Symbol::Cosine(i) if are_asked_for => {
+                joints.push(Literal::usize_unsuffixed(*i));
+                known.push(pair(Symbol::Sine(*i), Symbol::Cosine(*i)));
+                positions.push(element("q", *i));
+            }
+            Symbol::Sine(i) | Symbol::Cosine(i) => {
+                pairs.push(pair(Symbol::Sine(*i), Symbol::Cosine(*i)));
+                arguments.push(element("q", *i));
+            }
+            Symbol::AngleSine(value) | Symbol::AngleCosine(value) => {
+                let [sine, cosine] = [Symbol::AngleSine, Symbol::AngleCosine];
+                pairs.push(pair(sine(value.clone()), cosine(value.clone())));
+                arguments.push(parametric(robot, value));
+            }
+            _ => {}
+        }
+    }
+    let sines = ident("sines");
+    let asked_for = (!known.is_empty()).then(|| {
+        quote! {
+            let [#(#known),*] =
+                #path::JointSines::sin_cos(#sines, [#(#joints),*], [#(#positions),*]);
+        }
+    });
+    let evaluated = match (&pairs[..], &arguments[..]) {
+        ([], _) => TokenStream::new(),
+        ([pair], [argument]) => quote!(let #pair = #path::Scalar::sin_cos(#argument);),
+        _ => quote!(let [#(#pairs),*] = #path::Scalar::sin_cos_array([#(#arguments),*]);),
+    };
+    quote!(#asked_for #evaluated)
 }
 
 /// Where an input is read: fields first, then the arguments in their order.

@@ -110,7 +110,7 @@ fn number_of_joints(dof: usize) -> TokenStream {
     }
 }
 
-/// The item of the runtime's trait for the function, if there is one. With `dof` zero the
+/// The items of the runtime's trait for the function, if there is one. With `dof` zero the
 /// implementation is generic over the number of joints.
 pub(super) fn provided(
     function: Function,
@@ -120,9 +120,25 @@ pub(super) fn provided(
 ) -> Option<TokenStream> {
     function.trait_name()?;
     let signature = signature_with(function, dof, path, None);
+    let n = number_of_joints(dof);
+    let at = ident(&format!("{}_at", function.name()));
+    let sines = ident("sines");
+    let arguments: Vec<_> = arguments(function).iter().map(|name| ident(name)).collect();
+    let output = output_type(function, dof, &n, path);
     Some(quote! {
         #[inline(always)]
-        #signature { #body }
+        #signature {
+            Self::#at(self, &#path::Evaluated #(, #arguments)*)
+        }
+
+        #[inline(always)]
+        fn #at<T: #path::Scalar>(
+            &self,
+            #sines: &impl #path::JointSines<T>
+            #(, #arguments: &#path::nalgebra::SVector<T, #n>)*
+        ) -> #output {
+            #body
+        }
     })
 }
 

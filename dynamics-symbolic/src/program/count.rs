@@ -59,6 +59,15 @@ impl Program {
         operations
     }
 
+    /// The joints whose position's sine or cosine the program reads.
+    pub fn joint_angles(&self) -> Vec<usize> {
+        let joint = |symbol: &&Symbol| match symbol {
+            Symbol::Sine(i) | Symbol::Cosine(i) => Some(*i),
+            _ => None,
+        };
+        self.angles().iter().filter_map(joint).collect()
+    }
+
     /// The symbols whose sine or cosine the program reads, one for each angle.
     pub fn angles(&self) -> Vec<&Symbol> {
         let mut angles: Vec<&Symbol> = Vec::new();

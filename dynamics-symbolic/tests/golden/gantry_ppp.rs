@@ -213,6 +213,14 @@ impl ::robot_dynamics::MassMatrix<3> for Arm {
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 3>,
     ) -> ::robot_dynamics::nalgebra::SMatrix<T, 3, 3> {
+        Self::mass_matrix_at(self, &::robot_dynamics::Evaluated, q)
+    }
+    #[inline(always)]
+    fn mass_matrix_at<T: ::robot_dynamics::Scalar>(
+        &self,
+        sines: &impl ::robot_dynamics::JointSines<T>,
+        q: &::robot_dynamics::nalgebra::SVector<T, 3>,
+    ) -> ::robot_dynamics::nalgebra::SMatrix<T, 3, 3> {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
         ::robot_dynamics::nalgebra::SMatrix::from_data(
             ::robot_dynamics::nalgebra::ArrayStorage([
@@ -230,6 +238,15 @@ impl ::robot_dynamics::CoriolisVector<3> for Arm {
         q: &::robot_dynamics::nalgebra::SVector<T, 3>,
         qd: &::robot_dynamics::nalgebra::SVector<T, 3>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 3> {
+        Self::coriolis_vector_at(self, &::robot_dynamics::Evaluated, q, qd)
+    }
+    #[inline(always)]
+    fn coriolis_vector_at<T: ::robot_dynamics::Scalar>(
+        &self,
+        sines: &impl ::robot_dynamics::JointSines<T>,
+        q: &::robot_dynamics::nalgebra::SVector<T, 3>,
+        qd: &::robot_dynamics::nalgebra::SVector<T, 3>,
+    ) -> ::robot_dynamics::nalgebra::SVector<T, 3> {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
         ::robot_dynamics::nalgebra::SMatrix::from_data(
             ::robot_dynamics::nalgebra::ArrayStorage([[real(0.0), real(0.0), real(0.0)]]),
@@ -240,6 +257,14 @@ impl ::robot_dynamics::GravityVector<3> for Arm {
     #[inline(always)]
     fn gravity_vector<T: ::robot_dynamics::Scalar>(
         &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 3>,
+    ) -> ::robot_dynamics::nalgebra::SVector<T, 3> {
+        Self::gravity_vector_at(self, &::robot_dynamics::Evaluated, q)
+    }
+    #[inline(always)]
+    fn gravity_vector_at<T: ::robot_dynamics::Scalar>(
+        &self,
+        sines: &impl ::robot_dynamics::JointSines<T>,
         q: &::robot_dynamics::nalgebra::SVector<T, 3>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 3> {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
@@ -254,6 +279,16 @@ impl ::robot_dynamics::InverseDynamics<3> for Arm {
     #[inline(always)]
     fn inverse_dynamics<T: ::robot_dynamics::Scalar>(
         &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 3>,
+        qd: &::robot_dynamics::nalgebra::SVector<T, 3>,
+        qdd: &::robot_dynamics::nalgebra::SVector<T, 3>,
+    ) -> ::robot_dynamics::nalgebra::SVector<T, 3> {
+        Self::inverse_dynamics_at(self, &::robot_dynamics::Evaluated, q, qd, qdd)
+    }
+    #[inline(always)]
+    fn inverse_dynamics_at<T: ::robot_dynamics::Scalar>(
+        &self,
+        sines: &impl ::robot_dynamics::JointSines<T>,
         q: &::robot_dynamics::nalgebra::SVector<T, 3>,
         qd: &::robot_dynamics::nalgebra::SVector<T, 3>,
         qdd: &::robot_dynamics::nalgebra::SVector<T, 3>,
@@ -285,6 +320,19 @@ impl ::robot_dynamics::ForwardDynamics<3> for Arm {
     #[inline(always)]
     fn forward_dynamics<T: ::robot_dynamics::Scalar>(
         &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 3>,
+        qd: &::robot_dynamics::nalgebra::SVector<T, 3>,
+        tau: &::robot_dynamics::nalgebra::SVector<T, 3>,
+    ) -> ::core::result::Result<
+        ::robot_dynamics::nalgebra::SVector<T, 3>,
+        ::robot_dynamics::SingularMassMatrix,
+    > {
+        Self::forward_dynamics_at(self, &::robot_dynamics::Evaluated, q, qd, tau)
+    }
+    #[inline(always)]
+    fn forward_dynamics_at<T: ::robot_dynamics::Scalar>(
+        &self,
+        sines: &impl ::robot_dynamics::JointSines<T>,
         q: &::robot_dynamics::nalgebra::SVector<T, 3>,
         qd: &::robot_dynamics::nalgebra::SVector<T, 3>,
         tau: &::robot_dynamics::nalgebra::SVector<T, 3>,

@@ -188,8 +188,20 @@ impl ::robot_dynamics::MassMatrix<2> for Arm {
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SMatrix<T, 2, 2> {
+        Self::mass_matrix_at(self, &::robot_dynamics::Evaluated, q)
+    }
+    #[inline(always)]
+    fn mass_matrix_at<T: ::robot_dynamics::Scalar>(
+        &self,
+        sines: &impl ::robot_dynamics::JointSines<T>,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::robot_dynamics::nalgebra::SMatrix<T, 2, 2> {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let (s_2, c_2) = ::robot_dynamics::Scalar::sin_cos(q.data.0[0][1]);
+        let [(s_2, c_2)] = ::robot_dynamics::JointSines::sin_cos(
+            sines,
+            [1],
+            [q.data.0[0][1]],
+        );
         let p_m1 = real(self.m1);
         let p_m2 = real(self.m2);
         let p_l1 = real(self.l1);
@@ -215,8 +227,21 @@ impl ::robot_dynamics::CoriolisVector<2> for Arm {
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
         qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
+        Self::coriolis_vector_at(self, &::robot_dynamics::Evaluated, q, qd)
+    }
+    #[inline(always)]
+    fn coriolis_vector_at<T: ::robot_dynamics::Scalar>(
+        &self,
+        sines: &impl ::robot_dynamics::JointSines<T>,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let (s_2, c_2) = ::robot_dynamics::Scalar::sin_cos(q.data.0[0][1]);
+        let [(s_2, c_2)] = ::robot_dynamics::JointSines::sin_cos(
+            sines,
+            [1],
+            [q.data.0[0][1]],
+        );
         let p_m2 = real(self.m2);
         let p_l1 = real(self.l1);
         let p_l2 = real(self.l2);
@@ -241,11 +266,20 @@ impl ::robot_dynamics::GravityVector<2> for Arm {
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
+        Self::gravity_vector_at(self, &::robot_dynamics::Evaluated, q)
+    }
+    #[inline(always)]
+    fn gravity_vector_at<T: ::robot_dynamics::Scalar>(
+        &self,
+        sines: &impl ::robot_dynamics::JointSines<T>,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Scalar::sin_cos_array([
-            q.data.0[0][0],
-            q.data.0[0][1],
-        ]);
+        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::JointSines::sin_cos(
+            sines,
+            [0, 1],
+            [q.data.0[0][0], q.data.0[0][1]],
+        );
         let p_m1 = real(self.m1);
         let p_m2 = real(self.m2);
         let p_l1 = real(self.l1);
@@ -272,11 +306,22 @@ impl ::robot_dynamics::InverseDynamics<2> for Arm {
         qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
         qdd: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
+        Self::inverse_dynamics_at(self, &::robot_dynamics::Evaluated, q, qd, qdd)
+    }
+    #[inline(always)]
+    fn inverse_dynamics_at<T: ::robot_dynamics::Scalar>(
+        &self,
+        sines: &impl ::robot_dynamics::JointSines<T>,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qdd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Scalar::sin_cos_array([
-            q.data.0[0][0],
-            q.data.0[0][1],
-        ]);
+        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::JointSines::sin_cos(
+            sines,
+            [0, 1],
+            [q.data.0[0][0], q.data.0[0][1]],
+        );
         let p_m1 = real(self.m1);
         let p_m2 = real(self.m2);
         let p_l1 = real(self.l1);
@@ -319,11 +364,25 @@ impl ::robot_dynamics::ForwardDynamics<2> for Arm {
         ::robot_dynamics::nalgebra::SVector<T, 2>,
         ::robot_dynamics::SingularMassMatrix,
     > {
+        Self::forward_dynamics_at(self, &::robot_dynamics::Evaluated, q, qd, tau)
+    }
+    #[inline(always)]
+    fn forward_dynamics_at<T: ::robot_dynamics::Scalar>(
+        &self,
+        sines: &impl ::robot_dynamics::JointSines<T>,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        tau: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::core::result::Result<
+        ::robot_dynamics::nalgebra::SVector<T, 2>,
+        ::robot_dynamics::SingularMassMatrix,
+    > {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Scalar::sin_cos_array([
-            q.data.0[0][0],
-            q.data.0[0][1],
-        ]);
+        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::JointSines::sin_cos(
+            sines,
+            [0, 1],
+            [q.data.0[0][0], q.data.0[0][1]],
+        );
         let p_m1 = real(self.m1);
         let p_m2 = real(self.m2);
         let p_l1 = real(self.l1);

@@ -420,8 +420,20 @@ impl ::robot_dynamics::MassMatrix<2> for Arm {
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SMatrix<T, 2, 2> {
+        Self::mass_matrix_at(self, &::robot_dynamics::Evaluated, q)
+    }
+    #[inline(always)]
+    fn mass_matrix_at<T: ::robot_dynamics::Scalar>(
+        &self,
+        sines: &impl ::robot_dynamics::JointSines<T>,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::robot_dynamics::nalgebra::SMatrix<T, 2, 2> {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let (s_2, c_2) = ::robot_dynamics::Scalar::sin_cos(q.data.0[0][1]);
+        let [(s_2, c_2)] = ::robot_dynamics::JointSines::sin_cos(
+            sines,
+            [1],
+            [q.data.0[0][1]],
+        );
         let t_1 = c_2 + c_2;
         let t_2 = real(8.333333333333334) + t_1;
         let t_3 = real(0.3333333333333333) + c_2;
@@ -440,7 +452,20 @@ impl ::robot_dynamics::CoriolisVector<2> for Arm {
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
         qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
-        let (s_2, c_2) = ::robot_dynamics::Scalar::sin_cos(q.data.0[0][1]);
+        Self::coriolis_vector_at(self, &::robot_dynamics::Evaluated, q, qd)
+    }
+    #[inline(always)]
+    fn coriolis_vector_at<T: ::robot_dynamics::Scalar>(
+        &self,
+        sines: &impl ::robot_dynamics::JointSines<T>,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
+        let [(s_2, c_2)] = ::robot_dynamics::JointSines::sin_cos(
+            sines,
+            [1],
+            [q.data.0[0][1]],
+        );
         let qd_1 = qd.data.0[0][0];
         let qd_2 = qd.data.0[0][1];
         let t_1 = qd_1 * qd_1;
@@ -459,11 +484,20 @@ impl ::robot_dynamics::GravityVector<2> for Arm {
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
+        Self::gravity_vector_at(self, &::robot_dynamics::Evaluated, q)
+    }
+    #[inline(always)]
+    fn gravity_vector_at<T: ::robot_dynamics::Scalar>(
+        &self,
+        sines: &impl ::robot_dynamics::JointSines<T>,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Scalar::sin_cos_array([
-            q.data.0[0][0],
-            q.data.0[0][1],
-        ]);
+        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::JointSines::sin_cos(
+            sines,
+            [0, 1],
+            [q.data.0[0][0], q.data.0[0][1]],
+        );
         let t_1 = (-s_1).mul_add(s_2, c_1 * c_2);
         let t_2 = real(4.905) * t_1;
         let t_3 = real(49.05).mul_add(c_1, t_2);
@@ -480,11 +514,22 @@ impl ::robot_dynamics::InverseDynamics<2> for Arm {
         qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
         qdd: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
+        Self::inverse_dynamics_at(self, &::robot_dynamics::Evaluated, q, qd, qdd)
+    }
+    #[inline(always)]
+    fn inverse_dynamics_at<T: ::robot_dynamics::Scalar>(
+        &self,
+        sines: &impl ::robot_dynamics::JointSines<T>,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qdd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_2, c_2), (s_1, c_1)] = ::robot_dynamics::Scalar::sin_cos_array([
-            q.data.0[0][1],
-            q.data.0[0][0],
-        ]);
+        let [(s_2, c_2), (s_1, c_1)] = ::robot_dynamics::JointSines::sin_cos(
+            sines,
+            [1, 0],
+            [q.data.0[0][1], q.data.0[0][0]],
+        );
         let qd_1 = qd.data.0[0][0];
         let qd_2 = qd.data.0[0][1];
         let qdd_1 = qdd.data.0[0][0];
@@ -516,11 +561,25 @@ impl ::robot_dynamics::ForwardDynamics<2> for Arm {
         ::robot_dynamics::nalgebra::SVector<T, 2>,
         ::robot_dynamics::SingularMassMatrix,
     > {
+        Self::forward_dynamics_at(self, &::robot_dynamics::Evaluated, q, qd, tau)
+    }
+    #[inline(always)]
+    fn forward_dynamics_at<T: ::robot_dynamics::Scalar>(
+        &self,
+        sines: &impl ::robot_dynamics::JointSines<T>,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        tau: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::core::result::Result<
+        ::robot_dynamics::nalgebra::SVector<T, 2>,
+        ::robot_dynamics::SingularMassMatrix,
+    > {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_2, c_2), (s_1, c_1)] = ::robot_dynamics::Scalar::sin_cos_array([
-            q.data.0[0][1],
-            q.data.0[0][0],
-        ]);
+        let [(s_2, c_2), (s_1, c_1)] = ::robot_dynamics::JointSines::sin_cos(
+            sines,
+            [1, 0],
+            [q.data.0[0][1], q.data.0[0][0]],
+        );
         let qd_1 = qd.data.0[0][0];
         let qd_2 = qd.data.0[0][1];
         let tau_1 = tau.data.0[0][0];

@@ -1,0 +1,155 @@
+//! Several functions at one configuration, with the sines of the joint angles evaluated once.
+
+use nalgebra::{SMatrix, SVector};
+
+use crate::{
+    CoriolisVector, ForwardDynamics, GravityVector, InverseDynamics, MassMatrix, Model, Scalar,
+    SingularMassMatrix,
+};
+
+/// Where a generated function gets the sines and cosines of joint positions from.
+#[doc(hidden)]
+pub trait JointSines<T> {
+    /// Sines and cosines of the `positions` of some joints, by their indices.
+    fn sin_cos<const K: usize>(&self, joints: [usize; K], positions: [T; K]) -> [(T, T); K];
+}
+
+/// Evaluates them, all at once.
+#[doc(hidden)]
+pub struct Evaluated;
+
+impl<T: Scalar> JointSines<T> for Evaluated {
+    #[inline(always)]
+    fn sin_cos<const K: usize>(&self, _: [usize; K], positions: [T; K]) -> [(T, T); K] {
+        T::sin_cos_array(positions)
+    }
+}
+
+/// Looks them up.
+#[derive(Clone, Copy, Debug)]
+struct Known<T, const N: usize>([(T, T); N]);
+
+impl<T: Scalar, const N: usize> JointSines<T> for Known<T, N> {
+    #[inline(always)]
+    fn sin_cos<const K: usize>(&self, joints: [usize; K], _: [T; K]) -> [(T, T); K] {
+        // Not `map`, which is not inlined for certain.
+        let mut pairs = [self.0[0]; K];
+        for (pair, joint) in pairs.iter_mut().zip(joints) {
+            *pair = self.0[joint];
+        }
+        pairs
+    }
+}
+
+/// An arm at one configuration q: its functions share the sines and cosines of the joint angles.
+///
+/// Sines are a good part of what a short program costs. A controller that needs M, V and G at the
+/// same q evaluates them once:
+///
+/// ```
+/// # use dynamics_runtime::nalgebra::{SMatrix, SVector, Vector1};
+/// # use dynamics_runtime::{Convention, JointType, Row, Table};
+/// use dynamics_runtime::{Configuration, GravityVector, MassMatrix, Model, Scalar};
+/// # struct Pendulum;
+/// # impl Model<1> for Pendulum {
+/// #     const JOINT_NAMES: [&'static str; 1] = ["swing"];
+/// #     fn table(&self) -> Table<1> { unimplemented!() }
+/// # }
+/// # impl GravityVector<1> for Pendulum {
+/// #     fn gravity_vector<T: Scalar>(&self, q: &SVector<T, 1>) -> SVector<T, 1> {
+/// #         Vector1::new(q[0].sin_cos().0 * q[0].constant(9.81))
+/// #     }
+/// # }
+/// # impl MassMatrix<1> for Pendulum {
+/// #     fn mass_matrix<T: Scalar>(&self, q: &SVector<T, 1>) -> SMatrix<T, 1, 1> {
+/// #         SMatrix::<T, 1, 1>::new(q[0].constant(1.0))
+/// #     }
+/// # }
+/// # let (arm, q) = (Pendulum, Vector1::new(0.5));
+/// let here = Configuration::new(&arm, &q);
+/// let (m, g) = (here.mass_matrix(), here.gravity_vector());
+/// assert_eq!(g, arm.gravity_vector(&q));
+/// # assert_eq!(m[0], 1.0);
+/// ```
+///
+/// The values are bit for bit those of the arm's own methods.
+#[derive(Clone, Copy, Debug)]
+pub struct Configuration<'a, R, T, const N: usize> {
+    arm: &'a R,
+    q: SVector<T, N>,
+    sines: Known<T, N>,
+}
+
+impl<'a, R: Model<N>, T: Scalar, const N: usize> Configuration<'a, R, T, N> {
+    /// The arm at joint positions `q`, rad or m.
+    #[inline]
+    pub fn new(arm: &'a R, q: &SVector<T, N>) -> Self {
+        // An angle that no function reads, and the position of a slide, has no sine.
+        let angles = core::array::from_fn(|i| match R::READS_ANGLE[i] {
+            true => q[i],
+            false => q[i].constant(0.0),
+        });
+        Configuration {
+            arm,
+            q: *q,
+            sines: Known(T::sin_cos_array(angles)),
+        }
+    }
+}
+
+impl<R, T: Scalar, const N: usize> Configuration<'_, R, T, N> {
+    /// Mass matrix M(q), kg m^2, kg m or kg.
+    #[inline]
+    pub fn mass_matrix(&self) -> SMatrix<T, N, N>
+    where
+        R: MassMatrix<N>,
+    {
+        self.arm.mass_matrix_at(&self.sines, &self.q)
+    }
+
+    /// Coriolis and centrifugal vector V(q, qd), N m or N; `qd` per second.
+    #[inline]
+    pub fn coriolis_vector(&self, qd: &SVector<T, N>) -> SVector<T, N>
+    where
+        R: CoriolisVector<N>,
+    {
+        self.arm.coriolis_vector_at(&self.sines, &self.q, qd)
+    }
+
+    /// Gravity vector G(q), N m or N.
+    #[inline]
+    pub fn gravity_vector(&self) -> SVector<T, N>
+    where
+        R: GravityVector<N>,
+    {
+        self.arm.gravity_vector_at(&self.sines, &self.q)
+    }
+
+    /// Inverse dynamics tau = M qdd + V + G + F, N m or N; `qd` per second, `qdd` per second
+    /// squared.
+    #[inline]
+    pub fn inverse_dynamics(&self, qd: &SVector<T, N>, qdd: &SVector<T, N>) -> SVector<T, N>
+    where
+        R: InverseDynamics<N>,
+    {
+        self.arm.inverse_dynamics_at(&self.sines, &self.q, qd, qdd)
+    }
+
+    /// Forward dynamics qdd with M qdd + V + G + F = tau, rad/s^2 or m/s^2; `qd` per second,
+    /// `tau` in N m or N.
+    ///
+    /// # Errors
+    ///
+    /// [`SingularMassMatrix`] where M(q) is not positive definite to working precision.
+    #[inline]
+    pub fn forward_dynamics(
+        &self,
+        qd: &SVector<T, N>,
+        tau: &SVector<T, N>,
+    ) -> Result<SVector<T, N>, SingularMassMatrix>
+    where
+        R: ForwardDynamics<N>,
+    {
+        self.arm.forward_dynamics_at(&self.sines, &self.q, qd, tau)
+    }
+}
