@@ -6,7 +6,7 @@ mod table;
 mod test;
 mod traits;
 
-use dynamics_symbolic::{Function, Method, stub};
+use dynamics_symbolic::{Function, Method, base_parameter_count, stub};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, quote};
 
@@ -28,7 +28,9 @@ pub(crate) fn robot(
     let evaluation = evaluate::evaluation(&target, &functions);
     let item = structure::as_written(structure);
     let bodies = methods.iter().map(|method| &method.tokens);
-    let inherent = target.inherent(&names, &operations(methods, path), &table, bodies);
+    let count = base_parameter_count(&functions, Some(&model.robot));
+    let operations = operations(methods, path);
+    let inherent = target.inherent(&names, &operations, &count, &table, bodies);
     let traits = traits::traits(&target, &functions, &table, &evaluation);
     let test = model
         .tests
@@ -45,7 +47,8 @@ pub(crate) fn stubs(structure: &Structure, entries: &[Entry], path: &TokenStream
     let unimplemented = quote!(::core::unimplemented!());
     let item = structure::repaired(structure);
     let bodies = functions.iter().map(|f| stub(*f, target.dof, path));
-    let inherent = target.inherent(&names, &[], &unimplemented, bodies);
+    let count = base_parameter_count(&functions, None);
+    let inherent = target.inherent(&names, &[], &count, &unimplemented, bodies);
     let traits = traits::traits(&target, &functions, &unimplemented, &unimplemented);
     quote!(#item #inherent #traits)
 }
@@ -126,11 +129,13 @@ impl<'a> Target<'a> {
         Literal::usize_unsuffixed(self.dof)
     }
 
-    /// The inherent impl. `table` is the body of the method of that name.
+    /// The inherent impl. `table` is the body of the method of that name, `base_parameters` the
+    /// constant that is their number, where there is one.
     fn inherent(
         &self,
         names: &[String],
         operations: &[TokenStream],
+        base_parameters: &TokenStream,
         table: &TokenStream,
         methods: impl Iterator<Item = impl ToTokens>,
     ) -> TokenStream {
@@ -152,6 +157,8 @@ impl<'a> Target<'a> {
                 /// Operations of each generated method, by the method's name.
                 pub const OPERATIONS: [(&'static str, #path::Operations); #count] =
                     [#(#operations),*];
+
+                #base_parameters
 
                 /// The table in numbers, as it was written: what the numeric checks read.
                 pub fn table(&self) -> #path::Table<#n> {

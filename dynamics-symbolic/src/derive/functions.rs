@@ -2,7 +2,7 @@
 
 use super::chain::Chain;
 use super::symbols::Symbols;
-use super::{christoffel, composite, energy, kinematics, recursive, solve};
+use super::{base, christoffel, composite, energy, kinematics, recursive, regressor, solve};
 use crate::expr::Expr;
 use crate::function::Function;
 use crate::linear::Vector3;
@@ -13,8 +13,8 @@ use crate::robot::{Interpretation, Robot};
 pub enum Form {
     /// By the recursion that is made for it.
     Recursive,
-    /// From other functions: M qdd + V + G, the contraction of the Christoffel
-    /// symbols, or inverse dynamics at rest.
+    /// From other quantities: M qdd + V + G, the contraction of the Christoffel
+    /// symbols, inverse dynamics at rest, or a regressor from partial velocities.
     Assembled,
 }
 
@@ -23,7 +23,7 @@ impl Form {
     /// power of the number of joints: they win for up to three.
     pub fn of(function: Function, dof: usize) -> &'static [Form] {
         match function {
-            Function::GravityVector => &[Form::Recursive, Form::Assembled],
+            Function::GravityVector | Function::Regressor => &[Form::Recursive, Form::Assembled],
             Function::InverseDynamics | Function::BiasForce | Function::CoriolisVector
                 if dof <= 3 =>
             {
@@ -121,6 +121,8 @@ pub fn outputs<'g>(
                 .collect()
         }
         Function::Jacobian => kinematics::jacobian(symbols, robot),
+        Function::Regressor => regressor::by_recursion(symbols, robot, chain),
+        Function::BaseParameters => base::base_parameters(symbols, robot),
     }
 }
 
@@ -165,6 +167,7 @@ fn assembled<'g>(
             let still = vec![zero; robot.rows.len()];
             recursive::inverse_dynamics(chain, &still, &still, chain.gravity)
         }
+        Function::Regressor => regressor::by_partial_velocities(symbols, robot, chain),
         _ => outputs(symbols, robot, chain, function, Form::Recursive),
     }
 }

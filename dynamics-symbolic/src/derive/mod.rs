@@ -1,6 +1,7 @@
 //! Derivations: the functions of a robot as expressions on a graph, and from
 //! them the shortest program.
 
+pub mod base;
 pub mod chain;
 mod christoffel;
 mod composite;
@@ -10,6 +11,7 @@ pub mod gauge;
 pub mod inertia;
 mod kinematics;
 mod recursive;
+mod regressor;
 mod solve;
 pub mod symbols;
 pub mod textbook;

@@ -341,6 +341,11 @@ impl<'p> Writer<'p> {
         match shape(function, dof) {
             Shape::Number => self.output(0),
             Shape::Matrix(rows, columns) => self.matrix(0, rows, columns, path),
+            Shape::Regressor(rows) => {
+                let columns = self.program.outputs.len() / rows;
+                self.matrix(0, rows, columns, path)
+            }
+            Shape::BaseParameters => self.matrix(0, self.program.outputs.len(), 1, path),
             Shape::Poses(count) => {
                 let poses = (0..count).map(|i| self.matrix(16 * i, 4, 4, path));
                 quote!([#(#poses),*])

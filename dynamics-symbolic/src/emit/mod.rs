@@ -7,10 +7,12 @@
 mod body;
 mod documentation;
 mod formula;
+mod parameters;
+mod polynomial;
 mod signature;
 
 use signature::signature;
-pub use signature::stub;
+pub use signature::{base_parameter_count, stub};
 
 use crate::function::Function;
 use crate::program::Program;
@@ -28,7 +30,11 @@ pub fn method(
     path: &TokenStream,
 ) -> TokenStream {
     let documentation = documentation::documentation(robot, function, program, constants);
-    let signature = signature(function, robot.rows.len(), path);
+    let parameters = match function {
+        Function::Regressor => program.outputs.len() / robot.rows.len(),
+        _ => program.outputs.len(),
+    };
+    let signature = signature(function, robot.rows.len(), parameters, path);
     let body = body::body(robot, function, program, constants, path);
     quote! {
         #(#[doc = #documentation])*

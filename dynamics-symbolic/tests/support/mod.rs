@@ -75,7 +75,11 @@ pub(crate) fn robot(name: &str) -> Robot {
             com: [0, 1, 2].map(|k| decimal(row["com"][k].as_f64().unwrap())),
             inertia: [0, 1, 2, 3, 4, 5].map(|k| decimal(row["inertia"][k].as_f64().unwrap())),
             motor_inertia: cell(row, "motor_inertia"),
-            gear_ratio: cell(row, "gear_ratio"),
+            // A motor without inertia is none.
+            gear_ratio: match row["motor_inertia"].as_f64() {
+                Some(0.0) => Value::zero(),
+                _ => cell(row, "gear_ratio"),
+            },
             viscous: cell(row, "viscous"),
             coulomb: cell(row, "coulomb"),
         });
