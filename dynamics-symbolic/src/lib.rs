@@ -18,7 +18,7 @@ pub mod prove;
 pub mod robot;
 pub mod simplify;
 
-pub use emit::{base_parameter_count, stub};
+pub use emit::{base_parameter_constants, stub};
 pub use expand::{Failure, Method, expand, expand_with};
 pub use function::Function;
 pub use program::Operations;

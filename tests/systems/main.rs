@@ -13,6 +13,7 @@ mod aborted_runs;
 mod check;
 mod contract;
 mod degenerate;
+mod identification;
 mod masses;
 mod one_link;
 mod solids;

@@ -6,7 +6,7 @@ mod table;
 mod test;
 mod traits;
 
-use dynamics_symbolic::{Function, Method, base_parameter_count, stub};
+use dynamics_symbolic::{Function, Method, base_parameter_constants, stub};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, quote};
 
@@ -28,9 +28,9 @@ pub(crate) fn robot(
     let evaluation = evaluate::evaluation(&target, &functions);
     let item = structure::as_written(structure);
     let bodies = methods.iter().map(|method| &method.tokens);
-    let count = base_parameter_count(&functions, Some(&model.robot));
+    let base_parameters = base_parameter_constants(&functions, Some(&model.robot));
     let operations = operations(methods, path);
-    let inherent = target.inherent(&names, &operations, &count, &table, bodies);
+    let inherent = target.inherent(&names, &operations, &base_parameters, &table, bodies);
     let traits = traits::traits(&target, &functions, &table, &evaluation);
     let test = model
         .tests
@@ -47,8 +47,8 @@ pub(crate) fn stubs(structure: &Structure, entries: &[Entry], path: &TokenStream
     let unimplemented = quote!(::core::unimplemented!());
     let item = structure::repaired(structure);
     let bodies = functions.iter().map(|f| stub(*f, target.dof, path));
-    let count = base_parameter_count(&functions, None);
-    let inherent = target.inherent(&names, &[], &count, &unimplemented, bodies);
+    let base_parameters = base_parameter_constants(&functions, None);
+    let inherent = target.inherent(&names, &[], &base_parameters, &unimplemented, bodies);
     let traits = traits::traits(&target, &functions, &unimplemented, &unimplemented);
     quote!(#item #inherent #traits)
 }
@@ -130,7 +130,7 @@ impl<'a> Target<'a> {
     }
 
     /// The inherent impl. `table` is the body of the method of that name, `base_parameters` the
-    /// constant that is their number, where there is one.
+    /// constants about them, where there are any.
     fn inherent(
         &self,
         names: &[String],

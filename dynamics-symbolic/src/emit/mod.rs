@@ -12,7 +12,7 @@ mod polynomial;
 mod signature;
 
 use signature::signature;
-pub use signature::{base_parameter_count, stub};
+pub use signature::{base_parameter_constants, stub};
 
 use crate::function::Function;
 use crate::program::Program;

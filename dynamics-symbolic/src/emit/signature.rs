@@ -1,6 +1,6 @@
 //! The signatures of the generated methods.
 
-use crate::derive::base::Grouping;
+use crate::derive::base::{Grouping, columns};
 use crate::function::Function;
 use crate::robot::Robot;
 use proc_macro2::{Literal, TokenStream};
@@ -120,18 +120,24 @@ pub(super) fn signature(
     }
 }
 
-/// The associated constant `BASE_PARAMETERS`, where one of the functions is about them: 0 where an
-/// error left their number unknown.
-pub fn base_parameter_count(functions: &[Function], robot: Option<&Robot>) -> TokenStream {
+/// The associated constants `BASE_PARAMETERS` and `BASE_PARAMETER_NAMES`, where one of the functions
+/// is about them: none where an error left their number unknown.
+pub fn base_parameter_constants(functions: &[Function], robot: Option<&Robot>) -> TokenStream {
     let of_parameters = [Function::Regressor, Function::BaseParameters];
     if !functions.iter().any(|f| of_parameters.contains(f)) {
         return TokenStream::new();
     }
-    let count = robot.map_or(0, |robot| Grouping::of(robot).count());
-    let count = Literal::usize_unsuffixed(count);
+    let columns = robot.map_or(Vec::new(), |robot| columns(&Grouping::of(robot)));
+    let count = Literal::usize_unsuffixed(columns.len());
+    let names = columns.iter().map(|&(i, parameter)| parameter.name(i + 1));
     quote! {
         /// Number of base inertial parameters: columns of the regressor.
         pub const BASE_PARAMETERS: usize = #count;
+
+        /// The first term of each base parameter: `J2xx`, `J2xy`, ... of the inertia tensor of link 2,
+        /// `h2x`, ... of its first moment, its mass `m2`, the reflected inertia `I2` of its motor. The
+        /// documentation of the methods has all terms.
+        pub const BASE_PARAMETER_NAMES: [&'static str; #count] = [#(#names),*];
     }
 }
 
