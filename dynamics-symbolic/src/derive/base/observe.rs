@@ -82,7 +82,7 @@ impl Grouping {
         let n = robot.rows.len();
         let axes: Vec<_> = (0..n).map(|i| moment_axes(&links, i)).collect();
         let mut rows = vec![Vec::new(); n];
-        let mut random = SplitMix64::new(0x0062_6173_65);
+        let mut random = SplitMix64::new(0x6261_7365);
         for _ in 0..SAMPLES {
             for (i, row) in energies(&links, &axes, gravity, &mut random)
                 .into_iter()
