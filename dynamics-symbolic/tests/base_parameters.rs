@@ -113,26 +113,6 @@ fn a_parameter_that_is_zero_keeps_its_column() {
     }
 }
 
-/// The arm with a field in each cell that says something about inertia.
-fn with_inertial_fields(name: &str) -> Robot {
-    let mut robot = support::robot(name);
-    let mut fields = 0;
-    let mut field = || {
-        fields += 1;
-        Value::field(fields - 1)
-    };
-    for row in &mut robot.rows {
-        row.mass = field();
-        row.com = [(); 3].map(|()| field());
-        row.inertia = [(); 6].map(|()| field());
-        if row.has_motor() {
-            row.motor_inertia = field();
-        }
-    }
-    robot.fields = (0..fields).map(|i| format!("p{i}")).collect();
-    robot
-}
-
 fn divides(program: &Program) -> bool {
     let divisions = |i: &&Instruction| matches!(i, Instruction::Div(..));
     program.instructions.iter().any(|i| divisions(&i))
@@ -142,7 +122,7 @@ fn divides(program: &Program) -> bool {
 #[test]
 fn base_parameters_hold_for_any_inertia() {
     for name in ["puma560", "stanford", "scara", "generic_mixed_n6_standard"] {
-        let robot = with_inertial_fields(name);
+        let robot = support::with_inertial_fields(name);
         for function in FUNCTIONS {
             let program = derive(&robot, function);
             assert_eq!(prove(&robot, function, &program), Ok(()), "{name}");

@@ -95,6 +95,28 @@ fn every_damage_to_every_operation_is_found() {
     assert!(refused > 5_000, "only {refused} damages were made");
 }
 
+/// Every operation of base parameters that are formulas over masses and inertias.
+#[test]
+fn every_damage_to_symbolic_base_parameters_is_found() {
+    let function = Function::BaseParameters;
+    for name in ["elbow_3r", "generic_chain_n3"] {
+        let robot = support::with_inertial_fields(name);
+        let sound = derive(&robot, function);
+        assert_eq!(prove(&robot, function, &sound), Ok(()));
+        assert!(sound.instructions.len() > 50, "{name}");
+        for index in 0..sound.instructions.len() {
+            for damage in DAMAGES {
+                let mut program = sound.clone();
+                damage(&mut program, index);
+                if program.instructions[index] != sound.instructions[index] {
+                    let proof = prove(&robot, function, &program);
+                    assert!(proof.is_err(), "{name}: operation {index}");
+                }
+            }
+        }
+    }
+}
+
 /// Base parameters of a table of numbers are constants without a single operation.
 #[test]
 fn every_damage_to_a_base_parameter_is_found() {

@@ -94,3 +94,24 @@ pub(crate) fn robot(name: &str) -> Robot {
         rows: rows.collect(),
     }
 }
+
+/// The arm with a field in each cell that says something about inertia.
+#[allow(dead_code)]
+pub(crate) fn with_inertial_fields(name: &str) -> Robot {
+    let mut robot = robot(name);
+    let mut fields = 0;
+    let mut field = || {
+        fields += 1;
+        Value::field(fields - 1)
+    };
+    for row in &mut robot.rows {
+        row.mass = field();
+        row.com = [(); 3].map(|()| field());
+        row.inertia = [(); 6].map(|()| field());
+        if row.has_motor() {
+            row.motor_inertia = field();
+        }
+    }
+    robot.fields = (0..fields).map(|i| format!("p{i}")).collect();
+    robot
+}
