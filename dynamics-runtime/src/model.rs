@@ -205,6 +205,12 @@ pub struct Evaluation<const N: usize> {
     pub link_poses: Option<[Matrix4<f64>; N]>,
     /// Geometric Jacobian of the last frame's origin in the base frame.
     pub jacobian: Option<SMatrix<f64, 6, N>>,
+    /// Y(q, qd, qdd): the column of each base parameter.
+    pub regressor: Option<Vec<SVector<f64, N>>>,
+    /// The base inertial parameters.
+    pub base_parameters: Option<Vec<f64>>,
+    /// Y times the base parameters, M qdd + V + G, where both functions exist.
+    pub regressor_forces: Option<SVector<f64, N>>,
 }
 
 /// The mass matrix was not positive definite, as far as its digits can tell: a pivot of its

@@ -18,7 +18,7 @@ pub mod prove;
 pub mod robot;
 pub mod simplify;
 
-pub use emit::{stub, stub_of_trait};
+pub use emit::{base_parameter_constants, stub, stub_of_trait};
 pub use expand::{Failure, Method, expand, expand_with};
 pub use function::Function;
 pub use program::Operations;

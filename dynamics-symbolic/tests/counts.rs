@@ -46,6 +46,27 @@ fn snapshot_of_all_robots() {
     expect_file!["golden/counts.txt"].assert_eq(&table);
 }
 
+/// Columns and lengths of the regressors.
+#[test]
+fn snapshot_of_the_regressors() {
+    let mut table =
+        String::from("robot                       parameters    mul    add  total  sin_cos\n");
+    for name in support::NAMES {
+        let robot = support::robot(name);
+        let program = derive(&robot, Function::Regressor);
+        let count = program.operations();
+        table += &format!(
+            "{name:27} {:10} {:6} {:6} {:6} {:8}\n",
+            program.outputs.len() / robot.rows.len(),
+            count.multiplications,
+            count.additions,
+            count.total(),
+            count.sin_cos,
+        );
+    }
+    expect_file!["golden/regressors.txt"].assert_eq(&table);
+}
+
 /// The shortest programs known from other generators and trials: tau, V, M, G.
 const BOUNDS: [(&str, [u32; 4]); 6] = [
     ("two_link_saha", [24, 6, 3, 7]),

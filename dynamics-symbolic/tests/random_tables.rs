@@ -11,6 +11,8 @@ use dynamics_symbolic::robot::{Convention, JointType, Robot, Row, Value};
 struct Tables {
     random: SplitMix64,
     fields: usize,
+    /// Arms in free space, most of their axes meeting: where rare parameters are grouped.
+    meeting: bool,
 }
 
 impl Tables {
@@ -59,14 +61,17 @@ impl Tables {
     }
 
     fn row(&mut self, i: usize) -> Row {
-        let joint_type = match self.below(3) {
+        let joint_type = match self.below(if self.meeting { 7 } else { 3 }) {
             0 => JointType::Prismatic,
             _ => JointType::Revolute,
         };
         Row {
             name: format!("joint{i}"),
             joint_type,
-            a: self.cell(),
+            a: match self.meeting && self.below(6) > 0 {
+                true => Value::zero(),
+                false => self.cell(),
+            },
             alpha: self.angle(),
             d: self.cell(),
             theta: self.angle(),
@@ -84,7 +89,10 @@ impl Tables {
         self.fields = 0;
         let dof = 1 + self.below(4) as usize;
         let rows = (0..dof).map(|i| self.row(i)).collect();
-        let gravity = [(); 3].map(|()| self.cell());
+        let gravity = match self.meeting {
+            true => [(); 3].map(|()| Value::zero()),
+            false => [(); 3].map(|()| self.cell()),
+        };
         let convention = match self.below(2) {
             0 => Convention::Standard,
             _ => Convention::Modified,
@@ -102,7 +110,13 @@ impl Tables {
 
 #[test]
 fn every_function_of_random_arms_is_proven() {
-    prove_tables(7, 200);
+    prove_tables(7, 200, false, &Function::ALL);
+}
+
+#[test]
+fn regressors_of_arms_whose_axes_meet_are_proven() {
+    let functions = [Function::Regressor, Function::BaseParameters];
+    prove_tables(8, 300, true, &functions);
 }
 
 /// Many more: `cargo test --release -p dynamics-symbolic --test random_tables -- --ignored`.
@@ -110,18 +124,20 @@ fn every_function_of_random_arms_is_proven() {
 #[ignore = "takes minutes"]
 fn every_function_of_many_random_arms_is_proven() {
     for seed in 100..110 {
-        prove_tables(seed, 400);
+        prove_tables(seed, 400, false, &Function::ALL);
+        prove_tables(seed, 400, true, &Function::ALL);
     }
 }
 
-fn prove_tables(seed: u64, tables_in_all: usize) {
+fn prove_tables(seed: u64, tables_in_all: usize, meeting: bool, functions: &[Function]) {
     let mut tables = Tables {
         random: SplitMix64::new(seed),
         fields: 0,
+        meeting,
     };
     for count in 0..tables_in_all {
         let robot = tables.robot();
-        for function in Function::ALL {
+        for &function in functions {
             let program = derive(&robot, function);
             let proof = prove(&robot, function, &program);
             assert_eq!(proof, Ok(()), "table {count}: {robot:#?}");

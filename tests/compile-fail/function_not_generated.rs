@@ -8,8 +8,6 @@ robot_dynamics! {
     functions: [
         inverse_dynamics_derivatives,
         forward_dynamics_derivatives,
-        regressor,
-        base_parameters,
         mass_matrix,
     ],
 }

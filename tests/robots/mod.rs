@@ -21,6 +21,8 @@ macro_rules! every_function {
                 forward_kinematics,
                 link_poses,
                 jacobian,
+                regressor,
+                base_parameters,
             ],
         }
     };

@@ -14,6 +14,7 @@ mod check;
 mod configuration;
 mod contract;
 mod degenerate;
+mod identification;
 mod masses;
 mod one_link;
 mod solids;

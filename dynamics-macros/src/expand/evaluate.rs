@@ -19,6 +19,13 @@ pub(super) fn evaluation(target: &Target, functions: &[Function]) -> TokenStream
             Function::CoriolisCoefficients => {
                 quote!(#value.column_iter().map(|column| column.into_owned()).collect())
             }
+            // So are the number of base parameters, and their type where nothing else says it.
+            Function::Regressor => {
+                quote!(#value.column_iter().map(|column| column.into_owned()).collect())
+            }
+            Function::BaseParameters => {
+                quote!(Self::base_parameters::<f64>(self).iter().copied().collect())
+            }
             _ => value,
         };
         quote!(#name: ::core::option::Option::Some(#value),)
@@ -31,10 +38,15 @@ pub(super) fn evaluation(target: &Target, functions: &[Function]) -> TokenStream
         .iter()
         .all(|function| functions.contains(function))
         .then(|| configuration_space(target));
+    let regressor_forces = [Function::Regressor, Function::BaseParameters]
+        .iter()
+        .all(|function| functions.contains(function))
+        .then(regressor_forces);
     quote! {
         #path::Evaluation {
             #(#values)*
             #configuration_space
+            #regressor_forces
             ..::core::default::Default::default()
         }
     }
@@ -56,8 +68,20 @@ fn arguments(function: Function) -> TokenStream {
         | Function::KineticEnergy
         | Function::BiasForce
         | Function::CoriolisMatrix => quote!(&state.q, &state.qd),
-        Function::InverseDynamics => quote!(&state.q, &state.qd, &state.qdd),
+        Function::InverseDynamics | Function::Regressor => {
+            quote!(&state.q, &state.qd, &state.qdd)
+        }
+        Function::BaseParameters => quote!(),
         Function::ForwardDynamics => quote!(&state.q, &state.qd, tau),
+    }
+}
+
+/// `Y base_parameters`, the joint forces without friction.
+fn regressor_forces() -> TokenStream {
+    quote! {
+        regressor_forces: ::core::option::Option::Some(
+            Self::regressor(self, &state.q, &state.qd, &state.qdd) * Self::base_parameters(self)
+        ),
     }
 }
 

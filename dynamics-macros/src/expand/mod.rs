@@ -6,7 +6,7 @@ mod table;
 mod test;
 mod traits;
 
-use dynamics_symbolic::{Function, Method, stub, stub_of_trait};
+use dynamics_symbolic::{Function, Method, base_parameter_constants, stub, stub_of_trait};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, quote};
 
@@ -28,7 +28,9 @@ pub(crate) fn robot(
     let evaluation = evaluate::evaluation(&target, &functions);
     let item = structure::as_written(structure);
     let bodies = methods.iter().map(|method| &method.tokens);
-    let inherent = target.inherent(&names, &operations(methods, path), &table, bodies);
+    let base_parameters = base_parameter_constants(&functions, Some(&model.robot));
+    let operations = operations(methods, path);
+    let inherent = target.inherent(&names, &operations, &base_parameters, &table, bodies);
     let provided = methods.iter().filter_map(|method| {
         let item = method.provided.clone()?;
         Some((method.function, item))
@@ -51,7 +53,8 @@ pub(crate) fn stubs(structure: &Structure, entries: &[Entry], path: &TokenStream
     let unimplemented = quote!(::core::unimplemented!());
     let item = structure::repaired(structure);
     let bodies = functions.iter().map(|f| stub(*f, target.dof, path));
-    let inherent = target.inherent(&names, &[], &unimplemented, bodies);
+    let base_parameters = base_parameter_constants(&functions, None);
+    let inherent = target.inherent(&names, &[], &base_parameters, &unimplemented, bodies);
     let provided = functions.iter().filter_map(|f| {
         let item = stub_of_trait(*f, target.dof, path)?;
         Some((*f, item))
@@ -144,11 +147,13 @@ impl<'a> Target<'a> {
         Literal::usize_unsuffixed(self.dof)
     }
 
-    /// The inherent impl. `table` is the body of the method of that name.
+    /// The inherent impl. `table` is the body of the method of that name, `base_parameters` the
+    /// constants about them, where there are any.
     fn inherent(
         &self,
         names: &[String],
         operations: &[TokenStream],
+        base_parameters: &TokenStream,
         table: &TokenStream,
         methods: impl Iterator<Item = impl ToTokens>,
     ) -> TokenStream {
@@ -170,6 +175,8 @@ impl<'a> Target<'a> {
                 /// Operations of each generated method, by the method's name.
                 pub const OPERATIONS: [(&'static str, #path::Operations); #count] =
                     [#(#operations),*];
+
+                #base_parameters
 
                 /// The table in numbers, as it was written: what the numeric checks read.
                 pub fn table(&self) -> #path::Table<#n> {

@@ -14,11 +14,9 @@ use crate::syntax::{Entry, Joints};
 use crate::words;
 
 /// Functions that have their names already, though nothing generates them.
-const NOT_GENERATED_YET: [&str; 4] = [
+const NOT_GENERATED_YET: [&str; 2] = [
     "inverse_dynamics_derivatives",
     "forward_dynamics_derivatives",
-    "regressor",
-    "base_parameters",
 ];
 
 /// The keys of the table.

@@ -104,6 +104,28 @@ fn traits_are_implemented_where_their_functions_exist() {
 }
 
 #[test]
+fn base_parameters_are_counted_where_a_function_is_about_them() {
+    let call = with_cells("mass: 1, com: [1, 0, 0]");
+    assert!(!expansion(&call).contains("BASE_PARAMETERS"));
+    for function in ["regressor", "base_parameters"] {
+        let items = expansion(&format!("{call} functions: [{function}]"));
+        // J_zz alone: gravity is along the axis.
+        assert!(items.contains("BASE_PARAMETERS : usize = 1"), "{items}");
+        assert!(items.contains("BASE_PARAMETER_NAMES : [& 'static str ; 1] = [\"J1zz\"]"));
+        assert!(!items.contains("regressor_forces"));
+    }
+    let both = expansion(&format!("{call} functions: [regressor, base_parameters]"));
+    assert!(both.contains("regressor_forces"));
+    let wrong = with_cells("mass: ");
+    let items = expansion(&format!("{wrong} functions: [regressor]"));
+    assert!(items.contains("BASE_PARAMETERS : usize = 0"), "{items}");
+    // A motor cell is a parameter, even where it says zero.
+    let rail = "struct Arm; convention: standard, gravity: [0, 0, -9.81], joints: [
+        rail: prismatic { motor: { inertia: 0, gear_ratio: 1 } }], functions: [regressor]";
+    assert!(expansion(rail).contains("BASE_PARAMETERS : usize = 2"));
+}
+
+#[test]
 fn the_same_call_expands_to_the_same_tokens() {
     let call = with_cells("a: 1, mass: 1, com: [0.1, 0.2, 0.3], inertia: sphere(0.1)");
     assert_eq!(expansion(&call), expansion(&call));

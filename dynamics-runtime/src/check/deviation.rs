@@ -121,6 +121,10 @@ pub(super) fn deviations<const N: usize>(
             let entries = jacobian_entries(table, &difference, scale.position);
             Deviation::worst("jacobian", entries)
         }),
+        generated.regressor_forces.map(|forces| {
+            let difference = forces + numeric.friction_vector(qd) - tau;
+            vector("regressor_form", &difference, scale.inverse_dynamics)
+        }),
     ];
     found.into_iter().flatten().collect()
 }

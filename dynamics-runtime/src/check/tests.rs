@@ -66,7 +66,7 @@ fn coefficients(state: &State<2>) -> (Vector2<f64>, Matrix2<f64>) {
 type Damage = (&'static str, fn(&State<2>, &mut Evaluation<2>));
 
 /// One for each function.
-const DAMAGES: [Damage; 16] = [
+const DAMAGES: [Damage; 17] = [
     ("mass_matrix", |_, e| {
         e.mass_matrix.as_mut().unwrap()[(1, 0)] *= WRONG;
     }),
@@ -126,6 +126,10 @@ const DAMAGES: [Damage; 16] = [
         jacobian[(5, 1)] *= WRONG;
         e.jacobian = Some(jacobian);
     }),
+    ("regressor_form", |state, e| {
+        let forces = numeric().inverse_dynamics(&state.q, &state.qd, &state.qdd);
+        e.regressor_forces = Some(forces * WRONG);
+    }),
 ];
 
 /// Each damage is found, in the function that has it and in no other.
@@ -150,6 +154,8 @@ fn kinematics_and_matrix_forms_pass() {
         e.link_poses = Some(numeric().link_poses(q));
         e.jacobian = Some(numeric().jacobian(q));
         e.friction_vector = Some(numeric().friction_vector(qd));
+        // Without friction.
+        e.regressor_forces = Some(numeric().inverse_dynamics(q, qd, &state.qdd));
     });
     report.assert_ok();
     assert_eq!(report.functions.len(), DAMAGES.len());

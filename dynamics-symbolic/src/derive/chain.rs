@@ -31,6 +31,10 @@ pub struct Link<'g> {
     pub offset: Vector3<Expr<'g>>,
     /// Displacement along the joint's axis: q for a prismatic joint, else zero.
     pub slide: Expr<'g>,
+    /// Where the origin is on the axis, from the place after the offset d.
+    pub shift: Expr<'g>,
+    /// Turn about z from this frame to the link, where the frame stays behind the joint.
+    pub behind: Turn<Expr<'g>>,
     /// Inertial parameters about the frame's origin.
     pub body: Body<Expr<'g>>,
     /// gear_ratio^2 * motor_inertia.
@@ -56,6 +60,12 @@ impl<'g> Link<'g> {
             .moved(self.position(zero))
     }
 
+    /// A body of the frame that turns with the link, its origin after the offset d, in this frame.
+    pub fn place(&self, body: Body<Expr<'g>>, zero: Expr<'g>) -> Body<Expr<'g>> {
+        body.moved(Vector3::new(zero, zero, -self.shift))
+            .left_z(self.behind)
+    }
+
     /// Where the origin is in the previous frame.
     pub fn position(&self, zero: Expr<'g>) -> Vector3<Expr<'g>> {
         self.offset + self.leave(Vector3::new(zero, zero, self.slide))
@@ -77,9 +87,9 @@ pub struct Chain<'g> {
 }
 
 /// The four cells of a row that come between two z axes, and the link's parameters after them.
-struct Twist<'g> {
-    a: Expr<'g>,
-    turn: Turn<Expr<'g>>,
+pub(super) struct Twist<'g> {
+    pub(super) a: Expr<'g>,
+    pub(super) turn: Turn<Expr<'g>>,
 }
 
 impl<'g> Chain<'g> {
@@ -118,6 +128,11 @@ impl<'g> Chain<'g> {
                 turn: Turn { s, c },
                 offset,
                 slide,
+                shift,
+                behind: Turn {
+                    s: zero,
+                    c: symbols.graph().one(),
+                },
                 body,
                 reflected,
             }
@@ -191,6 +206,7 @@ impl<'g> Chain<'g> {
             if stays[i] && link.joint_type == JointType::Revolute {
                 turned = link.turn;
                 link.turn = none;
+                link.behind = turned;
                 link.body = link.body.left_z(turned);
             }
         }
@@ -198,7 +214,7 @@ impl<'g> Chain<'g> {
 }
 
 /// The twist before each joint, and the one after the last.
-fn twists<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> Vec<Twist<'g>> {
+pub(super) fn twists<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> Vec<Twist<'g>> {
     let none = Value::zero();
     let cells = robot.rows.iter().map(|row| (&row.a, &row.alpha));
     let cells: Vec<_> = match robot.convention {
@@ -217,7 +233,7 @@ fn twists<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> Vec<Twist<'g>> {
 
 /// The link's parameters in the frame on its joint's axis, after the offset d.
 /// A standard link frame comes after the row's a and alpha, a modified one before the next row's.
-fn body<'g>(
+pub(super) fn body<'g>(
     symbols: &mut Symbols<'g>,
     convention: Convention,
     row: &Row,

@@ -2,7 +2,9 @@
 
 use super::chain::Chain;
 use super::symbols::Symbols;
-use super::{articulated, christoffel, composite, energy, kinematics, recursive, solve};
+use super::{
+    articulated, base, christoffel, composite, energy, kinematics, recursive, regressor, solve,
+};
 use crate::expr::Expr;
 use crate::function::Function;
 use crate::linear::Vector3;
@@ -13,8 +15,8 @@ use crate::robot::{Interpretation, Robot};
 pub enum Form {
     /// By the recursion that is made for it; forward dynamics by factoring the mass matrix.
     Recursive,
-    /// From other functions: M qdd + V + G, the contraction of the Christoffel
-    /// symbols, or inverse dynamics at rest.
+    /// From other quantities: M qdd + V + G, the contraction of the Christoffel
+    /// symbols, inverse dynamics at rest, or a regressor from partial velocities.
     Assembled,
     /// Forward dynamics by articulated bodies, without the mass matrix.
     Articulated,
@@ -25,7 +27,7 @@ impl Form {
     /// power of the number of joints: they win for up to three.
     pub fn of(function: Function, dof: usize) -> &'static [Form] {
         match function {
-            Function::GravityVector => &[Form::Recursive, Form::Assembled],
+            Function::GravityVector | Function::Regressor => &[Form::Recursive, Form::Assembled],
             Function::ForwardDynamics => &[Form::Recursive, Form::Articulated],
             Function::InverseDynamics | Function::BiasForce | Function::CoriolisVector
                 if dof <= 3 =>
@@ -112,6 +114,8 @@ pub fn outputs<'g>(
                 .collect()
         }
         Function::Jacobian => kinematics::jacobian(symbols, robot),
+        Function::Regressor => regressor::by_recursion(symbols, robot, chain),
+        Function::BaseParameters => base::base_parameters(symbols, robot),
     }
 }
 
@@ -175,6 +179,7 @@ fn assembled<'g>(
             let still = vec![zero; robot.rows.len()];
             recursive::inverse_dynamics(chain, &still, &still, chain.gravity)
         }
+        Function::Regressor => regressor::by_partial_velocities(symbols, robot, chain),
         _ => outputs(symbols, robot, chain, function, Form::Recursive),
     }
 }

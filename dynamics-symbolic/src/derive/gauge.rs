@@ -50,6 +50,10 @@ impl Gauge {
     pub fn search(robot: &Robot, function: Function, form: Form) -> Self {
         let dof = robot.rows.len();
         let mut gauge = Gauge::plain(dof);
+        if function == Function::BaseParameters {
+            // Functions of the table alone.
+            return gauge;
+        }
         let mut nodes = 0;
         let mut cost = gauge.cost(robot, function, form, &mut nodes);
         loop {

@@ -2,6 +2,7 @@
 //! them the shortest program.
 
 mod articulated;
+pub mod base;
 pub mod chain;
 mod christoffel;
 mod composite;
@@ -11,6 +12,7 @@ pub mod gauge;
 pub mod inertia;
 mod kinematics;
 mod recursive;
+mod regressor;
 mod solve;
 pub mod symbols;
 pub mod textbook;

@@ -11,6 +11,7 @@
 //!   f = m a + U h,   n = J wd + w x (J w) + h x a.
 
 use super::chain::{Chain, Link};
+use super::inertia::Body;
 use crate::expr::Expr;
 use crate::linear::{Matrix3, Vector3};
 use crate::robot::JointType;
@@ -19,7 +20,7 @@ type Vector<'g> = Vector3<Expr<'g>>;
 
 /// The motion of one link.
 #[derive(Clone, Copy)]
-struct Motion<'g> {
+pub(super) struct Motion<'g> {
     /// Angular velocity.
     w: Vector<'g>,
     /// Angular acceleration.
@@ -29,6 +30,16 @@ struct Motion<'g> {
 }
 
 impl<'g> Motion<'g> {
+    /// A base at rest, or rather one that accelerates against gravity.
+    pub(super) fn of_base(zero: Expr<'g>, gravity: Vector<'g>) -> Self {
+        let rest = Vector3::splat(zero);
+        Motion {
+            w: rest,
+            wd: rest,
+            a: -gravity,
+        }
+    }
+
     /// U = [wd]x + [w]x [w]x: the acceleration of a point at r is a + U r.
     fn u(&self) -> Matrix3<Expr<'g>> {
         let ([x, y, z], [xd, yd, zd]) = (self.w.0, self.wd.0);
@@ -49,22 +60,17 @@ pub(super) fn inverse_dynamics<'g>(
     qdd: &[Expr<'g>],
     gravity: Vector<'g>,
 ) -> Vec<Expr<'g>> {
-    let rest = Vector3::splat(chain.zero);
-    let mut motion = Motion {
-        w: rest,
-        wd: rest,
-        a: -gravity,
-    };
+    let mut motion = Motion::of_base(chain.zero, gravity);
     let mut wrenches = Vec::with_capacity(chain.links.len());
     for (link, (&qd, &qdd)) in chain.links.iter().zip(qd.iter().zip(qdd)) {
         motion = outward(chain, link, motion, qd, qdd);
-        wrenches.push(wrench(link, &motion));
+        wrenches.push(wrench(&link.body, &motion));
     }
     inward(chain, wrenches, qdd)
 }
 
 /// The motion of a link from that of the previous one.
-fn outward<'g>(
+pub(super) fn outward<'g>(
     chain: &Chain<'g>,
     link: &Link<'g>,
     previous: Motion<'g>,
@@ -95,17 +101,16 @@ fn outward<'g>(
 }
 
 /// Force and moment about the origin that the link's motion needs.
-fn wrench<'g>(link: &Link<'g>, motion: &Motion<'g>) -> (Vector<'g>, Vector<'g>) {
-    let body = &link.body;
+pub(super) fn wrench<'g>(body: &Body<Expr<'g>>, motion: &Motion<'g>) -> (Vector<'g>, Vector<'g>) {
     let a = motion.a;
     let f = a * body.mass + motion.u().apply(body.moment);
-    let n = euler(link, motion) + body.moment.cross(a);
+    let n = euler(body, motion) + body.moment.cross(a);
     (f, n)
 }
 
 /// J wd + w x (J w), written so that the products of w are those of U.
-fn euler<'g>(link: &Link<'g>, motion: &Motion<'g>) -> Vector<'g> {
-    let j = &link.body.inertia;
+fn euler<'g>(body: &Body<Expr<'g>>, motion: &Motion<'g>) -> Vector<'g> {
+    let j = &body.inertia;
     let ([x, y, z], [xd, yd, zd]) = (motion.w.0, motion.wd.0);
     let (xx, yy, zz) = (x * x, y * y, z * z);
     Vector3::new(

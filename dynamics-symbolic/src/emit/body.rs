@@ -58,12 +58,18 @@ fn reads_fields(program: &Program) -> bool {
     })
 }
 
-/// `real`, which makes a constant of a double in the arithmetic of the arguments: lanes of a
-/// vector know the processor's instructions, and so how many they are, from each other alone.
+/// `real`, which makes a constant of a double in the arithmetic of the arguments, if there are any:
+/// lanes of a vector know the processor's instructions, and so how many they are, from each other
+/// alone.
 fn constants_of(arguments: &[&str], path: &TokenStream) -> TokenStream {
     let (real, x) = (ident("real"), ident("x"));
-    let like = element(arguments[0], 0);
-    quote!(let #real = |#x: f64| #path::Scalar::constant(#like, #x);)
+    match arguments.first() {
+        Some(argument) => {
+            let like = element(argument, 0);
+            quote!(let #real = |#x: f64| #path::Scalar::constant(#like, #x);)
+        }
+        None => quote!(let #real = <T as #path::Scalar>::from_f64;),
+    }
 }
 
 /// One element of an argument.
@@ -381,6 +387,11 @@ impl<'p> Writer<'p> {
         match shape(function, dof) {
             Shape::Number => self.output(0),
             Shape::Matrix(rows, columns) => self.matrix(0, rows, columns, path),
+            Shape::Regressor(rows) => {
+                let columns = self.program.outputs.len() / rows;
+                self.matrix(0, rows, columns, path)
+            }
+            Shape::BaseParameters => self.matrix(0, self.program.outputs.len(), 1, path),
             Shape::Poses(count) => {
                 let poses = (0..count).map(|i| self.matrix(16 * i, 4, 4, path));
                 quote!([#(#poses),*])

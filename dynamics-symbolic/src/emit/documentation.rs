@@ -59,6 +59,14 @@ fn description(function: Function) -> &'static str {
         Function::Jacobian => {
             "Geometric Jacobian of the last link frame's origin, 6 x N, rows vx vy vz wx wy wz, in the base frame."
         }
+        Function::Regressor => {
+            "Regressor Y(q, qd, qdd), N x P, of the P base inertial parameters: \
+             Y * base_parameters = tau - F, the joint forces without friction."
+        }
+        Function::BaseParameters => {
+            "The P base inertial parameters: the smallest set by which the joint forces of every motion are \
+             determined, regressor * base_parameters = tau - F."
+        }
     }
 }
 
@@ -70,8 +78,13 @@ pub(super) fn documentation(
     constants: &[f64],
 ) -> Vec<String> {
     let mut lines = vec![format!(" {}", description(function)), String::new()];
-    lines.push(format!(" {}", units(robot, function)));
-    lines.push(String::new());
+    if !arguments(function).is_empty() {
+        lines.push(format!(" {}", units(robot, function)));
+        lines.push(String::new());
+    }
+    if matches!(function, Function::Regressor | Function::BaseParameters) {
+        lines.extend(super::parameters::lines(robot));
+    }
     lines.push(format!(" Operations: {}.", program.operations()));
     if let Some(formulas) = formulas(robot, program, constants).filter(|_| robot.rows.len() <= 3) {
         lines.extend(formula_lines(function, robot.rows.len(), &formulas));

@@ -7,11 +7,13 @@
 mod body;
 mod documentation;
 mod formula;
+mod parameters;
+mod polynomial;
 mod signature;
 
 use signature::signature;
+pub use signature::{base_parameter_constants, stub, stub_of_trait};
 use signature::{call, provided};
-pub use signature::{stub, stub_of_trait};
 
 use crate::function::Function;
 use crate::program::Program;
@@ -42,7 +44,11 @@ pub fn method(
     path: &TokenStream,
 ) -> Emitted {
     let documentation = documentation::documentation(robot, function, program, constants);
-    let signature = signature(function, robot.rows.len(), path);
+    let parameters = match function {
+        Function::Regressor => program.outputs.len() / robot.rows.len(),
+        _ => program.outputs.len(),
+    };
+    let signature = signature(function, robot.rows.len(), parameters, path);
     let body = body::body(robot, function, program, constants, path);
     let (inherent, provided) = match provided(function, robot.rows.len(), path, &body) {
         None => (body, None),

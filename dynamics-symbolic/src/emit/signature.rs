@@ -1,6 +1,8 @@
 //! The signatures of the generated methods.
 
+use crate::derive::base::{Grouping, columns};
 use crate::function::Function;
+use crate::robot::Robot;
 use proc_macro2::{Literal, TokenStream};
 use quote::{ToTokens, quote};
 
@@ -20,8 +22,9 @@ pub(super) fn arguments(function: Function) -> &'static [&'static str] {
         | Function::BiasForce
         | Function::CoriolisMatrix => &["q", "qd"],
         Function::FrictionVector => &["qd"],
-        Function::InverseDynamics => &["q", "qd", "qdd"],
+        Function::InverseDynamics | Function::Regressor => &["q", "qd", "qdd"],
         Function::ForwardDynamics => &["q", "qd", "tau"],
+        Function::BaseParameters => &[],
     }
 }
 
@@ -36,6 +39,10 @@ pub(super) enum Shape {
     Poses(usize),
     /// Accelerations, or the failure of a pivot.
     Accelerations(usize),
+    /// So many rows, and a column for each base parameter.
+    Regressor(usize),
+    /// The base parameters, one a row.
+    BaseParameters,
 }
 
 pub(super) fn shape(function: Function, dof: usize) -> Shape {
@@ -54,17 +61,28 @@ pub(super) fn shape(function: Function, dof: usize) -> Shape {
         Function::ForwardKinematics => Shape::Matrix(4, 4),
         Function::LinkPoses => Shape::Poses(dof),
         Function::Jacobian => Shape::Matrix(6, dof),
+        Function::Regressor => Shape::Regressor(dof),
+        Function::BaseParameters => Shape::BaseParameters,
     }
 }
 
-fn output_type(function: Function, dof: usize, n: &TokenStream, path: &TokenStream) -> TokenStream {
+fn output_type(
+    function: Function,
+    dof: usize,
+    parameters: usize,
+    n: &TokenStream,
+    path: &TokenStream,
+) -> TokenStream {
     let size = Literal::usize_unsuffixed;
+    let parameters = size(parameters);
     match (shape(function, dof), function) {
         (Shape::Number, _) => quote!(T),
         (Shape::Poses(_), _) => quote!([#path::nalgebra::Matrix4<T>; #n]),
         (Shape::Accelerations(_), _) => {
             quote!(::core::result::Result<#path::nalgebra::SVector<T, #n>, #path::SingularMassMatrix>)
         }
+        (Shape::Regressor(_), _) => quote!(#path::nalgebra::SMatrix<T, #n, #parameters>),
+        (Shape::BaseParameters, _) => quote!(#path::nalgebra::SVector<T, #parameters>),
         (_, Function::ForwardKinematics) => quote!(#path::nalgebra::Matrix4<T>),
         (_, Function::Jacobian) => quote!(#path::nalgebra::SMatrix<T, 6, #n>),
         (Shape::Matrix(_, columns), Function::CoriolisCoefficients) => {
@@ -82,22 +100,29 @@ fn output_type(function: Function, dof: usize, n: &TokenStream, path: &TokenStre
 }
 
 /// `fn name<T: Scalar>(&self, q: &SVector<T, N>, ...) -> ...`, without visibility. With
-/// `dof` zero, which no robot has, it is generic over the number of joints.
-pub(super) fn signature(function: Function, dof: usize, path: &TokenStream) -> TokenStream {
+/// `dof` zero, which no robot has, it is generic over the number of joints. `parameters` is the
+/// number of base parameters, where the function is about them.
+pub(super) fn signature(
+    function: Function,
+    dof: usize,
+    parameters: usize,
+    path: &TokenStream,
+) -> TokenStream {
     let generic = (dof == 0).then(|| quote!(, const N: usize));
-    signature_with(function, dof, path, generic)
+    signature_with(function, dof, parameters, path, generic)
 }
 
 fn signature_with(
     function: Function,
     dof: usize,
+    parameters: usize,
     path: &TokenStream,
     generic: Option<TokenStream>,
 ) -> TokenStream {
     let name = ident(function.name());
     let n = number_of_joints(dof);
     let arguments = arguments(function).iter().map(|argument| ident(argument));
-    let output = output_type(function, dof, &n, path);
+    let output = output_type(function, dof, parameters, &n, path);
     quote! {
         fn #name<T: #path::Scalar #generic>(&self #(, #arguments: &#path::nalgebra::SVector<T, #n>)*) -> #output
     }
@@ -119,12 +144,12 @@ pub(super) fn provided(
     body: &TokenStream,
 ) -> Option<TokenStream> {
     function.trait_name()?;
-    let signature = signature_with(function, dof, path, None);
+    let signature = signature_with(function, dof, 0, path, None);
     let n = number_of_joints(dof);
     let at = ident(&format!("{}_at", function.name()));
     let sines = ident("sines");
     let arguments: Vec<_> = arguments(function).iter().map(|name| ident(name)).collect();
-    let output = output_type(function, dof, &n, path);
+    let output = output_type(function, dof, 0, &n, path);
     Some(quote! {
         #[inline(always)]
         #signature {
@@ -150,12 +175,33 @@ pub(super) fn call(function: Function, dof: usize, path: &TokenStream) -> TokenS
     quote!(<Self as #path::#of<#n>>::#name(self #(, #arguments)*))
 }
 
+/// The associated constants `BASE_PARAMETERS` and `BASE_PARAMETER_NAMES`, where one of the functions
+/// is about them: none where an error left their number unknown.
+pub fn base_parameter_constants(functions: &[Function], robot: Option<&Robot>) -> TokenStream {
+    let of_parameters = [Function::Regressor, Function::BaseParameters];
+    if !functions.iter().any(|f| of_parameters.contains(f)) {
+        return TokenStream::new();
+    }
+    let columns = robot.map_or(Vec::new(), |robot| columns(&Grouping::of(robot)));
+    let count = Literal::usize_unsuffixed(columns.len());
+    let names = columns.iter().map(|&(i, parameter)| parameter.name(i + 1));
+    quote! {
+        /// Number of base inertial parameters: columns of the regressor.
+        pub const BASE_PARAMETERS: usize = #count;
+
+        /// The first term of each base parameter: `J2xx`, `J2xy`, ... of the inertia tensor of link 2,
+        /// `h2x`, ... of its first moment, its mass `m2`, the reflected inertia `I2` of its motor. The
+        /// documentation of the methods has all terms.
+        pub const BASE_PARAMETER_NAMES: [&'static str; #count] = [#(#names),*];
+    }
+}
+
 /// A method of the right signature without a body: it stands in after an error
 /// in the table, so that the rest of the user's file still type-checks. Where
 /// the number of joints could not be told, `dof` is zero, and the method takes
-/// vectors of any length.
+/// vectors of any length. There are no base parameters then, whose number could not be told.
 pub fn stub(function: Function, dof: usize, path: &TokenStream) -> TokenStream {
-    let signature = signature(function, dof, path);
+    let signature = signature(function, dof, 0, path);
     let documentation = format!(" `{}`, not generated because of an error.", function.name());
     quote! {
         #[doc = #documentation]

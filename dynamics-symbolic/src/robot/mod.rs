@@ -5,11 +5,13 @@
 
 mod angle;
 mod interpretation;
+mod parameter;
 mod symbol;
 mod value;
 
 pub use angle::Angle;
 pub use interpretation::Interpretation;
+pub use parameter::Parameter;
 pub use symbol::Symbol;
 pub use value::Value;
 
@@ -55,12 +57,20 @@ pub struct Row {
     pub inertia: [Value; 6],
     /// Rotor inertia of the motor, kg m^2.
     pub motor_inertia: Value,
-    /// Gear ratio, motor speed over joint speed.
+    /// Gear ratio, motor speed over joint speed; the number zero where the row has no motor.
     pub gear_ratio: Value,
     /// Viscous friction at the joint, N m s (or N s/m).
     pub viscous: Value,
     /// Coulomb friction at the joint, N m (or N).
     pub coulomb: Value,
+}
+
+impl Row {
+    /// Whether the row has a motor: its reflected inertia is then a parameter of the arm, even where
+    /// the table says that it is zero.
+    pub fn has_motor(&self) -> bool {
+        !self.gear_ratio.is_zero()
+    }
 }
 
 /// A serial arm on a fixed base.

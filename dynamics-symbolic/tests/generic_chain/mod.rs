@@ -31,7 +31,7 @@ fn row(k: i64) -> Row {
         com: com(k, alternating).map(thousandths),
         inertia: inertia(k).map(ten_thousandths),
         motor_inertia: thousandths(0),
-        gear_ratio: thousandths(1_000),
+        gear_ratio: thousandths(0),
         viscous: thousandths(0),
         coulomb: thousandths(0),
     }

@@ -75,7 +75,11 @@ pub(crate) fn robot(name: &str) -> Robot {
             com: [0, 1, 2].map(|k| decimal(row["com"][k].as_f64().unwrap())),
             inertia: [0, 1, 2, 3, 4, 5].map(|k| decimal(row["inertia"][k].as_f64().unwrap())),
             motor_inertia: cell(row, "motor_inertia"),
-            gear_ratio: cell(row, "gear_ratio"),
+            // A motor without inertia is none.
+            gear_ratio: match row["motor_inertia"].as_f64() {
+                Some(0.0) => Value::zero(),
+                _ => cell(row, "gear_ratio"),
+            },
             viscous: cell(row, "viscous"),
             coulomb: cell(row, "coulomb"),
         });
@@ -89,4 +93,25 @@ pub(crate) fn robot(name: &str) -> Robot {
         gravity: [0, 1, 2].map(|k| decimal(json["gravity"][k].as_f64().unwrap())),
         rows: rows.collect(),
     }
+}
+
+/// The arm with a field in each cell that says something about inertia.
+#[allow(dead_code)]
+pub(crate) fn with_inertial_fields(name: &str) -> Robot {
+    let mut robot = robot(name);
+    let mut fields = 0;
+    let mut field = || {
+        fields += 1;
+        Value::field(fields - 1)
+    };
+    for row in &mut robot.rows {
+        row.mass = field();
+        row.com = [(); 3].map(|()| field());
+        row.inertia = [(); 6].map(|()| field());
+        if row.has_motor() {
+            row.motor_inertia = field();
+        }
+    }
+    robot.fields = (0..fields).map(|i| format!("p{i}")).collect();
+    robot
 }

@@ -80,6 +80,11 @@ fn dynamics<const N: usize>(found: &Evaluation<N>, reference: &ReferenceState) -
             vector(found.inverse_dynamics, &torque),
         ),
         Quantity::new(
+            "Y b",
+            scale.tau,
+            vector(found.regressor_forces, &reference.tau),
+        ),
+        Quantity::new(
             "V+G+F",
             (scale.V + scale.G).max(magnitude(&bias)),
             vector(found.bias_force, &bias),

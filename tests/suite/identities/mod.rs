@@ -12,6 +12,7 @@ mod inverse;
 mod kinematics;
 mod newton_euler;
 mod non_finite;
+mod regressor;
 mod samples;
 mod single_precision;
 
@@ -57,6 +58,9 @@ macro_rules! identities_of_all {
                     last_link_pose_is_the_forward_kinematics,
                     rotations_are_orthonormal,
                     jacobian_is_the_derivative_of_the_pose;
+                regressor: base_parameters_give_the_torque_without_friction,
+                    columns_of_the_regressor_are_independent,
+                    torques_of_any_inertia_are_combinations_of_the_columns;
                 newton_euler: every_function_agrees_with_recursive_newton_euler;
                 non_finite: not_a_number_is_never_turned_into_a_number,
                     infinite_positions_are_never_turned_into_numbers,

@@ -14,6 +14,7 @@ mod energy;
 mod equations;
 mod kinematics;
 mod pose;
+mod regressor;
 mod row;
 
 use super::assignment::{Assignment, JointPoint, Number};
@@ -87,6 +88,8 @@ impl Definition {
             Function::ForwardKinematics => self.forward_kinematics(),
             Function::LinkPoses => self.link_poses(),
             Function::Jacobian => self.jacobian().concat(),
+            Function::Regressor => self.regressor()?,
+            Function::BaseParameters => self.base_parameters()?,
         })
     }
 

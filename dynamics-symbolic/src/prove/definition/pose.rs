@@ -34,8 +34,11 @@ pub(super) struct Position<R> {
 
 impl Position<Number> {
     pub(super) fn new(joint: &JointPoint) -> Self {
-        let (s, c) = joint.sin_cos;
-        Position { s, c, q: joint.q }
+        Position::at(joint.sin_cos, joint.q)
+    }
+
+    pub(super) fn at((s, c): (Number, Number), q: Number) -> Self {
+        Position { s, c, q }
     }
 }
 
@@ -68,7 +71,7 @@ impl<R: Lift> Pose<R> {
     }
 
     /// Rx(angle) Tx(a)
-    fn screw_x((s, c): (R, R), a: R) -> Self {
+    pub(super) fn screw_x((s, c): (R, R), a: R) -> Self {
         let (zero, one) = (R::lift(Number::ZERO), R::lift(Number::ONE));
         Pose {
             rotation: Matrix3([[one, zero, zero], [zero, c, -s], [zero, s, c]]),
@@ -104,10 +107,35 @@ impl Definition {
         }
         poses
     }
+
+    /// The poses of the frames on the joints' own axes, after Rz(theta) Tz(d).
+    pub(super) fn joint_frames<R: Lift>(&self, q: &[Position<R>]) -> Vec<Pose<R>> {
+        let links = self.poses(q);
+        if self.convention == Convention::Modified {
+            return links;
+        }
+        let frame = |i: usize| {
+            let (screw_z, _) = screws(&self.rows[i], &q[i]);
+            match i {
+                0 => screw_z,
+                _ => links[i - 1].then(&screw_z),
+            }
+        };
+        (0..q.len()).map(frame).collect()
+    }
 }
 
 /// A_i of the table.
 fn transform<R: Lift>(convention: Convention, row: &Row, position: &Position<R>) -> Pose<R> {
+    let (screw_z, screw_x) = screws(row, position);
+    match convention {
+        Convention::Standard => screw_z.then(&screw_x),
+        Convention::Modified => screw_x.then(&screw_z),
+    }
+}
+
+/// Rz(theta) Tz(d) and Rx(alpha) Tx(a)
+fn screws<R: Lift>(row: &Row, position: &Position<R>) -> (Pose<R>, Pose<R>) {
     let lift = R::lift;
     let (s, c) = (lift(row.turn.0), lift(row.turn.1));
     let (turn, d) = match row.joint_type {
@@ -121,8 +149,5 @@ fn transform<R: Lift>(convention: Convention, row: &Row, position: &Position<R>)
     };
     let screw_z = Pose::screw_z(turn, d);
     let screw_x = Pose::screw_x((lift(row.twist.0), lift(row.twist.1)), lift(row.a));
-    match convention {
-        Convention::Standard => screw_z.then(&screw_x),
-        Convention::Modified => screw_x.then(&screw_z),
-    }
+    (screw_z, screw_x)
 }

@@ -16,6 +16,7 @@ pub(super) struct Row {
     pub(super) mass: Number,
     pub(super) com: Vector3<Number>,
     pub(super) inertia: Symmetric3<Number>,
+    pub(super) has_motor: bool,
     /// r^2 J_m
     pub(super) reflected: Number,
     pub(super) viscous: Number,
@@ -42,6 +43,7 @@ impl Row {
                 yz,
                 xz,
             },
+            has_motor: row.has_motor(),
             reflected: ratio * ratio * point.value(&row.motor_inertia),
             viscous: point.value(&row.viscous),
             coulomb: point.value(&row.coulomb),

@@ -1,0 +1,144 @@
+//! The parameters of a link: what it keeps, and what moves to the link before it.
+
+use super::axes;
+use super::observe::{Coefficient, Direction, Grouping};
+use crate::derive::inertia::{Body, Turn, leave_x};
+use crate::linear::{Matrix3, Ring, Vector3};
+use crate::robot::{JointType, Parameter};
+
+/// The constant geometry between the frames of two links.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct LinkGeometry<R> {
+    pub(crate) joint_type: JointType,
+    /// Distance of the joint's axis from the previous one.
+    pub(crate) a: R,
+    /// Offset along the joint's axis (its constant part, where the joint is prismatic).
+    pub(crate) d: R,
+    /// Turn about x from the previous axis to this one.
+    pub(crate) twist: Turn<R>,
+    /// Turn about z that is constant: of a prismatic joint, else none.
+    pub(crate) turn: Turn<R>,
+}
+
+impl<R: Ring> LinkGeometry<R> {
+    /// Where the origin is in the previous frame, at q = 0 for a prismatic joint.
+    pub(crate) fn offset(&self, zero: R) -> Vector3<R> {
+        leave_x(self.twist, Vector3::new(zero, zero, self.d)) + Vector3::new(self.a, zero, zero)
+    }
+}
+
+/// What becomes of a link's parameters.
+pub(crate) struct Moved<R> {
+    /// The base parameters of the link.
+    pub(crate) kept: Vec<R>,
+    /// What moves, in the frame of the previous link.
+    pub(crate) inward: Body<R>,
+}
+
+impl<R: Ring> Body<R> {
+    /// The ten parameters in the order of [`Parameter::ALL`].
+    pub(crate) fn parameters(&self) -> [R; 10] {
+        let (j, h) = (&self.inertia, self.moment);
+        [
+            j.xx, j.xy, j.xz, j.yy, j.yz, j.zz, h[0], h[1], h[2], self.mass,
+        ]
+    }
+
+    /// A body by its ten parameters.
+    pub(crate) fn from_parameters(p: [R; 10]) -> Self {
+        let mut body = Body::splat(p[9]);
+        body.moment = Vector3::new(p[6], p[7], p[8]);
+        let j = &mut body.inertia;
+        (j.xx, j.xy, j.xz, j.yy, j.yz, j.zz) = (p[0], p[1], p[2], p[3], p[4], p[5]);
+        body
+    }
+}
+
+/// Groups the parameters of link i: those of its own and what came from beyond, with the motor's.
+pub(crate) fn group<R: Ring>(
+    grouping: &Grouping,
+    links: &[LinkGeometry<R>],
+    i: usize,
+    (body, motor): (Body<R>, R),
+    (zero, one): (R, R),
+) -> Moved<R> {
+    let link = &grouping.links[i];
+    let geometry = &links[i];
+    let rotation = rotation_of_moments(grouping, links, i, (zero, one));
+    let turned = |body: Body<R>, rotation: &Matrix3<R>| Body {
+        moment: rotation.apply(body.moment),
+        ..body
+    };
+    let body = rotation.as_ref().map_or(body, |r| turned(body, r));
+    let mut values = body.parameters().to_vec();
+    values.push(motor);
+    let mut inward = [zero; 10];
+    for &parameter in Parameter::of_link(false) {
+        if !link.kept.contains(&parameter) {
+            inward[parameter.index()] = values[parameter.index()];
+        }
+    }
+    let mut kept = values.clone();
+    for tie in &link.ties {
+        let (from, to) = (tie.dropped.index(), tie.kept.index());
+        let part = match tie.coefficient {
+            Coefficient::One => values[from],
+            Coefficient::Height => height(grouping, links, i) * values[from],
+        };
+        let part = if tie.negative { -part } else { part };
+        kept[to] = kept[to] + part;
+        // A motor that cannot be told from J_zz is one on an axis that does not turn by itself: no
+        // motion of the link before it feels J_zz.
+        let is_felt = tie.dropped != Parameter::Motor || tie.kept != Parameter::Jzz;
+        if to < 10 && is_felt {
+            inward[to] = inward[to] - part;
+        }
+    }
+    let inward = Body::from_parameters(inward);
+    let inward = rotation.map_or(inward, |r| turned(inward, &r.transpose()));
+    Moved {
+        kept: link.kept.iter().map(|k| kept[k.index()]).collect(),
+        inward: inward
+            .left_z(geometry.turn)
+            .left_x(geometry.twist)
+            .moved(geometry.offset(zero)),
+    }
+}
+
+/// The body of unit `parameter` of link i, in the link's own axes; none for a motor.
+pub(crate) fn unit<R: Ring>(
+    grouping: &Grouping,
+    links: &[LinkGeometry<R>],
+    i: usize,
+    parameter: Parameter,
+    (zero, one): (R, R),
+) -> Option<Body<R>> {
+    let mut values = [zero; 10];
+    *values.get_mut(parameter.index())? = one;
+    let mut body = Body::from_parameters(values);
+    if let Some(rotation) = rotation_of_moments(grouping, links, i, (zero, one)) {
+        body.moment = rotation.transpose().apply(body.moment);
+    }
+    Some(body)
+}
+
+/// From link i's axes to those in which its first moments are written, where these are others.
+fn rotation_of_moments<R: Ring>(
+    grouping: &Grouping,
+    links: &[LinkGeometry<R>],
+    i: usize,
+    constants: (R, R),
+) -> Option<Matrix3<R>> {
+    let to = grouping.links[i].axes;
+    (to != i).then(|| axes::rotation(links, i, to, constants))
+}
+
+/// How far along the axis the origin is from where the axis meets the one before it; axes that
+/// coincide count as one.
+pub(super) fn height<R: Ring>(grouping: &Grouping, links: &[LinkGeometry<R>], i: usize) -> R {
+    match grouping.links[i].coincides {
+        None => links[i].d,
+        Some(Direction::Same) => links[i].d + height(grouping, links, i - 1),
+        Some(Direction::Opposite) => links[i].d - height(grouping, links, i - 1),
+    }
+}

@@ -1,0 +1,316 @@
+//! Which parameters the forces can tell apart: linear algebra on random motions in the prime field.
+//!
+//! For a link and a random state let the row of a matrix be the energies of the link's unit
+//! parameters, less the same at q_i = 0, qd_i = 0. A combination of columns that vanishes in
+//! enough rows vanishes for all states (Schwartz 1980, Zippel 1979): it is in A_i.
+
+use super::group::{LinkGeometry, height};
+use super::{axes, geometry};
+use crate::derive::inertia::{Turn, enter_x, enter_z};
+use crate::derive::symbols::Symbols;
+use crate::exact::{SplitMix64, circle_point};
+use crate::expr::{Expr, Fingerprint, Graph};
+use crate::linear::Vector3;
+use crate::robot::{Interpretation, JointType, Parameter, Robot};
+
+type Vector = Vector3<Fingerprint>;
+
+/// What the forces can tell apart, link by link.
+#[derive(Clone, Debug)]
+pub struct Grouping {
+    /// The links from the base outwards.
+    pub links: Vec<LinkGrouping>,
+}
+
+/// What one link keeps.
+#[derive(Clone, Debug)]
+pub struct LinkGrouping {
+    /// The link in whose axes the first moments are written, counted from 0: this one, or the last
+    /// revolute one before a prismatic joint, where that one's axis is along none of this link's own.
+    /// Its axis may be the only direction of rotation: the first moment along it then moves.
+    pub axes: usize,
+    /// The parameters that are kept, in order.
+    pub kept: Vec<Parameter>,
+    /// Those that are not, but also add to one that is kept.
+    pub ties: Vec<Tie>,
+    /// Where the joint's axis is that of the joint before.
+    pub coincides: Option<Direction>,
+}
+
+/// One axis beside another on the same line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Direction {
+    /// They point the same way.
+    Same,
+    /// They point opposite ways.
+    Opposite,
+}
+
+/// A parameter whose effect is that of another one, times a coefficient, beside what moves inwards.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Tie {
+    /// The parameter that is not kept.
+    pub dropped: Parameter,
+    /// The one that stands for it.
+    pub kept: Parameter,
+    /// The coefficient, its sign apart.
+    pub coefficient: Coefficient,
+    /// Whether the coefficient is negative.
+    pub negative: bool,
+}
+
+/// The size of a coefficient.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Coefficient {
+    /// 1
+    One,
+    /// How far the link's origin is along the axis from where that meets the axis before.
+    Height,
+}
+
+/// Two rows for each sample; no link has more than 11 columns.
+const SAMPLES: usize = 14;
+
+impl Grouping {
+    /// The grouping that an arm's geometry, joint types, gravity and motors lead to.
+    pub fn of(robot: &Robot) -> Self {
+        let graph = Graph::new();
+        let mut symbols = Symbols::new(&graph, robot);
+        let exprs = geometry(&mut symbols, robot);
+        let links: Vec<_> = exprs.iter().map(value_of).collect();
+        let gravity = Vector3([0, 1, 2].map(|k| symbols.value(&robot.gravity[k]).fingerprint()));
+        let n = robot.rows.len();
+        let axes: Vec<_> = (0..n).map(|i| moment_axes(&links, i)).collect();
+        let mut rows = vec![Vec::new(); n];
+        let mut random = SplitMix64::new(0x6261_7365);
+        for _ in 0..SAMPLES {
+            for (i, row) in energies(&links, &axes, gravity, &mut random)
+                .into_iter()
+                .enumerate()
+            {
+                rows[i].extend(row);
+            }
+        }
+        let mut grouping = Grouping { links: Vec::new() };
+        for (i, row) in robot.rows.iter().enumerate() {
+            grouping.links.push(LinkGrouping {
+                axes: axes[i],
+                kept: Vec::new(),
+                ties: Vec::new(),
+                coincides: coincides(&exprs, i),
+            });
+            let height = height(&grouping, &links, i);
+            let (kept, ties) = combinations(&rows[i], Parameter::of_link(row.has_motor()), height);
+            let link = &mut grouping.links[i];
+            (link.kept, link.ties) = (kept, ties);
+        }
+        grouping
+    }
+
+    /// How many base parameters there are.
+    pub fn count(&self) -> usize {
+        self.links.iter().map(|link| link.kept.len()).sum()
+    }
+}
+
+fn value_of(link: &LinkGeometry<Expr<'_>>) -> LinkGeometry<Fingerprint> {
+    let turn = |turn: &Turn<Expr<'_>>| Turn {
+        s: turn.s.fingerprint(),
+        c: turn.c.fingerprint(),
+    };
+    LinkGeometry {
+        joint_type: link.joint_type,
+        a: link.a.fingerprint(),
+        d: link.d.fingerprint(),
+        twist: turn(&link.twist),
+        turn: turn(&link.turn),
+    }
+}
+
+fn coincides(links: &[LinkGeometry<Expr<'_>>], i: usize) -> Option<Direction> {
+    let link = &links[i];
+    if i == 0 || !link.a.is_zero() || !link.twist.s.is_zero() {
+        return None;
+    }
+    match link.twist.c.fingerprint() == Fingerprint::ONE {
+        true => Some(Direction::Same),
+        false => Some(Direction::Opposite),
+    }
+}
+
+/// See [`LinkGrouping::axes`].
+fn moment_axes(links: &[LinkGeometry<Fingerprint>], i: usize) -> usize {
+    let prismatic = links[i].joint_type == JointType::Prismatic;
+    let Some(to) = axes::last_revolute(links, i).filter(|_| prismatic) else {
+        return i;
+    };
+    let rotation = axes::rotation(links, i, to, (Fingerprint::ZERO, Fingerprint::ONE));
+    let oblique = rotation.0[2].iter().filter(|x| !x.is_zero()).count() > 1;
+    if oblique { to } else { i }
+}
+
+/// Twice the kinetic energy, and the potential energy, of the unit parameters of one link.
+struct Energies {
+    kinetic: [Fingerprint; 11],
+    potential: [Fingerprint; 11],
+}
+
+/// 2 T = w.J w + 2 h.(v x w) + m v.v + I qd^2 and U = -m g.p - g.h, in the link's frame, with w, v
+/// the velocities of frame and origin, and p the position of the origin.
+fn unit_energies(
+    w: Vector,
+    v: Vector,
+    qd: Fingerprint,
+    g: Vector,
+    weight: Fingerprint,
+) -> Energies {
+    let [x, y, z] = w.0;
+    let h = v.cross(w);
+    let twice = |a: Fingerprint| a + a;
+    let zero = Fingerprint::ZERO;
+    Energies {
+        kinetic: [
+            x * x,
+            twice(x * y),
+            twice(x * z),
+            y * y,
+            twice(y * z),
+            z * z,
+            twice(h[0]),
+            twice(h[1]),
+            twice(h[2]),
+            v.dot(v),
+            qd * qd,
+        ],
+        potential: [
+            zero, zero, zero, zero, zero, zero, -g[0], -g[1], -g[2], -weight, zero,
+        ],
+    }
+}
+
+/// The rows of every link at one random state.
+fn energies(
+    links: &[LinkGeometry<Fingerprint>],
+    axes: &[usize],
+    gravity: Vector,
+    random: &mut SplitMix64,
+) -> Vec<[Vec<Fingerprint>; 2]> {
+    let zero = Fingerprint::ZERO;
+    let rest = Vector3::splat(zero);
+    let (mut w, mut v, mut g) = (rest, rest, gravity);
+    let mut rows = Vec::with_capacity(links.len());
+    for (i, link) in links.iter().enumerate() {
+        let enter = |x| enter_z(link.turn, enter_x(link.twist, x));
+        v = enter(v + w.cross(link.offset(zero)));
+        (w, g) = (enter(w), enter(g));
+        let before = unit_energies(w, v, zero, g, zero);
+        let qd = Fingerprint::random(random);
+        let mut weight = zero;
+        match link.joint_type {
+            JointType::Revolute => {
+                let (s, c) = circle_point(random);
+                let turn = Turn { s, c };
+                (w, v, g) = (enter_z(turn, w), enter_z(turn, v), enter_z(turn, g));
+                w.0[2] = w.0[2] + qd;
+            }
+            JointType::Prismatic => {
+                let q = Fingerprint::random(random);
+                v = v + w.cross(Vector3::new(zero, zero, q));
+                v.0[2] = v.0[2] + qd;
+                weight = g[2] * q;
+            }
+        }
+        let after = unit_energies(w, v, qd, g, weight);
+        let rotation =
+            (axes[i] != i).then(|| axes::rotation(links, i, axes[i], (zero, Fingerprint::ONE)));
+        let row = |after: [Fingerprint; 11], before: [Fingerprint; 11]| {
+            let mut row: Vec<_> = after.iter().zip(before).map(|(&a, b)| a - b).collect();
+            if let Some(rotation) = &rotation {
+                let moment = rotation.apply(Vector3::new(row[6], row[7], row[8]));
+                row[6..9].copy_from_slice(&moment.0);
+            }
+            row
+        };
+        rows.push([
+            row(after.kinetic, before.kinetic),
+            row(after.potential, before.potential),
+        ]);
+    }
+    rows
+}
+
+/// Which columns are not combinations of those before them, and how the others are made of them.
+fn combinations(
+    rows: &[Vec<Fingerprint>],
+    parameters: &[Parameter],
+    height: Fingerprint,
+) -> (Vec<Parameter>, Vec<Tie>) {
+    let mut rows = rows.to_vec();
+    let (mut kept, mut ties) = (Vec::<Parameter>::new(), Vec::new());
+    for &parameter in parameters {
+        let column = parameter.index();
+        let pivot = (kept.len()..rows.len()).find(|&r| !rows[r][column].is_zero());
+        let found = match pivot {
+            Some(_) => None,
+            None => ties_of(&rows, parameter, &kept, height),
+        };
+        match (pivot, found) {
+            (Some(pivot), _) => {
+                rows.swap(pivot, kept.len());
+                eliminate(&mut rows, kept.len(), column);
+                kept.push(parameter);
+            }
+            (None, Some(found)) => ties.extend(found),
+            // No coefficient of this form: that would be a defect, which the proof reports.
+            (None, None) => {}
+        }
+    }
+    (kept, ties)
+}
+
+/// Reduced echelon form: 1 at the pivot, 0 elsewhere in the column.
+fn eliminate(rows: &mut [Vec<Fingerprint>], pivot: usize, column: usize) {
+    let inverse = rows[pivot][column].inverse().expect("a pivot is not zero");
+    for x in &mut rows[pivot] {
+        *x = *x * inverse;
+    }
+    let pivot_row = rows[pivot].clone();
+    for (r, row) in rows.iter_mut().enumerate() {
+        let factor = row[column];
+        if r != pivot && !factor.is_zero() {
+            for (x, &p) in row.iter_mut().zip(&pivot_row) {
+                *x = *x - factor * p;
+            }
+        }
+    }
+}
+
+/// The entries of a column that depends on the kept ones, as coefficients.
+fn ties_of(
+    rows: &[Vec<Fingerprint>],
+    dropped: Parameter,
+    kept: &[Parameter],
+    height: Fingerprint,
+) -> Option<Vec<Tie>> {
+    let mut ties = Vec::new();
+    for (row, &kept) in rows.iter().zip(kept) {
+        let entry = row[dropped.index()];
+        if entry.is_zero() {
+            continue;
+        }
+        let sizes = [
+            (Coefficient::One, Fingerprint::ONE),
+            (Coefficient::Height, height),
+        ];
+        let (coefficient, size) = sizes
+            .into_iter()
+            .find(|&(_, size)| entry == size || entry == -size)?;
+        ties.push(Tie {
+            dropped,
+            kept,
+            coefficient,
+            negative: entry != size,
+        });
+    }
+    Some(ties)
+}

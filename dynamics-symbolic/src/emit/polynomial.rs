@@ -1,0 +1,298 @@
+//! Polynomials over named variables, to be read: the formulas of the base parameters.
+
+use crate::exact::Rational;
+use core::cell::{Cell, RefCell};
+use core::ops::{Add, Mul, Neg, Sub};
+use std::collections::BTreeMap;
+
+/// A product of powers of variables: (variable, exponent) by ascending variable.
+type Monomial = Vec<(usize, u32)>;
+
+type Terms = BTreeMap<Monomial, Rational>;
+
+/// A polynomial with more terms than that is no help to a reader, and is not worked out.
+const MOST_TERMS: usize = 300;
+
+/// The variables, and every polynomial that was made.
+#[derive(Default)]
+pub(super) struct Polynomials {
+    names: RefCell<Vec<String>>,
+    /// The sine that belongs to a cosine, sin^2 = 1 - cos^2: (sine, cosine).
+    circles: RefCell<Vec<(usize, usize)>>,
+    all: RefCell<Vec<Terms>>,
+    overflow: Cell<bool>,
+}
+
+/// A handle of a polynomial.
+#[derive(Clone, Copy)]
+pub(super) struct Polynomial<'p> {
+    arena: &'p Polynomials,
+    index: usize,
+}
+
+impl Polynomials {
+    /// Whether a polynomial had too many terms: none that was made of it counts then.
+    pub(super) fn overflow(&self) -> bool {
+        self.overflow.get()
+    }
+
+    pub(super) fn number(&self, x: i64) -> Polynomial<'_> {
+        let terms = match x {
+            0 => Terms::new(),
+            _ => Terms::from([(Monomial::new(), Rational::from(x))]),
+        };
+        self.push(terms)
+    }
+
+    pub(super) fn variable(&self, name: String) -> Polynomial<'_> {
+        let variable = self.new_name(name);
+        self.push(Terms::from([(vec![(variable, 1)], Rational::ONE)]))
+    }
+
+    /// Sine and cosine of one angle.
+    pub(super) fn circle(&self, names: [String; 2]) -> (Polynomial<'_>, Polynomial<'_>) {
+        let first = self.names.borrow().len();
+        self.circles.borrow_mut().push((first, first + 1));
+        let [sine, cosine] = names.map(|name| self.variable(name));
+        (sine, cosine)
+    }
+
+    fn new_name(&self, name: String) -> usize {
+        let mut names = self.names.borrow_mut();
+        names.push(name);
+        names.len() - 1
+    }
+
+    fn push(&self, mut terms: Terms) -> Polynomial<'_> {
+        terms.retain(|_, coefficient| !coefficient.is_zero());
+        if terms.len() > MOST_TERMS {
+            self.overflow.set(true);
+            terms.clear();
+        }
+        let mut all = self.all.borrow_mut();
+        all.push(terms);
+        Polynomial {
+            arena: self,
+            index: all.len() - 1,
+        }
+    }
+
+    /// Adds a term, with squares of sines written by cosines.
+    fn add_term(&self, terms: &mut Terms, monomial: Monomial, coefficient: Rational) {
+        let circles = self.circles.borrow();
+        let square = circles.iter().find_map(|&(sine, cosine)| {
+            let at = monomial
+                .iter()
+                .position(|&(v, power)| v == sine && power > 1)?;
+            Some((at, cosine))
+        });
+        let Some((at, cosine)) = square else {
+            let sum = terms.entry(monomial).or_insert(Rational::ZERO);
+            *sum += coefficient;
+            return;
+        };
+        let mut rest = monomial;
+        rest[at].1 -= 2;
+        rest.retain(|&(_, power)| power > 0);
+        let with_cosine = product(&rest, &vec![(cosine, 2)]);
+        drop(circles);
+        self.add_term(terms, rest, coefficient.clone());
+        self.add_term(terms, with_cosine, -coefficient);
+    }
+}
+
+fn product(a: &Monomial, b: &Monomial) -> Monomial {
+    let mut powers: BTreeMap<usize, u32> = a.iter().copied().collect();
+    for &(variable, power) in b {
+        *powers.entry(variable).or_insert(0) += power;
+    }
+    powers.into_iter().collect()
+}
+
+impl Polynomial<'_> {
+    fn terms(self) -> Terms {
+        self.arena.all.borrow()[self.index].clone()
+    }
+
+    pub(super) fn is_zero(self) -> bool {
+        self.terms().is_empty()
+    }
+
+    /// The names of the variables in it.
+    pub(super) fn variables(self) -> Vec<String> {
+        let names = self.arena.names.borrow();
+        let terms = self.terms();
+        let variables = terms.keys().flatten();
+        variables.map(|&(v, _)| names[v].clone()).collect()
+    }
+
+    /// The sum as text, short terms first: `J1zz + J2yy + a2^2 (m2 + m3)`.
+    pub(super) fn text(self) -> String {
+        let mut text = String::new();
+        for group in self.groups() {
+            let is_negative = group.members[0].1;
+            text += match (text.is_empty(), is_negative) {
+                (true, false) => "",
+                (true, true) => "-",
+                (false, false) => " + ",
+                (false, true) => " - ",
+            };
+            text += &self.group_text(&group);
+        }
+        if text.is_empty() {
+            "0".to_owned()
+        } else {
+            text
+        }
+    }
+
+    /// Terms that differ in their last factor, the inertial parameter, alone.
+    fn groups(self) -> Vec<Group> {
+        let mut terms: Vec<_> = self.terms().into_iter().collect();
+        terms.sort_by_key(|(monomial, _)| {
+            let degree: u32 = monomial.iter().map(|&(_, power)| power).sum();
+            (degree, monomial.last().copied(), monomial.clone())
+        });
+        let mut groups: Vec<Group> = Vec::new();
+        for (mut common, coefficient) in terms {
+            let last = common.pop();
+            let is_negative = coefficient < Rational::ZERO;
+            let size = if is_negative {
+                -coefficient
+            } else {
+                coefficient
+            };
+            let same = |group: &&mut Group| group.common == common && group.size == size;
+            let is_plain = common.is_empty() || last.is_none_or(|(_, power)| power > 1);
+            match groups.iter_mut().find(same).filter(|_| !is_plain) {
+                Some(group) => group.members.push((last, is_negative)),
+                None => groups.push(Group {
+                    common,
+                    size,
+                    members: vec![(last, is_negative)],
+                }),
+            }
+        }
+        groups
+    }
+
+    /// Without the sign of the first member.
+    fn group_text(self, group: &Group) -> String {
+        let names = self.arena.names.borrow();
+        let factor = |&(variable, power): &(usize, u32)| match power {
+            1 => names[variable].clone(),
+            _ => format!("{}^{power}", names[variable]),
+        };
+        let mut factors: Vec<_> = group.common.iter().map(factor).collect();
+        let is_number = factors.is_empty() && group.members[0].0.is_none();
+        if !group.size.is_one() || is_number {
+            factors.insert(0, group.size.to_string());
+        }
+        let (first, others) = group.members.split_first().expect("a group has a term");
+        let mut sum: String = first.0.iter().map(factor).collect();
+        for (member, is_negative) in others {
+            let sign = if *is_negative == first.1 { "+" } else { "-" };
+            let member: String = member.iter().map(factor).collect();
+            sum = format!("{sum} {sign} {member}");
+        }
+        match others.is_empty() {
+            true if sum.is_empty() => {}
+            true => factors.push(sum),
+            false => factors.push(format!("({sum})")),
+        }
+        factors.join(" ")
+    }
+}
+
+/// Terms with the same size and the same factors before the last one.
+struct Group {
+    common: Monomial,
+    size: Rational,
+    /// The last factors, and whether the term is negative.
+    members: Vec<(Option<(usize, u32)>, bool)>,
+}
+
+impl Add for Polynomial<'_> {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        let mut terms = self.terms();
+        for (monomial, coefficient) in other.terms() {
+            *terms.entry(monomial).or_insert(Rational::ZERO) += coefficient;
+        }
+        self.arena.push(terms)
+    }
+}
+
+impl Neg for Polynomial<'_> {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        let terms = self.terms().into_iter();
+        self.arena.push(terms.map(|(m, c)| (m, -c)).collect())
+    }
+}
+
+impl Sub for Polynomial<'_> {
+    type Output = Self;
+
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+impl Mul for Polynomial<'_> {
+    type Output = Self;
+
+    fn mul(self, other: Self) -> Self {
+        let mut terms = Terms::new();
+        let (left, right) = (self.terms(), other.terms());
+        for (a, x) in &left {
+            for (b, y) in &right {
+                self.arena.add_term(&mut terms, product(a, b), x * y);
+            }
+        }
+        self.arena.push(terms)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sums_are_written_as_a_person_would() {
+        let all = Polynomials::default();
+        let [a, m, j] = ["a2", "m3", "J2yy"].map(|name| all.variable(name.to_owned()));
+        let sum = a * a * m - all.number(2) * a * m + j;
+        assert_eq!(sum.text(), "J2yy - 2 a2 m3 + a2^2 m3");
+        let other = all.variable("m4".to_owned());
+        assert_eq!(
+            (sum - a * a * other).text(),
+            "J2yy - 2 a2 m3 + a2^2 (m3 - m4)"
+        );
+        assert_eq!((-j).text(), "-J2yy");
+        assert_eq!((j - j).text(), "0");
+    }
+
+    #[test]
+    fn squares_of_sine_and_cosine_cancel() {
+        let all = Polynomials::default();
+        let (s, c) = all.circle(["sa1".to_owned(), "ca1".to_owned()]);
+        let m = all.variable("m1".to_owned());
+        assert_eq!((s * s * m + c * c * m).text(), "m1");
+        let fourth = s * s * s * s - all.number(1);
+        assert_eq!(fourth.text(), "-2 ca1^2 + ca1^4");
+    }
+
+    #[test]
+    fn a_polynomial_that_is_too_long_is_given_up() {
+        let all = Polynomials::default();
+        let mut sum = all.number(0);
+        for i in 0..=MOST_TERMS {
+            assert!(!all.overflow());
+            sum = sum + all.variable(format!("x{i}"));
+        }
+        assert!(all.overflow() && sum.is_zero());
+    }
+}

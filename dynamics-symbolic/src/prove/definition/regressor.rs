@@ -1,0 +1,337 @@
+//! The regressor of the standard inertial parameters, and the base parameters among them.
+//!
+//! In the frame on joint i's axis, with w and v its angular velocity and the velocity of its
+//! origin p in the frame's own axes, link i has
+//!
+//!   T = 1/2 w.J w + h.(v x w) + 1/2 m v.v + 1/2 I qd_i^2,   U = -m g.p - g.R h.
+//!
+//! The column of a parameter is d/dt (dT/dqd_j) - dT/dq_j + dU/dq_j where it is 1 and the others are
+//! 0. A parameter is a base parameter where its column, at enough random states, is no combination
+//! of the columns before it. That gives the columns of Y, and, with tau - F at the same states,
+//! the only values that the base parameters can have.
+
+use super::super::assignment::Number;
+use super::super::dual::Dual;
+use super::energy::angular_velocity;
+use super::pose::{Pose, Position};
+use super::{Definition, Matrix, Vector};
+use crate::exact::{SplitMix64, circle_point};
+use crate::linear::{Matrix3, Ring, Symmetric3, Vector3};
+use crate::robot::{Convention, JointType};
+
+/// Eleven parameters of a link are told apart by that many values of its own joint's force; two
+/// more, so that a combination that fits by chance is found out.
+const STATES: usize = 13;
+
+/// A state of the arm.
+struct State {
+    q: Vec<Position<Number>>,
+    qd: Vector,
+    qdd: Vector,
+}
+
+/// Velocities of a frame in its own axes.
+#[derive(Clone, Copy)]
+struct Twist<R> {
+    w: Vector3<R>,
+    v: Vector3<R>,
+}
+
+impl Definition {
+    /// Y by rows, or `None` where the table's forces are not those of its parameters.
+    pub(super) fn regressor(&self) -> Option<Vector> {
+        let kept = self.base()?.0;
+        let here = self.standard_regressor(&self.state());
+        let row = |row: &Vector| -> Vector { kept.iter().map(|&k| row[k]).collect() };
+        Some(here.iter().flat_map(row).collect())
+    }
+
+    /// The base parameters.
+    pub(super) fn base_parameters(&self) -> Option<Vector> {
+        self.base().map(|(_, values)| values)
+    }
+
+    /// The base parameters: columns of the standard regressor, and values.
+    fn base(&self) -> Option<(Vec<usize>, Vector)> {
+        let mut random = SplitMix64::new(0x0062_6173_6963);
+        let parameters = self.standard_parameters();
+        let mut stacked = Vec::new();
+        for k in 0..STATES {
+            let state = match k {
+                0 => self.state(),
+                _ => self.random_state(&mut random),
+            };
+            let regressor = self.standard_regressor(&state);
+            let forces: Vector = regressor.iter().map(|row| dot(row, &parameters)).collect();
+            if k == 0 && forces != self.frictionless_forces() {
+                return None;
+            }
+            let rows = regressor.into_iter().zip(forces);
+            stacked.extend(rows.map(|(mut row, force)| {
+                row.push(force);
+                row
+            }));
+        }
+        let forces = parameters.len();
+        let kept = independent_columns(&mut stacked, forces);
+        // What is left of the forces where all base parameters are accounted for.
+        let rest = stacked[kept.len()..].iter().map(|row| row[forces]);
+        if rest.into_iter().any(|x| !x.is_zero()) {
+            return None;
+        }
+        let values = stacked[..kept.len()].iter().map(|row| row[forces]);
+        Some((kept, values.collect()))
+    }
+
+    /// M qdd + V + G by the definition of inverse dynamics.
+    fn frictionless_forces(&self) -> Vector {
+        let forces = self.inverse_dynamics(&self.qdd);
+        let friction = self.friction_vector();
+        forces.iter().zip(&friction).map(|(&f, &r)| f - r).collect()
+    }
+
+    fn state(&self) -> State {
+        State {
+            q: self.q.clone(),
+            qd: self.qd.clone(),
+            qdd: self.qdd.clone(),
+        }
+    }
+
+    fn random_state(&self, random: &mut SplitMix64) -> State {
+        let n = self.dof();
+        let mut numbers = || -> Vector { (0..n).map(|_| Number::random(random)).collect() };
+        let (q, qd, qdd) = (numbers(), numbers(), numbers());
+        State {
+            q: q.into_iter()
+                .map(|q| Position::at(circle_point(random), q))
+                .collect(),
+            qd,
+            qdd,
+        }
+    }
+
+    /// Every link's parameters in the frame on its joint's axis, the moments in the link's own axes
+    /// or in those of [`Definition::moment_axes`].
+    fn standard_parameters(&self) -> Vector {
+        let rotations = self.moment_axes();
+        let mut values = Vec::new();
+        for (i, row) in self.rows.iter().enumerate() {
+            let (s, c) = row.twist;
+            let (com, inertia) = match self.convention {
+                Convention::Modified => (row.com, row.inertia),
+                Convention::Standard => {
+                    let link = Pose::screw_x((s, c), row.a);
+                    let com = link.rotation.apply(row.com) + link.origin;
+                    (com, row.inertia.rotated(&link.rotation))
+                }
+            };
+            // J = I + m (c.c 1 - c c^T)
+            let [x, y, z] = com.0;
+            let m = row.mass;
+            let tensor = inertia
+                + Symmetric3 {
+                    xx: y * y + z * z,
+                    yy: x * x + z * z,
+                    zz: x * x + y * y,
+                    xy: -(x * y),
+                    yz: -(y * z),
+                    xz: -(x * z),
+                } * m;
+            values.extend([
+                tensor.xx, tensor.xy, tensor.xz, tensor.yy, tensor.yz, tensor.zz,
+            ]);
+            let moment = com * m;
+            let moment = rotations[i].as_ref().map_or(moment, |r| r.apply(moment));
+            values.extend(moment.0);
+            values.push(m);
+            if row.has_motor {
+                values.push(row.reflected);
+            }
+        }
+        values
+    }
+
+    /// For a prismatic joint whose last revolute joint before it has its axis along none of the
+    /// link's own: the rotation to that joint's frame.
+    fn moment_axes(&self) -> Vec<Option<Matrix3<Number>>> {
+        let frames = self.joint_frames(&self.q);
+        let rotation = |i: usize| {
+            let is_revolute = |&j: &usize| self.rows[j].joint_type == JointType::Revolute;
+            let before = (0..i).rev().find(is_revolute)?;
+            let rotation = frames[before].rotation.transpose();
+            let rotation = rotation.product(&frames[i].rotation);
+            let along = rotation.0[2].iter().filter(|x| !x.is_zero()).count();
+            (!is_revolute(&i) && along > 1).then_some(rotation)
+        };
+        (0..self.dof()).map(rotation).collect()
+    }
+
+    /// Row j: the force of joint j by a unit of each standard parameter.
+    fn standard_regressor(&self, state: &State) -> Matrix {
+        let n = self.dof();
+        let momenta = self.momentum_rates(state);
+        let rotations = self.moment_axes();
+        let row = |j: usize| {
+            let slopes = self.slopes(state, j);
+            let mut row = Vec::new();
+            for i in 0..n {
+                let mut column: Vector = (0..10).map(|k| momenta[j][i][k] - slopes[i][k]).collect();
+                if let Some(rotation) = &rotations[i] {
+                    let moment = Vector3::new(column[6], column[7], column[8]);
+                    column[6..9].copy_from_slice(&rotation.apply(moment).0);
+                }
+                row.extend(column);
+                if self.rows[i].has_motor {
+                    row.push(if i == j { state.qdd[i] } else { Number::ZERO });
+                }
+            }
+            row
+        };
+        (0..n).map(row).collect()
+    }
+
+    /// d/dt (dT/dqd_j), for each joint j, link i and parameter.
+    fn momentum_rates(&self, state: &State) -> Vec<Vec<[Number; 10]>> {
+        let n = self.dof();
+        let zero = Number::ZERO;
+        // Inner derivatives are rates in time, outer ones those of a unit velocity of one joint.
+        let moving = |k: usize| {
+            let joints = state.q.iter().zip(&state.qd).enumerate();
+            let joints: Vec<_> = joints
+                .map(|(i, (q, &qd))| {
+                    let unit = if i == k { Number::ONE } else { zero };
+                    q.moving(qd).moving(Dual::new(unit, zero))
+                })
+                .collect();
+            self.twists(&joints)
+        };
+        let units: Vec<Vec<Twist<Dual<Number>>>> = (0..n).map(moving).collect();
+        let rates: Vec<_> = state.qd.iter().zip(&state.qdd).collect();
+        let whole = |i: usize| {
+            let rest = Vector3::splat(Dual::new(zero, zero));
+            let mut sum = Twist { w: rest, v: rest };
+            for (unit, &(&qd, &qdd)) in units.iter().zip(&rates) {
+                let rate = Dual::new(qd, qdd);
+                sum.w = sum.w + unit[i].w * rate;
+                sum.v = sum.v + unit[i].v * rate;
+            }
+            sum
+        };
+        let wholes: Vec<_> = (0..n).map(whole).collect();
+        let rate = |j: usize, i: usize| polar(units[j][i], wholes[i]).map(|x| x.derivative);
+        let of_joint = |j| (0..n).map(|i| rate(j, i)).collect();
+        (0..n).map(of_joint).collect()
+    }
+
+    /// dT/dq_j - dU/dq_j, for each link and parameter.
+    fn slopes(&self, state: &State, j: usize) -> Vec<[Number; 10]> {
+        let zero = Number::ZERO;
+        let joints = state.q.iter().zip(&state.qd).enumerate();
+        let joints: Vec<_> = joints
+            .map(|(i, (q, &qd))| {
+                let unit = if i == j { Number::ONE } else { zero };
+                q.moving(unit).moving(Dual::new(qd, zero))
+            })
+            .collect();
+        let frames = self.joint_frames(&joints);
+        let slope = |frame: &Pose<Dual<Dual<Number>>>| {
+            let twist = twist(frame);
+            let mut slope = polar(twist, twist).map(|x| self.half * x.derivative);
+            // -U = m g.p + g.R h
+            let along = |v: [Dual<Dual<Number>>; 3]| {
+                let rates = Vector3(v.map(|x| x.value.derivative));
+                self.gravity.dot(rates)
+            };
+            for k in 0..3 {
+                slope[6 + k] = slope[6 + k] + along(frame.rotation.column(k).0);
+            }
+            slope[9] = slope[9] + along(frame.origin.0);
+            slope
+        };
+        frames.iter().map(slope).collect()
+    }
+
+    fn twists(&self, q: &[Position<Dual<Dual<Number>>>]) -> Vec<Twist<Dual<Number>>> {
+        self.joint_frames(q).iter().map(twist).collect()
+    }
+}
+
+fn twist(frame: &Pose<Dual<Dual<Number>>>) -> Twist<Dual<Number>> {
+    let axes = Matrix3(frame.rotation.0.map(|row| row.map(|x| x.value)));
+    let velocity = Vector3(frame.origin.0.map(|x| x.derivative));
+    Twist {
+        w: angular_velocity(&frame.rotation),
+        v: axes.transpose().apply(velocity),
+    }
+}
+
+/// The polar form of 2 T, for a unit of each of the ten parameters: dT/dqd_j is that of the whole
+/// twist and the one by a unit velocity of joint j.
+fn polar<R: Ring>(a: Twist<R>, b: Twist<R>) -> [R; 10] {
+    let (u, w) = (a.w, b.w);
+    let [hx, hy, hz] = (a.v.cross(w) + b.v.cross(u)).0;
+    [
+        u[0] * w[0],
+        u[0] * w[1] + u[1] * w[0],
+        u[0] * w[2] + u[2] * w[0],
+        u[1] * w[1],
+        u[1] * w[2] + u[2] * w[1],
+        u[2] * w[2],
+        hx,
+        hy,
+        hz,
+        a.v.dot(b.v),
+    ]
+}
+
+fn dot(a: &[Number], b: &[Number]) -> Number {
+    let terms = a.iter().zip(b);
+    terms.fold(Number::ZERO, |sum, (&a, &b)| sum + a * b)
+}
+
+/// The first `columns` columns that are no combination of those before them; the rows are left in
+/// reduced echelon form.
+fn independent_columns(rows: &mut Matrix, columns: usize) -> Vec<usize> {
+    let mut independent = Vec::new();
+    for column in 0..columns {
+        let top = independent.len();
+        let pivot = (top..rows.len()).find(|&r| !rows[r][column].is_zero());
+        let Some((pivot, inverse)) = pivot.and_then(|p| Some((p, rows[p][column].inverse()?)))
+        else {
+            continue;
+        };
+        rows.swap(pivot, top);
+        let scaled: Vector = rows[top].iter().map(|&x| x * inverse).collect();
+        for row in rows.iter_mut() {
+            let factor = row[column];
+            if !factor.is_zero() {
+                let terms = row.iter_mut().zip(&scaled).skip(column);
+                terms.for_each(|(x, &pivot)| *x = *x - factor * pivot);
+            }
+        }
+        rows[top] = scaled;
+        independent.push(column);
+    }
+    independent
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn dependent_columns_are_left_out() {
+        let row = |entries: [u64; 5]| entries.map(Number::new).to_vec();
+        // The second column is twice the first, the fourth the sum of the first and the third.
+        let mut rows = vec![
+            row([1, 2, 0, 1, 5]),
+            row([0, 0, 3, 3, 6]),
+            row([2, 4, 1, 3, 12]),
+        ];
+        assert_eq!(independent_columns(&mut rows, 4), [0, 2]);
+        // 5 times the first and 2 times the third make the last one.
+        assert_eq!((rows[0][4], rows[1][4]), (Number::new(5), Number::new(2)));
+        assert!(rows[2][4].is_zero());
+    }
+}
