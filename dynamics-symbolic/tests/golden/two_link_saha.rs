@@ -498,4 +498,103 @@ impl Arm {
             ]),
         )
     }
+    /// Regressor Y(q, qd, qdd), N x P, of the P base inertial parameters: Y * base_parameters = tau - F, the joint forces without friction.
+    ///
+    /// `q`: joint positions, rad; `qd`: joint velocities, rad per s; `qdd`: joint accelerations, rad per s^2.
+    ///
+    /// The base parameters:
+    ///
+    /// ```text
+    ///   1  J1zz + a1^2 m2
+    ///   2  h1x + a1 m2
+    ///   3  h1y
+    ///   4  J2zz
+    ///   5  h2x
+    ///   6  h2y
+    /// ```
+    ///
+    /// Jixx to Jizz (kg m^2) are the entries of link i's inertia tensor about the origin of frame i, hix to hiz (kg m) its first moments mass * com from there, mi (kg) its mass. Frame i is the link frame i of the table before its factors Tx(a) Rx(alpha): its origin and its z axis are on the axis of joint i. ai, di are cells of row i, sai, cai sine and cosine of its alpha.
+    ///
+    /// Operations: 16 multiplications, 10 additions, sines and cosines of 2 angles.
+    ///
+    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
+    #[inline]
+    #[allow(unused_variables, clippy::all)]
+    pub fn regressor<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qdd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::robot_dynamics::nalgebra::SMatrix<T, 2, 6> {
+        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Scalar::sin_cos_array([
+            q.data.0[0][0],
+            q.data.0[0][1],
+        ]);
+        let qd_1 = qd.data.0[0][0];
+        let qd_2 = qd.data.0[0][1];
+        let qdd_1 = qdd.data.0[0][0];
+        let qdd_2 = qdd.data.0[0][1];
+        let real = <T as ::robot_dynamics::Scalar>::from_f64;
+        let t_1 = real(9.81) * c_1;
+        let t_2 = real(-9.81) * s_1;
+        let t_3 = qdd_1 + qdd_2;
+        let t_4 = real(2.0).mul_add(qdd_1, t_1);
+        let t_5 = qd_1 * qd_1;
+        let t_6 = real(2.0).mul_add(t_5, t_2);
+        let t_7 = s_2.mul_add(t_6, c_2 * t_4);
+        let t_8 = qd_1 + qd_2;
+        let t_9 = t_8 * t_8;
+        let t_10 = (-c_2).mul_add(t_3, s_2 * t_9);
+        let t_11 = real(-2.0).mul_add(t_10, t_7);
+        let t_12 = (-s_2).mul_add(t_4, c_2 * t_6);
+        let t_13 = s_2.mul_add(t_3, c_2 * t_9);
+        let t_14 = real(-2.0).mul_add(t_13, t_12);
+        ::robot_dynamics::nalgebra::SMatrix::from_data(
+            ::robot_dynamics::nalgebra::ArrayStorage([
+                [qdd_1, real(0.0)],
+                [t_1, real(0.0)],
+                [t_2, real(0.0)],
+                [t_3, t_3],
+                [t_11, t_7],
+                [t_14, t_12],
+            ]),
+        )
+    }
+    /// The P base inertial parameters: the smallest set by which the joint forces of every motion are determined, regressor * base_parameters = tau - F.
+    ///
+    /// The base parameters:
+    ///
+    /// ```text
+    ///   1  J1zz + a1^2 m2
+    ///   2  h1x + a1 m2
+    ///   3  h1y
+    ///   4  J2zz
+    ///   5  h2x
+    ///   6  h2y
+    /// ```
+    ///
+    /// Jixx to Jizz (kg m^2) are the entries of link i's inertia tensor about the origin of frame i, hix to hiz (kg m) its first moments mass * com from there, mi (kg) its mass. Frame i is the link frame i of the table before its factors Tx(a) Rx(alpha): its origin and its z axis are on the axis of joint i. ai, di are cells of row i, sai, cai sine and cosine of its alpha.
+    ///
+    /// Operations: 0 multiplications, 0 additions.
+    ///
+    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
+    #[inline]
+    #[allow(unused_variables, clippy::all)]
+    pub fn base_parameters<T: ::robot_dynamics::Scalar>(
+        &self,
+    ) -> ::robot_dynamics::nalgebra::SVector<T, 6> {
+        let real = <T as ::robot_dynamics::Scalar>::from_f64;
+        ::robot_dynamics::nalgebra::SMatrix::from_data(
+            ::robot_dynamics::nalgebra::ArrayStorage([
+                [
+                    real(8.0),
+                    real(5.0),
+                    real(0.0),
+                    real(0.3333333333333333),
+                    real(0.5),
+                    real(0.0),
+                ],
+            ]),
+        )
+    }
 }
