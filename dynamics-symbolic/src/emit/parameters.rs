@@ -44,10 +44,15 @@ fn legend(robot: &Robot) -> String {
         true => "; Ii (kg m^2 or kg) is gear_ratio^2 times the inertia of motor i",
         false => "",
     };
+    let slides = |row: &crate::robot::Row| row.joint_type == JointType::Prismatic;
+    let turn = match robot.rows.iter().any(slides) {
+        true => ", sti, cti of its theta",
+        false => "",
+    };
     format!(
         "Jixx to Jizz (kg m^2) are the entries of link i's inertia tensor about the origin of frame i, hix to hiz \
          (kg m) its first moments mass * com from there, mi (kg) its mass{motor}. Frame i is {frame}. ai, di are cells of row i, \
-         sai, cai sine and cosine of its alpha, sti, cti of its theta."
+         sai, cai sine and cosine of its alpha{turn}."
     )
 }
 
