@@ -121,7 +121,10 @@ macro_rules! impl_scalar {
 
             #[inline]
             fn sign(self) -> Self {
-                if self == 0.0 { 0.0 } else { self.signum() }
+                // Selections and no branches: nobody can predict which way a joint turns.
+                let unit = <$float>::copysign(1.0, self);
+                let sign = if self == 0.0 { 0.0 } else { unit };
+                if self.is_nan() { self } else { sign }
             }
 
             #[inline]

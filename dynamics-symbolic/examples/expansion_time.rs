@@ -3,10 +3,15 @@
 //! A procedural macro runs unoptimised in users' builds, so the number that
 //! counts is that of the profile `unoptimised`:
 //! `cargo run --profile unoptimised -p dynamics-symbolic --example expansion_time`
+//!
+//! With numbers as arguments, generic chains of so many joints are expanded instead, once each.
 
+#[path = "../tests/generic_chain/mod.rs"]
+mod generic_chain;
 #[path = "../tests/support/mod.rs"]
 mod support;
 
+use dynamics_symbolic::robot::Robot;
 use dynamics_symbolic::{Function, expand};
 use quote::quote;
 use std::time::Instant;
@@ -17,28 +22,44 @@ const CASES: [(&str, f64); 5] = [
     ("puma560", 1.5),
     ("panda", 4.0),
     ("generic_chain_n7", 4.0),
-    ("generic_chain_n12", 20.0),
+    ("generic_chain_n12", 8.0),
 ];
 
+/// As [`CASES`], the longest chain that is promised to expand.
+const LONGEST: (usize, f64) = (30, 20.0);
+
 fn main() {
-    println!("robot                joints  median of 3, s  limit, s");
-    for (name, limit) in CASES {
-        let robot = support::robot(name);
-        let functions = Function::default_set(true);
-        let mut times: Vec<f64> = (0..3)
-            .map(|_| {
-                let start = Instant::now();
-                let methods =
-                    expand(&robot, &functions, &quote!(::robot_dynamics)).expect("proven");
-                assert_eq!(methods.len(), functions.len());
-                start.elapsed().as_secs_f64()
-            })
-            .collect();
-        times.sort_by(f64::total_cmp);
-        println!(
-            "{name:20} {:6} {:15.3} {limit:9.1}",
-            robot.rows.len(),
-            times[1]
-        );
+    let joints: Vec<usize> = std::env::args()
+        .skip(1)
+        .map(|argument| argument.parse().expect("a number of joints"))
+        .collect();
+    println!("robot                joints   median, s  limit, s");
+    for &joints in &joints {
+        report(&generic_chain::generic_chain(joints), 1, f64::NAN);
     }
+    if joints.is_empty() {
+        for (name, limit) in CASES {
+            report(&support::robot(name), 3, limit);
+        }
+        report(&generic_chain::generic_chain(LONGEST.0), 3, LONGEST.1);
+    }
+}
+
+/// Prints the median of the times of several expansions.
+fn report(robot: &Robot, repetitions: usize, limit: f64) {
+    let mut times: Vec<f64> = (0..repetitions).map(|_| expansion(robot)).collect();
+    times.sort_by(f64::total_cmp);
+    let (name, joints) = (&robot.name, robot.rows.len());
+    let median = times[repetitions / 2];
+    println!("{name:20} {joints:6} {median:11.4} {limit:9.1}");
+}
+
+/// Seconds of one expansion of the default set.
+fn expansion(robot: &Robot) -> f64 {
+    let functions = Function::default_set(true);
+    let start = Instant::now();
+    let methods = expand(robot, &functions, &quote!(::robot_dynamics)).expect("proven");
+    let time = start.elapsed().as_secs_f64();
+    assert_eq!(methods.len(), functions.len());
+    time
 }

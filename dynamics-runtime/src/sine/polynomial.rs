@@ -24,23 +24,25 @@ const C: [f64; 6] = [
 
 /// Sine and cosine of x + e, where e is below the last place of x, or both are tiny.
 ///
-/// Both polynomials are split in halves (Estrin 1960): a single call waits for its longest chain
-/// of operations, not for their number.
+/// A single call waits for its longest chain of operations, not for their number: the polynomials
+/// are split in parts that are evaluated side by side (Estrin 1960).
 #[inline(always)]
 pub(super) fn sin_cos_reduced<L: Lanes>(x: L, e: L) -> (L, L) {
     let k = |constant: f64| x.constant(constant);
     let z = x * x;
     let (cube, zz) = (x * z, z * z);
+    let fifth = z * cube;
     // cos x = w + (1 - w - z/2) + ...: what 1 - z/2 loses is made good.
     let half_z = k(0.5) * z;
     let w = k(1.0) - half_z;
     let lost = (k(1.0) - w) - half_z;
     // sin (x + e) = x - (x^3 S0 + x^5 (S1 + ...) - e (1 - x^2/2)); -0 stays what it is.
-    let series = (k(S[1]) + z * k(S[2])) + zz * ((k(S[3]) + z * k(S[4])) + zz * k(S[5]));
-    let sine = x - (cube * k(S[0]) + ((z * cube) * series - e * w));
+    let upper = (k(S[3]) + z * k(S[4])) + zz * k(S[5]);
+    let lower = fifth * (k(S[1]) + z * k(S[2])) - e * w;
+    let sine = x - (cube * k(S[0]) + (lower + (zz * fifth) * upper));
     // cos (x + e) = 1 - x^2/2 + x^4 (C0 + ...) - x e
-    let low = (k(C[2]) + z * k(C[3])) + zz * (k(C[4]) + z * k(C[5]));
-    let series = (k(C[0]) + z * k(C[1])) + zz * low;
-    let cosine = w + (lost + (zz * series - x * e));
+    let upper = (k(C[2]) + z * k(C[3])) + zz * (k(C[4]) + z * k(C[5]));
+    let lower = zz * (k(C[0]) + z * k(C[1])) - x * e;
+    let cosine = w + ((lost + lower) + (zz * zz) * upper);
     (sine, cosine)
 }

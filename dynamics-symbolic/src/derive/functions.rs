@@ -2,7 +2,7 @@
 
 use super::chain::Chain;
 use super::symbols::Symbols;
-use super::{christoffel, composite, energy, kinematics, recursive, solve};
+use super::{articulated, christoffel, composite, energy, kinematics, recursive, solve};
 use crate::expr::Expr;
 use crate::function::Function;
 use crate::linear::Vector3;
@@ -11,19 +11,22 @@ use crate::robot::{Interpretation, Robot};
 /// How a function is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Form {
-    /// By the recursion that is made for it.
+    /// By the recursion that is made for it; forward dynamics by factoring the mass matrix.
     Recursive,
     /// From other functions: M qdd + V + G, the contraction of the Christoffel
     /// symbols, or inverse dynamics at rest.
     Assembled,
+    /// Forward dynamics by articulated bodies, without the mass matrix.
+    Articulated,
 }
 
 impl Form {
-    /// The forms that are worth a trial. Assembled motions grow with a higher
+    /// The forms that may be the shortest. Assembled motions grow with a higher
     /// power of the number of joints: they win for up to three.
     pub fn of(function: Function, dof: usize) -> &'static [Form] {
         match function {
             Function::GravityVector => &[Form::Recursive, Form::Assembled],
+            Function::ForwardDynamics => &[Form::Recursive, Form::Articulated],
             Function::InverseDynamics | Function::BiasForce | Function::CoriolisVector
                 if dof <= 3 =>
             {
@@ -65,19 +68,7 @@ pub fn outputs<'g>(
             let forces = recursive::inverse_dynamics(chain, &qd, &still, chain.gravity);
             sum(forces, &friction(symbols, robot))
         }
-        Function::ForwardDynamics => {
-            let matrix = composite::mass_matrix(chain);
-            let bias = outputs(symbols, robot, chain, Function::BiasForce, Form::Recursive);
-            let applied = symbols.all(|joint| joint.tau);
-            let net = applied
-                .into_iter()
-                .zip(bias)
-                .map(|(tau, bias)| tau - bias)
-                .collect();
-            let diagonal: Vec<_> = (0..matrix.len()).map(|i| matrix[i][i]).collect();
-            let solution = solve::solve(graph, matrix, net);
-            [solution.x, solution.pivots, diagonal].concat()
-        }
+        Function::ForwardDynamics => forward_dynamics(symbols, robot, chain, form),
         Function::KineticEnergy => vec![energy::kinetic_energy(graph, chain, &qd)],
         Function::PotentialEnergy => vec![energy::potential_energy(chain)],
         Function::CoriolisMatrix => {
@@ -122,6 +113,25 @@ pub fn outputs<'g>(
         }
         Function::Jacobian => kinematics::jacobian(symbols, robot),
     }
+}
+
+/// Accelerations, pivots, and the diagonal of M.
+fn forward_dynamics<'g>(
+    symbols: &mut Symbols<'g>,
+    robot: &Robot,
+    chain: &Chain<'g>,
+    form: Form,
+) -> Vec<Expr<'g>> {
+    let bias = outputs(symbols, robot, chain, Function::BiasForce, Form::Recursive);
+    let applied = symbols.all(|joint| joint.tau).into_iter();
+    let net: Vec<_> = applied.zip(bias).map(|(tau, bias)| tau - bias).collect();
+    let matrix = composite::mass_matrix(chain);
+    let diagonal = (0..matrix.len()).map(|i| matrix[i][i]).collect();
+    let solution = match form {
+        Form::Articulated => articulated::solve(chain, &net),
+        _ => solve::solve(symbols.graph(), matrix, net),
+    };
+    [solution.x, solution.pivots, diagonal].concat()
 }
 
 /// The functions that have a second form.

@@ -46,7 +46,7 @@ impl Gauge {
 
     /// The gauge for the shortest program of a function that a descent finds:
     /// single choices and neighbouring pairs are reversed for as long as the
-    /// number of operations falls.
+    /// work of the operations falls.
     pub fn search(robot: &Robot, function: Function, form: Form) -> Self {
         let dof = robot.rows.len();
         let mut gauge = Gauge::plain(dof);
@@ -86,11 +86,17 @@ impl Gauge {
         Network::new(symbols.graph(), &outputs)
     }
 
-    /// Operations before any simplification; adds the nodes of the trial graph to `nodes`.
-    fn cost(&self, robot: &Robot, function: Function, form: Form, nodes: &mut usize) -> usize {
+    /// The work before any simplification; adds the nodes of the trial graph to `nodes`.
+    pub(super) fn cost(
+        &self,
+        robot: &Robot,
+        function: Function,
+        form: Form,
+        nodes: &mut usize,
+    ) -> usize {
         let graph = Graph::new();
         let mut symbols = Symbols::new(&graph, robot);
-        let cost = self.network(&mut symbols, robot, function, form).cost();
+        let cost = self.network(&mut symbols, robot, function, form).work();
         *nodes += graph.len();
         cost
     }
@@ -124,7 +130,8 @@ enum Choice {
     Keep(usize),
 }
 
-/// The steps of one round of the descent, the most promising first.
+/// The steps of one round of the descent, the most promising first. Where all origins move at
+/// once, a long chain takes the step for which its nodes would not suffice one by one.
 fn steps(dof: usize) -> Vec<Vec<Choice>> {
     use Choice::{Keep, Origin, Stay};
     let single = (0..dof)
@@ -136,5 +143,10 @@ fn steps(dof: usize) -> Vec<Vec<Choice>> {
         .flat_map(|i| [vec![Stay(i - 1), Stay(i)], vec![Origin(i - 1), Origin(i)]]);
     let mixed = (0..dof).map(|i| vec![Stay(i), Origin(i)]);
     let keep = (0..dof).map(|i| vec![Keep(i)]);
-    single.chain(pairs).chain(mixed).chain(keep).collect()
+    let all = core::iter::once((0..dof).map(Origin).collect());
+    all.chain(single)
+        .chain(pairs)
+        .chain(mixed)
+        .chain(keep)
+        .collect()
 }

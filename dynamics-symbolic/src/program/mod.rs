@@ -1,5 +1,6 @@
 //! Straight-line programs: what is proven, and what is emitted.
 
+mod balance;
 mod build;
 mod constant;
 mod count;

@@ -32,7 +32,7 @@ pub enum JointType {
 }
 
 /// One row of the table: a joint and the link that it moves. SI units, radians.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Row {
     /// The joint's name.
     pub name: String,

@@ -1,6 +1,7 @@
 //! The part of a graph that a program computes, with one definition for each node.
 
 use crate::expr::{Edge, Fingerprint, Graph, Level, NodeId, Operation};
+use core::cell::Cell;
 
 /// The nodes that the outputs need, and the definition of each.
 pub struct Network<'g> {
@@ -9,7 +10,8 @@ pub struct Network<'g> {
     /// The definition of each node; meaningful where the node is active or constant.
     definitions: Vec<Operation>,
     values: Vec<Fingerprint>,
-    inverses: Vec<Option<Fingerprint>>,
+    /// Inverses of values, found when they are asked for: most never are.
+    inverses: Vec<Cell<Option<Option<Fingerprint>>>>,
     free: Vec<bool>,
     /// How many active nodes and outputs read each node: active where positive.
     readers: Vec<u32>,
@@ -82,7 +84,7 @@ impl<'g> Network<'g> {
             );
             self.definitions.push(node.operation);
             self.values.push(node.value);
-            self.inverses.push(node.value.inverse());
+            self.inverses.push(Cell::new(None));
             self.free.push(is_leaf || node.level == Level::Constant);
             self.readers.push(0);
         }
@@ -95,6 +97,17 @@ impl<'g> Network<'g> {
     /// The operations that the program takes.
     pub fn cost(&self) -> usize {
         self.cost
+    }
+
+    /// What the operations take: two for an addition, three for a multiplication or a division.
+    /// Processors have as many adders as multipliers, and many an addition is fused with a product.
+    pub fn work(&self) -> usize {
+        let work = |(index, operation): (usize, &Operation)| match operation {
+            _ if self.readers[index] == 0 || self.free[index] => 0,
+            Operation::Add(..) => 2,
+            _ => 3,
+        };
+        self.definitions.iter().enumerate().map(work).sum()
     }
 
     /// The definition of a node.
@@ -112,7 +125,12 @@ impl<'g> Network<'g> {
     }
 
     pub(super) fn inverse(&self, id: NodeId) -> Option<Fingerprint> {
-        self.inverses[id.index()]
+        let known = &self.inverses[id.index()];
+        known.get().unwrap_or_else(|| {
+            let inverse = self.value(id).inverse();
+            known.set(Some(inverse));
+            inverse
+        })
     }
 
     /// Whether a node takes no operation: a symbol or a constant.

@@ -76,7 +76,7 @@ struct Replacement {
 /// Whether the node was redefined.
 fn replace(network: &mut Network<'_>, survey: &Survey, pairs: &Pairs, id: NodeId) -> bool {
     let target = network.value(id);
-    let dependents = survey.dependents(network, id);
+    let dependents = survey.dependents(id);
     for x in survey.candidates(network, &dependents, usize::MAX) {
         let value = network.value(x);
         let product = network.inverse(x).map(|inverse| target * inverse);

@@ -13,7 +13,7 @@ pub(super) fn resubstitute(network: &mut Network<'_>, left: &mut usize) {
         if !network.is_active(id) || network.cone(id) < 2 {
             continue;
         }
-        let dependents = survey.dependents(network, id);
+        let dependents = survey.dependents(id);
         let candidates = survey.candidates(network, &dependents, window);
         *left = left.saturating_sub(3 * candidates.len());
         if *left == 0 {

@@ -2,6 +2,7 @@
 
 use super::Network;
 use crate::expr::{Fingerprint, FingerprintMap, NodeId};
+use core::cell::RefCell;
 
 /// A look at a network: valid until a definition changes.
 pub(super) struct Survey {
@@ -48,17 +49,28 @@ impl Survey {
     }
 
     /// The nodes that depend on a node, itself included: what its definition may not read.
-    pub(super) fn dependents(&self, network: &Network<'_>, id: NodeId) -> Dependents {
-        let first = self.positions[id.index()] as usize;
-        let mut depends = vec![true];
-        for &node in &self.order[first..] {
+    pub(super) fn dependents(&self, id: NodeId) -> Dependents {
+        Dependents {
+            first: self.positions[id.index()] as usize,
+            depends: RefCell::new(vec![true]),
+        }
+    }
+
+    /// Whether the node at a position is one of some dependents. They are found as
+    /// far as they are asked for: most questions are about nodes nearby.
+    fn depends(&self, network: &Network<'_>, dependents: &Dependents, position: usize) -> bool {
+        let Some(place) = position.checked_sub(dependents.first) else {
+            return false;
+        };
+        let mut depends = dependents.depends.borrow_mut();
+        for &node in &self.order[(dependents.first + depends.len() - 1).min(position)..position] {
             let reads = network.definition(node).operands().any(|operand| {
-                let position = self.position(operand);
-                position >= first && depends[position - first]
+                let place = self.position(operand).checked_sub(dependents.first);
+                place.is_some_and(|place| depends[place])
             });
             depends.push(reads);
         }
-        Dependents { first, depends }
+        depends[place]
     }
 
     fn position(&self, id: NodeId) -> usize {
@@ -74,10 +86,7 @@ impl Survey {
         dependents: &Dependents,
         id: NodeId,
     ) -> bool {
-        let position = self.position(id);
-        let depends =
-            position >= dependents.first && dependents.depends[position - dependents.first];
-        !depends && network.is_active(id)
+        network.is_active(id) && !self.depends(network, dependents, self.position(id))
     }
 
     /// The leaves, and up to `window` nodes before and after the node of some
@@ -98,10 +107,10 @@ impl Survey {
     }
 }
 
-/// Which nodes depend on a node, by their position from that node's on.
+/// Which nodes depend on a node, by their position from that node's on, as far as they are known.
 pub(super) struct Dependents {
     first: usize,
-    depends: Vec<bool>,
+    depends: RefCell<Vec<bool>>,
 }
 
 /// The smaller of the representatives of a value and its opposite, and whether that is the opposite.

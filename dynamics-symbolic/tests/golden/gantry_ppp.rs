@@ -109,7 +109,7 @@ impl Arm {
     /// Operations: 8 multiplications, 7 additions.
     ///
     /// ```text
-    /// tau1 = 8 sign(qd1) + 22 (qdd1 + 9.81) + 5 qd1
+    /// tau1 = 8 sign(qd1) + 5 qd1 + 22 (qdd1 + 9.81)
     /// tau2 = 6 sign(qd2) + 10 qdd2 + 4 qd2
     /// tau3 = 3 (qd3 + qdd3 + 1.3333333333333333 sign(qd3))
     /// ```
@@ -160,7 +160,7 @@ impl Arm {
     /// Operations: 6 multiplications, 4 additions.
     ///
     /// ```text
-    /// T = 6 (qd1 qd1 + 0.5833333333333334 (qd1 qd1 + qd2 qd2) + 0.25 (qd1 qd1 + qd2 qd2 + qd3 qd3))
+    /// T = 6 (0.25 (qd3 qd3 + qd2 qd2 + qd1 qd1) + qd1 qd1 + 0.5833333333333334 (qd2 qd2 + qd1 qd1))
     /// ```
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
@@ -177,9 +177,9 @@ impl Arm {
         let qd_3 = qd.data.0[0][2];
         let t_1 = qd_1 * qd_1;
         let t_2 = qd_2.mul_add(qd_2, t_1);
-        let t_3 = real(0.5833333333333334).mul_add(t_2, t_1);
-        let t_4 = qd_3.mul_add(qd_3, t_2);
-        let t_5 = real(0.25).mul_add(t_4, t_3);
+        let t_3 = qd_3.mul_add(qd_3, t_2);
+        let t_4 = real(0.5833333333333334).mul_add(t_2, t_1);
+        let t_5 = real(0.25).mul_add(t_3, t_4);
         let t_6 = real(6.0) * t_5;
         t_6
     }
@@ -269,7 +269,7 @@ impl ::robot_dynamics::InverseDynamics<3> for Arm {
         let qdd_2 = qdd.data.0[0][1];
         let qdd_3 = qdd.data.0[0][2];
         let t_1 = qdd_1 + real(9.81);
-        let t_2 = real(5.0).mul_add(qd_1, real(22.0) * t_1);
+        let t_2 = real(22.0).mul_add(t_1, real(5.0) * qd_1);
         let t_3 = real(8.0).mul_add(sign_1, t_2);
         let t_4 = real(4.0).mul_add(qd_2, real(10.0) * qdd_2);
         let t_5 = real(6.0).mul_add(sign_2, t_4);
@@ -302,8 +302,8 @@ impl ::robot_dynamics::ForwardDynamics<3> for Arm {
         let tau_1 = tau.data.0[0][0];
         let tau_2 = tau.data.0[0][1];
         let tau_3 = tau.data.0[0][2];
-        let t_1 = tau_1 - real(215.82);
-        let t_2 = real(5.0).mul_add(qd_1, -t_1);
+        let t_1 = real(5.0).mul_add(qd_1, -tau_1);
+        let t_2 = real(215.82) + t_1;
         let t_3 = real(8.0).mul_add(sign_1, t_2);
         let t_4 = real(0.045454545454545456) * t_3;
         let t_5 = real(-4.0).mul_add(qd_2, tau_2);

@@ -6,7 +6,7 @@ impl Arm {
     /// Operations: 6 multiplications, 4 additions, sine and cosine of one angle.
     ///
     /// ```text
-    /// M11 = l1 l1 (m2 + m1) + l1 cos(q2) m2 l2 + l2 m2 l2 + l1 cos(q2) m2 l2
+    /// M11 = l2 m2 l2 + l1 cos(q2) m2 l2 + l1 l1 (m2 + m1) + l1 cos(q2) m2 l2
     /// M12 = l2 m2 l2 + l1 cos(q2) m2 l2
     /// M21 = l2 m2 l2 + l1 cos(q2) m2 l2
     /// M22 = l2 m2 l2
@@ -28,7 +28,7 @@ impl Arm {
     /// Operations: 7 multiplications, 2 additions, sine and cosine of one angle.
     ///
     /// ```text
-    /// V1 = -qd2 (qd2 m2 l2 l1 sin(q2) + qd1 m2 l2 l1 sin(q2) + qd1 m2 l2 l1 sin(q2))
+    /// V1 = -qd2 (qd1 m2 l2 l1 sin(q2) + qd2 m2 l2 l1 sin(q2) + qd1 m2 l2 l1 sin(q2))
     /// V2 = qd1 qd1 m2 l2 l1 sin(q2)
     /// ```
     ///
@@ -114,7 +114,7 @@ impl Arm {
     /// Operations: 11 multiplications, 4 additions, sine and cosine of one angle.
     ///
     /// ```text
-    /// T = m2 l2 cos(q2) l1 qd1 (qd1 + qd2) + 0.5 ((m2 + m1) l1 qd1 l1 qd1 + (qd1 + qd2) l2 m2 l2 (qd1 + qd2))
+    /// T = 0.5 ((m2 + m1) l1 qd1 l1 qd1 + (qd1 + qd2) l2 m2 l2 (qd1 + qd2)) + m2 l2 cos(q2) l1 qd1 (qd1 + qd2)
     /// ```
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
@@ -143,7 +143,7 @@ impl Arm {
         let t_8 = p_l2 * t_1;
         let t_9 = t_8 * t_4;
         let t_10 = t_4.mul_add(t_9, t_6 * t_7);
-        let t_11 = real(0.5).mul_add(t_10, t_1 * t_5);
+        let t_11 = t_1.mul_add(t_5, real(0.5) * t_10);
         t_11
     }
     /// Potential energy U(q) = -sum m g.c, zero at the origin of the base frame, J.
@@ -153,7 +153,7 @@ impl Arm {
     /// Operations: 7 multiplications, 3 additions, sines and cosines of 2 angles.
     ///
     /// ```text
-    /// U = g (sin(q1) (l1 (m2 + m1) + cos(q2) m2 l2) + cos(q1) sin(q2) m2 l2)
+    /// U = g (cos(q1) sin(q2) m2 l2 + sin(q1) (l1 (m2 + m1) + cos(q2) m2 l2))
     /// ```
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
@@ -177,7 +177,7 @@ impl Arm {
         let t_2 = p_m2 * p_l2;
         let t_3 = c_2.mul_add(t_2, p_l1 * t_1);
         let t_4 = s_2 * t_2;
-        let t_5 = c_1.mul_add(t_4, s_1 * t_3);
+        let t_5 = s_1.mul_add(t_3, c_1 * t_4);
         let t_6 = p_g * t_5;
         t_6
     }
@@ -201,8 +201,8 @@ impl ::robot_dynamics::MassMatrix<2> for Arm {
         let t_5 = p_l1 * t_4;
         let t_6 = p_l2 * t_3;
         let t_7 = t_6 + t_5;
-        let t_8 = t_5 + t_7;
-        let t_9 = p_l1.mul_add(t_2, t_8);
+        let t_8 = p_l1.mul_add(t_2, t_5);
+        let t_9 = t_7 + t_8;
         ::robot_dynamics::nalgebra::SMatrix::from_data(
             ::robot_dynamics::nalgebra::ArrayStorage([[t_9, t_7], [t_7, t_6]]),
         )
@@ -227,7 +227,7 @@ impl ::robot_dynamics::CoriolisVector<2> for Arm {
         let t_3 = t_1 * t_2;
         let t_4 = qd_1 * t_3;
         let t_5 = qd_2.mul_add(t_3, t_4);
-        let t_6 = t_5 + t_4;
+        let t_6 = t_4 + t_5;
         let t_7 = qd_2 * t_6;
         let t_8 = qd_1 * t_4;
         ::robot_dynamics::nalgebra::SMatrix::from_data(
@@ -286,7 +286,7 @@ impl ::robot_dynamics::InverseDynamics<2> for Arm {
         let qd_2 = qd.data.0[0][1];
         let qdd_1 = qdd.data.0[0][0];
         let qdd_2 = qdd.data.0[0][1];
-        let t_1 = p_l1.mul_add(qdd_1, p_g * c_1);
+        let t_1 = p_g.mul_add(c_1, p_l1 * qdd_1);
         let t_2 = p_m2 + p_m1;
         let t_3 = p_l1 * t_2;
         let t_4 = p_m2 * p_l2;
@@ -296,13 +296,13 @@ impl ::robot_dynamics::InverseDynamics<2> for Arm {
         let t_8 = s_2 * t_4;
         let t_9 = qd_1 * qd_1;
         let t_10 = (-p_l1).mul_add(t_9, p_g * s_1);
-        let t_11 = (-t_7).mul_add(t_1, t_8 * t_10);
-        let t_12 = t_5.mul_add(t_6, -t_11);
+        let t_11 = (-t_8).mul_add(t_10, t_5 * t_6);
+        let t_12 = t_7.mul_add(t_1, t_11);
         let t_13 = qd_1 + qd_2;
         let t_14 = t_13 * t_13;
         let t_15 = (-t_8).mul_add(t_14, t_7 * t_6);
-        let t_16 = p_l1.mul_add(t_15, t_12);
-        let t_17 = t_1.mul_add(t_3, t_16);
+        let t_16 = p_l1.mul_add(t_15, t_1 * t_3);
+        let t_17 = t_12 + t_16;
         ::robot_dynamics::nalgebra::SMatrix::from_data(
             ::robot_dynamics::nalgebra::ArrayStorage([[t_17, t_12]]),
         )
@@ -345,23 +345,23 @@ impl ::robot_dynamics::ForwardDynamics<2> for Arm {
         let t_10 = qd_1 + qd_2;
         let t_11 = t_10 * t_10;
         let t_12 = t_6 * t_11;
-        let t_13 = p_l1.mul_add(t_12, -t_9);
-        let t_14 = t_2.mul_add(t_3, -t_13);
-        let t_15 = t_14 - tau_1;
-        let t_16 = t_9 - tau_2;
-        let t_17 = p_l2 * t_4;
-        let t_18 = p_l1 * t_5;
-        let t_19 = t_17 + t_18;
-        let t_20 = real(1.0) / t_17;
-        let t_21 = t_19 * t_20;
-        let t_22 = t_16.mul_add(t_21, -t_15);
-        let t_23 = t_18 + t_19;
-        let t_24 = p_l1.mul_add(t_2, t_23);
-        let t_25 = (-t_19).mul_add(t_21, t_24);
+        let t_13 = t_9 - tau_2;
+        let t_14 = p_l2 * t_4;
+        let t_15 = p_l1 * t_5;
+        let t_16 = t_14 + t_15;
+        let t_17 = real(1.0) / t_14;
+        let t_18 = t_16 * t_17;
+        let t_19 = (-t_2).mul_add(t_3, tau_1);
+        let t_20 = p_l1.mul_add(t_12, t_19);
+        let t_21 = t_20 - t_9;
+        let t_22 = t_13.mul_add(t_18, t_21);
+        let t_23 = p_l1.mul_add(t_2, t_15);
+        let t_24 = t_16 + t_23;
+        let t_25 = (-t_16).mul_add(t_18, t_24);
         let t_26 = real(1.0) / t_25;
         let t_27 = t_22 * t_26;
-        let t_28 = t_21.mul_add(t_27, t_16 * t_20);
-        ::robot_dynamics::SingularMassMatrix::test(1, t_17, t_17)?;
+        let t_28 = t_18.mul_add(t_27, t_13 * t_17);
+        ::robot_dynamics::SingularMassMatrix::test(1, t_14, t_14)?;
         ::robot_dynamics::SingularMassMatrix::test(0, t_25, t_24)?;
         ::core::result::Result::Ok(
             ::robot_dynamics::nalgebra::SMatrix::from_data(

@@ -7,8 +7,8 @@ impl Arm {
     ///
     /// ```text
     /// M11 = 8.333333333333334 + cos(q2) + cos(q2)
-    /// M12 = cos(q2) + 0.3333333333333333
-    /// M21 = cos(q2) + 0.3333333333333333
+    /// M12 = 0.3333333333333333 + cos(q2)
+    /// M21 = 0.3333333333333333 + cos(q2)
     /// M22 = 0.3333333333333333
     /// ```
     ///
@@ -49,7 +49,7 @@ impl Arm {
     /// Operations: 4 multiplications, 2 additions, sines and cosines of 2 angles.
     ///
     /// ```text
-    /// G1 = 4.905 (cos(q1) cos(q2) - sin(q1) sin(q2)) + 49.05 cos(q1)
+    /// G1 = 49.05 cos(q1) + 4.905 (cos(q1) cos(q2) - sin(q1) sin(q2))
     /// G2 = 4.905 (cos(q1) cos(q2) - sin(q1) sin(q2))
     /// ```
     ///
@@ -92,8 +92,8 @@ impl Arm {
     /// Operations: 11 multiplications, 10 additions, sines and cosines of 2 angles.
     ///
     /// ```text
-    /// tau1 = 8 qdd1 + 49.05 cos(q1) + sin(q2) (qd1 qd1 - 4.905 sin(q1)) + 0.3333333333333333 (qdd1 + qdd2) + cos(q2) (qdd1 + 4.905 cos(q1)) - (sin(q2) (qd1 + qd2) (qd1 + qd2) - cos(q2) (qdd1 + qdd2))
-    /// tau2 = sin(q2) (qd1 qd1 - 4.905 sin(q1)) + 0.3333333333333333 (qdd1 + qdd2) + cos(q2) (qdd1 + 4.905 cos(q1))
+    /// tau1 = 8 qdd1 + 49.05 cos(q1) + cos(q2) (qdd1 + qdd2) - sin(q2) (qd1 + qd2) (qd1 + qd2) + cos(q2) (qdd1 + 4.905 cos(q1)) + 0.3333333333333333 (qdd1 + qdd2) + sin(q2) (qd1 qd1 - 4.905 sin(q1))
+    /// tau2 = cos(q2) (qdd1 + 4.905 cos(q1)) + 0.3333333333333333 (qdd1 + qdd2) + sin(q2) (qd1 qd1 - 4.905 sin(q1))
     /// ```
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
@@ -142,7 +142,7 @@ impl Arm {
     /// Operations: 6 multiplications, 3 additions, sine and cosine of one angle.
     ///
     /// ```text
-    /// T = (qd1 + qd2) qd1 cos(q2) + 4 (qd1 qd1 + 0.041666666666666664 (qd1 + qd2) (qd1 + qd2))
+    /// T = 4 (qd1 qd1 + 0.041666666666666664 (qd1 + qd2) (qd1 + qd2)) + (qd1 + qd2) qd1 cos(q2)
     /// ```
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
@@ -161,7 +161,7 @@ impl Arm {
         let t_2 = qd_1 * c_2;
         let t_3 = t_1 * t_1;
         let t_4 = real(0.041666666666666664).mul_add(t_3, qd_1 * qd_1);
-        let t_5 = real(4.0).mul_add(t_4, t_1 * t_2);
+        let t_5 = t_1.mul_add(t_2, real(4.0) * t_4);
         t_5
     }
     /// Potential energy U(q) = -sum m g.c, zero at the origin of the base frame, J.
@@ -171,7 +171,7 @@ impl Arm {
     /// Operations: 3 multiplications, 2 additions, sines and cosines of 2 angles.
     ///
     /// ```text
-    /// U = 4.905 (cos(q1) sin(q2) + sin(q1) (cos(q2) + 10))
+    /// U = 4.905 (cos(q1) sin(q2) + sin(q1) (10 + cos(q2)))
     /// ```
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
@@ -186,7 +186,7 @@ impl Arm {
             q.data.0[0][0],
             q.data.0[0][1],
         ]);
-        let t_1 = c_2 + real(10.0);
+        let t_1 = real(10.0) + c_2;
         let t_2 = s_1.mul_add(t_1, c_1 * s_2);
         let t_3 = real(4.905) * t_2;
         t_3
@@ -216,10 +216,10 @@ impl Arm {
         let t_2 = t_1 * t_1;
         let t_3 = qd_1 * qd_1;
         let t_4 = real(0.2038735983690112).mul_add(t_3, -s_1);
-        let t_5 = c_1.mul_add(c_2, s_2 * t_4);
+        let t_5 = s_2.mul_add(t_4, c_1 * c_2);
         let t_6 = real(4.905) * t_5;
-        let t_7 = real(49.05).mul_add(c_1, t_6);
-        let t_8 = (-s_2).mul_add(t_2, t_7);
+        let t_7 = (-s_2).mul_add(t_2, real(49.05) * c_1);
+        let t_8 = t_7 + t_6;
         ::robot_dynamics::nalgebra::SMatrix::from_data(
             ::robot_dynamics::nalgebra::ArrayStorage([[t_8, t_6]]),
         )
@@ -424,7 +424,7 @@ impl ::robot_dynamics::MassMatrix<2> for Arm {
         let (s_2, c_2) = ::robot_dynamics::Scalar::sin_cos(q.data.0[0][1]);
         let t_1 = c_2 + c_2;
         let t_2 = real(8.333333333333334) + t_1;
-        let t_3 = c_2 + real(0.3333333333333333);
+        let t_3 = real(0.3333333333333333) + c_2;
         ::robot_dynamics::nalgebra::SMatrix::from_data(
             ::robot_dynamics::nalgebra::ArrayStorage([
                 [t_2, t_3],
@@ -492,16 +492,16 @@ impl ::robot_dynamics::InverseDynamics<2> for Arm {
         let t_1 = qd_1 + qd_2;
         let t_2 = t_1 * t_1;
         let t_3 = qdd_1 + qdd_2;
-        let t_4 = (-c_2).mul_add(t_3, s_2 * t_2);
-        let t_5 = real(49.05).mul_add(c_1, real(8.0) * qdd_1);
-        let t_6 = real(-4.905).mul_add(s_1, qd_1 * qd_1);
-        let t_7 = real(4.905).mul_add(c_1, qdd_1);
-        let t_8 = c_2.mul_add(t_7, real(0.3333333333333333) * t_3);
-        let t_9 = s_2.mul_add(t_6, t_8);
-        let t_10 = t_5 + t_9;
-        let t_11 = t_10 - t_4;
+        let t_4 = real(-4.905).mul_add(s_1, qd_1 * qd_1);
+        let t_5 = real(4.905).mul_add(c_1, qdd_1);
+        let t_6 = s_2.mul_add(t_4, real(0.3333333333333333) * t_3);
+        let t_7 = c_2.mul_add(t_5, t_6);
+        let t_8 = real(49.05).mul_add(c_1, real(8.0) * qdd_1);
+        let t_9 = (-s_2).mul_add(t_2, c_2 * t_3);
+        let t_10 = t_8 + t_9;
+        let t_11 = t_10 + t_7;
         ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([[t_11, t_9]]),
+            ::robot_dynamics::nalgebra::ArrayStorage([[t_11, t_7]]),
         )
     }
 }
@@ -529,20 +529,20 @@ impl ::robot_dynamics::ForwardDynamics<2> for Arm {
         let t_2 = t_1 * t_1;
         let t_3 = qd_1 * qd_1;
         let t_4 = real(0.2038735983690112).mul_add(t_3, -s_1);
-        let t_5 = c_1.mul_add(c_2, s_2 * t_4);
+        let t_5 = s_2.mul_add(t_4, c_1 * c_2);
         let t_6 = real(4.905) * t_5;
-        let t_7 = real(-49.05).mul_add(c_1, tau_1);
-        let t_8 = t_6 - t_7;
-        let t_9 = (-s_2).mul_add(t_2, t_8);
-        let t_10 = t_6 - tau_2;
-        let t_11 = c_2 + real(0.3333333333333333);
-        let t_12 = real(3.0) * t_11;
-        let t_13 = (-t_10).mul_add(t_12, t_9);
+        let t_7 = t_6 - tau_2;
+        let t_8 = real(0.3333333333333333) + c_2;
+        let t_9 = real(3.0) * t_8;
+        let t_10 = real(49.05).mul_add(c_1, -tau_1);
+        let t_11 = (-s_2).mul_add(t_2, t_10);
+        let t_12 = t_11 + t_6;
+        let t_13 = (-t_7).mul_add(t_9, t_12);
         let t_14 = real(2.0).mul_add(c_2, real(8.333333333333334));
-        let t_15 = (-t_11).mul_add(t_12, t_14);
+        let t_15 = (-t_8).mul_add(t_9, t_14);
         let t_16 = real(1.0) / t_15;
         let t_17 = t_13 * t_16;
-        let t_18 = real(-3.0).mul_add(t_10, t_12 * t_17);
+        let t_18 = real(-3.0).mul_add(t_7, t_9 * t_17);
         ::robot_dynamics::SingularMassMatrix::test(
             1,
             real(0.3333333333333333),

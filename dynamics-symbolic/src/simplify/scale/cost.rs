@@ -1,19 +1,88 @@
 //! What the multiples cost: multiplications by constants.
 
 use super::Scaling;
+use super::multiple::Ratio;
 use super::terms::{Factor, Place};
 use crate::expr::Fingerprint;
 
+/// The multiplications that depend on the multiple of one sum, the multiples of all others given.
+///
+/// A coefficient with the multiple x in it, as c x or c / x, is 1 or -1 for one
+/// x up to sign, and these x are known beforehand: the cost of many x takes one
+/// look at each coefficient, however many terms read the sum.
+pub(super) struct Tally {
+    sum: usize,
+    /// The multiples, up to sign, for which a multiplication is saved: sorted, once for each.
+    units: Vec<u64>,
+    /// Terms and products where x enters in another power.
+    others: Vec<Place>,
+    other_products: Vec<usize>,
+}
+
 impl Scaling<'_, '_> {
-    /// Multiplications by constants that depend on the multiple of a sum.
-    pub(super) fn local_cost(&self, sum: usize) -> usize {
-        let readers = self.sums[sum].readers.iter();
-        let products = self.sums[sum].products.iter();
-        self.own_cost(sum)
-            + readers.filter(|&&place| self.is_multiplied(place)).count()
-            + products
-                .filter(|&&index| self.is_product_multiplied(index))
-                .count()
+    /// The multiplications by constants that depend on the multiple of a sum.
+    pub(super) fn tally(&self, sum: usize) -> Tally {
+        let this = &self.sums[sum];
+        let mut tally = Tally {
+            sum,
+            units: Vec::with_capacity(this.terms.len() + this.readers.len() + 1),
+            others: Vec::new(),
+            other_products: Vec::new(),
+        };
+        for (term, _) in this
+            .terms
+            .iter()
+            .enumerate()
+            .filter(|(_, term)| term.node.is_some())
+        {
+            // The coefficient over x.
+            let ratio = self.coefficient_ratio(Place { sum, term });
+            tally.units.push(magnitude(ratio.value));
+        }
+        if this.is_output {
+            tally.units.push(magnitude(Fingerprint::ONE));
+        }
+        for &place in &this.readers {
+            let (reader, x) = (&self.sums[place.sum], this.multiple.ratio);
+            let term = &reader.terms[place.term];
+            let coefficient = || self.coefficient_ratio(place).over(reader.multiple.ratio);
+            match power(&term.factors, sum) {
+                1 => tally.units.push(magnitude(x.over(coefficient()).value)),
+                -1 => tally.units.push(magnitude(x.times(coefficient()).value)),
+                _ => tally.others.push(place),
+            }
+        }
+        for &index in &this.products {
+            let (product, x) = (self.product(&self.products[index]), this.multiple.ratio);
+            match power(&self.products[index], sum) {
+                1 => tally.units.push(magnitude(x.over(product).value)),
+                -1 => tally.units.push(magnitude(x.times(product).value)),
+                _ => tally.other_products.push(index),
+            }
+        }
+        tally.units.sort_unstable();
+        tally
+    }
+
+    /// The multiplications of a tally if the sum's multiple is `x`.
+    pub(super) fn local_cost(&mut self, tally: &Tally, x: Ratio) -> usize {
+        let unit = magnitude(x.value);
+        let first = tally.units.partition_point(|&other| other < unit);
+        let saved = tally.units[first..]
+            .iter()
+            .take_while(|&&other| other == unit)
+            .count();
+        let ratio = &mut self.sums[tally.sum].multiple.ratio;
+        let old = std::mem::replace(ratio, x);
+        let others = tally
+            .others
+            .iter()
+            .filter(|&&place| self.is_multiplied(place));
+        let products = tally.other_products.iter();
+        let products = products.filter(|&&index| self.is_product_multiplied(index));
+        let cost = tally.units.len() - saved + others.count() + products.count();
+        self.sums[tally.sum].multiple.ratio = old;
+        cost
     }
 
     /// All multiplications by constants.
@@ -63,7 +132,65 @@ impl Scaling<'_, '_> {
     }
 }
 
+/// The power in which the multiple of a sum is in a product.
+fn power(factors: &[Factor], sum: usize) -> i32 {
+    let factors = factors.iter().filter(|factor| factor.sum == sum);
+    factors
+        .map(|factor| if factor.inverted { -1 } else { 1 })
+        .sum()
+}
+
+/// The same number for a value and its opposite.
+fn magnitude(value: Fingerprint) -> u64 {
+    value.get().min((-value).get())
+}
+
 /// Whether a constant is 1 or -1, which cost nothing.
 fn is_unit(value: Fingerprint) -> bool {
     value == Fingerprint::ONE || value == -Fingerprint::ONE
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Network, Scaling};
+    use crate::exact::Rational;
+    use crate::expr::{Expr, Graph, Level};
+
+    /// Sums that read one another once, squared, as a quotient and at outputs.
+    fn outputs(graph: &Graph) -> Vec<Expr<'_>> {
+        let [x, y, z, w] = [(); 4].map(|()| graph.symbol(Level::Variable));
+        let number = |n: i64| graph.rational(&Rational::from(n));
+        let inner = number(2) * x + number(3) * y;
+        let other = number(5) * z + number(7) * w;
+        vec![
+            number(3) * (inner * z) + number(4) * w,
+            number(5) * (inner * inner) + number(2) * other,
+            number(7) * (other / inner) + x,
+            inner * other,
+            inner * inner * w,
+            inner,
+        ]
+    }
+
+    /// A tally differs between two multiples as the total cost does.
+    #[test]
+    fn a_tally_counts_what_the_total_counts() {
+        let graph = Graph::new();
+        let edges: Vec<_> = outputs(&graph).iter().map(|e| e.edge()).collect();
+        let network = Network::new(&graph, &edges);
+        let mut scaling = Scaling::new(&network, &network.order()).expect("inverses");
+        assert!(scaling.sums.len() >= 5);
+        for sum in 0..scaling.sums.len() {
+            let (tally, old) = (scaling.tally(sum), scaling.sums[sum].multiple.ratio);
+            let rest = scaling.total_cost() - scaling.local_cost(&tally, old);
+            for ratio in scaling.ratios(sum) {
+                let local = scaling.local_cost(&tally, ratio);
+                scaling.sums[sum].multiple.ratio = ratio;
+                assert_eq!(scaling.total_cost(), rest + local);
+                scaling.sums[sum].multiple.ratio = old;
+            }
+            let last = scaling.ratios(sum)[0];
+            scaling.sums[sum].multiple.ratio = last;
+        }
+    }
 }

@@ -56,42 +56,61 @@ impl<'g> Scaling<'_, 'g> {
                 self.one
             };
         }
+        self.settled.fill(false);
     }
 
     /// Improves multiples until none can be. It ends: every improvement is one
     /// of the total cost.
     fn settle(&mut self) {
-        loop {
-            let improved = (0..self.sums.len())
-                .filter(|&sum| self.improve(sum, false))
-                .count();
-            if improved == 0 {
-                return;
+        while self.settled.contains(&false) {
+            for sum in 0..self.sums.len() {
+                if !self.settled[sum] {
+                    self.settled[sum] = true;
+                    self.improve(sum, false);
+                }
             }
+        }
+    }
+
+    /// Takes a multiple: what it costs to change it, and the multiples that share
+    /// a coefficient with it, is another question from now on.
+    fn choose(&mut self, sum: usize, multiple: Multiple<'g>) {
+        self.sums[sum].multiple = multiple;
+        self.settled[sum] = false;
+        let this = &self.sums[sum];
+        for place in &this.readers {
+            self.settled[place.sum] = false;
+        }
+        let reading = this
+            .readers
+            .iter()
+            .map(|place| &self.sums[place.sum].terms[place.term]);
+        let terms = this.terms.iter().chain(reading).map(|term| &term.factors);
+        let products = this.products.iter().map(|&index| &self.products[index]);
+        for factor in terms.chain(products).flatten() {
+            self.settled[factor.sum] = false;
         }
     }
 
     /// Takes the best of the multiples that make one coefficient 1, or the sum
     /// itself; with `drift`, another one also where it is no better.
-    fn improve(&mut self, sum: usize, drift: bool) -> bool {
+    fn improve(&mut self, sum: usize, drift: bool) {
         let old = self.sums[sum].multiple;
-        let mut best = (self.local_cost(sum), None);
+        let tally = self.tally(sum);
+        let mut best = (self.local_cost(&tally, old.ratio), None);
         for candidate in self.candidates(sum) {
             let ratio = self.ratio(sum, candidate);
             if ratio.value == old.ratio.value {
                 continue;
             }
-            self.sums[sum].multiple.ratio = ratio;
-            let cost = self.local_cost(sum);
+            let cost = self.local_cost(&tally, ratio);
             if cost < best.0 || drift && cost == best.0 && best.1.is_none() {
                 best = (cost, Some(candidate));
             }
-            self.sums[sum].multiple = old;
         }
         if let Some(candidate) = best.1 {
-            self.sums[sum].multiple = self.exact(sum, candidate);
+            self.choose(sum, self.exact(sum, candidate));
         }
-        best.1.is_some()
     }
 
     /// The multiples to try: at least one.
@@ -130,6 +149,15 @@ impl<'g> Scaling<'_, 'g> {
         }
     }
 
+    /// The multiples that are tried for a sum.
+    #[cfg(test)]
+    pub(super) fn ratios(&self, sum: usize) -> Vec<Ratio> {
+        let candidates = self.candidates(sum).into_iter();
+        candidates
+            .map(|candidate| self.ratio(sum, candidate))
+            .collect()
+    }
+
     /// The multiple that a candidate stands for.
     fn exact(&self, sum: usize, candidate: Candidate) -> Multiple<'g> {
         match candidate {
@@ -144,13 +172,13 @@ impl<'g> Scaling<'_, 'g> {
     }
 
     /// The coefficient of a term in the sum itself, not in the multiple of it.
-    fn coefficient_ratio(&self, place: Place) -> Ratio {
+    pub(super) fn coefficient_ratio(&self, place: Place) -> Ratio {
         let term = &self.sums[place.sum].terms[place.term];
         term.coefficient.ratio.times(self.product(&term.factors))
     }
 
     /// The multiple that a product of sums carries, as a fingerprint.
-    fn product(&self, factors: &[Factor]) -> Ratio {
+    pub(super) fn product(&self, factors: &[Factor]) -> Ratio {
         factors.iter().fold(Ratio::ONE, |product, factor| {
             let ratio = self.sums[factor.sum].multiple.ratio;
             if factor.inverted {

@@ -27,6 +27,8 @@ struct Scaling<'n, 'g> {
     /// Outputs that are products of sums: the factors of their multiple.
     products: Vec<Vec<Factor>>,
     one: Multiple<'g>,
+    /// The sums that no other multiple improves, as long as nothing they meet changes.
+    settled: Vec<bool>,
 }
 
 /// Chooses the multiples, and rewrites the network where that saves operations.
@@ -54,9 +56,11 @@ impl<'n, 'g> Scaling<'n, 'g> {
             sum_of: vec![None; graph.len()],
             products: Vec::new(),
             one: Multiple::new(graph.one())?,
+            settled: Vec::new(),
         };
         scaling.collect(order)?;
         scaling.connect();
+        scaling.settled = vec![false; scaling.sums.len()];
         Some(scaling)
     }
 }

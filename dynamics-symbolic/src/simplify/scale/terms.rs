@@ -41,6 +41,10 @@ impl<'g> Scaling<'_, 'g> {
     /// Finds the sums. `None` where a constant has no inverse fingerprint.
     pub(super) fn collect(&mut self, order: &[NodeId]) -> Option<()> {
         let absorbed = absorbed(self.network, order);
+        let mut is_output = vec![false; self.network.graph().len()];
+        for output in self.network.outputs() {
+            is_output[output.node().index()] = true;
+        }
         for &id in order {
             if !is_linear(self.network, id) || absorbed[id.index()] {
                 continue;
@@ -48,7 +52,7 @@ impl<'g> Scaling<'_, 'g> {
             let sum = Sum {
                 terms: self.terms(id, &absorbed)?,
                 multiple: self.one,
-                is_output: self.network.outputs().iter().any(|o| o.node() == id),
+                is_output: is_output[id.index()],
                 readers: Vec::new(),
                 products: Vec::new(),
             };

@@ -1,0 +1,430 @@
+//! Sums in the order in which their terms are ready.
+//!
+//! A processor executes several operations at a time, so that one call takes as long as its
+//! longest chain of dependent operations. The terms of a sum may be added in any order: those
+//! that are ready first are added first, as a Huffman tree is built, and the end of a long chain
+//! last. No operation is added, and sums keep the products that are fused into them.
+
+use super::{Constant, ConstantId, ConstantPool, Instruction, Operand, Output, Program};
+use crate::robot::Symbol;
+
+/// How long operations take, in cycles: today's processors differ by a few, and only the
+/// proportions matter.
+mod cycles {
+    pub(super) const SINE: u32 = 60;
+    pub(super) const SIGN: u32 = 6;
+    pub(super) const ADD: u32 = 3;
+    pub(super) const MULTIPLY: u32 = 3;
+    pub(super) const FUSED: u32 = 4;
+    pub(super) const DIVIDE: u32 = 13;
+}
+
+impl Program {
+    /// The same outputs from as many operations, in shorter chains.
+    pub fn balanced(&self) -> Program {
+        let mut balance = Balance {
+            program: self,
+            readers: readers(self),
+            put_out_negative: put_out_negative(self),
+            places: vec![None; self.instructions.len()],
+            constants: self.constants.clone(),
+            instructions: Vec::with_capacity(self.instructions.len()),
+        };
+        for index in 0..self.instructions.len() {
+            balance.places[index] = balance.place(index);
+        }
+        let outputs = self.outputs.iter().map(|output| {
+            let place = balance.read(output.operand);
+            Output {
+                operand: place.operand,
+                negative: output.negative != place.negative,
+            }
+        });
+        Program {
+            outputs: outputs.collect(),
+            inputs: self.inputs.clone(),
+            constants: balance.constants,
+            instructions: balance.instructions,
+        }
+    }
+}
+
+/// An operand of the new program, or minus that operand, and when it is ready.
+#[derive(Clone, Copy)]
+struct Place {
+    operand: Operand,
+    negative: bool,
+    ready: u32,
+}
+
+/// A term of a sum, or minus that term.
+#[derive(Clone, Copy)]
+struct Term {
+    value: Value,
+    negative: bool,
+    /// When it is ready, or its factors are.
+    ready: u32,
+}
+
+#[derive(Clone, Copy)]
+enum Value {
+    Operand(Operand),
+    /// A product that nothing but the sum reads: it is fused with one of the additions.
+    Product(Operand, Operand),
+}
+
+impl From<Place> for Term {
+    fn from(place: Place) -> Term {
+        Term {
+            value: Value::Operand(place.operand),
+            negative: place.negative,
+            ready: place.ready,
+        }
+    }
+}
+
+impl Term {
+    fn is_product(&self) -> bool {
+        matches!(self.value, Value::Product(..))
+    }
+}
+
+/// Who reads a result.
+#[derive(Clone, Copy, PartialEq)]
+enum Readers {
+    None,
+    OneSum,
+    Others,
+}
+
+fn readers(program: &Program) -> Vec<Readers> {
+    let mut readers = vec![Readers::None; program.instructions.len()];
+    for instruction in &program.instructions {
+        let is_sum = matches!(instruction, Instruction::Add(..) | Instruction::Sub(..));
+        let (a, b) = instruction.operands();
+        for operand in [a, b] {
+            if let Operand::Result(index) = operand {
+                let readers = &mut readers[index as usize];
+                *readers = match readers {
+                    Readers::None if is_sum && !is_doubled(program, index) => Readers::OneSum,
+                    _ => Readers::Others,
+                };
+            }
+        }
+    }
+    for output in &program.outputs {
+        if let Operand::Result(index) = output.operand {
+            readers[index as usize] = Readers::Others;
+        }
+    }
+    readers
+}
+
+/// Whether a result is x + x.
+fn is_doubled(program: &Program, index: u32) -> bool {
+    match program.instructions[index as usize] {
+        Instruction::Add(a, b) => a == b,
+        _ => false,
+    }
+}
+
+/// Which results are put out with their sign changed.
+fn put_out_negative(program: &Program) -> Vec<bool> {
+    let mut negative = vec![false; program.instructions.len()];
+    for output in program.outputs.iter().rev() {
+        if let Operand::Result(index) = output.operand {
+            negative[index as usize] = output.negative;
+        }
+    }
+    negative
+}
+
+struct Balance<'p> {
+    program: &'p Program,
+    readers: Vec<Readers>,
+    put_out_negative: Vec<bool>,
+    places: Vec<Option<Place>>,
+    constants: ConstantPool,
+    instructions: Vec<Instruction>,
+}
+
+impl Balance<'_> {
+    /// Where a result is in the new program; a term of one sum comes with that sum.
+    fn place(&mut self, index: usize) -> Option<Place> {
+        let instruction = self.program.instructions[index];
+        let (a, b) = instruction.operands();
+        match instruction {
+            Instruction::Div(..) => Some(self.quotient(a, b)),
+            _ if self.readers[index] == Readers::OneSum => None,
+            Instruction::Mul(..) => Some(self.product(a, b)),
+            Instruction::Add(..) | Instruction::Sub(..) => Some(self.sum(index)),
+        }
+    }
+
+    fn read(&self, operand: Operand) -> Place {
+        let ready = match operand {
+            Operand::Constant(_) => 0,
+            Operand::Input(index) => match self.program.inputs[index as usize] {
+                Symbol::Sine(_)
+                | Symbol::Cosine(_)
+                | Symbol::AngleSine(_)
+                | Symbol::AngleCosine(_) => cycles::SINE,
+                Symbol::VelocitySign(_) => cycles::SIGN,
+                _ => 0,
+            },
+            Operand::Result(index) => {
+                return self.places[index as usize].expect("operands are placed first");
+            }
+        };
+        Place {
+            operand,
+            negative: false,
+            ready,
+        }
+    }
+
+    fn push(&mut self, instruction: Instruction, negative: bool, ready: u32) -> Place {
+        self.instructions.push(instruction);
+        Place {
+            operand: Operand::Result(self.instructions.len() as u32 - 1),
+            negative,
+            ready,
+        }
+    }
+
+    fn product(&mut self, a: Operand, b: Operand) -> Place {
+        let (a, b) = (self.read(a), self.read(b));
+        self.push(
+            Instruction::Mul(a.operand, b.operand),
+            a.negative != b.negative,
+            a.ready.max(b.ready) + cycles::MULTIPLY,
+        )
+    }
+
+    fn quotient(&mut self, a: Operand, b: Operand) -> Place {
+        let (a, b) = (self.read(a), self.read(b));
+        self.push(
+            Instruction::Div(a.operand, b.operand),
+            a.negative != b.negative,
+            a.ready.max(b.ready) + cycles::DIVIDE,
+        )
+    }
+
+    fn sum(&mut self, index: usize) -> Place {
+        let mut terms = self.terms(index);
+        terms.sort_by_key(|term| term.ready);
+        loop {
+            let (first, second) = take_earliest(&mut terms);
+            let prefer_negative = terms.is_empty() && self.put_out_negative[index];
+            let sum = self.add(first, second, prefer_negative);
+            if terms.is_empty() {
+                return sum;
+            }
+            let at = terms.partition_point(|term| term.ready <= sum.ready);
+            terms.insert(at, sum.into());
+        }
+    }
+
+    /// The terms of a sum, those of the sums that nothing else reads among them.
+    fn terms(&self, index: usize) -> Vec<Term> {
+        let mut terms = Vec::new();
+        let mut stack = Vec::new();
+        let open = |instruction: Instruction, negative: bool, stack: &mut Vec<_>| {
+            let (a, b) = instruction.operands();
+            let is_difference = matches!(instruction, Instruction::Sub(..));
+            stack.extend([(b, negative != is_difference), (a, negative)]);
+        };
+        open(self.program.instructions[index], false, &mut stack);
+        while let Some((operand, negative)) = stack.pop() {
+            match self.sole_term(operand) {
+                Some(Instruction::Mul(a, b)) => terms.push(self.product_term(a, b, negative)),
+                Some(instruction) => open(instruction, negative, &mut stack),
+                None => {
+                    let place = self.read(operand);
+                    terms.push(Term {
+                        negative: negative != place.negative,
+                        ..place.into()
+                    });
+                }
+            }
+        }
+        terms
+    }
+
+    /// The operation of a result that is a term of one sum and nothing else.
+    fn sole_term(&self, operand: Operand) -> Option<Instruction> {
+        let Operand::Result(index) = operand else {
+            return None;
+        };
+        let is_open = self.places[index as usize].is_none();
+        is_open.then(|| self.program.instructions[index as usize])
+    }
+
+    fn product_term(&self, a: Operand, b: Operand, negative: bool) -> Term {
+        let (a, b) = (self.read(a), self.read(b));
+        Term {
+            value: Value::Product(a.operand, b.operand),
+            negative: negative ^ a.negative ^ b.negative,
+            ready: a.ready.max(b.ready),
+        }
+    }
+
+    fn add(&mut self, first: Term, second: Term, prefer_negative: bool) -> Place {
+        if let (Value::Operand(Operand::Constant(a)), Value::Operand(Operand::Constant(b))) =
+            (first.value, second.value)
+        {
+            return self.constant_sum((a, first.negative), (b, second.negative));
+        }
+        let ready = match (first.is_product(), second.is_product()) {
+            (false, false) => first.ready.max(second.ready) + cycles::ADD,
+            (true, true) => (first.ready + cycles::MULTIPLY).max(second.ready) + cycles::FUSED,
+            _ => first.ready.max(second.ready) + cycles::FUSED,
+        };
+        let (a, b) = (self.operand(first), self.operand(second));
+        let (instruction, negative) = match (first.negative, second.negative) {
+            (false, false) => (Instruction::Add(a, b), false),
+            (true, true) => (Instruction::Add(a, b), true),
+            (false, true) if prefer_negative => (Instruction::Sub(b, a), true),
+            (false, true) => (Instruction::Sub(a, b), false),
+            (true, false) if prefer_negative => (Instruction::Sub(a, b), true),
+            (true, false) => (Instruction::Sub(b, a), false),
+        };
+        self.push(instruction, negative, ready)
+    }
+
+    fn operand(&mut self, term: Term) -> Operand {
+        match term.value {
+            Value::Operand(operand) => operand,
+            Value::Product(a, b) => self.push(Instruction::Mul(a, b), false, 0).operand,
+        }
+    }
+
+    /// Numbers are added exactly, at expansion.
+    fn constant_sum(&mut self, a: (ConstantId, bool), b: (ConstantId, bool)) -> Place {
+        let [a, b] = [a, b].map(|(id, negative)| match negative {
+            true => self.constants.push(Constant::Neg(id)),
+            false => id,
+        });
+        Place {
+            operand: Operand::Constant(self.constants.push(Constant::Add(a, b))),
+            negative: false,
+            ready: 0,
+        }
+    }
+}
+
+/// Takes the two terms that are ready first; for a product rather a partner that is none, if one
+/// is ready by the time that a second product is: then both are one fused operation.
+fn take_earliest(terms: &mut Vec<Term>) -> (Term, Term) {
+    let first = terms.remove(0);
+    let both_products = first.is_product() && terms[0].is_product();
+    let by_then = terms[0].ready.max(first.ready + cycles::MULTIPLY);
+    let partner = terms
+        .iter()
+        .position(|term| !term.is_product() && term.ready <= by_then)
+        .filter(|_| both_products);
+    (first, terms.remove(partner.unwrap_or(0)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SINE: Operand = Operand::Input(0);
+    const A: Operand = Operand::Input(1);
+    const B: Operand = Operand::Input(2);
+    const C: Operand = Operand::Input(3);
+
+    fn program(instructions: Vec<Instruction>, negative: bool) -> Program {
+        let last = instructions.len() as u32 - 1;
+        Program {
+            inputs: vec![
+                Symbol::Sine(0),
+                Symbol::Velocity(0),
+                Symbol::Velocity(1),
+                Symbol::Velocity(2),
+            ],
+            constants: ConstantPool::default(),
+            instructions,
+            outputs: vec![Output {
+                operand: Operand::Result(last),
+                negative,
+            }],
+        }
+    }
+
+    fn result(index: u32) -> Operand {
+        Operand::Result(index)
+    }
+
+    #[test]
+    fn what_is_ready_last_is_added_last() {
+        use Instruction::{Add, Sub};
+        let chain = vec![Sub(SINE, A), Add(result(0), B), Sub(result(1), C)];
+        let balanced = program(chain, false).balanced();
+        assert_eq!(
+            balanced.instructions,
+            [Sub(B, A), Sub(result(0), C), Add(result(1), SINE)]
+        );
+        assert!(!balanced.outputs[0].negative);
+    }
+
+    /// a b + c d + e: e goes with one of the products, so that two operations do.
+    #[test]
+    fn products_find_a_partner_to_be_fused_with() {
+        use Instruction::{Add, Mul};
+        let chain = vec![
+            Mul(A, B),
+            Mul(B, C),
+            Add(result(0), result(1)),
+            Add(result(2), C),
+        ];
+        let balanced = program(chain, false).balanced();
+        assert_eq!(
+            balanced.instructions,
+            [
+                Mul(A, B),
+                Add(result(0), C),
+                Mul(B, C),
+                Add(result(2), result(1))
+            ]
+        );
+    }
+
+    /// c + c is exact, (A + c) + c is not.
+    #[test]
+    fn a_double_stays_together() {
+        use Instruction::Add;
+        let chain = vec![Add(SINE, SINE), Add(result(0), A)];
+        let balanced = program(chain.clone(), false).balanced();
+        assert_eq!(balanced.instructions[0], chain[0]);
+    }
+
+    /// -(s - a - b) is put out as a + b - s: no sign is left to change.
+    #[test]
+    fn the_last_difference_is_taken_the_way_that_the_output_wants() {
+        use Instruction::{Add, Sub};
+        let chain = vec![Sub(SINE, A), Sub(result(0), B)];
+        let balanced = program(chain, true).balanced();
+        assert_eq!(balanced.instructions, [Add(A, B), Sub(result(0), SINE)]);
+        assert!(!balanced.outputs[0].negative);
+    }
+
+    #[test]
+    fn numbers_are_added_at_expansion() {
+        use Instruction::Add;
+        let mut constants = ConstantPool::default();
+        let [one, two] = [1, 2].map(|x| {
+            let id = constants.push(Constant::Rational(x.into()));
+            Operand::Constant(id)
+        });
+        let chain = vec![Add(SINE, one), Add(result(0), two)];
+        let balanced = Program {
+            constants,
+            ..program(chain, false)
+        }
+        .balanced();
+        assert_eq!(balanced.instructions.len(), 1);
+        assert!(balanced.rounded_constants().contains(&3.0));
+    }
+}
