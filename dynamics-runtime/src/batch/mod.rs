@@ -4,6 +4,7 @@
 //! doubles as the processor's vectors hold. Which those are is asked at run time: the loop over the
 //! states is compiled once for each instruction set, with the program inlined into it.
 
+mod abreast;
 mod error;
 mod function;
 mod layout;
@@ -12,6 +13,7 @@ mod parallel;
 mod run;
 #[cfg(test)]
 mod tests;
+mod unrolled;
 mod wide;
 
 use fearless_simd::Level;
