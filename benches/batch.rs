@@ -2,7 +2,8 @@
 //!
 //! divan's item rate is states per second: `taskset -c 0 cargo bench --bench batch`. The lanes are
 //! chosen at run time; for a build for the machine's own instructions set
-//! `RUSTFLAGS="-C target-cpu=native"`.
+//! `RUSTFLAGS="-C target-cpu=native"`. With `--features rayon`, and not pinned, all cores are there
+//! too.
 
 use divan::{Bencher, black_box, counter::ItemsCount};
 use robot_dynamics::Batch;
@@ -152,6 +153,21 @@ macro_rules! bench_robots {
                     bencher.counter(ItemsCount::new(count)).bench_local(|| {
                         let m = black_box(&mut m).each_mut().map(views_mut);
                         $robot.mass_matrix_batch(views(black_box(&q)), m)
+                    });
+                }
+            }
+
+            /// All cores.
+            #[cfg(feature = "rayon")]
+            mod cores {
+                use super::*;
+
+                #[divan::bench(args = [1024, 4096, 65_536])]
+                fn inverse_dynamics(bencher: Bencher, count: usize) {
+                    let (q, qd, qdd) = (states(count, 0.1), states(count, 0.7), states(count, 1.9));
+                    let mut tau = vec![Vector::zeros(); count];
+                    bencher.counter(ItemsCount::new(count)).bench_local(|| {
+                        $robot.par_inverse_dynamics_batch(black_box(&q), &qd, &qdd, black_box(&mut tau))
                     });
                 }
             }

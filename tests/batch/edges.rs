@@ -6,7 +6,7 @@ use robot_dynamics::{Batch, BatchError, LengthMismatch};
 
 use crate::arms::Strut;
 use crate::industrial::Puma560;
-use crate::values::{States, Values, assert_same};
+use crate::values::{States, Values, assert_same, columns};
 
 /// States of the strut, stretched where told.
 fn strut_states(count: usize, stretched: &[usize]) -> States<2> {
@@ -199,6 +199,11 @@ fn arguments_may_be_matrices_and_arrays() {
     let mut mixed = vec![Vector2::zeros(); 3];
     Strut.gravity_vector_batch(&matrix, &mut mixed).unwrap();
     assert_eq!(mixed, expected);
+    let mut vectors = [vec![0.0; 3], vec![0.0; 3]];
+    Strut
+        .gravity_vector_batch(&columns(&q), &mut vectors)
+        .unwrap();
+    assert_eq!(vectors, columns(&expected));
     let mut none = OMatrix::<f64, Dyn, Const<2>>::zeros(0);
     Strut
         .gravity_vector_batch(&none.clone(), &mut none)

@@ -115,11 +115,11 @@ where
     A: Arguments<N, K>,
     O: Sink<N, C>,
 {
+    if states == 0 || N == 0 {
+        return None;
+    }
     if states >= MOST_LANES {
         return vectorised::<F, R, A, O, N, K, C>(level, robot, arguments, results, states);
-    }
-    if states == 0 {
-        return None;
     }
     let (mut copies, mut values) = (A::room(), O::room());
     let copies = arguments.padded(states, &mut copies);

@@ -8,24 +8,10 @@ use fearless_simd::{
     Bytes, ExtractToken, Level, Select, Simd, SimdBase, SimdFloat, SimdMask, dispatch,
 };
 
-use crate::{Scalar, sine};
-
-/// A loop over an array whose first rounds are unrolled, whatever the compiler thinks of it: so the
-/// numbers stay in registers.
-macro_rules! for_each_index {
-    ($length:ident, $i:ident => $do:expr) => {
-        for_each_index!($length, $i => $do; 0 1 2 3 4 5 6 7 8 9 10 11);
-        for $i in 12..$length {
-            $do;
-        }
-    };
-    ($length:ident, $i:ident => $do:expr; $($index:literal)*) => {
-        $(if $index < $length {
-            let $i = $index;
-            $do;
-        })*
-    };
-}
+use super::abreast;
+use super::unrolled::for_each_index;
+use crate::Scalar;
+use crate::sine::{self, Lanes};
 
 /// As many doubles as a vector register of the instruction set `S` holds.
 ///
@@ -121,7 +107,7 @@ impl<S: Simd> Scalar for Wide<S> {
         }
         let mut values = [(first, first); K];
         if within.all_true() {
-            for_each_index!(K, i => values[i] = sine::sin_cos(angles[i]));
+            abreast::sin_cos_of_each(&angles, &mut values);
         } else {
             // By way of memory that is used nowhere else: what has an address stays out of the
             // registers.
@@ -158,7 +144,7 @@ impl<S: Simd> Scalar for Wide<S> {
 
     #[inline(always)]
     fn exceeds_rounding_of(self, size: Self) -> bool {
-        let rounding = size * size.constant(8.0 * f64::EPSILON);
+        let rounding = size * Scalar::constant(size, 8.0 * f64::EPSILON);
         (self - rounding).is_positive() && (self + rounding).is_positive()
     }
 
@@ -200,7 +186,7 @@ fn token<S: Simd>() -> S {
     found.expect("lanes exist only where the processor has their instructions")
 }
 
-impl<S: Simd> sine::Lanes for Wide<S> {
+impl<S: Simd> Lanes for Wide<S> {
     #[inline(always)]
     fn constant(self, x: f64) -> Self {
         Wide(self.splat(x))

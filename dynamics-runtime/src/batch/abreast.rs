@@ -1,0 +1,120 @@
+//! Sines of several angles, each of which is in lanes.
+
+use core::ops::{Add, Mul, Sub};
+
+use fearless_simd::Simd;
+
+use super::unrolled::for_each_index;
+use super::wide::Wide;
+use crate::Scalar;
+use crate::sine::{self, Lanes};
+
+/// Several vectors on which each operation is done before the next one is.
+///
+/// The sine of an angle is a chain of operations that wait for each other, and a processor looks
+/// ahead no further than some two such chains. On a Zen 4 the sines of four angles one after the
+/// other take a tenth longer.
+#[derive(Clone, Copy)]
+struct Abreast<S: Simd, const W: usize>([Wide<S>; W]);
+
+/// Sines and cosines, of up to four angles at a time: more do not fit into the registers.
+#[inline(always)]
+pub(super) fn sin_cos_of_each<S: Simd, const K: usize>(
+    angles: &[Wide<S>; K],
+    values: &mut [(Wide<S>, Wide<S>); K],
+) {
+    macro_rules! abreast {
+        ($($first:literal: $width:literal),*) => {
+            { $(sin_cos_of_some::<S, $width, K>(angles, $first, values);)* }
+        };
+    }
+    match K {
+        2 => abreast!(0: 2),
+        3 => abreast!(0: 3),
+        4 => abreast!(0: 4),
+        5 => abreast!(0: 3, 3: 2),
+        6 => abreast!(0: 3, 3: 3),
+        7 => abreast!(0: 4, 4: 3),
+        8 => abreast!(0: 4, 4: 4),
+        _ => {
+            for_each_index!(K, i => values[i] = sine::sin_cos(angles[i]));
+        }
+    }
+}
+
+#[inline(always)]
+fn sin_cos_of_some<S: Simd, const W: usize, const K: usize>(
+    angles: &[Wide<S>; K],
+    first: usize,
+    values: &mut [(Wide<S>, Wide<S>); K],
+) {
+    let mut some = Abreast([angles[first]; W]);
+    for_each_index!(W, i => some.0[i] = angles[first + i]);
+    let (sines, cosines) = sine::sin_cos(some);
+    for_each_index!(W, i => values[first + i] = (sines.0[i], cosines.0[i]));
+}
+
+impl<S: Simd, const W: usize> Abreast<S, W> {
+    #[inline(always)]
+    fn zip(self, other: Self, f: impl Fn(Wide<S>, Wide<S>) -> Wide<S>) -> Self {
+        let mut result = self;
+        for_each_index!(W, i => result.0[i] = f(self.0[i], other.0[i]));
+        result
+    }
+}
+
+macro_rules! impl_operator_abreast {
+    ($($operator:ident, $method:ident;)*) => {$(
+        impl<S: Simd, const W: usize> $operator for Abreast<S, W> {
+            type Output = Self;
+
+            #[inline(always)]
+            fn $method(self, other: Self) -> Self {
+                self.zip(other, #[inline(always)] |a, b| $operator::$method(a, b))
+            }
+        }
+    )*};
+}
+
+impl_operator_abreast! {
+    Add, add;
+    Sub, sub;
+    Mul, mul;
+}
+
+impl<S: Simd, const W: usize> Lanes for Abreast<S, W> {
+    #[inline(always)]
+    fn constant(self, x: f64) -> Self {
+        Abreast([Scalar::constant(self.0[0], x); W])
+    }
+
+    #[inline(always)]
+    fn exact_product_from(self, b: Self, a: Self) -> Self {
+        let mut result = self;
+        for_each_index!(W, i => result.0[i] = self.0[i].exact_product_from(b.0[i], a.0[i]));
+        result
+    }
+
+    #[inline(always)]
+    fn select_by_lowest_bit(self, odd: Self, even: Self) -> Self {
+        let mut result = self;
+        for_each_index!(W, i => result.0[i] = self.0[i].select_by_lowest_bit(odd.0[i], even.0[i]));
+        result
+    }
+
+    #[inline(always)]
+    fn turned_by_bit<const BIT: u32>(self, of: Self) -> Self {
+        self.zip(
+            of,
+            #[inline(always)]
+            |x, of| x.turned_by_bit::<BIT>(of),
+        )
+    }
+
+    #[inline(always)]
+    fn all_within(self, limit: f64) -> bool {
+        let mut all = true;
+        for_each_index!(W, i => all &= self.0[i].all_within(limit));
+        all
+    }
+}
