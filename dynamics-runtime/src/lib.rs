@@ -29,7 +29,10 @@ mod trajectory;
 mod test_arms;
 
 pub use check::{Check, FunctionReport, Report, check_against_rnea};
-pub use model::{Energy, Evaluate, Evaluation, ForwardDynamics, Model, SingularMassMatrix, State};
+pub use model::{
+    AccelerationDerivatives, Energy, Evaluate, Evaluation, ForwardDynamics, Model,
+    SingularMassMatrix, State,
+};
 pub use newton_euler::NewtonEuler;
 pub use operations::Operations;
 pub use scalar::Scalar;

@@ -33,11 +33,15 @@ pub enum Function {
     LinkPoses,
     /// Geometric Jacobian of the last frame's origin.
     Jacobian,
+    /// d tau/dq and d tau/dqd.
+    InverseDynamicsDerivatives,
+    /// d qdd/dq, d qdd/dqd and M^-1.
+    ForwardDynamicsDerivatives,
 }
 
 impl Function {
     /// Every function, in the order in which they are generated and documented.
-    pub const ALL: [Function; 15] = [
+    pub const ALL: [Function; 17] = [
         Function::MassMatrix,
         Function::CoriolisVector,
         Function::GravityVector,
@@ -53,6 +57,8 @@ impl Function {
         Function::ForwardKinematics,
         Function::LinkPoses,
         Function::Jacobian,
+        Function::InverseDynamicsDerivatives,
+        Function::ForwardDynamicsDerivatives,
     ];
 
     /// The name of the generated method.
@@ -73,6 +79,8 @@ impl Function {
             Function::ForwardKinematics => "forward_kinematics",
             Function::LinkPoses => "link_poses",
             Function::Jacobian => "jacobian",
+            Function::InverseDynamicsDerivatives => "inverse_dynamics_derivatives",
+            Function::ForwardDynamicsDerivatives => "forward_dynamics_derivatives",
         }
     }
 

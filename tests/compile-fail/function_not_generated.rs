@@ -6,8 +6,6 @@ robot_dynamics! {
     gravity: [0, 0, -9.81],
     joints: [joint: revolute { mass: 1 }],
     functions: [
-        inverse_dynamics_derivatives,
-        forward_dynamics_derivatives,
         regressor,
         base_parameters,
         mass_matrix,

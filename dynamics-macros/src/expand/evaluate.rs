@@ -56,8 +56,12 @@ fn arguments(function: Function) -> TokenStream {
         | Function::KineticEnergy
         | Function::BiasForce
         | Function::CoriolisMatrix => quote!(&state.q, &state.qd),
-        Function::InverseDynamics => quote!(&state.q, &state.qd, &state.qdd),
-        Function::ForwardDynamics => quote!(&state.q, &state.qd, tau),
+        Function::InverseDynamics | Function::InverseDynamicsDerivatives => {
+            quote!(&state.q, &state.qd, &state.qdd)
+        }
+        Function::ForwardDynamics | Function::ForwardDynamicsDerivatives => {
+            quote!(&state.q, &state.qd, tau)
+        }
     }
 }
 

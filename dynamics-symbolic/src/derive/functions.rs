@@ -1,8 +1,10 @@
 //! The outputs of each function, on one chain.
 
 use super::chain::Chain;
+use super::derivatives::ForceDerivatives;
+use super::solve::Factors;
 use super::symbols::Symbols;
-use super::{christoffel, composite, energy, kinematics, recursive, solve};
+use super::{christoffel, composite, derivatives, energy, kinematics, recursive};
 use crate::expr::Expr;
 use crate::function::Function;
 use crate::linear::Vector3;
@@ -11,10 +13,12 @@ use crate::robot::{Interpretation, Robot};
 /// How a function is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Form {
-    /// By the recursion that is made for it.
+    /// By the recursion that is made for it; derivatives of forward dynamics by
+    /// solving M x = b for each column.
     Recursive,
     /// From other functions: M qdd + V + G, the contraction of the Christoffel
-    /// symbols, or inverse dynamics at rest.
+    /// symbols, inverse dynamics at rest, inverse dynamics differentiated on the
+    /// graph, or products with the inverse of M.
     Assembled,
 }
 
@@ -24,7 +28,11 @@ impl Form {
     pub fn of(function: Function, dof: usize) -> &'static [Form] {
         match function {
             Function::GravityVector => &[Form::Recursive, Form::Assembled],
-            Function::InverseDynamics | Function::BiasForce | Function::CoriolisVector
+            Function::ForwardDynamicsDerivatives => &[Form::Recursive, Form::Assembled],
+            Function::InverseDynamics
+            | Function::BiasForce
+            | Function::CoriolisVector
+            | Function::InverseDynamicsDerivatives
                 if dof <= 3 =>
             {
                 &[Form::Recursive, Form::Assembled]
@@ -35,7 +43,7 @@ impl Form {
 }
 
 /// What a function puts out, in the order of its contract: matrices by rows.
-/// Forward dynamics: the accelerations, the pivots, and M's diagonal.
+/// Forward dynamics and its derivatives: the values, the pivots, and M's diagonal.
 pub fn outputs<'g>(
     symbols: &mut Symbols<'g>,
     robot: &Robot,
@@ -67,16 +75,9 @@ pub fn outputs<'g>(
         }
         Function::ForwardDynamics => {
             let matrix = composite::mass_matrix(chain);
-            let bias = outputs(symbols, robot, chain, Function::BiasForce, Form::Recursive);
-            let applied = symbols.all(|joint| joint.tau);
-            let net = applied
-                .into_iter()
-                .zip(bias)
-                .map(|(tau, bias)| tau - bias)
-                .collect();
-            let diagonal: Vec<_> = (0..matrix.len()).map(|i| matrix[i][i]).collect();
-            let solution = solve::solve(graph, matrix, net);
-            [solution.x, solution.pivots, diagonal].concat()
+            let net = net_force(symbols, robot, chain);
+            let (factors, qdd) = Factors::new(graph, matrix.clone(), net);
+            [qdd, pivots(&factors, &matrix)].concat()
         }
         Function::KineticEnergy => vec![energy::kinetic_energy(graph, chain, &qd)],
         Function::PotentialEnergy => vec![energy::potential_energy(chain)],
@@ -121,6 +122,13 @@ pub fn outputs<'g>(
                 .collect()
         }
         Function::Jacobian => kinematics::jacobian(symbols, robot),
+        Function::InverseDynamicsDerivatives => {
+            let without_friction = derivatives::recursion(chain, &qd, &qdd);
+            with_friction(symbols, robot, without_friction)
+        }
+        Function::ForwardDynamicsDerivatives => {
+            acceleration_derivatives(symbols, robot, chain, |factors, b| factors.solve(b))
+        }
     }
 }
 
@@ -165,8 +173,78 @@ fn assembled<'g>(
             let still = vec![zero; robot.rows.len()];
             recursive::inverse_dynamics(chain, &still, &still, chain.gravity)
         }
+        Function::InverseDynamicsDerivatives => {
+            let qdd = symbols.all(|joint| joint.qdd);
+            let without_friction = derivatives::differentiated(symbols, chain, &qd, &qdd);
+            with_friction(symbols, robot, without_friction)
+        }
+        Function::ForwardDynamicsDerivatives => {
+            acceleration_derivatives(symbols, robot, chain, |factors, b| {
+                let inverse = factors.inverse();
+                inverse.iter().map(|row| dot(zero, row, &b)).collect()
+            })
+        }
         _ => outputs(symbols, robot, chain, function, Form::Recursive),
     }
+}
+
+/// tau - V - G - F
+fn net_force<'g>(symbols: &mut Symbols<'g>, robot: &Robot, chain: &Chain<'g>) -> Vec<Expr<'g>> {
+    let bias = outputs(symbols, robot, chain, Function::BiasForce, Form::Recursive);
+    let applied = symbols.all(|joint| joint.tau).into_iter();
+    applied.zip(bias).map(|(tau, bias)| tau - bias).collect()
+}
+
+/// The pivots, and the diagonal of the matrix that they are measured by.
+fn pivots<'g>(factors: &Factors<'g>, matrix: &[Vec<Expr<'g>>]) -> Vec<Expr<'g>> {
+    let diagonal = (0..matrix.len()).map(|i| matrix[i][i]);
+    factors.pivots().iter().copied().chain(diagonal).collect()
+}
+
+/// d tau/dq and d tau/dqd with viscous friction. Coulomb friction is constant.
+fn with_friction<'g>(
+    symbols: &mut Symbols<'g>,
+    robot: &Robot,
+    derivatives: ForceDerivatives<'g>,
+) -> Vec<Expr<'g>> {
+    let mut by_velocity = derivatives.by_velocity;
+    for (i, row) in robot.rows.iter().enumerate() {
+        by_velocity[i][i] = by_velocity[i][i] + symbols.value(&row.viscous);
+    }
+    [derivatives.by_position, by_velocity].concat().concat()
+}
+
+/// Derivatives of M qdd + V + G + F = tau, which holds for every q, qd and tau:
+/// M d qdd/dq = -d tau/dq and M d qdd/dqd = -d tau/dqd at that qdd, M d qdd/d tau = 1.
+/// `solve` solves M x = b.
+fn acceleration_derivatives<'g>(
+    symbols: &mut Symbols<'g>,
+    robot: &Robot,
+    chain: &Chain<'g>,
+    solve: impl Fn(&Factors<'g>, Vec<Expr<'g>>) -> Vec<Expr<'g>>,
+) -> Vec<Expr<'g>> {
+    let n = robot.rows.len();
+    let matrix = composite::mass_matrix(chain);
+    let net = net_force(symbols, robot, chain);
+    let (factors, qdd) = Factors::new(symbols.graph(), matrix.clone(), net);
+    let qd = symbols.all(|joint| joint.qd);
+    let without_friction = derivatives::recursion(chain, &qd, &qdd);
+    let forces = with_friction(symbols, robot, without_friction);
+    let mut values = forces.clone();
+    for (b, x) in forces.chunks(n * n).zip(values.chunks_mut(n * n)) {
+        for column in 0..n {
+            let right_side = (0..n).map(|row| -b[row * n + column]).collect();
+            for (row, entry) in solve(&factors, right_side).into_iter().enumerate() {
+                x[row * n + column] = entry;
+            }
+        }
+    }
+    [
+        values,
+        factors.inverse().concat(),
+        pivots(&factors, &matrix),
+    ]
+    .concat()
 }
 
 /// F_i = viscous_i qd_i + coulomb_i sign(qd_i)

@@ -48,6 +48,13 @@ impl Gauge {
     /// single choices and neighbouring pairs are reversed for as long as the
     /// number of operations falls.
     pub fn search(robot: &Robot, function: Function, form: Form) -> Self {
+        // What is solved for in the derivatives of forward dynamics costs the same in every gauge.
+        let (function, form) = match function {
+            Function::ForwardDynamicsDerivatives => {
+                (Function::InverseDynamicsDerivatives, Form::Recursive)
+            }
+            _ => (function, form),
+        };
         let dof = robot.rows.len();
         let mut gauge = Gauge::plain(dof);
         let mut nodes = 0;

@@ -4,13 +4,16 @@
 pub mod chain;
 mod christoffel;
 mod composite;
+mod derivatives;
 mod energy;
 pub mod functions;
 pub mod gauge;
 pub mod inertia;
 mod kinematics;
+mod momentum;
 mod recursive;
 mod solve;
+mod spatial;
 pub mod symbols;
 pub mod textbook;
 

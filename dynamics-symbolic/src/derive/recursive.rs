@@ -19,18 +19,18 @@ type Vector<'g> = Vector3<Expr<'g>>;
 
 /// The motion of one link.
 #[derive(Clone, Copy)]
-struct Motion<'g> {
+pub(super) struct Motion<'g> {
     /// Angular velocity.
-    w: Vector<'g>,
+    pub(super) w: Vector<'g>,
     /// Angular acceleration.
-    wd: Vector<'g>,
+    pub(super) wd: Vector<'g>,
     /// Acceleration of the origin, less that of gravity.
-    a: Vector<'g>,
+    pub(super) a: Vector<'g>,
 }
 
 impl<'g> Motion<'g> {
     /// U = [wd]x + [w]x [w]x: the acceleration of a point at r is a + U r.
-    fn u(&self) -> Matrix3<Expr<'g>> {
+    pub(super) fn u(&self) -> Matrix3<Expr<'g>> {
         let ([x, y, z], [xd, yd, zd]) = (self.w.0, self.wd.0);
         let (xx, yy, zz) = (x * x, y * y, z * z);
         let (xy, yz, xz) = (x * y, y * z, x * z);
@@ -49,18 +49,31 @@ pub(super) fn inverse_dynamics<'g>(
     qdd: &[Expr<'g>],
     gravity: Vector<'g>,
 ) -> Vec<Expr<'g>> {
+    let motions = motions(chain, qd, qdd, gravity);
+    let links = chain.links.iter().zip(&motions);
+    let wrenches = links.map(|(link, motion)| wrench(link, motion)).collect();
+    inward(chain, wrenches, qdd)
+}
+
+/// The motions of the links, from the base outwards.
+pub(super) fn motions<'g>(
+    chain: &Chain<'g>,
+    qd: &[Expr<'g>],
+    qdd: &[Expr<'g>],
+    gravity: Vector<'g>,
+) -> Vec<Motion<'g>> {
     let rest = Vector3::splat(chain.zero);
     let mut motion = Motion {
         w: rest,
         wd: rest,
         a: -gravity,
     };
-    let mut wrenches = Vec::with_capacity(chain.links.len());
-    for (link, (&qd, &qdd)) in chain.links.iter().zip(qd.iter().zip(qdd)) {
+    let joints = chain.links.iter().zip(qd.iter().zip(qdd));
+    let motions = joints.map(|(link, (&qd, &qdd))| {
         motion = outward(chain, link, motion, qd, qdd);
-        wrenches.push(wrench(link, &motion));
-    }
-    inward(chain, wrenches, qdd)
+        motion
+    });
+    motions.collect()
 }
 
 /// The motion of a link from that of the previous one.
@@ -95,7 +108,7 @@ fn outward<'g>(
 }
 
 /// Force and moment about the origin that the link's motion needs.
-fn wrench<'g>(link: &Link<'g>, motion: &Motion<'g>) -> (Vector<'g>, Vector<'g>) {
+pub(super) fn wrench<'g>(link: &Link<'g>, motion: &Motion<'g>) -> (Vector<'g>, Vector<'g>) {
     let body = &link.body;
     let a = motion.a;
     let f = a * body.mass + motion.u().apply(body.moment);

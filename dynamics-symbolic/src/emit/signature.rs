@@ -20,8 +20,8 @@ pub(super) fn arguments(function: Function) -> &'static [&'static str] {
         | Function::BiasForce
         | Function::CoriolisMatrix => &["q", "qd"],
         Function::FrictionVector => &["qd"],
-        Function::InverseDynamics => &["q", "qd", "qdd"],
-        Function::ForwardDynamics => &["q", "qd", "tau"],
+        Function::InverseDynamics | Function::InverseDynamicsDerivatives => &["q", "qd", "qdd"],
+        Function::ForwardDynamics | Function::ForwardDynamicsDerivatives => &["q", "qd", "tau"],
     }
 }
 
@@ -36,6 +36,10 @@ pub(super) enum Shape {
     Poses(usize),
     /// Accelerations, or the failure of a pivot.
     Accelerations(usize),
+    /// Two square matrices: by position, and by velocity.
+    ForceDerivatives(usize),
+    /// Three square matrices, by position, velocity and force, or the failure of a pivot.
+    AccelerationDerivatives(usize),
 }
 
 pub(super) fn shape(function: Function, dof: usize) -> Shape {
@@ -54,16 +58,23 @@ pub(super) fn shape(function: Function, dof: usize) -> Shape {
         Function::ForwardKinematics => Shape::Matrix(4, 4),
         Function::LinkPoses => Shape::Poses(dof),
         Function::Jacobian => Shape::Matrix(6, dof),
+        Function::InverseDynamicsDerivatives => Shape::ForceDerivatives(dof),
+        Function::ForwardDynamicsDerivatives => Shape::AccelerationDerivatives(dof),
     }
 }
 
 fn output_type(function: Function, dof: usize, n: &TokenStream, path: &TokenStream) -> TokenStream {
     let size = Literal::usize_unsuffixed;
+    let square = quote!(#path::nalgebra::SMatrix<T, #n, #n>);
     match (shape(function, dof), function) {
         (Shape::Number, _) => quote!(T),
         (Shape::Poses(_), _) => quote!([#path::nalgebra::Matrix4<T>; #n]),
         (Shape::Accelerations(_), _) => {
             quote!(::core::result::Result<#path::nalgebra::SVector<T, #n>, #path::SingularMassMatrix>)
+        }
+        (Shape::ForceDerivatives(_), _) => quote!((#square, #square)),
+        (Shape::AccelerationDerivatives(_), _) => {
+            quote!(::core::result::Result<(#square, #square, #square), #path::SingularMassMatrix>)
         }
         (_, Function::ForwardKinematics) => quote!(#path::nalgebra::Matrix4<T>),
         (_, Function::Jacobian) => quote!(#path::nalgebra::SMatrix<T, 6, #n>),
@@ -74,9 +85,7 @@ fn output_type(function: Function, dof: usize, n: &TokenStream, path: &TokenStre
         (
             _,
             Function::MassMatrix | Function::CoriolisMatrix | Function::CentrifugalCoefficients,
-        ) => {
-            quote!(#path::nalgebra::SMatrix<T, #n, #n>)
-        }
+        ) => square,
         (Shape::Matrix(..), _) => quote!(#path::nalgebra::SVector<T, #n>),
     }
 }

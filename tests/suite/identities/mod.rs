@@ -3,6 +3,7 @@
 //! Derivatives are exact: the functions run on the dual numbers of `support/dual.rs`.
 
 mod coriolis;
+mod derivatives;
 mod energy;
 mod forward;
 mod friction;
@@ -57,6 +58,10 @@ macro_rules! identities_of_all {
                     last_link_pose_is_the_forward_kinematics,
                     rotations_are_orthonormal,
                     jacobian_is_the_derivative_of_the_pose;
+                derivatives: force_derivatives_are_those_of_dual_numbers,
+                    force_derivatives_are_limits_of_differences,
+                    acceleration_derivatives_are_those_of_dual_numbers,
+                    acceleration_derivatives_satisfy_their_equations;
                 newton_euler: every_function_agrees_with_recursive_newton_euler;
                 non_finite: not_a_number_is_never_turned_into_a_number,
                     infinite_positions_are_never_turned_into_numbers,
