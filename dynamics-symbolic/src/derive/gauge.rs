@@ -79,6 +79,11 @@ impl Gauge {
         }
     }
 
+    /// Operations of a function in this gauge, before any simplification.
+    pub fn length(&self, robot: &Robot, function: Function, form: Form) -> usize {
+        self.cost(robot, function, form, &mut 0)
+    }
+
     /// The network of a function in this gauge, before any simplification.
     pub fn network<'g>(
         &self,

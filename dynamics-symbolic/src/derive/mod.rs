@@ -29,15 +29,25 @@ use symbols::Symbols;
 /// The program of a function: the shortest that its forms, the gauges and the
 /// simplifications lead to.
 pub fn derive(robot: &Robot, function: Function) -> Program {
-    let forms = Form::of(function, robot.rows.len());
-    let programs = forms.iter().map(|&form| derive_form(robot, function, form));
+    let forms = Form::of(function, robot.rows.len()).iter().copied();
+    if function == Function::ForwardDynamicsDerivatives {
+        // Programs so long are compared before they are simplified.
+        let gauge = Gauge::search(robot, function, Form::Recursive);
+        let form = forms.min_by_key(|&form| gauge.length(robot, function, form));
+        let form = form.expect("every function has a form");
+        return simplified(robot, function, form, &gauge);
+    }
+    let programs = forms.map(|form| {
+        let gauge = Gauge::search(robot, function, form);
+        simplified(robot, function, form, &gauge)
+    });
     programs
         .min_by_key(|program| program.operations().total())
         .expect("every function has a form")
 }
 
-fn derive_form(robot: &Robot, function: Function, form: Form) -> Program {
-    let gauge = Gauge::search(robot, function, form);
+/// The program of a function in one form and one gauge, shortened.
+fn simplified(robot: &Robot, function: Function, form: Form, gauge: &Gauge) -> Program {
     let graph = Graph::new();
     let mut symbols = Symbols::new(&graph, robot);
     let mut network = gauge.network(&mut symbols, robot, function, form);
