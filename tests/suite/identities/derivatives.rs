@@ -49,7 +49,7 @@ pub(super) fn force_derivatives_are_those_of_dual_numbers<
 /// a double.
 const STEP: f64 = 1.0 / (1u64 << 30) as f64;
 
-/// (tau(x + h) - tau(x - h)) / 2 h, with 31 digits.
+/// (tau(x + h) - tau(x - h)) / 2 h, with 31 digits. Run with `--nocapture` to see the errors.
 pub(super) fn force_derivatives_are_limits_of_differences<
     const N: usize,
     const P: usize,
@@ -57,6 +57,7 @@ pub(super) fn force_derivatives_are_limits_of_differences<
 >(
     robot: &R,
 ) {
+    let mut worst = 0.0_f64;
     for state in states().take(4) {
         let State { q, qd, qdd } = &state;
         let (by_position, by_velocity) = robot.inverse_dynamics_derivatives(q, qd, qdd);
@@ -74,10 +75,19 @@ pub(super) fn force_derivatives_are_limits_of_differences<
         let along_position = |step: &_| robot.inverse_dynamics(&plus(&q, step), &qd, &qdd);
         let along_velocity = |step: &_| robot.inverse_dynamics(&q, &plus(&qd, step), &qdd);
         let expected = by_columns(|k| difference(&along_position, k));
-        assert_small(&(by_position - expected), magnitude.force_by_position, N);
-        let expected = by_columns(|k| difference(&along_velocity, k));
-        assert_small(&(by_velocity - expected), magnitude.force_by_velocity, N);
+        let errors = [
+            (by_position - expected, magnitude.force_by_position),
+            (
+                by_velocity - by_columns(|k| difference(&along_velocity, k)),
+                magnitude.force_by_velocity,
+            ),
+        ];
+        for (errors, magnitude) in &errors {
+            assert_small(errors, *magnitude, N);
+            worst = worst.max(largest(errors) / magnitude);
+        }
     }
+    println!("{}: {worst:.1e} of the natural magnitude", R::FILE);
 }
 
 /// Errors of accelerations are judged by the forces that they need, M times the error. The
