@@ -9,7 +9,20 @@ use robot_dynamics::NewtonEuler;
 use robot_dynamics::nalgebra::SVector;
 
 macro_rules! every_function {
-    ($($table:tt)*) => { robot_dynamics! { $($table)* } };
+    ($($table:tt)*) => {
+        robot_dynamics! {
+            $($table)*
+            functions: [
+                mass_matrix,
+                coriolis_vector,
+                gravity_vector,
+                inverse_dynamics,
+                forward_dynamics,
+                inverse_dynamics_derivatives,
+                forward_dynamics_derivatives,
+            ],
+        }
+    };
 }
 
 #[path = "../tests/robots/industrial.rs"]
@@ -63,6 +76,16 @@ macro_rules! bench_robots {
             #[divan::bench]
             fn forward_dynamics(bencher: Bencher) {
                 each(bencher, |q, qd, tau| $robot.forward_dynamics(q, qd, tau));
+            }
+
+            #[divan::bench]
+            fn inverse_dynamics_derivatives(bencher: Bencher) {
+                each(bencher, |q, qd, qdd| $robot.inverse_dynamics_derivatives(q, qd, qdd));
+            }
+
+            #[divan::bench]
+            fn forward_dynamics_derivatives(bencher: Bencher) {
+                each(bencher, |q, qd, tau| $robot.forward_dynamics_derivatives(q, qd, tau));
             }
 
             #[divan::bench]

@@ -36,8 +36,8 @@ pub use configuration::Configuration;
 #[doc(hidden)]
 pub use configuration::{Evaluated, JointSines};
 pub use model::{
-    CoriolisVector, Energy, Evaluate, Evaluation, ForwardDynamics, GravityVector, InverseDynamics,
-    MassMatrix, Model, SingularMassMatrix, State,
+    AccelerationDerivatives, CoriolisVector, Energy, Evaluate, Evaluation, ForwardDynamics,
+    GravityVector, InverseDynamics, MassMatrix, Model, SingularMassMatrix, State,
 };
 pub use newton_euler::NewtonEuler;
 pub use operations::Operations;

@@ -211,7 +211,16 @@ pub struct Evaluation<const N: usize> {
     pub base_parameters: Option<Vec<f64>>,
     /// Y times the base parameters, M qdd + V + G, where both functions exist.
     pub regressor_forces: Option<SVector<f64, N>>,
+    /// d tau/dq and d tau/dqd.
+    pub inverse_dynamics_derivatives: Option<(SMatrix<f64, N, N>, SMatrix<f64, N, N>)>,
+    /// d qdd/dq, d qdd/dqd and the inverse of M, at the torques that were given.
+    pub forward_dynamics_derivatives:
+        Option<Result<AccelerationDerivatives<f64, N>, SingularMassMatrix>>,
 }
+
+/// d qdd/dq, d qdd/dqd and d qdd/d tau, the inverse of M.
+pub type AccelerationDerivatives<T, const N: usize> =
+    (SMatrix<T, N, N>, SMatrix<T, N, N>, SMatrix<T, N, N>);
 
 /// The mass matrix was not positive definite, as far as its digits can tell: a pivot of its
 /// factorisation was not greater than the rounding errors of its diagonal entry (8 epsilon of it).

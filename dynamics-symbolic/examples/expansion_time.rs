@@ -1,4 +1,5 @@
-//! How long the engine takes for the default set of functions, from table to tokens.
+//! How long the engine takes for the default set of functions, and for the derivatives, from table to
+//! tokens.
 //!
 //! A procedural macro runs unoptimised in users' builds, so the number that
 //! counts is that of the profile `unoptimised`:

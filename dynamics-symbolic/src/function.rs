@@ -33,6 +33,10 @@ pub enum Function {
     LinkPoses,
     /// Geometric Jacobian of the last frame's origin.
     Jacobian,
+    /// d tau/dq and d tau/dqd.
+    InverseDynamicsDerivatives,
+    /// d qdd/dq, d qdd/dqd and M^-1.
+    ForwardDynamicsDerivatives,
     /// Y(q, qd, qdd), the coefficients of the base inertial parameters in tau - F.
     Regressor,
     /// The base inertial parameters.
@@ -41,7 +45,7 @@ pub enum Function {
 
 impl Function {
     /// Every function, in the order in which they are generated and documented.
-    pub const ALL: [Function; 17] = [
+    pub const ALL: [Function; 19] = [
         Function::MassMatrix,
         Function::CoriolisVector,
         Function::GravityVector,
@@ -57,6 +61,8 @@ impl Function {
         Function::ForwardKinematics,
         Function::LinkPoses,
         Function::Jacobian,
+        Function::InverseDynamicsDerivatives,
+        Function::ForwardDynamicsDerivatives,
         Function::Regressor,
         Function::BaseParameters,
     ];
@@ -79,6 +85,8 @@ impl Function {
             Function::ForwardKinematics => "forward_kinematics",
             Function::LinkPoses => "link_poses",
             Function::Jacobian => "jacobian",
+            Function::InverseDynamicsDerivatives => "inverse_dynamics_derivatives",
+            Function::ForwardDynamicsDerivatives => "forward_dynamics_derivatives",
             Function::Regressor => "regressor",
             Function::BaseParameters => "base_parameters",
         }

@@ -67,6 +67,34 @@ fn snapshot_of_the_regressors() {
     expect_file!["golden/regressors.txt"].assert_eq(&table);
 }
 
+/// Programs that are derived on request are long: some robots have to do.
+#[test]
+fn snapshot_of_derivatives() {
+    let mut table = String::from(
+        "robot              function                        mul    add   div  total  sin_cos\n",
+    );
+    let robots = BOUNDS.map(|(name, _)| name);
+    for name in robots.into_iter().chain(["scara", "generic_chain_n7"]) {
+        let robot = without_friction(name);
+        for function in [
+            Function::InverseDynamicsDerivatives,
+            Function::ForwardDynamicsDerivatives,
+        ] {
+            let count = operations(&robot, function);
+            table += &format!(
+                "{name:18} {:28} {:6} {:6} {:5} {:6} {:8}\n",
+                function.name(),
+                count.multiplications,
+                count.additions,
+                count.divisions,
+                count.total(),
+                count.sin_cos,
+            );
+        }
+    }
+    expect_file!["golden/derivatives.txt"].assert_eq(&table);
+}
+
 /// The shortest programs known from other generators and trials: tau, V, M, G.
 const BOUNDS: [(&str, [u32; 4]); 6] = [
     ("two_link_saha", [24, 6, 3, 7]),

@@ -9,7 +9,7 @@ use dynamics_symbolic::derive::gauge::Gauge;
 use dynamics_symbolic::derive::symbols::Symbols;
 use dynamics_symbolic::derive::textbook::Textbook;
 use dynamics_symbolic::exact::Rational;
-use dynamics_symbolic::expr::{Expr, Graph};
+use dynamics_symbolic::expr::{Direction, Expr, Graph};
 use dynamics_symbolic::robot::{Convention, Interpretation, JointType, Robot, Row, Value};
 
 /// Up to four joints, both conventions, revolute and prismatic.
@@ -50,6 +50,46 @@ fn recursions_equal_the_textbook_expression_by_expression() {
                 let short = outputs(&mut symbols, &robot, &chain, function, form);
                 assert_eq!(short, expected, "{name} {} {form:?}", function.name());
             }
+        }
+    }
+}
+
+/// d tau/dq and d tau/dqd are derivatives of M qdd + V + G, as expressions.
+#[test]
+fn derivatives_are_those_of_the_textbook_s_torques() {
+    for name in SMALL {
+        let mut robot = support::robot(name);
+        for row in &mut robot.rows {
+            row.viscous = Value::zero();
+        }
+        let graph = Graph::new();
+        let mut symbols = Symbols::new(&graph, &robot);
+        let textbook = Textbook::new(&mut symbols, &robot);
+        let n = robot.rows.len();
+        let forces: Vec<_> = (0..n)
+            .map(|i| {
+                let rest = textbook.coriolis_vector[i] + textbook.gravity_vector[i];
+                (0..n).fold(rest, |force, j| {
+                    force + textbook.mass_matrix[i][j] * symbols.joint(j).qdd
+                })
+            })
+            .collect();
+        let one = graph.one();
+        let along_q = |j| symbols.along_position(Direction::new(), j, one);
+        let along_qd = |j| Direction::new().with(symbols.joint(j).qd, one);
+        let directions = (0..n).map(along_q).chain((0..n).map(along_qd));
+        let directions: Vec<_> = directions.collect();
+        let mut expected = Vec::new();
+        for directions in directions.chunks(n) {
+            for force in &forces {
+                expected.extend(directions.iter().map(|d| force.derivative(d)));
+            }
+        }
+        let chain = Gauge::plain(n).chain(&mut symbols, &robot);
+        let function = Function::InverseDynamicsDerivatives;
+        for form in [Form::Recursive, Form::Assembled] {
+            let short = outputs(&mut symbols, &robot, &chain, function, form);
+            assert_eq!(short, expected, "{name} {form:?}");
         }
     }
 }

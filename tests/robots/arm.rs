@@ -1,7 +1,9 @@
 //! The generated methods behind one trait, so that a test can be written once for all robots.
 
 use robot_dynamics::nalgebra::{Matrix4, SMatrix, SVector};
-use robot_dynamics::{Energy, Evaluate, ForwardDynamics, Scalar};
+use robot_dynamics::{
+    AccelerationDerivatives, Energy, Evaluate, ForwardDynamics, Scalar, SingularMassMatrix,
+};
 
 use super::*;
 
@@ -30,6 +32,18 @@ pub(crate) trait Arm<const N: usize, const P: usize>:
     fn forward_kinematics<T: Scalar>(&self, q: &SVector<T, N>) -> Matrix4<T>;
     fn link_poses<T: Scalar>(&self, q: &SVector<T, N>) -> [Matrix4<T>; N];
     fn jacobian<T: Scalar>(&self, q: &SVector<T, N>) -> SMatrix<T, 6, N>;
+    fn inverse_dynamics_derivatives<T: Scalar>(
+        &self,
+        q: &SVector<T, N>,
+        qd: &SVector<T, N>,
+        qdd: &SVector<T, N>,
+    ) -> (SMatrix<T, N, N>, SMatrix<T, N, N>);
+    fn forward_dynamics_derivatives<T: Scalar>(
+        &self,
+        q: &SVector<T, N>,
+        qd: &SVector<T, N>,
+        tau: &SVector<T, N>,
+    ) -> Result<AccelerationDerivatives<T, N>, SingularMassMatrix>;
 }
 
 /// Implements [`Arm`] by the inherent methods, which is also a check of their signatures.
@@ -93,6 +107,22 @@ macro_rules! arms {
             }
             fn jacobian<T: Scalar>(&self, q: &SVector<T, $n>) -> SMatrix<T, 6, $n> {
                 $robot::jacobian(self, q)
+            }
+            fn inverse_dynamics_derivatives<T: Scalar>(
+                &self,
+                q: &SVector<T, $n>,
+                qd: &SVector<T, $n>,
+                qdd: &SVector<T, $n>,
+            ) -> (SMatrix<T, $n, $n>, SMatrix<T, $n, $n>) {
+                $robot::inverse_dynamics_derivatives(self, q, qd, qdd)
+            }
+            fn forward_dynamics_derivatives<T: Scalar>(
+                &self,
+                q: &SVector<T, $n>,
+                qd: &SVector<T, $n>,
+                tau: &SVector<T, $n>,
+            ) -> Result<AccelerationDerivatives<T, $n>, SingularMassMatrix> {
+                $robot::forward_dynamics_derivatives(self, q, qd, tau)
             }
         }
     )*};

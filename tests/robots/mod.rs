@@ -21,6 +21,8 @@ macro_rules! every_function {
                 forward_kinematics,
                 link_poses,
                 jacobian,
+                inverse_dynamics_derivatives,
+                forward_dynamics_derivatives,
                 regressor,
                 base_parameters,
             ],

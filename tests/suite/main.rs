@@ -4,6 +4,8 @@
 mod data;
 #[path = "../support/decimal.rs"]
 mod decimal;
+#[path = "../support/double_double.rs"]
+mod double_double;
 #[path = "../support/dual.rs"]
 mod dual;
 #[path = "../support/random.rs"]

@@ -24,6 +24,7 @@ robot_dynamics! {
         mass_matrix, coriolis_vector, gravity_vector, friction_vector, inverse_dynamics,
         forward_dynamics, kinetic_energy, potential_energy, bias_force, coriolis_matrix,
         coriolis_coefficients, centrifugal_coefficients, forward_kinematics, link_poses, jacobian,
+        inverse_dynamics_derivatives, forward_dynamics_derivatives,
     ],
 }
 
@@ -77,6 +78,8 @@ fn nothing_is_left_out() {
         "forward_kinematics",
         "link_poses",
         "jacobian",
+        "inverse_dynamics_derivatives",
+        "forward_dynamics_derivatives",
     ] {
         assert!(text.contains(function), "{function} is missing in:\n{text}");
     }
@@ -94,6 +97,7 @@ fn a_wrong_mass_is_found() {
         "inverse_dynamics",
         "forward_dynamics",
         "kinetic_energy",
+        "forward_dynamics_derivatives",
     ] {
         assert!(failed.contains(&function), "{function} passed: {failed:?}");
     }
@@ -113,7 +117,13 @@ fn a_wrong_friction_is_found() {
         viscous: 0.300_001,
         ..RIGHT
     }));
-    for function in ["friction_vector", "inverse_dynamics", "bias_force"] {
+    for function in [
+        "friction_vector",
+        "inverse_dynamics",
+        "bias_force",
+        "inverse_dynamics_derivatives",
+        "forward_dynamics_derivatives",
+    ] {
         assert!(failed.contains(&function), "{function} passed: {failed:?}");
     }
     assert!(!failed.contains(&"mass_matrix"));

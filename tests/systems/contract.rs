@@ -1,7 +1,7 @@
 //! The examples of the documentation, as they are written there.
 
 use robot_dynamics::nalgebra::{Matrix2, Matrix4, SMatrix, SVector, Vector2, Vector6};
-use robot_dynamics::robot_dynamics;
+use robot_dynamics::{SingularMassMatrix, robot_dynamics};
 
 robot_dynamics! {
     /// Two-link arm with point masses at the ends of its links.
@@ -133,6 +133,7 @@ robot_dynamics! {
     functions: [
         bias_force, coriolis_matrix, coriolis_coefficients, centrifugal_coefficients,
         forward_kinematics, link_poses, jacobian,
+        inverse_dynamics_derivatives, forward_dynamics_derivatives,
     ],
 }
 
@@ -143,6 +144,10 @@ fn functions_on_request_have_the_shapes_of_the_contract() {
     let _: SMatrix<f32, 3, 3> = OnRequest.coriolis_matrix(&q, &q);
     let _: SMatrix<f32, 3, 3> = OnRequest.coriolis_coefficients(&q);
     let _: SMatrix<f32, 3, 3> = OnRequest.centrifugal_coefficients(&q);
+    let _: (SMatrix<f32, 3, 3>, SMatrix<f32, 3, 3>) =
+        OnRequest.inverse_dynamics_derivatives(&q, &q, &q);
+    let _: Result<(SMatrix<f32, 3, 3>, _, SMatrix<f32, 3, 3>), SingularMassMatrix> =
+        OnRequest.forward_dynamics_derivatives(&q, &q, &q);
     let last: Matrix4<f32> = OnRequest.forward_kinematics(&q);
     let poses: [Matrix4<f32>; 3] = OnRequest.link_poses(&q);
     let jacobian: SMatrix<f32, 6, 3> = OnRequest.jacobian(&q);

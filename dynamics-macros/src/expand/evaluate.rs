@@ -68,11 +68,13 @@ fn arguments(function: Function) -> TokenStream {
         | Function::KineticEnergy
         | Function::BiasForce
         | Function::CoriolisMatrix => quote!(&state.q, &state.qd),
-        Function::InverseDynamics | Function::Regressor => {
+        Function::InverseDynamics | Function::InverseDynamicsDerivatives | Function::Regressor => {
             quote!(&state.q, &state.qd, &state.qdd)
         }
         Function::BaseParameters => quote!(),
-        Function::ForwardDynamics => quote!(&state.q, &state.qd, tau),
+        Function::ForwardDynamics | Function::ForwardDynamicsDerivatives => {
+            quote!(&state.q, &state.qd, tau)
+        }
     }
 }
 

@@ -13,12 +13,6 @@ use crate::diagnose::{Place, Reported};
 use crate::syntax::{Entry, Joints};
 use crate::words;
 
-/// Functions that have their names already, though nothing generates them.
-const NOT_GENERATED_YET: [&str; 2] = [
-    "inverse_dynamics_derivatives",
-    "forward_dynamics_derivatives",
-];
-
 /// The keys of the table.
 const KEYS: [&str; 5] = ["convention", "gravity", "joints", "functions", "tests"];
 
@@ -227,9 +221,6 @@ fn function(
 ) -> Result<(), Reported> {
     let word = name.to_string();
     let Some(function) = Function::from_name(&word) else {
-        if NOT_GENERATED_YET.contains(&word.as_str()) {
-            return Err(cursor.error(name, format_args!("`{word}` is not generated yet")));
-        }
         let wrong = words::unknown("function", &word, &Function::ALL.map(Function::name));
         return Err(cursor.error(name, wrong.message));
     };

@@ -3,7 +3,9 @@
 use nalgebra::{Matrix4, SMatrix, SVector};
 
 use super::scale::Scale;
-use crate::{Evaluation, JointType, NewtonEuler, SingularMassMatrix, State, Table};
+use crate::{
+    AccelerationDerivatives, Evaluation, JointType, NewtonEuler, SingularMassMatrix, State, Table,
+};
 
 /// Below this part of its diagonal entry a pivot of the numeric mass matrix counts as zero: its own
 /// roundings then decide whether a factorisation succeeds.
@@ -70,7 +72,7 @@ pub(super) fn deviations<const N: usize>(
                 let scale = scale.inverse_dynamics + scale.mass_matrix * qdd.amax();
                 vector("forward_dynamics", &residual, scale)
             }
-            Err(error) => refused(&mass_matrix, &error),
+            Err(error) => refused("forward_dynamics", &mass_matrix, &error),
         }),
         generated.kinetic_energy.map(|t| {
             let difference = t - numeric.kinetic_energy(q, qd);
@@ -125,6 +127,19 @@ pub(super) fn deviations<const N: usize>(
             let difference = forces + numeric.friction_vector(qd) - tau;
             vector("regressor_form", &difference, scale.inverse_dynamics)
         }),
+        generated.inverse_dynamics_derivatives.map(|generated| {
+            let expected = numeric.inverse_dynamics_derivatives(q, qd, &state.qdd);
+            force_derivatives(&generated, &expected, &scale)
+        }),
+        generated
+            .forward_dynamics_derivatives
+            .map(|derivatives| match derivatives {
+                Ok(derivatives) => {
+                    let forces = numeric.inverse_dynamics_derivatives(q, qd, &state.qdd);
+                    acceleration_derivatives(&derivatives, &mass_matrix, &forces, &scale)
+                }
+                Err(error) => refused("forward_dynamics_derivatives", &mass_matrix, &error),
+            }),
     ];
     found.into_iter().flatten().collect()
 }
@@ -132,6 +147,7 @@ pub(super) fn deviations<const N: usize>(
 /// A refusal to solve is right where the numeric mass matrix is singular too: there is nothing to
 /// compare then. Where it is regular, nothing excuses the refusal.
 pub(super) fn refused<const N: usize>(
+    function: &'static str,
     mass_matrix: &SMatrix<f64, N, N>,
     error: &SingularMassMatrix,
 ) -> Deviation {
@@ -144,10 +160,47 @@ pub(super) fn refused<const N: usize>(
         })
     });
     Deviation {
-        function: "forward_dynamics",
+        function,
         error: regular.then_some(f64::INFINITY),
         joint: Some(error.joint),
     }
+}
+
+/// d tau/dq and d tau/dqd beside those of the numeric recursion.
+fn force_derivatives<const N: usize>(
+    generated: &(SMatrix<f64, N, N>, SMatrix<f64, N, N>),
+    expected: &(SMatrix<f64, N, N>, SMatrix<f64, N, N>),
+    scale: &Scale,
+) -> Deviation {
+    let by_position = entries(generated.0 - expected.0, scale.force_by_position);
+    let by_velocity = entries(generated.1 - expected.1, scale.force_by_velocity);
+    Deviation::worst(
+        "inverse_dynamics_derivatives",
+        by_position.chain(by_velocity),
+    )
+}
+
+/// The equations that the derivatives of forward dynamics satisfy, as far as they do not: M qdd_q + tau_q = 0,
+/// M qdd_qd + tau_qd = 0, M qdd_tau = 1, with the derivatives of tau at the accelerations of the state.
+///
+/// The generated function solves for these accelerations, whose roundings M^-1 magnifies.
+fn acceleration_derivatives<const N: usize>(
+    generated: &AccelerationDerivatives<f64, N>,
+    mass_matrix: &SMatrix<f64, N, N>,
+    forces: &(SMatrix<f64, N, N>, SMatrix<f64, N, N>),
+    scale: &Scale,
+) -> Deviation {
+    let (by_position, by_velocity, by_force) = generated;
+    let condition = scale.mass_matrix * by_force.amax();
+    let residual = |derivative: &SMatrix<f64, N, N>, of: SMatrix<f64, N, N>, size: f64| {
+        let scale = size + scale.mass_matrix * derivative.amax();
+        entries(mass_matrix * derivative + of, scale)
+    };
+    let positions = scale.force_by_position + condition * scale.inverse_dynamics;
+    let residuals = residual(by_position, forces.0, positions)
+        .chain(residual(by_velocity, forces.1, scale.force_by_velocity))
+        .chain(residual(by_force, -SMatrix::identity(), 1.0));
+    Deviation::worst("forward_dynamics_derivatives", residuals)
 }
 
 /// Entries of the difference of B(q): V is quadratic in qd, so that its polarisation
@@ -233,6 +286,20 @@ fn jacobian_entries<const N: usize>(
     })
 }
 
+/// Entries of a matrix whose row i belongs to joint i.
+fn entries<const R: usize, const C: usize>(
+    difference: SMatrix<f64, R, C>,
+    scale: f64,
+) -> impl Iterator<Item = Entry> {
+    (0..R).flat_map(move |row| {
+        (0..C).map(move |column| Entry {
+            joint: Some(row),
+            difference: difference[(row, column)],
+            scale,
+        })
+    })
+}
+
 /// One entry of a difference, and the magnitude that the entry could have.
 struct Entry {
     joint: Option<usize>,
@@ -277,14 +344,7 @@ impl Deviation {
         difference: &SMatrix<f64, R, C>,
         scale: f64,
     ) -> Self {
-        let entries = (0..R).flat_map(|row| {
-            (0..C).map(move |column| Entry {
-                joint: Some(row),
-                difference: difference[(row, column)],
-                scale,
-            })
-        });
-        Deviation::worst(function, entries)
+        Deviation::worst(function, entries(*difference, scale))
     }
 
     fn of_number(function: &'static str, difference: f64, scale: f64) -> Self {

@@ -26,6 +26,10 @@ pub(super) struct Scale {
     pub(super) inverse_dynamics: f64,
     /// The scales of V, G and F.
     pub(super) bias_force: f64,
+    /// The scales of M qdd, V and G: tau without friction, whose derivative by an angle is as large.
+    pub(super) force_by_position: f64,
+    /// Twice the scale of C, and the largest viscous friction.
+    pub(super) force_by_velocity: f64,
     /// Weight times distance.
     pub(super) potential_energy: f64,
     /// Distance from the base, m.
@@ -55,6 +59,8 @@ impl Scale {
             friction_vector,
             inverse_dynamics: mass * state.qdd.amax() + bias_force,
             bias_force,
+            force_by_position: mass * state.qdd.amax() + coriolis_vector + gravity_vector,
+            force_by_velocity: 2.0 * mass * speed + viscous(table),
             potential_energy: weight * position,
             position,
         }
@@ -88,6 +94,11 @@ fn lever_arm<const N: usize>(table: &Table<N>, reach: f64) -> f64 {
 fn friction<const N: usize>(table: &Table<N>, qd: &SVector<f64, N>) -> f64 {
     let of_joint = |(row, qd): (&crate::Row, &f64)| (row.viscous * qd).abs() + row.coulomb.abs();
     let joints = table.rows.iter().zip(qd.iter()).map(of_joint);
+    joints.fold(0.0, f64::max)
+}
+
+fn viscous<const N: usize>(table: &Table<N>) -> f64 {
+    let joints = table.rows.iter().map(|row| row.viscous.abs());
     joints.fold(0.0, f64::max)
 }
 
@@ -134,5 +145,7 @@ mod tests {
         assert_eq!(scale.gravity_vector, 20.0 * 2.75);
         assert_eq!(scale.friction_vector, 6.0);
         assert_eq!(scale.inverse_dynamics, 20.0 + 16.0 + 55.0 + 6.0);
+        assert_eq!(scale.force_by_position, 20.0 + 16.0 + 55.0);
+        assert_eq!(scale.force_by_velocity, 16.0 + 3.0);
     }
 }

@@ -5,8 +5,8 @@ use nalgebra::{Matrix2, SVector, Vector2};
 use super::deviation;
 use crate::test_arms::{CRAIG_ARM, CraigArm};
 use crate::{
-    Check, Evaluate, Evaluation, Model, NewtonEuler, Report, SingularMassMatrix, State, Table,
-    check_against_rnea,
+    AccelerationDerivatives, Check, Evaluate, Evaluation, Model, NewtonEuler, Report,
+    SingularMassMatrix, State, Table, check_against_rnea,
 };
 
 /// The textbook arm with one value of its evaluation changed.
@@ -63,10 +63,20 @@ fn coefficients(state: &State<2>) -> (Vector2<f64>, Matrix2<f64>) {
     (Vector2::new(-2.0 * h, 0.0), Matrix2::new(0.0, -h, h, 0.0))
 }
 
+fn force_derivatives(state: &State<2>) -> (Matrix2<f64>, Matrix2<f64>) {
+    numeric().inverse_dynamics_derivatives(&state.q, &state.qd, &state.qdd)
+}
+
+fn acceleration_derivatives(state: &State<2>) -> AccelerationDerivatives<f64, 2> {
+    let (by_position, by_velocity) = force_derivatives(state);
+    let inverse = CRAIG_ARM.mass_matrix(&state.q).try_inverse().unwrap();
+    (-inverse * by_position, -inverse * by_velocity, inverse)
+}
+
 type Damage = (&'static str, fn(&State<2>, &mut Evaluation<2>));
 
 /// One for each function.
-const DAMAGES: [Damage; 17] = [
+const DAMAGES: [Damage; 19] = [
     ("mass_matrix", |_, e| {
         e.mass_matrix.as_mut().unwrap()[(1, 0)] *= WRONG;
     }),
@@ -130,6 +140,15 @@ const DAMAGES: [Damage; 17] = [
         let forces = numeric().inverse_dynamics(&state.q, &state.qd, &state.qdd);
         e.regressor_forces = Some(forces * WRONG);
     }),
+    ("inverse_dynamics_derivatives", |state, e| {
+        let (mut by_position, by_velocity) = force_derivatives(state);
+        by_position[(1, 0)] *= WRONG;
+        e.inverse_dynamics_derivatives = Some((by_position, by_velocity));
+    }),
+    ("forward_dynamics_derivatives", |state, e| {
+        let (by_position, by_velocity, by_force) = acceleration_derivatives(state);
+        e.forward_dynamics_derivatives = Some(Ok((by_position, by_velocity * WRONG, by_force)));
+    }),
 ];
 
 /// Each damage is found, in the function that has it and in no other.
@@ -156,6 +175,8 @@ fn kinematics_and_matrix_forms_pass() {
         e.friction_vector = Some(numeric().friction_vector(qd));
         // Without friction.
         e.regressor_forces = Some(numeric().inverse_dynamics(q, qd, &state.qdd));
+        e.inverse_dynamics_derivatives = Some(force_derivatives(state));
+        e.forward_dynamics_derivatives = Some(Ok(acceleration_derivatives(state)));
     });
     report.assert_ok();
     assert_eq!(report.functions.len(), DAMAGES.len());
@@ -210,9 +231,10 @@ fn a_refusal_fails_where_one_inertia_is_small() {
         joint: 1,
         relative_pivot: 0.0,
     };
-    assert_eq!(deviation::refused(&m, &refused).error, Some(f64::INFINITY));
+    let error = |m| deviation::refused("forward_dynamics", m, &refused).error;
+    assert_eq!(error(&m), Some(f64::INFINITY));
     let vanishing = Matrix2::new(4e-33, 0.0, 0.0, 0.7);
-    assert_eq!(deviation::refused(&vanishing, &refused).error, None);
+    assert_eq!(error(&vanishing), None);
 }
 
 #[test]

@@ -43,6 +43,14 @@ impl SinCos {
         SinCos { sin, cos }
     }
 
+    /// The angle with the other sign.
+    pub(super) fn opposite(self) -> Self {
+        SinCos {
+            sin: -self.sin,
+            cos: self.cos,
+        }
+    }
+
     /// The sum of two angles, by the addition theorems.
     ///
     /// Adding a constant to a joint angle before taking the sine would round the sum: at 1e6 rad

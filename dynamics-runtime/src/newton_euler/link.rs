@@ -110,6 +110,20 @@ impl Link {
         }
     }
 
+    /// The link at joint position zero where it was at `turn` (revolute) or `distance` (prismatic).
+    pub(super) fn displaced(&self, turn: SinCos, distance: f64) -> Self {
+        match self.joint_type {
+            JointType::Revolute => Link {
+                theta: self.theta.plus(turn),
+                ..self.clone()
+            },
+            JointType::Prismatic => Link {
+                d: self.d + distance,
+                ..self.clone()
+            },
+        }
+    }
+
     /// Frame i in frame i-1 at joint position `q`.
     pub(super) fn pose(&self, q: f64) -> Pose {
         match self.joint_type {

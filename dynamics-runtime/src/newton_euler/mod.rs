@@ -8,6 +8,7 @@
 //! for mechanical manipulators*, J. Dyn. Sys. Meas. Control 102 (1980), 69-76.
 
 mod angle;
+mod derivatives;
 mod energy;
 mod kinematics;
 mod link;

@@ -297,3 +297,62 @@ fn what_is_not_finite_propagates() {
     assert!(arm.inverse_dynamics(&SVector::zeros(), &nan, &nan)[0].is_nan());
     assert!(arm.potential_energy(&nan).is_nan());
 }
+
+/// A pendulum on a slide that is driven: the derivatives of its two equations, by hand.
+///
+/// (m1 + m2) xdd + m2 l (thdd c - thd^2 s) = f + friction, m2 l^2 thdd + m2 l c xdd + m2 g l s = tau.
+#[test]
+fn derivatives_of_a_pendulum_on_a_slide() {
+    let (m1, m2, l, g, viscous) = (1.3, 0.7, 0.4, 9.81, 0.25);
+    // The slide along the base's z, which is horizontal; the pendulum's axis is the base's y.
+    let slide = Row {
+        mass: m1,
+        viscous,
+        coulomb: 0.5,
+        ..Row::new(JointType::Prismatic)
+    };
+    let pendulum = Row {
+        alpha: -core::f64::consts::FRAC_PI_2,
+        mass: m2,
+        com: [l, 0.0, 0.0],
+        ..Row::new(JointType::Revolute)
+    };
+    let arm = NewtonEuler::new(&Table {
+        convention: Convention::Modified,
+        gravity: [g, 0.0, 0.0],
+        rows: [slide, pendulum],
+    });
+    for seed in seeds() {
+        let State { q, qd, qdd } = random_state::<2>(seed);
+        let (by_position, by_velocity) = arm.inverse_dynamics_derivatives(&q, &qd, &qdd);
+        let (s, c) = q[1].sin_cos();
+        // The pendulum swings towards -z where the axis is y.
+        let force = -m2 * l * (-qdd[1] * s - qd[1] * qd[1] * c);
+        let torque = -m2 * l * -s * qdd[0] + m2 * g * l * c;
+        let expected = Matrix2::new(0.0, force, 0.0, torque);
+        assert_near(by_position, expected, 1e-13);
+        let expected = Matrix2::new(viscous, 2.0 * m2 * l * qd[1] * s, 0.0, 0.0);
+        assert_near(by_velocity, expected, 1e-13);
+    }
+}
+
+/// Arms of both types of joints: the derivatives are the limits of small differences.
+#[test]
+fn derivatives_are_limits_of_differences() {
+    const H: f64 = 1e-4;
+    for (arm, State { q, qd, qdd }) in general_cases() {
+        let (by_position, by_velocity) = arm.inverse_dynamics_derivatives(&q, &qd, &qdd);
+        for j in 0..6 {
+            let step = SVector::from_fn(|i, _| if i == j { H } else { 0.0 });
+            let slope = (arm.inverse_dynamics(&(q + step), &qd, &qdd)
+                - arm.inverse_dynamics(&(q - step), &qd, &qdd))
+                / (2.0 * H);
+            let size = arm.inverse_dynamics(&q, &qd, &qdd).amax() + 100.0;
+            assert_near(by_position.column(j).into_owned(), slope, 1e-6 * size);
+            let slope = (arm.inverse_dynamics(&q, &(qd + step), &qdd)
+                - arm.inverse_dynamics(&q, &(qd - step), &qdd))
+                / (2.0 * H);
+            assert_near(by_velocity.column(j).into_owned(), slope, 1e-6 * size);
+        }
+    }
+}

@@ -8,75 +8,11 @@
 //!
 //!   D_j = I_m (S_m x S_j) - S_j x* (I_m S_m) - S_m x* (I_m S_j).
 
-use super::chain::{Chain, Link};
+use super::chain::Chain;
 use super::inertia::Body;
+use super::spatial::{Force, Motion, momentum};
 use crate::exact::Rational;
 use crate::expr::{Expr, Graph};
-use crate::linear::Vector3;
-use crate::robot::JointType;
-
-type Vector<'g> = Vector3<Expr<'g>>;
-
-/// A spatial motion vector: angular, and linear at the frame's origin.
-#[derive(Clone, Copy)]
-struct Motion<'g> {
-    w: Vector<'g>,
-    v: Vector<'g>,
-}
-
-/// A spatial force vector: moment about the frame's origin, and force.
-#[derive(Clone, Copy)]
-struct Force<'g> {
-    n: Vector<'g>,
-    f: Vector<'g>,
-}
-
-impl<'g> Motion<'g> {
-    /// Along z, for the joint itself.
-    fn axis(joint_type: JointType, zero: Expr<'g>, one: Expr<'g>) -> Self {
-        let (z, none) = (Vector3::new(zero, zero, one), Vector3::splat(zero));
-        match joint_type {
-            JointType::Revolute => Motion { w: z, v: none },
-            JointType::Prismatic => Motion { w: none, v: z },
-        }
-    }
-
-    /// In the next frame.
-    fn enter(self, link: &Link<'g>, zero: Expr<'g>) -> Self {
-        Motion {
-            w: link.enter(self.w),
-            v: link.enter(self.v + self.w.cross(link.position(zero))),
-        }
-    }
-
-    /// Motion cross motion.
-    fn cross(self, other: Self) -> Self {
-        Motion {
-            w: self.w.cross(other.w),
-            v: self.w.cross(other.v) + self.v.cross(other.w),
-        }
-    }
-
-    /// Motion cross force.
-    fn cross_force(self, force: Force<'g>) -> Force<'g> {
-        Force {
-            n: self.w.cross(force.n) + self.v.cross(force.f),
-            f: self.w.cross(force.f),
-        }
-    }
-
-    fn dot(self, force: Force<'g>) -> Expr<'g> {
-        self.w.dot(force.n) + self.v.dot(force.f)
-    }
-}
-
-/// I S: momentum of a body that moves.
-fn momentum<'g>(body: &Body<Expr<'g>>, motion: Motion<'g>) -> Force<'g> {
-    Force {
-        n: body.inertia.apply(motion.w) + body.moment.cross(motion.v),
-        f: motion.v * body.mass + motion.w.cross(body.moment),
-    }
-}
 
 /// The symbols c_ijk, symmetric in j and k, indexed [i][j][k].
 pub(super) fn christoffel<'g>(graph: &'g Graph, chain: &Chain<'g>) -> Vec<Vec<Vec<Expr<'g>>>> {

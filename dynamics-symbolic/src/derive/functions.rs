@@ -1,9 +1,12 @@
 //! The outputs of each function, on one chain.
 
 use super::chain::Chain;
+use super::derivatives::ForceDerivatives;
+use super::solve::Factors;
 use super::symbols::Symbols;
 use super::{
-    articulated, base, christoffel, composite, energy, kinematics, recursive, regressor, solve,
+    articulated, base, christoffel, composite, derivatives, energy, kinematics, recursive,
+    regressor,
 };
 use crate::expr::Expr;
 use crate::function::Function;
@@ -27,9 +30,14 @@ impl Form {
     /// power of the number of joints: they win for up to three.
     pub fn of(function: Function, dof: usize) -> &'static [Form] {
         match function {
-            Function::GravityVector | Function::Regressor => &[Form::Recursive, Form::Assembled],
+            Function::GravityVector
+            | Function::Regressor
+            | Function::ForwardDynamicsDerivatives => &[Form::Recursive, Form::Assembled],
             Function::ForwardDynamics => &[Form::Recursive, Form::Articulated],
-            Function::InverseDynamics | Function::BiasForce | Function::CoriolisVector
+            Function::InverseDynamics
+            | Function::BiasForce
+            | Function::CoriolisVector
+            | Function::InverseDynamicsDerivatives
                 if dof <= 3 =>
             {
                 &[Form::Recursive, Form::Assembled]
@@ -40,7 +48,7 @@ impl Form {
 }
 
 /// What a function puts out, in the order of its contract: matrices by rows.
-/// Forward dynamics: the accelerations, the pivots, and M's diagonal.
+/// Forward dynamics and its derivatives: the values, the pivots, and M's diagonal.
 pub fn outputs<'g>(
     symbols: &mut Symbols<'g>,
     robot: &Robot,
@@ -114,6 +122,13 @@ pub fn outputs<'g>(
                 .collect()
         }
         Function::Jacobian => kinematics::jacobian(symbols, robot),
+        Function::InverseDynamicsDerivatives => {
+            let without_friction = derivatives::recursion(chain, &qd, &qdd);
+            with_friction(symbols, robot, without_friction)
+        }
+        Function::ForwardDynamicsDerivatives => {
+            acceleration_derivatives(symbols, robot, chain, |factors, b| factors.solve(b))
+        }
         Function::Regressor => regressor::by_recursion(symbols, robot, chain),
         Function::BaseParameters => base::base_parameters(symbols, robot),
     }
@@ -126,16 +141,17 @@ fn forward_dynamics<'g>(
     chain: &Chain<'g>,
     form: Form,
 ) -> Vec<Expr<'g>> {
-    let bias = outputs(symbols, robot, chain, Function::BiasForce, Form::Recursive);
-    let applied = symbols.all(|joint| joint.tau).into_iter();
-    let net: Vec<_> = applied.zip(bias).map(|(tau, bias)| tau - bias).collect();
+    let net = net_force(symbols, robot, chain);
     let matrix = composite::mass_matrix(chain);
     let diagonal = (0..matrix.len()).map(|i| matrix[i][i]).collect();
-    let solution = match form {
+    let (qdd, pivots) = match form {
         Form::Articulated => articulated::solve(chain, &net),
-        _ => solve::solve(symbols.graph(), matrix, net),
+        _ => {
+            let (factors, qdd) = Factors::new(symbols.graph(), matrix, net);
+            (qdd, factors.pivots().to_vec())
+        }
     };
-    [solution.x, solution.pivots, diagonal].concat()
+    [qdd, pivots, diagonal].concat()
 }
 
 /// The functions that have a second form.
@@ -179,9 +195,79 @@ fn assembled<'g>(
             let still = vec![zero; robot.rows.len()];
             recursive::inverse_dynamics(chain, &still, &still, chain.gravity)
         }
+        Function::InverseDynamicsDerivatives => {
+            let qdd = symbols.all(|joint| joint.qdd);
+            let without_friction = derivatives::differentiated(symbols, chain, &qd, &qdd);
+            with_friction(symbols, robot, without_friction)
+        }
+        Function::ForwardDynamicsDerivatives => {
+            acceleration_derivatives(symbols, robot, chain, |factors, b| {
+                let inverse = factors.inverse();
+                inverse.iter().map(|row| dot(zero, row, &b)).collect()
+            })
+        }
         Function::Regressor => regressor::by_partial_velocities(symbols, robot, chain),
         _ => outputs(symbols, robot, chain, function, Form::Recursive),
     }
+}
+
+/// tau - V - G - F
+fn net_force<'g>(symbols: &mut Symbols<'g>, robot: &Robot, chain: &Chain<'g>) -> Vec<Expr<'g>> {
+    let bias = outputs(symbols, robot, chain, Function::BiasForce, Form::Recursive);
+    let applied = symbols.all(|joint| joint.tau).into_iter();
+    applied.zip(bias).map(|(tau, bias)| tau - bias).collect()
+}
+
+/// The pivots, and the diagonal of the matrix that they are measured by.
+fn pivots<'g>(factors: &Factors<'g>, matrix: &[Vec<Expr<'g>>]) -> Vec<Expr<'g>> {
+    let diagonal = (0..matrix.len()).map(|i| matrix[i][i]);
+    factors.pivots().iter().copied().chain(diagonal).collect()
+}
+
+/// d tau/dq and d tau/dqd with viscous friction. Coulomb friction is constant.
+fn with_friction<'g>(
+    symbols: &mut Symbols<'g>,
+    robot: &Robot,
+    derivatives: ForceDerivatives<'g>,
+) -> Vec<Expr<'g>> {
+    let mut by_velocity = derivatives.by_velocity;
+    for (i, row) in robot.rows.iter().enumerate() {
+        by_velocity[i][i] = by_velocity[i][i] + symbols.value(&row.viscous);
+    }
+    [derivatives.by_position, by_velocity].concat().concat()
+}
+
+/// Derivatives of M qdd + V + G + F = tau, which holds for every q, qd and tau:
+/// M d qdd/dq = -d tau/dq and M d qdd/dqd = -d tau/dqd at that qdd, M d qdd/d tau = 1.
+/// `solve` solves M x = b.
+fn acceleration_derivatives<'g>(
+    symbols: &mut Symbols<'g>,
+    robot: &Robot,
+    chain: &Chain<'g>,
+    solve: impl Fn(&Factors<'g>, Vec<Expr<'g>>) -> Vec<Expr<'g>>,
+) -> Vec<Expr<'g>> {
+    let n = robot.rows.len();
+    let matrix = composite::mass_matrix(chain);
+    let net = net_force(symbols, robot, chain);
+    let (factors, qdd) = Factors::new(symbols.graph(), matrix.clone(), net);
+    let qd = symbols.all(|joint| joint.qd);
+    let without_friction = derivatives::recursion(chain, &qd, &qdd);
+    let forces = with_friction(symbols, robot, without_friction);
+    let mut values = forces.clone();
+    for (b, x) in forces.chunks(n * n).zip(values.chunks_mut(n * n)) {
+        for column in 0..n {
+            let right_side = (0..n).map(|row| -b[row * n + column]).collect();
+            for (row, entry) in solve(&factors, right_side).into_iter().enumerate() {
+                x[row * n + column] = entry;
+            }
+        }
+    }
+    [
+        values,
+        factors.inverse().concat(),
+        pivots(&factors, &matrix),
+    ]
+    .concat()
 }
 
 /// F_i = viscous_i qd_i + coulomb_i sign(qd_i)

@@ -48,6 +48,13 @@ impl Gauge {
     /// single choices and neighbouring pairs are reversed for as long as the
     /// work of the operations falls.
     pub fn search(robot: &Robot, function: Function, form: Form) -> Self {
+        // What is solved for in the derivatives of forward dynamics costs the same in every gauge.
+        let (function, form) = match function {
+            Function::ForwardDynamicsDerivatives => {
+                (Function::InverseDynamicsDerivatives, Form::Recursive)
+            }
+            _ => (function, form),
+        };
         let dof = robot.rows.len();
         let mut gauge = Gauge::plain(dof);
         if function == Function::BaseParameters {
@@ -74,6 +81,11 @@ impl Gauge {
                 return gauge;
             }
         }
+    }
+
+    /// Operations of a function in this gauge, before any simplification.
+    pub fn length(&self, robot: &Robot, function: Function, form: Form) -> usize {
+        self.cost(robot, function, form, &mut 0)
     }
 
     /// The network of a function in this gauge, before any simplification.

@@ -6,14 +6,17 @@ pub mod base;
 pub mod chain;
 mod christoffel;
 mod composite;
+mod derivatives;
 mod energy;
 pub mod functions;
 pub mod gauge;
 pub mod inertia;
 mod kinematics;
+mod momentum;
 mod recursive;
 mod regressor;
 mod solve;
+mod spatial;
 pub mod symbols;
 pub mod textbook;
 
@@ -30,6 +33,14 @@ use symbols::Symbols;
 /// simplifications lead to.
 pub fn derive(robot: &Robot, function: Function) -> Program {
     let forms = promising_forms(robot, function);
+    if function == Function::ForwardDynamicsDerivatives {
+        // Programs so long are compared before they are simplified.
+        let gauge = Gauge::search(robot, function, Form::Recursive);
+        let length = |form: &Form| gauge.cost(robot, function, *form, &mut 0);
+        let form = forms.into_iter().min_by_key(length);
+        let form = form.expect("every function has a form");
+        return simplified(robot, function, form, &gauge);
+    }
     let programs = forms
         .into_iter()
         .map(|form| derive_form(robot, function, form));
@@ -61,6 +72,11 @@ fn promising_forms(robot: &Robot, function: Function) -> Vec<Form> {
 /// simplifications lead to.
 pub fn derive_form(robot: &Robot, function: Function, form: Form) -> Program {
     let gauge = Gauge::search(robot, function, form);
+    simplified(robot, function, form, &gauge)
+}
+
+/// The program of a function in one form and one gauge, shortened.
+fn simplified(robot: &Robot, function: Function, form: Form, gauge: &Gauge) -> Program {
     let graph = Graph::new();
     let mut symbols = Symbols::new(&graph, robot);
     let mut network = gauge.network(&mut symbols, robot, function, form);

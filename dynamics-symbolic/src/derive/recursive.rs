@@ -22,11 +22,11 @@ type Vector<'g> = Vector3<Expr<'g>>;
 #[derive(Clone, Copy)]
 pub(super) struct Motion<'g> {
     /// Angular velocity.
-    w: Vector<'g>,
+    pub(super) w: Vector<'g>,
     /// Angular acceleration.
-    wd: Vector<'g>,
+    pub(super) wd: Vector<'g>,
     /// Acceleration of the origin, less that of gravity.
-    a: Vector<'g>,
+    pub(super) a: Vector<'g>,
 }
 
 impl<'g> Motion<'g> {
@@ -41,7 +41,7 @@ impl<'g> Motion<'g> {
     }
 
     /// U = [wd]x + [w]x [w]x: the acceleration of a point at r is a + U r.
-    fn u(&self) -> Matrix3<Expr<'g>> {
+    pub(super) fn u(&self) -> Matrix3<Expr<'g>> {
         let ([x, y, z], [xd, yd, zd]) = (self.w.0, self.wd.0);
         let (xx, yy, zz) = (x * x, y * y, z * z);
         let (xy, yz, xz) = (x * y, y * z, x * z);
@@ -60,13 +60,26 @@ pub(super) fn inverse_dynamics<'g>(
     qdd: &[Expr<'g>],
     gravity: Vector<'g>,
 ) -> Vec<Expr<'g>> {
+    let motions = motions(chain, qd, qdd, gravity);
+    let links = chain.links.iter().zip(&motions);
+    let wrenches = links.map(|(link, motion)| wrench(&link.body, motion));
+    inward(chain, wrenches.collect(), qdd)
+}
+
+/// The motions of the links, from the base outwards.
+pub(super) fn motions<'g>(
+    chain: &Chain<'g>,
+    qd: &[Expr<'g>],
+    qdd: &[Expr<'g>],
+    gravity: Vector<'g>,
+) -> Vec<Motion<'g>> {
     let mut motion = Motion::of_base(chain.zero, gravity);
-    let mut wrenches = Vec::with_capacity(chain.links.len());
-    for (link, (&qd, &qdd)) in chain.links.iter().zip(qd.iter().zip(qdd)) {
+    let joints = chain.links.iter().zip(qd.iter().zip(qdd));
+    let motions = joints.map(|(link, (&qd, &qdd))| {
         motion = outward(chain, link, motion, qd, qdd);
-        wrenches.push(wrench(&link.body, &motion));
-    }
-    inward(chain, wrenches, qdd)
+        motion
+    });
+    motions.collect()
 }
 
 /// The motion of a link from that of the previous one.

@@ -1,4 +1,4 @@
-//! Forward dynamics by factoring the mass matrix from the tip inwards.
+//! The mass matrix, factored from the tip inwards.
 //!
 //! M = U D U^T with U unit upper triangular: d_j is the inertia that joint j
 //! feels when the joints outside it are free (the articulated inertia of its
@@ -7,43 +7,152 @@
 
 use crate::expr::{Expr, Graph};
 
-/// The solution of M x = b, and the pivots d.
-pub(super) struct Solution<'g> {
-    /// x
-    pub(super) x: Vec<Expr<'g>>,
+type Matrix<'g> = Vec<Vec<Expr<'g>>>;
+
+/// The factors of M, unrolled; entries that are zero cost nothing.
+pub(super) struct Factors<'g> {
+    graph: &'g Graph,
+    /// U above the diagonal.
+    upper: Matrix<'g>,
     /// d
-    pub(super) pivots: Vec<Expr<'g>>,
+    pivots: Vec<Expr<'g>>,
+    /// 1 / d
+    reciprocals: Vec<Expr<'g>>,
 }
 
-/// Solves M x = b, unrolled; entries that are zero cost nothing.
-pub(super) fn solve<'g>(
-    graph: &'g Graph,
-    mut m: Vec<Vec<Expr<'g>>>,
-    mut b: Vec<Expr<'g>>,
-) -> Solution<'g> {
-    let n = b.len();
-    let mut reciprocals = vec![graph.zero(); n];
-    // m[i][j], i < j, becomes U_ij; m[j][j] becomes d_j; b becomes U^-1 b.
-    for j in (0..n).rev() {
-        reciprocals[j] = graph.one() / m[j][j];
-        for i in (0..j).rev() {
-            let u = m[i][j] * reciprocals[j];
-            for k in 0..=i {
-                m[k][i] = m[k][i] - u * m[k][j];
+impl<'g> Factors<'g> {
+    /// Factors a symmetric matrix, and solves M x = b on the way.
+    pub(super) fn new(
+        graph: &'g Graph,
+        mut m: Matrix<'g>,
+        mut b: Vec<Expr<'g>>,
+    ) -> (Self, Vec<Expr<'g>>) {
+        let n = m.len();
+        let mut reciprocals = vec![graph.zero(); n];
+        // m[i][j], i < j, becomes U_ij; m[j][j] becomes d_j; b becomes U^-1 b.
+        for j in (0..n).rev() {
+            reciprocals[j] = graph.one() / m[j][j];
+            for i in (0..j).rev() {
+                let u = m[i][j] * reciprocals[j];
+                for k in 0..=i {
+                    m[k][i] = m[k][i] - u * m[k][j];
+                }
+                b[i] = b[i] - u * b[j];
             }
-            b[i] = b[i] - u * b[j];
+            for i in 0..j {
+                m[i][j] = m[i][j] * reciprocals[j];
+            }
         }
-        for i in 0..j {
-            m[i][j] = m[i][j] * reciprocals[j];
+        let factors = Factors {
+            graph,
+            pivots: (0..n).map(|j| m[j][j]).collect(),
+            upper: m,
+            reciprocals,
+        };
+        let x = factors.solve_lower(&b);
+        (factors, x)
+    }
+
+    /// d
+    pub(super) fn pivots(&self) -> &[Expr<'g>] {
+        &self.pivots
+    }
+
+    /// The solution of M x = b.
+    pub(super) fn solve(&self, mut b: Vec<Expr<'g>>) -> Vec<Expr<'g>> {
+        let n = b.len();
+        for j in (0..n).rev() {
+            for i in (0..j).rev() {
+                b[i] = b[i] - self.upper[i][j] * b[j];
+            }
         }
+        self.solve_lower(&b)
     }
-    let mut x: Vec<Expr<'g>> = Vec::with_capacity(n);
-    for j in 0..n {
-        let coupled = (0..j).fold(b[j] * reciprocals[j], |sum, i| sum - m[i][j] * x[i]);
-        x.push(coupled);
+
+    /// The solution of D U^T x = b.
+    fn solve_lower(&self, b: &[Expr<'g>]) -> Vec<Expr<'g>> {
+        let mut x: Vec<Expr<'g>> = Vec::with_capacity(b.len());
+        for j in 0..b.len() {
+            let own = b[j] * self.reciprocals[j];
+            let coupled = (0..j).fold(own, |sum, i| sum - self.upper[i][j] * x[i]);
+            x.push(coupled);
+        }
+        x
     }
-    Solution {
-        x,
-        pivots: (0..n).map(|j| m[j][j]).collect(),
+
+    /// The inverse of M: with W = U^-1, M^-1 = W^T D^-1 W.
+    pub(super) fn inverse(&self) -> Matrix<'g> {
+        let n = self.pivots.len();
+        let w = self.inverse_upper();
+        let zero = self.graph.zero();
+        let mut inverse = vec![vec![zero; n]; n];
+        for i in 0..n {
+            for j in i..n {
+                let terms = (0..=i).map(|k| w[k][i] * (self.reciprocals[k] * w[k][j]));
+                inverse[i][j] = terms.fold(zero, |sum, term| sum + term);
+                inverse[j][i] = inverse[i][j];
+            }
+        }
+        inverse
+    }
+
+    /// U^-1, by U U^-1 = 1 from the last row upwards.
+    fn inverse_upper(&self) -> Matrix<'g> {
+        let n = self.pivots.len();
+        let mut w = vec![vec![self.graph.zero(); n]; n];
+        for i in (0..n).rev() {
+            w[i][i] = self.graph.one();
+            for j in i + 1..n {
+                for k in i + 1..=j {
+                    w[i][j] = w[i][j] - self.upper[i][k] * w[k][j];
+                }
+            }
+        }
+        w
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::expr::Level;
+
+    fn symmetric(graph: &Graph) -> Matrix<'_> {
+        let mut m = vec![vec![graph.zero(); 4]; 4];
+        for i in 0..4 {
+            for j in 0..=i {
+                m[i][j] = graph.symbol(Level::Variable);
+                m[j][i] = m[i][j];
+            }
+        }
+        m
+    }
+
+    fn times<'g>(m: &Matrix<'g>, x: &[Expr<'g>], zero: Expr<'g>) -> Vec<Expr<'g>> {
+        let dot = |row: &Vec<Expr<'g>>| row.iter().zip(x).fold(zero, |sum, (&m, &x)| sum + m * x);
+        m.iter().map(dot).collect()
+    }
+
+    #[test]
+    fn a_solution_satisfies_its_equations() {
+        let graph = Graph::new();
+        let m = symmetric(&graph);
+        let b: Vec<_> = (0..4).map(|_| graph.symbol(Level::Variable)).collect();
+        let (factors, x) = Factors::new(&graph, m.clone(), b.clone());
+        assert_eq!(times(&m, &x, graph.zero()), b);
+        assert_eq!(factors.solve(b), x);
+    }
+
+    #[test]
+    fn the_matrix_times_its_inverse_is_one() {
+        let graph = Graph::new();
+        let m = symmetric(&graph);
+        let b = vec![graph.zero(); 4];
+        let inverse = Factors::new(&graph, m.clone(), b).0.inverse();
+        for j in 0..4 {
+            let column: Vec<_> = inverse.iter().map(|row| row[j]).collect();
+            let unit = (0..4).map(|i| if i == j { graph.one() } else { graph.zero() });
+            assert_eq!(times(&m, &column, graph.zero()), unit.collect::<Vec<_>>());
+        }
     }
 }

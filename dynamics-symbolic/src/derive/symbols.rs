@@ -1,7 +1,7 @@
 //! The symbols of a robot's equations on a graph.
 
 use crate::exact::Rational;
-use crate::expr::{Expr, Graph, Level};
+use crate::expr::{Direction, Expr, Graph, Level};
 use crate::robot::{Interpretation, JointType, Robot, Symbol, Value};
 
 /// The variables of one joint.
@@ -88,6 +88,21 @@ impl<'g> Symbols<'g> {
     /// One variable of every joint.
     pub fn all(&self, variable: impl Fn(&JointSymbols<'g>) -> Expr<'g>) -> Vec<Expr<'g>> {
         self.joints.iter().map(variable).collect()
+    }
+
+    /// A direction in which, besides, position i changes at a rate: s' = c q', c' = -s q'.
+    pub fn along_position(
+        &self,
+        direction: Direction<'g>,
+        i: usize,
+        rate: Expr<'g>,
+    ) -> Direction<'g> {
+        let joint = self.joint(i);
+        let (s, c) = joint.sin_cos;
+        direction
+            .with(s, c * rate)
+            .with(c, -(s * rate))
+            .with(joint.q, rate)
     }
 
     /// Sine and cosine of q_i + theta (revolute) or of theta (prismatic). The

@@ -40,7 +40,9 @@ impl<'g> Textbook<'g> {
         let along_qd: Vec<_> = (0..n)
             .map(|i| Direction::new().with(symbols.joint(i).qd, one))
             .collect();
-        let along_q: Vec<_> = (0..n).map(|i| along_position(symbols, i, one)).collect();
+        let along_q: Vec<_> = (0..n)
+            .map(|i| symbols.along_position(Direction::new(), i, one))
+            .collect();
         let mass_matrix: Vec<Vec<_>> = along_qd
             .iter()
             .map(|i| {
@@ -75,29 +77,10 @@ impl<'g> Textbook<'g> {
     }
 }
 
-/// The direction in which position i changes at a rate: s' = c q', c' = -s q'.
-fn along_position<'g>(symbols: &Symbols<'g>, i: usize, rate: Expr<'g>) -> Direction<'g> {
-    add_position(Direction::new(), symbols, i, rate)
-}
-
-fn add_position<'g>(
-    direction: Direction<'g>,
-    symbols: &Symbols<'g>,
-    i: usize,
-    rate: Expr<'g>,
-) -> Direction<'g> {
-    let joint = symbols.joint(i);
-    let (s, c) = joint.sin_cos;
-    direction
-        .with(s, c * rate)
-        .with(c, -(s * rate))
-        .with(joint.q, rate)
-}
-
 fn kinetic_energy<'g>(symbols: &mut Symbols<'g>, robot: &Robot, half: Expr<'g>) -> Expr<'g> {
     let motion = (0..robot.rows.len()).fold(Direction::new(), |direction, i| {
         let qd = symbols.joint(i).qd;
-        add_position(direction, symbols, i, qd)
+        symbols.along_position(direction, i, qd)
     });
     let mut twice = symbols.graph().zero();
     for (i, frame) in frames(symbols, robot).iter().enumerate() {

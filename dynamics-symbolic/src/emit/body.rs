@@ -398,14 +398,32 @@ impl<'p> Writer<'p> {
             }
             Shape::Accelerations(n) => {
                 let accelerations = self.matrix(0, n, 1, path);
-                let tests = (0..n).rev().map(|joint| {
-                    let (pivot, diagonal) = (self.output(n + joint), self.output(2 * n + joint));
-                    let joint = Literal::usize_unsuffixed(joint);
-                    quote!(#path::SingularMassMatrix::test(#joint, #pivot, #diagonal)?;)
-                });
-                quote!(#(#tests)* ::core::result::Result::Ok(#accelerations))
+                let tests = self.pivot_tests(n, n, path);
+                quote!(#tests ::core::result::Result::Ok(#accelerations))
+            }
+            Shape::ForceDerivatives(n) => {
+                let [by_position, by_velocity] = [0, 1].map(|k| self.matrix(k * n * n, n, n, path));
+                quote!((#by_position, #by_velocity))
+            }
+            Shape::AccelerationDerivatives(n) => {
+                let [by_position, by_velocity, by_force] =
+                    [0, 1, 2].map(|k| self.matrix(k * n * n, n, n, path));
+                let tests = self.pivot_tests(3 * n * n, n, path);
+                quote!(#tests ::core::result::Result::Ok((#by_position, #by_velocity, #by_force)))
             }
         }
+    }
+
+    /// A test of every pivot against its diagonal entry, from the tip inwards: `n` pivots from
+    /// output `first` on, and the diagonal after them.
+    fn pivot_tests(&self, first: usize, n: usize, path: &TokenStream) -> TokenStream {
+        let tests = (0..n).rev().map(|joint| {
+            let pivot = self.output(first + joint);
+            let diagonal = self.output(first + n + joint);
+            let joint = Literal::usize_unsuffixed(joint);
+            quote!(#path::SingularMassMatrix::test(#joint, #pivot, #diagonal)?;)
+        });
+        tests.collect()
     }
 }
 

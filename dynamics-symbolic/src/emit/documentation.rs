@@ -59,6 +59,17 @@ fn description(function: Function) -> &'static str {
         Function::Jacobian => {
             "Geometric Jacobian of the last link frame's origin, 6 x N, rows vx vy vz wx wy wz, in the base frame."
         }
+        Function::InverseDynamicsDerivatives => {
+            "Derivatives of the inverse dynamics, exact: (d tau/dq, d tau/dqd), each N x N, entry (i, j) the derivative of \
+             tau_i by joint j. d tau/dqdd is M(q). Viscous friction is on the diagonal of d tau/dqd; Coulomb friction \
+             counts as constant: its derivative is zero wherever it has one."
+        }
+        Function::ForwardDynamicsDerivatives => {
+            "Derivatives of the forward dynamics at qdd = forward_dynamics(q, qd, tau), exact: \
+             (d qdd/dq, d qdd/dqd, d qdd/d tau), each N x N, entry (i, j) the derivative of qdd_i by joint j. \
+             d qdd/d tau is the inverse of M(q). Coulomb friction counts as constant: its derivative is zero wherever \
+             it has one."
+        }
         Function::Regressor => {
             "Regressor Y(q, qd, qdd), N x P, of the P base inertial parameters: \
              Y * base_parameters = tau - F, the joint forces without friction."
@@ -91,7 +102,7 @@ pub(super) fn documentation(
     }
     lines.push(String::new());
     lines.push(match function {
-        Function::ForwardDynamics => {
+        Function::ForwardDynamics | Function::ForwardDynamicsDerivatives => {
             " # Errors\n\n `SingularMassMatrix` where M(q) is not positive definite to working precision, or not finite: \
              it names the joint whose pivot failed.\n\n Never panics, never allocates; what depends on an input that \
              is not finite is not finite."

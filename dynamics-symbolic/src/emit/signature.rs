@@ -22,8 +22,10 @@ pub(super) fn arguments(function: Function) -> &'static [&'static str] {
         | Function::BiasForce
         | Function::CoriolisMatrix => &["q", "qd"],
         Function::FrictionVector => &["qd"],
-        Function::InverseDynamics | Function::Regressor => &["q", "qd", "qdd"],
-        Function::ForwardDynamics => &["q", "qd", "tau"],
+        Function::InverseDynamics | Function::InverseDynamicsDerivatives | Function::Regressor => {
+            &["q", "qd", "qdd"]
+        }
+        Function::ForwardDynamics | Function::ForwardDynamicsDerivatives => &["q", "qd", "tau"],
         Function::BaseParameters => &[],
     }
 }
@@ -39,6 +41,10 @@ pub(super) enum Shape {
     Poses(usize),
     /// Accelerations, or the failure of a pivot.
     Accelerations(usize),
+    /// Two square matrices: by position, and by velocity.
+    ForceDerivatives(usize),
+    /// Three square matrices, by position, velocity and force, or the failure of a pivot.
+    AccelerationDerivatives(usize),
     /// So many rows, and a column for each base parameter.
     Regressor(usize),
     /// The base parameters, one a row.
@@ -61,6 +67,8 @@ pub(super) fn shape(function: Function, dof: usize) -> Shape {
         Function::ForwardKinematics => Shape::Matrix(4, 4),
         Function::LinkPoses => Shape::Poses(dof),
         Function::Jacobian => Shape::Matrix(6, dof),
+        Function::InverseDynamicsDerivatives => Shape::ForceDerivatives(dof),
+        Function::ForwardDynamicsDerivatives => Shape::AccelerationDerivatives(dof),
         Function::Regressor => Shape::Regressor(dof),
         Function::BaseParameters => Shape::BaseParameters,
     }
@@ -74,12 +82,17 @@ fn output_type(
     path: &TokenStream,
 ) -> TokenStream {
     let size = Literal::usize_unsuffixed;
+    let square = quote!(#path::nalgebra::SMatrix<T, #n, #n>);
     let parameters = size(parameters);
     match (shape(function, dof), function) {
         (Shape::Number, _) => quote!(T),
         (Shape::Poses(_), _) => quote!([#path::nalgebra::Matrix4<T>; #n]),
         (Shape::Accelerations(_), _) => {
             quote!(::core::result::Result<#path::nalgebra::SVector<T, #n>, #path::SingularMassMatrix>)
+        }
+        (Shape::ForceDerivatives(_), _) => quote!((#square, #square)),
+        (Shape::AccelerationDerivatives(_), _) => {
+            quote!(::core::result::Result<(#square, #square, #square), #path::SingularMassMatrix>)
         }
         (Shape::Regressor(_), _) => quote!(#path::nalgebra::SMatrix<T, #n, #parameters>),
         (Shape::BaseParameters, _) => quote!(#path::nalgebra::SVector<T, #parameters>),
@@ -92,9 +105,7 @@ fn output_type(
         (
             _,
             Function::MassMatrix | Function::CoriolisMatrix | Function::CentrifugalCoefficients,
-        ) => {
-            quote!(#path::nalgebra::SMatrix<T, #n, #n>)
-        }
+        ) => square,
         (Shape::Matrix(..), _) => quote!(#path::nalgebra::SVector<T, #n>),
     }
 }

@@ -3,6 +3,7 @@
 //! Derivatives are exact: the functions run on the dual numbers of `support/dual.rs`.
 
 mod coriolis;
+mod derivatives;
 mod energy;
 mod forward;
 mod friction;
@@ -58,6 +59,10 @@ macro_rules! identities_of_all {
                     last_link_pose_is_the_forward_kinematics,
                     rotations_are_orthonormal,
                     jacobian_is_the_derivative_of_the_pose;
+                derivatives: force_derivatives_are_those_of_dual_numbers,
+                    force_derivatives_are_limits_of_differences,
+                    acceleration_derivatives_are_those_of_dual_numbers,
+                    acceleration_derivatives_satisfy_their_equations;
                 regressor: base_parameters_give_the_torque_without_friction,
                     columns_of_the_regressor_are_independent,
                     torques_of_any_inertia_are_combinations_of_the_columns;

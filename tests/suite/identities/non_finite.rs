@@ -23,6 +23,15 @@ fn all_functions<const N: usize, const P: usize, R: Arm<N, P>>(
     values.extend(robot.link_poses(q).iter().flatten());
     values.extend(robot.forward_kinematics(q).iter());
     values.extend(robot.jacobian(q).iter());
+    let (by_position, by_velocity) = robot.inverse_dynamics_derivatives(q, qd, qd);
+    values.extend(by_position.iter());
+    values.extend(by_velocity.iter());
+    match robot.forward_dynamics_derivatives(q, qd, qd) {
+        Ok((by_position, by_velocity, by_force)) => {
+            values.extend(by_position.iter().chain(&by_velocity).chain(&by_force));
+        }
+        Err(_) => values.resize(values.len() + 3 * N * N, f64::NAN),
+    }
     match robot.forward_dynamics(q, qd, qd) {
         Ok(qdd) => values.extend(qdd.iter()),
         Err(_) => values.extend([f64::NAN; N]),

@@ -32,6 +32,11 @@ pub(super) struct Magnitude {
     pub(super) gravity: f64,
     /// max |M| max |qdd|, with those of the Coriolis terms, gravity and friction.
     pub(super) torque: f64,
+    /// That of tau without friction, for its derivative by an angle; a weight's lever arm changes by
+    /// 1 with a displacement.
+    pub(super) force_by_position: f64,
+    /// 2 max |M| max |qd|, and the largest viscous friction.
+    pub(super) force_by_velocity: f64,
     /// Distance of the last frame and the centres of mass from the base, m.
     pub(super) reach: f64,
 }
@@ -45,15 +50,20 @@ impl Magnitude {
         let speed = largest(&state.qd);
         let inertia = largest(&robot.mass_matrix(&state.q));
         let reach = reach(&table, &state.q);
-        let gravity = table.total_mass() * norm(table.gravity) * reach;
+        let weight = table.total_mass() * norm(table.gravity);
+        let gravity = weight * reach;
         let coriolis = inertia * speed * speed;
         let friction = largest(&robot.friction_vector(&state.qd));
+        let viscous = table.rows.iter().map(|row| row.viscous);
+        let inertial = inertia * largest(&state.qdd) + coriolis;
         Magnitude {
             inertia,
             coriolis_matrix: inertia * speed,
             coriolis,
             gravity,
-            torque: inertia * largest(&state.qdd) + coriolis + gravity + friction,
+            torque: inertial + gravity + friction,
+            force_by_position: inertial + weight * reach.max(1.0),
+            force_by_velocity: 2.0 * inertia * speed + viscous.fold(0.0, f64::max),
             reach,
         }
     }

@@ -81,6 +81,11 @@ pub(super) fn single_precision_agrees_with_double_precision<
             torque,
             is.torque,
         );
+        let (by_position, by_velocity) = robot.inverse_dynamics_derivatives(&q, &qd, &qdd);
+        let (by_position32, by_velocity32) =
+            robot.inverse_dynamics_derivatives(&q32, &qd32, &qdd32);
+        assert_near(&by_position32, &by_position, is.force_by_position, N);
+        assert_near(&by_velocity32, &by_velocity, is.force_by_velocity, N);
         assert_near(
             &robot.forward_kinematics(&q32),
             &robot.forward_kinematics(&q),

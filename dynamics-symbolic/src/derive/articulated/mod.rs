@@ -15,7 +15,6 @@
 mod inertia;
 
 use super::chain::{Chain, Link};
-use super::solve::Solution;
 use crate::expr::Expr;
 use crate::linear::{Matrix3, Symmetric3, Vector3};
 use crate::robot::JointType;
@@ -68,13 +67,11 @@ struct Eliminated<'g> {
     force: Expr<'g>,
 }
 
-/// Solves M qdd = `net`, with the pivots of M = U D U^T.
-pub(super) fn solve<'g>(chain: &Chain<'g>, net: &[Expr<'g>]) -> Solution<'g> {
+/// Solves M qdd = `net`: qdd, and the pivots of M = U D U^T.
+pub(super) fn solve<'g>(chain: &Chain<'g>, net: &[Expr<'g>]) -> (Vec<Expr<'g>>, Vec<Expr<'g>>) {
     let joints = inward(chain, net);
-    Solution {
-        x: outward(chain, &joints),
-        pivots: joints.iter().map(|joint| joint.pivot).collect(),
-    }
+    let pivots = joints.iter().map(|joint| joint.pivot).collect();
+    (outward(chain, &joints), pivots)
 }
 
 /// Articulated inertias and bias forces, from the tip inwards.

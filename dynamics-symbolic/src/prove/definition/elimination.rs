@@ -34,7 +34,7 @@ impl Definition {
 }
 
 /// The pivots of M = U D U^T, eliminated from the last row upwards; none after one that is zero.
-fn pivots(mut matrix: Matrix) -> Vec<Option<Number>> {
+pub(super) fn pivots(mut matrix: Matrix) -> Vec<Option<Number>> {
     let n = matrix.len();
     let mut pivots = vec![None; n];
     for j in (0..n).rev() {
@@ -50,6 +50,27 @@ fn pivots(mut matrix: Matrix) -> Vec<Option<Number>> {
         }
     }
     pivots
+}
+
+/// The solution X of M X = B, by elimination in the same order; none where a pivot is zero.
+pub(super) fn solve(mut matrix: Matrix, mut b: Matrix) -> Option<Matrix> {
+    let n = matrix.len();
+    for j in (0..n).rev() {
+        let inverse = matrix[j][j].inverse()?;
+        matrix[j] = matrix[j].iter().map(|&x| x * inverse).collect();
+        b[j] = b[j].iter().map(|&x| x * inverse).collect();
+        for i in (0..n).filter(|&i| i != j) {
+            let factor = matrix[i][j];
+            matrix[i] = less(&matrix[i], factor, &matrix[j]);
+            b[i] = less(&b[i], factor, &b[j]);
+        }
+    }
+    Some(b)
+}
+
+/// a - factor b
+fn less(a: &Vector, factor: Number, b: &Vector) -> Vector {
+    a.iter().zip(b).map(|(&a, &b)| a - factor * b).collect()
 }
 
 #[cfg(test)]
@@ -69,6 +90,23 @@ mod tests {
             .fold(Number::ONE, |product, x| product * x.unwrap());
         assert_eq!(product, Number::new(67));
         assert_eq!(pivots[2], Some(Number::new(6)));
+    }
+
+    #[test]
+    fn a_solution_satisfies_its_equations() {
+        let m = matrix(&[&[4, 2, 1], &[2, 5, 3], &[1, 3, 6]]);
+        let b = matrix(&[&[1, 7], &[2, 0], &[5, 3]]);
+        let x = solve(m.clone(), b.clone()).unwrap();
+        for (i, row) in m.iter().enumerate() {
+            for k in 0..2 {
+                let terms = (0..3).map(|j| row[j] * x[j][k]);
+                assert_eq!(terms.fold(Number::ZERO, |sum, term| sum + term), b[i][k]);
+            }
+        }
+        assert_eq!(
+            solve(matrix(&[&[1, 2], &[2, 4]]), matrix(&[&[1], &[1]])),
+            None
+        );
     }
 
     #[test]

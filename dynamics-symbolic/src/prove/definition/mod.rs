@@ -9,6 +9,7 @@
 //! Velocities are derivatives of positions by dual numbers. T is quadratic in
 //! qd, so that its second derivatives are differences, without a limit.
 
+mod derivatives;
 mod elimination;
 mod energy;
 mod equations;
@@ -88,6 +89,8 @@ impl Definition {
             Function::ForwardKinematics => self.forward_kinematics(),
             Function::LinkPoses => self.link_poses(),
             Function::Jacobian => self.jacobian().concat(),
+            Function::InverseDynamicsDerivatives => self.inverse_dynamics_derivatives(),
+            Function::ForwardDynamicsDerivatives => self.forward_dynamics_derivatives(computed),
             Function::Regressor => self.regressor()?,
             Function::BaseParameters => self.base_parameters()?,
         })

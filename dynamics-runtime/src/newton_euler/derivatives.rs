@@ -1,0 +1,68 @@
+//! Derivatives of the joint torques, by differences that are no approximation.
+//!
+//! tau is a trigonometric polynomial of degree two in each joint angle, for it is linear in products
+//! of two entries of the link's transform, and a polynomial of degree two in each displacement and
+//! each velocity. Differences over distances that may be large give the derivatives of such
+//! functions exactly, with roundings as small as those of tau itself.
+
+use core::f64::consts::{FRAC_1_SQRT_2, SQRT_2};
+
+use nalgebra::{SMatrix, SVector};
+
+use super::NewtonEuler;
+use super::angle::SinCos;
+use crate::JointType;
+
+/// A turn by 45 degrees.
+const EIGHTH: SinCos = SinCos {
+    sin: FRAC_1_SQRT_2,
+    cos: FRAC_1_SQRT_2,
+};
+/// A turn by 90 degrees.
+const QUARTER: SinCos = SinCos { sin: 1.0, cos: 0.0 };
+
+impl<const N: usize> NewtonEuler<N> {
+    /// d tau/dq and d tau/dqd of the inverse dynamics; row i belongs to tau_i, column j to joint j.
+    ///
+    /// Viscous friction is on the diagonal of d tau/dqd. Coulomb friction is taken as constant.
+    pub fn inverse_dynamics_derivatives(
+        &self,
+        q: &SVector<f64, N>,
+        qd: &SVector<f64, N>,
+        qdd: &SVector<f64, N>,
+    ) -> (SMatrix<f64, N, N>, SMatrix<f64, N, N>) {
+        let mut by_position = SMatrix::<f64, N, N>::zeros();
+        for j in 0..N {
+            // tau with joint j displaced by a turn or by a distance, less tau displaced the other way.
+            let difference = |turn: SinCos, distance: f64| {
+                let tau = |turn, distance| {
+                    let displaced = self.displaced(j, turn, distance);
+                    displaced.recursion(q, qd, qdd, &self.gravity)
+                };
+                tau(turn, distance) - tau(turn.opposite(), -distance)
+            };
+            let derivative = match self.links[j].joint_type {
+                // With tau' = a + 2 b for the terms of degree one and two, the differences are
+                // 2 (sqrt(1/2) a + b) over 45 degrees and 2 a over 90 degrees.
+                JointType::Revolute => {
+                    difference(EIGHTH, 0.0) + difference(QUARTER, 0.0) * ((1.0 - SQRT_2) / 2.0)
+                }
+                JointType::Prismatic => difference(SinCos::ZERO, 1.0) / 2.0,
+            };
+            by_position.set_column(j, &derivative);
+        }
+        // C = 1/2 dV/dqd, for the symbols of Christoffel.
+        let mut by_velocity = self.coriolis_matrix(q, qd) * 2.0;
+        for (i, link) in self.links.iter().enumerate() {
+            by_velocity[(i, i)] += link.viscous;
+        }
+        (by_position, by_velocity)
+    }
+
+    /// The arm with the zero position of joint j displaced.
+    fn displaced(&self, j: usize, turn: SinCos, distance: f64) -> Self {
+        let mut displaced = self.clone();
+        displaced.links[j] = self.links[j].displaced(turn, distance);
+        displaced
+    }
+}

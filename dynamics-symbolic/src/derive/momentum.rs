@@ -1,0 +1,153 @@
+//! The momentum of bodies that move, as far as Coriolis forces need it.
+//!
+//! A velocity that is added to the bodies as a rigid motion with the angular
+//! velocity a accelerates a particle at r with velocity u by 2 a x u besides:
+//! the force is 2 a x p, the moment about the frame's origin 2 N a, with
+//!
+//!   p = sum m u,   N = tr(K) 1 - K,   K = sum m u r^T.
+//!
+//! It is twice the operator B of Singh, Russell and Wensing (2022).
+
+use super::chain::Link;
+use super::inertia::{Body, Turn};
+use crate::expr::Expr;
+use crate::linear::{Matrix3, Vector3};
+
+type Vector<'g> = Vector3<Expr<'g>>;
+type Tensor<'g> = Matrix3<Expr<'g>>;
+
+/// 2 p and 2 N about the origin of a frame.
+#[derive(Clone, Copy)]
+pub(super) struct Momentum<'g> {
+    /// 2 p
+    pub(super) p: Vector<'g>,
+    /// 2 N
+    pub(super) n: Tensor<'g>,
+}
+
+impl<'g> Momentum<'g> {
+    /// Of nothing.
+    pub(super) fn none(zero: Expr<'g>) -> Self {
+        Momentum {
+            p: Vector3::splat(zero),
+            n: Matrix3([[zero; 3]; 3]),
+        }
+    }
+
+    /// Of a body: p = m v + w x h, K = v h^T + [w]x E, with E = tr(J)/2 1 - J the second moments
+    /// of its mass. The trace of [w]x E is zero.
+    pub(super) fn of(body: &Body<Expr<'g>>, w: Vector<'g>, v: Vector<'g>) -> Self {
+        let j = body.inertia.full();
+        let trace = j.0[0][0] + j.0[1][1] + j.0[2][2];
+        let column = |k: usize| {
+            let mut twice_e = -(j.column(k) + j.column(k));
+            twice_e.0[k] = twice_e[k] + trace;
+            -w.cross(twice_e)
+        };
+        let spin = Matrix3([0, 1, 2].map(|k| column(k).0)).transpose();
+        let twice_h = body.moment + body.moment;
+        Momentum {
+            p: v * (body.mass + body.mass) + w.cross(twice_h),
+            n: sum(trace_less(v, twice_h), spin),
+        }
+    }
+
+    /// Of both.
+    pub(super) fn joined(self, other: Self) -> Self {
+        Momentum {
+            p: self.p + other.p,
+            n: sum(self.n, other.n),
+        }
+    }
+
+    /// In the previous frame and about its origin: K' = K + p s^T with the origin at s there.
+    pub(super) fn leave(self, link: &Link<'g>, zero: Expr<'g>) -> Self {
+        let p = link.leave(self.p);
+        let n = turned(
+            link.before,
+            turned(link.twist, turned(link.turn, self.n, 2), 0),
+            2,
+        );
+        Momentum {
+            p,
+            n: sum(n, trace_less(p, link.position(zero))),
+        }
+    }
+}
+
+/// tr(a b^T) 1 - a b^T
+fn trace_less<'g>(a: Vector<'g>, b: Vector<'g>) -> Tensor<'g> {
+    let ([a, b, c], [x, y, z]) = (a.0, b.0);
+    let (ax, by, cz) = (a * x, b * y, c * z);
+    Matrix3([
+        [by + cz, -(a * y), -(a * z)],
+        [-(b * x), ax + cz, -(b * z)],
+        [-(c * x), -(c * y), ax + by],
+    ])
+}
+
+fn sum<'g>(a: Tensor<'g>, b: Tensor<'g>) -> Tensor<'g> {
+    Matrix3([0, 1, 2].map(|i| [0, 1, 2].map(|j| a.0[i][j] + b.0[i][j])))
+}
+
+/// R N R^T for a turn about a coordinate axis, out of the turned frame. As
+/// [`Turn::leave_block`]; the antisymmetric part of the block does not change.
+fn turned<'g>(turn: Turn<Expr<'g>>, n: Tensor<'g>, axis: usize) -> Tensor<'g> {
+    let (x, y, z) = ((axis + 1) % 3, (axis + 2) % 3, axis);
+    let mut n = n.0;
+    let k = turn.s * (n[x][x] - n[y][y]) + turn.c * (n[x][y] + n[y][x]);
+    let (sk, ck) = (turn.s * k, turn.c * k);
+    (n[x][x], n[y][y]) = (n[x][x] - sk, n[y][y] + sk);
+    (n[x][y], n[y][x]) = (ck - n[y][x], ck - n[x][y]);
+    (n[x][z], n[y][z]) = turn.leave(n[x][z], n[y][z]);
+    (n[z][x], n[z][y]) = turn.leave(n[z][x], n[z][y]);
+    Matrix3(n)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::expr::{Graph, Level};
+    use crate::linear::{Ring, Symmetric3};
+
+    fn symbols(graph: &Graph) -> Vector<'_> {
+        Vector3([(); 3].map(|()| graph.symbol(Level::Variable)))
+    }
+
+    /// Mass m at r as a body.
+    fn particle<R: Ring>(m: R, r: Vector3<R>, zero: R) -> Body<R> {
+        Body::new(m, r, Symmetric3::splat(zero))
+    }
+
+    /// Force and moment of the acceleration 2 a x u of a particle.
+    #[test]
+    fn of_a_particle() {
+        let graph = Graph::new();
+        let [r, w, v, a] = [(); 4].map(|()| symbols(&graph));
+        let m = graph.symbol(Level::Parameter);
+        let momentum = Momentum::of(&particle(m, r, graph.zero()), w, v);
+        let u = v + w.cross(r);
+        let force = (a + a).cross(u) * m;
+        assert_eq!(a.cross(momentum.p), force);
+        assert_eq!(momentum.n.apply(a), r.cross(force));
+    }
+
+    /// N (R a) = R (N a) in turned axes.
+    #[test]
+    fn a_turned_tensor_acts_in_the_turned_axes() {
+        let graph = Graph::new();
+        let n = Matrix3([(); 3].map(|()| symbols(&graph).0));
+        let (s, c) = graph.circle(Level::Variable);
+        let turn = Turn { s, c };
+        let a = symbols(&graph);
+        use super::super::inertia::{enter_x, enter_z, leave_x, leave_z};
+        assert_eq!(
+            turned(turn, n, 2).apply(a),
+            leave_z(turn, n.apply(enter_z(turn, a)))
+        );
+        assert_eq!(
+            turned(turn, n, 0).apply(a),
+            leave_x(turn, n.apply(enter_x(turn, a)))
+        );
+    }
+}

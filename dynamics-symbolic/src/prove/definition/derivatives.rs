@@ -1,0 +1,135 @@
+//! Derivatives of inverse and forward dynamics.
+
+use super::super::assignment::Number;
+use super::super::dual::Dual;
+use super::elimination::{pivots, solve};
+use super::pose::{Lift, Position};
+use super::{Definition, Matrix, Vector};
+
+/// A motion: positions, velocities, accelerations.
+struct Motion<R> {
+    q: Vec<Position<R>>,
+    qd: Vec<R>,
+    qdd: Vec<R>,
+}
+
+impl Definition {
+    /// The Euler-Lagrange equations, d/dt (dT/dqd) - dT/dq + dU/dq: tau without friction.
+    fn euler_lagrange<R: Lift>(&self, motion: &Motion<R>) -> Vec<R> {
+        let n = self.dof();
+        let (zero, one) = (R::lift(Number::ZERO), R::lift(Number::ONE));
+        let unit = |i: usize| (0..n).map(move |k| if k == i { one } else { zero });
+        // d/dt: q changes at the rate qd, qd at the rate qdd.
+        let joints = motion.q.iter().zip(&motion.qd);
+        let moving: Vec<_> = joints.map(|(q, &qd)| q.moving(qd)).collect();
+        let rates = motion.qd.iter().zip(&motion.qdd);
+        let speeds: Vec<_> = rates.map(|(&qd, &qdd)| Dual::new(qd, qdd)).collect();
+        let rate = |qd: &[Dual<R>]| self.kinetic_energy(&moving, qd).derivative;
+        let along_motion = rate(&speeds);
+        let force = |i: usize| {
+            // dT/dqd_i = T(qd + e_i) - T(qd) - T(e_i), for T is quadratic in qd.
+            let axis: Vec<_> = unit(i).map(|x| Dual::new(x, zero)).collect();
+            let shifted: Vec<_> = speeds.iter().zip(&axis).map(|(&a, &b)| a + b).collect();
+            let momentum_rate = rate(&shifted) - along_motion - rate(&axis);
+            let joints = motion.q.iter().zip(unit(i));
+            let displaced: Vec<_> = joints.map(|(q, x)| q.moving(x)).collect();
+            let still: Vec<_> = motion.qd.iter().map(|&x| Dual::new(x, zero)).collect();
+            let kinetic = self.kinetic_energy(&displaced, &still).derivative;
+            let potential = self.potential_energy(&displaced).derivative;
+            momentum_rate - kinetic + potential
+        };
+        (0..n).map(force).collect()
+    }
+
+    /// d tau/dq and d tau/dqd at accelerations qdd, by rows. Coulomb friction is constant.
+    fn force_derivatives(&self, qdd: &[Number]) -> (Matrix, Matrix) {
+        let constant = |x: &[Number]| -> Vec<_> { x.iter().map(|&x| Dual::lift(x)).collect() };
+        let still = |q: &Position<Number>| q.moving(Number::ZERO);
+        let derivative = |motion: Motion<Dual<Number>>| -> Vector {
+            let force = self.euler_lagrange(&motion);
+            force.iter().map(|x| x.derivative).collect()
+        };
+        let by_position = |k: usize| {
+            derivative(Motion {
+                q: self.along(k),
+                qd: constant(&self.qd),
+                qdd: constant(qdd),
+            })
+        };
+        let by_velocity = |k: usize| {
+            let mut qd = constant(&self.qd);
+            qd[k].derivative = Number::ONE;
+            let mut column = derivative(Motion {
+                q: self.q.iter().map(still).collect(),
+                qd,
+                qdd: constant(qdd),
+            });
+            column[k] = column[k] + self.rows[k].viscous;
+            column
+        };
+        let n = self.dof();
+        (
+            transpose(&(0..n).map(by_position).collect()),
+            transpose(&(0..n).map(by_velocity).collect()),
+        )
+    }
+
+    /// d tau/dq, then d tau/dqd.
+    pub(super) fn inverse_dynamics_derivatives(&self) -> Vector {
+        let (by_position, by_velocity) = self.force_derivatives(&self.qdd);
+        [by_position.concat(), by_velocity.concat()].concat()
+    }
+
+    /// d qdd/dq, d qdd/dqd, d qdd/d tau, pivots, and the diagonal of M.
+    ///
+    /// M qdd + V + G + F = tau holds for every q, qd and tau: its derivatives are
+    /// M d qdd/dq + d tau/dq = 0, M d qdd/dqd + d tau/dqd = 0, M d qdd/d tau = 1. Where M is
+    /// identically singular there are none, as for the forward dynamics.
+    pub(super) fn forward_dynamics_derivatives(&self, computed: &[Option<Number>]) -> Vector {
+        let n = self.dof();
+        let matrix = self.mass_matrix(&self.q);
+        let values = self.acceleration_derivatives(&matrix);
+        let pivots = pivots(matrix.clone()).into_iter();
+        let diagonal = (0..n).map(|i| Some(matrix[i][i]));
+        let known = values.into_iter().chain(pivots).chain(diagonal);
+        // What is not known is not read: anything that the program computes there is right.
+        let expected = known.enumerate().map(|(k, known)| {
+            let computed = computed.get(k).copied().flatten();
+            known.or(computed).unwrap_or(Number::ZERO)
+        });
+        expected.collect()
+    }
+
+    /// d qdd/dq, d qdd/dqd, d qdd/d tau by rows; unknown where M is singular.
+    fn acceleration_derivatives(&self, matrix: &Matrix) -> Vec<Option<Number>> {
+        let n = self.dof();
+        let solve = |b: Matrix| solve(matrix.clone(), b);
+        let net = self.tau.iter().zip(self.bias_force());
+        let net = net.map(|(&tau, bias)| vec![tau - bias]).collect();
+        let Some(qdd) = solve(net) else {
+            return vec![None; 3 * n * n];
+        };
+        let (by_position, by_velocity) = self.force_derivatives(&qdd.concat());
+        let right_sides = [negative(&by_position), negative(&by_velocity), identity(n)];
+        let solutions = right_sides.into_iter().filter_map(solve);
+        solutions.flat_map(|x| x.concat()).map(Some).collect()
+    }
+}
+
+fn transpose(m: &Matrix) -> Matrix {
+    let n = m.len();
+    (0..n).map(|i| (0..n).map(|j| m[j][i]).collect()).collect()
+}
+
+fn negative(m: &Matrix) -> Matrix {
+    m.iter()
+        .map(|row| row.iter().map(|&x| -x).collect())
+        .collect()
+}
+
+fn identity(n: usize) -> Matrix {
+    let entry = |i, j| if i == j { Number::ONE } else { Number::ZERO };
+    (0..n)
+        .map(|i| (0..n).map(|j| entry(i, j)).collect())
+        .collect()
+}
