@@ -413,6 +413,159 @@ impl Arm {
             ]),
         )
     }
+    /// Derivatives of the inverse dynamics, exact: (d tau/dq, d tau/dqd), each N x N, entry (i, j) the derivative of tau_i by joint j. d tau/dqdd is M(q). Viscous friction is on the diagonal of d tau/dqd; Coulomb friction counts as constant: its derivative is zero wherever it has one.
+    ///
+    /// `q`: joint positions, rad; `qd`: joint velocities, rad per s; `qdd`: joint accelerations, rad per s^2.
+    ///
+    /// Operations: 16 multiplications, 10 additions, sines and cosines of 2 angles.
+    ///
+    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
+    #[inline]
+    #[allow(unused_variables, clippy::all)]
+    pub fn inverse_dynamics_derivatives<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qdd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> (
+        ::robot_dynamics::nalgebra::SMatrix<T, 2, 2>,
+        ::robot_dynamics::nalgebra::SMatrix<T, 2, 2>,
+    ) {
+        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+        let [(s_2, c_2), (s_1, c_1)] = ::robot_dynamics::Scalar::sin_cos_array([
+            q.data.0[0][1],
+            q.data.0[0][0],
+        ]);
+        let qd_1 = qd.data.0[0][0];
+        let qd_2 = qd.data.0[0][1];
+        let qdd_1 = qdd.data.0[0][0];
+        let qdd_2 = qdd.data.0[0][1];
+        let t_1 = real(4.905) * c_1;
+        let t_2 = real(0.5) * c_2;
+        let t_3 = real(9.81) * s_1;
+        let t_4 = t_2.mul_add(t_3, s_2 * t_1);
+        let t_5 = real(5.0).mul_add(t_3, t_4);
+        let t_6 = real(2.0) * qd_1;
+        let t_7 = (-qd_1).mul_add(t_6, t_3);
+        let t_8 = qdd_1 + t_1;
+        let t_9 = t_2.mul_add(t_7, s_2 * t_8);
+        let t_10 = qdd_1 + qdd_2;
+        let t_11 = qd_1 + qd_2;
+        let t_12 = t_11 * t_11;
+        let t_13 = c_2.mul_add(t_12, s_2 * t_10);
+        let t_14 = t_13 + t_9;
+        let t_15 = s_2 * t_6;
+        let t_16 = s_2 * t_11;
+        let t_17 = real(2.0) * t_16;
+        let t_18 = t_15 - t_17;
+        (
+            ::robot_dynamics::nalgebra::SMatrix::from_data(
+                ::robot_dynamics::nalgebra::ArrayStorage([[-t_5, -t_4], [-t_14, -t_9]]),
+            ),
+            ::robot_dynamics::nalgebra::SMatrix::from_data(
+                ::robot_dynamics::nalgebra::ArrayStorage([
+                    [t_18, t_15],
+                    [-t_17, real(0.0)],
+                ]),
+            ),
+        )
+    }
+    /// Derivatives of the forward dynamics at qdd = forward_dynamics(q, qd, tau), exact: (d qdd/dq, d qdd/dqd, d qdd/d tau), each N x N, entry (i, j) the derivative of qdd_i by joint j. d qdd/d tau is the inverse of M(q). Coulomb friction counts as constant: its derivative is zero wherever it has one.
+    ///
+    /// `q`: joint positions, rad; `qd`: joint velocities, rad per s; `tau`: joint forces and torques, N m.
+    ///
+    /// Operations: 42 multiplications, 27 additions, 1 division, sines and cosines of 2 angles.
+    ///
+    /** # Errors
+
+ `SingularMassMatrix` where M(q) is not positive definite to working precision, or not finite: it names the joint whose pivot failed.
+
+ Never panics, never allocates; what depends on an input that is not finite is not finite.*/
+    #[inline]
+    #[allow(unused_variables, clippy::all)]
+    pub fn forward_dynamics_derivatives<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        tau: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::core::result::Result<
+        (
+            ::robot_dynamics::nalgebra::SMatrix<T, 2, 2>,
+            ::robot_dynamics::nalgebra::SMatrix<T, 2, 2>,
+            ::robot_dynamics::nalgebra::SMatrix<T, 2, 2>,
+        ),
+        ::robot_dynamics::SingularMassMatrix,
+    > {
+        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+        let [(s_2, c_2), (s_1, c_1)] = ::robot_dynamics::Scalar::sin_cos_array([
+            q.data.0[0][1],
+            q.data.0[0][0],
+        ]);
+        let qd_1 = qd.data.0[0][0];
+        let qd_2 = qd.data.0[0][1];
+        let tau_1 = tau.data.0[0][0];
+        let tau_2 = tau.data.0[0][1];
+        let t_1 = real(2.0).mul_add(c_2, real(8.333333333333334));
+        let t_2 = real(0.3333333333333333) + c_2;
+        let t_3 = real(3.0) * t_2;
+        let t_4 = (-t_2).mul_add(t_3, t_1);
+        let t_5 = real(1.0) / t_4;
+        let t_6 = real(4.905) * c_1;
+        let t_7 = real(4.905) * s_1;
+        let t_8 = c_2.mul_add(t_7, s_2 * t_6);
+        let t_9 = real(49.05).mul_add(s_1, t_8);
+        let t_10 = t_3.mul_add(t_8, -t_9);
+        let t_11 = t_5 * t_10;
+        let t_12 = qd_1.mul_add(qd_1, -t_7);
+        let t_13 = qd_1 + qd_2;
+        let t_14 = t_13 * t_13;
+        let t_15 = s_2.mul_add(t_12, c_2 * t_6);
+        let t_16 = t_15 - tau_2;
+        let t_17 = real(49.05).mul_add(c_1, -tau_1);
+        let t_18 = (-s_2).mul_add(t_14, t_17);
+        let t_19 = t_18 + t_15;
+        let t_20 = (-t_16).mul_add(t_3, t_19);
+        let t_21 = t_20 * t_5;
+        let t_22 = t_6 - t_21;
+        let t_23 = (-c_2).mul_add(t_12, s_2 * t_22);
+        let t_24 = real(3.0).mul_add(t_16, t_21);
+        let t_25 = (-t_3).mul_add(t_21, t_24);
+        let t_26 = c_2.mul_add(t_14, t_23);
+        let t_27 = s_2.mul_add(t_25, t_3 * t_23);
+        let t_28 = t_26 - t_27;
+        let t_29 = t_5 * t_28;
+        let t_30 = t_3.mul_add(t_11, real(3.0) * t_8);
+        let t_31 = (-t_3).mul_add(t_29, real(3.0) * t_23);
+        let t_32 = real(2.0) * qd_1;
+        let t_33 = s_2 * t_32;
+        let t_34 = s_2 * t_13;
+        let t_35 = real(2.0) * t_34;
+        let t_36 = t_3.mul_add(t_33, -t_33);
+        let t_37 = t_35 + t_36;
+        let t_38 = t_5 * t_37;
+        let t_39 = t_5 * t_35;
+        let t_40 = t_3.mul_add(t_38, real(3.0) * t_33);
+        let t_41 = t_3 * t_39;
+        let t_42 = t_3 * t_5;
+        let t_43 = t_3.mul_add(t_42, real(3.0));
+        ::robot_dynamics::SingularMassMatrix::test(
+            1,
+            real(0.3333333333333333),
+            real(0.3333333333333333),
+        )?;
+        ::robot_dynamics::SingularMassMatrix::test(0, t_4, t_1)?;
+        ::core::result::Result::Ok((
+            ::robot_dynamics::nalgebra::SMatrix::from_data(
+                ::robot_dynamics::nalgebra::ArrayStorage([[-t_11, t_30], [t_29, t_31]]),
+            ),
+            ::robot_dynamics::nalgebra::SMatrix::from_data(
+                ::robot_dynamics::nalgebra::ArrayStorage([[t_38, -t_40], [t_39, -t_41]]),
+            ),
+            ::robot_dynamics::nalgebra::SMatrix::from_data(
+                ::robot_dynamics::nalgebra::ArrayStorage([[t_5, -t_42], [-t_42, t_43]]),
+            ),
+        ))
+    }
     /// Regressor Y(q, qd, qdd), N x P, of the P base inertial parameters: Y * base_parameters = tau - F, the joint forces without friction.
     ///
     /// `q`: joint positions, rad; `qd`: joint velocities, rad per s; `qdd`: joint accelerations, rad per s^2.
@@ -428,7 +581,7 @@ impl Arm {
     ///   6  h2y
     /// ```
     ///
-    /// Jixx to Jizz (kg m^2) are the entries of link i's inertia tensor about the origin of frame i, hix to hiz (kg m) its first moments mass * com from there, mi (kg) its mass. Frame i is the link frame i of the table before its factors Tx(a) Rx(alpha): its origin and its z axis are on the axis of joint i. ai, di are cells of row i, sai, cai sine and cosine of its alpha, sti, cti of its theta.
+    /// Jixx to Jizz (kg m^2) are the entries of link i's inertia tensor about the origin of frame i, hix to hiz (kg m) its first moments mass * com from there, mi (kg) its mass. Frame i is the link frame i of the table before its factors Tx(a) Rx(alpha): its origin and its z axis are on the axis of joint i. ai, di are cells of row i, sai, cai sine and cosine of its alpha.
     ///
     /// Operations: 16 multiplications, 10 additions, sines and cosines of 2 angles.
     ///
@@ -488,7 +641,7 @@ impl Arm {
     ///   6  h2y
     /// ```
     ///
-    /// Jixx to Jizz (kg m^2) are the entries of link i's inertia tensor about the origin of frame i, hix to hiz (kg m) its first moments mass * com from there, mi (kg) its mass. Frame i is the link frame i of the table before its factors Tx(a) Rx(alpha): its origin and its z axis are on the axis of joint i. ai, di are cells of row i, sai, cai sine and cosine of its alpha, sti, cti of its theta.
+    /// Jixx to Jizz (kg m^2) are the entries of link i's inertia tensor about the origin of frame i, hix to hiz (kg m) its first moments mass * com from there, mi (kg) its mass. Frame i is the link frame i of the table before its factors Tx(a) Rx(alpha): its origin and its z axis are on the axis of joint i. ai, di are cells of row i, sai, cai sine and cosine of its alpha.
     ///
     /// Operations: 0 multiplications, 0 additions.
     ///
