@@ -1,7 +1,8 @@
 //! Random tables: every function of every arm is derived and proven.
 
 use dynamics_symbolic::Function;
-use dynamics_symbolic::derive::derive;
+use dynamics_symbolic::derive::functions::Form;
+use dynamics_symbolic::derive::{derive, derive_form};
 use dynamics_symbolic::exact::{Rational, SplitMix64};
 use dynamics_symbolic::program::Instruction;
 use dynamics_symbolic::prove::prove;
@@ -121,8 +122,12 @@ fn prove_tables(seed: u64, tables_in_all: usize) {
     };
     for count in 0..tables_in_all {
         let robot = tables.robot();
-        for function in Function::ALL {
-            let program = derive(&robot, function);
+        let programs = Function::ALL.map(|function| (function, derive(&robot, function)));
+        let articulated = (
+            Function::ForwardDynamics,
+            derive_form(&robot, Function::ForwardDynamics, Form::Articulated),
+        );
+        for (function, program) in programs.into_iter().chain([articulated]) {
             let proof = prove(&robot, function, &program);
             assert_eq!(proof, Ok(()), "table {count}: {robot:#?}");
             let divides = program
