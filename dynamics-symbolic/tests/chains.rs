@@ -3,7 +3,9 @@
 mod generic_chain;
 mod support;
 
+use dynamics_symbolic::{Function, expand};
 use generic_chain::generic_chain;
+use quote::quote;
 use support::robot;
 
 #[test]
@@ -15,4 +17,13 @@ fn generic_chains_are_those_of_the_data_files() {
         assert_eq!(chain.gravity, file.gravity);
         assert_eq!(chain.convention, file.convention);
     }
+}
+
+/// An expansion is proven. That the text compiles is seen by the example `growth`.
+#[test]
+fn thirty_axes_expand() {
+    let functions = Function::default_set(false);
+    let methods = expand(&generic_chain(30), &functions, &quote!(::robot_dynamics));
+    let methods = methods.unwrap_or_else(|failures| panic!("{}", failures[0]));
+    assert_eq!(methods.len(), functions.len());
 }

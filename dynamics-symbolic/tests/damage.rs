@@ -3,10 +3,12 @@
 mod support;
 
 use dynamics_symbolic::Function;
-use dynamics_symbolic::derive::derive;
+use dynamics_symbolic::derive::functions::Form;
+use dynamics_symbolic::derive::{derive, derive_form};
 use dynamics_symbolic::exact::Rational;
 use dynamics_symbolic::program::{Constant, Instruction, Operand, Program};
 use dynamics_symbolic::prove::prove;
+use dynamics_symbolic::robot::Robot;
 
 /// Ways in which a simplification may go wrong.
 const DAMAGES: [fn(&mut Program, usize); 4] =
@@ -60,15 +62,44 @@ fn rounded_constant(program: &mut Program, index: usize) {
     };
 }
 
-/// Every operation is damaged, but of the longest programs one in fifty.
-fn every(function: Function, dof: usize) -> usize {
-    let is_long = function >= Function::InverseDynamicsDerivatives;
-    if is_long && dof > 4 { 50 } else { 1 }
+/// Every operation is damaged, but of the longest programs one in fifty, of long regressors one in seven.
+fn every(function: Function, dof: usize, length: usize) -> usize {
+    match function {
+        Function::Regressor if length > 500 => 7,
+        Function::InverseDynamicsDerivatives | Function::ForwardDynamicsDerivatives if dof > 4 => {
+            50
+        }
+        _ => 1,
+    }
+}
+
+/// Damages every operation of a proven program in every way; how many damages were refused.
+fn refused(robot: &Robot, function: Function, sound: &Program) -> usize {
+    assert_eq!(prove(robot, function, sound), Ok(()));
+    let mut refused = 0;
+    let length = sound.instructions.len();
+    let every = every(function, robot.rows.len(), length);
+    for index in (0..length).step_by(every) {
+        for damage in DAMAGES {
+            let mut program = sound.clone();
+            damage(&mut program, index);
+            if program.instructions[index] == sound.instructions[index] {
+                continue;
+            }
+            let (name, function_name) = (&robot.name, function.name());
+            let failure = prove(robot, function, &program)
+                .expect_err(&format!("{name} {function_name}: operation {index}"));
+            assert_eq!(failure.function, function);
+            assert!(failure.to_string().contains(function_name));
+            refused += 1;
+        }
+    }
+    refused
 }
 
 #[test]
 fn every_damage_to_every_operation_is_found() {
-    let mut refused = 0;
+    let mut count = 0;
     for name in [
         "puma560",
         "stanford",
@@ -78,29 +109,20 @@ fn every_damage_to_every_operation_is_found() {
     ] {
         let robot = support::robot(name);
         for function in Function::ALL {
-            let every = every(function, robot.rows.len());
-            let sound = derive(&robot, function);
-            assert_eq!(prove(&robot, function, &sound), Ok(()));
-            // A long regressor: every seventh operation.
-            let is_long = function == Function::Regressor && sound.instructions.len() > 500;
-            let step = if is_long { 7 } else { every };
-            for index in (0..sound.instructions.len()).step_by(step) {
-                for damage in DAMAGES {
-                    let mut program = sound.clone();
-                    damage(&mut program, index);
-                    if program.instructions[index] == sound.instructions[index] {
-                        continue;
-                    }
-                    let failure = prove(&robot, function, &program)
-                        .expect_err(&format!("{name} {}: operation {index}", function.name()));
-                    assert_eq!(failure.function, function);
-                    assert!(failure.to_string().contains(function.name()));
-                    refused += 1;
-                }
-            }
+            count += refused(&robot, function, &derive(&robot, function));
         }
     }
-    assert!(refused > 5_000, "only {refused} damages were made");
+    assert!(count > 5_000, "only {count} damages were made");
+}
+
+#[test]
+fn every_damage_to_articulated_bodies_is_found() {
+    let function = Function::ForwardDynamics;
+    for name in ["puma560", "stanford", "scara"] {
+        let robot = support::robot(name);
+        let program = derive_form(&robot, function, Form::Articulated);
+        assert!(refused(&robot, function, &program) >= program.instructions.len());
+    }
 }
 
 /// Every operation of base parameters that are formulas over masses and inertias.

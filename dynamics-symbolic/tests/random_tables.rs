@@ -1,7 +1,8 @@
 //! Random tables: every function of every arm is derived and proven.
 
 use dynamics_symbolic::Function;
-use dynamics_symbolic::derive::derive;
+use dynamics_symbolic::derive::functions::Form;
+use dynamics_symbolic::derive::{derive, derive_form};
 use dynamics_symbolic::exact::{Rational, SplitMix64};
 use dynamics_symbolic::program::Instruction;
 use dynamics_symbolic::prove::prove;
@@ -137,8 +138,12 @@ fn prove_tables(seed: u64, tables_in_all: usize, meeting: bool, functions: &[Fun
     };
     for count in 0..tables_in_all {
         let robot = tables.robot();
-        for &function in functions {
-            let program = derive(&robot, function);
+        let programs = functions.iter().map(|&f| (f, derive(&robot, f)));
+        let articulated = (
+            Function::ForwardDynamics,
+            derive_form(&robot, Function::ForwardDynamics, Form::Articulated),
+        );
+        for (function, program) in programs.chain([articulated]) {
             let proof = prove(&robot, function, &program);
             assert_eq!(proof, Ok(()), "table {count}: {robot:#?}");
             let divides = program

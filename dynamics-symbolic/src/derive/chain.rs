@@ -53,11 +53,13 @@ impl<'g> Link<'g> {
     }
 
     /// A body of this frame, in the previous frame and about its origin.
-    pub fn leave_body(&self, body: Body<Expr<'g>>, zero: Expr<'g>) -> Body<Expr<'g>> {
+    pub fn leave_body(&self, body: Body<Expr<'g>>) -> Body<Expr<'g>> {
+        // What slides does so along its own axis: fewer products than in the previous frame.
         body.left_z(self.turn)
+            .moved_z(self.slide)
             .left_x(self.twist)
             .left_z(self.before)
-            .moved(self.position(zero))
+            .moved(self.offset)
     }
 
     /// A body of the frame that turns with the link, its origin after the offset d, in this frame.

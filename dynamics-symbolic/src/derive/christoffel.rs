@@ -43,7 +43,7 @@ pub(super) fn christoffel<'g>(graph: &'g Graph, chain: &Chain<'g>) -> Vec<Vec<Ve
                 }
             }
         }
-        composite = chain.links[m].leave_body(composite, zero);
+        composite = chain.links[m].leave_body(composite);
     }
     symbols
 }

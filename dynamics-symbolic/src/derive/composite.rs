@@ -44,9 +44,7 @@ pub(super) fn mass_matrix<'g>(chain: &Chain<'g>) -> Vec<Vec<Expr<'g>>> {
         }
         matrix[j][j] = matrix[j][j] + link.reflected;
         if j > 0 {
-            composite = link
-                .leave_body(composite, zero)
-                .joined(chain.links[j - 1].body);
+            composite = link.leave_body(composite).joined(chain.links[j - 1].body);
         }
     }
     matrix

@@ -178,7 +178,7 @@ impl<'g> Composite<'g> {
 
     fn leave(&self, link: &Link<'g>, zero: Expr<'g>) -> Self {
         Composite {
-            body: link.leave_body(self.body, zero),
+            body: link.leave_body(self.body),
             momentum: self.momentum.leave(link, zero),
             wrench: self.wrench.leave(link, zero),
         }

@@ -181,6 +181,21 @@ impl<R: Ring> Body<R> {
         }
     }
 
+    /// About a point from which the old origin is at (0, 0, d):
+    /// J_xx' = J_xx + d (h_z + h_z') and J_yy' alike, with h_z' = h_z + m d.
+    pub fn moved_z(self, d: R) -> Self {
+        let [x, y, z] = self.moment.0;
+        let z_moved = z + self.mass * d;
+        let p = d * (z + z_moved);
+        let mut moved = self;
+        moved.moment.0[2] = z_moved;
+        moved.inertia.xx = self.inertia.xx + p;
+        moved.inertia.yy = self.inertia.yy + p;
+        moved.inertia.yz = self.inertia.yz - d * y;
+        moved.inertia.xz = self.inertia.xz - d * x;
+        moved
+    }
+
     /// The part that is invariant under rotation about z, and the rest without
     /// mass and h_z, and without J_yy or J_xx (Gautier and Khalil 1990).
     pub fn split_revolute(self, zero: R, keep: Keep) -> (Self, Self) {
@@ -209,4 +224,29 @@ pub enum Keep {
     Xx,
     /// J_yy - J_xx, as J_yy.
     Yy,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn along_z_a_body_moves_as_along_any_vector() {
+        let body = Body {
+            mass: 3,
+            moment: Vector3([5, -7, 11]),
+            inertia: Symmetric3 {
+                xx: 2,
+                yy: -3,
+                zz: 13,
+                xy: 17,
+                yz: 19,
+                xz: 23,
+            },
+        };
+        let (along_z, by_vector) = (body.moved_z(4), body.moved(Vector3([0, 0, 4])));
+        assert_eq!(along_z.mass, by_vector.mass);
+        assert_eq!(along_z.moment, by_vector.moment);
+        assert_eq!(along_z.inertia, by_vector.inertia);
+    }
 }

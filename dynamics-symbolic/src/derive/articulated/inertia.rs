@@ -63,7 +63,7 @@ impl<R: Ring> Articulated<R> {
 
     /// About a point from which the old origin is at (0, 0, d). With r the vector to it,
     /// H' = H + [r]x M and J' = J - H [r]x + [r]x H'^T.
-    fn moved_z(&self, d: R) -> Self {
+    pub(super) fn moved_z(&self, d: R) -> Self {
         let (m, [[xx, xy, xz], [yx, yy, yz], z]) = (&self.linear, self.coupling.0);
         let (d_xy, old) = (d * m.xy, (xx, xy, yx));
         let (xx, xy, xz) = (xx - d_xy, xy - d * m.yy, xz - d * m.yz);

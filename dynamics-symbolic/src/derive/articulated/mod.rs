@@ -87,7 +87,7 @@ fn inward<'g>(chain: &Chain<'g>, net: &[Expr<'g>]) -> Vec<Eliminated<'g>> {
         let joint = eliminate(chain, link, &inertia, force);
         joints.push(joint);
         if i > 0 {
-            outer = Some(carry(chain, link, &free(link, &inertia, &joint.k)));
+            outer = Some(carry(link, &free(link, &inertia, &joint.k)));
             bias = carry_wrench(chain, link, bias.plus(joint.k, force));
         }
     }
@@ -164,13 +164,10 @@ fn free<'g>(
 }
 
 /// An inertia in the previous frame, about its origin.
-fn carry<'g>(
-    chain: &Chain<'g>,
-    link: &Link<'g>,
-    inertia: &Articulated<Expr<'g>>,
-) -> Articulated<Expr<'g>> {
-    let turned = inertia.left_z(link.turn).left_x(link.twist);
-    turned.left_z(link.before).moved(link.position(chain.zero))
+fn carry<'g>(link: &Link<'g>, inertia: &Articulated<Expr<'g>>) -> Articulated<Expr<'g>> {
+    let slid = inertia.left_z(link.turn).moved_z(link.slide);
+    let turned = slid.left_x(link.twist).left_z(link.before);
+    turned.moved(link.offset)
 }
 
 /// A wrench in the previous frame, about its origin.

@@ -1,0 +1,115 @@
+//! The Rust text that is compiled: a library with the methods of a chain, and a program that
+//! times them.
+
+use dynamics_symbolic::{Function, Method};
+
+use super::LISTED;
+
+/// A library with the methods of a chain, and a function for each that is not generic, so that
+/// its code is generated here.
+pub(crate) fn library(joints: usize, functions: &[Function], methods: &[Method]) -> String {
+    let mut text = format!(
+        "use dynamics_runtime::{{SingularMassMatrix, nalgebra::{{SMatrix, SVector}}}};\n\
+         type Vector = SVector<f64, {joints}>;\n\
+         pub struct Chain;\n\
+         impl Chain {{\n"
+    );
+    for method in methods {
+        // rustc is slow to find a place in a very long line.
+        text += &method.tokens.to_string().replace("; ", ";\n");
+        text.push('\n');
+    }
+    text += "}\n";
+    for &function in functions {
+        let (arguments, value) = signature(function, joints);
+        let list: Vec<_> = arguments.iter().map(|x| format!("{x}: &Vector")).collect();
+        let (name, list, arguments) = (function.name(), list.join(", "), arguments.join(", "));
+        text += &format!(
+            "#[inline(never)]\npub fn {name}({list}) -> {value} {{ Chain.{name}({arguments}) }}\n"
+        );
+    }
+    text
+}
+
+/// The arguments of a method, and the type of its value.
+fn signature(function: Function, joints: usize) -> (&'static [&'static str], String) {
+    let vector = || "Vector".to_owned();
+    match function {
+        Function::MassMatrix => (&["q"], format!("SMatrix<f64, {joints}, {joints}>")),
+        Function::GravityVector => (&["q"], vector()),
+        Function::PotentialEnergy => (&["q"], "f64".to_owned()),
+        Function::KineticEnergy => (&["q", "qd"], "f64".to_owned()),
+        Function::InverseDynamics => (&["q", "qd", "qdd"], vector()),
+        Function::ForwardDynamics => {
+            let result = "Result<Vector, SingularMassMatrix>";
+            (&["q", "qd", "tau"], result.to_owned())
+        }
+        _ => (&["q", "qd"], vector()),
+    }
+}
+
+/// A program that compares the functions with one another, and prints the time of a call of each
+/// listed one, ns.
+pub(crate) fn program(joints: usize) -> String {
+    let mut calls = String::new();
+    for (function, _) in LISTED {
+        let (arguments, _) = signature(function, joints);
+        let arguments: Vec<_> = (0..arguments.len())
+            .map(|k| format!("&state[{k}]"))
+            .collect();
+        let (name, arguments) = (function.name(), arguments.join(", "));
+        calls += &format!(
+            "    time(&states, |state| {{ let _ = black_box(chain::{name}({arguments})); }});\n"
+        );
+    }
+    format!(
+        "const JOINTS: usize = {joints};\n{TIMING}fn main() {{\n    let states = states();\n    states.iter().for_each(compare);\n{calls}}}\n"
+    )
+}
+
+const TIMING: &str = r#"
+use dynamics_runtime::nalgebra::SVector;
+use std::{hint::black_box, time::Instant};
+
+type State = [SVector<f64, JOINTS>; 3];
+
+/// Positions, velocities, and accelerations or forces, in [-2, 2).
+fn states() -> Vec<State> {
+    let mut seed = 1_u64;
+    let mut number = || {
+        seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        (seed >> 11) as f64 / (1_u64 << 51) as f64 - 2.0
+    };
+    (0..64).map(|_| [(); 3].map(|()| SVector::from_fn(|_, _| number()))).collect()
+}
+
+/// tau = M qdd + V + G, and the accelerations of tau need tau: two programs of their own each.
+fn compare([q, qd, qdd]: &State) {
+    let tau = chain::inverse_dynamics(q, qd, qdd);
+    let sum = chain::mass_matrix(q) * qdd + chain::coriolis_vector(q, qd) + chain::gravity_vector(q);
+    assert!((tau - sum).norm() <= 1e-12 * tau.norm());
+    let accelerations = chain::forward_dynamics(q, qd, &tau).expect("a regular mass matrix");
+    let needed = chain::inverse_dynamics(q, qd, &accelerations);
+    assert!((tau - needed).norm() <= 1e-9 * tau.norm());
+}
+
+fn batch(states: &[State], rounds: usize, call: &impl Fn(&State)) -> f64 {
+    let start = Instant::now();
+    for _ in 0..rounds {
+        for state in states {
+            call(black_box(state));
+        }
+    }
+    start.elapsed().as_nanos() as f64 / (rounds * states.len()) as f64
+}
+
+/// Prints the median of 51 batches of at least 50 microseconds.
+fn time(states: &[State], call: impl Fn(&State)) {
+    batch(states, 4, &call);
+    let once = batch(states, 1, &call) * states.len() as f64;
+    let rounds = (50e3 / once).ceil() as usize;
+    let mut times: Vec<f64> = (0..51).map(|_| batch(states, rounds, &call)).collect();
+    times.sort_by(f64::total_cmp);
+    println!("{}", times[25]);
+}
+"#;
