@@ -76,6 +76,24 @@ macro_rules! bench_robots {
                 let numeric = NewtonEuler::new(&$robot.table());
                 each(bencher, |q, _, _| numeric.mass_matrix(q));
             }
+
+            #[divan::bench]
+            fn numeric_coriolis_vector(bencher: Bencher) {
+                let numeric = NewtonEuler::new(&$robot.table());
+                each(bencher, |q, qd, _| numeric.coriolis_vector(q, qd));
+            }
+
+            #[divan::bench]
+            fn numeric_gravity_vector(bencher: Bencher) {
+                let numeric = NewtonEuler::new(&$robot.table());
+                each(bencher, |q, _, _| numeric.gravity_vector(q));
+            }
+
+            #[divan::bench]
+            fn numeric_forward_dynamics(bencher: Bencher) {
+                let numeric = NewtonEuler::new(&$robot.table());
+                each(bencher, |q, qd, tau| numeric.forward_dynamics(q, qd, tau));
+            }
         }
     )*};
 }
