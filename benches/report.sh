@@ -11,7 +11,7 @@ pin() { if command -v taskset >/dev/null; then taskset -c $(($(nproc) - 1)) "$@"
 
 build() { # name, RUSTFLAGS
   # With --target the flags are not those of build scripts: symplex is compiled once.
-  RUSTFLAGS=$2 cargo build --release --locked --target "$host"
+  RUSTFLAGS=$2 cargo build --release --target "$host"
   cp "$target/$host/release/rivals" "$target/rivals-$1"
 }
 build plain ""
