@@ -25,8 +25,18 @@ for round in $(seq "$rounds"); do
   for name in plain native; do pin "$target/rivals-$name" measure >>"$target/$name.txt"; done
   for program in "${elsewhere[@]}"; do pin "$program" >>"$target/elsewhere.txt"; done
 done
+medians() { # of the fifth words of lines that are alike before
+  sort -s -k1,4 -k5,5g | awk '
+    function flush() { if (n) print key, value[int((n + 1) / 2)]; n = 0 }
+    { now = $1 " " $2 " " $3 " " $4; if (now != key) { flush(); key = now } value[++n] = $5 }
+    END { flush() }'
+}
 if [ ${#elsewhere[@]} -gt 0 ]; then
-  { cat "$target/elsewhere/remarks.txt"; cat "$target/elsewhere.txt"; } >elsewhere/measured.txt
+  {
+    cat "$target/elsewhere/remarks.txt"
+    echo "# Timed on $(date -u +%Y-%m-%d), in turn with the two builds of that day."
+    medians <"$target/elsewhere.txt"
+  } >elsewhere/measured.txt
 fi
 "$target/rivals-plain" report "$target/plain.txt" "$target/native.txt" elsewhere/measured.txt \
   >../../docs/PERFORMANCE.md
