@@ -1,4 +1,5 @@
-//! Time of the generated functions beside the numeric recursive Newton-Euler code of the runtime.
+//! Time of the generated functions beside the numeric algorithms of the runtime for the same work.
+//! `benches/rivals` has other crates, errors, and the report of them all.
 //!
 //! Each run evaluates a function at 64 states; divan's item rate is states per second:
 //! `taskset -c 0 cargo bench --bench functions`. For the machine's own instructions set
@@ -28,7 +29,15 @@ macro_rules! every_function {
 #[path = "../tests/robots/industrial.rs"]
 #[allow(dead_code)]
 mod industrial;
+#[path = "../tests/robots/textbook.rs"]
+#[allow(dead_code)]
+mod textbook;
+#[path = "../tests/robots/three_axis.rs"]
+#[allow(dead_code)]
+mod three_axis;
 use industrial::{Panda, Puma560, Stanford, Ur5};
+use textbook::TwoLinkSaha;
+use three_axis::Elbow3r;
 
 const STATES: usize = 64;
 
@@ -99,13 +108,33 @@ macro_rules! bench_robots {
                 let numeric = NewtonEuler::new(&$robot.table());
                 each(bencher, |q, _, _| numeric.mass_matrix(q));
             }
+
+            #[divan::bench]
+            fn numeric_coriolis_vector(bencher: Bencher) {
+                let numeric = NewtonEuler::new(&$robot.table());
+                each(bencher, |q, qd, _| numeric.coriolis_vector(q, qd));
+            }
+
+            #[divan::bench]
+            fn numeric_gravity_vector(bencher: Bencher) {
+                let numeric = NewtonEuler::new(&$robot.table());
+                each(bencher, |q, _, _| numeric.gravity_vector(q));
+            }
+
+            #[divan::bench]
+            fn numeric_forward_dynamics(bencher: Bencher) {
+                let numeric = NewtonEuler::new(&$robot.table());
+                each(bencher, |q, qd, tau| numeric.forward_dynamics(q, qd, tau));
+            }
         }
     )*};
 }
 
 bench_robots! {
-    puma560: Puma560, 6;
+    two_link_saha: TwoLinkSaha, 2;
+    elbow_3r: Elbow3r, 3;
     stanford: Stanford, 6;
+    puma560: Puma560, 6;
     ur5: Ur5, 6;
     panda: Panda, 7;
 }

@@ -2,6 +2,8 @@
 
 use core::f64::consts::FRAC_PI_2;
 
+use crate::Scalar;
+
 /// Constant angles closer than this to a multiple of pi/2, relative to the angle, mean exactly that
 /// multiple: the multiple itself is a rounded number.
 ///
@@ -20,17 +22,18 @@ impl SinCos {
     /// The angle zero.
     pub(super) const ZERO: SinCos = SinCos { sin: 0.0, cos: 1.0 };
 
-    /// A joint angle.
-    pub(super) fn of_joint(angle: f64) -> Self {
-        let (sin, cos) = angle.sin_cos();
-        SinCos { sin, cos }
+    /// The angles of joints.
+    #[inline(always)]
+    pub(super) fn of_joints<const N: usize>(angles: [f64; N]) -> [Self; N] {
+        f64::sin_cos_array(angles).map(|(sin, cos)| SinCos { sin, cos })
     }
 
     /// A constant angle of the table: at multiples of pi/2 the values are 0 and +-1 exactly.
     pub(super) fn of_constant(angle: f64) -> Self {
         let quarters = (angle / FRAC_PI_2).round();
         if (angle - quarters * FRAC_PI_2).abs() > RIGHT_ANGLE_TOLERANCE * angle.abs() {
-            return SinCos::of_joint(angle);
+            let (sin, cos) = angle.sin_cos();
+            return SinCos { sin, cos };
         }
         let (sin, cos) = match quarters.rem_euclid(4.0) {
             0.0 => (0.0, 1.0),
@@ -44,6 +47,7 @@ impl SinCos {
     }
 
     /// The angle with the other sign.
+    #[inline(always)]
     pub(super) fn opposite(self) -> Self {
         SinCos {
             sin: -self.sin,
@@ -55,6 +59,7 @@ impl SinCos {
     ///
     /// Adding a constant to a joint angle before taking the sine would round the sum: at 1e6 rad
     /// that costs ten digits.
+    #[inline(always)]
     pub(super) fn plus(self, other: SinCos) -> Self {
         SinCos {
             sin: self.sin * other.cos + self.cos * other.sin,
@@ -98,7 +103,8 @@ mod tests {
 
     #[test]
     fn a_constant_offset_does_not_round_the_joint_angle() {
-        let sum = SinCos::of_joint(1e6).plus(SinCos::of_constant(FRAC_PI_2));
+        let [joint] = SinCos::of_joints([1e6]);
+        let sum = joint.plus(SinCos::of_constant(FRAC_PI_2));
         assert_eq!((sum.sin, sum.cos), (1e6_f64.cos(), -1e6_f64.sin()));
     }
 }

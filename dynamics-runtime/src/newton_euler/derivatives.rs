@@ -31,13 +31,15 @@ impl<const N: usize> NewtonEuler<N> {
         qd: &SVector<f64, N>,
         qdd: &SVector<f64, N>,
     ) -> (SMatrix<f64, N, N>, SMatrix<f64, N, N>) {
+        let joints = self.joints(q);
         let mut by_position = SMatrix::<f64, N, N>::zeros();
         for j in 0..N {
-            // tau with joint j displaced by a turn or by a distance, less tau displaced the other way.
+            // tau with joint j moved by a turn or by a distance, less tau with it moved the other way.
             let difference = |turn: SinCos, distance: f64| {
                 let tau = |turn, distance| {
-                    let displaced = self.displaced(j, turn, distance);
-                    displaced.recursion(q, qd, qdd, &self.gravity)
+                    let mut joints = joints;
+                    joints[j] = joints[j].moved(turn, distance);
+                    self.recursion(&joints, qd, qdd, &self.gravity)
                 };
                 tau(turn, distance) - tau(turn.opposite(), -distance)
             };
@@ -57,12 +59,5 @@ impl<const N: usize> NewtonEuler<N> {
             by_velocity[(i, i)] += link.viscous;
         }
         (by_position, by_velocity)
-    }
-
-    /// The arm with the zero position of joint j displaced.
-    fn displaced(&self, j: usize, turn: SinCos, distance: f64) -> Self {
-        let mut displaced = self.clone();
-        displaced.links[j] = self.links[j].displaced(turn, distance);
-        displaced
     }
 }

@@ -13,21 +13,20 @@ impl<const N: usize> NewtonEuler<N> {
     /// `w_{i+1} = R w_i + qd z`, `v_{i+1} = R (v_i + w_i x p)` for a revolute joint,
     /// `w_{i+1} = R w_i`, `v_{i+1} = R (v_i + w_i x p) + qd z` for a prismatic one.
     pub fn kinetic_energy(&self, q: &SVector<f64, N>, qd: &SVector<f64, N>) -> f64 {
+        let joints = self.joints(q);
         let mut energy = 0.0;
-        let mut angular = Vector3::zeros();
+        let mut angular = Vector3::<f64>::zeros();
         let mut linear = Vector3::zeros();
         for (i, link) in self.links.iter().enumerate() {
-            let pose = link.pose(q[i]);
-            let turn = pose.rotation.transpose();
-            linear = turn * (linear + angular.cross(&pose.position));
-            angular = turn * angular;
+            linear = joints[i].outward(&(linear + angular.cross(&joints[i].origin)));
+            angular = joints[i].outward(&angular);
             match link.joint_type {
                 JointType::Revolute => angular.z += qd[i],
                 JointType::Prismatic => linear.z += qd[i],
             }
             let centre: Vector3<f64> = linear + angular.cross(&link.com);
             energy += link.mass * centre.norm_squared()
-                + angular.dot(&(link.inertia * angular))
+                + angular.dot(&(link.tensor * angular))
                 + link.reflected_inertia * qd[i] * qd[i];
         }
         0.5 * energy

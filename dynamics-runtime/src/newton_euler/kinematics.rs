@@ -5,20 +5,28 @@ use core::array;
 use nalgebra::{Matrix4, SMatrix, SVector};
 
 use super::NewtonEuler;
+use super::angle::SinCos;
+use super::joint::Joint;
 use super::link::Pose;
 use crate::JointType;
 
 impl<const N: usize> NewtonEuler<N> {
-    /// Frame i in frame i-1, for every joint.
-    pub(super) fn joint_poses(&self, q: &SVector<f64, N>) -> [Pose; N] {
-        array::from_fn(|i| self.links[i].pose(q[i]))
+    /// The joints at their positions; one evaluation for all sines.
+    #[inline(always)]
+    pub(super) fn joints(&self, q: &SVector<f64, N>) -> [Joint; N] {
+        let turned = SinCos::of_joints(q.data.0[0]);
+        let mut joints = [Joint::new(SinCos::ZERO, 0.0, SinCos::ZERO, 0.0); N];
+        for (i, link) in self.links.iter().enumerate() {
+            joints[i] = link.joint(q[i], turned[i]);
+        }
+        joints
     }
 
     /// The joints' frames in the base.
     pub(super) fn poses_in_base(&self, q: &SVector<f64, N>) -> [Pose; N] {
         let mut pose = Pose::identity();
-        self.joint_poses(q).map(|next| {
-            pose = pose.then(&next);
+        self.joints(q).map(|joint| {
+            pose = pose.then(&joint.pose());
             pose
         })
     }

@@ -3,6 +3,8 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::angle::SinCos;
+use super::inertia::Inertia;
+use super::joint::Joint;
 use crate::{JointType, Row};
 
 /// Rotation and position of one frame in another.
@@ -22,21 +24,8 @@ impl Pose {
     }
 
     /// `Rx(alpha) Tx(a)`; the two commute.
-    pub(super) fn along_x(alpha: SinCos, a: f64) -> Self {
-        Pose::craig(alpha, a, SinCos::ZERO, 0.0)
-    }
-
-    /// `Rx(alpha) Tx(a) Rz(theta) Tz(d)`: Craig (3.6).
-    pub(super) fn craig(alpha: SinCos, a: f64, theta: SinCos, d: f64) -> Self {
-        let (sa, ca, st, ct) = (alpha.sin, alpha.cos, theta.sin, theta.cos);
-        #[rustfmt::skip]
-        let rotation = Matrix3::new(
-            ct,      -st,      0.0,
-            st * ca, ct * ca, -sa,
-            st * sa, ct * sa,  ca,
-        );
-        let position = Vector3::new(a, -sa * d, ca * d);
-        Pose { rotation, position }
+    fn along_x(alpha: SinCos, a: f64) -> Self {
+        Joint::new(alpha, a, SinCos::ZERO, 0.0).pose()
     }
 
     /// The frame that `next` describes in this one, in the frame that this one is described in.
@@ -61,7 +50,9 @@ pub(super) struct Link {
     pub(super) mass: f64,
     pub(super) com: Vector3<f64>,
     /// About the centre of mass.
-    pub(super) inertia: Matrix3<f64>,
+    pub(super) tensor: Matrix3<f64>,
+    /// All three about the frame's origin.
+    pub(super) inertia: Inertia,
     pub(super) reflected_inertia: f64,
     pub(super) viscous: f64,
     pub(super) coulomb: f64,
@@ -93,7 +84,9 @@ impl Link {
     fn new(alpha: SinCos, a: f64, row: &Row, table_frame: Pose) -> Self {
         let Pose { rotation, position } = table_frame;
         let [xx, yy, zz, xy, yz, xz] = row.inertia;
-        let inertia = Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz);
+        let tensor = Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz);
+        let com = position + rotation * Vector3::from(row.com);
+        let tensor = rotation * tensor * rotation.transpose();
         Link {
             joint_type: row.joint_type,
             alpha,
@@ -101,8 +94,9 @@ impl Link {
             d: row.d,
             theta: SinCos::of_constant(row.theta),
             mass: row.mass,
-            com: position + rotation * Vector3::from(row.com),
-            inertia: rotation * inertia * rotation.transpose(),
+            com,
+            tensor,
+            inertia: Inertia::new(row.mass, &com, &tensor),
             reflected_inertia: row.reflected_inertia(),
             viscous: row.viscous,
             coulomb: row.coulomb,
@@ -110,28 +104,12 @@ impl Link {
         }
     }
 
-    /// The link at joint position zero where it was at `turn` (revolute) or `distance` (prismatic).
-    pub(super) fn displaced(&self, turn: SinCos, distance: f64) -> Self {
+    /// The joint at position `q`, of which the sine and cosine are `turned`.
+    #[inline(always)]
+    pub(super) fn joint(&self, q: f64, turned: SinCos) -> Joint {
         match self.joint_type {
-            JointType::Revolute => Link {
-                theta: self.theta.plus(turn),
-                ..self.clone()
-            },
-            JointType::Prismatic => Link {
-                d: self.d + distance,
-                ..self.clone()
-            },
-        }
-    }
-
-    /// Frame i in frame i-1 at joint position `q`.
-    pub(super) fn pose(&self, q: f64) -> Pose {
-        match self.joint_type {
-            JointType::Revolute => {
-                let theta = SinCos::of_joint(q).plus(self.theta);
-                Pose::craig(self.alpha, self.a, theta, self.d)
-            }
-            JointType::Prismatic => Pose::craig(self.alpha, self.a, self.theta, self.d + q),
+            JointType::Revolute => Joint::new(self.alpha, self.a, turned.plus(self.theta), self.d),
+            JointType::Prismatic => Joint::new(self.alpha, self.a, self.theta, self.d + q),
         }
     }
 }

@@ -1,16 +1,28 @@
-//! Dynamics of an arm by the recursive Newton-Euler algorithm, numerically, from its table.
+//! Dynamics of an arm, numerically, from its table: inverse dynamics by the recursive Newton-Euler
+//! algorithm, M by composite bodies, forward dynamics by both and a factorisation.
 //!
-//! Nothing in here knows of the symbolic derivation: the checks compare the two.
+//! Nothing in here knows of the symbolic derivation: the checks compare the two. What does not
+//! depend on the state is computed once, by [`NewtonEuler::new`]; a call evaluates all sines at
+//! once, validates nothing and allocates nothing.
 //!
 //! Sources. John J. Craig, *Introduction to Robotics: Mechanics and Control*, chapter 6: outward
 //! iteration (6.31) to (6.37), inward iteration after it, gravity as an acceleration of the base,
 //! link transform (3.6). J. Y. S. Luh, M. W. Walker, R. P. C. Paul, *On-line computational scheme
-//! for mechanical manipulators*, J. Dyn. Sys. Meas. Control 102 (1980), 69-76.
+//! for mechanical manipulators*, J. Dyn. Sys. Meas. Control 102 (1980), 69-76. C. A. Balafoutis,
+//! R. V. Patel, P. Misra, *Efficient modeling and computation of manipulator dynamics using
+//! orthogonal Cartesian tensors*, IEEE J. Robotics and Automation 4 (1988), 665-676: the link's
+//! moment from its second moments. R. Featherstone, *Rigid Body Dynamics Algorithms*, Springer
+//! 2008: composite bodies (6.2), factorisation (6.5).
 
 mod angle;
+mod composite;
 mod derivatives;
 mod energy;
+mod forward;
+mod inertia;
+mod joint;
 mod kinematics;
+mod linear;
 mod link;
 mod recursion;
 mod terms;
@@ -28,7 +40,8 @@ use link::Link;
 /// and return the same quantities in the same units: `q` in rad or m, `qd` and `qdd` per second and
 /// per second squared, torques in N m or N, energies in J.
 ///
-/// No method fails, panics or allocates; input that is not finite propagates. The rounding error of
+/// No method panics or allocates, and none but [`forward_dynamics`](NewtonEuler::forward_dynamics)
+/// fails; input that is not finite propagates. The rounding error of
 /// each result is a few units in the last place of the result's natural scale, held against
 /// references of 25 digits by `tests/suite/reference.rs`.
 ///

@@ -1,9 +1,11 @@
-//! The outward and the inward iteration.
+//! Inverse dynamics by the outward and the inward iteration.
 
-use nalgebra::{SVector, Vector3};
+use nalgebra::{Matrix3, SVector, Vector3};
 
 use super::NewtonEuler;
-use super::link::{Link, Pose};
+use super::inertia::Wrench;
+use super::joint::Joint;
+use super::linear::{cross, times};
 use crate::JointType;
 
 /// Velocities and accelerations of a link frame, in that frame.
@@ -12,6 +14,8 @@ struct Motion {
     angular_velocity: Vector3<f64>,
     angular_acceleration: Vector3<f64>,
     linear_acceleration: Vector3<f64>,
+    /// U: a point r fixed in the frame has the acceleration `linear_acceleration + U r`.
+    spread: Matrix3<f64>,
 }
 
 impl Motion {
@@ -21,117 +25,98 @@ impl Motion {
             angular_velocity: Vector3::zeros(),
             angular_acceleration: Vector3::zeros(),
             linear_acceleration: -gravity,
+            spread: Matrix3::zeros(),
         }
     }
 
     /// Craig (6.31) to (6.35): from link i to link i+1.
-    fn outward(&self, joint_type: JointType, pose: &Pose, qd: f64, qdd: f64) -> Motion {
-        let turn = pose.rotation.transpose();
-        let carried = Motion {
-            angular_velocity: turn * self.angular_velocity,
-            angular_acceleration: turn * self.angular_acceleration,
-            linear_acceleration: turn * self.acceleration_of(&pose.position),
-        };
-        let z = Vector3::z();
+    #[inline(always)]
+    fn outward(&self, joint_type: JointType, joint: &Joint, qd: f64, qdd: f64) -> Motion {
+        let mut angular_velocity = joint.outward(&self.angular_velocity);
+        let mut angular_acceleration = joint.outward(&self.angular_acceleration);
+        let of_origin = times(&self.spread, &joint.origin, &self.linear_acceleration);
+        let mut linear_acceleration = joint.outward(&of_origin);
+        // w x (qd z), the carried w.
+        let (x, y) = (qd * angular_velocity.y, -qd * angular_velocity.x);
         match joint_type {
-            JointType::Revolute => Motion {
-                angular_velocity: carried.angular_velocity + qd * z,
-                angular_acceleration: carried.angular_acceleration
-                    + carried.angular_velocity.cross(&(qd * z))
-                    + qdd * z,
-                ..carried
-            },
-            JointType::Prismatic => Motion {
-                linear_acceleration: carried.linear_acceleration
-                    + 2.0 * carried.angular_velocity.cross(&(qd * z))
-                    + qdd * z,
-                ..carried
-            },
+            JointType::Revolute => {
+                angular_acceleration += Vector3::new(x, y, qdd);
+                angular_velocity.z += qd;
+            }
+            JointType::Prismatic => linear_acceleration += Vector3::new(2.0 * x, 2.0 * y, qdd),
         }
-    }
-
-    /// Craig (6.36): acceleration of a point fixed in the frame, wd x p + w x (w x p) + vd.
-    fn acceleration_of(&self, point: &Vector3<f64>) -> Vector3<f64> {
-        self.angular_acceleration.cross(point)
-            + self
-                .angular_velocity
-                .cross(&self.angular_velocity.cross(point))
-            + self.linear_acceleration
+        Motion {
+            angular_velocity,
+            angular_acceleration,
+            linear_acceleration,
+            spread: spread(&angular_velocity, &angular_acceleration),
+        }
     }
 }
 
-/// A force and a moment about the frame's origin.
-#[derive(Clone, Copy)]
-struct Wrench {
-    force: Vector3<f64>,
-    moment: Vector3<f64>,
+/// U of Craig (6.36), `wd x r + w x (w x r) = U r`: `U = [wd]x + w w^T - (w.w) 1`.
+#[inline(always)]
+fn spread(w: &Vector3<f64>, wd: &Vector3<f64>) -> Matrix3<f64> {
+    let (xx, yy, zz) = (w.x * w.x, w.y * w.y, w.z * w.z);
+    let (xy, yz, xz) = (w.x * w.y, w.y * w.z, w.x * w.z);
+    #[rustfmt::skip]
+    let spread = Matrix3::new(
+        -(yy + zz), xy - wd.z,  xz + wd.y,
+        xy + wd.z,  -(xx + zz), yz - wd.x,
+        xz - wd.y,  yz + wd.x,  -(xx + yy),
+    );
+    spread
 }
 
 impl Wrench {
-    fn zero() -> Self {
-        Wrench {
-            force: Vector3::zeros(),
-            moment: Vector3::zeros(),
-        }
-    }
-
-    /// What moves the link: F = m vd_c, N = I wd + w x I w (Craig (6.37)), moved to the origin.
-    fn inertial(link: &Link, motion: &Motion) -> Self {
-        let force = link.mass * motion.acceleration_of(&link.com);
-        let spin = link.inertia * motion.angular_velocity;
-        let moment =
-            link.inertia * motion.angular_acceleration + motion.angular_velocity.cross(&spin);
-        Wrench {
-            force,
-            moment: moment + link.com.cross(&force),
-        }
-    }
-
-    /// f_i = F_i + R f_{i+1}, n_i = N_i + R n_{i+1} + p_c x F_i + p_{i+1} x R f_{i+1}.
-    fn inward(&self, outer: &Wrench, pose: &Pose) -> Wrench {
-        let force = pose.rotation * outer.force;
-        let moment = pose.rotation * outer.moment + pose.position.cross(&force);
-        Wrench {
-            force: self.force + force,
-            moment: self.moment + moment,
-        }
-    }
-
     /// The component that the joint's motor supplies.
-    fn along_joint(&self, joint_type: JointType) -> f64 {
+    #[inline(always)]
+    pub(super) fn along_joint(&self, joint_type: JointType) -> f64 {
         match joint_type {
             JointType::Revolute => self.moment.z,
             JointType::Prismatic => self.force.z,
+        }
+    }
+
+    /// The wrench on frame i, in frame i-1 and about its origin: `R f` and `R n + p x R f`.
+    #[inline(always)]
+    pub(super) fn inward(&self, joint: &Joint) -> Wrench {
+        let force = joint.inward(&self.force);
+        Wrench {
+            force,
+            moment: cross(&joint.origin, &force, &joint.inward(&self.moment)),
         }
     }
 }
 
 impl<const N: usize> NewtonEuler<N> {
     /// Joint torques of a motion under a gravity of any strength, without friction.
+    #[inline(always)]
     pub(super) fn recursion(
         &self,
-        q: &SVector<f64, N>,
+        joints: &[Joint; N],
         qd: &SVector<f64, N>,
         qdd: &SVector<f64, N>,
         gravity: &Vector3<f64>,
     ) -> SVector<f64, N> {
-        let poses = self.joint_poses(q);
-        let mut wrenches = [Wrench::zero(); N];
+        let mut wrenches = [Wrench::ZERO; N];
         let mut motion = Motion::base(gravity);
         for (i, link) in self.links.iter().enumerate() {
-            motion = motion.outward(link.joint_type, &poses[i], qd[i], qdd[i]);
-            wrenches[i] = Wrench::inertial(link, &motion);
+            motion = motion.outward(link.joint_type, &joints[i], qd[i], qdd[i]);
+            wrenches[i] = link
+                .inertia
+                .wrench(&motion.linear_acceleration, &motion.spread);
         }
 
+        // f_i = F_i + R f_{i+1}, n_i = N_i + R n_{i+1} + p_{i+1} x R f_{i+1}.
         let mut tau = SVector::zeros();
-        let mut outer = Wrench::zero();
+        let mut outer = Wrench::ZERO;
         for (i, link) in self.links.iter().enumerate().rev() {
-            let wrench = match poses.get(i + 1) {
-                Some(pose) => wrenches[i].inward(&outer, pose),
+            outer = match joints.get(i + 1) {
+                Some(joint) => wrenches[i] + outer.inward(joint),
                 None => wrenches[i],
             };
-            tau[i] = wrench.along_joint(link.joint_type) + link.reflected_inertia * qdd[i];
-            outer = wrench;
+            tau[i] = outer.along_joint(link.joint_type) + link.reflected_inertia * qdd[i];
         }
         tau
     }

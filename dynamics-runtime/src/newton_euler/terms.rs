@@ -1,4 +1,4 @@
-//! The terms of `tau = M qdd + V + G + F`, each by the recursion.
+//! The terms of `tau = M qdd + V + G + F`, each by its shortest recursion.
 
 use nalgebra::{SMatrix, SVector, Vector3};
 
@@ -6,27 +6,20 @@ use super::NewtonEuler;
 use crate::Scalar;
 
 impl<const N: usize> NewtonEuler<N> {
-    /// Mass matrix M(q): column j is the torque of a unit acceleration of joint j, at rest and
-    /// without gravity. Reflected inertias are on the diagonal.
+    /// Mass matrix M(q), both triangles: column j is the torque of a unit acceleration of joint j,
+    /// at rest and without gravity. Reflected inertias are on the diagonal.
     pub fn mass_matrix(&self, q: &SVector<f64, N>) -> SMatrix<f64, N, N> {
-        let mut mass_matrix = SMatrix::<f64, N, N>::zeros();
-        for j in 0..N {
-            let mut unit = SVector::zeros();
-            unit[j] = 1.0;
-            let column = self.recursion(q, &SVector::zeros(), &unit, &Vector3::zeros());
-            mass_matrix.set_column(j, &column);
-        }
-        mass_matrix
+        self.composite_bodies(&self.joints(q))
     }
 
     /// Coriolis and centrifugal torques V(q, qd): no acceleration, no gravity.
     pub fn coriolis_vector(&self, q: &SVector<f64, N>, qd: &SVector<f64, N>) -> SVector<f64, N> {
-        self.recursion(q, qd, &SVector::zeros(), &Vector3::zeros())
+        self.recursion(&self.joints(q), qd, &SVector::zeros(), &Vector3::zeros())
     }
 
     /// Gravity torques G(q) = dU/dq: no velocity, no acceleration.
     pub fn gravity_vector(&self, q: &SVector<f64, N>) -> SVector<f64, N> {
-        self.recursion(q, &SVector::zeros(), &SVector::zeros(), &self.gravity)
+        self.weights(&self.joints(q))
     }
 
     /// Friction torques F(qd) = viscous qd + coulomb sign(qd), sign(0) = 0.
@@ -44,7 +37,7 @@ impl<const N: usize> NewtonEuler<N> {
         qd: &SVector<f64, N>,
         qdd: &SVector<f64, N>,
     ) -> SVector<f64, N> {
-        self.recursion(q, qd, qdd, &self.gravity) + self.friction_vector(qd)
+        self.recursion(&self.joints(q), qd, qdd, &self.gravity) + self.friction_vector(qd)
     }
 
     /// Torques without acceleration, V + G + F.

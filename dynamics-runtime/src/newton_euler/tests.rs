@@ -224,6 +224,54 @@ fn kinetic_energy_is_the_form_of_the_mass_matrix() {
     }
 }
 
+/// M by composite bodies and G by composite first moments are what the recursion gives at rest:
+/// column j of M is the torque of a unit acceleration of joint j, beyond that of gravity.
+#[test]
+fn composite_bodies_agree_with_the_recursion() {
+    for (arm, State { q, .. }) in general_cases() {
+        let (m, rest) = (arm.mass_matrix(&q), SVector::zeros());
+        let g = arm.inverse_dynamics(&q, &rest, &rest);
+        assert_near(arm.gravity_vector(&q), g, 1e-14 * g.amax());
+        for j in 0..6 {
+            let unit = SVector::from_fn(|i, _| f64::from(i == j));
+            let column = arm.inverse_dynamics(&q, &rest, &unit) - g;
+            let scale = m.amax() + g.amax();
+            assert_near(m.column(j).into_owned(), column, 1e-14 * scale);
+        }
+    }
+}
+
+/// The torques of a motion move the arm by it.
+#[test]
+fn forward_dynamics_is_the_inverse_of_inverse_dynamics() {
+    for (arm, State { q, qd, qdd }) in general_cases() {
+        let tau = arm.inverse_dynamics(&q, &qd, &qdd);
+        let found = arm.forward_dynamics(&q, &qd, &tau).unwrap();
+        let needed = arm.mass_matrix(&q) * (found - qdd);
+        assert_near(needed, SVector::zeros(), 2e-14 * tau.amax());
+    }
+}
+
+/// A point mass on its own axis resists neither that joint nor, at q2 = 0, more than one of two.
+#[test]
+fn forward_dynamics_refuses_a_singular_mass_matrix() {
+    let table = CRAIG_ARM.table();
+    let mut on_axis = table;
+    on_axis.rows[1].com = [0.0; 3];
+    let rest = Vector2::zeros();
+    let tip = NewtonEuler::new(&on_axis).forward_dynamics(&rest, &rest, &rest);
+    assert_eq!(tip.unwrap_err().joint, 1);
+
+    let mut massless = table;
+    massless.rows[0].mass = 0.0;
+    let straight = NewtonEuler::new(&massless).forward_dynamics(&rest, &rest, &rest);
+    assert_eq!(straight.unwrap_err().joint, 0);
+
+    let nan = Vector2::repeat(f64::NAN);
+    let state = NewtonEuler::new(&table).forward_dynamics(&nan, &rest, &rest);
+    assert!(state.unwrap_err().relative_pivot.is_nan());
+}
+
 /// tau = M qdd + V + G + F, and C qd = V.
 #[test]
 fn terms_add_up() {

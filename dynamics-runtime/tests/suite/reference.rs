@@ -59,6 +59,14 @@ fn check_state<const N: usize>(arm: &NewtonEuler<N>, name: &str, state: &Value) 
         friction_bound,
         &what("friction"),
     );
+    // The accelerations are judged by the torques that they need beyond those applied.
+    let qdd_found = arm.forward_dynamics(&q, &qd, &(tau + friction)).unwrap();
+    assert_near(
+        matrix::<N, N>(&state["M"]) * (qdd_found - qdd),
+        SMatrix::<f64, N, 1>::zeros(),
+        with_friction,
+        &what("qdd"),
+    );
     assert_near(
         arm.coriolis_matrix(&q, &qd),
         matrix(&state["C"]),

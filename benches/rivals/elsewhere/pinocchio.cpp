@@ -1,0 +1,93 @@
+// Pinocchio on the arms of ARMS_FILE: rnea, crba, computeGeneralizedGravity, aba.
+#include "loop.h"
+
+#include <pinocchio/algorithm/aba.hpp>
+#include <pinocchio/algorithm/crba.hpp>
+#include <pinocchio/algorithm/rnea.hpp>
+#include <pinocchio/multibody.hpp>
+
+using namespace pinocchio;
+
+struct Pinocchio {
+  int n = 0;
+  Model model;
+  Data data;
+  Eigen::VectorXd viscous, coulomb, zero;
+
+  explicit Pinocchio(const char *wanted) {
+    std::ifstream file(ARMS_FILE);
+    std::string word, name;
+    while (file >> word >> name >> n && name != wanted) std::getline(file, word), skip(file);
+    viscous = coulomb = zero = Eigen::VectorXd::Zero(n);
+    Eigen::VectorXd armature(n);
+    double x, y, z;
+    file >> x >> y >> z;
+    model.gravity.linear() << x, y, z;
+    JointIndex parent = 0;
+    for (int i = 0; i < n; i++) {
+      std::string type;
+      file >> type;
+      auto rotation = read<3, 3>(file);
+      auto origin = read<3, 1>(file);
+      double mass = read<1, 1>(file)(0);
+      auto centre = read<3, 1>(file);
+      auto tensor = read<3, 3>(file);
+      file >> armature[i] >> viscous[i] >> coulomb[i];
+      SE3 placement(rotation, origin);
+      std::string joint = "joint" + std::to_string(i);
+      parent = type == "RZ" ? model.addJoint(parent, JointModelRZ(), placement, joint)
+                            : model.addJoint(parent, JointModelPZ(), placement, joint);
+      model.appendBodyToJoint(parent, Inertia(mass, centre, tensor));
+    }
+    model.armature = armature;
+    data = Data(model);
+  }
+
+  template <int R, int C> static Eigen::Matrix<double, R, C> read(std::ifstream &file) {
+    Eigen::Matrix<double, R, C> m;
+    for (int i = 0; i < R; i++)
+      for (int j = 0; j < C; j++) file >> m(i, j);
+    return m;
+  }
+
+  // Over the joints of an arm that is not wanted.
+  void skip(std::ifstream &file) {
+    std::string line;
+    for (int i = 0; i < n; i++) std::getline(file, line);
+  }
+
+  template <int K> void call(const double *q_, const double *qd_, const double *x_, double *out) {
+    using Vector = Eigen::Map<const Eigen::VectorXd>;
+    Vector q(q_, n), qd(qd_, n), x(x_, n);
+    Eigen::Map<Eigen::VectorXd> result(out, n);
+    if constexpr (K == 0) result = rnea(model, data, q, qd, x), add_friction(qd, result, 1);
+    if constexpr (K == 1) {
+      crba(model, data, q, Convention::LOCAL);
+      Eigen::Map<Eigen::MatrixXd> m(out, n, n);
+      m = data.M;
+      m.triangularView<Eigen::StrictlyLower>() = m.transpose().triangularView<Eigen::StrictlyLower>();
+    }
+    // V is what the recursion gives beyond gravity; Pinocchio has no function of its own for it.
+    if constexpr (K == 2) {
+      Motion gravity = model.gravity;
+      model.gravity.setZero();
+      result = rnea(model, data, q, qd, zero);
+      model.gravity = gravity;
+    }
+    if constexpr (K == 3) result = computeGeneralizedGravity(model, data, q);
+    if constexpr (K == 4) {
+      Eigen::Matrix<double, Eigen::Dynamic, 1, 0, MOST_JOINTS, 1> tau = x;
+      add_friction(qd, tau, -1);
+      result = aba(model, data, q, qd, tau, Convention::LOCAL);
+    }
+  }
+
+  template <class Q, class T> void add_friction(const Q &qd, T &&tau, double sign) {
+    for (int i = 0; i < n; i++) {
+      double direction = (qd[i] > 0) - (qd[i] < 0);
+      tau[i] += sign * (viscous[i] * qd[i] + coulomb[i] * direction);
+    }
+  }
+};
+
+int main(int argc, char **argv) { return run<Pinocchio>(argc, argv, CANDIDATE); }

@@ -1,0 +1,173 @@
+//! Values, errors and times of every candidate, printed as lines of words.
+
+use robot_dynamics::nalgebra::{SMatrix, SVector};
+use robot_dynamics::{NewtonEuler, State};
+
+use crate::arms::*;
+use crate::candidates::{Candidate, Dynibo, Values};
+use crate::errors::errors;
+use crate::timing::{nanoseconds, states};
+
+/// The functions that every candidate has.
+pub(crate) const FUNCTIONS: [&str; 5] = [
+    "inverse_dynamics",
+    "mass_matrix",
+    "coriolis_vector",
+    "gravity_vector",
+    "forward_dynamics",
+];
+
+/// The name of the generated functions among the candidates.
+pub(crate) const GENERATED: &str = "generated";
+
+/// The functions that only the generated code has, as the report groups them: those that are not
+/// measured (below) have no line there.
+pub(crate) const GROUPS: [(&str, &[&str]); 3] = [
+    (
+        "Derivatives and the regressor",
+        &[
+            "inverse_dynamics_derivatives",
+            "forward_dynamics_derivatives",
+            "regressor",
+        ],
+    ),
+    (
+        "Batches",
+        &[
+            "inverse_dynamics_batch",
+            "mass_matrix_batch",
+            "forward_dynamics_batch",
+        ],
+    ),
+    (
+        "Other functions",
+        &[
+            "bias_force",
+            "coriolis_matrix",
+            "kinetic_energy",
+            "potential_energy",
+            "forward_kinematics",
+            "jacobian",
+        ],
+    ),
+];
+
+/// Largest difference of two candidates' values, relative to the largest entry.
+const AGREEMENT: f64 = 1e-9;
+
+/// Prints `time ARM FUNCTION CANDIDATE NS` and `error ARM FUNCTION CANDIDATE LARGEST RMS`.
+pub(crate) fn all() {
+    macro_rules! measure {
+        ($($file:ident: $arm:ident, $n:literal;)*) => {$(
+            let file = stringify!($file);
+            let mut measured = Measured { arm: &mut $arm, file, states: states::<$n>() };
+            measured.rival(&mut $arm);
+            measured.rival(&mut NewtonEuler::new(&$arm.table()));
+            measured.rival(&mut Dynibo::new(file, &$arm.table()));
+            #[cfg(feature = "symplex")]
+            measured.rival(&mut crate::candidates::Symplex::new(&$arm));
+            others!(measured, $arm);
+        )*};
+    }
+    for_each_arm!(measure);
+}
+
+/// The functions that only the generated code has, a line each.
+macro_rules! others {
+    ($measured:ident, $arm:ident) => {
+        $measured.other("bias_force", |s| $arm.bias_force(&s.q, &s.qd));
+        $measured.other("coriolis_matrix", |s| $arm.coriolis_matrix(&s.q, &s.qd));
+        $measured.other("kinetic_energy", |s| $arm.kinetic_energy(&s.q, &s.qd));
+        $measured.other("potential_energy", |s| $arm.potential_energy(&s.q));
+        $measured.other("forward_kinematics", |s| $arm.forward_kinematics(&s.q));
+        $measured.other("jacobian", |s| $arm.jacobian(&s.q));
+    };
+}
+use others;
+
+struct Measured<'a, A, const N: usize> {
+    arm: &'a mut A,
+    file: &'static str,
+    states: Vec<State<N>>,
+}
+
+impl<A: Candidate<N>, const N: usize> Measured<'_, A, N> {
+    fn rival<C: Candidate<N>>(&mut self, candidate: &mut C) {
+        self.assert_agreement(candidate);
+        let errors = errors(self.file, candidate);
+        for (function, errors) in FUNCTIONS.iter().zip(&errors) {
+            let (largest, rms) = (errors.largest, errors.rms());
+            println!(
+                "error {} {function} {} {largest:e} {rms:e}",
+                self.file,
+                C::NAME
+            );
+        }
+        let c = candidate;
+        self.time(FUNCTIONS[0], C::NAME, |s| {
+            c.inverse_dynamics(&s.q, &s.qd, &s.qdd)
+        });
+        self.time(FUNCTIONS[1], C::NAME, |s| c.mass_matrix(&s.q));
+        self.time(FUNCTIONS[2], C::NAME, |s| c.coriolis_vector(&s.q, &s.qd));
+        self.time(FUNCTIONS[3], C::NAME, |s| c.gravity_vector(&s.q));
+        self.time(FUNCTIONS[4], C::NAME, |s| {
+            c.forward_dynamics(&s.q, &s.qd, &s.qdd)
+        });
+    }
+
+    fn other<R>(&self, function: &str, value: impl FnMut(&State<N>) -> R) {
+        self.time(function, A::NAME, value);
+    }
+
+    fn time<R>(&self, function: &str, candidate: &str, value: impl FnMut(&State<N>) -> R) {
+        let time = nanoseconds(&self.states, value);
+        println!("time {} {function} {candidate} {time:.2}", self.file);
+    }
+
+    /// The candidate's values are those of the generated functions.
+    fn assert_agreement<C: Candidate<N>>(&mut self, candidate: &mut C) {
+        for state in &self.states {
+            let tau = self.arm.inverse_dynamics(&state.q, &state.qd, &state.qdd);
+            let (ours, theirs) = (self.arm.values(state, &tau), candidate.values(state, &tau));
+            for (function, difference) in FUNCTIONS.iter().zip(differences(&ours, &theirs)) {
+                let (file, name) = (self.file, C::NAME);
+                let agree = difference < AGREEMENT;
+                assert!(
+                    agree,
+                    "{file}, {function}, {name}: {difference:e} at {state:?}"
+                );
+            }
+        }
+    }
+}
+
+fn differences<const N: usize>(ours: &Values<N>, theirs: &Values<N>) -> [f64; 5] {
+    let vector = |a: &SVector<f64, N>, b: &SVector<f64, N>| relative(a, b);
+    [
+        vector(&ours.inverse_dynamics, &theirs.inverse_dynamics),
+        relative(&ours.mass_matrix, &theirs.mass_matrix),
+        vector(&ours.coriolis_vector, &theirs.coriolis_vector),
+        vector(&ours.gravity_vector, &theirs.gravity_vector),
+        vector(&ours.forward_dynamics, &theirs.forward_dynamics),
+    ]
+}
+
+fn relative<const R: usize, const C: usize>(
+    ours: &SMatrix<f64, R, C>,
+    theirs: &SMatrix<f64, R, C>,
+) -> f64 {
+    let error = ours - theirs;
+    // Not amax, which leaves a NaN out.
+    let largest = error.iter().fold(0.0, |largest: f64, x| {
+        if x.is_nan() {
+            f64::INFINITY
+        } else {
+            largest.max(x.abs())
+        }
+    });
+    if largest == 0.0 {
+        0.0
+    } else {
+        largest / ours.amax()
+    }
+}

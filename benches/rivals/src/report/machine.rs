@@ -1,0 +1,39 @@
+//! The machine, the compiler and the date.
+
+use std::process::Command;
+
+/// Instruction sets that matter for the times.
+const FEATURES: [&str; 6] = ["sse2", "avx", "fma", "avx2", "avx512f", "avx512dq"];
+
+pub(crate) fn description() -> String {
+    let cpu = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+    let field = |name: &str| -> String {
+        let line = cpu.lines().find(|line| line.starts_with(name));
+        let value = line.and_then(|line| line.split_once(':'));
+        value.map_or_else(|| "unknown".into(), |(_, value)| value.trim().into())
+    };
+    let flags = field("flags");
+    let features: Vec<&str> = FEATURES
+        .into_iter()
+        .filter(|feature| flags.split(' ').any(|flag| flag == *feature))
+        .collect();
+    let cores = std::thread::available_parallelism().map_or(0, usize::from);
+    format!(
+        "| | |\n|---|---|\n\
+         | processor | {}, family {}, model {}, {cores} cores; {} |\n\
+         | compiler | {} |\n\
+         | flags | plain: none; native: `-C target-cpu=native`; both: cargo's release profile |\n\
+         | date | {} |\n",
+        field("model name"),
+        field("cpu family"),
+        field("model\t"),
+        features.join(", "),
+        output("rustc", &["--version"]),
+        output("date", &["-u", "+%Y-%m-%d"]),
+    )
+}
+
+fn output(program: &str, arguments: &[&str]) -> String {
+    let output = Command::new(program).args(arguments).output().unwrap();
+    String::from_utf8(output.stdout).unwrap().trim().into()
+}

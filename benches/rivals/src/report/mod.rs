@@ -1,0 +1,67 @@
+//! `docs/PERFORMANCE.md` from the lines that the builds printed.
+
+mod machine;
+mod records;
+mod tables;
+
+use records::Records;
+
+/// Prints the document. `files` are the lines of the plain build, those of the native build, and
+/// those of the programs that are not Rust.
+pub(crate) fn print(files: &[String]) {
+    let [plain, native, elsewhere] = files else {
+        panic!("three files: plain, native, elsewhere");
+    };
+    let [plain, native, elsewhere] = [plain, native, elsewhere].map(|file| Records::read(file));
+    println!("{INTRODUCTION}");
+    println!("{}", machine::description());
+    println!("{CANDIDATES}");
+    println!("{}", elsewhere.remarks());
+    println!("{OVERVIEW}");
+    print!("{}", tables::overview(&native, &elsewhere));
+    println!("{DETAILS}");
+    print!("{}", tables::details(&plain, &native, &elsewhere));
+    print!("{}", tables::groups(&plain, &native));
+}
+
+const INTRODUCTION: &str = "\
+# Performance
+
+This file is written by one command, which takes about ten minutes the first time:
+
+```text
+benches/report.sh
+```
+
+It builds one program twice, *plain* (no flags, as a user gets it who sets none) and *native*
+(`RUSTFLAGS=\"-C target-cpu=native\"`), runs the builds in turn on one core, and takes medians. Each
+function is evaluated at 64 states in turn, its inputs and results hidden from the optimiser. Before
+anything is timed, every candidate's values are compared with the generated functions' (relative
+difference below 1e-9).
+
+Times are nanoseconds for one state, `f64`, one core. Errors are relative to the natural magnitude of
+the quantity (`scale` in `tests/data/reference`), against references of 25 digits at 24 states, angles
+of 1e6 rad among them: the largest, and the root of the mean square. Those of `forward_dynamics` are
+the torques that its accelerations need beyond those that were applied.
+";
+
+const CANDIDATES: &str = "\
+## Candidates
+
+| name | what it is |
+|---|---|
+| generated | the functions of `robot_dynamics!` |
+| numeric | `NewtonEuler` of the runtime: recursive Newton-Euler, M by composite bodies, G by composite first moments, forward dynamics by both and one factorisation |
+| dynibo | the crate dynibo 0.5 on a URDF of the same arm: RNEA, CRBA, articulated bodies. It knows neither reflected inertias nor friction, and checks its inputs; its values are completed for the comparison, not for the timing |
+| symplex | Rust code written by the crate symplex 0.57 from T and U; its forward dynamics is its M and bias with nalgebra's Cholesky factorisation. Fused multiply-add in the native build only |
+";
+
+const OVERVIEW: &str = "\
+## Overview
+
+Native builds: the time of the generated function, ns, and how many times as long the others take.
+";
+
+const DETAILS: &str = "\
+## Times and errors
+";

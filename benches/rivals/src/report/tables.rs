@@ -1,0 +1,125 @@
+//! The tables of the document.
+
+use std::fmt::Write;
+
+use super::records::Records;
+use crate::arms::for_each_arm;
+use crate::measure::{FUNCTIONS, GENERATED, GROUPS};
+
+macro_rules! names {
+    ($($file:ident: $arm:ident, $n:literal;)*) => { [$(stringify!($file)),*] };
+}
+const ARMS: [&str; 6] = for_each_arm!(names);
+
+/// Every function of every arm: the generated time, and the others' as multiples of it.
+pub(crate) fn overview(native: &Records, elsewhere: &Records) -> String {
+    let sources = [native, elsewhere];
+    let others: Vec<(&Records, &str)> = sources
+        .into_iter()
+        .flat_map(|records| {
+            records
+                .candidates()
+                .into_iter()
+                .map(move |name| (records, name))
+        })
+        .filter(|(_, name)| *name != GENERATED)
+        .collect();
+    let names = others.iter().map(|(_, name)| format!(" {name} |"));
+    let mut table = format!("| arm | function | ns |{}\n", names.collect::<String>());
+    table += &format!("|---|---|---|{}\n", "---|".repeat(others.len()));
+    for arm in ARMS {
+        for function in FUNCTIONS {
+            let ours = native.time(arm, function, GENERATED).expect("measured");
+            write!(table, "| {arm} | {function} | {} |", three_digits(ours)).unwrap();
+            for (records, name) in &others {
+                let ratio = records.time(arm, function, name).map(|time| time / ours);
+                write!(table, " {} |", or_dash(ratio.map(three_digits))).unwrap();
+            }
+            table += "\n";
+        }
+    }
+    table + "\n"
+}
+
+/// A table for each arm: times and errors of every candidate in both builds.
+pub(crate) fn details(plain: &Records, native: &Records, elsewhere: &Records) -> String {
+    ARMS.map(|arm| {
+        let mut table = format!("### {arm}\n\n{HEAD}\n");
+        for function in FUNCTIONS {
+            for name in native.candidates() {
+                row(&mut table, [arm, function, name], Some(plain), native);
+            }
+            for name in elsewhere.candidates() {
+                row(&mut table, [arm, function, name], None, elsewhere);
+            }
+        }
+        table + "\n"
+    })
+    .concat()
+}
+
+const HEAD: &str = "\
+| function | by | plain, ns | largest error | rms | native, ns | largest error | rms |
+|---|---|---|---|---|---|---|---|";
+
+fn row(
+    table: &mut String,
+    [arm, function, name]: [&str; 3],
+    plain: Option<&Records>,
+    native: &Records,
+) {
+    let Some(time) = native.time(arm, function, name) else {
+        return;
+    };
+    let time_of = |records: &Records| records.time(arm, function, name).map(three_digits);
+    let errors_of = |records: &Records| -> [String; 2] {
+        let errors = records.errors(arm, function, name);
+        [0, 1].map(|k| or_dash(errors.map(|errors| format!("{:.0e}", errors[k]))))
+    };
+    let [largest, rms] = errors_of(native);
+    let [plain_largest, plain_rms] = plain.map_or_else(|| ["–".into(), "–".into()], errors_of);
+    writeln!(
+        table,
+        "| {function} | {name} | {} | {plain_largest} | {plain_rms} | {} | {largest} | {rms} |",
+        or_dash(plain.and_then(time_of)),
+        three_digits(time),
+    )
+    .unwrap();
+}
+
+/// The functions that only the generated code has, a table for each group, a column for each arm.
+pub(crate) fn groups(plain: &Records, native: &Records) -> String {
+    let mut text = String::new();
+    for (title, functions) in GROUPS {
+        let measured = |function: &&&str| native.time(ARMS[0], function, GENERATED).is_some();
+        let functions: Vec<&&str> = functions.iter().filter(measured).collect();
+        if functions.is_empty() {
+            continue;
+        }
+        writeln!(text, "## {title}\n").unwrap();
+        writeln!(text, "Generated code, ns for one state, plain / native.\n").unwrap();
+        writeln!(text, "| function | {} |", ARMS.join(" | ")).unwrap();
+        writeln!(text, "|---|{}", "---|".repeat(ARMS.len())).unwrap();
+        for function in functions {
+            let cell = |arm: &str| {
+                let time = |records: &Records| records.time(arm, function, GENERATED);
+                let [plain, native] = [plain, native].map(|r| or_dash(time(r).map(three_digits)));
+                format!("{plain} / {native}")
+            };
+            writeln!(text, "| {function} | {} |", ARMS.map(cell).join(" | ")).unwrap();
+        }
+        text += "\n";
+    }
+    text
+}
+
+fn three_digits(x: f64) -> String {
+    match x {
+        ..9.95 => format!("{x:.1}"),
+        _ => format!("{x:.0}"),
+    }
+}
+
+fn or_dash(text: Option<String>) -> String {
+    text.unwrap_or_else(|| "–".into())
+}
