@@ -17,6 +17,8 @@ mod batch;
 mod check;
 mod configuration;
 mod double_double;
+#[cfg(feature = "num-dual")]
+mod dual;
 mod integrate;
 mod macros;
 mod model;
