@@ -8,6 +8,7 @@ use super::{
     articulated, base, christoffel, composite, derivatives, energy, kinematics, recursive,
     regressor,
 };
+use crate::exact::Rational;
 use crate::expr::Expr;
 use crate::function::Function;
 use crate::linear::Vector3;
@@ -42,6 +43,8 @@ impl Form {
             {
                 &[Form::Recursive, Form::Assembled]
             }
+            // All Christoffel symbols are shorter than a recursion for up to six joints.
+            Function::CoriolisMatrix if dof <= 8 => &[Form::Recursive, Form::Assembled],
             _ => &[Form::Recursive],
         }
     }
@@ -82,12 +85,11 @@ pub fn outputs<'g>(
         Function::KineticEnergy => vec![energy::kinetic_energy(graph, chain, &qd)],
         Function::PotentialEnergy => vec![energy::potential_energy(chain)],
         Function::CoriolisMatrix => {
-            let symbols = christoffel::christoffel(graph, chain);
-            symbols
-                .iter()
-                .flatten()
-                .map(|row| dot(zero, row, &qd))
-                .collect()
+            // C = 1/2 dV/dqd: V is quadratic in qd, with the Christoffel symbols as coefficients.
+            let forces = derivatives::recursion(chain, &qd, &still);
+            let half = graph.rational(&(Rational::ONE / Rational::from(2)));
+            let entries = forces.by_velocity.concat();
+            entries.into_iter().map(|entry| half * entry).collect()
         }
         Function::CoriolisCoefficients => {
             let n = robot.rows.len();
@@ -173,6 +175,14 @@ fn assembled<'g>(
             christoffel::christoffel(graph, chain)
                 .iter()
                 .map(products)
+                .collect()
+        }
+        Function::CoriolisMatrix => {
+            let symbols = christoffel::christoffel(graph, chain);
+            symbols
+                .iter()
+                .flatten()
+                .map(|row| dot(zero, row, &qd))
                 .collect()
         }
         Function::BiasForce => {

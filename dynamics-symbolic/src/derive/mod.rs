@@ -49,14 +49,17 @@ pub fn derive(robot: &Robot, function: Function) -> Program {
         .expect("every function has a form")
 }
 
-/// The forms of forward dynamics differ by the number of joints, the more the
-/// longer the arm. How they compare shows before any search: a form that takes
-/// over a tenth more than another in the plain gauge is not tried. Forms of
-/// other functions are all tried.
+/// The forms of forward dynamics and of the Coriolis matrix differ by the number
+/// of joints, the more the longer the arm. How they compare shows before any
+/// search: a form that takes over a tenth more than another in the plain gauge is
+/// not tried. Forms of other functions are all tried.
 fn promising_forms(robot: &Robot, function: Function) -> Vec<Form> {
     let dof = robot.rows.len();
     let forms = Form::of(function, dof);
-    if function != Function::ForwardDynamics {
+    if !matches!(
+        function,
+        Function::ForwardDynamics | Function::CoriolisMatrix
+    ) {
         return forms.to_vec();
     }
     let plain = Gauge::plain(dof);
