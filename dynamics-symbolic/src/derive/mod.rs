@@ -36,7 +36,7 @@ pub fn derive(robot: &Robot, function: Function) -> Program {
     if function == Function::ForwardDynamicsDerivatives {
         // Programs so long are compared before they are simplified.
         let gauge = Gauge::search(robot, function, Form::Recursive);
-        let length = |form: &Form| gauge.cost(robot, function, *form, &mut 0);
+        let length = |form: &Form| gauge.length(robot, function, *form);
         let form = forms.into_iter().min_by_key(length);
         let form = form.expect("every function has a form");
         return simplified(robot, function, form, &gauge);
@@ -63,7 +63,7 @@ fn promising_forms(robot: &Robot, function: Function) -> Vec<Form> {
         return forms.to_vec();
     }
     let plain = Gauge::plain(dof);
-    let cost = |form| plain.cost(robot, function, form, &mut 0);
+    let cost = |form| plain.length(robot, function, form);
     let costs: Vec<_> = forms.iter().map(|&form| cost(form)).collect();
     let least = costs.iter().copied().min().unwrap_or(0);
     let forms = forms.iter().zip(costs);
