@@ -43,7 +43,8 @@ pub use newton_euler::NewtonEuler;
 pub use operations::Operations;
 pub use scalar::Scalar;
 pub use simulation::{
-    Cause, DormandPrince, InvalidSetting, Method, NoTorque, Simulation, SimulationError, Trajectory,
+    Cause, Dop853, DormandPrince, InvalidSetting, Method, NoTorque, Simulation, SimulationError,
+    Trajectory, Work,
 };
 pub use table::{Convention, JointType, Row, Table};
 pub use trajectory::{Cycloidal, InvalidDuration};
