@@ -24,6 +24,7 @@ mod operations;
 mod scalar;
 mod simulation;
 mod sine;
+mod singular;
 mod table;
 mod trajectory;
 
@@ -37,7 +38,7 @@ pub use configuration::Configuration;
 pub use configuration::{Evaluated, JointSines};
 pub use model::{
     AccelerationDerivatives, CoriolisVector, Energy, Evaluate, Evaluation, ForwardDynamics,
-    GravityVector, InverseDynamics, MassMatrix, Model, SingularMassMatrix, State,
+    GravityVector, InverseDynamics, MassMatrix, Model, State,
 };
 pub use newton_euler::NewtonEuler;
 pub use operations::Operations;
@@ -46,6 +47,7 @@ pub use simulation::{
     Cause, Dop853, DormandPrince, InvalidSetting, Method, NoTorque, Simulation, SimulationError,
     Trajectory, Work,
 };
+pub use singular::{Conditioning, SingularMassMatrix};
 pub use table::{Convention, JointType, Row, Table};
 pub use trajectory::{Cycloidal, InvalidDuration};
 

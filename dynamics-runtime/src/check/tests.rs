@@ -194,10 +194,7 @@ fn a_value_that_is_not_a_number_fails() {
 #[test]
 fn a_refusal_fails_where_the_mass_matrix_is_regular() {
     let report = check(|_, e| {
-        e.forward_dynamics = Some(Err(SingularMassMatrix {
-            joint: 1,
-            relative_pivot: 0.0,
-        }));
+        e.forward_dynamics = Some(Err(SingularMassMatrix::new(1, 0.0)));
     });
     assert_eq!(wrong(&report), ["forward_dynamics"]);
     let function = report.functions.iter().find(|f| !f.is_ok()).unwrap();
@@ -227,10 +224,7 @@ fn a_refusal_fails_where_one_inertia_is_small() {
     };
     let m = light.mass_matrix(&Vector2::zeros());
     assert!(m[(1, 1)] < 1e-9 * m[(0, 0)]);
-    let refused = SingularMassMatrix {
-        joint: 1,
-        relative_pivot: 0.0,
-    };
+    let refused = SingularMassMatrix::new(1, 0.0);
     let error = |m| deviation::refused("forward_dynamics", m, &refused).error;
     assert_eq!(error(&m), Some(f64::INFINITY));
     let vanishing = Matrix2::new(4e-33, 0.0, 0.0, 0.7);

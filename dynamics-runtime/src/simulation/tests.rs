@@ -40,10 +40,7 @@ impl ForwardDynamics<1> for Vanishing {
         if mass.is_positive() {
             Ok(Vector1::new(tau[0] / mass))
         } else {
-            Err(SingularMassMatrix {
-                joint: 0,
-                relative_pivot: 0.0,
-            })
+            Err(SingularMassMatrix::new(0, 0.0))
         }
     }
 }
@@ -162,10 +159,7 @@ fn a_singular_mass_matrix_ends_the_run() {
             .samples(21)
             .run()
             .unwrap_err();
-        let singular = Cause::SingularMassMatrix(SingularMassMatrix {
-            joint: 0,
-            relative_pivot: 0.0,
-        });
+        let singular = Cause::SingularMassMatrix(SingularMassMatrix::new(0, 0.0));
         assert_eq!(error.cause, singular);
         assert!((error.time - 1.0).abs() < 2e-3, "{method:?}: {error}");
         assert_relative_eq!(error.q[0], error.time, max_relative = 1e-12);
@@ -361,9 +355,13 @@ fn settings_that_make_no_sense_are_refused() {
 
 #[test]
 fn errors_say_where_and_why() {
-    let start = Simulation::new(&Vanishing).initial(unit(FRAC_PI_2), unit(0.0));
-    let text = start.run().unwrap_err().to_string();
-    let expected = "the simulation ended at t = 0 s: the mass matrix is not positive definite at \
-                    joint 1 (relative pivot 0e0) (q = [1.5707963267948966], qd = [0.0])";
-    assert_eq!(text, expected);
+    let simulation = Simulation::new(&Vanishing).initial(unit(FRAC_PI_2), unit(0.0));
+    let text = simulation.run().unwrap_err().to_string();
+    let start = "the simulation ended at t = 0 s: the mass matrix is not positive definite at joint 1 \
+                 (relative pivot 0e0): ";
+    assert!(text.starts_with(start), "{text}");
+    assert!(
+        text.ends_with(" (q = [1.5707963267948966], qd = [0.0])"),
+        "{text}"
+    );
 }

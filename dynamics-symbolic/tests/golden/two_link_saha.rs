@@ -548,12 +548,13 @@ impl Arm {
         let t_41 = t_3 * t_39;
         let t_42 = t_3 * t_5;
         let t_43 = t_3.mul_add(t_42, real(3.0));
-        ::robot_dynamics::SingularMassMatrix::test(
+        ::robot_dynamics::SingularMassMatrix::test_joint(
             1,
+            "joint2",
             real(0.3333333333333333),
             real(0.3333333333333333),
         )?;
-        ::robot_dynamics::SingularMassMatrix::test(0, t_4, t_1)?;
+        ::robot_dynamics::SingularMassMatrix::test_joint(0, "joint1", t_4, t_1)?;
         ::core::result::Result::Ok((
             ::robot_dynamics::nalgebra::SMatrix::from_data(
                 ::robot_dynamics::nalgebra::ArrayStorage([[-t_11, t_30], [t_29, t_31]]),
@@ -854,12 +855,13 @@ impl ::robot_dynamics::ForwardDynamics<2> for Arm {
         let t_16 = real(1.0) / t_15;
         let t_17 = t_13 * t_16;
         let t_18 = real(-3.0).mul_add(t_7, t_9 * t_17);
-        ::robot_dynamics::SingularMassMatrix::test(
+        ::robot_dynamics::SingularMassMatrix::test_joint(
             1,
+            "joint2",
             real(0.3333333333333333),
             real(0.3333333333333333),
         )?;
-        ::robot_dynamics::SingularMassMatrix::test(0, t_15, t_14)?;
+        ::robot_dynamics::SingularMassMatrix::test_joint(0, "joint1", t_15, t_14)?;
         ::core::result::Result::Ok(
             ::robot_dynamics::nalgebra::SMatrix::from_data(
                 ::robot_dynamics::nalgebra::ArrayStorage([[-t_17, t_18]]),
