@@ -44,7 +44,7 @@ pub(super) fn body(
         (reads_constants || reads_fields(program)).then(|| constants_of(arguments(function), path));
     let inputs = inputs(robot, function, program, path);
     let assignments = writer.assignments();
-    let outputs = writer.outputs(function, robot.rows.len(), path);
+    let outputs = writer.outputs(function, robot.dof(), path);
     quote!(#number #inputs #assignments #outputs)
 }
 
