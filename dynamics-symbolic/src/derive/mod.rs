@@ -11,6 +11,7 @@ mod energy;
 pub mod functions;
 pub mod gauge;
 pub mod inertia;
+mod joints;
 mod kinematics;
 mod momentum;
 mod recursive;
@@ -54,15 +55,14 @@ pub fn derive(robot: &Robot, function: Function) -> Program {
 /// search: a form that takes over a tenth more than another in the plain gauge is
 /// not tried. Forms of other functions are all tried.
 fn promising_forms(robot: &Robot, function: Function) -> Vec<Form> {
-    let dof = robot.rows.len();
-    let forms = Form::of(function, dof);
+    let forms = Form::of(function, robot.dof());
     if !matches!(
         function,
         Function::ForwardDynamics | Function::CoriolisMatrix
     ) {
         return forms.to_vec();
     }
-    let plain = Gauge::plain(dof);
+    let plain = Gauge::plain(robot.rows.len());
     let cost = |form| plain.length(robot, function, form);
     let costs: Vec<_> = forms.iter().map(|&form| cost(form)).collect();
     let least = costs.iter().copied().min().unwrap_or(0);
@@ -83,7 +83,10 @@ fn simplified(robot: &Robot, function: Function, form: Form, gauge: &Gauge) -> P
     let graph = Graph::new();
     let mut symbols = Symbols::new(&graph, robot);
     let mut network = gauge.network(&mut symbols, robot, function, form);
-    simplify(&mut network, Effort::DEFAULT);
+    // Another way to write a number may be a difference of larger ones.
+    if function != Function::ForwardDynamicsAba {
+        simplify(&mut network, Effort::DEFAULT);
+    }
     let program = Program::new(&graph, symbols.meanings(), network.outputs(), &|id| {
         network.definition(id)
     });
