@@ -5,6 +5,7 @@ mod accepted;
 mod damage;
 mod expansion;
 mod hostile;
+mod limits;
 mod messages;
 
 use proc_macro2::TokenStream;
