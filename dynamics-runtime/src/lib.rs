@@ -27,6 +27,7 @@ mod operations;
 mod scalar;
 mod simulation;
 mod sine;
+mod singular;
 mod table;
 mod trajectory;
 
@@ -41,14 +42,16 @@ pub use configuration::{Evaluated, JointSines};
 pub use double_double::DoubleDouble;
 pub use model::{
     AccelerationDerivatives, CoriolisVector, Energy, Evaluate, Evaluation, ForwardDynamics,
-    GravityVector, InverseDynamics, MassMatrix, Model, SingularMassMatrix, State,
+    GravityVector, InverseDynamics, MassMatrix, Model, State,
 };
 pub use newton_euler::NewtonEuler;
 pub use operations::Operations;
 pub use scalar::Scalar;
 pub use simulation::{
-    Cause, DormandPrince, InvalidSetting, Method, NoTorque, Simulation, SimulationError, Trajectory,
+    Cause, Dop853, DormandPrince, InvalidSetting, Method, NoTorque, Simulation, SimulationError,
+    Trajectory, Work,
 };
+pub use singular::{Conditioning, SingularMassMatrix};
 pub use table::{Convention, JointType, Row, Table};
 pub use trajectory::{Cycloidal, InvalidDuration};
 

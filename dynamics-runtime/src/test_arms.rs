@@ -102,10 +102,7 @@ impl ForwardDynamics<2> for CraigArm {
         let (v, g) = (self.coriolis_vector(q, qd), self.gravity_vector(q));
         let pivot = m[(0, 0)] - m[(0, 1)] * m[(0, 1)] / m[(1, 1)];
         if !pivot.is_positive() {
-            return Err(SingularMassMatrix {
-                joint: 0,
-                relative_pivot: pivot.ratio_to_f64(m[(0, 0)]),
-            });
+            return Err(SingularMassMatrix::new(0, pivot.ratio_to_f64(m[(0, 0)])));
         }
         let f1 = tau[0] - v[0] - g[0];
         let f2 = tau[1] - v[1] - g[1];

@@ -83,7 +83,27 @@ impl Tables {
             gear_ratio: self.cell(),
             viscous: self.cell(),
             coulomb: self.cell(),
+            limits: None,
+            locked: None,
         }
+    }
+
+    /// An arm some of whose joints are locked, at least one, and not all of them.
+    fn locked_robot(&mut self) -> Robot {
+        let mut robot = self.robot();
+        while robot.rows.len() < 2 {
+            robot = self.robot();
+        }
+        self.fields = robot.fields.len();
+        let free = self.below(robot.rows.len() as u64) as usize;
+        let sure = (free + 1) % robot.rows.len();
+        for i in (0..robot.rows.len()).filter(|&i| i != free) {
+            if i == sure || self.below(2) == 0 {
+                robot.rows[i].locked = Some(self.angle());
+            }
+        }
+        robot.fields = (0..self.fields).map(|i| format!("p{i}")).collect();
+        robot
     }
 
     fn robot(&mut self) -> Robot {
@@ -114,6 +134,20 @@ fn every_function_of_random_arms_is_proven() {
     prove_tables(7, 200, false, &Function::ALL);
 }
 
+/// Joints anywhere locked at a number, an angle or a parameter.
+#[test]
+fn every_function_of_random_arms_with_locked_joints_is_proven() {
+    let mut tables = Tables {
+        random: SplitMix64::new(9),
+        fields: 0,
+        meeting: false,
+    };
+    for count in 0..60 {
+        let robot = tables.locked_robot();
+        prove_table(&robot, count, &Function::ALL);
+    }
+}
+
 #[test]
 fn regressors_of_arms_whose_axes_meet_are_proven() {
     let functions = [Function::Regressor, Function::BaseParameters];
@@ -137,29 +171,33 @@ fn prove_tables(seed: u64, tables_in_all: usize, meeting: bool, functions: &[Fun
         meeting,
     };
     for count in 0..tables_in_all {
-        let robot = tables.robot();
-        let programs = functions.iter().map(|&f| (f, derive(&robot, f)));
-        let articulated = (
+        prove_table(&tables.robot(), count, functions);
+    }
+}
+
+fn prove_table(robot: &Robot, count: usize, functions: &[Function]) {
+    let programs = functions.iter().map(|&f| (f, derive(robot, f)));
+    let articulated = (
+        Function::ForwardDynamics,
+        derive_form(robot, Function::ForwardDynamics, Form::Articulated),
+    );
+    for (function, program) in programs.chain([articulated]) {
+        let proof = prove(robot, function, &program);
+        assert_eq!(proof, Ok(()), "table {count}: {robot:#?}");
+        let divides = program
+            .instructions
+            .iter()
+            .any(|i| matches!(i, Instruction::Div(..)));
+        let solves = [
             Function::ForwardDynamics,
-            derive_form(&robot, Function::ForwardDynamics, Form::Articulated),
+            Function::ForwardDynamicsDerivatives,
+            Function::ForwardDynamicsAba,
+        ];
+        assert!(
+            solves.contains(&function) || !divides,
+            "table {count}: {robot:#?}"
         );
-        for (function, program) in programs.chain([articulated]) {
-            let proof = prove(&robot, function, &program);
-            assert_eq!(proof, Ok(()), "table {count}: {robot:#?}");
-            let divides = program
-                .instructions
-                .iter()
-                .any(|i| matches!(i, Instruction::Div(..)));
-            let solves = [
-                Function::ForwardDynamics,
-                Function::ForwardDynamicsDerivatives,
-            ];
-            assert!(
-                solves.contains(&function) || !divides,
-                "table {count}: {robot:#?}"
-            );
-            let constants = program.rounded_constants();
-            assert!(constants.iter().all(|x| !x.is_infinite()), "table {count}");
-        }
+        let constants = program.rounded_constants();
+        assert!(constants.iter().all(|x| !x.is_infinite()), "table {count}");
     }
 }

@@ -4,7 +4,9 @@
 mod accepted;
 mod damage;
 mod expansion;
+mod hard_cases;
 mod hostile;
+mod limits;
 mod messages;
 
 use proc_macro2::TokenStream;

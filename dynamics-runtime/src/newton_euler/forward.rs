@@ -3,7 +3,7 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::NewtonEuler;
-use crate::SingularMassMatrix;
+use crate::{Conditioning, SingularMassMatrix};
 
 impl<const N: usize> NewtonEuler<N> {
     /// Joint accelerations qdd of `M qdd + V + G + F = tau`; `tau` in N m or N.
@@ -22,6 +22,11 @@ impl<const N: usize> NewtonEuler<N> {
         let bias = self.recursion(&joints, qd, &SVector::zeros(), &self.gravity);
         let available = tau - bias - self.friction_vector(qd);
         solve(self.composite_bodies(&joints), available)
+    }
+
+    /// How near M(q) is to singular: which joint, and how many digits accelerations lose there.
+    pub fn conditioning(&self, q: &SVector<f64, N>) -> Conditioning {
+        Conditioning::of(&self.mass_matrix(q))
     }
 }
 

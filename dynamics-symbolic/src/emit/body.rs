@@ -44,7 +44,7 @@ pub(super) fn body(
         (reads_constants || reads_fields(program)).then(|| constants_of(arguments(function), path));
     let inputs = inputs(robot, function, program, path);
     let assignments = writer.assignments();
-    let outputs = writer.outputs(function, robot.rows.len(), path);
+    let outputs = writer.outputs(robot, function, path);
     quote!(#number #inputs #assignments #outputs)
 }
 
@@ -383,8 +383,8 @@ impl<'p> Writer<'p> {
         quote!(#path::nalgebra::SMatrix::from_data(#path::nalgebra::ArrayStorage([#(#columns),*])))
     }
 
-    fn outputs(&self, function: Function, dof: usize, path: &TokenStream) -> TokenStream {
-        match shape(function, dof) {
+    fn outputs(&self, robot: &Robot, function: Function, path: &TokenStream) -> TokenStream {
+        match shape(function, robot.dof()) {
             Shape::Number => self.output(0),
             Shape::Matrix(rows, columns) => self.matrix(0, rows, columns, path),
             Shape::Regressor(rows) => {
@@ -398,7 +398,7 @@ impl<'p> Writer<'p> {
             }
             Shape::Accelerations(n) => {
                 let accelerations = self.matrix(0, n, 1, path);
-                let tests = self.pivot_tests(n, n, path);
+                let tests = self.pivot_tests(robot, n, path);
                 quote!(#tests ::core::result::Result::Ok(#accelerations))
             }
             Shape::ForceDerivatives(n) => {
@@ -408,20 +408,23 @@ impl<'p> Writer<'p> {
             Shape::AccelerationDerivatives(n) => {
                 let [by_position, by_velocity, by_force] =
                     [0, 1, 2].map(|k| self.matrix(k * n * n, n, n, path));
-                let tests = self.pivot_tests(3 * n * n, n, path);
+                let tests = self.pivot_tests(robot, 3 * n * n, path);
                 quote!(#tests ::core::result::Result::Ok((#by_position, #by_velocity, #by_force)))
             }
         }
     }
 
-    /// A test of every pivot against its diagonal entry, from the tip inwards: `n` pivots from
+    /// A test of every pivot against its diagonal entry, from the tip inwards: the pivots from
     /// output `first` on, and the diagonal after them.
-    fn pivot_tests(&self, first: usize, n: usize, path: &TokenStream) -> TokenStream {
+    fn pivot_tests(&self, robot: &Robot, first: usize, path: &TokenStream) -> TokenStream {
+        let joints: Vec<_> = robot.joints().collect();
+        let n = joints.len();
         let tests = (0..n).rev().map(|joint| {
             let pivot = self.output(first + joint);
             let diagonal = self.output(first + n + joint);
+            let name = joints[joint].name.as_str();
             let joint = Literal::usize_unsuffixed(joint);
-            quote!(#path::SingularMassMatrix::test(#joint, #pivot, #diagonal)?;)
+            quote!(#path::SingularMassMatrix::test_joint(#joint, #name, #pivot, #diagonal)?;)
         });
         tests.collect()
     }

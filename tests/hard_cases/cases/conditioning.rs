@@ -1,0 +1,206 @@
+//! Mass matrices that are ill-conditioned, or look it.
+
+use robot_dynamics::nalgebra::{SMatrix, SVector};
+use robot_dynamics::{Conditioning, ForwardDynamics, NewtonEuler};
+
+use super::arms::*;
+use super::entries::{entry, relative_error};
+use super::score::Score;
+
+pub(crate) fn scores() -> Vec<Score> {
+    let mut scores = straight_chain(&Chain10, "HC01.10", NewtonEuler::new(&Chain10.table()));
+    scores.extend(straight_chain(
+        &Chain30,
+        "HC01.30",
+        NewtonEuler::new(&Chain30.table()),
+    ));
+    scores.extend(heavy_payload());
+    scores.extend(light_payload());
+    scores.extend(graded_wrist());
+    scores.extend(reflected_inertia());
+    scores
+}
+
+/// Relative error of the accelerations of an entry; infinite where they are refused.
+fn error<const N: usize>(id: &str, arm: &impl ForwardDynamics<N>) -> f64 {
+    let entry = entry(id);
+    let [q, qd, tau] = ["q", "qd", "tau"].map(|name| entry.vector(name));
+    match arm.forward_dynamics::<f64>(&q, &qd, &tau) {
+        Ok(qdd) => relative_error(&qdd, &entry.exact("qdd")),
+        Err(_) => f64::INFINITY,
+    }
+}
+
+/// The same in single precision.
+fn single_error<const N: usize>(id: &str, arm: &impl ForwardDynamics<N>) -> f64 {
+    let entry = entry(id);
+    let [q, qd, tau] = ["q", "qd", "tau"].map(|name| entry.vector::<N>(name).map(|x| x as f32));
+    match arm.forward_dynamics(&q, &qd, &tau) {
+        Ok(qdd) => relative_error(&qdd.map(f64::from), &entry.exact("qdd")),
+        Err(_) => f64::INFINITY,
+    }
+}
+
+/// Accelerations by M and its factors.
+fn by_factors<const N: usize>(id: &str, arm: &NewtonEuler<N>) -> f64 {
+    let entry = entry(id);
+    let [q, qd, tau] = ["q", "qd", "tau"].map(|name| entry.vector(name));
+    match arm.forward_dynamics(&q, &qd, &tau) {
+        Ok(qdd) => relative_error(&qdd, &entry.exact("qdd")),
+        Err(_) => f64::INFINITY,
+    }
+}
+
+/// What the pivots of M say that accelerations lose.
+fn predicted<const N: usize>(mass_matrix: &SMatrix<f64, N, N>) -> f64 {
+    Conditioning::of(mass_matrix).error()
+}
+
+/// A straight chain of equal rods: the condition number of M grows with the fourth power of the
+/// number of joints, the error of articulated bodies hardly at all.
+fn straight_chain<const N: usize>(
+    arm: &impl ForwardDynamics<N>,
+    id: &'static str,
+    numeric: NewtonEuler<N>,
+) -> Vec<Score> {
+    let m = numeric.mass_matrix(&entry(id).vector("q"));
+    let bounds = match N {
+        10 => Bounds {
+            double: (1e-13, 2e-13),
+            single: (5e-5, 1.1e-4),
+            factors: 1e-11,
+        },
+        _ => Bounds {
+            double: (5e-12, 5e-11),
+            single: (1e-3, 2e-2),
+            factors: 1e-9,
+        },
+    };
+    let of_factors = by_factors(id, &numeric);
+    let single = "error of qdd, generated, single precision";
+    vec![
+        Score::at_most(
+            id,
+            "error of qdd, generated",
+            error(id, arm),
+            bounds.double.0,
+        )
+        .naive(bounds.double.1),
+        Score::at_most(id, single, single_error(id, arm), bounds.single.0).naive(bounds.single.1),
+        Score::at_most(
+            id,
+            "error of qdd, M and its factors",
+            of_factors,
+            bounds.factors,
+        ),
+        Score::at_most(
+            id,
+            "error of qdd, M and its factors, over what the pivots predict",
+            of_factors / predicted(&m),
+            10.0,
+        ),
+    ]
+}
+
+/// Bounds of the errors of a chain; where there are two, the second is what a factorisation of M by
+/// Cholesky gets.
+struct Bounds {
+    double: (f64, f64),
+    single: (f64, f64),
+    factors: f64,
+}
+
+/// 10^9 kg at the end of a light arm that is nearly straight: what the first joint feels with the
+/// second free is 10^-8 of what it feels with it locked.
+fn heavy_payload() -> Vec<Score> {
+    let id = "HC02";
+    let arm = PointMasses { m1: 1.0, m2: 1e9 };
+    let m = arm.mass_matrix(&entry(id).vector("q"));
+    let predicted = predicted(&m);
+    let found = error(id, &arm);
+    vec![
+        Score::at_most(id, "error of M", matrix_error(id, &m), 1e-15),
+        Score::at_least(id, "predicted error of qdd", predicted, 1e-8),
+        Score::at_most(
+            id,
+            "error of qdd, over what the pivots predict",
+            found / predicted,
+            10.0,
+        ),
+        Score::at_most(
+            id,
+            "joint that the pivots name",
+            Conditioning::of(&m).joint as f64,
+            0.0,
+        ),
+    ]
+}
+
+fn matrix_error<const N: usize>(id: &str, m: &SMatrix<f64, N, N>) -> f64 {
+    relative_error(m, &entry(id).exact("M"))
+}
+
+/// 10^-12 kg at the end: the condition number is 10^12, and no digit is lost.
+fn light_payload() -> Vec<Score> {
+    let id = "HC04";
+    let arm = PointMasses { m1: 1.0, m2: 1e-12 };
+    let m = arm.mass_matrix(&entry(id).vector("q"));
+    vec![
+        Score::at_most(id, "error of M", matrix_error(id, &m), 1e-15),
+        Score::at_most(id, "error of qdd", error(id, &arm), 1e-14).naive(f64::INFINITY),
+        Score::at_most(
+            id,
+            "digits lost, by the pivots",
+            Conditioning::of(&m).lost_digits(),
+            1.0,
+        )
+        .naive(12.0),
+    ]
+}
+
+/// A wrist of 10^-12 of the PUMA's: a condition number beyond 10^16, and no digit is lost.
+fn graded_wrist() -> Vec<Score> {
+    let id = "HC05";
+    let m = GradedPuma.mass_matrix(&entry(id).vector("q"));
+    vec![
+        Score::at_most(id, "error of qdd", error(id, &GradedPuma), 1e-14).naive(f64::INFINITY),
+        Score::at_most(
+            id,
+            "digits lost, by the pivots",
+            Conditioning::of(&m).lost_digits(),
+            1.0,
+        )
+        .naive(16.0),
+    ]
+}
+
+/// The condition number of the PUMA's M, with its motors and without: 25 and 75,000.
+fn reflected_inertia() -> Vec<Score> {
+    let id = "HC08";
+    let q: SVector<f64, 6> = entry(id).vector("q");
+    let condition = |m: SMatrix<f64, 6, 6>| {
+        let values = m.symmetric_eigenvalues();
+        values.max() / values.min()
+    };
+    let arms = [
+        ("with motors", Puma560.mass_matrix(&q), 25.446),
+        ("without motors", DirectPuma.mass_matrix(&q), 74_531.0),
+    ];
+    let score = |(name, m, expected): (&str, SMatrix<f64, 6, 6>, f64)| {
+        [
+            Score::at_most(
+                id,
+                format!("condition number {name}, relative error"),
+                (condition(m) / expected - 1.0).abs(),
+                2e-5,
+            ),
+            Score::at_most(
+                id,
+                format!("digits lost {name}, by the pivots"),
+                Conditioning::of(&m).lost_digits(),
+                1.0,
+            ),
+        ]
+    };
+    arms.map(score).concat()
+}
