@@ -1,9 +1,9 @@
 //! `forward_dynamics_aba` where mass matrices are nearly singular, beside the factorisation of M.
 
 use robot_dynamics::nalgebra::SVector;
-use robot_dynamics::{Simulation, SingularMassMatrix, check_against_rnea, robot_dynamics};
-
-use crate::double_double::exact;
+use robot_dynamics::{
+    DoubleDouble, Simulation, SingularMassMatrix, check_against_rnea, robot_dynamics,
+};
 
 macro_rules! vector {
     ($($x:expr),*) => {
@@ -95,8 +95,9 @@ type Solution<const N: usize> = Result<SVector<f64, N>, SingularMassMatrix>;
 macro_rules! errors {
     ($robot:expr, $q:expr, $qd:expr, $tau:expr) => {{
         let (robot, q, qd, tau) = ($robot, $q, $qd, $tau);
-        let reference = robot.forward_dynamics_aba(&exact(&q), &exact(&qd), &exact(&tau));
-        let reference = reference.expect("regular").map(|x| x.value());
+        let [q_, qd_, tau_] = [q, qd, tau].map(|x| x.map(DoubleDouble::from));
+        let reference = robot.forward_dynamics_aba(&q_, &qd_, &tau_);
+        let reference = reference.expect("regular").map(|x| x.high());
         let error = |solution: Solution<_>| {
             (solution.expect("regular") - reference).amax() / reference.amax()
         };

@@ -51,6 +51,8 @@ fn row(row: &syntax::Row, scope: &mut Scope) -> Option<Row> {
         gear_ratio: gear_ratio?,
         viscous: viscous?,
         coulomb: coulomb?,
+        limits: None,
+        locked: None,
     })
 }
 

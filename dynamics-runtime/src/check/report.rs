@@ -74,7 +74,8 @@ impl Report {
     /// Keeps the least relative pivot; one that is not a number is less than any other.
     pub(super) fn note_conditioning(&mut self, label: &str, found: Conditioning) {
         let is_least = self.nearest_to_singular.as_ref().is_none_or(|(_, least)| {
-            !least.relative_pivot.is_nan() && !(found.relative_pivot >= least.relative_pivot)
+            let (found, least) = (found.relative_pivot, least.relative_pivot);
+            !least.is_nan() && (found.is_nan() || found < least)
         });
         if is_least {
             self.nearest_to_singular = Some((label.into(), found));
