@@ -16,9 +16,11 @@ pub use nalgebra;
 mod batch;
 mod check;
 mod configuration;
+mod dual;
 mod integrate;
 mod macros;
 mod model;
+mod momenta;
 mod newton_euler;
 mod operations;
 mod scalar;
@@ -39,12 +41,13 @@ pub use model::{
     AccelerationDerivatives, CoriolisVector, Energy, Evaluate, Evaluation, ForwardDynamics,
     GravityVector, InverseDynamics, MassMatrix, Model, SingularMassMatrix, State,
 };
+pub use momenta::Momenta;
 pub use newton_euler::NewtonEuler;
 pub use operations::Operations;
 pub use scalar::Scalar;
 pub use simulation::{
-    Cause, Dop853, DormandPrince, InvalidSetting, Method, NoTorque, Simulation, SimulationError,
-    Trajectory, Work,
+    Cause, Dop853, DormandPrince, InvalidSetting, Method, NoTorque, Radau5, Simulation,
+    SimulationError, Trajectory, Work,
 };
 pub use table::{Convention, JointType, Row, Table};
 pub use trajectory::{Cycloidal, InvalidDuration};
