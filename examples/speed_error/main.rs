@@ -2,27 +2,42 @@
 //!
 //! `cargo run --release --example speed_error` measures everything and writes
 //! `target/speed_error/report.html`, with the plots as files beside it. Arguments: `--quick` for a
-//! run of seconds with fewer robots and shorter measurements, `--functions` or another part's name
-//! for one part, and a path for the page. Times are of one core: `taskset -c 1 cargo run ...`.
+//! run of seconds with fewer robots and shorter measurements, `--long` to watch energies for 10^5 s
+//! instead of 10^3, which takes minutes, `--functions`, `--integrators`, `--structure` or `--pieces`
+//! for these parts alone, and a path for the page. Times are of one core: `taskset -c 1 cargo run ...`.
 
 use std::error::Error;
 use std::path::PathBuf;
 
+#[path = "../../tests/support/data.rs"]
+mod data;
+#[path = "../../tests/support/decimal.rs"]
+#[allow(dead_code)]
+mod decimal;
 mod errors;
 #[path = "../../tests/support/exact.rs"]
 mod exact;
 mod functions;
 mod functions_section;
+mod integrators;
+mod integrators_section;
 mod machine;
 mod number;
 mod page;
+mod pieces;
 mod plot;
+mod problems;
 #[path = "../../tests/support/random.rs"]
 mod random;
+mod reference_motion;
 mod robots;
 mod samples;
+mod structure;
 mod table;
 mod timing;
+#[path = "../../tests/support/trajectory.rs"]
+#[allow(dead_code)]
+mod trajectory;
 
 use functions::{Measured, Measurements};
 use robots::*;
@@ -31,6 +46,8 @@ use timing::Effort;
 /// What the command line asks for.
 struct Arguments {
     quick: bool,
+    /// Energies over 10^5 s, which take minutes.
+    long: bool,
     path: PathBuf,
     parts: Vec<String>,
 }
@@ -39,12 +56,14 @@ impl Arguments {
     fn read() -> Self {
         let mut arguments = Arguments {
             quick: false,
+            long: false,
             path: PathBuf::from("target/speed_error/report.html"),
             parts: Vec::new(),
         };
         for argument in std::env::args().skip(1) {
             match argument.strip_prefix("--") {
                 Some("quick") => arguments.quick = true,
+                Some("long") => arguments.long = true,
                 Some(part) => arguments.parts.push(part.to_owned()),
                 None => arguments.path = PathBuf::from(argument),
             }
@@ -54,6 +73,15 @@ impl Arguments {
 
     fn wants(&self, part: &str) -> bool {
         self.parts.is_empty() || self.parts.iter().any(|wanted| wanted == part)
+    }
+
+    /// How long the energy is watched, s.
+    fn duration(&self) -> f64 {
+        match (self.quick, self.long) {
+            (true, _) => 20.0,
+            (_, true) => 1e5,
+            _ => 1e3,
+        }
     }
 
     fn effort(&self) -> Effort {
@@ -74,6 +102,15 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut sections = Vec::new();
     if arguments.wants("functions") {
         sections.push(functions_section::section(&functions(&arguments))?);
+    }
+    if arguments.wants("integrators") {
+        sections.push(integrators_section::section(arguments.quick)?);
+    }
+    if arguments.wants("structure") {
+        sections.push(structure::section(arguments.duration())?);
+    }
+    if arguments.wants("pieces") {
+        sections.push(pieces::section(arguments.effort()));
     }
     sections.iter().for_each(page::Section::print);
     page::write(&arguments.path, &conditions, &sections)?;
