@@ -161,13 +161,13 @@ impl Conditioning {
         for k in (0..N).rev() {
             let pivot = m[(k, k)];
             let ratio = relative_pivot(pivot, mass_matrix[(k, k)]);
-            if !(ratio >= least.relative_pivot) {
+            if ratio.is_nan() || ratio < least.relative_pivot {
                 least = Conditioning {
                     joint: k,
                     relative_pivot: ratio,
                 };
             }
-            if !(pivot > 0.0) {
+            if pivot.is_nan() || pivot <= 0.0 {
                 break;
             }
             for i in (0..k).rev() {
