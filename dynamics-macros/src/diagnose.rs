@@ -6,6 +6,8 @@ use std::fmt::Display;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote_spanned;
 
+use crate::limits::MOST_ERRORS;
+
 /// The place of an error: from one token to another.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Place {
@@ -59,10 +61,26 @@ impl Diagnostics {
 
     /// Reports an error.
     pub(crate) fn error(&self, at: impl Into<Place>, message: impl Display) -> Reported {
-        self.errors
-            .borrow_mut()
-            .push((at.into(), message.to_string()));
+        let shown = self.errors.borrow().len();
+        if shown < MOST_ERRORS {
+            let note = match shown + 1 == MOST_ERRORS {
+                true => " (more errors than are shown)",
+                false => "",
+            };
+            let error = (at.into(), format!("{message}{note}"));
+            self.errors.borrow_mut().push(error);
+        }
         Reported(())
+    }
+
+    /// Whether no further error is shown.
+    pub(crate) fn is_full(&self) -> bool {
+        self.errors.borrow().len() >= MOST_ERRORS
+    }
+
+    /// Drops what was reported: the same is said elsewhere.
+    pub(crate) fn forget(self) {
+        self.errors.take();
     }
 
     /// Whether nothing was reported.

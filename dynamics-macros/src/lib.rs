@@ -15,12 +15,13 @@
 //!    still passes the type check.
 //!
 //! `diagnose` collects the errors of a call, which are reported together; `words` finds
-//! the word that was meant.
+//! the word that was meant; `limits` says how much a call may ask for.
 
 extern crate proc_macro;
 
 mod diagnose;
 mod expand;
+mod limits;
 mod parse;
 mod syntax;
 mod validate;

@@ -17,6 +17,8 @@ pub(crate) struct Call {
     pub(crate) entries: Vec<Entry>,
     /// All tokens after the struct item.
     pub(crate) table: TokenStream,
+    /// Whether it was too much to be read: that has been reported.
+    pub(crate) is_refused: bool,
 }
 
 /// The struct item.

@@ -30,9 +30,11 @@ pub(crate) fn either(words: &[&str]) -> String {
     }
 }
 
+/// Letters of a text that a message shows.
+pub(crate) const LONGEST: usize = 40;
+
 /// The text, cut where it would fill the screen.
 pub(crate) fn shortened(text: &str) -> String {
-    const LONGEST: usize = 40;
     match text.char_indices().nth(LONGEST) {
         Some((end, _)) => format!("{}...", &text[..end]),
         None => text.to_owned(),
@@ -75,8 +77,8 @@ fn tolerated(length: usize) -> usize {
 /// Number of insertions, deletions, substitutions and swaps of neighbours that turn
 /// `a` into `b` (optimal string alignment distance).
 fn edits(a: &str, b: &str) -> usize {
-    let a: Vec<char> = a.chars().take(LONGEST).collect();
-    let b: Vec<char> = b.chars().take(LONGEST).collect();
+    let a: Vec<char> = a.chars().take(COMPARED).collect();
+    let b: Vec<char> = b.chars().take(COMPARED).collect();
     let mut rows = vec![(0..=b.len()).collect::<Vec<usize>>()];
     for i in 1..=a.len() {
         let mut row = vec![i];
@@ -94,7 +96,7 @@ fn edits(a: &str, b: &str) -> usize {
 }
 
 /// Letters that are compared: more than in any right word.
-const LONGEST: usize = 64;
+const COMPARED: usize = 64;
 
 #[cfg(test)]
 mod tests {

@@ -1,7 +1,7 @@
 //! The runtime of `robot-dynamics`: what generated robots are made of, and what can be done with
 //! any of them.
 //!
-//! - [`Scalar`], the numbers that generated functions run on; [`Model`], [`ForwardDynamics`],
+//! - [`Scalar`], the numbers that generated functions run on, and [`DoubleDouble`], one of 31 digits; [`Model`], [`ForwardDynamics`],
 //!   [`Energy`] and [`Evaluate`], what a generated robot is to generic code; [`Table`], its
 //!   Denavit-Hartenberg table as numbers.
 //! - [`NewtonEuler`], the same dynamics computed numerically from the table, and
@@ -16,6 +16,7 @@ pub use nalgebra;
 mod batch;
 mod check;
 mod configuration;
+mod double_double;
 mod integrate;
 mod macros;
 mod model;
@@ -36,6 +37,7 @@ pub use check::{Check, FunctionReport, Report, check_against_rnea};
 pub use configuration::Configuration;
 #[doc(hidden)]
 pub use configuration::{Evaluated, JointSines};
+pub use double_double::DoubleDouble;
 pub use model::{
     AccelerationDerivatives, CoriolisVector, Energy, Evaluate, Evaluation, ForwardDynamics,
     GravityVector, InverseDynamics, MassMatrix, Model, State,
@@ -44,7 +46,8 @@ pub use newton_euler::NewtonEuler;
 pub use operations::Operations;
 pub use scalar::Scalar;
 pub use simulation::{
-    Cause, DormandPrince, InvalidSetting, Method, NoTorque, Simulation, SimulationError, Trajectory,
+    Cause, Dop853, DormandPrince, InvalidSetting, Method, NoTorque, Simulation, SimulationError,
+    Trajectory, Work,
 };
 pub use singular::{Conditioning, SingularMassMatrix};
 pub use table::{Convention, JointType, Row, Table};

@@ -214,6 +214,8 @@ pub struct Evaluation<const N: usize> {
     /// d qdd/dq, d qdd/dqd and the inverse of M, at the torques that were given.
     pub forward_dynamics_derivatives:
         Option<Result<AccelerationDerivatives<f64, N>, SingularMassMatrix>>,
+    /// qdd by articulated bodies, at the torques that were given.
+    pub forward_dynamics_aba: Option<Result<SVector<f64, N>, SingularMassMatrix>>,
 }
 
 /// d qdd/dq, d qdd/dqd and d qdd/d tau, the inverse of M.

@@ -8,7 +8,8 @@ use crate::sine::sin_cos_array;
 ///
 /// The trait asks for what straight-line code of equations of motion needs and for nothing more,
 /// so that it can be implemented for numbers which are no complete field: dual numbers, SIMD lanes,
-/// numbers of extended precision. It is implemented for `f32` and `f64`.
+/// numbers of extended precision. It is implemented for `f32`, `f64` and
+/// [`DoubleDouble`](crate::DoubleDouble).
 ///
 /// No method panics. Values that are not finite propagate as IEEE 754 arithmetic has it.
 ///
@@ -92,7 +93,7 @@ pub trait Scalar:
 }
 
 /// Whether the target multiplies and adds in one instruction.
-const FUSED: bool = cfg!(any(target_feature = "fma", target_arch = "aarch64"));
+pub(crate) const FUSED: bool = cfg!(any(target_feature = "fma", target_arch = "aarch64"));
 
 macro_rules! impl_scalar {
     ($float:ident, $($sin_cos:item)*) => {

@@ -3,7 +3,7 @@
 use allocation_counter::measure;
 use dynamics_runtime::nalgebra::{SVector, Vector1};
 use dynamics_runtime::{
-    Batch, Cycloidal, DormandPrince, ForwardDynamics, Method, Scalar, Simulation,
+    Batch, Cycloidal, Dop853, DormandPrince, ForwardDynamics, Method, Scalar, Simulation,
     SingularMassMatrix,
 };
 
@@ -38,13 +38,15 @@ fn allocations(method: Method) -> u64 {
 #[test]
 fn a_run_allocates_its_samples_only() {
     for step in [0.1, 1e-3] {
+        assert_eq!(allocations(Method::ExplicitEuler { step }), 3);
         assert_eq!(allocations(Method::CraigEuler { step }), 3);
         assert_eq!(allocations(Method::SemiImplicitEuler { step }), 3);
         assert_eq!(allocations(Method::RungeKutta4 { step }), 3);
     }
     for tolerance in [1e-3, 1e-12] {
         let settings = DormandPrince::with_tolerance(tolerance);
-        assert_eq!(allocations(Method::DormandPrince(settings)), 3);
+        assert_eq!(allocations(settings.into()), 3);
+        assert_eq!(allocations(Dop853::with_tolerance(tolerance).into()), 3);
     }
 }
 

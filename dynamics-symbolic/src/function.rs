@@ -41,11 +41,13 @@ pub enum Function {
     Regressor,
     /// The base inertial parameters.
     BaseParameters,
+    /// qdd from tau by articulated bodies, without M: accurate where M is nearly singular.
+    ForwardDynamicsAba,
 }
 
 impl Function {
     /// Every function, in the order in which they are generated and documented.
-    pub const ALL: [Function; 19] = [
+    pub const ALL: [Function; 20] = [
         Function::MassMatrix,
         Function::CoriolisVector,
         Function::GravityVector,
@@ -65,6 +67,7 @@ impl Function {
         Function::ForwardDynamicsDerivatives,
         Function::Regressor,
         Function::BaseParameters,
+        Function::ForwardDynamicsAba,
     ];
 
     /// The name of the generated method.
@@ -89,6 +92,7 @@ impl Function {
             Function::ForwardDynamicsDerivatives => "forward_dynamics_derivatives",
             Function::Regressor => "regressor",
             Function::BaseParameters => "base_parameters",
+            Function::ForwardDynamicsAba => "forward_dynamics_aba",
         }
     }
 

@@ -147,6 +147,8 @@ fn row(joint_type: JointType, [a, alpha, d, theta]: [Value; 4]) -> Row {
         gear_ratio: zero(),
         viscous: zero(),
         coulomb: zero(),
+        limits: None,
+        locked: None,
     }
 }
 

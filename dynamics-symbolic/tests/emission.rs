@@ -113,6 +113,7 @@ fn no_division_by_a_parameter_is_invented() {
             let solves = [
                 Function::ForwardDynamics,
                 Function::ForwardDynamicsDerivatives,
+                Function::ForwardDynamicsAba,
             ];
             assert!(
                 solves.contains(&method.function) || method.operations.divisions == 0,

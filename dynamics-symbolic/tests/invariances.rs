@@ -280,6 +280,8 @@ fn massless_row(joint_type: JointType) -> Row {
         gear_ratio: Value::zero(),
         viscous: Value::zero(),
         coulomb: Value::zero(),
+        limits: None,
+        locked: None,
     }
 }
 

@@ -5,6 +5,7 @@ use dynamics_symbolic::derive::functions::Form;
 use dynamics_symbolic::derive::{derive, derive_form};
 use dynamics_symbolic::program::Instruction;
 use dynamics_symbolic::prove::prove;
+use dynamics_symbolic::robot::Robot;
 
 #[path = "support/tables.rs"]
 mod tables;
@@ -14,6 +15,16 @@ use tables::{Bodies, Tables};
 #[test]
 fn every_function_of_random_arms_is_proven() {
     prove_tables(7, 200, false, &Function::ALL);
+}
+
+/// Joints anywhere locked at a number, an angle or a parameter.
+#[test]
+fn every_function_of_random_arms_with_locked_joints_is_proven() {
+    let mut tables = Tables::new(9, Bodies::Any);
+    for count in 0..60 {
+        let robot = tables.locked_robot();
+        prove_table(&robot, count, &Function::ALL);
+    }
 }
 
 #[test]
@@ -38,29 +49,33 @@ fn prove_tables(seed: u64, tables_in_all: usize, meeting: bool, functions: &[Fun
         tables = tables.with_meeting_axes();
     }
     for count in 0..tables_in_all {
-        let robot = tables.robot();
-        let programs = functions.iter().map(|&f| (f, derive(&robot, f)));
-        let articulated = (
+        prove_table(&tables.robot(), count, functions);
+    }
+}
+
+fn prove_table(robot: &Robot, count: usize, functions: &[Function]) {
+    let programs = functions.iter().map(|&f| (f, derive(robot, f)));
+    let articulated = (
+        Function::ForwardDynamics,
+        derive_form(robot, Function::ForwardDynamics, Form::Articulated),
+    );
+    for (function, program) in programs.chain([articulated]) {
+        let proof = prove(robot, function, &program);
+        assert_eq!(proof, Ok(()), "table {count}: {robot:#?}");
+        let divides = program
+            .instructions
+            .iter()
+            .any(|i| matches!(i, Instruction::Div(..)));
+        let solves = [
             Function::ForwardDynamics,
-            derive_form(&robot, Function::ForwardDynamics, Form::Articulated),
+            Function::ForwardDynamicsDerivatives,
+            Function::ForwardDynamicsAba,
+        ];
+        assert!(
+            solves.contains(&function) || !divides,
+            "table {count}: {robot:#?}"
         );
-        for (function, program) in programs.chain([articulated]) {
-            let proof = prove(&robot, function, &program);
-            assert_eq!(proof, Ok(()), "table {count}: {robot:#?}");
-            let divides = program
-                .instructions
-                .iter()
-                .any(|i| matches!(i, Instruction::Div(..)));
-            let solves = [
-                Function::ForwardDynamics,
-                Function::ForwardDynamicsDerivatives,
-            ];
-            assert!(
-                solves.contains(&function) || !divides,
-                "table {count}: {robot:#?}"
-            );
-            let constants = program.rounded_constants();
-            assert!(constants.iter().all(|x| !x.is_infinite()), "table {count}");
-        }
+        let constants = program.rounded_constants();
+        assert!(constants.iter().all(|x| !x.is_infinite()), "table {count}");
     }
 }

@@ -8,6 +8,9 @@
 #[path = "../../../tests/support/decimal.rs"]
 #[allow(dead_code)]
 mod decimal;
+#[path = "../../../tests/support/double_double.rs"]
+#[allow(dead_code)]
+mod double_double;
 #[path = "../../../tests/suite/reference.rs"]
 #[allow(dead_code)]
 mod reference;
@@ -16,6 +19,7 @@ mod arms;
 mod candidates;
 mod errors;
 mod measure;
+mod others;
 mod report;
 mod timing;
 

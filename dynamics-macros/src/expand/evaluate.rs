@@ -72,7 +72,9 @@ fn arguments(function: Function) -> TokenStream {
             quote!(&state.q, &state.qd, &state.qdd)
         }
         Function::BaseParameters => quote!(),
-        Function::ForwardDynamics | Function::ForwardDynamicsDerivatives => {
+        Function::ForwardDynamics
+        | Function::ForwardDynamicsAba
+        | Function::ForwardDynamicsDerivatives => {
             quote!(&state.q, &state.qd, tau)
         }
     }

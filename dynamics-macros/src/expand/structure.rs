@@ -1,5 +1,7 @@
 //! The struct item.
 
+use std::collections::BTreeSet;
+
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -63,9 +65,10 @@ fn item(structure: &Structure, field_type: &dyn Fn(&Field) -> TokenStream) -> To
 
 /// The fields, without one whose name stands twice.
 fn fields(structure: &Structure) -> impl Iterator<Item = &Field> {
-    let fields = &structure.fields;
-    fields.iter().enumerate().filter_map(|(i, field)| {
-        let again = field.name.is_some() && fields[..i].iter().any(|f| f.name == field.name);
-        (!again).then_some(field)
-    })
+    let mut seen = BTreeSet::new();
+    let is_first = move |field: &&Field| match &field.name {
+        Some(name) => seen.insert(name.to_string()),
+        None => true,
+    };
+    structure.fields.iter().filter(is_first)
 }

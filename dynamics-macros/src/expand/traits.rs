@@ -21,7 +21,9 @@ pub(super) fn traits(
     let evaluate = evaluate(target, evaluation);
     let energy =
         (has(Function::KineticEnergy) && has(Function::PotentialEnergy)).then(|| energy(target));
-    quote!(#model #evaluate #energy)
+    let articulated = (has(Function::ForwardDynamicsAba) && !has(Function::ForwardDynamics))
+        .then(|| articulated_dynamics(target));
+    quote!(#model #evaluate #energy #articulated)
 }
 
 /// The traits of single functions, whose methods hold the programs.
@@ -103,6 +105,27 @@ fn evaluate(target: &Target, evaluation: &TokenStream) -> TokenStream {
                 tau: &#path::nalgebra::SVector<f64, #n>,
             ) -> #path::Evaluation<#n> {
                 #evaluation
+            }
+        }
+    }
+}
+
+/// `ForwardDynamics` of an arm whose only forward dynamics is by articulated bodies: it can be
+/// simulated with that.
+fn articulated_dynamics(target: &Target) -> TokenStream {
+    let path = target.path;
+    let (header, n) = header(target, quote!(ForwardDynamics));
+    let vector = quote!(#path::nalgebra::SVector<T, #n>);
+    quote! {
+        #header {
+            #[inline]
+            fn forward_dynamics<T: #path::Scalar>(
+                &self,
+                q: &#vector,
+                qd: &#vector,
+                tau: &#vector,
+            ) -> ::core::result::Result<#vector, #path::SingularMassMatrix> {
+                Self::forward_dynamics_aba(self, q, qd, tau)
             }
         }
     }

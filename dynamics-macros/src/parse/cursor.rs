@@ -5,7 +5,7 @@ use std::fmt::Display;
 use proc_macro2::{Delimiter, Group, Ident, Spacing, Span, TokenStream, TokenTree};
 
 use crate::diagnose::{Diagnostics, Place, Reported};
-use crate::words::shortened;
+use crate::words::{LONGEST, shortened};
 
 /// A position in the tokens of one group.
 ///
@@ -83,8 +83,11 @@ impl<'d> Cursor<'d> {
         self.rest.iter().rev().cloned().collect()
     }
 
-    /// The next token.
+    /// The next token; none where there are errors enough.
     pub(crate) fn peek(&mut self) -> Option<&TokenTree> {
+        if self.diagnostics.is_full() {
+            return None;
+        }
         while matches!(self.rest.last(), Some(TokenTree::Group(group)) if is_fragment(group)) {
             if let Some(TokenTree::Group(group)) = self.rest.pop() {
                 let content: Vec<TokenTree> = group.stream().into_iter().collect();
@@ -126,6 +129,15 @@ impl<'d> Cursor<'d> {
             tokens.extend([token]);
         }
         tokens
+    }
+
+    /// The tokens in front of the next of these characters, as a message shows them.
+    pub(crate) fn shown_until(&self, characters: &[char]) -> String {
+        let stops = |token: &&TokenTree| characters.iter().any(|c| is_char(Some(token), *c));
+        let tokens = self.rest.iter().rev().take_while(|token| !stops(token));
+        // No more than will be shown, for the rest of the call may come before the next of them.
+        let shown: TokenStream = tokens.take(LONGEST).cloned().collect();
+        shortened(&shown.to_string())
     }
 
     /// The next token where it is an identifier or a keyword.

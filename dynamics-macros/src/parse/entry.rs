@@ -76,7 +76,7 @@ fn constant(cursor: &mut Cursor, entries: &mut Vec<Entry>) -> Result<String, Rep
     }
     let has_value = cursor.take_char('=').is_some();
     let shown = match has_value {
-        true => words::shortened(&cursor.clone().take_until(&[';']).to_string()),
+        true => cursor.shown_until(&[';', ',']),
         false => "...".to_owned(),
     };
     let reported = cursor.error(

@@ -5,14 +5,9 @@ use proc_macro2::{Delimiter, Group, Ident, Literal, TokenTree};
 use super::cursor::Cursor;
 use super::number::number;
 use crate::diagnose::{Place, Reported};
+use crate::limits::{DEEPEST_VALUE, MOST_TERMS};
 use crate::syntax::{Expr, ExprKind, Operator};
 use crate::words::shortened;
-
-/// Nesting that is read: far below what the stack can take.
-const DEEPEST: usize = 100;
-
-/// Terms that one value may have.
-const MOST_TERMS: usize = 500;
 
 /// Reads a value.
 pub(super) fn expression(cursor: &mut Cursor) -> Result<Expr, Reported> {
@@ -30,7 +25,7 @@ pub(super) fn at_value(cursor: &mut Cursor) -> bool {
         )
 }
 
-/// What was read of one value, against the limits.
+/// What was read of one value, against the [limits](crate::limits).
 #[derive(Default)]
 struct Limits {
     depth: usize,
@@ -90,8 +85,8 @@ fn operand(cursor: &mut Cursor, limits: &mut Limits) -> Result<Expr, Reported> {
         return Err(error_here(cursor, &message));
     }
     limits.depth += 1;
-    if limits.depth > DEEPEST {
-        let message = format!("nested more than {DEEPEST} deep: name parts of it by `let`");
+    if limits.depth > DEEPEST_VALUE {
+        let message = format!("nested more than {DEEPEST_VALUE} deep: name parts of it by `let`");
         return Err(error_here(cursor, &message));
     }
     let expr = match cursor.take_fragment() {

@@ -17,7 +17,8 @@ use proc_macro2::{Delimiter, Span, TokenStream};
 use quote::quote;
 
 use crate::diagnose::Diagnostics;
-use crate::syntax::Call;
+use crate::limits;
+use crate::syntax::{Call, Entry};
 use cursor::Cursor;
 
 /// Reads a call of the macro: the struct item, then the entries of the table.
@@ -25,6 +26,9 @@ use cursor::Cursor;
 /// In front of them `@[path]` may name the runtime crate, which the `macro_rules!`
 /// front of that crate writes as `@[$crate]`.
 pub(crate) fn call(input: TokenStream, diagnostics: &Diagnostics) -> Call {
+    if let Err((readable, _)) = limits::check(&input, diagnostics) {
+        return refused(input.into_iter().take(readable).collect());
+    }
     let mut cursor = Cursor::new(input, Span::call_site(), diagnostics);
     let path = path(&mut cursor);
     let structure = structure::structure(&mut cursor);
@@ -40,6 +44,24 @@ pub(crate) fn call(input: TokenStream, diagnostics: &Diagnostics) -> Call {
         structure,
         entries: entry::entries(&mut cursor),
         table,
+        is_refused: false,
+    }
+}
+
+/// A call that is too long to be read, as far as its start tells what the user's code knows of it.
+fn refused(start: TokenStream) -> Call {
+    let unread = Diagnostics::new();
+    let mut cursor = Cursor::new(start, Span::call_site(), &unread);
+    let path = path(&mut cursor);
+    let structure = structure::structure(&mut cursor);
+    let is_good = unread.is_empty();
+    unread.forget();
+    Call {
+        path,
+        structure: structure.filter(|_| is_good),
+        entries: vec![Entry::Functions(None)],
+        table: TokenStream::new(),
+        is_refused: true,
     }
 }
 

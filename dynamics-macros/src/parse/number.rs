@@ -2,9 +2,7 @@
 
 use dynamics_symbolic::exact::Rational;
 
-/// Digits of the mantissa and of the value's decimal point that are read: far more
-/// than any measured quantity has, few enough that every later step is quick.
-const MOST_DIGITS: usize = 100;
+use crate::limits::MOST_DIGITS;
 
 /// The exact value of a literal such as `1_000`, `9.81` or `200e-6`, all of which may
 /// carry the suffix `f64`. The error says what is wrong.

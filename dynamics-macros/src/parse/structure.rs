@@ -327,10 +327,13 @@ fn type_tokens(cursor: &mut Cursor) -> (TokenStream, Place) {
     let start = cursor.here();
     let mut tokens = TokenStream::new();
     let mut angles = 0usize;
-    while angles > 0 || !at_end_of_type(cursor, &tokens) {
+    let mut is_f64 = false;
+    while angles > 0 || !(is_f64 || at_separator(cursor)) {
         let Some(token) = cursor.take() else {
             break;
         };
+        // Nothing belongs to `f64` but itself: behind it the next field starts.
+        is_f64 = tokens.is_empty() && token.to_string() == "f64";
         match &token {
             TokenTree::Punct(punct) if punct.as_char() == '<' => angles += 1,
             TokenTree::Punct(punct) if punct.as_char() == '>' => angles = angles.saturating_sub(1),
@@ -341,9 +344,6 @@ fn type_tokens(cursor: &mut Cursor) -> (TokenStream, Place) {
     (tokens, start.to(cursor.last()))
 }
 
-/// Whether no further token belongs to the type. Nothing belongs to `f64` but itself:
-/// behind it the next field starts.
-fn at_end_of_type(cursor: &mut Cursor, tokens: &TokenStream) -> bool {
-    let at_separator = cursor.at_end() || cursor.at(',') || cursor.at(';');
-    at_separator || tokens.to_string() == "f64"
+fn at_separator(cursor: &mut Cursor) -> bool {
+    cursor.at_end() || cursor.at(',') || cursor.at(';')
 }

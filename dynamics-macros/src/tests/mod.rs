@@ -6,6 +6,7 @@ mod damage;
 mod expansion;
 mod hard_cases;
 mod hostile;
+mod limits;
 mod messages;
 
 use proc_macro2::TokenStream;

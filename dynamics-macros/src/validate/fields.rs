@@ -1,5 +1,7 @@
 //! Fields that no value uses.
 
+use std::collections::BTreeSet;
+
 use proc_macro2::{TokenStream, TokenTree};
 
 use super::plain;
@@ -15,28 +17,34 @@ pub(super) fn report_unused(
     table: &TokenStream,
     diagnostics: &Diagnostics,
 ) {
-    let unreadable = !diagnostics.is_empty();
-    let names = structure.fields.iter().filter_map(|f| f.name.as_ref());
-    for (index, name) in names.enumerate() {
+    let named = match diagnostics.is_empty() {
+        true => BTreeSet::new(),
+        false => names(table),
+    };
+    let fields = structure.fields.iter().filter_map(|f| f.name.as_ref());
+    for (index, name) in fields.enumerate() {
         let word = plain(name);
-        let used = scope.is_used(index) || (unreadable && names_it(table, &word));
+        let used = scope.is_used(index) || named.contains(&word);
         if !used {
             diagnostics.error(name, format_args!("no value uses the field `{word}`"));
         }
     }
 }
 
-/// Whether the identifier occurs, at whatever depth.
-fn names_it(tokens: &TokenStream, word: &str) -> bool {
+/// The identifiers, at whatever depth.
+fn names(tokens: &TokenStream) -> BTreeSet<String> {
+    let mut names = BTreeSet::new();
     let mut streams = vec![tokens.clone()];
     while let Some(stream) = streams.pop() {
         for token in stream {
             match token {
-                TokenTree::Ident(ident) if plain(&ident) == word => return true,
+                TokenTree::Ident(ident) => {
+                    names.insert(plain(&ident));
+                }
                 TokenTree::Group(group) => streams.push(group.stream()),
                 _ => {}
             }
         }
     }
-    false
+    names
 }

@@ -15,11 +15,9 @@ use dynamics_symbolic::robot::{Convention, Robot, Row, Value};
 use proc_macro2::Ident;
 
 use crate::diagnose::{Diagnostics, Place};
+use crate::limits::{MOST_JOINTS, MOST_JOINTS_OF_LONG_FUNCTIONS};
 use crate::syntax::{Call, Entry, Joints, Structure};
 use scope::Scope;
-
-/// Joints that a robot may have: the engine's work grows with their cube.
-const MOST_JOINTS: usize = 200;
 
 /// What is to be generated.
 pub(crate) struct Model {
@@ -33,6 +31,9 @@ pub(crate) struct Model {
 
 /// The model that the call describes, or `None` where an error was reported.
 pub(crate) fn model(call: &Call, diagnostics: &Diagnostics) -> Option<Model> {
+    if call.is_refused {
+        return None;
+    }
     let mut scope = Scope::new(call, diagnostics);
     let parts = Parts::read(call, &mut scope);
     if let Some(structure) = &call.structure {
@@ -80,14 +81,19 @@ impl Parts {
                 Entry::Convention(convention) => parts.convention = Some(*convention),
                 Entry::Gravity(gravity) => parts.gravity = Some(scope.vector(gravity.as_ref())),
                 Entry::Joints(place, joints) => {
-                    parts.rows = Some(joints.as_ref().map_or_else(Vec::new, |joints| {
-                        report_number(joints, *place, scope);
-                        row::rows(&joints.rows, scope)
-                    }));
+                    parts.rows = Some(match joints {
+                        Some(joints) if number_is_good(joints, *place, scope) => {
+                            row::rows(&joints.rows, scope)
+                        }
+                        _ => Vec::new(),
+                    });
                 }
                 Entry::Functions(functions) => parts.functions = functions.clone(),
                 Entry::Tests(tests) => parts.tests = tests.unwrap_or(false),
             }
+        }
+        if let (Some(functions), Some(rows)) = (&parts.functions, &parts.rows) {
+            report_long_functions(functions, rows.len(), scope);
         }
         parts
     }
@@ -142,17 +148,44 @@ impl Parts {
     }
 }
 
-fn report_number(joints: &Joints, place: Place, scope: &Scope) {
+fn number_is_good(joints: &Joints, place: Place, scope: &Scope) -> bool {
     if joints.rows.is_empty() && joints.complete {
         scope.error(place, "no joints: a robot has at least one");
     }
-    if let Some(name) = joints
-        .rows
-        .get(MOST_JOINTS)
-        .and_then(|row| row.name.as_ref())
-    {
-        scope.error(name, format_args!("more than {MOST_JOINTS} joints"));
+    let Some(row) = joints.rows.get(MOST_JOINTS) else {
+        return true;
+    };
+    let place = row.name.as_ref().map_or(place, Place::from);
+    scope.error(place, format_args!("more than {MOST_JOINTS} joints"));
+    false
+}
+
+/// Functions that are asked for of a robot with so many joints that they would be too long.
+fn report_long_functions(functions: &[(Function, Place)], joints: usize, scope: &Scope) {
+    if joints <= MOST_JOINTS_OF_LONG_FUNCTIONS {
+        return;
     }
+    for (function, place) in functions.iter().filter(|(function, _)| is_long(*function)) {
+        let name = function.name();
+        let message = format!(
+            "`{name}` of more than {MOST_JOINTS_OF_LONG_FUNCTIONS} joints would be too long"
+        );
+        scope.error(*place, message);
+    }
+}
+
+/// Whether the function's length, or the time to derive it, grows faster than the square of the number
+/// of joints.
+fn is_long(function: Function) -> bool {
+    matches!(
+        function,
+        Function::CoriolisMatrix
+            | Function::CoriolisCoefficients
+            | Function::CentrifugalCoefficients
+            | Function::InverseDynamicsDerivatives
+            | Function::ForwardDynamicsDerivatives
+            | Function::Regressor
+    )
 }
 
 fn has_friction(robot: &Robot) -> bool {

@@ -1,5 +1,7 @@
 //! The rows of the table.
 
+use std::collections::BTreeSet;
+
 use dynamics_symbolic::exact::Rational;
 use dynamics_symbolic::robot::{JointType, Row, Value};
 
@@ -14,13 +16,12 @@ pub(super) fn rows(rows: &[syntax::Row], scope: &mut Scope) -> Vec<Option<Row>> 
 }
 
 fn report_duplicates(rows: &[syntax::Row], scope: &Scope) {
-    let mut seen = Vec::new();
+    let mut seen = BTreeSet::new();
     for name in rows.iter().filter_map(|row| row.name.as_ref()) {
         let word = plain(name);
-        if seen.contains(&word) {
+        if !seen.insert(word.clone()) {
             scope.error(name, format_args!("there is a joint `{word}` already"));
         }
-        seen.push(word);
     }
 }
 
@@ -50,6 +51,8 @@ fn row(row: &syntax::Row, scope: &mut Scope) -> Option<Row> {
         gear_ratio: gear_ratio?,
         viscous: viscous?,
         coulomb: coulomb?,
+        limits: None,
+        locked: None,
     })
 }
 

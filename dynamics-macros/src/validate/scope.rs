@@ -3,17 +3,15 @@
 use std::collections::BTreeMap;
 use std::fmt::Display;
 
-use dynamics_symbolic::exact::Rational;
+use dynamics_symbolic::exact::{Rational, bit_length};
 use dynamics_symbolic::robot::Value;
 use proc_macro2::Ident;
 
 use super::plain;
 use crate::diagnose::{Diagnostics, Place};
+use crate::limits::{MOST_BITS, MOST_BITS_IN_ALL, MOST_LISTED, MOST_TERMS, MOST_TERMS_IN_ALL};
 use crate::syntax::{Call, Entry, Expr, ExprKind, Given, Operator, Vector};
 use crate::words;
-
-/// Terms that a value may have, `let`s written out.
-const MOST_TERMS: usize = 500;
 
 /// The names that a value may use.
 pub(super) struct Scope<'d> {
@@ -25,6 +23,15 @@ pub(super) struct Scope<'d> {
     used: Vec<bool>,
     /// Whether all fields are known; if not, any name may be one.
     complete: bool,
+    /// What the values so far are in all.
+    total: Total,
+}
+
+/// The size of values.
+#[derive(Default)]
+struct Total {
+    terms: usize,
+    bits: usize,
 }
 
 enum Binding {
@@ -49,6 +56,7 @@ impl<'d> Scope<'d> {
             lets: Vec::new(),
             used: Vec::new(),
             complete: call.structure.as_ref().is_some_and(|s| s.complete),
+            total: Total::default(),
         };
         let fields = call.structure.iter().flat_map(|s| &s.fields);
         for name in fields.filter_map(|field| field.name.as_ref()) {
@@ -72,7 +80,7 @@ impl<'d> Scope<'d> {
 
     /// Binds the name to the value.
     pub(super) fn bind(&mut self, name: &Ident, value: Option<&Expr>) {
-        let value = value.and_then(|value| self.measured(value, None));
+        let value = value.and_then(|value| self.counted(value, None));
         self.insert(name, "`let`", Binding::Let(value));
     }
 
@@ -137,12 +145,39 @@ impl<'d> Scope<'d> {
     }
 
     fn cell(&mut self, expr: &Expr, variable: Option<&'static str>) -> Option<Value> {
-        let value = self.measured(expr, variable)?.value;
+        let value = self.counted(expr, variable)?.value;
+        self.total.bits += bits(&value);
+        if self.total.bits > MOST_BITS_IN_ALL {
+            // Said once: the table would have to be as long again.
+            self.total.bits = 0;
+            let message = "the exact fractions of this table have more than 50,000 digits in all: \
+                           write decimal numbers";
+            self.error(expr.place, message);
+            return None;
+        }
         if value.is_number() && !value.to_f64(&[]).is_finite() {
             self.overflow(expr.place);
             return None;
         }
         Some(value)
+    }
+
+    /// The value, added to what there is in all.
+    fn counted(&mut self, expr: &Expr, variable: Option<&'static str>) -> Option<Measured> {
+        if self.total.terms > MOST_TERMS_IN_ALL || self.diagnostics.is_full() {
+            return None;
+        }
+        let measured = self.measured(expr, variable)?;
+        self.total.terms += measured.terms;
+        if self.total.terms > MOST_TERMS_IN_ALL {
+            let message = format!(
+                "the values of this call have more than {MOST_TERMS_IN_ALL} terms in all, \
+                 the `let`s in them written out"
+            );
+            self.error(expr.place, message);
+            return None;
+        }
+        Some(measured)
     }
 
     fn measured(&mut self, expr: &Expr, variable: Option<&'static str>) -> Option<Measured> {
@@ -176,6 +211,12 @@ impl<'d> Scope<'d> {
         let rational = value.as_rational();
         if rational.is_some_and(|r| r.to_f64().value().is_infinite()) {
             self.overflow(expr.place);
+            return None;
+        }
+        if rational.is_some_and(|r| bit_length(r) > MOST_BITS) {
+            let message = "the exact value of this is a fraction of more than 1,200 digits: \
+                           write a decimal number";
+            self.error(expr.place, message);
             return None;
         }
         Some(Measured { value, terms })
@@ -227,6 +268,9 @@ impl<'d> Scope<'d> {
         if self.lets.iter().any(|bound| bound == name) {
             return format!("`{name}` is bound further down: move its `let` above this line");
         }
+        if self.diagnostics.is_full() {
+            return String::new();
+        }
         let names: Vec<&str> = self.names.keys().map(String::as_str).collect();
         let meant = words::nearest(name, &[names.as_slice(), &["PI"]].concat());
         if let Some(Binding::Field(index)) = meant.and_then(|meant| self.names.get(meant)) {
@@ -237,6 +281,7 @@ impl<'d> Scope<'d> {
             None if names.is_empty() => {
                 "the struct has no fields, and no `let` is above".to_owned()
             }
+            None if names.len() > MOST_LISTED => "expected a field or a `let`".to_owned(),
             None => format!("expected a field or a `let`: {}", words::either(&names)),
         };
         let message = format!("unknown name `{}`: {hint}", words::shortened(name));
@@ -246,6 +291,16 @@ impl<'d> Scope<'d> {
             ),
             None => message,
         }
+    }
+}
+
+/// Bits of the exact numbers in the value.
+fn bits(value: &Value) -> usize {
+    match value {
+        Value::Rational(r) => bit_length(r),
+        Value::Pi | Value::Field(_) => 0,
+        Value::Neg(a) => bits(a),
+        Value::Add(a, b) | Value::Mul(a, b) | Value::Div(a, b) => bits(a) + bits(b),
     }
 }
 

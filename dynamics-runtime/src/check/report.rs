@@ -73,10 +73,10 @@ impl Report {
 
     /// Keeps the least relative pivot; one that is not a number is less than any other.
     pub(super) fn note_conditioning(&mut self, label: &str, found: Conditioning) {
-        // A pivot that is not a number comes before all others.
-        let order = |of: &Conditioning| (!of.relative_pivot.is_nan(), of.relative_pivot);
-        let least = self.nearest_to_singular.as_ref();
-        let is_least = least.is_none_or(|(_, least)| order(&found) < order(least));
+        let is_least = self.nearest_to_singular.as_ref().is_none_or(|(_, least)| {
+            let (found, least) = (found.relative_pivot, least.relative_pivot);
+            !least.is_nan() && (found.is_nan() || found < least)
+        });
         if is_least {
             self.nearest_to_singular = Some((label.into(), found));
         }

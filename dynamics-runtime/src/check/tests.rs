@@ -76,7 +76,7 @@ fn acceleration_derivatives(state: &State<2>) -> AccelerationDerivatives<f64, 2>
 type Damage = (&'static str, fn(&State<2>, &mut Evaluation<2>));
 
 /// One for each function.
-const DAMAGES: [Damage; 19] = [
+const DAMAGES: [Damage; 20] = [
     ("mass_matrix", |_, e| {
         e.mass_matrix.as_mut().unwrap()[(1, 0)] *= WRONG;
     }),
@@ -149,6 +149,9 @@ const DAMAGES: [Damage; 19] = [
         let (by_position, by_velocity, by_force) = acceleration_derivatives(state);
         e.forward_dynamics_derivatives = Some(Ok((by_position, by_velocity * WRONG, by_force)));
     }),
+    ("forward_dynamics_aba", |state, e| {
+        e.forward_dynamics_aba = Some(Ok(state.qdd * WRONG));
+    }),
 ];
 
 /// Each damage is found, in the function that has it and in no other.
@@ -177,6 +180,7 @@ fn kinematics_and_matrix_forms_pass() {
         e.regressor_forces = Some(numeric().inverse_dynamics(q, qd, &state.qdd));
         e.inverse_dynamics_derivatives = Some(force_derivatives(state));
         e.forward_dynamics_derivatives = Some(Ok(acceleration_derivatives(state)));
+        e.forward_dynamics_aba = Some(Ok(state.qdd));
     });
     report.assert_ok();
     assert_eq!(report.functions.len(), DAMAGES.len());

@@ -1,10 +1,10 @@
 //! Motion of an arm under a torque law.
 
-mod adaptive;
+mod drive;
 mod error;
-mod fixed_step;
 mod method;
 mod motion;
+mod settings;
 mod trajectory;
 
 use nalgebra::SVector;
@@ -15,8 +15,22 @@ use motion::Motion;
 use trajectory::Recorder;
 
 pub use error::{Cause, InvalidSetting, SimulationError};
-pub use method::{DormandPrince, Method};
-pub use trajectory::Trajectory;
+pub use method::Method;
+pub use settings::{Dop853, DormandPrince};
+pub use trajectory::{Trajectory, Work};
+
+/// A torque law: the joint torques in N m or N as a function of t in s, q in rad or m, and qd.
+///
+/// Every such function is one.
+trait TorqueLaw<const N: usize>:
+    Fn(f64, &SVector<f64, N>, &SVector<f64, N>) -> SVector<f64, N>
+{
+}
+
+impl<L, const N: usize> TorqueLaw<N> for L where
+    L: Fn(f64, &SVector<f64, N>, &SVector<f64, N>) -> SVector<f64, N>
+{
+}
 
 /// The torque law of free motion: no torque.
 pub type NoTorque<const N: usize> = fn(f64, &SVector<f64, N>, &SVector<f64, N>) -> SVector<f64, N>;
@@ -145,27 +159,26 @@ where
     /// ([`Cause`]). Never panics, unless the torque law does.
     pub fn run(&self) -> Result<Trajectory<N>, Box<SimulationError<N>>> {
         let mut recorder = Recorder::new(self.initial);
-        match self.record(&mut recorder) {
-            Ok(()) => Ok(recorder.trajectory),
+        let motion = Motion::new(self.robot, &self.torque);
+        let end = self.record(&motion, &mut recorder);
+        let Recorder { t, phase, .. } = recorder;
+        let trajectory = recorder.into_trajectory(motion.evaluations());
+        match end {
+            Ok(()) => Ok(trajectory),
             Err(cause) => Err(Box::new(SimulationError {
-                time: recorder.t,
-                q: recorder.phase.q,
-                qd: recorder.phase.qd,
+                time: t,
+                q: phase.q,
+                qd: phase.qd,
                 cause,
-                trajectory: recorder.trajectory,
+                trajectory,
             })),
         }
     }
 
-    fn record(&self, recorder: &mut Recorder<N>) -> Result<(), Cause> {
+    fn record(&self, motion: &Motion<R, L>, recorder: &mut Recorder<N>) -> Result<(), Cause> {
         self.validate()?;
         recorder.plan(self.duration, self.samples)?;
-        let motion = Motion {
-            robot: self.robot,
-            torque: &self.torque,
-        };
-        let acceleration = |t: f64, phase: &Phase<N>| motion.acceleration(t, phase);
-        self.method.integrate(&acceleration, recorder)
+        self.method.integrate(motion, recorder)
     }
 
     fn validate(&self) -> Result<(), InvalidSetting> {

@@ -8,7 +8,7 @@ use nalgebra::{SVector, Vector1, Vector2};
 
 use crate::test_arms::CRAIG_ARM;
 use crate::{
-    Cause, DormandPrince, ForwardDynamics, InvalidSetting, Method, Scalar, Simulation,
+    Cause, Dop853, DormandPrince, ForwardDynamics, InvalidSetting, Method, Scalar, Simulation,
     SingularMassMatrix, Trajectory,
 };
 
@@ -45,13 +45,30 @@ impl ForwardDynamics<1> for Vanishing {
     }
 }
 
-fn methods(step: f64) -> [Method; 4] {
+fn fixed_methods(step: f64) -> [Method; 4] {
     [
+        Method::ExplicitEuler { step },
         Method::CraigEuler { step },
         Method::SemiImplicitEuler { step },
         Method::RungeKutta4 { step },
-        Method::default(),
     ]
+}
+
+fn adaptive_methods(tolerance: f64, max_step: Option<f64>) -> [Method; 2] {
+    let dormand_prince = DormandPrince {
+        max_step,
+        ..DormandPrince::with_tolerance(tolerance)
+    };
+    let dop853 = Dop853 {
+        max_step,
+        ..Dop853::with_tolerance(tolerance)
+    };
+    [dormand_prince.into(), dop853.into()]
+}
+
+fn methods(step: f64) -> Vec<Method> {
+    let adaptive = adaptive_methods(1e-9, None);
+    fixed_methods(step).into_iter().chain(adaptive).collect()
 }
 
 fn unit(x: f64) -> SVector<f64, 1> {
@@ -90,12 +107,13 @@ fn the_law_is_given_time_position_and_velocity() {
 #[test]
 fn free_motion_conserves_energy() {
     let arm = Simulation::new(&CRAIG_ARM).initial(Vector2::new(0.3, -1.0), Vector2::zeros());
-    let accurate = Method::DormandPrince(DormandPrince::with_tolerance(1e-12));
-    let run = arm.method(accurate).duration(3.0).run().unwrap();
-    let energies = run.energies(&CRAIG_ARM);
-    assert_eq!(energies.len(), 101);
-    assert!(run.qd.last().unwrap().amax() > 0.1);
-    assert!(run.energy_drift(&CRAIG_ARM) < 1e-10 * energies[0].abs());
+    for accurate in adaptive_methods(1e-12, None) {
+        let run = arm.clone().method(accurate).duration(3.0).run().unwrap();
+        let energies = run.energies(&CRAIG_ARM);
+        assert_eq!(energies.len(), 101);
+        assert!(run.qd.last().unwrap().amax() > 0.1);
+        assert!(run.energy_drift(&CRAIG_ARM) < 1e-10 * energies[0].abs());
+    }
 }
 
 #[test]
@@ -157,7 +175,7 @@ fn a_singular_start_ends_the_run_at_once() {
         let error = start.method(method).run().unwrap_err();
         assert!(matches!(error.cause, Cause::SingularMassMatrix(_)));
         assert_eq!((error.time, error.q[0]), (0.0, 1.0));
-        let Trajectory { t, q, qd } = error.trajectory;
+        let Trajectory { t, q, qd, .. } = error.trajectory;
         assert_eq!((t, q, qd), (vec![0.0], vec![unit(1.0)], vec![unit(0.0)]));
     }
 }
@@ -194,42 +212,64 @@ fn a_push_at_rest_is_not_stepped_over() {
     let law = |t: f64, _: &SVector<f64, 1>, _: &SVector<f64, 1>| {
         unit(if (60.0..61.0).contains(&t) { 1.0 } else { 0.0 })
     };
-    let cart = Simulation::new(&Cart).torque(law).duration(100.0);
-    let capped = Method::DormandPrince(DormandPrince {
-        max_step: Some(0.5),
-        ..DormandPrince::default()
-    });
-    let run = cart.method(capped).samples(2).run().unwrap();
-    assert!((run.qd[1][0] - 1.0).abs() < 1e-6, "{}", run.qd[1][0]);
+    for capped in adaptive_methods(1e-9, Some(0.5)) {
+        let cart = Simulation::new(&Cart).torque(law).duration(100.0);
+        let run = cart.method(capped).samples(2).run().unwrap();
+        assert!((run.qd[1][0] - 1.0).abs() < 1e-6, "{}", run.qd[1][0]);
+    }
+}
+
+/// Every call of the torque law is an evaluation of the forward dynamics.
+#[test]
+fn work_is_counted() {
+    let calls = Cell::new(0);
+    let law = |_: f64, q: &SVector<f64, 1>, _: &SVector<f64, 1>| {
+        calls.set(calls.get() + 1);
+        -q * 100.0
+    };
+    for (method, per_step) in methods(0.01).into_iter().zip([1, 1, 1, 4, 6, 12]) {
+        let cart = Simulation::new(&Cart)
+            .torque(law)
+            .initial(unit(1.0), unit(0.0));
+        let work = cart.method(method).samples(11).run().unwrap().work;
+        assert_eq!(work.evaluations, calls.replace(0), "{method:?}");
+        // Two at the start, three for each sample, eleven for the step that was rejected.
+        let others = work.evaluations - per_step * work.steps;
+        assert!(
+            others <= 2 + 3 * 10 + 11 * work.rejected,
+            "{method:?}: {work:?}"
+        );
+        assert!(work.steps >= 50, "{method:?}: {work:?}");
+    }
 }
 
 #[test]
 fn steps_are_no_longer_than_the_longest() {
-    let evaluations = Cell::new(0);
-    let law = |_: f64, _: &SVector<f64, 1>, _: &SVector<f64, 1>| {
-        evaluations.set(evaluations.get() + 1);
-        unit(0.0)
-    };
-    Simulation::new(&Cart).torque(law).samples(2).run().unwrap();
-    let by_default = evaluations.replace(0);
-    // 50 steps of six evaluations, and the few shorter steps at the start.
-    assert!((300..=360).contains(&by_default), "{by_default}");
+    for method in adaptive_methods(1e-9, None) {
+        let work = Simulation::new(&Cart)
+            .method(method)
+            .samples(2)
+            .run()
+            .unwrap()
+            .work;
+        // 50 steps, and the few shorter ones at the start.
+        assert!((50..=60).contains(&work.steps), "{work:?}");
+        assert_eq!(work.rejected, 0);
+    }
 }
 
 #[test]
 fn steps_may_be_longer_than_the_duration() {
     let start = || Simulation::new(&Cart).initial(unit(0.0), unit(1.0));
-    for method in &methods(1e3)[..3] {
+    for method in &fixed_methods(1e3) {
         let run = start().method(*method).samples(3).run().unwrap();
         assert_eq!(run.q, [unit(0.0), unit(0.5), unit(1.0)], "{method:?}");
     }
     for max_step in [1e3, f64::MAX, f64::INFINITY] {
-        let settings = DormandPrince {
-            max_step: Some(max_step),
-            ..DormandPrince::default()
-        };
-        let run = start().method(settings).samples(3).run().unwrap();
-        assert_abs_diff_eq!(run.q[2][0], 1.0, epsilon = 1e-14);
+        for method in adaptive_methods(1e-9, Some(max_step)) {
+            let run = start().method(method).samples(3).run().unwrap();
+            assert_abs_diff_eq!(run.q[2][0], 1.0, epsilon = 1e-14);
+        }
     }
 }
 
@@ -270,7 +310,7 @@ fn settings_that_make_no_sense_are_refused() {
             .unwrap_err();
         assert_eq!(error.cause, InvalidSetting::Samples(samples).into());
     }
-    for method in &methods(f64::INFINITY)[..3] {
+    for method in &fixed_methods(f64::INFINITY) {
         let error = Simulation::new(&CRAIG_ARM)
             .method(*method)
             .run()
@@ -278,14 +318,10 @@ fn settings_that_make_no_sense_are_refused() {
         assert_eq!(error.cause, InvalidSetting::Step(f64::INFINITY).into());
     }
     for step in [0.0, -1.0, f64::NAN, f64::NEG_INFINITY, 1e-17] {
-        let fixed = &methods(step)[..3];
-        let adaptive = Method::DormandPrince(DormandPrince {
-            max_step: Some(step),
-            ..DormandPrince::default()
-        });
-        for method in fixed.iter().chain([&adaptive]) {
+        let adaptive = adaptive_methods(1e-9, Some(step));
+        for method in fixed_methods(step).into_iter().chain(adaptive) {
             let error = Simulation::new(&CRAIG_ARM)
-                .method(*method)
+                .method(method)
                 .run()
                 .unwrap_err();
             assert!(matches!(
@@ -295,15 +331,16 @@ fn settings_that_make_no_sense_are_refused() {
         }
     }
     for tolerance in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-        let method = Method::DormandPrince(DormandPrince::with_tolerance(tolerance));
-        let error = Simulation::new(&CRAIG_ARM)
-            .method(method)
-            .run()
-            .unwrap_err();
-        assert!(matches!(
-            error.cause,
-            Cause::InvalidSetting(InvalidSetting::Tolerance(_))
-        ));
+        for method in adaptive_methods(tolerance, None) {
+            let error = Simulation::new(&CRAIG_ARM)
+                .method(method)
+                .run()
+                .unwrap_err();
+            assert!(matches!(
+                error.cause,
+                Cause::InvalidSetting(InvalidSetting::Tolerance(_))
+            ));
+        }
     }
     let nowhere = Vector2::new(0.0, f64::NAN);
     let error = Simulation::new(&CRAIG_ARM)

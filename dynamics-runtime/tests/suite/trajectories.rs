@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use dynamics_runtime::nalgebra::{SVector, Vector1};
 use dynamics_runtime::{
-    Cycloidal, DormandPrince, Energy, ForwardDynamics, Method, Simulation, Trajectory,
+    Cycloidal, Dop853, DormandPrince, Energy, ForwardDynamics, Method, Simulation, Trajectory,
 };
 use serde_json::Value;
 
@@ -84,11 +84,11 @@ fn euler_scheme_is_not_the_solution() {
 fn check_free<R: ForwardDynamics<N> + Energy<N>, const N: usize>(
     robot: &R,
     name: &str,
+    method: Method,
     bound: f64,
 ) {
     let reference = trajectory(name);
-    let accurate = Method::DormandPrince(DormandPrince::with_tolerance(1e-12));
-    let computed = run::<_, N>(robot, &reference, accurate);
+    let computed = run::<_, N>(robot, &reference, method);
     for (k, error) in errors(&computed, &reference).into_iter().enumerate() {
         let sensitivity = number(&reference["sensitivity_per_sample"][k]);
         assert!(
@@ -103,14 +103,23 @@ fn check_free<R: ForwardDynamics<N> + Energy<N>, const N: usize>(
     assert!(drift < 1e-10 * exchanged, "{drift:e} of {exchanged}");
 }
 
+fn accurate() -> [Method; 2] {
+    let dormand_prince = DormandPrince::with_tolerance(1e-12);
+    [dormand_prince.into(), Dop853::with_tolerance(1e-12).into()]
+}
+
 #[test]
 fn one_link_swings_freely() {
-    check_free::<_, 1>(&OneLink, "one_link_free", 1e-10);
+    for method in accurate() {
+        check_free::<_, 1>(&OneLink, "one_link_free", method, 1e-10);
+    }
 }
 
 #[test]
 fn two_links_fall_freely() {
-    check_free::<_, 2>(&TwoLink, "two_link_free", 1e-10);
+    for method in accurate() {
+        check_free::<_, 2>(&TwoLink, "two_link_free", method, 1e-10);
+    }
 }
 
 #[test]

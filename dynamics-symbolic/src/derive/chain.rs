@@ -21,6 +21,9 @@ pub enum Origin {
 pub struct Link<'g> {
     /// The joint that moves it.
     pub joint_type: JointType,
+    /// Whether that joint is locked: then the link is a part of the one before, and the turn or the
+    /// slide is constant.
+    pub locked: bool,
     /// Turn about z of the previous frame, where that frame does not turn with its own link.
     pub before: Turn<Expr<'g>>,
     /// Turn about x that follows.
@@ -119,9 +122,13 @@ impl<'g> Chain<'g> {
             let body = body(symbols, robot.convention, row, &twists[i + 1])
                 .moved(Vector3::new(zero, zero, -shift));
             let ratio = symbols.value(&row.gear_ratio);
-            let reflected = ratio * ratio * symbols.value(&row.motor_inertia);
+            let reflected = match row.locked {
+                None => ratio * ratio * symbols.value(&row.motor_inertia),
+                Some(_) => zero,
+            };
             Link {
                 joint_type: row.joint_type,
+                locked: row.locked.is_some(),
                 before: Turn {
                     s: zero,
                     c: symbols.graph().one(),
@@ -154,11 +161,13 @@ impl<'g> Chain<'g> {
     /// parameters by the rules of Gautier and Khalil (1990).
     ///
     /// A revolute joint: the part that is invariant under rotation about its
-    /// axis. A prismatic joint: the whole inertia tensor, for both links turn alike.
+    /// axis. A prismatic joint: the whole inertia tensor, for both links turn alike. A joint that is
+    /// locked: everything.
     pub fn group_parameters(&mut self, keep: &[Keep]) {
         for i in (0..self.links.len()).rev() {
             let link = self.links[i];
             let (moving, rest) = match link.joint_type {
+                _ if link.locked => (link.leave_body(link.body), Body::splat(self.zero)),
                 JointType::Revolute => {
                     let (invariant, rest) = link.body.split_revolute(self.zero, keep[i]);
                     (invariant.left_x(link.twist).moved(link.offset), rest)

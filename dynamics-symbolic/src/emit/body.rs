@@ -384,7 +384,7 @@ impl<'p> Writer<'p> {
     }
 
     fn outputs(&self, robot: &Robot, function: Function, path: &TokenStream) -> TokenStream {
-        match shape(function, robot.rows.len()) {
+        match shape(function, robot.dof()) {
             Shape::Number => self.output(0),
             Shape::Matrix(rows, columns) => self.matrix(0, rows, columns, path),
             Shape::Regressor(rows) => {
@@ -417,11 +417,12 @@ impl<'p> Writer<'p> {
     /// A test of every pivot against its diagonal entry, from the tip inwards: the pivots from
     /// output `first` on, and the diagonal after them.
     fn pivot_tests(&self, robot: &Robot, first: usize, path: &TokenStream) -> TokenStream {
-        let n = robot.rows.len();
+        let joints: Vec<_> = robot.joints().collect();
+        let n = joints.len();
         let tests = (0..n).rev().map(|joint| {
             let pivot = self.output(first + joint);
             let diagonal = self.output(first + n + joint);
-            let name = robot.rows[joint].name.as_str();
+            let name = joints[joint].name.as_str();
             let joint = Literal::usize_unsuffixed(joint);
             quote!(#path::SingularMassMatrix::test_joint(#joint, #name, #pivot, #diagonal)?;)
         });

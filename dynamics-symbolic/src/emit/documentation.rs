@@ -29,6 +29,11 @@ fn description(function: Function) -> &'static str {
         Function::ForwardDynamics => {
             "Forward dynamics: the accelerations qdd with M(q) qdd + V(q, qd) + G(q) + F(qd) = tau, rad/s^2 or m/s^2."
         }
+        Function::ForwardDynamicsAba => {
+            "Forward dynamics by articulated bodies (Featherstone), without M(q): the accelerations qdd with \
+             M(q) qdd + V(q, qd) + G(q) + F(qd) = tau, rad/s^2 or m/s^2. Longer than `forward_dynamics`, and accurate \
+             where M(q) is nearly singular: about as many digits are right as the data determine."
+        }
         Function::KineticEnergy => {
             "Kinetic energy T(q, qd) = 1/2 qd^T M(q) qd, reflected motor inertias included, J."
         }
@@ -97,12 +102,14 @@ pub(super) fn documentation(
         lines.extend(super::parameters::lines(robot));
     }
     lines.push(format!(" Operations: {}.", program.operations()));
-    if let Some(formulas) = formulas(robot, program, constants).filter(|_| robot.rows.len() <= 3) {
-        lines.extend(formula_lines(function, robot.rows.len(), &formulas));
+    if let Some(formulas) = formulas(robot, program, constants).filter(|_| robot.dof() <= 3) {
+        lines.extend(formula_lines(function, robot.dof(), &formulas));
     }
     lines.push(String::new());
     lines.push(match function {
-        Function::ForwardDynamics | Function::ForwardDynamicsDerivatives => {
+        Function::ForwardDynamics
+        | Function::ForwardDynamicsAba
+        | Function::ForwardDynamicsDerivatives => {
             " # Errors\n\n `SingularMassMatrix` where M(q) is not positive definite to working precision, or not finite: \
              it names the joint whose pivot failed.\n\n Never panics, never allocates; what depends on an input that \
              is not finite is not finite."
@@ -115,7 +122,7 @@ pub(super) fn documentation(
 
 /// The units of the arguments.
 fn units(robot: &Robot, function: Function) -> String {
-    let is = |joint_type| robot.rows.iter().all(|row| row.joint_type == joint_type);
+    let is = |joint_type| robot.joints().all(|row| row.joint_type == joint_type);
     let (position, force) = match (is(JointType::Revolute), is(JointType::Prismatic)) {
         (true, _) => ("rad", "N m"),
         (_, true) => ("m", "N"),

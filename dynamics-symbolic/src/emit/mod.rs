@@ -45,14 +45,14 @@ pub fn method(
 ) -> Emitted {
     let documentation = documentation::documentation(robot, function, program, constants);
     let parameters = match function {
-        Function::Regressor => program.outputs.len() / robot.rows.len(),
+        Function::Regressor => program.outputs.len() / robot.dof(),
         _ => program.outputs.len(),
     };
-    let signature = signature(function, robot.rows.len(), parameters, path);
+    let signature = signature(function, robot.dof(), parameters, path);
     let body = body::body(robot, function, program, constants, path);
-    let (inherent, provided) = match provided(function, robot.rows.len(), path, &body) {
+    let (inherent, provided) = match provided(function, robot.dof(), path, &body) {
         None => (body, None),
-        Some(item) => (call(function, robot.rows.len(), path), Some(item)),
+        Some(item) => (call(function, robot.dof(), path), Some(item)),
     };
     Emitted {
         inherent: quote! {

@@ -25,7 +25,9 @@ pub(super) fn arguments(function: Function) -> &'static [&'static str] {
         Function::InverseDynamics | Function::InverseDynamicsDerivatives | Function::Regressor => {
             &["q", "qd", "qdd"]
         }
-        Function::ForwardDynamics | Function::ForwardDynamicsDerivatives => &["q", "qd", "tau"],
+        Function::ForwardDynamics
+        | Function::ForwardDynamicsAba
+        | Function::ForwardDynamicsDerivatives => &["q", "qd", "tau"],
         Function::BaseParameters => &[],
     }
 }
@@ -61,7 +63,7 @@ pub(super) fn shape(function: Function, dof: usize) -> Shape {
         | Function::FrictionVector
         | Function::InverseDynamics
         | Function::BiasForce => Shape::Matrix(dof, 1),
-        Function::ForwardDynamics => Shape::Accelerations(dof),
+        Function::ForwardDynamics | Function::ForwardDynamicsAba => Shape::Accelerations(dof),
         Function::KineticEnergy | Function::PotentialEnergy => Shape::Number,
         Function::CoriolisCoefficients => Shape::Matrix(dof, dof * (dof.max(1) - 1) / 2),
         Function::ForwardKinematics => Shape::Matrix(4, 4),

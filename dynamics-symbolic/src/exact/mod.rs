@@ -6,6 +6,12 @@
 mod random;
 mod residue;
 
+use dashu_int::ops::BitTest;
 pub use dashu_ratio::RBig as Rational;
 pub use random::SplitMix64;
 pub use residue::{Residue, circle_point};
+
+/// Bits of the numerator and the denominator together.
+pub fn bit_length(x: &Rational) -> usize {
+    x.numerator().bit_len() + x.denominator().bit_len()
+}

@@ -98,6 +98,8 @@ mod tests {
             gear_ratio: Value::integer(1),
             viscous: zero(),
             coulomb: zero(),
+            limits: None,
+            locked: None,
         };
         Robot {
             name: "Pendulum".to_owned(),

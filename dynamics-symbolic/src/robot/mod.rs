@@ -63,6 +63,12 @@ pub struct Row {
     pub viscous: Value,
     /// Coulomb friction at the joint, N m (or N).
     pub coulomb: Value,
+    /// The range of the joint's position, lower end first, rad or m, where it is known.
+    pub limits: Option<[Value; 2]>,
+    /// The position at which the joint is locked, rad or m, where it is: then the joint is none of
+    /// the arm's degrees of freedom, its link is a part of the one before, and its motor and its
+    /// friction do nothing.
+    pub locked: Option<Value>,
 }
 
 impl Row {
@@ -87,4 +93,24 @@ pub struct Robot {
     pub gravity: [Value; 3],
     /// The rows, from the base outwards.
     pub rows: Vec<Row>,
+}
+
+impl Robot {
+    /// The rows of the joints that move: joint j, of those that are counted from the base outwards
+    /// everywhere in the generated functions, is row `moving()[j]`.
+    pub fn moving(&self) -> Vec<usize> {
+        let rows = self.rows.iter().enumerate();
+        let moving = rows.filter(|(_, row)| row.locked.is_none());
+        moving.map(|(i, _)| i).collect()
+    }
+
+    /// The number of joints that move.
+    pub fn dof(&self) -> usize {
+        self.moving().len()
+    }
+
+    /// The rows of the joints that move, from the base outwards.
+    pub fn joints(&self) -> impl Iterator<Item = &Row> {
+        self.rows.iter().filter(|row| row.locked.is_none())
+    }
 }

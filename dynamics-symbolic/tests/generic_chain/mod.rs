@@ -34,6 +34,8 @@ fn row(k: i64) -> Row {
         gear_ratio: thousandths(0),
         viscous: thousandths(0),
         coulomb: thousandths(0),
+        limits: None,
+        locked: None,
     }
 }
 

@@ -82,6 +82,8 @@ pub(crate) fn robot(name: &str) -> Robot {
             },
             viscous: cell(row, "viscous"),
             coulomb: cell(row, "coulomb"),
+            limits: None,
+            locked: None,
         });
     Robot {
         name: name.to_owned(),

@@ -153,7 +153,27 @@ impl Tables {
             gear_ratio: self.cell(),
             viscous: self.cell(),
             coulomb: self.cell(),
+            limits: None,
+            locked: None,
         }
+    }
+
+    /// An arm some of whose joints are locked, at least one, and not all of them.
+    pub(crate) fn locked_robot(&mut self) -> Robot {
+        let mut robot = self.robot();
+        while robot.rows.len() < 2 {
+            robot = self.robot();
+        }
+        self.fields = robot.fields.len();
+        let free = self.below(robot.rows.len() as u64) as usize;
+        let sure = (free + 1) % robot.rows.len();
+        for i in (0..robot.rows.len()).filter(|&i| i != free) {
+            if i == sure || self.below(2) == 0 {
+                robot.rows[i].locked = Some(self.angle());
+            }
+        }
+        robot.fields = (0..self.fields).map(|i| format!("p{i}")).collect();
+        robot
     }
 
     /// The next arm, of one to four joints.

@@ -42,7 +42,9 @@ difference below 1e-9).
 Times are nanoseconds for one state, `f64`, one core. Errors are relative to the natural magnitude of
 the quantity (`scale` in `tests/data/reference`), against references of 25 digits at 24 states, angles
 of 1e6 rad among them: the largest, and the root of the mean square. Those of `forward_dynamics` are
-the torques that its accelerations need beyond those that were applied.
+the torques that its accelerations need beyond those that were applied. Functions that only the
+generated code has are compared with themselves in arithmetic of 31 digits at the states that are
+timed, relative to the largest entry of the matrix.
 ";
 
 const CANDIDATES: &str = "\

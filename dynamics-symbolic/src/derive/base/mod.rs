@@ -37,16 +37,22 @@ pub(crate) fn geometry<'g>(
 ) -> Vec<LinkGeometry<Expr<'g>>> {
     let (zero, one) = (symbols.graph().zero(), symbols.graph().one());
     let twists = twists(symbols, robot);
-    let rows = robot.rows.iter().zip(&twists);
-    rows.map(|(row, twist)| {
-        let (s, c) = match row.joint_type {
-            JointType::Revolute => (zero, one),
-            JointType::Prismatic => symbols.sin_cos(&row.theta),
+    let rows = robot.rows.iter().enumerate().zip(&twists);
+    rows.map(|((i, row), twist)| {
+        let (s, c) = match (row.joint_type, &row.locked) {
+            (JointType::Revolute, None) => (zero, one),
+            (JointType::Prismatic, _) => symbols.sin_cos(&row.theta),
+            (JointType::Revolute, Some(_)) => symbols.joint_sin_cos(i, row.joint_type, &row.theta),
+        };
+        let slide = match (row.joint_type, &row.locked) {
+            (JointType::Prismatic, Some(position)) => symbols.value(position),
+            _ => zero,
         };
         LinkGeometry {
             joint_type: row.joint_type,
+            locked: row.locked.is_some(),
             a: twist.a,
-            d: symbols.value(&row.d),
+            d: symbols.value(&row.d) + slide,
             twist: twist.turn,
             turn: Turn { s, c },
         }

@@ -12,13 +12,14 @@ impl Definition {
     pub(super) fn kinetic_energy<R: Lift>(&self, q: &[Position<R>], qd: &[R]) -> R {
         let moving: Vec<_> = q.iter().zip(qd).map(|(q, &qd)| q.moving(qd)).collect();
         let mut twice = R::lift(Number::ZERO);
-        for ((row, pose), &qd) in self.rows.iter().zip(self.poses(&moving)).zip(qd) {
+        for (row, pose) in self.rows.iter().zip(self.poses(&moving)) {
             let velocity = Vector3(center(row, &pose).0.map(|x| x.derivative));
             let w = angular_velocity(&pose.rotation);
-            twice = twice
-                + R::lift(row.mass) * velocity.dot(velocity)
-                + w.dot(inertia(row).apply(w))
-                + R::lift(row.reflected) * qd * qd;
+            twice =
+                twice + R::lift(row.mass) * velocity.dot(velocity) + w.dot(inertia(row).apply(w));
+        }
+        for ((_, row), &qd) in self.joints().zip(qd) {
+            twice = twice + R::lift(row.reflected) * qd * qd;
         }
         R::lift(self.half) * twice
     }

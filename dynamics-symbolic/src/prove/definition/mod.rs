@@ -6,6 +6,8 @@
 //!   V_i = sum_jk c_ijk qd_j qd_k,  c_ijk = 1/2 (dM_ij/dq_k + dM_ik/dq_j - dM_jk/dq_i)
 //!   G_i = dU/dq_i
 //!
+//! with q, qd of the joints that move; those that are locked have constants in their place.
+//!
 //! Velocities are derivatives of positions by dual numbers. T is quadratic in
 //! qd, so that its second derivatives are differences, without a limit.
 
@@ -79,7 +81,9 @@ impl Definition {
             Function::GravityVector => self.gravity_vector(),
             Function::FrictionVector => self.friction_vector(),
             Function::InverseDynamics => self.inverse_dynamics(&self.qdd),
-            Function::ForwardDynamics => self.forward_dynamics(computed),
+            Function::ForwardDynamics | Function::ForwardDynamicsAba => {
+                self.forward_dynamics(computed)
+            }
             Function::KineticEnergy => vec![self.kinetic_energy(&self.q, &self.qd)],
             Function::PotentialEnergy => vec![self.potential_energy(&self.q)],
             Function::BiasForce => self.bias_force(),
@@ -96,7 +100,14 @@ impl Definition {
         })
     }
 
+    /// The number of joints that move.
     fn dof(&self) -> usize {
-        self.rows.len()
+        self.q.len()
+    }
+
+    /// The rows of the joints that move.
+    fn joints(&self) -> impl Iterator<Item = (usize, &Row)> {
+        let rows = self.rows.iter().enumerate();
+        rows.filter(|(_, row)| row.locked.is_none())
     }
 }

@@ -145,7 +145,7 @@ impl Definition {
             let moment = rotations[i].as_ref().map_or(moment, |r| r.apply(moment));
             values.extend(moment.0);
             values.push(m);
-            if row.has_motor {
+            if row.has_motor && row.locked.is_none() {
                 values.push(row.reflected);
             }
         }
@@ -158,37 +158,37 @@ impl Definition {
         let frames = self.joint_frames(&self.q);
         let rotation = |i: usize| {
             let is_revolute = |&j: &usize| self.rows[j].joint_type == JointType::Revolute;
-            let before = (0..i).rev().find(is_revolute)?;
+            let turns = |j: &usize| is_revolute(j) && self.rows[*j].locked.is_none();
+            let before = (0..i).rev().find(turns)?;
             let rotation = frames[before].rotation.transpose();
             let rotation = rotation.product(&frames[i].rotation);
             let along = rotation.0[2].iter().filter(|x| !x.is_zero()).count();
             (!is_revolute(&i) && along > 1).then_some(rotation)
         };
-        (0..self.dof()).map(rotation).collect()
+        (0..self.rows.len()).map(rotation).collect()
     }
 
     /// Row j: the force of joint j by a unit of each standard parameter.
     fn standard_regressor(&self, state: &State) -> Matrix {
-        let n = self.dof();
         let momenta = self.momentum_rates(state);
         let rotations = self.moment_axes();
-        let row = |j: usize| {
+        let row = |(j, (own, _)): (usize, (usize, &super::Row))| {
             let slopes = self.slopes(state, j);
             let mut row = Vec::new();
-            for i in 0..n {
+            for i in 0..self.rows.len() {
                 let mut column: Vector = (0..10).map(|k| momenta[j][i][k] - slopes[i][k]).collect();
                 if let Some(rotation) = &rotations[i] {
                     let moment = Vector3::new(column[6], column[7], column[8]);
                     column[6..9].copy_from_slice(&rotation.apply(moment).0);
                 }
                 row.extend(column);
-                if self.rows[i].has_motor {
-                    row.push(if i == j { state.qdd[i] } else { Number::ZERO });
+                if self.rows[i].has_motor && self.rows[i].locked.is_none() {
+                    row.push(if i == own { state.qdd[j] } else { Number::ZERO });
                 }
             }
             row
         };
-        (0..n).map(row).collect()
+        self.joints().enumerate().map(row).collect()
     }
 
     /// d/dt (dT/dqd_j), for each joint j, link i and parameter.
@@ -218,9 +218,9 @@ impl Definition {
             }
             sum
         };
-        let wholes: Vec<_> = (0..n).map(whole).collect();
+        let wholes: Vec<_> = (0..self.rows.len()).map(whole).collect();
         let rate = |j: usize, i: usize| polar(units[j][i], wholes[i]).map(|x| x.derivative);
-        let of_joint = |j| (0..n).map(|i| rate(j, i)).collect();
+        let of_joint = |j| (0..self.rows.len()).map(|i| rate(j, i)).collect();
         (0..n).map(of_joint).collect()
     }
 

@@ -1,0 +1,117 @@
+//! How much one call may ask for: the limits that end a table which nobody wrote by hand in an error
+//! within seconds and in little memory. All of them are far beyond the arms that are built.
+//!
+//! Time is that of the unoptimised macro, memory that of the compiler's process beside the usual.
+//! `tests::hostile` holds each of them to it. What comes before this crate is not in its hand: rustc
+//! itself ends with an overflow of its stack where it reads delimiters 100,000 deep (10,000 are read).
+
+use proc_macro2::{Delimiter, TokenStream, TokenTree};
+
+use crate::diagnose::{Diagnostics, Reported};
+use crate::words::shortened;
+
+/// Tokens of a call. The table of 64 joints with every cell written takes 8,000.
+pub(crate) const MOST_TOKENS: usize = 100_000;
+
+/// Delimiters inside each other, anywhere in a call: what is read by recursion takes some kilobytes of
+/// the stack for each.
+pub(crate) const DEEPEST_DELIMITERS: usize = 120;
+
+/// Letters of a name: names are repeated in the documentation of every method.
+pub(crate) const MOST_LETTERS: usize = 200;
+
+/// Errors that are shown; reading ends at the last of them.
+pub(crate) const MOST_ERRORS: usize = 64;
+
+/// Digits of a number literal's mantissa: far more than any measured quantity has.
+pub(crate) const MOST_DIGITS: usize = 100;
+
+/// Parentheses, signs and functions inside each other in one value.
+pub(crate) const DEEPEST_VALUE: usize = 100;
+
+/// Terms of one value, the `let`s in it written out: rustc overflows its stack on expressions that are
+/// nested some 800 deep.
+pub(crate) const MOST_TERMS: usize = 500;
+
+/// Terms of all values of a call, the `let`s in them written out. Each takes some hundred bytes, and
+/// the engine's time grows with them.
+pub(crate) const MOST_TERMS_IN_ALL: usize = 20_000;
+
+/// Bits of the numerator and denominator of an exact number, 1,200 digits. The smallest `f64` in 100
+/// digits has 1,400 bits.
+pub(crate) const MOST_BITS: usize = 4_000;
+
+/// Bits of all exact numbers in the cells of a table, 50,000 digits. A table of 64 joints with every
+/// cell a decimal of 17 digits has 160,000; where six joints share as many, expansion takes ten
+/// seconds.
+pub(crate) const MOST_BITS_IN_ALL: usize = 170_000;
+
+/// Joints of a robot. The default set of functions of 64 joints, all cells full, takes ten seconds.
+pub(crate) const MOST_JOINTS: usize = 64;
+
+/// Joints where a function is asked for whose length grows with their square or cube, such as
+/// `coriolis_matrix`: it takes ten seconds, all cells full, and has 180,000 operations.
+pub(crate) const MOST_JOINTS_OF_LONG_FUNCTIONS: usize = 32;
+
+/// Names that a message lists.
+pub(crate) const MOST_LISTED: usize = 20;
+
+/// Whether the tokens are few, flat and short enough to be read. Where they are not, one error says
+/// so, and the result is the number of tokens at the start of the call that can be read all the same.
+pub(crate) fn check(
+    tokens: &TokenStream,
+    diagnostics: &Diagnostics,
+) -> Result<(), (usize, Reported)> {
+    let mut count = 0;
+    let mut good = 0;
+    // Groups on the heap: the recursion that this prevents is not needed to prevent it.
+    let mut open = vec![tokens.clone().into_iter()];
+    while let Some(group) = open.last_mut() {
+        let Some(token) = group.next() else {
+            open.pop();
+            good += usize::from(open.len() == 1);
+            continue;
+        };
+        count += 1;
+        if let Some(message) = excess(&token, count, open.len()) {
+            return Err((good, diagnostics.error(token.span(), message)));
+        }
+        match token {
+            TokenTree::Group(group) => open.push(group.stream().into_iter()),
+            _ => good += usize::from(open.len() == 1),
+        }
+    }
+    Ok(())
+}
+
+/// What is too much with the `count`th token, that many groups deep.
+fn excess(token: &TokenTree, count: usize, depth: usize) -> Option<String> {
+    if count > MOST_TOKENS {
+        return Some(format!(
+            "more than {MOST_TOKENS} words, numbers and signs in one call"
+        ));
+    }
+    match token {
+        // A macro's fragments count too: they are read by recursion as well.
+        TokenTree::Group(group) if depth > DEEPEST_DELIMITERS => {
+            let what = match group.delimiter() {
+                Delimiter::Parenthesis => "parentheses",
+                Delimiter::Bracket => "brackets",
+                Delimiter::Brace => "braces",
+                Delimiter::None => "fragments",
+            };
+            Some(format!("{what} nested more than {DEEPEST_DELIMITERS} deep"))
+        }
+        TokenTree::Ident(ident) => {
+            let name = ident.to_string();
+            (name.len() > MOST_LETTERS).then(|| {
+                let start = shortened(&name);
+                format!(
+                    "a name has at most {MOST_LETTERS} letters: `{start}` has {}",
+                    name.chars().count()
+                )
+            })
+        }
+        _ => None,
+    }
+}

@@ -1,0 +1,406 @@
+//! Every limit of [`crate::limits`]: what exceeds it is one clear error, what meets it is a model, both
+//! within seconds and in bounded memory.
+
+use std::time::{Duration, Instant};
+
+use dynamics_symbolic::derive::derive;
+
+use super::*;
+use crate::limits::*;
+
+/// For a call that is refused, in a build without optimisation.
+const SOON: Duration = Duration::from_secs(5);
+
+/// For a call that is derived and proven; the engine alone is optimised in this workspace.
+const IN_SECONDS: Duration = Duration::from_secs(30);
+
+/// Of the heap, at any one time.
+const MOST_BYTES: u64 = 200_000_000;
+
+/// The messages about a call, which must come soon.
+fn refusal(source: &str) -> Vec<String> {
+    let (items, _) = expansion(source, SOON);
+    errors(&items)
+}
+
+/// The error messages in an expansion.
+fn errors(items: &str) -> Vec<String> {
+    let error = ":: core :: compile_error ! { \"";
+    let ends_at = |text: &str| text.find("\" }").unwrap_or(text.len());
+    let mut parts = items.split(error);
+    parts.next();
+    parts.map(|text| text[..ends_at(text)].to_owned()).collect()
+}
+
+/// The items of a call, and the most bytes on the heap.
+fn expansion(source: &str, limit: Duration) -> (String, u64) {
+    let tokens: TokenStream = source.parse().expect("the source lexes");
+    let mut items = String::new();
+    let start = Instant::now();
+    let memory = allocation_counter::measure(|| {
+        items = crate::generate(tokens, &derive).to_string();
+    });
+    let time = start.elapsed();
+    let start = &source[..source.len().min(60)];
+    assert!(time < limit, "{start}: {time:?}");
+    assert!(
+        memory.bytes_max < MOST_BYTES,
+        "{start}: {}",
+        memory.bytes_max
+    );
+    let name = std::thread::current().name().map(str::to_owned);
+    println!("{time:8.2?} {:9} bytes  {name:?}", memory.bytes_max);
+    (items, memory.bytes_max)
+}
+
+fn rows(number: usize, cells: &str) -> String {
+    let row = |i| format!("joint{i}: revolute {{ {cells} }}");
+    let rows: Vec<String> = (0..number).map(row).collect();
+    rows.join(",")
+}
+
+/// A call with these `let`s or fields in front of one row.
+fn with_head(head: &str, cells: &str) -> String {
+    format!(
+        "struct Arm {head} convention: standard, gravity: [0, 0, -9.81], \
+         joints: [joint: revolute {{ {cells} }}]"
+    )
+}
+
+#[test]
+fn a_thousand_rows() {
+    let message = format!("more than {MOST_JOINTS} joints");
+    assert_eq!(
+        refusal(&with_rows(&rows(1_000, "a: 1, mass: 1"))),
+        [message]
+    );
+}
+
+#[test]
+fn a_thousand_rows_with_one_name() {
+    let rows = rows(1_000, "").replace("joint1", "joint");
+    assert_eq!(refusal(&with_rows(&rows)).len(), 1);
+}
+
+#[test]
+fn as_many_joints_as_are_allowed() {
+    let cells = "a: 0.1, alpha: 0.5, d: 0.2, theta: 0.3, mass: 1, com: [0.1, 0.2, 0.3], \
+                 inertia: { xx: 2, yy: 2, zz: 2, xy: 0.1, yz: 0.1, xz: 0.1 }";
+    let call = with_rows(&rows(MOST_JOINTS, cells));
+    let (items, _) = expansion(&call, IN_SECONDS);
+    assert!(errors(&items).is_empty());
+}
+
+#[test]
+fn functions_that_would_be_too_long() {
+    let call = with_rows(&rows(MOST_JOINTS_OF_LONG_FUNCTIONS + 1, "a: 1, mass: 1"));
+    let asked = "functions: [coriolis_matrix, mass_matrix, regressor]";
+    assert_eq!(
+        refusal(&format!("{call} {asked}")),
+        [
+            "`coriolis_matrix` of more than 32 joints would be too long",
+            "`regressor` of more than 32 joints would be too long",
+        ]
+    );
+}
+
+#[test]
+fn tokens_without_end() {
+    let message = format!("more than {MOST_TOKENS} words, numbers and signs in one call");
+    let many = with_rows(&rows(20_000, "a: 1, mass: 1"));
+    assert_eq!(refusal(&many), [message]);
+}
+
+#[test]
+fn lets_without_end() {
+    let lets = |n: usize| -> String { (0..n).map(|i| format!("let x{i} = 1;")).collect() };
+    let too_many_tokens = format!("more than {MOST_TOKENS} words, numbers and signs in one call");
+    let head = format!("; {}", lets(100_000));
+    assert_eq!(refusal(&with_head(&head, "a: x0")), [too_many_tokens]);
+    // 19,999 `let`s and a cell are as many terms as there may be.
+    let head = format!("; {}", lets(MOST_TERMS_IN_ALL - 6));
+    assert_eq!(refusal(&with_head(&head, "a: x0")), [""; 0]);
+}
+
+#[test]
+fn lets_that_repeat_long_values() {
+    let sum = vec!["x"; MOST_TERMS].join(" + ");
+    let copies: String = (0..9_000)
+        .map(|i| format!("let y{i} = 1 / (y - 1);"))
+        .collect();
+    let head = format!("{{ x: f64 }} let y = {sum}; {copies}");
+    let messages = refusal(&with_head(&head, "a: y"));
+    assert!(
+        messages[0].contains("more than 500 terms"),
+        "{}",
+        messages[0]
+    );
+    let copies: String = (0..10_000).map(|i| format!("let y{i} = y;")).collect();
+    let head = format!("{{ x: f64 }} let y = {sum}; {copies}");
+    let messages = refusal(&with_head(&head, "a: 1"));
+    assert!(
+        messages.concat().contains("20000 terms in all"),
+        "{messages:#?}"
+    );
+}
+
+#[test]
+fn names_without_end() {
+    let name = "n".repeat(100_000);
+    let start = "n".repeat(40);
+    let message = format!("a name has at most 200 letters: `{start}...` has 100000");
+    for call in [
+        format!("struct {name}; {}", &with_cells("")[11..]),
+        with_head(&format!("{{ {name}: f64 }}"), &format!("a: {name}")),
+        with_head(&format!("; let {name} = 1;"), &format!("a: {name}")),
+        with_rows(&format!("{name}: revolute {{}}")),
+        with_cells(&format!("{name}: 1")),
+        with_cells(&format!("a: {name}")),
+    ] {
+        assert_eq!(refusal(&call), [message.as_str()]);
+    }
+    let fitting = "n".repeat(MOST_LETTERS);
+    let call = with_head(
+        &format!("{{ {fitting}: f64 }}"),
+        &format!("mass: {fitting}"),
+    );
+    assert_eq!(refusal(&call), [""; 0]);
+}
+
+#[test]
+fn delimiters_without_end() {
+    let nested = |depth: usize, open: &str, close: &str| {
+        format!("{}{}", open.repeat(depth), close.repeat(depth))
+    };
+    for (open, close, what) in [
+        ("(", ")", "parentheses"),
+        ("[", "]", "brackets"),
+        ("{", "}", "braces"),
+    ] {
+        let message = format!("{what} nested more than {DEEPEST_DELIMITERS} deep");
+        let deep = nested(10_000, open, close);
+        for call in [
+            with_cells(&format!("a: {deep}")),
+            with_cells(&format!("inertia: {deep}")),
+            with_head(&format!("{{ m: {deep} }}"), "mass: m"),
+            format!("#[doc {deep}] {}", with_cells("")),
+            format!("@[{deep}] {}", with_cells("")),
+        ] {
+            assert_eq!(refusal(&call), [message.as_str()]);
+        }
+    }
+    let conditions = nested(10_000, "cfg_attr(unix, ", ")");
+    assert_eq!(
+        refusal(&format!("#[{conditions}] {}", with_cells(""))).len(),
+        1
+    );
+}
+
+#[test]
+fn the_struct_is_there_after_a_table_that_cannot_be_read() {
+    let deep = format!("a: {}1{}", "(".repeat(10_000), ")".repeat(10_000));
+    let (items, _) = expansion(&with_cells(&deep), SOON);
+    assert_eq!(errors(&items).len(), 1);
+    assert!(items.contains("struct Arm") && items.contains("fn jacobian"));
+    // A struct that cannot be read is not repaired.
+    let (items, _) = expansion(&with_head(&format!("{{ m: {} }}", &deep[3..]), ""), SOON);
+    assert_eq!(errors(&items).len(), 1);
+    assert!(!items.contains("struct Arm"));
+}
+
+#[test]
+fn errors_without_end() {
+    let wrong = |n: usize, item: &str| -> String { (0..n).map(|_| item).collect() };
+    let lets: String = (0..2_000).map(|i| format!("let name{i} = 1;")).collect();
+    for call in [
+        with_cells(&wrong(30_000, "b: 1,")),
+        with_cells(&wrong(30_000, "a = 1;")),
+        with_head(&format!("; {}", wrong(15_000, "const X: f64 = 1;")), ""),
+        with_head(&format!("; {}", wrong(15_000, "static X = 1,")), ""),
+        with_head(&format!("; {}", wrong(50_000, "#")), ""),
+        with_head(&format!("; {lets} {}", wrong(20_000, "let y = nome;")), ""),
+        with_head(&format!("{{ {} }}", wrong(30_000, "x,")), ""),
+        with_head(&format!("{{ x: {} }}", wrong(80_000, "f64 ")), ""),
+        with_head(&format!("{{ x: {} }}", wrong(40_000, "Vec<")), ""),
+        with_rows(&wrong(20_000, "joint,")),
+        format!(
+            "{} functions: [{}]",
+            with_cells(""),
+            wrong(40_000, "jacobean,")
+        ),
+    ] {
+        let messages = refusal(&call);
+        assert!(
+            (1..=MOST_ERRORS).contains(&messages.len()),
+            "{}",
+            messages.len()
+        );
+        if messages.len() == MOST_ERRORS {
+            assert!(messages.concat().contains("(more errors than are shown)"));
+        }
+        assert!(messages.iter().all(|message| message.len() < 1_000));
+    }
+}
+
+#[test]
+fn thousands_of_fields() {
+    let fields = |n: usize| -> String { (0..n).map(|i| format!("x{i}: f64,")).collect() };
+    let unused = with_head(&format!("{{ {} }}", fields(5_000)), "mass: 1");
+    assert_eq!(refusal(&unused).len(), MOST_ERRORS);
+    // 3,000 fields, each in one cell.
+    let sum = |first: usize| -> String {
+        let terms: Vec<String> = (first..first + 300).map(|i| format!("x{i}")).collect();
+        terms.join(" + ")
+    };
+    let cells = format!(
+        "a: {}, d: {}, theta: {}, alpha: {}, mass: {}, com: [{}, {}, {}], inertia: {{ xx: {}, yz: {} }}",
+        sum(0),
+        sum(300),
+        sum(600),
+        sum(900),
+        sum(1200),
+        sum(1500),
+        sum(1800),
+        sum(2100),
+        sum(2400),
+        sum(2700)
+    );
+    let row = |name: &str| format!("{name}: revolute {{ {cells} }}");
+    let call = format!(
+        "struct Arm {{ {} }} convention: standard, gravity: [0, 0, -9.81], joints: [{}, {}, {}]",
+        fields(3_000),
+        row("one"),
+        row("two"),
+        row("three")
+    );
+    let (items, _) = expansion(&call, IN_SECONDS);
+    assert!(errors(&items).is_empty());
+}
+
+#[test]
+fn numbers_without_end() {
+    let digits = |n: usize| "7".repeat(n);
+    for (cell, message) in [
+        (digits(10_000), "more than 100 digits"),
+        (format!("0.{}", digits(10_000)), "more than 100 digits"),
+        (
+            "1e99999999".to_owned(),
+            "this number is larger than the largest `f64`",
+        ),
+        (
+            "1e-99999999".to_owned(),
+            "this number is smaller than the smallest `f64`, but not zero",
+        ),
+        (
+            format!("1e{}", digits(10_000)),
+            "this number is larger than the largest `f64`",
+        ),
+        (
+            "1e300 * 1e300".to_owned(),
+            "this value is larger than the largest `f64`",
+        ),
+    ] {
+        assert_eq!(refusal(&with_cells(&format!("a: {cell}"))), [message]);
+    }
+    let factors: Vec<String> = (1..=40).map(|i| format!("{i}{}", digits(90))).collect();
+    let product = format!("1 / {}", factors.join(" / "));
+    let message =
+        "the exact value of this is a fraction of more than 1,200 digits: write a decimal number";
+    assert_eq!(refusal(&with_cells(&format!("a: {product}"))), [message]);
+}
+
+/// Fractions of many digits in every cell: each is small enough, all together are not.
+#[test]
+fn digits_of_all_cells() {
+    let mut seed = 0_u64;
+    let mut fraction = |digits: usize| {
+        let mut literal = String::new();
+        while literal.len() < digits {
+            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+            literal += &(seed >> 33).to_string();
+        }
+        format!("1.{}", &literal[..digits])
+    };
+    let mut value = || {
+        let parts: Vec<String> = (0..6)
+            .map(|_| format!("{} / {}", fraction(98), fraction(98)))
+            .collect();
+        format!("({} / 1000)", parts[0..1].join(" * "))
+    };
+    let mut row = |name: &str| {
+        let v: Vec<String> = (0..7).map(|_| value()).collect();
+        format!(
+            "{name}: revolute {{ a: {}, alpha: 1, d: {}, theta: 1, mass: {}, com: [{}, {}, {}], \
+             inertia: sphere({}) }}",
+            v[0], v[1], v[2], v[3], v[4], v[5], v[6]
+        )
+    };
+    let six: Vec<String> = ["a", "b", "c", "d", "e", "f"]
+        .iter()
+        .map(|name| row(name))
+        .collect();
+    let (items, _) = expansion(&with_rows(&six.join(",")), IN_SECONDS);
+    assert_eq!(errors(&items), [""; 0]);
+    let many: Vec<String> = (0..60).map(|i| row(&format!("joint{i}"))).collect();
+    let message = "the exact fractions of this table have more than 50,000 digits in all: write decimal numbers";
+    assert_eq!(refusal(&with_rows(&many.join(","))), [message]);
+}
+
+/// A value of 500 terms in every cell, with pi, so that no number can be made of it early.
+#[test]
+fn constants_that_cannot_be_folded() {
+    let product = |sign: &str| -> String {
+        let factors: Vec<String> = (1..=90).map(|i| format!("(PI {sign} {i})")).collect();
+        format!("{} / 1e120", factors.join(" * "))
+    };
+    let (plus, minus) = (product("+"), product("-"));
+    let cells = format!(
+        "a: {plus}, alpha: {plus}, d: {minus}, theta: {minus}, mass: 1 + ({plus}) / 1e20, \
+         com: [1 / ({plus} + 1), {minus}, {plus}]"
+    );
+    let row = |name: &str| format!("{name}: revolute {{ {cells} }}");
+    let call = with_rows(&format!("{}, {}, {}", row("one"), row("two"), row("three")));
+    let (items, _) = expansion(&call, IN_SECONDS);
+    assert_eq!(errors(&items), [""; 0]);
+}
+
+#[test]
+fn divisors_that_are_zero() {
+    let zeros = [
+        "x - x",
+        "(x + 1) * (x - 1) - x * x + 1",
+        "PI - PI",
+        "1 - 1",
+        "deg(180) - PI",
+        "0 * x",
+        "1 / x - 1 / x",
+    ];
+    for zero in zeros {
+        let head = format!("{{ x: f64 }} let y = x * ({zero});");
+        for divisor in [format!("({zero})"), "y".to_owned()] {
+            let call = with_head(&head, &format!("a: 1 / {divisor}, mass: x"));
+            assert_eq!(refusal(&call), ["division by zero"], "{divisor}");
+        }
+    }
+}
+
+#[test]
+fn tables_without_content() {
+    for call in [
+        "",
+        ";",
+        "struct",
+        "struct Arm",
+        "struct Arm;",
+        "@",
+        "@[]",
+        "{}",
+        "#",
+        "#[doc]",
+        "joints: []",
+    ] {
+        assert!(!refusal(call).is_empty(), "{call}");
+    }
+    let empty = "struct Arm; convention: standard, gravity: [0, 0, 0], joints: []";
+    assert_eq!(refusal(empty), ["no joints: a robot has at least one"]);
+}

@@ -1,0 +1,4 @@
+//! Only what a scene needs: accurate forward dynamics on request, joints that are locked, terms that
+//! are neglected.
+
+mod articulated;
