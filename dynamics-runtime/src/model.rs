@@ -2,7 +2,9 @@
 
 use core::fmt;
 
-use nalgebra::{Matrix4, SMatrix, SVector};
+#[cfg(feature = "std")]
+use nalgebra::Matrix4;
+use nalgebra::{SMatrix, SVector};
 
 use crate::{JointSines, Scalar, Table};
 
@@ -150,6 +152,7 @@ pub trait Energy<const N: usize> {
 }
 
 /// An arm all of whose generated functions can be evaluated at a state: what the checks need.
+#[cfg(feature = "std")]
 pub trait Evaluate<const N: usize>: Model<N> {
     /// Every function at one state, `None` where the function was not generated.
     ///
@@ -169,6 +172,7 @@ pub struct State<const N: usize> {
 }
 
 /// Values of the generated functions at one state, `None` where a function was not generated.
+#[cfg(feature = "std")]
 #[derive(Clone, Debug, Default)]
 pub struct Evaluation<const N: usize> {
     /// M(q).
