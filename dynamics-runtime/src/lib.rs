@@ -23,11 +23,15 @@ mod batch;
 mod check;
 mod configuration;
 mod double_double;
+mod dual;
+#[cfg(feature = "num-dual")]
+mod dual_scalars;
 mod float;
 #[cfg(feature = "std")]
 mod integrate;
 mod macros;
 mod model;
+mod momenta;
 mod newton_euler;
 mod operations;
 mod scalar;
@@ -55,13 +59,14 @@ pub use model::{
 };
 #[cfg(feature = "std")]
 pub use model::{Evaluate, Evaluation};
+pub use momenta::Momenta;
 pub use newton_euler::NewtonEuler;
 pub use operations::Operations;
 pub use scalar::Scalar;
 #[cfg(feature = "std")]
 pub use simulation::{
-    Cause, Dop853, DormandPrince, InvalidSetting, Method, NoTorque, Simulation, SimulationError,
-    Trajectory, Work,
+    Cause, Dop853, DormandPrince, InvalidSetting, Method, NoTorque, Radau5, Simulation,
+    SimulationError, Trajectory, Work,
 };
 pub use singular::{Conditioning, SingularMassMatrix};
 pub use table::{Convention, JointType, Row, Table};
