@@ -4,32 +4,42 @@ use robot_dynamics::robot_dynamics;
 
 /// A chain of slender rods of 1 m and 1 kg in a vertical plane.
 macro_rules! planar_chain {
-    ($name:ident: $($joint:ident)*) => {
+    ($name:ident, $function:ident: $($joint:ident)*) => {
         robot_dynamics! {
             pub(crate) struct $name;
             convention: standard,
             gravity: [0, -9.81, 0],
             joints: [$($joint: revolute { a: 1, mass: 1, com: [-1/2, 0, 0], inertia: rod(1) },)*],
-            functions: [forward_dynamics],
+            functions: [$function],
         }
     };
 }
 
-planar_chain!(Chain10: j1 j2 j3 j4 j5 j6 j7 j8 j9 j10);
-planar_chain!(Chain30: j1 j2 j3 j4 j5 j6 j7 j8 j9 j10 j11 j12 j13 j14 j15 j16 j17 j18 j19 j20
-    j21 j22 j23 j24 j25 j26 j27 j28 j29 j30);
+planar_chain!(Chain10, forward_dynamics: j1 j2 j3 j4 j5 j6 j7 j8 j9 j10);
+planar_chain!(ArticulatedChain10, forward_dynamics_aba: j1 j2 j3 j4 j5 j6 j7 j8 j9 j10);
+planar_chain!(Chain30, forward_dynamics: j1 j2 j3 j4 j5 j6 j7 j8 j9 j10 j11 j12 j13 j14 j15 j16 j17 j18
+    j19 j20 j21 j22 j23 j24 j25 j26 j27 j28 j29 j30);
+planar_chain!(ArticulatedChain30, forward_dynamics_aba: j1 j2 j3 j4 j5 j6 j7 j8 j9 j10 j11 j12 j13 j14 j15
+    j16 j17 j18 j19 j20 j21 j22 j23 j24 j25 j26 j27 j28 j29 j30);
 
-robot_dynamics! {
-    /// Point masses at the ends of two links of 1 m, the first without mass where `m1` is 0.
-    pub(crate) struct PointMasses { pub(crate) m1: f64, pub(crate) m2: f64 }
-    convention: standard,
-    gravity: [0, -9.81, 0],
-    joints: [
-        shoulder: revolute { a: 1, mass: m1 },
-        elbow: revolute { a: 1, mass: m2 },
-    ],
-    functions: [mass_matrix, forward_dynamics],
+/// Point masses at the ends of two links of 1 m, the first without mass where `m1` is 0.
+macro_rules! point_masses {
+    ($name:ident, $functions:tt) => {
+        robot_dynamics! {
+            pub(crate) struct $name { pub(crate) m1: f64, pub(crate) m2: f64 }
+            convention: standard,
+            gravity: [0, -9.81, 0],
+            joints: [
+                shoulder: revolute { a: 1, mass: m1 },
+                elbow: revolute { a: 1, mass: m2 },
+            ],
+            functions: $functions,
+        }
+    };
 }
+
+point_masses!(PointMasses, [mass_matrix, forward_dynamics]);
+point_masses!(ArticulatedMasses, [forward_dynamics_aba]);
 
 robot_dynamics! {
     /// A rod, and a link without mass.
@@ -67,21 +77,28 @@ robot_dynamics! {
     functions: [forward_dynamics],
 }
 
-robot_dynamics! {
-    /// Three axes that meet in one point, and one body: singular where the outer two are parallel.
-    pub(crate) struct IdealWrist;
-    convention: standard,
-    gravity: [0, 0, -9.81],
-    joints: [
-        yaw: revolute { alpha: -PI/2 },
-        pitch: revolute { alpha: PI/2 },
-        roll: revolute {
-            mass: 1, com: [0, 0, 0.1],
-            inertia: { xx: 0.001, yy: 0.001, zz: 0.001 },
-        },
-    ],
-    functions: [mass_matrix, forward_dynamics],
+/// Three axes that meet in one point, and one body: singular where the outer two are parallel.
+macro_rules! ideal_wrist {
+    ($name:ident, $functions:tt) => {
+        robot_dynamics! {
+            pub(crate) struct $name;
+            convention: standard,
+            gravity: [0, 0, -9.81],
+            joints: [
+                yaw: revolute { alpha: -PI/2 },
+                pitch: revolute { alpha: PI/2 },
+                roll: revolute {
+                    mass: 1, com: [0, 0, 0.1],
+                    inertia: { xx: 0.001, yy: 0.001, zz: 0.001 },
+                },
+            ],
+            functions: $functions,
+        }
+    };
 }
+
+ideal_wrist!(IdealWrist, [mass_matrix, forward_dynamics]);
+ideal_wrist!(ArticulatedWrist, [forward_dynamics_aba]);
 
 /// The PUMA 560 (Armstrong, Khatib and Burdick 1986; Corke 1996), without friction: `motors` times the inertia
 /// of its motors, the last link `hand` times as heavy.

@@ -61,7 +61,7 @@ pub(crate) struct Theme {
 pub(crate) const THEMES: [Theme; 8] = [
     Theme {
         name: "conditioning",
-        cases: &["HC01.10", "HC01.30", "HC02", "HC04", "HC05", "HC08"],
+        cases: &["HC01.10", "HC01.30", "HC02", "HC03", "HC04", "HC05", "HC08"],
         measure: |_| conditioning::scores(),
     },
     Theme {

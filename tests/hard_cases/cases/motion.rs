@@ -4,7 +4,8 @@ use std::cell::Cell;
 
 use robot_dynamics::nalgebra::SVector;
 use robot_dynamics::{
-    DormandPrince, ForwardDynamics, Method, Scalar, Simulation, SingularMassMatrix, Trajectory,
+    Dop853, DormandPrince, ForwardDynamics, Method, Scalar, Simulation, SingularMassMatrix,
+    Trajectory,
 };
 
 /// An arm that counts how often its accelerations are asked for.
@@ -39,6 +40,11 @@ impl<R: ForwardDynamics<N>, const N: usize> ForwardDynamics<N> for Counted<'_, R
 /// Dormand and Prince's method with one tolerance.
 pub(crate) fn dormand_prince(tolerance: f64) -> Method {
     Method::DormandPrince(DormandPrince::with_tolerance(tolerance))
+}
+
+/// DOP853 with one tolerance.
+pub(crate) fn dop853(tolerance: f64) -> Method {
+    Method::Dop853(Dop853::with_tolerance(tolerance))
 }
 
 /// Free motion from a state; `None` where it ends early.

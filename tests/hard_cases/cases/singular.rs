@@ -16,12 +16,12 @@ pub(crate) fn scores() -> Vec<Score> {
         refusals("HC06.2", &massless_root, &straight, 0, "shoulder"),
         accelerations_of_a_massless_root(),
     ];
-    for (id, angle) in [
-        ("HC07.1e-02", 1e-2),
-        ("HC07.1e-04", 1e-4),
-        ("HC07.1e-06", 1e-6),
+    for (id, angle, bound, naive) in [
+        ("HC07.1e-02", 1e-2, 5e-14, 1.2e-13),
+        ("HC07.1e-04", 1e-4, 2e-10, 2.7e-9),
+        ("HC07.1e-06", 1e-6, 2e-7, 8.9e-6),
     ] {
-        scores.extend(gimbal(id, angle));
+        scores.extend(gimbal(id, angle, bound, naive));
     }
     scores
 }
@@ -62,7 +62,7 @@ fn accelerations_of_a_massless_root() -> Score {
 }
 
 /// A wrist near the pose where its outer axes are parallel: the pivots say what is lost.
-fn gimbal(id: &'static str, angle: f64) -> Vec<Score> {
+fn gimbal(id: &'static str, angle: f64, bound: f64, naive: f64) -> Vec<Score> {
     let entry = entry(id);
     let [q, qd, tau] = ["q", "qd", "tau"].map(|name| entry.vector::<3>(name));
     assert_eq!(q, Vector3::new(0.1, angle, 0.3));
@@ -70,8 +70,13 @@ fn gimbal(id: &'static str, angle: f64) -> Vec<Score> {
         Ok(qdd) => relative_error(&qdd, &entry.exact("qdd")),
         Err(_) => f64::INFINITY,
     };
+    let articulated = match ArticulatedWrist.forward_dynamics::<f64>(&q, &qd, &tau) {
+        Ok(qdd) => relative_error(&qdd, &entry.exact("qdd")),
+        Err(_) => f64::INFINITY,
+    };
     let nearest = Conditioning::of(&IdealWrist.mass_matrix(&q));
     vec![
+        Score::at_most(id, "error of qdd, forward_dynamics_aba", articulated, bound).naive(naive),
         Score::at_most(
             id,
             "error of qdd, over what the pivots predict",
