@@ -6,6 +6,7 @@ use std::time::{Duration, Instant};
 use robot_dynamics::nalgebra::SVector;
 use robot_dynamics::{
     Dop853, DormandPrince, DoubleDouble, ForwardDynamics, Method, Radau5, Simulation,
+    SimulationError, Trajectory,
 };
 
 use crate::reference_motion::{Phase, motion};
@@ -181,41 +182,7 @@ impl<R: ForwardDynamics<N>, const N: usize> Setting<'_, R, N> {
             .initial(self.q, self.qd)
             .duration(self.duration)
             .samples(2);
-        let run = || {
-            let start = Instant::now();
-            let outcome = black_box(&simulation).run();
-            (start.elapsed(), outcome)
-        };
-        let (first, outcome) = run();
-        let mut times = vec![first];
-        while times.len() < 7 && times.iter().sum::<Duration>() < Duration::from_millis(15) {
-            times.push(run().0);
-        }
-        times.sort();
-        let (evaluations, error) = match outcome {
-            Ok(trajectory) => {
-                let found = trajectory.q.last().map(|q| q.map(DoubleDouble::from) - end);
-                let error = found.map_or(f64::NAN, |error| {
-                    error
-                        .iter()
-                        .fold(0.0, |largest, x| x.high().abs().max(largest))
-                });
-                (trajectory.work.evaluations, Ok(error))
-            }
-            Err(stopped) => {
-                let evaluations = stopped.trajectory.work.evaluations;
-                (
-                    evaluations,
-                    Err(format!("at {:.3} s: {:?}", stopped.time, stopped.cause)),
-                )
-            }
-        };
-        Run {
-            parameter,
-            nanoseconds: times[times.len() / 2].as_nanos() as f64,
-            evaluations,
-            error,
-        }
+        timed(parameter, end, || black_box(&simulation).run())
     }
 
     /// The end of the motion in 31 digits, its error as the difference to half as many steps, and
@@ -236,6 +203,48 @@ impl<R: ForwardDynamics<N>, const N: usize> Setting<'_, R, N> {
             end_of_changed.distance(&half) / 1e-12
         });
         (end.q, error, growth.fold(0.0, f64::max))
+    }
+}
+
+/// Runs a simulation until the median of its times means something.
+fn timed<const N: usize>(
+    parameter: f64,
+    end: &SVector<DoubleDouble, N>,
+    simulate: impl Fn() -> Result<Trajectory<N>, Box<SimulationError<N>>>,
+) -> Run {
+    let run = || {
+        let start = Instant::now();
+        let outcome = simulate();
+        (start.elapsed(), outcome)
+    };
+    let (first, outcome) = run();
+    let mut times = vec![first];
+    while times.len() < 7 && times.iter().sum::<Duration>() < Duration::from_millis(15) {
+        times.push(run().0);
+    }
+    times.sort();
+    let (evaluations, error) = match outcome {
+        Ok(trajectory) => {
+            let found = trajectory.q.last().map(|q| q.map(DoubleDouble::from) - end);
+            let error = found.map_or(f64::NAN, |error| {
+                let largest = |largest: f64, x: &DoubleDouble| x.high().abs().max(largest);
+                error.iter().fold(0.0, largest)
+            });
+            (trajectory.work.evaluations, Ok(error))
+        }
+        Err(stopped) => {
+            let evaluations = stopped.trajectory.work.evaluations;
+            (
+                evaluations,
+                Err(format!("at {:.3} s: {:?}", stopped.time, stopped.cause)),
+            )
+        }
+    };
+    Run {
+        parameter,
+        nanoseconds: times[times.len() / 2].as_nanos() as f64,
+        evaluations,
+        error,
     }
 }
 

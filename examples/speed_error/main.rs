@@ -3,7 +3,8 @@
 //! `cargo run --release --example speed_error` measures everything and writes
 //! `target/speed_error/report.html`, with the plots as files beside it. Arguments: `--quick` for a
 //! run of seconds with fewer robots and shorter measurements, `--long` to watch energies for 10^5 s
-//! instead of 10^3, which takes minutes, `--functions`, `--integrators`, `--structure` or `--pieces`
+//! instead of 10^3, which takes minutes, `--functions`, `--numbers`, `--integrators`,
+//! `--structure` or `--pieces`
 //! for these parts alone, and a path for the page. Times are of one core: `taskset -c 1 cargo run ...`.
 
 use std::error::Error;
@@ -32,9 +33,12 @@ mod random;
 mod reference_motion;
 mod robots;
 mod samples;
+mod scalars;
 mod structure;
 mod table;
 mod timing;
+#[rustfmt::skip]
+mod textbook_programs;
 #[path = "../../tests/support/trajectory.rs"]
 #[allow(dead_code)]
 mod trajectory;
@@ -103,6 +107,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     if arguments.wants("functions") {
         sections.push(functions_section::section(&functions(&arguments))?);
     }
+    if arguments.wants("numbers") {
+        sections.push(scalars::section(arguments.effort()));
+    }
     if arguments.wants("integrators") {
         sections.push(integrators_section::section(arguments.quick)?);
     }
@@ -124,13 +131,35 @@ const QUICK: [&str; 4] = ["one_link", "two_link_saha", "puma560", "panda"];
 fn functions(arguments: &Arguments) -> Vec<Measured> {
     let mut all = Vec::new();
     macro_rules! measure {
-        ($($file:ident: $robot:ident, $n:literal;)*) => {$(
+        ($($file:ident: $robot:ident, $n:literal, $lanes:ident;)*) => {$(
             let name = stringify!($file);
             if !arguments.quick || QUICK.contains(&name) {
-                all.extend(Measurements::<$n>::of(name, &$robot, arguments.effort()).all);
+                let mut measurements = Measurements::<$n>::of(name, &$robot, arguments.effort());
+                measurements.$lanes(&$robot);
+                all.extend(measurements.all);
             }
         )*};
     }
     for_each_robot!(measure);
+    macro_rules! measure_textbook {
+        ($($file:ident: $robot:ident, $n:literal;)*) => {$(
+            let name = stringify!($file);
+            if !arguments.quick || QUICK.contains(&name) {
+                let (textbook, table) = (textbook_programs::$robot, robots::$robot.table());
+                let effort = arguments.effort();
+                all.extend(Measurements::<$n>::textbook(name, &textbook, &table, effort));
+            }
+        )*};
+    }
+    measure_textbook! {
+        two_link_saha: TwoLinkSaha, 2;
+        two_link_craig: TwoLinkCraig, 2;
+        elbow_3r: Elbow3r, 3;
+        rrr_planar: RrrPlanar, 3;
+        spherical_wrist: SphericalWrist, 3;
+    }
+    let mut robots: Vec<_> = all.iter().map(|m| m.robot).collect();
+    robots.dedup();
+    all.sort_by_key(|m| robots.iter().position(|robot| *robot == m.robot));
     all
 }
