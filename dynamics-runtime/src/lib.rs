@@ -21,6 +21,7 @@ mod macros;
 mod model;
 mod newton_euler;
 mod operations;
+mod placement;
 mod scalar;
 mod simulation;
 mod sine;
@@ -41,6 +42,7 @@ pub use model::{
 };
 pub use newton_euler::NewtonEuler;
 pub use operations::Operations;
+pub use placement::Placement;
 pub use scalar::Scalar;
 pub use simulation::{
     Cause, DormandPrince, InvalidSetting, Method, NoTorque, Simulation, SimulationError, Trajectory,

@@ -125,6 +125,7 @@ impl Tables {
             convention,
             gravity,
             rows,
+            neglected: None,
         }
     }
 }

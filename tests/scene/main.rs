@@ -5,3 +5,6 @@
 mod double_double;
 
 mod articulated;
+mod limits;
+mod lock;
+mod neglect;

@@ -5,7 +5,7 @@ use proc_macro2::{Delimiter, Group, Ident, Literal, TokenTree};
 use super::cursor::Cursor;
 use super::number::number;
 use crate::diagnose::{Place, Reported};
-use crate::syntax::{Expr, ExprKind, Operator};
+use crate::syntax::{Expr, ExprKind, Operator, Share};
 use crate::words::shortened;
 
 /// Nesting that is read: far below what the stack can take.
@@ -19,6 +19,22 @@ pub(super) fn expression(cursor: &mut Cursor) -> Result<Expr, Reported> {
     let expr = sum(cursor, &mut Limits::default())?;
     no_other_operator(cursor)?;
     Ok(expr)
+}
+
+/// Reads a share, `1%` or `0.01`.
+pub(super) fn share(cursor: &mut Cursor) -> Result<Share, Reported> {
+    let number = sum(cursor, &mut Limits::default())?;
+    let percent = cursor.take_char('%');
+    no_other_operator(cursor)?;
+    let place = match percent {
+        Some(sign) => number.place.to(sign),
+        None => number.place,
+    };
+    Ok(Share {
+        number,
+        percent: percent.is_some(),
+        place,
+    })
 }
 
 /// Whether a value may start here.

@@ -24,6 +24,7 @@ mod joint;
 mod kinematics;
 mod linear;
 mod link;
+mod lock;
 mod recursion;
 mod terms;
 
