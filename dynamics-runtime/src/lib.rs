@@ -34,6 +34,7 @@ mod model;
 mod momenta;
 mod newton_euler;
 mod operations;
+mod placement;
 mod scalar;
 #[cfg(feature = "std")]
 mod simulation;
@@ -62,6 +63,7 @@ pub use model::{Evaluate, Evaluation};
 pub use momenta::Momenta;
 pub use newton_euler::NewtonEuler;
 pub use operations::Operations;
+pub use placement::Placement;
 pub use scalar::Scalar;
 #[cfg(feature = "std")]
 pub use simulation::{

@@ -92,6 +92,7 @@ pub(super) fn documentation(
     function: Function,
     program: &Program,
     constants: &[f64],
+    notes: &[String],
 ) -> Vec<String> {
     let mut lines = vec![format!(" {}", description(function)), String::new()];
     if !arguments(function).is_empty() {
@@ -100,6 +101,9 @@ pub(super) fn documentation(
     }
     if matches!(function, Function::Regressor | Function::BaseParameters) {
         lines.extend(super::parameters::lines(robot));
+    }
+    for note in notes {
+        lines.extend([note.clone(), String::new()]);
     }
     lines.push(format!(" Operations: {}.", program.operations()));
     if let Some(formulas) = formulas(robot, program, constants).filter(|_| robot.dof() <= 3) {
