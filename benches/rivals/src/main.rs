@@ -8,9 +8,6 @@
 #[path = "../../../tests/support/decimal.rs"]
 #[allow(dead_code)]
 mod decimal;
-#[path = "../../../tests/support/double_double.rs"]
-#[allow(dead_code)]
-mod double_double;
 #[path = "../../../tests/suite/reference.rs"]
 #[allow(dead_code)]
 mod reference;

@@ -2,12 +2,12 @@
 
 use robot_dynamics::nalgebra::{SMatrix, SVector};
 use robot_dynamics::{
-    CoriolisVector, ForwardDynamics, GravityVector, InverseDynamics, MassMatrix, NewtonEuler, State,
+    CoriolisVector, DoubleDouble, ForwardDynamics, GravityVector, InverseDynamics, MassMatrix,
+    NewtonEuler, State,
 };
 
 use crate::arms::*;
 use crate::candidates::{Candidate, Columns, Dynibo, Lanes, Values};
-use crate::double_double::exact;
 use crate::errors::errors;
 use crate::others::rounding_error;
 use crate::timing::{STATES, nanoseconds, states};
@@ -102,6 +102,11 @@ macro_rules! others {
     };
 }
 use others;
+
+/// The numbers of a vector, exactly.
+fn exact<const N: usize>(x: &SVector<f64, N>) -> SVector<DoubleDouble, N> {
+    x.map(DoubleDouble::from)
+}
 
 /// One function, timed in double precision and evaluated again with 31 digits.
 macro_rules! other {

@@ -1,9 +1,7 @@
 //! Functions that only the generated code has, and their rounding errors.
 
-use robot_dynamics::Scalar;
+use robot_dynamics::DoubleDouble;
 use robot_dynamics::nalgebra::SMatrix;
-
-use crate::double_double::DoubleDouble;
 
 /// Hands the numbers of a function's value on, matrix by matrix.
 pub(crate) trait Matrices<T> {
@@ -54,9 +52,9 @@ pub(crate) fn rounding_error<A: Matrices<f64>, B: Matrices<DoubleDouble>>(
     let mut worst = 0.0_f64;
     accurate.for_each(|accurate| {
         let matrix = numbers.next().expect("as many matrices");
-        let largest = accurate.iter().map(|x| x.value().abs()).fold(0.0, f64::max);
+        let largest = accurate.iter().map(|x| x.high().abs()).fold(0.0, f64::max);
         for (x, exact) in matrix.iter().zip(accurate) {
-            let error = (*exact - DoubleDouble::from_f64(*x)).value().abs();
+            let error = (*exact - DoubleDouble::from(*x)).high().abs();
             let relative = if error == 0.0 { 0.0 } else { error / largest };
             worst = if relative <= worst { worst } else { relative };
         }
