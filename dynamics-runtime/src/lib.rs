@@ -17,9 +17,11 @@ mod batch;
 mod check;
 mod configuration;
 mod double_double;
+mod dual;
 mod integrate;
 mod macros;
 mod model;
+mod momenta;
 mod newton_euler;
 mod operations;
 mod scalar;
@@ -42,12 +44,13 @@ pub use model::{
     AccelerationDerivatives, CoriolisVector, Energy, Evaluate, Evaluation, ForwardDynamics,
     GravityVector, InverseDynamics, MassMatrix, Model, State,
 };
+pub use momenta::Momenta;
 pub use newton_euler::NewtonEuler;
 pub use operations::Operations;
 pub use scalar::Scalar;
 pub use simulation::{
-    Cause, Dop853, DormandPrince, InvalidSetting, Method, NoTorque, Simulation, SimulationError,
-    Trajectory, Work,
+    Cause, Dop853, DormandPrince, InvalidSetting, Method, NoTorque, Radau5, Simulation,
+    SimulationError, Trajectory, Work,
 };
 pub use singular::{Conditioning, SingularMassMatrix};
 pub use table::{Convention, JointType, Row, Table};

@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix4, SMatrix, SVector};
 
-use crate::{JointSines, Scalar, SingularMassMatrix, Table};
+use crate::{JointSines, Momenta, Scalar, SingularMassMatrix, Table};
 
 /// An arm with `N` joints that can show the table it was generated from.
 pub trait Model<const N: usize> {
@@ -46,6 +46,15 @@ pub trait ForwardDynamics<const N: usize> {
     ) -> Result<SVector<T, N>, SingularMassMatrix> {
         let _ = sines;
         self.forward_dynamics(q, qd, tau)
+    }
+
+    /// The arm in positions and momenta, which the structure-preserving methods of a
+    /// [`Simulation`](crate::Simulation) need; `None` where it is not known in them.
+    ///
+    /// A generated arm is, if its functions include `mass_matrix` and `inverse_dynamics`. For an arm
+    /// of your own with [`MassMatrix`] and [`InverseDynamics`] it is `Some(self)`.
+    fn momenta(&self) -> Option<&dyn Momenta<N>> {
+        None
     }
 }
 

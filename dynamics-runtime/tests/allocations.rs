@@ -1,10 +1,10 @@
 //! A simulation allocates its samples at the start and nothing while it runs; a batch nothing.
 
 use allocation_counter::measure;
-use dynamics_runtime::nalgebra::{SVector, Vector1};
+use dynamics_runtime::nalgebra::{SMatrix, SVector, Vector1};
 use dynamics_runtime::{
-    Batch, Cycloidal, Dop853, DormandPrince, ForwardDynamics, Method, Scalar, Simulation,
-    SingularMassMatrix,
+    Batch, Cycloidal, Dop853, DormandPrince, ForwardDynamics, InverseDynamics, MassMatrix, Method,
+    Momenta, Radau5, Scalar, Simulation, SingularMassMatrix,
 };
 
 /// A pendulum.
@@ -19,6 +19,28 @@ impl ForwardDynamics<1> for Pendulum {
     ) -> Result<SVector<T, 1>, SingularMassMatrix> {
         let (sin, _) = q[0].sin_cos();
         Ok(Vector1::new(tau[0] - sin))
+    }
+
+    fn momenta(&self) -> Option<&dyn Momenta<1>> {
+        Some(self)
+    }
+}
+
+impl MassMatrix<1> for Pendulum {
+    fn mass_matrix<T: Scalar>(&self, _: &SVector<T, 1>) -> SMatrix<T, 1, 1> {
+        SMatrix::<T, 1, 1>::new(T::from_f64(1.0))
+    }
+}
+
+impl InverseDynamics<1> for Pendulum {
+    fn inverse_dynamics<T: Scalar>(
+        &self,
+        q: &SVector<T, 1>,
+        _: &SVector<T, 1>,
+        qdd: &SVector<T, 1>,
+    ) -> SVector<T, 1> {
+        let (sin, _) = q[0].sin_cos();
+        Vector1::new(qdd[0] + sin)
     }
 }
 
@@ -42,11 +64,15 @@ fn a_run_allocates_its_samples_only() {
         assert_eq!(allocations(Method::CraigEuler { step }), 3);
         assert_eq!(allocations(Method::SemiImplicitEuler { step }), 3);
         assert_eq!(allocations(Method::RungeKutta4 { step }), 3);
+        assert_eq!(allocations(Method::ImplicitMidpoint { step }), 3);
+        assert_eq!(allocations(Method::GaussLegendre4 { step }), 3);
+        assert_eq!(allocations(Method::GaussLegendre6 { step }), 3);
     }
     for tolerance in [1e-3, 1e-12] {
         let settings = DormandPrince::with_tolerance(tolerance);
         assert_eq!(allocations(settings.into()), 3);
         assert_eq!(allocations(Dop853::with_tolerance(tolerance).into()), 3);
+        assert_eq!(allocations(Radau5::with_tolerance(tolerance).into()), 3);
     }
 }
 

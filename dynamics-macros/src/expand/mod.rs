@@ -32,7 +32,10 @@ pub(crate) fn robot(
     let operations = operations(methods, path);
     let inherent = target.inherent(&names, &operations, &base_parameters, &table, bodies);
     let provided = methods.iter().filter_map(|method| {
-        let item = method.provided.clone()?;
+        let mut item = method.provided.clone()?;
+        if method.function == Function::ForwardDynamics {
+            item.extend(traits::momenta(&target, &functions));
+        }
         Some((method.function, item))
     });
     let provided = traits::provided(&target, provided);

@@ -39,6 +39,21 @@ pub(super) fn provided(
     items.filter_map(implementation).collect()
 }
 
+/// What structure-preserving integration asks an arm with forward dynamics for, where there are the
+/// functions that it takes.
+pub(super) fn momenta(target: &Target, functions: &[Function]) -> Option<TokenStream> {
+    let (path, n) = (target.path, target.n());
+    let needed = [Function::MassMatrix, Function::InverseDynamics];
+    needed.iter().all(|f| functions.contains(f)).then(|| {
+        quote! {
+            #[inline]
+            fn momenta(&self) -> ::core::option::Option<&dyn #path::Momenta<#n>> {
+                ::core::option::Option::Some(self)
+            }
+        }
+    })
+}
+
 /// The start of an impl, and the number of joints in it. Where an error left the
 /// number unknown the impl is for all of them.
 fn header(target: &Target, name: TokenStream) -> (TokenStream, TokenStream) {

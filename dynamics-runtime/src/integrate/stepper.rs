@@ -30,6 +30,8 @@ pub(crate) enum Failure<E> {
     Refused(E),
     /// The error stays too large however short the step is.
     StepTooSmall,
+    /// The equations of an implicit step are not solved by iteration.
+    NoConvergence,
 }
 
 impl<E> From<E> for Failure<E> {

@@ -34,7 +34,7 @@ impl<const N: usize> NewtonEuler<N> {
 /// (Featherstone 2008, table 6.3): each pivot is the inertia that a joint feels with the joints
 /// beyond it free.
 #[inline]
-fn solve<const N: usize>(
+pub(crate) fn solve<const N: usize>(
     mut m: SMatrix<f64, N, N>,
     b: SVector<f64, N>,
 ) -> Result<SVector<f64, N>, SingularMassMatrix> {

@@ -32,6 +32,7 @@ use core::array;
 use nalgebra::Vector3;
 
 use crate::{Convention, Table};
+pub(crate) use forward::solve;
 use link::Link;
 
 /// The numeric dynamics of an arm, read from its [`Table`].

@@ -34,6 +34,7 @@ impl From<Failure<Cause>> for Cause {
         match failure {
             Failure::Refused(cause) => cause,
             Failure::StepTooSmall => Cause::StepTooSmall,
+            Failure::NoConvergence => Cause::NoConvergence,
         }
     }
 }

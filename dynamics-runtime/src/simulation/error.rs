@@ -47,6 +47,9 @@ pub enum Cause {
     },
     /// The error stays beyond the tolerance even at steps that are lost in the rounding of the time.
     StepTooSmall,
+    /// The equations of a step of an implicit method are not solved by iteration: the step is too
+    /// long.
+    NoConvergence,
     /// The greatest number of steps between two samples was made.
     TooManySteps,
 }
@@ -69,6 +72,9 @@ pub enum InvalidSetting {
         /// The joint, counted from 0.
         joint: usize,
     },
+    /// The method works in positions and momenta, and the arm is not known in them: see
+    /// [`ForwardDynamics::momenta`](crate::ForwardDynamics::momenta).
+    NoMomenta,
 }
 
 impl<const N: usize> fmt::Display for SimulationError<N> {
@@ -109,6 +115,7 @@ impl fmt::Display for Cause {
                 write!(f, "the state of joint {} is not finite", joint + 1)
             }
             Cause::StepTooSmall => write!(f, "no step is short enough for the tolerance"),
+            Cause::NoConvergence => write!(f, "the step is too long for an implicit method"),
             Cause::TooManySteps => write!(f, "too many steps between two samples"),
         }
     }
@@ -128,6 +135,10 @@ impl fmt::Display for InvalidSetting {
             InvalidSetting::InitialState { joint } => {
                 write!(f, "the initial state of joint {} is not finite", joint + 1)
             }
+            InvalidSetting::NoMomenta => write!(
+                f,
+                "the method works in momenta, for which the arm lacks mass_matrix or inverse_dynamics"
+            ),
         }
     }
 }

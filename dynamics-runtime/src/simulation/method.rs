@@ -1,14 +1,14 @@
 //! The methods of integration.
 
 use super::drive::drive;
-use super::motion::Motion;
-use super::settings::{Dop853, DormandPrince, ErrorControl, validate_step};
+use super::motion::{InMomenta, Motion};
+use super::settings::{Dop853, DormandPrince, ErrorControl, Radau5, validate_step};
 use super::trajectory::Recorder;
 use super::{Cause, InvalidSetting, TorqueLaw};
 use crate::ForwardDynamics;
 use crate::integrate::{
     Adaptive, CraigEuler, Dop853Method, DormandPrince54, Embedded, ExplicitEuler, FixedStep,
-    OneStep, Rk4, SemiImplicitEuler,
+    GaussLegendre, OneStep, Radau, Rk4, SemiImplicitEuler,
 };
 
 /// A method of integration.
@@ -18,6 +18,25 @@ use crate::integrate::{
 /// interval of 0.2 s and a step of 1 ms give 200 steps of 1 ms. A `step` longer than the interval
 /// gives one step; an infinite one is an error all the same, for it says nothing of the accuracy
 /// that is wanted.
+///
+/// # Structure-preserving methods
+///
+/// [`ImplicitMidpoint`](Method::ImplicitMidpoint) and the Gauss-Legendre methods keep the energy of a
+/// frictionless motion near its value for as long as it lasts: their error does not grow. They are
+/// symplectic in positions and momenta, so that they carry p = M(q) qd and solve
+///
+/// `q' = M^-1 p`, `p' = dT/dq - G - F + tau`, `dT/dq = C' qd`,
+///
+/// by iteration to rounding, with compensated sums. The arm must be known in momenta
+/// ([`ForwardDynamics::momenta`]). The step must be short beside the fastest of the motion's time
+/// constants, or the iteration does not converge ([`Cause::NoConvergence`]).
+///
+/// The same methods in (q, qd) would need no momenta, and are not enough: over 10^6 steps of 10 ms
+/// the energy of a two-link arm in free fall, which exchanges 54 J, stayed within 1e-5 J by
+/// Gauss-Legendre of order 4 in (q, p), averaged over each 500 s, and walked away by 2e-4 J in
+/// (q, qd). Semi-implicit Euler is
+/// symplectic only where M is constant, which it is not for an arm: the same arm lost 80 % of its
+/// energy within 100 s, or flew away.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Method {
@@ -34,7 +53,8 @@ pub enum Method {
         /// The longest step, s: positive and finite.
         step: f64,
     },
-    /// The semi-implicit Euler scheme: `qd+ = qd + qdd h`, `q+ = q + qd+ h`. First order.
+    /// The semi-implicit Euler scheme: `qd+ = qd + qdd h`, `q+ = q + qd+ h`. First order; symplectic
+    /// only where the mass matrix does not depend on q.
     SemiImplicitEuler {
         /// The longest step, s: positive and finite.
         step: f64,
@@ -44,11 +64,29 @@ pub enum Method {
         /// The longest step, s: positive and finite.
         step: f64,
     },
+    /// The implicit midpoint rule in positions and momenta. Second order, symplectic.
+    ImplicitMidpoint {
+        /// The longest step, s: positive and finite.
+        step: f64,
+    },
+    /// The Gauss-Legendre method of two stages in positions and momenta. Fourth order, symplectic.
+    GaussLegendre4 {
+        /// The longest step, s: positive and finite.
+        step: f64,
+    },
+    /// The Gauss-Legendre method of three stages in positions and momenta. Sixth order, symplectic.
+    GaussLegendre6 {
+        /// The longest step, s: positive and finite.
+        step: f64,
+    },
     /// The Dormand-Prince method of order 5(4) with error control and dense output.
     DormandPrince(DormandPrince),
     /// DOP853, the method of order 8(5,3) of Dormand and Prince, with error control and dense
     /// output.
     Dop853(Dop853),
+    /// The Radau IIA method of order 5, implicit, for stiff arms, with error control and dense
+    /// output.
+    Radau5(Radau5),
 }
 
 impl Default for Method {
@@ -74,9 +112,19 @@ impl Method {
             Method::CraigEuler { step } => fixed(CraigEuler, *step, motion, recorder),
             Method::SemiImplicitEuler { step } => fixed(SemiImplicitEuler, *step, motion, recorder),
             Method::RungeKutta4 { step } => fixed(Rk4, *step, motion, recorder),
+            Method::ImplicitMidpoint { step } => {
+                canonical(GaussLegendre::order_2(), *step, motion, recorder)
+            }
+            Method::GaussLegendre4 { step } => {
+                canonical(GaussLegendre::order_4(), *step, motion, recorder)
+            }
+            Method::GaussLegendre6 { step } => {
+                canonical(GaussLegendre::order_6(), *step, motion, recorder)
+            }
             Method::DormandPrince(settings) => {
                 adaptive::<DormandPrince54, _, _, N>(&settings.control(), motion, recorder)
             }
+            Method::Radau5(settings) => radau(&settings.control(), motion, recorder),
             Method::Dop853(settings) => {
                 adaptive::<Dop853Method, _, _, N>(&settings.control(), motion, recorder)
             }
@@ -88,9 +136,13 @@ impl Method {
             Method::ExplicitEuler { step }
             | Method::CraigEuler { step }
             | Method::SemiImplicitEuler { step }
-            | Method::RungeKutta4 { step } => validate_step(*step, duration),
+            | Method::RungeKutta4 { step }
+            | Method::ImplicitMidpoint { step }
+            | Method::GaussLegendre4 { step }
+            | Method::GaussLegendre6 { step } => validate_step(*step, duration),
             Method::DormandPrince(settings) => settings.control().validate(duration),
             Method::Dop853(settings) => settings.control().validate(duration),
+            Method::Radau5(settings) => settings.control().validate(duration),
         }
     }
 }
@@ -105,6 +157,20 @@ fn fixed<S, const N: usize>(
     drive(system, run, recorder, usize::MAX)
 }
 
+fn canonical<R, L, const STAGES: usize, const N: usize>(
+    method: GaussLegendre<STAGES, N>,
+    step: f64,
+    motion: &Motion<R, L>,
+    recorder: &mut Recorder<N>,
+) -> Result<(), Cause>
+where
+    R: ForwardDynamics<N>,
+    L: TorqueLaw<N>,
+{
+    let system = InMomenta::new(motion).ok_or(InvalidSetting::NoMomenta)?;
+    fixed(method, step, &system, recorder)
+}
+
 fn adaptive<M, R, L, const N: usize>(
     control: &ErrorControl,
     motion: &Motion<R, L>,
@@ -117,5 +183,19 @@ where
 {
     let range = control.range(recorder.duration());
     let run = Adaptive::<M, N>::start(motion, 0.0, recorder.phase, control.tolerance, range)?;
+    drive(motion, run, recorder, control.max_steps)
+}
+
+fn radau<R, L, const N: usize>(
+    control: &ErrorControl,
+    motion: &Motion<R, L>,
+    recorder: &mut Recorder<N>,
+) -> Result<(), Cause>
+where
+    R: ForwardDynamics<N>,
+    L: TorqueLaw<N>,
+{
+    let range = control.range(recorder.duration());
+    let run = Radau::start(motion, 0.0, recorder.phase, control.tolerance, range)?;
     drive(motion, run, recorder, control.max_steps)
 }

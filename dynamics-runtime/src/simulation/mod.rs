@@ -16,7 +16,7 @@ use trajectory::Recorder;
 
 pub use error::{Cause, InvalidSetting, SimulationError};
 pub use method::Method;
-pub use settings::{Dop853, DormandPrince};
+pub use settings::{Dop853, DormandPrince, Radau5};
 pub use trajectory::{Trajectory, Work};
 
 /// A torque law: the joint torques in N m or N as a function of t in s, q in rad or m, and qd.

@@ -124,3 +124,17 @@ settings! {
     /// The settings mean what they mean there.
     Dop853
 }
+
+settings! {
+    /// Settings of the Radau IIA method of order 5 (Hairer, Wanner, *Solving Ordinary Differential
+    /// Equations II*, section IV.8), for stiff arms: strong viscous friction at a small inertia,
+    /// stiff controllers.
+    ///
+    /// An explicit method takes steps shorter than the fastest of the motion's time constants,
+    /// whatever the tolerance; this one takes those that the motion itself asks for. It is
+    /// implicit: a step takes some three to seven times three evaluations of forward dynamics, and
+    /// two for each joint where the Jacobian is renewed, which is formed by differences and so
+    /// includes the torque law. Samples within the steps are taken from a polynomial of third
+    /// degree. The settings mean what they mean for [`DormandPrince`].
+    Radau5
+}

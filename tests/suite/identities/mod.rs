@@ -11,6 +11,7 @@ mod gradient;
 mod inertia;
 mod inverse;
 mod kinematics;
+mod momenta;
 mod newton_euler;
 mod non_finite;
 mod regressor;
@@ -53,6 +54,8 @@ macro_rules! identities_of_all {
                     bias_force_is_the_torque_without_acceleration;
                 forward: forward_dynamics_undoes_inverse_dynamics,
                     inverse_dynamics_undoes_forward_dynamics;
+                momenta: forces_on_momenta_are_those_of_the_coriolis_matrix,
+                    velocity_undoes_momentum;
                 friction: friction_is_that_of_the_table,
                     nothing_rubs_at_rest;
                 kinematics: link_poses_are_products_of_the_transforms_of_the_table,
