@@ -12,16 +12,14 @@ use Place::{NotOurs, Test};
 
 /// Every entry that is not on the scoreboard.
 #[rustfmt::skip]
-pub(crate) const ELSEWHERE: [(&str, Place); 13] = [
+pub(crate) const ELSEWHERE: [(&str, Place); 11] = [
     ("HC10", NotOurs(
         "the potential energy is -sum m g.c by contract, zero at the base's origin: no 1 - cos q is formed",
     )),
     ("HC19", Test("dynamics-macros/src/tests/hard_cases.rs", "tensors_and_masses_of_hard_case_19")),
     ("HC20", Test("dynamics-macros/src/tests/hard_cases.rs", "the_published_tensor_of_hard_case_20")),
-    ("HC21", NotOurs("waiting")),
     ("HC22", NotOurs("waiting")),
     ("HC23", NotOurs("waiting")),
-    ("HC31", NotOurs("waiting")),
     ("HC36", Test(
         "tests/suite/identities/single_precision.rs",
         "single_precision_agrees_with_double_precision",

@@ -1,12 +1,16 @@
 //! Dry friction.
 
 use robot_dynamics::nalgebra::Vector1;
+use robot_dynamics::{Radau5, Simulation};
 
 use super::arms::*;
+use super::motion::Counted;
 use super::score::Score;
 
 pub(crate) fn scores() -> Vec<Score> {
-    vec![sign_of_zero()]
+    let mut scores = vec![sign_of_zero()];
+    scores.extend(much_viscous_friction());
+    scores
 }
 
 /// sign(0) = 0, of either zero; a velocity that is not a number stays one.
@@ -21,4 +25,34 @@ fn sign_of_zero() -> Score {
     ];
     let wrong = wrong.iter().filter(|wrong| **wrong).count();
     Score::at_most("HC24", "wrong signs of 5", wrong as f64, 0.0).naive(2.0)
+}
+
+/// A torque of -G sin q, G = 10^3 N m, against b = 10^6 N m s: the velocity settles within microseconds to
+/// -G/b sin q, up to (G/b)^2, and an explicit method cannot take longer steps. So
+/// tan(q/2) = tan(1/2) exp(-G t/b), up to terms of G/b^2 = 10^-9. (The entry's digits are those of
+/// 0.9991588 rad, 4e-8 from it.)
+fn much_viscous_friction() -> [Score; 2] {
+    let id = "HC21";
+    let arm = Counted::new(&StiffJoint);
+    let settings = Radau5 {
+        max_step: Some(f64::INFINITY),
+        ..Radau5::with_tolerance(1e-8)
+    };
+    let simulation = Simulation::new(&arm)
+        .torque(|_t, q, _qd| Vector1::new(-1e3 * q[0].sin()))
+        .method(settings)
+        .initial(Vector1::new(1.0), Vector1::zeros());
+    let run = simulation.samples(2).run();
+    let exact = 2.0 * (0.5_f64.tan() * (-1e-3_f64).exp()).atan();
+    let error = run.map_or(f64::INFINITY, |m| (m.q[1][0] - exact).abs());
+    [
+        Score::at_most(
+            id,
+            "evaluations for 1 s, Radau 5 at 1e-8",
+            arm.calls(),
+            1_000.0,
+        )
+        .naive(1_814_714.0),
+        Score::at_most(id, "error of q after 1 s, Radau 5 at 1e-8", error, 1e-8),
+    ]
 }
