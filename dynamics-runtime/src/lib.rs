@@ -8,16 +8,26 @@
 //!   [`check_against_rnea`], which compares the two.
 //! - [`Simulation`], which moves an arm under a torque law, and [`Cycloidal`], a motion to follow.
 //!
+//! Without the feature `std`, which is on by default, the crate needs neither the standard library nor
+//! an allocator, and has everything but simulation, checks and batches.
+//!
 //! Use it through the crate `robot-dynamics`, which re-exports all of it.
+#![cfg_attr(not(feature = "std"), no_std)]
 #![forbid(unsafe_code)]
 
 pub use nalgebra;
 
+#[cfg(feature = "std")]
 mod batch;
+#[cfg(feature = "std")]
 mod check;
 mod configuration;
 mod double_double;
 mod dual;
+#[cfg(feature = "num-dual")]
+mod dual_scalars;
+mod float;
+#[cfg(feature = "std")]
 mod integrate;
 mod macros;
 mod model;
@@ -25,6 +35,7 @@ mod momenta;
 mod newton_euler;
 mod operations;
 mod scalar;
+#[cfg(feature = "std")]
 mod simulation;
 mod sine;
 mod singular;
@@ -34,20 +45,25 @@ mod trajectory;
 #[cfg(test)]
 mod test_arms;
 
+#[cfg(feature = "std")]
 pub use batch::{Batch, BatchError, LengthMismatch, States, StatesMut};
+#[cfg(feature = "std")]
 pub use check::{Check, FunctionReport, Report, check_against_rnea};
 pub use configuration::Configuration;
 #[doc(hidden)]
 pub use configuration::{Evaluated, JointSines};
 pub use double_double::DoubleDouble;
 pub use model::{
-    AccelerationDerivatives, CoriolisVector, Energy, Evaluate, Evaluation, ForwardDynamics,
-    GravityVector, InverseDynamics, MassMatrix, Model, State,
+    AccelerationDerivatives, CoriolisVector, Energy, ForwardDynamics, GravityVector,
+    InverseDynamics, MassMatrix, Model, State,
 };
+#[cfg(feature = "std")]
+pub use model::{Evaluate, Evaluation};
 pub use momenta::Momenta;
 pub use newton_euler::NewtonEuler;
 pub use operations::Operations;
 pub use scalar::Scalar;
+#[cfg(feature = "std")]
 pub use simulation::{
     Cause, Dop853, DormandPrince, InvalidSetting, Method, NoTorque, Radau5, Simulation,
     SimulationError, Trajectory, Work,

@@ -10,3 +10,19 @@ macro_rules! robot_dynamics {
         $crate::__private::expand! { @[$crate] $($tokens)* }
     };
 }
+
+/// Hands on the items of generated code that need the standard library.
+#[cfg(feature = "std")]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __with_std {
+    ($($items:tt)*) => { $($items)* };
+}
+
+/// Leaves out the items of generated code that need the standard library.
+#[cfg(not(feature = "std"))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __with_std {
+    ($($items:tt)*) => {};
+}

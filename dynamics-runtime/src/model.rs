@@ -1,6 +1,8 @@
 //! What a generated robot is to generic code.
 
-use nalgebra::{Matrix4, SMatrix, SVector};
+#[cfg(feature = "std")]
+use nalgebra::Matrix4;
+use nalgebra::{SMatrix, SVector};
 
 use crate::{JointSines, Momenta, Scalar, SingularMassMatrix, Table};
 
@@ -157,6 +159,7 @@ pub trait Energy<const N: usize> {
 }
 
 /// An arm all of whose generated functions can be evaluated at a state: what the checks need.
+#[cfg(feature = "std")]
 pub trait Evaluate<const N: usize>: Model<N> {
     /// Every function at one state, `None` where the function was not generated.
     ///
@@ -176,6 +179,7 @@ pub struct State<const N: usize> {
 }
 
 /// Values of the generated functions at one state, `None` where a function was not generated.
+#[cfg(feature = "std")]
 #[derive(Clone, Debug, Default)]
 pub struct Evaluation<const N: usize> {
     /// M(q).

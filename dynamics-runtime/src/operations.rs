@@ -1,6 +1,6 @@
 //! The cost of a generated function.
 
-use core::fmt;
+use core::fmt::{self, Write as _};
 
 /// The operations of one generated function, as they stand in its straight-line program.
 ///
@@ -27,10 +27,38 @@ impl Operations {
 
 impl fmt::Display for Operations {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(&format!(
+        let mut line = Line::default();
+        write!(
+            line,
             "{} mul, {} add, {} div, {} sin_cos",
             self.multiplications, self.additions, self.divisions, self.sin_cos
-        ))
+        )?;
+        f.pad(line.text())
+    }
+}
+
+/// Room for the longest line: four numbers of ten digits and the words. Padding needs to know how
+/// long it is, and there may be no allocator.
+#[derive(Default)]
+struct Line {
+    bytes: [[u8; 16]; 5],
+    length: usize,
+}
+
+impl Line {
+    fn text(&self) -> &str {
+        let written = &self.bytes.as_flattened()[..self.length];
+        core::str::from_utf8(written).unwrap_or_default()
+    }
+}
+
+impl fmt::Write for Line {
+    fn write_str(&mut self, text: &str) -> fmt::Result {
+        let end = self.length + text.len();
+        let room = self.bytes.as_flattened_mut().get_mut(self.length..end);
+        room.ok_or(fmt::Error)?.copy_from_slice(text.as_bytes());
+        self.length = end;
+        Ok(())
     }
 }
 
@@ -54,5 +82,14 @@ mod tests {
     fn display_honours_a_width() {
         assert_eq!(COUNTED.to_string(), "183 mul, 145 add, 2 div, 6 sin_cos");
         assert_eq!(format!("{COUNTED:>40}").len(), 40);
+        let most = u32::MAX;
+        let longest = Operations {
+            multiplications: most,
+            additions: most,
+            divisions: most,
+            sin_cos: most,
+        };
+        let line = format!("{most} mul, {most} add, {most} div, {most} sin_cos");
+        assert_eq!(longest.to_string(), line);
     }
 }

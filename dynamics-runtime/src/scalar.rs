@@ -2,6 +2,7 @@
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
+use crate::float::Float;
 use crate::sine::sin_cos_array;
 
 /// A real number type on which every generated function can be evaluated.
@@ -68,7 +69,8 @@ pub trait Scalar:
     ///
     /// A fused operation in software is many times slower than the two operations that it
     /// replaces, so it is used only where the compiler may emit the instruction: always on
-    /// `aarch64`, and on x86 where the target feature `fma` is switched on.
+    /// `aarch64`, and on x86 where the target feature `fma` is switched on; never without the feature
+    /// `std`.
     fn mul_add(self, a: Self, b: Self) -> Self;
 
     /// The sign as a number: -1, 0 or 1. Zero of either sign gives 0, NaN gives NaN.
@@ -93,7 +95,10 @@ pub trait Scalar:
 }
 
 /// Whether the target multiplies and adds in one instruction.
-pub(crate) const FUSED: bool = cfg!(any(target_feature = "fma", target_arch = "aarch64"));
+pub(crate) const FUSED: bool = cfg!(all(
+    feature = "std",
+    any(target_feature = "fma", target_arch = "aarch64")
+));
 
 macro_rules! impl_scalar {
     ($float:ident, $($sin_cos:item)*) => {
@@ -112,12 +117,12 @@ macro_rules! impl_scalar {
 
             #[inline]
             fn sqrt(self) -> Self {
-                $float::sqrt(self)
+                self.root()
             }
 
             #[inline]
             fn mul_add(self, a: Self, b: Self) -> Self {
-                if FUSED { $float::mul_add(self, a, b) } else { self * a + b }
+                if FUSED { self.fused(a, b) } else { self * a + b }
             }
 
             #[inline]

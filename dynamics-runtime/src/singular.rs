@@ -185,7 +185,7 @@ impl Conditioning {
     pub fn lost_digits(&self) -> f64 {
         match self.relative_pivot {
             pivot if pivot <= 0.0 => f64::INFINITY,
-            pivot => 0.0 - pivot.log10(),
+            pivot => 0.0 - libm::log10(pivot),
         }
     }
 

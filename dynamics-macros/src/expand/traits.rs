@@ -113,13 +113,15 @@ fn evaluate(target: &Target, evaluation: &TokenStream) -> TokenStream {
         _ => header(target, quote!(Evaluate)),
     };
     quote! {
-        #header {
-            fn evaluate(
-                &self,
-                state: &#path::State<#n>,
-                tau: &#path::nalgebra::SVector<f64, #n>,
-            ) -> #path::Evaluation<#n> {
-                #evaluation
+        #path::__with_std! {
+            #header {
+                fn evaluate(
+                    &self,
+                    state: &#path::State<#n>,
+                    tau: &#path::nalgebra::SVector<f64, #n>,
+                ) -> #path::Evaluation<#n> {
+                    #evaluation
+                }
             }
         }
     }

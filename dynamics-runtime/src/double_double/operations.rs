@@ -9,6 +9,7 @@ use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAss
 use num_traits::{One, Zero};
 
 use super::DoubleDouble;
+use crate::float::Float as _;
 use crate::scalar::FUSED;
 
 /// a + b without rounding (2Sum; Knuth). What is not finite keeps its value.
@@ -33,7 +34,7 @@ fn fast_two_sum(a: f64, b: f64) -> DoubleDouble {
 pub(super) fn two_product(a: f64, b: f64) -> DoubleDouble {
     let high = a * b;
     let low = if FUSED {
-        f64::mul_add(a, b, -high)
+        a.fused(b, -high)
     } else {
         by_halves(a, b, high)
     };
@@ -46,11 +47,7 @@ fn by_halves(a: f64, b: f64, high: f64) -> f64 {
     let ((a1, a2), (b1, b2)) = (halves(a), halves(b));
     let low = ((a1 * b1 - high) + a1 * b2 + a2 * b1) + a2 * b2;
     // The halves of numbers beyond 2^996 overflow.
-    if low.is_nan() {
-        f64::mul_add(a, b, -high)
-    } else {
-        low
-    }
+    if low.is_nan() { a.fused(b, -high) } else { low }
 }
 
 /// A number as the sum of two that have 26 bits each (Veltkamp 1968).
@@ -150,7 +147,7 @@ impl DoubleDouble {
 /// calculation of Euclidean norms using double-word arithmetic*, ACM Trans. Math. Software 49, 2023).
 #[inline]
 pub(super) fn sqrt(x: DoubleDouble) -> DoubleDouble {
-    let root = x.high.sqrt();
+    let root = x.high.root();
     if root == 0.0 || !root.is_finite() {
         return DoubleDouble::from(root);
     }

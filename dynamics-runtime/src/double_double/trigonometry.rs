@@ -23,14 +23,14 @@ pub(super) fn sin_cos(x: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
         let nan = DoubleDouble::from(f64::NAN);
         return (nan, nan);
     }
-    let n = (x.high / FRAC_PI_2).round();
+    let n = libm::round(x.high / FRAC_PI_2);
     let rest = reduced(x, n);
     let square = rest * rest;
     let (s, c) = (rest * series(square, 1.0), series(square, 0.0));
-    match n.rem_euclid(4.0) {
-        0.0 => (s, c),
-        1.0 => (c, -s),
-        2.0 => (-s, -c),
+    match (n as i64).rem_euclid(4) {
+        0 => (s, c),
+        1 => (c, -s),
+        2 => (-s, -c),
         _ => (-c, s),
     }
 }

@@ -53,7 +53,4 @@ impl<const N: usize> Phase<N> {
     }
 }
 
-/// Index of the first entry that is not finite.
-pub(crate) fn first_non_finite<const N: usize>(vector: &SVector<f64, N>) -> Option<usize> {
-    vector.iter().position(|entry| !entry.is_finite())
-}
+pub(crate) use crate::float::first_non_finite;

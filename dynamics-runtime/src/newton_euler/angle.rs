@@ -3,6 +3,7 @@
 use core::f64::consts::FRAC_PI_2;
 
 use crate::Scalar;
+use crate::float::sin_cos;
 
 /// Constant angles closer than this to a multiple of pi/2, relative to the angle, mean exactly that
 /// multiple: the multiple itself is a rounded number.
@@ -30,16 +31,16 @@ impl SinCos {
 
     /// A constant angle of the table: at multiples of pi/2 the values are 0 and +-1 exactly.
     pub(super) fn of_constant(angle: f64) -> Self {
-        let quarters = (angle / FRAC_PI_2).round();
+        let quarters = libm::round(angle / FRAC_PI_2);
         if (angle - quarters * FRAC_PI_2).abs() > RIGHT_ANGLE_TOLERANCE * angle.abs() {
-            let (sin, cos) = angle.sin_cos();
+            let (sin, cos) = sin_cos(angle);
             return SinCos { sin, cos };
         }
-        let (sin, cos) = match quarters.rem_euclid(4.0) {
+        let (sin, cos) = match libm::fmod(quarters, 4.0) {
             0.0 => (0.0, 1.0),
-            1.0 => (1.0, 0.0),
-            2.0 => (0.0, -1.0),
-            3.0 => (-1.0, 0.0),
+            1.0 | -3.0 => (1.0, 0.0),
+            2.0 | -2.0 => (0.0, -1.0),
+            3.0 | -1.0 => (-1.0, 0.0),
             // The angle is not finite.
             _ => (f64::NAN, f64::NAN),
         };

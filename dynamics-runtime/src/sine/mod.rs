@@ -101,11 +101,12 @@ fn one_by_one<const W: usize>(x: [f64; W]) -> Pair<W> {
     (values.map(|(s, _)| s), values.map(|(_, c)| c))
 }
 
-/// The processor's instruction set; asked for at run time where the build does not settle it.
+/// The processor's instruction set; asked for at run time where the build does not settle it, and
+/// there is a standard library to ask.
 #[inline(always)]
 fn level() -> Level {
     let baseline = Level::baseline();
-    #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+    #[cfg(all(feature = "std", any(target_arch = "x86", target_arch = "x86_64")))]
     if baseline.as_avx512().is_none() {
         return Level::new();
     }

@@ -6,7 +6,7 @@ use core::fmt;
 use nalgebra::SVector;
 
 use crate::State;
-use crate::integrate::first_non_finite;
+use crate::float::{first_non_finite, sin_cos};
 
 /// Motion of all joints from rest to rest by the cycloidal law.
 ///
@@ -103,6 +103,7 @@ impl<const N: usize> Cycloidal<N> {
         let left = self.duration - t;
         let first_half = t <= left;
         let x = TAU * (t.min(left) / self.duration);
+        let (half, _) = sin_cos(0.5 * x);
         let travelled = distance * (x_minus_sine(x) / TAU);
         State {
             q: if first_half {
@@ -111,7 +112,7 @@ impl<const N: usize> Cycloidal<N> {
                 self.end - travelled
             },
             // 1 - cos x = 2 sin^2(x/2), without the cancellation.
-            qd: (distance / self.duration * (2.0 * (0.5 * x).sin().powi(2))).map(positive_zero),
+            qd: (distance / self.duration * (2.0 * half * half)).map(positive_zero),
             qdd: self.acceleration(self.sine(t)).map(positive_zero),
         }
     }
@@ -138,7 +139,7 @@ impl<const N: usize> Cycloidal<N> {
     /// sin(2 pi t / T), from the nearest of its zeros 0, T/2 and T: the distance from it is exact.
     fn sine(&self, t: f64) -> f64 {
         let quarter = 0.25 * self.duration;
-        let sine = |distance: f64| (TAU * (distance / self.duration)).sin();
+        let sine = |distance: f64| sin_cos(TAU * (distance / self.duration)).0;
         if t < quarter {
             sine(t)
         } else if t > 3.0 * quarter {
@@ -161,7 +162,7 @@ fn x_minus_sine(x: f64) -> f64 {
     /// The first term left out is below 2^-53 of the sum.
     const TERMS: i32 = 10;
     if x >= SERIES_BELOW {
-        return x - x.sin();
+        return x - sin_cos(x).0;
     }
     // x^3/3! (1 - x^2/(4 5) (1 - x^2/(6 7) (...)))
     let square = x * x;

@@ -1,0 +1,59 @@
+//! What `core` has not of a float: from the standard library, or else from `libm`.
+
+use nalgebra::SVector;
+
+/// The functions of one type.
+pub(crate) trait Float: Copy {
+    /// The square root; NaN of a negative number.
+    fn root(self) -> Self;
+
+    /// `self * a + b`, rounded once.
+    fn fused(self, a: Self, b: Self) -> Self;
+}
+
+macro_rules! impl_float {
+    ($float:ident, $sqrt:ident, $fma:ident) => {
+        #[cfg(feature = "std")]
+        impl Float for $float {
+            #[inline(always)]
+            fn root(self) -> Self {
+                self.sqrt()
+            }
+
+            #[inline(always)]
+            fn fused(self, a: Self, b: Self) -> Self {
+                self.mul_add(a, b)
+            }
+        }
+
+        #[cfg(not(feature = "std"))]
+        impl Float for $float {
+            #[inline]
+            fn root(self) -> Self {
+                libm::$sqrt(self)
+            }
+
+            #[inline]
+            fn fused(self, a: Self, b: Self) -> Self {
+                libm::$fma(self, a, b)
+            }
+        }
+    };
+}
+
+impl_float!(f32, sqrtf, fmaf);
+impl_float!(f64, sqrt, fma);
+
+/// Sine and cosine.
+#[inline]
+pub(crate) fn sin_cos(x: f64) -> (f64, f64) {
+    #[cfg(feature = "std")]
+    return x.sin_cos();
+    #[cfg(not(feature = "std"))]
+    libm::sincos(x)
+}
+
+/// Index of the first entry that is not finite.
+pub(crate) fn first_non_finite<const N: usize>(vector: &SVector<f64, N>) -> Option<usize> {
+    vector.iter().position(|x| !x.is_finite())
+}

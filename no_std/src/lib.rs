@@ -1,0 +1,118 @@
+//! Generated functions and the runtime's core where there is no standard library and no allocator:
+//! `cargo test` compares them with the numeric Newton-Euler algorithm, `cargo build` compiles them as a
+//! controller would, and `cargo build --target thumbv7em-none-eabihf` for one.
+#![no_std]
+
+use robot_dynamics::nalgebra::{Matrix3, Vector3};
+use robot_dynamics::{
+    Configuration, Cycloidal, Model, NewtonEuler, SingularMassMatrix, robot_dynamics,
+};
+
+robot_dynamics! {
+    /// An elbow arm with motors and friction, and a parameter.
+    pub struct Arm { payload: f64 }
+
+    convention: standard,
+    gravity: [0, 0, -9.81],
+    joints: [
+        waist: revolute {
+            d: 0.5, alpha: PI/2, mass: 9, com: [0, -0.1, 0], inertia: cylinder(0.1, 0.5),
+            motor: { inertia: 1e-4, gear_ratio: 50 }, friction: { viscous: 0.3, coulomb: 1.5 },
+        },
+        shoulder: revolute { a: 0.4, mass: 5, com: [-0.2, 0, 0.02], inertia: rod(0.4) },
+        elbow: revolute { a: 0.3, mass: 2 + payload, com: [-0.1, 0, 0], inertia: rod(0.3) },
+    ],
+    functions: [
+        mass_matrix, coriolis_vector, gravity_vector, friction_vector, inverse_dynamics,
+        forward_dynamics, kinetic_energy, potential_energy, bias_force, coriolis_matrix,
+        coriolis_coefficients, centrifugal_coefficients, forward_kinematics, link_poses, jacobian,
+        inverse_dynamics_derivatives, forward_dynamics_derivatives, regressor, base_parameters,
+    ],
+}
+
+/// A control law, in single precision as on a controller that has no other: torques that move the arm
+/// from `start` to `end` in `duration` seconds, at time `t`.
+pub fn feed_forward(start: [f64; 3], end: [f64; 3], duration: f64, t: f64) -> Option<Vector3<f32>> {
+    let motion = Cycloidal::new(start.into(), end.into(), duration).ok()?;
+    let state = motion.at(t);
+    let [q, qd, qdd] = [state.q, state.qd, state.qdd].map(|x| x.cast::<f32>());
+    Some(Arm { payload: 0.5 }.inverse_dynamics(&q, &qd, &qdd))
+}
+
+/// Everything at one q, the sines evaluated once.
+///
+/// # Errors
+///
+/// Where M is singular.
+pub fn at(q: &Vector3<f64>) -> Result<(Matrix3<f64>, Vector3<f64>), SingularMassMatrix> {
+    let arm = Arm { payload: 0.5 };
+    let configuration = Configuration::new(&arm, q);
+    let gravity = configuration.gravity_vector();
+    let qdd = configuration.forward_dynamics(&Vector3::zeros(), &gravity)?;
+    Ok((configuration.mass_matrix(), qdd))
+}
+
+/// The numeric algorithms on the same table.
+pub fn numeric(q: &Vector3<f64>, qd: &Vector3<f64>, qdd: &Vector3<f64>) -> Vector3<f64> {
+    NewtonEuler::new(&Model::table(&Arm { payload: 0.5 })).inverse_dynamics(q, qd, qdd)
+}
+
+/// What else there is, called so that it is compiled.
+pub fn everything(q: &Vector3<f64>, qd: &Vector3<f64>, tau: &Vector3<f64>) -> Option<f64> {
+    let arm = Arm { payload: 0.5 };
+    let qdd = arm.forward_dynamics(q, qd, tau).ok()?;
+    let (by_q, by_qd) = arm.inverse_dynamics_derivatives(q, qd, &qdd);
+    let (of_q, of_qd, inverse) = arm.forward_dynamics_derivatives(q, qd, tau).ok()?;
+    let matrices = by_q + by_qd + of_q + of_qd + inverse + arm.coriolis_matrix(q, qd);
+    let vectors = arm.bias_force(q, qd)
+        + arm.coriolis_vector(q, qd)
+        + arm.friction_vector(qd)
+        + arm.regressor(q, qd, &qdd) * arm.base_parameters()
+        + arm.coriolis_coefficients(q) * qd
+        + arm.centrifugal_coefficients(q) * qd;
+    let poses = arm.forward_kinematics(q)[(0, 3)] + arm.link_poses(q)[0][(0, 3)];
+    let energy = arm.kinetic_energy(q, qd) + arm.potential_energy(q);
+    Some(matrices.sum() + vectors.sum() + poses + arm.jacobian(q).sum() + energy)
+}
+
+#[cfg(not(test))]
+#[panic_handler]
+fn panic(_: &core::panic::PanicInfo) -> ! {
+    loop {}
+}
+
+#[cfg(test)]
+mod tests {
+    extern crate std;
+
+    use super::*;
+
+    const Q: Vector3<f64> = Vector3::new(0.3, -1.2, 2.0);
+    const QD: Vector3<f64> = Vector3::new(1.0, 0.5, -2.0);
+    const QDD: Vector3<f64> = Vector3::new(-3.0, 0.2, 4.0);
+
+    #[test]
+    fn generated_and_numeric_dynamics_agree() {
+        let tau: Vector3<f64> = Arm { payload: 0.5 }.inverse_dynamics(&Q, &QD, &QDD);
+        assert!((tau - numeric(&Q, &QD, &QDD)).amax() < 1e-12 * tau.amax());
+    }
+
+    #[test]
+    fn a_motion_ends_where_gravity_is_held() {
+        let end = [1.0, 2.0, 3.0];
+        let torque = feed_forward([0.0; 3], end, 2.0, 2.0).expect("a duration");
+        let gravity: Vector3<f64> = Arm { payload: 0.5 }.gravity_vector(&end.into());
+        assert!((torque.cast::<f64>() - gravity).amax() < 1e-5 * gravity.amax());
+    }
+
+    #[test]
+    fn an_arm_that_is_held_stays() {
+        let (mass, qdd) = at(&Q).expect("a regular matrix");
+        assert!(mass.determinant() > 0.0 && qdd.amax() < 1e-12);
+    }
+
+    #[test]
+    fn every_function_can_be_evaluated() {
+        assert!(everything(&Q, &QD, &QDD).is_some_and(f64::is_finite));
+    }
+}
