@@ -6,7 +6,8 @@
 //!   Denavit-Hartenberg table as numbers.
 //! - [`NewtonEuler`], the same dynamics computed numerically from the table, and
 //!   [`check_against_rnea`], which compares the two.
-//! - [`Simulation`], which moves an arm under a torque law, and [`Cycloidal`], a motion to follow.
+//! - [`Simulation`], which moves an arm under a torque law by a [`Method`] of your choice, and
+//!   [`Cycloidal`], a motion to follow.
 //!
 //! Use it through the crate `robot-dynamics`, which re-exports all of it.
 #![forbid(unsafe_code)]
@@ -46,7 +47,7 @@ pub use newton_euler::NewtonEuler;
 pub use operations::Operations;
 pub use scalar::Scalar;
 pub use simulation::{
-    Cause, Dop853, DormandPrince, InvalidSetting, Method, NoTorque, Radau5, Simulation,
+    Cause, Dop853, DormandPrince, Friction, InvalidSetting, Method, NoTorque, Radau5, Simulation,
     SimulationError, Trajectory, Work,
 };
 pub use table::{Convention, JointType, Row, Table};
