@@ -83,7 +83,7 @@ pub(crate) const THEMES: [Theme; 8] = [
     },
     Theme {
         name: "friction",
-        cases: &["HC21", "HC24"],
+        cases: &["HC21", "HC22", "HC23", "HC24"],
         measure: |_| friction::scores(),
     },
     Theme {
