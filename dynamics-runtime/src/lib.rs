@@ -6,7 +6,8 @@
 //!   Denavit-Hartenberg table as numbers.
 //! - [`NewtonEuler`], the same dynamics computed numerically from the table, and
 //!   [`check_against_rnea`], which compares the two.
-//! - [`Simulation`], which moves an arm under a torque law, and [`Cycloidal`], a motion to follow.
+//! - [`Simulation`], which moves an arm under a torque law by a [`Method`] of your choice, and
+//!   [`Cycloidal`], a motion to follow.
 //!
 //! Without the feature `std`, which is on by default, the crate needs neither the standard library nor
 //! an allocator, and has everything but simulation, checks and batches.
@@ -34,6 +35,7 @@ mod model;
 mod momenta;
 mod newton_euler;
 mod operations;
+mod placement;
 mod scalar;
 #[cfg(feature = "std")]
 mod simulation;
@@ -62,10 +64,11 @@ pub use model::{Evaluate, Evaluation};
 pub use momenta::Momenta;
 pub use newton_euler::NewtonEuler;
 pub use operations::Operations;
+pub use placement::Placement;
 pub use scalar::Scalar;
 #[cfg(feature = "std")]
 pub use simulation::{
-    Cause, Dop853, DormandPrince, InvalidSetting, Method, NoTorque, Radau5, Simulation,
+    Cause, Dop853, DormandPrince, Friction, InvalidSetting, Method, NoTorque, Radau5, Simulation,
     SimulationError, Trajectory, Work,
 };
 pub use singular::{Conditioning, SingularMassMatrix};

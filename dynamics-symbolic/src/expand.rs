@@ -3,6 +3,7 @@
 use crate::derive::derive;
 use crate::emit;
 use crate::function::Function;
+use crate::neglect::{STATES, largest_error};
 use crate::program::{Operations, Program};
 use crate::prove::{ProofFailure, prove};
 use crate::robot::Robot;
@@ -87,7 +88,9 @@ pub fn expand_with(
     let mut methods = Vec::with_capacity(functions.len());
     let mut failures = Vec::new();
     for &function in functions {
-        match method(robot, function, derive(robot, function), path) {
+        let program = derive(robot, function);
+        let notes = neglected(robot, function, &program, derive);
+        match method(robot, function, program, &notes, path) {
             Ok(method) => methods.push(method),
             Err(failure) => failures.push(failure),
         }
@@ -99,11 +102,54 @@ pub fn expand_with(
     }
 }
 
+/// What the documentation says of a function of an abbreviated model, beside the complete one.
+fn neglected(
+    robot: &Robot,
+    function: Function,
+    program: &Program,
+    derive: &dyn Fn(&Robot, Function) -> Program,
+) -> Vec<String> {
+    let depends_on_inertia = !matches!(
+        function,
+        Function::FrictionVector
+            | Function::ForwardKinematics
+            | Function::LinkPoses
+            | Function::Jacobian
+    );
+    let Some(neglected) = robot.neglected.as_ref().filter(|_| depends_on_inertia) else {
+        return Vec::new();
+    };
+    let complete = Robot {
+        neglected: None,
+        ..robot.clone()
+    };
+    let whole = derive(&complete, function);
+    let error = largest_error(&complete, function, &whole, program);
+    vec![format!(
+        " Of the abbreviated model: what stays below {} % is neglected. The largest error at {STATES} sampled \
+         states is {:.1e} of the largest value of the complete function, which takes {} operations, {} more.",
+        percent(neglected.share),
+        error.relative,
+        error.complete,
+        error.saved,
+    )]
+}
+
+/// A share in percent, without the noise of a product of doubles.
+pub fn percent(share: f64) -> String {
+    let digits = format!("{:.6}", 100.0 * share);
+    digits
+        .trim_end_matches('0')
+        .trim_end_matches('.')
+        .to_owned()
+}
+
 /// Proves a program, rounds its constants and emits it.
 fn method(
     robot: &Robot,
     function: Function,
     program: Program,
+    notes: &[String],
     path: &TokenStream,
 ) -> Result<Method, Failure> {
     prove(robot, function, &program).map_err(Failure::Proof)?;
@@ -111,7 +157,7 @@ fn method(
     if constants.iter().any(|x| x.is_infinite()) {
         return Err(Failure::Overflow(function));
     }
-    let emitted = emit::method(robot, function, &program, &constants, path);
+    let emitted = emit::method(robot, function, &program, &constants, notes, path);
     Ok(Method {
         function,
         tokens: emitted.inherent,

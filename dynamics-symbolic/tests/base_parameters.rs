@@ -159,6 +159,7 @@ fn arm(convention: Convention, gravity: [i64; 3], fields: usize, rows: Vec<Row>)
         convention,
         gravity: gravity.map(Value::integer),
         rows,
+        neglected: None,
     }
 }
 

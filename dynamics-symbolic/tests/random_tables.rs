@@ -9,6 +9,8 @@ use dynamics_symbolic::robot::Robot;
 
 #[path = "support/tables.rs"]
 mod tables;
+#[path = "support/zeros.rs"]
+mod zeros;
 
 use tables::{Bodies, Tables};
 
@@ -62,6 +64,7 @@ fn prove_table(robot: &Robot, count: usize, functions: &[Function]) {
     for (function, program) in programs.chain([articulated]) {
         let proof = prove(robot, function, &program);
         assert_eq!(proof, Ok(()), "table {count}: {robot:#?}");
+        zeros::assert_zeros_are_constants(robot, function, &program);
         let divides = program
             .instructions
             .iter()

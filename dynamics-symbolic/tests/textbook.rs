@@ -136,6 +136,7 @@ fn planar_robot(
         convention,
         gravity,
         rows,
+        neglected: None,
     }
 }
 

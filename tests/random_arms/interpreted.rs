@@ -7,8 +7,8 @@ use dynamics_symbolic::program::{Instruction, Operand, Program};
 use dynamics_symbolic::robot::{self, Robot, Symbol, Value};
 use robot_dynamics::nalgebra::{SMatrix, SVector};
 use robot_dynamics::{
-    Convention, Evaluate, Evaluation, JointType, Model, Row, Scalar, SingularMassMatrix, State,
-    Table,
+    Convention, Evaluate, Evaluation, JointType, Model, Placement, Row, Scalar, SingularMassMatrix,
+    State, Table,
 };
 
 /// The functions that are run.
@@ -73,6 +73,9 @@ impl<const N: usize> Interpreted<N> {
             gear_ratio: cell(&row.gear_ratio),
             viscous: cell(&row.viscous),
             coulomb: cell(&row.coulomb),
+            limits: None,
+            mount: Placement::IDENTITY,
+            tip: Placement::IDENTITY,
         }
     }
 

@@ -2,3 +2,6 @@
 //! are neglected.
 
 mod articulated;
+mod limits;
+mod lock;
+mod neglect;

@@ -15,6 +15,7 @@ mod configuration;
 mod contract;
 mod degenerate;
 mod identification;
+mod integration;
 mod masses;
 mod one_link;
 mod solids;

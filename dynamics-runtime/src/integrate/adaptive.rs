@@ -220,6 +220,27 @@ impl<M: Embedded<N>, S: Equations<N>, const N: usize> Stepper<S, S::Refusal, N> 
         Ok(M::evaluate(&polynomial, (t - self.last.t) / self.last.h))
     }
 
+    fn retake(&mut self, system: &S, end: f64) -> Result<(), Failure<S::Refusal>> {
+        let from = Start {
+            h: end - self.last.t,
+            ..self.last
+        };
+        // The first of the stages is still that of the step to be made again.
+        self.phase = M::trial(system, &from, &mut self.rates)?;
+        M::finish(system, &from, &self.phase, &mut self.rates)?;
+        self.t = end;
+        self.last = from;
+        self.polynomial = None;
+        Ok(())
+    }
+
+    fn restart(&mut self, system: &S, phase: Phase<N>) -> Result<(), Failure<S::Refusal>> {
+        self.rates[0] = system.rate(self.t, &phase)?;
+        self.phase = phase;
+        self.fresh = false;
+        Ok(())
+    }
+
     fn rejected(&self) -> u64 {
         self.rejected
     }

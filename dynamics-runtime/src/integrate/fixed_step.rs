@@ -18,9 +18,12 @@ pub(crate) trait OneStep<S, E, const N: usize> {
 pub(crate) struct FixedStep<M, const N: usize> {
     method: M,
     grid: Grid,
+    /// Steps of the grid that have ended.
     taken: u64,
     t: f64,
     phase: Phase<N>,
+    /// Where the last step started.
+    from: (f64, Phase<N>),
 }
 
 impl<M, const N: usize> FixedStep<M, N> {
@@ -32,6 +35,7 @@ impl<M, const N: usize> FixedStep<M, N> {
             taken: 0,
             t: 0.0,
             phase,
+            from: (0.0, phase),
         }
     }
 }
@@ -47,10 +51,33 @@ impl<S, E, M: OneStep<S, E, N>, const N: usize> Stepper<S, E, N> for FixedStep<M
 
     #[inline]
     fn step(&mut self, system: &S, _: f64) -> Result<(), Failure<E>> {
-        let h = self.grid.step();
-        self.phase = self.method.step(system, self.t, &self.phase, h)?;
+        let end = self.grid.time(self.taken + 1);
+        // From within the grid, after an event, to its next point.
+        let h = if self.t == self.grid.time(self.taken) {
+            self.grid.step()
+        } else {
+            end - self.t
+        };
+        let phase = self.method.step(system, self.t, &self.phase, h)?;
+        self.from = (self.t, self.phase);
+        self.phase = phase;
         self.taken += 1;
-        self.t = self.grid.time(self.taken);
+        self.t = end;
+        Ok(())
+    }
+
+    fn retake(&mut self, system: &S, end: f64) -> Result<(), Failure<E>> {
+        let (t, phase) = self.from;
+        self.phase = self.method.step(system, t, &phase, end - t)?;
+        while self.taken > 0 && self.grid.time(self.taken) > end {
+            self.taken -= 1;
+        }
+        self.t = end;
+        Ok(())
+    }
+
+    fn restart(&mut self, _: &S, phase: Phase<N>) -> Result<(), Failure<E>> {
+        self.phase = phase;
         Ok(())
     }
 

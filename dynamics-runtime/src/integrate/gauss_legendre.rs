@@ -64,9 +64,12 @@ impl<const N: usize> GaussLegendre<3, N> {
     }
 }
 
-/// A change of the stages' rates, relative to the largest of them, that is rounding if it does not
-/// become smaller.
+/// A change of the stages' velocities, relative to them, that is rounding if it does not become
+/// smaller.
 const ROUNDING: f64 = 1e-10;
+
+/// A way in a step beside which changes are measured where the velocities are less, rad or m.
+const SLOW: f64 = 1e-4;
 
 /// An iteration that takes longer does not converge: the step is too long for it.
 const MOST_ITERATIONS: usize = 100;
@@ -128,14 +131,14 @@ impl<const STAGES: usize, const N: usize> GaussLegendre<STAGES, N> {
                 let at = from.plus(h, &combination(&a[i], &old));
                 rates[i] = system.rate(t + c[i] * h, &at)?;
             }
-            let change = change(&old, &rates);
-            if change == 0.0 || (change >= before && change < ROUNDING) {
+            let Change { all, velocities } = change(&old, &rates, h);
+            if all == 0.0 || (all >= before && velocities < ROUNDING) {
                 return Ok(rates);
             }
-            if k >= PATIENCE && (change >= 0.5 || change.is_nan()) {
+            if k >= PATIENCE && (velocities >= 0.5 || velocities.is_nan()) {
                 break;
             }
-            before = change;
+            before = all;
         }
         Err(Failure::NoConvergence)
     }
@@ -165,13 +168,21 @@ impl<S: Canonical<N>, const STAGES: usize, const N: usize> OneStep<S, S::Refusal
     }
 }
 
-/// The change of the rates of positions or of momenta, whichever is larger beside the rates; NaN
-/// where a rate is.
+/// How much an iteration changed the rates of the stages. NaN where a rate is.
+struct Change {
+    /// Of positions or of momenta, whichever is more beside what it changed.
+    all: f64,
+    /// Of positions, beside what it changed and [`SLOW`] a step. In an arm at rest the others are
+    /// rounding beside rounding.
+    velocities: f64,
+}
+
 #[inline(always)]
 fn change<const STAGES: usize, const N: usize>(
     old: &[Point<N>; STAGES],
     new: &[Point<N>; STAGES],
-) -> f64 {
+    h: f64,
+) -> Change {
     let (mut moved, mut size) = ([0.0; 2], [0.0; 2]);
     for (old, new) in old.iter().zip(new) {
         let difference = new.plus(-1.0, old);
@@ -186,11 +197,13 @@ fn change<const STAGES: usize, const N: usize>(
             moved[i] / size[i]
         }
     };
-    if ratio(0) >= ratio(1) {
+    let all = if ratio(0) >= ratio(1) {
         ratio(0)
     } else {
         ratio(1) + 0.0 * ratio(0)
-    }
+    };
+    let velocities = moved[0] / (size[0] + SLOW / h);
+    Change { all, velocities }
 }
 
 #[inline(always)]

@@ -7,13 +7,13 @@ use nalgebra::{ComplexField, SMatrix, SVector};
 ///
 /// Where a pivot is 0 the solutions are not finite.
 #[derive(Clone, Copy)]
-pub(super) struct Lu<T, const N: usize> {
+pub(crate) struct Lu<T, const N: usize> {
     factors: SMatrix<T, N, N>,
     rows: [usize; N],
 }
 
 impl<T: ComplexField + Copy, const N: usize> Lu<T, N> {
-    pub(super) fn new(mut matrix: SMatrix<T, N, N>) -> Self {
+    pub(crate) fn new(mut matrix: SMatrix<T, N, N>) -> Self {
         let mut rows = [0; N];
         for k in 0..N {
             rows[k] = pivot_row(&matrix, k);
@@ -33,7 +33,7 @@ impl<T: ComplexField + Copy, const N: usize> Lu<T, N> {
         }
     }
 
-    pub(super) fn solve(&self, mut x: SVector<T, N>) -> SVector<T, N> {
+    pub(crate) fn solve(&self, mut x: SVector<T, N>) -> SVector<T, N> {
         for (k, row) in self.rows.iter().enumerate() {
             x.swap_rows(k, *row);
         }

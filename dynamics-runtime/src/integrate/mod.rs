@@ -41,6 +41,7 @@ pub(crate) use explicit_euler::ExplicitEuler;
 pub(crate) use fixed_step::{FixedStep, OneStep};
 pub(crate) use gauss_legendre::GaussLegendre;
 pub(crate) use grid::{Grid, sample_time};
+pub(crate) use lu::Lu;
 pub(crate) use phase::{Phase, first_non_finite};
 pub(crate) use radau::Radau;
 pub(crate) use rk4::Rk4;

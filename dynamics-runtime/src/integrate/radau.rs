@@ -17,6 +17,8 @@ pub(crate) struct Radau<const N: usize> {
     t: f64,
     phase: Phase<N>,
     rate: Phase<N>,
+    /// Where the last step started.
+    from: Place<N>,
     h: f64,
     jacobian: Jacobian<N>,
     jacobian_is: Age,
@@ -31,6 +33,14 @@ pub(crate) struct Radau<const N: usize> {
     range: StepRange,
     rejected: u64,
     just_rejected: bool,
+}
+
+/// A time, the phase then, and how it moves.
+#[derive(Clone, Copy)]
+struct Place<const N: usize> {
+    t: f64,
+    phase: Phase<N>,
+    rate: Phase<N>,
 }
 
 /// Whether the Jacobian is that of the place reached.
@@ -105,6 +115,7 @@ impl<const N: usize> Radau<N> {
             t,
             phase,
             rate,
+            from: Place { t, phase, rate },
             h: initial_step(system, t, &phase, &rate, &wanted, 4.0),
             jacobian: Jacobian::zeros(),
             jacobian_is: Age::Useless,
@@ -268,15 +279,19 @@ impl<const N: usize> Radau<N> {
         end: f64,
     ) -> Result<(), S::Refusal> {
         let phase = self.phase.plus(1.0, &trial.changes[2]);
-        self.rate = system.rate(end, &phase)?;
+        let rate = system.rate(end, &phase)?;
         let quotient = self.quotient(trial);
         self.polynomial = Some(Polynomial::new(end, self.h, &phase, &trial.changes));
         self.before = Some(Accepted {
             h: self.h,
             error: trial.error.max(1e-2),
         });
-        self.t = end;
-        self.phase = phase;
+        self.from = Place {
+            t: self.t,
+            phase: self.phase,
+            rate: self.rate,
+        };
+        (self.t, self.phase, self.rate) = (end, phase, rate);
         // A step that just failed is not followed by a longer one.
         self.h /= if self.just_rejected {
             quotient.max(1.0)
@@ -360,6 +375,31 @@ impl<S: Equations<N>, const N: usize> Stepper<S, S::Refusal, N> for Radau<N> {
             Some(polynomial) if t < self.t => polynomial.at(t),
             _ => self.phase,
         })
+    }
+
+    fn retake(&mut self, system: &S, end: f64) -> Result<(), Failure<S::Refusal>> {
+        let Place { t, phase, rate } = self.from;
+        (self.t, self.phase, self.rate) = (t, phase, rate);
+        let next = self.h;
+        self.h = end - t;
+        self.polynomial = None;
+        self.jacobian_is = Age::Useless;
+        match self.trial(system) {
+            Ok(trial) => self.accept(system, &trial, end)?,
+            Err(Miss::Refused(refusal)) => return Err(Failure::Refused(refusal)),
+            Err(Miss::Newton(_)) => return Err(Failure::NoConvergence),
+        }
+        self.h = next;
+        Ok(())
+    }
+
+    fn restart(&mut self, system: &S, phase: Phase<N>) -> Result<(), Failure<S::Refusal>> {
+        self.rate = system.rate(self.t, &phase)?;
+        self.phase = phase;
+        self.polynomial = None;
+        self.before = None;
+        self.jacobian_is = Age::Useless;
+        Ok(())
     }
 
     fn rejected(&self) -> u64 {

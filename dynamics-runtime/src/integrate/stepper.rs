@@ -19,6 +19,13 @@ pub(crate) trait Stepper<S, E, const N: usize> {
     /// The phase at a time within the last step.
     fn at(&mut self, system: &S, t: f64) -> Result<Phase<N>, Failure<E>>;
 
+    /// Makes the last step again from where it started, so that it ends at an earlier time. It is
+    /// not judged: it is shorter than a step that was good enough.
+    fn retake(&mut self, system: &S, end: f64) -> Result<(), Failure<E>>;
+
+    /// Goes on from another phase, or under other equations, at the time reached.
+    fn restart(&mut self, system: &S, phase: Phase<N>) -> Result<(), Failure<E>>;
+
     /// The number of steps that were tried and thrown away.
     fn rejected(&self) -> u64;
 }

@@ -26,6 +26,7 @@ mod joint;
 mod kinematics;
 mod linear;
 mod link;
+mod lock;
 mod recursion;
 mod terms;
 

@@ -1,11 +1,32 @@
 //! An integration from sample to sample.
 
-use super::Cause;
+use super::motion::Motion;
+use super::sticking::Sticking;
 use super::trajectory::Recorder;
+use super::{Cause, TorqueLaw};
+use crate::ForwardDynamics;
 use crate::integrate::{Failure, Stepper};
 
 /// Makes steps to the end of the recorder's plan, at most `max_steps` between two samples.
-pub(super) fn drive<S, const N: usize>(
+pub(super) fn drive<S, R, L, const N: usize>(
+    motion: &Motion<R, L, N>,
+    system: &S,
+    stepper: impl Stepper<S, Cause, N>,
+    recorder: &mut Recorder<N>,
+    max_steps: usize,
+) -> Result<(), Cause>
+where
+    R: ForwardDynamics<N>,
+    L: TorqueLaw<N>,
+{
+    if motion.sticks() {
+        return Sticking::start(motion, system, stepper)?.drive(recorder, max_steps);
+    }
+    smooth(system, stepper, recorder, max_steps)
+}
+
+/// Without events.
+fn smooth<S, const N: usize>(
     system: &S,
     mut stepper: impl Stepper<S, Cause, N>,
     recorder: &mut Recorder<N>,

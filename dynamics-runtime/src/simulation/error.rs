@@ -72,6 +72,8 @@ pub enum InvalidSetting {
         /// The joint, counted from 0.
         joint: usize,
     },
+    /// The speed of regularised friction is not a positive finite number.
+    FrictionSpeed(f64),
     /// The method works in positions and momenta, and the arm is not known in them: see
     /// [`ForwardDynamics::momenta`](crate::ForwardDynamics::momenta).
     NoMomenta,
@@ -134,6 +136,9 @@ impl fmt::Display for InvalidSetting {
             }
             InvalidSetting::InitialState { joint } => {
                 write!(f, "the initial state of joint {} is not finite", joint + 1)
+            }
+            InvalidSetting::FrictionSpeed(speed) => {
+                write!(f, "friction cannot be regularised over a speed of {speed}")
             }
             InvalidSetting::NoMomenta => write!(
                 f,

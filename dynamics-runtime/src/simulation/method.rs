@@ -3,6 +3,7 @@
 use super::drive::drive;
 use super::motion::{InMomenta, Motion};
 use super::settings::{Dop853, DormandPrince, ErrorControl, Radau5, validate_step};
+use super::sticking::settle_at_start;
 use super::trajectory::Recorder;
 use super::{Cause, InvalidSetting, TorqueLaw};
 use crate::ForwardDynamics;
@@ -99,7 +100,7 @@ impl Default for Method {
 impl Method {
     pub(super) fn integrate<R, L, const N: usize>(
         &self,
-        motion: &Motion<R, L>,
+        motion: &Motion<R, L, N>,
         recorder: &mut Recorder<N>,
     ) -> Result<(), Cause>
     where
@@ -107,11 +108,16 @@ impl Method {
         L: TorqueLaw<N>,
     {
         recorder.sample();
+        if motion.sticks() {
+            settle_at_start(motion, &recorder.phase)?;
+        }
         match self {
-            Method::ExplicitEuler { step } => fixed(ExplicitEuler, *step, motion, recorder),
-            Method::CraigEuler { step } => fixed(CraigEuler, *step, motion, recorder),
-            Method::SemiImplicitEuler { step } => fixed(SemiImplicitEuler, *step, motion, recorder),
-            Method::RungeKutta4 { step } => fixed(Rk4, *step, motion, recorder),
+            Method::ExplicitEuler { step } => fixed(ExplicitEuler, *step, motion, motion, recorder),
+            Method::CraigEuler { step } => fixed(CraigEuler, *step, motion, motion, recorder),
+            Method::SemiImplicitEuler { step } => {
+                fixed(SemiImplicitEuler, *step, motion, motion, recorder)
+            }
+            Method::RungeKutta4 { step } => fixed(Rk4, *step, motion, motion, recorder),
             Method::ImplicitMidpoint { step } => {
                 canonical(GaussLegendre::order_2(), *step, motion, recorder)
             }
@@ -147,20 +153,25 @@ impl Method {
     }
 }
 
-fn fixed<S, const N: usize>(
+fn fixed<S, R, L, const N: usize>(
     method: impl OneStep<S, Cause, N>,
     step: f64,
+    motion: &Motion<R, L, N>,
     system: &S,
     recorder: &mut Recorder<N>,
-) -> Result<(), Cause> {
+) -> Result<(), Cause>
+where
+    R: ForwardDynamics<N>,
+    L: TorqueLaw<N>,
+{
     let run = FixedStep::start(method, recorder.grid(step), recorder.phase);
-    drive(system, run, recorder, usize::MAX)
+    drive(motion, system, run, recorder, usize::MAX)
 }
 
 fn canonical<R, L, const STAGES: usize, const N: usize>(
     method: GaussLegendre<STAGES, N>,
     step: f64,
-    motion: &Motion<R, L>,
+    motion: &Motion<R, L, N>,
     recorder: &mut Recorder<N>,
 ) -> Result<(), Cause>
 where
@@ -168,12 +179,12 @@ where
     L: TorqueLaw<N>,
 {
     let system = InMomenta::new(motion).ok_or(InvalidSetting::NoMomenta)?;
-    fixed(method, step, &system, recorder)
+    fixed(method, step, motion, &system, recorder)
 }
 
 fn adaptive<M, R, L, const N: usize>(
     control: &ErrorControl,
-    motion: &Motion<R, L>,
+    motion: &Motion<R, L, N>,
     recorder: &mut Recorder<N>,
 ) -> Result<(), Cause>
 where
@@ -183,12 +194,12 @@ where
 {
     let range = control.range(recorder.duration());
     let run = Adaptive::<M, N>::start(motion, 0.0, recorder.phase, control.tolerance, range)?;
-    drive(motion, run, recorder, control.max_steps)
+    drive(motion, motion, run, recorder, control.max_steps)
 }
 
 fn radau<R, L, const N: usize>(
     control: &ErrorControl,
-    motion: &Motion<R, L>,
+    motion: &Motion<R, L, N>,
     recorder: &mut Recorder<N>,
 ) -> Result<(), Cause>
 where
@@ -197,5 +208,5 @@ where
 {
     let range = control.range(recorder.duration());
     let run = Radau::start(motion, 0.0, recorder.phase, control.tolerance, range)?;
-    drive(motion, run, recorder, control.max_steps)
+    drive(motion, motion, run, recorder, control.max_steps)
 }

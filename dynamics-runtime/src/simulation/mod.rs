@@ -2,19 +2,23 @@
 
 mod drive;
 mod error;
+mod friction;
 mod method;
 mod motion;
 mod settings;
+mod sticking;
 mod trajectory;
 
 use nalgebra::SVector;
 
-use crate::ForwardDynamics;
 use crate::integrate::Phase;
+use crate::{ForwardDynamics, Model};
+use friction::Law;
 use motion::Motion;
 use trajectory::Recorder;
 
 pub use error::{Cause, InvalidSetting, SimulationError};
+pub use friction::Friction;
 pub use method::Method;
 pub use settings::{Dop853, DormandPrince, Radau5};
 pub use trajectory::{Trajectory, Work};
@@ -73,6 +77,7 @@ pub struct Simulation<'a, R, L, const N: usize> {
     robot: &'a R,
     torque: L,
     method: Method,
+    friction: Law<N>,
     initial: Phase<N>,
     duration: f64,
     samples: usize,
@@ -88,6 +93,7 @@ where
             robot,
             torque: |_, _, _| SVector::zeros(),
             method: Method::default(),
+            friction: Law::sign(),
             initial: Phase::zeros(),
             duration: 1.0,
             samples: 101,
@@ -104,6 +110,7 @@ impl<'a, R, L, const N: usize> Simulation<'a, R, L, N> {
         let Simulation {
             robot,
             method,
+            friction,
             initial,
             duration,
             samples,
@@ -113,6 +120,7 @@ impl<'a, R, L, const N: usize> Simulation<'a, R, L, N> {
             robot,
             torque: law,
             method,
+            friction,
             initial,
             duration,
             samples,
@@ -125,6 +133,17 @@ impl<'a, R, L, const N: usize> Simulation<'a, R, L, N> {
             method: method.into(),
             ..self
         }
+    }
+
+    /// What becomes of the Coulomb friction in the arm's table; [`Friction::Sign`] as it is made.
+    pub fn friction(self, kind: Friction) -> Self
+    where
+        R: Model<N>,
+    {
+        let rows = self.robot.table().rows;
+        let coulomb = SVector::from_fn(|i, _| rows[i].coulomb);
+        let friction = Law { kind, coulomb };
+        Simulation { friction, ..self }
     }
 
     /// Positions and velocities at t = 0.
@@ -159,7 +178,7 @@ where
     /// ([`Cause`]). Never panics, unless the torque law does.
     pub fn run(&self) -> Result<Trajectory<N>, Box<SimulationError<N>>> {
         let mut recorder = Recorder::new(self.initial);
-        let motion = Motion::new(self.robot, &self.torque);
+        let motion = Motion::new(self.robot, &self.torque, self.friction);
         let end = self.record(&motion, &mut recorder);
         let Recorder { t, phase, .. } = recorder;
         let trajectory = recorder.into_trajectory(motion.evaluations());
@@ -175,7 +194,7 @@ where
         }
     }
 
-    fn record(&self, motion: &Motion<R, L>, recorder: &mut Recorder<N>) -> Result<(), Cause> {
+    fn record(&self, motion: &Motion<R, L, N>, recorder: &mut Recorder<N>) -> Result<(), Cause> {
         self.validate()?;
         recorder.plan(self.duration, self.samples)?;
         self.method.integrate(motion, recorder)
@@ -191,9 +210,12 @@ where
         if let Some(joint) = self.initial.first_non_finite() {
             return Err(InvalidSetting::InitialState { joint });
         }
+        self.friction.validate()?;
         self.method.validate(self.duration)
     }
 }
 
+#[cfg(test)]
+mod friction_tests;
 #[cfg(test)]
 mod tests;

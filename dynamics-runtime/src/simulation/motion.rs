@@ -4,22 +4,36 @@ use core::cell::Cell;
 
 use nalgebra::SVector;
 
+use super::friction::{Contact, Friction, Law};
 use super::{Cause, TorqueLaw};
-use crate::integrate::{Canonical, Equations, Phase, Point, first_non_finite};
-use crate::{ForwardDynamics, Momenta};
+use crate::dual::Dual;
+use crate::integrate::{Canonical, Equations, Lu, Phase, Point, first_non_finite};
+use crate::{ForwardDynamics, Momenta, Scalar};
 
-pub(super) struct Motion<'a, R, L> {
+pub(super) struct Motion<'a, R, L, const N: usize> {
     robot: &'a R,
     torque: &'a L,
+    friction: Law<N>,
+    /// What friction does to each joint; without meaning where it does not stick.
+    contacts: Cell<[Contact; N]>,
     /// How often the equations of motion were evaluated.
     evaluations: Cell<u64>,
 }
 
-impl<'a, R, L> Motion<'a, R, L> {
-    pub(super) fn new(robot: &'a R, torque: &'a L) -> Self {
+/// Accelerations, and the forces that hold the joints that stick.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Held<const N: usize> {
+    pub(super) qdd: SVector<f64, N>,
+    pub(super) forces: SVector<f64, N>,
+}
+
+impl<'a, R, L, const N: usize> Motion<'a, R, L, N> {
+    pub(super) fn new(robot: &'a R, torque: &'a L, friction: Law<N>) -> Self {
         Motion {
             robot,
             torque,
+            friction,
+            contacts: Cell::new([Contact::Slides(0.0); N]),
             evaluations: Cell::new(0),
         }
     }
@@ -32,23 +46,122 @@ impl<'a, R, L> Motion<'a, R, L> {
         self.evaluations.set(self.evaluations.get() + 1);
     }
 
-    /// The torques at a time in a phase, where both are finite.
-    fn torque<const N: usize>(&self, t: f64, phase: &Phase<N>) -> Result<SVector<f64, N>, Cause>
-    where
-        L: TorqueLaw<N>,
-    {
+    pub(super) fn coulomb(&self) -> SVector<f64, N> {
+        self.friction.coulomb
+    }
+
+    /// Whether joints stop and stick.
+    pub(super) fn sticks(&self) -> bool {
+        self.friction.kind == Friction::Sticking
+    }
+
+    pub(super) fn contacts(&self) -> [Contact; N] {
+        self.contacts.get()
+    }
+
+    pub(super) fn set_contacts(&self, contacts: [Contact; N]) {
+        self.contacts.set(contacts);
+    }
+
+    fn any_sticks(&self) -> bool {
+        self.sticks() && self.contacts.get().contains(&Contact::Sticks)
+    }
+}
+
+impl<R, L: TorqueLaw<N>, const N: usize> Motion<'_, R, L, N> {
+    /// The torques at a time in a phase, where both are finite. In place of the friction that the
+    /// forward dynamics takes off, coulomb sign(qd), they have that of the simulation.
+    fn torque(&self, t: f64, phase: &Phase<N>) -> Result<SVector<f64, N>, Cause> {
         if let Some(joint) = phase.first_non_finite() {
             return Err(Cause::NonFiniteState { joint });
         }
         let tau = (self.torque)(t, &phase.q, &phase.qd);
-        match first_non_finite(&tau) {
-            Some(joint) => Err(Cause::NonFiniteTorque { joint }),
-            None => Ok(tau),
+        if let Some(joint) = first_non_finite(&tau) {
+            return Err(Cause::NonFiniteTorque { joint });
         }
+        Ok(match self.friction.kind {
+            Friction::Sign => tau,
+            Friction::Regularised { speed } => {
+                tau + self.instead_of_sign(phase, |i| (phase.qd[i] / speed).tanh())
+            }
+            Friction::Sticking => {
+                let contacts = self.contacts.get();
+                tau + self.instead_of_sign(phase, |i| match contacts[i] {
+                    Contact::Slides(way) => way,
+                    Contact::Sticks => 0.0,
+                })
+            }
+        })
+    }
+
+    fn instead_of_sign(&self, phase: &Phase<N>, law: impl Fn(usize) -> f64) -> SVector<f64, N> {
+        let difference = |i: usize| Scalar::sign(phase.qd[i]) - law(i);
+        SVector::from_fn(|i, _| self.friction.coulomb[i] * difference(i))
     }
 }
 
-impl<R, L, const N: usize> Equations<N> for Motion<'_, R, L>
+impl<R: ForwardDynamics<N>, L: TorqueLaw<N>, const N: usize> Motion<'_, R, L, N> {
+    /// The accelerations, and the forces that keep those of the joints that stick at zero.
+    pub(super) fn held(&self, t: f64, phase: &Phase<N>) -> Result<Held<N>, Cause> {
+        let tau = self.torque(t, phase)?;
+        if !self.any_sticks() {
+            let qdd = self.free(phase, &tau)?;
+            let forces = SVector::zeros();
+            return Ok(Held { qdd, forces });
+        }
+        self.hold(phase, &tau)
+    }
+
+    fn free(&self, phase: &Phase<N>, tau: &SVector<f64, N>) -> Result<SVector<f64, N>, Cause> {
+        self.count();
+        let qdd = self.robot.forward_dynamics(&phase.q, &phase.qd, tau)?;
+        finite(qdd)
+    }
+
+    /// `qdd = a + W f` with a the accelerations without the holding forces f, and W = M^-1: those of
+    /// the joints that stick are zero where `W_ss f_s = -a_s`. A column of W is the derivative by a
+    /// torque, which a dual number carries along.
+    fn hold(&self, phase: &Phase<N>, tau: &SVector<f64, N>) -> Result<Held<N>, Cause> {
+        let contacts = self.contacts.get();
+        let stuck = |i: usize| contacts[i] == Contact::Sticks;
+        let [q, qd] = [phase.q, phase.qd].map(|x| x.map(Dual::from_f64));
+        let mut free = SVector::zeros();
+        let mut columns = [SVector::<f64, N>::zeros(); N];
+        for j in (0..N).filter(|j| stuck(*j)) {
+            let tau = SVector::from_fn(|i, _| Dual::new(tau[i], f64::from(u8::from(i == j))));
+            self.count();
+            let qdd = self.robot.forward_dynamics(&q, &qd, &tau)?;
+            free = finite(qdd.map(|entry| entry.value))?;
+            columns[j] = qdd.map(|entry| entry.slope);
+        }
+        // The rows and columns of the other joints are those of the unit matrix.
+        let mut inverse = nalgebra::SMatrix::<f64, N, N>::identity();
+        for i in (0..N).filter(|i| stuck(*i)) {
+            for j in (0..N).filter(|j| stuck(*j)) {
+                inverse[(i, j)] = columns[j][i];
+            }
+        }
+        let wanted = SVector::from_fn(|i, _| if stuck(i) { -free[i] } else { 0.0 });
+        let forces = Lu::new(inverse).solve(wanted);
+        let mut qdd = (0..N).fold(free, |qdd, j| qdd + columns[j] * forces[j]);
+        for i in (0..N).filter(|i| stuck(*i)) {
+            qdd[i] = 0.0;
+        }
+        Ok(Held {
+            qdd: finite(qdd)?,
+            forces,
+        })
+    }
+}
+
+fn finite<const N: usize>(qdd: SVector<f64, N>) -> Result<SVector<f64, N>, Cause> {
+    match first_non_finite(&qdd) {
+        Some(joint) => Err(Cause::NonFiniteAcceleration { joint }),
+        None => Ok(qdd),
+    }
+}
+
+impl<R, L, const N: usize> Equations<N> for Motion<'_, R, L, N>
 where
     R: ForwardDynamics<N>,
     L: TorqueLaw<N>,
@@ -56,32 +169,31 @@ where
     type Refusal = Cause;
 
     /// qdd, where everything on the way to it is finite.
+    #[inline]
     fn acceleration(&self, t: f64, phase: &Phase<N>) -> Result<SVector<f64, N>, Cause> {
-        let tau = self.torque(t, phase)?;
-        self.count();
-        let qdd = self.robot.forward_dynamics(&phase.q, &phase.qd, &tau)?;
-        match first_non_finite(&qdd) {
-            Some(joint) => Err(Cause::NonFiniteAcceleration { joint }),
-            None => Ok(qdd),
-        }
+        Ok(self.held(t, phase)?.qdd)
     }
 }
 
 /// A motion in positions and momenta.
 pub(super) struct InMomenta<'a, R, L, const N: usize> {
-    motion: &'a Motion<'a, R, L>,
+    motion: &'a Motion<'a, R, L, N>,
     arm: &'a dyn Momenta<N>,
 }
 
 impl<'a, R: ForwardDynamics<N>, L, const N: usize> InMomenta<'a, R, L, N> {
     /// `None` where the arm is not known in momenta.
-    pub(super) fn new(motion: &'a Motion<'a, R, L>) -> Option<Self> {
+    pub(super) fn new(motion: &'a Motion<'a, R, L, N>) -> Option<Self> {
         let arm = motion.robot.momenta()?;
         Some(InMomenta { motion, arm })
     }
 }
 
-impl<R, L: TorqueLaw<N>, const N: usize> Canonical<N> for InMomenta<'_, R, L, N> {
+impl<R, L, const N: usize> Canonical<N> for InMomenta<'_, R, L, N>
+where
+    R: ForwardDynamics<N>,
+    L: TorqueLaw<N>,
+{
     type Refusal = Cause;
 
     fn momentum(&self, phase: &Phase<N>) -> Result<SVector<f64, N>, Cause> {
@@ -98,12 +210,13 @@ impl<R, L: TorqueLaw<N>, const N: usize> Canonical<N> for InMomenta<'_, R, L, N>
 
     fn rate(&self, t: f64, at: &Point<N>) -> Result<Point<N>, Cause> {
         let phase = self.phase(at)?;
-        let tau = self.motion.torque(t, &phase)?;
-        self.motion.count();
-        let p = self.arm.force(&phase.q, &phase.qd, &tau);
-        match first_non_finite(&p) {
-            Some(joint) => Err(Cause::NonFiniteAcceleration { joint }),
-            None => Ok(Point { q: phase.qd, p }),
+        let mut tau = self.motion.torque(t, &phase)?;
+        if self.motion.any_sticks() {
+            tau += self.motion.hold(&phase, &tau)?.forces;
+        } else {
+            self.motion.count();
         }
+        let p = finite(self.arm.force(&phase.q, &phase.qd, &tau))?;
+        Ok(Point { q: phase.qd, p })
     }
 }

@@ -109,8 +109,8 @@ settings! {
     /// of fourth order.
     ///
     /// Dry friction is discontinuous in the velocity: a joint that sticks makes the steps minute,
-    /// and the run ends with [`Cause::TooManySteps`](crate::Cause::TooManySteps). Use a method of
-    /// fixed step there, or a smooth law of friction.
+    /// and the run ends with [`Cause::TooManySteps`](crate::Cause::TooManySteps), unless stopping and
+    /// sticking are events ([`Friction::Sticking`](crate::Friction::Sticking)).
     DormandPrince
 }
 

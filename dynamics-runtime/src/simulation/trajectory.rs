@@ -24,7 +24,8 @@ pub struct Trajectory<const N: usize> {
 pub struct Work {
     /// How often the equations of motion were evaluated, in steps that were thrown away too.
     ///
-    /// One evaluation is one call of the forward dynamics.
+    /// One evaluation is one call of the forward dynamics; of the methods that work in positions and
+    /// momenta, one of q' and p'.
     pub evaluations: u64,
     /// Steps made.
     pub steps: u64,

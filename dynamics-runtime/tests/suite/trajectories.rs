@@ -141,6 +141,40 @@ fn runge_kutta_agrees() {
     assert!(error < 1e-9, "{error:e}");
 }
 
+/// The two links start at rest, where all derivatives of odd order vanish: an error estimate that
+/// sees none of the others would permit a step of any length, and nothing here bounds it.
+#[test]
+fn a_start_from_rest_is_not_stepped_over() {
+    let reference = trajectory("two_link_free");
+    let max_step = Some(f64::INFINITY);
+    for tolerance in [1e-3, 1e-6, 1e-9] {
+        let methods: [Method; 3] = [
+            DormandPrince {
+                max_step,
+                ..DormandPrince::with_tolerance(tolerance)
+            }
+            .into(),
+            Dop853 {
+                max_step,
+                ..Dop853::with_tolerance(tolerance)
+            }
+            .into(),
+            Radau5 {
+                max_step,
+                ..Radau5::with_tolerance(tolerance)
+            }
+            .into(),
+        ];
+        for method in methods {
+            let computed = run::<_, 2>(&TwoLink, &reference, method);
+            assert!(computed.work.steps > 50, "{method:?}: {:?}", computed.work);
+            // One second, before chaos makes the error that of its own.
+            let error = largest(&errors(&computed, &reference)[..6]);
+            assert!(error < 300.0 * tolerance, "{method:?}: {error:e}");
+        }
+    }
+}
+
 /// From 0 to pi in ten seconds.
 #[test]
 fn cycloidal_law() {

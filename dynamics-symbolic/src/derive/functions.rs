@@ -1,5 +1,6 @@
 //! The outputs of each function, on one chain.
 
+use super::base::Grouping;
 use super::chain::Chain;
 use super::derivatives::ForceDerivatives;
 use super::joints::Joints;
@@ -146,7 +147,7 @@ fn of_rows<'g>(
             acceleration_derivatives(symbols, robot, chain, |factors, b| factors.solve(b))
         }
         Function::Regressor => regressor::by_recursion(symbols, robot, chain),
-        Function::BaseParameters => base::base_parameters(symbols, robot),
+        Function::BaseParameters => base::base_parameters(symbols, robot, &Grouping::of(robot)),
         Function::ForwardDynamicsAba => articulated_dynamics(symbols, robot, chain, &qd),
     }
 }

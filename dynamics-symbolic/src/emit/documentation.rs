@@ -3,7 +3,7 @@
 use super::formula::formulas;
 use super::signature::{Shape, arguments, shape};
 use crate::function::Function;
-use crate::program::Program;
+use crate::program::{Operand, Output, Program};
 use crate::robot::{JointType, Robot};
 
 /// What a function is, in a line, its shapes, units and other names.
@@ -92,6 +92,7 @@ pub(super) fn documentation(
     function: Function,
     program: &Program,
     constants: &[f64],
+    notes: &[String],
 ) -> Vec<String> {
     let mut lines = vec![format!(" {}", description(function)), String::new()];
     if !arguments(function).is_empty() {
@@ -101,23 +102,65 @@ pub(super) fn documentation(
     if matches!(function, Function::Regressor | Function::BaseParameters) {
         lines.extend(super::parameters::lines(robot));
     }
+    for note in notes {
+        lines.extend([note.clone(), String::new()]);
+    }
     lines.push(format!(" Operations: {}.", program.operations()));
     if let Some(formulas) = formulas(robot, program, constants).filter(|_| robot.dof() <= 3) {
         lines.extend(formula_lines(function, robot.dof(), &formulas));
     }
     lines.push(String::new());
-    lines.push(match function {
+    let solves = matches!(
+        function,
         Function::ForwardDynamics
-        | Function::ForwardDynamicsAba
-        | Function::ForwardDynamicsDerivatives => {
-            " # Errors\n\n `SingularMassMatrix` where M(q) is not positive definite to working precision, or not finite: \
-             it names the joint whose pivot failed.\n\n Never panics, never allocates; what depends on an input that \
-             is not finite is not finite."
-                .to_owned()
-        }
-        _ => " Never panics, never allocates; what depends on an input that is not finite is not finite.".to_owned(),
-    });
+            | Function::ForwardDynamicsAba
+            | Function::ForwardDynamicsDerivatives
+    );
+    if solves {
+        lines.push(errors(&unresisted(robot, function, program, constants)));
+        lines.push(String::new());
+    }
+    lines.push(
+        " Never panics, never allocates; what depends on an input that is not finite is not finite."
+            .to_owned(),
+    );
     lines
+}
+
+/// When a function that solves with M fails.
+fn errors(unresisted: &[&str]) -> String {
+    match unresisted {
+        [] => " # Errors\n\n `SingularMassMatrix` where M(q) is not positive definite to working precision, or not \
+               finite: it names the joint whose pivot failed."
+            .to_owned(),
+        names => format!(
+            " # Errors\n\n `SingularMassMatrix`, at every state of this arm: nothing resists `{}`. It takes a link with \
+             inertia about the joint's axis, or a motor.",
+            names.join("` and `")
+        ),
+    }
+}
+
+/// The joints whose pivot is the constant 0, whatever the state.
+fn unresisted<'r>(
+    robot: &'r Robot,
+    function: Function,
+    program: &Program,
+    constants: &[f64],
+) -> Vec<&'r str> {
+    let n = robot.dof();
+    let first = match function {
+        Function::ForwardDynamicsDerivatives => 3 * n * n,
+        _ => n,
+    };
+    let pivots = &program.outputs[first..first + n];
+    let is_zero = |pivot: &Output| match pivot.operand {
+        Operand::Constant(id) => constants[id.index()] == 0.0,
+        _ => false,
+    };
+    let joints = robot.joints().zip(pivots);
+    let unresisted = joints.filter(|(_, pivot)| is_zero(pivot));
+    unresisted.map(|(row, _)| row.name.as_str()).collect()
 }
 
 /// The units of the arguments.

@@ -30,8 +30,8 @@ pub struct Emitted {
     pub provided: Option<TokenStream>,
 }
 
-/// The documented method of a function, with the rounded constants of its program; `path` is the
-/// path of the runtime crate.
+/// The documented method of a function, with the rounded constants of its program; `notes` are
+/// lines of its documentation, `path` is the path of the runtime crate.
 ///
 /// The body of a function that the runtime calls in lanes stands in the implementation of its
 /// trait: it must be compiled into the loop over the lanes, for the instructions that are chosen
@@ -41,9 +41,10 @@ pub fn method(
     function: Function,
     program: &Program,
     constants: &[f64],
+    notes: &[String],
     path: &TokenStream,
 ) -> Emitted {
-    let documentation = documentation::documentation(robot, function, program, constants);
+    let documentation = documentation::documentation(robot, function, program, constants, notes);
     let parameters = match function {
         Function::Regressor => program.outputs.len() / robot.dof(),
         _ => program.outputs.len(),

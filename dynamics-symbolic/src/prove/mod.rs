@@ -107,6 +107,7 @@ mod tests {
             convention: Convention::Standard,
             gravity: [(); 3].map(|()| zero()),
             rows: vec![row],
+            neglected: None,
         }
     }
 

@@ -3,6 +3,8 @@
 //! No syntax in here: the macro's parser builds these types, and so can any
 //! other program.
 
+use crate::derive::base::Grouping;
+
 mod angle;
 mod interpretation;
 mod parameter;
@@ -93,6 +95,19 @@ pub struct Robot {
     pub gravity: [Value; 3],
     /// The rows, from the base outwards.
     pub rows: Vec<Row>,
+    /// What the functions leave out: see [`crate::neglect`].
+    pub neglected: Option<Neglected>,
+}
+
+/// The base inertial parameters that are left out of the Lagrangian.
+#[derive(Clone, Debug)]
+pub struct Neglected {
+    /// The base parameters of the complete arm.
+    pub grouping: Grouping,
+    /// Row and parameter of those that are left out.
+    pub columns: Vec<(usize, Parameter)>,
+    /// The share below which their effects are, at most.
+    pub share: f64,
 }
 
 impl Robot {
@@ -102,6 +117,12 @@ impl Robot {
         let rows = self.rows.iter().enumerate();
         let moving = rows.filter(|(_, row)| row.locked.is_none());
         moving.map(|(i, _)| i).collect()
+    }
+
+    /// How many links do not move at all, for all joints up to them are locked: parts of the base.
+    pub fn links_of_base(&self) -> usize {
+        let moving = self.rows.iter().position(|row| row.locked.is_none());
+        moving.unwrap_or(self.rows.len())
     }
 
     /// The number of joints that move.

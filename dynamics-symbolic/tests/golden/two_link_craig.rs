@@ -89,9 +89,9 @@ impl Arm {
     ///
     /** # Errors
 
- `SingularMassMatrix` where M(q) is not positive definite to working precision, or not finite: it names the joint whose pivot failed.
-
- Never panics, never allocates; what depends on an input that is not finite is not finite.*/
+ `SingularMassMatrix` where M(q) is not positive definite to working precision, or not finite: it names the joint whose pivot failed.*/
+    ///
+    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
     #[inline]
     #[allow(unused_variables, clippy::all)]
     pub fn forward_dynamics<T: ::robot_dynamics::Scalar>(

@@ -117,9 +117,9 @@ impl Arm {
     ///
     /** # Errors
 
- `SingularMassMatrix` where M(q) is not positive definite to working precision, or not finite: it names the joint whose pivot failed.
-
- Never panics, never allocates; what depends on an input that is not finite is not finite.*/
+ `SingularMassMatrix` where M(q) is not positive definite to working precision, or not finite: it names the joint whose pivot failed.*/
+    ///
+    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
     #[inline]
     #[allow(unused_variables, clippy::all)]
     pub fn forward_dynamics<T: ::robot_dynamics::Scalar>(
@@ -478,9 +478,9 @@ impl Arm {
     ///
     /** # Errors
 
- `SingularMassMatrix` where M(q) is not positive definite to working precision, or not finite: it names the joint whose pivot failed.
-
- Never panics, never allocates; what depends on an input that is not finite is not finite.*/
+ `SingularMassMatrix` where M(q) is not positive definite to working precision, or not finite: it names the joint whose pivot failed.*/
+    ///
+    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
     #[inline]
     #[allow(unused_variables, clippy::all)]
     pub fn forward_dynamics_derivatives<T: ::robot_dynamics::Scalar>(
@@ -674,9 +674,9 @@ impl Arm {
     ///
     /** # Errors
 
- `SingularMassMatrix` where M(q) is not positive definite to working precision, or not finite: it names the joint whose pivot failed.
-
- Never panics, never allocates; what depends on an input that is not finite is not finite.*/
+ `SingularMassMatrix` where M(q) is not positive definite to working precision, or not finite: it names the joint whose pivot failed.*/
+    ///
+    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
     #[inline]
     #[allow(unused_variables, clippy::all)]
     pub fn forward_dynamics_aba<T: ::robot_dynamics::Scalar>(
@@ -728,12 +728,13 @@ impl Arm {
         let t_29 = real(1.5).mul_add(t_27, t_28);
         let t_30 = c_2 + c_2;
         let t_31 = real(8.333333333333334) + t_30;
-        ::robot_dynamics::SingularMassMatrix::test(
+        ::robot_dynamics::SingularMassMatrix::test_joint(
             1,
+            "joint2",
             real(0.3333333333333333),
             real(0.3333333333333333),
         )?;
-        ::robot_dynamics::SingularMassMatrix::test(0, t_6, t_31)?;
+        ::robot_dynamics::SingularMassMatrix::test_joint(0, "joint1", t_6, t_31)?;
         ::core::result::Result::Ok(
             ::robot_dynamics::nalgebra::SMatrix::from_data(
                 ::robot_dynamics::nalgebra::ArrayStorage([[t_24, -t_29]]),

@@ -196,6 +196,7 @@ impl Tables {
             convention,
             gravity,
             rows,
+            neglected: None,
         }
     }
 }

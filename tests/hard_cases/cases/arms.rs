@@ -173,7 +173,8 @@ robot_dynamics! {
     convention: standard,
     gravity: [9.81, 0, 0],
     joints: [joint: revolute { a: 1, mass: 1, com: [-0.5, 0, 0], inertia: rod(1) }],
-    functions: [gravity_vector, forward_dynamics, kinetic_energy, potential_energy],
+    functions: [mass_matrix, gravity_vector, inverse_dynamics, forward_dynamics,
+                kinetic_energy, potential_energy],
 }
 
 robot_dynamics! {
@@ -194,7 +195,7 @@ robot_dynamics! {
         shoulder: revolute { a: 2, mass: 3, com: [-1, 0, 0], inertia: rod(2) },
         elbow: revolute { a: 1, mass: 1, com: [-0.5, 0, 0], inertia: rod(1) },
     ],
-    functions: [mass_matrix, coriolis_vector, gravity_vector, forward_dynamics,
+    functions: [mass_matrix, coriolis_vector, gravity_vector, inverse_dynamics, forward_dynamics,
                 kinetic_energy, potential_energy],
 }
 

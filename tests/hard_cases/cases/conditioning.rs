@@ -1,7 +1,7 @@
 //! Mass matrices that are ill-conditioned, or look it.
 
 use robot_dynamics::nalgebra::{SMatrix, SVector, Vector2};
-use robot_dynamics::{Conditioning, ForwardDynamics, NewtonEuler};
+use robot_dynamics::{Conditioning, ForwardDynamics, NewtonEuler, Operations};
 
 use super::arms::*;
 use super::entries::{absolute_error, entry, relative_error};
@@ -15,11 +15,21 @@ pub(crate) fn scores() -> Vec<Score> {
         &ArticulatedChain10,
         NewtonEuler::new(&Chain10.table()),
     );
+    scores.push(cost(
+        "HC01.10",
+        &Chain10::OPERATIONS,
+        &ArticulatedChain10::OPERATIONS,
+    ));
     scores.extend(straight_chain(
         "HC01.30",
         &Chain30,
         &ArticulatedChain30,
         NewtonEuler::new(&Chain30.table()),
+    ));
+    scores.push(cost(
+        "HC01.30",
+        &Chain30::OPERATIONS,
+        &ArticulatedChain30::OPERATIONS,
     ));
     scores.extend(heavy_payload());
     scores.extend(through_the_stretched_pose());
@@ -107,6 +117,19 @@ fn straight_chain<const N: usize>(
             10.0,
         ),
     ]
+}
+
+/// What the accuracy of `forward_dynamics_aba` costs: on a planar chain little, for `forward_dynamics` is written by
+/// articulated bodies there too, in two passes.
+fn cost(
+    id: &'static str,
+    short: &[(&str, Operations)],
+    articulated: &[(&str, Operations)],
+) -> Score {
+    let total = |functions: &[(&str, Operations)]| f64::from(functions[0].1.total());
+    let ratio = total(articulated) / total(short);
+    let quantity = "operations of forward_dynamics_aba over those of forward_dynamics";
+    Score::at_most(id, quantity, ratio, 2.0)
 }
 
 /// Bounds of the errors of a chain; where there are two, the second is what a factorisation of M by

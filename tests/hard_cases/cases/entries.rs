@@ -28,6 +28,11 @@ impl Entry {
         self.0["id"].as_str().expect("a name")
     }
 
+    /// A number among the parameters.
+    pub(crate) fn number(&self, name: &str) -> f64 {
+        self.0["params"][name].as_f64().expect("a number")
+    }
+
     /// A vector among the parameters.
     pub(crate) fn vector<const N: usize>(&self, name: &str) -> SVector<f64, N> {
         let numbers = self.0["params"][name].as_array().expect("a list");

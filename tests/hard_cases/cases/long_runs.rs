@@ -1,15 +1,17 @@
 //! Chaos, and what a long run keeps.
 
 use robot_dynamics::Method;
-use robot_dynamics::nalgebra::Vector2;
+use robot_dynamics::nalgebra::{Vector1, Vector2};
 
+use super::Effort;
 use super::arms::*;
 use super::motion::{dormand_prince, free};
 use super::score::Score;
 
-pub(crate) fn scores(effort: super::Effort) -> Vec<Score> {
+pub(crate) fn scores(effort: Effort) -> Vec<Score> {
     let mut scores = chaos();
-    scores.push(semi_implicit_euler(effort));
+    scores.extend(swing(effort));
+    scores.extend(momenta(effort));
     scores
 }
 
@@ -51,18 +53,67 @@ fn chaos() -> Vec<Score> {
     ]
 }
 
+/// A rod that swings by 2 rad for 10^5 s: a symplectic method keeps its energy within a band, whatever the time;
+/// the classical Runge-Kutta method loses it at a steady rate.
+fn swing(effort: Effort) -> Vec<Score> {
+    let id = "HC31";
+    let duration = effort.pick(200.0, 1e5);
+    let drift = |method: Method| {
+        let (q, qd) = (Vector1::new(2.0), Vector1::zeros());
+        let motion = free(&OneLink, method, q, qd, duration, 1_001);
+        motion.map_or(f64::INFINITY, |m| m.energy_drift(&OneLink) / 29.43)
+    };
+    let quantity = |name: &str| format!("drift of the energy over {duration} s, {name}");
+    let (fine, coarse) = (0.01, 0.05);
+    vec![
+        Score::at_most(
+            id,
+            quantity("Gauss-Legendre 6, 10 ms"),
+            drift(Method::GaussLegendre6 { step: fine }),
+            1e-11,
+        )
+        .naive(drift(Method::RungeKutta4 { step: fine })),
+        Score::at_most(
+            id,
+            quantity("implicit midpoint, 50 ms"),
+            drift(Method::ImplicitMidpoint { step: coarse }),
+            effort.pick(1.0, 1e-2),
+        ),
+    ]
+}
+
 /// The semi-implicit Euler scheme is symplectic in (q, p), not in (q, qd) where M depends on q: the
-/// rods lose their energy. This holds the documentation to it.
-fn semi_implicit_euler(effort: super::Effort) -> Score {
-    let rest = Vector2::zeros();
-    let method = Method::SemiImplicitEuler { step: 0.01 };
-    let duration = effort.pick(2_000.0, 10_000.0);
-    let motion = free(&TwoRods, method, rest, rest, duration, 2);
-    let lost = motion.map_or(f64::INFINITY, |m| m.energy_drift(&TwoRods) / 54.0);
-    Score::at_least(
-        "HC32",
-        "share of the energy that semi-implicit Euler loses, 10 ms",
-        lost,
-        0.1,
-    )
+/// rods lose their energy. In momenta they keep it.
+fn momenta(effort: Effort) -> Vec<Score> {
+    let (id, rest) = ("HC32", Vector2::zeros());
+    let duration = effort.pick(200.0, 10_000.0);
+    let drift = |method: Method| {
+        let motion = free(&TwoRods, method, rest, rest, duration, 301);
+        motion.map_or(f64::INFINITY, |m| m.energy_drift(&TwoRods) / 54.0)
+    };
+    let step = 0.01;
+    let velocities = drift(Method::SemiImplicitEuler { step });
+    let what = format!("share of the energy lost in {duration} s, 10 ms");
+    vec![
+        Score::at_least(
+            id,
+            format!("{what}, semi-implicit Euler in (q, qd)"),
+            velocities,
+            0.1,
+        ),
+        Score::at_most(
+            id,
+            format!("{what}, implicit midpoint in (q, p)"),
+            drift(Method::ImplicitMidpoint { step }),
+            0.01,
+        )
+        .naive(velocities),
+        Score::at_most(
+            id,
+            format!("{what}, Gauss-Legendre 4 in (q, p)"),
+            drift(Method::GaussLegendre4 { step }),
+            1e-5,
+        )
+        .naive(velocities),
+    ]
 }

@@ -7,6 +7,7 @@ mod arguments;
 mod arms;
 mod conditioning;
 mod constants;
+#[allow(dead_code, reason = "other tests need more of it")]
 #[path = "../../support/decimal.rs"]
 mod decimal;
 mod entries;
@@ -82,7 +83,7 @@ pub(crate) const THEMES: [Theme; 8] = [
     },
     Theme {
         name: "friction",
-        cases: &["HC24"],
+        cases: &["HC21", "HC22", "HC23", "HC24"],
         measure: |_| friction::scores(),
     },
     Theme {
@@ -98,7 +99,7 @@ pub(crate) const THEMES: [Theme; 8] = [
     },
     Theme {
         name: "long_runs",
-        cases: &["HC30", "HC32"],
+        cases: &["HC30", "HC31", "HC32"],
         measure: long_runs::scores,
     },
 ];

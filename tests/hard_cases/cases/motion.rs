@@ -4,8 +4,8 @@ use std::cell::Cell;
 
 use robot_dynamics::nalgebra::SVector;
 use robot_dynamics::{
-    Dop853, DormandPrince, ForwardDynamics, Method, Scalar, Simulation, SingularMassMatrix,
-    Trajectory,
+    Dop853, DormandPrince, ForwardDynamics, Method, Model, Scalar, Simulation, SingularMassMatrix,
+    Table, Trajectory,
 };
 
 /// An arm that counts how often its accelerations are asked for.
@@ -22,6 +22,14 @@ impl<'a, R> Counted<'a, R> {
 
     pub(crate) fn calls(&self) -> f64 {
         self.calls.get() as f64
+    }
+}
+
+impl<R: Model<N>, const N: usize> Model<N> for Counted<'_, R> {
+    const JOINT_NAMES: [&'static str; N] = R::JOINT_NAMES;
+
+    fn table(&self) -> Table<N> {
+        self.arm.table()
     }
 }
 

@@ -72,7 +72,8 @@ macro_rules! identities_of_all {
                 newton_euler: every_function_agrees_with_recursive_newton_euler;
                 non_finite: not_a_number_is_never_turned_into_a_number,
                     infinite_positions_are_never_turned_into_numbers,
-                    forward_dynamics_does_not_hide_a_torque_that_is_not_a_number;
+                    forward_dynamics_does_not_hide_a_torque_that_is_not_a_number,
+                    speeds_to_overflow_give_no_finite_forces;
                 single_precision: single_precision_agrees_with_double_precision;
             }
         }

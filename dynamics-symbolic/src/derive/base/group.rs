@@ -46,6 +46,11 @@ impl<R: Ring> Body<R> {
         ]
     }
 
+    /// The body with all parameters multiplied.
+    pub(crate) fn times(&self, factor: R) -> Self {
+        Body::from_parameters(self.parameters().map(|x| x * factor))
+    }
+
     /// A body by its ten parameters.
     pub(crate) fn from_parameters(p: [R; 10]) -> Self {
         let mut body = Body::splat(p[9]);

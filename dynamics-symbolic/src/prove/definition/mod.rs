@@ -8,6 +8,8 @@
 //!
 //! with q, qd of the joints that move; those that are locked have constants in their place.
 //!
+//! Where base parameters are neglected, what they contribute to T and U is taken off.
+//!
 //! Velocities are derivatives of positions by dual numbers. T is quadratic in
 //! qd, so that its second derivatives are differences, without a limit.
 
@@ -42,8 +44,13 @@ pub struct Definition {
     qdd: Vector,
     tau: Vector,
     signs: Vector,
+    /// What is taken off the links' parameters.
+    neglected: Vec<Parameters>,
     unfaithful: bool,
 }
+
+/// The ten inertial parameters of a link in the frame on its joint's axis, and its motor's.
+type Parameters = [Number; 11];
 
 impl Definition {
     /// Reads the raw table.
@@ -53,7 +60,7 @@ impl Definition {
         let half = Interpretation::rational(point, &(Rational::ONE / Rational::from(2)));
         let joints = point.joints();
         let all = |variable: fn(&JointPoint) -> Number| joints.iter().map(variable).collect();
-        Definition {
+        let mut definition = Definition {
             convention: robot.convention,
             gravity,
             rows,
@@ -63,8 +70,16 @@ impl Definition {
             qdd: all(|joint| joint.qdd),
             tau: all(|joint| joint.tau),
             signs: all(|joint| joint.sign),
+            neglected: Vec::new(),
             unfaithful: point.is_unfaithful(),
+        };
+        if let Some(neglected) = &robot.neglected {
+            match definition.values_of(&neglected.columns) {
+                Some(values) => definition.neglected = values,
+                None => definition.unfaithful = true,
+            }
         }
+        definition
     }
 
     /// What the outputs of a function must be, or `None` where the table has a

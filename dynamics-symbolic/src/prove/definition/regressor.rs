@@ -14,10 +14,10 @@ use super::super::assignment::Number;
 use super::super::dual::Dual;
 use super::energy::angular_velocity;
 use super::pose::{Pose, Position};
-use super::{Definition, Matrix, Vector};
+use super::{Definition, Matrix, Parameters, Vector};
 use crate::exact::{SplitMix64, circle_point};
 use crate::linear::{Matrix3, Ring, Symmetric3, Vector3};
-use crate::robot::{Convention, JointType};
+use crate::robot::{Convention, JointType, Parameter};
 
 /// Eleven parameters of a link are told apart by that many values of its own joint's force; two
 /// more, so that a combination that fits by chance is found out.
@@ -32,7 +32,7 @@ struct State {
 
 /// Velocities of a frame in its own axes.
 #[derive(Clone, Copy)]
-struct Twist<R> {
+pub(super) struct Twist<R> {
     w: Vector3<R>,
     v: Vector3<R>,
 }
@@ -49,6 +49,33 @@ impl Definition {
     /// The base parameters.
     pub(super) fn base_parameters(&self) -> Option<Vector> {
         self.base().map(|(_, values)| values)
+    }
+
+    /// The values of some base parameters, each in its place among the parameters of its link, the
+    /// moments in the link's own axes; `None` where one of them is no base parameter.
+    pub(super) fn values_of(&self, columns: &[(usize, Parameter)]) -> Option<Vec<Parameters>> {
+        let (kept, values) = self.base()?;
+        let rotations = self.moment_axes();
+        let has_motor = |i: usize| self.rows[i].has_motor && self.rows[i].locked.is_none();
+        let start = |i: usize| {
+            (0..i)
+                .map(|i| 10 + usize::from(has_motor(i)))
+                .sum::<usize>()
+        };
+        let mut links = vec![[Number::ZERO; 11]; self.rows.len()];
+        for &(i, parameter) in columns {
+            let column = start(i) + parameter.index();
+            let place = kept.iter().position(|&k| k == column)?;
+            links[i][parameter.index()] = values[place];
+        }
+        for (link, rotation) in links.iter_mut().zip(rotations) {
+            if let Some(rotation) = rotation {
+                let moment = Vector3::new(link[6], link[7], link[8]);
+                let moment = rotation.transpose().apply(moment);
+                link[6..9].copy_from_slice(&moment.0);
+            }
+        }
+        Some(links)
     }
 
     /// The base parameters: columns of the standard regressor, and values.
@@ -257,7 +284,7 @@ impl Definition {
     }
 }
 
-fn twist(frame: &Pose<Dual<Dual<Number>>>) -> Twist<Dual<Number>> {
+pub(super) fn twist<R: Ring>(frame: &Pose<Dual<R>>) -> Twist<R> {
     let axes = Matrix3(frame.rotation.0.map(|row| row.map(|x| x.value)));
     let velocity = Vector3(frame.origin.0.map(|x| x.derivative));
     Twist {
@@ -268,7 +295,7 @@ fn twist(frame: &Pose<Dual<Dual<Number>>>) -> Twist<Dual<Number>> {
 
 /// The polar form of 2 T, for a unit of each of the ten parameters: dT/dqd_j is that of the whole
 /// twist and the one by a unit velocity of joint j.
-fn polar<R: Ring>(a: Twist<R>, b: Twist<R>) -> [R; 10] {
+pub(super) fn polar<R: Ring>(a: Twist<R>, b: Twist<R>) -> [R; 10] {
     let (u, w) = (a.w, b.w);
     let [hx, hy, hz] = (a.v.cross(w) + b.v.cross(u)).0;
     [
