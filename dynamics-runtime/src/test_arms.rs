@@ -187,6 +187,7 @@ fn general_row(random: &mut SplitMix64) -> Row {
         gear_ratio: within(-60.0, 60.0),
         viscous: within(0.1, 0.3),
         coulomb: within(0.1, 0.3),
+        ..Row::new(JointType::Revolute)
     }
 }
 
