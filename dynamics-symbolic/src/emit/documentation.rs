@@ -59,7 +59,7 @@ fn description(function: Function) -> &'static str {
             "Forward kinematics: the homogeneous transform of the last link frame in the base frame, m."
         }
         Function::LinkPoses => {
-            "Homogeneous transforms of every link frame in the base frame, from the base outwards, m."
+            "Homogeneous transforms in the base frame of every link frame whose joint moves, from the base outwards, m."
         }
         Function::Jacobian => {
             "Geometric Jacobian of the last link frame's origin, 6 x N, rows vx vy vz wx wy wz, in the base frame."
