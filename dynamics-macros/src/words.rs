@@ -1,5 +1,7 @@
 //! Words that a message offers in place of a wrong one.
 
+use proc_macro2::Ident;
+
 /// What to say about a word that is none of the right ones, and which one was meant.
 pub(crate) struct Wrong {
     pub(crate) message: String,
@@ -19,6 +21,20 @@ pub(crate) fn unknown(what: &str, word: &str, known: &[&'static str]) -> Wrong {
         meant,
     }
 }
+
+/// Whether the identifier is a keyword of Rust in any edition, which names nothing.
+pub(crate) fn is_keyword(ident: &Ident) -> bool {
+    KEYWORDS.contains(&ident.to_string().as_str())
+}
+
+/// The Rust reference, "Keywords": strict and reserved.
+const KEYWORDS: [&str; 53] = [
+    "_", "as", "async", "await", "break", "const", "continue", "crate", "dyn", "else", "enum",
+    "extern", "false", "fn", "for", "gen", "if", "impl", "in", "let", "loop", "match", "mod",
+    "move", "mut", "pub", "ref", "return", "self", "Self", "static", "struct", "super", "trait",
+    "true", "type", "unsafe", "use", "where", "while", "abstract", "become", "box", "do", "final",
+    "macro", "override", "priv", "try", "typeof", "unsized", "virtual", "yield",
+];
 
 /// The words as a choice: "`a`, `b` or `c`".
 pub(crate) fn either(words: &[&str]) -> String {

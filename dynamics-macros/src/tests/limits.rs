@@ -398,6 +398,8 @@ fn tables_without_content() {
         "#",
         "#[doc]",
         "joints: []",
+        "struct Arm(f64;",
+        "struct Arm(;)",
     ] {
         assert!(!refusal(call).is_empty(), "{call}");
     }
