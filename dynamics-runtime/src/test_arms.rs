@@ -4,8 +4,8 @@ use nalgebra::{Matrix2, SVector, Vector2};
 
 use crate::check::random::SplitMix64;
 use crate::{
-    Convention, Energy, Evaluate, Evaluation, ForwardDynamics, JointType, Model, Row,
-    Scalar, SingularMassMatrix, State, Table,
+    Convention, Energy, Evaluate, Evaluation, ForwardDynamics, JointType, Model, Row, Scalar,
+    SingularMassMatrix, State, Table,
 };
 
 /// The two-link arm with point masses at the ends of its links, Craig (6.60) to (6.62).

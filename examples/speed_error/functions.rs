@@ -3,7 +3,7 @@
 use robot_dynamics::nalgebra::{SMatrix, SVector};
 use robot_dynamics::{
     Batch, CoriolisVector, DoubleDouble, ForwardDynamics, GravityVector, InverseDynamics,
-    MassMatrix, Model, NewtonEuler, SingularMassMatrix,
+    MassMatrix, Model, NewtonEuler, SingularMassMatrix, Table,
 };
 
 use crate::errors::{AtState, Errors};
@@ -168,7 +168,7 @@ pub(crate) struct Measurements<const N: usize> {
 }
 
 impl<const N: usize> Measurements<N> {
-    /// Every variant that every arm has.
+    /// Every variant that every arm has, but for lanes.
     pub(crate) fn of<R: Arm<N>>(robot: &'static str, arm: &R, effort: Effort) -> Self {
         let mut measurements = Measurements {
             robot,
@@ -179,7 +179,6 @@ impl<const N: usize> Measurements<N> {
         measurements.generated::<f64, R>(Variant::F64, arm);
         measurements.generated_otherwise(arm);
         measurements.generated::<f32, R>(Variant::F32, arm);
-        measurements.in_lanes(arm);
         measurements.numeric(&NewtonEuler::new(&arm.table()));
         measurements
     }
@@ -252,6 +251,35 @@ impl<const N: usize> Measurements<N> {
         });
     }
 
+    /// The textbook's programs.
+    pub(crate) fn textbook<R>(
+        robot: &'static str,
+        arm: &R,
+        table: &Table<N>,
+        effort: Effort,
+    ) -> Vec<Measured>
+    where
+        R: MassMatrix<N> + CoriolisVector<N> + GravityVector<N>,
+    {
+        let mut measurements = Measurements {
+            robot,
+            effort,
+            samples: Samples::of(table),
+            all: Vec::new(),
+        };
+        let variant = Variant::Textbook;
+        measurements.measure(Function::M, variant, |s: &State<f64, N>| {
+            arm.mass_matrix(&s.q)
+        });
+        measurements.measure(Function::V, variant, |s: &State<f64, N>| {
+            arm.coriolis_vector(&s.q, &s.qd)
+        });
+        measurements.measure(Function::G, variant, |s: &State<f64, N>| {
+            arm.gravity_vector(&s.q)
+        });
+        measurements.all
+    }
+
     /// Errors at all states, the time of one evaluation at the ordinary ones.
     pub(crate) fn measure<T: Number, const R: usize, const C: usize>(
         &mut self,
@@ -271,7 +299,10 @@ impl<const N: usize> Measurements<N> {
         self.record(function, variant, nanoseconds, errors);
     }
 
-    fn in_lanes<R: Arm<N>>(&mut self, arm: &R) {
+    /// Not in lanes.
+    pub(crate) fn alone<R>(&mut self, _: &R) {}
+
+    pub(crate) fn in_lanes<R: Arm<N>>(&mut self, arm: &R) {
         let states = self.samples.states::<f64>();
         let all = |part: fn(&State<f64, N>) -> SVector<f64, N>| -> Vec<_> {
             states.iter().map(part).collect()

@@ -48,6 +48,16 @@ impl Section {
         }
     }
 
+    /// The texts and the tables that are shown, for `docs/ACCURACY.md`.
+    fn markdown(&self) -> String {
+        let parts = self.parts.iter().filter_map(|part| match part {
+            Part::Text(text) => Some(format!("{text}\n\n")),
+            Part::Table(table) => Some(format!("{}\n", table.markdown())),
+            Part::Folded(_) | Part::Plot(..) => None,
+        });
+        format!("## {}\n\n{}", self.title, parts.collect::<String>())
+    }
+
     fn html(&self) -> String {
         let parts = self.parts.iter().map(|part| match part {
             Part::Text(text) => format!("<p>{}</p>\n", escaped(text)),
@@ -75,7 +85,7 @@ td,th{padding:2px 9px;text-align:right;border-bottom:1px solid #ddd}\
 td:first-child,th:first-child{text-align:left}caption{text-align:left;font-weight:bold}\
 figure{margin:1em 0}svg{max-width:100%;height:auto}summary{cursor:pointer}";
 
-/// Writes the page, and every plot as a file beside it.
+/// Writes the page, and beside it its tables as Markdown and every plot as a file.
 pub(crate) fn write(
     path: &Path,
     conditions: &[(&'static str, String)],
@@ -97,6 +107,8 @@ pub(crate) fn write(
             table.html()
         ),
     )?;
+    let markdown: String = sections.iter().map(Section::markdown).collect();
+    std::fs::write(path.with_extension("md"), markdown)?;
     for part in sections.iter().flat_map(|section| &section.parts) {
         if let Part::Plot(name, svg) = part {
             std::fs::write(folder.join(name).with_extension("svg"), svg)?;

@@ -44,6 +44,13 @@ impl Table {
         text
     }
 
+    pub(crate) fn markdown(&self) -> String {
+        let line = |cells: &[String]| format!("| {} |\n", cells.join(" | "));
+        let rule = format!("|---{}|\n", "|--:".repeat(self.heads.len() - 1));
+        let rows: String = self.rows.iter().map(|row| line(row)).collect();
+        format!("{}:\n\n{}{rule}{rows}", self.title, line(&self.heads))
+    }
+
     pub(crate) fn html(&self) -> String {
         let cells = |line: &[String], tag: &str| {
             let cells = line
