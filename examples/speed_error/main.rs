@@ -4,12 +4,14 @@
 //! `target/speed_error/report.html`, with the plots as files beside it. Arguments: `--quick` for a
 //! run of seconds with fewer robots and shorter measurements, `--long` to watch energies for 10^5 s
 //! instead of 10^3, which takes minutes, `--functions`, `--numbers`, `--integrators`,
-//! `--structure` or `--pieces`
+//! `--structure`, `--pieces` or `--hard`
 //! for these parts alone, and a path for the page. Times are of one core: `taskset -c 1 cargo run ...`.
 
 use std::error::Error;
 use std::path::PathBuf;
 
+#[path = "../../tests/hard_cases/cases/mod.rs"]
+mod cases;
 #[path = "../../tests/support/data.rs"]
 mod data;
 #[path = "../../tests/support/decimal.rs"]
@@ -20,6 +22,7 @@ mod errors;
 mod exact;
 mod functions;
 mod functions_section;
+mod hard;
 mod integrators;
 mod integrators_section;
 mod machine;
@@ -34,6 +37,16 @@ mod reference_motion;
 mod robots;
 mod samples;
 mod scalars;
+/// The arms of the example `scene`, and what measures them.
+mod scene {
+    #[path = "../../scene/arms.rs"]
+    #[allow(dead_code)]
+    pub(crate) mod arms;
+    #[path = "../../scene/features.rs"]
+    pub(crate) mod features;
+    #[path = "../../scene/measure.rs"]
+    pub(crate) mod measure;
+}
 mod structure;
 mod table;
 mod timing;
@@ -117,7 +130,10 @@ fn main() -> Result<(), Box<dyn Error>> {
         sections.push(structure::section(arguments.duration())?);
     }
     if arguments.wants("pieces") {
-        sections.push(pieces::section(arguments.effort()));
+        sections.push(pieces::section());
+    }
+    if arguments.wants("hard") {
+        sections.push(hard::section());
     }
     sections.iter().for_each(page::Section::print);
     page::write(&arguments.path, &conditions, &sections)?;
