@@ -25,6 +25,7 @@ mod scalar;
 mod simulation;
 mod sine;
 mod table;
+mod taylor;
 mod trajectory;
 
 #[cfg(test)]
@@ -46,6 +47,9 @@ pub use simulation::{
     Cause, DormandPrince, InvalidSetting, Method, NoTorque, Simulation, SimulationError, Trajectory,
 };
 pub use table::{Convention, JointType, Row, Table};
+#[doc(hidden)]
+pub use taylor::{Block, ProductTable, Products, SeriesTerm};
+pub use taylor::{MAX_TAYLOR_ORDER, TaylorCoefficients, TaylorDynamics};
 pub use trajectory::{Cycloidal, InvalidDuration};
 
 #[doc(hidden)]

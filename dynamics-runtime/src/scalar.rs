@@ -2,7 +2,10 @@
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::sine::sin_cos_array;
+use fearless_simd::dispatch;
+
+use crate::sine::{level, sin_cos_array};
+use crate::taylor::{Block, convolve};
 
 /// A real number type on which every generated function can be evaluated.
 ///
@@ -89,6 +92,14 @@ pub trait Scalar:
     /// `self / of` in double precision, for error reports. A type of several lanes answers with
     /// the least ratio of its lanes.
     fn ratio_to_f64(self, of: Self) -> f64;
+
+    /// The inner sums of order `k` of products of series, which `f64` computes in the lanes of the
+    /// widest vector registers of the processor.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn convolve(products: &mut [Block<Self>], k: usize) {
+        convolve(products, k);
+    }
 }
 
 /// Whether the target multiplies and adds in one instruction.
@@ -161,6 +172,12 @@ impl_scalar! {
     }
     fn sin_cos_array<const K: usize>(angles: [Self; K]) -> [(Self, Self); K] {
         sin_cos_array(angles)
+    }
+    fn convolve(products: &mut [Block<Self>], k: usize) {
+        dispatch!(level(), simd => {
+            let _ = simd;
+            convolve(products, k)
+        })
     }
 }
 

@@ -41,11 +41,13 @@ pub enum Function {
     Regressor,
     /// The base inertial parameters.
     BaseParameters,
+    /// The Taylor coefficients of a motion q(t), from the inverse dynamics over series.
+    TaylorSeries,
 }
 
 impl Function {
     /// Every function, in the order in which they are generated and documented.
-    pub const ALL: [Function; 19] = [
+    pub const ALL: [Function; 20] = [
         Function::MassMatrix,
         Function::CoriolisVector,
         Function::GravityVector,
@@ -65,6 +67,7 @@ impl Function {
         Function::ForwardDynamicsDerivatives,
         Function::Regressor,
         Function::BaseParameters,
+        Function::TaylorSeries,
     ];
 
     /// The name of the generated method.
@@ -89,11 +92,12 @@ impl Function {
             Function::ForwardDynamicsDerivatives => "forward_dynamics_derivatives",
             Function::Regressor => "regressor",
             Function::BaseParameters => "base_parameters",
+            Function::TaylorSeries => "taylor_series",
         }
     }
 
     /// The name of the runtime's trait for the function, where there is one: those functions
-    /// that are also evaluated at many states at once.
+    /// that are also evaluated at many states at once, and Taylor series.
     pub fn trait_name(self) -> Option<&'static str> {
         match self {
             Function::MassMatrix => Some("MassMatrix"),
@@ -101,6 +105,7 @@ impl Function {
             Function::GravityVector => Some("GravityVector"),
             Function::InverseDynamics => Some("InverseDynamics"),
             Function::ForwardDynamics => Some("ForwardDynamics"),
+            Function::TaylorSeries => Some("TaylorDynamics"),
             _ => None,
         }
     }

@@ -78,6 +78,11 @@ fn description(function: Function) -> &'static str {
             "The P base inertial parameters: the smallest set by which the joint forces of every motion are \
              determined, regressor * base_parameters = tau - F."
         }
+        Function::TaylorSeries => {
+            "Taylor coefficients q_0, q_1, ... of the motion q(t) = sum q_k t^k that starts at t = 0 from `q` and `qd` \
+             under the constant `tau`, up to `order` (2 to 30); zero beyond. Coulomb friction keeps the sign that it \
+             has at the start: the series ends where a joint reverses."
+        }
     }
 }
 
@@ -96,13 +101,21 @@ pub(super) fn documentation(
     if matches!(function, Function::Regressor | Function::BaseParameters) {
         lines.extend(super::parameters::lines(robot));
     }
-    lines.push(format!(" Operations: {}.", program.operations()));
+    let each = match function {
+        Function::TaylorSeries => {
+            " of the equations of motion at each order, inner sums of products apart"
+        }
+        _ => "",
+    };
+    lines.push(format!(" Operations{each}: {}.", program.operations()));
     if let Some(formulas) = formulas(robot, program, constants).filter(|_| robot.rows.len() <= 3) {
         lines.extend(formula_lines(function, robot.rows.len(), &formulas));
     }
     lines.push(String::new());
     lines.push(match function {
-        Function::ForwardDynamics | Function::ForwardDynamicsDerivatives => {
+        Function::ForwardDynamics
+        | Function::ForwardDynamicsDerivatives
+        | Function::TaylorSeries => {
             " # Errors\n\n `SingularMassMatrix` where M(q) is not positive definite to working precision, or not finite: \
              it names the joint whose pivot failed.\n\n Never panics, never allocates; what depends on an input that \
              is not finite is not finite."

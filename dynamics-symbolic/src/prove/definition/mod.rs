@@ -78,7 +78,7 @@ impl Definition {
             Function::CoriolisVector => self.coriolis_vector(),
             Function::GravityVector => self.gravity_vector(),
             Function::FrictionVector => self.friction_vector(),
-            Function::InverseDynamics => self.inverse_dynamics(&self.qdd),
+            Function::InverseDynamics | Function::TaylorSeries => self.inverse_dynamics(&self.qdd),
             Function::ForwardDynamics => self.forward_dynamics(computed),
             Function::KineticEnergy => vec![self.kinetic_energy(&self.q, &self.qd)],
             Function::PotentialEnergy => vec![self.potential_energy(&self.q)],

@@ -1,0 +1,365 @@
+//! The inverse dynamics over Taylor series: each line is the coefficient of one order.
+//!
+//! Sums and multiples by constants are what they are for numbers. A product of two series goes to
+//! a slot of the runtime's table of products, which knows the coefficients of lower orders; a
+//! constant that is added counts at order 0 alone. What depends on the accelerations stands in a
+//! loop of two passes: see the runtime's `SeriesTerm`.
+
+use super::body;
+use super::signature::ident;
+use crate::program::{Instruction, Operand, Program};
+use crate::robot::{Robot, Symbol};
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::quote;
+
+/// Products in one block of the runtime's table.
+const LANES: usize = 8;
+
+/// Above so many names they are declared by one pattern for each group: see `body`.
+const MOST_LETS: usize = 500;
+const GROUP: usize = 200;
+
+/// What a quantity is along the motion.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Kind {
+    /// A number: constants, and what is made of the struct's fields.
+    Constant,
+    /// A series that positions and velocities determine.
+    Known,
+    /// A series that depends on the accelerations.
+    Moved,
+}
+
+/// A program over series.
+struct Series<'p> {
+    robot: &'p Robot,
+    program: &'p Program,
+    constants: &'p [f64],
+    kinds: Vec<Kind>,
+    /// The slot of each product of two series.
+    slots: Vec<Option<usize>>,
+    /// Whether a product, directly or through others, reads the result.
+    feeds_products: Vec<bool>,
+    /// Multiples of a series that are written into the one sum that reads them.
+    inlined: Vec<bool>,
+    /// Joints whose sine or cosine is read, which takes two more slots each.
+    turns: Vec<usize>,
+    products: usize,
+    inputs: Vec<Ident>,
+}
+
+/// The items of `TaylorDynamics` but for the mass matrix: the type of the table of products, and
+/// the equations of motion at one order.
+pub(super) fn items(
+    robot: &Robot,
+    program: &Program,
+    constants: &[f64],
+    path: &TokenStream,
+) -> TokenStream {
+    let series = Series::new(robot, program, constants);
+    let body = series.body(path);
+    let slots = series.products + 2 * series.turns.len();
+    declarations(slots.div_ceil(LANES), robot.rows.len(), path, &body)
+}
+
+/// The items with a given body; with `dof` zero for any number of joints.
+pub(super) fn declarations(
+    blocks: usize,
+    dof: usize,
+    path: &TokenStream,
+    body: &TokenStream,
+) -> TokenStream {
+    let blocks = Literal::usize_unsuffixed(blocks);
+    let n = super::signature::number_of_joints(dof);
+    let term = ident("term");
+    quote! {
+        type Products<T: #path::Scalar> = #path::ProductTable<T, #blocks>;
+
+        #[inline(always)]
+        fn series_term<T: #path::Scalar>(&self, #term: &mut impl #path::SeriesTerm<T, #n>) {
+            #body
+        }
+    }
+}
+
+impl<'p> Series<'p> {
+    fn new(robot: &'p Robot, program: &'p Program, constants: &'p [f64]) -> Self {
+        let angles = program.angles();
+        let name = |symbol: &Symbol| ident(&body::input_name(robot, symbol, &angles));
+        let mut series = Series {
+            robot,
+            program,
+            constants,
+            kinds: Vec::with_capacity(program.instructions.len()),
+            slots: Vec::with_capacity(program.instructions.len()),
+            feeds_products: vec![false; program.instructions.len()],
+            inlined: vec![false; program.instructions.len()],
+            turns: program.joint_angles(),
+            products: 0,
+            inputs: program.inputs.iter().map(name).collect(),
+        };
+        series.turns.sort_unstable();
+        for instruction in &program.instructions {
+            let (a, b) = instruction.operands();
+            let (a, b) = (series.kind(a), series.kind(b));
+            let is_product =
+                matches!(instruction, Instruction::Mul(..)) && a.min(b) != Kind::Constant;
+            assert!(
+                !matches!(instruction, Instruction::Div(..)) || b == Kind::Constant,
+                "inverse dynamics is a polynomial in the motion"
+            );
+            series.kinds.push(a.max(b));
+            series.slots.push(is_product.then_some(series.products));
+            series.products += usize::from(is_product);
+        }
+        series.find_what_feeds_products();
+        series.find_inlined();
+        series
+    }
+
+    fn kind(&self, operand: Operand) -> Kind {
+        match operand {
+            Operand::Constant(_) => Kind::Constant,
+            Operand::Result(index) => self.kinds[index as usize],
+            Operand::Input(index) => match self.program.inputs[index as usize] {
+                Symbol::Pi
+                | Symbol::Field(_)
+                | Symbol::AngleSine(_)
+                | Symbol::AngleCosine(_)
+                | Symbol::Force(_) => Kind::Constant,
+                Symbol::Sine(_)
+                | Symbol::Cosine(_)
+                | Symbol::Position(_)
+                | Symbol::Velocity(_)
+                | Symbol::VelocitySign(_) => Kind::Known,
+                Symbol::Acceleration(_) => Kind::Moved,
+            },
+        }
+    }
+
+    fn find_what_feeds_products(&mut self) {
+        for (index, instruction) in self.program.instructions.iter().enumerate().rev() {
+            if self.slots[index].is_none() && !self.feeds_products[index] {
+                continue;
+            }
+            let (a, b) = instruction.operands();
+            for operand in [a, b] {
+                if let Operand::Result(index) = operand {
+                    self.feeds_products[index as usize] = true;
+                }
+            }
+        }
+    }
+
+    /// The multiples of a series that one instruction alone reads, a sum.
+    fn find_inlined(&mut self) {
+        let mut readers = vec![0; self.program.instructions.len()];
+        let mut in_sum = vec![false; self.program.instructions.len()];
+        for instruction in &self.program.instructions {
+            let is_sum = matches!(instruction, Instruction::Add(..) | Instruction::Sub(..));
+            let (a, b) = instruction.operands();
+            for operand in [a, b] {
+                if let Operand::Result(index) = operand {
+                    readers[index as usize] += 1;
+                    in_sum[index as usize] = is_sum;
+                }
+            }
+        }
+        for output in &self.program.outputs {
+            if let Operand::Result(index) = output.operand {
+                readers[index as usize] += 2;
+            }
+        }
+        for (index, instruction) in self.program.instructions.iter().enumerate() {
+            self.inlined[index] = matches!(instruction, Instruction::Mul(..))
+                && self.slots[index].is_none()
+                && self.kinds[index] != Kind::Constant
+                && readers[index] == 1
+                && in_sum[index];
+        }
+    }
+
+    fn body(&self, path: &TokenStream) -> TokenStream {
+        let [term, real, x] = ["term", "real", "x"].map(ident);
+        let constants = body::constant_inputs(self.robot, self.program, path);
+        let (known, moved): (Vec<_>, Vec<_>) =
+            (0..self.program.instructions.len()).partition(|&i| self.kinds[i] != Kind::Moved);
+        let (first, last): (Vec<_>, Vec<_>) = moved
+            .into_iter()
+            .partition(|&i| self.feeds_products[i] || self.slots[i].is_some());
+        let known_inputs = self.inputs_of(Kind::Known);
+        let moved_inputs = self.inputs_of(Kind::Moved);
+        let [known, first, last] = [known, first, last].map(|section| self.lines(&section));
+        let turns = self.turns.iter().enumerate().map(|(count, &joint)| {
+            let slot = Literal::usize_unsuffixed(self.products + 2 * count);
+            let joint = Literal::usize_unsuffixed(joint);
+            quote!(#term.turn(#joint, #slot);)
+        });
+        let forces = self.program.outputs.iter().map(|output| {
+            let value = self.series(output.operand);
+            if output.negative {
+                quote!(-#value)
+            } else {
+                value
+            }
+        });
+        quote! {
+            let #real = {
+                let #x = #path::SeriesTerm::like(#term);
+                move |x: f64| #path::Scalar::constant(#x, x)
+            };
+            #constants
+            #known_inputs
+            #(#turns)*
+            #known
+            loop {
+                #moved_inputs
+                #first
+                if #term.is_solved() {
+                    return;
+                }
+                #last
+                #term.solve([#(#forces),*]);
+            }
+        }
+    }
+
+    fn inputs_of(&self, kind: Kind) -> TokenStream {
+        let term = ident("term");
+        let mut order: Vec<usize> = (0..self.inputs.len()).collect();
+        order.sort_by_key(|&index| body::place(&self.program.inputs[index]));
+        let lines = order.into_iter().filter_map(|index| {
+            if self.kind(Operand::Input(index as u32)) != kind {
+                return None;
+            }
+            let (method, joint) = match self.program.inputs[index] {
+                Symbol::Sine(i) => ("sine", i),
+                Symbol::Cosine(i) => ("cosine", i),
+                Symbol::Position(i) => ("position", i),
+                Symbol::Velocity(i) => ("velocity", i),
+                Symbol::VelocitySign(i) => ("velocity_sign", i),
+                Symbol::Acceleration(i) => ("acceleration", i),
+                _ => return None,
+            };
+            let (name, method) = (&self.inputs[index], ident(method));
+            let joint = Literal::usize_unsuffixed(joint);
+            Some(quote!(let #name = #term.#method(#joint);))
+        });
+        lines.collect()
+    }
+
+    /// The assignments of some instructions.
+    fn lines(&self, section: &[usize]) -> TokenStream {
+        let named = section
+            .iter()
+            .copied()
+            .filter(|&index| !self.inlined[index]);
+        let named: Vec<usize> = named.collect();
+        let names: Vec<_> = named.iter().map(|&index| name(index)).collect();
+        let mut lines = TokenStream::new();
+        let declares_each = names.len() <= MOST_LETS;
+        if !declares_each {
+            for group in names.chunks(GROUP) {
+                let types = group.iter().map(|_| quote!(T));
+                lines.extend(quote!(let (#(#group,)*): (#(#types,)*);));
+            }
+        }
+        for (&index, name) in named.iter().zip(&names) {
+            let value = self.value(index);
+            let declaration = declares_each.then(|| quote!(let));
+            lines.extend(quote!(#declaration #name = #value;));
+        }
+        lines
+    }
+
+    fn value(&self, index: usize) -> TokenStream {
+        let (term, instruction) = (ident("term"), &self.program.instructions[index]);
+        let (a, b) = instruction.operands();
+        if let Some(slot) = self.slots[index] {
+            let slot = Literal::usize_unsuffixed(slot);
+            let (a, b) = (self.number(a), self.number(b));
+            return quote!(#term.product(#slot, #a, #b));
+        }
+        // The operands of a sum of series are series, of any other operation numbers.
+        let read = |operand| match (instruction, self.kinds[index]) {
+            (Instruction::Mul(..) | Instruction::Div(..), _) | (_, Kind::Constant) => {
+                self.number(operand)
+            }
+            _ => self.series(operand),
+        };
+        if let Some(fused) = self.fused(instruction) {
+            return fused;
+        }
+        let (a, b) = (read(a), read(b));
+        match instruction {
+            Instruction::Add(..) => quote!(#a + #b),
+            Instruction::Sub(..) => quote!(#a - #b),
+            Instruction::Mul(..) => quote!(#a * #b),
+            Instruction::Div(..) => quote!(#a / #b),
+        }
+    }
+
+    /// A sum in which a multiple of a series stands: a x + b as `a.mul_add(x, b)`.
+    fn fused(&self, instruction: &Instruction) -> Option<TokenStream> {
+        let (a, b, is_difference) = match *instruction {
+            Instruction::Add(a, b) => (a, b, false),
+            Instruction::Sub(a, b) => (a, b, true),
+            _ => return None,
+        };
+        if let Some((x, y)) = self.inlined_product(b) {
+            let (x, y, a) = (self.number(x), self.number(y), self.series(a));
+            let x = if is_difference { quote!((-#x)) } else { x };
+            return Some(quote!(#x.mul_add(#y, #a)));
+        }
+        let (x, y) = self.inlined_product(a)?;
+        let (x, y, b) = (self.number(x), self.number(y), self.series(b));
+        let b = if is_difference { quote!(-#b) } else { b };
+        Some(quote!(#x.mul_add(#y, #b)))
+    }
+
+    fn inlined_product(&self, operand: Operand) -> Option<(Operand, Operand)> {
+        let Operand::Result(index) = operand else {
+            return None;
+        };
+        let index = index as usize;
+        self.inlined[index].then(|| self.program.instructions[index].operands())
+    }
+
+    /// An operand as it is.
+    fn number(&self, operand: Operand) -> TokenStream {
+        match operand {
+            Operand::Constant(id) => {
+                let (real, x) = (ident("real"), body::literal(self.constants[id.index()]));
+                quote!(#real(#x))
+            }
+            Operand::Input(index) => {
+                let name = &self.inputs[index as usize];
+                quote!(#name)
+            }
+            Operand::Result(index) if self.inlined[index as usize] => {
+                let value = self.value(index as usize);
+                quote!((#value))
+            }
+            Operand::Result(index) => {
+                let name = name(index as usize);
+                quote!(#name)
+            }
+        }
+    }
+
+    /// An operand as a coefficient: constants have them at order 0 alone.
+    fn series(&self, operand: Operand) -> TokenStream {
+        let number = self.number(operand);
+        match self.kind(operand) {
+            Kind::Constant => {
+                let term = ident("term");
+                quote!(#term.constant(#number))
+            }
+            _ => number,
+        }
+    }
+}
+
+fn name(index: usize) -> Ident {
+    ident(&format!("t_{}", index + 1))
+}
