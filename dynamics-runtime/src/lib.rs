@@ -44,7 +44,8 @@ pub use newton_euler::NewtonEuler;
 pub use operations::Operations;
 pub use scalar::Scalar;
 pub use simulation::{
-    Cause, DormandPrince, InvalidSetting, Method, NoTorque, Simulation, SimulationError, Trajectory,
+    Cause, DormandPrince, InvalidSetting, Method, NoTorque, Simulation, SimulationError, Taylor,
+    TaylorSimulation, Trajectory,
 };
 pub use table::{Convention, JointType, Row, Table};
 #[doc(hidden)]

@@ -2,10 +2,10 @@
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use fearless_simd::dispatch;
+use fearless_simd::{Simd, dispatch};
 
 use crate::sine::{level, sin_cos_array};
-use crate::taylor::{Block, convolve};
+use crate::taylor::{Block, advance};
 
 /// A real number type on which every generated function can be evaluated.
 ///
@@ -93,12 +93,20 @@ pub trait Scalar:
     /// the least ratio of its lanes.
     fn ratio_to_f64(self, of: Self) -> f64;
 
-    /// The inner sums of order `k` of products of series, which `f64` computes in the lanes of the
-    /// widest vector registers of the processor.
+    /// `work`, which `f64` does with the instructions of AVX2 where the processor has them. They
+    /// round as those of the build do.
     #[doc(hidden)]
     #[inline(always)]
-    fn convolve(products: &mut [Block<Self>], k: usize) {
-        convolve(products, k);
+    fn with_best_instructions<R>(work: impl FnOnce() -> R) -> R {
+        work()
+    }
+
+    /// Takes products of series from order `k - 1` to order `k`: `f64` in the lanes of the widest
+    /// vector registers of the processor.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn advance_products(products: &mut [Block<Self>], k: usize) {
+        advance(products, k);
     }
 }
 
@@ -173,10 +181,17 @@ impl_scalar! {
     fn sin_cos_array<const K: usize>(angles: [Self; K]) -> [(Self, Self); K] {
         sin_cos_array(angles)
     }
-    fn convolve(products: &mut [Block<Self>], k: usize) {
+    fn with_best_instructions<R>(work: impl FnOnce() -> R) -> R {
+        #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+        if let Some(avx2) = level().as_avx2() {
+            return avx2.vectorize(work);
+        }
+        work()
+    }
+    fn advance_products(products: &mut [Block<Self>], k: usize) {
         dispatch!(level(), simd => {
             let _ = simd;
-            convolve(products, k)
+            advance(products, k)
         })
     }
 }

@@ -5,6 +5,7 @@ mod error;
 mod fixed_step;
 mod method;
 mod motion;
+mod taylor;
 mod trajectory;
 
 use nalgebra::SVector;
@@ -16,6 +17,7 @@ use trajectory::Recorder;
 
 pub use error::{Cause, InvalidSetting, SimulationError};
 pub use method::{DormandPrince, Method};
+pub use taylor::{Taylor, TaylorSimulation};
 pub use trajectory::Trajectory;
 
 /// The torque law of free motion: no torque.
@@ -147,13 +149,7 @@ where
         let mut recorder = Recorder::new(self.initial);
         match self.record(&mut recorder) {
             Ok(()) => Ok(recorder.trajectory),
-            Err(cause) => Err(Box::new(SimulationError {
-                time: recorder.t,
-                q: recorder.phase.q,
-                qd: recorder.phase.qd,
-                cause,
-                trajectory: recorder.trajectory,
-            })),
+            Err(cause) => Err(recorder.failed(cause)),
         }
     }
 

@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 
-use super::InvalidSetting;
+use super::{Cause, InvalidSetting, SimulationError};
 use crate::Energy;
 use crate::integrate::Phase;
 
@@ -76,6 +76,17 @@ impl<const N: usize> Recorder<N> {
             duration: 0.0,
             samples: 0,
         }
+    }
+
+    /// The error that ends the run here.
+    pub(super) fn failed(self, cause: Cause) -> Box<SimulationError<N>> {
+        Box::new(SimulationError {
+            time: self.t,
+            q: self.phase.q,
+            qd: self.phase.qd,
+            cause,
+            trajectory: self.trajectory,
+        })
     }
 
     /// Makes room for all samples; it must be at least two.

@@ -50,6 +50,11 @@ where
         &self.coefficients
     }
 
+    /// The accelerations of the series that was begun.
+    pub(crate) fn acceleration(&self) -> SVector<T, N> {
+        self.motion.qdd
+    }
+
     /// Begins a series: everything of order 0, the accelerations included. The coefficients of the
     /// series before stay until [`extend`](Self::extend).
     #[inline]
@@ -80,6 +85,14 @@ where
     /// The coefficients of the series that was begun, up to an order.
     #[inline]
     pub(crate) fn extend(&mut self, robot: &R, order: usize) {
+        T::with_best_instructions(
+            #[inline(always)]
+            || self.extend_here(robot, order),
+        );
+    }
+
+    #[inline(always)]
+    fn extend_here(&mut self, robot: &R, order: usize) {
         let order = order.clamp(2, MAX_TAYLOR_ORDER);
         let zero = SVector::repeat(self.motion.q[0].constant(0.0));
         self.coefficients[0] = self.motion.q;
@@ -88,7 +101,7 @@ where
         self.motion.tau = zero;
         for k in 0..order - 1 {
             if k > 0 {
-                self.products.convolve(k);
+                self.products.advance(k);
                 let motion = Motion {
                     q: self.coefficients[k],
                     qdd: zero,
@@ -108,13 +121,11 @@ where
     #[inline(always)]
     fn term<const LEADING: bool>(&mut self, robot: &R, k: usize, motion: Motion<T, N>) {
         let mut term = Term::<R, T, N, LEADING> {
-            k,
             motion,
             next_sine: motion.sine,
             next_cosine: motion.cosine,
             factors: &self.factors,
             products: &mut self.products,
-            solved: false,
         };
         robot.series_term(&mut term);
         let (sine, cosine) = (term.next_sine, term.next_cosine);

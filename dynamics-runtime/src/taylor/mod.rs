@@ -28,14 +28,18 @@
 mod expansion;
 mod factors;
 mod products;
+mod step_size;
+mod stepper;
 mod term;
 
 use nalgebra::{SMatrix, SVector};
 
 use crate::{JointSines, Model, Scalar, SingularMassMatrix};
 pub(crate) use expansion::Expansion;
-pub(crate) use products::convolve;
+pub(crate) use products::advance;
 pub use products::{Block, ProductTable, Products};
+pub(crate) use step_size::{order, step_size};
+pub(crate) use stepper::Stepper;
 pub use term::SeriesTerm;
 
 /// The highest order of a Taylor series.

@@ -8,8 +8,8 @@ use crate::Scalar;
 
 /// Coefficients of order k: what the generated equations of motion read and write.
 ///
-/// The equations run in two passes. The first has accelerations of 0 and ends with
-/// [`solve`](SeriesTerm::solve), which makes them what they have to be; the second ends before it.
+/// What depends on the accelerations is computed twice: with accelerations of 0, up to
+/// [`solve`](SeriesTerm::solve), which makes them what they have to be, and again.
 #[doc(hidden)]
 pub trait SeriesTerm<T, const N: usize> {
     /// A number, for its arithmetic.
@@ -26,15 +26,15 @@ pub trait SeriesTerm<T, const N: usize> {
     fn velocity(&self, joint: usize) -> T;
     /// The coefficient of the sign of a velocity, which counts as constant.
     fn velocity_sign(&self, joint: usize) -> T;
-    /// The coefficient of an acceleration: 0 in the first pass.
+    /// The coefficient of an acceleration: 0 before it is solved for.
     fn acceleration(&self, joint: usize) -> T;
     /// The coefficient of the product of two series, whose coefficients of this order are given.
     fn product(&mut self, slot: usize, a: T, b: T) -> T;
+    /// The same of coefficients that are not final.
+    fn trial(&self, slot: usize, a: T, b: T) -> T;
     /// The next coefficients of sine and cosine of a joint's position, by two products.
     fn turn(&mut self, joint: usize, slot: usize);
-    /// Whether the accelerations are known.
-    fn is_solved(&self) -> bool;
-    /// Ends the first pass: the accelerations that the forces lack.
+    /// The accelerations that the forces lack.
     fn solve(&mut self, forces: [T; N]);
 }
 
@@ -50,19 +50,17 @@ pub(super) struct Motion<T, const N: usize> {
     pub(super) tau: SVector<T, N>,
 }
 
-/// Order k of an expansion; `LEADING` is whether k = 0.
+/// One order of an expansion; `LEADING` is whether it is order 0.
 pub(super) struct Term<'a, R, T, const N: usize, const LEADING: bool>
 where
     R: TaylorDynamics<N>,
     T: Scalar,
 {
-    pub(super) k: usize,
     pub(super) motion: Motion<T, N>,
     pub(super) next_sine: SVector<T, N>,
     pub(super) next_cosine: SVector<T, N>,
     pub(super) factors: &'a Factors<T, N>,
     pub(super) products: &'a mut R::Products<T>,
-    pub(super) solved: bool,
 }
 
 impl<R, T, const N: usize, const LEADING: bool> SeriesTerm<T, N> for Term<'_, R, T, N, LEADING>
@@ -112,7 +110,12 @@ where
 
     #[inline(always)]
     fn product(&mut self, slot: usize, a: T, b: T) -> T {
-        self.products.store(slot, self.k, a, b);
+        self.products.store(slot, a, b);
+        self.trial(slot, a, b)
+    }
+
+    #[inline(always)]
+    fn trial(&self, slot: usize, a: T, b: T) -> T {
         if LEADING {
             return a * b;
         }
@@ -129,14 +132,8 @@ where
     }
 
     #[inline(always)]
-    fn is_solved(&self) -> bool {
-        self.solved
-    }
-
-    #[inline(always)]
     fn solve(&mut self, forces: [T; N]) {
         let lacking = SVector::from_fn(|i, _| self.motion.tau[i] - forces[i]);
         self.motion.qdd = self.factors.solve(&lacking);
-        self.solved = true;
     }
 }

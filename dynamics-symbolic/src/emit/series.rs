@@ -2,8 +2,9 @@
 //!
 //! Sums and multiples by constants are what they are for numbers. A product of two series goes to
 //! a slot of the runtime's table of products, which knows the coefficients of lower orders; a
-//! constant that is added counts at order 0 alone. What depends on the accelerations stands in a
-//! loop of two passes: see the runtime's `SeriesTerm`.
+//! constant that is added counts at order 0 alone. What depends on the accelerations is written
+//! twice: with accelerations of zero for the forces that they have to make up, and with the
+//! accelerations for the products of later orders.
 
 use super::body;
 use super::signature::ident;
@@ -18,6 +19,10 @@ const LANES: usize = 8;
 /// Above so many names they are declared by one pattern for each group: see `body`.
 const MOST_LETS: usize = 500;
 const GROUP: usize = 200;
+
+/// The method for a product whose factors are final, and the one for factors that are not.
+const STORED: &str = "product";
+const TRIAL: &str = "trial";
 
 /// What a quantity is along the motion.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -184,12 +189,16 @@ impl<'p> Series<'p> {
         let constants = body::constant_inputs(self.robot, self.program, path);
         let (known, moved): (Vec<_>, Vec<_>) =
             (0..self.program.instructions.len()).partition(|&i| self.kinds[i] != Kind::Moved);
-        let (first, last): (Vec<_>, Vec<_>) = moved
-            .into_iter()
-            .partition(|&i| self.feeds_products[i] || self.slots[i].is_some());
+        let feeding = moved.iter().copied();
+        let feeding: Vec<_> = feeding
+            .filter(|&i| self.feeds_products[i] || self.slots[i].is_some())
+            .collect();
         let known_inputs = self.inputs_of(Kind::Known);
         let moved_inputs = self.inputs_of(Kind::Moved);
-        let [known, first, last] = [known, first, last].map(|section| self.lines(&section));
+        let known = self.lines(&known, STORED);
+        let trial = self.lines(&moved, TRIAL);
+        let stored = self.lines(&feeding, STORED);
+        let forces_name = ident("forces");
         let turns = self.turns.iter().enumerate().map(|(count, &joint)| {
             let slot = Literal::usize_unsuffixed(self.products + 2 * count);
             let joint = Literal::usize_unsuffixed(joint);
@@ -212,15 +221,14 @@ impl<'p> Series<'p> {
             #known_inputs
             #(#turns)*
             #known
-            loop {
+            let #forces_name = {
                 #moved_inputs
-                #first
-                if #term.is_solved() {
-                    return;
-                }
-                #last
-                #term.solve([#(#forces),*]);
-            }
+                #trial
+                [#(#forces),*]
+            };
+            #term.solve(#forces_name);
+            #moved_inputs
+            #stored
         }
     }
 
@@ -249,7 +257,7 @@ impl<'p> Series<'p> {
     }
 
     /// The assignments of some instructions.
-    fn lines(&self, section: &[usize]) -> TokenStream {
+    fn lines(&self, section: &[usize], product: &str) -> TokenStream {
         let named = section
             .iter()
             .copied()
@@ -265,20 +273,28 @@ impl<'p> Series<'p> {
             }
         }
         for (&index, name) in named.iter().zip(&names) {
-            let value = self.value(index);
+            let value = self.value(index, product);
             let declaration = declares_each.then(|| quote!(let));
             lines.extend(quote!(#declaration #name = #value;));
         }
         lines
     }
 
-    fn value(&self, index: usize) -> TokenStream {
+    /// The right-hand side of an instruction; `product` is the method for products of series.
+    fn value(&self, index: usize, product: &str) -> TokenStream {
         let (term, instruction) = (ident("term"), &self.program.instructions[index]);
         let (a, b) = instruction.operands();
         if let Some(slot) = self.slots[index] {
             let slot = Literal::usize_unsuffixed(slot);
-            let (a, b) = (self.number(a), self.number(b));
-            return quote!(#term.product(#slot, #a, #b));
+            // What the accelerations do not change first: its part of the sum is the same in both
+            // passes.
+            let (a, b) = if self.kind(a) > self.kind(b) {
+                (b, a)
+            } else {
+                (a, b)
+            };
+            let (product, a, b) = (ident(product), self.number(a), self.number(b));
+            return quote!(#term.#product(#slot, #a, #b));
         }
         // The operands of a sum of series are series, of any other operation numbers.
         let read = |operand| match (instruction, self.kinds[index]) {
@@ -337,7 +353,7 @@ impl<'p> Series<'p> {
                 quote!(#name)
             }
             Operand::Result(index) if self.inlined[index as usize] => {
-                let value = self.value(index as usize);
+                let value = self.value(index as usize, STORED);
                 quote!((#value))
             }
             Operand::Result(index) => {
