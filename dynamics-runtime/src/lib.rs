@@ -49,7 +49,7 @@ pub use simulation::{
 };
 pub use table::{Convention, JointType, Row, Table};
 #[doc(hidden)]
-pub use taylor::{Block, ProductTable, Products, SeriesTerm};
+pub use taylor::{Block, Common, ProductTable, Products, SeriesTerm};
 pub use taylor::{MAX_TAYLOR_ORDER, TaylorCoefficients, TaylorDynamics};
 pub use trajectory::{Cycloidal, InvalidDuration};
 

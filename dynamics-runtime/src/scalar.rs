@@ -2,10 +2,10 @@
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use fearless_simd::{Simd, dispatch};
+use fearless_simd::dispatch;
 
 use crate::sine::{level, sin_cos_array};
-use crate::taylor::{Block, advance};
+use crate::taylor::{Block, Common, advance};
 
 /// A real number type on which every generated function can be evaluated.
 ///
@@ -93,8 +93,7 @@ pub trait Scalar:
     /// the least ratio of its lanes.
     fn ratio_to_f64(self, of: Self) -> f64;
 
-    /// `work`, which `f64` does with the instructions of AVX2 where the processor has them. They
-    /// round as those of the build do.
+    /// `work`, with more of the processor's instructions than the build may count on.
     #[doc(hidden)]
     #[inline(always)]
     fn with_best_instructions<R>(work: impl FnOnce() -> R) -> R {
@@ -105,8 +104,13 @@ pub trait Scalar:
     /// vector registers of the processor.
     #[doc(hidden)]
     #[inline(always)]
-    fn advance_products(products: &mut [Block<Self>], k: usize) {
-        advance(products, k);
+    fn advance_products(
+        common: &mut [Block<Self, Common<Self>>],
+        single: &mut [Block<Self, [Self; 8]>],
+        k: usize,
+    ) {
+        advance(common, k);
+        advance(single, k);
     }
 }
 
@@ -181,17 +185,15 @@ impl_scalar! {
     fn sin_cos_array<const K: usize>(angles: [Self; K]) -> [(Self, Self); K] {
         sin_cos_array(angles)
     }
-    fn with_best_instructions<R>(work: impl FnOnce() -> R) -> R {
-        #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-        if let Some(avx2) = level().as_avx2() {
-            return avx2.vectorize(work);
-        }
-        work()
-    }
-    fn advance_products(products: &mut [Block<Self>], k: usize) {
+    fn advance_products(
+        common: &mut [Block<Self, Common<Self>>],
+        single: &mut [Block<Self, [Self; 8]>],
+        k: usize,
+    ) {
         dispatch!(level(), simd => {
             let _ = simd;
-            advance(products, k)
+            advance(common, k);
+            advance(single, k)
         })
     }
 }

@@ -65,6 +65,20 @@ where
         qd: &SVector<T, N>,
         tau: &SVector<T, N>,
     ) -> Result<(), SingularMassMatrix> {
+        T::with_best_instructions(
+            #[inline(always)]
+            || self.begin_here(robot, q, qd, tau),
+        )
+    }
+
+    #[inline(always)]
+    fn begin_here(
+        &mut self,
+        robot: &R,
+        q: &SVector<T, N>,
+        qd: &SVector<T, N>,
+        tau: &SVector<T, N>,
+    ) -> Result<(), SingularMassMatrix> {
         let zero = q[0].constant(0.0);
         let angles: [T; N] = core::array::from_fn(|i| if R::READS_ANGLE[i] { q[i] } else { zero });
         let sines = T::sin_cos_array(angles);

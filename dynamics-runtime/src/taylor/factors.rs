@@ -9,6 +9,7 @@ use crate::{Scalar, SingularMassMatrix};
 /// generated forward dynamics.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Factors<T, const N: usize> {
+    /// Minus the entries of U above its diagonal.
     upper: SMatrix<T, N, N>,
     inverse_pivots: SVector<T, N>,
 }
@@ -38,7 +39,7 @@ impl<T: Scalar, const N: usize> Factors<T, N> {
                 }
             }
             for i in 0..j {
-                upper[(i, j)] = upper[(i, j)] * inverse_pivots[j];
+                upper[(i, j)] = -upper[(i, j)] * inverse_pivots[j];
             }
         }
         Ok(Factors {
@@ -53,7 +54,7 @@ impl<T: Scalar, const N: usize> Factors<T, N> {
         let mut x = *b;
         for j in (0..N).rev() {
             for i in 0..j {
-                x[i] = x[i] - self.upper[(i, j)] * x[j];
+                x[i] = self.upper[(i, j)].mul_add(x[j], x[i]);
             }
         }
         for i in 0..N {
@@ -61,7 +62,7 @@ impl<T: Scalar, const N: usize> Factors<T, N> {
         }
         for j in 0..N {
             for i in j + 1..N {
-                x[i] = x[i] - self.upper[(j, i)] * x[j];
+                x[i] = self.upper[(j, i)].mul_add(x[j], x[i]);
             }
         }
         x

@@ -27,6 +27,8 @@
 
 mod expansion;
 mod factors;
+mod fused;
+mod numbers;
 mod products;
 mod step_size;
 mod stepper;
@@ -37,8 +39,8 @@ use nalgebra::{SMatrix, SVector};
 use crate::{JointSines, Model, Scalar, SingularMassMatrix};
 pub(crate) use expansion::Expansion;
 pub(crate) use products::advance;
-pub use products::{Block, ProductTable, Products};
-pub(crate) use step_size::{order, step_size};
+pub use products::{Block, Common, ProductTable, Products};
+pub(crate) use step_size::order;
 pub(crate) use stepper::Stepper;
 pub use term::SeriesTerm;
 

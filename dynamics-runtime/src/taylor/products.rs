@@ -11,28 +11,81 @@ const GROUP: usize = 4;
 
 type Lanes<T> = [T; LANES];
 
+/// The left factors of eight products: one for each, or one for all.
+#[doc(hidden)]
+pub trait Factor<T>: Copy {
+    fn repeat(x: T) -> Self;
+    fn of(&self, lane: usize) -> T;
+    fn set(&mut self, lane: usize, x: T);
+}
+
+impl<T: Scalar> Factor<T> for Lanes<T> {
+    fn repeat(x: T) -> Self {
+        [x; LANES]
+    }
+
+    #[inline(always)]
+    fn of(&self, lane: usize) -> T {
+        self[lane]
+    }
+
+    #[inline(always)]
+    fn set(&mut self, lane: usize, x: T) {
+        self[lane] = x;
+    }
+}
+
+/// A factor that eight products have in common: rotations have the same sine in many.
+#[doc(hidden)]
+#[derive(Clone, Copy, Debug)]
+pub struct Common<T>(T);
+
+impl<T: Scalar> Factor<T> for Common<T> {
+    fn repeat(x: T) -> Self {
+        Common(x)
+    }
+
+    #[inline(always)]
+    fn of(&self, _: usize) -> T {
+        self.0
+    }
+
+    #[inline(always)]
+    fn set(&mut self, lane: usize, x: T) {
+        if lane == 0 {
+            self.0 = x;
+        }
+    }
+}
+
 /// Eight products: the coefficients of their factors.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
-pub struct Block<T> {
+pub struct Block<T, L> {
     /// The order at hand.
-    now: [Lanes<T>; 2],
+    now: Lanes<T>,
+    now_left: L,
     /// Order 0.
-    lead: [Lanes<T>; 2],
+    lead: Lanes<T>,
+    lead_left: L,
     /// The inner sums of the order at hand.
     sum: Lanes<T>,
     /// What the orders of a group have in common: see [`advance`].
     begun: [Lanes<T>; GROUP],
     /// All orders before.
-    left: [Lanes<T>; MAX_TAYLOR_ORDER],
     right: [Lanes<T>; MAX_TAYLOR_ORDER],
+    left: [L; MAX_TAYLOR_ORDER],
 }
 
-/// Room for all products of an arm's equations: `8 * BLOCKS` of them.
+/// Room for all products of an arm's equations: eight in a block, those of the first blocks with a
+/// common factor.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug)]
-pub struct ProductTable<T, const BLOCKS: usize>([Block<T>; BLOCKS]);
+pub struct ProductTable<T, const COMMON: usize, const SINGLE: usize> {
+    common: [Block<T, Common<T>>; COMMON],
+    single: [Block<T, Lanes<T>>; SINGLE],
+}
 
 /// A [`ProductTable`] of any size.
 #[doc(hidden)]
@@ -50,37 +103,64 @@ pub trait Products<T> {
     fn advance(&mut self, k: usize);
 }
 
-impl<T: Scalar, const BLOCKS: usize> Products<T> for ProductTable<T, BLOCKS> {
+impl<T: Scalar, const COMMON: usize, const SINGLE: usize> Products<T>
+    for ProductTable<T, COMMON, SINGLE>
+{
     fn new(zero: T) -> Self {
-        let lanes = [zero; LANES];
-        let rows = [lanes; MAX_TAYLOR_ORDER];
-        let block = Block {
-            now: [lanes; 2],
-            lead: [lanes; 2],
-            sum: lanes,
-            begun: [lanes; GROUP],
-            left: rows,
-            right: rows,
-        };
-        ProductTable([block; BLOCKS])
+        ProductTable {
+            common: [Block::new(zero); COMMON],
+            single: [Block::new(zero); SINGLE],
+        }
     }
 
     #[inline(always)]
     fn store(&mut self, slot: usize, a: T, b: T) {
-        let (block, lane) = (&mut self.0[slot / LANES], slot % LANES);
-        block.now[0][lane] = a;
-        block.now[1][lane] = b;
+        let (block, lane) = (slot / LANES, slot % LANES);
+        match block < COMMON {
+            true => self.common[block].store(lane, a, b),
+            false => self.single[block - COMMON].store(lane, a, b),
+        }
     }
 
     #[inline(always)]
     fn lead(&self, slot: usize) -> [T; 3] {
-        let (block, lane) = (&self.0[slot / LANES], slot % LANES);
-        [block.lead[0][lane], block.lead[1][lane], block.sum[lane]]
+        let (block, lane) = (slot / LANES, slot % LANES);
+        match block < COMMON {
+            true => self.common[block].lead(lane),
+            false => self.single[block - COMMON].lead(lane),
+        }
     }
 
     #[inline(always)]
     fn advance(&mut self, k: usize) {
-        T::advance_products(&mut self.0, k);
+        T::advance_products(&mut self.common, &mut self.single, k);
+    }
+}
+
+impl<T: Scalar, L: Factor<T>> Block<T, L> {
+    fn new(zero: T) -> Self {
+        let (lanes, left) = ([zero; LANES], L::repeat(zero));
+        Block {
+            now: lanes,
+            now_left: left,
+            lead: lanes,
+            lead_left: left,
+            sum: lanes,
+            begun: [lanes; GROUP],
+            right: [lanes; MAX_TAYLOR_ORDER],
+            left: [left; MAX_TAYLOR_ORDER],
+        }
+    }
+
+    #[inline(always)]
+    fn store(&mut self, lane: usize, a: T, b: T) {
+        self.now_left.set(lane, a);
+        self.now[lane] = b;
+    }
+
+    #[inline(always)]
+    fn lead(&self, lane: usize) -> [T; 3] {
+        [self.lead_left.of(lane), self.lead[lane], self.sum[lane]]
     }
 }
 
@@ -91,17 +171,15 @@ impl<T: Scalar, const BLOCKS: usize> Products<T> for ProductTable<T, BLOCKS> {
 ///
 /// sum_{0<j<k+d} a_j b_{k+d-j} = sum_{d<j<k} a_j b_{k+d-j} + sum_{0<=e<d} a_{k+e} b_{d-e} + a_{d-e} b_{k+e}
 ///
-/// for d < k. Products are rounded before they are added, and added in the same order, on every
-/// processor, so that all of them give the same digits.
+/// for d < k.
 #[inline(always)]
-pub(crate) fn advance<T: Scalar>(blocks: &mut [Block<T>], k: usize) {
+pub(crate) fn advance<T: Scalar, L: Factor<T>>(blocks: &mut [Block<T, L>], k: usize) {
     for block in blocks {
         if k == 1 {
-            block.lead = block.now;
+            (block.lead, block.lead_left) = (block.now, block.now_left);
         }
-        // One by one: a pair would be copied by way of the stack.
-        block.left[k - 1] = block.now[0];
-        block.right[k - 1] = block.now[1];
+        block.right[k - 1] = block.now;
+        block.left[k - 1] = block.now_left;
         let d = (k - 1) % GROUP;
         block.sum = if k <= GROUP {
             block.inner_sum(k)
@@ -114,7 +192,7 @@ pub(crate) fn advance<T: Scalar>(blocks: &mut [Block<T>], k: usize) {
     }
 }
 
-impl<T: Scalar> Block<T> {
+impl<T: Scalar, L: Factor<T>> Block<T, L> {
     /// sum_{0<j<k} a_j b_{k-j}
     #[inline(always)]
     fn inner_sum(&self, k: usize) -> Lanes<T> {
@@ -161,8 +239,8 @@ impl<T: Scalar> Block<T> {
 }
 
 #[inline(always)]
-fn add_products<T: Scalar>(sum: &mut Lanes<T>, a: &Lanes<T>, b: &Lanes<T>) {
+fn add_products<T: Scalar>(sum: &mut Lanes<T>, a: &impl Factor<T>, b: &Lanes<T>) {
     for lane in 0..LANES {
-        sum[lane] = sum[lane] + a[lane] * b[lane];
+        sum[lane] = a.of(lane).mul_add(b[lane], sum[lane]);
     }
 }

@@ -2,7 +2,9 @@
 
 use nalgebra::SVector;
 
-use super::{Expansion, TaylorDynamics, step_size};
+use super::TaylorDynamics;
+use super::numbers::Series;
+use super::step_size::step_size;
 use crate::integrate::{Failure, Phase, StepRange, Tolerance, first_non_finite};
 use crate::simulation::Cause;
 
@@ -16,7 +18,7 @@ where
     order: usize,
     tolerance: Tolerance,
     range: StepRange,
-    expansion: Box<Expansion<R, f64, N>>,
+    series: Series<R, N>,
     /// Where the series of the last step starts.
     start: f64,
     pub(crate) t: f64,
@@ -50,7 +52,7 @@ where
             order,
             tolerance,
             range,
-            expansion: Box::new(Expansion::new(&phase.q)),
+            series: Series::new(),
             start: 0.0,
             t: 0.0,
             phase,
@@ -63,8 +65,8 @@ where
 
     /// Makes a step, at most to `end`. After a failure the phase is that before the step.
     pub(crate) fn step(&mut self, end: f64) -> Result<(), Failure<Cause>> {
-        self.expansion.extend(self.robot, self.order);
-        let coefficients = self.expansion.coefficients();
+        self.series.extend(self.robot, self.order);
+        let coefficients = self.series.coefficients();
         let wish = step_size(coefficients, self.order, &self.tolerance);
         let rest = end - self.t - self.lost_time;
         // The last two steps share what is left.
@@ -101,7 +103,7 @@ where
         if t == self.t {
             return self.phase;
         }
-        let q = self.expansion.coefficients();
+        let q = self.series.coefficients();
         let h = t - self.start;
         let (position, velocity) = self.increments(h);
         Phase {
@@ -124,7 +126,7 @@ where
 
     /// q(h) - q(0) and qd(h) - qd(0) of the series, by Horner's rule.
     fn increments(&self, h: f64) -> (SVector<f64, N>, SVector<f64, N>) {
-        let q = self.expansion.coefficients();
+        let q = self.series.coefficients();
         let (mut position, mut velocity) = (SVector::zeros(), SVector::zeros());
         for k in (2..=self.order).rev() {
             position = (position + q[k]) * h;
@@ -136,13 +138,13 @@ where
     /// Whether the accelerations at the end of a step, which the next series has begun with, are
     /// those of its series: what guards against a series that does not converge there.
     fn fits(&self, h: f64) -> bool {
-        let q = self.expansion.coefficients();
+        let q = self.series.coefficients();
         let mut series = SVector::<f64, N>::zeros();
         for k in (2..=self.order).rev() {
             series = series * h + q[k] * (k * (k - 1)) as f64;
         }
         let (p, of_tolerance) = (self.order as f64, &self.tolerance);
-        let acceleration = self.expansion.acceleration();
+        let acceleration = self.series.acceleration();
         let size = acceleration.amax().max(2.0 * q[2].amax());
         (0..N).all(|i| {
             let allowed = of_tolerance.absolute + of_tolerance.relative * q[0][i].abs();
@@ -157,9 +159,8 @@ where
         if let Some(joint) = phase.first_non_finite() {
             return Err(Cause::NonFiniteState { joint });
         }
-        let Phase { q, qd } = phase;
-        self.expansion.begin(self.robot, q, qd, &self.tau)?;
-        match first_non_finite(&self.expansion.acceleration()) {
+        self.series.begin(self.robot, phase, &self.tau)?;
+        match first_non_finite(&self.series.acceleration()) {
             Some(joint) => Err(Cause::NonFiniteAcceleration { joint }),
             None => Ok(()),
         }

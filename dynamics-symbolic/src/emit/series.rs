@@ -16,6 +16,9 @@ use quote::quote;
 /// Products in one block of the runtime's table.
 const LANES: usize = 8;
 
+/// So many products with a common factor make a block.
+const FEWEST_COMMON: usize = 5;
+
 /// Above so many names they are declared by one pattern for each group: see `body`.
 const MOST_LETS: usize = 500;
 const GROUP: usize = 200;
@@ -43,13 +46,18 @@ struct Series<'p> {
     kinds: Vec<Kind>,
     /// The slot of each product of two series.
     slots: Vec<Option<usize>>,
+    /// Whether the second factor of a product is the left one.
+    swapped: Vec<bool>,
     /// Whether a product, directly or through others, reads the result.
     feeds_products: Vec<bool>,
     /// Multiples of a series that are written into the one sum that reads them.
     inlined: Vec<bool>,
     /// Joints whose sine or cosine is read, which takes two more slots each.
     turns: Vec<usize>,
-    products: usize,
+    /// The first slot of the turns.
+    turning: usize,
+    /// Blocks of products with a common factor, and of others.
+    blocks: [usize; 2],
     inputs: Vec<Ident>,
 }
 
@@ -63,22 +71,21 @@ pub(super) fn items(
 ) -> TokenStream {
     let series = Series::new(robot, program, constants);
     let body = series.body(path);
-    let slots = series.products + 2 * series.turns.len();
-    declarations(slots.div_ceil(LANES), robot.rows.len(), path, &body)
+    declarations(series.blocks, robot.rows.len(), path, &body)
 }
 
 /// The items with a given body; with `dof` zero for any number of joints.
 pub(super) fn declarations(
-    blocks: usize,
+    [common, single]: [usize; 2],
     dof: usize,
     path: &TokenStream,
     body: &TokenStream,
 ) -> TokenStream {
-    let blocks = Literal::usize_unsuffixed(blocks);
+    let [common, single] = [common, single].map(Literal::usize_unsuffixed);
     let n = super::signature::number_of_joints(dof);
     let term = ident("term");
     quote! {
-        type Products<T: #path::Scalar> = #path::ProductTable<T, #blocks>;
+        type Products<T: #path::Scalar> = #path::ProductTable<T, #common, #single>;
 
         #[inline(always)]
         fn series_term<T: #path::Scalar>(&self, #term: &mut impl #path::SeriesTerm<T, #n>) {
@@ -97,10 +104,12 @@ impl<'p> Series<'p> {
             constants,
             kinds: Vec::with_capacity(program.instructions.len()),
             slots: Vec::with_capacity(program.instructions.len()),
+            swapped: vec![false; program.instructions.len()],
             feeds_products: vec![false; program.instructions.len()],
             inlined: vec![false; program.instructions.len()],
             turns: program.joint_angles(),
-            products: 0,
+            turning: 0,
+            blocks: [0; 2],
             inputs: program.inputs.iter().map(name).collect(),
         };
         series.turns.sort_unstable();
@@ -114,9 +123,9 @@ impl<'p> Series<'p> {
                 "inverse dynamics is a polynomial in the motion"
             );
             series.kinds.push(a.max(b));
-            series.slots.push(is_product.then_some(series.products));
-            series.products += usize::from(is_product);
+            series.slots.push(is_product.then_some(0));
         }
+        series.assign_slots();
         series.find_what_feeds_products();
         series.find_inlined();
         series
@@ -140,6 +149,55 @@ impl<'p> Series<'p> {
                 Symbol::Acceleration(_) => Kind::Moved,
             },
         }
+    }
+
+    /// Products with a common factor to blocks of their own as long as enough of them are left, the
+    /// most frequent factor first; then the others.
+    fn assign_slots(&mut self) {
+        let products = (0..self.slots.len()).filter(|&i| self.slots[i].is_some());
+        let mut left: Vec<usize> = products.collect();
+        let factors = |index: usize| {
+            let (a, b) = self.program.instructions[index].operands();
+            [a, b]
+        };
+        let mut groups: Vec<Vec<usize>> = Vec::new();
+        loop {
+            let candidates = left.iter().flat_map(|&i| factors(i));
+            let count = |x: Operand| left.iter().filter(|&&i| factors(i).contains(&x)).count();
+            let most = candidates.map(|x| (count(x), core::cmp::Reverse(x))).max();
+            let Some((_, core::cmp::Reverse(common))) = most.filter(|(n, _)| *n >= FEWEST_COMMON)
+            else {
+                break;
+            };
+            let has_common = |i: &usize| factors(*i).contains(&common);
+            let group: Vec<usize> = left
+                .iter()
+                .copied()
+                .filter(has_common)
+                .take(LANES)
+                .collect();
+            left.retain(|i| !group.contains(i));
+            for &index in &group {
+                self.swapped[index] = factors(index)[0] != common;
+            }
+            groups.push(group);
+        }
+        let common = groups.len();
+        for (block, group) in groups.iter().enumerate() {
+            for (lane, &index) in group.iter().enumerate() {
+                self.slots[index] = Some(block * LANES + lane);
+            }
+        }
+        for (count, &index) in left.iter().enumerate() {
+            // What the accelerations do not change first: its part of the sum is the same before
+            // and after they are solved for.
+            let [a, b] = factors(index).map(|x| self.kind(x));
+            self.swapped[index] = a > b;
+            self.slots[index] = Some(common * LANES + count);
+        }
+        self.turning = common * LANES + left.len();
+        let single = left.len() + 2 * self.turns.len();
+        self.blocks = [common, single.div_ceil(LANES)];
     }
 
     fn find_what_feeds_products(&mut self) {
@@ -200,7 +258,7 @@ impl<'p> Series<'p> {
         let stored = self.lines(&feeding, STORED);
         let forces_name = ident("forces");
         let turns = self.turns.iter().enumerate().map(|(count, &joint)| {
-            let slot = Literal::usize_unsuffixed(self.products + 2 * count);
+            let slot = Literal::usize_unsuffixed(self.turning + 2 * count);
             let joint = Literal::usize_unsuffixed(joint);
             quote!(#term.turn(#joint, #slot);)
         });
@@ -286,13 +344,7 @@ impl<'p> Series<'p> {
         let (a, b) = instruction.operands();
         if let Some(slot) = self.slots[index] {
             let slot = Literal::usize_unsuffixed(slot);
-            // What the accelerations do not change first: its part of the sum is the same in both
-            // passes.
-            let (a, b) = if self.kind(a) > self.kind(b) {
-                (b, a)
-            } else {
-                (a, b)
-            };
+            let (a, b) = if self.swapped[index] { (b, a) } else { (a, b) };
             let (product, a, b) = (ident(product), self.number(a), self.number(b));
             return quote!(#term.#product(#slot, #a, #b));
         }

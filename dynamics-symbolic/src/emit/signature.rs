@@ -170,7 +170,7 @@ pub(super) fn provided(
 ) -> Option<TokenStream> {
     function.trait_name()?;
     if function == Function::TaylorSeries {
-        let series = super::series::declarations(1, dof, path, body);
+        let series = super::series::declarations([0, 1], dof, path, body);
         let matrix = leading_matrix(dof, path, body);
         return Some(quote!(#series #matrix));
     }
