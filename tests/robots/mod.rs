@@ -25,6 +25,7 @@ macro_rules! every_function {
                 forward_dynamics_derivatives,
                 regressor,
                 base_parameters,
+                taylor_series,
             ],
         }
     };

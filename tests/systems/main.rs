@@ -18,6 +18,7 @@ mod identification;
 mod masses;
 mod one_link;
 mod solids;
+mod taylor;
 mod two_link_point_masses;
 mod two_link_rods;
 
