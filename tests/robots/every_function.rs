@@ -26,6 +26,7 @@ macro_rules! every_function {
                 regressor,
                 base_parameters,
                 forward_dynamics_aba,
+                taylor_series,
             ],
         }
     };

@@ -23,3 +23,4 @@ mod free_fall;
 mod identities;
 mod reference;
 mod table;
+mod taylor;
