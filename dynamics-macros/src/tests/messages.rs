@@ -156,3 +156,34 @@ fn a_slip_in_front_of_struct() {
         assert!(items.contains("struct Arm ;"), "{items}");
     }
 }
+
+#[test]
+fn degrees_are_not_taken_for_radians() {
+    for cell in ["alpha: 90", "theta: -180.0", "alpha: - 45", "theta: 3.6e2"] {
+        let message = message(&with_cells(cell));
+        assert!(
+            message.starts_with("angles are in radians: write `deg("),
+            "{message}"
+        );
+    }
+    let negative = message(&with_cells("alpha: -90"));
+    assert!(negative.contains("`deg(90)`"), "{negative}");
+    for cell in [
+        "alpha: deg(90)",
+        "alpha: 1 * 90",
+        "theta: 15",
+        "theta: 91",
+        "alpha: 1e6",
+        "a: 90",
+    ] {
+        model(&with_cells(cell));
+    }
+}
+
+#[test]
+fn a_table_is_finite() {
+    for value in ["NAN", "inf", "-INFINITY", "NaN"] {
+        let message = message(&with_cells(&format!("a: {value}")));
+        assert_eq!(message, "every number of a table is finite");
+    }
+}
