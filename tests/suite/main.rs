@@ -15,6 +15,7 @@ mod robots;
 
 mod accuracy;
 mod aristo;
+mod dry_friction;
 mod free_fall;
 mod identities;
 mod reference;
