@@ -125,9 +125,9 @@ where
                 self.term::<false>(robot, k, motion);
             }
             // qd_{k+1} = qdd_k / (k + 1), q_{k+2} = qd_{k+1} / (k + 2)
-            let over = |n: usize, x: T| x * x.constant(1.0 / n as f64);
-            self.motion.qd = self.motion.qdd.map(|x| over(k + 1, x));
-            self.coefficients[k + 2] = self.motion.qd.map(|x| over(k + 2, x));
+            let [first, second] = [k + 1, k + 2].map(|n| reciprocal(self.motion.q[0], n));
+            self.motion.qd = self.motion.qdd.map(|x| x * first);
+            self.coefficients[k + 2] = self.motion.qd.map(|x| x * second);
         }
         self.coefficients[order + 1..].fill(zero);
     }
@@ -144,7 +144,7 @@ where
         };
         robot.series_term(&mut term);
         let (sine, cosine) = (term.next_sine, term.next_cosine);
-        let inverse = motion.q[0].constant(1.0 / (k + 1) as f64);
+        let inverse = reciprocal(motion.q[0], k + 1);
         self.motion = Motion {
             qdd: term.motion.qdd,
             sine: sine.map(|x| x * inverse),
@@ -152,4 +152,10 @@ where
             ..motion
         };
     }
+}
+
+/// 1 / n, rounded in the arithmetic of `like`.
+#[inline(always)]
+fn reciprocal<T: Scalar>(like: T, n: usize) -> T {
+    like.constant(1.0) / like.constant(n as f64)
 }
