@@ -16,6 +16,7 @@
 //!
 //! `diagnose` collects the errors of a call, which are reported together; `words` finds
 //! the word that was meant; `limits` says how much a call may ask for.
+#![forbid(unsafe_code)]
 
 extern crate proc_macro;
 

@@ -1,5 +1,7 @@
 //! Words that a message offers in place of a wrong one.
 
+use proc_macro2::Ident;
+
 /// What to say about a word that is none of the right ones, and which one was meant.
 pub(crate) struct Wrong {
     pub(crate) message: String,
@@ -9,7 +11,9 @@ pub(crate) struct Wrong {
 /// A word that is none of `known`: the message names the nearest right word where one
 /// is near, all of them elsewhere.
 pub(crate) fn unknown(what: &str, word: &str, known: &[&'static str]) -> Wrong {
-    let meant = nearest(word, known).or_else(|| begun(word, known));
+    let meant = nearest(word, known)
+        .or_else(|| begun(word, known))
+        .or_else(|| elsewhere(word, known));
     let hint = match meant {
         Some(right) => format!("did you mean `{right}`?"),
         None => format!("expected {}", either(known)),
@@ -19,6 +23,20 @@ pub(crate) fn unknown(what: &str, word: &str, known: &[&'static str]) -> Wrong {
         meant,
     }
 }
+
+/// Whether the identifier is a keyword of Rust in any edition, which names nothing.
+pub(crate) fn is_keyword(ident: &Ident) -> bool {
+    KEYWORDS.contains(&ident.to_string().as_str())
+}
+
+/// The Rust reference, "Keywords": strict and reserved.
+const KEYWORDS: [&str; 53] = [
+    "_", "as", "async", "await", "break", "const", "continue", "crate", "dyn", "else", "enum",
+    "extern", "false", "fn", "for", "gen", "if", "impl", "in", "let", "loop", "match", "mod",
+    "move", "mut", "pub", "ref", "return", "self", "Self", "static", "struct", "super", "trait",
+    "true", "type", "unsafe", "use", "where", "while", "abstract", "become", "box", "do", "final",
+    "macro", "override", "priv", "try", "typeof", "unsized", "virtual", "yield",
+];
 
 /// The words as a choice: "`a`, `b` or `c`".
 pub(crate) fn either(words: &[&str]) -> String {
@@ -64,6 +82,58 @@ fn begun<'a>(word: &str, known: &[&'a str]) -> Option<&'a str> {
     };
     known.iter().find(begins).copied()
 }
+
+/// The known word for what other books and programs call `word`.
+fn elsewhere<'a>(word: &str, known: &[&'a str]) -> Option<&'a str> {
+    let synonyms = ELSEWHERE.iter().filter(|(other, _)| *other == word);
+    let mut ours = synonyms.filter_map(|(_, ours)| known.iter().find(|right| *right == ours));
+    ours.next().copied()
+}
+
+/// Words of other books and programs, and ours.
+const ELSEWHERE: [(&str, &str); 41] = [
+    ("twist", "alpha"),
+    ("length", "a"),
+    ("offset", "d"),
+    ("angle", "theta"),
+    ("m", "mass"),
+    ("weight", "mass"),
+    ("cog", "com"),
+    ("center_of_mass", "com"),
+    ("centre_of_mass", "com"),
+    ("tensor", "inertia"),
+    ("actuator", "motor"),
+    ("damping", "friction"),
+    ("damping", "viscous"),
+    ("ratio", "gear_ratio"),
+    ("R", "revolute"),
+    ("hinge", "revolute"),
+    ("rotary", "revolute"),
+    ("rotational", "revolute"),
+    ("P", "prismatic"),
+    ("linear", "prismatic"),
+    ("sliding", "prismatic"),
+    ("classic", "standard"),
+    ("distal", "standard"),
+    ("craig", "modified"),
+    ("proximal", "modified"),
+    ("links", "joints"),
+    ("rows", "joints"),
+    ("table", "joints"),
+    ("M", "mass_matrix"),
+    ("inertia_matrix", "mass_matrix"),
+    ("crba", "mass_matrix"),
+    ("V", "coriolis_vector"),
+    ("C", "coriolis_matrix"),
+    ("G", "gravity_vector"),
+    ("tau", "inverse_dynamics"),
+    ("rnea", "inverse_dynamics"),
+    ("qdd", "forward_dynamics"),
+    ("aba", "forward_dynamics"),
+    ("fk", "forward_kinematics"),
+    ("J", "jacobian"),
+    ("box", "cuboid"),
+];
 
 /// Edits within which two words count as near, the shorter having `length` letters.
 fn tolerated(length: usize) -> usize {
@@ -138,6 +208,19 @@ mod tests {
         for word in ["", "grav", "vector", "gravity_", "gravity_vector"] {
             assert_eq!(begun(word, &functions), None, "{word}");
         }
+    }
+
+    #[test]
+    fn words_of_other_books_are_known() {
+        let cells = ["a", "alpha", "d", "theta", "mass", "com", "inertia"];
+        assert_eq!(elsewhere("twist", &cells), Some("alpha"));
+        assert_eq!(elsewhere("M", &cells), None);
+        let message = unknown("cell", "offset", &cells).message;
+        assert_eq!(message, "unknown cell `offset`: did you mean `d`?");
+        assert_eq!(
+            unknown("joint type", "rotary", &["revolute"]).meant,
+            Some("revolute")
+        );
     }
 
     #[test]

@@ -42,6 +42,7 @@ mod simulation;
 mod sine;
 mod singular;
 mod table;
+mod taylor;
 mod trajectory;
 
 #[cfg(test)]
@@ -69,10 +70,13 @@ pub use scalar::Scalar;
 #[cfg(feature = "std")]
 pub use simulation::{
     Cause, Dop853, DormandPrince, Friction, InvalidSetting, Method, NoTorque, Radau5, Simulation,
-    SimulationError, Trajectory, Work,
+    SimulationError, Taylor, TaylorSimulation, Trajectory, Work,
 };
 pub use singular::{Conditioning, SingularMassMatrix};
 pub use table::{Convention, JointType, Row, Table};
+#[doc(hidden)]
+pub use taylor::{Block, Common, ProductTable, Products, SeriesTerm};
+pub use taylor::{MAX_TAYLOR_ORDER, TaylorCoefficients, TaylorDynamics};
 pub use trajectory::{Cycloidal, InvalidDuration};
 
 #[doc(hidden)]

@@ -2,8 +2,11 @@
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
+use fearless_simd::dispatch;
+
 use crate::float::Float;
-use crate::sine::sin_cos_array;
+use crate::sine::{level, sin_cos_array};
+use crate::taylor::{Block, Common, advance};
 
 /// A real number type on which every generated function can be evaluated.
 ///
@@ -92,6 +95,26 @@ pub trait Scalar:
     /// `self / of` in double precision, for error reports. A type of several lanes answers with
     /// the least ratio of its lanes.
     fn ratio_to_f64(self, of: Self) -> f64;
+
+    /// `work`, with more of the processor's instructions than the build may count on.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn with_best_instructions<R>(work: impl FnOnce() -> R) -> R {
+        work()
+    }
+
+    /// Takes products of series from order `k - 1` to order `k`: `f64` in the lanes of the widest
+    /// vector registers of the processor.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn advance_products(
+        common: &mut [Block<Self, Common<Self>>],
+        single: &mut [Block<Self, [Self; 8]>],
+        k: usize,
+    ) {
+        advance(common, k);
+        advance(single, k);
+    }
 }
 
 /// Whether the target multiplies and adds in one instruction.
@@ -167,6 +190,17 @@ impl_scalar! {
     }
     fn sin_cos_array<const K: usize>(angles: [Self; K]) -> [(Self, Self); K] {
         sin_cos_array(angles)
+    }
+    fn advance_products(
+        common: &mut [Block<Self, Common<Self>>],
+        single: &mut [Block<Self, [Self; 8]>],
+        k: usize,
+    ) {
+        dispatch!(level(), simd => {
+            let _ = simd;
+            advance(common, k);
+            advance(single, k)
+        })
     }
 }
 

@@ -90,7 +90,11 @@ pub fn expand_with(
     for &function in functions {
         let program = derive(robot, function);
         let notes = neglected(robot, function, &program, derive);
-        match method(robot, function, program, &notes, path) {
+        let method = match function {
+            Function::TaylorSeries => taylor_series(robot, program, &notes, path, derive),
+            _ => method(robot, function, program, &notes, path),
+        };
+        match method {
             Ok(method) => methods.push(method),
             Err(failure) => failures.push(failure),
         }
@@ -158,11 +162,47 @@ fn method(
         return Err(Failure::Overflow(function));
     }
     let emitted = emit::method(robot, function, &program, &constants, notes, path);
-    Ok(Method {
+    Ok(of(function, emitted, &[&program]))
+}
+
+/// Proves and emits the two programs of Taylor series: the equations of motion, and the mass
+/// matrix, by which the accelerations follow from them.
+fn taylor_series(
+    robot: &Robot,
+    equations: Program,
+    notes: &[String],
+    path: &TokenStream,
+    derive: &dyn Fn(&Robot, Function) -> Program,
+) -> Result<Method, Failure> {
+    let function = Function::TaylorSeries;
+    let part = Function::MassMatrix;
+    let programs = [(function, equations), (part, derive(robot, part))];
+    let mut rounded = Vec::with_capacity(programs.len());
+    for (part, program) in &programs {
+        prove(robot, *part, program).map_err(Failure::Proof)?;
+        let constants = program.rounded_constants();
+        if constants.iter().any(|x| x.is_infinite()) {
+            return Err(Failure::Overflow(function));
+        }
+        rounded.push(constants);
+    }
+    let [(_, equations), (_, matrix)] = &programs;
+    let parts = [
+        (equations, rounded[0].as_slice()),
+        (matrix, rounded[1].as_slice()),
+    ];
+    let emitted = emit::taylor_series(robot, parts, notes, path);
+    Ok(of(function, emitted, &[equations, matrix]))
+}
+
+/// A method as it was emitted, the operations of its first program, the angles of all.
+fn of(function: Function, emitted: emit::Emitted, programs: &[&Program]) -> Method {
+    let angles = programs.iter().flat_map(|program| program.joint_angles());
+    Method {
         function,
         tokens: emitted.inherent,
         provided: emitted.provided,
-        operations: program.operations(),
-        angles: program.joint_angles(),
-    })
+        operations: programs[0].operations(),
+        angles: angles.collect(),
+    }
 }

@@ -5,6 +5,7 @@
 //! ([`expr`]), by one of several derivations (`derive`), becomes a straight-line
 //! program (`program`), is proven equal to the textbook Lagrangian (`prove`)
 //! and leaves as Rust tokens (`emit`).
+#![forbid(unsafe_code)]
 
 pub mod derive;
 pub mod emit;

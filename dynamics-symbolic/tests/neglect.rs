@@ -63,3 +63,51 @@ fn abbreviated_models_are_proven_and_measured() {
     }
     expect_file!["golden/neglect.txt"].assert_eq(&table);
 }
+
+/// Joints of both kinds, both conventions, axes that are written in those of another joint.
+#[test]
+fn every_function_of_abbreviated_models_is_proven() {
+    for name in [
+        "scara",
+        "stanford",
+        "cylindrical_rpp",
+        "generic_chain_n3",
+        "generic_mixed_n6_standard",
+    ] {
+        let complete = support::robot(name);
+        let robot = neglect(&complete, 0.03).expect("regular");
+        let count = robot.neglected.as_ref().expect("neglected").columns.len();
+        assert!(count > 0, "{name}");
+        let about_parameters = [Function::Regressor, Function::BaseParameters];
+        let functions = Function::ALL.into_iter();
+        for function in functions.filter(|f| !about_parameters.contains(f)) {
+            let program = derive(&robot, function);
+            assert_eq!(prove(&robot, function, &program), Ok(()), "{name}");
+        }
+        // The complete program is another one.
+        let complete = derive(&complete, Function::InverseDynamics);
+        assert!(prove(&robot, Function::InverseDynamics, &complete).is_err());
+    }
+}
+
+/// Locked joints first: what is neglected are parameters of the links that are left.
+#[test]
+fn locked_arms_can_be_abbreviated() {
+    let mut robot = support::robot("puma560");
+    for joint in [0, 4] {
+        robot.rows[joint].locked = Some(support::decimal(0.3));
+    }
+    let robot = neglect(&robot, 0.02).expect("regular");
+    let neglected = robot.neglected.as_ref().expect("neglected");
+    assert!(
+        neglected
+            .columns
+            .iter()
+            .all(|(row, _)| ![0, 4].contains(row))
+    );
+    assert!(!neglected.columns.is_empty());
+    for function in FUNCTIONS {
+        let program = derive(&robot, function);
+        assert_eq!(prove(&robot, function, &program), Ok(()));
+    }
+}

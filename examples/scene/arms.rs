@@ -64,7 +64,7 @@ macro_rules! puma {
             ],
             functions: [
                 mass_matrix, coriolis_vector, gravity_vector, friction_vector, inverse_dynamics,
-                forward_dynamics, kinetic_energy, potential_energy,
+                forward_dynamics, forward_dynamics_aba, kinetic_energy, potential_energy,
             ],
             $($entries)*
         }

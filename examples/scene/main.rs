@@ -47,6 +47,34 @@ fn main() {
         "  the wrist in motion (3 rad/s, 10 rad/s^2):           {:.0e}.",
         wrist(1.0)
     );
+    articulated();
+}
+
+/// Forward dynamics by articulated bodies beside the factored mass matrix.
+fn articulated() {
+    let all = &Puma::OPERATIONS;
+    let total = |name: &str| {
+        all.iter()
+            .find(|(function, _)| *function == name)
+            .map(|(_, o)| o.total())
+    };
+    let time = |articulated: bool| {
+        measure::time(|[q, qd, tau]: &State<6>| {
+            let solution = match articulated {
+                true => Puma.forward_dynamics_aba(q, qd, tau),
+                false => Puma.forward_dynamics(q, qd, tau),
+            };
+            let _ = std::hint::black_box(solution);
+        })
+    };
+    println!("\nThe PUMA 560's accelerations:");
+    for (name, is_articulated) in [("forward_dynamics", false), ("forward_dynamics_aba", true)] {
+        println!(
+            "  {name:22}{:>6} operations{:>6.0} ns",
+            total(name).unwrap_or(0),
+            time(is_articulated)
+        );
+    }
 }
 
 fn heading() {

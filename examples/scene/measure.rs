@@ -110,6 +110,11 @@ pub(crate) fn times<const N: usize>(arm: &impl Arm<N>) -> [f64; 5] {
     ]
 }
 
+/// Nanoseconds of a call of anything at a state.
+pub(crate) fn time<const N: usize>(call: impl Fn(&State<N>)) -> f64 {
+    median(&states::<N>(), call)
+}
+
 fn median<const N: usize>(states: &[State<N>], call: impl Fn(&State<N>)) -> f64 {
     let run = |_| {
         let start = Instant::now();

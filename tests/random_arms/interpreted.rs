@@ -12,13 +12,14 @@ use robot_dynamics::{
 };
 
 /// The functions that are run.
-const FUNCTIONS: [Function; 8] = [
+const FUNCTIONS: [Function; 9] = [
     Function::MassMatrix,
     Function::CoriolisVector,
     Function::GravityVector,
     Function::FrictionVector,
     Function::InverseDynamics,
     Function::ForwardDynamics,
+    Function::ForwardDynamicsAba,
     Function::KineticEnergy,
     Function::PotentialEnergy,
 ];
@@ -33,7 +34,7 @@ struct Rounded {
 pub(crate) struct Interpreted<const N: usize> {
     robot: Robot,
     fields: Vec<f64>,
-    programs: [Rounded; 8],
+    programs: [Rounded; 9],
 }
 
 impl<const N: usize> Interpreted<N> {
@@ -154,6 +155,7 @@ impl<const N: usize> Evaluate<N> for Interpreted<N> {
             friction_vector: Some(vector(Function::FrictionVector)),
             inverse_dynamics: Some(vector(Function::InverseDynamics)),
             forward_dynamics: Some(accelerations(&values(Function::ForwardDynamics))),
+            forward_dynamics_aba: Some(accelerations(&values(Function::ForwardDynamicsAba))),
             kinetic_energy: Some(values(Function::KineticEnergy)[0]),
             potential_energy: Some(values(Function::PotentialEnergy)[0]),
             ..Evaluation::default()

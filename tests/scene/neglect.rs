@@ -81,18 +81,28 @@ impl Energy<6> for PrunedEquations {
     }
 }
 
-#[test]
-fn a_pruned_lagrangian_keeps_its_energy() {
-    const SECONDS: f64 = 5.0;
-    let (drift, kinetic) = energies(&PumaAtOnePercent, &fall(&PumaAtOnePercent, SECONDS));
+fn energy_is_kept_by_lagrangians_alone(seconds: f64) {
+    let (drift, kinetic) = energies(&PumaAtOnePercent, &fall(&PumaAtOnePercent, seconds));
     println!("Lagrangian at 1 %: {drift:.1e} J of {kinetic:.1} J");
     assert!(drift <= 1e-8 && kinetic > 10.0);
-    let (drift, kinetic) = energies(&PumaAtFivePercent, &fall(&PumaAtFivePercent, SECONDS));
+    let (drift, kinetic) = energies(&PumaAtFivePercent, &fall(&PumaAtFivePercent, seconds));
     println!("Lagrangian at 5 %: {drift:.1e} J of {kinetic:.1} J");
     assert!(drift <= 1e-8 && kinetic > 10.0);
-    let (drift, kinetic) = energies(&PrunedEquations, &fall(&PrunedEquations, SECONDS));
+    let (drift, kinetic) = energies(&PrunedEquations, &fall(&PrunedEquations, seconds));
     println!("pruned equations: {drift:.1e} J of {kinetic:.1} J");
-    assert!(drift >= 0.01);
+    assert!(drift >= 0.1);
+}
+
+#[test]
+fn a_pruned_lagrangian_keeps_its_energy() {
+    energy_is_kept_by_lagrangians_alone(5.0);
+}
+
+/// `cargo test --release --test scene -- --ignored --nocapture`
+#[test]
+#[ignore = "takes a quarter of a minute in the dev profile"]
+fn a_pruned_lagrangian_keeps_its_energy_for_twenty_seconds() {
+    energy_is_kept_by_lagrangians_alone(20.0);
 }
 
 /// dE/dt = qd.(tau - F): what is pruned keeps the balance of power at every state.

@@ -17,9 +17,11 @@ mod table_in_31_digits;
 
 mod accuracy;
 mod aristo;
+mod dry_friction;
 mod dual_numbers;
 mod exact;
 mod free_fall;
 mod identities;
 mod reference;
 mod table;
+mod taylor;

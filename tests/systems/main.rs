@@ -19,6 +19,7 @@ mod integration;
 mod masses;
 mod one_link;
 mod solids;
+mod taylor;
 mod two_link_point_masses;
 mod two_link_rods;
 

@@ -3,6 +3,7 @@
 use dynamics_symbolic::exact::Rational;
 
 use crate::limits::MOST_DIGITS;
+use crate::words::shortened;
 
 /// The exact value of a literal such as `1_000`, `9.81` or `200e-6`, all of which may
 /// carry the suffix `f64`. The error says what is wrong.
@@ -50,7 +51,14 @@ fn split(text: &str) -> Result<(&str, i64), String> {
     };
     match suffix {
         "" | "f64" => Ok((mantissa, exponent_value(exponent))),
-        _ => Err(format!("every number is an `f64`: remove `{suffix}`")),
+        "deg" => Err(format!("write `deg({mantissa})` for an angle in degrees")),
+        _ if suffix.starts_with(['f', 'i', 'u']) => {
+            Err(format!("every number is an `f64`: remove `{suffix}`"))
+        }
+        _ => Err(format!(
+            "a number has no unit, found `{}`: lengths are in m, masses in kg, angles in rad",
+            shortened(suffix)
+        )),
     }
 }
 
@@ -168,6 +176,14 @@ mod tests {
         assert_eq!(
             number("3usize").unwrap_err(),
             "every number is an `f64`: remove `usize`"
+        );
+        assert_eq!(
+            number("90deg").unwrap_err(),
+            "write `deg(90)` for an angle in degrees"
+        );
+        assert_eq!(
+            number("431.8mm").unwrap_err(),
+            "a number has no unit, found `mm`: lengths are in m, masses in kg, angles in rad"
         );
         for literal in ["0x10", "0b11", "0o7"] {
             assert_eq!(number(literal).unwrap_err(), "expected a decimal number");

@@ -117,8 +117,7 @@ enum Item {
 fn item(cursor: &mut Cursor) -> Result<Item, Reported> {
     const WHAT: &str = "`struct Name;` or `struct Name { field: f64 }`, then the robot's table";
     if cursor.take_word("struct").is_some() {
-        let name = cursor.take_ident().map(Item::Struct);
-        return name.ok_or_else(|| cursor.expected("the struct's name"));
+        return name(cursor, "the struct's name").map(Item::Struct);
     }
     // The table starts here: the struct was forgotten.
     if cursor.at_key() || cursor.peek_ident().is_none_or(|word| word == "let") {
@@ -126,12 +125,41 @@ fn item(cursor: &mut Cursor) -> Result<Item, Reported> {
     }
     let reported = cursor.expected(WHAT);
     let word = cursor.take_ident().ok_or(reported)?;
+    // The slip was in what stands in front of it, `pub` perhaps.
+    if cursor.take_word("struct").is_some() {
+        return name(cursor, "the struct's name").map(Item::Struct);
+    }
     let is_slip = words::nearest(&word.to_string(), &["struct"]).is_some();
-    Ok(match cursor.take_ident() {
+    let item = match cursor.take_ident() {
         Some(name) if is_slip => Item::Struct(name),
         Some(name) => Item::Other(name),
         None => Item::Struct(word),
-    })
+    };
+    match &item {
+        Item::Struct(name) | Item::Other(name) if words::is_keyword(name) => Err(reported),
+        _ => Ok(item),
+    }
+}
+
+/// Takes a name that stands in the generated code, where a keyword would be no name.
+fn name(cursor: &mut Cursor, what: &str) -> Result<Ident, Reported> {
+    let Some(name) = cursor.take_ident() else {
+        return Err(cursor.expected(what));
+    };
+    if !words::is_keyword(&name) {
+        return Ok(name);
+    }
+    let hint = match ["self", "Self", "super", "crate", "_"]
+        .iter()
+        .any(|word| name == word)
+    {
+        true => String::new(),
+        false => format!(": write `r#{name}`, or another name"),
+    };
+    Err(cursor.error(
+        &name,
+        format_args!("expected {what}, found the keyword `{name}`{hint}"),
+    ))
 }
 
 /// Generic parameters and `where` clauses are refused and skipped. Returns whether
@@ -243,9 +271,7 @@ fn fields(
 fn named_field(cursor: &mut Cursor, generic: bool) -> Result<Field, Reported> {
     let attributes = field_attributes(cursor);
     let visibility = visibility(cursor);
-    let Some(name) = cursor.take_ident() else {
-        return Err(cursor.expected("a field: `name: f64`"));
-    };
+    let name = name(cursor, "a field: `name: f64`")?;
     let written = match cursor.take_char(':') {
         None if cursor.at_end() || cursor.at(',') => {
             cursor.error(
@@ -273,7 +299,10 @@ fn tuple_field(cursor: &mut Cursor) -> Result<Field, Reported> {
     let attributes = field_attributes(cursor);
     let visibility = visibility(cursor);
     let (written, _) = type_tokens(cursor);
-    cursor.take_char(',');
+    // A type ends at `;` too.
+    if cursor.at(',') || cursor.at(';') {
+        cursor.take();
+    }
     Ok(Field {
         attributes,
         visibility,

@@ -100,3 +100,12 @@ fn without_one(tokens: &TokenStream) -> Vec<TokenStream> {
     }
     variants
 }
+
+/// Found by the fuzzer: a type ends at `;`, which was never taken.
+#[test]
+fn tuple_fields_end_at_semicolons() {
+    for fields in ["f64;", ";", "f64; 6, 1f", ";;,;"] {
+        let call = with_cells("").replace("struct Arm;", &format!("struct Arm({fields})"));
+        assert!(!messages(&call).is_empty(), "{fields}");
+    }
+}

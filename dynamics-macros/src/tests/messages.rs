@@ -127,3 +127,63 @@ fn the_joint_s_own_variable_is_not_written() {
     let other = message(&with_rows("j: prismatic { theta: q1 }"));
     assert!(!other.contains("variable"));
 }
+
+#[test]
+fn keywords_are_no_names() {
+    let table = "convention: standard, gravity: [0, 0, 0], joints: [j: revolute {}]";
+    let found = |head: &str| message(&format!("{head} {table}"));
+    assert_eq!(
+        found("struct match;"),
+        "expected the struct's name, found the keyword `match`: write `r#match`, or another name"
+    );
+    assert_eq!(
+        found("struct Self;"),
+        "expected the struct's name, found the keyword `Self`"
+    );
+    assert_eq!(
+        found("struct Arm { type: f64 }"),
+        "expected a field: `name: f64`, found the keyword `type`: write `r#type`, or another name"
+    );
+}
+
+#[test]
+fn a_slip_in_front_of_struct() {
+    let call = with_cells("mass: 1");
+    let tokens = |start: &str| format!("{start} {call}").parse().expect("the source lexes");
+    for start in ["pup", "public", "fn"] {
+        let items = crate::generate(tokens(start), &dynamics_symbolic::derive::derive).to_string();
+        assert_eq!(items.matches("compile_error").count(), 1, "{items}");
+        assert!(items.contains("struct Arm ;"), "{items}");
+    }
+}
+
+#[test]
+fn degrees_are_not_taken_for_radians() {
+    for cell in ["alpha: 90", "theta: -180.0", "alpha: - 45", "theta: 3.6e2"] {
+        let message = message(&with_cells(cell));
+        assert!(
+            message.starts_with("angles are in radians: write `deg("),
+            "{message}"
+        );
+    }
+    let negative = message(&with_cells("alpha: -90"));
+    assert!(negative.contains("`deg(90)`"), "{negative}");
+    for cell in [
+        "alpha: deg(90)",
+        "alpha: 1 * 90",
+        "theta: 15",
+        "theta: 91",
+        "alpha: 1e6",
+        "a: 90",
+    ] {
+        model(&with_cells(cell));
+    }
+}
+
+#[test]
+fn a_table_is_finite() {
+    for value in ["NAN", "inf", "-INFINITY", "NaN"] {
+        let message = message(&with_cells(&format!("a: {value}")));
+        assert_eq!(message, "every number of a table is finite");
+    }
+}

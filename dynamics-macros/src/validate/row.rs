@@ -7,7 +7,7 @@ use dynamics_symbolic::robot::{JointType, Row, Value};
 
 use super::scope::Scope;
 use super::{all, inertia, limits, plain};
-use crate::syntax::{self, Expr, Friction, Given, Motor};
+use crate::syntax::{self, Expr, ExprKind, Friction, Given, Motor};
 
 /// The meaning of each row; `None` where it is in error.
 pub(super) fn rows(rows: &[syntax::Row], scope: &mut Scope) -> Vec<Option<Row>> {
@@ -29,6 +29,8 @@ fn row(row: &syntax::Row, scope: &mut Scope) -> Option<Row> {
     let (d, theta) = offsets(row, scope);
     let a = scope.given(&row.a);
     let alpha = scope.given(&row.alpha);
+    report_degrees(&row.alpha, scope);
+    report_degrees(&row.theta, scope);
     let mass = not_negative(&row.mass, "a mass", scope);
     let com = match &row.com {
         Given::Absent => std::array::from_fn(|_| Some(Value::zero())),
@@ -55,6 +57,31 @@ fn row(row: &syntax::Row, scope: &mut Scope) -> Option<Row> {
         limits: limits?,
         locked: None,
     })
+}
+
+/// Refuses an angle that is a number as nobody writes it in radians: a multiple of 15 that is no less
+/// than 30. Every other way of writing it is taken as it stands.
+fn report_degrees(cell: &Given<Expr>, scope: &Scope) {
+    let Some(expr) = cell.value() else { return };
+    let number = match &expr.kind {
+        ExprKind::Minus(value) => &value.kind,
+        kind => kind,
+    };
+    let ExprKind::Number(number) = number else {
+        return;
+    };
+    let is_degrees = (30..=360)
+        .step_by(15)
+        .any(|degrees| *number == Rational::from(degrees));
+    if is_degrees {
+        scope.error(
+            expr.place,
+            format_args!(
+                "angles are in radians: write `deg({number})` for degrees, or `1 * {number}` where \
+                 {number} rad are meant"
+            ),
+        );
+    }
 }
 
 /// `d` and `theta`: the joint's variable is added to one of them.

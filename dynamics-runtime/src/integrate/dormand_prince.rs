@@ -73,11 +73,8 @@ impl<const N: usize> Embedded<N> for DormandPrince54 {
     }
 }
 
-/// Evaluates stage `I` from those before it, and returns its phase.
-///
-/// With `I` a constant the sum is unrolled: the two-link arm's run is a quarter shorter. With the
-/// twelve stages of DOP853 it is longer by a third, for so many copies of the equations are not
-/// inlined.
+/// Evaluates stage `I` from those before it, and returns its phase; with `I` a constant the sum is
+/// unrolled.
 #[inline(always)]
 fn stage<const I: usize, S: Equations<N>, const N: usize>(
     system: &S,

@@ -67,6 +67,13 @@ pub enum InvalidSetting {
     Step(f64),
     /// A tolerance is not a positive finite number.
     Tolerance(f64),
+    /// The order of a Taylor series is not one of those that steps are chosen for.
+    Order(usize),
+    /// A joint has Coulomb friction, which the Taylor method does not follow.
+    CoulombFriction {
+        /// The joint, counted from 0.
+        joint: usize,
+    },
     /// An initial position or velocity is not finite.
     InitialState {
         /// The joint, counted from 0.
@@ -134,6 +141,12 @@ impl fmt::Display for InvalidSetting {
             InvalidSetting::Tolerance(tolerance) => {
                 write!(f, "a tolerance of {tolerance} is not possible")
             }
+            InvalidSetting::Order(order) => write!(f, "series of order {order} are not possible"),
+            InvalidSetting::CoulombFriction { joint } => write!(
+                f,
+                "joint {} has Coulomb friction, which Taylor series do not follow",
+                joint + 1
+            ),
             InvalidSetting::InitialState { joint } => {
                 write!(f, "the initial state of joint {} is not finite", joint + 1)
             }

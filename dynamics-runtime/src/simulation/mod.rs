@@ -7,6 +7,7 @@ mod method;
 mod motion;
 mod settings;
 mod sticking;
+mod taylor;
 mod trajectory;
 
 use nalgebra::SVector;
@@ -21,6 +22,7 @@ pub use error::{Cause, InvalidSetting, SimulationError};
 pub use friction::Friction;
 pub use method::Method;
 pub use settings::{Dop853, DormandPrince, Radau5};
+pub use taylor::{Taylor, TaylorSimulation};
 pub use trajectory::{Trajectory, Work};
 
 /// A torque law: the joint torques in N m or N as a function of t in s, q in rad or m, and qd.
@@ -180,18 +182,7 @@ where
         let mut recorder = Recorder::new(self.initial);
         let motion = Motion::new(self.robot, &self.torque, self.friction);
         let end = self.record(&motion, &mut recorder);
-        let Recorder { t, phase, .. } = recorder;
-        let trajectory = recorder.into_trajectory(motion.evaluations());
-        match end {
-            Ok(()) => Ok(trajectory),
-            Err(cause) => Err(Box::new(SimulationError {
-                time: t,
-                q: phase.q,
-                qd: phase.qd,
-                cause,
-                trajectory,
-            })),
-        }
+        recorder.finished(end, motion.evaluations())
     }
 
     fn record(&self, motion: &Motion<R, L, N>, recorder: &mut Recorder<N>) -> Result<(), Cause> {

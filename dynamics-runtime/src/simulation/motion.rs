@@ -79,23 +79,26 @@ impl<R, L: TorqueLaw<N>, const N: usize> Motion<'_, R, L, N> {
         if let Some(joint) = first_non_finite(&tau) {
             return Err(Cause::NonFiniteTorque { joint });
         }
-        Ok(match self.friction.kind {
-            Friction::Sign => tau,
-            Friction::Regularised { speed } => {
-                tau + self.instead_of_sign(phase, |i| (phase.qd[i] / speed).tanh())
-            }
-            Friction::Sticking => {
-                let contacts = self.contacts.get();
-                tau + self.instead_of_sign(phase, |i| match contacts[i] {
-                    Contact::Slides(way) => way,
-                    Contact::Sticks => 0.0,
-                })
-            }
-        })
+        match self.friction.kind {
+            Friction::Sign => Ok(tau),
+            _ => Ok(tau + self.instead_of_sign(&phase.qd)),
+        }
     }
 
-    fn instead_of_sign(&self, phase: &Phase<N>, law: impl Fn(usize) -> f64) -> SVector<f64, N> {
-        let difference = |i: usize| Scalar::sign(phase.qd[i]) - law(i);
+    /// `coulomb (sign(qd) - law)`, what makes the friction of the forward dynamics that of the
+    /// simulation.
+    // Apart from the path of those who have none of it, which is to be inlined in every stage.
+    #[cold]
+    #[inline(never)]
+    fn instead_of_sign(&self, qd: &SVector<f64, N>) -> SVector<f64, N> {
+        let contacts = self.contacts.get();
+        let law = |i: usize| match (self.friction.kind, contacts[i]) {
+            (Friction::Sign, _) => Scalar::sign(qd[i]),
+            (Friction::Regularised { speed }, _) => (qd[i] / speed).tanh(),
+            (Friction::Sticking, Contact::Slides(way)) => way,
+            (Friction::Sticking, Contact::Sticks) => 0.0,
+        };
+        let difference = |i: usize| Scalar::sign(qd[i]) - law(i);
         SVector::from_fn(|i, _| self.friction.coulomb[i] * difference(i))
     }
 }
@@ -112,6 +115,7 @@ impl<R: ForwardDynamics<N>, L: TorqueLaw<N>, const N: usize> Motion<'_, R, L, N>
         self.hold(phase, &tau)
     }
 
+    #[inline]
     fn free(&self, phase: &Phase<N>, tau: &SVector<f64, N>) -> Result<SVector<f64, N>, Cause> {
         self.count();
         let qdd = self.robot.forward_dynamics(&phase.q, &phase.qd, tau)?;
@@ -121,6 +125,8 @@ impl<R: ForwardDynamics<N>, L: TorqueLaw<N>, const N: usize> Motion<'_, R, L, N>
     /// `qdd = a + W f` with a the accelerations without the holding forces f, and W = M^-1: those of
     /// the joints that stick are zero where `W_ss f_s = -a_s`. A column of W is the derivative by a
     /// torque, which a dual number carries along.
+    #[cold]
+    #[inline(never)]
     fn hold(&self, phase: &Phase<N>, tau: &SVector<f64, N>) -> Result<Held<N>, Cause> {
         let contacts = self.contacts.get();
         let stuck = |i: usize| contacts[i] == Contact::Sticks;
@@ -169,9 +175,15 @@ where
     type Refusal = Cause;
 
     /// qdd, where everything on the way to it is finite.
-    #[inline]
+    // One copy for all stages of all methods: inlined, the code of a program of forward dynamics
+    // stands there some forty times, and whether it runs faster or slower for it is chance.
+    #[inline(never)]
     fn acceleration(&self, t: f64, phase: &Phase<N>) -> Result<SVector<f64, N>, Cause> {
-        Ok(self.held(t, phase)?.qdd)
+        let tau = self.torque(t, phase)?;
+        if self.any_sticks() {
+            return Ok(self.hold(phase, &tau)?.qdd);
+        }
+        self.free(phase, &tau)
     }
 }
 

@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 
-use super::{Cause, InvalidSetting};
+use super::{Cause, InvalidSetting, SimulationError};
 use crate::Energy;
 use crate::integrate::{Grid, Phase, sample_time};
 
@@ -25,7 +25,7 @@ pub struct Work {
     /// How often the equations of motion were evaluated, in steps that were thrown away too.
     ///
     /// One evaluation is one call of the forward dynamics; of the methods that work in positions and
-    /// momenta, one of q' and p'.
+    /// momenta, one of q' and p'; of the Taylor method, one series of the motion.
     pub evaluations: u64,
     /// Steps made.
     pub steps: u64,
@@ -96,6 +96,26 @@ impl<const N: usize> Recorder<N> {
         }
     }
 
+    /// The run as it ended, of which `evaluations` were a part of the work.
+    pub(super) fn finished(
+        self,
+        end: Result<(), Cause>,
+        evaluations: u64,
+    ) -> Result<Trajectory<N>, Box<SimulationError<N>>> {
+        let (time, Phase { q, qd }) = (self.t, self.phase);
+        let trajectory = self.into_trajectory(evaluations);
+        match end {
+            Ok(()) => Ok(trajectory),
+            Err(cause) => Err(Box::new(SimulationError {
+                time,
+                q,
+                qd,
+                cause,
+                trajectory,
+            })),
+        }
+    }
+
     /// Makes room for all samples; it must be at least two.
     pub(super) fn plan(&mut self, duration: f64, samples: usize) -> Result<(), InvalidSetting> {
         self.duration = duration;
@@ -138,7 +158,7 @@ impl<const N: usize> Recorder<N> {
     }
 
     /// The samples taken, and the work of which `evaluations` were a part.
-    pub(super) fn into_trajectory(self, evaluations: u64) -> Trajectory<N> {
+    fn into_trajectory(self, evaluations: u64) -> Trajectory<N> {
         let work = Work {
             evaluations,
             ..self.work

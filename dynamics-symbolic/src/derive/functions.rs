@@ -38,6 +38,7 @@ impl Form {
             | Function::ForwardDynamicsDerivatives => &[Form::Recursive, Form::Assembled],
             Function::ForwardDynamics => &[Form::Recursive, Form::Articulated],
             Function::InverseDynamics
+            | Function::TaylorSeries
             | Function::BiasForce
             | Function::CoriolisVector
             | Function::InverseDynamicsDerivatives
@@ -88,7 +89,8 @@ fn of_rows<'g>(
         Function::CoriolisVector => recursive::inverse_dynamics(chain, &qd, &still, weightless),
         Function::GravityVector => energy::gravity_vector(chain),
         Function::FrictionVector => friction(symbols, robot),
-        Function::InverseDynamics => {
+        // Series of the equations of motion as they are, not solved for the accelerations.
+        Function::InverseDynamics | Function::TaylorSeries => {
             let forces = recursive::inverse_dynamics(chain, &qd, &qdd, chain.gravity);
             sum(forces, &friction(symbols, robot))
         }
@@ -230,7 +232,7 @@ fn assembled<'g>(
             let gravity = energy::gravity_vector(chain);
             sum(sum(motion, &gravity), &friction(symbols, robot))
         }
-        Function::InverseDynamics => {
+        Function::InverseDynamics | Function::TaylorSeries => {
             let qdd = symbols.all(|joint| joint.qdd);
             let inertial = composite::mass_matrix(chain)
                 .iter()

@@ -58,7 +58,8 @@ impl Joints {
             | Function::GravityVector
             | Function::FrictionVector
             | Function::InverseDynamics
-            | Function::BiasForce => pick(&of_rows, 1, joints, &[0]),
+            | Function::BiasForce
+            | Function::TaylorSeries => pick(&of_rows, 1, joints, &[0]),
             Function::MassMatrix | Function::CoriolisMatrix | Function::CentrifugalCoefficients => {
                 pick(&of_rows, self.rows, joints, joints)
             }

@@ -90,7 +90,7 @@ pub(super) fn literal(x: f64) -> TokenStream {
 
 /// The variable of an input. Names end in `_i`: an identifier pattern that
 /// happens to be the name of a user's constant would be that constant.
-fn input_name(robot: &Robot, symbol: &Symbol, angles: &[&Symbol]) -> String {
+pub(super) fn input_name(robot: &Robot, symbol: &Symbol, angles: &[&Symbol]) -> String {
     let angle_number = |value: &Value| {
         let same = |symbol: &&Symbol| match symbol {
             Symbol::AngleSine(other) | Symbol::AngleCosine(other) => other == value,
@@ -144,6 +144,23 @@ fn inputs(robot: &Robot, function: Function, program: &Program, path: &TokenStre
     lines
 }
 
+/// The inputs that no motion changes: fields, and sines and cosines of angles made of them. They
+/// expect `real` to be defined.
+pub(super) fn constant_inputs(robot: &Robot, program: &Program, path: &TokenStream) -> TokenStream {
+    let angles = program.angles();
+    let constant = |angle: &&Symbol| !matches!(angle, Symbol::Sine(_) | Symbol::Cosine(_));
+    let of_constants: Vec<_> = angles.iter().copied().filter(constant).collect();
+    let mut lines = sines(robot, Function::BaseParameters, &of_constants, path);
+    for symbol in &program.inputs {
+        if let Symbol::Field(i) = symbol {
+            let name = ident(&input_name(robot, symbol, &angles));
+            let value = parametric(robot, &Value::Field(*i));
+            lines.extend(quote!(let #name = #value;));
+        }
+    }
+    lines
+}
+
 /// The sines and cosines, all angles of a kind in one call, which evaluates them in the lanes of a
 /// vector register. Where the runtime may know those of the joints, they come from `sines`.
 fn sines(robot: &Robot, function: Function, angles: &[&Symbol], path: &TokenStream) -> TokenStream {
@@ -189,7 +206,7 @@ fn sines(robot: &Robot, function: Function, angles: &[&Symbol], path: &TokenStre
 }
 
 /// Where an input is read: fields first, then the arguments in their order.
-fn place(symbol: &Symbol) -> (u8, usize) {
+pub(super) fn place(symbol: &Symbol) -> (u8, usize) {
     match symbol {
         Symbol::Pi | Symbol::AngleSine(_) | Symbol::AngleCosine(_) => (0, 0),
         Symbol::Field(i) => (1, *i),
@@ -392,6 +409,8 @@ impl<'p> Writer<'p> {
                 self.matrix(0, rows, columns, path)
             }
             Shape::BaseParameters => self.matrix(0, self.program.outputs.len(), 1, path),
+            // Written over series, in another file.
+            Shape::TaylorCoefficients => TokenStream::new(),
             Shape::Poses(count) => {
                 let poses = (0..count).map(|i| self.matrix(16 * i, 4, 4, path));
                 quote!([#(#poses),*])

@@ -59,7 +59,7 @@ fn description(function: Function) -> &'static str {
             "Forward kinematics: the homogeneous transform of the last link frame in the base frame, m."
         }
         Function::LinkPoses => {
-            "Homogeneous transforms of every link frame in the base frame, from the base outwards, m."
+            "Homogeneous transforms in the base frame of every link frame whose joint moves, from the base outwards, m."
         }
         Function::Jacobian => {
             "Geometric Jacobian of the last link frame's origin, 6 x N, rows vx vy vz wx wy wz, in the base frame."
@@ -83,6 +83,11 @@ fn description(function: Function) -> &'static str {
             "The P base inertial parameters: the smallest set by which the joint forces of every motion are \
              determined, regressor * base_parameters = tau - F."
         }
+        Function::TaylorSeries => {
+            "Taylor coefficients q_0, q_1, ... of the motion q(t) = sum q_k t^k that starts at t = 0 from `q` and `qd` \
+             under the constant `tau`, up to `order` (2 to 30); zero beyond. Coulomb friction keeps the sign that it \
+             has at the start: the series ends where a joint reverses."
+        }
     }
 }
 
@@ -105,7 +110,13 @@ pub(super) fn documentation(
     for note in notes {
         lines.extend([note.clone(), String::new()]);
     }
-    lines.push(format!(" Operations: {}.", program.operations()));
+    let each = match function {
+        Function::TaylorSeries => {
+            " of the equations of motion at each order, inner sums of products apart"
+        }
+        _ => "",
+    };
+    lines.push(format!(" Operations{each}: {}.", program.operations()));
     if let Some(formulas) = formulas(robot, program, constants).filter(|_| robot.dof() <= 3) {
         lines.extend(formula_lines(function, robot.dof(), &formulas));
     }
@@ -115,6 +126,7 @@ pub(super) fn documentation(
         Function::ForwardDynamics
             | Function::ForwardDynamicsAba
             | Function::ForwardDynamicsDerivatives
+            | Function::TaylorSeries
     );
     if solves {
         lines.push(errors(&unresisted(robot, function, program, constants)));
@@ -150,6 +162,8 @@ fn unresisted<'r>(
 ) -> Vec<&'r str> {
     let n = robot.dof();
     let first = match function {
+        // Its pivots are those of the runtime's factorisation.
+        Function::TaylorSeries => return Vec::new(),
         Function::ForwardDynamicsDerivatives => 3 * n * n,
         _ => n,
     };

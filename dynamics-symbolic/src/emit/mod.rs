@@ -9,11 +9,12 @@ mod documentation;
 mod formula;
 mod parameters;
 mod polynomial;
+mod series;
 mod signature;
 
 use signature::signature;
 pub use signature::{base_parameter_constants, stub, stub_of_trait};
-use signature::{call, provided};
+use signature::{call, leading_matrix, provided};
 
 use crate::function::Function;
 use crate::program::Program;
@@ -28,6 +29,33 @@ pub struct Emitted {
     /// The item of the implementation of the trait that is named as the function is, where the
     /// runtime has one.
     pub provided: Option<TokenStream>,
+}
+
+/// The method `taylor_series`, and the items of `TaylorDynamics`: the inverse dynamics over series,
+/// and the mass matrix, each a program with its rounded constants.
+pub fn taylor_series(
+    robot: &Robot,
+    [equations, matrix]: [(&Program, &[f64]); 2],
+    notes: &[String],
+    path: &TokenStream,
+) -> Emitted {
+    let (function, dof) = (Function::TaylorSeries, robot.dof());
+    let documentation =
+        documentation::documentation(robot, function, equations.0, equations.1, notes);
+    let signature = signature(function, dof, 0, path);
+    let call = call(function, dof, path);
+    let body = body::body(robot, Function::MassMatrix, matrix.0, matrix.1, path);
+    let matrix = leading_matrix(dof, path, &body);
+    let series = series::items(robot, equations.0, equations.1, path);
+    Emitted {
+        inherent: quote! {
+            #(#[doc = #documentation])*
+            #[inline]
+            #[allow(unused_variables, clippy::all)]
+            pub #signature { #call }
+        },
+        provided: Some(quote!(#series #matrix)),
+    }
 }
 
 /// The documented method of a function, with the rounded constants of its program; `notes` are

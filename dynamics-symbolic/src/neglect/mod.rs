@@ -57,7 +57,7 @@ impl std::error::Error for NotPositiveDefinite {}
 ///
 /// # Errors
 ///
-/// Where M is not positive definite any more at a sampled state.
+/// Where M is not positive definite any more at a sampled state, though it was.
 pub fn neglect(robot: &Robot, share: f64) -> Result<Robot, NotPositiveDefinite> {
     let grouping = Grouping::of(robot);
     let arm = Arm::new(robot, &grouping);
@@ -151,7 +151,7 @@ impl Effects {
         scaled.fold(0.0, |largest, (x, w)| f64::max(largest, (x / w).abs()))
     }
 
-    /// Whether what is left of M is positive definite everywhere.
+    /// Whether what is left of M is positive definite where the whole M is.
     fn check(
         &self,
         arm: &Arm,
@@ -159,16 +159,20 @@ impl Effects {
         small: &[bool],
     ) -> Result<(), NotPositiveDefinite> {
         for (q, parameters) in samples.q.iter().zip(&self.mass_matrix) {
-            let mut matrix = vec![vec![0.0; arm.dof()]; arm.dof()];
-            let kept = parameters.iter().zip(small).filter(|(_, small)| !**small);
-            for (part, _) in kept {
-                for (column, part) in matrix.iter_mut().zip(part) {
-                    for (x, part) in column.iter_mut().zip(part) {
-                        *x += part;
+            let matrix = |is_left: &dyn Fn(usize) -> bool| {
+                let mut matrix = vec![vec![0.0; arm.dof()]; arm.dof()];
+                let parts = parameters.iter().enumerate();
+                for (_, part) in parts.filter(|(k, _)| is_left(*k)) {
+                    for (column, part) in matrix.iter_mut().zip(part) {
+                        for (x, part) in column.iter_mut().zip(part) {
+                            *x += part;
+                        }
                     }
                 }
-            }
-            if !is_positive_definite(matrix) {
+                matrix
+            };
+            let whole = is_positive_definite(matrix(&|_| true));
+            if whole && !is_positive_definite(matrix(&|k| !small[k])) {
                 let count = small.iter().filter(|small| **small).count();
                 return Err(NotPositiveDefinite {
                     q: q.clone(),

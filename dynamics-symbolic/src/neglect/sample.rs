@@ -15,7 +15,7 @@ impl Samples {
     /// The first half uniform over the ranges, the others with joints at the ends, in the middle or
     /// at the quarters of theirs. Equal tables give equal samples.
     pub(super) fn new(robot: &Robot, count: usize) -> Self {
-        let mut random = SplitMix64::new(0x6e65_676c_6563_74);
+        let mut random = SplitMix64::new(0x006e_6567_6c65_6374);
         let ranges: Vec<[f64; 2]> = robot.joints().map(range).collect();
         let mut samples = Samples {
             q: Vec::new(),

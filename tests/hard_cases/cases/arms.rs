@@ -317,3 +317,40 @@ robot_dynamics! {
     ],
     functions: [mass_matrix, inverse_dynamics, forward_dynamics],
 }
+
+/// An elbow arm without friction, of whose Lagrangian all terms below a share are left out.
+macro_rules! pruned_elbow {
+    ($name:ident, $share:literal) => {
+        robot_dynamics! {
+            pub(crate) struct $name;
+            convention: standard,
+            gravity: [0, 0, -9.81],
+            joints: [
+                waist: revolute {
+                    d: 0.4, alpha: PI/2,
+                    mass: 5, com: [0.01, -0.12, 0.02],
+                    inertia: { xx: 0.06, yy: 0.03, zz: 0.055, xy: 0.001, yz: -0.002, xz: 0.0015 },
+                    motor: { inertia: 0.0002, gear_ratio: 100 },
+                },
+                shoulder: revolute {
+                    a: 0.45,
+                    mass: 7.5, com: [-0.21, 0.015, 0.06],
+                    inertia: { xx: 0.05, yy: 0.21, zz: 0.22, xy: -0.004, yz: 0.003, xz: 0.006 },
+                    motor: { inertia: 0.0002, gear_ratio: 120 },
+                },
+                elbow: revolute {
+                    a: 0.38,
+                    mass: 3.2, com: [-0.17, -0.01, 0.015],
+                    inertia: { xx: 0.009, yy: 0.045, zz: 0.048, xy: 0.0012, yz: -0.0008, xz: 0.0009 },
+                    motor: { inertia: 0.0001, gear_ratio: 80 },
+                },
+            ],
+            neglect: $share%,
+            functions: [forward_dynamics, kinetic_energy, potential_energy],
+        }
+    };
+}
+
+pruned_elbow!(ElbowAtTenthOfPercent, 0.1);
+pruned_elbow!(ElbowAtOnePercent, 1);
+pruned_elbow!(ElbowAtThreePercent, 3);

@@ -1,17 +1,23 @@
 //! Chaos, and what a long run keeps.
 
-use robot_dynamics::Method;
 use robot_dynamics::nalgebra::{Vector1, Vector2};
+use robot_dynamics::{Energy, ForwardDynamics, Method};
 
 use super::Effort;
 use super::arms::*;
-use super::motion::{dormand_prince, free};
+use super::entries::entry;
+use super::motion::{dop853, dormand_prince, free};
 use super::score::Score;
 
 pub(crate) fn scores(effort: Effort) -> Vec<Score> {
     let mut scores = chaos();
     scores.extend(swing(effort));
     scores.extend(momenta(effort));
+    scores.extend([
+        pruned(&ElbowAtTenthOfPercent, "0.1 %"),
+        pruned(&ElbowAtOnePercent, "1 %"),
+        pruned(&ElbowAtThreePercent, "3 %"),
+    ]);
     scores
 }
 
@@ -116,4 +122,14 @@ fn momenta(effort: Effort) -> Vec<Score> {
         )
         .naive(velocities),
     ]
+}
+
+/// A pruned Lagrangian still has an energy, and keeps it.
+fn pruned(arm: &(impl ForwardDynamics<3> + Energy<3>), share: &str) -> Score {
+    let entry = entry("HC46");
+    let (q, qd) = (entry.vector("q0"), entry.vector("qd0"));
+    let motion = free(arm, dop853(1e-11), q, qd, 20.0, 201);
+    let drift = motion.map_or(f64::INFINITY, |m| m.energy_drift(arm));
+    let quantity = format!("drift of the energy over 20 s, terms below {share} left out, J");
+    Score::at_most("HC46", quantity, drift, 1e-7).naive(0.63)
 }

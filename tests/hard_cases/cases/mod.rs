@@ -99,7 +99,7 @@ pub(crate) const THEMES: [Theme; 8] = [
     },
     Theme {
         name: "long_runs",
-        cases: &["HC30", "HC31", "HC32"],
+        cases: &["HC30", "HC31", "HC32", "HC46"],
         measure: long_runs::scores,
     },
 ];

@@ -1,5 +1,6 @@
 //! `docs/PERFORMANCE.md` from the lines that the builds printed.
 
+mod goals;
 mod machine;
 mod records;
 mod tables;
@@ -19,6 +20,7 @@ pub(crate) fn print(files: &[String]) {
     println!("{}", elsewhere.remarks());
     println!("{OVERVIEW}");
     print!("{}", tables::overview(&native, &elsewhere));
+    println!("{}", goals::section(&native));
     println!("{DETAILS}");
     print!("{}", tables::details(&plain, &native, &elsewhere));
     print!("{}", tables::groups(&plain, &native));

@@ -119,7 +119,7 @@ pub(crate) fn groups(plain: &Records, native: &Records) -> String {
     text
 }
 
-fn three_digits(x: f64) -> String {
+pub(super) fn three_digits(x: f64) -> String {
     match x {
         ..9.95 => format!("{x:.1}"),
         _ => format!("{x:.0}"),

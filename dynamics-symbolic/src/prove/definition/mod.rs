@@ -95,7 +95,7 @@ impl Definition {
             Function::CoriolisVector => self.coriolis_vector(),
             Function::GravityVector => self.gravity_vector(),
             Function::FrictionVector => self.friction_vector(),
-            Function::InverseDynamics => self.inverse_dynamics(&self.qdd),
+            Function::InverseDynamics | Function::TaylorSeries => self.inverse_dynamics(&self.qdd),
             Function::ForwardDynamics | Function::ForwardDynamicsAba => {
                 self.forward_dynamics(computed)
             }

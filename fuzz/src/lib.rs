@@ -1,0 +1,90 @@
+//! What the fuzz targets do with their input. They panic where something is wrong.
+
+extern crate proc_macro;
+
+mod interpreted;
+mod robot;
+
+// A proc-macro crate exports nothing but macros, so its modules are compiled here once more.
+#[allow(dead_code)]
+#[path = "../../dynamics-macros/src/diagnose.rs"]
+mod diagnose;
+#[allow(dead_code)]
+#[path = "../../dynamics-macros/src/expand/mod.rs"]
+mod expand;
+#[path = "../../dynamics-macros/src/limits.rs"]
+mod limits;
+#[path = "../../dynamics-macros/src/parse/mod.rs"]
+mod parse;
+#[allow(dead_code)]
+#[path = "../../dynamics-macros/src/syntax.rs"]
+mod syntax;
+#[allow(dead_code)]
+#[path = "../../dynamics-macros/src/validate/mod.rs"]
+mod validate;
+#[path = "../../dynamics-macros/src/words.rs"]
+mod words;
+
+use dynamics_runtime::Check;
+use dynamics_symbolic::Function;
+use dynamics_symbolic::derive::derive;
+use dynamics_symbolic::prove::prove;
+use interpreted::Interpreted;
+use proc_macro2::TokenStream;
+use quote::quote;
+
+/// Reads a call of the macro to its end. There is a model or there are errors; the items, the stubs
+/// after an error too, are Rust.
+pub fn parser(text: &str) {
+    let Ok(tokens) = text.parse::<TokenStream>() else {
+        return;
+    };
+    let diagnostics = diagnose::Diagnostics::new();
+    let call = parse::call(tokens, &diagnostics);
+    let model = validate::model(&call, &diagnostics);
+    assert_eq!(model.is_none(), !diagnostics.is_empty());
+    let items = match (&call.structure, &model) {
+        // The engine is the other target's.
+        (Some(structure), Some(model)) => expand::robot(structure, model, &[], &call.path),
+        (Some(structure), None) => expand::stubs(structure, &call.entries, &call.path),
+        (None, _) => TokenStream::new(),
+    };
+    let errors = diagnostics.into_compile_errors();
+    // Attributes, visibilities and the path of the runtime are handed on as they were written.
+    if !text.contains(['#', '@']) && !text.contains("pub") {
+        let file = syn::parse2::<syn::File>(quote!(#errors #items));
+        assert!(file.is_ok(), "{:?}: {errors} {items}", file.err());
+    }
+}
+
+/// Derives three functions of a random table, proves it, and compares its values in double precision
+/// with those of the numeric Newton-Euler algorithm.
+pub fn tables(bytes: &[u8]) {
+    // Deriving takes most of the time: a few functions at once.
+    let Some((choice, bytes)) = bytes.split_first() else {
+        return;
+    };
+    let Ok((robot, fields)) = robot::robot(bytes) else {
+        return;
+    };
+    let number = usize::from(*choice) % Function::ALL.len();
+    let chosen = (0..3).map(|k| Function::ALL[(number + 7 * k) % Function::ALL.len()]);
+    let programs: Vec<_> = chosen
+        .map(|function| {
+            let program = derive(&robot, function);
+            assert_eq!(prove(&robot, function, &program), Ok(()), "{robot:#?}");
+            (function, program)
+        })
+        .collect();
+    let check = Check::new().samples(4);
+    macro_rules! compare {
+        ($($dof:literal)*) => {
+            match robot.rows.len() {
+                $($dof => check.run(&Interpreted::<$dof>::new(&robot, &fields, &programs)),)*
+                dof => unreachable!("{dof} joints"),
+            }
+        };
+    }
+    let report = compare!(1 2 3 4);
+    assert!(report.is_ok(), "{report}\n{fields:?}\n{robot:#?}");
+}

@@ -1,0 +1,18 @@
+use robot_dynamics::robot_dynamics;
+
+robot_dynamics! {
+    pub struct Arm;
+    convention: standard,
+    gravity: [0, 0, -9.81],
+    joints: [
+        waist: revolute { twist: PI/2, offset: 1 },
+        shoulder: revolute { alpha: -90, theta: 45deg },
+        elbow: rotary { alpha: 180, a: 431.8mm },
+    ],
+    functions: [tau],
+}
+
+fn main() {
+    let q = robot_dynamics::nalgebra::Vector3::<f64>::zeros();
+    let _ = Arm::DOF + q.len();
+}
