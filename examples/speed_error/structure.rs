@@ -30,18 +30,12 @@ pub(crate) fn section(duration: f64) -> Result<Section, Box<dyn Error>> {
          error of their interpolation is in it. A cross is where a run ended early."
     ));
     let swing = SVector::<f64, 1>::new(2.0);
-    drifts(
-        &mut section,
-        "One link from 2 rad",
-        &OneLink,
-        swing,
-        duration,
-    )?;
+    drifts(&mut section, "One link from 2 rad", &Swing, swing, duration)?;
     let fall = SVector::<f64, 2>::zeros();
     drifts(
         &mut section,
         "Two links from the horizontal",
-        &TwoLinkSaha,
+        &TwoLinks,
         fall,
         duration,
     )?;
