@@ -30,6 +30,7 @@ mod integrators;
 mod integrators_section;
 mod machine;
 #[path = "../scene/measure.rs"]
+#[allow(dead_code)]
 mod measure;
 mod number;
 mod page;
@@ -46,6 +47,7 @@ mod structure;
 mod table;
 mod timing;
 #[rustfmt::skip]
+#[allow(unused_variables, clippy::all)]
 mod textbook_programs;
 #[path = "../../tests/support/trajectory.rs"]
 #[allow(dead_code)]
