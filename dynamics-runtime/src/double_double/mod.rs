@@ -10,7 +10,7 @@ use crate::Scalar;
 
 /// A number of about 31 digits: the unevaluated sum of two doubles (Dekker 1971).
 ///
-/// Generated functions run on it as they do on `f64`, and take about a hundred times as long. It tells how far a
+/// Generated functions run on it as they do on `f64`, and take 60 to 80 times as long. It tells how far a
 /// result in `f64` is from the value that the same function has at the same numbers, and carries
 /// differences and long integrations that `f64` has too few digits for.
 ///
