@@ -127,9 +127,7 @@ impl Articulated {
 
 impl<const N: usize> NewtonEuler<N> {
     /// Joint accelerations qdd of `M qdd + V + G + F = tau`, by articulated bodies: the time grows
-    /// with the number of joints, and where M is nearly singular for the inertias that it adds up,
-    /// a light link behind a heavy one, far fewer digits are lost than by M and its
-    /// factorisation. `tau` in N m or N.
+    /// with the number of joints, and not with its cube. `tau` in N m or N.
     ///
     /// # Errors
     ///
