@@ -1,24 +1,26 @@
-//! The scoreboard of the numerical hard cases.
+//! The scoreboard of the numerical hard cases, as the example of that name prints it.
 
-use crate::cases::{Effort, Score, THEMES};
+use std::process::Command;
+
 use crate::page::{Part, Section};
-use crate::table::Table;
 
 pub(crate) fn section() -> Section {
     let mut section = Section::new("Hard cases");
     section.text(
-        "What was measured, the bound it is held to, what a naive implementation gets. \
-         `tests/hard_cases` holds the same scores; the entries are those of tests/data/hard_cases.json.",
+        "What was measured, the bound it is held to, what a naive implementation gets: the output of \
+         cargo run --release --example hard_cases. tests/hard_cases holds the same scores; the entries \
+         are those of tests/data/hard_cases.json.",
     );
-    let measured = |theme: &crate::cases::Theme| (theme.measure)(Effort::of_this_build());
-    let scores: Vec<Score> = THEMES.iter().flat_map(measured).collect();
-    let passed = scores.iter().filter(|score| score.is_passed()).count();
-    let heads = ["case", "quantity", "measured", "bound", "naive", "result"];
-    let title = format!("{passed} of {} quantities pass", scores.len());
-    let mut table = Table::new(title, &heads);
-    for score in &scores {
-        table.row(score.cells());
-    }
-    section.parts.push(Part::Table(table));
+    let output = Command::new(env!("CARGO"))
+        .args(["run", "--release", "--quiet", "--example", "hard_cases"])
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .output();
+    let lines = match output {
+        Ok(output) if !output.stdout.is_empty() => {
+            String::from_utf8_lossy(&output.stdout).into_owned()
+        }
+        _ => "cargo could not run it here".to_owned(),
+    };
+    section.parts.push(Part::Lines(lines));
     section
 }

@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 use robot_dynamics::nalgebra::SVector;
 use robot_dynamics::{
     Dop853, DormandPrince, DoubleDouble, ForwardDynamics, Method, Radau5, Simulation,
-    SimulationError, Trajectory,
+    SimulationError, Taylor, TaylorDynamics, TaylorSimulation, Trajectory,
 };
 
 use crate::reference_motion::{Phase, motion};
@@ -142,7 +142,10 @@ pub(crate) struct Setting<'a, R, const N: usize> {
     pub(crate) duration: f64,
 }
 
-impl<R: ForwardDynamics<N>, const N: usize> Setting<'_, R, N> {
+/// The name of the Taylor method, which has a simulation of its own.
+pub(crate) const TAYLOR: &str = "Taylor";
+
+impl<R: ForwardDynamics<N> + TaylorDynamics<N>, const N: usize> Setting<'_, R, N> {
     /// Runs every method; the motion's end is known, and how much the motion makes of a unit
     /// change of its start.
     pub(crate) fn problem(
@@ -155,23 +158,21 @@ impl<R: ForwardDynamics<N>, const N: usize> Setting<'_, R, N> {
         let start = self.q.iter().chain(&self.qd);
         let size = start.fold(1.0, |size: f64, x| size.max(x.abs()));
         let floor = growth * size * f64::EPSILON / 2.0;
-        let curves = FAMILIES.iter().map(|family| {
-            let methods = family.methods(self.duration, quick);
-            let runs = methods
-                .into_iter()
-                .map(|(parameter, method)| self.run(parameter, method, end));
-            let runs: Vec<_> = runs.collect();
-            let order = fitted_order(&runs, floor);
-            Curve {
-                method: family.name,
-                runs,
-                order,
-            }
-        });
+        let mut curves: Vec<_> = (FAMILIES.iter())
+            .map(|family| {
+                let methods = family.methods(self.duration, quick).into_iter();
+                let runs = methods.map(|(parameter, method)| self.run(parameter, method, end));
+                curve(family.name, runs.collect(), floor)
+            })
+            .collect();
+        let by = if quick { 3 } else { 1 };
+        let tolerances = (2..=16).step_by(by).map(|power| 10_f64.powi(-power));
+        let runs = tolerances.map(|tolerance| self.taylor(tolerance, end));
+        curves.push(curve(TAYLOR, runs.collect(), floor));
         Problem {
             name: self.name,
             floor,
-            curves: curves.collect(),
+            curves,
             text,
         }
     }
@@ -183,6 +184,15 @@ impl<R: ForwardDynamics<N>, const N: usize> Setting<'_, R, N> {
             .duration(self.duration)
             .samples(2);
         timed(parameter, end, || black_box(&simulation).run())
+    }
+
+    fn taylor(&self, tolerance: f64, end: &SVector<DoubleDouble, N>) -> Run {
+        let simulation = TaylorSimulation::new(self.arm)
+            .settings(Taylor::with_tolerance(tolerance))
+            .initial(self.q, self.qd)
+            .duration(self.duration)
+            .samples(2);
+        timed(tolerance, end, || black_box(&simulation).run())
     }
 
     /// The end of the motion in 31 digits, its error as the difference to half as many steps, and
@@ -203,6 +213,15 @@ impl<R: ForwardDynamics<N>, const N: usize> Setting<'_, R, N> {
             end_of_changed.distance(&half) / 1e-12
         });
         (end.q, error, growth.fold(0.0, f64::max))
+    }
+}
+
+fn curve(method: &'static str, runs: Vec<Run>, floor: f64) -> Curve {
+    let order = fitted_order(&runs, floor);
+    Curve {
+        method,
+        runs,
+        order,
     }
 }
 

@@ -3,13 +3,12 @@
 use std::error::Error;
 
 use robot_dynamics::nalgebra::{SVector, Vector2, Vector6};
-use robot_dynamics::{DoubleDouble, ForwardDynamics};
+use robot_dynamics::{DoubleDouble, ForwardDynamics, TaylorDynamics};
 
 use crate::integrators::{Curve, Problem, Run, Setting, work_at};
 use crate::page::{Part, Section};
 use crate::plot::{Mark, Plot, Series};
-use crate::problems::{FreePuma, StiffArm};
-use crate::robots::{OneLink, TwoLinkSaha};
+use crate::problems::{FreePuma, OneLink, StiffArm, TwoLinks};
 use crate::table::{Table, short};
 use crate::trajectory::MotionFile;
 
@@ -29,7 +28,7 @@ pub(crate) fn section(quick: bool) -> Result<Section, Box<dyn Error>> {
     );
     for problem in [
         from_file("one_link_free", "One link, 10 s", &OneLink, quick)?,
-        from_file("two_link_free", "Two links, 10 s", &TwoLinkSaha, quick)?,
+        from_file("two_link_free", "Two links, 10 s", &TwoLinks, quick)?,
         puma(quick),
         stiff(quick),
     ] {
@@ -39,7 +38,7 @@ pub(crate) fn section(quick: bool) -> Result<Section, Box<dyn Error>> {
 }
 
 /// A problem whose reference is a file of 30 digits.
-fn from_file<R: ForwardDynamics<N>, const N: usize>(
+fn from_file<R: ForwardDynamics<N> + TaylorDynamics<N>, const N: usize>(
     file: &str,
     name: &'static str,
     arm: &R,
@@ -95,7 +94,7 @@ fn stiff(quick: bool) -> Problem {
     in_31_digits(&setting, text, 1024, quick)
 }
 
-fn in_31_digits<R: ForwardDynamics<N>, const N: usize>(
+fn in_31_digits<R: ForwardDynamics<N> + TaylorDynamics<N>, const N: usize>(
     setting: &Setting<R, N>,
     text: &str,
     steps: u32,

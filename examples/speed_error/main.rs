@@ -10,8 +10,9 @@
 use std::error::Error;
 use std::path::PathBuf;
 
-#[path = "../../tests/hard_cases/cases/mod.rs"]
-mod cases;
+#[path = "../scene/arms.rs"]
+#[allow(dead_code)]
+mod arms;
 #[path = "../../tests/support/data.rs"]
 mod data;
 #[path = "../../tests/support/decimal.rs"]
@@ -20,12 +21,16 @@ mod decimal;
 mod errors;
 #[path = "../../tests/support/exact.rs"]
 mod exact;
+#[path = "../scene/features.rs"]
+mod features;
 mod functions;
 mod functions_section;
 mod hard;
 mod integrators;
 mod integrators_section;
 mod machine;
+#[path = "../scene/measure.rs"]
+mod measure;
 mod number;
 mod page;
 mod pieces;
@@ -37,16 +42,6 @@ mod reference_motion;
 mod robots;
 mod samples;
 mod scalars;
-/// The arms of the example `scene`, and what measures them.
-mod scene {
-    #[path = "../../scene/arms.rs"]
-    #[allow(dead_code)]
-    pub(crate) mod arms;
-    #[path = "../../scene/features.rs"]
-    pub(crate) mod features;
-    #[path = "../../scene/measure.rs"]
-    pub(crate) mod measure;
-}
 mod structure;
 mod table;
 mod timing;
@@ -132,7 +127,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     if arguments.wants("pieces") {
         sections.push(pieces::section());
     }
-    if arguments.wants("hard") {
+    if arguments.wants("hard") && !arguments.quick {
         sections.push(hard::section());
     }
     sections.iter().for_each(page::Section::print);

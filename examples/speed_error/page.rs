@@ -10,6 +10,8 @@ pub(crate) enum Part {
     Table(Table),
     /// A table that is shown when it is asked for.
     Folded(Table),
+    /// Lines as they are.
+    Lines(String),
     /// A plot as SVG, and the name of its file.
     Plot(String, String),
 }
@@ -42,6 +44,7 @@ impl Section {
         for part in &self.parts {
             match part {
                 Part::Text(text) => println!("{text}\n"),
+                Part::Lines(lines) => println!("{lines}"),
                 Part::Table(table) | Part::Folded(table) => println!("{}", table.text()),
                 Part::Plot(..) => {}
             }
@@ -53,6 +56,7 @@ impl Section {
         let parts = self.parts.iter().filter_map(|part| match part {
             Part::Text(text) => Some(format!("{text}\n\n")),
             Part::Table(table) => Some(format!("{}\n", table.markdown())),
+            Part::Lines(lines) => Some(format!("```text\n{lines}```\n\n")),
             Part::Folded(_) | Part::Plot(..) => None,
         });
         format!("## {}\n\n{}", self.title, parts.collect::<String>())
@@ -69,6 +73,7 @@ impl Section {
                     table.html()
                 )
             }
+            Part::Lines(lines) => format!("<pre>{}</pre>\n", escaped(lines)),
             Part::Plot(_, svg) => format!("<figure>{svg}</figure>\n"),
         });
         format!(
@@ -83,7 +88,7 @@ const STYLE: &str = "body{font:16px/1.5 sans-serif;max-width:1000px;margin:2em a
 table{border-collapse:collapse;margin:1em 0;font-size:14px}\
 td,th{padding:2px 9px;text-align:right;border-bottom:1px solid #ddd}\
 td:first-child,th:first-child{text-align:left}caption{text-align:left;font-weight:bold}\
-figure{margin:1em 0}svg{max-width:100%;height:auto}summary{cursor:pointer}";
+figure{margin:1em 0}svg{max-width:100%;height:auto}pre{font-size:12px;overflow-x:auto}summary{cursor:pointer}";
 
 /// Writes the page, and beside it its tables as Markdown and every plot as a file.
 pub(crate) fn write(

@@ -1,9 +1,9 @@
 //! What each piece of a model costs, and what leaving it out does.
 
+use crate::arms::PumaWithoutWrist;
+use crate::features::features;
+use crate::measure::{FUNCTIONS, operations, times};
 use crate::page::{Part, Section};
-use crate::scene::arms::PumaWithoutWrist;
-use crate::scene::features::features;
-use crate::scene::measure::{FUNCTIONS, operations, times};
 use crate::table::{Table, nanoseconds, short};
 
 pub(crate) fn section() -> Section {

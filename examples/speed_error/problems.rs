@@ -46,6 +46,10 @@ robot_dynamics! {
             motor: { inertia: 3.3e-5, gear_ratio: 76.686 },
         },
     ],
+    functions: [
+        mass_matrix, inverse_dynamics, forward_dynamics, kinetic_energy, potential_energy,
+        taylor_series,
+    ],
 }
 
 robot_dynamics! {
@@ -65,5 +69,40 @@ robot_dynamics! {
             inertia: { xx: 1e-6, yy: 1e-6, zz: 1e-6 },
             friction: { viscous: 0.01 },
         },
+    ],
+    functions: [
+        mass_matrix, inverse_dynamics, forward_dynamics, kinetic_energy, potential_energy,
+        taylor_series,
+    ],
+}
+
+robot_dynamics! {
+    /// A slender rod that swings about its end; 0 is where it hangs.
+    pub(crate) struct OneLink;
+
+    convention: standard,
+    gravity: [9.81, 0, 0],
+    joints: [
+        pivot: revolute { a: 1, mass: 1, com: [-0.5, 0, 0], inertia: rod(1) },
+    ],
+    functions: [
+        mass_matrix, inverse_dynamics, forward_dynamics, kinetic_energy, potential_energy,
+        taylor_series,
+    ],
+}
+
+robot_dynamics! {
+    /// Two slender rods, angles from the horizontal (Saha).
+    pub(crate) struct TwoLinks;
+
+    convention: standard,
+    gravity: [0, -9.81, 0],
+    joints: [
+        shoulder: revolute { a: 2, mass: 3, com: [-1, 0, 0], inertia: rod(2) },
+        elbow: revolute { a: 1, mass: 1, com: [-0.5, 0, 0], inertia: rod(1) },
+    ],
+    functions: [
+        mass_matrix, inverse_dynamics, forward_dynamics, kinetic_energy, potential_energy,
+        taylor_series,
     ],
 }

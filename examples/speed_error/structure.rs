@@ -5,13 +5,17 @@ use std::time::Instant;
 
 use num_dual::Dual64;
 use robot_dynamics::nalgebra::{SMatrix, SVector};
-use robot_dynamics::{Energy, ForwardDynamics, Scalar, Simulation};
+use robot_dynamics::{
+    Energy, ForwardDynamics, Scalar, Simulation, SimulationError, Taylor, TaylorDynamics,
+    TaylorSimulation, Trajectory,
+};
 
 use crate::functions::Arm;
-use crate::integrators::FAMILIES;
+use crate::integrators::{FAMILIES, TAYLOR};
 use crate::page::{Part, Section};
 use crate::plot::{Mark, Plot, Series};
-use crate::robots::*;
+use crate::problems::{OneLink as Swing, TwoLinks};
+use crate::robots::{Elbow3r, Panda, Puma560, Scara, Stanford, TwoLinkSaha};
 use crate::samples::{Samples, State};
 use crate::table::{Table, short};
 
@@ -26,18 +30,12 @@ pub(crate) fn section(duration: f64) -> Result<Section, Box<dyn Error>> {
          error of their interpolation is in it. A cross is where a run ended early."
     ));
     let swing = SVector::<f64, 1>::new(2.0);
-    drifts(
-        &mut section,
-        "One link from 2 rad",
-        &OneLink,
-        swing,
-        duration,
-    )?;
+    drifts(&mut section, "One link from 2 rad", &Swing, swing, duration)?;
     let fall = SVector::<f64, 2>::zeros();
     drifts(
         &mut section,
         "Two links from the horizontal",
-        &TwoLinkSaha,
+        &TwoLinks,
         fall,
         duration,
     )?;
@@ -51,10 +49,18 @@ pub(crate) fn section(duration: f64) -> Result<Section, Box<dyn Error>> {
     Ok(section)
 }
 
+/// A method, its setting, the time of its run, s, and the run.
+type Named<const N: usize> = (
+    &'static str,
+    String,
+    f64,
+    Result<Trajectory<N>, Box<SimulationError<N>>>,
+);
+
 /// The energy of every method's run.
-fn drifts<R: ForwardDynamics<N> + Energy<N>, const N: usize>(
+fn drifts<R: ForwardDynamics<N> + Energy<N> + TaylorDynamics<N>, const N: usize>(
     section: &mut Section,
-    name: &'static str,
+    title: &'static str,
     arm: &R,
     q: SVector<f64, N>,
     duration: f64,
@@ -67,18 +73,30 @@ fn drifts<R: ForwardDynamics<N> + Energy<N>, const N: usize>(
         "drift at the end, J",
         "remark",
     ];
-    let mut table = Table::new(format!("{name}, {duration:e} s"), &heads);
+    let mut table = Table::new(format!("{title}, {duration:e} s"), &heads);
     let mut series = Vec::new();
+    let mut runs: Vec<Named<N>> = Vec::new();
     for family in &FAMILIES {
         let (method, setting) = family.method(0.01, 1e-9);
-        let start = Instant::now();
-        let run = Simulation::new(arm)
+        let simulation = Simulation::new(arm)
             .method(method)
             .initial(q, SVector::zeros())
             .duration(duration)
-            .samples(101)
-            .run();
-        let time = start.elapsed().as_secs_f64();
+            .samples(101);
+        let start = Instant::now();
+        let run = simulation.run();
+        runs.push((family.name, setting, start.elapsed().as_secs_f64(), run));
+    }
+    let simulation = TaylorSimulation::new(arm)
+        .settings(Taylor::with_tolerance(1e-9))
+        .initial(q, SVector::zeros())
+        .duration(duration)
+        .samples(101);
+    let start = Instant::now();
+    let run = simulation.run();
+    let time = start.elapsed().as_secs_f64();
+    runs.push((TAYLOR, "tolerance 1e-9".to_owned(), time, run));
+    for (name, setting, time, run) in runs {
         let (motion, remark) = match run {
             Ok(motion) => (motion, String::new()),
             Err(end) => {
@@ -92,7 +110,7 @@ fn drifts<R: ForwardDynamics<N> + Energy<N>, const N: usize>(
             .map(|energy| (energy - energies[0]).abs())
             .collect();
         table.row([
-            family.name.to_owned(),
+            name.to_owned(),
             setting,
             format!("{time:.2}"),
             short(drift.iter().copied().fold(0.0, f64::max)),
@@ -111,19 +129,19 @@ fn drifts<R: ForwardDynamics<N> + Energy<N>, const N: usize>(
             points.push((t, drift, Mark::Cross));
         }
         series.push(Series {
-            name: family.name.to_owned(),
+            name: name.to_owned(),
             joined: true,
             points,
         });
     }
     let plot = Plot {
-        title: format!("{name}: |E - E(0)| over time"),
+        title: format!("{title}: |E - E(0)| over time"),
         x: "t, s",
         y: "J",
         series,
         limits: Vec::new(),
     };
-    let file = format!("energy_{}", name.to_lowercase().replace(' ', "_"));
+    let file = format!("energy_{}", title.to_lowercase().replace(' ', "_"));
     section.parts.push(Part::Plot(file, plot.svg()?));
     section.parts.push(Part::Table(table));
     Ok(())

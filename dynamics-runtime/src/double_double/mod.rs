@@ -95,7 +95,6 @@ impl Scalar for DoubleDouble {
     }
 
     /// For angles up to 7e15 rad; NaN beyond.
-    #[inline]
     fn sin_cos(self) -> (Self, Self) {
         trigonometry::sin_cos(self)
     }
@@ -105,7 +104,6 @@ impl Scalar for DoubleDouble {
         operations::sqrt(self)
     }
 
-    #[inline]
     fn mul_add(self, a: Self, b: Self) -> Self {
         self * a + b
     }

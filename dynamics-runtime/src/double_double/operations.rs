@@ -3,6 +3,9 @@
 //! M. Joldes, J.-M. Muller, V. Popescu, *Tight and rigorous error bounds for basic building blocks
 //! of double-word arithmetic*, ACM Trans. Math. Software 44 (2017), article 15, whose algorithms
 //! the names in brackets are.
+//!
+//! Sums, products and quotients are calls: inlined, each has some forty instructions and a branch,
+//! and a program of some hundred operations would take the compiler minutes.
 
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
@@ -82,7 +85,6 @@ impl Add for DoubleDouble {
     type Output = Self;
 
     /// AccurateDWPlusDW.
-    #[inline]
     fn add(self, other: Self) -> Self {
         let s = two_sum(self.high, other.high);
         let t = two_sum(self.low, other.low);
@@ -104,7 +106,6 @@ impl Mul for DoubleDouble {
     type Output = Self;
 
     /// DWTimesDW1.
-    #[inline]
     fn mul(self, other: Self) -> Self {
         let product = two_product(self.high, other.high);
         if !product.high.is_finite() {
@@ -119,7 +120,6 @@ impl Div for DoubleDouble {
     type Output = Self;
 
     /// The quotient of the leading parts, and what it leaves, divided again (after DWDivDW2).
-    #[inline]
     fn div(self, other: Self) -> Self {
         let first = self.high / other.high;
         if !first.is_finite() || other.high.is_infinite() {
