@@ -7,9 +7,8 @@
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use robot_dynamics::nalgebra::SVector;
-use robot_dynamics::{Scalar, TaylorDynamics};
+use robot_dynamics::{DoubleDouble, Scalar, TaylorDynamics};
 
-use crate::double_double::{DoubleDouble, exact};
 use crate::random::Random;
 use crate::robots::*;
 
@@ -158,8 +157,8 @@ fn worst<const N: usize>(
     expected: &[SVector<DoubleDouble, N>],
 ) -> f64 {
     let error = |(x, exact): (&SVector<f64, N>, &SVector<DoubleDouble, N>)| {
-        let size = exact.map(|x| x.value()).amax();
-        let difference = x.zip_map(exact, |x, exact| (number(x) - exact).value());
+        let size = exact.map(|x| x.high()).amax();
+        let difference = x.zip_map(exact, |x, exact| (number(x) - exact).high());
         difference.amax() / size.max(1e-30)
     };
     computed.iter().zip(expected).map(error).fold(0.0, f64::max)
@@ -170,7 +169,7 @@ fn worst<const N: usize>(
 fn agrees<const N: usize, const P: usize, R: Arm<N, P> + TaylorDynamics<N>>(robot: &R) {
     let mut random = Random::seeded(7);
     let [q, qd, tau] = [2.0, 1.0, 5.0].map(|size| random.vector(size));
-    let expected = by_forward_dynamics(robot, [&q, &qd, &tau].map(exact));
+    let expected = by_forward_dynamics(robot, [&q, &qd, &tau].map(|x| x.map(DoubleDouble::from)));
     let computed = robot.taylor_series(&q, &qd, &tau, ORDER).expect("a series");
     let error = worst(&computed[..=ORDER], &expected);
     assert!(error < 1e-11, "{error:e}");

@@ -6,7 +6,7 @@ use super::angle::SinCos;
 use super::inertia::Inertia;
 use super::joint::Joint;
 use super::lock::tensor;
-use crate::{JointType, Placement, Row};
+use crate::{JointType, Placement, Row, Scalar};
 
 /// Rotation and position of one frame in another.
 #[derive(Clone, Copy, Debug)]
@@ -106,7 +106,11 @@ impl Link {
         }
         let Pose { rotation, position } = place(&mount.into());
         let (x, y, z) = (rotation.m13, -rotation.m23, rotation.m33);
+<<<<<<< HEAD
         let sine = libm::hypot(x, y);
+=======
+        let sine = Scalar::sqrt(x * x + y * y);
+>>>>>>> scene
         let before = match sine == 0.0 {
             true => SinCos::ZERO,
             false => SinCos {
