@@ -106,11 +106,7 @@ impl Link {
         }
         let Pose { rotation, position } = place(&mount.into());
         let (x, y, z) = (rotation.m13, -rotation.m23, rotation.m33);
-<<<<<<< HEAD
         let sine = libm::hypot(x, y);
-=======
-        let sine = Scalar::sqrt(x * x + y * y);
->>>>>>> scene
         let before = match sine == 0.0 {
             true => SinCos::ZERO,
             false => SinCos {
