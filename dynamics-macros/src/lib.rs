@@ -50,6 +50,7 @@ fn generate(input: TokenStream, derivation: &Derivation) -> TokenStream {
     let diagnostics = Diagnostics::new();
     let call = parse::call(input, &diagnostics);
     let generated = validate::model(&call, &diagnostics).and_then(|model| {
+        let model = abbreviated(model, &diagnostics)?;
         let methods = methods(&model, &call, derivation, &diagnostics)?;
         Some((model, methods))
     });
@@ -62,6 +63,20 @@ fn generate(input: TokenStream, derivation: &Derivation) -> TokenStream {
     };
     let errors = diagnostics.into_compile_errors();
     quote!(#errors #items)
+}
+
+/// The model without what is to be neglected, or `None` where that is too much: that is reported.
+fn abbreviated(mut model: validate::Model, diagnostics: &Diagnostics) -> Option<validate::Model> {
+    if let Some((share, place)) = &model.neglect {
+        match dynamics_symbolic::neglect::neglect(&model.robot, share.to_f64(&[])) {
+            Ok(robot) => model.robot = robot,
+            Err(refused) => {
+                diagnostics.error(*place, refused);
+                return None;
+            }
+        }
+    }
+    Some(model)
 }
 
 /// The methods, or `None` where the engine could not prove one of them: that is

@@ -77,8 +77,25 @@ pub(crate) enum Entry {
     Joints(Place, Option<Joints>),
     /// `functions: [...]`
     Functions(Option<Vec<(Function, Place)>>),
+    /// `lock: [elbow = 0.3]`
+    Lock(Option<Vec<Locked>>),
+    /// `neglect: 1%`
+    Neglect(Option<Share>),
     /// `tests: true`
-    Tests(Option<bool>),
+    Tests(Place, Option<bool>),
+}
+
+/// `elbow = 0.3`
+pub(crate) struct Locked {
+    pub(crate) name: Ident,
+    pub(crate) position: Option<Expr>,
+}
+
+/// `1%`, or a number without `%`.
+pub(crate) struct Share {
+    pub(crate) number: Expr,
+    pub(crate) percent: bool,
+    pub(crate) place: Place,
 }
 
 /// `[x, y, z]`
@@ -140,6 +157,7 @@ pub(crate) struct Row {
     pub(crate) inertia: Given<Inertia>,
     pub(crate) motor: Given<Motor>,
     pub(crate) friction: Given<Friction>,
+    pub(crate) limits: Given<Limits>,
     pub(crate) allow: Given<Allow>,
 }
 
@@ -183,6 +201,9 @@ pub(crate) struct Friction {
     pub(crate) viscous: Given<Expr>,
     pub(crate) coulomb: Given<Expr>,
 }
+
+/// `limits: [lower, upper]`
+pub(crate) type Limits = [Option<Expr>; 2];
 
 /// `allow: [unphysical_inertia]`
 #[derive(Default)]

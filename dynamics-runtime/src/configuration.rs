@@ -27,7 +27,7 @@ impl<T: Scalar> JointSines<T> for Evaluated {
 
 /// Looks them up.
 #[derive(Clone, Copy, Debug)]
-struct Known<T, const N: usize>([(T, T); N]);
+pub(crate) struct Known<T, const N: usize>(pub(crate) [(T, T); N]);
 
 impl<T: Scalar, const N: usize> JointSines<T> for Known<T, N> {
     #[inline(always)]

@@ -1,12 +1,13 @@
 //! The runtime of `robot-dynamics`: what generated robots are made of, and what can be done with
 //! any of them.
 //!
-//! - [`Scalar`], the numbers that generated functions run on; [`Model`], [`ForwardDynamics`],
+//! - [`Scalar`], the numbers that generated functions run on, and [`DoubleDouble`], one of 31 digits; [`Model`], [`ForwardDynamics`],
 //!   [`Energy`] and [`Evaluate`], what a generated robot is to generic code; [`Table`], its
 //!   Denavit-Hartenberg table as numbers.
 //! - [`NewtonEuler`], the same dynamics computed numerically from the table, and
 //!   [`check_against_rnea`], which compares the two.
-//! - [`Simulation`], which moves an arm under a torque law, and [`Cycloidal`], a motion to follow.
+//! - [`Simulation`], which moves an arm under a torque law by a [`Method`] of your choice, and
+//!   [`Cycloidal`], a motion to follow.
 //!
 //! Without the feature `std`, which is on by default, the crate needs neither the standard library nor
 //! an allocator, and has everything but simulation, checks and batches.
@@ -22,18 +23,26 @@ mod batch;
 #[cfg(feature = "std")]
 mod check;
 mod configuration;
+mod double_double;
+mod dual;
+#[cfg(feature = "num-dual")]
+mod dual_scalars;
 mod float;
 #[cfg(feature = "std")]
 mod integrate;
 mod macros;
 mod model;
+mod momenta;
 mod newton_euler;
 mod operations;
+mod placement;
 mod scalar;
 #[cfg(feature = "std")]
 mod simulation;
 mod sine;
+mod singular;
 mod table;
+mod taylor;
 mod trajectory;
 
 #[cfg(test)]
@@ -46,20 +55,28 @@ pub use check::{Check, FunctionReport, Report, check_against_rnea};
 pub use configuration::Configuration;
 #[doc(hidden)]
 pub use configuration::{Evaluated, JointSines};
+pub use double_double::DoubleDouble;
 pub use model::{
     AccelerationDerivatives, CoriolisVector, Energy, ForwardDynamics, GravityVector,
-    InverseDynamics, MassMatrix, Model, SingularMassMatrix, State,
+    InverseDynamics, MassMatrix, Model, State,
 };
 #[cfg(feature = "std")]
 pub use model::{Evaluate, Evaluation};
+pub use momenta::Momenta;
 pub use newton_euler::NewtonEuler;
 pub use operations::Operations;
+pub use placement::Placement;
 pub use scalar::Scalar;
 #[cfg(feature = "std")]
 pub use simulation::{
-    Cause, DormandPrince, InvalidSetting, Method, NoTorque, Simulation, SimulationError, Trajectory,
+    Cause, Dop853, DormandPrince, Friction, InvalidSetting, Method, NoTorque, Radau5, Simulation,
+    SimulationError, Taylor, TaylorSimulation, Trajectory, Work,
 };
+pub use singular::{Conditioning, SingularMassMatrix};
 pub use table::{Convention, JointType, Row, Table};
+#[doc(hidden)]
+pub use taylor::{Block, Common, ProductTable, Products, SeriesTerm};
+pub use taylor::{MAX_TAYLOR_ORDER, TaylorCoefficients, TaylorDynamics};
 pub use trajectory::{Cycloidal, InvalidDuration};
 
 #[doc(hidden)]

@@ -1,12 +1,10 @@
 //! What a generated robot is to generic code.
 
-use core::fmt;
-
 #[cfg(feature = "std")]
 use nalgebra::Matrix4;
 use nalgebra::{SMatrix, SVector};
 
-use crate::{JointSines, Scalar, Table};
+use crate::{JointSines, Momenta, Scalar, SingularMassMatrix, Table};
 
 /// An arm with `N` joints that can show the table it was generated from.
 pub trait Model<const N: usize> {
@@ -50,6 +48,15 @@ pub trait ForwardDynamics<const N: usize> {
     ) -> Result<SVector<T, N>, SingularMassMatrix> {
         let _ = sines;
         self.forward_dynamics(q, qd, tau)
+    }
+
+    /// The arm in positions and momenta, which the structure-preserving methods of a
+    /// [`Simulation`](crate::Simulation) need; `None` where it is not known in them.
+    ///
+    /// A generated arm is, if its functions include `mass_matrix` and `inverse_dynamics`. For an arm
+    /// of your own with [`MassMatrix`] and [`InverseDynamics`] it is `Some(self)`.
+    fn momenta(&self) -> Option<&dyn Momenta<N>> {
+        None
     }
 }
 
@@ -220,134 +227,10 @@ pub struct Evaluation<const N: usize> {
     /// d qdd/dq, d qdd/dqd and the inverse of M, at the torques that were given.
     pub forward_dynamics_derivatives:
         Option<Result<AccelerationDerivatives<f64, N>, SingularMassMatrix>>,
+    /// qdd by articulated bodies, at the torques that were given.
+    pub forward_dynamics_aba: Option<Result<SVector<f64, N>, SingularMassMatrix>>,
 }
 
 /// d qdd/dq, d qdd/dqd and d qdd/d tau, the inverse of M.
 pub type AccelerationDerivatives<T, const N: usize> =
     (SMatrix<T, N, N>, SMatrix<T, N, N>, SMatrix<T, N, N>);
-
-/// The mass matrix was not positive definite, as far as its digits can tell: a pivot of its
-/// factorisation was not greater than the rounding errors of its diagonal entry (8 epsilon of it).
-///
-/// It happens where the links beyond a joint have no inertia about it, where the data are
-/// unphysical, and where the state is not finite.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SingularMassMatrix {
-    /// The joint of the pivot, counted from 0.
-    pub joint: usize,
-    /// The pivot over the size of the diagonal entry of M that it came from: negative where the
-    /// pivot is, 0 where it is 0, NaN where either is NaN.
-    pub relative_pivot: f64,
-}
-
-impl SingularMassMatrix {
-    /// What generated code calls for each pivot, from the tip inwards.
-    ///
-    /// A pivot that is not greater than the rounding errors of the differences that
-    /// it is made of cannot be told from zero: no digit of the accelerations would be right.
-    /// The diagonal entry gives their size, whatever its sign: that M is positive
-    /// definite is a matter of the pivots alone.
-    ///
-    /// # Errors
-    ///
-    /// Where the pivot cannot be told from zero, is negative or NaN.
-    #[doc(hidden)]
-    #[inline(always)]
-    pub fn test<T: Scalar>(joint: usize, pivot: T, diagonal: T) -> Result<(), Self> {
-        if pivot.exceeds_rounding_of(diagonal) {
-            return Ok(());
-        }
-        Err(SingularMassMatrix {
-            joint,
-            relative_pivot: relative_pivot(pivot, diagonal),
-        })
-    }
-}
-
-/// `pivot / |diagonal|`, and the pivot itself where that is 0/0 or the quotient of infinities.
-#[cold]
-fn relative_pivot<T: Scalar>(pivot: T, diagonal: T) -> f64 {
-    let one = pivot.constant(1.0);
-    let ratio = pivot.ratio_to_f64(diagonal * diagonal.sign());
-    let ratio = if ratio.is_nan() && !diagonal.ratio_to_f64(one).is_nan() {
-        pivot.ratio_to_f64(one)
-    } else {
-        ratio
-    };
-    // Turns a zero that is negative into one that is not.
-    ratio + 0.0
-}
-
-impl fmt::Display for SingularMassMatrix {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            f,
-            "the mass matrix is not positive definite at joint {} (relative pivot {:e})",
-            self.joint + 1,
-            self.relative_pivot
-        )
-    }
-}
-
-impl core::error::Error for SingularMassMatrix {}
-
-#[cfg(test)]
-mod tests {
-    use super::SingularMassMatrix;
-
-    #[test]
-    fn a_pivot_of_rounding_errors_is_no_pivot() {
-        assert!(SingularMassMatrix::test(0, 1e-14, 1.0).is_ok());
-        assert!(SingularMassMatrix::test(0, 1e-15, 1.0).is_err());
-        assert!(SingularMassMatrix::test(0, 1e-15, 1e-10).is_ok());
-        assert!(SingularMassMatrix::test(0, 1e-7_f32, 1.0).is_err());
-        let error = SingularMassMatrix::test(3, f64::NAN, 1.0).unwrap_err();
-        assert!(error.joint == 3 && error.relative_pivot.is_nan());
-    }
-
-    fn relative_pivot(pivot: f64, diagonal: f64) -> f64 {
-        SingularMassMatrix::test(0, pivot, diagonal)
-            .unwrap_err()
-            .relative_pivot
-    }
-
-    #[test]
-    fn the_relative_pivot_has_the_sign_of_the_pivot() {
-        assert_eq!(relative_pivot(-0.5, -0.25), -2.0);
-        assert_eq!(relative_pivot(-0.5, 0.25), -2.0);
-        assert_eq!(relative_pivot(-1.0, 0.0), f64::NEG_INFINITY);
-        assert_eq!(
-            relative_pivot(f64::NEG_INFINITY, f64::INFINITY),
-            f64::NEG_INFINITY
-        );
-        for diagonal in [-1.0, -0.0, 0.0, 1.0, f64::INFINITY] {
-            for pivot in [0.0, -0.0] {
-                let zero = relative_pivot(pivot, diagonal);
-                assert!(zero == 0.0 && zero.is_sign_positive(), "{diagonal}");
-            }
-        }
-        assert!(relative_pivot(1.0, f64::NAN).is_nan());
-        assert!(relative_pivot(f64::NAN, 0.0).is_nan());
-    }
-
-    #[test]
-    fn a_negative_inertia_does_not_read_as_a_regular_one() {
-        let error = SingularMassMatrix::test(0, -1.0, -1.0).unwrap_err();
-        assert_eq!(
-            error.to_string(),
-            "the mass matrix is not positive definite at joint 1 (relative pivot -1e0)"
-        );
-    }
-
-    #[test]
-    fn the_error_counts_joints_from_one() {
-        let error = SingularMassMatrix {
-            joint: 2,
-            relative_pivot: -1e-17,
-        };
-        assert_eq!(
-            error.to_string(),
-            "the mass matrix is not positive definite at joint 3 (relative pivot -1e-17)"
-        );
-    }
-}

@@ -2,14 +2,18 @@
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
+use fearless_simd::dispatch;
+
 use crate::float::Float;
-use crate::sine::sin_cos_array;
+use crate::sine::{level, sin_cos_array};
+use crate::taylor::{Block, Common, advance};
 
 /// A real number type on which every generated function can be evaluated.
 ///
 /// The trait asks for what straight-line code of equations of motion needs and for nothing more,
 /// so that it can be implemented for numbers which are no complete field: dual numbers, SIMD lanes,
-/// numbers of extended precision. It is implemented for `f32` and `f64`.
+/// numbers of extended precision. It is implemented for `f32`, `f64` and
+/// [`DoubleDouble`](crate::DoubleDouble).
 ///
 /// No method panics. Values that are not finite propagate as IEEE 754 arithmetic has it.
 ///
@@ -91,10 +95,30 @@ pub trait Scalar:
     /// `self / of` in double precision, for error reports. A type of several lanes answers with
     /// the least ratio of its lanes.
     fn ratio_to_f64(self, of: Self) -> f64;
+
+    /// `work`, with more of the processor's instructions than the build may count on.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn with_best_instructions<R>(work: impl FnOnce() -> R) -> R {
+        work()
+    }
+
+    /// Takes products of series from order `k - 1` to order `k`: `f64` in the lanes of the widest
+    /// vector registers of the processor.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn advance_products(
+        common: &mut [Block<Self, Common<Self>>],
+        single: &mut [Block<Self, [Self; 8]>],
+        k: usize,
+    ) {
+        advance(common, k);
+        advance(single, k);
+    }
 }
 
 /// Whether the target multiplies and adds in one instruction.
-const FUSED: bool = cfg!(all(
+pub(crate) const FUSED: bool = cfg!(all(
     feature = "std",
     any(target_feature = "fma", target_arch = "aarch64")
 ));
@@ -166,6 +190,17 @@ impl_scalar! {
     }
     fn sin_cos_array<const K: usize>(angles: [Self; K]) -> [(Self, Self); K] {
         sin_cos_array(angles)
+    }
+    fn advance_products(
+        common: &mut [Block<Self, Common<Self>>],
+        single: &mut [Block<Self, [Self; 8]>],
+        k: usize,
+    ) {
+        dispatch!(level(), simd => {
+            let _ = simd;
+            advance(common, k);
+            advance(single, k)
+        })
     }
 }
 

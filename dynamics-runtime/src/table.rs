@@ -1,5 +1,7 @@
 //! The Denavit-Hartenberg table as plain numbers: what the numeric algorithms read.
 
+use crate::placement::Placement;
+
 /// How a row of the table places link frame i in link frame i-1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Convention {
@@ -50,6 +52,14 @@ pub struct Row {
     pub viscous: f64,
     /// Coulomb friction at the joint, N m or N.
     pub coulomb: f64,
+    /// The range of the joint's position, lower end first, rad or m, where the table has one.
+    pub limits: Option<[f64; 2]>,
+    /// Where this row begins, in the link frame of the row before or in the base frame: elsewhere than
+    /// there where joints between the two rows are locked ([`Table::lock`]).
+    pub mount: Placement,
+    /// Where the tip is in the link frame, which matters in the last row: elsewhere than there where
+    /// joints behind that row are locked.
+    pub tip: Placement,
 }
 
 impl Row {
@@ -68,6 +78,9 @@ impl Row {
             gear_ratio: 0.0,
             viscous: 0.0,
             coulomb: 0.0,
+            limits: None,
+            mount: Placement::IDENTITY,
+            tip: Placement::IDENTITY,
         }
     }
 

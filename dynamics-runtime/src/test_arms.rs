@@ -102,10 +102,7 @@ impl ForwardDynamics<2> for CraigArm {
         let (v, g) = (self.coriolis_vector(q, qd), self.gravity_vector(q));
         let pivot = m[(0, 0)] - m[(0, 1)] * m[(0, 1)] / m[(1, 1)];
         if !pivot.is_positive() {
-            return Err(SingularMassMatrix {
-                joint: 0,
-                relative_pivot: pivot.ratio_to_f64(m[(0, 0)]),
-            });
+            return Err(SingularMassMatrix::new(0, pivot.ratio_to_f64(m[(0, 0)])));
         }
         let f1 = tau[0] - v[0] - g[0];
         let f2 = tau[1] - v[1] - g[1];
@@ -187,6 +184,7 @@ fn general_row(random: &mut SplitMix64) -> Row {
         gear_ratio: within(-60.0, 60.0),
         viscous: within(0.1, 0.3),
         coulomb: within(0.1, 0.3),
+        ..Row::new(JointType::Revolute)
     }
 }
 

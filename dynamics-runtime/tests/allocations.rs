@@ -1,29 +1,54 @@
 //! A simulation allocates its samples at the start and nothing while it runs; a batch nothing.
 
 use allocation_counter::measure;
-use dynamics_runtime::nalgebra::{SVector, Vector1};
+use dynamics_runtime::nalgebra::{SMatrix, SVector, Vector1};
 use dynamics_runtime::{
-    Batch, Cycloidal, DormandPrince, ForwardDynamics, Method, Scalar, Simulation,
-    SingularMassMatrix,
+    Batch, Convention, Cycloidal, Dop853, DormandPrince, ForwardDynamics, Friction,
+    InverseDynamics, JointType, MassMatrix, Method, Model, Momenta, Radau5, Row, Scalar,
+    Simulation, SingularMassMatrix, Table,
 };
 
-/// A pendulum.
-struct Pendulum;
+/// A pendulum with dry friction.
+struct Pendulum(f64);
 
 impl ForwardDynamics<1> for Pendulum {
     fn forward_dynamics<T: Scalar>(
         &self,
         q: &SVector<T, 1>,
-        _: &SVector<T, 1>,
+        qd: &SVector<T, 1>,
         tau: &SVector<T, 1>,
     ) -> Result<SVector<T, 1>, SingularMassMatrix> {
         let (sin, _) = q[0].sin_cos();
-        Ok(Vector1::new(tau[0] - sin))
+        Ok(Vector1::new(
+            tau[0] - sin - T::from_f64(self.0) * qd[0].sign(),
+        ))
+    }
+
+    fn momenta(&self) -> Option<&dyn Momenta<1>> {
+        Some(self)
+    }
+}
+
+impl MassMatrix<1> for Pendulum {
+    fn mass_matrix<T: Scalar>(&self, _: &SVector<T, 1>) -> SMatrix<T, 1, 1> {
+        SMatrix::<T, 1, 1>::new(T::from_f64(1.0))
+    }
+}
+
+impl InverseDynamics<1> for Pendulum {
+    fn inverse_dynamics<T: Scalar>(
+        &self,
+        q: &SVector<T, 1>,
+        qd: &SVector<T, 1>,
+        qdd: &SVector<T, 1>,
+    ) -> SVector<T, 1> {
+        let (sin, _) = q[0].sin_cos();
+        Vector1::new(qdd[0] + sin + T::from_f64(self.0) * qd[0].sign())
     }
 }
 
 fn allocations(method: Method) -> u64 {
-    let simulation = Simulation::new(&Pendulum)
+    let simulation = Simulation::new(&Pendulum(0.0))
         .initial(Vector1::new(1.0), Vector1::new(0.0))
         .torque(|_, _, qd| -qd * 0.1)
         .method(method)
@@ -34,17 +59,64 @@ fn allocations(method: Method) -> u64 {
     info.count_total
 }
 
+impl Model<1> for Pendulum {
+    const JOINT_NAMES: [&'static str; 1] = ["swing"];
+
+    fn table(&self) -> Table<1> {
+        let row = Row {
+            coulomb: self.0,
+            ..Row::new(JointType::Revolute)
+        };
+        Table {
+            convention: Convention::Modified,
+            gravity: [0.0; 3],
+            rows: [row],
+        }
+    }
+}
+
+/// Stopping, sticking and letting go under a torque that grows.
+#[test]
+fn events_of_friction_do_not_allocate() {
+    let step = 1e-2;
+    for method in [
+        Method::RungeKutta4 { step },
+        Method::GaussLegendre4 { step },
+        DormandPrince::default().into(),
+        Dop853::default().into(),
+        Radau5::default().into(),
+    ] {
+        let simulation = Simulation::new(&Pendulum(0.1))
+            .torque(|t, q, _| q.map(f64::sin).add_scalar(0.3 * (8.0 * t).sin()))
+            .friction(Friction::Sticking)
+            .method(method);
+        let mut stuck = 0;
+        let info = measure(|| {
+            let run = simulation.run().unwrap();
+            stuck = run.qd.iter().filter(|qd| qd[0] == 0.0).count();
+        });
+        assert!((5..95).contains(&stuck), "{method:?}: {stuck}");
+        assert_eq!(info.count_total, 3, "{method:?}");
+    }
+}
+
 /// Times, positions, velocities: three, however many steps there are.
 #[test]
 fn a_run_allocates_its_samples_only() {
     for step in [0.1, 1e-3] {
+        assert_eq!(allocations(Method::ExplicitEuler { step }), 3);
         assert_eq!(allocations(Method::CraigEuler { step }), 3);
         assert_eq!(allocations(Method::SemiImplicitEuler { step }), 3);
         assert_eq!(allocations(Method::RungeKutta4 { step }), 3);
+        assert_eq!(allocations(Method::ImplicitMidpoint { step }), 3);
+        assert_eq!(allocations(Method::GaussLegendre4 { step }), 3);
+        assert_eq!(allocations(Method::GaussLegendre6 { step }), 3);
     }
     for tolerance in [1e-3, 1e-12] {
         let settings = DormandPrince::with_tolerance(tolerance);
-        assert_eq!(allocations(Method::DormandPrince(settings)), 3);
+        assert_eq!(allocations(settings.into()), 3);
+        assert_eq!(allocations(Dop853::with_tolerance(tolerance).into()), 3);
+        assert_eq!(allocations(Radau5::with_tolerance(tolerance).into()), 3);
     }
 }
 
@@ -63,7 +135,7 @@ fn a_batch_does_not_allocate() {
         let [q, qd, tau] = [0.1, 0.2, 0.3].map(|x| vec![Vector1::new(x); count]);
         let mut qdd = vec![Vector1::new(0.0); count];
         let rows = measure(|| {
-            let batch = Pendulum.forward_dynamics_batch(&q, &qd, &tau, &mut qdd);
+            let batch = Pendulum(0.0).forward_dynamics_batch(&q, &qd, &tau, &mut qdd);
             batch.unwrap();
         });
         assert_eq!(rows.count_total, 0, "{count} states");
@@ -71,7 +143,7 @@ fn a_batch_does_not_allocate() {
         let mut column = vec![0.0; count];
         let columns = measure(|| {
             let (q, qd, tau) = ([&q[..]], [&qd[..]], [&tau[..]]);
-            let batch = Pendulum.forward_dynamics_batch(q, qd, tau, [&mut column[..]]);
+            let batch = Pendulum(0.0).forward_dynamics_batch(q, qd, tau, [&mut column[..]]);
             batch.unwrap();
         });
         assert_eq!(columns.count_total, 0, "{count} states");

@@ -13,6 +13,7 @@ mod generic_chain;
 #[path = "../tests/support/mod.rs"]
 mod support;
 
+use dynamics_symbolic::neglect::neglect;
 use dynamics_symbolic::robot::Robot;
 use dynamics_symbolic::{Function, expand};
 use quote::quote;
@@ -29,6 +30,9 @@ const CASES: [(&str, f64); 5] = [
 /// As [`CASES`], the longest chain that is promised to expand.
 const LONGEST: (usize, f64) = (30, 20.0);
 
+/// As [`CASES`], the PUMA 560 abbreviated: both models are derived.
+const ABBREVIATED: f64 = 4.0;
+
 fn main() {
     let joints: Vec<usize> = std::env::args()
         .skip(1)
@@ -43,6 +47,10 @@ fn main() {
             report(&support::robot(name), 3, limit);
         }
         report(&generic_chain::generic_chain(LONGEST.0), 3, LONGEST.1);
+        let complete = support::robot("puma560");
+        let mut abbreviated = neglect(&complete, 0.01).expect("a part of it");
+        abbreviated.name = "puma560 at 1 %".to_owned();
+        report(&abbreviated, 3, ABBREVIATED);
     }
 }
 

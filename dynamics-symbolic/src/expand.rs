@@ -3,6 +3,7 @@
 use crate::derive::derive;
 use crate::emit;
 use crate::function::Function;
+use crate::neglect::{STATES, largest_error};
 use crate::program::{Operations, Program};
 use crate::prove::{ProofFailure, prove};
 use crate::robot::Robot;
@@ -87,7 +88,13 @@ pub fn expand_with(
     let mut methods = Vec::with_capacity(functions.len());
     let mut failures = Vec::new();
     for &function in functions {
-        match method(robot, function, derive(robot, function), path) {
+        let program = derive(robot, function);
+        let notes = neglected(robot, function, &program, derive);
+        let method = match function {
+            Function::TaylorSeries => taylor_series(robot, program, &notes, path, derive),
+            _ => method(robot, function, program, &notes, path),
+        };
+        match method {
             Ok(method) => methods.push(method),
             Err(failure) => failures.push(failure),
         }
@@ -99,11 +106,54 @@ pub fn expand_with(
     }
 }
 
+/// What the documentation says of a function of an abbreviated model, beside the complete one.
+fn neglected(
+    robot: &Robot,
+    function: Function,
+    program: &Program,
+    derive: &dyn Fn(&Robot, Function) -> Program,
+) -> Vec<String> {
+    let depends_on_inertia = !matches!(
+        function,
+        Function::FrictionVector
+            | Function::ForwardKinematics
+            | Function::LinkPoses
+            | Function::Jacobian
+    );
+    let Some(neglected) = robot.neglected.as_ref().filter(|_| depends_on_inertia) else {
+        return Vec::new();
+    };
+    let complete = Robot {
+        neglected: None,
+        ..robot.clone()
+    };
+    let whole = derive(&complete, function);
+    let error = largest_error(&complete, function, &whole, program);
+    vec![format!(
+        " Of the abbreviated model: what stays below {} % is neglected. The largest error at {STATES} sampled \
+         states is {:.1e} of the largest value of the complete function, which takes {} operations, {} more.",
+        percent(neglected.share),
+        error.relative,
+        error.complete,
+        error.saved,
+    )]
+}
+
+/// A share in percent, without the noise of a product of doubles.
+pub fn percent(share: f64) -> String {
+    let digits = format!("{:.6}", 100.0 * share);
+    digits
+        .trim_end_matches('0')
+        .trim_end_matches('.')
+        .to_owned()
+}
+
 /// Proves a program, rounds its constants and emits it.
 fn method(
     robot: &Robot,
     function: Function,
     program: Program,
+    notes: &[String],
     path: &TokenStream,
 ) -> Result<Method, Failure> {
     prove(robot, function, &program).map_err(Failure::Proof)?;
@@ -111,12 +161,48 @@ fn method(
     if constants.iter().any(|x| x.is_infinite()) {
         return Err(Failure::Overflow(function));
     }
-    let emitted = emit::method(robot, function, &program, &constants, path);
-    Ok(Method {
+    let emitted = emit::method(robot, function, &program, &constants, notes, path);
+    Ok(of(function, emitted, &[&program]))
+}
+
+/// Proves and emits the two programs of Taylor series: the equations of motion, and the mass
+/// matrix, by which the accelerations follow from them.
+fn taylor_series(
+    robot: &Robot,
+    equations: Program,
+    notes: &[String],
+    path: &TokenStream,
+    derive: &dyn Fn(&Robot, Function) -> Program,
+) -> Result<Method, Failure> {
+    let function = Function::TaylorSeries;
+    let part = Function::MassMatrix;
+    let programs = [(function, equations), (part, derive(robot, part))];
+    let mut rounded = Vec::with_capacity(programs.len());
+    for (part, program) in &programs {
+        prove(robot, *part, program).map_err(Failure::Proof)?;
+        let constants = program.rounded_constants();
+        if constants.iter().any(|x| x.is_infinite()) {
+            return Err(Failure::Overflow(function));
+        }
+        rounded.push(constants);
+    }
+    let [(_, equations), (_, matrix)] = &programs;
+    let parts = [
+        (equations, rounded[0].as_slice()),
+        (matrix, rounded[1].as_slice()),
+    ];
+    let emitted = emit::taylor_series(robot, parts, notes, path);
+    Ok(of(function, emitted, &[equations, matrix]))
+}
+
+/// A method as it was emitted, the operations of its first program, the angles of all.
+fn of(function: Function, emitted: emit::Emitted, programs: &[&Program]) -> Method {
+    let angles = programs.iter().flat_map(|program| program.joint_angles());
+    Method {
         function,
         tokens: emitted.inherent,
         provided: emitted.provided,
-        operations: program.operations(),
-        angles: program.joint_angles(),
-    })
+        operations: programs[0].operations(),
+        angles: angles.collect(),
+    }
 }

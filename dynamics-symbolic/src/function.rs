@@ -41,11 +41,15 @@ pub enum Function {
     Regressor,
     /// The base inertial parameters.
     BaseParameters,
+    /// qdd from tau by articulated bodies, without M: accurate where M is nearly singular.
+    ForwardDynamicsAba,
+    /// The Taylor coefficients of a motion q(t), from the inverse dynamics over series.
+    TaylorSeries,
 }
 
 impl Function {
     /// Every function, in the order in which they are generated and documented.
-    pub const ALL: [Function; 19] = [
+    pub const ALL: [Function; 21] = [
         Function::MassMatrix,
         Function::CoriolisVector,
         Function::GravityVector,
@@ -65,6 +69,8 @@ impl Function {
         Function::ForwardDynamicsDerivatives,
         Function::Regressor,
         Function::BaseParameters,
+        Function::ForwardDynamicsAba,
+        Function::TaylorSeries,
     ];
 
     /// The name of the generated method.
@@ -89,11 +95,13 @@ impl Function {
             Function::ForwardDynamicsDerivatives => "forward_dynamics_derivatives",
             Function::Regressor => "regressor",
             Function::BaseParameters => "base_parameters",
+            Function::ForwardDynamicsAba => "forward_dynamics_aba",
+            Function::TaylorSeries => "taylor_series",
         }
     }
 
     /// The name of the runtime's trait for the function, where there is one: those functions
-    /// that are also evaluated at many states at once.
+    /// that are also evaluated at many states at once, and Taylor series.
     pub fn trait_name(self) -> Option<&'static str> {
         match self {
             Function::MassMatrix => Some("MassMatrix"),
@@ -101,6 +109,7 @@ impl Function {
             Function::GravityVector => Some("GravityVector"),
             Function::InverseDynamics => Some("InverseDynamics"),
             Function::ForwardDynamics => Some("ForwardDynamics"),
+            Function::TaylorSeries => Some("TaylorDynamics"),
             _ => None,
         }
     }

@@ -14,12 +14,13 @@ mod expand;
 pub mod expr;
 pub mod function;
 pub mod linear;
+pub mod neglect;
 pub mod program;
 pub mod prove;
 pub mod robot;
 pub mod simplify;
 
 pub use emit::{base_parameter_constants, stub, stub_of_trait};
-pub use expand::{Failure, Method, expand, expand_with};
+pub use expand::{Failure, Method, expand, expand_with, percent};
 pub use function::Function;
 pub use program::Operations;

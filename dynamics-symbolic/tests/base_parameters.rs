@@ -147,6 +147,8 @@ fn row(joint_type: JointType, [a, alpha, d, theta]: [Value; 4]) -> Row {
         gear_ratio: zero(),
         viscous: zero(),
         coulomb: zero(),
+        limits: None,
+        locked: None,
     }
 }
 
@@ -157,6 +159,7 @@ fn arm(convention: Convention, gravity: [i64; 3], fields: usize, rows: Vec<Row>)
         convention,
         gravity: gravity.map(Value::integer),
         rows,
+        neglected: None,
     }
 }
 

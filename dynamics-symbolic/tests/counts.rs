@@ -77,6 +77,7 @@ fn snapshot_of_derivatives() {
     for name in robots.into_iter().chain(["scara", "generic_chain_n7"]) {
         let robot = without_friction(name);
         for function in [
+            Function::CoriolisMatrix,
             Function::InverseDynamicsDerivatives,
             Function::ForwardDynamicsDerivatives,
         ] {

@@ -6,6 +6,7 @@ use dynamics_symbolic::Function;
 use dynamics_symbolic::derive::functions::Form;
 use dynamics_symbolic::derive::{derive, derive_form};
 use dynamics_symbolic::exact::Rational;
+use dynamics_symbolic::neglect::neglect;
 use dynamics_symbolic::program::{Constant, Instruction, Operand, Program};
 use dynamics_symbolic::prove::prove;
 use dynamics_symbolic::robot::Robot;
@@ -62,10 +63,10 @@ fn rounded_constant(program: &mut Program, index: usize) {
     };
 }
 
-/// Every operation is damaged, but of the longest programs one in fifty, of long regressors one in seven.
+/// Every operation is damaged, but of the longest programs one in fifty, of long regressors and articulated bodies one in seven.
 fn every(function: Function, dof: usize, length: usize) -> usize {
     match function {
-        Function::Regressor if length > 500 => 7,
+        Function::Regressor | Function::ForwardDynamicsAba if length > 500 => 7,
         Function::InverseDynamicsDerivatives | Function::ForwardDynamicsDerivatives if dof > 4 => {
             50
         }
@@ -122,6 +123,21 @@ fn every_damage_to_articulated_bodies_is_found() {
         let robot = support::robot(name);
         let program = derive_form(&robot, function, Form::Articulated);
         assert!(refused(&robot, function, &program) >= program.instructions.len());
+    }
+}
+
+/// Locked joints and neglected parameters are part of what is proven.
+#[test]
+fn every_damage_to_a_scene_is_found() {
+    let mut locked = support::robot("puma560");
+    locked.rows[2].locked = Some(support::decimal(0.3));
+    locked.rows[5].locked = Some(support::decimal(-1.5));
+    let abbreviated = neglect(&locked, 0.02).expect("regular");
+    for robot in [&locked, &abbreviated] {
+        for function in [Function::InverseDynamics, Function::ForwardDynamics] {
+            let program = derive(robot, function);
+            assert!(refused(robot, function, &program) > 100);
+        }
     }
 }
 

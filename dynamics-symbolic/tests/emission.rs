@@ -54,6 +54,24 @@ fn gantry_has_no_sines() {
     expect_file!["golden/gantry_ppp.rs"].assert_eq(&text);
 }
 
+/// A massless link at the tip: its documentation says that forward dynamics has no solution.
+#[test]
+fn documentation_says_that_nothing_resists_a_joint() {
+    let mut robot = support::robot("two_link_craig");
+    robot.rows[1].mass = Value::zero();
+    robot.rows[1].name = "hand".to_owned();
+    let solving = [
+        Function::ForwardDynamics,
+        Function::ForwardDynamicsAba,
+        Function::ForwardDynamicsDerivatives,
+    ];
+    for function in solving {
+        let of_arm = |robot: &Robot| text(robot, &[function]).contains("nothing resists `hand`");
+        assert!(of_arm(&robot), "{function:?}");
+        assert!(!of_arm(&support::robot("two_link_craig")), "{function:?}");
+    }
+}
+
 #[test]
 fn expansion_is_deterministic() {
     for name in ["puma560", "generic_chain_n3", "scara"] {
@@ -113,6 +131,7 @@ fn no_division_by_a_parameter_is_invented() {
             let solves = [
                 Function::ForwardDynamics,
                 Function::ForwardDynamicsDerivatives,
+                Function::ForwardDynamicsAba,
             ];
             assert!(
                 solves.contains(&method.function) || method.operations.divisions == 0,

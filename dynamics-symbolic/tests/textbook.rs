@@ -118,6 +118,8 @@ fn planar_link(name: &str, a: Value, mass: Value, com_x: Value, inertia_zz: Valu
         gear_ratio: Value::integer(1),
         viscous: zero(),
         coulomb: zero(),
+        limits: None,
+        locked: None,
     }
 }
 
@@ -134,6 +136,7 @@ fn planar_robot(
         convention,
         gravity,
         rows,
+        neglected: None,
     }
 }
 

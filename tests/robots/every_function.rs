@@ -25,6 +25,8 @@ macro_rules! every_function {
                 forward_dynamics_derivatives,
                 regressor,
                 base_parameters,
+                forward_dynamics_aba,
+                taylor_series,
             ],
         }
     };

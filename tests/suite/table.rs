@@ -26,6 +26,7 @@ fn expected(joint: JointRow) -> Row {
         gear_ratio: if geared { joint.gear_ratio } else { 0.0 },
         viscous: joint.viscous,
         coulomb: joint.coulomb,
+        ..Row::new(JointType::Revolute)
     }
 }
 

@@ -2,6 +2,7 @@
 
 use std::ops::Add;
 
+use robot_dynamics::DoubleDouble;
 use serde::Deserialize;
 
 /// A reference value: the double nearest to it, and what that double leaves.
@@ -16,6 +17,12 @@ impl Decimal {
     /// The double nearest to the value.
     pub(crate) fn nearest(self) -> f64 {
         self.nearest
+    }
+
+    /// The value, to 31 digits.
+    #[allow(dead_code, reason = "not every test has it")]
+    pub(crate) fn value(self) -> DoubleDouble {
+        DoubleDouble::sum(self.nearest, self.rest)
     }
 
     /// Whether the value is zero.

@@ -15,9 +15,11 @@ mod configuration;
 mod contract;
 mod degenerate;
 mod identification;
+mod integration;
 mod masses;
 mod one_link;
 mod solids;
+mod taylor;
 mod two_link_point_masses;
 mod two_link_rods;
 

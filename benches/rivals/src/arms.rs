@@ -18,6 +18,9 @@ macro_rules! every_function {
                 coriolis_matrix,
                 forward_kinematics,
                 jacobian,
+                inverse_dynamics_derivatives,
+                forward_dynamics_derivatives,
+                regressor,
             ],
         }
     };

@@ -16,6 +16,7 @@ mod arms;
 mod candidates;
 mod errors;
 mod measure;
+mod others;
 mod report;
 mod timing;
 

@@ -1,12 +1,16 @@
 //! Values, errors and times of every candidate, printed as lines of words.
 
 use robot_dynamics::nalgebra::{SMatrix, SVector};
-use robot_dynamics::{NewtonEuler, State};
+use robot_dynamics::{
+    CoriolisVector, DoubleDouble, ForwardDynamics, GravityVector, InverseDynamics, MassMatrix,
+    NewtonEuler, State,
+};
 
 use crate::arms::*;
-use crate::candidates::{Candidate, Dynibo, Values};
+use crate::candidates::{Candidate, Columns, Dynibo, Lanes, Values};
 use crate::errors::errors;
-use crate::timing::{nanoseconds, states};
+use crate::others::rounding_error;
+use crate::timing::{STATES, nanoseconds, states};
 
 /// The functions that every candidate has.
 pub(crate) const FUNCTIONS: [&str; 5] = [
@@ -36,6 +40,8 @@ pub(crate) const GROUPS: [(&str, &[&str]); 3] = [
         &[
             "inverse_dynamics_batch",
             "mass_matrix_batch",
+            "coriolis_vector_batch",
+            "gravity_vector_batch",
             "forward_dynamics_batch",
         ],
     ),
@@ -66,6 +72,7 @@ pub(crate) fn all() {
             measured.rival(&mut Dynibo::new(file, &$arm.table()));
             #[cfg(feature = "symplex")]
             measured.rival(&mut crate::candidates::Symplex::new(&$arm));
+            measured.batches(&mut Lanes($arm));
             others!(measured, $arm);
         )*};
     }
@@ -75,15 +82,49 @@ pub(crate) fn all() {
 /// The functions that only the generated code has, a line each.
 macro_rules! others {
     ($measured:ident, $arm:ident) => {
-        $measured.other("bias_force", |s| $arm.bias_force(&s.q, &s.qd));
-        $measured.other("coriolis_matrix", |s| $arm.coriolis_matrix(&s.q, &s.qd));
-        $measured.other("kinetic_energy", |s| $arm.kinetic_energy(&s.q, &s.qd));
-        $measured.other("potential_energy", |s| $arm.potential_energy(&s.q));
-        $measured.other("forward_kinematics", |s| $arm.forward_kinematics(&s.q));
-        $measured.other("jacobian", |s| $arm.jacobian(&s.q));
+        other!($measured, bias_force, |q, qd, _| $arm.bias_force(&q, &qd));
+        other!($measured, coriolis_matrix, |q, qd, _| $arm
+            .coriolis_matrix(&q, &qd));
+        other!($measured, kinetic_energy, |q, qd, _| $arm
+            .kinetic_energy(&q, &qd));
+        other!($measured, potential_energy, |q, _, _| $arm
+            .potential_energy(&q));
+        other!($measured, forward_kinematics, |q, _, _| $arm
+            .forward_kinematics(&q));
+        other!($measured, jacobian, |q, _, _| $arm.jacobian(&q));
+        other!($measured, inverse_dynamics_derivatives, |q, qd, qdd| $arm
+            .inverse_dynamics_derivatives(&q, &qd, &qdd));
+        other!($measured, forward_dynamics_derivatives, |q, qd, tau| $arm
+            .forward_dynamics_derivatives(&q, &qd, &tau)
+            .expect("M is positive definite"));
+        other!($measured, regressor, |q, qd, qdd| $arm
+            .regressor(&q, &qd, &qdd));
     };
 }
 use others;
+
+/// The numbers of a vector, exactly.
+fn exact<const N: usize>(x: &SVector<f64, N>) -> SVector<DoubleDouble, N> {
+    x.map(DoubleDouble::from)
+}
+
+/// One function, timed in double precision and evaluated again with 31 digits.
+macro_rules! other {
+    ($measured:ident, $function:ident, |$q:pat_param, $qd:pat_param, $last:pat_param| $value:expr) => {{
+        let name = stringify!($function);
+        let value = |$q: &SVector<f64, _>, $qd: &SVector<f64, _>, $last: &SVector<f64, _>| $value;
+        let errors = $measured.states.iter().map(|s| {
+            let accurate = {
+                let ($q, $qd, $last) = (exact(&s.q), exact(&s.qd), exact(&s.qdd));
+                $value
+            };
+            rounding_error(&value(&s.q, &s.qd, &s.qdd), &accurate)
+        });
+        $measured.error(name, errors.collect());
+        $measured.time(name, GENERATED, |s| value(&s.q, &s.qd, &s.qdd));
+    }};
+}
+use other;
 
 struct Measured<'a, A, const N: usize> {
     arm: &'a mut A,
@@ -115,8 +156,34 @@ impl<A: Candidate<N>, const N: usize> Measured<'_, A, N> {
         });
     }
 
-    fn other<R>(&self, function: &str, value: impl FnMut(&State<N>) -> R) {
-        self.time(function, A::NAME, value);
+    /// The batches, by columns: errors as for every candidate, times for one state of a batch.
+    fn batches(&mut self, lanes: &mut Lanes<A>)
+    where
+        A: MassMatrix<N> + CoriolisVector<N> + GravityVector<N> + InverseDynamics<N>,
+        A: ForwardDynamics<N>,
+    {
+        self.assert_agreement(lanes);
+        let mut columns = Columns::new(&self.states);
+        for (k, errors) in errors(self.file, lanes).iter().enumerate() {
+            let (file, function) = (self.file, format!("{}_batch", FUNCTIONS[k]));
+            let (largest, rms) = (errors.largest, errors.rms());
+            println!("error {file} {function} {GENERATED} {largest:e} {rms:e}");
+            let time = nanoseconds(&[()], |()| columns.evaluate(k, &lanes.0)) / STATES as f64;
+            println!("time {file} {function} {GENERATED} {time:.2}");
+        }
+    }
+
+    /// The errors of a function that only the generated code has, at all states.
+    fn error(&self, function: &str, errors: Vec<f64>) {
+        let largest = errors
+            .iter()
+            .fold(0.0, |x: f64, e| if *e <= x { x } else { *e });
+        let squares: f64 = errors.iter().map(|e| e * e).sum();
+        let rms = (squares / errors.len() as f64).sqrt();
+        println!(
+            "error {} {function} {GENERATED} {largest:e} {rms:e}",
+            self.file
+        );
     }
 
     fn time<R>(&self, function: &str, candidate: &str, value: impl FnMut(&State<N>) -> R) {

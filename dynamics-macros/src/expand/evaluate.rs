@@ -9,7 +9,9 @@ use super::Target;
 /// The body of `Evaluate::evaluate`.
 pub(super) fn evaluation(target: &Target, functions: &[Function]) -> TokenStream {
     let path = target.path;
-    let values = functions.iter().map(|function| {
+    // The series has no value at a state.
+    let evaluated = functions.iter().filter(|f| **f != Function::TaylorSeries);
+    let values = evaluated.map(|function| {
         let name = Ident::new(function.name(), Span::call_site());
         let arguments = arguments(*function);
         let value = quote!(Self::#name(self, #arguments));
@@ -72,7 +74,10 @@ fn arguments(function: Function) -> TokenStream {
             quote!(&state.q, &state.qd, &state.qdd)
         }
         Function::BaseParameters => quote!(),
-        Function::ForwardDynamics | Function::ForwardDynamicsDerivatives => {
+        Function::ForwardDynamics
+        | Function::ForwardDynamicsAba
+        | Function::ForwardDynamicsDerivatives
+        | Function::TaylorSeries => {
             quote!(&state.q, &state.qd, tau)
         }
     }

@@ -1,6 +1,7 @@
 //! A model to the items of its struct. Nothing in here can fail.
 
 mod evaluate;
+mod scene;
 mod structure;
 mod table;
 mod test;
@@ -20,23 +21,25 @@ pub(crate) fn robot(
     methods: &[Method],
     path: &TokenStream,
 ) -> TokenStream {
-    let target = Target::new(structure, model.robot.rows.len(), path);
+    let target = Target::new(structure, model.robot.dof(), path);
     let functions: Vec<Function> = methods.iter().map(|method| method.function).collect();
-    let rows = &model.robot.rows;
-    let names: Vec<String> = rows.iter().map(|row| row.name.clone()).collect();
+    let names: Vec<String> = model.robot.joints().map(|row| row.name.clone()).collect();
     let table = table::table(structure, &model.robot, path);
     let evaluation = evaluate::evaluation(&target, &functions);
-    let item = structure::as_written(structure);
+    let item = structure::as_written(structure, &scene::lines(model));
     let bodies = methods.iter().map(|method| &method.tokens);
     let base_parameters = base_parameter_constants(&functions, Some(&model.robot));
     let operations = operations(methods, path);
     let inherent = target.inherent(&names, &operations, &base_parameters, &table, bodies);
     let provided = methods.iter().filter_map(|method| {
-        let item = method.provided.clone()?;
+        let mut item = method.provided.clone()?;
+        if method.function == Function::ForwardDynamics {
+            item.extend(traits::momenta(&target, &functions));
+        }
         Some((method.function, item))
     });
     let provided = traits::provided(&target, provided);
-    let angles = angles(model.robot.rows.len(), methods);
+    let angles = angles(model.robot.dof(), methods);
     let traits = traits::traits(&target, &functions, &angles, &table, &evaluation);
     let test = model
         .tests
@@ -71,10 +74,26 @@ fn joint_names(entries: &[Entry]) -> Vec<String> {
         _ => None,
     });
     let name = |row: &Row| row.name.as_ref().map(plain).unwrap_or_default();
-    match joints {
+    let names = match joints {
         Some(joints) if joints.complete => joints.rows.iter().map(name).collect(),
         _ => Vec::new(),
+    };
+    without_locked(names, entries).unwrap_or_default()
+}
+
+/// The names without those of locked joints, or `None` where it is not known which these are.
+fn without_locked(mut names: Vec<String>, entries: &[Entry]) -> Option<Vec<String>> {
+    for entry in entries {
+        let Entry::Lock(locked) = entry else {
+            continue;
+        };
+        for locked in locked.as_ref()? {
+            let word = plain(&locked.name);
+            let index = names.iter().position(|name| *name == word)?;
+            names.remove(index);
+        }
     }
+    Some(names)
 }
 
 /// The functions that the user's code may call: those asked for, all where that is not

@@ -13,15 +13,17 @@ const PRIMITIVES: [&str; 15] = [
     "usize", "bool",
 ];
 
-/// The struct as it was written, with the usual derives where there is none.
-pub(super) fn as_written(structure: &Structure) -> TokenStream {
-    item(structure, &|field| field.written.clone())
+/// The struct as it was written, with the usual derives where there is none, and more lines of
+/// documentation.
+pub(super) fn as_written(structure: &Structure, documentation: &[String]) -> TokenStream {
+    item(structure, documentation, &|field| field.written.clone())
 }
 
 /// The struct as it was meant: wrong fields are `f64`.
 pub(super) fn repaired(structure: &Structure) -> TokenStream {
     item(
         structure,
+        &[],
         &|field| match PRIMITIVES.contains(&field.written.to_string().as_str()) {
             true => field.written.clone(),
             false => quote!(f64),
@@ -29,7 +31,11 @@ pub(super) fn repaired(structure: &Structure) -> TokenStream {
     )
 }
 
-fn item(structure: &Structure, field_type: &dyn Fn(&Field) -> TokenStream) -> TokenStream {
+fn item(
+    structure: &Structure,
+    documentation: &[String],
+    field_type: &dyn Fn(&Field) -> TokenStream,
+) -> TokenStream {
     let Structure {
         attributes,
         visibility,
@@ -60,7 +66,7 @@ fn item(structure: &Structure, field_type: &dyn Fn(&Field) -> TokenStream) -> To
         Shape::Named => quote!({ #(#fields),* }),
         Shape::Tuple => quote!(( #(#fields),* );),
     };
-    quote!(#derive #attributes #visibility struct #name #body)
+    quote!(#derive #attributes #(#[doc = #documentation])* #visibility struct #name #body)
 }
 
 /// The fields, without one whose name stands twice.

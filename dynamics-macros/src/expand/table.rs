@@ -21,6 +21,26 @@ pub(super) fn table(structure: &Structure, robot: &Robot, path: &TokenStream) ->
     };
     let gravity = robot.gravity.iter().map(|value| number(value, &fields));
     let rows = robot.rows.iter().map(|row| self::row(row, &fields, path));
+    if robot.dof() < robot.rows.len() {
+        let positions = robot.rows.iter().map(|row| match &row.locked {
+            Some(position) => {
+                let position = match row.joint_type {
+                    JointType::Revolute => angle(position, &fields),
+                    JointType::Prismatic => number(position, &fields),
+                };
+                quote!(::core::option::Option::Some(#position))
+            }
+            None => quote!(::core::option::Option::None),
+        });
+        return quote! {
+            #path::Table::lock(
+                #convention,
+                [#(#gravity),*],
+                [#(#rows),*],
+                [#(#positions),*],
+            )
+        };
+    }
     quote! {
         #path::Table {
             convention: #convention,
@@ -43,9 +63,15 @@ fn row(row: &Row, fields: &[&Ident], path: &TokenStream) -> TokenStream {
     let [motor_inertia, gear_ratio] =
         [&row.motor_inertia, &row.gear_ratio].map(|value| number(value, fields));
     let [viscous, coulomb] = [&row.viscous, &row.coulomb].map(|value| number(value, fields));
+    let limits = match &row.limits {
+        Some(limits) => {
+            let limits = limits.iter().map(|value| number(value, fields));
+            quote!(::core::option::Option::Some([#(#limits),*]))
+        }
+        None => quote!(::core::option::Option::None),
+    };
     quote! {
         #path::Row {
-            joint_type: #joint_type,
             a: #a,
             alpha: #alpha,
             d: #d,
@@ -57,6 +83,8 @@ fn row(row: &Row, fields: &[&Ident], path: &TokenStream) -> TokenStream {
             gear_ratio: #gear_ratio,
             viscous: #viscous,
             coulomb: #coulomb,
+            limits: #limits,
+            ..#path::Row::new(#joint_type)
         }
     }
 }

@@ -21,7 +21,9 @@ pub(super) fn traits(
     let evaluate = evaluate(target, evaluation);
     let energy =
         (has(Function::KineticEnergy) && has(Function::PotentialEnergy)).then(|| energy(target));
-    quote!(#model #evaluate #energy)
+    let articulated = (has(Function::ForwardDynamicsAba) && !has(Function::ForwardDynamics))
+        .then(|| articulated_dynamics(target));
+    quote!(#model #evaluate #energy #articulated)
 }
 
 /// The traits of single functions, whose methods hold the programs.
@@ -35,6 +37,21 @@ pub(super) fn provided(
         Some(quote!(#header { #item }))
     };
     items.filter_map(implementation).collect()
+}
+
+/// What structure-preserving integration asks an arm with forward dynamics for, where there are the
+/// functions that it takes.
+pub(super) fn momenta(target: &Target, functions: &[Function]) -> Option<TokenStream> {
+    let (path, n) = (target.path, target.n());
+    let needed = [Function::MassMatrix, Function::InverseDynamics];
+    needed.iter().all(|f| functions.contains(f)).then(|| {
+        quote! {
+            #[inline]
+            fn momenta(&self) -> ::core::option::Option<&dyn #path::Momenta<#n>> {
+                ::core::option::Option::Some(self)
+            }
+        }
+    })
 }
 
 /// The start of an impl, and the number of joints in it. Where an error left the
@@ -105,6 +122,27 @@ fn evaluate(target: &Target, evaluation: &TokenStream) -> TokenStream {
                 ) -> #path::Evaluation<#n> {
                     #evaluation
                 }
+            }
+        }
+    }
+}
+
+/// `ForwardDynamics` of an arm whose only forward dynamics is by articulated bodies: it can be
+/// simulated with that.
+fn articulated_dynamics(target: &Target) -> TokenStream {
+    let path = target.path;
+    let (header, n) = header(target, quote!(ForwardDynamics));
+    let vector = quote!(#path::nalgebra::SVector<T, #n>);
+    quote! {
+        #header {
+            #[inline]
+            fn forward_dynamics<T: #path::Scalar>(
+                &self,
+                q: &#vector,
+                qd: &#vector,
+                tau: &#vector,
+            ) -> ::core::result::Result<#vector, #path::SingularMassMatrix> {
+                Self::forward_dynamics_aba(self, q, qd, tau)
             }
         }
     }

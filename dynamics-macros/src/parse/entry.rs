@@ -5,16 +5,24 @@ use dynamics_symbolic::robot::Convention;
 use proc_macro2::{Delimiter, Ident};
 
 use super::cursor::Cursor;
-use super::expression::expression;
+use super::expression::{expression, share};
 use super::list::{Key, colon, comma_separated, end_item, key, skip_docs};
 use super::row::joints;
 use super::vector::vector;
 use crate::diagnose::{Place, Reported};
-use crate::syntax::{Entry, Joints};
+use crate::syntax::{Entry, Joints, Locked};
 use crate::words;
 
 /// The keys of the table.
-const KEYS: [&str; 5] = ["convention", "gravity", "joints", "functions", "tests"];
+const KEYS: [&str; 7] = [
+    "convention",
+    "gravity",
+    "joints",
+    "functions",
+    "lock",
+    "neglect",
+    "tests",
+];
 
 /// Reads all entries.
 pub(super) fn entries(cursor: &mut Cursor) -> Vec<Entry> {
@@ -146,7 +154,11 @@ fn value(cursor: &mut Cursor, key: &Key) -> (Entry, Result<(), Reported>) {
             Entry::Joints(start, joints)
         }),
         "functions" => split(colon.and_then(|()| functions(cursor)), Entry::Functions),
-        _ => split(colon.and_then(|()| truth(cursor)), Entry::Tests),
+        "lock" => split(colon.and_then(|()| lock(cursor)), Entry::Lock),
+        "neglect" => split(colon.and_then(|()| share(cursor)), Entry::Neglect),
+        _ => split(colon.and_then(|()| truth(cursor)), |truth| {
+            Entry::Tests(start, truth)
+        }),
     }
 }
 
@@ -187,6 +199,44 @@ fn choice(cursor: &mut Cursor, what: &str, known: &[&'static str]) -> Result<Ide
     }
     let wrong = words::unknown(what, &ident.to_string(), known);
     Err(cursor.error(&ident, wrong.message))
+}
+
+/// Reads `[elbow = 0.3, ...]`. A position that cannot be read leaves the joint locked all the same.
+fn lock(cursor: &mut Cursor) -> Result<Vec<Locked>, Reported> {
+    const LOCK: &str = "`[joint = position, ...]`";
+    let group = cursor.take_list(Delimiter::Bracket, LOCK)?;
+    let mut inside = cursor.inside(&group);
+    if inside.at_end() {
+        let message = "no joint is locked: name one, `[joint = position]`, or leave `lock` out";
+        return Err(cursor.error(group.span(), message));
+    }
+    let mut locked = Vec::new();
+    let mut unnamed = None;
+    let at_name = |cursor: &mut Cursor| cursor.peek_ident().is_some();
+    let _ = comma_separated(&mut inside, at_name, |cursor| {
+        let Some(name) = cursor.take_ident() else {
+            let reported = cursor.expected("the name of a joint: `joint = position`");
+            unnamed = Some(reported);
+            return Err(reported);
+        };
+        let what = format!("`{name} = ...`");
+        let start = cursor.here();
+        let position = match cursor.take_char('=').is_some() {
+            true => expression(cursor),
+            false if cursor.take_char(':').is_some() => Err(cursor.error(
+                start,
+                format_args!("a joint is locked by `=`: write `{name} = position`"),
+            )),
+            false => Err(cursor.expected(format_args!("`=` and a position after `{name}`"))),
+        };
+        let end = position.as_ref().err().copied();
+        locked.push(Locked {
+            name,
+            position: position.ok(),
+        });
+        end.map_or(Ok(what), Err)
+    });
+    unnamed.map_or(Ok(locked), Err)
 }
 
 /// Reads `[mass_matrix, ...]`. A wrong name leaves the choice unknown.

@@ -6,7 +6,7 @@ use super::cursor::Cursor;
 use super::number::number;
 use crate::diagnose::{Place, Reported};
 use crate::limits::{DEEPEST_VALUE, MOST_TERMS};
-use crate::syntax::{Expr, ExprKind, Operator};
+use crate::syntax::{Expr, ExprKind, Operator, Share};
 use crate::words::shortened;
 
 /// Reads a value.
@@ -14,6 +14,22 @@ pub(super) fn expression(cursor: &mut Cursor) -> Result<Expr, Reported> {
     let expr = sum(cursor, &mut Limits::default())?;
     no_other_operator(cursor)?;
     Ok(expr)
+}
+
+/// Reads a share, `1%` or `0.01`.
+pub(super) fn share(cursor: &mut Cursor) -> Result<Share, Reported> {
+    let number = sum(cursor, &mut Limits::default())?;
+    let percent = cursor.take_char('%');
+    no_other_operator(cursor)?;
+    let place = match percent {
+        Some(sign) => number.place.to(sign),
+        None => number.place,
+    };
+    Ok(Share {
+        number,
+        percent: percent.is_some(),
+        place,
+    })
 }
 
 /// Whether a value may start here.

@@ -9,14 +9,14 @@ use super::cursor::Cursor;
 use super::expression::expression;
 use super::inertia::{ENTRIES, inertia};
 use super::list::{Key, colon, comma_separated, fill, key};
-use super::vector::vector;
+use super::vector::{limits, vector};
 use crate::diagnose::{Place, Reported};
 use crate::syntax::{Allow, Friction, Joints, Motor, Row};
 use crate::words::{self, Wrong};
 
 /// The cells of a row.
-const CELLS: [&str; 10] = [
-    "a", "alpha", "d", "theta", "mass", "com", "inertia", "motor", "friction", "allow",
+const CELLS: [&str; 11] = [
+    "a", "alpha", "d", "theta", "mass", "com", "inertia", "motor", "friction", "limits", "allow",
 ];
 
 const MOTOR: [&str; 2] = ["inertia", "gear_ratio"];
@@ -156,6 +156,7 @@ fn cell(cursor: &mut Cursor, key: Key, row: &mut Row) -> Result<(), Reported> {
         "inertia" => fill(cursor, &mut row.inertia, key, inertia),
         "motor" => fill(cursor, &mut row.motor, key, motor),
         "friction" => fill(cursor, &mut row.friction, key, friction),
+        "limits" => fill(cursor, &mut row.limits, key, limits),
         _ => fill(cursor, &mut row.allow, key, allow),
     }
 }

@@ -6,7 +6,7 @@ use super::cursor::Cursor;
 use super::expression::{at_value, expression};
 use super::list::comma_separated;
 use crate::diagnose::Reported;
-use crate::syntax::{Expr, Vector};
+use crate::syntax::{Expr, Limits, Vector};
 
 /// Reads `[x, y, z]`.
 pub(super) fn vector(cursor: &mut Cursor) -> Result<Vector, Reported> {
@@ -14,6 +14,15 @@ pub(super) fn vector(cursor: &mut Cursor) -> Result<Vector, Reported> {
         .take_group(Delimiter::Bracket)
         .ok_or_else(|| cursor.expected("`[x, y, z]`"))?;
     let mut values = values(cursor, &group, 3, "[x, y, z]")?.into_iter();
+    Ok(std::array::from_fn(|_| values.next().flatten()))
+}
+
+/// Reads `[lower, upper]`.
+pub(super) fn limits(cursor: &mut Cursor) -> Result<Limits, Reported> {
+    let group = cursor
+        .take_group(Delimiter::Bracket)
+        .ok_or_else(|| cursor.expected("`[lower, upper]`"))?;
+    let mut values = values(cursor, &group, 2, "[lower, upper]")?.into_iter();
     Ok(std::array::from_fn(|_| values.next().flatten()))
 }
 

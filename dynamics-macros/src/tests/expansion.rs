@@ -171,3 +171,60 @@ fn rows_that_cannot_be_counted_leave_the_number_unknown() {
         assert!(items.contains(&format!("DOF : usize = {joints}")), "{rows}");
     }
 }
+
+/// Two links, of which the second one hardly matters.
+const SCENE: &str = "
+    struct Arm;
+    convention: standard, gravity: [0, -9.81, 0],
+    joints: [
+        one: revolute { a: 1, mass: 10, com: [-0.5, 0, 0], inertia: rod(1) },
+        two: revolute { a: 0.2, mass: 0.1, com: [-0.1, 0.001, 0], motor: { inertia: 0.1, gear_ratio: 3 } },
+        three: revolute { mass: 0.1 },
+    ],";
+
+#[test]
+fn the_documentation_says_what_is_left_out() {
+    let items = expansion(&format!("{SCENE} lock: [three = deg(30)], neglect: 0.5%"));
+    for part in [
+        "Joints that are locked, and are none of this arm's:",
+        " - `three` at 0.5235987755982988",
+        "Abbreviated: of the Lagrangian, the base inertial parameters that make less than 0.5 %",
+        "are neglected, and all functions are derived from what is left: `h2y`.",
+        "Of the abbreviated model: what stays below 0.5 % is neglected. The largest error at 200",
+        ":: dynamics_runtime :: Table :: lock (",
+        "pub const DOF : usize = 2 ;",
+    ] {
+        assert!(items.contains(part), "{part} is not in\n{items}");
+    }
+    let nothing = expansion(&format!("{SCENE} neglect: 0.000001%"));
+    assert!(
+        nothing.contains("Nothing is neglected: every base inertial parameter makes 0.000001 %")
+    );
+}
+
+#[test]
+fn a_share_is_a_number_with_a_percent_sign_or_without() {
+    let of = |share: &str| expansion(&format!("{SCENE} neglect: {share}"));
+    assert_eq!(of("0.5%"), of("0.005"));
+    assert_eq!(of("0.5%"), of("1% / 2".replace("% / 2", " / 2%").as_str()));
+}
+
+#[test]
+fn what_is_locked_may_stand_above_the_joints_and_use_names() {
+    let call = "struct Arm { bend: f64 } let half = bend / 2; lock: [two = half],
+        convention: standard, gravity: [0, -9.81, 0],
+        joints: [one: revolute { mass: 1, com: [1, 0, 0] }, two: revolute { mass: 1, com: [1, 0, 0] }]";
+    let items = expansion(call);
+    assert!(!items.contains("compile_error"), "{items}");
+    assert!(items.contains("- `two` at a position made of fields"));
+    assert!(items.contains("JOINT_NAMES : [& 'static str ; 1] = [\"one\"]"));
+}
+
+/// After an error the methods have the number of joints that the user's code counts on.
+#[test]
+fn stubs_of_locked_arms_have_fewer_joints() {
+    let items = expansion(&format!("{SCENE} lock: [two = ?], neglect: 400%"));
+    assert!(items.contains("compile_error") && items.contains("pub const DOF : usize = 2 ;"));
+    let unknown = expansion(&format!("{SCENE} lock: [four = 1]"));
+    assert!(unknown.contains("compile_error") && unknown.contains("const N : usize"));
+}

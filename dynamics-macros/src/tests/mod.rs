@@ -4,6 +4,7 @@
 mod accepted;
 mod damage;
 mod expansion;
+mod hard_cases;
 mod hostile;
 mod limits;
 mod messages;

@@ -6,6 +6,9 @@
 
 mod fields;
 mod inertia;
+mod limits;
+mod lock;
+mod neglect;
 mod row;
 mod scope;
 mod solid;
@@ -16,7 +19,8 @@ use proc_macro2::Ident;
 
 use crate::diagnose::{Diagnostics, Place};
 use crate::limits::{MOST_JOINTS, MOST_JOINTS_OF_LONG_FUNCTIONS};
-use crate::syntax::{Call, Entry, Joints, Structure};
+use crate::syntax::{self, Call, Entry, Joints, Structure};
+use lock::Lock;
 use scope::Scope;
 
 /// What is to be generated.
@@ -27,6 +31,8 @@ pub(crate) struct Model {
     pub(crate) functions: Vec<(Function, Option<Place>)>,
     /// Whether a test is to be generated too.
     pub(crate) tests: bool,
+    /// The share below which terms are neglected, and where it was written.
+    pub(crate) neglect: Option<(Value, Place)>,
 }
 
 /// The model that the call describes, or `None` where an error was reported.
@@ -35,9 +41,11 @@ pub(crate) fn model(call: &Call, diagnostics: &Diagnostics) -> Option<Model> {
         return None;
     }
     let mut scope = Scope::new(call, diagnostics);
-    let parts = Parts::read(call, &mut scope);
+    let mut parts = Parts::read(call, &mut scope);
     if let Some(structure) = &call.structure {
         parts.report_missing(&structure.name, diagnostics);
+        parts.lock(call, diagnostics);
+        neglect::report(&parts, call, diagnostics);
         if parts.have_values() {
             fields::report_unused(structure, &scope, &call.table, diagnostics);
         }
@@ -67,7 +75,9 @@ struct Parts {
     gravity: Option<[Option<Value>; 3]>,
     rows: Option<Vec<Option<Row>>>,
     functions: Option<Vec<(Function, Place)>>,
-    tests: bool,
+    lock: Vec<Lock>,
+    neglect: Option<(Value, Place)>,
+    tests: Option<Place>,
 }
 
 impl Parts {
@@ -89,7 +99,11 @@ impl Parts {
                     });
                 }
                 Entry::Functions(functions) => parts.functions = functions.clone(),
-                Entry::Tests(tests) => parts.tests = tests.unwrap_or(false),
+                Entry::Lock(locked) => parts.lock = lock::positions(locked.as_deref(), scope),
+                Entry::Neglect(share) => parts.neglect = neglect::share(share.as_ref(), scope),
+                Entry::Tests(place, tests) => {
+                    parts.tests = tests.unwrap_or(false).then_some(*place);
+                }
             }
         }
         if let (Some(functions), Some(rows)) = (&parts.functions, &parts.rows) {
@@ -125,6 +139,14 @@ impl Parts {
         }
     }
 
+    /// Locks the joints that are to be locked.
+    fn lock(&mut self, call: &Call, diagnostics: &Diagnostics) {
+        let known = rows(call).is_some_and(|joints| joints.complete);
+        if let (Some(rows), true) = (&mut self.rows, known) {
+            lock::lock(rows, &self.lock, rows_of(call), diagnostics);
+        }
+    }
+
     fn model(self, structure: &Structure) -> Option<Model> {
         let robot = Robot {
             name: plain(&structure.name),
@@ -132,6 +154,7 @@ impl Parts {
             convention: self.convention??,
             gravity: all(self.gravity?)?,
             rows: self.rows?.into_iter().collect::<Option<_>>()?,
+            neglected: None,
         };
         let functions = match self.functions {
             Some(functions) => functions.into_iter().map(|(f, at)| (f, Some(at))).collect(),
@@ -143,9 +166,23 @@ impl Parts {
         Some(Model {
             robot,
             functions,
-            tests: self.tests,
+            tests: self.tests.is_some(),
+            neglect: self.neglect,
         })
     }
+}
+
+/// The table as it was written, where it could be read.
+fn rows(call: &Call) -> Option<&Joints> {
+    call.entries.iter().find_map(|entry| match entry {
+        Entry::Joints(_, joints) => joints.as_ref(),
+        _ => None,
+    })
+}
+
+/// Its rows.
+fn rows_of(call: &Call) -> &[syntax::Row] {
+    rows(call).map_or(&[], |joints| &joints.rows)
 }
 
 fn number_is_good(joints: &Joints, place: Place, scope: &Scope) -> bool {
@@ -189,10 +226,7 @@ fn is_long(function: Function) -> bool {
 }
 
 fn has_friction(robot: &Robot) -> bool {
-    let mut values = robot
-        .rows
-        .iter()
-        .flat_map(|row| [&row.viscous, &row.coulomb]);
+    let mut values = robot.joints().flat_map(|row| [&row.viscous, &row.coulomb]);
     values.any(|value| !value.is_zero())
 }
 

@@ -6,7 +6,7 @@ use dynamics_symbolic::exact::Rational;
 use dynamics_symbolic::robot::{JointType, Row, Value};
 
 use super::scope::Scope;
-use super::{all, inertia, plain};
+use super::{all, inertia, limits, plain};
 use crate::syntax::{self, Expr, ExprKind, Friction, Given, Motor};
 
 /// The meaning of each row; `None` where it is in error.
@@ -39,6 +39,7 @@ fn row(row: &syntax::Row, scope: &mut Scope) -> Option<Row> {
     let inertia = inertia::inertia(row, mass.as_ref(), scope);
     let (motor_inertia, gear_ratio) = motor(&row.motor, scope);
     let (viscous, coulomb) = friction(&row.friction, scope);
+    let limits = limits::limits(row, scope);
     Some(Row {
         name: plain(row.name.as_ref()?),
         joint_type: row.joint_type?,
@@ -53,6 +54,8 @@ fn row(row: &syntax::Row, scope: &mut Scope) -> Option<Row> {
         gear_ratio: gear_ratio?,
         viscous: viscous?,
         coulomb: coulomb?,
+        limits: limits?,
+        locked: None,
     })
 }
 

@@ -66,7 +66,11 @@ pub trait Source<const N: usize>: Copy + Send {
     /// The number of states, and one that differs from it, if the columns are not all as long.
     fn states(&self) -> (usize, Option<usize>);
 
+    /// The first states alone.
+    fn shorten(&mut self, states: usize);
+
     /// The first states, and the others.
+    #[cfg(feature = "rayon")]
     fn split(self, states: usize) -> (Self, Self);
 
     /// One state.
@@ -98,7 +102,11 @@ pub trait Sink<const R: usize, const C: usize>: Send + Sized {
     /// The number of states, and one that differs from it, if the columns are not all as long.
     fn states(&self) -> (usize, Option<usize>);
 
+    /// The first states alone.
+    fn shorten(&mut self, states: usize);
+
     /// The first states, and the others.
+    #[cfg(feature = "rayon")]
     fn split(self, states: usize) -> (Self, Self);
 
     /// One state.
@@ -155,6 +163,12 @@ impl<'a, const N: usize> Source<N> for Rows<'a, N> {
         (self.0.len(), None)
     }
 
+    #[inline(always)]
+    fn shorten(&mut self, states: usize) {
+        self.0 = &self.0[..states];
+    }
+
+    #[cfg(feature = "rayon")]
     fn split(self, states: usize) -> (Self, Self) {
         let (first, others) = self.0.split_at(states);
         (Rows(first), Rows(others))
@@ -208,6 +222,13 @@ impl<'a, const N: usize> Source<N> for Columns<'a, N> {
     }
 
     #[inline(always)]
+    fn shorten(&mut self, states: usize) {
+        for column in &mut self.0 {
+            *column = &column[..states];
+        }
+    }
+
+    #[cfg(feature = "rayon")]
     fn split(self, states: usize) -> (Self, Self) {
         let (mut first, mut others) = (self.0, self.0);
         for (first, others) in first.iter_mut().zip(&mut others) {
@@ -256,6 +277,12 @@ impl<'a, const R: usize, const C: usize> Sink<R, C> for RowsMut<'a, R, C> {
         (self.0.len(), None)
     }
 
+    #[inline(always)]
+    fn shorten(&mut self, states: usize) {
+        self.0 = &mut core::mem::take(&mut self.0)[..states];
+    }
+
+    #[cfg(feature = "rayon")]
     fn split(self, states: usize) -> (Self, Self) {
         let (first, others) = self.0.split_at_mut(states);
         (RowsMut(first), RowsMut(others))
@@ -307,6 +334,14 @@ impl<'a, const R: usize, const C: usize> Sink<R, C> for ColumnsMut<'a, R, C> {
         (states, lengths().find(|&length| length != states))
     }
 
+    #[inline(always)]
+    fn shorten(&mut self, states: usize) {
+        for column in self.0.iter_mut().flatten() {
+            *column = &mut core::mem::take(column)[..states];
+        }
+    }
+
+    #[cfg(feature = "rayon")]
     fn split(self, states: usize) -> (Self, Self) {
         let mut others = self.0;
         let first = others.each_mut().map(|columns| {

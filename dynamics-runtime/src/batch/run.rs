@@ -17,6 +17,8 @@ pub(crate) trait Arguments<const N: usize, const K: usize>: Copy + Send {
         Self: 'r;
 
     fn states(&self) -> [(usize, Option<usize>); K];
+    fn shorten(&mut self, states: usize);
+    #[cfg(feature = "rayon")]
     fn split(self, states: usize) -> (Self, Self);
     fn state(&self, state: usize) -> [SVector<f64, N>; K];
     fn room() -> Self::Room;
@@ -38,6 +40,12 @@ macro_rules! impl_arguments {
             }
 
             #[inline(always)]
+            fn shorten(&mut self, states: usize) {
+                let ($($x,)*) = self;
+                $($x.shorten(states);)*
+            }
+
+            #[cfg(feature = "rayon")]
             fn split(self, states: usize) -> (Self, Self) {
                 let ($($x,)*) = self;
                 $(let ($x, $y) = $x.split(states);)*
@@ -153,8 +161,8 @@ where
 fn groups<F, R, A, O, S, const N: usize, const K: usize, const C: usize>(
     simd: S,
     robot: &R,
-    arguments: A,
-    results: O,
+    mut arguments: A,
+    mut results: O,
     states: usize,
 ) -> Failure
 where
@@ -164,8 +172,8 @@ where
     S: Simd,
 {
     // All of one length in the compiler's eyes too: one comparison for each group.
-    let (arguments, _) = arguments.split(states);
-    let (mut results, _) = results.split(states);
+    arguments.shorten(states);
+    results.shorten(states);
     let last = states - S::f64s::LEN;
     let mut failure = None;
     let mut first = 0;

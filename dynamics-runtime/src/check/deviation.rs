@@ -44,6 +44,14 @@ pub(super) fn deviations<const N: usize>(
     let coriolis_vector = numeric.coriolis_vector(q, qd);
     let matrix = Deviation::of_matrix::<N, N>;
     let vector = Deviation::of_matrix::<N, 1>;
+    let accelerations = |function, qdd: Result<SVector<f64, N>, _>| match qdd {
+        Ok(qdd) => {
+            let residual = mass_matrix * qdd + numeric.bias_force(q, qd) - tau;
+            let scale = scale.inverse_dynamics + scale.mass_matrix * qdd.amax();
+            vector(function, &residual, scale)
+        }
+        Err(error) => refused(function, &mass_matrix, &error),
+    };
     let found = [
         generated
             .mass_matrix
@@ -66,14 +74,9 @@ pub(super) fn deviations<const N: usize>(
         generated
             .inverse_dynamics
             .map(|t| vector("inverse_dynamics", &(t - tau), scale.inverse_dynamics)),
-        generated.forward_dynamics.map(|qdd| match qdd {
-            Ok(qdd) => {
-                let residual = mass_matrix * qdd + numeric.bias_force(q, qd) - tau;
-                let scale = scale.inverse_dynamics + scale.mass_matrix * qdd.amax();
-                vector("forward_dynamics", &residual, scale)
-            }
-            Err(error) => refused("forward_dynamics", &mass_matrix, &error),
-        }),
+        generated
+            .forward_dynamics
+            .map(|qdd| accelerations("forward_dynamics", qdd)),
         generated.kinetic_energy.map(|t| {
             let difference = t - numeric.kinetic_energy(q, qd);
             Deviation::of_number("kinetic_energy", difference, scale.coriolis_vector)
@@ -140,6 +143,9 @@ pub(super) fn deviations<const N: usize>(
                 }
                 Err(error) => refused("forward_dynamics_derivatives", &mass_matrix, &error),
             }),
+        generated
+            .forward_dynamics_aba
+            .map(|qdd| accelerations("forward_dynamics_aba", qdd)),
     ];
     found.into_iter().flatten().collect()
 }

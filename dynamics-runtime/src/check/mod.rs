@@ -124,6 +124,7 @@ impl Check {
         let states = self.states::<N>();
         let mut report = Report::new(&R::JOINT_NAMES, states.len(), self.seed);
         for (label, state) in &states {
+            report.note_conditioning(label, numeric.conditioning(&state.q));
             let tau = numeric.inverse_dynamics(&state.q, &state.qd, &state.qdd);
             let evaluation = robot.evaluate(state, &tau);
             for deviation in deviations(&evaluation, &numeric, &table, state, &tau) {

@@ -5,7 +5,7 @@ use core::fmt;
 use nalgebra::SVector;
 
 use super::deviation::Deviation;
-use crate::State;
+use crate::{Conditioning, State};
 
 /// The largest error of every generated function, and where it occurs.
 ///
@@ -23,6 +23,9 @@ pub struct Report {
     pub states: usize,
     /// Seed of the random states.
     pub seed: u64,
+    /// The state at which the mass matrix of the table is nearest to singular: its name, the joint and
+    /// the least pivot.
+    pub nearest_to_singular: Option<(String, Conditioning)>,
     joint_names: Vec<&'static str>,
 }
 
@@ -63,7 +66,19 @@ impl Report {
             not_compared: Vec::new(),
             states,
             seed,
+            nearest_to_singular: None,
             joint_names: joint_names.into(),
+        }
+    }
+
+    /// Keeps the least relative pivot; one that is not a number is less than any other.
+    pub(super) fn note_conditioning(&mut self, label: &str, found: Conditioning) {
+        let is_least = self.nearest_to_singular.as_ref().is_none_or(|(_, least)| {
+            let (found, least) = (found.relative_pivot, least.relative_pivot);
+            !least.is_nan() && (found.is_nan() || found < least)
+        });
+        if is_least {
+            self.nearest_to_singular = Some((label.into(), found));
         }
     }
 
@@ -141,6 +156,16 @@ impl fmt::Display for Report {
             write!(f, "\nno function of this robot can be compared")?;
         } else {
             self.fmt_table(f)?;
+        }
+        if let Some((label, nearest)) = &self.nearest_to_singular {
+            write!(
+                f,
+                "\nmass matrix: relative pivot {:.1e} at least, of joint {} in state {label:?}: {:.1} digits of \
+                 accelerations lost",
+                nearest.relative_pivot,
+                self.joint_names[nearest.joint],
+                nearest.lost_digits()
+            )?;
         }
         for function in &self.not_compared {
             write!(

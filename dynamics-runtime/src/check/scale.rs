@@ -76,7 +76,7 @@ fn reach<const N: usize>(table: &Table<N>, q: &SVector<f64, N>) -> f64 {
             JointType::Revolute => row.d,
             JointType::Prismatic => row.d + q,
         };
-        origins += row.a.abs() + d.abs();
+        origins += row.a.abs() + d.abs() + norm(&row.mount.position) + norm(&row.tip.position);
         centre = centre.max(norm(&row.com));
     }
     origins + centre

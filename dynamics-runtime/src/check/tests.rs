@@ -76,7 +76,7 @@ fn acceleration_derivatives(state: &State<2>) -> AccelerationDerivatives<f64, 2>
 type Damage = (&'static str, fn(&State<2>, &mut Evaluation<2>));
 
 /// One for each function.
-const DAMAGES: [Damage; 19] = [
+const DAMAGES: [Damage; 20] = [
     ("mass_matrix", |_, e| {
         e.mass_matrix.as_mut().unwrap()[(1, 0)] *= WRONG;
     }),
@@ -149,6 +149,9 @@ const DAMAGES: [Damage; 19] = [
         let (by_position, by_velocity, by_force) = acceleration_derivatives(state);
         e.forward_dynamics_derivatives = Some(Ok((by_position, by_velocity * WRONG, by_force)));
     }),
+    ("forward_dynamics_aba", |state, e| {
+        e.forward_dynamics_aba = Some(Ok(state.qdd * WRONG));
+    }),
 ];
 
 /// Each damage is found, in the function that has it and in no other.
@@ -177,6 +180,7 @@ fn kinematics_and_matrix_forms_pass() {
         e.regressor_forces = Some(numeric().inverse_dynamics(q, qd, &state.qdd));
         e.inverse_dynamics_derivatives = Some(force_derivatives(state));
         e.forward_dynamics_derivatives = Some(Ok(acceleration_derivatives(state)));
+        e.forward_dynamics_aba = Some(Ok(state.qdd));
     });
     report.assert_ok();
     assert_eq!(report.functions.len(), DAMAGES.len());
@@ -194,10 +198,7 @@ fn a_value_that_is_not_a_number_fails() {
 #[test]
 fn a_refusal_fails_where_the_mass_matrix_is_regular() {
     let report = check(|_, e| {
-        e.forward_dynamics = Some(Err(SingularMassMatrix {
-            joint: 1,
-            relative_pivot: 0.0,
-        }));
+        e.forward_dynamics = Some(Err(SingularMassMatrix::new(1, 0.0)));
     });
     assert_eq!(wrong(&report), ["forward_dynamics"]);
     let function = report.functions.iter().find(|f| !f.is_ok()).unwrap();
@@ -227,10 +228,7 @@ fn a_refusal_fails_where_one_inertia_is_small() {
     };
     let m = light.mass_matrix(&Vector2::zeros());
     assert!(m[(1, 1)] < 1e-9 * m[(0, 0)]);
-    let refused = SingularMassMatrix {
-        joint: 1,
-        relative_pivot: 0.0,
-    };
+    let refused = SingularMassMatrix::new(1, 0.0);
     let error = |m| deviation::refused("forward_dynamics", m, &refused).error;
     assert_eq!(error(&m), Some(f64::INFINITY));
     let vanishing = Matrix2::new(4e-33, 0.0, 0.0, 0.7);

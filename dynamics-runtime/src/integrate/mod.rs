@@ -1,20 +1,55 @@
-//! Steppers for equations of motion q'' = a(t, q, q'), one file each.
+//! Methods of integration for equations of motion q'' = a(t, q, q'), one file each.
 //!
-//! They know nothing of robots: an acceleration is any function of time and phase that may refuse.
+//! They know nothing of robots: [`Equations`] are any function of time and phase that may refuse.
+//! Every method is a [`Stepper`]. A method of fixed step says what a step is ([`OneStep`]), and
+//! [`FixedStep`] makes them; where it preserves the structure of a motion, it asks for the equations in
+//! positions and momenta ([`Canonical`]); a method with an embedded error estimate says what its stages are
+//! ([`Embedded`]), and [`Adaptive`] chooses the steps.
 
+mod adaptive;
+mod canonical;
+mod compensated;
 mod craig_euler;
+mod dop853;
+mod dop853_tableau;
 mod dormand_prince;
+mod dormand_prince_tableau;
+mod equations;
+mod explicit_euler;
+mod fixed_step;
+mod gauss_legendre;
+mod grid;
+mod initial_step;
+mod jacobian;
+mod lu;
 mod phase;
+mod radau;
+mod radau_tableau;
 mod rk4;
 mod semi_implicit_euler;
 mod step_control;
-mod tableau;
+mod stepper;
+mod tolerance;
 
-pub(crate) use craig_euler::craig_euler;
-pub(crate) use dormand_prince::{Adaptive, Failure, StepRange, Tolerance};
+pub(crate) use adaptive::{Adaptive, Embedded};
+pub(crate) use canonical::{Canonical, Point};
+pub(crate) use craig_euler::CraigEuler;
+pub(crate) use dop853::Dop853Method;
+pub(crate) use dormand_prince::DormandPrince54;
+pub(crate) use equations::Equations;
+pub(crate) use explicit_euler::ExplicitEuler;
+pub(crate) use fixed_step::{FixedStep, OneStep};
+pub(crate) use gauss_legendre::GaussLegendre;
+pub(crate) use grid::{Grid, sample_time};
+pub(crate) use lu::Lu;
 pub(crate) use phase::{Phase, first_non_finite};
-pub(crate) use rk4::rk4;
-pub(crate) use semi_implicit_euler::semi_implicit_euler;
+pub(crate) use radau::Radau;
+pub(crate) use rk4::Rk4;
+pub(crate) use semi_implicit_euler::SemiImplicitEuler;
+pub(crate) use stepper::{Failure, Stepper};
+pub(crate) use tolerance::{StepRange, Tolerance};
 
+#[cfg(test)]
+mod order_conditions;
 #[cfg(test)]
 mod test_problems;

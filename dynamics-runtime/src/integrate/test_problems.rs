@@ -4,7 +4,7 @@ use core::convert::Infallible;
 
 use nalgebra::{SVector, Vector1};
 
-use super::Phase;
+use super::{OneStep, Phase};
 
 pub(super) type Acceleration = fn(f64, &Phase<1>) -> Result<SVector<f64, 1>, Infallible>;
 
@@ -35,14 +35,14 @@ pub(super) fn distance(a: &Phase<1>, b: &Phase<1>) -> f64 {
 
 /// Orders observed between successive numbers of steps over two seconds.
 pub(super) fn convergence_orders(
-    step: impl Fn(&Acceleration, f64, &Phase<1>, f64) -> Result<Phase<1>, Infallible>,
+    mut method: impl OneStep<Acceleration, Infallible, 1>,
     steps: &[usize],
 ) -> Vec<f64> {
-    let error = |steps: usize| {
+    let mut error = |steps: usize| {
         let h = 2.0 / steps as f64;
         let end = (0..steps).fold(solution(0.0), |phase, i| {
-            let Ok(next) = step(&ACCELERATION, i as f64 * h, &phase, h);
-            next
+            let step = method.step(&ACCELERATION, i as f64 * h, &phase, h);
+            step.unwrap()
         });
         distance(&end, &solution(2.0)).log2()
     };

@@ -13,7 +13,7 @@ impl Inertia {
     /// What gives the body a unit acceleration of its own joint, at rest: with `U = [z]x` and
     /// `a = 0` (revolute) or `U = 0` and `a = z` (prismatic).
     #[inline(always)]
-    fn unit_wrench(&self, joint_type: JointType) -> Wrench {
+    pub(super) fn unit_wrench(&self, joint_type: JointType) -> Wrench {
         let (h, s) = (&self.first_moment, &self.second_moment);
         match joint_type {
             JointType::Revolute => Wrench {

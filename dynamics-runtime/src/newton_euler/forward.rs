@@ -3,7 +3,7 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::NewtonEuler;
-use crate::SingularMassMatrix;
+use crate::{Conditioning, SingularMassMatrix};
 
 impl<const N: usize> NewtonEuler<N> {
     /// Joint accelerations qdd of `M qdd + V + G + F = tau`; `tau` in N m or N.
@@ -23,13 +23,18 @@ impl<const N: usize> NewtonEuler<N> {
         let available = tau - bias - self.friction_vector(qd);
         solve(self.composite_bodies(&joints), available)
     }
+
+    /// How near M(q) is to singular: which joint, and how many digits accelerations lose there.
+    pub fn conditioning(&self, q: &SVector<f64, N>) -> Conditioning {
+        Conditioning::of(&self.mass_matrix(q))
+    }
 }
 
 /// Solves `M x = b` by `M = L^T D L` with a unit lower triangle L, from the last row upwards
 /// (Featherstone 2008, table 6.3): each pivot is the inertia that a joint feels with the joints
 /// beyond it free.
 #[inline]
-fn solve<const N: usize>(
+pub(crate) fn solve<const N: usize>(
     mut m: SMatrix<f64, N, N>,
     b: SVector<f64, N>,
 ) -> Result<SVector<f64, N>, SingularMassMatrix> {

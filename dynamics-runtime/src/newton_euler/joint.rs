@@ -8,12 +8,14 @@ use super::linear::{difference, sum};
 use super::link::Pose;
 use crate::Scalar;
 
-/// Frame i in frame i-1, `Rx(alpha) Tx(a) Rz(theta) Tz(d)` (Craig (3.6)), at one joint position.
+/// Frame i in frame i-1, `Rx(alpha) Tx(a) Rz(theta) Tz(d)` (Craig (3.6)), at one joint position;
+/// `Rz(before)` at some place before it where joints between the two frames are locked.
 ///
 /// The rotation stays in its two factors: a vector passes by two turns of a plane, which are 8
 /// multiplications and 4 additions, and no matrix has to be made first.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Joint {
+    before: Option<SinCos>,
     pub(super) alpha: SinCos,
     pub(super) theta: SinCos,
     /// Origin of frame i in frame i-1: `(a, -d sin(alpha), d cos(alpha))`.
@@ -25,15 +27,36 @@ impl Joint {
     pub(super) fn new(alpha: SinCos, a: f64, theta: SinCos, d: f64) -> Self {
         let origin = Vector3::new(a, -alpha.sin * d, alpha.cos * d);
         Joint {
+            before: None,
             alpha,
             theta,
             origin,
         }
     }
 
+    /// The joint behind a turn about the previous frame's z.
+    #[inline]
+    pub(super) fn behind(self, before: SinCos) -> Self {
+        let (x, y) = turn(before, self.origin.x, self.origin.y);
+        Joint {
+            before: Some(before),
+            origin: Vector3::new(x, y, self.origin.z),
+            ..self
+        }
+    }
+
+    /// The joint displaced by a vector of the previous frame.
+    #[inline]
+    pub(super) fn at(self, place: &Vector3<f64>) -> Self {
+        Joint {
+            origin: self.origin + place,
+            ..self
+        }
+    }
+
     /// The joint moved on by a turn or by a distance along its axis.
     pub(super) fn moved(self, turn: SinCos, distance: f64) -> Self {
-        let along = Vector3::new(0.0, -self.alpha.sin, self.alpha.cos);
+        let along = self.inward(&Vector3::z());
         Joint {
             theta: self.theta.plus(turn),
             origin: self.origin + along * distance,
@@ -55,6 +78,10 @@ impl Joint {
             st * ca, ct * ca, -sa,
             st * sa, ct * sa,  ca,
         );
+        let rotation = match self.before {
+            None => rotation,
+            Some(before) => Joint::new(SinCos::ZERO, 0.0, before, 0.0).pose().rotation * rotation,
+        };
         Pose {
             rotation,
             position: self.origin,
@@ -64,8 +91,12 @@ impl Joint {
     /// A vector of frame i-1 in frame i.
     #[inline(always)]
     pub(super) fn outward(&self, v: &Vector3<f64>) -> Vector3<f64> {
-        let (y, z) = turn(self.alpha.opposite(), v.y, v.z);
-        let (x, y) = turn(self.theta.opposite(), v.x, y);
+        let (x, y) = match self.before {
+            None => (v.x, v.y),
+            Some(before) => turn(before.opposite(), v.x, v.y),
+        };
+        let (y, z) = turn(self.alpha.opposite(), y, v.z);
+        let (x, y) = turn(self.theta.opposite(), x, y);
         Vector3::new(x, y, z)
     }
 
@@ -74,6 +105,10 @@ impl Joint {
     pub(super) fn inward(&self, v: &Vector3<f64>) -> Vector3<f64> {
         let (x, y) = turn(self.theta, v.x, v.y);
         let (y, z) = turn(self.alpha, y, v.z);
+        let (x, y) = match self.before {
+            None => (x, y),
+            Some(before) => turn(before, x, y),
+        };
         Vector3::new(x, y, z)
     }
 
@@ -102,6 +137,11 @@ impl Joint {
         let (xz, yz) = turn(self.theta, s.m13, s.m23);
         let (yy, zz, yz) = turn_tensor(self.alpha, yy, s.m33, yz);
         let (xy, xz) = turn(self.alpha, xy, xz);
+        let Some(before) = self.before else {
+            return Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz);
+        };
+        let (xx, yy, xy) = turn_tensor(before, xx, yy, xy);
+        let (xz, yz) = turn(before, xz, yz);
         Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz)
     }
 }

@@ -44,10 +44,11 @@ impl<const N: usize> NewtonEuler<N> {
 
     /// Homogeneous transform of the last frame in the base frame; the identity for no joints.
     pub fn forward_kinematics(&self, q: &SVector<f64, N>) -> Matrix4<f64> {
-        self.link_poses(q)
-            .last()
-            .copied()
-            .unwrap_or_else(Matrix4::identity)
+        let poses = self.poses_in_base(q);
+        let last = poses.last().zip(self.links.last());
+        last.map_or_else(Matrix4::identity, |(pose, link)| {
+            homogeneous(&pose.then(&link.tip))
+        })
     }
 
     /// Geometric Jacobian of the last frame's origin p: rows vx vy vz wx wy wz in the base frame.

@@ -5,7 +5,8 @@ use nalgebra::{Matrix3, Vector3};
 use super::angle::SinCos;
 use super::inertia::Inertia;
 use super::joint::Joint;
-use crate::{JointType, Row};
+use super::lock::tensor;
+use crate::{JointType, Placement, Row};
 
 /// Rotation and position of one frame in another.
 #[derive(Clone, Copy, Debug)]
@@ -24,7 +25,7 @@ impl Pose {
     }
 
     /// `Rx(alpha) Tx(a)`; the two commute.
-    fn along_x(alpha: SinCos, a: f64) -> Self {
+    pub(super) fn along_x(alpha: SinCos, a: f64) -> Self {
         Joint::new(alpha, a, SinCos::ZERO, 0.0).pose()
     }
 
@@ -47,6 +48,8 @@ pub(super) struct Link {
     a: f64,
     d: f64,
     theta: SinCos,
+    /// What comes before alpha and a where the row does not begin at the frame before it.
+    mount: Option<Mount>,
     pub(super) mass: f64,
     pub(super) com: Vector3<f64>,
     /// About the centre of mass.
@@ -58,12 +61,23 @@ pub(super) struct Link {
     pub(super) coulomb: f64,
     /// The link frame of the table in this frame.
     pub(super) table_frame: Pose,
+    /// The tip in this frame, of the last link.
+    pub(super) tip: Pose,
+}
+
+/// Frame i in frame i-1 where nothing is known of it: `Rz(before) Rx(alpha) Rz(theta)` at a place.
+#[derive(Clone, Copy, Debug)]
+struct Mount {
+    before: SinCos,
+    origin: Vector3<f64>,
 }
 
 impl Link {
     /// A row of a modified table: it is in these frames as it stands.
     pub(super) fn modified(row: &Row) -> Self {
+        let screw_x = Pose::along_x(SinCos::of_constant(row.alpha), row.a);
         Link::new(SinCos::of_constant(row.alpha), row.a, row, Pose::identity())
+            .mounted(&row.mount, |mount| mount.then(&screw_x))
     }
 
     /// A row of a standard table and the row before it.
@@ -77,22 +91,60 @@ impl Link {
             (SinCos::of_constant(before.alpha), before.a)
         });
         let table_frame = Pose::along_x(SinCos::of_constant(row.alpha), row.a);
-        Link::new(alpha, a, row, table_frame)
+        let screw_x = Pose::along_x(alpha, a);
+        Link::new(alpha, a, row, table_frame).mounted(&row.mount, |mount| screw_x.then(mount))
+    }
+
+    /// The link where its row begins elsewhere than at the frame before: `place` says where the
+    /// factors `Rz(theta) Tz(d)` begin then.
+    ///
+    /// Every rotation is Rz(psi) Rx(phi) Rz(chi). Chi is taken from what the two others leave, so
+    /// that psi may be anything where phi is next to zero.
+    fn mounted(self, mount: &Placement, place: impl Fn(&Pose) -> Pose) -> Self {
+        if *mount == Placement::IDENTITY {
+            return self;
+        }
+        let Pose { rotation, position } = place(&mount.into());
+        let (x, y, z) = (rotation.m13, -rotation.m23, rotation.m33);
+        let sine = libm::hypot(x, y);
+        let before = match sine == 0.0 {
+            true => SinCos::ZERO,
+            false => SinCos {
+                sin: x / sine,
+                cos: y / sine,
+            },
+        };
+        let alpha = SinCos { sin: sine, cos: z };
+        let turned = Joint::new(alpha, 0.0, SinCos::ZERO, 0.0).behind(before);
+        let rest = turned.pose().rotation.transpose() * rotation;
+        let rest = SinCos {
+            sin: rest.m21,
+            cos: rest.m11,
+        };
+        Link {
+            alpha,
+            a: 0.0,
+            theta: rest.plus(self.theta),
+            mount: Some(Mount {
+                before,
+                origin: position,
+            }),
+            ..self
+        }
     }
 
     /// Mass properties move from the table's frame to the joint's: c' = p + R c, I' = R I R^T.
     fn new(alpha: SinCos, a: f64, row: &Row, table_frame: Pose) -> Self {
         let Pose { rotation, position } = table_frame;
-        let [xx, yy, zz, xy, yz, xz] = row.inertia;
-        let tensor = Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz);
         let com = position + rotation * Vector3::from(row.com);
-        let tensor = rotation * tensor * rotation.transpose();
+        let tensor = rotation * tensor(row) * rotation.transpose();
         Link {
             joint_type: row.joint_type,
             alpha,
             a,
             d: row.d,
             theta: SinCos::of_constant(row.theta),
+            mount: None,
             mass: row.mass,
             com,
             tensor,
@@ -101,15 +153,20 @@ impl Link {
             viscous: row.viscous,
             coulomb: row.coulomb,
             table_frame,
+            tip: table_frame.then(&(&row.tip).into()),
         }
     }
 
     /// The joint at position `q`, of which the sine and cosine are `turned`.
     #[inline(always)]
     pub(super) fn joint(&self, q: f64, turned: SinCos) -> Joint {
-        match self.joint_type {
+        let joint = match self.joint_type {
             JointType::Revolute => Joint::new(self.alpha, self.a, turned.plus(self.theta), self.d),
             JointType::Prismatic => Joint::new(self.alpha, self.a, self.theta, self.d + q),
+        };
+        match &self.mount {
+            None => joint,
+            Some(mount) => joint.behind(mount.before).at(&mount.origin),
         }
     }
 }

@@ -1,5 +1,6 @@
 //! Dynamics of an arm, numerically, from its table: inverse dynamics by the recursive Newton-Euler
-//! algorithm, M by composite bodies, forward dynamics by both and a factorisation.
+//! algorithm, M by composite bodies, forward dynamics by both and a factorisation, or by articulated
+//! bodies.
 //!
 //! Nothing in here knows of the symbolic derivation: the checks compare the two. What does not
 //! depend on the state is computed once, by [`NewtonEuler::new`]; a call evaluates all sines at
@@ -15,6 +16,7 @@
 //! 2008: composite bodies (6.2), factorisation (6.5).
 
 mod angle;
+mod articulated;
 mod composite;
 mod derivatives;
 mod energy;
@@ -24,6 +26,7 @@ mod joint;
 mod kinematics;
 mod linear;
 mod link;
+mod lock;
 mod recursion;
 mod terms;
 
@@ -32,6 +35,7 @@ use core::array;
 use nalgebra::Vector3;
 
 use crate::{Convention, Table};
+pub(crate) use forward::solve;
 use link::Link;
 
 /// The numeric dynamics of an arm, read from its [`Table`].
@@ -40,7 +44,7 @@ use link::Link;
 /// and return the same quantities in the same units: `q` in rad or m, `qd` and `qdd` per second and
 /// per second squared, torques in N m or N, energies in J.
 ///
-/// No method panics or allocates, and none but [`forward_dynamics`](NewtonEuler::forward_dynamics)
+/// No method panics or allocates, and none but the two of forward dynamics
 /// fails; input that is not finite propagates. The rounding error of
 /// each result is a few units in the last place of the result's natural scale, held against
 /// references of 25 digits by `tests/suite/reference.rs`.

@@ -246,9 +246,12 @@ fn composite_bodies_agree_with_the_recursion() {
 fn forward_dynamics_is_the_inverse_of_inverse_dynamics() {
     for (arm, State { q, qd, qdd }) in general_cases() {
         let tau = arm.inverse_dynamics(&q, &qd, &qdd);
-        let found = arm.forward_dynamics(&q, &qd, &tau).unwrap();
-        let needed = arm.mass_matrix(&q) * (found - qdd);
-        assert_near(needed, SVector::zeros(), 2e-14 * tau.amax());
+        let by_factors = arm.forward_dynamics(&q, &qd, &tau).unwrap();
+        let by_articulated_bodies = arm.forward_dynamics_aba(&q, &qd, &tau).unwrap();
+        for found in [by_factors, by_articulated_bodies] {
+            let needed = arm.mass_matrix(&q) * (found - qdd);
+            assert_near(needed, SVector::zeros(), 2e-14 * tau.amax());
+        }
     }
 }
 
@@ -259,17 +262,27 @@ fn forward_dynamics_refuses_a_singular_mass_matrix() {
     let mut on_axis = table;
     on_axis.rows[1].com = [0.0; 3];
     let rest = Vector2::zeros();
-    let tip = NewtonEuler::new(&on_axis).forward_dynamics(&rest, &rest, &rest);
-    assert_eq!(tip.unwrap_err().joint, 1);
+    let tip = NewtonEuler::new(&on_axis);
+    let found = tip.forward_dynamics(&rest, &rest, &rest).unwrap_err();
+    assert_eq!(found.joint, 1);
+    assert_eq!(tip.forward_dynamics_aba(&rest, &rest, &rest), Err(found));
 
     let mut massless = table;
     massless.rows[0].mass = 0.0;
-    let straight = NewtonEuler::new(&massless).forward_dynamics(&rest, &rest, &rest);
-    assert_eq!(straight.unwrap_err().joint, 0);
+    let straight = NewtonEuler::new(&massless);
+    let found = straight.forward_dynamics(&rest, &rest, &rest);
+    assert_eq!(found.unwrap_err().joint, 0);
+    let found = straight.forward_dynamics_aba(&rest, &rest, &rest);
+    assert_eq!(found.unwrap_err().joint, 0);
 
     let nan = Vector2::repeat(f64::NAN);
-    let state = NewtonEuler::new(&table).forward_dynamics(&nan, &rest, &rest);
-    assert!(state.unwrap_err().relative_pivot.is_nan());
+    let arm = NewtonEuler::new(&table);
+    for state in [
+        arm.forward_dynamics(&nan, &rest, &rest),
+        arm.forward_dynamics_aba(&nan, &rest, &rest),
+    ] {
+        assert!(state.unwrap_err().relative_pivot.is_nan());
+    }
 }
 
 /// tau = M qdd + V + G + F, and C qd = V.

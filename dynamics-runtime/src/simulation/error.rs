@@ -47,6 +47,9 @@ pub enum Cause {
     },
     /// The error stays beyond the tolerance even at steps that are lost in the rounding of the time.
     StepTooSmall,
+    /// The equations of a step of an implicit method are not solved by iteration: the step is too
+    /// long.
+    NoConvergence,
     /// The greatest number of steps between two samples was made.
     TooManySteps,
 }
@@ -64,11 +67,23 @@ pub enum InvalidSetting {
     Step(f64),
     /// A tolerance is not a positive finite number.
     Tolerance(f64),
+    /// The order of a Taylor series is not one of those that steps are chosen for.
+    Order(usize),
+    /// A joint has Coulomb friction, which the Taylor method does not follow.
+    CoulombFriction {
+        /// The joint, counted from 0.
+        joint: usize,
+    },
     /// An initial position or velocity is not finite.
     InitialState {
         /// The joint, counted from 0.
         joint: usize,
     },
+    /// The speed of regularised friction is not a positive finite number.
+    FrictionSpeed(f64),
+    /// The method works in positions and momenta, and the arm is not known in them: see
+    /// [`ForwardDynamics::momenta`](crate::ForwardDynamics::momenta).
+    NoMomenta,
 }
 
 impl<const N: usize> fmt::Display for SimulationError<N> {
@@ -109,6 +124,7 @@ impl fmt::Display for Cause {
                 write!(f, "the state of joint {} is not finite", joint + 1)
             }
             Cause::StepTooSmall => write!(f, "no step is short enough for the tolerance"),
+            Cause::NoConvergence => write!(f, "the step is too long for an implicit method"),
             Cause::TooManySteps => write!(f, "too many steps between two samples"),
         }
     }
@@ -125,9 +141,22 @@ impl fmt::Display for InvalidSetting {
             InvalidSetting::Tolerance(tolerance) => {
                 write!(f, "a tolerance of {tolerance} is not possible")
             }
+            InvalidSetting::Order(order) => write!(f, "series of order {order} are not possible"),
+            InvalidSetting::CoulombFriction { joint } => write!(
+                f,
+                "joint {} has Coulomb friction, which Taylor series do not follow",
+                joint + 1
+            ),
             InvalidSetting::InitialState { joint } => {
                 write!(f, "the initial state of joint {} is not finite", joint + 1)
             }
+            InvalidSetting::FrictionSpeed(speed) => {
+                write!(f, "friction cannot be regularised over a speed of {speed}")
+            }
+            InvalidSetting::NoMomenta => write!(
+                f,
+                "the method works in momenta, for which the arm lacks mass_matrix or inverse_dynamics"
+            ),
         }
     }
 }

@@ -1,11 +1,16 @@
-//! The methods of integration and their settings.
+//! The methods of integration.
 
-use nalgebra::SVector;
-
-use super::fixed_step::fixed_step;
+use super::drive::drive;
+use super::motion::{InMomenta, Motion};
+use super::settings::{Dop853, DormandPrince, ErrorControl, Radau5, validate_step};
+use super::sticking::settle_at_start;
 use super::trajectory::Recorder;
-use super::{Cause, InvalidSetting};
-use crate::integrate::{Phase, craig_euler, rk4, semi_implicit_euler};
+use super::{Cause, InvalidSetting, TorqueLaw};
+use crate::ForwardDynamics;
+use crate::integrate::{
+    Adaptive, CraigEuler, Dop853Method, DormandPrince54, Embedded, ExplicitEuler, FixedStep,
+    GaussLegendre, OneStep, Radau, Rk4, SemiImplicitEuler,
+};
 
 /// A method of integration.
 ///
@@ -14,16 +19,43 @@ use crate::integrate::{Phase, craig_euler, rk4, semi_implicit_euler};
 /// interval of 0.2 s and a step of 1 ms give 200 steps of 1 ms. A `step` longer than the interval
 /// gives one step; an infinite one is an error all the same, for it says nothing of the accuracy
 /// that is wanted.
+///
+/// # Structure-preserving methods
+///
+/// [`ImplicitMidpoint`](Method::ImplicitMidpoint) and the Gauss-Legendre methods keep the energy of a
+/// frictionless motion near its value for as long as it lasts: their error does not grow. They are
+/// symplectic in positions and momenta, so that they carry p = M(q) qd and solve
+///
+/// `q' = M^-1 p`, `p' = dT/dq - G - F + tau`, `dT/dq = C' qd`,
+///
+/// by iteration to rounding, with compensated sums. The arm must be known in momenta
+/// ([`ForwardDynamics::momenta`]). The step must be short beside the fastest of the motion's time
+/// constants, or the iteration does not converge ([`Cause::NoConvergence`]).
+///
+/// The same methods in (q, qd) would need no momenta, and are not enough: over 10^6 steps of 10 ms
+/// the energy of a two-link arm in free fall, which exchanges 54 J, stayed within 1e-5 J by
+/// Gauss-Legendre of order 4 in (q, p), averaged over each 500 s, and walked away by 2e-4 J in
+/// (q, qd). Semi-implicit Euler is
+/// symplectic only where M is constant, which it is not for an arm: the same arm lost 80 % of its
+/// energy within 100 s, or flew away.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Method {
+    /// Euler's explicit method: `qd+ = qd + qdd h`, `q+ = q + qd h`. First order.
+    ///
+    /// It is here to be compared with: a swing without friction gains energy at every step.
+    ExplicitEuler {
+        /// The longest step, s: positive and finite.
+        step: f64,
+    },
     /// Euler's scheme as Craig has it, (6.117): `qd+ = qd + qdd h`, `q+ = q + qd h + qdd h^2 / 2`
     /// with the old velocity in the second equation. First order.
     CraigEuler {
         /// The longest step, s: positive and finite.
         step: f64,
     },
-    /// The semi-implicit Euler scheme: `qd+ = qd + qdd h`, `q+ = q + qd+ h`. First order.
+    /// The semi-implicit Euler scheme: `qd+ = qd + qdd h`, `q+ = q + qd+ h`. First order; symplectic
+    /// only where the mass matrix does not depend on q.
     SemiImplicitEuler {
         /// The longest step, s: positive and finite.
         step: f64,
@@ -33,8 +65,29 @@ pub enum Method {
         /// The longest step, s: positive and finite.
         step: f64,
     },
+    /// The implicit midpoint rule in positions and momenta. Second order, symplectic.
+    ImplicitMidpoint {
+        /// The longest step, s: positive and finite.
+        step: f64,
+    },
+    /// The Gauss-Legendre method of two stages in positions and momenta. Fourth order, symplectic.
+    GaussLegendre4 {
+        /// The longest step, s: positive and finite.
+        step: f64,
+    },
+    /// The Gauss-Legendre method of three stages in positions and momenta. Sixth order, symplectic.
+    GaussLegendre6 {
+        /// The longest step, s: positive and finite.
+        step: f64,
+    },
     /// The Dormand-Prince method of order 5(4) with error control and dense output.
     DormandPrince(DormandPrince),
+    /// DOP853, the method of order 8(5,3) of Dormand and Prince, with error control and dense
+    /// output.
+    Dop853(Dop853),
+    /// The Radau IIA method of order 5, implicit, for stiff arms, with error control and dense
+    /// output.
+    Radau5(Radau5),
 }
 
 impl Default for Method {
@@ -44,108 +97,116 @@ impl Default for Method {
     }
 }
 
-/// Settings of the Dormand-Prince method of order 5(4), known as `ode45` and `RK45`.
-///
-/// A step is as long as its estimated error in each position and velocity y stays below
-/// `absolute_tolerance + relative_tolerance |y|`. The error of a whole run grows with its length
-/// and with the motion's own sensitivity. Samples between the steps are taken from a polynomial of
-/// fourth order.
-///
-/// Dry friction is discontinuous in the velocity: a joint that sticks makes the steps minute, and
-/// the run ends with [`Cause::TooManySteps`]. Use a method of fixed step there, or a smooth law of
-/// friction.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct DormandPrince {
-    /// Relative tolerance of a step.
-    pub relative_tolerance: f64,
-    /// Absolute tolerance of a step, rad or m, and per second.
-    pub absolute_tolerance: f64,
-    /// The longest step, s; `None` for a fiftieth of the duration, infinity for no bound.
-    ///
-    /// The estimate vanishes in an arm at rest, and steps would become as long as the run: a torque
-    /// that comes and goes within one step would never be seen.
-    pub max_step: Option<f64>,
-    /// The greatest number of steps between two samples.
-    pub max_steps: usize,
-}
-
-impl DormandPrince {
-    /// One value for both tolerances, the other settings as by default.
-    pub fn with_tolerance(tolerance: f64) -> Self {
-        DormandPrince {
-            relative_tolerance: tolerance,
-            absolute_tolerance: tolerance,
-            max_step: None,
-            max_steps: 100_000,
-        }
-    }
-
-    pub(super) fn longest_step(&self, duration: f64) -> f64 {
-        self.max_step.unwrap_or(duration / 50.0)
-    }
-}
-
-impl Default for DormandPrince {
-    /// Tolerances of 1e-9, steps of up to a fiftieth of the duration, at most 100 000 of them
-    /// between two samples.
-    fn default() -> Self {
-        DormandPrince::with_tolerance(1e-9)
-    }
-}
-
-impl From<DormandPrince> for Method {
-    fn from(settings: DormandPrince) -> Self {
-        Method::DormandPrince(settings)
-    }
-}
-
 impl Method {
-    pub(super) fn integrate<const N: usize>(
+    pub(super) fn integrate<R, L, const N: usize>(
         &self,
-        acceleration: &impl Fn(f64, &Phase<N>) -> Result<SVector<f64, N>, Cause>,
+        motion: &Motion<R, L, N>,
         recorder: &mut Recorder<N>,
-    ) -> Result<(), Cause> {
+    ) -> Result<(), Cause>
+    where
+        R: ForwardDynamics<N>,
+        L: TorqueLaw<N>,
+    {
+        recorder.sample();
+        if motion.sticks() {
+            settle_at_start(motion, &recorder.phase)?;
+        }
         match self {
-            Method::CraigEuler { step } => fixed_step(recorder, *step, |t, p, h| {
-                craig_euler(acceleration, t, p, h)
-            }),
-            Method::SemiImplicitEuler { step } => fixed_step(recorder, *step, |t, p, h| {
-                semi_implicit_euler(acceleration, t, p, h)
-            }),
-            Method::RungeKutta4 { step } => {
-                fixed_step(recorder, *step, |t, p, h| rk4(acceleration, t, p, h))
+            Method::ExplicitEuler { step } => fixed(ExplicitEuler, *step, motion, motion, recorder),
+            Method::CraigEuler { step } => fixed(CraigEuler, *step, motion, motion, recorder),
+            Method::SemiImplicitEuler { step } => {
+                fixed(SemiImplicitEuler, *step, motion, motion, recorder)
             }
-            Method::DormandPrince(settings) => settings.integrate(acceleration, recorder),
+            Method::RungeKutta4 { step } => fixed(Rk4, *step, motion, motion, recorder),
+            Method::ImplicitMidpoint { step } => {
+                canonical(GaussLegendre::order_2(), *step, motion, recorder)
+            }
+            Method::GaussLegendre4 { step } => {
+                canonical(GaussLegendre::order_4(), *step, motion, recorder)
+            }
+            Method::GaussLegendre6 { step } => {
+                canonical(GaussLegendre::order_6(), *step, motion, recorder)
+            }
+            Method::DormandPrince(settings) => {
+                adaptive::<DormandPrince54, _, _, N>(&settings.control(), motion, recorder)
+            }
+            Method::Radau5(settings) => radau(&settings.control(), motion, recorder),
+            Method::Dop853(settings) => {
+                adaptive::<Dop853Method, _, _, N>(&settings.control(), motion, recorder)
+            }
         }
     }
 
     pub(super) fn validate(&self, duration: f64) -> Result<(), InvalidSetting> {
         match self {
-            Method::CraigEuler { step }
+            Method::ExplicitEuler { step }
+            | Method::CraigEuler { step }
             | Method::SemiImplicitEuler { step }
-            | Method::RungeKutta4 { step } => validate_step(*step, duration),
-            Method::DormandPrince(settings) => {
-                let tolerances = [settings.relative_tolerance, settings.absolute_tolerance];
-                for tolerance in tolerances {
-                    if !(tolerance > 0.0 && tolerance.is_finite()) {
-                        return Err(InvalidSetting::Tolerance(tolerance));
-                    }
-                }
-                let longest = settings.longest_step(duration);
-                match longest {
-                    f64::INFINITY => Ok(()),
-                    _ => validate_step(longest, duration),
-                }
-            }
+            | Method::RungeKutta4 { step }
+            | Method::ImplicitMidpoint { step }
+            | Method::GaussLegendre4 { step }
+            | Method::GaussLegendre6 { step } => validate_step(*step, duration),
+            Method::DormandPrince(settings) => settings.control().validate(duration),
+            Method::Dop853(settings) => settings.control().validate(duration),
+            Method::Radau5(settings) => settings.control().validate(duration),
         }
     }
 }
 
-/// A step that is lost in the rounding of the time would never end.
-fn validate_step(step: f64, duration: f64) -> Result<(), InvalidSetting> {
-    if step > duration * f64::EPSILON && step.is_finite() {
-        Ok(())
-    } else {
-        Err(InvalidSetting::Step(step))
-    }
+fn fixed<S, R, L, const N: usize>(
+    method: impl OneStep<S, Cause, N>,
+    step: f64,
+    motion: &Motion<R, L, N>,
+    system: &S,
+    recorder: &mut Recorder<N>,
+) -> Result<(), Cause>
+where
+    R: ForwardDynamics<N>,
+    L: TorqueLaw<N>,
+{
+    let run = FixedStep::start(method, recorder.grid(step), recorder.phase);
+    drive(motion, system, run, recorder, usize::MAX)
+}
+
+fn canonical<R, L, const STAGES: usize, const N: usize>(
+    method: GaussLegendre<STAGES, N>,
+    step: f64,
+    motion: &Motion<R, L, N>,
+    recorder: &mut Recorder<N>,
+) -> Result<(), Cause>
+where
+    R: ForwardDynamics<N>,
+    L: TorqueLaw<N>,
+{
+    let system = InMomenta::new(motion).ok_or(InvalidSetting::NoMomenta)?;
+    fixed(method, step, motion, &system, recorder)
+}
+
+fn adaptive<M, R, L, const N: usize>(
+    control: &ErrorControl,
+    motion: &Motion<R, L, N>,
+    recorder: &mut Recorder<N>,
+) -> Result<(), Cause>
+where
+    M: Embedded<N>,
+    R: ForwardDynamics<N>,
+    L: TorqueLaw<N>,
+{
+    let range = control.range(recorder.duration());
+    let run = Adaptive::<M, N>::start(motion, 0.0, recorder.phase, control.tolerance, range)?;
+    drive(motion, motion, run, recorder, control.max_steps)
+}
+
+fn radau<R, L, const N: usize>(
+    control: &ErrorControl,
+    motion: &Motion<R, L, N>,
+    recorder: &mut Recorder<N>,
+) -> Result<(), Cause>
+where
+    R: ForwardDynamics<N>,
+    L: TorqueLaw<N>,
+{
+    let range = control.range(recorder.duration());
+    let run = Radau::start(motion, 0.0, recorder.phase, control.tolerance, range)?;
+    drive(motion, motion, run, recorder, control.max_steps)
 }

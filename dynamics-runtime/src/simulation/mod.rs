@@ -1,22 +1,42 @@
 //! Motion of an arm under a torque law.
 
-mod adaptive;
+mod drive;
 mod error;
-mod fixed_step;
+mod friction;
 mod method;
 mod motion;
+mod settings;
+mod sticking;
+mod taylor;
 mod trajectory;
 
 use nalgebra::SVector;
 
-use crate::ForwardDynamics;
 use crate::integrate::Phase;
+use crate::{ForwardDynamics, Model};
+use friction::Law;
 use motion::Motion;
 use trajectory::Recorder;
 
 pub use error::{Cause, InvalidSetting, SimulationError};
-pub use method::{DormandPrince, Method};
-pub use trajectory::Trajectory;
+pub use friction::Friction;
+pub use method::Method;
+pub use settings::{Dop853, DormandPrince, Radau5};
+pub use taylor::{Taylor, TaylorSimulation};
+pub use trajectory::{Trajectory, Work};
+
+/// A torque law: the joint torques in N m or N as a function of t in s, q in rad or m, and qd.
+///
+/// Every such function is one.
+trait TorqueLaw<const N: usize>:
+    Fn(f64, &SVector<f64, N>, &SVector<f64, N>) -> SVector<f64, N>
+{
+}
+
+impl<L, const N: usize> TorqueLaw<N> for L where
+    L: Fn(f64, &SVector<f64, N>, &SVector<f64, N>) -> SVector<f64, N>
+{
+}
 
 /// The torque law of free motion: no torque.
 pub type NoTorque<const N: usize> = fn(f64, &SVector<f64, N>, &SVector<f64, N>) -> SVector<f64, N>;
@@ -59,6 +79,7 @@ pub struct Simulation<'a, R, L, const N: usize> {
     robot: &'a R,
     torque: L,
     method: Method,
+    friction: Law<N>,
     initial: Phase<N>,
     duration: f64,
     samples: usize,
@@ -74,6 +95,7 @@ where
             robot,
             torque: |_, _, _| SVector::zeros(),
             method: Method::default(),
+            friction: Law::sign(),
             initial: Phase::zeros(),
             duration: 1.0,
             samples: 101,
@@ -90,6 +112,7 @@ impl<'a, R, L, const N: usize> Simulation<'a, R, L, N> {
         let Simulation {
             robot,
             method,
+            friction,
             initial,
             duration,
             samples,
@@ -99,6 +122,7 @@ impl<'a, R, L, const N: usize> Simulation<'a, R, L, N> {
             robot,
             torque: law,
             method,
+            friction,
             initial,
             duration,
             samples,
@@ -111,6 +135,17 @@ impl<'a, R, L, const N: usize> Simulation<'a, R, L, N> {
             method: method.into(),
             ..self
         }
+    }
+
+    /// What becomes of the Coulomb friction in the arm's table; [`Friction::Sign`] as it is made.
+    pub fn friction(self, kind: Friction) -> Self
+    where
+        R: Model<N>,
+    {
+        let rows = self.robot.table().rows;
+        let coulomb = SVector::from_fn(|i, _| rows[i].coulomb);
+        let friction = Law { kind, coulomb };
+        Simulation { friction, ..self }
     }
 
     /// Positions and velocities at t = 0.
@@ -145,27 +180,15 @@ where
     /// ([`Cause`]). Never panics, unless the torque law does.
     pub fn run(&self) -> Result<Trajectory<N>, Box<SimulationError<N>>> {
         let mut recorder = Recorder::new(self.initial);
-        match self.record(&mut recorder) {
-            Ok(()) => Ok(recorder.trajectory),
-            Err(cause) => Err(Box::new(SimulationError {
-                time: recorder.t,
-                q: recorder.phase.q,
-                qd: recorder.phase.qd,
-                cause,
-                trajectory: recorder.trajectory,
-            })),
-        }
+        let motion = Motion::new(self.robot, &self.torque, self.friction);
+        let end = self.record(&motion, &mut recorder);
+        recorder.finished(end, motion.evaluations())
     }
 
-    fn record(&self, recorder: &mut Recorder<N>) -> Result<(), Cause> {
+    fn record(&self, motion: &Motion<R, L, N>, recorder: &mut Recorder<N>) -> Result<(), Cause> {
         self.validate()?;
         recorder.plan(self.duration, self.samples)?;
-        let motion = Motion {
-            robot: self.robot,
-            torque: &self.torque,
-        };
-        let acceleration = |t: f64, phase: &Phase<N>| motion.acceleration(t, phase);
-        self.method.integrate(&acceleration, recorder)
+        self.method.integrate(motion, recorder)
     }
 
     fn validate(&self) -> Result<(), InvalidSetting> {
@@ -178,9 +201,12 @@ where
         if let Some(joint) = self.initial.first_non_finite() {
             return Err(InvalidSetting::InitialState { joint });
         }
+        self.friction.validate()?;
         self.method.validate(self.duration)
     }
 }
 
+#[cfg(test)]
+mod friction_tests;
 #[cfg(test)]
 mod tests;

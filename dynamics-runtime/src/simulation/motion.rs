@@ -1,39 +1,234 @@
 //! An arm and its torque law as one equation of motion.
 
+use core::cell::Cell;
+
 use nalgebra::SVector;
 
-use super::Cause;
-use crate::ForwardDynamics;
-use crate::integrate::{Phase, first_non_finite};
+use super::friction::{Contact, Friction, Law};
+use super::{Cause, TorqueLaw};
+use crate::dual::Dual;
+use crate::integrate::{Canonical, Equations, Lu, Phase, Point, first_non_finite};
+use crate::{ForwardDynamics, Momenta, Scalar};
 
-pub(super) struct Motion<'a, R, L> {
-    pub(super) robot: &'a R,
-    pub(super) torque: &'a L,
+pub(super) struct Motion<'a, R, L, const N: usize> {
+    robot: &'a R,
+    torque: &'a L,
+    friction: Law<N>,
+    /// What friction does to each joint; without meaning where it does not stick.
+    contacts: Cell<[Contact; N]>,
+    /// How often the equations of motion were evaluated.
+    evaluations: Cell<u64>,
 }
 
-impl<R, L> Motion<'_, R, L> {
-    /// qdd, where everything on the way to it is finite.
-    pub(super) fn acceleration<const N: usize>(
-        &self,
-        t: f64,
-        phase: &Phase<N>,
-    ) -> Result<SVector<f64, N>, Cause>
-    where
-        R: ForwardDynamics<N>,
-        L: Fn(f64, &SVector<f64, N>, &SVector<f64, N>) -> SVector<f64, N>,
-    {
-        let Phase { q, qd } = phase;
+/// Accelerations, and the forces that hold the joints that stick.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Held<const N: usize> {
+    pub(super) qdd: SVector<f64, N>,
+    pub(super) forces: SVector<f64, N>,
+}
+
+impl<'a, R, L, const N: usize> Motion<'a, R, L, N> {
+    pub(super) fn new(robot: &'a R, torque: &'a L, friction: Law<N>) -> Self {
+        Motion {
+            robot,
+            torque,
+            friction,
+            contacts: Cell::new([Contact::Slides(0.0); N]),
+            evaluations: Cell::new(0),
+        }
+    }
+
+    pub(super) fn evaluations(&self) -> u64 {
+        self.evaluations.get()
+    }
+
+    fn count(&self) {
+        self.evaluations.set(self.evaluations.get() + 1);
+    }
+
+    pub(super) fn coulomb(&self) -> SVector<f64, N> {
+        self.friction.coulomb
+    }
+
+    /// Whether joints stop and stick.
+    pub(super) fn sticks(&self) -> bool {
+        self.friction.kind == Friction::Sticking
+    }
+
+    pub(super) fn contacts(&self) -> [Contact; N] {
+        self.contacts.get()
+    }
+
+    pub(super) fn set_contacts(&self, contacts: [Contact; N]) {
+        self.contacts.set(contacts);
+    }
+
+    fn any_sticks(&self) -> bool {
+        self.sticks() && self.contacts.get().contains(&Contact::Sticks)
+    }
+}
+
+impl<R, L: TorqueLaw<N>, const N: usize> Motion<'_, R, L, N> {
+    /// The torques at a time in a phase, where both are finite. In place of the friction that the
+    /// forward dynamics takes off, coulomb sign(qd), they have that of the simulation.
+    fn torque(&self, t: f64, phase: &Phase<N>) -> Result<SVector<f64, N>, Cause> {
         if let Some(joint) = phase.first_non_finite() {
             return Err(Cause::NonFiniteState { joint });
         }
-        let tau = (self.torque)(t, q, qd);
+        let tau = (self.torque)(t, &phase.q, &phase.qd);
         if let Some(joint) = first_non_finite(&tau) {
             return Err(Cause::NonFiniteTorque { joint });
         }
-        let qdd = self.robot.forward_dynamics(q, qd, &tau)?;
-        match first_non_finite(&qdd) {
-            Some(joint) => Err(Cause::NonFiniteAcceleration { joint }),
-            None => Ok(qdd),
+        match self.friction.kind {
+            Friction::Sign => Ok(tau),
+            _ => Ok(tau + self.instead_of_sign(&phase.qd)),
         }
+    }
+
+    /// `coulomb (sign(qd) - law)`, what makes the friction of the forward dynamics that of the
+    /// simulation.
+    // Apart from the path of those who have none of it, which is to be inlined in every stage.
+    #[cold]
+    #[inline(never)]
+    fn instead_of_sign(&self, qd: &SVector<f64, N>) -> SVector<f64, N> {
+        let contacts = self.contacts.get();
+        let law = |i: usize| match (self.friction.kind, contacts[i]) {
+            (Friction::Sign, _) => Scalar::sign(qd[i]),
+            (Friction::Regularised { speed }, _) => (qd[i] / speed).tanh(),
+            (Friction::Sticking, Contact::Slides(way)) => way,
+            (Friction::Sticking, Contact::Sticks) => 0.0,
+        };
+        let difference = |i: usize| Scalar::sign(qd[i]) - law(i);
+        SVector::from_fn(|i, _| self.friction.coulomb[i] * difference(i))
+    }
+}
+
+impl<R: ForwardDynamics<N>, L: TorqueLaw<N>, const N: usize> Motion<'_, R, L, N> {
+    /// The accelerations, and the forces that keep those of the joints that stick at zero.
+    pub(super) fn held(&self, t: f64, phase: &Phase<N>) -> Result<Held<N>, Cause> {
+        let tau = self.torque(t, phase)?;
+        if !self.any_sticks() {
+            let qdd = self.free(phase, &tau)?;
+            let forces = SVector::zeros();
+            return Ok(Held { qdd, forces });
+        }
+        self.hold(phase, &tau)
+    }
+
+    #[inline]
+    fn free(&self, phase: &Phase<N>, tau: &SVector<f64, N>) -> Result<SVector<f64, N>, Cause> {
+        self.count();
+        let qdd = self.robot.forward_dynamics(&phase.q, &phase.qd, tau)?;
+        finite(qdd)
+    }
+
+    /// `qdd = a + W f` with a the accelerations without the holding forces f, and W = M^-1: those of
+    /// the joints that stick are zero where `W_ss f_s = -a_s`. A column of W is the derivative by a
+    /// torque, which a dual number carries along.
+    #[cold]
+    #[inline(never)]
+    fn hold(&self, phase: &Phase<N>, tau: &SVector<f64, N>) -> Result<Held<N>, Cause> {
+        let contacts = self.contacts.get();
+        let stuck = |i: usize| contacts[i] == Contact::Sticks;
+        let [q, qd] = [phase.q, phase.qd].map(|x| x.map(Dual::from_f64));
+        let mut free = SVector::zeros();
+        let mut columns = [SVector::<f64, N>::zeros(); N];
+        for j in (0..N).filter(|j| stuck(*j)) {
+            let tau = SVector::from_fn(|i, _| Dual::new(tau[i], f64::from(u8::from(i == j))));
+            self.count();
+            let qdd = self.robot.forward_dynamics(&q, &qd, &tau)?;
+            free = finite(qdd.map(|entry| entry.value))?;
+            columns[j] = qdd.map(|entry| entry.slope);
+        }
+        // The rows and columns of the other joints are those of the unit matrix.
+        let mut inverse = nalgebra::SMatrix::<f64, N, N>::identity();
+        for i in (0..N).filter(|i| stuck(*i)) {
+            for j in (0..N).filter(|j| stuck(*j)) {
+                inverse[(i, j)] = columns[j][i];
+            }
+        }
+        let wanted = SVector::from_fn(|i, _| if stuck(i) { -free[i] } else { 0.0 });
+        let forces = Lu::new(inverse).solve(wanted);
+        let mut qdd = (0..N).fold(free, |qdd, j| qdd + columns[j] * forces[j]);
+        for i in (0..N).filter(|i| stuck(*i)) {
+            qdd[i] = 0.0;
+        }
+        Ok(Held {
+            qdd: finite(qdd)?,
+            forces,
+        })
+    }
+}
+
+fn finite<const N: usize>(qdd: SVector<f64, N>) -> Result<SVector<f64, N>, Cause> {
+    match first_non_finite(&qdd) {
+        Some(joint) => Err(Cause::NonFiniteAcceleration { joint }),
+        None => Ok(qdd),
+    }
+}
+
+impl<R, L, const N: usize> Equations<N> for Motion<'_, R, L, N>
+where
+    R: ForwardDynamics<N>,
+    L: TorqueLaw<N>,
+{
+    type Refusal = Cause;
+
+    /// qdd, where everything on the way to it is finite.
+    // One copy for all stages of all methods: inlined, the code of a program of forward dynamics
+    // stands there some forty times, and whether it runs faster or slower for it is chance.
+    #[inline(never)]
+    fn acceleration(&self, t: f64, phase: &Phase<N>) -> Result<SVector<f64, N>, Cause> {
+        let tau = self.torque(t, phase)?;
+        if self.any_sticks() {
+            return Ok(self.hold(phase, &tau)?.qdd);
+        }
+        self.free(phase, &tau)
+    }
+}
+
+/// A motion in positions and momenta.
+pub(super) struct InMomenta<'a, R, L, const N: usize> {
+    motion: &'a Motion<'a, R, L, N>,
+    arm: &'a dyn Momenta<N>,
+}
+
+impl<'a, R: ForwardDynamics<N>, L, const N: usize> InMomenta<'a, R, L, N> {
+    /// `None` where the arm is not known in momenta.
+    pub(super) fn new(motion: &'a Motion<'a, R, L, N>) -> Option<Self> {
+        let arm = motion.robot.momenta()?;
+        Some(InMomenta { motion, arm })
+    }
+}
+
+impl<R, L, const N: usize> Canonical<N> for InMomenta<'_, R, L, N>
+where
+    R: ForwardDynamics<N>,
+    L: TorqueLaw<N>,
+{
+    type Refusal = Cause;
+
+    fn momentum(&self, phase: &Phase<N>) -> Result<SVector<f64, N>, Cause> {
+        Ok(self.arm.momentum(&phase.q, &phase.qd))
+    }
+
+    fn phase(&self, at: &Point<N>) -> Result<Phase<N>, Cause> {
+        if let Some(joint) = at.first_non_finite() {
+            return Err(Cause::NonFiniteState { joint });
+        }
+        let qd = self.arm.velocity(&at.q, &at.p)?;
+        Ok(Phase { q: at.q, qd })
+    }
+
+    fn rate(&self, t: f64, at: &Point<N>) -> Result<Point<N>, Cause> {
+        let phase = self.phase(at)?;
+        let mut tau = self.motion.torque(t, &phase)?;
+        if self.motion.any_sticks() {
+            tau += self.motion.hold(&phase, &tau)?.forces;
+        } else {
+            self.motion.count();
+        }
+        let p = finite(self.arm.force(&phase.q, &phase.qd, &tau))?;
+        Ok(Point { q: phase.qd, p })
     }
 }

@@ -8,8 +8,8 @@ use nalgebra::{SVector, Vector1, Vector2};
 
 use crate::test_arms::CRAIG_ARM;
 use crate::{
-    Cause, DormandPrince, ForwardDynamics, InvalidSetting, Method, Scalar, Simulation,
-    SingularMassMatrix, Trajectory,
+    Cause, Dop853, DormandPrince, ForwardDynamics, InvalidSetting, Method, Radau5, Scalar,
+    Simulation, SingularMassMatrix, Trajectory,
 };
 
 /// A unit mass on a rail.
@@ -40,21 +40,39 @@ impl ForwardDynamics<1> for Vanishing {
         if mass.is_positive() {
             Ok(Vector1::new(tau[0] / mass))
         } else {
-            Err(SingularMassMatrix {
-                joint: 0,
-                relative_pivot: 0.0,
-            })
+            Err(SingularMassMatrix::new(0, 0.0))
         }
     }
 }
 
-fn methods(step: f64) -> [Method; 4] {
+fn fixed_methods(step: f64) -> [Method; 4] {
     [
+        Method::ExplicitEuler { step },
         Method::CraigEuler { step },
         Method::SemiImplicitEuler { step },
         Method::RungeKutta4 { step },
-        Method::default(),
     ]
+}
+
+fn adaptive_methods(tolerance: f64, max_step: Option<f64>) -> [Method; 3] {
+    let dormand_prince = DormandPrince {
+        max_step,
+        ..DormandPrince::with_tolerance(tolerance)
+    };
+    let dop853 = Dop853 {
+        max_step,
+        ..Dop853::with_tolerance(tolerance)
+    };
+    let radau = Radau5 {
+        max_step,
+        ..Radau5::with_tolerance(tolerance)
+    };
+    [dormand_prince.into(), dop853.into(), radau.into()]
+}
+
+fn methods(step: f64) -> Vec<Method> {
+    let adaptive = adaptive_methods(1e-9, None);
+    fixed_methods(step).into_iter().chain(adaptive).collect()
 }
 
 fn unit(x: f64) -> SVector<f64, 1> {
@@ -93,12 +111,20 @@ fn the_law_is_given_time_position_and_velocity() {
 #[test]
 fn free_motion_conserves_energy() {
     let arm = Simulation::new(&CRAIG_ARM).initial(Vector2::new(0.3, -1.0), Vector2::zeros());
-    let accurate = Method::DormandPrince(DormandPrince::with_tolerance(1e-12));
-    let run = arm.method(accurate).duration(3.0).run().unwrap();
-    let energies = run.energies(&CRAIG_ARM);
-    assert_eq!(energies.len(), 101);
-    assert!(run.qd.last().unwrap().amax() > 0.1);
-    assert!(run.energy_drift(&CRAIG_ARM) < 1e-10 * energies[0].abs());
+    // The polynomial of Radau's samples is of third degree.
+    for (accurate, bound) in adaptive_methods(1e-12, None)
+        .into_iter()
+        .zip([1e-10, 1e-10, 1e-8])
+    {
+        let run = arm.clone().method(accurate).duration(3.0).run().unwrap();
+        let energies = run.energies(&CRAIG_ARM);
+        assert_eq!(energies.len(), 101);
+        assert!(run.qd.last().unwrap().amax() > 0.1);
+        assert!(
+            run.energy_drift(&CRAIG_ARM) < bound * energies[0].abs(),
+            "{accurate:?}"
+        );
+    }
 }
 
 #[test]
@@ -144,10 +170,7 @@ fn a_singular_mass_matrix_ends_the_run() {
             .samples(21)
             .run()
             .unwrap_err();
-        let singular = Cause::SingularMassMatrix(SingularMassMatrix {
-            joint: 0,
-            relative_pivot: 0.0,
-        });
+        let singular = Cause::SingularMassMatrix(SingularMassMatrix::new(0, 0.0));
         assert_eq!(error.cause, singular);
         assert!((error.time - 1.0).abs() < 2e-3, "{method:?}: {error}");
         assert_relative_eq!(error.q[0], error.time, max_relative = 1e-12);
@@ -163,7 +186,7 @@ fn a_singular_start_ends_the_run_at_once() {
         let error = start.method(method).run().unwrap_err();
         assert!(matches!(error.cause, Cause::SingularMassMatrix(_)));
         assert_eq!((error.time, error.q[0]), (0.0, 1.0));
-        let Trajectory { t, q, qd } = error.trajectory;
+        let Trajectory { t, q, qd, .. } = error.trajectory;
         assert_eq!((t, q, qd), (vec![0.0], vec![unit(1.0)], vec![unit(0.0)]));
     }
 }
@@ -200,42 +223,64 @@ fn a_push_at_rest_is_not_stepped_over() {
     let law = |t: f64, _: &SVector<f64, 1>, _: &SVector<f64, 1>| {
         unit(if (60.0..61.0).contains(&t) { 1.0 } else { 0.0 })
     };
-    let cart = Simulation::new(&Cart).torque(law).duration(100.0);
-    let capped = Method::DormandPrince(DormandPrince {
-        max_step: Some(0.5),
-        ..DormandPrince::default()
-    });
-    let run = cart.method(capped).samples(2).run().unwrap();
-    assert!((run.qd[1][0] - 1.0).abs() < 1e-6, "{}", run.qd[1][0]);
+    for capped in adaptive_methods(1e-9, Some(0.5)) {
+        let cart = Simulation::new(&Cart).torque(law).duration(100.0);
+        let run = cart.method(capped).samples(2).run().unwrap();
+        assert!((run.qd[1][0] - 1.0).abs() < 1e-6, "{}", run.qd[1][0]);
+    }
+}
+
+/// Every call of the torque law is an evaluation of the forward dynamics.
+#[test]
+fn work_is_counted() {
+    let calls = Cell::new(0);
+    let law = |_: f64, q: &SVector<f64, 1>, _: &SVector<f64, 1>| {
+        calls.set(calls.get() + 1);
+        -q * 100.0
+    };
+    // A Newton iteration of Radau's takes three evaluations, its Jacobian two for each joint.
+    let per_step = [1, 1, 1, 4, 6, 12].map(|n| (n, n));
+    let per_step = per_step.into_iter().chain([(4, 15)]);
+    for (method, (least, most)) in methods(0.01).into_iter().zip(per_step) {
+        let cart = Simulation::new(&Cart)
+            .torque(law)
+            .initial(unit(1.0), unit(0.0));
+        let work = cart.method(method).samples(11).run().unwrap().work;
+        assert_eq!(work.evaluations, calls.replace(0), "{method:?}");
+        // Two at the start, three for each sample of DOP853.
+        let bounds = least * work.steps..=2 + 3 * 10 + most * (work.steps + work.rejected);
+        assert!(bounds.contains(&work.evaluations), "{method:?}: {work:?}");
+        assert!(work.steps >= 50, "{method:?}: {work:?}");
+    }
 }
 
 #[test]
 fn steps_are_no_longer_than_the_longest() {
-    let evaluations = Cell::new(0);
-    let law = |_: f64, _: &SVector<f64, 1>, _: &SVector<f64, 1>| {
-        evaluations.set(evaluations.get() + 1);
-        unit(0.0)
-    };
-    Simulation::new(&Cart).torque(law).samples(2).run().unwrap();
-    let by_default = evaluations.replace(0);
-    // 50 steps of six evaluations, and the few shorter steps at the start.
-    assert!((300..=360).contains(&by_default), "{by_default}");
+    for method in adaptive_methods(1e-9, None) {
+        let work = Simulation::new(&Cart)
+            .method(method)
+            .samples(2)
+            .run()
+            .unwrap()
+            .work;
+        // 50 steps, and the few shorter ones at the start.
+        assert!((50..=60).contains(&work.steps), "{work:?}");
+        assert_eq!(work.rejected, 0);
+    }
 }
 
 #[test]
 fn steps_may_be_longer_than_the_duration() {
     let start = || Simulation::new(&Cart).initial(unit(0.0), unit(1.0));
-    for method in &methods(1e3)[..3] {
+    for method in &fixed_methods(1e3) {
         let run = start().method(*method).samples(3).run().unwrap();
         assert_eq!(run.q, [unit(0.0), unit(0.5), unit(1.0)], "{method:?}");
     }
     for max_step in [1e3, f64::MAX, f64::INFINITY] {
-        let settings = DormandPrince {
-            max_step: Some(max_step),
-            ..DormandPrince::default()
-        };
-        let run = start().method(settings).samples(3).run().unwrap();
-        assert_abs_diff_eq!(run.q[2][0], 1.0, epsilon = 1e-14);
+        for method in adaptive_methods(1e-9, Some(max_step)) {
+            let run = start().method(method).samples(3).run().unwrap();
+            assert_abs_diff_eq!(run.q[2][0], 1.0, epsilon = 1e-14);
+        }
     }
 }
 
@@ -276,7 +321,7 @@ fn settings_that_make_no_sense_are_refused() {
             .unwrap_err();
         assert_eq!(error.cause, InvalidSetting::Samples(samples).into());
     }
-    for method in &methods(f64::INFINITY)[..3] {
+    for method in &fixed_methods(f64::INFINITY) {
         let error = Simulation::new(&CRAIG_ARM)
             .method(*method)
             .run()
@@ -284,14 +329,10 @@ fn settings_that_make_no_sense_are_refused() {
         assert_eq!(error.cause, InvalidSetting::Step(f64::INFINITY).into());
     }
     for step in [0.0, -1.0, f64::NAN, f64::NEG_INFINITY, 1e-17] {
-        let fixed = &methods(step)[..3];
-        let adaptive = Method::DormandPrince(DormandPrince {
-            max_step: Some(step),
-            ..DormandPrince::default()
-        });
-        for method in fixed.iter().chain([&adaptive]) {
+        let adaptive = adaptive_methods(1e-9, Some(step));
+        for method in fixed_methods(step).into_iter().chain(adaptive) {
             let error = Simulation::new(&CRAIG_ARM)
-                .method(*method)
+                .method(method)
                 .run()
                 .unwrap_err();
             assert!(matches!(
@@ -301,15 +342,16 @@ fn settings_that_make_no_sense_are_refused() {
         }
     }
     for tolerance in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-        let method = Method::DormandPrince(DormandPrince::with_tolerance(tolerance));
-        let error = Simulation::new(&CRAIG_ARM)
-            .method(method)
-            .run()
-            .unwrap_err();
-        assert!(matches!(
-            error.cause,
-            Cause::InvalidSetting(InvalidSetting::Tolerance(_))
-        ));
+        for method in adaptive_methods(tolerance, None) {
+            let error = Simulation::new(&CRAIG_ARM)
+                .method(method)
+                .run()
+                .unwrap_err();
+            assert!(matches!(
+                error.cause,
+                Cause::InvalidSetting(InvalidSetting::Tolerance(_))
+            ));
+        }
     }
     let nowhere = Vector2::new(0.0, f64::NAN);
     let error = Simulation::new(&CRAIG_ARM)
@@ -324,9 +366,13 @@ fn settings_that_make_no_sense_are_refused() {
 
 #[test]
 fn errors_say_where_and_why() {
-    let start = Simulation::new(&Vanishing).initial(unit(FRAC_PI_2), unit(0.0));
-    let text = start.run().unwrap_err().to_string();
-    let expected = "the simulation ended at t = 0 s: the mass matrix is not positive definite at \
-                    joint 1 (relative pivot 0e0) (q = [1.5707963267948966], qd = [0.0])";
-    assert_eq!(text, expected);
+    let simulation = Simulation::new(&Vanishing).initial(unit(FRAC_PI_2), unit(0.0));
+    let text = simulation.run().unwrap_err().to_string();
+    let start = "the simulation ended at t = 0 s: the mass matrix is not positive definite at joint 1 \
+                 (relative pivot 0e0): ";
+    assert!(text.starts_with(start), "{text}");
+    assert!(
+        text.ends_with(" (q = [1.5707963267948966], qd = [0.0])"),
+        "{text}"
+    );
 }

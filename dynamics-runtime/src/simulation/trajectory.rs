@@ -2,9 +2,9 @@
 
 use nalgebra::SVector;
 
-use super::InvalidSetting;
+use super::{Cause, InvalidSetting, SimulationError};
 use crate::Energy;
-use crate::integrate::Phase;
+use crate::integrate::{Grid, Phase, sample_time};
 
 /// A sampled motion: sample k is `(t[k], q[k], qd[k])`.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -15,6 +15,22 @@ pub struct Trajectory<const N: usize> {
     pub q: Vec<SVector<f64, N>>,
     /// Joint velocities, rad/s or m/s.
     pub qd: Vec<SVector<f64, N>>,
+    /// What the run took.
+    pub work: Work,
+}
+
+/// The work of a run, for comparing methods.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Work {
+    /// How often the equations of motion were evaluated, in steps that were thrown away too.
+    ///
+    /// One evaluation is one call of the forward dynamics; of the methods that work in positions and
+    /// momenta, one of q' and p'; of the Taylor method, one series of the motion.
+    pub evaluations: u64,
+    /// Steps made.
+    pub steps: u64,
+    /// Steps thrown away because their error was too large, or an evaluation was refused.
+    pub rejected: u64,
 }
 
 impl<const N: usize> Trajectory<N> {
@@ -61,7 +77,8 @@ impl<const N: usize> Trajectory<N> {
 pub(super) struct Recorder<const N: usize> {
     pub(super) t: f64,
     pub(super) phase: Phase<N>,
-    pub(super) trajectory: Trajectory<N>,
+    pub(super) work: Work,
+    trajectory: Trajectory<N>,
     duration: f64,
     samples: usize,
 }
@@ -72,9 +89,30 @@ impl<const N: usize> Recorder<N> {
         Recorder {
             t: 0.0,
             phase,
+            work: Work::default(),
             trajectory: Trajectory::default(),
             duration: 0.0,
             samples: 0,
+        }
+    }
+
+    /// The run as it ended, of which `evaluations` were a part of the work.
+    pub(super) fn finished(
+        self,
+        end: Result<(), Cause>,
+        evaluations: u64,
+    ) -> Result<Trajectory<N>, Box<SimulationError<N>>> {
+        let (time, Phase { q, qd }) = (self.t, self.phase);
+        let trajectory = self.into_trajectory(evaluations);
+        match end {
+            Ok(()) => Ok(trajectory),
+            Err(cause) => Err(Box::new(SimulationError {
+                time,
+                q,
+                qd,
+                cause,
+                trajectory,
+            })),
         }
     }
 
@@ -82,7 +120,7 @@ impl<const N: usize> Recorder<N> {
     pub(super) fn plan(&mut self, duration: f64, samples: usize) -> Result<(), InvalidSetting> {
         self.duration = duration;
         self.samples = samples;
-        let Trajectory { t, q, qd } = &mut self.trajectory;
+        let Trajectory { t, q, qd, .. } = &mut self.trajectory;
         t.try_reserve_exact(samples)
             .and_then(|()| q.try_reserve_exact(samples))
             .and_then(|()| qd.try_reserve_exact(samples))
@@ -93,27 +131,42 @@ impl<const N: usize> Recorder<N> {
         self.duration
     }
 
-    /// Time between two samples.
-    pub(super) fn interval(&self) -> f64 {
-        self.duration / (self.samples - 1) as f64
+    /// The ends of steps no longer than `longest`.
+    pub(super) fn grid(&self, longest: f64) -> Grid {
+        Grid::new(self.duration, self.intervals(), longest)
+    }
+
+    fn intervals(&self) -> u64 {
+        self.samples as u64 - 1
     }
 
     /// Time of the next sample; `None` when all have been taken.
     pub(super) fn next_sample(&self) -> Option<f64> {
-        let next = self.trajectory.len();
-        match next + 1 {
-            last if last == self.samples => Some(self.duration),
-            taken if taken < self.samples => {
-                Some(self.duration * next as f64 / (self.samples - 1) as f64)
-            }
-            _ => None,
-        }
+        let next = self.trajectory.len() as u64;
+        (next <= self.intervals()).then(|| sample_time(self.duration, self.intervals(), next))
     }
 
-    /// Moves to the end of a step.
-    pub(super) fn reach(&mut self, t: f64, phase: Phase<N>) {
+    /// Moves to the end of a step, if that is a finite place.
+    pub(super) fn reach(&mut self, t: f64, phase: Phase<N>) -> Result<(), Cause> {
+        if let Some(joint) = phase.first_non_finite() {
+            return Err(Cause::NonFiniteState { joint });
+        }
         self.t = t;
         self.phase = phase;
+        self.work.steps += 1;
+        Ok(())
+    }
+
+    /// The samples taken, and the work of which `evaluations` were a part.
+    fn into_trajectory(self, evaluations: u64) -> Trajectory<N> {
+        let work = Work {
+            evaluations,
+            ..self.work
+        };
+        Trajectory {
+            work,
+            ..self.trajectory
+        }
     }
 
     /// Takes the phase reached as a sample.

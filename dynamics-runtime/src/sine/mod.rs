@@ -104,7 +104,7 @@ fn one_by_one<const W: usize>(x: [f64; W]) -> Pair<W> {
 /// The processor's instruction set; asked for at run time where the build does not settle it, and
 /// there is a standard library to ask.
 #[inline(always)]
-fn level() -> Level {
+pub(crate) fn level() -> Level {
     let baseline = Level::baseline();
     #[cfg(all(feature = "std", any(target_arch = "x86", target_arch = "x86_64")))]
     if baseline.as_avx512().is_none() {

@@ -3,91 +3,15 @@
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 
 use super::{LARGEST, eight, four, one, sin_cos_array, two};
-use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
+use crate::{DoubleDouble, Scalar};
+use core::f64::consts::{FRAC_PI_4, PI};
 use fearless_simd::Level;
-
-/// An unevaluated sum of two doubles: about 31 digits.
-#[derive(Clone, Copy)]
-struct DoubleDouble(f64, f64);
-
-fn two_sum(a: f64, b: f64) -> DoubleDouble {
-    let sum = a + b;
-    let part = sum - a;
-    DoubleDouble(sum, (a - (sum - part)) + (b - part))
-}
-
-fn two_product(a: f64, b: f64) -> DoubleDouble {
-    let product = a * b;
-    DoubleDouble(product, f64::mul_add(a, b, -product))
-}
-
-impl DoubleDouble {
-    fn plus(self, o: Self) -> Self {
-        let DoubleDouble(high, low) = two_sum(self.0, o.0);
-        let DoubleDouble(tail, rest) = two_sum(self.1, o.1);
-        let DoubleDouble(high, low) = two_sum(high, low + tail);
-        two_sum(high, low + rest)
-    }
-
-    fn times(self, o: Self) -> Self {
-        let DoubleDouble(high, low) = two_product(self.0, o.0);
-        two_sum(high, low + (self.0 * o.1 + self.1 * o.0))
-    }
-
-    fn over(self, divisor: f64) -> Self {
-        let quotient = self.0 / divisor;
-        let DoubleDouble(high, low) = two_product(quotient, divisor);
-        let rest = self.plus(DoubleDouble(-high, -low));
-        two_sum(quotient, rest.0 / divisor)
-    }
-
-    fn negated(self) -> Self {
-        DoubleDouble(-self.0, -self.1)
-    }
-}
-
-/// pi/2 in four doubles: 212 bits.
-const HALF_PI: [f64; 4] = [
-    FRAC_PI_2,
-    6.123233995736766e-17,
-    -1.4973849048591698e-33,
-    5.562271104316826e-50,
-];
-
-/// Sine and cosine of an angle of magnitude up to [`LARGEST`] by Taylor series.
-fn reference(x: f64) -> [DoubleDouble; 2] {
-    let n = (x / FRAC_PI_2).round();
-    // Exact: what is left of the largest part takes the smaller ones, to 160 bits.
-    let parts = HALF_PI.map(|part| two_product(-n, part));
-    let lead = two_sum(x, parts[0].0);
-    let inner = two_sum(lead.1, parts[0].1)
-        .plus(parts[1])
-        .plus(parts[2])
-        .plus(parts[3]);
-    let rest = DoubleDouble(lead.0, 0.0).plus(inner);
-    let square = rest.times(rest);
-    let series = |first: DoubleDouble, start: f64| {
-        let (mut sum, mut term) = (first, first);
-        for k in 0..16 {
-            let k = start + 2.0 * f64::from(k);
-            term = term.times(square).over(-(k + 1.0) * (k + 2.0));
-            sum = sum.plus(term);
-        }
-        sum
-    };
-    let (s, c) = (series(rest, 1.0), series(DoubleDouble(1.0, 0.0), 0.0));
-    match n.rem_euclid(4.0) {
-        0.0 => [s, c],
-        1.0 => [c, s.negated()],
-        2.0 => [s.negated(), c.negated()],
-        _ => [c.negated(), s],
-    }
-}
 
 /// The error in units in the last place of the exact value.
 fn ulps(computed: f64, exact: DoubleDouble) -> f64 {
-    let error = (computed - exact.0) - exact.1;
-    let ulp = (exact.0.abs().next_up() - exact.0.abs()).max(f64::MIN_POSITIVE * f64::EPSILON);
+    let error = (computed - exact.high()) - exact.low();
+    let size = exact.high().abs();
+    let ulp = (size.next_up() - size).max(f64::MIN_POSITIVE * f64::EPSILON);
     (error / ulp).abs()
 }
 
@@ -96,7 +20,7 @@ fn largest_error(angles: &[f64]) -> f64 {
     for chunk in angles.chunks_exact(8) {
         let lanes: [f64; 8] = chunk.try_into().unwrap();
         for (&x, (s, c)) in lanes.iter().zip(sin_cos_array(lanes)) {
-            let [sine, cosine] = reference(x);
+            let (sine, cosine) = DoubleDouble::from(x).sin_cos();
             largest = largest.max(ulps(s, sine)).max(ulps(c, cosine));
         }
     }

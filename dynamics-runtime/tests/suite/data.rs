@@ -67,5 +67,6 @@ fn row(joint: &Value) -> Row {
         gear_ratio: cell("gear_ratio"),
         viscous: cell("viscous"),
         coulomb: cell("coulomb"),
+        ..Row::new(JointType::Revolute)
     }
 }

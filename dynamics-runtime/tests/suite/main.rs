@@ -2,5 +2,7 @@
 
 mod arms;
 mod data;
+mod methods;
 mod reference;
+mod structure;
 mod trajectories;

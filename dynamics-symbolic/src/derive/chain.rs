@@ -1,8 +1,10 @@
 //! The chain in proximal frames: every frame has its origin and its z axis on
 //! the axis of its own joint, whatever the convention of the table.
 
+use super::base;
 use super::inertia::{Body, Keep, Turn, enter_x, enter_z, leave_x, leave_z};
 use super::symbols::Symbols;
+use crate::exact::Rational;
 use crate::expr::Expr;
 use crate::linear::{Symmetric3, Vector3};
 use crate::robot::{Convention, Interpretation, JointType, Robot, Row, Value};
@@ -21,6 +23,9 @@ pub enum Origin {
 pub struct Link<'g> {
     /// The joint that moves it.
     pub joint_type: JointType,
+    /// Whether that joint is locked: then the link is a part of the one before, and the turn or the
+    /// slide is constant.
+    pub locked: bool,
     /// Turn about z of the previous frame, where that frame does not turn with its own link.
     pub before: Turn<Expr<'g>>,
     /// Turn about x that follows.
@@ -89,9 +94,9 @@ pub struct Chain<'g> {
 }
 
 /// The four cells of a row that come between two z axes, and the link's parameters after them.
-pub(super) struct Twist<'g> {
-    pub(super) a: Expr<'g>,
-    pub(super) turn: Turn<Expr<'g>>,
+pub(super) struct Twist<R> {
+    pub(super) a: R,
+    pub(super) turn: Turn<R>,
 }
 
 impl<'g> Chain<'g> {
@@ -100,6 +105,8 @@ impl<'g> Chain<'g> {
         let zero = symbols.graph().zero();
         let twists = twists(symbols, robot);
         let mut previous_shift = zero;
+        let links_of_base = robot.links_of_base();
+        let neglected = base::neglected(symbols, robot);
         let links = robot.rows.iter().enumerate().map(|(i, row)| {
             let d = symbols.value(&row.d);
             // The origin is at d + shift along the axis.
@@ -116,12 +123,20 @@ impl<'g> Chain<'g> {
                 JointType::Revolute => zero,
                 JointType::Prismatic => symbols.joint(i).q,
             };
-            let body = body(symbols, robot.convention, row, &twists[i + 1])
-                .moved(Vector3::new(zero, zero, -shift));
+            let body = match i < links_of_base {
+                true => Body::splat(zero),
+                false => body(symbols, robot.convention, row, &twists[i + 1])
+                    .less(neglected[i].0)
+                    .moved(Vector3::new(zero, zero, -shift)),
+            };
             let ratio = symbols.value(&row.gear_ratio);
-            let reflected = ratio * ratio * symbols.value(&row.motor_inertia);
+            let reflected = match row.locked {
+                None => ratio * ratio * symbols.value(&row.motor_inertia) - neglected[i].1,
+                Some(_) => zero,
+            };
             Link {
                 joint_type: row.joint_type,
+                locked: row.locked.is_some(),
                 before: Turn {
                     s: zero,
                     c: symbols.graph().one(),
@@ -154,11 +169,13 @@ impl<'g> Chain<'g> {
     /// parameters by the rules of Gautier and Khalil (1990).
     ///
     /// A revolute joint: the part that is invariant under rotation about its
-    /// axis. A prismatic joint: the whole inertia tensor, for both links turn alike.
+    /// axis. A prismatic joint: the whole inertia tensor, for both links turn alike. A joint that is
+    /// locked: everything.
     pub fn group_parameters(&mut self, keep: &[Keep]) {
         for i in (0..self.links.len()).rev() {
             let link = self.links[i];
             let (moving, rest) = match link.joint_type {
+                _ if link.locked => (link.leave_body(link.body), Body::splat(self.zero)),
                 JointType::Revolute => {
                     let (invariant, rest) = link.body.split_revolute(self.zero, keep[i]);
                     (invariant.left_x(link.twist).moved(link.offset), rest)
@@ -216,35 +233,35 @@ impl<'g> Chain<'g> {
 }
 
 /// The twist before each joint, and the one after the last.
-pub(super) fn twists<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> Vec<Twist<'g>> {
+pub(super) fn twists<I: Interpretation>(cells: &mut I, robot: &Robot) -> Vec<Twist<I::Number>> {
     let none = Value::zero();
-    let cells = robot.rows.iter().map(|row| (&row.a, &row.alpha));
-    let cells: Vec<_> = match robot.convention {
-        Convention::Standard => core::iter::once((&none, &none)).chain(cells).collect(),
-        Convention::Modified => cells.chain(core::iter::once((&none, &none))).collect(),
+    let screws = robot.rows.iter().map(|row| (&row.a, &row.alpha));
+    let screws: Vec<_> = match robot.convention {
+        Convention::Standard => core::iter::once((&none, &none)).chain(screws).collect(),
+        Convention::Modified => screws.chain(core::iter::once((&none, &none))).collect(),
     };
     let twist = |(a, alpha): (&Value, &Value)| {
-        let (s, c) = symbols.sin_cos(alpha);
+        let (s, c) = cells.sin_cos(alpha);
         Twist {
-            a: symbols.value(a),
+            a: cells.value(a),
             turn: Turn { s, c },
         }
     };
-    cells.into_iter().map(twist).collect()
+    screws.into_iter().map(twist).collect()
 }
 
 /// The link's parameters in the frame on its joint's axis, after the offset d.
 /// A standard link frame comes after the row's a and alpha, a modified one before the next row's.
-pub(super) fn body<'g>(
-    symbols: &mut Symbols<'g>,
+pub(super) fn body<I: Interpretation>(
+    cells: &mut I,
     convention: Convention,
     row: &Row,
-    next: &Twist<'g>,
-) -> Body<Expr<'g>> {
-    let zero = symbols.graph().zero();
-    let mass = symbols.value(&row.mass);
-    let com = Vector3([0, 1, 2].map(|k| symbols.value(&row.com[k])));
-    let [xx, yy, zz, xy, yz, xz] = [0, 1, 2, 3, 4, 5].map(|k| symbols.value(&row.inertia[k]));
+    next: &Twist<I::Number>,
+) -> Body<I::Number> {
+    let zero = cells.rational(&Rational::ZERO);
+    let mass = cells.value(&row.mass);
+    let com = Vector3([0, 1, 2].map(|k| cells.value(&row.com[k])));
+    let [xx, yy, zz, xy, yz, xz] = [0, 1, 2, 3, 4, 5].map(|k| cells.value(&row.inertia[k]));
     let inertia = Symmetric3 {
         xx,
         yy,

@@ -98,7 +98,10 @@ pub(super) fn differentiated<'g>(
         forces.iter().map(row).collect()
     };
     let positions = (0..qd.len()).map(|i| symbols.along_position(Direction::new(), i, chain.one));
-    let velocities = qd.iter().map(|&qd| Direction::new().with(qd, chain.one));
+    let velocities = qd.iter().map(|&qd| match qd.is_zero() {
+        true => Direction::new(),
+        false => Direction::new().with(qd, chain.one),
+    });
     ForceDerivatives {
         by_position: along(positions.collect()),
         by_velocity: along(velocities.collect()),

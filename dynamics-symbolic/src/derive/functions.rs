@@ -1,13 +1,16 @@
 //! The outputs of each function, on one chain.
 
+use super::base::Grouping;
 use super::chain::Chain;
 use super::derivatives::ForceDerivatives;
+use super::joints::Joints;
 use super::solve::Factors;
 use super::symbols::Symbols;
 use super::{
     articulated, base, christoffel, composite, derivatives, energy, kinematics, recursive,
     regressor,
 };
+use crate::exact::Rational;
 use crate::expr::Expr;
 use crate::function::Function;
 use crate::linear::Vector3;
@@ -35,6 +38,7 @@ impl Form {
             | Function::ForwardDynamicsDerivatives => &[Form::Recursive, Form::Assembled],
             Function::ForwardDynamics => &[Form::Recursive, Form::Articulated],
             Function::InverseDynamics
+            | Function::TaylorSeries
             | Function::BiasForce
             | Function::CoriolisVector
             | Function::InverseDynamicsDerivatives
@@ -42,6 +46,8 @@ impl Form {
             {
                 &[Form::Recursive, Form::Assembled]
             }
+            // All Christoffel symbols are shorter than a recursion for up to six joints.
+            Function::CoriolisMatrix if dof <= 8 => &[Form::Recursive, Form::Assembled],
             _ => &[Form::Recursive],
         }
     }
@@ -50,6 +56,19 @@ impl Form {
 /// What a function puts out, in the order of its contract: matrices by rows.
 /// Forward dynamics and its derivatives: the values, the pivots, and M's diagonal.
 pub fn outputs<'g>(
+    symbols: &mut Symbols<'g>,
+    robot: &Robot,
+    chain: &Chain<'g>,
+    function: Function,
+    form: Form,
+) -> Vec<Expr<'g>> {
+    let of_rows = of_rows(symbols, robot, chain, function, form);
+    Joints::of(robot).outputs(function, of_rows)
+}
+
+/// The outputs for the joint of every row, as if those that are locked were not, but did not move;
+/// of what is solved for, only those of joints that move.
+fn of_rows<'g>(
     symbols: &mut Symbols<'g>,
     robot: &Robot,
     chain: &Chain<'g>,
@@ -70,7 +89,8 @@ pub fn outputs<'g>(
         Function::CoriolisVector => recursive::inverse_dynamics(chain, &qd, &still, weightless),
         Function::GravityVector => energy::gravity_vector(chain),
         Function::FrictionVector => friction(symbols, robot),
-        Function::InverseDynamics => {
+        // Series of the equations of motion as they are, not solved for the accelerations.
+        Function::InverseDynamics | Function::TaylorSeries => {
             let forces = recursive::inverse_dynamics(chain, &qd, &qdd, chain.gravity);
             sum(forces, &friction(symbols, robot))
         }
@@ -82,12 +102,11 @@ pub fn outputs<'g>(
         Function::KineticEnergy => vec![energy::kinetic_energy(graph, chain, &qd)],
         Function::PotentialEnergy => vec![energy::potential_energy(chain)],
         Function::CoriolisMatrix => {
-            let symbols = christoffel::christoffel(graph, chain);
-            symbols
-                .iter()
-                .flatten()
-                .map(|row| dot(zero, row, &qd))
-                .collect()
+            // C = 1/2 dV/dqd: V is quadratic in qd, with the Christoffel symbols as coefficients.
+            let forces = derivatives::recursion(chain, &qd, &still);
+            let half = graph.rational(&(Rational::ONE / Rational::from(2)));
+            let entries = forces.by_velocity.concat();
+            entries.into_iter().map(|entry| half * entry).collect()
         }
         Function::CoriolisCoefficients => {
             let n = robot.rows.len();
@@ -130,7 +149,8 @@ pub fn outputs<'g>(
             acceleration_derivatives(symbols, robot, chain, |factors, b| factors.solve(b))
         }
         Function::Regressor => regressor::by_recursion(symbols, robot, chain),
-        Function::BaseParameters => base::base_parameters(symbols, robot),
+        Function::BaseParameters => base::base_parameters(symbols, robot, &Grouping::of(robot)),
+        Function::ForwardDynamicsAba => articulated_dynamics(symbols, robot, chain, &qd),
     }
 }
 
@@ -142,16 +162,40 @@ fn forward_dynamics<'g>(
     form: Form,
 ) -> Vec<Expr<'g>> {
     let net = net_force(symbols, robot, chain);
-    let matrix = composite::mass_matrix(chain);
+    let joints = Joints::of(robot);
+    let matrix = joints.block(composite::mass_matrix(chain));
     let diagonal = (0..matrix.len()).map(|i| matrix[i][i]).collect();
     let (qdd, pivots) = match form {
-        Form::Articulated => articulated::solve(chain, &net),
+        Form::Articulated => {
+            let (qdd, pivots) = articulated::solve(chain, &net);
+            (joints.entries(qdd), joints.entries(pivots))
+        }
         _ => {
-            let (factors, qdd) = Factors::new(symbols.graph(), matrix, net);
+            let (factors, qdd) = Factors::new(symbols.graph(), matrix, joints.entries(net));
             (qdd, factors.pivots().to_vec())
         }
     };
     [qdd, pivots, diagonal].concat()
+}
+
+/// As [`forward_dynamics`]. The diagonal of M comes last: what is equal to one of its terms has been
+/// written by articulated bodies before.
+fn articulated_dynamics<'g>(
+    symbols: &mut Symbols<'g>,
+    robot: &Robot,
+    chain: &Chain<'g>,
+    qd: &[Expr<'g>],
+) -> Vec<Expr<'g>> {
+    let applied = symbols.all(|joint| joint.tau).into_iter();
+    let friction = friction(symbols, robot);
+    let net: Vec<_> = applied.zip(friction).map(|(tau, f)| tau - f).collect();
+    let (qdd, pivots) = articulated::forward_dynamics(chain, qd, &net);
+    let matrix = composite::mass_matrix(chain);
+    let diagonal = (0..matrix.len()).map(|i| matrix[i][i]).collect();
+    let joints = Joints::of(robot);
+    [qdd, pivots, diagonal]
+        .map(|of_rows| joints.entries(of_rows))
+        .concat()
 }
 
 /// The functions that have a second form.
@@ -175,12 +219,20 @@ fn assembled<'g>(
                 .map(products)
                 .collect()
         }
+        Function::CoriolisMatrix => {
+            let symbols = christoffel::christoffel(graph, chain);
+            symbols
+                .iter()
+                .flatten()
+                .map(|row| dot(zero, row, &qd))
+                .collect()
+        }
         Function::BiasForce => {
             let motion = assembled(symbols, robot, chain, Function::CoriolisVector);
             let gravity = energy::gravity_vector(chain);
             sum(sum(motion, &gravity), &friction(symbols, robot))
         }
-        Function::InverseDynamics => {
+        Function::InverseDynamics | Function::TaylorSeries => {
             let qdd = symbols.all(|joint| joint.qdd);
             let inertial = composite::mass_matrix(chain)
                 .iter()
@@ -207,13 +259,13 @@ fn assembled<'g>(
             })
         }
         Function::Regressor => regressor::by_partial_velocities(symbols, robot, chain),
-        _ => outputs(symbols, robot, chain, function, Form::Recursive),
+        _ => of_rows(symbols, robot, chain, function, Form::Recursive),
     }
 }
 
-/// tau - V - G - F
+/// tau - V - G - F, for the joint of every row.
 fn net_force<'g>(symbols: &mut Symbols<'g>, robot: &Robot, chain: &Chain<'g>) -> Vec<Expr<'g>> {
-    let bias = outputs(symbols, robot, chain, Function::BiasForce, Form::Recursive);
+    let bias = of_rows(symbols, robot, chain, Function::BiasForce, Form::Recursive);
     let applied = symbols.all(|joint| joint.tau).into_iter();
     applied.zip(bias).map(|(tau, bias)| tau - bias).collect()
 }
@@ -246,13 +298,16 @@ fn acceleration_derivatives<'g>(
     chain: &Chain<'g>,
     solve: impl Fn(&Factors<'g>, Vec<Expr<'g>>) -> Vec<Expr<'g>>,
 ) -> Vec<Expr<'g>> {
-    let n = robot.rows.len();
-    let matrix = composite::mass_matrix(chain);
-    let net = net_force(symbols, robot, chain);
+    let joints = Joints::of(robot);
+    let n = robot.dof();
+    let matrix = joints.block(composite::mass_matrix(chain));
+    let net = joints.entries(net_force(symbols, robot, chain));
     let (factors, qdd) = Factors::new(symbols.graph(), matrix.clone(), net);
     let qd = symbols.all(|joint| joint.qd);
+    let qdd = joints.rows(&qdd, chain.zero);
     let without_friction = derivatives::recursion(chain, &qd, &qdd);
     let forces = with_friction(symbols, robot, without_friction);
+    let forces = joints.outputs(Function::InverseDynamicsDerivatives, forces);
     let mut values = forces.clone();
     for (b, x) in forces.chunks(n * n).zip(values.chunks_mut(n * n)) {
         for column in 0..n {

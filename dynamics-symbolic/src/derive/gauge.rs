@@ -20,6 +20,9 @@ pub struct Gauge {
     pub stays: Vec<bool>,
     /// Which moment of inertia is kept.
     pub keep: Vec<Keep>,
+    /// Whether inertial parameters move inwards to the base parameters: see
+    /// [`Chain::group_parameters`].
+    pub grouped: bool,
 }
 
 /// How many nodes of trial graphs one search may make: the search ends within
@@ -33,13 +36,25 @@ impl Gauge {
             origins: vec![Origin::AfterOffset; dof],
             stays: vec![false; dof],
             keep: vec![Keep::Xx; dof],
+            grouped: true,
         }
     }
 
-    /// The chain of a robot in this gauge, with base inertial parameters.
+    /// The plain gauge with every link's own parameters. Grouping moves a heavy payload to the links
+    /// before it, where what is left of it is a difference of large numbers.
+    pub fn physical(dof: usize) -> Self {
+        Gauge {
+            grouped: false,
+            ..Gauge::plain(dof)
+        }
+    }
+
+    /// The chain of a robot in this gauge.
     pub fn chain<'g>(&self, symbols: &mut Symbols<'g>, robot: &Robot) -> Chain<'g> {
         let mut chain = Chain::new(symbols, robot, &self.origins);
-        chain.group_parameters(&self.keep);
+        if self.grouped {
+            chain.group_parameters(&self.keep);
+        }
         chain.stay_behind(&self.stays);
         chain
     }
@@ -56,6 +71,10 @@ impl Gauge {
             _ => (function, form),
         };
         let dof = robot.rows.len();
+        if function == Function::ForwardDynamicsAba {
+            // Accuracy decides, not length.
+            return Gauge::physical(dof);
+        }
         let mut gauge = Gauge::plain(dof);
         if function == Function::BaseParameters {
             // Functions of the table alone.

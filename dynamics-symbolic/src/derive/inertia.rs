@@ -140,6 +140,15 @@ impl<R: Ring> Body<R> {
         }
     }
 
+    /// What is left of it without the other.
+    pub fn less(self, other: Self) -> Self {
+        Body {
+            mass: self.mass - other.mass,
+            moment: self.moment - other.moment,
+            inertia: self.inertia - other.inertia,
+        }
+    }
+
     /// In the frame before a turn about x.
     pub fn left_x(self, turn: Turn<R>) -> Self {
         Body {

@@ -11,6 +11,7 @@ mod energy;
 pub mod functions;
 pub mod gauge;
 pub mod inertia;
+mod joints;
 mod kinematics;
 mod momentum;
 mod recursive;
@@ -36,7 +37,7 @@ pub fn derive(robot: &Robot, function: Function) -> Program {
     if function == Function::ForwardDynamicsDerivatives {
         // Programs so long are compared before they are simplified.
         let gauge = Gauge::search(robot, function, Form::Recursive);
-        let length = |form: &Form| gauge.cost(robot, function, *form, &mut 0);
+        let length = |form: &Form| gauge.length(robot, function, *form);
         let form = forms.into_iter().min_by_key(length);
         let form = form.expect("every function has a form");
         return simplified(robot, function, form, &gauge);
@@ -49,18 +50,20 @@ pub fn derive(robot: &Robot, function: Function) -> Program {
         .expect("every function has a form")
 }
 
-/// The forms of forward dynamics differ by the number of joints, the more the
-/// longer the arm. How they compare shows before any search: a form that takes
-/// over a tenth more than another in the plain gauge is not tried. Forms of
-/// other functions are all tried.
+/// The forms of forward dynamics and of the Coriolis matrix differ by the number
+/// of joints, the more the longer the arm. How they compare shows before any
+/// search: a form that takes over a tenth more than another in the plain gauge is
+/// not tried. Forms of other functions are all tried.
 fn promising_forms(robot: &Robot, function: Function) -> Vec<Form> {
-    let dof = robot.rows.len();
-    let forms = Form::of(function, dof);
-    if function != Function::ForwardDynamics {
+    let forms = Form::of(function, robot.dof());
+    if !matches!(
+        function,
+        Function::ForwardDynamics | Function::CoriolisMatrix
+    ) {
         return forms.to_vec();
     }
-    let plain = Gauge::plain(dof);
-    let cost = |form| plain.cost(robot, function, form, &mut 0);
+    let plain = Gauge::plain(robot.rows.len());
+    let cost = |form| plain.length(robot, function, form);
     let costs: Vec<_> = forms.iter().map(|&form| cost(form)).collect();
     let least = costs.iter().copied().min().unwrap_or(0);
     let forms = forms.iter().zip(costs);
@@ -80,7 +83,10 @@ fn simplified(robot: &Robot, function: Function, form: Form, gauge: &Gauge) -> P
     let graph = Graph::new();
     let mut symbols = Symbols::new(&graph, robot);
     let mut network = gauge.network(&mut symbols, robot, function, form);
-    simplify(&mut network, Effort::DEFAULT);
+    // Another way to write a number may be a difference of larger ones.
+    if function != Function::ForwardDynamicsAba {
+        simplify(&mut network, Effort::DEFAULT);
+    }
     let program = Program::new(&graph, symbols.meanings(), network.outputs(), &|id| {
         network.definition(id)
     });

@@ -9,7 +9,7 @@ use crate::robot::{Interpretation, JointType, Robot, Symbol, Value};
 pub struct JointSymbols<'g> {
     /// Sine and cosine of the position (revolute joints).
     pub sin_cos: (Expr<'g>, Expr<'g>),
-    /// Position.
+    /// Position; the cell where the joint is locked, with no velocity, acceleration or force.
     pub q: Expr<'g>,
     /// Velocity.
     pub qd: Expr<'g>,
@@ -42,31 +42,57 @@ impl<'g> Symbols<'g> {
                 graph.symbol(Level::Parameter)
             })
             .collect();
-        let joints = (0..robot.rows.len())
-            .map(|i| {
-                let (s, c) = graph.circle(Level::Variable);
-                meanings.extend([Symbol::Sine(i), Symbol::Cosine(i)]);
-                let mut variable = |meaning| {
-                    meanings.push(meaning);
-                    graph.symbol(Level::Variable)
-                };
-                JointSymbols {
-                    sin_cos: (s, c),
-                    q: variable(Symbol::Position(i)),
-                    qd: variable(Symbol::Velocity(i)),
-                    qdd: variable(Symbol::Acceleration(i)),
-                    tau: variable(Symbol::Force(i)),
-                    sign: variable(Symbol::VelocitySign(i)),
-                }
-            })
-            .collect();
-        Symbols {
+        let mut symbols = Symbols {
             graph,
             meanings,
             pi,
             fields,
             angles: Vec::new(),
-            joints,
+            joints: Vec::with_capacity(robot.rows.len()),
+        };
+        let mut moving = 0..;
+        for row in &robot.rows {
+            let joint = match &row.locked {
+                Some(position) => symbols.locked_joint(row.joint_type, position),
+                None => symbols.moving_joint(moving.next().unwrap_or_default()),
+            };
+            symbols.joints.push(joint);
+        }
+        symbols
+    }
+
+    /// The variables of joint i of those that move.
+    fn moving_joint(&mut self, i: usize) -> JointSymbols<'g> {
+        let (s, c) = self.graph.circle(Level::Variable);
+        self.meanings.extend([Symbol::Sine(i), Symbol::Cosine(i)]);
+        let mut variable = |meaning| {
+            self.meanings.push(meaning);
+            self.graph.symbol(Level::Variable)
+        };
+        JointSymbols {
+            sin_cos: (s, c),
+            q: variable(Symbol::Position(i)),
+            qd: variable(Symbol::Velocity(i)),
+            qdd: variable(Symbol::Acceleration(i)),
+            tau: variable(Symbol::Force(i)),
+            sign: variable(Symbol::VelocitySign(i)),
+        }
+    }
+
+    /// A joint that is locked: everything about it is constant.
+    fn locked_joint(&mut self, joint_type: JointType, position: &Value) -> JointSymbols<'g> {
+        let zero = self.graph.zero();
+        let angle = match joint_type {
+            JointType::Revolute => position,
+            JointType::Prismatic => &Value::zero(),
+        };
+        JointSymbols {
+            sin_cos: self.sin_cos(angle),
+            q: self.value(position),
+            qd: zero,
+            qdd: zero,
+            tau: zero,
+            sign: zero,
         }
     }
 
@@ -80,17 +106,18 @@ impl<'g> Symbols<'g> {
         &self.meanings
     }
 
-    /// The variables of joint i.
+    /// The variables of the joint of row i.
     pub fn joint(&self, i: usize) -> &JointSymbols<'g> {
         &self.joints[i]
     }
 
-    /// One variable of every joint.
+    /// One variable of the joint of every row.
     pub fn all(&self, variable: impl Fn(&JointSymbols<'g>) -> Expr<'g>) -> Vec<Expr<'g>> {
         self.joints.iter().map(variable).collect()
     }
 
-    /// A direction in which, besides, position i changes at a rate: s' = c q', c' = -s q'.
+    /// A direction in which, besides, the position of row i's joint changes at a rate: s' = c q',
+    /// c' = -s q'. A joint that is locked does not move.
     pub fn along_position(
         &self,
         direction: Direction<'g>,
@@ -98,6 +125,9 @@ impl<'g> Symbols<'g> {
         rate: Expr<'g>,
     ) -> Direction<'g> {
         let joint = self.joint(i);
+        if joint.qd.is_zero() {
+            return direction;
+        }
         let (s, c) = joint.sin_cos;
         direction
             .with(s, c * rate)

@@ -44,7 +44,7 @@ pub(super) fn body(
         (reads_constants || reads_fields(program)).then(|| constants_of(arguments(function), path));
     let inputs = inputs(robot, function, program, path);
     let assignments = writer.assignments();
-    let outputs = writer.outputs(function, robot.rows.len(), path);
+    let outputs = writer.outputs(robot, function, path);
     quote!(#number #inputs #assignments #outputs)
 }
 
@@ -90,7 +90,7 @@ pub(super) fn literal(x: f64) -> TokenStream {
 
 /// The variable of an input. Names end in `_i`: an identifier pattern that
 /// happens to be the name of a user's constant would be that constant.
-fn input_name(robot: &Robot, symbol: &Symbol, angles: &[&Symbol]) -> String {
+pub(super) fn input_name(robot: &Robot, symbol: &Symbol, angles: &[&Symbol]) -> String {
     let angle_number = |value: &Value| {
         let same = |symbol: &&Symbol| match symbol {
             Symbol::AngleSine(other) | Symbol::AngleCosine(other) => other == value,
@@ -144,6 +144,23 @@ fn inputs(robot: &Robot, function: Function, program: &Program, path: &TokenStre
     lines
 }
 
+/// The inputs that no motion changes: fields, and sines and cosines of angles made of them. They
+/// expect `real` to be defined.
+pub(super) fn constant_inputs(robot: &Robot, program: &Program, path: &TokenStream) -> TokenStream {
+    let angles = program.angles();
+    let constant = |angle: &&Symbol| !matches!(angle, Symbol::Sine(_) | Symbol::Cosine(_));
+    let of_constants: Vec<_> = angles.iter().copied().filter(constant).collect();
+    let mut lines = sines(robot, Function::BaseParameters, &of_constants, path);
+    for symbol in &program.inputs {
+        if let Symbol::Field(i) = symbol {
+            let name = ident(&input_name(robot, symbol, &angles));
+            let value = parametric(robot, &Value::Field(*i));
+            lines.extend(quote!(let #name = #value;));
+        }
+    }
+    lines
+}
+
 /// The sines and cosines, all angles of a kind in one call, which evaluates them in the lanes of a
 /// vector register. Where the runtime may know those of the joints, they come from `sines`.
 fn sines(robot: &Robot, function: Function, angles: &[&Symbol], path: &TokenStream) -> TokenStream {
@@ -189,7 +206,7 @@ fn sines(robot: &Robot, function: Function, angles: &[&Symbol], path: &TokenStre
 }
 
 /// Where an input is read: fields first, then the arguments in their order.
-fn place(symbol: &Symbol) -> (u8, usize) {
+pub(super) fn place(symbol: &Symbol) -> (u8, usize) {
     match symbol {
         Symbol::Pi | Symbol::AngleSine(_) | Symbol::AngleCosine(_) => (0, 0),
         Symbol::Field(i) => (1, *i),
@@ -383,8 +400,8 @@ impl<'p> Writer<'p> {
         quote!(#path::nalgebra::SMatrix::from_data(#path::nalgebra::ArrayStorage([#(#columns),*])))
     }
 
-    fn outputs(&self, function: Function, dof: usize, path: &TokenStream) -> TokenStream {
-        match shape(function, dof) {
+    fn outputs(&self, robot: &Robot, function: Function, path: &TokenStream) -> TokenStream {
+        match shape(function, robot.dof()) {
             Shape::Number => self.output(0),
             Shape::Matrix(rows, columns) => self.matrix(0, rows, columns, path),
             Shape::Regressor(rows) => {
@@ -392,13 +409,15 @@ impl<'p> Writer<'p> {
                 self.matrix(0, rows, columns, path)
             }
             Shape::BaseParameters => self.matrix(0, self.program.outputs.len(), 1, path),
+            // Written over series, in another file.
+            Shape::TaylorCoefficients => TokenStream::new(),
             Shape::Poses(count) => {
                 let poses = (0..count).map(|i| self.matrix(16 * i, 4, 4, path));
                 quote!([#(#poses),*])
             }
             Shape::Accelerations(n) => {
                 let accelerations = self.matrix(0, n, 1, path);
-                let tests = self.pivot_tests(n, n, path);
+                let tests = self.pivot_tests(robot, n, path);
                 quote!(#tests ::core::result::Result::Ok(#accelerations))
             }
             Shape::ForceDerivatives(n) => {
@@ -408,20 +427,23 @@ impl<'p> Writer<'p> {
             Shape::AccelerationDerivatives(n) => {
                 let [by_position, by_velocity, by_force] =
                     [0, 1, 2].map(|k| self.matrix(k * n * n, n, n, path));
-                let tests = self.pivot_tests(3 * n * n, n, path);
+                let tests = self.pivot_tests(robot, 3 * n * n, path);
                 quote!(#tests ::core::result::Result::Ok((#by_position, #by_velocity, #by_force)))
             }
         }
     }
 
-    /// A test of every pivot against its diagonal entry, from the tip inwards: `n` pivots from
+    /// A test of every pivot against its diagonal entry, from the tip inwards: the pivots from
     /// output `first` on, and the diagonal after them.
-    fn pivot_tests(&self, first: usize, n: usize, path: &TokenStream) -> TokenStream {
+    fn pivot_tests(&self, robot: &Robot, first: usize, path: &TokenStream) -> TokenStream {
+        let joints: Vec<_> = robot.joints().collect();
+        let n = joints.len();
         let tests = (0..n).rev().map(|joint| {
             let pivot = self.output(first + joint);
             let diagonal = self.output(first + n + joint);
+            let name = joints[joint].name.as_str();
             let joint = Literal::usize_unsuffixed(joint);
-            quote!(#path::SingularMassMatrix::test(#joint, #pivot, #diagonal)?;)
+            quote!(#path::SingularMassMatrix::test_joint(#joint, #name, #pivot, #diagonal)?;)
         });
         tests.collect()
     }

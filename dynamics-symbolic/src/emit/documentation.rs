@@ -3,7 +3,7 @@
 use super::formula::formulas;
 use super::signature::{Shape, arguments, shape};
 use crate::function::Function;
-use crate::program::Program;
+use crate::program::{Operand, Output, Program};
 use crate::robot::{JointType, Robot};
 
 /// What a function is, in a line, its shapes, units and other names.
@@ -28,6 +28,11 @@ fn description(function: Function) -> &'static str {
         }
         Function::ForwardDynamics => {
             "Forward dynamics: the accelerations qdd with M(q) qdd + V(q, qd) + G(q) + F(qd) = tau, rad/s^2 or m/s^2."
+        }
+        Function::ForwardDynamicsAba => {
+            "Forward dynamics by articulated bodies (Featherstone), without M(q): the accelerations qdd with \
+             M(q) qdd + V(q, qd) + G(q) + F(qd) = tau, rad/s^2 or m/s^2. Longer than `forward_dynamics`, and accurate \
+             where M(q) is nearly singular: about as many digits are right as the data determine."
         }
         Function::KineticEnergy => {
             "Kinetic energy T(q, qd) = 1/2 qd^T M(q) qd, reflected motor inertias included, J."
@@ -54,7 +59,7 @@ fn description(function: Function) -> &'static str {
             "Forward kinematics: the homogeneous transform of the last link frame in the base frame, m."
         }
         Function::LinkPoses => {
-            "Homogeneous transforms of every link frame in the base frame, from the base outwards, m."
+            "Homogeneous transforms in the base frame of every link frame whose joint moves, from the base outwards, m."
         }
         Function::Jacobian => {
             "Geometric Jacobian of the last link frame's origin, 6 x N, rows vx vy vz wx wy wz, in the base frame."
@@ -78,6 +83,11 @@ fn description(function: Function) -> &'static str {
             "The P base inertial parameters: the smallest set by which the joint forces of every motion are \
              determined, regressor * base_parameters = tau - F."
         }
+        Function::TaylorSeries => {
+            "Taylor coefficients q_0, q_1, ... of the motion q(t) = sum q_k t^k that starts at t = 0 from `q` and `qd` \
+             under the constant `tau`, up to `order` (2 to 30); zero beyond. Coulomb friction keeps the sign that it \
+             has at the start: the series ends where a joint reverses."
+        }
     }
 }
 
@@ -87,6 +97,7 @@ pub(super) fn documentation(
     function: Function,
     program: &Program,
     constants: &[f64],
+    notes: &[String],
 ) -> Vec<String> {
     let mut lines = vec![format!(" {}", description(function)), String::new()];
     if !arguments(function).is_empty() {
@@ -96,26 +107,79 @@ pub(super) fn documentation(
     if matches!(function, Function::Regressor | Function::BaseParameters) {
         lines.extend(super::parameters::lines(robot));
     }
-    lines.push(format!(" Operations: {}.", program.operations()));
-    if let Some(formulas) = formulas(robot, program, constants).filter(|_| robot.rows.len() <= 3) {
-        lines.extend(formula_lines(function, robot.rows.len(), &formulas));
+    for note in notes {
+        lines.extend([note.clone(), String::new()]);
+    }
+    let each = match function {
+        Function::TaylorSeries => {
+            " of the equations of motion at each order, inner sums of products apart"
+        }
+        _ => "",
+    };
+    lines.push(format!(" Operations{each}: {}.", program.operations()));
+    if let Some(formulas) = formulas(robot, program, constants).filter(|_| robot.dof() <= 3) {
+        lines.extend(formula_lines(function, robot.dof(), &formulas));
     }
     lines.push(String::new());
-    lines.push(match function {
-        Function::ForwardDynamics | Function::ForwardDynamicsDerivatives => {
-            " # Errors\n\n `SingularMassMatrix` where M(q) is not positive definite to working precision, or not finite: \
-             it names the joint whose pivot failed.\n\n Never panics, never allocates; what depends on an input that \
-             is not finite is not finite."
-                .to_owned()
-        }
-        _ => " Never panics, never allocates; what depends on an input that is not finite is not finite.".to_owned(),
-    });
+    let solves = matches!(
+        function,
+        Function::ForwardDynamics
+            | Function::ForwardDynamicsAba
+            | Function::ForwardDynamicsDerivatives
+            | Function::TaylorSeries
+    );
+    if solves {
+        lines.push(errors(&unresisted(robot, function, program, constants)));
+        lines.push(String::new());
+    }
+    lines.push(
+        " Never panics, never allocates; what depends on an input that is not finite is not finite."
+            .to_owned(),
+    );
     lines
+}
+
+/// When a function that solves with M fails.
+fn errors(unresisted: &[&str]) -> String {
+    match unresisted {
+        [] => " # Errors\n\n `SingularMassMatrix` where M(q) is not positive definite to working precision, or not \
+               finite: it names the joint whose pivot failed."
+            .to_owned(),
+        names => format!(
+            " # Errors\n\n `SingularMassMatrix`, at every state of this arm: nothing resists `{}`. It takes a link with \
+             inertia about the joint's axis, or a motor.",
+            names.join("` and `")
+        ),
+    }
+}
+
+/// The joints whose pivot is the constant 0, whatever the state.
+fn unresisted<'r>(
+    robot: &'r Robot,
+    function: Function,
+    program: &Program,
+    constants: &[f64],
+) -> Vec<&'r str> {
+    let n = robot.dof();
+    let first = match function {
+        // Its pivots are those of the runtime's factorisation.
+        Function::TaylorSeries => return Vec::new(),
+        Function::ForwardDynamicsDerivatives => 3 * n * n,
+        _ => n,
+    };
+    let pivots = &program.outputs[first..first + n];
+    let is_zero = |pivot: &Output| match pivot.operand {
+        Operand::Constant(id) => constants[id.index()] == 0.0,
+        _ => false,
+    };
+    let joints = robot.joints().zip(pivots);
+    let unresisted = joints.filter(|(_, pivot)| is_zero(pivot));
+    unresisted.map(|(row, _)| row.name.as_str()).collect()
 }
 
 /// The units of the arguments.
 fn units(robot: &Robot, function: Function) -> String {
-    let is = |joint_type| robot.rows.iter().all(|row| row.joint_type == joint_type);
+    let is = |joint_type| robot.joints().all(|row| row.joint_type == joint_type);
     let (position, force) = match (is(JointType::Revolute), is(JointType::Prismatic)) {
         (true, _) => ("rad", "N m"),
         (_, true) => ("m", "N"),

@@ -9,11 +9,12 @@ mod documentation;
 mod formula;
 mod parameters;
 mod polynomial;
+mod series;
 mod signature;
 
 use signature::signature;
 pub use signature::{base_parameter_constants, stub, stub_of_trait};
-use signature::{call, provided};
+use signature::{call, leading_matrix, provided};
 
 use crate::function::Function;
 use crate::program::Program;
@@ -30,8 +31,35 @@ pub struct Emitted {
     pub provided: Option<TokenStream>,
 }
 
-/// The documented method of a function, with the rounded constants of its program; `path` is the
-/// path of the runtime crate.
+/// The method `taylor_series`, and the items of `TaylorDynamics`: the inverse dynamics over series,
+/// and the mass matrix, each a program with its rounded constants.
+pub fn taylor_series(
+    robot: &Robot,
+    [equations, matrix]: [(&Program, &[f64]); 2],
+    notes: &[String],
+    path: &TokenStream,
+) -> Emitted {
+    let (function, dof) = (Function::TaylorSeries, robot.dof());
+    let documentation =
+        documentation::documentation(robot, function, equations.0, equations.1, notes);
+    let signature = signature(function, dof, 0, path);
+    let call = call(function, dof, path);
+    let body = body::body(robot, Function::MassMatrix, matrix.0, matrix.1, path);
+    let matrix = leading_matrix(dof, path, &body);
+    let series = series::items(robot, equations.0, equations.1, path);
+    Emitted {
+        inherent: quote! {
+            #(#[doc = #documentation])*
+            #[inline]
+            #[allow(unused_variables, clippy::all)]
+            pub #signature { #call }
+        },
+        provided: Some(quote!(#series #matrix)),
+    }
+}
+
+/// The documented method of a function, with the rounded constants of its program; `notes` are
+/// lines of its documentation, `path` is the path of the runtime crate.
 ///
 /// The body of a function that the runtime calls in lanes stands in the implementation of its
 /// trait: it must be compiled into the loop over the lanes, for the instructions that are chosen
@@ -41,18 +69,19 @@ pub fn method(
     function: Function,
     program: &Program,
     constants: &[f64],
+    notes: &[String],
     path: &TokenStream,
 ) -> Emitted {
-    let documentation = documentation::documentation(robot, function, program, constants);
+    let documentation = documentation::documentation(robot, function, program, constants, notes);
     let parameters = match function {
-        Function::Regressor => program.outputs.len() / robot.rows.len(),
+        Function::Regressor => program.outputs.len() / robot.dof(),
         _ => program.outputs.len(),
     };
-    let signature = signature(function, robot.rows.len(), parameters, path);
+    let signature = signature(function, robot.dof(), parameters, path);
     let body = body::body(robot, function, program, constants, path);
-    let (inherent, provided) = match provided(function, robot.rows.len(), path, &body) {
+    let (inherent, provided) = match provided(function, robot.dof(), path, &body) {
         None => (body, None),
-        Some(item) => (call(function, robot.rows.len(), path), Some(item)),
+        Some(item) => (call(function, robot.dof(), path), Some(item)),
     };
     Emitted {
         inherent: quote! {

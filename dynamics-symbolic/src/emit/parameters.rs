@@ -45,9 +45,14 @@ fn legend(robot: &Robot) -> String {
         false => "",
     };
     let slides = |row: &crate::robot::Row| row.joint_type == JointType::Prismatic;
-    let turn = match robot.rows.iter().any(slides) {
+    let is_locked = |row: &crate::robot::Row| row.locked.is_some();
+    let turn = match robot.rows.iter().any(slides) || robot.rows.iter().any(is_locked) {
         true => ", sti, cti of its theta",
         false => "",
+    };
+    let turn = match robot.rows.iter().any(is_locked) {
+        true => format!("{turn}; where joint i is locked, its position is added to theta or d"),
+        false => turn.to_owned(),
     };
     format!(
         "Jixx to Jizz (kg m^2) are the entries of link i's inertia tensor about the origin of frame i, hix to hiz \
@@ -170,15 +175,16 @@ fn named_geometry<'p>(all: &'p Polynomials, robot: &Robot) -> Vec<LinkGeometry<P
             };
             LinkGeometry {
                 joint_type: link.joint_type,
+                locked: link.locked,
                 a: cell(link.a, format!("a{row}")),
                 d: cell(link.d, format!("d{}", i + 1)),
                 twist: turn(link.twist, "a", row),
                 turn: match link.joint_type {
-                    JointType::Revolute => Turn {
+                    JointType::Revolute if !link.locked => Turn {
                         s: all.number(0),
                         c: all.number(1),
                     },
-                    JointType::Prismatic => turn(link.turn, "t", i + 1),
+                    _ => turn(link.turn, "t", i + 1),
                 },
             }
         })

@@ -25,7 +25,10 @@ pub(super) fn arguments(function: Function) -> &'static [&'static str] {
         Function::InverseDynamics | Function::InverseDynamicsDerivatives | Function::Regressor => {
             &["q", "qd", "qdd"]
         }
-        Function::ForwardDynamics | Function::ForwardDynamicsDerivatives => &["q", "qd", "tau"],
+        Function::ForwardDynamics
+        | Function::ForwardDynamicsAba
+        | Function::ForwardDynamicsDerivatives
+        | Function::TaylorSeries => &["q", "qd", "tau"],
         Function::BaseParameters => &[],
     }
 }
@@ -49,6 +52,8 @@ pub(super) enum Shape {
     Regressor(usize),
     /// The base parameters, one a row.
     BaseParameters,
+    /// Coefficients of Taylor series, or the failure of a pivot.
+    TaylorCoefficients,
 }
 
 pub(super) fn shape(function: Function, dof: usize) -> Shape {
@@ -61,7 +66,7 @@ pub(super) fn shape(function: Function, dof: usize) -> Shape {
         | Function::FrictionVector
         | Function::InverseDynamics
         | Function::BiasForce => Shape::Matrix(dof, 1),
-        Function::ForwardDynamics => Shape::Accelerations(dof),
+        Function::ForwardDynamics | Function::ForwardDynamicsAba => Shape::Accelerations(dof),
         Function::KineticEnergy | Function::PotentialEnergy => Shape::Number,
         Function::CoriolisCoefficients => Shape::Matrix(dof, dof * (dof.max(1) - 1) / 2),
         Function::ForwardKinematics => Shape::Matrix(4, 4),
@@ -71,6 +76,7 @@ pub(super) fn shape(function: Function, dof: usize) -> Shape {
         Function::ForwardDynamicsDerivatives => Shape::AccelerationDerivatives(dof),
         Function::Regressor => Shape::Regressor(dof),
         Function::BaseParameters => Shape::BaseParameters,
+        Function::TaylorSeries => Shape::TaylorCoefficients,
     }
 }
 
@@ -95,6 +101,9 @@ fn output_type(
             quote!(::core::result::Result<(#square, #square, #square), #path::SingularMassMatrix>)
         }
         (Shape::Regressor(_), _) => quote!(#path::nalgebra::SMatrix<T, #n, #parameters>),
+        (Shape::TaylorCoefficients, _) => {
+            quote!(::core::result::Result<#path::TaylorCoefficients<T, #n>, #path::SingularMassMatrix>)
+        }
         (Shape::BaseParameters, _) => quote!(#path::nalgebra::SVector<T, #parameters>),
         (_, Function::ForwardKinematics) => quote!(#path::nalgebra::Matrix4<T>),
         (_, Function::Jacobian) => quote!(#path::nalgebra::SMatrix<T, 6, #n>),
@@ -134,12 +143,18 @@ fn signature_with(
     let n = number_of_joints(dof);
     let arguments = arguments(function).iter().map(|argument| ident(argument));
     let output = output_type(function, dof, parameters, &n, path);
+    let order = (function == Function::TaylorSeries).then(|| {
+        let order = ident("order");
+        quote!(, #order: usize)
+    });
     quote! {
-        fn #name<T: #path::Scalar #generic>(&self #(, #arguments: &#path::nalgebra::SVector<T, #n>)*) -> #output
+        fn #name<T: #path::Scalar #generic>(
+            &self #(, #arguments: &#path::nalgebra::SVector<T, #n>)* #order
+        ) -> #output
     }
 }
 
-fn number_of_joints(dof: usize) -> TokenStream {
+pub(super) fn number_of_joints(dof: usize) -> TokenStream {
     match dof {
         0 => quote!(N),
         _ => Literal::usize_unsuffixed(dof).into_token_stream(),
@@ -155,6 +170,11 @@ pub(super) fn provided(
     body: &TokenStream,
 ) -> Option<TokenStream> {
     function.trait_name()?;
+    if function == Function::TaylorSeries {
+        let series = super::series::declarations([0, 1], dof, path, body);
+        let matrix = leading_matrix(dof, path, body);
+        return Some(quote!(#series #matrix));
+    }
     let signature = signature_with(function, dof, 0, path, None);
     let n = number_of_joints(dof);
     let at = ident(&format!("{}_at", function.name()));
@@ -178,12 +198,32 @@ pub(super) fn provided(
     })
 }
 
+/// The method of `TaylorDynamics` that is the mass matrix, with a given body.
+pub(super) fn leading_matrix(dof: usize, path: &TokenStream, body: &TokenStream) -> TokenStream {
+    let n = number_of_joints(dof);
+    let [sines, q] = ["sines", "q"].map(ident);
+    quote! {
+        #[inline(always)]
+        fn leading_matrix<T: #path::Scalar>(
+            &self,
+            #sines: &impl #path::JointSines<T>,
+            #q: &#path::nalgebra::SVector<T, #n>
+        ) -> #path::nalgebra::SMatrix<T, #n, #n> {
+            #body
+        }
+    }
+}
+
 /// The call of the method of the runtime's trait.
 pub(super) fn call(function: Function, dof: usize, path: &TokenStream) -> TokenStream {
     let n = number_of_joints(dof);
     let [name, of] = [function.name(), function.trait_name().unwrap_or_default()].map(ident);
     let arguments = arguments(function).iter().map(|argument| ident(argument));
-    quote!(<Self as #path::#of<#n>>::#name(self #(, #arguments)*))
+    let order = (function == Function::TaylorSeries).then(|| {
+        let order = ident("order");
+        quote!(, #order)
+    });
+    quote!(<Self as #path::#of<#n>>::#name(self #(, #arguments)* #order))
 }
 
 /// The associated constants `BASE_PARAMETERS` and `BASE_PARAMETER_NAMES`, where one of the functions

@@ -44,7 +44,7 @@ impl Assignment {
             .iter()
             .map(|_| Number::random(&mut random))
             .collect();
-        let joints = robot.rows.iter().map(|_| JointPoint {
+        let joints = robot.joints().map(|_| JointPoint {
             sin_cos: circle_point(&mut random),
             q: Number::random(&mut random),
             qd: Number::random(&mut random),
@@ -63,7 +63,7 @@ impl Assignment {
         }
     }
 
-    /// The variables of the joints.
+    /// The variables of the joints that move.
     pub fn joints(&self) -> &[JointPoint] {
         &self.joints
     }

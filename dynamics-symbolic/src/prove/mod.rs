@@ -98,6 +98,8 @@ mod tests {
             gear_ratio: Value::integer(1),
             viscous: zero(),
             coulomb: zero(),
+            limits: None,
+            locked: None,
         };
         Robot {
             name: "Pendulum".to_owned(),
@@ -105,6 +107,7 @@ mod tests {
             convention: Convention::Standard,
             gravity: [(); 3].map(|()| zero()),
             rows: vec![row],
+            neglected: None,
         }
     }
 

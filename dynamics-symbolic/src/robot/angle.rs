@@ -8,6 +8,8 @@ use dashu_int::ops::RemEuclid;
 
 /// A distance to a multiple of a quarter turn below which an angle means that
 /// multiple: decimals such as 1.5707963267948966 are pi/2.
+///
+/// Zero has no decimals to round: 1e-9 is the angle between two axes that are nearly parallel.
 const TOLERANCE: f64 = 1e-9;
 
 /// Beyond it the spacing of doubles comes near to the tolerance.
@@ -64,7 +66,7 @@ fn modulo_4(quarters: &IBig) -> u8 {
 
 impl LinearForm {
     /// The constant part as whole quarter turns modulo 4, where it is a multiple of one: exactly,
-    /// or as decimals that are near enough.
+    /// or as decimals that are near enough. Near zero only a difference of decimals and pi is that.
     fn whole_quarter_turns(&self) -> Option<u8> {
         let of_pi = &self.pi * Rational::from(2);
         if self.number.is_zero() && of_pi.is_int() {
@@ -72,8 +74,10 @@ impl LinearForm {
         }
         let radians = self.number.to_f64().value() + self.pi.to_f64().value() * PI;
         let nearest = (radians / FRAC_PI_2).round();
-        let is_near =
-            radians.abs() <= LARGEST && (radians - nearest * FRAC_PI_2).abs() <= TOLERANCE;
+        let is_difference = !self.number.is_zero() && !self.pi.is_zero();
+        let is_near = radians.abs() <= LARGEST
+            && (radians - nearest * FRAC_PI_2).abs() <= TOLERANCE
+            && (nearest != 0.0 || is_difference);
         is_near.then(|| nearest.rem_euclid(4.0) as u8)
     }
 
@@ -189,6 +193,21 @@ mod tests {
                 rest: Some(rational(15708, 10000))
             }
         );
+    }
+
+    /// Axes that are parallel but for 1e-9 rad exchange a little torque, and none where they are parallel.
+    #[test]
+    fn tiny_angles_are_not_zero() {
+        let tiny = rational(1, 1_000_000_000);
+        for angle in [tiny.clone(), -tiny.clone(), tiny * rational(1, 1_000)] {
+            let expected = Angle {
+                quarter_turns: 0,
+                rest: Some(angle.clone()),
+            };
+            assert_eq!(Angle::new(&angle), expected);
+        }
+        let written_out = Value::Pi - rational(3_141_592_653_589_793, 1_000_000_000_000_000);
+        assert_eq!(Angle::new(&written_out).rest, None);
     }
 
     #[test]

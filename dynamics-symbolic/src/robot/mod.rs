@@ -3,6 +3,8 @@
 //! No syntax in here: the macro's parser builds these types, and so can any
 //! other program.
 
+use crate::derive::base::Grouping;
+
 mod angle;
 mod interpretation;
 mod parameter;
@@ -63,6 +65,12 @@ pub struct Row {
     pub viscous: Value,
     /// Coulomb friction at the joint, N m (or N).
     pub coulomb: Value,
+    /// The range of the joint's position, lower end first, rad or m, where it is known.
+    pub limits: Option<[Value; 2]>,
+    /// The position at which the joint is locked, rad or m, where it is: then the joint is none of
+    /// the arm's degrees of freedom, its link is a part of the one before, and its motor and its
+    /// friction do nothing.
+    pub locked: Option<Value>,
 }
 
 impl Row {
@@ -87,4 +95,43 @@ pub struct Robot {
     pub gravity: [Value; 3],
     /// The rows, from the base outwards.
     pub rows: Vec<Row>,
+    /// What the functions leave out: see [`crate::neglect`].
+    pub neglected: Option<Neglected>,
+}
+
+/// The base inertial parameters that are left out of the Lagrangian.
+#[derive(Clone, Debug)]
+pub struct Neglected {
+    /// The base parameters of the complete arm.
+    pub grouping: Grouping,
+    /// Row and parameter of those that are left out.
+    pub columns: Vec<(usize, Parameter)>,
+    /// The share below which their effects are, at most.
+    pub share: f64,
+}
+
+impl Robot {
+    /// The rows of the joints that move: joint j, of those that are counted from the base outwards
+    /// everywhere in the generated functions, is row `moving()[j]`.
+    pub fn moving(&self) -> Vec<usize> {
+        let rows = self.rows.iter().enumerate();
+        let moving = rows.filter(|(_, row)| row.locked.is_none());
+        moving.map(|(i, _)| i).collect()
+    }
+
+    /// How many links do not move at all, for all joints up to them are locked: parts of the base.
+    pub fn links_of_base(&self) -> usize {
+        let moving = self.rows.iter().position(|row| row.locked.is_none());
+        moving.unwrap_or(self.rows.len())
+    }
+
+    /// The number of joints that move.
+    pub fn dof(&self) -> usize {
+        self.moving().len()
+    }
+
+    /// The rows of the joints that move, from the base outwards.
+    pub fn joints(&self) -> impl Iterator<Item = &Row> {
+        self.rows.iter().filter(|row| row.locked.is_none())
+    }
 }

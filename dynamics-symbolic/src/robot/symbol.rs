@@ -2,7 +2,7 @@
 
 use super::Value;
 
-/// What a symbol stands for. Indices of joints count from 0.
+/// What a symbol stands for. Indices of joints count from 0, joints that are locked left out.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Symbol {
     /// The circle's ratio.

@@ -14,6 +14,7 @@ pub(crate) fn generic_chain(joints: usize) -> Robot {
         convention: Convention::Standard,
         gravity: [thousandths(0), thousandths(0), thousandths(-9_810)],
         rows: (1..=joints as i64).map(row).collect(),
+        neglected: None,
     }
 }
 
@@ -34,6 +35,8 @@ fn row(k: i64) -> Row {
         gear_ratio: thousandths(0),
         viscous: thousandths(0),
         coulomb: thousandths(0),
+        limits: None,
+        locked: None,
     }
 }
 

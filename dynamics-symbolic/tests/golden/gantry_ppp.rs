@@ -135,9 +135,9 @@ impl Arm {
     ///
     /** # Errors
 
- `SingularMassMatrix` where M(q) is not positive definite to working precision, or not finite: it names the joint whose pivot failed.
-
- Never panics, never allocates; what depends on an input that is not finite is not finite.*/
+ `SingularMassMatrix` where M(q) is not positive definite to working precision, or not finite: it names the joint whose pivot failed.*/
+    ///
+    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
     #[inline]
     #[allow(unused_variables, clippy::all)]
     pub fn forward_dynamics<T: ::robot_dynamics::Scalar>(
@@ -359,9 +359,24 @@ impl ::robot_dynamics::ForwardDynamics<3> for Arm {
         let t_7 = real(0.1) * t_6;
         let t_8 = real(-0.3333333333333333).mul_add(tau_3, qd_3);
         let t_9 = real(1.3333333333333333).mul_add(sign_3, t_8);
-        ::robot_dynamics::SingularMassMatrix::test(2, real(3.0), real(3.0))?;
-        ::robot_dynamics::SingularMassMatrix::test(1, real(10.0), real(10.0))?;
-        ::robot_dynamics::SingularMassMatrix::test(0, real(22.0), real(22.0))?;
+        ::robot_dynamics::SingularMassMatrix::test_joint(
+            2,
+            "joint3",
+            real(3.0),
+            real(3.0),
+        )?;
+        ::robot_dynamics::SingularMassMatrix::test_joint(
+            1,
+            "joint2",
+            real(10.0),
+            real(10.0),
+        )?;
+        ::robot_dynamics::SingularMassMatrix::test_joint(
+            0,
+            "joint1",
+            real(22.0),
+            real(22.0),
+        )?;
         ::core::result::Result::Ok(
             ::robot_dynamics::nalgebra::SMatrix::from_data(
                 ::robot_dynamics::nalgebra::ArrayStorage([[-t_4, t_7, -t_9]]),

@@ -89,9 +89,9 @@ impl Arm {
     ///
     /** # Errors
 
- `SingularMassMatrix` where M(q) is not positive definite to working precision, or not finite: it names the joint whose pivot failed.
-
- Never panics, never allocates; what depends on an input that is not finite is not finite.*/
+ `SingularMassMatrix` where M(q) is not positive definite to working precision, or not finite: it names the joint whose pivot failed.*/
+    ///
+    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
     #[inline]
     #[allow(unused_variables, clippy::all)]
     pub fn forward_dynamics<T: ::robot_dynamics::Scalar>(
@@ -420,8 +420,8 @@ impl ::robot_dynamics::ForwardDynamics<2> for Arm {
         let t_26 = real(1.0) / t_25;
         let t_27 = t_22 * t_26;
         let t_28 = t_18.mul_add(t_27, t_13 * t_17);
-        ::robot_dynamics::SingularMassMatrix::test(1, t_14, t_14)?;
-        ::robot_dynamics::SingularMassMatrix::test(0, t_25, t_24)?;
+        ::robot_dynamics::SingularMassMatrix::test_joint(1, "joint2", t_14, t_14)?;
+        ::robot_dynamics::SingularMassMatrix::test_joint(0, "joint1", t_25, t_24)?;
         ::core::result::Result::Ok(
             ::robot_dynamics::nalgebra::SMatrix::from_data(
                 ::robot_dynamics::nalgebra::ArrayStorage([[t_27, -t_28]]),

@@ -82,6 +82,8 @@ pub(crate) fn robot(name: &str) -> Robot {
             },
             viscous: cell(row, "viscous"),
             coulomb: cell(row, "coulomb"),
+            limits: None,
+            locked: None,
         });
     Robot {
         name: name.to_owned(),
@@ -92,6 +94,7 @@ pub(crate) fn robot(name: &str) -> Robot {
         },
         gravity: [0, 1, 2].map(|k| decimal(json["gravity"][k].as_f64().unwrap())),
         rows: rows.collect(),
+        neglected: None,
     }
 }
 

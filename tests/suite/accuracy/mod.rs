@@ -42,7 +42,7 @@ fn every_function_of_every_robot_is_within_its_bound() {
 }
 
 /// The values of each function that the references have as zero at every state, with the
-/// number of them that were computed as anything else.
+/// number of them that were computed as anything else, -0.0 among it.
 fn vanishing<const N: usize, const P: usize, R: Arm<N, P>>(robot: &R) -> Vec<(String, usize)> {
     let states: Vec<_> = states(robot).map(|(_, quantities)| quantities).collect();
     let mut entries = Vec::new();
@@ -53,7 +53,9 @@ fn vanishing<const N: usize, const P: usize, R: Arm<N, P>>(robot: &R) -> Vec<(St
         }
         let vanishes = |i: &usize| states.iter().all(|state| state[k].values[*i].1.is_zero());
         for i in (0..quantity.values.len()).filter(vanishes) {
-            let non_zero = states.iter().filter(|state| state[k].values[i].0 != 0.0);
+            let non_zero = states
+                .iter()
+                .filter(|state| state[k].values[i].0.to_bits() != 0);
             let name = format!("{} {}[{i}]", R::FILE, quantity.function);
             entries.push((name, non_zero.count()));
         }

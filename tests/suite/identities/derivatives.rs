@@ -1,11 +1,10 @@
 //! Derivatives of inverse and forward dynamics.
 
 use robot_dynamics::nalgebra::{SMatrix, SVector};
-use robot_dynamics::{AccelerationDerivatives, State};
+use robot_dynamics::{AccelerationDerivatives, DoubleDouble, State};
 
 use super::gradient::unit;
 use super::samples::{Magnitude, assert_small, largest, states};
-use crate::double_double::{DoubleDouble, exact};
 use crate::dual::{Dual, along};
 use crate::robots::Arm;
 
@@ -62,18 +61,16 @@ pub(super) fn force_derivatives_are_limits_of_differences<
         let State { q, qd, qdd } = &state;
         let (by_position, by_velocity) = robot.inverse_dynamics_derivatives(q, qd, qdd);
         let magnitude = Magnitude::at(robot, &state);
-        let [q, qd, qdd] = [q, qd, qdd].map(exact);
+        let [q, qd, qdd] = [q, qd, qdd].map(|x| x.map(DoubleDouble::from));
         let difference = |tau: &dyn Fn(&SVector<DoubleDouble, N>) -> SVector<DoubleDouble, N>,
                           k| {
-            let step: SVector<_, N> = exact(&(unit(k) * STEP));
+            let step: SVector<f64, N> = unit(k) * STEP;
+            let step = step.map(DoubleDouble::from);
             let (before, after) = (tau(&step.map(|x| -x)), tau(&step));
-            SVector::from_fn(|i, _| (after[i] - before[i]).value() / (2.0 * STEP))
+            SVector::from_fn(|i, _| (after[i] - before[i]).high() / (2.0 * STEP))
         };
-        let plus = |x: &SVector<DoubleDouble, N>, step: &SVector<DoubleDouble, N>| {
-            x.zip_map(step, |x, step| x + step)
-        };
-        let along_position = |step: &_| robot.inverse_dynamics(&plus(&q, step), &qd, &qdd);
-        let along_velocity = |step: &_| robot.inverse_dynamics(&q, &plus(&qd, step), &qdd);
+        let along_position = |step: &_| robot.inverse_dynamics(&(q + step), &qd, &qdd);
+        let along_velocity = |step: &_| robot.inverse_dynamics(&q, &(qd + step), &qdd);
         let expected = by_columns(|k| difference(&along_position, k));
         let errors = [
             (by_position - expected, magnitude.force_by_position),

@@ -11,6 +11,7 @@ mod gradient;
 mod inertia;
 mod inverse;
 mod kinematics;
+mod momenta;
 mod newton_euler;
 mod non_finite;
 mod regressor;
@@ -53,6 +54,8 @@ macro_rules! identities_of_all {
                     bias_force_is_the_torque_without_acceleration;
                 forward: forward_dynamics_undoes_inverse_dynamics,
                     inverse_dynamics_undoes_forward_dynamics;
+                momenta: forces_on_momenta_are_those_of_the_coriolis_matrix,
+                    velocity_undoes_momentum;
                 friction: friction_is_that_of_the_table,
                     nothing_rubs_at_rest;
                 kinematics: link_poses_are_products_of_the_transforms_of_the_table,
@@ -69,7 +72,8 @@ macro_rules! identities_of_all {
                 newton_euler: every_function_agrees_with_recursive_newton_euler;
                 non_finite: not_a_number_is_never_turned_into_a_number,
                     infinite_positions_are_never_turned_into_numbers,
-                    forward_dynamics_does_not_hide_a_torque_that_is_not_a_number;
+                    forward_dynamics_does_not_hide_a_torque_that_is_not_a_number,
+                    speeds_to_overflow_give_no_finite_forces;
                 single_precision: single_precision_agrees_with_double_precision;
             }
         }

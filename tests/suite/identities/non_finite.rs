@@ -97,3 +97,33 @@ pub(super) fn forward_dynamics_does_not_hide_a_torque_that_is_not_a_number<
         assert!(qdd.iter().all(|x| x.is_nan()), "{qdd}");
     }
 }
+
+/// V is quadratic in the velocity: at speeds whose square overflows, an entry that is not small is not
+/// finite, and one that vanishes identically is still 0. Nothing panics.
+pub(super) fn speeds_to_overflow_give_no_finite_forces<
+    const N: usize,
+    const P: usize,
+    R: Arm<N, P>,
+>(
+    robot: &R,
+) {
+    for state in states::<N>().take(3) {
+        let once = robot.coriolis_vector(&state.q, &state.qd);
+        for factor in [1e100, 1e160, 1e250, f64::MAX / 4.0] {
+            let qd = state.qd * factor;
+            let v = robot.coriolis_vector(&state.q, &qd);
+            for (v, once) in v.iter().zip(&once) {
+                let overflows = (once.abs() * factor) * factor == f64::INFINITY;
+                assert!(
+                    !overflows || !v.is_finite(),
+                    "{once} became {v} at {factor:e}"
+                );
+                assert!(*once != 0.0 || *v == 0.0 || v.is_nan(), "0 became {v}");
+            }
+            if let Ok(qdd) = robot.forward_dynamics(&state.q, &qd, &state.qdd) {
+                let is_lost = v.iter().any(|v| !v.is_finite()) && qdd.iter().all(|x| x.is_finite());
+                assert!(!is_lost, "{qdd} at {factor:e}");
+            }
+        }
+    }
+}

@@ -1,5 +1,6 @@
 //! The ways of computing the five functions of an arm.
 
+mod batch;
 mod dynibo;
 mod generated;
 mod numeric;
@@ -9,6 +10,7 @@ mod symplex;
 use robot_dynamics::State;
 use robot_dynamics::nalgebra::{SMatrix, SVector};
 
+pub(crate) use batch::{Columns, Lanes};
 pub(crate) use dynibo::Dynibo;
 #[cfg(feature = "symplex")]
 pub(crate) use symplex::Symplex;

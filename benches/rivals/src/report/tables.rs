@@ -87,6 +87,10 @@ fn row(
     .unwrap();
 }
 
+const GROUP: &str = "\
+Generated code: ns for one state, plain / native, and the largest error of the native build in brackets.
+";
+
 /// The functions that only the generated code has, a table for each group, a column for each arm.
 pub(crate) fn groups(plain: &Records, native: &Records) -> String {
     let mut text = String::new();
@@ -97,14 +101,16 @@ pub(crate) fn groups(plain: &Records, native: &Records) -> String {
             continue;
         }
         writeln!(text, "## {title}\n").unwrap();
-        writeln!(text, "Generated code, ns for one state, plain / native.\n").unwrap();
+        writeln!(text, "{GROUP}").unwrap();
         writeln!(text, "| function | {} |", ARMS.join(" | ")).unwrap();
         writeln!(text, "|---|{}", "---|".repeat(ARMS.len())).unwrap();
         for function in functions {
             let cell = |arm: &str| {
                 let time = |records: &Records| records.time(arm, function, GENERATED);
-                let [plain, native] = [plain, native].map(|r| or_dash(time(r).map(three_digits)));
-                format!("{plain} / {native}")
+                let [fast, faster] = [plain, native].map(|r| or_dash(time(r).map(three_digits)));
+                let errors = native.errors(arm, function, GENERATED);
+                let error = or_dash(errors.map(|[largest, _]| format!("{largest:.0e}")));
+                format!("{fast} / {faster} ({error})")
             };
             writeln!(text, "| {function} | {} |", ARMS.map(cell).join(" | ")).unwrap();
         }
@@ -113,7 +119,7 @@ pub(crate) fn groups(plain: &Records, native: &Records) -> String {
     text
 }
 
-fn three_digits(x: f64) -> String {
+pub(super) fn three_digits(x: f64) -> String {
     match x {
         ..9.95 => format!("{x:.1}"),
         _ => format!("{x:.0}"),

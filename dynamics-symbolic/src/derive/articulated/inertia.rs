@@ -53,6 +53,22 @@ impl<R: Ring> Articulated<R> {
         self.renamed().left_z(turn).renamed().renamed()
     }
 
+    /// As [`Articulated::left_z`]: no component across the axis is a difference of larger ones. A
+    /// payload that a joint gives way to in one direction weighs nothing in that direction: what a
+    /// turn makes of that is not what a large number less another leaves.
+    pub(super) fn turned_z(&self, turn: Turn<R>) -> Self {
+        Articulated {
+            angular: tensor_turned_z(turn, &self.angular),
+            coupling: matrix_turned_z(turn, &self.coupling),
+            linear: tensor_turned_z(turn, &self.linear),
+        }
+    }
+
+    /// As [`Articulated::left_x`], likewise.
+    pub(super) fn turned_x(&self, turn: Turn<R>) -> Self {
+        self.renamed().turned_z(turn).renamed().renamed()
+    }
+
     /// About a point from which the old origin is at r.
     pub(super) fn moved(&self, r: Vector3<R>) -> Self {
         // Along one axis after the other: a product for each component of r less than at once.
@@ -132,6 +148,38 @@ fn matrix_left_z<R: Ring>(turn: Turn<R>, h: &Matrix3<R>) -> Matrix3<R> {
     ])
 }
 
+/// R A R^T for the components across the axis, with every product in its own right:
+/// xx' = c^2 xx + s^2 yy - c s (xy + yx), yy' = s^2 xx + c^2 yy + c s (xy + yx),
+/// xy' = c s (xx - yy) + c^2 xy - s^2 yx, yx' = c s (xx - yy) + c^2 yx - s^2 xy.
+fn block_turned_z<R: Ring>(turn: Turn<R>, [[xx, xy], [yx, yy]]: [[R; 2]; 2]) -> [[R; 2]; 2] {
+    let (cc, ss, cs) = (turn.c * turn.c, turn.s * turn.s, turn.c * turn.s);
+    let (mixed, across) = (cs * (xy + yx), cs * (xx - yy));
+    [
+        [cc * xx + ss * yy - mixed, across + cc * xy - ss * yx],
+        [across + cc * yx - ss * xy, ss * xx + cc * yy + mixed],
+    ]
+}
+
+fn tensor_turned_z<R: Ring>(turn: Turn<R>, t: &Symmetric3<R>) -> Symmetric3<R> {
+    let [[xx, xy], [_, yy]] = block_turned_z(turn, [[t.xx, t.xy], [t.xy, t.yy]]);
+    let (xz, yz) = turn.leave(t.xz, t.yz);
+    Symmetric3 {
+        xx,
+        yy,
+        zz: t.zz,
+        xy,
+        yz,
+        xz,
+    }
+}
+
+fn matrix_turned_z<R: Ring>(turn: Turn<R>, h: &Matrix3<R>) -> Matrix3<R> {
+    let [[xx, xy, xz], [yx, yy, yz], z] = h.0;
+    let [[xx, xy], [yx, yy]] = block_turned_z(turn, [[xx, xy], [yx, yy]]);
+    let (xz, yz) = turn.leave(xz, yz);
+    Matrix3([[xx, xy, xz], [yx, yy, yz], leave_z(turn, Vector3(z)).0])
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -182,6 +230,14 @@ mod tests {
         let leave = |v| crate::derive::inertia::leave_x(turn, v);
         let outer = wrench(&inertia.left_x(turn), leave(wd), leave(a));
         assert_eq!(outer, inner.map(leave));
+    }
+
+    #[test]
+    fn both_ways_of_turning_agree() {
+        let random = &mut SplitMix64::new(4);
+        let (inertia, turn) = (articulated(random), turn(random));
+        assert_eq!(inertia.turned_z(turn), inertia.left_z(turn));
+        assert_eq!(inertia.turned_x(turn), inertia.left_x(turn));
     }
 
     /// At the old origin, which is at r, the acceleration is a + wd x r; the moment of f there

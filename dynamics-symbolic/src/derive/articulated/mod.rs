@@ -10,15 +10,18 @@
 //! pivots of M = U D U^T from the tip inwards: the elimination is the same, in other variables.
 //!
 //! Forces that do not depend on accelerations are left to the recursive equations of motion:
-//! what is accelerated here is an arm at rest without gravity, by tau - V - G - F.
+//! what is accelerated here is an arm at rest without gravity, by tau - V - G - F. [`moving`] is the
+//! algorithm as it was published, on which all forces act.
 
 mod inertia;
+mod moving;
 
 use super::chain::{Chain, Link};
 use crate::expr::Expr;
 use crate::linear::{Matrix3, Symmetric3, Vector3};
 use crate::robot::JointType;
 use inertia::Articulated;
+pub(super) use moving::forward_dynamics;
 
 type Vector<'g> = Vector3<Expr<'g>>;
 
@@ -35,6 +38,14 @@ impl<'g> Spatial<'g> {
         Spatial {
             angular: zero,
             linear: zero,
+        }
+    }
+
+    /// Both together.
+    fn and(self, other: Self) -> Self {
+        Spatial {
+            angular: self.angular + other.angular,
+            linear: self.linear + other.linear,
         }
     }
 
@@ -67,11 +78,33 @@ struct Eliminated<'g> {
     force: Expr<'g>,
 }
 
-/// Solves M qdd = `net`: qdd, and the pivots of M = U D U^T.
+/// Solves M qdd = `net`: qdd, and the pivots of M = U D U^T, for the joint of every row. One that is
+/// locked has the acceleration 0.
 pub(super) fn solve<'g>(chain: &Chain<'g>, net: &[Expr<'g>]) -> (Vec<Expr<'g>>, Vec<Expr<'g>>) {
     let joints = inward(chain, net);
     let pivots = joints.iter().map(|joint| joint.pivot).collect();
     (outward(chain, &joints), pivots)
+}
+
+/// What a link is to the one before it once its joint is out of the equations; a joint that is
+/// locked gives way to nothing.
+fn passed<'g>(
+    chain: &Chain<'g>,
+    link: &Link<'g>,
+    inertia: &Articulated<Expr<'g>>,
+    force: Expr<'g>,
+) -> (Eliminated<'g>, Articulated<Expr<'g>>) {
+    if link.locked {
+        let none = Eliminated {
+            pivot: chain.one,
+            reciprocal: chain.one,
+            k: Spatial::zero(chain),
+            force: chain.zero,
+        };
+        return (none, *inertia);
+    }
+    let joint = eliminate(chain, link, inertia, force);
+    (joint, free(link, inertia, &joint.k))
 }
 
 /// Articulated inertias and bias forces, from the tip inwards.
@@ -84,10 +117,10 @@ fn inward<'g>(chain: &Chain<'g>, net: &[Expr<'g>]) -> Vec<Eliminated<'g>> {
         let own = Articulated::rigid(&link.body, zero);
         let inertia = outer.map_or(own, |outer| own.joined(&outer));
         let force = net[i] - bias.along(link.joint_type);
-        let joint = eliminate(chain, link, &inertia, force);
+        let (joint, free) = passed(chain, link, &inertia, force);
         joints.push(joint);
         if i > 0 {
-            outer = Some(carry(link, &free(link, &inertia, &joint.k)));
+            outer = Some(carry(link, &free));
             bias = carry_wrench(chain, link, bias.plus(joint.k, force));
         }
     }
@@ -179,16 +212,33 @@ fn carry_wrench<'g>(chain: &Chain<'g>, link: &Link<'g>, wrench: Spatial<'g>) -> 
     }
 }
 
+impl<'g> Link<'g> {
+    /// The acceleration of the previous frame, of this one's origin and in its axes.
+    fn carry_acceleration(&self, zero: Expr<'g>, a: Spatial<'g>) -> Spatial<'g> {
+        let r = self.position(zero);
+        Spatial {
+            angular: self.enter(a.angular),
+            linear: self.enter(a.linear + a.angular.cross(r)),
+        }
+    }
+}
+
+impl<'g> Articulated<Expr<'g>> {
+    /// n = J wd + H a, f = H^T wd + M a
+    fn wrench(&self, a: Spatial<'g>) -> Spatial<'g> {
+        Spatial {
+            angular: self.angular.apply(a.angular) + self.coupling.apply(a.linear),
+            linear: self.coupling.transpose().apply(a.angular) + self.linear.apply(a.linear),
+        }
+    }
+}
+
 /// Accelerations of the joints, from the base outwards.
 fn outward<'g>(chain: &Chain<'g>, joints: &[Eliminated<'g>]) -> Vec<Expr<'g>> {
     let mut a = Spatial::zero(chain);
     let mut qdd = Vec::with_capacity(joints.len());
     for (link, joint) in chain.links.iter().zip(joints) {
-        let r = link.position(chain.zero);
-        a = Spatial {
-            angular: link.enter(a.angular),
-            linear: link.enter(a.linear + a.angular.cross(r)),
-        };
+        a = link.carry_acceleration(chain.zero, a);
         let x = acceleration(link, joint, &a);
         match link.joint_type {
             JointType::Revolute => a.angular.0[2] = a.angular[2] + x,

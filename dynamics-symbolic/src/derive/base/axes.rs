@@ -9,7 +9,7 @@ use crate::robot::JointType;
 pub(super) fn last_revolute<R>(links: &[LinkGeometry<R>], i: usize) -> Option<usize> {
     (0..i)
         .rev()
-        .find(|&j| links[j].joint_type == JointType::Revolute)
+        .find(|&j| links[j].joint_type == JointType::Revolute && !links[j].locked)
 }
 
 /// The constant rotation from link i's axes to those of link `to`, with prismatic joints only

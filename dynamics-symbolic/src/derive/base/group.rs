@@ -10,13 +10,15 @@ use crate::robot::{JointType, Parameter};
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LinkGeometry<R> {
     pub(crate) joint_type: JointType,
+    /// Whether the joint is locked: nothing of the link is told apart from the one before.
+    pub(crate) locked: bool,
     /// Distance of the joint's axis from the previous one.
     pub(crate) a: R,
-    /// Offset along the joint's axis (its constant part, where the joint is prismatic).
+    /// Offset along the joint's axis (its constant part, where the joint is prismatic and moves).
     pub(crate) d: R,
     /// Turn about x from the previous axis to this one.
     pub(crate) twist: Turn<R>,
-    /// Turn about z that is constant: of a prismatic joint, else none.
+    /// Turn about z that is constant: of a prismatic or a locked joint, else none.
     pub(crate) turn: Turn<R>,
 }
 
@@ -42,6 +44,11 @@ impl<R: Ring> Body<R> {
         [
             j.xx, j.xy, j.xz, j.yy, j.yz, j.zz, h[0], h[1], h[2], self.mass,
         ]
+    }
+
+    /// The body with all parameters multiplied.
+    pub(crate) fn times(&self, factor: R) -> Self {
+        Body::from_parameters(self.parameters().map(|x| x * factor))
     }
 
     /// A body by its ten parameters.

@@ -27,60 +27,115 @@ pub use observe::{Coefficient, Direction, Grouping, LinkGrouping, Tie};
 use super::chain::{body, twists};
 use super::inertia::{Body, Turn};
 use super::symbols::Symbols;
+use crate::exact::Rational;
 use crate::expr::Expr;
 use crate::robot::{Interpretation, JointType, Parameter, Robot};
 
 /// The constant geometry of every link.
-pub(crate) fn geometry<'g>(
-    symbols: &mut Symbols<'g>,
+pub(crate) fn geometry<I: Interpretation>(
+    cells: &mut I,
     robot: &Robot,
-) -> Vec<LinkGeometry<Expr<'g>>> {
-    let (zero, one) = (symbols.graph().zero(), symbols.graph().one());
-    let twists = twists(symbols, robot);
+) -> Vec<LinkGeometry<I::Number>> {
+    let (zero, one) = constants(cells);
+    let twists = twists(cells, robot);
     let rows = robot.rows.iter().zip(&twists);
     rows.map(|(row, twist)| {
-        let (s, c) = match row.joint_type {
-            JointType::Revolute => (zero, one),
-            JointType::Prismatic => symbols.sin_cos(&row.theta),
+        let mut d = cells.value(&row.d);
+        let (s, c) = match (row.joint_type, &row.locked) {
+            (JointType::Revolute, None) => (zero, one),
+            (JointType::Revolute, Some(position)) => {
+                let turned = turn(cells.sin_cos(position));
+                let theta = turn(cells.sin_cos(&row.theta)).plus(turned);
+                (theta.s, theta.c)
+            }
+            (JointType::Prismatic, locked) => {
+                if let Some(position) = locked {
+                    d = d + cells.value(position);
+                }
+                cells.sin_cos(&row.theta)
+            }
         };
         LinkGeometry {
             joint_type: row.joint_type,
+            locked: row.locked.is_some(),
             a: twist.a,
-            d: symbols.value(&row.d),
+            d,
             twist: twist.turn,
-            turn: Turn { s, c },
+            turn: turn((s, c)),
         }
     })
     .collect()
 }
 
+fn constants<I: Interpretation>(cells: &mut I) -> (I::Number, I::Number) {
+    (
+        cells.rational(&Rational::ZERO),
+        cells.rational(&Rational::ONE),
+    )
+}
+
+fn turn<R>((s, c): (R, R)) -> Turn<R> {
+    Turn { s, c }
+}
+
 /// The standard inertial parameters of every link.
-fn bodies<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> Vec<(Body<Expr<'g>>, Expr<'g>)> {
-    let twists = twists(symbols, robot);
+fn bodies<I: Interpretation>(cells: &mut I, robot: &Robot) -> Vec<(Body<I::Number>, I::Number)> {
+    let twists = twists(cells, robot);
     let rows = robot.rows.iter().zip(&twists[1..]);
     rows.map(|(row, next)| {
-        let ratio = symbols.value(&row.gear_ratio);
-        let reflected = ratio * ratio * symbols.value(&row.motor_inertia);
-        (body(symbols, robot.convention, row, next), reflected)
+        let ratio = cells.value(&row.gear_ratio);
+        let reflected = ratio * ratio * cells.value(&row.motor_inertia);
+        (body(cells, robot.convention, row, next), reflected)
     })
     .collect()
 }
 
 /// The base parameters of a robot, in the order of the regressor's columns.
-pub(super) fn base_parameters<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> Vec<Expr<'g>> {
-    let grouping = Grouping::of(robot);
-    let (zero, one) = (symbols.graph().zero(), symbols.graph().one());
-    let geometry = geometry(symbols, robot);
+pub(crate) fn base_parameters<I: Interpretation>(
+    cells: &mut I,
+    robot: &Robot,
+    grouping: &Grouping,
+) -> Vec<I::Number> {
+    let (zero, one) = constants(cells);
+    let geometry = geometry(cells, robot);
     let mut carried = Body::splat(zero);
     let mut columns = Vec::new();
-    for (i, (body, reflected)) in bodies(symbols, robot).into_iter().enumerate().rev() {
+    for (i, (body, reflected)) in bodies(cells, robot).into_iter().enumerate().rev() {
         let whole = (body.joined(carried), reflected);
-        let moved = group(&grouping, &geometry, i, whole, (zero, one));
+        let moved = group(grouping, &geometry, i, whole, (zero, one));
         columns.push(moved.kept);
         carried = moved.inward;
     }
     columns.reverse();
     columns.concat()
+}
+
+/// What is taken off each link's body and its motor's reflected inertia, for the base parameters
+/// that are neglected: their values, where the parameters are written.
+pub(super) fn neglected<'g>(
+    symbols: &mut Symbols<'g>,
+    robot: &Robot,
+) -> Vec<(Body<Expr<'g>>, Expr<'g>)> {
+    let (zero, one) = (symbols.graph().zero(), symbols.graph().one());
+    let mut parts = vec![(Body::splat(zero), zero); robot.rows.len()];
+    let Some(neglected) = &robot.neglected else {
+        return parts;
+    };
+    let grouping = &neglected.grouping;
+    let links = geometry(symbols, robot);
+    let values = base_parameters(symbols, robot, grouping);
+    for (column, value) in columns(grouping).into_iter().zip(values) {
+        if !neglected.columns.contains(&column) {
+            continue;
+        }
+        let (i, parameter) = column;
+        let (body, motor) = parts[i];
+        parts[i] = match unit(grouping, &links, i, parameter, (zero, one)) {
+            Some(unit) => (body.joined(unit.times(value)), motor),
+            None => (body, motor + value),
+        };
+    }
+    parts
 }
 
 /// Link and parameter of every column.

@@ -120,6 +120,7 @@ fn value_of(link: &LinkGeometry<Expr<'_>>) -> LinkGeometry<Fingerprint> {
     };
     LinkGeometry {
         joint_type: link.joint_type,
+        locked: link.locked,
         a: link.a.fingerprint(),
         d: link.d.fingerprint(),
         twist: turn(&link.twist),
@@ -204,9 +205,13 @@ fn energies(
         v = enter(v + w.cross(link.offset(zero)));
         (w, g) = (enter(w), enter(g));
         let before = unit_energies(w, v, zero, g, zero);
-        let qd = Fingerprint::random(random);
+        let qd = match link.locked {
+            true => zero,
+            false => Fingerprint::random(random),
+        };
         let mut weight = zero;
         match link.joint_type {
+            _ if link.locked => {}
             JointType::Revolute => {
                 let (s, c) = circle_point(random);
                 let turn = Turn { s, c };

@@ -43,6 +43,7 @@ impl Definition {
 
     /// d tau/dq and d tau/dqd at accelerations qdd, by rows. Coulomb friction is constant.
     fn force_derivatives(&self, qdd: &[Number]) -> (Matrix, Matrix) {
+        let viscous: Vector = self.joints().map(|(_, row)| row.viscous).collect();
         let constant = |x: &[Number]| -> Vec<_> { x.iter().map(|&x| Dual::lift(x)).collect() };
         let still = |q: &Position<Number>| q.moving(Number::ZERO);
         let derivative = |motion: Motion<Dual<Number>>| -> Vector {
@@ -64,7 +65,7 @@ impl Definition {
                 qd,
                 qdd: constant(qdd),
             });
-            column[k] = column[k] + self.rows[k].viscous;
+            column[k] = column[k] + viscous[k];
             column
         };
         let n = self.dof();

@@ -73,9 +73,9 @@ impl Definition {
 
     /// F = viscous qd + coulomb sign(qd)
     pub(super) fn friction_vector(&self) -> Vector {
-        let joints = self.rows.iter().zip(&self.qd).zip(&self.signs);
+        let joints = self.joints().zip(&self.qd).zip(&self.signs);
         joints
-            .map(|((row, &qd), &sign)| row.viscous * qd + row.coulomb * sign)
+            .map(|(((_, row), &qd), &sign)| row.viscous * qd + row.coulomb * sign)
             .collect()
     }
 

@@ -13,9 +13,11 @@ impl Definition {
         poses.last().map(homogeneous).unwrap_or_default()
     }
 
-    /// The poses of all link frames in the base.
+    /// The poses in the base of the frames of all links whose joints move.
     pub(super) fn link_poses(&self) -> Vector {
-        self.poses(&self.q).iter().flat_map(homogeneous).collect()
+        let poses = self.poses(&self.q);
+        let of_joint = |(i, _): (usize, &super::Row)| homogeneous(&poses[i]);
+        self.joints().flat_map(of_joint).collect()
     }
 
     /// By rows: vx vy vz wx wy wz of the last frame's origin for unit velocity of each joint.

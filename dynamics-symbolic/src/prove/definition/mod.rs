@@ -6,6 +6,10 @@
 //!   V_i = sum_jk c_ijk qd_j qd_k,  c_ijk = 1/2 (dM_ij/dq_k + dM_ik/dq_j - dM_jk/dq_i)
 //!   G_i = dU/dq_i
 //!
+//! with q, qd of the joints that move; those that are locked have constants in their place.
+//!
+//! Where base parameters are neglected, what they contribute to T and U is taken off.
+//!
 //! Velocities are derivatives of positions by dual numbers. T is quadratic in
 //! qd, so that its second derivatives are differences, without a limit.
 
@@ -40,8 +44,13 @@ pub struct Definition {
     qdd: Vector,
     tau: Vector,
     signs: Vector,
+    /// What is taken off the links' parameters.
+    neglected: Vec<Parameters>,
     unfaithful: bool,
 }
+
+/// The ten inertial parameters of a link in the frame on its joint's axis, and its motor's.
+type Parameters = [Number; 11];
 
 impl Definition {
     /// Reads the raw table.
@@ -51,7 +60,7 @@ impl Definition {
         let half = Interpretation::rational(point, &(Rational::ONE / Rational::from(2)));
         let joints = point.joints();
         let all = |variable: fn(&JointPoint) -> Number| joints.iter().map(variable).collect();
-        Definition {
+        let mut definition = Definition {
             convention: robot.convention,
             gravity,
             rows,
@@ -61,8 +70,16 @@ impl Definition {
             qdd: all(|joint| joint.qdd),
             tau: all(|joint| joint.tau),
             signs: all(|joint| joint.sign),
+            neglected: Vec::new(),
             unfaithful: point.is_unfaithful(),
+        };
+        if let Some(neglected) = &robot.neglected {
+            match definition.values_of(&neglected.columns) {
+                Some(values) => definition.neglected = values,
+                None => definition.unfaithful = true,
+            }
         }
+        definition
     }
 
     /// What the outputs of a function must be, or `None` where the table has a
@@ -78,8 +95,10 @@ impl Definition {
             Function::CoriolisVector => self.coriolis_vector(),
             Function::GravityVector => self.gravity_vector(),
             Function::FrictionVector => self.friction_vector(),
-            Function::InverseDynamics => self.inverse_dynamics(&self.qdd),
-            Function::ForwardDynamics => self.forward_dynamics(computed),
+            Function::InverseDynamics | Function::TaylorSeries => self.inverse_dynamics(&self.qdd),
+            Function::ForwardDynamics | Function::ForwardDynamicsAba => {
+                self.forward_dynamics(computed)
+            }
             Function::KineticEnergy => vec![self.kinetic_energy(&self.q, &self.qd)],
             Function::PotentialEnergy => vec![self.potential_energy(&self.q)],
             Function::BiasForce => self.bias_force(),
@@ -96,7 +115,14 @@ impl Definition {
         })
     }
 
+    /// The number of joints that move.
     fn dof(&self) -> usize {
-        self.rows.len()
+        self.q.len()
+    }
+
+    /// The rows of the joints that move.
+    fn joints(&self) -> impl Iterator<Item = (usize, &Row)> {
+        let rows = self.rows.iter().enumerate();
+        rows.filter(|(_, row)| row.locked.is_none())
     }
 }

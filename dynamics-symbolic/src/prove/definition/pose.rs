@@ -95,11 +95,25 @@ impl Definition {
         joints.map(|(i, q)| q.moving(rate(i))).collect()
     }
 
+    /// The positions of the joints of all rows, from those of the joints that move.
+    fn positions<R: Lift>(&self, q: &[Position<R>]) -> Vec<Position<R>> {
+        let mut moving = q.iter();
+        let position = |row: &Row| match &row.locked {
+            None => moving.next().copied(),
+            Some(((s, c), q)) => Some(Position {
+                s: R::lift(*s),
+                c: R::lift(*c),
+                q: R::lift(*q),
+            }),
+        };
+        self.rows.iter().map_while(position).collect()
+    }
+
     /// The poses of all link frames in the base.
     pub(super) fn poses<R: Lift>(&self, q: &[Position<R>]) -> Vec<Pose<R>> {
-        let mut poses: Vec<Pose<R>> = Vec::with_capacity(q.len());
-        for (row, position) in self.rows.iter().zip(q) {
-            let transform = transform(self.convention, row, position);
+        let mut poses: Vec<Pose<R>> = Vec::with_capacity(self.rows.len());
+        for (row, position) in self.rows.iter().zip(self.positions(q)) {
+            let transform = transform(self.convention, row, &position);
             poses.push(match poses.last() {
                 Some(previous) => previous.then(&transform),
                 None => transform,
@@ -114,14 +128,15 @@ impl Definition {
         if self.convention == Convention::Modified {
             return links;
         }
+        let positions = self.positions(q);
         let frame = |i: usize| {
-            let (screw_z, _) = screws(&self.rows[i], &q[i]);
+            let (screw_z, _) = screws(&self.rows[i], &positions[i]);
             match i {
                 0 => screw_z,
                 _ => links[i - 1].then(&screw_z),
             }
         };
-        (0..q.len()).map(frame).collect()
+        (0..self.rows.len()).map(frame).collect()
     }
 }
 

@@ -14,10 +14,10 @@ use super::super::assignment::Number;
 use super::super::dual::Dual;
 use super::energy::angular_velocity;
 use super::pose::{Pose, Position};
-use super::{Definition, Matrix, Vector};
+use super::{Definition, Matrix, Parameters, Vector};
 use crate::exact::{SplitMix64, circle_point};
 use crate::linear::{Matrix3, Ring, Symmetric3, Vector3};
-use crate::robot::{Convention, JointType};
+use crate::robot::{Convention, JointType, Parameter};
 
 /// Eleven parameters of a link are told apart by that many values of its own joint's force; two
 /// more, so that a combination that fits by chance is found out.
@@ -32,7 +32,7 @@ struct State {
 
 /// Velocities of a frame in its own axes.
 #[derive(Clone, Copy)]
-struct Twist<R> {
+pub(super) struct Twist<R> {
     w: Vector3<R>,
     v: Vector3<R>,
 }
@@ -49,6 +49,33 @@ impl Definition {
     /// The base parameters.
     pub(super) fn base_parameters(&self) -> Option<Vector> {
         self.base().map(|(_, values)| values)
+    }
+
+    /// The values of some base parameters, each in its place among the parameters of its link, the
+    /// moments in the link's own axes; `None` where one of them is no base parameter.
+    pub(super) fn values_of(&self, columns: &[(usize, Parameter)]) -> Option<Vec<Parameters>> {
+        let (kept, values) = self.base()?;
+        let rotations = self.moment_axes();
+        let has_motor = |i: usize| self.rows[i].has_motor && self.rows[i].locked.is_none();
+        let start = |i: usize| {
+            (0..i)
+                .map(|i| 10 + usize::from(has_motor(i)))
+                .sum::<usize>()
+        };
+        let mut links = vec![[Number::ZERO; 11]; self.rows.len()];
+        for &(i, parameter) in columns {
+            let column = start(i) + parameter.index();
+            let place = kept.iter().position(|&k| k == column)?;
+            links[i][parameter.index()] = values[place];
+        }
+        for (link, rotation) in links.iter_mut().zip(rotations) {
+            if let Some(rotation) = rotation {
+                let moment = Vector3::new(link[6], link[7], link[8]);
+                let moment = rotation.transpose().apply(moment);
+                link[6..9].copy_from_slice(&moment.0);
+            }
+        }
+        Some(links)
     }
 
     /// The base parameters: columns of the standard regressor, and values.
@@ -145,7 +172,7 @@ impl Definition {
             let moment = rotations[i].as_ref().map_or(moment, |r| r.apply(moment));
             values.extend(moment.0);
             values.push(m);
-            if row.has_motor {
+            if row.has_motor && row.locked.is_none() {
                 values.push(row.reflected);
             }
         }
@@ -158,37 +185,37 @@ impl Definition {
         let frames = self.joint_frames(&self.q);
         let rotation = |i: usize| {
             let is_revolute = |&j: &usize| self.rows[j].joint_type == JointType::Revolute;
-            let before = (0..i).rev().find(is_revolute)?;
+            let turns = |j: &usize| is_revolute(j) && self.rows[*j].locked.is_none();
+            let before = (0..i).rev().find(turns)?;
             let rotation = frames[before].rotation.transpose();
             let rotation = rotation.product(&frames[i].rotation);
             let along = rotation.0[2].iter().filter(|x| !x.is_zero()).count();
             (!is_revolute(&i) && along > 1).then_some(rotation)
         };
-        (0..self.dof()).map(rotation).collect()
+        (0..self.rows.len()).map(rotation).collect()
     }
 
     /// Row j: the force of joint j by a unit of each standard parameter.
     fn standard_regressor(&self, state: &State) -> Matrix {
-        let n = self.dof();
         let momenta = self.momentum_rates(state);
         let rotations = self.moment_axes();
-        let row = |j: usize| {
+        let row = |(j, (own, _)): (usize, (usize, &super::Row))| {
             let slopes = self.slopes(state, j);
             let mut row = Vec::new();
-            for i in 0..n {
+            for i in 0..self.rows.len() {
                 let mut column: Vector = (0..10).map(|k| momenta[j][i][k] - slopes[i][k]).collect();
                 if let Some(rotation) = &rotations[i] {
                     let moment = Vector3::new(column[6], column[7], column[8]);
                     column[6..9].copy_from_slice(&rotation.apply(moment).0);
                 }
                 row.extend(column);
-                if self.rows[i].has_motor {
-                    row.push(if i == j { state.qdd[i] } else { Number::ZERO });
+                if self.rows[i].has_motor && self.rows[i].locked.is_none() {
+                    row.push(if i == own { state.qdd[j] } else { Number::ZERO });
                 }
             }
             row
         };
-        (0..n).map(row).collect()
+        self.joints().enumerate().map(row).collect()
     }
 
     /// d/dt (dT/dqd_j), for each joint j, link i and parameter.
@@ -218,9 +245,9 @@ impl Definition {
             }
             sum
         };
-        let wholes: Vec<_> = (0..n).map(whole).collect();
+        let wholes: Vec<_> = (0..self.rows.len()).map(whole).collect();
         let rate = |j: usize, i: usize| polar(units[j][i], wholes[i]).map(|x| x.derivative);
-        let of_joint = |j| (0..n).map(|i| rate(j, i)).collect();
+        let of_joint = |j| (0..self.rows.len()).map(|i| rate(j, i)).collect();
         (0..n).map(of_joint).collect()
     }
 
@@ -257,7 +284,7 @@ impl Definition {
     }
 }
 
-fn twist(frame: &Pose<Dual<Dual<Number>>>) -> Twist<Dual<Number>> {
+pub(super) fn twist<R: Ring>(frame: &Pose<Dual<R>>) -> Twist<R> {
     let axes = Matrix3(frame.rotation.0.map(|row| row.map(|x| x.value)));
     let velocity = Vector3(frame.origin.0.map(|x| x.derivative));
     Twist {
@@ -268,7 +295,7 @@ fn twist(frame: &Pose<Dual<Dual<Number>>>) -> Twist<Dual<Number>> {
 
 /// The polar form of 2 T, for a unit of each of the ten parameters: dT/dqd_j is that of the whole
 /// twist and the one by a unit velocity of joint j.
-fn polar<R: Ring>(a: Twist<R>, b: Twist<R>) -> [R; 10] {
+pub(super) fn polar<R: Ring>(a: Twist<R>, b: Twist<R>) -> [R; 10] {
     let (u, w) = (a.w, b.w);
     let [hx, hy, hz] = (a.v.cross(w) + b.v.cross(u)).0;
     [

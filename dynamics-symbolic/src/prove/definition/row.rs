@@ -21,6 +21,8 @@ pub(super) struct Row {
     pub(super) reflected: Number,
     pub(super) viscous: Number,
     pub(super) coulomb: Number,
+    /// Where the joint is locked: sine, cosine and value of its position.
+    pub(super) locked: Option<((Number, Number), Number)>,
 }
 
 impl Row {
@@ -47,6 +49,22 @@ impl Row {
             reflected: ratio * ratio * point.value(&row.motor_inertia),
             viscous: point.value(&row.viscous),
             coulomb: point.value(&row.coulomb),
+            locked: row
+                .locked
+                .as_ref()
+                .map(|position| locked(point, row.joint_type, position)),
         }
+    }
+}
+
+/// The position of a locked joint. Lengths have no sine.
+fn locked(
+    point: &mut Assignment,
+    joint_type: JointType,
+    position: &robot::Value,
+) -> ((Number, Number), Number) {
+    match joint_type {
+        JointType::Revolute => (point.sin_cos(position), Number::ZERO),
+        JointType::Prismatic => ((Number::ZERO, Number::ONE), point.value(position)),
     }
 }

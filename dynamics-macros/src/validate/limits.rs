@@ -1,0 +1,55 @@
+//! The range of a joint.
+
+use dynamics_symbolic::robot::{JointType, Value};
+
+use super::scope::Scope;
+use crate::syntax::{self, Expr, Given};
+
+/// A revolute joint does not turn so far, in rad, unless its limit is written in terms of PI: five
+/// turns.
+const MANY_TURNS: f64 = 10.0 * core::f64::consts::PI;
+
+/// Both limits. Outer `None`: in error; inner `None`: not written.
+pub(super) fn limits(row: &syntax::Row, scope: &mut Scope) -> Option<Option<[Value; 2]>> {
+    let limits = match &row.limits {
+        Given::Absent => return Some(None),
+        Given::Unreadable => return None,
+        Given::As(limits) => limits,
+    };
+    let [lower, upper] = limits.each_ref().map(|limit| {
+        limit
+            .as_ref()
+            .and_then(|limit| self::limit(limit, row, scope))
+    });
+    let (lower, upper) = (lower?, upper?);
+    let [Some(first), Some(last)] = limits else {
+        return None;
+    };
+    if lower.to_f64(&[]) >= upper.to_f64(&[]) {
+        let message = "the lower limit comes first, and is below the upper one: `[lower, upper]`";
+        scope.error(first.place.to(last.place), message);
+        return None;
+    }
+    Some(Some([lower, upper]))
+}
+
+/// One limit, a number.
+fn limit(limit: &Expr, row: &syntax::Row, scope: &mut Scope) -> Option<Value> {
+    let value = scope.value(limit)?;
+    if !value.is_number() {
+        let message = "a limit is a number: it does not depend on a field";
+        scope.error(limit.place, message);
+        return None;
+    }
+    let is_angle = row.joint_type == Some(JointType::Revolute);
+    let size = value.to_f64(&[]).abs();
+    if is_angle && size > MANY_TURNS && value.as_rational().is_some() {
+        let message = format!(
+            "{size} rad are more than five turns: write `deg({size})` for degrees, or a multiple of \
+             `PI` for a joint that turns so far"
+        );
+        scope.error(limit.place, message);
+        return None;
+    }
+    Some(value)
+}

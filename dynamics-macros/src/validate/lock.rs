@@ -1,0 +1,87 @@
+//! Joints that are locked at a position.
+
+use dynamics_symbolic::robot::{Row, Value};
+use proc_macro2::Ident;
+
+use super::plain;
+use super::scope::Scope;
+use crate::diagnose::{Diagnostics, Place};
+use crate::syntax;
+use crate::words;
+
+/// A joint and the position at which it is locked; `None` where that is in error.
+pub(super) struct Lock {
+    name: Ident,
+    position: Option<(Value, Place)>,
+}
+
+/// The positions, in the scope of the place where they are written.
+pub(super) fn positions(locked: Option<&[syntax::Locked]>, scope: &mut Scope) -> Vec<Lock> {
+    let lock = |locked: &syntax::Locked| Lock {
+        name: locked.name.clone(),
+        position: locked.position.as_ref().and_then(|position| {
+            let value = scope.value(position)?;
+            Some((value, position.place))
+        }),
+    };
+    locked.unwrap_or_default().iter().map(lock).collect()
+}
+
+/// Locks the rows' joints, of which one at least must be left. A row that is in error (`None`) is
+/// known by its name alone.
+pub(super) fn lock(
+    rows: &mut [Option<Row>],
+    locks: &[Lock],
+    written: &[syntax::Row],
+    diagnostics: &Diagnostics,
+) {
+    let name = |row: &syntax::Row| row.name.as_ref().map(plain).unwrap_or_default();
+    let names: Vec<String> = written.iter().map(name).collect();
+    let mut locked = vec![false; names.len()];
+    for lock in locks {
+        let word = plain(&lock.name);
+        let Some(index) = names.iter().position(|name| *name == word) else {
+            diagnostics.error(&lock.name, unknown(&word, &names));
+            return;
+        };
+        if locked[index] {
+            diagnostics.error(&lock.name, format_args!("`{word}` is locked twice"));
+        }
+        locked[index] = true;
+        if let (Some(row), Some((value, place))) = (&mut rows[index], &lock.position) {
+            report_out_of_limits(row, value, *place, diagnostics);
+            row.locked = Some(value.clone());
+        }
+    }
+    if let Some(first) = locks
+        .first()
+        .filter(|_| locked.iter().all(|locked| *locked))
+    {
+        let last = locks.last().unwrap_or(first);
+        let message = "all joints are locked: an arm has at least one that moves";
+        diagnostics.error(Place::from(&first.name).to(&last.name), message);
+    }
+}
+
+fn unknown(word: &str, names: &[String]) -> String {
+    let known: Vec<&str> = names.iter().map(String::as_str).collect();
+    let hint = match words::nearest(word, &known) {
+        Some(right) => format!("did you mean `{right}`?"),
+        None => format!("expected {}", words::either(&known)),
+    };
+    format!("unknown joint `{}`: {hint}", words::shortened(word))
+}
+
+fn report_out_of_limits(row: &Row, value: &Value, place: Place, diagnostics: &Diagnostics) {
+    let Some([lower, upper]) = row.limits.as_ref().filter(|_| value.is_number()) else {
+        return;
+    };
+    let [lower, value, upper] = [lower, value, upper].map(|value| value.to_f64(&[]));
+    if !(lower..=upper).contains(&value) {
+        let message = format!(
+            "{value} is outside of the limits of `{}`, {lower} to {upper}",
+            row.name
+        );
+        diagnostics.error(place, message);
+    }
+}

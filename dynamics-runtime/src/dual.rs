@@ -1,0 +1,158 @@
+//! Numbers that carry a derivative.
+
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+use crate::Scalar;
+
+/// A dual number, `value + slope e` with e^2 = 0: a function of `q + e v` has the derivative along v
+/// as its slope (W. K. Clifford 1873).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Dual {
+    pub(crate) value: f64,
+    pub(crate) slope: f64,
+}
+
+impl Dual {
+    pub(crate) fn new(value: f64, slope: f64) -> Self {
+        Dual { value, slope }
+    }
+}
+
+impl Add for Dual {
+    type Output = Self;
+
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        Dual::new(self.value + other.value, self.slope + other.slope)
+    }
+}
+
+impl Sub for Dual {
+    type Output = Self;
+
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        Dual::new(self.value - other.value, self.slope - other.slope)
+    }
+}
+
+impl Mul for Dual {
+    type Output = Self;
+
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        let slope = self.value * other.slope + self.slope * other.value;
+        Dual::new(self.value * other.value, slope)
+    }
+}
+
+impl Div for Dual {
+    type Output = Self;
+
+    #[inline(always)]
+    fn div(self, other: Self) -> Self {
+        let value = self.value / other.value;
+        Dual::new(value, (self.slope - value * other.slope) / other.value)
+    }
+}
+
+impl Neg for Dual {
+    type Output = Self;
+
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Dual::new(-self.value, -self.slope)
+    }
+}
+
+impl Scalar for Dual {
+    #[inline(always)]
+    fn from_f64(x: f64) -> Self {
+        Dual::new(x, 0.0)
+    }
+
+    fn epsilon() -> Self {
+        Self::from_f64(f64::EPSILON)
+    }
+
+    #[inline]
+    fn sin_cos(self) -> (Self, Self) {
+        let [pair] = Self::sin_cos_array([self]);
+        pair
+    }
+
+    #[inline]
+    fn sin_cos_array<const K: usize>(angles: [Self; K]) -> [(Self, Self); K] {
+        let values = f64::sin_cos_array(angles.map(|angle| angle.value));
+        core::array::from_fn(|i| {
+            let ((sin, cos), slope) = (values[i], angles[i].slope);
+            (Dual::new(sin, slope * cos), Dual::new(cos, -slope * sin))
+        })
+    }
+
+    #[inline]
+    fn sqrt(self) -> Self {
+        let root = self.value.sqrt();
+        Dual::new(root, 0.5 * self.slope / root)
+    }
+
+    #[inline(always)]
+    fn mul_add(self, a: Self, b: Self) -> Self {
+        Dual::new(
+            Scalar::mul_add(self.value, a.value, b.value),
+            Scalar::mul_add(
+                self.value,
+                a.slope,
+                Scalar::mul_add(self.slope, a.value, b.slope),
+            ),
+        )
+    }
+
+    /// Constant but for its jump.
+    #[inline]
+    fn sign(self) -> Self {
+        Self::from_f64(Scalar::sign(self.value))
+    }
+
+    #[inline]
+    fn is_positive(self) -> bool {
+        Scalar::is_positive(self.value)
+    }
+
+    #[inline]
+    fn ratio_to_f64(self, of: Self) -> f64 {
+        self.value / of.value
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use approx::assert_relative_eq;
+
+    use super::Dual;
+    use crate::Scalar;
+
+    /// Every operation in one expression, and its derivative by hand.
+    #[test]
+    fn slopes_are_derivatives() {
+        let f = |x: Dual| {
+            let (sin, cos) = x.sin_cos();
+            Scalar::mul_add(sin, x.sqrt(), -cos / (x * x + x) - x)
+        };
+        let x = 1.3_f64;
+        let (sin, cos) = x.sin_cos();
+        let square = x * x + x;
+        let slope = cos * x.sqrt()
+            + 0.5 * sin / x.sqrt()
+            + (sin * square + cos * (2.0 * x + 1.0)) / square.powi(2)
+            - 1.0;
+        let y = f(Dual::new(x, 1.0));
+        assert_relative_eq!(
+            y.value,
+            sin * x.sqrt() - cos / square - x,
+            max_relative = 1e-15
+        );
+        assert_relative_eq!(y.slope, slope, max_relative = 1e-14);
+        assert_eq!(f(Dual::from_f64(x)).slope, 0.0);
+    }
+}

@@ -1,0 +1,75 @@
+//! Sums of many small steps, without the rounding of the sum.
+
+use nalgebra::SVector;
+
+use super::Point;
+
+/// Positions and momenta, and what the rounding of their sums has left out of them (W. Kahan 1965;
+/// D. E. Knuth, *The Art of Computer Programming* 2, theorem 4.2.2 B).
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Compensated<const N: usize> {
+    pub(super) value: Point<N>,
+    remainder: Point<N>,
+}
+
+impl<const N: usize> Compensated<N> {
+    pub(super) fn new(value: Point<N>) -> Self {
+        Compensated {
+            value,
+            remainder: Point::zeros(),
+        }
+    }
+
+    /// `self + factor * rate`, rounded.
+    #[inline(always)]
+    pub(super) fn plus(&self, factor: f64, rate: &Point<N>) -> Point<N> {
+        self.value.plus(1.0, &self.remainder.plus(factor, rate))
+    }
+
+    /// Adds `factor * rate`.
+    pub(super) fn add(&mut self, factor: f64, rate: &Point<N>) {
+        let step = self.remainder.plus(factor, rate);
+        (self.value.q, self.remainder.q) = sum(&self.value.q, &step.q);
+        (self.value.p, self.remainder.p) = sum(&self.value.p, &step.p);
+    }
+}
+
+/// The rounded sum and what it left out, exactly.
+fn sum<const N: usize>(
+    a: &SVector<f64, N>,
+    b: &SVector<f64, N>,
+) -> (SVector<f64, N>, SVector<f64, N>) {
+    let sum = a + b;
+    let from_b = sum - a;
+    let from_a = sum - from_b;
+    (sum, (a - from_a) + (b - from_b))
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::Vector1;
+
+    use super::Compensated;
+    use crate::integrate::Point;
+
+    #[test]
+    fn small_steps_are_not_lost() {
+        let vector = |x: f64| Vector1::new(x);
+        let start = Point {
+            q: vector(1.0),
+            p: vector(-1e6),
+        };
+        let step = Point {
+            q: vector(1e-17),
+            p: vector(1e-11),
+        };
+        let mut sum = Compensated::new(start);
+        for _ in 0..100_000 {
+            sum.add(1.0, &step);
+        }
+        assert!((sum.value.q[0] - (1.0 + 1e-12)).abs() < 3e-16);
+        assert!((sum.value.p[0] - (1e-6 - 1e6)).abs() < 2e-10);
+        let plain = (0..100_000).fold(1.0, |sum, _| sum + 1e-17);
+        assert_eq!(plain, 1.0);
+    }
+}

@@ -1,0 +1,112 @@
+//! The method of order 8(5,3) of Dormand and Prince.
+//!
+//! Own code for the reasons given at [`DormandPrince54`](super::DormandPrince54).
+
+use super::adaptive::{Embedded, Start, combination};
+use super::dop853_tableau::{A, C, DENSE, ERROR_5, LAST, STAGES, THIRD};
+use super::step_control::Constants;
+use super::{Equations, Phase};
+
+/// DOP853 of Hairer, Nørsett and Wanner I, section II.5.
+pub(crate) struct Dop853Method;
+
+impl<const N: usize> Embedded<N> for Dop853Method {
+    type Rates = [Phase<N>; STAGES];
+
+    /// Of seventh degree (section II.6, in the form of the program DOP853).
+    type Polynomial = [Phase<N>; 8];
+
+    const LAST: usize = LAST;
+
+    /// Those of the program DOP853.
+    const CONTROL: Constants = Constants {
+        order: 8.0,
+        beta: 0.0,
+        factors: (0.333, 6.0),
+    };
+
+    fn rates(rate: Phase<N>) -> Self::Rates {
+        [rate; STAGES]
+    }
+
+    #[inline]
+    fn trial<S: Equations<N>>(
+        system: &S,
+        from: &Start<N>,
+        rates: &mut Self::Rates,
+    ) -> Result<Phase<N>, S::Refusal> {
+        for i in 1..LAST {
+            stage(system, from, rates, i)?;
+        }
+        Ok(from.plus(&A[LAST][..LAST], rates))
+    }
+
+    fn finish<S: Equations<N>>(
+        system: &S,
+        from: &Start<N>,
+        end: &Phase<N>,
+        rates: &mut Self::Rates,
+    ) -> Result<(), S::Refusal> {
+        rates[LAST] = system.rate(from.t + from.h, end)?;
+        Ok(())
+    }
+
+    /// h e5^2 / sqrt(e5^2 + 0.01 e3^2) with the errors e5 and e3 of the embedded results of order
+    /// 5 and 3, so that the estimate falls with h^8 (section II.10, (10.17)).
+    #[inline]
+    fn error(h: f64, rates: &Self::Rates, norm: impl Fn(&Phase<N>) -> f64) -> f64 {
+        let fifth = norm(&combination(&ERROR_5, rates)).powi(2);
+        let third = norm(&third(rates)).powi(2);
+        if fifth == 0.0 {
+            return 0.0;
+        }
+        h.abs() * fifth / (fifth + 0.01 * third).sqrt()
+    }
+
+    fn polynomial<S: Equations<N>>(
+        system: &S,
+        from: &Start<N>,
+        end: &Phase<N>,
+        rates: &mut Self::Rates,
+    ) -> Result<Self::Polynomial, S::Refusal> {
+        for i in LAST + 1..STAGES {
+            stage(system, from, rates, i)?;
+        }
+        let change = end.minus(&from.phase);
+        let bend = rates[0].scaled(from.h).minus(&change);
+        let twist = change.minus(&rates[LAST].scaled(from.h)).minus(&bend);
+        let [r5, r6, r7, r8] = DENSE.map(|row| combination(&row, rates).scaled(from.h));
+        Ok([from.phase, change, bend, twist, r5, r6, r7, r8])
+    }
+
+    /// y = r1 + s (r2 + (1 - s) (r3 + s (r4 + (1 - s) (r5 + s (r6 + (1 - s) (r7 + s r8)))))).
+    fn evaluate(r: &Self::Polynomial, s: f64) -> Phase<N> {
+        let factors = [1.0 - s, s];
+        (0..7)
+            .rev()
+            .fold(r[7], |inner, i| r[i].plus(factors[(i + 1) % 2], &inner))
+    }
+}
+
+/// Evaluates a stage from those before it. Unrolled for each stage, a run of the two-link arm takes a
+/// third longer.
+#[inline(always)]
+fn stage<S: Equations<N>, const N: usize>(
+    system: &S,
+    from: &Start<N>,
+    rates: &mut [Phase<N>; STAGES],
+    i: usize,
+) -> Result<(), S::Refusal> {
+    let phase = from.plus(&A[i][..i], rates);
+    rates[i] = system.rate(from.t + C[i] * from.h, &phase)?;
+    Ok(())
+}
+
+/// Result of order 8 minus that of order 3, without the factor h.
+#[inline(always)]
+fn third<const N: usize>(rates: &[Phase<N>; STAGES]) -> Phase<N> {
+    let eighth = combination(&A[LAST][..LAST], rates);
+    THIRD
+        .iter()
+        .fold(eighth, |sum, (i, weight)| sum.plus(-weight, &rates[*i]))
+}

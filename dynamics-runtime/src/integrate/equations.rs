@@ -1,0 +1,32 @@
+//! What a method of integration asks of the motion that it follows.
+
+use nalgebra::SVector;
+
+use super::Phase;
+
+/// Equations of motion q'' = a(t, q, q').
+pub(crate) trait Equations<const N: usize> {
+    /// Why there is no acceleration.
+    type Refusal;
+
+    /// The acceleration at a time in a phase.
+    fn acceleration(&self, t: f64, phase: &Phase<N>) -> Result<SVector<f64, N>, Self::Refusal>;
+
+    /// How the phase moves.
+    #[inline]
+    fn rate(&self, t: f64, phase: &Phase<N>) -> Result<Phase<N>, Self::Refusal> {
+        Ok(phase.rate(self.acceleration(t, phase)?))
+    }
+}
+
+impl<F, E, const N: usize> Equations<N> for F
+where
+    F: Fn(f64, &Phase<N>) -> Result<SVector<f64, N>, E>,
+{
+    type Refusal = E;
+
+    #[inline]
+    fn acceleration(&self, t: f64, phase: &Phase<N>) -> Result<SVector<f64, N>, E> {
+        self(t, phase)
+    }
+}

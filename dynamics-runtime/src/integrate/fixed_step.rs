@@ -1,0 +1,93 @@
+//! Integration by steps of equal length.
+
+use super::{Failure, Grid, Phase, Stepper};
+
+/// A method that knows nothing but the phase that a step starts from.
+pub(crate) trait OneStep<S, E, const N: usize> {
+    /// The phase after a step of length `h` from `phase` at `t`.
+    fn step(
+        &mut self,
+        system: &S,
+        t: f64,
+        phase: &Phase<N>,
+        h: f64,
+    ) -> Result<Phase<N>, Failure<E>>;
+}
+
+/// An integration by steps of equal length.
+pub(crate) struct FixedStep<M, const N: usize> {
+    method: M,
+    grid: Grid,
+    /// Steps of the grid that have ended.
+    taken: u64,
+    t: f64,
+    phase: Phase<N>,
+    /// Where the last step started.
+    from: (f64, Phase<N>),
+}
+
+impl<M, const N: usize> FixedStep<M, N> {
+    /// At the start.
+    pub(crate) fn start(method: M, grid: Grid, phase: Phase<N>) -> Self {
+        FixedStep {
+            method,
+            grid,
+            taken: 0,
+            t: 0.0,
+            phase,
+            from: (0.0, phase),
+        }
+    }
+}
+
+impl<S, E, M: OneStep<S, E, N>, const N: usize> Stepper<S, E, N> for FixedStep<M, N> {
+    fn t(&self) -> f64 {
+        self.t
+    }
+
+    fn phase(&self) -> &Phase<N> {
+        &self.phase
+    }
+
+    #[inline]
+    fn step(&mut self, system: &S, _: f64) -> Result<(), Failure<E>> {
+        let end = self.grid.time(self.taken + 1);
+        // From within the grid, after an event, to its next point.
+        let h = if self.t == self.grid.time(self.taken) {
+            self.grid.step()
+        } else {
+            end - self.t
+        };
+        let phase = self.method.step(system, self.t, &self.phase, h)?;
+        self.from = (self.t, self.phase);
+        self.phase = phase;
+        self.taken += 1;
+        self.t = end;
+        Ok(())
+    }
+
+    fn retake(&mut self, system: &S, end: f64) -> Result<(), Failure<E>> {
+        let (t, phase) = self.from;
+        self.phase = self.method.step(system, t, &phase, end - t)?;
+        while self.taken > 0 && self.grid.time(self.taken) > end {
+            self.taken -= 1;
+        }
+        self.t = end;
+        Ok(())
+    }
+
+    fn restart(&mut self, _: &S, phase: Phase<N>) -> Result<(), Failure<E>> {
+        self.phase = phase;
+        Ok(())
+    }
+
+    /// Samples are ends of steps.
+    fn at(&mut self, _: &S, t: f64) -> Result<Phase<N>, Failure<E>> {
+        debug_assert_eq!(t, self.t);
+        Ok(self.phase)
+    }
+
+    fn rejected(&self) -> u64 {
+        0
+    }
+}

@@ -1,0 +1,35 @@
+//! How large an error and a step may be.
+
+use super::Phase;
+
+/// Error bounds: a step's error in an entry y may be `absolute + relative |y|`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Tolerance {
+    pub(crate) relative: f64,
+    pub(crate) absolute: f64,
+}
+
+impl Tolerance {
+    /// Root mean square of the entries, each over its bound at the larger of two phases (Hairer,
+    /// Nørsett, Wanner I, (II.4.11)).
+    pub(super) fn norm<const N: usize>(
+        &self,
+        error: &Phase<N>,
+        from: &Phase<N>,
+        to: &Phase<N>,
+    ) -> f64 {
+        let entries = error.entries().zip(from.entries().zip(to.entries()));
+        let squares = entries.map(|(error, (from, to))| {
+            let bound = self.absolute + self.relative * from.abs().max(to.abs());
+            (error / bound).powi(2)
+        });
+        (squares.sum::<f64>() / (2 * N) as f64).sqrt()
+    }
+}
+
+/// Bounds of the step size.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct StepRange {
+    pub(crate) least: f64,
+    pub(crate) greatest: f64,
+}

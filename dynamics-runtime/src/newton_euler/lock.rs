@@ -1,0 +1,111 @@
+//! Joints that are locked: a table without them.
+
+use nalgebra::{Matrix3, Vector3};
+
+use super::angle::SinCos;
+use super::joint::Joint;
+use super::link::Pose;
+use crate::{Convention, JointType, Placement, Row, Table};
+
+impl<const N: usize> Table<N> {
+    /// The table of an arm some of whose joints do not move. `positions` says of each of the L rows
+    /// where its joint is locked, rad or m; `None` where it moves, which are N of them, or this
+    /// panics.
+    ///
+    /// The link of a locked joint becomes a part of the link before it, or of the base; motors and
+    /// friction of locked joints are left out. Link frames of the joints that move are those of the
+    /// table, the tip stays the frame of its last row.
+    pub fn lock<const L: usize>(
+        convention: Convention,
+        gravity: [f64; 3],
+        rows: [Row; L],
+        positions: [Option<f64>; L],
+    ) -> Self {
+        let mut moving: [Row; N] = [Row::new(JointType::Revolute); N];
+        let mut count = 0;
+        let mut start = Pose::identity();
+        for (row, position) in rows.iter().zip(positions) {
+            match position {
+                None => {
+                    moving[count] = *row;
+                    moving[count].mount = start.placement();
+                    count += 1;
+                    start = Pose::identity();
+                }
+                Some(position) => {
+                    start = start.then(&transform(convention, row, position));
+                    if let Some(link) = count.checked_sub(1) {
+                        join(&mut moving[link], row, &start);
+                    }
+                }
+            }
+            if let Some(link) = count.checked_sub(1) {
+                moving[link].tip = start.placement();
+            }
+        }
+        assert_eq!(count, N, "so many joints move");
+        Table {
+            convention,
+            gravity,
+            rows: moving,
+        }
+    }
+}
+
+/// The row's frame in the one before it, with the joint at that position.
+fn transform(convention: Convention, row: &Row, position: f64) -> Pose {
+    let (turned, distance) = match row.joint_type {
+        JointType::Revolute => (SinCos::of_constant(position), 0.0),
+        JointType::Prismatic => (SinCos::ZERO, position),
+    };
+    let theta = turned.plus(SinCos::of_constant(row.theta));
+    let screw_z = Joint::new(SinCos::ZERO, 0.0, theta, row.d + distance).pose();
+    let screw_x = Pose::along_x(SinCos::of_constant(row.alpha), row.a);
+    match convention {
+        Convention::Standard => screw_z.then(&screw_x),
+        Convention::Modified => screw_x.then(&screw_z),
+    }
+}
+
+/// Adds the body of `locked`, whose frame is at `pose` in the link frame of `row`:
+/// I = I_1 + R I_2 R^T + m_1 m_2 / (m_1 + m_2) (r.r 1 - r r^T), with r from one centre to the other.
+fn join(row: &mut Row, locked: &Row, pose: &Pose) {
+    let mass = row.mass + locked.mass;
+    let com = Vector3::from(row.com);
+    let apart = pose.rotation * Vector3::from(locked.com) + pose.position - com;
+    let share = match mass == 0.0 {
+        true => 0.0,
+        false => locked.mass / mass,
+    };
+    let reduced = row.mass * share;
+    let steiner = Matrix3::from_diagonal_element(apart.norm_squared()) - apart * apart.transpose();
+    let tensor = tensor(row)
+        + pose.rotation * tensor(locked) * pose.rotation.transpose()
+        + steiner * reduced;
+    row.mass = mass;
+    row.com = (com + apart * share).into();
+    row.inertia = [
+        tensor.m11, tensor.m22, tensor.m33, tensor.m12, tensor.m23, tensor.m13,
+    ];
+}
+
+/// The inertia tensor about the centre of mass.
+pub(super) fn tensor(row: &Row) -> Matrix3<f64> {
+    let [xx, yy, zz, xy, yz, xz] = row.inertia;
+    Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz)
+}
+
+impl Pose {
+    pub(super) fn placement(&self) -> Placement {
+        Placement::new(&self.rotation, &self.position)
+    }
+}
+
+impl From<&Placement> for Pose {
+    fn from(placement: &Placement) -> Self {
+        Pose {
+            rotation: placement.matrix(),
+            position: placement.origin(),
+        }
+    }
+}

@@ -1,0 +1,140 @@
+//! Settings of the methods that choose their steps.
+
+use super::{InvalidSetting, Method};
+use crate::integrate::{StepRange, Tolerance};
+
+/// What the settings of all of them say.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct ErrorControl {
+    pub(super) tolerance: Tolerance,
+    max_step: Option<f64>,
+    pub(super) max_steps: usize,
+}
+
+impl ErrorControl {
+    /// Bounds of the step size in a run.
+    pub(super) fn range(&self, duration: f64) -> StepRange {
+        StepRange {
+            // A few roundings of the time.
+            least: 16.0 * f64::EPSILON * duration,
+            greatest: self.max_step.unwrap_or(duration / 50.0),
+        }
+    }
+
+    pub(super) fn validate(&self, duration: f64) -> Result<(), InvalidSetting> {
+        for tolerance in [self.tolerance.relative, self.tolerance.absolute] {
+            if !(tolerance > 0.0 && tolerance.is_finite()) {
+                return Err(InvalidSetting::Tolerance(tolerance));
+            }
+        }
+        match self.range(duration).greatest {
+            f64::INFINITY => Ok(()),
+            longest => validate_step(longest, duration),
+        }
+    }
+}
+
+/// A step that is lost in the rounding of the time would never end.
+pub(super) fn validate_step(step: f64, duration: f64) -> Result<(), InvalidSetting> {
+    if step > duration * f64::EPSILON && step.is_finite() {
+        Ok(())
+    } else {
+        Err(InvalidSetting::Step(step))
+    }
+}
+
+macro_rules! settings {
+    ($(#[$documentation:meta])* $name:ident) => {
+        $(#[$documentation])*
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        pub struct $name {
+            /// Relative tolerance of a step.
+            pub relative_tolerance: f64,
+            /// Absolute tolerance of a step, rad or m, and per second.
+            pub absolute_tolerance: f64,
+            /// The longest step, s; `None` for a fiftieth of the duration, infinity for no bound.
+            ///
+            /// The estimate vanishes in an arm at rest, and steps would become as long as the run:
+            /// a torque that comes and goes within one step would never be seen.
+            pub max_step: Option<f64>,
+            /// The greatest number of steps between two samples.
+            pub max_steps: usize,
+        }
+
+        impl $name {
+            /// One value for both tolerances, the other settings as by default.
+            pub fn with_tolerance(tolerance: f64) -> Self {
+                $name {
+                    relative_tolerance: tolerance,
+                    absolute_tolerance: tolerance,
+                    max_step: None,
+                    max_steps: 100_000,
+                }
+            }
+
+            pub(super) fn control(&self) -> ErrorControl {
+                ErrorControl {
+                    tolerance: Tolerance {
+                        relative: self.relative_tolerance,
+                        absolute: self.absolute_tolerance,
+                    },
+                    max_step: self.max_step,
+                    max_steps: self.max_steps,
+                }
+            }
+        }
+
+        impl Default for $name {
+            /// Tolerances of 1e-9, steps of up to a fiftieth of the duration, at most 100 000 of
+            /// them between two samples.
+            fn default() -> Self {
+                $name::with_tolerance(1e-9)
+            }
+        }
+
+        impl From<$name> for Method {
+            fn from(settings: $name) -> Self {
+                Method::$name(settings)
+            }
+        }
+    };
+}
+
+settings! {
+    /// Settings of the Dormand-Prince method of order 5(4), known as `ode45` and `RK45`.
+    ///
+    /// A step is as long as its estimated error in each position and velocity y stays below
+    /// `absolute_tolerance + relative_tolerance |y|`. The error of a whole run grows with its length
+    /// and with the motion's own sensitivity. Samples between the steps are taken from a polynomial
+    /// of fourth order.
+    ///
+    /// Dry friction is discontinuous in the velocity: a joint that sticks makes the steps minute,
+    /// and the run ends with [`Cause::TooManySteps`](crate::Cause::TooManySteps), unless stopping and
+    /// sticking are events ([`Friction::Sticking`](crate::Friction::Sticking)).
+    DormandPrince
+}
+
+settings! {
+    /// Settings of DOP853, the method of order 8(5,3) of Dormand and Prince (Hairer, Nørsett,
+    /// Wanner, *Solving Ordinary Differential Equations I*, section II.5).
+    ///
+    /// Of the explicit methods it is the one for accurate runs: at tolerances below 1e-8 it takes
+    /// fewer evaluations of forward dynamics than [`DormandPrince`]. A step takes twelve of them, and
+    /// three more where a sample lies within it, which is taken from a polynomial of seventh order.
+    /// The settings mean what they mean there.
+    Dop853
+}
+
+settings! {
+    /// Settings of the Radau IIA method of order 5 (Hairer, Wanner, *Solving Ordinary Differential
+    /// Equations II*, section IV.8), for stiff arms: strong viscous friction at a small inertia,
+    /// stiff controllers.
+    ///
+    /// An explicit method takes steps shorter than the fastest of the motion's time constants,
+    /// whatever the tolerance; this one takes those that the motion itself asks for. It is
+    /// implicit: a step takes some three to seven times three evaluations of forward dynamics, and
+    /// two for each joint where the Jacobian is renewed, which is formed by differences and so
+    /// includes the torque law. Samples within the steps are taken from a polynomial of third
+    /// degree. The settings mean what they mean for [`DormandPrince`].
+    Radau5
+}

@@ -1,0 +1,289 @@
+//! Mass matrices that cannot be solved with, and how near to that one is.
+
+use core::fmt;
+
+use nalgebra::SMatrix;
+
+use crate::Scalar;
+
+/// The mass matrix was not positive definite, as far as its digits can tell: a pivot of its
+/// factorisation was not greater than the rounding errors of its diagonal entry (8 epsilon of it).
+///
+/// It happens where the links beyond a joint have no inertia about it, where the data are
+/// unphysical, and where the state is not finite. Printed, it says which of the three, and what
+/// helps. [`Conditioning`] asks how near to it a mass matrix is that can still be solved with.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SingularMassMatrix {
+    /// The joint of the pivot, counted from 0.
+    pub joint: usize,
+    /// The joint's name in the table, where the code that failed knows it: generated code does.
+    pub joint_name: Option<&'static str>,
+    /// The pivot over the size of the diagonal entry of M that it came from: negative where the
+    /// pivot is, 0 where it is 0, NaN where either is NaN.
+    pub relative_pivot: f64,
+}
+
+impl SingularMassMatrix {
+    /// A failure at a joint without a name.
+    pub const fn new(joint: usize, relative_pivot: f64) -> Self {
+        SingularMassMatrix {
+            joint,
+            joint_name: None,
+            relative_pivot,
+        }
+    }
+
+    /// What a factorisation calls for each pivot, from the tip inwards.
+    ///
+    /// A pivot that is not greater than the rounding errors of the differences that
+    /// it is made of cannot be told from zero: no digit of the accelerations would be right.
+    /// The diagonal entry gives their size, whatever its sign: that M is positive
+    /// definite is a matter of the pivots alone.
+    ///
+    /// # Errors
+    ///
+    /// Where the pivot cannot be told from zero, is negative or NaN.
+    #[doc(hidden)]
+    #[inline(always)]
+    pub fn test<T: Scalar>(joint: usize, pivot: T, diagonal: T) -> Result<(), Self> {
+        if pivot.exceeds_rounding_of(diagonal) {
+            return Ok(());
+        }
+        Err(SingularMassMatrix::new(
+            joint,
+            relative_pivot(pivot, diagonal),
+        ))
+    }
+
+    /// [`test`](SingularMassMatrix::test), by generated code, which knows the joint's name.
+    #[doc(hidden)]
+    #[inline(always)]
+    pub fn test_joint<T: Scalar>(
+        joint: usize,
+        name: &'static str,
+        pivot: T,
+        diagonal: T,
+    ) -> Result<(), Self> {
+        match Self::test(joint, pivot, diagonal) {
+            Ok(()) => Ok(()),
+            Err(error) => Err(SingularMassMatrix {
+                joint_name: Some(name),
+                ..error
+            }),
+        }
+    }
+
+    /// What the ratio says about the cause, and what to do about it.
+    fn advice(&self) -> &'static str {
+        // The rounding errors of single precision, with room.
+        const ROUNDING: f64 = 1e-5;
+        if self.relative_pivot.is_nan() {
+            "a position or a parameter is not finite"
+        } else if self.relative_pivot < -ROUNDING {
+            "the inertia that it feels is negative: check masses, inertia tensors and motors for data that no body can have"
+        } else {
+            "with the joints beyond it free nothing resists it: give the links beyond it inertia about its axis, or the \
+             joint a motor, or keep away from this configuration"
+        }
+    }
+}
+
+/// `pivot / |diagonal|`, and the pivot itself where that is 0/0 or the quotient of infinities.
+#[cold]
+fn relative_pivot<T: Scalar>(pivot: T, diagonal: T) -> f64 {
+    let one = pivot.constant(1.0);
+    let ratio = pivot.ratio_to_f64(diagonal * diagonal.sign());
+    let ratio = if ratio.is_nan() && !diagonal.ratio_to_f64(one).is_nan() {
+        pivot.ratio_to_f64(one)
+    } else {
+        ratio
+    };
+    // Turns a zero that is negative into one that is not.
+    ratio + 0.0
+}
+
+impl fmt::Display for SingularMassMatrix {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let joint = self.joint + 1;
+        write!(
+            f,
+            "the mass matrix is not positive definite at joint {joint}"
+        )?;
+        if let Some(name) = self.joint_name {
+            write!(f, " `{name}`")?;
+        }
+        let ratio = self.relative_pivot;
+        write!(f, " (relative pivot {ratio:e}): {}", self.advice())
+    }
+}
+
+impl core::error::Error for SingularMassMatrix {}
+
+/// How near to singular a mass matrix is: the least pivot relative to its diagonal entry.
+///
+/// M = U D U^T, factored from the tip inwards: d_i is the inertia that joint i feels with the
+/// joints beyond it free, M_ii what it feels with them locked. min d_i / M_ii says how many digits
+/// a solution of M x = b loses: about `-log10` of it. Unlike the condition number it does not change
+/// with the units of the joints, nor with small masses at the end of a large arm, which cost no
+/// digits (van der Sluis 1969: scaling a positive definite matrix by its diagonal is nearly the
+/// best there is).
+///
+/// ```
+/// use dynamics_runtime::Conditioning;
+/// use dynamics_runtime::nalgebra::Matrix2;
+///
+/// // Joints that differ by twelve orders of magnitude, and do not know of each other.
+/// let graded = Conditioning::of(&Matrix2::new(1.0, 0.0, 0.0, 1e-12));
+/// assert_eq!(graded.lost_digits(), 0.0);
+///
+/// // The first joint's inertia is nearly all carried by the second.
+/// let stretched = Conditioning::of(&Matrix2::new(1.0 + 1e-8, 1.0, 1.0, 1.0));
+/// assert_eq!(stretched.joint, 0);
+/// assert!((stretched.lost_digits() - 8.0).abs() < 1e-6);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Conditioning {
+    /// The joint of the least relative pivot, counted from 0.
+    pub joint: usize,
+    /// The pivot over its diagonal entry: 1 at best; 0 or negative where M is not positive definite,
+    /// NaN where M holds a NaN.
+    pub relative_pivot: f64,
+}
+
+impl Conditioning {
+    /// Factors M(q), and stops at the first pivot that is not positive. Never fails, never allocates.
+    pub fn of<const N: usize>(mass_matrix: &SMatrix<f64, N, N>) -> Self {
+        let mut m = *mass_matrix;
+        let mut least = Conditioning {
+            joint: N.saturating_sub(1),
+            relative_pivot: 1.0,
+        };
+        for k in (0..N).rev() {
+            let pivot = m[(k, k)];
+            let ratio = relative_pivot(pivot, mass_matrix[(k, k)]);
+            if ratio.is_nan() || ratio < least.relative_pivot {
+                least = Conditioning {
+                    joint: k,
+                    relative_pivot: ratio,
+                };
+            }
+            if pivot.is_nan() || pivot <= 0.0 {
+                break;
+            }
+            for i in (0..k).rev() {
+                let factor = m[(k, i)] / pivot;
+                for j in 0..=i {
+                    m[(i, j)] -= factor * m[(k, j)];
+                }
+            }
+        }
+        least
+    }
+
+    /// Decimal digits that accelerations lose by solving with this matrix: infinite where it is not
+    /// positive definite, NaN where it is not a number.
+    pub fn lost_digits(&self) -> f64 {
+        match self.relative_pivot {
+            pivot if pivot <= 0.0 => f64::INFINITY,
+            pivot => 0.0 - libm::log10(pivot),
+        }
+    }
+
+    /// Relative error of the accelerations to expect in double precision: epsilon over the relative
+    /// pivot, infinite where M is not positive definite.
+    pub fn error(&self) -> f64 {
+        match self.relative_pivot {
+            pivot if pivot <= 0.0 => f64::INFINITY,
+            pivot => f64::EPSILON / pivot,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::{Matrix2, Matrix3};
+
+    use super::{Conditioning, SingularMassMatrix};
+
+    #[test]
+    fn a_pivot_of_rounding_errors_is_no_pivot() {
+        assert!(SingularMassMatrix::test(0, 1e-14, 1.0).is_ok());
+        assert!(SingularMassMatrix::test(0, 1e-15, 1.0).is_err());
+        assert!(SingularMassMatrix::test(0, 1e-15, 1e-10).is_ok());
+        assert!(SingularMassMatrix::test(0, 1e-7_f32, 1.0).is_err());
+        let error = SingularMassMatrix::test(3, f64::NAN, 1.0).unwrap_err();
+        assert!(error.joint == 3 && error.relative_pivot.is_nan());
+    }
+
+    fn relative_pivot(pivot: f64, diagonal: f64) -> f64 {
+        SingularMassMatrix::test(0, pivot, diagonal)
+            .unwrap_err()
+            .relative_pivot
+    }
+
+    #[test]
+    fn the_relative_pivot_has_the_sign_of_the_pivot() {
+        assert_eq!(relative_pivot(-0.5, -0.25), -2.0);
+        assert_eq!(relative_pivot(-0.5, 0.25), -2.0);
+        assert_eq!(relative_pivot(-1.0, 0.0), f64::NEG_INFINITY);
+        assert_eq!(
+            relative_pivot(f64::NEG_INFINITY, f64::INFINITY),
+            f64::NEG_INFINITY
+        );
+        for diagonal in [-1.0, -0.0, 0.0, 1.0, f64::INFINITY] {
+            for pivot in [0.0, -0.0] {
+                let zero = relative_pivot(pivot, diagonal);
+                assert!(zero == 0.0 && zero.is_sign_positive(), "{diagonal}");
+            }
+        }
+        assert!(relative_pivot(1.0, f64::NAN).is_nan());
+        assert!(relative_pivot(f64::NAN, 0.0).is_nan());
+    }
+
+    #[test]
+    fn a_negative_inertia_does_not_read_as_a_regular_one() {
+        let error = SingularMassMatrix::test(0, -1.0, -1.0).unwrap_err();
+        let text = error.to_string();
+        assert!(text.starts_with(
+            "the mass matrix is not positive definite at joint 1 (relative pivot -1e0): "
+        ));
+        assert!(text.contains("inertia that it feels is negative"), "{text}");
+    }
+
+    #[test]
+    fn the_error_names_the_joint_and_counts_from_one() {
+        let error = SingularMassMatrix::test_joint(2, "wrist", -1e-17, 1.0).unwrap_err();
+        let text = error.to_string();
+        assert!(
+            text.starts_with("the mass matrix is not positive definite at joint 3 `wrist` (relative pivot -1e-17): "),
+            "{text}"
+        );
+        assert!(text.contains("nothing resists it"), "{text}");
+        let nan = SingularMassMatrix::new(0, f64::NAN).to_string();
+        assert!(nan.contains("not finite"), "{nan}");
+    }
+
+    #[test]
+    fn pivots_are_those_of_the_tip_inwards() {
+        let m = Matrix3::new(4.0, 1.0, 2.0, 1.0, 1.0, 0.5, 2.0, 0.5, 1.0);
+        // d_3 = 1, d_2 = 1 - 1/4, M_12 becomes 1 - 2/2 = 0, d_1 = 4 - 4 = 0.
+        let found = Conditioning::of(&m);
+        assert_eq!((found.joint, found.relative_pivot), (0, 0.0));
+        assert_eq!(found.lost_digits(), f64::INFINITY);
+        assert_eq!(found.error(), f64::INFINITY);
+        let m = Matrix2::new(1.0, 0.5, 0.5, 1.0);
+        let found = Conditioning::of(&m);
+        assert_eq!((found.joint, found.relative_pivot), (0, 0.75));
+    }
+
+    #[test]
+    fn what_is_not_a_number_is_not_regular() {
+        let nan = Conditioning::of(&Matrix2::new(1.0, 0.0, 0.0, f64::NAN));
+        assert_eq!(nan.joint, 1);
+        assert!(nan.relative_pivot.is_nan() && nan.lost_digits().is_nan() && nan.error().is_nan());
+        let negative = Conditioning::of(&Matrix2::new(1.0, 0.0, 0.0, -2.0));
+        assert_eq!((negative.joint, negative.relative_pivot), (1, -1.0));
+        let massless = Conditioning::of(&Matrix2::zeros());
+        assert_eq!((massless.joint, massless.relative_pivot), (1, 0.0));
+    }
+}

@@ -1,0 +1,88 @@
+//! The factored mass matrix.
+
+use nalgebra::{SMatrix, SVector};
+
+use crate::{Scalar, SingularMassMatrix};
+
+/// M = U D U^T from the tip inwards, with ones on the diagonal of U (R. Featherstone, *Rigid Body
+/// Dynamics Algorithms*, section 6.5, without the square roots): the pivots are those of the
+/// generated forward dynamics.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Factors<T, const N: usize> {
+    /// Minus the entries of U above its diagonal.
+    upper: SMatrix<T, N, N>,
+    inverse_pivots: SVector<T, N>,
+}
+
+impl<T: Scalar, const N: usize> Factors<T, N> {
+    /// Those of the unit matrix.
+    pub(super) fn unit(like: T) -> Self {
+        Factors {
+            upper: SMatrix::repeat(like.constant(0.0)),
+            inverse_pivots: SVector::repeat(like.constant(1.0)),
+        }
+    }
+
+    #[inline(always)]
+    pub(super) fn new(m: &SMatrix<T, N, N>) -> Result<Self, SingularMassMatrix> {
+        let mut upper = *m;
+        let mut inverse_pivots = SVector::repeat(m[0]);
+        for j in (0..N).rev() {
+            let pivot = upper[(j, j)];
+            SingularMassMatrix::test(j, pivot, m[(j, j)])?;
+            inverse_pivots[j] = pivot.constant(1.0) / pivot;
+            // What joint j takes part in leaves the matrix of the joints before it.
+            for i in 0..j {
+                let ratio = upper[(i, j)] * inverse_pivots[j];
+                for k in 0..=i {
+                    upper[(k, i)] = upper[(k, i)] - upper[(k, j)] * ratio;
+                }
+            }
+            for i in 0..j {
+                upper[(i, j)] = -upper[(i, j)] * inverse_pivots[j];
+            }
+        }
+        Ok(Factors {
+            upper,
+            inverse_pivots,
+        })
+    }
+
+    /// x with M x = b.
+    #[inline(always)]
+    pub(super) fn solve(&self, b: &SVector<T, N>) -> SVector<T, N> {
+        let mut x = *b;
+        for j in (0..N).rev() {
+            for i in 0..j {
+                x[i] = self.upper[(i, j)].mul_add(x[j], x[i]);
+            }
+        }
+        for i in 0..N {
+            x[i] = x[i] * self.inverse_pivots[i];
+        }
+        for j in 0..N {
+            for i in j + 1..N {
+                x[i] = self.upper[(j, i)].mul_add(x[j], x[i]);
+            }
+        }
+        x
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::{Matrix3, Vector3};
+
+    use super::Factors;
+
+    #[test]
+    fn solves_and_reports_the_joint_of_a_pivot() {
+        let m = Matrix3::new(4.0, 1.0, 0.5, 1.0, 3.0, 0.2, 0.5, 0.2, 2.0);
+        let x = Vector3::new(1.0, -2.0, 3.0);
+        let solved = Factors::new(&m).unwrap().solve(&(m * x));
+        assert!((solved - x).amax() < 1e-15, "{solved}");
+        // Rows and columns 0 and 1 are alike behind joint 2: the pivot of joint 0 vanishes.
+        let singular = Matrix3::new(1.0, 1.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0);
+        assert_eq!(Factors::new(&singular).unwrap_err().joint, 0);
+    }
+}

@@ -1,0 +1,105 @@
+//! Taylor series of the motion, order by order from the generated equations.
+//!
+//! With q(t) = sum q_k t^k, each quantity of the equations is a series too, and its coefficient of
+//! order k follows from coefficients of order up to k (automatic differentiation of ordinary
+//! differential equations: A. Jorba, M. Zou, *A software package for the numerical integration of
+//! ODEs by means of high-order Taylor methods*, Experimental Mathematics 14 (2005), section 2):
+//!
+//! ```text
+//! c = a + b       c_k = a_k + b_k
+//! c = a b         c_k = a_0 b_k + a_k b_0 + sum_{0<j<k} a_j b_{k-j}
+//! s = sin q       (k + 1) s_{k+1} = (cos q  qd)_k
+//! c = cos q       (k + 1) c_{k+1} = -(sin q  qd)_k
+//! ```
+//!
+//! The equations of motion are taken as they are, tau = M(q) qdd + V + G + F, not solved for qdd.
+//! Their coefficient of order k is linear in the unknown qdd_k, with the matrix M(q_0) whatever k:
+//!
+//! ```text
+//! M(q_0) qdd_k = tau_k - (M qdd + V + G + F)_k  with qdd_k = 0 on the right.
+//! ```
+//!
+//! So M is factored once for all orders, and no series is divided: the inverse dynamics of the
+//! PUMA 560 has 119 products of two series, its forward dynamics 205 and four quotients.
+//!
+//! Inner sums depend on lower orders alone: those of all products are computed at once, in the
+//! lanes of vector registers ([`Block`]), before the straight-line code of an order runs.
+
+mod expansion;
+mod factors;
+#[cfg(feature = "std")]
+mod fused;
+#[cfg(feature = "std")]
+mod numbers;
+mod products;
+#[cfg(feature = "std")]
+mod step_size;
+#[cfg(feature = "std")]
+mod stepper;
+mod term;
+
+use nalgebra::{SMatrix, SVector};
+
+use crate::{JointSines, Model, Scalar, SingularMassMatrix};
+pub(crate) use expansion::Expansion;
+pub(crate) use products::advance;
+pub use products::{Block, Common, ProductTable, Products};
+#[cfg(feature = "std")]
+pub(crate) use step_size::order;
+#[cfg(feature = "std")]
+pub(crate) use stepper::Stepper;
+pub use term::SeriesTerm;
+
+/// The highest order of a Taylor series.
+pub const MAX_TAYLOR_ORDER: usize = 30;
+
+/// The coefficients q_k of `q(t) = sum q_k t^k`, from q_0 on; zero beyond the order asked for.
+pub type TaylorCoefficients<T, const N: usize> = [SVector<T, N>; MAX_TAYLOR_ORDER + 1];
+
+/// An arm whose motion can be expanded in a Taylor series: `functions: [taylor_series]`.
+pub trait TaylorDynamics<const N: usize>: Model<N> {
+    /// Room for the products of two series in the equations of motion.
+    #[doc(hidden)]
+    type Products<T: Scalar>: Products<T>;
+
+    /// M(q), with the sines of the joint positions from `sines`.
+    #[doc(hidden)]
+    fn leading_matrix<T: Scalar>(
+        &self,
+        sines: &impl JointSines<T>,
+        q: &SVector<T, N>,
+    ) -> SMatrix<T, N, N>;
+
+    /// The equations of motion at one order.
+    #[doc(hidden)]
+    fn series_term<T: Scalar>(&self, term: &mut impl SeriesTerm<T, N>);
+
+    /// Taylor coefficients q_0, q_1, ... of the motion q(t) = sum q_k t^k of the arm from `q` and
+    /// `qd` at t = 0 under the constant torque `tau`.
+    ///
+    /// `q` in rad or m, `qd` per second, `tau` in N m or N; q_k in rad or m per s^k. Orders above
+    /// [`MAX_TAYLOR_ORDER`] and below 2 are taken as these. The sign in Coulomb friction is that of
+    /// `qd`, as if it did not change: the series is that of the motion up to the first reversal of
+    /// a joint.
+    ///
+    /// # Errors
+    ///
+    /// [`SingularMassMatrix`] where M(q) is not positive definite to working precision, or holds a
+    /// NaN. Never panics, never allocates; coefficients too large for `T` are infinite or NaN, and so
+    /// are those after them.
+    fn taylor_series<T: Scalar>(
+        &self,
+        q: &SVector<T, N>,
+        qd: &SVector<T, N>,
+        tau: &SVector<T, N>,
+        order: usize,
+    ) -> Result<TaylorCoefficients<T, N>, SingularMassMatrix>
+    where
+        Self: Sized,
+    {
+        let mut expansion = Expansion::<Self, T, N>::new(q);
+        expansion.begin(self, q, qd, tau)?;
+        expansion.extend(self, order);
+        Ok(*expansion.coefficients())
+    }
+}

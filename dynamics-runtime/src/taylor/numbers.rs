@@ -1,0 +1,83 @@
+//! The series of a step, in the numbers that the processor computes it with fastest.
+
+use nalgebra::SVector;
+
+use super::fused::{Fused, is_worth_it};
+use super::{Expansion, MAX_TAYLOR_ORDER, TaylorCoefficients, TaylorDynamics};
+use crate::SingularMassMatrix;
+use crate::integrate::Phase;
+
+/// A series in doubles, whichever way they are added.
+pub(super) enum Series<R, const N: usize>
+where
+    R: TaylorDynamics<N>,
+{
+    /// As the build does it.
+    Plain(Box<Expansion<R, f64, N>>),
+    /// With fused instructions that the build may not count on.
+    Fused {
+        expansion: Box<Expansion<R, Fused, N>>,
+        coefficients: Box<TaylorCoefficients<f64, N>>,
+    },
+}
+
+impl<R, const N: usize> Series<R, N>
+where
+    R: TaylorDynamics<N>,
+{
+    pub(super) fn new() -> Self {
+        let zero = SVector::zeros();
+        match is_worth_it() {
+            false => Series::Plain(Box::new(Expansion::new(&zero))),
+            true => Series::Fused {
+                expansion: Box::new(Expansion::new(&zero.map(Fused))),
+                coefficients: Box::new([zero; MAX_TAYLOR_ORDER + 1]),
+            },
+        }
+    }
+
+    pub(super) fn begin(
+        &mut self,
+        robot: &R,
+        Phase { q, qd }: &Phase<N>,
+        tau: &SVector<f64, N>,
+    ) -> Result<(), SingularMassMatrix> {
+        match self {
+            Series::Plain(expansion) => expansion.begin(robot, q, qd, tau),
+            Series::Fused { expansion, .. } => {
+                let [q, qd, tau] = [q, qd, tau].map(|x| x.map(Fused));
+                expansion.begin(robot, &q, &qd, &tau)
+            }
+        }
+    }
+
+    pub(super) fn extend(&mut self, robot: &R, order: usize) {
+        match self {
+            Series::Plain(expansion) => expansion.extend(robot, order),
+            Series::Fused {
+                expansion,
+                coefficients,
+            } => {
+                expansion.extend(robot, order);
+                let computed = &expansion.coefficients()[..=order];
+                for (x, computed) in coefficients.iter_mut().zip(computed) {
+                    *x = computed.map(|x| x.0);
+                }
+            }
+        }
+    }
+
+    pub(super) fn coefficients(&self) -> &TaylorCoefficients<f64, N> {
+        match self {
+            Series::Plain(expansion) => expansion.coefficients(),
+            Series::Fused { coefficients, .. } => coefficients,
+        }
+    }
+
+    pub(super) fn acceleration(&self) -> SVector<f64, N> {
+        match self {
+            Series::Plain(expansion) => expansion.acceleration(),
+            Series::Fused { expansion, .. } => expansion.acceleration().map(|x| x.0),
+        }
+    }
+}

@@ -1,0 +1,139 @@
+//! One order of the series, as generated code sees it.
+
+use nalgebra::SVector;
+
+use super::factors::Factors;
+use super::{Products, TaylorDynamics};
+use crate::Scalar;
+
+/// Coefficients of order k: what the generated equations of motion read and write.
+///
+/// What depends on the accelerations is computed twice: with accelerations of 0, up to
+/// [`solve`](SeriesTerm::solve), which makes them what they have to be, and again.
+#[doc(hidden)]
+pub trait SeriesTerm<T, const N: usize> {
+    /// A number, for its arithmetic.
+    fn like(&self) -> T;
+    /// The coefficient of a constant.
+    fn constant(&self, x: T) -> T;
+    /// The coefficient of the sine of a joint's position.
+    fn sine(&self, joint: usize) -> T;
+    /// The coefficient of the cosine.
+    fn cosine(&self, joint: usize) -> T;
+    /// The coefficient of a position.
+    fn position(&self, joint: usize) -> T;
+    /// The coefficient of a velocity.
+    fn velocity(&self, joint: usize) -> T;
+    /// The coefficient of the sign of a velocity, which counts as constant.
+    fn velocity_sign(&self, joint: usize) -> T;
+    /// The coefficient of an acceleration: 0 before it is solved for.
+    fn acceleration(&self, joint: usize) -> T;
+    /// The coefficient of the product of two series, whose coefficients of this order are given.
+    fn product(&mut self, slot: usize, a: T, b: T) -> T;
+    /// The same of coefficients that are not final.
+    fn trial(&self, slot: usize, a: T, b: T) -> T;
+    /// The next coefficients of sine and cosine of a joint's position, by two products.
+    fn turn(&mut self, joint: usize, slot: usize);
+    /// The accelerations that the forces lack.
+    fn solve(&mut self, forces: [T; N]);
+}
+
+/// The state of an expansion from one order to the next.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Motion<T, const N: usize> {
+    pub(super) q: SVector<T, N>,
+    pub(super) qd: SVector<T, N>,
+    pub(super) qdd: SVector<T, N>,
+    pub(super) sine: SVector<T, N>,
+    pub(super) cosine: SVector<T, N>,
+    pub(super) sign: SVector<T, N>,
+    pub(super) tau: SVector<T, N>,
+}
+
+/// One order of an expansion; `LEADING` is whether it is order 0.
+pub(super) struct Term<'a, R, T, const N: usize, const LEADING: bool>
+where
+    R: TaylorDynamics<N>,
+    T: Scalar,
+{
+    pub(super) motion: Motion<T, N>,
+    pub(super) next_sine: SVector<T, N>,
+    pub(super) next_cosine: SVector<T, N>,
+    pub(super) factors: &'a Factors<T, N>,
+    pub(super) products: &'a mut R::Products<T>,
+}
+
+impl<R, T, const N: usize, const LEADING: bool> SeriesTerm<T, N> for Term<'_, R, T, N, LEADING>
+where
+    R: TaylorDynamics<N>,
+    T: Scalar,
+{
+    #[inline(always)]
+    fn like(&self) -> T {
+        self.motion.q[0]
+    }
+
+    #[inline(always)]
+    fn constant(&self, x: T) -> T {
+        if LEADING { x } else { x.constant(0.0) }
+    }
+
+    #[inline(always)]
+    fn sine(&self, joint: usize) -> T {
+        self.motion.sine[joint]
+    }
+
+    #[inline(always)]
+    fn cosine(&self, joint: usize) -> T {
+        self.motion.cosine[joint]
+    }
+
+    #[inline(always)]
+    fn position(&self, joint: usize) -> T {
+        self.motion.q[joint]
+    }
+
+    #[inline(always)]
+    fn velocity(&self, joint: usize) -> T {
+        self.motion.qd[joint]
+    }
+
+    #[inline(always)]
+    fn velocity_sign(&self, joint: usize) -> T {
+        self.constant(self.motion.sign[joint])
+    }
+
+    #[inline(always)]
+    fn acceleration(&self, joint: usize) -> T {
+        self.motion.qdd[joint]
+    }
+
+    #[inline(always)]
+    fn product(&mut self, slot: usize, a: T, b: T) -> T {
+        self.products.store(slot, a, b);
+        self.trial(slot, a, b)
+    }
+
+    #[inline(always)]
+    fn trial(&self, slot: usize, a: T, b: T) -> T {
+        if LEADING {
+            return a * b;
+        }
+        let [left, right, sum] = self.products.lead(slot);
+        left.mul_add(b, a.mul_add(right, sum))
+    }
+
+    #[inline(always)]
+    fn turn(&mut self, joint: usize, slot: usize) {
+        let (s, c) = (self.motion.sine[joint], self.motion.cosine[joint]);
+        let qd = self.motion.qd[joint];
+        self.next_sine[joint] = self.product(slot, c, qd);
+        self.next_cosine[joint] = -self.product(slot + 1, s, qd);
+    }
+
+    #[inline(always)]
+    fn solve(&mut self, forces: [T; N]) {
+        let lacking = SVector::from_fn(|i, _| self.motion.tau[i] - forces[i]);
+        self.motion.qdd = self.factors.solve(&lacking);
+    }
+}

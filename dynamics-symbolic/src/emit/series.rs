@@ -1,0 +1,433 @@
+//! The inverse dynamics over Taylor series: each line is the coefficient of one order.
+//!
+//! Sums and multiples by constants are what they are for numbers. A product of two series goes to
+//! a slot of the runtime's table of products, which knows the coefficients of lower orders; a
+//! constant that is added counts at order 0 alone. What depends on the accelerations is written
+//! twice: with accelerations of zero for the forces that they have to make up, and with the
+//! accelerations for the products of later orders.
+
+use super::body;
+use super::signature::ident;
+use crate::program::{Instruction, Operand, Program};
+use crate::robot::{Robot, Symbol};
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::quote;
+
+/// Products in one block of the runtime's table.
+const LANES: usize = 8;
+
+/// So many products with a common factor make a block.
+const FEWEST_COMMON: usize = 5;
+
+/// Above so many names they are declared by one pattern for each group: see `body`.
+const MOST_LETS: usize = 500;
+const GROUP: usize = 200;
+
+/// The method for a product whose factors are final, and the one for factors that are not.
+const STORED: &str = "product";
+const TRIAL: &str = "trial";
+
+/// What a quantity is along the motion.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Kind {
+    /// A number: constants, and what is made of the struct's fields.
+    Constant,
+    /// A series that positions and velocities determine.
+    Known,
+    /// A series that depends on the accelerations.
+    Moved,
+}
+
+/// A program over series.
+struct Series<'p> {
+    robot: &'p Robot,
+    program: &'p Program,
+    constants: &'p [f64],
+    kinds: Vec<Kind>,
+    /// The slot of each product of two series.
+    slots: Vec<Option<usize>>,
+    /// Whether the second factor of a product is the left one.
+    swapped: Vec<bool>,
+    /// Whether a product, directly or through others, reads the result.
+    feeds_products: Vec<bool>,
+    /// Multiples of a series that are written into the one sum that reads them.
+    inlined: Vec<bool>,
+    /// Joints whose sine or cosine is read, which takes two more slots each.
+    turns: Vec<usize>,
+    /// The first slot of the turns.
+    turning: usize,
+    /// Blocks of products with a common factor, and of others.
+    blocks: [usize; 2],
+    inputs: Vec<Ident>,
+}
+
+/// The items of `TaylorDynamics` but for the mass matrix: the type of the table of products, and
+/// the equations of motion at one order.
+pub(super) fn items(
+    robot: &Robot,
+    program: &Program,
+    constants: &[f64],
+    path: &TokenStream,
+) -> TokenStream {
+    let series = Series::new(robot, program, constants);
+    let body = series.body(path);
+    declarations(series.blocks, robot.dof(), path, &body)
+}
+
+/// The items with a given body; with `dof` zero for any number of joints.
+pub(super) fn declarations(
+    [common, single]: [usize; 2],
+    dof: usize,
+    path: &TokenStream,
+    body: &TokenStream,
+) -> TokenStream {
+    let [common, single] = [common, single].map(Literal::usize_unsuffixed);
+    let n = super::signature::number_of_joints(dof);
+    let term = ident("term");
+    quote! {
+        type Products<T: #path::Scalar> = #path::ProductTable<T, #common, #single>;
+
+        #[inline(always)]
+        fn series_term<T: #path::Scalar>(&self, #term: &mut impl #path::SeriesTerm<T, #n>) {
+            #body
+        }
+    }
+}
+
+impl<'p> Series<'p> {
+    fn new(robot: &'p Robot, program: &'p Program, constants: &'p [f64]) -> Self {
+        let angles = program.angles();
+        let name = |symbol: &Symbol| ident(&body::input_name(robot, symbol, &angles));
+        let mut series = Series {
+            robot,
+            program,
+            constants,
+            kinds: Vec::with_capacity(program.instructions.len()),
+            slots: Vec::with_capacity(program.instructions.len()),
+            swapped: vec![false; program.instructions.len()],
+            feeds_products: vec![false; program.instructions.len()],
+            inlined: vec![false; program.instructions.len()],
+            turns: program.joint_angles(),
+            turning: 0,
+            blocks: [0; 2],
+            inputs: program.inputs.iter().map(name).collect(),
+        };
+        series.turns.sort_unstable();
+        for instruction in &program.instructions {
+            let (a, b) = instruction.operands();
+            let (a, b) = (series.kind(a), series.kind(b));
+            let is_product =
+                matches!(instruction, Instruction::Mul(..)) && a.min(b) != Kind::Constant;
+            assert!(
+                !matches!(instruction, Instruction::Div(..)) || b == Kind::Constant,
+                "inverse dynamics is a polynomial in the motion"
+            );
+            series.kinds.push(a.max(b));
+            series.slots.push(is_product.then_some(0));
+        }
+        series.assign_slots();
+        series.find_what_feeds_products();
+        series.find_inlined();
+        series
+    }
+
+    fn kind(&self, operand: Operand) -> Kind {
+        match operand {
+            Operand::Constant(_) => Kind::Constant,
+            Operand::Result(index) => self.kinds[index as usize],
+            Operand::Input(index) => match self.program.inputs[index as usize] {
+                Symbol::Pi
+                | Symbol::Field(_)
+                | Symbol::AngleSine(_)
+                | Symbol::AngleCosine(_)
+                | Symbol::Force(_) => Kind::Constant,
+                Symbol::Sine(_)
+                | Symbol::Cosine(_)
+                | Symbol::Position(_)
+                | Symbol::Velocity(_)
+                | Symbol::VelocitySign(_) => Kind::Known,
+                Symbol::Acceleration(_) => Kind::Moved,
+            },
+        }
+    }
+
+    /// Products with a common factor to blocks of their own as long as enough of them are left, the
+    /// most frequent factor first; then the others.
+    fn assign_slots(&mut self) {
+        let products = (0..self.slots.len()).filter(|&i| self.slots[i].is_some());
+        let mut left: Vec<usize> = products.collect();
+        let factors = |index: usize| {
+            let (a, b) = self.program.instructions[index].operands();
+            [a, b]
+        };
+        let mut groups: Vec<Vec<usize>> = Vec::new();
+        loop {
+            let candidates = left.iter().flat_map(|&i| factors(i));
+            let count = |x: Operand| left.iter().filter(|&&i| factors(i).contains(&x)).count();
+            let most = candidates.map(|x| (count(x), core::cmp::Reverse(x))).max();
+            let Some((_, core::cmp::Reverse(common))) = most.filter(|(n, _)| *n >= FEWEST_COMMON)
+            else {
+                break;
+            };
+            let has_common = |i: &usize| factors(*i).contains(&common);
+            let group: Vec<usize> = left
+                .iter()
+                .copied()
+                .filter(has_common)
+                .take(LANES)
+                .collect();
+            left.retain(|i| !group.contains(i));
+            for &index in &group {
+                self.swapped[index] = factors(index)[0] != common;
+            }
+            groups.push(group);
+        }
+        let common = groups.len();
+        for (block, group) in groups.iter().enumerate() {
+            for (lane, &index) in group.iter().enumerate() {
+                self.slots[index] = Some(block * LANES + lane);
+            }
+        }
+        for (count, &index) in left.iter().enumerate() {
+            // What the accelerations do not change first: its part of the sum is the same before
+            // and after they are solved for.
+            let [a, b] = factors(index).map(|x| self.kind(x));
+            self.swapped[index] = a > b;
+            self.slots[index] = Some(common * LANES + count);
+        }
+        self.turning = common * LANES + left.len();
+        let single = left.len() + 2 * self.turns.len();
+        self.blocks = [common, single.div_ceil(LANES)];
+    }
+
+    fn find_what_feeds_products(&mut self) {
+        for (index, instruction) in self.program.instructions.iter().enumerate().rev() {
+            if self.slots[index].is_none() && !self.feeds_products[index] {
+                continue;
+            }
+            let (a, b) = instruction.operands();
+            for operand in [a, b] {
+                if let Operand::Result(index) = operand {
+                    self.feeds_products[index as usize] = true;
+                }
+            }
+        }
+    }
+
+    /// The multiples of a series that one instruction alone reads, a sum.
+    fn find_inlined(&mut self) {
+        let mut readers = vec![0; self.program.instructions.len()];
+        let mut in_sum = vec![false; self.program.instructions.len()];
+        for instruction in &self.program.instructions {
+            let is_sum = matches!(instruction, Instruction::Add(..) | Instruction::Sub(..));
+            let (a, b) = instruction.operands();
+            for operand in [a, b] {
+                if let Operand::Result(index) = operand {
+                    readers[index as usize] += 1;
+                    in_sum[index as usize] = is_sum;
+                }
+            }
+        }
+        for output in &self.program.outputs {
+            if let Operand::Result(index) = output.operand {
+                readers[index as usize] += 2;
+            }
+        }
+        for (index, instruction) in self.program.instructions.iter().enumerate() {
+            self.inlined[index] = matches!(instruction, Instruction::Mul(..))
+                && self.slots[index].is_none()
+                && self.kinds[index] != Kind::Constant
+                && readers[index] == 1
+                && in_sum[index];
+        }
+    }
+
+    fn body(&self, path: &TokenStream) -> TokenStream {
+        let [term, real, x] = ["term", "real", "x"].map(ident);
+        let constants = body::constant_inputs(self.robot, self.program, path);
+        let (known, moved): (Vec<_>, Vec<_>) =
+            (0..self.program.instructions.len()).partition(|&i| self.kinds[i] != Kind::Moved);
+        let feeding = moved.iter().copied();
+        let feeding: Vec<_> = feeding
+            .filter(|&i| self.feeds_products[i] || self.slots[i].is_some())
+            .collect();
+        let known_inputs = self.inputs_of(Kind::Known);
+        let moved_inputs = self.inputs_of(Kind::Moved);
+        let known = self.lines(&known, STORED);
+        let trial = self.lines(&moved, TRIAL);
+        let stored = self.lines(&feeding, STORED);
+        let forces_name = ident("forces");
+        let turns = self.turns.iter().enumerate().map(|(count, &joint)| {
+            let slot = Literal::usize_unsuffixed(self.turning + 2 * count);
+            let joint = Literal::usize_unsuffixed(joint);
+            quote!(#term.turn(#joint, #slot);)
+        });
+        let forces = self.program.outputs.iter().map(|output| {
+            let value = self.series(output.operand);
+            if output.negative {
+                quote!(-#value)
+            } else {
+                value
+            }
+        });
+        quote! {
+            let #real = {
+                let #x = #path::SeriesTerm::like(#term);
+                move |x: f64| #path::Scalar::constant(#x, x)
+            };
+            #constants
+            #known_inputs
+            #(#turns)*
+            #known
+            let #forces_name = {
+                #moved_inputs
+                #trial
+                [#(#forces),*]
+            };
+            #term.solve(#forces_name);
+            #moved_inputs
+            #stored
+        }
+    }
+
+    fn inputs_of(&self, kind: Kind) -> TokenStream {
+        let term = ident("term");
+        let mut order: Vec<usize> = (0..self.inputs.len()).collect();
+        order.sort_by_key(|&index| body::place(&self.program.inputs[index]));
+        let lines = order.into_iter().filter_map(|index| {
+            if self.kind(Operand::Input(index as u32)) != kind {
+                return None;
+            }
+            let (method, joint) = match self.program.inputs[index] {
+                Symbol::Sine(i) => ("sine", i),
+                Symbol::Cosine(i) => ("cosine", i),
+                Symbol::Position(i) => ("position", i),
+                Symbol::Velocity(i) => ("velocity", i),
+                Symbol::VelocitySign(i) => ("velocity_sign", i),
+                Symbol::Acceleration(i) => ("acceleration", i),
+                _ => return None,
+            };
+            let (name, method) = (&self.inputs[index], ident(method));
+            let joint = Literal::usize_unsuffixed(joint);
+            Some(quote!(let #name = #term.#method(#joint);))
+        });
+        lines.collect()
+    }
+
+    /// The assignments of some instructions.
+    fn lines(&self, section: &[usize], product: &str) -> TokenStream {
+        let named = section
+            .iter()
+            .copied()
+            .filter(|&index| !self.inlined[index]);
+        let named: Vec<usize> = named.collect();
+        let names: Vec<_> = named.iter().map(|&index| name(index)).collect();
+        let mut lines = TokenStream::new();
+        let declares_each = names.len() <= MOST_LETS;
+        if !declares_each {
+            for group in names.chunks(GROUP) {
+                let types = group.iter().map(|_| quote!(T));
+                lines.extend(quote!(let (#(#group,)*): (#(#types,)*);));
+            }
+        }
+        for (&index, name) in named.iter().zip(&names) {
+            let value = self.value(index, product);
+            let declaration = declares_each.then(|| quote!(let));
+            lines.extend(quote!(#declaration #name = #value;));
+        }
+        lines
+    }
+
+    /// The right-hand side of an instruction; `product` is the method for products of series.
+    fn value(&self, index: usize, product: &str) -> TokenStream {
+        let (term, instruction) = (ident("term"), &self.program.instructions[index]);
+        let (a, b) = instruction.operands();
+        if let Some(slot) = self.slots[index] {
+            let slot = Literal::usize_unsuffixed(slot);
+            let (a, b) = if self.swapped[index] { (b, a) } else { (a, b) };
+            let (product, a, b) = (ident(product), self.number(a), self.number(b));
+            return quote!(#term.#product(#slot, #a, #b));
+        }
+        // The operands of a sum of series are series, of any other operation numbers.
+        let read = |operand| match (instruction, self.kinds[index]) {
+            (Instruction::Mul(..) | Instruction::Div(..), _) | (_, Kind::Constant) => {
+                self.number(operand)
+            }
+            _ => self.series(operand),
+        };
+        if let Some(fused) = self.fused(instruction) {
+            return fused;
+        }
+        let (a, b) = (read(a), read(b));
+        match instruction {
+            Instruction::Add(..) => quote!(#a + #b),
+            Instruction::Sub(..) => quote!(#a - #b),
+            Instruction::Mul(..) => quote!(#a * #b),
+            Instruction::Div(..) => quote!(#a / #b),
+        }
+    }
+
+    /// A sum in which a multiple of a series stands: a x + b as `a.mul_add(x, b)`.
+    fn fused(&self, instruction: &Instruction) -> Option<TokenStream> {
+        let (a, b, is_difference) = match *instruction {
+            Instruction::Add(a, b) => (a, b, false),
+            Instruction::Sub(a, b) => (a, b, true),
+            _ => return None,
+        };
+        if let Some((x, y)) = self.inlined_product(b) {
+            let (x, y, a) = (self.number(x), self.number(y), self.series(a));
+            let x = if is_difference { quote!((-#x)) } else { x };
+            return Some(quote!(#x.mul_add(#y, #a)));
+        }
+        let (x, y) = self.inlined_product(a)?;
+        let (x, y, b) = (self.number(x), self.number(y), self.series(b));
+        let b = if is_difference { quote!(-#b) } else { b };
+        Some(quote!(#x.mul_add(#y, #b)))
+    }
+
+    fn inlined_product(&self, operand: Operand) -> Option<(Operand, Operand)> {
+        let Operand::Result(index) = operand else {
+            return None;
+        };
+        let index = index as usize;
+        self.inlined[index].then(|| self.program.instructions[index].operands())
+    }
+
+    /// An operand as it is.
+    fn number(&self, operand: Operand) -> TokenStream {
+        match operand {
+            Operand::Constant(id) => {
+                let (real, x) = (ident("real"), body::literal(self.constants[id.index()]));
+                quote!(#real(#x))
+            }
+            Operand::Input(index) => {
+                let name = &self.inputs[index as usize];
+                quote!(#name)
+            }
+            Operand::Result(index) if self.inlined[index as usize] => {
+                let value = self.value(index as usize, STORED);
+                quote!((#value))
+            }
+            Operand::Result(index) => {
+                let name = name(index as usize);
+                quote!(#name)
+            }
+        }
+    }
+
+    /// An operand as a coefficient: constants have them at order 0 alone.
+    fn series(&self, operand: Operand) -> TokenStream {
+        let number = self.number(operand);
+        match self.kind(operand) {
+            Kind::Constant => {
+                let term = ident("term");
+                quote!(#term.constant(#number))
+            }
+            _ => number,
+        }
+    }
+}
+
+fn name(index: usize) -> Ident {
+    ident(&format!("t_{}", index + 1))
+}

@@ -1,0 +1,132 @@
+//! How far the functions of an abbreviated model are from those of the complete one.
+
+use super::arm::{Arm, Forces};
+use super::reals::sin_cos;
+use super::sample::Samples;
+use super::{STATES, sum};
+use crate::derive::base::Grouping;
+use crate::exact::Rational;
+use crate::function::Function;
+use crate::program::{Arithmetic, Program};
+use crate::robot::{Robot, Symbol};
+use core::f64::consts::PI;
+
+/// Velocities are sampled up to 3 rad/s or m/s.
+const VELOCITY: f64 = 3.0;
+
+/// Accelerations up to 10 rad/s^2 or m/s^2.
+const ACCELERATION: f64 = 10.0;
+
+/// One function of an abbreviated model, beside the complete one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LargestError {
+    /// The largest difference of an entry over the largest size of any entry, both over the sampled
+    /// states.
+    pub relative: f64,
+    /// The operations that the complete function takes.
+    pub complete: u32,
+    /// How many fewer it takes now.
+    pub saved: u32,
+}
+
+/// The error of a function of the complete `robot` at [`STATES`] states: its complete program, and the
+/// one that is left.
+pub fn largest_error(
+    robot: &Robot,
+    function: Function,
+    complete: &Program,
+    pruned: &Program,
+) -> LargestError {
+    let (mut difference, mut size) = (0.0_f64, 0.0_f64);
+    let count = entries_of(function, complete, robot.dof());
+    for mut point in points(robot) {
+        let whole = complete.evaluate(&mut point);
+        let entries = whole.into_iter().zip(pruned.evaluate(&mut point));
+        for (whole, left) in entries.take(count) {
+            difference = difference.max((whole - left).abs());
+            size = size.max(whole.abs());
+        }
+    }
+    let (before, after) = (complete.operations().total(), pruned.operations().total());
+    LargestError {
+        relative: if size > 0.0 { difference / size } else { 0.0 },
+        complete: before,
+        saved: before.saturating_sub(after),
+    }
+}
+
+/// How many outputs are values: pivots and the diagonal behind them are not.
+fn entries_of(function: Function, program: &Program, dof: usize) -> usize {
+    match function {
+        Function::ForwardDynamics | Function::ForwardDynamicsAba => dof,
+        Function::ForwardDynamicsDerivatives => 3 * dof * dof,
+        _ => program.outputs.len(),
+    }
+}
+
+/// A state, as the values of a program's symbols.
+struct Point {
+    q: Vec<f64>,
+    qd: Vec<f64>,
+    qdd: Vec<f64>,
+    tau: Forces,
+}
+
+/// The sampled states; the joint forces are those of the complete arm, friction apart.
+fn points(robot: &Robot) -> Vec<Point> {
+    let arm = Arm::new(robot, &Grouping::of(robot));
+    let samples = Samples::new(robot, STATES);
+    let states = samples.q.iter().zip(&samples.u).zip(&samples.ud);
+    let point = |((q, u), ud): ((&Vec<f64>, &Vec<f64>), &Vec<f64>)| {
+        let qd: Vec<f64> = u.iter().map(|u| VELOCITY * u).collect();
+        let qdd: Vec<f64> = ud.iter().map(|u| ACCELERATION * u).collect();
+        let tau = sum(&arm.forces(q, &qd, &qdd, true));
+        Point {
+            q: q.clone(),
+            qd,
+            qdd,
+            tau,
+        }
+    };
+    states.map(point).collect()
+}
+
+impl Arithmetic for Point {
+    type Number = f64;
+
+    fn rational(&mut self, x: &Rational) -> f64 {
+        x.to_f64().value()
+    }
+
+    fn symbol(&mut self, symbol: &Symbol) -> f64 {
+        match symbol {
+            Symbol::Pi => PI,
+            Symbol::Field(_) => f64::NAN,
+            Symbol::AngleSine(angle) => sin_cos(angle.to_f64(&[])).0,
+            Symbol::AngleCosine(angle) => sin_cos(angle.to_f64(&[])).1,
+            Symbol::Sine(i) => sin_cos(self.q[*i]).0,
+            Symbol::Cosine(i) => sin_cos(self.q[*i]).1,
+            Symbol::Position(i) => self.q[*i],
+            Symbol::Velocity(i) => self.qd[*i],
+            Symbol::Acceleration(i) => self.qdd[*i],
+            Symbol::Force(i) => self.tau[*i],
+            Symbol::VelocitySign(i) => self.qd[*i].signum(),
+        }
+    }
+
+    fn neg(&mut self, a: f64) -> f64 {
+        -a
+    }
+
+    fn add(&mut self, a: f64, b: f64) -> f64 {
+        a + b
+    }
+
+    fn mul(&mut self, a: f64, b: f64) -> f64 {
+        a * b
+    }
+
+    fn div(&mut self, a: f64, b: f64) -> f64 {
+        a / b
+    }
+}

@@ -1,0 +1,240 @@
+//! The abbreviated model: what hardly matters is left out of the Lagrangian.
+//!
+//! The Lagrangian is linear in the base inertial parameters: each is a coefficient of terms of T and
+//! U. Those whose terms stay below a share of the largest value of every function, M, V and G, over
+//! sampled states are left out, as terms of the equations are in Armstrong, Khatib and Burdick (1986).
+//! There each equation is pruned by itself, and what is left belongs to no Lagrangian: it makes and
+//! loses energy. Here all functions are derived again from the Lagrangian that is left.
+//!
+//! Joints are measured by the inertia that they meet. With w_i the square root of the largest M_ii,
+//! the entries of M are compared as M_ij / (w_i w_j), forces as tau_i / w_i, and V at the velocities
+//! u_i / w_i, |u_i| <= 1. So the choice depends on no unit, and a wrist is not lost beside a shoulder.
+//!
+//! Decisions are made in double precision by operations that every processor rounds alike.
+
+mod arm;
+mod error;
+mod reals;
+mod sample;
+
+pub use error::{LargestError, largest_error};
+
+use crate::derive::base::Grouping;
+use crate::robot::{Neglected, Robot};
+use arm::{Arm, Forces};
+use core::fmt;
+use sample::Samples;
+
+/// States at which terms are weighed.
+pub const STATES: usize = 200;
+
+/// A share at which too much is left out.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NotPositiveDefinite {
+    /// Positions of the joints at which M, as it is left, is not positive definite.
+    pub q: Vec<f64>,
+    /// How many base parameters would be left out.
+    pub count: usize,
+}
+
+impl fmt::Display for NotPositiveDefinite {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let q: Vec<_> = self.q.iter().map(|q| format!("{q:.3}")).collect();
+        write!(
+            f,
+            "without the {} base inertial parameters below this share the mass matrix is not positive \
+             definite at q = ({}): choose a smaller share",
+            self.count,
+            q.join(", ")
+        )
+    }
+}
+
+impl std::error::Error for NotPositiveDefinite {}
+
+/// The robot without the base parameters whose effects stay below the share. It must be known in
+/// numbers. Revolute joints without limits are sampled over a turn, prismatic ones over +-1 m.
+///
+/// # Errors
+///
+/// Where M is not positive definite any more at a sampled state, though it was.
+pub fn neglect(robot: &Robot, share: f64) -> Result<Robot, NotPositiveDefinite> {
+    let grouping = Grouping::of(robot);
+    let arm = Arm::new(robot, &grouping);
+    let samples = Samples::new(robot, STATES);
+    let effects = Effects::new(&arm, &samples);
+    // What has no effect at all costs nothing as it is.
+    let is_small = |x: &f64| *x > 0.0 && *x < share;
+    let small: Vec<bool> = effects.shares().iter().map(is_small).collect();
+    effects.check(&arm, &samples, &small)?;
+    let columns = arm.columns.iter().zip(&small);
+    let columns = columns.filter(|(_, small)| **small);
+    let mut pruned = robot.clone();
+    pruned.neglected = Some(Neglected {
+        columns: columns.map(|(column, _)| *column).collect(),
+        grouping,
+        share,
+    });
+    Ok(pruned)
+}
+
+/// What each base parameter adds to M, V and G at the samples.
+struct Effects {
+    /// By sample, parameter, row and column.
+    mass_matrix: Vec<Vec<Vec<Forces>>>,
+    /// By sample, parameter and joint.
+    coriolis: Vec<Vec<Forces>>,
+    gravity: Vec<Vec<Forces>>,
+    /// w
+    weights: Vec<f64>,
+}
+
+impl Effects {
+    fn new(arm: &Arm, samples: &Samples) -> Self {
+        let at = |q: &Vec<f64>| arm.mass_matrix(q);
+        let mass_matrix: Vec<_> = samples.q.iter().map(at).collect();
+        let weights = weights(&mass_matrix, arm.dof());
+        let still = vec![0.0; arm.dof()];
+        let states = samples.q.iter().zip(&samples.u);
+        let coriolis = states.map(|(q, u)| {
+            let qd: Vec<_> = u.iter().zip(&weights).map(|(u, w)| u / w).collect();
+            arm.forces(q, &qd, &still, false)
+        });
+        let gravity = samples
+            .q
+            .iter()
+            .map(|q| arm.forces(q, &still, &still, true));
+        Effects {
+            coriolis: coriolis.collect(),
+            gravity: gravity.collect(),
+            mass_matrix,
+            weights,
+        }
+    }
+
+    /// The largest share of each parameter in any of the functions.
+    fn shares(&self) -> Vec<f64> {
+        let columns = self.mass_matrix.iter().map(|parameters| {
+            let flat = |columns: &Vec<Forces>| -> Forces {
+                let scaled = columns.iter().zip(&self.weights);
+                scaled
+                    .flat_map(|(column, w)| column.iter().map(move |x| x / w))
+                    .collect()
+            };
+            parameters.iter().map(flat).collect()
+        });
+        let functions = [
+            columns.collect::<Vec<Vec<Forces>>>(),
+            self.coriolis.clone(),
+            self.gravity.clone(),
+        ];
+        let mut shares = vec![0.0; self.gravity.first().map_or(0, Vec::len)];
+        for function in functions {
+            let largest = |parts: &mut dyn Iterator<Item = &Forces>| {
+                parts.fold(0.0, |largest: f64, part| largest.max(self.size(part)))
+            };
+            let whole = function.iter().map(|parts| self.size(&sum(parts)));
+            let whole = whole.fold(0.0, f64::max);
+            for (k, share) in shares.iter_mut().enumerate() {
+                let part = largest(&mut function.iter().map(|parts| &parts[k]));
+                if whole > 0.0 {
+                    *share = f64::max(*share, part / whole);
+                }
+            }
+        }
+        shares
+    }
+
+    /// The largest of some forces, each over its joint's weight.
+    fn size(&self, forces: &Forces) -> f64 {
+        let scaled = forces.iter().zip(self.weights.iter().cycle());
+        scaled.fold(0.0, |largest, (x, w)| f64::max(largest, (x / w).abs()))
+    }
+
+    /// Whether what is left of M is positive definite where the whole M is.
+    fn check(
+        &self,
+        arm: &Arm,
+        samples: &Samples,
+        small: &[bool],
+    ) -> Result<(), NotPositiveDefinite> {
+        for (q, parameters) in samples.q.iter().zip(&self.mass_matrix) {
+            let matrix = |is_left: &dyn Fn(usize) -> bool| {
+                let mut matrix = vec![vec![0.0; arm.dof()]; arm.dof()];
+                let parts = parameters.iter().enumerate();
+                for (_, part) in parts.filter(|(k, _)| is_left(*k)) {
+                    for (column, part) in matrix.iter_mut().zip(part) {
+                        for (x, part) in column.iter_mut().zip(part) {
+                            *x += part;
+                        }
+                    }
+                }
+                matrix
+            };
+            let whole = is_positive_definite(matrix(&|_| true));
+            if whole && !is_positive_definite(matrix(&|k| !small[k])) {
+                let count = small.iter().filter(|small| **small).count();
+                return Err(NotPositiveDefinite {
+                    q: q.clone(),
+                    count,
+                });
+            }
+        }
+        Ok(())
+    }
+}
+
+fn sum(parts: &[Forces]) -> Forces {
+    let mut whole = vec![0.0; parts.first().map_or(0, Vec::len)];
+    for part in parts {
+        for (x, part) in whole.iter_mut().zip(part) {
+            *x += part;
+        }
+    }
+    whole
+}
+
+/// The square roots of the largest diagonal entries of M; 1 where there is no inertia at all.
+fn weights(mass_matrix: &[Vec<Vec<Forces>>], dof: usize) -> Vec<f64> {
+    let largest = |i: usize| {
+        let entry = |parameters: &Vec<Vec<Forces>>| -> f64 {
+            parameters.iter().map(|columns| columns[i][i]).sum()
+        };
+        let largest = mass_matrix.iter().map(entry).fold(0.0, f64::max);
+        if largest > 0.0 { largest.sqrt() } else { 1.0 }
+    };
+    (0..dof).map(largest).collect()
+}
+
+/// By the pivots of the elimination, each beside its diagonal entry, as in forward dynamics.
+fn is_positive_definite(mut m: Vec<Vec<f64>>) -> bool {
+    let diagonal: Vec<f64> = (0..m.len()).map(|i| m[i][i]).collect();
+    for j in (0..m.len()).rev() {
+        let pivot = m[j][j];
+        let is_positive = pivot > 8.0 * f64::EPSILON * diagonal[j].abs();
+        if !is_positive {
+            return false;
+        }
+        for i in 0..j {
+            let factor = m[i][j] / pivot;
+            for k in 0..=i {
+                m[k][i] -= factor * m[k][j];
+            }
+        }
+    }
+    true
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn definiteness_is_a_matter_of_pivots() {
+        let matrix = |off: f64| vec![vec![2.0, off], vec![off, 2.0]];
+        assert!(is_positive_definite(matrix(1.999)));
+        assert!(!is_positive_definite(matrix(2.0)));
+        assert!(!is_positive_definite(matrix(2.001)));
+        assert!(!is_positive_definite(vec![vec![0.0]]));
+    }
+}

@@ -1,0 +1,56 @@
+//! The states at which terms are weighed.
+
+use crate::exact::SplitMix64;
+use crate::robot::{JointType, Robot};
+use core::f64::consts::PI;
+
+/// Positions, and numbers from -1 to 1 for velocities and accelerations.
+pub(super) struct Samples {
+    pub(super) q: Vec<Vec<f64>>,
+    pub(super) u: Vec<Vec<f64>>,
+    pub(super) ud: Vec<Vec<f64>>,
+}
+
+impl Samples {
+    /// The first half uniform over the ranges, the others with joints at the ends, in the middle or
+    /// at the quarters of theirs. Equal tables give equal samples.
+    pub(super) fn new(robot: &Robot, count: usize) -> Self {
+        let mut random = SplitMix64::new(0x006e_6567_6c65_6374);
+        let ranges: Vec<[f64; 2]> = robot.joints().map(range).collect();
+        let mut samples = Samples {
+            q: Vec::new(),
+            u: Vec::new(),
+            ud: Vec::new(),
+        };
+        for state in 0..count {
+            let mut along = || match state < count / 2 {
+                true => unit(&mut random),
+                false => (random.next_u64() % 5) as f64 / 4.0,
+            };
+            let position = |[lower, upper]: &[f64; 2]| lower + along() * (upper - lower);
+            samples.q.push(ranges.iter().map(position).collect());
+            let mut both = || {
+                ranges
+                    .iter()
+                    .map(|_| 2.0 * unit(&mut random) - 1.0)
+                    .collect()
+            };
+            samples.u.push(both());
+            samples.ud.push(both());
+        }
+        samples
+    }
+}
+
+/// Uniform from 0 to 1.
+fn unit(random: &mut SplitMix64) -> f64 {
+    (random.next_u64() >> 11) as f64 / (1u64 << 53) as f64
+}
+
+fn range(row: &crate::robot::Row) -> [f64; 2] {
+    match (&row.limits, row.joint_type) {
+        (Some(limits), _) => limits.each_ref().map(|limit| limit.to_f64(&[])),
+        (None, JointType::Revolute) => [-PI, PI],
+        (None, JointType::Prismatic) => [-1.0, 1.0],
+    }
+}

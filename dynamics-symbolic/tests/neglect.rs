@@ -1,0 +1,113 @@
+//! Abbreviated models: what they save, what they cost, and that they are proven.
+
+mod support;
+
+use dynamics_symbolic::Function;
+use dynamics_symbolic::derive::derive;
+use dynamics_symbolic::neglect::{largest_error, neglect};
+use dynamics_symbolic::prove::prove;
+use dynamics_symbolic::robot::{Robot, Value};
+use expect_test::expect_file;
+
+const FUNCTIONS: [Function; 5] = [
+    Function::InverseDynamics,
+    Function::MassMatrix,
+    Function::CoriolisVector,
+    Function::GravityVector,
+    Function::ForwardDynamics,
+];
+
+fn without_friction(name: &str) -> Robot {
+    let mut robot = support::robot(name);
+    for row in &mut robot.rows {
+        row.viscous = Value::zero();
+        row.coulomb = Value::zero();
+    }
+    robot
+}
+
+/// Operations saved, and the largest errors.
+#[test]
+fn abbreviated_models_are_proven_and_measured() {
+    let mut table =
+        String::from("robot     share  neglected  function            operations         error\n");
+    for name in ["puma560", "ur5", "panda"] {
+        let robot = without_friction(name);
+        let complete = FUNCTIONS.map(|function| derive(&robot, function));
+        for share in [0.001, 0.01, 0.05] {
+            let abbreviated = match neglect(&robot, share) {
+                Ok(abbreviated) => abbreviated,
+                Err(refused) => {
+                    table += &format!("{name:9} {share:5}  refused: {refused}\n");
+                    continue;
+                }
+            };
+            let programs = FUNCTIONS.map(|function| derive(&abbreviated, function));
+            for (function, program) in FUNCTIONS.iter().zip(&programs) {
+                let proof = prove(&abbreviated, *function, program);
+                assert_eq!(proof, Ok(()), "{name} {share}");
+            }
+            let neglected = abbreviated.neglected.expect("neglected");
+            let count = neglected.columns.len();
+            for (i, function) in FUNCTIONS.into_iter().enumerate() {
+                let error = largest_error(&robot, function, &complete[i], &programs[i]);
+                let name_of = function.name();
+                table += &format!(
+                    "{name:9} {share:5}  {count:9}  {name_of:18} {:4} of {:4}    {:9.1e}\n",
+                    error.complete - error.saved,
+                    error.complete,
+                    error.relative,
+                );
+            }
+        }
+    }
+    expect_file!["golden/neglect.txt"].assert_eq(&table);
+}
+
+/// Joints of both kinds, both conventions, axes that are written in those of another joint.
+#[test]
+fn every_function_of_abbreviated_models_is_proven() {
+    for name in [
+        "scara",
+        "stanford",
+        "cylindrical_rpp",
+        "generic_chain_n3",
+        "generic_mixed_n6_standard",
+    ] {
+        let complete = support::robot(name);
+        let robot = neglect(&complete, 0.03).expect("regular");
+        let count = robot.neglected.as_ref().expect("neglected").columns.len();
+        assert!(count > 0, "{name}");
+        let about_parameters = [Function::Regressor, Function::BaseParameters];
+        let functions = Function::ALL.into_iter();
+        for function in functions.filter(|f| !about_parameters.contains(f)) {
+            let program = derive(&robot, function);
+            assert_eq!(prove(&robot, function, &program), Ok(()), "{name}");
+        }
+        // The complete program is another one.
+        let complete = derive(&complete, Function::InverseDynamics);
+        assert!(prove(&robot, Function::InverseDynamics, &complete).is_err());
+    }
+}
+
+/// Locked joints first: what is neglected are parameters of the links that are left.
+#[test]
+fn locked_arms_can_be_abbreviated() {
+    let mut robot = support::robot("puma560");
+    for joint in [0, 4] {
+        robot.rows[joint].locked = Some(support::decimal(0.3));
+    }
+    let robot = neglect(&robot, 0.02).expect("regular");
+    let neglected = robot.neglected.as_ref().expect("neglected");
+    assert!(
+        neglected
+            .columns
+            .iter()
+            .all(|(row, _)| ![0, 4].contains(row))
+    );
+    assert!(!neglected.columns.is_empty());
+    for function in FUNCTIONS {
+        let program = derive(&robot, function);
+        assert_eq!(prove(&robot, function, &program), Ok(()));
+    }
+}

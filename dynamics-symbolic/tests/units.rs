@@ -1,0 +1,185 @@
+//! Units that are powers of two change no digit: lengths times 2^a, masses times 2^b, and what is made of them.
+//!
+//! Every cell with a unit is a field here. A program that compared a quantity with an absolute number, or added
+//! two of different units, would not scale.
+
+use dynamics_symbolic::Function;
+use dynamics_symbolic::derive::derive;
+use dynamics_symbolic::exact::{Rational, SplitMix64};
+use dynamics_symbolic::program::Arithmetic;
+use dynamics_symbolic::robot::{JointType, Robot, Symbol, Value};
+
+mod support;
+
+/// Powers of length and mass.
+type Unit = (i32, i32);
+
+const NONE: Unit = (0, 0);
+const LENGTH: Unit = (1, 0);
+const MASS: Unit = (0, 1);
+const FORCE: Unit = (1, 1);
+const INERTIA: Unit = (2, 1);
+
+/// An arm whose cells are fields, with their values and units.
+struct Arm {
+    robot: Robot,
+    fields: Vec<(f64, Unit)>,
+}
+
+impl Arm {
+    fn new(name: &str) -> Self {
+        let mut robot = support::robot(name);
+        let mut fields = Vec::new();
+        let mut field = |cell: &mut Value, unit: Unit| {
+            if !cell.is_zero() {
+                fields.push((cell.to_f64(&[]), unit));
+                *cell = Value::field(fields.len() - 1);
+            }
+        };
+        robot.gravity.iter_mut().for_each(|g| field(g, LENGTH));
+        for row in &mut robot.rows {
+            let is_revolute = row.joint_type == JointType::Revolute;
+            let (inertia, force) = match is_revolute {
+                true => (INERTIA, INERTIA),
+                false => (MASS, FORCE),
+            };
+            field(&mut row.a, LENGTH);
+            field(&mut row.d, LENGTH);
+            field(&mut row.mass, MASS);
+            row.com.iter_mut().for_each(|c| field(c, LENGTH));
+            row.inertia.iter_mut().for_each(|j| field(j, INERTIA));
+            field(&mut row.motor_inertia, inertia);
+            field(&mut row.viscous, inertia);
+            field(&mut row.coulomb, force);
+        }
+        robot.fields = (0..fields.len()).map(|i| format!("p{i}")).collect();
+        Arm { robot, fields }
+    }
+
+    /// The unit of what a joint moves by.
+    fn motion(&self, joint: usize) -> Unit {
+        match self.robot.rows[joint].joint_type {
+            JointType::Revolute => NONE,
+            JointType::Prismatic => LENGTH,
+        }
+    }
+
+    /// The unit of what moves a joint.
+    fn force(&self, joint: usize) -> Unit {
+        let (length, mass) = self.motion(joint);
+        (2 - length, mass + 1)
+    }
+
+    /// The unit of an output.
+    fn unit(&self, function: Function, output: usize) -> Unit {
+        let n = self.robot.rows.len();
+        let inertia = |i: usize, j: usize| (self.force(i).0 - self.motion(j).0, 1);
+        match function {
+            Function::MassMatrix => inertia(output / n, output % n),
+            Function::KineticEnergy | Function::PotentialEnergy => INERTIA,
+            Function::ForwardDynamics if output < n => self.motion(output),
+            Function::ForwardDynamics => inertia(output % n, output % n),
+            _ => self.force(output),
+        }
+    }
+}
+
+fn power((length, mass): Unit, (a, b): (i32, i32)) -> f64 {
+    2_f64.powi(length * a + mass * b)
+}
+
+/// Doubles, in units of 2^a and 2^b: the same state at the same seed.
+struct Doubles<'a> {
+    arm: &'a Arm,
+    scale: (i32, i32),
+    random: SplitMix64,
+}
+
+impl Doubles<'_> {
+    fn number(&mut self, unit: Unit) -> f64 {
+        let unscaled = (self.random.next_u64() >> 11) as f64 / (1_u64 << 52) as f64 - 1.0;
+        unscaled * power(unit, self.scale)
+    }
+}
+
+impl Arithmetic for Doubles<'_> {
+    type Number = f64;
+
+    fn rational(&mut self, x: &Rational) -> f64 {
+        x.to_f64().value()
+    }
+
+    fn symbol(&mut self, symbol: &Symbol) -> f64 {
+        match symbol {
+            Symbol::Pi => std::f64::consts::PI,
+            Symbol::Field(i) => self.arm.fields[*i].0 * power(self.arm.fields[*i].1, self.scale),
+            Symbol::AngleSine(angle) => angle.to_f64(&[]).sin(),
+            Symbol::AngleCosine(angle) => angle.to_f64(&[]).cos(),
+            Symbol::Sine(_) | Symbol::Cosine(_) => self.number(NONE),
+            Symbol::Position(i) | Symbol::Velocity(i) | Symbol::Acceleration(i) => {
+                self.number(self.arm.motion(*i))
+            }
+            Symbol::Force(i) => self.number(self.arm.force(*i)),
+            Symbol::VelocitySign(_) => 1.0,
+        }
+    }
+
+    fn neg(&mut self, a: f64) -> f64 {
+        -a
+    }
+
+    fn add(&mut self, a: f64, b: f64) -> f64 {
+        a + b
+    }
+
+    fn mul(&mut self, a: f64, b: f64) -> f64 {
+        a * b
+    }
+
+    fn div(&mut self, a: f64, b: f64) -> f64 {
+        a / b
+    }
+}
+
+const FUNCTIONS: [Function; 7] = [
+    Function::MassMatrix,
+    Function::CoriolisVector,
+    Function::GravityVector,
+    Function::InverseDynamics,
+    Function::ForwardDynamics,
+    Function::KineticEnergy,
+    Function::PotentialEnergy,
+];
+
+const SCALES: [(i32, i32); 5] = [(-10, -20), (30, 40), (-60, -60), (100, 100), (7, 17)];
+
+/// Arms of up to four joints, and the PUMA 560.
+#[test]
+fn units_that_are_powers_of_two_change_no_digit() {
+    for name in support::NAMES {
+        let arm = Arm::new(name);
+        if arm.robot.rows.len() > 4 && name != "puma560" {
+            continue;
+        }
+        for function in FUNCTIONS {
+            let program = derive(&arm.robot, function);
+            let at = |scale| {
+                let random = SplitMix64::new(1);
+                let arm = &arm;
+                program.evaluate(&mut Doubles { arm, scale, random })
+            };
+            let expected = at((0, 0));
+            for scale in SCALES {
+                for (output, (x, y)) in at(scale).iter().zip(&expected).enumerate() {
+                    let scaled = y * power(arm.unit(function, output), scale);
+                    assert_eq!(
+                        x.to_bits(),
+                        scaled.to_bits(),
+                        "output {output} of {} of {name} at {scale:?}: {x} and {scaled}",
+                        function.name()
+                    );
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,17 @@
+use robot_dynamics::robot_dynamics;
+
+robot_dynamics! {
+    pub struct Arm;
+    convention: standard,
+    gravity: [0, 0, -9.81],
+    joints: [
+        shoulder: revolute { a: 0.5, mass: 1 },
+        elbow: revolute { a: 0.5, mass: 1, limits: [-2, 2] },
+    ],
+    neglect: 120%,
+}
+
+fn main() {
+    let q = robot_dynamics::nalgebra::SVector::<f64, 2>::zeros();
+    let _ = Arm.mass_matrix(&q);
+}

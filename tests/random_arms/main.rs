@@ -1,0 +1,91 @@
+//! Random tables of both conventions, revolute and prismatic joints, symbolic fields among the cells: the
+//! generated programs in double precision against the runtime's numeric Newton-Euler.
+//!
+//! The bound is that of [`Check`], 1e-13 per joint relative to the magnitude that each quantity could have.
+
+#[path = "../../dynamics-symbolic/tests/support/tables.rs"]
+mod tables;
+
+mod interpreted;
+
+use dynamics_symbolic::robot::Robot;
+use robot_dynamics::Check;
+
+use interpreted::Interpreted;
+use tables::{Bodies, Tables};
+
+/// What an arm was compared in.
+#[derive(Default)]
+struct Tally {
+    arms: usize,
+    with_fields: usize,
+    /// Arms with forward dynamics at some state: the others have a mass matrix that is singular.
+    solved: usize,
+    largest: f64,
+}
+
+fn compare(seed: u64, count: usize) -> Tally {
+    let mut tables = Tables::new(seed, Bodies::Physical);
+    let mut tally = Tally::default();
+    for number in 0..count {
+        let robot = tables.robot();
+        // Positive, and of no special value.
+        let fields =
+            (0..robot.fields.len()).map(|_| 0.1 + tables.below(1 << 20) as f64 / 524_287.0);
+        let fields: Vec<_> = fields.collect();
+        tally.with_fields += usize::from(!fields.is_empty());
+        let label = format!("table {number} of seed {seed}");
+        match robot.rows.len() {
+            1 => tally.add::<1>(robot, fields, &label),
+            2 => tally.add::<2>(robot, fields, &label),
+            3 => tally.add::<3>(robot, fields, &label),
+            4 => tally.add::<4>(robot, fields, &label),
+            joints => panic!("{joints} joints"),
+        }
+    }
+    tally
+}
+
+impl Tally {
+    fn add<const N: usize>(&mut self, robot: Robot, fields: Vec<f64>, label: &str) {
+        let text = format!("{robot:#?}\n{fields:?}");
+        let arm = Interpreted::<N>::new(robot, fields);
+        let report = Check::new().samples(8).run(&arm);
+        assert!(report.is_ok(), "{label}: {report}\n{text}");
+        self.arms += 1;
+        self.solved += usize::from(!report.not_compared.contains(&"forward_dynamics"));
+        let errors = report.functions.iter().map(|function| function.error);
+        self.largest = errors.fold(self.largest, f64::max);
+    }
+}
+
+#[track_caller]
+fn assert_varied(tally: &Tally) {
+    let Tally {
+        arms,
+        with_fields,
+        solved,
+        largest,
+    } = tally;
+    println!(
+        "{arms} arms, {with_fields} with fields, {solved} regular somewhere, largest error {largest:.1e}"
+    );
+    assert!(2 * with_fields > *arms && 3 * solved > *arms);
+}
+
+#[test]
+fn programs_of_random_arms_agree_with_newton_euler() {
+    assert_varied(&compare(1, 150));
+}
+
+/// `cargo test --release --test random_arms -- --ignored`
+#[test]
+#[ignore = "takes half a minute in a release build"]
+fn programs_of_2_400_random_arms_agree_with_newton_euler() {
+    let seeds: Vec<_> = (10..14)
+        .map(|seed| std::thread::spawn(move || compare(seed, 600)))
+        .collect();
+    for seed in seeds {
+        assert_varied(&seed.join().expect("all arms agree"));
+    }
+}
