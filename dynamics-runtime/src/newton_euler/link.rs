@@ -6,7 +6,7 @@ use super::angle::SinCos;
 use super::inertia::Inertia;
 use super::joint::Joint;
 use super::lock::tensor;
-use crate::{JointType, Placement, Row, Scalar};
+use crate::{JointType, Placement, Row};
 
 /// Rotation and position of one frame in another.
 #[derive(Clone, Copy, Debug)]
