@@ -169,7 +169,8 @@ fn worst<const N: usize>(
 fn agrees<const N: usize, const P: usize, R: Arm<N, P> + TaylorDynamics<N>>(robot: &R) {
     let mut random = Random::seeded(7);
     let [q, qd, tau] = [2.0, 1.0, 5.0].map(|size| random.vector(size));
-    let expected = by_forward_dynamics(robot, [&q, &qd, &tau].map(|x| x.map(DoubleDouble::from)));
+    let exact = [q, qd, tau].map(|x: SVector<f64, N>| x.map(DoubleDouble::from));
+    let expected = by_forward_dynamics(robot, exact);
     let computed = robot.taylor_series(&q, &qd, &tau, ORDER).expect("a series");
     let error = worst(&computed[..=ORDER], &expected);
     assert!(error < 1e-11, "{error:e}");
