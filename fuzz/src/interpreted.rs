@@ -47,11 +47,11 @@ impl<'a, const N: usize> Interpreted<'a, N> {
     }
 
     fn row(&self, row: &robot::Row) -> Row {
+        let joint_type = match row.joint_type {
+            robot::JointType::Revolute => JointType::Revolute,
+            robot::JointType::Prismatic => JointType::Prismatic,
+        };
         Row {
-            joint_type: match row.joint_type {
-                robot::JointType::Revolute => JointType::Revolute,
-                robot::JointType::Prismatic => JointType::Prismatic,
-            },
             a: self.number(&row.a),
             alpha: self.angle(&row.alpha),
             d: self.number(&row.d),
@@ -63,6 +63,7 @@ impl<'a, const N: usize> Interpreted<'a, N> {
             gear_ratio: self.number(&row.gear_ratio),
             viscous: self.number(&row.viscous),
             coulomb: self.number(&row.coulomb),
+            ..Row::new(joint_type)
         }
     }
 }
@@ -187,6 +188,12 @@ impl<const N: usize> Evaluate<N> for Interpreted<'_, N> {
                     let qdd = outputs.matrix::<N, 1>();
                     values.forward_dynamics = Some(outputs.tested::<_, N>(qdd));
                 }
+                Function::ForwardDynamicsAba => {
+                    let qdd = outputs.matrix::<N, 1>();
+                    values.forward_dynamics_aba = Some(outputs.tested::<_, N>(qdd));
+                }
+                // The recurrences of a series are no straight-line program: they have tests of their own.
+                Function::TaylorSeries => {}
                 Function::KineticEnergy => values.kinetic_energy = Some(outputs.number()),
                 Function::PotentialEnergy => values.potential_energy = Some(outputs.number()),
                 Function::BiasForce => values.bias_force = Some(outputs.matrix()),

@@ -29,6 +29,7 @@ pub(crate) fn robot(bytes: &[u8]) -> Result<(Robot, Vec<f64>)> {
         convention,
         gravity,
         rows,
+        neglected: None,
     };
     Ok((robot, cells.fields))
 }
@@ -53,6 +54,8 @@ impl Cells<'_> {
             gear_ratio: self.cell()?,
             viscous: self.positive()?,
             coulomb: self.positive()?,
+            limits: None,
+            locked: None,
         })
     }
 

@@ -133,7 +133,7 @@ robot_dynamics! {
     functions: [
         bias_force, coriolis_matrix, coriolis_coefficients, centrifugal_coefficients,
         forward_kinematics, link_poses, jacobian,
-        inverse_dynamics_derivatives, forward_dynamics_derivatives,
+        inverse_dynamics_derivatives, forward_dynamics_derivatives, forward_dynamics_aba,
     ],
 }
 
@@ -148,6 +148,7 @@ fn functions_on_request_have_the_shapes_of_the_contract() {
         OnRequest.inverse_dynamics_derivatives(&q, &q, &q);
     let _: Result<(SMatrix<f32, 3, 3>, _, SMatrix<f32, 3, 3>), SingularMassMatrix> =
         OnRequest.forward_dynamics_derivatives(&q, &q, &q);
+    let _: Result<SVector<f32, 3>, SingularMassMatrix> = OnRequest.forward_dynamics_aba(&q, &q, &q);
     let last: Matrix4<f32> = OnRequest.forward_kinematics(&q);
     let poses: [Matrix4<f32>; 3] = OnRequest.link_poses(&q);
     let jacobian: SMatrix<f32, 6, 3> = OnRequest.jacobian(&q);

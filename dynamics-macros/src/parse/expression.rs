@@ -168,9 +168,6 @@ fn name(cursor: &mut Cursor, ident: Ident, limits: &mut Limits) -> Result<Expr, 
     if cursor.at_path_separator() {
         return Err(path(cursor, place));
     }
-    if ["nan", "inf", "infinity"].contains(&word.to_lowercase().as_str()) {
-        return Err(cursor.error(place, "every number of a table is finite"));
-    }
     if let Some(arguments) = cursor.take_group(Delimiter::Parenthesis) {
         if word != "deg" {
             let message = format!("`{word}(...)` is not known: the only function is `deg(x)`");

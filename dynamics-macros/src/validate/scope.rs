@@ -278,6 +278,9 @@ impl<'d> Scope<'d> {
         }
         let hint = match meant {
             Some(right) => format!("did you mean `{right}`?"),
+            None if ["nan", "inf", "infinity"].contains(&name.to_lowercase().as_str()) => {
+                "every number of a table is finite".to_owned()
+            }
             None if names.is_empty() => {
                 "the struct has no fields, and no `let` is above".to_owned()
             }

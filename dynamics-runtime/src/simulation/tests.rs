@@ -284,6 +284,39 @@ fn steps_may_be_longer_than_the_duration() {
     }
 }
 
+/// Viscous friction of b/J = 10^6: explicit methods are unstable at steps beyond 3.3 microseconds.
+#[test]
+fn stiff_friction_is_for_radau() {
+    let law =
+        |_: f64, q: &SVector<f64, 1>, qd: &SVector<f64, 1>| unit(-1e6 * qd[0] - 1e3 * q[0].sin());
+    let cart = || {
+        Simulation::new(&Cart)
+            .torque(law)
+            .initial(unit(1.0), unit(0.0))
+    };
+    let run = cart().method(Radau5::with_tolerance(1e-8)).run().unwrap();
+    let exact = 2.0 * (0.5_f64.tan() * (-1e-3_f64).exp()).atan();
+    assert_abs_diff_eq!(run.q[100][0], exact, epsilon = 1e-8);
+    assert!(run.work.evaluations < 1_000, "{:?}", run.work);
+
+    for explicit in [
+        Dop853 {
+            max_steps: 300,
+            ..Dop853::with_tolerance(1e-3)
+        }
+        .into(),
+        Method::RungeKutta4 { step: 1e-4 },
+    ] {
+        let cause = cart().method(explicit).run().unwrap_err().cause;
+        let known = [
+            Cause::TooManySteps,
+            Cause::NonFiniteState { joint: 0 },
+            Cause::NonFiniteTorque { joint: 0 },
+        ];
+        assert!(known.contains(&cause), "{cause}");
+    }
+}
+
 #[test]
 fn dry_friction_that_sticks_ends_in_too_many_steps() {
     let law = |_: f64, _: &SVector<f64, 1>, qd: &SVector<f64, 1>| unit(0.5 - Scalar::sign(qd[0]));

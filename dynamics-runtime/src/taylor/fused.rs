@@ -9,8 +9,8 @@ use crate::Scalar;
 use crate::sine::{level, sin_cos_array};
 
 /// A double whose [`mul_add`](Scalar::mul_add) is fused: for processors that have the instruction
-/// although the build may not count on it. A series is a long chain of products that are added, so
-/// that fusing them is worth a third of the time.
+/// although the build may not count on it. A series is a long chain of products that are added:
+/// the wider vectors of such a processor and the fused products save a fifth of the PUMA 560's time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Fused(pub(super) f64);
 

@@ -92,7 +92,7 @@ where
             };
             h *= 0.5;
             // Also where it is not a number.
-            if !(h > self.range.least) {
+            if h.is_nan() || h <= self.range.least {
                 return Err(failure);
             }
         }

@@ -196,7 +196,7 @@ robot_dynamics! {
         elbow: revolute { a: 1, mass: 1, com: [-0.5, 0, 0], inertia: rod(1) },
     ],
     functions: [mass_matrix, coriolis_vector, gravity_vector, inverse_dynamics, forward_dynamics,
-                kinetic_energy, potential_energy],
+                kinetic_energy, potential_energy, taylor_series],
 }
 
 robot_dynamics! {
