@@ -175,11 +175,11 @@ fn identities() -> Table {
     table
 }
 
-fn line<R: Arm<N>, const N: usize>(
-    name: &str,
-    arm: &R,
-    coriolis: &dyn Fn(&SVector<f64, N>, &SVector<f64, N>) -> SMatrix<f64, N, N>,
-) -> Vec<String> {
+/// The Coriolis matrix of an arm.
+type Coriolis<'a, const N: usize> =
+    &'a dyn Fn(&SVector<f64, N>, &SVector<f64, N>) -> SMatrix<f64, N, N>;
+
+fn line<R: Arm<N>, const N: usize>(name: &str, arm: &R, coriolis: Coriolis<N>) -> Vec<String> {
     let samples = Samples::of(&arm.table());
     let states = samples.states::<f64>();
     let (mut asymmetry, mut definite) = (0.0_f64, f64::INFINITY);
