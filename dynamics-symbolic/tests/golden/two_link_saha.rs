@@ -341,7 +341,7 @@ impl Arm {
             ]),
         )
     }
-    /// Homogeneous transforms of every link frame in the base frame, from the base outwards, m.
+    /// Homogeneous transforms in the base frame of every link frame whose joint moves, from the base outwards, m.
     ///
     /// `q`: joint positions, rad.
     ///
@@ -741,6 +741,33 @@ impl Arm {
             ),
         )
     }
+    /// Taylor coefficients q_0, q_1, ... of the motion q(t) = sum q_k t^k that starts at t = 0 from `q` and `qd` under the constant `tau`, up to `order` (2 to 30); zero beyond. Coulomb friction keeps the sign that it has at the start: the series ends where a joint reverses.
+    ///
+    /// `q`: joint positions, rad; `qd`: joint velocities, rad per s; `tau`: joint forces and torques, N m.
+    ///
+    /// Operations of the equations of motion at each order, inner sums of products apart: 11 multiplications, 10 additions, sines and cosines of 2 angles.
+    ///
+    /** # Errors
+
+ `SingularMassMatrix` where M(q) is not positive definite to working precision, or not finite: it names the joint whose pivot failed.*/
+    ///
+    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
+    #[inline]
+    #[allow(unused_variables, clippy::all)]
+    pub fn taylor_series<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        tau: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        order: usize,
+    ) -> ::core::result::Result<
+        ::robot_dynamics::TaylorCoefficients<T, 2>,
+        ::robot_dynamics::SingularMassMatrix,
+    > {
+        <Self as ::robot_dynamics::TaylorDynamics<
+            2,
+        >>::taylor_series(self, q, qd, tau, order)
+    }
 }
 impl ::robot_dynamics::MassMatrix<2> for Arm {
     #[inline(always)]
@@ -941,6 +968,77 @@ impl ::robot_dynamics::ForwardDynamics<2> for Arm {
             ::robot_dynamics::nalgebra::SMatrix::from_data(
                 ::robot_dynamics::nalgebra::ArrayStorage([[-t_17, t_18]]),
             ),
+        )
+    }
+}
+impl ::robot_dynamics::TaylorDynamics<2> for Arm {
+    type Products<T: ::robot_dynamics::Scalar> = ::robot_dynamics::ProductTable<T, 0, 2>;
+    #[inline(always)]
+    fn series_term<T: ::robot_dynamics::Scalar>(
+        &self,
+        term: &mut impl ::robot_dynamics::SeriesTerm<T, 2>,
+    ) {
+        let real = {
+            let x = ::robot_dynamics::SeriesTerm::like(term);
+            move |x: f64| ::robot_dynamics::Scalar::constant(x, x)
+        };
+        let c_1 = term.cosine(0);
+        let s_1 = term.sine(0);
+        let s_2 = term.sine(1);
+        let c_2 = term.cosine(1);
+        let qd_1 = term.velocity(0);
+        let qd_2 = term.velocity(1);
+        term.turn(0, 6);
+        term.turn(1, 8);
+        let t_1 = qd_1 + qd_2;
+        let t_2 = term.product(0, t_1, t_1);
+        let t_4 = term.product(1, qd_1, qd_1);
+        let t_6 = (-real(4.905)).mul_add(s_1, t_4);
+        let t_10 = term.product(2, s_2, t_6);
+        let t_17 = term.product(4, s_2, t_2);
+        let forces = {
+            let qdd_1 = term.acceleration(0);
+            let qdd_2 = term.acceleration(1);
+            let t_3 = qdd_1 + qdd_2;
+            let t_8 = real(4.905).mul_add(c_1, qdd_1);
+            let t_11 = real(0.3333333333333333).mul_add(t_3, t_10);
+            let t_12 = term.trial(3, c_2, t_8);
+            let t_13 = t_12 + t_11;
+            let t_16 = real(49.05).mul_add(c_1, (real(8.0) * qdd_1));
+            let t_18 = term.trial(5, c_2, t_3);
+            let t_19 = t_18 - t_17;
+            let t_20 = t_16 + t_19;
+            let t_21 = t_20 + t_13;
+            [t_21, t_13]
+        };
+        term.solve(forces);
+        let qdd_1 = term.acceleration(0);
+        let qdd_2 = term.acceleration(1);
+        let t_3 = qdd_1 + qdd_2;
+        let t_8 = real(4.905).mul_add(c_1, qdd_1);
+        let t_12 = term.product(3, c_2, t_8);
+        let t_18 = term.product(5, c_2, t_3);
+    }
+    #[inline(always)]
+    fn leading_matrix<T: ::robot_dynamics::Scalar>(
+        &self,
+        sines: &impl ::robot_dynamics::JointSines<T>,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::robot_dynamics::nalgebra::SMatrix<T, 2, 2> {
+        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+        let [(s_2, c_2)] = ::robot_dynamics::JointSines::sin_cos(
+            sines,
+            [1],
+            [q.data.0[0][1]],
+        );
+        let t_1 = c_2 + c_2;
+        let t_2 = real(8.333333333333334) + t_1;
+        let t_3 = real(0.3333333333333333) + c_2;
+        ::robot_dynamics::nalgebra::SMatrix::from_data(
+            ::robot_dynamics::nalgebra::ArrayStorage([
+                [t_2, t_3],
+                [t_3, real(0.3333333333333333)],
+            ]),
         )
     }
 }
