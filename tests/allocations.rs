@@ -7,7 +7,7 @@ use allocation_counter::measure;
 use robot_dynamics::nalgebra::{SMatrix, SVector};
 use robot_dynamics::{
     Batch, Configuration, CoriolisVector, ForwardDynamics, GravityVector, InverseDynamics,
-    MassMatrix, Model, NewtonEuler, Scalar,
+    MassMatrix, Model, NewtonEuler, Scalar, Taylor, TaylorSimulation,
 };
 
 #[macro_use]
@@ -60,6 +60,8 @@ macro_rules! functions {
             let _ = black_box(arm.forward_dynamics_derivatives(&q, &qd, &qdd));
             black_box(arm.regressor(&q, &qd, &qdd));
             black_box(arm.base_parameters::<$float>());
+            let _ = black_box(arm.forward_dynamics_aba(&q, &qd, &qdd));
+            let _ = black_box(arm.taylor_series(&q, &qd, &qdd, 10));
             black_box(arm.table());
         });
     };
@@ -97,6 +99,30 @@ allocations! {
     scara: Scara, 4;
     puma560: Puma560, 6;
     panda: Panda, 7;
+}
+
+/// A run by Taylor series allocates its samples and the room for one series, however many steps it
+/// makes.
+#[test]
+fn taylor_runs_allocate_at_the_start() {
+    with_room(|| {
+        let allocations = |duration: f64| {
+            let settings = Taylor {
+                max_step: Some(0.02),
+                ..Taylor::default()
+            };
+            let simulation = TaylorSimulation::new(&TwoLinkCraig)
+                .settings(settings)
+                .duration(duration)
+                .samples(3);
+            let mut steps = 0;
+            let info = measure(|| steps = simulation.run().expect("a motion").work.steps);
+            (steps, info.count_total)
+        };
+        let ((few, at_first), (many, at_last)) = (allocations(0.1), allocations(2.0));
+        assert!(many > 10 * few && few > 1, "{few} and {many} steps");
+        assert_eq!(at_first, at_last);
+    });
 }
 
 /// On a stack with room: unoptimised, the frame of a long function takes a good part of a thread's
