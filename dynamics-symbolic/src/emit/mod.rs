@@ -7,6 +7,7 @@
 mod body;
 mod documentation;
 mod formula;
+mod inputs;
 mod parameters;
 mod polynomial;
 mod series;

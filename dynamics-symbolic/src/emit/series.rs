@@ -6,7 +6,7 @@
 //! twice: with accelerations of zero for the forces that they have to make up, and with the
 //! accelerations for the products of later orders.
 
-use super::body;
+use super::inputs;
 use super::signature::ident;
 use crate::program::{Instruction, Operand, Program};
 use crate::robot::{Robot, Symbol};
@@ -97,7 +97,7 @@ pub(super) fn declarations(
 impl<'p> Series<'p> {
     fn new(robot: &'p Robot, program: &'p Program, constants: &'p [f64]) -> Self {
         let angles = program.angles();
-        let name = |symbol: &Symbol| ident(&body::input_name(robot, symbol, &angles));
+        let name = |symbol: &Symbol| ident(&inputs::input_name(robot, symbol, &angles));
         let mut series = Series {
             robot,
             program,
@@ -244,7 +244,7 @@ impl<'p> Series<'p> {
 
     fn body(&self, path: &TokenStream) -> TokenStream {
         let [term, real, x] = ["term", "real", "x"].map(ident);
-        let constants = body::constant_inputs(self.robot, self.program, path);
+        let constants = inputs::constant_inputs(self.robot, self.program, path);
         let (known, moved): (Vec<_>, Vec<_>) =
             (0..self.program.instructions.len()).partition(|&i| self.kinds[i] != Kind::Moved);
         let feeding = moved.iter().copied();
@@ -293,7 +293,7 @@ impl<'p> Series<'p> {
     fn inputs_of(&self, kind: Kind) -> TokenStream {
         let term = ident("term");
         let mut order: Vec<usize> = (0..self.inputs.len()).collect();
-        order.sort_by_key(|&index| body::place(&self.program.inputs[index]));
+        order.sort_by_key(|&index| inputs::place(&self.program.inputs[index]));
         let lines = order.into_iter().filter_map(|index| {
             if self.kind(Operand::Input(index as u32)) != kind {
                 return None;
@@ -397,7 +397,7 @@ impl<'p> Series<'p> {
     fn number(&self, operand: Operand) -> TokenStream {
         match operand {
             Operand::Constant(id) => {
-                let (real, x) = (ident("real"), body::literal(self.constants[id.index()]));
+                let (real, x) = (ident("real"), inputs::literal(self.constants[id.index()]));
                 quote!(#real(#x))
             }
             Operand::Input(index) => {

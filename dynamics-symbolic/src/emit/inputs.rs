@@ -1,0 +1,215 @@
+//! What a method reads before its first operation: arguments, fields, sines and cosines.
+
+use super::signature::{field, ident, plain};
+use crate::function::Function;
+use crate::program::Program;
+use crate::robot::{Robot, Symbol, Value};
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+/// Whether a field of the struct, or a cell made of fields, is an input.
+pub(super) fn reads_fields(program: &Program) -> bool {
+    program.inputs.iter().any(|symbol| {
+        matches!(
+            symbol,
+            Symbol::Field(_) | Symbol::AngleSine(_) | Symbol::AngleCosine(_)
+        )
+    })
+}
+
+/// `real`, which makes a constant of a double in the arithmetic of the arguments, if there are any:
+/// lanes of a vector know the processor's instructions, and so how many they are, from each other
+/// alone.
+pub(super) fn constants_of(arguments: &[&str], path: &TokenStream) -> TokenStream {
+    let (real, x) = (ident("real"), ident("x"));
+    match arguments.first() {
+        Some(argument) => {
+            let like = element(argument, 0);
+            quote!(let #real = |#x: f64| #path::Scalar::constant(#like, #x);)
+        }
+        None => quote!(let #real = <T as #path::Scalar>::from_f64;),
+    }
+}
+
+/// One element of an argument.
+fn element(vector: &str, i: usize) -> TokenStream {
+    let (vector, i) = (ident(vector), Literal::usize_unsuffixed(i));
+    quote!(#vector.data.0[0][#i])
+}
+
+/// The literal of a double, its sign apart.
+pub(super) fn literal(x: f64) -> TokenStream {
+    let magnitude = Literal::f64_unsuffixed(x.abs());
+    if x.is_sign_negative() && x != 0.0 {
+        quote!(-#magnitude)
+    } else {
+        quote!(#magnitude)
+    }
+}
+
+/// The variable of an input. Names end in `_i`: an identifier pattern that
+/// happens to be the name of a user's constant would be that constant.
+pub(super) fn input_name(robot: &Robot, symbol: &Symbol, angles: &[&Symbol]) -> String {
+    let angle_number = |value: &Value| {
+        let same = |symbol: &&Symbol| match symbol {
+            Symbol::AngleSine(other) | Symbol::AngleCosine(other) => other == value,
+            _ => false,
+        };
+        angles
+            .iter()
+            .filter(|s| matches!(s, Symbol::AngleSine(_) | Symbol::AngleCosine(_)))
+            .position(same)
+            .unwrap_or(0)
+            + 1
+    };
+    match symbol {
+        Symbol::Pi => "pi".to_owned(),
+        Symbol::Field(i) => format!("p_{}", plain(&robot.fields[*i])),
+        Symbol::AngleSine(angle) => format!("sa_{}", angle_number(angle)),
+        Symbol::AngleCosine(angle) => format!("ca_{}", angle_number(angle)),
+        Symbol::Sine(i) => format!("s_{}", i + 1),
+        Symbol::Cosine(i) => format!("c_{}", i + 1),
+        Symbol::Position(i) => format!("q_{}", i + 1),
+        Symbol::Velocity(i) => format!("qd_{}", i + 1),
+        Symbol::Acceleration(i) => format!("qdd_{}", i + 1),
+        Symbol::Force(i) => format!("tau_{}", i + 1),
+        Symbol::VelocitySign(i) => format!("sign_{}", i + 1),
+    }
+}
+
+/// Reads what the program needs from the arguments and the fields, and nothing else.
+pub(super) fn inputs(
+    robot: &Robot,
+    function: Function,
+    program: &Program,
+    path: &TokenStream,
+) -> TokenStream {
+    let angles = program.angles();
+    let name = |symbol: &Symbol| ident(&input_name(robot, symbol, &angles));
+    let mut lines = sines(robot, function, &angles, path);
+    let mut symbols: Vec<_> = program.inputs.iter().collect();
+    symbols.sort_by_key(|symbol| place(symbol));
+    for symbol in symbols {
+        let value = match symbol {
+            Symbol::Position(i) => element("q", *i),
+            Symbol::Velocity(i) => element("qd", *i),
+            Symbol::Acceleration(i) => element("qdd", *i),
+            Symbol::Force(i) => element("tau", *i),
+            Symbol::VelocitySign(i) => {
+                let velocity = element("qd", *i);
+                quote!(#path::Scalar::sign(#velocity))
+            }
+            Symbol::Field(i) => parametric(robot, &Value::Field(*i)),
+            _ => continue,
+        };
+        let name = name(symbol);
+        lines.extend(quote!(let #name = #value;));
+    }
+    lines
+}
+
+/// The inputs that no motion changes: fields, and sines and cosines of angles made of them. They
+/// expect `real` to be defined.
+pub(super) fn constant_inputs(robot: &Robot, program: &Program, path: &TokenStream) -> TokenStream {
+    let angles = program.angles();
+    let constant = |angle: &&Symbol| !matches!(angle, Symbol::Sine(_) | Symbol::Cosine(_));
+    let of_constants: Vec<_> = angles.iter().copied().filter(constant).collect();
+    let mut lines = sines(robot, Function::BaseParameters, &of_constants, path);
+    for symbol in &program.inputs {
+        if let Symbol::Field(i) = symbol {
+            let name = ident(&input_name(robot, symbol, &angles));
+            let value = parametric(robot, &Value::Field(*i));
+            lines.extend(quote!(let #name = #value;));
+        }
+    }
+    lines
+}
+
+/// The sines and cosines, all angles of a kind in one call, which evaluates them in the lanes of a
+/// vector register. Where the runtime may know those of the joints, they come from `sines`.
+fn sines(robot: &Robot, function: Function, angles: &[&Symbol], path: &TokenStream) -> TokenStream {
+    let pair = |sine: Symbol, cosine: Symbol| {
+        let [s, c] = [sine, cosine].map(|symbol| ident(&input_name(robot, &symbol, angles)));
+        quote!((#s, #c))
+    };
+    let are_asked_for = function.trait_name().is_some();
+    let (mut joints, mut known, mut positions) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut pairs, mut arguments) = (Vec::new(), Vec::new());
+    for angle in angles {
+        match angle {
+            Symbol::Sine(i) | Symbol::Cosine(i) if are_asked_for => {
+                joints.push(Literal::usize_unsuffixed(*i));
+                known.push(pair(Symbol::Sine(*i), Symbol::Cosine(*i)));
+                positions.push(element("q", *i));
+            }
+            Symbol::Sine(i) | Symbol::Cosine(i) => {
+                pairs.push(pair(Symbol::Sine(*i), Symbol::Cosine(*i)));
+                arguments.push(element("q", *i));
+            }
+            Symbol::AngleSine(value) | Symbol::AngleCosine(value) => {
+                let [sine, cosine] = [Symbol::AngleSine, Symbol::AngleCosine];
+                pairs.push(pair(sine(value.clone()), cosine(value.clone())));
+                arguments.push(parametric(robot, value));
+            }
+            _ => {}
+        }
+    }
+    let sines = ident("sines");
+    let asked_for = (!known.is_empty()).then(|| {
+        quote! {
+            let [#(#known),*] =
+                #path::JointSines::sin_cos(#sines, [#(#joints),*], [#(#positions),*]);
+        }
+    });
+    let evaluated = match (&pairs[..], &arguments[..]) {
+        ([], _) => TokenStream::new(),
+        ([pair], [argument]) => quote!(let #pair = #path::Scalar::sin_cos(#argument);),
+        _ => quote!(let [#(#pairs),*] = #path::Scalar::sin_cos_array([#(#arguments),*]);),
+    };
+    quote!(#asked_for #evaluated)
+}
+
+/// Where an input is read: fields first, then the arguments in their order.
+pub(super) fn place(symbol: &Symbol) -> (u8, usize) {
+    match symbol {
+        Symbol::Pi | Symbol::AngleSine(_) | Symbol::AngleCosine(_) => (0, 0),
+        Symbol::Field(i) => (1, *i),
+        Symbol::Sine(i) | Symbol::Cosine(i) => (2, *i),
+        Symbol::Position(i) => (3, *i),
+        Symbol::Velocity(i) => (4, *i),
+        Symbol::VelocitySign(i) => (5, *i),
+        Symbol::Acceleration(i) => (6, *i),
+        Symbol::Force(i) => (7, *i),
+    }
+}
+
+/// A parametric cell as an expression over the fields.
+fn parametric(robot: &Robot, value: &Value) -> TokenStream {
+    let real = ident("real");
+    match value {
+        Value::Rational(_) | Value::Pi => {
+            let x = literal(value.to_f64(&[]));
+            quote!(#real(#x))
+        }
+        Value::Field(i) => {
+            let field = field(&robot.fields[*i]);
+            quote!(#real(self.#field))
+        }
+        Value::Neg(a) => {
+            let a = parametric(robot, a);
+            quote!((-#a))
+        }
+        Value::Add(a, b) => {
+            let (a, b) = (parametric(robot, a), parametric(robot, b));
+            quote!((#a + #b))
+        }
+        Value::Mul(a, b) => {
+            let (a, b) = (parametric(robot, a), parametric(robot, b));
+            quote!((#a * #b))
+        }
+        Value::Div(a, b) => {
+            let (a, b) = (parametric(robot, a), parametric(robot, b));
+            quote!((#a / #b))
+        }
+    }
+}
