@@ -15,11 +15,15 @@ pub(crate) fn library(joints: usize, functions: &[Function], methods: &[Method])
          impl Chain {{\n"
     );
     for method in methods {
-        // rustc is slow to find a place in a very long line.
-        text += &method.tokens.to_string().replace("; ", ";\n");
-        text.push('\n');
+        text += &in_lines(&method.tokens);
     }
     text += "}\n";
+    for method in methods {
+        if let (Some(name), Some(items)) = (method.function.trait_name(), &method.provided) {
+            let items = in_lines(items);
+            text += &format!("impl dynamics_runtime::{name}<{joints}> for Chain {{\n{items}}}\n");
+        }
+    }
     for &function in functions {
         let (arguments, value) = signature(function, joints);
         let list: Vec<_> = arguments.iter().map(|x| format!("{x}: &Vector")).collect();
@@ -29,6 +33,11 @@ pub(crate) fn library(joints: usize, functions: &[Function], methods: &[Method])
         );
     }
     text
+}
+
+/// The text of tokens. rustc is slow to find a place in a very long line.
+fn in_lines(tokens: &impl ToString) -> String {
+    tokens.to_string().replace("; ", ";\n") + "\n"
 }
 
 /// The arguments of a method, and the type of its value.
