@@ -1,29 +1,7 @@
 //! What the fuzz targets do with their input. They panic where something is wrong.
 
-extern crate proc_macro;
-
 mod interpreted;
 mod robot;
-
-// A proc-macro crate exports nothing but macros, so its modules are compiled here once more.
-#[allow(dead_code)]
-#[path = "../../dynamics-macros/src/diagnose.rs"]
-mod diagnose;
-#[allow(dead_code)]
-#[path = "../../dynamics-macros/src/expand/mod.rs"]
-mod expand;
-#[path = "../../dynamics-macros/src/limits.rs"]
-mod limits;
-#[path = "../../dynamics-macros/src/parse/mod.rs"]
-mod parse;
-#[allow(dead_code)]
-#[path = "../../dynamics-macros/src/syntax.rs"]
-mod syntax;
-#[allow(dead_code)]
-#[path = "../../dynamics-macros/src/validate/mod.rs"]
-mod validate;
-#[path = "../../dynamics-macros/src/words.rs"]
-mod words;
 
 use dynamics_runtime::Check;
 use dynamics_symbolic::Function;
@@ -31,7 +9,6 @@ use dynamics_symbolic::derive::derive;
 use dynamics_symbolic::prove::prove;
 use interpreted::Interpreted;
 use proc_macro2::TokenStream;
-use quote::quote;
 
 /// Reads a call of the macro to its end. There is a model or there are errors; the items, the stubs
 /// after an error too, are Rust.
@@ -39,21 +16,11 @@ pub fn parser(text: &str) {
     let Ok(tokens) = text.parse::<TokenStream>() else {
         return;
     };
-    let diagnostics = diagnose::Diagnostics::new();
-    let call = parse::call(tokens, &diagnostics);
-    let model = validate::model(&call, &diagnostics);
-    assert_eq!(model.is_none(), !diagnostics.is_empty());
-    let items = match (&call.structure, &model) {
-        // The engine is the other target's.
-        (Some(structure), Some(model)) => expand::robot(structure, model, &[], &call.path),
-        (Some(structure), None) => expand::stubs(structure, &call.entries, &call.path),
-        (None, _) => TokenStream::new(),
-    };
-    let errors = diagnostics.into_compile_errors();
+    let items = dynamics_codegen::outline(tokens);
     // Attributes, visibilities and the path of the runtime are handed on as they were written.
     if !text.contains(['#', '@']) && !text.contains("pub") {
-        let file = syn::parse2::<syn::File>(quote!(#errors #items));
-        assert!(file.is_ok(), "{:?}: {errors} {items}", file.err());
+        let file = syn::parse2::<syn::File>(items.clone());
+        assert!(file.is_ok(), "{:?}: {items}", file.err());
     }
 }
 

@@ -5,7 +5,7 @@ use dynamics_symbolic::derive::derive as derive_program;
 use proc_macro2::{Delimiter, Group, TokenTree};
 
 fn expansion(source: &str) -> String {
-    crate::generate(source.parse().expect("the source lexes"), &derive_program).to_string()
+    crate::generate_by(source.parse().expect("the source lexes"), &derive_program).to_string()
 }
 
 #[test]
@@ -49,7 +49,7 @@ fn attributes_that_another_macro_hands_on_are_read() {
         #doc convention: standard, gravity: [0, 0, 0],
         joints: [#doc joint: revolute { #doc mass: m }]
     };
-    let items = crate::generate(call, &derive_program).to_string();
+    let items = crate::generate_by(call, &derive_program).to_string();
     assert!(!items.contains("compile_error"), "{items}");
     assert!(!items.contains("PartialEq"));
     let impls = blocks(&items);

@@ -34,7 +34,7 @@ fn dropped_term(robot: &Robot, function: Function) -> Program {
 }
 
 fn expansion(derivation: &crate::Derivation) -> String {
-    crate::generate(ARM.parse().expect("the source lexes"), derivation).to_string()
+    crate::generate_by(ARM.parse().expect("the source lexes"), derivation).to_string()
 }
 
 #[test]

@@ -39,7 +39,7 @@ fn expansion(source: &str, limit: f64) -> (String, u64) {
     let mut items = String::new();
     let start = clock::thread_seconds();
     let memory = allocation_counter::measure(|| {
-        items = crate::generate(tokens, &derive).to_string();
+        items = crate::generate_by(tokens, &derive).to_string();
     });
     let time = clock::thread_seconds() - start;
     let start = &source[..source.len().min(60)];

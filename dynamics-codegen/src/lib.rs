@@ -1,0 +1,124 @@
+//! What `robot_dynamics!` expands to, as an ordinary library: `dynamics-macros` hands it the tokens
+//! that the compiler gives, fuzzing and tests those that they make.
+//!
+//! A call passes through these modules:
+//!
+//! 1. `parse` makes a syntax tree of the tokens, places kept;
+//! 2. `validate` makes a `dynamics_symbolic::robot::Robot` of the tree, or reports
+//!    every reason why there is none;
+//! 3. `dynamics_symbolic` derives the functions and proves them;
+//! 4. `expand` writes the struct and its methods. That cannot fail; after an error
+//!    it writes the same items with empty methods, so that the code around the call
+//!    still passes the type check.
+//!
+//! `diagnose` collects the errors of a call, which are reported together; `words` finds
+//! the word that was meant; `limits` says how much a call may ask for.
+#![forbid(unsafe_code)]
+
+extern crate proc_macro;
+
+mod diagnose;
+mod expand;
+mod limits;
+mod parse;
+mod syntax;
+mod validate;
+mod words;
+
+use diagnose::Diagnostics;
+use dynamics_symbolic::program::Program;
+use dynamics_symbolic::robot::Robot;
+use dynamics_symbolic::{Function, Method, expand_with};
+use proc_macro2::{Span, TokenStream};
+use quote::quote;
+
+/// The items of a call of the macro, and a `compile_error!` for each mistake in it.
+pub fn generate(call: TokenStream) -> TokenStream {
+    generate_by(call, &dynamics_symbolic::derive::derive)
+}
+
+/// The same without the engine: the struct, its table and its traits, with no method derived and
+/// nothing neglected.
+pub fn outline(call: TokenStream) -> TokenStream {
+    let diagnostics = Diagnostics::new();
+    let call = parse::call(call, &diagnostics);
+    let model = validate::model(&call, &diagnostics);
+    let generated = model.map(|model| (model, Vec::new()));
+    items(&call, generated, diagnostics)
+}
+
+/// Finds the program of a function.
+type Derivation = dyn Fn(&Robot, Function) -> Program;
+
+/// [`generate`] with an engine of one's own, which a test damages.
+fn generate_by(call: TokenStream, derivation: &Derivation) -> TokenStream {
+    let diagnostics = Diagnostics::new();
+    let call = parse::call(call, &diagnostics);
+    let generated = validate::model(&call, &diagnostics).and_then(|model| {
+        let model = abbreviated(model, &diagnostics)?;
+        let methods = methods(&model, &call, derivation, &diagnostics)?;
+        Some((model, methods))
+    });
+    items(&call, generated, diagnostics)
+}
+
+/// The errors and the items: stubs where there is no model.
+fn items(
+    call: &syntax::Call,
+    generated: Option<(validate::Model, Vec<Method>)>,
+    diagnostics: Diagnostics,
+) -> TokenStream {
+    assert_eq!(generated.is_none(), !diagnostics.is_empty());
+    let items = match (&call.structure, &generated) {
+        (Some(structure), Some((model, methods))) => {
+            expand::robot(structure, model, methods, &call.path)
+        }
+        (Some(structure), None) => expand::stubs(structure, &call.entries, &call.path),
+        (None, _) => TokenStream::new(),
+    };
+    let errors = diagnostics.into_compile_errors();
+    quote!(#errors #items)
+}
+
+/// The model without what is to be neglected, or `None` where that is too much: that is reported.
+fn abbreviated(mut model: validate::Model, diagnostics: &Diagnostics) -> Option<validate::Model> {
+    if let Some((share, place)) = &model.neglect {
+        match dynamics_symbolic::neglect::neglect(&model.robot, share.to_f64(&[])) {
+            Ok(robot) => model.robot = robot,
+            Err(refused) => {
+                diagnostics.error(*place, refused);
+                return None;
+            }
+        }
+    }
+    Some(model)
+}
+
+/// The methods, or `None` where the engine could not prove one of them: that is
+/// reported at the function's name in the call.
+fn methods(
+    model: &validate::Model,
+    call: &syntax::Call,
+    derivation: &Derivation,
+    diagnostics: &Diagnostics,
+) -> Option<Vec<Method>> {
+    let functions: Vec<_> = model.functions.iter().map(|(f, _)| *f).collect();
+    let failures = match expand_with(&model.robot, &functions, &call.path, derivation) {
+        Ok(methods) => return Some(methods),
+        Err(failures) => failures,
+    };
+    let name = call.structure.as_ref().map(|structure| &structure.name);
+    for failure in failures {
+        let asked = model
+            .functions
+            .iter()
+            .find(|(f, _)| *f == failure.function());
+        let place = asked.and_then(|(_, place)| *place);
+        let place = place.or(name.map(Into::into));
+        diagnostics.error(place.unwrap_or_else(|| Span::call_site().into()), failure);
+    }
+    None
+}
+
+#[cfg(test)]
+mod tests;
