@@ -1,4 +1,4 @@
-//! The messages that the compile-fail tests of the root package do not show, and the rules on
+//! The messages that `tests/mistakes` does not show, and the rules on
 //! which errors are reported together.
 
 use super::*;

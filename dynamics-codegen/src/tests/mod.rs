@@ -1,5 +1,5 @@
 //! The whole path from tokens to items. Places of errors, and that no others follow from them, are
-//! shown by the compile-fail tests of the root package.
+//! shown by `tests/mistakes.rs`.
 
 mod accepted;
 mod damage;

@@ -1,0 +1,13 @@
+robot_dynamics! {
+    pub struct Arm;
+    convention: standard,
+    gravity: [0, 0, -9.81],
+    joints: [
+        joint: revolute {
+            mass: 1,
+            gear_ratio: 50,
+            viscous: 0.1,
+            xx: 1,
+        },
+    ],
+}

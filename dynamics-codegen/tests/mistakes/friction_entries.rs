@@ -1,0 +1,10 @@
+robot_dynamics! {
+    pub struct Arm;
+    convention: standard,
+    gravity: [0, 0, -9.81],
+    joints: [
+        joint: revolute {
+            mass: 1, friction: { viscos: 1, colomb: 2, static: 3 }
+        },
+    ],
+}

@@ -1,0 +1,3 @@
+robot_dynamics! {
+    pub struct Arm;
+}

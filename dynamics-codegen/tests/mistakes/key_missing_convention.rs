@@ -1,0 +1,5 @@
+robot_dynamics! {
+    pub struct Arm;
+    gravity: [0, 0, -9.81],
+    joints: [joint: revolute { mass: 1 }],
+}

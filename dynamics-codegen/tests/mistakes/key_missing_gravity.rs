@@ -1,0 +1,5 @@
+robot_dynamics! {
+    pub struct Arm;
+    convention: modified,
+    joints: [joint: revolute { mass: 1 }],
+}

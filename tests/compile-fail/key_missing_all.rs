@@ -1,7 +1,0 @@
-use robot_dynamics::robot_dynamics;
-
-robot_dynamics! {
-    pub struct Arm;
-}
-
-fn main() {}
