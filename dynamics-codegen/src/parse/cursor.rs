@@ -2,36 +2,55 @@
 
 use std::fmt::Display;
 
-use proc_macro2::{Delimiter, Group, Ident, Spacing, Span, TokenStream, TokenTree};
+use proc_macro2::{Delimiter, Ident, Punct, Spacing, Span, TokenStream, TokenTree};
+use syn::buffer::{self, TokenBuffer};
 
 use crate::diagnose::{Diagnostics, Place, Reported};
 use crate::words::{LONGEST, shortened};
 
 /// A position in the tokens of one group.
 ///
-/// Groups without delimiters, in which `macro_rules!` wraps some of its fragments,
-/// are looked through, except by [`Cursor::take_fragment`].
+/// Groups without delimiters, in which `macro_rules!` wraps some of its fragments, are looked through:
+/// looking does not open them. What a *value* is made of must ask [`Cursor::at_fragment`] first, for
+/// there a fragment is one operand, whatever it holds.
 #[derive(Clone)]
-pub(crate) struct Cursor<'d> {
-    /// What is left, the next token last.
-    rest: Vec<TokenTree>,
+pub(crate) struct Cursor<'t> {
+    rest: buffer::Cursor<'t>,
     /// The token read last, or what came before the first.
     last: Place,
     taken: usize,
-    diagnostics: &'d Diagnostics,
+    diagnostics: &'t Diagnostics,
 }
 
-impl<'d> Cursor<'d> {
+/// A group of tokens.
+#[derive(Clone, Copy)]
+pub(crate) struct Group<'t> {
+    inside: buffer::Cursor<'t>,
+    delimiter: Delimiter,
+    span: Span,
+}
+
+impl Group<'_> {
+    /// The place of the group, delimiters included.
+    pub(crate) fn span(&self) -> Span {
+        self.span
+    }
+
+    /// Whether it is a fragment of another macro.
+    pub(crate) fn is_fragment(&self) -> bool {
+        self.delimiter == Delimiter::None
+    }
+}
+
+impl<'t> Cursor<'t> {
     /// The start of `tokens`, which stand behind `before`.
     pub(crate) fn new(
-        tokens: TokenStream,
+        tokens: &'t TokenBuffer,
         before: impl Into<Place>,
-        diagnostics: &'d Diagnostics,
-    ) -> Cursor<'d> {
-        let mut rest: Vec<TokenTree> = tokens.into_iter().collect();
-        rest.reverse();
+        diagnostics: &'t Diagnostics,
+    ) -> Cursor<'t> {
         Cursor {
-            rest,
+            rest: tokens.begin(),
             last: before.into(),
             taken: 0,
             diagnostics,
@@ -39,8 +58,13 @@ impl<'d> Cursor<'d> {
     }
 
     /// The start of the group's content.
-    pub(crate) fn inside(&self, group: &Group) -> Cursor<'d> {
-        Cursor::new(group.stream(), group.span(), self.diagnostics)
+    pub(crate) fn inside(&self, group: &Group<'t>) -> Cursor<'t> {
+        Cursor {
+            rest: group.inside,
+            last: group.span.into(),
+            taken: 0,
+            diagnostics: self.diagnostics,
+        }
     }
 
     /// Reports an error.
@@ -49,18 +73,20 @@ impl<'d> Cursor<'d> {
     }
 
     /// Reports that something else stands here, or that the tokens end.
-    pub(crate) fn expected(&mut self, what: impl Display) -> Reported {
+    pub(crate) fn expected(&self, what: impl Display) -> Reported {
         let at = self.here();
-        match self.peek().map(describe) {
-            Some(found) => self.error(at, format!("expected {what}, found {found}")),
+        match self.peek() {
+            Some(found) => {
+                let found = describe(&found);
+                self.error(at, format!("expected {what}, found {found}"))
+            }
             None => self.error(at, format!("expected {what}")),
         }
     }
 
     /// The next token, or, at the end, the last one.
-    pub(crate) fn here(&mut self) -> Place {
-        let last = self.last;
-        self.peek().map_or(last, |token| token.span().into())
+    pub(crate) fn here(&self) -> Place {
+        self.peek().map_or(self.last, |token| token.span().into())
     }
 
     /// The token that was read last.
@@ -74,50 +100,65 @@ impl<'d> Cursor<'d> {
     }
 
     /// Whether no token is left.
-    pub(crate) fn at_end(&mut self) -> bool {
+    pub(crate) fn at_end(&self) -> bool {
         self.peek().is_none()
     }
 
     /// The tokens that are left.
     pub(crate) fn rest(&self) -> TokenStream {
-        self.rest.iter().rev().cloned().collect()
+        self.rest.token_stream()
     }
 
     /// The next token; none where there are errors enough.
-    pub(crate) fn peek(&mut self) -> Option<&TokenTree> {
-        if self.diagnostics.is_full() {
-            return None;
+    pub(crate) fn peek(&self) -> Option<TokenTree> {
+        self.next().map(|(token, _)| token)
+    }
+
+    /// The next token and what follows it.
+    fn next(&self) -> Option<(TokenTree, buffer::Cursor<'t>)> {
+        match self.diagnostics.is_full() {
+            true => None,
+            false => next(self.rest),
         }
-        while matches!(self.rest.last(), Some(TokenTree::Group(group)) if is_fragment(group)) {
-            if let Some(TokenTree::Group(group)) = self.rest.pop() {
-                let content: Vec<TokenTree> = group.stream().into_iter().collect();
-                self.rest.extend(content.into_iter().rev());
-            }
-        }
-        self.rest.last()
+    }
+
+    /// Goes to `rest`, behind the token or fragment at `last`.
+    fn advance(&mut self, rest: buffer::Cursor<'t>, last: Span) {
+        self.rest = rest;
+        self.last = last.into();
+        self.taken += 1;
     }
 
     /// Takes the next token.
     pub(crate) fn take(&mut self) -> Option<TokenTree> {
-        self.peek()?;
-        let token = self.rest.pop()?;
-        self.last = token.span().into();
-        self.taken += 1;
+        let (token, rest) = self.next()?;
+        self.advance(rest, token.span());
         Some(token)
     }
 
-    /// Takes the next token where it is a group without delimiters.
-    pub(crate) fn take_fragment(&mut self) -> Option<Group> {
-        match self.rest.last() {
-            Some(TokenTree::Group(group)) if is_fragment(group) => {
-                let group = group.clone();
-                self.rest.pop();
-                self.last = group.span().into();
-                self.taken += 1;
-                Some(group)
+    /// Whether a fragment of another macro comes next that holds something.
+    pub(crate) fn at_fragment(&self) -> bool {
+        self.clone().take_fragment().is_some()
+    }
+
+    /// Takes the next fragment of another macro that holds something.
+    pub(crate) fn take_fragment(&mut self) -> Option<Group<'t>> {
+        let mut rest = self.rest;
+        while !self.diagnostics.is_full()
+            && let Some((inside, span, behind)) = rest.group(Delimiter::None)
+        {
+            rest = behind;
+            if next(inside).is_some() {
+                let span = span.join();
+                self.advance(rest, span);
+                return Some(Group {
+                    inside,
+                    delimiter: Delimiter::None,
+                    span,
+                });
             }
-            _ => None,
         }
+        None
     }
 
     /// Takes the tokens in front of the next of these characters, or all that are left.
@@ -133,15 +174,20 @@ impl<'d> Cursor<'d> {
 
     /// The tokens in front of the next of these characters, as a message shows them.
     pub(crate) fn shown_until(&self, characters: &[char]) -> String {
-        let stops = |token: &&TokenTree| characters.iter().any(|c| is_char(Some(token), *c));
-        let tokens = self.rest.iter().rev().take_while(|token| !stops(token));
         // No more than will be shown, for the rest of the call may come before the next of them.
-        let shown: TokenStream = tokens.take(LONGEST).cloned().collect();
+        let mut ahead = self.clone();
+        let mut shown = TokenStream::new();
+        while ahead.taken < self.taken + LONGEST
+            && !characters.iter().any(|c| ahead.at(*c))
+            && let Some(token) = ahead.take()
+        {
+            shown.extend([token]);
+        }
         shortened(&shown.to_string())
     }
 
     /// The next token where it is an identifier or a keyword.
-    pub(crate) fn peek_ident(&mut self) -> Option<&Ident> {
+    pub(crate) fn peek_ident(&self) -> Option<Ident> {
         match self.peek() {
             Some(TokenTree::Ident(ident)) => Some(ident),
             _ => None,
@@ -150,24 +196,23 @@ impl<'d> Cursor<'d> {
 
     /// Takes the next token where it is an identifier or a keyword.
     pub(crate) fn take_ident(&mut self) -> Option<Ident> {
-        let ident = self.peek_ident()?.clone();
+        let ident = self.peek_ident()?;
         self.take();
         Some(ident)
     }
 
-    /// Takes the next token where it is this word.
-    pub(crate) fn take_word(&mut self, word: &str) -> Option<Ident> {
-        self.take_ident_if(|ident| ident == word)
+    /// Whether the next token is this word.
+    pub(crate) fn at_word(&self, word: &str) -> bool {
+        self.peek_ident().is_some_and(|ident| ident == word)
     }
 
-    fn take_ident_if(&mut self, condition: impl Fn(&Ident) -> bool) -> Option<Ident> {
-        self.peek_ident()
-            .is_some_and(condition)
-            .then(|| self.take_ident())?
+    /// Takes the next token where it is this word.
+    pub(crate) fn take_word(&mut self, word: &str) -> Option<Ident> {
+        self.at_word(word).then(|| self.take_ident())?
     }
 
     /// Whether the next token is this character.
-    pub(crate) fn at(&mut self, character: char) -> bool {
+    pub(crate) fn at(&self, character: char) -> bool {
         matches!(self.peek(), Some(TokenTree::Punct(punct)) if punct.as_char() == character)
     }
 
@@ -178,15 +223,18 @@ impl<'d> Cursor<'d> {
     }
 
     /// Takes the next token where it is a group of that kind.
-    pub(crate) fn take_group(&mut self, delimiter: Delimiter) -> Option<Group> {
-        match self.peek() {
-            Some(TokenTree::Group(group)) if group.delimiter() == delimiter => {
-                let group = group.clone();
-                self.take();
-                Some(group)
-            }
-            _ => None,
+    pub(crate) fn take_group(&mut self, delimiter: Delimiter) -> Option<Group<'t>> {
+        if self.diagnostics.is_full() {
+            return None;
         }
+        let (inside, span, rest) = self.rest.group(delimiter)?;
+        let span = span.join();
+        self.advance(rest, span);
+        Some(Group {
+            inside,
+            delimiter,
+            span,
+        })
     }
 
     /// Takes the next token where it is a group with delimiters; where they are not
@@ -195,36 +243,50 @@ impl<'d> Cursor<'d> {
         &mut self,
         delimiter: Delimiter,
         what: &str,
-    ) -> Result<Group, Reported> {
+    ) -> Result<Group<'t>, Reported> {
         if let Some(group) = self.take_group(delimiter) {
             return Ok(group);
         }
         let reported = self.expected(what);
-        match self.peek() {
-            Some(TokenTree::Group(group)) => {
-                let group = group.clone();
-                self.take();
-                Ok(group)
-            }
-            _ => Err(reported),
-        }
+        let group = DELIMITERS
+            .into_iter()
+            .find_map(|other| self.take_group(other));
+        group.ok_or(reported)
     }
 
     /// Whether `name:` comes next, the start of a keyed item.
-    pub(crate) fn at_key(&mut self) -> bool {
-        self.at_name_before(':') && !is_char(self.rest.iter().rev().nth(2), ':')
+    pub(crate) fn at_key(&self) -> bool {
+        let colon = |rest| next_char(rest, ':');
+        match self.behind_name().and_then(colon) {
+            Some(behind) => colon(behind).is_none(),
+            None => false,
+        }
     }
 
     /// Whether a name and that character come next.
-    pub(crate) fn at_name_before(&mut self, character: char) -> bool {
-        self.peek_ident().is_some() && is_char(self.rest.iter().rev().nth(1), character)
+    pub(crate) fn at_name_before(&self, character: char) -> bool {
+        let behind = self.behind_name();
+        behind.is_some_and(|rest| next_char(rest, character).is_some())
+    }
+
+    /// What follows the name that comes next.
+    fn behind_name(&self) -> Option<buffer::Cursor<'t>> {
+        match self.next()? {
+            (TokenTree::Ident(_), rest) => Some(rest),
+            _ => None,
+        }
     }
 
     /// Whether `::` comes next.
-    pub(crate) fn at_path_separator(&mut self) -> bool {
-        matches!(self.peek(), Some(TokenTree::Punct(punct))
-            if punct.as_char() == ':' && punct.spacing() == Spacing::Joint)
-            && is_char(self.rest.iter().rev().nth(1), ':')
+    pub(crate) fn at_path_separator(&self) -> bool {
+        match self.next() {
+            Some((TokenTree::Punct(punct), rest)) => {
+                punct.as_char() == ':'
+                    && punct.spacing() == Spacing::Joint
+                    && next_char(rest, ':').is_some()
+            }
+            _ => false,
+        }
     }
 
     /// After an error in an item: skips what is left of it, to behind the next `,` or
@@ -233,7 +295,7 @@ impl<'d> Cursor<'d> {
     pub(crate) fn recover(&mut self, taken: usize) {
         while !self.at_end() {
             let progress = self.taken > taken;
-            if progress && (self.at_key() || self.peek_ident().is_some_and(|i| i == "let")) {
+            if progress && (self.at_key() || self.at_word("let")) {
                 return;
             }
             let separator = self.at(',') || self.at(';');
@@ -245,21 +307,47 @@ impl<'d> Cursor<'d> {
     }
 }
 
-/// The identifier or keyword that the group starts with.
-pub(super) fn first_word(group: &Group) -> Option<String> {
-    match group.stream().into_iter().next()? {
-        TokenTree::Ident(ident) => Some(ident.to_string()),
-        TokenTree::Group(group) if is_fragment(&group) => first_word(&group),
-        _ => None,
+/// The next token, looked for through fragments, and what follows it.
+fn next(rest: buffer::Cursor) -> Option<(TokenTree, buffer::Cursor)> {
+    match rest.token_tree()? {
+        (TokenTree::Group(group), _) if group.delimiter() == Delimiter::None => {
+            next_in_fragment(rest)
+        }
+        token => Some(token),
     }
 }
 
-fn is_fragment(group: &Group) -> bool {
-    group.delimiter() == Delimiter::None
+/// The next token where a fragment comes next, and what follows it, in the fragment or behind it.
+fn next_in_fragment(rest: buffer::Cursor) -> Option<(TokenTree, buffer::Cursor)> {
+    if let Some((ident, rest)) = rest.ident() {
+        return Some((ident.into(), rest));
+    }
+    if let Some((punct, rest)) = rest.punct() {
+        return Some((punct.into(), rest));
+    }
+    if let Some((literal, rest)) = rest.literal() {
+        return Some((literal.into(), rest));
+    }
+    if let Some((lifetime, rest)) = rest.lifetime() {
+        let mut quote = Punct::new('\'', Spacing::Joint);
+        quote.set_span(lifetime.span());
+        return Some((quote.into(), rest));
+    }
+    DELIMITERS.into_iter().find_map(|delimiter| {
+        let (inside, span, rest) = rest.group(delimiter)?;
+        let mut group = proc_macro2::Group::new(delimiter, inside.token_stream());
+        group.set_span(span.join());
+        Some((group.into(), rest))
+    })
 }
 
-fn is_char(token: Option<&TokenTree>, character: char) -> bool {
-    matches!(token, Some(TokenTree::Punct(punct)) if punct.as_char() == character)
+/// The delimiters that can be seen.
+const DELIMITERS: [Delimiter; 3] = [Delimiter::Parenthesis, Delimiter::Bracket, Delimiter::Brace];
+
+/// What follows that character where it comes next.
+fn next_char(rest: buffer::Cursor, character: char) -> Option<buffer::Cursor> {
+    let (punct, rest) = rest.punct()?;
+    (punct.as_char() == character).then_some(rest)
 }
 
 /// The token as a message shows it.

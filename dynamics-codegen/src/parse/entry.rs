@@ -55,19 +55,19 @@ pub(super) fn skip_to_entry(cursor: &mut Cursor) {
 }
 
 /// Whether `name = ` comes next, where the name is not one of the keys.
-fn at_bare_binding(cursor: &mut Cursor) -> bool {
-    let is_key = |word: &Ident| words::nearest(&word.to_string(), &KEYS).is_some();
+fn at_bare_binding(cursor: &Cursor) -> bool {
+    let is_key = |word: Ident| words::nearest(&word.to_string(), &KEYS).is_some();
     cursor.at_name_before('=') && !cursor.peek_ident().is_some_and(is_key)
 }
 
 /// Whether a Rust constant comes next.
-fn at_constant(cursor: &mut Cursor) -> bool {
-    let is_constant = |word: &Ident| word == "const" || word == "static";
+fn at_constant(cursor: &Cursor) -> bool {
+    let is_constant = |word: Ident| word == "const" || word == "static";
     cursor.peek_ident().is_some_and(is_constant) && !cursor.at_key()
 }
 
-fn at_entry(cursor: &mut Cursor) -> bool {
-    cursor.at_key() || cursor.peek_ident().is_some_and(|word| word == "let") || at_constant(cursor)
+fn at_entry(cursor: &Cursor) -> bool {
+    cursor.at_key() || cursor.at_word("let") || at_constant(cursor)
 }
 
 /// Reads `const NAME: type = value`, which is refused, as the `let` that was meant.
@@ -212,7 +212,7 @@ fn lock(cursor: &mut Cursor) -> Result<Vec<Locked>, Reported> {
     }
     let mut locked = Vec::new();
     let mut unnamed = None;
-    let at_name = |cursor: &mut Cursor| cursor.peek_ident().is_some();
+    let at_name = |cursor: &Cursor| cursor.peek_ident().is_some();
     let _ = comma_separated(&mut inside, at_name, |cursor| {
         let Some(name) = cursor.take_ident() else {
             let reported = cursor.expected("the name of a joint: `joint = position`");
@@ -250,7 +250,7 @@ fn functions(cursor: &mut Cursor) -> Result<Vec<(Function, Place)>, Reported> {
     }
     let mut functions = Vec::new();
     let mut wrong = None;
-    let at_name = |cursor: &mut Cursor| cursor.peek_ident().is_some();
+    let at_name = |cursor: &Cursor| cursor.peek_ident().is_some();
     let end = comma_separated(&mut inside, at_name, |cursor| {
         let Some(name) = cursor.take_ident() else {
             return Err(cursor.expected("the name of a function"));

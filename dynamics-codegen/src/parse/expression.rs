@@ -1,8 +1,8 @@
 //! Constant expressions.
 
-use proc_macro2::{Delimiter, Group, Ident, Literal, TokenTree};
+use proc_macro2::{Delimiter, Ident, Literal, TokenTree};
 
-use super::cursor::Cursor;
+use super::cursor::{Cursor, Group};
 use super::number::number;
 use crate::diagnose::{Place, Reported};
 use crate::limits::{DEEPEST_VALUE, MOST_TERMS};
@@ -33,7 +33,7 @@ pub(super) fn share(cursor: &mut Cursor) -> Result<Share, Reported> {
 }
 
 /// Whether a value may start here.
-pub(super) fn at_value(cursor: &mut Cursor) -> bool {
+pub(super) fn at_value(cursor: &Cursor) -> bool {
     cursor.at('-')
         || matches!(
             cursor.peek(),
@@ -66,9 +66,9 @@ fn chain(
     operand: impl Fn(&mut Cursor, &mut Limits) -> Result<Expr, Reported>,
 ) -> Result<Expr, Reported> {
     let mut left = operand(cursor, limits)?;
-    while let Some((_, operator)) = operators.into_iter().find(|(c, _)| cursor.at(*c)) {
+    while let Some((_, operator)) = operators.into_iter().find(|(c, _)| at_sign(cursor, *c)) {
         cursor.take();
-        if operator == Operator::Mul && cursor.at('*') {
+        if operator == Operator::Mul && at_sign(cursor, '*') {
             return Err(power(cursor, &left));
         }
         let right = operand(cursor, limits)?;
@@ -78,6 +78,11 @@ fn chain(
         };
     }
     Ok(left)
+}
+
+/// Whether that sign comes next, and not at the start of a fragment, which is an operand.
+fn at_sign(cursor: &Cursor, sign: char) -> bool {
+    cursor.at(sign) && !cursor.at_fragment()
 }
 
 /// Reports the power `left ** right`, at its second `*`.
@@ -124,7 +129,7 @@ fn plain_operand(cursor: &mut Cursor, limits: &mut Limits) -> Result<Expr, Repor
     if let Some(group) = cursor.take_group(Delimiter::Parenthesis) {
         return within(cursor, &group, limits);
     }
-    match cursor.peek().cloned() {
+    match cursor.peek() {
         Some(TokenTree::Literal(literal)) => {
             cursor.take();
             number_literal(cursor, &literal)
@@ -168,7 +173,12 @@ fn name(cursor: &mut Cursor, ident: Ident, limits: &mut Limits) -> Result<Expr, 
     if cursor.at_path_separator() {
         return Err(path(cursor, place));
     }
-    if let Some(arguments) = cursor.take_group(Delimiter::Parenthesis) {
+    // The parentheses of a fragment may be a part of it: `(1) + 2`.
+    let is_call = !cursor.at_fragment();
+    if let Some(arguments) = is_call
+        .then(|| cursor.take_group(Delimiter::Parenthesis))
+        .flatten()
+    {
         if word != "deg" {
             let message = format!("`{word}(...)` is not known: the only function is `deg(x)`");
             return Err(cursor.error(place, message));
@@ -215,7 +225,11 @@ fn path(cursor: &mut Cursor, start: Place) -> Reported {
 }
 
 /// The value between delimiters.
-fn within(cursor: &mut Cursor, group: &Group, limits: &mut Limits) -> Result<Expr, Reported> {
+fn within<'t>(
+    cursor: &mut Cursor<'t>,
+    group: &Group<'t>,
+    limits: &mut Limits,
+) -> Result<Expr, Reported> {
     let mut inside = cursor.inside(group);
     if inside.at_end() {
         return Err(cursor.error(group.span(), "expected a value between the parentheses"));
@@ -225,10 +239,10 @@ fn within(cursor: &mut Cursor, group: &Group, limits: &mut Limits) -> Result<Exp
     if !inside.at_end() {
         return Err(inside.expected("one value and `)`"));
     }
-    let place = match group.delimiter() {
+    let place = match group.is_fragment() {
         // The tokens of the fragment say more than its place in the other macro.
-        Delimiter::None => expr.place,
-        _ => group.span().into(),
+        true => expr.place,
+        false => group.span().into(),
     };
     Ok(Expr {
         kind: expr.kind,
@@ -238,6 +252,9 @@ fn within(cursor: &mut Cursor, group: &Group, limits: &mut Limits) -> Result<Exp
 
 /// Refuses what would make more of a value than the operators of this grammar do.
 fn no_other_operator(cursor: &mut Cursor) -> Result<(), Reported> {
+    if cursor.at_fragment() {
+        return Ok(());
+    }
     let what = match cursor.peek() {
         Some(TokenTree::Punct(punct)) => match punct.as_char() {
             '.' => "a method call",

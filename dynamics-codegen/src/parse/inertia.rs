@@ -1,8 +1,8 @@
 //! The cell `inertia`: entries of a tensor, or a solid.
 
-use proc_macro2::{Delimiter, Group, Ident};
+use proc_macro2::{Delimiter, Ident};
 
-use super::cursor::Cursor;
+use super::cursor::{Cursor, Group};
 use super::expression::expression;
 use super::list::{comma_separated, fill, key};
 use super::vector::values;
@@ -38,7 +38,7 @@ pub(super) fn inertia(cursor: &mut Cursor) -> Result<Inertia, Reported> {
     solid(cursor, &name)
 }
 
-fn tensor(cursor: &Cursor, group: &Group) -> [Given<Expr>; 6] {
+fn tensor<'t>(cursor: &Cursor<'t>, group: &Group<'t>) -> [Given<Expr>; 6] {
     let mut entries: [Given<Expr>; 6] = Default::default();
     let outcome = comma_separated(&mut cursor.inside(group), Cursor::at_key, |cursor| {
         let key = key(cursor, "tensor entry", &ENTRIES, unknown_entry)?;

@@ -1,8 +1,8 @@
 //! Lists between commas, and the `key: value` items in them.
 
-use proc_macro2::{Ident, TokenTree};
+use proc_macro2::{Delimiter, Ident, TokenTree};
 
-use super::cursor::{Cursor, first_word};
+use super::cursor::Cursor;
 use crate::diagnose::{Place, Reported};
 use crate::syntax::Given;
 use crate::words::{self, Wrong};
@@ -12,7 +12,7 @@ use crate::words::{self, Wrong};
 /// error is that of an item that could not be read; reading went on behind it.
 pub(super) fn comma_separated<'d>(
     cursor: &mut Cursor<'d>,
-    at_item: impl Fn(&mut Cursor<'d>) -> bool,
+    at_item: impl Fn(&Cursor<'d>) -> bool,
     mut item: impl FnMut(&mut Cursor<'d>) -> Result<String, Reported>,
 ) -> Result<(), Reported> {
     let mut outcome = Ok(());
@@ -35,7 +35,7 @@ pub(super) fn end_item<'d>(
     cursor: &mut Cursor<'d>,
     separator: char,
     what: &str,
-    at_item: impl Fn(&mut Cursor<'d>) -> bool,
+    at_item: impl Fn(&Cursor<'d>) -> bool,
 ) {
     if cursor.take_char(separator).is_some() || (separator == ',' && cursor.at_end()) {
         return;
@@ -52,16 +52,12 @@ pub(super) fn end_item<'d>(
 /// Skips doc comments; other attributes are refused.
 pub(super) fn skip_docs(cursor: &mut Cursor) -> Result<(), Reported> {
     while let Some(hash) = cursor.take_char('#') {
-        match cursor.take() {
-            Some(TokenTree::Group(group))
-                if first_word(&group).is_some_and(|word| word == "doc") => {}
-            Some(TokenTree::Group(group)) => {
-                cursor.error(
-                    Place::from(hash).to(group.span()),
-                    "only doc comments are allowed here",
-                );
-            }
-            _ => return Err(cursor.error(hash, "expected a name, found `#`")),
+        let Some(group) = cursor.take_group(Delimiter::Bracket) else {
+            return Err(cursor.error(hash, "expected a name, found `#`"));
+        };
+        if !cursor.inside(&group).at_word("doc") {
+            let place = Place::from(hash).to(group.span());
+            cursor.error(place, "only doc comments are allowed here");
         }
     }
     Ok(())

@@ -15,6 +15,7 @@ mod vector;
 
 use proc_macro2::{Delimiter, Span, TokenStream};
 use quote::quote;
+use syn::buffer::TokenBuffer;
 
 use crate::diagnose::Diagnostics;
 use crate::limits;
@@ -29,7 +30,8 @@ pub(crate) fn call(input: TokenStream, diagnostics: &Diagnostics) -> Call {
     if let Err((readable, _)) = limits::check(&input, diagnostics) {
         return refused(input.into_iter().take(readable).collect());
     }
-    let mut cursor = Cursor::new(input, Span::call_site(), diagnostics);
+    let tokens = TokenBuffer::new2(input);
+    let mut cursor = Cursor::new(&tokens, Span::call_site(), diagnostics);
     let path = path(&mut cursor);
     let structure = structure::structure(&mut cursor);
     if structure
@@ -51,7 +53,8 @@ pub(crate) fn call(input: TokenStream, diagnostics: &Diagnostics) -> Call {
 /// A call that is too long to be read, as far as its start tells what the user's code knows of it.
 fn refused(start: TokenStream) -> Call {
     let unread = Diagnostics::new();
-    let mut cursor = Cursor::new(start, Span::call_site(), &unread);
+    let tokens = TokenBuffer::new2(start);
+    let mut cursor = Cursor::new(&tokens, Span::call_site(), &unread);
     let path = path(&mut cursor);
     let structure = structure::structure(&mut cursor);
     let is_good = unread.is_empty();
@@ -69,7 +72,7 @@ fn path(cursor: &mut Cursor) -> TokenStream {
     if cursor.take_char('@').is_some()
         && let Some(group) = cursor.take_group(Delimiter::Bracket)
     {
-        return group.stream();
+        return cursor.inside(&group).rest();
     }
     quote!(::dynamics_runtime)
 }

@@ -3,9 +3,9 @@
 use std::cell::Cell;
 
 use dynamics_symbolic::robot::JointType;
-use proc_macro2::{Delimiter, Group, Ident};
+use proc_macro2::{Delimiter, Ident};
 
-use super::cursor::Cursor;
+use super::cursor::{Cursor, Group};
 use super::expression::expression;
 use super::inertia::{ENTRIES, inertia};
 use super::list::{Key, colon, comma_separated, fill, key};
@@ -32,7 +32,7 @@ pub(super) fn joints(mut cursor: Cursor) -> Joints {
     let mut rows = Vec::new();
     let complete = Cell::new(true);
     // What is no row behind a missing comma is skipped.
-    let at_row = |cursor: &mut Cursor| {
+    let at_row = |cursor: &Cursor| {
         let at_row = cursor.at_key();
         complete.set(complete.get() && at_row);
         at_row
@@ -219,7 +219,7 @@ fn friction(cursor: &mut Cursor) -> Result<Friction, Reported> {
     Ok(friction)
 }
 
-fn braces(cursor: &mut Cursor, what: &str) -> Result<Group, Reported> {
+fn braces<'t>(cursor: &mut Cursor<'t>, what: &str) -> Result<Group<'t>, Reported> {
     cursor
         .take_group(Delimiter::Brace)
         .ok_or_else(|| cursor.expected(format_args!("`{what}`")))
@@ -231,7 +231,7 @@ fn allow(cursor: &mut Cursor) -> Result<Allow, Reported> {
     let group = cursor.take_list(Delimiter::Bracket, "`[unphysical_inertia]`")?;
     let mut allow = Allow::default();
     let mut wrong = None;
-    let at_word = |cursor: &mut Cursor| cursor.peek_ident().is_some();
+    let at_word = |cursor: &Cursor| cursor.peek_ident().is_some();
     let end = comma_separated(&mut cursor.inside(&group), at_word, |cursor| {
         let Some(word) = cursor.take_ident() else {
             return Err(cursor.expected(words::either(&KNOWN)));

@@ -1,9 +1,9 @@
 //! The struct item at the head of a call.
 
-use proc_macro2::{Delimiter, Group, Ident, TokenStream, TokenTree};
+use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
 use quote::quote;
 
-use super::cursor::{Cursor, first_word};
+use super::cursor::Cursor;
 use crate::diagnose::{Place, Reported};
 use crate::syntax::{Field, Shape, Structure};
 use crate::words;
@@ -48,12 +48,13 @@ fn attributes(cursor: &mut Cursor) -> Attributes {
     let mut attributes = Attributes::default();
     while cursor.at('#') {
         let hash = cursor.take();
+        let content = cursor.peek();
         let Some(group) = cursor.take_group(Delimiter::Bracket) else {
             cursor.expected("an attribute after `#`");
             continue;
         };
         attributes.note(&mut cursor.inside(&group), &|meta| quote!(#hash [#meta]));
-        attributes.all.extend(quote!(#hash #group));
+        attributes.all.extend(quote!(#hash #content));
     }
     attributes
 }
@@ -62,7 +63,7 @@ impl Attributes {
     /// Notes what the content of an attribute says about the item, be it under a
     /// condition. `attribute` puts around a part of the content what stands around it.
     fn note(&mut self, meta: &mut Cursor, attribute: &dyn Fn(TokenStream) -> TokenStream) {
-        match meta.peek_ident().map(ToString::to_string).as_deref() {
+        match meta.peek_ident().map(|word| word.to_string()).as_deref() {
             Some("derive") => self.has_derive = true,
             Some("cfg") => {
                 let start = meta.here();
@@ -91,18 +92,18 @@ fn visibility(cursor: &mut Cursor) -> TokenStream {
     let Some(public) = cursor.take_word("pub") else {
         return TokenStream::new();
     };
-    let restriction = match cursor.peek() {
-        Some(TokenTree::Group(group)) if restricts(group) => cursor.take(),
-        _ => None,
-    };
+    let mut inside = cursor.clone();
+    let restricts = inside
+        .take_group(Delimiter::Parenthesis)
+        .is_some_and(|group| restricts(&cursor.inside(&group)));
+    let restriction = restricts.then(|| cursor.take()).flatten();
     quote!(#public #restriction)
 }
 
-/// Whether the group is the `(crate)` of `pub(crate)`, not the type of a tuple field.
-fn restricts(group: &Group) -> bool {
-    group.delimiter() == Delimiter::Parenthesis
-        && first_word(group)
-            .is_some_and(|word| ["crate", "self", "super", "in"].contains(&word.as_str()))
+/// Whether the parentheses are the `(crate)` of `pub(crate)`, not the type of a tuple field.
+fn restricts(inside: &Cursor) -> bool {
+    let words = ["crate", "self", "super", "in"];
+    words.iter().any(|word| inside.at_word(word))
 }
 
 /// The kind of item, and its name.
@@ -120,7 +121,7 @@ fn item(cursor: &mut Cursor) -> Result<Item, Reported> {
         return name(cursor, "the struct's name").map(Item::Struct);
     }
     // The table starts here: the struct was forgotten.
-    if cursor.at_key() || cursor.peek_ident().is_none_or(|word| word == "let") {
+    if cursor.at_key() || cursor.peek_ident().is_none() || cursor.at_word("let") {
         return Err(cursor.expected(WHAT));
     }
     let reported = cursor.expected(WHAT);
@@ -165,7 +166,7 @@ fn name(cursor: &mut Cursor, what: &str) -> Result<Ident, Reported> {
 /// Generic parameters and `where` clauses are refused and skipped. Returns whether
 /// there were any.
 fn generics(cursor: &mut Cursor) -> bool {
-    if !cursor.at('<') && cursor.peek_ident().is_none_or(|word| word != "where") {
+    if !cursor.at('<') && !cursor.at_word("where") {
         return false;
     }
     let start = cursor.here();
@@ -190,7 +191,7 @@ fn skip_body(cursor: &mut Cursor) {
     }
 }
 
-fn at_body(cursor: &mut Cursor) -> bool {
+fn at_body(cursor: &Cursor) -> bool {
     matches!(cursor.peek(), Some(TokenTree::Group(group)) if group.delimiter() != Delimiter::Bracket)
 }
 
@@ -373,6 +374,6 @@ fn type_tokens(cursor: &mut Cursor) -> (TokenStream, Place) {
     (tokens, start.to(cursor.last()))
 }
 
-fn at_separator(cursor: &mut Cursor) -> bool {
+fn at_separator(cursor: &Cursor) -> bool {
     cursor.at_end() || cursor.at(',') || cursor.at(';')
 }

@@ -1,8 +1,8 @@
 //! `[x, y, z]` and the arguments of a solid.
 
-use proc_macro2::{Delimiter, Group};
+use proc_macro2::Delimiter;
 
-use super::cursor::Cursor;
+use super::cursor::{Cursor, Group};
 use super::expression::{at_value, expression};
 use super::list::comma_separated;
 use crate::diagnose::Reported;
@@ -28,9 +28,9 @@ pub(super) fn limits(cursor: &mut Cursor) -> Result<Limits, Reported> {
 
 /// Reads that many values between commas; `None` stands for one that could not be
 /// read. `shown` is how a message shows the list.
-pub(super) fn values(
-    cursor: &Cursor,
-    group: &Group,
+pub(super) fn values<'t>(
+    cursor: &Cursor<'t>,
+    group: &Group<'t>,
     number: usize,
     shown: &str,
 ) -> Result<Vec<Option<Expr>>, Reported> {

@@ -3,7 +3,6 @@
 use dynamics_symbolic::Function;
 use dynamics_symbolic::exact::Rational;
 use dynamics_symbolic::robot::{Convention, JointType, Value};
-use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 
 use super::*;
 
@@ -88,30 +87,6 @@ fn degrees_are_exact_fractions_of_pi() {
         model.robot.rows[0].theta.to_f64(&[]),
         -core::f64::consts::PI
     );
-}
-
-#[test]
-fn a_fragment_of_another_macro_is_one_operand() {
-    // What `$x * 2` becomes where `$x:expr` is `1 + 2`.
-    let sum: TokenStream = "1 + 2".parse().unwrap();
-    let fragment = TokenTree::from(Group::new(Delimiter::None, sum));
-    let product = quote::quote! {
-        struct Arm; convention: standard, gravity: [0, 0, 0],
-        joints: [joint: revolute { a: #fragment * 2 }]
-    };
-    let (model, messages) = read(product);
-    let robot = model.unwrap_or_else(|| panic!("{messages:#?}")).robot;
-    assert_eq!(robot.rows[0].a.as_rational(), Some(&rational("6")));
-}
-
-#[test]
-fn an_empty_visibility_fragment_is_looked_through() {
-    let nothing = TokenTree::from(Group::new(Delimiter::None, TokenStream::new()));
-    let (model, messages) = read(quote::quote! {
-        #nothing struct Arm; convention: standard, gravity: [0, 0, 0],
-        joints: [joint: revolute {}]
-    });
-    assert!(model.is_some(), "{messages:#?}");
 }
 
 #[test]

@@ -4,6 +4,7 @@
 mod accepted;
 mod damage;
 mod expansion;
+mod fragments;
 mod hard_cases;
 mod hostile;
 mod limits;

@@ -3,6 +3,8 @@
 #![deny(warnings, clippy::derive_partial_eq_without_eq)]
 #![allow(unreachable_pub)]
 
+mod fragments;
+
 use robot_dynamics::robot_dynamics;
 
 /// Hands its attributes on, as the macros of many crates do.
