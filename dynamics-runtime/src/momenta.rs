@@ -30,6 +30,20 @@ pub trait Momenta<const N: usize> {
         p: &SVector<f64, N>,
     ) -> Result<SVector<f64, N>, SingularMassMatrix>;
 
+    /// The velocities of an arm some joints of which stand still: theirs are exactly zero, and of
+    /// the others M_ff qd_f = p_f, with the rows and columns of those that move alone. The momenta
+    /// of the joints that stand still are not read.
+    ///
+    /// # Errors
+    ///
+    /// [`SingularMassMatrix`] where M_ff is not positive definite to working precision.
+    fn velocity_beside(
+        &self,
+        still: &[bool; N],
+        q: &SVector<f64, N>,
+        p: &SVector<f64, N>,
+    ) -> Result<SVector<f64, N>, SingularMassMatrix>;
+
     /// p' = dT/dq - G - F + tau at the velocity `qd`, N m or N.
     fn force(
         &self,
@@ -50,6 +64,24 @@ impl<R: MassMatrix<N> + InverseDynamics<N>, const N: usize> Momenta<N> for R {
         p: &SVector<f64, N>,
     ) -> Result<SVector<f64, N>, SingularMassMatrix> {
         solve(self.mass_matrix(q), *p)
+    }
+
+    fn velocity_beside(
+        &self,
+        still: &[bool; N],
+        q: &SVector<f64, N>,
+        p: &SVector<f64, N>,
+    ) -> Result<SVector<f64, N>, SingularMassMatrix> {
+        let (mut m, mut p) = (self.mass_matrix(q), *p);
+        // Their rows and columns are those of the unit matrix.
+        for i in (0..N).filter(|i| still[*i]) {
+            m.row_mut(i).fill(0.0);
+            m.column_mut(i).fill(0.0);
+            m[(i, i)] = 1.0;
+            p[i] = 0.0;
+        }
+        let qd = solve(m, p)?;
+        Ok(SVector::from_fn(|i, _| if still[i] { 0.0 } else { qd[i] }))
     }
 
     fn force(

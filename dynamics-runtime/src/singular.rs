@@ -64,12 +64,14 @@ impl SingularMassMatrix {
         pivot: T,
         diagonal: T,
     ) -> Result<(), Self> {
-        match Self::test(joint, pivot, diagonal) {
-            Ok(()) => Ok(()),
-            Err(error) => Err(SingularMassMatrix {
-                joint_name: Some(name),
-                ..error
-            }),
+        Self::test(joint, pivot, diagonal).map_err(|error| error.named(name))
+    }
+
+    /// The same, where the name of the joint is known.
+    pub(crate) fn named(self, name: &'static str) -> Self {
+        SingularMassMatrix {
+            joint_name: Some(name),
+            ..self
         }
     }
 

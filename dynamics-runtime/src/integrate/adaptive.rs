@@ -183,7 +183,7 @@ impl<M: Embedded<N>, S: Equations<N>, const N: usize> Stepper<S, S::Refusal, N> 
         }
         loop {
             let left = end - self.t;
-            self.h = self.h.min(self.range.greatest);
+            self.h = self.range.within(self.h);
             // Rather a step longer by a hundredth than a tiny one after it.
             let last = 1.01 * self.h >= left;
             if last {

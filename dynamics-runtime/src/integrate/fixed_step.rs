@@ -2,7 +2,7 @@
 
 use super::{Failure, Grid, Phase, Stepper};
 
-/// A method that knows nothing but the phase that a step starts from.
+/// A method that needs nothing but the phase that a step starts from.
 pub(crate) trait OneStep<S, E, const N: usize> {
     /// The phase after a step of length `h` from `phase` at `t`.
     fn step(
@@ -12,6 +12,9 @@ pub(crate) trait OneStep<S, E, const N: usize> {
         phase: &Phase<N>,
         h: f64,
     ) -> Result<Phase<N>, Failure<E>>;
+
+    /// The next step is under other equations: what one step hands on to the next is void.
+    fn restart(&mut self) {}
 }
 
 /// An integration by steps of equal length.
@@ -77,6 +80,7 @@ impl<S, E, M: OneStep<S, E, N>, const N: usize> Stepper<S, E, N> for FixedStep<M
     }
 
     fn restart(&mut self, _: &S, phase: Phase<N>) -> Result<(), Failure<E>> {
+        self.method.restart();
         self.phase = phase;
         Ok(())
     }

@@ -166,6 +166,10 @@ impl<S: Canonical<N>, const STAGES: usize, const N: usize> OneStep<S, S::Refusal
         });
         Ok(phase)
     }
+
+    fn restart(&mut self) {
+        self.carried = None;
+    }
 }
 
 /// How much an iteration changed the rates of the stages. NaN where a rate is.

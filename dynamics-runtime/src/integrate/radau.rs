@@ -330,7 +330,7 @@ impl<S: Equations<N>, const N: usize> Stepper<S, S::Refusal, N> for Radau<N> {
     fn step(&mut self, system: &S, end: f64) -> Result<(), Failure<S::Refusal>> {
         loop {
             let left = end - self.t;
-            self.h = self.h.min(self.range.greatest);
+            self.h = self.range.within(self.h);
             let last = 1.01 * self.h >= left;
             if last {
                 self.h = left;

@@ -33,3 +33,13 @@ pub(crate) struct StepRange {
     pub(crate) least: f64,
     pub(crate) greatest: f64,
 }
+
+impl StepRange {
+    /// The step of the range that is nearest to one that is wished for.
+    ///
+    /// The shortest is tried before a run ends for want of a short one: steps shorter than it, good
+    /// as they may be, never arrive.
+    pub(super) fn within(&self, wish: f64) -> f64 {
+        wish.max(self.least).min(self.greatest)
+    }
+}

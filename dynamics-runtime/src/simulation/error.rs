@@ -52,13 +52,24 @@ pub enum Cause {
     NoConvergence,
     /// The greatest number of steps between two samples was made.
     TooManySteps,
+    /// A joint of [`Friction::Sticking`](crate::Friction::Sticking) stops and is let go again and
+    /// again: the torques drive it back to rest whichever way it moves, and at rest friction does
+    /// not hold it.
+    ///
+    /// A torque law does so that jumps where the velocity passes zero, as one with `signum` does. A
+    /// law that is continuous there, as a boundary layer makes it, has a motion.
+    Chatter {
+        /// The joint, counted from 0.
+        joint: usize,
+    },
 }
 
 /// A setting of a simulation that makes no sense.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum InvalidSetting {
-    /// The duration is not a positive finite number of seconds.
+    /// The duration is not a positive finite number of seconds, or so short, below 1e-292 s, that no
+    /// number is left for the rounding of the time.
     Duration(f64),
     /// There are fewer than two samples, or more than memory holds.
     Samples(usize),
@@ -126,6 +137,11 @@ impl fmt::Display for Cause {
             Cause::StepTooSmall => write!(f, "no step is short enough for the tolerance"),
             Cause::NoConvergence => write!(f, "the step is too long for an implicit method"),
             Cause::TooManySteps => write!(f, "too many steps between two samples"),
+            Cause::Chatter { joint } => write!(
+                f,
+                "joint {} chatters: the torques drive it back to rest from both sides",
+                joint + 1
+            ),
         }
     }
 }

@@ -25,7 +25,9 @@ pub enum Friction {
     /// At the end of each step it takes one more evaluation of the forward dynamics, and where
     /// joints stick one evaluation over dual numbers for each of them, instead of one; an event
     /// takes some ten steps. A force that exceeds friction and is back below it within one step is
-    /// not seen.
+    /// not seen. A torque law that jumps at zero velocity, and drives a joint back from both sides
+    /// harder than friction holds it, leaves it no motion: the run ends in
+    /// [`Cause::Chatter`](crate::Cause::Chatter).
     Sticking,
     /// `coulomb tanh(qd / speed)` in place of the sign.
     ///

@@ -1,9 +1,10 @@
 //! The methods of integration.
 
+use super::contacts::settle_at_start;
 use super::drive::drive;
 use super::motion::{InMomenta, Motion};
 use super::settings::{Dop853, DormandPrince, ErrorControl, Radau5, validate_step};
-use super::sticking::settle_at_start;
+
 use super::trajectory::Recorder;
 use super::{Cause, InvalidSetting, TorqueLaw};
 use crate::ForwardDynamics;
@@ -194,7 +195,7 @@ where
 {
     let range = control.range(recorder.duration());
     let run = Adaptive::<M, N>::start(motion, 0.0, recorder.phase, control.tolerance, range)?;
-    drive(motion, motion, run, recorder, control.max_steps)
+    drive(motion, motion, run, recorder, control.max_steps).map_err(of_long_steps)
 }
 
 fn radau<R, L, const N: usize>(
@@ -208,5 +209,14 @@ where
 {
     let range = control.range(recorder.duration());
     let run = Radau::start(motion, 0.0, recorder.phase, control.tolerance, range)?;
-    drive(motion, motion, run, recorder, control.max_steps)
+    drive(motion, motion, run, recorder, control.max_steps).map_err(of_long_steps)
+}
+
+/// With error control no state is reached that is not finite: the stage that asks for one belongs to
+/// a step that is too long, the shortest that there is.
+pub(super) fn of_long_steps(cause: Cause) -> Cause {
+    match cause {
+        Cause::NonFiniteState { .. } => Cause::StepTooSmall,
+        cause => cause,
+    }
 }

@@ -1,10 +1,12 @@
 //! Motion of an arm under a torque law.
 
+mod contacts;
 mod drive;
 mod error;
 mod friction;
 mod method;
 mod motion;
+mod plan;
 mod settings;
 mod sticking;
 mod taylor;
@@ -16,6 +18,7 @@ use crate::integrate::Phase;
 use crate::{ForwardDynamics, Model};
 use friction::Law;
 use motion::Motion;
+use plan::Plan;
 use trajectory::Recorder;
 
 pub use error::{Cause, InvalidSetting, SimulationError};
@@ -80,9 +83,7 @@ pub struct Simulation<'a, R, L, const N: usize> {
     torque: L,
     method: Method,
     friction: Law<N>,
-    initial: Phase<N>,
-    duration: f64,
-    samples: usize,
+    plan: Plan<N>,
 }
 
 impl<'a, R, const N: usize> Simulation<'a, R, NoTorque<N>, N>
@@ -96,9 +97,7 @@ where
             torque: |_, _, _| SVector::zeros(),
             method: Method::default(),
             friction: Law::sign(),
-            initial: Phase::zeros(),
-            duration: 1.0,
-            samples: 101,
+            plan: Plan::new(),
         }
     }
 }
@@ -113,9 +112,7 @@ impl<'a, R, L, const N: usize> Simulation<'a, R, L, N> {
             robot,
             method,
             friction,
-            initial,
-            duration,
-            samples,
+            plan,
             ..
         } = self;
         Simulation {
@@ -123,9 +120,7 @@ impl<'a, R, L, const N: usize> Simulation<'a, R, L, N> {
             torque: law,
             method,
             friction,
-            initial,
-            duration,
-            samples,
+            plan,
         }
     }
 
@@ -149,19 +144,21 @@ impl<'a, R, L, const N: usize> Simulation<'a, R, L, N> {
     }
 
     /// Positions and velocities at t = 0.
-    pub fn initial(self, q: SVector<f64, N>, qd: SVector<f64, N>) -> Self {
-        let initial = Phase { q, qd };
-        Simulation { initial, ..self }
+    pub fn initial(mut self, q: SVector<f64, N>, qd: SVector<f64, N>) -> Self {
+        self.plan.initial = Phase { q, qd };
+        self
     }
 
     /// The time simulated, s.
-    pub fn duration(self, duration: f64) -> Self {
-        Simulation { duration, ..self }
+    pub fn duration(mut self, duration: f64) -> Self {
+        self.plan.duration = duration;
+        self
     }
 
     /// The number of samples, at equal intervals, the first at t = 0 and the last at the end.
-    pub fn samples(self, samples: usize) -> Self {
-        Simulation { samples, ..self }
+    pub fn samples(mut self, samples: usize) -> Self {
+        self.plan.samples = samples;
+        self
     }
 }
 
@@ -179,30 +176,18 @@ where
     /// acceleration or a state that is not finite, and where the error cannot be held
     /// ([`Cause`]). Never panics, unless the torque law does.
     pub fn run(&self) -> Result<Trajectory<N>, Box<SimulationError<N>>> {
-        let mut recorder = Recorder::new(self.initial);
+        let mut recorder = Recorder::new(self.plan.initial);
         let motion = Motion::new(self.robot, &self.torque, self.friction);
         let end = self.record(&motion, &mut recorder);
         recorder.finished(end, motion.evaluations())
     }
 
     fn record(&self, motion: &Motion<R, L, N>, recorder: &mut Recorder<N>) -> Result<(), Cause> {
-        self.validate()?;
-        recorder.plan(self.duration, self.samples)?;
-        self.method.integrate(motion, recorder)
-    }
-
-    fn validate(&self) -> Result<(), InvalidSetting> {
-        if !(self.duration > 0.0 && self.duration.is_finite()) {
-            return Err(InvalidSetting::Duration(self.duration));
-        }
-        if self.samples < 2 {
-            return Err(InvalidSetting::Samples(self.samples));
-        }
-        if let Some(joint) = self.initial.first_non_finite() {
-            return Err(InvalidSetting::InitialState { joint });
-        }
+        self.plan.validate()?;
         self.friction.validate()?;
-        self.method.validate(self.duration)
+        self.method.validate(self.plan.duration)?;
+        recorder.plan(&self.plan)?;
+        self.method.integrate(motion, recorder)
     }
 }
 

@@ -8,7 +8,7 @@ use super::friction::{Contact, Friction, Law};
 use super::{Cause, TorqueLaw};
 use crate::dual::Dual;
 use crate::integrate::{Canonical, Equations, Lu, Phase, Point, first_non_finite};
-use crate::{ForwardDynamics, Momenta, Scalar};
+use crate::{ForwardDynamics, Momenta, Scalar, SingularMassMatrix};
 
 pub(super) struct Motion<'a, R, L, const N: usize> {
     robot: &'a R,
@@ -63,19 +63,27 @@ impl<'a, R, L, const N: usize> Motion<'a, R, L, N> {
         self.contacts.set(contacts);
     }
 
-    fn any_sticks(&self) -> bool {
-        self.sticks() && self.contacts.get().contains(&Contact::Sticks)
+    /// Which joints stick, where any does.
+    fn still(&self) -> Option<[bool; N]> {
+        let contacts = self.contacts.get();
+        let any = self.sticks() && contacts.contains(&Contact::Sticks);
+        any.then(|| contacts.map(|contact| contact == Contact::Sticks))
     }
 }
 
 impl<R, L: TorqueLaw<N>, const N: usize> Motion<'_, R, L, N> {
+    /// What the torque law says.
+    pub(super) fn law(&self, t: f64, phase: &Phase<N>) -> SVector<f64, N> {
+        (self.torque)(t, &phase.q, &phase.qd)
+    }
+
     /// The torques at a time in a phase, where both are finite. In place of the friction that the
     /// forward dynamics takes off, coulomb sign(qd), they have that of the simulation.
     fn torque(&self, t: f64, phase: &Phase<N>) -> Result<SVector<f64, N>, Cause> {
         if let Some(joint) = phase.first_non_finite() {
             return Err(Cause::NonFiniteState { joint });
         }
-        let tau = (self.torque)(t, &phase.q, &phase.qd);
+        let tau = self.law(t, phase);
         if let Some(joint) = first_non_finite(&tau) {
             return Err(Cause::NonFiniteTorque { joint });
         }
@@ -107,7 +115,7 @@ impl<R: ForwardDynamics<N>, L: TorqueLaw<N>, const N: usize> Motion<'_, R, L, N>
     /// The accelerations, and the forces that keep those of the joints that stick at zero.
     pub(super) fn held(&self, t: f64, phase: &Phase<N>) -> Result<Held<N>, Cause> {
         let tau = self.torque(t, phase)?;
-        if !self.any_sticks() {
+        if self.still().is_none() {
             let qdd = self.free(phase, &tau)?;
             let forces = SVector::zeros();
             return Ok(Held { qdd, forces });
@@ -180,7 +188,7 @@ where
     #[inline(never)]
     fn acceleration(&self, t: f64, phase: &Phase<N>) -> Result<SVector<f64, N>, Cause> {
         let tau = self.torque(t, phase)?;
-        if self.any_sticks() {
+        if self.still().is_some() {
             return Ok(self.hold(phase, &tau)?.qdd);
         }
         self.free(phase, &tau)
@@ -199,6 +207,16 @@ impl<'a, R: ForwardDynamics<N>, L, const N: usize> InMomenta<'a, R, L, N> {
         let arm = motion.robot.momenta()?;
         Some(InMomenta { motion, arm })
     }
+
+    /// The error as the forward dynamics of the arm has it, which knows the names of the joints.
+    #[cold]
+    fn named(&self, error: SingularMassMatrix, q: &SVector<f64, N>) -> SingularMassMatrix {
+        let rest = SVector::zeros();
+        match self.motion.robot.forward_dynamics(q, &rest, &rest) {
+            Err(named) if named.joint == error.joint => named,
+            _ => error,
+        }
+    }
 }
 
 impl<R, L, const N: usize> Canonical<N> for InMomenta<'_, R, L, N>
@@ -212,23 +230,31 @@ where
         Ok(self.arm.momentum(&phase.q, &phase.qd))
     }
 
+    /// Joints that stick have no velocity, whatever their momenta: those of the others are the
+    /// momenta of the arm that is left.
     fn phase(&self, at: &Point<N>) -> Result<Phase<N>, Cause> {
         if let Some(joint) = at.first_non_finite() {
             return Err(Cause::NonFiniteState { joint });
         }
-        let qd = self.arm.velocity(&at.q, &at.p)?;
+        let qd = match self.motion.still() {
+            None => self.arm.velocity(&at.q, &at.p),
+            Some(still) => self.arm.velocity_beside(&still, &at.q, &at.p),
+        };
+        let qd = qd.map_err(|error| self.named(error, &at.q))?;
         Ok(Phase { q: at.q, qd })
     }
 
     fn rate(&self, t: f64, at: &Point<N>) -> Result<Point<N>, Cause> {
         let phase = self.phase(at)?;
-        let mut tau = self.motion.torque(t, &phase)?;
-        if self.motion.any_sticks() {
-            tau += self.motion.hold(&phase, &tau)?.forces;
-        } else {
-            self.motion.count();
+        let tau = self.motion.torque(t, &phase)?;
+        self.motion.count();
+        let mut p = finite(self.arm.force(&phase.q, &phase.qd, &tau))?;
+        // The forces that hold a joint act on its momentum alone, which nothing reads.
+        for (i, still) in self.motion.still().iter().flatten().enumerate() {
+            if *still {
+                p[i] = 0.0;
+            }
         }
-        let p = finite(self.arm.force(&phase.q, &phase.qd, &tau))?;
         Ok(Point { q: phase.qd, p })
     }
 }

@@ -1,5 +1,6 @@
 //! Stopping, sticking and letting go: an integration between events.
 
+use super::contacts::{least_margin, margin, settle, stops_and_chatters};
 use super::friction::Contact;
 use super::motion::{Held, Motion};
 use super::trajectory::Recorder;
@@ -7,89 +8,23 @@ use super::{Cause, TorqueLaw};
 use crate::ForwardDynamics;
 use crate::integrate::{Phase, Stepper};
 
-/// Sets what friction does to each joint at the start: those at rest stick, if it holds them.
-pub(super) fn settle_at_start<R, L, const N: usize>(
-    motion: &Motion<R, L, N>,
-    phase: &Phase<N>,
-) -> Result<(), Cause>
-where
-    R: ForwardDynamics<N>,
-    L: TorqueLaw<N>,
-{
-    let coulomb = motion.coulomb();
-    motion.set_contacts(core::array::from_fn(|i| {
-        if coulomb[i] == 0.0 {
-            Contact::Slides(0.0)
-        } else if phase.qd[i] == 0.0 {
-            Contact::Sticks
-        } else {
-            Contact::Slides(phase.qd[i].signum())
-        }
-    }));
-    settle(motion, 0.0, phase)?;
-    Ok(())
-}
-
-/// Lets go of joints that friction cannot hold, the one that it holds least first.
-fn settle<R, L, const N: usize>(
-    motion: &Motion<R, L, N>,
-    t: f64,
-    phase: &Phase<N>,
-) -> Result<Held<N>, Cause>
-where
-    R: ForwardDynamics<N>,
-    L: TorqueLaw<N>,
-{
-    let coulomb = motion.coulomb();
-    loop {
-        let held = motion.held(t, phase)?;
-        let mut contacts = motion.contacts();
-        let excess = |i: usize| held.forces[i].abs() / coulomb[i];
-        let stuck = (0..N).filter(|i| contacts[*i] == Contact::Sticks);
-        let worst = stuck.max_by(|i, j| excess(*i).total_cmp(&excess(*j)));
-        match worst {
-            Some(i) if excess(i) > 1.0 => {
-                contacts[i] = Contact::Slides(-held.forces[i].signum());
-                motion.set_contacts(contacts);
-            }
-            _ => return Ok(held),
-        }
-    }
-}
-
-/// How far joint `i` is from its next event: the velocity of one that slides, the friction left of
-/// one that sticks.
-fn margin<R, L, const N: usize>(
-    motion: &Motion<R, L, N>,
-    i: usize,
-    phase: &Phase<N>,
-    held: &Held<N>,
-) -> f64 {
-    match motion.contacts()[i] {
-        Contact::Slides(0.0) => f64::INFINITY,
-        Contact::Slides(way) => way * phase.qd[i],
-        Contact::Sticks => motion.coulomb()[i] - held.forces[i].abs(),
-    }
-}
-
-fn least_margin<R, L, const N: usize>(
-    motion: &Motion<R, L, N>,
-    phase: &Phase<N>,
-    held: &Held<N>,
-) -> f64 {
-    let margins = (0..N).map(|i| margin(motion, i, phase, held));
-    margins.fold(f64::INFINITY, f64::min)
-}
-
 /// An integration whose steps end at the events.
 pub(super) struct Sticking<'a, S, R, L, K, const N: usize> {
     motion: &'a Motion<'a, R, L, N>,
     system: &'a S,
     stepper: K,
     held: Held<N>,
-    /// Events since time went on.
-    idle: usize,
+    /// Events since the last step without one.
+    in_a_row: usize,
+    /// Events since the last sample.
+    events: usize,
+    /// The joint of the last event.
+    joint: usize,
 }
+
+/// So many events without a step between them that has none are chatter: no event is that short of
+/// the next one in a motion that a step of the method can follow.
+const MOST_IN_A_ROW: usize = 1_000;
 
 impl<'a, S, R, L, K, const N: usize> Sticking<'a, S, R, L, K, N>
 where
@@ -109,7 +44,9 @@ where
             system,
             stepper,
             held,
-            idle: 0,
+            in_a_row: 0,
+            events: 0,
+            joint: 0,
         })
     }
 
@@ -120,13 +57,16 @@ where
         max_steps: usize,
     ) -> Result<(), Cause> {
         let mut steps = 0;
-        while recorder.next_sample().is_some() {
-            if steps == max_steps || self.idle > 4 * N + 8 {
-                return Err(Cause::TooManySteps);
+        while let Some(next) = recorder.next_sample() {
+            if self.in_a_row == MOST_IN_A_ROW {
+                return Err(Cause::Chatter { joint: self.joint });
+            }
+            if steps == max_steps {
+                return Err(self.too_many(steps));
             }
             let made = self.advance(recorder.duration());
             recorder.work.rejected = self.stepper.rejected();
-            let event = made?;
+            let event = made.map_err(|cause| self.blamed(cause, recorder, next))?;
             let end = self.stopped(event);
             recorder.reach(self.stepper.t(), end)?;
             steps += 1;
@@ -136,13 +76,36 @@ where
                     false => self.stepper.at(self.system, t)?,
                 };
                 recorder.push(t, phase);
-                steps = 0;
+                (steps, self.events) = (0, 0);
             }
             if event {
                 self.change(end)?;
+            } else {
+                self.in_a_row = 0;
             }
         }
         Ok(())
+    }
+
+    /// Where a run of steps that does not get on ends: by a joint's events, if most of them had one.
+    fn too_many(&self, steps: usize) -> Cause {
+        match 2 * self.events > steps {
+            true => Cause::Chatter { joint: self.joint },
+            false => Cause::TooManySteps,
+        }
+    }
+
+    /// What makes a step fail for which the method has no better reason than that it fails: a joint
+    /// that would stop before the next sample, and chatter.
+    fn blamed(&self, cause: Cause, reached: &Recorder<N>, next: f64) -> Cause {
+        if !matches!(cause, Cause::NoConvergence | Cause::StepTooSmall) {
+            return cause;
+        }
+        let left = next - reached.t;
+        match stops_and_chatters(self.motion, reached.t, &reached.phase, left) {
+            Some(joint) => Cause::Chatter { joint },
+            None => cause,
+        }
     }
 
     /// Makes a step, up to the first event in it; whether there was one.
@@ -150,28 +113,33 @@ where
         let (t, phase, held) = (self.stepper.t(), *self.stepper.phase(), self.held);
         self.stepper.step(self.system, end)?;
         let (margin, after) = self.here()?;
-        let late = self.stepper.t();
-        if margin >= 0.0 {
-            let Some(dip) = self.dip(t, &phase, &held, &after) else {
-                self.held = after;
-                self.idle = 0;
-                return Ok(false);
-            };
-            self.stepper.retake(self.system, dip)?;
-            if self.here()?.0 >= 0.0 {
-                self.stepper.retake(self.system, late)?;
-                self.held = after;
-                self.idle = 0;
-                return Ok(false);
-            }
+        if margin >= 0.0 && !self.dips(t, &phase, &held, &after)? {
+            self.held = after;
+            return Ok(false);
         }
         self.locate(t, least_margin(self.motion, &phase, &held))?;
-        self.idle = if self.stepper.t() > t {
-            0
-        } else {
-            self.idle + 1
-        };
         Ok(true)
+    }
+
+    /// Whether a velocity dips below zero within a step that ends well; the stepper then is there.
+    fn dips(
+        &mut self,
+        t: f64,
+        from: &Phase<N>,
+        before: &Held<N>,
+        after: &Held<N>,
+    ) -> Result<bool, Cause> {
+        let late = self.stepper.t();
+        let dip = self.dip(t, from, before, after);
+        let Some(dip) = dip.filter(|dip| t < *dip && *dip < late) else {
+            return Ok(false);
+        };
+        self.stepper.retake(self.system, dip)?;
+        if self.here()?.0 < 0.0 {
+            return Ok(true);
+        }
+        self.stepper.retake(self.system, late)?;
+        Ok(false)
     }
 
     /// The least margin where the stepper is, and the forces there.
@@ -205,12 +173,15 @@ where
     fn locate(&mut self, start: f64, margin: f64) -> Result<(), Cause> {
         let (mut a, mut at_a) = (start, margin);
         let (mut b, mut at_b) = (self.stepper.t(), self.here()?.0);
-        let rounding = 4.0 * f64::EPSILON * (at_a.abs() + at_b.abs());
+        let rounding = 4.0 * f64::EPSILON * at_a.abs();
         let mut side = 0;
         while b - a > 4.0 * f64::EPSILON * b && at_b < -rounding {
             let secant = b - at_b * (b - a) / (at_b - at_a);
             let inside = at_a > 0.0 && secant > a && secant < b;
             let c = if inside { secant } else { 0.5 * (a + b) };
+            if c <= a || c >= b {
+                break;
+            }
             self.stepper.retake(self.system, c)?;
             let at_c = self.here()?.0;
             if at_c <= rounding {
@@ -262,10 +233,18 @@ where
             }
             contact => contact,
         });
+        self.count(&contacts, &next);
         self.motion.set_contacts(next);
         self.held = settle(self.motion, t, &phase)?;
         self.stepper.restart(self.system, phase)?;
         Ok(())
+    }
+
+    fn count(&mut self, before: &[Contact; N], after: &[Contact; N]) {
+        self.in_a_row += 1;
+        self.events += 1;
+        let changed = (0..N).find(|i| before[*i] != after[*i]);
+        self.joint = changed.unwrap_or(self.joint);
     }
 }
 

@@ -2,6 +2,8 @@
 
 use nalgebra::SVector;
 
+use super::method::of_long_steps;
+use super::plan::Plan;
 use super::trajectory::Recorder;
 use super::{Cause, InvalidSetting, SimulationError, Trajectory};
 use crate::TaylorDynamics;
@@ -94,9 +96,7 @@ pub struct TaylorSimulation<'a, R, const N: usize> {
     robot: &'a R,
     tau: SVector<f64, N>,
     settings: Taylor,
-    initial: Phase<N>,
-    duration: f64,
-    samples: usize,
+    plan: Plan<N>,
 }
 
 impl<'a, R, const N: usize> TaylorSimulation<'a, R, N>
@@ -109,9 +109,7 @@ where
             robot,
             tau: SVector::zeros(),
             settings: Taylor::default(),
-            initial: Phase::zeros(),
-            duration: 1.0,
-            samples: 101,
+            plan: Plan::new(),
         }
     }
 
@@ -126,19 +124,21 @@ where
     }
 
     /// Positions and velocities at t = 0.
-    pub fn initial(self, q: SVector<f64, N>, qd: SVector<f64, N>) -> Self {
-        let initial = Phase { q, qd };
-        TaylorSimulation { initial, ..self }
+    pub fn initial(mut self, q: SVector<f64, N>, qd: SVector<f64, N>) -> Self {
+        self.plan.initial = Phase { q, qd };
+        self
     }
 
     /// The time simulated, s.
-    pub fn duration(self, duration: f64) -> Self {
-        TaylorSimulation { duration, ..self }
+    pub fn duration(mut self, duration: f64) -> Self {
+        self.plan.duration = duration;
+        self
     }
 
     /// The number of samples, at equal intervals, the first at t = 0 and the last at the end.
-    pub fn samples(self, samples: usize) -> Self {
-        TaylorSimulation { samples, ..self }
+    pub fn samples(mut self, samples: usize) -> Self {
+        self.plan.samples = samples;
+        self
     }
 
     /// Runs the simulation. It allocates the samples and the room for one series at the start and
@@ -151,7 +151,7 @@ where
     /// mass matrix or an acceleration or a state that is not finite, and where no step fits the
     /// equations ([`Cause`]). Never panics.
     pub fn run(&self) -> Result<Trajectory<N>, Box<SimulationError<N>>> {
-        let mut recorder = Recorder::new(self.initial);
+        let mut recorder = Recorder::new(self.plan.initial);
         let end = self.record(&mut recorder);
         // One series for each step.
         let series = recorder.work.steps;
@@ -160,7 +160,7 @@ where
 
     fn record(&self, recorder: &mut Recorder<N>) -> Result<(), Cause> {
         self.validate()?;
-        recorder.plan(self.duration, self.samples)?;
+        recorder.plan(&self.plan)?;
         let Taylor {
             relative_tolerance: relative,
             absolute_tolerance: absolute,
@@ -169,13 +169,13 @@ where
         } = self.settings;
         let range = StepRange {
             // A few roundings of the time.
-            least: 16.0 * f64::EPSILON * self.duration,
-            greatest: self.settings.longest_step(self.duration),
+            least: 16.0 * f64::EPSILON * self.plan.duration,
+            greatest: self.settings.longest_step(self.plan.duration),
         };
         let tolerance = Tolerance { relative, absolute };
         let order = self.settings.order();
         recorder.sample();
-        let (robot, start) = (self.robot, self.initial);
+        let (robot, start) = (self.robot, self.plan.initial);
         let mut run = Stepper::start(robot, start, self.tau, order, tolerance, range)?;
         while let Some(t) = recorder.next_sample() {
             let mut steps = 0;
@@ -183,7 +183,9 @@ where
                 if steps == max_steps {
                     return Err(Cause::TooManySteps);
                 }
-                run.step(self.duration).map_err(Cause::from)?;
+                let made = run.step(self.plan.duration);
+                recorder.work.rejected = run.rejected;
+                made.map_err(|failure| of_long_steps(failure.into()))?;
                 recorder.reach(run.t, run.phase)?;
                 steps += 1;
             }
@@ -193,16 +195,7 @@ where
     }
 
     fn validate(&self) -> Result<(), Cause> {
-        let valid_duration = self.duration > 0.0 && self.duration.is_finite();
-        if !valid_duration {
-            return Err(InvalidSetting::Duration(self.duration).into());
-        }
-        if self.samples < 2 {
-            return Err(InvalidSetting::Samples(self.samples).into());
-        }
-        if let Some(joint) = self.initial.first_non_finite() {
-            return Err(InvalidSetting::InitialState { joint }.into());
-        }
+        self.plan.validate()?;
         if let Some(joint) = first_non_finite(&self.tau) {
             return Err(Cause::NonFiniteTorque { joint });
         }
@@ -210,6 +203,6 @@ where
         if let Some(joint) = rows.iter().position(|row| row.coulomb != 0.0) {
             return Err(InvalidSetting::CoulombFriction { joint }.into());
         }
-        Ok(self.settings.validate(self.duration)?)
+        Ok(self.settings.validate(self.plan.duration)?)
     }
 }

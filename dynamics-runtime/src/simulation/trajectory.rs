@@ -2,6 +2,7 @@
 
 use nalgebra::SVector;
 
+use super::plan::Plan;
 use super::{Cause, InvalidSetting, SimulationError};
 use crate::Energy;
 use crate::integrate::{Grid, Phase, sample_time};
@@ -116,9 +117,10 @@ impl<const N: usize> Recorder<N> {
         }
     }
 
-    /// Makes room for all samples; it must be at least two.
-    pub(super) fn plan(&mut self, duration: f64, samples: usize) -> Result<(), InvalidSetting> {
-        self.duration = duration;
+    /// Makes room for all samples of a valid plan.
+    pub(super) fn plan(&mut self, plan: &Plan<N>) -> Result<(), InvalidSetting> {
+        let samples = plan.samples;
+        self.duration = plan.duration;
         self.samples = samples;
         let Trajectory { t, q, qd, .. } = &mut self.trajectory;
         t.try_reserve_exact(samples)

@@ -83,7 +83,8 @@ where
         let zero = q[0].constant(0.0);
         let angles: [T; N] = core::array::from_fn(|i| if R::READS_ANGLE[i] { q[i] } else { zero });
         let sines = T::sin_cos_array(angles);
-        self.factors = Factors::new(&robot.leading_matrix(&Known(sines), q))?;
+        self.factors = Factors::new(&robot.leading_matrix(&Known(sines), q))
+            .map_err(|error| error.named(R::JOINT_NAMES[error.joint]))?;
         let motion = Motion {
             q: *q,
             qd: *qd,

@@ -27,6 +27,8 @@ where
     /// 1965; E. Hairer, C. Lubich, G. Wanner, *Geometric Numerical Integration*, VIII.5).
     lost_time: f64,
     lost: Phase<N>,
+    /// Steps that were tried and thrown away.
+    pub(crate) rejected: u64,
 }
 
 /// The greatest difference of the accelerations at the end of a step, those of its series and those
@@ -58,6 +60,7 @@ where
             phase,
             lost_time: 0.0,
             lost: Phase::zeros(),
+            rejected: 0,
         };
         stepper.begin(&phase)?;
         Ok(stepper)
@@ -69,6 +72,9 @@ where
         let coefficients = self.series.coefficients();
         let wish = step_size(coefficients, self.order, &self.tolerance);
         let rest = end - self.t - self.lost_time;
+        if wish < self.range.least.min(rest) {
+            return Err(Failure::StepTooSmall);
+        }
         // The last two steps share what is left.
         let mut h = match wish.min(self.range.greatest) {
             h if h >= rest => rest,
@@ -90,6 +96,7 @@ where
                 Ok(()) => Failure::StepTooSmall,
                 Err(cause) => Failure::Refused(cause),
             };
+            self.rejected += 1;
             h *= 0.5;
             // Also where it is not a number.
             if h.is_nan() || h <= self.range.least {

@@ -2,7 +2,9 @@
 
 mod arms;
 mod data;
+mod endings;
 mod methods;
 mod reference;
+mod sticking;
 mod structure;
 mod trajectories;
