@@ -64,6 +64,8 @@ pub use model::{
 pub use model::{Evaluate, Evaluation};
 pub use momenta::Momenta;
 pub use newton_euler::NewtonEuler;
+#[doc(hidden)]
+pub use newton_euler::turned;
 pub use operations::Operations;
 pub use placement::Placement;
 pub use scalar::Scalar;

@@ -24,6 +24,7 @@ pub enum JointType {
 /// One row of the table: a joint and the link that it moves. SI units, radians.
 ///
 /// Where `alpha` or `theta` is the double nearest to a multiple of pi/2, it means exactly that multiple.
+/// A generated table has whole turns taken off the angles that lose digits by them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Row {
     /// Revolute or prismatic.

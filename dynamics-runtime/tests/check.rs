@@ -95,3 +95,41 @@ fn coefficients_are_compared_alone() {
         assert_eq!(report.functions[0].states, report.states);
     }
 }
+
+robot_dynamics! {
+    /// Ten digits of pi/2 beside a field: the engine takes them for a quarter turn.
+    struct TenDigits { off: f64 }
+
+    convention: standard,
+    gravity: [0, -9.81, 0],
+    joints: [
+        a: revolute { a: 1, alpha: off + 1.5707963268, mass: 1, com: [-0.5, 0, 0] },
+        b: revolute { a: 1, theta: 1.5707963268 - off, mass: 1, com: [0.1, 0.2, 0.3] },
+    ],
+    tests: true,
+}
+
+robot_dynamics! {
+    /// Angles of many turns, whose doubles are known to 1e-10 rad.
+    struct ManyTurns { off: f64 }
+
+    convention: modified,
+    gravity: [0, -9.81, 0],
+    joints: [
+        a: revolute { a: 1, alpha: 10000001*PI/7, mass: 1, com: [-0.5, 0, 0] },
+        b: revolute { a: 1, alpha: off + 10000001*PI/7, theta: 1234567.1, mass: 1, com: [0.1, 0.2, 0.3] },
+        c: revolute { a: 1, theta: -1234567.1 - off, mass: 1, com: [0.1, 0.2, 0.3] },
+        d: revolute { a: 0.5, mass: 1, com: [0.3, 0.2, 0.1] },
+    ],
+    lock: [c = 7654321.3],
+    tests: true,
+}
+
+/// The table means the arm that the functions were derived from.
+#[test]
+fn angles_of_the_table_are_those_of_the_functions() {
+    for off in [0.3, -2.9, 1e6, -123_456.7] {
+        check_against_rnea(&TenDigits { off }).assert_ok();
+        check_against_rnea(&ManyTurns { off }).assert_ok();
+    }
+}

@@ -1,7 +1,6 @@
 //! The table in numbers, which the runtime's checks read.
 
-use std::f64::consts::FRAC_PI_2;
-
+use dynamics_symbolic::program::rounded_angle;
 use dynamics_symbolic::robot::{Angle, Convention, JointType, Robot, Row, Value};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
@@ -25,7 +24,7 @@ pub(super) fn table(structure: &Structure, robot: &Robot, path: &TokenStream) ->
         let positions = robot.rows.iter().map(|row| match &row.locked {
             Some(position) => {
                 let position = match row.joint_type {
-                    JointType::Revolute => angle(position, &fields),
+                    JointType::Revolute => angle(position, &fields, path),
                     JointType::Prismatic => number(position, &fields),
                 };
                 quote!(::core::option::Option::Some(#position))
@@ -56,7 +55,7 @@ fn row(row: &Row, fields: &[&Ident], path: &TokenStream) -> TokenStream {
         JointType::Prismatic => quote!(#path::JointType::Prismatic),
     };
     let [a, d] = [&row.a, &row.d].map(|value| number(value, fields));
-    let [alpha, theta] = [&row.alpha, &row.theta].map(|value| angle(value, fields));
+    let [alpha, theta] = [&row.alpha, &row.theta].map(|value| angle(value, fields, path));
     let mass = number(&row.mass, fields);
     let com = row.com.iter().map(|value| number(value, fields));
     let inertia = row.inertia.iter().map(|value| number(value, fields));
@@ -89,13 +88,22 @@ fn row(row: &Row, fields: &[&Ident], path: &TokenStream) -> TokenStream {
     }
 }
 
-/// An angle: what means a multiple of a quarter turn is the double nearest to it.
-fn angle(value: &Value, fields: &[&Ident]) -> TokenStream {
-    if value.is_number() && Angle::new(value).rest.is_none() {
-        let quarter_turns = (value.to_f64(&[]) / FRAC_PI_2).round();
-        return literal(quarter_turns * FRAC_PI_2);
+/// An angle, from the same parts as the engine's sine and cosine of it: a constant as the double that
+/// means it, any other as what is left beside its quarter turns, and these.
+fn angle(value: &Value, fields: &[&Ident], path: &TokenStream) -> TokenStream {
+    if value.is_number() {
+        return literal(rounded_angle(value));
     }
-    number(value, fields)
+    let parts = Angle::new(value);
+    let quarter_turns = parts.signed_quarter_turns();
+    let rest = number(&parts.rest.unwrap_or_else(Value::zero), fields);
+    match quarter_turns {
+        0 => rest,
+        quarter_turns => {
+            let quarter_turns = literal(f64::from(quarter_turns));
+            quote!(#path::turned(#rest, #quarter_turns))
+        }
+    }
 }
 
 /// The value as an `f64` expression: one literal where it is known, rounded once where
@@ -157,14 +165,23 @@ mod tests {
         let ten_digits = Value::integer(1_570_796_327).checked_div(Value::integer(1_000_000_000));
         let ten_digits = ten_digits.unwrap();
         assert_eq!(
-            angle(&-ten_digits, &[]).to_string(),
+            angle(&-ten_digits, &[], &quote!(path)).to_string(),
             "(- 1.5707963267948966f64)"
         );
         let eight_digits = Value::integer(15_707_963).checked_div(Value::integer(10_000_000));
         assert_eq!(
-            angle(&eight_digits.unwrap(), &[]).to_string(),
+            angle(&eight_digits.unwrap(), &[], &quote!(path)).to_string(),
             "1.5707963f64"
         );
+    }
+
+    #[test]
+    fn quarter_turns_are_kept_apart_from_fields() {
+        let field = Ident::new("off", proc_macro2::Span::call_site());
+        let ten_digits = Value::integer(15_707_963_268).checked_div(Value::integer(10_000_000_000));
+        let sum = Value::field(0) - ten_digits.unwrap();
+        let tokens = angle(&sum, &[&field], &quote!(path)).to_string();
+        assert_eq!(tokens, "path :: turned (self . off , (- 1f64))");
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! Sines and cosines of joint angles and of the table's constant angles.
 
-use core::f64::consts::FRAC_PI_2;
+use core::f64::consts::{FRAC_PI_2, TAU};
 
 use crate::Scalar;
 use crate::float::sin_cos;
@@ -9,7 +9,7 @@ use crate::float::sin_cos;
 /// multiple: the multiple itself is a rounded number.
 ///
 /// The macro's own rule is wider: decimals within 1e-9 rad are written into the table as the double
-/// nearest to the multiple.
+/// nearest to the multiple. It takes whole turns off large constants before it rounds them.
 const RIGHT_ANGLE_TOLERANCE: f64 = 4.0 * f64::EPSILON;
 
 /// Sine and cosine of one angle.
@@ -69,11 +69,37 @@ impl SinCos {
     }
 }
 
+/// `angle` turned by so many quarter turns: an angle of a generated table that depends on fields.
+///
+/// A sum beyond a turn would round away digits of `angle`, and is less whole turns.
+#[doc(hidden)]
+pub fn turned(angle: f64, quarter_turns: f64) -> f64 {
+    let turn = quarter_turns * FRAC_PI_2;
+    if (angle + turn).abs() <= TAU {
+        return angle + turn;
+    }
+    let (sin, cos) = sin_cos(angle);
+    libm::atan2(sin, cos) + turn
+}
+
 #[cfg(test)]
 mod tests {
     use core::f64::consts::{FRAC_PI_2, PI};
 
-    use super::SinCos;
+    use super::{SinCos, turned};
+
+    #[test]
+    #[cfg_attr(miri, ignore = "the standard library's sines vary there on purpose")]
+    fn a_turn_by_quarters_keeps_the_digits_of_large_angles() {
+        assert_eq!(turned(0.3, 1.0), 0.3 + FRAC_PI_2);
+        assert_eq!(turned(-6.0, 2.0), -6.0 + PI);
+        for angle in [1e6, -1e6, 7.0, 1e15] {
+            let sum = turned(angle, 1.0);
+            assert!((sum.sin() - angle.cos()).abs() < 4e-16, "{angle}");
+            assert!((sum.cos() + angle.sin()).abs() < 4e-16, "{angle}");
+        }
+        assert!(turned(f64::NAN, 1.0).is_nan() && turned(f64::INFINITY, 1.0).is_nan());
+    }
 
     fn of(angle: f64) -> (f64, f64) {
         let SinCos { sin, cos } = SinCos::of_constant(angle);

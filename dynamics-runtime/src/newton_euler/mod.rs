@@ -35,6 +35,7 @@ use core::array;
 use nalgebra::Vector3;
 
 use crate::{Convention, Table};
+pub use angle::turned;
 pub(crate) use forward::solve;
 use link::Link;
 

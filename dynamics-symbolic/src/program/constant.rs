@@ -74,20 +74,28 @@ impl ConstantPool {
     /// where it exceeds the largest double, where it is a quotient by zero, and
     /// where it is the sine of an angle beyond 2^`MOST_BITS`.
     pub fn round(&self, needed: impl Fn(ConstantId) -> bool) -> Vec<f64> {
-        let mut precision = FEWEST_BITS;
-        loop {
-            let values = self.evaluate(&mut Real::new(precision));
-            let is_last = 2 * precision > MOST_BITS;
+        until_certain(|real, is_last| {
+            let values = self.evaluate(real);
             let round = |(index, value): (usize, &Approximation)| match value.round() {
                 _ if !needed(ConstantId(index as u32)) => Some(f64::NAN),
                 None if is_last => Some(value.nearest()),
                 rounded => rounded,
             };
-            if let Some(rounded) = values.iter().enumerate().map(round).collect() {
-                return rounded;
-            }
-            precision *= 2;
+            values.iter().enumerate().map(round).collect()
+        })
+    }
+}
+
+/// Raises the precision until `attempt` succeeds, which it does when it is told that there will be
+/// no more.
+pub(super) fn until_certain<T>(mut attempt: impl FnMut(&mut Real, bool) -> Option<T>) -> T {
+    let mut precision = FEWEST_BITS;
+    loop {
+        let is_last = 2 * precision > MOST_BITS;
+        if let Some(found) = attempt(&mut Real::new(precision), is_last) {
+            return found;
         }
+        precision *= 2;
     }
 }
 

@@ -1,5 +1,6 @@
 //! Straight-line programs: what is proven, and what is emitted.
 
+mod angle;
 mod balance;
 mod build;
 mod constant;
@@ -7,6 +8,7 @@ mod count;
 mod evaluate;
 mod real;
 
+pub use angle::rounded_angle;
 pub use constant::{Constant, ConstantId, ConstantPool};
 pub use count::Operations;
 pub use evaluate::Arithmetic;

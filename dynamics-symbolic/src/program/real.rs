@@ -72,7 +72,20 @@ impl Real {
         }
     }
 
-    fn angle(&mut self, angle: &Value) -> Approximation {
+    /// A constant angle, less the whole turns that are nearest to it.
+    pub(super) fn less_turns(&mut self, angle: &Value) -> Approximation {
+        let (angle, pi) = (self.angle(angle), self.symbol(&Symbol::Pi));
+        let turn = self.add(pi.clone(), pi);
+        let Approximation(Some(turns)) = self.div(angle.clone(), turn.clone()) else {
+            return Approximation(None);
+        };
+        let turns = self.integer(-turns.value.to_int().value());
+        let whole = self.mul(turns, turn);
+        self.add(angle, whole)
+    }
+
+    /// A constant angle as it was written.
+    pub(super) fn angle(&mut self, angle: &Value) -> Approximation {
         match angle {
             Value::Rational(x) => self.rational(x),
             Value::Pi => self.symbol(&Symbol::Pi),

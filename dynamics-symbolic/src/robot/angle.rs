@@ -49,6 +49,14 @@ impl Angle {
             rest: nonzero(constant + form.others),
         }
     }
+
+    /// The quarter turns as -1, 0, 1 or 2.
+    pub fn signed_quarter_turns(&self) -> i8 {
+        match self.quarter_turns {
+            3 => -1,
+            few => few as i8,
+        }
+    }
 }
 
 fn nonzero(value: Value) -> Option<Value> {
