@@ -56,6 +56,9 @@ pub use configuration::Configuration;
 #[doc(hidden)]
 pub use configuration::{Evaluated, JointSines};
 pub use double_double::DoubleDouble;
+#[cfg(feature = "std")]
+#[doc(hidden)]
+pub use model::columns;
 pub use model::{
     AccelerationDerivatives, CoriolisVector, Energy, ForwardDynamics, GravityVector,
     InverseDynamics, MassMatrix, Model, State,

@@ -4,6 +4,8 @@
 use nalgebra::Matrix4;
 use nalgebra::{SMatrix, SVector};
 
+#[cfg(feature = "std")]
+use crate::TaylorCoefficients;
 use crate::{JointSines, Momenta, Scalar, SingularMassMatrix, Table};
 
 /// An arm with `N` joints that can show the table it was generated from.
@@ -229,6 +231,48 @@ pub struct Evaluation<const N: usize> {
         Option<Result<AccelerationDerivatives<f64, N>, SingularMassMatrix>>,
     /// qdd by articulated bodies, at the torques that were given.
     pub forward_dynamics_aba: Option<Result<SVector<f64, N>, SingularMassMatrix>>,
+    /// Taylor coefficients up to order [`Evaluation::TAYLOR_ORDER`], at the torques that were given.
+    pub taylor_series: Option<Result<TaylorCoefficients<f64, N>, SingularMassMatrix>>,
+}
+
+#[cfg(feature = "std")]
+impl<const N: usize> Evaluation<N> {
+    /// The order of the Taylor series: accelerations and jerks are compared.
+    pub const TAYLOR_ORDER: usize = 3;
+
+    /// With what follows from two functions, where there are both: Y times the base parameters, and
+    /// the velocity terms of the configuration-space form (Craig, Introduction to Robotics, 3rd ed.,
+    /// equation 6.63).
+    #[must_use]
+    pub fn combined(mut self, state: &State<N>) -> Self {
+        self.regressor_forces = self.regressor_forces();
+        self.configuration_space_coriolis = self.configuration_space_coriolis(&state.qd);
+        self
+    }
+
+    fn regressor_forces(&self) -> Option<SVector<f64, N>> {
+        let columns = self.regressor.as_ref()?.iter();
+        let terms = columns.zip(self.base_parameters.as_ref()?);
+        Some(terms.fold(SVector::zeros(), |sum, (column, x)| sum + column * *x))
+    }
+
+    /// `B [qd qd] + C [qd^2]`: `[qd qd]` holds the products in the order (1,2), (1,3), ..., (n-1,n).
+    fn configuration_space_coriolis(&self, qd: &SVector<f64, N>) -> Option<SVector<f64, N>> {
+        let products = (0..N).flat_map(|i| (i + 1..N).map(move |j| qd[i] * qd[j]));
+        let terms = self.coriolis_coefficients.as_ref()?.iter().zip(products);
+        let coriolis = terms.fold(SVector::zeros(), |sum, (column, x)| sum + column * x);
+        Some(coriolis + self.centrifugal_coefficients? * qd.component_mul(qd))
+    }
+}
+
+/// The columns of a matrix whose width a field of [`Evaluation`] does not name.
+#[cfg(feature = "std")]
+#[doc(hidden)]
+pub fn columns<const R: usize, const C: usize>(
+    matrix: &SMatrix<f64, R, C>,
+) -> Vec<SVector<f64, R>> {
+    let columns = matrix.column_iter();
+    columns.map(|column| column.into_owned()).collect()
 }
 
 /// d qdd/dq, d qdd/dqd and d qdd/d tau, the inverse of M.

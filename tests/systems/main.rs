@@ -17,6 +17,7 @@ mod degenerate;
 mod identification;
 mod integration;
 mod masses;
+mod names;
 mod one_link;
 mod solids;
 mod taylor;

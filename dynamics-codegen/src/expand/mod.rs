@@ -1,6 +1,7 @@
 //! A model to the items of its struct. Nothing in here can fail.
 
 mod evaluate;
+mod names;
 mod scene;
 mod structure;
 mod table;
@@ -44,7 +45,8 @@ pub(crate) fn robot(
     let test = model
         .tests
         .then(|| test::agrees_with_newton_euler(&target, structure));
-    quote!(#item #inherent #provided #traits #test)
+    let implementations = names::apart(&quote!(#inherent #provided #traits));
+    quote!(#item #implementations #test)
 }
 
 /// After an error: the same items with methods that have no body, for the type check
@@ -64,7 +66,8 @@ pub(crate) fn stubs(structure: &Structure, entries: &[Entry], path: &TokenStream
     });
     let provided = traits::provided(&target, provided);
     let traits = traits::traits(&target, &functions, &[], &unimplemented, &unimplemented);
-    quote!(#item #inherent #provided #traits)
+    let implementations = names::apart(&quote!(#inherent #provided #traits));
+    quote!(#item #implementations)
 }
 
 /// Names of the joints; none where an error left their number unknown.

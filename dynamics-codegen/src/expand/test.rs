@@ -33,8 +33,7 @@ pub(super) fn agrees_with_newton_euler(target: &Target, structure: &Structure) -
         #[cfg(test)]
         #[allow(dead_code, deprecated, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]
         fn #check() {
-            let robot = #name { #(#fields),* };
-            #path::check_against_rnea(&robot).assert_ok();
+            #path::check_against_rnea(&#name { #(#fields),* }).assert_ok();
         }
 
         #cfgs

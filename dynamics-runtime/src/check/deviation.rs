@@ -5,6 +5,7 @@ use nalgebra::{Matrix4, SMatrix, SVector};
 use super::scale::Scale;
 use crate::{
     AccelerationDerivatives, Evaluation, JointType, NewtonEuler, SingularMassMatrix, State, Table,
+    TaylorCoefficients,
 };
 
 /// Below this part of its diagonal entry a pivot of the numeric mass matrix counts as zero: its own
@@ -146,6 +147,16 @@ pub(super) fn deviations<const N: usize>(
         generated
             .forward_dynamics_aba
             .map(|qdd| accelerations("forward_dynamics_aba", qdd)),
+        generated.taylor_series.map(|series| match series {
+            Ok(series) => taylor_series(&series, numeric, &scale, state, tau),
+            Err(error) => refused("taylor_series", &mass_matrix, &error),
+        }),
+        alone("regressor", generated.regressor.is_some(), generated),
+        alone(
+            "base_parameters",
+            generated.base_parameters.is_some(),
+            generated,
+        ),
     ];
     found.into_iter().flatten().collect()
 }
@@ -170,6 +181,44 @@ pub(super) fn refused<const N: usize>(
         error: regular.then_some(f64::INFINITY),
         joint: Some(error.joint),
     }
+}
+
+/// What is compared as a product, of a function that was generated without the other factor.
+fn alone<const N: usize>(
+    function: &'static str,
+    is_generated: bool,
+    generated: &Evaluation<N>,
+) -> Option<Deviation> {
+    (is_generated && generated.regressor_forces.is_none()).then_some(Deviation {
+        function,
+        error: None,
+        joint: None,
+    })
+}
+
+/// The start of the motion, and the equations of motion with their first derivative by time as far
+/// as the series does not satisfy them: M qdd + bias - tau = 0 with qdd = 2 q_2, and, since tau is
+/// constant, M jerk + tau_q qd + tau_qd qdd = 0 with jerk = 6 q_3.
+fn taylor_series<const N: usize>(
+    [q, qd, second, third, ..]: &TaylorCoefficients<f64, N>,
+    numeric: &NewtonEuler<N>,
+    scale: &Scale,
+    state: &State<N>,
+    tau: &SVector<f64, N>,
+) -> Deviation {
+    let (qdd, jerk) = (second * 2.0, third * 6.0);
+    let mass_matrix = numeric.mass_matrix(&state.q);
+    let (by_position, by_velocity) =
+        numeric.inverse_dynamics_derivatives(&state.q, &state.qd, &qdd);
+    let force = mass_matrix * qdd + numeric.bias_force(&state.q, &state.qd) - tau;
+    let rate = mass_matrix * jerk + by_position * state.qd + by_velocity * qdd;
+    let inertial = scale.mass_matrix * qdd.amax();
+    let rates = scale.mass_matrix * jerk.amax()
+        + (scale.force_by_position + inertial) * state.qd.amax()
+        + scale.force_by_velocity * qdd.amax();
+    let start = entries(q - state.q, 0.0).chain(entries(qd - state.qd, 0.0));
+    let equations = entries(force, scale.inverse_dynamics + inertial).chain(entries(rate, rates));
+    Deviation::worst("taylor_series", start.chain(equations))
 }
 
 /// d tau/dq and d tau/dqd beside those of the numeric recursion.

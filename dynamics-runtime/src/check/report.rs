@@ -17,7 +17,8 @@ pub struct Report {
     /// One entry for each function that was compared.
     pub functions: Vec<FunctionReport>,
     /// The functions that could be compared at no state: forward dynamics where the mass matrix is
-    /// singular everywhere, and refusing to solve is right.
+    /// singular everywhere, and refusing to solve is right; the regressor and the base parameters,
+    /// of which the product is compared, where one was generated without the other.
     pub not_compared: Vec<&'static str>,
     /// Number of states at which the robot was evaluated.
     pub states: usize,
@@ -168,10 +169,8 @@ impl fmt::Display for Report {
             )?;
         }
         for function in &self.not_compared {
-            write!(
-                f,
-                "\n{function}: not compared at any state (the mass matrix is singular)"
-            )?;
+            let reason = reason(function);
+            write!(f, "\n{function}: not compared at any state ({reason})")?;
         }
         for function in &self.functions {
             if f.alternate() || !function.is_ok() {
@@ -179,6 +178,15 @@ impl fmt::Display for Report {
             }
         }
         Ok(())
+    }
+}
+
+/// Why a function could be compared at no state.
+fn reason(function: &str) -> &'static str {
+    match function {
+        "regressor" => "that takes `base_parameters` too",
+        "base_parameters" => "that takes `regressor` too",
+        _ => "the mass matrix is singular",
     }
 }
 

@@ -5,8 +5,8 @@ use nalgebra::{Matrix2, SVector, Vector2};
 use super::deviation;
 use crate::test_arms::{CRAIG_ARM, CraigArm};
 use crate::{
-    AccelerationDerivatives, Check, Evaluate, Evaluation, Model, NewtonEuler, Report,
-    SingularMassMatrix, State, Table, check_against_rnea,
+    AccelerationDerivatives, Check, Evaluate, Evaluation, MAX_TAYLOR_ORDER, Model, NewtonEuler,
+    Report, SingularMassMatrix, State, Table, TaylorCoefficients, check_against_rnea,
 };
 
 /// The textbook arm with one value of its evaluation changed.
@@ -73,10 +73,20 @@ fn acceleration_derivatives(state: &State<2>) -> AccelerationDerivatives<f64, 2>
     (-inverse * by_position, -inverse * by_velocity, inverse)
 }
 
+fn taylor_series(state: &State<2>) -> TaylorCoefficients<f64, 2> {
+    let State { q, qd, qdd } = state;
+    let (by_position, by_velocity) = force_derivatives(state);
+    let inverse = CRAIG_ARM.mass_matrix(q).try_inverse().unwrap();
+    let jerk = -inverse * (by_position * qd + by_velocity * qdd);
+    let mut series = [Vector2::zeros(); MAX_TAYLOR_ORDER + 1];
+    series[..4].copy_from_slice(&[*q, *qd, qdd / 2.0, jerk / 6.0]);
+    series
+}
+
 type Damage = (&'static str, fn(&State<2>, &mut Evaluation<2>));
 
 /// One for each function.
-const DAMAGES: [Damage; 20] = [
+const DAMAGES: [Damage; 21] = [
     ("mass_matrix", |_, e| {
         e.mass_matrix.as_mut().unwrap()[(1, 0)] *= WRONG;
     }),
@@ -152,6 +162,11 @@ const DAMAGES: [Damage; 20] = [
     ("forward_dynamics_aba", |state, e| {
         e.forward_dynamics_aba = Some(Ok(state.qdd * WRONG));
     }),
+    ("taylor_series", |state, e| {
+        let mut series = taylor_series(state);
+        series[3] *= WRONG;
+        e.taylor_series = Some(Ok(series));
+    }),
 ];
 
 /// Each damage is found, in the function that has it and in no other.
@@ -181,9 +196,75 @@ fn kinematics_and_matrix_forms_pass() {
         e.inverse_dynamics_derivatives = Some(force_derivatives(state));
         e.forward_dynamics_derivatives = Some(Ok(acceleration_derivatives(state)));
         e.forward_dynamics_aba = Some(Ok(state.qdd));
+        e.taylor_series = Some(Ok(taylor_series(state)));
     });
     report.assert_ok();
     assert_eq!(report.functions.len(), DAMAGES.len());
+}
+
+/// The first coefficients of a series are those of its start, to the last digit.
+#[test]
+fn a_series_from_elsewhere_fails() {
+    let damages: [fn(&State<2>, &mut Evaluation<2>); 3] = [
+        |state, e| e.taylor_series = Some(Ok(shifted(state, 0))),
+        |state, e| e.taylor_series = Some(Ok(shifted(state, 1))),
+        |state, e| e.taylor_series = Some(Ok(shifted(state, 2))),
+    ];
+    for damage in damages {
+        assert_eq!(wrong(&check(damage)), ["taylor_series"]);
+    }
+}
+
+fn shifted(state: &State<2>, order: usize) -> TaylorCoefficients<f64, 2> {
+    let mut series = taylor_series(state);
+    series[order][1] += 1e-9;
+    series
+}
+
+/// One base parameter that is the torque itself, and one that is a coefficient.
+#[test]
+fn combinations_take_both_functions() {
+    let state = State {
+        q: Vector2::new(0.3, 0.4),
+        qd: Vector2::new(2.0, -3.0),
+        qdd: Vector2::zeros(),
+    };
+    let regressor = Evaluation {
+        regressor: Some(vec![Vector2::new(1.0, 2.0), Vector2::new(0.0, 1.0)]),
+        ..Evaluation::default()
+    };
+    assert_eq!(regressor.clone().combined(&state).regressor_forces, None);
+    let both = Evaluation {
+        base_parameters: Some(vec![3.0, 5.0]),
+        ..regressor
+    };
+    let forces = both.combined(&state).regressor_forces;
+    assert_eq!(forces, Some(Vector2::new(3.0, 11.0)));
+
+    let (coriolis, centrifugal) = coefficients(&state);
+    let coriolis = Evaluation {
+        coriolis_coefficients: Some(vec![coriolis]),
+        ..Evaluation::default()
+    };
+    let alone = coriolis.clone().combined(&state);
+    assert_eq!(alone.configuration_space_coriolis, None);
+    let both = Evaluation {
+        centrifugal_coefficients: Some(centrifugal),
+        ..coriolis
+    };
+    let found = both.combined(&state).configuration_space_coriolis.unwrap();
+    let expected = numeric().coriolis_vector(&state.q, &state.qd);
+    assert!((found - expected).amax() < 1e-12, "{found} {expected}");
+}
+
+/// The product is compared: one factor alone is not, and that is said.
+#[test]
+fn a_regressor_without_base_parameters_is_not_compared() {
+    let report = check(|_, e| e.regressor = Some(Vec::new()));
+    report.assert_ok();
+    assert_eq!(report.not_compared, ["regressor"]);
+    let line = "\nregressor: not compared at any state (that takes `base_parameters` too)";
+    assert!(report.to_string().contains(line), "{report}");
 }
 
 #[test]

@@ -1,0 +1,26 @@
+//! Names of arguments and local variables, apart from the names around the call.
+
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::quote;
+
+/// Arguments and local variables of the generated code, but for those whose names have a `_` in them.
+const NAMES: [&str; 11] = [
+    "q", "qd", "qdd", "tau", "order", "state", "sines", "real", "x", "term", "forces",
+];
+
+/// The items in a scope of their own, in which the names of arguments and local variables mean
+/// nothing else.
+///
+/// A variable may not be named like a constant or a static in scope: the pattern would be that
+/// constant. It may be named like a function, and a function of that name in a nearer scope hides the
+/// constant.
+pub(super) fn apart(items: &TokenStream) -> TokenStream {
+    let names = NAMES.map(|name| Ident::new(name, Span::call_site()));
+    quote! {
+        #[allow(dead_code)]
+        const _: () = {
+            #(fn #names() {})*
+            #items
+        };
+    }
+}

@@ -1,0 +1,93 @@
+//! Robots among names and preludes that are not the usual ones.
+
+/// All functions where nothing is in scope that is not written.
+#[no_implicit_prelude]
+mod without_a_prelude {
+    ::robot_dynamics::robot_dynamics! {
+        struct Arm { l: f64 }
+
+        convention: standard,
+        gravity: [0, -9.81, 0],
+        joints: [
+            a: revolute { a: l, mass: 1, com: [-0.1, 0, 0.2], inertia: rod(1) },
+            b: prismatic { a: 1, alpha: 0.3, mass: 1, com: [0, 0.1, 0], friction: { coulomb: 1 } },
+        ],
+        functions: [
+            mass_matrix, coriolis_vector, gravity_vector, friction_vector, inverse_dynamics,
+            forward_dynamics, kinetic_energy, potential_energy, bias_force, coriolis_matrix,
+            coriolis_coefficients, centrifugal_coefficients, forward_kinematics, link_poses, jacobian,
+            inverse_dynamics_derivatives, forward_dynamics_derivatives, regressor, base_parameters,
+            forward_dynamics_aba, taylor_series,
+        ],
+        tests: true,
+    }
+
+    #[test]
+    fn all_functions_are_compared() {
+        let report = ::robot_dynamics::check_against_rnea(&Arm { l: 0.7 });
+        report.assert_ok();
+        // The regressor and the base parameters as a product, B and C as one besides.
+        ::core::assert_eq!(report.functions.len(), 21 - 2 + 1 + 1);
+        ::core::assert!(report.not_compared.is_empty());
+    }
+}
+
+/// Constants and statics with the names of generated arguments and variables.
+#[allow(non_upper_case_globals, dead_code)]
+mod among_constants {
+    const q: f64 = 1.0;
+    const qd: f64 = 1.0;
+    static qdd: f64 = 1.0;
+    static tau: f64 = 1.0;
+    const order: f64 = 1.0;
+    const state: f64 = 1.0;
+    const sines: f64 = 1.0;
+    static real: f64 = 1.0;
+    const x: f64 = 1.0;
+    const term: f64 = 1.0;
+    static forces: f64 = 1.0;
+    static pair: u8 = 1;
+    static products: u8 = 1;
+    const squares: u8 = 1;
+    const column: u8 = 1;
+    const columns: u8 = 1;
+    const robot: u8 = 1;
+    const i: usize = 1;
+    const j: usize = 1;
+    const value: u8 = 1;
+    const pi: f64 = 3.0;
+    const l: f64 = 1.0;
+    const off: f64 = 1.0;
+
+    robot_dynamics::robot_dynamics! {
+        struct Arm { l: f64, off: f64 }
+
+        convention: modified,
+        gravity: [0, -9.81, 0],
+        joints: [
+            a: revolute { a: l, alpha: off + PI/2, mass: 1, com: [-0.1, 0, 0.2], inertia: rod(1) },
+            b: revolute { a: 1, alpha: off, mass: 1, com: [0, 0.1, 0], friction: { coulomb: 1 } },
+        ],
+        functions: [
+            mass_matrix, coriolis_vector, gravity_vector, friction_vector, inverse_dynamics,
+            forward_dynamics, kinetic_energy, potential_energy, bias_force, coriolis_matrix,
+            coriolis_coefficients, centrifugal_coefficients, forward_kinematics, link_poses, jacobian,
+            inverse_dynamics_derivatives, forward_dynamics_derivatives, regressor, base_parameters,
+            forward_dynamics_aba, taylor_series,
+        ],
+        tests: true,
+    }
+
+    #[test]
+    fn a_robot_in_a_function_passes_too() {
+        const qd: f64 = 1.0;
+        robot_dynamics::robot_dynamics! {
+            struct Local { l: f64 }
+            convention: modified,
+            gravity: [0, -9.81, 0],
+            joints: [a: revolute { a: 1, mass: 1, com: [l, 0, 0] }],
+        }
+        robot_dynamics::check_against_rnea(&Local { l: 0.5 }).assert_ok();
+        assert_eq!(qd, q);
+    }
+}
