@@ -46,6 +46,7 @@ pub(crate) fn model(call: &Call, diagnostics: &Diagnostics) -> Option<Model> {
         parts.report_missing(&structure.name, diagnostics);
         parts.lock(call, diagnostics);
         neglect::report(&parts, call, diagnostics);
+        parts.report_incomparable(diagnostics);
         if parts.have_values() {
             fields::report_unused(structure, &scope, &call.table, diagnostics);
         }
@@ -137,6 +138,24 @@ impl Parts {
                 "missing `joints`: write `joints: [name: revolute { ... }, ...]`",
             );
         }
+    }
+
+    /// A test that would compare nothing: Y b is compared, and takes both functions.
+    fn report_incomparable(&self, diagnostics: &Diagnostics) {
+        let (Some(tests), Some(functions)) = (self.tests, &self.functions) else {
+            return;
+        };
+        let other = match functions[..] {
+            [(Function::Regressor, _)] => Function::BaseParameters,
+            [(Function::BaseParameters, _)] => Function::Regressor,
+            _ => return,
+        };
+        let message = format!(
+            "`tests: true` has nothing to compare: `{}` is tested together with `{}`, ask for both",
+            functions[0].0.name(),
+            other.name()
+        );
+        diagnostics.error(tests, message);
     }
 
     /// Locks the joints that are to be locked.
