@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 
 use expect_test::expect_file;
 use proc_macro2::{LineColumn, TokenStream, TokenTree};
-use syn::{ImplItem, Item, MacroDelimiter, spanned::Spanned};
+use syn::{Expr, ImplItem, Item, MacroDelimiter, Stmt, spanned::Spanned};
 
 #[test]
 fn mistakes_are_reported_where_they_are() {
@@ -86,7 +86,7 @@ fn error(item: &Item) -> Option<(LineColumn, LineColumn, String)> {
 /// The struct, and the number of its joints and methods: those of the table, as far as it could be read.
 fn robot(file: &syn::File) -> String {
     let mut text = String::new();
-    for item in &file.items {
+    for item in file.items.iter().flat_map(within) {
         match item {
             Item::Struct(item) => text += &format!("struct {}", item.ident),
             Item::Impl(item) if item.trait_.is_none() => {
@@ -99,6 +99,22 @@ fn robot(file: &syn::File) -> String {
         }
     }
     text
+}
+
+/// The item, or what stands in the scope that it makes.
+fn within(item: &Item) -> Vec<&Item> {
+    let Item::Const(constant) = item else {
+        return vec![item];
+    };
+    let Expr::Block(block) = &*constant.expr else {
+        return Vec::new();
+    };
+    let statements = block.block.stmts.iter();
+    let items = statements.filter_map(|statement| match statement {
+        Stmt::Item(item) => Some(item),
+        _ => None,
+    });
+    items.collect()
 }
 
 fn is_method(item: &ImplItem) -> bool {

@@ -1,15 +1,15 @@
 //! A robot whose functions are programs that are evaluated step by step.
 
-use core::f64::consts::{FRAC_PI_2, PI};
+use core::f64::consts::PI;
 
 use dynamics_runtime::nalgebra::{Matrix4, SMatrix, SVector};
 use dynamics_runtime::{
     AccelerationDerivatives, Convention, Evaluate, Evaluation, JointType, Model, Row, Scalar,
-    SingularMassMatrix, State, Table,
+    SingularMassMatrix, State, Table, turned,
 };
 use dynamics_symbolic::Function;
 use dynamics_symbolic::exact::Rational;
-use dynamics_symbolic::program::{Arithmetic, Program};
+use dynamics_symbolic::program::{Arithmetic, Program, rounded_angle};
 use dynamics_symbolic::robot::{self, Angle, Robot, Symbol, Value};
 
 /// A robot, values of its fields, and its programs.
@@ -37,13 +37,14 @@ impl<'a, const N: usize> Interpreted<'a, N> {
         value.to_f64(self.fields)
     }
 
-    /// An angle; what means a multiple of a quarter turn is the double nearest to it.
+    /// An angle, as a generated table has it.
     fn angle(&self, value: &Value) -> f64 {
-        let angle = self.number(value);
-        match value.is_number() && Angle::new(value).rest.is_none() {
-            true => (angle / FRAC_PI_2).round() * FRAC_PI_2,
-            false => angle,
+        if value.is_number() {
+            return rounded_angle(value);
         }
+        let parts = Angle::new(value);
+        let rest = parts.rest.as_ref().map_or(0.0, |rest| self.number(rest));
+        turned(rest, f64::from(parts.signed_quarter_turns()))
     }
 
     fn row(&self, row: &robot::Row) -> Row {
@@ -226,14 +227,6 @@ impl<const N: usize> Evaluate<N> for Interpreted<'_, N> {
                 Function::BaseParameters => values.base_parameters = Some(outputs.0.collect()),
             }
         }
-        values.regressor_forces = regressor_forces(&values);
-        values
+        values.combined(state)
     }
-}
-
-/// Y times the base parameters.
-fn regressor_forces<const N: usize>(values: &Evaluation<N>) -> Option<SVector<f64, N>> {
-    let columns = values.regressor.as_ref()?.iter();
-    let terms = columns.zip(values.base_parameters.as_ref()?);
-    Some(terms.fold(SVector::zeros(), |sum, (column, x)| sum + column * *x))
 }

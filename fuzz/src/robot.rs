@@ -49,7 +49,7 @@ impl Cells<'_> {
             theta: self.angle()?,
             mass: self.positive()?,
             com: self.cells()?,
-            inertia: self.cells()?,
+            inertia: self.tensor()?,
             motor_inertia: self.positive()?,
             gear_ratio: self.cell()?,
             viscous: self.positive()?,
@@ -72,11 +72,36 @@ impl Cells<'_> {
         ))
     }
 
+    /// A cell that is not negative, whatever the fields are: they are positive.
     fn positive(&mut self) -> Result<Value> {
-        match self.cell()? {
-            Value::Rational(x) if x < Rational::ZERO => Ok(Value::Rational(-x)),
-            value => Ok(value),
+        Ok(match self.cell()? {
+            Value::Rational(x) if x < Rational::ZERO => Value::Rational(-x),
+            value @ (Value::Rational(_) | Value::Field(_)) => value,
+            value => value.clone() * value,
+        })
+    }
+
+    /// A tensor that a body can have: the sum of m (r.r 1 - r r^T) of up to three points. With any
+    /// other M may vanish where V does not, and errors have nothing to be measured against.
+    fn tensor(&mut self) -> Result<[Value; 6]> {
+        let mut tensor = [(); 6].map(|()| Value::zero());
+        for _ in 0..self.bytes.int_in_range(0..=3)? {
+            let (mass, point) = (self.positive()?, self.cells::<3>()?);
+            let product = |i: usize, j: usize| mass.clone() * point[i].clone() * point[j].clone();
+            let [xx, yy, zz] = [0, 1, 2].map(|i| product(i, i));
+            let of_point = [
+                yy.clone() + zz.clone(),
+                xx.clone() + zz,
+                xx + yy,
+                -product(0, 1),
+                -product(1, 2),
+                -product(0, 2),
+            ];
+            for (entry, more) in tensor.iter_mut().zip(of_point) {
+                *entry = entry.clone() + more;
+            }
         }
+        Ok(tensor)
     }
 
     /// Mostly zero, small numbers, fields and expressions of them.
@@ -129,5 +154,37 @@ impl Cells<'_> {
                 a.checked_div(divisor).expect("a field is not zero")
             }
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use dynamics_runtime::nalgebra::Matrix3;
+
+    use super::robot;
+
+    /// Half the trace less the tensor is the second moment of the body's mass, which has no negative
+    /// eigenvalue.
+    #[test]
+    fn bodies_are_such_that_can_be() {
+        let mut seed = 1_u64;
+        for _ in 0..2_000 {
+            let bytes: Vec<u8> = core::iter::repeat_with(|| {
+                seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+                (seed >> 56) as u8
+            })
+            .take(300)
+            .collect();
+            let (robot, fields) = robot(&bytes).expect("more bytes than cells");
+            for row in &robot.rows {
+                let value = |x: &dynamics_symbolic::robot::Value| x.to_f64(&fields);
+                assert!(value(&row.mass) >= 0.0 && value(&row.motor_inertia) >= 0.0);
+                let [xx, yy, zz, xy, yz, xz] = row.inertia.each_ref().map(value);
+                let tensor = Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz);
+                let moment = Matrix3::from_diagonal_element(tensor.trace() / 2.0) - tensor;
+                let least = moment.symmetric_eigenvalues().min();
+                assert!(least >= -1e-12 * tensor.amax(), "{least:e} of {tensor}");
+            }
+        }
     }
 }

@@ -1,7 +1,7 @@
 //! A model to the items of its struct. Nothing in here can fail.
 
 mod evaluate;
-mod names;
+pub(crate) mod names;
 mod scene;
 mod structure;
 mod table;

@@ -4,7 +4,7 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
 /// Arguments and local variables of the generated code, but for those whose names have a `_` in them.
-const NAMES: [&str; 11] = [
+pub(crate) const NAMES: [&str; 11] = [
     "q", "qd", "qdd", "tau", "order", "state", "sines", "real", "x", "term", "forces",
 ];
 

@@ -9,6 +9,7 @@ mod hard_cases;
 mod hostile;
 mod limits;
 mod messages;
+mod names;
 
 use proc_macro2::TokenStream;
 

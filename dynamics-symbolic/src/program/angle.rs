@@ -59,7 +59,7 @@ mod tests {
             (of_pi(3, 2), 3.0 * FRAC_PI_2),
             (of_pi(-1, 1), -PI),
             (rational(-15_707_963_268, 10_000_000_000), -FRAC_PI_2),
-            (rational(15_707_963, 10_000_000), 1.570_796_3),
+            (rational(15_707_963, 10_000_000), 15_707_963.0 / 1e7),
         ] {
             assert_eq!(rounded_angle(&angle), expected, "{angle:?}");
         }
