@@ -2,7 +2,7 @@
 
 use crate::derive::derive;
 use crate::emit;
-use crate::function::Function;
+use crate::function::{Function, Shape};
 use crate::neglect::{STATES, largest_error};
 use crate::program::{Operations, Program};
 use crate::prove::{ProofFailure, prove};
@@ -90,8 +90,8 @@ pub fn expand_with(
     for &function in functions {
         let program = derive(robot, function);
         let notes = neglected(robot, function, &program, derive);
-        let method = match function {
-            Function::TaylorSeries => taylor_series(robot, program, &notes, path, derive),
+        let method = match function.shape() {
+            Shape::Series => taylor_series(robot, program, &notes, path, derive),
             _ => method(robot, function, program, &notes, path),
         };
         match method {
@@ -113,14 +113,11 @@ fn neglected(
     program: &Program,
     derive: &dyn Fn(&Robot, Function) -> Program,
 ) -> Vec<String> {
-    let depends_on_inertia = !matches!(
-        function,
-        Function::FrictionVector
-            | Function::ForwardKinematics
-            | Function::LinkPoses
-            | Function::Jacobian
-    );
-    let Some(neglected) = robot.neglected.as_ref().filter(|_| depends_on_inertia) else {
+    let Some(neglected) = robot
+        .neglected
+        .as_ref()
+        .filter(|_| function.row().reads_inertia)
+    else {
         return Vec::new();
     };
     let complete = Robot {

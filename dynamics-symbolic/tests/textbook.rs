@@ -46,7 +46,7 @@ fn recursions_equal_the_textbook_expression_by_expression() {
         ];
         let chain = Gauge::plain(robot.rows.len()).chain(&mut symbols, &robot);
         for (function, expected) in expected {
-            for &form in Form::of(function, robot.rows.len()) {
+            for form in function.forms(robot.rows.len()) {
                 let short = outputs(&mut symbols, &robot, &chain, function, form);
                 assert_eq!(short, expected, "{name} {} {form:?}", function.name());
             }

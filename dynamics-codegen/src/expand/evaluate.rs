@@ -1,6 +1,7 @@
 //! Every generated function at one state, for the checks.
 
 use dynamics_symbolic::Function;
+use dynamics_symbolic::function::{Argument, Shape, Size};
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
@@ -27,52 +28,28 @@ pub(super) fn evaluation(target: &Target, functions: &[Function]) -> TokenStream
 
 /// The value of a function, as the field of that name holds it.
 fn value(target: &Target, function: Function) -> TokenStream {
-    let (path, n) = (target.path, target.n());
+    let path = target.path;
     let name = Ident::new(function.name(), Span::call_site());
-    let arguments = arguments(function);
-    match function {
-        // Matrices of as many columns as pairs of joints, or as base parameters: numbers that the
-        // type of the field cannot name.
-        Function::CoriolisCoefficients | Function::Regressor => {
-            quote!(#path::columns(&Self::#name(self, #arguments)))
-        }
-        // Nothing else says their type.
-        Function::BaseParameters => {
-            quote!(<[f64]>::to_vec(Self::#name::<f64>(self).as_slice()))
-        }
-        Function::TaylorSeries => {
-            let order = quote!(#path::Evaluation::<#n>::TAYLOR_ORDER);
-            quote!(Self::#name(self, #arguments, #order))
-        }
-        _ => quote!(Self::#name(self, #arguments)),
+    let arguments = function.arguments().iter();
+    let arguments = arguments.map(|argument| at_state(target, *argument));
+    // Without arguments nothing else says the type of the numbers.
+    let value = quote!(Self::#name::<f64>(self #(, #arguments)*));
+    match function.shape() {
+        Shape::Matrix(Size::Parameters, Size::One) => quote!(<[f64]>::to_vec(#value.as_slice())),
+        // Numbers of columns that the type of the field cannot name.
+        Shape::Matrix(_, Size::Pairs | Size::Parameters) => quote!(#path::columns(&#value)),
+        _ => value,
     }
 }
 
-/// The arguments at a state.
-fn arguments(function: Function) -> TokenStream {
-    match function {
-        Function::MassMatrix
-        | Function::GravityVector
-        | Function::PotentialEnergy
-        | Function::ForwardKinematics
-        | Function::LinkPoses
-        | Function::Jacobian
-        | Function::CoriolisCoefficients
-        | Function::CentrifugalCoefficients => quote!(&state.q),
-        Function::FrictionVector => quote!(&state.qd),
-        Function::CoriolisVector
-        | Function::KineticEnergy
-        | Function::BiasForce
-        | Function::CoriolisMatrix => quote!(&state.q, &state.qd),
-        Function::InverseDynamics | Function::InverseDynamicsDerivatives | Function::Regressor => {
-            quote!(&state.q, &state.qd, &state.qdd)
-        }
-        Function::BaseParameters => quote!(),
-        Function::ForwardDynamics
-        | Function::ForwardDynamicsAba
-        | Function::ForwardDynamicsDerivatives
-        | Function::TaylorSeries => {
-            quote!(&state.q, &state.qd, tau)
-        }
+/// An argument at the state that is compared.
+fn at_state(target: &Target, argument: Argument) -> TokenStream {
+    let (path, n) = (target.path, target.n());
+    match argument {
+        Argument::Position => quote!(&state.q),
+        Argument::Velocity => quote!(&state.qd),
+        Argument::Acceleration => quote!(&state.qdd),
+        Argument::Force => quote!(tau),
+        Argument::Order => quote!(#path::Evaluation::<#n>::TAYLOR_ORDER),
     }
 }

@@ -14,6 +14,7 @@ mod scope;
 mod solid;
 
 use dynamics_symbolic::Function;
+use dynamics_symbolic::function::Growth;
 use dynamics_symbolic::robot::{Convention, Robot, Row, Value};
 use proc_macro2::Ident;
 
@@ -140,19 +141,20 @@ impl Parts {
         }
     }
 
-    /// A test that would compare nothing: Y b is compared, and takes both functions.
+    /// A test that would compare nothing: a product is compared, and takes both factors.
     fn report_incomparable(&self, diagnostics: &Diagnostics) {
         let (Some(tests), Some(functions)) = (self.tests, &self.functions) else {
             return;
         };
-        let other = match functions[..] {
-            [(Function::Regressor, _)] => Function::BaseParameters,
-            [(Function::BaseParameters, _)] => Function::Regressor,
-            _ => return,
+        let [(function, _)] = functions[..] else {
+            return;
+        };
+        let Some(other) = function.row().compared_with else {
+            return;
         };
         let message = format!(
             "`tests: true` has nothing to compare: `{}` is tested together with `{}`, ask for both",
-            functions[0].0.name(),
+            function.name(),
             other.name()
         );
         diagnostics.error(tests, message);
@@ -221,6 +223,7 @@ fn report_long_functions(functions: &[(Function, Place)], joints: usize, scope: 
     if joints <= MOST_JOINTS_OF_LONG_FUNCTIONS {
         return;
     }
+    let is_long = |function: Function| function.row().growth == Growth::Steep;
     for (function, place) in functions.iter().filter(|(function, _)| is_long(*function)) {
         let name = function.name();
         let message = format!(
@@ -228,20 +231,6 @@ fn report_long_functions(functions: &[(Function, Place)], joints: usize, scope: 
         );
         scope.error(*place, message);
     }
-}
-
-/// Whether the function's length, or the time to derive it, grows faster than the square of the number
-/// of joints.
-fn is_long(function: Function) -> bool {
-    matches!(
-        function,
-        Function::CoriolisMatrix
-            | Function::CoriolisCoefficients
-            | Function::CentrifugalCoefficients
-            | Function::InverseDynamicsDerivatives
-            | Function::ForwardDynamicsDerivatives
-            | Function::Regressor
-    )
 }
 
 fn has_friction(robot: &Robot) -> bool {

@@ -1,6 +1,5 @@
 //! The share below which terms are neglected.
 
-use dynamics_symbolic::Function;
 use dynamics_symbolic::exact::Rational;
 use dynamics_symbolic::robot::{JointType, Value};
 
@@ -47,9 +46,8 @@ pub(super) fn report(parts: &Parts, call: &Call, diagnostics: &Diagnostics) {
                        leave one of the two away";
         diagnostics.error(*tests, message);
     }
-    let identification = [Function::Regressor, Function::BaseParameters];
     for (function, place) in parts.functions.iter().flatten() {
-        if identification.contains(function) {
+        if function.is_about_base_parameters() {
             let message = format!(
                 "`{}` is about all base parameters, some of which `neglect` leaves out: leave one of the \
                  two away",

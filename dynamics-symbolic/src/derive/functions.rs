@@ -12,46 +12,10 @@ use super::{
 };
 use crate::exact::Rational;
 use crate::expr::Expr;
+pub use crate::function::Form;
 use crate::function::Function;
 use crate::linear::Vector3;
 use crate::robot::{Interpretation, Robot};
-
-/// How a function is written.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Form {
-    /// By the recursion that is made for it; forward dynamics by factoring the mass matrix.
-    Recursive,
-    /// From other quantities: M qdd + V + G, the contraction of the Christoffel
-    /// symbols, inverse dynamics at rest, or a regressor from partial velocities.
-    Assembled,
-    /// Forward dynamics by articulated bodies, without the mass matrix.
-    Articulated,
-}
-
-impl Form {
-    /// The forms that may be the shortest. Assembled motions grow with a higher
-    /// power of the number of joints: they win for up to three.
-    pub fn of(function: Function, dof: usize) -> &'static [Form] {
-        match function {
-            Function::GravityVector
-            | Function::Regressor
-            | Function::ForwardDynamicsDerivatives => &[Form::Recursive, Form::Assembled],
-            Function::ForwardDynamics => &[Form::Recursive, Form::Articulated],
-            Function::InverseDynamics
-            | Function::TaylorSeries
-            | Function::BiasForce
-            | Function::CoriolisVector
-            | Function::InverseDynamicsDerivatives
-                if dof <= 3 =>
-            {
-                &[Form::Recursive, Form::Assembled]
-            }
-            // All Christoffel symbols are shorter than a recursion for up to six joints.
-            Function::CoriolisMatrix if dof <= 8 => &[Form::Recursive, Form::Assembled],
-            _ => &[Form::Recursive],
-        }
-    }
-}
 
 /// What a function puts out, in the order of its contract: matrices by rows.
 /// Forward dynamics and its derivatives: the values, the pivots, and M's diagonal.
@@ -63,7 +27,11 @@ pub fn outputs<'g>(
     form: Form,
 ) -> Vec<Expr<'g>> {
     let of_rows = of_rows(symbols, robot, chain, function, form);
-    Joints::of(robot).outputs(function, of_rows)
+    match function.has_pivots() {
+        // What is solved for is that of the joints that move.
+        true => of_rows,
+        false => Joints::of(robot).outputs(function.shape(), of_rows),
+    }
 }
 
 /// The outputs for the joint of every row, as if those that are locked were not, but did not move;
@@ -307,7 +275,7 @@ fn acceleration_derivatives<'g>(
     let qdd = joints.rows(&qdd, chain.zero);
     let without_friction = derivatives::recursion(chain, &qd, &qdd);
     let forces = with_friction(symbols, robot, without_friction);
-    let forces = joints.outputs(Function::InverseDynamicsDerivatives, forces);
+    let forces = joints.outputs(Function::InverseDynamicsDerivatives.shape(), forces);
     let mut values = forces.clone();
     for (b, x) in forces.chunks(n * n).zip(values.chunks_mut(n * n)) {
         for column in 0..n {

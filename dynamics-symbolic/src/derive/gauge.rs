@@ -3,11 +3,11 @@
 //! whatever is chosen; the number of operations is not.
 
 use super::chain::{Chain, Origin};
-use super::functions::{Form, outputs};
+use super::functions::outputs;
 use super::inertia::Keep;
 use super::symbols::Symbols;
 use crate::expr::Graph;
-use crate::function::Function;
+use crate::function::{Form, Function, Search};
 use crate::robot::Robot;
 use crate::simplify::Network;
 
@@ -63,23 +63,14 @@ impl Gauge {
     /// single choices and neighbouring pairs are reversed for as long as the
     /// work of the operations falls.
     pub fn search(robot: &Robot, function: Function, form: Form) -> Self {
-        // What is solved for in the derivatives of forward dynamics costs the same in every gauge.
-        let (function, form) = match function {
-            Function::ForwardDynamicsDerivatives => {
-                (Function::InverseDynamicsDerivatives, Form::Recursive)
-            }
-            _ => (function, form),
-        };
         let dof = robot.rows.len();
-        if function == Function::ForwardDynamicsAba {
-            // Accuracy decides, not length.
-            return Gauge::physical(dof);
-        }
         let mut gauge = Gauge::plain(dof);
-        if function == Function::BaseParameters {
-            // Functions of the table alone.
-            return gauge;
-        }
+        let (function, form) = match function.row().search {
+            Search::Own => (function, form),
+            Search::By(other) => (other, Form::Recursive),
+            Search::None => return gauge,
+            Search::Accuracy => return Gauge::physical(dof),
+        };
         let mut nodes = 0;
         let mut cost = gauge.cost(robot, function, form, &mut nodes);
         loop {

@@ -3,7 +3,7 @@
 //! The equations of an arm with locked joints are those of the whole arm where these joints have a
 //! constant position and no velocity or acceleration, without their own rows and columns.
 
-use crate::function::Function;
+use crate::function::{Shape, Size, Sizes};
 use crate::robot::Robot;
 
 /// Which rows of the table have a joint that moves.
@@ -41,48 +41,69 @@ impl Joints {
         of_rows
     }
 
-    /// Of the outputs of a function for the joint of every row, matrices by rows, those of its
-    /// contract. What was solved for has no others.
-    pub(super) fn outputs<T: Copy>(&self, function: Function, of_rows: Vec<T>) -> Vec<T> {
+    /// Of values for the joint of every row, in that arrangement, those of the joints that move.
+    pub(super) fn outputs<T: Copy>(&self, shape: &Shape, of_rows: Vec<T>) -> Vec<T> {
         if self.moving.len() == self.rows {
             return of_rows;
         }
-        let (all, joints) = ((0..self.rows).collect::<Vec<_>>(), &self.moving);
-        let pairs = |among: &[usize]| {
-            let inner = |(j, &a)| among[j + 1..].iter().map(move |&b| self.pair(a, b));
-            among.iter().enumerate().flat_map(inner).collect::<Vec<_>>()
-        };
-        let columns = |count: usize| (0..count).collect::<Vec<_>>();
-        match function {
-            Function::CoriolisVector
-            | Function::GravityVector
-            | Function::FrictionVector
-            | Function::InverseDynamics
-            | Function::BiasForce
-            | Function::TaylorSeries => pick(&of_rows, 1, joints, &[0]),
-            Function::MassMatrix | Function::CoriolisMatrix | Function::CentrifugalCoefficients => {
-                pick(&of_rows, self.rows, joints, joints)
+        self.picked(shape, self.sizes(shape, of_rows.len()), &of_rows)
+    }
+
+    /// The sizes for the joint of every row.
+    fn sizes(&self, shape: &Shape, entries: usize) -> Sizes {
+        Sizes {
+            joints: self.rows,
+            parameters: shape.parameters(self.rows, entries),
+        }
+    }
+
+    fn picked<T: Copy>(&self, shape: &Shape, sizes: Sizes, of_rows: &[T]) -> Vec<T> {
+        match shape {
+            Shape::Number => of_rows.to_vec(),
+            Shape::Matrix(rows, columns) => {
+                let places = |size| self.places(size, sizes);
+                pick(
+                    of_rows,
+                    columns.of(sizes),
+                    &places(*rows),
+                    &places(*columns),
+                )
             }
-            Function::CoriolisCoefficients => {
-                pick(&of_rows, pairs(&all).len(), joints, &pairs(joints))
+            Shape::Each(one) => {
+                let entries = one.entries(sizes);
+                let of_joint = |&i: &usize| &of_rows[i * entries..(i + 1) * entries];
+                let moving = self.moving.iter().map(of_joint);
+                moving
+                    .flat_map(|part| self.picked(one, sizes, part))
+                    .collect()
             }
-            Function::InverseDynamicsDerivatives => of_rows
-                .chunks(self.rows * self.rows)
-                .flat_map(|matrix| pick(matrix, self.rows, joints, joints))
-                .collect(),
-            Function::LinkPoses => pick(&of_rows, 16, joints, &columns(16)),
-            Function::Jacobian => pick(&of_rows, self.rows, &columns(6), joints),
-            Function::Regressor => {
-                let parameters = of_rows.len() / self.rows;
-                pick(&of_rows, parameters, joints, &columns(parameters))
+            Shape::Tuple(parts) => {
+                let mut rest = of_rows;
+                let mut picked = Vec::new();
+                for part in *parts {
+                    let (values, others) = rest.split_at(part.entries(sizes));
+                    picked.extend(self.picked(part, sizes, values));
+                    rest = others;
+                }
+                picked
             }
-            Function::KineticEnergy
-            | Function::PotentialEnergy
-            | Function::ForwardKinematics
-            | Function::BaseParameters
-            | Function::ForwardDynamics
-            | Function::ForwardDynamicsAba
-            | Function::ForwardDynamicsDerivatives => of_rows,
+            Shape::Series => self.entries(of_rows.to_vec()),
+        }
+    }
+
+    /// Which of so many rows or columns belong to joints that move, or to none.
+    fn places(&self, size: Size, sizes: Sizes) -> Vec<usize> {
+        match size {
+            Size::One | Size::Fixed(_) | Size::Parameters => (0..size.of(sizes)).collect(),
+            Size::Joints => self.moving.clone(),
+            Size::Pairs => {
+                let among = self.moving.iter().enumerate();
+                let inner = |(j, &a): (usize, &usize)| {
+                    let outer = self.moving[j + 1..].iter();
+                    outer.map(|&b| self.pair(a, b)).collect::<Vec<_>>()
+                };
+                among.flat_map(inner).collect()
+            }
         }
     }
 
@@ -111,7 +132,26 @@ mod tests {
         };
         // (1,2) (1,3) (1,4) (2,3) (2,4) (3,4), three rows that matter.
         let of_rows: Vec<usize> = (0..24).collect();
-        let picked = joints.outputs(Function::CoriolisCoefficients, of_rows);
+        let picked = joints.outputs(&Shape::Matrix(Size::Joints, Size::Pairs), of_rows);
         assert_eq!(picked, [1, 2, 5, 13, 14, 17, 19, 20, 23]);
+    }
+
+    /// A vector for each joint beside a matrix with a column for each: two of three joints move.
+    #[test]
+    fn what_does_not_belong_to_joints_stays() {
+        let joints = Joints {
+            moving: vec![0, 2],
+            rows: 3,
+        };
+        const EACH: Shape = Shape::Each(&Shape::Matrix(Size::Fixed(2), Size::One));
+        const SHAPE: Shape = Shape::Tuple(&[
+            EACH,
+            Shape::Number,
+            Shape::Matrix(Size::Fixed(2), Size::Joints),
+            Shape::Matrix(Size::Joints, Size::Parameters),
+        ]);
+        let of_rows: Vec<usize> = (0..19).collect();
+        let picked = joints.outputs(&SHAPE, of_rows);
+        assert_eq!(picked, [0, 1, 4, 5, 6, 7, 9, 10, 12, 13, 14, 17, 18]);
     }
 }

@@ -22,11 +22,10 @@ pub mod symbols;
 pub mod textbook;
 
 use crate::expr::Graph;
-use crate::function::Function;
+use crate::function::{Form, Function, Search, Trial};
 use crate::program::Program;
 use crate::robot::Robot;
 use crate::simplify::{Effort, simplify};
-use functions::Form;
 use gauge::Gauge;
 use symbols::Symbols;
 
@@ -34,8 +33,7 @@ use symbols::Symbols;
 /// simplifications lead to.
 pub fn derive(robot: &Robot, function: Function) -> Program {
     let forms = promising_forms(robot, function);
-    if function == Function::ForwardDynamicsDerivatives {
-        // Programs so long are compared before they are simplified.
+    if is_tried_by(Trial::Unsimplified, function) {
         let gauge = Gauge::search(robot, function, Form::Recursive);
         let length = |form: &Form| gauge.length(robot, function, *form);
         let form = forms.into_iter().min_by_key(length);
@@ -50,17 +48,18 @@ pub fn derive(robot: &Robot, function: Function) -> Program {
         .expect("every function has a form")
 }
 
-/// The forms of forward dynamics and of the Coriolis matrix differ by the number
-/// of joints, the more the longer the arm. How they compare shows before any
-/// search: a form that takes over a tenth more than another in the plain gauge is
-/// not tried. Forms of other functions are all tried.
+fn is_tried_by(trial: Trial, function: Function) -> bool {
+    let second = function.row().second;
+    second.is_some_and(|second| second.trial == trial)
+}
+
+/// The forms that are tried. Where they differ by the number of joints, how they compare shows
+/// before any search: a form that takes over a tenth more than another in the plain gauge is
+/// not tried.
 fn promising_forms(robot: &Robot, function: Function) -> Vec<Form> {
-    let forms = Form::of(function, robot.dof());
-    if !matches!(
-        function,
-        Function::ForwardDynamics | Function::CoriolisMatrix
-    ) {
-        return forms.to_vec();
+    let forms = function.forms(robot.dof());
+    if !is_tried_by(Trial::Promising, function) {
+        return forms;
     }
     let plain = Gauge::plain(robot.rows.len());
     let cost = |form| plain.length(robot, function, form);
@@ -84,7 +83,7 @@ fn simplified(robot: &Robot, function: Function, form: Form, gauge: &Gauge) -> P
     let mut symbols = Symbols::new(&graph, robot);
     let mut network = gauge.network(&mut symbols, robot, function, form);
     // Another way to write a number may be a difference of larger ones.
-    if function != Function::ForwardDynamicsAba {
+    if function.row().search != Search::Accuracy {
         simplify(&mut network, Effort::DEFAULT);
     }
     let program = Program::new(&graph, symbols.meanings(), network.outputs(), &|id| {

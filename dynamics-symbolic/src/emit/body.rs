@@ -1,8 +1,8 @@
 //! The body of a method: straight-line assignments behind its inputs, and its outputs.
 
 use super::inputs::{constants_of, input_name, inputs, literal, reads_fields};
-use super::signature::{Shape, arguments, ident, shape};
-use crate::function::Function;
+use super::signature::ident;
+use crate::function::{Function, Shape, Sizes};
 use crate::program::{Instruction, Operand, Program};
 use crate::robot::Robot;
 use proc_macro2::{Ident, Literal, Punct, Spacing, TokenStream, TokenTree};
@@ -41,8 +41,8 @@ pub(super) fn body(
 ) -> TokenStream {
     let writer = Writer::new(robot, program, constants);
     let reads_constants = writer.constants.iter().any(|x| !x.is_nan());
-    let number =
-        (reads_constants || reads_fields(program)).then(|| constants_of(arguments(function), path));
+    let number = (reads_constants || reads_fields(program))
+        .then(|| constants_of(function.arguments(), path));
     let inputs = inputs(robot, function, program, path);
     let assignments = writer.assignments();
     let outputs = writer.outputs(robot, function, path);
@@ -200,35 +200,49 @@ impl<'p> Writer<'p> {
     }
 
     fn outputs(&self, robot: &Robot, function: Function, path: &TokenStream) -> TokenStream {
-        match shape(function, robot.dof()) {
-            Shape::Number => self.output(0),
-            Shape::Matrix(rows, columns) => self.matrix(0, rows, columns, path),
-            Shape::Regressor(rows) => {
-                let columns = self.program.outputs.len() / rows;
-                self.matrix(0, rows, columns, path)
+        let sizes = function.sizes(robot.dof(), self.program.outputs.len());
+        let mut count = 0;
+        let values = self.values(function.shape(), sizes, &mut count, path);
+        match function.has_pivots() {
+            true => {
+                let tests = self.pivot_tests(robot, count, path);
+                quote!(#tests ::core::result::Result::Ok(#values))
             }
-            Shape::BaseParameters => self.matrix(0, self.program.outputs.len(), 1, path),
+            false => values,
+        }
+    }
+
+    /// Values in their arrangement, from output `next` on, which is moved behind them.
+    fn values(
+        &self,
+        shape: &Shape,
+        sizes: Sizes,
+        next: &mut usize,
+        path: &TokenStream,
+    ) -> TokenStream {
+        let first = *next;
+        match shape {
+            Shape::Number => {
+                *next += 1;
+                self.output(first)
+            }
+            Shape::Matrix(rows, columns) => {
+                *next += shape.entries(sizes);
+                self.matrix(first, rows.of(sizes), columns.of(sizes), path)
+            }
+            Shape::Each(one) => {
+                let joints = 0..sizes.joints;
+                let values = joints.map(|_| self.values(one, sizes, next, path));
+                quote!([#(#values),*])
+            }
+            Shape::Tuple(parts) => {
+                let values = parts
+                    .iter()
+                    .map(|part| self.values(part, sizes, next, path));
+                quote!((#(#values),*))
+            }
             // Written over series, in another file.
-            Shape::TaylorCoefficients => TokenStream::new(),
-            Shape::Poses(count) => {
-                let poses = (0..count).map(|i| self.matrix(16 * i, 4, 4, path));
-                quote!([#(#poses),*])
-            }
-            Shape::Accelerations(n) => {
-                let accelerations = self.matrix(0, n, 1, path);
-                let tests = self.pivot_tests(robot, n, path);
-                quote!(#tests ::core::result::Result::Ok(#accelerations))
-            }
-            Shape::ForceDerivatives(n) => {
-                let [by_position, by_velocity] = [0, 1].map(|k| self.matrix(k * n * n, n, n, path));
-                quote!((#by_position, #by_velocity))
-            }
-            Shape::AccelerationDerivatives(n) => {
-                let [by_position, by_velocity, by_force] =
-                    [0, 1, 2].map(|k| self.matrix(k * n * n, n, n, path));
-                let tests = self.pivot_tests(robot, 3 * n * n, path);
-                quote!(#tests ::core::result::Result::Ok((#by_position, #by_velocity, #by_force)))
-            }
+            Shape::Series => TokenStream::new(),
         }
     }
 

@@ -1,7 +1,7 @@
 //! What a method reads before its first operation: arguments, fields, sines and cosines.
 
 use super::signature::{field, ident, plain};
-use crate::function::Function;
+use crate::function::{Argument, Function};
 use crate::program::Program;
 use crate::robot::{Robot, Symbol, Value};
 use proc_macro2::{Literal, TokenStream};
@@ -20,11 +20,11 @@ pub(super) fn reads_fields(program: &Program) -> bool {
 /// `real`, which makes a constant of a double in the arithmetic of the arguments, if there are any:
 /// lanes of a vector know the processor's instructions, and so how many they are, from each other
 /// alone.
-pub(super) fn constants_of(arguments: &[&str], path: &TokenStream) -> TokenStream {
+pub(super) fn constants_of(arguments: &[Argument], path: &TokenStream) -> TokenStream {
     let (real, x) = (ident("real"), ident("x"));
     match arguments.first() {
         Some(argument) => {
-            let like = element(argument, 0);
+            let like = element(*argument, 0);
             quote!(let #real = |#x: f64| #path::Scalar::constant(#like, #x);)
         }
         None => quote!(let #real = <T as #path::Scalar>::from_f64;),
@@ -32,8 +32,8 @@ pub(super) fn constants_of(arguments: &[&str], path: &TokenStream) -> TokenStrea
 }
 
 /// One element of an argument.
-fn element(vector: &str, i: usize) -> TokenStream {
-    let (vector, i) = (ident(vector), Literal::usize_unsuffixed(i));
+fn element(vector: Argument, i: usize) -> TokenStream {
+    let (vector, i) = (ident(vector.name()), Literal::usize_unsuffixed(i));
     quote!(#vector.data.0[0][#i])
 }
 
@@ -86,17 +86,17 @@ pub(super) fn inputs(
 ) -> TokenStream {
     let angles = program.angles();
     let name = |symbol: &Symbol| ident(&input_name(robot, symbol, &angles));
-    let mut lines = sines(robot, function, &angles, path);
+    let mut lines = sines(robot, function.trait_name().is_some(), &angles, path);
     let mut symbols: Vec<_> = program.inputs.iter().collect();
     symbols.sort_by_key(|symbol| place(symbol));
     for symbol in symbols {
         let value = match symbol {
-            Symbol::Position(i) => element("q", *i),
-            Symbol::Velocity(i) => element("qd", *i),
-            Symbol::Acceleration(i) => element("qdd", *i),
-            Symbol::Force(i) => element("tau", *i),
+            Symbol::Position(i) => element(Argument::Position, *i),
+            Symbol::Velocity(i) => element(Argument::Velocity, *i),
+            Symbol::Acceleration(i) => element(Argument::Acceleration, *i),
+            Symbol::Force(i) => element(Argument::Force, *i),
             Symbol::VelocitySign(i) => {
-                let velocity = element("qd", *i);
+                let velocity = element(Argument::Velocity, *i);
                 quote!(#path::Scalar::sign(#velocity))
             }
             Symbol::Field(i) => parametric(robot, &Value::Field(*i)),
@@ -114,7 +114,7 @@ pub(super) fn constant_inputs(robot: &Robot, program: &Program, path: &TokenStre
     let angles = program.angles();
     let constant = |angle: &&Symbol| !matches!(angle, Symbol::Sine(_) | Symbol::Cosine(_));
     let of_constants: Vec<_> = angles.iter().copied().filter(constant).collect();
-    let mut lines = sines(robot, Function::BaseParameters, &of_constants, path);
+    let mut lines = sines(robot, false, &of_constants, path);
     for symbol in &program.inputs {
         if let Symbol::Field(i) = symbol {
             let name = ident(&input_name(robot, symbol, &angles));
@@ -126,13 +126,17 @@ pub(super) fn constant_inputs(robot: &Robot, program: &Program, path: &TokenStre
 }
 
 /// The sines and cosines, all angles of a kind in one call, which evaluates them in the lanes of a
-/// vector register. Where the runtime may know those of the joints, they come from `sines`.
-fn sines(robot: &Robot, function: Function, angles: &[&Symbol], path: &TokenStream) -> TokenStream {
+/// vector register. Where the runtime may know those of the joints, they are asked for and come from `sines`.
+fn sines(
+    robot: &Robot,
+    are_asked_for: bool,
+    angles: &[&Symbol],
+    path: &TokenStream,
+) -> TokenStream {
     let pair = |sine: Symbol, cosine: Symbol| {
         let [s, c] = [sine, cosine].map(|symbol| ident(&input_name(robot, &symbol, angles)));
         quote!((#s, #c))
     };
-    let are_asked_for = function.trait_name().is_some();
     let (mut joints, mut known, mut positions) = (Vec::new(), Vec::new(), Vec::new());
     let (mut pairs, mut arguments) = (Vec::new(), Vec::new());
     for angle in angles {
@@ -140,11 +144,11 @@ fn sines(robot: &Robot, function: Function, angles: &[&Symbol], path: &TokenStre
             Symbol::Sine(i) | Symbol::Cosine(i) if are_asked_for => {
                 joints.push(Literal::usize_unsuffixed(*i));
                 known.push(pair(Symbol::Sine(*i), Symbol::Cosine(*i)));
-                positions.push(element("q", *i));
+                positions.push(element(Argument::Position, *i));
             }
             Symbol::Sine(i) | Symbol::Cosine(i) => {
                 pairs.push(pair(Symbol::Sine(*i), Symbol::Cosine(*i)));
-                arguments.push(element("q", *i));
+                arguments.push(element(Argument::Position, *i));
             }
             Symbol::AngleSine(value) | Symbol::AngleCosine(value) => {
                 let [sine, cosine] = [Symbol::AngleSine, Symbol::AngleCosine];

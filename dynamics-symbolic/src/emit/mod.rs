@@ -74,11 +74,8 @@ pub fn method(
     path: &TokenStream,
 ) -> Emitted {
     let documentation = documentation::documentation(robot, function, program, constants, notes);
-    let parameters = match function {
-        Function::Regressor => program.outputs.len() / robot.dof(),
-        _ => program.outputs.len(),
-    };
-    let signature = signature(function, robot.dof(), parameters, path);
+    let sizes = function.sizes(robot.dof(), program.outputs.len());
+    let signature = signature(function, robot.dof(), sizes.parameters, path);
     let body = body::body(robot, function, program, constants, path);
     let (inherent, provided) = match provided(function, robot.dof(), path, &body) {
         None => (body, None),

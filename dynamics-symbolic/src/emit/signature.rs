@@ -1,83 +1,50 @@
 //! The signatures of the generated methods.
 
 use crate::derive::base::{Grouping, columns};
-use crate::function::Function;
+use crate::function::{Argument, Function, Shape, Size, Sizes};
 use crate::robot::Robot;
-use proc_macro2::{Literal, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, quote};
 
-/// The arguments of a function after `&self`, in order.
-pub(super) fn arguments(function: Function) -> &'static [&'static str] {
-    match function {
-        Function::MassMatrix
-        | Function::GravityVector
-        | Function::PotentialEnergy
-        | Function::CoriolisCoefficients
-        | Function::CentrifugalCoefficients
-        | Function::ForwardKinematics
-        | Function::LinkPoses
-        | Function::Jacobian => &["q"],
-        Function::CoriolisVector
-        | Function::KineticEnergy
-        | Function::BiasForce
-        | Function::CoriolisMatrix => &["q", "qd"],
-        Function::FrictionVector => &["qd"],
-        Function::InverseDynamics | Function::InverseDynamicsDerivatives | Function::Regressor => {
-            &["q", "qd", "qdd"]
+/// The type of values in an arrangement: `n` is the number of joints as a token.
+fn type_of(shape: &Shape, n: &TokenStream, sizes: Sizes, path: &TokenStream) -> TokenStream {
+    let size = |size: Size| match size {
+        Size::Joints => n.clone(),
+        other => Literal::usize_unsuffixed(other.of(sizes)).into_token_stream(),
+    };
+    match shape {
+        Shape::Number => quote!(T),
+        Shape::Matrix(Size::Fixed(rows), Size::One) => {
+            let vector = ident(&format!("Vector{rows}"));
+            quote!(#path::nalgebra::#vector<T>)
         }
-        Function::ForwardDynamics
-        | Function::ForwardDynamicsAba
-        | Function::ForwardDynamicsDerivatives
-        | Function::TaylorSeries => &["q", "qd", "tau"],
-        Function::BaseParameters => &[],
+        Shape::Matrix(rows, Size::One) => {
+            let rows = size(*rows);
+            quote!(#path::nalgebra::SVector<T, #rows>)
+        }
+        Shape::Matrix(Size::Fixed(rows), Size::Fixed(columns)) if rows == columns => {
+            let square = ident(&format!("Matrix{rows}"));
+            quote!(#path::nalgebra::#square<T>)
+        }
+        Shape::Matrix(rows, columns) => {
+            let (rows, columns) = (size(*rows), size(*columns));
+            quote!(#path::nalgebra::SMatrix<T, #rows, #columns>)
+        }
+        Shape::Each(one) => {
+            let one = type_of(one, n, sizes, path);
+            quote!([#one; #n])
+        }
+        Shape::Tuple(parts) => {
+            let parts = parts.iter().map(|part| type_of(part, n, sizes, path));
+            quote!((#(#parts),*))
+        }
+        Shape::Series => quote!(#path::TaylorCoefficients<T, #n>),
     }
 }
 
-/// The arrangement of the outputs: rows and columns of each matrix, and how many matrices.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Shape {
-    /// One number.
-    Number,
-    /// A matrix (or vector) of rows and columns.
-    Matrix(usize, usize),
-    /// Homogeneous transforms in an array.
-    Poses(usize),
-    /// Accelerations, or the failure of a pivot.
-    Accelerations(usize),
-    /// Two square matrices: by position, and by velocity.
-    ForceDerivatives(usize),
-    /// Three square matrices, by position, velocity and force, or the failure of a pivot.
-    AccelerationDerivatives(usize),
-    /// So many rows, and a column for each base parameter.
-    Regressor(usize),
-    /// The base parameters, one a row.
-    BaseParameters,
-    /// Coefficients of Taylor series, or the failure of a pivot.
-    TaylorCoefficients,
-}
-
-pub(super) fn shape(function: Function, dof: usize) -> Shape {
-    match function {
-        Function::MassMatrix | Function::CoriolisMatrix | Function::CentrifugalCoefficients => {
-            Shape::Matrix(dof, dof)
-        }
-        Function::CoriolisVector
-        | Function::GravityVector
-        | Function::FrictionVector
-        | Function::InverseDynamics
-        | Function::BiasForce => Shape::Matrix(dof, 1),
-        Function::ForwardDynamics | Function::ForwardDynamicsAba => Shape::Accelerations(dof),
-        Function::KineticEnergy | Function::PotentialEnergy => Shape::Number,
-        Function::CoriolisCoefficients => Shape::Matrix(dof, dof * (dof.max(1) - 1) / 2),
-        Function::ForwardKinematics => Shape::Matrix(4, 4),
-        Function::LinkPoses => Shape::Poses(dof),
-        Function::Jacobian => Shape::Matrix(6, dof),
-        Function::InverseDynamicsDerivatives => Shape::ForceDerivatives(dof),
-        Function::ForwardDynamicsDerivatives => Shape::AccelerationDerivatives(dof),
-        Function::Regressor => Shape::Regressor(dof),
-        Function::BaseParameters => Shape::BaseParameters,
-        Function::TaylorSeries => Shape::TaylorCoefficients,
-    }
+/// The sizes of a robot's values: none of joints where their number could not be told.
+fn sizes(joints: usize, parameters: usize) -> Sizes {
+    Sizes { joints, parameters }
 }
 
 fn output_type(
@@ -87,36 +54,32 @@ fn output_type(
     n: &TokenStream,
     path: &TokenStream,
 ) -> TokenStream {
-    let size = Literal::usize_unsuffixed;
-    let square = quote!(#path::nalgebra::SMatrix<T, #n, #n>);
-    let parameters = size(parameters);
-    match (shape(function, dof), function) {
-        (Shape::Number, _) => quote!(T),
-        (Shape::Poses(_), _) => quote!([#path::nalgebra::Matrix4<T>; #n]),
-        (Shape::Accelerations(_), _) => {
-            quote!(::core::result::Result<#path::nalgebra::SVector<T, #n>, #path::SingularMassMatrix>)
-        }
-        (Shape::ForceDerivatives(_), _) => quote!((#square, #square)),
-        (Shape::AccelerationDerivatives(_), _) => {
-            quote!(::core::result::Result<(#square, #square, #square), #path::SingularMassMatrix>)
-        }
-        (Shape::Regressor(_), _) => quote!(#path::nalgebra::SMatrix<T, #n, #parameters>),
-        (Shape::TaylorCoefficients, _) => {
-            quote!(::core::result::Result<#path::TaylorCoefficients<T, #n>, #path::SingularMassMatrix>)
-        }
-        (Shape::BaseParameters, _) => quote!(#path::nalgebra::SVector<T, #parameters>),
-        (_, Function::ForwardKinematics) => quote!(#path::nalgebra::Matrix4<T>),
-        (_, Function::Jacobian) => quote!(#path::nalgebra::SMatrix<T, 6, #n>),
-        (Shape::Matrix(_, columns), Function::CoriolisCoefficients) => {
-            let columns = size(columns);
-            quote!(#path::nalgebra::SMatrix<T, #n, #columns>)
-        }
-        (
-            _,
-            Function::MassMatrix | Function::CoriolisMatrix | Function::CentrifugalCoefficients,
-        ) => square,
-        (Shape::Matrix(..), _) => quote!(#path::nalgebra::SVector<T, #n>),
+    let values = type_of(function.shape(), n, sizes(dof, parameters), path);
+    match function.row().refuses {
+        true => quote!(::core::result::Result<#values, #path::SingularMassMatrix>),
+        false => values,
     }
+}
+
+/// The arguments with their types.
+fn parameters_of(function: Function, n: &TokenStream, path: &TokenStream) -> Vec<TokenStream> {
+    let argument = |argument: &Argument| {
+        let name = ident(argument.name());
+        match argument.shape() {
+            Some(shape) => {
+                let values = type_of(&shape, n, sizes(0, 0), path);
+                quote!(#name: &#values)
+            }
+            None => quote!(#name: usize),
+        }
+    };
+    function.arguments().iter().map(argument).collect()
+}
+
+/// The names of the arguments.
+fn names(function: Function) -> Vec<Ident> {
+    let arguments = function.arguments().iter();
+    arguments.map(|argument| ident(argument.name())).collect()
 }
 
 /// `fn name<T: Scalar>(&self, q: &SVector<T, N>, ...) -> ...`, without visibility. With
@@ -141,16 +104,10 @@ fn signature_with(
 ) -> TokenStream {
     let name = ident(function.name());
     let n = number_of_joints(dof);
-    let arguments = arguments(function).iter().map(|argument| ident(argument));
+    let arguments = parameters_of(function, &n, path);
     let output = output_type(function, dof, parameters, &n, path);
-    let order = (function == Function::TaylorSeries).then(|| {
-        let order = ident("order");
-        quote!(, #order: usize)
-    });
     quote! {
-        fn #name<T: #path::Scalar #generic>(
-            &self #(, #arguments: &#path::nalgebra::SVector<T, #n>)* #order
-        ) -> #output
+        fn #name<T: #path::Scalar #generic>(&self #(, #arguments)*) -> #output
     }
 }
 
@@ -170,7 +127,7 @@ pub(super) fn provided(
     body: &TokenStream,
 ) -> Option<TokenStream> {
     function.trait_name()?;
-    if function == Function::TaylorSeries {
+    if *function.shape() == Shape::Series {
         let series = super::series::declarations([0, 1], dof, path, body);
         let matrix = leading_matrix(dof, path, body);
         return Some(quote!(#series #matrix));
@@ -179,19 +136,19 @@ pub(super) fn provided(
     let n = number_of_joints(dof);
     let at = ident(&format!("{}_at", function.name()));
     let sines = ident("sines");
-    let arguments: Vec<_> = arguments(function).iter().map(|name| ident(name)).collect();
+    let (names, arguments) = (names(function), parameters_of(function, &n, path));
     let output = output_type(function, dof, 0, &n, path);
     Some(quote! {
         #[inline(always)]
         #signature {
-            Self::#at(self, &#path::Evaluated #(, #arguments)*)
+            Self::#at(self, &#path::Evaluated #(, #names)*)
         }
 
         #[inline(always)]
         fn #at<T: #path::Scalar>(
             &self,
             #sines: &impl #path::JointSines<T>
-            #(, #arguments: &#path::nalgebra::SVector<T, #n>)*
+            #(, #arguments)*
         ) -> #output {
             #body
         }
@@ -218,19 +175,14 @@ pub(super) fn leading_matrix(dof: usize, path: &TokenStream, body: &TokenStream)
 pub(super) fn call(function: Function, dof: usize, path: &TokenStream) -> TokenStream {
     let n = number_of_joints(dof);
     let [name, of] = [function.name(), function.trait_name().unwrap_or_default()].map(ident);
-    let arguments = arguments(function).iter().map(|argument| ident(argument));
-    let order = (function == Function::TaylorSeries).then(|| {
-        let order = ident("order");
-        quote!(, #order)
-    });
-    quote!(<Self as #path::#of<#n>>::#name(self #(, #arguments)* #order))
+    let names = names(function);
+    quote!(<Self as #path::#of<#n>>::#name(self #(, #names)*))
 }
 
 /// The associated constants `BASE_PARAMETERS` and `BASE_PARAMETER_NAMES`, where one of the functions
 /// is about them: none where an error left their number unknown.
 pub fn base_parameter_constants(functions: &[Function], robot: Option<&Robot>) -> TokenStream {
-    let of_parameters = [Function::Regressor, Function::BaseParameters];
-    if !functions.iter().any(|f| of_parameters.contains(f)) {
+    if !functions.iter().any(|f| f.is_about_base_parameters()) {
         return TokenStream::new();
     }
     let columns = robot.map_or(Vec::new(), |robot| columns(&Grouping::of(robot)));
@@ -267,8 +219,8 @@ pub fn stub_of_trait(function: Function, dof: usize, path: &TokenStream) -> Opti
     provided(function, dof, path, &quote!(::core::unimplemented!()))
 }
 
-pub(super) fn ident(name: &str) -> proc_macro2::Ident {
-    proc_macro2::Ident::new(name, proc_macro2::Span::mixed_site())
+pub(super) fn ident(name: &str) -> Ident {
+    Ident::new(name, proc_macro2::Span::mixed_site())
 }
 
 /// A field's name without the `r#` of a raw identifier.
@@ -277,10 +229,10 @@ pub(super) fn plain(field: &str) -> &str {
 }
 
 /// The identifier of a field of the user's struct.
-pub(super) fn field(name: &str) -> proc_macro2::Ident {
+pub(super) fn field(name: &str) -> Ident {
     let span = proc_macro2::Span::call_site();
     match name.strip_prefix("r#") {
-        Some(raw) => proc_macro2::Ident::new_raw(raw, span),
-        None => proc_macro2::Ident::new(name, span),
+        Some(raw) => Ident::new_raw(raw, span),
+        None => Ident::new(name, span),
     }
 }

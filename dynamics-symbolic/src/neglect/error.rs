@@ -38,7 +38,8 @@ pub fn largest_error(
     pruned: &Program,
 ) -> LargestError {
     let (mut difference, mut size) = (0.0_f64, 0.0_f64);
-    let count = entries_of(function, complete, robot.dof());
+    // Behind the values there may be pivots and the diagonal.
+    let count = function.entries(robot.dof(), complete.outputs.len());
     for mut point in points(robot) {
         let whole = complete.evaluate(&mut point);
         let entries = whole.into_iter().zip(pruned.evaluate(&mut point));
@@ -52,15 +53,6 @@ pub fn largest_error(
         relative: if size > 0.0 { difference / size } else { 0.0 },
         complete: before,
         saved: before.saturating_sub(after),
-    }
-}
-
-/// How many outputs are values: pivots and the diagonal behind them are not.
-fn entries_of(function: Function, program: &Program, dof: usize) -> usize {
-    match function {
-        Function::ForwardDynamics | Function::ForwardDynamicsAba => dof,
-        Function::ForwardDynamicsDerivatives => 3 * dof * dof,
-        _ => program.outputs.len(),
     }
 }
 

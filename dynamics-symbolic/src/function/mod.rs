@@ -1,0 +1,115 @@
+//! The functions that can be generated for a robot: one row of one table for each.
+//!
+//! What is said of a function stands in its [`Row`]. Its outputs and their definition are formulas, and
+//! stand where these are derived and proven, in one exhaustive match each.
+
+mod argument;
+mod row;
+mod shape;
+mod table;
+
+pub use argument::Argument;
+pub use row::{Form, Growth, Row, Search, Second, Set, Trial};
+pub use shape::{Shape, Size, Sizes};
+pub use table::Function;
+
+impl Function {
+    /// The name of the generated method.
+    pub fn name(self) -> &'static str {
+        self.row().name
+    }
+
+    /// The arguments of the generated method after `&self`, in order.
+    pub fn arguments(self) -> &'static [Argument] {
+        self.row().arguments
+    }
+
+    /// The arrangement of the values.
+    pub fn shape(self) -> &'static Shape {
+        &self.row().shape
+    }
+
+    /// The name of the runtime's trait for the function, where there is one.
+    pub fn trait_name(self) -> Option<&'static str> {
+        self.row().provided
+    }
+
+    /// The function of that name.
+    pub fn from_name(name: &str) -> Option<Function> {
+        Function::ALL.into_iter().find(|f| f.name() == name)
+    }
+
+    /// The set that is generated where a table asks for no functions by name.
+    pub fn default_set(has_friction: bool) -> Vec<Function> {
+        let belongs = |function: &Function| match function.row().set {
+            Set::Default => true,
+            Set::WithFriction => has_friction,
+            Set::ByName => false,
+        };
+        Function::ALL.into_iter().filter(belongs).collect()
+    }
+
+    /// The forms that may be the shortest for so many joints.
+    pub fn forms(self, dof: usize) -> Vec<Form> {
+        let second = self.row().second.filter(|second| dof <= second.up_to);
+        let forms = [Some(Form::Recursive), second.map(|second| second.form)];
+        forms.into_iter().flatten().collect()
+    }
+
+    /// Whether the values are those of the base inertial parameters, or belong to them one by one.
+    pub fn is_about_base_parameters(self) -> bool {
+        self.shape().has_parameters()
+    }
+
+    /// The sizes in the shape, of so many joints and with so many outputs that are values.
+    pub fn sizes(self, joints: usize, entries: usize) -> Sizes {
+        Sizes {
+            joints,
+            parameters: self.shape().parameters(joints, entries),
+        }
+    }
+
+    /// How many outputs of a program are values. Pivots and the diagonal of M may follow.
+    pub fn entries(self, joints: usize, outputs: usize) -> usize {
+        self.shape().entries(self.sizes(joints, outputs))
+    }
+
+    /// Whether pivots and the diagonal of M follow the values: what is solved for fails by them.
+    pub fn has_pivots(self) -> bool {
+        self.row().refuses && *self.shape() != Shape::Series
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_different_and_found() {
+        for function in Function::ALL {
+            assert_eq!(Function::from_name(function.name()), Some(function));
+        }
+        assert_eq!(Function::from_name("mass"), None);
+    }
+
+    #[test]
+    fn friction_is_in_the_default_set_where_there_is_some() {
+        let (without, with) = (Function::default_set(false), Function::default_set(true));
+        assert_eq!((without.len(), with.len()), (7, 8));
+        assert!(with.contains(&Function::FrictionVector));
+    }
+
+    /// A function that fails by pivots has as many of them as joints, behind its values.
+    #[test]
+    fn values_are_counted() {
+        let count = |function: Function, outputs| function.entries(3, outputs);
+        assert_eq!(count(Function::ForwardDynamics, 9), 3);
+        assert_eq!(count(Function::ForwardDynamicsDerivatives, 33), 27);
+        assert_eq!(count(Function::CoriolisCoefficients, 9), 9);
+        assert_eq!(count(Function::Regressor, 12), 12);
+        assert_eq!(Function::Regressor.sizes(3, 12).parameters, 4);
+        assert_eq!(Function::BaseParameters.sizes(3, 4).parameters, 4);
+        assert!(Function::ForwardDynamics.has_pivots());
+        assert!(!Function::TaylorSeries.has_pivots());
+    }
+}

@@ -1,0 +1,423 @@
+//! The table of functions.
+
+use super::Argument::{Acceleration, Force, Order, Position, Velocity};
+use super::Size::{Fixed, Joints, One, Pairs, Parameters};
+use super::{Form, Growth, Row, Search, Second, Set, Shape, Trial};
+
+const VECTOR: Shape = Shape::Matrix(Joints, One);
+const SQUARE: Shape = Shape::Matrix(Joints, Joints);
+/// A homogeneous transform.
+const POSE: Shape = Shape::Matrix(Fixed(4), Fixed(4));
+
+/// Any number of joints.
+const ANY: usize = usize::MAX;
+const ASSEMBLED: Option<Second> = Some(Second {
+    form: Form::Assembled,
+    up_to: ANY,
+    trial: Trial::Whole,
+});
+const OF_SMALL_ARMS: Option<Second> = Some(Second {
+    form: Form::Assembled,
+    up_to: 3,
+    trial: Trial::Whole,
+});
+
+/// Makes the enumeration, the list of its variants and the way to their rows out of the table.
+macro_rules! functions {
+    ($($(#[$meaning:meta])* $function:ident: $row:expr,)*) => {
+        /// A function of the generated model, by its contract name.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+        pub enum Function {
+            $($(#[$meaning])* $function,)*
+        }
+
+        impl Function {
+            /// Every function, in the order in which they are generated and documented.
+            pub const ALL: [Function; [$(Function::$function),*].len()] =
+                [$(Function::$function),*];
+
+            /// The function's row of the table.
+            pub const fn row(self) -> &'static Row {
+                match self {
+                    $(Function::$function => const { &$row },)*
+                }
+            }
+        }
+    };
+}
+
+functions! {
+    /// M(q), kg m^2 (revolute) or kg (prismatic).
+    MassMatrix: Row {
+        name: "mass_matrix",
+        arguments: &[Position],
+        shape: SQUARE,
+        refuses: false,
+        description: "Mass matrix M(q), N x N, both triangles, reflected motor inertias included \
+            (kg m^2, kg m or kg). Also: joint-space inertia matrix, H (Featherstone), B (Siciliano), D (Spong).",
+        symbol: Some("M"),
+        set: Set::Default,
+        provided: Some("MassMatrix"),
+        second: None,
+        search: Search::Own,
+        growth: Growth::Moderate,
+        reads_inertia: true,
+        compared_with: None,
+    },
+
+    /// V(q, qd), Coriolis and centrifugal terms.
+    CoriolisVector: Row {
+        name: "coriolis_vector",
+        arguments: &[Position, Velocity],
+        shape: VECTOR,
+        refuses: false,
+        description: "Coriolis and centrifugal vector V(q, qd), N m or N: inverse dynamics without gravity, friction and \
+            acceleration.",
+        symbol: Some("V"),
+        set: Set::Default,
+        provided: Some("CoriolisVector"),
+        second: OF_SMALL_ARMS,
+        search: Search::Own,
+        growth: Growth::Moderate,
+        reads_inertia: true,
+        compared_with: None,
+    },
+
+    /// G(q) = dU/dq.
+    GravityVector: Row {
+        name: "gravity_vector",
+        arguments: &[Position],
+        shape: VECTOR,
+        refuses: false,
+        description: "Gravity vector G(q) = dU/dq, N m or N: inverse dynamics at rest.",
+        symbol: Some("G"),
+        set: Set::Default,
+        provided: Some("GravityVector"),
+        second: ASSEMBLED,
+        search: Search::Own,
+        growth: Growth::Moderate,
+        reads_inertia: true,
+        compared_with: None,
+    },
+
+    /// F(qd), viscous and Coulomb friction.
+    FrictionVector: Row {
+        name: "friction_vector",
+        arguments: &[Velocity],
+        shape: VECTOR,
+        refuses: false,
+        description: "Friction vector F(qd) = viscous qd + coulomb sign(qd), N m or N, with sign(0) = 0.",
+        symbol: Some("F"),
+        set: Set::WithFriction,
+        provided: None,
+        second: None,
+        search: Search::Own,
+        growth: Growth::Moderate,
+        reads_inertia: false,
+        compared_with: None,
+    },
+
+    /// tau = M qdd + V + G + F.
+    InverseDynamics: Row {
+        name: "inverse_dynamics",
+        arguments: &[Position, Velocity, Acceleration],
+        shape: VECTOR,
+        refuses: false,
+        description: "Inverse dynamics tau = M(q) qdd + V(q, qd) + G(q) + F(qd), N m or N, as one program.",
+        symbol: Some("tau"),
+        set: Set::Default,
+        provided: Some("InverseDynamics"),
+        second: OF_SMALL_ARMS,
+        search: Search::Own,
+        growth: Growth::Moderate,
+        reads_inertia: true,
+        compared_with: None,
+    },
+
+    /// qdd from tau.
+    ForwardDynamics: Row {
+        name: "forward_dynamics",
+        arguments: &[Position, Velocity, Force],
+        shape: VECTOR,
+        refuses: true,
+        description: "Forward dynamics: the accelerations qdd with M(q) qdd + V(q, qd) + G(q) + F(qd) = tau, rad/s^2 or m/s^2.",
+        symbol: None,
+        set: Set::Default,
+        provided: Some("ForwardDynamics"),
+        second: Some(Second { form: Form::Articulated, up_to: ANY, trial: Trial::Promising }),
+        search: Search::Own,
+        growth: Growth::Moderate,
+        reads_inertia: true,
+        compared_with: None,
+    },
+
+    /// T(q, qd), with reflected inertias.
+    KineticEnergy: Row {
+        name: "kinetic_energy",
+        arguments: &[Position, Velocity],
+        shape: Shape::Number,
+        refuses: false,
+        description: "Kinetic energy T(q, qd) = 1/2 qd^T M(q) qd, reflected motor inertias included, J.",
+        symbol: Some("T"),
+        set: Set::Default,
+        provided: None,
+        second: None,
+        search: Search::Own,
+        growth: Growth::Moderate,
+        reads_inertia: true,
+        compared_with: None,
+    },
+
+    /// U(q), zero at the base origin.
+    PotentialEnergy: Row {
+        name: "potential_energy",
+        arguments: &[Position],
+        shape: Shape::Number,
+        refuses: false,
+        description: "Potential energy U(q) = -sum m g.c, zero at the origin of the base frame, J.",
+        symbol: Some("U"),
+        set: Set::Default,
+        provided: None,
+        second: None,
+        search: Search::Own,
+        growth: Growth::Moderate,
+        reads_inertia: true,
+        compared_with: None,
+    },
+
+    /// V + G + F.
+    BiasForce: Row {
+        name: "bias_force",
+        arguments: &[Position, Velocity],
+        shape: VECTOR,
+        refuses: false,
+        description: "Bias force V(q, qd) + G(q) + F(qd), N m or N: inverse dynamics without acceleration.",
+        symbol: None,
+        set: Set::ByName,
+        provided: None,
+        second: OF_SMALL_ARMS,
+        search: Search::Own,
+        growth: Growth::Moderate,
+        reads_inertia: true,
+        compared_with: None,
+    },
+
+    /// C(q, qd) from the Christoffel symbols of the first kind.
+    CoriolisMatrix: Row {
+        name: "coriolis_matrix",
+        arguments: &[Position, Velocity],
+        shape: SQUARE,
+        refuses: false,
+        description: "Coriolis matrix C(q, qd), N x N, from the Christoffel symbols of the first kind: C qd = V, and \
+            dM/dt - 2 C is skew-symmetric.",
+        symbol: Some("C"),
+        set: Set::ByName,
+        provided: None,
+        // All Christoffel symbols are shorter than a recursion for up to six joints.
+        second: Some(Second { form: Form::Assembled, up_to: 8, trial: Trial::Promising }),
+        search: Search::Own,
+        growth: Growth::Steep,
+        reads_inertia: true,
+        compared_with: None,
+    },
+
+    /// B(q) of the configuration-space form.
+    CoriolisCoefficients: Row {
+        name: "coriolis_coefficients",
+        arguments: &[Position],
+        shape: Shape::Matrix(Joints, Pairs),
+        refuses: false,
+        description: "Coriolis coefficients B(q), N x N(N-1)/2, columns in the order (1,2), (1,3), ..., (N-1,N), of the \
+            configuration-space form tau = M qdd + B [qd qd] + C [qd^2] + G.",
+        symbol: Some("B"),
+        set: Set::ByName,
+        provided: None,
+        second: None,
+        search: Search::Own,
+        growth: Growth::Steep,
+        reads_inertia: true,
+        compared_with: None,
+    },
+
+    /// C(q) of the configuration-space form.
+    CentrifugalCoefficients: Row {
+        name: "centrifugal_coefficients",
+        arguments: &[Position],
+        shape: SQUARE,
+        refuses: false,
+        description: "Centrifugal coefficients C(q), N x N, of the configuration-space form \
+            tau = M qdd + B [qd qd] + C [qd^2] + G.",
+        symbol: Some("C"),
+        set: Set::ByName,
+        provided: None,
+        second: None,
+        search: Search::Own,
+        growth: Growth::Steep,
+        reads_inertia: true,
+        compared_with: None,
+    },
+
+    /// Homogeneous transform of the last link frame in the base.
+    ForwardKinematics: Row {
+        name: "forward_kinematics",
+        arguments: &[Position],
+        shape: POSE,
+        refuses: false,
+        description: "Forward kinematics: the homogeneous transform of the last link frame in the base frame, m.",
+        symbol: None,
+        set: Set::ByName,
+        provided: None,
+        second: None,
+        search: Search::Own,
+        growth: Growth::Moderate,
+        reads_inertia: false,
+        compared_with: None,
+    },
+
+    /// Homogeneous transforms of every link frame in the base.
+    LinkPoses: Row {
+        name: "link_poses",
+        arguments: &[Position],
+        shape: Shape::Each(&POSE),
+        refuses: false,
+        description: "Homogeneous transforms in the base frame of every link frame whose joint moves, from the base outwards, m.",
+        symbol: None,
+        set: Set::ByName,
+        provided: None,
+        second: None,
+        search: Search::Own,
+        growth: Growth::Moderate,
+        reads_inertia: false,
+        compared_with: None,
+    },
+
+    /// Geometric Jacobian of the last frame's origin.
+    Jacobian: Row {
+        name: "jacobian",
+        arguments: &[Position],
+        shape: Shape::Matrix(Fixed(6), Joints),
+        refuses: false,
+        description: "Geometric Jacobian of the last link frame's origin, 6 x N, rows vx vy vz wx wy wz, in the base frame.",
+        symbol: None,
+        set: Set::ByName,
+        provided: None,
+        second: None,
+        search: Search::Own,
+        growth: Growth::Moderate,
+        reads_inertia: false,
+        compared_with: None,
+    },
+
+    /// d tau/dq and d tau/dqd.
+    InverseDynamicsDerivatives: Row {
+        name: "inverse_dynamics_derivatives",
+        arguments: &[Position, Velocity, Acceleration],
+        shape: Shape::Tuple(&[SQUARE, SQUARE]),
+        refuses: false,
+        description: "Derivatives of the inverse dynamics, exact: (d tau/dq, d tau/dqd), each N x N, entry (i, j) the derivative of \
+            tau_i by joint j. d tau/dqdd is M(q). Viscous friction is on the diagonal of d tau/dqd; Coulomb friction \
+            counts as constant: its derivative is zero wherever it has one.",
+        symbol: None,
+        set: Set::ByName,
+        provided: None,
+        second: OF_SMALL_ARMS,
+        search: Search::Own,
+        growth: Growth::Steep,
+        reads_inertia: true,
+        compared_with: None,
+    },
+
+    /// d qdd/dq, d qdd/dqd and M^-1.
+    ForwardDynamicsDerivatives: Row {
+        name: "forward_dynamics_derivatives",
+        arguments: &[Position, Velocity, Force],
+        shape: Shape::Tuple(&[SQUARE, SQUARE, SQUARE]),
+        refuses: true,
+        description: "Derivatives of the forward dynamics at qdd = forward_dynamics(q, qd, tau), exact: \
+            (d qdd/dq, d qdd/dqd, d qdd/d tau), each N x N, entry (i, j) the derivative of qdd_i by joint j. \
+            d qdd/d tau is the inverse of M(q). Coulomb friction counts as constant: its derivative is zero wherever \
+            it has one.",
+        symbol: None,
+        set: Set::ByName,
+        provided: None,
+        second: Some(Second { form: Form::Assembled, up_to: ANY, trial: Trial::Unsimplified }),
+        search: Search::By(Function::InverseDynamicsDerivatives),
+        growth: Growth::Steep,
+        reads_inertia: true,
+        compared_with: None,
+    },
+
+    /// Y(q, qd, qdd), the coefficients of the base inertial parameters in tau - F.
+    Regressor: Row {
+        name: "regressor",
+        arguments: &[Position, Velocity, Acceleration],
+        shape: Shape::Matrix(Joints, Parameters),
+        refuses: false,
+        description: "Regressor Y(q, qd, qdd), N x P, of the P base inertial parameters: \
+            Y * base_parameters = tau - F, the joint forces without friction.",
+        symbol: None,
+        set: Set::ByName,
+        provided: None,
+        second: ASSEMBLED,
+        search: Search::Own,
+        growth: Growth::Steep,
+        reads_inertia: true,
+        compared_with: Some(Function::BaseParameters),
+    },
+
+    /// The base inertial parameters.
+    BaseParameters: Row {
+        name: "base_parameters",
+        arguments: &[],
+        shape: Shape::Matrix(Parameters, One),
+        refuses: false,
+        description: "The P base inertial parameters: the smallest set by which the joint forces of every motion are \
+            determined, regressor * base_parameters = tau - F.",
+        symbol: None,
+        set: Set::ByName,
+        provided: None,
+        second: None,
+        search: Search::None,
+        growth: Growth::Moderate,
+        reads_inertia: true,
+        compared_with: Some(Function::Regressor),
+    },
+
+    /// qdd from tau by articulated bodies, without M: accurate where M is nearly singular.
+    ForwardDynamicsAba: Row {
+        name: "forward_dynamics_aba",
+        arguments: &[Position, Velocity, Force],
+        shape: VECTOR,
+        refuses: true,
+        description: "Forward dynamics by articulated bodies (Featherstone), without M(q): the accelerations qdd with \
+            M(q) qdd + V(q, qd) + G(q) + F(qd) = tau, rad/s^2 or m/s^2. Longer than `forward_dynamics`, and accurate \
+            where M(q) is nearly singular: about as many digits are right as the data determine.",
+        symbol: None,
+        set: Set::ByName,
+        provided: None,
+        second: None,
+        search: Search::Accuracy,
+        growth: Growth::Moderate,
+        reads_inertia: true,
+        compared_with: None,
+    },
+
+    /// The Taylor coefficients of a motion q(t), from the inverse dynamics over series.
+    TaylorSeries: Row {
+        name: "taylor_series",
+        arguments: &[Position, Velocity, Force, Order],
+        shape: Shape::Series,
+        refuses: true,
+        description: "Taylor coefficients q_0, q_1, ... of the motion q(t) = sum q_k t^k that starts at t = 0 from `q` and `qd` \
+            under the constant `tau`, up to `order` (2 to 30); zero beyond. Coulomb friction keeps the sign that it \
+            has at the start: the series ends where a joint reverses.",
+        symbol: None,
+        set: Set::ByName,
+        provided: Some("TaylorDynamics"),
+        second: OF_SMALL_ARMS,
+        search: Search::Own,
+        growth: Growth::Moderate,
+        reads_inertia: true,
+        compared_with: None,
+    },
+}
