@@ -1,6 +1,6 @@
 //! Time per state of the batches beside single calls in a loop.
 //!
-//! divan's item rate is states per second: `taskset -c 0 cargo bench --bench batch`. The lanes are
+//! divan's item rate is states per second: `taskset -c 0 cargo bench -p benches --bench batch`. The lanes are
 //! chosen at run time; for a build for the machine's own instructions set
 //! `RUSTFLAGS="-C target-cpu=native"`. With `--features rayon`, and not pinned, all cores are there
 //! too.
@@ -9,14 +9,7 @@ use divan::{Bencher, black_box, counter::ItemsCount};
 use robot_dynamics::Batch;
 use robot_dynamics::nalgebra::{SMatrix, SVector};
 
-macro_rules! every_function {
-    ($($table:tt)*) => { robot_dynamics! { $($table)* } };
-}
-
-#[path = "../tests/robots/industrial.rs"]
-#[allow(dead_code)]
-mod industrial;
-use industrial::{Panda, Puma560, Ur5};
+use robots::{Panda, Puma560, Ur5};
 
 /// One group's memory fits into the first cache, the other's into the second.
 const STATES: [usize; 2] = [64, 4096];

@@ -2,42 +2,14 @@
 //! `benches/rivals` has other crates, errors, and the report of them all.
 //!
 //! Each run evaluates a function at 64 states; divan's item rate is states per second:
-//! `taskset -c 0 cargo bench --bench functions`. For the machine's own instructions set
+//! `taskset -c 0 cargo bench -p benches --bench functions`. For the machine's own instructions set
 //! `RUSTFLAGS="-C target-cpu=native"`.
 
 use divan::{Bencher, black_box, counter::ItemsCount};
 use robot_dynamics::NewtonEuler;
 use robot_dynamics::nalgebra::SVector;
 
-macro_rules! every_function {
-    ($($table:tt)*) => {
-        robot_dynamics! {
-            $($table)*
-            functions: [
-                mass_matrix,
-                coriolis_vector,
-                gravity_vector,
-                inverse_dynamics,
-                forward_dynamics,
-                inverse_dynamics_derivatives,
-                forward_dynamics_derivatives,
-            ],
-        }
-    };
-}
-
-#[path = "../tests/robots/industrial.rs"]
-#[allow(dead_code)]
-mod industrial;
-#[path = "../tests/robots/textbook.rs"]
-#[allow(dead_code)]
-mod textbook;
-#[path = "../tests/robots/three_axis.rs"]
-#[allow(dead_code)]
-mod three_axis;
-use industrial::{Panda, Puma560, Stanford, Ur5};
-use textbook::TwoLinkSaha;
-use three_axis::Elbow3r;
+use robots::{Elbow3r, Panda, Puma560, Stanford, TwoLinkSaha, Ur5};
 
 const STATES: usize = 64;
 

@@ -6,12 +6,10 @@
 //! cargo run --release --example aristo
 //! ```
 
-mod plot;
-
 use std::{error::Error, f64::consts::PI};
 
-use plot::{Curve, Figure, joints};
 use robot_dynamics::{Cycloidal, Simulation, nalgebra::Vector6, robot_dynamics};
+use testkit::plot::{Curve, Figure, joints};
 
 robot_dynamics! {
     /// MTAB Aristo. The Denavit-Hartenberg table is published; the mass properties are estimates

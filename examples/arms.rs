@@ -5,15 +5,13 @@
 //! cargo run --release --example arms
 //! ```
 
-mod plot;
-
 use std::error::Error;
 
-use plot::{Curve, Figure, joints};
 use robot_dynamics::{
     Energy, Evaluate, ForwardDynamics, Simulation, check_against_rnea, nalgebra::SVector,
     robot_dynamics,
 };
+use testkit::plot::{Curve, Figure, joints};
 
 robot_dynamics! {
     /// Stanford arm: joint 3 is prismatic.

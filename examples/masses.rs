@@ -8,12 +8,11 @@
 //! ```
 
 mod compare;
-mod plot;
 
 use std::error::Error;
 
-use plot::{Figure, joints};
 use robot_dynamics::{Simulation, Trajectory, nalgebra::Vector1, robot_dynamics};
+use testkit::plot::{Figure, joints};
 
 robot_dynamics! {
     /// A mass on a horizontal rail: m xdd = f.

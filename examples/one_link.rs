@@ -8,15 +8,14 @@
 //! ```
 
 mod compare;
-mod plot;
 
 use std::{
     error::Error,
     f64::consts::{FRAC_PI_2, PI},
 };
 
-use plot::{Figure, joints};
 use robot_dynamics::{Cycloidal, Simulation, nalgebra::Vector1, robot_dynamics};
+use testkit::plot::{Figure, joints};
 
 robot_dynamics! {
     /// A slender rod of mass m and length a; gravity points along x of the base.

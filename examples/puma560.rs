@@ -5,18 +5,16 @@
 //! cargo run --release --example puma560
 //! ```
 
-mod plot;
-
 use std::{
     error::Error,
     f64::consts::{FRAC_PI_4, PI},
 };
 
-use plot::{Curve, Figure, joints};
 use robot_dynamics::{
     DormandPrince, Method, Simulation, Trajectory, check_against_rnea, nalgebra::Vector6,
     robot_dynamics,
 };
+use testkit::plot::{Curve, Figure, joints};
 
 robot_dynamics! {
     /// Unimation PUMA 560.

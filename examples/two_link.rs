@@ -8,19 +8,18 @@
 //! ```
 
 mod compare;
-mod plot;
 
 use std::{
     error::Error,
     f64::consts::{FRAC_PI_2, PI},
 };
 
-use plot::{Curve, Figure, joints};
 use robot_dynamics::{
     Cycloidal, Simulation,
     nalgebra::{Matrix2, Vector2},
     robot_dynamics,
 };
+use testkit::plot::{Curve, Figure, joints};
 
 robot_dynamics! {
     /// Two slender rods of masses m1, m2 and lengths a1, a2.

@@ -9,14 +9,13 @@
 //! ```
 
 mod compare;
-mod plot;
 
 use std::error::Error;
 
-use plot::{Curve, Figure, joints};
 use robot_dynamics::{
     DormandPrince, Method, Simulation, Trajectory, nalgebra::Vector2, robot_dynamics,
 };
+use testkit::plot::{Curve, Figure, joints};
 
 robot_dynamics! {
     /// Two-link arm with point masses at the distal ends of its links, angles from the horizontal.

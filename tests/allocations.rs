@@ -10,20 +10,7 @@ use robot_dynamics::{
     MassMatrix, Model, NewtonEuler, Scalar, Taylor, TaylorSimulation,
 };
 
-#[macro_use]
-#[path = "robots/every_function.rs"]
-mod every_function;
-#[allow(dead_code)]
-#[path = "robots/industrial.rs"]
-mod industrial;
-#[path = "robots/textbook.rs"]
-mod textbook;
-#[path = "robots/three_axis.rs"]
-mod three_axis;
-
-use industrial::{Panda, Puma560, Scara};
-use textbook::*;
-use three_axis::*;
+use robots::*;
 
 /// A vector of one number; what matters is only whether it is finite.
 fn vector<T: Scalar, const N: usize>(x: f64) -> SVector<T, N> {

@@ -3,10 +3,13 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+/// The root of this project.
+const PROJECT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
+
 /// The workspace of `tests/fixtures`, copied to where cargo may write, with this project's path
 /// and its lock file, so that nothing is resolved anew and no network is needed.
 fn workspace() -> PathBuf {
-    let project = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let project = Path::new(PROJECT);
     let copy = Path::new(env!("CARGO_TARGET_TMPDIR")).join("renamed");
     for package in ["renamed", "reexport", "downstream"] {
         let source = project.join("tests/fixtures").join(package);
@@ -27,7 +30,7 @@ fn workspace() -> PathBuf {
 /// Copies a manifest, with this project's path in place of `ROBOT_DYNAMICS`.
 fn copy_manifest(from: &Path, to: &Path) {
     let manifest = std::fs::read_to_string(from.join("Cargo.toml")).expect("a manifest");
-    let path = env!("CARGO_MANIFEST_DIR").replace('\\', "/");
+    let path = PROJECT.replace('\\', "/");
     let manifest = manifest.replace("ROBOT_DYNAMICS", &path);
     std::fs::write(to.join("Cargo.toml"), manifest).expect("a copy of the manifest");
 }

@@ -7,16 +7,11 @@
 //!
 //! With numbers as arguments, generic chains of so many joints are expanded instead, once each.
 
-mod clock;
-#[path = "../tests/generic_chain/mod.rs"]
-mod generic_chain;
-#[path = "../tests/support/mod.rs"]
-mod support;
-
 use dynamics_symbolic::neglect::neglect;
 use dynamics_symbolic::robot::Robot;
 use dynamics_symbolic::{Function, expand};
 use quote::quote;
+use testkit::clock;
 
 /// Robots, and the time in seconds that their expansion may take.
 const CASES: [(&str, f64); 5] = [
@@ -40,14 +35,14 @@ fn main() {
         .collect();
     println!("robot                joints   median, s  limit, s");
     for &joints in &joints {
-        report(&generic_chain::generic_chain(joints), 1, f64::NAN);
+        report(&arms::generic_chain(joints), 1, f64::NAN);
     }
     if joints.is_empty() {
         for (name, limit) in CASES {
-            report(&support::robot(name), 3, limit);
+            report(&arms::robot(name), 3, limit);
         }
-        report(&generic_chain::generic_chain(LONGEST.0), 3, LONGEST.1);
-        let complete = support::robot("puma560");
+        report(&arms::generic_chain(LONGEST.0), 3, LONGEST.1);
+        let complete = arms::robot("puma560");
         let mut abbreviated = neglect(&complete, 0.01).expect("a part of it");
         abbreviated.name = "puma560 at 1 %".to_owned();
         report(&abbreviated, 3, ABBREVIATED);

@@ -1,13 +1,11 @@
 //! Prints the generated text of one function of one robot:
 //! `cargo run -p dynamics-symbolic --example show -- two_link_saha mass_matrix`
-#[path = "../tests/support/mod.rs"]
-mod support;
 
 use dynamics_symbolic::{Function, expand};
 
 fn main() {
     let mut arguments = std::env::args().skip(1);
-    let robot = support::robot(&arguments.next().expect("a robot"));
+    let robot = arms::robot(&arguments.next().expect("a robot"));
     let name = arguments.next().expect("a function");
     let function = Function::from_name(&name).expect("the name of a function");
     let methods = expand(&robot, &[function], &quote::quote!(robot_dynamics));

@@ -1,7 +1,5 @@
 //! Base inertial parameters: how many there are, and that the programs hold for any inertia.
 
-mod support;
-
 use dynamics_symbolic::derive::base::{Coefficient, Grouping, columns};
 use dynamics_symbolic::derive::derive;
 use dynamics_symbolic::exact::Rational;
@@ -18,7 +16,7 @@ fn count(robot: &Robot) -> usize {
 }
 
 fn without_motors(name: &str) -> Robot {
-    let mut robot = support::robot(name);
+    let mut robot = arms::robot(name);
     for row in &mut robot.rows {
         row.motor_inertia = Value::zero();
         row.gear_ratio = Value::zero();
@@ -59,9 +57,9 @@ fn as_many_as_in_the_literature() {
 #[test]
 fn motors_are_parameters_where_the_forces_tell_them_apart() {
     for (name, expected) in [("puma560", 36 + 4), ("elbow_3r", 15 + 1), ("scara", 8 + 1)] {
-        assert_eq!(count(&support::robot(name)), expected, "{name}");
+        assert_eq!(count(&arms::robot(name)), expected, "{name}");
     }
-    let grouping = Grouping::of(&support::robot("puma560"));
+    let grouping = Grouping::of(&arms::robot("puma560"));
     let motors = columns(&grouping).into_iter();
     let motors = motors.filter(|&(_, parameter)| parameter == Parameter::Motor);
     assert_eq!(
@@ -73,7 +71,7 @@ fn motors_are_parameters_where_the_forces_tell_them_apart() {
 /// Without gravity, or with gravity along the axis, the first link has J_zz alone.
 #[test]
 fn gravity_shows_moments() {
-    let mut arm = support::robot("rrr_planar");
+    let mut arm = arms::robot("rrr_planar");
     arm.gravity = [(); 3].map(|()| Value::zero());
     assert_eq!(count(&arm), 9 - 2);
     arm.gravity[2] = Value::integer(-10);
@@ -88,7 +86,7 @@ fn gravity_shows_moments() {
 #[test]
 fn a_parameter_that_is_zero_keeps_its_column() {
     for name in ["puma560", "stanford", "scara", "panda"] {
-        let robot = support::robot(name);
+        let robot = arms::robot(name);
         let mut empty = robot.clone();
         for row in &mut empty.rows {
             row.mass = Value::zero();
@@ -122,7 +120,7 @@ fn divides(program: &Program) -> bool {
 #[test]
 fn base_parameters_hold_for_any_inertia() {
     for name in ["puma560", "stanford", "scara", "generic_mixed_n6_standard"] {
-        let robot = support::with_inertial_fields(name);
+        let robot = arms::with_inertial_fields(name);
         for function in FUNCTIONS {
             let program = derive(&robot, function);
             assert_eq!(prove(&robot, function, &program), Ok(()), "{name}");
@@ -219,7 +217,7 @@ fn a_rail_at_any_angle() {
 /// Other columns than the base parameters', or the same in another order, are not proven.
 #[test]
 fn other_columns_are_refused() {
-    let robot = support::robot("scara");
+    let robot = arms::robot("scara");
     let sound = derive(&robot, Function::Regressor);
     let parameters = derive(&robot, Function::BaseParameters);
     let columns = sound.outputs.len() / 4;
@@ -239,7 +237,7 @@ fn other_columns_are_refused() {
     short.outputs.pop();
     assert!(refused(&short, Function::BaseParameters));
     let mut other = robot.clone();
-    other.rows[3].com[0] = support::decimal(0.123);
+    other.rows[3].com[0] = arms::decimal(0.123);
     let other = derive(&other, Function::BaseParameters);
     assert!(refused(&other, Function::BaseParameters));
 }
@@ -247,8 +245,8 @@ fn other_columns_are_refused() {
 /// The formulas in the documentation are the values: each is worked out from the table.
 #[test]
 fn formulas_in_the_documentation_are_right() {
-    for name in support::NAMES {
-        let robot = support::robot(name);
+    for name in arms::NAMES {
+        let robot = arms::robot(name);
         let path = quote::quote!(robot_dynamics);
         let methods = expand(&robot, &[Function::BaseParameters], &path).expect("proven");
         let file = syn::parse2(methods[0].tokens.clone()).expect("a method");
@@ -401,7 +399,7 @@ impl Names {
 #[test]
 fn lengths_do_not_matter_to_the_structure() {
     let half = Value::Rational(Rational::from_parts(1.into(), 2_u32.into()));
-    let mut robot = support::robot("elbow_3r");
+    let mut robot = arms::robot("elbow_3r");
     let before = columns(&Grouping::of(&robot));
     robot.rows[1].a = half.clone();
     robot.rows[2].a = half;

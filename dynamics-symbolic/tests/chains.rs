@@ -1,12 +1,9 @@
 //! Chains of any length.
 
-mod generic_chain;
-mod support;
-
+use arms::generic_chain;
+use arms::robot;
 use dynamics_symbolic::{Function, expand};
-use generic_chain::generic_chain;
 use quote::quote;
-use support::robot;
 
 #[test]
 fn generic_chains_are_those_of_the_data_files() {

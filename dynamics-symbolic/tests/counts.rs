@@ -3,15 +3,13 @@
 //! Counted are multiplications, additions and divisions of the emitted code;
 //! sines and cosines of the joint angles apart, friction left out.
 
-mod support;
-
 use dynamics_symbolic::derive::derive;
 use dynamics_symbolic::robot::{Robot, Value};
 use dynamics_symbolic::{Function, Operations};
 use expect_test::expect_file;
 
 fn without_friction(name: &str) -> Robot {
-    let mut robot = support::robot(name);
+    let mut robot = arms::robot(name);
     for row in &mut robot.rows {
         row.viscous = Value::zero();
         row.coulomb = Value::zero();
@@ -28,7 +26,7 @@ fn snapshot_of_all_robots() {
     let mut table = String::from(
         "robot                       function                        mul    add   div  total  sin_cos\n",
     );
-    for name in support::NAMES {
+    for name in arms::NAMES {
         let robot = without_friction(name);
         for function in Function::default_set(false) {
             let count = operations(&robot, function);
@@ -51,8 +49,8 @@ fn snapshot_of_all_robots() {
 fn snapshot_of_the_regressors() {
     let mut table =
         String::from("robot                       parameters    mul    add  total  sin_cos\n");
-    for name in support::NAMES {
-        let robot = support::robot(name);
+    for name in arms::NAMES {
+        let robot = arms::robot(name);
         let program = derive(&robot, Function::Regressor);
         let count = program.operations();
         table += &format!(

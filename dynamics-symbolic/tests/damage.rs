@@ -1,7 +1,5 @@
 //! The proof refuses damaged programs: every single operation matters.
 
-mod support;
-
 use dynamics_symbolic::Function;
 use dynamics_symbolic::derive::functions::Form;
 use dynamics_symbolic::derive::{derive, derive_form};
@@ -108,7 +106,7 @@ fn every_damage_to_every_operation_is_found() {
         "two_link_saha",
         "generic_chain_n3",
     ] {
-        let robot = support::robot(name);
+        let robot = arms::robot(name);
         for function in Function::ALL {
             count += refused(&robot, function, &derive(&robot, function));
         }
@@ -120,7 +118,7 @@ fn every_damage_to_every_operation_is_found() {
 fn every_damage_to_articulated_bodies_is_found() {
     let function = Function::ForwardDynamics;
     for name in ["puma560", "stanford", "scara"] {
-        let robot = support::robot(name);
+        let robot = arms::robot(name);
         let program = derive_form(&robot, function, Form::Articulated);
         assert!(refused(&robot, function, &program) >= program.instructions.len());
     }
@@ -129,9 +127,9 @@ fn every_damage_to_articulated_bodies_is_found() {
 /// Locked joints and neglected parameters are part of what is proven.
 #[test]
 fn every_damage_to_a_scene_is_found() {
-    let mut locked = support::robot("puma560");
-    locked.rows[2].locked = Some(support::decimal(0.3));
-    locked.rows[5].locked = Some(support::decimal(-1.5));
+    let mut locked = arms::robot("puma560");
+    locked.rows[2].locked = Some(arms::decimal(0.3));
+    locked.rows[5].locked = Some(arms::decimal(-1.5));
     let abbreviated = neglect(&locked, 0.02).expect("regular");
     for robot in [&locked, &abbreviated] {
         for function in [Function::InverseDynamics, Function::ForwardDynamics] {
@@ -146,7 +144,7 @@ fn every_damage_to_a_scene_is_found() {
 fn every_damage_to_symbolic_base_parameters_is_found() {
     let function = Function::BaseParameters;
     for name in ["elbow_3r", "generic_chain_n3"] {
-        let robot = support::with_inertial_fields(name);
+        let robot = arms::with_inertial_fields(name);
         let sound = derive(&robot, function);
         assert_eq!(prove(&robot, function, &sound), Ok(()));
         assert!(sound.instructions.len() > 50, "{name}");
@@ -167,7 +165,7 @@ fn every_damage_to_symbolic_base_parameters_is_found() {
 #[test]
 fn every_damage_to_a_base_parameter_is_found() {
     for name in ["puma560", "panda", "scara"] {
-        let robot = support::robot(name);
+        let robot = arms::robot(name);
         let sound = derive(&robot, Function::BaseParameters);
         for index in 0..sound.outputs.len() {
             let mut program = sound.clone();
@@ -191,7 +189,7 @@ fn every_damage_to_a_base_parameter_is_found() {
 
 #[test]
 fn a_program_of_another_function_is_refused() {
-    let robot = support::robot("elbow_3r");
+    let robot = arms::robot("elbow_3r");
     let gravity = derive(&robot, Function::GravityVector);
     assert!(prove(&robot, Function::CoriolisVector, &gravity).is_err());
     assert!(prove(&robot, Function::MassMatrix, &gravity).is_err());
@@ -199,9 +197,9 @@ fn a_program_of_another_function_is_refused() {
 
 #[test]
 fn a_program_of_another_robot_is_refused() {
-    let robot = support::robot("elbow_3r");
+    let robot = arms::robot("elbow_3r");
     let mut other = robot.clone();
-    other.rows[2].com[0] = support::decimal(0.123);
+    other.rows[2].com[0] = arms::decimal(0.123);
     for function in [
         Function::MassMatrix,
         Function::GravityVector,

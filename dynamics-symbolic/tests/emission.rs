@@ -1,7 +1,5 @@
 //! The text of generated code: readable, and the same each time.
 
-mod support;
-
 use dynamics_symbolic::robot::{Robot, Value};
 use dynamics_symbolic::{Function, expand};
 use expect_test::expect_file;
@@ -25,7 +23,7 @@ fn text(robot: &Robot, functions: &[Function]) -> String {
 
 /// The arm of Craig's (6.60) to (6.62) with symbolic parameters.
 fn two_link_craig() -> Robot {
-    let mut robot = support::robot("two_link_craig");
+    let mut robot = arms::robot("two_link_craig");
     robot.fields = ["m1", "m2", "l1", "l2", "g"].map(str::to_owned).to_vec();
     for (row, (mass, length)) in robot.rows.iter_mut().zip([(0, 2), (1, 3)]) {
         row.mass = Value::field(mass);
@@ -37,7 +35,7 @@ fn two_link_craig() -> Robot {
 
 #[test]
 fn two_link_arm_with_numbers() {
-    let text = text(&support::robot("two_link_saha"), &Function::ALL);
+    let text = text(&arms::robot("two_link_saha"), &Function::ALL);
     expect_file!["golden/two_link_saha.rs"].assert_eq(&text);
 }
 
@@ -49,7 +47,7 @@ fn two_link_arm_with_parameters() {
 
 #[test]
 fn gantry_has_no_sines() {
-    let text = text(&support::robot("gantry_ppp"), &Function::default_set(true));
+    let text = text(&arms::robot("gantry_ppp"), &Function::default_set(true));
     assert!(!text.contains("sin_cos("));
     expect_file!["golden/gantry_ppp.rs"].assert_eq(&text);
 }
@@ -57,7 +55,7 @@ fn gantry_has_no_sines() {
 /// A massless link at the tip: its documentation says that forward dynamics has no solution.
 #[test]
 fn documentation_says_that_nothing_resists_a_joint() {
-    let mut robot = support::robot("two_link_craig");
+    let mut robot = arms::robot("two_link_craig");
     robot.rows[1].mass = Value::zero();
     robot.rows[1].name = "hand".to_owned();
     let solving = [
@@ -68,14 +66,14 @@ fn documentation_says_that_nothing_resists_a_joint() {
     for function in solving {
         let of_arm = |robot: &Robot| text(robot, &[function]).contains("nothing resists `hand`");
         assert!(of_arm(&robot), "{function:?}");
-        assert!(!of_arm(&support::robot("two_link_craig")), "{function:?}");
+        assert!(!of_arm(&arms::robot("two_link_craig")), "{function:?}");
     }
 }
 
 #[test]
 fn expansion_is_deterministic() {
     for name in ["puma560", "generic_chain_n3", "scara"] {
-        let robot = support::robot(name);
+        let robot = arms::robot(name);
         assert_eq!(
             text(&robot, &Function::ALL),
             text(&robot, &Function::ALL),
@@ -87,10 +85,7 @@ fn expansion_is_deterministic() {
 /// rustc crashes on about 2,900 `let`s in one function with debug information (rust-lang/rust#93908).
 #[test]
 fn long_programs_declare_their_names_in_groups() {
-    let long = text(
-        &support::robot("generic_chain_n12"),
-        &[Function::MassMatrix],
-    );
+    let long = text(&arms::robot("generic_chain_n12"), &[Function::MassMatrix]);
     assert!(
         long.matches("let ").count() < 100,
         "{}",
@@ -102,9 +97,9 @@ fn long_programs_declare_their_names_in_groups() {
 /// Cells that are numbers, and a constant of the program that is none.
 #[test]
 fn an_overflow_is_an_error_that_names_the_function() {
-    let mut robot = support::robot("one_link");
-    robot.rows[0].mass = support::decimal(1e300);
-    robot.rows[0].com[0] = support::decimal(1e10);
+    let mut robot = arms::robot("one_link");
+    robot.rows[0].mass = arms::decimal(1e300);
+    robot.rows[0].com[0] = arms::decimal(1e10);
     let functions = [Function::MassMatrix, Function::GravityVector];
     let failures = expand(&robot, &functions, &quote!(path))
         .err()
@@ -121,7 +116,7 @@ fn an_overflow_is_an_error_that_names_the_function() {
 /// forward dynamics by its pivots.
 #[test]
 fn no_division_by_a_parameter_is_invented() {
-    let mut elbow = support::robot("elbow_3r");
+    let mut elbow = arms::robot("elbow_3r");
     elbow.fields = ["gx", "gy", "gz", "m", "x"].map(str::to_owned).to_vec();
     elbow.gravity = [0, 1, 2].map(Value::field);
     elbow.rows[2].mass = Value::field(3);
@@ -146,7 +141,7 @@ fn no_division_by_a_parameter_is_invented() {
 fn nothing_is_read_that_is_not_used() {
     // The first angle of an arm with a vertical first axis does not matter.
     let text = text(
-        &support::robot("puma560"),
+        &arms::robot("puma560"),
         &[Function::MassMatrix, Function::GravityVector],
     );
     assert!(!text.contains("s_1") && !text.contains("c_1 "));

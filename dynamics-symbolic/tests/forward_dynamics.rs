@@ -1,8 +1,6 @@
 //! The two forms of forward dynamics: the mass matrix factored, and articulated bodies.
 
-mod generic_chain;
-mod support;
-
+use arms::generic_chain;
 use dynamics_symbolic::Function;
 use dynamics_symbolic::derive::functions::Form;
 use dynamics_symbolic::derive::{derive, derive_form};
@@ -10,7 +8,6 @@ use dynamics_symbolic::program::Program;
 use dynamics_symbolic::prove::prove;
 use dynamics_symbolic::robot::{Robot, Value};
 use expect_test::expect_file;
-use generic_chain::generic_chain;
 
 const ARMS: [&str; 6] = [
     "two_link_saha",
@@ -29,7 +26,7 @@ fn program(robot: &Robot, form: Form) -> Program {
 }
 
 fn without_friction(name: &str) -> Robot {
-    let mut robot = support::robot(name);
+    let mut robot = arms::robot(name);
     for row in &mut robot.rows {
         row.viscous = Value::zero();
         row.coulomb = Value::zero();
@@ -41,8 +38,8 @@ fn without_friction(name: &str) -> Robot {
 /// are among the robots.
 #[test]
 fn articulated_bodies_are_proven_for_every_robot() {
-    for name in support::NAMES {
-        let robot = support::robot(name);
+    for name in arms::NAMES {
+        let robot = arms::robot(name);
         let program = program(&robot, Form::Articulated);
         let proof = prove(&robot, Function::ForwardDynamics, &program);
         assert_eq!(proof, Ok(()), "{name}");

@@ -9,10 +9,7 @@ use dynamics_symbolic::exact::{Rational, Residue, SplitMix64, circle_point};
 use dynamics_symbolic::program::Arithmetic;
 use dynamics_symbolic::robot::{Convention, JointType, Robot, Row, Symbol, Value};
 
-#[path = "support/tables.rs"]
-mod tables;
-
-use tables::{Bodies, Tables};
+use arms::{Bodies, Tables};
 
 type Number = Residue<{ (1 << 62) - 57 }>;
 

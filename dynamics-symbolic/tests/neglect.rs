@@ -1,7 +1,5 @@
 //! Abbreviated models: what they save, what they cost, and that they are proven.
 
-mod support;
-
 use dynamics_symbolic::Function;
 use dynamics_symbolic::derive::derive;
 use dynamics_symbolic::neglect::{largest_error, neglect};
@@ -18,7 +16,7 @@ const FUNCTIONS: [Function; 5] = [
 ];
 
 fn without_friction(name: &str) -> Robot {
-    let mut robot = support::robot(name);
+    let mut robot = arms::robot(name);
     for row in &mut robot.rows {
         row.viscous = Value::zero();
         row.coulomb = Value::zero();
@@ -74,7 +72,7 @@ fn every_function_of_abbreviated_models_is_proven() {
         "generic_chain_n3",
         "generic_mixed_n6_standard",
     ] {
-        let complete = support::robot(name);
+        let complete = arms::robot(name);
         let robot = neglect(&complete, 0.03).expect("regular");
         let count = robot.neglected.as_ref().expect("neglected").columns.len();
         assert!(count > 0, "{name}");
@@ -93,9 +91,9 @@ fn every_function_of_abbreviated_models_is_proven() {
 /// Locked joints first: what is neglected are parameters of the links that are left.
 #[test]
 fn locked_arms_can_be_abbreviated() {
-    let mut robot = support::robot("puma560");
+    let mut robot = arms::robot("puma560");
     for joint in [0, 4] {
-        robot.rows[joint].locked = Some(support::decimal(0.3));
+        robot.rows[joint].locked = Some(arms::decimal(0.3));
     }
     let robot = neglect(&robot, 0.02).expect("regular");
     let neglected = robot.neglected.as_ref().expect("neglected");

@@ -7,12 +7,7 @@ use dynamics_symbolic::program::Instruction;
 use dynamics_symbolic::prove::prove;
 use dynamics_symbolic::robot::Robot;
 
-#[path = "support/tables.rs"]
-mod tables;
-#[path = "support/zeros.rs"]
-mod zeros;
-
-use tables::{Bodies, Tables};
+use arms::{Bodies, Tables};
 
 #[test]
 fn every_function_of_random_arms_is_proven() {
@@ -64,7 +59,7 @@ fn prove_table(robot: &Robot, count: usize, functions: &[Function]) {
     for (function, program) in programs.chain([articulated]) {
         let proof = prove(robot, function, &program);
         assert_eq!(proof, Ok(()), "table {count}: {robot:#?}");
-        zeros::assert_zeros_are_constants(robot, function, &program);
+        arms::assert_zeros_are_constants(robot, function, &program);
         let divides = program
             .instructions
             .iter()

@@ -1,8 +1,6 @@
 //! The short derivations are the textbook's, as expressions: on the graph,
 //! equal rational functions are one node.
 
-mod support;
-
 use dynamics_symbolic::Function;
 use dynamics_symbolic::derive::functions::{Form, outputs};
 use dynamics_symbolic::derive::gauge::Gauge;
@@ -33,7 +31,7 @@ const SMALL: [&str; 14] = [
 #[test]
 fn recursions_equal_the_textbook_expression_by_expression() {
     for name in SMALL {
-        let robot = support::robot(name);
+        let robot = arms::robot(name);
         let graph = Graph::new();
         let mut symbols = Symbols::new(&graph, &robot);
         let textbook = Textbook::new(&mut symbols, &robot);
@@ -58,7 +56,7 @@ fn recursions_equal_the_textbook_expression_by_expression() {
 #[test]
 fn derivatives_are_those_of_the_textbook_s_torques() {
     for name in SMALL {
-        let mut robot = support::robot(name);
+        let mut robot = arms::robot(name);
         for row in &mut robot.rows {
             row.viscous = Value::zero();
         }

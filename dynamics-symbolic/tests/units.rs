@@ -9,8 +9,6 @@ use dynamics_symbolic::exact::{Rational, SplitMix64};
 use dynamics_symbolic::program::Arithmetic;
 use dynamics_symbolic::robot::{JointType, Robot, Symbol, Value};
 
-mod support;
-
 /// Powers of length and mass.
 type Unit = (i32, i32);
 
@@ -28,7 +26,7 @@ struct Arm {
 
 impl Arm {
     fn new(name: &str) -> Self {
-        let mut robot = support::robot(name);
+        let mut robot = arms::robot(name);
         let mut fields = Vec::new();
         let mut field = |cell: &mut Value, unit: Unit| {
             if !cell.is_zero() {
@@ -156,7 +154,7 @@ const SCALES: [(i32, i32); 5] = [(-10, -20), (30, 40), (-60, -60), (100, 100), (
 /// Arms of up to four joints, and the PUMA 560.
 #[test]
 fn units_that_are_powers_of_two_change_no_digit() {
-    for name in support::NAMES {
+    for name in arms::NAMES {
         let arm = Arm::new(name);
         if arm.robot.rows.len() > 4 && name != "puma560" {
             continue;

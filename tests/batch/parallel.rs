@@ -4,8 +4,8 @@ use robot_dynamics::nalgebra::{SMatrix, SVector};
 use robot_dynamics::{Batch, BatchError};
 
 use crate::arms::Strut;
-use crate::industrial::Puma560;
 use crate::values::{States, Values, assert_same};
+use robots::Puma560;
 
 #[test]
 fn all_cores_put_out_what_one_does() {

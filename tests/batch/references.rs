@@ -3,10 +3,10 @@
 use robot_dynamics::nalgebra::SVector;
 use serde::Deserialize;
 
-use crate::data::read;
-use crate::decimal::Decimal;
-use crate::industrial::{Panda, Puma560, Scara, Stanford, Ur5};
 use crate::values::{Arm, States, Values};
+use robots::{Panda, Puma560, Scara, Stanford, Ur5};
+use testkit::references::Decimal;
+use testkit::references::read;
 
 /// The largest error, relative to the natural magnitude, in units of the number of joints: that of
 /// the single functions.

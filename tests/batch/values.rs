@@ -5,7 +5,7 @@ use robot_dynamics::{
     Batch, BatchError, CoriolisVector, ForwardDynamics, GravityVector, InverseDynamics, MassMatrix,
 };
 
-use crate::random::Random;
+use testkit::random::Random;
 
 /// An arm with all functions that have a batch.
 pub(crate) trait Arm<const N: usize>:

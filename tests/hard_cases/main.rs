@@ -1,19 +1,18 @@
 //! The numerical hard cases of `tests/data/hard_cases.json`, against their reference digits.
 //!
-//! `cargo run --release --example hard_cases` prints the scoreboard, with the long runs at full length.
+//! `cargo run --release -p hard_cases` prints the scoreboard, with the long runs at full length.
 
-mod cases;
 mod elsewhere;
 
-use cases::{Effort, THEMES};
 use elsewhere::{ELSEWHERE, Place};
+use hard_cases::{Effort, THEMES, all_entries, table};
 
 /// Every score of a theme passes, and what a naive implementation gets does not.
 #[track_caller]
 fn hold(theme: &str) {
     let theme = THEMES.iter().find(|t| t.name == theme).expect(theme);
     let scores = (theme.measure)(Effort::of_this_build());
-    print!("{}", cases::table(&scores));
+    print!("{}", table(&scores));
     let mut ids: Vec<_> = scores.iter().map(|score| score.case).collect();
     ids.sort_unstable();
     ids.dedup();
@@ -46,7 +45,7 @@ fn every_entry_has_its_place() {
     let elsewhere = ELSEWHERE.iter().map(|(id, _)| id);
     let mut places: Vec<&str> = on_the_board.chain(elsewhere).copied().collect();
     places.sort_unstable();
-    let entries = cases::all_entries();
+    let entries = all_entries();
     let mut ids: Vec<_> = entries.iter().map(|entry| entry.id()).collect();
     assert_eq!(ids.len(), 59);
     ids.sort_unstable();
@@ -59,7 +58,7 @@ fn tests_elsewhere_exist() {
     for (id, place) in &ELSEWHERE {
         match place {
             Place::Test(file, test) => {
-                let path = format!("{}/{file}", env!("CARGO_MANIFEST_DIR"));
+                let path = format!("{}/../{file}", env!("CARGO_MANIFEST_DIR"));
                 let text = std::fs::read_to_string(&path).unwrap_or_else(|e| panic!("{path}: {e}"));
                 assert!(text.contains(&format!("fn {test}")), "{id}: {file} {test}");
             }

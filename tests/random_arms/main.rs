@@ -3,16 +3,24 @@
 //!
 //! The bound is that of [`Check`], 1e-13 per joint relative to the magnitude that each quantity could have.
 
-#[path = "../../dynamics-symbolic/tests/support/tables.rs"]
-mod tables;
-
-mod interpreted;
-
+use arms::{Bodies, Interpreted, Tables};
+use dynamics_symbolic::Function;
+use dynamics_symbolic::derive::derive;
 use dynamics_symbolic::robot::Robot;
 use robot_dynamics::Check;
 
-use interpreted::Interpreted;
-use tables::{Bodies, Tables};
+/// The functions that are compared.
+const FUNCTIONS: [Function; 9] = [
+    Function::MassMatrix,
+    Function::CoriolisVector,
+    Function::GravityVector,
+    Function::FrictionVector,
+    Function::InverseDynamics,
+    Function::ForwardDynamics,
+    Function::ForwardDynamicsAba,
+    Function::KineticEnergy,
+    Function::PotentialEnergy,
+];
 
 /// What an arm was compared in.
 #[derive(Default)]
@@ -36,10 +44,10 @@ fn compare(seed: u64, count: usize) -> Tally {
         tally.with_fields += usize::from(!fields.is_empty());
         let label = format!("table {number} of seed {seed}");
         match robot.rows.len() {
-            1 => tally.add::<1>(robot, fields, &label),
-            2 => tally.add::<2>(robot, fields, &label),
-            3 => tally.add::<3>(robot, fields, &label),
-            4 => tally.add::<4>(robot, fields, &label),
+            1 => tally.add::<1>(&robot, &fields, &label),
+            2 => tally.add::<2>(&robot, &fields, &label),
+            3 => tally.add::<3>(&robot, &fields, &label),
+            4 => tally.add::<4>(&robot, &fields, &label),
             joints => panic!("{joints} joints"),
         }
     }
@@ -47,11 +55,11 @@ fn compare(seed: u64, count: usize) -> Tally {
 }
 
 impl Tally {
-    fn add<const N: usize>(&mut self, robot: Robot, fields: Vec<f64>, label: &str) {
-        let text = format!("{robot:#?}\n{fields:?}");
-        let arm = Interpreted::<N>::new(robot, fields);
+    fn add<const N: usize>(&mut self, robot: &Robot, fields: &[f64], label: &str) {
+        let programs = FUNCTIONS.map(|function| (function, derive(robot, function)));
+        let arm = Interpreted::<N>::new(robot, fields, &programs);
         let report = Check::new().samples(8).run(&arm);
-        assert!(report.is_ok(), "{label}: {report}\n{text}");
+        assert!(report.is_ok(), "{label}: {report}\n{robot:#?}\n{fields:?}");
         self.arms += 1;
         self.solved += usize::from(!report.not_compared.contains(&"forward_dynamics"));
         let errors = report.functions.iter().map(|function| function.error);
@@ -78,7 +86,7 @@ fn programs_of_random_arms_agree_with_newton_euler() {
     assert_varied(&compare(1, 150));
 }
 
-/// `cargo test --release --test random_arms -- --ignored`
+/// `cargo test --release -p tests --test random_arms -- --ignored`
 #[test]
 #[ignore = "takes half a minute in a release build"]
 fn programs_of_2_400_random_arms_agree_with_newton_euler() {

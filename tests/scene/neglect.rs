@@ -6,11 +6,7 @@ use robot_dynamics::{
     Trajectory, robot_dynamics,
 };
 
-#[path = "../../examples/scene/arms.rs"]
-#[allow(dead_code)]
-mod arms;
-
-use arms::{Puma, PumaAtFivePercent, PumaAtOnePercent};
+use scene::arms::{Puma, PumaAtFivePercent, PumaAtOnePercent};
 
 /// A fall of some seconds from rest; the torques cancel the friction.
 fn fall(arm: &impl ForwardDynamics<6>, seconds: f64) -> Trajectory<6> {

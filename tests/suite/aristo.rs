@@ -4,7 +4,7 @@
 use robot_dynamics::nalgebra::Vector6;
 use robot_dynamics::{Cycloidal, DormandPrince, Method, NewtonEuler, Simulation};
 
-use crate::robots::Aristo;
+use robots::Aristo;
 
 fn trajectory() -> Cycloidal<6> {
     let degrees = |q: [f64; 6]| Vector6::from(q).map(f64::to_radians);

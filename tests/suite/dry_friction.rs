@@ -3,7 +3,7 @@
 use robot_dynamics::nalgebra::Vector6;
 use robot_dynamics::{Dop853, Friction, Method, Radau5, Simulation, Trajectory};
 
-use crate::robots::Puma560;
+use robots::Puma560;
 
 /// The PUMA 560 under gravity, its motors off, from a motion of all joints.
 fn run_out(method: Method) -> Trajectory<6> {

@@ -4,8 +4,8 @@ use num_dual::{Dual, Dual64, DualSVec64, HyperDual64, jacobian};
 use robot_dynamics::nalgebra::{SMatrix, SVector};
 use robot_dynamics::{Scalar, State};
 
-use crate::random::Random;
-use crate::robots::*;
+use robots::*;
+use testkit::random::Random;
 
 fn states<const N: usize>() -> [State<N>; 8] {
     let mut random = Random::seeded(7);

@@ -5,12 +5,11 @@ use robot_dynamics::nalgebra::{SMatrix, SVector};
 use robot_dynamics::{CoriolisVector, GravityVector, MassMatrix, Model};
 use robot_dynamics::{DoubleDouble, ForwardDynamics, InverseDynamics};
 
-use crate::data::read;
-use crate::decimal::Decimal;
-use crate::reference::{ReferenceFile, ReferenceState};
-use crate::robots::*;
-use crate::robots_of_fields::*;
-use crate::table_in_31_digits::Exact;
+use robots::*;
+use testkit::exact::Exact;
+use testkit::references::Decimal;
+use testkit::references::read;
+use testkit::references::{ReferenceFile, ReferenceState};
 
 /// Relative to the natural magnitude: half a unit in the 25th digit of a number that begins with 1,
 /// and as much for friction, which the references have apart.

@@ -3,7 +3,7 @@
 use robot_dynamics::nalgebra::SVector;
 use robot_dynamics::{DormandPrince, Method, Simulation};
 
-use crate::robots::*;
+use robots::*;
 
 /// A second from a pose in which no arm hangs. The torques cancel the friction, so that the
 /// energy is constant; what it drifts by is the error of about a thousand steps of 1e-12 each,

@@ -2,9 +2,9 @@
 
 use robot_dynamics::{Convention, JointType, Row};
 
-use crate::data::read;
-use crate::reference::{JointRow, RobotFile};
-use crate::robots::*;
+use robots::*;
+use testkit::references::read;
+use testkit::references::{JointRow, RobotFile};
 
 /// The row that the file describes. A motor without inertia needs no gear.
 fn expected(joint: JointRow) -> Row {

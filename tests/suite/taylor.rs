@@ -9,8 +9,8 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 use robot_dynamics::nalgebra::SVector;
 use robot_dynamics::{DoubleDouble, Scalar, TaylorDynamics};
 
-use crate::random::Random;
-use crate::robots::*;
+use robots::*;
+use testkit::random::Random;
 
 /// Coefficients 0 to 9 of q: 0 to 7 of the accelerations.
 const ORDER: usize = 9;

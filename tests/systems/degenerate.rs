@@ -3,7 +3,7 @@
 use robot_dynamics::nalgebra::Vector2;
 use robot_dynamics::{SingularMassMatrix, check_against_rnea, robot_dynamics};
 
-use crate::random::Random;
+use testkit::random::Random;
 
 robot_dynamics! {
     /// An arm in free space, without friction.

@@ -3,7 +3,7 @@
 use robot_dynamics::nalgebra::{DMatrix, DVector, SMatrix, SVector};
 use robot_dynamics::robot_dynamics;
 
-use crate::random::Random;
+use testkit::random::Random;
 
 robot_dynamics! {
     /// An elbow arm with a telescopic hand, whose masses and inertias are fields.

@@ -1,14 +1,5 @@
 //! The systems of the lecture notes and textbooks that this project reproduces.
 
-#[path = "../support/data.rs"]
-mod data;
-#[path = "../support/decimal.rs"]
-mod decimal;
-#[path = "../support/random.rs"]
-mod random;
-#[path = "../support/trajectory.rs"]
-mod trajectory;
-
 mod aborted_runs;
 mod check;
 mod configuration;
@@ -27,7 +18,7 @@ mod two_link_rods;
 use robot_dynamics::nalgebra::SVector;
 use robot_dynamics::{DormandPrince, Method, Trajectory};
 
-use trajectory::MotionFile;
+use testkit::references::MotionFile;
 
 /// What a computed value may be from the true one, relative to its magnitude: 18 roundings.
 const TOLERANCE: f64 = 4e-15;

@@ -4,7 +4,7 @@ use robot_dynamics::nalgebra::Vector1;
 use robot_dynamics::robot_dynamics;
 
 use crate::assert_near;
-use crate::random::Random;
+use testkit::random::Random;
 
 robot_dynamics! {
     /// A rectangular solid of sides a, b, c along x, y, z, turning about z.

@@ -8,9 +8,9 @@ use robot_dynamics::{
     TaylorSimulation, Trajectory, robot_dynamics,
 };
 
-use crate::data::read;
 use crate::largest;
-use crate::trajectory::MotionFile;
+use testkit::references::MotionFile;
+use testkit::references::read;
 
 robot_dynamics! {
     /// A slender rod that hangs at q = 0, 1 kg and 1 m.

@@ -1,10 +1,8 @@
 //! Every limit of [`crate::limits`]: what exceeds it is one clear error, what meets it is a model, both
 //! within seconds and in bounded memory.
 
-#[path = "../../../dynamics-symbolic/examples/clock/mod.rs"]
-mod clock;
-
 use dynamics_symbolic::derive::derive;
+use testkit::clock;
 
 use super::*;
 use crate::limits::*;

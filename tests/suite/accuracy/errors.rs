@@ -1,7 +1,7 @@
 //! The largest error of each function of a robot.
 
 use super::states;
-use crate::robots::Arm;
+use robots::Arm;
 
 /// The largest relative error, in units of the number of joints.
 const BOUND: f64 = 4e-15;

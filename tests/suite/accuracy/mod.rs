@@ -7,12 +7,12 @@ mod errors;
 mod functions;
 mod quantity;
 
-use crate::data::read;
-use crate::reference::ReferenceFile;
-use crate::robots::*;
 use errors::Errors;
 use functions::quantities;
 use quantity::Quantity;
+use robots::*;
+use testkit::references::ReferenceFile;
+use testkit::references::read;
 
 /// The states of a robot's file, each with every quantity there.
 fn states<const N: usize, const P: usize, R: Arm<N, P>>(

@@ -2,7 +2,7 @@
 
 use robot_dynamics::nalgebra::{SMatrix, SVector};
 
-use crate::decimal::Decimal;
+use testkit::references::Decimal;
 
 /// Computed values of one function at one state beside their references.
 pub(super) struct Quantity {

@@ -4,7 +4,7 @@ use robot_dynamics::nalgebra::{SMatrix, SVector};
 
 use super::gradient::{mass_matrix_gradient, mass_matrix_rate};
 use super::samples::{Magnitude, assert_small, states};
-use crate::robots::Arm;
+use robots::Arm;
 
 /// C qd = V.
 pub(super) fn coriolis_matrix_gives_the_coriolis_vector<

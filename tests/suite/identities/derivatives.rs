@@ -5,8 +5,8 @@ use robot_dynamics::{AccelerationDerivatives, DoubleDouble, State};
 
 use super::gradient::unit;
 use super::samples::{Magnitude, assert_small, largest, states};
-use crate::dual::{Dual, along};
-use crate::robots::Arm;
+use robots::Arm;
+use testkit::dual::{Dual, along};
 
 /// The matrix whose column k is what `column` says of joint k.
 fn by_columns<const N: usize>(column: impl Fn(usize) -> SVector<f64, N>) -> SMatrix<f64, N, N> {

@@ -4,8 +4,8 @@ use robot_dynamics::nalgebra::{SVector, Vector1, Vector3};
 
 use super::gradient::unit;
 use super::samples::{Magnitude, assert_small, states};
-use crate::dual::along;
-use crate::robots::Arm;
+use robots::Arm;
+use testkit::dual::along;
 
 /// T = 1/2 qd'M qd.
 pub(super) fn kinetic_energy_is_that_of_the_mass_matrix<

@@ -3,7 +3,7 @@
 use robot_dynamics::nalgebra::{SVector, Vector1};
 
 use super::samples::{assert_small, states};
-use crate::robots::Arm;
+use robots::Arm;
 
 /// F = viscous qd + coulomb sign(qd), and nothing where the table has none.
 pub(super) fn friction_is_that_of_the_table<const N: usize, const P: usize, R: Arm<N, P>>(

@@ -2,8 +2,8 @@
 
 use robot_dynamics::nalgebra::{SMatrix, SVector};
 
-use crate::dual::along;
-use crate::robots::Arm;
+use robots::Arm;
+use testkit::dual::along;
 
 /// dM/dt along the velocity `qd`.
 pub(super) fn mass_matrix_rate<const N: usize, const P: usize, R: Arm<N, P>>(

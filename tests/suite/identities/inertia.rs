@@ -5,8 +5,8 @@ use robot_dynamics::nalgebra::{Matrix3, Matrix4, SMatrix, SVector, Vector3};
 
 use super::gradient::unit;
 use super::samples::{Magnitude, assert_small, states};
-use crate::dual::{Dual, along};
-use crate::robots::Arm;
+use robots::Arm;
+use testkit::dual::{Dual, along};
 
 /// Both triangles hold the same bits.
 pub(super) fn mass_matrix_is_symmetric<const N: usize, const P: usize, R: Arm<N, P>>(robot: &R) {

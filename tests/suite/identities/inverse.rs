@@ -3,7 +3,7 @@
 use robot_dynamics::nalgebra::SVector;
 
 use super::samples::{Magnitude, assert_small, states};
-use crate::robots::Arm;
+use robots::Arm;
 
 /// tau = M qdd + V + G + F.
 pub(super) fn inverse_dynamics_is_the_sum_of_its_terms<

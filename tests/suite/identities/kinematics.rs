@@ -5,8 +5,8 @@ use robot_dynamics::{Convention, JointType, Row};
 
 use super::gradient::unit;
 use super::samples::{Magnitude, assert_small, states};
-use crate::dual::along;
-use crate::robots::Arm;
+use robots::Arm;
+use testkit::dual::along;
 
 fn rotation(pose: &Matrix4<f64>) -> Matrix3<f64> {
     pose.fixed_view::<3, 3>(0, 0).into_owned()

@@ -18,7 +18,7 @@ mod regressor;
 mod samples;
 mod single_precision;
 
-use crate::robots::*;
+use robots::*;
 
 /// One test for each identity, on one robot.
 macro_rules! identities {

@@ -3,7 +3,7 @@
 use robot_dynamics::nalgebra::SVector;
 
 use super::samples::{Magnitude, TOLERANCE, assert_small, states};
-use crate::robots::Arm;
+use robots::Arm;
 
 /// p' = dT/dq - G - F + tau with dT/dq = C' qd, C of the Christoffel symbols.
 pub(super) fn forces_on_momenta_are_those_of_the_coriolis_matrix<

@@ -2,7 +2,7 @@
 
 use robot_dynamics::check_against_rnea;
 
-use crate::robots::Arm;
+use robots::Arm;
 
 pub(super) fn every_function_agrees_with_recursive_newton_euler<
     const N: usize,

@@ -3,7 +3,7 @@
 use robot_dynamics::nalgebra::SVector;
 
 use super::samples::{Magnitude, TOLERANCE, states};
-use crate::robots::Arm;
+use robots::Arm;
 
 /// Every function at one position, as one list of numbers.
 fn all_functions<const N: usize, const P: usize, R: Arm<N, P>>(

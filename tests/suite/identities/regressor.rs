@@ -4,8 +4,8 @@ use robot_dynamics::nalgebra::{DMatrix, DVector, SVector};
 use robot_dynamics::{NewtonEuler, State, Table};
 
 use super::samples::{Magnitude, assert_small, states};
-use crate::random::Random;
-use crate::robots::Arm;
+use robots::Arm;
+use testkit::random::Random;
 
 /// Y base_parameters + F = tau.
 pub(super) fn base_parameters_give_the_torque_without_friction<

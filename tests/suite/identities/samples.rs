@@ -3,8 +3,8 @@
 use robot_dynamics::nalgebra::{Dim, Matrix, RawStorage, SVector};
 use robot_dynamics::{JointType, Row, State, Table};
 
-use crate::random::Random;
-use crate::robots::Arm;
+use robots::Arm;
+use testkit::random::Random;
 
 /// What two results may differ by, for each joint, relative to their magnitude: the bound of the
 /// accuracy tests for both of them, and as much again for the sums of the test itself.

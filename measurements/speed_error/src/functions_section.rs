@@ -1,0 +1,149 @@
+//! The first part of the report: functions.
+
+use std::error::Error;
+
+use crate::functions::{Function, Measured, Variant};
+use crate::page::{Part, Section};
+use testkit::plot::{Mark, Plot, Series};
+use testkit::table::{Table, nanoseconds, short};
+
+/// Errors below this are drawn here: an exact result has no place on a logarithmic axis.
+const LEAST: f64 = 1e-18;
+
+pub(crate) fn section(all: &[Measured]) -> Result<Section, Box<dyn Error>> {
+    let mut section = Section::new("Functions");
+    section.text(
+        "Time of one evaluation, the median on one core, and errors at 64 states: 48 random ones, 8 \
+         at rest, 8 with angles of up to 10^6 rad, all of them numbers that single precision holds. \
+         The exact values are Newton-Euler in 31 digits on the doubles of the table. Errors are \
+         relative to the natural magnitude: max |M| for M, max |M| max |qd|^2 for V, sum m |g| reach \
+         for G, and max |M| max |qdd| with both for tau. The error of qdd is the torque that it \
+         takes, M times the error, over the magnitude of tau.",
+    );
+    section.text(
+        "Bits: how many of the last of 53 bits of a single entry are wrong, in the worst case and in \
+         the median, whatever cancelled in it. Zeros: values that are identically zero, and how many \
+         of them came out as anything else.",
+    );
+    section.parts.push(Part::Table(summary(all)));
+    for robot in robots(all) {
+        let of_robot: Vec<_> = all.iter().filter(|m| m.robot == robot).collect();
+        section.parts.push(Part::Plot(
+            format!("functions_{robot}"),
+            plot(robot, &of_robot).svg()?,
+        ));
+        section.parts.push(Part::Folded(table(robot, &of_robot)));
+    }
+    Ok(section)
+}
+
+fn robots(all: &[Measured]) -> Vec<&'static str> {
+    let mut robots: Vec<_> = all.iter().map(|m| m.robot).collect();
+    robots.dedup();
+    robots
+}
+
+/// Over all robots: the largest errors, and times relative to the generated function in doubles.
+fn summary(all: &[Measured]) -> Table {
+    let heads = [
+        "function, variant",
+        "robots",
+        "time / f64, median",
+        "largest error",
+        "median of the robots' largest",
+        "rms, median",
+        "worst bits, median",
+        "zeros broken",
+    ];
+    let mut table = Table::new("All robots", &heads);
+    for function in Function::ALL {
+        for variant in Variant::ALL {
+            let here = |m: &&Measured| m.function == function && m.variant == variant;
+            let found: Vec<_> = all.iter().filter(here).collect();
+            if found.is_empty() {
+                continue;
+            }
+            let ratio = |m: &&Measured| {
+                let f64 = all.iter().find(|other| {
+                    (other.robot, other.function, other.variant)
+                        == (m.robot, function, Variant::F64)
+                });
+                f64.map_or(f64::NAN, |f64| m.nanoseconds / f64.nanoseconds)
+            };
+            let zeros: usize = found.iter().map(|m| m.errors.zeros).sum();
+            let broken: usize = found.iter().map(|m| m.errors.broken_zeros).sum();
+            let largest = found.iter().map(|m| m.errors.largest).fold(0.0, f64::max);
+            table.row([
+                format!("{}, {}", function.symbol(), variant.name()),
+                found.len().to_string(),
+                format!("{:.2}", median(found.iter().map(ratio))),
+                short(largest),
+                short(median(found.iter().map(|m| m.errors.largest))),
+                short(median(found.iter().map(|m| m.errors.rms))),
+                format!("{:.0}", median(found.iter().map(|m| m.errors.worst_bits))),
+                format!("{broken} of {zeros}"),
+            ]);
+        }
+    }
+    table
+}
+
+fn median(values: impl Iterator<Item = f64>) -> f64 {
+    let mut values: Vec<_> = values.collect();
+    values.sort_by(f64::total_cmp);
+    values[values.len() / 2]
+}
+
+fn table(robot: &str, measured: &[&Measured]) -> Table {
+    let joints = measured.first().map_or(0, |m| m.joints);
+    let title = match joints {
+        1 => format!("{robot}, 1 joint"),
+        n => format!("{robot}, {n} joints"),
+    };
+    let heads = [
+        "function, variant",
+        "ns",
+        "largest error",
+        "rms",
+        "bits, worst",
+        "bits, median",
+        "zeros broken",
+    ];
+    let mut table = Table::new(title, &heads);
+    for function in Function::ALL {
+        for m in measured.iter().filter(|m| m.function == function) {
+            table.row([
+                format!("{}, {}", function.symbol(), m.variant.name()),
+                nanoseconds(m.nanoseconds),
+                short(m.errors.largest),
+                short(m.errors.rms),
+                format!("{:.0}", m.errors.worst_bits),
+                format!("{:.1}", m.errors.median_bits),
+                format!("{} of {}", m.errors.broken_zeros, m.errors.zeros),
+            ]);
+        }
+    }
+    table
+}
+
+/// Error across, time up, a point for each variant of each function.
+fn plot(robot: &str, measured: &[&Measured]) -> Plot {
+    let series = Variant::ALL.iter().map(|&variant| Series {
+        name: variant.name().to_owned(),
+        joined: false,
+        points: (measured.iter())
+            .filter(|m| m.variant == variant && m.errors.largest.is_finite())
+            .map(|m| {
+                let letter = Mark::Letter(m.function.symbol());
+                (m.errors.largest.max(LEAST), m.nanoseconds, letter)
+            })
+            .collect(),
+    });
+    Plot {
+        title: format!("{robot}: time of a call against its largest error"),
+        x: "largest error, relative to the natural magnitude (exact: 1e-18)",
+        y: "ns",
+        series: series.filter(|series| !series.points.is_empty()).collect(),
+        limits: Vec::new(),
+    }
+}

@@ -1,0 +1,238 @@
+//! An arm of the engine's whose programs are run and not compiled: the same operations on the same
+//! doubles as the functions that are emitted.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use dynamics_runtime::nalgebra::{SMatrix, SVector};
+use dynamics_runtime::{
+    Convention, Evaluate, Evaluation, JointType, Model, Row, Scalar, SingularMassMatrix, State,
+    Table,
+};
+use dynamics_symbolic::Function;
+use dynamics_symbolic::program::{Instruction, Operand, Program};
+use dynamics_symbolic::robot::{self, Angle, Robot, Symbol, Value};
+
+/// A program with its constants as they are emitted, each correctly rounded.
+struct Rounded<'a> {
+    function: Function,
+    program: &'a Program,
+    constants: Vec<f64>,
+}
+
+/// An arm of N joints with values for its fields, and the programs of some of its functions.
+pub struct Interpreted<'a, const N: usize> {
+    robot: &'a Robot,
+    fields: &'a [f64],
+    programs: Vec<Rounded<'a>>,
+}
+
+impl<'a, const N: usize> Interpreted<'a, N> {
+    /// The arm `robot`, whose programs are `programs`.
+    ///
+    /// # Panics
+    ///
+    /// Where the arm has not N joints, or not as many fields as there are values.
+    pub fn new(robot: &'a Robot, fields: &'a [f64], programs: &'a [(Function, Program)]) -> Self {
+        assert_eq!((robot.rows.len(), robot.fields.len()), (N, fields.len()));
+        let rounded = programs.iter().map(|(function, program)| Rounded {
+            function: *function,
+            program,
+            constants: program.rounded_constants(),
+        });
+        Interpreted {
+            robot,
+            fields,
+            programs: rounded.collect(),
+        }
+    }
+
+    fn cell(&self, value: &Value) -> f64 {
+        value.to_f64(self.fields)
+    }
+
+    /// An angle; what means a multiple of a quarter turn is the double nearest to it.
+    fn angle(&self, value: &Value) -> f64 {
+        let angle = self.cell(value);
+        match value.is_number() && Angle::new(value).rest.is_none() {
+            true => (angle / FRAC_PI_2).round() * FRAC_PI_2,
+            false => angle,
+        }
+    }
+
+    fn row(&self, row: &robot::Row) -> Row {
+        let joint_type = match row.joint_type {
+            robot::JointType::Revolute => JointType::Revolute,
+            robot::JointType::Prismatic => JointType::Prismatic,
+        };
+        Row {
+            a: self.cell(&row.a),
+            alpha: self.angle(&row.alpha),
+            d: self.cell(&row.d),
+            theta: self.angle(&row.theta),
+            mass: self.cell(&row.mass),
+            com: row.com.each_ref().map(|x| self.cell(x)),
+            inertia: row.inertia.each_ref().map(|x| self.cell(x)),
+            motor_inertia: self.cell(&row.motor_inertia),
+            gear_ratio: self.cell(&row.gear_ratio),
+            viscous: self.cell(&row.viscous),
+            coulomb: self.cell(&row.coulomb),
+            ..Row::new(joint_type)
+        }
+    }
+
+    fn input(&self, symbol: &Symbol, state: &State<N>, tau: &SVector<f64, N>) -> f64 {
+        match symbol {
+            Symbol::Pi => PI,
+            Symbol::Field(i) => self.fields[*i],
+            Symbol::AngleSine(angle) => Scalar::sin_cos(self.cell(angle)).0,
+            Symbol::AngleCosine(angle) => Scalar::sin_cos(self.cell(angle)).1,
+            Symbol::Sine(i) => Scalar::sin_cos(state.q[*i]).0,
+            Symbol::Cosine(i) => Scalar::sin_cos(state.q[*i]).1,
+            Symbol::Position(i) => state.q[*i],
+            Symbol::Velocity(i) => state.qd[*i],
+            Symbol::Acceleration(i) => state.qdd[*i],
+            Symbol::Force(i) => tau[*i],
+            Symbol::VelocitySign(i) => Scalar::sign(state.qd[*i]),
+        }
+    }
+}
+
+impl Rounded<'_> {
+    /// The outputs of the program for values of its inputs.
+    fn run(&self, input: impl Fn(&Symbol) -> f64) -> Vec<f64> {
+        let inputs: Vec<f64> = self.program.inputs.iter().map(input).collect();
+        let mut results: Vec<f64> = Vec::with_capacity(self.program.instructions.len());
+        let read = |results: &[f64], operand: Operand| match operand {
+            Operand::Constant(id) => self.constants[id.index()],
+            Operand::Input(i) => inputs[i as usize],
+            Operand::Result(i) => results[i as usize],
+        };
+        for instruction in &self.program.instructions {
+            let (a, b) = instruction.operands();
+            let (a, b) = (read(&results, a), read(&results, b));
+            results.push(match instruction {
+                Instruction::Add(..) => a + b,
+                Instruction::Sub(..) => a - b,
+                Instruction::Mul(..) => a * b,
+                Instruction::Div(..) => a / b,
+            });
+        }
+        let outputs = self.program.outputs.iter().map(|output| {
+            let value = read(&results, output.operand);
+            if output.negative { -value } else { value }
+        });
+        outputs.collect()
+    }
+}
+
+impl<const N: usize> Model<N> for Interpreted<'_, N> {
+    const JOINT_NAMES: [&'static str; N] = ["joint"; N];
+
+    fn table(&self) -> Table<N> {
+        Table {
+            convention: match self.robot.convention {
+                robot::Convention::Standard => Convention::Standard,
+                robot::Convention::Modified => Convention::Modified,
+            },
+            gravity: self.robot.gravity.each_ref().map(|value| self.cell(value)),
+            rows: std::array::from_fn(|i| self.row(&self.robot.rows[i])),
+        }
+    }
+}
+
+/// Reads outputs one after the other, matrices by rows.
+struct Outputs(std::vec::IntoIter<f64>);
+
+impl Outputs {
+    fn number(&mut self) -> f64 {
+        self.0.next().expect("an output")
+    }
+
+    fn matrix<const R: usize, const C: usize>(&mut self) -> SMatrix<f64, R, C> {
+        let mut matrix = SMatrix::zeros();
+        for i in 0..R {
+            for j in 0..C {
+                matrix[(i, j)] = self.number();
+            }
+        }
+        matrix
+    }
+
+    /// The columns of a matrix of `N` rows whose width is only known here.
+    fn columns<const N: usize>(self) -> Vec<SVector<f64, N>> {
+        let values: Vec<f64> = self.0.collect();
+        let width = values.len() / N;
+        (0..width)
+            .map(|j| SVector::from_fn(|i, _| values[i * width + j]))
+            .collect()
+    }
+
+    /// Pivots and the diagonal of M behind a value, which is none where a pivot fails.
+    fn tested<T, const N: usize>(&mut self, value: T) -> Result<T, SingularMassMatrix> {
+        let (pivots, diagonal) = (self.matrix::<N, 1>(), self.matrix::<N, 1>());
+        for joint in (0..N).rev() {
+            SingularMassMatrix::test(joint, pivots[joint], diagonal[joint])?;
+        }
+        Ok(value)
+    }
+}
+
+impl<const N: usize> Evaluate<N> for Interpreted<'_, N> {
+    fn evaluate(&self, state: &State<N>, tau: &SVector<f64, N>) -> Evaluation<N> {
+        let mut values = Evaluation::default();
+        for rounded in &self.programs {
+            let outputs = rounded.run(|symbol| self.input(symbol, state, tau));
+            record(&mut values, rounded.function, Outputs(outputs.into_iter()));
+        }
+        values.regressor_forces = regressor_forces(&values);
+        values
+    }
+}
+
+/// Puts the outputs of a function where they belong.
+fn record<const N: usize>(values: &mut Evaluation<N>, function: Function, mut outputs: Outputs) {
+    match function {
+        Function::MassMatrix => values.mass_matrix = Some(outputs.matrix()),
+        Function::CoriolisVector => values.coriolis_vector = Some(outputs.matrix()),
+        Function::GravityVector => values.gravity_vector = Some(outputs.matrix()),
+        Function::FrictionVector => values.friction_vector = Some(outputs.matrix()),
+        Function::InverseDynamics => values.inverse_dynamics = Some(outputs.matrix()),
+        Function::ForwardDynamics => {
+            let qdd = outputs.matrix::<N, 1>();
+            values.forward_dynamics = Some(outputs.tested::<_, N>(qdd));
+        }
+        Function::ForwardDynamicsAba => {
+            let qdd = outputs.matrix::<N, 1>();
+            values.forward_dynamics_aba = Some(outputs.tested::<_, N>(qdd));
+        }
+        // The recurrences of a series are no straight-line program: they have tests of their own.
+        Function::TaylorSeries => {}
+        Function::KineticEnergy => values.kinetic_energy = Some(outputs.number()),
+        Function::PotentialEnergy => values.potential_energy = Some(outputs.number()),
+        Function::BiasForce => values.bias_force = Some(outputs.matrix()),
+        Function::CoriolisMatrix => values.coriolis_matrix = Some(outputs.matrix()),
+        Function::CoriolisCoefficients => values.coriolis_coefficients = Some(outputs.columns()),
+        Function::CentrifugalCoefficients => {
+            values.centrifugal_coefficients = Some(outputs.matrix());
+        }
+        Function::ForwardKinematics => values.forward_kinematics = Some(outputs.matrix()),
+        Function::LinkPoses => values.link_poses = Some([(); N].map(|()| outputs.matrix())),
+        Function::Jacobian => values.jacobian = Some(outputs.matrix()),
+        Function::InverseDynamicsDerivatives => {
+            values.inverse_dynamics_derivatives = Some((outputs.matrix(), outputs.matrix()));
+        }
+        Function::ForwardDynamicsDerivatives => {
+            let derivatives = (outputs.matrix(), outputs.matrix(), outputs.matrix());
+            values.forward_dynamics_derivatives = Some(outputs.tested::<_, N>(derivatives));
+        }
+        Function::Regressor => values.regressor = Some(outputs.columns()),
+        Function::BaseParameters => values.base_parameters = Some(outputs.0.collect()),
+    }
+}
+
+/// Y times the base parameters.
+fn regressor_forces<const N: usize>(values: &Evaluation<N>) -> Option<SVector<f64, N>> {
+    let columns = values.regressor.as_ref()?.iter();
+    let terms = columns.zip(values.base_parameters.as_ref()?);
+    Some(terms.fold(SVector::zeros(), |sum, (column, x)| sum + column * *x))
+}

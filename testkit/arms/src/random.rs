@@ -1,0 +1,197 @@
+//! Random tables: both conventions, mixed joints, symbolic cells anywhere.
+
+use dynamics_symbolic::exact::{Rational, SplitMix64};
+use dynamics_symbolic::robot::{Convention, JointType, Robot, Row, Value};
+
+/// What the links are.
+#[derive(Clone, Copy, PartialEq)]
+pub enum Bodies {
+    /// Any numbers: equations of motion do not ask what they are.
+    Any,
+    /// Masses, tensors and motors that exist, where all fields are positive.
+    Physical,
+}
+
+/// Cells as they occur: mostly zero, round numbers, right angles, parameters.
+pub struct Tables {
+    random: SplitMix64,
+    fields: usize,
+    /// Arms in free space, most of their axes meeting: where rare parameters are grouped.
+    meeting: bool,
+    bodies: Bodies,
+}
+
+impl Tables {
+    /// The sequence of arms that begins at `seed`.
+    pub fn new(seed: u64, bodies: Bodies) -> Self {
+        Tables {
+            random: SplitMix64::new(seed),
+            fields: 0,
+            meeting: false,
+            bodies,
+        }
+    }
+
+    /// Arms in free space, most of whose axes meet.
+    pub fn with_meeting_axes(self) -> Self {
+        Tables {
+            meeting: true,
+            ..self
+        }
+    }
+
+    /// A random integer from 0 to n - 1.
+    pub fn below(&mut self, n: u64) -> u64 {
+        self.random.next_u64() % n
+    }
+
+    /// A random number between -2 and 2, exact in 500ths.
+    pub fn number(&mut self) -> Value {
+        let numerator = self.below(2001) as i64 - 1000;
+        Value::Rational(Rational::from_parts(numerator.into(), 500_u32.into()))
+    }
+
+    fn cell(&mut self) -> Value {
+        match self.below(8) {
+            0..=3 => Value::zero(),
+            4 | 5 => self.number(),
+            6 => Value::integer(self.below(3) as i64 - 1),
+            _ => self.parameter(),
+        }
+    }
+
+    /// A new parameter, one that is there, or an expression of it.
+    fn parameter(&mut self) -> Value {
+        if self.fields == 0 || (self.fields < 4 && self.below(2) == 0) {
+            self.fields += 1;
+        }
+        let field = Value::field(self.below(self.fields as u64) as usize);
+        match self.below(4) {
+            0 => field * self.number(),
+            1 => -field + self.number(),
+            2 => (field * self.number())
+                .checked_div(Value::integer(7))
+                .expect("not zero"),
+            _ => field,
+        }
+    }
+
+    fn angle(&mut self) -> Value {
+        let quarter = Value::Pi * Value::Rational(Rational::ONE / Rational::from(2));
+        match self.below(8) {
+            0..=2 => Value::zero(),
+            3..=5 => quarter * Value::integer(self.below(7) as i64 - 3),
+            6 => self.number(),
+            _ => self.parameter() + quarter,
+        }
+    }
+
+    /// A number that is not negative, or a parameter: a mass, a moment.
+    fn positive(&mut self) -> Value {
+        match self.below(8) {
+            0 | 1 => Value::zero(),
+            2..=5 => self.positive_number(),
+            6 => Value::integer(1),
+            _ => {
+                self.fields = self.fields.max(1);
+                Value::field(self.below(self.fields as u64) as usize) * self.positive_number()
+            }
+        }
+    }
+
+    fn positive_number(&mut self) -> Value {
+        let numerator = self.below(1000) as i64 + 1;
+        Value::Rational(Rational::from_parts(numerator.into(), 500_u32.into()))
+    }
+
+    /// The tensor of second moments x, y, z along the axes: yy + zz about x, and so on.
+    fn tensor(&mut self) -> [Value; 6] {
+        let [x, y, z] = [(); 3].map(|()| self.positive());
+        let moments = [y.clone() + z.clone(), z + x.clone(), x + y];
+        let [xx, yy, zz] = moments;
+        let [xy, yz, xz] = [(); 3].map(|()| Value::zero());
+        [xx, yy, zz, xy, yz, xz]
+    }
+
+    fn row(&mut self, i: usize) -> Row {
+        let row = self.any_row(i);
+        match self.bodies {
+            Bodies::Any => row,
+            Bodies::Physical => Row {
+                mass: self.positive(),
+                inertia: self.tensor(),
+                motor_inertia: self.positive(),
+                ..row
+            },
+        }
+    }
+
+    fn any_row(&mut self, i: usize) -> Row {
+        let joint_type = match self.below(if self.meeting { 7 } else { 3 }) {
+            0 => JointType::Prismatic,
+            _ => JointType::Revolute,
+        };
+        Row {
+            name: format!("joint{i}"),
+            joint_type,
+            a: match self.meeting && self.below(6) > 0 {
+                true => Value::zero(),
+                false => self.cell(),
+            },
+            alpha: self.angle(),
+            d: self.cell(),
+            theta: self.angle(),
+            mass: self.cell(),
+            com: [(); 3].map(|()| self.cell()),
+            inertia: [(); 6].map(|()| self.cell()),
+            motor_inertia: self.cell(),
+            gear_ratio: self.cell(),
+            viscous: self.cell(),
+            coulomb: self.cell(),
+            limits: None,
+            locked: None,
+        }
+    }
+
+    /// An arm some of whose joints are locked, at least one, and not all of them.
+    pub fn locked_robot(&mut self) -> Robot {
+        let mut robot = self.robot();
+        while robot.rows.len() < 2 {
+            robot = self.robot();
+        }
+        self.fields = robot.fields.len();
+        let free = self.below(robot.rows.len() as u64) as usize;
+        let sure = (free + 1) % robot.rows.len();
+        for i in (0..robot.rows.len()).filter(|&i| i != free) {
+            if i == sure || self.below(2) == 0 {
+                robot.rows[i].locked = Some(self.angle());
+            }
+        }
+        robot.fields = (0..self.fields).map(|i| format!("p{i}")).collect();
+        robot
+    }
+
+    /// The next arm, of one to four joints.
+    pub fn robot(&mut self) -> Robot {
+        self.fields = 0;
+        let dof = 1 + self.below(4) as usize;
+        let rows = (0..dof).map(|i| self.row(i)).collect();
+        let gravity = match self.meeting {
+            true => [(); 3].map(|()| Value::zero()),
+            false => [(); 3].map(|()| self.cell()),
+        };
+        let convention = match self.below(2) {
+            0 => Convention::Standard,
+            _ => Convention::Modified,
+        };
+        let fields = (0..self.fields).map(|i| format!("p{i}")).collect();
+        Robot {
+            name: "random".to_owned(),
+            fields,
+            convention,
+            gravity,
+            rows,
+            neglected: None,
+        }
+    }
+}

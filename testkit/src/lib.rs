@@ -1,0 +1,13 @@
+//! What tests, examples and measurements share: reference values, the dynamics of a table in 31
+//! digits, random numbers, clocks, plots and tables.
+
+#![forbid(unsafe_code)]
+
+pub mod clock;
+pub mod dual;
+pub mod exact;
+pub mod machine;
+pub mod plot;
+pub mod random;
+pub mod references;
+pub mod table;

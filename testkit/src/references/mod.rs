@@ -1,0 +1,11 @@
+//! The files of `tests/data`: robots, reference values of 25 digits, motions.
+
+mod data;
+mod decimal;
+mod states;
+mod trajectory;
+
+pub use data::read;
+pub use decimal::Decimal;
+pub use states::{JointRow, ReferenceFile, ReferenceState, RobotFile, Scale};
+pub use trajectory::{MotionFile, TorqueFile};

@@ -1,0 +1,112 @@
+//! The robots and reference values of `tests/data`, as they are written there.
+
+use serde::Deserialize;
+
+use super::Decimal;
+
+/// A robot's table.
+#[derive(Deserialize)]
+pub struct RobotFile {
+    /// `standard` or `modified`.
+    pub convention: String,
+    /// Acceleration of gravity in the base frame, m/s^2.
+    pub gravity: [f64; 3],
+    /// The rows, from the base outwards.
+    pub joints: Vec<JointRow>,
+}
+
+/// A row of a robot's table.
+#[derive(Deserialize)]
+pub struct JointRow {
+    /// `revolute` or `prismatic`.
+    #[serde(rename = "type")]
+    pub joint_type: String,
+    /// Length along x, m.
+    pub a: f64,
+    /// Angle about x, rad.
+    pub alpha: f64,
+    /// Length along z, m.
+    pub d: f64,
+    /// Angle about z, rad.
+    pub theta: f64,
+    /// Mass, kg.
+    pub mass: f64,
+    /// Centre of mass in the link frame, m.
+    pub com: [f64; 3],
+    /// xx, yy, zz, xy, yz, xz about the centre of mass, kg m^2.
+    pub inertia: [f64; 6],
+    /// Inertia of the rotor, kg m^2.
+    pub motor_inertia: f64,
+    /// Turns of the rotor for one of the joint.
+    pub gear_ratio: f64,
+    /// Viscous friction, N m s.
+    pub viscous: f64,
+    /// Coulomb friction, N m.
+    pub coulomb: f64,
+}
+
+/// The reference values of a robot.
+#[derive(Deserialize)]
+pub struct ReferenceFile {
+    /// Twenty-four states.
+    pub states: Vec<ReferenceState>,
+}
+
+/// Every quantity at one state.
+#[derive(Deserialize)]
+pub struct ReferenceState {
+    /// What the state is called.
+    pub label: String,
+    /// Positions.
+    pub q: Vec<f64>,
+    /// Velocities.
+    pub qd: Vec<f64>,
+    /// Accelerations.
+    pub qdd: Vec<f64>,
+    /// M.
+    #[serde(rename = "M")]
+    pub mass_matrix: Vec<Vec<Decimal>>,
+    /// V.
+    #[serde(rename = "V")]
+    pub coriolis_vector: Vec<Decimal>,
+    /// G.
+    #[serde(rename = "G")]
+    pub gravity_vector: Vec<Decimal>,
+    /// M qdd + V + G, without friction.
+    pub tau: Vec<Decimal>,
+    /// F.
+    pub friction: Vec<Decimal>,
+    /// C, from the Christoffel symbols.
+    #[serde(rename = "C")]
+    pub coriolis_matrix: Vec<Vec<Decimal>>,
+    /// T.
+    pub kinetic_energy: Decimal,
+    /// U.
+    pub potential_energy: Decimal,
+    /// The last frame in the base, a matrix of four rows.
+    pub ee_pose: Vec<Vec<Decimal>>,
+    /// The geometric Jacobian, rows vx vy vz wx wy wz.
+    pub jacobian: Vec<Vec<Decimal>>,
+    /// What errors are relative to.
+    pub scale: Scale,
+}
+
+/// The natural magnitude of each quantity, the denominator of relative errors.
+#[derive(Deserialize)]
+#[allow(non_snake_case, reason = "the names in the files")]
+pub struct Scale {
+    /// Of the mass matrix.
+    pub M: f64,
+    /// Of the Coriolis vector.
+    pub V: f64,
+    /// Of the gravity vector.
+    pub G: f64,
+    /// Of the Coriolis matrix.
+    pub C: f64,
+    /// Of the torques.
+    pub tau: f64,
+    /// Of the kinetic energy.
+    pub T: f64,
+    /// Of the potential energy.
+    pub U: f64,
+}
