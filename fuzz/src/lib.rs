@@ -1,13 +1,12 @@
 //! What the fuzz targets do with their input. They panic where something is wrong.
 
-mod interpreted;
 mod robot;
 
+use arms::Interpreted;
 use dynamics_runtime::Check;
 use dynamics_symbolic::Function;
 use dynamics_symbolic::derive::derive;
 use dynamics_symbolic::prove::prove;
-use interpreted::Interpreted;
 use proc_macro2::TokenStream;
 
 /// Reads a call of the macro to its end. There is a model or there are errors; the items, the stubs

@@ -1,15 +1,15 @@
 //! An arm of the engine's whose programs are run and not compiled: the same operations on the same
 //! doubles as the functions that are emitted.
 
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::PI;
 
 use dynamics_runtime::nalgebra::{SMatrix, SVector};
 use dynamics_runtime::{
     Convention, Evaluate, Evaluation, JointType, Model, Row, Scalar, SingularMassMatrix, State,
-    Table,
+    Table, turned,
 };
 use dynamics_symbolic::Function;
-use dynamics_symbolic::program::{Instruction, Operand, Program};
+use dynamics_symbolic::program::{Instruction, Operand, Program, rounded_angle};
 use dynamics_symbolic::robot::{self, Angle, Robot, Symbol, Value};
 
 /// A program with its constants as they are emitted, each correctly rounded.
@@ -50,13 +50,14 @@ impl<'a, const N: usize> Interpreted<'a, N> {
         value.to_f64(self.fields)
     }
 
-    /// An angle; what means a multiple of a quarter turn is the double nearest to it.
+    /// An angle, as a generated table has it.
     fn angle(&self, value: &Value) -> f64 {
-        let angle = self.cell(value);
-        match value.is_number() && Angle::new(value).rest.is_none() {
-            true => (angle / FRAC_PI_2).round() * FRAC_PI_2,
-            false => angle,
+        if value.is_number() {
+            return rounded_angle(value);
         }
+        let parts = Angle::new(value);
+        let rest = parts.rest.as_ref().map_or(0.0, |rest| self.cell(rest));
+        turned(rest, f64::from(parts.signed_quarter_turns()))
     }
 
     fn row(&self, row: &robot::Row) -> Row {
@@ -184,8 +185,7 @@ impl<const N: usize> Evaluate<N> for Interpreted<'_, N> {
             let outputs = rounded.run(|symbol| self.input(symbol, state, tau));
             record(&mut values, rounded.function, Outputs(outputs.into_iter()));
         }
-        values.regressor_forces = regressor_forces(&values);
-        values
+        values.combined(state)
     }
 }
 
@@ -228,11 +228,4 @@ fn record<const N: usize>(values: &mut Evaluation<N>, function: Function, mut ou
         Function::Regressor => values.regressor = Some(outputs.columns()),
         Function::BaseParameters => values.base_parameters = Some(outputs.0.collect()),
     }
-}
-
-/// Y times the base parameters.
-fn regressor_forces<const N: usize>(values: &Evaluation<N>) -> Option<SVector<f64, N>> {
-    let columns = values.regressor.as_ref()?.iter();
-    let terms = columns.zip(values.base_parameters.as_ref()?);
-    Some(terms.fold(SVector::zeros(), |sum, (column, x)| sum + column * *x))
 }
