@@ -1,6 +1,10 @@
 //! Comparison of a generated model with the numeric recursive Newton-Euler algorithm.
 
+mod accelerations;
+mod coefficients;
 mod deviation;
+mod functions;
+mod kinematics;
 pub(crate) mod random;
 mod report;
 mod scale;
@@ -10,7 +14,7 @@ use core::f64::consts::PI;
 use core::ops::RangeInclusive;
 
 use crate::{Evaluate, NewtonEuler};
-use deviation::deviations;
+use functions::deviations;
 
 pub use report::{FunctionReport, Report};
 

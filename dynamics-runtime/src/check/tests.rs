@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix2, SVector, Vector2};
 
-use super::deviation;
+use super::accelerations::refused;
 use crate::test_arms::{CRAIG_ARM, CraigArm};
 use crate::{
     AccelerationDerivatives, Check, Evaluate, Evaluation, MAX_TAYLOR_ORDER, Model, NewtonEuler,
@@ -309,8 +309,8 @@ fn a_refusal_fails_where_one_inertia_is_small() {
     };
     let m = light.mass_matrix(&Vector2::zeros());
     assert!(m[(1, 1)] < 1e-9 * m[(0, 0)]);
-    let refused = SingularMassMatrix::new(1, 0.0);
-    let error = |m| deviation::refused("forward_dynamics", m, &refused).error;
+    let refusal = SingularMassMatrix::new(1, 0.0);
+    let error = |m| refused("forward_dynamics", m, &refusal).error;
     assert_eq!(error(&m), Some(f64::INFINITY));
     let vanishing = Matrix2::new(4e-33, 0.0, 0.0, 0.7);
     assert_eq!(error(&vanishing), None);

@@ -1,0 +1,90 @@
+//! What is solved for with M: judged by the equations that it has to satisfy.
+
+use nalgebra::{SMatrix, SVector};
+
+use super::deviation::{Deviation, entries};
+use super::scale::Scale;
+use crate::{AccelerationDerivatives, NewtonEuler, SingularMassMatrix, State, TaylorCoefficients};
+
+/// Below this part of its diagonal entry a pivot of the numeric mass matrix counts as zero: its own
+/// roundings then decide whether a factorisation succeeds.
+const SINGULAR: f64 = 1e-10;
+
+/// Below this part of the largest |M| a pivot, and with it the diagonal entry that bounds it, counts
+/// as zero too.
+///
+/// Where nothing resists a joint at some state (point masses on its axis), the numeric entry is not
+/// 0 but the roundings of terms as large as those elsewhere in M, at most a few 1e-16 of them.
+/// Measured against itself such an entry looks regular. No real arm comes near the bound: a finger of
+/// 1e-6 kg m^2 on an arm of 1e4 kg m^2 is a hundred times above it.
+const VANISHING: f64 = 1e-12;
+
+/// A refusal to solve is right where the numeric mass matrix is singular too: there is nothing to
+/// compare then. Where it is regular, nothing excuses the refusal.
+pub(super) fn refused<const N: usize>(
+    function: &'static str,
+    mass_matrix: &SMatrix<f64, N, N>,
+    error: &SingularMassMatrix,
+) -> Deviation {
+    let largest = mass_matrix.amax();
+    let regular = mass_matrix.cholesky().is_some_and(|factor| {
+        let factor = factor.l_dirty().diagonal();
+        (0..N).all(|i| {
+            let pivot = factor[i] * factor[i];
+            pivot > SINGULAR * mass_matrix[(i, i)] && pivot > VANISHING * largest
+        })
+    });
+    Deviation {
+        function,
+        error: regular.then_some(f64::INFINITY),
+        joint: Some(error.joint),
+    }
+}
+
+/// The equations that the derivatives of forward dynamics satisfy, as far as they do not: M qdd_q + tau_q = 0,
+/// M qdd_qd + tau_qd = 0, M qdd_tau = 1, with the derivatives of tau at the accelerations of the state.
+///
+/// The generated function solves for these accelerations, whose roundings M^-1 magnifies.
+pub(super) fn acceleration_derivatives<const N: usize>(
+    generated: &AccelerationDerivatives<f64, N>,
+    mass_matrix: &SMatrix<f64, N, N>,
+    forces: &(SMatrix<f64, N, N>, SMatrix<f64, N, N>),
+    scale: &Scale,
+) -> Deviation {
+    let (by_position, by_velocity, by_force) = generated;
+    let condition = scale.mass_matrix * by_force.amax();
+    let residual = |derivative: &SMatrix<f64, N, N>, of: SMatrix<f64, N, N>, size: f64| {
+        let scale = size + scale.mass_matrix * derivative.amax();
+        entries(mass_matrix * derivative + of, scale)
+    };
+    let positions = scale.force_by_position + condition * scale.inverse_dynamics;
+    let residuals = residual(by_position, forces.0, positions)
+        .chain(residual(by_velocity, forces.1, scale.force_by_velocity))
+        .chain(residual(by_force, -SMatrix::identity(), 1.0));
+    Deviation::worst("forward_dynamics_derivatives", residuals)
+}
+
+/// The start of the motion, and the equations of motion with their first derivative by time as far
+/// as the series does not satisfy them: M qdd + bias - tau = 0 with qdd = 2 q_2, and, since tau is
+/// constant, M jerk + tau_q qd + tau_qd qdd = 0 with jerk = 6 q_3.
+pub(super) fn series_residuals<const N: usize>(
+    [q, qd, second, third, ..]: &TaylorCoefficients<f64, N>,
+    numeric: &NewtonEuler<N>,
+    scale: &Scale,
+    state: &State<N>,
+    tau: &SVector<f64, N>,
+) -> Deviation {
+    let (qdd, jerk) = (second * 2.0, third * 6.0);
+    let mass_matrix = numeric.mass_matrix(&state.q);
+    let (by_position, by_velocity) =
+        numeric.inverse_dynamics_derivatives(&state.q, &state.qd, &qdd);
+    let force = mass_matrix * qdd + numeric.bias_force(&state.q, &state.qd) - tau;
+    let rate = mass_matrix * jerk + by_position * state.qd + by_velocity * qdd;
+    let inertial = scale.mass_matrix * qdd.amax();
+    let rates = scale.mass_matrix * jerk.amax()
+        + (scale.force_by_position + inertial) * state.qd.amax()
+        + scale.force_by_velocity * qdd.amax();
+    let start = entries(q - state.q, 0.0).chain(entries(qd - state.qd, 0.0));
+    let equations = entries(force, scale.inverse_dynamics + inertial).chain(entries(rate, rates));
+    Deviation::worst("taylor_series", start.chain(equations))
+}
