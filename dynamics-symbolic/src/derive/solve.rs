@@ -4,6 +4,11 @@
 //! feels when the joints outside it are free (the articulated inertia of its
 //! axis), so that the relative pivot d_j / M_jj says how near joint j is to
 //! losing its inertia.
+//!
+//! What is computed solves a system beside M to rounding, however nearly singular M is (Higham 2002,
+//! 10.1), because its entries share their errors: the factors are of one matrix, and each x_j makes
+//! good what the x_i before it are, not what they should be. An equal definition that reads
+//! something else would lose that, so that all definitions are held.
 
 use crate::expr::{Expr, Graph};
 
@@ -29,19 +34,9 @@ impl<'g> Factors<'g> {
     ) -> (Self, Vec<Expr<'g>>) {
         let n = m.len();
         let mut reciprocals = vec![graph.zero(); n];
-        // m[i][j], i < j, becomes U_ij; m[j][j] becomes d_j; b becomes U^-1 b.
         for j in (0..n).rev() {
-            reciprocals[j] = graph.one() / m[j][j];
-            for i in (0..j).rev() {
-                let u = m[i][j] * reciprocals[j];
-                for k in 0..=i {
-                    m[k][i] = m[k][i] - u * m[k][j];
-                }
-                b[i] = b[i] - u * b[j];
-            }
-            for i in 0..j {
-                m[i][j] = m[i][j] * reciprocals[j];
-            }
+            let step = || eliminate(graph, &mut m, &mut b, j);
+            reciprocals[j] = hold_unless(j + 1 == n, graph, step);
         }
         let factors = Factors {
             graph,
@@ -49,7 +44,7 @@ impl<'g> Factors<'g> {
             upper: m,
             reciprocals,
         };
-        let x = factors.solve_lower(&b);
+        let x = graph.holding(|| factors.solve_lower(&b));
         (factors, x)
     }
 
@@ -62,11 +57,13 @@ impl<'g> Factors<'g> {
     pub(super) fn solve(&self, mut b: Vec<Expr<'g>>) -> Vec<Expr<'g>> {
         let n = b.len();
         for j in (0..n).rev() {
-            for i in (0..j).rev() {
-                b[i] = b[i] - self.upper[i][j] * b[j];
-            }
+            hold_unless(j + 1 == n, self.graph, || {
+                for i in (0..j).rev() {
+                    b[i] = b[i] - self.upper[i][j] * b[j];
+                }
+            });
         }
-        self.solve_lower(&b)
+        self.graph.holding(|| self.solve_lower(&b))
     }
 
     /// The solution of D U^T x = b.
@@ -110,6 +107,29 @@ impl<'g> Factors<'g> {
         }
         w
     }
+}
+
+/// Takes joint j out of the equations, and returns 1 / d_j: m[i][j], i < j, becomes U_ij, m[j][j] is
+/// d_j, and b becomes U^-1 b.
+fn eliminate<'g>(graph: &'g Graph, m: &mut Matrix<'g>, b: &mut [Expr<'g>], j: usize) -> Expr<'g> {
+    let reciprocal = graph.one() / m[j][j];
+    for i in (0..j).rev() {
+        let u = m[i][j] * reciprocal;
+        for k in 0..=i {
+            m[k][i] = m[k][i] - u * m[k][j];
+        }
+        b[i] = b[i] - u * b[j];
+    }
+    for i in 0..j {
+        m[i][j] = m[i][j] * reciprocal;
+    }
+    reciprocal
+}
+
+/// The step of the tip's joint is held by nothing: its pivot is an entry of M and no difference, so
+/// that its results are as accurate however they are written.
+fn hold_unless<T>(is_tip: bool, graph: &Graph, step: impl FnOnce() -> T) -> T {
+    if is_tip { step() } else { graph.holding(step) }
 }
 
 #[cfg(test)]

@@ -132,6 +132,18 @@ impl Graph {
         self.node(id).level
     }
 
+    /// Does some work; the definitions of the nodes that are new after it are held: no search for
+    /// shorter programs replaces them, nor those of nodes that read them. Steps of a solution whose
+    /// rounding errors must stay together are written so.
+    pub fn holding<T>(&self, work: impl FnOnce() -> T) -> T {
+        let first = self.len();
+        let result = work();
+        for node in &mut self.arena.borrow_mut().nodes[first..] {
+            node.held = true;
+        }
+        result
+    }
+
     pub(crate) fn node(&self, id: NodeId) -> Node {
         self.arena.borrow().nodes[id.index()]
     }
@@ -195,6 +207,7 @@ impl Arena {
                     operation,
                     level,
                     value,
+                    held: false,
                 });
                 self.by_value.insert(value.get(), id);
                 id

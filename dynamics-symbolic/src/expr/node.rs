@@ -69,10 +69,12 @@ pub enum Level {
     Variable,
 }
 
-/// A node: what it is, how deep its dependencies go, and its fingerprint.
+/// A node: what it is, how deep its dependencies go, its fingerprint, and whether its definition is
+/// held: see [`super::Graph::holding`].
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Node {
     pub(crate) operation: Operation,
     pub(crate) level: Level,
     pub(crate) value: Fingerprint,
+    pub(crate) held: bool,
 }

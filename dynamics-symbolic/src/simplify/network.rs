@@ -13,6 +13,8 @@ pub struct Network<'g> {
     /// Inverses of values, found when they are asked for: most never are.
     inverses: Vec<Cell<Option<Option<Fingerprint>>>>,
     free: Vec<bool>,
+    /// Whose definitions are held: see [`Graph::holding`].
+    held: Vec<bool>,
     /// How many active nodes and outputs read each node: active where positive.
     readers: Vec<u32>,
     cost: usize,
@@ -28,6 +30,7 @@ impl<'g> Network<'g> {
             values: Vec::new(),
             inverses: Vec::new(),
             free: Vec::new(),
+            held: Vec::new(),
             readers: Vec::new(),
             cost: 0,
         };
@@ -39,13 +42,17 @@ impl<'g> Network<'g> {
     }
 
     /// The network of some outputs with the definitions that are given, the
-    /// first of each node, and else the graph's own.
+    /// first of each node, and else the graph's own; those of `held` are held.
     pub(super) fn with_definitions(
         graph: &'g Graph,
         outputs: &[Edge],
         definitions: Vec<(NodeId, Operation)>,
+        held: &[NodeId],
     ) -> Self {
         let mut network = Network::new(graph, &[]);
+        for &id in held {
+            network.held[id.index()] = !network.is_free(id);
+        }
         for (id, operation) in definitions.into_iter().rev() {
             // A sum may come out equal to a symbol or a constant, which need no definition.
             if !network.is_free(id) {
@@ -85,7 +92,10 @@ impl<'g> Network<'g> {
             self.definitions.push(node.operation);
             self.values.push(node.value);
             self.inverses.push(Cell::new(None));
-            self.free.push(is_leaf || node.level == Level::Constant);
+            let is_free = is_leaf || node.level == Level::Constant;
+            self.free.push(is_free);
+            // Constants are exact: there is nothing to hold.
+            self.held.push(node.held && !is_free);
             self.readers.push(0);
         }
     }
@@ -224,6 +234,21 @@ impl<'g> Network<'g> {
             }
         }
         order
+    }
+
+    /// Whether the definition of a node is held.
+    pub(super) fn is_held(&self, id: NodeId) -> bool {
+        self.held[id.index()]
+    }
+
+    /// Which nodes are held, or read one that is; `order` is [`Network::order`].
+    pub(super) fn fixed(&self, order: &[NodeId]) -> Vec<bool> {
+        let mut fixed = self.held.clone();
+        for &id in order {
+            let mut operands = self.definition(id).operands();
+            fixed[id.index()] |= operands.any(|operand| fixed[operand.index()]);
+        }
+        fixed
     }
 
     /// Active nodes that are free.

@@ -132,7 +132,7 @@ fn try_replacement(network: &mut Network<'_>, id: NodeId, replacement: &Replacem
 }
 
 impl Network<'_> {
-    /// The node of an operation, where it is not active yet and takes an operation.
+    /// The node of an operation, where it is not active yet, takes an operation and is not held.
     fn inner_node(&mut self, operation: Operation) -> Option<NodeId> {
         let graph = self.graph();
         let edge: Edge = match operation {
@@ -142,6 +142,6 @@ impl Network<'_> {
         };
         self.grow();
         let id = edge.node();
-        (!self.is_active(id) && !self.is_free(id)).then_some(id)
+        (!self.is_active(id) && !self.is_free(id) && !self.is_held(id)).then_some(id)
     }
 }

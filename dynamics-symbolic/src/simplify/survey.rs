@@ -4,7 +4,8 @@ use super::Network;
 use crate::expr::{Fingerprint, FingerprintMap, NodeId};
 use core::cell::RefCell;
 
-/// A look at a network: valid until a definition changes.
+/// A look at a network: valid until a definition changes. What is held, and what reads it, is left out
+/// of it.
 pub(super) struct Survey {
     order: Vec<NodeId>,
     leaves: Vec<NodeId>,
@@ -15,7 +16,9 @@ pub(super) struct Survey {
 
 impl Survey {
     pub(super) fn new(network: &Network<'_>) -> Self {
-        let (order, leaves) = (network.order(), network.leaves());
+        let (mut order, leaves) = (network.order(), network.leaves());
+        let fixed = network.fixed(&order);
+        order.retain(|id| !fixed[id.index()]);
         let mut positions = vec![0; network.len()];
         for (position, id) in order.iter().enumerate() {
             positions[id.index()] = position as u32 + 1;
@@ -33,7 +36,7 @@ impl Survey {
         }
     }
 
-    /// Active nodes that take an operation, operands before readers.
+    /// Active nodes that take an operation and may be redefined, operands before readers.
     pub(super) fn order(&self) -> &[NodeId] {
         &self.order
     }
@@ -43,7 +46,7 @@ impl Survey {
         &self.index
     }
 
-    /// Every active node.
+    /// Every active node that a definition may read.
     pub(super) fn nodes(&self) -> Vec<NodeId> {
         self.leaves.iter().chain(&self.order).copied().collect()
     }

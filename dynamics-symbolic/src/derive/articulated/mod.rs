@@ -12,6 +12,8 @@
 //! Forces that do not depend on accelerations are left to the recursive equations of motion:
 //! what is accelerated here is an arm at rest without gravity, by tau - V - G - F. [`moving`] is the
 //! algorithm as it was published, on which all forces act.
+//!
+//! The definitions of what depends on the pivots are held: see [`super::solve`].
 
 mod inertia;
 mod moving;
@@ -83,7 +85,8 @@ struct Eliminated<'g> {
 pub(super) fn solve<'g>(chain: &Chain<'g>, net: &[Expr<'g>]) -> (Vec<Expr<'g>>, Vec<Expr<'g>>) {
     let joints = inward(chain, net);
     let pivots = joints.iter().map(|joint| joint.pivot).collect();
-    (outward(chain, &joints), pivots)
+    let qdd = chain.zero.graph.holding(|| outward(chain, &joints));
+    (qdd, pivots)
 }
 
 /// What a link is to the one before it once its joint is out of the equations; a joint that is
@@ -103,8 +106,10 @@ fn passed<'g>(
         };
         return (none, *inertia);
     }
-    let joint = eliminate(chain, link, inertia, force);
-    (joint, free(link, inertia, &joint.k))
+    chain.zero.graph.holding(|| {
+        let joint = eliminate(chain, link, inertia, force);
+        (joint, free(link, inertia, &joint.k))
+    })
 }
 
 /// Articulated inertias and bias forces, from the tip inwards.

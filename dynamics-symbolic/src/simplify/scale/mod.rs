@@ -39,8 +39,8 @@ pub(super) fn rescale(network: &mut Network<'_>) {
         return;
     };
     scaling.descend();
-    let definitions = scaling.rewrite(&order);
-    let rewritten = Network::with_definitions(graph, network.outputs(), definitions);
+    let (definitions, held) = scaling.rewrite(&order);
+    let rewritten = Network::with_definitions(graph, network.outputs(), definitions, &held);
     if rewritten.cost() < network.cost() {
         *network = rewritten;
     }

@@ -5,8 +5,10 @@ use super::terms::Place;
 use crate::expr::{Edge, Graph, NodeId, Operation};
 
 impl<'g> Scaling<'_, 'g> {
-    /// The definitions of the rewritten network.
-    pub(super) fn rewrite(&self, order: &[NodeId]) -> Vec<(NodeId, Operation)> {
+    /// The definitions of the rewritten network, and the nodes whose definitions are held: the
+    /// multiples of what is held, or reads it.
+    pub(super) fn rewrite(&self, order: &[NodeId]) -> (Vec<(NodeId, Operation)>, Vec<NodeId>) {
+        let fixed = self.network.fixed(order);
         let mut writer = Writer::new(self.network.graph());
         for &id in order {
             writer.stored[id.index()] = self.write_node(&mut writer, id);
@@ -14,7 +16,10 @@ impl<'g> Scaling<'_, 'g> {
         for output in self.network.outputs() {
             self.correct(&mut writer, output.node());
         }
-        writer.definitions
+        let fixed = order.iter().filter(|id| fixed[id.index()]);
+        let held = fixed.filter_map(|id| writer.stored[id.index()]);
+        let held = held.map(Edge::node).collect();
+        (writer.definitions, held)
     }
 
     /// What is computed in the place of a node: nothing where a sum has absorbed it.
