@@ -5,12 +5,10 @@
 //! together. A definition that is equal, shorter, and reads something else breaks that bond.
 
 mod arithmetic;
-mod arms;
-#[path = "../generic_chain/mod.rs"]
-mod generic_chain;
+mod graded;
 
 use arithmetic::{Bits, Float, Joint, State, emitted, thousandths};
-use arms::{Arms, antiparallel};
+use arms::generic_chain;
 use dynamics_symbolic::Function;
 use dynamics_symbolic::derive::derive;
 use dynamics_symbolic::derive::functions::Form;
@@ -20,7 +18,7 @@ use dynamics_symbolic::exact::{Rational, SplitMix64};
 use dynamics_symbolic::expr::Graph;
 use dynamics_symbolic::program::{Arithmetic, Program};
 use dynamics_symbolic::robot::Robot;
-use generic_chain::generic_chain;
+use graded::{Arms, antiparallel};
 
 /// Bits of the significand of `f32`, of `f64`, and about those of `DoubleDouble`.
 const BITS: [usize; 3] = [24, 53, 106];
