@@ -40,11 +40,20 @@ const KEYWORDS: [&str; 53] = [
 
 /// The words as a choice: "`a`, `b` or `c`".
 pub(crate) fn either(words: &[&str]) -> String {
+    listed(words, "or")
+}
+
+/// The words as a list: "`a`, `b` and `c`".
+pub(crate) fn all(words: &[&str]) -> String {
+    listed(words, "and")
+}
+
+fn listed(words: &[&str], link: &str) -> String {
     let quoted: Vec<String> = words.iter().map(|word| format!("`{word}`")).collect();
     match quoted.split_last() {
         None => String::new(),
         Some((last, [])) => last.clone(),
-        Some((last, rest)) => format!("{} or {last}", rest.join(", ")),
+        Some((last, rest)) => format!("{} {link} {last}", rest.join(", ")),
     }
 }
 
@@ -227,6 +236,7 @@ mod tests {
     fn choices_are_listed() {
         assert_eq!(either(&["a"]), "`a`");
         assert_eq!(either(&["a", "b", "c"]), "`a`, `b` or `c`");
+        assert_eq!(all(&["a", "b"]), "`a` and `b`");
     }
 
     #[test]

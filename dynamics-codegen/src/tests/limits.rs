@@ -22,6 +22,11 @@ fn refusal(source: &str) -> Vec<String> {
     errors(&items)
 }
 
+/// The messages about a call, of which nothing is derived.
+fn messages_of(source: &str) -> Vec<String> {
+    read(source.parse().expect("the source lexes")).1
+}
+
 /// The error messages in an expansion.
 fn errors(items: &str) -> Vec<String> {
     let error = ":: core :: compile_error ! { \"";
@@ -101,6 +106,21 @@ fn functions_that_would_be_too_long() {
             "`regressor` of more than 32 joints would be too long",
         ]
     );
+}
+
+#[test]
+fn functions_that_would_be_too_long_together() {
+    let asked = "functions: [regressor, mass_matrix, coriolis_matrix, inverse_dynamics_derivatives, coriolis_coefficients]";
+    let call = |joints| format!("{} {asked}", with_rows(&rows(joints, "a: 1, mass: 1")));
+    assert_eq!(
+        refusal(&call(MOST_JOINTS_OF_LONG_FUNCTIONS)),
+        [
+            "`inverse_dynamics_derivatives` besides `regressor` and `coriolis_matrix` would be too long for one \
+             call with 32 joints: ask for it in a call of its own, for a second struct with this table"
+        ]
+    );
+    assert_eq!(refusal(&call(26)).len(), 1);
+    assert_eq!(messages_of(&call(25)), [""; 0]);
 }
 
 #[test]

@@ -19,8 +19,9 @@ use dynamics_symbolic::robot::{Convention, Robot, Row, Value};
 use proc_macro2::Ident;
 
 use crate::diagnose::{Diagnostics, Place};
-use crate::limits::{MOST_JOINTS, MOST_JOINTS_OF_LONG_FUNCTIONS};
+use crate::limits::{MOST_JOINTS, MOST_JOINTS_OF_LONG_FUNCTIONS, MOST_LONG_FUNCTIONS};
 use crate::syntax::{self, Call, Entry, Joints, Structure};
+use crate::words;
 use lock::Lock;
 use scope::Scope;
 
@@ -218,16 +219,32 @@ fn number_is_good(joints: &Joints, place: Place, scope: &Scope) -> bool {
     false
 }
 
-/// Functions that are asked for of a robot with so many joints that they would be too long.
+/// Functions that are asked for of a robot with so many joints that they, or all of them together, would
+/// be too long.
 fn report_long_functions(functions: &[(Function, Place)], joints: usize, scope: &Scope) {
-    if joints <= MOST_JOINTS_OF_LONG_FUNCTIONS {
+    let is_long = |function: Function| function.row().growth == Growth::Steep;
+    let long = functions.iter().filter(|(function, _)| is_long(*function));
+    if joints > MOST_JOINTS_OF_LONG_FUNCTIONS {
+        for (function, place) in long {
+            let name = function.name();
+            let message = format!(
+                "`{name}` of more than {MOST_JOINTS_OF_LONG_FUNCTIONS} joints would be too long"
+            );
+            scope.error(*place, message);
+        }
         return;
     }
-    let is_long = |function: Function| function.row().growth == Growth::Steep;
-    for (function, place) in functions.iter().filter(|(function, _)| is_long(*function)) {
-        let name = function.name();
+    let most = MOST_LONG_FUNCTIONS / joints.pow(3).max(1);
+    if let Some((function, place)) = long.clone().nth(most) {
+        let names: Vec<&str> = long
+            .map(|(function, _)| function.name())
+            .take(most)
+            .collect();
         let message = format!(
-            "`{name}` of more than {MOST_JOINTS_OF_LONG_FUNCTIONS} joints would be too long"
+            "`{}` besides {} would be too long for one call with {joints} joints: \
+             ask for it in a call of its own, for a second struct with this table",
+            function.name(),
+            words::all(&names)
         );
         scope.error(*place, message);
     }

@@ -15,6 +15,9 @@ use quote::quote;
 const MOST_LETS: usize = 500;
 const GROUP: usize = 200;
 
+/// A program of more results is written in [parts](super::parts).
+const MOST_IN_ONE_FUNCTION: usize = 5_000;
+
 /// How a result appears in the text.
 #[derive(Clone, Copy, PartialEq)]
 enum Use {
@@ -24,12 +27,13 @@ enum Use {
     Inlined,
 }
 
-struct Writer<'p> {
-    program: &'p Program,
+pub(super) struct Writer<'p> {
+    pub(super) program: &'p Program,
     uses: Vec<Use>,
     constants: &'p [f64],
     inputs: Vec<Ident>,
-    names: Vec<Option<Ident>>,
+    /// Of each result, the variable that holds it, if one does.
+    pub(super) names: Vec<Option<Ident>>,
 }
 
 pub(super) fn body(
@@ -44,7 +48,7 @@ pub(super) fn body(
     let number = (reads_constants || reads_fields(program))
         .then(|| constants_of(function.arguments(), path));
     let inputs = inputs(robot, function, program, path);
-    let assignments = writer.assignments();
+    let assignments = writer.assignments(path);
     let outputs = writer.outputs(robot, function, path);
     quote!(#number #inputs #assignments #outputs)
 }
@@ -77,31 +81,56 @@ impl<'p> Writer<'p> {
         }
     }
 
-    fn assignments(&self) -> TokenStream {
-        let named: Vec<_> = self.names.iter().flatten().collect();
-        let mut tokens = Vec::new();
-        let declare_each = named.len() <= MOST_LETS;
-        for (index, instruction) in self.program.instructions.iter().enumerate() {
-            let Some(name) = &self.names[index] else {
-                continue;
-            };
-            if declare_each {
-                tokens.push(TokenTree::from(ident("let")));
-            }
-            tokens.push(name.clone().into());
-            tokens.push(punct('='));
-            self.write(instruction, &mut tokens);
-            tokens.push(punct(';'));
+    fn assignments(&self, path: &TokenStream) -> TokenStream {
+        let instructions = 0..self.program.instructions.len();
+        let named: Vec<usize> = instructions.filter(|i| self.names[*i].is_some()).collect();
+        if named.len() <= MOST_LETS {
+            self.lets(&named)
+        } else if named.len() <= MOST_IN_ONE_FUNCTION {
+            self.groups(&named)
+        } else {
+            self.parts(&named, path)
         }
+    }
+
+    /// The results, each declared where it is computed.
+    pub(super) fn lets(&self, results: &[usize]) -> TokenStream {
+        let mut tokens = Vec::new();
+        for index in results {
+            tokens.push(TokenTree::from(ident("let")));
+            self.assign(*index, &mut tokens);
+        }
+        tokens.into_iter().collect()
+    }
+
+    /// The results, declared in groups.
+    fn groups(&self, results: &[usize]) -> TokenStream {
         let mut declarations = TokenStream::new();
-        if !declare_each {
-            for group in named.chunks(GROUP) {
-                let types = group.iter().map(|_| quote!(T));
-                declarations.extend(quote!(let (#(#group,)*): (#(#types,)*);));
-            }
+        for group in results.chunks(GROUP) {
+            let names = group.iter().map(|index| &self.names[*index]);
+            let types = group.iter().map(|_| quote!(T));
+            declarations.extend(quote!(let (#(#names,)*): (#(#types,)*);));
+        }
+        let mut tokens = Vec::new();
+        for index in results {
+            self.assign(*index, &mut tokens);
         }
         declarations.extend(tokens);
         declarations
+    }
+
+    fn assign(&self, index: usize, tokens: &mut Vec<TokenTree>) {
+        tokens.extend(self.names[index].clone().map(TokenTree::from));
+        tokens.push(punct('='));
+        self.write(&self.program.instructions[index], tokens);
+        tokens.push(punct(';'));
+    }
+
+    /// The text of an operand.
+    pub(super) fn operand(&self, operand: Operand) -> TokenStream {
+        let mut tokens = Vec::new();
+        self.write_operand(operand, &mut tokens);
+        tokens.into_iter().collect()
     }
 
     fn write(&self, instruction: &Instruction, tokens: &mut Vec<TokenTree>) {
@@ -124,11 +153,7 @@ impl<'p> Writer<'p> {
     /// A sum with a product in it: a b + c as `a.mul_add(b, c)`, which the
     /// runtime makes one operation where the target has it, and two elsewhere.
     fn fused(&self, instruction: &Instruction) -> Option<TokenStream> {
-        let read = |operand| {
-            let mut tokens = Vec::new();
-            self.write_operand(operand, &mut tokens);
-            tokens.into_iter().collect::<TokenStream>()
-        };
+        let read = |operand| self.operand(operand);
         let (a, b) = match *instruction {
             Instruction::Add(a, b) | Instruction::Sub(a, b) => (a, b),
             _ => return None,

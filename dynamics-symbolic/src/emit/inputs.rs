@@ -21,14 +21,19 @@ pub(super) fn reads_fields(program: &Program) -> bool {
 /// lanes of a vector know the processor's instructions, and so how many they are, from each other
 /// alone.
 pub(super) fn constants_of(arguments: &[Argument], path: &TokenStream) -> TokenStream {
-    let (real, x) = (ident("real"), ident("x"));
     match arguments.first() {
-        Some(argument) => {
-            let like = element(*argument, 0);
-            quote!(let #real = |#x: f64| #path::Scalar::constant(#like, #x);)
+        Some(argument) => constants_like(&element(*argument, 0), path),
+        None => {
+            let real = ident("real");
+            quote!(let #real = <T as #path::Scalar>::from_f64;)
         }
-        None => quote!(let #real = <T as #path::Scalar>::from_f64;),
     }
+}
+
+/// `real`, which makes a constant of a double in the arithmetic of a number.
+pub(super) fn constants_like(number: &TokenStream, path: &TokenStream) -> TokenStream {
+    let (real, x) = (ident("real"), ident("x"));
+    quote!(let #real = |#x: f64| #path::Scalar::constant(#number, #x);)
 }
 
 /// One element of an argument.

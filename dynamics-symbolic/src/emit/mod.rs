@@ -9,6 +9,7 @@ mod documentation;
 mod formula;
 mod inputs;
 mod parameters;
+mod parts;
 mod polynomial;
 mod series;
 mod signature;

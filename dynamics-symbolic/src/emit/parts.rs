@@ -1,0 +1,101 @@
+//! A long program as functions inside of its method, of some hundred results each.
+//!
+//! The compiler's borrow checker keeps a set of all variables of a function for each of its operations,
+//! every one of which may end in a panic of a user's scalar: its memory and time grow with the square of
+//! the length. 115,000 results in one function took 6.7 GB, 75 s of 98 s; in parts 1.0 GB, 15 s of 33 s.
+
+use std::collections::BTreeSet;
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::body::Writer;
+use super::inputs::constants_like;
+use super::signature::ident;
+use crate::program::Operand;
+
+/// The results of one part: so many may be declared by a `let` each.
+const PART: usize = 500;
+
+impl Writer<'_> {
+    /// The functions that make up the program and their calls. Each reads what it needs of inputs and
+    /// earlier results from an array, and returns what is read later.
+    pub(super) fn parts(&self, results: &[usize], path: &TokenStream) -> TokenStream {
+        let parts: Vec<&[usize]> = results.chunks(PART).collect();
+        let reads: Vec<BTreeSet<Operand>> =
+            parts.iter().map(|part| self.reads_of_part(part)).collect();
+        let mut later = self.reads_of_outputs();
+        let mut tokens = Vec::new();
+        for (number, (part, reads)) in parts.iter().zip(&reads).enumerate().rev() {
+            let handed_on = part
+                .iter()
+                .filter(|i| later.contains(&Operand::Result(**i as u32)));
+            let handed_on: Vec<usize> = handed_on.copied().collect();
+            tokens.push(self.part(number + 1, part, reads, &handed_on, path));
+            later.extend(reads);
+        }
+        tokens.into_iter().rev().collect()
+    }
+
+    fn part(
+        &self,
+        number: usize,
+        results: &[usize],
+        reads: &BTreeSet<Operand>,
+        handed_on: &[usize],
+        path: &TokenStream,
+    ) -> TokenStream {
+        let name = ident(&format!("part_{number}"));
+        let arguments: Vec<_> = reads.iter().map(|read| self.operand(*read)).collect();
+        let values: Vec<_> = handed_on.iter().map(|i| &self.names[*i]).collect();
+        let (m, n) = (arguments.len(), values.len());
+        let real = arguments.first().map(|like| constants_like(like, path));
+        let assignments = self.lets(results);
+        quote! {
+            #[inline(always)]
+            fn #name<T: #path::Scalar>([#(#arguments),*]: [T; #m]) -> [T; #n] {
+                #real
+                #assignments
+                [#(#values),*]
+            }
+            let [#(#values),*] = #name([#(#arguments),*]);
+        }
+    }
+
+    /// What the results of a part read that are not of it.
+    fn reads_of_part(&self, part: &[usize]) -> BTreeSet<Operand> {
+        let mut reads = BTreeSet::new();
+        for index in part {
+            let (a, b) = self.program.instructions[*index].operands();
+            self.reads_of(a, &mut reads);
+            self.reads_of(b, &mut reads);
+        }
+        for index in part {
+            reads.remove(&Operand::Result(*index as u32));
+        }
+        reads
+    }
+
+    fn reads_of_outputs(&self) -> BTreeSet<Operand> {
+        let mut reads = BTreeSet::new();
+        for output in &self.program.outputs {
+            self.reads_of(output.operand, &mut reads);
+        }
+        reads
+    }
+
+    /// The variables that stand in the text of an operand.
+    fn reads_of(&self, operand: Operand, reads: &mut BTreeSet<Operand>) {
+        match operand {
+            Operand::Constant(_) => {}
+            Operand::Result(index) if self.names[index as usize].is_none() => {
+                let (a, b) = self.program.instructions[index as usize].operands();
+                self.reads_of(a, reads);
+                self.reads_of(b, reads);
+            }
+            Operand::Input(_) | Operand::Result(_) => {
+                reads.insert(operand);
+            }
+        }
+    }
+}
