@@ -1,14 +1,32 @@
 //! What `core` has not of a float: from the standard library, or else from `libm`.
 
+use core::ops::{Add, Mul};
+
 use nalgebra::SVector;
 
+/// Whether the target multiplies and adds in one instruction.
+pub(crate) const FUSED: bool = cfg!(all(
+    feature = "std",
+    any(target_feature = "fma", target_arch = "aarch64")
+));
+
 /// The functions of one type.
-pub(crate) trait Float: Copy {
+pub(crate) trait Float: Copy + Add<Output = Self> + Mul<Output = Self> {
     /// The square root; NaN of a negative number.
     fn root(self) -> Self;
 
     /// `self * a + b`, rounded once.
     fn fused(self, a: Self, b: Self) -> Self;
+
+    /// `self * a + b`, rounded once where the target has an instruction for it.
+    #[inline(always)]
+    fn times_plus(self, a: Self, b: Self) -> Self {
+        if FUSED {
+            self.fused(a, b)
+        } else {
+            self * a + b
+        }
+    }
 }
 
 macro_rules! impl_float {

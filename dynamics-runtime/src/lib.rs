@@ -22,11 +22,15 @@ pub use nalgebra;
 mod batch;
 #[cfg(feature = "std")]
 mod check;
+mod conditioning;
 mod configuration;
 mod double_double;
 mod dual;
 #[cfg(feature = "num-dual")]
 mod dual_scalars;
+mod evaluation;
+mod exact;
+mod factorisation;
 mod float;
 #[cfg(feature = "std")]
 mod integrate;
@@ -40,6 +44,7 @@ mod scalar;
 #[cfg(feature = "std")]
 mod simulation;
 mod sine;
+mod sines;
 mod singular;
 mod table;
 mod taylor;
@@ -52,20 +57,19 @@ mod test_arms;
 pub use batch::{Batch, BatchError, LengthMismatch, States, StatesMut};
 #[cfg(feature = "std")]
 pub use check::{Check, FunctionReport, Report, check_against_rnea};
+pub use conditioning::Conditioning;
 pub use configuration::Configuration;
-#[doc(hidden)]
-pub use configuration::{Evaluated, JointSines};
 pub use double_double::DoubleDouble;
 #[cfg(feature = "std")]
 #[doc(hidden)]
-pub use model::columns;
-pub use model::{
-    AccelerationDerivatives, CoriolisVector, Energy, ForwardDynamics, GravityVector,
-    InverseDynamics, MassMatrix, Model, State,
-};
+pub use evaluation::columns;
+pub use evaluation::{AccelerationDerivatives, State};
 #[cfg(feature = "std")]
-pub use model::{Evaluate, Evaluation};
-pub use momenta::Momenta;
+pub use evaluation::{Evaluate, Evaluation};
+pub use model::{
+    CoriolisVector, Energy, ForwardDynamics, GravityVector, InverseDynamics, MassMatrix, Model,
+    Momenta,
+};
 pub use newton_euler::NewtonEuler;
 #[doc(hidden)]
 pub use newton_euler::turned;
@@ -77,7 +81,9 @@ pub use simulation::{
     Cause, Dop853, DormandPrince, Friction, InvalidSetting, Method, NoTorque, Radau5, Simulation,
     SimulationError, Taylor, TaylorSimulation, Trajectory, Work,
 };
-pub use singular::{Conditioning, SingularMassMatrix};
+#[doc(hidden)]
+pub use sines::{Evaluated, JointSines};
+pub use singular::SingularMassMatrix;
 pub use table::{Convention, JointType, Row, Table};
 #[doc(hidden)]
 pub use taylor::{Block, Common, ProductTable, Products, SeriesTerm};

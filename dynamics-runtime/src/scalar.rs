@@ -6,7 +6,6 @@ use fearless_simd::dispatch;
 
 use crate::float::Float;
 use crate::sine::{level, sin_cos_array};
-use crate::taylor::{Block, Common, advance};
 
 /// A real number type on which every generated function can be evaluated.
 ///
@@ -96,32 +95,14 @@ pub trait Scalar:
     /// the least ratio of its lanes.
     fn ratio_to_f64(self, of: Self) -> f64;
 
-    /// `work`, with more of the processor's instructions than the build may count on.
+    /// `work`, which is all loops over arrays of these numbers, compiled for the widest vector
+    /// registers that the processor has.
     #[doc(hidden)]
     #[inline(always)]
-    fn with_best_instructions<R>(work: impl FnOnce() -> R) -> R {
+    fn vectorized<R>(work: impl FnOnce() -> R) -> R {
         work()
     }
-
-    /// Takes products of series from order `k - 1` to order `k`: `f64` in the lanes of the widest
-    /// vector registers of the processor.
-    #[doc(hidden)]
-    #[inline(always)]
-    fn advance_products(
-        common: &mut [Block<Self, Common<Self>>],
-        single: &mut [Block<Self, [Self; 8]>],
-        k: usize,
-    ) {
-        advance(common, k);
-        advance(single, k);
-    }
 }
-
-/// Whether the target multiplies and adds in one instruction.
-pub(crate) const FUSED: bool = cfg!(all(
-    feature = "std",
-    any(target_feature = "fma", target_arch = "aarch64")
-));
 
 macro_rules! impl_scalar {
     ($float:ident, $($sin_cos:item)*) => {
@@ -145,7 +126,7 @@ macro_rules! impl_scalar {
 
             #[inline]
             fn mul_add(self, a: Self, b: Self) -> Self {
-                if FUSED { self.fused(a, b) } else { self * a + b }
+                self.times_plus(a, b)
             }
 
             #[inline]
@@ -191,15 +172,10 @@ impl_scalar! {
     fn sin_cos_array<const K: usize>(angles: [Self; K]) -> [(Self, Self); K] {
         sin_cos_array(angles)
     }
-    fn advance_products(
-        common: &mut [Block<Self, Common<Self>>],
-        single: &mut [Block<Self, [Self; 8]>],
-        k: usize,
-    ) {
+    fn vectorized<R>(work: impl FnOnce() -> R) -> R {
         dispatch!(level(), simd => {
             let _ = simd;
-            advance(common, k);
-            advance(single, k)
+            work()
         })
     }
 }
@@ -231,7 +207,7 @@ mod tests {
     fn multiply_add_is_fused_exactly_where_the_target_is() {
         // (1 + e)(1 - e) - 1 = -e^2 survives one rounding, and is lost in two.
         let e = f64::EPSILON;
-        let expected = if super::FUSED { -e * e } else { 0.0 };
+        let expected = if crate::float::FUSED { -e * e } else { 0.0 };
         assert_eq!(Scalar::mul_add(1.0 + e, 1.0 - e, -1.0), expected);
     }
 

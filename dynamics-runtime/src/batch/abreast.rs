@@ -2,11 +2,7 @@
 
 use core::ops::{Add, Mul, Sub};
 
-use fearless_simd::Simd;
-
 use super::unrolled::for_each_index;
-use super::wide::Wide;
-use crate::Scalar;
 use crate::sine::{self, Lanes};
 
 /// Several vectors on which each operation is done before the next one is.
@@ -15,17 +11,14 @@ use crate::sine::{self, Lanes};
 /// ahead no further than some two such chains. On a Zen 4 the sines of four angles one after the
 /// other take a tenth longer.
 #[derive(Clone, Copy)]
-struct Abreast<S: Simd, const W: usize>([Wide<S>; W]);
+struct Abreast<L: Lanes, const W: usize>([L; W]);
 
 /// Sines and cosines, of up to four angles at a time: more do not fit into the registers.
 #[inline(always)]
-pub(super) fn sin_cos_of_each<S: Simd, const K: usize>(
-    angles: &[Wide<S>; K],
-    values: &mut [(Wide<S>, Wide<S>); K],
-) {
+pub(super) fn sin_cos_of_each<L: Lanes, const K: usize>(angles: &[L; K], values: &mut [(L, L); K]) {
     macro_rules! abreast {
         ($($first:literal: $width:literal),*) => {
-            { $(sin_cos_of_some::<S, $width, K>(angles, $first, values);)* }
+            { $(sin_cos_of_some::<L, $width, K>(angles, $first, values);)* }
         };
     }
     match K {
@@ -43,10 +36,10 @@ pub(super) fn sin_cos_of_each<S: Simd, const K: usize>(
 }
 
 #[inline(always)]
-fn sin_cos_of_some<S: Simd, const W: usize, const K: usize>(
-    angles: &[Wide<S>; K],
+fn sin_cos_of_some<L: Lanes, const W: usize, const K: usize>(
+    angles: &[L; K],
     first: usize,
-    values: &mut [(Wide<S>, Wide<S>); K],
+    values: &mut [(L, L); K],
 ) {
     let mut some = Abreast([angles[first]; W]);
     for_each_index!(W, i => some.0[i] = angles[first + i]);
@@ -54,9 +47,9 @@ fn sin_cos_of_some<S: Simd, const W: usize, const K: usize>(
     for_each_index!(W, i => values[first + i] = (sines.0[i], cosines.0[i]));
 }
 
-impl<S: Simd, const W: usize> Abreast<S, W> {
+impl<L: Lanes, const W: usize> Abreast<L, W> {
     #[inline(always)]
-    fn zip(self, other: Self, f: impl Fn(Wide<S>, Wide<S>) -> Wide<S>) -> Self {
+    fn zip(self, other: Self, f: impl Fn(L, L) -> L) -> Self {
         let mut result = self;
         for_each_index!(W, i => result.0[i] = f(self.0[i], other.0[i]));
         result
@@ -65,7 +58,7 @@ impl<S: Simd, const W: usize> Abreast<S, W> {
 
 macro_rules! impl_operator_abreast {
     ($($operator:ident, $method:ident;)*) => {$(
-        impl<S: Simd, const W: usize> $operator for Abreast<S, W> {
+        impl<L: Lanes, const W: usize> $operator for Abreast<L, W> {
             type Output = Self;
 
             #[inline(always)]
@@ -82,10 +75,10 @@ impl_operator_abreast! {
     Mul, mul;
 }
 
-impl<S: Simd, const W: usize> Lanes for Abreast<S, W> {
+impl<L: Lanes, const W: usize> Lanes for Abreast<L, W> {
     #[inline(always)]
     fn constant(self, x: f64) -> Self {
-        Abreast([Scalar::constant(self.0[0], x); W])
+        Abreast([self.0[0].constant(x); W])
     }
 
     #[inline(always)]

@@ -43,12 +43,6 @@ pub struct DoubleDouble {
 }
 
 impl DoubleDouble {
-    /// `a + b` without rounding.
-    #[inline]
-    pub fn sum(a: f64, b: f64) -> Self {
-        operations::two_sum(a, b)
-    }
-
     /// The nearest double.
     #[inline]
     pub const fn high(self) -> f64 {

@@ -12,59 +12,33 @@ use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAss
 use num_traits::{One, Zero};
 
 use super::DoubleDouble;
+use crate::exact;
 use crate::float::Float as _;
-use crate::scalar::FUSED;
 
-/// a + b without rounding (2Sum; Knuth). What is not finite keeps its value.
-#[inline]
-pub(super) fn two_sum(a: f64, b: f64) -> DoubleDouble {
-    let high = a + b;
-    let part = high - a;
-    let low = (a - (high - part)) + (b - part);
-    finite_low(high, low)
-}
+/// What is not finite keeps its value.
+impl DoubleDouble {
+    /// `a + b` without rounding.
+    #[inline]
+    pub fn sum(a: f64, b: f64) -> Self {
+        finite_low(exact::two_sum(a, b))
+    }
 
-/// a + b without rounding where |a| >= |b| or a = 0 (Fast2Sum; Dekker).
-#[inline]
-fn fast_two_sum(a: f64, b: f64) -> DoubleDouble {
-    let high = a + b;
-    finite_low(high, b - (high - a))
-}
+    /// The same where |a| >= |b| or a = 0.
+    #[inline]
+    fn fast_sum(a: f64, b: f64) -> Self {
+        finite_low(exact::fast_two_sum(a, b))
+    }
 
-/// a b without rounding (2Prod): by a fused operation where the target has it, else by the halves
-/// of the factors, which is several times faster than a fused operation in software.
-#[inline]
-pub(super) fn two_product(a: f64, b: f64) -> DoubleDouble {
-    let high = a * b;
-    let low = if FUSED {
-        a.fused(b, -high)
-    } else {
-        by_halves(a, b, high)
-    };
-    finite_low(high, low)
-}
-
-/// a b - high, where `high` is the rounded product (Dekker 1971).
-#[inline]
-fn by_halves(a: f64, b: f64, high: f64) -> f64 {
-    let ((a1, a2), (b1, b2)) = (halves(a), halves(b));
-    let low = ((a1 * b1 - high) + a1 * b2 + a2 * b1) + a2 * b2;
-    // The halves of numbers beyond 2^996 overflow.
-    if low.is_nan() { a.fused(b, -high) } else { low }
-}
-
-/// A number as the sum of two that have 26 bits each (Veltkamp 1968).
-#[inline]
-fn halves(x: f64) -> (f64, f64) {
-    // 2^27 + 1
-    let scaled = 134_217_729.0 * x;
-    let upper = scaled - (scaled - x);
-    (upper, x - upper)
+    /// `a b` without rounding.
+    #[inline]
+    pub(super) fn product(a: f64, b: f64) -> Self {
+        finite_low(exact::two_product(a, b))
+    }
 }
 
 /// An infinite sum has no error, where infinity minus infinity has no value.
 #[inline]
-fn finite_low(high: f64, low: f64) -> DoubleDouble {
+fn finite_low((high, low): (f64, f64)) -> DoubleDouble {
     let low = if high.is_finite() { low } else { 0.0 };
     DoubleDouble { high, low }
 }
@@ -86,10 +60,10 @@ impl Add for DoubleDouble {
 
     /// AccurateDWPlusDW.
     fn add(self, other: Self) -> Self {
-        let s = two_sum(self.high, other.high);
-        let t = two_sum(self.low, other.low);
-        let v = fast_two_sum(s.high, s.low + t.high);
-        fast_two_sum(v.high, t.low + v.low)
+        let s = DoubleDouble::sum(self.high, other.high);
+        let t = DoubleDouble::sum(self.low, other.low);
+        let v = DoubleDouble::fast_sum(s.high, s.low + t.high);
+        DoubleDouble::fast_sum(v.high, t.low + v.low)
     }
 }
 
@@ -107,12 +81,12 @@ impl Mul for DoubleDouble {
 
     /// DWTimesDW1.
     fn mul(self, other: Self) -> Self {
-        let product = two_product(self.high, other.high);
+        let product = DoubleDouble::product(self.high, other.high);
         if !product.high.is_finite() {
             return product;
         }
         let cross = self.high * other.low + self.low * other.high;
-        fast_two_sum(product.high, product.low + cross)
+        DoubleDouble::fast_sum(product.high, product.low + cross)
     }
 }
 
@@ -128,7 +102,7 @@ impl Div for DoubleDouble {
         let rest = self - other * DoubleDouble::from(first);
         let second = rest.high / other.high;
         let rest = rest - other * DoubleDouble::from(second);
-        fast_two_sum(first, second) + DoubleDouble::from(rest.high / other.high)
+        DoubleDouble::fast_sum(first, second) + DoubleDouble::from(rest.high / other.high)
     }
 }
 
@@ -137,9 +111,9 @@ impl DoubleDouble {
     #[inline]
     pub(super) fn over(self, divisor: f64) -> Self {
         let quotient = self.high / divisor;
-        let product = two_product(quotient, divisor);
+        let product = DoubleDouble::product(quotient, divisor);
         let rest = ((self.high - product.high) - product.low) + self.low;
-        fast_two_sum(quotient, rest / divisor)
+        DoubleDouble::fast_sum(quotient, rest / divisor)
     }
 }
 
@@ -151,9 +125,9 @@ pub(super) fn sqrt(x: DoubleDouble) -> DoubleDouble {
     if root == 0.0 || !root.is_finite() {
         return DoubleDouble::from(root);
     }
-    let square = two_product(root, root);
+    let square = DoubleDouble::product(root, root);
     let rest = ((x.high - square.high) - square.low) + x.low;
-    fast_two_sum(root, rest / (2.0 * root))
+    DoubleDouble::fast_sum(root, rest / (2.0 * root))
 }
 
 macro_rules! impl_assign {

@@ -3,7 +3,6 @@
 use core::f64::consts::FRAC_PI_2;
 
 use super::DoubleDouble;
-use super::operations::two_product;
 
 /// pi/2 in four doubles: 212 bits.
 const HALF_PI: [f64; 4] = [
@@ -37,7 +36,7 @@ pub(super) fn sin_cos(x: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
 
 /// x - n pi/2. The products are exact, and so is the first difference.
 fn reduced(x: DoubleDouble, n: f64) -> DoubleDouble {
-    let [first, second, third, fourth] = HALF_PI.map(|part| two_product(-n, part));
+    let [first, second, third, fourth] = HALF_PI.map(|part| DoubleDouble::product(-n, part));
     let lead = DoubleDouble::sum(x.high, first.high);
     let inner = DoubleDouble::sum(lead.low, first.low) + DoubleDouble::from(x.low);
     DoubleDouble::from(lead.high) + (inner + second + third + fourth)

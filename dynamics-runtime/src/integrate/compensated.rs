@@ -1,8 +1,7 @@
 //! Sums of many small steps, without the rounding of the sum.
 
-use nalgebra::SVector;
-
 use super::Point;
+use crate::exact::two_sums;
 
 /// Positions and momenta, and what the rounding of their sums has left out of them (W. Kahan 1965;
 /// D. E. Knuth, *The Art of Computer Programming* 2, theorem 4.2.2 B).
@@ -29,20 +28,9 @@ impl<const N: usize> Compensated<N> {
     /// Adds `factor * rate`.
     pub(super) fn add(&mut self, factor: f64, rate: &Point<N>) {
         let step = self.remainder.plus(factor, rate);
-        (self.value.q, self.remainder.q) = sum(&self.value.q, &step.q);
-        (self.value.p, self.remainder.p) = sum(&self.value.p, &step.p);
+        (self.value.q, self.remainder.q) = two_sums(&self.value.q, &step.q);
+        (self.value.p, self.remainder.p) = two_sums(&self.value.p, &step.p);
     }
-}
-
-/// The rounded sum and what it left out, exactly.
-fn sum<const N: usize>(
-    a: &SVector<f64, N>,
-    b: &SVector<f64, N>,
-) -> (SVector<f64, N>, SVector<f64, N>) {
-    let sum = a + b;
-    let from_b = sum - a;
-    let from_a = sum - from_b;
-    (sum, (a - from_a) + (b - from_b))
 }
 
 #[cfg(test)]

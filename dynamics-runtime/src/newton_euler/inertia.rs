@@ -5,6 +5,7 @@ use core::ops::Add;
 use nalgebra::{Matrix3, Vector3};
 
 use super::linear::{cross, dot, times};
+use crate::Row;
 
 /// Integrals over a body's mass, in some frame, about its origin.
 ///
@@ -92,4 +93,10 @@ impl Add for Inertia {
             second_moment: self.second_moment + other.second_moment,
         }
     }
+}
+
+/// The inertia tensor about the centre of mass.
+pub(super) fn tensor(row: &Row) -> Matrix3<f64> {
+    let [xx, yy, zz, xy, yz, xz] = row.inertia;
+    Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz)
 }

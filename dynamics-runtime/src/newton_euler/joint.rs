@@ -5,7 +5,7 @@ use nalgebra::{Matrix3, Vector3};
 use super::angle::SinCos;
 use super::inertia::Inertia;
 use super::linear::{difference, sum};
-use super::link::Pose;
+use super::pose::Pose;
 use crate::Scalar;
 
 /// Frame i in frame i-1, `Rx(alpha) Tx(a) Rz(theta) Tz(d)` (Craig (3.6)), at one joint position;
@@ -32,6 +32,11 @@ impl Joint {
             theta,
             origin,
         }
+    }
+
+    /// `Rx(alpha) Tx(a)`; the two commute.
+    pub(super) fn along_x(alpha: SinCos, a: f64) -> Pose {
+        Joint::new(alpha, a, SinCos::ZERO, 0.0).pose()
     }
 
     /// The joint behind a turn about the previous frame's z.

@@ -7,7 +7,7 @@ use nalgebra::{Matrix4, SMatrix, SVector};
 use super::NewtonEuler;
 use super::angle::SinCos;
 use super::joint::Joint;
-use super::link::Pose;
+use super::pose::Pose;
 use crate::JointType;
 
 impl<const N: usize> NewtonEuler<N> {

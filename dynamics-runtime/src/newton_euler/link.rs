@@ -3,40 +3,10 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::angle::SinCos;
-use super::inertia::Inertia;
+use super::inertia::{Inertia, tensor};
 use super::joint::Joint;
-use super::lock::tensor;
+use super::pose::Pose;
 use crate::{JointType, Placement, Row};
-
-/// Rotation and position of one frame in another.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Pose {
-    pub(super) rotation: Matrix3<f64>,
-    pub(super) position: Vector3<f64>,
-}
-
-impl Pose {
-    /// A frame that is the other frame.
-    pub(super) fn identity() -> Self {
-        Pose {
-            rotation: Matrix3::identity(),
-            position: Vector3::zeros(),
-        }
-    }
-
-    /// `Rx(alpha) Tx(a)`; the two commute.
-    pub(super) fn along_x(alpha: SinCos, a: f64) -> Self {
-        Joint::new(alpha, a, SinCos::ZERO, 0.0).pose()
-    }
-
-    /// The frame that `next` describes in this one, in the frame that this one is described in.
-    pub(super) fn then(&self, next: &Pose) -> Pose {
-        Pose {
-            rotation: self.rotation * next.rotation,
-            position: self.rotation * next.position + self.position,
-        }
-    }
-}
 
 /// A joint and the link that it moves, in Craig's frames: frame i has its z on the axis of joint i.
 #[derive(Clone, Debug)]
@@ -75,7 +45,7 @@ struct Mount {
 impl Link {
     /// A row of a modified table: it is in these frames as it stands.
     pub(super) fn modified(row: &Row) -> Self {
-        let screw_x = Pose::along_x(SinCos::of_constant(row.alpha), row.a);
+        let screw_x = Joint::along_x(SinCos::of_constant(row.alpha), row.a);
         Link::new(SinCos::of_constant(row.alpha), row.a, row, Pose::identity())
             .mounted(&row.mount, |mount| mount.then(&screw_x))
     }
@@ -90,8 +60,8 @@ impl Link {
         let (alpha, a) = before.map_or((SinCos::ZERO, 0.0), |before| {
             (SinCos::of_constant(before.alpha), before.a)
         });
-        let table_frame = Pose::along_x(SinCos::of_constant(row.alpha), row.a);
-        let screw_x = Pose::along_x(alpha, a);
+        let table_frame = Joint::along_x(SinCos::of_constant(row.alpha), row.a);
+        let screw_x = Joint::along_x(alpha, a);
         Link::new(alpha, a, row, table_frame).mounted(&row.mount, |mount| screw_x.then(mount))
     }
 

@@ -3,9 +3,10 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::angle::SinCos;
+use super::inertia::tensor;
 use super::joint::Joint;
-use super::link::Pose;
-use crate::{Convention, JointType, Placement, Row, Table};
+use super::pose::Pose;
+use crate::{Convention, JointType, Row, Table};
 
 impl<const N: usize> Table<N> {
     /// The table of an arm some of whose joints do not move. `positions` says of each of the L rows
@@ -60,7 +61,7 @@ fn transform(convention: Convention, row: &Row, position: f64) -> Pose {
     };
     let theta = turned.plus(SinCos::of_constant(row.theta));
     let screw_z = Joint::new(SinCos::ZERO, 0.0, theta, row.d + distance).pose();
-    let screw_x = Pose::along_x(SinCos::of_constant(row.alpha), row.a);
+    let screw_x = Joint::along_x(SinCos::of_constant(row.alpha), row.a);
     match convention {
         Convention::Standard => screw_z.then(&screw_x),
         Convention::Modified => screw_x.then(&screw_z),
@@ -87,25 +88,4 @@ fn join(row: &mut Row, locked: &Row, pose: &Pose) {
     row.inertia = [
         tensor.m11, tensor.m22, tensor.m33, tensor.m12, tensor.m23, tensor.m13,
     ];
-}
-
-/// The inertia tensor about the centre of mass.
-pub(super) fn tensor(row: &Row) -> Matrix3<f64> {
-    let [xx, yy, zz, xy, yz, xz] = row.inertia;
-    Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz)
-}
-
-impl Pose {
-    pub(super) fn placement(&self) -> Placement {
-        Placement::new(&self.rotation, &self.position)
-    }
-}
-
-impl From<&Placement> for Pose {
-    fn from(placement: &Placement) -> Self {
-        Pose {
-            rotation: placement.matrix(),
-            position: placement.origin(),
-        }
-    }
 }

@@ -27,6 +27,7 @@ mod kinematics;
 mod linear;
 mod link;
 mod lock;
+mod pose;
 mod recursion;
 mod terms;
 
@@ -36,7 +37,6 @@ use nalgebra::Vector3;
 
 use crate::{Convention, Table};
 pub use angle::turned;
-pub(crate) use forward::solve;
 use link::Link;
 
 /// The numeric dynamics of an arm, read from its [`Table`].

@@ -3,6 +3,8 @@
 use core::ops::{Add, Mul, Sub};
 use fearless_simd::{Select, Simd, SimdBase, SimdFloat, SimdMask, f64x2, f64x4, f64x8};
 
+use crate::float::Float as _;
+
 /// A double, or several in lanes.
 ///
 /// No operation rounds otherwise in one lane than in eight, nor on one processor than on
@@ -42,7 +44,7 @@ impl Lanes for f64 {
 
     #[inline(always)]
     fn exact_product_from(self, b: Self, a: Self) -> Self {
-        crate::Scalar::mul_add(-self, b, a)
+        (-self).times_plus(b, a)
     }
 
     #[inline(always)]

@@ -2,10 +2,12 @@
 
 use nalgebra::SVector;
 
-use super::factors::Factors;
+use super::TaylorDynamics;
+use super::coefficients::{MAX_TAYLOR_ORDER, TaylorCoefficients};
+use super::products::Products;
 use super::term::{Motion, Term};
-use super::{MAX_TAYLOR_ORDER, Products, TaylorCoefficients, TaylorDynamics};
-use crate::configuration::Known;
+use crate::factorisation::Factors;
+use crate::sines::Known;
 use crate::{Scalar, SingularMassMatrix};
 
 /// The series of a motion, and all that its next coefficient depends on.
@@ -58,22 +60,9 @@ where
 
     /// Begins a series: everything of order 0, the accelerations included. The coefficients of the
     /// series before stay until [`extend`](Self::extend).
-    #[inline]
-    pub(crate) fn begin(
-        &mut self,
-        robot: &R,
-        q: &SVector<T, N>,
-        qd: &SVector<T, N>,
-        tau: &SVector<T, N>,
-    ) -> Result<(), SingularMassMatrix> {
-        T::with_best_instructions(
-            #[inline(always)]
-            || self.begin_here(robot, q, qd, tau),
-        )
-    }
-
+    // Inlined wherever it is compiled for more instructions than the build has.
     #[inline(always)]
-    fn begin_here(
+    pub(crate) fn begin(
         &mut self,
         robot: &R,
         q: &SVector<T, N>,
@@ -99,16 +88,8 @@ where
     }
 
     /// The coefficients of the series that was begun, up to an order.
-    #[inline]
-    pub(crate) fn extend(&mut self, robot: &R, order: usize) {
-        T::with_best_instructions(
-            #[inline(always)]
-            || self.extend_here(robot, order),
-        );
-    }
-
     #[inline(always)]
-    fn extend_here(&mut self, robot: &R, order: usize) {
+    pub(crate) fn extend(&mut self, robot: &R, order: usize) {
         let order = order.clamp(2, MAX_TAYLOR_ORDER);
         let zero = SVector::repeat(self.motion.q[0].constant(0.0));
         self.coefficients[0] = self.motion.q;
@@ -136,7 +117,7 @@ where
     /// Order k of the equations of motion.
     #[inline(always)]
     fn term<const LEADING: bool>(&mut self, robot: &R, k: usize, motion: Motion<T, N>) {
-        let mut term = Term::<R, T, N, LEADING> {
+        let mut term = Term::<_, T, N, LEADING> {
             motion,
             next_sine: motion.sine,
             next_cosine: motion.cosine,

@@ -4,7 +4,6 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use fearless_simd::{Simd, dispatch};
 
-use super::products::{Block, Common, advance};
 use crate::Scalar;
 use crate::sine::{level, sin_cos_array};
 
@@ -100,31 +99,27 @@ impl Scalar for Fused {
         self.0 / of.0
     }
 
-    #[inline]
-    fn with_best_instructions<R>(work: impl FnOnce() -> R) -> R {
-        #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-        {
-            // Thirty-two registers in place of sixteen are worth a tenth.
-            if let Some(avx512) = level().as_avx512() {
-                return avx512.vectorize(work);
-            }
-            if let Some(avx2) = level().as_avx2() {
-                return avx2.vectorize(work);
-            }
-        }
-        work()
-    }
-
-    #[inline]
-    fn advance_products(
-        common: &mut [Block<Self, Common<Self>>],
-        single: &mut [Block<Self, [Self; 8]>],
-        k: usize,
-    ) {
+    #[inline(always)]
+    fn vectorized<R>(work: impl FnOnce() -> R) -> R {
         dispatch!(level(), simd => {
             let _ = simd;
-            advance(common, k);
-            advance(single, k)
+            work()
         })
     }
+}
+
+/// `work` with all of the processor's instructions, wherever it does not call functions.
+#[inline]
+pub(super) fn with_best_instructions<R>(work: impl FnOnce() -> R) -> R {
+    #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+    {
+        // Thirty-two registers in place of sixteen are worth a tenth.
+        if let Some(avx512) = level().as_avx512() {
+            return avx512.vectorize(work);
+        }
+        if let Some(avx2) = level().as_avx2() {
+            return avx2.vectorize(work);
+        }
+    }
+    work()
 }

@@ -25,8 +25,8 @@
 //! Inner sums depend on lower orders alone: those of all products are computed at once, in the
 //! lanes of vector registers ([`Block`]), before the straight-line code of an order runs.
 
+mod coefficients;
 mod expansion;
-mod factors;
 #[cfg(feature = "std")]
 mod fused;
 #[cfg(feature = "std")]
@@ -41,20 +41,14 @@ mod term;
 use nalgebra::{SMatrix, SVector};
 
 use crate::{JointSines, Model, Scalar, SingularMassMatrix};
-pub(crate) use expansion::Expansion;
-pub(crate) use products::advance;
+pub use coefficients::{MAX_TAYLOR_ORDER, TaylorCoefficients};
+use expansion::Expansion;
 pub use products::{Block, Common, ProductTable, Products};
 #[cfg(feature = "std")]
 pub(crate) use step_size::order;
 #[cfg(feature = "std")]
 pub(crate) use stepper::Stepper;
 pub use term::SeriesTerm;
-
-/// The highest order of a Taylor series.
-pub const MAX_TAYLOR_ORDER: usize = 30;
-
-/// The coefficients q_k of `q(t) = sum q_k t^k`, from q_0 on; zero beyond the order asked for.
-pub type TaylorCoefficients<T, const N: usize> = [SVector<T, N>; MAX_TAYLOR_ORDER + 1];
 
 /// An arm whose motion can be expanded in a Taylor series: `functions: [taylor_series]`.
 pub trait TaylorDynamics<const N: usize>: Model<N> {

@@ -2,8 +2,10 @@
 
 use nalgebra::SVector;
 
-use super::fused::{Fused, is_worth_it};
-use super::{Expansion, MAX_TAYLOR_ORDER, TaylorCoefficients, TaylorDynamics};
+use super::TaylorDynamics;
+use super::coefficients::{MAX_TAYLOR_ORDER, TaylorCoefficients};
+use super::expansion::Expansion;
+use super::fused::{Fused, is_worth_it, with_best_instructions};
 use crate::SingularMassMatrix;
 use crate::integrate::Phase;
 
@@ -46,7 +48,10 @@ where
             Series::Plain(expansion) => expansion.begin(robot, q, qd, tau),
             Series::Fused { expansion, .. } => {
                 let [q, qd, tau] = [q, qd, tau].map(|x| x.map(Fused));
-                expansion.begin(robot, &q, &qd, &tau)
+                with_best_instructions(
+                    #[inline(always)]
+                    || expansion.begin(robot, &q, &qd, &tau),
+                )
             }
         }
     }
@@ -58,7 +63,10 @@ where
                 expansion,
                 coefficients,
             } => {
-                expansion.extend(robot, order);
+                with_best_instructions(
+                    #[inline(always)]
+                    || expansion.extend(robot, order),
+                );
                 let computed = &expansion.coefficients()[..=order];
                 for (x, computed) in coefficients.iter_mut().zip(computed) {
                     *x = computed.map(|x| x.0);

@@ -1,6 +1,6 @@
 //! The products of two series, all of them side by side.
 
-use super::MAX_TAYLOR_ORDER;
+use super::coefficients::MAX_TAYLOR_ORDER;
 use crate::Scalar;
 
 /// Products whose sums are computed together: the doubles of the widest vector registers.
@@ -133,7 +133,13 @@ impl<T: Scalar, const COMMON: usize, const SINGLE: usize> Products<T>
 
     #[inline(always)]
     fn advance(&mut self, k: usize) {
-        T::advance_products(&mut self.common, &mut self.single, k);
+        T::vectorized(
+            #[inline(always)]
+            || {
+                advance(&mut self.common, k);
+                advance(&mut self.single, k);
+            },
+        );
     }
 }
 
@@ -173,7 +179,7 @@ impl<T: Scalar, L: Factor<T>> Block<T, L> {
 ///
 /// for d < k.
 #[inline(always)]
-pub(crate) fn advance<T: Scalar, L: Factor<T>>(blocks: &mut [Block<T, L>], k: usize) {
+fn advance<T: Scalar, L: Factor<T>>(blocks: &mut [Block<T, L>], k: usize) {
     for block in blocks {
         if k == 1 {
             (block.lead, block.lead_left) = (block.now, block.now_left);

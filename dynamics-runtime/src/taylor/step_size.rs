@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 
-use super::TaylorCoefficients;
+use super::coefficients::{MAX_TAYLOR_ORDER, TaylorCoefficients};
 use crate::integrate::Tolerance;
 
 /// Coefficients that the step is chosen from.
@@ -19,7 +19,7 @@ const WINDOW: usize = 6;
 /// of the work is that of the equations at each order, not that of the inner sums.
 pub(crate) fn order(tolerance: f64) -> usize {
     let order = (1.0 - tolerance.ln() / 1.5).ceil();
-    order.clamp(FEWEST, super::MAX_TAYLOR_ORDER as f64) as usize
+    order.clamp(FEWEST, MAX_TAYLOR_ORDER as f64) as usize
 }
 
 /// The window has to leave out q_0 and q_1.

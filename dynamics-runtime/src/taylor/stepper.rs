@@ -5,6 +5,7 @@ use nalgebra::SVector;
 use super::TaylorDynamics;
 use super::numbers::Series;
 use super::step_size::step_size;
+use crate::exact::{two_sum, two_sums};
 use crate::integrate::{Failure, Phase, StepRange, Tolerance, first_non_finite};
 use crate::simulation::Cause;
 
@@ -172,19 +173,4 @@ where
             None => Ok(()),
         }
     }
-}
-
-/// a + b, and the error of its rounding (D. E. Knuth, *The Art of Computer Programming* 2, 4.2.2).
-fn two_sum(a: f64, b: f64) -> (f64, f64) {
-    let sum = a + b;
-    let part = sum - a;
-    (sum, (a - (sum - part)) + (b - part))
-}
-
-fn two_sums<const N: usize>(
-    a: &SVector<f64, N>,
-    b: &SVector<f64, N>,
-) -> (SVector<f64, N>, SVector<f64, N>) {
-    let sum = a.zip_map(b, |a, b| two_sum(a, b).0);
-    (sum, a.zip_map(b, |a, b| two_sum(a, b).1))
 }

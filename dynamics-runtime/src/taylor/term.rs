@@ -2,9 +2,9 @@
 
 use nalgebra::SVector;
 
-use super::factors::Factors;
-use super::{Products, TaylorDynamics};
+use super::products::Products;
 use crate::Scalar;
+use crate::factorisation::Factors;
 
 /// Coefficients of order k: what the generated equations of motion read and write.
 ///
@@ -51,21 +51,17 @@ pub(super) struct Motion<T, const N: usize> {
 }
 
 /// One order of an expansion; `LEADING` is whether it is order 0.
-pub(super) struct Term<'a, R, T, const N: usize, const LEADING: bool>
-where
-    R: TaylorDynamics<N>,
-    T: Scalar,
-{
+pub(super) struct Term<'a, P, T, const N: usize, const LEADING: bool> {
     pub(super) motion: Motion<T, N>,
     pub(super) next_sine: SVector<T, N>,
     pub(super) next_cosine: SVector<T, N>,
     pub(super) factors: &'a Factors<T, N>,
-    pub(super) products: &'a mut R::Products<T>,
+    pub(super) products: &'a mut P,
 }
 
-impl<R, T, const N: usize, const LEADING: bool> SeriesTerm<T, N> for Term<'_, R, T, N, LEADING>
+impl<P, T, const N: usize, const LEADING: bool> SeriesTerm<T, N> for Term<'_, P, T, N, LEADING>
 where
-    R: TaylorDynamics<N>,
+    P: Products<T>,
     T: Scalar,
 {
     #[inline(always)]

@@ -1,14 +1,14 @@
-//! The factored mass matrix.
+//! The factorisation of a mass matrix.
 
 use nalgebra::{SMatrix, SVector};
 
 use crate::{Scalar, SingularMassMatrix};
 
 /// M = U D U^T from the tip inwards, with ones on the diagonal of U (R. Featherstone, *Rigid Body
-/// Dynamics Algorithms*, section 6.5, without the square roots): the pivots are those of the
-/// generated forward dynamics.
+/// Dynamics Algorithms*, section 6.5, without the square roots): each pivot is the inertia that a
+/// joint feels with the joints beyond it free, as those of the generated forward dynamics are.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Factors<T, const N: usize> {
+pub(crate) struct Factors<T, const N: usize> {
     /// Minus the entries of U above its diagonal.
     upper: SMatrix<T, N, N>,
     inverse_pivots: SVector<T, N>,
@@ -16,7 +16,7 @@ pub(super) struct Factors<T, const N: usize> {
 
 impl<T: Scalar, const N: usize> Factors<T, N> {
     /// Those of the unit matrix.
-    pub(super) fn unit(like: T) -> Self {
+    pub(crate) fn unit(like: T) -> Self {
         Factors {
             upper: SMatrix::repeat(like.constant(0.0)),
             inverse_pivots: SVector::repeat(like.constant(1.0)),
@@ -24,20 +24,14 @@ impl<T: Scalar, const N: usize> Factors<T, N> {
     }
 
     #[inline(always)]
-    pub(super) fn new(m: &SMatrix<T, N, N>) -> Result<Self, SingularMassMatrix> {
+    pub(crate) fn new(m: &SMatrix<T, N, N>) -> Result<Self, SingularMassMatrix> {
         let mut upper = *m;
         let mut inverse_pivots = SVector::repeat(m[0]);
         for j in (0..N).rev() {
             let pivot = upper[(j, j)];
             SingularMassMatrix::test(j, pivot, m[(j, j)])?;
             inverse_pivots[j] = pivot.constant(1.0) / pivot;
-            // What joint j takes part in leaves the matrix of the joints before it.
-            for i in 0..j {
-                let ratio = upper[(i, j)] * inverse_pivots[j];
-                for k in 0..=i {
-                    upper[(k, i)] = upper[(k, i)] - upper[(k, j)] * ratio;
-                }
-            }
+            eliminate(&mut upper, j, inverse_pivots[j]);
             for i in 0..j {
                 upper[(i, j)] = -upper[(i, j)] * inverse_pivots[j];
             }
@@ -50,7 +44,7 @@ impl<T: Scalar, const N: usize> Factors<T, N> {
 
     /// x with M x = b.
     #[inline(always)]
-    pub(super) fn solve(&self, b: &SVector<T, N>) -> SVector<T, N> {
+    pub(crate) fn solve(&self, b: &SVector<T, N>) -> SVector<T, N> {
         let mut x = *b;
         for j in (0..N).rev() {
             for i in 0..j {
@@ -67,6 +61,31 @@ impl<T: Scalar, const N: usize> Factors<T, N> {
         }
         x
     }
+}
+
+/// What joint `j` takes part in leaves the matrix of the joints before it, of which the upper
+/// triangle is read.
+#[inline(always)]
+pub(crate) fn eliminate<T: Scalar, const N: usize>(
+    m: &mut SMatrix<T, N, N>,
+    j: usize,
+    inverse_pivot: T,
+) {
+    for i in 0..j {
+        let ratio = m[(i, j)] * inverse_pivot;
+        for k in 0..=i {
+            m[(k, i)] = m[(k, i)] - m[(k, j)] * ratio;
+        }
+    }
+}
+
+/// x with M x = b.
+#[inline]
+pub(crate) fn solve<const N: usize>(
+    m: &SMatrix<f64, N, N>,
+    b: &SVector<f64, N>,
+) -> Result<SVector<f64, N>, SingularMassMatrix> {
+    Ok(Factors::new(m)?.solve(b))
 }
 
 #[cfg(test)]
