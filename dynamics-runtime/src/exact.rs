@@ -1,5 +1,6 @@
 //! Sums and products of doubles, and what their rounding leaves out, exactly.
 
+#[cfg(feature = "std")]
 use nalgebra::SVector;
 
 use crate::float::{FUSED, Float as _};

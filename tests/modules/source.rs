@@ -168,33 +168,24 @@ impl<'a> Item<'a> {
 
 /// The first item with its attributes, and what follows: it ends in a semicolon or a block.
 fn split_item(tokens: &[TokenTree]) -> (&[TokenTree], &[TokenTree]) {
-    let is_value = tokens
-        .iter()
-        .any(|token| is_word(token, "const") || is_word(token, "static"));
-    for (i, token) in tokens.iter().enumerate() {
-        let ends = match token {
-            TokenTree::Punct(sign) => sign.as_char() == ';',
-            // The value of a constant may hold blocks: it ends in a semicolon.
-            TokenTree::Group(group) if group.delimiter() == Delimiter::Brace => {
-                let before = &tokens[..i];
-                let begins_a_use = before.iter().any(|token| is_word(token, "use"));
-                let value = is_value
-                    && before.iter().any(is_equals)
-                    && !before.iter().any(|token| {
-                        is_word(token, "fn")
-                            || is_word(token, "impl")
-                            || is_word(token, "trait")
-                            || is_word(token, "struct")
-                    });
-                !begins_a_use && !value
-            }
-            _ => false,
-        };
-        if ends {
-            return tokens.split_at(i + 1);
+    let ends = |i: &usize| match &tokens[*i] {
+        TokenTree::Punct(sign) => sign.as_char() == ';',
+        TokenTree::Group(group) if group.delimiter() == Delimiter::Brace => {
+            !goes_on_after_a_block(&tokens[..*i])
         }
-    }
-    (tokens, &[])
+        _ => false,
+    };
+    let end = (0..tokens.len()).find(ends);
+    tokens.split_at(end.map_or(tokens.len(), |end| end + 1))
+}
+
+/// Whether an item that begins so is a `use`, or a constant whose value has a block.
+fn goes_on_after_a_block(item: &[TokenTree]) -> bool {
+    let has = |word: &&str| item.iter().any(|token| is_word(token, word));
+    let is_constant = ["const", "static"].iter().any(has) && item.iter().any(is_equals);
+    // `const` stands in these as well.
+    let is_generic = ["fn", "impl", "trait", "struct", "enum"].iter().any(has);
+    has(&"use") || (is_constant && !is_generic)
 }
 
 fn is_word(token: &TokenTree, word: &str) -> bool {

@@ -39,7 +39,7 @@ impl<const N: usize> Phase<N> {
     }
 
     /// `self - other`.
-    pub(super) fn minus(&self, other: &Self) -> Self {
+    pub(crate) fn minus(&self, other: &Self) -> Self {
         self.plus(-1.0, other)
     }
 
@@ -48,7 +48,7 @@ impl<const N: usize> Phase<N> {
         first_non_finite(&self.q).or_else(|| first_non_finite(&self.qd))
     }
 
-    pub(super) fn entries(&self) -> impl Iterator<Item = f64> {
+    pub(crate) fn entries(&self) -> impl Iterator<Item = f64> {
         self.q.iter().chain(self.qd.iter()).copied()
     }
 }

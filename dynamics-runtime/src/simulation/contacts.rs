@@ -1,8 +1,9 @@
 //! What friction does to each joint: what it holds, what it lets go, and how far that is away.
 
+use super::error::Cause;
 use super::friction::Contact;
 use super::motion::{Held, Motion};
-use super::{Cause, TorqueLaw};
+use super::torque::TorqueLaw;
 use crate::ForwardDynamics;
 use crate::integrate::Phase;
 

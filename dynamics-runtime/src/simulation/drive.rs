@@ -1,9 +1,10 @@
 //! An integration from sample to sample.
 
+use super::error::Cause;
 use super::motion::Motion;
+use super::recorder::Recorder;
 use super::sticking::Sticking;
-use super::trajectory::Recorder;
-use super::{Cause, TorqueLaw};
+use super::torque::TorqueLaw;
 use crate::ForwardDynamics;
 use crate::integrate::{Failure, Stepper};
 
@@ -25,10 +26,10 @@ where
     smooth(system, stepper, recorder, max_steps)
 }
 
-/// Without events.
-fn smooth<S, const N: usize>(
+/// The same without events.
+pub(super) fn smooth<S, E: Into<Cause>, const N: usize>(
     system: &S,
-    mut stepper: impl Stepper<S, Cause, N>,
+    mut stepper: impl Stepper<S, E, N>,
     recorder: &mut Recorder<N>,
     max_steps: usize,
 ) -> Result<(), Cause> {
@@ -50,10 +51,10 @@ fn smooth<S, const N: usize>(
     Ok(())
 }
 
-impl From<Failure<Cause>> for Cause {
-    fn from(failure: Failure<Cause>) -> Self {
+impl<E: Into<Cause>> From<Failure<E>> for Cause {
+    fn from(failure: Failure<E>) -> Self {
         match failure {
-            Failure::Refused(cause) => cause,
+            Failure::Refused(refusal) => refusal.into(),
             Failure::StepTooSmall => Cause::StepTooSmall,
             Failure::NoConvergence => Cause::NoConvergence,
         }

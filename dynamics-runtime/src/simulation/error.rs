@@ -4,8 +4,9 @@ use core::fmt;
 
 use nalgebra::SVector;
 
-use super::Trajectory;
+use super::trajectory::Trajectory;
 use crate::SingularMassMatrix;
+use crate::taylor::Refusal;
 
 /// A simulation that could not reach its end, with everything that it computed before.
 #[derive(Clone, Debug, PartialEq)]
@@ -62,6 +63,17 @@ pub enum Cause {
         /// The joint, counted from 0.
         joint: usize,
     },
+}
+
+impl Cause {
+    /// The cause under error control, where no state is reached that is not finite: the stage that
+    /// asks for one belongs to a step that is too long, the shortest that there is.
+    pub(super) fn of_long_steps(self) -> Self {
+        match self {
+            Cause::NonFiniteState { .. } => Cause::StepTooSmall,
+            cause => cause,
+        }
+    }
 }
 
 /// A setting of a simulation that makes no sense.
@@ -190,5 +202,15 @@ impl From<InvalidSetting> for Cause {
 impl From<SingularMassMatrix> for Cause {
     fn from(error: SingularMassMatrix) -> Self {
         Cause::SingularMassMatrix(error)
+    }
+}
+
+impl From<Refusal> for Cause {
+    fn from(refusal: Refusal) -> Self {
+        match refusal {
+            Refusal::State { joint } => Cause::NonFiniteState { joint },
+            Refusal::Acceleration { joint } => Cause::NonFiniteAcceleration { joint },
+            Refusal::Singular(error) => Cause::SingularMassMatrix(error),
+        }
     }
 }

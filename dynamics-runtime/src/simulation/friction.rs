@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 
-use super::InvalidSetting;
+use super::error::InvalidSetting;
 
 /// How a [`Simulation`](crate::Simulation) treats Coulomb friction.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -5,8 +5,9 @@ use super::drive::drive;
 use super::motion::{InMomenta, Motion};
 use super::settings::{Dop853, DormandPrince, ErrorControl, Radau5, validate_step};
 
-use super::trajectory::Recorder;
-use super::{Cause, InvalidSetting, TorqueLaw};
+use super::error::{Cause, InvalidSetting};
+use super::recorder::Recorder;
+use super::torque::TorqueLaw;
 use crate::ForwardDynamics;
 use crate::integrate::{
     Adaptive, CraigEuler, Dop853Method, DormandPrince54, Embedded, ExplicitEuler, FixedStep,
@@ -97,6 +98,18 @@ impl Default for Method {
         Method::DormandPrince(DormandPrince::default())
     }
 }
+
+macro_rules! from_settings {
+    ($($name:ident)*) => {$(
+        impl From<$name> for Method {
+            fn from(settings: $name) -> Self {
+                Method::$name(settings)
+            }
+        }
+    )*};
+}
+
+from_settings! { DormandPrince Dop853 Radau5 }
 
 impl Method {
     pub(super) fn integrate<R, L, const N: usize>(
@@ -195,7 +208,7 @@ where
 {
     let range = control.range(recorder.duration());
     let run = Adaptive::<M, N>::start(motion, 0.0, recorder.phase, control.tolerance, range)?;
-    drive(motion, motion, run, recorder, control.max_steps).map_err(of_long_steps)
+    drive(motion, motion, run, recorder, control.max_steps).map_err(Cause::of_long_steps)
 }
 
 fn radau<R, L, const N: usize>(
@@ -209,14 +222,5 @@ where
 {
     let range = control.range(recorder.duration());
     let run = Radau::start(motion, 0.0, recorder.phase, control.tolerance, range)?;
-    drive(motion, motion, run, recorder, control.max_steps).map_err(of_long_steps)
-}
-
-/// With error control no state is reached that is not finite: the stage that asks for one belongs to
-/// a step that is too long, the shortest that there is.
-pub(super) fn of_long_steps(cause: Cause) -> Cause {
-    match cause {
-        Cause::NonFiniteState { .. } => Cause::StepTooSmall,
-        cause => cause,
-    }
+    drive(motion, motion, run, recorder, control.max_steps).map_err(Cause::of_long_steps)
 }

@@ -7,9 +7,11 @@ mod friction;
 mod method;
 mod motion;
 mod plan;
+mod recorder;
 mod settings;
 mod sticking;
 mod taylor;
+mod torque;
 mod trajectory;
 
 use nalgebra::SVector;
@@ -19,30 +21,15 @@ use crate::{ForwardDynamics, Model};
 use friction::Law;
 use motion::Motion;
 use plan::Plan;
-use trajectory::Recorder;
+use recorder::Recorder;
 
 pub use error::{Cause, InvalidSetting, SimulationError};
 pub use friction::Friction;
 pub use method::Method;
 pub use settings::{Dop853, DormandPrince, Radau5};
 pub use taylor::{Taylor, TaylorSimulation};
+pub use torque::NoTorque;
 pub use trajectory::{Trajectory, Work};
-
-/// A torque law: the joint torques in N m or N as a function of t in s, q in rad or m, and qd.
-///
-/// Every such function is one.
-trait TorqueLaw<const N: usize>:
-    Fn(f64, &SVector<f64, N>, &SVector<f64, N>) -> SVector<f64, N>
-{
-}
-
-impl<L, const N: usize> TorqueLaw<N> for L where
-    L: Fn(f64, &SVector<f64, N>, &SVector<f64, N>) -> SVector<f64, N>
-{
-}
-
-/// The torque law of free motion: no torque.
-pub type NoTorque<const N: usize> = fn(f64, &SVector<f64, N>, &SVector<f64, N>) -> SVector<f64, N>;
 
 /// A simulation of an arm: set it up, then [`run`](Simulation::run) it.
 ///

@@ -4,8 +4,9 @@ use core::cell::Cell;
 
 use nalgebra::SVector;
 
+use super::error::Cause;
 use super::friction::{Contact, Friction, Law};
-use super::{Cause, TorqueLaw};
+use super::torque::TorqueLaw;
 use crate::dual::Dual;
 use crate::integrate::{Canonical, Equations, Lu, Phase, Point, first_non_finite};
 use crate::{ForwardDynamics, Momenta, Scalar, SingularMassMatrix};

@@ -1,6 +1,6 @@
 //! What a run is asked for, whatever method makes it.
 
-use super::InvalidSetting;
+use super::error::InvalidSetting;
 use crate::integrate::Phase;
 
 /// The start of a run, its length, and its samples at equal intervals.

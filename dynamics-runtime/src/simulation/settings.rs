@@ -1,13 +1,15 @@
 //! Settings of the methods that choose their steps.
 
-use super::{InvalidSetting, Method};
+use super::error::InvalidSetting;
 use crate::integrate::{StepRange, Tolerance};
 
 /// What the settings of all of them say.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ErrorControl {
     pub(super) tolerance: Tolerance,
-    max_step: Option<f64>,
+    /// The longest step where it is chosen; the run is made in at least `least_steps` where not.
+    pub(super) max_step: Option<f64>,
+    pub(super) least_steps: f64,
     pub(super) max_steps: usize,
 }
 
@@ -17,7 +19,7 @@ impl ErrorControl {
         StepRange {
             // A few roundings of the time.
             least: 16.0 * f64::EPSILON * duration,
-            greatest: self.max_step.unwrap_or(duration / 50.0),
+            greatest: self.max_step.unwrap_or(duration / self.least_steps),
         }
     }
 
@@ -79,6 +81,7 @@ macro_rules! settings {
                         absolute: self.absolute_tolerance,
                     },
                     max_step: self.max_step,
+                    least_steps: 50.0,
                     max_steps: self.max_steps,
                 }
             }
@@ -89,12 +92,6 @@ macro_rules! settings {
             /// them between two samples.
             fn default() -> Self {
                 $name::with_tolerance(1e-9)
-            }
-        }
-
-        impl From<$name> for Method {
-            fn from(settings: $name) -> Self {
-                Method::$name(settings)
             }
         }
     };

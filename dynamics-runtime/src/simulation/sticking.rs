@@ -1,10 +1,11 @@
 //! Stopping, sticking and letting go: an integration between events.
 
 use super::contacts::{least_margin, margin, settle, stops_and_chatters};
+use super::error::Cause;
 use super::friction::Contact;
 use super::motion::{Held, Motion};
-use super::trajectory::Recorder;
-use super::{Cause, TorqueLaw};
+use super::recorder::Recorder;
+use super::torque::TorqueLaw;
 use crate::ForwardDynamics;
 use crate::integrate::{Phase, Stepper};
 

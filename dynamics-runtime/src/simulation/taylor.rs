@@ -2,13 +2,15 @@
 
 use nalgebra::SVector;
 
-use super::method::of_long_steps;
+use super::drive::smooth;
+use super::error::{Cause, InvalidSetting, SimulationError};
 use super::plan::Plan;
-use super::trajectory::Recorder;
-use super::{Cause, InvalidSetting, SimulationError, Trajectory};
+use super::recorder::Recorder;
+use super::settings::ErrorControl;
+use super::trajectory::Trajectory;
 use crate::TaylorDynamics;
-use crate::integrate::{Phase, StepRange, Tolerance, first_non_finite};
-use crate::taylor::{Stepper, order};
+use crate::integrate::{Phase, Tolerance, first_non_finite};
+use crate::taylor::{FEWEST_ORDERS, SeriesStepper, Steady, order};
 
 /// Settings of the Taylor method.
 ///
@@ -49,23 +51,23 @@ impl Taylor {
         self.order.unwrap_or_else(|| order(tolerance))
     }
 
-    fn longest_step(&self, duration: f64) -> f64 {
-        self.max_step.unwrap_or(duration / 10.0)
+    fn control(&self) -> ErrorControl {
+        ErrorControl {
+            tolerance: Tolerance {
+                relative: self.relative_tolerance,
+                absolute: self.absolute_tolerance,
+            },
+            max_step: self.max_step,
+            least_steps: 10.0,
+            max_steps: self.max_steps,
+        }
     }
 
     fn validate(&self, duration: f64) -> Result<(), InvalidSetting> {
-        for tolerance in [self.relative_tolerance, self.absolute_tolerance] {
-            if !(tolerance > 0.0 && tolerance.is_finite()) {
-                return Err(InvalidSetting::Tolerance(tolerance));
-            }
-        }
-        if !(order(1.0)..=crate::MAX_TAYLOR_ORDER).contains(&self.order()) {
-            return Err(InvalidSetting::Order(self.order()));
-        }
-        let longest = self.longest_step(duration);
-        match longest > duration * f64::EPSILON {
+        self.control().validate(duration)?;
+        match (FEWEST_ORDERS..=crate::MAX_TAYLOR_ORDER).contains(&self.order()) {
             true => Ok(()),
-            false => Err(InvalidSetting::Step(longest)),
+            false => Err(InvalidSetting::Order(self.order())),
         }
     }
 }
@@ -161,37 +163,16 @@ where
     fn record(&self, recorder: &mut Recorder<N>) -> Result<(), Cause> {
         self.validate()?;
         recorder.plan(&self.plan)?;
-        let Taylor {
-            relative_tolerance: relative,
-            absolute_tolerance: absolute,
-            max_steps,
-            ..
-        } = self.settings;
-        let range = StepRange {
-            // A few roundings of the time.
-            least: 16.0 * f64::EPSILON * self.plan.duration,
-            greatest: self.settings.longest_step(self.plan.duration),
-        };
-        let tolerance = Tolerance { relative, absolute };
-        let order = self.settings.order();
         recorder.sample();
-        let (robot, start) = (self.robot, self.plan.initial);
-        let mut run = Stepper::start(robot, start, self.tau, order, tolerance, range)?;
-        while let Some(t) = recorder.next_sample() {
-            let mut steps = 0;
-            while run.t < t {
-                if steps == max_steps {
-                    return Err(Cause::TooManySteps);
-                }
-                let made = run.step(self.plan.duration);
-                recorder.work.rejected = run.rejected;
-                made.map_err(|failure| of_long_steps(failure.into()))?;
-                recorder.reach(run.t, run.phase)?;
-                steps += 1;
-            }
-            recorder.push(t, run.at(t));
-        }
-        Ok(())
+        let control = self.settings.control();
+        let range = control.range(self.plan.duration);
+        let motion = Steady {
+            robot: self.robot,
+            tau: self.tau,
+        };
+        let (start, order) = (self.plan.initial, self.settings.order());
+        let run = SeriesStepper::start(&motion, start, order, control.tolerance, range)?;
+        smooth(&motion, run, recorder, control.max_steps).map_err(Cause::of_long_steps)
     }
 
     fn validate(&self) -> Result<(), Cause> {

@@ -1,11 +1,8 @@
-//! The samples of a motion.
+//! What a run returns.
 
 use nalgebra::SVector;
 
-use super::plan::Plan;
-use super::{Cause, InvalidSetting, SimulationError};
 use crate::Energy;
-use crate::integrate::{Grid, Phase, sample_time};
 
 /// A sampled motion: sample k is `(t[k], q[k], qd[k])`.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -71,115 +68,5 @@ impl<const N: usize> Trajectory<N> {
                 next
             }
         })
-    }
-}
-
-/// A run as it is recorded: the plan of its samples, the samples taken, the phase reached.
-pub(super) struct Recorder<const N: usize> {
-    pub(super) t: f64,
-    pub(super) phase: Phase<N>,
-    pub(super) work: Work,
-    trajectory: Trajectory<N>,
-    duration: f64,
-    samples: usize,
-}
-
-impl<const N: usize> Recorder<N> {
-    /// At the start, with nothing planned.
-    pub(super) fn new(phase: Phase<N>) -> Self {
-        Recorder {
-            t: 0.0,
-            phase,
-            work: Work::default(),
-            trajectory: Trajectory::default(),
-            duration: 0.0,
-            samples: 0,
-        }
-    }
-
-    /// The run as it ended, of which `evaluations` were a part of the work.
-    pub(super) fn finished(
-        self,
-        end: Result<(), Cause>,
-        evaluations: u64,
-    ) -> Result<Trajectory<N>, Box<SimulationError<N>>> {
-        let (time, Phase { q, qd }) = (self.t, self.phase);
-        let trajectory = self.into_trajectory(evaluations);
-        match end {
-            Ok(()) => Ok(trajectory),
-            Err(cause) => Err(Box::new(SimulationError {
-                time,
-                q,
-                qd,
-                cause,
-                trajectory,
-            })),
-        }
-    }
-
-    /// Makes room for all samples of a valid plan.
-    pub(super) fn plan(&mut self, plan: &Plan<N>) -> Result<(), InvalidSetting> {
-        let samples = plan.samples;
-        self.duration = plan.duration;
-        self.samples = samples;
-        let Trajectory { t, q, qd, .. } = &mut self.trajectory;
-        t.try_reserve_exact(samples)
-            .and_then(|()| q.try_reserve_exact(samples))
-            .and_then(|()| qd.try_reserve_exact(samples))
-            .map_err(|_| InvalidSetting::Samples(samples))
-    }
-
-    pub(super) fn duration(&self) -> f64 {
-        self.duration
-    }
-
-    /// The ends of steps no longer than `longest`.
-    pub(super) fn grid(&self, longest: f64) -> Grid {
-        Grid::new(self.duration, self.intervals(), longest)
-    }
-
-    fn intervals(&self) -> u64 {
-        self.samples as u64 - 1
-    }
-
-    /// Time of the next sample; `None` when all have been taken.
-    pub(super) fn next_sample(&self) -> Option<f64> {
-        let next = self.trajectory.len() as u64;
-        (next <= self.intervals()).then(|| sample_time(self.duration, self.intervals(), next))
-    }
-
-    /// Moves to the end of a step, if that is a finite place.
-    pub(super) fn reach(&mut self, t: f64, phase: Phase<N>) -> Result<(), Cause> {
-        if let Some(joint) = phase.first_non_finite() {
-            return Err(Cause::NonFiniteState { joint });
-        }
-        self.t = t;
-        self.phase = phase;
-        self.work.steps += 1;
-        Ok(())
-    }
-
-    /// The samples taken, and the work of which `evaluations` were a part.
-    fn into_trajectory(self, evaluations: u64) -> Trajectory<N> {
-        let work = Work {
-            evaluations,
-            ..self.work
-        };
-        Trajectory {
-            work,
-            ..self.trajectory
-        }
-    }
-
-    /// Takes the phase reached as a sample.
-    pub(super) fn sample(&mut self) {
-        self.push(self.t, self.phase);
-    }
-
-    /// Takes a sample.
-    pub(super) fn push(&mut self, t: f64, phase: Phase<N>) {
-        self.trajectory.t.push(t);
-        self.trajectory.q.push(phase.q);
-        self.trajectory.qd.push(phase.qd);
     }
 }

@@ -45,9 +45,9 @@ pub use coefficients::{MAX_TAYLOR_ORDER, TaylorCoefficients};
 use expansion::Expansion;
 pub use products::{Block, Common, ProductTable, Products};
 #[cfg(feature = "std")]
-pub(crate) use step_size::order;
+pub(crate) use step_size::{FEWEST_ORDERS, order};
 #[cfg(feature = "std")]
-pub(crate) use stepper::Stepper;
+pub(crate) use stepper::{Refusal, SeriesStepper, Steady};
 pub use term::SeriesTerm;
 
 /// An arm whose motion can be expanded in a Taylor series: `functions: [taylor_series]`.

@@ -19,11 +19,11 @@ const WINDOW: usize = 6;
 /// of the work is that of the equations at each order, not that of the inner sums.
 pub(crate) fn order(tolerance: f64) -> usize {
     let order = (1.0 - tolerance.ln() / 1.5).ceil();
-    order.clamp(FEWEST, MAX_TAYLOR_ORDER as f64) as usize
+    (order as usize).clamp(FEWEST_ORDERS, MAX_TAYLOR_ORDER)
 }
 
-/// The window has to leave out q_0 and q_1.
-const FEWEST: f64 = WINDOW as f64 + 2.0;
+/// The lowest order that steps are chosen for: the window has to leave out q_0 and q_1.
+pub(crate) const FEWEST_ORDERS: usize = WINDOW + 2;
 
 /// The step in which the terms of order `p` reach the tolerance.
 ///

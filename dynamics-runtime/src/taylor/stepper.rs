@@ -5,31 +5,45 @@ use nalgebra::SVector;
 use super::TaylorDynamics;
 use super::numbers::Series;
 use super::step_size::step_size;
+use crate::SingularMassMatrix;
 use crate::exact::{two_sum, two_sums};
-use crate::integrate::{Failure, Phase, StepRange, Tolerance, first_non_finite};
-use crate::simulation::Cause;
+use crate::integrate::{Failure, Phase, StepRange, Stepper, Tolerance, first_non_finite};
 
-/// A motion under a constant torque, one series a step.
-pub(crate) struct Stepper<'a, R, const N: usize>
+/// An arm under constant torques.
+pub(crate) struct Steady<'a, R, const N: usize> {
+    pub(crate) robot: &'a R,
+    pub(crate) tau: SVector<f64, N>,
+}
+
+/// Why a series cannot begin at a phase.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Refusal {
+    /// A position or a velocity is not finite.
+    State { joint: usize },
+    /// An acceleration is not finite.
+    Acceleration { joint: usize },
+    /// The mass matrix is not positive definite.
+    Singular(SingularMassMatrix),
+}
+
+/// A motion under constant torques, one series a step.
+pub(crate) struct SeriesStepper<R, const N: usize>
 where
     R: TaylorDynamics<N>,
 {
-    robot: &'a R,
-    tau: SVector<f64, N>,
     order: usize,
     tolerance: Tolerance,
     range: StepRange,
     series: Series<R, N>,
     /// Where the series of the last step starts.
     start: f64,
-    pub(crate) t: f64,
-    pub(crate) phase: Phase<N>,
+    t: f64,
+    phase: Phase<N>,
     /// What the roundings of time and phase have lost: the sums of steps are compensated (W. Kahan
     /// 1965; E. Hairer, C. Lubich, G. Wanner, *Geometric Numerical Integration*, VIII.5).
     lost_time: f64,
     lost: Phase<N>,
-    /// Steps that were tried and thrown away.
-    pub(crate) rejected: u64,
+    rejected: u64,
 }
 
 /// The greatest difference of the accelerations at the end of a step, those of its series and those
@@ -37,21 +51,18 @@ where
 const GREATEST_DEFECT: f64 = 1e3;
 const GREATEST_RELATIVE_DEFECT: f64 = 1e-8;
 
-impl<'a, R, const N: usize> Stepper<'a, R, N>
+impl<R, const N: usize> SeriesStepper<R, N>
 where
     R: TaylorDynamics<N>,
 {
     pub(crate) fn start(
-        robot: &'a R,
+        motion: &Steady<R, N>,
         phase: Phase<N>,
-        tau: SVector<f64, N>,
         order: usize,
         tolerance: Tolerance,
         range: StepRange,
-    ) -> Result<Self, Cause> {
-        let mut stepper = Stepper {
-            robot,
-            tau,
+    ) -> Result<Self, Refusal> {
+        let mut stepper = SeriesStepper {
             order,
             tolerance,
             range,
@@ -63,61 +74,8 @@ where
             lost: Phase::zeros(),
             rejected: 0,
         };
-        stepper.begin(&phase)?;
+        stepper.begin(motion, &phase)?;
         Ok(stepper)
-    }
-
-    /// Makes a step, at most to `end`. After a failure the phase is that before the step.
-    pub(crate) fn step(&mut self, end: f64) -> Result<(), Failure<Cause>> {
-        self.series.extend(self.robot, self.order);
-        let coefficients = self.series.coefficients();
-        let wish = step_size(coefficients, self.order, &self.tolerance);
-        let rest = end - self.t - self.lost_time;
-        if wish < self.range.least.min(rest) {
-            return Err(Failure::StepTooSmall);
-        }
-        // The last two steps share what is left.
-        let mut h = match wish.min(self.range.greatest) {
-            h if h >= rest => rest,
-            h if 2.0 * h > rest => 0.5 * rest,
-            h => h,
-        };
-        loop {
-            let (next, lost) = self.after(h);
-            let failure = match self.begin(&next) {
-                Ok(()) if self.fits(h) => {
-                    self.start = self.t;
-                    (self.t, self.lost_time) = two_sum(self.t, h + self.lost_time);
-                    if h == rest {
-                        (self.t, self.lost_time) = (end, 0.0);
-                    }
-                    (self.phase, self.lost) = (next, lost);
-                    return Ok(());
-                }
-                Ok(()) => Failure::StepTooSmall,
-                Err(cause) => Failure::Refused(cause),
-            };
-            self.rejected += 1;
-            h *= 0.5;
-            // Also where it is not a number.
-            if h.is_nan() || h <= self.range.least {
-                return Err(failure);
-            }
-        }
-    }
-
-    /// The phase at a time of the last step, on its series.
-    pub(crate) fn at(&self, t: f64) -> Phase<N> {
-        if t == self.t {
-            return self.phase;
-        }
-        let q = self.series.coefficients();
-        let h = t - self.start;
-        let (position, velocity) = self.increments(h);
-        Phase {
-            q: q[0] + position,
-            qd: q[1] + velocity,
-        }
     }
 
     /// The phase after a step, and what its rounding has lost.
@@ -163,14 +121,205 @@ where
     }
 
     /// Begins the series at a phase.
-    fn begin(&mut self, phase: &Phase<N>) -> Result<(), Cause> {
+    fn begin(&mut self, motion: &Steady<R, N>, phase: &Phase<N>) -> Result<(), Refusal> {
         if let Some(joint) = phase.first_non_finite() {
-            return Err(Cause::NonFiniteState { joint });
+            return Err(Refusal::State { joint });
         }
-        self.series.begin(self.robot, phase, &self.tau)?;
+        let begun = self.series.begin(motion.robot, phase, &motion.tau);
+        begun.map_err(Refusal::Singular)?;
         match first_non_finite(&self.series.acceleration()) {
-            Some(joint) => Err(Cause::NonFiniteAcceleration { joint }),
+            Some(joint) => Err(Refusal::Acceleration { joint }),
             None => Ok(()),
         }
+    }
+}
+
+impl<R, const N: usize> Stepper<Steady<'_, R, N>, Refusal, N> for SeriesStepper<R, N>
+where
+    R: TaylorDynamics<N>,
+{
+    fn t(&self) -> f64 {
+        self.t
+    }
+
+    fn phase(&self) -> &Phase<N> {
+        &self.phase
+    }
+
+    /// After a failure the phase is that before the step.
+    fn step(&mut self, motion: &Steady<R, N>, end: f64) -> Result<(), Failure<Refusal>> {
+        self.series.extend(motion.robot, self.order);
+        let coefficients = self.series.coefficients();
+        let wish = step_size(coefficients, self.order, &self.tolerance);
+        let rest = end - self.t - self.lost_time;
+        if wish < self.range.least.min(rest) {
+            return Err(Failure::StepTooSmall);
+        }
+        // The last two steps share what is left.
+        let mut h = match wish.min(self.range.greatest) {
+            h if h >= rest => rest,
+            h if 2.0 * h > rest => 0.5 * rest,
+            h => h,
+        };
+        loop {
+            let (next, lost) = self.after(h);
+            let failure = match self.begin(motion, &next) {
+                Ok(()) if self.fits(h) => {
+                    self.start = self.t;
+                    (self.t, self.lost_time) = two_sum(self.t, h + self.lost_time);
+                    if h == rest {
+                        (self.t, self.lost_time) = (end, 0.0);
+                    }
+                    (self.phase, self.lost) = (next, lost);
+                    return Ok(());
+                }
+                Ok(()) => Failure::StepTooSmall,
+                Err(refusal) => Failure::Refused(refusal),
+            };
+            self.rejected += 1;
+            h *= 0.5;
+            // Also where it is not a number.
+            if h.is_nan() || h <= self.range.least {
+                return Err(failure);
+            }
+        }
+    }
+
+    /// On the series of the last step.
+    fn at(&mut self, _: &Steady<R, N>, t: f64) -> Result<Phase<N>, Failure<Refusal>> {
+        if t == self.t {
+            return Ok(self.phase);
+        }
+        let (position, velocity) = self.increments(t - self.start);
+        let q = self.series.coefficients();
+        Ok(Phase {
+            q: q[0] + position,
+            qd: q[1] + velocity,
+        })
+    }
+
+    fn retake(&mut self, motion: &Steady<R, N>, end: f64) -> Result<(), Failure<Refusal>> {
+        let phase = self.at(motion, end)?;
+        (self.t, self.lost_time) = (end, 0.0);
+        self.restart(motion, phase)
+    }
+
+    fn restart(&mut self, motion: &Steady<R, N>, phase: Phase<N>) -> Result<(), Failure<Refusal>> {
+        (self.phase, self.lost) = (phase, Phase::zeros());
+        Ok(self.begin(motion, &phase)?)
+    }
+
+    fn rejected(&self) -> u64 {
+        self.rejected
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::{SMatrix, SVector, Vector1};
+
+    use super::{SeriesStepper, Steady};
+    use crate::integrate::{Phase, StepRange, Stepper, Tolerance};
+    use crate::taylor::{ProductTable, SeriesTerm, TaylorDynamics};
+    use crate::{JointSines, Model, Scalar, Table};
+
+    /// qdd + sin q = tau.
+    struct Swing;
+
+    impl Model<1> for Swing {
+        const JOINT_NAMES: [&'static str; 1] = ["swing"];
+
+        fn table(&self) -> Table<1> {
+            unreachable!("a series does not read it")
+        }
+    }
+
+    impl TaylorDynamics<1> for Swing {
+        type Products<T: Scalar> = ProductTable<T, 0, 1>;
+
+        fn leading_matrix<T: Scalar>(
+            &self,
+            _: &impl JointSines<T>,
+            q: &SVector<T, 1>,
+        ) -> SMatrix<T, 1, 1> {
+            SMatrix::<T, 1, 1>::new(q[0].constant(1.0))
+        }
+
+        fn series_term<T: Scalar>(&self, term: &mut impl SeriesTerm<T, 1>) {
+            term.turn(0, 0);
+            let force = term.acceleration(0) + term.sine(0);
+            term.solve([force]);
+        }
+    }
+
+    const MOTION: Steady<'static, Swing, 1> = Steady {
+        robot: &Swing,
+        tau: Vector1::new(0.25),
+    };
+
+    fn start(t: f64, phase: Phase<1>) -> SeriesStepper<Swing, 1> {
+        let tolerance = Tolerance {
+            relative: 1e-13,
+            absolute: 1e-13,
+        };
+        let range = StepRange {
+            least: 1e-14,
+            greatest: 1.0,
+        };
+        let mut run = SeriesStepper::start(&MOTION, phase, 20, tolerance, range).unwrap();
+        run.t = t;
+        run
+    }
+
+    fn phase(q: f64, qd: f64) -> Phase<1> {
+        Phase {
+            q: Vector1::new(q),
+            qd: Vector1::new(qd),
+        }
+    }
+
+    fn reach(run: &mut SeriesStepper<Swing, 1>, end: f64) -> Phase<1> {
+        while run.t < end {
+            run.step(&MOTION, end).unwrap();
+        }
+        *run.phase()
+    }
+
+    /// E = qd^2 / 2 - cos q - tau q.
+    #[test]
+    fn a_swing_keeps_its_energy() {
+        let energy = |Phase { q, qd }: Phase<1>| 0.5 * qd[0] * qd[0] - q[0].cos() - 0.25 * q[0];
+        let from = phase(2.0, -0.5);
+        let end = reach(&mut start(0.0, from), 10.0);
+        assert!((energy(end) - energy(from)).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_step_made_again_is_one_to_the_earlier_time() {
+        let mut run = start(0.0, phase(2.0, -0.5));
+        run.step(&MOTION, 5.0).unwrap();
+        run.step(&MOTION, 5.0).unwrap();
+        let (from, to) = (run.start, run.t);
+        let middle = 0.4 * from + 0.6 * to;
+        let expected = run.at(&MOTION, middle).unwrap();
+        run.retake(&MOTION, middle).unwrap();
+        assert_eq!((run.t, *run.phase()), (middle, expected));
+        let whole = reach(&mut start(0.0, phase(2.0, -0.5)), 5.0);
+        assert!(
+            reach(&mut run, 5.0)
+                .minus(&whole)
+                .entries()
+                .all(|e| e.abs() < 1e-12)
+        );
+    }
+
+    #[test]
+    fn a_restart_forgets_the_motion_before() {
+        let other = phase(-1.0, 0.3);
+        let mut run = start(0.0, phase(2.0, -0.5));
+        reach(&mut run, 1.0);
+        run.restart(&MOTION, other).unwrap();
+        let expected = reach(&mut start(1.0, other), 2.0);
+        assert_eq!(reach(&mut run, 2.0), expected);
     }
 }
