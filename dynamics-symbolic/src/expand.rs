@@ -89,7 +89,8 @@ pub fn expand_with(
     let mut failures = Vec::new();
     for &function in functions {
         let program = derive(robot, function);
-        let notes = neglected(robot, function, &program, derive);
+        let mut notes = neglected(robot, function, &program, derive);
+        notes.extend(plain(&program));
         let method = match function.shape() {
             Shape::Series => taylor_series(robot, program, &notes, path, derive),
             _ => method(robot, function, program, &notes, path),
@@ -104,6 +105,15 @@ pub fn expand_with(
     } else {
         Err(failures)
     }
+}
+
+/// What the documentation says of a program that no search has shortened.
+fn plain(program: &Program) -> Option<String> {
+    program.is_plain.then(|| {
+        " Written as the recursion of the equations of motion is: every shorter program that was found \
+         would cost digits."
+            .to_owned()
+    })
 }
 
 /// What the documentation says of a function of an abbreviated model, beside the complete one.

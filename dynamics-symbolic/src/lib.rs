@@ -18,6 +18,7 @@ pub mod neglect;
 pub mod program;
 pub mod prove;
 pub mod robot;
+pub mod rounding;
 pub mod simplify;
 
 pub use emit::{base_parameter_constants, stub, stub_of_trait};

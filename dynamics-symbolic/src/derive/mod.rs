@@ -1,6 +1,7 @@
 //! Derivations: the functions of a robot as expressions on a graph, and from
 //! them the shortest program.
 
+mod accuracy;
 mod articulated;
 pub mod base;
 pub mod chain;
@@ -18,19 +19,22 @@ mod recursive;
 mod regressor;
 mod solve;
 mod spatial;
+mod states;
 pub mod symbols;
 pub mod textbook;
+pub mod units;
 
 use crate::expr::Graph;
 use crate::function::{Form, Function, Search, Trial};
 use crate::program::Program;
 use crate::robot::Robot;
 use crate::simplify::{Effort, simplify};
+use accuracy::Recursion;
 use gauge::Gauge;
 use symbols::Symbols;
 
 /// The program of a function: the shortest that its forms, the gauges and the
-/// simplifications lead to.
+/// simplifications lead to, as far as they keep its digits.
 pub fn derive(robot: &Robot, function: Function) -> Program {
     let forms = promising_forms(robot, function);
     if is_tried_by(Trial::Unsimplified, function) {
@@ -38,7 +42,7 @@ pub fn derive(robot: &Robot, function: Function) -> Program {
         let length = |form: &Form| gauge.length(robot, function, *form);
         let form = forms.into_iter().min_by_key(length);
         let form = form.expect("every function has a form");
-        return simplified(robot, function, form, &gauge);
+        return accurate(robot, function, form, gauge);
     }
     let programs = forms
         .into_iter()
@@ -71,23 +75,55 @@ fn promising_forms(robot: &Robot, function: Function) -> Vec<Form> {
 }
 
 /// The program of a function written in one form: the shortest that the gauges and the
-/// simplifications lead to.
+/// simplifications lead to, as far as they keep its digits.
 pub fn derive_form(robot: &Robot, function: Function, form: Form) -> Program {
-    let gauge = Gauge::search(robot, function, form);
-    simplified(robot, function, form, &gauge)
+    accurate(robot, function, form, Gauge::search(robot, function, form))
+}
+
+/// The program of a function in one form and one gauge, shortened. Where that costs digits the gauge
+/// is the plain one, and where that is not enough nothing is simplified.
+fn accurate(robot: &Robot, function: Function, form: Form, gauge: Gauge) -> Program {
+    if function.row().search == Search::Accuracy {
+        // Another way to write a number may be a difference of larger ones.
+        return unsimplified(robot, function, form, &gauge).balanced();
+    }
+    let recursion = Recursion::of(robot, function, form);
+    let gauges = [gauge, Gauge::plain(robot.rows.len())];
+    let mut programs = gauges
+        .iter()
+        .map(|gauge| simplified(robot, function, form, gauge, &recursion));
+    let accurate = programs.find(|program| recursion.accepts(robot, program));
+    accurate.unwrap_or_else(|| recursion.into_program())
+}
+
+/// The program of a function in the plain gauge, as its recursion is written: long, and accurate. It
+/// is what the rounding of programs is measured by, and what is put out where every shorter one costs
+/// digits.
+pub fn derive_plain(robot: &Robot, function: Function) -> Program {
+    let gauge = Gauge::plain(robot.rows.len());
+    unsimplified(robot, function, Form::Recursive, &gauge)
+}
+
+/// The program of a function in one form and one gauge, as the derivation writes it.
+fn unsimplified(robot: &Robot, function: Function, form: Form, gauge: &Gauge) -> Program {
+    let graph = Graph::new();
+    let mut symbols = Symbols::new(&graph, robot);
+    let network = gauge.network(&mut symbols, robot, function, form);
+    network.program(symbols.meanings())
 }
 
 /// The program of a function in one form and one gauge, shortened.
-fn simplified(robot: &Robot, function: Function, form: Form, gauge: &Gauge) -> Program {
+fn simplified(
+    robot: &Robot,
+    function: Function,
+    form: Form,
+    gauge: &Gauge,
+    recursion: &Recursion,
+) -> Program {
     let graph = Graph::new();
     let mut symbols = Symbols::new(&graph, robot);
     let mut network = gauge.network(&mut symbols, robot, function, form);
-    // Another way to write a number may be a difference of larger ones.
-    if function.row().search != Search::Accuracy {
-        simplify(&mut network, Effort::DEFAULT);
-    }
-    let program = Program::new(&graph, symbols.meanings(), network.outputs(), &|id| {
-        network.definition(id)
-    });
-    program.balanced()
+    let mut judge = recursion.judge(robot, &symbols, &network);
+    simplify(&mut network, &mut judge, Effort::DEFAULT);
+    network.program(symbols.meanings()).balanced()
 }

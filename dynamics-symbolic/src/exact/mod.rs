@@ -1,15 +1,17 @@
-//! Exact numbers: rationals, and residues modulo a prime.
+//! Exact numbers: rationals, and residues modulo a prime; and what is the same on every platform.
 //!
 //! Rationals come from `dashu-ratio`, whose integers stay in two machine words
 //! for as long as they fit.
 
 mod random;
 mod residue;
+mod sine;
 
 use dashu_int::ops::BitTest;
 pub use dashu_ratio::RBig as Rational;
 pub use random::SplitMix64;
 pub use residue::{Residue, circle_point};
+pub use sine::sin_cos;
 
 /// Bits of the numerator and the denominator together.
 pub fn bit_length(x: &Rational) -> usize {

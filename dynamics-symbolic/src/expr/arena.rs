@@ -148,6 +148,17 @@ impl Graph {
         self.arena.borrow().nodes[id.index()]
     }
 
+    /// Whether a node is minus the product or quotient of its operands: fingerprints are of the node
+    /// up to sign.
+    pub(crate) fn is_flipped(&self, id: NodeId, operation: Operation) -> bool {
+        let value = |id: NodeId| self.node(id).value;
+        match operation {
+            Operation::Mul(a, b) => value(a) * value(b) != value(id),
+            Operation::Div(a, b) => value(id) * value(b) != value(a),
+            Operation::Rational(_) | Operation::Symbol(_) | Operation::Add(..) => false,
+        }
+    }
+
     /// The exact number of a [`Operation::Rational`] node.
     pub fn rational_of(&self, index: u32) -> Rational {
         self.arena.borrow().rationals[index as usize].clone()

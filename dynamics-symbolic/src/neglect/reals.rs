@@ -1,8 +1,10 @@
 //! The cells of a table as doubles.
 
+pub(super) use crate::exact::sin_cos;
+
 use crate::exact::Rational;
 use crate::robot::{Interpretation, Value};
-use core::f64::consts::{FRAC_PI_2, PI};
+use core::f64::consts::PI;
 
 /// Reads a table without symbolic parameters.
 pub(super) struct Reals;
@@ -29,40 +31,5 @@ impl Interpretation for Reals {
 
     fn circle(&mut self, angle: &Value) -> (f64, f64) {
         sin_cos(angle.to_f64(&[]))
-    }
-}
-
-/// Sine and cosine by Taylor's series, to a few units in the last place for angles of some turns. The
-/// host's own differ between platforms; these operations are rounded alike everywhere.
-pub(super) fn sin_cos(angle: f64) -> (f64, f64) {
-    let quarters = (angle / FRAC_PI_2).round();
-    let x = angle - quarters * FRAC_PI_2;
-    let (mut s, mut c) = (0.0, 0.0);
-    // x^k / k!, the small ones first.
-    for k in (0..10).rev() {
-        let (even, odd) = ((2 * k) as f64, (2 * k + 1) as f64);
-        c = 1.0 - c * x * x / ((even + 1.0) * (even + 2.0));
-        s = 1.0 - s * x * x / ((odd + 1.0) * (odd + 2.0));
-    }
-    let s = s * x;
-    match quarters.rem_euclid(4.0) {
-        1.0 => (c, -s),
-        2.0 => (-s, -c),
-        3.0 => (-c, s),
-        _ => (s, c),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn sines_are_those_of_the_host() {
-        for k in -70..70 {
-            let angle = 0.17 * k as f64;
-            let (s, c) = sin_cos(angle);
-            assert!((s - angle.sin()).abs() < 1e-15 && (c - angle.cos()).abs() < 1e-15);
-        }
     }
 }

@@ -45,6 +45,7 @@ impl Program {
             inputs: self.inputs.clone(),
             constants: balance.constants,
             instructions: balance.instructions,
+            is_plain: self.is_plain,
         }
     }
 }
@@ -350,6 +351,7 @@ mod tests {
                 operand: Operand::Result(last),
                 negative,
             }],
+            is_plain: false,
         }
     }
 

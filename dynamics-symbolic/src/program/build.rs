@@ -42,6 +42,7 @@ impl Program {
                 constants: ConstantPool::default(),
                 instructions: Vec::new(),
                 outputs: Vec::new(),
+                is_plain: false,
             },
         };
         for output in outputs.iter().rev() {
@@ -157,7 +158,7 @@ impl Builder<'_> {
     }
 
     fn emit_product(&mut self, id: NodeId, a: NodeId, b: NodeId) -> Place {
-        let flipped = self.is_flipped(id, Operation::Mul(a, b));
+        let flipped = self.graph.is_flipped(id, Operation::Mul(a, b));
         let (mut a, mut b) = (self.read(a.edge(false)), self.read(b.edge(false)));
         if matches!(b.operand, Operand::Constant(_)) {
             (a, b) = (b, a);
@@ -174,7 +175,7 @@ impl Builder<'_> {
     }
 
     fn emit_quotient(&mut self, id: NodeId, a: NodeId, b: NodeId) -> Place {
-        let flipped = self.is_flipped(id, Operation::Div(a, b));
+        let flipped = self.graph.is_flipped(id, Operation::Div(a, b));
         let (a, b) = (self.read(a.edge(false)), self.read(b.edge(false)));
         self.push(
             Instruction::Div(a.operand, b.operand),
@@ -247,7 +248,7 @@ impl Builder<'_> {
             Operation::Div(a, b) => Constant::Div(self.known(a), self.known(b)),
         };
         let constant = self.program.constants.push(constant);
-        if self.is_flipped(id, operation) {
+        if self.graph.is_flipped(id, operation) {
             self.negated(constant)
         } else {
             constant
@@ -257,20 +258,6 @@ impl Builder<'_> {
     /// The entry of a constant that was defined before.
     fn known(&self, id: NodeId) -> ConstantId {
         self.constants[id.index()].expect("operands come first")
-    }
-
-    /// Whether a node is minus the product or quotient that defines it:
-    /// fingerprints are of the node up to sign.
-    fn is_flipped(&self, id: NodeId, operation: Operation) -> bool {
-        let value = |id: NodeId| self.graph.node(id).value;
-        match operation {
-            Operation::Mul(a, b) => value(a) * value(b) != value(id),
-            Operation::Div(a, b) => {
-                let quotient = value(b).inverse().map(|inverse| value(a) * inverse);
-                quotient != Some(value(id))
-            }
-            Operation::Rational(_) | Operation::Symbol(_) | Operation::Add(..) => false,
-        }
     }
 
     /// Whether a rational constant is negative; other constants keep the sign that they have.

@@ -106,6 +106,7 @@ mod tests {
             constants: ConstantPool::default(),
             instructions,
             outputs: Vec::new(),
+            is_plain: false,
         }
     }
 

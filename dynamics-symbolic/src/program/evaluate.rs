@@ -27,6 +27,15 @@ impl Program {
     /// The values of the outputs.
     pub fn evaluate<A: Arithmetic>(&self, arithmetic: &mut A) -> Vec<A::Number> {
         let constants = self.constants.evaluate(arithmetic);
+        self.evaluate_with(constants, arithmetic)
+    }
+
+    /// The values of the outputs, with these values of the constants in the order of the pool.
+    pub fn evaluate_with<A: Arithmetic>(
+        &self,
+        constants: Vec<A::Number>,
+        arithmetic: &mut A,
+    ) -> Vec<A::Number> {
         let inputs: Vec<_> = self
             .inputs
             .iter()
@@ -113,6 +122,7 @@ mod tests {
             outputs: [false, true]
                 .map(|negative| Output { operand, negative })
                 .to_vec(),
+            is_plain: false,
         };
         program.evaluate(&mut Exact).try_into().unwrap()
     }
@@ -164,6 +174,7 @@ mod tests {
                 negative: false,
             })
             .to_vec(),
+            is_plain: false,
         };
         assert_eq!(
             program.evaluate(&mut Exact),

@@ -72,6 +72,8 @@ pub struct Program {
     pub instructions: Vec<Instruction>,
     /// The outputs in the order of the function's contract.
     pub outputs: Vec<Output>,
+    /// Whether this is the recursion as it is written, for every shorter program costs digits.
+    pub is_plain: bool,
 }
 
 impl Program {
@@ -83,7 +85,7 @@ impl Program {
     }
 
     /// Which constants instructions and outputs read; others serve to define them.
-    fn needed_constants(&self) -> Vec<bool> {
+    pub(crate) fn needed_constants(&self) -> Vec<bool> {
         let instructions = self.instructions.iter().flat_map(|instruction| {
             let (a, b) = instruction.operands();
             [a, b]

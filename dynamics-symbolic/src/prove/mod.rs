@@ -117,6 +117,7 @@ mod tests {
             constants: ConstantPool::default(),
             instructions: Vec::new(),
             outputs: Vec::new(),
+            is_plain: false,
         }
     }
 

@@ -7,12 +7,14 @@
 //! more operations that nothing else needs, the definition is replaced
 //! (resubstitution, as in the synthesis of logic circuits).
 
+mod judge;
 mod network;
 mod pairs;
 mod resubstitute;
 mod scale;
 mod survey;
 
+pub use judge::Judge;
 pub use network::Network;
 
 /// How much work the search for shorter programs may do.
@@ -32,24 +34,25 @@ impl Effort {
     };
 }
 
-/// Shortens a network until nothing is found, or the effort is spent.
-pub fn simplify(network: &mut Network<'_>, effort: Effort) {
+/// Shortens a network until nothing is found, or the effort is spent. No definition is taken by which
+/// an output's error exceeds what the judge allows.
+pub fn simplify<'g>(network: &mut Network<'g>, judge: &mut Judge<'g>, effort: Effort) {
     let mut left = effort.lookups;
     loop {
-        shorten(network, &mut left);
+        shorten(network, judge, &mut left);
         let before = network.cost();
-        pairs::resubstitute_pairs(network, effort.pairs, &mut left);
+        pairs::resubstitute_pairs(network, judge, effort.pairs, &mut left);
         if network.cost() == before {
             return;
         }
     }
 }
 
-fn shorten(network: &mut Network<'_>, left: &mut usize) {
+fn shorten<'g>(network: &mut Network<'g>, judge: &mut Judge<'g>, left: &mut usize) {
     loop {
         let before = network.cost();
-        resubstitute::resubstitute(network, left);
-        scale::rescale(network);
+        resubstitute::resubstitute(network, judge, left);
+        scale::rescale(network, judge);
         if network.cost() == before || *left == 0 {
             return;
         }
@@ -59,22 +62,74 @@ fn shorten(network: &mut Network<'_>, left: &mut usize) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::expr::{Expr, Graph, Level, Operation};
+    use crate::expr::{Edge, Expr, Graph, Level, Operation};
     use crate::program::Program;
     use crate::robot::Symbol;
+    use crate::rounding::{Bounded, POINTS, Rounded, Running, UNIT};
 
-    fn program(graph: &Graph, network: &Network<'_>, symbols: usize) -> Program {
-        let meanings: Vec<_> = (0..symbols).map(Symbol::Position).collect();
-        Program::new(graph, &meanings, network.outputs(), &|id| {
-            network.definition(id)
-        })
+    fn meanings(symbols: usize) -> Vec<Symbol> {
+        (0..symbols).map(Symbol::Position).collect()
+    }
+
+    /// Shortens the program of some outputs; no output may have an error above `allowed` where symbol
+    /// i is `value(i)`.
+    fn judged(graph: &Graph, outputs: &[Expr<'_>], values: &[f64], allowed: f64) -> Program {
+        let outputs: Vec<Edge> = outputs.iter().map(|e| e.edge()).collect();
+        let mut network = Network::new(graph, &outputs);
+        let meanings = meanings(values.len());
+        let running = Running::new(graph, &meanings, |_, symbol| match symbol {
+            Symbol::Position(i) => Bounded::rounded(values[*i]),
+            other => panic!("{other:?}"),
+        });
+        let allowed = vec![[allowed; POINTS]; outputs.len()];
+        let mut judge = Judge::new(&network, running, allowed);
+        simplify(&mut network, &mut judge, Effort::DEFAULT);
+        network.program(&meanings)
     }
 
     fn simplified(graph: &Graph, outputs: &[Expr<'_>], symbols: usize) -> Program {
-        let outputs: Vec<_> = outputs.iter().map(|e| e.edge()).collect();
-        let mut network = Network::new(graph, &outputs);
-        simplify(&mut network, Effort::DEFAULT);
-        program(graph, &network, symbols)
+        let values: Vec<f64> = (0..symbols).map(|i| 0.7 + 0.3 * i as f64).collect();
+        judged(graph, outputs, &values, f64::INFINITY)
+    }
+
+    /// s^2 z = z - c^2 z takes an operation less than two products, but where the sine is small it has
+    /// the error of z. c^2 z = z - s^2 z is as short.
+    #[test]
+    fn a_definition_that_costs_digits_is_not_taken() {
+        let values = [1e-3, (1.0_f64 - 1e-6).sqrt(), 1.0];
+        let error = |allowed: f64| {
+            let graph = Graph::new();
+            let (s, c) = graph.circle(Level::Variable);
+            let z = graph.symbol(Level::Variable);
+            let program = judged(&graph, &[s * s * z, c * c * z], &values, allowed);
+            assert_eq!(program.operations().total(), 3);
+            let at = |symbol: &Symbol| match symbol {
+                Symbol::Position(i) => Bounded::rounded(values[*i]),
+                other => panic!("{other:?}"),
+            };
+            Rounded::new(&program).outputs(&at)[0].error
+        };
+        assert!(error(f64::INFINITY) > UNIT);
+        assert!(error(1e-5 * UNIT) < 1e-5 * UNIT);
+    }
+
+    /// Coefficients that differ by more than the largest multiple are left as they are.
+    #[test]
+    fn no_multiple_is_enormous() {
+        let graph = Graph::new();
+        let [x, y, z] = [(); 3].map(|()| graph.symbol(Level::Variable));
+        let tiny = graph.rational(&crate::exact::Rational::from_parts(
+            1.into(),
+            (1_u64 << 40).into(),
+        ));
+        let three = graph.rational(&crate::exact::Rational::from(3));
+        let program = simplified(&graph, &[(tiny * x + three * tiny * y) * z + z], 3);
+        let largest = program
+            .rounded_constants()
+            .into_iter()
+            .filter(|x| !x.is_nan());
+        assert!(largest.fold(0.0, f64::max) <= 3.0);
+        assert_eq!(program.operations().multiplications, 3);
     }
 
     #[test]
@@ -112,13 +167,13 @@ mod tests {
         let [x, y, z] = [(); 3].map(|()| graph.symbol(Level::Variable));
         let output = (x * y + z) * x;
         let mut network = Network::new(&graph, &[output.edge()]);
-        let sound = program(&graph, &network, 3);
+        let sound = network.program(&meanings(3));
         let sum = (x * y + z).edge().node();
         let Operation::Add(a, b) = network.definition(sum) else {
             panic!("a sum")
         };
         network.redefine(sum, Operation::Add(a, -b));
-        let damaged = program(&graph, &network, 3);
+        let damaged = network.program(&meanings(3));
         assert_ne!(sound.instructions, damaged.instructions);
     }
 }

@@ -1,6 +1,8 @@
 //! The part of a graph that a program computes, with one definition for each node.
 
 use crate::expr::{Edge, Fingerprint, Graph, Level, NodeId, Operation};
+use crate::program::Program;
+use crate::robot::Symbol;
 use core::cell::Cell;
 
 /// The nodes that the outputs need, and the definition of each.
@@ -64,6 +66,13 @@ impl<'g> Network<'g> {
             network.activate(output.node());
         }
         network
+    }
+
+    /// The program of the network; `meanings` is what the graph's symbols stand for.
+    pub fn program(&self, meanings: &[Symbol]) -> Program {
+        Program::new(self.graph, meanings, &self.outputs, &|id| {
+            self.definition(id)
+        })
     }
 
     /// Whether a node is minus the product of two others.

@@ -1,8 +1,8 @@
 //! A node as two operations on three others that are there anyway:
 //! x + (y + z), x + y z, x (y + z), x y z, with any signs.
 
-use super::Network;
 use super::survey::{Survey, canonical};
+use super::{Judge, Network};
 use crate::expr::{Edge, Fingerprint, FingerprintMap, NodeId, Operation};
 
 /// The sums and products of all pairs of some nodes, by value.
@@ -45,9 +45,15 @@ impl Pairs {
 }
 
 /// Redefines every node that two operations on other active nodes can replace
-/// with fewer operations in all. The table grows with the square of the
-/// program's length: long programs are left as they are.
-pub(super) fn resubstitute_pairs(network: &mut Network<'_>, longest: usize, left: &mut usize) {
+/// with fewer operations in all, as far as the errors of the outputs allow it.
+/// The table grows with the square of the program's length: long programs are
+/// left as they are.
+pub(super) fn resubstitute_pairs<'g>(
+    network: &mut Network<'g>,
+    judge: &mut Judge<'g>,
+    longest: usize,
+    left: &mut usize,
+) {
     let mut survey = Survey::new(network);
     let nodes = survey.nodes();
     let work = 2 * nodes.len() * nodes.len();
@@ -59,7 +65,7 @@ pub(super) fn resubstitute_pairs(network: &mut Network<'_>, longest: usize, left
     for id in survey.order().to_vec() {
         if network.is_active(id) && network.cone(id) >= 3 && *left >= 3 * nodes.len() {
             *left -= 3 * nodes.len();
-            if replace(network, &survey, &pairs, id) {
+            if replace(network, judge, &survey, &pairs, id) {
                 survey = Survey::new(network);
             }
         }
@@ -74,7 +80,13 @@ struct Replacement {
 }
 
 /// Whether the node was redefined.
-fn replace(network: &mut Network<'_>, survey: &Survey, pairs: &Pairs, id: NodeId) -> bool {
+fn replace<'g>(
+    network: &mut Network<'g>,
+    judge: &mut Judge<'g>,
+    survey: &Survey,
+    pairs: &Pairs,
+    id: NodeId,
+) -> bool {
     let target = network.value(id);
     let dependents = survey.dependents(id);
     for x in survey.candidates(network, &dependents, usize::MAX) {
@@ -100,15 +112,12 @@ fn replace(network: &mut Network<'_>, survey: &Survey, pairs: &Pairs, id: NodeId
                 Some(sign) => Operation::Add(x.edge(sign), inner.edge(negative)),
                 None => Operation::Mul(x, inner),
             };
-            if try_replacement(
-                network,
-                id,
-                &Replacement {
-                    outer,
-                    inner,
-                    inner_operation,
-                },
-            ) {
+            let replacement = Replacement {
+                outer,
+                inner,
+                inner_operation,
+            };
+            if try_replacement(network, judge, survey, id, &replacement) {
                 return true;
             }
         }
@@ -116,14 +125,21 @@ fn replace(network: &mut Network<'_>, survey: &Survey, pairs: &Pairs, id: NodeId
     false
 }
 
-/// Redefines the node if that saves operations.
-fn try_replacement(network: &mut Network<'_>, id: NodeId, replacement: &Replacement) -> bool {
+/// Redefines the node if that saves operations and keeps the digits.
+fn try_replacement<'g>(
+    network: &mut Network<'g>,
+    judge: &mut Judge<'g>,
+    survey: &Survey,
+    id: NodeId,
+    replacement: &Replacement,
+) -> bool {
     let before = network.cost();
     let old = network.definition(id);
     let old_inner = network.definition(replacement.inner);
     network.define_inactive(replacement.inner, replacement.inner_operation);
     network.redefine(id, replacement.outer);
-    if network.cost() >= before {
+    let is_shorter = network.cost() < before;
+    if !is_shorter || !judge.accepts(network, survey, &[replacement.inner, id]) {
         network.redefine(id, old);
         network.define_inactive(replacement.inner, old_inner);
         return false;

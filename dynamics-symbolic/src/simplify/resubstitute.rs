@@ -1,12 +1,12 @@
 //! A node as one operation on two others that are there anyway.
 
-use super::Network;
 use super::survey::{Dependents, Survey, find};
+use super::{Judge, Network};
 use crate::expr::{NodeId, Operation};
 
 /// Redefines every node that one operation on other active nodes can replace
-/// with fewer operations in all.
-pub(super) fn resubstitute(network: &mut Network<'_>, left: &mut usize) {
+/// with fewer operations in all, as far as the errors of the outputs allow it.
+pub(super) fn resubstitute<'g>(network: &mut Network<'g>, judge: &mut Judge<'g>, left: &mut usize) {
     let mut survey = Survey::new(network);
     let window = (*left / (6 * survey.order().len().max(1))).max(NARROWEST);
     for id in survey.order().to_vec() {
@@ -20,20 +20,29 @@ pub(super) fn resubstitute(network: &mut Network<'_>, left: &mut usize) {
             return;
         }
         let old = network.definition(id);
-        let mut best = (network.cost(), old);
+        let cost = network.cost();
+        let mut shorter = Vec::new();
         for operation in single_operations(network, &survey, &dependents, id, &candidates) {
             network.redefine(id, operation);
-            if network.cost() < best.0 {
-                best = (network.cost(), operation);
+            if network.cost() < cost {
+                shorter.push((network.cost(), operation));
             }
             network.redefine(id, old);
         }
-        if best.1 != old {
-            network.redefine(id, best.1);
-            survey = Survey::new(network);
+        shorter.sort_by_key(|(cost, _)| *cost);
+        for (_, operation) in shorter.into_iter().take(MOST_JUDGED) {
+            network.redefine(id, operation);
+            if judge.accepts(network, &survey, &[id]) {
+                survey = Survey::new(network);
+                break;
+            }
+            network.redefine(id, old);
         }
     }
 }
+
+/// How many definitions of one node are judged by their errors, the shortest first.
+const MOST_JUDGED: usize = 4;
 
 /// In a long program, a node is compared with as many nodes before it, at least.
 const NARROWEST: usize = 40;

@@ -7,6 +7,8 @@ use core::cell::RefCell;
 /// A look at a network: valid until a definition changes. What is held, and what reads it, is left out
 /// of it.
 pub(super) struct Survey {
+    /// Every active node that takes an operation, operands before readers.
+    whole: Vec<NodeId>,
     order: Vec<NodeId>,
     leaves: Vec<NodeId>,
     /// Where a node is in the order, from 1; leaves are at 0.
@@ -18,6 +20,7 @@ impl Survey {
     pub(super) fn new(network: &Network<'_>) -> Self {
         let (mut order, leaves) = (network.order(), network.leaves());
         let fixed = network.fixed(&order);
+        let whole = order.clone();
         order.retain(|id| !fixed[id.index()]);
         let mut positions = vec![0; network.len()];
         for (position, id) in order.iter().enumerate() {
@@ -29,6 +32,7 @@ impl Survey {
             .map(|&id| (network.value(id).get(), id))
             .collect();
         Survey {
+            whole,
             order,
             leaves,
             positions,
@@ -39,6 +43,12 @@ impl Survey {
     /// Active nodes that take an operation and may be redefined, operands before readers.
     pub(super) fn order(&self) -> &[NodeId] {
         &self.order
+    }
+
+    /// The nodes that come after a node, among them all that depend on it; what is held too.
+    pub(super) fn readers_after(&self, id: NodeId) -> &[NodeId] {
+        let place = self.whole.iter().position(|&other| other == id);
+        place.map_or(&[], |place| &self.whole[place + 1..])
     }
 
     /// The nodes by value.

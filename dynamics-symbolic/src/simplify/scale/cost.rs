@@ -152,9 +152,11 @@ fn is_unit(value: Fingerprint) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Network, Scaling};
+    use super::super::{Judge, Network, Scaling};
     use crate::exact::Rational;
     use crate::expr::{Expr, Graph, Level};
+    use crate::robot::Symbol;
+    use crate::rounding::{Bounded, POINTS, Running};
 
     /// Sums that read one another once, squared, as a quotient and at outputs.
     fn outputs(graph: &Graph) -> Vec<Expr<'_>> {
@@ -178,7 +180,12 @@ mod tests {
         let graph = Graph::new();
         let edges: Vec<_> = outputs(&graph).iter().map(|e| e.edge()).collect();
         let network = Network::new(&graph, &edges);
-        let mut scaling = Scaling::new(&network, &network.order()).expect("inverses");
+        let meanings: Vec<_> = (0..4).map(Symbol::Position).collect();
+        let running = Running::new(&graph, &meanings, |_, _| Bounded::exact(0.5));
+        let allowed = vec![[f64::INFINITY; POINTS]; edges.len()];
+        let mut judge = Judge::new(&network, running, allowed);
+        let order = network.order();
+        let mut scaling = Scaling::new(&network, &order, &mut judge).expect("inverses");
         assert!(scaling.sums.len() >= 5);
         for sum in 0..scaling.sums.len() {
             let (tally, old) = (scaling.tally(sum), scaling.sums[sum].multiple.ratio);

@@ -50,8 +50,9 @@ impl<'g> Scaling<'_, 'g> {
     fn start(&mut self, longest: usize) {
         for sum in 0..self.sums.len() {
             let is_short = self.sums[sum].terms.len() <= longest;
-            self.sums[sum].multiple = if is_short {
-                self.exact(sum, self.candidates(sum)[0])
+            let first = self.candidates(sum)[0];
+            self.sums[sum].multiple = if is_short && self.ratio(sum, first).is_moderate() {
+                self.exact(sum, first)
             } else {
                 self.one
             };
@@ -100,7 +101,7 @@ impl<'g> Scaling<'_, 'g> {
         let mut best = (self.local_cost(&tally, old.ratio), None);
         for candidate in self.candidates(sum) {
             let ratio = self.ratio(sum, candidate);
-            if ratio.value == old.ratio.value {
+            if ratio.value == old.ratio.value || !ratio.is_moderate() {
                 continue;
             }
             let cost = self.local_cost(&tally, ratio);

@@ -13,7 +13,7 @@ mod multiple;
 mod rewrite;
 mod terms;
 
-use super::Network;
+use super::{Judge, Network};
 use crate::expr::{Graph, NodeId};
 use multiple::Multiple;
 use terms::{Factor, Sum};
@@ -24,6 +24,8 @@ struct Scaling<'n, 'g> {
     sums: Vec<Sum<'g>>,
     /// The sum that a node is, by the index of the node.
     sum_of: Vec<Option<usize>>,
+    /// About what the constants among the leaves are, by the index of the node.
+    constants: Vec<f64>,
     /// Outputs that are products of sums: the factors of their multiple.
     products: Vec<Vec<Factor>>,
     one: Multiple<'g>,
@@ -31,31 +33,39 @@ struct Scaling<'n, 'g> {
     settled: Vec<bool>,
 }
 
-/// Chooses the multiples, and rewrites the network where that saves operations.
-pub(super) fn rescale(network: &mut Network<'_>) {
+/// Chooses the multiples, and rewrites the network where that saves operations and keeps the errors
+/// of the outputs within what is allowed.
+pub(super) fn rescale<'g>(network: &mut Network<'g>, judge: &mut Judge<'g>) {
     let order = network.order();
     let graph: &Graph = network.graph();
-    let Some(mut scaling) = Scaling::new(network, &order) else {
+    let Some(mut scaling) = Scaling::new(network, &order, judge) else {
         return;
     };
     scaling.descend();
     let (definitions, held) = scaling.rewrite(&order);
     let rewritten = Network::with_definitions(graph, network.outputs(), definitions, &held);
-    if rewritten.cost() < network.cost() {
+    if rewritten.cost() < network.cost() && judge.accepts_all(&rewritten, network) {
         *network = rewritten;
     }
 }
 
 impl<'n, 'g> Scaling<'n, 'g> {
     /// The sums as they are. `None` where a constant has no inverse fingerprint.
-    fn new(network: &'n Network<'g>, order: &[NodeId]) -> Option<Self> {
+    fn new(network: &'n Network<'g>, order: &[NodeId], judge: &mut Judge<'g>) -> Option<Self> {
         let graph = network.graph();
+        let mut constants = vec![f64::NAN; graph.len()];
+        for id in network.leaves() {
+            if network.is_constant(id) {
+                constants[id.index()] = judge.constant(id);
+            }
+        }
         let mut scaling = Scaling {
             network,
             sums: Vec::new(),
             sum_of: vec![None; graph.len()],
+            constants,
             products: Vec::new(),
-            one: Multiple::new(graph.one())?,
+            one: Multiple::new(graph.one(), 1.0)?,
             settled: Vec::new(),
         };
         scaling.collect(order)?;

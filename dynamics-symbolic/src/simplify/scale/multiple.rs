@@ -2,23 +2,29 @@
 
 use crate::expr::{Expr, Fingerprint};
 
-/// The fingerprint of a constant, and that of its inverse.
+/// The fingerprint of a constant, that of its inverse, and about what it is in doubles.
 #[derive(Clone, Copy)]
 pub(super) struct Ratio {
     pub(super) value: Fingerprint,
     pub(super) inverse: Fingerprint,
+    pub(super) number: f64,
 }
+
+/// The largest multiple of a sum, and the inverse of the smallest.
+const LARGEST: f64 = (1_u64 << 30) as f64;
 
 impl Ratio {
     pub(super) const ONE: Ratio = Ratio {
         value: Fingerprint::ONE,
         inverse: Fingerprint::ONE,
+        number: 1.0,
     };
 
     pub(super) fn inverted(self) -> Self {
         Ratio {
             value: self.inverse,
             inverse: self.value,
+            number: 1.0 / self.number,
         }
     }
 
@@ -26,11 +32,19 @@ impl Ratio {
         Ratio {
             value: self.value * o.value,
             inverse: self.inverse * o.inverse,
+            number: self.number * o.number,
         }
     }
 
     pub(super) fn over(self, o: Self) -> Self {
         self.times(o.inverted())
+    }
+
+    /// Whether a sum may be computed as this multiple of itself. A multiple loses no digits by itself,
+    /// but those of multiples are multiplied, and overflow in the end.
+    pub(super) fn is_moderate(self) -> bool {
+        let size = self.number.abs();
+        (1.0 / LARGEST..=LARGEST).contains(&size)
     }
 }
 
@@ -43,13 +57,17 @@ pub(super) struct Multiple<'g> {
 }
 
 impl<'g> Multiple<'g> {
-    /// `None` where the constant has no inverse fingerprint.
-    pub(super) fn new(exact: Expr<'g>) -> Option<Self> {
+    /// A constant that is about `number`. `None` where it has no inverse fingerprint.
+    pub(super) fn new(exact: Expr<'g>, number: f64) -> Option<Self> {
         let value = exact.fingerprint();
         let inverse = value.inverse()?;
         Some(Multiple {
             exact,
-            ratio: Ratio { value, inverse },
+            ratio: Ratio {
+                value,
+                inverse,
+                number,
+            },
         })
     }
 
@@ -76,6 +94,7 @@ impl<'g> Multiple<'g> {
             ratio: Ratio {
                 value: -self.ratio.value,
                 inverse: -self.ratio.inverse,
+                number: -self.ratio.number,
             },
         }
     }

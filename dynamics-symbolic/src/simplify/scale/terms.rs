@@ -113,7 +113,8 @@ impl<'g> Scaling<'_, 'g> {
     }
 
     fn constant(&self, node: NodeId) -> Option<Multiple<'g>> {
-        Multiple::new(self.network.graph().expr(node.edge(false)))
+        let number = self.constants[node.index()];
+        Multiple::new(self.network.graph().expr(node.edge(false)), number)
     }
 
     /// The sums whose multiples are passed on by a node.
@@ -176,7 +177,8 @@ fn merge(terms: Vec<Term<'_>>) -> Option<Vec<Term<'_>>> {
         if sum.is_zero() {
             merged.remove(index);
         } else {
-            merged[index].coefficient = Multiple::new(sum)?;
+            let number = merged[index].coefficient.ratio.number + term.coefficient.ratio.number;
+            merged[index].coefficient = Multiple::new(sum, number)?;
         }
     }
     Some(merged)

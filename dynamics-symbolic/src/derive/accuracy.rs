@@ -1,0 +1,132 @@
+//! The plain recursion of a function: what the rounding of other programs is measured by.
+//!
+//! The plain recursion in the plain gauge, nothing simplified, adds what the equations of motion add.
+//! Its rounding is that of the quantities themselves, and every other way of writing them is judged
+//! beside it: while it is searched for, at some states, and once it is found, at others.
+
+use super::gauge::Gauge;
+use super::states::{State, states};
+use super::symbols::Symbols;
+use super::units::groups;
+use super::unsimplified;
+use crate::function::{Form, Function};
+use crate::program::Program;
+use crate::robot::Robot;
+use crate::rounding::{POINTS, Rounded, Running};
+use crate::simplify::{Judge, Network};
+
+/// How many times the plain recursion's error a definition may lead to, in the search.
+const ALLOWED: f64 = 8.0;
+
+/// How many times the plain recursion's error a program may have in the end. Its states are others,
+/// and its sums are added in another order than when it was searched for.
+const ACCEPTED: f64 = 16.0;
+
+/// The search sees errors at [`POINTS`] states, in pairs.
+const SEED: u64 = 0x0072_6f75_6e64;
+
+/// The finished program is measured at states of its own.
+const SEED_OF_MEASURE: u64 = 0x6d65_6173_7572;
+
+/// How many pairs those are.
+const PAIRS_OF_MEASURE: usize = 4;
+
+/// Errors by output, at one state each.
+type Errors = Vec<f64>;
+
+/// The plain recursion of a function.
+pub(super) struct Recursion {
+    program: Program,
+    /// For each output its group: see [`groups`].
+    groups: Vec<usize>,
+}
+
+impl Recursion {
+    /// The recursion beside which programs of one form of the function are measured. Bounds on the errors
+    /// of quotients of quotients say little: articulated bodies are measured by themselves.
+    pub(super) fn of(robot: &Robot, function: Function, form: Form) -> Self {
+        let form = match form {
+            Form::Articulated => Form::Articulated,
+            Form::Recursive | Form::Assembled => Form::Recursive,
+        };
+        let gauge = Gauge::plain(robot.rows.len());
+        let program = unsimplified(robot, function, form, &gauge);
+        let joints: Vec<_> = robot.joints().map(|row| row.joint_type).collect();
+        Recursion {
+            groups: groups(&joints, function, program.outputs.len()),
+            program,
+        }
+    }
+
+    /// The judge of another network of the function.
+    pub(super) fn judge<'g>(
+        &self,
+        robot: &Robot,
+        symbols: &Symbols<'g>,
+        network: &Network<'g>,
+    ) -> Judge<'g> {
+        let states = states(robot, SEED, POINTS / 2);
+        let plain = self.natural_errors(&states);
+        let of_output = |output: usize| core::array::from_fn(|k| ALLOWED * plain[k][output]);
+        let allowed = (0..self.groups.len()).map(of_output).collect();
+        let meanings = symbols.meanings();
+        let running = Running::new(symbols.graph(), meanings, |k, symbol| {
+            states[k / 2][k % 2].symbol(symbol)
+        });
+        Judge::new(network, running, allowed)
+    }
+
+    /// The plain recursion itself, marked as such.
+    pub(super) fn into_program(self) -> Program {
+        Program {
+            is_plain: true,
+            ..self.program
+        }
+    }
+
+    /// Whether the errors of a program at states of its own are those of the plain recursion but for a
+    /// small factor.
+    pub(super) fn accepts(&self, robot: &Robot, program: &Program) -> bool {
+        let states = states(robot, SEED_OF_MEASURE, PAIRS_OF_MEASURE);
+        let natural = self.natural_errors(&states);
+        let rounded = Rounded::new(program);
+        states
+            .iter()
+            .flatten()
+            .zip(natural)
+            .all(|(state, natural)| {
+                let errors = errors(&rounded, state);
+                let mut pairs = errors.iter().zip(&natural);
+                pairs.all(|(error, natural)| *error <= ACCEPTED * natural)
+            })
+    }
+
+    /// What errors the outputs of the plain recursion have at some states: the largest in the group of
+    /// the output, and of both states of a pair, so that none is small by chance.
+    fn natural_errors(&self, states: &[[State; 2]]) -> Vec<Errors> {
+        let rounded = Rounded::new(&self.program);
+        let of_pair = |pair: &[State; 2]| {
+            let [mut first, second] = pair.each_ref().map(|state| errors(&rounded, state));
+            for (error, other) in first.iter_mut().zip(second) {
+                *error = error.max(other);
+            }
+            let first = self.largest_of_groups(&first);
+            [first.clone(), first]
+        };
+        states.iter().flat_map(of_pair).collect()
+    }
+
+    fn largest_of_groups(&self, errors: &Errors) -> Errors {
+        let count = self.groups.iter().max().map_or(0, |group| group + 1);
+        let mut largest = vec![0.0_f64; count];
+        for (&group, &error) in self.groups.iter().zip(errors) {
+            largest[group] = largest[group].max(error);
+        }
+        self.groups.iter().map(|&group| largest[group]).collect()
+    }
+}
+
+fn errors(program: &Rounded<'_>, state: &State) -> Errors {
+    let outputs = program.outputs(&|symbol| state.symbol(symbol));
+    outputs.into_iter().map(|output| output.error).collect()
+}

@@ -1,0 +1,124 @@
+//! States of an arm, and values of its fields, at which rounding is counted.
+
+use crate::exact::{SplitMix64, sin_cos};
+use crate::robot::{JointType, Robot, Row, Symbol, Value};
+use crate::rounding::Bounded;
+use core::f64::consts::{FRAC_PI_2, PI};
+
+/// What the symbols of a robot are at one state.
+pub(super) struct State {
+    q: Vec<f64>,
+    qd: Vec<f64>,
+    qdd: Vec<f64>,
+    tau: Vec<f64>,
+    fields: Fields,
+}
+
+/// States of a robot: positions over the joints' ranges, the rest from -1 to 1.
+///
+/// Two states each have the same values of the fields. Those of every other pair are ordinary, those of
+/// the pairs between unlucky: magnitudes that differ by up to nine powers of ten, and angles that
+/// nearly vanish or are nearly right.
+pub(super) fn states(robot: &Robot, seed: u64, pairs: usize) -> Vec<[State; 2]> {
+    let mut random = SplitMix64::new(seed);
+    let pair = |number| {
+        let fields = Fields::new(robot, &mut random, number % 2 == 1);
+        [(); 2].map(|()| State::new(robot, &mut random, fields.clone()))
+    };
+    (0..pairs).map(pair).collect()
+}
+
+/// Values of the fields.
+#[derive(Clone)]
+struct Fields {
+    values: Vec<f64>,
+    /// Where it is not zero, angles of the table that depend on fields are so near to a right angle.
+    near: f64,
+}
+
+impl Fields {
+    fn new(robot: &Robot, random: &mut SplitMix64, unlucky: bool) -> Self {
+        let values = robot.fields.iter().map(|_| match unlucky {
+            true => graded(random, -4, 4),
+            false => 0.5 + 1.5 * unit(random),
+        });
+        let values = values.collect();
+        let near = match unlucky {
+            true => graded(random, -8, -2),
+            false => 0.0,
+        };
+        Fields { values, near }
+    }
+
+    /// Sine and cosine of an angle of the table. Sines and fields are symbols that know nothing of
+    /// one another: an angle may be moved next to a right one.
+    fn sin_cos(&self, angle: &Value) -> (f64, f64) {
+        let angle = angle.to_f64(&self.values);
+        if self.near == 0.0 {
+            return sin_cos(angle);
+        }
+        let quarters = (angle / FRAC_PI_2).round();
+        let rest = angle - quarters * FRAC_PI_2;
+        sin_cos(quarters.rem_euclid(4.0) * FRAC_PI_2 + self.near * (1.0 + rest))
+    }
+}
+
+impl State {
+    fn new(robot: &Robot, random: &mut SplitMix64, fields: Fields) -> Self {
+        let along = |row: &Row| {
+            let [lower, upper] = range(row, &fields.values);
+            lower + unit(random) * (upper - lower)
+        };
+        let q: Vec<f64> = robot.joints().map(along).collect();
+        let mut symmetric = || q.iter().map(|_| 2.0 * unit(random) - 1.0).collect();
+        State {
+            qd: symmetric(),
+            qdd: symmetric(),
+            tau: symmetric(),
+            fields,
+            q,
+        }
+    }
+
+    /// The value of a symbol: rounded where the program computes it.
+    pub(super) fn symbol(&self, symbol: &Symbol) -> Bounded {
+        match symbol {
+            Symbol::Pi => Bounded::rounded(PI),
+            Symbol::Field(i) => Bounded::exact(self.fields.values[*i]),
+            Symbol::AngleSine(angle) => Bounded::rounded(self.fields.sin_cos(angle).0),
+            Symbol::AngleCosine(angle) => Bounded::rounded(self.fields.sin_cos(angle).1),
+            Symbol::Sine(i) => Bounded::rounded(sin_cos(self.q[*i]).0),
+            Symbol::Cosine(i) => Bounded::rounded(sin_cos(self.q[*i]).1),
+            Symbol::Position(i) => Bounded::exact(self.q[*i]),
+            Symbol::Velocity(i) => Bounded::exact(self.qd[*i]),
+            Symbol::Acceleration(i) => Bounded::exact(self.qdd[*i]),
+            Symbol::Force(i) => Bounded::exact(self.tau[*i]),
+            Symbol::VelocitySign(i) => Bounded::exact(self.qd[*i].signum()),
+        }
+    }
+}
+
+/// Revolute joints without limits turn once around, prismatic ones slide by a metre.
+fn range(row: &Row, fields: &[f64]) -> [f64; 2] {
+    match (&row.limits, row.joint_type) {
+        (Some(limits), _) => limits.each_ref().map(|limit| limit.to_f64(fields)),
+        (None, JointType::Revolute) => [-PI, PI],
+        (None, JointType::Prismatic) => [-1.0, 1.0],
+    }
+}
+
+/// Uniform from 0 to 1.
+fn unit(random: &mut SplitMix64) -> f64 {
+    (random.next_u64() >> 11) as f64 / (1_u64 << 53) as f64
+}
+
+/// A number from 10^lowest to 10^highest, every power of ten as likely as another.
+fn graded(random: &mut SplitMix64, lowest: i32, highest: i32) -> f64 {
+    let count = (highest - lowest) as u64;
+    let exponent = lowest + (random.next_u64() % count) as i32;
+    let digits = 1.0 + 9.0 * unit(random);
+    (0..exponent.abs()).fold(digits, |x, _| match exponent < 0 {
+        true => x / 10.0,
+        false => x * 10.0,
+    })
+}

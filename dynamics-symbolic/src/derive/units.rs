@@ -1,0 +1,137 @@
+//! Which outputs of a function are measured together.
+//!
+//! An entry of a matrix may be the small one among entries that are multiplied by like quantities and
+//! added: an error that is small beside the largest of these does not matter. Entries of different
+//! rows belong to different joints, which may differ by many powers of ten, and are never compared.
+//! The three components of a vector in space are.
+
+use crate::function::{Function, Shape, Size, Sizes};
+use crate::robot::JointType;
+use std::collections::BTreeMap;
+
+/// For each of `outputs` outputs of a function the number of its group: those of one row of a matrix
+/// whose columns have the same unit, or the components of one vector.
+pub fn groups(joints: &[JointType], function: Function, outputs: usize) -> Vec<usize> {
+    let units = joints.iter().map(unit).collect();
+    let sizes = function.sizes(joints.len(), outputs);
+    let mut keys = Vec::with_capacity(outputs);
+    Labels { units, sizes }.of(function.shape(), &[0], &mut keys);
+    // Pivots and the diagonal of M may follow, each measured by itself.
+    keys.extend((keys.len()..outputs).map(|index| vec![1, index]));
+    let mut numbers = BTreeMap::new();
+    let number = |key| {
+        let next = numbers.len();
+        *numbers.entry(key).or_insert(next)
+    };
+    keys.into_iter().map(number).collect()
+}
+
+fn unit(joint: &JointType) -> usize {
+    match joint {
+        JointType::Revolute => 0,
+        JointType::Prismatic => 1,
+    }
+}
+
+struct Labels {
+    units: Vec<usize>,
+    sizes: Sizes,
+}
+
+impl Labels {
+    /// Adds a label for each value of a shape, equal for those of one group; all begin with `path`.
+    fn of(&self, shape: &Shape, path: &[usize], keys: &mut Vec<Vec<usize>>) {
+        let below = |index: usize| [path, &[index]].concat();
+        match shape {
+            Shape::Number => keys.push(path.to_vec()),
+            Shape::Series => keys.extend((0..self.sizes.joints).map(below)),
+            Shape::Each(one) => {
+                for joint in 0..self.sizes.joints {
+                    self.of(one, &below(joint), keys);
+                }
+            }
+            Shape::Tuple(parts) => {
+                for (index, part) in parts.iter().enumerate() {
+                    self.of(part, &below(index), keys);
+                }
+            }
+            Shape::Matrix(rows, columns) => {
+                let columns = self.along(*columns);
+                for row in self.along(*rows) {
+                    let labels = columns.iter().map(|column| match (row, *column) {
+                        // The rows of a joint's column in space are components of its vectors.
+                        (Along::Space(k), Along::Joint(j, _)) => [k, j],
+                        (row, Along::Joint(_, unit)) => [row.number(), unit],
+                        (row, column) => [row.number(), column.number()],
+                    });
+                    keys.extend(labels.map(|label| [path, &label].concat()));
+                }
+            }
+        }
+    }
+
+    fn along(&self, size: Size) -> Vec<Along> {
+        let numbered = (0..size.of(self.sizes)).map(Along::Other);
+        match size {
+            Size::One | Size::Parameters => numbered.collect(),
+            Size::Fixed(count) => (0..count).map(|k| Along::Space(k / 3)).collect(),
+            Size::Joints => {
+                let joints = self.units.iter().enumerate();
+                joints.map(|(j, &unit)| Along::Joint(j, unit)).collect()
+            }
+            Size::Pairs => {
+                let n = self.units.len();
+                let pairs = (0..n).flat_map(|j| (j + 1..n).map(move |k| (j, k)));
+                let pair = |(index, (j, k)): (usize, (usize, usize))| {
+                    Along::Joint(index, self.units[j] + self.units[k])
+                };
+                pairs.enumerate().map(pair).collect()
+            }
+        }
+    }
+}
+
+/// What a row or a column belongs to.
+#[derive(Clone, Copy)]
+enum Along {
+    /// A joint or a pair of joints, and the unit of what the entry is multiplied by.
+    Joint(usize, usize),
+    /// A direction in space, three of them to a vector: the number of the vector.
+    Space(usize),
+    Other(usize),
+}
+
+impl Along {
+    fn number(self) -> usize {
+        match self {
+            Along::Joint(number, _) | Along::Space(number) | Along::Other(number) => number,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn entries_of_one_row_and_unit_are_measured_together() {
+        use JointType::{Prismatic, Revolute};
+        let joints = [Revolute, Prismatic, Revolute];
+        let groups = |function, outputs| super::groups(&joints, function, outputs);
+        assert_eq!(groups(Function::MassMatrix, 9), [0, 1, 0, 2, 3, 2, 4, 5, 4]);
+        let pairs = [0, 1, 0, 2, 3, 2, 4, 5, 4];
+        assert_eq!(groups(Function::CoriolisCoefficients, 9), pairs);
+        assert_eq!(groups(Function::GravityVector, 3), [0, 1, 2]);
+        let pivots = groups(Function::ForwardDynamics, 9);
+        assert_eq!(pivots, [0, 1, 2, 3, 4, 5, 6, 7, 8]);
+    }
+
+    #[test]
+    fn components_of_a_vector_are_measured_together() {
+        let joints = [JointType::Revolute; 2];
+        let jacobian = groups(&joints, Function::Jacobian, 12);
+        assert_eq!(jacobian, [0, 1, 0, 1, 0, 1, 2, 3, 2, 3, 2, 3]);
+        let pose = groups(&joints, Function::ForwardKinematics, 16);
+        assert_eq!(pose[..8], [0, 0, 0, 1, 0, 0, 0, 1]);
+    }
+}

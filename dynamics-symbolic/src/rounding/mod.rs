@@ -1,0 +1,20 @@
+//! Counting rounding: a bound on the error of everything that a program computes.
+//!
+//! A running error analysis: at one point, every operation gives its value in doubles and, from the
+//! bounds of its operands, a bound on its own error. It costs one evaluation. No robotics in here:
+//! where the points come from, and what errors are allowed, is the caller's.
+//!
+//! [`Bounded`] has the rules. [`Running`] applies them to the nodes of a graph, whose definitions may
+//! change, [`Rounded`] to finished programs.
+
+mod bounded;
+mod constants;
+mod program;
+mod running;
+
+pub use bounded::{Bounded, UNIT};
+pub use program::Rounded;
+pub use running::{Point, Running};
+
+/// At how many points the nodes of a graph are evaluated together.
+pub const POINTS: usize = 4;
