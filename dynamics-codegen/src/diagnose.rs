@@ -1,12 +1,12 @@
 //! Errors of one macro call: collected, then reported all together.
 
 use std::cell::RefCell;
-use std::fmt::Display;
 
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote_spanned;
 
 use crate::limits::MOST_ERRORS;
+use crate::mistake::Mistake;
 
 /// The place of an error: from one token to another.
 #[derive(Clone, Copy, Debug)]
@@ -50,7 +50,7 @@ pub(crate) struct Reported(());
 /// that panics.
 #[derive(Debug, Default)]
 pub(crate) struct Diagnostics {
-    errors: RefCell<Vec<(Place, String)>>,
+    errors: RefCell<Vec<(Place, Mistake)>>,
 }
 
 impl Diagnostics {
@@ -60,15 +60,14 @@ impl Diagnostics {
     }
 
     /// Reports an error.
-    pub(crate) fn error(&self, at: impl Into<Place>, message: impl Display) -> Reported {
+    pub(crate) fn error(&self, at: impl Into<Place>, mistake: Mistake) -> Reported {
         let shown = self.errors.borrow().len();
         if shown < MOST_ERRORS {
-            let note = match shown + 1 == MOST_ERRORS {
-                true => " (more errors than are shown)",
-                false => "",
+            let mistake = match shown + 1 == MOST_ERRORS {
+                true => mistake.with_others(),
+                false => mistake,
             };
-            let error = (at.into(), format!("{message}{note}"));
-            self.errors.borrow_mut().push(error);
+            self.errors.borrow_mut().push((at.into(), mistake));
         }
         Reported(())
     }
@@ -94,7 +93,8 @@ impl Diagnostics {
         errors.sort_by_key(|(place, _)| position(place.first));
         errors
             .into_iter()
-            .map(|(place, message)| {
+            .map(|(place, mistake)| {
+                let message = mistake.to_string();
                 // The compiler underlines from the path's span to the braces' span.
                 let path = quote_spanned!(place.first=> ::core::compile_error!);
                 let body = quote_spanned!(place.last=> { #message });
@@ -106,7 +106,8 @@ impl Diagnostics {
     /// The messages alone, in the order of reporting.
     #[cfg(test)]
     pub(crate) fn into_messages(self) -> Vec<String> {
-        self.errors.take().into_iter().map(|(_, m)| m).collect()
+        let errors = self.errors.take().into_iter();
+        errors.map(|(_, mistake)| mistake.to_string()).collect()
     }
 }
 
@@ -129,15 +130,16 @@ impl Drop for Diagnostics {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::mistake;
 
     #[test]
     fn every_error_becomes_a_compile_error() {
         let diagnostics = Diagnostics::new();
-        diagnostics.error(Span::call_site(), "first");
-        diagnostics.error(Span::call_site(), "second \"quoted\"");
+        diagnostics.error(Span::call_site(), mistake::attribute());
+        diagnostics.error(Span::call_site(), mistake::given_twice("a \"quoted\" word"));
         let tokens = diagnostics.into_compile_errors().to_string();
         assert_eq!(tokens.matches("compile_error !").count(), 2);
-        assert!(tokens.contains(r#""second \"quoted\"""#));
+        assert!(tokens.contains(r#""`a \"quoted\" word` is given twice""#));
     }
 
     #[test]
@@ -148,6 +150,6 @@ mod tests {
     #[test]
     #[should_panic(expected = "dropped unread")]
     fn errors_cannot_be_lost() {
-        Diagnostics::new().error(Span::call_site(), "lost");
+        Diagnostics::new().error(Span::call_site(), mistake::attribute());
     }
 }

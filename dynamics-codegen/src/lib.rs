@@ -11,7 +11,8 @@
 //!    it writes the same items with empty methods, so that the code around the call
 //!    still passes the type check.
 //!
-//! `diagnose` collects the errors of a call, which are reported together; `words` finds
+//! `diagnose` collects the errors of a call, which are reported together; `mistake` has all their
+//! texts; `words` finds
 //! the word that was meant; `limits` says how much a call may ask for.
 #![forbid(unsafe_code)]
 
@@ -20,6 +21,7 @@ extern crate proc_macro;
 mod diagnose;
 mod expand;
 mod limits;
+mod mistake;
 mod parse;
 mod syntax;
 mod validate;
@@ -86,7 +88,7 @@ fn abbreviated(mut model: validate::Model, diagnostics: &Diagnostics) -> Option<
         match dynamics_symbolic::neglect::neglect(&model.robot, share.to_f64(&[])) {
             Ok(robot) => model.robot = robot,
             Err(refused) => {
-                diagnostics.error(*place, refused);
+                diagnostics.error(*place, mistake::neglected_too_much(&refused));
                 return None;
             }
         }
@@ -115,7 +117,8 @@ fn methods(
             .find(|(f, _)| *f == failure.function());
         let place = asked.and_then(|(_, place)| *place);
         let place = place.or(name.map(Into::into));
-        diagnostics.error(place.unwrap_or_else(|| Span::call_site().into()), failure);
+        let place = place.unwrap_or_else(|| Span::call_site().into());
+        diagnostics.error(place, mistake::not_proven(&failure));
     }
     None
 }

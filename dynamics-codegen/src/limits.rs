@@ -5,11 +5,6 @@
 //! `tests::hostile` holds each of them to it. What comes before this crate is not in its hand: rustc
 //! itself ends with an overflow of its stack where it reads delimiters 100,000 deep (10,000 are read).
 
-use proc_macro2::{Delimiter, TokenStream, TokenTree};
-
-use crate::diagnose::{Diagnostics, Reported};
-use crate::words::shortened;
-
 /// Tokens of a call. The table of 64 joints with every cell written takes 8,000.
 pub(crate) const MOST_TOKENS: usize = 100_000;
 
@@ -59,63 +54,3 @@ pub(crate) const MOST_LONG_FUNCTIONS: usize = 2 * MOST_JOINTS_OF_LONG_FUNCTIONS.
 
 /// Names that a message lists.
 pub(crate) const MOST_LISTED: usize = 20;
-
-/// Whether the tokens are few, flat and short enough to be read. Where they are not, one error says
-/// so, and the result is the number of tokens at the start of the call that can be read all the same.
-pub(crate) fn check(
-    tokens: &TokenStream,
-    diagnostics: &Diagnostics,
-) -> Result<(), (usize, Reported)> {
-    let mut count = 0;
-    let mut good = 0;
-    // Groups on the heap: the recursion that this prevents is not needed to prevent it.
-    let mut open = vec![tokens.clone().into_iter()];
-    while let Some(group) = open.last_mut() {
-        let Some(token) = group.next() else {
-            open.pop();
-            good += usize::from(open.len() == 1);
-            continue;
-        };
-        count += 1;
-        if let Some(message) = excess(&token, count, open.len()) {
-            return Err((good, diagnostics.error(token.span(), message)));
-        }
-        match token {
-            TokenTree::Group(group) => open.push(group.stream().into_iter()),
-            _ => good += usize::from(open.len() == 1),
-        }
-    }
-    Ok(())
-}
-
-/// What is too much with the `count`th token, that many groups deep.
-fn excess(token: &TokenTree, count: usize, depth: usize) -> Option<String> {
-    if count > MOST_TOKENS {
-        return Some(format!(
-            "more than {MOST_TOKENS} words, numbers and signs in one call"
-        ));
-    }
-    match token {
-        // A macro's fragments count too: they are read by recursion as well.
-        TokenTree::Group(group) if depth > DEEPEST_DELIMITERS => {
-            let what = match group.delimiter() {
-                Delimiter::Parenthesis => "parentheses",
-                Delimiter::Bracket => "brackets",
-                Delimiter::Brace => "braces",
-                Delimiter::None => "fragments",
-            };
-            Some(format!("{what} nested more than {DEEPEST_DELIMITERS} deep"))
-        }
-        TokenTree::Ident(ident) => {
-            let name = ident.to_string();
-            (name.len() > MOST_LETTERS).then(|| {
-                let start = shortened(&name);
-                format!(
-                    "a name has at most {MOST_LETTERS} letters: `{start}` has {}",
-                    name.chars().count()
-                )
-            })
-        }
-        _ => None,
-    }
-}

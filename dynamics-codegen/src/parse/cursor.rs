@@ -1,11 +1,11 @@
 //! A position in the tokens of one group.
 
-use std::fmt::Display;
-
 use proc_macro2::{Delimiter, Ident, Punct, Spacing, Span, TokenStream, TokenTree};
 use syn::buffer::{self, TokenBuffer};
 
 use crate::diagnose::{Diagnostics, Place, Reported};
+use crate::mistake::expected::Expected;
+use crate::mistake::{self, Mistake};
 use crate::words::{LONGEST, shortened};
 
 /// A position in the tokens of one group.
@@ -68,20 +68,14 @@ impl<'t> Cursor<'t> {
     }
 
     /// Reports an error.
-    pub(crate) fn error(&self, at: impl Into<Place>, message: impl Display) -> Reported {
-        self.diagnostics.error(at, message)
+    pub(crate) fn error(&self, at: impl Into<Place>, mistake: Mistake) -> Reported {
+        self.diagnostics.error(at, mistake)
     }
 
     /// Reports that something else stands here, or that the tokens end.
-    pub(crate) fn expected(&self, what: impl Display) -> Reported {
-        let at = self.here();
-        match self.peek() {
-            Some(found) => {
-                let found = describe(&found);
-                self.error(at, format!("expected {what}, found {found}"))
-            }
-            None => self.error(at, format!("expected {what}")),
-        }
+    pub(crate) fn expected(&self, what: Expected) -> Reported {
+        let found = self.peek().map(|token| describe(&token));
+        self.error(self.here(), mistake::instead(&what, found.as_deref()))
     }
 
     /// The next token, or, at the end, the last one.
@@ -242,7 +236,7 @@ impl<'t> Cursor<'t> {
     pub(crate) fn take_list(
         &mut self,
         delimiter: Delimiter,
-        what: &str,
+        what: Expected,
     ) -> Result<Group<'t>, Reported> {
         if let Some(group) = self.take_group(delimiter) {
             return Ok(group);

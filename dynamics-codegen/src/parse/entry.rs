@@ -8,8 +8,10 @@ use super::cursor::Cursor;
 use super::expression::{expression, share};
 use super::list::{Key, colon, comma_separated, end_item, key, skip_docs};
 use super::row::joints;
+use super::unknown::unknown;
 use super::vector::vector;
 use crate::diagnose::{Place, Reported};
+use crate::mistake::{self, expected};
 use crate::syntax::{Entry, Joints, Locked};
 use crate::words;
 
@@ -34,7 +36,7 @@ pub(super) fn entries(cursor: &mut Cursor) -> Vec<Entry> {
             Some(_) => binding(cursor, &mut entries).map(|what| (';', what)),
             None if at_constant(cursor) => constant(cursor, &mut entries).map(|what| (';', what)),
             None if at_bare_binding(cursor) => {
-                cursor.expected("`let` in front of a name that is bound");
+                cursor.expected(expected::let_in_front());
                 binding(cursor, &mut entries).map(|what| (';', what))
             }
             None => keyed(cursor, &mut seen, &mut entries).map(|what| (',', what)),
@@ -76,21 +78,15 @@ fn constant(cursor: &mut Cursor, entries: &mut Vec<Entry>) -> Result<String, Rep
     cursor.take();
     cursor.take_word("mut");
     let Some(name) = cursor.take_ident() else {
-        return Err(cursor.expected("a name: `let name = value;`"));
+        return Err(cursor.expected(expected::name_of_constant()));
     };
     let place = start.to(&name);
     if cursor.at(':') {
         cursor.take_until(&['=', ';', ',']);
     }
     let has_value = cursor.take_char('=').is_some();
-    let shown = match has_value {
-        true => cursor.shown_until(&[';', ',']),
-        false => "...".to_owned(),
-    };
-    let reported = cursor.error(
-        place,
-        format_args!("a value is named by `let`: write `let {name} = {shown};`"),
-    );
+    let shown = has_value.then(|| cursor.shown_until(&[';', ',']));
+    let reported = cursor.error(place, mistake::value::constant(&name, shown.as_deref()));
     let value = has_value.then(|| expression(cursor).ok()).flatten();
     entries.push(Entry::Let(name, value));
     Err(reported)
@@ -99,15 +95,15 @@ fn constant(cursor: &mut Cursor, entries: &mut Vec<Entry>) -> Result<String, Rep
 /// Reads `name = value`, behind `let`.
 fn binding(cursor: &mut Cursor, entries: &mut Vec<Entry>) -> Result<String, Reported> {
     if let Some(word) = cursor.take_word("mut") {
-        cursor.error(&word, "no `mut` here: the value of a `let` does not change");
+        cursor.error(&word, mistake::value::let_mut());
     }
     let Some(name) = cursor.take_ident() else {
-        return Err(cursor.expected("a name after `let`: `let name = value;`"));
+        return Err(cursor.expected(expected::name_after_let()));
     };
     let what = format!("`let {name} = ...`");
     let value = match cursor.take_char('=') {
         Some(_) => expression(cursor),
-        None => Err(cursor.expected(format_args!("`=` after `let {name}`"))),
+        None => Err(cursor.expected(expected::equals_after_let(&name))),
     };
     match value {
         Ok(value) => {
@@ -129,7 +125,7 @@ fn keyed(
     seen: &mut Vec<&'static str>,
     entries: &mut Vec<Entry>,
 ) -> Result<String, Reported> {
-    let unknown = |word: &str| words::unknown("key", word, &KEYS);
+    let unknown = |word: &str| unknown("key", word, &KEYS);
     let key = key(cursor, "key", &KEYS, unknown)?;
     let twice = seen.contains(&key.name);
     if twice {
@@ -163,7 +159,7 @@ fn value(cursor: &mut Cursor, key: &Key) -> (Entry, Result<(), Reported>) {
 }
 
 fn table(cursor: &mut Cursor) -> Result<Joints, Reported> {
-    let group = cursor.take_list(Delimiter::Bracket, "`[name: revolute { ... }, ...]`")?;
+    let group = cursor.take_list(Delimiter::Bracket, expected::rows())?;
     Ok(joints(cursor.inside(&group)))
 }
 
@@ -192,30 +188,28 @@ fn truth(cursor: &mut Cursor) -> Result<bool, Reported> {
 /// Takes one of the words.
 fn choice(cursor: &mut Cursor, what: &str, known: &[&'static str]) -> Result<Ident, Reported> {
     let Some(ident) = cursor.take_ident() else {
-        return Err(cursor.expected(words::either(known)));
+        return Err(cursor.expected(expected::one_of(known)));
     };
     if known.iter().any(|word| ident == word) {
         return Ok(ident);
     }
-    let wrong = words::unknown(what, &ident.to_string(), known);
-    Err(cursor.error(&ident, wrong.message))
+    let wrong = unknown(what, &ident.to_string(), known);
+    Err(cursor.error(&ident, wrong.mistake))
 }
 
 /// Reads `[elbow = 0.3, ...]`. A position that cannot be read leaves the joint locked all the same.
 fn lock(cursor: &mut Cursor) -> Result<Vec<Locked>, Reported> {
-    const LOCK: &str = "`[joint = position, ...]`";
-    let group = cursor.take_list(Delimiter::Bracket, LOCK)?;
+    let group = cursor.take_list(Delimiter::Bracket, expected::locks())?;
     let mut inside = cursor.inside(&group);
     if inside.at_end() {
-        let message = "no joint is locked: name one, `[joint = position]`, or leave `lock` out";
-        return Err(cursor.error(group.span(), message));
+        return Err(cursor.error(group.span(), mistake::entry::no_lock()));
     }
     let mut locked = Vec::new();
     let mut unnamed = None;
     let at_name = |cursor: &Cursor| cursor.peek_ident().is_some();
     let _ = comma_separated(&mut inside, at_name, |cursor| {
         let Some(name) = cursor.take_ident() else {
-            let reported = cursor.expected("the name of a joint: `joint = position`");
+            let reported = cursor.expected(expected::locked_joint());
             unnamed = Some(reported);
             return Err(reported);
         };
@@ -223,11 +217,10 @@ fn lock(cursor: &mut Cursor) -> Result<Vec<Locked>, Reported> {
         let start = cursor.here();
         let position = match cursor.take_char('=').is_some() {
             true => expression(cursor),
-            false if cursor.take_char(':').is_some() => Err(cursor.error(
-                start,
-                format_args!("a joint is locked by `=`: write `{name} = position`"),
-            )),
-            false => Err(cursor.expected(format_args!("`=` and a position after `{name}`"))),
+            false if cursor.take_char(':').is_some() => {
+                Err(cursor.error(start, mistake::entry::lock_by_colon(&name)))
+            }
+            false => Err(cursor.expected(expected::position_after(&name))),
         };
         let end = position.as_ref().err().copied();
         locked.push(Locked {
@@ -241,19 +234,17 @@ fn lock(cursor: &mut Cursor) -> Result<Vec<Locked>, Reported> {
 
 /// Reads `[mass_matrix, ...]`. A wrong name leaves the choice unknown.
 fn functions(cursor: &mut Cursor) -> Result<Vec<(Function, Place)>, Reported> {
-    let group = cursor.take_list(Delimiter::Bracket, "`[function, ...]`")?;
+    let group = cursor.take_list(Delimiter::Bracket, expected::functions())?;
     let mut inside = cursor.inside(&group);
     if inside.at_end() {
-        let message =
-            "no function is asked for: name one, or leave `functions` out for the default set";
-        return Err(cursor.error(group.span(), message));
+        return Err(cursor.error(group.span(), mistake::entry::no_function()));
     }
     let mut functions = Vec::new();
     let mut wrong = None;
     let at_name = |cursor: &Cursor| cursor.peek_ident().is_some();
     let end = comma_separated(&mut inside, at_name, |cursor| {
         let Some(name) = cursor.take_ident() else {
-            return Err(cursor.expected("the name of a function"));
+            return Err(cursor.expected(expected::function()));
         };
         if let Err(reported) = function(cursor, &name, &mut functions) {
             wrong = Some(reported);
@@ -271,11 +262,11 @@ fn function(
 ) -> Result<(), Reported> {
     let word = name.to_string();
     let Some(function) = Function::from_name(&word) else {
-        let wrong = words::unknown("function", &word, &Function::ALL.map(Function::name));
-        return Err(cursor.error(name, wrong.message));
+        let wrong = unknown("function", &word, &Function::ALL.map(Function::name));
+        return Err(cursor.error(name, wrong.mistake));
     };
     if functions.iter().any(|(other, _)| *other == function) {
-        return Err(cursor.error(name, format_args!("`{word}` is asked for twice")));
+        return Err(cursor.error(name, mistake::entry::function_twice(&word)));
     }
     functions.push((function, name.into()));
     Ok(())

@@ -6,8 +6,8 @@ use super::cursor::{Cursor, Group};
 use super::number::number;
 use crate::diagnose::{Place, Reported};
 use crate::limits::{DEEPEST_VALUE, MOST_TERMS};
+use crate::mistake::{expected, number as literal, size, value as mistake};
 use crate::syntax::{Expr, ExprKind, Operator, Share};
-use crate::words::shortened;
 
 /// Reads a value.
 pub(super) fn expression(cursor: &mut Cursor) -> Result<Expr, Reported> {
@@ -93,22 +93,18 @@ fn power(cursor: &mut Cursor, left: &Expr) -> Reported {
         ExprKind::Name(name) => name,
         _ => "x",
     };
-    let message =
-        format!("`**` does not belong in a value: a power is a product, `{base} * {base}`");
-    cursor.error(start.to(cursor.last()), message)
+    cursor.error(start.to(cursor.last()), mistake::power(base))
 }
 
 /// Reads an operand with its signs.
 fn operand(cursor: &mut Cursor, limits: &mut Limits) -> Result<Expr, Reported> {
     limits.terms += 1;
     if limits.terms > MOST_TERMS {
-        let message = format!("a value has at most {MOST_TERMS} terms: name parts of it by `let`");
-        return Err(error_here(cursor, &message));
+        return Err(cursor.error(cursor.here(), size::terms_written()));
     }
     limits.depth += 1;
     if limits.depth > DEEPEST_VALUE {
-        let message = format!("nested more than {DEEPEST_VALUE} deep: name parts of it by `let`");
-        return Err(error_here(cursor, &message));
+        return Err(cursor.error(cursor.here(), size::nested_value()));
     }
     let expr = match cursor.take_fragment() {
         Some(group) => within(cursor, &group, limits),
@@ -138,7 +134,7 @@ fn plain_operand(cursor: &mut Cursor, limits: &mut Limits) -> Result<Expr, Repor
             cursor.take();
             name(cursor, ident, limits)
         }
-        _ => Err(cursor.expected("a value")),
+        _ => Err(cursor.expected(expected::value())),
     }
 }
 
@@ -148,10 +144,9 @@ fn number_literal(cursor: &mut Cursor, literal: &Literal) -> Result<Expr, Report
     // A literal that another macro made may carry its sign.
     let digits = text.strip_prefix('-').unwrap_or(&text);
     if !digits.starts_with(|c: char| c.is_ascii_digit()) {
-        let found = shortened(&text);
-        return Err(cursor.error(place, format_args!("expected a number, found `{found}`")));
+        return Err(cursor.error(place, literal::other_literal(&text)));
     }
-    let value = number(digits).map_err(|message| cursor.error(place, message))?;
+    let value = number(digits).map_err(|mistake| cursor.error(place, mistake))?;
     let value = if digits == text { value } else { -value };
     Ok(Expr {
         kind: ExprKind::Number(value),
@@ -164,11 +159,10 @@ fn name(cursor: &mut Cursor, ident: Ident, limits: &mut Limits) -> Result<Expr, 
     let word = ident.to_string();
     let place = Place::from(&ident);
     if let Some(construct) = construct(&word) {
-        return Err(cursor.error(place, foreign(construct)));
+        return Err(cursor.error(place, mistake::foreign(construct)));
     }
     if word == "self" {
-        let message = "a field is written by its name alone, without `self`";
-        return Err(cursor.error(place, message));
+        return Err(cursor.error(place, mistake::with_self()));
     }
     if cursor.at_path_separator() {
         return Err(path(cursor, place));
@@ -180,8 +174,7 @@ fn name(cursor: &mut Cursor, ident: Ident, limits: &mut Limits) -> Result<Expr, 
         .flatten()
     {
         if word != "deg" {
-            let message = format!("`{word}(...)` is not known: the only function is `deg(x)`");
-            return Err(cursor.error(place, message));
+            return Err(cursor.error(place, mistake::other_function(&word)));
         }
         let angle = within(cursor, &arguments, limits)?;
         return Ok(Expr {
@@ -190,7 +183,7 @@ fn name(cursor: &mut Cursor, ident: Ident, limits: &mut Limits) -> Result<Expr, 
         });
     }
     if word == "deg" {
-        return Err(cursor.error(place, "`deg` takes an angle in degrees: `deg(90)`"));
+        return Err(cursor.error(place, mistake::degrees_of_nothing()));
     }
     Ok(Expr {
         kind: ExprKind::Name(word),
@@ -217,11 +210,11 @@ fn path(cursor: &mut Cursor, start: Place) -> Reported {
         cursor.take();
         last = cursor.take_ident().or(last);
     }
-    let message = match last {
-        Some(last) if last == "PI" => "write `PI` alone, without a path".to_owned(),
-        _ => foreign("a path"),
+    let mistake = match last {
+        Some(last) if last == "PI" => mistake::path_to_pi(),
+        _ => mistake::foreign("a path"),
     };
-    cursor.error(start.to(cursor.last()), message)
+    cursor.error(start.to(cursor.last()), mistake)
 }
 
 /// The value between delimiters.
@@ -232,12 +225,12 @@ fn within<'t>(
 ) -> Result<Expr, Reported> {
     let mut inside = cursor.inside(group);
     if inside.at_end() {
-        return Err(cursor.error(group.span(), "expected a value between the parentheses"));
+        return Err(cursor.error(group.span(), mistake::empty_parentheses()));
     }
     let expr = sum(&mut inside, limits)?;
     no_other_operator(&mut inside)?;
     if !inside.at_end() {
-        return Err(inside.expected("one value and `)`"));
+        return Err(inside.expected(expected::end_of_parentheses()));
     }
     let place = match group.is_fragment() {
         // The tokens of the fragment say more than its place in the other macro.
@@ -274,18 +267,5 @@ fn no_other_operator(cursor: &mut Cursor) -> Result<(), Reported> {
         Some(TokenTree::Ident(ident)) if ident == "as" => "a cast",
         _ => return Ok(()),
     };
-    Err(error_here(cursor, &foreign(what)))
-}
-
-/// The message about what is no part of a value.
-fn foreign(what: &str) -> String {
-    format!(
-        "{what} does not belong in a value, which is made of numbers, `PI`, `deg(x)`, fields, \
-         `let` names, `+ - * /` and parentheses"
-    )
-}
-
-fn error_here(cursor: &mut Cursor, message: &str) -> Reported {
-    let here = cursor.here();
-    cursor.error(here, message)
+    Err(cursor.error(cursor.here(), mistake::foreign(what)))
 }

@@ -5,13 +5,17 @@ use proc_macro2::{Delimiter, Ident};
 use super::cursor::{Cursor, Group};
 use super::expression::expression;
 use super::list::{comma_separated, fill, key};
+use super::unknown::{Wrong, unknown};
 use super::vector::values;
 use crate::diagnose::{Place, Reported};
+use crate::mistake::{self, expected};
 use crate::syntax::{Expr, Given, Inertia, InertiaKind, Solid};
-use crate::words::{self, Wrong};
 
 /// The entries of a tensor, in the engine's order.
 pub(super) const ENTRIES: [&str; 6] = ["xx", "yy", "zz", "xy", "yz", "xz"];
+
+/// What a message calls them.
+const ENTRY: &str = "tensor entry";
 
 /// The solids and their arguments.
 const SOLIDS: [(&str, Solid, &[&str]); 4] = [
@@ -30,10 +34,7 @@ pub(super) fn inertia(cursor: &mut Cursor) -> Result<Inertia, Reported> {
         });
     }
     let Some(name) = cursor.take_ident() else {
-        return Err(cursor.expected(
-            "a tensor `{ xx: ..., yy: ..., zz: ... }` or a solid: \
-             `cuboid(x, y, z)`, `cylinder(radius, length)`, `rod(length)` or `sphere(radius)`",
-        ));
+        return Err(cursor.expected(expected::inertia()));
     };
     solid(cursor, &name)
 }
@@ -41,7 +42,7 @@ pub(super) fn inertia(cursor: &mut Cursor) -> Result<Inertia, Reported> {
 fn tensor<'t>(cursor: &Cursor<'t>, group: &Group<'t>) -> [Given<Expr>; 6] {
     let mut entries: [Given<Expr>; 6] = Default::default();
     let outcome = comma_separated(&mut cursor.inside(group), Cursor::at_key, |cursor| {
-        let key = key(cursor, "tensor entry", &ENTRIES, unknown_entry)?;
+        let key = key(cursor, ENTRY, &ENTRIES, unknown_entry)?;
         let what = format!("`{}`", key.ident);
         let index = ENTRIES.iter().position(|entry| *entry == key.name);
         fill(cursor, &mut entries[index.unwrap_or(0)], key, expression)?;
@@ -60,31 +61,29 @@ fn unknown_entry(word: &str) -> Wrong {
     let axes = lower.trim_start_matches('i').trim_start_matches('_');
     if let Some(entry) = ENTRIES.iter().find(|entry| **entry == axes) {
         return Wrong {
-            message: format!("unknown tensor entry `{word}`: did you mean `{entry}`?"),
+            mistake: mistake::unknown(ENTRY, word, Some(entry), &ENTRIES),
             meant: Some(entry),
         };
     }
     let mirrored = |entry: &&&str| entry.chars().rev().eq(axes.chars());
     match ENTRIES.iter().find(mirrored) {
         Some(entry) => Wrong {
-            message: format!(
-                "unknown tensor entry `{word}`: the tensor is symmetric, write `{entry}`"
-            ),
+            mistake: mistake::joint::mirrored_entry(word, entry),
             meant: Some(entry),
         },
-        None => words::unknown("tensor entry", word, &ENTRIES),
+        None => unknown(ENTRY, word, &ENTRIES),
     }
 }
 
 fn solid(cursor: &mut Cursor, name: &Ident) -> Result<Inertia, Reported> {
     let word = name.to_string();
     let Some((right, solid, arguments)) = SOLIDS.iter().find(|(solid, ..)| *solid == word) else {
-        let message = words::unknown("solid", &word, &SOLIDS.map(|(name, ..)| name)).message;
-        return Err(cursor.error(name, message));
+        let wrong = unknown("solid", &word, &SOLIDS.map(|(name, ..)| name));
+        return Err(cursor.error(name, wrong.mistake));
     };
     let shown = format!("{right}({})", arguments.join(", "));
     let Some(group) = cursor.take_group(Delimiter::Parenthesis) else {
-        return Err(cursor.expected(format_args!("`{shown}`")));
+        return Err(cursor.expected(expected::solid(&shown)));
     };
     let place = Place::from(name).to(group.span());
     let values = values(cursor, &group, arguments.len(), &shown)?;

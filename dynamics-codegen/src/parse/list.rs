@@ -3,9 +3,10 @@
 use proc_macro2::{Delimiter, Ident, TokenTree};
 
 use super::cursor::Cursor;
+use super::unknown::Wrong;
 use crate::diagnose::{Place, Reported};
+use crate::mistake::{self, expected};
 use crate::syntax::Given;
-use crate::words::{self, Wrong};
 
 /// Reads items between commas, a comma after the last one allowed. `item` returns
 /// how a message names what it read; `at_item` tells whether an item starts here. The
@@ -40,7 +41,7 @@ pub(super) fn end_item<'d>(
     if cursor.take_char(separator).is_some() || (separator == ',' && cursor.at_end()) {
         return;
     }
-    cursor.expected(format_args!("`{separator}` after {what}"));
+    cursor.expected(expected::separator(separator, what));
     if cursor.take_char(',').is_some() || cursor.take_char(';').is_some() {
         return;
     }
@@ -53,11 +54,11 @@ pub(super) fn end_item<'d>(
 pub(super) fn skip_docs(cursor: &mut Cursor) -> Result<(), Reported> {
     while let Some(hash) = cursor.take_char('#') {
         let Some(group) = cursor.take_group(Delimiter::Bracket) else {
-            return Err(cursor.error(hash, "expected a name, found `#`"));
+            return Err(cursor.error(hash, mistake::lonely_hash()));
         };
         if !cursor.inside(&group).at_word("doc") {
             let place = Place::from(hash).to(group.span());
-            cursor.error(place, "only doc comments are allowed here");
+            cursor.error(place, mistake::attribute());
         }
     }
     Ok(())
@@ -78,7 +79,7 @@ impl Key {
     pub(super) fn twice(&self, cursor: &Cursor) -> Reported {
         let ident = &self.ident;
         self.slip
-            .unwrap_or_else(|| cursor.error(ident, format_args!("`{ident}` is given twice")))
+            .unwrap_or_else(|| cursor.error(ident, mistake::given_twice(&ident.to_string())))
     }
 }
 
@@ -91,14 +92,14 @@ pub(super) fn key(
     wrong: impl Fn(&str) -> Wrong,
 ) -> Result<Key, Reported> {
     let Some(ident) = cursor.take_ident() else {
-        return Err(cursor.expected(format_args!("a {what}: {}", words::either(known))));
+        return Err(cursor.expected(expected::key(what, known)));
     };
     let word = ident.to_string();
     let (name, slip) = match known.iter().find(|right| **right == word) {
         Some(name) => (*name, None),
         None => {
             let wrong = wrong(&word);
-            let reported = cursor.error(&ident, wrong.message);
+            let reported = cursor.error(&ident, wrong.mistake);
             match wrong.meant {
                 Some(name) => (name, Some(reported)),
                 None => return Err(reported),
@@ -114,7 +115,7 @@ pub(super) fn colon(cursor: &mut Cursor, name: &str) -> Result<(), Reported> {
     if !cursor.at_path_separator() && cursor.take_char(':').is_some() {
         return Ok(());
     }
-    let reported = cursor.expected(format_args!("`:` after `{name}`"));
+    let reported = cursor.expected(expected::colon_after(&name));
     let instead = cursor.take_char('=').is_some();
     let at_next_item = !instead && cursor.at_key();
     match cursor.peek() {

@@ -10,7 +10,9 @@ mod inertia;
 mod list;
 mod number;
 mod row;
+mod size;
 mod structure;
+mod unknown;
 mod vector;
 
 use proc_macro2::{Delimiter, Span, TokenStream};
@@ -18,7 +20,6 @@ use quote::quote;
 use syn::buffer::TokenBuffer;
 
 use crate::diagnose::Diagnostics;
-use crate::limits;
 use crate::syntax::{Call, Entry};
 use cursor::Cursor;
 
@@ -27,7 +28,7 @@ use cursor::Cursor;
 /// In front of them `@[path]` may name the runtime crate, which the `macro_rules!`
 /// front of that crate writes as `@[$crate]`.
 pub(crate) fn call(input: TokenStream, diagnostics: &Diagnostics) -> Call {
-    if let Err((readable, _)) = limits::check(&input, diagnostics) {
+    if let Err((readable, _)) = size::check(&input, diagnostics) {
         return refused(input.into_iter().take(readable).collect());
     }
     let tokens = TokenBuffer::new2(input);

@@ -3,17 +3,17 @@
 use dynamics_symbolic::exact::Rational;
 
 use crate::limits::MOST_DIGITS;
-use crate::words::shortened;
+use crate::mistake::{Mistake, number as mistake};
 
 /// The exact value of a literal such as `1_000`, `9.81` or `200e-6`, all of which may
 /// carry the suffix `f64`. The error says what is wrong.
-pub(super) fn number(literal: &str) -> Result<Rational, String> {
+pub(super) fn number(literal: &str) -> Result<Rational, Mistake> {
     let text = literal.replace('_', "");
     if ["0x", "0o", "0b"]
         .iter()
         .any(|radix| text.starts_with(radix))
     {
-        return Err("expected a decimal number".to_owned());
+        return Err(mistake::not_decimal());
     }
     let (mantissa, exponent) = split(&text)?;
     let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
@@ -23,19 +23,19 @@ pub(super) fn number(literal: &str) -> Result<Rational, String> {
         return Ok(Rational::ZERO);
     }
     if digits.len() > MOST_DIGITS {
-        return Err(format!("more than {MOST_DIGITS} digits"));
+        return Err(mistake::too_many_digits());
     }
     let scale = exponent.saturating_sub(fraction.len() as i64);
     let value = decimal(digits, scale)?;
     match value.to_f64().value() {
-        infinite if infinite.is_infinite() => Err(overflow()),
-        0.0 => Err(underflow()),
+        infinite if infinite.is_infinite() => Err(mistake::too_large()),
+        0.0 => Err(mistake::too_small()),
         _ => Ok(value),
     }
 }
 
 /// The literal's mantissa and exponent.
-fn split(text: &str) -> Result<(&str, i64), String> {
+fn split(text: &str) -> Result<(&str, i64), Mistake> {
     let end = text
         .find(|c: char| !c.is_ascii_digit() && c != '.')
         .unwrap_or(text.len());
@@ -51,14 +51,9 @@ fn split(text: &str) -> Result<(&str, i64), String> {
     };
     match suffix {
         "" | "f64" => Ok((mantissa, exponent_value(exponent))),
-        "deg" => Err(format!("write `deg({mantissa})` for an angle in degrees")),
-        _ if suffix.starts_with(['f', 'i', 'u']) => {
-            Err(format!("every number is an `f64`: remove `{suffix}`"))
-        }
-        _ => Err(format!(
-            "a number has no unit, found `{}`: lengths are in m, masses in kg, angles in rad",
-            shortened(suffix)
-        )),
+        "deg" => Err(mistake::degrees(mantissa)),
+        _ if suffix.starts_with(['f', 'i', 'u']) => Err(mistake::other_type(suffix)),
+        _ => Err(mistake::unit(suffix)),
     }
 }
 
@@ -81,10 +76,10 @@ fn exponent_value(text: &str) -> i64 {
 
 /// `digits` times ten to the power of `scale`. What is out of the range of f64 is
 /// refused before the power is computed.
-fn decimal(digits: &str, scale: i64) -> Result<Rational, String> {
+fn decimal(digits: &str, scale: i64) -> Result<Rational, Mistake> {
     match scale.saturating_add(digits.len() as i64) {
-        310.. => return Err(overflow()),
-        ..=-324 => return Err(underflow()),
+        310.. => return Err(mistake::too_large()),
+        ..=-324 => return Err(mistake::too_small()),
         _ => {}
     }
     let zeros = "0".repeat(scale.unsigned_abs() as usize);
@@ -92,15 +87,7 @@ fn decimal(digits: &str, scale: i64) -> Result<Rational, String> {
         0.. => format!("{digits}{zeros}"),
         _ => format!("{digits}/1{zeros}"),
     };
-    text.parse().map_err(|_| "expected a number".to_owned())
-}
-
-fn overflow() -> String {
-    "this number is larger than the largest `f64`".to_owned()
-}
-
-fn underflow() -> String {
-    "this number is smaller than the smallest `f64`, but not zero".to_owned()
+    text.parse().map_err(|_| mistake::no_number())
 }
 
 #[cfg(test)]
@@ -152,41 +139,31 @@ mod tests {
 
     #[test]
     fn what_no_double_can_hold_is_refused_at_once() {
+        let refusal = |literal: &str| number(literal).unwrap_err().to_string();
         for literal in ["1e309", "1.8e308", "1e999999999", "1e99999999999999999999"] {
-            assert!(
-                number(literal).unwrap_err().contains("largest"),
-                "{literal}"
-            );
+            assert!(refusal(literal).contains("largest"), "{literal}");
         }
         for literal in ["1e-400", "1e-999999999", "1e-99999999999999999999"] {
-            assert!(
-                number(literal).unwrap_err().contains("smallest"),
-                "{literal}"
-            );
+            assert!(refusal(literal).contains("smallest"), "{literal}");
         }
-        assert!(number(&"1".repeat(101)).unwrap_err().contains("digits"));
+        assert!(refusal(&"1".repeat(101)).contains("digits"));
     }
 
     #[test]
     fn other_kinds_of_number_are_refused() {
+        let refusal = |literal: &str| number(literal).unwrap_err().to_string();
+        assert_eq!(refusal("1.5f32"), "every number is an `f64`: remove `f32`");
         assert_eq!(
-            number("1.5f32").unwrap_err(),
-            "every number is an `f64`: remove `f32`"
-        );
-        assert_eq!(
-            number("3usize").unwrap_err(),
+            refusal("3usize"),
             "every number is an `f64`: remove `usize`"
         );
+        assert_eq!(refusal("90deg"), "write `deg(90)` for an angle in degrees");
         assert_eq!(
-            number("90deg").unwrap_err(),
-            "write `deg(90)` for an angle in degrees"
-        );
-        assert_eq!(
-            number("431.8mm").unwrap_err(),
+            refusal("431.8mm"),
             "a number has no unit, found `mm`: lengths are in m, masses in kg, angles in rad"
         );
         for literal in ["0x10", "0b11", "0o7"] {
-            assert_eq!(number(literal).unwrap_err(), "expected a decimal number");
+            assert_eq!(refusal(literal), "expected a decimal number");
         }
     }
 }

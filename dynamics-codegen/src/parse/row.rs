@@ -9,10 +9,12 @@ use super::cursor::{Cursor, Group};
 use super::expression::expression;
 use super::inertia::{ENTRIES, inertia};
 use super::list::{Key, colon, comma_separated, fill, key};
+use super::unknown::{Wrong, unknown};
 use super::vector::{limits, vector};
 use crate::diagnose::{Place, Reported};
+use crate::mistake::expected::Expected;
+use crate::mistake::{self, expected};
 use crate::syntax::{Allow, Friction, Joints, Motor, Row};
-use crate::words::{self, Wrong};
 
 /// The cells of a row.
 const CELLS: [&str; 11] = [
@@ -22,9 +24,6 @@ const CELLS: [&str; 11] = [
 const MOTOR: [&str; 2] = ["inertia", "gear_ratio"];
 const FRICTION: [&str; 2] = ["viscous", "coulomb"];
 const JOINT_TYPES: [&str; 2] = ["revolute", "prismatic"];
-
-/// What a row looks like, for messages.
-const JOINT: &str = "a joint: `name: revolute { ... }` or `name: prismatic { ... }`";
 
 /// Reads the rows. One that holds an error is returned all the same: it counts, unless
 /// it cannot be told where it ends.
@@ -39,7 +38,7 @@ pub(super) fn joints(mut cursor: Cursor) -> Joints {
     };
     let _ = comma_separated(&mut cursor, at_row, |cursor| {
         if cursor.at(',') {
-            return Err(cursor.expected(JOINT));
+            return Err(cursor.expected(expected::joint()));
         }
         let mut row = Row::default();
         let end = row_into(cursor, &mut row);
@@ -57,17 +56,16 @@ pub(super) fn joints(mut cursor: Cursor) -> Joints {
 /// Reads `name: revolute { cells }`.
 fn row_into(cursor: &mut Cursor, row: &mut Row) -> Result<String, Reported> {
     let Some(name) = cursor.take_ident() else {
-        return Err(cursor.expected(JOINT));
+        return Err(cursor.expected(expected::joint()));
     };
     if let Some(group) = cursor.take_group(Delimiter::Parenthesis) {
         let place = Place::from(&name).to(group.span());
-        let message = "the cells of a joint stand in braces: `name: revolute { ... }`";
-        return Err(cursor.error(place, message));
+        return Err(cursor.error(place, mistake::joint::in_parentheses()));
     }
     let name = behind_extra_word(cursor, name);
     match name == "_" {
         true => {
-            cursor.error(&name, "a joint needs a name: `_` is none");
+            cursor.error(&name, mistake::joint::unnamed());
         }
         false => row.name = Some(name.clone()),
     }
@@ -80,8 +78,7 @@ fn row_into(cursor: &mut Cursor, row: &mut Row) -> Result<String, Reported> {
         None => {
             colon(cursor, &name.to_string())?;
             joint_type(cursor, &name, row);
-            let what = format!("the cells of {label}: `{{ ... }}`");
-            cursor.take_list(Delimiter::Brace, &what)?
+            cursor.take_list(Delimiter::Brace, expected::cells(&label))?
         }
     };
     self::cells(cursor.inside(&cells), row);
@@ -92,8 +89,7 @@ fn row_into(cursor: &mut Cursor, row: &mut Row) -> Result<String, Reported> {
 fn behind_extra_word(cursor: &mut Cursor, word: Ident) -> Ident {
     match cursor.at_key().then(|| cursor.take_ident()).flatten() {
         Some(name) => {
-            let message = format!("no word stands in front of a joint's name: write `{name}: ...`");
-            cursor.error(&word, message);
+            cursor.error(&word, mistake::joint::extra_word(&name));
             name
         }
         None => word,
@@ -103,21 +99,17 @@ fn behind_extra_word(cursor: &mut Cursor, word: Ident) -> Ident {
 /// Reports a row of which one word alone stands in front of the cells.
 fn report_incomplete(cursor: &Cursor, word: &Ident) {
     let is_type = JOINT_TYPES.iter().any(|joint_type| word == joint_type);
-    let message = match is_type {
-        true => format!("this joint has no name: write `name: {word} {{ ... }}`"),
-        false => format!(
-            "joint `{word}` has no type: \
-             write `{word}: revolute {{ ... }}` or `{word}: prismatic {{ ... }}`"
-        ),
+    let mistake = match is_type {
+        true => mistake::joint::without_name(word),
+        false => mistake::joint::without_type(word),
     };
-    cursor.error(word, message);
+    cursor.error(word, mistake);
 }
 
 /// Reads the joint's type. Without one, reading goes on at the cells.
 fn joint_type(cursor: &mut Cursor, name: &Ident, row: &mut Row) {
     let Some(ident) = cursor.take_ident() else {
-        let choice = words::either(&JOINT_TYPES);
-        cursor.expected(format_args!("the type of joint `{name}`: {choice}"));
+        cursor.expected(expected::joint_type(name, &JOINT_TYPES));
         return;
     };
     let word = ident.to_string();
@@ -125,8 +117,8 @@ fn joint_type(cursor: &mut Cursor, name: &Ident, row: &mut Row) {
         "revolute" => Some(JointType::Revolute),
         "prismatic" => Some(JointType::Prismatic),
         _ => {
-            let wrong = words::unknown("joint type", &word, &JOINT_TYPES);
-            cursor.error(&ident, wrong.message);
+            let wrong = unknown("joint type", &word, &JOINT_TYPES);
+            cursor.error(&ident, wrong.mistake);
             None
         }
     };
@@ -170,22 +162,22 @@ fn unknown_cell(word: &str) -> Wrong {
     ];
     match home.iter().find(|(_, words)| words.contains(&word)) {
         Some((cell, _)) => Wrong {
-            message: format!("unknown cell `{word}`: it belongs in `{cell}: {{ {word}: ... }}`"),
+            mistake: mistake::joint::cell_elsewhere(word, cell),
             meant: None,
         },
-        None => words::unknown("cell", word, &CELLS),
+        None => unknown("cell", word, &CELLS),
     }
 }
 
 fn motor(cursor: &mut Cursor) -> Result<Motor, Reported> {
-    let group = braces(cursor, "{ inertia: ..., gear_ratio: ... }")?;
+    let group = braces(cursor, expected::motor())?;
     let mut motor = Motor {
         place: group.span().into(),
         inertia: Default::default(),
         gear_ratio: Default::default(),
     };
     let outcome = comma_separated(&mut cursor.inside(&group), Cursor::at_key, |cursor| {
-        let unknown = |word: &str| words::unknown("motor entry", word, &MOTOR);
+        let unknown = |word: &str| unknown("motor entry", word, &MOTOR);
         let key = key(cursor, "motor entry", &MOTOR, unknown)?;
         let what = format!("`{}`", key.ident);
         let slot = match key.name {
@@ -202,11 +194,11 @@ fn motor(cursor: &mut Cursor) -> Result<Motor, Reported> {
 }
 
 fn friction(cursor: &mut Cursor) -> Result<Friction, Reported> {
-    let group = braces(cursor, "{ viscous: ..., coulomb: ... }")?;
+    let group = braces(cursor, expected::friction())?;
     let mut friction = Friction::default();
     // A coefficient that is left out is zero, whatever else could not be read.
     let _ = comma_separated(&mut cursor.inside(&group), Cursor::at_key, |cursor| {
-        let unknown = |word: &str| words::unknown("friction entry", word, &FRICTION);
+        let unknown = |word: &str| unknown("friction entry", word, &FRICTION);
         let key = key(cursor, "friction entry", &FRICTION, unknown)?;
         let what = format!("`{}`", key.ident);
         let slot = match key.name {
@@ -219,28 +211,28 @@ fn friction(cursor: &mut Cursor) -> Result<Friction, Reported> {
     Ok(friction)
 }
 
-fn braces<'t>(cursor: &mut Cursor<'t>, what: &str) -> Result<Group<'t>, Reported> {
+fn braces<'t>(cursor: &mut Cursor<'t>, what: Expected) -> Result<Group<'t>, Reported> {
     cursor
         .take_group(Delimiter::Brace)
-        .ok_or_else(|| cursor.expected(format_args!("`{what}`")))
+        .ok_or_else(|| cursor.expected(what))
 }
 
 /// Reads `[unphysical_inertia]`. A wrong word leaves it unknown what was to be allowed.
 fn allow(cursor: &mut Cursor) -> Result<Allow, Reported> {
     const KNOWN: [&str; 1] = ["unphysical_inertia"];
-    let group = cursor.take_list(Delimiter::Bracket, "`[unphysical_inertia]`")?;
+    let group = cursor.take_list(Delimiter::Bracket, expected::allowances())?;
     let mut allow = Allow::default();
     let mut wrong = None;
     let at_word = |cursor: &Cursor| cursor.peek_ident().is_some();
     let end = comma_separated(&mut cursor.inside(&group), at_word, |cursor| {
         let Some(word) = cursor.take_ident() else {
-            return Err(cursor.expected(words::either(&KNOWN)));
+            return Err(cursor.expected(expected::one_of(&KNOWN)));
         };
         if word == KNOWN[0] {
             allow.unphysical_inertia = true;
         } else {
-            let message = words::unknown("allowance", &word.to_string(), &KNOWN).message;
-            wrong = Some(cursor.error(&word, message));
+            let unknown = unknown("allowance", &word.to_string(), &KNOWN);
+            wrong = Some(cursor.error(&word, unknown.mistake));
         }
         Ok(format!("`{word}`"))
     });

@@ -5,6 +5,8 @@ use quote::quote;
 
 use super::cursor::Cursor;
 use crate::diagnose::{Place, Reported};
+use crate::mistake::expected::{self, Expected};
+use crate::mistake::structure as mistake;
 use crate::syntax::{Field, Shape, Structure};
 use crate::words;
 
@@ -50,7 +52,7 @@ fn attributes(cursor: &mut Cursor) -> Attributes {
         let hash = cursor.take();
         let content = cursor.peek();
         let Some(group) = cursor.take_group(Delimiter::Bracket) else {
-            cursor.expected("an attribute after `#`");
+            cursor.expected(expected::attribute());
             continue;
         };
         attributes.note(&mut cursor.inside(&group), &|meta| quote!(#hash [#meta]));
@@ -116,19 +118,18 @@ enum Item {
 /// Takes `struct Name`. Where another word stands in place of `struct`, or none, that is
 /// reported and the name is read all the same.
 fn item(cursor: &mut Cursor) -> Result<Item, Reported> {
-    const WHAT: &str = "`struct Name;` or `struct Name { field: f64 }`, then the robot's table";
     if cursor.take_word("struct").is_some() {
-        return name(cursor, "the struct's name").map(Item::Struct);
+        return name(cursor, expected::struct_name()).map(Item::Struct);
     }
     // The table starts here: the struct was forgotten.
     if cursor.at_key() || cursor.peek_ident().is_none() || cursor.at_word("let") {
-        return Err(cursor.expected(WHAT));
+        return Err(cursor.expected(expected::structure()));
     }
-    let reported = cursor.expected(WHAT);
+    let reported = cursor.expected(expected::structure());
     let word = cursor.take_ident().ok_or(reported)?;
     // The slip was in what stands in front of it, `pub` perhaps.
     if cursor.take_word("struct").is_some() {
-        return name(cursor, "the struct's name").map(Item::Struct);
+        return name(cursor, expected::struct_name()).map(Item::Struct);
     }
     let is_slip = words::nearest(&word.to_string(), &["struct"]).is_some();
     let item = match cursor.take_ident() {
@@ -143,24 +144,16 @@ fn item(cursor: &mut Cursor) -> Result<Item, Reported> {
 }
 
 /// Takes a name that stands in the generated code, where a keyword would be no name.
-fn name(cursor: &mut Cursor, what: &str) -> Result<Ident, Reported> {
+fn name(cursor: &mut Cursor, what: Expected) -> Result<Ident, Reported> {
     let Some(name) = cursor.take_ident() else {
         return Err(cursor.expected(what));
     };
     if !words::is_keyword(&name) {
         return Ok(name);
     }
-    let hint = match ["self", "Self", "super", "crate", "_"]
-        .iter()
-        .any(|word| name == word)
-    {
-        true => String::new(),
-        false => format!(": write `r#{name}`, or another name"),
-    };
-    Err(cursor.error(
-        &name,
-        format_args!("expected {what}, found the keyword `{name}`{hint}"),
-    ))
+    let never_raw = ["self", "Self", "super", "crate", "_"];
+    let can_be_raw = never_raw.iter().all(|word| name != word);
+    Err(cursor.error(&name, mistake::keyword(&what, &name, can_be_raw)))
 }
 
 /// Generic parameters and `where` clauses are refused and skipped. Returns whether
@@ -173,10 +166,7 @@ fn generics(cursor: &mut Cursor) -> bool {
     while !cursor.at_end() && !cursor.at(';') && !at_body(cursor) {
         cursor.take();
     }
-    cursor.error(
-        start.to(cursor.last()),
-        "the struct has no generic parameters: its fields are `f64`, its methods are generic",
-    );
+    cursor.error(start.to(cursor.last()), mistake::generic());
     true
 }
 
@@ -229,10 +219,7 @@ fn body(cursor: &mut Cursor, name: &Ident, generic: bool) -> Body {
         };
     }
     if let Some(group) = cursor.take_group(Delimiter::Parenthesis) {
-        cursor.error(
-            group.span(),
-            "fields need names, by which the table refers to them: `{ name: f64 }`",
-        );
+        cursor.error(group.span(), mistake::tuple());
         cursor.take_char(';');
         let (fields, _) = fields(cursor.inside(&group), tuple_field);
         return Body {
@@ -240,9 +227,7 @@ fn body(cursor: &mut Cursor, name: &Ident, generic: bool) -> Body {
             ..Body::unreadable(Shape::Tuple)
         };
     }
-    cursor.expected(format_args!(
-        "`;` or `{{ field: f64 }}` after `struct {name}`"
-    ));
+    cursor.expected(expected::struct_body(name));
     if cursor.at(',') {
         cursor.take();
     }
@@ -272,18 +257,15 @@ fn fields(
 fn named_field(cursor: &mut Cursor, generic: bool) -> Result<Field, Reported> {
     let attributes = field_attributes(cursor);
     let visibility = visibility(cursor);
-    let name = name(cursor, "a field: `name: f64`")?;
+    let name = name(cursor, expected::field())?;
     let written = match cursor.take_char(':') {
         None if cursor.at_end() || cursor.at(',') => {
-            cursor.error(
-                &name,
-                format_args!("the field `{name}` has no type: write `{name}: f64`"),
-            );
+            cursor.error(&name, mistake::field_without_type(&name));
             cursor.take_char(',');
             TokenStream::new()
         }
         None => {
-            cursor.expected(format_args!("`:` after `{name}`"));
+            cursor.expected(expected::colon_after(&name));
             field_type(cursor, &name, generic)
         }
         Some(_) => field_type(cursor, &name, generic),
@@ -316,10 +298,7 @@ fn tuple_field(cursor: &mut Cursor) -> Result<Field, Reported> {
 fn field_attributes(cursor: &mut Cursor) -> TokenStream {
     let attributes = attributes(cursor);
     if let Some(switch) = attributes.switch {
-        cursor.error(
-            switch,
-            "a field that the table refers to cannot be switched off by `cfg`",
-        );
+        cursor.error(switch, mistake::field_with_cfg());
         return TokenStream::new();
     }
     attributes.all
@@ -330,21 +309,15 @@ fn field_type(cursor: &mut Cursor, name: &Ident, generic: bool) -> TokenStream {
     let (written, place) = type_tokens(cursor);
     let is_f64 = written.to_string() == "f64";
     if written.is_empty() {
-        cursor.expected(format_args!("`f64`, the type of the field `{name}`"));
+        cursor.expected(expected::field_type(name));
     } else if !is_f64 && !generic {
-        let message = format!("the field `{name}` is an `f64`, as every field of a robot");
-        cursor.error(place, message);
+        cursor.error(place, mistake::field_of_other_type(name));
     } else if is_f64 && cursor.at('=') {
         let start = cursor.here();
         cursor.take_until(&[',']);
-        cursor.error(
-            start.to(cursor.last()),
-            format_args!(
-                "a field has no default: `{name}` gets its value where the struct is built"
-            ),
-        );
+        cursor.error(start.to(cursor.last()), mistake::field_with_default(name));
     } else if is_f64 && !cursor.at_end() && !cursor.at(',') {
-        cursor.expected(format_args!("`,` after the field `{name}`"));
+        cursor.expected(expected::comma_after_field(name));
         cursor.take_char(';');
     }
     cursor.take_char(',');

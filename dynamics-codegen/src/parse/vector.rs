@@ -6,13 +6,14 @@ use super::cursor::{Cursor, Group};
 use super::expression::{at_value, expression};
 use super::list::comma_separated;
 use crate::diagnose::Reported;
+use crate::mistake::{self, expected};
 use crate::syntax::{Expr, Limits, Vector};
 
 /// Reads `[x, y, z]`.
 pub(super) fn vector(cursor: &mut Cursor) -> Result<Vector, Reported> {
     let group = cursor
         .take_group(Delimiter::Bracket)
-        .ok_or_else(|| cursor.expected("`[x, y, z]`"))?;
+        .ok_or_else(|| cursor.expected(expected::vector()))?;
     let mut values = values(cursor, &group, 3, "[x, y, z]")?.into_iter();
     Ok(std::array::from_fn(|_| values.next().flatten()))
 }
@@ -21,7 +22,7 @@ pub(super) fn vector(cursor: &mut Cursor) -> Result<Vector, Reported> {
 pub(super) fn limits(cursor: &mut Cursor) -> Result<Limits, Reported> {
     let group = cursor
         .take_group(Delimiter::Bracket)
-        .ok_or_else(|| cursor.expected("`[lower, upper]`"))?;
+        .ok_or_else(|| cursor.expected(expected::limits()))?;
     let mut values = values(cursor, &group, 2, "[lower, upper]")?.into_iter();
     Ok(std::array::from_fn(|_| values.next().flatten()))
 }
@@ -45,15 +46,6 @@ pub(super) fn values<'t>(
         return Ok(values);
     }
     outcome?;
-    let message = format!("expected `{shown}`, found {}", count(values.len()));
-    Err(cursor.error(group.span(), message))
-}
-
-/// "1 value", "2 values", ...
-pub(super) fn count(values: usize) -> String {
-    match values {
-        0 => "no value".to_owned(),
-        1 => "1 value".to_owned(),
-        n => format!("{n} values"),
-    }
+    let mistake = mistake::value::other_count(shown, values.len());
+    Err(cursor.error(group.span(), mistake))
 }

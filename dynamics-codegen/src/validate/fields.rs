@@ -7,6 +7,7 @@ use proc_macro2::{TokenStream, TokenTree};
 use super::plain;
 use super::scope::Scope;
 use crate::diagnose::Diagnostics;
+use crate::mistake;
 use crate::syntax::Structure;
 
 /// Reports the fields that no value uses. Where there are errors, the value that uses
@@ -26,7 +27,7 @@ pub(super) fn report_unused(
         let word = plain(name);
         let used = scope.is_used(index) || named.contains(&word);
         if !used {
-            diagnostics.error(name, format_args!("no value uses the field `{word}`"));
+            diagnostics.error(name, mistake::structure::unused_field(&word));
         }
     }
 }

@@ -6,7 +6,7 @@ use dynamics_symbolic::robot::Value;
 use super::row::is_negative;
 use super::scope::Scope;
 use super::{all, solid};
-use crate::diagnose::Place;
+use crate::mistake::joint as mistake;
 use crate::syntax::{Expr, Given, InertiaKind, Row, Solid};
 
 /// The tensor about the centre of mass: entries xx, yy, zz, xy, yz, xz.
@@ -19,8 +19,7 @@ pub(super) fn inertia(row: &Row, mass: Option<&Value>, scope: &mut Scope) -> Opt
     match &inertia.kind {
         InertiaKind::Solid(solid, sizes) => {
             if row.mass.is_absent() {
-                let message = "a solid's inertia needs the row's `mass`";
-                scope.error(inertia.place, message);
+                scope.error(inertia.place, mistake::solid_without_mass());
             }
             self::solid(*solid, sizes, mass, scope)
         }
@@ -32,7 +31,7 @@ pub(super) fn inertia(row: &Row, mass: Option<&Value>, scope: &mut Scope) -> Opt
             match refusal(&known(entries, &values)) {
                 None => Some(values),
                 Some(reason) => {
-                    report(reason, inertia.place, scope);
+                    scope.error(inertia.place, mistake::no_body(reason));
                     None
                 }
             }
@@ -50,7 +49,7 @@ fn solid(
     for size in sizes.iter().flatten() {
         let value = scope.value(size);
         if value.as_ref().is_some_and(is_negative) {
-            scope.error(size.place, "a length cannot be negative");
+            scope.error(size.place, mistake::negative("a length"));
         }
         values.extend(value);
     }
@@ -64,14 +63,6 @@ fn allows_unphysical(row: &Row) -> bool {
         Given::Unreadable => true,
         Given::As(allow) => allow.unphysical_inertia,
     }
-}
-
-fn report(reason: &str, place: Place, scope: &Scope) {
-    let message = format!(
-        "no body has this inertia tensor: {reason} \
-         (published data can be like that: `allow: [unphysical_inertia]` on the row accepts it)"
-    );
-    scope.error(place, message);
 }
 
 /// The entries that are known numbers.

@@ -3,6 +3,7 @@
 use dynamics_symbolic::robot::{JointType, Value};
 
 use super::scope::Scope;
+use crate::mistake::joint as mistake;
 use crate::syntax::{self, Expr, Given};
 
 /// A revolute joint does not turn so far, in rad, unless its limit is written in terms of PI: five
@@ -26,8 +27,7 @@ pub(super) fn limits(row: &syntax::Row, scope: &mut Scope) -> Option<Option<[Val
         return None;
     };
     if lower.to_f64(&[]) >= upper.to_f64(&[]) {
-        let message = "the lower limit comes first, and is below the upper one: `[lower, upper]`";
-        scope.error(first.place.to(last.place), message);
+        scope.error(first.place.to(last.place), mistake::limits_swapped());
         return None;
     }
     Some(Some([lower, upper]))
@@ -37,18 +37,13 @@ pub(super) fn limits(row: &syntax::Row, scope: &mut Scope) -> Option<Option<[Val
 fn limit(limit: &Expr, row: &syntax::Row, scope: &mut Scope) -> Option<Value> {
     let value = scope.value(limit)?;
     if !value.is_number() {
-        let message = "a limit is a number: it does not depend on a field";
-        scope.error(limit.place, message);
+        scope.error(limit.place, mistake::limit_with_field());
         return None;
     }
     let is_angle = row.joint_type == Some(JointType::Revolute);
     let size = value.to_f64(&[]).abs();
     if is_angle && size > MANY_TURNS && value.as_rational().is_some() {
-        let message = format!(
-            "{size} rad are more than five turns: write `deg({size})` for degrees, or a multiple of \
-             `PI` for a joint that turns so far"
-        );
-        scope.error(limit.place, message);
+        scope.error(limit.place, mistake::limit_of_many_turns(size));
         return None;
     }
     Some(value)

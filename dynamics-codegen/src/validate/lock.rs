@@ -6,6 +6,7 @@ use proc_macro2::Ident;
 use super::plain;
 use super::scope::Scope;
 use crate::diagnose::{Diagnostics, Place};
+use crate::mistake::{Mistake, entry as mistake};
 use crate::syntax;
 use crate::words;
 
@@ -45,7 +46,7 @@ pub(super) fn lock(
             return;
         };
         if locked[index] {
-            diagnostics.error(&lock.name, format_args!("`{word}` is locked twice"));
+            diagnostics.error(&lock.name, mistake::locked_twice(&word));
         }
         locked[index] = true;
         if let (Some(row), Some((value, place))) = (&mut rows[index], &lock.position) {
@@ -58,18 +59,14 @@ pub(super) fn lock(
         .filter(|_| locked.iter().all(|locked| *locked))
     {
         let last = locks.last().unwrap_or(first);
-        let message = "all joints are locked: an arm has at least one that moves";
-        diagnostics.error(Place::from(&first.name).to(&last.name), message);
+        let place = Place::from(&first.name).to(&last.name);
+        diagnostics.error(place, mistake::all_locked());
     }
 }
 
-fn unknown(word: &str, names: &[String]) -> String {
+fn unknown(word: &str, names: &[String]) -> Mistake {
     let known: Vec<&str> = names.iter().map(String::as_str).collect();
-    let hint = match words::nearest(word, &known) {
-        Some(right) => format!("did you mean `{right}`?"),
-        None => format!("expected {}", words::either(&known)),
-    };
-    format!("unknown joint `{}`: {hint}", words::shortened(word))
+    mistake::unknown_joint(word, words::nearest(word, &known), &known)
 }
 
 fn report_out_of_limits(row: &Row, value: &Value, place: Place, diagnostics: &Diagnostics) {
@@ -78,10 +75,7 @@ fn report_out_of_limits(row: &Row, value: &Value, place: Place, diagnostics: &Di
     };
     let [lower, value, upper] = [lower, value, upper].map(|value| value.to_f64(&[]));
     if !(lower..=upper).contains(&value) {
-        let message = format!(
-            "{value} is outside of the limits of `{}`, {lower} to {upper}",
-            row.name
-        );
-        diagnostics.error(place, message);
+        let mistake = mistake::locked_out_of_limits(value, &row.name, [lower, upper]);
+        diagnostics.error(place, mistake);
     }
 }

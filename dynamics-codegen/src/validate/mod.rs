@@ -20,8 +20,8 @@ use proc_macro2::Ident;
 
 use crate::diagnose::{Diagnostics, Place};
 use crate::limits::{MOST_JOINTS, MOST_JOINTS_OF_LONG_FUNCTIONS, MOST_LONG_FUNCTIONS};
+use crate::mistake::{entry, joint, size};
 use crate::syntax::{self, Call, Entry, Joints, Structure};
-use crate::words;
 use lock::Lock;
 use scope::Scope;
 
@@ -122,23 +122,13 @@ impl Parts {
 
     fn report_missing(&self, name: &Ident, diagnostics: &Diagnostics) {
         if self.convention.is_none() {
-            diagnostics.error(
-                name,
-                "missing `convention`: write `convention: standard` or `convention: modified`",
-            );
+            diagnostics.error(name, entry::missing_convention());
         }
         if self.gravity.is_none() {
-            diagnostics.error(
-                name,
-                "missing `gravity`, the acceleration of gravity in the base frame: \
-                 write `gravity: [0, 0, -9.81]`, for example",
-            );
+            diagnostics.error(name, entry::missing_gravity());
         }
         if self.rows.is_none() {
-            diagnostics.error(
-                name,
-                "missing `joints`: write `joints: [name: revolute { ... }, ...]`",
-            );
+            diagnostics.error(name, entry::missing_joints());
         }
     }
 
@@ -153,12 +143,8 @@ impl Parts {
         let Some(other) = function.row().compared_with else {
             return;
         };
-        let message = format!(
-            "`tests: true` has nothing to compare: `{}` is tested together with `{}`, ask for both",
-            function.name(),
-            other.name()
-        );
-        diagnostics.error(tests, message);
+        let mistake = entry::tests_of_one_factor(function.name(), other.name());
+        diagnostics.error(tests, mistake);
     }
 
     /// Locks the joints that are to be locked.
@@ -209,13 +195,13 @@ fn rows_of(call: &Call) -> &[syntax::Row] {
 
 fn number_is_good(joints: &Joints, place: Place, scope: &Scope) -> bool {
     if joints.rows.is_empty() && joints.complete {
-        scope.error(place, "no joints: a robot has at least one");
+        scope.error(place, joint::none());
     }
     let Some(row) = joints.rows.get(MOST_JOINTS) else {
         return true;
     };
     let place = row.name.as_ref().map_or(place, Place::from);
-    scope.error(place, format_args!("more than {MOST_JOINTS} joints"));
+    scope.error(place, size::joints());
     false
 }
 
@@ -226,11 +212,7 @@ fn report_long_functions(functions: &[(Function, Place)], joints: usize, scope: 
     let long = functions.iter().filter(|(function, _)| is_long(*function));
     if joints > MOST_JOINTS_OF_LONG_FUNCTIONS {
         for (function, place) in long {
-            let name = function.name();
-            let message = format!(
-                "`{name}` of more than {MOST_JOINTS_OF_LONG_FUNCTIONS} joints would be too long"
-            );
-            scope.error(*place, message);
+            scope.error(*place, size::long_function(function.name()));
         }
         return;
     }
@@ -240,13 +222,8 @@ fn report_long_functions(functions: &[(Function, Place)], joints: usize, scope: 
             .map(|(function, _)| function.name())
             .take(most)
             .collect();
-        let message = format!(
-            "`{}` besides {} would be too long for one call with {joints} joints: \
-             ask for it in a call of its own, for a second struct with this table",
-            function.name(),
-            words::all(&names)
-        );
-        scope.error(*place, message);
+        let mistake = size::long_functions(function.name(), &names, joints);
+        scope.error(*place, mistake);
     }
 }
 

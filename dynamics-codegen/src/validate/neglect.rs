@@ -6,6 +6,7 @@ use dynamics_symbolic::robot::{JointType, Value};
 use super::scope::Scope;
 use super::{Parts, rows_of};
 use crate::diagnose::{Diagnostics, Place};
+use crate::mistake::entry as mistake;
 use crate::syntax::{Call, Share};
 
 /// The share, between 0 and 1.
@@ -13,8 +14,7 @@ pub(super) fn share(share: Option<&Share>, scope: &mut Scope) -> Option<(Value, 
     let share = share?;
     let mut value = scope.value(&share.number)?;
     if !value.is_number() {
-        let message = "a share is a number: it does not depend on a field";
-        scope.error(share.place, message);
+        scope.error(share.place, mistake::share_with_field());
         return None;
     }
     if share.percent {
@@ -22,15 +22,12 @@ pub(super) fn share(share: Option<&Share>, scope: &mut Scope) -> Option<(Value, 
     }
     let size = value.to_f64(&[]);
     if size <= 0.0 {
-        scope.error(share.place, "a share is above 0, `1%` for example");
+        scope.error(share.place, mistake::share_of_nothing());
         return None;
     }
     if size >= 1.0 {
-        let message = match share.percent {
-            true => "a share is below 100%".to_owned(),
-            false => format!("a share is below 1: `{size}%` is {size} parts of a hundred"),
-        };
-        scope.error(share.place, message);
+        let mistake = mistake::share_of_more_than_all(size, share.percent);
+        scope.error(share.place, mistake);
         return None;
     }
     Some((value, share.place))
@@ -42,26 +39,17 @@ pub(super) fn report(parts: &Parts, call: &Call, diagnostics: &Diagnostics) {
         return;
     };
     if let Some(tests) = &parts.tests {
-        let message = "`tests: true` compares with the whole table, of which `neglect` leaves a part out: \
-                       leave one of the two away";
-        diagnostics.error(*tests, message);
+        diagnostics.error(*tests, mistake::neglect_and_tests());
     }
     for (function, place) in parts.functions.iter().flatten() {
         if function.is_about_base_parameters() {
-            let message = format!(
-                "`{}` is about all base parameters, some of which `neglect` leaves out: leave one of the \
-                 two away",
-                function.name()
-            );
-            diagnostics.error(*place, message);
+            let mistake = mistake::neglect_and_identification(function.name());
+            diagnostics.error(*place, mistake);
         }
     }
     let fields = call.structure.iter().flat_map(|s| &s.fields);
     if let Some(name) = fields.filter_map(|field| field.name.as_ref()).next() {
-        let message = format!(
-            "what may be neglected depends on numbers: the value of the field `{name}` is not known here"
-        );
-        diagnostics.error(*place, message);
+        diagnostics.error(*place, mistake::neglect_and_field(name));
     }
     let rows = parts.rows.iter().flatten().zip(rows_of(call));
     for (row, written) in rows {
@@ -70,10 +58,7 @@ pub(super) fn report(parts: &Parts, call: &Call, diagnostics: &Diagnostics) {
         };
         let needs_limits = row.joint_type == JointType::Prismatic && row.locked.is_none();
         if needs_limits && row.limits.is_none() {
-            let message = format!(
-                "`neglect` needs to know how far `{name}` slides: write `limits: [lower, upper]`, in m"
-            );
-            diagnostics.error(name, message);
+            diagnostics.error(name, mistake::neglect_without_limits(name));
         }
     }
 }

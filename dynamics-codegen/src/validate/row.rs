@@ -7,6 +7,7 @@ use dynamics_symbolic::robot::{JointType, Row, Value};
 
 use super::scope::Scope;
 use super::{all, inertia, limits, plain};
+use crate::mistake::joint as mistake;
 use crate::syntax::{self, Expr, ExprKind, Friction, Given, Motor};
 
 /// The meaning of each row; `None` where it is in error.
@@ -20,7 +21,7 @@ fn report_duplicates(rows: &[syntax::Row], scope: &Scope) {
     for name in rows.iter().filter_map(|row| row.name.as_ref()) {
         let word = plain(name);
         if !seen.insert(word.clone()) {
-            scope.error(name, format_args!("there is a joint `{word}` already"));
+            scope.error(name, mistake::twice(&word));
         }
     }
 }
@@ -74,13 +75,7 @@ fn report_degrees(cell: &Given<Expr>, scope: &Scope) {
         .step_by(15)
         .any(|degrees| *number == Rational::from(degrees));
     if is_degrees {
-        scope.error(
-            expr.place,
-            format_args!(
-                "angles are in radians: write `deg({number})` for degrees, or `1 * {number}` where \
-                 {number} rad are meant"
-            ),
-        );
+        scope.error(expr.place, mistake::angle_in_degrees(number));
     }
 }
 
@@ -104,7 +99,7 @@ fn not_negative(cell: &Given<Expr>, what: &str, scope: &mut Scope) -> Option<Val
     let value = scope.given(cell)?;
     match cell.value() {
         Some(expr) if is_negative(&value) => {
-            scope.error(expr.place, format_args!("{what} cannot be negative"));
+            scope.error(expr.place, mistake::negative(what));
             None
         }
         _ => Some(value),
@@ -140,15 +135,8 @@ fn motor(cell: &Given<Motor>, scope: &mut Scope) -> (Option<Value>, Option<Value
 
 fn report_gear_ratio(motor: &Motor, scope: &Scope) {
     match motor.gear_ratio.value() {
-        Some(expr) => scope.error(
-            expr.place,
-            "a gear ratio of zero: a motor with inertia turns with its joint",
-        ),
-        None => scope.error(
-            motor.place,
-            "missing `gear_ratio`, motor speed over joint speed: \
-             write `gear_ratio: 1` for a direct drive",
-        ),
+        Some(expr) => scope.error(expr.place, mistake::gear_ratio_zero()),
+        None => scope.error(motor.place, mistake::gear_ratio_missing()),
     }
 }
 

@@ -1,7 +1,6 @@
 //! The names that a value may use, and what a value comes to.
 
 use std::collections::BTreeMap;
-use std::fmt::Display;
 
 use dynamics_symbolic::exact::{Rational, bit_length};
 use dynamics_symbolic::robot::Value;
@@ -9,7 +8,8 @@ use proc_macro2::Ident;
 
 use super::plain;
 use crate::diagnose::{Diagnostics, Place};
-use crate::limits::{MOST_BITS, MOST_BITS_IN_ALL, MOST_LISTED, MOST_TERMS, MOST_TERMS_IN_ALL};
+use crate::limits::{MOST_BITS, MOST_BITS_IN_ALL, MOST_TERMS, MOST_TERMS_IN_ALL};
+use crate::mistake::{Mistake, size, value as mistake};
 use crate::syntax::{Call, Entry, Expr, ExprKind, Given, Operator, Vector};
 use crate::words;
 
@@ -74,8 +74,8 @@ impl<'d> Scope<'d> {
     }
 
     /// Reports an error.
-    pub(super) fn error(&self, at: impl Into<Place>, message: impl Display) {
-        self.diagnostics.error(at, message);
+    pub(super) fn error(&self, at: impl Into<Place>, mistake: Mistake) {
+        self.diagnostics.error(at, mistake);
     }
 
     /// Binds the name to the value.
@@ -88,20 +88,18 @@ impl<'d> Scope<'d> {
     fn insert(&mut self, name: &Ident, what: &str, binding: Binding) -> bool {
         let word = plain(name);
         if word == "PI" || word == "deg" {
-            let message =
-                format!("a {what} cannot be named `{word}`, which means something already");
-            self.error(name, message);
+            self.error(name, mistake::reserved(what, &word));
             return false;
         }
-        let message = match self.names.get(&word) {
+        let mistake = match self.names.get(&word) {
             None => {
                 self.names.insert(word, binding);
                 return true;
             }
-            Some(Binding::Field(_)) => format!("there is a field `{word}` already"),
-            Some(Binding::Let(_)) => format!("there is a `let {word}` already"),
+            Some(Binding::Field(_)) => mistake::field_twice(&word),
+            Some(Binding::Let(_)) => mistake::let_twice(&word),
         };
-        self.error(name, message);
+        self.error(name, mistake);
         false
     }
 
@@ -150,13 +148,11 @@ impl<'d> Scope<'d> {
         if self.total.bits > MOST_BITS_IN_ALL {
             // Said once: the table would have to be as long again.
             self.total.bits = 0;
-            let message = "the exact fractions of this table have more than 50,000 digits in all: \
-                           write decimal numbers";
-            self.error(expr.place, message);
+            self.error(expr.place, size::digits_in_all());
             return None;
         }
         if value.is_number() && !value.to_f64(&[]).is_finite() {
-            self.overflow(expr.place);
+            self.error(expr.place, mistake::too_large());
             return None;
         }
         Some(value)
@@ -170,11 +166,7 @@ impl<'d> Scope<'d> {
         let measured = self.measured(expr, variable)?;
         self.total.terms += measured.terms;
         if self.total.terms > MOST_TERMS_IN_ALL {
-            let message = format!(
-                "the values of this call have more than {MOST_TERMS_IN_ALL} terms in all, \
-                 the `let`s in them written out"
-            );
-            self.error(expr.place, message);
+            self.error(expr.place, size::terms_in_all());
             return None;
         }
         Some(measured)
@@ -199,7 +191,7 @@ impl<'d> Scope<'d> {
                 let a = self.measured(left, variable);
                 let b = self.measured(right, variable)?;
                 if *operator == Operator::Div && is_identically_zero(&b.value) {
-                    self.error(right.place, "division by zero");
+                    self.error(right.place, mistake::division_by_zero());
                     return None;
                 }
                 let a = a?;
@@ -210,13 +202,11 @@ impl<'d> Scope<'d> {
         };
         let rational = value.as_rational();
         if rational.is_some_and(|r| r.to_f64().value().is_infinite()) {
-            self.overflow(expr.place);
+            self.error(expr.place, mistake::too_large());
             return None;
         }
         if rational.is_some_and(|r| bit_length(r) > MOST_BITS) {
-            let message = "the exact value of this is a fraction of more than 1,200 digits: \
-                           write a decimal number";
-            self.error(expr.place, message);
+            self.error(expr.place, size::digits());
             return None;
         }
         Some(Measured { value, terms })
@@ -226,14 +216,8 @@ impl<'d> Scope<'d> {
         if terms <= MOST_TERMS {
             return Some(());
         }
-        let message = format!("more than {MOST_TERMS} terms, the `let`s in it written out");
-        self.error(place, message);
+        self.error(place, size::terms());
         None
-    }
-
-    fn overflow(&self, place: Place) {
-        let message = "this value is larger than the largest `f64`";
-        self.error(place, message);
     }
 
     fn lookup(
@@ -254,9 +238,9 @@ impl<'d> Scope<'d> {
             }
             Some(Binding::Let(value)) => value.clone(),
             None => {
-                if self.complete {
-                    let message = self.unknown(name, variable);
-                    self.error(place, message);
+                if self.complete && !self.diagnostics.is_full() {
+                    let mistake = self.unknown(name, variable);
+                    self.error(place, mistake);
                 }
                 None
             }
@@ -264,36 +248,16 @@ impl<'d> Scope<'d> {
     }
 
     /// What to say about a name that is not in scope. A field that was meant is used.
-    fn unknown(&mut self, name: &str, variable: Option<&'static str>) -> String {
+    fn unknown(&mut self, name: &str, variable: Option<&'static str>) -> Mistake {
         if self.lets.iter().any(|bound| bound == name) {
-            return format!("`{name}` is bound further down: move its `let` above this line");
-        }
-        if self.diagnostics.is_full() {
-            return String::new();
+            return mistake::bound_below(name);
         }
         let names: Vec<&str> = self.names.keys().map(String::as_str).collect();
         let meant = words::nearest(name, &[names.as_slice(), &["PI"]].concat());
         if let Some(Binding::Field(index)) = meant.and_then(|meant| self.names.get(meant)) {
             self.used[*index] = true;
         }
-        let hint = match meant {
-            Some(right) => format!("did you mean `{right}`?"),
-            None if ["nan", "inf", "infinity"].contains(&name.to_lowercase().as_str()) => {
-                "every number of a table is finite".to_owned()
-            }
-            None if names.is_empty() => {
-                "the struct has no fields, and no `let` is above".to_owned()
-            }
-            None if names.len() > MOST_LISTED => "expected a field or a `let`".to_owned(),
-            None => format!("expected a field or a `let`: {}", words::either(&names)),
-        };
-        let message = format!("unknown name `{}`: {hint}", words::shortened(name));
-        match variable {
-            Some(cell) => format!(
-                "{message} (the joint's own variable is not written: it is added to `{cell}`)"
-            ),
-            None => message,
-        }
+        mistake::unknown_name(name, meant, &names, variable)
     }
 }
 

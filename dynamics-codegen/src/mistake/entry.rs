@@ -1,0 +1,111 @@
+//! Mistakes in the entries of the table.
+
+use std::fmt::Display;
+
+use super::Mistake;
+use crate::words::{either, shortened};
+
+pub(crate) fn missing_convention() -> Mistake {
+    Mistake::new("missing `convention`: write `convention: standard` or `convention: modified`")
+}
+
+pub(crate) fn missing_gravity() -> Mistake {
+    Mistake::new(
+        "missing `gravity`, the acceleration of gravity in the base frame: \
+         write `gravity: [0, 0, -9.81]`, for example",
+    )
+}
+
+pub(crate) fn missing_joints() -> Mistake {
+    Mistake::new("missing `joints`: write `joints: [name: revolute { ... }, ...]`")
+}
+
+pub(crate) fn no_function() -> Mistake {
+    Mistake::new("no function is asked for: name one, or leave `functions` out for the default set")
+}
+
+pub(crate) fn function_twice(name: &str) -> Mistake {
+    Mistake::new(format!("`{name}` is asked for twice"))
+}
+
+pub(crate) fn no_lock() -> Mistake {
+    Mistake::new("no joint is locked: name one, `[joint = position]`, or leave `lock` out")
+}
+
+/// `joint: position`
+pub(crate) fn lock_by_colon(name: &impl Display) -> Mistake {
+    Mistake::new(format!(
+        "a joint is locked by `=`: write `{name} = position`"
+    ))
+}
+
+pub(crate) fn locked_twice(name: &str) -> Mistake {
+    Mistake::new(format!("`{name}` is locked twice"))
+}
+
+pub(crate) fn all_locked() -> Mistake {
+    Mistake::new("all joints are locked: an arm has at least one that moves")
+}
+
+/// A name that no joint has.
+pub(crate) fn unknown_joint(word: &str, meant: Option<&str>, known: &[&str]) -> Mistake {
+    let hint = match meant {
+        Some(right) => format!("did you mean `{right}`?"),
+        None => format!("expected {}", either(known)),
+    };
+    Mistake::new(format!("unknown joint `{}`: {hint}", shortened(word)))
+}
+
+pub(crate) fn locked_out_of_limits(value: f64, name: &str, [lower, upper]: [f64; 2]) -> Mistake {
+    Mistake::new(format!(
+        "{value} is outside of the limits of `{name}`, {lower} to {upper}"
+    ))
+}
+
+pub(crate) fn share_with_field() -> Mistake {
+    Mistake::new("a share is a number: it does not depend on a field")
+}
+
+pub(crate) fn share_of_nothing() -> Mistake {
+    Mistake::new("a share is above 0, `1%` for example")
+}
+
+/// 1 or more, in percent or not.
+pub(crate) fn share_of_more_than_all(size: f64, percent: bool) -> Mistake {
+    Mistake::new(match percent {
+        true => "a share is below 100%".to_owned(),
+        false => format!("a share is below 1: `{size}%` is {size} parts of a hundred"),
+    })
+}
+
+pub(crate) fn neglect_and_tests() -> Mistake {
+    Mistake::new(
+        "`tests: true` compares with the whole table, of which `neglect` leaves a part out: \
+         leave one of the two away",
+    )
+}
+
+pub(crate) fn neglect_and_identification(function: &str) -> Mistake {
+    Mistake::new(format!(
+        "`{function}` is about all base parameters, some of which `neglect` leaves out: leave one of the \
+         two away"
+    ))
+}
+
+pub(crate) fn neglect_and_field(name: &impl Display) -> Mistake {
+    Mistake::new(format!(
+        "what may be neglected depends on numbers: the value of the field `{name}` is not known here"
+    ))
+}
+
+pub(crate) fn neglect_without_limits(name: &impl Display) -> Mistake {
+    Mistake::new(format!(
+        "`neglect` needs to know how far `{name}` slides: write `limits: [lower, upper]`, in m"
+    ))
+}
+
+pub(crate) fn tests_of_one_factor(function: &str, other: &str) -> Mistake {
+    Mistake::new(format!(
+        "`tests: true` has nothing to compare: `{function}` is tested together with `{other}`, ask for both"
+    ))
+}

@@ -1,0 +1,158 @@
+//! What was expected where something else stands.
+
+use std::fmt;
+
+use crate::words::either;
+
+/// What was expected, as it follows the word "expected".
+pub(crate) struct Expected(String);
+
+impl fmt::Display for Expected {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+fn expected(what: impl Into<String>) -> Expected {
+    Expected(what.into())
+}
+
+/// The struct item.
+pub(crate) fn structure() -> Expected {
+    expected("`struct Name;` or `struct Name { field: f64 }`, then the robot's table")
+}
+
+pub(crate) fn struct_name() -> Expected {
+    expected("the struct's name")
+}
+
+pub(crate) fn struct_body(name: &impl fmt::Display) -> Expected {
+    expected(format!("`;` or `{{ field: f64 }}` after `struct {name}`"))
+}
+
+pub(crate) fn field() -> Expected {
+    expected("a field: `name: f64`")
+}
+
+pub(crate) fn field_type(name: &impl fmt::Display) -> Expected {
+    expected(format!("`f64`, the type of the field `{name}`"))
+}
+
+pub(crate) fn comma_after_field(name: &impl fmt::Display) -> Expected {
+    expected(format!("`,` after the field `{name}`"))
+}
+
+pub(crate) fn attribute() -> Expected {
+    expected("an attribute after `#`")
+}
+
+/// The separator behind an item, which `what` names.
+pub(crate) fn separator(separator: char, what: &str) -> Expected {
+    expected(format!("`{separator}` after {what}"))
+}
+
+pub(crate) fn colon_after(name: &impl fmt::Display) -> Expected {
+    expected(format!("`:` after `{name}`"))
+}
+
+/// A key of that kind.
+pub(crate) fn key(what: &str, known: &[&str]) -> Expected {
+    expected(format!("a {what}: {}", either(known)))
+}
+
+/// One of some words.
+pub(crate) fn one_of(known: &[&str]) -> Expected {
+    expected(either(known))
+}
+
+pub(crate) fn let_in_front() -> Expected {
+    expected("`let` in front of a name that is bound")
+}
+
+pub(crate) fn name_of_constant() -> Expected {
+    expected("a name: `let name = value;`")
+}
+
+pub(crate) fn name_after_let() -> Expected {
+    expected("a name after `let`: `let name = value;`")
+}
+
+pub(crate) fn equals_after_let(name: &impl fmt::Display) -> Expected {
+    expected(format!("`=` after `let {name}`"))
+}
+
+pub(crate) fn rows() -> Expected {
+    expected("`[name: revolute { ... }, ...]`")
+}
+
+pub(crate) fn locks() -> Expected {
+    expected("`[joint = position, ...]`")
+}
+
+pub(crate) fn locked_joint() -> Expected {
+    expected("the name of a joint: `joint = position`")
+}
+
+pub(crate) fn position_after(name: &impl fmt::Display) -> Expected {
+    expected(format!("`=` and a position after `{name}`"))
+}
+
+pub(crate) fn functions() -> Expected {
+    expected("`[function, ...]`")
+}
+
+pub(crate) fn function() -> Expected {
+    expected("the name of a function")
+}
+
+pub(crate) fn joint() -> Expected {
+    expected("a joint: `name: revolute { ... }` or `name: prismatic { ... }`")
+}
+
+pub(crate) fn joint_type(name: &impl fmt::Display, known: &[&str]) -> Expected {
+    expected(format!("the type of joint `{name}`: {}", either(known)))
+}
+
+pub(crate) fn cells(joint: &str) -> Expected {
+    expected(format!("the cells of {joint}: `{{ ... }}`"))
+}
+
+pub(crate) fn motor() -> Expected {
+    expected("`{ inertia: ..., gear_ratio: ... }`")
+}
+
+pub(crate) fn friction() -> Expected {
+    expected("`{ viscous: ..., coulomb: ... }`")
+}
+
+pub(crate) fn allowances() -> Expected {
+    expected("`[unphysical_inertia]`")
+}
+
+pub(crate) fn inertia() -> Expected {
+    expected(
+        "a tensor `{ xx: ..., yy: ..., zz: ... }` or a solid: \
+         `cuboid(x, y, z)`, `cylinder(radius, length)`, `rod(length)` or `sphere(radius)`",
+    )
+}
+
+/// A solid with its arguments.
+pub(crate) fn solid(shown: &str) -> Expected {
+    expected(format!("`{shown}`"))
+}
+
+pub(crate) fn vector() -> Expected {
+    expected("`[x, y, z]`")
+}
+
+pub(crate) fn limits() -> Expected {
+    expected("`[lower, upper]`")
+}
+
+pub(crate) fn value() -> Expected {
+    expected("a value")
+}
+
+pub(crate) fn end_of_parentheses() -> Expected {
+    expected("one value and `)`")
+}

@@ -1,0 +1,111 @@
+//! Mistakes in the rows of the table.
+
+use std::fmt::Display;
+
+use dynamics_symbolic::exact::Rational;
+
+use super::Mistake;
+
+pub(crate) fn none() -> Mistake {
+    Mistake::new("no joints: a robot has at least one")
+}
+
+pub(crate) fn twice(name: &str) -> Mistake {
+    Mistake::new(format!("there is a joint `{name}` already"))
+}
+
+/// `name(...)`
+pub(crate) fn in_parentheses() -> Mistake {
+    Mistake::new("the cells of a joint stand in braces: `name: revolute { ... }`")
+}
+
+/// `_` in place of a name.
+pub(crate) fn unnamed() -> Mistake {
+    Mistake::new("a joint needs a name: `_` is none")
+}
+
+pub(crate) fn extra_word(name: &impl Display) -> Mistake {
+    Mistake::new(format!(
+        "no word stands in front of a joint's name: write `{name}: ...`"
+    ))
+}
+
+/// `revolute { ... }`
+pub(crate) fn without_name(joint_type: &impl Display) -> Mistake {
+    Mistake::new(format!(
+        "this joint has no name: write `name: {joint_type} {{ ... }}`"
+    ))
+}
+
+/// `name { ... }`
+pub(crate) fn without_type(name: &impl Display) -> Mistake {
+    Mistake::new(format!(
+        "joint `{name}` has no type: \
+         write `{name}: revolute {{ ... }}` or `{name}: prismatic {{ ... }}`"
+    ))
+}
+
+/// A cell that belongs into another one.
+pub(crate) fn cell_elsewhere(word: &str, home: &str) -> Mistake {
+    Mistake::new(format!(
+        "unknown cell `{word}`: it belongs in `{home}: {{ {word}: ... }}`"
+    ))
+}
+
+/// An entry below the diagonal.
+pub(crate) fn mirrored_entry(word: &str, entry: &str) -> Mistake {
+    Mistake::new(format!(
+        "unknown tensor entry `{word}`: the tensor is symmetric, write `{entry}`"
+    ))
+}
+
+/// A multiple of 15 as an angle.
+pub(crate) fn angle_in_degrees(number: &Rational) -> Mistake {
+    Mistake::new(format!(
+        "angles are in radians: write `deg({number})` for degrees, or `1 * {number}` where \
+         {number} rad are meant"
+    ))
+}
+
+/// A mass, an inertia or a coefficient below zero.
+pub(crate) fn negative(what: &str) -> Mistake {
+    Mistake::new(format!("{what} cannot be negative"))
+}
+
+pub(crate) fn solid_without_mass() -> Mistake {
+    Mistake::new("a solid's inertia needs the row's `mass`")
+}
+
+pub(crate) fn no_body(reason: &str) -> Mistake {
+    Mistake::new(format!(
+        "no body has this inertia tensor: {reason} \
+         (published data can be like that: `allow: [unphysical_inertia]` on the row accepts it)"
+    ))
+}
+
+pub(crate) fn gear_ratio_zero() -> Mistake {
+    Mistake::new("a gear ratio of zero: a motor with inertia turns with its joint")
+}
+
+pub(crate) fn gear_ratio_missing() -> Mistake {
+    Mistake::new(
+        "missing `gear_ratio`, motor speed over joint speed: \
+         write `gear_ratio: 1` for a direct drive",
+    )
+}
+
+pub(crate) fn limits_swapped() -> Mistake {
+    Mistake::new("the lower limit comes first, and is below the upper one: `[lower, upper]`")
+}
+
+pub(crate) fn limit_with_field() -> Mistake {
+    Mistake::new("a limit is a number: it does not depend on a field")
+}
+
+/// A revolute joint's limit, rad.
+pub(crate) fn limit_of_many_turns(size: f64) -> Mistake {
+    Mistake::new(format!(
+        "{size} rad are more than five turns: write `deg({size})` for degrees, or a multiple of \
+         `PI` for a joint that turns so far"
+    ))
+}

@@ -1,0 +1,120 @@
+//! Mistakes in values.
+
+use std::fmt::Display;
+
+use super::Mistake;
+use crate::limits::MOST_LISTED;
+use crate::words::{either, shortened};
+
+/// What is no part of a value, a path or a method call for example.
+pub(crate) fn foreign(what: &str) -> Mistake {
+    Mistake::new(format!(
+        "{what} does not belong in a value, which is made of numbers, `PI`, `deg(x)`, fields, \
+         `let` names, `+ - * /` and parentheses"
+    ))
+}
+
+/// `base ** ...`
+pub(crate) fn power(base: &str) -> Mistake {
+    Mistake::new(format!(
+        "`**` does not belong in a value: a power is a product, `{base} * {base}`"
+    ))
+}
+
+pub(crate) fn with_self() -> Mistake {
+    Mistake::new("a field is written by its name alone, without `self`")
+}
+
+pub(crate) fn path_to_pi() -> Mistake {
+    Mistake::new("write `PI` alone, without a path")
+}
+
+pub(crate) fn other_function(name: &str) -> Mistake {
+    Mistake::new(format!(
+        "`{name}(...)` is not known: the only function is `deg(x)`"
+    ))
+}
+
+pub(crate) fn degrees_of_nothing() -> Mistake {
+    Mistake::new("`deg` takes an angle in degrees: `deg(90)`")
+}
+
+pub(crate) fn empty_parentheses() -> Mistake {
+    Mistake::new("expected a value between the parentheses")
+}
+
+/// A list of the wrong length.
+pub(crate) fn other_count(shown: &str, found: usize) -> Mistake {
+    let found = match found {
+        0 => "no value".to_owned(),
+        1 => "1 value".to_owned(),
+        n => format!("{n} values"),
+    };
+    Mistake::new(format!("expected `{shown}`, found {found}"))
+}
+
+pub(crate) fn division_by_zero() -> Mistake {
+    Mistake::new("division by zero")
+}
+
+pub(crate) fn too_large() -> Mistake {
+    Mistake::new("this value is larger than the largest `f64`")
+}
+
+/// A value that is read before its `let`.
+pub(crate) fn bound_below(name: &str) -> Mistake {
+    Mistake::new(format!(
+        "`{name}` is bound further down: move its `let` above this line"
+    ))
+}
+
+/// A name that means nothing. `variable` is the cell to which the joint's own variable is added, which
+/// may be what was meant.
+pub(crate) fn unknown_name(
+    name: &str,
+    meant: Option<&str>,
+    known: &[&str],
+    variable: Option<&str>,
+) -> Mistake {
+    let hint = match meant {
+        Some(right) => format!("did you mean `{right}`?"),
+        None if ["nan", "inf", "infinity"].contains(&name.to_lowercase().as_str()) => {
+            "every number of a table is finite".to_owned()
+        }
+        None if known.is_empty() => "the struct has no fields, and no `let` is above".to_owned(),
+        None if known.len() > MOST_LISTED => "expected a field or a `let`".to_owned(),
+        None => format!("expected a field or a `let`: {}", either(known)),
+    };
+    let variable = variable.map_or(String::new(), |cell| {
+        format!(" (the joint's own variable is not written: it is added to `{cell}`)")
+    });
+    let name = shortened(name);
+    Mistake::new(format!("unknown name `{name}`: {hint}{variable}"))
+}
+
+/// A name that means something already, whatever it is to be given to.
+pub(crate) fn reserved(what: &str, name: &str) -> Mistake {
+    Mistake::new(format!(
+        "a {what} cannot be named `{name}`, which means something already"
+    ))
+}
+
+pub(crate) fn field_twice(name: &str) -> Mistake {
+    Mistake::new(format!("there is a field `{name}` already"))
+}
+
+pub(crate) fn let_twice(name: &str) -> Mistake {
+    Mistake::new(format!("there is a `let {name}` already"))
+}
+
+/// A Rust constant in place of a `let`.
+pub(crate) fn constant(name: &impl Display, value: Option<&str>) -> Mistake {
+    let value = value.unwrap_or("...");
+    Mistake::new(format!(
+        "a value is named by `let`: write `let {name} = {value};`"
+    ))
+}
+
+pub(crate) fn let_mut() -> Mistake {
+    Mistake::new("no `mut` here: the value of a `let` does not change")
+}
