@@ -9,7 +9,7 @@ use divan::{Bencher, black_box, counter::ItemsCount};
 use robot_dynamics::NewtonEuler;
 use robot_dynamics::nalgebra::SVector;
 
-use robots::{Elbow3r, Panda, Puma560, Stanford, TwoLinkSaha, Ur5};
+use robots::{Arguments, Elbow3r, Panda, Puma560, Stanford, TwoLinkSaha, Ur5, each_function};
 
 const STATES: usize = 64;
 
@@ -20,83 +20,65 @@ fn states<const N: usize>(phase: f64) -> [SVector<f64, N>; STATES] {
     })
 }
 
+/// A benchmark of every function.
+macro_rules! bench_functions {
+    ({ $robot:ident } $($name:ident [$($argument:ident),*])*) => {$(
+        #[divan::bench]
+        fn $name(bencher: Bencher) {
+            each(bencher, |at| {
+                // Not every function has arguments.
+                let _ = &at;
+                $robot.$name::<f64>($(at.$argument),*)
+            });
+        }
+    )*};
+}
+
 macro_rules! bench_robots {
     ($($module:ident: $robot:ident, $n:literal;)*) => {$(
         mod $module {
             use super::*;
 
-            fn each<R>(bencher: Bencher, function: impl Fn(&SVector<f64, $n>, &SVector<f64, $n>, &SVector<f64, $n>) -> R) {
+            fn each<R>(bencher: Bencher, function: impl Fn(Arguments<f64, $n>) -> R) {
                 let (q, qd, qdd) = (states::<$n>(0.1), states::<$n>(0.7), states::<$n>(1.9));
                 bencher.counter(ItemsCount::new(STATES)).bench_local(|| {
                     for i in 0..STATES {
-                        black_box(function(black_box(&q[i]), black_box(&qd[i]), black_box(&qdd[i])));
+                        let at = Arguments { q: &q[i], qd: &qd[i], qdd: &qdd[i], tau: &qdd[i], order: 10 };
+                        black_box(function(black_box(at)));
                     }
                 });
             }
 
-            #[divan::bench]
-            fn mass_matrix(bencher: Bencher) {
-                each(bencher, |q, _, _| $robot.mass_matrix(q));
-            }
-
-            #[divan::bench]
-            fn coriolis_vector(bencher: Bencher) {
-                each(bencher, |q, qd, _| $robot.coriolis_vector(q, qd));
-            }
-
-            #[divan::bench]
-            fn gravity_vector(bencher: Bencher) {
-                each(bencher, |q, _, _| $robot.gravity_vector(q));
-            }
-
-            #[divan::bench]
-            fn inverse_dynamics(bencher: Bencher) {
-                each(bencher, |q, qd, qdd| $robot.inverse_dynamics(q, qd, qdd));
-            }
-
-            #[divan::bench]
-            fn forward_dynamics(bencher: Bencher) {
-                each(bencher, |q, qd, tau| $robot.forward_dynamics(q, qd, tau));
-            }
-
-            #[divan::bench]
-            fn inverse_dynamics_derivatives(bencher: Bencher) {
-                each(bencher, |q, qd, qdd| $robot.inverse_dynamics_derivatives(q, qd, qdd));
-            }
-
-            #[divan::bench]
-            fn forward_dynamics_derivatives(bencher: Bencher) {
-                each(bencher, |q, qd, tau| $robot.forward_dynamics_derivatives(q, qd, tau));
-            }
+            each_function! { bench_functions { $robot } }
 
             #[divan::bench]
             fn numeric_inverse_dynamics(bencher: Bencher) {
                 let numeric = NewtonEuler::new(&$robot.table());
-                each(bencher, |q, qd, qdd| numeric.inverse_dynamics(q, qd, qdd));
+                each(bencher, |at| numeric.inverse_dynamics(at.q, at.qd, at.qdd));
             }
 
             #[divan::bench]
             fn numeric_mass_matrix(bencher: Bencher) {
                 let numeric = NewtonEuler::new(&$robot.table());
-                each(bencher, |q, _, _| numeric.mass_matrix(q));
+                each(bencher, |at| numeric.mass_matrix(at.q));
             }
 
             #[divan::bench]
             fn numeric_coriolis_vector(bencher: Bencher) {
                 let numeric = NewtonEuler::new(&$robot.table());
-                each(bencher, |q, qd, _| numeric.coriolis_vector(q, qd));
+                each(bencher, |at| numeric.coriolis_vector(at.q, at.qd));
             }
 
             #[divan::bench]
             fn numeric_gravity_vector(bencher: Bencher) {
                 let numeric = NewtonEuler::new(&$robot.table());
-                each(bencher, |q, _, _| numeric.gravity_vector(q));
+                each(bencher, |at| numeric.gravity_vector(at.q));
             }
 
             #[divan::bench]
             fn numeric_forward_dynamics(bencher: Bencher) {
                 let numeric = NewtonEuler::new(&$robot.table());
-                each(bencher, |q, qd, tau| numeric.forward_dynamics(q, qd, tau));
+                each(bencher, |at| numeric.forward_dynamics(at.q, at.qd, at.tau));
             }
         }
     )*};

@@ -23,32 +23,26 @@ fn assert_none(what: &str, calls: impl FnOnce()) {
     assert_eq!(count, 0, "allocations by {what}");
 }
 
+/// Calls every function of an arm.
+macro_rules! calls {
+    ({ $arm:ident, $at:ident, $float:ident } $($name:ident [$($argument:ident),*])*) => {
+        $(let _ = black_box($arm.$name::<$float>($($at.$argument),*));)*
+    };
+}
+
 macro_rules! functions {
-    ($robot:ident, $n:literal, $float:ty, $q:expr) => {
+    ($robot:ident, $n:literal, $float:ident, $q:expr) => {
         let arm = black_box($robot);
         let [q, qd, qdd] = [$q, 0.5, -2.0].map(vector::<$float, $n>);
+        let at = Arguments {
+            q: &q,
+            qd: &qd,
+            qdd: &qdd,
+            tau: &qdd,
+            order: 10,
+        };
         assert_none(stringify!($float), || {
-            black_box(arm.mass_matrix(&q));
-            black_box(arm.coriolis_vector(&q, &qd));
-            black_box(arm.gravity_vector(&q));
-            black_box(arm.friction_vector(&qd));
-            black_box(arm.inverse_dynamics(&q, &qd, &qdd));
-            let _ = black_box(arm.forward_dynamics(&q, &qd, &qdd));
-            black_box(arm.kinetic_energy(&q, &qd));
-            black_box(arm.potential_energy(&q));
-            black_box(arm.bias_force(&q, &qd));
-            black_box(arm.coriolis_matrix(&q, &qd));
-            black_box(arm.coriolis_coefficients(&q));
-            black_box(arm.centrifugal_coefficients(&q));
-            black_box(arm.forward_kinematics(&q));
-            black_box(arm.link_poses(&q));
-            black_box(arm.jacobian(&q));
-            black_box(arm.inverse_dynamics_derivatives(&q, &qd, &qdd));
-            let _ = black_box(arm.forward_dynamics_derivatives(&q, &qd, &qdd));
-            black_box(arm.regressor(&q, &qd, &qdd));
-            black_box(arm.base_parameters::<$float>());
-            let _ = black_box(arm.forward_dynamics_aba(&q, &qd, &qdd));
-            let _ = black_box(arm.taylor_series(&q, &qd, &qdd, 10));
+            each_function! { calls { arm, at, $float } }
             black_box(arm.table());
         });
     };

@@ -3,32 +3,40 @@
 //! controller would, and `cargo build --target thumbv7em-none-eabihf` for one.
 #![no_std]
 
+use core::hint::black_box;
+
 use robot_dynamics::nalgebra::{Matrix3, Vector3};
 use robot_dynamics::{
     Configuration, Cycloidal, Model, NewtonEuler, SingularMassMatrix, robot_dynamics,
 };
 
-robot_dynamics! {
-    /// An elbow arm with motors and friction, and a parameter.
-    pub struct Arm { payload: f64 }
+#[macro_use]
+#[path = "../../testkit/robots/src/functions.rs"]
+mod functions;
 
-    convention: standard,
-    gravity: [0, 0, -9.81],
-    joints: [
-        waist: revolute {
-            d: 0.5, alpha: PI/2, mass: 9, com: [0, -0.1, 0], inertia: cylinder(0.1, 0.5),
-            motor: { inertia: 1e-4, gear_ratio: 50 }, friction: { viscous: 0.3, coulomb: 1.5 },
-        },
-        shoulder: revolute { a: 0.4, mass: 5, com: [-0.2, 0, 0.02], inertia: rod(0.4) },
-        elbow: revolute { a: 0.3, mass: 2 + payload, com: [-0.1, 0, 0], inertia: rod(0.3) },
-    ],
-    functions: [
-        mass_matrix, coriolis_vector, gravity_vector, friction_vector, inverse_dynamics,
-        forward_dynamics, kinetic_energy, potential_energy, bias_force, coriolis_matrix,
-        coriolis_coefficients, centrifugal_coefficients, forward_kinematics, link_poses, jacobian,
-        inverse_dynamics_derivatives, forward_dynamics_derivatives, regressor, base_parameters,
-    ],
+/// The arm with the functions of a list.
+macro_rules! arm_with {
+    ({} $($name:ident $arguments:tt)*) => {
+        robot_dynamics! {
+            /// An elbow arm with motors and friction, and a parameter.
+            pub struct Arm { payload: f64 }
+
+            convention: standard,
+            gravity: [0, 0, -9.81],
+            joints: [
+                waist: revolute {
+                    d: 0.5, alpha: PI/2, mass: 9, com: [0, -0.1, 0], inertia: cylinder(0.1, 0.5),
+                    motor: { inertia: 1e-4, gear_ratio: 50 }, friction: { viscous: 0.3, coulomb: 1.5 },
+                },
+                shoulder: revolute { a: 0.4, mass: 5, com: [-0.2, 0, 0.02], inertia: rod(0.4) },
+                elbow: revolute { a: 0.3, mass: 2 + payload, com: [-0.1, 0, 0], inertia: rod(0.3) },
+            ],
+            functions: [$($name),*],
+        }
+    };
 }
+
+each_function! { arm_with {} }
 
 /// A control law, in single precision as on a controller that has no other: torques that move the arm
 /// from `start` to `end` in `duration` seconds, at time `t`.
@@ -57,22 +65,32 @@ pub fn numeric(q: &Vector3<f64>, qd: &Vector3<f64>, qdd: &Vector3<f64>) -> Vecto
     NewtonEuler::new(&Model::table(&Arm { payload: 0.5 })).inverse_dynamics(q, qd, qdd)
 }
 
-/// What else there is, called so that it is compiled.
-pub fn everything(q: &Vector3<f64>, qd: &Vector3<f64>, tau: &Vector3<f64>) -> Option<f64> {
-    let arm = Arm { payload: 0.5 };
-    let qdd = arm.forward_dynamics(q, qd, tau).ok()?;
-    let (by_q, by_qd) = arm.inverse_dynamics_derivatives(q, qd, &qdd);
-    let (of_q, of_qd, inverse) = arm.forward_dynamics_derivatives(q, qd, tau).ok()?;
-    let matrices = by_q + by_qd + of_q + of_qd + inverse + arm.coriolis_matrix(q, qd);
-    let vectors = arm.bias_force(q, qd)
-        + arm.coriolis_vector(q, qd)
-        + arm.friction_vector(qd)
-        + arm.regressor(q, qd, &qdd) * arm.base_parameters()
-        + arm.coriolis_coefficients(q) * qd
-        + arm.centrifugal_coefficients(q) * qd;
-    let poses = arm.forward_kinematics(q)[(0, 3)] + arm.link_poses(q)[0][(0, 3)];
-    let energy = arm.kinetic_energy(q, qd) + arm.potential_energy(q);
-    Some(matrices.sum() + vectors.sum() + poses + arm.jacobian(q).sum() + energy)
+/// The arguments of all functions, by their names.
+#[derive(Clone, Copy)]
+pub struct Arguments<'a> {
+    /// Positions.
+    pub q: &'a Vector3<f64>,
+    /// Velocities.
+    pub qd: &'a Vector3<f64>,
+    /// Accelerations.
+    pub qdd: &'a Vector3<f64>,
+    /// Torques.
+    pub tau: &'a Vector3<f64>,
+    /// The order of the Taylor series.
+    pub order: usize,
+}
+
+/// Calls the functions of a list.
+macro_rules! calls {
+    ({ $arm:ident, $at:ident } $($name:ident [$($argument:ident),*])*) => {
+        $(let _ = black_box($arm.$name::<f64>($($at.$argument),*));)*
+    };
+}
+
+/// Every function, called so that it is compiled.
+pub fn everything(at: Arguments) {
+    let arm = black_box(Arm { payload: 0.5 });
+    each_function! { calls { arm, at } }
 }
 
 #[cfg(not(test))]
@@ -113,6 +131,12 @@ mod tests {
 
     #[test]
     fn every_function_can_be_evaluated() {
-        assert!(everything(&Q, &QD, &QDD).is_some_and(f64::is_finite));
+        everything(Arguments {
+            q: &Q,
+            qd: &QD,
+            qdd: &QDD,
+            tau: &QDD,
+            order: 10,
+        });
     }
 }

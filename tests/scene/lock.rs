@@ -1,12 +1,12 @@
 //! Joints that are locked: beside the whole arm held still there, and beside Newton and Euler.
 
+use robot_dynamics::check_against_rnea;
 use robot_dynamics::nalgebra::{SMatrix, SVector};
-use robot_dynamics::{check_against_rnea, robot_dynamics};
 
 /// Six joints of every kind; after it the arm's name, more fields of its struct and entries.
 macro_rules! arm {
     ($name:ident { $($field:ident),* } $convention:ident, $($entries:tt)*) => {
-        robot_dynamics! {
+        robots::every_function! {
             struct $name { $($field: f64,)* m: f64 }
             convention: $convention,
             gravity: [1, -2, -9.81],
@@ -42,13 +42,6 @@ macro_rules! arm {
                     d: 0.1, mass: 0.09, com: [0, 0.01, 0.032],
                     inertia: { xx: 0.00015, yy: 0.00015, zz: 0.00004 },
                 },
-            ],
-            functions: [
-                mass_matrix, coriolis_vector, gravity_vector, friction_vector, inverse_dynamics,
-                forward_dynamics, kinetic_energy, potential_energy, bias_force, coriolis_matrix,
-                coriolis_coefficients, centrifugal_coefficients, forward_kinematics, link_poses,
-                jacobian, inverse_dynamics_derivatives, forward_dynamics_derivatives, regressor,
-                base_parameters, forward_dynamics_aba,
             ],
             $($entries)*
         }

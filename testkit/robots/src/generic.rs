@@ -1,7 +1,5 @@
 //! Arms in which nothing is zero, so that no simplification can hide a wrong term.
 
-use robot_dynamics::robot_dynamics;
-
 every_function! {
     /// One revolute joint, every cell non-zero.
     pub struct GenericChain1;

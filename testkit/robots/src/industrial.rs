@@ -1,7 +1,5 @@
 //! Arms that are, or were, built: parameters as published.
 
-use robot_dynamics::robot_dynamics;
-
 every_function! {
     /// SCARA: kinematics of the Adept Cobra 600, masses and inertias of our own.
     pub struct Scara;

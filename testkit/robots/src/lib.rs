@@ -1,8 +1,11 @@
 //! The robots of `tests/data/robots`, each as a user would write it, with every function.
 
 #[macro_use]
+mod functions;
+#[macro_use]
 mod every_function;
 
+mod arguments;
 mod arm;
 mod fields;
 mod generic;
@@ -11,6 +14,7 @@ mod long_chains;
 mod textbook;
 mod three_axis;
 
+pub use arguments::Arguments;
 pub use arm::Arm;
 pub use fields::*;
 pub use generic::*;

@@ -1,7 +1,5 @@
 //! Ten and twelve revolute joints, every cell non-zero.
 
-use robot_dynamics::robot_dynamics;
-
 every_function! {
     /// Ten revolute joints, every cell non-zero.
     pub struct GenericChain10;

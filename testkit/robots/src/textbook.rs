@@ -1,7 +1,5 @@
 //! One and two links, as lecture notes and textbooks have them.
 
-use robot_dynamics::robot_dynamics;
-
 every_function! {
     /// A moving mass, m xdd = f (Saha): gravity is perpendicular to its axis.
     pub struct MovingMass;

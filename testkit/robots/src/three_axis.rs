@@ -1,7 +1,5 @@
 //! Arms of three axes, one for each way of placing a hand; the numbers are ours.
 
-use robot_dynamics::robot_dynamics;
-
 every_function! {
     /// An anthropomorphic arm: waist, shoulder and elbow, with motors, gears and friction.
     pub struct Elbow3r;

@@ -1,0 +1,52 @@
+//! The list of functions that macros read, which cannot ask the engine, is that of its table.
+
+use std::fmt::Write;
+
+use dynamics_symbolic::Function;
+use expect_test::expect_file;
+
+/// `UPDATE_EXPECT=1 cargo test -p dynamics-symbolic --test functions` writes the list anew.
+#[test]
+fn the_list_for_macros_is_that_of_the_table() {
+    expect_file!["../../testkit/robots/src/functions.rs"].assert_eq(&list());
+}
+
+fn list() -> String {
+    let mut list = String::from(HEAD);
+    for function in Function::ALL {
+        let arguments = function.arguments().iter().map(|argument| argument.name());
+        let arguments: Vec<_> = arguments.collect();
+        let (name, arguments) = (function.name(), arguments.join(", "));
+        writeln!(list, "            {name} [{arguments}]").expect("a string takes it");
+    }
+    list + TAIL
+}
+
+const HEAD: &str = "\
+//! Every function of the engine's table with its arguments, as tokens: written by its test `functions`.
+
+/// Hands every function to the macro `$then`, behind a context in braces: `name [argument, ...]`.
+#[macro_export]
+macro_rules! each_function {
+    ($then:path { $($context:tt)* }) => {
+        $then! {
+            { $($context)* }
+";
+
+const TAIL: &str = "        }
+    };
+}
+";
+
+/// Every function is explained where the notation is fixed and where a user looks first.
+#[test]
+fn documents_name_every_function() {
+    for document in ["../docs/NOTATION.md", "../README.md"] {
+        let path = format!("{}/{document}", env!("CARGO_MANIFEST_DIR"));
+        let text = std::fs::read_to_string(path).expect("the document can be read");
+        for function in Function::ALL {
+            let name = function.name();
+            assert!(text.contains(&format!("`{name}")), "{name} in {document}");
+        }
+    }
+}

@@ -1,0 +1,32 @@
+//! Every function of the engine's table with its arguments, as tokens: written by its test `functions`.
+
+/// Hands every function to the macro `$then`, behind a context in braces: `name [argument, ...]`.
+#[macro_export]
+macro_rules! each_function {
+    ($then:path { $($context:tt)* }) => {
+        $then! {
+            { $($context)* }
+            mass_matrix [q]
+            coriolis_vector [q, qd]
+            gravity_vector [q]
+            friction_vector [qd]
+            inverse_dynamics [q, qd, qdd]
+            forward_dynamics [q, qd, tau]
+            kinetic_energy [q, qd]
+            potential_energy [q]
+            bias_force [q, qd]
+            coriolis_matrix [q, qd]
+            coriolis_coefficients [q]
+            centrifugal_coefficients [q]
+            forward_kinematics [q]
+            link_poses [q]
+            jacobian [q]
+            inverse_dynamics_derivatives [q, qd, qdd]
+            forward_dynamics_derivatives [q, qd, tau]
+            regressor [q, qd, qdd]
+            base_parameters []
+            forward_dynamics_aba [q, qd, tau]
+            taylor_series [q, qd, tau, order]
+        }
+    };
+}
