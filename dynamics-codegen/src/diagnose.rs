@@ -2,43 +2,12 @@
 
 use std::cell::RefCell;
 
-use proc_macro2::{Ident, Span, TokenStream};
+use proc_macro2::TokenStream;
 use quote::quote_spanned;
 
 use crate::limits::MOST_ERRORS;
 use crate::mistake::Mistake;
-
-/// The place of an error: from one token to another.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Place {
-    first: Span,
-    last: Span,
-}
-
-impl Place {
-    /// From the start of this place to the end of the other.
-    pub(crate) fn to(self, end: impl Into<Place>) -> Place {
-        Place {
-            first: self.first,
-            last: end.into().last,
-        }
-    }
-}
-
-impl From<Span> for Place {
-    fn from(span: Span) -> Place {
-        Place {
-            first: span,
-            last: span,
-        }
-    }
-}
-
-impl From<&Ident> for Place {
-    fn from(ident: &Ident) -> Place {
-        ident.span().into()
-    }
-}
+use crate::place::Place;
 
 /// Evidence that an error was reported: whoever receives it has nothing to add.
 #[derive(Clone, Copy, Debug)]
@@ -87,20 +56,24 @@ impl Diagnostics {
         self.errors.borrow().is_empty()
     }
 
-    /// One `compile_error!` for each error, from the top of the call to its end.
-    pub(crate) fn into_compile_errors(self) -> TokenStream {
+    /// The errors, from the top to the end.
+    pub(crate) fn into_errors(self) -> Vec<(Place, Mistake)> {
         let mut errors = self.errors.take();
-        errors.sort_by_key(|(place, _)| position(place.first));
+        errors.sort_by_key(|(place, _)| place.position());
         errors
-            .into_iter()
-            .map(|(place, mistake)| {
-                let message = mistake.to_string();
-                // The compiler underlines from the path's span to the braces' span.
-                let path = quote_spanned!(place.first=> ::core::compile_error!);
-                let body = quote_spanned!(place.last=> { #message });
-                quote_spanned!(place.first=> #path #body)
-            })
-            .collect()
+    }
+
+    /// One `compile_error!` for each error.
+    pub(crate) fn into_compile_errors(self) -> TokenStream {
+        let errors = self.into_errors().into_iter();
+        let errors = errors.map(|(place, mistake)| {
+            let ([first, last], message) = (place.tokens(), mistake.to_string());
+            // The compiler underlines from the path's span to the braces' span.
+            let path = quote_spanned!(first=> ::core::compile_error!);
+            let body = quote_spanned!(last=> { #message });
+            quote_spanned!(first=> #path #body)
+        });
+        errors.collect()
     }
 
     /// The messages alone, in the order of reporting.
@@ -108,14 +81,6 @@ impl Diagnostics {
     pub(crate) fn into_messages(self) -> Vec<String> {
         let errors = self.errors.take().into_iter();
         errors.map(|(_, mistake)| mistake.to_string()).collect()
-    }
-}
-
-/// Line and column. Outside of the compiler, in this crate's own tests, there are none.
-fn position(span: Span) -> (usize, usize) {
-    match proc_macro::is_available() {
-        true => (span.unwrap().line(), span.unwrap().column()),
-        false => (0, 0),
     }
 }
 
@@ -129,6 +94,8 @@ impl Drop for Diagnostics {
 
 #[cfg(test)]
 mod tests {
+    use proc_macro2::Span;
+
     use super::*;
     use crate::mistake;
 

@@ -3,29 +3,33 @@
 //!
 //! A call passes through these modules:
 //!
-//! 1. `parse` makes a syntax tree of the tokens, places kept;
-//! 2. `validate` makes a `dynamics_symbolic::robot::Robot` of the tree, or reports
-//!    every reason why there is none;
+//! 1. `parse` reads the tokens: the struct item (`call`) and the table ([`description`], plain data with
+//!    places);
+//! 2. `validate` makes a `dynamics_symbolic::robot::Robot` of the table, or reports every reason why
+//!    there is none. It knows no tokens: [`check`] does the same for a table that was read elsewhere;
 //! 3. `dynamics_symbolic` derives the functions and proves them;
 //! 4. `expand` writes the struct and its methods. That cannot fail; after an error
 //!    it writes the same items with empty methods, so that the code around the call
 //!    still passes the type check.
 //!
-//! `diagnose` collects the errors of a call, which are reported together; `mistake` has all their
-//! texts; `words` finds
-//! the word that was meant; `limits` says how much a call may ask for.
+//! `diagnose` collects the errors of a call, which are reported together, each at its `place`; `mistake`
+//! has all their texts; `words` finds the word that was meant; `limits` says how much a call may ask for.
 #![forbid(unsafe_code)]
 
 extern crate proc_macro;
 
+mod call;
+pub mod description;
 mod diagnose;
 mod expand;
 mod limits;
 mod mistake;
 mod parse;
-mod syntax;
+mod place;
 mod validate;
 mod words;
+
+pub use validate::Model;
 
 use diagnose::Diagnostics;
 use dynamics_symbolic::program::Program;
@@ -44,7 +48,7 @@ pub fn generate(call: TokenStream) -> TokenStream {
 pub fn outline(call: TokenStream) -> TokenStream {
     let diagnostics = Diagnostics::new();
     let call = parse::call(call, &diagnostics);
-    let model = validate::model(&call, &diagnostics);
+    let model = model(&call, &diagnostics);
     let generated = model.map(|model| (model, Vec::new()));
     items(&call, generated, diagnostics)
 }
@@ -56,7 +60,7 @@ type Derivation = dyn Fn(&Robot, Function) -> Program;
 fn generate_by(call: TokenStream, derivation: &Derivation) -> TokenStream {
     let diagnostics = Diagnostics::new();
     let call = parse::call(call, &diagnostics);
-    let generated = validate::model(&call, &diagnostics).and_then(|model| {
+    let generated = model(&call, &diagnostics).and_then(|model| {
         let model = abbreviated(model, &diagnostics)?;
         let methods = methods(&model, &call, derivation, &diagnostics)?;
         Some((model, methods))
@@ -64,10 +68,40 @@ fn generate_by(call: TokenStream, derivation: &Derivation) -> TokenStream {
     items(&call, generated, diagnostics)
 }
 
+/// The model of a call; of one that is too long to be read there is none.
+fn model(call: &call::Call, diagnostics: &Diagnostics) -> Option<Model> {
+    match call.is_refused {
+        true => None,
+        false => validate::model(&call.table, diagnostics),
+    }
+}
+
+/// What a table says, wherever it was read: the robot and what is asked for, or every reason why there is
+/// no such robot, from the top to the end.
+pub fn check(table: &description::Table) -> Result<Model, Vec<Error>> {
+    let diagnostics = Diagnostics::new();
+    let model = validate::model(table, &diagnostics);
+    let errors = diagnostics.into_errors().into_iter();
+    let error = |(place, mistake): (_, mistake::Mistake)| Error {
+        place,
+        message: mistake.to_string(),
+    };
+    model.ok_or_else(|| errors.map(error).collect())
+}
+
+/// What is wrong with a table.
+#[derive(Clone, Debug)]
+pub struct Error {
+    /// Where.
+    pub place: description::Place,
+    /// What is wrong, what was expected, and what to write instead where that is known.
+    pub message: String,
+}
+
 /// The errors and the items: stubs where there is no model.
 fn items(
-    call: &syntax::Call,
-    generated: Option<(validate::Model, Vec<Method>)>,
+    call: &call::Call,
+    generated: Option<(Model, Vec<Method>)>,
     diagnostics: Diagnostics,
 ) -> TokenStream {
     assert_eq!(generated.is_none(), !diagnostics.is_empty());
@@ -75,7 +109,7 @@ fn items(
         (Some(structure), Some((model, methods))) => {
             expand::robot(structure, model, methods, &call.path)
         }
-        (Some(structure), None) => expand::stubs(structure, &call.entries, &call.path),
+        (Some(structure), None) => expand::stubs(structure, &call.table.entries, &call.path),
         (None, _) => TokenStream::new(),
     };
     let errors = diagnostics.into_compile_errors();
@@ -83,7 +117,7 @@ fn items(
 }
 
 /// The model without what is to be neglected, or `None` where that is too much: that is reported.
-fn abbreviated(mut model: validate::Model, diagnostics: &Diagnostics) -> Option<validate::Model> {
+fn abbreviated(mut model: Model, diagnostics: &Diagnostics) -> Option<Model> {
     if let Some((share, place)) = &model.neglect {
         match dynamics_symbolic::neglect::neglect(&model.robot, share.to_f64(&[])) {
             Ok(robot) => model.robot = robot,
@@ -99,8 +133,8 @@ fn abbreviated(mut model: validate::Model, diagnostics: &Diagnostics) -> Option<
 /// The methods, or `None` where the engine could not prove one of them: that is
 /// reported at the function's name in the call.
 fn methods(
-    model: &validate::Model,
-    call: &syntax::Call,
+    model: &Model,
+    call: &call::Call,
     derivation: &Derivation,
     diagnostics: &Diagnostics,
 ) -> Option<Vec<Method>> {

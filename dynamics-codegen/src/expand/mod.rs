@@ -12,8 +12,9 @@ use dynamics_symbolic::{Function, Method, base_parameter_constants, stub, stub_o
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, quote};
 
-use crate::syntax::{Entry, Row, Structure};
-use crate::validate::{Model, plain};
+use crate::call::Structure;
+use crate::description::{Entry, Row};
+use crate::validate::Model;
 
 /// The struct, its methods and the traits of the runtime.
 pub(crate) fn robot(
@@ -76,7 +77,11 @@ fn joint_names(entries: &[Entry]) -> Vec<String> {
         Entry::Joints(_, joints) => joints.as_ref(),
         _ => None,
     });
-    let name = |row: &Row| row.name.as_ref().map(plain).unwrap_or_default();
+    let name = |row: &Row| {
+        row.name
+            .as_ref()
+            .map_or(String::new(), |name| name.plain().to_owned())
+    };
     let names = match joints {
         Some(joints) if joints.complete => joints.rows.iter().map(name).collect(),
         _ => Vec::new(),
@@ -91,8 +96,8 @@ fn without_locked(mut names: Vec<String>, entries: &[Entry]) -> Option<Vec<Strin
             continue;
         };
         for locked in locked.as_ref()? {
-            let word = plain(&locked.name);
-            let index = names.iter().position(|name| *name == word)?;
+            let word = locked.name.plain();
+            let index = names.iter().position(|name| name == word)?;
             names.remove(index);
         }
     }

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::syntax::{Field, Shape, Structure};
+use crate::call::{Field, Shape, Structure};
 
 /// Types that a struct with an error in it may keep: they are `Copy` and need no path.
 const PRIMITIVES: [&str; 15] = [

@@ -5,7 +5,7 @@ use dynamics_symbolic::robot::{Angle, Convention, JointType, Robot, Row, Value};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
-use crate::syntax::Structure;
+use crate::call::Structure;
 
 /// The expression that builds the table.
 pub(super) fn table(structure: &Structure, robot: &Robot, path: &TokenStream) -> TokenStream {

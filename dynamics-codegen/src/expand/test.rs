@@ -4,8 +4,7 @@ use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
 
 use super::Target;
-use crate::syntax::Structure;
-use crate::validate::plain;
+use crate::call::Structure;
 
 /// A test beside the struct: the model against the numeric recursive Newton-Euler
 /// algorithm.
@@ -20,7 +19,8 @@ pub(super) fn agrees_with_newton_euler(target: &Target, structure: &Structure) -
         name, cfgs, path, ..
     } = target;
     // The struct's own letters: structs whose names differ in case alone may be neighbours.
-    let prefix = plain(name);
+    let prefix = name.to_string();
+    let prefix = prefix.strip_prefix("r#").unwrap_or(&prefix);
     let [check, module] = ["agrees_with_recursive_newton_euler", "model"]
         .map(|rest| Ident::new(&format!("{prefix}_{rest}"), Span::call_site()));
     let names = structure.fields.iter().filter_map(|f| f.name.as_ref());

@@ -3,9 +3,10 @@
 use proc_macro2::{Delimiter, Ident, Punct, Spacing, Span, TokenStream, TokenTree};
 use syn::buffer::{self, TokenBuffer};
 
-use crate::diagnose::{Diagnostics, Place, Reported};
+use crate::diagnose::{Diagnostics, Reported};
 use crate::mistake::expected::Expected;
 use crate::mistake::{self, Mistake};
+use crate::place::Place;
 use crate::words::{LONGEST, shortened};
 
 /// A position in the tokens of one group.

@@ -10,9 +10,10 @@ use super::list::{Key, colon, comma_separated, end_item, key, skip_docs};
 use super::row::joints;
 use super::unknown::unknown;
 use super::vector::vector;
-use crate::diagnose::{Place, Reported};
+use crate::description::{Entry, Joints, Locked, Name};
+use crate::diagnose::Reported;
 use crate::mistake::{self, expected};
-use crate::syntax::{Entry, Joints, Locked};
+use crate::place::Place;
 use crate::words;
 
 /// The keys of the table.
@@ -88,7 +89,7 @@ fn constant(cursor: &mut Cursor, entries: &mut Vec<Entry>) -> Result<String, Rep
     let shown = has_value.then(|| cursor.shown_until(&[';', ',']));
     let reported = cursor.error(place, mistake::value::constant(&name, shown.as_deref()));
     let value = has_value.then(|| expression(cursor).ok()).flatten();
-    entries.push(Entry::Let(name, value));
+    entries.push(Entry::Let(Name::from(&name), value));
     Err(reported)
 }
 
@@ -107,12 +108,12 @@ fn binding(cursor: &mut Cursor, entries: &mut Vec<Entry>) -> Result<String, Repo
     };
     match value {
         Ok(value) => {
-            entries.push(Entry::Let(name, Some(value)));
+            entries.push(Entry::Let(Name::from(&name), Some(value)));
             Ok(what)
         }
         Err(reported) => {
             // The name is known from here on, though not its value.
-            entries.push(Entry::Let(name, None));
+            entries.push(Entry::Let(Name::from(&name), None));
             Err(reported)
         }
     }
@@ -224,7 +225,7 @@ fn lock(cursor: &mut Cursor) -> Result<Vec<Locked>, Reported> {
         };
         let end = position.as_ref().err().copied();
         locked.push(Locked {
-            name,
+            name: Name::from(&name),
             position: position.ok(),
         });
         end.map_or(Ok(what), Err)

@@ -4,10 +4,11 @@ use proc_macro2::{Delimiter, Ident, Literal, TokenTree};
 
 use super::cursor::{Cursor, Group};
 use super::number::number;
-use crate::diagnose::{Place, Reported};
+use crate::description::{Expr, ExprKind, Operator, Share};
+use crate::diagnose::Reported;
 use crate::limits::{DEEPEST_VALUE, MOST_TERMS};
 use crate::mistake::{expected, number as literal, size, value as mistake};
-use crate::syntax::{Expr, ExprKind, Operator, Share};
+use crate::place::Place;
 
 /// Reads a value.
 pub(super) fn expression(cursor: &mut Cursor) -> Result<Expr, Reported> {

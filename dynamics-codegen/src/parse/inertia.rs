@@ -7,9 +7,10 @@ use super::expression::expression;
 use super::list::{comma_separated, fill, key};
 use super::unknown::{Wrong, unknown};
 use super::vector::values;
-use crate::diagnose::{Place, Reported};
+use crate::description::{Expr, Given, Inertia, InertiaKind, Solid};
+use crate::diagnose::Reported;
 use crate::mistake::{self, expected};
-use crate::syntax::{Expr, Given, Inertia, InertiaKind, Solid};
+use crate::place::Place;
 
 /// The entries of a tensor, in the engine's order.
 pub(super) const ENTRIES: [&str; 6] = ["xx", "yy", "zz", "xy", "yz", "xz"];

@@ -4,9 +4,10 @@ use proc_macro2::{Delimiter, Ident, TokenTree};
 
 use super::cursor::Cursor;
 use super::unknown::Wrong;
-use crate::diagnose::{Place, Reported};
+use crate::description::Given;
+use crate::diagnose::Reported;
 use crate::mistake::{self, expected};
-use crate::syntax::Given;
+use crate::place::Place;
 
 /// Reads items between commas, a comma after the last one allowed. `item` returns
 /// how a message names what it read; `at_item` tells whether an item starts here. The

@@ -15,12 +15,15 @@ mod structure;
 mod unknown;
 mod vector;
 
-use proc_macro2::{Delimiter, Span, TokenStream};
+use std::collections::BTreeSet;
+
+use proc_macro2::{Delimiter, Ident, Span, TokenStream, TokenTree};
 use quote::quote;
 use syn::buffer::TokenBuffer;
 
+use crate::call::{Call, Structure};
+use crate::description::{Entry, Name, Table};
 use crate::diagnose::Diagnostics;
-use crate::syntax::{Call, Entry};
 use cursor::Cursor;
 
 /// Reads a call of the macro: the struct item, then the entries of the table.
@@ -41,12 +44,12 @@ pub(crate) fn call(input: TokenStream, diagnostics: &Diagnostics) -> Call {
     {
         entry::skip_to_entry(&mut cursor);
     }
-    let table = cursor.rest();
+    let mentions = names(cursor.rest());
+    let entries = entry::entries(&mut cursor);
     Call {
         path,
+        table: table(structure.as_ref(), entries, mentions),
         structure,
-        entries: entry::entries(&mut cursor),
-        table,
         is_refused: false,
     }
 }
@@ -63,9 +66,49 @@ fn refused(start: TokenStream) -> Call {
     Call {
         path,
         structure: structure.filter(|_| is_good),
-        entries: vec![Entry::Functions(None)],
-        table: TokenStream::new(),
+        table: Table {
+            entries: vec![Entry::Functions(None)],
+            ..Table::default()
+        },
         is_refused: true,
+    }
+}
+
+/// What the call says of the robot.
+fn table(structure: Option<&Structure>, entries: Vec<Entry>, mentions: BTreeSet<String>) -> Table {
+    let fields = structure.iter().flat_map(|structure| &structure.fields);
+    Table {
+        name: structure.map(|structure| Name::from(&structure.name)),
+        fields: fields
+            .filter_map(|field| field.name.as_ref().map(Name::from))
+            .collect(),
+        has_all_fields: structure.is_some_and(|structure| structure.complete),
+        entries,
+        mentions,
+    }
+}
+
+/// The identifiers, at whatever depth.
+fn names(tokens: TokenStream) -> BTreeSet<String> {
+    let mut names = BTreeSet::new();
+    let mut streams = vec![tokens];
+    while let Some(stream) = streams.pop() {
+        for token in stream {
+            match token {
+                TokenTree::Ident(ident) => {
+                    names.insert(Name::from(&ident).plain().to_owned());
+                }
+                TokenTree::Group(group) => streams.push(group.stream()),
+                _ => {}
+            }
+        }
+    }
+    names
+}
+
+impl From<&Ident> for Name {
+    fn from(ident: &Ident) -> Name {
+        Name::new(ident.to_string(), ident.into())
     }
 }
 

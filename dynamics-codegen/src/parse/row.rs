@@ -11,10 +11,11 @@ use super::inertia::{ENTRIES, inertia};
 use super::list::{Key, colon, comma_separated, fill, key};
 use super::unknown::{Wrong, unknown};
 use super::vector::{limits, vector};
-use crate::diagnose::{Place, Reported};
+use crate::description::{Allow, Friction, Joints, Motor, Name, Row};
+use crate::diagnose::Reported;
 use crate::mistake::expected::Expected;
 use crate::mistake::{self, expected};
-use crate::syntax::{Allow, Friction, Joints, Motor, Row};
+use crate::place::Place;
 
 /// The cells of a row.
 const CELLS: [&str; 11] = [
@@ -67,7 +68,7 @@ fn row_into(cursor: &mut Cursor, row: &mut Row) -> Result<String, Reported> {
         true => {
             cursor.error(&name, mistake::joint::unnamed());
         }
-        false => row.name = Some(name.clone()),
+        false => row.name = Some(Name::from(&name)),
     }
     let label = format!("joint `{name}`");
     let cells = match cursor.take_group(Delimiter::Brace) {

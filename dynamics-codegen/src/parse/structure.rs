@@ -4,10 +4,11 @@ use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
 use quote::quote;
 
 use super::cursor::Cursor;
-use crate::diagnose::{Place, Reported};
+use crate::call::{Field, Shape, Structure};
+use crate::diagnose::Reported;
 use crate::mistake::expected::{self, Expected};
 use crate::mistake::structure as mistake;
-use crate::syntax::{Field, Shape, Structure};
+use crate::place::Place;
 use crate::words;
 
 /// Reads the struct item. Where it cannot be read, reading goes on behind it.

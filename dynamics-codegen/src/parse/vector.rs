@@ -5,9 +5,9 @@ use proc_macro2::Delimiter;
 use super::cursor::{Cursor, Group};
 use super::expression::{at_value, expression};
 use super::list::comma_separated;
+use crate::description::{Expr, Limits, Vector};
 use crate::diagnose::Reported;
 use crate::mistake::{self, expected};
-use crate::syntax::{Expr, Limits, Vector};
 
 /// Reads `[x, y, z]`.
 pub(super) fn vector(cursor: &mut Cursor) -> Result<Vector, Reported> {

@@ -10,18 +10,19 @@ mod hostile;
 mod limits;
 mod messages;
 mod names;
+mod table;
 
 use proc_macro2::TokenStream;
 
 use crate::diagnose::Diagnostics;
+use crate::parse;
 use crate::validate::Model;
-use crate::{parse, validate};
 
 /// The model of a call and the messages about it.
 fn read(tokens: TokenStream) -> (Option<Model>, Vec<String>) {
     let diagnostics = Diagnostics::new();
     let call = parse::call(tokens, &diagnostics);
-    let model = validate::model(&call, &diagnostics);
+    let model = crate::model(&call, &diagnostics);
     (model, diagnostics.into_messages())
 }
 

@@ -6,8 +6,8 @@ use dynamics_symbolic::robot::Value;
 use super::row::is_negative;
 use super::scope::Scope;
 use super::{all, solid};
+use crate::description::{Expr, Given, InertiaKind, Row, Solid};
 use crate::mistake::joint as mistake;
-use crate::syntax::{Expr, Given, InertiaKind, Row, Solid};
 
 /// The tensor about the centre of mass: entries xx, yy, zz, xy, yz, xz.
 pub(super) fn inertia(row: &Row, mass: Option<&Value>, scope: &mut Scope) -> Option<[Value; 6]> {

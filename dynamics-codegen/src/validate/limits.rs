@@ -3,15 +3,15 @@
 use dynamics_symbolic::robot::{JointType, Value};
 
 use super::scope::Scope;
+use crate::description::{self, Expr, Given};
 use crate::mistake::joint as mistake;
-use crate::syntax::{self, Expr, Given};
 
 /// A revolute joint does not turn so far, in rad, unless its limit is written in terms of PI: five
 /// turns.
 const MANY_TURNS: f64 = 10.0 * core::f64::consts::PI;
 
 /// Both limits. Outer `None`: in error; inner `None`: not written.
-pub(super) fn limits(row: &syntax::Row, scope: &mut Scope) -> Option<Option<[Value; 2]>> {
+pub(super) fn limits(row: &description::Row, scope: &mut Scope) -> Option<Option<[Value; 2]>> {
     let limits = match &row.limits {
         Given::Absent => return Some(None),
         Given::Unreadable => return None,
@@ -34,7 +34,7 @@ pub(super) fn limits(row: &syntax::Row, scope: &mut Scope) -> Option<Option<[Val
 }
 
 /// One limit, a number.
-fn limit(limit: &Expr, row: &syntax::Row, scope: &mut Scope) -> Option<Value> {
+fn limit(limit: &Expr, row: &description::Row, scope: &mut Scope) -> Option<Value> {
     let value = scope.value(limit)?;
     if !value.is_number() {
         scope.error(limit.place, mistake::limit_with_field());

@@ -1,24 +1,23 @@
 //! Joints that are locked at a position.
 
 use dynamics_symbolic::robot::{Row, Value};
-use proc_macro2::Ident;
 
-use super::plain;
 use super::scope::Scope;
-use crate::diagnose::{Diagnostics, Place};
+use crate::description::{self, Name};
+use crate::diagnose::Diagnostics;
 use crate::mistake::{Mistake, entry as mistake};
-use crate::syntax;
+use crate::place::Place;
 use crate::words;
 
 /// A joint and the position at which it is locked; `None` where that is in error.
 pub(super) struct Lock {
-    name: Ident,
+    name: Name,
     position: Option<(Value, Place)>,
 }
 
 /// The positions, in the scope of the place where they are written.
-pub(super) fn positions(locked: Option<&[syntax::Locked]>, scope: &mut Scope) -> Vec<Lock> {
-    let lock = |locked: &syntax::Locked| Lock {
+pub(super) fn positions(locked: Option<&[description::Locked]>, scope: &mut Scope) -> Vec<Lock> {
+    let lock = |locked: &description::Locked| Lock {
         name: locked.name.clone(),
         position: locked.position.as_ref().and_then(|position| {
             let value = scope.value(position)?;
@@ -33,20 +32,24 @@ pub(super) fn positions(locked: Option<&[syntax::Locked]>, scope: &mut Scope) ->
 pub(super) fn lock(
     rows: &mut [Option<Row>],
     locks: &[Lock],
-    written: &[syntax::Row],
+    written: &[description::Row],
     diagnostics: &Diagnostics,
 ) {
-    let name = |row: &syntax::Row| row.name.as_ref().map(plain).unwrap_or_default();
+    let name = |row: &description::Row| {
+        row.name
+            .as_ref()
+            .map_or(String::new(), |name| name.plain().to_owned())
+    };
     let names: Vec<String> = written.iter().map(name).collect();
     let mut locked = vec![false; names.len()];
     for lock in locks {
-        let word = plain(&lock.name);
-        let Some(index) = names.iter().position(|name| *name == word) else {
-            diagnostics.error(&lock.name, unknown(&word, &names));
+        let word = lock.name.plain();
+        let Some(index) = names.iter().position(|name| name == word) else {
+            diagnostics.error(&lock.name, unknown(word, &names));
             return;
         };
         if locked[index] {
-            diagnostics.error(&lock.name, mistake::locked_twice(&word));
+            diagnostics.error(&lock.name, mistake::locked_twice(word));
         }
         locked[index] = true;
         if let (Some(row), Some((value, place))) = (&mut rows[index], &lock.position) {

@@ -1,4 +1,4 @@
-//! A syntax tree to the description of a robot.
+//! A table to a robot that the engine knows.
 //!
 //! What comes out is a robot that makes sense; every reason why one does not is
 //! reported. A value that could not be read is unknown (`None`) from then on, so
@@ -16,59 +16,45 @@ mod solid;
 use dynamics_symbolic::Function;
 use dynamics_symbolic::function::Growth;
 use dynamics_symbolic::robot::{Convention, Robot, Row, Value};
-use proc_macro2::Ident;
 
-use crate::diagnose::{Diagnostics, Place};
+use crate::description::{self, Entry, Joints, Name, Table};
+use crate::diagnose::Diagnostics;
 use crate::limits::{MOST_JOINTS, MOST_JOINTS_OF_LONG_FUNCTIONS, MOST_LONG_FUNCTIONS};
 use crate::mistake::{entry, joint, size};
-use crate::syntax::{self, Call, Entry, Joints, Structure};
+use crate::place::Place;
 use lock::Lock;
 use scope::Scope;
 
 /// What is to be generated.
-pub(crate) struct Model {
+#[derive(Debug)]
+pub struct Model {
     /// The robot.
-    pub(crate) robot: Robot,
+    pub robot: Robot,
     /// The functions, each with the place where it was asked for by name.
-    pub(crate) functions: Vec<(Function, Option<Place>)>,
+    pub functions: Vec<(Function, Option<Place>)>,
     /// Whether a test is to be generated too.
-    pub(crate) tests: bool,
+    pub tests: bool,
     /// The share below which terms are neglected, and where it was written.
-    pub(crate) neglect: Option<(Value, Place)>,
+    pub neglect: Option<(Value, Place)>,
 }
 
 /// The model that the call describes, or `None` where an error was reported.
-pub(crate) fn model(call: &Call, diagnostics: &Diagnostics) -> Option<Model> {
-    if call.is_refused {
-        return None;
-    }
-    let mut scope = Scope::new(call, diagnostics);
-    let mut parts = Parts::read(call, &mut scope);
-    if let Some(structure) = &call.structure {
-        parts.report_missing(&structure.name, diagnostics);
-        parts.lock(call, diagnostics);
-        neglect::report(&parts, call, diagnostics);
+pub(crate) fn model(table: &Table, diagnostics: &Diagnostics) -> Option<Model> {
+    let mut scope = Scope::new(table, diagnostics);
+    let mut parts = Parts::read(table, &mut scope);
+    if let Some(name) = &table.name {
+        parts.report_missing(name, diagnostics);
+        parts.lock(table, diagnostics);
+        neglect::report(&parts, table, diagnostics);
         parts.report_incomparable(diagnostics);
         if parts.have_values() {
-            fields::report_unused(structure, &scope, &call.table, diagnostics);
+            fields::report_unused(table, &scope, diagnostics);
         }
     }
     match diagnostics.is_empty() {
-        true => parts.model(call.structure.as_ref()?),
+        true => parts.model(table),
         false => None,
     }
-}
-
-/// The names of the struct's fields as they are written, the `r#` of a raw one included.
-pub(crate) fn field_names(structure: &Structure) -> Vec<String> {
-    let names = structure.fields.iter().filter_map(|f| f.name.as_ref());
-    names.map(ToString::to_string).collect()
-}
-
-/// The identifier's name, without the `r#` of a raw one.
-pub(crate) fn plain(ident: &Ident) -> String {
-    let text = ident.to_string();
-    text.strip_prefix("r#").unwrap_or(&text).to_owned()
 }
 
 /// The entries' meanings. Outer `None`: not written; inner `None`: in error.
@@ -86,9 +72,9 @@ struct Parts {
 impl Parts {
     /// Reads the entries in the order in which they were written, which is the order
     /// in which `let` binds names.
-    fn read(call: &Call, scope: &mut Scope) -> Parts {
+    fn read(table: &Table, scope: &mut Scope) -> Parts {
         let mut parts = Parts::default();
-        for entry in &call.entries {
+        for entry in &table.entries {
             match entry {
                 Entry::Let(name, value) => scope.bind(name, value.as_ref()),
                 Entry::Convention(convention) => parts.convention = Some(*convention),
@@ -120,7 +106,7 @@ impl Parts {
         self.gravity.is_some() && self.rows.as_ref().is_some_and(|rows| !rows.is_empty())
     }
 
-    fn report_missing(&self, name: &Ident, diagnostics: &Diagnostics) {
+    fn report_missing(&self, name: &Name, diagnostics: &Diagnostics) {
         if self.convention.is_none() {
             diagnostics.error(name, entry::missing_convention());
         }
@@ -148,17 +134,17 @@ impl Parts {
     }
 
     /// Locks the joints that are to be locked.
-    fn lock(&mut self, call: &Call, diagnostics: &Diagnostics) {
-        let known = rows(call).is_some_and(|joints| joints.complete);
+    fn lock(&mut self, table: &Table, diagnostics: &Diagnostics) {
+        let known = rows(table).is_some_and(|joints| joints.complete);
         if let (Some(rows), true) = (&mut self.rows, known) {
-            lock::lock(rows, &self.lock, rows_of(call), diagnostics);
+            lock::lock(rows, &self.lock, rows_of(table), diagnostics);
         }
     }
 
-    fn model(self, structure: &Structure) -> Option<Model> {
+    fn model(self, table: &Table) -> Option<Model> {
         let robot = Robot {
-            name: plain(&structure.name),
-            fields: field_names(structure),
+            name: table.name.as_ref()?.plain().to_owned(),
+            fields: table.fields.iter().map(Name::to_string).collect(),
             convention: self.convention??,
             gravity: all(self.gravity?)?,
             rows: self.rows?.into_iter().collect::<Option<_>>()?,
@@ -181,16 +167,16 @@ impl Parts {
 }
 
 /// The table as it was written, where it could be read.
-fn rows(call: &Call) -> Option<&Joints> {
-    call.entries.iter().find_map(|entry| match entry {
+fn rows(table: &Table) -> Option<&Joints> {
+    table.entries.iter().find_map(|entry| match entry {
         Entry::Joints(_, joints) => joints.as_ref(),
         _ => None,
     })
 }
 
 /// Its rows.
-fn rows_of(call: &Call) -> &[syntax::Row] {
-    rows(call).map_or(&[], |joints| &joints.rows)
+fn rows_of(table: &Table) -> &[description::Row] {
+    rows(table).map_or(&[], |joints| &joints.rows)
 }
 
 fn number_is_good(joints: &Joints, place: Place, scope: &Scope) -> bool {

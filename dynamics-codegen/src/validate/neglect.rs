@@ -5,9 +5,10 @@ use dynamics_symbolic::robot::{JointType, Value};
 
 use super::scope::Scope;
 use super::{Parts, rows_of};
-use crate::diagnose::{Diagnostics, Place};
+use crate::description::{Share, Table};
+use crate::diagnose::Diagnostics;
 use crate::mistake::entry as mistake;
-use crate::syntax::{Call, Share};
+use crate::place::Place;
 
 /// The share, between 0 and 1.
 pub(super) fn share(share: Option<&Share>, scope: &mut Scope) -> Option<(Value, Place)> {
@@ -34,7 +35,7 @@ pub(super) fn share(share: Option<&Share>, scope: &mut Scope) -> Option<(Value, 
 }
 
 /// Reports what `neglect` needs and is not there: numbers, ranges.
-pub(super) fn report(parts: &Parts, call: &Call, diagnostics: &Diagnostics) {
+pub(super) fn report(parts: &Parts, table: &Table, diagnostics: &Diagnostics) {
     let Some((_, place)) = &parts.neglect else {
         return;
     };
@@ -47,11 +48,10 @@ pub(super) fn report(parts: &Parts, call: &Call, diagnostics: &Diagnostics) {
             diagnostics.error(*place, mistake);
         }
     }
-    let fields = call.structure.iter().flat_map(|s| &s.fields);
-    if let Some(name) = fields.filter_map(|field| field.name.as_ref()).next() {
+    if let Some(name) = table.fields.first() {
         diagnostics.error(*place, mistake::neglect_and_field(name));
     }
-    let rows = parts.rows.iter().flatten().zip(rows_of(call));
+    let rows = parts.rows.iter().flatten().zip(rows_of(table));
     for (row, written) in rows {
         let (Some(row), Some(name)) = (row, &written.name) else {
             continue;

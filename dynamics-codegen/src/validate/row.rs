@@ -6,27 +6,27 @@ use dynamics_symbolic::exact::Rational;
 use dynamics_symbolic::robot::{JointType, Row, Value};
 
 use super::scope::Scope;
-use super::{all, inertia, limits, plain};
+use super::{all, inertia, limits};
+use crate::description::{self, Expr, ExprKind, Friction, Given, Motor};
 use crate::mistake::joint as mistake;
-use crate::syntax::{self, Expr, ExprKind, Friction, Given, Motor};
 
 /// The meaning of each row; `None` where it is in error.
-pub(super) fn rows(rows: &[syntax::Row], scope: &mut Scope) -> Vec<Option<Row>> {
+pub(super) fn rows(rows: &[description::Row], scope: &mut Scope) -> Vec<Option<Row>> {
     report_duplicates(rows, scope);
     rows.iter().map(|row| self::row(row, scope)).collect()
 }
 
-fn report_duplicates(rows: &[syntax::Row], scope: &Scope) {
+fn report_duplicates(rows: &[description::Row], scope: &Scope) {
     let mut seen = BTreeSet::new();
     for name in rows.iter().filter_map(|row| row.name.as_ref()) {
-        let word = plain(name);
-        if !seen.insert(word.clone()) {
-            scope.error(name, mistake::twice(&word));
+        let word = name.plain();
+        if !seen.insert(word) {
+            scope.error(name, mistake::twice(word));
         }
     }
 }
 
-fn row(row: &syntax::Row, scope: &mut Scope) -> Option<Row> {
+fn row(row: &description::Row, scope: &mut Scope) -> Option<Row> {
     let (d, theta) = offsets(row, scope);
     let a = scope.given(&row.a);
     let alpha = scope.given(&row.alpha);
@@ -42,7 +42,7 @@ fn row(row: &syntax::Row, scope: &mut Scope) -> Option<Row> {
     let (viscous, coulomb) = friction(&row.friction, scope);
     let limits = limits::limits(row, scope);
     Some(Row {
-        name: plain(row.name.as_ref()?),
+        name: row.name.as_ref()?.plain().to_owned(),
         joint_type: row.joint_type?,
         a: a?,
         alpha: alpha?,
@@ -80,7 +80,7 @@ fn report_degrees(cell: &Given<Expr>, scope: &Scope) {
 }
 
 /// `d` and `theta`: the joint's variable is added to one of them.
-fn offsets(row: &syntax::Row, scope: &mut Scope) -> (Option<Value>, Option<Value>) {
+fn offsets(row: &description::Row, scope: &mut Scope) -> (Option<Value>, Option<Value>) {
     match row.joint_type {
         Some(JointType::Prismatic) => (
             scope.given_beside_variable(&row.d, "d"),

@@ -4,13 +4,12 @@ use std::collections::BTreeMap;
 
 use dynamics_symbolic::exact::{Rational, bit_length};
 use dynamics_symbolic::robot::Value;
-use proc_macro2::Ident;
 
-use super::plain;
-use crate::diagnose::{Diagnostics, Place};
+use crate::description::{Entry, Expr, ExprKind, Given, Name, Operator, Table, Vector};
+use crate::diagnose::Diagnostics;
 use crate::limits::{MOST_BITS, MOST_BITS_IN_ALL, MOST_TERMS, MOST_TERMS_IN_ALL};
 use crate::mistake::{Mistake, size, value as mistake};
-use crate::syntax::{Call, Entry, Expr, ExprKind, Given, Operator, Vector};
+use crate::place::Place;
 use crate::words;
 
 /// The names that a value may use.
@@ -49,25 +48,24 @@ struct Measured {
 
 impl<'d> Scope<'d> {
     /// The fields alone.
-    pub(super) fn new(call: &Call, diagnostics: &'d Diagnostics) -> Scope<'d> {
+    pub(super) fn new(table: &Table, diagnostics: &'d Diagnostics) -> Scope<'d> {
         let mut scope = Scope {
             diagnostics,
             names: BTreeMap::new(),
             lets: Vec::new(),
             used: Vec::new(),
-            complete: call.structure.as_ref().is_some_and(|s| s.complete),
+            complete: table.has_all_fields,
             total: Total::default(),
         };
-        let fields = call.structure.iter().flat_map(|s| &s.fields);
-        for name in fields.filter_map(|field| field.name.as_ref()) {
+        for name in &table.fields {
             let index = scope.used.len();
             // One that cannot be bound can be used by no value.
             let bound = scope.insert(name, "field", Binding::Field(index));
             scope.used.push(!bound);
         }
-        for entry in &call.entries {
+        for entry in &table.entries {
             if let Entry::Let(name, _) = entry {
-                scope.lets.push(plain(name));
+                scope.lets.push(name.plain().to_owned());
             }
         }
         scope
@@ -79,14 +77,14 @@ impl<'d> Scope<'d> {
     }
 
     /// Binds the name to the value.
-    pub(super) fn bind(&mut self, name: &Ident, value: Option<&Expr>) {
+    pub(super) fn bind(&mut self, name: &Name, value: Option<&Expr>) {
         let value = value.and_then(|value| self.counted(value, None));
         self.insert(name, "`let`", Binding::Let(value));
     }
 
     /// Returns whether the name was free.
-    fn insert(&mut self, name: &Ident, what: &str, binding: Binding) -> bool {
-        let word = plain(name);
+    fn insert(&mut self, name: &Name, what: &str, binding: Binding) -> bool {
+        let word = name.plain().to_owned();
         if word == "PI" || word == "deg" {
             self.error(name, mistake::reserved(what, &word));
             return false;

@@ -3,7 +3,7 @@
 use dynamics_symbolic::exact::Rational;
 use dynamics_symbolic::robot::Value;
 
-use crate::syntax::Solid;
+use crate::description::Solid;
 
 /// The tensor of a solid about its centre of mass: entries xx, yy, zz, xy, yz, xz.
 ///

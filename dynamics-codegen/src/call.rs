@@ -1,0 +1,60 @@
+//! What a call of the macro says besides the table: tokens that are handed on to the generated code.
+
+use proc_macro2::{Ident, TokenStream};
+
+use crate::description::Table;
+
+/// A call of the macro.
+pub(crate) struct Call {
+    /// Path of the runtime crate, by which the generated code names everything.
+    pub(crate) path: TokenStream,
+    /// The struct item, where one could be read.
+    pub(crate) structure: Option<Structure>,
+    /// What the call says of the robot.
+    pub(crate) table: Table,
+    /// Whether it was too much to be read: that has been reported.
+    pub(crate) is_refused: bool,
+}
+
+/// The struct item.
+pub(crate) struct Structure {
+    /// Attributes, doc comments among them.
+    pub(crate) attributes: TokenStream,
+    /// Those of the attributes that switch the item on and off.
+    pub(crate) cfgs: TokenStream,
+    /// Whether one of the attributes is a `derive`.
+    pub(crate) has_derive: bool,
+    /// `pub`, `pub(crate)`, ... or nothing.
+    pub(crate) visibility: TokenStream,
+    /// Name of the struct.
+    pub(crate) name: Ident,
+    /// What follows the name.
+    pub(crate) shape: Shape,
+    /// The fields that could be read.
+    pub(crate) fields: Vec<Field>,
+    /// Whether these are all.
+    pub(crate) complete: bool,
+}
+
+/// What follows a struct's name.
+#[derive(Clone, Copy, PartialEq)]
+pub(crate) enum Shape {
+    /// `;`
+    Unit,
+    /// `{ name: f64, ... }`
+    Named,
+    /// `(f64, ...);`, which is refused.
+    Tuple,
+}
+
+/// A field of the struct: a symbolic parameter.
+pub(crate) struct Field {
+    /// Attributes, doc comments among them.
+    pub(crate) attributes: TokenStream,
+    /// `pub`, `pub(crate)`, ... or nothing.
+    pub(crate) visibility: TokenStream,
+    /// Name; a field of a tuple struct has none.
+    pub(crate) name: Option<Ident>,
+    /// The type as written.
+    pub(crate) written: TokenStream,
+}

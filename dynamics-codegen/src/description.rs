@@ -1,0 +1,277 @@
+//! What is said about a robot, before it is known to make sense: plain data with places, be it read
+//! from the tokens of a call or from a file.
+
+use dynamics_symbolic::Function;
+use dynamics_symbolic::exact::Rational;
+use dynamics_symbolic::robot::{Convention, JointType};
+
+use std::collections::BTreeSet;
+use std::fmt;
+
+pub use crate::place::Place;
+
+/// A name, and where it stands.
+#[derive(Clone, Debug)]
+pub struct Name {
+    written: String,
+    place: Place,
+}
+
+impl Name {
+    /// A name as it is written, the `r#` of a raw identifier included.
+    pub fn new(written: impl Into<String>, place: Place) -> Name {
+        Name {
+            written: written.into(),
+            place,
+        }
+    }
+
+    /// The name without the `r#` of a raw one.
+    pub fn plain(&self) -> &str {
+        self.written.strip_prefix("r#").unwrap_or(&self.written)
+    }
+}
+
+impl fmt::Display for Name {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str(&self.written)
+    }
+}
+
+impl From<&Name> for Place {
+    fn from(name: &Name) -> Place {
+        name.place
+    }
+}
+
+/// All that is said about a robot.
+#[derive(Debug, Default)]
+pub struct Table {
+    /// The robot's name; none where it could not be read.
+    pub name: Option<Name>,
+    /// Symbolic parameters.
+    pub fields: Vec<Name>,
+    /// Whether these are all.
+    pub has_all_fields: bool,
+    /// The entries, in the order in which they were written.
+    pub entries: Vec<Entry>,
+    /// Every name in the text of the entries, of those too that could not be read.
+    pub mentions: BTreeSet<String>,
+}
+
+/// An entry of the table. `None` stands for what could not be read: the error
+/// has been reported.
+#[derive(Debug)]
+pub enum Entry {
+    /// `let name = value;`
+    Let(Name, Option<Expr>),
+    /// `convention: modified`
+    Convention(Option<Convention>),
+    /// `gravity: [0, 0, -9.81]`
+    Gravity(Option<Vector>),
+    /// `joints: [...]`
+    Joints(Place, Option<Joints>),
+    /// `functions: [...]`
+    Functions(Option<Vec<(Function, Place)>>),
+    /// `lock: [elbow = 0.3]`
+    Lock(Option<Vec<Locked>>),
+    /// `neglect: 1%`
+    Neglect(Option<Share>),
+    /// `tests: true`
+    Tests(Place, Option<bool>),
+}
+
+/// `elbow = 0.3`
+#[derive(Debug)]
+pub struct Locked {
+    /// The joint.
+    pub name: Name,
+    /// Where it stands still, rad or m; none where that could not be read.
+    pub position: Option<Expr>,
+}
+
+/// `1%`, or a number without `%`.
+#[derive(Debug)]
+pub struct Share {
+    /// The number in front of `%`, or the number.
+    pub number: Expr,
+    /// Whether `%` follows it.
+    pub percent: bool,
+    /// Where it stands.
+    pub place: Place,
+}
+
+/// `[x, y, z]`
+pub type Vector = [Option<Expr>; 3];
+
+/// A thing that may be left out.
+#[derive(Debug, Default)]
+pub enum Given<T> {
+    /// Left out.
+    #[default]
+    Absent,
+    /// Written, but it could not be read: the error has been reported.
+    Unreadable,
+    /// Written.
+    As(T),
+}
+
+impl<T> Given<T> {
+    /// What was left out may be what could not be read next to it: then it is unreadable.
+    pub fn doubt(&mut self) {
+        if self.is_absent() {
+            *self = Given::Unreadable;
+        }
+    }
+
+    /// Whether nothing was written.
+    pub fn is_absent(&self) -> bool {
+        matches!(self, Given::Absent)
+    }
+
+    /// What was written, where it could be read.
+    pub fn value(&self) -> Option<&T> {
+        match self {
+            Given::As(value) => Some(value),
+            Given::Absent | Given::Unreadable => None,
+        }
+    }
+}
+
+/// `[name: revolute { cells }, ...]`
+#[derive(Debug)]
+pub struct Joints {
+    /// The rows that could be told apart as rows.
+    pub rows: Vec<Row>,
+    /// Whether these are all.
+    pub complete: bool,
+}
+
+/// `name: revolute { cells }`
+#[derive(Debug, Default)]
+pub struct Row {
+    /// The joint's name.
+    pub name: Option<Name>,
+    /// Revolute or prismatic.
+    pub joint_type: Option<JointType>,
+    /// Length of the common normal, m.
+    pub a: Given<Expr>,
+    /// Twist, rad.
+    pub alpha: Given<Expr>,
+    /// Offset along the axis, m.
+    pub d: Given<Expr>,
+    /// Angle about the axis, rad.
+    pub theta: Given<Expr>,
+    /// Mass of the link, kg.
+    pub mass: Given<Expr>,
+    /// Its centre of mass in the link's frame, m.
+    pub com: Given<Vector>,
+    /// Its inertia about the centre of mass.
+    pub inertia: Given<Inertia>,
+    /// What turns with the joint.
+    pub motor: Given<Motor>,
+    /// Friction of the joint.
+    pub friction: Given<Friction>,
+    /// The range of the joint.
+    pub limits: Given<Limits>,
+    /// What is accepted all the same.
+    pub allow: Given<Allow>,
+}
+
+/// The value of the cell `inertia`.
+#[derive(Debug)]
+pub struct Inertia {
+    /// Where it stands.
+    pub place: Place,
+    /// How it is written.
+    pub kind: InertiaKind,
+}
+
+/// How an inertia is written.
+#[derive(Debug)]
+pub enum InertiaKind {
+    /// `{ xx, yy, zz, xy, yz, xz }`, in this order.
+    Tensor(Box<[Given<Expr>; 6]>),
+    /// `cuboid(x, y, z)` and the like.
+    Solid(Solid, Vec<Option<Expr>>),
+}
+
+/// A homogeneous solid.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Solid {
+    /// Edges x, y, z.
+    Cuboid,
+    /// Radius and length, along z.
+    Cylinder,
+    /// Length, along x; slender.
+    Rod,
+    /// Radius.
+    Sphere,
+}
+
+/// `motor: { inertia, gear_ratio }`
+#[derive(Debug)]
+pub struct Motor {
+    /// Where it stands.
+    pub place: Place,
+    /// Inertia of the rotor, kg m^2.
+    pub inertia: Given<Expr>,
+    /// Speed of the motor over that of the joint.
+    pub gear_ratio: Given<Expr>,
+}
+
+/// `friction: { viscous, coulomb }`
+#[derive(Debug, Default)]
+pub struct Friction {
+    /// Force or torque for each unit of speed.
+    pub viscous: Given<Expr>,
+    /// Force or torque against the motion, whatever its speed.
+    pub coulomb: Given<Expr>,
+}
+
+/// `limits: [lower, upper]`
+pub type Limits = [Option<Expr>; 2];
+
+/// `allow: [unphysical_inertia]`
+#[derive(Debug, Default)]
+pub struct Allow {
+    /// A tensor that no body has.
+    pub unphysical_inertia: bool,
+}
+
+/// A constant expression.
+#[derive(Debug)]
+pub struct Expr {
+    /// What it is made of.
+    pub kind: ExprKind,
+    /// Where it stands.
+    pub place: Place,
+}
+
+/// The kinds of constant expression.
+#[derive(Debug)]
+pub enum ExprKind {
+    /// A number literal.
+    Number(Rational),
+    /// `PI`, a field or a `let`.
+    Name(String),
+    /// `deg(x)`
+    Degrees(Box<Expr>),
+    /// `-x`
+    Minus(Box<Expr>),
+    /// `x + y` and the like.
+    Binary(Operator, Box<Expr>, Box<Expr>),
+}
+
+/// The operators of two values.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Operator {
+    /// `+`
+    Add,
+    /// `-`
+    Sub,
+    /// `*`
+    Mul,
+    /// `/`
+    Div,
+}
