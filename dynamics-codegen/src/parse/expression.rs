@@ -7,7 +7,7 @@ use super::number::number;
 use crate::description::{Expr, ExprKind, Operator, Share};
 use crate::diagnose::Reported;
 use crate::limits::{DEEPEST_VALUE, MOST_TERMS};
-use crate::mistake::{expected, number as literal, size, value as mistake};
+use crate::mistake::{expected, size, value as mistake};
 use crate::place::Place;
 
 /// Reads a value.
@@ -140,15 +140,8 @@ fn plain_operand(cursor: &mut Cursor, limits: &mut Limits) -> Result<Expr, Repor
 }
 
 fn number_literal(cursor: &mut Cursor, literal: &Literal) -> Result<Expr, Reported> {
-    let text = literal.to_string();
     let place = Place::from(literal.span());
-    // A literal that another macro made may carry its sign.
-    let digits = text.strip_prefix('-').unwrap_or(&text);
-    if !digits.starts_with(|c: char| c.is_ascii_digit()) {
-        return Err(cursor.error(place, literal::other_literal(&text)));
-    }
-    let value = number(digits).map_err(|mistake| cursor.error(place, mistake))?;
-    let value = if digits == text { value } else { -value };
+    let value = number(literal).map_err(|mistake| cursor.error(place, mistake))?;
     Ok(Expr {
         kind: ExprKind::Number(value),
         place,

@@ -1,21 +1,50 @@
 //! Number literals, read as the exact decimals that they show.
 
 use dynamics_symbolic::exact::Rational;
+use proc_macro2::Literal;
+use syn::Lit;
 
 use crate::limits::MOST_DIGITS;
 use crate::mistake::{Mistake, number as mistake};
 
 /// The exact value of a literal such as `1_000`, `9.81` or `200e-6`, all of which may
-/// carry the suffix `f64`. The error says what is wrong.
-pub(super) fn number(literal: &str) -> Result<Rational, Mistake> {
-    let text = literal.replace('_', "");
+/// carry the suffix `f64`, and a sign where another macro made it. The error says what is wrong.
+pub(super) fn number(literal: &Literal) -> Result<Rational, Mistake> {
+    let text = literal.to_string();
+    let unsigned = text.strip_prefix('-').unwrap_or(&text);
     if ["0x", "0o", "0b"]
         .iter()
-        .any(|radix| text.starts_with(radix))
+        .any(|radix| unsigned.starts_with(radix))
     {
         return Err(mistake::not_decimal());
     }
-    let (mantissa, exponent) = split(&text)?;
+    let whole = unsigned.find(|c: char| !c.is_ascii_digit() && c != '_');
+    if whole.unwrap_or(unsigned.len()) > MOST_WHOLE_DIGITS {
+        return Err(mistake::too_many_digits());
+    }
+    let (digits, suffix) = match Lit::new(literal.clone()) {
+        Lit::Int(literal) => (
+            literal.base10_digits().to_owned(),
+            literal.suffix().to_owned(),
+        ),
+        Lit::Float(literal) => (
+            literal.base10_digits().to_owned(),
+            literal.suffix().to_owned(),
+        ),
+        _ => return Err(mistake::other_literal(&text)),
+    };
+    let unsigned = digits.strip_prefix('-').unwrap_or(&digits);
+    let (mantissa, exponent) = unsigned.split_once('e').unwrap_or((unsigned, ""));
+    no_suffix(mantissa, &suffix)?;
+    let value = value(mantissa, exponent_value(exponent))?;
+    Ok(if unsigned == digits { value } else { -value })
+}
+
+/// Digits of a whole number, leading zeros included: syn reads them in a time that grows with their square.
+const MOST_WHOLE_DIGITS: usize = 1_000;
+
+/// The mantissa times ten to the power of the exponent, where a double can hold it.
+fn value(mantissa: &str, exponent: i64) -> Result<Rational, Mistake> {
     let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
     let digits = format!("{whole}{fraction}");
     let digits = digits.trim_start_matches('0');
@@ -34,23 +63,10 @@ pub(super) fn number(literal: &str) -> Result<Rational, Mistake> {
     }
 }
 
-/// The literal's mantissa and exponent.
-fn split(text: &str) -> Result<(&str, i64), Mistake> {
-    let end = text
-        .find(|c: char| !c.is_ascii_digit() && c != '.')
-        .unwrap_or(text.len());
-    let (mantissa, rest) = text.split_at(end);
-    let (exponent, suffix) = match rest.strip_prefix(['e', 'E']) {
-        Some(rest) => {
-            let end = rest
-                .find(|c: char| !c.is_ascii_digit() && c != '-' && c != '+')
-                .unwrap_or(rest.len());
-            rest.split_at(end)
-        }
-        None => ("", rest),
-    };
+/// Refuses every suffix but `f64`.
+fn no_suffix(mantissa: &str, suffix: &str) -> Result<(), Mistake> {
     match suffix {
-        "" | "f64" => Ok((mantissa, exponent_value(exponent))),
+        "" | "f64" => Ok(()),
         "deg" => Err(mistake::degrees(mantissa)),
         _ if suffix.starts_with(['f', 'i', 'u']) => Err(mistake::other_type(suffix)),
         _ => Err(mistake::unit(suffix)),
@@ -94,6 +110,10 @@ fn decimal(digits: &str, scale: i64) -> Result<Rational, Mistake> {
 mod tests {
     use super::*;
 
+    fn number(literal: &str) -> Result<Rational, Mistake> {
+        super::number(&literal.parse().expect("a literal"))
+    }
+
     fn exact(text: &str) -> Rational {
         text.parse().unwrap()
     }
@@ -113,6 +133,8 @@ mod tests {
             ("3f64", "3"),
             ("3e1_f64", "30"),
             ("0.1", "1/10"),
+            ("-2.5", "-5/2"),
+            ("-3", "-3"),
         ] {
             assert_eq!(number(literal).unwrap(), exact(value), "{literal}");
         }
@@ -146,7 +168,9 @@ mod tests {
         for literal in ["1e-400", "1e-999999999", "1e-99999999999999999999"] {
             assert!(refusal(literal).contains("smallest"), "{literal}");
         }
-        assert!(refusal(&"1".repeat(101)).contains("digits"));
+        for digits in ["1".repeat(101), "1".repeat(1_000_000), "1_".repeat(500_000)] {
+            assert!(refusal(&digits).contains("digits"));
+        }
     }
 
     #[test]
