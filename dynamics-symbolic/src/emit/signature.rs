@@ -236,3 +236,46 @@ pub(super) fn field(name: &str) -> Ident {
         None => Ident::new(name, span),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Size::{Fixed, Joints, One, Pairs, Parameters};
+    use super::*;
+
+    fn written(shape: &Shape) -> String {
+        let sizes = Sizes {
+            joints: 4,
+            parameters: 11,
+        };
+        let tokens = type_of(shape, &quote!(4), sizes, &quote!(path));
+        tokens.to_string().replace("path :: nalgebra :: ", "")
+    }
+
+    /// Vectors and matrices in space, of joints, of base parameters, and arrays and tuples of them.
+    #[test]
+    fn shapes_are_types_of_nalgebra() {
+        const OF_SPACE: Shape = Shape::Matrix(Fixed(6), Joints);
+        const OF_PARAMETERS: Shape = Shape::Matrix(Parameters, One);
+        const SQUARE: Shape = Shape::Matrix(Joints, Joints);
+        for (shape, expected) in [
+            (Shape::Number, "T"),
+            (Shape::Matrix(Joints, One), "SVector < T , 4 >"),
+            (Shape::Matrix(Fixed(6), One), "Vector6 < T >"),
+            (Shape::Matrix(Fixed(6), Fixed(6)), "Matrix6 < T >"),
+            (Shape::Matrix(Fixed(3), Joints), "SMatrix < T , 3 , 4 >"),
+            (Shape::Matrix(Joints, Pairs), "SMatrix < T , 4 , 6 >"),
+            (Shape::Matrix(Joints, Parameters), "SMatrix < T , 4 , 11 >"),
+            (Shape::Each(&OF_SPACE), "[SMatrix < T , 6 , 4 > ; 4]"),
+            (
+                Shape::Tuple(&[OF_PARAMETERS, OF_PARAMETERS]),
+                "(SVector < T , 11 > , SVector < T , 11 >)",
+            ),
+            (
+                Shape::Tuple(&[Shape::Each(&SQUARE), SQUARE]),
+                "([SMatrix < T , 4 , 4 > ; 4] , SMatrix < T , 4 , 4 >)",
+            ),
+        ] {
+            assert_eq!(written(&shape), expected);
+        }
+    }
+}
