@@ -9,7 +9,7 @@ use crate::{Scalar, SingularMassMatrix};
 /// joint feels with the joints beyond it free, as those of the generated forward dynamics are.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Factors<T, const N: usize> {
-    /// Minus the entries of U above its diagonal.
+    /// The entries of U above its diagonal; what is below is no part of it.
     upper: SMatrix<T, N, N>,
     inverse_pivots: SVector<T, N>,
 }
@@ -24,20 +24,17 @@ impl<T: Scalar, const N: usize> Factors<T, N> {
     }
 
     #[inline(always)]
-    pub(crate) fn new(m: &SMatrix<T, N, N>) -> Result<Self, SingularMassMatrix> {
-        let mut upper = *m;
-        let mut inverse_pivots = SVector::repeat(m[0]);
+    pub(crate) fn new(mut m: SMatrix<T, N, N>) -> Result<Self, SingularMassMatrix> {
+        let diagonal = m.diagonal();
+        let mut inverse_pivots = diagonal;
         for j in (0..N).rev() {
-            let pivot = upper[(j, j)];
-            SingularMassMatrix::test(j, pivot, m[(j, j)])?;
+            let pivot = m[(j, j)];
+            SingularMassMatrix::test(j, pivot, diagonal[j])?;
             inverse_pivots[j] = pivot.constant(1.0) / pivot;
-            eliminate(&mut upper, j, inverse_pivots[j]);
-            for i in 0..j {
-                upper[(i, j)] = -upper[(i, j)] * inverse_pivots[j];
-            }
+            eliminate(&mut m, j, inverse_pivots[j]);
         }
         Ok(Factors {
-            upper,
+            upper: m,
             inverse_pivots,
         })
     }
@@ -48,7 +45,7 @@ impl<T: Scalar, const N: usize> Factors<T, N> {
         let mut x = *b;
         for j in (0..N).rev() {
             for i in 0..j {
-                x[i] = self.upper[(i, j)].mul_add(x[j], x[i]);
+                x[i] = (-self.upper[(i, j)]).mul_add(x[j], x[i]);
             }
         }
         for i in 0..N {
@@ -56,7 +53,7 @@ impl<T: Scalar, const N: usize> Factors<T, N> {
         }
         for j in 0..N {
             for i in j + 1..N {
-                x[i] = self.upper[(j, i)].mul_add(x[j], x[i]);
+                x[i] = (-self.upper[(j, i)]).mul_add(x[j], x[i]);
             }
         }
         x
@@ -64,25 +61,26 @@ impl<T: Scalar, const N: usize> Factors<T, N> {
 }
 
 /// What joint `j` takes part in leaves the matrix of the joints before it, of which the upper
-/// triangle is read.
+/// triangle is read; its own column becomes that of U.
 #[inline(always)]
 pub(crate) fn eliminate<T: Scalar, const N: usize>(
     m: &mut SMatrix<T, N, N>,
     j: usize,
     inverse_pivot: T,
 ) {
-    for i in 0..j {
+    for i in (0..j).rev() {
         let ratio = m[(i, j)] * inverse_pivot;
         for k in 0..=i {
             m[(k, i)] = m[(k, i)] - m[(k, j)] * ratio;
         }
+        m[(i, j)] = ratio;
     }
 }
 
 /// x with M x = b.
-#[inline]
+#[inline(always)]
 pub(crate) fn solve<const N: usize>(
-    m: &SMatrix<f64, N, N>,
+    m: SMatrix<f64, N, N>,
     b: &SVector<f64, N>,
 ) -> Result<SVector<f64, N>, SingularMassMatrix> {
     Ok(Factors::new(m)?.solve(b))
@@ -98,10 +96,10 @@ mod tests {
     fn solves_and_reports_the_joint_of_a_pivot() {
         let m = Matrix3::new(4.0, 1.0, 0.5, 1.0, 3.0, 0.2, 0.5, 0.2, 2.0);
         let x = Vector3::new(1.0, -2.0, 3.0);
-        let solved = Factors::new(&m).unwrap().solve(&(m * x));
+        let solved = Factors::new(m).unwrap().solve(&(m * x));
         assert!((solved - x).amax() < 1e-15, "{solved}");
         // Rows and columns 0 and 1 are alike behind joint 2: the pivot of joint 0 vanishes.
         let singular = Matrix3::new(1.0, 1.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0);
-        assert_eq!(Factors::new(&singular).unwrap_err().joint, 0);
+        assert_eq!(Factors::new(singular).unwrap_err().joint, 0);
     }
 }

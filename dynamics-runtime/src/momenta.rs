@@ -16,7 +16,7 @@ impl<R: MassMatrix<N> + InverseDynamics<N>, const N: usize> Momenta<N> for R {
         q: &SVector<f64, N>,
         p: &SVector<f64, N>,
     ) -> Result<SVector<f64, N>, SingularMassMatrix> {
-        solve(&self.mass_matrix(q), p)
+        solve(self.mass_matrix(q), p)
     }
 
     fn velocity_beside(
@@ -33,7 +33,7 @@ impl<R: MassMatrix<N> + InverseDynamics<N>, const N: usize> Momenta<N> for R {
             m[(i, i)] = 1.0;
             p[i] = 0.0;
         }
-        let qd = solve(&m, &p)?;
+        let qd = solve(m, &p)?;
         Ok(SVector::from_fn(|i, _| if still[i] { 0.0 } else { qd[i] }))
     }
 

@@ -2,8 +2,8 @@
 //!
 //! Own code for the reasons given at [`DormandPrince54`](super::DormandPrince54).
 
-use super::adaptive::{Embedded, Start, combination};
 use super::dop853_tableau::{A, C, DENSE, ERROR_5, LAST, STAGES, THIRD};
+use super::embedded::{Embedded, Start, combination};
 use super::step_control::Constants;
 use super::{Equations, Phase};
 

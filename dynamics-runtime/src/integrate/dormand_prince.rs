@@ -6,8 +6,8 @@
 //! error that came then holds none of the samples before. It also brings nalgebra's default
 //! features, two versions of syn among them, into every user's build.
 
-use super::adaptive::{Embedded, Start, combination};
 use super::dormand_prince_tableau::{A, C, DENSE, ERROR, STAGES};
+use super::embedded::{Embedded, Start, combination};
 use super::step_control::Constants;
 use super::{Equations, Phase};
 

@@ -22,7 +22,7 @@ impl<const N: usize> NewtonEuler<N> {
         let joints = self.joints(q);
         let bias = self.recursion(&joints, qd, &SVector::zeros(), &self.gravity);
         let available = tau - bias - self.friction_vector(qd);
-        solve(&self.composite_bodies(&joints), &available)
+        solve(self.composite_bodies(&joints), &available)
     }
 
     /// How near M(q) is to singular: which joint, and how many digits accelerations lose there.

@@ -10,7 +10,7 @@ use crate::JointType;
 
 /// Velocities and accelerations of a link frame, in that frame.
 #[derive(Clone, Copy)]
-struct Motion {
+struct FrameMotion {
     angular_velocity: Vector3<f64>,
     angular_acceleration: Vector3<f64>,
     linear_acceleration: Vector3<f64>,
@@ -18,10 +18,10 @@ struct Motion {
     spread: Matrix3<f64>,
 }
 
-impl Motion {
+impl FrameMotion {
     /// A base at rest. Gravity acts on the links as an acceleration of the base against it.
     fn base(gravity: &Vector3<f64>) -> Self {
-        Motion {
+        FrameMotion {
             angular_velocity: Vector3::zeros(),
             angular_acceleration: Vector3::zeros(),
             linear_acceleration: -gravity,
@@ -31,7 +31,7 @@ impl Motion {
 
     /// Craig (6.31) to (6.35): from link i to link i+1.
     #[inline(always)]
-    fn outward(&self, joint_type: JointType, joint: &Joint, qd: f64, qdd: f64) -> Motion {
+    fn outward(&self, joint_type: JointType, joint: &Joint, qd: f64, qdd: f64) -> FrameMotion {
         let mut angular_velocity = joint.outward(&self.angular_velocity);
         let mut angular_acceleration = joint.outward(&self.angular_acceleration);
         let of_origin = times(&self.spread, &joint.origin, &self.linear_acceleration);
@@ -45,7 +45,7 @@ impl Motion {
             }
             JointType::Prismatic => linear_acceleration += Vector3::new(2.0 * x, 2.0 * y, qdd),
         }
-        Motion {
+        FrameMotion {
             angular_velocity,
             angular_acceleration,
             linear_acceleration,
@@ -100,7 +100,7 @@ impl<const N: usize> NewtonEuler<N> {
         gravity: &Vector3<f64>,
     ) -> SVector<f64, N> {
         let mut wrenches = [Wrench::ZERO; N];
-        let mut motion = Motion::base(gravity);
+        let mut motion = FrameMotion::base(gravity);
         for (i, link) in self.links.iter().enumerate() {
             motion = motion.outward(link.joint_type, &joints[i], qd[i], qdd[i]);
             wrenches[i] = link

@@ -66,9 +66,14 @@ impl<'a, R, L, const N: usize> Motion<'a, R, L, N> {
 
     /// Which joints stick, where any does.
     fn still(&self) -> Option<[bool; N]> {
-        let contacts = self.contacts.get();
-        let any = self.sticks() && contacts.contains(&Contact::Sticks);
-        any.then(|| contacts.map(|contact| contact == Contact::Sticks))
+        if !self.sticks() {
+            return None;
+        }
+        let still = self
+            .contacts
+            .get()
+            .map(|contact| contact == Contact::Sticks);
+        still.contains(&true).then_some(still)
     }
 }
 

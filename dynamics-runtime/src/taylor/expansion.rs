@@ -5,7 +5,7 @@ use nalgebra::SVector;
 use super::TaylorDynamics;
 use super::coefficients::{MAX_TAYLOR_ORDER, TaylorCoefficients};
 use super::products::Products;
-use super::term::{Motion, Term};
+use super::term::{Coefficients, Term};
 use crate::factorisation::Factors;
 use crate::sines::Known;
 use crate::{Scalar, SingularMassMatrix};
@@ -18,7 +18,7 @@ where
     T: Scalar,
 {
     coefficients: TaylorCoefficients<T, N>,
-    motion: Motion<T, N>,
+    motion: Coefficients<T, N>,
     factors: Factors<T, N>,
     products: R::Products<T>,
 }
@@ -34,7 +34,7 @@ where
         let zero = SVector::repeat(like.constant(0.0));
         Expansion {
             coefficients: [zero; MAX_TAYLOR_ORDER + 1],
-            motion: Motion {
+            motion: Coefficients {
                 q: zero,
                 qd: zero,
                 qdd: zero,
@@ -72,9 +72,9 @@ where
         let zero = q[0].constant(0.0);
         let angles: [T; N] = core::array::from_fn(|i| if R::READS_ANGLE[i] { q[i] } else { zero });
         let sines = T::sin_cos_array(angles);
-        self.factors = Factors::new(&robot.leading_matrix(&Known(sines), q))
+        self.factors = Factors::new(robot.leading_matrix(&Known(sines), q))
             .map_err(|error| error.named(R::JOINT_NAMES[error.joint]))?;
-        let motion = Motion {
+        let motion = Coefficients {
             q: *q,
             qd: *qd,
             qdd: SVector::repeat(zero),
@@ -99,7 +99,7 @@ where
         for k in 0..order - 1 {
             if k > 0 {
                 self.products.advance(k);
-                let motion = Motion {
+                let motion = Coefficients {
                     q: self.coefficients[k],
                     qdd: zero,
                     ..self.motion
@@ -116,7 +116,7 @@ where
 
     /// Order k of the equations of motion.
     #[inline(always)]
-    fn term<const LEADING: bool>(&mut self, robot: &R, k: usize, motion: Motion<T, N>) {
+    fn term<const LEADING: bool>(&mut self, robot: &R, k: usize, motion: Coefficients<T, N>) {
         let mut term = Term::<_, T, N, LEADING> {
             motion,
             next_sine: motion.sine,
@@ -127,7 +127,7 @@ where
         robot.series_term(&mut term);
         let (sine, cosine) = (term.next_sine, term.next_cosine);
         let inverse = reciprocal(motion.q[0], k + 1);
-        self.motion = Motion {
+        self.motion = Coefficients {
             qdd: term.motion.qdd,
             sine: sine.map(|x| x * inverse),
             cosine: cosine.map(|x| x * inverse),

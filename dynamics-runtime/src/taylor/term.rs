@@ -40,7 +40,7 @@ pub trait SeriesTerm<T, const N: usize> {
 
 /// The state of an expansion from one order to the next.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Motion<T, const N: usize> {
+pub(super) struct Coefficients<T, const N: usize> {
     pub(super) q: SVector<T, N>,
     pub(super) qd: SVector<T, N>,
     pub(super) qdd: SVector<T, N>,
@@ -52,7 +52,7 @@ pub(super) struct Motion<T, const N: usize> {
 
 /// One order of an expansion; `LEADING` is whether it is order 0.
 pub(super) struct Term<'a, P, T, const N: usize, const LEADING: bool> {
-    pub(super) motion: Motion<T, N>,
+    pub(super) motion: Coefficients<T, N>,
     pub(super) next_sine: SVector<T, N>,
     pub(super) next_cosine: SVector<T, N>,
     pub(super) factors: &'a Factors<T, N>,

@@ -1,0 +1,164 @@
+//! Integration by explicit methods with error control and dense output.
+
+#[cfg(test)]
+mod tests;
+
+use super::embedded::{Embedded, Start};
+use super::initial_step::initial_step;
+use super::step_control::StepControl;
+use super::{Equations, Failure, Phase, StepRange, Stepper, Tolerance};
+
+/// An integration under way, at the end of its last step.
+pub(crate) struct Adaptive<M: Embedded<N>, const N: usize> {
+    t: f64,
+    phase: Phase<N>,
+    h: f64,
+    rates: M::Rates,
+    last: Start<N>,
+    fresh: bool,
+    polynomial: Option<M::Polynomial>,
+    tolerance: Tolerance,
+    range: StepRange,
+    control: StepControl,
+    rejected: u64,
+}
+
+impl<M: Embedded<N>, const N: usize> Adaptive<M, N> {
+    /// At the start, with a first guess of the step size.
+    pub(crate) fn start<S: Equations<N>>(
+        system: &S,
+        t: f64,
+        phase: Phase<N>,
+        tolerance: Tolerance,
+        range: StepRange,
+    ) -> Result<Self, S::Refusal> {
+        let rate = system.rate(t, &phase)?;
+        Ok(Adaptive {
+            t,
+            phase,
+            h: initial_step(system, t, &phase, &rate, &tolerance, M::CONTROL.order),
+            rates: M::rates(rate),
+            last: Start { t, phase, h: 0.0 },
+            fresh: false,
+            polynomial: None,
+            tolerance,
+            range,
+            control: StepControl::new(M::CONTROL),
+            rejected: 0,
+        })
+    }
+
+    /// A step from here: its end and its error, 1 at the tolerance.
+    #[inline]
+    fn trial<S: Equations<N>>(&mut self, system: &S) -> Result<(Phase<N>, f64), S::Refusal> {
+        let from = Start {
+            t: self.t,
+            phase: self.phase,
+            h: self.h,
+        };
+        let end = M::trial(system, &from, &mut self.rates)?;
+        let norm = |value: &Phase<N>| self.tolerance.norm(value, &self.phase, &end);
+        let error = M::error(self.h, &self.rates, norm);
+        if error <= 1.0 {
+            M::finish(system, &from, &end, &mut self.rates)?;
+        }
+        Ok((end, error))
+    }
+
+    fn accept(&mut self, phase: Phase<N>, error: f64, end: Option<f64>) {
+        self.last = Start {
+            t: self.t,
+            phase: self.phase,
+            h: self.h,
+        };
+        self.fresh = true;
+        self.polynomial = None;
+        self.t = end.unwrap_or(self.t + self.h);
+        self.phase = phase;
+        self.h *= self.control.accept(error);
+    }
+}
+
+impl<M: Embedded<N>, S: Equations<N>, const N: usize> Stepper<S, S::Refusal, N> for Adaptive<M, N> {
+    fn t(&self) -> f64 {
+        self.t
+    }
+
+    fn phase(&self) -> &Phase<N> {
+        &self.phase
+    }
+
+    /// Makes one step, as long as the tolerance permits.
+    ///
+    /// A step on which the acceleration is refused is tried again shorter: the place where it is
+    /// refused may lie beyond the end of the motion, or in a stage that a good step avoids.
+    fn step(&mut self, system: &S, end: f64) -> Result<(), Failure<S::Refusal>> {
+        // The stages of the last step are kept until here for its polynomial.
+        if self.fresh {
+            self.rates[0] = self.rates[M::LAST];
+            self.fresh = false;
+        }
+        loop {
+            let left = end - self.t;
+            self.h = self.range.within(self.h);
+            // Rather a step longer by a hundredth than a tiny one after it.
+            let last = 1.01 * self.h >= left;
+            if last {
+                self.h = left;
+            }
+            let (error, failure) = match self.trial(system) {
+                Ok((phase, error)) => {
+                    if error <= 1.0 {
+                        self.accept(phase, error, last.then_some(end));
+                        return Ok(());
+                    }
+                    (error, Failure::StepTooSmall)
+                }
+                Err(refusal) => (f64::NAN, Failure::Refused(refusal)),
+            };
+            self.rejected += 1;
+            self.h *= self.control.reject(error);
+            if self.h < self.range.least {
+                return Err(failure);
+            }
+        }
+    }
+
+    /// The phase at a time within the last step, by its polynomial.
+    fn at(&mut self, system: &S, t: f64) -> Result<Phase<N>, Failure<S::Refusal>> {
+        if t >= self.t {
+            return Ok(self.phase);
+        }
+        let polynomial = match self.polynomial {
+            Some(polynomial) => polynomial,
+            None => M::polynomial(system, &self.last, &self.phase, &mut self.rates)?,
+        };
+        self.polynomial = Some(polynomial);
+        Ok(M::evaluate(&polynomial, (t - self.last.t) / self.last.h))
+    }
+
+    fn retake(&mut self, system: &S, end: f64) -> Result<(), Failure<S::Refusal>> {
+        let from = Start {
+            h: end - self.last.t,
+            ..self.last
+        };
+        // The first of the stages is still that of the step to be made again.
+        self.phase = M::trial(system, &from, &mut self.rates)?;
+        M::finish(system, &from, &self.phase, &mut self.rates)?;
+        self.t = end;
+        self.last = from;
+        self.polynomial = None;
+        Ok(())
+    }
+
+    fn restart(&mut self, system: &S, phase: Phase<N>) -> Result<(), Failure<S::Refusal>> {
+        self.rates[0] = system.rate(self.t, &phase)?;
+        self.phase = phase;
+        self.fresh = false;
+        Ok(())
+    }
+
+    fn rejected(&self) -> u64 {
+        self.rejected
+    }
+}

@@ -1,0 +1,319 @@
+//! The Radau IIA method of order 5, for stiff equations.
+//!
+//! E. Hairer, G. Wanner, *Solving Ordinary Differential Equations II*, 2nd edition, section IV.8, and
+//! their program RADAU5: a simplified Newton iteration on transformed stages, an error estimate of
+//! order 3 that is filtered by the Jacobian, and predictive step control. That q' is the velocity
+//! halves the systems of equations ([`Shifted`]).
+
+mod newton;
+mod polynomial;
+mod stages;
+mod tableau;
+#[cfg(test)]
+mod tests;
+
+use super::initial_step::initial_step;
+use super::jacobian::{Jacobian, Shifted};
+use super::{Equations, Failure, Phase, StepRange, Stepper, Tolerance};
+use newton::{MOST_ITERATIONS, Matrices, Miss, Newton, Step};
+use polynomial::Polynomial;
+use stages::combination;
+use tableau::{C, ERROR};
+
+/// An integration under way, at the end of its last step.
+pub(crate) struct Radau<const N: usize> {
+    t: f64,
+    phase: Phase<N>,
+    rate: Phase<N>,
+    /// Where the last step started.
+    from: Beginning<N>,
+    h: f64,
+    jacobian: Jacobian<N>,
+    jacobian_is: Age,
+    polynomial: Option<Polynomial<N>>,
+    before: Option<Accepted>,
+    tolerance: Tolerance,
+    newton: Newton,
+    range: StepRange,
+    rejected: u64,
+    just_rejected: bool,
+}
+
+/// Where a step starts: a time, the phase then, and how it moves.
+#[derive(Clone, Copy)]
+struct Beginning<const N: usize> {
+    t: f64,
+    phase: Phase<N>,
+    rate: Phase<N>,
+}
+
+/// Whether the Jacobian is that of the phase reached.
+#[derive(Clone, Copy, PartialEq)]
+enum Age {
+    Fresh,
+    Old,
+    Useless,
+}
+
+/// Length and error of an accepted step.
+#[derive(Clone, Copy)]
+struct Accepted {
+    h: f64,
+    error: f64,
+}
+
+/// A step that was tried.
+struct Trial<const N: usize> {
+    /// Changes of the phase from the start to the stages.
+    changes: [Phase<N>; 3],
+    error: f64,
+    iterations: u32,
+}
+
+const SAFETY: f64 = 0.9;
+/// Bounds of the old step over the new one.
+const QUOTIENTS: (f64, f64) = (1.0 / 8.0, 5.0);
+
+impl<const N: usize> Radau<N> {
+    /// At the start, with a first guess of the step size.
+    pub(crate) fn start<S: Equations<N>>(
+        system: &S,
+        t: f64,
+        phase: Phase<N>,
+        wanted: Tolerance,
+        range: StepRange,
+    ) -> Result<Self, S::Refusal> {
+        let rate = system.rate(t, &phase)?;
+        // The estimate is of order 3 and the result of order 5.
+        let relative = 0.1 * wanted.relative.powf(2.0 / 3.0);
+        let tolerance = Tolerance {
+            relative,
+            absolute: relative * (wanted.absolute / wanted.relative),
+        };
+        let least = 10.0 * f64::EPSILON / relative;
+        Ok(Radau {
+            t,
+            phase,
+            rate,
+            from: Beginning { t, phase, rate },
+            h: initial_step(system, t, &phase, &rate, &wanted, 4.0),
+            jacobian: Jacobian::zeros(),
+            jacobian_is: Age::Useless,
+            polynomial: None,
+            before: None,
+            tolerance,
+            newton: Newton::new(least.max(relative.sqrt().min(0.03))),
+            range,
+            rejected: 0,
+            just_rejected: false,
+        })
+    }
+
+    /// The stages of a step of length `h` and its error.
+    fn trial<S: Equations<N>>(&mut self, system: &S) -> Result<Trial<N>, Miss<S::Refusal>> {
+        if self.jacobian_is == Age::Useless {
+            self.jacobian = Jacobian::at(system, self.t, &self.phase, &self.rate.qd)?;
+            self.jacobian_is = Age::Fresh;
+        }
+        let guess = self.predicted();
+        let matrices = Matrices::new(&self.jacobian, self.h);
+        let step = Step {
+            system,
+            t: self.t,
+            phase: &self.phase,
+            h: self.h,
+            tolerance: &self.tolerance,
+        };
+        let (changes, iterations) = self.newton.solve(&step, &matrices, guess)?;
+        let error = self.error(system, &changes, &matrices.real)?;
+        Ok(Trial {
+            changes,
+            error,
+            iterations,
+        })
+    }
+
+    /// The stages' changes that the polynomial of the step before predicts.
+    fn predicted(&self) -> [Phase<N>; 3] {
+        let Some(polynomial) = self.polynomial.filter(|_| !self.just_rejected) else {
+            return [Phase::zeros(); 3];
+        };
+        C.map(|c| polynomial.at(self.t + c * self.h).minus(&self.phase))
+    }
+
+    fn norm(&self, value: &Phase<N>) -> f64 {
+        self.tolerance.norm(value, &self.phase, &self.phase)
+    }
+
+    /// (IV.8.19) and (IV.8.20): `(gamma / h - J)^-1 (f(y) + e.z / h)`, and once more from there at the
+    /// start and after a rejected step, where the estimate of a very stiff component is too large.
+    fn error<S: Equations<N>>(
+        &self,
+        system: &S,
+        changes: &[Phase<N>; 3],
+        real: &Shifted<f64, N>,
+    ) -> Result<f64, S::Refusal> {
+        let weighted = combination(&ERROR, changes).scaled(1.0 / self.h);
+        let estimate = real.solve(&weighted.plus(1.0, &self.rate));
+        let error = self.norm(&estimate).max(1e-10);
+        if error < 1.0 || !(self.before.is_none() || self.just_rejected) {
+            return Ok(error);
+        }
+        let ahead = self.phase.plus(1.0, &estimate);
+        let rate = system.rate(self.t, &ahead)?;
+        let estimate = real.solve(&weighted.plus(1.0, &rate));
+        Ok(self.norm(&estimate).max(1e-10))
+    }
+
+    /// The old step over the one that the error asks for, the fewer iterations the longer; after
+    /// Gustafsson (1994) from the errors of two steps.
+    fn quotient(&self, trial: &Trial<N>) -> f64 {
+        let (least, greatest) = QUOTIENTS;
+        let patience = f64::from(1 + 2 * MOST_ITERATIONS);
+        let taken = f64::from(trial.iterations + 2 * MOST_ITERATIONS);
+        let factor = SAFETY * (patience / taken).min(1.0);
+        let plain = (trial.error.powf(0.25) / factor).clamp(least, greatest);
+        match self.before {
+            Some(before) if trial.error < 1.0 => {
+                let ratio = trial.error.powi(2) / before.error;
+                let predicted = before.h / self.h * ratio.powf(0.25) / SAFETY;
+                plain.max(predicted.clamp(least, greatest))
+            }
+            _ => plain,
+        }
+    }
+
+    fn accept<S: Equations<N>>(
+        &mut self,
+        system: &S,
+        trial: &Trial<N>,
+        end: f64,
+    ) -> Result<(), S::Refusal> {
+        let phase = self.phase.plus(1.0, &trial.changes[2]);
+        let rate = system.rate(end, &phase)?;
+        let quotient = self.quotient(trial);
+        self.polynomial = Some(Polynomial::new(end, self.h, &phase, &trial.changes));
+        self.before = Some(Accepted {
+            h: self.h,
+            error: trial.error.max(1e-2),
+        });
+        self.from = Beginning {
+            t: self.t,
+            phase: self.phase,
+            rate: self.rate,
+        };
+        (self.t, self.phase, self.rate) = (end, phase, rate);
+        // A step that just failed is not followed by a longer one.
+        self.h /= if self.just_rejected {
+            quotient.max(1.0)
+        } else {
+            quotient
+        };
+        self.just_rejected = false;
+        self.jacobian_is = if self.newton.was_fast() {
+            Age::Old
+        } else {
+            Age::Useless
+        };
+        Ok(())
+    }
+
+    /// Makes the step shorter by a factor, and the Jacobian new where it was not.
+    fn shorten(&mut self, factor: f64) {
+        self.rejected += 1;
+        self.just_rejected = true;
+        self.h *= factor;
+        if self.jacobian_is == Age::Old {
+            self.jacobian_is = Age::Useless;
+        }
+    }
+}
+
+impl<S: Equations<N>, const N: usize> Stepper<S, S::Refusal, N> for Radau<N> {
+    fn t(&self) -> f64 {
+        self.t
+    }
+
+    fn phase(&self) -> &Phase<N> {
+        &self.phase
+    }
+
+    fn step(&mut self, system: &S, end: f64) -> Result<(), Failure<S::Refusal>> {
+        loop {
+            let left = end - self.t;
+            self.h = self.range.within(self.h);
+            let last = 1.01 * self.h >= left;
+            if last {
+                self.h = left;
+            }
+            let step_end = if last { end } else { self.t + self.h };
+            let failure = match self.trial(system) {
+                Ok(trial) if trial.error < 1.0 => match self.accept(system, &trial, step_end) {
+                    Ok(()) => return Ok(()),
+                    Err(refusal) => {
+                        self.shorten(0.2);
+                        Failure::Refused(refusal)
+                    }
+                },
+                Ok(trial) => {
+                    let first = self.before.is_none();
+                    let factor = if first {
+                        0.1
+                    } else {
+                        1.0 / self.quotient(&trial)
+                    };
+                    // An error that is not a number makes none.
+                    self.shorten(if factor < 1.0 { factor } else { 0.2 });
+                    Failure::StepTooSmall
+                }
+                Err(Miss::Newton(factor)) => {
+                    self.shorten(factor);
+                    Failure::StepTooSmall
+                }
+                Err(Miss::Refused(refusal)) => {
+                    self.shorten(0.2);
+                    Failure::Refused(refusal)
+                }
+            };
+            if self.h < self.range.least {
+                return Err(failure);
+            }
+        }
+    }
+
+    fn at(&mut self, _: &S, t: f64) -> Result<Phase<N>, Failure<S::Refusal>> {
+        Ok(match self.polynomial {
+            Some(polynomial) if t < self.t => polynomial.at(t),
+            _ => self.phase,
+        })
+    }
+
+    fn retake(&mut self, system: &S, end: f64) -> Result<(), Failure<S::Refusal>> {
+        let Beginning { t, phase, rate } = self.from;
+        (self.t, self.phase, self.rate) = (t, phase, rate);
+        let next = self.h;
+        self.h = end - t;
+        self.polynomial = None;
+        self.jacobian_is = Age::Useless;
+        match self.trial(system) {
+            Ok(trial) => self.accept(system, &trial, end)?,
+            Err(Miss::Refused(refusal)) => return Err(Failure::Refused(refusal)),
+            Err(Miss::Newton(_)) => return Err(Failure::NoConvergence),
+        }
+        self.h = next;
+        Ok(())
+    }
+
+    fn restart(&mut self, system: &S, phase: Phase<N>) -> Result<(), Failure<S::Refusal>> {
+        self.rate = system.rate(self.t, &phase)?;
+        self.phase = phase;
+        self.polynomial = None;
+        self.before = None;
+        self.jacobian_is = Age::Useless;
+        Ok(())
+    }
+
+    fn rejected(&self) -> u64 {
+        self.rejected
+    }
+}
