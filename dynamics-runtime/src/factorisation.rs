@@ -16,6 +16,7 @@ pub(crate) struct Factors<T, const N: usize> {
 
 impl<T: Scalar, const N: usize> Factors<T, N> {
     /// Those of the unit matrix.
+    #[inline]
     pub(crate) fn unit(like: T) -> Self {
         Factors {
             upper: SMatrix::repeat(like.constant(0.0)),

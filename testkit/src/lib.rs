@@ -4,7 +4,6 @@
 #![forbid(unsafe_code)]
 
 pub mod clock;
-pub mod dual;
 pub mod exact;
 pub mod machine;
 pub mod plot;

@@ -214,6 +214,21 @@ impl<'a, R: ForwardDynamics<N>, L, const N: usize> InMomenta<'a, R, L, N> {
         Some(InMomenta { motion, arm })
     }
 
+    /// Joints that stick have no velocity, whatever their momenta: those of the others are the
+    /// momenta of the arm that is left.
+    #[inline]
+    fn phase_beside(&self, still: Option<[bool; N]>, at: &Point<N>) -> Result<Phase<N>, Cause> {
+        if let Some(joint) = at.first_non_finite() {
+            return Err(Cause::NonFiniteState { joint });
+        }
+        let qd = match still {
+            None => self.arm.velocity(&at.q, &at.p),
+            Some(still) => self.arm.velocity_beside(&still, &at.q, &at.p),
+        };
+        let qd = qd.map_err(|error| self.named(error, &at.q))?;
+        Ok(Phase { q: at.q, qd })
+    }
+
     /// The error as the forward dynamics of the arm has it, which knows the names of the joints.
     #[cold]
     fn named(&self, error: SingularMassMatrix, q: &SVector<f64, N>) -> SingularMassMatrix {
@@ -236,27 +251,18 @@ where
         Ok(self.arm.momentum(&phase.q, &phase.qd))
     }
 
-    /// Joints that stick have no velocity, whatever their momenta: those of the others are the
-    /// momenta of the arm that is left.
     fn phase(&self, at: &Point<N>) -> Result<Phase<N>, Cause> {
-        if let Some(joint) = at.first_non_finite() {
-            return Err(Cause::NonFiniteState { joint });
-        }
-        let qd = match self.motion.still() {
-            None => self.arm.velocity(&at.q, &at.p),
-            Some(still) => self.arm.velocity_beside(&still, &at.q, &at.p),
-        };
-        let qd = qd.map_err(|error| self.named(error, &at.q))?;
-        Ok(Phase { q: at.q, qd })
+        self.phase_beside(self.motion.still(), at)
     }
 
     fn rate(&self, t: f64, at: &Point<N>) -> Result<Point<N>, Cause> {
-        let phase = self.phase(at)?;
+        let still = self.motion.still();
+        let phase = self.phase_beside(still, at)?;
         let tau = self.motion.torque(t, &phase)?;
         self.motion.count();
         let mut p = finite(self.arm.force(&phase.q, &phase.qd, &tau))?;
         // The forces that hold a joint act on its momentum alone, which nothing reads.
-        for (i, still) in self.motion.still().iter().flatten().enumerate() {
+        for (i, still) in still.iter().flatten().enumerate() {
             if *still {
                 p[i] = 0.0;
             }

@@ -29,6 +29,8 @@ where
     T: Scalar,
 {
     /// Room for a series; the numbers of `like` do not matter.
+    // Not inlined: the zeros of the products are written to their place, and not to another one first.
+    #[inline(never)]
     pub(crate) fn new(like: &SVector<T, N>) -> Self {
         let like = like[0];
         let zero = SVector::repeat(like.constant(0.0));

@@ -1,23 +1,23 @@
 //! Derivatives of inverse and forward dynamics.
 
+use num_dual::Dual64;
 use robot_dynamics::nalgebra::{SMatrix, SVector};
 use robot_dynamics::{AccelerationDerivatives, DoubleDouble, State};
 
 use super::gradient::unit;
-use super::samples::{Magnitude, assert_small, largest, states};
+use super::samples::{Magnitude, along, assert_small, largest, states};
 use robots::Arm;
-use testkit::dual::{Dual, along};
 
 /// The matrix whose column k is what `column` says of joint k.
 fn by_columns<const N: usize>(column: impl Fn(usize) -> SVector<f64, N>) -> SMatrix<f64, N, N> {
     SMatrix::from_columns(&std::array::from_fn::<_, N, _>(column))
 }
 
-fn slope<const N: usize>(x: SVector<Dual, N>) -> SVector<f64, N> {
-    x.map(|x| x.derivative)
+fn slope<const N: usize>(x: SVector<Dual64, N>) -> SVector<f64, N> {
+    x.map(|x| x.eps)
 }
 
-fn still<const N: usize>(x: &SVector<f64, N>) -> SVector<Dual, N> {
+fn still<const N: usize>(x: &SVector<f64, N>) -> SVector<Dual64, N> {
     along(x, &SVector::zeros())
 }
 
@@ -149,7 +149,7 @@ pub(super) fn acceleration_derivatives_are_those_of_dual_numbers<
         let tau = robot.inverse_dynamics(q, qd, qdd);
         let found = robot.forward_dynamics_derivatives(q, qd, &tau);
         let found = found.expect("M is positive definite");
-        let expected = |q: SVector<Dual, N>, qd: SVector<Dual, N>, tau: SVector<Dual, N>| {
+        let expected = |q: SVector<Dual64, N>, qd: SVector<Dual64, N>, tau: SVector<Dual64, N>| {
             slope(
                 robot
                     .forward_dynamics(&q, &qd, &tau)

@@ -3,9 +3,8 @@
 use robot_dynamics::nalgebra::{SVector, Vector1, Vector3};
 
 use super::gradient::unit;
-use super::samples::{Magnitude, assert_small, states};
+use super::samples::{Magnitude, along, assert_small, states};
 use robots::Arm;
-use testkit::dual::along;
 
 /// T = 1/2 qd'M qd.
 pub(super) fn kinetic_energy_is_that_of_the_mass_matrix<
@@ -56,11 +55,7 @@ pub(super) fn gravity_vector_is_the_gradient_of_the_potential_energy<
     robot: &R,
 ) {
     for state in states::<N>() {
-        let slope = |k| {
-            robot
-                .potential_energy(&along(&state.q, &unit(k)))
-                .derivative
-        };
+        let slope = |k| robot.potential_energy(&along(&state.q, &unit(k))).eps;
         let gradient = SVector::<f64, N>::from_fn(|k, _| slope(k));
         let difference = robot.gravity_vector(&state.q) - gradient;
         let magnitude = Magnitude::at(robot, &state);
@@ -81,7 +76,7 @@ pub(super) fn power_of_the_torques_is_the_rate_of_the_energy<
     for state in states() {
         let q = along(&state.q, &state.qd);
         let qd = along(&state.qd, &state.qdd);
-        let rate = (robot.kinetic_energy(&q, &qd) + robot.potential_energy(&q)).derivative;
+        let rate = (robot.kinetic_energy(&q, &qd) + robot.potential_energy(&q)).eps;
         let torque = robot.inverse_dynamics(&state.q, &state.qd, &state.qdd)
             - robot.friction_vector(&state.qd);
         let magnitude = Magnitude::at(robot, &state).torque * state.qd.abs().sum();

@@ -2,8 +2,8 @@
 
 use robot_dynamics::nalgebra::{SMatrix, SVector};
 
+use super::samples::along;
 use robots::Arm;
-use testkit::dual::along;
 
 /// dM/dt along the velocity `qd`.
 pub(super) fn mass_matrix_rate<const N: usize, const P: usize, R: Arm<N, P>>(
@@ -11,7 +11,7 @@ pub(super) fn mass_matrix_rate<const N: usize, const P: usize, R: Arm<N, P>>(
     q: &SVector<f64, N>,
     qd: &SVector<f64, N>,
 ) -> SMatrix<f64, N, N> {
-    robot.mass_matrix(&along(q, qd)).map(|m| m.derivative)
+    robot.mass_matrix(&along(q, qd)).map(|m| m.eps)
 }
 
 /// dM/dq_k for each joint k.

@@ -1,12 +1,12 @@
 //! The mass matrix.
 
+use num_dual::Dual64;
 use robot_dynamics::Row;
 use robot_dynamics::nalgebra::{Matrix3, Matrix4, SMatrix, SVector, Vector3};
 
 use super::gradient::unit;
-use super::samples::{Magnitude, assert_small, states};
+use super::samples::{Magnitude, along, assert_small, states};
 use robots::Arm;
-use testkit::dual::{Dual, along};
 
 /// Both triangles hold the same bits.
 pub(super) fn mass_matrix_is_symmetric<const N: usize, const P: usize, R: Arm<N, P>>(robot: &R) {
@@ -36,10 +36,10 @@ pub(super) fn mass_matrix_is_positive_definite<const N: usize, const P: usize, R
 
 /// Velocity of the centre of mass and angular velocity in the link frame, of a link whose pose
 /// carries its rate.
-fn velocities(pose: &Matrix4<Dual>, row: &Row) -> (Vector3<f64>, Vector3<f64>) {
-    let rate = pose.map(|x| x.derivative);
+fn velocities(pose: &Matrix4<Dual64>, row: &Row) -> (Vector3<f64>, Vector3<f64>) {
+    let rate = pose.map(|x| x.eps);
     let com = Vector3::from(row.com).push(1.0);
-    let rotation = pose.map(|x| x.value).fixed_resize::<3, 3>(0.0);
+    let rotation = pose.map(|x| x.re).fixed_resize::<3, 3>(0.0);
     // R' dR/dt = [w x] with w in the link frame.
     let spin = rotation.transpose() * rate.fixed_resize::<3, 3>(0.0);
     let angular = Vector3::new(spin[(2, 1)], spin[(0, 2)], spin[(1, 0)]);

@@ -4,9 +4,8 @@ use robot_dynamics::nalgebra::{Matrix3, Matrix4, RowVector4, Vector3};
 use robot_dynamics::{Convention, JointType, Row};
 
 use super::gradient::unit;
-use super::samples::{Magnitude, assert_small, states};
+use super::samples::{Magnitude, along, assert_small, states};
 use robots::Arm;
-use testkit::dual::along;
 
 fn rotation(pose: &Matrix4<f64>) -> Matrix3<f64> {
     pose.fixed_view::<3, 3>(0, 0).into_owned()
@@ -104,7 +103,7 @@ pub(super) fn jacobian_is_the_derivative_of_the_pose<
         let pose = robot.forward_kinematics(&state.q);
         for j in 0..N {
             let moving = robot.forward_kinematics(&along(&state.q, &unit(j)));
-            let rate = moving.map(|x| x.derivative);
+            let rate = moving.map(|x| x.eps);
             let linear = jacobian.fixed_view::<3, 1>(0, j) - position(&rate);
             assert_small(&linear, reach.max(1.0), N);
 

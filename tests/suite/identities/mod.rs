@@ -1,6 +1,6 @@
 //! Identities of mechanics that tie the generated functions to one another, at seeded states.
 //!
-//! Derivatives are exact: the functions run on the dual numbers of `support/dual.rs`.
+//! Derivatives are exact: the functions run on the dual numbers of `num-dual`.
 
 mod coriolis;
 mod derivatives;

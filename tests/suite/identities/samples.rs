@@ -1,5 +1,6 @@
 //! Seeded states, and the magnitudes that errors at them are relative to.
 
+use num_dual::Dual64;
 use robot_dynamics::nalgebra::{Dim, Matrix, RawStorage, SVector};
 use robot_dynamics::{JointType, Row, State, Table};
 
@@ -18,6 +19,14 @@ pub(super) fn states<const N: usize>() -> impl Iterator<Item = State<N>> {
         qd: random.vector(3.0),
         qdd: random.vector(10.0),
     })
+}
+
+/// The point `x`, moving at `direction`: what is evaluated there carries its derivative that way.
+pub(super) fn along<const N: usize>(
+    x: &SVector<f64, N>,
+    direction: &SVector<f64, N>,
+) -> SVector<Dual64, N> {
+    x.zip_map(direction, Dual64::new)
 }
 
 /// The natural magnitudes of an arm's quantities at one state.
