@@ -136,9 +136,13 @@ fn neglected(
     };
     let whole = derive(&complete, function);
     let error = largest_error(&complete, function, &whole, program);
+    let definite = match neglected.is_definite {
+        true => "",
+        false => " That the mass matrix is positive definite at all positions was not shown.",
+    };
     vec![format!(
         " Of the abbreviated model: what stays below {} % is neglected. The largest error at {STATES} sampled \
-         states is {:.1e} of the largest value of the complete function, which takes {} operations, {} more.",
+         states is {:.1e} of the largest value of the complete function, which takes {} operations, {} more.{definite}",
         percent(neglected.share),
         error.relative,
         error.complete,

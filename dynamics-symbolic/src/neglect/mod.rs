@@ -13,6 +13,8 @@
 //! Decisions are made in double precision by operations that every processor rounds alike.
 
 mod arm;
+mod definite;
+mod descent;
 mod error;
 mod reals;
 mod sample;
@@ -31,22 +33,31 @@ pub const STATES: usize = 200;
 /// A share at which too much is left out.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NotPositiveDefinite {
-    /// Positions of the joints at which M, as it is left, is not positive definite.
-    pub q: Vec<f64>,
+    /// Positions of the joints at which M, as it is left, is not positive definite; `None` where none
+    /// were found, and it could not be shown that there are none.
+    pub q: Option<Vec<f64>>,
     /// How many base parameters would be left out.
     pub count: usize,
 }
 
 impl fmt::Display for NotPositiveDefinite {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let q: Vec<_> = self.q.iter().map(|q| format!("{q:.3}")).collect();
+        let count = self.count;
         write!(
             f,
-            "without the {} base inertial parameters below this share the mass matrix is not positive \
-             definite at q = ({}): choose a smaller share",
-            self.count,
-            q.join(", ")
-        )
+            "without the {count} base inertial parameters below this share the mass matrix "
+        )?;
+        match &self.q {
+            Some(q) => {
+                let q: Vec<_> = q.iter().map(|q| format!("{q:.3}")).collect();
+                write!(f, "is not positive definite at q = ({})", q.join(", "))?;
+            }
+            None => write!(
+                f,
+                "could not be shown to be positive definite at all positions"
+            )?,
+        }
+        write!(f, ": choose a smaller share")
     }
 }
 
@@ -57,7 +68,8 @@ impl std::error::Error for NotPositiveDefinite {}
 ///
 /// # Errors
 ///
-/// Where M is not positive definite any more at a sampled state, though it was.
+/// Where M is not positive definite any more at some state, though it was, or where it cannot be shown
+/// that it is at all positions, though the complete one's is.
 pub fn neglect(robot: &Robot, share: f64) -> Result<Robot, NotPositiveDefinite> {
     let grouping = Grouping::of(robot);
     let arm = Arm::new(robot, &grouping);
@@ -66,7 +78,19 @@ pub fn neglect(robot: &Robot, share: f64) -> Result<Robot, NotPositiveDefinite> 
     // What has no effect at all costs nothing as it is.
     let is_small = |x: &f64| *x > 0.0 && *x < share;
     let small: Vec<bool> = effects.shares().iter().map(is_small).collect();
-    effects.check(&arm, &samples, &small)?;
+    let is_left: Vec<bool> = small.iter().map(|small| !small).collect();
+    let count = small.iter().filter(|small| **small).count();
+    let refused = |q| Err(NotPositiveDefinite { q, count });
+    if let Some(q) = effects.indefinite(&samples, &is_left) {
+        return refused(Some(q));
+    }
+    let sizes: Vec<f64> = effects.weights.iter().map(|w| w * w).collect();
+    let shown =
+        |is_left: &[bool]| definite::is_positive_definite(robot, &grouping, is_left, &sizes);
+    let is_definite = shown(&is_left);
+    if !is_definite && shown(&vec![true; small.len()]) {
+        return refused(descent::indefinite(robot, &arm, &samples, &is_left));
+    }
     let columns = arm.columns.iter().zip(&small);
     let columns = columns.filter(|(_, small)| **small);
     let mut pruned = robot.clone();
@@ -74,6 +98,7 @@ pub fn neglect(robot: &Robot, share: f64) -> Result<Robot, NotPositiveDefinite> 
         columns: columns.map(|(column, _)| *column).collect(),
         grouping,
         share,
+        is_definite,
     });
     Ok(pruned)
 }
@@ -151,37 +176,31 @@ impl Effects {
         scaled.fold(0.0, |largest, (x, w)| f64::max(largest, (x / w).abs()))
     }
 
-    /// Whether what is left of M is positive definite where the whole M is.
-    fn check(
-        &self,
-        arm: &Arm,
-        samples: &Samples,
-        small: &[bool],
-    ) -> Result<(), NotPositiveDefinite> {
-        for (q, parameters) in samples.q.iter().zip(&self.mass_matrix) {
-            let matrix = |is_left: &dyn Fn(usize) -> bool| {
-                let mut matrix = vec![vec![0.0; arm.dof()]; arm.dof()];
-                let parts = parameters.iter().enumerate();
-                for (_, part) in parts.filter(|(k, _)| is_left(*k)) {
-                    for (column, part) in matrix.iter_mut().zip(part) {
-                        for (x, part) in column.iter_mut().zip(part) {
-                            *x += part;
-                        }
-                    }
-                }
-                matrix
-            };
-            let whole = is_positive_definite(matrix(&|_| true));
-            if whole && !is_positive_definite(matrix(&|k| !small[k])) {
-                let count = small.iter().filter(|small| **small).count();
-                return Err(NotPositiveDefinite {
-                    q: q.clone(),
-                    count,
-                });
+    /// A sample at which the whole M is positive definite, but not what is left of it.
+    fn indefinite(&self, samples: &Samples, is_left: &[bool]) -> Option<Vec<f64>> {
+        let all = vec![true; is_left.len()];
+        let is_definite = |parts: &[Vec<Forces>], is_left: &[bool]| {
+            least_relative_pivot(sum_of(parts, is_left)) > SMALLEST_PIVOT
+        };
+        let mut states = samples.q.iter().zip(&self.mass_matrix);
+        let found =
+            states.find(|(_, parts)| is_definite(parts, &all) && !is_definite(parts, is_left));
+        found.map(|(q, _)| q.clone())
+    }
+}
+
+/// M of some of the parameters.
+fn sum_of(parts: &[Vec<Forces>], is_left: &[bool]) -> Vec<Vec<f64>> {
+    let dof = parts.first().map_or(0, Vec::len);
+    let mut matrix = vec![vec![0.0; dof]; dof];
+    for (part, _) in parts.iter().zip(is_left).filter(|(_, is_left)| **is_left) {
+        for (column, part) in matrix.iter_mut().zip(part) {
+            for (x, part) in column.iter_mut().zip(part) {
+                *x += part;
             }
         }
-        Ok(())
     }
+    matrix
 }
 
 fn sum(parts: &[Forces]) -> Forces {
@@ -206,15 +225,22 @@ fn weights(mass_matrix: &[Vec<Vec<Forces>>], dof: usize) -> Vec<f64> {
     (0..dof).map(largest).collect()
 }
 
-/// By the pivots of the elimination, each beside its diagonal entry, as in forward dynamics.
-fn is_positive_definite(mut m: Vec<Vec<f64>>) -> bool {
+/// Below that share of its diagonal entry a pivot is no more than rounding, as in forward dynamics.
+const SMALLEST_PIVOT: f64 = 8.0 * f64::EPSILON;
+
+/// The least pivot of the elimination over its diagonal entry, as far as they are positive.
+fn least_relative_pivot(mut m: Vec<Vec<f64>>) -> f64 {
     let diagonal: Vec<f64> = (0..m.len()).map(|i| m[i][i]).collect();
+    let mut least = f64::INFINITY;
     for j in (0..m.len()).rev() {
         let pivot = m[j][j];
-        let is_positive = pivot > 8.0 * f64::EPSILON * diagonal[j].abs();
+        // An entry of zero makes it no number, which is not greater than anything.
+        let relative = pivot / diagonal[j].abs();
+        let is_positive = relative > SMALLEST_PIVOT;
         if !is_positive {
-            return false;
+            return relative;
         }
+        least = least.min(relative);
         for i in 0..j {
             let factor = m[i][j] / pivot;
             for k in 0..=i {
@@ -222,7 +248,7 @@ fn is_positive_definite(mut m: Vec<Vec<f64>>) -> bool {
             }
         }
     }
-    true
+    least
 }
 
 #[cfg(test)]
@@ -232,9 +258,10 @@ mod tests {
     #[test]
     fn definiteness_is_a_matter_of_pivots() {
         let matrix = |off: f64| vec![vec![2.0, off], vec![off, 2.0]];
-        assert!(is_positive_definite(matrix(1.999)));
-        assert!(!is_positive_definite(matrix(2.0)));
-        assert!(!is_positive_definite(matrix(2.001)));
-        assert!(!is_positive_definite(vec![vec![0.0]]));
+        let is_definite = |m| least_relative_pivot(m) > SMALLEST_PIVOT;
+        assert!(is_definite(matrix(1.999)));
+        assert!(!is_definite(matrix(2.0)));
+        assert!(!is_definite(matrix(2.001)));
+        assert!(!is_definite(vec![vec![0.0]]));
     }
 }

@@ -47,7 +47,8 @@ fn unit(random: &mut SplitMix64) -> f64 {
     (random.next_u64() >> 11) as f64 / (1u64 << 53) as f64
 }
 
-fn range(row: &crate::robot::Row) -> [f64; 2] {
+/// The range over which a joint is sampled.
+pub(super) fn range(row: &crate::robot::Row) -> [f64; 2] {
     match (&row.limits, row.joint_type) {
         (Some(limits), _) => limits.each_ref().map(|limit| limit.to_f64(&[])),
         (None, JointType::Revolute) => [-PI, PI],

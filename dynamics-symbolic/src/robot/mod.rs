@@ -108,6 +108,8 @@ pub struct Neglected {
     pub columns: Vec<(usize, Parameter)>,
     /// The share below which their effects are, at most.
     pub share: f64,
+    /// Whether the mass matrix that is left was shown to be positive definite at all positions.
+    pub is_definite: bool,
 }
 
 impl Robot {

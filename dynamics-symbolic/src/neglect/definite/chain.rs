@@ -1,0 +1,159 @@
+//! Kinetic energy, joint by joint.
+
+use super::matrix::{Matrix, identity, product};
+use crate::derive::base::{Grouping, LinkGeometry, base_parameters, columns, geometry, unit};
+use crate::derive::inertia::{Body, enter_x, enter_z};
+use crate::exact::Rational;
+use crate::linear::{Ring, Vector3};
+use crate::robot::{Interpretation, JointType, Parameter, Robot};
+
+/// A joint that moves, and the link behind it. Motions are (w, v), of a frame's origin.
+pub(super) struct Joint<R> {
+    pub(super) joint_type: JointType,
+    /// From a motion of the link before to that motion in the joint's axes, before the joint moves.
+    pub(super) enter: Matrix<R>,
+    /// What the joint's ends make of a motion; of a revolute joint, whose forms no turn changes, one
+    /// that does nothing.
+    pub(super) ends: Vec<Matrix<R>>,
+    /// T of the link is half the value of this form.
+    pub(super) inertia: Matrix<R>,
+    /// The reflected inertia.
+    pub(super) reflected: R,
+}
+
+/// The joints that move, of an arm without the base parameters that are left out.
+pub(super) fn joints<I: Interpretation>(
+    cells: &mut I,
+    robot: &Robot,
+    grouping: &Grouping,
+    is_left: &[bool],
+) -> Vec<Joint<I::Number>> {
+    let zero = cells.rational(&Rational::ZERO);
+    let one = cells.rational(&Rational::ONE);
+    let links = geometry(cells, robot);
+    let values = base_parameters(cells, robot, grouping);
+    let mut parts = vec![(Body::splat(zero), zero); links.len()];
+    let left = columns(grouping).into_iter().zip(values).zip(is_left);
+    for (((i, parameter), value), _) in left.filter(|(_, is_left)| **is_left) {
+        add(
+            &mut parts[i],
+            grouping,
+            &links,
+            (i, parameter),
+            value,
+            (zero, one),
+        );
+    }
+    let mut joints = Vec::new();
+    let mut fixed = identity(6, zero, one);
+    for (i, row) in robot.rows.iter().enumerate() {
+        let frame = Frame {
+            zero,
+            link: &links[i],
+        };
+        fixed = product(&frame.before(one), &fixed);
+        if row.locked.is_some() {
+            // Its parameters are those of the link before.
+            fixed = product(&frame.turned(one), &fixed);
+            continue;
+        }
+        let ends = match row.joint_type {
+            JointType::Revolute => vec![identity(6, zero, one)],
+            JointType::Prismatic => {
+                let ends = match &row.limits {
+                    Some(limits) => limits.each_ref().map(|limit| cells.value(limit)),
+                    None => [-one, one],
+                };
+                let slid = |q| product(&frame.turned(one), &frame.slid(q, one));
+                ends.map(slid).to_vec()
+            }
+        };
+        joints.push(Joint {
+            joint_type: row.joint_type,
+            enter: fixed,
+            ends,
+            inertia: form(&parts[i].0, zero),
+            reflected: parts[i].1,
+        });
+        fixed = identity(6, zero, one);
+    }
+    joints
+}
+
+fn add<R: Ring>(
+    (body, reflected): &mut (Body<R>, R),
+    grouping: &Grouping,
+    links: &[LinkGeometry<R>],
+    (i, parameter): (usize, Parameter),
+    value: R,
+    constants: (R, R),
+) {
+    match unit(grouping, links, i, parameter, constants) {
+        Some(unit) => *body = body.joined(unit.times(value)),
+        None => *reflected = *reflected + value,
+    }
+}
+
+/// w.J w + 2 v.(w x h) + m v.v
+fn form<R: Ring>(body: &Body<R>, zero: R) -> Matrix<R> {
+    let (j, [x, y, z], m) = (body.inertia.full().0, body.moment.0, body.mass);
+    // w.(h x v)
+    let h = [[zero, -z, y], [z, zero, -x], [-y, x, zero]];
+    let entry = |i: usize, k: usize| match (i / 3, k / 3) {
+        (0, 0) => j[i][k],
+        (0, _) => h[i][k - 3],
+        (_, 0) => h[k][i - 3],
+        _ if i == k => m,
+        _ => zero,
+    };
+    (0..6)
+        .map(|i| (0..6).map(|k| entry(i, k)).collect())
+        .collect()
+}
+
+/// Changes of motions between the frames of two links.
+struct Frame<'a, R> {
+    zero: R,
+    link: &'a LinkGeometry<R>,
+}
+
+impl<R: Ring> Frame<'_, R> {
+    /// To the joint's axes and origin: v + w x r, and the twist.
+    fn before(&self, one: R) -> Matrix<R> {
+        let r = self.link.offset(self.zero);
+        self.motions(one, |w, v| {
+            let v = v + w.cross(r);
+            (enter_x(self.link.twist, w), enter_x(self.link.twist, v))
+        })
+    }
+
+    /// Along the joint's axis by q.
+    fn slid(&self, q: R, one: R) -> Matrix<R> {
+        let r = Vector3::new(self.zero, self.zero, q);
+        self.motions(one, |w, v| (w, v + w.cross(r)))
+    }
+
+    /// The constant turn of the row.
+    fn turned(&self, one: R) -> Matrix<R> {
+        let turn = self.link.turn;
+        self.motions(one, |w, v| (enter_z(turn, w), enter_z(turn, v)))
+    }
+
+    /// The matrix of a linear map of motions.
+    fn motions(
+        &self,
+        one: R,
+        map: impl Fn(Vector3<R>, Vector3<R>) -> (Vector3<R>, Vector3<R>),
+    ) -> Matrix<R> {
+        let column = |k: usize| {
+            let mut unit = [[self.zero; 3]; 2];
+            unit[k / 3][k % 3] = one;
+            let (w, v) = map(Vector3(unit[0]), Vector3(unit[1]));
+            [w.0, v.0].concat()
+        };
+        let columns: Vec<_> = (0..6).map(column).collect();
+        (0..6)
+            .map(|i| columns.iter().map(|column| column[i]).collect())
+            .collect()
+    }
+}

@@ -1,0 +1,84 @@
+//! The forms whose signs make M positive definite.
+
+use super::chain::Joint;
+use super::matrix::{Matrix, combined, congruent};
+use crate::linear::Ring;
+use crate::robot::JointType;
+
+/// How many numbers say what is handed on by a joint.
+pub(super) fn unknowns(joint_type: JointType) -> usize {
+    match joint_type {
+        JointType::Revolute => 7,
+        JointType::Prismatic => 21,
+    }
+}
+
+/// L: of a revolute joint a form that no turn about z changes; of a prismatic one any form.
+pub(super) fn handed_on<R: Ring>(joint_type: JointType, x: &[R], zero: R) -> Matrix<R> {
+    let mut form = vec![vec![zero; 6]; 6];
+    let mut set = |i: usize, k: usize, x: R| {
+        form[i][k] = x;
+        form[k][i] = x;
+    };
+    match joint_type {
+        JointType::Revolute => {
+            set(2, 2, x[0]);
+            set(5, 5, x[1]);
+            set(2, 5, x[2]);
+            for i in 0..2 {
+                set(i, i, x[3]);
+                set(3 + i, 3 + i, x[4]);
+                set(i, 3 + i, x[5]);
+            }
+            set(0, 4, x[6]);
+            set(1, 3, -x[6]);
+        }
+        JointType::Prismatic => {
+            let upper = (0..6).flat_map(|i| (i..6).map(move |k| (i, k)));
+            for ((i, k), &x) in upper.zip(x) {
+                set(i, k, x);
+            }
+        }
+    }
+    form
+}
+
+/// Forms that are positive definite for some `x` where M is at all positions: see the module.
+pub(super) fn forms<R: Ring>(joints: &[Joint<R>], x: &[R], zero: R, one: R) -> Vec<Matrix<R>> {
+    let mut forms = Vec::new();
+    // What the joint behind hands on, in the axes of this link.
+    let mut outer: Option<Matrix<R>> = None;
+    let mut rest = x;
+    for (j, joint) in joints.iter().enumerate().rev() {
+        let inertia = match &outer {
+            Some(outer) => combined(joint.inertia.clone(), outer, |a, b| a + b),
+            None => joint.inertia.clone(),
+        };
+        let axis = match joint.joint_type {
+            JointType::Revolute => 2,
+            JointType::Prismatic => 5,
+        };
+        if j == 0 {
+            forms.push(vec![vec![inertia[axis][axis] + joint.reflected]]);
+            break;
+        }
+        let (own, others) = rest.split_at(unknowns(joint.joint_type));
+        rest = others;
+        let handed = handed_on(joint.joint_type, own, zero);
+        for end in &joint.ends {
+            let moved = |(i, row): (usize, &Vec<R>)| {
+                let along = if i == axis { one } else { zero };
+                row.iter().copied().chain([along]).collect()
+            };
+            let moved = end.iter().enumerate().map(moved).collect();
+            let mut form = congruent(&inertia, &moved);
+            form[6][6] = form[6][6] + joint.reflected;
+            forms.push(combined(form, &handed, |a, b| a - b));
+        }
+        if joint.joint_type == JointType::Prismatic {
+            forms.push([3, 4].map(|i| handed[i][3..5].to_vec()).to_vec());
+        }
+        outer = Some(congruent(&handed, &joint.enter));
+    }
+    forms
+}

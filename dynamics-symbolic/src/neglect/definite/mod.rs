@@ -1,0 +1,160 @@
+//! Whether M is positive definite at all positions.
+//!
+//! Samples do not show it, and boxes of positions are too many. But kinetic energy is a sum of forms
+//! of few variables, one for each joint. With a the motion (w, v) of the link before, in the axes of
+//! joint j before it moves, P(q_j) what the position makes of it, S the joint's direction and I_j the
+//! form of link j (T = 1/2 xi.I xi), let L_j be any form of a, and L_(n+1) = 0. Then
+//!
+//!   2 T = sum_j [ xi_j.I_j xi_j + r_j qd_j^2 + L_(j+1)(a_(j+1)) - L_j(a_j) ],
+//!   xi_j = P(q_j) a_j + S qd_j,   a_(j+1) = X_(j+1) xi_j,   a_1 = 0,
+//!
+//! for what a joint hands on to the one before it goes out of one bracket and into the next. Each
+//! bracket is a form of a_j and qd_j. Where all of them are positive definite for some L_j, whatever
+//! q_j is, so is M: if T is zero, qd_1 is, and then a_2, and so on.
+//!
+//! The position leaves the bracket of a revolute joint where no turn about its axis changes L_j: seven
+//! numbers say what such a form is. That of a prismatic joint is concave in q_j where L_j does not
+//! take away from the energy of a sideways motion: then both ends of the range decide for all
+//! positions between. (What base parameters move to the link before is such an L_j: m, h_z and
+//! J_xx + J_yy of a revolute joint. Those of a body that can be make all brackets positive where no
+//! parameter is left out.)
+//!
+//! The L_j are found in doubles ([`search`]); that they do it is then shown in intervals ([`interval`])
+//! from the table's exact numbers. Where none are found, nothing is known.
+
+mod chain;
+mod energy;
+mod interval;
+mod matrix;
+mod search;
+
+use super::reals::Reals;
+use crate::derive::base::Grouping;
+use crate::robot::{JointType, Robot};
+use chain::{Joint, joints};
+use energy::{forms, handed_on, unknowns};
+use interval::{Interval, Intervals};
+use matrix::Matrix;
+use search::{Affine, search};
+
+/// Shows that M of an arm with some of its base parameters is positive definite, revolute joints at any
+/// angle and prismatic ones within their ranges. `sizes` are those of the diagonal entries of M.
+pub(super) fn is_positive_definite(
+    robot: &Robot,
+    grouping: &Grouping,
+    is_left: &[bool],
+    sizes: &[f64],
+) -> bool {
+    let real = joints(&mut Reals, robot, grouping, is_left);
+    let exact = joints(&mut Intervals, robot, grouping, is_left);
+    let scales = Scales::new(robot, &real, sizes);
+    let shown = |y: &[f64]| {
+        let x = y
+            .iter()
+            .zip(&scales.unknowns)
+            .map(|(y, scale)| Interval::exact(y * scale));
+        let (zero, one) = (Interval::exact(0.0), Interval::exact(1.0));
+        let forms = forms(&exact, &x.collect::<Vec<_>>(), zero, one);
+        forms.into_iter().all(has_positive_pivots)
+    };
+    search(&scales.affine(&real), scales.unknowns.len(), shown).is_some()
+}
+
+/// Sizes of what is compared, so that no choice of units matters.
+struct Scales {
+    /// Of the unknown numbers.
+    unknowns: Vec<f64>,
+    /// The square roots of those of the diagonal entries of each form.
+    forms: Vec<Vec<f64>>,
+}
+
+impl Scales {
+    fn new(robot: &Robot, joints: &[Joint<f64>], sizes: &[f64]) -> Self {
+        let masses = robot.rows.iter().map(|row| row.mass.to_f64(&[]));
+        let mass: f64 = masses.sum();
+        let mut scales = Scales {
+            unknowns: Vec::new(),
+            forms: Vec::new(),
+        };
+        for (j, (joint, &size)) in joints.iter().zip(sizes).enumerate().rev() {
+            if j == 0 {
+                scales.forms.push(vec![size.sqrt()]);
+                break;
+            }
+            let mass = if mass > 0.0 { mass } else { size };
+            let (angular, linear) = match joint.joint_type {
+                JointType::Revolute => (size, mass),
+                JointType::Prismatic => (mass, mass),
+            };
+            let motion = [angular.sqrt(), linear.sqrt()].map(|x| [x; 3]).concat();
+            let count = unknowns(joint.joint_type);
+            for k in 0..count {
+                let mut unit = vec![0.0; count];
+                unit[k] = 1.0;
+                let form = handed_on(joint.joint_type, &unit, 0.0);
+                let at = (0..36).find(|at| form[at / 6][at % 6] != 0.0).unwrap_or(0);
+                scales.unknowns.push(motion[at / 6] * motion[at % 6]);
+            }
+            for _ in &joint.ends {
+                scales.forms.push([&motion[..], &[size.sqrt()]].concat());
+            }
+            if joint.joint_type == JointType::Prismatic {
+                scales.forms.push(vec![linear.sqrt(); 2]);
+            }
+        }
+        scales
+    }
+
+    /// The forms and their rates in the unknowns, all in proportion to their scales.
+    fn affine(&self, joints: &[Joint<f64>]) -> Vec<Affine> {
+        let n = self.unknowns.len();
+        let at = |x: &[f64]| {
+            let mut forms = forms(joints, x, 0.0, 1.0);
+            for (form, scales) in forms.iter_mut().zip(&self.forms) {
+                for (row, a) in form.iter_mut().zip(scales) {
+                    for (x, b) in row.iter_mut().zip(scales) {
+                        *x /= a * b;
+                    }
+                }
+            }
+            forms
+        };
+        let constant = at(&vec![0.0; n]);
+        let affine = constant.into_iter().map(|constant| Affine {
+            constant,
+            slopes: Vec::new(),
+        });
+        let mut affine: Vec<Affine> = affine.collect();
+        for k in 0..n {
+            let mut unit = vec![0.0; n];
+            unit[k] = self.unknowns[k];
+            for (form, mut slope) in affine.iter_mut().zip(at(&unit)) {
+                for (slope, constant) in slope.iter_mut().zip(&form.constant) {
+                    for (slope, constant) in slope.iter_mut().zip(constant) {
+                        *slope -= constant;
+                    }
+                }
+                if slope.iter().flatten().any(|x| *x != 0.0) {
+                    form.slopes.push((k, slope));
+                }
+            }
+        }
+        affine
+    }
+}
+
+/// Whether a symmetric matrix is positive definite, by the pivots of its elimination.
+fn has_positive_pivots(mut m: Matrix<Interval>) -> bool {
+    for j in (0..m.len()).rev() {
+        if !m[j][j].is_positive() {
+            return false;
+        }
+        for i in 0..j {
+            let factor = m[i][j].over(m[j][j]);
+            for k in 0..=i {
+                m[k][i] = m[k][i] - factor * m[k][j];
+            }
+        }
+    }
+    true
+}
