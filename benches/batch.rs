@@ -8,7 +8,6 @@
 use divan::{Bencher, black_box, counter::ItemsCount};
 use robot_dynamics::Batch;
 use robot_dynamics::nalgebra::{SMatrix, SVector};
-
 use robots::{Panda, Puma560, Ur5};
 
 /// One group's memory fits into the first cache, the other's into the second.

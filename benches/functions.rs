@@ -8,7 +8,6 @@
 use divan::{Bencher, black_box, counter::ItemsCount};
 use robot_dynamics::NewtonEuler;
 use robot_dynamics::nalgebra::SVector;
-
 use robots::{Arguments, Elbow3r, Panda, Puma560, Stanford, TwoLinkSaha, Ur5, each_function};
 
 const STATES: usize = 64;

@@ -11,7 +11,6 @@ use dynamics_symbolic::neglect::neglect;
 use dynamics_symbolic::robot::Robot;
 use dynamics_symbolic::{Function, expand};
 use quote::quote;
-use testkit::clock;
 
 /// Robots, and the time in seconds that their expansion may take.
 const CASES: [(&str, f64); 5] = [

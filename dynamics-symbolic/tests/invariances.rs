@@ -3,13 +3,12 @@
 //! Turning the base, reversing an axis, splitting a link in two joined parts, adding a link without
 //! mass, scaling all masses. Both arms of a comparison are derived on their own, from random tables.
 
+use arms::{Bodies, Tables};
 use dynamics_symbolic::Function;
 use dynamics_symbolic::derive::derive;
 use dynamics_symbolic::exact::{Rational, Residue, SplitMix64, circle_point};
 use dynamics_symbolic::program::Arithmetic;
 use dynamics_symbolic::robot::{Convention, JointType, Robot, Row, Symbol, Value};
-
-use arms::{Bodies, Tables};
 
 type Number = Residue<{ (1 << 62) - 57 }>;
 

@@ -1,13 +1,12 @@
 //! Random tables: every function of every arm is derived and proven.
 
+use arms::{Bodies, Tables};
 use dynamics_symbolic::Function;
 use dynamics_symbolic::derive::functions::Form;
 use dynamics_symbolic::derive::{derive, derive_form};
 use dynamics_symbolic::program::Instruction;
 use dynamics_symbolic::prove::prove;
 use dynamics_symbolic::robot::Robot;
-
-use arms::{Bodies, Tables};
 
 #[test]
 fn every_function_of_random_arms_is_proven() {

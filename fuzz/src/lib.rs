@@ -2,11 +2,11 @@
 
 mod robot;
 
-use arms::Interpreted;
 use dynamics_runtime::Check;
 use dynamics_symbolic::Function;
 use dynamics_symbolic::derive::derive;
 use dynamics_symbolic::prove::prove;
+use interpreter::Interpreted;
 use proc_macro2::TokenStream;
 
 /// Reads a call of the macro to its end. There is a model or there are errors; the items, the stubs

@@ -1,9 +1,8 @@
 //! What tests, examples and measurements share: reference values, the dynamics of a table in 31
-//! digits, random numbers, clocks, plots and tables.
+//! digits, random numbers, plots and tables.
 
 #![forbid(unsafe_code)]
 
-pub mod clock;
 pub mod exact;
 pub mod machine;
 pub mod plot;

@@ -3,10 +3,11 @@
 //!
 //! The bound is that of [`Check`], 1e-13 per joint relative to the magnitude that each quantity could have.
 
-use arms::{Bodies, Interpreted, Tables};
+use arms::{Bodies, Tables};
 use dynamics_symbolic::Function;
 use dynamics_symbolic::derive::derive;
 use dynamics_symbolic::robot::Robot;
+use interpreter::Interpreted;
 use robot_dynamics::Check;
 
 /// The functions that are compared.
@@ -86,9 +87,9 @@ fn programs_of_random_arms_agree_with_newton_euler() {
     assert_varied(&compare(1, 150));
 }
 
-/// `cargo test --release -p tests --test random_arms -- --ignored`
+/// `cargo test -p tests --test random_arms -- --ignored`
 #[test]
-#[ignore = "takes half a minute in a release build"]
+#[ignore = "takes a minute"]
 fn programs_of_2_400_random_arms_agree_with_newton_euler() {
     let seeds: Vec<_> = (10..14)
         .map(|seed| std::thread::spawn(move || compare(seed, 600)))

@@ -5,7 +5,6 @@ use robot_dynamics::{
     DormandPrince, Energy, ForwardDynamics, Method, Scalar, Simulation, SingularMassMatrix,
     Trajectory, robot_dynamics,
 };
-
 use scene::arms::{Puma, PumaAtFivePercent, PumaAtOnePercent};
 
 /// A fall of some seconds from rest; the torques cancel the friction.
@@ -94,7 +93,7 @@ fn a_pruned_lagrangian_keeps_its_energy() {
     energy_is_kept_by_lagrangians_alone(5.0);
 }
 
-/// `cargo test --release --test scene -- --ignored --nocapture`
+/// `cargo test --release -p tests --test scene -- --ignored --nocapture`
 #[test]
 #[ignore = "takes a quarter of a minute in the dev profile"]
 fn a_pruned_lagrangian_keeps_its_energy_for_twenty_seconds() {

@@ -3,7 +3,6 @@
 
 use robot_dynamics::nalgebra::Vector6;
 use robot_dynamics::{Cycloidal, DormandPrince, Method, NewtonEuler, Simulation};
-
 use robots::Aristo;
 
 fn trajectory() -> Cycloidal<6> {

@@ -2,7 +2,6 @@
 
 use robot_dynamics::nalgebra::Vector6;
 use robot_dynamics::{Dop853, Friction, Method, Radau5, Simulation, Trajectory};
-
 use robots::Puma560;
 
 /// The PUMA 560 under gravity, its motors off, from a motion of all joints.

@@ -3,7 +3,6 @@
 use num_dual::{Dual, Dual64, DualSVec64, HyperDual64, jacobian};
 use robot_dynamics::nalgebra::{SMatrix, SVector};
 use robot_dynamics::{Scalar, State};
-
 use robots::*;
 use testkit::random::Random;
 

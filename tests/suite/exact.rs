@@ -4,12 +4,9 @@
 use robot_dynamics::nalgebra::{SMatrix, SVector};
 use robot_dynamics::{CoriolisVector, GravityVector, MassMatrix, Model};
 use robot_dynamics::{DoubleDouble, ForwardDynamics, InverseDynamics};
-
 use robots::*;
 use testkit::exact::Exact;
-use testkit::references::Decimal;
-use testkit::references::read;
-use testkit::references::{ReferenceFile, ReferenceState};
+use testkit::references::{Decimal, ReferenceFile, ReferenceState, read};
 
 /// Relative to the natural magnitude: half a unit in the 25th digit of a number that begins with 1,
 /// and as much for friction, which the references have apart.

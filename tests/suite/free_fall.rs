@@ -2,7 +2,6 @@
 
 use robot_dynamics::nalgebra::SVector;
 use robot_dynamics::{DormandPrince, Method, Simulation};
-
 use robots::*;
 
 /// A second from a pose in which no arm hangs. The torques cancel the friction, so that the

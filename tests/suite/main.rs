@@ -1,7 +1,9 @@
 //! What holds for every robot of `tests/data/robots`.
 
 mod accuracy;
+mod allocations;
 mod aristo;
+mod batch;
 mod decimals;
 mod dry_friction;
 mod dual_numbers;

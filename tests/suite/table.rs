@@ -1,10 +1,8 @@
 //! The tables of `robots` are those of `tests/data/robots`, cell by cell.
 
 use robot_dynamics::{Convention, JointType, Row};
-
 use robots::*;
-use testkit::references::read;
-use testkit::references::{JointRow, RobotFile};
+use testkit::references::{JointRow, RobotFile, read};
 
 /// The row that the file describes. A motor without inertia needs no gear.
 fn expected(joint: JointRow) -> Row {

@@ -8,7 +8,6 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use robot_dynamics::nalgebra::SVector;
 use robot_dynamics::{DoubleDouble, Scalar, TaylorDynamics};
-
 use robots::*;
 use testkit::random::Random;
 

@@ -2,7 +2,6 @@
 
 use robot_dynamics::nalgebra::Vector2;
 use robot_dynamics::{SingularMassMatrix, check_against_rnea, robot_dynamics};
-
 use testkit::random::Random;
 
 robot_dynamics! {

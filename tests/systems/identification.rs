@@ -2,7 +2,6 @@
 
 use robot_dynamics::nalgebra::{DMatrix, DVector, SMatrix, SVector};
 use robot_dynamics::robot_dynamics;
-
 use testkit::random::Random;
 
 robot_dynamics! {

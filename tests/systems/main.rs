@@ -17,7 +17,6 @@ mod two_link_rods;
 
 use robot_dynamics::nalgebra::SVector;
 use robot_dynamics::{DormandPrince, Method, Trajectory};
-
 use testkit::references::MotionFile;
 
 /// What a computed value may be from the true one, relative to its magnitude: 18 roundings.

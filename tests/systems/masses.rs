@@ -2,11 +2,10 @@
 
 use robot_dynamics::nalgebra::Vector1;
 use robot_dynamics::{Method, Simulation, robot_dynamics};
+use testkit::random::Random;
+use testkit::references::{MotionFile, read};
 
 use crate::{assert_near, largest, precise};
-use testkit::random::Random;
-use testkit::references::MotionFile;
-use testkit::references::read;
 
 robot_dynamics! {
     /// A mass that slides across gravity (Saha): m xdd = f.

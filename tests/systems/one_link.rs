@@ -5,11 +5,10 @@ use std::f64::consts::PI;
 
 use robot_dynamics::nalgebra::Vector1;
 use robot_dynamics::{Cycloidal, Method, Simulation, Trajectory, robot_dynamics};
+use testkit::random::Random;
+use testkit::references::{MotionFile, TorqueFile, read};
 
 use crate::{assert_near, assert_same_motion, largest, precise, within};
-use testkit::random::Random;
-use testkit::references::read;
-use testkit::references::{MotionFile, TorqueFile};
 
 robot_dynamics! {
     /// Symbolic in its mass, its length and the acceleration of gravity.

@@ -2,9 +2,9 @@
 
 use robot_dynamics::nalgebra::Vector1;
 use robot_dynamics::robot_dynamics;
+use testkit::random::Random;
 
 use crate::assert_near;
-use testkit::random::Random;
 
 robot_dynamics! {
     /// A rectangular solid of sides a, b, c along x, y, z, turning about z.

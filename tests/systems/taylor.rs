@@ -7,10 +7,9 @@ use robot_dynamics::{
     Cause, DormandPrince, InvalidSetting, Method, Simulation, Taylor, TaylorDynamics,
     TaylorSimulation, Trajectory, robot_dynamics,
 };
+use testkit::references::{MotionFile, read};
 
 use crate::largest;
-use testkit::references::MotionFile;
-use testkit::references::read;
 
 robot_dynamics! {
     /// A slender rod that hangs at q = 0, 1 kg and 1 m.

@@ -4,9 +4,9 @@
 
 use robot_dynamics::nalgebra::{Matrix2, Vector1, Vector2};
 use robot_dynamics::robot_dynamics;
+use testkit::random::Random;
 
 use crate::assert_all_near;
-use testkit::random::Random;
 
 robot_dynamics! {
     /// Frames on the joints, as Craig places them: the masses are l1 and l2 away from them.

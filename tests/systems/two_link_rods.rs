@@ -4,11 +4,10 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use robot_dynamics::nalgebra::Vector2;
 use robot_dynamics::{Cycloidal, Method, Simulation, Trajectory, robot_dynamics};
+use testkit::random::Random;
+use testkit::references::{MotionFile, TorqueFile, read};
 
 use crate::{assert_all_near, assert_near, assert_same_motion, largest, precise, within};
-use testkit::random::Random;
-use testkit::references::read;
-use testkit::references::{MotionFile, TorqueFile};
 
 robot_dynamics! {
     /// Angles from the horizontal, centres of mass in the middle of the links.

@@ -2,10 +2,9 @@
 
 use robot_dynamics::State;
 use robot_dynamics::nalgebra::SVector;
+use testkit::references::{Decimal, ReferenceFile, ReferenceState, read};
 
 use crate::candidates::{Candidate, Values};
-use crate::decimal::Decimal;
-use crate::reference::{ReferenceFile, ReferenceState};
 
 /// The largest error of a function, and the root of the mean of the squares.
 #[derive(Clone, Copy, Default)]
@@ -39,12 +38,7 @@ pub(crate) fn errors<const N: usize, C: Candidate<N>>(
     file: &str,
     candidate: &mut C,
 ) -> [Errors; 5] {
-    let path = format!(
-        "{}/../../tests/data/reference/{file}.json",
-        env!("CARGO_MANIFEST_DIR")
-    );
-    let text = std::fs::read_to_string(path).unwrap();
-    let reference: ReferenceFile = serde_json::from_str(&text).unwrap();
+    let reference: ReferenceFile = read("reference", file);
     let mut errors = [Errors::default(); 5];
     for state in &reference.states {
         let torque: Vec<Decimal> = (0..N).map(|i| state.tau[i] + state.friction[i]).collect();

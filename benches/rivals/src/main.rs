@@ -5,13 +5,6 @@
 //! each `measure` in turn, and has one of them print the `report`, `docs/PERFORMANCE.md`. To measure
 //! one build by hand: `cargo run --release -- measure`.
 
-#[path = "../../../tests/support/decimal.rs"]
-#[allow(dead_code)]
-mod decimal;
-#[path = "../../../tests/suite/reference.rs"]
-#[allow(dead_code)]
-mod reference;
-
 mod arms;
 mod candidates;
 mod errors;

@@ -5,12 +5,13 @@ use robot_dynamics::{
     CoriolisVector, DoubleDouble, ForwardDynamics, GravityVector, InverseDynamics, MassMatrix,
     NewtonEuler, State,
 };
+use clock::Effort;
 
 use crate::arms::*;
 use crate::candidates::{Candidate, Columns, Dynibo, Lanes, Values};
 use crate::errors::errors;
 use crate::others::rounding_error;
-use crate::timing::{STATES, nanoseconds, states};
+use crate::timing::{STATES, states};
 
 /// The functions that every candidate has.
 pub(crate) const FUNCTIONS: [&str; 5] = [
@@ -168,7 +169,8 @@ impl<A: Candidate<N>, const N: usize> Measured<'_, A, N> {
             let (file, function) = (self.file, format!("{}_batch", FUNCTIONS[k]));
             let (largest, rms) = (errors.largest, errors.rms());
             println!("error {file} {function} {GENERATED} {largest:e} {rms:e}");
-            let time = nanoseconds(&[()], |()| columns.evaluate(k, &lanes.0)) / STATES as f64;
+            let time =
+                Effort::FULL.nanoseconds(&[()], |()| columns.evaluate(k, &lanes.0)) / STATES as f64;
             println!("time {file} {function} {GENERATED} {time:.2}");
         }
     }
@@ -187,7 +189,7 @@ impl<A: Candidate<N>, const N: usize> Measured<'_, A, N> {
     }
 
     fn time<R>(&self, function: &str, candidate: &str, value: impl FnMut(&State<N>) -> R) {
-        let time = nanoseconds(&self.states, value);
+        let time = Effort::FULL.nanoseconds(&self.states, value);
         println!("time {} {function} {candidate} {time:.2}", self.file);
     }
 

@@ -1,19 +1,10 @@
-//! The states at which functions are timed, and the clock.
-
-use std::hint::black_box;
-use std::time::{Duration, Instant};
+//! The states at which functions are timed.
 
 use robot_dynamics::State;
 use robot_dynamics::nalgebra::SVector;
 
 /// Number of states: a function is evaluated at each in turn.
 pub(crate) const STATES: usize = 64;
-
-/// Samples of which the median is taken.
-const SAMPLES: usize = 31;
-
-/// Shortest duration of a sample: a thousand times the clock's resolution.
-const SAMPLE: Duration = Duration::from_micros(50);
 
 /// States spread over the joints' circles; positions of sliding joints within 3 m.
 pub(crate) fn states<const N: usize>() -> Vec<State<N>> {
@@ -27,24 +18,4 @@ pub(crate) fn states<const N: usize>() -> Vec<State<N>> {
             qdd: vector(1.9, i),
         })
         .collect()
-}
-
-/// The median time of an evaluation, ns. An input may be a batch of states: divide by its length.
-pub(crate) fn nanoseconds<I, R>(inputs: &[I], mut function: impl FnMut(&I) -> R) -> f64 {
-    let mut sample = |rounds: usize| {
-        let start = Instant::now();
-        for _ in 0..rounds {
-            for input in inputs {
-                black_box(function(black_box(input)));
-            }
-        }
-        start.elapsed()
-    };
-    let mut rounds = 1;
-    while sample(rounds) < SAMPLE {
-        rounds *= 2;
-    }
-    let mut times: Vec<Duration> = (0..SAMPLES).map(|_| sample(rounds)).collect();
-    times.sort();
-    times[SAMPLES / 2].as_nanos() as f64 / (rounds * inputs.len()) as f64
 }

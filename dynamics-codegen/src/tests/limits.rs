@@ -2,7 +2,6 @@
 //! within seconds and in bounded memory.
 
 use dynamics_symbolic::derive::derive;
-use testkit::clock;
 
 use super::*;
 use crate::limits::*;

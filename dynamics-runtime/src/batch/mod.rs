@@ -32,7 +32,7 @@ use run::{Arguments, Failure, run, states};
 /// The states of a batch are evaluated in the lanes of vector registers, as wide as the processor
 /// at hand has them (AVX-512, AVX2 with FMA, SSE2; NEON; WebAssembly's), which is asked at run time.
 /// On one core this takes half to a fifth of the time of single calls: vectors of eight doubles
-/// take a quarter for inverse and forward dynamics (`cargo bench --bench batch`). With the feature `rayon` each method has a twin, with `par_`
+/// take a quarter for inverse and forward dynamics (`cargo bench -p benches --bench batch`). With the feature `rayon` each method has a twin, with `par_`
 /// before its name, that uses all cores.
 ///
 /// The values are those of the single function to the last few units in the last place of the

@@ -14,7 +14,6 @@ use std::error::Error;
 
 use dynamics_symbolic::{Function, expand, robot::Robot};
 use quote::quote;
-use testkit::clock;
 
 mod compile;
 mod document;

@@ -2,11 +2,11 @@
 
 use std::hint::black_box;
 
+use clock::Effort;
 use robot_dynamics::nalgebra::SVector;
 use robot_dynamics::{
     CoriolisVector, ForwardDynamics, GravityVector, InverseDynamics, MassMatrix, Operations,
 };
-use testkit::clock::Effort;
 use testkit::random::Random;
 
 /// States at which errors are measured.

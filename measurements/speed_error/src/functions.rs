@@ -1,5 +1,6 @@
 //! Every function of an arm in every variant: time and errors.
 
+use clock::Effort;
 use robot_dynamics::nalgebra::{SMatrix, SVector};
 use robot_dynamics::{
     Batch, CoriolisVector, DoubleDouble, ForwardDynamics, GravityVector, InverseDynamics,
@@ -9,7 +10,6 @@ use robot_dynamics::{
 use crate::errors::{AtState, Errors};
 use crate::number::{BUILT_FUSED, Number, Otherwise, can_fuse, with_fused_instructions};
 use crate::samples::{Samples, State, Values};
-use testkit::clock::Effort;
 
 /// The functions that are measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

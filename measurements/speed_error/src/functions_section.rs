@@ -2,10 +2,11 @@
 
 use std::error::Error;
 
-use crate::functions::{Function, Measured, Variant};
-use crate::page::{Part, Section};
 use testkit::plot::{Mark, Plot, Series};
 use testkit::table::{Table, nanoseconds, short};
+
+use crate::functions::{Function, Measured, Variant};
+use crate::page::{Part, Section};
 
 /// Errors below this are drawn here: an exact result has no place on a logarithmic axis.
 const LEAST: f64 = 1e-18;

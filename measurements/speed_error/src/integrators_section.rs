@@ -4,13 +4,13 @@ use std::error::Error;
 
 use robot_dynamics::nalgebra::{SVector, Vector2, Vector6};
 use robot_dynamics::{DoubleDouble, ForwardDynamics, TaylorDynamics};
+use testkit::plot::{Mark, Plot, Series};
+use testkit::references::MotionFile;
+use testkit::table::{Table, short};
 
 use crate::integrators::{Curve, Problem, Run, Setting, work_at};
 use crate::page::{Part, Section};
 use crate::problems::{FreePuma, OneLink, StiffArm, TwoLinks};
-use testkit::plot::{Mark, Plot, Series};
-use testkit::references::MotionFile;
-use testkit::table::{Table, short};
 
 /// Where runs are drawn that did not reach their end, or reached it more than a radian away.
 const NO_RESULT: f64 = 1.0;

@@ -36,10 +36,10 @@ mod structure;
 #[allow(unused_variables, clippy::all)]
 mod textbook_programs;
 
+use clock::Effort;
 use functions::{Measured, Measurements};
 use measured_robots::for_each_measured_robot;
 use robots::*;
-use testkit::clock::Effort;
 
 /// What the command line asks for.
 struct Arguments {

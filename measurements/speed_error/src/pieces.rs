@@ -1,10 +1,11 @@
 //! What each piece of a model costs, and what leaving it out does.
 
-use crate::page::{Part, Section};
 use scene::arms::PumaWithoutWrist;
 use scene::features::features;
 use scene::measure::{FUNCTIONS, operations, times};
 use testkit::table::{Table, nanoseconds, short};
+
+use crate::page::{Part, Section};
 
 pub(crate) fn section() -> Section {
     let mut section = Section::new("What each piece costs");

@@ -2,10 +2,10 @@
 
 use robot_dynamics::nalgebra::{SMatrix, SVector};
 use robot_dynamics::{DoubleDouble, JointType, Row, Table};
-
-use crate::number::Number;
 use testkit::exact::Exact;
 use testkit::random::Random;
+
+use crate::number::Number;
 
 /// States at which functions are timed and measured.
 const ORDINARY: usize = 48;

@@ -1,15 +1,15 @@
 //! What other numbers than doubles cost, in the same generated functions.
 
+use clock::Effort;
 use num_dual::{Dual64, DualSVec64};
 use robot_dynamics::nalgebra::SVector;
 use robot_dynamics::{DoubleDouble, Scalar};
+use robots::{Panda, Puma560};
+use testkit::table::{Table, nanoseconds};
 
 use crate::functions::Arm;
 use crate::page::{Part, Section};
 use crate::samples::Samples;
-use robots::{Panda, Puma560};
-use testkit::clock::Effort;
-use testkit::table::{Table, nanoseconds};
 
 pub(crate) fn section(effort: Effort) -> Section {
     let mut section = Section::new("Other numbers");

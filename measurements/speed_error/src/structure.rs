@@ -9,15 +9,15 @@ use robot_dynamics::{
     Energy, ForwardDynamics, Scalar, Simulation, SimulationError, Taylor, TaylorDynamics,
     TaylorSimulation, Trajectory,
 };
+use robots::{Elbow3r, Panda, Puma560, Scara, Stanford, TwoLinkSaha};
+use testkit::plot::{Mark, Plot, Series};
+use testkit::table::{Table, short};
 
 use crate::functions::Arm;
 use crate::integrators::{FAMILIES, TAYLOR};
 use crate::page::{Part, Section};
 use crate::problems::{OneLink as Swing, TwoLinks};
 use crate::samples::{Samples, State};
-use robots::{Elbow3r, Panda, Puma560, Scara, Stanford, TwoLinkSaha};
-use testkit::plot::{Mark, Plot, Series};
-use testkit::table::{Table, short};
 
 /// Drifts below this are drawn here.
 const LEAST: f64 = 1e-16;

@@ -1,7 +1,8 @@
 //! The largest error of each function of a robot.
 
-use super::states;
 use robots::Arm;
+
+use super::states;
 
 /// The largest relative error, in units of the number of joints.
 const BOUND: f64 = 4e-15;

@@ -2,11 +2,10 @@
 
 use robot_dynamics::nalgebra::SVector;
 use robot_dynamics::{Evaluation, JointType, Row, State, Table};
+use robots::Arm;
+use testkit::references::{Decimal, ReferenceState};
 
 use super::quantity::{Quantity, magnitude, matrix, sum, vector};
-use robots::Arm;
-use testkit::references::Decimal;
-use testkit::references::ReferenceState;
 
 /// The longest distance of the last frame from the base that the table allows at `q`.
 fn reach<const N: usize>(table: &Table<N>, q: &[f64]) -> f64 {

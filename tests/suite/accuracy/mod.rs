@@ -11,8 +11,7 @@ use errors::Errors;
 use functions::quantities;
 use quantity::Quantity;
 use robots::*;
-use testkit::references::ReferenceFile;
-use testkit::references::read;
+use testkit::references::{ReferenceFile, read};
 
 /// The states of a robot's file, each with every quantity there.
 fn states<const N: usize, const P: usize, R: Arm<N, P>>(

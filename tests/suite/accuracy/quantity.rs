@@ -1,7 +1,6 @@
 //! Computed values beside exact ones.
 
 use robot_dynamics::nalgebra::{SMatrix, SVector};
-
 use testkit::references::Decimal;
 
 /// Computed values of one function at one state beside their references.

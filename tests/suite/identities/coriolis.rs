@@ -1,10 +1,10 @@
 //! Coriolis and centrifugal terms: vector, matrix, and coefficients.
 
 use robot_dynamics::nalgebra::{SMatrix, SVector};
+use robots::Arm;
 
 use super::gradient::{mass_matrix_gradient, mass_matrix_rate};
 use super::samples::{Magnitude, assert_small, states};
-use robots::Arm;
 
 /// C qd = V.
 pub(super) fn coriolis_matrix_gives_the_coriolis_vector<

@@ -1,7 +1,8 @@
 //! Forward dynamics against inverse dynamics.
 
-use super::samples::{Magnitude, TOLERANCE, assert_small, states};
 use robots::Arm;
+
+use super::samples::{Magnitude, TOLERANCE, assert_small, states};
 
 /// qdd of tau(qdd) is qdd, up to what M makes of a rounding of tau: |M^-1| times the tolerance.
 pub(super) fn forward_dynamics_undoes_inverse_dynamics<

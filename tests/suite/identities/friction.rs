@@ -1,9 +1,9 @@
 //! Friction.
 
 use robot_dynamics::nalgebra::{SVector, Vector1};
+use robots::Arm;
 
 use super::samples::{assert_small, states};
-use robots::Arm;
 
 /// F = viscous qd + coulomb sign(qd), and nothing where the table has none.
 pub(super) fn friction_is_that_of_the_table<const N: usize, const P: usize, R: Arm<N, P>>(

@@ -1,9 +1,9 @@
 //! Inverse dynamics and its parts.
 
 use robot_dynamics::nalgebra::SVector;
+use robots::Arm;
 
 use super::samples::{Magnitude, assert_small, states};
-use robots::Arm;
 
 /// tau = M qdd + V + G + F.
 pub(super) fn inverse_dynamics_is_the_sum_of_its_terms<

@@ -1,9 +1,9 @@
 //! Hamilton's equations against those of Lagrange.
 
 use robot_dynamics::nalgebra::SVector;
+use robots::Arm;
 
 use super::samples::{Magnitude, TOLERANCE, assert_small, states};
-use robots::Arm;
 
 /// p' = dT/dq - G - F + tau with dT/dq = C' qd, C of the Christoffel symbols.
 pub(super) fn forces_on_momenta_are_those_of_the_coriolis_matrix<

@@ -1,7 +1,6 @@
 //! The check that the runtime offers to users.
 
 use robot_dynamics::check_against_rnea;
-
 use robots::Arm;
 
 pub(super) fn every_function_agrees_with_recursive_newton_euler<

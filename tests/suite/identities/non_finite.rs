@@ -1,9 +1,9 @@
 //! What is not a number stays visible: a result is finite only where it does not depend on it.
 
 use robot_dynamics::nalgebra::SVector;
+use robots::Arm;
 
 use super::samples::{Magnitude, TOLERANCE, states};
-use robots::Arm;
 
 /// Every function at one position, as one list of numbers.
 fn all_functions<const N: usize, const P: usize, R: Arm<N, P>>(

@@ -2,10 +2,10 @@
 
 use robot_dynamics::nalgebra::{DMatrix, DVector, SVector};
 use robot_dynamics::{NewtonEuler, State, Table};
-
-use super::samples::{Magnitude, assert_small, states};
 use robots::Arm;
 use testkit::random::Random;
+
+use super::samples::{Magnitude, assert_small, states};
 
 /// Y base_parameters + F = tau.
 pub(super) fn base_parameters_give_the_torque_without_friction<

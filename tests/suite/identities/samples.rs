@@ -3,7 +3,6 @@
 use num_dual::Dual64;
 use robot_dynamics::nalgebra::{Dim, Matrix, RawStorage, SVector};
 use robot_dynamics::{JointType, Row, State, Table};
-
 use robots::Arm;
 use testkit::random::Random;
 

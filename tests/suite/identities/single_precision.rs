@@ -2,9 +2,9 @@
 
 use robot_dynamics::State;
 use robot_dynamics::nalgebra::{Dim, Matrix, RawStorage, SVector, Vector1};
+use robots::Arm;
 
 use super::samples::{Magnitude, assert_small, states};
-use robots::Arm;
 
 /// The precision of `f64` over that of `f32`.
 const COARSER: f64 = (1u64 << 29) as f64;

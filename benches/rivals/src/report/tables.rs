@@ -2,6 +2,8 @@
 
 use std::fmt::Write;
 
+use testkit::table::Table;
+
 use super::records::Records;
 use crate::arms::for_each_arm;
 use crate::measure::{FUNCTIONS, GENERATED, GROUPS};
@@ -24,27 +26,27 @@ pub(crate) fn overview(native: &Records, elsewhere: &Records) -> String {
         })
         .filter(|(_, name)| *name != GENERATED)
         .collect();
-    let names = others.iter().map(|(_, name)| format!(" {name} |"));
-    let mut table = format!("| arm | function | ns |{}\n", names.collect::<String>());
-    table += &format!("|---|---|---|{}\n", "---|".repeat(others.len()));
+    let names = others.iter().map(|(_, name)| *name);
+    let heads: Vec<&str> = ["arm", "function", "ns"].into_iter().chain(names).collect();
+    let mut table = Table::new("", &heads);
     for arm in ARMS {
         for function in FUNCTIONS {
             let ours = native.time(arm, function, GENERATED).expect("measured");
-            write!(table, "| {arm} | {function} | {} |", three_digits(ours)).unwrap();
-            for (records, name) in &others {
+            let ratios = others.iter().map(|(records, name)| {
                 let ratio = records.time(arm, function, name).map(|time| time / ours);
-                write!(table, " {} |", or_dash(ratio.map(three_digits))).unwrap();
-            }
-            table += "\n";
+                or_dash(ratio.map(three_digits))
+            });
+            let names = [arm.to_owned(), function.to_owned(), three_digits(ours)];
+            table.row(names.into_iter().chain(ratios));
         }
     }
-    table + "\n"
+    table.markdown_rows() + "\n"
 }
 
 /// A table for each arm: times and errors of every candidate in both builds.
 pub(crate) fn details(plain: &Records, native: &Records, elsewhere: &Records) -> String {
     ARMS.map(|arm| {
-        let mut table = format!("### {arm}\n\n{HEAD}\n");
+        let mut table = Table::new("", &HEADS);
         for function in FUNCTIONS {
             for name in native.candidates() {
                 row(&mut table, [arm, function, name], Some(plain), native);
@@ -53,17 +55,24 @@ pub(crate) fn details(plain: &Records, native: &Records, elsewhere: &Records) ->
                 row(&mut table, [arm, function, name], None, elsewhere);
             }
         }
-        table + "\n"
+        format!("### {arm}\n\n{}\n", table.markdown_rows())
     })
     .concat()
 }
 
-const HEAD: &str = "\
-| function | by | plain, ns | largest error | rms | native, ns | largest error | rms |
-|---|---|---|---|---|---|---|---|";
+const HEADS: [&str; 8] = [
+    "function",
+    "by",
+    "plain, ns",
+    "largest error",
+    "rms",
+    "native, ns",
+    "largest error",
+    "rms",
+];
 
 fn row(
-    table: &mut String,
+    table: &mut Table,
     [arm, function, name]: [&str; 3],
     plain: Option<&Records>,
     native: &Records,
@@ -78,13 +87,16 @@ fn row(
     };
     let [largest, rms] = errors_of(native);
     let [plain_largest, plain_rms] = plain.map_or_else(|| ["–".into(), "–".into()], errors_of);
-    writeln!(
-        table,
-        "| {function} | {name} | {} | {plain_largest} | {plain_rms} | {} | {largest} | {rms} |",
+    table.row([
+        function.to_owned(),
+        name.to_owned(),
         or_dash(plain.and_then(time_of)),
+        plain_largest,
+        plain_rms,
         three_digits(time),
-    )
-    .unwrap();
+        largest,
+        rms,
+    ]);
 }
 
 const GROUP: &str = "\
@@ -102,8 +114,7 @@ pub(crate) fn groups(plain: &Records, native: &Records) -> String {
         }
         writeln!(text, "## {title}\n").unwrap();
         writeln!(text, "{GROUP}").unwrap();
-        writeln!(text, "| function | {} |", ARMS.join(" | ")).unwrap();
-        writeln!(text, "|---|{}", "---|".repeat(ARMS.len())).unwrap();
+        let mut table = Table::new("", &[&["function"], &ARMS[..]].concat());
         for function in functions {
             let cell = |arm: &str| {
                 let time = |records: &Records| records.time(arm, function, GENERATED);
@@ -112,8 +123,9 @@ pub(crate) fn groups(plain: &Records, native: &Records) -> String {
                 let error = or_dash(errors.map(|[largest, _]| format!("{largest:.0e}")));
                 format!("{fast} / {faster} ({error})")
             };
-            writeln!(text, "| {function} | {} |", ARMS.map(cell).join(" | ")).unwrap();
+            table.row([function.to_string()].into_iter().chain(ARMS.map(cell)));
         }
+        text += &table.markdown_rows();
         text += "\n";
     }
     text

@@ -2,10 +2,10 @@
 
 use robot_dynamics::nalgebra::{SMatrix, SVector};
 use robot_dynamics::{Batch, BatchError};
-
-use crate::arms::Strut;
-use crate::values::{States, Values, assert_same};
 use robots::Puma560;
+
+use super::arms::Strut;
+use super::values::{States, Values, assert_same};
 
 #[test]
 fn all_cores_put_out_what_one_does() {

@@ -4,7 +4,6 @@ use robot_dynamics::nalgebra::{SMatrix, SVector};
 use robot_dynamics::{
     Batch, BatchError, CoriolisVector, ForwardDynamics, GravityVector, InverseDynamics, MassMatrix,
 };
-
 use testkit::random::Random;
 
 /// An arm with all functions that have a batch.

@@ -9,7 +9,6 @@ use robot_dynamics::{
     Batch, Configuration, CoriolisVector, ForwardDynamics, GravityVector, InverseDynamics,
     MassMatrix, Model, NewtonEuler, Scalar, Taylor, TaylorSimulation,
 };
-
 use robots::*;
 
 /// A vector of one number; what matters is only whether it is finite.

@@ -1,5 +1,7 @@
 //! Clocks: time on a processor, and the time of a short call.
 
+#![forbid(unsafe_code)]
+
 use std::hint::black_box;
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 

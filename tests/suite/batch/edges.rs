@@ -3,10 +3,10 @@
 
 use robot_dynamics::nalgebra::{Const, Dyn, OMatrix, Vector2, Vector6};
 use robot_dynamics::{Batch, BatchError, LengthMismatch};
-
-use crate::arms::Strut;
-use crate::values::{States, Values, assert_same, columns};
 use robots::Puma560;
+
+use super::arms::Strut;
+use super::values::{States, Values, assert_same, columns};
 
 /// States of the strut, stretched where told.
 fn strut_states(count: usize, stretched: &[usize]) -> States<2> {

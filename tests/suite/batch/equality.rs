@@ -1,8 +1,9 @@
 //! Batches of every length against single calls.
 
-use crate::arms::FIELDS;
-use crate::values::{Arm, States, Values, assert_same};
 use robots::{Panda, Puma560, Scara, Stanford, Ur5};
+
+use super::arms::FIELDS;
+use super::values::{Arm, States, Values, assert_same};
 
 /// The largest difference from a single call, in units in the last place of the largest number of
 /// the batch: lanes fuse sums of products where a plain build does not.

@@ -1,6 +1,8 @@
 //! An arm of the engine's whose programs are run and not compiled: the same operations on the same
 //! doubles as the functions that are emitted.
 
+#![forbid(unsafe_code)]
+
 use std::f64::consts::PI;
 
 use dynamics_runtime::nalgebra::{SMatrix, SVector};

@@ -1,12 +1,11 @@
 //! Batches against 25 digits: the states of `tests/data/reference`, angles of 1e6 rad among them.
 
 use robot_dynamics::nalgebra::SVector;
-use serde::Deserialize;
-
-use crate::values::{Arm, States, Values};
 use robots::{Panda, Puma560, Scara, Stanford, Ur5};
-use testkit::references::Decimal;
-use testkit::references::read;
+use serde::Deserialize;
+use testkit::references::{Decimal, read};
+
+use super::values::{Arm, States, Values};
 
 /// The largest error, relative to the natural magnitude, in units of the number of joints: that of
 /// the single functions.
