@@ -1,11 +1,11 @@
 //! Values, errors and times of every candidate, printed as lines of words.
 
+use clock::Effort;
 use robot_dynamics::nalgebra::{SMatrix, SVector};
 use robot_dynamics::{
     CoriolisVector, DoubleDouble, ForwardDynamics, GravityVector, InverseDynamics, MassMatrix,
     NewtonEuler, State,
 };
-use clock::Effort;
 
 use crate::arms::*;
 use crate::candidates::{Candidate, Columns, Dynibo, Lanes, Values};

@@ -114,7 +114,7 @@ pub(crate) fn groups(plain: &Records, native: &Records) -> String {
         }
         writeln!(text, "## {title}\n").unwrap();
         writeln!(text, "{GROUP}").unwrap();
-        let mut table = Table::new("", &[&["function"], &ARMS[..]].concat());
+        let mut table = Table::new("", &[&["function"][..], &ARMS[..]].concat());
         for function in functions {
             let cell = |arm: &str| {
                 let time = |records: &Records| records.time(arm, function, GENERATED);
