@@ -3,6 +3,8 @@
 //!
 //! The bound is that of [`Check`], 1e-13 per joint relative to the magnitude that each quantity could have.
 
+mod printed;
+
 use arms::{Bodies, Tables};
 use dynamics_symbolic::Function;
 use dynamics_symbolic::derive::derive;

@@ -3,29 +3,24 @@
 
 #![forbid(unsafe_code)]
 
-use std::f64::consts::PI;
+mod rounded;
+
+pub use rounded::{AllDigits, Inputs, Rounded, is_refused};
 
 use dynamics_runtime::nalgebra::{SMatrix, SVector};
 use dynamics_runtime::{
-    Convention, Evaluate, Evaluation, JointType, Model, Row, Scalar, SingularMassMatrix, State,
-    Table, turned,
+    Convention, Evaluate, Evaluation, JointType, Model, Row, SingularMassMatrix, State, Table,
+    turned,
 };
 use dynamics_symbolic::Function;
-use dynamics_symbolic::program::{Instruction, Operand, Program, rounded_angle};
-use dynamics_symbolic::robot::{self, Angle, Robot, Symbol, Value};
-
-/// A program with its constants as they are emitted, each correctly rounded.
-struct Rounded<'a> {
-    function: Function,
-    program: &'a Program,
-    constants: Vec<f64>,
-}
+use dynamics_symbolic::program::{Program, rounded_angle};
+use dynamics_symbolic::robot::{self, Angle, Robot, Value};
 
 /// An arm of N joints with values for its fields, and the programs of some of its functions.
 pub struct Interpreted<'a, const N: usize> {
     robot: &'a Robot,
     fields: &'a [f64],
-    programs: Vec<Rounded<'a>>,
+    programs: Vec<(Function, Rounded<'a>)>,
 }
 
 impl<'a, const N: usize> Interpreted<'a, N> {
@@ -36,11 +31,8 @@ impl<'a, const N: usize> Interpreted<'a, N> {
     /// Where the arm has not N joints, or not as many fields as there are values.
     pub fn new(robot: &'a Robot, fields: &'a [f64], programs: &'a [(Function, Program)]) -> Self {
         assert_eq!((robot.rows.len(), robot.fields.len()), (N, fields.len()));
-        let rounded = programs.iter().map(|(function, program)| Rounded {
-            function: *function,
-            program,
-            constants: program.rounded_constants(),
-        });
+        let rounded = programs.iter();
+        let rounded = rounded.map(|(function, program)| (*function, Rounded::new(program)));
         Interpreted {
             robot,
             fields,
@@ -81,50 +73,6 @@ impl<'a, const N: usize> Interpreted<'a, N> {
             coulomb: self.cell(&row.coulomb),
             ..Row::new(joint_type)
         }
-    }
-
-    fn input(&self, symbol: &Symbol, state: &State<N>, tau: &SVector<f64, N>) -> f64 {
-        match symbol {
-            Symbol::Pi => PI,
-            Symbol::Field(i) => self.fields[*i],
-            Symbol::AngleSine(angle) => Scalar::sin_cos(self.cell(angle)).0,
-            Symbol::AngleCosine(angle) => Scalar::sin_cos(self.cell(angle)).1,
-            Symbol::Sine(i) => Scalar::sin_cos(state.q[*i]).0,
-            Symbol::Cosine(i) => Scalar::sin_cos(state.q[*i]).1,
-            Symbol::Position(i) => state.q[*i],
-            Symbol::Velocity(i) => state.qd[*i],
-            Symbol::Acceleration(i) => state.qdd[*i],
-            Symbol::Force(i) => tau[*i],
-            Symbol::VelocitySign(i) => Scalar::sign(state.qd[*i]),
-        }
-    }
-}
-
-impl Rounded<'_> {
-    /// The outputs of the program for values of its inputs.
-    fn run(&self, input: impl Fn(&Symbol) -> f64) -> Vec<f64> {
-        let inputs: Vec<f64> = self.program.inputs.iter().map(input).collect();
-        let mut results: Vec<f64> = Vec::with_capacity(self.program.instructions.len());
-        let read = |results: &[f64], operand: Operand| match operand {
-            Operand::Constant(id) => self.constants[id.index()],
-            Operand::Input(i) => inputs[i as usize],
-            Operand::Result(i) => results[i as usize],
-        };
-        for instruction in &self.program.instructions {
-            let (a, b) = instruction.operands();
-            let (a, b) = (read(&results, a), read(&results, b));
-            results.push(match instruction {
-                Instruction::Add(..) => a + b,
-                Instruction::Sub(..) => a - b,
-                Instruction::Mul(..) => a * b,
-                Instruction::Div(..) => a / b,
-            });
-        }
-        let outputs = self.program.outputs.iter().map(|output| {
-            let value = read(&results, output.operand);
-            if output.negative { -value } else { value }
-        });
-        outputs.collect()
     }
 }
 
@@ -183,9 +131,16 @@ impl Outputs {
 impl<const N: usize> Evaluate<N> for Interpreted<'_, N> {
     fn evaluate(&self, state: &State<N>, tau: &SVector<f64, N>) -> Evaluation<N> {
         let mut values = Evaluation::default();
-        for rounded in &self.programs {
-            let outputs = rounded.run(|symbol| self.input(symbol, state, tau));
-            record(&mut values, rounded.function, Outputs(outputs.into_iter()));
+        let inputs = Inputs {
+            fields: self.fields,
+            q: state.q.as_slice(),
+            qd: state.qd.as_slice(),
+            qdd: state.qdd.as_slice(),
+            tau: tau.as_slice(),
+        };
+        for (function, rounded) in &self.programs {
+            let outputs: Vec<f64> = rounded.run(&inputs);
+            record(&mut values, *function, Outputs(outputs.into_iter()));
         }
         values.combined(state)
     }

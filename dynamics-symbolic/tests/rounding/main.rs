@@ -1,0 +1,47 @@
+//! No program loses digits: all functions of arms that are hard on them, in doubles and in single
+//! precision.
+
+mod digits;
+
+use arms::{Arm, Arms, decimal, printed, robot};
+use digits::Digits;
+
+/// PI/2 as books and files print it.
+const RIGHT: [&str; 4] = ["1.5708", "1.570796", "1.5707963", "1.57079633"];
+
+/// Angles next to right ones, masses that differ by eight powers of ten, unlucky fields.
+#[test]
+fn programs_of_hard_arms_lose_no_digits() {
+    let digits = Digits::of_arms(1, 20);
+    assert!(digits.programs() >= 400);
+    digits.assert_none_lost();
+}
+
+/// `cargo test --release -p dynamics-symbolic --test rounding -- --ignored`
+#[test]
+#[ignore = "takes minutes in a release build"]
+fn ten_thousand_programs_of_hard_arms_lose_no_digits() {
+    let seeds = [2, 3].map(|seed| std::thread::spawn(move || Digits::of_arms(seed, 240)));
+    let [first, second] = seeds.map(|seed| seed.join().expect("all programs run"));
+    let digits = first.join(second);
+    assert!(digits.programs() >= 10_000);
+    digits.assert_none_lost();
+}
+
+/// Arms that are built, each with four right angles.
+#[test]
+fn industrial_arms_lose_no_digits() {
+    let mut digits = Digits::default();
+    let mut arms = Arms::new(7);
+    for name in ["panda", "stanford", "puma560"] {
+        for right in RIGHT {
+            let right = right.parse().expect("a number");
+            let arm = Arm {
+                robot: printed(robot(name), &decimal(right)),
+                fields: Vec::new(),
+            };
+            digits.add(&arm, &mut arms, &format!("{name} with {right}"));
+        }
+    }
+    digits.assert_none_lost();
+}
