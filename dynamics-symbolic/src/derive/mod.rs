@@ -100,7 +100,11 @@ fn accurate(robot: &Robot, function: Function, form: Form, gauge: Gauge) -> Prog
 /// is what the rounding of programs is measured by, and what is put out where every shorter one costs
 /// digits.
 pub fn derive_plain(robot: &Robot, function: Function) -> Program {
-    let gauge = Gauge::plain(robot.rows.len());
+    let gauge = match function.row().search {
+        // Written so in any case: its recursion is its own.
+        Search::Accuracy => Gauge::physical(robot.rows.len()),
+        _ => Gauge::plain(robot.rows.len()),
+    };
     unsimplified(robot, function, Form::Recursive, &gauge)
 }
 
