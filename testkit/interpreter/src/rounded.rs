@@ -64,7 +64,7 @@ impl<'a> Rounded<'a> {
         self.program.evaluate_with(constants, &mut at)
     }
 
-    /// The sizes of the outputs: see [`Sized`].
+    /// The sizes of the outputs: of all that the program adds on the way to them, with one sign.
     pub fn sizes(&self, inputs: &Inputs<'_>) -> Vec<f64> {
         let constants = self.constants.iter().map(|x| Sized::new(*x)).collect();
         let outputs = self.program.evaluate_with(constants, &mut Sizes(inputs));
