@@ -1,7 +1,11 @@
 //! The struct item at the head of a call.
 
 use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
-use quote::quote;
+use quote::{ToTokens, quote};
+use syn::parse::{ParseStream, Parser};
+use syn::punctuated::Punctuated;
+use syn::spanned::Spanned;
+use syn::{Attribute, LitBool, Meta, Token, Visibility};
 
 use super::cursor::Cursor;
 use crate::call::{Field, Shape, Structure};
@@ -52,12 +56,17 @@ fn attributes(cursor: &mut Cursor) -> Attributes {
     while cursor.at('#') {
         let hash = cursor.take();
         let content = cursor.peek();
-        let Some(group) = cursor.take_group(Delimiter::Bracket) else {
+        if cursor.take_group(Delimiter::Bracket).is_none() {
             cursor.expected(expected::attribute());
             continue;
-        };
-        attributes.note(&mut cursor.inside(&group), &|meta| quote!(#hash [#meta]));
-        attributes.all.extend(quote!(#hash #content));
+        }
+        let written = quote!(#hash #content);
+        // What is no attribute in brackets is handed on as it is: the compiler says why.
+        let read = Attribute::parse_outer.parse2(written.clone());
+        for attribute in read.iter().flatten() {
+            attributes.note(&attribute.meta, &|meta| quote!(#hash [#meta]));
+        }
+        attributes.all.extend(written);
     }
     attributes
 }
@@ -65,29 +74,35 @@ fn attributes(cursor: &mut Cursor) -> Attributes {
 impl Attributes {
     /// Notes what the content of an attribute says about the item, be it under a
     /// condition. `attribute` puts around a part of the content what stands around it.
-    fn note(&mut self, meta: &mut Cursor, attribute: &dyn Fn(TokenStream) -> TokenStream) {
-        match meta.peek_ident().map(|word| word.to_string()).as_deref() {
-            Some("derive") => self.has_derive = true,
-            Some("cfg") => {
-                let start = meta.here();
-                self.cfgs.extend(attribute(meta.take_until(&[','])));
-                self.switch = Some(start.to(meta.last()));
+    fn note(&mut self, meta: &Meta, attribute: &dyn Fn(TokenStream) -> TokenStream) {
+        if meta.path().is_ident("derive") {
+            self.has_derive = true;
+        }
+        if meta.path().is_ident("cfg") {
+            self.cfgs.extend(attribute(meta.to_token_stream()));
+            self.switch = Some(meta.span().into());
+        }
+        if let Meta::List(list) = meta
+            && list.path.is_ident("cfg_attr")
+            && let Ok((condition, conditional)) = list.parse_args_with(under_condition)
+        {
+            let attribute = |meta| attribute(quote!(cfg_attr(#condition, #meta)));
+            for meta in &conditional {
+                self.note(meta, &attribute);
             }
-            Some("cfg_attr") => {
-                meta.take();
-                if let Some(arguments) = meta.take_group(Delimiter::Parenthesis) {
-                    let mut arguments = meta.inside(&arguments);
-                    let condition = arguments.take_until(&[',']);
-                    let attribute = |meta| attribute(quote!(cfg_attr(#condition, #meta)));
-                    while arguments.take_char(',').is_some() {
-                        self.note(&mut arguments, &attribute);
-                        arguments.take_until(&[',']);
-                    }
-                }
-            }
-            _ => {}
         }
     }
+}
+
+/// The arguments of `cfg_attr`: a condition, which may be `true` or `false`, and attributes.
+fn under_condition(input: ParseStream) -> syn::Result<(TokenStream, Punctuated<Meta, Token![,]>)> {
+    let condition = match input.peek(LitBool) {
+        true => input.parse::<LitBool>()?.to_token_stream(),
+        false => input.parse::<Meta>()?.to_token_stream(),
+    };
+    input.parse::<Token![,]>()?;
+    let conditional = Punctuated::parse_terminated(input)?;
+    Ok((condition, conditional))
 }
 
 /// Takes `pub`, `pub(crate)` and the like.
@@ -95,18 +110,21 @@ fn visibility(cursor: &mut Cursor) -> TokenStream {
     let Some(public) = cursor.take_word("pub") else {
         return TokenStream::new();
     };
-    let mut inside = cursor.clone();
-    let restricts = inside
-        .take_group(Delimiter::Parenthesis)
-        .is_some_and(|group| restricts(&cursor.inside(&group)));
-    let restriction = restricts.then(|| cursor.take()).flatten();
+    let behind = cursor.peek();
+    let restriction = restricts(quote!(#public #behind))
+        .then(|| cursor.take())
+        .flatten();
     quote!(#public #restriction)
 }
 
-/// Whether the parentheses are the `(crate)` of `pub(crate)`, not the type of a tuple field.
-fn restricts(inside: &Cursor) -> bool {
-    let words = ["crate", "self", "super", "in"];
-    words.iter().any(|word| inside.at_word(word))
+/// Whether the parentheses behind `pub` are the `(crate)` of `pub(crate)`, not the type of a tuple field.
+fn restricts(public: TokenStream) -> bool {
+    let read = |input: ParseStream| {
+        let visibility = input.parse()?;
+        input.parse::<TokenStream>()?;
+        Ok(matches!(visibility, Visibility::Restricted(_)))
+    };
+    read.parse2(public).unwrap_or(false)
 }
 
 /// The kind of item, and its name.

@@ -25,8 +25,19 @@ fn derives_are_added_where_there_is_none() {
     assert_eq!(own.matches("# [derive").count(), 1);
     let conditional = expansion(&format!("#[cfg_attr(test, derive(Default))] {call}"));
     assert_eq!(conditional.matches("# [derive").count(), 0);
+    let always = expansion(&format!("#[cfg_attr(true, derive(Default))] {call}"));
+    assert_eq!(always.matches("# [derive").count(), 0);
     let other = expansion(&format!("#[cfg_attr(test, must_use)] {call}"));
     assert_eq!(other.matches("# [derive").count(), 1);
+}
+
+#[test]
+fn what_is_no_attribute_is_handed_on_to_the_compiler() {
+    let items = expansion(&format!(
+        "#[5] #[] #[doc = include_str!(\"a\")] {}",
+        with_cells("mass: 1")
+    ));
+    assert!(items.contains("# [5] # [] # [doc = include_str ! (\"a\")]"));
 }
 
 /// What a macro's `$(#[$attribute:meta])*` makes of an attribute.
