@@ -20,6 +20,7 @@ pub mod prove;
 pub mod robot;
 pub mod rounding;
 pub mod simplify;
+pub mod spatial;
 
 pub use emit::{base_parameter_constants, stub, stub_of_trait};
 pub use expand::{Failure, Method, expand, expand_with, percent};

@@ -2,12 +2,12 @@
 //! the axis of its own joint, whatever the convention of the table.
 
 use super::base;
-use super::inertia::{Body, Keep, Turn, enter_x, enter_z, leave_x, leave_z};
 use super::symbols::Symbols;
 use crate::exact::Rational;
 use crate::expr::Expr;
-use crate::linear::{Symmetric3, Vector3};
+use crate::linear::{Ring, Symmetric3, Vector3};
 use crate::robot::{Convention, Interpretation, JointType, Robot, Row, Value};
+use crate::spatial::{Body, Joint, Keep, Motion, Turn, leave_x, leave_z};
 
 /// Where the origin of a joint's frame is on the axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -20,77 +20,42 @@ pub enum Origin {
 
 /// A link in its proximal frame.
 #[derive(Clone, Copy, Debug)]
-pub struct Link<'g> {
+pub struct Link<R> {
     /// The joint that moves it.
-    pub joint_type: JointType,
+    pub joint: Joint<R>,
     /// Whether that joint is locked: then the link is a part of the one before, and the turn or the
     /// slide is constant.
     pub locked: bool,
-    /// Turn about z of the previous frame, where that frame does not turn with its own link.
-    pub before: Turn<Expr<'g>>,
-    /// Turn about x that follows.
-    pub twist: Turn<Expr<'g>>,
-    /// Turn about z: variable for a revolute joint.
-    pub turn: Turn<Expr<'g>>,
-    /// Where the origin is in the previous frame (at q = 0 for a prismatic joint).
-    pub offset: Vector3<Expr<'g>>,
-    /// Displacement along the joint's axis: q for a prismatic joint, else zero.
-    pub slide: Expr<'g>,
     /// Where the origin is on the axis, from the place after the offset d.
-    pub shift: Expr<'g>,
+    pub shift: R,
     /// Turn about z from this frame to the link, where the frame stays behind the joint.
-    pub behind: Turn<Expr<'g>>,
+    pub behind: Turn<R>,
     /// Inertial parameters about the frame's origin.
-    pub body: Body<Expr<'g>>,
+    pub body: Body<R>,
     /// gear_ratio^2 * motor_inertia.
-    pub reflected: Expr<'g>,
+    pub reflected: R,
 }
 
-impl<'g> Link<'g> {
-    /// A vector of the previous frame, in this frame.
-    pub fn enter(&self, v: Vector3<Expr<'g>>) -> Vector3<Expr<'g>> {
-        enter_z(self.turn, enter_x(self.twist, enter_z(self.before, v)))
-    }
-
-    /// A vector of this frame, in the previous frame.
-    pub fn leave(&self, v: Vector3<Expr<'g>>) -> Vector3<Expr<'g>> {
-        leave_z(self.before, leave_x(self.twist, leave_z(self.turn, v)))
-    }
-
-    /// A body of this frame, in the previous frame and about its origin.
-    pub fn leave_body(&self, body: Body<Expr<'g>>) -> Body<Expr<'g>> {
-        // What slides does so along its own axis: fewer products than in the previous frame.
-        body.left_z(self.turn)
-            .moved_z(self.slide)
-            .left_x(self.twist)
-            .left_z(self.before)
-            .moved(self.offset)
-    }
-
+impl<R: Ring> Link<R> {
     /// A body of the frame that turns with the link, its origin after the offset d, in this frame.
-    pub fn place(&self, body: Body<Expr<'g>>, zero: Expr<'g>) -> Body<Expr<'g>> {
+    pub fn place(&self, body: Body<R>, zero: R) -> Body<R> {
         body.moved(Vector3::new(zero, zero, -self.shift))
             .left_z(self.behind)
-    }
-
-    /// Where the origin is in the previous frame.
-    pub fn position(&self, zero: Expr<'g>) -> Vector3<Expr<'g>> {
-        self.offset + self.leave(Vector3::new(zero, zero, self.slide))
     }
 }
 
 /// A robot in proximal frames.
-pub struct Chain<'g> {
+pub struct Chain<R> {
     /// Zero.
-    pub zero: Expr<'g>,
+    pub zero: R,
     /// One.
-    pub one: Expr<'g>,
+    pub one: R,
     /// Acceleration of gravity in the base frame.
-    pub gravity: Vector3<Expr<'g>>,
+    pub gravity: Vector3<R>,
     /// What the grouping of parameters left on the base: it matters to the potential energy alone.
-    pub base: Body<Expr<'g>>,
+    pub base: Body<R>,
     /// The links.
-    pub links: Vec<Link<'g>>,
+    pub links: Vec<Link<R>>,
 }
 
 /// The four cells of a row that come between two z axes, and the link's parameters after them.
@@ -99,10 +64,11 @@ pub(super) struct Twist<R> {
     pub(super) turn: Turn<R>,
 }
 
-impl<'g> Chain<'g> {
+impl<'g> Chain<Expr<'g>> {
     /// The chain of a robot, each frame's origin where `origins` says.
     pub fn new(symbols: &mut Symbols<'g>, robot: &Robot, origins: &[Origin]) -> Self {
-        let zero = symbols.graph().zero();
+        let (zero, one) = (symbols.graph().zero(), symbols.graph().one());
+        let none = Turn::none(zero, one);
         let twists = twists(symbols, robot);
         let mut previous_shift = zero;
         let links_of_base = robot.links_of_base();
@@ -135,21 +101,17 @@ impl<'g> Chain<'g> {
                 Some(_) => zero,
             };
             Link {
-                joint_type: row.joint_type,
+                joint: Joint {
+                    joint_type: row.joint_type,
+                    before: none,
+                    twist: twist.turn,
+                    turn: Turn { s, c },
+                    offset,
+                    slide,
+                },
                 locked: row.locked.is_some(),
-                before: Turn {
-                    s: zero,
-                    c: symbols.graph().one(),
-                },
-                twist: twist.turn,
-                turn: Turn { s, c },
-                offset,
-                slide,
                 shift,
-                behind: Turn {
-                    s: zero,
-                    c: symbols.graph().one(),
-                },
+                behind: none,
                 body,
                 reflected,
             }
@@ -158,11 +120,30 @@ impl<'g> Chain<'g> {
         let gravity = Vector3([0, 1, 2].map(|k| symbols.value(&robot.gravity[k])));
         Chain {
             zero,
-            one: symbols.graph().one(),
+            one,
             gravity,
             base: Body::splat(zero),
             links,
         }
+    }
+}
+
+impl<R: Ring> Chain<R> {
+    /// The joints from the base outwards.
+    pub fn joints(&self) -> impl DoubleEndedIterator<Item = &Joint<R>> + ExactSizeIterator {
+        self.links.iter().map(|link| &link.joint)
+    }
+
+    /// The axes of joints 0 to m in frame m, for every m.
+    pub(super) fn axes(&self) -> Vec<Vec<Motion<R>>> {
+        let mut axes: Vec<Vec<Motion<R>>> = Vec::with_capacity(self.links.len());
+        for joint in self.joints() {
+            let inner = axes.last().into_iter().flatten();
+            let mut row: Vec<_> = inner.map(|axis| axis.enter(joint)).collect();
+            row.push(Motion::axis(joint.joint_type, self.zero, self.one));
+            axes.push(row);
+        }
+        axes
     }
 
     /// Moves to the previous link what a joint cannot tell apart: base inertial
@@ -174,11 +155,12 @@ impl<'g> Chain<'g> {
     pub fn group_parameters(&mut self, keep: &[Keep]) {
         for i in (0..self.links.len()).rev() {
             let link = self.links[i];
-            let (moving, rest) = match link.joint_type {
-                _ if link.locked => (link.leave_body(link.body), Body::splat(self.zero)),
+            let joint = &link.joint;
+            let (moving, rest) = match joint.joint_type {
+                _ if link.locked => (joint.leave_body(link.body), Body::splat(self.zero)),
                 JointType::Revolute => {
                     let (invariant, rest) = link.body.split_revolute(self.zero, keep[i]);
-                    (invariant.left_x(link.twist).moved(link.offset), rest)
+                    (invariant.left_x(joint.twist).moved(joint.offset), rest)
                 }
                 JointType::Prismatic => {
                     let mut tensor = Body::splat(self.zero);
@@ -187,7 +169,7 @@ impl<'g> Chain<'g> {
                         inertia: Symmetric3::splat(self.zero),
                         ..link.body
                     };
-                    (tensor.left_z(link.turn).left_x(link.twist), rest)
+                    (tensor.left_z(joint.turn).left_x(joint.twist), rest)
                 }
             };
             self.links[i].body = rest;
@@ -200,31 +182,29 @@ impl<'g> Chain<'g> {
     }
 }
 
-impl<'g> Chain<'g> {
+impl Chain<Expr<'_>> {
     /// Lets frames stay behind their joints: where `stays` holds, frame i keeps
     /// the orientation that it has before joint i turns, and the link's
     /// parameters turn in it. Between parallel axes the frames that stay behind
     /// are all alike, and angles add up: sin and cos of q2 + q3 from those of
     /// q2 and q3.
     pub fn stay_behind(&mut self, stays: &[bool]) {
-        let none = Turn {
-            s: self.zero,
-            c: self.one,
-        };
+        let none = Turn::none(self.zero, self.one);
         let mut turned = none;
-        for (i, link) in self.links.iter_mut().enumerate() {
-            link.offset = leave_z(turned, link.offset);
-            let is_parallel = link.twist.s.is_zero() && link.twist.c == self.one;
+        for (link, &stays) in self.links.iter_mut().zip(stays) {
+            let joint = &mut link.joint;
+            joint.offset = leave_z(turned, joint.offset);
+            let is_parallel = joint.twist.s.is_zero() && joint.twist.c == self.one;
             if is_parallel {
                 // Rz(turned) Rz(turn): one turn about the common direction.
-                link.turn = turned.plus(link.turn);
+                joint.turn = turned.plus(joint.turn);
                 turned = none;
             }
-            link.before = turned;
+            joint.before = turned;
             turned = none;
-            if stays[i] && link.joint_type == JointType::Revolute {
-                turned = link.turn;
-                link.turn = none;
+            if stays && joint.joint_type == JointType::Revolute {
+                turned = joint.turn;
+                joint.turn = none;
                 link.behind = turned;
                 link.body = link.body.left_z(turned);
             }

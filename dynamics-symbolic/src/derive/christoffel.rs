@@ -9,29 +9,32 @@
 //!   D_j = I_m (S_m x S_j) - S_j x* (I_m S_m) - S_m x* (I_m S_j).
 
 use super::chain::Chain;
-use super::inertia::Body;
-use super::spatial::{Force, Motion, momentum};
 use crate::exact::Rational;
 use crate::expr::{Expr, Graph};
+use crate::linear::Ring;
+use crate::spatial::{Body, Force};
 
 /// The symbols c_ijk, symmetric in j and k, indexed [i][j][k].
-pub(super) fn christoffel<'g>(graph: &'g Graph, chain: &Chain<'g>) -> Vec<Vec<Vec<Expr<'g>>>> {
+pub(super) fn christoffel<'g>(
+    graph: &'g Graph,
+    chain: &Chain<Expr<'g>>,
+) -> Vec<Vec<Vec<Expr<'g>>>> {
     let n = chain.links.len();
     let zero = chain.zero;
     let half = graph.rational(&(Rational::ONE / Rational::from(2)));
-    let axes = axes(chain);
+    let axes = chain.axes();
     let mut symbols = vec![vec![vec![zero; n]; n]; n];
     let mut composite = Body::splat(zero);
     for m in (0..n).rev() {
         composite = composite.joined(chain.links[m].body);
         let axis = axes[m][m];
-        let axis_momentum = momentum(&composite, axis);
+        let axis_momentum = composite.momentum(axis);
         for j in 0..=m {
             let other = axes[m][j];
             let d = difference(
-                momentum(&composite, axis.cross(other)),
+                composite.momentum(axis.cross(other)),
                 other.cross_force(axis_momentum),
-                axis.cross_force(momentum(&composite, other)),
+                axis.cross_force(composite.momentum(other)),
             );
             for (i, &s) in axes[m].iter().enumerate() {
                 let value = half * s.dot(d);
@@ -43,30 +46,14 @@ pub(super) fn christoffel<'g>(graph: &'g Graph, chain: &Chain<'g>) -> Vec<Vec<Ve
                 }
             }
         }
-        composite = chain.links[m].leave_body(composite);
+        composite = chain.links[m].joint.leave_body(composite);
     }
     symbols
 }
 
-fn difference<'g>(a: Force<'g>, b: Force<'g>, c: Force<'g>) -> Force<'g> {
+fn difference<R: Ring>(a: Force<R>, b: Force<R>, c: Force<R>) -> Force<R> {
     Force {
         n: a.n - b.n - c.n,
         f: a.f - b.f - c.f,
     }
-}
-
-/// The axes of joints 0 to m in frame m, for every m.
-fn axes<'g>(chain: &Chain<'g>) -> Vec<Vec<Motion<'g>>> {
-    let mut axes: Vec<Vec<Motion<'g>>> = Vec::with_capacity(chain.links.len());
-    for link in &chain.links {
-        let mut row: Vec<_> = axes
-            .last()
-            .into_iter()
-            .flatten()
-            .map(|s| s.enter(link, chain.zero))
-            .collect();
-        row.push(Motion::axis(link.joint_type, chain.zero, chain.one));
-        axes.push(row);
-    }
-    axes
 }

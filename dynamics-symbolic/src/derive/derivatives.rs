@@ -15,61 +15,56 @@
 //! a wrench that is carried inwards from joint to joint; of the others the rows S_i I_i and S_i B_i are.
 //!
 //! Velocities and accelerations are those of frames' origins: with U as in
-//! [`recursive`](super::recursive) and a the acceleration of the origin,
+//! [`Acceleration`] and a the acceleration of the origin,
 //!
 //!   revolute:  psi' = (w x z, v x z),  psi'' = (U z, a x z + 2 v x (w x z))
 //!   prismatic: psi' = (0, w x z),      psi'' = (0, U z).
 
 use super::chain::{Chain, Link};
-use super::inertia::Body;
 use super::momentum::Momentum;
-use super::recursive::{self, motions, wrench};
-use super::spatial::{Force, Motion, momentum};
+use super::recursive;
 use super::symbols::Symbols;
 use crate::expr::{Direction, Expr};
-use crate::linear::Vector3;
+use crate::linear::{Ring, Vector3};
 use crate::robot::JointType;
+use crate::spatial::{Acceleration, Body, Force, Joint, Motion, accelerations};
 
-type Vector<'g> = Vector3<Expr<'g>>;
-type Matrix<'g> = Vec<Vec<Expr<'g>>>;
+type Matrix<R> = Vec<Vec<R>>;
 
 /// The derivatives of joint forces, without friction; row i belongs to tau_i.
-pub(super) struct ForceDerivatives<'g> {
+pub(super) struct ForceDerivatives<R> {
     /// d tau/dq
-    pub(super) by_position: Matrix<'g>,
+    pub(super) by_position: Matrix<R>,
     /// d tau/dqd
-    pub(super) by_velocity: Matrix<'g>,
+    pub(super) by_velocity: Matrix<R>,
 }
 
 /// What a displacement of a joint adds to the links outside it.
 #[derive(Clone, Copy)]
-struct Rates<'g> {
+struct Rates<R> {
     /// psi'
-    velocity: Motion<'g>,
+    velocity: Motion<R>,
     /// psi''
-    acceleration: Motion<'g>,
+    acceleration: Motion<R>,
 }
 
 /// The links from some joint on, as one body.
-struct Composite<'g> {
-    body: Body<Expr<'g>>,
-    momentum: Momentum<'g>,
-    wrench: Force<'g>,
+struct Composite<R> {
+    body: Body<R>,
+    momentum: Momentum<R>,
+    force: Force<R>,
 }
 
 /// The derivatives by the recursion.
-pub(super) fn recursion<'g>(
-    chain: &Chain<'g>,
-    qd: &[Expr<'g>],
-    qdd: &[Expr<'g>],
-) -> ForceDerivatives<'g> {
+pub(super) fn recursion<R: Ring>(chain: &Chain<R>, qd: &[R], qdd: &[R]) -> ForceDerivatives<R> {
     let n = chain.links.len();
     let zero = chain.zero;
-    let motions = motions(chain, qd, qdd, chain.gravity);
-    let velocities = velocities(chain, &motions, qd);
-    let links = chain.links.iter().zip(&motions).zip(&velocities);
+    let base = Acceleration::of_base(zero, chain.gravity);
+    let accelerations = accelerations(base, chain.joints(), qd, qdd);
+    let velocities = velocities(chain, &accelerations, qd);
+    let links = chain.joints().zip(&accelerations).zip(&velocities);
     let rates: Vec<_> = links
-        .map(|((link, m), &v)| Rates::new(chain, link, m, v))
+        .map(|((joint, a), &v)| Rates::new(chain, joint, a, v))
         .collect();
     let mut derivatives = ForceDerivatives {
         by_position: vec![vec![zero; n]; n],
@@ -78,9 +73,9 @@ pub(super) fn recursion<'g>(
     let mut composite = Composite::none(zero);
     for i in (0..n).rev() {
         let link = &chain.links[i];
-        composite.join(link, &motions[i], velocities[i]);
+        composite.join(link, &accelerations[i], velocities[i]);
         derivatives.column_and_row(chain, &rates, &composite, i);
-        composite = composite.leave(link, zero);
+        composite = composite.leave(&link.joint);
     }
     derivatives
 }
@@ -88,12 +83,12 @@ pub(super) fn recursion<'g>(
 /// The derivatives of the recursive inverse dynamics, taken on the graph.
 pub(super) fn differentiated<'g>(
     symbols: &Symbols<'g>,
-    chain: &Chain<'g>,
+    chain: &Chain<Expr<'g>>,
     qd: &[Expr<'g>],
     qdd: &[Expr<'g>],
-) -> ForceDerivatives<'g> {
+) -> ForceDerivatives<Expr<'g>> {
     let forces = recursive::inverse_dynamics(chain, qd, qdd, chain.gravity);
-    let along = |directions: Vec<Direction<'g>>| -> Matrix<'g> {
+    let along = |directions: Vec<Direction<'g>>| -> Matrix<Expr<'g>> {
         let row = |force: &Expr<'g>| directions.iter().map(|d| force.derivative(d)).collect();
         forces.iter().map(row).collect()
     };
@@ -109,37 +104,37 @@ pub(super) fn differentiated<'g>(
 }
 
 /// The velocities of the frames' origins.
-fn velocities<'g>(
-    chain: &Chain<'g>,
-    motions: &[recursive::Motion<'g>],
-    qd: &[Expr<'g>],
-) -> Vec<Vector<'g>> {
+fn velocities<R: Ring>(
+    chain: &Chain<R>,
+    accelerations: &[Acceleration<R>],
+    qd: &[R],
+) -> Vec<Vector3<R>> {
     let rest = Vector3::splat(chain.zero);
     let (mut w, mut v) = (rest, rest);
-    let links = chain.links.iter().zip(motions).zip(qd);
-    let velocities = links.map(|((link, motion), &qd)| {
-        v = link.enter(v + w.cross(link.position(chain.zero)));
-        if link.joint_type == JointType::Prismatic {
+    let links = chain.joints().zip(accelerations).zip(qd);
+    let velocities = links.map(|((joint, acceleration), &qd)| {
+        v = joint.enter(v + w.cross(joint.position()));
+        if joint.joint_type == JointType::Prismatic {
             v.0[2] = v[2] + qd;
         }
-        w = motion.w;
+        w = acceleration.w;
         v
     });
     velocities.collect()
 }
 
-impl<'g> Rates<'g> {
+impl<R: Ring> Rates<R> {
     fn new(
-        chain: &Chain<'g>,
-        link: &Link<'g>,
-        motion: &recursive::Motion<'g>,
-        v: Vector<'g>,
+        chain: &Chain<R>,
+        joint: &Joint<R>,
+        acceleration: &Acceleration<R>,
+        v: Vector3<R>,
     ) -> Self {
         let none = Vector3::splat(chain.zero);
         let z = Vector3::new(chain.zero, chain.zero, chain.one);
-        let turning = motion.w.cross(z);
-        let u = motion.u().column(2);
-        match link.joint_type {
+        let turning = acceleration.w.cross(z);
+        let u = acceleration.u().column(2);
+        match joint.joint_type {
             JointType::Revolute => Rates {
                 velocity: Motion {
                     w: turning,
@@ -147,7 +142,7 @@ impl<'g> Rates<'g> {
                 },
                 acceleration: Motion {
                     w: u,
-                    v: motion.a.cross(z) + twice(v.cross(turning)),
+                    v: acceleration.a.cross(z) + twice(v.cross(turning)),
                 },
             },
             JointType::Prismatic => Rates {
@@ -161,43 +156,41 @@ impl<'g> Rates<'g> {
     }
 }
 
-impl<'g> Composite<'g> {
-    fn none(zero: Expr<'g>) -> Self {
-        let none = Vector3::splat(zero);
+impl<R: Ring> Composite<R> {
+    fn none(zero: R) -> Self {
         Composite {
             body: Body::splat(zero),
             momentum: Momentum::none(zero),
-            wrench: Force { n: none, f: none },
+            force: Force::splat(zero),
         }
     }
 
-    fn join(&mut self, link: &Link<'g>, motion: &recursive::Motion<'g>, v: Vector<'g>) {
+    fn join(&mut self, link: &Link<R>, acceleration: &Acceleration<R>, v: Vector3<R>) {
         self.body = self.body.joined(link.body);
-        let own = Momentum::of(&link.body, motion.w, v);
+        let own = Momentum::of(&link.body, acceleration.w, v);
         self.momentum = self.momentum.joined(own);
-        let (f, n) = wrench(&link.body, motion);
-        self.wrench = self.wrench.plus(Force { n, f });
+        self.force = self.force + acceleration.force(&link.body);
     }
 
-    fn leave(&self, link: &Link<'g>, zero: Expr<'g>) -> Self {
+    fn leave(&self, joint: &Joint<R>) -> Self {
         Composite {
-            body: link.leave_body(self.body),
-            momentum: self.momentum.leave(link, zero),
-            wrench: self.wrench.leave(link, zero),
+            body: joint.leave_body(self.body),
+            momentum: self.momentum.leave(joint),
+            force: self.force.leave(joint),
         }
     }
 
     /// 2 B a + I m: what a motion with the angular velocity a and an acceleration m take.
-    fn apply(&self, angular: Vector<'g>, acceleration: Motion<'g>) -> Force<'g> {
+    fn apply(&self, angular: Vector3<R>, acceleration: Motion<R>) -> Force<R> {
         let coriolis = Force {
             n: self.momentum.n.apply(angular),
             f: angular.cross(self.momentum.p),
         };
-        coriolis.plus(momentum(&self.body, acceleration))
+        coriolis + self.body.momentum(acceleration)
     }
 
     /// 2 S B for the axis S along z: it acts on angular velocities alone.
-    fn coriolis_row(&self, axis: Motion<'g>, joint_type: JointType) -> Vector<'g> {
+    fn coriolis_row(&self, axis: Motion<R>, joint_type: JointType) -> Vector3<R> {
         match joint_type {
             JointType::Revolute => Vector3(self.momentum.n.0[2]),
             JointType::Prismatic => self.momentum.p.cross(axis.v),
@@ -205,32 +198,30 @@ impl<'g> Composite<'g> {
     }
 }
 
-impl<'g> ForceDerivatives<'g> {
+impl<R: Ring> ForceDerivatives<R> {
     /// Column i down to the diagonal, and row i up to it: carried inwards from frame i.
     fn column_and_row(
         &mut self,
-        chain: &Chain<'g>,
-        rates: &[Rates<'g>],
-        composite: &Composite<'g>,
+        chain: &Chain<R>,
+        rates: &[Rates<R>],
+        composite: &Composite<R>,
         i: usize,
     ) {
-        let zero = chain.zero;
-        let axis = |link: &Link<'g>| Motion::axis(link.joint_type, zero, chain.one);
-        let own = axis(&chain.links[i]);
+        let axis = |joint: &Joint<R>| Motion::axis(joint.joint_type, chain.zero, chain.one);
+        let own = axis(&chain.links[i].joint);
         let Rates {
             velocity,
             acceleration,
         } = rates[i];
-        let mut by_position = composite
-            .apply(velocity.w, acceleration)
-            .plus(own.cross_force(composite.wrench));
-        let mut by_velocity = composite.apply(own.w, velocity.twice());
-        let mut inertia_row = momentum(&composite.body, own);
-        let mut coriolis_row = composite.coriolis_row(own, chain.links[i].joint_type);
+        let mut by_position =
+            composite.apply(velocity.w, acceleration) + own.cross_force(composite.force);
+        let mut by_velocity = composite.apply(own.w, velocity + velocity);
+        let mut inertia_row = composite.body.momentum(own);
+        let mut coriolis_row = composite.coriolis_row(own, chain.links[i].joint.joint_type);
         for j in (0..=i).rev() {
-            let link = &chain.links[j];
-            self.by_position[j][i] = by_position.along(link.joint_type);
-            self.by_velocity[j][i] = by_velocity.along(link.joint_type);
+            let joint = &chain.links[j].joint;
+            self.by_position[j][i] = by_position.along(joint.joint_type);
+            self.by_velocity[j][i] = by_velocity.along(joint.joint_type);
             if j < i {
                 let Rates {
                     velocity,
@@ -239,19 +230,19 @@ impl<'g> ForceDerivatives<'g> {
                 self.by_position[i][j] =
                     coriolis_row.dot(velocity.w) + acceleration.dot(inertia_row);
                 self.by_velocity[i][j] =
-                    coriolis_row.dot(axis(link).w) + velocity.twice().dot(inertia_row);
+                    coriolis_row.dot(axis(joint).w) + (velocity + velocity).dot(inertia_row);
             }
             if j == 0 {
                 break;
             }
-            by_position = by_position.leave(link, zero);
-            by_velocity = by_velocity.leave(link, zero);
-            inertia_row = inertia_row.leave(link, zero);
-            coriolis_row = link.leave(coriolis_row);
+            by_position = by_position.leave(joint);
+            by_velocity = by_velocity.leave(joint);
+            inertia_row = inertia_row.leave(joint);
+            coriolis_row = joint.leave(coriolis_row);
         }
     }
 }
 
-fn twice<'g>(v: Vector<'g>) -> Vector<'g> {
+fn twice<R: Ring>(v: Vector3<R>) -> Vector3<R> {
     v + v
 }

@@ -5,22 +5,23 @@ use crate::exact::Rational;
 use crate::expr::{Expr, Graph, Level};
 use crate::linear::Vector3;
 use crate::robot::JointType;
+use crate::spatial::Motion;
 
 /// T = sum 1/2 w.J w + v.(w x h) + 1/2 m v.v, and 1/2 r^2 J_m qd^2 for each motor.
-pub(super) fn kinetic_energy<'g>(graph: &'g Graph, chain: &Chain<'g>, qd: &[Expr<'g>]) -> Expr<'g> {
+pub(super) fn kinetic_energy<'g>(
+    graph: &'g Graph,
+    chain: &Chain<Expr<'g>>,
+    qd: &[Expr<'g>],
+) -> Expr<'g> {
     let half = graph.rational(&(Rational::ONE / Rational::from(2)));
     let zero = chain.zero;
-    let (mut w, mut v) = (Vector3::splat(zero), Vector3::splat(zero));
+    let mut motion = Motion::splat(zero);
     // 2 T - 2 v.(w x h), and v.(w x h)
     let (mut squares, mut mixed) = (zero, zero);
     for (link, &qd) in chain.links.iter().zip(qd) {
-        v = link.enter(v + w.cross(link.position(zero)));
-        w = link.enter(w);
-        match link.joint_type {
-            JointType::Revolute => w.0[2] = w[2] + qd,
-            JointType::Prismatic => v.0[2] = v[2] + qd,
-        }
-        let body = &link.body;
+        let joint = &link.joint;
+        motion = motion.enter(joint).with_joint(joint.joint_type, qd);
+        let (Motion { w, v }, body) = (motion, &link.body);
         squares = squares
             + w.dot(body.inertia.apply(w))
             + body.mass * v.dot(v)
@@ -31,11 +32,11 @@ pub(super) fn kinetic_energy<'g>(graph: &'g Graph, chain: &Chain<'g>, qd: &[Expr
 }
 
 /// U = -g.h, with h the first moment of the whole arm about the base's origin.
-pub(super) fn potential_energy<'g>(chain: &Chain<'g>) -> Expr<'g> {
+pub(super) fn potential_energy<'g>(chain: &Chain<Expr<'g>>) -> Expr<'g> {
     let moments = composite_moments(chain, chain.one);
     let first = chain.links.first().zip(moments.first());
-    let outer =
-        first.map(|(link, (mass, moment))| link.leave(*moment) + link.position(chain.zero) * *mass);
+    let outer = first
+        .map(|(link, (mass, moment))| link.joint.leave(*moment) + link.joint.position() * *mass);
     let total = outer.map_or(chain.base.moment, |outer| chain.base.moment + outer);
     -chain.gravity.dot(total)
 }
@@ -47,7 +48,7 @@ pub(super) fn potential_energy<'g>(chain: &Chain<'g>) -> Expr<'g> {
 /// Bodies are scaled by one component of g beforehand, so that the direction
 /// of gravity is what enters the products: a component of 1 costs nothing. The
 /// component must be a number: a parameter may be zero.
-pub(super) fn gravity_vector<'g>(chain: &Chain<'g>) -> Vec<Expr<'g>> {
+pub(super) fn gravity_vector<'g>(chain: &Chain<Expr<'g>>) -> Vec<Expr<'g>> {
     let is_number = |g: &Expr<'g>| g.level() == Level::Constant && !g.is_zero();
     let scale = chain
         .gravity
@@ -58,9 +59,12 @@ pub(super) fn gravity_vector<'g>(chain: &Chain<'g>) -> Vec<Expr<'g>> {
         .unwrap_or(chain.one);
     let mut g = Vector3(chain.gravity.0.map(|component| component / scale));
     let moments = composite_moments(chain, scale);
-    let force = |(link, (mass, h)): (&super::chain::Link<'g>, &(Expr<'g>, Vector3<Expr<'g>>))| {
-        g = link.enter(g);
-        match link.joint_type {
+    let force = |(link, (mass, h)): (
+        &super::chain::Link<Expr<'g>>,
+        &(Expr<'g>, Vector3<Expr<'g>>),
+    )| {
+        g = link.joint.enter(g);
+        match link.joint.joint_type {
             JointType::Revolute => g[0] * h[1] - g[1] * h[0],
             JointType::Prismatic => -(*mass * g[2]),
         }
@@ -69,7 +73,10 @@ pub(super) fn gravity_vector<'g>(chain: &Chain<'g>) -> Vec<Expr<'g>> {
 }
 
 /// Mass and first moment of links i to n about the origin of frame i, times `scale`.
-fn composite_moments<'g>(chain: &Chain<'g>, scale: Expr<'g>) -> Vec<(Expr<'g>, Vector3<Expr<'g>>)> {
+fn composite_moments<'g>(
+    chain: &Chain<Expr<'g>>,
+    scale: Expr<'g>,
+) -> Vec<(Expr<'g>, Vector3<Expr<'g>>)> {
     let zero = chain.zero;
     let mut composites = Vec::with_capacity(chain.links.len());
     let mut outer = (zero, Vector3::splat(zero));
@@ -77,7 +84,10 @@ fn composite_moments<'g>(chain: &Chain<'g>, scale: Expr<'g>) -> Vec<(Expr<'g>, V
         let mass = link.body.mass * scale + outer.0;
         let moment = link.body.moment * scale + outer.1;
         composites.push((mass, moment));
-        outer = (mass, link.leave(moment) + link.position(zero) * mass);
+        outer = (
+            mass,
+            link.joint.leave(moment) + link.joint.position() * mass,
+        );
     }
     composites.reverse();
     composites

@@ -22,7 +22,7 @@ use crate::robot::{Interpretation, Robot};
 pub fn outputs<'g>(
     symbols: &mut Symbols<'g>,
     robot: &Robot,
-    chain: &Chain<'g>,
+    chain: &Chain<Expr<'g>>,
     function: Function,
     form: Form,
 ) -> Vec<Expr<'g>> {
@@ -39,7 +39,7 @@ pub fn outputs<'g>(
 fn of_rows<'g>(
     symbols: &mut Symbols<'g>,
     robot: &Robot,
-    chain: &Chain<'g>,
+    chain: &Chain<Expr<'g>>,
     function: Function,
     form: Form,
 ) -> Vec<Expr<'g>> {
@@ -126,7 +126,7 @@ fn of_rows<'g>(
 fn forward_dynamics<'g>(
     symbols: &mut Symbols<'g>,
     robot: &Robot,
-    chain: &Chain<'g>,
+    chain: &Chain<Expr<'g>>,
     form: Form,
 ) -> Vec<Expr<'g>> {
     let net = net_force(symbols, robot, chain);
@@ -151,7 +151,7 @@ fn forward_dynamics<'g>(
 fn articulated_dynamics<'g>(
     symbols: &mut Symbols<'g>,
     robot: &Robot,
-    chain: &Chain<'g>,
+    chain: &Chain<Expr<'g>>,
     qd: &[Expr<'g>],
 ) -> Vec<Expr<'g>> {
     let applied = symbols.all(|joint| joint.tau).into_iter();
@@ -170,7 +170,7 @@ fn articulated_dynamics<'g>(
 fn assembled<'g>(
     symbols: &mut Symbols<'g>,
     robot: &Robot,
-    chain: &Chain<'g>,
+    chain: &Chain<Expr<'g>>,
     function: Function,
 ) -> Vec<Expr<'g>> {
     let graph = symbols.graph();
@@ -232,7 +232,11 @@ fn assembled<'g>(
 }
 
 /// tau - V - G - F, for the joint of every row.
-fn net_force<'g>(symbols: &mut Symbols<'g>, robot: &Robot, chain: &Chain<'g>) -> Vec<Expr<'g>> {
+fn net_force<'g>(
+    symbols: &mut Symbols<'g>,
+    robot: &Robot,
+    chain: &Chain<Expr<'g>>,
+) -> Vec<Expr<'g>> {
     let bias = of_rows(symbols, robot, chain, Function::BiasForce, Form::Recursive);
     let applied = symbols.all(|joint| joint.tau).into_iter();
     applied.zip(bias).map(|(tau, bias)| tau - bias).collect()
@@ -248,7 +252,7 @@ fn pivots<'g>(factors: &Factors<'g>, matrix: &[Vec<Expr<'g>>]) -> Vec<Expr<'g>> 
 fn with_friction<'g>(
     symbols: &mut Symbols<'g>,
     robot: &Robot,
-    derivatives: ForceDerivatives<'g>,
+    derivatives: ForceDerivatives<Expr<'g>>,
 ) -> Vec<Expr<'g>> {
     let mut by_velocity = derivatives.by_velocity;
     for (i, row) in robot.rows.iter().enumerate() {
@@ -263,7 +267,7 @@ fn with_friction<'g>(
 fn acceleration_derivatives<'g>(
     symbols: &mut Symbols<'g>,
     robot: &Robot,
-    chain: &Chain<'g>,
+    chain: &Chain<Expr<'g>>,
     solve: impl Fn(&Factors<'g>, Vec<Expr<'g>>) -> Vec<Expr<'g>>,
 ) -> Vec<Expr<'g>> {
     let joints = Joints::of(robot);

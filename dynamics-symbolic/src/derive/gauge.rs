@@ -4,12 +4,12 @@
 
 use super::chain::{Chain, Origin};
 use super::functions::outputs;
-use super::inertia::Keep;
 use super::symbols::Symbols;
-use crate::expr::Graph;
+use crate::expr::{Expr, Graph};
 use crate::function::{Form, Function, Search};
 use crate::robot::Robot;
 use crate::simplify::Network;
+use crate::spatial::Keep;
 
 /// One choice for every joint.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -50,7 +50,7 @@ impl Gauge {
     }
 
     /// The chain of a robot in this gauge.
-    pub fn chain<'g>(&self, symbols: &mut Symbols<'g>, robot: &Robot) -> Chain<'g> {
+    pub fn chain<'g>(&self, symbols: &mut Symbols<'g>, robot: &Robot) -> Chain<Expr<'g>> {
         let mut chain = Chain::new(symbols, robot, &self.origins);
         if self.grouped {
             chain.group_parameters(&self.keep);

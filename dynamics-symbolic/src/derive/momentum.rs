@@ -8,26 +8,21 @@
 //!
 //! It is twice the operator B of Singh, Russell and Wensing (2022).
 
-use super::chain::Link;
-use super::inertia::{Body, Turn};
-use crate::expr::Expr;
-use crate::linear::{Matrix3, Vector3};
-
-type Vector<'g> = Vector3<Expr<'g>>;
-type Tensor<'g> = Matrix3<Expr<'g>>;
+use crate::linear::{Matrix3, Ring, Vector3};
+use crate::spatial::{Body, Joint, Turn};
 
 /// 2 p and 2 N about the origin of a frame.
 #[derive(Clone, Copy)]
-pub(super) struct Momentum<'g> {
+pub(super) struct Momentum<R> {
     /// 2 p
-    pub(super) p: Vector<'g>,
+    pub(super) p: Vector3<R>,
     /// 2 N
-    pub(super) n: Tensor<'g>,
+    pub(super) n: Matrix3<R>,
 }
 
-impl<'g> Momentum<'g> {
+impl<R: Ring> Momentum<R> {
     /// Of nothing.
-    pub(super) fn none(zero: Expr<'g>) -> Self {
+    pub(super) fn none(zero: R) -> Self {
         Momentum {
             p: Vector3::splat(zero),
             n: Matrix3([[zero; 3]; 3]),
@@ -36,7 +31,7 @@ impl<'g> Momentum<'g> {
 
     /// Of a body: p = m v + w x h, K = v h^T + [w]x E, with E = tr(J)/2 1 - J the second moments
     /// of its mass. The trace of [w]x E is zero.
-    pub(super) fn of(body: &Body<Expr<'g>>, w: Vector<'g>, v: Vector<'g>) -> Self {
+    pub(super) fn of(body: &Body<R>, w: Vector3<R>, v: Vector3<R>) -> Self {
         let j = body.inertia.full();
         let trace = j.0[0][0] + j.0[1][1] + j.0[2][2];
         let column = |k: usize| {
@@ -61,22 +56,22 @@ impl<'g> Momentum<'g> {
     }
 
     /// In the previous frame and about its origin: K' = K + p s^T with the origin at s there.
-    pub(super) fn leave(self, link: &Link<'g>, zero: Expr<'g>) -> Self {
-        let p = link.leave(self.p);
+    pub(super) fn leave(self, joint: &Joint<R>) -> Self {
+        let p = joint.leave(self.p);
         let n = turned(
-            link.before,
-            turned(link.twist, turned(link.turn, self.n, 2), 0),
+            joint.before,
+            turned(joint.twist, turned(joint.turn, self.n, 2), 0),
             2,
         );
         Momentum {
             p,
-            n: sum(n, trace_less(p, link.position(zero))),
+            n: sum(n, trace_less(p, joint.position())),
         }
     }
 }
 
 /// tr(a b^T) 1 - a b^T
-fn trace_less<'g>(a: Vector<'g>, b: Vector<'g>) -> Tensor<'g> {
+fn trace_less<R: Ring>(a: Vector3<R>, b: Vector3<R>) -> Matrix3<R> {
     let ([a, b, c], [x, y, z]) = (a.0, b.0);
     let (ax, by, cz) = (a * x, b * y, c * z);
     Matrix3([
@@ -86,13 +81,13 @@ fn trace_less<'g>(a: Vector<'g>, b: Vector<'g>) -> Tensor<'g> {
     ])
 }
 
-fn sum<'g>(a: Tensor<'g>, b: Tensor<'g>) -> Tensor<'g> {
+fn sum<R: Ring>(a: Matrix3<R>, b: Matrix3<R>) -> Matrix3<R> {
     Matrix3([0, 1, 2].map(|i| [0, 1, 2].map(|j| a.0[i][j] + b.0[i][j])))
 }
 
 /// R N R^T for a turn about a coordinate axis, out of the turned frame. As
 /// [`Turn::leave_block`]; the antisymmetric part of the block does not change.
-fn turned<'g>(turn: Turn<Expr<'g>>, n: Tensor<'g>, axis: usize) -> Tensor<'g> {
+fn turned<R: Ring>(turn: Turn<R>, n: Matrix3<R>, axis: usize) -> Matrix3<R> {
     let (x, y, z) = ((axis + 1) % 3, (axis + 2) % 3, axis);
     let mut n = n.0;
     let k = turn.s * (n[x][x] - n[y][y]) + turn.c * (n[x][y] + n[y][x]);
@@ -107,10 +102,11 @@ fn turned<'g>(turn: Turn<Expr<'g>>, n: Tensor<'g>, axis: usize) -> Tensor<'g> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::expr::{Graph, Level};
-    use crate::linear::{Ring, Symmetric3};
+    use crate::expr::{Expr, Graph, Level};
+    use crate::linear::Symmetric3;
+    use crate::spatial::{enter_x, enter_z, leave_x, leave_z};
 
-    fn symbols(graph: &Graph) -> Vector<'_> {
+    fn symbols(graph: &Graph) -> Vector3<Expr<'_>> {
         Vector3([(); 3].map(|()| graph.symbol(Level::Variable)))
     }
 
@@ -140,7 +136,6 @@ mod tests {
         let (s, c) = graph.circle(Level::Variable);
         let turn = Turn { s, c };
         let a = symbols(&graph);
-        use super::super::inertia::{enter_x, enter_z, leave_x, leave_z};
         assert_eq!(
             turned(turn, n, 2).apply(a),
             leave_z(turn, n.apply(enter_z(turn, a)))

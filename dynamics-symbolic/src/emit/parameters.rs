@@ -2,10 +2,10 @@
 
 use super::polynomial::{Polynomial, Polynomials};
 use crate::derive::base::{Grouping, LinkGeometry, geometry, group};
-use crate::derive::inertia::{Body, Turn};
 use crate::derive::symbols::Symbols;
 use crate::expr::{Expr, Graph};
 use crate::robot::{Convention, JointType, Parameter, Robot};
+use crate::spatial::{Body, Turn};
 
 /// A longer formula is written in steps.
 const LONGEST: usize = 250;

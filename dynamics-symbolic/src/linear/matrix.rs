@@ -8,6 +8,12 @@ use core::ops::{Add, Mul, Sub};
 pub struct Matrix3<R>(pub [[R; 3]; 3]);
 
 impl<R: Ring> Matrix3<R> {
+    /// [v]x: times a vector it is the cross product of v and that.
+    pub fn cross(v: Vector3<R>, zero: R) -> Self {
+        let [x, y, z] = v.0;
+        Matrix3([[zero, -z, y], [z, zero, -x], [-y, x, zero]])
+    }
+
     /// The matrix times a vector.
     pub fn apply(&self, v: Vector3<R>) -> Vector3<R> {
         Vector3(self.0.map(|row| Vector3(row).dot(v)))
@@ -184,15 +190,9 @@ mod tests {
     /// x to y, y to z, z to x: a rotation.
     const CYCLE: Matrix3<i64> = Matrix3([[0, 0, 1], [1, 0, 0], [0, 1, 0]]);
 
-    /// [v]x
-    fn cross_matrix(v: Vector3<i64>) -> Matrix3<i64> {
-        let [x, y, z] = v.0;
-        Matrix3([[0, -z, y], [z, 0, -x], [-y, x, 0]])
-    }
-
     #[test]
     fn a_product_applies_the_right_factor_first() {
-        let (a, b) = (INERTIA.full(), cross_matrix(H));
+        let (a, b) = (INERTIA.full(), Matrix3::cross(H, 0));
         assert_eq!(a.product(&b).apply(V), a.apply(b.apply(V)));
         assert_eq!(b.apply(V), H.cross(V));
         assert_eq!(b.transpose().apply(V), V.cross(H));

@@ -2,11 +2,9 @@
 
 use super::reals::{Reals, sin_cos};
 use crate::derive::base::{Grouping, LinkGeometry, base_parameters, columns, geometry, unit};
-use crate::derive::inertia::{Body, Turn, enter_x, enter_z, leave_x, leave_z};
 use crate::linear::Vector3;
 use crate::robot::{Interpretation, JointType, Parameter, Robot};
-
-type Vector = Vector3<f64>;
+use crate::spatial::{Acceleration, Body, Joint, Turn, accelerations, felt_inwards};
 
 /// The force of each joint that moves.
 pub(super) type Forces = Vec<f64>;
@@ -14,7 +12,7 @@ pub(super) type Forces = Vec<f64>;
 /// An arm as its base parameters.
 pub(super) struct Arm {
     links: Vec<Link>,
-    gravity: Vector,
+    gravity: Vector3<f64>,
     /// Row and name of each base parameter.
     pub(super) columns: Vec<(usize, Parameter)>,
     /// The body that it is, or the inertia of the motor.
@@ -27,33 +25,6 @@ struct Link {
     theta: Turn<f64>,
     /// The joint, of those that move.
     joint: Option<usize>,
-}
-
-/// A joint at a position: how vectors pass.
-#[derive(Clone, Copy)]
-struct Place {
-    turn: Turn<f64>,
-    twist: Turn<f64>,
-    /// The origin in the previous frame.
-    origin: Vector,
-}
-
-impl Place {
-    fn enter(&self, v: Vector) -> Vector {
-        enter_z(self.turn, enter_x(self.twist, v))
-    }
-
-    fn leave(&self, v: Vector) -> Vector {
-        leave_x(self.twist, leave_z(self.turn, v))
-    }
-}
-
-/// The motion of a link, its acceleration less that of gravity.
-#[derive(Clone, Copy)]
-struct Motion {
-    w: Vector,
-    wd: Vector,
-    a: Vector,
 }
 
 impl Arm {
@@ -109,103 +80,61 @@ impl Arm {
 
     /// The joint forces that each parameter adds to those of a motion, with gravity or without.
     pub(super) fn forces(&self, q: &[f64], qd: &[f64], qdd: &[f64], gravity: bool) -> Vec<Forces> {
-        let places: Vec<_> = self.links.iter().map(|link| link.place(q)).collect();
-        let motions = self.motions(&places, qd, qdd, gravity);
-        let part = |(&(i, _), part): (&(usize, Parameter), &Result<Body<f64>, f64>)| {
-            let mut forces = vec![0.0; qd.len()];
-            match (part, self.links[i].joint) {
-                (Ok(body), _) => {
-                    self.hand_inwards(&places, i, wrench(body, &motions[i]), &mut forces)
-                }
-                (Err(motor), Some(joint)) => forces[joint] = motor * qdd[joint],
-                (Err(_), None) => {}
+        let joints: Vec<_> = self.links.iter().map(|link| link.joint(q)).collect();
+        let gravity = if gravity {
+            self.gravity
+        } else {
+            Vector3::splat(0.0)
+        };
+        let base = Acceleration::of_base(0.0, gravity);
+        let (qd, qdd) = (self.of_rows(qd), self.of_rows(qdd));
+        let accelerations = accelerations(base, joints.iter(), &qd, &qdd);
+        let part = |(&(i, _), part): (&(usize, Parameter), &Result<Body<f64>, f64>)| match part {
+            Ok(body) => {
+                let force = accelerations[i].force(body);
+                self.of_joints(felt_inwards(force, joints[..=i].iter()))
             }
-            forces
+            Err(motor) => {
+                let mut forces = vec![0.0; joints.len()];
+                forces[i] = motor * qdd[i];
+                self.of_joints(forces)
+            }
         };
         self.columns.iter().zip(&self.parts).map(part).collect()
     }
 
-    fn motions(&self, places: &[Place], qd: &[f64], qdd: &[f64], gravity: bool) -> Vec<Motion> {
-        let rest = Vector3::splat(0.0);
-        let mut motion = Motion {
-            w: rest,
-            wd: rest,
-            a: if gravity { -self.gravity } else { rest },
-        };
-        let links = self.links.iter().zip(places);
-        let outward = |(link, place): (&Link, &Place)| {
-            let Motion { w, wd, a } = motion;
-            let r = place.origin;
-            let a = place.enter(a + wd.cross(r) + w.cross(w.cross(r)));
-            let (w, wd) = (place.enter(w), place.enter(wd));
-            motion = Motion { w, wd, a };
-            if let Some(j) = link.joint {
-                let across = w.cross(Vector3::new(0.0, 0.0, qd[j]));
-                match link.geometry.joint_type {
-                    JointType::Revolute => {
-                        motion.wd = wd + across;
-                        motion.wd.0[2] += qdd[j];
-                        motion.w.0[2] += qd[j];
-                    }
-                    JointType::Prismatic => {
-                        motion.a = a + across * 2.0;
-                        motion.a.0[2] += qdd[j];
-                    }
-                }
-            }
-            motion
-        };
-        links.map(outward).collect()
+    /// For the joint of every row, 0 where it is locked.
+    fn of_rows(&self, of_joints: &[f64]) -> Vec<f64> {
+        let value = |link: &Link| link.joint.map_or(0.0, |joint| of_joints[joint]);
+        self.links.iter().map(value).collect()
     }
 
-    /// The forces of joints up to link i that supply a wrench on it.
-    fn hand_inwards(
-        &self,
-        places: &[Place],
-        i: usize,
-        (mut f, mut n): (Vector, Vector),
-        forces: &mut Forces,
-    ) {
-        for (link, place) in self.links[..=i].iter().zip(places).rev() {
+    /// For the joints that move; 0 for those behind the last row that is given.
+    fn of_joints(&self, of_rows: Vec<f64>) -> Forces {
+        let mut forces = vec![0.0; self.dof()];
+        for (link, force) in self.links.iter().zip(of_rows) {
             if let Some(joint) = link.joint {
-                forces[joint] = match link.geometry.joint_type {
-                    JointType::Revolute => n[2],
-                    JointType::Prismatic => f[2],
-                };
+                forces[joint] = force;
             }
-            f = place.leave(f);
-            n = place.leave(n) + place.origin.cross(f);
         }
+        forces
     }
 }
 
 impl Link {
-    fn place(&self, q: &[f64]) -> Place {
-        let geometry = &self.geometry;
-        let (mut turn, mut origin) = (geometry.turn, geometry.offset(0.0));
-        match (self.joint, geometry.joint_type) {
-            (None, _) => {}
+    fn joint(&self, q: &[f64]) -> Joint<f64> {
+        let still = self.geometry.joint(0.0, 1.0);
+        match (self.joint, still.joint_type) {
+            (None, _) => still,
             (Some(j), JointType::Revolute) => {
                 let (s, c) = sin_cos(q[j]);
-                turn = self.theta.plus(Turn { s, c });
+                let turn = self.theta.plus(Turn { s, c });
+                Joint { turn, ..still }
             }
-            (Some(j), JointType::Prismatic) => {
-                origin = origin + leave_x(geometry.twist, Vector3::new(0.0, 0.0, q[j]));
-            }
-        }
-        Place {
-            turn,
-            twist: geometry.twist,
-            origin,
+            (Some(j), JointType::Prismatic) => Joint {
+                slide: q[j],
+                ..still
+            },
         }
     }
-}
-
-/// f = m a + wd x h + w x (w x h), n = J wd + w x (J w) + h x a.
-fn wrench(body: &Body<f64>, motion: &Motion) -> (Vector, Vector) {
-    let Motion { w, wd, a } = *motion;
-    let (h, j) = (body.moment, &body.inertia);
-    let force = a * body.mass + wd.cross(h) + w.cross(w.cross(h));
-    let moment = j.apply(wd) + w.cross(j.apply(w)) + h.cross(a);
-    (force, moment)
 }

@@ -1,7 +1,7 @@
 //! Articulated inertia: what a link with free joints beyond it opposes to acceleration.
 
-use crate::derive::inertia::{Body, Turn, leave_z};
 use crate::linear::{Matrix3, Ring, Symmetric3, Vector3};
+use crate::spatial::{Body, Force, Motion, Turn, leave_z, tensor_leave_z};
 
 /// The wrench that a link needs: n = J wd + H a and f = H^T wd + M a, with wd its angular
 /// acceleration and a the acceleration of its frame's origin, about which n is (Featherstone
@@ -19,13 +19,21 @@ pub(super) struct Articulated<R> {
 impl<R: Ring> Articulated<R> {
     /// A rigid body.
     pub(super) fn rigid(body: &Body<R>, zero: R) -> Self {
-        let [x, y, z] = body.moment.0;
         let mut linear = Symmetric3::splat(zero);
         (linear.xx, linear.yy, linear.zz) = (body.mass, body.mass, body.mass);
         Articulated {
             angular: body.inertia,
-            coupling: Matrix3([[zero, -z, y], [z, zero, -x], [-y, x, zero]]),
+            coupling: Matrix3::cross(body.moment, zero),
             linear,
+        }
+    }
+
+    /// n = J wd + H a, f = H^T wd + M a
+    pub(super) fn force(&self, acceleration: Motion<R>) -> Force<R> {
+        let Motion { w, v } = acceleration;
+        Force {
+            n: self.angular.apply(w) + self.coupling.apply(v),
+            f: self.coupling.transpose().apply(w) + self.linear.apply(v),
         }
     }
 
@@ -42,9 +50,9 @@ impl<R: Ring> Articulated<R> {
     /// In the frame before a turn about z.
     pub(super) fn left_z(&self, turn: Turn<R>) -> Self {
         Articulated {
-            angular: tensor_left_z(turn, &self.angular),
+            angular: tensor_leave_z(turn, self.angular),
             coupling: matrix_left_z(turn, &self.coupling),
-            linear: tensor_left_z(turn, &self.linear),
+            linear: tensor_leave_z(turn, self.linear),
         }
     }
 
@@ -118,19 +126,6 @@ fn renamed<R: Ring>(t: &Symmetric3<R>) -> Symmetric3<R> {
         xy: t.yz,
         yz: t.xz,
         xz: t.xy,
-    }
-}
-
-fn tensor_left_z<R: Ring>(turn: Turn<R>, t: &Symmetric3<R>) -> Symmetric3<R> {
-    let (xx, yy, xy) = turn.leave_block(t.xx, t.yy, t.xy);
-    let (xz, yz) = turn.leave(t.xz, t.yz);
-    Symmetric3 {
-        xx,
-        yy,
-        zz: t.zz,
-        xy,
-        yz,
-        xz,
     }
 }
 
@@ -211,10 +206,9 @@ mod tests {
         }
     }
 
-    /// n = J wd + H a, f = H^T wd + M a
+    /// Moment and force.
     fn wrench(inertia: &Articulated<Number>, wd: Vector, a: Vector) -> [Vector; 2] {
-        let n = inertia.angular.apply(wd) + inertia.coupling.apply(a);
-        let f = inertia.coupling.transpose().apply(wd) + inertia.linear.apply(a);
+        let Force { n, f } = inertia.force(Motion { w: wd, v: a });
         [n, f]
     }
 
@@ -227,7 +221,7 @@ mod tests {
         let leave = |v| leave_z(turn, v);
         let outer = wrench(&inertia.left_z(turn), leave(wd), leave(a));
         assert_eq!(outer, inner.map(leave));
-        let leave = |v| crate::derive::inertia::leave_x(turn, v);
+        let leave = |v| crate::spatial::leave_x(turn, v);
         let outer = wrench(&inertia.left_x(turn), leave(wd), leave(a));
         assert_eq!(outer, inner.map(leave));
     }

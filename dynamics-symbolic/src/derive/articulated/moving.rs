@@ -14,17 +14,16 @@
 //! loses eight digits, and this none. So the links keep their own frames and their own parameters.
 
 use super::inertia::Articulated;
-use super::{Eliminated, Spatial, acceleration, carry_wrench, passed};
-use crate::derive::chain::{Chain, Link};
-use crate::derive::recursive::{self, Motion};
+use super::{Eliminated, acceleration, passed};
+use crate::derive::chain::Chain;
 use crate::expr::Expr;
 use crate::linear::Vector3;
-use crate::robot::JointType;
+use crate::spatial::{Acceleration, Force, Joint, Motion};
 
 /// Accelerations under the joint forces `net`, friction taken off, and the pivots of M = U D U^T, for
 /// the joint of every row.
 pub(in crate::derive) fn forward_dynamics<'g>(
-    chain: &Chain<'g>,
+    chain: &Chain<Expr<'g>>,
     qd: &[Expr<'g>],
     net: &[Expr<'g>],
 ) -> (Vec<Expr<'g>>, Vec<Expr<'g>>) {
@@ -37,56 +36,41 @@ pub(in crate::derive) fn forward_dynamics<'g>(
 /// What a link owes to velocities alone.
 struct Owed<'g> {
     /// c
-    acceleration: Spatial<'g>,
+    acceleration: Motion<Expr<'g>>,
     /// b
-    wrench: Spatial<'g>,
+    force: Force<Expr<'g>>,
 }
 
-fn owed<'g>(chain: &Chain<'g>, qd: &[Expr<'g>]) -> Vec<Owed<'g>> {
-    let none = Vector3::splat(chain.zero);
-    let mut w = none;
-    let of_link = |(link, &qd): (&Link<'g>, &Expr<'g>)| {
-        let before = Motion {
-            w,
-            ..Motion::of_base(chain.zero, none)
-        };
-        let c = recursive::outward(chain, link, before, qd, chain.zero);
-        w = c.w;
-        let turning = Motion {
-            w,
-            ..Motion::of_base(chain.zero, none)
-        };
-        let (force, moment) = recursive::wrench(&link.body, &turning);
+fn owed<'g>(chain: &Chain<Expr<'g>>, qd: &[Expr<'g>]) -> Vec<Owed<'g>> {
+    let mut turning = Acceleration::turning(chain.zero, Vector3::splat(chain.zero));
+    let links = chain.links.iter().zip(qd);
+    let owed = links.map(|(link, &qd)| {
+        let Acceleration { w, wd, a } = turning.enter(&link.joint, qd, chain.zero);
+        turning = Acceleration::turning(chain.zero, w);
         Owed {
-            acceleration: Spatial {
-                angular: c.wd,
-                linear: c.a,
-            },
-            wrench: Spatial {
-                angular: moment,
-                linear: force,
-            },
+            acceleration: Motion { w: wd, v: a },
+            force: turning.force(&link.body),
         }
-    };
-    chain.links.iter().zip(qd).map(of_link).collect()
+    });
+    owed.collect()
 }
 
 /// Articulated inertias and bias forces, from the tip inwards.
-fn inward<'g>(chain: &Chain<'g>, owed: &[Owed<'g>], net: &[Expr<'g>]) -> Vec<Eliminated<'g>> {
+fn inward<'g>(chain: &Chain<Expr<'g>>, owed: &[Owed<'g>], net: &[Expr<'g>]) -> Vec<Eliminated<'g>> {
     let mut joints = Vec::with_capacity(net.len());
     let mut outer: Option<Articulated<Expr<'g>>> = None;
-    let mut outer_bias = Spatial::zero(chain);
+    let mut outer_bias = Force::splat(chain.zero);
     for (i, link) in chain.links.iter().enumerate().rev() {
         let own = Articulated::rigid(&link.body, chain.zero);
         let inertia = outer.map_or(own, |outer| own.joined(&outer));
-        let bias = owed[i].wrench.and(outer_bias);
-        let force = net[i] - bias.along(link.joint_type);
+        let bias = owed[i].force + outer_bias;
+        let force = net[i] - bias.along(link.joint.joint_type);
         let (joint, free) = passed(chain, link, &inertia, force);
         joints.push(joint);
         if i > 0 {
-            let passed = bias.and(free.wrench(owed[i].acceleration));
-            outer_bias = carry_wrench(chain, link, passed.plus(joint.k, force));
-            outer = Some(carry(link, &free));
+            let passed = bias + free.force(owed[i].acceleration);
+            outer_bias = (passed + joint.k * force).leave(&link.joint);
+            outer = Some(carry(&link.joint, &free));
         }
     }
     joints.reverse();
@@ -94,28 +78,27 @@ fn inward<'g>(chain: &Chain<'g>, owed: &[Owed<'g>], net: &[Expr<'g>]) -> Vec<Eli
 }
 
 /// An inertia in the previous frame, about its origin.
-fn carry<'g>(link: &Link<'g>, inertia: &Articulated<Expr<'g>>) -> Articulated<Expr<'g>> {
-    let slid = inertia.turned_z(link.turn).moved_z(link.slide);
-    let turned = slid.turned_x(link.twist).turned_z(link.before);
-    turned.moved(link.offset)
+fn carry<'g>(joint: &Joint<Expr<'g>>, inertia: &Articulated<Expr<'g>>) -> Articulated<Expr<'g>> {
+    let slid = inertia.turned_z(joint.turn).moved_z(joint.slide);
+    let turned = slid.turned_x(joint.twist).turned_z(joint.before);
+    turned.moved(joint.offset)
 }
 
 /// Accelerations of the joints, from the base outwards.
-fn outward<'g>(chain: &Chain<'g>, owed: &[Owed<'g>], joints: &[Eliminated<'g>]) -> Vec<Expr<'g>> {
-    let mut a = Spatial {
-        angular: Vector3::splat(chain.zero),
-        linear: -chain.gravity,
+fn outward<'g>(
+    chain: &Chain<Expr<'g>>,
+    owed: &[Owed<'g>],
+    joints: &[Eliminated<'g>],
+) -> Vec<Expr<'g>> {
+    let mut a = Motion {
+        w: Vector3::splat(chain.zero),
+        v: -chain.gravity,
     };
     let mut qdd = Vec::with_capacity(joints.len());
-    for ((link, owed), joint) in chain.links.iter().zip(owed).zip(joints) {
-        a = link
-            .carry_acceleration(chain.zero, a)
-            .and(owed.acceleration);
-        let x = acceleration(link, joint, &a);
-        match link.joint_type {
-            JointType::Revolute => a.angular.0[2] = a.angular[2] + x,
-            JointType::Prismatic => a.linear.0[2] = a.linear[2] + x,
-        }
+    for ((joint, owed), eliminated) in chain.joints().zip(owed).zip(joints) {
+        a = a.enter(joint) + owed.acceleration;
+        let x = acceleration(joint.joint_type, eliminated, &a);
+        a = a.with_joint(joint.joint_type, x);
         qdd.push(x);
     }
     qdd

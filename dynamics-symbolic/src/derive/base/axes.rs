@@ -1,9 +1,9 @@
 //! The axes in which a sliding link's first moments are written.
 
 use super::group::LinkGeometry;
-use crate::derive::inertia::{leave_x, leave_z};
 use crate::linear::{Matrix3, Ring, Vector3};
 use crate::robot::JointType;
+use crate::spatial::{leave_x, leave_z};
 
 /// The last revolute joint before a prismatic one: the links between do not turn against each other.
 pub(super) fn last_revolute<R>(links: &[LinkGeometry<R>], i: usize) -> Option<usize> {

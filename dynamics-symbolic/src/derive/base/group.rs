@@ -2,9 +2,9 @@
 
 use super::axes;
 use super::observe::{Coefficient, Direction, Grouping};
-use crate::derive::inertia::{Body, Turn, leave_x};
 use crate::linear::{Matrix3, Ring, Vector3};
 use crate::robot::{JointType, Parameter};
+use crate::spatial::{Body, Joint, Turn, leave_x};
 
 /// The constant geometry between the frames of two links.
 #[derive(Clone, Copy, Debug)]
@@ -23,6 +23,18 @@ pub(crate) struct LinkGeometry<R> {
 }
 
 impl<R: Ring> LinkGeometry<R> {
+    /// The joint where its variable is zero.
+    pub(crate) fn joint(&self, zero: R, one: R) -> Joint<R> {
+        Joint {
+            joint_type: self.joint_type,
+            before: Turn::none(zero, one),
+            twist: self.twist,
+            turn: self.turn,
+            offset: self.offset(zero),
+            slide: zero,
+        }
+    }
+
     /// Where the origin is in the previous frame, at q = 0 for a prismatic joint.
     pub(crate) fn offset(&self, zero: R) -> Vector3<R> {
         leave_x(self.twist, Vector3::new(zero, zero, self.d)) + Vector3::new(self.a, zero, zero)

@@ -25,11 +25,11 @@ pub(crate) use group::{LinkGeometry, group, unit};
 pub use observe::{Coefficient, Direction, Grouping, LinkGrouping, Tie};
 
 use super::chain::{body, twists};
-use super::inertia::{Body, Turn};
 use super::symbols::Symbols;
 use crate::exact::Rational;
 use crate::expr::Expr;
 use crate::robot::{Interpretation, JointType, Parameter, Robot};
+use crate::spatial::{Body, Turn};
 
 /// The constant geometry of every link.
 pub(crate) fn geometry<I: Interpretation>(

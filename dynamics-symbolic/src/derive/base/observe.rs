@@ -5,13 +5,13 @@
 //! enough rows vanishes for all states (Schwartz 1980, Zippel 1979): it is in A_i.
 
 use super::group::{LinkGeometry, height};
-use super::{axes, geometry};
-use crate::derive::inertia::{Turn, enter_x, enter_z};
+use super::{axes, geometry, turn};
 use crate::derive::symbols::Symbols;
 use crate::exact::{SplitMix64, circle_point};
 use crate::expr::{Expr, Fingerprint, Graph};
 use crate::linear::Vector3;
 use crate::robot::{Interpretation, JointType, Parameter, Robot};
+use crate::spatial::{Joint, Motion, Turn};
 
 type Vector = Vector3<Fingerprint>;
 
@@ -159,8 +159,7 @@ struct Energies {
 /// 2 T = w.J w + 2 h.(v x w) + m v.v + I qd^2 and U = -m g.p - g.h, in the link's frame, with w, v
 /// the velocities of frame and origin, and p the position of the origin.
 fn unit_energies(
-    w: Vector,
-    v: Vector,
+    Motion { w, v }: Motion<Fingerprint>,
     qd: Fingerprint,
     g: Vector,
     weight: Fingerprint,
@@ -189,6 +188,24 @@ fn unit_energies(
     }
 }
 
+/// A joint at a random position, with no geometry before it.
+fn anywhere(joint_type: JointType, random: &mut SplitMix64) -> Joint<Fingerprint> {
+    let zero = Fingerprint::ZERO;
+    let none = Turn::none(zero, Fingerprint::ONE);
+    let (turn, slide) = match joint_type {
+        JointType::Revolute => (turn(circle_point(random)), zero),
+        JointType::Prismatic => (none, Fingerprint::random(random)),
+    };
+    Joint {
+        joint_type,
+        before: none,
+        twist: none,
+        turn,
+        offset: Vector3::splat(zero),
+        slide,
+    }
+}
+
 /// The rows of every link at one random state.
 fn energies(
     links: &[LinkGeometry<Fingerprint>],
@@ -196,38 +213,23 @@ fn energies(
     gravity: Vector,
     random: &mut SplitMix64,
 ) -> Vec<[Vec<Fingerprint>; 2]> {
-    let zero = Fingerprint::ZERO;
-    let rest = Vector3::splat(zero);
-    let (mut w, mut v, mut g) = (rest, rest, gravity);
+    let (zero, one) = (Fingerprint::ZERO, Fingerprint::ONE);
+    let (mut motion, mut g) = (Motion::splat(zero), gravity);
     let mut rows = Vec::with_capacity(links.len());
     for (i, link) in links.iter().enumerate() {
-        let enter = |x| enter_z(link.turn, enter_x(link.twist, x));
-        v = enter(v + w.cross(link.offset(zero)));
-        (w, g) = (enter(w), enter(g));
-        let before = unit_energies(w, v, zero, g, zero);
-        let qd = match link.locked {
-            true => zero,
-            false => Fingerprint::random(random),
-        };
-        let mut weight = zero;
-        match link.joint_type {
-            _ if link.locked => {}
-            JointType::Revolute => {
-                let (s, c) = circle_point(random);
-                let turn = Turn { s, c };
-                (w, v, g) = (enter_z(turn, w), enter_z(turn, v), enter_z(turn, g));
-                w.0[2] = w.0[2] + qd;
-            }
-            JointType::Prismatic => {
-                let q = Fingerprint::random(random);
-                v = v + w.cross(Vector3::new(zero, zero, q));
-                v.0[2] = v.0[2] + qd;
-                weight = g[2] * q;
-            }
+        let still = link.joint(zero, one);
+        (motion, g) = (motion.enter(&still), still.enter(g));
+        let before = unit_energies(motion, zero, g, zero);
+        let (mut qd, mut weight) = (zero, zero);
+        if !link.locked {
+            qd = Fingerprint::random(random);
+            let moved = anywhere(link.joint_type, random);
+            motion = motion.enter(&moved).with_joint(link.joint_type, qd);
+            g = moved.enter(g);
+            weight = g[2] * moved.slide;
         }
-        let after = unit_energies(w, v, qd, g, weight);
-        let rotation =
-            (axes[i] != i).then(|| axes::rotation(links, i, axes[i], (zero, Fingerprint::ONE)));
+        let after = unit_energies(motion, qd, g, weight);
+        let rotation = (axes[i] != i).then(|| axes::rotation(links, i, axes[i], (zero, one)));
         let row = |after: [Fingerprint; 11], before: [Fingerprint; 11]| {
             let mut row: Vec<_> = after.iter().zip(before).map(|(&a, b)| a - b).collect();
             if let Some(rotation) = &rotation {

@@ -1,11 +1,11 @@
 //! Kinetic energy, joint by joint.
 
-use super::matrix::{Matrix, identity, product};
+use super::matrix::{Matrix, identity, product, transpose};
 use crate::derive::base::{Grouping, LinkGeometry, base_parameters, columns, geometry, unit};
-use crate::derive::inertia::{Body, enter_x, enter_z};
 use crate::exact::Rational;
-use crate::linear::{Ring, Vector3};
+use crate::linear::{Matrix3, Ring, Vector3};
 use crate::robot::{Interpretation, JointType, Parameter, Robot};
+use crate::spatial::{Body, Motion, enter_x, enter_z};
 
 /// A joint that moves, and the link behind it. Motions are (w, v), of a frame's origin.
 pub(super) struct Joint<R> {
@@ -96,9 +96,9 @@ fn add<R: Ring>(
 
 /// w.J w + 2 v.(w x h) + m v.v
 fn form<R: Ring>(body: &Body<R>, zero: R) -> Matrix<R> {
-    let (j, [x, y, z], m) = (body.inertia.full().0, body.moment.0, body.mass);
+    let (j, m) = (body.inertia.full().0, body.mass);
     // w.(h x v)
-    let h = [[zero, -z, y], [z, zero, -x], [-y, x, zero]];
+    let h = Matrix3::cross(body.moment, zero).0;
     let entry = |i: usize, k: usize| match (i / 3, k / 3) {
         (0, 0) => j[i][k],
         (0, _) => h[i][k - 3],
@@ -118,42 +118,34 @@ struct Frame<'a, R> {
 }
 
 impl<R: Ring> Frame<'_, R> {
-    /// To the joint's axes and origin: v + w x r, and the twist.
+    /// To the joint's axes and origin.
     fn before(&self, one: R) -> Matrix<R> {
-        let r = self.link.offset(self.zero);
-        self.motions(one, |w, v| {
-            let v = v + w.cross(r);
-            (enter_x(self.link.twist, w), enter_x(self.link.twist, v))
-        })
+        let (r, twist) = (self.link.offset(self.zero), self.link.twist);
+        self.motions(one, |motion| motion.at(r).turned(|v| enter_x(twist, v)))
     }
 
     /// Along the joint's axis by q.
     fn slid(&self, q: R, one: R) -> Matrix<R> {
         let r = Vector3::new(self.zero, self.zero, q);
-        self.motions(one, |w, v| (w, v + w.cross(r)))
+        self.motions(one, |motion| motion.at(r))
     }
 
     /// The constant turn of the row.
     fn turned(&self, one: R) -> Matrix<R> {
         let turn = self.link.turn;
-        self.motions(one, |w, v| (enter_z(turn, w), enter_z(turn, v)))
+        self.motions(one, |motion| motion.turned(|v| enter_z(turn, v)))
     }
 
     /// The matrix of a linear map of motions.
-    fn motions(
-        &self,
-        one: R,
-        map: impl Fn(Vector3<R>, Vector3<R>) -> (Vector3<R>, Vector3<R>),
-    ) -> Matrix<R> {
+    fn motions(&self, one: R, map: impl Fn(Motion<R>) -> Motion<R>) -> Matrix<R> {
         let column = |k: usize| {
             let mut unit = [[self.zero; 3]; 2];
             unit[k / 3][k % 3] = one;
-            let (w, v) = map(Vector3(unit[0]), Vector3(unit[1]));
+            let [w, v] = unit.map(Vector3);
+            let Motion { w, v } = map(Motion { w, v });
             [w.0, v.0].concat()
         };
         let columns: Vec<_> = (0..6).map(column).collect();
-        (0..6)
-            .map(|i| columns.iter().map(|column| column[i]).collect())
-            .collect()
+        transpose(&columns)
     }
 }

@@ -1,5 +1,7 @@
 //! Mass, first moment and inertia of a body about the origin of a frame.
 
+use super::turn::{Turn, leave_x, leave_z, tensor_leave_x, tensor_leave_z};
+use super::{Force, Motion};
 use crate::linear::{Ring, Symmetric3, Vector3};
 
 /// A rigid body: T = 1/2 w.J w + v.(w x h) + 1/2 m v.v, linear in its ten parameters.
@@ -11,93 +13,6 @@ pub struct Body<R> {
     pub moment: Vector3<R>,
     /// Inertia tensor J about the frame's origin.
     pub inertia: Symmetric3<R>,
-}
-
-/// A rotation about a coordinate axis, by its sine and cosine.
-#[derive(Clone, Copy, Debug)]
-pub struct Turn<R> {
-    /// Sine of the angle.
-    pub s: R,
-    /// Cosine of the angle.
-    pub c: R,
-}
-
-impl<R: Ring> Turn<R> {
-    /// Rotates a pair (u, v) in the plane of the turn: coordinates in the turned
-    /// frame to coordinates in the frame before the turn.
-    pub fn leave(self, u: R, v: R) -> (R, R) {
-        (self.c * u - self.s * v, self.s * u + self.c * v)
-    }
-
-    /// The inverse of [`Turn::leave`]: into the turned frame.
-    pub fn enter(self, u: R, v: R) -> (R, R) {
-        (self.c * u + self.s * v, self.c * v - self.s * u)
-    }
-
-    /// Both turns, one after the other.
-    pub fn plus(self, other: Self) -> Self {
-        let (c, s) = self.leave(other.c, other.s);
-        Turn { s, c }
-    }
-
-    /// The 2 x 2 symmetric block (uu, vv, uv), out of the turned frame.
-    ///
-    /// With k = s (uu - vv) + 2 c uv: uu' = uu - s k, vv' = vv + s k, uv' = c k - uv.
-    pub fn leave_block(self, uu: R, vv: R, uv: R) -> (R, R, R) {
-        let k = self.s * (uu - vv) + self.c * (uv + uv);
-        let sk = self.s * k;
-        (uu - sk, vv + sk, self.c * k - uv)
-    }
-}
-
-/// Rotation about x, out of the turned frame.
-pub fn leave_x<R: Ring>(turn: Turn<R>, v: Vector3<R>) -> Vector3<R> {
-    let (y, z) = turn.leave(v[1], v[2]);
-    Vector3::new(v[0], y, z)
-}
-
-/// Rotation about x, into the turned frame.
-pub fn enter_x<R: Ring>(turn: Turn<R>, v: Vector3<R>) -> Vector3<R> {
-    let (y, z) = turn.enter(v[1], v[2]);
-    Vector3::new(v[0], y, z)
-}
-
-/// Rotation about z, out of the turned frame.
-pub fn leave_z<R: Ring>(turn: Turn<R>, v: Vector3<R>) -> Vector3<R> {
-    let (x, y) = turn.leave(v[0], v[1]);
-    Vector3::new(x, y, v[2])
-}
-
-/// Rotation about z, into the turned frame.
-pub fn enter_z<R: Ring>(turn: Turn<R>, v: Vector3<R>) -> Vector3<R> {
-    let (x, y) = turn.enter(v[0], v[1]);
-    Vector3::new(x, y, v[2])
-}
-
-fn tensor_leave_x<R: Ring>(turn: Turn<R>, j: Symmetric3<R>) -> Symmetric3<R> {
-    let (yy, zz, yz) = turn.leave_block(j.yy, j.zz, j.yz);
-    let (xy, xz) = turn.leave(j.xy, j.xz);
-    Symmetric3 {
-        xx: j.xx,
-        yy,
-        zz,
-        xy,
-        yz,
-        xz,
-    }
-}
-
-fn tensor_leave_z<R: Ring>(turn: Turn<R>, j: Symmetric3<R>) -> Symmetric3<R> {
-    let (xx, yy, xy) = turn.leave_block(j.xx, j.yy, j.xy);
-    let (xz, yz) = turn.leave(j.xz, j.yz);
-    Symmetric3 {
-        xx,
-        yy,
-        zz: j.zz,
-        xy,
-        yz,
-        xz,
-    }
 }
 
 impl<R: Ring> Body<R> {
@@ -146,6 +61,14 @@ impl<R: Ring> Body<R> {
             mass: self.mass - other.mass,
             moment: self.moment - other.moment,
             inertia: self.inertia - other.inertia,
+        }
+    }
+
+    /// I S: the momentum of the body in a motion.
+    pub fn momentum(&self, motion: Motion<R>) -> Force<R> {
+        Force {
+            n: self.inertia.apply(motion.w) + self.moment.cross(motion.v),
+            f: motion.v * self.mass + motion.w.cross(self.moment),
         }
     }
 

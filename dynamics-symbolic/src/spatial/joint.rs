@@ -1,0 +1,164 @@
+//! Joints: how a link's frame lies in that of the link before.
+
+use super::turn::{Turn, enter_x, enter_z, leave_x, leave_z};
+use super::{Body, Force};
+use crate::linear::{Ring, Vector3};
+use crate::robot::JointType;
+
+/// A joint at some position, with the constant geometry before it.
+#[derive(Clone, Copy, Debug)]
+pub struct Joint<R> {
+    /// Which way it moves.
+    pub joint_type: JointType,
+    /// Turn about z of the previous frame, where that frame does not turn with its own link.
+    pub before: Turn<R>,
+    /// Turn about x that follows.
+    pub twist: Turn<R>,
+    /// Turn about z: variable for a revolute joint.
+    pub turn: Turn<R>,
+    /// Where the origin is in the previous frame (at q = 0 for a prismatic joint).
+    pub offset: Vector3<R>,
+    /// Displacement along the joint's axis: q for a prismatic joint, else zero.
+    pub slide: R,
+}
+
+impl<R: Ring> Joint<R> {
+    /// A vector of the previous frame, in this frame.
+    pub fn enter(&self, v: Vector3<R>) -> Vector3<R> {
+        enter_z(self.turn, enter_x(self.twist, enter_z(self.before, v)))
+    }
+
+    /// A vector of this frame, in the previous frame.
+    pub fn leave(&self, v: Vector3<R>) -> Vector3<R> {
+        leave_z(self.before, leave_x(self.twist, leave_z(self.turn, v)))
+    }
+
+    /// A body of this frame, in the previous frame and about its origin.
+    pub fn leave_body(&self, body: Body<R>) -> Body<R> {
+        // What slides does so along its own axis: fewer products than in the previous frame.
+        body.left_z(self.turn)
+            .moved_z(self.slide)
+            .left_x(self.twist)
+            .left_z(self.before)
+            .moved(self.offset)
+    }
+
+    /// Where the origin is in the previous frame: no turn about z moves what has slid along z.
+    pub fn position(&self) -> Vector3<R> {
+        let (y, z) = (-(self.twist.s * self.slide), self.twist.c * self.slide);
+        let (x, y) = (-(self.before.s * y), self.before.c * y);
+        self.offset + Vector3::new(x, y, z)
+    }
+}
+
+/// What the joints feel of a force that acts on the last link, each of them supplying all of it: the
+/// force is handed on from link to link to the base.
+pub fn felt_inwards<'a, R: Ring + 'a>(
+    mut force: Force<R>,
+    joints: impl DoubleEndedIterator<Item = &'a Joint<R>>,
+) -> Vec<R> {
+    let mut outer: Option<&Joint<R>> = None;
+    let along = joints.rev().map(|joint| {
+        force = outer.map_or(force, |outer| force.leave(outer));
+        outer = Some(joint);
+        force.along(joint.joint_type)
+    });
+    let mut felt: Vec<R> = along.collect();
+    felt.reverse();
+    felt
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::exact::{Residue, SplitMix64, circle_point};
+    use crate::spatial::Motion;
+
+    type Number = Residue<{ (1 << 61) - 1 }>;
+
+    fn vector(random: &mut SplitMix64) -> Vector3<Number> {
+        Vector3([(); 3].map(|()| Number::random(random)))
+    }
+
+    fn turn(random: &mut SplitMix64) -> Turn<Number> {
+        let (s, c) = circle_point(random);
+        Turn { s, c }
+    }
+
+    fn joint(joint_type: JointType, random: &mut SplitMix64) -> Joint<Number> {
+        Joint {
+            joint_type,
+            before: turn(random),
+            twist: turn(random),
+            turn: turn(random),
+            offset: vector(random),
+            slide: Number::random(random),
+        }
+    }
+
+    fn force(random: &mut SplitMix64) -> Force<Number> {
+        Force {
+            n: vector(random),
+            f: vector(random),
+        }
+    }
+
+    #[test]
+    fn a_force_has_the_same_power_in_both_frames() {
+        let random = &mut SplitMix64::new(1);
+        let (joint, force) = (joint(JointType::Revolute, random), force(random));
+        let motion = Motion {
+            w: vector(random),
+            v: vector(random),
+        };
+        let outside = motion.enter(&joint).dot(force);
+        assert_eq!(outside, motion.dot(force.leave(&joint)));
+    }
+
+    /// With the body's momentum as the force: twice its kinetic energy.
+    #[test]
+    fn a_body_has_the_same_energy_in_both_frames() {
+        let random = &mut SplitMix64::new(2);
+        let joint = joint(JointType::Prismatic, random);
+        let mut entries = || Number::random(random);
+        let inertia = crate::linear::Symmetric3 {
+            xx: entries(),
+            yy: entries(),
+            zz: entries(),
+            xy: entries(),
+            yz: entries(),
+            xz: entries(),
+        };
+        let body = Body {
+            mass: entries(),
+            moment: vector(random),
+            inertia,
+        };
+        let motion = Motion {
+            w: vector(random),
+            v: vector(random),
+        };
+        let outside = motion.enter(&joint);
+        let energy = outside.dot(body.momentum(outside));
+        assert_eq!(energy, motion.dot(joint.leave_body(body).momentum(motion)));
+    }
+
+    /// What a joint feels is the power of the force in a unit velocity of the joint.
+    #[test]
+    fn joints_feel_the_power_of_a_force() {
+        let random = &mut SplitMix64::new(3);
+        let types = [
+            JointType::Revolute,
+            JointType::Prismatic,
+            JointType::Revolute,
+        ];
+        let joints = types.map(|joint_type| joint(joint_type, random));
+        let force = force(random);
+        let felt = felt_inwards(force, joints.iter());
+        for (i, felt) in felt.into_iter().enumerate() {
+            let axis = Motion::axis(types[i], Number::ZERO, Number::ONE);
+            let at_tip = joints[i + 1..].iter().fold(axis, |axis, j| axis.enter(j));
+            assert_eq!(felt, at_tip.dot(force));
+        }
+    }
+}
