@@ -158,6 +158,8 @@ fn arm(convention: Convention, gravity: [i64; 3], fields: usize, rows: Vec<Row>)
         gravity: gravity.map(Value::integer),
         rows,
         neglected: None,
+        base: None,
+        tool: None,
     }
 }
 

@@ -83,6 +83,8 @@ fn arm(rows: Vec<Row>) -> Robot {
         gravity: [ratio(0, 1), ratio(0, 1), ratio(-981, 100)],
         rows,
         neglected: None,
+        base: None,
+        tool: None,
     }
 }
 

@@ -23,6 +23,18 @@ fn every_function_of_random_arms_with_locked_joints_is_proven() {
     }
 }
 
+/// Bases and tools of numbers, angles and parameters.
+#[test]
+fn every_function_of_random_arms_with_base_and_tool_is_proven() {
+    let mut tables = Tables::new(10, Bodies::Any);
+    for count in 0..60 {
+        let robot = tables.mounted_robot();
+        prove_table(&robot, count, &Function::ALL);
+        let robot = tables.mounted_and_locked_robot();
+        prove_table(&robot, count, &Function::ALL);
+    }
+}
+
 #[test]
 fn regressors_of_arms_whose_axes_meet_are_proven() {
     let functions = [Function::Regressor, Function::BaseParameters];

@@ -135,6 +135,8 @@ fn planar_robot(
         gravity,
         rows,
         neglected: None,
+        base: None,
+        tool: None,
     }
 }
 

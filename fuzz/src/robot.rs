@@ -30,6 +30,8 @@ pub(crate) fn robot(bytes: &[u8]) -> Result<(Robot, Vec<f64>)> {
         gravity,
         rows,
         neglected: None,
+        base: None,
+        tool: None,
     };
     Ok((robot, cells.fields))
 }

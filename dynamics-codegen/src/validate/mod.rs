@@ -149,6 +149,8 @@ impl Parts {
             gravity: all(self.gravity?)?,
             rows: self.rows?.into_iter().collect::<Option<_>>()?,
             neglected: None,
+            base: None,
+            tool: None,
         };
         let functions = match self.functions {
             Some(functions) => functions.into_iter().map(|(f, at)| (f, Some(at))).collect(),

@@ -1,13 +1,13 @@
 //! The chain in proximal frames: every frame has its origin and its z axis on
 //! the axis of its own joint, whatever the convention of the table.
 
-use super::base;
 use super::symbols::Symbols;
+use super::{base, place};
 use crate::exact::Rational;
-use crate::expr::Expr;
+use crate::expr::{Expr, Level};
 use crate::linear::{Ring, Symmetric3, Vector3};
 use crate::robot::{Convention, Interpretation, JointType, Robot, Row, Value};
-use crate::spatial::{Body, Joint, Keep, Motion, Turn, leave_x, leave_z};
+use crate::spatial::{Body, Central, Joint, Keep, Motion, Turn, leave_x, leave_z, tensor_leave_x};
 
 /// Where the origin of a joint's frame is on the axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -50,8 +50,13 @@ pub struct Chain<R> {
     pub zero: R,
     /// One.
     pub one: R,
-    /// Acceleration of gravity in the base frame.
+    /// Acceleration of gravity in the axes of frame 0.
     pub gravity: Vector3<R>,
+    /// A number of the table's gravity that is not zero, where there is one, else 1.
+    pub strength: R,
+    /// What a mass at the origin of frame 0 has of potential energy, times -1 and over the mass; zero
+    /// where that is the world's origin.
+    pub datum: R,
     /// What the grouping of parameters left on the base: it matters to the potential energy alone.
     pub base: Body<R>,
     /// The links.
@@ -91,7 +96,7 @@ impl<'g> Chain<Expr<'g>> {
             };
             let body = match i < links_of_base {
                 true => Body::splat(zero),
-                false => body(symbols, robot.convention, row, &twists[i + 1])
+                false => body(symbols, robot, i, &twists[i + 1])
                     .less(neglected[i].0)
                     .moved(Vector3::new(zero, zero, -shift)),
             };
@@ -117,11 +122,13 @@ impl<'g> Chain<Expr<'g>> {
             }
         });
         let links = links.collect();
-        let gravity = Vector3([0, 1, 2].map(|k| symbols.value(&robot.gravity[k])));
+        let gravity = place::gravity(symbols, robot);
         Chain {
             zero,
             one,
             gravity,
+            strength: strength(symbols, robot),
+            datum: place::datum(symbols, robot).unwrap_or(zero),
             base: Body::splat(zero),
             links,
         }
@@ -212,6 +219,15 @@ impl Chain<Expr<'_>> {
     }
 }
 
+/// See [`Chain::strength`]. Seen from a base that is turned, a component may be a number that happens
+/// to be zero, such as sin 30 deg - 1/2: no quotient is made of it.
+fn strength<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> Expr<'g> {
+    let is_number = |g: &Expr<'g>| g.level() == Level::Constant && !g.is_zero();
+    let components = robot.gravity.each_ref().map(|g| symbols.value(g));
+    let number = components.into_iter().rev().find(is_number);
+    number.unwrap_or(symbols.graph().one())
+}
+
 /// The twist before each joint, and the one after the last.
 pub(super) fn twists<I: Interpretation>(cells: &mut I, robot: &Robot) -> Vec<Twist<I::Number>> {
     let none = Value::zero();
@@ -230,15 +246,32 @@ pub(super) fn twists<I: Interpretation>(cells: &mut I, robot: &Robot) -> Vec<Twi
     screws.into_iter().map(twist).collect()
 }
 
-/// The link's parameters in the frame on its joint's axis, after the offset d.
-/// A standard link frame comes after the row's a and alpha, a modified one before the next row's.
+/// The parameters of link i and of what is fixed to it, in the frame on its joint's axis, after the
+/// offset d.
 pub(super) fn body<I: Interpretation>(
     cells: &mut I,
-    convention: Convention,
-    row: &Row,
+    robot: &Robot,
+    i: usize,
     next: &Twist<I::Number>,
 ) -> Body<I::Number> {
-    let zero = cells.rational(&Rational::ZERO);
+    let own = central(cells, &robot.rows[i]);
+    let own = behind_joint(cells, robot.convention, own, next);
+    let is_last = i + 1 == robot.rows.len();
+    match robot
+        .tool
+        .as_ref()
+        .filter(|tool| is_last && tool.has_body())
+    {
+        Some(tool) => {
+            let tool = place::body(cells, tool);
+            own.joined(behind_joint(cells, robot.convention, tool, next))
+        }
+        None => own,
+    }
+}
+
+/// The link's body in its link frame.
+fn central<I: Interpretation>(cells: &mut I, row: &Row) -> Central<I::Number> {
     let mass = cells.value(&row.mass);
     let com = Vector3([0, 1, 2].map(|k| cells.value(&row.com[k])));
     let [xx, yy, zz, xy, yz, xz] = [0, 1, 2, 3, 4, 5].map(|k| cells.value(&row.inertia[k]));
@@ -250,17 +283,28 @@ pub(super) fn body<I: Interpretation>(
         yz,
         xz,
     };
+    Central { mass, com, inertia }
+}
+
+/// A body of the link frame, in the frame on the joint's axis.
+/// A standard link frame comes after the row's a and alpha, a modified one before the next row's.
+fn behind_joint<I: Interpretation>(
+    cells: &mut I,
+    convention: Convention,
+    body: Central<I::Number>,
+    next: &Twist<I::Number>,
+) -> Body<I::Number> {
     match convention {
-        Convention::Modified => Body::new(mass, com, inertia),
+        Convention::Modified => Body::new(body),
         Convention::Standard => {
-            let central = Body {
-                mass: zero,
-                moment: Vector3::splat(zero),
+            let zero = cells.rational(&Rational::ZERO);
+            let inertia = tensor_leave_x(next.turn, body.inertia);
+            let com = leave_x(next.turn, body.com) + Vector3::new(next.a, zero, zero);
+            Body::new(Central {
+                mass: body.mass,
+                com,
                 inertia,
-            }
-            .left_x(next.turn);
-            let com = leave_x(next.turn, com) + Vector3::new(next.a, zero, zero);
-            Body::new(mass, com, central.inertia)
+            })
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::chain::Chain;
 use crate::exact::Rational;
-use crate::expr::{Expr, Graph, Level};
+use crate::expr::{Expr, Graph};
 use crate::linear::Vector3;
 use crate::robot::JointType;
 use crate::spatial::Motion;
@@ -31,14 +31,20 @@ pub(super) fn kinetic_energy<'g>(
     half * squares + mixed
 }
 
-/// U = -g.h, with h the first moment of the whole arm about the base's origin.
+/// U = -g.h - m g.p, with m the mass and h the first moment of the whole arm about the base's origin,
+/// which is at p in the world.
 pub(super) fn potential_energy<'g>(chain: &Chain<Expr<'g>>) -> Expr<'g> {
     let moments = composite_moments(chain, chain.one);
     let first = chain.links.first().zip(moments.first());
     let outer = first
         .map(|(link, (mass, moment))| link.joint.leave(*moment) + link.joint.position() * *mass);
     let total = outer.map_or(chain.base.moment, |outer| chain.base.moment + outer);
-    -chain.gravity.dot(total)
+    let about_base = -chain.gravity.dot(total);
+    if chain.datum.is_zero() {
+        return about_base;
+    }
+    let mass = first.map_or(chain.base.mass, |(_, (mass, _))| chain.base.mass + *mass);
+    about_base - chain.datum * mass
 }
 
 /// G = dU/dq from first moments: G_i = z.(g x h_i) for a revolute joint, -m_i g_z
@@ -49,14 +55,7 @@ pub(super) fn potential_energy<'g>(chain: &Chain<Expr<'g>>) -> Expr<'g> {
 /// of gravity is what enters the products: a component of 1 costs nothing. The
 /// component must be a number: a parameter may be zero.
 pub(super) fn gravity_vector<'g>(chain: &Chain<Expr<'g>>) -> Vec<Expr<'g>> {
-    let is_number = |g: &Expr<'g>| g.level() == Level::Constant && !g.is_zero();
-    let scale = chain
-        .gravity
-        .0
-        .into_iter()
-        .rev()
-        .find(is_number)
-        .unwrap_or(chain.one);
+    let scale = chain.strength;
     let mut g = Vector3(chain.gravity.0.map(|component| component / scale));
     let moments = composite_moments(chain, scale);
     let force = |(link, (mass, h)): (

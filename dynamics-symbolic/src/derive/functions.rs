@@ -96,16 +96,13 @@ fn of_rows<'g>(
         }
         Function::ForwardKinematics => {
             let frames = kinematics::frames(symbols, robot);
-            frames
-                .last()
-                .map(|frame| frame.homogeneous(zero, one))
-                .unwrap_or_default()
+            kinematics::tip(symbols, robot, &frames).homogeneous(zero, one)
         }
         Function::LinkPoses => {
             let frames = kinematics::frames(symbols, robot);
             frames
                 .iter()
-                .flat_map(|frame| frame.homogeneous(zero, one))
+                .flat_map(|frame| frame.pose.homogeneous(zero, one))
                 .collect()
         }
         Function::Jacobian => kinematics::jacobian(symbols, robot),

@@ -1,19 +1,27 @@
-//! Poses of the link frames of the table, and the geometric Jacobian.
+//! Poses of the link frames of the table and of the tip, and the geometric Jacobian.
 
+use super::place::Place;
 use super::symbols::Symbols;
 use crate::expr::Expr;
 use crate::linear::{Matrix3, Vector3};
-use crate::robot::{Convention, Interpretation, JointType, Robot};
+use crate::robot::{Convention, Interpretation, JointType, Placement, Robot};
 
-/// A link frame, and the axis of its joint, in the base.
-pub(super) struct Frame<'g> {
-    /// Axes of the link frame in the base, by columns.
+/// A frame in the world, which is the base frame where the table says nothing else.
+#[derive(Clone, Copy)]
+pub(super) struct Pose<'g> {
+    /// The frame's axes, by columns.
     pub(super) rotation: Matrix3<Expr<'g>>,
-    /// Origin of the link frame in the base.
+    /// The frame's origin.
     pub(super) origin: Vector3<Expr<'g>>,
-    /// Direction of the joint's axis in the base.
+}
+
+/// A link frame, and the axis of its joint, in the world.
+pub(super) struct Frame<'g> {
+    /// The link frame.
+    pub(super) pose: Pose<'g>,
+    /// Direction of the joint's axis.
     pub(super) axis: Vector3<Expr<'g>>,
-    /// A point of the joint's axis in the base.
+    /// A point of the joint's axis.
     pub(super) axis_origin: Vector3<Expr<'g>>,
 }
 
@@ -26,6 +34,24 @@ struct Axes<'g> {
 }
 
 impl<'g> Axes<'g> {
+    fn new(pose: &Pose<'g>) -> Self {
+        let [x, y, z] = [0, 1, 2].map(|j| pose.rotation.column(j));
+        Axes {
+            x,
+            y,
+            z,
+            origin: pose.origin,
+        }
+    }
+
+    fn pose(&self) -> Pose<'g> {
+        let rows = Matrix3([self.x.0, self.y.0, self.z.0]);
+        Pose {
+            rotation: rows.transpose(),
+            origin: self.origin,
+        }
+    }
+
     /// Tx(a) Rx(alpha)
     fn screw_x(self, a: Expr<'g>, (s, c): (Expr<'g>, Expr<'g>)) -> Self {
         Axes {
@@ -47,15 +73,48 @@ impl<'g> Axes<'g> {
     }
 }
 
-/// Every link frame, from the base outwards.
-pub(super) fn frames<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> Vec<Frame<'g>> {
+/// Frame 0.
+fn base<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> Pose<'g> {
     let (zero, one) = (symbols.graph().zero(), symbols.graph().one());
-    let mut axes = Axes {
-        x: Vector3::new(one, zero, zero),
-        y: Vector3::new(zero, one, zero),
-        z: Vector3::new(zero, zero, one),
+    let world = Pose {
+        rotation: Matrix3([[one, zero, zero], [zero, one, zero], [zero, zero, one]]),
         origin: Vector3::splat(zero),
     };
+    match &robot.base {
+        Some(base) => placed(symbols, &world, base),
+        None => world,
+    }
+}
+
+/// The frame that is placed in another one.
+fn placed<'g>(symbols: &mut Symbols<'g>, frame: &Pose<'g>, placement: &Placement) -> Pose<'g> {
+    let (zero, one) = (symbols.graph().zero(), symbols.graph().one());
+    let place = Place::new(symbols, placement);
+    // The place is multiplied out first: where it is known in numbers, it is a matrix of constants.
+    let axes = [[one, zero, zero], [zero, one, zero], [zero, zero, one]]
+        .map(|axis| frame.rotation.apply(place.leave(Vector3(axis))).0);
+    Pose {
+        rotation: Matrix3(axes).transpose(),
+        origin: frame.origin + frame.rotation.apply(place.origin),
+    }
+}
+
+/// The frame whose motion is that of the tip: the tool's, or else the last one of `frames`, which are
+/// those of all links.
+pub(super) fn tip<'g>(symbols: &mut Symbols<'g>, robot: &Robot, frames: &[Frame<'g>]) -> Pose<'g> {
+    let last = match frames.last() {
+        Some(frame) => frame.pose,
+        None => base(symbols, robot),
+    };
+    match &robot.tool {
+        Some(tool) => placed(symbols, &last, &tool.placement),
+        None => last,
+    }
+}
+
+/// Every link frame, from the base outwards.
+pub(super) fn frames<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> Vec<Frame<'g>> {
+    let mut axes = Axes::new(&base(symbols, robot));
     let mut frames = Vec::with_capacity(robot.rows.len());
     for (i, row) in robot.rows.iter().enumerate() {
         let (a, twist) = (symbols.value(&row.a), symbols.sin_cos(&row.alpha));
@@ -77,10 +136,8 @@ pub(super) fn frames<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> Vec<Frame<
                 axes
             }
         };
-        let rows = Matrix3([axes.x.0, axes.y.0, axes.z.0]);
         frames.push(Frame {
-            rotation: rows.transpose(),
-            origin: axes.origin,
+            pose: axes.pose(),
             axis,
             axis_origin,
         });
@@ -88,7 +145,7 @@ pub(super) fn frames<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> Vec<Frame<
     frames
 }
 
-impl<'g> Frame<'g> {
+impl<'g> Pose<'g> {
     /// The homogeneous transform, by rows.
     pub(super) fn homogeneous(&self, zero: Expr<'g>, one: Expr<'g>) -> Vec<Expr<'g>> {
         let rows = self.rotation.0.iter().zip(&self.origin.0);
@@ -100,15 +157,13 @@ impl<'g> Frame<'g> {
     }
 }
 
-/// The geometric Jacobian of the last frame's origin by rows: vx vy vz wx wy wz.
+/// The geometric Jacobian of the tip's origin by rows: vx vy vz wx wy wz.
 ///
 /// Columns (z x (p - o), z) for a revolute joint, (z, 0) for a prismatic one.
 pub(super) fn jacobian<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> Vec<Expr<'g>> {
     let zero = symbols.graph().zero();
     let frames = frames(symbols, robot);
-    let Some(tip) = frames.last().map(|frame| frame.origin) else {
-        return Vec::new();
-    };
+    let tip = tip(symbols, robot, &frames).origin;
     let columns: Vec<_> = frames
         .iter()
         .zip(&robot.rows)

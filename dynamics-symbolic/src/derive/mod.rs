@@ -14,6 +14,7 @@ pub mod gauge;
 mod joints;
 mod kinematics;
 mod momentum;
+pub(crate) mod place;
 mod recursive;
 mod regressor;
 mod solve;

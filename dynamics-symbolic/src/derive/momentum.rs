@@ -104,7 +104,7 @@ mod tests {
     use super::*;
     use crate::expr::{Expr, Graph, Level};
     use crate::linear::Symmetric3;
-    use crate::spatial::{enter_x, enter_z, leave_x, leave_z};
+    use crate::spatial::{Central, enter_x, enter_z, leave_x, leave_z};
 
     fn symbols(graph: &Graph) -> Vector3<Expr<'_>> {
         Vector3([(); 3].map(|()| graph.symbol(Level::Variable)))
@@ -112,7 +112,11 @@ mod tests {
 
     /// Mass m at r as a body.
     fn particle<R: Ring>(m: R, r: Vector3<R>, zero: R) -> Body<R> {
-        Body::new(m, r, Symmetric3::splat(zero))
+        Body::new(Central {
+            mass: m,
+            com: r,
+            inertia: Symmetric3::splat(zero),
+        })
     }
 
     /// Force and moment of the acceleration 2 a x u of a particle.

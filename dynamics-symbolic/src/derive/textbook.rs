@@ -1,17 +1,17 @@
 //! The Lagrangian as in textbooks, expanded by differentiation on the graph.
 //!
 //! T = sum 1/2 (m c'.c' + w.I w) + sum 1/2 r^2 J_m qd^2 and U = -sum m g.c in
-//! the base frame, M_ij = d2T/dqd_i dqd_j, V_i = sum c_ijk qd_j qd_k with the
+//! the world, M_ij = d2T/dqd_i dqd_j, V_i = sum c_ijk qd_j qd_k with the
 //! Christoffel symbols c_ijk = 1/2 (dM_ij/dq_k + dM_ik/dq_j - dM_jk/dq_i), and
 //! G_i = dU/dq_i. Long beyond three joints, and therefore no way to a program;
 //! the shorter derivations are compared with it.
 
-use super::kinematics::frames;
+use super::kinematics::{Pose, frames, tip};
 use super::symbols::Symbols;
 use crate::exact::Rational;
 use crate::expr::{Direction, Expr};
 use crate::linear::{Symmetric3, Vector3};
-use crate::robot::{Interpretation, Robot};
+use crate::robot::{Interpretation, Robot, Value};
 
 /// The equations of motion by the textbook.
 pub struct Textbook<'g> {
@@ -77,37 +77,81 @@ impl<'g> Textbook<'g> {
     }
 }
 
-fn kinetic_energy<'g>(symbols: &mut Symbols<'g>, robot: &Robot, half: Expr<'g>) -> Expr<'g> {
-    let motion = (0..robot.rows.len()).fold(Direction::new(), |direction, i| {
-        let qd = symbols.joint(i).qd;
-        symbols.along_position(direction, i, qd)
-    });
-    let mut twice = symbols.graph().zero();
-    for (i, frame) in frames(symbols, robot).iter().enumerate() {
-        let row = &robot.rows[i];
-        let com = Vector3([0, 1, 2].map(|k| symbols.value(&row.com[k])));
-        let center = frame.rotation.apply(com) + frame.origin;
-        let velocity = Vector3(center.0.map(|x| x.derivative(&motion)));
-        // [w]x = R^T R', in the link frame.
-        let rate = |j: usize| Vector3(frame.rotation.column(j).0.map(|x| x.derivative(&motion)));
-        let entry = |i: usize, j: usize| frame.rotation.column(i).dot(rate(j));
-        let w = Vector3::new(entry(2, 1), entry(0, 2), entry(1, 0));
-        let [xx, yy, zz, xy, yz, xz] = [0, 1, 2, 3, 4, 5].map(|k| symbols.value(&row.inertia[k]));
-        let inertia = Symmetric3 {
+/// A body of the table, and its frame.
+struct Body<'r, 'g> {
+    mass: &'r Value,
+    com: &'r [Value; 3],
+    inertia: &'r [Value; 6],
+    pose: Pose<'g>,
+}
+
+impl<'g> Body<'_, 'g> {
+    /// The centre of mass in the world.
+    fn center(&self, symbols: &mut Symbols<'g>) -> Vector3<Expr<'g>> {
+        let com = Vector3(self.com.each_ref().map(|x| symbols.value(x)));
+        self.pose.rotation.apply(com) + self.pose.origin
+    }
+
+    /// w of [w]x = R^T R', in the body's frame.
+    fn angular_velocity(&self, motion: &Direction<'g>) -> Vector3<Expr<'g>> {
+        let column = |j: usize| self.pose.rotation.column(j);
+        let rate = |j: usize| Vector3(column(j).0.map(|x| x.derivative(motion)));
+        let entry = |i: usize, j: usize| column(i).dot(rate(j));
+        Vector3::new(entry(2, 1), entry(0, 2), entry(1, 0))
+    }
+
+    /// The inertia tensor about the centre of mass, in the body's frame.
+    fn tensor(&self, symbols: &mut Symbols<'g>) -> Symmetric3<Expr<'g>> {
+        let [xx, yy, zz, xy, yz, xz] = self.inertia.each_ref().map(|entry| symbols.value(entry));
+        Symmetric3 {
             xx,
             yy,
             zz,
             xy,
             yz,
             xz,
-        };
-        let ratio = symbols.value(&row.gear_ratio);
-        let reflected = ratio * ratio * symbols.value(&row.motor_inertia);
+        }
+    }
+}
+
+/// The links' bodies, and the tool's.
+fn bodies<'r, 'g>(symbols: &mut Symbols<'g>, robot: &'r Robot) -> Vec<Body<'r, 'g>> {
+    let frames = frames(symbols, robot);
+    let links = robot.rows.iter().zip(&frames).map(|(row, frame)| Body {
+        mass: &row.mass,
+        com: &row.com,
+        inertia: &row.inertia,
+        pose: frame.pose,
+    });
+    let tool = robot.tool.iter().map(|tool| Body {
+        mass: &tool.mass,
+        com: &tool.com,
+        inertia: &tool.inertia,
+        pose: tip(symbols, robot, &frames),
+    });
+    links.chain(tool).collect()
+}
+
+fn kinetic_energy<'g>(symbols: &mut Symbols<'g>, robot: &Robot, half: Expr<'g>) -> Expr<'g> {
+    let motion = (0..robot.rows.len()).fold(Direction::new(), |direction, i| {
         let qd = symbols.joint(i).qd;
-        twice = twice
-            + symbols.value(&row.mass) * velocity.dot(velocity)
-            + w.dot(inertia.apply(w))
-            + reflected * qd * qd;
+        symbols.along_position(direction, i, qd)
+    });
+    let mut twice = symbols.graph().zero();
+    for (i, body) in bodies(symbols, robot).iter().enumerate() {
+        let velocity = Vector3(body.center(symbols).0.map(|x| x.derivative(&motion)));
+        let w = body.angular_velocity(&motion);
+        let inertia = body.tensor(symbols);
+        let motor = robot.rows.get(i).map(|row| {
+            let ratio = symbols.value(&row.gear_ratio);
+            let reflected = ratio * ratio * symbols.value(&row.motor_inertia);
+            (reflected, symbols.joint(i).qd)
+        });
+        let linear = symbols.value(body.mass) * velocity.dot(velocity);
+        twice = twice + linear + w.dot(inertia.apply(w));
+        if let Some((reflected, qd)) = motor {
+            twice = twice + reflected * qd * qd;
+        }
     }
     half * twice
 }
@@ -115,10 +159,9 @@ fn kinetic_energy<'g>(symbols: &mut Symbols<'g>, robot: &Robot, half: Expr<'g>) 
 fn potential_energy<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> Expr<'g> {
     let gravity = Vector3([0, 1, 2].map(|k| symbols.value(&robot.gravity[k])));
     let mut energy = symbols.graph().zero();
-    for (row, frame) in robot.rows.iter().zip(frames(symbols, robot)) {
-        let com = Vector3([0, 1, 2].map(|k| symbols.value(&row.com[k])));
-        let center = frame.rotation.apply(com) + frame.origin;
-        energy = energy - symbols.value(&row.mass) * gravity.dot(center);
+    for body in bodies(symbols, robot) {
+        let center = body.center(symbols);
+        energy = energy - symbols.value(body.mass) * gravity.dot(center);
     }
     energy
 }

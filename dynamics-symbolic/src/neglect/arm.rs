@@ -2,6 +2,7 @@
 
 use super::reals::{Reals, sin_cos};
 use crate::derive::base::{Grouping, LinkGeometry, base_parameters, columns, geometry, unit};
+use crate::derive::place;
 use crate::linear::Vector3;
 use crate::robot::{Interpretation, JointType, Parameter, Robot};
 use crate::spatial::{Acceleration, Body, Joint, Turn, accelerations, felt_inwards};
@@ -49,7 +50,7 @@ impl Arm {
         });
         Arm {
             links: links.collect(),
-            gravity: Vector3([0, 1, 2].map(|k| Reals.value(&robot.gravity[k]))),
+            gravity: place::gravity(cells, robot),
             columns,
             parts,
         }

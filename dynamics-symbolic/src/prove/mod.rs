@@ -108,6 +108,8 @@ mod tests {
             gravity: [(); 3].map(|()| zero()),
             rows: vec![row],
             neglected: None,
+            base: None,
+            tool: None,
         }
     }
 

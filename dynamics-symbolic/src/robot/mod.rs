@@ -8,12 +8,14 @@ use crate::derive::base::Grouping;
 mod angle;
 mod interpretation;
 mod parameter;
+mod placement;
 mod symbol;
 mod value;
 
 pub use angle::Angle;
 pub use interpretation::Interpretation;
 pub use parameter::Parameter;
+pub use placement::{Placement, Tool};
 pub use symbol::Symbol;
 pub use value::Value;
 
@@ -91,10 +93,15 @@ pub struct Robot {
     pub fields: Vec<String>,
     /// Convention of the rows.
     pub convention: Convention,
-    /// Acceleration of gravity in the base frame, m/s^2.
+    /// Acceleration of gravity in the axes of the world, m/s^2.
     pub gravity: [Value; 3],
+    /// Frame 0 in the world, where they are not the same: poses, Jacobians and the potential energy are
+    /// those in the world.
+    pub base: Option<Placement>,
     /// The rows, from the base outwards.
     pub rows: Vec<Row>,
+    /// What is fixed to the last link. The tip of the arm is its frame, or else the last link frame.
+    pub tool: Option<Tool>,
     /// What the functions leave out: see [`crate::neglect`].
     pub neglected: Option<Neglected>,
 }

@@ -15,6 +15,17 @@ pub struct Body<R> {
     pub inertia: Symmetric3<R>,
 }
 
+/// A body by what tables say of it.
+#[derive(Clone, Copy, Debug)]
+pub struct Central<R> {
+    /// Mass.
+    pub mass: R,
+    /// Centre of mass in a frame.
+    pub com: Vector3<R>,
+    /// Inertia tensor about the centre of mass, in the frame's axes.
+    pub inertia: Symmetric3<R>,
+}
+
 impl<R: Ring> Body<R> {
     /// The same parameter ten times (for zero).
     pub fn splat(x: R) -> Self {
@@ -25,9 +36,8 @@ impl<R: Ring> Body<R> {
         }
     }
 
-    /// A body by its mass, centre of mass and inertia about the centre of mass:
-    /// J = I + m (c.c 1 - c c^T), the parallel-axis theorem.
-    pub fn new(mass: R, com: Vector3<R>, inertia: Symmetric3<R>) -> Self {
+    /// A body about the origin of its frame: J = I + m (c.c 1 - c c^T), the parallel-axis theorem.
+    pub fn new(Central { mass, com, inertia }: Central<R>) -> Self {
         let [x, y, z] = com.0;
         let moment = com * mass;
         let [hx, hy, hz] = moment.0;

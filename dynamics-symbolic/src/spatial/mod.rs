@@ -12,7 +12,10 @@ mod turn;
 mod vectors;
 
 pub use acceleration::{Acceleration, accelerations};
-pub use body::{Body, Keep};
+pub use body::{Body, Central, Keep};
 pub use joint::{Joint, felt_inwards};
-pub use turn::{Turn, enter_x, enter_z, leave_x, leave_z, tensor_leave_x, tensor_leave_z};
+pub use turn::{
+    Turn, enter_x, enter_y, enter_z, leave_x, leave_y, leave_z, tensor_leave_x, tensor_leave_y,
+    tensor_leave_z,
+};
 pub use vectors::{Force, Motion};

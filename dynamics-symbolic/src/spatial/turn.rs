@@ -56,6 +56,18 @@ pub fn enter_x<R: Ring>(turn: Turn<R>, v: Vector3<R>) -> Vector3<R> {
     Vector3::new(v[0], y, z)
 }
 
+/// Rotation about y, out of the turned frame.
+pub fn leave_y<R: Ring>(turn: Turn<R>, v: Vector3<R>) -> Vector3<R> {
+    let (z, x) = turn.leave(v[2], v[0]);
+    Vector3::new(x, v[1], z)
+}
+
+/// Rotation about y, into the turned frame.
+pub fn enter_y<R: Ring>(turn: Turn<R>, v: Vector3<R>) -> Vector3<R> {
+    let (z, x) = turn.enter(v[2], v[0]);
+    Vector3::new(x, v[1], z)
+}
+
 /// Rotation about z, out of the turned frame.
 pub fn leave_z<R: Ring>(turn: Turn<R>, v: Vector3<R>) -> Vector3<R> {
     let (x, y) = turn.leave(v[0], v[1]);
@@ -75,6 +87,20 @@ pub fn tensor_leave_x<R: Ring>(turn: Turn<R>, j: Symmetric3<R>) -> Symmetric3<R>
     Symmetric3 {
         xx: j.xx,
         yy,
+        zz,
+        xy,
+        yz,
+        xz,
+    }
+}
+
+/// A tensor's components, out of a frame that is turned about y.
+pub fn tensor_leave_y<R: Ring>(turn: Turn<R>, j: Symmetric3<R>) -> Symmetric3<R> {
+    let (zz, xx, xz) = turn.leave_block(j.zz, j.xx, j.xz);
+    let (yz, xy) = turn.leave(j.yz, j.xy);
+    Symmetric3 {
+        xx,
+        yy: j.yy,
         zz,
         xy,
         yz,

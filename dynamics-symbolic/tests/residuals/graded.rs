@@ -95,6 +95,8 @@ pub(crate) fn antiparallel() -> Robot {
             },
         ],
         neglected: None,
+        base: None,
+        tool: None,
     }
 }
 
@@ -191,6 +193,8 @@ impl Arms {
             gravity: [0, 1, 2].map(Value::field),
             rows: (0..dof).map(|i| self.row(i)).collect(),
             neglected: None,
+            base: None,
+            tool: None,
         }
     }
 }

@@ -100,6 +100,8 @@ pub fn robot(name: &str) -> Robot {
         gravity: [0, 1, 2].map(|k| decimal(json["gravity"][k].as_f64().unwrap())),
         rows: rows.collect(),
         neglected: None,
+        base: None,
+        tool: None,
     }
 }
 

@@ -15,6 +15,8 @@ pub fn generic_chain(joints: usize) -> Robot {
         gravity: [thousandths(0), thousandths(0), thousandths(-9_810)],
         rows: (1..=joints as i64).map(row).collect(),
         neglected: None,
+        base: None,
+        tool: None,
     }
 }
 

@@ -178,6 +178,8 @@ impl Arms {
                 gravity,
                 rows,
                 neglected: None,
+                base: None,
+                tool: None,
             },
             fields: self.fields.clone(),
         }

@@ -1,7 +1,7 @@
 //! Random tables: both conventions, mixed joints, symbolic cells anywhere.
 
 use dynamics_symbolic::exact::{Rational, SplitMix64};
-use dynamics_symbolic::robot::{Convention, JointType, Robot, Row, Value};
+use dynamics_symbolic::robot::{Convention, JointType, Placement, Robot, Row, Tool, Value};
 
 /// What the links are.
 #[derive(Clone, Copy, PartialEq)]
@@ -171,6 +171,45 @@ impl Tables {
         robot
     }
 
+    /// An arm on a base that is placed in the world, with a tool; one of the two at least.
+    pub fn mounted_robot(&mut self) -> Robot {
+        let robot = self.robot();
+        self.mounted(robot)
+    }
+
+    /// As [`Tables::mounted_robot`], some of its joints locked.
+    pub fn mounted_and_locked_robot(&mut self) -> Robot {
+        let robot = self.locked_robot();
+        self.mounted(robot)
+    }
+
+    fn mounted(&mut self, mut robot: Robot) -> Robot {
+        self.fields = robot.fields.len();
+        let choice = self.below(4);
+        robot.base = (choice != 0).then(|| self.placement());
+        robot.tool = (choice != 1).then(|| Tool {
+            placement: self.placement(),
+            mass: match self.bodies {
+                Bodies::Any => self.cell(),
+                Bodies::Physical => self.positive(),
+            },
+            com: [(); 3].map(|()| self.cell()),
+            inertia: match self.bodies {
+                Bodies::Any => [(); 6].map(|()| self.cell()),
+                Bodies::Physical => self.tensor(),
+            },
+        });
+        robot.fields = (0..self.fields).map(|i| format!("p{i}")).collect();
+        robot
+    }
+
+    fn placement(&mut self) -> Placement {
+        Placement {
+            xyz: [(); 3].map(|()| self.cell()),
+            rpy: [(); 3].map(|()| self.angle()),
+        }
+    }
+
     /// The next arm, of one to four joints.
     pub fn robot(&mut self) -> Robot {
         self.fields = 0;
@@ -192,6 +231,8 @@ impl Tables {
             gravity,
             rows,
             neglected: None,
+            base: None,
+            tool: None,
         }
     }
 }

@@ -78,14 +78,14 @@ fn turn<R>((s, c): (R, R)) -> Turn<R> {
     Turn { s, c }
 }
 
-/// The standard inertial parameters of every link.
+/// The standard inertial parameters of every link; those of the tool count to the last one's.
 fn bodies<I: Interpretation>(cells: &mut I, robot: &Robot) -> Vec<(Body<I::Number>, I::Number)> {
     let twists = twists(cells, robot);
-    let rows = robot.rows.iter().zip(&twists[1..]);
-    rows.map(|(row, next)| {
+    let rows = robot.rows.iter().zip(&twists[1..]).enumerate();
+    rows.map(|(i, (row, next))| {
         let ratio = cells.value(&row.gear_ratio);
         let reflected = ratio * ratio * cells.value(&row.motor_inertia);
-        (body(cells, robot.convention, row, next), reflected)
+        (body(cells, robot, i, next), reflected)
     })
     .collect()
 }

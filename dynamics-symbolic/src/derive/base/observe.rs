@@ -6,11 +6,12 @@
 
 use super::group::{LinkGeometry, height};
 use super::{axes, geometry, turn};
+use crate::derive::place;
 use crate::derive::symbols::Symbols;
 use crate::exact::{SplitMix64, circle_point};
 use crate::expr::{Expr, Fingerprint, Graph};
 use crate::linear::Vector3;
-use crate::robot::{Interpretation, JointType, Parameter, Robot};
+use crate::robot::{JointType, Parameter, Robot};
 use crate::spatial::{Joint, Motion, Turn};
 
 type Vector = Vector3<Fingerprint>;
@@ -78,7 +79,8 @@ impl Grouping {
         let mut symbols = Symbols::new(&graph, robot);
         let exprs = geometry(&mut symbols, robot);
         let links: Vec<_> = exprs.iter().map(value_of).collect();
-        let gravity = Vector3([0, 1, 2].map(|k| symbols.value(&robot.gravity[k]).fingerprint()));
+        let gravity = place::gravity(&mut symbols, robot);
+        let gravity = Vector3(gravity.0.map(|g| g.fingerprint()));
         let n = robot.rows.len();
         let axes: Vec<_> = (0..n).map(|i| moment_axes(&links, i)).collect();
         let mut rows = vec![Vec::new(); n];

@@ -70,8 +70,9 @@ struct Scales {
 
 impl Scales {
     fn new(robot: &Robot, joints: &[Joint<f64>], sizes: &[f64]) -> Self {
-        let masses = robot.rows.iter().map(|row| row.mass.to_f64(&[]));
-        let mass: f64 = masses.sum();
+        let masses = robot.rows.iter().map(|row| &row.mass);
+        let masses = masses.chain(robot.tool.as_ref().map(|tool| &tool.mass));
+        let mass: f64 = masses.map(|mass| mass.to_f64(&[])).sum();
         let mut scales = Scales {
             unknowns: Vec::new(),
             forms: Vec::new(),

@@ -2,10 +2,10 @@
 
 use super::super::assignment::Number;
 use super::super::dual::Dual;
-use super::pose::{Lift, Pose, Position};
+use super::Definition;
+use super::pose::{Lift, Position};
 use super::regressor::{polar, twist};
-use super::{Definition, Row};
-use crate::linear::{Matrix3, Ring, Symmetric3, Vector3};
+use crate::linear::{Matrix3, Ring, Vector3};
 
 impl Definition {
     /// T = sum 1/2 (m c'.c' + w.I w) + sum 1/2 r^2 J_m qd^2, where c' is the
@@ -13,11 +13,11 @@ impl Definition {
     pub(super) fn kinetic_energy<R: Lift>(&self, q: &[Position<R>], qd: &[R]) -> R {
         let moving: Vec<_> = q.iter().zip(qd).map(|(q, &qd)| q.moving(qd)).collect();
         let mut twice = R::lift(Number::ZERO);
-        for (row, pose) in self.rows.iter().zip(self.poses(&moving)) {
-            let velocity = Vector3(center(row, &pose).0.map(|x| x.derivative));
+        for (body, pose) in self.bodies(&moving) {
+            let velocity = Vector3(body.center(&pose).0.map(|x| x.derivative));
             let w = angular_velocity(&pose.rotation);
-            twice =
-                twice + R::lift(row.mass) * velocity.dot(velocity) + w.dot(inertia(row).apply(w));
+            let linear = R::lift(body.mass) * velocity.dot(velocity);
+            twice = twice + linear + w.dot(body.tensor().apply(w));
         }
         for ((_, row), &qd) in self.joints().zip(qd) {
             twice = twice + R::lift(row.reflected) * qd * qd;
@@ -58,32 +58,14 @@ impl Definition {
         energy
     }
 
-    /// U = -sum m g.c, of the links that can move.
+    /// U = -sum m g.c, of the bodies that can move.
     pub(super) fn potential_energy<R: Lift>(&self, q: &[Position<R>]) -> R {
         let gravity = Vector3(self.gravity.0.map(R::lift));
         let mut energy = R::lift(Number::ZERO);
-        let links = self.rows.iter().zip(self.poses(q));
-        for (row, pose) in links.skip_while(|(row, _)| row.locked.is_some()) {
-            energy = energy - R::lift(row.mass) * gravity.dot(center(row, &pose));
+        for (body, pose) in self.bodies(q).iter().skip(self.resting_bodies()) {
+            energy = energy - R::lift(body.mass) * gravity.dot(body.center(pose));
         }
         energy - self.neglected_potential(q)
-    }
-}
-
-/// The centre of mass in the base.
-fn center<R: Lift>(row: &Row, pose: &Pose<R>) -> Vector3<R> {
-    pose.rotation.apply(Vector3(row.com.0.map(R::lift))) + pose.origin
-}
-
-/// The inertia tensor about the centre of mass, in the link frame.
-fn inertia<R: Lift>(row: &Row) -> Symmetric3<R> {
-    Symmetric3 {
-        xx: R::lift(row.inertia.xx),
-        yy: R::lift(row.inertia.yy),
-        zz: R::lift(row.inertia.zz),
-        xy: R::lift(row.inertia.xy),
-        yz: R::lift(row.inertia.yz),
-        xz: R::lift(row.inertia.xz),
     }
 }
 

@@ -7,26 +7,24 @@ use super::{Definition, Matrix, Vector};
 use crate::linear::Matrix3;
 
 impl Definition {
-    /// The pose of the last link frame in the base.
+    /// The pose of the tip in the world.
     pub(super) fn forward_kinematics(&self) -> Vector {
-        let poses = self.poses(&self.q);
-        poses.last().map(homogeneous).unwrap_or_default()
+        homogeneous(&self.tip(&self.poses(&self.q)))
     }
 
-    /// The poses in the base of the frames of all links whose joints move.
+    /// The poses in the world of the frames of all links whose joints move.
     pub(super) fn link_poses(&self) -> Vector {
         let poses = self.poses(&self.q);
         let of_joint = |(i, _): (usize, &super::Row)| homogeneous(&poses[i]);
         self.joints().flat_map(of_joint).collect()
     }
 
-    /// By rows: vx vy vz wx wy wz of the last frame's origin for unit velocity of each joint.
+    /// By rows: vx vy vz wx wy wz of the tip's origin for unit velocity of each joint.
     pub(super) fn jacobian(&self) -> Matrix {
         let n = self.dof();
         let mut rows = vec![vec![Number::ZERO; n]; 6];
         for j in 0..n {
-            let poses = self.poses(&self.along(j));
-            let tip = poses.last().expect("a robot that has joint j has links");
+            let tip = self.tip(&self.poses(&self.along(j)));
             let rotation = Matrix3(tip.rotation.0.map(|row| row.map(|x| x.value)));
             let w = rotation.apply(angular_velocity(&tip.rotation));
             for k in 0..3 {

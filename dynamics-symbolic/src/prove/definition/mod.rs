@@ -1,6 +1,7 @@
 //! The textbook definition, evaluated in the prime field from the raw table.
 //!
 //!   A_i = Rz(theta) Tz(d) Tx(a) Rx(alpha)   or   Rx(alpha) Tx(a) Rz(theta) Tz(d)
+//!   base, tool: T(xyz) Rz(yaw) Ry(pitch) Rx(roll) before A_1 and behind A_n
 //!   T = sum 1/2 (m c'.c' + w.I w) + sum 1/2 r^2 J_m qd^2,   U = -sum m g.c
 //!   M_ij = d2T / dqd_i dqd_j
 //!   V_i = sum_jk c_ijk qd_j qd_k,  c_ijk = 1/2 (dM_ij/dq_k + dM_ik/dq_j - dM_jk/dq_i)
@@ -13,11 +14,13 @@
 //! Velocities are derivatives of positions by dual numbers. T is quadratic in
 //! qd, so that its second derivatives are differences, without a limit.
 
+mod body;
 mod derivatives;
 mod elimination;
 mod energy;
 mod equations;
 mod kinematics;
+mod placement;
 mod pose;
 mod regressor;
 mod row;
@@ -27,6 +30,7 @@ use crate::exact::Rational;
 use crate::function::Function;
 use crate::linear::Vector3;
 use crate::robot::{Convention, Interpretation, Robot};
+use placement::{Placement, Tool};
 use pose::Position;
 use row::Row;
 
@@ -37,7 +41,9 @@ type Matrix = Vec<Vector>;
 pub struct Definition {
     convention: Convention,
     gravity: Vector3<Number>,
+    base: Option<Placement>,
     rows: Vec<Row>,
+    tool: Option<Tool>,
     half: Number,
     q: Vec<Position<Number>>,
     qd: Vector,
@@ -57,13 +63,19 @@ impl Definition {
     pub fn new(point: &mut Assignment, robot: &Robot) -> Self {
         let rows = robot.rows.iter().map(|row| Row::new(point, row)).collect();
         let gravity = Vector3([0, 1, 2].map(|k| point.value(&robot.gravity[k])));
+        let base = robot.base.as_ref();
+        let base = base.map(|base| Placement::new(point, base));
+        let tool = robot.tool.as_ref();
+        let tool = tool.map(|tool| Tool::new(point, tool));
         let half = Interpretation::rational(point, &(Rational::ONE / Rational::from(2)));
         let joints = point.joints();
         let all = |variable: fn(&JointPoint) -> Number| joints.iter().map(variable).collect();
         let mut definition = Definition {
             convention: robot.convention,
             gravity,
+            base,
             rows,
+            tool,
             half,
             q: joints.iter().map(Position::new).collect(),
             qd: all(|joint| joint.qd),

@@ -61,6 +61,12 @@ pub(super) struct Pose<R> {
 }
 
 impl<R: Lift> Pose<R> {
+    /// A frame that is the other frame.
+    pub(super) fn identity() -> Self {
+        let (zero, one) = (R::lift(Number::ZERO), R::lift(Number::ONE));
+        Pose::screw_x((zero, one), zero)
+    }
+
     /// Rz(angle) Tz(d)
     fn screw_z((s, c): (R, R), d: R) -> Self {
         let (zero, one) = (R::lift(Number::ZERO), R::lift(Number::ONE));
@@ -79,7 +85,8 @@ impl<R: Lift> Pose<R> {
         }
     }
 
-    fn then(&self, next: &Pose<R>) -> Pose<R> {
+    /// The frame that `next` describes in this one.
+    pub(super) fn then(&self, next: &Pose<R>) -> Pose<R> {
         Pose {
             rotation: self.rotation.product(&next.rotation),
             origin: self.rotation.apply(next.origin) + self.origin,
@@ -109,17 +116,34 @@ impl Definition {
         self.rows.iter().map_while(position).collect()
     }
 
-    /// The poses of all link frames in the base.
+    /// The poses of all link frames in the world.
     pub(super) fn poses<R: Lift>(&self, q: &[Position<R>]) -> Vec<Pose<R>> {
         let mut poses: Vec<Pose<R>> = Vec::with_capacity(self.rows.len());
         for (row, position) in self.rows.iter().zip(self.positions(q)) {
             let transform = transform(self.convention, row, &position);
             poses.push(match poses.last() {
                 Some(previous) => previous.then(&transform),
-                None => transform,
+                None => self.in_world(transform),
             });
         }
         poses
+    }
+
+    /// A frame that is told in frame 0.
+    fn in_world<R: Lift>(&self, pose: Pose<R>) -> Pose<R> {
+        match &self.base {
+            Some(base) => base.pose().then(&pose),
+            None => pose,
+        }
+    }
+
+    /// The pose of the tip behind those of all links: the tool's, or else the last of them.
+    pub(super) fn tip<R: Lift>(&self, poses: &[Pose<R>]) -> Pose<R> {
+        let last = poses.last().expect("a robot has links");
+        match &self.tool {
+            Some(tool) => last.then(&tool.placement.pose()),
+            None => *last,
+        }
     }
 
     /// The poses of the frames on the joints' own axes, after Rz(theta) Tz(d).
@@ -132,7 +156,7 @@ impl Definition {
         let frame = |i: usize| {
             let (screw_z, _) = screws(&self.rows[i], &positions[i]);
             match i {
-                0 => screw_z,
+                0 => self.in_world(screw_z),
                 _ => links[i - 1].then(&screw_z),
             }
         };

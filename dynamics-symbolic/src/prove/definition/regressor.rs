@@ -12,6 +12,7 @@
 
 use super::super::assignment::Number;
 use super::super::dual::Dual;
+use super::body::Body;
 use super::energy::angular_velocity;
 use super::pose::{Pose, Position};
 use super::{Definition, Matrix, Parameters, Vector};
@@ -139,39 +140,26 @@ impl Definition {
     }
 
     /// Every link's parameters in the frame on its joint's axis, the moments in the link's own axes
-    /// or in those of [`Definition::moment_axes`].
+    /// or in those of [`Definition::moment_axes`]. The tool is a part of the last link.
     fn standard_parameters(&self) -> Vector {
         let rotations = self.moment_axes();
         let mut values = Vec::new();
         for (i, row) in self.rows.iter().enumerate() {
-            let (s, c) = row.twist;
-            let (com, inertia) = match self.convention {
-                Convention::Modified => (row.com, row.inertia),
-                Convention::Standard => {
-                    let link = Pose::screw_x((s, c), row.a);
-                    let com = link.rotation.apply(row.com) + link.origin;
-                    (com, row.inertia.rotated(&link.rotation))
-                }
+            let link = match self.convention {
+                Convention::Modified => Pose::identity(),
+                Convention::Standard => Pose::screw_x(row.twist, row.a),
             };
-            // J = I + m (c.c 1 - c c^T)
-            let [x, y, z] = com.0;
-            let m = row.mass;
-            let tensor = inertia
-                + Symmetric3 {
-                    xx: y * y + z * z,
-                    yy: x * x + z * z,
-                    zz: x * x + y * y,
-                    xy: -(x * y),
-                    yz: -(y * z),
-                    xz: -(x * z),
-                } * m;
-            values.extend([
-                tensor.xx, tensor.xy, tensor.xz, tensor.yy, tensor.yz, tensor.zz,
-            ]);
-            let moment = com * m;
-            let moment = rotations[i].as_ref().map_or(moment, |r| r.apply(moment));
-            values.extend(moment.0);
-            values.push(m);
+            let mut parameters = parameters(&row.body, &link);
+            if let Some(tool) = self.tool.as_ref().filter(|_| i + 1 == self.rows.len()) {
+                let tip = link.then(&tool.placement.pose());
+                let of_tool = self::parameters(&tool.body, &tip);
+                parameters = core::array::from_fn(|k| parameters[k] + of_tool[k]);
+            }
+            if let Some(rotation) = &rotations[i] {
+                let moment = Vector3::new(parameters[6], parameters[7], parameters[8]);
+                parameters[6..9].copy_from_slice(&rotation.apply(moment).0);
+            }
+            values.extend(parameters);
             if row.has_motor && row.locked.is_none() {
                 values.push(row.reflected);
             }
@@ -282,6 +270,27 @@ impl Definition {
     fn twists(&self, q: &[Position<Dual<Dual<Number>>>]) -> Vec<Twist<Dual<Number>>> {
         self.joint_frames(q).iter().map(twist).collect()
     }
+}
+
+/// The ten parameters about the origin of the frame in which the body's own frame is at `pose`:
+/// J = I + m (c.c 1 - c c^T), h = m c.
+fn parameters(body: &Body, pose: &Pose<Number>) -> [Number; 10] {
+    let (m, center) = (body.mass, body.center(pose));
+    let [x, y, z] = center.0;
+    let tensor = body.inertia.rotated(&pose.rotation)
+        + Symmetric3 {
+            xx: y * y + z * z,
+            yy: x * x + z * z,
+            zz: x * x + y * y,
+            xy: -(x * y),
+            yz: -(y * z),
+            xz: -(x * z),
+        } * m;
+    let [hx, hy, hz] = (center * m).0;
+    let (jxx, jyy, jzz) = (tensor.xx, tensor.yy, tensor.zz);
+    [
+        jxx, tensor.xy, tensor.xz, jyy, tensor.yz, jzz, hx, hy, hz, m,
+    ]
 }
 
 pub(super) fn twist<R: Ring>(frame: &Pose<Dual<R>>) -> Twist<R> {

@@ -1,7 +1,7 @@
 //! The rows of the table in the field.
 
 use super::super::assignment::{Assignment, Number};
-use crate::linear::{Symmetric3, Vector3};
+use super::body::Body;
 use crate::robot::{self, Interpretation, JointType};
 
 /// A row of the table in the field.
@@ -13,9 +13,7 @@ pub(super) struct Row {
     pub(super) turn: (Number, Number),
     pub(super) a: Number,
     pub(super) d: Number,
-    pub(super) mass: Number,
-    pub(super) com: Vector3<Number>,
-    pub(super) inertia: Symmetric3<Number>,
+    pub(super) body: Body,
     pub(super) has_motor: bool,
     /// r^2 J_m
     pub(super) reflected: Number,
@@ -28,23 +26,13 @@ pub(super) struct Row {
 impl Row {
     pub(super) fn new(point: &mut Assignment, row: &robot::Row) -> Self {
         let ratio = point.value(&row.gear_ratio);
-        let [xx, yy, zz, xy, yz, xz] = [0, 1, 2, 3, 4, 5].map(|k| point.value(&row.inertia[k]));
         Row {
             joint_type: row.joint_type,
             twist: point.sin_cos(&row.alpha),
             turn: point.sin_cos(&row.theta),
             a: point.value(&row.a),
             d: point.value(&row.d),
-            mass: point.value(&row.mass),
-            com: Vector3([0, 1, 2].map(|k| point.value(&row.com[k]))),
-            inertia: Symmetric3 {
-                xx,
-                yy,
-                zz,
-                xy,
-                yz,
-                xz,
-            },
+            body: Body::new(point, &row.mass, &row.com, &row.inertia),
             has_motor: row.has_motor(),
             reflected: ratio * ratio * point.value(&row.motor_inertia),
             viscous: point.value(&row.viscous),

@@ -1,0 +1,74 @@
+//! The bodies of the table in the field: those of the links, and the tool's.
+
+use super::super::assignment::{Assignment, Number};
+use super::pose::{Lift, Pose, Position};
+use super::{Definition, Row};
+use crate::linear::{Symmetric3, Vector3};
+use crate::robot::{Interpretation, Value};
+
+/// A rigid body in the axes of its frame.
+pub(super) struct Body {
+    pub(super) mass: Number,
+    pub(super) com: Vector3<Number>,
+    /// About the centre of mass.
+    pub(super) inertia: Symmetric3<Number>,
+}
+
+impl Body {
+    pub(super) fn new(
+        point: &mut Assignment,
+        mass: &Value,
+        com: &[Value; 3],
+        inertia: &[Value; 6],
+    ) -> Self {
+        let [xx, yy, zz, xy, yz, xz] = inertia.each_ref().map(|entry| point.value(entry));
+        Body {
+            mass: point.value(mass),
+            com: Vector3(com.each_ref().map(|x| point.value(x))),
+            inertia: Symmetric3 {
+                xx,
+                yy,
+                zz,
+                xy,
+                yz,
+                xz,
+            },
+        }
+    }
+
+    /// The centre of mass where the body's frame is at `pose`.
+    pub(super) fn center<R: Lift>(&self, pose: &Pose<R>) -> Vector3<R> {
+        pose.rotation.apply(Vector3(self.com.0.map(R::lift))) + pose.origin
+    }
+
+    /// The inertia tensor about the centre of mass, in the body's axes.
+    pub(super) fn tensor<R: Lift>(&self) -> Symmetric3<R> {
+        let [xx, yy, zz] = [self.inertia.xx, self.inertia.yy, self.inertia.zz].map(R::lift);
+        let [xy, yz, xz] = [self.inertia.xy, self.inertia.yz, self.inertia.xz].map(R::lift);
+        Symmetric3 {
+            xx,
+            yy,
+            zz,
+            xy,
+            yz,
+            xz,
+        }
+    }
+}
+
+impl Definition {
+    /// Every body and the pose of its frame: the links from the base outwards, then the tool.
+    pub(super) fn bodies<R: Lift>(&self, q: &[Position<R>]) -> Vec<(&Body, Pose<R>)> {
+        let poses = self.poses(q);
+        let tip = self.tip(&poses);
+        let links = self.rows.iter().map(|row| &row.body).zip(poses);
+        let tool = self.tool.iter().map(|tool| (&tool.body, tip));
+        links.chain(tool).collect()
+    }
+
+    /// How many of the bodies cannot move, for all joints up to theirs are locked.
+    pub(super) fn resting_bodies(&self) -> usize {
+        let is_locked = |row: &&Row| row.locked.is_some();
+        self.rows.iter().take_while(is_locked).count()
+    }
+}
