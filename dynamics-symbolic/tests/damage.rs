@@ -6,7 +6,7 @@ use dynamics_symbolic::derive::{derive, derive_form};
 use dynamics_symbolic::exact::Rational;
 use dynamics_symbolic::neglect::neglect;
 use dynamics_symbolic::program::{Constant, Instruction, Operand, Program};
-use dynamics_symbolic::prove::prove;
+use dynamics_symbolic::prove::{Proof, prove};
 use dynamics_symbolic::robot::Robot;
 
 /// Ways in which a simplification may go wrong.
@@ -74,7 +74,8 @@ fn every(function: Function, dof: usize, length: usize) -> usize {
 
 /// Damages every operation of a proven program in every way; how many damages were refused.
 fn refused(robot: &Robot, function: Function, sound: &Program) -> usize {
-    assert_eq!(prove(robot, function, sound), Ok(()));
+    let mut proof = Proof::new(robot, function);
+    assert_eq!(proof.holds(sound), Ok(()));
     let mut refused = 0;
     let length = sound.instructions.len();
     let every = every(function, robot.rows.len(), length);
@@ -86,7 +87,8 @@ fn refused(robot: &Robot, function: Function, sound: &Program) -> usize {
                 continue;
             }
             let (name, function_name) = (&robot.name, function.name());
-            let failure = prove(robot, function, &program)
+            let failure = proof
+                .holds(&program)
                 .expect_err(&format!("{name} {function_name}: operation {index}"));
             assert_eq!(failure.function, function);
             assert!(failure.to_string().contains(function_name));
@@ -146,15 +148,16 @@ fn every_damage_to_symbolic_base_parameters_is_found() {
     for name in ["elbow_3r", "generic_chain_n3"] {
         let robot = arms::with_inertial_fields(name);
         let sound = derive(&robot, function);
-        assert_eq!(prove(&robot, function, &sound), Ok(()));
+        let mut proof = Proof::new(&robot, function);
+        assert_eq!(proof.holds(&sound), Ok(()));
         assert!(sound.instructions.len() > 50, "{name}");
         for index in 0..sound.instructions.len() {
             for damage in DAMAGES {
                 let mut program = sound.clone();
                 damage(&mut program, index);
                 if program.instructions[index] != sound.instructions[index] {
-                    let proof = prove(&robot, function, &program);
-                    assert!(proof.is_err(), "{name}: operation {index}");
+                    let refused = proof.holds(&program);
+                    assert!(refused.is_err(), "{name}: operation {index}");
                 }
             }
         }
@@ -167,6 +170,7 @@ fn every_damage_to_a_base_parameter_is_found() {
     for name in ["puma560", "panda", "scara"] {
         let robot = arms::robot(name);
         let sound = derive(&robot, Function::BaseParameters);
+        let mut proof = Proof::new(&robot, Function::BaseParameters);
         for index in 0..sound.outputs.len() {
             let mut program = sound.clone();
             let Operand::Constant(id) = program.outputs[index].operand else {
@@ -180,7 +184,7 @@ fn every_damage_to_a_base_parameter_is_found() {
                 _ => Constant::Neg(id),
             };
             program.outputs[index].operand = Operand::Constant(program.constants.push(damaged));
-            let failure = prove(&robot, Function::BaseParameters, &program);
+            let failure = proof.holds(&program);
             let output = failure.expect_err("damaged").output;
             assert_eq!(output, Some(index), "{name}");
         }

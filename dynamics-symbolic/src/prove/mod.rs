@@ -60,19 +60,62 @@ const SEED: u64 = 0x0070_726f_6f66;
 /// The first output that differs from the definition, if one does. A table that
 /// divides by zero defines nothing: no program is proven for it.
 pub fn prove(robot: &Robot, function: Function, program: &Program) -> Result<(), ProofFailure> {
-    let mut assignment = Assignment::new(robot, SEED);
-    let computed = program.evaluate(&mut assignment);
-    let definition = Definition::new(&mut assignment, robot);
-    let failure = |output| ProofFailure { function, output };
-    let expected = definition.expected(function, &computed);
-    let expected = expected.ok_or_else(|| failure(None))?;
-    if computed.len() != expected.len() {
-        return Err(failure(None));
+    Proof::new(robot, function).holds(program)
+}
+
+/// The proof of any number of programs of one function: its definition is evaluated once.
+pub struct Proof {
+    function: Function,
+    point: Assignment,
+    definition: Definition,
+    /// What the outputs must be, unless that is judged by what was computed; `None` inside where the
+    /// table defines nothing.
+    expected: Option<Option<Vec<Number>>>,
+}
+
+impl Proof {
+    /// That of a function of a robot.
+    pub fn new(robot: &Robot, function: Function) -> Self {
+        let mut point = Assignment::new(robot, SEED);
+        let definition = Definition::new(&mut point, robot);
+        let expected = (!function.row().refuses).then(|| definition.expected(function, &[]));
+        Proof {
+            function,
+            point,
+            definition,
+            expected,
+        }
     }
-    let differs = |(computed, expected): (&Option<Number>, &Number)| *computed != Some(*expected);
-    match computed.iter().zip(&expected).position(differs) {
-        Some(output) => Err(failure(Some(output))),
-        None => Ok(()),
+
+    /// Compares a program with the definition.
+    ///
+    /// # Errors
+    ///
+    /// As [`prove`].
+    pub fn holds(&mut self, program: &Program) -> Result<(), ProofFailure> {
+        let computed = program.evaluate(&mut self.point);
+        let judged;
+        let expected = match &self.expected {
+            Some(expected) => expected,
+            None => {
+                judged = self.definition.expected(self.function, &computed);
+                &judged
+            }
+        };
+        let failure = |output| ProofFailure {
+            function: self.function,
+            output,
+        };
+        let expected = expected.as_ref().ok_or_else(|| failure(None))?;
+        if computed.len() != expected.len() {
+            return Err(failure(None));
+        }
+        let differs =
+            |(computed, expected): (&Option<Number>, &Number)| *computed != Some(*expected);
+        match computed.iter().zip(expected).position(differs) {
+            Some(output) => Err(failure(Some(output))),
+            None => Ok(()),
+        }
     }
 }
 
