@@ -172,6 +172,8 @@ pub struct Row {
     pub motor: Given<Motor>,
     /// Friction of the joint.
     pub friction: Given<Friction>,
+    /// The spring at the joint.
+    pub spring: Given<Spring>,
     /// The range of the joint.
     pub limits: Given<Limits>,
     /// What is accepted all the same.
@@ -227,6 +229,17 @@ pub struct Friction {
     pub viscous: Given<Expr>,
     /// Force or torque against the motion, whatever its speed.
     pub coulomb: Given<Expr>,
+}
+
+/// `spring: { stiffness, rest }`
+#[derive(Debug)]
+pub struct Spring {
+    /// Where it stands.
+    pub place: Place,
+    /// Force or torque for each unit of displacement.
+    pub stiffness: Given<Expr>,
+    /// The position of the joint at which it is slack.
+    pub rest: Given<Expr>,
 }
 
 /// `limits: [lower, upper]`

@@ -86,7 +86,7 @@ fn elsewhere<'a>(word: &str, known: &[&'a str]) -> Option<&'a str> {
 }
 
 /// Words of other books and programs, and ours.
-const ELSEWHERE: [(&str, &str); 41] = [
+const ELSEWHERE: [(&str, &str); 45] = [
     ("twist", "alpha"),
     ("length", "a"),
     ("offset", "d"),
@@ -101,6 +101,10 @@ const ELSEWHERE: [(&str, &str); 41] = [
     ("damping", "friction"),
     ("damping", "viscous"),
     ("ratio", "gear_ratio"),
+    ("elasticity", "spring"),
+    ("k", "stiffness"),
+    ("neutral", "rest"),
+    ("K", "spring_vector"),
     ("R", "revolute"),
     ("hinge", "revolute"),
     ("rotary", "revolute"),

@@ -92,7 +92,7 @@ impl<R, T: Scalar, const N: usize> Configuration<'_, R, T, N> {
         self.arm.gravity_vector_at(&self.sines, &self.q)
     }
 
-    /// Inverse dynamics tau = M qdd + V + G + F, N m or N; `qd` per second, `qdd` per second
+    /// Inverse dynamics tau = M qdd + V + G + K + F, N m or N; `qd` per second, `qdd` per second
     /// squared.
     #[inline]
     pub fn inverse_dynamics(&self, qd: &SVector<T, N>, qdd: &SVector<T, N>) -> SVector<T, N>
@@ -102,7 +102,7 @@ impl<R, T: Scalar, const N: usize> Configuration<'_, R, T, N> {
         self.arm.inverse_dynamics_at(&self.sines, &self.q, qd, qdd)
     }
 
-    /// Forward dynamics qdd with M qdd + V + G + F = tau, rad/s^2 or m/s^2; `qd` per second,
+    /// Forward dynamics qdd with M qdd + V + G + K + F = tau, rad/s^2 or m/s^2; `qd` per second,
     /// `tau` in N m or N.
     ///
     /// # Errors

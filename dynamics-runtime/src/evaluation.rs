@@ -39,7 +39,9 @@ pub struct Evaluation<const N: usize> {
     pub gravity_vector: Option<SVector<f64, N>>,
     /// F(qd).
     pub friction_vector: Option<SVector<f64, N>>,
-    /// M qdd + V + G + F.
+    /// K(q).
+    pub spring_vector: Option<SVector<f64, N>>,
+    /// M qdd + V + G + K + F.
     pub inverse_dynamics: Option<SVector<f64, N>>,
     /// qdd, at the torques that were given.
     pub forward_dynamics: Option<Result<SVector<f64, N>, SingularMassMatrix>>,
@@ -47,7 +49,7 @@ pub struct Evaluation<const N: usize> {
     pub kinetic_energy: Option<f64>,
     /// Potential energy.
     pub potential_energy: Option<f64>,
-    /// V + G + F.
+    /// V + G + K + F.
     pub bias_force: Option<SVector<f64, N>>,
     /// C(q, qd) of the Christoffel symbols of the first kind.
     pub coriolis_matrix: Option<SMatrix<f64, N, N>>,

@@ -84,7 +84,7 @@ pub use simulation::{
 #[doc(hidden)]
 pub use sines::{Evaluated, JointSines};
 pub use singular::SingularMassMatrix;
-pub use table::{Convention, JointType, Row, Table};
+pub use table::{Convention, JointType, Row, Spring, Table};
 #[doc(hidden)]
 pub use taylor::{Block, Common, ProductTable, Products, SeriesTerm};
 pub use taylor::{MAX_TAYLOR_ORDER, TaylorCoefficients, TaylorDynamics};

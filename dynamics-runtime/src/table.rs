@@ -21,6 +21,33 @@ pub enum JointType {
     Prismatic,
 }
 
+/// A linear spring at a joint: it takes the torque or force `stiffness (q - rest)` to hold it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Spring {
+    /// Torque or force for each unit of displacement, N m/rad or N/m.
+    pub stiffness: f64,
+    /// The position of the joint at which it is slack, rad or m.
+    pub rest: f64,
+}
+
+impl Spring {
+    /// A joint without a spring.
+    pub const NONE: Spring = Spring {
+        stiffness: 0.0,
+        rest: 0.0,
+    };
+
+    /// The torque or force that holds it at a position.
+    pub(crate) fn force(&self, q: f64) -> f64 {
+        self.stiffness * (q - self.rest)
+    }
+
+    /// The energy in it at a position, J.
+    pub(crate) fn energy(&self, q: f64) -> f64 {
+        0.5 * self.force(q) * (q - self.rest)
+    }
+}
+
 /// One row of the table: a joint and the link that it moves. SI units, radians.
 ///
 /// Where `alpha` or `theta` is the double nearest to a multiple of pi/2, it means exactly that multiple.
@@ -53,6 +80,8 @@ pub struct Row {
     pub viscous: f64,
     /// Coulomb friction at the joint, N m or N.
     pub coulomb: f64,
+    /// The spring at the joint; [`Spring::NONE`] where there is none.
+    pub spring: Spring,
     /// The range of the joint's position, lower end first, rad or m, where the table has one.
     pub limits: Option<[f64; 2]>,
     /// Where this row begins, in the link frame of the row before or in the base frame: elsewhere than
@@ -79,6 +108,7 @@ impl Row {
             gear_ratio: 0.0,
             viscous: 0.0,
             coulomb: 0.0,
+            spring: Spring::NONE,
             limits: None,
             mount: Placement::IDENTITY,
             tip: Placement::IDENTITY,

@@ -5,7 +5,7 @@ use nalgebra::{Matrix2, SVector, Vector2};
 use crate::check::random::SplitMix64;
 use crate::{
     Convention, Energy, Evaluate, Evaluation, ForwardDynamics, JointType, Model, Row, Scalar,
-    SingularMassMatrix, State, Table,
+    SingularMassMatrix, Spring, State, Table,
 };
 
 /// The two-link arm with point masses at the ends of its links, Craig (6.60) to (6.62).
@@ -184,6 +184,10 @@ fn general_row(random: &mut SplitMix64) -> Row {
         gear_ratio: within(-60.0, 60.0),
         viscous: within(0.1, 0.3),
         coulomb: within(0.1, 0.3),
+        spring: Spring {
+            stiffness: 3.0,
+            rest: 0.4,
+        },
         ..Row::new(JointType::Revolute)
     }
 }

@@ -145,6 +145,7 @@ fn row(joint_type: JointType, [a, alpha, d, theta]: [Value; 4]) -> Row {
         gear_ratio: zero(),
         viscous: zero(),
         coulomb: zero(),
+        spring: None,
         limits: None,
         locked: None,
     }

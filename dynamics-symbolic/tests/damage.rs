@@ -7,7 +7,7 @@ use dynamics_symbolic::exact::Rational;
 use dynamics_symbolic::neglect::neglect;
 use dynamics_symbolic::program::{Constant, Instruction, Operand, Program};
 use dynamics_symbolic::prove::{Proof, prove};
-use dynamics_symbolic::robot::Robot;
+use dynamics_symbolic::robot::{Robot, Spring};
 
 /// Ways in which a simplification may go wrong.
 const DAMAGES: [fn(&mut Program, usize); 4] =
@@ -137,6 +137,66 @@ fn every_damage_to_a_scene_is_found() {
         for function in [Function::InverseDynamics, Function::ForwardDynamics] {
             let program = derive(robot, function);
             assert!(refused(robot, function, &program) > 100);
+        }
+    }
+}
+
+/// Springs of numbers, a locked joint among them.
+#[test]
+fn every_damage_to_the_forces_of_springs_is_found() {
+    let mut robot = arms::robot("cylindrical_rpp");
+    let spring = |stiffness, rest| {
+        Some(Spring {
+            stiffness: arms::decimal(stiffness),
+            rest: arms::decimal(rest),
+        })
+    };
+    robot.rows[0].spring = spring(5.5, -0.2);
+    robot.rows[1].spring = spring(200.0, 0.1);
+    robot.rows[2].spring = spring(70.0, 0.3);
+    robot.rows[1].locked = Some(arms::decimal(0.25));
+    for function in [
+        Function::SpringVector,
+        Function::PotentialEnergy,
+        Function::BiasForce,
+        Function::InverseDynamics,
+        Function::ForwardDynamics,
+        Function::ForwardDynamicsAba,
+        Function::InverseDynamicsDerivatives,
+        Function::ForwardDynamicsDerivatives,
+    ] {
+        let refused = refused(&robot, function, &derive(&robot, function));
+        assert!(refused > 0, "{}", function.name());
+    }
+}
+
+/// What the table says of a spring is part of what is proven, and nothing of one that is locked is.
+#[test]
+fn a_program_of_another_spring_is_refused() {
+    let robot = arms::robot("two_link_saha");
+    for row in 0..2 {
+        let mut sprung = robot.clone();
+        sprung.rows[row].spring = Some(Spring {
+            stiffness: arms::decimal(3.0),
+            rest: arms::decimal(0.5),
+        });
+        for function in [Function::PotentialEnergy, Function::InverseDynamics] {
+            let program = derive(&sprung, function);
+            assert_eq!(prove(&sprung, function, &program), Ok(()));
+            assert!(prove(&robot, function, &program).is_err());
+            let mut other = sprung.clone();
+            other.rows[row].spring.as_mut().expect("a spring").rest = arms::decimal(0.6);
+            assert!(prove(&other, function, &program).is_err());
+        }
+        let gravity = derive(&robot, Function::GravityVector);
+        assert_eq!(prove(&sprung, Function::GravityVector, &gravity), Ok(()));
+        if row == 1 {
+            let [mut robot, mut sprung] = [robot.clone(), sprung];
+            robot.rows[1].locked = Some(arms::decimal(0.25));
+            sprung.rows[1].locked = Some(arms::decimal(0.25));
+            let program = derive(&robot, Function::PotentialEnergy);
+            let proof = prove(&sprung, Function::PotentialEnergy, &program);
+            assert_eq!(proof, Ok(()));
         }
     }
 }

@@ -70,6 +70,7 @@ fn massless(name: &str) -> Row {
         gear_ratio: Value::zero(),
         viscous: Value::zero(),
         coulomb: Value::zero(),
+        spring: None,
         limits: None,
         locked: None,
     }

@@ -276,6 +276,7 @@ fn massless_row(joint_type: JointType) -> Row {
         gear_ratio: Value::zero(),
         viscous: Value::zero(),
         coulomb: Value::zero(),
+        spring: None,
         limits: None,
         locked: None,
     }

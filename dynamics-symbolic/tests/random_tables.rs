@@ -35,6 +35,16 @@ fn every_function_of_random_arms_with_base_and_tool_is_proven() {
     }
 }
 
+/// Springs at some of the joints, made of numbers and parameters.
+#[test]
+fn every_function_of_random_arms_with_springs_is_proven() {
+    let mut tables = Tables::new(10, Bodies::Any);
+    for count in 0..40 {
+        let robot = tables.sprung_robot();
+        prove_table(&robot, count, &Function::ALL);
+    }
+}
+
 #[test]
 fn regressors_of_arms_whose_axes_meet_are_proven() {
     let functions = [Function::Regressor, Function::BaseParameters];

@@ -116,6 +116,7 @@ fn planar_link(name: &str, a: Value, mass: Value, com_x: Value, inertia_zz: Valu
         gear_ratio: Value::integer(1),
         viscous: zero(),
         coulomb: zero(),
+        spring: None,
         limits: None,
         locked: None,
     }

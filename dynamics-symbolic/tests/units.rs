@@ -7,7 +7,7 @@ use dynamics_symbolic::Function;
 use dynamics_symbolic::derive::derive;
 use dynamics_symbolic::exact::{Rational, SplitMix64};
 use dynamics_symbolic::program::Arithmetic;
-use dynamics_symbolic::robot::{JointType, Robot, Symbol, Value};
+use dynamics_symbolic::robot::{JointType, Robot, Spring, Symbol, Value};
 
 /// Powers of length and mass.
 type Unit = (i32, i32);
@@ -49,6 +49,17 @@ impl Arm {
             field(&mut row.motor_inertia, inertia);
             field(&mut row.viscous, inertia);
             field(&mut row.coulomb, force);
+            let motion = match is_revolute {
+                true => NONE,
+                false => LENGTH,
+            };
+            let mut spring = Spring {
+                stiffness: arms::decimal(3.7),
+                rest: arms::decimal(0.3),
+            };
+            field(&mut spring.stiffness, inertia);
+            field(&mut spring.rest, motion);
+            row.spring = Some(spring);
         }
         robot.fields = (0..fields.len()).map(|i| format!("p{i}")).collect();
         Arm { robot, fields }
@@ -139,10 +150,11 @@ impl Arithmetic for Doubles<'_> {
     }
 }
 
-const FUNCTIONS: [Function; 7] = [
+const FUNCTIONS: [Function; 8] = [
     Function::MassMatrix,
     Function::CoriolisVector,
     Function::GravityVector,
+    Function::SpringVector,
     Function::InverseDynamics,
     Function::ForwardDynamics,
     Function::KineticEnergy,

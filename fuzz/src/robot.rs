@@ -2,7 +2,7 @@
 
 use arbitrary::{Result, Unstructured};
 use dynamics_symbolic::exact::Rational;
-use dynamics_symbolic::robot::{Convention, JointType, Robot, Row, Value};
+use dynamics_symbolic::robot::{Convention, JointType, Robot, Row, Spring, Value};
 
 /// Cells of a robot, and the values of its fields.
 struct Cells<'a> {
@@ -56,8 +56,19 @@ impl Cells<'_> {
             gear_ratio: self.cell()?,
             viscous: self.positive()?,
             coulomb: self.positive()?,
+            spring: self.spring()?,
             limits: None,
             locked: None,
+        })
+    }
+
+    fn spring(&mut self) -> Result<Option<Spring>> {
+        Ok(match self.bytes.int_in_range(0..=3)? {
+            0 => Some(Spring {
+                stiffness: self.positive()?,
+                rest: self.cell()?,
+            }),
+            _ => None,
         })
     }
 

@@ -69,17 +69,17 @@ impl<const N: usize> Exact<'_, N> {
         self.torques(q, &SVector::zeros(), &SVector::zeros(), &self.gravity())
     }
 
-    /// M qdd + V + G + F.
+    /// M qdd + V + G + K + F.
     pub fn inverse_dynamics(
         &self,
         q: &SVector<DoubleDouble, N>,
         qd: &SVector<DoubleDouble, N>,
         qdd: &SVector<DoubleDouble, N>,
     ) -> SVector<DoubleDouble, N> {
-        self.torques(q, qd, qdd, &self.gravity()) + self.friction(qd)
+        self.torques(q, qd, qdd, &self.gravity()) + self.springs(q) + self.friction(qd)
     }
 
-    /// qdd of `M qdd + V + G + F = tau`.
+    /// qdd of `M qdd + V + G + K + F = tau`.
     pub fn forward_dynamics(
         &self,
         q: &SVector<DoubleDouble, N>,
@@ -92,6 +92,14 @@ impl<const N: usize> Exact<'_, N> {
 
     fn gravity(&self) -> Vector {
         Vector::from(self.0.gravity.map(number))
+    }
+
+    /// K(q).
+    pub fn springs(&self, q: &SVector<DoubleDouble, N>) -> SVector<DoubleDouble, N> {
+        SVector::from_fn(|i, _| {
+            let spring = self.0.rows[i].spring;
+            number(spring.stiffness) * (q[i] - number(spring.rest))
+        })
     }
 
     fn friction(&self, qd: &SVector<DoubleDouble, N>) -> SVector<DoubleDouble, N> {

@@ -62,6 +62,11 @@ fn row(row: &Row, fields: &[&Ident], path: &TokenStream) -> TokenStream {
     let [motor_inertia, gear_ratio] =
         [&row.motor_inertia, &row.gear_ratio].map(|value| number(value, fields));
     let [viscous, coulomb] = [&row.viscous, &row.coulomb].map(|value| number(value, fields));
+    let spring = row.spring.as_ref().map(|spring| {
+        let [stiffness, rest] =
+            [&spring.stiffness, &spring.rest].map(|value| number(value, fields));
+        quote!(spring: #path::Spring { stiffness: #stiffness, rest: #rest },)
+    });
     let limits = match &row.limits {
         Some(limits) => {
             let limits = limits.iter().map(|value| number(value, fields));
@@ -82,6 +87,7 @@ fn row(row: &Row, fields: &[&Ident], path: &TokenStream) -> TokenStream {
             gear_ratio: #gear_ratio,
             viscous: #viscous,
             coulomb: #coulomb,
+            #spring
             limits: #limits,
             ..#path::Row::new(#joint_type)
         }

@@ -125,6 +125,10 @@ pub(crate) fn friction() -> Expected {
     expected("`{ viscous: ..., coulomb: ... }`")
 }
 
+pub(crate) fn spring() -> Expected {
+    expected("`{ stiffness: ..., rest: ... }`")
+}
+
 pub(crate) fn allowances() -> Expected {
     expected("`[unphysical_inertia]`")
 }

@@ -94,6 +94,13 @@ pub(crate) fn gear_ratio_missing() -> Mistake {
     )
 }
 
+pub(crate) fn stiffness_missing() -> Mistake {
+    Mistake::new(
+        "missing `stiffness`, the spring's torque or force for each rad or m: \
+         write `spring: { stiffness: 200 }`, for example",
+    )
+}
+
 pub(crate) fn limits_swapped() -> Mistake {
     Mistake::new("the lower limit comes first, and is below the upper one: `[lower, upper]`")
 }

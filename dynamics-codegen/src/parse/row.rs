@@ -11,19 +11,21 @@ use super::inertia::{ENTRIES, inertia};
 use super::list::{Key, colon, comma_separated, fill, key};
 use super::unknown::{Wrong, unknown};
 use super::vector::{limits, vector};
-use crate::description::{Allow, Friction, Joints, Motor, Name, Row};
+use crate::description::{Allow, Friction, Joints, Motor, Name, Row, Spring};
 use crate::diagnose::Reported;
 use crate::mistake::expected::Expected;
 use crate::mistake::{self, expected};
 use crate::place::Place;
 
 /// The cells of a row.
-const CELLS: [&str; 11] = [
-    "a", "alpha", "d", "theta", "mass", "com", "inertia", "motor", "friction", "limits", "allow",
+const CELLS: [&str; 12] = [
+    "a", "alpha", "d", "theta", "mass", "com", "inertia", "motor", "friction", "spring", "limits",
+    "allow",
 ];
 
 const MOTOR: [&str; 2] = ["inertia", "gear_ratio"];
 const FRICTION: [&str; 2] = ["viscous", "coulomb"];
+const SPRING: [&str; 2] = ["stiffness", "rest"];
 const JOINT_TYPES: [&str; 2] = ["revolute", "prismatic"];
 
 /// Reads the rows. One that holds an error is returned all the same: it counts, unless
@@ -149,6 +151,7 @@ fn cell(cursor: &mut Cursor, key: Key, row: &mut Row) -> Result<(), Reported> {
         "inertia" => fill(cursor, &mut row.inertia, key, inertia),
         "motor" => fill(cursor, &mut row.motor, key, motor),
         "friction" => fill(cursor, &mut row.friction, key, friction),
+        "spring" => fill(cursor, &mut row.spring, key, spring),
         "limits" => fill(cursor, &mut row.limits, key, limits),
         _ => fill(cursor, &mut row.allow, key, allow),
     }
@@ -159,6 +162,7 @@ fn unknown_cell(word: &str) -> Wrong {
     let home = [
         ("motor", MOTOR.as_slice()),
         ("friction", FRICTION.as_slice()),
+        ("spring", SPRING.as_slice()),
         ("inertia", ENTRIES.as_slice()),
     ];
     match home.iter().find(|(_, words)| words.contains(&word)) {
@@ -210,6 +214,30 @@ fn friction(cursor: &mut Cursor) -> Result<Friction, Reported> {
         Ok(what)
     });
     Ok(friction)
+}
+
+fn spring(cursor: &mut Cursor) -> Result<Spring, Reported> {
+    let group = braces(cursor, expected::spring())?;
+    let mut spring = Spring {
+        place: group.span().into(),
+        stiffness: Default::default(),
+        rest: Default::default(),
+    };
+    let outcome = comma_separated(&mut cursor.inside(&group), Cursor::at_key, |cursor| {
+        let unknown = |word: &str| unknown("spring entry", word, &SPRING);
+        let key = key(cursor, "spring entry", &SPRING, unknown)?;
+        let what = format!("`{}`", key.ident);
+        let slot = match key.name {
+            "stiffness" => &mut spring.stiffness,
+            _ => &mut spring.rest,
+        };
+        fill(cursor, slot, key, expression)?;
+        Ok(what)
+    });
+    if outcome.is_err() {
+        spring.stiffness.doubt();
+    }
+    Ok(spring)
 }
 
 fn braces<'t>(cursor: &mut Cursor<'t>, what: Expected) -> Result<Group<'t>, Reported> {

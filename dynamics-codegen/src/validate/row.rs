@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use dynamics_symbolic::exact::Rational;
-use dynamics_symbolic::robot::{JointType, Row, Value};
+use dynamics_symbolic::robot::{JointType, Row, Spring, Value};
 
 use super::scope::Scope;
 use super::{all, inertia, limits};
@@ -40,6 +40,7 @@ fn row(row: &description::Row, scope: &mut Scope) -> Option<Row> {
     let inertia = inertia::inertia(row, mass.as_ref(), scope);
     let (motor_inertia, gear_ratio) = motor(&row.motor, scope);
     let (viscous, coulomb) = friction(&row.friction, scope);
+    let spring = spring(&row.spring, scope);
     let limits = limits::limits(row, scope);
     Some(Row {
         name: row.name.as_ref()?.plain().to_owned(),
@@ -55,6 +56,7 @@ fn row(row: &description::Row, scope: &mut Scope) -> Option<Row> {
         gear_ratio: gear_ratio?,
         viscous: viscous?,
         coulomb: coulomb?,
+        spring: spring?,
         limits: limits?,
         locked: None,
     })
@@ -115,6 +117,24 @@ fn friction(cell: &Given<Friction>, scope: &mut Scope) -> (Option<Value>, Option
             not_negative(&friction.coulomb, "a friction torque or force", scope),
         ),
     }
+}
+
+/// Outer `None`: in error; inner `None`: no spring.
+fn spring(cell: &Given<description::Spring>, scope: &mut Scope) -> Option<Option<Spring>> {
+    let spring = match cell {
+        Given::Absent => return Some(None),
+        Given::Unreadable => return None,
+        Given::As(spring) => spring,
+    };
+    if spring.stiffness.is_absent() {
+        scope.error(spring.place, mistake::stiffness_missing());
+    }
+    let stiffness = not_negative(&spring.stiffness, "a spring's stiffness", scope);
+    let rest = scope.given(&spring.rest);
+    Some(Some(Spring {
+        stiffness: stiffness?,
+        rest: rest?,
+    }))
 }
 
 /// The motor's inertia and its gear ratio.

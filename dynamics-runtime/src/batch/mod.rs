@@ -127,7 +127,7 @@ pub trait Batch {
         Ok(())
     }
 
-    /// Inverse dynamics tau = M qdd + V + G + F at every state, N m or N.
+    /// Inverse dynamics tau = M qdd + V + G + K + F at every state, N m or N.
     ///
     /// `q` in rad or m, `qd` per second, `qdd` per second squared.
     ///
@@ -148,7 +148,7 @@ pub trait Batch {
         Ok(())
     }
 
-    /// Forward dynamics qdd with M qdd + V + G + F = tau at every state, rad/s^2 or m/s^2.
+    /// Forward dynamics qdd with M qdd + V + G + K + F = tau at every state, rad/s^2 or m/s^2.
     ///
     /// `q` in rad or m, `qd` per second, `tau` in N m or N.
     ///

@@ -23,6 +23,7 @@ pub(super) fn deviations<const N: usize>(
         coriolis_vector,
         gravity_vector,
         friction_vector,
+        spring_vector,
         inverse_dynamics,
         forward_dynamics,
         kinetic_energy,
@@ -67,6 +68,10 @@ pub(super) fn deviations<const N: usize>(
         friction_vector.map(|f| {
             let difference = f - numeric.friction_vector(qd);
             vector("friction_vector", &difference, scale.friction_vector)
+        }),
+        spring_vector.map(|k| {
+            let difference = k - numeric.spring_vector(q);
+            vector("spring_vector", &difference, scale.spring_vector)
         }),
         inverse_dynamics.map(|t| vector("inverse_dynamics", &(t - tau), scale.inverse_dynamics)),
         forward_dynamics.map(|qdd| accelerations("forward_dynamics", qdd)),
@@ -120,7 +125,8 @@ pub(super) fn deviations<const N: usize>(
             Deviation::worst("jacobian", entries)
         }),
         regressor_forces.map(|forces| {
-            let difference = forces + numeric.friction_vector(qd) - tau;
+            let others = numeric.spring_vector(q) + numeric.friction_vector(qd);
+            let difference = forces + others - tau;
             vector("regressor_form", &difference, scale.inverse_dynamics)
         }),
         inverse_dynamics_derivatives.map(|derivatives| {

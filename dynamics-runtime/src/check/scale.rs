@@ -22,15 +22,18 @@ pub(super) struct Scale {
     pub(super) gravity_vector: f64,
     /// max of |viscous qd| + |coulomb|.
     pub(super) friction_vector: f64,
-    /// max|M| max|qdd| and the scales of V, G and F.
+    /// max of stiffness (|q| + |rest|).
+    pub(super) spring_vector: f64,
+    /// max|M| max|qdd| and the scales of V, G, K and F.
     pub(super) inverse_dynamics: f64,
-    /// The scales of V, G and F.
+    /// The scales of V, G, K and F.
     pub(super) bias_force: f64,
-    /// The scales of M qdd, V and G: tau without friction, whose derivative by an angle is as large.
+    /// The scales of M qdd, V and G, whose derivatives by an angle are as large, and the largest
+    /// stiffness.
     pub(super) force_by_position: f64,
     /// Twice the scale of C, and the largest viscous friction.
     pub(super) force_by_velocity: f64,
-    /// Weight times distance.
+    /// Weight times distance, and the energy in all springs.
     pub(super) potential_energy: f64,
     /// Distance from the base, m.
     pub(super) position: f64,
@@ -49,7 +52,8 @@ impl Scale {
         let coriolis_vector = mass * speed * speed;
         let gravity_vector = weight * lever_arm(table, position);
         let friction_vector = friction(table, &state.qd);
-        let bias_force = coriolis_vector + gravity_vector + friction_vector;
+        let springs = Springs::new(table, &state.q);
+        let bias_force = coriolis_vector + gravity_vector + springs.force + friction_vector;
         Scale {
             mass_matrix: mass,
             coefficients: mass,
@@ -57,13 +61,45 @@ impl Scale {
             coriolis_matrix: mass * speed,
             gravity_vector,
             friction_vector,
+            spring_vector: springs.force,
             inverse_dynamics: mass * state.qdd.amax() + bias_force,
             bias_force,
-            force_by_position: mass * state.qdd.amax() + coriolis_vector + gravity_vector,
+            force_by_position: mass * state.qdd.amax()
+                + coriolis_vector
+                + gravity_vector
+                + springs.stiffness,
             force_by_velocity: 2.0 * mass * speed + viscous(table),
-            potential_energy: weight * position,
+            potential_energy: weight * position + springs.energy,
             position,
         }
+    }
+}
+
+/// Magnitudes of the springs at a state: the largest stiffness, the largest force and the whole energy
+/// that there could be where nothing of q - rest cancels.
+struct Springs {
+    stiffness: f64,
+    force: f64,
+    energy: f64,
+}
+
+impl Springs {
+    fn new<const N: usize>(table: &Table<N>, q: &SVector<f64, N>) -> Self {
+        let none = Springs {
+            stiffness: 0.0,
+            force: 0.0,
+            energy: 0.0,
+        };
+        let joints = table.rows.iter().zip(q.iter());
+        joints.fold(none, |sum, (row, q)| {
+            let stiffness = row.spring.stiffness.abs();
+            let stretch = q.abs() + row.spring.rest.abs();
+            Springs {
+                stiffness: sum.stiffness.max(stiffness),
+                force: sum.force.max(stiffness * stretch),
+                energy: sum.energy + 0.5 * stiffness * stretch * stretch,
+            }
+        })
     }
 }
 
@@ -111,7 +147,7 @@ mod tests {
     use nalgebra::{Matrix2, Vector2};
 
     use super::Scale;
-    use crate::{Convention, JointType, Row, State, Table};
+    use crate::{Convention, JointType, Row, Spring, State, Table};
 
     #[test]
     fn scales_of_a_small_arm() {
@@ -120,6 +156,10 @@ mod tests {
             mass: 2.0,
             com: [0.0, 0.0, -0.5],
             viscous: 3.0,
+            spring: Spring {
+                stiffness: 7.0,
+                rest: -1.0,
+            },
             ..Row::new(JointType::Prismatic)
         };
         let turn = Row {
@@ -144,8 +184,10 @@ mod tests {
         assert_eq!(scale.coriolis_matrix, 8.0);
         assert_eq!(scale.gravity_vector, 20.0 * 2.75);
         assert_eq!(scale.friction_vector, 6.0);
-        assert_eq!(scale.inverse_dynamics, 20.0 + 16.0 + 55.0 + 6.0);
-        assert_eq!(scale.force_by_position, 20.0 + 16.0 + 55.0);
+        assert_eq!(scale.spring_vector, 28.0);
+        assert_eq!(scale.inverse_dynamics, 20.0 + 16.0 + 55.0 + 28.0 + 6.0);
+        assert_eq!(scale.force_by_position, 20.0 + 16.0 + 55.0 + 7.0);
+        assert_eq!(scale.potential_energy, 20.0 * 2.75 + 56.0);
         assert_eq!(scale.force_by_velocity, 16.0 + 3.0);
     }
 }

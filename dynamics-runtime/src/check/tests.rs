@@ -86,7 +86,7 @@ fn taylor_series(state: &State<2>) -> TaylorCoefficients<f64, 2> {
 type Damage = (&'static str, fn(&State<2>, &mut Evaluation<2>));
 
 /// One for each function.
-const DAMAGES: [Damage; 21] = [
+const DAMAGES: [Damage; 22] = [
     ("mass_matrix", |_, e| {
         e.mass_matrix.as_mut().unwrap()[(1, 0)] *= WRONG;
     }),
@@ -99,6 +99,10 @@ const DAMAGES: [Damage; 21] = [
     // The arm has no friction: anything but zero is wrong.
     ("friction_vector", |_, e| {
         e.friction_vector = Some(Vector2::new(1e-300, 0.0));
+    }),
+    // Nor has it springs.
+    ("spring_vector", |_, e| {
+        e.spring_vector = Some(Vector2::new(0.0, 1e-300));
     }),
     ("inverse_dynamics", |_, e| {
         e.inverse_dynamics.as_mut().unwrap()[1] *= WRONG;
@@ -191,7 +195,8 @@ fn kinematics_and_matrix_forms_pass() {
         e.link_poses = Some(numeric().link_poses(q));
         e.jacobian = Some(numeric().jacobian(q));
         e.friction_vector = Some(numeric().friction_vector(qd));
-        // Without friction.
+        e.spring_vector = Some(numeric().spring_vector(q));
+        // Without springs and friction.
         e.regressor_forces = Some(numeric().inverse_dynamics(q, qd, &state.qdd));
         e.inverse_dynamics_derivatives = Some(force_derivatives(state));
         e.forward_dynamics_derivatives = Some(Ok(acceleration_derivatives(state)));

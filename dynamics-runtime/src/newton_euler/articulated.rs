@@ -126,7 +126,7 @@ impl Articulated {
 }
 
 impl<const N: usize> NewtonEuler<N> {
-    /// Joint accelerations qdd of `M qdd + V + G + F = tau`, by articulated bodies: the time grows
+    /// Joint accelerations qdd of `M qdd + V + G + K + F = tau`, by articulated bodies: the time grows
     /// with the number of joints, and not with its cube. `tau` in N m or N.
     ///
     /// # Errors
@@ -141,7 +141,7 @@ impl<const N: usize> NewtonEuler<N> {
     ) -> Result<SVector<f64, N>, SingularMassMatrix> {
         let joints = self.joints(q);
         let (added, needed) = self.velocity_terms(&joints, qd);
-        let available = tau - self.friction_vector(qd);
+        let available = tau - self.joint_forces(q, qd);
         let passes = self.inward_pass(&joints, &added, needed, &available)?;
 
         let mut qdd = SVector::zeros();

@@ -1,6 +1,6 @@
 //! Derivatives of the joint torques, by differences that are no approximation.
 //!
-//! tau is a trigonometric polynomial of degree two in each joint angle, for it is linear in products
+//! tau without springs and friction is a trigonometric polynomial of degree two in each joint angle, for it is linear in products
 //! of two entries of the link's transform, and a polynomial of degree two in each displacement and
 //! each velocity. Differences over distances that may be large give the derivatives of such
 //! functions exactly, with roundings as small as those of tau itself.
@@ -24,7 +24,8 @@ const QUARTER: SinCos = SinCos { sin: 1.0, cos: 0.0 };
 impl<const N: usize> NewtonEuler<N> {
     /// d tau/dq and d tau/dqd of the inverse dynamics; row i belongs to tau_i, column j to joint j.
     ///
-    /// Viscous friction is on the diagonal of d tau/dqd. Coulomb friction is taken as constant.
+    /// The stiffness of springs is on the diagonal of d tau/dq, viscous friction on that of d tau/dqd.
+    /// Coulomb friction is taken as constant.
     pub fn inverse_dynamics_derivatives(
         &self,
         q: &SVector<f64, N>,
@@ -56,6 +57,7 @@ impl<const N: usize> NewtonEuler<N> {
         // C = 1/2 dV/dqd, for the symbols of Christoffel.
         let mut by_velocity = self.coriolis_matrix(q, qd) * 2.0;
         for (i, link) in self.links.iter().enumerate() {
+            by_position[(i, i)] += link.spring.stiffness;
             by_velocity[(i, i)] += link.viscous;
         }
         (by_position, by_velocity)

@@ -32,13 +32,15 @@ impl<const N: usize> NewtonEuler<N> {
         0.5 * energy
     }
 
-    /// Potential energy U = -sum m g.c, zero where all centres of mass are at the base's origin.
+    /// Potential energy U = -sum m g.c + sum 1/2 stiffness (q - rest)^2: of gravity, zero where all
+    /// centres of mass are at the base's origin, and of springs.
     pub fn potential_energy(&self, q: &SVector<f64, N>) -> f64 {
         let poses = self.poses_in_base(q);
-        let height = |i: usize| {
-            let centre = poses[i].rotation * self.links[i].com + poses[i].position;
-            -self.gravity.dot(&centre)
+        let energy = |i: usize| {
+            let link = &self.links[i];
+            let centre = poses[i].rotation * link.com + poses[i].position;
+            link.spring.energy(q[i]) - link.mass * self.gravity.dot(&centre)
         };
-        (0..N).map(|i| self.links[i].mass * height(i)).sum()
+        (0..N).map(energy).sum()
     }
 }

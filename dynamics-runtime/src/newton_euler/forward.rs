@@ -1,4 +1,4 @@
-//! Forward dynamics: M by composite bodies, V + G + F by the recursion, and one factorisation.
+//! Forward dynamics: M by composite bodies, V + G + K + F by the recursion, and one factorisation.
 
 use nalgebra::SVector;
 
@@ -7,7 +7,7 @@ use crate::factorisation::solve;
 use crate::{Conditioning, SingularMassMatrix};
 
 impl<const N: usize> NewtonEuler<N> {
-    /// Joint accelerations qdd of `M qdd + V + G + F = tau`; `tau` in N m or N.
+    /// Joint accelerations qdd of `M qdd + V + G + K + F = tau`; `tau` in N m or N.
     ///
     /// # Errors
     ///
@@ -21,7 +21,7 @@ impl<const N: usize> NewtonEuler<N> {
     ) -> Result<SVector<f64, N>, SingularMassMatrix> {
         let joints = self.joints(q);
         let bias = self.recursion(&joints, qd, &SVector::zeros(), &self.gravity);
-        let available = tau - bias - self.friction_vector(qd);
+        let available = tau - bias - self.joint_forces(q, qd);
         solve(self.composite_bodies(&joints), &available)
     }
 

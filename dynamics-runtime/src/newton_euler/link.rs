@@ -6,7 +6,7 @@ use super::angle::SinCos;
 use super::inertia::{Inertia, tensor};
 use super::joint::Joint;
 use super::pose::Pose;
-use crate::{JointType, Placement, Row};
+use crate::{JointType, Placement, Row, Spring};
 
 /// A joint and the link that it moves, in Craig's frames: frame i has its z on the axis of joint i.
 #[derive(Clone, Debug)]
@@ -29,6 +29,7 @@ pub(super) struct Link {
     pub(super) reflected_inertia: f64,
     pub(super) viscous: f64,
     pub(super) coulomb: f64,
+    pub(super) spring: Spring,
     /// The link frame of the table in this frame.
     pub(super) table_frame: Pose,
     /// The tip in this frame, of the last link.
@@ -122,6 +123,7 @@ impl Link {
             reflected_inertia: row.reflected_inertia(),
             viscous: row.viscous,
             coulomb: row.coulomb,
+            spring: row.spring,
             table_frame,
             tip: table_frame.then(&(&row.tip).into()),
         }

@@ -13,8 +13,8 @@ impl<const N: usize> Table<N> {
     /// where its joint is locked, rad or m; `None` where it moves, which are N of them, or this
     /// panics.
     ///
-    /// The link of a locked joint becomes a part of the link before it, or of the base; motors and
-    /// friction of locked joints are left out. Link frames of the joints that move are those of the
+    /// The link of a locked joint becomes a part of the link before it, or of the base; motors,
+    /// friction and springs of locked joints are left out. Link frames of the joints that move are those of the
     /// table, the tip stays the frame of its last row.
     pub fn lock<const L: usize>(
         convention: Convention,

@@ -90,7 +90,7 @@ impl Wrench {
 }
 
 impl<const N: usize> NewtonEuler<N> {
-    /// Joint torques of a motion under a gravity of any strength, without friction.
+    /// Joint torques of a motion under a gravity of any strength, without springs and friction.
     #[inline(always)]
     pub(super) fn recursion(
         &self,

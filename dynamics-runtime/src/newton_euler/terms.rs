@@ -1,4 +1,4 @@
-//! The terms of `tau = M qdd + V + G + F`, each by its shortest recursion.
+//! The terms of `tau = M qdd + V + G + K + F`, each by its shortest recursion.
 
 use nalgebra::{SMatrix, SVector, Vector3};
 
@@ -17,7 +17,7 @@ impl<const N: usize> NewtonEuler<N> {
         self.recursion(&self.joints(q), qd, &SVector::zeros(), &Vector3::zeros())
     }
 
-    /// Gravity torques G(q) = dU/dq: no velocity, no acceleration.
+    /// Gravity torques G(q): no velocity, no acceleration, no springs.
     pub fn gravity_vector(&self, q: &SVector<f64, N>) -> SVector<f64, N> {
         self.weights(&self.joints(q))
     }
@@ -30,17 +30,31 @@ impl<const N: usize> NewtonEuler<N> {
         })
     }
 
-    /// Torques of a motion, M qdd + V + G + F.
+    /// Spring torques K(q) = stiffness (q - rest).
+    pub fn spring_vector(&self, q: &SVector<f64, N>) -> SVector<f64, N> {
+        SVector::from_fn(|i, _| self.links[i].spring.force(q[i]))
+    }
+
+    /// K + F, what acts at the joints themselves.
+    pub(super) fn joint_forces(
+        &self,
+        q: &SVector<f64, N>,
+        qd: &SVector<f64, N>,
+    ) -> SVector<f64, N> {
+        self.spring_vector(q) + self.friction_vector(qd)
+    }
+
+    /// Torques of a motion, M qdd + V + G + K + F.
     pub fn inverse_dynamics(
         &self,
         q: &SVector<f64, N>,
         qd: &SVector<f64, N>,
         qdd: &SVector<f64, N>,
     ) -> SVector<f64, N> {
-        self.recursion(&self.joints(q), qd, qdd, &self.gravity) + self.friction_vector(qd)
+        self.recursion(&self.joints(q), qd, qdd, &self.gravity) + self.joint_forces(q, qd)
     }
 
-    /// Torques without acceleration, V + G + F.
+    /// Torques without acceleration, V + G + K + F.
     pub fn bias_force(&self, q: &SVector<f64, N>, qd: &SVector<f64, N>) -> SVector<f64, N> {
         self.inverse_dynamics(q, qd, &SVector::zeros())
     }

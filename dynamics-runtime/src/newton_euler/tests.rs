@@ -231,7 +231,8 @@ fn composite_bodies_agree_with_the_recursion() {
     for (arm, State { q, .. }) in general_cases() {
         let (m, rest) = (arm.mass_matrix(&q), SVector::zeros());
         let g = arm.inverse_dynamics(&q, &rest, &rest);
-        assert_near(arm.gravity_vector(&q), g, 1e-14 * g.amax());
+        let own = arm.spring_vector(&q);
+        assert_near(arm.gravity_vector(&q) + own, g, 1e-14 * g.amax());
         for j in 0..6 {
             let unit = SVector::from_fn(|i, _| f64::from(i == j));
             let column = arm.inverse_dynamics(&q, &rest, &unit) - g;
@@ -285,12 +286,13 @@ fn forward_dynamics_refuses_a_singular_mass_matrix() {
     }
 }
 
-/// tau = M qdd + V + G + F, and C qd = V.
+/// tau = M qdd + V + G + K + F, and C qd = V.
 #[test]
 fn terms_add_up() {
     for (arm, State { q, qd, qdd }) in general_cases() {
         let v = arm.coriolis_vector(&q, &qd);
-        let bias = v + arm.gravity_vector(&q) + arm.friction_vector(&qd);
+        let own = arm.spring_vector(&q) + arm.friction_vector(&qd);
+        let bias = v + arm.gravity_vector(&q) + own;
         let tau = arm.mass_matrix(&q) * qdd + bias;
         assert_near(arm.inverse_dynamics(&q, &qd, &qdd), tau, 1e-13 * tau.amax());
         assert_near(arm.bias_force(&q, &qd), bias, 1e-13 * tau.amax());
@@ -310,9 +312,9 @@ fn coriolis_matrix_is_that_of_the_christoffel_symbols() {
     }
 }
 
-/// G = dU/dq.
+/// G + K = dU/dq.
 #[test]
-fn gravity_vector_is_the_gradient_of_the_potential_energy() {
+fn gravity_and_springs_are_the_gradient_of_the_potential_energy() {
     let h = 1e-5;
     for (arm, State { q, .. }) in general_cases() {
         let gradient = SVector::from_fn(|i, _| {
@@ -321,7 +323,8 @@ fn gravity_vector_is_the_gradient_of_the_potential_energy() {
             let change = arm.potential_energy(&(q + step)) - arm.potential_energy(&(q - step));
             change / (2.0 * h)
         });
-        assert_near(arm.gravity_vector(&q), gradient, 1e-7);
+        let forces = arm.gravity_vector(&q) + arm.spring_vector(&q);
+        assert_near(forces, gradient, 1e-7);
     }
 }
 

@@ -12,11 +12,11 @@
 //! c = cos q       (k + 1) c_{k+1} = -(sin q  qd)_k
 //! ```
 //!
-//! The equations of motion are taken as they are, tau = M(q) qdd + V + G + F, not solved for qdd.
+//! The equations of motion are taken as they are, tau = M(q) qdd + V + G + K + F, not solved for qdd.
 //! Their coefficient of order k is linear in the unknown qdd_k, with the matrix M(q_0) whatever k:
 //!
 //! ```text
-//! M(q_0) qdd_k = tau_k - (M qdd + V + G + F)_k  with qdd_k = 0 on the right.
+//! M(q_0) qdd_k = tau_k - (M qdd + V + G + K + F)_k  with qdd_k = 0 on the right.
 //! ```
 //!
 //! So M is factored once for all orders, and no series is divided: the inverse dynamics of the

@@ -5,6 +5,7 @@ mod data;
 mod endings;
 mod methods;
 mod reference;
+mod springs;
 mod sticking;
 mod structure;
 mod trajectories;

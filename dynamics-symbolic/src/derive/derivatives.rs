@@ -31,7 +31,7 @@ use crate::spatial::{Acceleration, Body, Force, Joint, Motion, accelerations};
 
 type Matrix<R> = Vec<Vec<R>>;
 
-/// The derivatives of joint forces, without friction; row i belongs to tau_i.
+/// The derivatives of joint forces, row i those of tau_i: of M qdd + V + G as they are made here.
 pub(super) struct ForceDerivatives<R> {
     /// d tau/dq
     pub(super) by_position: Matrix<R>,

@@ -7,15 +7,15 @@ use super::joints::Joints;
 use super::solve::Factors;
 use super::symbols::Symbols;
 use super::{
-    articulated, base, christoffel, composite, derivatives, energy, kinematics, recursive,
-    regressor,
+    articulated, base, christoffel, composite, derivatives, energy, joint_forces, kinematics,
+    recursive, regressor,
 };
 use crate::exact::Rational;
 use crate::expr::Expr;
 pub use crate::function::Form;
 use crate::function::Function;
 use crate::linear::Vector3;
-use crate::robot::{Interpretation, Robot};
+use crate::robot::Robot;
 
 /// What a function puts out, in the order of its contract: matrices by rows.
 /// Forward dynamics and its derivatives: the values, the pivots, and M's diagonal.
@@ -56,19 +56,23 @@ fn of_rows<'g>(
         Function::MassMatrix => composite::mass_matrix(chain).concat(),
         Function::CoriolisVector => recursive::inverse_dynamics(chain, &qd, &still, weightless),
         Function::GravityVector => energy::gravity_vector(chain),
-        Function::FrictionVector => friction(symbols, robot),
+        Function::FrictionVector => joint_forces::friction(symbols, robot),
+        Function::SpringVector => joint_forces::springs(symbols, robot),
         // Series of the equations of motion as they are, not solved for the accelerations.
         Function::InverseDynamics | Function::TaylorSeries => {
             let forces = recursive::inverse_dynamics(chain, &qd, &qdd, chain.gravity);
-            sum(forces, &friction(symbols, robot))
+            sum(forces, &joint_forces::both(symbols, robot))
         }
         Function::BiasForce => {
             let forces = recursive::inverse_dynamics(chain, &qd, &still, chain.gravity);
-            sum(forces, &friction(symbols, robot))
+            sum(forces, &joint_forces::both(symbols, robot))
         }
         Function::ForwardDynamics => forward_dynamics(symbols, robot, chain, form),
         Function::KineticEnergy => vec![energy::kinetic_energy(graph, chain, &qd)],
-        Function::PotentialEnergy => vec![energy::potential_energy(chain)],
+        Function::PotentialEnergy => {
+            let of_springs = joint_forces::energy_of_springs(symbols, robot);
+            vec![energy::potential_energy(chain) + of_springs]
+        }
         Function::CoriolisMatrix => {
             // C = 1/2 dV/dqd: V is quadratic in qd, with the Christoffel symbols as coefficients.
             let forces = derivatives::recursion(chain, &qd, &still);
@@ -107,8 +111,8 @@ fn of_rows<'g>(
         }
         Function::Jacobian => kinematics::jacobian(symbols, robot),
         Function::InverseDynamicsDerivatives => {
-            let without_friction = derivatives::recursion(chain, &qd, &qdd);
-            with_friction(symbols, robot, without_friction)
+            let of_links = derivatives::recursion(chain, &qd, &qdd);
+            force_derivatives(symbols, robot, of_links)
         }
         Function::ForwardDynamicsDerivatives => {
             acceleration_derivatives(symbols, robot, chain, |factors, b| factors.solve(b))
@@ -152,8 +156,8 @@ fn articulated_dynamics<'g>(
     qd: &[Expr<'g>],
 ) -> Vec<Expr<'g>> {
     let applied = symbols.all(|joint| joint.tau).into_iter();
-    let friction = friction(symbols, robot);
-    let net: Vec<_> = applied.zip(friction).map(|(tau, f)| tau - f).collect();
+    let own = joint_forces::both(symbols, robot);
+    let net: Vec<_> = applied.zip(own).map(|(tau, f)| tau - f).collect();
     let (qdd, pivots) = articulated::forward_dynamics(chain, qd, &net);
     let matrix = composite::mass_matrix(chain);
     let diagonal = (0..matrix.len()).map(|i| matrix[i][i]).collect();
@@ -195,7 +199,7 @@ fn assembled<'g>(
         Function::BiasForce => {
             let motion = assembled(symbols, robot, chain, Function::CoriolisVector);
             let gravity = energy::gravity_vector(chain);
-            sum(sum(motion, &gravity), &friction(symbols, robot))
+            sum(sum(motion, &gravity), &joint_forces::both(symbols, robot))
         }
         Function::InverseDynamics | Function::TaylorSeries => {
             let qdd = symbols.all(|joint| joint.qdd);
@@ -214,8 +218,8 @@ fn assembled<'g>(
         }
         Function::InverseDynamicsDerivatives => {
             let qdd = symbols.all(|joint| joint.qdd);
-            let without_friction = derivatives::differentiated(symbols, chain, &qd, &qdd);
-            with_friction(symbols, robot, without_friction)
+            let of_links = derivatives::differentiated(symbols, chain, &qd, &qdd);
+            force_derivatives(symbols, robot, of_links)
         }
         Function::ForwardDynamicsDerivatives => {
             acceleration_derivatives(symbols, robot, chain, |factors, b| {
@@ -228,7 +232,7 @@ fn assembled<'g>(
     }
 }
 
-/// tau - V - G - F, for the joint of every row.
+/// tau - V - G - K - F, for the joint of every row.
 fn net_force<'g>(
     symbols: &mut Symbols<'g>,
     robot: &Robot,
@@ -245,20 +249,19 @@ fn pivots<'g>(factors: &Factors<'g>, matrix: &[Vec<Expr<'g>>]) -> Vec<Expr<'g>> 
     factors.pivots().iter().copied().chain(diagonal).collect()
 }
 
-/// d tau/dq and d tau/dqd with viscous friction. Coulomb friction is constant.
-fn with_friction<'g>(
+/// d tau/dq and d tau/dqd, from those of M qdd + V + G.
+fn force_derivatives<'g>(
     symbols: &mut Symbols<'g>,
     robot: &Robot,
-    derivatives: ForceDerivatives<Expr<'g>>,
+    mut derivatives: ForceDerivatives<Expr<'g>>,
 ) -> Vec<Expr<'g>> {
-    let mut by_velocity = derivatives.by_velocity;
-    for (i, row) in robot.rows.iter().enumerate() {
-        by_velocity[i][i] = by_velocity[i][i] + symbols.value(&row.viscous);
-    }
-    [derivatives.by_position, by_velocity].concat().concat()
+    joint_forces::add_slopes(symbols, robot, &mut derivatives);
+    [derivatives.by_position, derivatives.by_velocity]
+        .concat()
+        .concat()
 }
 
-/// Derivatives of M qdd + V + G + F = tau, which holds for every q, qd and tau:
+/// Derivatives of M qdd + V + G + K + F = tau, which holds for every q, qd and tau:
 /// M d qdd/dq = -d tau/dq and M d qdd/dqd = -d tau/dqd at that qdd, M d qdd/d tau = 1.
 /// `solve` solves M x = b.
 fn acceleration_derivatives<'g>(
@@ -274,8 +277,8 @@ fn acceleration_derivatives<'g>(
     let (factors, qdd) = Factors::new(symbols.graph(), matrix.clone(), net);
     let qd = symbols.all(|joint| joint.qd);
     let qdd = joints.rows(&qdd, chain.zero);
-    let without_friction = derivatives::recursion(chain, &qd, &qdd);
-    let forces = with_friction(symbols, robot, without_friction);
+    let of_links = derivatives::recursion(chain, &qd, &qdd);
+    let forces = force_derivatives(symbols, robot, of_links);
     let forces = joints.outputs(Function::InverseDynamicsDerivatives.shape(), forces);
     let mut values = forces.clone();
     for (b, x) in forces.chunks(n * n).zip(values.chunks_mut(n * n)) {
@@ -292,15 +295,6 @@ fn acceleration_derivatives<'g>(
         pivots(&factors, &matrix),
     ]
     .concat()
-}
-
-/// F_i = viscous_i qd_i + coulomb_i sign(qd_i)
-fn friction<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> Vec<Expr<'g>> {
-    let force = |(i, row): (usize, &crate::robot::Row)| {
-        let joint = *symbols.joint(i);
-        symbols.value(&row.viscous) * joint.qd + symbols.value(&row.coulomb) * joint.sign
-    };
-    robot.rows.iter().enumerate().map(force).collect()
 }
 
 fn dot<'g>(zero: Expr<'g>, a: &[Expr<'g>], b: &[Expr<'g>]) -> Expr<'g> {

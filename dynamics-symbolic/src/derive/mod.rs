@@ -11,6 +11,7 @@ mod derivatives;
 mod energy;
 pub mod functions;
 pub mod gauge;
+mod joint_forces;
 mod joints;
 mod kinematics;
 mod momentum;

@@ -4,7 +4,7 @@ use super::chain::Chain;
 use crate::linear::{Ring, Vector3};
 use crate::spatial::{Acceleration, Force, accelerations};
 
-/// Joint forces of a motion: M qdd + V (+ G where `gravity` is the chain's), without friction.
+/// Joint forces of a motion: M qdd + V (+ G where `gravity` is the chain's), without springs and friction.
 pub(super) fn inverse_dynamics<R: Ring>(
     chain: &Chain<R>,
     qd: &[R],

@@ -3,7 +3,7 @@
 //! T = sum 1/2 (m c'.c' + w.I w) + sum 1/2 r^2 J_m qd^2 and U = -sum m g.c in
 //! the world, M_ij = d2T/dqd_i dqd_j, V_i = sum c_ijk qd_j qd_k with the
 //! Christoffel symbols c_ijk = 1/2 (dM_ij/dq_k + dM_ik/dq_j - dM_jk/dq_i), and
-//! G_i = dU/dq_i. Long beyond three joints, and therefore no way to a program;
+//! G_i = dU/dq_i. Springs and friction act at the joints themselves, and are not in here. Long beyond three joints, and therefore no way to a program;
 //! the shorter derivations are compared with it.
 
 use super::kinematics::{Pose, frames, tip};

@@ -71,8 +71,8 @@ functions! {
         arguments: &[Position, Velocity],
         shape: VECTOR,
         refuses: false,
-        description: "Coriolis and centrifugal vector V(q, qd), N m or N: inverse dynamics without gravity, friction and \
-            acceleration.",
+        description: "Coriolis and centrifugal vector V(q, qd), N m or N: inverse dynamics without gravity, springs, \
+            friction and acceleration.",
         symbol: Some("V"),
         set: Set::Default,
         provided: Some("CoriolisVector"),
@@ -83,13 +83,14 @@ functions! {
         compared_with: None,
     },
 
-    /// G(q) = dU/dq.
+    /// G(q), the gradient of the potential energy of gravity.
     GravityVector: Row {
         name: "gravity_vector",
         arguments: &[Position],
         shape: VECTOR,
         refuses: false,
-        description: "Gravity vector G(q) = dU/dq, N m or N: inverse dynamics at rest.",
+        description: "Gravity vector G(q), N m or N: the gradient of the potential energy of gravity, inverse dynamics at \
+            rest without springs.",
         symbol: Some("G"),
         set: Set::Default,
         provided: Some("GravityVector"),
@@ -117,13 +118,32 @@ functions! {
         compared_with: None,
     },
 
-    /// tau = M qdd + V + G + F.
+    /// K(q), the forces of the springs.
+    SpringVector: Row {
+        name: "spring_vector",
+        arguments: &[Position],
+        shape: VECTOR,
+        refuses: false,
+        description: "Spring vector K(q) = stiffness (q - rest), N m or N: the gradient of the energy in the springs at the \
+            joints, zero where a joint has none.",
+        symbol: Some("K"),
+        set: Set::ByName,
+        provided: None,
+        second: None,
+        search: Search::None,
+        growth: Growth::Moderate,
+        reads_inertia: false,
+        compared_with: None,
+    },
+
+    /// tau = M qdd + V + G + K + F.
     InverseDynamics: Row {
         name: "inverse_dynamics",
         arguments: &[Position, Velocity, Acceleration],
         shape: VECTOR,
         refuses: false,
-        description: "Inverse dynamics tau = M(q) qdd + V(q, qd) + G(q) + F(qd), N m or N, as one program.",
+        description: "Inverse dynamics tau = M(q) qdd + V(q, qd) + G(q) + K(q) + F(qd), N m or N, as one program; K is of \
+            springs, F of friction.",
         symbol: Some("tau"),
         set: Set::Default,
         provided: Some("InverseDynamics"),
@@ -140,7 +160,8 @@ functions! {
         arguments: &[Position, Velocity, Force],
         shape: VECTOR,
         refuses: true,
-        description: "Forward dynamics: the accelerations qdd with M(q) qdd + V(q, qd) + G(q) + F(qd) = tau, rad/s^2 or m/s^2.",
+        description: "Forward dynamics: the accelerations qdd with M(q) qdd + V(q, qd) + G(q) + K(q) + F(qd) = tau, rad/s^2 \
+            or m/s^2; K is of springs, F of friction.",
         symbol: None,
         set: Set::Default,
         provided: Some("ForwardDynamics"),
@@ -168,13 +189,14 @@ functions! {
         compared_with: None,
     },
 
-    /// U(q), zero at the base origin.
+    /// U(q), of gravity, zero at the base origin, and of springs.
     PotentialEnergy: Row {
         name: "potential_energy",
         arguments: &[Position],
         shape: Shape::Number,
         refuses: false,
-        description: "Potential energy U(q) = -sum m g.c, zero at the origin of the base frame, J.",
+        description: "Potential energy U(q) = -sum m g.c, zero at the origin of the base frame, and that of springs, \
+            1/2 stiffness (q - rest)^2, J.",
         symbol: Some("U"),
         set: Set::Default,
         provided: None,
@@ -185,13 +207,14 @@ functions! {
         compared_with: None,
     },
 
-    /// V + G + F.
+    /// V + G + K + F.
     BiasForce: Row {
         name: "bias_force",
         arguments: &[Position, Velocity],
         shape: VECTOR,
         refuses: false,
-        description: "Bias force V(q, qd) + G(q) + F(qd), N m or N: inverse dynamics without acceleration.",
+        description: "Bias force V(q, qd) + G(q) + K(q) + F(qd), N m or N: inverse dynamics without acceleration; K is of \
+            springs, F of friction.",
         symbol: None,
         set: Set::ByName,
         provided: None,
@@ -315,8 +338,9 @@ functions! {
         shape: Shape::Tuple(&[SQUARE, SQUARE]),
         refuses: false,
         description: "Derivatives of the inverse dynamics, exact: (d tau/dq, d tau/dqd), each N x N, entry (i, j) the derivative of \
-            tau_i by joint j. d tau/dqdd is M(q). Viscous friction is on the diagonal of d tau/dqd; Coulomb friction \
-            counts as constant: its derivative is zero wherever it has one.",
+            tau_i by joint j. d tau/dqdd is M(q). The stiffness of springs is on the diagonal of d tau/dq, viscous \
+            friction on that of d tau/dqd; Coulomb friction counts as constant: its derivative is zero wherever it has \
+            one.",
         symbol: None,
         set: Set::ByName,
         provided: None,
@@ -347,14 +371,14 @@ functions! {
         compared_with: None,
     },
 
-    /// Y(q, qd, qdd), the coefficients of the base inertial parameters in tau - F.
+    /// Y(q, qd, qdd), the coefficients of the base inertial parameters in tau - K - F.
     Regressor: Row {
         name: "regressor",
         arguments: &[Position, Velocity, Acceleration],
         shape: Shape::Matrix(Joints, Parameters),
         refuses: false,
         description: "Regressor Y(q, qd, qdd), N x P, of the P base inertial parameters: \
-            Y * base_parameters = tau - F, the joint forces without friction.",
+            Y * base_parameters = tau - K - F, the joint forces without springs and friction.",
         symbol: None,
         set: Set::ByName,
         provided: None,
@@ -372,7 +396,7 @@ functions! {
         shape: Shape::Matrix(Parameters, One),
         refuses: false,
         description: "The P base inertial parameters: the smallest set by which the joint forces of every motion are \
-            determined, regressor * base_parameters = tau - F.",
+            determined, regressor * base_parameters = tau - K - F.",
         symbol: None,
         set: Set::ByName,
         provided: None,
@@ -390,7 +414,7 @@ functions! {
         shape: VECTOR,
         refuses: true,
         description: "Forward dynamics by articulated bodies (Featherstone), without M(q): the accelerations qdd with \
-            M(q) qdd + V(q, qd) + G(q) + F(qd) = tau, rad/s^2 or m/s^2. Longer than `forward_dynamics`, and accurate \
+            M(q) qdd + V(q, qd) + G(q) + K(q) + F(qd) = tau, rad/s^2 or m/s^2. Longer than `forward_dynamics`, and accurate \
             where M(q) is nearly singular: about as many digits are right as the data determine.",
         symbol: None,
         set: Set::ByName,

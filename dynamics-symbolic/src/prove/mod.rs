@@ -141,6 +141,7 @@ mod tests {
             gear_ratio: Value::integer(1),
             viscous: zero(),
             coulomb: zero(),
+            spring: None,
             limits: None,
             locked: None,
         };

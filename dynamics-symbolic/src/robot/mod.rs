@@ -9,6 +9,7 @@ mod angle;
 mod interpretation;
 mod parameter;
 mod placement;
+mod spring;
 mod symbol;
 mod value;
 
@@ -16,6 +17,7 @@ pub use angle::Angle;
 pub use interpretation::Interpretation;
 pub use parameter::Parameter;
 pub use placement::{Placement, Tool};
+pub use spring::Spring;
 pub use symbol::Symbol;
 pub use value::Value;
 
@@ -67,11 +69,13 @@ pub struct Row {
     pub viscous: Value,
     /// Coulomb friction at the joint, N m (or N).
     pub coulomb: Value,
+    /// The spring at the joint, where there is one.
+    pub spring: Option<Spring>,
     /// The range of the joint's position, lower end first, rad or m, where it is known.
     pub limits: Option<[Value; 2]>,
     /// The position at which the joint is locked, rad or m, where it is: then the joint is none of
-    /// the arm's degrees of freedom, its link is a part of the one before, and its motor and its
-    /// friction do nothing.
+    /// the arm's degrees of freedom, its link is a part of the one before, and its motor, its friction
+    /// and its spring do nothing.
     pub locked: Option<Value>,
 }
 

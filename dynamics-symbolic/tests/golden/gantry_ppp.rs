@@ -26,7 +26,7 @@ impl Arm {
     ) -> ::robot_dynamics::nalgebra::SMatrix<T, 3, 3> {
         <Self as ::robot_dynamics::MassMatrix<3>>::mass_matrix(self, q)
     }
-    /// Coriolis and centrifugal vector V(q, qd), N m or N: inverse dynamics without gravity, friction and acceleration.
+    /// Coriolis and centrifugal vector V(q, qd), N m or N: inverse dynamics without gravity, springs, friction and acceleration.
     ///
     /// `q`: joint positions, m; `qd`: joint velocities, m per s.
     ///
@@ -48,7 +48,7 @@ impl Arm {
     ) -> ::robot_dynamics::nalgebra::SVector<T, 3> {
         <Self as ::robot_dynamics::CoriolisVector<3>>::coriolis_vector(self, q, qd)
     }
-    /// Gravity vector G(q) = dU/dq, N m or N: inverse dynamics at rest.
+    /// Gravity vector G(q), N m or N: the gradient of the potential energy of gravity, inverse dynamics at rest without springs.
     ///
     /// `q`: joint positions, m.
     ///
@@ -102,7 +102,7 @@ impl Arm {
             ::robot_dynamics::nalgebra::ArrayStorage([[t_1, t_2, t_3]]),
         )
     }
-    /// Inverse dynamics tau = M(q) qdd + V(q, qd) + G(q) + F(qd), N m or N, as one program.
+    /// Inverse dynamics tau = M(q) qdd + V(q, qd) + G(q) + K(q) + F(qd), N m or N, as one program; K is of springs, F of friction.
     ///
     /// `q`: joint positions, m; `qd`: joint velocities, m per s; `qdd`: joint accelerations, m per s^2.
     ///
@@ -127,7 +127,7 @@ impl Arm {
             3,
         >>::inverse_dynamics(self, q, qd, qdd)
     }
-    /// Forward dynamics: the accelerations qdd with M(q) qdd + V(q, qd) + G(q) + F(qd) = tau, rad/s^2 or m/s^2.
+    /// Forward dynamics: the accelerations qdd with M(q) qdd + V(q, qd) + G(q) + K(q) + F(qd) = tau, rad/s^2 or m/s^2; K is of springs, F of friction.
     ///
     /// `q`: joint positions, m; `qd`: joint velocities, m per s; `tau`: joint forces and torques, N.
     ///
@@ -183,7 +183,7 @@ impl Arm {
         let t_6 = real(6.0) * t_5;
         t_6
     }
-    /// Potential energy U(q) = -sum m g.c, zero at the origin of the base frame, J.
+    /// Potential energy U(q) = -sum m g.c, zero at the origin of the base frame, and that of springs, 1/2 stiffness (q - rest)^2, J.
     ///
     /// `q`: joint positions, m.
     ///

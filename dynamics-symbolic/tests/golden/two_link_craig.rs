@@ -21,7 +21,7 @@ impl Arm {
     ) -> ::robot_dynamics::nalgebra::SMatrix<T, 2, 2> {
         <Self as ::robot_dynamics::MassMatrix<2>>::mass_matrix(self, q)
     }
-    /// Coriolis and centrifugal vector V(q, qd), N m or N: inverse dynamics without gravity, friction and acceleration.
+    /// Coriolis and centrifugal vector V(q, qd), N m or N: inverse dynamics without gravity, springs, friction and acceleration.
     ///
     /// `q`: joint positions, rad; `qd`: joint velocities, rad per s.
     ///
@@ -42,7 +42,7 @@ impl Arm {
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
         <Self as ::robot_dynamics::CoriolisVector<2>>::coriolis_vector(self, q, qd)
     }
-    /// Gravity vector G(q) = dU/dq, N m or N: inverse dynamics at rest.
+    /// Gravity vector G(q), N m or N: the gradient of the potential energy of gravity, inverse dynamics at rest without springs.
     ///
     /// `q`: joint positions, rad.
     ///
@@ -62,7 +62,7 @@ impl Arm {
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
         <Self as ::robot_dynamics::GravityVector<2>>::gravity_vector(self, q)
     }
-    /// Inverse dynamics tau = M(q) qdd + V(q, qd) + G(q) + F(qd), N m or N, as one program.
+    /// Inverse dynamics tau = M(q) qdd + V(q, qd) + G(q) + K(q) + F(qd), N m or N, as one program; K is of springs, F of friction.
     ///
     /// `q`: joint positions, rad; `qd`: joint velocities, rad per s; `qdd`: joint accelerations, rad per s^2.
     ///
@@ -81,7 +81,7 @@ impl Arm {
             2,
         >>::inverse_dynamics(self, q, qd, qdd)
     }
-    /// Forward dynamics: the accelerations qdd with M(q) qdd + V(q, qd) + G(q) + F(qd) = tau, rad/s^2 or m/s^2.
+    /// Forward dynamics: the accelerations qdd with M(q) qdd + V(q, qd) + G(q) + K(q) + F(qd) = tau, rad/s^2 or m/s^2; K is of springs, F of friction.
     ///
     /// `q`: joint positions, rad; `qd`: joint velocities, rad per s; `tau`: joint forces and torques, N m.
     ///
@@ -146,7 +146,7 @@ impl Arm {
         let t_11 = t_1.mul_add(t_5, real(0.5) * t_10);
         t_11
     }
-    /// Potential energy U(q) = -sum m g.c, zero at the origin of the base frame, J.
+    /// Potential energy U(q) = -sum m g.c, zero at the origin of the base frame, and that of springs, 1/2 stiffness (q - rest)^2, J.
     ///
     /// `q`: joint positions, rad.
     ///

@@ -21,7 +21,7 @@ impl Arm {
     ) -> ::robot_dynamics::nalgebra::SMatrix<T, 2, 2> {
         <Self as ::robot_dynamics::MassMatrix<2>>::mass_matrix(self, q)
     }
-    /// Coriolis and centrifugal vector V(q, qd), N m or N: inverse dynamics without gravity, friction and acceleration.
+    /// Coriolis and centrifugal vector V(q, qd), N m or N: inverse dynamics without gravity, springs, friction and acceleration.
     ///
     /// `q`: joint positions, rad; `qd`: joint velocities, rad per s.
     ///
@@ -42,7 +42,7 @@ impl Arm {
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
         <Self as ::robot_dynamics::CoriolisVector<2>>::coriolis_vector(self, q, qd)
     }
-    /// Gravity vector G(q) = dU/dq, N m or N: inverse dynamics at rest.
+    /// Gravity vector G(q), N m or N: the gradient of the potential energy of gravity, inverse dynamics at rest without springs.
     ///
     /// `q`: joint positions, rad.
     ///
@@ -85,7 +85,30 @@ impl Arm {
             ::robot_dynamics::nalgebra::ArrayStorage([[real(0.0), real(0.0)]]),
         )
     }
-    /// Inverse dynamics tau = M(q) qdd + V(q, qd) + G(q) + F(qd), N m or N, as one program.
+    /// Spring vector K(q) = stiffness (q - rest), N m or N: the gradient of the energy in the springs at the joints, zero where a joint has none.
+    ///
+    /// `q`: joint positions, rad.
+    ///
+    /// Operations: 0 multiplications, 0 additions.
+    ///
+    /// ```text
+    /// K1 = 0
+    /// K2 = 0
+    /// ```
+    ///
+    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
+    #[inline]
+    #[allow(unused_variables, clippy::all)]
+    pub fn spring_vector<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
+        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+        ::robot_dynamics::nalgebra::SMatrix::from_data(
+            ::robot_dynamics::nalgebra::ArrayStorage([[real(0.0), real(0.0)]]),
+        )
+    }
+    /// Inverse dynamics tau = M(q) qdd + V(q, qd) + G(q) + K(q) + F(qd), N m or N, as one program; K is of springs, F of friction.
     ///
     /// `q`: joint positions, rad; `qd`: joint velocities, rad per s; `qdd`: joint accelerations, rad per s^2.
     ///
@@ -109,7 +132,7 @@ impl Arm {
             2,
         >>::inverse_dynamics(self, q, qd, qdd)
     }
-    /// Forward dynamics: the accelerations qdd with M(q) qdd + V(q, qd) + G(q) + F(qd) = tau, rad/s^2 or m/s^2.
+    /// Forward dynamics: the accelerations qdd with M(q) qdd + V(q, qd) + G(q) + K(q) + F(qd) = tau, rad/s^2 or m/s^2; K is of springs, F of friction.
     ///
     /// `q`: joint positions, rad; `qd`: joint velocities, rad per s; `tau`: joint forces and torques, N m.
     ///
@@ -164,7 +187,7 @@ impl Arm {
         let t_5 = t_1.mul_add(t_2, real(4.0) * t_4);
         t_5
     }
-    /// Potential energy U(q) = -sum m g.c, zero at the origin of the base frame, J.
+    /// Potential energy U(q) = -sum m g.c, zero at the origin of the base frame, and that of springs, 1/2 stiffness (q - rest)^2, J.
     ///
     /// `q`: joint positions, rad.
     ///
@@ -191,7 +214,7 @@ impl Arm {
         let t_3 = real(4.905) * t_2;
         t_3
     }
-    /// Bias force V(q, qd) + G(q) + F(qd), N m or N: inverse dynamics without acceleration.
+    /// Bias force V(q, qd) + G(q) + K(q) + F(qd), N m or N: inverse dynamics without acceleration; K is of springs, F of friction.
     ///
     /// `q`: joint positions, rad; `qd`: joint velocities, rad per s.
     ///
@@ -413,7 +436,7 @@ impl Arm {
             ]),
         )
     }
-    /// Derivatives of the inverse dynamics, exact: (d tau/dq, d tau/dqd), each N x N, entry (i, j) the derivative of tau_i by joint j. d tau/dqdd is M(q). Viscous friction is on the diagonal of d tau/dqd; Coulomb friction counts as constant: its derivative is zero wherever it has one.
+    /// Derivatives of the inverse dynamics, exact: (d tau/dq, d tau/dqd), each N x N, entry (i, j) the derivative of tau_i by joint j. d tau/dqdd is M(q). The stiffness of springs is on the diagonal of d tau/dq, viscous friction on that of d tau/dqd; Coulomb friction counts as constant: its derivative is zero wherever it has one.
     ///
     /// `q`: joint positions, rad; `qd`: joint velocities, rad per s; `qdd`: joint accelerations, rad per s^2.
     ///
@@ -567,7 +590,7 @@ impl Arm {
             ),
         ))
     }
-    /// Regressor Y(q, qd, qdd), N x P, of the P base inertial parameters: Y * base_parameters = tau - F, the joint forces without friction.
+    /// Regressor Y(q, qd, qdd), N x P, of the P base inertial parameters: Y * base_parameters = tau - K - F, the joint forces without springs and friction.
     ///
     /// `q`: joint positions, rad; `qd`: joint velocities, rad per s; `qdd`: joint accelerations, rad per s^2.
     ///
@@ -629,7 +652,7 @@ impl Arm {
             ]),
         )
     }
-    /// The P base inertial parameters: the smallest set by which the joint forces of every motion are determined, regressor * base_parameters = tau - F.
+    /// The P base inertial parameters: the smallest set by which the joint forces of every motion are determined, regressor * base_parameters = tau - K - F.
     ///
     /// The base parameters:
     ///
@@ -666,7 +689,7 @@ impl Arm {
             ]),
         )
     }
-    /// Forward dynamics by articulated bodies (Featherstone), without M(q): the accelerations qdd with M(q) qdd + V(q, qd) + G(q) + F(qd) = tau, rad/s^2 or m/s^2. Longer than `forward_dynamics`, and accurate where M(q) is nearly singular: about as many digits are right as the data determine.
+    /// Forward dynamics by articulated bodies (Featherstone), without M(q): the accelerations qdd with M(q) qdd + V(q, qd) + G(q) + K(q) + F(qd) = tau, rad/s^2 or m/s^2. Longer than `forward_dynamics`, and accurate where M(q) is nearly singular: about as many digits are right as the data determine.
     ///
     /// `q`: joint positions, rad; `qd`: joint velocities, rad per s; `tau`: joint forces and torques, N m.
     ///

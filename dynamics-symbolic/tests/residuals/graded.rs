@@ -25,6 +25,7 @@ fn zero_row(name: &str, joint_type: JointType) -> Row {
         gear_ratio: Value::zero(),
         viscous: Value::zero(),
         coulomb: Value::zero(),
+        spring: None,
         limits: None,
         locked: None,
     }

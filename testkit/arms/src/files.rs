@@ -87,6 +87,7 @@ pub fn robot(name: &str) -> Robot {
             },
             viscous: cell(row, "viscous"),
             coulomb: cell(row, "coulomb"),
+            spring: None,
             limits: None,
             locked: None,
         });

@@ -37,6 +37,7 @@ fn row(k: i64) -> Row {
         gear_ratio: thousandths(0),
         viscous: thousandths(0),
         coulomb: thousandths(0),
+        spring: None,
         limits: None,
         locked: None,
     }

@@ -149,6 +149,7 @@ impl Arms {
             gear_ratio: Value::integer(self.below(3) as i64 * 20),
             viscous: self.positive(),
             coulomb: Value::zero(),
+            spring: None,
             limits: None,
             locked: None,
         }

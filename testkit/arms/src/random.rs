@@ -1,7 +1,7 @@
 //! Random tables: both conventions, mixed joints, symbolic cells anywhere.
 
 use dynamics_symbolic::exact::{Rational, SplitMix64};
-use dynamics_symbolic::robot::{Convention, JointType, Placement, Robot, Row, Tool, Value};
+use dynamics_symbolic::robot::{Convention, JointType, Placement, Robot, Row, Spring, Tool, Value};
 
 /// What the links are.
 #[derive(Clone, Copy, PartialEq)]
@@ -148,6 +148,7 @@ impl Tables {
             gear_ratio: self.cell(),
             viscous: self.cell(),
             coulomb: self.cell(),
+            spring: None,
             limits: None,
             locked: None,
         }
@@ -208,6 +209,22 @@ impl Tables {
             xyz: [(); 3].map(|()| self.cell()),
             rpy: [(); 3].map(|()| self.angle()),
         }
+    }
+
+    /// An arm with springs at some of its joints.
+    pub fn sprung_robot(&mut self) -> Robot {
+        let mut robot = self.robot();
+        self.fields = robot.fields.len();
+        for row in &mut robot.rows {
+            if self.below(3) > 0 {
+                row.spring = Some(Spring {
+                    stiffness: self.positive(),
+                    rest: self.cell(),
+                });
+            }
+        }
+        robot.fields = (0..self.fields).map(|i| format!("p{i}")).collect();
+        robot
     }
 
     /// The next arm, of one to four joints.

@@ -9,8 +9,8 @@ pub use rounded::{AllDigits, Inputs, Rounded, is_refused};
 
 use dynamics_runtime::nalgebra::{SMatrix, SVector};
 use dynamics_runtime::{
-    Convention, Evaluate, Evaluation, JointType, Model, Row, SingularMassMatrix, State, Table,
-    turned,
+    Convention, Evaluate, Evaluation, JointType, Model, Row, SingularMassMatrix, Spring, State,
+    Table, turned,
 };
 use dynamics_symbolic::Function;
 use dynamics_symbolic::program::{Program, rounded_angle};
@@ -71,6 +71,10 @@ impl<'a, const N: usize> Interpreted<'a, N> {
             gear_ratio: self.cell(&row.gear_ratio),
             viscous: self.cell(&row.viscous),
             coulomb: self.cell(&row.coulomb),
+            spring: row.spring.as_ref().map_or(Spring::NONE, |spring| Spring {
+                stiffness: self.cell(&spring.stiffness),
+                rest: self.cell(&spring.rest),
+            }),
             ..Row::new(joint_type)
         }
     }
@@ -153,6 +157,7 @@ fn record<const N: usize>(values: &mut Evaluation<N>, function: Function, mut ou
         Function::CoriolisVector => values.coriolis_vector = Some(outputs.matrix()),
         Function::GravityVector => values.gravity_vector = Some(outputs.matrix()),
         Function::FrictionVector => values.friction_vector = Some(outputs.matrix()),
+        Function::SpringVector => values.spring_vector = Some(outputs.matrix()),
         Function::InverseDynamics => values.inverse_dynamics = Some(outputs.matrix()),
         Function::ForwardDynamics => {
             let qdd = outputs.matrix::<N, 1>();

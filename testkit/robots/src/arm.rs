@@ -22,9 +22,11 @@ pub trait Arm<const N: usize, const P: usize>:
     fn gravity_vector<T: Scalar>(&self, q: &SVector<T, N>) -> SVector<T, N>;
     /// F(qd).
     fn friction_vector<T: Scalar>(&self, qd: &SVector<T, N>) -> SVector<T, N>;
-    /// V + G + F.
+    /// K(q).
+    fn spring_vector<T: Scalar>(&self, q: &SVector<T, N>) -> SVector<T, N>;
+    /// V + G + K + F.
     fn bias_force<T: Scalar>(&self, q: &SVector<T, N>, qd: &SVector<T, N>) -> SVector<T, N>;
-    /// M qdd + V + G + F.
+    /// M qdd + V + G + K + F.
     fn inverse_dynamics<T: Scalar>(
         &self,
         q: &SVector<T, N>,
@@ -81,6 +83,9 @@ macro_rules! arms {
             }
             fn friction_vector<T: Scalar>(&self, qd: &SVector<T, $n>) -> SVector<T, $n> {
                 $robot::friction_vector(self, qd)
+            }
+            fn spring_vector<T: Scalar>(&self, q: &SVector<T, $n>) -> SVector<T, $n> {
+                $robot::spring_vector(self, q)
             }
             fn bias_force<T: Scalar>(
                 &self,
@@ -143,3 +148,4 @@ macro_rules! arms {
 }
 for_each_robot!(arms);
 arms! { generic_mixed_n6_modified: GenericMixed6Modified, 6, 15; }
+arms! { sprung_arm: SprungArm, 3, 3; }

@@ -10,6 +10,7 @@ macro_rules! each_function {
             coriolis_vector [q, qd]
             gravity_vector [q]
             friction_vector [qd]
+            spring_vector [q]
             inverse_dynamics [q, qd, qdd]
             forward_dynamics [q, qd, tau]
             kinetic_energy [q, qd]

@@ -23,8 +23,8 @@ pub(super) fn kinetic_energy_is_that_of_the_mass_matrix<
     }
 }
 
-/// U = -sum m g.c, zero where all centres of mass are at the base's origin.
-pub(super) fn potential_energy_is_that_of_the_weights<
+/// U = -sum m g.c, zero where all centres of mass are at the base's origin, and the energy of springs.
+pub(super) fn potential_energy_is_that_of_weights_and_springs<
     const N: usize,
     const P: usize,
     R: Arm<N, P>,
@@ -36,18 +36,20 @@ pub(super) fn potential_energy_is_that_of_the_weights<
     for state in states() {
         let poses = robot.link_poses(&state.q);
         let links = table.rows.iter().zip(poses);
-        let energy = links.map(|(row, pose)| {
+        let energy = links.zip(state.q.iter()).map(|((row, pose), q)| {
             let com = pose * Vector3::from(row.com).push(1.0);
-            -row.mass * gravity.dot(&com.xyz())
+            let stretch = q - row.spring.rest;
+            0.5 * row.spring.stiffness * stretch * stretch - row.mass * gravity.dot(&com.xyz())
         });
         let difference = robot.potential_energy(&state.q) - energy.sum::<f64>();
-        let magnitude = Magnitude::at(robot, &state).gravity;
+        let magnitude = Magnitude::at(robot, &state);
+        let magnitude = magnitude.gravity + magnitude.energy_of_springs;
         assert_small(&Vector1::new(difference), magnitude, N);
     }
 }
 
-/// G = dU/dq.
-pub(super) fn gravity_vector_is_the_gradient_of_the_potential_energy<
+/// G + K = dU/dq.
+pub(super) fn gravity_and_springs_are_the_gradient_of_the_potential_energy<
     const N: usize,
     const P: usize,
     R: Arm<N, P>,
@@ -57,11 +59,12 @@ pub(super) fn gravity_vector_is_the_gradient_of_the_potential_energy<
     for state in states::<N>() {
         let slope = |k| robot.potential_energy(&along(&state.q, &unit(k))).eps;
         let gradient = SVector::<f64, N>::from_fn(|k, _| slope(k));
-        let difference = robot.gravity_vector(&state.q) - gradient;
+        let forces = robot.gravity_vector(&state.q) + robot.spring_vector(&state.q);
+        let difference = forces - gradient;
         let magnitude = Magnitude::at(robot, &state);
         // A prismatic joint feels the weight itself, whatever the reach.
         let weight = magnitude.gravity / magnitude.reach.min(1.0);
-        assert_small(&difference, weight, N);
+        assert_small(&difference, weight + magnitude.spring, N);
     }
 }
 

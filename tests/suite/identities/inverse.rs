@@ -5,7 +5,7 @@ use robots::Arm;
 
 use super::samples::{Magnitude, assert_small, states};
 
-/// tau = M qdd + V + G + F.
+/// tau = M qdd + V + G + K + F.
 pub(super) fn inverse_dynamics_is_the_sum_of_its_terms<
     const N: usize,
     const P: usize,
@@ -17,13 +17,14 @@ pub(super) fn inverse_dynamics_is_the_sum_of_its_terms<
         let sum = robot.mass_matrix(&state.q) * state.qdd
             + robot.coriolis_vector(&state.q, &state.qd)
             + robot.gravity_vector(&state.q)
+            + robot.spring_vector(&state.q)
             + robot.friction_vector(&state.qd);
         let torque = robot.inverse_dynamics(&state.q, &state.qd, &state.qdd);
         assert_small(&(torque - sum), Magnitude::at(robot, &state).torque, N);
     }
 }
 
-/// V + G + F = tau(q, qd, 0).
+/// V + G + K + F = tau(q, qd, 0).
 pub(super) fn bias_force_is_the_torque_without_acceleration<
     const N: usize,
     const P: usize,

@@ -17,6 +17,7 @@ mod non_finite;
 mod regressor;
 mod samples;
 mod single_precision;
+mod springs;
 
 use robots::*;
 
@@ -47,8 +48,8 @@ macro_rules! identities_of_all {
                     coriolis_vector_is_even_in_the_velocity,
                     coriolis_vector_is_quadratic_in_the_velocity;
                 energy: kinetic_energy_is_that_of_the_mass_matrix,
-                    potential_energy_is_that_of_the_weights,
-                    gravity_vector_is_the_gradient_of_the_potential_energy,
+                    potential_energy_is_that_of_weights_and_springs,
+                    gravity_and_springs_are_the_gradient_of_the_potential_energy,
                     power_of_the_torques_is_the_rate_of_the_energy;
                 inverse: inverse_dynamics_is_the_sum_of_its_terms,
                     bias_force_is_the_torque_without_acceleration;
@@ -56,6 +57,8 @@ macro_rules! identities_of_all {
                     inverse_dynamics_undoes_forward_dynamics;
                 momenta: forces_on_momenta_are_those_of_the_coriolis_matrix,
                     velocity_undoes_momentum;
+                springs: springs_are_those_of_the_table,
+                    nothing_pulls_at_rest;
                 friction: friction_is_that_of_the_table,
                     nothing_rubs_at_rest;
                 kinematics: link_poses_are_products_of_the_transforms_of_the_table,
@@ -66,7 +69,7 @@ macro_rules! identities_of_all {
                     force_derivatives_are_limits_of_differences,
                     acceleration_derivatives_are_those_of_dual_numbers,
                     acceleration_derivatives_satisfy_their_equations;
-                regressor: base_parameters_give_the_torque_without_friction,
+                regressor: base_parameters_give_the_torque_without_springs_and_friction,
                     columns_of_the_regressor_are_independent,
                     torques_of_any_inertia_are_combinations_of_the_columns;
                 newton_euler: every_function_agrees_with_recursive_newton_euler;
@@ -81,3 +84,4 @@ macro_rules! identities_of_all {
 }
 for_each_robot!(identities_of_all);
 identities_of_all! { generic_mixed_n6_modified: GenericMixed6Modified, 6, 15; }
+identities_of_all! { sprung_arm: SprungArm, 3, 3; }

@@ -5,7 +5,7 @@ use robots::Arm;
 
 use super::samples::{Magnitude, TOLERANCE, assert_small, states};
 
-/// p' = dT/dq - G - F + tau with dT/dq = C' qd, C of the Christoffel symbols.
+/// p' = dT/dq - G - K - F + tau with dT/dq = C' qd, C of the Christoffel symbols.
 pub(super) fn forces_on_momenta_are_those_of_the_coriolis_matrix<
     const N: usize,
     const P: usize,
@@ -17,7 +17,8 @@ pub(super) fn forces_on_momenta_are_those_of_the_coriolis_matrix<
     for state in states() {
         let (q, qd, tau) = (&state.q, &state.qd, &state.qdd);
         let kinetic = robot.coriolis_matrix(q, qd).transpose() * qd;
-        let expected = kinetic - robot.gravity_vector(q) - robot.friction_vector(qd) + tau;
+        let own = robot.spring_vector(q) + robot.friction_vector(qd);
+        let expected = kinetic - robot.gravity_vector(q) - own + tau;
         let magnitude = Magnitude::at(robot, &state).torque;
         assert_small(&(arm.force(q, qd, tau) - expected), magnitude, N);
     }

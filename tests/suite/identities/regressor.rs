@@ -1,14 +1,14 @@
 //! The regressor and the base inertial parameters.
 
 use robot_dynamics::nalgebra::{DMatrix, DVector, SVector};
-use robot_dynamics::{NewtonEuler, State, Table};
+use robot_dynamics::{NewtonEuler, Spring, State, Table};
 use robots::Arm;
 use testkit::random::Random;
 
 use super::samples::{Magnitude, assert_small, states};
 
-/// Y base_parameters + F = tau.
-pub(super) fn base_parameters_give_the_torque_without_friction<
+/// Y base_parameters + K + F = tau.
+pub(super) fn base_parameters_give_the_torque_without_springs_and_friction<
     const N: usize,
     const P: usize,
     R: Arm<N, P>,
@@ -17,7 +17,8 @@ pub(super) fn base_parameters_give_the_torque_without_friction<
 ) {
     for state in states() {
         let found = robot.evaluate(&state, &SVector::zeros());
-        let torque = found.regressor_forces.expect("asked for") + robot.friction_vector(&state.qd);
+        let own = robot.spring_vector(&state.q) + robot.friction_vector(&state.qd);
+        let torque = found.regressor_forces.expect("asked for") + own;
         let expected = robot.inverse_dynamics(&state.q, &state.qd, &state.qdd);
         assert_small(&(torque - expected), Magnitude::at(robot, &state).torque, N);
     }
@@ -79,7 +80,7 @@ pub(super) fn columns_of_the_regressor_are_independent<
     );
 }
 
-/// The same geometry with other links, friction left out.
+/// The same geometry with other links, springs and friction left out.
 fn with_other_links<const N: usize>(mut table: Table<N>, random: &mut Random) -> Table<N> {
     for row in &mut table.rows {
         row.mass = random.between(0.5, 5.0);
@@ -92,6 +93,7 @@ fn with_other_links<const N: usize>(mut table: Table<N>, random: &mut Random) ->
             row.motor_inertia = reflected / (row.gear_ratio * row.gear_ratio);
         }
         (row.viscous, row.coulomb) = (0.0, 0.0);
+        row.spring = Spring::NONE;
     }
     table
 }

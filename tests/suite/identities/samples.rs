@@ -2,7 +2,7 @@
 
 use num_dual::Dual64;
 use robot_dynamics::nalgebra::{Dim, Matrix, RawStorage, SVector};
-use robot_dynamics::{JointType, Row, State, Table};
+use robot_dynamics::{JointType, Row, Spring, State, Table};
 use robots::Arm;
 use testkit::random::Random;
 
@@ -38,10 +38,14 @@ pub(super) struct Magnitude {
     pub(super) coriolis: f64,
     /// sum m |g| reach
     pub(super) gravity: f64,
-    /// max |M| max |qdd|, with those of the Coriolis terms, gravity and friction.
+    /// max stiffness (|q| + |rest|)
+    pub(super) spring: f64,
+    /// The energy of all springs, were nothing of q - rest to cancel.
+    pub(super) energy_of_springs: f64,
+    /// max |M| max |qdd|, with those of the Coriolis terms, gravity, springs and friction.
     pub(super) torque: f64,
-    /// That of tau without friction, for its derivative by an angle; a weight's lever arm changes by
-    /// 1 with a displacement.
+    /// That of tau without friction and springs, for its derivative by an angle; a weight's lever arm
+    /// changes by 1 with a displacement. And the largest stiffness.
     pub(super) force_by_position: f64,
     /// 2 max |M| max |qd|, and the largest viscous friction.
     pub(super) force_by_velocity: f64,
@@ -62,6 +66,13 @@ impl Magnitude {
         let gravity = weight * reach;
         let coriolis = inertia * speed * speed;
         let friction = largest(&robot.friction_vector(&state.qd));
+        let springs = || table.rows.iter().map(|row| row.spring).zip(state.q.iter());
+        let stretch = |spring: Spring, q: &f64| q.abs() + spring.rest.abs();
+        let forces = springs().map(|(spring, q)| spring.stiffness * stretch(spring, q));
+        let spring = forces.fold(0.0, f64::max);
+        let energies =
+            springs().map(|(spring, q)| 0.5 * spring.stiffness * stretch(spring, q).powi(2));
+        let stiffness = springs().map(|(spring, _)| spring.stiffness);
         let viscous = table.rows.iter().map(|row| row.viscous);
         let inertial = inertia * largest(&state.qdd) + coriolis;
         Magnitude {
@@ -69,8 +80,10 @@ impl Magnitude {
             coriolis_matrix: inertia * speed,
             coriolis,
             gravity,
-            torque: inertial + gravity + friction,
-            force_by_position: inertial + weight * reach.max(1.0),
+            spring,
+            energy_of_springs: energies.sum(),
+            torque: inertial + gravity + spring + friction,
+            force_by_position: inertial + weight * reach.max(1.0) + stiffness.fold(0.0, f64::max),
             force_by_velocity: 2.0 * inertia * speed + viscous.fold(0.0, f64::max),
             reach,
         }

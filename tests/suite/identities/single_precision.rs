@@ -75,6 +75,11 @@ pub(super) fn single_precision_agrees_with_double_precision<
             robot.friction_vector(&qd),
             is.torque,
         );
+        near(
+            robot.spring_vector(&q32),
+            robot.spring_vector(&q),
+            is.spring,
+        );
         let torque = robot.inverse_dynamics(&q, &qd, &qdd);
         near(
             robot.inverse_dynamics(&q32, &qd32, &qdd32),

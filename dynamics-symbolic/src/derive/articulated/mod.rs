@@ -10,7 +10,7 @@
 //! pivots of M = U D U^T from the tip inwards: the elimination is the same, in other variables.
 //!
 //! Forces that do not depend on accelerations are left to the recursive equations of motion:
-//! what is accelerated here is an arm at rest without gravity, by tau - V - G - F. [`moving`] is the
+//! what is accelerated here is an arm at rest without gravity, by tau - V - G - K - F. [`moving`] is the
 //! algorithm as it was published, on which all forces act.
 //!
 //! The definitions of what depends on the pivots are held: see [`super::solve`].

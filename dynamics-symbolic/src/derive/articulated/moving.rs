@@ -3,7 +3,7 @@
 //! With c_i the acceleration that link i owes to velocities alone, b_i the wrench that its own
 //! velocity needs, and a_0 = -g,
 //!
-//!   p_i = b_i + sum of outer p',   u_i = tau_i - F_i - S.p_i,   p' = p_i + I' c_i + k u_i,
+//!   p_i = b_i + sum of outer p',   u_i = tau_i - K_i - F_i - S.p_i,   p' = p_i + I' c_i + k u_i,
 //!   a' = a_{i-1} + c_i,   qdd_i = u_i / D_i - k.a',   a_i = a' + S qdd_i.
 //!
 //! Accelerations are those of frames' origins, as everywhere here; b and c belong to that.
@@ -20,7 +20,7 @@ use crate::expr::Expr;
 use crate::linear::Vector3;
 use crate::spatial::{Acceleration, Force, Joint, Motion};
 
-/// Accelerations under the joint forces `net`, friction taken off, and the pivots of M = U D U^T, for
+/// Accelerations under the joint forces `net`, springs and friction taken off, and the pivots of M = U D U^T, for
 /// the joint of every row.
 pub(in crate::derive) fn forward_dynamics<'g>(
     chain: &Chain<Expr<'g>>,

@@ -83,7 +83,7 @@ impl Definition {
 
     /// d qdd/dq, d qdd/dqd, d qdd/d tau, pivots, and the diagonal of M.
     ///
-    /// M qdd + V + G + F = tau holds for every q, qd and tau: its derivatives are
+    /// M qdd + V + G + K + F = tau holds for every q, qd and tau: its derivatives are
     /// M d qdd/dq + d tau/dq = 0, M d qdd/dqd + d tau/dqd = 0, M d qdd/d tau = 1. Where M is
     /// identically singular there are none, as for the forward dynamics.
     pub(super) fn forward_dynamics_derivatives(&self, computed: &[Option<Number>]) -> Vector {

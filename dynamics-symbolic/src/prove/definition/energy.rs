@@ -58,8 +58,25 @@ impl Definition {
         energy
     }
 
-    /// U = -sum m g.c, of the bodies that can move.
+    /// U, of gravity and of springs.
     pub(super) fn potential_energy<R: Lift>(&self, q: &[Position<R>]) -> R {
+        self.energy_of_gravity(q) + self.energy_of_springs(q)
+    }
+
+    /// U_k = sum 1/2 stiffness (q - rest)^2, of the joints that move.
+    pub(super) fn energy_of_springs<R: Lift>(&self, q: &[Position<R>]) -> R {
+        let joints = self.joints().zip(q);
+        joints.fold(R::lift(Number::ZERO), |energy, ((_, row), q)| {
+            let Some((stiffness, rest)) = row.spring else {
+                return energy;
+            };
+            let stretch = q.value() - R::lift(rest);
+            energy + R::lift(self.half * stiffness) * stretch * stretch
+        })
+    }
+
+    /// U_g = -sum m g.c, of the bodies that can move.
+    pub(super) fn energy_of_gravity<R: Lift>(&self, q: &[Position<R>]) -> R {
         let gravity = Vector3(self.gravity.0.map(R::lift));
         let mut energy = R::lift(Number::ZERO);
         for (body, pose) in self.bodies(q).iter().skip(self.resting_bodies()) {

@@ -65,9 +65,15 @@ impl Definition {
         (0..self.dof()).map(component).collect()
     }
 
-    /// G = dU/dq
+    /// G = dU_g/dq
     pub(super) fn gravity_vector(&self) -> Vector {
-        let component = |i| self.potential_energy(&self.along(i)).derivative;
+        let component = |i| self.energy_of_gravity(&self.along(i)).derivative;
+        (0..self.dof()).map(component).collect()
+    }
+
+    /// K = dU_k/dq
+    pub(super) fn spring_vector(&self) -> Vector {
+        let component = |i| self.energy_of_springs(&self.along(i)).derivative;
         (0..self.dof()).map(component).collect()
     }
 
@@ -79,13 +85,18 @@ impl Definition {
             .collect()
     }
 
-    /// V + G + F
-    pub(super) fn bias_force(&self) -> Vector {
-        let conservative = sum(&self.coriolis_vector(), &self.gravity_vector());
-        sum(&conservative, &self.friction_vector())
+    /// K + F, what acts at the joints themselves.
+    pub(super) fn joint_forces(&self) -> Vector {
+        sum(&self.spring_vector(), &self.friction_vector())
     }
 
-    /// tau = M qdd + V + G + F
+    /// V + G + K + F
+    pub(super) fn bias_force(&self) -> Vector {
+        let of_links = sum(&self.coriolis_vector(), &self.gravity_vector());
+        sum(&of_links, &self.joint_forces())
+    }
+
+    /// tau = M qdd + V + G + K + F
     pub(super) fn inverse_dynamics(&self, qdd: &[Number]) -> Vector {
         let inertial = product(&self.mass_matrix(&self.q), qdd);
         sum(&inertial, &self.bias_force())

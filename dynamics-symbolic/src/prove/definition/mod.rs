@@ -2,10 +2,11 @@
 //!
 //!   A_i = Rz(theta) Tz(d) Tx(a) Rx(alpha)   or   Rx(alpha) Tx(a) Rz(theta) Tz(d)
 //!   base, tool: T(xyz) Rz(yaw) Ry(pitch) Rx(roll) before A_1 and behind A_n
-//!   T = sum 1/2 (m c'.c' + w.I w) + sum 1/2 r^2 J_m qd^2,   U = -sum m g.c
+//!   T = sum 1/2 (m c'.c' + w.I w) + sum 1/2 r^2 J_m qd^2
+//!   U = U_g + U_k,   U_g = -sum m g.c,   U_k = sum 1/2 stiffness (q - rest)^2
 //!   M_ij = d2T / dqd_i dqd_j
 //!   V_i = sum_jk c_ijk qd_j qd_k,  c_ijk = 1/2 (dM_ij/dq_k + dM_ik/dq_j - dM_jk/dq_i)
-//!   G_i = dU/dq_i
+//!   G_i = dU_g/dq_i,   K_i = dU_k/dq_i
 //!
 //! with q, qd of the joints that move; those that are locked have constants in their place.
 //!
@@ -96,7 +97,7 @@ impl Definition {
 
     /// What the outputs of a function must be, or `None` where the table has a
     /// number without faithful image in the field. Forward dynamics is judged by
-    /// the equation that its result must satisfy: where M qdd + V + G + F = tau
+    /// the equation that its result must satisfy: where M qdd + V + G + K + F = tau
     /// holds for the `computed` accelerations, they are what is expected.
     pub fn expected(&self, function: Function, computed: &[Option<Number>]) -> Option<Vector> {
         if self.unfaithful {
@@ -107,6 +108,7 @@ impl Definition {
             Function::CoriolisVector => self.coriolis_vector(),
             Function::GravityVector => self.gravity_vector(),
             Function::FrictionVector => self.friction_vector(),
+            Function::SpringVector => self.spring_vector(),
             Function::InverseDynamics | Function::TaylorSeries => self.inverse_dynamics(&self.qdd),
             Function::ForwardDynamics | Function::ForwardDynamicsAba => {
                 self.forward_dynamics(computed)

@@ -43,6 +43,11 @@ impl Position<Number> {
 }
 
 impl<R: Ring> Position<R> {
+    /// q itself.
+    pub(super) fn value(&self) -> R {
+        self.q
+    }
+
     /// The position with its derivative where q changes at the rate `rate`.
     pub(super) fn moving(self, rate: R) -> Position<Dual<R>> {
         Position {

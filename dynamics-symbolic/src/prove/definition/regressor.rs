@@ -91,7 +91,7 @@ impl Definition {
             };
             let regressor = self.standard_regressor(&state);
             let forces: Vector = regressor.iter().map(|row| dot(row, &parameters)).collect();
-            if k == 0 && forces != self.frictionless_forces() {
+            if k == 0 && forces != self.forces_of_links() {
                 return None;
             }
             let rows = regressor.into_iter().zip(forces);
@@ -112,10 +112,10 @@ impl Definition {
     }
 
     /// M qdd + V + G by the definition of inverse dynamics.
-    fn frictionless_forces(&self) -> Vector {
+    fn forces_of_links(&self) -> Vector {
         let forces = self.inverse_dynamics(&self.qdd);
-        let friction = self.friction_vector();
-        forces.iter().zip(&friction).map(|(&f, &r)| f - r).collect()
+        let others = self.joint_forces();
+        forces.iter().zip(&others).map(|(&f, &r)| f - r).collect()
     }
 
     fn state(&self) -> State {

@@ -19,6 +19,8 @@ pub(super) struct Row {
     pub(super) reflected: Number,
     pub(super) viscous: Number,
     pub(super) coulomb: Number,
+    /// Stiffness and rest of the spring, where the joint has one.
+    pub(super) spring: Option<(Number, Number)>,
     /// Where the joint is locked: sine, cosine and value of its position.
     pub(super) locked: Option<((Number, Number), Number)>,
 }
@@ -37,6 +39,10 @@ impl Row {
             reflected: ratio * ratio * point.value(&row.motor_inertia),
             viscous: point.value(&row.viscous),
             coulomb: point.value(&row.coulomb),
+            spring: row
+                .spring
+                .as_ref()
+                .map(|spring| (point.value(&spring.stiffness), point.value(&spring.rest))),
             locked: row
                 .locked
                 .as_ref()

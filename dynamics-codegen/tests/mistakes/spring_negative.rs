@@ -1,0 +1,10 @@
+robot_dynamics! {
+    pub struct Arm;
+    convention: standard,
+    gravity: [0, 0, -9.81],
+    joints: [
+        joint: revolute {
+            mass: 1, spring: { stiffness: -200, rest: -0.1 }
+        },
+    ],
+}
