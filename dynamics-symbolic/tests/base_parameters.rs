@@ -1,10 +1,11 @@
 //! Base inertial parameters: how many there are, and that the programs hold for any inertia.
 
-use dynamics_symbolic::derive::base::{Coefficient, Grouping, columns};
+use dynamics_symbolic::derive::base::columns;
 use dynamics_symbolic::derive::derive;
 use dynamics_symbolic::exact::Rational;
 use dynamics_symbolic::program::{Instruction, Program};
 use dynamics_symbolic::prove::prove;
+use dynamics_symbolic::robot::{Coefficient, Grouping};
 use dynamics_symbolic::robot::{Convention, JointType, Parameter, Robot, Row, Value};
 use dynamics_symbolic::{Function, expand};
 use std::collections::HashMap;

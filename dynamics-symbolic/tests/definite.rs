@@ -153,7 +153,7 @@ fn attacked(robot: &Robot, starts: usize, random: &mut SplitMix64) -> f64 {
     let program = derive(robot, Function::MassMatrix);
     let n = robot.dof();
     let ranges: Vec<[f64; 2]> = robot.joints().map(range).collect();
-    let mut unit = || (random.next_u64() >> 11) as f64 / (1_u64 << 53) as f64;
+    let mut unit = || random.unit();
     let mut start = || {
         let position = |[low, high]: &[f64; 2]| low + unit() * (high - low);
         ranges.iter().map(position).collect::<Vec<f64>>()

@@ -3,9 +3,8 @@
 use dynamics_symbolic::exact::Rational;
 use dynamics_symbolic::robot::Value;
 
-use super::row::is_negative;
-use super::scope::Scope;
-use super::{all, solid};
+use super::scope::{Scope, all};
+use super::solid;
 use crate::description::{Expr, Given, InertiaKind, Row, Solid};
 use crate::mistake::joint as mistake;
 
@@ -48,7 +47,7 @@ fn solid(
     let mut values = Vec::new();
     for size in sizes.iter().flatten() {
         let value = scope.value(size);
-        if value.as_ref().is_some_and(is_negative) {
+        if value.as_ref().is_some_and(Value::is_negative) {
             scope.error(size.place, mistake::negative("a length"));
         }
         values.extend(value);

@@ -23,7 +23,7 @@ use crate::limits::{MOST_JOINTS, MOST_JOINTS_OF_LONG_FUNCTIONS, MOST_LONG_FUNCTI
 use crate::mistake::{entry, joint, size};
 use crate::place::Place;
 use lock::Lock;
-use scope::Scope;
+use scope::{Scope, all};
 
 /// What is to be generated.
 #[derive(Debug)]
@@ -218,10 +218,4 @@ fn report_long_functions(functions: &[(Function, Place)], joints: usize, scope: 
 fn has_friction(robot: &Robot) -> bool {
     let mut values = robot.joints().flat_map(|row| [&row.viscous, &row.coulomb]);
     values.any(|value| !value.is_zero())
-}
-
-/// The values, where all of them are known.
-fn all<const N: usize>(values: [Option<Value>; N]) -> Option<[Value; N]> {
-    let values: Option<Vec<Value>> = values.into_iter().collect();
-    values?.try_into().ok()
 }

@@ -5,8 +5,8 @@ use std::collections::BTreeSet;
 use dynamics_symbolic::exact::Rational;
 use dynamics_symbolic::robot::{JointType, Row, Spring, Value};
 
-use super::scope::Scope;
-use super::{all, inertia, limits};
+use super::scope::{Scope, all};
+use super::{inertia, limits};
 use crate::description::{self, Expr, ExprKind, Friction, Given, Motor};
 use crate::mistake::joint as mistake;
 
@@ -100,7 +100,7 @@ fn offsets(row: &description::Row, scope: &mut Scope) -> (Option<Value>, Option<
 fn not_negative(cell: &Given<Expr>, what: &str, scope: &mut Scope) -> Option<Value> {
     let value = scope.given(cell)?;
     match cell.value() {
-        Some(expr) if is_negative(&value) => {
+        Some(expr) if value.is_negative() => {
             scope.error(expr.place, mistake::negative(what));
             None
         }
@@ -157,13 +157,5 @@ fn report_gear_ratio(motor: &Motor, scope: &Scope) {
     match motor.gear_ratio.value() {
         Some(expr) => scope.error(expr.place, mistake::gear_ratio_zero()),
         None => scope.error(motor.place, mistake::gear_ratio_missing()),
-    }
-}
-
-/// Whether the value is a number below zero.
-pub(super) fn is_negative(value: &Value) -> bool {
-    match value.as_rational() {
-        Some(rational) => *rational < Rational::ZERO,
-        None => value.is_number() && value.to_f64(&[]) < 0.0,
     }
 }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use dynamics_symbolic::exact::{Rational, bit_length};
+use dynamics_symbolic::exact::{Rational, SplitMix64, bit_length};
 use dynamics_symbolic::robot::Value;
 
 use crate::description::{Entry, Expr, ExprKind, Given, Name, Operator, Table, Vector};
@@ -279,6 +279,12 @@ fn apply(operator: Operator, a: Value, b: Value) -> Option<Value> {
     }
 }
 
+/// The values, where all of them are known.
+pub(super) fn all<const N: usize>(values: [Option<Value>; N]) -> Option<[Value; N]> {
+    let values: Option<Vec<Value>> = values.into_iter().collect();
+    values?.try_into().ok()
+}
+
 /// Whether the value is zero whatever the fields are.
 ///
 /// A value is a rational function of the fields and of pi, which is transcendental:
@@ -307,10 +313,7 @@ fn at_random_point(value: &Value) -> Option<Rational> {
     })
 }
 
-/// The output of SplitMix64 at that place of its sequence.
+/// The coordinate of that index of the fixed point.
 fn coordinate(index: u64) -> u64 {
-    let mut z = index.wrapping_add(1).wrapping_mul(0x9E37_79B9_7F4A_7C15);
-    z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-    z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-    z ^ (z >> 31)
+    SplitMix64::number(0, index)
 }

@@ -1,13 +1,13 @@
 //! The chain in proximal frames: every frame has its origin and its z axis on
 //! the axis of its own joint, whatever the convention of the table.
 
+use super::rows::{body, screws};
 use super::symbols::Symbols;
 use super::{base, place};
-use crate::exact::Rational;
 use crate::expr::{Expr, Level};
 use crate::linear::{Ring, Symmetric3, Vector3};
-use crate::robot::{Convention, Interpretation, JointType, Robot, Row, Value};
-use crate::spatial::{Body, Central, Joint, Keep, Motion, Turn, leave_x, leave_z, tensor_leave_x};
+use crate::robot::{Interpretation, JointType, Robot};
+use crate::spatial::{Body, Joint, Keep, Motion, Turn, leave_x, leave_z};
 
 /// Where the origin of a joint's frame is on the axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -63,18 +63,12 @@ pub struct Chain<R> {
     pub links: Vec<Link<R>>,
 }
 
-/// The four cells of a row that come between two z axes, and the link's parameters after them.
-pub(super) struct Twist<R> {
-    pub(super) a: R,
-    pub(super) turn: Turn<R>,
-}
-
 impl<'g> Chain<Expr<'g>> {
     /// The chain of a robot, each frame's origin where `origins` says.
     pub fn new(symbols: &mut Symbols<'g>, robot: &Robot, origins: &[Origin]) -> Self {
         let (zero, one) = (symbols.graph().zero(), symbols.graph().one());
         let none = Turn::none(zero, one);
-        let twists = twists(symbols, robot);
+        let screws = screws(symbols, robot);
         let mut previous_shift = zero;
         let links_of_base = robot.links_of_base();
         let neglected = base::neglected(symbols, robot);
@@ -85,9 +79,9 @@ impl<'g> Chain<Expr<'g>> {
                 Origin::AfterOffset => zero,
                 Origin::BeforeOffset => -d,
             };
-            let twist = &twists[i];
-            let along = leave_x(twist.turn, Vector3::new(zero, zero, d + shift));
-            let offset = along + Vector3::new(twist.a, zero, -previous_shift);
+            let screw = &screws[i];
+            let along = leave_x(screw.turn, Vector3::new(zero, zero, d + shift));
+            let offset = along + Vector3::new(screw.a, zero, -previous_shift);
             previous_shift = shift;
             let (s, c) = symbols.joint_sin_cos(i, row.joint_type, &row.theta);
             let slide = match row.joint_type {
@@ -96,7 +90,7 @@ impl<'g> Chain<Expr<'g>> {
             };
             let body = match i < links_of_base {
                 true => Body::splat(zero),
-                false => body(symbols, robot, i, &twists[i + 1])
+                false => body(symbols, robot, i, &screws[i + 1])
                     .less(neglected[i].0)
                     .moved(Vector3::new(zero, zero, -shift)),
             };
@@ -109,7 +103,7 @@ impl<'g> Chain<Expr<'g>> {
                 joint: Joint {
                     joint_type: row.joint_type,
                     before: none,
-                    twist: twist.turn,
+                    twist: screw.turn,
                     turn: Turn { s, c },
                     offset,
                     slide,
@@ -226,85 +220,4 @@ fn strength<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> Expr<'g> {
     let components = robot.gravity.each_ref().map(|g| symbols.value(g));
     let number = components.into_iter().rev().find(is_number);
     number.unwrap_or(symbols.graph().one())
-}
-
-/// The twist before each joint, and the one after the last.
-pub(super) fn twists<I: Interpretation>(cells: &mut I, robot: &Robot) -> Vec<Twist<I::Number>> {
-    let none = Value::zero();
-    let screws = robot.rows.iter().map(|row| (&row.a, &row.alpha));
-    let screws: Vec<_> = match robot.convention {
-        Convention::Standard => core::iter::once((&none, &none)).chain(screws).collect(),
-        Convention::Modified => screws.chain(core::iter::once((&none, &none))).collect(),
-    };
-    let twist = |(a, alpha): (&Value, &Value)| {
-        let (s, c) = cells.sin_cos(alpha);
-        Twist {
-            a: cells.value(a),
-            turn: Turn { s, c },
-        }
-    };
-    screws.into_iter().map(twist).collect()
-}
-
-/// The parameters of link i and of what is fixed to it, in the frame on its joint's axis, after the
-/// offset d.
-pub(super) fn body<I: Interpretation>(
-    cells: &mut I,
-    robot: &Robot,
-    i: usize,
-    next: &Twist<I::Number>,
-) -> Body<I::Number> {
-    let own = central(cells, &robot.rows[i]);
-    let own = behind_joint(cells, robot.convention, own, next);
-    let is_last = i + 1 == robot.rows.len();
-    match robot
-        .tool
-        .as_ref()
-        .filter(|tool| is_last && tool.has_body())
-    {
-        Some(tool) => {
-            let tool = place::body(cells, tool);
-            own.joined(behind_joint(cells, robot.convention, tool, next))
-        }
-        None => own,
-    }
-}
-
-/// The link's body in its link frame.
-fn central<I: Interpretation>(cells: &mut I, row: &Row) -> Central<I::Number> {
-    let mass = cells.value(&row.mass);
-    let com = Vector3([0, 1, 2].map(|k| cells.value(&row.com[k])));
-    let [xx, yy, zz, xy, yz, xz] = [0, 1, 2, 3, 4, 5].map(|k| cells.value(&row.inertia[k]));
-    let inertia = Symmetric3 {
-        xx,
-        yy,
-        zz,
-        xy,
-        yz,
-        xz,
-    };
-    Central { mass, com, inertia }
-}
-
-/// A body of the link frame, in the frame on the joint's axis.
-/// A standard link frame comes after the row's a and alpha, a modified one before the next row's.
-fn behind_joint<I: Interpretation>(
-    cells: &mut I,
-    convention: Convention,
-    body: Central<I::Number>,
-    next: &Twist<I::Number>,
-) -> Body<I::Number> {
-    match convention {
-        Convention::Modified => Body::new(body),
-        Convention::Standard => {
-            let zero = cells.rational(&Rational::ZERO);
-            let inertia = tensor_leave_x(next.turn, body.inertia);
-            let com = leave_x(next.turn, body.com) + Vector3::new(next.a, zero, zero);
-            Body::new(Central {
-                mass: body.mass,
-                com,
-                inertia,
-            })
-        }
-    }
 }

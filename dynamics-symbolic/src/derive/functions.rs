@@ -1,6 +1,5 @@
 //! The outputs of each function, on one chain.
 
-use super::base::Grouping;
 use super::chain::Chain;
 use super::derivatives::ForceDerivatives;
 use super::joints::Joints;
@@ -15,7 +14,7 @@ use crate::expr::Expr;
 pub use crate::function::Form;
 use crate::function::Function;
 use crate::linear::Vector3;
-use crate::robot::Robot;
+use crate::robot::{Grouping, Robot};
 
 /// What a function puts out, in the order of its contract: matrices by rows.
 /// Forward dynamics and its derivatives: the values, the pivots, and M's diagonal.

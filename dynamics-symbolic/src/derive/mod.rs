@@ -18,6 +18,7 @@ mod momentum;
 pub(crate) mod place;
 mod recursive;
 mod regressor;
+mod rows;
 mod solve;
 mod states;
 pub mod symbols;

@@ -3,11 +3,11 @@
 //! The joint forces are linear in the inertial parameters (Khosla and Kanade 1985), so the column
 //! of a parameter is what the equations of motion give where that one is 1 and all others are 0.
 
-use super::base::{self, Grouping};
+use super::base;
 use super::chain::Chain;
 use super::symbols::Symbols;
 use crate::expr::Expr;
-use crate::robot::{Parameter, Robot};
+use crate::robot::{Grouping, Parameter, Robot};
 use crate::spatial::{Acceleration, Body, Force, accelerations, felt_inwards};
 
 /// A column in the making: its link, and the force of its body on the link. A motor has none.

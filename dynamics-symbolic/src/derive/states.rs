@@ -40,7 +40,7 @@ impl Fields {
     fn new(robot: &Robot, random: &mut SplitMix64, unlucky: bool) -> Self {
         let values = robot.fields.iter().map(|_| match unlucky {
             true => graded(random, -4, 4),
-            false => 0.5 + 1.5 * unit(random),
+            false => 0.5 + 1.5 * random.unit(),
         });
         let values = values.collect();
         let near = match unlucky {
@@ -67,10 +67,10 @@ impl State {
     fn new(robot: &Robot, random: &mut SplitMix64, fields: Fields) -> Self {
         let along = |row: &Row| {
             let [lower, upper] = range(row, &fields.values);
-            lower + unit(random) * (upper - lower)
+            lower + random.unit() * (upper - lower)
         };
         let q: Vec<f64> = robot.joints().map(along).collect();
-        let mut symmetric = || q.iter().map(|_| 2.0 * unit(random) - 1.0).collect();
+        let mut symmetric = || q.iter().map(|_| 2.0 * random.unit() - 1.0).collect();
         State {
             qd: symmetric(),
             qdd: symmetric(),
@@ -107,16 +107,11 @@ fn range(row: &Row, fields: &[f64]) -> [f64; 2] {
     }
 }
 
-/// Uniform from 0 to 1.
-fn unit(random: &mut SplitMix64) -> f64 {
-    (random.next_u64() >> 11) as f64 / (1_u64 << 53) as f64
-}
-
 /// A number from 10^lowest to 10^highest, every power of ten as likely as another.
 fn graded(random: &mut SplitMix64, lowest: i32, highest: i32) -> f64 {
     let count = (highest - lowest) as u64;
     let exponent = lowest + (random.next_u64() % count) as i32;
-    let digits = 1.0 + 9.0 * unit(random);
+    let digits = 1.0 + 9.0 * random.unit();
     (0..exponent.abs()).fold(digits, |x, _| match exponent < 0 {
         true => x / 10.0,
         false => x * 10.0,

@@ -1,7 +1,7 @@
 //! The body of a method: straight-line assignments behind its inputs, and its outputs.
 
 use super::inputs::{constants_of, input_name, inputs, literal, reads_fields};
-use super::signature::ident;
+use super::names::ident;
 use crate::function::{Function, Shape, Sizes};
 use crate::program::{Instruction, Operand, Program};
 use crate::robot::Robot;

@@ -1,6 +1,6 @@
 //! Short programs as formulas that a person can read.
 
-use super::signature::plain;
+use super::names::plain;
 use crate::program::{Instruction, Operand, Program};
 use crate::robot::{Robot, Symbol, Value};
 

@@ -1,6 +1,6 @@
 //! What a method reads before its first operation: arguments, fields, sines and cosines.
 
-use super::signature::{field, ident, plain};
+use super::names::{field, ident, plain};
 use crate::function::{Argument, Function};
 use crate::program::Program;
 use crate::robot::{Robot, Symbol, Value};

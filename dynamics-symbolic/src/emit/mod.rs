@@ -8,6 +8,7 @@ mod body;
 mod documentation;
 mod formula;
 mod inputs;
+mod names;
 mod parameters;
 mod parts;
 mod polynomial;

@@ -1,10 +1,10 @@
 //! What each base parameter is, as a formula in the standard parameters of the links.
 
 use super::polynomial::{Polynomial, Polynomials};
-use crate::derive::base::{Grouping, LinkGeometry, geometry, group};
+use crate::derive::base::{LinkGeometry, geometry, group};
 use crate::derive::symbols::Symbols;
 use crate::expr::{Expr, Graph};
-use crate::robot::{Convention, JointType, Parameter, Robot};
+use crate::robot::{Convention, Grouping, JointType, Parameter, Robot};
 use crate::spatial::{Body, Turn};
 
 /// A longer formula is written in steps.

@@ -11,7 +11,7 @@ use quote::quote;
 
 use super::body::Writer;
 use super::inputs::constants_like;
-use super::signature::ident;
+use super::names::ident;
 use crate::program::Operand;
 
 /// The results of one part: so many may be declared by a `let` each.

@@ -7,7 +7,7 @@
 //! accelerations for the products of later orders.
 
 use super::inputs;
-use super::signature::ident;
+use super::names::{ident, number_of_joints};
 use crate::program::{Instruction, Operand, Program};
 use crate::robot::{Robot, Symbol};
 use proc_macro2::{Ident, Literal, TokenStream};
@@ -82,7 +82,7 @@ pub(super) fn declarations(
     body: &TokenStream,
 ) -> TokenStream {
     let [common, single] = [common, single].map(Literal::usize_unsuffixed);
-    let n = super::signature::number_of_joints(dof);
+    let n = number_of_joints(dof);
     let term = ident("term");
     quote! {
         type Products<T: #path::Scalar> = #path::ProductTable<T, #common, #single>;

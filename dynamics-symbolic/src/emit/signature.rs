@@ -1,8 +1,9 @@
 //! The signatures of the generated methods.
 
-use crate::derive::base::{Grouping, columns};
+use super::names::{ident, number_of_joints};
+use crate::derive::base::columns;
 use crate::function::{Argument, Function, Shape, Size, Sizes};
-use crate::robot::Robot;
+use crate::robot::{Grouping, Robot};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, quote};
 
@@ -111,13 +112,6 @@ fn signature_with(
     }
 }
 
-pub(super) fn number_of_joints(dof: usize) -> TokenStream {
-    match dof {
-        0 => quote!(N),
-        _ => Literal::usize_unsuffixed(dof).into_token_stream(),
-    }
-}
-
 /// The items of the runtime's trait for the function, if there is one. With `dof` zero the
 /// implementation is generic over the number of joints.
 pub(super) fn provided(
@@ -217,24 +211,6 @@ pub fn stub(function: Function, dof: usize, path: &TokenStream) -> TokenStream {
 /// [`stub`].
 pub fn stub_of_trait(function: Function, dof: usize, path: &TokenStream) -> Option<TokenStream> {
     provided(function, dof, path, &quote!(::core::unimplemented!()))
-}
-
-pub(super) fn ident(name: &str) -> Ident {
-    Ident::new(name, proc_macro2::Span::mixed_site())
-}
-
-/// A field's name without the `r#` of a raw identifier.
-pub(super) fn plain(field: &str) -> &str {
-    field.strip_prefix("r#").unwrap_or(field)
-}
-
-/// The identifier of a field of the user's struct.
-pub(super) fn field(name: &str) -> Ident {
-    let span = proc_macro2::Span::call_site();
-    match name.strip_prefix("r#") {
-        Some(raw) => Ident::new_raw(raw, span),
-        None => Ident::new(name, span),
-    }
 }
 
 #[cfg(test)]

@@ -5,19 +5,32 @@
 #[derive(Clone, Debug)]
 pub struct SplitMix64(u64);
 
+/// 2^64 over the golden ratio, made odd.
+const STEP: u64 = 0x9E37_79B9_7F4A_7C15;
+
 impl SplitMix64 {
     /// A sequence that depends on nothing but `seed`.
     pub fn new(seed: u64) -> Self {
         SplitMix64(seed)
     }
 
+    /// The number of that index, counted from 0, in the sequence that depends on `seed`.
+    pub fn number(seed: u64, index: u64) -> u64 {
+        SplitMix64(seed.wrapping_add(STEP.wrapping_mul(index))).next_u64()
+    }
+
     /// The next 64 bits.
     pub fn next_u64(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        self.0 = self.0.wrapping_add(STEP);
         let mut z = self.0;
         z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
         z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
         z ^ (z >> 31)
+    }
+
+    /// Uniform from 0 to 1, in steps of 2^-53.
+    pub fn unit(&mut self) -> f64 {
+        (self.next_u64() >> 11) as f64 / (1_u64 << 53) as f64
     }
 }
 
@@ -37,5 +50,7 @@ mod tests {
             16_408_922_859_458_223_821,
         ];
         assert_eq!(expected.map(|_| random.next_u64()), expected);
+        let by_index = [0, 1, 2, 3, 4].map(|index| SplitMix64::number(1_234_567, index));
+        assert_eq!(by_index, expected);
     }
 }

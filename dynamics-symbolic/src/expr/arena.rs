@@ -1,10 +1,20 @@
 //! The arena of nodes, and the constructors that fold and share.
 
+use super::Operation;
 use super::fingerprint::{Fingerprint, FingerprintMap};
-use super::node::{Edge, Level, Node, NodeId};
-use super::{Expr, Operation};
-use crate::exact::{Rational, SplitMix64};
+use super::node::{Edge, Level, NodeId};
+use crate::exact::{Rational, SplitMix64, circle_point};
 use core::cell::RefCell;
+
+/// A node: what it is, how deep its dependencies go, its fingerprint, and whether its definition is
+/// held: see [`Graph::holding`].
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Node {
+    pub(crate) operation: Operation,
+    pub(crate) level: Level,
+    pub(crate) value: Fingerprint,
+    pub(crate) held: bool,
+}
 
 #[derive(Default)]
 struct Arena {
@@ -14,7 +24,7 @@ struct Arena {
     symbols: u32,
 }
 
-/// A graph of expressions. Its [`Expr`] handles are `Copy` and have operators.
+/// A graph of expressions. Its [`Expr`](super::Expr) handles are `Copy` and have operators.
 pub struct Graph {
     arena: RefCell<Arena>,
     random: RefCell<SplitMix64>,
@@ -33,39 +43,13 @@ impl Graph {
             arena: RefCell::default(),
             random: RefCell::new(SplitMix64::new(0x0072_6f62_6f74)),
         };
-        graph.rational(&Rational::ZERO);
-        graph.rational(&Rational::ONE);
+        graph.number(&Rational::ZERO);
+        graph.number(&Rational::ONE);
         graph
     }
 
-    /// Zero.
-    pub fn zero(&self) -> Expr<'_> {
-        self.expr(NodeId::ZERO.edge(false))
-    }
-
-    /// One.
-    pub fn one(&self) -> Expr<'_> {
-        self.expr(NodeId::ONE.edge(false))
-    }
-
-    /// The handle of an edge.
-    pub fn expr(&self, edge: Edge) -> Expr<'_> {
-        Expr { graph: self, edge }
-    }
-
-    /// A new symbol.
-    pub fn symbol(&self, level: Level) -> Expr<'_> {
-        let value = Fingerprint::random(&mut self.random.borrow_mut());
-        self.symbol_with(level, value)
-    }
-
-    /// Two new symbols for the sine and the cosine of one angle: a point of the unit circle.
-    pub fn circle(&self, level: Level) -> (Expr<'_>, Expr<'_>) {
-        let (s, c) = crate::exact::circle_point(&mut self.random.borrow_mut());
-        (self.symbol_with(level, s), self.symbol_with(level, c))
-    }
-
-    fn symbol_with(&self, level: Level, value: Fingerprint) -> Expr<'_> {
+    /// A new symbol with that value at the graph's random point.
+    fn symbol_with(&self, level: Level, value: Fingerprint) -> Edge {
         let mut arena = self.arena.borrow_mut();
         let operation = Operation::Symbol(arena.symbols);
         arena.symbols += 1;
@@ -75,14 +59,21 @@ impl Graph {
         } else {
             value
         };
-        let edge = arena.intern(operation, level, value);
-        self.expr(edge)
+        arena.intern(operation, level, value)
     }
 
-    /// An exact number.
-    pub fn rational(&self, x: &Rational) -> Expr<'_> {
-        let edge = self.arena.borrow_mut().rational(x);
-        self.expr(edge)
+    pub(super) fn new_symbol(&self, level: Level) -> Edge {
+        let value = Fingerprint::random(&mut self.random.borrow_mut());
+        self.symbol_with(level, value)
+    }
+
+    pub(super) fn new_circle(&self, level: Level) -> (Edge, Edge) {
+        let (s, c) = circle_point(&mut self.random.borrow_mut());
+        (self.symbol_with(level, s), self.symbol_with(level, c))
+    }
+
+    pub(super) fn number(&self, x: &Rational) -> Edge {
+        self.arena.borrow_mut().rational(x)
     }
 
     pub(crate) fn add(&self, a: Edge, b: Edge) -> Edge {

@@ -1,6 +1,7 @@
 //! Handles of expressions, with the operators of arithmetic.
 
-use super::{Edge, Fingerprint, Graph, Level};
+use super::{Edge, Fingerprint, Graph, Level, NodeId};
+use crate::exact::Rational;
 use core::fmt;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -9,6 +10,39 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 pub struct Expr<'g> {
     pub(crate) graph: &'g Graph,
     pub(crate) edge: Edge,
+}
+
+impl Graph {
+    /// The handle of an edge.
+    pub fn expr(&self, edge: Edge) -> Expr<'_> {
+        Expr { graph: self, edge }
+    }
+
+    /// Zero.
+    pub fn zero(&self) -> Expr<'_> {
+        self.expr(NodeId::ZERO.edge(false))
+    }
+
+    /// One.
+    pub fn one(&self) -> Expr<'_> {
+        self.expr(NodeId::ONE.edge(false))
+    }
+
+    /// An exact number.
+    pub fn rational(&self, x: &Rational) -> Expr<'_> {
+        self.expr(self.number(x))
+    }
+
+    /// A new symbol.
+    pub fn symbol(&self, level: Level) -> Expr<'_> {
+        self.expr(self.new_symbol(level))
+    }
+
+    /// Two new symbols for the sine and the cosine of one angle: a point of the unit circle.
+    pub fn circle(&self, level: Level) -> (Expr<'_>, Expr<'_>) {
+        let (s, c) = self.new_circle(level);
+        (self.expr(s), self.expr(c))
+    }
 }
 
 impl<'g> Expr<'g> {

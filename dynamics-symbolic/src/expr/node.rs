@@ -1,8 +1,5 @@
 //! Nodes, and edges to them.
 
-use super::Operation;
-use super::fingerprint::Fingerprint;
-
 /// The index of a node.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct NodeId(u32);
@@ -67,14 +64,4 @@ pub enum Level {
     Parameter,
     /// Depends on variables.
     Variable,
-}
-
-/// A node: what it is, how deep its dependencies go, its fingerprint, and whether its definition is
-/// held: see [`super::Graph::holding`].
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Node {
-    pub(crate) operation: Operation,
-    pub(crate) level: Level,
-    pub(crate) value: Fingerprint,
-    pub(crate) held: bool,
 }

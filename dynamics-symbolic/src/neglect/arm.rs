@@ -1,10 +1,10 @@
 //! What each base parameter adds to the joint forces of a motion, in numbers.
 
 use super::reals::{Reals, sin_cos};
-use crate::derive::base::{Grouping, LinkGeometry, base_parameters, columns, geometry, unit};
+use crate::derive::base::{LinkGeometry, base_parameters, columns, geometry, unit};
 use crate::derive::place;
 use crate::linear::Vector3;
-use crate::robot::{Interpretation, JointType, Parameter, Robot};
+use crate::robot::{Grouping, Interpretation, JointType, Parameter, Robot};
 use crate::spatial::{Acceleration, Body, Joint, Turn, accelerations, felt_inwards};
 
 /// The force of each joint that moves.

@@ -4,11 +4,10 @@ use super::arm::{Arm, Forces};
 use super::reals::sin_cos;
 use super::sample::Samples;
 use super::{STATES, sum};
-use crate::derive::base::Grouping;
 use crate::exact::Rational;
 use crate::function::Function;
 use crate::program::{Arithmetic, Program};
-use crate::robot::{Robot, Symbol};
+use crate::robot::{Grouping, Robot, Symbol};
 use core::f64::consts::PI;
 
 /// Velocities are sampled up to 3 rad/s or m/s.

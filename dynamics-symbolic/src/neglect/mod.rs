@@ -21,8 +21,7 @@ mod sample;
 
 pub use error::{LargestError, largest_error};
 
-use crate::derive::base::Grouping;
-use crate::robot::{Neglected, Robot};
+use crate::robot::{Grouping, Neglected, Robot};
 use arm::{Arm, Forces};
 use core::fmt;
 use sample::Samples;

@@ -24,27 +24,17 @@ impl Samples {
         };
         for state in 0..count {
             let mut along = || match state < count / 2 {
-                true => unit(&mut random),
+                true => random.unit(),
                 false => (random.next_u64() % 5) as f64 / 4.0,
             };
             let position = |[lower, upper]: &[f64; 2]| lower + along() * (upper - lower);
             samples.q.push(ranges.iter().map(position).collect());
-            let mut both = || {
-                ranges
-                    .iter()
-                    .map(|_| 2.0 * unit(&mut random) - 1.0)
-                    .collect()
-            };
+            let mut both = || ranges.iter().map(|_| 2.0 * random.unit() - 1.0).collect();
             samples.u.push(both());
             samples.ud.push(both());
         }
         samples
     }
-}
-
-/// Uniform from 0 to 1.
-fn unit(random: &mut SplitMix64) -> f64 {
-    (random.next_u64() >> 11) as f64 / (1u64 << 53) as f64
 }
 
 /// The range over which a joint is sampled.

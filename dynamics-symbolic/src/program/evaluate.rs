@@ -1,27 +1,6 @@
 //! Evaluation of programs in any arithmetic: a prime field, high precision, doubles.
 
-use super::{Instruction, Operand, Program};
-use crate::exact::Rational;
-use crate::robot::Symbol;
-
-/// An arithmetic, and the values of the symbols in it.
-pub trait Arithmetic {
-    /// The numbers.
-    type Number: Clone;
-
-    /// The image of an exact number.
-    fn rational(&mut self, x: &Rational) -> Self::Number;
-    /// The value of a symbol.
-    fn symbol(&mut self, symbol: &Symbol) -> Self::Number;
-    /// -a
-    fn neg(&mut self, a: Self::Number) -> Self::Number;
-    /// a + b
-    fn add(&mut self, a: Self::Number, b: Self::Number) -> Self::Number;
-    /// a * b
-    fn mul(&mut self, a: Self::Number, b: Self::Number) -> Self::Number;
-    /// a / b
-    fn div(&mut self, a: Self::Number, b: Self::Number) -> Self::Number;
-}
+use super::{Arithmetic, Instruction, Operand, Program};
 
 impl Program {
     /// The values of the outputs.
@@ -75,7 +54,9 @@ impl Program {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::exact::Rational;
     use crate::program::{Constant, ConstantPool, Output};
+    use crate::robot::Symbol;
 
     /// Exact numbers: the position of joint i is i + 2, pi is 3.
     struct Exact;

@@ -1,6 +1,7 @@
 //! Straight-line programs: what is proven, and what is emitted.
 
 mod angle;
+mod arithmetic;
 mod balance;
 mod build;
 mod constant;
@@ -9,9 +10,9 @@ mod evaluate;
 mod real;
 
 pub use angle::rounded_angle;
+pub use arithmetic::Arithmetic;
 pub use constant::{Constant, ConstantId, ConstantPool};
 pub use count::Operations;
-pub use evaluate::Arithmetic;
 pub use real::{Approximation, Real};
 
 use crate::robot::Symbol;

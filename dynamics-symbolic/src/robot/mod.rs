@@ -3,9 +3,8 @@
 //! No syntax in here: the macro's parser builds these types, and so can any
 //! other program.
 
-use crate::derive::base::Grouping;
-
 mod angle;
+mod grouping;
 mod interpretation;
 mod parameter;
 mod placement;
@@ -14,6 +13,7 @@ mod symbol;
 mod value;
 
 pub use angle::Angle;
+pub use grouping::{Coefficient, Grouping, LinkGrouping, Sense, Tie};
 pub use interpretation::Interpretation;
 pub use parameter::Parameter;
 pub use placement::{Placement, Tool};

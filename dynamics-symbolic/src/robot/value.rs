@@ -55,6 +55,14 @@ impl Value {
         self.as_rational().is_some_and(|r| r.is_zero())
     }
 
+    /// Whether this is a number below zero.
+    pub fn is_negative(&self) -> bool {
+        match self.as_rational() {
+            Some(rational) => *rational < Rational::ZERO,
+            None => self.is_number() && self.to_f64(&[]) < 0.0,
+        }
+    }
+
     /// Whether the value depends on no symbolic parameter.
     pub fn is_number(&self) -> bool {
         match self {

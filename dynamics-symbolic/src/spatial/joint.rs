@@ -1,7 +1,7 @@
 //! Joints: how a link's frame lies in that of the link before.
 
 use super::turn::{Turn, enter_x, enter_z, leave_x, leave_z};
-use super::{Body, Force};
+use super::{Body, Force, Motion};
 use crate::linear::{Ring, Vector3};
 use crate::robot::JointType;
 
@@ -51,6 +51,24 @@ impl<R: Ring> Joint<R> {
     }
 }
 
+impl<R: Ring> Motion<R> {
+    /// In the frame of the link that the joint carries.
+    pub fn enter(self, joint: &Joint<R>) -> Self {
+        self.at(joint.position()).turned(|v| joint.enter(v))
+    }
+}
+
+impl<R: Ring> Force<R> {
+    /// In the frame of the link before, about its origin.
+    pub fn leave(self, joint: &Joint<R>) -> Self {
+        let f = joint.leave(self.f);
+        Force {
+            n: joint.leave(self.n) + joint.position().cross(f),
+            f,
+        }
+    }
+}
+
 /// What the joints feel of a force that acts on the last link, each of them supplying all of it: the
 /// force is handed on from link to link to the base.
 pub fn felt_inwards<'a, R: Ring + 'a>(
@@ -72,7 +90,6 @@ pub fn felt_inwards<'a, R: Ring + 'a>(
 mod tests {
     use super::*;
     use crate::exact::{Residue, SplitMix64, circle_point};
-    use crate::spatial::Motion;
 
     type Number = Residue<{ (1 << 61) - 1 }>;
 

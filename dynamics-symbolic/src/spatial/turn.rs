@@ -44,6 +44,13 @@ impl<R: Ring> Turn<R> {
     }
 }
 
+/// Sine and cosine.
+impl<R> From<(R, R)> for Turn<R> {
+    fn from((s, c): (R, R)) -> Self {
+        Turn { s, c }
+    }
+}
+
 /// Rotation about x, out of the turned frame.
 pub fn leave_x<R: Ring>(turn: Turn<R>, v: Vector3<R>) -> Vector3<R> {
     let (y, z) = turn.leave(v[1], v[2]);

@@ -1,6 +1,5 @@
 //! Spatial vectors: motions and forces.
 
-use super::Joint;
 use crate::linear::{Ring, Vector3};
 use crate::robot::JointType;
 use core::ops::{Add, Mul};
@@ -67,11 +66,6 @@ impl<R: Ring> Motion<R> {
         }
     }
 
-    /// In the frame of the link that the joint carries.
-    pub fn enter(self, joint: &Joint<R>) -> Self {
-        self.at(joint.position()).turned(|v| joint.enter(v))
-    }
-
     /// Motion cross motion.
     pub fn cross(self, other: Self) -> Self {
         Motion {
@@ -100,15 +94,6 @@ impl<R: Ring> Force<R> {
         Force {
             n: Vector3::splat(x),
             f: Vector3::splat(x),
-        }
-    }
-
-    /// In the frame of the link before, about its origin.
-    pub fn leave(self, joint: &Joint<R>) -> Self {
-        let f = joint.leave(self.f);
-        Force {
-            n: joint.leave(self.n) + joint.position().cross(f),
-            f,
         }
     }
 

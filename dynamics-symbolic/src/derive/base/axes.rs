@@ -1,6 +1,6 @@
 //! The axes in which a sliding link's first moments are written.
 
-use super::group::LinkGeometry;
+use super::geometry::LinkGeometry;
 use crate::linear::{Matrix3, Ring, Vector3};
 use crate::robot::JointType;
 use crate::spatial::{leave_x, leave_z};

@@ -1,45 +1,10 @@
 //! The parameters of a link: what it keeps, and what moves to the link before it.
 
 use super::axes;
-use super::observe::{Coefficient, Direction, Grouping};
+use super::geometry::LinkGeometry;
 use crate::linear::{Matrix3, Ring, Vector3};
-use crate::robot::{JointType, Parameter};
-use crate::spatial::{Body, Joint, Turn, leave_x};
-
-/// The constant geometry between the frames of two links.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct LinkGeometry<R> {
-    pub(crate) joint_type: JointType,
-    /// Whether the joint is locked: nothing of the link is told apart from the one before.
-    pub(crate) locked: bool,
-    /// Distance of the joint's axis from the previous one.
-    pub(crate) a: R,
-    /// Offset along the joint's axis (its constant part, where the joint is prismatic and moves).
-    pub(crate) d: R,
-    /// Turn about x from the previous axis to this one.
-    pub(crate) twist: Turn<R>,
-    /// Turn about z that is constant: of a prismatic or a locked joint, else none.
-    pub(crate) turn: Turn<R>,
-}
-
-impl<R: Ring> LinkGeometry<R> {
-    /// The joint where its variable is zero.
-    pub(crate) fn joint(&self, zero: R, one: R) -> Joint<R> {
-        Joint {
-            joint_type: self.joint_type,
-            before: Turn::none(zero, one),
-            twist: self.twist,
-            turn: self.turn,
-            offset: self.offset(zero),
-            slide: zero,
-        }
-    }
-
-    /// Where the origin is in the previous frame, at q = 0 for a prismatic joint.
-    pub(crate) fn offset(&self, zero: R) -> Vector3<R> {
-        leave_x(self.twist, Vector3::new(zero, zero, self.d)) + Vector3::new(self.a, zero, zero)
-    }
-}
+use crate::robot::{Coefficient, Grouping, Parameter, Sense};
+use crate::spatial::Body;
 
 /// What becomes of a link's parameters.
 pub(crate) struct Moved<R> {
@@ -157,7 +122,7 @@ fn rotation_of_moments<R: Ring>(
 pub(super) fn height<R: Ring>(grouping: &Grouping, links: &[LinkGeometry<R>], i: usize) -> R {
     match grouping.links[i].coincides {
         None => links[i].d,
-        Some(Direction::Same) => links[i].d + height(grouping, links, i - 1),
-        Some(Direction::Opposite) => links[i].d - height(grouping, links, i - 1),
+        Some(Sense::Same) => links[i].d + height(grouping, links, i - 1),
+        Some(Sense::Opposite) => links[i].d - height(grouping, links, i - 1),
     }
 }

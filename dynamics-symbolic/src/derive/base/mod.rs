@@ -18,54 +18,19 @@
 //! coincidence such as sin 30 deg = 1/2 groups nothing.
 
 mod axes;
+mod geometry;
 mod group;
 mod observe;
 
-pub(crate) use group::{LinkGeometry, group, unit};
-pub use observe::{Coefficient, Direction, Grouping, LinkGrouping, Tie};
+pub(crate) use geometry::{LinkGeometry, geometry};
+pub(crate) use group::{group, unit};
 
-use super::chain::{body, twists};
+use super::rows::{body, screws};
 use super::symbols::Symbols;
 use crate::exact::Rational;
 use crate::expr::Expr;
-use crate::robot::{Interpretation, JointType, Parameter, Robot};
-use crate::spatial::{Body, Turn};
-
-/// The constant geometry of every link.
-pub(crate) fn geometry<I: Interpretation>(
-    cells: &mut I,
-    robot: &Robot,
-) -> Vec<LinkGeometry<I::Number>> {
-    let (zero, one) = constants(cells);
-    let twists = twists(cells, robot);
-    let rows = robot.rows.iter().zip(&twists);
-    rows.map(|(row, twist)| {
-        let mut d = cells.value(&row.d);
-        let (s, c) = match (row.joint_type, &row.locked) {
-            (JointType::Revolute, None) => (zero, one),
-            (JointType::Revolute, Some(position)) => {
-                let turned = turn(cells.sin_cos(position));
-                let theta = turn(cells.sin_cos(&row.theta)).plus(turned);
-                (theta.s, theta.c)
-            }
-            (JointType::Prismatic, locked) => {
-                if let Some(position) = locked {
-                    d = d + cells.value(position);
-                }
-                cells.sin_cos(&row.theta)
-            }
-        };
-        LinkGeometry {
-            joint_type: row.joint_type,
-            locked: row.locked.is_some(),
-            a: twist.a,
-            d,
-            twist: twist.turn,
-            turn: turn((s, c)),
-        }
-    })
-    .collect()
-}
+use crate::robot::{Grouping, Interpretation, Parameter, Robot};
+use crate::spatial::Body;
 
 fn constants<I: Interpretation>(cells: &mut I) -> (I::Number, I::Number) {
     (
@@ -74,14 +39,10 @@ fn constants<I: Interpretation>(cells: &mut I) -> (I::Number, I::Number) {
     )
 }
 
-fn turn<R>((s, c): (R, R)) -> Turn<R> {
-    Turn { s, c }
-}
-
 /// The standard inertial parameters of every link; those of the tool count to the last one's.
 fn bodies<I: Interpretation>(cells: &mut I, robot: &Robot) -> Vec<(Body<I::Number>, I::Number)> {
-    let twists = twists(cells, robot);
-    let rows = robot.rows.iter().zip(&twists[1..]).enumerate();
+    let screws = screws(cells, robot);
+    let rows = robot.rows.iter().zip(&screws[1..]).enumerate();
     rows.map(|(i, (row, next))| {
         let ratio = cells.value(&row.gear_ratio);
         let reflected = ratio * ratio * cells.value(&row.motor_inertia);

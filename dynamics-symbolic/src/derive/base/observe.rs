@@ -4,70 +4,18 @@
 //! parameters, less the same at q_i = 0, qd_i = 0. A combination of columns that vanishes in
 //! enough rows vanishes for all states (Schwartz 1980, Zippel 1979): it is in A_i.
 
-use super::group::{LinkGeometry, height};
-use super::{axes, geometry, turn};
+use super::axes;
+use super::geometry::{LinkGeometry, geometry};
+use super::group::height;
 use crate::derive::place;
 use crate::derive::symbols::Symbols;
 use crate::exact::{SplitMix64, circle_point};
 use crate::expr::{Expr, Fingerprint, Graph};
 use crate::linear::Vector3;
-use crate::robot::{JointType, Parameter, Robot};
+use crate::robot::{Coefficient, Grouping, JointType, LinkGrouping, Parameter, Robot, Sense, Tie};
 use crate::spatial::{Joint, Motion, Turn};
 
 type Vector = Vector3<Fingerprint>;
-
-/// What the forces can tell apart, link by link.
-#[derive(Clone, Debug)]
-pub struct Grouping {
-    /// The links from the base outwards.
-    pub links: Vec<LinkGrouping>,
-}
-
-/// What one link keeps.
-#[derive(Clone, Debug)]
-pub struct LinkGrouping {
-    /// The link in whose axes the first moments are written, counted from 0: this one, or the last
-    /// revolute one before a prismatic joint, where that one's axis is along none of this link's own.
-    /// Its axis may be the only direction of rotation: the first moment along it then moves.
-    pub axes: usize,
-    /// The parameters that are kept, in order.
-    pub kept: Vec<Parameter>,
-    /// Those that are not, but also add to one that is kept.
-    pub ties: Vec<Tie>,
-    /// Where the joint's axis is that of the joint before.
-    pub coincides: Option<Direction>,
-}
-
-/// One axis beside another on the same line.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Direction {
-    /// They point the same way.
-    Same,
-    /// They point opposite ways.
-    Opposite,
-}
-
-/// A parameter whose effect is that of another one, times a coefficient, beside what moves inwards.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Tie {
-    /// The parameter that is not kept.
-    pub dropped: Parameter,
-    /// The one that stands for it.
-    pub kept: Parameter,
-    /// The coefficient, its sign apart.
-    pub coefficient: Coefficient,
-    /// Whether the coefficient is negative.
-    pub negative: bool,
-}
-
-/// The size of a coefficient.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Coefficient {
-    /// 1
-    One,
-    /// How far the link's origin is along the axis from where that meets the axis before.
-    Height,
-}
 
 /// Two rows for each sample; no link has more than 11 columns.
 const SAMPLES: usize = 14;
@@ -108,11 +56,6 @@ impl Grouping {
         }
         grouping
     }
-
-    /// How many base parameters there are.
-    pub fn count(&self) -> usize {
-        self.links.iter().map(|link| link.kept.len()).sum()
-    }
 }
 
 fn value_of(link: &LinkGeometry<Expr<'_>>) -> LinkGeometry<Fingerprint> {
@@ -130,14 +73,14 @@ fn value_of(link: &LinkGeometry<Expr<'_>>) -> LinkGeometry<Fingerprint> {
     }
 }
 
-fn coincides(links: &[LinkGeometry<Expr<'_>>], i: usize) -> Option<Direction> {
+fn coincides(links: &[LinkGeometry<Expr<'_>>], i: usize) -> Option<Sense> {
     let link = &links[i];
     if i == 0 || !link.a.is_zero() || !link.twist.s.is_zero() {
         return None;
     }
     match link.twist.c.fingerprint() == Fingerprint::ONE {
-        true => Some(Direction::Same),
-        false => Some(Direction::Opposite),
+        true => Some(Sense::Same),
+        false => Some(Sense::Opposite),
     }
 }
 
@@ -195,7 +138,7 @@ fn anywhere(joint_type: JointType, random: &mut SplitMix64) -> Joint<Fingerprint
     let zero = Fingerprint::ZERO;
     let none = Turn::none(zero, Fingerprint::ONE);
     let (turn, slide) = match joint_type {
-        JointType::Revolute => (turn(circle_point(random)), zero),
+        JointType::Revolute => (Turn::from(circle_point(random)), zero),
         JointType::Prismatic => (none, Fingerprint::random(random)),
     };
     Joint {

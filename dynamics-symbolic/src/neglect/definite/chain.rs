@@ -1,10 +1,10 @@
 //! Kinetic energy, joint by joint.
 
 use super::matrix::{Matrix, identity, product, transpose};
-use crate::derive::base::{Grouping, LinkGeometry, base_parameters, columns, geometry, unit};
+use crate::derive::base::{LinkGeometry, base_parameters, columns, geometry, unit};
 use crate::exact::Rational;
 use crate::linear::{Matrix3, Ring, Vector3};
-use crate::robot::{Interpretation, JointType, Parameter, Robot};
+use crate::robot::{Grouping, Interpretation, JointType, Parameter, Robot};
 use crate::spatial::{Body, Motion, enter_x, enter_z};
 
 /// A joint that moves, and the link behind it. Motions are (w, v), of a frame's origin.

@@ -29,8 +29,7 @@ mod matrix;
 mod search;
 
 use super::reals::Reals;
-use crate::derive::base::Grouping;
-use crate::robot::{JointType, Robot};
+use crate::robot::{Grouping, JointType, Robot};
 use chain::{Joint, joints};
 use energy::{forms, handed_on, unknowns};
 use interval::{Interval, Intervals};

@@ -1,8 +1,7 @@
-//! The bodies of the table in the field: those of the links, and the tool's.
+//! Rigid bodies of the table in the field.
 
 use super::super::assignment::{Assignment, Number};
-use super::pose::{Lift, Pose, Position};
-use super::{Definition, Row};
+use super::pose::{Lift, Pose};
 use crate::linear::{Symmetric3, Vector3};
 use crate::robot::{Interpretation, Value};
 
@@ -53,22 +52,5 @@ impl Body {
             yz,
             xz,
         }
-    }
-}
-
-impl Definition {
-    /// Every body and the pose of its frame: the links from the base outwards, then the tool.
-    pub(super) fn bodies<R: Lift>(&self, q: &[Position<R>]) -> Vec<(&Body, Pose<R>)> {
-        let poses = self.poses(q);
-        let tip = self.tip(&poses);
-        let links = self.rows.iter().map(|row| &row.body).zip(poses);
-        let tool = self.tool.iter().map(|tool| (&tool.body, tip));
-        links.chain(tool).collect()
-    }
-
-    /// How many of the bodies cannot move, for all joints up to theirs are locked.
-    pub(super) fn resting_bodies(&self) -> usize {
-        let is_locked = |row: &&Row| row.locked.is_some();
-        self.rows.iter().take_while(is_locked).count()
     }
 }

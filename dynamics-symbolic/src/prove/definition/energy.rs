@@ -4,8 +4,8 @@ use super::super::assignment::Number;
 use super::super::dual::Dual;
 use super::Definition;
 use super::pose::{Lift, Position};
-use super::regressor::{polar, twist};
-use crate::linear::{Matrix3, Ring, Vector3};
+use super::twist::{angular_velocity, polar, twist};
+use crate::linear::Vector3;
 
 impl Definition {
     /// T = sum 1/2 (m c'.c' + w.I w) + sum 1/2 r^2 J_m qd^2, where c' is the
@@ -84,12 +84,4 @@ impl Definition {
         }
         energy - self.neglected_potential(q)
     }
-}
-
-/// w of [w]x = R^T R', in the axes of the turned frame.
-pub(super) fn angular_velocity<R: Ring>(rotation: &Matrix3<Dual<R>>) -> Vector3<R> {
-    let value = Matrix3(rotation.0.map(|row| row.map(|x| x.value)));
-    let rate = Matrix3(rotation.0.map(|row| row.map(|x| x.derivative)));
-    let entry = |i: usize, j: usize| value.column(i).dot(rate.column(j));
-    Vector3::new(entry(2, 1), entry(0, 2), entry(1, 0))
 }

@@ -1,8 +1,8 @@
 //! Poses and velocities of the links.
 
 use super::super::assignment::Number;
-use super::energy::angular_velocity;
 use super::pose::Pose;
+use super::twist::angular_velocity;
 use super::{Definition, Matrix, Vector};
 use crate::linear::Matrix3;
 

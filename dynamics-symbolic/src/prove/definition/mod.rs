@@ -20,11 +20,13 @@ mod derivatives;
 mod elimination;
 mod energy;
 mod equations;
+mod frames;
 mod kinematics;
 mod placement;
 mod pose;
 mod regressor;
 mod row;
+mod twist;
 
 use super::assignment::{Assignment, JointPoint, Number};
 use crate::exact::Rational;

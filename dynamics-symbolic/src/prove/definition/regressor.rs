@@ -13,11 +13,11 @@
 use super::super::assignment::Number;
 use super::super::dual::Dual;
 use super::body::Body;
-use super::energy::angular_velocity;
 use super::pose::{Pose, Position};
+use super::twist::{Twist, polar, twist};
 use super::{Definition, Matrix, Parameters, Vector};
 use crate::exact::{SplitMix64, circle_point};
-use crate::linear::{Matrix3, Ring, Symmetric3, Vector3};
+use crate::linear::{Matrix3, Symmetric3, Vector3};
 use crate::robot::{Convention, JointType, Parameter};
 
 /// Eleven parameters of a link are told apart by that many values of its own joint's force; two
@@ -29,13 +29,6 @@ struct State {
     q: Vec<Position<Number>>,
     qd: Vector,
     qdd: Vector,
-}
-
-/// Velocities of a frame in its own axes.
-#[derive(Clone, Copy)]
-pub(super) struct Twist<R> {
-    w: Vector3<R>,
-    v: Vector3<R>,
 }
 
 impl Definition {
@@ -290,34 +283,6 @@ fn parameters(body: &Body, pose: &Pose<Number>) -> [Number; 10] {
     let (jxx, jyy, jzz) = (tensor.xx, tensor.yy, tensor.zz);
     [
         jxx, tensor.xy, tensor.xz, jyy, tensor.yz, jzz, hx, hy, hz, m,
-    ]
-}
-
-pub(super) fn twist<R: Ring>(frame: &Pose<Dual<R>>) -> Twist<R> {
-    let axes = Matrix3(frame.rotation.0.map(|row| row.map(|x| x.value)));
-    let velocity = Vector3(frame.origin.0.map(|x| x.derivative));
-    Twist {
-        w: angular_velocity(&frame.rotation),
-        v: axes.transpose().apply(velocity),
-    }
-}
-
-/// The polar form of 2 T, for a unit of each of the ten parameters: dT/dqd_j is that of the whole
-/// twist and the one by a unit velocity of joint j.
-pub(super) fn polar<R: Ring>(a: Twist<R>, b: Twist<R>) -> [R; 10] {
-    let (u, w) = (a.w, b.w);
-    let [hx, hy, hz] = (a.v.cross(w) + b.v.cross(u)).0;
-    [
-        u[0] * w[0],
-        u[0] * w[1] + u[1] * w[0],
-        u[0] * w[2] + u[2] * w[0],
-        u[1] * w[1],
-        u[1] * w[2] + u[2] * w[1],
-        u[2] * w[2],
-        hx,
-        hy,
-        hz,
-        a.v.dot(b.v),
     ]
 }
 

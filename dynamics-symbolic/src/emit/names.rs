@@ -1,0 +1,31 @@
+//! Identifiers in generated code, and the number of joints.
+
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{ToTokens, quote};
+
+/// A name of the generated code's own, which no name of the user's can meet.
+pub(super) fn ident(name: &str) -> Ident {
+    Ident::new(name, proc_macro2::Span::mixed_site())
+}
+
+/// A field's name without the `r#` of a raw identifier.
+pub(super) fn plain(field: &str) -> &str {
+    field.strip_prefix("r#").unwrap_or(field)
+}
+
+/// The identifier of a field of the user's struct.
+pub(super) fn field(name: &str) -> Ident {
+    let span = proc_macro2::Span::call_site();
+    match name.strip_prefix("r#") {
+        Some(raw) => Ident::new_raw(raw, span),
+        None => Ident::new(name, span),
+    }
+}
+
+/// The number of joints as a token: a constant's name where `dof` is zero.
+pub(super) fn number_of_joints(dof: usize) -> TokenStream {
+    match dof {
+        0 => quote!(N),
+        _ => Literal::usize_unsuffixed(dof).into_token_stream(),
+    }
+}
