@@ -69,8 +69,12 @@ pub enum Entry {
     Convention(Option<Convention>),
     /// `gravity: [0, 0, -9.81]`
     Gravity(Option<Vector>),
+    /// `base: { xyz: [0, 0, 0.8] }`
+    Base(Option<Box<Placement>>),
     /// `joints: [...]`
     Joints(Place, Option<Joints>),
+    /// `tool: { xyz: [0, 0, 0.1], mass: 2 }`
+    Tool(Option<Box<Tool>>),
     /// `functions: [...]`
     Functions(Option<Vec<(Function, Place)>>),
     /// `lock: [elbow = 0.3]`
@@ -103,6 +107,30 @@ pub struct Share {
 
 /// `[x, y, z]`
 pub type Vector = [Option<Expr>; 3];
+
+/// `{ xyz: [x, y, z], rpy: [roll, pitch, yaw] }`
+#[derive(Debug, Default)]
+pub struct Placement {
+    /// The frame's origin, m.
+    pub xyz: Given<Vector>,
+    /// Its angles, rad.
+    pub rpy: Given<Vector>,
+}
+
+/// `{ xyz, rpy, mass, com, inertia }`
+#[derive(Debug, Default)]
+pub struct Tool {
+    /// Its frame in the last link's.
+    pub placement: Placement,
+    /// Mass of its body, kg.
+    pub mass: Given<Expr>,
+    /// The body's centre of mass in the tool's frame, m.
+    pub com: Given<Vector>,
+    /// The body's inertia about the centre of mass.
+    pub inertia: Given<Inertia>,
+    /// What is accepted all the same.
+    pub allow: Given<Allow>,
+}
 
 /// A thing that may be left out.
 #[derive(Debug, Default)]

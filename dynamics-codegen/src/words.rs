@@ -86,7 +86,7 @@ fn elsewhere<'a>(word: &str, known: &[&'a str]) -> Option<&'a str> {
 }
 
 /// Words of other books and programs, and ours.
-const ELSEWHERE: [(&str, &str); 45] = [
+const ELSEWHERE: [(&str, &str); 57] = [
     ("twist", "alpha"),
     ("length", "a"),
     ("offset", "d"),
@@ -132,6 +132,18 @@ const ELSEWHERE: [(&str, &str); 45] = [
     ("fk", "forward_kinematics"),
     ("J", "jacobian"),
     ("box", "cuboid"),
+    ("mount", "base"),
+    ("mounting", "base"),
+    ("world", "base"),
+    ("end_effector", "tool"),
+    ("gripper", "tool"),
+    ("payload", "tool"),
+    ("load", "tool"),
+    ("position", "xyz"),
+    ("translation", "xyz"),
+    ("orientation", "rpy"),
+    ("rotation", "rpy"),
+    ("euler", "rpy"),
 ];
 
 /// Edits within which two words count as near, the shorter having `length` letters.

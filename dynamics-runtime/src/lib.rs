@@ -32,6 +32,7 @@ mod evaluation;
 mod exact;
 mod factorisation;
 mod float;
+mod frame;
 #[cfg(feature = "std")]
 mod integrate;
 mod macros;
@@ -66,6 +67,7 @@ pub use evaluation::columns;
 pub use evaluation::{AccelerationDerivatives, State};
 #[cfg(feature = "std")]
 pub use evaluation::{Evaluate, Evaluation};
+pub use frame::{Frame, Tool};
 pub use model::{
     CoriolisVector, Energy, ForwardDynamics, GravityVector, InverseDynamics, MassMatrix, Model,
     Momenta,

@@ -1,5 +1,6 @@
 //! The Denavit-Hartenberg table as plain numbers: what the numeric algorithms read.
 
+use crate::frame::{Frame, Tool};
 use crate::placement::Placement;
 
 /// How a row of the table places link frame i in link frame i-1.
@@ -87,8 +88,8 @@ pub struct Row {
     /// Where this row begins, in the link frame of the row before or in the base frame: elsewhere than
     /// there where joints between the two rows are locked ([`Table::lock`]).
     pub mount: Placement,
-    /// Where the tip is in the link frame, which matters in the last row: elsewhere than there where
-    /// joints behind that row are locked.
+    /// Where the last link frame of the table is in this one, which matters in the last row: elsewhere
+    /// than there where joints behind that row are locked.
     pub tip: Placement,
 }
 
@@ -122,20 +123,35 @@ impl Row {
     }
 }
 
-/// The table of an arm with `N` joints on a fixed base, as numbers. Nothing is validated.
+/// The table of an arm with `N` joints, as numbers. Nothing is validated.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Table<const N: usize> {
     /// Convention of the rows.
     pub convention: Convention,
-    /// Acceleration of gravity in the base frame, m/s^2: (0, 0, -9.81) where z points up.
+    /// Acceleration of gravity in the axes of the world, m/s^2: (0, 0, -9.81) where z points up.
     pub gravity: [f64; 3],
+    /// The base frame, frame 0, in the world.
+    pub base: Frame,
     /// The rows, from the base outwards.
     pub rows: [Row; N],
+    /// What is fixed to the last link of the table, be its joint locked or not.
+    pub tool: Tool,
 }
 
 impl<const N: usize> Table<N> {
-    /// Mass of all links, kg.
+    /// An arm whose base frame is the world's, without a tool.
+    pub const fn new(convention: Convention, gravity: [f64; 3], rows: [Row; N]) -> Self {
+        Table {
+            convention,
+            gravity,
+            base: Frame::IDENTITY,
+            rows,
+            tool: Tool::NONE,
+        }
+    }
+
+    /// Mass of all links and of the tool, kg.
     pub fn total_mass(&self) -> f64 {
-        self.rows.iter().map(|row| row.mass).sum()
+        self.rows.iter().map(|row| row.mass).sum::<f64>() + self.tool.mass
     }
 }

@@ -4,8 +4,8 @@ use nalgebra::{Matrix2, SVector, Vector2};
 
 use crate::check::random::SplitMix64;
 use crate::{
-    Convention, Energy, Evaluate, Evaluation, ForwardDynamics, JointType, Model, Row, Scalar,
-    SingularMassMatrix, Spring, State, Table,
+    Convention, Energy, Evaluate, Evaluation, ForwardDynamics, Frame, JointType, Model, Row,
+    Scalar, SingularMassMatrix, Spring, State, Table, Tool,
 };
 
 /// The two-link arm with point masses at the ends of its links, Craig (6.60) to (6.62).
@@ -71,10 +71,10 @@ impl Model<2> for CraigArm {
 
     fn table(&self) -> Table<2> {
         let revolute = Row::new(JointType::Revolute);
-        Table {
-            convention: Convention::Modified,
-            gravity: [0.0, -self.g, 0.0],
-            rows: [
+        Table::new(
+            Convention::Modified,
+            [0.0, -self.g, 0.0],
+            [
                 Row {
                     mass: self.m1,
                     com: [self.l1, 0.0, 0.0],
@@ -87,7 +87,7 @@ impl Model<2> for CraigArm {
                     ..revolute
                 },
             ],
-        }
+        )
     }
 }
 
@@ -151,10 +151,32 @@ pub(crate) fn general_table<const N: usize>(convention: Convention, seed: u64) -
     let mut random = SplitMix64(seed);
     let mut gravity = [0.0; 3];
     gravity.fill_with(|| random.within(&(-9.0..=9.0)));
-    Table {
+    Table::new(
         convention,
         gravity,
-        rows: core::array::from_fn(|_| general_row(&mut random)),
+        core::array::from_fn(|_| general_row(&mut random)),
+    )
+}
+
+/// As [`general_table`], on a base and with a tool.
+pub(crate) fn mounted_table<const N: usize>(convention: Convention, seed: u64) -> Table<N> {
+    let mut random = SplitMix64(!seed);
+    let mut within = |size: f64| [(); 3].map(|()| random.within(&(-size..=size)));
+    let mut frame = || Frame {
+        xyz: within(1.0),
+        rpy: within(3.0),
+    };
+    let (base, tool) = (frame(), frame());
+    let body = general_row(&mut random);
+    Table {
+        base,
+        tool: Tool {
+            frame: tool,
+            mass: body.mass,
+            com: body.com,
+            inertia: body.inertia,
+        },
+        ..general_table(convention, seed)
     }
 }
 

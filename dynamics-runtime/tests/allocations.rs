@@ -67,11 +67,7 @@ impl Model<1> for Pendulum {
             coulomb: self.0,
             ..Row::new(JointType::Revolute)
         };
-        Table {
-            convention: Convention::Modified,
-            gravity: [0.0; 3],
-            rows: [row],
-        }
+        Table::new(Convention::Modified, [0.0; 3], [row])
     }
 }
 

@@ -1,6 +1,6 @@
 //! The dynamics of a table in numbers of 31 digits: the measure of errors.
 //!
-//! Newton-Euler in the base frame, as short as it can be written: every link's motion, and
+//! Newton-Euler in the axes of the world, as short as it can be written: every link's motion, and
 //! for every joint the sum of the moments of all forces beyond it. It shares nothing with the
 //! derivation, and no formula with the runtime's numeric algorithms.
 
@@ -15,19 +15,25 @@ type Matrix = Matrix3<DoubleDouble>;
 /// The dynamics of a table at the doubles that stand in it; multiples of pi/2 are meant exactly.
 pub struct Exact<'a, const N: usize>(pub &'a Table<N>);
 
-/// Where a link is and how it moves, in the base frame.
+/// A joint, and the bodies that it moves and the joints behind it do not.
 struct Link {
     joint_type: JointType,
     axis: Vector,
     /// A point of the joint's axis.
     origin: Vector,
+    /// The link itself, and the tool.
+    bodies: [Option<Body>; 2],
+}
+
+/// What the motion of a body takes.
+struct Body {
     com: Vector,
-    /// Force and moment about the centre of mass that its motion takes.
     force: Vector,
+    /// About the centre of mass.
     moment: Vector,
 }
 
-/// A frame in the base frame.
+/// A frame in the world.
 #[derive(Clone, Copy)]
 struct Frame {
     rotation: Matrix,
@@ -122,11 +128,14 @@ impl<const N: usize> Exact<'_, N> {
             let row = &self.0.rows[i];
             let gear_ratio = number(row.gear_ratio);
             let reflected = gear_ratio * gear_ratio * number(row.motor_inertia);
-            links[i..].iter().fold(reflected * qdd[i], |sum, link| {
-                let moment = link.moment + (link.com - joint.origin).cross(&link.force);
+            let bodies = links[i..]
+                .iter()
+                .flat_map(|link| link.bodies.iter().flatten());
+            bodies.fold(reflected * qdd[i], |sum, body| {
+                let moment = body.moment + (body.com - joint.origin).cross(&body.force);
                 sum + match joint.joint_type {
                     JointType::Revolute => joint.axis.dot(&moment),
-                    JointType::Prismatic => joint.axis.dot(&link.force),
+                    JointType::Prismatic => joint.axis.dot(&body.force),
                 }
             })
         })
@@ -139,10 +148,11 @@ impl<const N: usize> Exact<'_, N> {
         qdd: &SVector<DoubleDouble, N>,
         gravity: &Vector,
     ) -> [Link; N] {
-        let mut frame = Frame {
+        let world = Frame {
             rotation: Matrix::identity(),
             position: Vector::zeros(),
         };
+        let mut frame = world.placed(&self.0.base);
         let mut motion = Motion {
             point: Vector::zeros(),
             acceleration: -gravity,
@@ -163,19 +173,41 @@ impl<const N: usize> Exact<'_, N> {
             if self.0.convention == Convention::Standard {
                 frame = frame.along_x(row);
             }
-            motion.of_link(row, &frame, axis, origin)
+            let link = motion.of_body((row.mass, row.com, row.inertia), &frame);
+            let tool = &self.0.tool;
+            let tool = (i + 1 == N).then(|| {
+                let frame = frame.placed(&tool.frame);
+                motion.of_body((tool.mass, tool.com, tool.inertia), &frame)
+            });
+            Link {
+                joint_type: row.joint_type,
+                axis,
+                origin,
+                bodies: [Some(link), tool],
+            }
         })
     }
 }
 
 impl Frame {
+    /// `T(xyz) Rz(yaw) Ry(pitch) Rx(roll)`.
+    fn placed(&self, place: &robot_dynamics::Frame) -> Frame {
+        let [zero, one] = [0.0, 1.0].map(number);
+        let [roll, pitch, yaw] = place.rpy.map(of_constant);
+        let (s, c) = yaw;
+        let about_z = Matrix::new(c, -s, zero, s, c, zero, zero, zero, one);
+        let (s, c) = pitch;
+        let about_y = Matrix::new(c, zero, s, zero, one, zero, -s, zero, c);
+        Frame {
+            rotation: self.rotation * about_z * about_y * about_x(roll),
+            position: self.position + self.rotation * Vector::from(place.xyz.map(number)),
+        }
+    }
+
     /// `Rx(alpha) Tx(a)`.
     fn along_x(&self, row: &Row) -> Frame {
-        let [zero, one] = [0.0, 1.0].map(number);
-        let (s, c) = of_constant(row.alpha);
-        let turn = Matrix::new(one, zero, zero, zero, c, -s, zero, s, c);
         Frame {
-            rotation: self.rotation * turn,
+            rotation: self.rotation * about_x(of_constant(row.alpha)),
             position: self.position + self.rotation.column(0) * number(row.a),
         }
     }
@@ -229,22 +261,24 @@ impl Motion {
         }
     }
 
-    /// Newton and Euler for the link whose frame is `frame`.
-    fn of_link(&self, row: &Row, frame: &Frame, axis: Vector, origin: Vector) -> Link {
-        let [xx, yy, zz, xy, yz, xz] = row.inertia.map(number);
+    /// Newton and Euler for a body of that mass, centre of mass and inertia tensor in `frame`.
+    fn of_body(&self, (mass, com, inertia): (f64, [f64; 3], [f64; 6]), frame: &Frame) -> Body {
+        let [xx, yy, zz, xy, yz, xz] = inertia.map(number);
         let tensor = Matrix::new(xx, xy, xz, xy, yy, yz, xz, yz, zz);
         let tensor = frame.rotation * tensor * frame.rotation.transpose();
-        let com = frame.position + frame.rotation * Vector::from(row.com.map(number));
+        let com = frame.position + frame.rotation * Vector::from(com.map(number));
         let w = &self.angular_velocity;
-        Link {
-            joint_type: row.joint_type,
-            axis,
-            origin,
+        Body {
             com,
-            force: self.at(com).acceleration * number(row.mass),
+            force: self.at(com).acceleration * number(mass),
             moment: tensor * self.angular_acceleration + w.cross(&(tensor * w)),
         }
     }
+}
+
+fn about_x((s, c): (DoubleDouble, DoubleDouble)) -> Matrix {
+    let [zero, one] = [0.0, 1.0].map(number);
+    Matrix::new(one, zero, zero, zero, c, -s, zero, s, c)
 }
 
 fn number(x: f64) -> DoubleDouble {

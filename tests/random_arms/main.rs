@@ -35,11 +35,23 @@ struct Tally {
     largest: f64,
 }
 
+/// Those that base and tool add to.
+const OF_THE_TIP: [Function; 3] = [
+    Function::ForwardKinematics,
+    Function::LinkPoses,
+    Function::Jacobian,
+];
+
 fn compare(seed: u64, count: usize) -> Tally {
+    compare_drawn(seed, count, Tables::robot)
+}
+
+/// The arms that `draw` makes.
+fn compare_drawn(seed: u64, count: usize, draw: fn(&mut Tables) -> Robot) -> Tally {
     let mut tables = Tables::new(seed, Bodies::Physical);
     let mut tally = Tally::default();
     for number in 0..count {
-        let robot = tables.robot();
+        let robot = draw(&mut tables);
         // Positive, and of no special value.
         let fields =
             (0..robot.fields.len()).map(|_| 0.1 + tables.below(1 << 20) as f64 / 524_287.0);
@@ -59,7 +71,11 @@ fn compare(seed: u64, count: usize) -> Tally {
 
 impl Tally {
     fn add<const N: usize>(&mut self, robot: &Robot, fields: &[f64], label: &str) {
-        let programs = FUNCTIONS.map(|function| (function, derive(robot, function)));
+        let is_mounted = robot.base.is_some() || robot.tool.is_some();
+        let of_the_tip = OF_THE_TIP.into_iter().filter(|_| is_mounted);
+        let functions = FUNCTIONS.into_iter().chain(of_the_tip);
+        let programs = functions.map(|function| (function, derive(robot, function)));
+        let programs: Vec<_> = programs.collect();
         let arm = Interpreted::<N>::new(robot, fields, &programs);
         let report = Check::new().samples(8).run(&arm);
         assert!(report.is_ok(), "{label}: {report}\n{robot:#?}\n{fields:?}");
@@ -87,6 +103,12 @@ fn assert_varied(tally: &Tally) {
 #[test]
 fn programs_of_random_arms_agree_with_newton_euler() {
     assert_varied(&compare(1, 150));
+}
+
+/// Bases and tools of numbers, angles and fields.
+#[test]
+fn programs_of_random_arms_with_base_and_tool_agree_with_newton_euler() {
+    assert_varied(&compare_drawn(3, 100, Tables::mounted_robot));
 }
 
 /// `cargo test -p tests --test random_arms -- --ignored`

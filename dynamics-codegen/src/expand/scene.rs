@@ -1,16 +1,60 @@
-//! What the struct's documentation says of joints that are locked and of terms that are neglected.
+//! What the struct's documentation says of the base, of the tool, of joints that are locked and of terms
+//! that are neglected.
 
-use dynamics_symbolic::robot::Neglected;
+use dynamics_symbolic::robot::{Neglected, Placement, Robot, Tool, Value};
 
 use crate::validate::Model;
 
 /// The lines; none where there is nothing to say.
 pub(super) fn lines(model: &Model) -> Vec<String> {
-    let mut lines = locked(model);
+    let robot = &model.robot;
+    let base = robot.base.as_ref().map(|base| self::base(robot, base));
+    let tool = robot.tool.as_ref().map(|tool| self::tool(robot, tool));
+    let frames = base.into_iter().chain(tool);
+    let mut lines: Vec<String> = frames.flat_map(|text| section(&text, Vec::new())).collect();
+    lines.extend(locked(model));
     if let Some(neglected) = &model.robot.neglected {
         lines.extend(self::neglected(neglected));
     }
     lines
+}
+
+fn base(robot: &Robot, base: &Placement) -> String {
+    format!(
+        " The base frame is placed in the world at {}: gravity, poses, Jacobians and the potential energy are \
+         those in the world.",
+        placed(robot, base)
+    )
+}
+
+fn tool(robot: &Robot, tool: &Tool) -> String {
+    let body = match tool.has_body() {
+        true => format!(", with a body of {} kg", shown(robot, &tool.mass)),
+        false => String::new(),
+    };
+    format!(
+        " The tool frame is placed in the last link frame at {}{body}: it is the tip, of which \
+         `forward_kinematics` and `jacobian` are.",
+        placed(robot, &tool.placement)
+    )
+}
+
+fn placed(robot: &Robot, placement: &Placement) -> String {
+    let all = |values: &[Value; 3]| {
+        let values = values.each_ref().map(|value| shown(robot, value));
+        values.join(", ")
+    };
+    let (xyz, rpy) = (all(&placement.xyz), all(&placement.rpy));
+    format!("xyz ({xyz}) m and rpy ({rpy}) rad")
+}
+
+/// A number, or the name of a field.
+fn shown(robot: &Robot, value: &Value) -> String {
+    match value {
+        Value::Field(index) => format!("`{}`", robot.fields[*index]),
+        value if value.is_number() => value.to_f64(&[]).to_string(),
+        _ => "a value made of fields".to_owned(),
+    }
 }
 
 fn locked(model: &Model) -> Vec<String> {

@@ -1,7 +1,7 @@
 //! The table in numbers, which the runtime's checks read.
 
 use dynamics_symbolic::program::rounded_angle;
-use dynamics_symbolic::robot::{Angle, Convention, JointType, Robot, Row, Value};
+use dynamics_symbolic::robot::{Angle, Convention, JointType, Placement, Robot, Row, Tool, Value};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
@@ -20,31 +20,67 @@ pub(super) fn table(structure: &Structure, robot: &Robot, path: &TokenStream) ->
     };
     let gravity = robot.gravity.iter().map(|value| number(value, &fields));
     let rows = robot.rows.iter().map(|row| self::row(row, &fields, path));
-    if robot.dof() < robot.rows.len() {
-        let positions = robot.rows.iter().map(|row| match &row.locked {
-            Some(position) => {
-                let position = match row.joint_type {
-                    JointType::Revolute => angle(position, &fields, path),
-                    JointType::Prismatic => number(position, &fields),
-                };
-                quote!(::core::option::Option::Some(#position))
+    let arm = match robot.dof() < robot.rows.len() {
+        true => {
+            let positions = positions(robot, &fields, path);
+            quote! {
+                #path::Table::lock(
+                    #convention,
+                    [#(#gravity),*],
+                    [#(#rows),*],
+                    [#(#positions),*],
+                )
             }
-            None => quote!(::core::option::Option::None),
-        });
-        return quote! {
-            #path::Table::lock(
-                #convention,
-                [#(#gravity),*],
-                [#(#rows),*],
-                [#(#positions),*],
-            )
-        };
+        }
+        false => quote!(#path::Table::new(#convention, [#(#gravity),*], [#(#rows),*])),
+    };
+    let base = robot.base.as_ref().map(|base| {
+        let frame = frame(base, &fields, path);
+        quote!(base: #frame,)
+    });
+    let tool = robot.tool.as_ref().map(|tool| {
+        let tool = self::tool(tool, &fields, path);
+        quote!(tool: #tool,)
+    });
+    match base.is_none() && tool.is_none() {
+        true => arm,
+        false => quote!(#path::Table { #base #tool ..#arm }),
     }
+}
+
+/// Where the joints of all rows are locked.
+fn positions(robot: &Robot, fields: &[&Ident], path: &TokenStream) -> Vec<TokenStream> {
+    let position = |row: &Row| match (&row.locked, row.joint_type) {
+        (Some(position), JointType::Revolute) => {
+            let position = angle(position, fields, path);
+            quote!(::core::option::Option::Some(#position))
+        }
+        (Some(position), JointType::Prismatic) => {
+            let position = number(position, fields);
+            quote!(::core::option::Option::Some(#position))
+        }
+        (None, _) => quote!(::core::option::Option::None),
+    };
+    robot.rows.iter().map(position).collect()
+}
+
+fn frame(placement: &Placement, fields: &[&Ident], path: &TokenStream) -> TokenStream {
+    let xyz = placement.xyz.iter().map(|value| number(value, fields));
+    let rpy = placement.rpy.iter().map(|value| angle(value, fields, path));
+    quote!(#path::Frame { xyz: [#(#xyz),*], rpy: [#(#rpy),*] })
+}
+
+fn tool(tool: &Tool, fields: &[&Ident], path: &TokenStream) -> TokenStream {
+    let frame = frame(&tool.placement, fields, path);
+    let mass = number(&tool.mass, fields);
+    let com = tool.com.iter().map(|value| number(value, fields));
+    let inertia = tool.inertia.iter().map(|value| number(value, fields));
     quote! {
-        #path::Table {
-            convention: #convention,
-            gravity: [#(#gravity),*],
-            rows: [#(#rows),*],
+        #path::Tool {
+            frame: #frame,
+            mass: #mass,
+            com: [#(#com),*],
+            inertia: [#(#inertia),*],
         }
     }
 }

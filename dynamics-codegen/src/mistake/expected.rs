@@ -121,6 +121,14 @@ pub(crate) fn motor() -> Expected {
     expected("`{ inertia: ..., gear_ratio: ... }`")
 }
 
+pub(crate) fn base() -> Expected {
+    expected("`{ xyz: [x, y, z], rpy: [roll, pitch, yaw] }`")
+}
+
+pub(crate) fn tool() -> Expected {
+    expected("`{ xyz: [x, y, z], rpy: [roll, pitch, yaw], mass: ..., com: ..., inertia: ... }`")
+}
+
 pub(crate) fn friction() -> Expected {
     expected("`{ viscous: ..., coulomb: ... }`")
 }
@@ -145,12 +153,9 @@ pub(crate) fn solid(shown: &str) -> Expected {
     expected(format!("`{shown}`"))
 }
 
-pub(crate) fn vector() -> Expected {
-    expected("`[x, y, z]`")
-}
-
-pub(crate) fn limits() -> Expected {
-    expected("`[lower, upper]`")
+/// Values in brackets.
+pub(crate) fn array(shown: &str) -> Expected {
+    expected(format!("`{shown}`"))
 }
 
 pub(crate) fn value() -> Expected {

@@ -72,14 +72,16 @@ pub(crate) fn negative(what: &str) -> Mistake {
     Mistake::new(format!("{what} cannot be negative"))
 }
 
-pub(crate) fn solid_without_mass() -> Mistake {
-    Mistake::new("a solid's inertia needs the row's `mass`")
+/// `place` is the row or the tool.
+pub(crate) fn solid_without_mass(place: &str) -> Mistake {
+    Mistake::new(format!("a solid's inertia needs the {place}'s `mass`"))
 }
 
-pub(crate) fn no_body(reason: &str) -> Mistake {
+/// `place` is the row or the tool.
+pub(crate) fn no_body(reason: &str, place: &str) -> Mistake {
     Mistake::new(format!(
         "no body has this inertia tensor: {reason} \
-         (published data can be like that: `allow: [unphysical_inertia]` on the row accepts it)"
+         (published data can be like that: `allow: [unphysical_inertia]` on the {place} accepts it)"
     ))
 }
 

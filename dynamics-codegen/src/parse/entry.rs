@@ -6,6 +6,7 @@ use proc_macro2::{Delimiter, Ident};
 
 use super::cursor::Cursor;
 use super::expression::{expression, share};
+use super::frames;
 use super::list::{Key, colon, comma_separated, end_item, key, skip_docs};
 use super::row::joints;
 use super::unknown::unknown;
@@ -17,10 +18,12 @@ use crate::place::Place;
 use crate::words;
 
 /// The keys of the table.
-const KEYS: [&str; 7] = [
+const KEYS: [&str; 9] = [
     "convention",
     "gravity",
+    "base",
     "joints",
+    "tool",
     "functions",
     "lock",
     "neglect",
@@ -147,8 +150,14 @@ fn value(cursor: &mut Cursor, key: &Key) -> (Entry, Result<(), Reported>) {
     match key.name {
         "convention" => split(colon.and_then(|()| convention(cursor)), Entry::Convention),
         "gravity" => split(colon.and_then(|()| vector(cursor)), Entry::Gravity),
+        "base" => split(colon.and_then(|()| frames::base(cursor)), |base| {
+            Entry::Base(base.map(Box::new))
+        }),
         "joints" => split(colon.and_then(|()| table(cursor)), |joints| {
             Entry::Joints(start, joints)
+        }),
+        "tool" => split(colon.and_then(|()| frames::tool(cursor)), |tool| {
+            Entry::Tool(tool.map(Box::new))
         }),
         "functions" => split(colon.and_then(|()| functions(cursor)), Entry::Functions),
         "lock" => split(colon.and_then(|()| lock(cursor)), Entry::Lock),

@@ -6,6 +6,7 @@
 mod cursor;
 mod entry;
 mod expression;
+mod frames;
 mod inertia;
 mod list;
 mod number;

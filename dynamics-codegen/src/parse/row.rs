@@ -240,14 +240,15 @@ fn spring(cursor: &mut Cursor) -> Result<Spring, Reported> {
     Ok(spring)
 }
 
-fn braces<'t>(cursor: &mut Cursor<'t>, what: Expected) -> Result<Group<'t>, Reported> {
+/// Takes braces, where `what` is expected.
+pub(super) fn braces<'t>(cursor: &mut Cursor<'t>, what: Expected) -> Result<Group<'t>, Reported> {
     cursor
         .take_group(Delimiter::Brace)
         .ok_or_else(|| cursor.expected(what))
 }
 
 /// Reads `[unphysical_inertia]`. A wrong word leaves it unknown what was to be allowed.
-fn allow(cursor: &mut Cursor) -> Result<Allow, Reported> {
+pub(super) fn allow(cursor: &mut Cursor) -> Result<Allow, Reported> {
     const KNOWN: [&str; 1] = ["unphysical_inertia"];
     let group = cursor.take_list(Delimiter::Bracket, expected::allowances())?;
     let mut allow = Allow::default();

@@ -11,19 +11,25 @@ use crate::mistake::{self, expected};
 
 /// Reads `[x, y, z]`.
 pub(super) fn vector(cursor: &mut Cursor) -> Result<Vector, Reported> {
-    let group = cursor
-        .take_group(Delimiter::Bracket)
-        .ok_or_else(|| cursor.expected(expected::vector()))?;
-    let mut values = values(cursor, &group, 3, "[x, y, z]")?.into_iter();
-    Ok(std::array::from_fn(|_| values.next().flatten()))
+    array(cursor, "[x, y, z]")
+}
+
+/// Reads `[roll, pitch, yaw]`.
+pub(super) fn angles(cursor: &mut Cursor) -> Result<Vector, Reported> {
+    array(cursor, "[roll, pitch, yaw]")
 }
 
 /// Reads `[lower, upper]`.
 pub(super) fn limits(cursor: &mut Cursor) -> Result<Limits, Reported> {
+    array(cursor, "[lower, upper]")
+}
+
+/// Reads N values in brackets, of which `shown` is an example.
+fn array<const N: usize>(cursor: &mut Cursor, shown: &str) -> Result<[Option<Expr>; N], Reported> {
     let group = cursor
         .take_group(Delimiter::Bracket)
-        .ok_or_else(|| cursor.expected(expected::limits()))?;
-    let mut values = values(cursor, &group, 2, "[lower, upper]")?.into_iter();
+        .ok_or_else(|| cursor.expected(expected::array(shown)))?;
+    let mut values = values(cursor, &group, N, shown)?.into_iter();
     Ok(std::array::from_fn(|_| values.next().flatten()))
 }
 

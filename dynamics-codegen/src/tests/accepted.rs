@@ -140,3 +140,50 @@ fn friction_vector_is_in_the_default_set_where_a_row_has_friction() {
     assert!(!has_friction("mass: 1, friction: { viscous: 0 }"));
     assert!(!has_friction("mass: 1"));
 }
+
+const MOUNTED: &str = "
+    struct Mounted { tilt: f64, load: f64 }
+    convention: modified,
+    gravity: [0, 0, -9.81],
+    let height = 0.8;
+    base: { xyz: [0, 0, height], rpy: [0, tilt, PI / 2] },
+    joints: [joint: revolute { mass: 1 }],
+    tool: {
+        rpy: [0, 0, deg(45)], mass: load, com: [0, 0, 0.05], inertia: sphere(1 / 2),
+        allow: [unphysical_inertia],
+    },
+";
+
+#[test]
+fn a_base_and_a_tool() {
+    let robot = model(MOUNTED).robot;
+    let number = |text: &str| Value::Rational(rational(text));
+    let base = robot.base.expect("a base");
+    assert_eq!(base.xyz[2], number("4/5"));
+    assert_eq!(base.rpy[1], Value::field(0));
+    assert_eq!(base.rpy[2].to_f64(&[]), core::f64::consts::FRAC_PI_2);
+    let tool = robot.tool.expect("a tool");
+    assert!(tool.placement.xyz.iter().all(Value::is_zero));
+    assert_eq!(tool.placement.rpy[2], number("1/4") * Value::Pi);
+    assert_eq!(tool.mass, Value::field(1));
+    assert_eq!(tool.com[2], number("1/20"));
+    assert_eq!(tool.inertia[0], Value::field(1) * number("1/10"));
+}
+
+#[test]
+fn entries_of_base_and_tool_may_be_left_out() {
+    let call = |entries: &str| format!("{} {entries}", with_cells("mass: 1"));
+    let robot = model(&call("base: {}, tool: {},")).robot;
+    let base = robot.base.expect("a base");
+    assert!(base.xyz.iter().chain(&base.rpy).all(Value::is_zero));
+    assert!(!robot.tool.expect("a tool").has_body());
+    let plain = model(&with_cells("mass: 1")).robot;
+    assert!(plain.base.is_none() && plain.tool.is_none());
+}
+
+/// Published data break the inequality for tools as they do for links.
+#[test]
+fn a_tool_of_an_unphysical_tensor_where_it_is_allowed() {
+    let tool = "tool: { mass: 1, inertia: { xx: 0.066, yy: 0.086, zz: 0.0125 }, allow: [unphysical_inertia] }";
+    model(&format!("{} {tool}", with_cells("mass: 1")));
+}

@@ -236,3 +236,20 @@ fn stubs_of_locked_arms_have_fewer_joints() {
     let unknown = expansion(&format!("{SCENE} lock: [four = 1]"));
     assert!(unknown.contains("compile_error") && unknown.contains("const N : usize"));
 }
+
+#[test]
+fn the_documentation_says_where_base_and_tool_are() {
+    let call = "struct Cell { load: f64, tilt: f64 } convention: modified, gravity: [0, 0, -9.81], \
+                base: { xyz: [0, 0, 0.8], rpy: [0, tilt, 0] }, joints: [joint: revolute { mass: 1 }], \
+                tool: { xyz: [0.5, 0, tilt + 1], mass: load }, functions: [forward_kinematics, jacobian]";
+    let items = expansion(call);
+    for text in [
+        "The base frame is placed in the world at xyz (0, 0, 0.8) m and rpy (0, `tilt`, 0) rad",
+        "The tool frame is placed in the last link frame at xyz (0.5, 0, a value made of fields) m",
+        "with a body of `load` kg",
+        "the homogeneous transform of the tool frame in the world, m.",
+        "Geometric Jacobian of the tool frame's origin, 6 x N, rows vx vy vz wx wy wz, in the world.",
+    ] {
+        assert!(items.contains(text), "{text}");
+    }
+}

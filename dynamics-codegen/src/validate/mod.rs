@@ -4,8 +4,10 @@
 //! reported. A value that could not be read is unknown (`None`) from then on, so
 //! that nothing is said about it twice.
 
+mod body;
+mod degrees;
 mod fields;
-mod inertia;
+mod frames;
 mod limits;
 mod lock;
 mod neglect;
@@ -15,7 +17,7 @@ mod solid;
 
 use dynamics_symbolic::Function;
 use dynamics_symbolic::function::Growth;
-use dynamics_symbolic::robot::{Convention, Robot, Row, Value};
+use dynamics_symbolic::robot::{Convention, Placement, Robot, Row, Tool, Value};
 
 use crate::description::{self, Entry, Joints, Name, Table};
 use crate::diagnose::Diagnostics;
@@ -62,7 +64,9 @@ pub(crate) fn model(table: &Table, diagnostics: &Diagnostics) -> Option<Model> {
 struct Parts {
     convention: Option<Option<Convention>>,
     gravity: Option<[Option<Value>; 3]>,
+    base: Option<Option<Placement>>,
     rows: Option<Vec<Option<Row>>>,
+    tool: Option<Option<Tool>>,
     functions: Option<Vec<(Function, Place)>>,
     lock: Vec<Lock>,
     neglect: Option<(Value, Place)>,
@@ -79,6 +83,14 @@ impl Parts {
                 Entry::Let(name, value) => scope.bind(name, value.as_ref()),
                 Entry::Convention(convention) => parts.convention = Some(*convention),
                 Entry::Gravity(gravity) => parts.gravity = Some(scope.vector(gravity.as_ref())),
+                Entry::Base(base) => {
+                    let base = base.as_ref();
+                    parts.base = Some(base.and_then(|base| frames::placement(base, scope)));
+                }
+                Entry::Tool(tool) => {
+                    let tool = tool.as_ref();
+                    parts.tool = Some(tool.and_then(|tool| frames::tool(tool, scope)));
+                }
                 Entry::Joints(place, joints) => {
                     parts.rows = Some(match joints {
                         Some(joints) if number_is_good(joints, *place, scope) => {
@@ -149,8 +161,8 @@ impl Parts {
             gravity: all(self.gravity?)?,
             rows: self.rows?.into_iter().collect::<Option<_>>()?,
             neglected: None,
-            base: None,
-            tool: None,
+            base: given(self.base)?,
+            tool: given(self.tool)?,
         };
         let functions = match self.functions {
             Some(functions) => functions.into_iter().map(|(f, at)| (f, Some(at))).collect(),
@@ -218,4 +230,12 @@ fn report_long_functions(functions: &[(Function, Place)], joints: usize, scope: 
 fn has_friction(robot: &Robot) -> bool {
     let mut values = robot.joints().flat_map(|row| [&row.viscous, &row.coulomb]);
     values.any(|value| !value.is_zero())
+}
+
+/// An entry that may be left out; `None` where it is in error.
+fn given<T>(entry: Option<Option<T>>) -> Option<Option<T>> {
+    match entry {
+        None => Some(None),
+        Some(value) => value.map(Some),
+    }
 }

@@ -2,12 +2,13 @@
 
 use std::collections::BTreeSet;
 
-use dynamics_symbolic::exact::Rational;
 use dynamics_symbolic::robot::{JointType, Row, Spring, Value};
 
-use super::scope::{Scope, all};
-use super::{inertia, limits};
-use crate::description::{self, Expr, ExprKind, Friction, Given, Motor};
+use super::body::Body;
+use super::degrees::report_degrees;
+use super::scope::Scope;
+use super::{body, limits};
+use crate::description::{self, Friction, Given, Motor};
 use crate::mistake::joint as mistake;
 
 /// The meaning of each row; `None` where it is in error.
@@ -30,18 +31,26 @@ fn row(row: &description::Row, scope: &mut Scope) -> Option<Row> {
     let (d, theta) = offsets(row, scope);
     let a = scope.given(&row.a);
     let alpha = scope.given(&row.alpha);
-    report_degrees(&row.alpha, scope);
-    report_degrees(&row.theta, scope);
-    let mass = not_negative(&row.mass, "a mass", scope);
-    let com = match &row.com {
-        Given::Absent => std::array::from_fn(|_| Some(Value::zero())),
-        com => scope.vector(com.value()),
-    };
-    let inertia = inertia::inertia(row, mass.as_ref(), scope);
+    for angle in [&row.alpha, &row.theta] {
+        if let Some(angle) = angle.value() {
+            report_degrees(angle, scope);
+        }
+    }
+    let body = body::body(
+        &Body {
+            mass: &row.mass,
+            com: &row.com,
+            inertia: &row.inertia,
+            allow: &row.allow,
+            place: "row",
+        },
+        scope,
+    );
     let (motor_inertia, gear_ratio) = motor(&row.motor, scope);
     let (viscous, coulomb) = friction(&row.friction, scope);
     let spring = spring(&row.spring, scope);
     let limits = limits::limits(row, scope);
+    let (mass, com, inertia) = body?;
     Some(Row {
         name: row.name.as_ref()?.plain().to_owned(),
         joint_type: row.joint_type?,
@@ -49,9 +58,9 @@ fn row(row: &description::Row, scope: &mut Scope) -> Option<Row> {
         alpha: alpha?,
         d: d?,
         theta: theta?,
-        mass: mass?,
-        com: all(com)?,
-        inertia: inertia?,
+        mass,
+        com,
+        inertia,
         motor_inertia: motor_inertia?,
         gear_ratio: gear_ratio?,
         viscous: viscous?,
@@ -60,25 +69,6 @@ fn row(row: &description::Row, scope: &mut Scope) -> Option<Row> {
         limits: limits?,
         locked: None,
     })
-}
-
-/// Refuses an angle that is a number as nobody writes it in radians: a multiple of 15 that is no less
-/// than 30. Every other way of writing it is taken as it stands.
-fn report_degrees(cell: &Given<Expr>, scope: &Scope) {
-    let Some(expr) = cell.value() else { return };
-    let number = match &expr.kind {
-        ExprKind::Minus(value) => &value.kind,
-        kind => kind,
-    };
-    let ExprKind::Number(number) = number else {
-        return;
-    };
-    let is_degrees = (30..=360)
-        .step_by(15)
-        .any(|degrees| *number == Rational::from(degrees));
-    if is_degrees {
-        scope.error(expr.place, mistake::angle_in_degrees(number));
-    }
 }
 
 /// `d` and `theta`: the joint's variable is added to one of them.
@@ -96,25 +86,13 @@ fn offsets(row: &description::Row, scope: &mut Scope) -> (Option<Value>, Option<
     }
 }
 
-/// A cell that is refused where it is known to be negative.
-fn not_negative(cell: &Given<Expr>, what: &str, scope: &mut Scope) -> Option<Value> {
-    let value = scope.given(cell)?;
-    match cell.value() {
-        Some(expr) if value.is_negative() => {
-            scope.error(expr.place, mistake::negative(what));
-            None
-        }
-        _ => Some(value),
-    }
-}
-
 fn friction(cell: &Given<Friction>, scope: &mut Scope) -> (Option<Value>, Option<Value>) {
     match cell {
         Given::Absent => (Some(Value::zero()), Some(Value::zero())),
         Given::Unreadable => (None, None),
         Given::As(friction) => (
-            not_negative(&friction.viscous, "a friction coefficient", scope),
-            not_negative(&friction.coulomb, "a friction torque or force", scope),
+            scope.not_negative(&friction.viscous, "a friction coefficient"),
+            scope.not_negative(&friction.coulomb, "a friction torque or force"),
         ),
     }
 }
@@ -129,7 +107,7 @@ fn spring(cell: &Given<description::Spring>, scope: &mut Scope) -> Option<Option
     if spring.stiffness.is_absent() {
         scope.error(spring.place, mistake::stiffness_missing());
     }
-    let stiffness = not_negative(&spring.stiffness, "a spring's stiffness", scope);
+    let stiffness = scope.not_negative(&spring.stiffness, "a spring's stiffness");
     let rest = scope.given(&spring.rest);
     Some(Some(Spring {
         stiffness: stiffness?,
@@ -144,7 +122,7 @@ fn motor(cell: &Given<Motor>, scope: &mut Scope) -> (Option<Value>, Option<Value
         Given::Unreadable => return (None, None),
         Given::As(motor) => motor,
     };
-    let inertia = not_negative(&motor.inertia, "a motor's inertia", scope);
+    let inertia = scope.not_negative(&motor.inertia, "a motor's inertia");
     let gear_ratio = scope.given(&motor.gear_ratio);
     let stands_still = gear_ratio.as_ref().is_some_and(Value::is_zero);
     if stands_still && inertia.as_ref().is_some_and(|value| !value.is_zero()) {

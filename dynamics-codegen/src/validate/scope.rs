@@ -8,7 +8,7 @@ use dynamics_symbolic::robot::Value;
 use crate::description::{Entry, Expr, ExprKind, Given, Name, Operator, Table, Vector};
 use crate::diagnose::Diagnostics;
 use crate::limits::{MOST_BITS, MOST_BITS_IN_ALL, MOST_TERMS, MOST_TERMS_IN_ALL};
-use crate::mistake::{Mistake, size, value as mistake};
+use crate::mistake::{Mistake, joint, size, value as mistake};
 use crate::place::Place;
 use crate::words;
 
@@ -129,6 +129,26 @@ impl<'d> Scope<'d> {
         match cell {
             Given::As(expr) => self.cell(expr, Some(name)),
             other => self.given(other),
+        }
+    }
+
+    /// A cell that is refused where it is known to be negative.
+    pub(super) fn not_negative(&mut self, cell: &Given<Expr>, what: &str) -> Option<Value> {
+        let value = self.given(cell)?;
+        match cell.value() {
+            Some(expr) if value.is_negative() => {
+                self.error(expr.place, joint::negative(what));
+                None
+            }
+            _ => Some(value),
+        }
+    }
+
+    /// Three values; left out, they are zero.
+    pub(super) fn given_vector(&mut self, vector: &Given<Vector>) -> [Option<Value>; 3] {
+        match vector {
+            Given::Absent => std::array::from_fn(|_| Some(Value::zero())),
+            vector => self.vector(vector.value()),
         }
     }
 

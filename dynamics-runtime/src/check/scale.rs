@@ -35,7 +35,7 @@ pub(super) struct Scale {
     pub(super) force_by_velocity: f64,
     /// Weight times distance, and the energy in all springs.
     pub(super) potential_energy: f64,
-    /// Distance from the base, m.
+    /// Distance from the origin of the world, m.
     pub(super) position: f64,
 }
 
@@ -48,9 +48,10 @@ impl Scale {
         let mass = mass_matrix.amax();
         let speed = state.qd.amax();
         let weight = table.total_mass() * norm(&table.gravity);
-        let position = reach(table, &state.q);
+        let reach = reach(table, &state.q);
+        let position = norm(&table.base.xyz) + reach;
         let coriolis_vector = mass * speed * speed;
-        let gravity_vector = weight * lever_arm(table, position);
+        let gravity_vector = weight * lever_arm(table, reach);
         let friction_vector = friction(table, &state.qd);
         let springs = Springs::new(table, &state.q);
         let bias_force = coriolis_vector + gravity_vector + springs.force + friction_vector;
@@ -115,7 +116,8 @@ fn reach<const N: usize>(table: &Table<N>, q: &SVector<f64, N>) -> f64 {
         origins += row.a.abs() + d.abs() + norm(&row.mount.position) + norm(&row.tip.position);
         centre = centre.max(norm(&row.com));
     }
-    origins + centre
+    let tool = norm(&table.tool.frame.xyz) + norm(&table.tool.com);
+    origins + centre + tool
 }
 
 /// What turns a weight into the force or torque of a joint: the reach, and 1 at a prismatic joint.
@@ -167,11 +169,7 @@ mod tests {
             coulomb: 1.0,
             ..Row::new(JointType::Revolute)
         };
-        let table = Table {
-            convention: Convention::Standard,
-            gravity: [0.0, 0.0, -10.0],
-            rows: [slide, turn],
-        };
+        let table = Table::new(Convention::Standard, [0.0, 0.0, -10.0], [slide, turn]);
         let state = State {
             q: Vector2::new(-3.0, 100.0),
             qd: Vector2::new(-2.0, 1.0),

@@ -33,13 +33,13 @@ impl<const N: usize> NewtonEuler<N> {
     }
 
     /// Potential energy U = -sum m g.c + sum 1/2 stiffness (q - rest)^2: of gravity, zero where all
-    /// centres of mass are at the base's origin, and of springs.
+    /// centres of mass are at the world's origin, and of springs.
     pub fn potential_energy(&self, q: &SVector<f64, N>) -> f64 {
-        let poses = self.poses_in_base(q);
+        let poses = self.poses_in_world(q);
         let energy = |i: usize| {
             let link = &self.links[i];
             let centre = poses[i].rotation * link.com + poses[i].position;
-            link.spring.energy(q[i]) - link.mass * self.gravity.dot(&centre)
+            link.spring.energy(q[i]) - link.mass * self.world_gravity.dot(&centre)
         };
         (0..N).map(energy).sum()
     }

@@ -22,41 +22,41 @@ impl<const N: usize> NewtonEuler<N> {
         joints
     }
 
-    /// The joints' frames in the base.
-    pub(super) fn poses_in_base(&self, q: &SVector<f64, N>) -> [Pose; N] {
-        let mut pose = Pose::identity();
+    /// The joints' frames in the world.
+    pub(super) fn poses_in_world(&self, q: &SVector<f64, N>) -> [Pose; N] {
+        let mut pose = self.base;
         self.joints(q).map(|joint| {
             pose = pose.then(&joint.pose());
             pose
         })
     }
 
-    /// The table's link frames in the base.
+    /// The table's link frames in the world.
     fn table_frames(&self, q: &SVector<f64, N>) -> [Pose; N] {
-        let poses = self.poses_in_base(q);
+        let poses = self.poses_in_world(q);
         array::from_fn(|i| poses[i].then(&self.links[i].table_frame))
     }
 
-    /// Homogeneous transforms of all link frames of the table in the base frame.
+    /// Homogeneous transforms of all link frames of the table in the world.
     pub fn link_poses(&self, q: &SVector<f64, N>) -> [Matrix4<f64>; N] {
         self.table_frames(q).map(|pose| homogeneous(&pose))
     }
 
-    /// Homogeneous transform of the last frame in the base frame; the identity for no joints.
+    /// Homogeneous transform of the tip in the world: of the tool, or else of the last link frame. For
+    /// no joints, that of the base.
     pub fn forward_kinematics(&self, q: &SVector<f64, N>) -> Matrix4<f64> {
-        let poses = self.poses_in_base(q);
+        let poses = self.poses_in_world(q);
         let last = poses.last().zip(self.links.last());
-        last.map_or_else(Matrix4::identity, |(pose, link)| {
-            homogeneous(&pose.then(&link.tip))
-        })
+        let tip = last.map_or(self.base, |(pose, link)| pose.then(&link.tip));
+        homogeneous(&tip)
     }
 
-    /// Geometric Jacobian of the last frame's origin p: rows vx vy vz wx wy wz in the base frame.
+    /// Geometric Jacobian of the tip's origin p: rows vx vy vz wx wy wz in the world.
     ///
     /// Column i is `(z_i x (p - p_i), z_i)` for a revolute joint, `(z_i, 0)` for a prismatic one
     /// (Craig, section 5.8).
     pub fn jacobian(&self, q: &SVector<f64, N>) -> SMatrix<f64, 6, N> {
-        let poses = self.poses_in_base(q);
+        let poses = self.poses_in_world(q);
         let tip = self
             .forward_kinematics(q)
             .fixed_view::<3, 1>(0, 3)

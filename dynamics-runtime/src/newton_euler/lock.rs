@@ -6,7 +6,7 @@ use super::angle::SinCos;
 use super::inertia::tensor;
 use super::joint::Joint;
 use super::pose::Pose;
-use crate::{Convention, JointType, Row, Table};
+use crate::{Convention, JointType, Row, Table, Tool};
 
 impl<const N: usize> Table<N> {
     /// The table of an arm some of whose joints do not move. `positions` says of each of the L rows
@@ -14,8 +14,8 @@ impl<const N: usize> Table<N> {
     /// panics.
     ///
     /// The link of a locked joint becomes a part of the link before it, or of the base; motors,
-    /// friction and springs of locked joints are left out. Link frames of the joints that move are those of the
-    /// table, the tip stays the frame of its last row.
+    /// friction and springs of locked joints are left out. Link frames of the joints that move are
+    /// those of the table; the tip, and what a tool is fixed to, stays the frame of its last row.
     pub fn lock<const L: usize>(
         convention: Convention,
         gravity: [f64; 3],
@@ -45,11 +45,7 @@ impl<const N: usize> Table<N> {
             }
         }
         assert_eq!(count, N, "so many joints move");
-        Table {
-            convention,
-            gravity,
-            rows: moving,
-        }
+        Table::new(convention, gravity, moving)
     }
 }
 
@@ -65,6 +61,25 @@ fn transform(convention: Convention, row: &Row, position: f64) -> Pose {
     match convention {
         Convention::Standard => screw_z.then(&screw_x),
         Convention::Modified => screw_x.then(&screw_z),
+    }
+}
+
+impl Tool {
+    /// The tool as a part of the last link: its body, and the tip.
+    pub(super) fn joined(&self, last: &Row) -> Row {
+        let tip = Pose::from(&last.tip).then(&(&self.frame).into());
+        let body = Row {
+            mass: self.mass,
+            com: self.com,
+            inertia: self.inertia,
+            ..Row::new(JointType::Revolute)
+        };
+        let mut joined = Row {
+            tip: tip.placement(),
+            ..*last
+        };
+        join(&mut joined, &body, &tip);
+        joined
     }
 }
 

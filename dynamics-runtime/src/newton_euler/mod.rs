@@ -35,9 +35,10 @@ use core::array;
 
 use nalgebra::Vector3;
 
-use crate::{Convention, Table};
+use crate::{Convention, Table, Tool};
 pub use angle::turned;
 use link::Link;
+use pose::Pose;
 
 /// The numeric dynamics of an arm, read from its [`Table`].
 ///
@@ -56,7 +57,7 @@ use link::Link;
 /// // A mass of 2 kg that hangs 3 m below a horizontal axis.
 /// let row = Row { mass: 2.0, com: [3.0, 0.0, 0.0], ..Row::new(JointType::Revolute) };
 /// let gravity = [9.81, 0.0, 0.0];
-/// let pendulum = NewtonEuler::new(&Table { convention: Convention::Modified, gravity, rows: [row] });
+/// let pendulum = NewtonEuler::new(&Table::new(Convention::Modified, gravity, [row]));
 ///
 /// assert_eq!(pendulum.mass_matrix(&SVector::from([0.0]))[0], 18.0);
 /// assert_eq!(pendulum.gravity_vector(&SVector::from([0.0]))[0], 0.0);
@@ -64,25 +65,40 @@ use link::Link;
 #[derive(Clone, Debug)]
 pub struct NewtonEuler<const N: usize> {
     links: [Link; N],
+    /// In the axes of the base.
     gravity: Vector3<f64>,
+    /// In the axes of the world.
+    world_gravity: Vector3<f64>,
+    /// In the world.
+    base: Pose,
 }
 
 impl<const N: usize> NewtonEuler<N> {
     /// Reads the table. Standard rows are converted to frames on the joints' own axes.
     pub fn new(table: &Table<N>) -> Self {
+        let mut rows = table.rows;
+        if let Some(last) = rows.last_mut().filter(|_| table.tool != Tool::NONE) {
+            *last = table.tool.joined(last);
+        }
         let links = match table.convention {
-            Convention::Modified => array::from_fn(|i| Link::modified(&table.rows[i])),
+            Convention::Modified => array::from_fn(|i| Link::modified(&rows[i])),
             Convention::Standard => array::from_fn(|i| {
-                let before = i.checked_sub(1).map(|before| &table.rows[before]);
-                Link::standard(before, &table.rows[i])
+                let before = i.checked_sub(1).map(|before| &rows[before]);
+                Link::standard(before, &rows[i])
             }),
         };
+        let base = Pose::from(&table.base);
+        let world_gravity = Vector3::from(table.gravity);
         NewtonEuler {
             links,
-            gravity: Vector3::from(table.gravity),
+            gravity: base.rotation.tr_mul(&world_gravity),
+            world_gravity,
+            base,
         }
     }
 }
 
+#[cfg(test)]
+mod frame_tests;
 #[cfg(test)]
 mod tests;

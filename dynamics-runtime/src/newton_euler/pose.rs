@@ -2,7 +2,8 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use crate::Placement;
+use super::angle::SinCos;
+use crate::{Frame, Placement};
 
 /// Rotation and position of one frame in another.
 #[derive(Clone, Copy, Debug)]
@@ -30,6 +31,26 @@ impl Pose {
 
     pub(super) fn placement(&self) -> Placement {
         Placement::new(&self.rotation, &self.position)
+    }
+}
+
+/// The frame as it is read: `Rz(yaw) Ry(pitch) Rx(roll)` at the origin.
+impl From<&Frame> for Pose {
+    fn from(frame: &Frame) -> Self {
+        let [roll, pitch, yaw] = frame.rpy.map(SinCos::of_constant);
+        let (sr, cr) = (roll.sin, roll.cos);
+        let (sp, cp) = (pitch.sin, pitch.cos);
+        let (sy, cy) = (yaw.sin, yaw.cos);
+        #[rustfmt::skip]
+        let rotation = Matrix3::new(
+            cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr,
+            sy * cp, sy * sp * sr + cy * cr, sy * sp * cr - cy * sr,
+            -sp,     cp * sr,                cp * cr,
+        );
+        Pose {
+            rotation,
+            position: Vector3::from(frame.xyz),
+        }
     }
 }
 

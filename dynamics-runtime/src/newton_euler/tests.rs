@@ -6,7 +6,7 @@ use nalgebra::{
 };
 
 use super::NewtonEuler;
-use crate::test_arms::{CRAIG_ARM, general_table, random_state};
+use crate::test_arms::{CRAIG_ARM, general_table, mounted_table, random_state};
 use crate::{Convention, JointType, Model, Row, State, Table};
 
 #[track_caller]
@@ -27,9 +27,12 @@ fn general_cases() -> impl Iterator<Item = (NewtonEuler<6>, State<6>)> {
     [Convention::Standard, Convention::Modified]
         .into_iter()
         .flat_map(|convention| seeds().map(move |seed| (convention, seed)))
-        .map(|(convention, seed)| {
-            let table = general_table(convention, seed);
-            (NewtonEuler::new(&table), random_state(seed))
+        .flat_map(|(convention, seed)| {
+            let tables = [
+                general_table(convention, seed),
+                mounted_table(convention, seed),
+            ];
+            tables.map(|table| (NewtonEuler::new(&table), random_state(seed)))
         })
 }
 
@@ -45,11 +48,7 @@ fn hanging_rod() {
         inertia: [0.0, m * a * a / 12.0, m * a * a / 12.0, 0.0, 0.0, 0.0],
         ..Row::new(JointType::Revolute)
     };
-    let arm = NewtonEuler::new(&Table {
-        convention: Convention::Standard,
-        gravity: [g, 0.0, 0.0],
-        rows: [rod],
-    });
+    let arm = NewtonEuler::new(&Table::new(Convention::Standard, [g, 0.0, 0.0], [rod]));
     for seed in seeds() {
         let State { q, qd, .. } = random_state::<1>(seed);
         let weight = m * g * a / 2.0;
@@ -89,11 +88,11 @@ fn two_links_with_slender_rods() {
         inertia: [0.0, m * a * a / 12.0, m * a * a / 12.0, 0.0, 0.0, 0.0],
         ..Row::new(JointType::Revolute)
     };
-    let arm = NewtonEuler::new(&Table {
-        convention: Convention::Standard,
-        gravity: [0.0, -g, 0.0],
-        rows: [rod(m1, a1), rod(m2, a2)],
-    });
+    let arm = NewtonEuler::new(&Table::new(
+        Convention::Standard,
+        [0.0, -g, 0.0],
+        [rod(m1, a1), rod(m2, a2)],
+    ));
     for seed in seeds() {
         let State { q, qd, .. } = random_state::<2>(seed);
         let ((s2, c2), c1, c12) = (q[1].sin_cos(), q[0].cos(), (q[0] + q[1]).cos());
@@ -126,11 +125,11 @@ fn mass_on_a_rotating_rail() {
         mass: m,
         ..Row::new(JointType::Prismatic)
     };
-    let arm = NewtonEuler::new(&Table {
-        convention: Convention::Modified,
-        gravity: [0.0, -g, 0.0],
-        rows: [turn, rail],
-    });
+    let arm = NewtonEuler::new(&Table::new(
+        Convention::Modified,
+        [0.0, -g, 0.0],
+        [turn, rail],
+    ));
     for seed in seeds() {
         let State { q, qd, .. } = random_state::<2>(seed);
         let ((s, c), r) = (q[0].sin_cos(), q[1]);
@@ -381,11 +380,11 @@ fn derivatives_of_a_pendulum_on_a_slide() {
         com: [l, 0.0, 0.0],
         ..Row::new(JointType::Revolute)
     };
-    let arm = NewtonEuler::new(&Table {
-        convention: Convention::Modified,
-        gravity: [g, 0.0, 0.0],
-        rows: [slide, pendulum],
-    });
+    let arm = NewtonEuler::new(&Table::new(
+        Convention::Modified,
+        [g, 0.0, 0.0],
+        [slide, pendulum],
+    ));
     for seed in seeds() {
         let State { q, qd, qdd } = random_state::<2>(seed);
         let (by_position, by_velocity) = arm.inverse_dynamics_derivatives(&q, &qd, &qdd);

@@ -23,11 +23,7 @@ impl Model<1> for Block {
             coulomb: 1.0,
             ..Row::new(JointType::Prismatic)
         };
-        Table {
-            convention: Convention::Modified,
-            gravity: [0.0; 3],
-            rows: [row],
-        }
+        Table::new(Convention::Modified, [0.0; 3], [row])
     }
 }
 

@@ -37,15 +37,15 @@ pub(crate) fn matrix<const R: usize, const C: usize>(value: &Value) -> SMatrix<f
 /// The table of `robots/NAME.json`.
 pub(crate) fn table<const N: usize>(name: &str) -> Table<N> {
     let robot = load(&format!("robots/{name}"));
-    Table {
-        convention: match robot["convention"].as_str() {
+    Table::new(
+        match robot["convention"].as_str() {
             Some("standard") => Convention::Standard,
             Some("modified") => Convention::Modified,
             other => panic!("convention {other:?}"),
         },
-        gravity: numbers(&robot["gravity"]),
-        rows: std::array::from_fn(|i| row(&robot["joints"][i])),
-    }
+        numbers(&robot["gravity"]),
+        std::array::from_fn(|i| row(&robot["joints"][i])),
+    )
 }
 
 fn row(joint: &Value) -> Row {

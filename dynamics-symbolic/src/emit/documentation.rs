@@ -13,7 +13,7 @@ pub(super) fn documentation(
     constants: &[f64],
     notes: &[String],
 ) -> Vec<String> {
-    let mut lines = vec![format!(" {}", function.row().description), String::new()];
+    let mut lines = vec![format!(" {}", description(robot, function)), String::new()];
     if !function.arguments().is_empty() {
         lines.push(format!(" {}", units(robot, function)));
         lines.push(String::new());
@@ -42,6 +42,20 @@ pub(super) fn documentation(
             .to_owned(),
     );
     lines
+}
+
+/// What the function is, in the names of this arm's frames.
+fn description(robot: &Robot, function: Function) -> String {
+    let frame = match robot.base {
+        Some(_) => "world",
+        None => "base frame",
+    };
+    let tip = match robot.tool {
+        Some(_) => "tool frame",
+        None => "last link frame",
+    };
+    let text = function.row().description;
+    text.replace("{frame}", frame).replace("{tip}", tip)
 }
 
 /// When a function that solves with M fails.

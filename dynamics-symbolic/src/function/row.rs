@@ -13,7 +13,9 @@ pub struct Row {
     pub shape: Shape,
     /// Whether it solves with M, and refuses where M is singular.
     pub refuses: bool,
-    /// What it is, with its unit and other names: the first line of the documentation.
+    /// What it is, with its unit and other names: the first line of the documentation. `{frame}` and
+    /// `{tip}` stand for the frames that poses are told in and about: the base frame and the last link
+    /// frame, where the table says nothing else.
     pub description: &'static str,
     /// The letter of its values in the formulas of small arms, where these are shown.
     pub symbol: Option<&'static str>,

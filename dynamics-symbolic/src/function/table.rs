@@ -189,13 +189,13 @@ functions! {
         compared_with: None,
     },
 
-    /// U(q), of gravity, zero at the base origin, and of springs.
+    /// U(q), of gravity, zero at the origin of the world, and of springs.
     PotentialEnergy: Row {
         name: "potential_energy",
         arguments: &[Position],
         shape: Shape::Number,
         refuses: false,
-        description: "Potential energy U(q) = -sum m g.c, zero at the origin of the base frame, and that of springs, \
+        description: "Potential energy U(q) = -sum m g.c, zero at the origin of the {frame}, and that of springs, \
             1/2 stiffness (q - rest)^2, J.",
         symbol: Some("U"),
         set: Set::Default,
@@ -280,13 +280,13 @@ functions! {
         compared_with: None,
     },
 
-    /// Homogeneous transform of the last link frame in the base.
+    /// Homogeneous transform of the tip in the world.
     ForwardKinematics: Row {
         name: "forward_kinematics",
         arguments: &[Position],
         shape: POSE,
         refuses: false,
-        description: "Forward kinematics: the homogeneous transform of the last link frame in the base frame, m.",
+        description: "Forward kinematics: the homogeneous transform of the {tip} in the {frame}, m.",
         symbol: None,
         set: Set::ByName,
         provided: None,
@@ -297,13 +297,13 @@ functions! {
         compared_with: None,
     },
 
-    /// Homogeneous transforms of every link frame in the base.
+    /// Homogeneous transforms of every link frame in the world.
     LinkPoses: Row {
         name: "link_poses",
         arguments: &[Position],
         shape: Shape::Each(&POSE),
         refuses: false,
-        description: "Homogeneous transforms in the base frame of every link frame whose joint moves, from the base outwards, m.",
+        description: "Homogeneous transforms in the {frame} of every link frame whose joint moves, from the base outwards, m.",
         symbol: None,
         set: Set::ByName,
         provided: None,
@@ -314,13 +314,13 @@ functions! {
         compared_with: None,
     },
 
-    /// Geometric Jacobian of the last frame's origin.
+    /// Geometric Jacobian of the tip's origin.
     Jacobian: Row {
         name: "jacobian",
         arguments: &[Position],
         shape: Shape::Matrix(Fixed(6), Joints),
         refuses: false,
-        description: "Geometric Jacobian of the last link frame's origin, 6 x N, rows vx vy vz wx wy wz, in the base frame.",
+        description: "Geometric Jacobian of the {tip}'s origin, 6 x N, rows vx vy vz wx wy wz, in the {frame}.",
         symbol: None,
         set: Set::ByName,
         provided: None,

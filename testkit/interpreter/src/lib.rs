@@ -9,12 +9,12 @@ pub use rounded::{AllDigits, Inputs, Rounded, is_refused};
 
 use dynamics_runtime::nalgebra::{SMatrix, SVector};
 use dynamics_runtime::{
-    Convention, Evaluate, Evaluation, JointType, Model, Row, SingularMassMatrix, Spring, State,
-    Table, turned,
+    Convention, Evaluate, Evaluation, Frame, JointType, Model, Row, SingularMassMatrix, Spring,
+    State, Table, Tool, turned,
 };
 use dynamics_symbolic::Function;
 use dynamics_symbolic::program::{Program, rounded_angle};
-use dynamics_symbolic::robot::{self, Angle, Robot, Value};
+use dynamics_symbolic::robot::{self, Angle, Placement, Robot, Value};
 
 /// An arm of N joints with values for its fields, and the programs of some of its functions.
 pub struct Interpreted<'a, const N: usize> {
@@ -54,6 +54,13 @@ impl<'a, const N: usize> Interpreted<'a, N> {
         turned(rest, f64::from(parts.signed_quarter_turns()))
     }
 
+    fn frame(&self, placement: Option<&Placement>) -> Frame {
+        placement.map_or(Frame::IDENTITY, |placement| Frame {
+            xyz: placement.xyz.each_ref().map(|x| self.cell(x)),
+            rpy: placement.rpy.each_ref().map(|angle| self.angle(angle)),
+        })
+    }
+
     fn row(&self, row: &robot::Row) -> Row {
         let joint_type = match row.joint_type {
             robot::JointType::Revolute => JointType::Revolute,
@@ -84,13 +91,21 @@ impl<const N: usize> Model<N> for Interpreted<'_, N> {
     const JOINT_NAMES: [&'static str; N] = ["joint"; N];
 
     fn table(&self) -> Table<N> {
+        let robot = self.robot;
         Table {
-            convention: match self.robot.convention {
+            convention: match robot.convention {
                 robot::Convention::Standard => Convention::Standard,
                 robot::Convention::Modified => Convention::Modified,
             },
-            gravity: self.robot.gravity.each_ref().map(|value| self.cell(value)),
-            rows: std::array::from_fn(|i| self.row(&self.robot.rows[i])),
+            gravity: robot.gravity.each_ref().map(|value| self.cell(value)),
+            base: self.frame(robot.base.as_ref()),
+            rows: std::array::from_fn(|i| self.row(&robot.rows[i])),
+            tool: robot.tool.as_ref().map_or(Tool::NONE, |tool| Tool {
+                frame: self.frame(Some(&tool.placement)),
+                mass: self.cell(&tool.mass),
+                com: tool.com.each_ref().map(|x| self.cell(x)),
+                inertia: tool.inertia.each_ref().map(|x| self.cell(x)),
+            }),
         }
     }
 }

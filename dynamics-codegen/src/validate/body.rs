@@ -1,36 +1,54 @@
-//! The inertia of a row, and whether a body can have it.
+//! The body of a row or of the tool, and whether one can have its inertia.
 
 use dynamics_symbolic::exact::Rational;
 use dynamics_symbolic::robot::Value;
 
 use super::scope::{Scope, all};
 use super::solid;
-use crate::description::{Expr, Given, InertiaKind, Row, Solid};
+use crate::description::{Allow, Expr, Given, Inertia, InertiaKind, Solid, Vector};
 use crate::mistake::joint as mistake;
 
+/// What is said of a body.
+pub(super) struct Body<'a> {
+    pub(super) mass: &'a Given<Expr>,
+    pub(super) com: &'a Given<Vector>,
+    pub(super) inertia: &'a Given<Inertia>,
+    pub(super) allow: &'a Given<Allow>,
+    /// What messages call the place where it is said.
+    pub(super) place: &'static str,
+}
+
+/// Mass, centre of mass and inertia tensor; `None` where one of them is in error.
+pub(super) fn body(body: &Body, scope: &mut Scope) -> Option<(Value, [Value; 3], [Value; 6])> {
+    let mass = scope.not_negative(body.mass, "a mass");
+    let com = scope.given_vector(body.com);
+    let inertia = inertia(body, mass.as_ref(), scope);
+    Some((mass?, all(com)?, inertia?))
+}
+
 /// The tensor about the centre of mass: entries xx, yy, zz, xy, yz, xz.
-pub(super) fn inertia(row: &Row, mass: Option<&Value>, scope: &mut Scope) -> Option<[Value; 6]> {
-    let inertia = match &row.inertia {
+fn inertia(body: &Body, mass: Option<&Value>, scope: &mut Scope) -> Option<[Value; 6]> {
+    let inertia = match body.inertia {
         Given::Absent => return Some([0; 6].map(Value::integer)),
         Given::Unreadable => return None,
         Given::As(inertia) => inertia,
     };
     match &inertia.kind {
         InertiaKind::Solid(solid, sizes) => {
-            if row.mass.is_absent() {
-                scope.error(inertia.place, mistake::solid_without_mass());
+            if body.mass.is_absent() {
+                scope.error(inertia.place, mistake::solid_without_mass(body.place));
             }
             self::solid(*solid, sizes, mass, scope)
         }
         InertiaKind::Tensor(entries) => {
             let values = all(entries.each_ref().map(|entry| scope.given(entry)))?;
-            if allows_unphysical(row) {
+            if allows_unphysical(body.allow) {
                 return Some(values);
             }
             match refusal(&known(entries, &values)) {
                 None => Some(values),
                 Some(reason) => {
-                    scope.error(inertia.place, mistake::no_body(reason));
+                    scope.error(inertia.place, mistake::no_body(reason, body.place));
                     None
                 }
             }
@@ -55,9 +73,9 @@ fn solid(
     solid::tensor(solid, mass?, &values)
 }
 
-/// Whether the row says so, or was meant to say something about it.
-fn allows_unphysical(row: &Row) -> bool {
-    match &row.allow {
+/// Whether that is said, or something was meant to be said about it.
+fn allows_unphysical(allow: &Given<Allow>) -> bool {
+    match allow {
         Given::Absent => false,
         Given::Unreadable => true,
         Given::As(allow) => allow.unphysical_inertia,
