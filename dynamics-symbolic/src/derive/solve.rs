@@ -11,6 +11,7 @@
 //! something else would lose that, so that all definitions are held.
 
 use crate::expr::{Expr, Graph};
+use crate::linear::eliminate;
 
 type Matrix<'g> = Vec<Vec<Expr<'g>>>;
 
@@ -35,7 +36,7 @@ impl<'g> Factors<'g> {
         let n = m.len();
         let mut reciprocals = vec![graph.zero(); n];
         for j in (0..n).rev() {
-            let step = || eliminate(graph, &mut m, &mut b, j);
+            let step = || take_out(graph, &mut m, &mut b, j);
             reciprocals[j] = hold_unless(j + 1 == n, graph, step);
         }
         let factors = Factors {
@@ -109,19 +110,12 @@ impl<'g> Factors<'g> {
     }
 }
 
-/// Takes joint j out of the equations, and returns 1 / d_j: m[i][j], i < j, becomes U_ij, m[j][j] is
-/// d_j, and b becomes U^-1 b.
-fn eliminate<'g>(graph: &'g Graph, m: &mut Matrix<'g>, b: &mut [Expr<'g>], j: usize) -> Expr<'g> {
+/// Takes joint j out of the equations, and returns 1 / d_j; b becomes U^-1 b.
+fn take_out<'g>(graph: &'g Graph, m: &mut Matrix<'g>, b: &mut [Expr<'g>], j: usize) -> Expr<'g> {
     let reciprocal = graph.one() / m[j][j];
+    eliminate(m, j, |x| x * reciprocal);
     for i in (0..j).rev() {
-        let u = m[i][j] * reciprocal;
-        for k in 0..=i {
-            m[k][i] = m[k][i] - u * m[k][j];
-        }
-        b[i] = b[i] - u * b[j];
-    }
-    for i in 0..j {
-        m[i][j] = m[i][j] * reciprocal;
+        b[i] = b[i] - m[i][j] * b[j];
     }
     reciprocal
 }

@@ -1,9 +1,11 @@
-//! Vectors and matrices of dimension three over any commutative ring: the same
+//! Vectors and matrices of dimension three over any commutative ring, and elimination: the same
 //! formulas serve expressions on the graph and numbers of a prime field.
 
+mod elimination;
 mod matrix;
 mod vector;
 
+pub use elimination::eliminate;
 pub use matrix::{Matrix3, Symmetric3};
 pub use vector::Vector3;
 

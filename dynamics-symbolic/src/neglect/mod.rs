@@ -21,6 +21,7 @@ mod sample;
 
 pub use error::{LargestError, largest_error};
 
+use crate::linear::eliminate;
 use crate::robot::{Grouping, Neglected, Robot};
 use arm::{Arm, Forces};
 use core::fmt;
@@ -240,12 +241,7 @@ fn least_relative_pivot(mut m: Vec<Vec<f64>>) -> f64 {
             return relative;
         }
         least = least.min(relative);
-        for i in 0..j {
-            let factor = m[i][j] / pivot;
-            for k in 0..=i {
-                m[k][i] -= factor * m[k][j];
-            }
-        }
+        eliminate(&mut m, j, |x| x / pivot);
     }
     least
 }

@@ -29,6 +29,7 @@ mod matrix;
 mod search;
 
 use super::reals::Reals;
+use crate::linear::eliminate;
 use crate::robot::{Grouping, JointType, Robot};
 use chain::{Joint, joints};
 use energy::{forms, handed_on, unknowns};
@@ -146,15 +147,11 @@ impl Scales {
 /// Whether a symmetric matrix is positive definite, by the pivots of its elimination.
 fn has_positive_pivots(mut m: Matrix<Interval>) -> bool {
     for j in (0..m.len()).rev() {
-        if !m[j][j].is_positive() {
+        let pivot = m[j][j];
+        if !pivot.is_positive() {
             return false;
         }
-        for i in 0..j {
-            let factor = m[i][j].over(m[j][j]);
-            for k in 0..=i {
-                m[k][i] = m[k][i] - factor * m[k][j];
-            }
-        }
+        eliminate(&mut m, j, |x| x.over(pivot));
     }
     true
 }

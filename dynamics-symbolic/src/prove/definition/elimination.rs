@@ -1,4 +1,7 @@
 //! Forward dynamics: accelerations, and the pivots of the elimination that finds them.
+//!
+//! The derivations factor M by [`crate::linear::eliminate`]. Here it is done again, by rows and without
+//! symmetry: what is proven shares no algorithm with its definition.
 
 use super::super::assignment::Number;
 use super::{Definition, Matrix, Vector};
