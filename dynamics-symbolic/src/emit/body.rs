@@ -3,7 +3,7 @@
 use super::inputs::{constants_of, input_name, inputs, literal, reads_fields};
 use super::names::ident;
 use crate::function::{Function, Shape, Sizes};
-use crate::program::{Instruction, Operand, Program};
+use crate::program::{Instruction, Operand, Program, Readers};
 use crate::robot::Robot;
 use proc_macro2::{Ident, Literal, Punct, Spacing, TokenStream, TokenTree};
 use quote::quote;
@@ -293,29 +293,10 @@ fn punct(c: char) -> TokenTree {
 
 /// A product that only one sum reads is written into that sum.
 fn uses(program: &Program) -> Vec<Use> {
-    let mut readers = vec![(0, false); program.instructions.len()];
-    for instruction in &program.instructions {
-        let is_sum = matches!(instruction, Instruction::Add(..) | Instruction::Sub(..));
-        let (a, b) = instruction.operands();
-        for operand in [a, b] {
-            if let Operand::Result(index) = operand {
-                readers[index as usize] = (readers[index as usize].0 + 1, is_sum);
-            }
-        }
-    }
-    for output in &program.outputs {
-        if let Operand::Result(index) = output.operand {
-            readers[index as usize] = (2, false);
-        }
-    }
-    let used = |(instruction, readers): (&Instruction, &(i32, bool))| match (instruction, readers) {
-        (Instruction::Mul(..), (1, true)) => Use::Inlined,
+    let used = |(instruction, readers)| match (instruction, readers) {
+        (&Instruction::Mul(..), Readers::OneSum) => Use::Inlined,
         _ => Use::Named,
     };
-    program
-        .instructions
-        .iter()
-        .zip(&readers)
-        .map(used)
-        .collect()
+    let results = program.instructions.iter().zip(program.readers());
+    results.map(used).collect()
 }

@@ -8,7 +8,7 @@
 
 use super::inputs;
 use super::names::{ident, number_of_joints};
-use crate::program::{Instruction, Operand, Program};
+use crate::program::{Instruction, Operand, Program, Readers};
 use crate::robot::{Robot, Symbol};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
@@ -214,31 +214,14 @@ impl<'p> Series<'p> {
         }
     }
 
-    /// The multiples of a series that one instruction alone reads, a sum.
+    /// The multiples of a series that one sum alone reads.
     fn find_inlined(&mut self) {
-        let mut readers = vec![0; self.program.instructions.len()];
-        let mut in_sum = vec![false; self.program.instructions.len()];
-        for instruction in &self.program.instructions {
-            let is_sum = matches!(instruction, Instruction::Add(..) | Instruction::Sub(..));
-            let (a, b) = instruction.operands();
-            for operand in [a, b] {
-                if let Operand::Result(index) = operand {
-                    readers[index as usize] += 1;
-                    in_sum[index as usize] = is_sum;
-                }
-            }
-        }
-        for output in &self.program.outputs {
-            if let Operand::Result(index) = output.operand {
-                readers[index as usize] += 2;
-            }
-        }
-        for (index, instruction) in self.program.instructions.iter().enumerate() {
+        let results = self.program.instructions.iter().zip(self.program.readers());
+        for (index, (instruction, readers)) in results.enumerate() {
             self.inlined[index] = matches!(instruction, Instruction::Mul(..))
                 && self.slots[index].is_none()
                 && self.kinds[index] != Kind::Constant
-                && readers[index] == 1
-                && in_sum[index];
+                && readers == Readers::OneSum;
         }
     }
 

@@ -5,7 +5,7 @@
 //! that are ready first are added first, as a Huffman tree is built, and the end of a long chain
 //! last. No operation is added, and sums keep the products that are fused into them.
 
-use super::{Constant, ConstantId, ConstantPool, Instruction, Operand, Output, Program};
+use super::{Constant, ConstantId, ConstantPool, Instruction, Operand, Program, Readers, UpToSign};
 use crate::robot::Symbol;
 
 /// How long operations take, in cycles: today's processors differ by a few, and only the
@@ -24,7 +24,7 @@ impl Program {
     pub fn balanced(&self) -> Program {
         let mut balance = Balance {
             program: self,
-            readers: readers(self),
+            readers: self.readers(),
             put_out_negative: put_out_negative(self),
             places: vec![None; self.instructions.len()],
             constants: self.constants.clone(),
@@ -35,10 +35,7 @@ impl Program {
         }
         let outputs = self.outputs.iter().map(|output| {
             let place = balance.read(output.operand);
-            Output {
-                operand: place.operand,
-                negative: output.negative != place.negative,
-            }
+            place.at.negate_if(output.negative)
         });
         Program {
             outputs: outputs.collect(),
@@ -50,11 +47,10 @@ impl Program {
     }
 }
 
-/// An operand of the new program, or minus that operand, and when it is ready.
+/// Where a result is in the new program, and when it is ready.
 #[derive(Clone, Copy)]
 struct Place {
-    operand: Operand,
-    negative: bool,
+    at: UpToSign,
     ready: u32,
 }
 
@@ -77,8 +73,8 @@ enum Value {
 impl From<Place> for Term {
     fn from(place: Place) -> Term {
         Term {
-            value: Value::Operand(place.operand),
-            negative: place.negative,
+            value: Value::Operand(place.at.operand),
+            negative: place.at.negative,
             ready: place.ready,
         }
     }
@@ -87,45 +83,6 @@ impl From<Place> for Term {
 impl Term {
     fn is_product(&self) -> bool {
         matches!(self.value, Value::Product(..))
-    }
-}
-
-/// Who reads a result.
-#[derive(Clone, Copy, PartialEq)]
-enum Readers {
-    None,
-    OneSum,
-    Others,
-}
-
-fn readers(program: &Program) -> Vec<Readers> {
-    let mut readers = vec![Readers::None; program.instructions.len()];
-    for instruction in &program.instructions {
-        let is_sum = matches!(instruction, Instruction::Add(..) | Instruction::Sub(..));
-        let (a, b) = instruction.operands();
-        for operand in [a, b] {
-            if let Operand::Result(index) = operand {
-                let readers = &mut readers[index as usize];
-                *readers = match readers {
-                    Readers::None if is_sum && !is_doubled(program, index) => Readers::OneSum,
-                    _ => Readers::Others,
-                };
-            }
-        }
-    }
-    for output in &program.outputs {
-        if let Operand::Result(index) = output.operand {
-            readers[index as usize] = Readers::Others;
-        }
-    }
-    readers
-}
-
-/// Whether a result is x + x.
-fn is_doubled(program: &Program, index: u32) -> bool {
-    match program.instructions[index as usize] {
-        Instruction::Add(a, b) => a == b,
-        _ => false,
     }
 }
 
@@ -156,7 +113,7 @@ impl Balance<'_> {
         let (a, b) = instruction.operands();
         match instruction {
             Instruction::Div(..) => Some(self.quotient(a, b)),
-            _ if self.readers[index] == Readers::OneSum => None,
+            _ if self.is_term_of_one_sum(index) => None,
             Instruction::Mul(..) => Some(self.product(a, b)),
             Instruction::Add(..) | Instruction::Sub(..) => Some(self.sum(index)),
         }
@@ -177,38 +134,37 @@ impl Balance<'_> {
                 return self.places[index as usize].expect("operands are placed first");
             }
         };
-        Place {
-            operand,
-            negative: false,
-            ready,
-        }
+        let at = UpToSign::positive(operand);
+        Place { at, ready }
     }
 
-    fn push(&mut self, instruction: Instruction, negative: bool, ready: u32) -> Place {
+    /// Whether a result is a term of one sum and nothing else. A double stays together: c + c is
+    /// exact, (a + c) + c is not.
+    fn is_term_of_one_sum(&self, index: usize) -> bool {
+        let is_doubled = match self.program.instructions[index] {
+            Instruction::Add(a, b) => a == b,
+            _ => false,
+        };
+        self.readers[index] == Readers::OneSum && !is_doubled
+    }
+
+    fn push(&mut self, (instruction, negative): (Instruction, bool), ready: u32) -> Place {
         self.instructions.push(instruction);
-        Place {
-            operand: Operand::Result(self.instructions.len() as u32 - 1),
-            negative,
-            ready,
-        }
+        let operand = Operand::Result(self.instructions.len() as u32 - 1);
+        let at = UpToSign { operand, negative };
+        Place { at, ready }
     }
 
     fn product(&mut self, a: Operand, b: Operand) -> Place {
         let (a, b) = (self.read(a), self.read(b));
-        self.push(
-            Instruction::Mul(a.operand, b.operand),
-            a.negative != b.negative,
-            a.ready.max(b.ready) + cycles::MULTIPLY,
-        )
+        let ready = a.ready.max(b.ready) + cycles::MULTIPLY;
+        self.push(UpToSign::product(a.at, b.at), ready)
     }
 
     fn quotient(&mut self, a: Operand, b: Operand) -> Place {
         let (a, b) = (self.read(a), self.read(b));
-        self.push(
-            Instruction::Div(a.operand, b.operand),
-            a.negative != b.negative,
-            a.ready.max(b.ready) + cycles::DIVIDE,
-        )
+        let ready = a.ready.max(b.ready) + cycles::DIVIDE;
+        self.push(UpToSign::quotient(a.at, b.at), ready)
     }
 
     fn sum(&mut self, index: usize) -> Place {
@@ -241,18 +197,16 @@ impl Balance<'_> {
                 Some(Instruction::Mul(a, b)) => terms.push(self.product_term(a, b, negative)),
                 Some(instruction) => open(instruction, negative, &mut stack),
                 None => {
-                    let place = self.read(operand);
-                    terms.push(Term {
-                        negative: negative != place.negative,
-                        ..place.into()
-                    });
+                    let Place { at, ready } = self.read(operand);
+                    let at = at.negate_if(negative);
+                    terms.push(Place { at, ready }.into());
                 }
             }
         }
         terms
     }
 
-    /// The operation of a result that is a term of one sum and nothing else.
+    /// The operation of a result that comes with its sum.
     fn sole_term(&self, operand: Operand) -> Option<Instruction> {
         let Operand::Result(index) = operand else {
             return None;
@@ -264,8 +218,8 @@ impl Balance<'_> {
     fn product_term(&self, a: Operand, b: Operand, negative: bool) -> Term {
         let (a, b) = (self.read(a), self.read(b));
         Term {
-            value: Value::Product(a.operand, b.operand),
-            negative: negative ^ a.negative ^ b.negative,
+            value: Value::Product(a.at.operand, b.at.operand),
+            negative: negative ^ a.at.negative ^ b.at.negative,
             ready: a.ready.max(b.ready),
         }
     }
@@ -281,23 +235,16 @@ impl Balance<'_> {
             (true, true) => (first.ready + cycles::MULTIPLY).max(second.ready) + cycles::FUSED,
             _ => first.ready.max(second.ready) + cycles::FUSED,
         };
-        let (a, b) = (self.operand(first), self.operand(second));
-        let (instruction, negative) = match (first.negative, second.negative) {
-            (false, false) => (Instruction::Add(a, b), false),
-            (true, true) => (Instruction::Add(a, b), true),
-            (false, true) if prefer_negative => (Instruction::Sub(b, a), true),
-            (false, true) => (Instruction::Sub(a, b), false),
-            (true, false) if prefer_negative => (Instruction::Sub(a, b), true),
-            (true, false) => (Instruction::Sub(b, a), false),
-        };
-        self.push(instruction, negative, ready)
+        let (a, b) = (self.written(first), self.written(second));
+        self.push(UpToSign::sum(a, b, prefer_negative), ready)
     }
 
-    fn operand(&mut self, term: Term) -> Operand {
-        match term.value {
-            Value::Operand(operand) => operand,
-            Value::Product(a, b) => self.push(Instruction::Mul(a, b), false, 0).operand,
-        }
+    fn written(&mut self, term: Term) -> UpToSign {
+        let at = match term.value {
+            Value::Operand(operand) => UpToSign::positive(operand),
+            Value::Product(a, b) => self.push((Instruction::Mul(a, b), false), 0).at,
+        };
+        at.negate_if(term.negative)
     }
 
     /// Numbers are added exactly, at expansion.
@@ -306,9 +253,9 @@ impl Balance<'_> {
             true => self.constants.push(Constant::Neg(id)),
             false => id,
         });
+        let sum = self.constants.push(Constant::Add(a, b));
         Place {
-            operand: Operand::Constant(self.constants.push(Constant::Add(a, b))),
-            negative: false,
+            at: UpToSign::positive(Operand::Constant(sum)),
             ready: 0,
         }
     }
@@ -330,6 +277,7 @@ fn take_earliest(terms: &mut Vec<Term>) -> (Term, Term) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::program::Output;
 
     const SINE: Operand = Operand::Input(0);
     const A: Operand = Operand::Input(1);

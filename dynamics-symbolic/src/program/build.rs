@@ -1,22 +1,16 @@
 //! From expressions on a graph to a program.
 
-use super::{Constant, ConstantId, ConstantPool, Instruction, Operand, Output, Program};
+use super::{Constant, ConstantId, ConstantPool, Instruction, Operand, Program, UpToSign};
 use crate::expr::{Edge, Graph, Level, NodeId, Operation};
 use crate::robot::Symbol;
-
-/// How a node of the graph appears in the program: an operand that is the node, or minus the node.
-#[derive(Clone, Copy)]
-struct Place {
-    operand: Operand,
-    negative: bool,
-}
 
 struct Builder<'g> {
     graph: &'g Graph,
     meanings: &'g [Symbol],
     /// What a node is taken to be: its own operation, or an equal one.
     definition: &'g dyn Fn(NodeId) -> Operation,
-    places: Vec<Option<Place>>,
+    /// How a node of the graph appears in the program.
+    places: Vec<Option<UpToSign>>,
     constants: Vec<Option<ConstantId>>,
     preferred_negative: Vec<bool>,
     program: Program,
@@ -57,22 +51,15 @@ impl Program {
 }
 
 impl Builder<'_> {
-    fn output(&mut self, edge: Edge) -> Output {
+    fn output(&mut self, edge: Edge) -> UpToSign {
         if self.graph.level_of(edge.node()) == Level::Constant {
-            return Output {
-                operand: self.constant_operand(edge),
-                negative: false,
-            };
+            return UpToSign::positive(self.constant_operand(edge));
         }
-        let place = self.place(edge.node());
-        Output {
-            operand: place.operand,
-            negative: place.negative != edge.is_negative(),
-        }
+        self.place(edge.node()).negate_if(edge.is_negative())
     }
 
     /// Places a node and all that it needs; on an explicit stack, for chains are long.
-    fn place(&mut self, root: NodeId) -> Place {
+    fn place(&mut self, root: NodeId) -> UpToSign {
         let mut stack = vec![(root, false)];
         while let Some((id, operands_placed)) = stack.pop() {
             assert!(
@@ -96,17 +83,14 @@ impl Builder<'_> {
         self.places[root.index()].expect("the root was placed")
     }
 
-    fn emit(&mut self, id: NodeId, operation: Operation) -> Place {
+    fn emit(&mut self, id: NodeId, operation: Operation) -> UpToSign {
         match operation {
             Operation::Rational(_) => unreachable!("numbers are constants"),
             Operation::Symbol(index) => {
                 self.program
                     .inputs
                     .push(self.meanings[index as usize].clone());
-                Place {
-                    operand: Operand::Input(self.program.inputs.len() as u32 - 1),
-                    negative: false,
-                }
+                UpToSign::positive(Operand::Input(self.program.inputs.len() as u32 - 1))
             }
             Operation::Add(a, b) => self.emit_sum(id, a, b),
             Operation::Mul(a, b) => self.emit_product(id, a, b),
@@ -114,73 +98,56 @@ impl Builder<'_> {
         }
     }
 
-    fn push(&mut self, instruction: Instruction, negative: bool) -> Place {
+    fn push(&mut self, (instruction, negative): (Instruction, bool)) -> UpToSign {
         self.program.instructions.push(instruction);
-        Place {
+        UpToSign {
             operand: Operand::Result(self.program.instructions.len() as u32 - 1),
             negative,
         }
     }
 
     /// The operand of an edge, and whether it must still be negated.
-    fn read(&mut self, edge: Edge) -> Place {
+    fn read(&mut self, edge: Edge) -> UpToSign {
         if self.graph.level_of(edge.node()) == Level::Constant {
             // A positive literal, its sign in the instruction.
             let negative = self.is_negative_constant(edge);
-            return Place {
+            return UpToSign {
                 operand: self.constant_operand(edge.negate_if(negative)),
                 negative,
             };
         }
         let place = self.places[edge.node().index()].expect("operands are placed first");
-        Place {
-            negative: place.negative != edge.is_negative(),
-            ..place
-        }
+        place.negate_if(edge.is_negative())
     }
 
-    fn emit_sum(&mut self, id: NodeId, a: Edge, b: Edge) -> Place {
+    fn emit_sum(&mut self, id: NodeId, a: Edge, b: Edge) -> UpToSign {
         let (a, b) = (self.read(a), self.read(b));
-        let prefer_negative = self.preferred_negative[id.index()];
-        match (a.negative, b.negative) {
-            (false, false) => self.push(Instruction::Add(a.operand, b.operand), false),
-            (true, true) => self.push(Instruction::Add(a.operand, b.operand), true),
-            // a - b = -(b - a)
-            (false, true) if prefer_negative => {
-                self.push(Instruction::Sub(b.operand, a.operand), true)
-            }
-            (false, true) => self.push(Instruction::Sub(a.operand, b.operand), false),
-            (true, false) if prefer_negative => {
-                self.push(Instruction::Sub(a.operand, b.operand), true)
-            }
-            (true, false) => self.push(Instruction::Sub(b.operand, a.operand), false),
-        }
+        self.push(UpToSign::sum(a, b, self.preferred_negative[id.index()]))
     }
 
-    fn emit_product(&mut self, id: NodeId, a: NodeId, b: NodeId) -> Place {
+    fn emit_product(&mut self, id: NodeId, a: NodeId, b: NodeId) -> UpToSign {
         let flipped = self.graph.is_flipped(id, Operation::Mul(a, b));
         let (mut a, mut b) = (self.read(a.edge(false)), self.read(b.edge(false)));
         if matches!(b.operand, Operand::Constant(_)) {
             (a, b) = (b, a);
         }
-        let mut negative = flipped ^ a.negative ^ b.negative;
+        let (_, negative) = UpToSign::product(a, b);
         if let Operand::Constant(constant) = a.operand
-            && negative != self.preferred_negative[id.index()]
+            && (negative != flipped) != self.preferred_negative[id.index()]
             && self.is_output(id)
         {
-            a.operand = Operand::Constant(self.negated(constant));
-            negative = !negative;
+            a = UpToSign {
+                operand: Operand::Constant(self.negated(constant)),
+                negative: !a.negative,
+            };
         }
-        self.push(Instruction::Mul(a.operand, b.operand), negative)
+        self.push(UpToSign::product(a, b)).negate_if(flipped)
     }
 
-    fn emit_quotient(&mut self, id: NodeId, a: NodeId, b: NodeId) -> Place {
+    fn emit_quotient(&mut self, id: NodeId, a: NodeId, b: NodeId) -> UpToSign {
         let flipped = self.graph.is_flipped(id, Operation::Div(a, b));
         let (a, b) = (self.read(a.edge(false)), self.read(b.edge(false)));
-        self.push(
-            Instruction::Div(a.operand, b.operand),
-            flipped ^ a.negative ^ b.negative,
-        )
+        self.push(UpToSign::quotient(a, b)).negate_if(flipped)
     }
 
     fn is_output(&self, id: NodeId) -> bool {

@@ -7,13 +7,17 @@ mod build;
 mod constant;
 mod count;
 mod evaluate;
+mod readers;
 mod real;
+mod signed;
 
 pub use angle::rounded_angle;
 pub use arithmetic::Arithmetic;
 pub use constant::{Constant, ConstantId, ConstantPool};
 pub use count::Operations;
+pub(crate) use readers::Readers;
 pub use real::{Approximation, Real};
+pub use signed::UpToSign;
 
 use crate::robot::Symbol;
 
@@ -53,14 +57,8 @@ impl Instruction {
     }
 }
 
-/// An output: an operand, or minus the operand.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Output {
-    /// What is put out.
-    pub operand: Operand,
-    /// Whether its sign is changed.
-    pub negative: bool,
-}
+/// An output: what is put out, or minus that.
+pub type Output = UpToSign;
 
 /// A program without branches: each instruction reads inputs, constants and earlier results.
 #[derive(Clone, Debug)]
