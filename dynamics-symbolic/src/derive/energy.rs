@@ -20,7 +20,10 @@ pub(super) fn kinetic_energy<'g>(
     let (mut squares, mut mixed) = (zero, zero);
     for (link, &qd) in chain.links.iter().zip(qd) {
         let joint = &link.joint;
-        motion = motion.enter(joint).with_joint(joint.joint_type, qd);
+        // The linear velocity first: the graph orders the terms of a sum as they were first written.
+        let v = joint.enter(motion.at(joint.position()).v);
+        let entered = motion.enter(joint);
+        motion = Motion { v, ..entered }.with_joint(joint.joint_type, qd);
         let (Motion { w, v }, body) = (motion, &link.body);
         squares = squares
             + w.dot(body.inertia.apply(w))

@@ -54,7 +54,9 @@ impl<R: Ring> Joint<R> {
 impl<R: Ring> Motion<R> {
     /// In the frame of the link that the joint carries.
     pub fn enter(self, joint: &Joint<R>) -> Self {
-        self.at(joint.position()).turned(|v| joint.enter(v))
+        let w = joint.enter(self.w);
+        let v = joint.enter(self.at(joint.position()).v);
+        Motion { w, v }
     }
 }
 

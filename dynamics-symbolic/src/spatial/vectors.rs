@@ -61,8 +61,8 @@ impl<R: Ring> Motion<R> {
     /// In other axes: `turn` says what a vector is in these.
     pub fn turned(self, turn: impl Fn(Vector3<R>) -> Vector3<R>) -> Self {
         Motion {
-            v: turn(self.v),
             w: turn(self.w),
+            v: turn(self.v),
         }
     }
 
