@@ -76,13 +76,24 @@ pub enum Entry {
     /// `tool: { xyz: [0, 0, 0.1], mass: 2 }`
     Tool(Option<Box<Tool>>),
     /// `functions: [...]`
-    Functions(Option<Vec<(Function, Place)>>),
+    Functions(Option<Vec<Asked>>),
     /// `lock: [elbow = 0.3]`
     Lock(Option<Vec<Locked>>),
     /// `neglect: 1%`
     Neglect(Option<Share>),
     /// `tests: true`
     Tests(Place, Option<bool>),
+}
+
+/// One entry of `functions`.
+#[derive(Clone, Debug)]
+pub enum Asked {
+    /// `default`: the default set.
+    Default(Place),
+    /// `jacobian`
+    One(Function, Place),
+    /// `control_terms = (mass_matrix, gravity_vector)`
+    Fused(Name, Vec<(Function, Place)>),
 }
 
 /// `elbow = 0.3`

@@ -40,7 +40,7 @@ use quote::quote;
 
 /// The items of a call of the macro, and a `compile_error!` for each mistake in it.
 pub fn generate(call: TokenStream) -> TokenStream {
-    generate_by(call, &dynamics_symbolic::derive::derive)
+    generate_by(call, &dynamics_symbolic::derive::derive_together)
 }
 
 /// The same without the engine: the struct, its table and its traits, with no method derived and
@@ -53,8 +53,8 @@ pub fn outline(call: TokenStream) -> TokenStream {
     items(&call, generated, diagnostics)
 }
 
-/// Finds the program of a function.
-type Derivation = dyn Fn(&Robot, Function) -> Program;
+/// Finds the program of a function, or the one of several.
+type Derivation = dyn Fn(&Robot, &[Function]) -> Program;
 
 /// [`generate`] with an engine of one's own, which a test damages.
 fn generate_by(call: TokenStream, derivation: &Derivation) -> TokenStream {
@@ -138,17 +138,15 @@ fn methods(
     derivation: &Derivation,
     diagnostics: &Diagnostics,
 ) -> Option<Vec<Method>> {
-    let functions: Vec<_> = model.functions.iter().map(|(f, _)| *f).collect();
-    let failures = match expand_with(&model.robot, &functions, &call.path, derivation) {
+    let requests: Vec<_> = model.requests.iter().map(|(r, _)| r.clone()).collect();
+    let failures = match expand_with(&model.robot, &requests, &call.path, derivation) {
         Ok(methods) => return Some(methods),
         Err(failures) => failures,
     };
     let name = call.structure.as_ref().map(|structure| &structure.name);
     for failure in failures {
-        let asked = model
-            .functions
-            .iter()
-            .find(|(f, _)| *f == failure.function());
+        let mut requests = model.requests.iter();
+        let asked = requests.find(|(request, _)| *request == failure.request);
         let place = asked.and_then(|(_, place)| *place);
         let place = place.or(name.map(Into::into));
         let place = place.unwrap_or_else(|| Span::call_site().into());

@@ -52,5 +52,9 @@ pub(crate) const MOST_JOINTS_OF_LONG_FUNCTIONS: usize = 32;
 /// six of 22. The two longest of 32 joints have 390,000 operations.
 pub(crate) const MOST_LONG_FUNCTIONS: usize = 2 * MOST_JOINTS_OF_LONG_FUNCTIONS.pow(3);
 
+/// Functions in all tuples of one call, times the number of joints: each is derived several times over.
+/// Four of 64 joints, 36 of seven.
+pub(crate) const MOST_PARTS: usize = 256;
+
 /// Names that a message lists.
 pub(crate) const MOST_LISTED: usize = 20;

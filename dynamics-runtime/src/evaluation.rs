@@ -14,6 +14,17 @@ pub trait Evaluate<const N: usize>: Model<N> {
     ///
     /// `tau` are the joint torques at which the forward dynamics is evaluated.
     fn evaluate(&self, state: &State<N>, tau: &SVector<f64, N>) -> Evaluation<N>;
+
+    /// Calls `found` with each method that returns several functions: its name, and its parts at one
+    /// state.
+    fn evaluate_parts(
+        &self,
+        state: &State<N>,
+        tau: &SVector<f64, N>,
+        found: &mut dyn FnMut(&'static str, Evaluation<N>),
+    ) {
+        let _ = (state, tau, found);
+    }
 }
 
 /// Position, velocity and acceleration of all joints.

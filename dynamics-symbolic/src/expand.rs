@@ -1,19 +1,19 @@
 //! From a robot to its methods: derive, prove, emit.
 
-use crate::derive::derive;
+use crate::derive::derive_together;
 use crate::emit;
-use crate::function::{Function, Shape};
+use crate::function::{Function, Fused, Request};
 use crate::neglect::{STATES, largest_error};
 use crate::program::{Operations, Program};
-use crate::prove::{ProofFailure, prove};
+use crate::prove::{ProofFailure, prove, prove_together};
 use crate::robot::Robot;
 use core::fmt;
 use proc_macro2::TokenStream;
 
 /// A generated method.
 pub struct Method {
-    /// The function that it computes.
-    pub function: Function,
+    /// What it computes.
+    pub request: Request,
     /// The documented item of the inherent implementation.
     pub tokens: TokenStream,
     /// The item of the runtime's trait for the function, where there is one: see
@@ -25,35 +25,35 @@ pub struct Method {
     pub angles: Vec<usize>,
 }
 
-/// Why a function cannot be generated.
+/// Why a method cannot be generated.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Failure {
-    /// Its program is not equal to the textbook definition: a defect of this crate.
-    Proof(ProofFailure),
-    /// A constant of its program, a product or a quotient of numbers in the table, is too large for
-    /// a double.
-    Overflow(Function),
+pub struct Failure {
+    /// What was asked for.
+    pub request: Request,
+    /// The reason.
+    pub reason: Reason,
 }
 
-impl Failure {
-    /// The function.
-    pub fn function(&self) -> Function {
-        match self {
-            Failure::Proof(failure) => failure.function,
-            Failure::Overflow(function) => *function,
-        }
-    }
+/// Why a program is of no use.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Reason {
+    /// It is not equal to the textbook definition: a defect of this crate.
+    Proof(ProofFailure),
+    /// One of its constants, a product or a quotient of numbers in the table, is too large for
+    /// a double.
+    Overflow,
 }
 
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Failure::Proof(failure) => failure.fmt(f),
-            Failure::Overflow(function) => write!(
+        let name = self.request.name();
+        match (&self.reason, &self.request) {
+            (Reason::Proof(failure), Request::One(_)) => failure.fmt(f),
+            (Reason::Proof(failure), Request::Fused(_)) => write!(f, "`{name}`: {failure}"),
+            (Reason::Overflow, _) => write!(
                 f,
-                "a constant in `{}` is too large for a double-precision number: numbers of the table \
+                "a constant in `{name}` is too large for a double-precision number: numbers of the table \
                  combine to more than 1.8e308, are the units right?",
-                function.name()
             ),
         }
     }
@@ -61,49 +61,85 @@ impl fmt::Display for Failure {
 
 impl std::error::Error for Failure {}
 
-/// Derives, proves and emits the functions of a robot; `path` is the path of the runtime crate.
+/// Finds the program of a function, or the one of several.
+type Derivation = dyn Fn(&Robot, &[Function]) -> Program;
+
+/// Derives, proves and emits the methods that are asked for; `path` is the path of the runtime crate.
 ///
 /// # Errors
 ///
-/// Every function that cannot be generated, with the reason.
-pub fn expand(
+/// Every method that cannot be generated, with the reason.
+pub fn expand<R: Clone + Into<Request>>(
     robot: &Robot,
-    functions: &[Function],
+    requests: &[R],
     path: &TokenStream,
 ) -> Result<Vec<Method>, Vec<Failure>> {
-    expand_with(robot, functions, path, &derive)
+    expand_with(robot, requests, path, &derive_together)
 }
 
 /// As [`expand`], with programs from another derivation: they must pass the same proof.
 ///
 /// # Errors
 ///
-/// Every function that cannot be generated, with the reason.
-pub fn expand_with(
+/// Every method that cannot be generated, with the reason.
+pub fn expand_with<R: Clone + Into<Request>>(
     robot: &Robot,
-    functions: &[Function],
+    requests: &[R],
     path: &TokenStream,
-    derive: &dyn Fn(&Robot, Function) -> Program,
+    derive: &Derivation,
 ) -> Result<Vec<Method>, Vec<Failure>> {
-    let mut methods = Vec::with_capacity(functions.len());
+    let mut methods: Vec<Method> = Vec::with_capacity(requests.len());
     let mut failures = Vec::new();
-    for &function in functions {
-        let program = derive(robot, function);
-        let mut notes = neglected(robot, function, &program, derive);
+    for request in requests {
+        let request: Request = request.clone().into();
+        let program = derive(robot, request.parts());
+        let mut notes = neglected(robot, &request, &program, derive);
         notes.extend(plain(&program));
-        let method = match function.shape() {
-            Shape::Series => taylor_series(robot, program, &notes, path, derive),
-            _ => method(robot, function, program, &notes, path),
+        if let Request::Fused(fused) = &request {
+            notes.push(beside_single_calls(
+                robot, fused, &program, &methods, derive,
+            ));
+        }
+        let method = match request.function() {
+            Some(Function::TaylorSeries) => taylor_series(robot, program, &notes, path, derive),
+            _ => method(robot, &request, program, &notes, path),
         };
         match method {
             Ok(method) => methods.push(method),
-            Err(failure) => failures.push(failure),
+            Err(reason) => failures.push(Failure { request, reason }),
         }
     }
     if failures.is_empty() {
         Ok(methods)
     } else {
         Err(failures)
+    }
+}
+
+/// What the documentation says of one program for several functions, beside a program for each of
+/// them. What has been derived before is not derived again.
+fn beside_single_calls(
+    robot: &Robot,
+    fused: &Fused,
+    program: &Program,
+    methods: &[Method],
+    derive: &Derivation,
+) -> String {
+    let alone = |function: &Function| {
+        let method = |m: &&Method| m.request.function() == Some(*function);
+        let known = methods.iter().find(method).map(|method| method.operations);
+        known.unwrap_or_else(|| derive(robot, &[*function]).operations())
+    };
+    let alone: Vec<Operations> = fused.parts.iter().map(alone).collect();
+    let total: u32 = alone.iter().map(Operations::total).sum();
+    let angles: u32 = alone.iter().map(|operations| operations.sin_cos).sum();
+    let apart = format!(
+        "A call of each function takes {total} multiplications, additions and divisions in all, and sines and \
+         cosines {angles} times"
+    );
+    match total.saturating_sub(program.operations().total()) {
+        0 => format!(" {apart}: nothing but sines and cosines is saved here."),
+        saved => format!(" {apart}; {saved} operations are saved here."),
     }
 }
 
@@ -119,23 +155,21 @@ fn plain(program: &Program) -> Option<String> {
 /// What the documentation says of a function of an abbreviated model, beside the complete one.
 fn neglected(
     robot: &Robot,
-    function: Function,
+    request: &Request,
     program: &Program,
-    derive: &dyn Fn(&Robot, Function) -> Program,
+    derive: &Derivation,
 ) -> Vec<String> {
-    let Some(neglected) = robot
-        .neglected
-        .as_ref()
-        .filter(|_| function.row().reads_inertia)
-    else {
+    let parts = request.parts();
+    let reads_inertia = parts.iter().any(|part| part.row().reads_inertia);
+    let Some(neglected) = robot.neglected.as_ref().filter(|_| reads_inertia) else {
         return Vec::new();
     };
     let complete = Robot {
         neglected: None,
         ..robot.clone()
     };
-    let whole = derive(&complete, function);
-    let error = largest_error(&complete, function, &whole, program);
+    let whole = derive(&complete, parts);
+    let error = largest_error(&complete, parts, &whole, program);
     let definite = match neglected.is_definite {
         true => "",
         false => " That the mass matrix is positive definite at all positions was not shown.",
@@ -162,18 +196,18 @@ pub fn percent(share: f64) -> String {
 /// Proves a program, rounds its constants and emits it.
 fn method(
     robot: &Robot,
-    function: Function,
+    request: &Request,
     program: Program,
     notes: &[String],
     path: &TokenStream,
-) -> Result<Method, Failure> {
-    prove(robot, function, &program).map_err(Failure::Proof)?;
+) -> Result<Method, Reason> {
+    prove_together(robot, request.parts(), &program).map_err(Reason::Proof)?;
     let constants = program.rounded_constants();
     if constants.iter().any(|x| x.is_infinite()) {
-        return Err(Failure::Overflow(function));
+        return Err(Reason::Overflow);
     }
-    let emitted = emit::method(robot, function, &program, &constants, notes, path);
-    Ok(of(function, emitted, &[&program]))
+    let emitted = emit::method(robot, request, &program, &constants, notes, path);
+    Ok(of(request.clone(), emitted, &[&program]))
 }
 
 /// Proves and emits the two programs of Taylor series: the equations of motion, and the mass
@@ -183,17 +217,17 @@ fn taylor_series(
     equations: Program,
     notes: &[String],
     path: &TokenStream,
-    derive: &dyn Fn(&Robot, Function) -> Program,
-) -> Result<Method, Failure> {
+    derive: &Derivation,
+) -> Result<Method, Reason> {
     let function = Function::TaylorSeries;
     let part = Function::MassMatrix;
-    let programs = [(function, equations), (part, derive(robot, part))];
+    let programs = [(function, equations), (part, derive(robot, &[part]))];
     let mut rounded = Vec::with_capacity(programs.len());
     for (part, program) in &programs {
-        prove(robot, *part, program).map_err(Failure::Proof)?;
+        prove(robot, *part, program).map_err(Reason::Proof)?;
         let constants = program.rounded_constants();
         if constants.iter().any(|x| x.is_infinite()) {
-            return Err(Failure::Overflow(function));
+            return Err(Reason::Overflow);
         }
         rounded.push(constants);
     }
@@ -203,14 +237,14 @@ fn taylor_series(
         (matrix, rounded[1].as_slice()),
     ];
     let emitted = emit::taylor_series(robot, parts, notes, path);
-    Ok(of(function, emitted, &[equations, matrix]))
+    Ok(of(function.into(), emitted, &[equations, matrix]))
 }
 
 /// A method as it was emitted, the operations of its first program, the angles of all.
-fn of(function: Function, emitted: emit::Emitted, programs: &[&Program]) -> Method {
+fn of(request: Request, emitted: emit::Emitted, programs: &[&Program]) -> Method {
     let angles = programs.iter().flat_map(|program| program.joint_angles());
     Method {
-        function,
+        request,
         tokens: emitted.inherent,
         provided: emitted.provided,
         operations: programs[0].operations(),

@@ -22,7 +22,7 @@ pub mod rounding;
 pub mod simplify;
 pub mod spatial;
 
-pub use emit::{base_parameter_constants, stub, stub_of_trait};
-pub use expand::{Failure, Method, expand, expand_with, percent};
-pub use function::Function;
+pub use emit::{base_parameter_constants, method_name, stub, stub_of_trait};
+pub use expand::{Failure, Method, Reason, expand, expand_with, percent};
+pub use function::{Function, Request};
 pub use program::Operations;

@@ -26,6 +26,6 @@ fn thirty_axes_expand() {
     // Linear in the joints: what is asked of 30 axes in tests/data/hard_cases.json, HC42, and half of it is there.
     let tau = methods
         .iter()
-        .find(|m| m.function == Function::InverseDynamics);
+        .find(|m| m.request.function() == Some(Function::InverseDynamics));
     assert!(tau.expect("tau").operations.total() <= 9_000);
 }

@@ -26,11 +26,11 @@ const FUNCTIONS: [Function; 3] = [
 ];
 
 /// What the graph makes of the formulas: equal expressions are one, and nothing else is done.
-fn textbook(robot: &Robot, function: Function) -> Program {
+fn textbook(robot: &Robot, functions: &[Function]) -> Program {
     let graph = Graph::new();
     let mut symbols = Symbols::new(&graph, robot);
     let textbook = Textbook::new(&mut symbols, robot);
-    let outputs = match function {
+    let outputs = match functions[0] {
         Function::MassMatrix => textbook.mass_matrix.concat(),
         Function::CoriolisVector => textbook.coriolis_vector,
         Function::GravityVector => textbook.gravity_vector,
@@ -51,7 +51,15 @@ fn the_example_measures_the_textbook_s_programs() {
         let name = format_ident!("{name}");
         let n = proc_macro2::Literal::usize_unsuffixed(robot.rows.len());
         let traits = methods.iter().map(|method| {
-            let of = format_ident!("{}", method.function.trait_name().expect("a trait"));
+            let of = format_ident!(
+                "{}",
+                method
+                    .request
+                    .function()
+                    .expect("one")
+                    .trait_name()
+                    .expect("a trait")
+            );
             let item = method.provided.as_ref().expect("the trait's item");
             quote!(impl #path::#of<#n> for #name { #item })
         });

@@ -1,24 +1,78 @@
 //! Every generated function at one state, for the checks.
 
-use dynamics_symbolic::Function;
-use dynamics_symbolic::function::{Argument, Shape, Size};
+use dynamics_symbolic::function::{Argument, Fused, Shape, Size};
+use dynamics_symbolic::{Function, Request, method_name};
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
 use super::Target;
 
-/// The body of `Evaluate::evaluate`.
-pub(super) fn evaluation(target: &Target, functions: &[Function]) -> TokenStream {
-    let path = target.path;
-    let values = functions.iter().map(|function| {
-        let name = Ident::new(function.name(), Span::call_site());
-        let value = value(target, *function);
-        quote!(#name: ::core::option::Option::Some(#value),)
+/// The methods of `Evaluate`.
+pub(super) struct Evaluation {
+    /// The body of `evaluate`.
+    pub(super) functions: TokenStream,
+    /// The body of `evaluate_parts`, where a method returns several functions.
+    pub(super) parts: Option<TokenStream>,
+}
+
+/// What evaluates the methods.
+pub(super) fn evaluation(target: &Target, requests: &[Request]) -> Evaluation {
+    let functions = requests.iter().filter_map(Request::function);
+    let fields = functions.map(|function| {
+        let value = call(target, &Request::One(function));
+        some(function, held(target, function, value))
     });
+    let fused = requests.iter().filter_map(|request| match request {
+        Request::Fused(fused) => Some(parts(target, request, fused)),
+        Request::One(_) => None,
+    });
+    let fused: Vec<_> = fused.collect();
+    Evaluation {
+        functions: combined(target, fields),
+        parts: (!fused.is_empty()).then(|| quote!(#(#fused)*)),
+    }
+}
+
+/// Hands the parts of a method on; where it refuses, each part that is solved for is that refusal.
+fn parts(target: &Target, request: &Request, fused: &Fused) -> TokenStream {
+    let name = request.name();
+    let call = call(target, request);
+    let values: Vec<Ident> = (1..=fused.parts.len())
+        .map(|number| Ident::new(&format!("part_{number}"), Span::call_site()))
+        .collect();
+    let solved = |part: &Function| part.row().refuses;
+    let of_parts = fused.parts.iter().zip(&values).map(|(part, value)| {
+        let value = held(target, *part, quote!(#value));
+        match solved(part) {
+            true => some(*part, quote!(::core::result::Result::Ok(#value))),
+            false => some(*part, value),
+        }
+    });
+    let of_parts = combined(target, of_parts);
+    let of_all = match request.refuses() {
+        false => quote!({ let (#(#values),*) = #call; #of_parts }),
+        true => {
+            let refused = fused.parts.iter().filter(|part| solved(part));
+            let refused = refused.map(|part| some(*part, quote!(::core::result::Result::Err(x))));
+            let refused = combined(target, refused);
+            quote! {
+                match #call {
+                    ::core::result::Result::Ok((#(#values),*)) => #of_parts,
+                    ::core::result::Result::Err(x) => #refused,
+                }
+            }
+        }
+    };
+    quote!(found_parts(#name, #of_all);)
+}
+
+/// An evaluation with these fields and those that follow from them.
+fn combined(target: &Target, fields: impl Iterator<Item = TokenStream>) -> TokenStream {
+    let path = target.path;
     quote! {
         #path::Evaluation::combined(
             #path::Evaluation {
-                #(#values)*
+                #(#fields)*
                 ..::core::default::Default::default()
             },
             state,
@@ -26,14 +80,24 @@ pub(super) fn evaluation(target: &Target, functions: &[Function]) -> TokenStream
     }
 }
 
-/// The value of a function, as the field of that name holds it.
-fn value(target: &Target, function: Function) -> TokenStream {
-    let path = target.path;
+/// A field of the evaluation.
+fn some(function: Function, value: TokenStream) -> TokenStream {
     let name = Ident::new(function.name(), Span::call_site());
-    let arguments = function.arguments().iter();
-    let arguments = arguments.map(|argument| at_state(target, *argument));
+    quote!(#name: ::core::option::Option::Some(#value),)
+}
+
+/// The call of a method at the state.
+fn call(target: &Target, request: &Request) -> TokenStream {
+    let name = method_name(request);
+    let arguments = request.arguments();
+    let arguments = arguments.iter().map(|argument| at_state(target, *argument));
     // Without arguments nothing else says the type of the numbers.
-    let value = quote!(Self::#name::<f64>(self #(, #arguments)*));
+    quote!(Self::#name::<f64>(self #(, #arguments)*))
+}
+
+/// The value of a function, as the field of that name holds it.
+fn held(target: &Target, function: Function, value: TokenStream) -> TokenStream {
+    let path = target.path;
     match function.shape() {
         Shape::Matrix(Size::Parameters, Size::One) => quote!(<[f64]>::to_vec(#value.as_slice())),
         // Numbers of columns that the type of the field cannot name.

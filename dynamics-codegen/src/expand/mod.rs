@@ -8,13 +8,17 @@ mod table;
 mod test;
 mod traits;
 
-use dynamics_symbolic::{Function, Method, base_parameter_constants, stub, stub_of_trait};
+use std::collections::BTreeSet;
+
+use dynamics_symbolic::{Function, Method, Request, base_parameter_constants, stub, stub_of_trait};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, quote};
 
 use crate::call::Structure;
-use crate::description::{Entry, Row};
+use crate::description::{Asked, Entry, Row};
 use crate::validate::Model;
+use crate::validate::functions::{RESERVED, fused};
+use evaluate::Evaluation;
 
 /// The struct, its methods and the traits of the runtime.
 pub(crate) fn robot(
@@ -24,21 +28,25 @@ pub(crate) fn robot(
     path: &TokenStream,
 ) -> TokenStream {
     let target = Target::new(structure, model.robot.dof(), path);
-    let functions: Vec<Function> = methods.iter().map(|method| method.function).collect();
+    let functions: Vec<Function> = methods
+        .iter()
+        .filter_map(|m| m.request.function())
+        .collect();
+    let requests: Vec<Request> = methods.iter().map(|m| m.request.clone()).collect();
     let names: Vec<String> = model.robot.joints().map(|row| row.name.clone()).collect();
     let table = table::table(structure, &model.robot, path);
-    let evaluation = evaluate::evaluation(&target, &functions);
+    let evaluation = evaluate::evaluation(&target, &requests);
     let item = structure::as_written(structure, &scene::lines(model));
     let bodies = methods.iter().map(|method| &method.tokens);
-    let base_parameters = base_parameter_constants(&functions, Some(&model.robot));
+    let base_parameters = base_parameter_constants(&requests, Some(&model.robot));
     let operations = operations(methods, path);
     let inherent = target.inherent(&names, &operations, &base_parameters, &table, bodies);
     let provided = methods.iter().filter_map(|method| {
-        let mut item = method.provided.clone()?;
-        if method.function == Function::ForwardDynamics {
+        let (function, mut item) = (method.request.function()?, method.provided.clone()?);
+        if function == Function::ForwardDynamics {
             item.extend(traits::momenta(&target, &functions));
         }
-        Some((method.function, item))
+        Some((function, item))
     });
     let provided = traits::provided(&target, provided);
     let angles = angles(model.robot.dof(), methods);
@@ -55,18 +63,23 @@ pub(crate) fn robot(
 pub(crate) fn stubs(structure: &Structure, entries: &[Entry], path: &TokenStream) -> TokenStream {
     let names = joint_names(entries);
     let target = Target::new(structure, names.len(), path);
-    let functions = functions_to_stub(entries);
+    let requests = requests_to_stub(entries);
+    let functions: Vec<Function> = requests.iter().filter_map(Request::function).collect();
     let unimplemented = quote!(::core::unimplemented!());
     let item = structure::repaired(structure);
-    let bodies = functions.iter().map(|f| stub(*f, target.dof, path));
-    let base_parameters = base_parameter_constants(&functions, None);
+    let bodies = requests.iter().map(|r| stub(r, target.dof, path));
+    let base_parameters = base_parameter_constants(&requests, None);
     let inherent = target.inherent(&names, &[], &base_parameters, &unimplemented, bodies);
     let provided = functions.iter().filter_map(|f| {
         let item = stub_of_trait(*f, target.dof, path)?;
         Some((*f, item))
     });
     let provided = traits::provided(&target, provided);
-    let traits = traits::traits(&target, &functions, &[], &unimplemented, &unimplemented);
+    let evaluation = Evaluation {
+        functions: unimplemented.clone(),
+        parts: None,
+    };
+    let traits = traits::traits(&target, &functions, &[], &unimplemented, &evaluation);
     let implementations = names::apart(&quote!(#inherent #provided #traits));
     quote!(#item #implementations)
 }
@@ -104,18 +117,33 @@ fn without_locked(mut names: Vec<String>, entries: &[Entry]) -> Option<Vec<Strin
     Some(names)
 }
 
-/// The functions that the user's code may call: those asked for, all where that is not
+/// The methods that the user's code may call: those asked for, all functions where that is not
 /// known, the default set where nothing was asked for.
-fn functions_to_stub(entries: &[Entry]) -> Vec<Function> {
+fn requests_to_stub(entries: &[Entry]) -> Vec<Request> {
     let asked = entries.iter().find_map(|entry| match entry {
         Entry::Functions(functions) => Some(functions),
         _ => None,
     });
-    match asked {
-        None => Function::default_set(true),
-        Some(None) => Function::ALL.to_vec(),
-        Some(Some(functions)) => functions.iter().map(|(f, _)| *f).collect(),
-    }
+    let default_set = || Function::default_set(true).into_iter().map(Request::One);
+    let requests: Vec<Request> = match asked {
+        None => default_set().collect(),
+        Some(None) => Function::ALL.map(Request::One).to_vec(),
+        Some(Some(asked)) => {
+            let requests = asked.iter().map(|asked| match asked {
+                Asked::Default(_) => default_set().collect(),
+                Asked::One(function, _) => vec![Request::One(*function)],
+                Asked::Fused(name, parts) => vec![fused(name, parts)],
+            });
+            requests.flatten().collect()
+        }
+    };
+    // What has the name of something else has been reported.
+    let mut names = BTreeSet::new();
+    let is_method = |request: &Request| {
+        let name = request.name();
+        !RESERVED.contains(&name) && names.insert(name.to_owned())
+    };
+    requests.into_iter().filter(is_method).collect()
 }
 
 /// Of each joint, whether a function that may be told sines reads that of its position.
@@ -128,7 +156,7 @@ fn angles(dof: usize, methods: &[Method]) -> Vec<bool> {
 /// The entries of the constant `OPERATIONS`.
 fn operations(methods: &[Method], path: &TokenStream) -> Vec<TokenStream> {
     let entry = |method: &Method| {
-        let name = method.function.name();
+        let name = method.request.name();
         let [multiplications, additions, divisions, sin_cos] = [
             method.operations.multiplications,
             method.operations.additions,

@@ -6,15 +6,17 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, quote};
 
 use super::Target;
+use super::evaluate::Evaluation;
 
 /// The impls of all traits that the functions allow for. `angles` says of each joint whether a
-/// function of a [`provided`] trait reads its sine; `table` and `evaluation` are the bodies of the methods of that name.
+/// function of a [`provided`] trait reads its sine; `table` is the body of the method of that
+/// name.
 pub(super) fn traits(
     target: &Target,
     functions: &[Function],
     angles: &[bool],
     table: &TokenStream,
-    evaluation: &TokenStream,
+    evaluation: &Evaluation,
 ) -> TokenStream {
     let has = |function| functions.contains(&function);
     let model = model(target, angles, table);
@@ -105,13 +107,26 @@ fn model(target: &Target, angles: &[bool], table: &TokenStream) -> TokenStream {
     }
 }
 
-fn evaluate(target: &Target, evaluation: &TokenStream) -> TokenStream {
+fn evaluate(target: &Target, evaluation: &Evaluation) -> TokenStream {
     let path = target.path;
+    let functions = &evaluation.functions;
     let (header, n) = match target.dof {
         // One impl, so that a check of the robot infers the number.
         0 => (start(target, &quote!(), quote!(Evaluate<0>)), quote!(0)),
         _ => header(target, quote!(Evaluate)),
     };
+    let parts = evaluation.parts.as_ref().map(|parts| {
+        quote! {
+            fn evaluate_parts(
+                &self,
+                state: &#path::State<#n>,
+                tau: &#path::nalgebra::SVector<f64, #n>,
+                found_parts: &mut dyn ::core::ops::FnMut(&'static str, #path::Evaluation<#n>),
+            ) {
+                #parts
+            }
+        }
+    });
     quote! {
         #path::__with_std! {
             #header {
@@ -120,8 +135,10 @@ fn evaluate(target: &Target, evaluation: &TokenStream) -> TokenStream {
                     state: &#path::State<#n>,
                     tau: &#path::nalgebra::SVector<f64, #n>,
                 ) -> #path::Evaluation<#n> {
-                    #evaluation
+                    #functions
                 }
+
+                #parts
             }
         }
     }

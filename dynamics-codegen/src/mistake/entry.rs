@@ -28,6 +28,60 @@ pub(crate) fn function_twice(name: &str) -> Mistake {
     Mistake::new(format!("`{name}` is asked for twice"))
 }
 
+/// `default` and one of its functions.
+pub(crate) fn in_default_set(name: &str) -> Mistake {
+    Mistake::new(format!("`{name}` is in the default set already"))
+}
+
+/// `(a, b)` in the list of functions, as it is written.
+pub(crate) fn tuple_without_name(shown: &str) -> Mistake {
+    Mistake::new(format!(
+        "functions that are computed together have a name: write `name = {shown}`"
+    ))
+}
+
+/// `name: (a, b)`
+pub(crate) fn tuple_by_colon(name: &impl Display) -> Mistake {
+    Mistake::new(format!(
+        "functions are put together by `=`: write `{name} = (...)`"
+    ))
+}
+
+pub(crate) fn default_in_tuple() -> Mistake {
+    Mistake::new("`default` stands for several functions: a tuple names each of its own")
+}
+
+pub(crate) fn tuple_named_as_function(name: &str) -> Mistake {
+    Mistake::new(format!(
+        "`{name}` is the name of a function: a tuple has another one"
+    ))
+}
+
+/// `name = ()`
+pub(crate) fn no_parts(name: &impl Display) -> Mistake {
+    Mistake::new(format!(
+        "`{name}` has no functions: write `{name} = (mass_matrix, gravity_vector)`, for example"
+    ))
+}
+
+/// `name = (a)`
+pub(crate) fn one_part(name: &impl Display, function: &str) -> Mistake {
+    Mistake::new(format!(
+        "`{name}` is one function alone, which is asked for by its own name: write `{function}`"
+    ))
+}
+
+pub(crate) fn part_twice(name: &impl Display, function: &str) -> Mistake {
+    Mistake::new(format!("`{function}` is in `{name}` twice"))
+}
+
+/// A function whose program is its own.
+pub(crate) fn never_a_part(function: &str) -> Mistake {
+    Mistake::new(format!(
+        "`{function}` shares nothing with other functions: ask for it apart from the tuple"
+    ))
+}
+
 pub(crate) fn no_lock() -> Mistake {
     Mistake::new("no joint is locked: name one, `[joint = position]`, or leave `lock` out")
 }

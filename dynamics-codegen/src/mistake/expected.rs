@@ -105,6 +105,16 @@ pub(crate) fn function() -> Expected {
     expected("the name of a function")
 }
 
+pub(crate) fn name_of_tuple() -> Expected {
+    expected("a name for the tuple: `name = (function, function)`")
+}
+
+pub(crate) fn parts_of(name: &impl fmt::Display) -> Expected {
+    expected(format!(
+        "the functions of `{name}`: `{name} = (function, function)`"
+    ))
+}
+
 pub(crate) fn joint() -> Expected {
     expected("a joint: `name: revolute { ... }` or `name: prismatic { ... }`")
 }

@@ -3,7 +3,7 @@
 use super::Mistake;
 use crate::limits::{
     DEEPEST_DELIMITERS, DEEPEST_VALUE, MOST_JOINTS, MOST_JOINTS_OF_LONG_FUNCTIONS, MOST_LETTERS,
-    MOST_TERMS, MOST_TERMS_IN_ALL, MOST_TOKENS,
+    MOST_PARTS, MOST_TERMS, MOST_TERMS_IN_ALL, MOST_TOKENS,
 };
 use crate::words::{all, shortened};
 
@@ -41,6 +41,14 @@ pub(crate) fn long_functions(name: &str, others: &[&str], joints: usize) -> Mist
         "`{name}` besides {} would be too long for one call with {joints} joints: \
          ask for it in a call of its own, for a second struct with this table",
         all(others)
+    ))
+}
+
+/// Tuples of functions with too many functions in all.
+pub(crate) fn parts(joints: usize) -> Mistake {
+    let most = MOST_PARTS / joints.max(1);
+    Mistake::new(format!(
+        "the tuples of one call have at most {most} functions in all with {joints} joints"
     ))
 }
 

@@ -1,12 +1,12 @@
 //! The entries of a call: `key: value,` and `let name = value;`.
 
-use dynamics_symbolic::Function;
 use dynamics_symbolic::robot::Convention;
 use proc_macro2::{Delimiter, Ident};
 
 use super::cursor::Cursor;
 use super::expression::{expression, share};
 use super::frames;
+use super::functions::functions;
 use super::list::{Key, colon, comma_separated, end_item, key, skip_docs};
 use super::row::joints;
 use super::unknown::unknown;
@@ -14,7 +14,6 @@ use super::vector::vector;
 use crate::description::{Entry, Joints, Locked, Name};
 use crate::diagnose::Reported;
 use crate::mistake::{self, expected};
-use crate::place::Place;
 use crate::words;
 
 /// The keys of the table.
@@ -240,44 +239,4 @@ fn lock(cursor: &mut Cursor) -> Result<Vec<Locked>, Reported> {
         end.map_or(Ok(what), Err)
     });
     unnamed.map_or(Ok(locked), Err)
-}
-
-/// Reads `[mass_matrix, ...]`. A wrong name leaves the choice unknown.
-fn functions(cursor: &mut Cursor) -> Result<Vec<(Function, Place)>, Reported> {
-    let group = cursor.take_list(Delimiter::Bracket, expected::functions())?;
-    let mut inside = cursor.inside(&group);
-    if inside.at_end() {
-        return Err(cursor.error(group.span(), mistake::entry::no_function()));
-    }
-    let mut functions = Vec::new();
-    let mut wrong = None;
-    let at_name = |cursor: &Cursor| cursor.peek_ident().is_some();
-    let end = comma_separated(&mut inside, at_name, |cursor| {
-        let Some(name) = cursor.take_ident() else {
-            return Err(cursor.expected(expected::function()));
-        };
-        if let Err(reported) = function(cursor, &name, &mut functions) {
-            wrong = Some(reported);
-        }
-        Ok(format!("`{name}`"))
-    });
-    wrong.map_or(end.map(|()| functions), Err)
-}
-
-/// Adds the function of that name.
-fn function(
-    cursor: &Cursor,
-    name: &Ident,
-    functions: &mut Vec<(Function, Place)>,
-) -> Result<(), Reported> {
-    let word = name.to_string();
-    let Some(function) = Function::from_name(&word) else {
-        let wrong = unknown("function", &word, &Function::ALL.map(Function::name));
-        return Err(cursor.error(name, wrong.mistake));
-    };
-    if functions.iter().any(|(other, _)| *other == function) {
-        return Err(cursor.error(name, mistake::entry::function_twice(&word)));
-    }
-    functions.push((function, name.into()));
-    Ok(())
 }

@@ -7,6 +7,7 @@ mod cursor;
 mod entry;
 mod expression;
 mod frames;
+mod functions;
 mod inertia;
 mod list;
 mod number;

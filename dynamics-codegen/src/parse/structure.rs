@@ -163,7 +163,7 @@ fn item(cursor: &mut Cursor) -> Result<Item, Reported> {
 }
 
 /// Takes a name that stands in the generated code, where a keyword would be no name.
-fn name(cursor: &mut Cursor, what: Expected) -> Result<Ident, Reported> {
+pub(super) fn name(cursor: &mut Cursor, what: Expected) -> Result<Ident, Reported> {
     let Some(name) = cursor.take_ident() else {
         return Err(cursor.expected(what));
     };

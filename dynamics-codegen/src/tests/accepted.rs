@@ -1,8 +1,8 @@
 //! What is accepted, and what it means.
 
-use dynamics_symbolic::Function;
 use dynamics_symbolic::exact::Rational;
 use dynamics_symbolic::robot::{Convention, JointType, Value};
+use dynamics_symbolic::{Function, Request};
 
 use super::*;
 
@@ -51,8 +51,11 @@ fn a_whole_call() {
     assert_eq!(second.name, "type");
     assert_eq!(second.joint_type, JointType::Prismatic);
     assert!(second.mass.is_zero());
-    let functions: Vec<Function> = model.functions.iter().map(|(f, _)| *f).collect();
-    assert_eq!(functions, [Function::MassMatrix, Function::Jacobian]);
+    let requests: Vec<Request> = model.requests.iter().map(|(r, _)| r.clone()).collect();
+    assert_eq!(
+        requests,
+        [Function::MassMatrix, Function::Jacobian].map(Request::One)
+    );
     assert!(model.tests);
 }
 
@@ -131,10 +134,9 @@ fn tensors_beyond_the_limits_where_the_row_allows_them() {
 #[test]
 fn friction_vector_is_in_the_default_set_where_a_row_has_friction() {
     let has_friction = |cells: &str| {
-        let functions = model(&with_cells(cells)).functions;
-        functions
-            .iter()
-            .any(|(f, _)| *f == Function::FrictionVector)
+        let requests = model(&with_cells(cells)).requests;
+        let friction = Request::One(Function::FrictionVector);
+        requests.iter().any(|(request, _)| *request == friction)
     };
     assert!(has_friction("mass: 1, friction: { viscous: 0.1 }"));
     assert!(!has_friction("mass: 1, friction: { viscous: 0 }"));
@@ -186,4 +188,43 @@ fn entries_of_base_and_tool_may_be_left_out() {
 fn a_tool_of_an_unphysical_tensor_where_it_is_allowed() {
     let tool = "tool: { mass: 1, inertia: { xx: 0.066, yy: 0.086, zz: 0.0125 }, allow: [unphysical_inertia] }";
     model(&format!("{} {tool}", with_cells("mass: 1")));
+}
+
+/// The default set and more, and tuples whose parts need not be generated on their own.
+#[test]
+fn functions_are_fused_by_name() {
+    let requests = |functions: &str, cells: &str| {
+        let call = format!("{} functions: [{functions}]", with_cells(cells));
+        let requests = model(&call).requests.into_iter();
+        requests.map(|(request, _)| request).collect::<Vec<_>>()
+    };
+    let found = requests(
+        "default, jacobian, control_terms = (mass_matrix, gravity_vector,), r#type = (regressor, base_parameters)",
+        "mass: 1",
+    );
+    let (default, more) = found.split_at(7);
+    assert_eq!(
+        default,
+        Function::default_set(false)
+            .into_iter()
+            .map(Request::One)
+            .collect::<Vec<_>>()
+    );
+    assert_eq!(more[0], Request::One(Function::Jacobian));
+    assert_eq!(more[1].name(), "control_terms");
+    assert_eq!(
+        more[1].parts(),
+        [Function::MassMatrix, Function::GravityVector]
+    );
+    assert_eq!(more[2].name(), "type");
+    assert_eq!(found.len(), 10);
+    // Friction is asked for once, whether the default set has it or not.
+    for cells in ["mass: 1", "mass: 1, friction: { viscous: 1 }"] {
+        let found = requests("default, friction_vector", cells);
+        let friction = Request::One(Function::FrictionVector);
+        assert_eq!(
+            found.iter().filter(|request| **request == friction).count(),
+            1
+        );
+    }
 }

@@ -2,7 +2,7 @@
 //! the function.
 
 use dynamics_symbolic::Function;
-use dynamics_symbolic::derive::derive;
+use dynamics_symbolic::derive::derive_together as derive;
 use dynamics_symbolic::program::{Instruction, Program};
 use dynamics_symbolic::robot::Robot;
 
@@ -12,9 +12,9 @@ const ARM: &str = "struct Arm; convention: modified, gravity: [0, -9.81, 0], joi
 ],";
 
 /// The right programs, but for one sign in the mass matrix.
-fn wrong_sign(robot: &Robot, function: Function) -> Program {
-    let mut program = derive(robot, function);
-    if function == Function::MassMatrix {
+fn wrong_sign(robot: &Robot, functions: &[Function]) -> Program {
+    let mut program = derive(robot, functions);
+    if functions[0] == Function::MassMatrix {
         for instruction in &mut program.instructions {
             if let Instruction::Add(a, b) = *instruction {
                 *instruction = Instruction::Sub(a, b);
@@ -25,9 +25,9 @@ fn wrong_sign(robot: &Robot, function: Function) -> Program {
 }
 
 /// The right programs, but for a dropped last operation in the gravity vector.
-fn dropped_term(robot: &Robot, function: Function) -> Program {
-    let mut program = derive(robot, function);
-    if function == Function::GravityVector {
+fn dropped_term(robot: &Robot, functions: &[Function]) -> Program {
+    let mut program = derive(robot, functions);
+    if functions == [Function::GravityVector] {
         program.outputs[0] = program.outputs[1];
     }
     program
@@ -72,4 +72,23 @@ fn the_methods_still_exist_after_a_failed_proof() {
             function.name()
         );
     }
+}
+
+/// One part of two is wrong: the error stands for the method and names the part.
+#[test]
+fn a_wrong_part_is_a_compile_error_that_names_it() {
+    let wrong = |robot: &Robot, functions: &[Function]| {
+        let mut program = derive(robot, functions);
+        if functions.len() == 2 {
+            program.outputs[4].negative ^= true;
+        }
+        program
+    };
+    let call = format!("{ARM} functions: [both = (mass_matrix, gravity_vector)]");
+    let text = crate::generate_by(call.parse().expect("the source lexes"), &wrong).to_string();
+    assert_eq!(text.matches("compile_error").count(), 1, "{text}");
+    assert!(text.contains(
+        "`both`: the program derived for `gravity_vector` is not equal to the textbook Lagrangian (output 1)"
+    ));
+    assert!(text.contains("pub fn both"), "{text}");
 }

@@ -1,7 +1,7 @@
 //! What a call expands to.
 
 use super::*;
-use dynamics_symbolic::derive::derive as derive_program;
+use dynamics_symbolic::derive::derive_together as derive_program;
 use proc_macro2::{Delimiter, Group, TokenTree};
 
 fn expansion(source: &str) -> String {

@@ -1,7 +1,7 @@
 //! Every limit of [`crate::limits`]: what exceeds it is one clear error, what meets it is a model, both
 //! within seconds and in bounded memory.
 
-use dynamics_symbolic::derive::derive;
+use dynamics_symbolic::derive::derive_together;
 
 use super::*;
 use crate::limits::*;
@@ -41,7 +41,7 @@ fn expansion(source: &str, limit: f64) -> (String, u64) {
     let mut items = String::new();
     let start = clock::thread_seconds();
     let memory = allocation_counter::measure(|| {
-        items = crate::generate_by(tokens, &derive).to_string();
+        items = crate::generate_by(tokens, &derive_together).to_string();
     });
     let time = clock::thread_seconds() - start;
     let start = &source[..source.len().min(60)];

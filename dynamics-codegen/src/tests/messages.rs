@@ -151,8 +151,8 @@ fn a_slip_in_front_of_struct() {
     let call = with_cells("mass: 1");
     let tokens = |start: &str| format!("{start} {call}").parse().expect("the source lexes");
     for start in ["pup", "public", "fn"] {
-        let items =
-            crate::generate_by(tokens(start), &dynamics_symbolic::derive::derive).to_string();
+        let items = crate::generate_by(tokens(start), &dynamics_symbolic::derive::derive_together)
+            .to_string();
         assert_eq!(items.matches("compile_error").count(), 1, "{items}");
         assert!(items.contains("struct Arm ;"), "{items}");
     }

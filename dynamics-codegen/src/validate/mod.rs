@@ -8,6 +8,7 @@ mod body;
 mod degrees;
 mod fields;
 mod frames;
+pub(crate) mod functions;
 mod limits;
 mod lock;
 mod neglect;
@@ -15,13 +16,12 @@ mod row;
 mod scope;
 mod solid;
 
-use dynamics_symbolic::Function;
-use dynamics_symbolic::function::Growth;
+use dynamics_symbolic::Request;
 use dynamics_symbolic::robot::{Convention, Placement, Robot, Row, Tool, Value};
 
-use crate::description::{self, Entry, Joints, Name, Table};
+use crate::description::{self, Asked, Entry, Joints, Name, Table};
 use crate::diagnose::Diagnostics;
-use crate::limits::{MOST_JOINTS, MOST_JOINTS_OF_LONG_FUNCTIONS, MOST_LONG_FUNCTIONS};
+use crate::limits::MOST_JOINTS;
 use crate::mistake::{entry, joint, size};
 use crate::place::Place;
 use lock::Lock;
@@ -32,8 +32,8 @@ use scope::{Scope, all};
 pub struct Model {
     /// The robot.
     pub robot: Robot,
-    /// The functions, each with the place where it was asked for by name.
-    pub functions: Vec<(Function, Option<Place>)>,
+    /// The methods, each with the place where it was asked for by name.
+    pub requests: Vec<(Request, Option<Place>)>,
     /// Whether a test is to be generated too.
     pub tests: bool,
     /// The share below which terms are neglected, and where it was written.
@@ -67,7 +67,7 @@ struct Parts {
     base: Option<Option<Placement>>,
     rows: Option<Vec<Option<Row>>>,
     tool: Option<Option<Tool>>,
-    functions: Option<Vec<(Function, Place)>>,
+    functions: Option<Vec<Asked>>,
     lock: Vec<Lock>,
     neglect: Option<(Value, Place)>,
     tests: Option<Place>,
@@ -108,7 +108,10 @@ impl Parts {
             }
         }
         if let (Some(functions), Some(rows)) = (&parts.functions, &parts.rows) {
-            report_long_functions(functions, rows.len(), scope);
+            functions::report_long(functions, rows.len(), scope);
+        }
+        if let Some(functions) = &parts.functions {
+            functions::report(functions, table, scope);
         }
         parts
     }
@@ -135,7 +138,7 @@ impl Parts {
         let (Some(tests), Some(functions)) = (self.tests, &self.functions) else {
             return;
         };
-        let [(function, _)] = functions[..] else {
+        let [Asked::One(function, _)] = functions[..] else {
             return;
         };
         let Some(other) = function.row().compared_with else {
@@ -164,16 +167,9 @@ impl Parts {
             base: given(self.base)?,
             tool: given(self.tool)?,
         };
-        let functions = match self.functions {
-            Some(functions) => functions.into_iter().map(|(f, at)| (f, Some(at))).collect(),
-            None => {
-                let default = Function::default_set(has_friction(&robot));
-                default.into_iter().map(|f| (f, None)).collect()
-            }
-        };
         Some(Model {
+            requests: functions::requests(self.functions.as_deref(), &robot),
             robot,
-            functions,
             tests: self.tests.is_some(),
             neglect: self.neglect,
         })
@@ -203,33 +199,6 @@ fn number_is_good(joints: &Joints, place: Place, scope: &Scope) -> bool {
     let place = row.name.as_ref().map_or(place, Place::from);
     scope.error(place, size::joints());
     false
-}
-
-/// Functions that are asked for of a robot with so many joints that they, or all of them together, would
-/// be too long.
-fn report_long_functions(functions: &[(Function, Place)], joints: usize, scope: &Scope) {
-    let is_long = |function: Function| function.row().growth == Growth::Steep;
-    let long = functions.iter().filter(|(function, _)| is_long(*function));
-    if joints > MOST_JOINTS_OF_LONG_FUNCTIONS {
-        for (function, place) in long {
-            scope.error(*place, size::long_function(function.name()));
-        }
-        return;
-    }
-    let most = MOST_LONG_FUNCTIONS / joints.pow(3).max(1);
-    if let Some((function, place)) = long.clone().nth(most) {
-        let names: Vec<&str> = long
-            .map(|(function, _)| function.name())
-            .take(most)
-            .collect();
-        let mistake = size::long_functions(function.name(), &names, joints);
-        scope.error(*place, mistake);
-    }
-}
-
-fn has_friction(robot: &Robot) -> bool {
-    let mut values = robot.joints().flat_map(|row| [&row.viscous, &row.coulomb]);
-    values.any(|value| !value.is_zero())
 }
 
 /// An entry that may be left out; `None` where it is in error.

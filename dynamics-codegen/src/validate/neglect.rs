@@ -4,7 +4,7 @@ use dynamics_symbolic::exact::Rational;
 use dynamics_symbolic::robot::{JointType, Value};
 
 use super::scope::Scope;
-use super::{Parts, rows_of};
+use super::{Parts, functions, rows_of};
 use crate::description::{Share, Table};
 use crate::diagnose::Diagnostics;
 use crate::mistake::entry as mistake;
@@ -42,10 +42,10 @@ pub(super) fn report(parts: &Parts, table: &Table, diagnostics: &Diagnostics) {
     if let Some(tests) = &parts.tests {
         diagnostics.error(*tests, mistake::neglect_and_tests());
     }
-    for (function, place) in parts.functions.iter().flatten() {
+    for (function, place) in functions::named(parts.functions.as_deref().unwrap_or_default()) {
         if function.is_about_base_parameters() {
             let mistake = mistake::neglect_and_identification(function.name());
-            diagnostics.error(*place, mistake);
+            diagnostics.error(place, mistake);
         }
     }
     if let Some(name) = table.fields.first() {

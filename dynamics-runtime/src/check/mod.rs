@@ -13,7 +13,7 @@ mod states;
 use core::f64::consts::PI;
 use core::ops::RangeInclusive;
 
-use crate::{Evaluate, NewtonEuler};
+use crate::{Evaluate, Evaluation, NewtonEuler};
 use functions::deviations;
 
 pub use report::{FunctionReport, Report};
@@ -130,10 +130,16 @@ impl Check {
         for (label, state) in &states {
             report.note_conditioning(label, numeric.conditioning(&state.q));
             let tau = numeric.inverse_dynamics(&state.q, &state.qd, &state.qdd);
-            let evaluation = robot.evaluate(state, &tau);
-            for deviation in deviations(&evaluation, &numeric, &table, state, &tau) {
-                report.record(&deviation, self.tolerance * N as f64, label, state);
-            }
+            let mut compare = |method, evaluation: Evaluation<N>| {
+                for deviation in deviations(&evaluation, &numeric, &table, state, &tau) {
+                    let tolerance = self.tolerance * N as f64;
+                    report.record(method, &deviation, tolerance, label, state);
+                }
+            };
+            compare(None, robot.evaluate(state, &tau));
+            robot.evaluate_parts(state, &tau, &mut |method, parts| {
+                compare(Some(method), parts)
+            });
         }
         report
     }

@@ -14,7 +14,8 @@ use crate::{Conditioning, State};
 #[derive(Clone, Debug, PartialEq)]
 #[must_use]
 pub struct Report {
-    /// One entry for each function that was compared.
+    /// One entry for each function that was compared, and one for each part of a method that returns
+    /// several functions.
     pub functions: Vec<FunctionReport>,
     /// The functions that could be compared at no state: forward dynamics where the mass matrix is
     /// singular everywhere, and refusing to solve is right; the regressor and the base parameters,
@@ -35,6 +36,8 @@ pub struct Report {
 pub struct FunctionReport {
     /// Name of the function.
     pub function: &'static str,
+    /// The method that returned it with others; `None` where the function has a method of its own.
+    pub method: Option<&'static str>,
     /// Number of states at which it was compared.
     pub states: usize,
     /// The largest relative error; infinite where a value was not a number.
@@ -57,6 +60,14 @@ impl FunctionReport {
     /// Whether the error is within the tolerance.
     pub fn is_ok(&self) -> bool {
         self.error <= self.tolerance
+    }
+
+    /// The function, and the method that returned it where that is another.
+    fn name(&self) -> String {
+        match self.method {
+            None => self.function.into(),
+            Some(method) => format!("{} of {method}", self.function),
+        }
     }
 }
 
@@ -83,9 +94,10 @@ impl Report {
         }
     }
 
-    /// Takes in what was found at one state.
+    /// Takes in what was found at one state, of a function or of a part of a method.
     pub(super) fn record<const N: usize>(
         &mut self,
+        method: Option<&'static str>,
         deviation: &Deviation,
         tolerance: f64,
         label: &str,
@@ -95,7 +107,7 @@ impl Report {
             self.miss(deviation.function);
             return;
         };
-        let entry = self.entry(deviation.function, tolerance);
+        let entry = self.entry(deviation.function, method, tolerance);
         entry.states += 1;
         if entry.states == 1 || error > entry.error {
             entry.error = error;
@@ -114,12 +126,19 @@ impl Report {
         }
     }
 
-    fn entry(&mut self, function: &'static str, tolerance: f64) -> &mut FunctionReport {
-        let known = self.functions.iter().position(|f| f.function == function);
+    fn entry(
+        &mut self,
+        function: &'static str,
+        method: Option<&'static str>,
+        tolerance: f64,
+    ) -> &mut FunctionReport {
+        let is_known = |f: &FunctionReport| f.function == function && f.method == method;
+        let known = self.functions.iter().position(is_known);
         let index = known.unwrap_or_else(|| {
             self.not_compared.retain(|missed| *missed != function);
             self.functions.push(FunctionReport {
                 function,
+                method,
                 states: 0,
                 error: 0.0,
                 tolerance,
@@ -205,7 +224,7 @@ const NUMBERS: core::ops::RangeInclusive<usize> = 1..=3;
 impl Report {
     fn cells(&self, row: &FunctionReport) -> [String; COLUMNS] {
         [
-            row.function.into(),
+            row.name(),
             row.states.to_string(),
             format!("{:.1e}", row.error),
             format!("{:.1e}", row.tolerance),
@@ -240,7 +259,12 @@ impl fmt::Display for FunctionReport {
         write!(
             f,
             "{}: error {:.1e} at {:?}\n  q = {:?}\n  qd = {:?}\n  qdd = {:?}",
-            self.function, self.error, self.label, self.q, self.qd, self.qdd
+            self.name(),
+            self.error,
+            self.label,
+            self.q,
+            self.qd,
+            self.qdd
         )
     }
 }

@@ -1,15 +1,14 @@
-//! The plain recursion of a function: what the rounding of other programs is measured by.
+//! The plain recursions of functions: what the rounding of other programs is measured by.
 //!
 //! The plain recursion in the plain gauge, nothing simplified, adds what the equations of motion add.
 //! Its rounding is that of the quantities themselves, and every other way of writing them is judged
 //! beside it: while it is searched for, at some states, and once it is found, at others.
 
-use super::gauge::Gauge;
+use super::functions::Part;
 use super::states::{State, states};
 use super::symbols::Symbols;
 use super::units::groups;
-use super::unsimplified;
-use crate::function::{Form, Function};
+use super::{plain_recursion, unsimplified};
 use crate::program::Program;
 use crate::robot::Robot;
 use crate::rounding::{POINTS, Rounded, Running};
@@ -34,31 +33,36 @@ const PAIRS_OF_MEASURE: usize = 4;
 /// Errors by output, at one state each.
 type Errors = Vec<f64>;
 
-/// The plain recursion of a function.
+/// The plain recursions of some functions, each on its own: what they share with one another
+/// when they are one program does not matter.
 pub(super) struct Recursion {
+    parts: Vec<Own>,
+}
+
+/// The plain recursion of one function.
+struct Own {
     program: Program,
     /// For each output its group: see [`groups`].
     groups: Vec<usize>,
 }
 
 impl Recursion {
-    /// The recursion beside which programs of one form of the function are measured. Bounds on the errors
-    /// of quotients of quotients say little: articulated bodies are measured by themselves.
-    pub(super) fn of(robot: &Robot, function: Function, form: Form) -> Self {
-        let form = match form {
-            Form::Articulated => Form::Articulated,
-            Form::Recursive | Form::Assembled => Form::Recursive,
-        };
-        let gauge = Gauge::plain(robot.rows.len());
-        let program = unsimplified(robot, function, form, &gauge);
+    /// The recursions beside which the programs of some parts are measured.
+    pub(super) fn of(robot: &Robot, parts: &[Part]) -> Self {
         let joints: Vec<_> = robot.joints().map(|row| row.joint_type).collect();
+        let own = |part: &Part| {
+            let program = unsimplified(robot, &[plain_recursion(robot, &[*part])]);
+            Own {
+                groups: groups(&joints, part.function, program.outputs.len()),
+                program,
+            }
+        };
         Recursion {
-            groups: groups(&joints, function, program.outputs.len()),
-            program,
+            parts: parts.iter().map(own).collect(),
         }
     }
 
-    /// The judge of another network of the function.
+    /// The judge of another network of the functions.
     pub(super) fn judge<'g>(
         &self,
         robot: &Robot,
@@ -68,7 +72,8 @@ impl Recursion {
         let states = states(robot, SEED, POINTS / 2);
         let plain = self.natural_errors(&states);
         let of_output = |output: usize| core::array::from_fn(|k| ALLOWED * plain[k][output]);
-        let allowed = (0..self.groups.len()).map(of_output).collect();
+        let outputs = self.parts.iter().map(|own| own.groups.len()).sum();
+        let allowed = (0..outputs).map(of_output).collect();
         let meanings = symbols.meanings();
         let running = Running::new(symbols.graph(), meanings, |k, symbol| {
             states[k / 2][k % 2].symbol(symbol)
@@ -76,15 +81,7 @@ impl Recursion {
         Judge::new(network, running, allowed)
     }
 
-    /// The plain recursion itself, marked as such.
-    pub(super) fn into_program(self) -> Program {
-        Program {
-            is_plain: true,
-            ..self.program
-        }
-    }
-
-    /// Whether the errors of a program at states of its own are those of the plain recursion but for a
+    /// Whether the errors of a program at states of its own are those of the plain recursions but for a
     /// small factor.
     pub(super) fn accepts(&self, robot: &Robot, program: &Program) -> bool {
         let states = states(robot, SEED_OF_MEASURE, PAIRS_OF_MEASURE);
@@ -101,7 +98,21 @@ impl Recursion {
             })
     }
 
-    /// What errors the outputs of the plain recursion have at some states: the largest in the group of
+    /// What errors the outputs of the plain recursions have at some states.
+    fn natural_errors(&self, states: &[[State; 2]]) -> Vec<Errors> {
+        let mut of_all = vec![Errors::new(); 2 * states.len()];
+        for own in &self.parts {
+            let of_own = own.natural_errors(states);
+            for (errors, of_own) in of_all.iter_mut().zip(of_own) {
+                errors.extend(of_own);
+            }
+        }
+        of_all
+    }
+}
+
+impl Own {
+    /// What errors the outputs have at some states: the largest in the group of
     /// the output, and of both states of a pair, so that none is small by chance.
     fn natural_errors(&self, states: &[[State; 2]]) -> Vec<Errors> {
         let rounded = Rounded::new(&self.program);

@@ -16,6 +16,15 @@ use crate::function::Function;
 use crate::linear::Vector3;
 use crate::robot::{Grouping, Robot};
 
+/// A function, and how it is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Part {
+    /// The function.
+    pub function: Function,
+    /// Its form.
+    pub form: Form,
+}
+
 /// What a function puts out, in the order of its contract: matrices by rows.
 /// Forward dynamics and its derivatives: the values, the pivots, and M's diagonal.
 pub fn outputs<'g>(
@@ -42,8 +51,10 @@ fn of_rows<'g>(
     function: Function,
     form: Form,
 ) -> Vec<Expr<'g>> {
-    if form == Form::Assembled {
-        return assembled(symbols, robot, chain, function);
+    match form {
+        Form::Assembled => return assembled(symbols, robot, chain, function),
+        Form::Columns => return composite::gravity_vector(chain),
+        Form::Recursive | Form::Articulated => {}
     }
     let graph = symbols.graph();
     let (zero, one) = (graph.zero(), graph.one());

@@ -3,10 +3,10 @@
 //! whatever is chosen; the number of operations is not.
 
 use super::chain::{Chain, Origin};
-use super::functions::outputs;
+use super::functions::{Part, outputs};
 use super::symbols::Symbols;
-use crate::expr::{Expr, Graph};
-use crate::function::{Form, Function, Search};
+use crate::expr::{Edge, Expr, Graph};
+use crate::function::{Form, Search};
 use crate::robot::Robot;
 use crate::simplify::Network;
 use crate::spatial::Keep;
@@ -25,7 +25,7 @@ pub struct Gauge {
     pub grouped: bool,
 }
 
-/// How many nodes of trial graphs one search may make: the search ends within
+/// How many nodes of trial graphs one search may make for each function: the search ends within
 /// a fraction of a second where the engine runs unoptimised.
 const MOST_NODES: usize = 100_000;
 
@@ -59,28 +59,32 @@ impl Gauge {
         chain
     }
 
-    /// The gauge for the shortest program of a function that a descent finds:
+    /// The gauge for the shortest program of some functions that a descent finds:
     /// single choices and neighbouring pairs are reversed for as long as the
     /// work of the operations falls.
-    pub fn search(robot: &Robot, function: Function, form: Form) -> Self {
+    pub fn search(robot: &Robot, parts: &[Part]) -> Self {
         let dof = robot.rows.len();
         let mut gauge = Gauge::plain(dof);
-        let (function, form) = match function.row().search {
-            Search::Own => (function, form),
-            Search::By(other) => (other, Form::Recursive),
-            Search::None => return gauge,
-            Search::Accuracy => return Gauge::physical(dof),
-        };
+        if let [part] = parts
+            && part.function.row().search == Search::Accuracy
+        {
+            return Gauge::physical(dof);
+        }
+        let parts: Vec<Part> = parts.iter().filter_map(searched_by).collect();
+        if parts.is_empty() {
+            return gauge;
+        }
+        let most = MOST_NODES * parts.len();
         let mut nodes = 0;
-        let mut cost = gauge.cost(robot, function, form, &mut nodes);
+        let mut cost = gauge.cost(robot, &parts, &mut nodes);
         loop {
             let before = cost;
             for step in steps(dof) {
-                if nodes > MOST_NODES {
+                if nodes > most {
                     return gauge;
                 }
                 gauge.reverse(&step);
-                let trial = gauge.cost(robot, function, form, &mut nodes);
+                let trial = gauge.cost(robot, &parts, &mut nodes);
                 if trial < cost {
                     cost = trial;
                 } else {
@@ -93,36 +97,30 @@ impl Gauge {
         }
     }
 
-    /// Operations of a function in this gauge, before any simplification.
-    pub fn length(&self, robot: &Robot, function: Function, form: Form) -> usize {
-        self.cost(robot, function, form, &mut 0)
+    /// Operations of some functions in this gauge, before any simplification.
+    pub fn length(&self, robot: &Robot, parts: &[Part]) -> usize {
+        self.cost(robot, parts, &mut 0)
     }
 
-    /// The network of a function in this gauge, before any simplification.
-    pub fn network<'g>(
+    /// The outputs of some functions in this gauge, one function after the other.
+    pub fn outputs<'g>(
         &self,
         symbols: &mut Symbols<'g>,
         robot: &Robot,
-        function: Function,
-        form: Form,
-    ) -> Network<'g> {
+        parts: &[Part],
+    ) -> Vec<Edge> {
         let chain = self.chain(symbols, robot);
-        let outputs = outputs(symbols, robot, &chain, function, form);
-        let outputs: Vec<_> = outputs.iter().map(|e| e.edge()).collect();
-        Network::new(symbols.graph(), &outputs)
+        let of_part = |part: &Part| outputs(symbols, robot, &chain, part.function, part.form);
+        let outputs = parts.iter().flat_map(of_part);
+        outputs.map(|e| e.edge()).collect()
     }
 
     /// The work before any simplification; adds the nodes of the trial graph to `nodes`.
-    pub(super) fn cost(
-        &self,
-        robot: &Robot,
-        function: Function,
-        form: Form,
-        nodes: &mut usize,
-    ) -> usize {
+    fn cost(&self, robot: &Robot, parts: &[Part], nodes: &mut usize) -> usize {
         let graph = Graph::new();
         let mut symbols = Symbols::new(&graph, robot);
-        let cost = self.network(&mut symbols, robot, function, form).work();
+        let outputs = self.outputs(&mut symbols, robot, parts);
+        let cost = Network::new(&graph, &outputs).work();
         *nodes += graph.len();
         cost
     }
@@ -145,6 +143,18 @@ impl Gauge {
                 }
             }
         }
+    }
+}
+
+/// What the search counts for a function: none of it where no gauge matters.
+fn searched_by(part: &Part) -> Option<Part> {
+    match part.function.row().search {
+        Search::Own | Search::Accuracy => Some(*part),
+        Search::By(function) => Some(Part {
+            function,
+            form: Form::Recursive,
+        }),
+        Search::None => None,
     }
 }
 

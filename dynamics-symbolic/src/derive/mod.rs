@@ -10,6 +10,7 @@ mod composite;
 mod derivatives;
 mod energy;
 pub mod functions;
+mod fused;
 pub mod gauge;
 mod joint_forces;
 mod joints;
@@ -25,32 +26,43 @@ pub mod symbols;
 pub mod textbook;
 pub mod units;
 
-use crate::expr::Graph;
+use crate::expr::{Edge, Graph};
 use crate::function::{Form, Function, Search, Trial};
 use crate::program::Program;
 use crate::robot::Robot;
-use crate::simplify::{Effort, simplify};
+use crate::simplify::{Effort, Network, simplify};
 use accuracy::Recursion;
+use functions::Part;
 use gauge::Gauge;
 use symbols::Symbols;
 
 /// The program of a function: the shortest that its forms, the gauges and the
 /// simplifications lead to, as far as they keep its digits.
 pub fn derive(robot: &Robot, function: Function) -> Program {
-    let forms = promising_forms(robot, function);
+    let parts = promising_forms(robot, function);
     if is_tried_by(Trial::Unsimplified, function) {
-        let gauge = Gauge::search(robot, function, Form::Recursive);
-        let length = |form: &Form| gauge.length(robot, function, *form);
-        let form = forms.into_iter().min_by_key(length);
-        let form = form.expect("every function has a form");
-        return accurate(robot, function, form, gauge);
+        let recursive = Part {
+            function,
+            form: Form::Recursive,
+        };
+        let gauge = Gauge::search(robot, &[recursive]);
+        let length = |part: &Part| gauge.length(robot, &[*part]);
+        let part = parts.into_iter().min_by_key(length);
+        let part = part.expect("every function has a form");
+        return accurate(robot, &[Written::new(&[part], gauge)]);
     }
-    let programs = forms
-        .into_iter()
-        .map(|form| derive_form(robot, function, form));
+    let programs = parts.into_iter().map(|part| derive_part(robot, part));
     programs
         .min_by_key(|program| program.operations().total())
         .expect("every function has a form")
+}
+
+/// The program of several functions, whose outputs follow one another, or of one.
+pub fn derive_together(robot: &Robot, functions: &[Function]) -> Program {
+    match functions {
+        [function] => derive(robot, *function),
+        _ => fused::derive(robot, functions),
+    }
 }
 
 fn is_tried_by(trial: Trial, function: Function) -> bool {
@@ -61,40 +73,67 @@ fn is_tried_by(trial: Trial, function: Function) -> bool {
 /// The forms that are tried. Where they differ by the number of joints, how they compare shows
 /// before any search: a form that takes over a tenth more than another in the plain gauge is
 /// not tried.
-fn promising_forms(robot: &Robot, function: Function) -> Vec<Form> {
-    let forms = function.forms(robot.dof());
+fn promising_forms(robot: &Robot, function: Function) -> Vec<Part> {
+    let forms = function.forms(robot.dof()).into_iter();
+    let parts: Vec<_> = forms.map(|form| Part { function, form }).collect();
     if !is_tried_by(Trial::Promising, function) {
-        return forms;
+        return parts;
     }
     let plain = Gauge::plain(robot.rows.len());
-    let cost = |form| plain.length(robot, function, form);
-    let costs: Vec<_> = forms.iter().map(|&form| cost(form)).collect();
+    let cost = |part: &Part| plain.length(robot, &[*part]);
+    let costs: Vec<_> = parts.iter().map(cost).collect();
     let least = costs.iter().copied().min().unwrap_or(0);
-    let forms = forms.iter().zip(costs);
-    let promising = forms.filter(|(_, cost)| 10 * cost <= 11 * least);
-    promising.map(|(&form, _)| form).collect()
+    let parts = parts.into_iter().zip(costs);
+    let promising = parts.filter(|(_, cost)| 10 * cost <= 11 * least);
+    promising.map(|(part, _)| part).collect()
 }
 
 /// The program of a function written in one form: the shortest that the gauges and the
 /// simplifications lead to, as far as they keep its digits.
 pub fn derive_form(robot: &Robot, function: Function, form: Form) -> Program {
-    accurate(robot, function, form, Gauge::search(robot, function, form))
+    derive_part(robot, Part { function, form })
 }
 
-/// The program of a function in one form and one gauge, shortened. Where that costs digits the gauge
-/// is the plain one, and where that is not enough nothing is simplified.
-fn accurate(robot: &Robot, function: Function, form: Form, gauge: Gauge) -> Program {
-    if function.row().search == Search::Accuracy {
-        // Another way to write a number may be a difference of larger ones.
-        return unsimplified(robot, function, form, &gauge).balanced();
+fn derive_part(robot: &Robot, part: Part) -> Program {
+    let gauge = Gauge::search(robot, &[part]);
+    accurate(robot, &[Written::new(&[part], gauge)])
+}
+
+/// Functions that are written in one gauge.
+struct Written {
+    parts: Vec<Part>,
+    gauge: Gauge,
+}
+
+impl Written {
+    fn new(parts: &[Part], gauge: Gauge) -> Self {
+        Written {
+            parts: parts.to_vec(),
+            gauge,
+        }
     }
-    let recursion = Recursion::of(robot, function, form);
-    let gauges = [gauge, Gauge::plain(robot.rows.len())];
-    let mut programs = gauges
-        .iter()
-        .map(|gauge| simplified(robot, function, form, gauge, &recursion));
+}
+
+/// The program of what is written, shortened. Where that costs digits the gauge
+/// is the plain one, and where that is not enough nothing is simplified.
+fn accurate(robot: &Robot, written: &[Written]) -> Program {
+    let parts: Vec<_> = written.iter().flat_map(|w| w.parts.clone()).collect();
+    if let [part] = parts[..]
+        && part.function.row().search == Search::Accuracy
+    {
+        // Another way to write a number may be a difference of larger ones.
+        return unsimplified(robot, written).balanced();
+    }
+    let recursion = Recursion::of(robot, &parts);
+    let plain = [Written::new(&parts, Gauge::plain(robot.rows.len()))];
+    let mut programs = [written, &plain]
+        .into_iter()
+        .map(|written| simplified(robot, written, &recursion));
     let accurate = programs.find(|program| recursion.accepts(robot, program));
-    accurate.unwrap_or_else(|| recursion.into_program())
+    accurate.unwrap_or_else(|| Program {
+        is_plain: true,
+        ..unsimplified(robot, &[plain_recursion(robot, &parts)])
+    })
 }
 
 /// The program of a function in the plain gauge, as its recursion is written: long, and accurate. It
@@ -106,29 +145,59 @@ pub fn derive_plain(robot: &Robot, function: Function) -> Program {
         Search::Accuracy => Gauge::physical(robot.rows.len()),
         _ => Gauge::plain(robot.rows.len()),
     };
-    unsimplified(robot, function, Form::Recursive, &gauge)
+    let part = Part {
+        function,
+        form: Form::Recursive,
+    };
+    unsimplified(robot, &[Written::new(&[part], gauge)])
 }
 
-/// The program of a function in one form and one gauge, as the derivation writes it.
-fn unsimplified(robot: &Robot, function: Function, form: Form, gauge: &Gauge) -> Program {
-    let graph = Graph::new();
-    let mut symbols = Symbols::new(&graph, robot);
-    let network = gauge.network(&mut symbols, robot, function, form);
-    network.program(symbols.meanings())
+/// Functions as the recursions that are made for them, in the plain gauge. Bounds on the errors of
+/// quotients of quotients say little: articulated bodies are measured by themselves.
+fn plain_recursion(robot: &Robot, parts: &[Part]) -> Written {
+    let recursion = |part: &Part| Part {
+        form: match part.form {
+            Form::Articulated => Form::Articulated,
+            Form::Recursive | Form::Assembled | Form::Columns => Form::Recursive,
+        },
+        ..*part
+    };
+    let parts: Vec<_> = parts.iter().map(recursion).collect();
+    Written::new(&parts, Gauge::plain(robot.rows.len()))
 }
 
-/// The program of a function in one form and one gauge, shortened.
-fn simplified(
-    robot: &Robot,
-    function: Function,
-    form: Form,
-    gauge: &Gauge,
-    recursion: &Recursion,
-) -> Program {
+/// The outputs of what is written, in that order.
+fn outputs(symbols: &mut Symbols<'_>, robot: &Robot, written: &[Written]) -> Vec<Edge> {
+    let written = written.iter();
+    written
+        .flat_map(|written| written.gauge.outputs(symbols, robot, &written.parts))
+        .collect()
+}
+
+/// The program of what is written, as the derivation writes it.
+fn unsimplified(robot: &Robot, written: &[Written]) -> Program {
     let graph = Graph::new();
     let mut symbols = Symbols::new(&graph, robot);
-    let mut network = gauge.network(&mut symbols, robot, function, form);
+    let outputs = outputs(&mut symbols, robot, written);
+    Network::new(&graph, &outputs).program(symbols.meanings())
+}
+
+/// The program of what is written, shortened.
+fn simplified(robot: &Robot, written: &[Written], recursion: &Recursion) -> Program {
+    let graph = Graph::new();
+    let mut symbols = Symbols::new(&graph, robot);
+    let outputs = outputs(&mut symbols, robot, written);
+    let mut network = Network::new(&graph, &outputs);
     let mut judge = recursion.judge(robot, &symbols, &network);
-    simplify(&mut network, &mut judge, Effort::DEFAULT);
+    simplify(&mut network, &mut judge, effort(written));
     network.program(symbols.meanings()).balanced()
+}
+
+/// The effort for one function, once for each.
+fn effort(written: &[Written]) -> Effort {
+    let parts: usize = written.iter().map(|written| written.parts.len()).sum();
+    Effort {
+        lookups: parts * Effort::DEFAULT.lookups,
+        ..Effort::DEFAULT
+    }
 }

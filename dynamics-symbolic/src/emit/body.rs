@@ -2,9 +2,10 @@
 
 use super::inputs::{constants_of, input_name, inputs, literal, reads_fields};
 use super::names::ident;
-use crate::function::{Function, Shape, Sizes};
-use crate::program::{Instruction, Operand, Program, Readers};
+use crate::function::{Function, Request, Shape, Sizes, sizes_of, spans};
+use crate::program::{Instruction, Operand, Output, Program, Readers};
 use crate::robot::Robot;
+use core::ops::Range;
 use proc_macro2::{Ident, Literal, Punct, Spacing, TokenStream, TokenTree};
 use quote::quote;
 
@@ -38,7 +39,7 @@ pub(super) struct Writer<'p> {
 
 pub(super) fn body(
     robot: &Robot,
-    function: Function,
+    request: &Request,
     program: &Program,
     constants: &[f64],
     path: &TokenStream,
@@ -46,10 +47,10 @@ pub(super) fn body(
     let writer = Writer::new(robot, program, constants);
     let reads_constants = writer.constants.iter().any(|x| !x.is_nan());
     let number = (reads_constants || reads_fields(program))
-        .then(|| constants_of(function.arguments(), path));
-    let inputs = inputs(robot, function, program, path);
+        .then(|| constants_of(&request.arguments(), path));
+    let inputs = inputs(robot, request, program, path);
     let assignments = writer.assignments(path);
-    let outputs = writer.outputs(robot, function, path);
+    let outputs = writer.outputs(robot, request, path);
     quote!(#number #inputs #assignments #outputs)
 }
 
@@ -224,13 +225,28 @@ impl<'p> Writer<'p> {
         quote!(#path::nalgebra::SMatrix::from_data(#path::nalgebra::ArrayStorage([#(#columns),*])))
     }
 
-    fn outputs(&self, robot: &Robot, function: Function, path: &TokenStream) -> TokenStream {
-        let sizes = function.sizes(robot.dof(), self.program.outputs.len());
-        let mut count = 0;
-        let values = self.values(function.shape(), sizes, &mut count, path);
-        match function.has_pivots() {
+    fn outputs(&self, robot: &Robot, request: &Request, path: &TokenStream) -> TokenStream {
+        let count = self.program.outputs.len();
+        let sizes = sizes_of(request.parts(), robot.dof(), count);
+        let spans = spans(request.parts(), robot.dof(), count);
+        let mut tests = PivotTests::default();
+        let of_part = |(part, span): (&Function, Range<usize>)| {
+            let mut next = span.start;
+            let values = self.values(part.shape(), sizes, &mut next, path);
+            if part.has_pivots() {
+                tests.add(self, robot, next, path);
+            }
+            values
+        };
+        let parts = request.parts().iter().zip(spans).map(of_part);
+        let parts: Vec<_> = parts.collect();
+        let values = match request {
+            Request::One(_) => quote!(#(#parts)*),
+            Request::Fused(_) => quote!((#(#parts),*)),
+        };
+        match request.parts().iter().any(|part| part.has_pivots()) {
             true => {
-                let tests = self.pivot_tests(robot, count, path);
+                let tests = tests.tokens;
                 quote!(#tests ::core::result::Result::Ok(#values))
             }
             false => values,
@@ -270,20 +286,36 @@ impl<'p> Writer<'p> {
             Shape::Series => TokenStream::new(),
         }
     }
+}
 
+/// The tests by which a method refuses a singular M.
+#[derive(Default)]
+struct PivotTests {
+    tokens: TokenStream,
+    /// The pivots that are tested, each with its diagonal entry: those of two functions may be the same.
+    tested: Vec<[Output; 2]>,
+}
+
+impl PivotTests {
     /// A test of every pivot against its diagonal entry, from the tip inwards: the pivots from
     /// output `first` on, and the diagonal after them.
-    fn pivot_tests(&self, robot: &Robot, first: usize, path: &TokenStream) -> TokenStream {
+    fn add(&mut self, writer: &Writer, robot: &Robot, first: usize, path: &TokenStream) {
         let joints: Vec<_> = robot.joints().collect();
         let n = joints.len();
-        let tests = (0..n).rev().map(|joint| {
-            let pivot = self.output(first + joint);
-            let diagonal = self.output(first + n + joint);
+        for joint in (0..n).rev() {
+            let places = [first + joint, first + n + joint];
+            let outputs = places.map(|place| writer.program.outputs[place]);
+            if self.tested.contains(&outputs) {
+                continue;
+            }
+            self.tested.push(outputs);
+            let [pivot, diagonal] = places.map(|place| writer.output(place));
             let name = joints[joint].name.as_str();
             let joint = Literal::usize_unsuffixed(joint);
-            quote!(#path::SingularMassMatrix::test_joint(#joint, #name, #pivot, #diagonal)?;)
-        });
-        tests.collect()
+            self.tokens.extend(
+                quote!(#path::SingularMassMatrix::test_joint(#joint, #name, #pivot, #diagonal)?;),
+            );
+        }
     }
 }
 

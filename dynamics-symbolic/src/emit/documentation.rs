@@ -1,40 +1,46 @@
 //! The documentation of the generated methods.
 
 use super::formula::formulas;
-use crate::function::{Argument, Function, Shape, Size};
+use crate::function::{Argument, Function, Request, Shape, Size, spans};
 use crate::program::{Operand, Output, Program};
 use crate::robot::{JointType, Robot};
 
 /// The lines of a method's documentation.
 pub(super) fn documentation(
     robot: &Robot,
-    function: Function,
+    request: &Request,
     program: &Program,
     constants: &[f64],
     notes: &[String],
 ) -> Vec<String> {
-    let mut lines = vec![format!(" {}", description(robot, function)), String::new()];
-    if !function.arguments().is_empty() {
-        lines.push(format!(" {}", units(robot, function)));
+    let mut lines = quantities(robot, request);
+    lines.push(String::new());
+    if !request.arguments().is_empty() {
+        lines.push(format!(" {}", units(robot, request)));
         lines.push(String::new());
     }
-    if function.is_about_base_parameters() {
+    if request.is_about_base_parameters() {
         lines.extend(super::parameters::lines(robot));
     }
     for note in notes {
         lines.extend([note.clone(), String::new()]);
     }
-    let each = match function.shape() {
-        Shape::Series => " of the equations of motion at each order, inner sums of products apart",
+    let each = match request.function().map(Function::shape) {
+        Some(Shape::Series) => {
+            " of the equations of motion at each order, inner sums of products apart"
+        }
         _ => "",
     };
     lines.push(format!(" Operations{each}: {}.", program.operations()));
     if let Some(formulas) = formulas(robot, program, constants).filter(|_| robot.dof() <= 3) {
-        lines.extend(formula_lines(robot, function, &formulas));
+        let spans = spans(request.parts(), robot.dof(), formulas.len());
+        for (part, span) in request.parts().iter().zip(spans) {
+            lines.extend(formula_lines(robot, *part, &formulas[span]));
+        }
     }
     lines.push(String::new());
-    if function.row().refuses {
-        lines.push(errors(&unresisted(robot, function, program, constants)));
+    if request.refuses() {
+        lines.push(errors(&unresisted(robot, request, program, constants)));
         lines.push(String::new());
     }
     lines.push(
@@ -58,6 +64,28 @@ fn description(robot: &Robot, function: Function) -> String {
     text.replace("{frame}", frame).replace("{tip}", tip)
 }
 
+/// What is returned: each quantity of a tuple, in order.
+fn quantities(robot: &Robot, request: &Request) -> Vec<String> {
+    let fused = match request {
+        Request::One(function) => return vec![format!(" {}", description(robot, *function))],
+        Request::Fused(fused) => fused,
+    };
+    let quoted: Vec<_> = fused
+        .parts
+        .iter()
+        .map(|f| format!("`{}`", f.name()))
+        .collect();
+    let mut lines = vec![
+        format!(" ({}) at one state, as one program.", quoted.join(", ")),
+        String::new(),
+    ];
+    let parts = fused.parts.iter().enumerate();
+    lines.extend(
+        parts.map(|(number, part)| format!(" - `{number}`: {}", description(robot, *part))),
+    );
+    lines
+}
+
 /// When a function that solves with M fails.
 fn errors(unresisted: &[&str]) -> String {
     match unresisted {
@@ -75,17 +103,18 @@ fn errors(unresisted: &[&str]) -> String {
 /// The joints whose pivot is the constant 0, whatever the state.
 fn unresisted<'r>(
     robot: &'r Robot,
-    function: Function,
+    request: &Request,
     program: &Program,
     constants: &[f64],
 ) -> Vec<&'r str> {
-    if !function.has_pivots() {
-        // Those of a series are of the runtime's factorisation.
-        return Vec::new();
-    }
     let n = robot.dof();
-    let first = function.entries(n, program.outputs.len());
-    let pivots = &program.outputs[first..first + n];
+    let spans = spans(request.parts(), n, program.outputs.len());
+    let mut parts = request.parts().iter().zip(spans);
+    // All parts with pivots have the same. Those of a series are of the runtime's factorisation.
+    let Some((_, span)) = parts.find(|(part, _)| part.has_pivots()) else {
+        return Vec::new();
+    };
+    let pivots = &program.outputs[span.end - 2 * n..span.end - n];
     let is_zero = |pivot: &Output| match pivot.operand {
         Operand::Constant(id) => constants[id.index()] == 0.0,
         _ => false,
@@ -96,7 +125,7 @@ fn unresisted<'r>(
 }
 
 /// The units of the arguments.
-fn units(robot: &Robot, function: Function) -> String {
+fn units(robot: &Robot, request: &Request) -> String {
     let is = |joint_type| robot.joints().all(|row| row.joint_type == joint_type);
     let (position, force) = match (is(JointType::Revolute), is(JointType::Prismatic)) {
         (true, _) => ("rad", "N m"),
@@ -107,7 +136,7 @@ fn units(robot: &Robot, function: Function) -> String {
         let meaning = argument.meaning(position, force)?;
         Some(format!("`{}`: {meaning}", argument.name()))
     };
-    let units: Vec<_> = function.arguments().iter().filter_map(unit).collect();
+    let units: Vec<_> = request.arguments().iter().filter_map(unit).collect();
     format!("{}.", units.join("; "))
 }
 

@@ -1,7 +1,7 @@
 //! What a method reads before its first operation: arguments, fields, sines and cosines.
 
 use super::names::{field, ident, plain};
-use crate::function::{Argument, Function};
+use crate::function::{Argument, Request};
 use crate::program::Program;
 use crate::robot::{Robot, Symbol, Value};
 use proc_macro2::{Literal, TokenStream};
@@ -85,13 +85,14 @@ pub(super) fn input_name(robot: &Robot, symbol: &Symbol, angles: &[&Symbol]) -> 
 /// Reads what the program needs from the arguments and the fields, and nothing else.
 pub(super) fn inputs(
     robot: &Robot,
-    function: Function,
+    request: &Request,
     program: &Program,
     path: &TokenStream,
 ) -> TokenStream {
     let angles = program.angles();
+    let of_trait = request.function().and_then(|f| f.trait_name());
     let name = |symbol: &Symbol| ident(&input_name(robot, symbol, &angles));
-    let mut lines = sines(robot, function.trait_name().is_some(), &angles, path);
+    let mut lines = sines(robot, of_trait.is_some(), &angles, path);
     let mut symbols: Vec<_> = program.inputs.iter().collect();
     symbols.sort_by_key(|symbol| place(symbol));
     for symbol in symbols {

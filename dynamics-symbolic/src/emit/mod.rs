@@ -16,10 +16,10 @@ mod series;
 mod signature;
 
 use signature::signature;
-pub use signature::{base_parameter_constants, stub, stub_of_trait};
-use signature::{call, leading_matrix, provided};
+pub use signature::{base_parameter_constants, method_name, stub, stub_of_trait};
+use signature::{call, leading_matrix, provided, without_parameters};
 
-use crate::function::Function;
+use crate::function::{Function, Request, sizes_of};
 use crate::program::Program;
 use crate::robot::Robot;
 use proc_macro2::TokenStream;
@@ -43,11 +43,13 @@ pub fn taylor_series(
     path: &TokenStream,
 ) -> Emitted {
     let (function, dof) = (Function::TaylorSeries, robot.dof());
+    let request = function.into();
     let documentation =
-        documentation::documentation(robot, function, equations.0, equations.1, notes);
-    let signature = signature(function, dof, 0, path);
+        documentation::documentation(robot, &request, equations.0, equations.1, notes);
+    let signature = signature(&request, without_parameters(dof), path);
     let call = call(function, dof, path);
-    let body = body::body(robot, Function::MassMatrix, matrix.0, matrix.1, path);
+    let part = Function::MassMatrix.into();
+    let body = body::body(robot, &part, matrix.0, matrix.1, path);
     let matrix = leading_matrix(dof, path, &body);
     let series = series::items(robot, equations.0, equations.1, path);
     Emitted {
@@ -61,7 +63,7 @@ pub fn taylor_series(
     }
 }
 
-/// The documented method of a function, with the rounded constants of its program; `notes` are
+/// The documented method of a function, or of several, with the rounded constants of its program; `notes` are
 /// lines of its documentation, `path` is the path of the runtime crate.
 ///
 /// The body of a function that the runtime calls in lanes stands in the implementation of its
@@ -69,19 +71,23 @@ pub fn taylor_series(
 /// there.
 pub fn method(
     robot: &Robot,
-    function: Function,
+    request: &Request,
     program: &Program,
     constants: &[f64],
     notes: &[String],
     path: &TokenStream,
 ) -> Emitted {
-    let documentation = documentation::documentation(robot, function, program, constants, notes);
-    let sizes = function.sizes(robot.dof(), program.outputs.len());
-    let signature = signature(function, robot.dof(), sizes.parameters, path);
-    let body = body::body(robot, function, program, constants, path);
-    let (inherent, provided) = match provided(function, robot.dof(), path, &body) {
+    let documentation = documentation::documentation(robot, request, program, constants, notes);
+    let sizes = sizes_of(request.parts(), robot.dof(), program.outputs.len());
+    let signature = signature(request, sizes, path);
+    let body = body::body(robot, request, program, constants, path);
+    let of_trait = request.function().and_then(|function| {
+        let item = provided(function, robot.dof(), path, &body)?;
+        Some((call(function, robot.dof(), path), item))
+    });
+    let (inherent, provided) = match of_trait {
         None => (body, None),
-        Some(item) => (call(function, robot.dof(), path), Some(item)),
+        Some((call, item)) => (call, Some(item)),
     };
     Emitted {
         inherent: quote! {

@@ -1,8 +1,8 @@
 //! The signatures of the generated methods.
 
-use super::names::{ident, number_of_joints};
+use super::names::{field, ident, number_of_joints};
 use crate::derive::base::columns;
-use crate::function::{Argument, Function, Shape, Size, Sizes};
+use crate::function::{Argument, Function, Request, Shape, Size, Sizes};
 use crate::robot::{Grouping, Robot};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, quote};
@@ -43,38 +43,41 @@ fn type_of(shape: &Shape, n: &TokenStream, sizes: Sizes, path: &TokenStream) -> 
     }
 }
 
-/// The sizes of a robot's values: none of joints where their number could not be told.
-fn sizes(joints: usize, parameters: usize) -> Sizes {
-    Sizes { joints, parameters }
-}
-
+/// The type of what a method returns. The number of joints is none where it could not be told.
 fn output_type(
-    function: Function,
-    dof: usize,
-    parameters: usize,
+    request: &Request,
+    sizes: Sizes,
     n: &TokenStream,
     path: &TokenStream,
 ) -> TokenStream {
-    let values = type_of(function.shape(), n, sizes(dof, parameters), path);
-    match function.row().refuses {
+    let of_part = |part: &Function| type_of(part.shape(), n, sizes, path);
+    let values = match request {
+        Request::One(function) => of_part(function),
+        Request::Fused(fused) => {
+            let parts = fused.parts.iter().map(of_part);
+            quote!((#(#parts),*))
+        }
+    };
+    match request.refuses() {
         true => quote!(::core::result::Result<#values, #path::SingularMassMatrix>),
         false => values,
     }
 }
 
 /// The arguments with their types.
-fn parameters_of(function: Function, n: &TokenStream, path: &TokenStream) -> Vec<TokenStream> {
+fn parameters_of(request: &Request, n: &TokenStream, path: &TokenStream) -> Vec<TokenStream> {
+    let none = without_parameters(0);
     let argument = |argument: &Argument| {
         let name = ident(argument.name());
         match argument.shape() {
             Some(shape) => {
-                let values = type_of(&shape, n, sizes(0, 0), path);
+                let values = type_of(&shape, n, none, path);
                 quote!(#name: &#values)
             }
             None => quote!(#name: usize),
         }
     };
-    function.arguments().iter().map(argument).collect()
+    request.arguments().iter().map(argument).collect()
 }
 
 /// The names of the arguments.
@@ -83,32 +86,41 @@ fn names(function: Function) -> Vec<Ident> {
     arguments.map(|argument| ident(argument.name())).collect()
 }
 
-/// `fn name<T: Scalar>(&self, q: &SVector<T, N>, ...) -> ...`, without visibility. With
-/// `dof` zero, which no robot has, it is generic over the number of joints. `parameters` is the
-/// number of base parameters, where the function is about them.
-pub(super) fn signature(
-    function: Function,
-    dof: usize,
-    parameters: usize,
-    path: &TokenStream,
-) -> TokenStream {
-    let generic = (dof == 0).then(|| quote!(, const N: usize));
-    signature_with(function, dof, parameters, path, generic)
+/// `fn name<T: Scalar>(&self, q: &SVector<T, N>, ...) -> ...`, without visibility. Without
+/// joints, which no robot is, it is generic over their number.
+pub(super) fn signature(request: &Request, sizes: Sizes, path: &TokenStream) -> TokenStream {
+    let generic = (sizes.joints == 0).then(|| quote!(, const N: usize));
+    signature_with(request, sizes, path, generic)
 }
 
 fn signature_with(
-    function: Function,
-    dof: usize,
-    parameters: usize,
+    request: &Request,
+    sizes: Sizes,
     path: &TokenStream,
     generic: Option<TokenStream>,
 ) -> TokenStream {
-    let name = ident(function.name());
-    let n = number_of_joints(dof);
-    let arguments = parameters_of(function, &n, path);
-    let output = output_type(function, dof, parameters, &n, path);
+    let name = method_name(request);
+    let n = number_of_joints(sizes.joints);
+    let arguments = parameters_of(request, &n, path);
+    let output = output_type(request, sizes, &n, path);
     quote! {
         fn #name<T: #path::Scalar #generic>(&self #(, #arguments)*) -> #output
+    }
+}
+
+/// The name of a method: that of several functions is the user's.
+pub fn method_name(request: &Request) -> Ident {
+    match request {
+        Request::One(function) => ident(function.name()),
+        Request::Fused(fused) => field(&fused.name),
+    }
+}
+
+/// The sizes of values that are not about base parameters, or whose number could not be told.
+pub(super) fn without_parameters(joints: usize) -> Sizes {
+    Sizes {
+        joints,
+        parameters: 0,
     }
 }
 
@@ -126,12 +138,13 @@ pub(super) fn provided(
         let matrix = leading_matrix(dof, path, body);
         return Some(quote!(#series #matrix));
     }
-    let signature = signature_with(function, dof, 0, path, None);
+    let (request, sizes) = (Request::One(function), without_parameters(dof));
+    let signature = signature_with(&request, sizes, path, None);
     let n = number_of_joints(dof);
     let at = ident(&format!("{}_at", function.name()));
     let sines = ident("sines");
-    let (names, arguments) = (names(function), parameters_of(function, &n, path));
-    let output = output_type(function, dof, 0, &n, path);
+    let (names, arguments) = (names(function), parameters_of(&request, &n, path));
+    let output = output_type(&request, sizes, &n, path);
     Some(quote! {
         #[inline(always)]
         #signature {
@@ -173,10 +186,10 @@ pub(super) fn call(function: Function, dof: usize, path: &TokenStream) -> TokenS
     quote!(<Self as #path::#of<#n>>::#name(self #(, #names)*))
 }
 
-/// The associated constants `BASE_PARAMETERS` and `BASE_PARAMETER_NAMES`, where one of the functions
+/// The associated constants `BASE_PARAMETERS` and `BASE_PARAMETER_NAMES`, where one of the methods
 /// is about them: none where an error left their number unknown.
-pub fn base_parameter_constants(functions: &[Function], robot: Option<&Robot>) -> TokenStream {
-    if !functions.iter().any(|f| f.is_about_base_parameters()) {
+pub fn base_parameter_constants(requests: &[Request], robot: Option<&Robot>) -> TokenStream {
+    if !requests.iter().any(Request::is_about_base_parameters) {
         return TokenStream::new();
     }
     let columns = robot.map_or(Vec::new(), |robot| columns(&Grouping::of(robot)));
@@ -197,9 +210,9 @@ pub fn base_parameter_constants(functions: &[Function], robot: Option<&Robot>) -
 /// in the table, so that the rest of the user's file still type-checks. Where
 /// the number of joints could not be told, `dof` is zero, and the method takes
 /// vectors of any length. There are no base parameters then, whose number could not be told.
-pub fn stub(function: Function, dof: usize, path: &TokenStream) -> TokenStream {
-    let signature = signature(function, dof, 0, path);
-    let documentation = format!(" `{}`, not generated because of an error.", function.name());
+pub fn stub(request: &Request, dof: usize, path: &TokenStream) -> TokenStream {
+    let signature = signature(request, without_parameters(dof), path);
+    let documentation = format!(" `{}`, not generated because of an error.", request.name());
     quote! {
         #[doc = #documentation]
         #[allow(unused_variables)]

@@ -2,8 +2,8 @@
 
 use super::{Shape, Size};
 
-/// An argument of a generated method, after `&self`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// An argument of a generated method, after `&self`. Methods take theirs in this order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Argument {
     /// q, joint positions.
     Position,

@@ -4,11 +4,13 @@
 //! stand where these are derived and proven, in one exhaustive match each.
 
 mod argument;
+mod request;
 mod row;
 mod shape;
 mod table;
 
 pub use argument::Argument;
+pub use request::{Fused, Request, sizes_of, spans};
 pub use row::{Form, Growth, Row, Search, Second, Set, Trial};
 pub use shape::{Shape, Size, Sizes};
 pub use table::Function;
@@ -72,6 +74,23 @@ impl Function {
     /// How many outputs of a program are values. Pivots and the diagonal of M may follow.
     pub fn entries(self, joints: usize, outputs: usize) -> usize {
         self.shape().entries(self.sizes(joints, outputs))
+    }
+
+    /// How many outputs a program has: the values, and the pivots and the diagonal of M where these
+    /// follow.
+    pub fn outputs(self, sizes: Sizes) -> usize {
+        let pivots = if self.has_pivots() {
+            2 * sizes.joints
+        } else {
+            0
+        };
+        self.shape().entries(sizes) + pivots
+    }
+
+    /// Whether its program can be shared with other functions: it is not if it is written over series,
+    /// or as no search may change it.
+    pub fn can_be_fused(self) -> bool {
+        *self.shape() != Shape::Series && self.row().search != Search::Accuracy
     }
 
     /// Whether pivots and the diagonal of M follow the values: what is solved for fails by them.

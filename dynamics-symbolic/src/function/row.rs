@@ -57,6 +57,9 @@ pub enum Form {
     Assembled,
     /// Forward dynamics by articulated bodies, without the mass matrix.
     Articulated,
+    /// Gravity from the forces that the columns of the mass matrix are made of: next to nothing where
+    /// these are computed in any case.
+    Columns,
 }
 
 /// A second form, which may be shorter than the recursion.

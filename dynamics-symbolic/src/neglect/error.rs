@@ -5,7 +5,7 @@ use super::reals::sin_cos;
 use super::sample::Samples;
 use super::{STATES, sum};
 use crate::exact::Rational;
-use crate::function::Function;
+use crate::function::{Function, spans};
 use crate::program::{Arithmetic, Program};
 use crate::robot::{Grouping, Robot, Symbol};
 use core::f64::consts::PI;
@@ -16,40 +16,50 @@ const VELOCITY: f64 = 3.0;
 /// Accelerations up to 10 rad/s^2 or m/s^2.
 const ACCELERATION: f64 = 10.0;
 
-/// One function of an abbreviated model, beside the complete one.
+/// Functions of an abbreviated model that are one program, beside the complete ones.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LargestError {
-    /// The largest difference of an entry over the largest size of any entry, both over the sampled
-    /// states.
+    /// The largest difference of an entry over the largest size of any entry of its function, both over
+    /// the sampled states.
     pub relative: f64,
-    /// The operations that the complete function takes.
+    /// The operations that the complete functions take.
     pub complete: u32,
-    /// How many fewer it takes now.
+    /// How many fewer they take now.
     pub saved: u32,
 }
 
-/// The error of a function of the complete `robot` at [`STATES`] states: its complete program, and the
+/// The error of functions of the complete `robot` at [`STATES`] states: their complete program, and the
 /// one that is left.
 pub fn largest_error(
     robot: &Robot,
-    function: Function,
+    functions: &[Function],
     complete: &Program,
     pruned: &Program,
 ) -> LargestError {
-    let (mut difference, mut size) = (0.0_f64, 0.0_f64);
-    // Behind the values there may be pivots and the diagonal.
-    let count = function.entries(robot.dof(), complete.outputs.len());
+    let outputs = complete.outputs.len();
+    let spans = spans(functions, robot.dof(), outputs);
+    // Behind the values of a function there may be pivots and the diagonal.
+    let values = functions.iter().zip(spans).map(|(function, span)| {
+        let count = function.entries(robot.dof(), span.len());
+        span.start..span.start + count
+    });
+    let mut errors: Vec<_> = values.map(|span| (span, 0.0_f64, 0.0_f64)).collect();
     for mut point in points(robot) {
         let whole = complete.evaluate(&mut point);
-        let entries = whole.into_iter().zip(pruned.evaluate(&mut point));
-        for (whole, left) in entries.take(count) {
-            difference = difference.max((whole - left).abs());
-            size = size.max(whole.abs());
+        let left = pruned.evaluate(&mut point);
+        for (span, difference, size) in &mut errors {
+            let entries = whole[span.clone()].iter().zip(&left[span.clone()]);
+            for (whole, left) in entries {
+                *difference = difference.max((whole - left).abs());
+                *size = size.max(whole.abs());
+            }
         }
     }
+    let relative = errors.iter().filter(|(_, _, size)| *size > 0.0);
+    let relative = relative.map(|(_, difference, size)| difference / size);
     let (before, after) = (complete.operations().total(), pruned.operations().total());
     LargestError {
-        relative: if size > 0.0 { difference / size } else { 0.0 },
+        relative: relative.fold(0.0, f64::max),
         complete: before,
         saved: before.saturating_sub(after),
     }

@@ -15,7 +15,7 @@ mod dual;
 pub use assignment::{Assignment, Number};
 pub use definition::Definition;
 
-use crate::function::Function;
+use crate::function::{Function, spans};
 use crate::program::Program;
 use crate::robot::Robot;
 use core::fmt;
@@ -102,20 +102,55 @@ impl Proof {
                 &judged
             }
         };
-        let failure = |output| ProofFailure {
-            function: self.function,
-            output,
+        compare(self.function, &computed, expected.as_deref())
+    }
+}
+
+/// Proves that a program computes some functions, the outputs of one after those of the other: each of
+/// them by its own definition.
+///
+/// # Errors
+///
+/// As [`prove`], for the first function that fails.
+pub fn prove_together(
+    robot: &Robot,
+    functions: &[Function],
+    program: &Program,
+) -> Result<(), ProofFailure> {
+    let mut assignment = Assignment::new(robot, SEED);
+    let computed = program.evaluate(&mut assignment);
+    let definition = Definition::new(&mut assignment, robot);
+    let mut rest = &computed[..];
+    let spans = spans(functions, robot.dof(), computed.len());
+    for (number, (&function, span)) in functions.iter().zip(spans).enumerate() {
+        // The last one has to have all that is left.
+        let count = match number + 1 == functions.len() {
+            true => rest.len(),
+            false => span.len().min(rest.len()),
         };
-        let expected = expected.as_ref().ok_or_else(|| failure(None))?;
-        if computed.len() != expected.len() {
-            return Err(failure(None));
-        }
-        let differs =
-            |(computed, expected): (&Option<Number>, &Number)| *computed != Some(*expected);
-        match computed.iter().zip(expected).position(differs) {
-            Some(output) => Err(failure(Some(output))),
-            None => Ok(()),
-        }
+        let (own, others) = rest.split_at(count);
+        rest = others;
+        let expected = definition.expected(function, own);
+        compare(function, own, expected.as_deref())?;
+    }
+    Ok(())
+}
+
+/// The outputs of one function beside what they must be: `None` where the table defines nothing.
+fn compare(
+    function: Function,
+    computed: &[Option<Number>],
+    expected: Option<&[Number]>,
+) -> Result<(), ProofFailure> {
+    let failure = |output| ProofFailure { function, output };
+    let expected = expected.ok_or_else(|| failure(None))?;
+    if computed.len() != expected.len() {
+        return Err(failure(None));
+    }
+    let differs = |(computed, expected): (&Option<Number>, &Number)| *computed != Some(*expected);
+    match computed.iter().zip(expected).position(differs) {
+        Some(output) => Err(failure(Some(output))),
+        None => Ok(()),
     }
 }
 

@@ -12,6 +12,7 @@ use arms::generic_chain;
 use dynamics_symbolic::Function;
 use dynamics_symbolic::derive::derive;
 use dynamics_symbolic::derive::functions::Form;
+use dynamics_symbolic::derive::functions::Part;
 use dynamics_symbolic::derive::gauge::Gauge;
 use dynamics_symbolic::derive::symbols::Symbols;
 use dynamics_symbolic::exact::{Rational, SplitMix64};
@@ -109,12 +110,12 @@ fn number(x: &Float) -> f64 {
 /// Forward dynamics by the factors of M, each result as the derivation defines it.
 fn as_derived(robot: &Robot) -> Program {
     let (function, form) = (Function::ForwardDynamics, Form::Recursive);
-    let gauge = Gauge::search(robot, function, form);
+    let gauge = Gauge::search(robot, &[Part { function, form }]);
     let graph = Graph::new();
     let mut symbols = Symbols::new(&graph, robot);
-    let network = gauge.network(&mut symbols, robot, function, form);
-    Program::new(&graph, symbols.meanings(), network.outputs(), &|id| {
-        network.definition(id)
+    let outputs = gauge.outputs(&mut symbols, robot, &[Part { function, form }]);
+    Program::new(&graph, symbols.meanings(), &outputs, &|id| {
+        graph.operation(id)
     })
 }
 

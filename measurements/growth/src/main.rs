@@ -130,7 +130,9 @@ fn measure_chain(
     let release = compiler.library(&source, &compile::RELEASE)?;
     let calls = compiler.run(&source::program(joints))?;
     let operations = |function| {
-        let method = methods.iter().find(|method| method.function == function);
+        let method = methods
+            .iter()
+            .find(|m| m.request.function() == Some(function));
         method.map_or(0.0, |method| f64::from(method.operations.total()))
     };
     Ok(Chain {

@@ -19,7 +19,8 @@ pub(crate) fn library(joints: usize, functions: &[Function], methods: &[Method])
     }
     text += "}\n";
     for method in methods {
-        if let (Some(name), Some(items)) = (method.function.trait_name(), &method.provided) {
+        let name = method.request.function().and_then(Function::trait_name);
+        if let (Some(name), Some(items)) = (name, &method.provided) {
             let items = in_lines(items);
             text += &format!("impl dynamics_runtime::{name}<{joints}> for Chain {{\n{items}}}\n");
         }

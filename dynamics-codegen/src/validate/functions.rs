@@ -1,0 +1,169 @@
+//! The functions that are asked for: each once, and each method with a name of its own.
+
+use std::collections::BTreeSet;
+
+use dynamics_symbolic::Function;
+use dynamics_symbolic::function::{Fused, Growth, Request, Set};
+use dynamics_symbolic::robot::Robot;
+
+use super::scope::Scope;
+use crate::description::{Asked, Name, Table};
+use crate::limits::{MOST_JOINTS_OF_LONG_FUNCTIONS, MOST_LONG_FUNCTIONS, MOST_PARTS};
+use crate::mistake::{entry as mistake, size, value};
+use crate::place::Place;
+
+/// Names that an item of the struct has in any case, and the methods that come with its derives.
+pub(crate) const RESERVED: [&str; 11] = [
+    "default",
+    "table",
+    "DOF",
+    "JOINT_NAMES",
+    "OPERATIONS",
+    "BASE_PARAMETERS",
+    "BASE_PARAMETER_NAMES",
+    "evaluate",
+    "momenta",
+    "clone",
+    "eq",
+];
+
+/// Every function that is named, parts of tuples too.
+pub(super) fn named(asked: &[Asked]) -> impl Iterator<Item = (Function, Place)> + Clone {
+    asked.iter().flat_map(|asked| match asked {
+        Asked::Default(_) => Vec::new(),
+        Asked::One(function, place) => vec![(*function, *place)],
+        Asked::Fused(_, parts) => parts.clone(),
+    })
+}
+
+/// What is asked for, each with its place; the functions of the default set have none.
+pub(super) fn requests(asked: Option<&[Asked]>, robot: &Robot) -> Vec<(Request, Option<Place>)> {
+    let default_set = Function::default_set(has_friction(robot)).into_iter();
+    let default_set: Vec<_> = default_set.map(|f| (Request::One(f), None)).collect();
+    let Some(asked) = asked else {
+        return default_set;
+    };
+    let is_default = |(request, _): &(Request, Option<Place>)| {
+        default_set.iter().any(|(default, _)| default == request)
+    };
+    let mut requests = Vec::new();
+    let has_default = asked.iter().any(|asked| matches!(asked, Asked::Default(_)));
+    for asked in asked {
+        match asked {
+            Asked::Default(_) => requests.extend(default_set.clone()),
+            Asked::One(function, place) => {
+                let request = (Request::One(*function), Some(*place));
+                // Friction is in the set where there is some; who asks for it need not know.
+                if !(has_default && is_default(&request)) {
+                    requests.push(request);
+                }
+            }
+            Asked::Fused(name, parts) => requests.push((fused(name, parts), Some(name.into()))),
+        }
+    }
+    requests
+}
+
+/// The method of that name with those parts.
+pub(crate) fn fused(name: &Name, parts: &[(Function, Place)]) -> Request {
+    Request::Fused(Fused {
+        name: name.to_string(),
+        parts: parts.iter().map(|(function, _)| *function).collect(),
+    })
+}
+
+fn has_friction(robot: &Robot) -> bool {
+    let mut values = robot.joints().flat_map(|row| [&row.viscous, &row.coulomb]);
+    values.any(|value| !value.is_zero())
+}
+
+/// Reports what is asked for twice, names that mean something else, and tuples that are none.
+pub(super) fn report(asked: &[Asked], table: &Table, scope: &Scope) {
+    let mut seen = BTreeSet::new();
+    let has_default = asked.iter().any(|asked| matches!(asked, Asked::Default(_)));
+    for asked in asked {
+        let (word, place) = match asked {
+            Asked::Default(place) => ("default".to_owned(), *place),
+            Asked::One(function, place) => (function.name().to_owned(), *place),
+            Asked::Fused(name, _) => (name.plain().to_owned(), name.into()),
+        };
+        if !seen.insert(word.clone()) {
+            scope.error(place, mistake::function_twice(&word));
+        }
+        match asked {
+            Asked::One(function, _) if has_default && function.row().set == Set::Default => {
+                scope.error(place, mistake::in_default_set(&word));
+            }
+            Asked::Fused(name, parts) => {
+                report_name(name, table, scope);
+                report_parts(name, parts, scope);
+            }
+            Asked::Default(_) | Asked::One(..) => {}
+        }
+    }
+}
+
+fn report_name(name: &Name, table: &Table, scope: &Scope) {
+    let word = name.plain();
+    if Function::from_name(word).is_some() {
+        scope.error(name, mistake::tuple_named_as_function(word));
+    } else if RESERVED.contains(&word) {
+        scope.error(name, value::reserved("tuple", word));
+    } else if table.fields.iter().any(|field| field.plain() == word) {
+        scope.error(name, value::field_twice(word));
+    }
+}
+
+fn report_parts(name: &Name, parts: &[(Function, Place)], scope: &Scope) {
+    match parts {
+        [] => scope.error(name, mistake::no_parts(name)),
+        [(function, place)] => scope.error(*place, mistake::one_part(name, function.name())),
+        _ => {}
+    }
+    for (number, (function, place)) in parts.iter().enumerate() {
+        if parts[..number].iter().any(|(other, _)| other == function) {
+            scope.error(*place, mistake::part_twice(name, function.name()));
+        }
+        if !function.can_be_fused() {
+            scope.error(*place, mistake::never_a_part(function.name()));
+        }
+    }
+}
+
+/// Functions that are asked for of a robot with so many joints that they, or all of them together, would
+/// be too long, or take too long to find.
+pub(super) fn report_long(asked: &[Asked], joints: usize, scope: &Scope) {
+    report_long_functions(asked, joints, scope);
+    let tuples = asked.iter().filter_map(|asked| match asked {
+        Asked::Fused(name, parts) => Some((name, parts.len())),
+        Asked::Default(_) | Asked::One(..) => None,
+    });
+    let mut parts = 0;
+    for (name, count) in tuples {
+        parts += count;
+        if parts * joints > MOST_PARTS {
+            scope.error(name, size::parts(joints));
+            return;
+        }
+    }
+}
+
+fn report_long_functions(asked: &[Asked], joints: usize, scope: &Scope) {
+    let is_long = |function: Function| function.row().growth == Growth::Steep;
+    let long = named(asked).filter(|(function, _)| is_long(*function));
+    if joints > MOST_JOINTS_OF_LONG_FUNCTIONS {
+        for (function, place) in long {
+            scope.error(place, size::long_function(function.name()));
+        }
+        return;
+    }
+    let most = MOST_LONG_FUNCTIONS / joints.pow(3).max(1);
+    if let Some((function, place)) = long.clone().nth(most) {
+        let names: Vec<&str> = long
+            .map(|(function, _)| function.name())
+            .take(most)
+            .collect();
+        let mistake = size::long_functions(function.name(), &names, joints);
+        scope.error(place, mistake);
+    }
+}

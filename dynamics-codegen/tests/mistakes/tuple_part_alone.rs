@@ -1,0 +1,7 @@
+robot_dynamics! {
+    pub struct Arm;
+    convention: standard,
+    gravity: [0, 0, -9.81],
+    joints: [joint: revolute { mass: 1 }],
+    functions: [control = (mass_matrix, taylor_series), other = (forward_dynamics_aba, mass_matrix)],
+}

@@ -1,0 +1,7 @@
+robot_dynamics! {
+    pub struct Arm;
+    convention: standard,
+    gravity: [0, 0, -9.81],
+    joints: [joint: revolute { mass: 1 }],
+    functions: [(mass_matrix, gravity_vector), jacobian],
+}

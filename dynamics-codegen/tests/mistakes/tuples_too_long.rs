@@ -1,0 +1,7 @@
+robot_dynamics! {
+    pub struct Arm;
+    convention: standard,
+    gravity: [0, 0, -9.81],
+    joints: [j0: revolute { a: 1, mass: 1 }, j1: revolute { a: 1, mass: 1 }, j2: revolute { a: 1, mass: 1 }, j3: revolute { a: 1, mass: 1 }, j4: revolute { a: 1, mass: 1 }, j5: revolute { a: 1, mass: 1 }, j6: revolute { a: 1, mass: 1 }, j7: revolute { a: 1, mass: 1 }, j8: revolute { a: 1, mass: 1 }, j9: revolute { a: 1, mass: 1 }, j10: revolute { a: 1, mass: 1 }, j11: revolute { a: 1, mass: 1 }, j12: revolute { a: 1, mass: 1 }, j13: revolute { a: 1, mass: 1 }, j14: revolute { a: 1, mass: 1 }, j15: revolute { a: 1, mass: 1 }, j16: revolute { a: 1, mass: 1 }, j17: revolute { a: 1, mass: 1 }, j18: revolute { a: 1, mass: 1 }, j19: revolute { a: 1, mass: 1 }, j20: revolute { a: 1, mass: 1 }, j21: revolute { a: 1, mass: 1 }, j22: revolute { a: 1, mass: 1 }, j23: revolute { a: 1, mass: 1 }, j24: revolute { a: 1, mass: 1 }, j25: revolute { a: 1, mass: 1 }, j26: revolute { a: 1, mass: 1 }, j27: revolute { a: 1, mass: 1 }, j28: revolute { a: 1, mass: 1 }, j29: revolute { a: 1, mass: 1 }, j30: revolute { a: 1, mass: 1 }, j31: revolute { a: 1, mass: 1 }, j32: revolute { a: 1, mass: 1 }, j33: revolute { a: 1, mass: 1 }, j34: revolute { a: 1, mass: 1 }, j35: revolute { a: 1, mass: 1 }, j36: revolute { a: 1, mass: 1 }, j37: revolute { a: 1, mass: 1 }, j38: revolute { a: 1, mass: 1 }, j39: revolute { a: 1, mass: 1 }],
+    functions: [a = (mass_matrix, gravity_vector, jacobian), b = (mass_matrix, coriolis_vector, gravity_vector, kinetic_energy)],
+}

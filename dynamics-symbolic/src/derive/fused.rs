@@ -1,0 +1,59 @@
+//! Several functions as one program.
+//!
+//! What their derivations have in common is one node of the graph, whoever writes it first. How much
+//! that is depends on the gauge: one that is the shortest for all of them together shares the most,
+//! but each of them may be longer in it than in its own. Both are derived, and the shorter is kept.
+
+use super::functions::Part;
+use super::gauge::Gauge;
+use super::{Written, accurate};
+use crate::function::{Form, Function};
+use crate::program::Program;
+use crate::robot::Robot;
+
+/// The program of some functions: the outputs of one after those of the other.
+pub(super) fn derive(robot: &Robot, functions: &[Function]) -> Program {
+    let parts = together(robot, functions);
+    let gauge = Gauge::search(robot, &parts);
+    let in_one = accurate(robot, &[Written::new(&parts, gauge)]);
+    let own = |part: &Part| Written::new(&[*part], Gauge::search(robot, &[*part]));
+    let apart: Vec<_> = parts.iter().map(own).collect();
+    let in_own = accurate(robot, &apart);
+    match in_own.operations().total() < in_one.operations().total() {
+        true => in_own,
+        false => in_one,
+    }
+}
+
+/// The forms in which the functions are shortest together: each in turn takes another one where that
+/// makes all of them shorter, in the plain gauge.
+fn together(robot: &Robot, functions: &[Function]) -> Vec<Part> {
+    let plain = Gauge::plain(robot.rows.len());
+    let recursive = |&function: &Function| Part {
+        function,
+        form: Form::Recursive,
+    };
+    let mut parts: Vec<_> = functions.iter().map(recursive).collect();
+    let mut cost = plain.length(robot, &parts);
+    for index in 0..parts.len() {
+        for form in forms(parts[index].function, robot.dof()) {
+            let before = parts[index];
+            parts[index].form = form;
+            let trial = plain.length(robot, &parts);
+            match trial < cost {
+                true => cost = trial,
+                false => parts[index] = before,
+            }
+        }
+    }
+    parts
+}
+
+/// The forms that a function may have beside others.
+fn forms(function: Function, dof: usize) -> Vec<Form> {
+    let mut forms = function.forms(dof);
+    if function == Function::GravityVector {
+        forms.push(Form::Columns);
+    }
+    forms
+}

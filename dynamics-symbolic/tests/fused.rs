@@ -1,0 +1,188 @@
+//! Several functions as one program: what it computes, and what it saves.
+
+use dynamics_symbolic::derive::{derive, derive_together};
+use dynamics_symbolic::function::{Fused, Request, spans};
+use dynamics_symbolic::program::Instruction;
+use dynamics_symbolic::prove::prove_together;
+use dynamics_symbolic::robot::Robot;
+use dynamics_symbolic::{Function, expand};
+use expect_test::{expect, expect_file};
+use quote::quote;
+
+/// What a loop of computed torque asks for.
+const CONTROL: [Function; 3] = [
+    Function::MassMatrix,
+    Function::CoriolisVector,
+    Function::GravityVector,
+];
+
+/// What an optimisation of a motion asks for.
+const LINEARISED: [Function; 2] = [
+    Function::InverseDynamics,
+    Function::InverseDynamicsDerivatives,
+];
+
+const SETS: [&[Function]; 5] = [
+    &CONTROL,
+    &LINEARISED,
+    &[
+        Function::ForwardDynamics,
+        Function::ForwardDynamicsDerivatives,
+    ],
+    &[
+        Function::KineticEnergy,
+        Function::PotentialEnergy,
+        Function::Jacobian,
+        Function::FrictionVector,
+    ],
+    &[Function::Regressor, Function::BaseParameters],
+];
+
+/// Every set on every arm of up to six joints.
+#[test]
+fn each_part_is_proven_by_its_own_definition() {
+    for name in arms::NAMES {
+        let robot = arms::robot(name);
+        if robot.dof() > 6 {
+            continue;
+        }
+        for set in SETS {
+            let program = derive_together(&robot, set);
+            assert_eq!(
+                prove_together(&robot, set, &program),
+                Ok(()),
+                "{name} {set:?}"
+            );
+        }
+    }
+}
+
+/// Every operation of a program belongs to some part: a change of it is found, and the part is named.
+#[test]
+fn a_damaged_part_is_refused() {
+    let robot = arms::robot("elbow_3r");
+    let sound = derive_together(&robot, &CONTROL);
+    let [_, motion, gravity] = &spans(&CONTROL, 3, sound.outputs.len())[..] else {
+        panic!("three parts");
+    };
+    for index in 0..sound.instructions.len() {
+        let mut program = sound.clone();
+        let changed = match program.instructions[index] {
+            Instruction::Add(a, b) => Instruction::Sub(a, b),
+            Instruction::Sub(a, b) => Instruction::Add(a, b),
+            Instruction::Mul(a, b) => Instruction::Add(a, b),
+            Instruction::Div(a, b) => Instruction::Mul(a, b),
+        };
+        program.instructions[index] = changed;
+        assert!(
+            prove_together(&robot, &CONTROL, &program).is_err(),
+            "{index}"
+        );
+    }
+    for (span, function) in [
+        (motion, Function::CoriolisVector),
+        (gravity, Function::GravityVector),
+    ] {
+        let mut program = sound.clone();
+        program.outputs[span.end - 1].negative ^= true;
+        let failure = prove_together(&robot, &CONTROL, &program).unwrap_err();
+        assert_eq!((failure.function, failure.output), (function, Some(2)));
+    }
+    // A part too many, one too few, and one in the place of another.
+    let fails = |functions: &[Function]| prove_together(&robot, functions, &sound).is_err();
+    assert!(fails(&CONTROL[..2]));
+    assert!(fails(&[&CONTROL[..], &[Function::KineticEnergy]].concat()));
+    assert!(fails(&[CONTROL[0], CONTROL[2], CONTROL[1]]));
+}
+
+fn request(name: &str, parts: &[Function]) -> Request {
+    Request::Fused(Fused {
+        name: name.to_owned(),
+        parts: parts.to_vec(),
+    })
+}
+
+fn text(robot: &Robot, requests: &[Request]) -> String {
+    let methods = expand(robot, requests, &quote!(::robot_dynamics)).expect("proven");
+    let methods = methods.iter().map(|method| &method.tokens);
+    prettyplease::unparse(&syn::parse2(quote!(impl Arm { #(#methods)* })).expect("Rust"))
+}
+
+/// The methods as they are emitted: of a tuple, of one that may fail, and of what shares nothing.
+#[test]
+fn the_text_of_fused_methods() {
+    let robot = arms::robot("two_link_saha");
+    let requests = [
+        request("control_terms", &CONTROL),
+        request(
+            "motion",
+            &[Function::ForwardDynamics, Function::KineticEnergy],
+        ),
+        request(
+            "apart",
+            &[Function::FrictionVector, Function::PotentialEnergy],
+        ),
+    ];
+    let first = text(&robot, &requests);
+    expect_file!["golden/fused.rs"].assert_eq(&first);
+    assert_eq!(first, text(&robot, &requests));
+}
+
+/// Pivots of two parts that solve with M are tested once.
+#[test]
+fn equal_pivots_are_tested_once() {
+    let robot = arms::robot("elbow_3r");
+    let functions = [
+        Function::ForwardDynamics,
+        Function::ForwardDynamicsDerivatives,
+    ];
+    let text = text(&robot, &[request("both", &functions)]);
+    assert_eq!(text.matches("test_joint").count(), 3);
+}
+
+/// Operations of one program beside those of one for each function, and the share that is saved.
+#[test]
+fn what_is_saved() {
+    let mut table =
+        "robot     functions                                     apart          fused   saved\n"
+            .to_owned();
+    for name in ["puma560", "panda", "ur5", "stanford", "elbow_3r", "scara"] {
+        let robot = arms::robot(name);
+        for set in [&CONTROL[..], &LINEARISED] {
+            let apart: Vec<_> = set
+                .iter()
+                .map(|f| derive(&robot, *f).operations())
+                .collect();
+            let program = derive_together(&robot, set);
+            assert_eq!(prove_together(&robot, set, &program), Ok(()), "{name}");
+            let fused = program.operations();
+            let total: u32 = apart.iter().map(|o| o.total()).sum();
+            let angles: u32 = apart.iter().map(|o| o.sin_cos).sum();
+            let saved = 100.0 * (1.0 - f64::from(fused.total()) / f64::from(total));
+            let names: Vec<_> = set.iter().map(|f| f.name()).collect();
+            table += &format!(
+                "{name:9} {:44} {total:4} + {angles:2}  {:4} + {}  {saved:4.1} %\n",
+                names.join(" "),
+                fused.total(),
+                fused.sin_cos,
+            );
+            assert!(fused.total() < total, "{name}");
+        }
+    }
+    expect![[r#"
+        robot     functions                                     apart          fused   saved
+        puma560   mass_matrix coriolis_vector gravity_vector    375 + 12   345 + 4   8.0 %
+        puma560   inverse_dynamics inverse_dynamics_derivatives 1363 +  8  1132 + 4  16.9 %
+        panda     mass_matrix coriolis_vector gravity_vector    899 + 18   852 + 6   5.2 %
+        panda     inverse_dynamics inverse_dynamics_derivatives 3073 + 12  2537 + 6  17.4 %
+        ur5       mass_matrix coriolis_vector gravity_vector    263 + 13   236 + 5  10.3 %
+        ur5       inverse_dynamics inverse_dynamics_derivatives  926 + 10   771 + 5  16.7 %
+        stanford  mass_matrix coriolis_vector gravity_vector    317 +  9   316 + 3   0.3 %
+        stanford  inverse_dynamics inverse_dynamics_derivatives 1164 +  6   946 + 3  18.7 %
+        elbow_3r  mass_matrix coriolis_vector gravity_vector    110 +  6    87 + 2  20.9 %
+        elbow_3r  inverse_dynamics inverse_dynamics_derivatives  287 +  4   224 + 2  22.0 %
+        scara     mass_matrix coriolis_vector gravity_vector     70 +  4    64 + 2   8.6 %
+        scara     inverse_dynamics inverse_dynamics_derivatives  200 +  4   164 + 2  18.0 %
+    "#]]
+    .assert_eq(&table);
+}
