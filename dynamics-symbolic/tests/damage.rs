@@ -1,5 +1,6 @@
 //! The proof refuses damaged programs: every single operation matters.
 
+use arms::{Bodies, Tables};
 use dynamics_symbolic::Function;
 use dynamics_symbolic::derive::functions::Form;
 use dynamics_symbolic::derive::{derive, derive_form};
@@ -199,6 +200,29 @@ fn a_program_of_another_spring_is_refused() {
             assert_eq!(proof, Ok(()));
         }
     }
+}
+
+/// Base and tool are part of what is proven: every operation that they make.
+#[test]
+fn every_damage_to_an_arm_with_base_and_tool_is_found() {
+    let mut mounted = Tables::new(11, Bodies::Any);
+    let mut count = 0;
+    for _ in 0..12 {
+        let robot = mounted.mounted_robot();
+        for function in [
+            Function::GravityVector,
+            Function::PotentialEnergy,
+            Function::ForwardKinematics,
+            Function::Jacobian,
+            Function::InverseDynamics,
+        ] {
+            let program = derive(&robot, function);
+            let refused = refused(&robot, function, &program);
+            assert!(refused >= program.instructions.len());
+            count += refused;
+        }
+    }
+    assert!(count > 3_000, "only {count} damages were made");
 }
 
 /// Every operation of base parameters that are formulas over masses and inertias.

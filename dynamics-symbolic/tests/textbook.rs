@@ -1,6 +1,7 @@
 //! The short derivations are the textbook's, as expressions: on the graph,
 //! equal rational functions are one node.
 
+use arms::{Bodies, Tables};
 use dynamics_symbolic::Function;
 use dynamics_symbolic::derive::functions::{Form, outputs};
 use dynamics_symbolic::derive::gauge::Gauge;
@@ -30,8 +31,11 @@ const SMALL: [&str; 14] = [
 
 #[test]
 fn recursions_equal_the_textbook_expression_by_expression() {
-    for name in SMALL {
-        let robot = arms::robot(name);
+    let plain = SMALL.map(arms::robot);
+    let mut tables = Tables::new(12, Bodies::Any);
+    let mounted = (0..12).map(|_| tables.mounted_robot());
+    for robot in plain.into_iter().chain(mounted) {
+        let name = &robot.name;
         let graph = Graph::new();
         let mut symbols = Symbols::new(&graph, &robot);
         let textbook = Textbook::new(&mut symbols, &robot);

@@ -147,5 +147,6 @@ macro_rules! arms {
     )*};
 }
 for_each_robot!(arms);
+arms! { tilting_cell: TiltingCell, 4, 6; }
 arms! { generic_mixed_n6_modified: GenericMixed6Modified, 6, 15; }
 arms! { sprung_arm: SprungArm, 3, 3; }

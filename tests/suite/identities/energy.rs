@@ -23,7 +23,7 @@ pub(super) fn kinetic_energy_is_that_of_the_mass_matrix<
     }
 }
 
-/// U = -sum m g.c, zero where all centres of mass are at the base's origin, and the energy of springs.
+/// U = -sum m g.c, zero where all centres of mass are at the world's origin, and the energy of springs.
 pub(super) fn potential_energy_is_that_of_weights_and_springs<
     const N: usize,
     const P: usize,
@@ -41,7 +41,10 @@ pub(super) fn potential_energy_is_that_of_weights_and_springs<
             let stretch = q - row.spring.rest;
             0.5 * row.spring.stiffness * stretch * stretch - row.mass * gravity.dot(&com.xyz())
         });
-        let difference = robot.potential_energy(&state.q) - energy.sum::<f64>();
+        let tip = robot.forward_kinematics(&state.q);
+        let com = tip * Vector3::from(table.tool.com).push(1.0);
+        let of_tool = -table.tool.mass * gravity.dot(&com.xyz());
+        let difference = robot.potential_energy(&state.q) - energy.sum::<f64>() - of_tool;
         let magnitude = Magnitude::at(robot, &state);
         let magnitude = magnitude.gravity + magnitude.energy_of_springs;
         assert_small(&Vector1::new(difference), magnitude, N);

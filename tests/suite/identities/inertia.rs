@@ -1,7 +1,7 @@
 //! The mass matrix.
 
 use num_dual::Dual64;
-use robot_dynamics::Row;
+use robot_dynamics::Table;
 use robot_dynamics::nalgebra::{Matrix3, Matrix4, SMatrix, SVector, Vector3};
 
 use super::gradient::unit;
@@ -34,26 +34,25 @@ pub(super) fn mass_matrix_is_positive_definite<const N: usize, const P: usize, R
     }
 }
 
-/// Velocity of the centre of mass and angular velocity in the link frame, of a link whose pose
+/// Velocity of the centre of mass and angular velocity in its frame, of a body whose frame's pose
 /// carries its rate.
-fn velocities(pose: &Matrix4<Dual64>, row: &Row) -> (Vector3<f64>, Vector3<f64>) {
+fn velocities(pose: &Matrix4<Dual64>, com: [f64; 3]) -> (Vector3<f64>, Vector3<f64>) {
     let rate = pose.map(|x| x.eps);
-    let com = Vector3::from(row.com).push(1.0);
+    let com = Vector3::from(com).push(1.0);
     let rotation = pose.map(|x| x.re).fixed_resize::<3, 3>(0.0);
-    // R' dR/dt = [w x] with w in the link frame.
+    // R' dR/dt = [w x] with w in the body's frame.
     let spin = rotation.transpose() * rate.fixed_resize::<3, 3>(0.0);
     let angular = Vector3::new(spin[(2, 1)], spin[(0, 2)], spin[(1, 0)]);
     ((rate * com).xyz(), angular)
 }
 
-fn tensor(row: &Row) -> Matrix3<f64> {
-    let [xx, yy, zz, xy, yz, xz] = row.inertia;
+fn tensor([xx, yy, zz, xy, yz, xz]: [f64; 6]) -> Matrix3<f64> {
     Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz)
 }
 
-/// M_ij = sum over the links of m v_i.v_j + w_i.I w_j, with the reflected inertias on the
-/// diagonal, where v_i and w_i are the link's velocities at unit speed of joint i: the kinetic
-/// energy as every textbook defines it, from the poses alone.
+/// M_ij = sum over the bodies of m v_i.v_j + w_i.I w_j, with the reflected inertias on the
+/// diagonal, where v_i and w_i are the body's velocities at unit speed of joint i: the kinetic
+/// energy as every textbook defines it, from the poses alone. The tool is the last body.
 pub(super) fn mass_matrix_is_that_of_the_moving_links<
     const N: usize,
     const P: usize,
@@ -61,20 +60,28 @@ pub(super) fn mass_matrix_is_that_of_the_moving_links<
 >(
     robot: &R,
 ) {
-    let rows = robot.table().rows;
+    let Table { rows, tool, .. } = robot.table();
+    let links = rows.iter().map(|row| (row.mass, row.com, row.inertia));
+    let bodies: Vec<_> = links.chain([(tool.mass, tool.com, tool.inertia)]).collect();
     for state in states() {
-        let moving: [_; N] = std::array::from_fn(|j| robot.link_poses(&along(&state.q, &unit(j))));
-        let mut expected = SMatrix::<f64, N, N>::zeros();
-        for (link, row) in rows.iter().enumerate() {
+        let moving: [_; N] = std::array::from_fn(|j| {
+            let q = along(&state.q, &unit(j));
+            let links = robot.link_poses(&q).into_iter();
+            links
+                .chain([robot.forward_kinematics(&q)])
+                .collect::<Vec<_>>()
+        });
+        let reflected = rows.map(|row| row.reflected_inertia());
+        let mut expected = SMatrix::<f64, N, N>::from_diagonal(&SVector::from(reflected));
+        for (body, (mass, com, inertia)) in bodies.iter().enumerate() {
             let velocities: Vec<_> = (moving.iter())
-                .map(|poses| velocities(&poses[link], row))
+                .map(|poses| velocities(&poses[body], *com))
                 .collect();
             for (i, (v_i, w_i)) in velocities.iter().enumerate() {
                 for (j, (v_j, w_j)) in velocities.iter().enumerate() {
-                    expected[(i, j)] += row.mass * v_i.dot(v_j) + w_i.dot(&(tensor(row) * w_j));
+                    expected[(i, j)] += mass * v_i.dot(v_j) + w_i.dot(&(tensor(*inertia) * w_j));
                 }
             }
-            expected[(link, link)] += row.reflected_inertia();
         }
         let magnitude = Magnitude::at(robot, &state).inertia;
         assert_small(&(robot.mass_matrix(&state.q) - expected), magnitude, N);

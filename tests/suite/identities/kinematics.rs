@@ -1,7 +1,7 @@
 //! Poses and the Jacobian.
 
 use robot_dynamics::nalgebra::{Matrix3, Matrix4, RowVector4, Vector3};
-use robot_dynamics::{Convention, JointType, Row};
+use robot_dynamics::{Convention, Frame, JointType, Row};
 
 use super::gradient::unit;
 use super::samples::{Magnitude, along, assert_small, states};
@@ -29,6 +29,17 @@ fn about_x(angle: f64, a: f64) -> Matrix4<f64> {
     pose
 }
 
+/// `T(xyz) Rz(yaw) Ry(pitch) Rx(roll)`.
+pub(super) fn placed(frame: &Frame) -> Matrix4<f64> {
+    let [roll, pitch, yaw] = frame.rpy;
+    let mut pose = Matrix4::from_axis_angle(&Vector3::z_axis(), yaw)
+        * Matrix4::from_axis_angle(&Vector3::y_axis(), pitch)
+        * Matrix4::from_axis_angle(&Vector3::x_axis(), roll);
+    pose.fixed_view_mut::<3, 1>(0, 3)
+        .copy_from(&Vector3::from(frame.xyz));
+    pose
+}
+
 /// `Rz(theta) Tz(d) Tx(a) Rx(alpha)` or `Rx(alpha) Tx(a) Rz(theta) Tz(d)`.
 fn transform(convention: Convention, row: &Row, q: f64) -> Matrix4<f64> {
     let joint = match row.joint_type {
@@ -52,7 +63,7 @@ pub(super) fn link_poses_are_products_of_the_transforms_of_the_table<
     let table = robot.table();
     for state in states() {
         let reach = Magnitude::at(robot, &state).reach;
-        let mut expected = Matrix4::identity();
+        let mut expected = placed(&table.base);
         for (i, pose) in robot.link_poses(&state.q).iter().enumerate() {
             expected *= transform(table.convention, &table.rows[i], state.q[i]);
             assert_small(&rotation(&(pose - expected)), 1.0, N);
@@ -61,6 +72,7 @@ pub(super) fn link_poses_are_products_of_the_transforms_of_the_table<
     }
 }
 
+/// But for the tool.
 pub(super) fn last_link_pose_is_the_forward_kinematics<
     const N: usize,
     const P: usize,
@@ -68,8 +80,10 @@ pub(super) fn last_link_pose_is_the_forward_kinematics<
 >(
     robot: &R,
 ) {
+    let tool = placed(&robot.table().tool.frame);
     for state in states() {
-        let difference = robot.forward_kinematics(&state.q) - robot.link_poses(&state.q)[N - 1];
+        let expected = robot.link_poses(&state.q)[N - 1] * tool;
+        let difference = robot.forward_kinematics(&state.q) - expected;
         assert_small(&rotation(&difference), 1.0, N);
         let reach = Magnitude::at(robot, &state).reach;
         assert_small(&position(&difference), reach, N);
@@ -88,7 +102,7 @@ pub(super) fn rotations_are_orthonormal<const N: usize, const P: usize, R: Arm<N
     }
 }
 
-/// Column j of the Jacobian is the velocity of the last frame's origin above its angular
+/// Column j of the Jacobian is the velocity of the tip's origin above its angular
 /// velocity, where joint j moves at unit speed: dp/dq_j, and the w of dR/dq_j R' = [w x].
 pub(super) fn jacobian_is_the_derivative_of_the_pose<
     const N: usize,

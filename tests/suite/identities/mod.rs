@@ -83,5 +83,6 @@ macro_rules! identities_of_all {
     )*};
 }
 for_each_robot!(identities_of_all);
+identities_of_all! { tilting_cell: TiltingCell, 4, 6; }
 identities_of_all! { generic_mixed_n6_modified: GenericMixed6Modified, 6, 15; }
 identities_of_all! { sprung_arm: SprungArm, 3, 3; }

@@ -102,7 +102,9 @@ fn reach<const N: usize>(table: &Table<N>, q: &SVector<f64, N>) -> f64 {
         };
         row.a.abs() + row.d.abs() + travel + norm(row.com)
     };
-    table.rows.iter().zip(q.iter()).map(link).sum()
+    let tool = norm(table.tool.frame.xyz) + norm(table.tool.com);
+    let links: f64 = table.rows.iter().zip(q.iter()).map(link).sum();
+    norm(table.base.xyz) + links + tool
 }
 
 /// The largest absolute value.
