@@ -72,11 +72,11 @@ pub struct Evaluation<const N: usize> {
     pub centrifugal_coefficients: Option<SMatrix<f64, N, N>>,
     /// B(q) [qd qd] + C(q) [qd^2], where both coefficient functions exist.
     pub configuration_space_coriolis: Option<SVector<f64, N>>,
-    /// Transform of the last frame in the base frame.
+    /// Transform of the tip in the world.
     pub forward_kinematics: Option<Matrix4<f64>>,
-    /// Transform of every frame in the base frame.
+    /// Transform of every link frame in the world.
     pub link_poses: Option<[Matrix4<f64>; N]>,
-    /// Geometric Jacobian of the last frame's origin in the base frame.
+    /// Geometric Jacobian of the tip's origin in the world.
     pub jacobian: Option<SMatrix<f64, 6, N>>,
     /// Y(q, qd, qdd): the column of each base parameter.
     pub regressor: Option<Vec<SVector<f64, N>>>,

@@ -2,7 +2,7 @@
 
 use arbitrary::{Result, Unstructured};
 use dynamics_symbolic::exact::Rational;
-use dynamics_symbolic::robot::{Convention, JointType, Robot, Row, Spring, Value};
+use dynamics_symbolic::robot::{Convention, JointType, Placement, Robot, Row, Spring, Tool, Value};
 
 /// Cells of a robot, and the values of its fields.
 struct Cells<'a> {
@@ -23,6 +23,7 @@ pub(crate) fn robot(bytes: &[u8]) -> Result<(Robot, Vec<f64>)> {
     };
     let gravity = cells.cells()?;
     let rows = (1..=dof).map(|i| cells.row(i)).collect::<Result<_>>()?;
+    let (base, tool) = (cells.base()?, cells.tool()?);
     let robot = Robot {
         name: "random".to_owned(),
         fields: (0..cells.fields.len()).map(|i| format!("p{i}")).collect(),
@@ -30,8 +31,8 @@ pub(crate) fn robot(bytes: &[u8]) -> Result<(Robot, Vec<f64>)> {
         gravity,
         rows,
         neglected: None,
-        base: None,
-        tool: None,
+        base,
+        tool,
     };
     Ok((robot, cells.fields))
 }
@@ -69,6 +70,34 @@ impl Cells<'_> {
                 rest: self.cell()?,
             }),
             _ => None,
+        })
+    }
+
+    /// None where the input ends before: the tables of older inputs stay what they are.
+    fn base(&mut self) -> Result<Option<Placement>> {
+        Ok(match self.bytes.arbitrary()? {
+            true => Some(self.placement()?),
+            false => None,
+        })
+    }
+
+    /// Likewise.
+    fn tool(&mut self) -> Result<Option<Tool>> {
+        Ok(match self.bytes.arbitrary()? {
+            true => Some(Tool {
+                placement: self.placement()?,
+                mass: self.positive()?,
+                com: self.cells()?,
+                inertia: self.tensor()?,
+            }),
+            false => None,
+        })
+    }
+
+    fn placement(&mut self) -> Result<Placement> {
+        Ok(Placement {
+            xyz: self.cells()?,
+            rpy: [self.angle()?, self.angle()?, self.angle()?],
         })
     }
 

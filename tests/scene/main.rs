@@ -2,6 +2,7 @@
 //! are neglected.
 
 mod articulated;
+mod frames;
 mod limits;
 mod lock;
 mod neglect;

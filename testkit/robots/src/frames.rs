@@ -2,7 +2,16 @@
 
 every_function! {
     /// A lift and an arm on a mounting that tilts, a load at its end: fields in base and tool.
-    pub struct TiltingCell { pub tilt: f64, pub turn: f64, pub load: f64, pub reach: f64 }
+    pub struct TiltingCell {
+        /// Pitch of the mounting, rad.
+        pub tilt: f64,
+        /// Yaw of the mounting, and pitch of the tool, rad.
+        pub turn: f64,
+        /// Mass at the end, kg.
+        pub load: f64,
+        /// How far the tool frame is from the last link frame, m.
+        pub reach: f64,
+    }
 
     convention: standard,
     gravity: [0.3, 0, -9.81],
