@@ -42,8 +42,9 @@ pub fn outputs<'g>(
     }
 }
 
-/// The outputs for the joint of every row, as if those that are locked were not, but did not move;
-/// of what is solved for, only those of joints that move.
+/// The outputs with entries for the joint of every row of the table: a locked joint is one that stands
+/// still, at a constant position. What is solved for, accelerations and pivots, has entries of the
+/// joints that move only.
 fn of_rows<'g>(
     symbols: &mut Symbols<'g>,
     robot: &Robot,

@@ -1,6 +1,6 @@
 //! Poses of the link frames of the table and of the tip, and the geometric Jacobian.
 
-use super::place::Place;
+use super::place::Placed;
 use super::symbols::Symbols;
 use crate::expr::Expr;
 use crate::linear::{Matrix3, Vector3};
@@ -89,7 +89,7 @@ fn base<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> Pose<'g> {
 /// The frame that is placed in another one.
 fn placed<'g>(symbols: &mut Symbols<'g>, frame: &Pose<'g>, placement: &Placement) -> Pose<'g> {
     let (zero, one) = (symbols.graph().zero(), symbols.graph().one());
-    let place = Place::new(symbols, placement);
+    let place = Placed::new(symbols, placement);
     // The place is multiplied out first: where it is known in numbers, it is a matrix of constants.
     let axes = [[one, zero, zero], [zero, one, zero], [zero, zero, one]]
         .map(|axis| frame.rotation.apply(place.leave(Vector3(axis))).0);

@@ -10,7 +10,7 @@ use crate::spatial::{
 };
 
 /// A frame in another one.
-pub(super) struct Place<R> {
+pub(super) struct Placed<R> {
     /// Its origin there.
     pub(super) origin: Vector3<R>,
     roll: Turn<R>,
@@ -18,7 +18,7 @@ pub(super) struct Place<R> {
     yaw: Turn<R>,
 }
 
-impl<R: Ring> Place<R> {
+impl<R: Ring> Placed<R> {
     /// Reads a placement.
     pub(super) fn new<I>(cells: &mut I, placement: &Placement) -> Self
     where
@@ -28,7 +28,7 @@ impl<R: Ring> Place<R> {
             let (s, c) = cells.sin_cos(angle);
             Turn { s, c }
         });
-        Place {
+        Placed {
             origin: vector(cells, &placement.xyz),
             roll,
             pitch,
@@ -61,7 +61,7 @@ impl<R: Ring> Place<R> {
 pub(crate) fn gravity<I: Interpretation>(cells: &mut I, robot: &Robot) -> Vector3<I::Number> {
     let gravity = vector(cells, &robot.gravity);
     match &robot.base {
-        Some(base) => Place::new(cells, base).enter(gravity),
+        Some(base) => Placed::new(cells, base).enter(gravity),
         None => gravity,
     }
 }
@@ -87,7 +87,7 @@ pub(super) fn body<I: Interpretation>(cells: &mut I, tool: &Tool) -> Central<I::
         yz,
         xz,
     };
-    let place = Place::new(cells, &tool.placement);
+    let place = Placed::new(cells, &tool.placement);
     place.leave_body(Central { mass, com, inertia })
 }
 
@@ -103,12 +103,12 @@ mod tests {
 
     type Number = Residue<{ (1 << 61) - 1 }>;
 
-    fn place(random: &mut SplitMix64) -> Place<Number> {
+    fn place(random: &mut SplitMix64) -> Placed<Number> {
         let [roll, pitch, yaw] = [(); 3].map(|()| {
             let (s, c) = circle_point(random);
             Turn { s, c }
         });
-        Place {
+        Placed {
             origin: numbers(random),
             roll,
             pitch,
@@ -121,7 +121,7 @@ mod tests {
     }
 
     /// Rz Ry Rx multiplied out.
-    fn rotation(place: &Place<Number>) -> Matrix3<Number> {
+    fn rotation(place: &Placed<Number>) -> Matrix3<Number> {
         let (zero, one) = (Number::ZERO, Number::ONE);
         let Turn { s, c } = place.roll;
         let x = Matrix3([[one, zero, zero], [zero, c, -s], [zero, s, c]]);

@@ -15,7 +15,7 @@ pub fn groups(joints: &[JointType], function: Function, outputs: usize) -> Vec<u
     let units = joints.iter().map(unit).collect();
     let sizes = function.sizes(joints.len(), outputs);
     let mut keys = Vec::with_capacity(outputs);
-    Labels { units, sizes }.of(function.shape(), &[0], &mut keys);
+    Labels { units, sizes }.label(function.shape(), &[0], &mut keys);
     // Pivots and the diagonal of M may follow, each measured by itself.
     keys.extend((keys.len()..outputs).map(|index| vec![1, index]));
     let mut numbers = BTreeMap::new();
@@ -40,19 +40,19 @@ struct Labels {
 
 impl Labels {
     /// Adds a label for each value of a shape, equal for those of one group; all begin with `path`.
-    fn of(&self, shape: &Shape, path: &[usize], keys: &mut Vec<Vec<usize>>) {
+    fn label(&self, shape: &Shape, path: &[usize], keys: &mut Vec<Vec<usize>>) {
         let below = |index: usize| [path, &[index]].concat();
         match shape {
             Shape::Number => keys.push(path.to_vec()),
             Shape::Series => keys.extend((0..self.sizes.joints).map(below)),
             Shape::Each(one) => {
                 for joint in 0..self.sizes.joints {
-                    self.of(one, &below(joint), keys);
+                    self.label(one, &below(joint), keys);
                 }
             }
             Shape::Tuple(parts) => {
                 for (index, part) in parts.iter().enumerate() {
-                    self.of(part, &below(index), keys);
+                    self.label(part, &below(index), keys);
                 }
             }
             Shape::Matrix(rows, columns) => {

@@ -49,7 +49,7 @@ impl Program {
 
 /// Where a result is in the new program, and when it is ready.
 #[derive(Clone, Copy)]
-struct Place {
+struct Scheduled {
     at: UpToSign,
     ready: u32,
 }
@@ -70,8 +70,8 @@ enum Value {
     Product(Operand, Operand),
 }
 
-impl From<Place> for Term {
-    fn from(place: Place) -> Term {
+impl From<Scheduled> for Term {
+    fn from(place: Scheduled) -> Term {
         Term {
             value: Value::Operand(place.at.operand),
             negative: place.at.negative,
@@ -101,14 +101,14 @@ struct Balance<'p> {
     program: &'p Program,
     readers: Vec<Readers>,
     put_out_negative: Vec<bool>,
-    places: Vec<Option<Place>>,
+    places: Vec<Option<Scheduled>>,
     constants: ConstantPool,
     instructions: Vec<Instruction>,
 }
 
 impl Balance<'_> {
     /// Where a result is in the new program; a term of one sum comes with that sum.
-    fn place(&mut self, index: usize) -> Option<Place> {
+    fn place(&mut self, index: usize) -> Option<Scheduled> {
         let instruction = self.program.instructions[index];
         let (a, b) = instruction.operands();
         match instruction {
@@ -119,7 +119,7 @@ impl Balance<'_> {
         }
     }
 
-    fn read(&self, operand: Operand) -> Place {
+    fn read(&self, operand: Operand) -> Scheduled {
         let ready = match operand {
             Operand::Constant(_) => 0,
             Operand::Input(index) => match self.program.inputs[index as usize] {
@@ -135,7 +135,7 @@ impl Balance<'_> {
             }
         };
         let at = UpToSign::positive(operand);
-        Place { at, ready }
+        Scheduled { at, ready }
     }
 
     /// Whether a result is a term of one sum and nothing else. A double stays together: c + c is
@@ -148,26 +148,26 @@ impl Balance<'_> {
         self.readers[index] == Readers::OneSum && !is_doubled
     }
 
-    fn push(&mut self, (instruction, negative): (Instruction, bool), ready: u32) -> Place {
+    fn push(&mut self, (instruction, negative): (Instruction, bool), ready: u32) -> Scheduled {
         self.instructions.push(instruction);
         let operand = Operand::Result(self.instructions.len() as u32 - 1);
         let at = UpToSign { operand, negative };
-        Place { at, ready }
+        Scheduled { at, ready }
     }
 
-    fn product(&mut self, a: Operand, b: Operand) -> Place {
+    fn product(&mut self, a: Operand, b: Operand) -> Scheduled {
         let (a, b) = (self.read(a), self.read(b));
         let ready = a.ready.max(b.ready) + cycles::MULTIPLY;
         self.push(UpToSign::product(a.at, b.at), ready)
     }
 
-    fn quotient(&mut self, a: Operand, b: Operand) -> Place {
+    fn quotient(&mut self, a: Operand, b: Operand) -> Scheduled {
         let (a, b) = (self.read(a), self.read(b));
         let ready = a.ready.max(b.ready) + cycles::DIVIDE;
         self.push(UpToSign::quotient(a.at, b.at), ready)
     }
 
-    fn sum(&mut self, index: usize) -> Place {
+    fn sum(&mut self, index: usize) -> Scheduled {
         let mut terms = self.terms(index);
         terms.sort_by_key(|term| term.ready);
         loop {
@@ -197,9 +197,9 @@ impl Balance<'_> {
                 Some(Instruction::Mul(a, b)) => terms.push(self.product_term(a, b, negative)),
                 Some(instruction) => open(instruction, negative, &mut stack),
                 None => {
-                    let Place { at, ready } = self.read(operand);
+                    let Scheduled { at, ready } = self.read(operand);
                     let at = at.negate_if(negative);
-                    terms.push(Place { at, ready }.into());
+                    terms.push(Scheduled { at, ready }.into());
                 }
             }
         }
@@ -224,7 +224,7 @@ impl Balance<'_> {
         }
     }
 
-    fn add(&mut self, first: Term, second: Term, prefer_negative: bool) -> Place {
+    fn add(&mut self, first: Term, second: Term, prefer_negative: bool) -> Scheduled {
         if let (Value::Operand(Operand::Constant(a)), Value::Operand(Operand::Constant(b))) =
             (first.value, second.value)
         {
@@ -248,13 +248,13 @@ impl Balance<'_> {
     }
 
     /// Numbers are added exactly, at expansion.
-    fn constant_sum(&mut self, a: (ConstantId, bool), b: (ConstantId, bool)) -> Place {
+    fn constant_sum(&mut self, a: (ConstantId, bool), b: (ConstantId, bool)) -> Scheduled {
         let [a, b] = [a, b].map(|(id, negative)| match negative {
             true => self.constants.push(Constant::Neg(id)),
             false => id,
         });
         let sum = self.constants.push(Constant::Add(a, b));
-        Place {
+        Scheduled {
             at: UpToSign::positive(Operand::Constant(sum)),
             ready: 0,
         }

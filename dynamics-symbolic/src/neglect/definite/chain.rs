@@ -8,7 +8,7 @@ use crate::robot::{Grouping, Interpretation, JointType, Parameter, Robot};
 use crate::spatial::{Body, Motion, enter_x, enter_z};
 
 /// A joint that moves, and the link behind it. Motions are (w, v), of a frame's origin.
-pub(super) struct Joint<R> {
+pub(super) struct MovingJoint<R> {
     pub(super) joint_type: JointType,
     /// From a motion of the link before to that motion in the joint's axes, before the joint moves.
     pub(super) enter: Matrix<R>,
@@ -27,7 +27,7 @@ pub(super) fn joints<I: Interpretation>(
     robot: &Robot,
     grouping: &Grouping,
     is_left: &[bool],
-) -> Vec<Joint<I::Number>> {
+) -> Vec<MovingJoint<I::Number>> {
     let zero = cells.rational(&Rational::ZERO);
     let one = cells.rational(&Rational::ONE);
     let links = geometry(cells, robot);
@@ -47,14 +47,14 @@ pub(super) fn joints<I: Interpretation>(
     let mut joints = Vec::new();
     let mut fixed = identity(6, zero, one);
     for (i, row) in robot.rows.iter().enumerate() {
-        let frame = Frame {
+        let changes = Changes {
             zero,
             link: &links[i],
         };
-        fixed = product(&frame.before(one), &fixed);
+        fixed = product(&changes.before(one), &fixed);
         if row.locked.is_some() {
             // Its parameters are those of the link before.
-            fixed = product(&frame.turned(one), &fixed);
+            fixed = product(&changes.turned(one), &fixed);
             continue;
         }
         let ends = match row.joint_type {
@@ -64,11 +64,11 @@ pub(super) fn joints<I: Interpretation>(
                     Some(limits) => limits.each_ref().map(|limit| cells.value(limit)),
                     None => [-one, one],
                 };
-                let slid = |q| product(&frame.turned(one), &frame.slid(q, one));
+                let slid = |q| product(&changes.turned(one), &changes.slid(q, one));
                 ends.map(slid).to_vec()
             }
         };
-        joints.push(Joint {
+        joints.push(MovingJoint {
             joint_type: row.joint_type,
             enter: fixed,
             ends,
@@ -112,12 +112,12 @@ fn form<R: Ring>(body: &Body<R>, zero: R) -> Matrix<R> {
 }
 
 /// Changes of motions between the frames of two links.
-struct Frame<'a, R> {
+struct Changes<'a, R> {
     zero: R,
     link: &'a LinkGeometry<R>,
 }
 
-impl<R: Ring> Frame<'_, R> {
+impl<R: Ring> Changes<'_, R> {
     /// To the joint's axes and origin.
     fn before(&self, one: R) -> Matrix<R> {
         let (r, twist) = (self.link.offset(self.zero), self.link.twist);

@@ -1,6 +1,6 @@
 //! The forms whose signs make M positive definite.
 
-use super::chain::Joint;
+use super::chain::MovingJoint;
 use super::matrix::{Matrix, combined, congruent};
 use crate::linear::Ring;
 use crate::robot::JointType;
@@ -44,7 +44,12 @@ pub(super) fn handed_on<R: Ring>(joint_type: JointType, x: &[R], zero: R) -> Mat
 }
 
 /// Forms that are positive definite for some `x` where M is at all positions: see the module.
-pub(super) fn forms<R: Ring>(joints: &[Joint<R>], x: &[R], zero: R, one: R) -> Vec<Matrix<R>> {
+pub(super) fn forms<R: Ring>(
+    joints: &[MovingJoint<R>],
+    x: &[R],
+    zero: R,
+    one: R,
+) -> Vec<Matrix<R>> {
     let mut forms = Vec::new();
     // What the joint behind hands on, in the axes of this link.
     let mut outer: Option<Matrix<R>> = None;

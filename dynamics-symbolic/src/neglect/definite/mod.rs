@@ -31,7 +31,7 @@ mod search;
 use super::reals::Reals;
 use crate::linear::eliminate;
 use crate::robot::{Grouping, JointType, Robot};
-use chain::{Joint, joints};
+use chain::{MovingJoint, joints};
 use energy::{forms, handed_on, unknowns};
 use interval::{Interval, Intervals};
 use matrix::Matrix;
@@ -69,7 +69,7 @@ struct Scales {
 }
 
 impl Scales {
-    fn new(robot: &Robot, joints: &[Joint<f64>], sizes: &[f64]) -> Self {
+    fn new(robot: &Robot, joints: &[MovingJoint<f64>], sizes: &[f64]) -> Self {
         let masses = robot.rows.iter().map(|row| &row.mass);
         let masses = masses.chain(robot.tool.as_ref().map(|tool| &tool.mass));
         let mass: f64 = masses.map(|mass| mass.to_f64(&[])).sum();
@@ -107,7 +107,7 @@ impl Scales {
     }
 
     /// The forms and their rates in the unknowns, all in proportion to their scales.
-    fn affine(&self, joints: &[Joint<f64>]) -> Vec<Affine> {
+    fn affine(&self, joints: &[MovingJoint<f64>]) -> Vec<Affine> {
         let n = self.unknowns.len();
         let at = |x: &[f64]| {
             let mut forms = forms(joints, x, 0.0, 1.0);

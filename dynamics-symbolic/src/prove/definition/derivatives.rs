@@ -4,18 +4,12 @@ use super::super::assignment::Number;
 use super::super::dual::Dual;
 use super::elimination::{pivots, solve};
 use super::pose::{Lift, Position};
+use super::state::State;
 use super::{Definition, Matrix, Vector};
-
-/// A motion: positions, velocities, accelerations.
-struct Motion<R> {
-    q: Vec<Position<R>>,
-    qd: Vec<R>,
-    qdd: Vec<R>,
-}
 
 impl Definition {
     /// The Euler-Lagrange equations, d/dt (dT/dqd) - dT/dq + dU/dq: tau without friction.
-    fn euler_lagrange<R: Lift>(&self, motion: &Motion<R>) -> Vec<R> {
+    fn euler_lagrange<R: Lift>(&self, motion: &State<R>) -> Vec<R> {
         let n = self.dof();
         let (zero, one) = (R::lift(Number::ZERO), R::lift(Number::ONE));
         let unit = |i: usize| (0..n).map(move |k| if k == i { one } else { zero });
@@ -46,12 +40,12 @@ impl Definition {
         let viscous: Vector = self.joints().map(|(_, row)| row.viscous).collect();
         let constant = |x: &[Number]| -> Vec<_> { x.iter().map(|&x| Dual::lift(x)).collect() };
         let still = |q: &Position<Number>| q.moving(Number::ZERO);
-        let derivative = |motion: Motion<Dual<Number>>| -> Vector {
+        let derivative = |motion: State<Dual<Number>>| -> Vector {
             let force = self.euler_lagrange(&motion);
             force.iter().map(|x| x.derivative).collect()
         };
         let by_position = |k: usize| {
-            derivative(Motion {
+            derivative(State {
                 q: self.along(k),
                 qd: constant(&self.qd),
                 qdd: constant(qdd),
@@ -60,7 +54,7 @@ impl Definition {
         let by_velocity = |k: usize| {
             let mut qd = constant(&self.qd);
             qd[k].derivative = Number::ONE;
-            let mut column = derivative(Motion {
+            let mut column = derivative(State {
                 q: self.q.iter().map(still).collect(),
                 qd,
                 qdd: constant(qdd),

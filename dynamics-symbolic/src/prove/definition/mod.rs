@@ -26,6 +26,7 @@ mod placement;
 mod pose;
 mod regressor;
 mod row;
+mod state;
 mod twist;
 
 use super::assignment::{Assignment, JointPoint, Number};

@@ -14,6 +14,7 @@ use super::super::assignment::Number;
 use super::super::dual::Dual;
 use super::body::Body;
 use super::pose::{Pose, Position};
+use super::state::State;
 use super::twist::{Twist, polar, twist};
 use super::{Definition, Matrix, Parameters, Vector};
 use crate::exact::{SplitMix64, circle_point};
@@ -23,13 +24,6 @@ use crate::robot::{Convention, JointType, Parameter};
 /// Eleven parameters of a link are told apart by that many values of its own joint's force; two
 /// more, so that a combination that fits by chance is found out.
 const STATES: usize = 13;
-
-/// A state of the arm.
-struct State {
-    q: Vec<Position<Number>>,
-    qd: Vector,
-    qdd: Vector,
-}
 
 impl Definition {
     /// Y by rows, or `None` where the table's forces are not those of its parameters.
@@ -111,7 +105,7 @@ impl Definition {
         forces.iter().zip(&others).map(|(&f, &r)| f - r).collect()
     }
 
-    fn state(&self) -> State {
+    fn state(&self) -> State<Number> {
         State {
             q: self.q.clone(),
             qd: self.qd.clone(),
@@ -119,7 +113,7 @@ impl Definition {
         }
     }
 
-    fn random_state(&self, random: &mut SplitMix64) -> State {
+    fn random_state(&self, random: &mut SplitMix64) -> State<Number> {
         let n = self.dof();
         let mut numbers = || -> Vector { (0..n).map(|_| Number::random(random)).collect() };
         let (q, qd, qdd) = (numbers(), numbers(), numbers());
@@ -177,7 +171,7 @@ impl Definition {
     }
 
     /// Row j: the force of joint j by a unit of each standard parameter.
-    fn standard_regressor(&self, state: &State) -> Matrix {
+    fn standard_regressor(&self, state: &State<Number>) -> Matrix {
         let momenta = self.momentum_rates(state);
         let rotations = self.moment_axes();
         let row = |(j, (own, _)): (usize, (usize, &super::Row))| {
@@ -200,7 +194,7 @@ impl Definition {
     }
 
     /// d/dt (dT/dqd_j), for each joint j, link i and parameter.
-    fn momentum_rates(&self, state: &State) -> Vec<Vec<[Number; 10]>> {
+    fn momentum_rates(&self, state: &State<Number>) -> Vec<Vec<[Number; 10]>> {
         let n = self.dof();
         let zero = Number::ZERO;
         // Inner derivatives are rates in time, outer ones those of a unit velocity of one joint.
@@ -233,7 +227,7 @@ impl Definition {
     }
 
     /// dT/dq_j - dU/dq_j, for each link and parameter.
-    fn slopes(&self, state: &State, j: usize) -> Vec<[Number; 10]> {
+    fn slopes(&self, state: &State<Number>, j: usize) -> Vec<[Number; 10]> {
         let zero = Number::ZERO;
         let joints = state.q.iter().zip(&state.qd).enumerate();
         let joints: Vec<_> = joints

@@ -2,7 +2,7 @@
 
 use super::Scaling;
 use super::multiple::Ratio;
-use super::terms::{Factor, Place};
+use super::terms::{Factor, TermId};
 use crate::expr::Fingerprint;
 
 /// The multiplications that depend on the multiple of one sum, the multiples of all others given.
@@ -15,7 +15,7 @@ pub(super) struct Tally {
     /// The multiples, up to sign, for which a multiplication is saved: sorted, once for each.
     units: Vec<u64>,
     /// Terms and products where x enters in another power.
-    others: Vec<Place>,
+    others: Vec<TermId>,
     other_products: Vec<usize>,
 }
 
@@ -36,7 +36,7 @@ impl Scaling<'_, '_> {
             .filter(|(_, term)| term.node.is_some())
         {
             // The coefficient over x.
-            let ratio = self.coefficient_ratio(Place { sum, term });
+            let ratio = self.coefficient_ratio(TermId { sum, term });
             tally.units.push(magnitude(ratio.value));
         }
         if this.is_output {
@@ -99,14 +99,14 @@ impl Scaling<'_, '_> {
     /// Multiplications in the terms of a sum, and at the output that it may be.
     fn own_cost(&self, sum: usize) -> usize {
         let terms = (0..self.sums[sum].terms.len())
-            .filter(|&term| self.is_multiplied(Place { sum, term }))
+            .filter(|&term| self.is_multiplied(TermId { sum, term }))
             .count();
         let is_corrected =
             self.sums[sum].is_output && !is_unit(self.sums[sum].multiple.ratio.value);
         terms + usize::from(is_corrected)
     }
 
-    fn is_multiplied(&self, place: Place) -> bool {
+    fn is_multiplied(&self, place: TermId) -> bool {
         let sum = &self.sums[place.sum];
         let term = &sum.terms[place.term];
         let multiple = || self.value(&term.factors) * sum.multiple.ratio.inverse;

@@ -2,7 +2,7 @@
 
 use super::Scaling;
 use super::multiple::{Multiple, Ratio};
-use super::terms::{Factor, Place};
+use super::terms::{Factor, TermId};
 
 /// How often moves that cost nothing are made.
 const DRIFTS: usize = 2;
@@ -15,7 +15,7 @@ enum Candidate {
     /// That which makes the coefficient of this term 1.
     Own(usize),
     /// That which makes the coefficient 1 in a reader, in this term of it.
-    Reader(Place),
+    Reader(TermId),
 }
 
 impl<'g> Scaling<'_, 'g> {
@@ -128,7 +128,7 @@ impl<'g> Scaling<'_, 'g> {
     }
 
     /// Whether the multiple of a sum enters a term once, and not as an inverse.
-    fn is_linear_reader(&self, sum: usize, place: Place) -> bool {
+    fn is_linear_reader(&self, sum: usize, place: TermId) -> bool {
         let factors = &self.sums[place.sum].terms[place.term].factors;
         let mut powers = factors.iter().filter(|factor| factor.sum == sum);
         let inverted = false;
@@ -139,7 +139,7 @@ impl<'g> Scaling<'_, 'g> {
     fn ratio(&self, sum: usize, candidate: Candidate) -> Ratio {
         match candidate {
             Candidate::One => Ratio::ONE,
-            Candidate::Own(term) => self.coefficient_ratio(Place { sum, term }),
+            Candidate::Own(term) => self.coefficient_ratio(TermId { sum, term }),
             Candidate::Reader(place) => {
                 let (sum, reader) = (&self.sums[sum], &self.sums[place.sum]);
                 sum.multiple
@@ -163,7 +163,7 @@ impl<'g> Scaling<'_, 'g> {
     fn exact(&self, sum: usize, candidate: Candidate) -> Multiple<'g> {
         match candidate {
             Candidate::One => self.one,
-            Candidate::Own(term) => self.exact_coefficient(Place { sum, term }),
+            Candidate::Own(term) => self.exact_coefficient(TermId { sum, term }),
             Candidate::Reader(place) => {
                 let coefficient = self.exact_coefficient(place);
                 let (sum, reader) = (&self.sums[sum], &self.sums[place.sum]);
@@ -173,7 +173,7 @@ impl<'g> Scaling<'_, 'g> {
     }
 
     /// The coefficient of a term in the sum itself, not in the multiple of it.
-    pub(super) fn coefficient_ratio(&self, place: Place) -> Ratio {
+    pub(super) fn coefficient_ratio(&self, place: TermId) -> Ratio {
         let term = &self.sums[place.sum].terms[place.term];
         term.coefficient.ratio.times(self.product(&term.factors))
     }
@@ -191,7 +191,7 @@ impl<'g> Scaling<'_, 'g> {
     }
 
     /// As [`Scaling::coefficient_ratio`], exact.
-    pub(super) fn exact_coefficient(&self, place: Place) -> Multiple<'g> {
+    pub(super) fn exact_coefficient(&self, place: TermId) -> Multiple<'g> {
         let term = &self.sums[place.sum].terms[place.term];
         term.coefficient.times(self.exact_product(&term.factors))
     }

@@ -1,7 +1,7 @@
 //! The network with the multiples that were chosen.
 
 use super::Scaling;
-use super::terms::Place;
+use super::terms::TermId;
 use crate::expr::{Edge, Graph, NodeId, Operation};
 
 impl<'g> Scaling<'_, 'g> {
@@ -48,7 +48,7 @@ impl<'g> Scaling<'_, 'g> {
         let mut total: Option<Edge> = None;
         for (index, term) in self.sums[sum].terms.iter().enumerate() {
             let coefficient = self
-                .exact_coefficient(Place { sum, term: index })
+                .exact_coefficient(TermId { sum, term: index })
                 .over(self.sums[sum].multiple)
                 .exact
                 .edge();

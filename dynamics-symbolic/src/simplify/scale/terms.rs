@@ -21,7 +21,7 @@ pub(super) struct Term<'g> {
 
 /// Where a term is: in which sum, and which term of it.
 #[derive(Clone, Copy, PartialEq)]
-pub(super) struct Place {
+pub(super) struct TermId {
     pub(super) sum: usize,
     pub(super) term: usize,
 }
@@ -32,7 +32,7 @@ pub(super) struct Sum<'g> {
     pub(super) multiple: Multiple<'g>,
     pub(super) is_output: bool,
     /// Terms of other sums that the multiple of this one is a factor of.
-    pub(super) readers: Vec<Place>,
+    pub(super) readers: Vec<TermId>,
     /// Outputs, by their index in [`Scaling::products`], of which it is a factor.
     pub(super) products: Vec<usize>,
 }
@@ -139,7 +139,7 @@ impl<'g> Scaling<'_, 'g> {
     pub(super) fn connect(&mut self) {
         for sum in 0..self.sums.len() {
             for term in 0..self.sums[sum].terms.len() {
-                let place = Place { sum, term };
+                let place = TermId { sum, term };
                 for factor in self.sums[sum].terms[term].factors.clone() {
                     push_once(&mut self.sums[factor.sum].readers, place);
                 }
