@@ -5,7 +5,7 @@ use dynamics_symbolic::{Function, Request, method_name};
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
-use super::Target;
+use super::target::Target;
 
 /// The methods of `Evaluate`.
 pub(super) struct Evaluation {

@@ -5,13 +5,14 @@ pub(crate) mod names;
 mod scene;
 mod structure;
 mod table;
+mod target;
 mod test;
 mod traits;
 
 use std::collections::BTreeSet;
 
 use dynamics_symbolic::{Function, Method, Request, base_parameter_constants, stub, stub_of_trait};
-use proc_macro2::{Ident, Literal, TokenStream};
+use proc_macro2::{Literal, TokenStream};
 use quote::{ToTokens, quote};
 
 use crate::call::Structure;
@@ -19,6 +20,7 @@ use crate::description::{Asked, Entry, Row};
 use crate::validate::Model;
 use crate::validate::functions::{RESERVED, fused};
 use evaluate::Evaluation;
+use target::Target;
 
 /// The struct, its methods and the traits of the runtime.
 pub(crate) fn robot(
@@ -146,7 +148,8 @@ fn requests_to_stub(entries: &[Entry]) -> Vec<Request> {
     requests.into_iter().filter(is_method).collect()
 }
 
-/// Of each joint, whether a function that may be told sines reads that of its position.
+/// Of each joint, whether the sine and cosine of its position are read by one of the methods that can
+/// also be called with sines that were evaluated before: those of the runtime's traits.
 fn angles(dof: usize, methods: &[Method]) -> Vec<bool> {
     let told = methods.iter().filter(|method| method.provided.is_some());
     let joints: Vec<usize> = told.flat_map(|method| method.angles.clone()).collect();
@@ -176,32 +179,7 @@ fn operations(methods: &[Method], path: &TokenStream) -> Vec<TokenStream> {
     methods.iter().map(entry).collect()
 }
 
-/// For whom items are written.
-struct Target<'a> {
-    name: &'a Ident,
-    /// Attributes that switch the struct on and off: its impls go with it.
-    cfgs: &'a TokenStream,
-    /// Number of joints; zero where an error left it unknown.
-    dof: usize,
-    /// Path of the runtime crate.
-    path: &'a TokenStream,
-}
-
-impl<'a> Target<'a> {
-    fn new(structure: &'a Structure, dof: usize, path: &'a TokenStream) -> Target<'a> {
-        Target {
-            name: &structure.name,
-            cfgs: &structure.cfgs,
-            dof,
-            path,
-        }
-    }
-
-    /// The number of joints as a literal.
-    fn n(&self) -> Literal {
-        Literal::usize_unsuffixed(self.dof)
-    }
-
+impl Target<'_> {
     /// The inherent impl. `table` is the body of the method of that name, `base_parameters` the
     /// constants about them, where there are any.
     fn inherent(

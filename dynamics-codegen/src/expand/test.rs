@@ -3,7 +3,7 @@
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
 
-use super::Target;
+use super::target::Target;
 use crate::call::Structure;
 
 /// A test beside the struct: the model against the numeric recursive Newton-Euler

@@ -5,8 +5,8 @@ use dynamics_symbolic::Function;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, quote};
 
-use super::Target;
 use super::evaluate::Evaluation;
+use super::target::Target;
 
 /// The impls of all traits that the functions allow for. `angles` says of each joint whether a
 /// function of a [`provided`] trait reads its sine; `table` is the body of the method of that
