@@ -261,13 +261,42 @@ pub struct Motor {
     pub gear_ratio: Given<Expr>,
 }
 
-/// `friction: { viscous, coulomb }`
+/// `friction: { viscous, coulomb, stribeck }`
 #[derive(Debug, Default)]
 pub struct Friction {
     /// Force or torque for each unit of speed.
     pub viscous: Given<Expr>,
     /// Force or torque against the motion, whatever its speed.
-    pub coulomb: Given<Expr>,
+    pub coulomb: Given<Coulomb>,
+    /// How static friction falls to it.
+    pub stribeck: Given<Stribeck>,
+}
+
+/// A value, or `{ positive, negative }`.
+#[derive(Debug)]
+pub enum Coulomb {
+    /// The same in both directions.
+    Both(Given<Expr>),
+    /// By the direction of motion.
+    ByDirection {
+        /// Where it stands.
+        place: Place,
+        /// Of positive velocities.
+        positive: Given<Expr>,
+        /// Of negative ones.
+        negative: Given<Expr>,
+    },
+}
+
+/// `stribeck: { static, velocity }`
+#[derive(Debug)]
+pub struct Stribeck {
+    /// Where it stands.
+    pub place: Place,
+    /// Static friction.
+    pub friction: Given<Expr>,
+    /// The velocity over which it falls to Coulomb's.
+    pub velocity: Given<Expr>,
 }
 
 /// `spring: { stiffness, rest }`

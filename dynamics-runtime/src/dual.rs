@@ -96,6 +96,12 @@ impl Scalar for Dual {
         Dual::new(root, 0.5 * self.slope / root)
     }
 
+    #[inline]
+    fn exp(self) -> Self {
+        let value = Scalar::exp(self.value);
+        Dual::new(value, value * self.slope)
+    }
+
     #[inline(always)]
     fn mul_add(self, a: Self, b: Self) -> Self {
         Dual::new(

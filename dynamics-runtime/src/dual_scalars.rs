@@ -44,6 +44,13 @@ macro_rules! impl_scalar {
                 DualNum::sqrt(&self)
             }
 
+            /// With x = a + e, where e has no value: exp x = exp a exp e.
+            #[inline]
+            fn exp(self) -> Self {
+                let value = <T as Scalar>::exp(self.re);
+                DualNum::exp(&(self - Self::from_re(self.re))).scale(&value)
+            }
+
             #[inline]
             fn mul_add(self, a: Self, b: Self) -> Self {
                 self * a + b

@@ -33,6 +33,7 @@ mod exact;
 mod factorisation;
 mod float;
 mod frame;
+mod friction;
 #[cfg(feature = "std")]
 mod integrate;
 mod macros;
@@ -86,7 +87,7 @@ pub use simulation::{
 #[doc(hidden)]
 pub use sines::{Evaluated, JointSines};
 pub use singular::SingularMassMatrix;
-pub use table::{Convention, JointType, Row, Spring, Table};
+pub use table::{Convention, JointType, Row, Spring, Stribeck, Table};
 #[doc(hidden)]
 pub use taylor::{Block, Common, ProductTable, Products, SeriesTerm};
 pub use taylor::{MAX_TAYLOR_ORDER, TaylorCoefficients, TaylorDynamics};

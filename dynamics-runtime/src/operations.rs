@@ -16,6 +16,8 @@ pub struct Operations {
     pub divisions: u32,
     /// Pairs of a sine and a cosine of one angle.
     pub sin_cos: u32,
+    /// Exponentials.
+    pub exponentials: u32,
 }
 
 impl Operations {
@@ -33,15 +35,18 @@ impl fmt::Display for Operations {
             "{} mul, {} add, {} div, {} sin_cos",
             self.multiplications, self.additions, self.divisions, self.sin_cos
         )?;
+        if self.exponentials > 0 {
+            write!(line, ", {} exp", self.exponentials)?;
+        }
         f.pad(line.text())
     }
 }
 
-/// Room for the longest line: four numbers of ten digits and the words. Padding needs to know how
+/// Room for the longest line: five numbers of ten digits and the words. Padding needs to know how
 /// long it is, and there may be no allocator.
 #[derive(Default)]
 struct Line {
-    bytes: [[u8; 16]; 5],
+    bytes: [[u8; 16]; 6],
     length: usize,
 }
 
@@ -71,6 +76,7 @@ mod tests {
         additions: 145,
         divisions: 2,
         sin_cos: 6,
+        exponentials: 0,
     };
 
     #[test]
@@ -88,8 +94,9 @@ mod tests {
             additions: most,
             divisions: most,
             sin_cos: most,
+            exponentials: most,
         };
-        let line = format!("{most} mul, {most} add, {most} div, {most} sin_cos");
+        let line = format!("{most} mul, {most} add, {most} div, {most} sin_cos, {most} exp");
         assert_eq!(longest.to_string(), line);
     }
 }

@@ -22,6 +22,16 @@ pub enum JointType {
     Prismatic,
 }
 
+/// Static friction S that falls to Coulomb's C as a joint begins to move:
+/// `sign(qd) (C + (S - C) exp(-(qd/v)^2))`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stribeck {
+    /// S, the same in both directions, N m or N.
+    pub friction: f64,
+    /// v, the velocity over which it falls, rad/s or m/s.
+    pub velocity: f64,
+}
+
 /// A linear spring at a joint: it takes the torque or force `stiffness (q - rest)` to hold it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spring {
@@ -79,8 +89,10 @@ pub struct Row {
     pub gear_ratio: f64,
     /// Viscous friction at the joint, N m s or N s/m.
     pub viscous: f64,
-    /// Coulomb friction at the joint, N m or N.
-    pub coulomb: f64,
+    /// Coulomb friction at the joint, N m or N: of positive velocities, and of negative ones.
+    pub coulomb: [f64; 2],
+    /// How static friction falls to Coulomb's, where it is greater.
+    pub stribeck: Option<Stribeck>,
     /// The spring at the joint; [`Spring::NONE`] where there is none.
     pub spring: Spring,
     /// The range of the joint's position, lower end first, rad or m, where the table has one.
@@ -108,7 +120,8 @@ impl Row {
             motor_inertia: 0.0,
             gear_ratio: 0.0,
             viscous: 0.0,
-            coulomb: 0.0,
+            coulomb: [0.0; 2],
+            stribeck: None,
             spring: Spring::NONE,
             limits: None,
             mount: Placement::IDENTITY,

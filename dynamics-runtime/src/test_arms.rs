@@ -205,7 +205,7 @@ fn general_row(random: &mut SplitMix64) -> Row {
         motor_inertia: within(1e-4, 3e-4),
         gear_ratio: within(-60.0, 60.0),
         viscous: within(0.1, 0.3),
-        coulomb: within(0.1, 0.3),
+        coulomb: [within(0.1, 0.3); 2],
         spring: Spring {
             stiffness: 3.0,
             rest: 0.4,

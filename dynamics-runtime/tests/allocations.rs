@@ -64,7 +64,7 @@ impl Model<1> for Pendulum {
 
     fn table(&self) -> Table<1> {
         let row = Row {
-            coulomb: self.0,
+            coulomb: [self.0; 2],
             ..Row::new(JointType::Revolute)
         };
         Table::new(Convention::Modified, [0.0; 3], [row])

@@ -42,6 +42,12 @@ pub enum Reason {
     /// One of its constants, a product or a quotient of numbers in the table, is too large for
     /// a double.
     Overflow,
+    /// The friction of this joint falls with the velocity, by an exponential of which there is no series
+    /// here.
+    NoSeries {
+        /// The joint's name.
+        joint: String,
+    },
 }
 
 impl fmt::Display for Failure {
@@ -50,6 +56,11 @@ impl fmt::Display for Failure {
         match (&self.reason, &self.request) {
             (Reason::Proof(failure), Request::One(_)) => failure.fmt(f),
             (Reason::Proof(failure), Request::Fused(_)) => write!(f, "`{name}`: {failure}"),
+            (Reason::NoSeries { joint }, _) => write!(
+                f,
+                "`{name}` does not follow friction that falls with the velocity: ask for other functions, \
+                 or leave out `stribeck` of `{joint}`"
+            ),
             (Reason::Overflow, _) => write!(
                 f,
                 "a constant in `{name}` is too large for a double-precision number: numbers of the table \
@@ -219,6 +230,10 @@ fn taylor_series(
     path: &TokenStream,
     derive: &Derivation,
 ) -> Result<Method, Reason> {
+    if let Some(row) = robot.joints().find(|row| row.stribeck.is_some()) {
+        let joint = row.name.clone();
+        return Err(Reason::NoSeries { joint });
+    }
     let function = Function::TaylorSeries;
     let part = Function::MassMatrix;
     let programs = [(function, equations), (part, derive(robot, &[part]))];

@@ -12,7 +12,7 @@ fn without_friction(name: &str) -> Robot {
     let mut robot = arms::robot(name);
     for row in &mut robot.rows {
         row.viscous = Value::zero();
-        row.coulomb = Value::zero();
+        row.coulomb = [(); 2].map(|()| Value::zero());
     }
     robot
 }

@@ -8,7 +8,7 @@ use dynamics_symbolic::exact::Rational;
 use dynamics_symbolic::neglect::neglect;
 use dynamics_symbolic::program::{Constant, Instruction, Operand, Program};
 use dynamics_symbolic::prove::{Proof, prove};
-use dynamics_symbolic::robot::{Robot, Spring};
+use dynamics_symbolic::robot::{Robot, Row, Spring, Stribeck};
 
 /// Ways in which a simplification may go wrong.
 const DAMAGES: [fn(&mut Program, usize); 4] =
@@ -169,6 +169,62 @@ fn every_damage_to_the_forces_of_springs_is_found() {
         let refused = refused(&robot, function, &derive(&robot, function));
         assert!(refused > 0, "{}", function.name());
     }
+}
+
+/// Two joints with friction that falls with the velocity and differs by direction.
+fn sticky_robot() -> Robot {
+    let mut robot = arms::robot("two_link_saha");
+    for (row, more) in robot.rows.iter_mut().zip([0.0, 0.1]) {
+        row.viscous = arms::decimal(0.3);
+        row.coulomb = [0.5 + more, 0.4].map(arms::decimal);
+        row.stribeck = Some(Stribeck {
+            friction: arms::decimal(0.8),
+            velocity: arms::decimal(0.01 + more),
+        });
+    }
+    robot
+}
+
+#[test]
+fn every_damage_to_friction_is_found() {
+    let robot = sticky_robot();
+    for function in [
+        Function::FrictionVector,
+        Function::BiasForce,
+        Function::InverseDynamics,
+        Function::ForwardDynamics,
+        Function::ForwardDynamicsAba,
+        Function::InverseDynamicsDerivatives,
+        Function::ForwardDynamicsDerivatives,
+    ] {
+        let refused = refused(&robot, function, &derive(&robot, function));
+        assert!(refused > 0, "{}", function.name());
+    }
+}
+
+/// Every cell of friction is part of what is proven.
+#[test]
+fn a_program_of_other_friction_is_refused() {
+    let robot = sticky_robot();
+    let changes: [fn(&mut Row); 5] = [
+        |row| row.viscous = arms::decimal(0.31),
+        |row| row.coulomb[0] = arms::decimal(0.51),
+        |row| row.coulomb[1] = arms::decimal(0.41),
+        |row| row.stribeck.as_mut().expect("sticky").friction = arms::decimal(0.81),
+        |row| row.stribeck = None,
+    ];
+    let program = derive(&robot, Function::FrictionVector);
+    let slopes = derive(&robot, Function::InverseDynamicsDerivatives);
+    for change in changes {
+        let mut other = robot.clone();
+        change(&mut other.rows[1]);
+        assert!(prove(&other, Function::FrictionVector, &program).is_err());
+    }
+    // The exponential is a symbol: its velocity shows in the derivative.
+    let mut other = robot.clone();
+    let stribeck = other.rows[1].stribeck.as_mut().expect("sticky");
+    stribeck.velocity = arms::decimal(0.02);
+    assert!(prove(&other, Function::InverseDynamicsDerivatives, &slopes).is_err());
 }
 
 /// What the table says of a spring is part of what is proven, and nothing of one that is locked is.

@@ -118,6 +118,7 @@ impl Arithmetic for Point {
             Symbol::Acceleration(i) => joint(i, 4),
             Symbol::Force(i) => joint(i, 5),
             Symbol::VelocitySign(i) => joint(i, 6),
+            Symbol::Stribeck(_) => panic!("no arm in here has friction that falls"),
         })
     }
 
@@ -275,7 +276,8 @@ fn massless_row(joint_type: JointType) -> Row {
         motor_inertia: Value::zero(),
         gear_ratio: Value::zero(),
         viscous: Value::zero(),
-        coulomb: Value::zero(),
+        coulomb: [(); 2].map(|()| Value::zero()),
+        stribeck: None,
         spring: None,
         limits: None,
         locked: None,
@@ -405,13 +407,8 @@ fn scaling_all_masses_scales_all_forces() {
         let mut heavy = robot.clone();
         for row in &mut heavy.rows {
             let inertia = row.inertia.iter_mut();
-            let others = [
-                &mut row.mass,
-                &mut row.motor_inertia,
-                &mut row.viscous,
-                &mut row.coulomb,
-            ];
-            for cell in inertia.chain(others) {
+            let others = [&mut row.mass, &mut row.motor_inertia, &mut row.viscous];
+            for cell in inertia.chain(others).chain(&mut row.coulomb) {
                 *cell = cell.clone() * Value::Rational(factor.clone());
             }
         }

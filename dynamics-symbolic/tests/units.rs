@@ -7,7 +7,7 @@ use dynamics_symbolic::Function;
 use dynamics_symbolic::derive::derive;
 use dynamics_symbolic::exact::{Rational, SplitMix64};
 use dynamics_symbolic::program::Arithmetic;
-use dynamics_symbolic::robot::{JointType, Robot, Spring, Symbol, Value};
+use dynamics_symbolic::robot::{JointType, Robot, Spring, Stribeck, Symbol, Value};
 
 /// Powers of length and mass.
 type Unit = (i32, i32);
@@ -48,7 +48,16 @@ impl Arm {
             row.inertia.iter_mut().for_each(|j| field(j, INERTIA));
             field(&mut row.motor_inertia, inertia);
             field(&mut row.viscous, inertia);
-            field(&mut row.coulomb, force);
+            // One value is one field, in both directions.
+            let [positive, negative] = &mut row.coulomb;
+            field(positive, force);
+            negative.clone_from(positive);
+            let mut stribeck = Stribeck {
+                friction: arms::decimal(30.0),
+                velocity: arms::decimal(0.05),
+            };
+            field(&mut stribeck.friction, force);
+            row.stribeck = Some(stribeck);
             let motion = match is_revolute {
                 true => NONE,
                 false => LENGTH,
@@ -60,6 +69,9 @@ impl Arm {
             field(&mut spring.stiffness, inertia);
             field(&mut spring.rest, motion);
             row.spring = Some(spring);
+            if let Some(stribeck) = &mut row.stribeck {
+                field(&mut stribeck.velocity, motion);
+            }
         }
         robot.fields = (0..fields.len()).map(|i| format!("p{i}")).collect();
         Arm { robot, fields }
@@ -130,6 +142,7 @@ impl Arithmetic for Doubles<'_> {
             }
             Symbol::Force(i) => self.number(self.arm.force(*i)),
             Symbol::VelocitySign(_) => 1.0,
+            Symbol::Stribeck(_) => self.number(NONE),
         }
     }
 

@@ -2,7 +2,9 @@
 
 use arbitrary::{Result, Unstructured};
 use dynamics_symbolic::exact::Rational;
-use dynamics_symbolic::robot::{Convention, JointType, Placement, Robot, Row, Spring, Tool, Value};
+use dynamics_symbolic::robot::{
+    Convention, JointType, Placement, Robot, Row, Spring, Stribeck, Tool, Value,
+};
 
 /// Cells of a robot, and the values of its fields.
 struct Cells<'a> {
@@ -56,10 +58,21 @@ impl Cells<'_> {
             motor_inertia: self.positive()?,
             gear_ratio: self.cell()?,
             viscous: self.positive()?,
-            coulomb: self.positive()?,
+            coulomb: [self.positive()?, self.positive()?],
+            stribeck: self.stribeck()?,
             spring: self.spring()?,
             limits: None,
             locked: None,
+        })
+    }
+
+    fn stribeck(&mut self) -> Result<Option<Stribeck>> {
+        Ok(match self.bytes.int_in_range(0..=3)? {
+            0 => Some(Stribeck {
+                friction: self.positive()?,
+                velocity: Value::integer(1) + self.positive()?,
+            }),
+            _ => None,
         })
     }
 

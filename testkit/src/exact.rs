@@ -111,7 +111,14 @@ impl<const N: usize> Exact<'_, N> {
     fn friction(&self, qd: &SVector<DoubleDouble, N>) -> SVector<DoubleDouble, N> {
         SVector::from_fn(|i, _| {
             let row = &self.0.rows[i];
-            number(row.viscous) * qd[i] + number(row.coulomb) * qd[i].sign()
+            let sign = qd[i].sign();
+            let coulomb = number(row.coulomb[usize::from(sign.high() < 0.0)]);
+            let beyond = row.stribeck.map(|stribeck| {
+                let x = qd[i] / number(stribeck.velocity);
+                (number(stribeck.friction) - coulomb) * (-(x * x)).exp()
+            });
+            let dry = coulomb + beyond.unwrap_or_default();
+            number(row.viscous) * qd[i] + dry * sign
         })
     }
 

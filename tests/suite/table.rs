@@ -23,7 +23,7 @@ fn expected(joint: JointRow) -> Row {
         motor_inertia: joint.motor_inertia,
         gear_ratio: if geared { joint.gear_ratio } else { 0.0 },
         viscous: joint.viscous,
-        coulomb: joint.coulomb,
+        coulomb: [joint.coulomb; 2],
         ..Row::new(JointType::Revolute)
     }
 }

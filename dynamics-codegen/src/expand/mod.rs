@@ -160,11 +160,12 @@ fn angles(dof: usize, methods: &[Method]) -> Vec<bool> {
 fn operations(methods: &[Method], path: &TokenStream) -> Vec<TokenStream> {
     let entry = |method: &Method| {
         let name = method.request.name();
-        let [multiplications, additions, divisions, sin_cos] = [
+        let [multiplications, additions, divisions, sin_cos, exponentials] = [
             method.operations.multiplications,
             method.operations.additions,
             method.operations.divisions,
             method.operations.sin_cos,
+            method.operations.exponentials,
         ]
         .map(Literal::u32_unsuffixed);
         quote! {
@@ -173,6 +174,7 @@ fn operations(methods: &[Method], path: &TokenStream) -> Vec<TokenStream> {
                 additions: #additions,
                 divisions: #divisions,
                 sin_cos: #sin_cos,
+                exponentials: #exponentials,
             })
         }
     };

@@ -97,7 +97,18 @@ fn row(row: &Row, fields: &[&Ident], path: &TokenStream) -> TokenStream {
     let inertia = row.inertia.iter().map(|value| number(value, fields));
     let [motor_inertia, gear_ratio] =
         [&row.motor_inertia, &row.gear_ratio].map(|value| number(value, fields));
-    let [viscous, coulomb] = [&row.viscous, &row.coulomb].map(|value| number(value, fields));
+    let viscous = number(&row.viscous, fields);
+    let coulomb = row.coulomb.iter().map(|value| number(value, fields));
+    let stribeck = row.stribeck.as_ref().map(|stribeck| {
+        let [friction, velocity] =
+            [&stribeck.friction, &stribeck.velocity].map(|value| number(value, fields));
+        quote! {
+            stribeck: ::core::option::Option::Some(#path::Stribeck {
+                friction: #friction,
+                velocity: #velocity,
+            }),
+        }
+    });
     let spring = row.spring.as_ref().map(|spring| {
         let [stiffness, rest] =
             [&spring.stiffness, &spring.rest].map(|value| number(value, fields));
@@ -122,7 +133,8 @@ fn row(row: &Row, fields: &[&Ident], path: &TokenStream) -> TokenStream {
             motor_inertia: #motor_inertia,
             gear_ratio: #gear_ratio,
             viscous: #viscous,
-            coulomb: #coulomb,
+            coulomb: [#(#coulomb),*],
+            #stribeck
             #spring
             limits: #limits,
             ..#path::Row::new(#joint_type)

@@ -143,6 +143,10 @@ pub(crate) fn friction() -> Expected {
     expected("`{ viscous: ..., coulomb: ... }`")
 }
 
+pub(crate) fn stribeck() -> Expected {
+    expected("`{ static: ..., velocity: ... }`")
+}
+
 pub(crate) fn spring() -> Expected {
     expected("`{ stiffness: ..., rest: ... }`")
 }

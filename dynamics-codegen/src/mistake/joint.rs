@@ -96,6 +96,37 @@ pub(crate) fn gear_ratio_missing() -> Mistake {
     )
 }
 
+/// One direction of two.
+pub(crate) fn direction_missing(word: &str) -> Mistake {
+    Mistake::new(format!(
+        "missing `{word}`: write `coulomb: {{ positive: 0.5, negative: 0.4 }}`, for example"
+    ))
+}
+
+pub(crate) fn static_missing() -> Mistake {
+    Mistake::new(
+        "missing `static`, the friction that holds the joint at rest: \
+         write `stribeck: { static: 0.8, velocity: 0.01 }`, for example",
+    )
+}
+
+pub(crate) fn stribeck_velocity_missing() -> Mistake {
+    Mistake::new(
+        "missing `velocity`, over which static friction falls to Coulomb's: \
+         write `stribeck: { static: 0.8, velocity: 0.01 }`, for example",
+    )
+}
+
+pub(crate) fn stribeck_velocity_not_positive() -> Mistake {
+    Mistake::new("a Stribeck velocity is above zero")
+}
+
+pub(crate) fn static_below_coulomb(coulomb: f64) -> Mistake {
+    Mistake::new(format!(
+        "static friction is not below Coulomb friction, {coulomb}"
+    ))
+}
+
 pub(crate) fn stiffness_missing() -> Mistake {
     Mistake::new(
         "missing `stiffness`, the spring's torque or force for each rad or m: \

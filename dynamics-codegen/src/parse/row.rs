@@ -11,7 +11,9 @@ use super::inertia::{ENTRIES, inertia};
 use super::list::{Key, colon, comma_separated, fill, key};
 use super::unknown::{Wrong, unknown};
 use super::vector::{limits, vector};
-use crate::description::{Allow, Friction, Joints, Motor, Name, Row, Spring};
+use crate::description::{
+    Allow, Coulomb, Expr, Friction, Given, Joints, Motor, Name, Row, Spring, Stribeck,
+};
 use crate::diagnose::Reported;
 use crate::mistake::expected::Expected;
 use crate::mistake::{self, expected};
@@ -24,7 +26,9 @@ const CELLS: [&str; 12] = [
 ];
 
 const MOTOR: [&str; 2] = ["inertia", "gear_ratio"];
-const FRICTION: [&str; 2] = ["viscous", "coulomb"];
+const FRICTION: [&str; 3] = ["viscous", "coulomb", "stribeck"];
+const DIRECTIONS: [&str; 2] = ["positive", "negative"];
+const STRIBECK: [&str; 2] = ["static", "velocity"];
 const SPRING: [&str; 2] = ["stiffness", "rest"];
 const JOINT_TYPES: [&str; 2] = ["revolute", "prismatic"];
 
@@ -206,38 +210,68 @@ fn friction(cursor: &mut Cursor) -> Result<Friction, Reported> {
         let unknown = |word: &str| unknown("friction entry", word, &FRICTION);
         let key = key(cursor, "friction entry", &FRICTION, unknown)?;
         let what = format!("`{}`", key.ident);
-        let slot = match key.name {
-            "viscous" => &mut friction.viscous,
-            _ => &mut friction.coulomb,
-        };
-        fill(cursor, slot, key, expression)?;
+        match key.name {
+            "viscous" => fill(cursor, &mut friction.viscous, key, expression),
+            "coulomb" => fill(cursor, &mut friction.coulomb, key, coulomb),
+            _ => fill(cursor, &mut friction.stribeck, key, stribeck),
+        }?;
         Ok(what)
     });
     Ok(friction)
 }
 
-fn spring(cursor: &mut Cursor) -> Result<Spring, Reported> {
-    let group = braces(cursor, expected::spring())?;
-    let mut spring = Spring {
-        place: group.span().into(),
-        stiffness: Default::default(),
-        rest: Default::default(),
+/// Reads a value, or `{ positive, negative }`.
+fn coulomb(cursor: &mut Cursor) -> Result<Coulomb, Reported> {
+    let Some(group) = cursor.take_group(Delimiter::Brace) else {
+        return expression(cursor).map(|value| Coulomb::Both(Given::As(value)));
     };
-    let outcome = comma_separated(&mut cursor.inside(&group), Cursor::at_key, |cursor| {
-        let unknown = |word: &str| unknown("spring entry", word, &SPRING);
-        let key = key(cursor, "spring entry", &SPRING, unknown)?;
+    let [positive, negative] = entries(cursor.inside(&group), "direction", DIRECTIONS);
+    Ok(Coulomb::ByDirection {
+        place: group.span().into(),
+        positive,
+        negative,
+    })
+}
+
+fn stribeck(cursor: &mut Cursor) -> Result<Stribeck, Reported> {
+    let group = braces(cursor, expected::stribeck())?;
+    let [friction, velocity] = entries(cursor.inside(&group), "stribeck entry", STRIBECK);
+    Ok(Stribeck {
+        place: group.span().into(),
+        friction,
+        velocity,
+    })
+}
+
+/// Reads `name: value` for each of some names, all of which are needed: one that is not there may be
+/// what could not be read.
+fn entries<const N: usize>(
+    mut cursor: Cursor,
+    kind: &str,
+    names: [&'static str; N],
+) -> [Given<Expr>; N] {
+    let mut values = [(); N].map(|()| Given::Absent);
+    let outcome = comma_separated(&mut cursor, Cursor::at_key, |cursor| {
+        let key = key(cursor, kind, &names, |word| unknown(kind, word, &names))?;
         let what = format!("`{}`", key.ident);
-        let slot = match key.name {
-            "stiffness" => &mut spring.stiffness,
-            _ => &mut spring.rest,
-        };
-        fill(cursor, slot, key, expression)?;
+        let index = names.iter().position(|name| *name == key.name);
+        fill(cursor, &mut values[index.unwrap_or(0)], key, expression)?;
         Ok(what)
     });
     if outcome.is_err() {
-        spring.stiffness.doubt();
+        values.iter_mut().for_each(Given::doubt);
     }
-    Ok(spring)
+    values
+}
+
+fn spring(cursor: &mut Cursor) -> Result<Spring, Reported> {
+    let group = braces(cursor, expected::spring())?;
+    let [stiffness, rest] = entries(cursor.inside(&group), "spring entry", SPRING);
+    Ok(Spring {
+        place: group.span().into(),
+        stiffness,
+        rest,
+    })
 }
 
 /// Takes braces, where `what` is expected.

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use dynamics_symbolic::Function;
 use dynamics_symbolic::function::{Fused, Growth, Request, Set};
-use dynamics_symbolic::robot::Robot;
+use dynamics_symbolic::robot::{Robot, Row};
 
 use super::scope::Scope;
 use crate::description::{Asked, Name, Table};
@@ -38,7 +38,7 @@ pub(super) fn named(asked: &[Asked]) -> impl Iterator<Item = (Function, Place)> 
 
 /// What is asked for, each with its place; the functions of the default set have none.
 pub(super) fn requests(asked: Option<&[Asked]>, robot: &Robot) -> Vec<(Request, Option<Place>)> {
-    let default_set = Function::default_set(has_friction(robot)).into_iter();
+    let default_set = Function::default_set(robot.joints().any(Row::has_friction)).into_iter();
     let default_set: Vec<_> = default_set.map(|f| (Request::One(f), None)).collect();
     let Some(asked) = asked else {
         return default_set;
@@ -70,11 +70,6 @@ pub(crate) fn fused(name: &Name, parts: &[(Function, Place)]) -> Request {
         name: name.to_string(),
         parts: parts.iter().map(|(function, _)| *function).collect(),
     })
-}
-
-fn has_friction(robot: &Robot) -> bool {
-    let mut values = robot.joints().flat_map(|row| [&row.viscous, &row.coulomb]);
-    values.any(|value| !value.is_zero())
 }
 
 /// Reports what is asked for twice, names that mean something else, and tuples that are none.

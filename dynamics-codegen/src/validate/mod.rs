@@ -8,6 +8,7 @@ mod body;
 mod degrees;
 mod fields;
 mod frames;
+mod friction;
 pub(crate) mod functions;
 mod limits;
 mod lock;

@@ -7,8 +7,8 @@ use dynamics_symbolic::robot::{JointType, Row, Spring, Value};
 use super::body::Body;
 use super::degrees::report_degrees;
 use super::scope::Scope;
-use super::{body, limits};
-use crate::description::{self, Friction, Given, Motor};
+use super::{body, friction, limits};
+use crate::description::{self, Given, Motor};
 use crate::mistake::joint as mistake;
 
 /// The meaning of each row; `None` where it is in error.
@@ -47,7 +47,7 @@ fn row(row: &description::Row, scope: &mut Scope) -> Option<Row> {
         scope,
     );
     let (motor_inertia, gear_ratio) = motor(&row.motor, scope);
-    let (viscous, coulomb) = friction(&row.friction, scope);
+    let friction = friction::friction(&row.friction, scope);
     let spring = spring(&row.spring, scope);
     let limits = limits::limits(row, scope);
     let (mass, com, inertia) = body?;
@@ -63,8 +63,9 @@ fn row(row: &description::Row, scope: &mut Scope) -> Option<Row> {
         inertia,
         motor_inertia: motor_inertia?,
         gear_ratio: gear_ratio?,
-        viscous: viscous?,
-        coulomb: coulomb?,
+        viscous: friction.viscous?,
+        coulomb: friction.coulomb?,
+        stribeck: friction.stribeck?,
         spring: spring?,
         limits: limits?,
         locked: None,
@@ -83,17 +84,6 @@ fn offsets(row: &description::Row, scope: &mut Scope) -> (Option<Value>, Option<
             scope.given_beside_variable(&row.theta, "theta"),
         ),
         None => (scope.given(&row.d), scope.given(&row.theta)),
-    }
-}
-
-fn friction(cell: &Given<Friction>, scope: &mut Scope) -> (Option<Value>, Option<Value>) {
-    match cell {
-        Given::Absent => (Some(Value::zero()), Some(Value::zero())),
-        Given::Unreadable => (None, None),
-        Given::As(friction) => (
-            scope.not_negative(&friction.viscous, "a friction coefficient"),
-            scope.not_negative(&friction.coulomb, "a friction torque or force"),
-        ),
     }
 }
 

@@ -124,6 +124,15 @@ impl<S: Simd> Scalar for Wide<S> {
         Wide(self.0.sqrt())
     }
 
+    /// Lane by lane.
+    #[inline]
+    fn exp(mut self) -> Self {
+        for x in self.0.as_mut_slice() {
+            *x = Scalar::exp(*x);
+        }
+        self
+    }
+
     #[inline(always)]
     fn mul_add(self, a: Self, b: Self) -> Self {
         Wide(self.0.mul_add(a.0, b.0))

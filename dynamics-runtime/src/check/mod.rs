@@ -43,8 +43,9 @@ pub fn check_against_rnea<R: Evaluate<N>, const N: usize>(robot: &R) -> Report {
 /// Settings of a comparison with the numeric recursive Newton-Euler algorithm.
 ///
 /// The states are the special ones (all joints at zero, at multiples of a right angle, at about
-/// 1000 rad, at rest) and then random ones, uniform in the ranges. Equal settings give equal
-/// states on every machine.
+/// 1000 rad, at rest) and then random ones, uniform in the ranges. Where friction falls with the
+/// velocity, there are some more with velocities at which it does. Equal settings give equal states on
+/// every machine.
 ///
 /// ```
 /// # use dynamics_runtime::{Check, robot_dynamics};
@@ -125,7 +126,8 @@ impl Check {
     pub fn run<R: Evaluate<N>, const N: usize>(&self, robot: &R) -> Report {
         let table = robot.table();
         let numeric = NewtonEuler::new(&table);
-        let states = self.states::<N>();
+        let mut states = self.states::<N>();
+        states.extend(self.slow_states(&table));
         let mut report = Report::new(&R::JOINT_NAMES, states.len(), self.seed);
         for (label, state) in &states {
             report.note_conditioning(label, numeric.conditioning(&state.q));

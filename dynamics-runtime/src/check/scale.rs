@@ -2,6 +2,7 @@
 
 use nalgebra::{SMatrix, SVector};
 
+use crate::friction::DryFriction;
 use crate::{JointType, State, Table};
 
 /// Magnitudes that a quantity could have at a state of this size, whatever it cancels to there.
@@ -20,7 +21,7 @@ pub(super) struct Scale {
     pub(super) coriolis_matrix: f64,
     /// Weight times lever arm.
     pub(super) gravity_vector: f64,
-    /// max of |viscous qd| + |coulomb|.
+    /// max of |viscous qd| and the greatest dry friction.
     pub(super) friction_vector: f64,
     /// max of stiffness (|q| + |rest|).
     pub(super) spring_vector: f64,
@@ -31,7 +32,7 @@ pub(super) struct Scale {
     /// The scales of M qdd, V and G, whose derivatives by an angle are as large, and the largest
     /// stiffness.
     pub(super) force_by_position: f64,
-    /// Twice the scale of C, and the largest viscous friction.
+    /// Twice the scale of C, and the largest slope of friction.
     pub(super) force_by_velocity: f64,
     /// Weight times distance, and the energy in all springs.
     pub(super) potential_energy: f64,
@@ -69,7 +70,7 @@ impl Scale {
                 + coriolis_vector
                 + gravity_vector
                 + springs.stiffness,
-            force_by_velocity: 2.0 * mass * speed + viscous(table),
+            force_by_velocity: 2.0 * mass * speed + slope_of_friction(table),
             potential_energy: weight * position + springs.energy,
             position,
         }
@@ -130,14 +131,15 @@ fn lever_arm<const N: usize>(table: &Table<N>, reach: f64) -> f64 {
 }
 
 fn friction<const N: usize>(table: &Table<N>, qd: &SVector<f64, N>) -> f64 {
-    let of_joint = |(row, qd): (&crate::Row, &f64)| (row.viscous * qd).abs() + row.coulomb.abs();
+    let of_joint =
+        |(row, qd): (&crate::Row, &f64)| (row.viscous * qd).abs() + DryFriction::of(row).greatest();
     let joints = table.rows.iter().zip(qd.iter()).map(of_joint);
     joints.fold(0.0, f64::max)
 }
 
-fn viscous<const N: usize>(table: &Table<N>) -> f64 {
-    let joints = table.rows.iter().map(|row| row.viscous.abs());
-    joints.fold(0.0, f64::max)
+fn slope_of_friction<const N: usize>(table: &Table<N>) -> f64 {
+    let slope = |row: &crate::Row| row.viscous.abs() + DryFriction::of(row).greatest_slope();
+    table.rows.iter().map(slope).fold(0.0, f64::max)
 }
 
 fn norm(vector: &[f64; 3]) -> f64 {
@@ -166,7 +168,7 @@ mod tests {
         };
         let turn = Row {
             a: -0.25,
-            coulomb: 1.0,
+            coulomb: [1.0; 2],
             ..Row::new(JointType::Revolute)
         };
         let table = Table::new(Convention::Standard, [0.0, 0.0, -10.0], [slide, turn]);

@@ -6,12 +6,13 @@ use nalgebra::SVector;
 
 use super::Check;
 use super::random::SplitMix64;
-use crate::State;
+use crate::{State, Stribeck, Table};
 
 /// Right angles in all combinations would be 4^N states; this many random combinations do.
 const RIGHT_ANGLES: usize = 8;
 const LARGE_ANGLES: usize = 4;
 const AT_REST: usize = 4;
+const SLOW: usize = 16;
 
 impl Check {
     /// The special states, then the random ones, each with a name.
@@ -51,6 +52,26 @@ impl Check {
             add(format!("random {i}"), &|_, _| {});
         }
         states
+    }
+
+    /// States at which friction falls with the velocity: no joint is faster than about three times its
+    /// Stribeck velocity. There are none where no joint has one.
+    pub(super) fn slow_states<const N: usize>(&self, table: &Table<N>) -> Vec<(String, State<N>)> {
+        let stribeck = table.rows.each_ref().map(|row| row.stribeck);
+        if stribeck.iter().all(Option::is_none) {
+            return Vec::new();
+        }
+        let mut random = SplitMix64(!self.seed);
+        let slow = |i| {
+            let mut state: State<N> = self.random_state(&mut random);
+            for (qd, stribeck) in state.qd.iter_mut().zip(stribeck) {
+                if let Some(Stribeck { velocity, .. }) = stribeck {
+                    *qd = velocity * random.within(&(-3.0..=3.0));
+                }
+            }
+            (format!("slow {i}"), state)
+        };
+        (0..SLOW).map(slow).collect()
     }
 
     fn random_state<const N: usize>(&self, random: &mut SplitMix64) -> State<N> {

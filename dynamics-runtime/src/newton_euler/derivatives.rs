@@ -58,7 +58,7 @@ impl<const N: usize> NewtonEuler<N> {
         let mut by_velocity = self.coriolis_matrix(q, qd) * 2.0;
         for (i, link) in self.links.iter().enumerate() {
             by_position[(i, i)] += link.spring.stiffness;
-            by_velocity[(i, i)] += link.viscous;
+            by_velocity[(i, i)] += link.viscous + link.dry.slope(qd[i]);
         }
         (by_position, by_velocity)
     }

@@ -6,6 +6,7 @@ use super::angle::SinCos;
 use super::inertia::{Inertia, tensor};
 use super::joint::Joint;
 use super::pose::Pose;
+use crate::friction::DryFriction;
 use crate::{JointType, Placement, Row, Spring};
 
 /// A joint and the link that it moves, in Craig's frames: frame i has its z on the axis of joint i.
@@ -28,7 +29,7 @@ pub(super) struct Link {
     pub(super) inertia: Inertia,
     pub(super) reflected_inertia: f64,
     pub(super) viscous: f64,
-    pub(super) coulomb: f64,
+    pub(super) dry: DryFriction,
     pub(super) spring: Spring,
     /// The link frame of the table in this frame.
     pub(super) table_frame: Pose,
@@ -122,7 +123,7 @@ impl Link {
             inertia: Inertia::new(row.mass, &com, &tensor),
             reflected_inertia: row.reflected_inertia(),
             viscous: row.viscous,
-            coulomb: row.coulomb,
+            dry: DryFriction::of(row),
             spring: row.spring,
             table_frame,
             tip: table_frame.then(&(&row.tip).into()),

@@ -3,7 +3,6 @@
 use nalgebra::{SMatrix, SVector, Vector3};
 
 use super::NewtonEuler;
-use crate::Scalar;
 
 impl<const N: usize> NewtonEuler<N> {
     /// Mass matrix M(q), both triangles: column j is the torque of a unit acceleration of joint j,
@@ -22,11 +21,12 @@ impl<const N: usize> NewtonEuler<N> {
         self.weights(&self.joints(q))
     }
 
-    /// Friction torques F(qd) = viscous qd + coulomb sign(qd), sign(0) = 0.
+    /// Friction torques F(qd) = viscous qd + sign(qd) (C + (S - C) exp(-(qd/v)^2)), sign(0) = 0, with C
+    /// that of the direction.
     pub fn friction_vector(&self, qd: &SVector<f64, N>) -> SVector<f64, N> {
         SVector::from_fn(|i, _| {
             let link = &self.links[i];
-            link.viscous * qd[i] + link.coulomb * Scalar::sign(qd[i])
+            link.viscous * qd[i] + link.dry.force(qd[i])
         })
     }
 

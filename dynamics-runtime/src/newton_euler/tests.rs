@@ -371,7 +371,7 @@ fn derivatives_of_a_pendulum_on_a_slide() {
     let slide = Row {
         mass: m1,
         viscous,
-        coulomb: 0.5,
+        coulomb: [0.5; 2],
         ..Row::new(JointType::Prismatic)
     };
     let pendulum = Row {

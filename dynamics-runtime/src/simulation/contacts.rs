@@ -16,9 +16,9 @@ where
     R: ForwardDynamics<N>,
     L: TorqueLaw<N>,
 {
-    let coulomb = motion.coulomb();
+    let dry = motion.dry();
     motion.set_contacts(core::array::from_fn(|i| {
-        if coulomb[i] == 0.0 {
+        if dry[i].is_none() {
             Contact::Slides(0.0)
         } else if phase.qd[i] == 0.0 {
             Contact::Sticks
@@ -56,21 +56,34 @@ where
     R: ForwardDynamics<N>,
     L: TorqueLaw<N>,
 {
-    let coulomb = motion.coulomb();
     loop {
         let held = motion.held(t, phase)?;
         let mut contacts = motion.contacts();
-        let excess = |i: usize| held.forces[i].abs() / coulomb[i];
+        let excess = |i: usize| match held.forces[i].abs() {
+            // Nothing to hold, of a joint that has no friction that way either.
+            0.0 => 0.0,
+            force => force / breakaway(motion, i, &held),
+        };
         let stuck = (0..N).filter(|i| contacts[*i] == Contact::Sticks);
         let worst = stuck.max_by(|i, j| excess(*i).total_cmp(&excess(*j)));
         match worst {
             Some(i) if excess(i) > 1.0 => {
-                contacts[i] = Contact::Slides(-held.forces[i].signum());
+                contacts[i] = Contact::Slides(way_out(&held, i));
                 motion.set_contacts(contacts);
             }
             _ => return Ok(held),
         }
     }
+}
+
+/// The way that joint `i` goes where it is let go: against the force that holds it.
+pub(super) fn way_out<const N: usize>(held: &Held<N>, i: usize) -> f64 {
+    -held.forces[i].signum()
+}
+
+/// How great a force friction holds against, at joint `i` at rest.
+fn breakaway<R, L, const N: usize>(motion: &Motion<R, L, N>, i: usize, held: &Held<N>) -> f64 {
+    motion.dry()[i].breakaway(way_out(held, i))
 }
 
 /// How far joint `i` is from its next event: the velocity of one that slides, the friction left of
@@ -84,7 +97,7 @@ pub(super) fn margin<R, L, const N: usize>(
     match motion.contacts()[i] {
         Contact::Slides(0.0) => f64::INFINITY,
         Contact::Slides(way) => way * phase.qd[i],
-        Contact::Sticks => motion.coulomb()[i] - held.forces[i].abs(),
+        Contact::Sticks => breakaway(motion, i, held) - held.forces[i].abs(),
     }
 }
 

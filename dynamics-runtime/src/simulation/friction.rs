@@ -1,14 +1,14 @@
-//! Coulomb friction as a simulation has it.
-
-use nalgebra::SVector;
+//! Dry friction as a simulation has it.
 
 use super::error::InvalidSetting;
+use crate::friction::DryFriction;
 
-/// How a [`Simulation`](crate::Simulation) treats Coulomb friction.
+/// How a [`Simulation`](crate::Simulation) treats dry friction: Coulomb's, and static friction that falls to
+/// it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub enum Friction {
-    /// As the forward dynamics has it: `coulomb sign(qd)`, with sign(0) = 0.
+    /// As the forward dynamics has it: a multiple of sign(qd), with sign(0) = 0.
     ///
     /// A joint that should stick chatters about zero velocity: methods with error control end in
     /// [`Cause::TooManySteps`](crate::Cause::TooManySteps), those of fixed step leave a velocity of
@@ -19,8 +19,9 @@ pub enum Friction {
     ///
     /// The time at which a joint's velocity crosses zero is found to rounding. From there the joint
     /// sticks, at a velocity of exactly zero, as long as the force that holds it is no greater than
-    /// its Coulomb friction, and lets go at the time at which it becomes greater. Between events
-    /// the equations are smooth and every method has its order.
+    /// friction against the motion that it prevents (static friction where the table has one, else
+    /// that of Coulomb in its direction), and lets go at the time at which it becomes greater. Between
+    /// events the equations are smooth and every method has its order.
     ///
     /// At the end of each step it takes one more evaluation of the forward dynamics, and where
     /// joints stick one evaluation over dual numbers for each of them, instead of one; an event
@@ -29,7 +30,7 @@ pub enum Friction {
     /// harder than friction holds it, leaves it no motion: the run ends in
     /// [`Cause::Chatter`](crate::Cause::Chatter).
     Sticking,
-    /// `coulomb tanh(qd / speed)` in place of the sign.
+    /// `tanh(qd / speed)` in place of the sign.
     ///
     /// Smooth, but stiff where `speed` is small (use [`Radau5`](crate::Radau5)), and a joint never
     /// sticks: under a force f below its friction it creeps at `speed atanh(f / coulomb)`. At half
@@ -53,14 +54,14 @@ pub(super) enum Contact {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Law<const N: usize> {
     pub(super) kind: Friction,
-    pub(super) coulomb: SVector<f64, N>,
+    pub(super) dry: [DryFriction; N],
 }
 
 impl<const N: usize> Law<N> {
     pub(super) fn sign() -> Self {
         Law {
             kind: Friction::Sign,
-            coulomb: SVector::zeros(),
+            dry: [DryFriction::NONE; N],
         }
     }
 

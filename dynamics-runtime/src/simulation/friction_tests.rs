@@ -20,7 +20,7 @@ impl Model<1> for Block {
     fn table(&self) -> Table<1> {
         let row = Row {
             mass: 1.0,
-            coulomb: 1.0,
+            coulomb: [1.0; 2],
             ..Row::new(JointType::Prismatic)
         };
         Table::new(Convention::Modified, [0.0; 3], [row])
@@ -238,7 +238,7 @@ impl Model<2> for DryElbow {
 
     fn table(&self) -> Table<2> {
         let mut table = CRAIG_ARM.table();
-        table.rows[1].coulomb = self.0;
+        table.rows[1].coulomb = [self.0; 2];
         table
     }
 }

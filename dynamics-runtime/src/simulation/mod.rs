@@ -16,6 +16,7 @@ mod trajectory;
 
 use nalgebra::SVector;
 
+use crate::friction::DryFriction;
 use crate::integrate::Phase;
 use crate::{ForwardDynamics, Model};
 use friction::Law;
@@ -119,14 +120,14 @@ impl<'a, R, L, const N: usize> Simulation<'a, R, L, N> {
         }
     }
 
-    /// What becomes of the Coulomb friction in the arm's table; [`Friction::Sign`] as it is made.
+    /// What becomes of the dry friction in the arm's table; [`Friction::Sign`] as it is made.
     pub fn friction(self, kind: Friction) -> Self
     where
         R: Model<N>,
     {
         let rows = self.robot.table().rows;
-        let coulomb = SVector::from_fn(|i, _| rows[i].coulomb);
-        let friction = Law { kind, coulomb };
+        let dry = rows.each_ref().map(DryFriction::of);
+        let friction = Law { kind, dry };
         Simulation { friction, ..self }
     }
 

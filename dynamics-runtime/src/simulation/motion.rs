@@ -8,6 +8,7 @@ use super::error::Cause;
 use super::friction::{Contact, Friction, Law};
 use super::torque::TorqueLaw;
 use crate::dual::Dual;
+use crate::friction::DryFriction;
 use crate::integrate::{Canonical, Equations, Lu, Phase, Point, first_non_finite};
 use crate::{ForwardDynamics, Momenta, Scalar, SingularMassMatrix};
 
@@ -47,8 +48,8 @@ impl<'a, R, L, const N: usize> Motion<'a, R, L, N> {
         self.evaluations.set(self.evaluations.get() + 1);
     }
 
-    pub(super) fn coulomb(&self) -> SVector<f64, N> {
-        self.friction.coulomb
+    pub(super) fn dry(&self) -> &[DryFriction; N] {
+        &self.friction.dry
     }
 
     /// Whether joints stop and stick.
@@ -84,7 +85,7 @@ impl<R, L: TorqueLaw<N>, const N: usize> Motion<'_, R, L, N> {
     }
 
     /// The torques at a time in a phase, where both are finite. In place of the friction that the
-    /// forward dynamics takes off, coulomb sign(qd), they have that of the simulation.
+    /// forward dynamics takes off, a multiple of sign(qd), they have that of the simulation.
     fn torque(&self, t: f64, phase: &Phase<N>) -> Result<SVector<f64, N>, Cause> {
         if let Some(joint) = phase.first_non_finite() {
             return Err(Cause::NonFiniteState { joint });
@@ -99,8 +100,8 @@ impl<R, L: TorqueLaw<N>, const N: usize> Motion<'_, R, L, N> {
         }
     }
 
-    /// `coulomb (sign(qd) - law)`, what makes the friction of the forward dynamics that of the
-    /// simulation.
+    /// What makes the friction of the forward dynamics that of the simulation: the magnitude in its
+    /// direction times the sign of the velocity, less that with what the law has in place of the sign.
     // Apart from the path of those who have none of it, which is to be inlined in every stage.
     #[cold]
     #[inline(never)]
@@ -112,8 +113,10 @@ impl<R, L: TorqueLaw<N>, const N: usize> Motion<'_, R, L, N> {
             (Friction::Sticking, Contact::Slides(way)) => way,
             (Friction::Sticking, Contact::Sticks) => 0.0,
         };
-        let difference = |i: usize| Scalar::sign(qd[i]) - law(i);
-        SVector::from_fn(|i, _| self.friction.coulomb[i] * difference(i))
+        SVector::from_fn(|i, _| {
+            let (dry, law) = (&self.friction.dry[i], law(i));
+            dry.force(qd[i]) - law * dry.magnitude(law, qd[i])
+        })
     }
 }
 

@@ -1,6 +1,6 @@
 //! Stopping, sticking and letting go: an integration between events.
 
-use super::contacts::{least_margin, margin, settle, stops_and_chatters};
+use super::contacts::{least_margin, margin, settle, stops_and_chatters, way_out};
 use super::error::Cause;
 use super::friction::Contact;
 use super::motion::{Held, Motion};
@@ -230,7 +230,7 @@ where
             Contact::Slides(way) if way != 0.0 && phase.qd[i] == 0.0 => Contact::Sticks,
             // It was held until now by all the friction that there is.
             Contact::Sticks if margin(self.motion, i, &phase, &held) <= least.max(0.0) => {
-                Contact::Slides(-held.forces[i].signum())
+                Contact::Slides(way_out(&held, i))
             }
             contact => contact,
         });

@@ -9,6 +9,7 @@ use super::recorder::Recorder;
 use super::settings::ErrorControl;
 use super::trajectory::Trajectory;
 use crate::TaylorDynamics;
+use crate::friction::DryFriction;
 use crate::integrate::{Phase, Tolerance, first_non_finite};
 use crate::taylor::{FEWEST_ORDERS, SeriesStepper, Steady, order};
 
@@ -181,7 +182,7 @@ where
             return Err(Cause::NonFiniteTorque { joint });
         }
         let rows = self.robot.table().rows;
-        if let Some(joint) = rows.iter().position(|row| row.coulomb != 0.0) {
+        if let Some(joint) = rows.iter().position(|row| !DryFriction::of(row).is_none()) {
             return Err(InvalidSetting::CoulombFriction { joint }.into());
         }
         Ok(self.settings.validate(self.plan.duration)?)

@@ -66,7 +66,7 @@ fn row(joint: &Value) -> Row {
         motor_inertia: cell("motor_inertia"),
         gear_ratio: cell("gear_ratio"),
         viscous: cell("viscous"),
-        coulomb: cell("coulomb"),
+        coulomb: [cell("coulomb"); 2],
         ..Row::new(JointType::Revolute)
     }
 }

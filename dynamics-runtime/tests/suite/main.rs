@@ -3,6 +3,7 @@
 mod arms;
 mod data;
 mod endings;
+mod friction;
 mod methods;
 mod reference;
 mod springs;

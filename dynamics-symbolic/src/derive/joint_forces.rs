@@ -1,13 +1,15 @@
 //! What acts at the joints themselves: friction, and springs.
 //!
-//!   F_i = viscous_i qd_i + coulomb_i sign(qd_i)
+//!   F_i = viscous_i qd_i + sign(qd_i) (C + (S - C) exp(-(qd_i/v)^2))
 //!   K_i = stiffness_i (q_i - rest_i), of the energy 1/2 stiffness_i (q_i - rest_i)^2
+//!
+//! with C the Coulomb friction of the direction, and S and v of Stribeck's curve, where the joint has one.
 //!
 //! Motors have to overcome both, M qdd + V + G + K + F = tau. What is said of them in the equations of
 //! motion is said here alone. A joint that is locked has neither.
 
 use super::derivatives::ForceDerivatives;
-use super::symbols::Symbols;
+use super::symbols::{JointSymbols, Symbols};
 use crate::exact::Rational;
 use crate::expr::Expr;
 use crate::robot::{Interpretation, Robot, Row};
@@ -23,9 +25,57 @@ pub(super) fn both<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> Vec<Expr<'g>
 pub(super) fn friction<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> Vec<Expr<'g>> {
     let force = |(i, row): (usize, &Row)| {
         let joint = *symbols.joint(i);
-        symbols.value(&row.viscous) * joint.qd + symbols.value(&row.coulomb) * joint.sign
+        symbols.value(&row.viscous) * joint.qd + dry_friction(symbols, row, &joint)
     };
     robot.rows.iter().enumerate().map(force).collect()
+}
+
+/// sign(qd) (C + (S - C) exp(-(qd/v)^2))
+fn dry_friction<'g>(symbols: &mut Symbols<'g>, row: &Row, joint: &JointSymbols<'g>) -> Expr<'g> {
+    let coulomb = coulomb(symbols, row, joint);
+    match beyond_coulomb(symbols, row, joint) {
+        Some(beyond) => (coulomb + beyond) * joint.sign,
+        None => coulomb * joint.sign,
+    }
+}
+
+/// C of the direction. With the sign s it is (C+ + C-)/2 + s (C+ - C-)/2, and anything at rest, where s
+/// C is zero.
+fn coulomb<'g>(symbols: &mut Symbols<'g>, row: &Row, joint: &JointSymbols<'g>) -> Expr<'g> {
+    let [positive, negative] = &row.coulomb;
+    if positive == negative {
+        return symbols.value(positive);
+    }
+    let half = symbols.rational(&(Rational::ONE / Rational::from(2)));
+    let (positive, negative) = (symbols.value(positive), symbols.value(negative));
+    half * (positive + negative) + half * (positive - negative) * joint.sign
+}
+
+/// (S - C) exp(-(qd/v)^2), where friction falls with the velocity.
+fn beyond_coulomb<'g>(
+    symbols: &mut Symbols<'g>,
+    row: &Row,
+    joint: &JointSymbols<'g>,
+) -> Option<Expr<'g>> {
+    let (stribeck, left) = (row.stribeck.as_ref()?, joint.stribeck?);
+    let coulomb = coulomb(symbols, row, joint);
+    Some((symbols.value(&stribeck.friction) - coulomb) * left)
+}
+
+/// dF/dqd = viscous - 2 qd/v^2 sign(qd) (S - C) exp(-(qd/v)^2). Coulomb friction is constant.
+fn slope_of_friction<'g>(
+    symbols: &mut Symbols<'g>,
+    row: &Row,
+    joint: &JointSymbols<'g>,
+) -> Expr<'g> {
+    let viscous = symbols.value(&row.viscous);
+    let beyond = beyond_coulomb(symbols, row, joint);
+    let (Some(stribeck), Some(beyond)) = (&row.stribeck, beyond) else {
+        return viscous;
+    };
+    let v = symbols.value(&stribeck.velocity);
+    let falls = symbols.rational(&Rational::from(2)) / (v * v);
+    viscous - beyond * joint.sign * (falls * joint.qd)
 }
 
 /// K, for the joint of every row.
@@ -48,7 +98,7 @@ pub(super) fn energy_of_springs<'g>(symbols: &mut Symbols<'g>, robot: &Robot) ->
     half * twice
 }
 
-/// Adds dK/dq and dF/dqd to the derivatives of M qdd + V + G. Coulomb friction is constant.
+/// Adds dK/dq and dF/dqd to the derivatives of M qdd + V + G.
 pub(super) fn add_slopes<'g>(
     symbols: &mut Symbols<'g>,
     robot: &Robot,
@@ -56,12 +106,14 @@ pub(super) fn add_slopes<'g>(
 ) {
     for (i, row) in robot.rows.iter().enumerate() {
         let (stiffness, _) = spring(symbols, robot, i);
+        let joint = *symbols.joint(i);
+        let slope = slope_of_friction(symbols, row, &joint);
         let [by_position, by_velocity] = [
             &mut derivatives.by_position[i][i],
             &mut derivatives.by_velocity[i][i],
         ];
         *by_position = *by_position + stiffness;
-        *by_velocity = *by_velocity + symbols.value(&row.viscous);
+        *by_velocity = *by_velocity + slope;
     }
 }
 

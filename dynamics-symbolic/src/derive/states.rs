@@ -94,6 +94,8 @@ impl State {
             Symbol::Acceleration(i) => Bounded::exact(self.qdd[*i]),
             Symbol::Force(i) => Bounded::exact(self.tau[*i]),
             Symbol::VelocitySign(i) => Bounded::exact(self.qd[*i].signum()),
+            // Any number from 0 to 1: it is a symbol that knows nothing of the velocity.
+            Symbol::Stribeck(i) => Bounded::rounded(1.0 / (1.0 + self.qd[*i] * self.qd[*i])),
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::exact::Rational;
 use crate::expr::{Direction, Expr, Graph, Level};
-use crate::robot::{Interpretation, JointType, Robot, Symbol, Value};
+use crate::robot::{Interpretation, JointType, Robot, Row, Symbol, Value};
 
 /// The variables of one joint.
 #[derive(Clone, Copy, Debug)]
@@ -19,6 +19,8 @@ pub struct JointSymbols<'g> {
     pub tau: Expr<'g>,
     /// Sign of the velocity.
     pub sign: Expr<'g>,
+    /// exp(-(qd/v)^2), of joints whose friction falls with the velocity.
+    pub stribeck: Option<Expr<'g>>,
 }
 
 /// The symbols of a robot on a graph.
@@ -54,7 +56,7 @@ impl<'g> Symbols<'g> {
         for row in &robot.rows {
             let joint = match &row.locked {
                 Some(position) => symbols.locked_joint(row.joint_type, position),
-                None => symbols.moving_joint(moving.next().unwrap_or_default()),
+                None => symbols.moving_joint(moving.next().unwrap_or_default(), row),
             };
             symbols.joints.push(joint);
         }
@@ -62,7 +64,7 @@ impl<'g> Symbols<'g> {
     }
 
     /// The variables of joint i of those that move.
-    fn moving_joint(&mut self, i: usize) -> JointSymbols<'g> {
+    fn moving_joint(&mut self, i: usize, row: &Row) -> JointSymbols<'g> {
         let (s, c) = self.graph.circle(Level::Variable);
         self.meanings.extend([Symbol::Sine(i), Symbol::Cosine(i)]);
         let mut variable = |meaning| {
@@ -76,6 +78,10 @@ impl<'g> Symbols<'g> {
             qdd: variable(Symbol::Acceleration(i)),
             tau: variable(Symbol::Force(i)),
             sign: variable(Symbol::VelocitySign(i)),
+            stribeck: row
+                .stribeck
+                .is_some()
+                .then(|| variable(Symbol::Stribeck(i))),
         }
     }
 
@@ -93,6 +99,7 @@ impl<'g> Symbols<'g> {
             qdd: zero,
             tau: zero,
             sign: zero,
+            stribeck: None,
         }
     }
 

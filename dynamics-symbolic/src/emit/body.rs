@@ -1,6 +1,6 @@
 //! The body of a method: straight-line assignments behind its inputs, and its outputs.
 
-use super::inputs::{constants_of, input_name, inputs, literal, reads_fields};
+use super::inputs::{constants_of, input_name, inputs, literal, reads_cells};
 use super::names::ident;
 use crate::function::{Function, Request, Shape, Sizes, sizes_of, spans};
 use crate::program::{Instruction, Operand, Output, Program, Readers};
@@ -46,8 +46,8 @@ pub(super) fn body(
 ) -> TokenStream {
     let writer = Writer::new(robot, program, constants);
     let reads_constants = writer.constants.iter().any(|x| !x.is_nan());
-    let number = (reads_constants || reads_fields(program))
-        .then(|| constants_of(&request.arguments(), path));
+    let number =
+        (reads_constants || reads_cells(program)).then(|| constants_of(&request.arguments(), path));
     let inputs = inputs(robot, request, program, path);
     let assignments = writer.assignments(path);
     let outputs = writer.outputs(robot, request, path);

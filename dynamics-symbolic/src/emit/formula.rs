@@ -95,6 +95,12 @@ fn symbol(robot: &Robot, symbol: &Symbol) -> String {
         Symbol::Acceleration(i) => joint("qdd", i),
         Symbol::Force(i) => joint("tau", i),
         Symbol::VelocitySign(i) => format!("sign(qd{})", i + 1),
+        Symbol::Stribeck(i) => {
+            let row = robot.joints().nth(*i);
+            let stribeck = row.and_then(|row| row.stribeck.as_ref());
+            let v = stribeck.map(|stribeck| cell(robot, &stribeck.velocity).above(PRODUCT));
+            format!("exp(-(qd{} / {})^2)", i + 1, v.unwrap_or_default())
+        }
     }
 }
 

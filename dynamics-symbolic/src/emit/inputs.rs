@@ -7,12 +7,12 @@ use crate::robot::{Robot, Symbol, Value};
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-/// Whether a field of the struct, or a cell made of fields, is an input.
-pub(super) fn reads_fields(program: &Program) -> bool {
+/// Whether a field of the struct, or a function of a cell, is an input.
+pub(super) fn reads_cells(program: &Program) -> bool {
     program.inputs.iter().any(|symbol| {
         matches!(
             symbol,
-            Symbol::Field(_) | Symbol::AngleSine(_) | Symbol::AngleCosine(_)
+            Symbol::Field(_) | Symbol::AngleSine(_) | Symbol::AngleCosine(_) | Symbol::Stribeck(_)
         )
     })
 }
@@ -79,6 +79,7 @@ pub(super) fn input_name(robot: &Robot, symbol: &Symbol, angles: &[&Symbol]) -> 
         Symbol::Acceleration(i) => format!("qdd_{}", i + 1),
         Symbol::Force(i) => format!("tau_{}", i + 1),
         Symbol::VelocitySign(i) => format!("sign_{}", i + 1),
+        Symbol::Stribeck(i) => format!("stribeck_{}", i + 1),
     }
 }
 
@@ -105,6 +106,7 @@ pub(super) fn inputs(
                 let velocity = element(Argument::Velocity, *i);
                 quote!(#path::Scalar::sign(#velocity))
             }
+            Symbol::Stribeck(i) => stribeck(robot, *i, path),
             Symbol::Field(i) => parametric(robot, &Value::Field(*i)),
             _ => continue,
         };
@@ -188,9 +190,22 @@ pub(super) fn place(symbol: &Symbol) -> (u8, usize) {
         Symbol::Position(i) => (3, *i),
         Symbol::Velocity(i) => (4, *i),
         Symbol::VelocitySign(i) => (5, *i),
-        Symbol::Acceleration(i) => (6, *i),
-        Symbol::Force(i) => (7, *i),
+        Symbol::Stribeck(i) => (6, *i),
+        Symbol::Acceleration(i) => (7, *i),
+        Symbol::Force(i) => (8, *i),
     }
+}
+
+/// exp(-(qd/v)^2) of a joint that moves.
+fn stribeck(robot: &Robot, joint: usize, path: &TokenStream) -> TokenStream {
+    let row = robot.joints().nth(joint);
+    let stribeck = row.and_then(|row| row.stribeck.as_ref());
+    let v = stribeck.map(|stribeck| parametric(robot, &stribeck.velocity));
+    let (qd, x) = (element(Argument::Velocity, joint), ident("x"));
+    quote! {{
+        let #x = #qd / #v;
+        #path::Scalar::exp(-(#x * #x))
+    }}
 }
 
 /// A parametric cell as an expression over the fields.

@@ -147,6 +147,7 @@ impl<'p> Series<'p> {
                 | Symbol::Velocity(_)
                 | Symbol::VelocitySign(_) => Kind::Known,
                 Symbol::Acceleration(_) => Kind::Moved,
+                Symbol::Stribeck(_) => unreachable!("has no series: see `Failure::NoSeries`"),
             },
         }
     }

@@ -101,13 +101,15 @@ functions! {
         compared_with: None,
     },
 
-    /// F(qd), viscous and Coulomb friction.
+    /// F(qd), viscous and dry friction.
     FrictionVector: Row {
         name: "friction_vector",
         arguments: &[Velocity],
         shape: VECTOR,
         refuses: false,
-        description: "Friction vector F(qd) = viscous qd + coulomb sign(qd), N m or N, with sign(0) = 0.",
+        description: "Friction vector F(qd) = viscous qd + sign(qd) (C + (S - C) exp(-(qd/v)^2)), N m or N, with sign(0) = 0: \
+            C is the Coulomb friction of the direction, S static friction that falls to it over the velocity v, where \
+            the table has one, else C.",
         symbol: Some("F"),
         set: Set::WithFriction,
         provided: None,

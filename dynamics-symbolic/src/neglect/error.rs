@@ -112,6 +112,8 @@ impl Arithmetic for Point {
             Symbol::Acceleration(i) => self.qdd[*i],
             Symbol::Force(i) => self.tau[*i],
             Symbol::VelocitySign(i) => self.qd[*i].signum(),
+            // The same in both models: how much it is does not matter to their difference.
+            Symbol::Stribeck(_) => 0.0,
         }
     }
 

@@ -12,6 +12,7 @@ use crate::robot::Symbol;
 /// proportions matter.
 mod cycles {
     pub(super) const SINE: u32 = 60;
+    pub(super) const EXPONENTIAL: u32 = 60;
     pub(super) const SIGN: u32 = 6;
     pub(super) const ADD: u32 = 3;
     pub(super) const MULTIPLY: u32 = 3;
@@ -128,6 +129,7 @@ impl Balance<'_> {
                 | Symbol::AngleSine(_)
                 | Symbol::AngleCosine(_) => cycles::SINE,
                 Symbol::VelocitySign(_) => cycles::SIGN,
+                Symbol::Stribeck(_) => cycles::EXPONENTIAL,
                 _ => 0,
             },
             Operand::Result(index) => {

@@ -15,6 +15,8 @@ pub struct Operations {
     pub divisions: u32,
     /// Evaluations of sine and cosine of one angle.
     pub sin_cos: u32,
+    /// Evaluations of the exponential function.
+    pub exponentials: u32,
 }
 
 impl Operations {
@@ -40,6 +42,9 @@ impl fmt::Display for Operations {
             1 => write!(f, ", sine and cosine of one angle")?,
             angles => write!(f, ", sines and cosines of {angles} angles")?,
         }
+        if self.exponentials > 0 {
+            write!(f, ", {}", several(self.exponentials, "exponential"))?;
+        }
         Ok(())
     }
 }
@@ -56,6 +61,9 @@ impl Program {
             }
         }
         operations.sin_cos = self.angles().len() as u32;
+        let exponentials = self.inputs.iter();
+        let exponentials = exponentials.filter(|input| matches!(input, Symbol::Stribeck(_)));
+        operations.exponentials = exponentials.count() as u32;
         operations
     }
 
@@ -130,6 +138,7 @@ mod tests {
             additions: 2,
             divisions: 1,
             sin_cos: 0,
+            exponentials: 0,
         };
         assert_eq!(operations, expected);
         assert_eq!(operations.total(), 4);
@@ -159,6 +168,16 @@ mod tests {
     }
 
     #[test]
+    fn exponentials_are_counted_by_joint() {
+        let inputs = vec![
+            Symbol::Stribeck(1),
+            Symbol::Velocity(1),
+            Symbol::Stribeck(0),
+        ];
+        assert_eq!(program(inputs, Vec::new()).operations().exponentials, 2);
+    }
+
+    #[test]
     fn counts_as_text() {
         let mut operations = Operations {
             multiplications: 3,
@@ -178,5 +197,7 @@ mod tests {
                 .to_string()
                 .ends_with(", sines and cosines of 2 angles")
         );
+        operations.exponentials = 1;
+        assert!(operations.to_string().ends_with(" angles, 1 exponential"));
     }
 }

@@ -22,6 +22,8 @@ pub struct JointPoint {
     pub tau: Number,
     /// Sign of the velocity (any number does: it is a symbol to the program).
     pub sign: Number,
+    /// exp(-(qd/v)^2) (any number does, as for the sign).
+    pub stribeck: Number,
 }
 
 /// A value for every symbol of a robot's equations.
@@ -51,6 +53,7 @@ impl Assignment {
             qdd: Number::random(&mut random),
             tau: Number::random(&mut random),
             sign: Number::random(&mut random),
+            stribeck: Number::random(&mut random),
         });
         let joints = joints.collect();
         Assignment {
@@ -136,6 +139,7 @@ impl Arithmetic for Assignment {
             Symbol::Acceleration(i) => self.joints[*i].qdd,
             Symbol::Force(i) => self.joints[*i].tau,
             Symbol::VelocitySign(i) => self.joints[*i].sign,
+            Symbol::Stribeck(i) => self.joints[*i].stribeck,
         })
     }
 

@@ -4,6 +4,7 @@
 //! other program.
 
 mod angle;
+mod friction;
 mod grouping;
 mod interpretation;
 mod parameter;
@@ -13,6 +14,7 @@ mod symbol;
 mod value;
 
 pub use angle::Angle;
+pub use friction::Stribeck;
 pub use grouping::{Coefficient, Grouping, LinkGrouping, Sense, Tie};
 pub use interpretation::Interpretation;
 pub use parameter::Parameter;
@@ -67,8 +69,10 @@ pub struct Row {
     pub gear_ratio: Value,
     /// Viscous friction at the joint, N m s (or N s/m).
     pub viscous: Value,
-    /// Coulomb friction at the joint, N m (or N).
-    pub coulomb: Value,
+    /// Coulomb friction at the joint, N m (or N): of positive velocities, and of negative ones.
+    pub coulomb: [Value; 2],
+    /// How static friction falls to Coulomb's, where it is greater.
+    pub stribeck: Option<Stribeck>,
     /// The spring at the joint, where there is one.
     pub spring: Option<Spring>,
     /// The range of the joint's position, lower end first, rad or m, where it is known.
@@ -84,6 +88,13 @@ impl Row {
     /// the table says that it is zero.
     pub fn has_motor(&self) -> bool {
         !self.gear_ratio.is_zero()
+    }
+
+    /// Whether the table says of any friction at the joint.
+    pub fn has_friction(&self) -> bool {
+        let of_stribeck = self.stribeck.iter().map(|stribeck| &stribeck.friction);
+        let forces = [&self.viscous].into_iter().chain(&self.coulomb);
+        forces.chain(of_stribeck).any(|force| !force.is_zero())
     }
 }
 

@@ -27,4 +27,7 @@ pub enum Symbol {
     Force(usize),
     /// The sign of a joint's velocity.
     VelocitySign(usize),
+    /// exp(-(qd/v)^2) of a joint's velocity and its [Stribeck velocity](super::Stribeck): what is left
+    /// of the static friction beyond Coulomb's.
+    Stribeck(usize),
 }

@@ -69,7 +69,7 @@ impl Arm {
     ) -> ::robot_dynamics::nalgebra::SVector<T, 3> {
         <Self as ::robot_dynamics::GravityVector<3>>::gravity_vector(self, q)
     }
-    /// Friction vector F(qd) = viscous qd + coulomb sign(qd), N m or N, with sign(0) = 0.
+    /// Friction vector F(qd) = viscous qd + sign(qd) (C + (S - C) exp(-(qd/v)^2)), N m or N, with sign(0) = 0: C is the Coulomb friction of the direction, S static friction that falls to it over the velocity v, where the table has one, else C.
     ///
     /// `qd`: joint velocities, m per s.
     ///

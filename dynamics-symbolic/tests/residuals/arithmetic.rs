@@ -107,7 +107,9 @@ impl Arithmetic for Bits<'_> {
             Symbol::Sine(i) => &joint(i).sine,
             Symbol::Cosine(i) => &joint(i).cosine,
             Symbol::Position(i) => &joint(i).position,
-            Symbol::Velocity(i) | Symbol::VelocitySign(i) => &joint(i).velocity,
+            Symbol::Velocity(i) | Symbol::VelocitySign(i) | Symbol::Stribeck(i) => {
+                &joint(i).velocity
+            }
             Symbol::Acceleration(i) => &joint(i).acceleration,
             Symbol::Force(i) => &joint(i).force,
         };

@@ -24,7 +24,8 @@ fn zero_row(name: &str, joint_type: JointType) -> Row {
         motor_inertia: Value::zero(),
         gear_ratio: Value::zero(),
         viscous: Value::zero(),
-        coulomb: Value::zero(),
+        coulomb: [(); 2].map(|()| Value::zero()),
+        stribeck: None,
         spring: None,
         limits: None,
         locked: None,
@@ -56,7 +57,7 @@ pub(crate) fn antiparallel() -> Robot {
             Row {
                 d: ratio(363, 1000),
                 theta: quarters(1),
-                coulomb: ratio(31074618642011385, 10_000_000_000_000_000),
+                coulomb: [(); 2].map(|()| ratio(31074618642011385, 10_000_000_000_000_000)),
                 inertia: tensor([(1, ratio(167, 1000)), (0, none()), (2, none())]),
                 alpha: quarters(1),
                 ..zero_row("j0", Revolute)

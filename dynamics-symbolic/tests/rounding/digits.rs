@@ -54,6 +54,8 @@ impl State {
             qd,
             qdd,
             tau,
+            // No arm in here has one.
+            stribeck: &[],
         }
     }
 }

@@ -212,7 +212,7 @@ fn line<R: Arm<N>, const N: usize>(name: &str, arm: &R, coriolis: Coriolis<N>) -
         let table = arm.table();
         let friction = SVector::<f64, N>::from_fn(|i, _| {
             let row = &table.rows[i];
-            row.viscous * qd[i] + row.coulomb * Scalar::sign(qd[i])
+            row.viscous * qd[i] + row.coulomb[0] * Scalar::sign(qd[i])
         });
         let tau: SVector<f64, N> = arm.inverse_dynamics(q, qd, qdd);
         let gravity: SVector<f64, N> = arm.gravity_vector(q);

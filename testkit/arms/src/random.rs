@@ -1,7 +1,9 @@
 //! Random tables: both conventions, mixed joints, symbolic cells anywhere.
 
 use dynamics_symbolic::exact::{Rational, SplitMix64};
-use dynamics_symbolic::robot::{Convention, JointType, Placement, Robot, Row, Spring, Tool, Value};
+use dynamics_symbolic::robot::{
+    Convention, JointType, Placement, Robot, Row, Spring, Stribeck, Tool, Value,
+};
 
 /// What the links are.
 #[derive(Clone, Copy, PartialEq)]
@@ -147,7 +149,11 @@ impl Tables {
             motor_inertia: self.cell(),
             gear_ratio: self.cell(),
             viscous: self.cell(),
-            coulomb: self.cell(),
+            coulomb: {
+                let coulomb = self.cell();
+                [coulomb.clone(), coulomb]
+            },
+            stribeck: None,
             spring: None,
             limits: None,
             locked: None,
@@ -211,8 +217,8 @@ impl Tables {
         }
     }
 
-    /// An arm with springs at some of its joints.
-    pub fn sprung_robot(&mut self) -> Robot {
+    /// An arm with springs at some of its joints, and friction of every kind.
+    pub fn robot_with_joint_forces(&mut self) -> Robot {
         let mut robot = self.robot();
         self.fields = robot.fields.len();
         for row in &mut robot.rows {
@@ -220,6 +226,17 @@ impl Tables {
                 row.spring = Some(Spring {
                     stiffness: self.positive(),
                     rest: self.cell(),
+                });
+            }
+            if self.below(3) > 0 {
+                row.coulomb = [(); 2].map(|()| self.positive());
+            }
+            if self.below(3) > 0 {
+                let [positive, negative] = row.coulomb.clone();
+                row.stribeck = Some(Stribeck {
+                    // No less than that of either direction, where fields are positive.
+                    friction: positive + negative + self.positive(),
+                    velocity: self.positive_number() + self.positive(),
                 });
             }
         }

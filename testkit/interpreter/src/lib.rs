@@ -10,7 +10,7 @@ pub use rounded::{AllDigits, Inputs, Rounded, is_refused};
 use dynamics_runtime::nalgebra::{SMatrix, SVector};
 use dynamics_runtime::{
     Convention, Evaluate, Evaluation, Frame, JointType, Model, Row, SingularMassMatrix, Spring,
-    State, Table, Tool, turned,
+    State, Stribeck, Table, Tool, turned,
 };
 use dynamics_symbolic::Function;
 use dynamics_symbolic::program::{Program, rounded_angle};
@@ -77,7 +77,11 @@ impl<'a, const N: usize> Interpreted<'a, N> {
             motor_inertia: self.cell(&row.motor_inertia),
             gear_ratio: self.cell(&row.gear_ratio),
             viscous: self.cell(&row.viscous),
-            coulomb: self.cell(&row.coulomb),
+            coulomb: row.coulomb.each_ref().map(|x| self.cell(x)),
+            stribeck: row.stribeck.as_ref().map(|stribeck| Stribeck {
+                friction: self.cell(&stribeck.friction),
+                velocity: self.cell(&stribeck.velocity),
+            }),
             spring: row.spring.as_ref().map_or(Spring::NONE, |spring| Spring {
                 stiffness: self.cell(&spring.stiffness),
                 rest: self.cell(&spring.rest),
@@ -150,12 +154,18 @@ impl Outputs {
 impl<const N: usize> Evaluate<N> for Interpreted<'_, N> {
     fn evaluate(&self, state: &State<N>, tau: &SVector<f64, N>) -> Evaluation<N> {
         let mut values = Evaluation::default();
+        let velocity = |row: &robot::Row| {
+            let stribeck = row.stribeck.as_ref();
+            stribeck.map_or(1.0, |stribeck| self.cell(&stribeck.velocity))
+        };
+        let stribeck: Vec<f64> = self.robot.joints().map(velocity).collect();
         let inputs = Inputs {
             fields: self.fields,
             q: state.q.as_slice(),
             qd: state.qd.as_slice(),
             qdd: state.qdd.as_slice(),
             tau: tau.as_slice(),
+            stribeck: &stribeck,
         };
         for (function, rounded) in &self.programs {
             let outputs: Vec<f64> = rounded.run(&inputs);

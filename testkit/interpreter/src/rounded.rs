@@ -26,6 +26,8 @@ pub struct Inputs<'a> {
     pub qdd: &'a [f64],
     /// Forces and torques.
     pub tau: &'a [f64],
+    /// Stribeck's velocities, of joints that have one.
+    pub stribeck: &'a [f64],
 }
 
 impl Inputs<'_> {
@@ -44,6 +46,10 @@ impl Inputs<'_> {
             Symbol::Acceleration(i) => number(self.qdd[*i]),
             Symbol::Force(i) => number(self.tau[*i]),
             Symbol::VelocitySign(i) => number(Scalar::sign(self.qd[*i])),
+            Symbol::Stribeck(i) => {
+                let x = number(self.qd[*i]) / number(self.stribeck[*i]);
+                (-(x * x)).exp()
+            }
         }
     }
 }

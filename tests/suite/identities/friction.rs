@@ -5,7 +5,8 @@ use robots::Arm;
 
 use super::samples::{assert_small, states};
 
-/// F = viscous qd + coulomb sign(qd), and nothing where the table has none.
+/// F = viscous qd + sign(qd) (C + (S - C) exp(-(qd/v)^2)) with C that of the direction, and nothing where
+/// the table has none.
 pub(super) fn friction_is_that_of_the_table<const N: usize, const P: usize, R: Arm<N, P>>(
     robot: &R,
 ) {
@@ -14,7 +15,12 @@ pub(super) fn friction_is_that_of_the_table<const N: usize, const P: usize, R: A
         let friction = robot.friction_vector(&state.qd);
         for (i, row) in table.rows.iter().enumerate() {
             let qd = state.qd[i];
-            let expected = row.viscous * qd + row.coulomb * qd.signum();
+            let coulomb = row.coulomb[usize::from(qd < 0.0)];
+            let beyond = row.stribeck.map_or(0.0, |stribeck| {
+                let left = (-(qd / stribeck.velocity).powi(2)).exp();
+                (stribeck.friction - coulomb) * left
+            });
+            let expected = row.viscous * qd + (coulomb + beyond) * qd.signum();
             assert_small(&Vector1::new(friction[i] - expected), expected.abs(), 1);
         }
     }

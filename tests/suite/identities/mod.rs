@@ -86,3 +86,4 @@ for_each_robot!(identities_of_all);
 identities_of_all! { tilting_cell: TiltingCell, 4, 6; }
 identities_of_all! { generic_mixed_n6_modified: GenericMixed6Modified, 6, 15; }
 identities_of_all! { sprung_arm: SprungArm, 3, 3; }
+identities_of_all! { sticky_arm: StickyArm, 2, 1; }

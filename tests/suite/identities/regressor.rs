@@ -92,7 +92,7 @@ fn with_other_links<const N: usize>(mut table: Table<N>, random: &mut Random) ->
             let reflected = random.between(0.1, 2.0);
             row.motor_inertia = reflected / (row.gear_ratio * row.gear_ratio);
         }
-        (row.viscous, row.coulomb) = (0.0, 0.0);
+        (row.viscous, row.coulomb, row.stribeck) = (0.0, [0.0; 2], None);
         row.spring = Spring::NONE;
     }
     table

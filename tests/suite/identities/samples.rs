@@ -2,7 +2,7 @@
 
 use num_dual::Dual64;
 use robot_dynamics::nalgebra::{Dim, Matrix, RawStorage, SVector};
-use robot_dynamics::{JointType, Row, Spring, State, Table};
+use robot_dynamics::{JointType, Row, Spring, State, Stribeck, Table};
 use robots::Arm;
 use testkit::random::Random;
 
@@ -47,7 +47,7 @@ pub(super) struct Magnitude {
     /// That of tau without friction and springs, for its derivative by an angle; a weight's lever arm
     /// changes by 1 with a displacement. And the largest stiffness.
     pub(super) force_by_position: f64,
-    /// 2 max |M| max |qd|, and the largest viscous friction.
+    /// 2 max |M| max |qd|, and the largest slope of friction.
     pub(super) force_by_velocity: f64,
     /// Distance of the last frame and the centres of mass from the base, m.
     pub(super) reach: f64,
@@ -73,7 +73,12 @@ impl Magnitude {
         let energies =
             springs().map(|(spring, q)| 0.5 * spring.stiffness * stretch(spring, q).powi(2));
         let stiffness = springs().map(|(spring, _)| spring.stiffness);
-        let viscous = table.rows.iter().map(|row| row.viscous);
+        // exp(-x^2) has a slope below 1.
+        let slope = |row: &Row| {
+            let falls = |stribeck: Stribeck| stribeck.friction / stribeck.velocity;
+            row.viscous + row.stribeck.map_or(0.0, falls)
+        };
+        let slopes = table.rows.iter().map(slope);
         let inertial = inertia * largest(&state.qdd) + coriolis;
         Magnitude {
             inertia,
@@ -84,7 +89,7 @@ impl Magnitude {
             energy_of_springs: energies.sum(),
             torque: inertial + gravity + spring + friction,
             force_by_position: inertial + weight * reach.max(1.0) + stiffness.fold(0.0, f64::max),
-            force_by_velocity: 2.0 * inertia * speed + viscous.fold(0.0, f64::max),
+            force_by_velocity: 2.0 * inertia * speed + slopes.fold(0.0, f64::max),
             reach,
         }
     }

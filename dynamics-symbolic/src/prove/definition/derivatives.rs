@@ -37,7 +37,7 @@ impl Definition {
 
     /// d tau/dq and d tau/dqd at accelerations qdd, by rows. Coulomb friction is constant.
     fn force_derivatives(&self, qdd: &[Number]) -> (Matrix, Matrix) {
-        let viscous: Vector = self.joints().map(|(_, row)| row.viscous).collect();
+        let friction = self.slopes_of_friction();
         let constant = |x: &[Number]| -> Vec<_> { x.iter().map(|&x| Dual::lift(x)).collect() };
         let still = |q: &Position<Number>| q.moving(Number::ZERO);
         let derivative = |motion: State<Dual<Number>>| -> Vector {
@@ -59,7 +59,7 @@ impl Definition {
                 qd,
                 qdd: constant(qdd),
             });
-            column[k] = column[k] + viscous[k];
+            column[k] = column[k] + friction[k];
             column
         };
         let n = self.dof();

@@ -77,14 +77,6 @@ impl Definition {
         (0..self.dof()).map(component).collect()
     }
 
-    /// F = viscous qd + coulomb sign(qd)
-    pub(super) fn friction_vector(&self) -> Vector {
-        let joints = self.joints().zip(&self.qd).zip(&self.signs);
-        joints
-            .map(|(((_, row), &qd), &sign)| row.viscous * qd + row.coulomb * sign)
-            .collect()
-    }
-
     /// K + F, what acts at the joints themselves.
     pub(super) fn joint_forces(&self) -> Vector {
         sum(&self.spring_vector(), &self.friction_vector())

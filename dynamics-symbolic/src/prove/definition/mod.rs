@@ -21,6 +21,7 @@ mod elimination;
 mod energy;
 mod equations;
 mod frames;
+mod friction;
 mod kinematics;
 mod placement;
 mod pose;
@@ -54,6 +55,7 @@ pub struct Definition {
     qdd: Vector,
     tau: Vector,
     signs: Vector,
+    stribeck: Vector,
     /// What is taken off the links' parameters.
     neglected: Vec<Parameters>,
     unfaithful: bool,
@@ -86,6 +88,7 @@ impl Definition {
             qdd: all(|joint| joint.qdd),
             tau: all(|joint| joint.tau),
             signs: all(|joint| joint.sign),
+            stribeck: all(|joint| joint.stribeck),
             neglected: Vec::new(),
             unfaithful: point.is_unfaithful(),
         };

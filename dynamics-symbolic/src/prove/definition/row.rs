@@ -2,6 +2,7 @@
 
 use super::super::assignment::{Assignment, Number};
 use super::body::Body;
+use super::friction::Friction;
 use crate::robot::{self, Interpretation, JointType};
 
 /// A row of the table in the field.
@@ -17,8 +18,7 @@ pub(super) struct Row {
     pub(super) has_motor: bool,
     /// r^2 J_m
     pub(super) reflected: Number,
-    pub(super) viscous: Number,
-    pub(super) coulomb: Number,
+    pub(super) friction: Friction,
     /// Stiffness and rest of the spring, where the joint has one.
     pub(super) spring: Option<(Number, Number)>,
     /// Where the joint is locked: sine, cosine and value of its position.
@@ -37,8 +37,7 @@ impl Row {
             body: Body::new(point, &row.mass, &row.com, &row.inertia),
             has_motor: row.has_motor(),
             reflected: ratio * ratio * point.value(&row.motor_inertia),
-            viscous: point.value(&row.viscous),
-            coulomb: point.value(&row.coulomb),
+            friction: Friction::new(point, row),
             spring: row
                 .spring
                 .as_ref()

@@ -1,0 +1,145 @@
+//! Dry friction of a joint, from its row.
+
+use crate::{Row, Scalar, Stribeck};
+
+/// What a joint feels beside viscous friction: Coulomb's, which may differ by direction, and static
+/// friction that falls to it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct DryFriction {
+    coulomb: [f64; 2],
+    stribeck: Option<Stribeck>,
+}
+
+impl DryFriction {
+    /// None.
+    #[cfg(feature = "std")]
+    pub(crate) const NONE: DryFriction = DryFriction {
+        coulomb: [0.0; 2],
+        stribeck: None,
+    };
+
+    /// That of a row.
+    pub(crate) fn of(row: &Row) -> Self {
+        DryFriction {
+            coulomb: row.coulomb,
+            stribeck: row.stribeck,
+        }
+    }
+
+    /// Whether there is none at any velocity.
+    #[cfg(feature = "std")]
+    pub(crate) fn is_none(&self) -> bool {
+        let beyond = self.stribeck.map_or(0.0, |stribeck| stribeck.friction);
+        self.coulomb == [0.0; 2] && beyond == 0.0
+    }
+
+    /// C + (S - C) exp(-(qd/v)^2) of a motion one way: C is that of positive velocities where `way` is
+    /// positive.
+    pub(crate) fn magnitude(&self, way: f64, qd: f64) -> f64 {
+        let [positive, negative] = self.coulomb;
+        let coulomb = if way < 0.0 { negative } else { positive };
+        match self.stribeck {
+            None => coulomb,
+            Some(Stribeck { friction, velocity }) => {
+                let x = qd / velocity;
+                coulomb + (friction - coulomb) * Scalar::exp(-(x * x))
+            }
+        }
+    }
+
+    /// What holds a joint at rest against a motion that way.
+    #[cfg(feature = "std")]
+    pub(crate) fn breakaway(&self, way: f64) -> f64 {
+        self.magnitude(way, 0.0)
+    }
+
+    /// The force at a velocity, with its sign; zero at rest.
+    pub(crate) fn force(&self, qd: f64) -> f64 {
+        let way = Scalar::sign(qd);
+        way * self.magnitude(way, qd)
+    }
+
+    /// The derivative of the force by the velocity, where the velocity does not change its sign.
+    pub(crate) fn slope(&self, qd: f64) -> f64 {
+        let way = Scalar::sign(qd);
+        self.stribeck.map_or(0.0, |stribeck| {
+            let rest = DryFriction {
+                stribeck: None,
+                ..*self
+            };
+            let beyond = self.magnitude(way, qd) - rest.magnitude(way, qd);
+            let v = stribeck.velocity;
+            -way * beyond * (2.0 * qd / v / v)
+        })
+    }
+
+    /// The greatest that it can be.
+    #[cfg(feature = "std")]
+    pub(crate) fn greatest(&self) -> f64 {
+        let beyond = self
+            .stribeck
+            .map_or(0.0, |stribeck| stribeck.friction.abs());
+        self.coulomb
+            .iter()
+            .fold(beyond, |most, c| most.max(c.abs()))
+    }
+
+    /// The greatest that its slope can be: exp(-x^2) has a slope of at most sqrt(2/e) < 0.86.
+    #[cfg(feature = "std")]
+    pub(crate) fn greatest_slope(&self) -> f64 {
+        self.stribeck.map_or(0.0, |stribeck| {
+            0.86 * self.greatest() / stribeck.velocity.abs()
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use approx::assert_relative_eq;
+
+    use super::DryFriction;
+    use crate::{JointType, Row, Stribeck};
+
+    fn joint() -> DryFriction {
+        DryFriction::of(&Row {
+            coulomb: [0.5, 0.4],
+            stribeck: Some(Stribeck {
+                friction: 0.8,
+                velocity: 0.1,
+            }),
+            ..Row::new(JointType::Revolute)
+        })
+    }
+
+    #[test]
+    fn static_friction_falls_to_that_of_the_direction() {
+        let joint = joint();
+        assert_eq!(joint.force(0.0), 0.0);
+        assert_eq!([1.0, -1.0].map(|way| joint.breakaway(way)), [0.8, 0.8]);
+        assert_eq!([50.0, -50.0].map(|qd| joint.force(qd)), [0.5, -0.4]);
+        let left = (-1.0_f64).exp();
+        assert_relative_eq!(joint.force(0.1), 0.5 + 0.3 * left, max_relative = 1e-15);
+        assert_relative_eq!(joint.force(-0.1), -0.4 - 0.4 * left, max_relative = 1e-15);
+    }
+
+    #[test]
+    fn the_slope_is_that_of_the_force() {
+        let (joint, h) = (joint(), 1e-6);
+        for qd in [-0.3, -0.1, -0.02, 0.01, 0.07, 0.2] {
+            let slope = (joint.force(qd + h) - joint.force(qd - h)) / (2.0 * h);
+            assert_relative_eq!(joint.slope(qd), slope, epsilon = 1e-8);
+            assert!(slope.abs() <= joint.greatest_slope());
+        }
+        assert_eq!(joint.slope(0.0), 0.0);
+    }
+
+    #[test]
+    fn none_is_none_both_ways() {
+        assert!(DryFriction::NONE.is_none() && !joint().is_none());
+        let one_way = DryFriction {
+            coulomb: [0.0, 0.1],
+            ..DryFriction::NONE
+        };
+        assert!(!one_way.is_none());
+    }
+}

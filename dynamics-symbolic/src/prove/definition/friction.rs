@@ -1,0 +1,111 @@
+//! Friction, from its definition.
+//!
+//!   F = viscous qd + sign(qd) (C + (S - C) exp(-(qd/v)^2)), C that of the direction
+//!
+//! The sign s and the exponential are symbols. (s^2 + s)/2 is 1 for positive velocities and 0 for others,
+//! (s^2 - s)/2 the same for negative ones.
+
+use super::super::assignment::{Assignment, Number};
+use super::super::dual::Dual;
+use super::pose::Lift;
+use super::{Definition, Vector};
+use crate::exact::Rational;
+use crate::robot::{self, Interpretation};
+
+/// The cells of a row that say of friction.
+pub(super) struct Friction {
+    viscous: Number,
+    positive: Number,
+    negative: Number,
+    stribeck: Option<Stribeck>,
+}
+
+struct Stribeck {
+    /// S
+    friction: Number,
+    /// 1/v^2
+    inverse_square: Number,
+}
+
+/// A velocity, and the symbols that are functions of it.
+struct Velocity<R> {
+    qd: R,
+    sign: Number,
+    exponential: R,
+}
+
+impl Friction {
+    pub(super) fn new(point: &mut Assignment, row: &robot::Row) -> Self {
+        let [positive, negative] = row.coulomb.each_ref().map(|cell| point.value(cell));
+        let one = Interpretation::rational(point, &Rational::ONE);
+        Friction {
+            viscous: point.value(&row.viscous),
+            positive,
+            negative,
+            stribeck: row.stribeck.as_ref().map(|stribeck| {
+                let v = point.value(&stribeck.velocity);
+                Stribeck {
+                    friction: point.value(&stribeck.friction),
+                    inverse_square: point.quotient(one, v * v),
+                }
+            }),
+        }
+    }
+
+    /// F
+    fn force<R: Lift>(&self, at: &Velocity<R>, half: Number) -> R {
+        let square = at.sign * at.sign;
+        let (forwards, backwards) = (half * (square + at.sign), half * (square - at.sign));
+        let forwards = self.magnitude(self.positive, at) * R::lift(forwards);
+        let backwards = self.magnitude(self.negative, at) * R::lift(backwards);
+        R::lift(self.viscous) * at.qd + forwards - backwards
+    }
+
+    /// C + (S - C) exp(-(qd/v)^2)
+    fn magnitude<R: Lift>(&self, coulomb: Number, at: &Velocity<R>) -> R {
+        let more = match &self.stribeck {
+            Some(stribeck) => R::lift(stribeck.friction - coulomb) * at.exponential,
+            None => R::lift(Number::ZERO),
+        };
+        R::lift(coulomb) + more
+    }
+
+    /// dF/dqd where the sign does not change: d/dqd exp(-(qd/v)^2) = -2 qd/v^2 exp(-(qd/v)^2).
+    fn slope(&self, at: &Velocity<Number>, half: Number) -> Number {
+        let inverse_square = self
+            .stribeck
+            .as_ref()
+            .map(|stribeck| stribeck.inverse_square);
+        let rate = at.qd * inverse_square.unwrap_or(Number::ZERO);
+        let moving = Velocity {
+            qd: Dual::new(at.qd, Number::ONE),
+            sign: at.sign,
+            exponential: Dual::new(at.exponential, -(rate + rate) * at.exponential),
+        };
+        self.force(&moving, half).derivative
+    }
+}
+
+impl Definition {
+    /// F
+    pub(super) fn friction_vector(&self) -> Vector {
+        self.of_friction(Friction::force)
+    }
+
+    /// The diagonal of dF/dqd.
+    pub(super) fn slopes_of_friction(&self) -> Vector {
+        self.of_friction(Friction::slope)
+    }
+
+    fn of_friction(&self, value: fn(&Friction, &Velocity<Number>, Number) -> Number) -> Vector {
+        let of_joint = |(k, (_, row)): (usize, (usize, &super::Row))| {
+            let at = Velocity {
+                qd: self.qd[k],
+                sign: self.signs[k],
+                exponential: self.stribeck[k],
+            };
+            value(&row.friction, &at, self.half)
+        };
+        self.joints().enumerate().map(of_joint).collect()
+    }
+}
