@@ -58,15 +58,15 @@ impl<const P: u64> Residue<P> {
         if self.is_zero() {
             return None;
         }
-        // Extended Euclid: t*self = r (mod P) in every step.
-        let (mut r0, mut r1) = (P as i128, self.0 as i128);
-        let (mut t0, mut t1) = (0_i128, 1_i128);
+        // Extended Euclid: t*self = r (mod P) in every step, with |t| <= P < 2^63.
+        let (mut r0, mut r1) = (P as i64, self.0 as i64);
+        let (mut t0, mut t1) = (0_i64, 1_i64);
         while r1 != 0 {
             let quotient = r0 / r1;
             (r0, r1) = (r1, r0 - quotient * r1);
             (t0, t1) = (t1, t0 - quotient * t1);
         }
-        Some(Residue(t0.rem_euclid(P as i128) as u64))
+        Some(Residue(t0.rem_euclid(P as i64) as u64))
     }
 }
 

@@ -1,6 +1,6 @@
 //! A node as one operation on two others that are there anyway.
 
-use super::survey::{Dependents, Survey, find};
+use super::survey::{Dependents, Survey};
 use super::{Judge, Network};
 use crate::expr::{NodeId, Operation};
 
@@ -66,7 +66,7 @@ fn single_operations(
             } else {
                 target - value
             };
-            if let Some((b, sign)) = find(survey.index(), rest)
+            if let Some((b, sign)) = survey.find(rest)
                 && is_available(b)
             {
                 found.push(Operation::Add(a.edge(negative), b.edge(sign)));
@@ -74,7 +74,7 @@ fn single_operations(
         }
         // n = a b, asked as: is there a node of the value n / a.
         if let Some(inverse) = network.inverse(a)
-            && let Some((b, _)) = find(survey.index(), target * inverse)
+            && let Some((b, _)) = survey.find(target * inverse)
             && is_available(b)
         {
             found.push(Operation::Mul(a, b));

@@ -13,7 +13,7 @@ pub(super) struct Survey {
     leaves: Vec<NodeId>,
     /// Where a node is in the order, from 1; leaves are at 0.
     positions: Vec<u32>,
-    index: FingerprintMap<NodeId>,
+    index: ByValue,
 }
 
 impl Survey {
@@ -26,11 +26,8 @@ impl Survey {
         for (position, id) in order.iter().enumerate() {
             positions[id.index()] = position as u32 + 1;
         }
-        let index = order
-            .iter()
-            .chain(&leaves)
-            .map(|&id| (network.value(id).get(), id))
-            .collect();
+        let nodes = order.iter().chain(&leaves);
+        let index = ByValue::new(nodes.map(|&id| (network.value(id), id)).collect());
         Survey {
             whole,
             order,
@@ -51,9 +48,10 @@ impl Survey {
         place.map_or(&[], |place| &self.whole[place + 1..])
     }
 
-    /// The nodes by value.
-    pub(super) fn index(&self) -> &FingerprintMap<NodeId> {
-        &self.index
+    /// The node of a value, with the sign that gives the value.
+    pub(super) fn find(&self, value: Fingerprint) -> Option<(NodeId, bool)> {
+        let (canonical, negative) = canonical(value);
+        self.index.find(canonical).map(|id| (id, negative))
     }
 
     /// Every active node that a definition may read.
@@ -136,8 +134,33 @@ pub(super) fn canonical(value: Fingerprint) -> (Fingerprint, bool) {
     }
 }
 
-/// The node of a value, with the sign that gives the value.
-pub(super) fn find(index: &FingerprintMap<NodeId>, value: Fingerprint) -> Option<(NodeId, bool)> {
-    let (canonical, negative) = canonical(value);
-    index.get(&canonical.get()).map(|&id| (id, negative))
+/// Nodes by value. Nine of ten values that are looked up belong to no node: most of them are told by
+/// their last bits.
+struct ByValue {
+    /// Whether some value has these last bits.
+    last_bits: Vec<bool>,
+    nodes: FingerprintMap<NodeId>,
+}
+
+impl ByValue {
+    fn new(nodes: Vec<(Fingerprint, NodeId)>) -> Self {
+        let mut last_bits = vec![false; (16 * nodes.len()).next_power_of_two()];
+        let mask = last_bits.len() - 1;
+        for (value, _) in &nodes {
+            last_bits[value.get() as usize & mask] = true;
+        }
+        let nodes = nodes.into_iter().map(|(value, id)| (value.get(), id));
+        ByValue {
+            last_bits,
+            nodes: nodes.collect(),
+        }
+    }
+
+    fn find(&self, value: Fingerprint) -> Option<NodeId> {
+        let value = value.get();
+        match self.last_bits[value as usize & (self.last_bits.len() - 1)] {
+            true => self.nodes.get(&value).copied(),
+            false => None,
+        }
+    }
 }
