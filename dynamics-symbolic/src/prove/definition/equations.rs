@@ -2,7 +2,9 @@
 
 use super::super::assignment::Number;
 use super::super::dual::Dual;
+use super::friction::{Friction, Velocity};
 use super::pose::{Lift, Position};
+use super::row::Row;
 use super::{Definition, Matrix, Vector};
 
 impl Definition {
@@ -129,4 +131,28 @@ fn product(matrix: &Matrix, x: &[Number]) -> Vector {
         terms.fold(Number::ZERO, |sum, (&m, &x)| sum + m * x)
     };
     matrix.iter().map(dot).collect()
+}
+
+impl Definition {
+    /// F
+    pub(super) fn friction_vector(&self) -> Vector {
+        self.of_friction(Friction::force)
+    }
+
+    /// The diagonal of dF/dqd.
+    pub(super) fn slopes_of_friction(&self) -> Vector {
+        self.of_friction(Friction::slope)
+    }
+
+    fn of_friction(&self, value: fn(&Friction, &Velocity<Number>, Number) -> Number) -> Vector {
+        let of_joint = |(k, (_, row)): (usize, (usize, &Row))| {
+            let at = Velocity {
+                qd: self.qd[k],
+                sign: self.signs[k],
+                exponential: self.stribeck[k],
+            };
+            value(&row.friction, &at, self.half)
+        };
+        self.joints().enumerate().map(of_joint).collect()
+    }
 }

@@ -8,7 +8,6 @@
 use super::super::assignment::{Assignment, Number};
 use super::super::dual::Dual;
 use super::pose::Lift;
-use super::{Definition, Vector};
 use crate::exact::Rational;
 use crate::robot::{self, Interpretation};
 
@@ -28,10 +27,10 @@ struct Stribeck {
 }
 
 /// A velocity, and the symbols that are functions of it.
-struct Velocity<R> {
-    qd: R,
-    sign: Number,
-    exponential: R,
+pub(super) struct Velocity<R> {
+    pub(super) qd: R,
+    pub(super) sign: Number,
+    pub(super) exponential: R,
 }
 
 impl Friction {
@@ -53,7 +52,7 @@ impl Friction {
     }
 
     /// F
-    fn force<R: Lift>(&self, at: &Velocity<R>, half: Number) -> R {
+    pub(super) fn force<R: Lift>(&self, at: &Velocity<R>, half: Number) -> R {
         let square = at.sign * at.sign;
         let (forwards, backwards) = (half * (square + at.sign), half * (square - at.sign));
         let forwards = self.magnitude(self.positive, at) * R::lift(forwards);
@@ -71,7 +70,7 @@ impl Friction {
     }
 
     /// dF/dqd where the sign does not change: d/dqd exp(-(qd/v)^2) = -2 qd/v^2 exp(-(qd/v)^2).
-    fn slope(&self, at: &Velocity<Number>, half: Number) -> Number {
+    pub(super) fn slope(&self, at: &Velocity<Number>, half: Number) -> Number {
         let inverse_square = self
             .stribeck
             .as_ref()
@@ -83,29 +82,5 @@ impl Friction {
             exponential: Dual::new(at.exponential, -(rate + rate) * at.exponential),
         };
         self.force(&moving, half).derivative
-    }
-}
-
-impl Definition {
-    /// F
-    pub(super) fn friction_vector(&self) -> Vector {
-        self.of_friction(Friction::force)
-    }
-
-    /// The diagonal of dF/dqd.
-    pub(super) fn slopes_of_friction(&self) -> Vector {
-        self.of_friction(Friction::slope)
-    }
-
-    fn of_friction(&self, value: fn(&Friction, &Velocity<Number>, Number) -> Number) -> Vector {
-        let of_joint = |(k, (_, row)): (usize, (usize, &super::Row))| {
-            let at = Velocity {
-                qd: self.qd[k],
-                sign: self.signs[k],
-                exponential: self.stribeck[k],
-            };
-            value(&row.friction, &at, self.half)
-        };
-        self.joints().enumerate().map(of_joint).collect()
     }
 }
