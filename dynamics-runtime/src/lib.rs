@@ -70,8 +70,8 @@ pub use evaluation::{AccelerationDerivatives, State};
 pub use evaluation::{Evaluate, Evaluation};
 pub use frame::{Frame, Tool};
 pub use model::{
-    CoriolisVector, Energy, ForwardDynamics, GravityVector, InverseDynamics, MassMatrix, Model,
-    Momenta,
+    CoriolisVector, Energy, ForwardDynamics, GravityVector, InverseDynamics, Kinematics,
+    MassMatrix, Model, Momenta,
 };
 pub use newton_euler::NewtonEuler;
 #[doc(hidden)]
@@ -81,8 +81,8 @@ pub use placement::Placement;
 pub use scalar::Scalar;
 #[cfg(feature = "std")]
 pub use simulation::{
-    Cause, Dop853, DormandPrince, Friction, InvalidSetting, Method, NoTorque, Radau5, Simulation,
-    SimulationError, Taylor, TaylorSimulation, Trajectory, Work,
+    Cause, Dop853, DormandPrince, Friction, InvalidSetting, Method, NoToolForce, NoTorque, Radau5,
+    Simulation, SimulationError, Taylor, TaylorSimulation, ToolForce, Trajectory, Work,
 };
 #[doc(hidden)]
 pub use sines::{Evaluated, JointSines};

@@ -1,6 +1,6 @@
 //! What a generated robot is to generic code.
 
-use nalgebra::{SMatrix, SVector};
+use nalgebra::{Matrix4, SMatrix, SVector};
 
 use crate::{JointSines, Scalar, SingularMassMatrix, Table};
 
@@ -153,6 +153,20 @@ pub trait Energy<const N: usize> {
 
     /// Potential energy U = -sum m g.c, zero where all centres of mass are at the base's origin, J.
     fn potential_energy<T: Scalar>(&self, q: &SVector<T, N>) -> T;
+}
+
+/// An arm whose tip can be followed: what a force at the tool is handed to the joints by.
+#[diagnostic::on_unimplemented(
+    message = "the tip of `{Self}` is not known: `forward_kinematics` and `jacobian` were not asked for",
+    note = "ask for them: `functions: [default, forward_kinematics, jacobian]`"
+)]
+pub trait Kinematics<const N: usize> {
+    /// The tip's homogeneous transform, m.
+    fn forward_kinematics<T: Scalar>(&self, q: &SVector<T, N>) -> Matrix4<T>;
+
+    /// Geometric Jacobian of the tip's origin, rows vx vy vz wx wy wz, in the axes of
+    /// [`forward_kinematics`](Kinematics::forward_kinematics).
+    fn jacobian<T: Scalar>(&self, q: &SVector<T, N>) -> SMatrix<T, 6, N>;
 }
 
 /// An arm in positions q and momenta p = M(q) qd, as Hamilton has it: what the structure-preserving

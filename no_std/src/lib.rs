@@ -31,7 +31,7 @@ macro_rules! arm_with {
                 shoulder: revolute { a: 0.4, mass: 5, com: [-0.2, 0, 0.02], inertia: rod(0.4) },
                 elbow: revolute { a: 0.3, mass: 2 + payload, com: [-0.1, 0, 0], inertia: rod(0.3) },
             ],
-            functions: [$($name),*],
+            functions: [$($name,)* control_terms = (mass_matrix, coriolis_vector, gravity_vector)],
         }
     };
 }
@@ -45,6 +45,12 @@ pub fn feed_forward(start: [f64; 3], end: [f64; 3], duration: f64, t: f64) -> Op
     let state = motion.at(t);
     let [q, qd, qdd] = [state.q, state.qd, state.qdd].map(|x| x.cast::<f32>());
     Some(Arm { payload: 0.5 }.inverse_dynamics(&q, &qd, &qdd))
+}
+
+/// Computed torque on such a controller, all terms by one call: tau = M qdd + V + G.
+pub fn computed_torque(q: &Vector3<f32>, qd: &Vector3<f32>, qdd: &Vector3<f32>) -> Vector3<f32> {
+    let (m, v, g) = Arm { payload: 0.5 }.control_terms(q, qd);
+    m * qdd + v + g
 }
 
 /// Everything at one q, the sines evaluated once.
@@ -113,6 +119,14 @@ mod tests {
     fn generated_and_numeric_dynamics_agree() {
         let tau: Vector3<f64> = Arm { payload: 0.5 }.inverse_dynamics(&Q, &QD, &QDD);
         assert!((tau - numeric(&Q, &QD, &QDD)).amax() < 1e-12 * tau.amax());
+    }
+
+    #[test]
+    fn terms_of_one_call_are_the_torque_but_for_friction() {
+        let [q, qd, qdd] = [Q, QD, QDD].map(|x| x.cast::<f32>());
+        let arm = Arm { payload: 0.5 };
+        let tau = arm.inverse_dynamics(&q, &qd, &qdd) - arm.friction_vector(&qd);
+        assert!((computed_torque(&q, &qd, &qdd) - tau).amax() < 1e-5 * tau.amax());
     }
 
     #[test]

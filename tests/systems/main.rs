@@ -5,6 +5,7 @@ mod check;
 mod configuration;
 mod contract;
 mod degenerate;
+mod fused;
 mod identification;
 mod integration;
 mod masses;
@@ -12,6 +13,7 @@ mod names;
 mod one_link;
 mod solids;
 mod taylor;
+mod tool_force;
 mod two_link_point_masses;
 mod two_link_rods;
 

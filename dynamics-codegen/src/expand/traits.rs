@@ -23,9 +23,11 @@ pub(super) fn traits(
     let evaluate = evaluate(target, evaluation);
     let energy =
         (has(Function::KineticEnergy) && has(Function::PotentialEnergy)).then(|| energy(target));
+    let kinematics =
+        (has(Function::ForwardKinematics) && has(Function::Jacobian)).then(|| kinematics(target));
     let articulated = (has(Function::ForwardDynamicsAba) && !has(Function::ForwardDynamics))
         .then(|| articulated_dynamics(target));
-    quote!(#model #evaluate #energy #articulated)
+    quote!(#model #evaluate #energy #kinematics #articulated)
 }
 
 /// The traits of single functions, whose methods hold the programs.
@@ -160,6 +162,31 @@ fn articulated_dynamics(target: &Target) -> TokenStream {
                 tau: &#vector,
             ) -> ::core::result::Result<#vector, #path::SingularMassMatrix> {
                 Self::forward_dynamics_aba(self, q, qd, tau)
+            }
+        }
+    }
+}
+
+fn kinematics(target: &Target) -> TokenStream {
+    let path = target.path;
+    let (header, n) = header(target, quote!(Kinematics));
+    let nalgebra = quote!(#path::nalgebra);
+    quote! {
+        #header {
+            #[inline]
+            fn forward_kinematics<T: #path::Scalar>(
+                &self,
+                q: &#nalgebra::SVector<T, #n>,
+            ) -> #nalgebra::Matrix4<T> {
+                Self::forward_kinematics(self, q)
+            }
+
+            #[inline]
+            fn jacobian<T: #path::Scalar>(
+                &self,
+                q: &#nalgebra::SVector<T, #n>,
+            ) -> #nalgebra::SMatrix<T, 6, #n> {
+                Self::jacobian(self, q)
             }
         }
     }

@@ -36,6 +36,11 @@ pub enum Cause {
         /// The joint, counted from 0.
         joint: usize,
     },
+    /// The law of the force at the tool returned one that is not finite.
+    NonFiniteToolForce {
+        /// The component of (fx fy fz nx ny nz), counted from 0.
+        component: usize,
+    },
     /// An acceleration is not finite.
     NonFiniteAcceleration {
         /// The joint, counted from 0.
@@ -139,6 +144,14 @@ impl fmt::Display for Cause {
             Cause::SingularMassMatrix(error) => error.fmt(f),
             Cause::NonFiniteTorque { joint } => {
                 write!(f, "the torque of joint {} is not finite", joint + 1)
+            }
+            Cause::NonFiniteToolForce { component } => {
+                let names = ["fx", "fy", "fz", "nx", "ny", "nz"];
+                write!(
+                    f,
+                    "{} of the force at the tool is not finite",
+                    names[*component % 6]
+                )
             }
             Cause::NonFiniteAcceleration { joint } => {
                 write!(f, "the acceleration of joint {} is not finite", joint + 1)

@@ -11,24 +11,27 @@ mod recorder;
 mod settings;
 mod sticking;
 mod taylor;
+mod tool_force;
 mod torque;
 mod trajectory;
 
-use nalgebra::SVector;
+use nalgebra::{Matrix4, SVector, Vector6};
 
 use crate::friction::DryFriction;
 use crate::integrate::Phase;
-use crate::{ForwardDynamics, Model};
+use crate::{ForwardDynamics, Kinematics, Model};
 use friction::Law;
 use motion::Motion;
 use plan::Plan;
 use recorder::Recorder;
+use torque::Laws;
 
 pub use error::{Cause, InvalidSetting, SimulationError};
 pub use friction::Friction;
 pub use method::Method;
 pub use settings::{Dop853, DormandPrince, Radau5};
 pub use taylor::{Taylor, TaylorSimulation};
+pub use tool_force::{NoToolForce, ToolForce};
 pub use torque::NoTorque;
 pub use trajectory::{Trajectory, Work};
 
@@ -66,9 +69,10 @@ pub use trajectory::{Trajectory, Work};
 /// ```
 #[derive(Clone, Debug)]
 #[must_use]
-pub struct Simulation<'a, R, L, const N: usize> {
+pub struct Simulation<'a, R, L, const N: usize, W = NoToolForce> {
     robot: &'a R,
     torque: L,
+    tool_force: W,
     method: Method,
     friction: Law<N>,
     plan: Plan<N>,
@@ -83,6 +87,7 @@ where
         Simulation {
             robot,
             torque: |_, _, _| SVector::zeros(),
+            tool_force: NoToolForce,
             method: Method::default(),
             friction: Law::sign(),
             plan: Plan::new(),
@@ -90,14 +95,15 @@ where
     }
 }
 
-impl<'a, R, L, const N: usize> Simulation<'a, R, L, N> {
+impl<'a, R, L, W, const N: usize> Simulation<'a, R, L, N, W> {
     /// The joint torques as a function of t in s, q in rad or m, and qd; in N m or N.
-    pub fn torque<F>(self, law: F) -> Simulation<'a, R, F, N>
+    pub fn torque<F>(self, law: F) -> Simulation<'a, R, F, N, W>
     where
         F: Fn(f64, &SVector<f64, N>, &SVector<f64, N>) -> SVector<f64, N>,
     {
         let Simulation {
             robot,
+            tool_force,
             method,
             friction,
             plan,
@@ -106,6 +112,77 @@ impl<'a, R, L, const N: usize> Simulation<'a, R, L, N> {
         Simulation {
             robot,
             torque: law,
+            tool_force,
+            method,
+            friction,
+            plan,
+        }
+    }
+
+    /// What the surroundings do to the tool: a wrench (fx fy fz nx ny nz) in N and N m as a function of t
+    /// in s, the tip's pose, and its twist (vx vy vz wx wy wz). Forces act at the tip's origin, the
+    /// point of `forward_kinematics`; axes are those of `jacobian`. J^T w is added to the torques of the
+    /// motors, by any method of integration; joints that stick feel it.
+    ///
+    /// ```
+    /// use dynamics_runtime::nalgebra::{SVector, Vector6};
+    /// use dynamics_runtime::{Simulation, robot_dynamics};
+    ///
+    /// robot_dynamics! {
+    ///     /// A cart of 2 kg on a rail along z.
+    ///     struct Cart;
+    ///     convention: modified,
+    ///     gravity: [0, -9.81, 0],
+    ///     joints: [rail: prismatic { mass: 2 }],
+    ///     functions: [default, forward_kinematics, jacobian],
+    /// }
+    ///
+    /// // From 1 m on a wall pushes back, 800 N for each metre.
+    /// let motion = Simulation::new(&Cart)
+    ///     .initial(SVector::zeros(), SVector::repeat(1.0))
+    ///     .tool_force(|_t, pose, _twist| {
+    ///         let depth = f64::max(pose[(2, 3)] - 1.0, 0.0);
+    ///         Vector6::new(0.0, 0.0, -800.0 * depth, 0.0, 0.0, 0.0)
+    ///     })
+    ///     .duration(2.0)
+    ///     .samples(3)
+    ///     .run()?;
+    /// assert!((motion.qd[2][0] + 1.0).abs() < 1e-6);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// An arm whose functions lack one of the two is refused:
+    ///
+    /// ```compile_fail,E0277
+    /// # use dynamics_runtime::nalgebra::Vector6;
+    /// # use dynamics_runtime::{Simulation, robot_dynamics};
+    /// robot_dynamics! {
+    ///     struct Cart;
+    ///     convention: modified,
+    ///     gravity: [0, -9.81, 0],
+    ///     joints: [rail: prismatic { mass: 2 }],
+    ///     functions: [default, jacobian],
+    /// }
+    ///
+    /// Simulation::new(&Cart).tool_force(|_, _, _| Vector6::zeros()).run();
+    /// ```
+    pub fn tool_force<F>(self, law: F) -> Simulation<'a, R, L, N, F>
+    where
+        R: Kinematics<N>,
+        F: Fn(f64, &Matrix4<f64>, &Vector6<f64>) -> Vector6<f64>,
+    {
+        let Simulation {
+            robot,
+            torque,
+            method,
+            friction,
+            plan,
+            ..
+        } = self;
+        Simulation {
+            robot,
+            torque,
+            tool_force: law,
             method,
             friction,
             plan,
@@ -150,27 +227,37 @@ impl<'a, R, L, const N: usize> Simulation<'a, R, L, N> {
     }
 }
 
-impl<R, L, const N: usize> Simulation<'_, R, L, N>
+impl<R, L, W, const N: usize> Simulation<'_, R, L, N, W>
 where
     R: ForwardDynamics<N>,
     L: Fn(f64, &SVector<f64, N>, &SVector<f64, N>) -> SVector<f64, N>,
+    W: ToolForce<R, N>,
 {
     /// Runs the simulation. It allocates the samples at the start and nothing later.
     ///
     /// # Errors
     ///
     /// [`SimulationError`], with the time and the state reached and all samples up to there, where
-    /// a setting is invalid, where the motion reaches a singular mass matrix or a torque, an
+    /// a setting is invalid, where the motion reaches a singular mass matrix or a torque, a force, an
     /// acceleration or a state that is not finite, and where the error cannot be held
-    /// ([`Cause`]). Never panics, unless the torque law does.
+    /// ([`Cause`]). Never panics, unless a law does.
     pub fn run(&self) -> Result<Trajectory<N>, Box<SimulationError<N>>> {
         let mut recorder = Recorder::new(self.plan.initial);
-        let motion = Motion::new(self.robot, &self.torque, self.friction);
+        let laws = Laws {
+            robot: self.robot,
+            torque: &self.torque,
+            tool_force: &self.tool_force,
+        };
+        let motion = Motion::new(self.robot, &laws, self.friction);
         let end = self.record(&motion, &mut recorder);
         recorder.finished(end, motion.evaluations())
     }
 
-    fn record(&self, motion: &Motion<R, L, N>, recorder: &mut Recorder<N>) -> Result<(), Cause> {
+    fn record(
+        &self,
+        motion: &Motion<R, Laws<R, L, W>, N>,
+        recorder: &mut Recorder<N>,
+    ) -> Result<(), Cause> {
         self.plan.validate()?;
         self.friction.validate()?;
         self.method.validate(self.plan.duration)?;

@@ -79,9 +79,9 @@ impl<'a, R, L, const N: usize> Motion<'a, R, L, N> {
 }
 
 impl<R, L: TorqueLaw<N>, const N: usize> Motion<'_, R, L, N> {
-    /// What the torque law says.
-    pub(super) fn law(&self, t: f64, phase: &Phase<N>) -> SVector<f64, N> {
-        (self.torque)(t, &phase.q, &phase.qd)
+    /// What the laws say.
+    pub(super) fn law(&self, t: f64, phase: &Phase<N>) -> Result<SVector<f64, N>, Cause> {
+        self.torque.torque(t, phase)
     }
 
     /// The torques at a time in a phase, where both are finite. In place of the friction that the
@@ -90,10 +90,7 @@ impl<R, L: TorqueLaw<N>, const N: usize> Motion<'_, R, L, N> {
         if let Some(joint) = phase.first_non_finite() {
             return Err(Cause::NonFiniteState { joint });
         }
-        let tau = self.law(t, phase);
-        if let Some(joint) = first_non_finite(&tau) {
-            return Err(Cause::NonFiniteTorque { joint });
-        }
+        let tau = self.law(t, phase)?;
         match self.friction.kind {
             Friction::Sign => Ok(tau),
             _ => Ok(tau + self.instead_of_sign(&phase.qd)),

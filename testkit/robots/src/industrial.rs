@@ -1,6 +1,6 @@
 //! Arms that are, or were, built: parameters as published.
 
-every_function! {
+every_function_and_tuples! {
     /// SCARA: kinematics of the Adept Cobra 600, masses and inertias of our own.
     pub struct Scara;
 
@@ -74,7 +74,7 @@ every_function! {
     ],
 }
 
-every_function! {
+every_function_and_tuples! {
     /// PUMA 560 (Corke and Armstrong-Helouvry 1994). Links 1 and 3 have the published
     /// tensors, which no body can have.
     pub struct Puma560;
@@ -174,7 +174,7 @@ every_function! {
     ],
 }
 
-every_function! {
+every_function_and_tuples! {
     /// Franka Panda (Gaz et al. 2019), frame 7 at the flange.
     pub struct Panda;
 

@@ -50,7 +50,7 @@ every_function! {
     ],
 }
 
-every_function! {
+every_function_and_tuples! {
     /// Two slender rods, angles from the horizontal (Saha).
     pub struct TwoLinkSaha;
 

@@ -1,0 +1,62 @@
+//! A force at the tool: what the surroundings do to the arm.
+
+use nalgebra::{Matrix4, SVector, Vector6};
+
+use super::error::Cause;
+use crate::Kinematics;
+
+/// What a [`Simulation`](crate::Simulation) knows of the force at the tool: nothing, or a law for arms
+/// whose [`Kinematics`] are generated.
+pub trait ToolForce<R, const N: usize> {
+    /// The joint torques `tau` with those of the force: tau + J^T w.
+    #[doc(hidden)]
+    fn added_to(
+        &self,
+        tau: SVector<f64, N>,
+        robot: &R,
+        t: f64,
+        q: &SVector<f64, N>,
+        qd: &SVector<f64, N>,
+    ) -> Result<SVector<f64, N>, Cause>;
+}
+
+/// No force at the tool.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct NoToolForce;
+
+impl<R, const N: usize> ToolForce<R, N> for NoToolForce {
+    #[inline]
+    fn added_to(
+        &self,
+        tau: SVector<f64, N>,
+        _robot: &R,
+        _t: f64,
+        _q: &SVector<f64, N>,
+        _qd: &SVector<f64, N>,
+    ) -> Result<SVector<f64, N>, Cause> {
+        Ok(tau)
+    }
+}
+
+impl<R, F, const N: usize> ToolForce<R, N> for F
+where
+    R: Kinematics<N>,
+    F: Fn(f64, &Matrix4<f64>, &Vector6<f64>) -> Vector6<f64>,
+{
+    fn added_to(
+        &self,
+        tau: SVector<f64, N>,
+        robot: &R,
+        t: f64,
+        q: &SVector<f64, N>,
+        qd: &SVector<f64, N>,
+    ) -> Result<SVector<f64, N>, Cause> {
+        let pose = robot.forward_kinematics(q);
+        let jacobian = robot.jacobian(q);
+        let wrench = self(t, &pose, &(jacobian * qd));
+        match wrench.iter().position(|x| !x.is_finite()) {
+            Some(component) => Err(Cause::NonFiniteToolForce { component }),
+            None => Ok(tau + jacobian.tr_mul(&wrench)),
+        }
+    }
+}
