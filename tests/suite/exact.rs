@@ -6,6 +6,7 @@ use robot_dynamics::{CoriolisVector, GravityVector, MassMatrix, Model};
 use robot_dynamics::{DoubleDouble, ForwardDynamics, InverseDynamics};
 use robots::*;
 use testkit::exact::Exact;
+use testkit::random::Random;
 use testkit::references::{Decimal, ReferenceFile, ReferenceState, read};
 
 /// Relative to the natural magnitude: half a unit in the 25th digit of a number that begins with 1,
@@ -138,4 +139,42 @@ fn programs_in_31_digits_have_the_values_of_the_references() {
     check("stanford", |at| of_program::<6, _>(&stanford, at));
     let chain = GenericChain3Fields::of_table();
     check("generic_chain_n3", |at| of_program::<3, _>(&chain, at));
+}
+
+/// tau and qdd in doubles beside the table in 31 digits, relative to what is added up: friction in both
+/// directions and at speeds at which it falls, springs on both sides of where they are slack.
+fn joint_forces<const N: usize>(robot: &(impl Model<N> + InverseDynamics<N> + ForwardDynamics<N>)) {
+    let table = robot.table();
+    let exact = Exact(&table);
+    let mut random = Random::seeded(11);
+    let mut worst = 0.0_f64;
+    for _ in 0..200 {
+        let q: SVector<f64, N> = random.vector(3.0);
+        let qd: SVector<f64, N> = random.vector(2.0);
+        let qdd: SVector<f64, N> = random.vector(10.0);
+        let [x, xd, xdd] = [q, qd, qdd].map(|x| x.map(DoubleDouble::from));
+        let tau = exact.inverse_dynamics(&x, &xd, &xdd);
+        let m = exact.mass_matrix(&x);
+        let size = largest(&m) * qdd.amax()
+            + largest(&exact.coriolis_vector(&x, &xd))
+            + largest(&exact.gravity_vector(&x))
+            + largest(&exact.springs(&x))
+            + largest(&tau);
+        let error = robot
+            .inverse_dynamics(&q, &qd, &qdd)
+            .map(DoubleDouble::from)
+            - tau;
+        let given = tau.map(DoubleDouble::high);
+        let found = robot.forward_dynamics(&q, &qd, &given).expect("regular");
+        let missing = m * (found.map(DoubleDouble::from) - xdd);
+        worst = worst.max(largest(&error).max(largest(&missing)) / size);
+    }
+    println!("{worst:.1e} of the natural magnitude");
+    assert!(worst <= 1e-15 * N as f64, "{worst:e}");
+}
+
+#[test]
+fn springs_and_friction_have_the_digits_of_the_table() {
+    joint_forces(&SprungArm);
+    joint_forces(&StickyArm);
 }

@@ -21,7 +21,7 @@ use crate::Scalar;
 /// Relative errors, with u = 2^-53: sums and differences below 3 u^2, products 5 u^2, quotients
 /// 10 u^2, roots 4 u^2 (u^2 = 1.2e-32; Joldes, Muller and Popescu 2017; Lefevre, Louvet,
 /// Muller, Picot and Rideau 2023). Sines and cosines are within 1e-31 up to angles of
-/// 7e15 rad, and NaN beyond. The range is that of `f64`, but products below 1e-291 lose digits of
+/// 7e15 rad, and NaN beyond; exponentials within 5e-31. The range is that of `f64`, but products below 1e-291 lose digits of
 /// their second half.
 ///
 /// ```

@@ -3,7 +3,7 @@
 
 use dynamics_runtime::nalgebra::{SVector, Vector1};
 use dynamics_runtime::{
-    Check, Dop853, Evaluate, Evaluation, ForwardDynamics, Friction, Method, Model, Radau5,
+    Batch, Check, Dop853, Evaluate, Evaluation, ForwardDynamics, Friction, Method, Model, Radau5,
     Simulation, Spring, State, Stribeck, Table, Trajectory, check_against_rnea, robot_dynamics,
 };
 
@@ -127,6 +127,22 @@ fn every_function_agrees_with_newton_euler() {
         report.assert_ok();
         // The special ones, a hundred random ones, and those at which friction falls.
         assert_eq!(report.states, 136);
+    }
+}
+
+/// In the lanes of vectors the exponential is that of single calls.
+#[test]
+fn batches_are_single_calls() {
+    let states = 0..37;
+    let velocity = |i: i32| Vector1::new(0.01 * f64::from(i - 18));
+    let still = vec![Vector1::zeros(); 37];
+    let qd: Vec<_> = states.map(velocity).collect();
+    let mut tau = still.clone();
+    let batch = BLOCK.inverse_dynamics_batch(&still, &qd, &still, &mut tau);
+    batch.unwrap();
+    for (qd, tau) in qd.iter().zip(&tau) {
+        let single = BLOCK.friction_vector(qd)[0];
+        assert!((tau[0] - single).abs() <= 2e-15, "{qd}: {tau} and {single}");
     }
 }
 
