@@ -7,7 +7,9 @@ use dynamics_symbolic::Function;
 use dynamics_symbolic::derive::derive;
 use dynamics_symbolic::exact::{Rational, SplitMix64};
 use dynamics_symbolic::program::Arithmetic;
-use dynamics_symbolic::robot::{JointType, Robot, Spring, Stribeck, Symbol, Value};
+use dynamics_symbolic::robot::{
+    JointType, Placement, Robot, Spring, Stribeck, Symbol, Tool, Value,
+};
 
 /// Powers of length and mass.
 type Unit = (i32, i32);
@@ -25,8 +27,7 @@ struct Arm {
 }
 
 impl Arm {
-    fn new(name: &str) -> Self {
-        let mut robot = arms::robot(name);
+    fn new(mut robot: Robot) -> Self {
         let mut fields = Vec::new();
         let mut field = |cell: &mut Value, unit: Unit| {
             if !cell.is_zero() {
@@ -72,6 +73,18 @@ impl Arm {
             if let Some(stribeck) = &mut row.stribeck {
                 field(&mut stribeck.velocity, motion);
             }
+        }
+        let placed = |placement: &mut Placement, field: &mut dyn FnMut(&mut Value, Unit)| {
+            placement.xyz.iter_mut().for_each(|x| field(x, LENGTH));
+        };
+        if let Some(base) = &mut robot.base {
+            placed(base, &mut field);
+        }
+        if let Some(tool) = &mut robot.tool {
+            placed(&mut tool.placement, &mut field);
+            field(&mut tool.mass, MASS);
+            tool.com.iter_mut().for_each(|c| field(c, LENGTH));
+            tool.inertia.iter_mut().for_each(|j| field(j, INERTIA));
         }
         robot.fields = (0..fields.len()).map(|i| format!("p{i}")).collect();
         Arm { robot, fields }
@@ -177,11 +190,31 @@ const FUNCTIONS: [Function; 8] = [
 const SCALES: [(i32, i32); 5] = [(-10, -20), (30, 40), (-60, -60), (100, 100), (7, 17)];
 
 /// Arms of up to four joints, and the PUMA 560.
+/// The arm on a base that is placed in the world, with a tool.
+fn mounted(mut robot: Robot) -> Robot {
+    let placement = |xyz: [f64; 3], rpy: [f64; 3]| Placement {
+        xyz: xyz.map(arms::decimal),
+        rpy: rpy.map(arms::decimal),
+    };
+    robot.base = Some(placement([0.3, -0.4, 0.9], [0.2, -0.7, 1.3]));
+    robot.tool = Some(Tool {
+        placement: placement([0.1, 0.02, 0.15], [0.9, 0.0, -0.3]),
+        mass: arms::decimal(1.7),
+        com: [0.01, -0.03, 0.07].map(arms::decimal),
+        inertia: [0.02, 0.03, 0.025, 0.001, -0.002, 0.003].map(arms::decimal),
+    });
+    robot
+}
+
 #[test]
 fn units_that_are_powers_of_two_change_no_digit() {
-    for name in arms::NAMES {
-        let arm = Arm::new(name);
-        if arm.robot.rows.len() > 4 && name != "puma560" {
+    let plain = arms::NAMES.map(arms::robot);
+    let placed = ["scara", "stanford"].map(|name| mounted(arms::robot(name)));
+    for robot in plain.into_iter().chain(placed) {
+        let arm = Arm::new(robot);
+        let name = &arm.robot.name;
+        let is_mounted = arm.robot.base.is_some();
+        if arm.robot.rows.len() > 4 && name != "puma560" && !is_mounted {
             continue;
         }
         for function in FUNCTIONS {

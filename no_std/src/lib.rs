@@ -18,19 +18,21 @@ mod functions;
 macro_rules! arm_with {
     ({} $($name:ident $arguments:tt)*) => {
         robot_dynamics! {
-            /// An elbow arm with motors and friction, and a parameter.
+            /// An elbow arm with motors and friction on a slope, and a payload.
             pub struct Arm { payload: f64 }
 
             convention: standard,
             gravity: [0, 0, -9.81],
+            base: { xyz: [0, 0, 0.8], rpy: [0, 0.1, 0] },
             joints: [
                 waist: revolute {
                     d: 0.5, alpha: PI/2, mass: 9, com: [0, -0.1, 0], inertia: cylinder(0.1, 0.5),
                     motor: { inertia: 1e-4, gear_ratio: 50 }, friction: { viscous: 0.3, coulomb: 1.5 },
                 },
                 shoulder: revolute { a: 0.4, mass: 5, com: [-0.2, 0, 0.02], inertia: rod(0.4) },
-                elbow: revolute { a: 0.3, mass: 2 + payload, com: [-0.1, 0, 0], inertia: rod(0.3) },
+                elbow: revolute { a: 0.3, mass: 2, com: [-0.1, 0, 0], inertia: rod(0.3) },
             ],
+            tool: { xyz: [0.1, 0, 0.05], mass: payload, inertia: sphere(0.03) },
             functions: [$($name,)* control_terms = (mass_matrix, coriolis_vector, gravity_vector)],
         }
     };

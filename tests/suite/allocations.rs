@@ -77,6 +77,7 @@ allocations! {
     cylindrical_rpp: CylindricalRpp, 3;
     spherical_wrist: SphericalWrist, 3;
     scara: Scara, 4;
+    tilting_cell: TiltingCell, 4;
     puma560: Puma560, 6;
     panda: Panda, 7;
 }

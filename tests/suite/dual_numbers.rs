@@ -90,6 +90,7 @@ macro_rules! on {
 on! {
     two_link_saha: TwoLinkSaha;
     scara: Scara;
+    tilting_cell: TiltingCell;
     stanford: Stanford;
     puma560: Puma560;
     panda: Panda;

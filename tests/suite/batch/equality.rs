@@ -1,6 +1,6 @@
 //! Batches of every length against single calls.
 
-use robots::{Panda, Puma560, Scara, Stanford, Ur5};
+use robots::{Panda, Puma560, Scara, Stanford, TiltingCell, Ur5};
 
 use super::arms::FIELDS;
 use super::values::{Arm, States, Values, assert_same};
@@ -65,4 +65,5 @@ fn batches_of_every_length_are_single_calls() {
     every_length("stanford", &Stanford);
     every_length("scara", &Scara);
     every_length("fields", &FIELDS);
+    every_length("tilting_cell", &TiltingCell);
 }
