@@ -7,7 +7,7 @@
 
 use divan::{Bencher, black_box, counter::ItemsCount};
 use robot_dynamics::NewtonEuler;
-use robot_dynamics::nalgebra::SVector;
+use robot_dynamics::nalgebra::{SVector, Vector6};
 use robots::{Arguments, Elbow3r, Panda, Puma560, Stanford, TwoLinkSaha, Ur5, each_function};
 
 const STATES: usize = 64;
@@ -40,9 +40,21 @@ macro_rules! bench_robots {
 
             fn each<R>(bencher: Bencher, function: impl Fn(Arguments<f64, $n>) -> R) {
                 let (q, qd, qdd) = (states::<$n>(0.1), states::<$n>(0.7), states::<$n>(1.9));
+                let wrench = Vector6::new(5.0, -3.0, 8.0, 2.0, -1.0, 0.5);
                 bencher.counter(ItemsCount::new(STATES)).bench_local(|| {
                     for i in 0..STATES {
-                        let at = Arguments { q: &q[i], qd: &qd[i], qdd: &qdd[i], tau: &qdd[i], order: 10 };
+                        let at = Arguments {
+                            q: &q[i],
+                            qd: &qd[i],
+                            qdd: &qdd[i],
+                            tau: &qdd[i],
+                            qd_r: &qd[STATES - 1 - i],
+                            qdd_r: &qdd[STATES - 1 - i],
+                            jerk: &qd[i],
+                            snap: &qdd[i],
+                            wrench: &wrench,
+                            order: 10,
+                        };
                         black_box(function(black_box(at)));
                     }
                 });

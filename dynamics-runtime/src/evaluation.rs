@@ -1,8 +1,8 @@
 //! A state of an arm, and the values of all generated functions there.
 
 #[cfg(feature = "std")]
-use nalgebra::Matrix4;
-use nalgebra::{SMatrix, SVector};
+use nalgebra::{Matrix4, Matrix6, Vector3};
+use nalgebra::{SMatrix, SVector, Vector6};
 
 #[cfg(feature = "std")]
 use crate::{Model, SingularMassMatrix, TaylorCoefficients};
@@ -36,6 +36,41 @@ pub struct State<const N: usize> {
     pub qd: SVector<f64, N>,
     /// Joint accelerations, rad/s^2 or m/s^2.
     pub qdd: SVector<f64, N>,
+}
+
+/// The arguments of some functions that a state does not hold are made of it, so that a state is all
+/// that a check chooses: they are as fast as the state, and none of them is a multiple of another
+/// argument of the same function.
+impl<const N: usize> State<N> {
+    /// qd_r, a reference velocity.
+    #[doc(hidden)]
+    pub fn reference_velocity(&self) -> SVector<f64, N> {
+        self.qdd * 0.25
+    }
+
+    /// qdd_r, a reference acceleration.
+    #[doc(hidden)]
+    pub fn reference_acceleration(&self) -> SVector<f64, N> {
+        self.qd * 4.0 - self.qdd * 0.5
+    }
+
+    /// The rates of the accelerations.
+    #[doc(hidden)]
+    pub fn jerk(&self) -> SVector<f64, N> {
+        self.qdd * -2.0 + self.qd * 8.0
+    }
+
+    /// The rates of the jerk.
+    #[doc(hidden)]
+    pub fn snap(&self) -> SVector<f64, N> {
+        self.qdd * 8.0 - self.qd * 4.0
+    }
+
+    /// A force on the tip and a moment about its origin: the same at every state.
+    #[doc(hidden)]
+    pub fn wrench() -> Vector6<f64> {
+        Vector6::new(5.0, -3.0, 8.0, 2.0, -1.0, 0.5)
+    }
 }
 
 /// Values of the generated functions at one state, `None` where a function was not generated.
@@ -93,6 +128,38 @@ pub struct Evaluation<const N: usize> {
     pub forward_dynamics_aba: Option<Result<SVector<f64, N>, SingularMassMatrix>>,
     /// Taylor coefficients up to order [`Evaluation::TAYLOR_ORDER`], at the torques that were given.
     pub taylor_series: Option<Result<TaylorCoefficients<f64, N>, SingularMassMatrix>>,
+    /// Joint torques of a wrench at the tip.
+    pub wrench_torques: Option<SVector<f64, N>>,
+    /// Velocity of the tip.
+    pub tool_velocity: Option<Vector6<f64>>,
+    /// Acceleration of the tip.
+    pub tool_acceleration: Option<Vector6<f64>>,
+    /// Rate of the geometric Jacobian.
+    pub jacobian_rate: Option<SMatrix<f64, 6, N>>,
+    /// Geometric Jacobians of the origins of all frames.
+    pub link_jacobians: Option<[SMatrix<f64, 6, N>; N]>,
+    /// Centre of mass of all links.
+    pub center_of_mass: Option<Vector3<f64>>,
+    /// Its Jacobian.
+    pub center_of_mass_jacobian: Option<SMatrix<f64, 3, N>>,
+    /// J M^-1 J'.
+    pub operational_inertia_inverse: Option<Result<Matrix6<f64>, SingularMassMatrix>>,
+    /// M qd.
+    pub generalized_momentum: Option<SVector<f64, N>>,
+    /// C' qd - G - F.
+    pub momentum_bias: Option<SVector<f64, N>>,
+    /// M qdd_r + C qd_r + G + F, for the reference motion of the state.
+    pub passivity_torque: Option<SVector<f64, N>>,
+    /// The column of each base parameter in M qdd_r + C qd_r + G.
+    pub passivity_regressor: Option<Vec<SVector<f64, N>>>,
+    /// It times the base parameters, where both functions exist.
+    pub passivity_regressor_forces: Option<SVector<f64, N>>,
+    /// What each base parameter has of kinetic and of potential energy.
+    pub energy_regressors: Option<(Vec<f64>, Vec<f64>)>,
+    /// The energies by these and the base parameters, where both functions exist.
+    pub energies_of_parameters: Option<(f64, f64)>,
+    /// First and second derivative of the torques by time.
+    pub inverse_dynamics_rates: Option<(SVector<f64, N>, SVector<f64, N>)>,
 }
 
 #[cfg(feature = "std")]
@@ -100,20 +167,28 @@ impl<const N: usize> Evaluation<N> {
     /// The order of the Taylor series: accelerations and jerks are compared.
     pub const TAYLOR_ORDER: usize = 3;
 
-    /// With what follows from two functions, where there are both: Y times the base parameters, and
-    /// the velocity terms of the configuration-space form (Craig, Introduction to Robotics, 3rd ed.,
+    /// With what follows from two functions, where there are both: regressors times the base parameters,
+    /// and the velocity terms of the configuration-space form (Craig, Introduction to Robotics, 3rd ed.,
     /// equation 6.63).
     #[must_use]
     pub fn combined(mut self, state: &State<N>) -> Self {
-        self.regressor_forces = self.regressor_forces();
+        let parameters = self.base_parameters.as_ref();
+        self.regressor_forces = combination(self.regressor.as_ref(), parameters);
+        self.passivity_regressor_forces =
+            combination(self.passivity_regressor.as_ref(), parameters);
+        self.energies_of_parameters = self.energies_of_parameters();
         self.configuration_space_coriolis = self.configuration_space_coriolis(&state.qd);
         self
     }
 
-    fn regressor_forces(&self) -> Option<SVector<f64, N>> {
-        let columns = self.regressor.as_ref()?.iter();
-        let terms = columns.zip(self.base_parameters.as_ref()?);
-        Some(terms.fold(SVector::zeros(), |sum, (column, x)| sum + column * *x))
+    fn energies_of_parameters(&self) -> Option<(f64, f64)> {
+        let (kinetic, potential) = self.energy_regressors.as_ref()?;
+        let parameters = self.base_parameters.as_ref()?;
+        let product = |regressor: &[f64]| -> f64 {
+            let terms = regressor.iter().zip(parameters);
+            terms.map(|(a, b)| a * b).sum()
+        };
+        Some((product(kinetic), product(potential)))
     }
 
     /// `B [qd qd] + C [qd^2]`: `[qd qd]` holds the products in the order (1,2), (1,3), ..., (n-1,n).
@@ -125,6 +200,16 @@ impl<const N: usize> Evaluation<N> {
     }
 }
 
+/// The sum of columns, each times its parameter.
+#[cfg(feature = "std")]
+fn combination<const N: usize>(
+    columns: Option<&Vec<SVector<f64, N>>>,
+    parameters: Option<&Vec<f64>>,
+) -> Option<SVector<f64, N>> {
+    let terms = columns?.iter().zip(parameters?);
+    Some(terms.fold(SVector::zeros(), |sum, (column, x)| sum + column * *x))
+}
+
 /// The columns of a matrix whose width a field of [`Evaluation`] does not name.
 #[cfg(feature = "std")]
 #[doc(hidden)]
@@ -133,6 +218,15 @@ pub fn columns<const R: usize, const C: usize>(
 ) -> Vec<SVector<f64, R>> {
     let columns = matrix.column_iter();
     columns.map(|column| column.into_owned()).collect()
+}
+
+/// Two vectors whose length a field of [`Evaluation`] does not name.
+#[cfg(feature = "std")]
+#[doc(hidden)]
+pub fn vectors<const P: usize>(
+    (first, second): &(SVector<f64, P>, SVector<f64, P>),
+) -> (Vec<f64>, Vec<f64>) {
+    (first.as_slice().to_vec(), second.as_slice().to_vec())
 }
 
 /// d qdd/dq, d qdd/dqd and d qdd/d tau, the inverse of M.

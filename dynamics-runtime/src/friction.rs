@@ -73,6 +73,23 @@ impl DryFriction {
         })
     }
 
+    /// The second derivative of the force by the velocity: of x = exp(-(qd/v)^2) it is
+    /// ((2 qd/v^2)^2 - 2/v^2) x.
+    #[cfg(feature = "std")]
+    pub(crate) fn curvature(&self, qd: f64) -> f64 {
+        let way = Scalar::sign(qd);
+        self.stribeck.map_or(0.0, |stribeck| {
+            let rest = DryFriction {
+                stribeck: None,
+                ..*self
+            };
+            let beyond = self.magnitude(way, qd) - rest.magnitude(way, qd);
+            let v = stribeck.velocity;
+            let slope = 2.0 * qd / v / v;
+            way * beyond * (slope * slope - 2.0 / v / v)
+        })
+    }
+
     /// The greatest that it can be.
     #[cfg(feature = "std")]
     pub(crate) fn greatest(&self) -> f64 {
@@ -89,6 +106,14 @@ impl DryFriction {
     pub(crate) fn greatest_slope(&self) -> f64 {
         self.stribeck.map_or(0.0, |stribeck| {
             0.86 * self.greatest() / stribeck.velocity.abs()
+        })
+    }
+
+    /// The greatest that its curvature can be.
+    #[cfg(feature = "std")]
+    pub(crate) fn greatest_curvature(&self) -> f64 {
+        self.stribeck.map_or(0.0, |stribeck| {
+            2.0 * self.greatest() / (stribeck.velocity * stribeck.velocity)
         })
     }
 }

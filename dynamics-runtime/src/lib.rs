@@ -62,12 +62,12 @@ pub use check::{Check, FunctionReport, Report, check_against_rnea};
 pub use conditioning::Conditioning;
 pub use configuration::Configuration;
 pub use double_double::DoubleDouble;
-#[cfg(feature = "std")]
-#[doc(hidden)]
-pub use evaluation::columns;
 pub use evaluation::{AccelerationDerivatives, State};
 #[cfg(feature = "std")]
 pub use evaluation::{Evaluate, Evaluation};
+#[cfg(feature = "std")]
+#[doc(hidden)]
+pub use evaluation::{columns, vectors};
 pub use frame::{Frame, Tool};
 pub use model::{
     CoriolisVector, Energy, ForwardDynamics, GravityVector, InverseDynamics, Kinematics,

@@ -119,6 +119,9 @@ impl Arithmetic for Point {
             Symbol::Force(i) => joint(i, 5),
             Symbol::VelocitySign(i) => joint(i, 6),
             Symbol::Stribeck(_) => panic!("no arm in here has friction that falls"),
+            Symbol::Entry(argument, i) => {
+                Number::random(&mut SplitMix64::new(((*argument as u64) << 16) + *i as u64))
+            }
         })
     }
 

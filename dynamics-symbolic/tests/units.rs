@@ -156,6 +156,7 @@ impl Arithmetic for Doubles<'_> {
             Symbol::Force(i) => self.number(self.arm.force(*i)),
             Symbol::VelocitySign(_) => 1.0,
             Symbol::Stribeck(_) => self.number(NONE),
+            Symbol::Entry(..) => unreachable!("no function with other arguments is scaled"),
         }
     }
 

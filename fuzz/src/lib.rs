@@ -4,6 +4,7 @@ mod robot;
 
 use dynamics_runtime::Check;
 use dynamics_symbolic::Function;
+use dynamics_symbolic::derive::center_of_mass::is_massless;
 use dynamics_symbolic::derive::derive;
 use dynamics_symbolic::prove::prove;
 use interpreter::Interpreted;
@@ -35,6 +36,7 @@ pub fn tables(bytes: &[u8]) {
     };
     let number = usize::from(*choice) % Function::ALL.len();
     let chosen = (0..3).map(|k| Function::ALL[(number + 7 * k) % Function::ALL.len()]);
+    let chosen = chosen.filter(|function| !(function.divides_by_mass() && is_massless(&robot)));
     let programs: Vec<_> = chosen
         .map(|function| {
             let program = derive(&robot, function);

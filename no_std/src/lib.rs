@@ -5,7 +5,7 @@
 
 use core::hint::black_box;
 
-use robot_dynamics::nalgebra::{Matrix3, Vector3};
+use robot_dynamics::nalgebra::{Matrix3, Vector3, Vector6};
 use robot_dynamics::{
     Configuration, Cycloidal, Model, NewtonEuler, SingularMassMatrix, robot_dynamics,
 };
@@ -84,6 +84,16 @@ pub struct Arguments<'a> {
     pub qdd: &'a Vector3<f64>,
     /// Torques.
     pub tau: &'a Vector3<f64>,
+    /// Velocities of a reference motion.
+    pub qd_r: &'a Vector3<f64>,
+    /// Accelerations of a reference motion.
+    pub qdd_r: &'a Vector3<f64>,
+    /// Rates of the accelerations.
+    pub jerk: &'a Vector3<f64>,
+    /// Rates of the jerk.
+    pub snap: &'a Vector3<f64>,
+    /// Force and moment at the tip.
+    pub wrench: &'a Vector6<f64>,
     /// The order of the Taylor series.
     pub order: usize,
 }
@@ -152,6 +162,11 @@ mod tests {
             qd: &QD,
             qdd: &QDD,
             tau: &QDD,
+            qd_r: &QDD,
+            qdd_r: &QD,
+            jerk: &QD,
+            snap: &QDD,
+            wrench: &Vector6::new(5.0, -3.0, 8.0, 2.0, -1.0, 0.5),
             order: 10,
         });
     }

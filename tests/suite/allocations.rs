@@ -38,6 +38,11 @@ macro_rules! functions {
             qd: &qd,
             qdd: &qdd,
             tau: &qdd,
+            qd_r: &qd,
+            qdd_r: &qdd,
+            jerk: &qd,
+            snap: &qdd,
+            wrench: &vector::<$float, 6>(0.5),
             order: 10,
         };
         assert_none(stringify!($float), || {

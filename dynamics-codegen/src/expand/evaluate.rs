@@ -100,6 +100,9 @@ fn held(target: &Target, function: Function, value: TokenStream) -> TokenStream 
     let path = target.path;
     match function.shape() {
         Shape::Matrix(Size::Parameters, Size::One) => quote!(<[f64]>::to_vec(#value.as_slice())),
+        Shape::Tuple([Shape::Matrix(Size::Parameters, Size::One), ..]) => {
+            quote!(#path::vectors(&#value))
+        }
         // Numbers of columns that the type of the field cannot name.
         Shape::Matrix(_, Size::Pairs | Size::Parameters) => quote!(#path::columns(&#value)),
         _ => value,
@@ -114,6 +117,11 @@ fn at_state(target: &Target, argument: Argument) -> TokenStream {
         Argument::Velocity => quote!(&state.qd),
         Argument::Acceleration => quote!(&state.qdd),
         Argument::Force => quote!(tau),
+        Argument::ReferenceVelocity => quote!(&state.reference_velocity()),
+        Argument::ReferenceAcceleration => quote!(&state.reference_acceleration()),
+        Argument::Jerk => quote!(&state.jerk()),
+        Argument::Snap => quote!(&state.snap()),
+        Argument::Wrench => quote!(&#path::State::<#n>::wrench()),
         Argument::Order => quote!(#path::Evaluation::<#n>::TAYLOR_ORDER),
     }
 }

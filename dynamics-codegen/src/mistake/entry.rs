@@ -82,6 +82,13 @@ pub(crate) fn never_a_part(function: &str) -> Mistake {
     ))
 }
 
+/// A function that divides by the mass of all links.
+pub(crate) fn no_mass(function: &str) -> Mistake {
+    Mistake::new(format!(
+        "`{function}` of an arm without mass: there is no centre of mass, write `mass` in a row that moves"
+    ))
+}
+
 pub(crate) fn no_lock() -> Mistake {
     Mistake::new("no joint is locked: name one, `[joint = position]`, or leave `lock` out")
 }

@@ -3,11 +3,13 @@
 use std::collections::BTreeSet;
 
 use dynamics_symbolic::Function;
+use dynamics_symbolic::derive::center_of_mass::is_massless;
 use dynamics_symbolic::function::{Fused, Growth, Request, Set};
 use dynamics_symbolic::robot::{Robot, Row};
 
 use super::scope::Scope;
 use crate::description::{Asked, Name, Table};
+use crate::diagnose::Diagnostics;
 use crate::limits::{MOST_JOINTS_OF_LONG_FUNCTIONS, MOST_LONG_FUNCTIONS, MOST_PARTS};
 use crate::mistake::{entry as mistake, size, value};
 use crate::place::Place;
@@ -70,6 +72,27 @@ pub(crate) fn fused(name: &Name, parts: &[(Function, Place)]) -> Request {
         name: name.to_string(),
         parts: parts.iter().map(|(function, _)| *function).collect(),
     })
+}
+
+/// Whether the arm has a mass, where a function divides by it; all of these are asked for by name.
+pub(super) fn have_mass(
+    requests: &[(Request, Option<Place>)],
+    robot: &Robot,
+    diagnostics: &Diagnostics,
+) -> bool {
+    let divides = |(request, place): &(Request, Option<Place>)| {
+        let mut functions = request.parts().iter();
+        let function = functions.find(|function| function.divides_by_mass())?;
+        Some((function.name(), (*place)?))
+    };
+    let Some((function, place)) = requests.iter().find_map(divides) else {
+        return true;
+    };
+    let massless = is_massless(robot);
+    if massless {
+        diagnostics.error(place, mistake::no_mass(function));
+    }
+    !massless
 }
 
 /// Reports what is asked for twice, names that mean something else, and tuples that are none.

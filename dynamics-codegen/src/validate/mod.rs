@@ -55,7 +55,9 @@ pub(crate) fn model(table: &Table, diagnostics: &Diagnostics) -> Option<Model> {
         }
     }
     match diagnostics.is_empty() {
-        true => parts.model(table),
+        true => parts
+            .model(table)
+            .filter(|model| functions::have_mass(&model.requests, &model.robot, diagnostics)),
         false => None,
     }
 }

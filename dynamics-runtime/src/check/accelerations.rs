@@ -1,8 +1,8 @@
 //! What is solved for with M: judged by the equations that it has to satisfy.
 
-use nalgebra::{SMatrix, SVector};
+use nalgebra::{Matrix6, SMatrix, SVector, Vector6};
 
-use super::deviation::{Deviation, entries};
+use super::deviation::{Deviation, Entry, entries};
 use super::scale::Scale;
 use crate::{AccelerationDerivatives, NewtonEuler, SingularMassMatrix, State, TaylorCoefficients};
 
@@ -62,6 +62,33 @@ pub(super) fn acceleration_derivatives<const N: usize>(
         .chain(residual(by_velocity, forces.1, scale.force_by_velocity))
         .chain(residual(by_force, -SMatrix::identity(), 1.0));
     Deviation::worst("forward_dynamics_derivatives", residuals)
+}
+
+/// J M^-1 J' beside a solution of M X = J'. What rounds an entry of M by e changes the product by
+/// X' e X, which is its natural error however nearly singular M is.
+pub(super) fn task_space<const N: usize>(
+    generated: &Matrix6<f64>,
+    mass_matrix: &SMatrix<f64, N, N>,
+    jacobian: &SMatrix<f64, 6, N>,
+) -> Deviation {
+    const NAME: &str = "operational_inertia_inverse";
+    let Some(factor) = mass_matrix.cholesky() else {
+        return Deviation {
+            function: NAME,
+            error: None,
+            joint: None,
+        };
+    };
+    let x = factor.solve(&jacobian.transpose());
+    let difference = generated - jacobian * x;
+    let sizes = Vector6::from_fn(|i, _| x.column(i).lp_norm(1));
+    let entry = |i: usize, j: usize| Entry {
+        joint: None,
+        difference: difference[(i, j)],
+        scale: mass_matrix.amax() * sizes[i] * sizes[j] + x.amax() * jacobian.amax(),
+    };
+    let entries = (0..6).flat_map(|i| (0..6).map(move |j| entry(i, j)));
+    Deviation::worst(NAME, entries)
 }
 
 /// The start of the motion, and the equations of motion with their first derivative by time as far

@@ -2,20 +2,21 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use super::accelerations::{acceleration_derivatives, refused, series_residuals};
+use super::accelerations::{acceleration_derivatives, refused, series_residuals, task_space};
 use super::coefficients::{centrifugal_coefficients as numeric_centrifugal, coriolis_entries};
 use super::deviation::{Deviation, entries};
-use super::kinematics::{jacobian_entries, pose_entries};
+use super::kinematics::{in_space, jacobian_entries, pose_entries, tip_entries};
 use super::scale::Scale;
 use crate::{Evaluation, NewtonEuler, State, Table};
 
-/// The deviation of every generated function, in the order of the documentation.
+/// The deviation of every generated function, in the order of the documentation. `datum` is the constant
+/// that the regressor of the potential energy leaves open.
 pub(super) fn deviations<const N: usize>(
     generated: &Evaluation<N>,
     numeric: &NewtonEuler<N>,
     table: &Table<N>,
-    state: &State<N>,
-    tau: &SVector<f64, N>,
+    (state, tau): (&State<N>, &SVector<f64, N>),
+    datum: f64,
 ) -> Vec<Deviation> {
     // A function that this list forgets is an error here.
     let Evaluation {
@@ -43,6 +44,22 @@ pub(super) fn deviations<const N: usize>(
         forward_dynamics_derivatives,
         forward_dynamics_aba,
         taylor_series,
+        wrench_torques,
+        tool_velocity,
+        tool_acceleration,
+        jacobian_rate,
+        link_jacobians,
+        center_of_mass,
+        center_of_mass_jacobian,
+        operational_inertia_inverse,
+        generalized_momentum,
+        momentum_bias,
+        passivity_torque,
+        passivity_regressor,
+        passivity_regressor_forces,
+        energy_regressors,
+        energies_of_parameters,
+        inverse_dynamics_rates,
     } = generated;
     let State { q, qd, qdd } = state;
     let m = numeric.mass_matrix(q);
@@ -145,14 +162,135 @@ pub(super) fn deviations<const N: usize>(
             Ok(series) => series_residuals(&series, numeric, &scale, state, tau),
             Err(error) => refused("taylor_series", &m, &error),
         }),
+        wrench_torques.map(|torques| {
+            let wrench = State::<N>::wrench();
+            let difference = torques - numeric.jacobian(q).transpose() * wrench;
+            let scale = wrench.amax() * scale.position.max(1.0);
+            vector("wrench_torques", &difference, scale)
+        }),
+        tool_velocity.map(|velocity| {
+            let difference = velocity - numeric.jacobian(q) * qd;
+            let entries = tip_entries(difference, qd.amax(), scale.position);
+            Deviation::worst("tool_velocity", entries)
+        }),
+        tool_acceleration.map(|acceleration| {
+            let expected = numeric.jacobian(q) * qdd + numeric.jacobian_rate(q, qd) * qd;
+            let size = qdd.amax() + qd.amax() * qd.amax();
+            let entries = tip_entries(acceleration - expected, size, scale.position);
+            Deviation::worst("tool_acceleration", entries)
+        }),
+        jacobian_rate.map(|rate| {
+            let difference = rate - numeric.jacobian_rate(q, qd);
+            let entries = (0..N).flat_map(|j| {
+                tip_entries(difference.column(j).into_owned(), qd.amax(), scale.position)
+            });
+            Deviation::worst("jacobian_rate", entries)
+        }),
+        link_jacobians.map(|jacobians| {
+            let expected = numeric.link_jacobians(q);
+            let entries = (0..N).flat_map(|i| {
+                let difference = jacobians[i] - expected[i];
+                jacobian_entries(table, &difference, scale.position).collect::<Vec<_>>()
+            });
+            Deviation::worst("link_jacobians", entries)
+        }),
+        center_of_mass.map(|center| {
+            let difference = center - numeric.center_of_mass(q);
+            Deviation::worst("center_of_mass", in_space(difference, scale.position))
+        }),
+        center_of_mass_jacobian.map(|jacobian| {
+            let difference = jacobian - numeric.center_of_mass_jacobian(q);
+            let size = scale.position.max(1.0);
+            Deviation::worst("center_of_mass_jacobian", in_space(difference, size))
+        }),
+        operational_inertia_inverse.map(|inverse| match inverse {
+            Ok(inverse) => task_space(&inverse, &m, &numeric.jacobian(q)),
+            Err(error) => refused("operational_inertia_inverse", &m, &error),
+        }),
+        generalized_momentum.map(|momentum| {
+            let difference = momentum - m * qd;
+            vector("generalized_momentum", &difference, scale.coriolis_matrix)
+        }),
+        momentum_bias.map(|bias| {
+            let coriolis = numeric.coriolis_matrix(q, qd).transpose() * qd;
+            let forces = numeric.gravity_vector(q) + own_forces(numeric, state);
+            let difference = bias - (coriolis - forces);
+            vector("momentum_bias", &difference, scale.bias_force)
+        }),
+        passivity_torque.map(|torque| {
+            let difference = torque - passivity(numeric, &m, state) - own_forces(numeric, state);
+            vector("passivity_torque", &difference, scale.passivity_torque)
+        }),
+        passivity_regressor_forces.map(|forces| {
+            let difference = forces - passivity(numeric, &m, state);
+            vector("passivity_form", &difference, scale.passivity_torque)
+        }),
+        energies_of_parameters.map(|(kinetic, potential)| {
+            let kinetic = kinetic - numeric.kinetic_energy(q, qd);
+            let potential = potential - gravity_energy(numeric, table, q) - datum;
+            let of = |difference, scale| {
+                let difference = SVector::<f64, 1>::new(difference);
+                in_space(difference, scale)
+            };
+            let entries =
+                of(kinetic, scale.coriolis_vector).chain(of(potential, scale.potential_energy));
+            Deviation::worst("energies_form", entries)
+        }),
+        inverse_dynamics_rates.map(|(first, second)| {
+            let [jerk, snap] = [state.jerk(), state.snap()];
+            let expected = numeric.inverse_dynamics_rates(q, qd, qdd, &jerk, &snap);
+            let [size, size_of_second] = scale.rates(state);
+            let entries = entries(first - expected.0, size)
+                .chain(entries(second - expected.1, size_of_second));
+            Deviation::worst("inverse_dynamics_rates", entries)
+        }),
+        alone(
+            "passivity_regressor",
+            passivity_regressor.is_some(),
+            passivity_regressor_forces.is_some(),
+        ),
+        alone(
+            "energy_regressors",
+            energy_regressors.is_some(),
+            energies_of_parameters.is_some(),
+        ),
         alone("regressor", regressor.is_some(), regressor_forces.is_some()),
         alone(
             "base_parameters",
             base_parameters.is_some(),
-            regressor_forces.is_some(),
+            regressor_forces.is_some()
+                || passivity_regressor_forces.is_some()
+                || energies_of_parameters.is_some(),
         ),
     ];
     found.into_iter().flatten().collect()
+}
+
+/// U without what is in the springs.
+pub(super) fn gravity_energy<const N: usize>(
+    numeric: &NewtonEuler<N>,
+    table: &Table<N>,
+    q: &SVector<f64, N>,
+) -> f64 {
+    let joints = table.rows.iter().zip(q.iter());
+    let springs: f64 = joints.map(|(row, &q)| row.spring.energy(q)).sum();
+    numeric.potential_energy(q) - springs
+}
+
+/// K + F at a state.
+fn own_forces<const N: usize>(numeric: &NewtonEuler<N>, state: &State<N>) -> SVector<f64, N> {
+    numeric.spring_vector(&state.q) + numeric.friction_vector(&state.qd)
+}
+
+/// M qdd_r + C qd_r + G for the reference motion of a state.
+fn passivity<const N: usize>(
+    numeric: &NewtonEuler<N>,
+    mass_matrix: &SMatrix<f64, N, N>,
+    state: &State<N>,
+) -> SVector<f64, N> {
+    let State { q, qd, .. } = state;
+    let coriolis = numeric.coriolis_matrix(q, qd) * state.reference_velocity();
+    mass_matrix * state.reference_acceleration() + coriolis + numeric.gravity_vector(q)
 }
 
 /// What is compared as a product, of a function that was generated without the other factor.

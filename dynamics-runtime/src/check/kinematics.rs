@@ -1,6 +1,6 @@
 //! Differences of poses and Jacobians: directions are of size 1.
 
-use nalgebra::{Matrix4, SMatrix};
+use nalgebra::{Matrix4, SMatrix, Vector6};
 
 use super::deviation::Entry;
 use crate::{JointType, Table};
@@ -38,5 +38,33 @@ pub(super) fn jacobian_entries<const N: usize>(
             difference: difference[(row, joint)],
             scale: if row < 3 && revolute { position } else { 1.0 },
         })
+    })
+}
+
+/// Entries of a matrix of which no row or column belongs to a joint.
+pub(super) fn in_space<const R: usize, const C: usize>(
+    difference: SMatrix<f64, R, C>,
+    scale: f64,
+) -> impl Iterator<Item = Entry> {
+    let places = (0..R).flat_map(|row| (0..C).map(move |column| (row, column)));
+    places.map(move |place| Entry {
+        joint: None,
+        difference: difference[place],
+        scale,
+    })
+}
+
+/// Entries of a motion of the tip for joints that move by so much: its linear part is as large as the
+/// distance from the base besides, and as what a prismatic joint moves itself.
+pub(super) fn tip_entries(
+    difference: Vector6<f64>,
+    size: f64,
+    position: f64,
+) -> impl Iterator<Item = Entry> {
+    let linear = size * position.max(1.0);
+    (0..6).map(move |row| Entry {
+        joint: None,
+        difference: difference[row],
+        scale: if row < 3 { linear } else { size },
     })
 }

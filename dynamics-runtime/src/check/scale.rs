@@ -29,6 +29,12 @@ pub(super) struct Scale {
     pub(super) inverse_dynamics: f64,
     /// The scales of V, G, K and F.
     pub(super) bias_force: f64,
+    /// max|M| max|qdd_r|, max|M| max|qd| max|qd_r|, and the scales of G, K and F.
+    pub(super) passivity_torque: f64,
+    /// The largest slope and curvature of friction, and the largest stiffness.
+    slope_of_friction: f64,
+    curvature_of_friction: f64,
+    stiffness: f64,
     /// The scales of M qdd, V and G, whose derivatives by an angle are as large, and the largest
     /// stiffness.
     pub(super) force_by_position: f64,
@@ -66,6 +72,14 @@ impl Scale {
             spring_vector: springs.force,
             inverse_dynamics: mass * state.qdd.amax() + bias_force,
             bias_force,
+            passivity_torque: mass * state.reference_acceleration().amax()
+                + mass * speed * state.reference_velocity().amax()
+                + gravity_vector
+                + springs.force
+                + friction_vector,
+            slope_of_friction: slope_of_friction(table),
+            curvature_of_friction: curvature_of_friction(table),
+            stiffness: springs.stiffness,
             force_by_position: mass * state.qdd.amax()
                 + coriolis_vector
                 + gravity_vector
@@ -74,6 +88,23 @@ impl Scale {
             potential_energy: weight * position + springs.energy,
             position,
         }
+    }
+
+    /// Of the first and the second derivative of tau along a motion: of its terms with all products of
+    /// the rates of the joints that have the same dimension.
+    pub(super) fn rates<const N: usize>(&self, state: &State<N>) -> [f64; 2] {
+        let [v, a] = [state.qd.amax(), state.qdd.amax()];
+        let [jerk, snap] = [state.jerk().amax(), state.snap().amax()];
+        let inertial = [
+            jerk + a * v + v * v * v,
+            snap + jerk * v + a * a + a * v * v + v * v * v * v,
+        ];
+        let weight = [self.gravity_vector * v, self.gravity_vector * (a + v * v)];
+        let joint = [
+            self.slope_of_friction * a + self.stiffness * v,
+            self.slope_of_friction * jerk + self.curvature_of_friction * a * a + self.stiffness * a,
+        ];
+        [0, 1].map(|k| self.mass_matrix * inertial[k] + weight[k] + joint[k])
     }
 }
 
@@ -140,6 +171,11 @@ fn friction<const N: usize>(table: &Table<N>, qd: &SVector<f64, N>) -> f64 {
 fn slope_of_friction<const N: usize>(table: &Table<N>) -> f64 {
     let slope = |row: &crate::Row| row.viscous.abs() + DryFriction::of(row).greatest_slope();
     table.rows.iter().map(slope).fold(0.0, f64::max)
+}
+
+fn curvature_of_friction<const N: usize>(table: &Table<N>) -> f64 {
+    let curvature = |row: &crate::Row| DryFriction::of(row).greatest_curvature();
+    table.rows.iter().map(curvature).fold(0.0, f64::max)
 }
 
 fn norm(vector: &[f64; 3]) -> f64 {

@@ -1,8 +1,9 @@
 //! Places of the frames, and the Jacobian.
 
 use core::array;
+use core::ops::AddAssign;
 
-use nalgebra::{Matrix4, SMatrix, SVector};
+use nalgebra::{Matrix4, SMatrix, SVector, Vector3, Vector6};
 
 use super::NewtonEuler;
 use super::angle::SinCos;
@@ -63,18 +64,106 @@ impl<const N: usize> NewtonEuler<N> {
             .into_owned();
         let mut jacobian = SMatrix::<f64, 6, N>::zeros();
         for (i, pose) in poses.iter().enumerate() {
-            let axis = pose.rotation.column(2).into_owned();
-            let mut column = jacobian.column_mut(i);
-            match self.links[i].joint_type {
-                JointType::Revolute => {
-                    let lever = tip - pose.position;
-                    column.fixed_rows_mut::<3>(0).copy_from(&axis.cross(&lever));
-                    column.fixed_rows_mut::<3>(3).copy_from(&axis);
-                }
-                JointType::Prismatic => column.fixed_rows_mut::<3>(0).copy_from(&axis),
-            }
+            jacobian.set_column(i, &self.column(i, pose, &tip));
         }
         jacobian
+    }
+}
+
+impl<const N: usize> NewtonEuler<N> {
+    /// The rate of the geometric Jacobian along a motion.
+    ///
+    /// Column i, `(z_i x r_i, z_i)` with `r_i = p - p_i`, changes as its vectors do:
+    /// `dz_i/dt = w_i x z_i`, and `dr_i/dt` is the velocity of the tip less that of a point of axis i.
+    pub fn jacobian_rate(&self, q: &SVector<f64, N>, qd: &SVector<f64, N>) -> SMatrix<f64, 6, N> {
+        let poses = self.poses_in_world(q);
+        let jacobian = self.jacobian(q);
+        let tip = self
+            .forward_kinematics(q)
+            .fixed_view::<3, 1>(0, 3)
+            .into_owned();
+        let velocity_of_tip = (jacobian * qd).fixed_rows::<3>(0).into_owned();
+        let mut rate = SMatrix::<f64, 6, N>::zeros();
+        for (i, pose) in poses.iter().enumerate() {
+            let axis = pose.rotation.column(2).into_owned();
+            let place = pose.position;
+            // Of the axis and of its point, by the joints before it.
+            let (mut w, mut v) = (Vector3::zeros(), Vector3::zeros());
+            for k in 0..i {
+                let column = self.column(k, &poses[k], &place) * qd[k];
+                v += column.fixed_rows::<3>(0);
+                w += column.fixed_rows::<3>(3);
+            }
+            let turning = w.cross(&axis);
+            let mut column = rate.column_mut(i);
+            match self.links[i].joint_type {
+                JointType::Revolute => {
+                    let linear = turning.cross(&(tip - place)) + axis.cross(&(velocity_of_tip - v));
+                    column.fixed_rows_mut::<3>(0).copy_from(&linear);
+                    column.fixed_rows_mut::<3>(3).copy_from(&turning);
+                }
+                JointType::Prismatic => column.fixed_rows_mut::<3>(0).copy_from(&turning),
+            }
+        }
+        rate
+    }
+
+    /// Geometric Jacobians of the origins of all link frames of the table; joints beyond a link do not
+    /// move it.
+    pub fn link_jacobians(&self, q: &SVector<f64, N>) -> [SMatrix<f64, 6, N>; N] {
+        let (poses, frames) = (self.poses_in_world(q), self.table_frames(q));
+        array::from_fn(|link| {
+            let mut jacobian = SMatrix::<f64, 6, N>::zeros();
+            for (i, pose) in poses[..=link].iter().enumerate() {
+                jacobian.set_column(i, &self.column(i, pose, &frames[link].position));
+            }
+            jacobian
+        })
+    }
+
+    /// Centre of mass of all links and of the tool in the world, `sum m c / sum m`.
+    pub fn center_of_mass(&self, q: &SVector<f64, N>) -> Vector3<f64> {
+        let poses = self.poses_in_world(q);
+        let moment = |i: usize| self.center(i, &poses[i]) * self.links[i].mass;
+        (0..N).map(moment).sum::<Vector3<f64>>() / self.total_mass()
+    }
+
+    /// Jacobian of the centre of mass: column i is the sum of what joint i gives the centres of the
+    /// links beyond it.
+    pub fn center_of_mass_jacobian(&self, q: &SVector<f64, N>) -> SMatrix<f64, 3, N> {
+        let poses = self.poses_in_world(q);
+        let mut jacobian = SMatrix::<f64, 3, N>::zeros();
+        for (i, pose) in poses.iter().enumerate() {
+            for link in i..N {
+                let center = self.center(link, &poses[link]);
+                let column = self.column(i, pose, &center);
+                let moment = column.fixed_rows::<3>(0) * self.links[link].mass;
+                jacobian.column_mut(i).add_assign(&moment);
+            }
+        }
+        jacobian / self.total_mass()
+    }
+
+    fn total_mass(&self) -> f64 {
+        self.links.iter().map(|link| link.mass).sum()
+    }
+
+    /// The centre of mass of a link whose joint's frame is at `pose`.
+    fn center(&self, link: usize, pose: &Pose) -> Vector3<f64> {
+        pose.rotation * self.links[link].com + pose.position
+    }
+
+    /// What joint i, whose frame is at `pose`, gives a point beyond it at unit speed, above the angular
+    /// velocity of its link.
+    fn column(&self, i: usize, pose: &Pose, point: &Vector3<f64>) -> Vector6<f64> {
+        let axis = pose.rotation.column(2).into_owned();
+        let (linear, angular) = match self.links[i].joint_type {
+            JointType::Revolute => (axis.cross(&(point - pose.position)), axis),
+            JointType::Prismatic => (axis, Vector3::zeros()),
+        };
+        let [x, y, z]: [f64; 3] = linear.into();
+        let [u, v, w]: [f64; 3] = angular.into();
+        Vector6::new(x, y, z, u, v, w)
     }
 }
 

@@ -28,6 +28,7 @@ mod linear;
 mod link;
 mod lock;
 mod pose;
+mod rates;
 mod recursion;
 mod terms;
 

@@ -37,7 +37,7 @@ pub(super) fn kinetic_energy<'g>(
 /// U = -g.h - m g.p, with m the mass and h the first moment of the whole arm about the base's origin,
 /// which is at p in the world.
 pub(super) fn potential_energy<'g>(chain: &Chain<Expr<'g>>) -> Expr<'g> {
-    let moments = composite_moments(chain, chain.one);
+    let moments = scaled_moments(chain, chain.one);
     let first = chain.links.first().zip(moments.first());
     let outer = first
         .map(|(link, (mass, moment))| link.joint.leave(*moment) + link.joint.position() * *mass);
@@ -60,11 +60,8 @@ pub(super) fn potential_energy<'g>(chain: &Chain<Expr<'g>>) -> Expr<'g> {
 pub(super) fn gravity_vector<'g>(chain: &Chain<Expr<'g>>) -> Vec<Expr<'g>> {
     let scale = chain.strength;
     let mut g = Vector3(chain.gravity.0.map(|component| component / scale));
-    let moments = composite_moments(chain, scale);
-    let force = |(link, (mass, h)): (
-        &super::chain::Link<Expr<'g>>,
-        &(Expr<'g>, Vector3<Expr<'g>>),
-    )| {
+    let moments = scaled_moments(chain, scale);
+    let force = |(link, (mass, h)): (&super::chain::Link<Expr<'g>>, &Moment<'g>)| {
         g = link.joint.enter(g);
         match link.joint.joint_type {
             JointType::Revolute => g[0] * h[1] - g[1] * h[0],
@@ -74,17 +71,29 @@ pub(super) fn gravity_vector<'g>(chain: &Chain<Expr<'g>>) -> Vec<Expr<'g>> {
     chain.links.iter().zip(&moments).map(force).collect()
 }
 
+/// A mass and a first moment.
+pub(super) type Moment<'g> = (Expr<'g>, Vector3<Expr<'g>>);
+
 /// Mass and first moment of links i to n about the origin of frame i, times `scale`.
-fn composite_moments<'g>(
+fn scaled_moments<'g>(chain: &Chain<Expr<'g>>, scale: Expr<'g>) -> Vec<Moment<'g>> {
+    composite_moments(chain, |i| {
+        let body = &chain.links[i].body;
+        (body.mass * scale, body.moment * scale)
+    })
+}
+
+/// Mass and first moment of links i to n about the origin of frame i, from those of each link.
+pub(super) fn composite_moments<'g>(
     chain: &Chain<Expr<'g>>,
-    scale: Expr<'g>,
-) -> Vec<(Expr<'g>, Vector3<Expr<'g>>)> {
+    own: impl Fn(usize) -> Moment<'g>,
+) -> Vec<Moment<'g>> {
     let zero = chain.zero;
     let mut composites = Vec::with_capacity(chain.links.len());
     let mut outer = (zero, Vector3::splat(zero));
-    for link in chain.links.iter().rev() {
-        let mass = link.body.mass * scale + outer.0;
-        let moment = link.body.moment * scale + outer.1;
+    for (i, link) in chain.links.iter().enumerate().rev() {
+        let own = own(i);
+        let mass = own.0 + outer.0;
+        let moment = own.1 + outer.1;
         composites.push((mass, moment));
         outer = (
             mass,

@@ -3,16 +3,17 @@
 use super::chain::Chain;
 use super::derivatives::ForceDerivatives;
 use super::joints::Joints;
+use super::passivity::Rates;
 use super::solve::Factors;
 use super::symbols::Symbols;
 use super::{
-    articulated, base, christoffel, composite, derivatives, energy, joint_forces, kinematics,
-    recursive, regressor,
+    articulated, base, center_of_mass, christoffel, composite, derivatives, energy, joint_forces,
+    kinematics, link_jacobians, momenta, passivity, rates, recursive, regressor, tip,
 };
 use crate::exact::Rational;
 use crate::expr::Expr;
 pub use crate::function::Form;
-use crate::function::Function;
+use crate::function::{Argument, Function};
 use crate::linear::Vector3;
 use crate::robot::{Grouping, Robot};
 
@@ -131,7 +132,96 @@ fn of_rows<'g>(
         Function::Regressor => regressor::by_recursion(symbols, robot, chain),
         Function::BaseParameters => base::base_parameters(symbols, robot, &Grouping::of(robot)),
         Function::ForwardDynamicsAba => articulated_dynamics(symbols, robot, chain, &qd),
+        Function::WrenchTorques => tip::wrench_torques(symbols, robot, chain),
+        Function::ToolVelocity => tip::velocity(symbols, robot, chain),
+        Function::ToolAcceleration => tip::acceleration(symbols, robot, chain),
+        Function::JacobianRate => link_jacobians::rate(symbols, robot),
+        Function::LinkJacobians => link_jacobians::of_links(symbols, robot),
+        Function::CenterOfMass => center_of_mass::center(symbols, robot, chain),
+        Function::CenterOfMassJacobian => center_of_mass::jacobian(symbols, robot, chain),
+        Function::OperationalInertiaInverse => operational_inertia_inverse(symbols, robot, chain),
+        Function::GeneralizedMomentum => momenta::generalized_momentum(chain, &qd),
+        Function::MomentumBias => {
+            let gradient = momenta::kinetic_gradient(chain, &qd);
+            momentum_bias(symbols, robot, chain, gradient)
+        }
+        Function::PassivityTorque => {
+            let rates = passivity_rates(symbols, robot);
+            let forces = passivity::torque(chain, &rates, regressor::half(symbols));
+            sum(forces, &joint_forces::both(symbols, robot))
+        }
+        Function::PassivityRegressor => {
+            let rates = passivity_rates(symbols, robot);
+            regressor::of_passivity(symbols, robot, chain, &rates)
+        }
+        Function::EnergyRegressors => regressor::of_energies(symbols, robot, chain),
+        Function::InverseDynamicsRates => force_rates(symbols, robot, chain),
     }
+}
+
+/// C' qd - G - K - F, from the first term.
+fn momentum_bias<'g>(
+    symbols: &mut Symbols<'g>,
+    robot: &Robot,
+    chain: &Chain<Expr<'g>>,
+    gradient: Vec<Expr<'g>>,
+) -> Vec<Expr<'g>> {
+    let less = |a: Vec<Expr<'g>>, b: Vec<Expr<'g>>| -> Vec<_> {
+        a.into_iter().zip(b).map(|(a, b)| a - b).collect()
+    };
+    let conservative = less(gradient, energy::gravity_vector(chain));
+    less(conservative, joint_forces::both(symbols, robot))
+}
+
+/// The velocities and the reference motion of the joint of every row.
+fn passivity_rates<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> Vec<Rates<Expr<'g>>> {
+    let qd_r = symbols.entries(Argument::ReferenceVelocity, robot);
+    let qdd_r = symbols.entries(Argument::ReferenceAcceleration, robot);
+    let joints = qd_r.into_iter().zip(qdd_r).enumerate();
+    let rates = joints.map(|(i, (qd_r, qdd_r))| Rates {
+        qd: symbols.joint(i).qd,
+        qd_r,
+        qdd_r,
+    });
+    rates.collect()
+}
+
+fn jerk_and_snap<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> [Vec<Expr<'g>>; 2] {
+    [Argument::Jerk, Argument::Snap].map(|argument| symbols.entries(argument, robot))
+}
+
+/// The first derivatives of the joint forces along a motion, then the second ones.
+fn force_rates<'g>(
+    symbols: &mut Symbols<'g>,
+    robot: &Robot,
+    chain: &Chain<Expr<'g>>,
+) -> Vec<Expr<'g>> {
+    let [jerk, snap] = jerk_and_snap(symbols, robot);
+    let of_links = rates::recursion(symbols, robot, chain, [&jerk, &snap]);
+    let own = joint_forces::both(symbols, robot);
+    let of_joints = rates::differentiated(symbols, robot, &own, [&jerk, &snap]);
+    let orders = of_links.into_iter().zip(&of_joints);
+    orders.flat_map(|(forces, own)| sum(forces, own)).collect()
+}
+
+/// J M^-1 J^T by rows, the pivots, and the diagonal of M.
+fn operational_inertia_inverse<'g>(
+    symbols: &mut Symbols<'g>,
+    robot: &Robot,
+    chain: &Chain<Expr<'g>>,
+) -> Vec<Expr<'g>> {
+    let joints = Joints::of(robot);
+    let matrix = joints.block(composite::mass_matrix(chain));
+    let nothing = vec![chain.zero; matrix.len()];
+    let (factors, _) = Factors::new(symbols.graph(), matrix.clone(), nothing);
+    let jacobian = kinematics::jacobian(symbols, robot);
+    let rows = jacobian.chunks(robot.rows.len());
+    let rows: Vec<_> = rows.map(|row| joints.entries(row.to_vec())).collect();
+    [
+        factors.congruence(&rows).concat(),
+        pivots(&factors, &matrix),
+    ]
+    .concat()
 }
 
 /// Accelerations, pivots, and the diagonal of M.
@@ -239,6 +329,30 @@ fn assembled<'g>(
             })
         }
         Function::Regressor => regressor::by_partial_velocities(symbols, robot, chain),
+        Function::GeneralizedMomentum => times(zero, &composite::mass_matrix(chain), &qd),
+        Function::MomentumBias => {
+            let gradient = gradient(zero, &christoffel::christoffel(graph, chain), &qd);
+            momentum_bias(symbols, robot, chain, gradient)
+        }
+        Function::PassivityTorque => {
+            let rates = passivity_rates(symbols, robot);
+            let [qd_r, qdd_r] = [|r: &Rates<Expr<'g>>| r.qd_r, |r: &Rates<Expr<'g>>| r.qdd_r]
+                .map(|of| rates.iter().map(of).collect::<Vec<_>>());
+            let velocity_terms = christoffel::christoffel(graph, chain);
+            let velocity_terms = velocity_terms.iter().map(|c| {
+                let contracted = times(zero, c, &qd);
+                dot(zero, &contracted, &qd_r)
+            });
+            let inertial = times(zero, &composite::mass_matrix(chain), &qdd_r);
+            let forces = sum(inertial, &velocity_terms.collect::<Vec<_>>());
+            let forces = sum(forces, &energy::gravity_vector(chain));
+            sum(forces, &joint_forces::both(symbols, robot))
+        }
+        Function::InverseDynamicsRates => {
+            let forces = assembled(symbols, robot, chain, Function::InverseDynamics);
+            let [jerk, snap] = jerk_and_snap(symbols, robot);
+            rates::differentiated(symbols, robot, &forces, [&jerk, &snap]).concat()
+        }
         _ => of_rows(symbols, robot, chain, function, Form::Recursive),
     }
 }
@@ -306,6 +420,20 @@ fn acceleration_derivatives<'g>(
         pivots(&factors, &matrix),
     ]
     .concat()
+}
+
+/// dT/dq_i = 1/2 sum dM_jk/dq_i qd_j qd_k = sum c_kij qd_j qd_k, from the symbols c[k][i][j].
+fn gradient<'g>(zero: Expr<'g>, c: &[Vec<Vec<Expr<'g>>>], qd: &[Expr<'g>]) -> Vec<Expr<'g>> {
+    let of_joint = |i: usize| {
+        let rows: Vec<_> = c.iter().map(|c| dot(zero, &c[i], qd)).collect();
+        dot(zero, &rows, qd)
+    };
+    (0..qd.len()).map(of_joint).collect()
+}
+
+/// The product of a matrix and a vector.
+fn times<'g>(zero: Expr<'g>, matrix: &[Vec<Expr<'g>>], x: &[Expr<'g>]) -> Vec<Expr<'g>> {
+    matrix.iter().map(|row| dot(zero, row, x)).collect()
 }
 
 fn dot<'g>(zero: Expr<'g>, a: &[Expr<'g>], b: &[Expr<'g>]) -> Expr<'g> {

@@ -4,7 +4,7 @@ use super::place::Placed;
 use super::symbols::Symbols;
 use crate::expr::Expr;
 use crate::linear::{Matrix3, Vector3};
-use crate::robot::{Convention, Interpretation, JointType, Placement, Robot};
+use crate::robot::{Convention, Interpretation, JointType, Placement, Robot, Row};
 
 /// A frame in the world, which is the base frame where the table says nothing else.
 #[derive(Clone, Copy)]
@@ -25,16 +25,19 @@ pub(super) struct Frame<'g> {
     pub(super) axis_origin: Vector3<Expr<'g>>,
 }
 
+/// A column of a Jacobian: linear and angular velocity.
+pub(super) type Column<'g> = (Vector3<Expr<'g>>, Vector3<Expr<'g>>);
+
 /// The orientation that is reached so far: the columns are the axes.
-struct Axes<'g> {
-    x: Vector3<Expr<'g>>,
-    y: Vector3<Expr<'g>>,
-    z: Vector3<Expr<'g>>,
+pub(super) struct Axes<'g> {
+    pub(super) x: Vector3<Expr<'g>>,
+    pub(super) y: Vector3<Expr<'g>>,
+    pub(super) z: Vector3<Expr<'g>>,
     origin: Vector3<Expr<'g>>,
 }
 
 impl<'g> Axes<'g> {
-    fn new(pose: &Pose<'g>) -> Self {
+    pub(super) fn new(pose: &Pose<'g>) -> Self {
         let [x, y, z] = [0, 1, 2].map(|j| pose.rotation.column(j));
         Axes {
             x,
@@ -53,7 +56,7 @@ impl<'g> Axes<'g> {
     }
 
     /// Tx(a) Rx(alpha)
-    fn screw_x(self, a: Expr<'g>, (s, c): (Expr<'g>, Expr<'g>)) -> Self {
+    pub(super) fn screw_x(self, a: Expr<'g>, (s, c): (Expr<'g>, Expr<'g>)) -> Self {
         Axes {
             x: self.x,
             y: self.y * c + self.z * s,
@@ -63,7 +66,7 @@ impl<'g> Axes<'g> {
     }
 
     /// Tz(d) Rz(theta)
-    fn screw_z(self, d: Expr<'g>, (s, c): (Expr<'g>, Expr<'g>)) -> Self {
+    pub(super) fn screw_z(self, d: Expr<'g>, (s, c): (Expr<'g>, Expr<'g>)) -> Self {
         Axes {
             x: self.x * c + self.y * s,
             y: self.y * c - self.x * s,
@@ -74,7 +77,7 @@ impl<'g> Axes<'g> {
 }
 
 /// Frame 0.
-fn base<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> Pose<'g> {
+pub(super) fn base<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> Pose<'g> {
     let (zero, one) = (symbols.graph().zero(), symbols.graph().one());
     let world = Pose {
         rotation: Matrix3([[one, zero, zero], [zero, one, zero], [zero, zero, one]]),
@@ -164,14 +167,27 @@ pub(super) fn jacobian<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> Vec<Expr
     let zero = symbols.graph().zero();
     let frames = frames(symbols, robot);
     let tip = tip(symbols, robot, &frames).origin;
-    let columns: Vec<_> = frames
-        .iter()
-        .zip(&robot.rows)
-        .map(|(frame, row)| match row.joint_type {
-            JointType::Revolute => (frame.axis.cross(tip - frame.axis_origin), frame.axis),
-            JointType::Prismatic => (frame.axis, Vector3::splat(zero)),
-        })
-        .collect();
+    by_rows(&columns(&frames, robot, tip, zero))
+}
+
+/// What each of the joints of some frames gives a point beyond them at unit speed: its velocity, and
+/// the angular velocity of its link.
+pub(super) fn columns<'g>(
+    frames: &[Frame<'g>],
+    robot: &Robot,
+    point: Vector3<Expr<'g>>,
+    zero: Expr<'g>,
+) -> Vec<Column<'g>> {
+    let joints = frames.iter().zip(&robot.rows);
+    let column = |(frame, row): (&Frame<'g>, &Row)| match row.joint_type {
+        JointType::Revolute => (frame.axis.cross(point - frame.axis_origin), frame.axis),
+        JointType::Prismatic => (frame.axis, Vector3::splat(zero)),
+    };
+    joints.map(column).collect()
+}
+
+/// The six rows of a Jacobian.
+pub(super) fn by_rows<'g>(columns: &[Column<'g>]) -> Vec<Expr<'g>> {
     let linear = (0..3).flat_map(|k| columns.iter().map(move |column| column.0[k]));
     let angular = (0..3).flat_map(|k| columns.iter().map(move |column| column.1[k]));
     linear.chain(angular).collect()

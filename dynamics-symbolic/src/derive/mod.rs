@@ -4,6 +4,7 @@
 mod accuracy;
 mod articulated;
 pub mod base;
+pub mod center_of_mass;
 pub mod chain;
 mod christoffel;
 mod composite;
@@ -15,8 +16,12 @@ pub mod gauge;
 mod joint_forces;
 mod joints;
 mod kinematics;
+mod link_jacobians;
+mod momenta;
 mod momentum;
+mod passivity;
 pub(crate) mod place;
+mod rates;
 mod recursive;
 mod regressor;
 mod rows;
@@ -24,6 +29,7 @@ mod solve;
 mod states;
 pub mod symbols;
 pub mod textbook;
+mod tip;
 pub mod units;
 
 use crate::expr::{Edge, Graph};

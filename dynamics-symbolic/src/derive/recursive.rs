@@ -19,7 +19,7 @@ pub(super) fn inverse_dynamics<R: Ring>(
 }
 
 /// Joint forces from those of the links, from the tip inwards.
-fn inward<R: Ring>(chain: &Chain<R>, own: &[Force<R>], qdd: &[R]) -> Vec<R> {
+pub(super) fn inward<R: Ring>(chain: &Chain<R>, own: &[Force<R>], qdd: &[R]) -> Vec<R> {
     let mut forces = vec![chain.zero; chain.links.len()];
     let mut outer = Force::splat(chain.zero);
     for (i, link) in chain.links.iter().enumerate().rev() {

@@ -1,17 +1,27 @@
-//! The regressor: joint forces by the motion and a unit base parameter, one column for each.
+//! Regressors: joint forces by the motion, or the energies, and a unit base parameter, one column for
+//! each.
 //!
 //! The joint forces are linear in the inertial parameters (Khosla and Kanade 1985), so the column
 //! of a parameter is what the equations of motion give where that one is 1 and all others are 0.
 
-use super::base;
+use super::base::{self, LinkGeometry};
 use super::chain::Chain;
+use super::momenta;
+use super::passivity::{self, Rates};
 use super::symbols::Symbols;
+use crate::exact::Rational;
 use crate::expr::Expr;
-use crate::robot::{Grouping, Parameter, Robot};
-use crate::spatial::{Acceleration, Body, Force, accelerations, felt_inwards};
+use crate::linear::Vector3;
+use crate::robot::{Grouping, Robot};
+use crate::spatial::{Acceleration, Body, Force, Joint, accelerations, felt_inwards};
 
-/// A column in the making: its link, and the force of its body on the link. A motor has none.
-type Column<'g> = (usize, Option<Force<Expr<'g>>>);
+/// A column in the making.
+enum Column<'g> {
+    /// Of a body: its link, and the force of the body on the link.
+    OfBody(usize, Force<Expr<'g>>),
+    /// Of a motor: its joint, and the acceleration of that.
+    OfMotor(usize, Expr<'g>),
+}
 
 /// Each body's force handed on from link to link, to the base. By rows.
 pub(super) fn by_recursion<'g>(
@@ -19,7 +29,8 @@ pub(super) fn by_recursion<'g>(
     robot: &Robot,
     chain: &Chain<Expr<'g>>,
 ) -> Vec<Expr<'g>> {
-    by_rows(symbols, robot, chain, |i, force| {
+    let columns = columns_of_motion(symbols, robot, chain);
+    by_rows(chain, columns, |i, force| {
         felt_inwards(force, chain.joints().take(i + 1))
     })
 }
@@ -32,51 +43,137 @@ pub(super) fn by_partial_velocities<'g>(
     chain: &Chain<Expr<'g>>,
 ) -> Vec<Expr<'g>> {
     let axes = chain.axes();
-    by_rows(symbols, robot, chain, |i, force| {
+    let columns = columns_of_motion(symbols, robot, chain);
+    by_rows(chain, columns, |i, force| {
         axes[i].iter().map(|axis| axis.dot(force)).collect()
     })
 }
 
-/// The regressor by rows. `felt` says what the joints up to link i feel of a force on it.
-fn by_rows<'g>(
+/// The regressor of M qdd_r + C(q, qd) qd_r + G, by rows.
+pub(super) fn of_passivity<'g>(
     symbols: &mut Symbols<'g>,
     robot: &Robot,
     chain: &Chain<Expr<'g>>,
-    felt: impl Fn(usize, Force<Expr<'g>>) -> Vec<Expr<'g>>,
+    rates: &[Rates<Expr<'g>>],
 ) -> Vec<Expr<'g>> {
-    let qdd = symbols.all(|joint| joint.qdd);
-    let column = |(i, force): Column<'g>| {
-        let mut column = vec![chain.zero; qdd.len()];
-        match force {
-            Some(force) => column[..=i].copy_from_slice(&felt(i, force)),
-            None => column[i] = qdd[i],
-        }
-        column
-    };
-    let columns = columns(symbols, robot, chain).into_iter().map(column);
-    let columns: Vec<_> = columns.collect();
-    let row = |i: usize| columns.iter().map(move |column| column[i]);
-    (0..qdd.len()).flat_map(row).collect()
+    let half = half(symbols);
+    let units = Units::new(symbols, robot);
+    let motions = passivity::motions(chain, rates);
+    let columns = units.bodies(chain).map(|(i, body)| match body {
+        Some(body) => Column::OfBody(i, motions[i].force(&body, half)),
+        None => Column::OfMotor(i, rates[i].qdd_r),
+    });
+    by_rows(chain, columns.collect(), |i, force| {
+        felt_inwards(force, chain.joints().take(i + 1))
+    })
 }
 
-/// The force of every unit base parameter.
-fn columns<'g>(
+/// The kinetic energy of a unit of every base parameter, then the potential energy, zero where frame 0
+/// has its origin.
+pub(super) fn of_energies<'g>(
+    symbols: &mut Symbols<'g>,
+    robot: &Robot,
+    chain: &Chain<Expr<'g>>,
+) -> Vec<Expr<'g>> {
+    let half = half(symbols);
+    let qd = symbols.all(|joint| joint.qd);
+    let units = Units::new(symbols, robot);
+    let velocities = momenta::velocities(chain, &qd);
+    let heights = heights(chain);
+    let energies = units.bodies(chain).map(|(i, body)| match body {
+        Some(body) => {
+            let (gravity, above) = heights[i];
+            let potential = -(gravity.dot(body.moment) + above * body.mass);
+            (body.kinetic_energy(velocities[i], half), potential)
+        }
+        None => (half * (qd[i] * qd[i]), chain.zero),
+    });
+    let (kinetic, potential): (Vec<_>, Vec<_>) = energies.unzip();
+    [kinetic, potential].concat()
+}
+
+pub(super) fn half<'g>(symbols: &Symbols<'g>) -> Expr<'g> {
+    symbols
+        .graph()
+        .rational(&(Rational::ONE / Rational::from(2)))
+}
+
+/// Gravity in the axes of every frame, and g.p with p the frame's origin from that of frame 0.
+fn heights<'g>(chain: &Chain<Expr<'g>>) -> Vec<(Vector3<Expr<'g>>, Expr<'g>)> {
+    let (mut gravity, mut above) = (chain.gravity, chain.zero);
+    let height = |joint: &Joint<Expr<'g>>| {
+        above = above + gravity.dot(joint.position());
+        gravity = joint.enter(gravity);
+        (gravity, above)
+    };
+    chain.joints().map(height).collect()
+}
+
+/// A regressor by rows. `felt` says what the joints up to link i feel of a force on it.
+fn by_rows<'g>(
+    chain: &Chain<Expr<'g>>,
+    columns: Vec<Column<'g>>,
+    felt: impl Fn(usize, Force<Expr<'g>>) -> Vec<Expr<'g>>,
+) -> Vec<Expr<'g>> {
+    let joints = chain.links.len();
+    let column = |column: Column<'g>| {
+        let mut forces = vec![chain.zero; joints];
+        match column {
+            Column::OfBody(i, force) => forces[..=i].copy_from_slice(&felt(i, force)),
+            Column::OfMotor(i, acceleration) => forces[i] = acceleration,
+        }
+        forces
+    };
+    let columns: Vec<_> = columns.into_iter().map(column).collect();
+    let row = |i: usize| columns.iter().map(move |column| column[i]);
+    (0..joints).flat_map(row).collect()
+}
+
+/// The columns of the equations of motion.
+fn columns_of_motion<'g>(
     symbols: &mut Symbols<'g>,
     robot: &Robot,
     chain: &Chain<Expr<'g>>,
 ) -> Vec<Column<'g>> {
-    let grouping = Grouping::of(robot);
-    let geometry = base::geometry(symbols, robot);
+    let units = Units::new(symbols, robot);
     let (qd, qdd) = (
         symbols.all(|joint| joint.qd),
         symbols.all(|joint| joint.qdd),
     );
     let at_base = Acceleration::of_base(chain.zero, chain.gravity);
     let accelerations = accelerations(at_base, chain.joints(), &qd, &qdd);
-    let column = |(i, parameter): (usize, Parameter)| {
-        let body = base::unit(&grouping, &geometry, i, parameter, (chain.zero, chain.one));
-        let placed = |body: Body<_>| chain.links[i].place(body, chain.zero);
-        (i, body.map(|body| accelerations[i].force(&placed(body))))
+    let column = |(i, body): (usize, Option<Body<Expr<'g>>>)| match body {
+        Some(body) => Column::OfBody(i, accelerations[i].force(&body)),
+        None => Column::OfMotor(i, qdd[i]),
     };
-    base::columns(&grouping).into_iter().map(column).collect()
+    units.bodies(chain).map(column).collect()
+}
+
+/// The base parameters of an arm, a unit of each of them.
+struct Units<'g> {
+    grouping: Grouping,
+    geometry: Vec<LinkGeometry<Expr<'g>>>,
+}
+
+impl<'g> Units<'g> {
+    fn new(symbols: &mut Symbols<'g>, robot: &Robot) -> Self {
+        Units {
+            grouping: Grouping::of(robot),
+            geometry: base::geometry(symbols, robot),
+        }
+    }
+
+    /// For every base parameter its link, and the body that is a unit of it in the link's frame; none
+    /// of a motor.
+    fn bodies(
+        &self,
+        chain: &Chain<Expr<'g>>,
+    ) -> impl Iterator<Item = (usize, Option<Body<Expr<'g>>>)> {
+        let constants = (chain.zero, chain.one);
+        let columns = base::columns(&self.grouping).into_iter();
+        columns.map(move |(i, parameter)| {
+            let body = base::unit(&self.grouping, &self.geometry, i, parameter, constants);
+            (i, body.map(|body| chain.links[i].place(body, chain.zero)))
+        })
+    }
 }

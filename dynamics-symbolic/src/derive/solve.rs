@@ -55,7 +55,13 @@ impl<'g> Factors<'g> {
     }
 
     /// The solution of M x = b.
-    pub(super) fn solve(&self, mut b: Vec<Expr<'g>>) -> Vec<Expr<'g>> {
+    pub(super) fn solve(&self, b: Vec<Expr<'g>>) -> Vec<Expr<'g>> {
+        let b = self.solve_upper(b);
+        self.graph.holding(|| self.solve_lower(&b))
+    }
+
+    /// The solution of U x = b.
+    fn solve_upper(&self, mut b: Vec<Expr<'g>>) -> Vec<Expr<'g>> {
         let n = b.len();
         for j in (0..n).rev() {
             hold_unless(j + 1 == n, self.graph, || {
@@ -64,7 +70,7 @@ impl<'g> Factors<'g> {
                 }
             });
         }
-        self.graph.holding(|| self.solve_lower(&b))
+        b
     }
 
     /// The solution of D U^T x = b.
@@ -76,6 +82,32 @@ impl<'g> Factors<'g> {
             x.push(coupled);
         }
         x
+    }
+
+    /// B' M^-1 B for a matrix B by columns: with X = U^-1 B, X' D^-1 X.
+    pub(super) fn congruence(&self, columns: &[Vec<Expr<'g>>]) -> Matrix<'g> {
+        let zero = self.graph.zero();
+        let reduced: Vec<_> = columns
+            .iter()
+            .map(|b| self.solve_upper(b.clone()))
+            .collect();
+        let weighted = |x: &Vec<Expr<'g>>| -> Vec<_> {
+            let terms = x.iter().zip(&self.reciprocals);
+            terms.map(|(&x, &reciprocal)| reciprocal * x).collect()
+        };
+        let dot = |a: &[Expr<'g>], b: &[Expr<'g>]| {
+            let terms = a.iter().zip(b);
+            terms.fold(zero, |sum, (&a, &b)| sum + a * b)
+        };
+        let mut product = vec![vec![zero; columns.len()]; columns.len()];
+        for (i, x) in reduced.iter().enumerate() {
+            let x = weighted(x);
+            for j in i..columns.len() {
+                product[i][j] = dot(&x, &reduced[j]);
+                product[j][i] = product[i][j];
+            }
+        }
+        product
     }
 
     /// The inverse of M: with W = U^-1, M^-1 = W^T D^-1 W.

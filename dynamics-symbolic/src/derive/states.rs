@@ -1,6 +1,7 @@
 //! States of an arm, and values of its fields, at which rounding is counted.
 
 use crate::exact::{SplitMix64, sin_cos};
+use crate::function::Argument;
 use crate::robot::{JointType, Robot, Row, Symbol, Value};
 use crate::rounding::Bounded;
 use core::f64::consts::{FRAC_PI_2, PI};
@@ -11,6 +12,8 @@ pub(super) struct State {
     qd: Vec<f64>,
     qdd: Vec<f64>,
     tau: Vec<f64>,
+    /// The seed of all other arguments.
+    entries: u64,
     fields: Fields,
 }
 
@@ -75,9 +78,18 @@ impl State {
             qd: symmetric(),
             qdd: symmetric(),
             tau: symmetric(),
+            entries: q.first().map_or(0, |q| q.to_bits()),
             fields,
             q,
         }
+    }
+
+    /// An entry of another argument, from -1 to 1.
+    fn entry(&self, argument: Argument, index: usize) -> f64 {
+        let seed = [argument as u64, index as u64]
+            .into_iter()
+            .fold(self.entries, |seed, k| SplitMix64::new(seed ^ k).next_u64());
+        2.0 * SplitMix64::new(seed).unit() - 1.0
     }
 
     /// The value of a symbol: rounded where the program computes it.
@@ -96,6 +108,7 @@ impl State {
             Symbol::VelocitySign(i) => Bounded::exact(self.qd[*i].signum()),
             // Any number from 0 to 1: it is a symbol that knows nothing of the velocity.
             Symbol::Stribeck(i) => Bounded::rounded(1.0 / (1.0 + self.qd[*i] * self.qd[*i])),
+            Symbol::Entry(argument, i) => Bounded::exact(self.entry(*argument, *i)),
         }
     }
 }

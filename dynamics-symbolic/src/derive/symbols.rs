@@ -2,6 +2,7 @@
 
 use crate::exact::Rational;
 use crate::expr::{Direction, Expr, Graph, Level};
+use crate::function::Argument;
 use crate::robot::{Interpretation, JointType, Robot, Row, Symbol, Value};
 
 /// The variables of one joint.
@@ -31,6 +32,7 @@ pub struct Symbols<'g> {
     fields: Vec<Expr<'g>>,
     angles: Vec<(Value, Expr<'g>, Expr<'g>)>,
     joints: Vec<JointSymbols<'g>>,
+    entries: Vec<((Argument, usize), Expr<'g>)>,
 }
 
 impl<'g> Symbols<'g> {
@@ -51,6 +53,7 @@ impl<'g> Symbols<'g> {
             fields,
             angles: Vec::new(),
             joints: Vec::with_capacity(robot.rows.len()),
+            entries: Vec::new(),
         };
         let mut moving = 0..;
         for row in &robot.rows {
@@ -121,6 +124,32 @@ impl<'g> Symbols<'g> {
     /// One variable of the joint of every row.
     pub fn all(&self, variable: impl Fn(&JointSymbols<'g>) -> Expr<'g>) -> Vec<Expr<'g>> {
         self.joints.iter().map(variable).collect()
+    }
+
+    /// An entry of another argument than q, qd, qdd and tau: a symbol from the first time on that it is
+    /// asked for.
+    pub fn entry(&mut self, argument: Argument, index: usize) -> Expr<'g> {
+        let key = (argument, index);
+        if let Some((_, known)) = self.entries.iter().find(|(known, _)| *known == key) {
+            return *known;
+        }
+        self.meanings.push(Symbol::Entry(argument, index));
+        let symbol = self.graph.symbol(Level::Variable);
+        self.entries.push((key, symbol));
+        symbol
+    }
+
+    /// Such an argument with an entry for the joint of every row, zero where the joint is locked.
+    pub fn entries(&mut self, argument: Argument, robot: &Robot) -> Vec<Expr<'g>> {
+        let mut moving = 0..;
+        let mut entries = Vec::with_capacity(robot.rows.len());
+        for row in &robot.rows {
+            entries.push(match row.locked {
+                Some(_) => self.graph.zero(),
+                None => self.entry(argument, moving.next().unwrap_or_default()),
+            });
+        }
+        entries
     }
 
     /// A direction in which, besides, the position of row i's joint changes at a rate: s' = c q',

@@ -101,6 +101,7 @@ fn symbol(robot: &Robot, symbol: &Symbol) -> String {
             let v = stribeck.map(|stribeck| cell(robot, &stribeck.velocity).above(PRODUCT));
             format!("exp(-(qd{} / {})^2)", i + 1, v.unwrap_or_default())
         }
+        Symbol::Entry(argument, i) => joint(argument.name(), i),
     }
 }
 

@@ -80,6 +80,7 @@ pub(super) fn input_name(robot: &Robot, symbol: &Symbol, angles: &[&Symbol]) -> 
         Symbol::Force(i) => format!("tau_{}", i + 1),
         Symbol::VelocitySign(i) => format!("sign_{}", i + 1),
         Symbol::Stribeck(i) => format!("stribeck_{}", i + 1),
+        Symbol::Entry(argument, i) => format!("{}_{}", argument.name(), i + 1),
     }
 }
 
@@ -102,6 +103,7 @@ pub(super) fn inputs(
             Symbol::Velocity(i) => element(Argument::Velocity, *i),
             Symbol::Acceleration(i) => element(Argument::Acceleration, *i),
             Symbol::Force(i) => element(Argument::Force, *i),
+            Symbol::Entry(argument, i) => element(*argument, *i),
             Symbol::VelocitySign(i) => {
                 let velocity = element(Argument::Velocity, *i);
                 quote!(#path::Scalar::sign(#velocity))
@@ -193,6 +195,7 @@ pub(super) fn place(symbol: &Symbol) -> (u8, usize) {
         Symbol::Stribeck(i) => (6, *i),
         Symbol::Acceleration(i) => (7, *i),
         Symbol::Force(i) => (8, *i),
+        Symbol::Entry(argument, i) => (9 + *argument as u8, *i),
     }
 }
 

@@ -140,7 +140,8 @@ impl<'p> Series<'p> {
                 | Symbol::Field(_)
                 | Symbol::AngleSine(_)
                 | Symbol::AngleCosine(_)
-                | Symbol::Force(_) => Kind::Constant,
+                | Symbol::Force(_)
+                | Symbol::Entry(..) => Kind::Constant,
                 Symbol::Sine(_)
                 | Symbol::Cosine(_)
                 | Symbol::Position(_)

@@ -3,7 +3,7 @@
 use super::{Shape, Size};
 
 /// An argument of a generated method, after `&self`. Methods take theirs in this order.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Argument {
     /// q, joint positions.
     Position,
@@ -13,6 +13,16 @@ pub enum Argument {
     Acceleration,
     /// tau, joint forces and torques.
     Force,
+    /// qd_r, the velocities of a reference motion.
+    ReferenceVelocity,
+    /// qdd_r, the accelerations of a reference motion.
+    ReferenceAcceleration,
+    /// jerk, the rates of the joint accelerations.
+    Jerk,
+    /// snap, the rates of the jerk.
+    Snap,
+    /// A force on the tip and a moment about its origin.
+    Wrench,
     /// The highest order of a series.
     Order,
 }
@@ -25,6 +35,11 @@ impl Argument {
             Argument::Velocity => "qd",
             Argument::Acceleration => "qdd",
             Argument::Force => "tau",
+            Argument::ReferenceVelocity => "qd_r",
+            Argument::ReferenceAcceleration => "qdd_r",
+            Argument::Jerk => "jerk",
+            Argument::Snap => "snap",
+            Argument::Wrench => "wrench",
             Argument::Order => "order",
         }
     }
@@ -32,9 +47,15 @@ impl Argument {
     /// The arrangement of its values; `None` of a number that counts something.
     pub const fn shape(self) -> Option<Shape> {
         match self {
-            Argument::Position | Argument::Velocity | Argument::Acceleration | Argument::Force => {
-                Some(Shape::Matrix(Size::Joints, Size::One))
-            }
+            Argument::Position
+            | Argument::Velocity
+            | Argument::Acceleration
+            | Argument::Force
+            | Argument::ReferenceVelocity
+            | Argument::ReferenceAcceleration
+            | Argument::Jerk
+            | Argument::Snap => Some(Shape::Matrix(Size::Joints, Size::One)),
+            Argument::Wrench => Some(Shape::Matrix(Size::Fixed(6), Size::One)),
             Argument::Order => None,
         }
     }
@@ -47,6 +68,15 @@ impl Argument {
             Argument::Velocity => format!("joint velocities, {position} per s"),
             Argument::Acceleration => format!("joint accelerations, {position} per s^2"),
             Argument::Force => format!("joint forces and torques, {force}"),
+            Argument::ReferenceVelocity => format!("reference velocities, {position} per s"),
+            Argument::ReferenceAcceleration => {
+                format!("reference accelerations, {position} per s^2")
+            }
+            Argument::Jerk => format!("rates of the accelerations, {position} per s^3"),
+            Argument::Snap => format!("rates of `jerk`, {position} per s^4"),
+            Argument::Wrench => "force (N) on the tip and moment (N m) about its origin, \
+                fx fy fz nx ny nz in the axes of `jacobian`, that the surroundings apply"
+                .to_owned(),
             Argument::Order => return None,
         })
     }

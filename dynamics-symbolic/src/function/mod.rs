@@ -71,6 +71,14 @@ impl Function {
         }
     }
 
+    /// Whether it divides by the mass of the arm.
+    pub fn divides_by_mass(self) -> bool {
+        matches!(
+            self,
+            Function::CenterOfMass | Function::CenterOfMassJacobian
+        )
+    }
+
     /// How many outputs of a program are values. Pivots and the diagonal of M may follow.
     pub fn entries(self, joints: usize, outputs: usize) -> usize {
         self.shape().entries(self.sizes(joints, outputs))

@@ -1,6 +1,9 @@
 //! The table of functions.
 
-use super::Argument::{Acceleration, Force, Order, Position, Velocity};
+use super::Argument::{
+    Acceleration, Force, Jerk, Order, Position, ReferenceAcceleration, ReferenceVelocity, Snap,
+    Velocity, Wrench,
+};
 use super::Size::{Fixed, Joints, One, Pairs, Parameters};
 use super::{Form, Growth, Row, Search, Second, Set, Shape, Trial};
 
@@ -8,6 +11,8 @@ const VECTOR: Shape = Shape::Matrix(Joints, One);
 const SQUARE: Shape = Shape::Matrix(Joints, Joints);
 /// A homogeneous transform.
 const POSE: Shape = Shape::Matrix(Fixed(4), Fixed(4));
+/// Velocities of the tip's origin and of its rotation, or their rates.
+const TWIST: Shape = Shape::Matrix(Fixed(6), One);
 
 /// Any number of joints.
 const ANY: usize = usize::MAX;
@@ -440,6 +445,260 @@ functions! {
         symbol: None,
         set: Set::ByName,
         provided: Some("TaylorDynamics"),
+        second: OF_SMALL_ARMS,
+        search: Search::Own,
+        growth: Growth::Moderate,
+        reads_inertia: true,
+        compared_with: None,
+    },
+
+    /// J' w
+    WrenchTorques: Row {
+        name: "wrench_torques",
+        arguments: &[Position, Wrench],
+        shape: VECTOR,
+        refuses: false,
+        description: "Joint torques J(q)^T w of a wrench at the tip, N m or N, without J: M(q) qdd + V(q, qd) + G(q) + K(q) + F(qd) = tau + J(q)^T w.",
+        symbol: None,
+        set: Set::ByName,
+        provided: None,
+        second: None,
+        search: Search::Own,
+        growth: Growth::Moderate,
+        reads_inertia: false,
+        compared_with: None,
+    },
+
+    /// J qd
+    ToolVelocity: Row {
+        name: "tool_velocity",
+        arguments: &[Position, Velocity],
+        shape: TWIST,
+        refuses: false,
+        description: "Velocity of the tip J(q) qd, vx vy vz wx wy wz, in the base frame, m/s and rad/s, without J.",
+        symbol: None,
+        set: Set::ByName,
+        provided: None,
+        second: None,
+        search: Search::Own,
+        growth: Growth::Moderate,
+        reads_inertia: false,
+        compared_with: None,
+    },
+
+    /// J qdd + Jdot qd
+    ToolAcceleration: Row {
+        name: "tool_acceleration",
+        arguments: &[Position, Velocity, Acceleration],
+        shape: TWIST,
+        refuses: false,
+        description: "Acceleration of the tip J(q) qdd + dJ/dt qd: of its origin and of its rotation, in the base frame, m/s^2 and \
+            rad/s^2, without J and its rate.",
+        symbol: None,
+        set: Set::ByName,
+        provided: None,
+        second: None,
+        search: Search::Own,
+        growth: Growth::Moderate,
+        reads_inertia: false,
+        compared_with: None,
+    },
+
+    /// dJ/dt
+    JacobianRate: Row {
+        name: "jacobian_rate",
+        arguments: &[Position, Velocity],
+        shape: Shape::Matrix(Fixed(6), Joints),
+        refuses: false,
+        description: "Rate dJ/dt of the geometric Jacobian along a motion, 6 x N, rows as in `jacobian`: the acceleration of the \
+            tip is J qdd + dJ/dt qd.",
+        symbol: None,
+        set: Set::ByName,
+        provided: None,
+        second: None,
+        search: Search::None,
+        growth: Growth::Moderate,
+        reads_inertia: false,
+        compared_with: None,
+    },
+
+    /// Geometric Jacobian of every link frame's origin.
+    LinkJacobians: Row {
+        name: "link_jacobians",
+        arguments: &[Position],
+        shape: Shape::Each(&Shape::Matrix(Fixed(6), Joints)),
+        refuses: false,
+        description: "Geometric Jacobians of the origins of all link frames whose joint moves, from the base outwards, each 6 x N, \
+            rows vx vy vz wx wy wz, in the base frame. Columns of joints beyond a link are zero.",
+        symbol: None,
+        set: Set::ByName,
+        provided: None,
+        second: None,
+        search: Search::None,
+        growth: Growth::Moderate,
+        reads_inertia: false,
+        compared_with: None,
+    },
+
+    /// The centre of mass of all links.
+    CenterOfMass: Row {
+        name: "center_of_mass",
+        arguments: &[Position],
+        shape: Shape::Matrix(Fixed(3), One),
+        refuses: false,
+        description: "Centre of mass of the tool and of all links but those that are locked to the base, in the world frame, m: that \
+            of the complete arm where parameters are neglected.",
+        symbol: None,
+        set: Set::ByName,
+        provided: None,
+        second: None,
+        search: Search::Own,
+        growth: Growth::Moderate,
+        reads_inertia: false,
+        compared_with: None,
+    },
+
+    /// Its derivative by the joint positions.
+    CenterOfMassJacobian: Row {
+        name: "center_of_mass_jacobian",
+        arguments: &[Position],
+        shape: Shape::Matrix(Fixed(3), Joints),
+        refuses: false,
+        description: "Jacobian of `center_of_mass`, 3 x N, by rows x y z: its velocity in the base frame is this times qd.",
+        symbol: None,
+        set: Set::ByName,
+        provided: None,
+        second: None,
+        search: Search::Own,
+        growth: Growth::Moderate,
+        reads_inertia: false,
+        compared_with: None,
+    },
+
+    /// J M^-1 J'
+    OperationalInertiaInverse: Row {
+        name: "operational_inertia_inverse",
+        arguments: &[Position],
+        shape: Shape::Matrix(Fixed(6), Fixed(6)),
+        refuses: true,
+        description: "Inverse of the inertia that the tip has in task space, J(q) M(q)^-1 J(q)^T, 6 x 6, rows and columns as those of \
+            `jacobian`: the acceleration of the tip by a wrench on it. It exists for every arm whose M is regular; where it is \
+            regular itself, its inverse is the operational-space inertia (Khatib).",
+        symbol: None,
+        set: Set::ByName,
+        provided: None,
+        second: None,
+        search: Search::By(Function::MassMatrix),
+        growth: Growth::Moderate,
+        reads_inertia: true,
+        compared_with: None,
+    },
+
+    /// M qd
+    GeneralizedMomentum: Row {
+        name: "generalized_momentum",
+        arguments: &[Position, Velocity],
+        shape: VECTOR,
+        refuses: false,
+        description: "Generalized momentum p = M(q) qd = dT/dqd, N m s or N s, without M.",
+        symbol: None,
+        set: Set::ByName,
+        provided: None,
+        second: OF_SMALL_ARMS,
+        search: Search::Own,
+        growth: Growth::Moderate,
+        reads_inertia: true,
+        compared_with: None,
+    },
+
+    /// C' qd - G - K - F
+    MomentumBias: Row {
+        name: "momentum_bias",
+        arguments: &[Position, Velocity],
+        shape: VECTOR,
+        refuses: false,
+        description: "Rate of the generalized momentum without applied forces, C(q, qd)^T qd - G(q) - K(q) - F(qd), N m or N, with C from the Christoffel symbols: \
+            d/dt (M qd) = tau + J^T w + momentum_bias, by which a momentum observer finds the forces that nobody has told it of.",
+        symbol: None,
+        set: Set::ByName,
+        provided: None,
+        second: OF_SMALL_ARMS,
+        search: Search::Own,
+        growth: Growth::Moderate,
+        reads_inertia: true,
+        compared_with: None,
+    },
+
+    /// M qdd_r + C qd_r + G + K + F
+    PassivityTorque: Row {
+        name: "passivity_torque",
+        arguments: &[Position, Velocity, ReferenceVelocity, ReferenceAcceleration],
+        shape: VECTOR,
+        refuses: false,
+        description: "Torque of a passivity-based controller, M(q) qdd_r + C(q, qd) qd_r + G(q) + K(q) + F(qd), N m or N, with C from the \
+            Christoffel symbols and without forming it. Also: the control of Slotine and Li.",
+        symbol: None,
+        set: Set::ByName,
+        provided: None,
+        second: OF_SMALL_ARMS,
+        search: Search::Own,
+        growth: Growth::Moderate,
+        reads_inertia: true,
+        compared_with: None,
+    },
+
+    /// Y_r(q, qd, qd_r, qdd_r), the coefficients of the base inertial parameters in it.
+    PassivityRegressor: Row {
+        name: "passivity_regressor",
+        arguments: &[Position, Velocity, ReferenceVelocity, ReferenceAcceleration],
+        shape: Shape::Matrix(Joints, Parameters),
+        refuses: false,
+        description: "Regressor Y_r(q, qd, qd_r, qdd_r), N x P, of the P base inertial parameters: \
+            Y_r * base_parameters = M qdd_r + C qd_r + G, the `passivity_torque` without springs and friction, from which adaptive control \
+            learns (Slotine and Li).",
+        symbol: None,
+        set: Set::ByName,
+        provided: None,
+        second: None,
+        search: Search::By(Function::Regressor),
+        growth: Growth::Steep,
+        reads_inertia: true,
+        compared_with: Some(Function::BaseParameters),
+    },
+
+    /// The coefficients of the base inertial parameters in T and U.
+    EnergyRegressors: Row {
+        name: "energy_regressors",
+        arguments: &[Position, Velocity],
+        shape: Shape::Tuple(&[
+            Shape::Matrix(Parameters, One),
+            Shape::Matrix(Parameters, One),
+        ]),
+        refuses: false,
+        description: "Regressors of the energies, two vectors of P numbers, J for a unit of each of the P base inertial parameters: \
+            the kinetic energy is the first one times base_parameters, the potential energy of gravity the second one up to a \
+            constant.",
+        symbol: None,
+        set: Set::ByName,
+        provided: None,
+        second: None,
+        search: Search::Own,
+        growth: Growth::Moderate,
+        reads_inertia: true,
+        compared_with: Some(Function::BaseParameters),
+    },
+
+    /// The first and the second derivative of tau by time.
+    InverseDynamicsRates: Row {
+        name: "inverse_dynamics_rates",
+        arguments: &[Position, Velocity, Acceleration, Jerk, Snap],
+        shape: Shape::Tuple(&[VECTOR, VECTOR]),
+        refuses: false,
+        description: "First and second derivative by time of the inverse dynamics along a motion, (d tau/dt, d2 tau/dt2), N m/s and \
+            N m/s^2 (N/s and N/s^2). Viscous friction counts; Coulomb friction counts as constant.",
+        symbol: None,
+        set: Set::ByName,
+        provided: None,
         second: OF_SMALL_ARMS,
         search: Search::Own,
         growth: Growth::Moderate,

@@ -5,7 +5,7 @@ use super::reals::sin_cos;
 use super::sample::Samples;
 use super::{STATES, sum};
 use crate::exact::Rational;
-use crate::function::{Function, spans};
+use crate::function::{Argument, Function, spans};
 use crate::program::{Arithmetic, Program};
 use crate::robot::{Grouping, Robot, Symbol};
 use core::f64::consts::PI;
@@ -92,6 +92,27 @@ fn points(robot: &Robot) -> Vec<Point> {
     states.map(point).collect()
 }
 
+impl Point {
+    /// An entry of another argument: a reference motion that is as fast as the motion itself and
+    /// another one, and rates of accelerations that change within a tenth of a second.
+    fn entry(&self, argument: Argument, i: usize) -> f64 {
+        let speed = VELOCITY / ACCELERATION;
+        match argument {
+            Argument::ReferenceVelocity => speed * self.qdd[i],
+            Argument::ReferenceAcceleration => self.qd[i] / speed,
+            Argument::Jerk => -10.0 * self.qdd[i],
+            Argument::Snap => 100.0 * self.qd[i] / speed,
+            Argument::Wrench => 1.0,
+            // These have symbols of their own.
+            Argument::Position
+            | Argument::Velocity
+            | Argument::Acceleration
+            | Argument::Force
+            | Argument::Order => f64::NAN,
+        }
+    }
+}
+
 impl Arithmetic for Point {
     type Number = f64;
 
@@ -114,6 +135,7 @@ impl Arithmetic for Point {
             Symbol::VelocitySign(i) => self.qd[*i].signum(),
             // The same in both models: how much it is does not matter to their difference.
             Symbol::Stribeck(_) => 0.0,
+            Symbol::Entry(argument, i) => self.entry(*argument, *i),
         }
     }
 

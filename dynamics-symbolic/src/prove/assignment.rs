@@ -1,6 +1,7 @@
 //! The random point of the prime field: a value for every symbol.
 
 use crate::exact::{Rational, Residue, SplitMix64, circle_point};
+use crate::function::Argument;
 use crate::program::Arithmetic;
 use crate::robot::{Interpretation, Robot, Symbol, Value};
 
@@ -33,6 +34,8 @@ pub struct Assignment {
     fields: Vec<Number>,
     angles: Vec<(Value, (Number, Number))>,
     joints: Vec<JointPoint>,
+    /// The seed of all other arguments.
+    entries: u64,
     unfaithful: bool,
 }
 
@@ -62,6 +65,7 @@ impl Assignment {
             fields,
             angles: Vec::new(),
             joints,
+            entries: seed.rotate_left(32),
             unfaithful: false,
         }
     }
@@ -69,6 +73,12 @@ impl Assignment {
     /// The variables of the joints that move.
     pub fn joints(&self) -> &[JointPoint] {
         &self.joints
+    }
+
+    /// An entry of another argument than q, qd, qdd and tau.
+    pub fn entry(&self, argument: Argument, index: usize) -> Number {
+        let place = argument as u64 * 0x0001_0000 + index as u64;
+        Number::random(&mut SplitMix64::new(self.entries ^ place))
     }
 
     /// Whether a constant of the table had no image in the field: nothing is proven then.
@@ -140,6 +150,7 @@ impl Arithmetic for Assignment {
             Symbol::Force(i) => self.joints[*i].tau,
             Symbol::VelocitySign(i) => self.joints[*i].sign,
             Symbol::Stribeck(i) => self.joints[*i].stribeck,
+            Symbol::Entry(argument, i) => self.entry(*argument, *i),
         })
     }
 

@@ -1,6 +1,7 @@
 //! What the symbols in a robot's equations stand for.
 
 use super::Value;
+use crate::function::Argument;
 
 /// What a symbol stands for. Indices of joints count from 0, joints that are locked left out.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,4 +31,6 @@ pub enum Symbol {
     /// exp(-(qd/v)^2) of a joint's velocity and its [Stribeck velocity](super::Stribeck): what is left
     /// of the static friction beyond Coulomb's.
     Stribeck(usize),
+    /// An entry of another argument than q, qd, qdd and tau.
+    Entry(Argument, usize),
 }

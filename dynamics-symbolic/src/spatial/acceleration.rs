@@ -56,10 +56,18 @@ impl<R: Ring> Acceleration<R> {
 
     /// That of the link that the joint carries and moves.
     pub fn enter(&self, joint: &Joint<R>, qd: R, qdd: R) -> Self {
-        let w = joint.enter(self.w);
-        let wd = joint.enter(self.wd);
-        let a = joint.enter(self.a + self.u().apply(joint.position()));
-        match joint.joint_type {
+        let carried = Acceleration {
+            w: joint.enter(self.w),
+            wd: joint.enter(self.wd),
+            a: joint.enter(self.a + self.u().apply(joint.position())),
+        };
+        carried.with_joint(joint.joint_type, qd, qdd)
+    }
+
+    /// With what the joint does besides, in the axes of the link that it moves.
+    pub fn with_joint(self, joint_type: JointType, qd: R, qdd: R) -> Self {
+        let Acceleration { w, wd, a } = self;
+        match joint_type {
             // w' = w + qd z, wd' = wd + qdd z + w x z qd
             JointType::Revolute => Acceleration {
                 w: Vector3::new(w[0], w[1], w[2] + qd),

@@ -82,6 +82,13 @@ impl<R: Ring> Body<R> {
         }
     }
 
+    /// 1/2 w.J w + h.(v x w) + 1/2 m v.v
+    pub fn kinetic_energy(&self, motion: Motion<R>, half: R) -> R {
+        let Motion { w, v } = motion;
+        let squares = w.dot(self.inertia.apply(w)) + self.mass * v.dot(v);
+        half * squares + self.moment.dot(v.cross(w))
+    }
+
     /// In the frame before a turn about x.
     pub fn left_x(self, turn: Turn<R>) -> Self {
         Body {

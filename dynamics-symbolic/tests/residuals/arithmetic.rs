@@ -112,6 +112,7 @@ impl Arithmetic for Bits<'_> {
             }
             Symbol::Acceleration(i) => &joint(i).acceleration,
             Symbol::Force(i) => &joint(i).force,
+            Symbol::Entry(..) => unreachable!("nothing with other arguments is solved"),
         };
         self.rational(&exact.clone())
     }

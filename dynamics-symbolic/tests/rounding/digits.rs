@@ -56,6 +56,12 @@ impl State {
             tau,
             // No arm in here has one.
             stribeck: &[],
+            // Any numbers do, and these are as random.
+            qd_r: qdd,
+            qdd_r: tau,
+            jerk: tau,
+            snap: qdd,
+            wrench: &[0.75, -1.25, 2.0, 0.5, -0.375, 1.0],
         }
     }
 }

@@ -159,6 +159,8 @@ impl<const N: usize> Evaluate<N> for Interpreted<'_, N> {
             stribeck.map_or(1.0, |stribeck| self.cell(&stribeck.velocity))
         };
         let stribeck: Vec<f64> = self.robot.joints().map(velocity).collect();
+        let [qd_r, qdd_r] = [state.reference_velocity(), state.reference_acceleration()];
+        let ([jerk, snap], wrench) = ([state.jerk(), state.snap()], State::<N>::wrench());
         let inputs = Inputs {
             fields: self.fields,
             q: state.q.as_slice(),
@@ -166,6 +168,11 @@ impl<const N: usize> Evaluate<N> for Interpreted<'_, N> {
             qdd: state.qdd.as_slice(),
             tau: tau.as_slice(),
             stribeck: &stribeck,
+            qd_r: qd_r.as_slice(),
+            qdd_r: qdd_r.as_slice(),
+            jerk: jerk.as_slice(),
+            snap: snap.as_slice(),
+            wrench: wrench.as_slice(),
         };
         for (function, rounded) in &self.programs {
             let outputs: Vec<f64> = rounded.run(&inputs);
@@ -214,5 +221,30 @@ fn record<const N: usize>(values: &mut Evaluation<N>, function: Function, mut ou
         }
         Function::Regressor => values.regressor = Some(outputs.columns()),
         Function::BaseParameters => values.base_parameters = Some(outputs.0.collect()),
+        Function::WrenchTorques => values.wrench_torques = Some(outputs.matrix()),
+        Function::ToolVelocity => values.tool_velocity = Some(outputs.matrix()),
+        Function::ToolAcceleration => values.tool_acceleration = Some(outputs.matrix()),
+        Function::JacobianRate => values.jacobian_rate = Some(outputs.matrix()),
+        Function::LinkJacobians => {
+            values.link_jacobians = Some([(); N].map(|()| outputs.matrix()));
+        }
+        Function::CenterOfMass => values.center_of_mass = Some(outputs.matrix()),
+        Function::CenterOfMassJacobian => values.center_of_mass_jacobian = Some(outputs.matrix()),
+        Function::OperationalInertiaInverse => {
+            let inverse = outputs.matrix::<6, 6>();
+            values.operational_inertia_inverse = Some(outputs.tested::<_, N>(inverse));
+        }
+        Function::GeneralizedMomentum => values.generalized_momentum = Some(outputs.matrix()),
+        Function::MomentumBias => values.momentum_bias = Some(outputs.matrix()),
+        Function::PassivityTorque => values.passivity_torque = Some(outputs.matrix()),
+        Function::PassivityRegressor => values.passivity_regressor = Some(outputs.columns()),
+        Function::EnergyRegressors => {
+            let energies: Vec<f64> = outputs.0.collect();
+            let (kinetic, potential) = energies.split_at(energies.len() / 2);
+            values.energy_regressors = Some((kinetic.to_vec(), potential.to_vec()));
+        }
+        Function::InverseDynamicsRates => {
+            values.inverse_dynamics_rates = Some((outputs.matrix(), outputs.matrix()));
+        }
     }
 }

@@ -4,6 +4,7 @@ use std::f64::consts::PI;
 
 use dynamics_runtime::{DoubleDouble, Scalar, SingularMassMatrix};
 use dynamics_symbolic::exact::Rational;
+use dynamics_symbolic::function::Argument;
 use dynamics_symbolic::program::{Arithmetic, Constant, ConstantId, Operand, Program};
 use dynamics_symbolic::robot::Symbol;
 
@@ -28,6 +29,16 @@ pub struct Inputs<'a> {
     pub tau: &'a [f64],
     /// Stribeck's velocities, of joints that have one.
     pub stribeck: &'a [f64],
+    /// Velocities of a reference motion.
+    pub qd_r: &'a [f64],
+    /// Accelerations of a reference motion.
+    pub qdd_r: &'a [f64],
+    /// Rates of the accelerations.
+    pub jerk: &'a [f64],
+    /// Rates of these.
+    pub snap: &'a [f64],
+    /// Force and moment at the tip.
+    pub wrench: &'a [f64],
 }
 
 impl Inputs<'_> {
@@ -50,6 +61,22 @@ impl Inputs<'_> {
                 let x = number(self.qd[*i]) / number(self.stribeck[*i]);
                 (-(x * x)).exp()
             }
+            Symbol::Entry(argument, i) => number(self.argument(*argument)[*i]),
+        }
+    }
+
+    fn argument(&self, argument: Argument) -> &[f64] {
+        match argument {
+            Argument::Position => self.q,
+            Argument::Velocity => self.qd,
+            Argument::Acceleration => self.qdd,
+            Argument::Force => self.tau,
+            Argument::ReferenceVelocity => self.qd_r,
+            Argument::ReferenceAcceleration => self.qdd_r,
+            Argument::Jerk => self.jerk,
+            Argument::Snap => self.snap,
+            Argument::Wrench => self.wrench,
+            Argument::Order => &[],
         }
     }
 }

@@ -28,6 +28,20 @@ macro_rules! each_function {
             base_parameters []
             forward_dynamics_aba [q, qd, tau]
             taylor_series [q, qd, tau, order]
+            wrench_torques [q, wrench]
+            tool_velocity [q, qd]
+            tool_acceleration [q, qd, qdd]
+            jacobian_rate [q, qd]
+            link_jacobians [q]
+            center_of_mass [q]
+            center_of_mass_jacobian [q]
+            operational_inertia_inverse [q]
+            generalized_momentum [q, qd]
+            momentum_bias [q, qd]
+            passivity_torque [q, qd, qd_r, qdd_r]
+            passivity_regressor [q, qd, qd_r, qdd_r]
+            energy_regressors [q, qd]
+            inverse_dynamics_rates [q, qd, qdd, jerk, snap]
         }
     };
 }

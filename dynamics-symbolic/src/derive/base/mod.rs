@@ -40,7 +40,10 @@ fn constants<I: Interpretation>(cells: &mut I) -> (I::Number, I::Number) {
 }
 
 /// The standard inertial parameters of every link; those of the tool count to the last one's.
-fn bodies<I: Interpretation>(cells: &mut I, robot: &Robot) -> Vec<(Body<I::Number>, I::Number)> {
+pub(super) fn bodies<I: Interpretation>(
+    cells: &mut I,
+    robot: &Robot,
+) -> Vec<(Body<I::Number>, I::Number)> {
     let screws = screws(cells, robot);
     let rows = robot.rows.iter().zip(&screws[1..]).enumerate();
     rows.map(|(i, (row, next))| {

@@ -3,6 +3,7 @@
 use super::super::assignment::Number;
 use super::super::dual::Dual;
 use super::elimination::{pivots, solve};
+use super::equations::sum;
 use super::pose::{Lift, Position};
 use super::state::State;
 use super::{Definition, Matrix, Vector};
@@ -33,6 +34,26 @@ impl Definition {
             momentum_rate - kinetic + potential
         };
         (0..n).map(force).collect()
+    }
+
+    /// The first derivative of tau by time, then the second one. Coulomb friction is constant.
+    pub(super) fn inverse_dynamics_rates(&self) -> Vector {
+        // Two dual numbers are two steps in time: x + x' e_1 + x' e_2 + x'' e_1 e_2.
+        let jet = |x: &Vector, xd: &Vector, xdd: &Vector| -> Vec<_> {
+            let entry = |i: usize| Dual::new(Dual::new(x[i], xd[i]), Dual::new(xd[i], xdd[i]));
+            (0..self.dof()).map(entry).collect()
+        };
+        let joints = self.q.iter().zip(&self.qd).zip(&self.qdd);
+        let q = joints.map(|((q, &qd), &qdd)| q.moving(qd).moving(Dual::new(qd, qdd)));
+        let force = self.euler_lagrange(&State {
+            q: q.collect(),
+            qd: jet(&self.qd, &self.qdd, &self.jerk),
+            qdd: jet(&self.qdd, &self.jerk, &self.snap),
+        });
+        let first: Vector = force.iter().map(|x| x.derivative.value).collect();
+        let second: Vector = force.iter().map(|x| x.derivative.derivative).collect();
+        let [of_friction, second_of_friction] = self.rates_of_friction();
+        [sum(&first, &of_friction), sum(&second, &second_of_friction)].concat()
     }
 
     /// d tau/dq and d tau/dqd at accelerations qdd, by rows. Coulomb friction is constant.
@@ -111,9 +132,10 @@ impl Definition {
     }
 }
 
-fn transpose(m: &Matrix) -> Matrix {
-    let n = m.len();
-    (0..n).map(|i| (0..n).map(|j| m[j][i]).collect()).collect()
+pub(super) fn transpose(m: &Matrix) -> Matrix {
+    let columns = m.first().map_or(0, Vec::len);
+    let column = |i: usize| m.iter().map(|row| row[i]).collect();
+    (0..columns).map(column).collect()
 }
 
 fn negative(m: &Matrix) -> Matrix {

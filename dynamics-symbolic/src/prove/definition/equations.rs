@@ -121,11 +121,11 @@ fn constant(x: &[Number]) -> Vec<Dual<Number>> {
     x.iter().map(|&x| Dual::lift(x)).collect()
 }
 
-fn sum(a: &[Number], b: &[Number]) -> Vector {
+pub(super) fn sum(a: &[Number], b: &[Number]) -> Vector {
     a.iter().zip(b).map(|(&a, &b)| a + b).collect()
 }
 
-fn product(matrix: &Matrix, x: &[Number]) -> Vector {
+pub(super) fn product(matrix: &Matrix, x: &[Number]) -> Vector {
     let dot = |row: &Vector| {
         let terms = row.iter().zip(x);
         terms.fold(Number::ZERO, |sum, (&m, &x)| sum + m * x)
@@ -144,14 +144,27 @@ impl Definition {
         self.of_friction(Friction::slope)
     }
 
+    /// The first and the second derivative of F along the motion.
+    pub(super) fn rates_of_friction(&self) -> [Vector; 2] {
+        let of_joint = |(k, (_, row)): (usize, (usize, &Row))| {
+            let rates = [self.qdd[k], self.jerk[k]];
+            row.friction.rates(&self.velocity(k), rates, self.half)
+        };
+        let (first, second) = self.joints().enumerate().map(of_joint).unzip();
+        [first, second]
+    }
+
+    fn velocity(&self, k: usize) -> Velocity<Number> {
+        Velocity {
+            qd: self.qd[k],
+            sign: self.signs[k],
+            exponential: self.stribeck[k],
+        }
+    }
+
     fn of_friction(&self, value: fn(&Friction, &Velocity<Number>, Number) -> Number) -> Vector {
         let of_joint = |(k, (_, row)): (usize, (usize, &Row))| {
-            let at = Velocity {
-                qd: self.qd[k],
-                sign: self.signs[k],
-                exponential: self.stribeck[k],
-            };
-            value(&row.friction, &at, self.half)
+            value(&row.friction, &self.velocity(k), self.half)
         };
         self.joints().enumerate().map(of_joint).collect()
     }

@@ -83,4 +83,28 @@ impl Friction {
         };
         self.force(&moving, half).derivative
     }
+
+    /// The first and the second derivative of F along a motion, where the sign does not change. Two dual
+    /// numbers are two steps in time: x + x' e_1 + x' e_2 + x'' e_1 e_2.
+    pub(super) fn rates(
+        &self,
+        at: &Velocity<Number>,
+        [qdd, jerk]: [Number; 2],
+        half: Number,
+    ) -> (Number, Number) {
+        let stribeck = self.stribeck.as_ref();
+        let inverse_square = stribeck.map_or(Number::ZERO, |stribeck| stribeck.inverse_square);
+        let (qd, x) = (at.qd, at.exponential);
+        // x = exp(-(qd/v)^2): x' = -2 qd qdd / v^2 x, and x'' by the product rule.
+        let slope = -(inverse_square + inverse_square);
+        let first = slope * qd * qdd * x;
+        let second = slope * (qdd * qdd + qd * jerk) * x + slope * qd * qdd * first;
+        let moving = Velocity {
+            qd: Dual::new(Dual::new(qd, qdd), Dual::new(qdd, jerk)),
+            sign: at.sign,
+            exponential: Dual::new(Dual::new(x, first), Dual::new(first, second)),
+        };
+        let force = self.force(&moving, half);
+        (force.derivative.value, force.derivative.derivative)
+    }
 }

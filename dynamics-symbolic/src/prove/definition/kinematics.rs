@@ -1,10 +1,11 @@
 //! Poses and velocities of the links.
 
 use super::super::assignment::Number;
-use super::pose::Pose;
+use super::super::dual::Dual;
+use super::pose::{Lift, Pose};
 use super::twist::angular_velocity;
 use super::{Definition, Matrix, Vector};
-use crate::linear::Matrix3;
+use crate::linear::{Matrix3, Vector3};
 
 impl Definition {
     /// The pose of the tip in the world.
@@ -21,19 +22,19 @@ impl Definition {
 
     /// By rows: vx vy vz wx wy wz of the tip's origin for unit velocity of each joint.
     pub(super) fn jacobian(&self) -> Matrix {
-        let n = self.dof();
-        let mut rows = vec![vec![Number::ZERO; n]; 6];
-        for j in 0..n {
-            let tip = self.tip(&self.poses(&self.along(j)));
-            let rotation = Matrix3(tip.rotation.0.map(|row| row.map(|x| x.value)));
-            let w = rotation.apply(angular_velocity(&tip.rotation));
-            for k in 0..3 {
-                rows[k][j] = tip.origin[k].derivative;
-                rows[3 + k][j] = w[k];
-            }
-        }
-        rows
+        let column = |j: usize| velocity(&self.tip(&self.poses(&self.along(j))));
+        let columns: Vec<_> = (0..self.dof()).map(column).collect();
+        let row = |k: usize| columns.iter().map(|column| column[k]).collect();
+        (0..6).map(row).collect()
     }
+}
+
+/// vx vy vz wx wy wz of a frame in the world, from a pose with its rate.
+pub(super) fn velocity<R: Lift>(pose: &Pose<Dual<R>>) -> [R; 6] {
+    let axes = Matrix3(pose.rotation.0.map(|row| row.map(|x| x.value)));
+    let [wx, wy, wz] = axes.apply(angular_velocity(&pose.rotation)).0;
+    let [vx, vy, vz] = Vector3(pose.origin.0.map(|x| x.derivative)).0;
+    [vx, vy, vz, wx, wy, wz]
 }
 
 /// The 4 x 4 matrix of a pose, by rows.

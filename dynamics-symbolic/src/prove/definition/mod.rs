@@ -16,23 +16,28 @@
 //! qd, so that its second derivatives are differences, without a limit.
 
 mod body;
+mod center_of_mass;
 mod derivatives;
 mod elimination;
 mod energy;
+mod energy_regressors;
 mod equations;
 mod frames;
 mod friction;
 mod kinematics;
+mod momenta;
+mod passivity;
 mod placement;
 mod pose;
 mod regressor;
 mod row;
 mod state;
+mod tip;
 mod twist;
 
 use super::assignment::{Assignment, JointPoint, Number};
 use crate::exact::Rational;
-use crate::function::Function;
+use crate::function::{Argument, Function};
 use crate::linear::Vector3;
 use crate::robot::{Convention, Interpretation, Robot};
 use placement::{Placement, Tool};
@@ -56,6 +61,12 @@ pub struct Definition {
     tau: Vector,
     signs: Vector,
     stribeck: Vector,
+    /// A reference motion.
+    qd_r: Vector,
+    qdd_r: Vector,
+    jerk: Vector,
+    snap: Vector,
+    wrench: Vector,
     /// What is taken off the links' parameters.
     neglected: Vec<Parameters>,
     unfaithful: bool,
@@ -73,6 +84,14 @@ impl Definition {
         let base = base.map(|base| Placement::new(point, base));
         let tool = robot.tool.as_ref();
         let tool = tool.map(|tool| Tool::new(point, tool));
+        let dof = robot.dof();
+        let entries = |argument, count| (0..count).map(|k| point.entry(argument, k)).collect();
+        let (qd_r, qdd_r) = (
+            entries(Argument::ReferenceVelocity, dof),
+            entries(Argument::ReferenceAcceleration, dof),
+        );
+        let (jerk, snap) = (entries(Argument::Jerk, dof), entries(Argument::Snap, dof));
+        let wrench = entries(Argument::Wrench, 6);
         let half = Interpretation::rational(point, &(Rational::ONE / Rational::from(2)));
         let joints = point.joints();
         let all = |variable: fn(&JointPoint) -> Number| joints.iter().map(variable).collect();
@@ -89,6 +108,11 @@ impl Definition {
             tau: all(|joint| joint.tau),
             signs: all(|joint| joint.sign),
             stribeck: all(|joint| joint.stribeck),
+            qd_r,
+            qdd_r,
+            jerk,
+            snap,
+            wrench,
             neglected: Vec::new(),
             unfaithful: point.is_unfaithful(),
         };
@@ -132,6 +156,20 @@ impl Definition {
             Function::ForwardDynamicsDerivatives => self.forward_dynamics_derivatives(computed),
             Function::Regressor => self.regressor()?,
             Function::BaseParameters => self.base_parameters()?,
+            Function::WrenchTorques => self.wrench_torques(),
+            Function::ToolVelocity => self.tool_velocity(),
+            Function::ToolAcceleration => self.tool_acceleration(),
+            Function::JacobianRate => self.jacobian_rate(),
+            Function::LinkJacobians => self.link_jacobians(),
+            Function::CenterOfMass => self.center_of_mass()?,
+            Function::CenterOfMassJacobian => self.center_of_mass_jacobian()?,
+            Function::OperationalInertiaInverse => self.operational_inertia_inverse(computed),
+            Function::GeneralizedMomentum => self.generalized_momentum(),
+            Function::MomentumBias => self.momentum_bias(),
+            Function::PassivityTorque => self.passivity_torque(),
+            Function::PassivityRegressor => self.passivity_regressor()?,
+            Function::EnergyRegressors => self.energy_regressors()?,
+            Function::InverseDynamicsRates => self.inverse_dynamics_rates(),
         })
     }
 

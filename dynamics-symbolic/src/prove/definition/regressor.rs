@@ -98,6 +98,23 @@ impl Definition {
         Some((kept, values.collect()))
     }
 
+    /// Which of the standard parameters are base parameters.
+    pub(super) fn kept_parameters(&self) -> Option<Vec<usize>> {
+        self.base().map(|(kept, _)| kept)
+    }
+
+    /// What belongs to the ten parameters of a link, where the moments are written in the axes of
+    /// [`Definition::moment_axes`], and what belongs to its motor where it has one.
+    pub(super) fn in_moment_axes(&self, link: usize, mut values: Vector, motor: Number) -> Vector {
+        if let Some(rotation) = &self.moment_axes()[link] {
+            let moment = Vector3::new(values[6], values[7], values[8]);
+            values[6..9].copy_from_slice(&rotation.apply(moment).0);
+        }
+        let row = &self.rows[link];
+        values.extend((row.has_motor && row.locked.is_none()).then_some(motor));
+        values
+    }
+
     /// M qdd + V + G by the definition of inverse dynamics.
     fn forces_of_links(&self) -> Vector {
         let forces = self.inverse_dynamics(&self.qdd);

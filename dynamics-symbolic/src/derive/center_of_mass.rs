@@ -1,0 +1,175 @@
+//! The centre of mass of all links, and its Jacobian.
+//!
+//! Both come from masses and first moments, joined from the tip inwards as for gravity. With m and h
+//! those of links i to n about the origin of frame i, and M the mass of all, the centre is h / M of the
+//! whole arm, and moves by z x h / M where revolute joint i does, by m z / M where prismatic joint i
+//! does. Links that are locked count, but for those before the first joint that moves: they are parts of
+//! the base. Nothing is neglected: these are no terms of the equations of motion.
+
+use super::base::{LinkGeometry, bodies, geometry};
+use super::chain::Chain;
+use super::energy::{Moment, composite_moments};
+use super::kinematics::{Axes, base};
+use super::place::Placed;
+use super::symbols::Symbols;
+use crate::expr::{Expr, Graph, Level};
+use crate::linear::{Symmetric3, Vector3};
+use crate::robot::{Interpretation, JointType, Robot};
+use crate::spatial::{Body, Turn};
+
+/// Whether an arm has no mass at all, whatever its fields are: then it has no centre of mass.
+pub fn is_massless(robot: &Robot) -> bool {
+    let graph = Graph::new();
+    total_mass(&mut Symbols::new(&graph, robot), robot).is_zero()
+}
+
+fn total_mass<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> Expr<'g> {
+    let zero = symbols.graph().zero();
+    let links = robot.rows.iter().skip(robot.links_of_base());
+    let masses = links.map(|row| &row.mass);
+    let masses = masses.chain(robot.tool.iter().map(|tool| &tool.mass));
+    masses.fold(zero, |sum, mass| sum + symbols.value(mass))
+}
+
+/// The centre of mass.
+pub(super) fn center<'g>(
+    symbols: &mut Symbols<'g>,
+    robot: &Robot,
+    chain: &Chain<Expr<'g>>,
+) -> Vec<Expr<'g>> {
+    let moments = Moments::new(symbols, robot, chain);
+    let first = chain.links.first().zip(moments.of_links.first());
+    let outer = first.map(|(link, (mass, h))| link.joint.leave(*h) + link.joint.position() * *mass);
+    let total = outer.map_or(moments.of_base, |outer| moments.of_base + outer);
+    let center = Vector3(moments.divided(total.0, chain.one));
+    let center = match &robot.base {
+        Some(base) => {
+            let base = Placed::new(symbols, base);
+            base.origin + base.leave(center)
+        }
+        None => center,
+    };
+    center.0.to_vec()
+}
+
+/// Its Jacobian by rows.
+pub(super) fn jacobian<'g>(
+    symbols: &mut Symbols<'g>,
+    robot: &Robot,
+    chain: &Chain<Expr<'g>>,
+) -> Vec<Expr<'g>> {
+    let zero = chain.zero;
+    let moments = Moments::new(symbols, robot, chain);
+    let mut axes = Axes::new(&base(symbols, robot));
+    let mut columns = Vec::with_capacity(chain.links.len());
+    for (link, (mass, h)) in chain.links.iter().zip(&moments.of_links) {
+        axes = axes.screw_z(zero, pair(link.joint.before));
+        axes = axes.screw_x(zero, pair(link.joint.twist));
+        // In the axes before the joint's own turn, which the moment takes on its way inwards anyway.
+        let (x, y) = link.joint.turn.leave(h[0], h[1]);
+        columns.push(match link.joint.joint_type {
+            JointType::Revolute => axes.y * x - axes.x * y,
+            JointType::Prismatic => axes.z * *mass,
+        });
+        axes = axes.screw_z(zero, pair(link.joint.turn));
+    }
+    let rows = (0..3).flat_map(|k| columns.iter().map(move |column| column[k]));
+    let rows: Vec<_> = rows.collect();
+    moments.divided(rows, chain.one)
+}
+
+fn pair<'g>(turn: Turn<Expr<'g>>) -> (Expr<'g>, Expr<'g>) {
+    (turn.s, turn.c)
+}
+
+/// Masses and first moments, over the mass of all links where that is a number.
+struct Moments<'g> {
+    /// Of links i to n about the origin of frame i, as far as joint i feels them.
+    of_links: Vec<Moment<'g>>,
+    /// The first moment of what no joint moves.
+    of_base: Vector3<Expr<'g>>,
+    /// The mass of all links, where it is still to be divided by.
+    divisor: Option<Expr<'g>>,
+}
+
+impl<'g> Moments<'g> {
+    fn new(symbols: &mut Symbols<'g>, robot: &Robot, chain: &Chain<Expr<'g>>) -> Self {
+        let total = total_mass(symbols, robot);
+        let is_number = total.level() == Level::Constant && !total.is_zero();
+        let scale = match is_number {
+            true => chain.one / total,
+            false => chain.one,
+        };
+        let (bodies, base) = grouped(symbols, robot, scale);
+        let links = chain.links.iter().zip(bodies);
+        let placed: Vec<_> = links
+            .map(|(link, body)| link.place(body, chain.zero))
+            .collect();
+        Moments {
+            of_links: composite_moments(chain, |i| (placed[i].mass, placed[i].moment)),
+            of_base: base.moment,
+            divisor: (!is_number).then_some(total),
+        }
+    }
+
+    /// Values over the mass of all, where that is still to be done.
+    fn divided<V: AsMut<[Expr<'g>]>>(&self, mut values: V, one: Expr<'g>) -> V {
+        if let Some(total) = self.divisor {
+            let reciprocal = one / total;
+            for value in values.as_mut() {
+                *value = *value * reciprocal;
+            }
+        }
+        values
+    }
+}
+
+/// Masses and first moments of all links times a factor, and of the base: what a joint does not move
+/// is a part of the link before it, so that it is added to constants.
+fn grouped<'g>(
+    symbols: &mut Symbols<'g>,
+    robot: &Robot,
+    factor: Expr<'g>,
+) -> (Vec<Body<Expr<'g>>>, Body<Expr<'g>>) {
+    let zero = symbols.graph().zero();
+    let links = geometry(symbols, robot);
+    let own = bodies(symbols, robot);
+    let mut carried = Body::splat(zero);
+    let mut kept = Vec::with_capacity(links.len());
+    for (link, (body, _)) in links.iter().zip(own).skip(robot.links_of_base()).rev() {
+        let point = Body {
+            inertia: Symmetric3::splat(zero),
+            ..body.times(factor)
+        };
+        let (rest, moving) = split(link, point.joined(carried), zero);
+        kept.push(rest);
+        carried = moving
+            .left_z(link.turn)
+            .left_x(link.twist)
+            .moved(link.offset(zero));
+        carried.inertia = Symmetric3::splat(zero);
+    }
+    kept.resize(links.len(), Body::splat(zero));
+    kept.reverse();
+    (kept, carried)
+}
+
+/// What a joint moves of a mass and a first moment, and what it does not.
+fn split<'g>(
+    link: &LinkGeometry<Expr<'g>>,
+    body: Body<Expr<'g>>,
+    zero: Expr<'g>,
+) -> (Body<Expr<'g>>, Body<Expr<'g>>) {
+    let [x, y, z] = body.moment.0;
+    let none = Body::splat(zero);
+    let of = |mass, x, y, z| Body {
+        mass,
+        moment: Vector3::new(x, y, z),
+        ..none
+    };
+    match link.joint_type {
+        _ if link.locked => (none, body),
+        JointType::Revolute => (of(zero, x, y, zero), of(body.mass, zero, zero, z)),
+        JointType::Prismatic => (of(body.mass, zero, zero, zero), of(zero, x, y, z)),
+    }
+}

@@ -1,0 +1,348 @@
+//! The first and the second derivative of the joint forces along a motion.
+//!
+//! Every quantity of the equations of motion is carried as a jet: its value and its first two
+//! derivatives by time, with the product rule for products. A turn is no product of two jets, though:
+//! with y = E x and a derivative of E that is q' Z E, Z y = y x z on the way outwards and z x y inwards,
+//!
+//!   y' = E x' + q' Z y,   y'' = E x'' + q' Z (E x' + y') + q'' Z y,
+//!
+//! so that only E x, E x' and E x'' are turned.
+
+use super::chain::{Chain, Link};
+use super::symbols::Symbols;
+use crate::expr::{Direction, Expr};
+use crate::linear::{Symmetric3, Vector3};
+use crate::robot::{Interpretation, JointType, Robot};
+use crate::spatial::{Acceleration, Body, Force, Turn, enter_x, enter_z, leave_x, leave_z};
+use core::ops::{Add, Mul, Neg, Sub};
+
+/// A value and its first two derivatives by time.
+#[derive(Clone, Copy)]
+struct Jet<'g>([Expr<'g>; 3]);
+
+type Vector<'g> = Vector3<Jet<'g>>;
+type Components<'g> = [Vector3<Expr<'g>>; 3];
+
+impl Add for Jet<'_> {
+    type Output = Self;
+
+    fn add(self, o: Self) -> Self {
+        Jet([0, 1, 2].map(|k| self.0[k] + o.0[k]))
+    }
+}
+
+impl Sub for Jet<'_> {
+    type Output = Self;
+
+    fn sub(self, o: Self) -> Self {
+        Jet([0, 1, 2].map(|k| self.0[k] - o.0[k]))
+    }
+}
+
+impl Neg for Jet<'_> {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        Jet(self.0.map(|x| -x))
+    }
+}
+
+impl Mul for Jet<'_> {
+    type Output = Self;
+
+    /// (x y)'' = x'' y + 2 x' y' + x y''
+    fn mul(self, o: Self) -> Self {
+        let ([x, xd, xdd], [y, yd, ydd]) = (self.0, o.0);
+        let mixed = xd * yd;
+        Jet([
+            x * y,
+            x * yd + xd * y,
+            (x * ydd + xdd * y) + (mixed + mixed),
+        ])
+    }
+}
+
+/// A turn about z whose angle changes: its rate and the rate of that.
+#[derive(Clone, Copy)]
+struct Turning<'g> {
+    turn: Turn<Expr<'g>>,
+    rates: [Expr<'g>; 2],
+    zero: Expr<'g>,
+}
+
+impl<'g> Turning<'g> {
+    fn new(turn: Turn<Expr<'g>>, along: &Direction<'g>, zero: Expr<'g>) -> Self {
+        // The rate of an angle by its sine and cosine. A node is known by its value: this one is the sum
+        // of the velocities of the joints that turn, which stands in the graph before.
+        let rate = turn.c * turn.s.derivative(along) - turn.s * turn.c.derivative(along);
+        Turning {
+            turn,
+            rates: [rate, rate.derivative(along)],
+            zero,
+        }
+    }
+
+    fn enter(&self, v: Vector<'g>) -> Vector<'g> {
+        self.turned(components(v).map(|x| enter_z(self.turn, x)), |y| {
+            [y[1], -y[0]]
+        })
+    }
+
+    fn leave(&self, v: Vector<'g>) -> Vector<'g> {
+        self.turned(components(v).map(|x| leave_z(self.turn, x)), |y| {
+            [-y[1], y[0]]
+        })
+    }
+
+    /// The jet whose values and derivatives are turned already, in the plane of the turn by Z.
+    fn turned(
+        &self,
+        [y, first, second]: Components<'g>,
+        z: impl Fn(Vector3<Expr<'g>>) -> [Expr<'g>; 2],
+    ) -> Vector<'g> {
+        let [rate, rate_of_rate] = self.rates;
+        let plus = |v: Vector3<Expr<'g>>, k: Expr<'g>, of: Vector3<Expr<'g>>| {
+            let [zx, zy] = z(of);
+            Vector3::new(v[0] + k * zx, v[1] + k * zy, v[2])
+        };
+        let yd = plus(first, rate, y);
+        let ydd = plus(plus(second, rate, first + yd), rate_of_rate, y);
+        jet([y, yd, ydd])
+    }
+}
+
+fn components<'g>(v: Vector<'g>) -> Components<'g> {
+    [0, 1, 2].map(|k| Vector3(v.0.map(|jet| jet.0[k])))
+}
+
+fn jet<'g>([x, xd, xdd]: Components<'g>) -> Vector<'g> {
+    Vector3([0, 1, 2].map(|i| Jet([x[i], xd[i], xdd[i]])))
+}
+
+/// A link whose joint moves.
+struct Moving<'g> {
+    joint_type: JointType,
+    before: Turning<'g>,
+    twist: Turn<Expr<'g>>,
+    turn: Turning<'g>,
+    position: Vector<'g>,
+    body: Body<Jet<'g>>,
+    reflected: Expr<'g>,
+}
+
+impl<'g> Moving<'g> {
+    fn enter(&self, v: Vector<'g>) -> Vector<'g> {
+        let before = components(self.before.enter(v));
+        self.turn.enter(jet(before.map(|x| enter_x(self.twist, x))))
+    }
+
+    fn leave(&self, v: Vector<'g>) -> Vector<'g> {
+        let turned = components(self.turn.leave(v));
+        self.before
+            .leave(jet(turned.map(|x| leave_x(self.twist, x))))
+    }
+
+    /// The acceleration of the link, from that of the one before.
+    fn accelerate(
+        &self,
+        previous: &Acceleration<Jet<'g>>,
+        qd: Jet<'g>,
+        qdd: Jet<'g>,
+    ) -> Acceleration<Jet<'g>> {
+        let carried = Acceleration {
+            w: self.enter(previous.w),
+            wd: self.enter(previous.wd),
+            a: self.enter(previous.a + previous.u().apply(self.position)),
+        };
+        carried.with_joint(self.joint_type, qd, qdd)
+    }
+
+    fn hand_on(&self, force: Force<Jet<'g>>) -> Force<Jet<'g>> {
+        let f = self.leave(force.f);
+        Force {
+            n: self.leave(force.n) + self.position.cross(f),
+            f,
+        }
+    }
+}
+
+/// What each joint's variables are along the motion.
+struct Course<'g> {
+    along: Direction<'g>,
+    qd: Vec<Jet<'g>>,
+    qdd: Vec<Jet<'g>>,
+}
+
+/// The first derivatives of all joint forces along the motion, then the second ones, without friction.
+pub(super) fn recursion<'g>(
+    symbols: &mut Symbols<'g>,
+    robot: &Robot,
+    chain: &Chain<Expr<'g>>,
+    [jerk, snap]: [&[Expr<'g>]; 2],
+) -> [Vec<Expr<'g>>; 2] {
+    let (qd, qdd) = (
+        symbols.all(|joint| joint.qd),
+        symbols.all(|joint| joint.qdd),
+    );
+    let course = Course {
+        along: along_motion(symbols, robot, [jerk, snap]),
+        qd: (0..qd.len())
+            .map(|i| Jet([qd[i], qdd[i], jerk[i]]))
+            .collect(),
+        qdd: (0..qd.len())
+            .map(|i| Jet([qdd[i], jerk[i], snap[i]]))
+            .collect(),
+    };
+    note_sums(&qd);
+    let links = moving_links(chain, &course.along);
+    let forces = forces(chain, &links, &course);
+    [1, 2].map(|k| forces.iter().map(|force| force.0[k]).collect())
+}
+
+/// Forces that are given as expressions, differentiated on the graph.
+pub(super) fn differentiated<'g>(
+    symbols: &mut Symbols<'g>,
+    robot: &Robot,
+    forces: &[Expr<'g>],
+    rates: [&[Expr<'g>]; 2],
+) -> [Vec<Expr<'g>>; 2] {
+    let along = along_motion(symbols, robot, rates);
+    let derivatives =
+        |of: &[Expr<'g>]| -> Vec<_> { of.iter().map(|force| force.derivative(&along)).collect() };
+    let first = derivatives(forces);
+    let second = derivatives(&first);
+    [first, second]
+}
+
+/// The motion as a direction: how q, qd, qdd and the jerk change.
+fn along_motion<'g>(
+    symbols: &mut Symbols<'g>,
+    robot: &Robot,
+    [jerk, snap]: [&[Expr<'g>]; 2],
+) -> Direction<'g> {
+    let mut along = Direction::new();
+    for (i, (&jerk, &snap)) in jerk.iter().zip(snap).enumerate() {
+        let joint = *symbols.joint(i);
+        if joint.qd.is_zero() {
+            continue;
+        }
+        along = symbols.along_position(along, i, joint.qd);
+        along = along
+            .with(joint.qd, joint.qdd)
+            .with(joint.qdd, jerk)
+            .with(jerk, snap);
+        if let (Some(stribeck), Some(left)) = (&robot.rows[i].stribeck, joint.stribeck) {
+            // exp(-(qd/v)^2)' = -2 qd qdd/v^2 exp(-(qd/v)^2)
+            let v = symbols.value(&stribeck.velocity);
+            let slope = (joint.qd + joint.qd) / (v * v);
+            along = along.with(left, -(slope * joint.qdd * left));
+        }
+    }
+    along
+}
+
+/// The velocities of joints whose axes are parallel add up: makes the sums of all neighbours.
+fn note_sums(qd: &[Expr<'_>]) {
+    for first in 0..qd.len() {
+        let rest = &qd[first + 1..];
+        rest.iter().fold(qd[first], |sum, &qd| sum + qd);
+    }
+}
+
+fn moving_links<'g>(chain: &Chain<Expr<'g>>, along: &Direction<'g>) -> Vec<Moving<'g>> {
+    // A frame that stays behind its link turns on it, and what is constant on the link turns in it.
+    let mut frame = Turning::new(Turn::none(chain.zero, chain.one), along, chain.zero);
+    let moving = |link: &Link<Expr<'g>>| {
+        let joint = &link.joint;
+        let turning = |turn| Turning::new(turn, along, chain.zero);
+        let before = turning(joint.before);
+        let offset = frame.spun(joint.offset);
+        frame = turning(link.behind);
+        Moving {
+            joint_type: joint.joint_type,
+            before,
+            twist: joint.twist,
+            turn: turning(joint.turn),
+            position: offset + before.leave(slide(chain, link, along)),
+            body: body(chain, link, &frame),
+            reflected: link.reflected,
+        }
+    };
+    chain.links.iter().map(moving).collect()
+}
+
+/// How far the joint has slid, in the axes behind the turn about x.
+fn slide<'g>(chain: &Chain<Expr<'g>>, link: &Link<Expr<'g>>, along: &Direction<'g>) -> Vector<'g> {
+    let twist = link.joint.twist;
+    let speed = link.joint.slide.derivative(along);
+    let slides = [link.joint.slide, speed, speed.derivative(along)];
+    jet(slides.map(|x| Vector3::new(chain.zero, -(twist.s * x), twist.c * x)))
+}
+
+impl<'g> Turning<'g> {
+    /// A vector that this turn has turned: v' = q' z x v, v'' = q'' z x v + q'^2 z x (z x v).
+    fn spun(&self, v: Vector3<Expr<'g>>) -> Vector<'g> {
+        let none = Vector3::splat(self.zero);
+        self.turned([v, none, none], |y| [-y[1], y[0]])
+    }
+
+    /// So too of a tensor, whose derivative by the angle is [z]x J - J [z]x.
+    fn spun_tensor(&self, j: Symmetric3<Expr<'g>>) -> Symmetric3<Jet<'g>> {
+        let [rate, rate_of_rate] = self.rates;
+        let by_angle = |j: Symmetric3<Expr<'g>>| Symmetric3 {
+            xx: -(j.xy + j.xy),
+            yy: j.xy + j.xy,
+            zz: self.zero,
+            xy: j.xx - j.yy,
+            yz: j.xz,
+            xz: -j.yz,
+        };
+        let slope = by_angle(j);
+        let first = slope * rate;
+        let second = slope * rate_of_rate + by_angle(slope) * (rate * rate);
+        let entry =
+            |of: fn(&Symmetric3<Expr<'g>>) -> Expr<'g>| Jet([of(&j), of(&first), of(&second)]);
+        Symmetric3 {
+            xx: entry(|j| j.xx),
+            yy: entry(|j| j.yy),
+            zz: entry(|j| j.zz),
+            xy: entry(|j| j.xy),
+            yz: entry(|j| j.yz),
+            xz: entry(|j| j.xz),
+        }
+    }
+}
+
+/// The link's parameters in its frame.
+fn body<'g>(chain: &Chain<Expr<'g>>, link: &Link<Expr<'g>>, frame: &Turning<'g>) -> Body<Jet<'g>> {
+    Body {
+        mass: constant(chain, link.body.mass),
+        moment: frame.spun(link.body.moment),
+        inertia: frame.spun_tensor(link.body.inertia),
+    }
+}
+
+fn constant<'g>(chain: &Chain<Expr<'g>>, x: Expr<'g>) -> Jet<'g> {
+    Jet([x, chain.zero, chain.zero])
+}
+
+/// Newton-Euler over jets.
+fn forces<'g>(chain: &Chain<Expr<'g>>, links: &[Moving<'g>], course: &Course<'g>) -> Vec<Jet<'g>> {
+    let zero = constant(chain, chain.zero);
+    let gravity = Vector3(chain.gravity.0.map(|g| constant(chain, g)));
+    let mut acceleration = Acceleration::of_base(zero, gravity);
+    let mut own = Vec::with_capacity(links.len());
+    for (i, link) in links.iter().enumerate() {
+        acceleration = link.accelerate(&acceleration, course.qd[i], course.qdd[i]);
+        own.push(acceleration.force(&link.body));
+    }
+    let mut outer = Force::splat(zero);
+    let mut forces = vec![zero; links.len()];
+    for (i, link) in links.iter().enumerate().rev() {
+        let force = own[i] + outer;
+        let of_motor = constant(chain, link.reflected) * course.qdd[i];
+        forces[i] = force.along(link.joint_type) + of_motor;
+        outer = link.hand_on(force);
+    }
+    forces
+}

@@ -1,0 +1,159 @@
+//! The velocity and the acceleration of the tip, and the joint forces of a wrench on it.
+//!
+//! A motion of the tip is gathered from the tip inwards. Seen from link i the tip is at r, moves at u
+//! and accelerates at a, and turns at w with the rate e. Joint i adds its own motion; a revolute one, as
+//! the product rule has it for Rz(q) r,
+//!
+//!   u' = u + qd z x r,   a' = a + z x (qd (u + u') + qdd r),
+//!   w' = w + qd z,       e' = e + qd z x w + qdd z,
+//!
+//! and a prismatic one u' = u + qd z, a' = a + qdd z. What reaches the base is in its axes: nothing has
+//! to be turned back.
+
+use super::chain::Chain;
+use super::place::Placed;
+use super::rows::screws;
+use super::symbols::Symbols;
+use crate::expr::Expr;
+use crate::function::Argument;
+use crate::linear::Vector3;
+use crate::robot::{JointType, Robot};
+use crate::spatial::{Joint, leave_x, leave_z};
+
+type Vector<'g> = Vector3<Expr<'g>>;
+
+/// Where the tip is in the frame of the last link.
+fn place<'g>(symbols: &mut Symbols<'g>, robot: &Robot, chain: &Chain<Expr<'g>>) -> Vector<'g> {
+    let none = Vector3::splat(chain.zero);
+    let tool = robot.tool.as_ref();
+    let of_tool = tool.map_or(none, |tool| Placed::new(symbols, &tool.placement).origin);
+    let screws = screws(symbols, robot);
+    let (Some(link), Some(screw)) = (chain.links.last(), screws.last()) else {
+        return of_tool;
+    };
+    // A standard link frame comes after the row's a and alpha, a modified one before the next row's.
+    let along_x = Vector3::new(screw.a, chain.zero, chain.zero);
+    let last = along_x + leave_x(screw.turn, of_tool);
+    leave_z(link.behind, plus_z(last, -link.shift))
+}
+
+/// J qd: velocity of the tip's origin, angular velocity.
+pub(super) fn velocity<'g>(
+    symbols: &mut Symbols<'g>,
+    robot: &Robot,
+    chain: &Chain<Expr<'g>>,
+) -> Vec<Expr<'g>> {
+    let mut r = place(symbols, robot, chain);
+    let none = Vector3::splat(chain.zero);
+    let (mut u, mut w) = (none, none);
+    for (i, joint) in chain.joints().enumerate().rev() {
+        let qd = symbols.joint(i).qd;
+        match joint.joint_type {
+            JointType::Revolute => {
+                u = u + z_cross(chain, r, qd);
+                w = plus_z(w, qd);
+            }
+            JointType::Prismatic => u = plus_z(u, qd),
+        }
+        (u, w) = (joint.leave(u), joint.leave(w));
+        r = inward(joint, r);
+    }
+    in_world(symbols, robot, [u, w])
+}
+
+/// J qdd + Jdot qd: acceleration of the tip's origin, angular acceleration.
+pub(super) fn acceleration<'g>(
+    symbols: &mut Symbols<'g>,
+    robot: &Robot,
+    chain: &Chain<Expr<'g>>,
+) -> Vec<Expr<'g>> {
+    let mut r = place(symbols, robot, chain);
+    let none = Vector3::splat(chain.zero);
+    let (mut u, mut a, mut w, mut e) = (none, none, none, none);
+    for (i, joint) in chain.joints().enumerate().rev() {
+        let (qd, qdd) = (symbols.joint(i).qd, symbols.joint(i).qdd);
+        match joint.joint_type {
+            JointType::Revolute => {
+                let before = u;
+                u = u + z_cross(chain, r, qd);
+                a = a + (z_cross(chain, before + u, qd) + z_cross(chain, r, qdd));
+                e = plus_z(e + z_cross(chain, w, qd), qdd);
+                w = plus_z(w, qd);
+            }
+            JointType::Prismatic => {
+                u = plus_z(u, qd);
+                a = plus_z(a, qdd);
+            }
+        }
+        [u, a, w, e] = [u, a, w, e].map(|v| joint.leave(v));
+        r = inward(joint, r);
+    }
+    in_world(symbols, robot, [a, e])
+}
+
+/// J' w, the force f and the moment n handed on outwards as they are: with the tip at r from the origin
+/// of frame i, joint i feels z.(n + r x f).
+pub(super) fn wrench_torques<'g>(
+    symbols: &mut Symbols<'g>,
+    robot: &Robot,
+    chain: &Chain<Expr<'g>>,
+) -> Vec<Expr<'g>> {
+    let mut levers = vec![place(symbols, robot, chain)];
+    for joint in chain.joints().skip(1).rev() {
+        levers.push(inward(joint, levers[levers.len() - 1]));
+    }
+    let [mut f, mut n] = wrench(symbols, robot);
+    let feel = |(joint, r): (&Joint<Expr<'g>>, &Vector<'g>)| {
+        (f, n) = (joint.enter(f), joint.enter(n));
+        match joint.joint_type {
+            JointType::Revolute => n[2] + (r[0] * f[1] - r[1] * f[0]),
+            JointType::Prismatic => f[2],
+        }
+    };
+    chain.joints().zip(levers.iter().rev()).map(feel).collect()
+}
+
+/// Force and moment at the tip, in the axes of frame 0.
+fn wrench<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> [Vector<'g>; 2] {
+    let mut vector =
+        |first: usize| Vector3([0, 1, 2].map(|k| symbols.entry(Argument::Wrench, first + k)));
+    let wrench = [vector(0), vector(3)];
+    match &robot.base {
+        Some(base) => {
+            let base = Placed::new(symbols, base);
+            wrench.map(|v| base.enter(v))
+        }
+        None => wrench,
+    }
+}
+
+/// Two vectors of frame 0 in the axes of the world, one after the other.
+fn in_world<'g>(
+    symbols: &mut Symbols<'g>,
+    robot: &Robot,
+    vectors: [Vector<'g>; 2],
+) -> Vec<Expr<'g>> {
+    let vectors = match &robot.base {
+        Some(base) => {
+            let base = Placed::new(symbols, base);
+            vectors.map(|v| base.leave(v))
+        }
+        None => vectors,
+    };
+    vectors.map(|v| v.0).concat()
+}
+
+/// A place in the frame of the previous link.
+fn inward<'g>(joint: &Joint<Expr<'g>>, r: Vector<'g>) -> Vector<'g> {
+    joint.offset + joint.leave(plus_z(r, joint.slide))
+}
+
+/// v + k z
+fn plus_z<'g>(v: Vector<'g>, k: Expr<'g>) -> Vector<'g> {
+    Vector3::new(v[0], v[1], v[2] + k)
+}
+
+/// k z x v
+fn z_cross<'g>(chain: &Chain<Expr<'g>>, v: Vector<'g>, k: Expr<'g>) -> Vector<'g> {
+    Vector3::new(-(k * v[1]), k * v[0], chain.zero)
+}
