@@ -218,7 +218,7 @@ fn method(
         return Err(Reason::Overflow);
     }
     let emitted = emit::method(robot, request, &program, &constants, notes, path);
-    Ok(of(request.clone(), emitted, &[&program]))
+    Ok(method_of(request.clone(), emitted, &[&program]))
 }
 
 /// Proves and emits the two programs of Taylor series: the equations of motion, and the mass
@@ -252,11 +252,11 @@ fn taylor_series(
         (matrix, rounded[1].as_slice()),
     ];
     let emitted = emit::taylor_series(robot, parts, notes, path);
-    Ok(of(function.into(), emitted, &[equations, matrix]))
+    Ok(method_of(function.into(), emitted, &[equations, matrix]))
 }
 
 /// A method as it was emitted, the operations of its first program, the angles of all.
-fn of(request: Request, emitted: emit::Emitted, programs: &[&Program]) -> Method {
+fn method_of(request: Request, emitted: emit::Emitted, programs: &[&Program]) -> Method {
     let angles = programs.iter().flat_map(|program| program.joint_angles());
     Method {
         request,
