@@ -65,7 +65,14 @@ fn rounded_constant(program: &mut Program, index: usize) {
 /// Every operation is damaged, but of the longest programs one in fifty, of long regressors and articulated bodies one in seven.
 fn every(function: Function, dof: usize, length: usize) -> usize {
     match function {
-        Function::Regressor | Function::ForwardDynamicsAba if length > 500 => 7,
+        Function::Regressor
+        | Function::ForwardDynamicsAba
+        | Function::PassivityRegressor
+        | Function::InverseDynamicsRates
+            if length > 500 =>
+        {
+            7
+        }
         Function::InverseDynamicsDerivatives | Function::ForwardDynamicsDerivatives if dof > 4 => {
             50
         }
