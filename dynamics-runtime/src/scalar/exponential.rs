@@ -72,7 +72,7 @@ mod tests {
         }
     }
 
-    /// The largest errors in units of the last place: 0.51 of `f64` where this was written.
+    /// The largest errors in units of the last place, where this was written: 0.84, and 2.1 by reduction.
     #[test]
     fn errors_of_doubles_are_below_one_unit() {
         let mut random = SplitMix64(1);
