@@ -791,6 +791,645 @@ impl Arm {
             2,
         >>::taylor_series(self, q, qd, tau, order)
     }
+    /// Joint torques J(q)^T w of a wrench at the tip, N m or N, without J: M(q) qdd + V(q, qd) + G(q) + K(q) + F(qd) = tau + J(q)^T w.
+    ///
+    /// `q`: joint positions, rad; `wrench`: force (N) on the tip and moment (N m) about its origin, fx fy fz nx ny nz in the axes of `jacobian`, that the surroundings apply.
+    ///
+    /// Operations: 7 multiplications, 5 additions, sines and cosines of 2 angles.
+    ///
+    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
+    #[inline]
+    #[allow(unused_variables, clippy::all)]
+    pub fn wrench_torques<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        wrench: &::robot_dynamics::nalgebra::Vector6<T>,
+    ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
+        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Scalar::sin_cos_array([
+            q.data.0[0][0],
+            q.data.0[0][1],
+        ]);
+        let wrench_1 = wrench.data.0[0][0];
+        let wrench_2 = wrench.data.0[0][1];
+        let wrench_6 = wrench.data.0[0][5];
+        let t_1 = (-c_1).mul_add(wrench_2, s_1 * wrench_1);
+        let t_2 = s_1.mul_add(wrench_2, c_1 * wrench_1);
+        let t_3 = (-s_2).mul_add(t_2, wrench_6);
+        let t_4 = (-c_2).mul_add(t_1, t_3);
+        let t_5 = real(-2.0).mul_add(t_1, t_4);
+        ::robot_dynamics::nalgebra::SMatrix::from_data(
+            ::robot_dynamics::nalgebra::ArrayStorage([[t_5, t_4]]),
+        )
+    }
+    /// Velocity of the tip J(q) qd, vx vy vz wx wy wz, in the base frame, m/s and rad/s, without J.
+    ///
+    /// `q`: joint positions, rad; `qd`: joint velocities, rad per s.
+    ///
+    /// Operations: 7 multiplications, 5 additions, sines and cosines of 2 angles.
+    ///
+    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
+    #[inline]
+    #[allow(unused_variables, clippy::all)]
+    pub fn tool_velocity<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::robot_dynamics::nalgebra::Vector6<T> {
+        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Scalar::sin_cos_array([
+            q.data.0[0][0],
+            q.data.0[0][1],
+        ]);
+        let qd_1 = qd.data.0[0][0];
+        let qd_2 = qd.data.0[0][1];
+        let t_1 = qd_1 + qd_2;
+        let t_2 = s_2 * t_1;
+        let t_3 = real(2.0) + c_2;
+        let t_4 = qd_1.mul_add(t_3, c_2 * qd_2);
+        let t_5 = s_1.mul_add(t_4, c_1 * t_2);
+        let t_6 = (-s_1).mul_add(t_2, c_1 * t_4);
+        ::robot_dynamics::nalgebra::SMatrix::from_data(
+            ::robot_dynamics::nalgebra::ArrayStorage([
+                [-t_5, t_6, real(0.0), real(0.0), real(0.0), t_1],
+            ]),
+        )
+    }
+    /// Acceleration of the tip J(q) qdd + dJ/dt qd: of its origin and of its rotation, in the base frame, m/s^2 and rad/s^2, without J and its rate.
+    ///
+    /// `q`: joint positions, rad; `qd`: joint velocities, rad per s; `qdd`: joint accelerations, rad per s^2.
+    ///
+    /// Operations: 16 multiplications, 14 additions, sines and cosines of 2 angles.
+    ///
+    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
+    #[inline]
+    #[allow(unused_variables, clippy::all)]
+    pub fn tool_acceleration<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qdd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::robot_dynamics::nalgebra::Vector6<T> {
+        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Scalar::sin_cos_array([
+            q.data.0[0][0],
+            q.data.0[0][1],
+        ]);
+        let qd_1 = qd.data.0[0][0];
+        let qd_2 = qd.data.0[0][1];
+        let qdd_1 = qdd.data.0[0][0];
+        let qdd_2 = qdd.data.0[0][1];
+        let t_1 = c_2 * qd_2;
+        let t_2 = real(2.0) + c_2;
+        let t_3 = t_1 + t_1;
+        let t_4 = qd_1.mul_add(t_2, t_3);
+        let t_5 = qdd_1.mul_add(s_2, s_2 * qdd_2);
+        let t_6 = qd_2.mul_add(t_1, t_5);
+        let t_7 = qd_1.mul_add(t_4, t_6);
+        let t_8 = s_2 * qd_2;
+        let t_9 = qd_1.mul_add(s_2, t_8);
+        let t_10 = t_8 + t_9;
+        let t_11 = (-c_2).mul_add(qdd_2, qd_2 * t_8);
+        let t_12 = (-qdd_1).mul_add(t_2, t_11);
+        let t_13 = qd_1.mul_add(t_10, t_12);
+        let t_14 = (-c_1).mul_add(t_7, s_1 * t_13);
+        let t_15 = c_1.mul_add(t_13, s_1 * t_7);
+        let t_16 = qdd_1 + qdd_2;
+        ::robot_dynamics::nalgebra::SMatrix::from_data(
+            ::robot_dynamics::nalgebra::ArrayStorage([
+                [t_14, -t_15, real(0.0), real(0.0), real(0.0), t_16],
+            ]),
+        )
+    }
+    /// Rate dJ/dt of the geometric Jacobian along a motion, 6 x N, rows as in `jacobian`: the acceleration of the tip is J qdd + dJ/dt qd.
+    ///
+    /// `q`: joint positions, rad; `qd`: joint velocities, rad per s.
+    ///
+    /// Operations: 10 multiplications, 5 additions, sines and cosines of 2 angles.
+    ///
+    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
+    #[inline]
+    #[allow(unused_variables, clippy::all)]
+    pub fn jacobian_rate<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::robot_dynamics::nalgebra::SMatrix<T, 6, 2> {
+        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Scalar::sin_cos_array([
+            q.data.0[0][0],
+            q.data.0[0][1],
+        ]);
+        let qd_1 = qd.data.0[0][0];
+        let qd_2 = qd.data.0[0][1];
+        let t_1 = (-s_1).mul_add(s_2, c_1 * c_2);
+        let t_2 = qd_2 + qd_1;
+        let t_3 = t_1 * t_2;
+        let t_4 = real(2.0) * c_1;
+        let t_5 = t_4.mul_add(qd_1, t_3);
+        let t_6 = c_1.mul_add(s_2, s_1 * c_2);
+        let t_7 = t_2 * t_6;
+        let t_8 = real(2.0) * s_1;
+        let t_9 = t_8.mul_add(qd_1, t_7);
+        ::robot_dynamics::nalgebra::SMatrix::from_data(
+            ::robot_dynamics::nalgebra::ArrayStorage([
+                [-t_5, -t_9, real(0.0), real(0.0), real(0.0), real(0.0)],
+                [-t_3, -t_7, real(0.0), real(0.0), real(0.0), real(0.0)],
+            ]),
+        )
+    }
+    /// Geometric Jacobians of the origins of all link frames whose joint moves, from the base outwards, each 6 x N, rows vx vy vz wx wy wz, in the base frame. Columns of joints beyond a link are zero.
+    ///
+    /// `q`: joint positions, rad.
+    ///
+    /// Operations: 6 multiplications, 4 additions, sines and cosines of 2 angles.
+    ///
+    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
+    #[inline]
+    #[allow(unused_variables, clippy::all)]
+    pub fn link_jacobians<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> [::robot_dynamics::nalgebra::SMatrix<T, 6, 2>; 2] {
+        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Scalar::sin_cos_array([
+            q.data.0[0][0],
+            q.data.0[0][1],
+        ]);
+        let t_1 = real(-2.0) * s_1;
+        let t_2 = real(2.0) * c_1;
+        let t_3 = c_1.mul_add(s_2, s_1 * c_2);
+        let t_4 = t_1 - t_3;
+        let t_5 = (-s_1).mul_add(s_2, c_1 * c_2);
+        let t_6 = t_2 + t_5;
+        [
+            ::robot_dynamics::nalgebra::SMatrix::from_data(
+                ::robot_dynamics::nalgebra::ArrayStorage([
+                    [t_1, t_2, real(0.0), real(0.0), real(0.0), real(1.0)],
+                    [real(0.0), real(0.0), real(0.0), real(0.0), real(0.0), real(0.0)],
+                ]),
+            ),
+            ::robot_dynamics::nalgebra::SMatrix::from_data(
+                ::robot_dynamics::nalgebra::ArrayStorage([
+                    [t_4, t_6, real(0.0), real(0.0), real(0.0), real(1.0)],
+                    [-t_3, t_5, real(0.0), real(0.0), real(0.0), real(1.0)],
+                ]),
+            ),
+        ]
+    }
+    /// Centre of mass of the tool and of all links but those that are locked to the base, in the world frame, m: that of the complete arm where parameters are neglected.
+    ///
+    /// `q`: joint positions, rad.
+    ///
+    /// Operations: 6 multiplications, 3 additions, sines and cosines of 2 angles.
+    ///
+    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
+    #[inline]
+    #[allow(unused_variables, clippy::all)]
+    pub fn center_of_mass<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::robot_dynamics::nalgebra::Vector3<T> {
+        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Scalar::sin_cos_array([
+            q.data.0[0][0],
+            q.data.0[0][1],
+        ]);
+        let t_1 = real(0.125).mul_add(c_2, real(1.25));
+        let t_2 = real(0.125) * s_2;
+        let t_3 = (-s_1).mul_add(t_2, c_1 * t_1);
+        let t_4 = s_1.mul_add(t_1, c_1 * t_2);
+        ::robot_dynamics::nalgebra::SMatrix::from_data(
+            ::robot_dynamics::nalgebra::ArrayStorage([[t_3, t_4, real(0.0)]]),
+        )
+    }
+    /// Jacobian of `center_of_mass`, 3 x N, by rows x y z: its velocity in the base frame is this times qd.
+    ///
+    /// `q`: joint positions, rad.
+    ///
+    /// Operations: 8 multiplications, 4 additions, sines and cosines of 2 angles.
+    ///
+    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
+    #[inline]
+    #[allow(unused_variables, clippy::all)]
+    pub fn center_of_mass_jacobian<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::robot_dynamics::nalgebra::SMatrix<T, 3, 2> {
+        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Scalar::sin_cos_array([
+            q.data.0[0][0],
+            q.data.0[0][1],
+        ]);
+        let t_1 = c_1.mul_add(s_2, s_1 * c_2);
+        let t_2 = real(0.125) * t_1;
+        let t_3 = real(1.25).mul_add(s_1, t_2);
+        let t_4 = (-s_1).mul_add(s_2, c_1 * c_2);
+        let t_5 = real(0.125) * t_4;
+        let t_6 = real(1.25).mul_add(c_1, t_5);
+        ::robot_dynamics::nalgebra::SMatrix::from_data(
+            ::robot_dynamics::nalgebra::ArrayStorage([
+                [-t_3, t_6, real(0.0)],
+                [-t_2, t_5, real(0.0)],
+            ]),
+        )
+    }
+    /// Inverse of the inertia that the tip has in task space, J(q) M(q)^-1 J(q)^T, 6 x 6, rows and columns as those of `jacobian`: the acceleration of the tip by a wrench on it. It exists for every arm whose M is regular; where it is regular itself, its inverse is the operational-space inertia (Khatib).
+    ///
+    /// `q`: joint positions, rad.
+    ///
+    /// Operations: 24 multiplications, 16 additions, 1 division, sines and cosines of 2 angles.
+    ///
+    /** # Errors
+
+ `SingularMassMatrix` where M(q) is not positive definite to working precision, or not finite: it names the joint whose pivot failed.*/
+    ///
+    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
+    #[inline]
+    #[allow(unused_variables, clippy::all)]
+    pub fn operational_inertia_inverse<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::core::result::Result<
+        ::robot_dynamics::nalgebra::Matrix6<T>,
+        ::robot_dynamics::SingularMassMatrix,
+    > {
+        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Scalar::sin_cos_array([
+            q.data.0[0][0],
+            q.data.0[0][1],
+        ]);
+        let t_1 = c_1.mul_add(s_2, s_1 * c_2);
+        let t_2 = real(3.0) * t_1;
+        let t_3 = real(-2.0).mul_add(s_1, t_2 * c_2);
+        let t_4 = c_2 + c_2;
+        let t_5 = real(8.333333333333334) + t_4;
+        let t_6 = real(0.3333333333333333) + c_2;
+        let t_7 = real(3.0) * t_6;
+        let t_8 = (-t_6).mul_add(t_7, t_5);
+        let t_9 = real(1.0) / t_8;
+        let t_10 = t_9 * t_3;
+        let t_11 = t_3.mul_add(t_10, t_1 * t_2);
+        let t_12 = (-s_1).mul_add(s_2, c_1 * c_2);
+        let t_13 = real(2.0).mul_add(c_1, t_12);
+        let t_14 = t_7.mul_add(t_12, -t_13);
+        let t_15 = t_14.mul_add(t_10, t_12 * t_2);
+        let t_16 = t_7 - real(1.0);
+        let t_17 = t_16.mul_add(t_10, t_2);
+        let t_18 = t_9 * t_14;
+        let t_19 = real(3.0) * t_12;
+        let t_20 = t_14.mul_add(t_18, t_12 * t_19);
+        let t_21 = t_16.mul_add(t_18, t_19);
+        let t_22 = t_9 * t_16;
+        let t_23 = t_16.mul_add(t_22, real(3.0));
+        ::robot_dynamics::SingularMassMatrix::test_joint(
+            1,
+            "joint2",
+            real(0.3333333333333333),
+            real(0.3333333333333333),
+        )?;
+        ::robot_dynamics::SingularMassMatrix::test_joint(0, "joint1", t_8, t_5)?;
+        ::core::result::Result::Ok(
+            ::robot_dynamics::nalgebra::SMatrix::from_data(
+                ::robot_dynamics::nalgebra::ArrayStorage([
+                    [t_11, -t_15, real(0.0), real(0.0), real(0.0), -t_17],
+                    [-t_15, t_20, real(0.0), real(0.0), real(0.0), t_21],
+                    [real(0.0), real(0.0), real(0.0), real(0.0), real(0.0), real(0.0)],
+                    [real(0.0), real(0.0), real(0.0), real(0.0), real(0.0), real(0.0)],
+                    [real(0.0), real(0.0), real(0.0), real(0.0), real(0.0), real(0.0)],
+                    [-t_17, t_21, real(0.0), real(0.0), real(0.0), t_23],
+                ]),
+            ),
+        )
+    }
+    /// Generalized momentum p = M(q) qd = dT/dqd, N m s or N s, without M.
+    ///
+    /// `q`: joint positions, rad; `qd`: joint velocities, rad per s.
+    ///
+    /// Operations: 4 multiplications, 4 additions, sine and cosine of one angle.
+    ///
+    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
+    #[inline]
+    #[allow(unused_variables, clippy::all)]
+    pub fn generalized_momentum<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
+        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+        let (s_2, c_2) = ::robot_dynamics::Scalar::sin_cos(q.data.0[0][1]);
+        let qd_1 = qd.data.0[0][0];
+        let qd_2 = qd.data.0[0][1];
+        let t_1 = qd_1 + qd_2;
+        let t_2 = qd_1.mul_add(c_2, real(0.3333333333333333) * t_1);
+        let t_3 = c_2.mul_add(t_1, real(8.0) * qd_1);
+        let t_4 = t_2 + t_3;
+        ::robot_dynamics::nalgebra::SMatrix::from_data(
+            ::robot_dynamics::nalgebra::ArrayStorage([[t_4, t_2]]),
+        )
+    }
+    /// Rate of the generalized momentum without applied forces, C(q, qd)^T qd - G(q) - K(q) - F(qd), N m or N, with C from the Christoffel symbols: d/dt (M qd) = tau + J^T w + momentum_bias, by which a momentum observer finds the forces that nobody has told it of.
+    ///
+    /// `q`: joint positions, rad; `qd`: joint velocities, rad per s.
+    ///
+    /// Operations: 6 multiplications, 4 additions, sines and cosines of 2 angles.
+    ///
+    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
+    #[inline]
+    #[allow(unused_variables, clippy::all)]
+    pub fn momentum_bias<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
+        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Scalar::sin_cos_array([
+            q.data.0[0][0],
+            q.data.0[0][1],
+        ]);
+        let qd_1 = qd.data.0[0][0];
+        let qd_2 = qd.data.0[0][1];
+        let t_1 = (-s_1).mul_add(s_2, c_1 * c_2);
+        let t_2 = real(4.905) * t_1;
+        let t_3 = real(49.05).mul_add(c_1, t_2);
+        let t_4 = qd_2 + qd_1;
+        let t_5 = s_2 * t_4;
+        let t_6 = qd_1.mul_add(t_5, t_2);
+        ::robot_dynamics::nalgebra::SMatrix::from_data(
+            ::robot_dynamics::nalgebra::ArrayStorage([[-t_3, -t_6]]),
+        )
+    }
+    /// Torque of a passivity-based controller, M(q) qdd_r + C(q, qd) qd_r + G(q) + K(q) + F(qd), N m or N, with C from the Christoffel symbols and without forming it. Also: the control of Slotine and Li.
+    ///
+    /// `q`: joint positions, rad; `qd`: joint velocities, rad per s; `qd_r`: reference velocities, rad per s; `qdd_r`: reference accelerations, rad per s^2.
+    ///
+    /// Operations: 12 multiplications, 11 additions, sines and cosines of 2 angles.
+    ///
+    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
+    #[inline]
+    #[allow(unused_variables, clippy::all)]
+    pub fn passivity_torque<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qd_r: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qdd_r: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
+        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+        let [(s_2, c_2), (s_1, c_1)] = ::robot_dynamics::Scalar::sin_cos_array([
+            q.data.0[0][1],
+            q.data.0[0][0],
+        ]);
+        let qd_1 = qd.data.0[0][0];
+        let qd_2 = qd.data.0[0][1];
+        let qd_r_1 = qd_r.data.0[0][0];
+        let qd_r_2 = qd_r.data.0[0][1];
+        let qdd_r_1 = qdd_r.data.0[0][0];
+        let qdd_r_2 = qdd_r.data.0[0][1];
+        let t_1 = qdd_r_1 + qdd_r_2;
+        let t_2 = qd_1 + qd_2;
+        let t_3 = qd_r_1 + qd_r_2;
+        let t_4 = t_2 * t_3;
+        let t_5 = qd_1 * qd_r_1;
+        let t_6 = real(-0.2038735983690112).mul_add(t_5, s_1);
+        let t_7 = real(0.2038735983690112).mul_add(qdd_r_1, c_1);
+        let t_8 = (-c_2).mul_add(t_7, s_2 * t_6);
+        let t_9 = real(-4.905).mul_add(t_8, real(0.3333333333333333) * t_1);
+        let t_10 = c_2.mul_add(t_1, real(8.0) * qdd_r_1);
+        let t_11 = (-s_2).mul_add(t_4, real(49.05) * c_1);
+        let t_12 = t_10 + t_11;
+        let t_13 = t_12 + t_9;
+        ::robot_dynamics::nalgebra::SMatrix::from_data(
+            ::robot_dynamics::nalgebra::ArrayStorage([[t_13, t_9]]),
+        )
+    }
+    /// Regressor Y_r(q, qd, qd_r, qdd_r), N x P, of the P base inertial parameters: Y_r * base_parameters = M qdd_r + C qd_r + G, the `passivity_torque` without springs and friction, from which adaptive control learns (Slotine and Li).
+    ///
+    /// `q`: joint positions, rad; `qd`: joint velocities, rad per s; `qd_r`: reference velocities, rad per s; `qdd_r`: reference accelerations, rad per s^2.
+    ///
+    /// The base parameters:
+    ///
+    /// ```text
+    ///   1  J1zz + a1^2 m2
+    ///   2  h1x + a1 m2
+    ///   3  h1y
+    ///   4  J2zz
+    ///   5  h2x
+    ///   6  h2y
+    /// ```
+    ///
+    /// Jixx to Jizz (kg m^2) are the entries of link i's inertia tensor about the origin of frame i, hix to hiz (kg m) its first moments mass * com from there, mi (kg) its mass. Frame i is the link frame i of the table before its factors Tx(a) Rx(alpha): its origin and its z axis are on the axis of joint i. ai, di are cells of row i, sai, cai sine and cosine of its alpha.
+    ///
+    /// Operations: 16 multiplications, 11 additions, sines and cosines of 2 angles.
+    ///
+    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
+    #[inline]
+    #[allow(unused_variables, clippy::all)]
+    pub fn passivity_regressor<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qd_r: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qdd_r: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::robot_dynamics::nalgebra::SMatrix<T, 2, 6> {
+        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Scalar::sin_cos_array([
+            q.data.0[0][0],
+            q.data.0[0][1],
+        ]);
+        let qd_1 = qd.data.0[0][0];
+        let qd_2 = qd.data.0[0][1];
+        let qd_r_1 = qd_r.data.0[0][0];
+        let qd_r_2 = qd_r.data.0[0][1];
+        let qdd_r_1 = qdd_r.data.0[0][0];
+        let qdd_r_2 = qdd_r.data.0[0][1];
+        let t_1 = real(9.81) * c_1;
+        let t_2 = real(-9.81) * s_1;
+        let t_3 = qdd_r_1 + qdd_r_2;
+        let t_4 = real(2.0).mul_add(qdd_r_1, t_1);
+        let t_5 = qd_1 * qd_r_1;
+        let t_6 = real(2.0).mul_add(t_5, t_2);
+        let t_7 = s_2.mul_add(t_6, c_2 * t_4);
+        let t_8 = qd_1 + qd_2;
+        let t_9 = qd_r_1 + qd_r_2;
+        let t_10 = t_8 * t_9;
+        let t_11 = (-s_2).mul_add(t_10, c_2 * t_3);
+        let t_12 = real(2.0).mul_add(t_11, t_7);
+        let t_13 = (-s_2).mul_add(t_4, c_2 * t_6);
+        let t_14 = s_2.mul_add(t_3, c_2 * t_10);
+        let t_15 = real(-2.0).mul_add(t_14, t_13);
+        ::robot_dynamics::nalgebra::SMatrix::from_data(
+            ::robot_dynamics::nalgebra::ArrayStorage([
+                [qdd_r_1, real(0.0)],
+                [t_1, real(0.0)],
+                [t_2, real(0.0)],
+                [t_3, t_3],
+                [t_12, t_7],
+                [t_15, t_13],
+            ]),
+        )
+    }
+    /// Regressors of the energies, two vectors of P numbers, J for a unit of each of the P base inertial parameters: the kinetic energy is the first one times base_parameters, the potential energy of gravity the second one up to a constant.
+    ///
+    /// `q`: joint positions, rad; `qd`: joint velocities, rad per s.
+    ///
+    /// The base parameters:
+    ///
+    /// ```text
+    ///   1  J1zz + a1^2 m2
+    ///   2  h1x + a1 m2
+    ///   3  h1y
+    ///   4  J2zz
+    ///   5  h2x
+    ///   6  h2y
+    /// ```
+    ///
+    /// Jixx to Jizz (kg m^2) are the entries of link i's inertia tensor about the origin of frame i, hix to hiz (kg m) its first moments mass * com from there, mi (kg) its mass. Frame i is the link frame i of the table before its factors Tx(a) Rx(alpha): its origin and its z axis are on the axis of joint i. ai, di are cells of row i, sai, cai sine and cosine of its alpha.
+    ///
+    /// Operations: 14 multiplications, 3 additions, sines and cosines of 2 angles.
+    ///
+    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
+    #[inline]
+    #[allow(unused_variables, clippy::all)]
+    pub fn energy_regressors<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> (
+        ::robot_dynamics::nalgebra::SVector<T, 6>,
+        ::robot_dynamics::nalgebra::SVector<T, 6>,
+    ) {
+        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+        let [(s_2, c_2), (s_1, c_1)] = ::robot_dynamics::Scalar::sin_cos_array([
+            q.data.0[0][1],
+            q.data.0[0][0],
+        ]);
+        let qd_1 = qd.data.0[0][0];
+        let qd_2 = qd.data.0[0][1];
+        let t_1 = qd_1 * qd_1;
+        let t_2 = real(0.5) * t_1;
+        let t_3 = qd_1 + qd_2;
+        let t_4 = t_3 * t_3;
+        let t_5 = real(0.5) * t_4;
+        let t_6 = real(2.0) * qd_1;
+        let t_7 = t_6 * t_3;
+        let t_8 = c_2 * t_7;
+        let t_9 = s_2 * t_7;
+        let t_10 = real(9.81) * s_1;
+        let t_11 = real(9.81) * c_1;
+        let t_12 = s_2.mul_add(t_11, c_2 * t_10);
+        let t_13 = (-s_2).mul_add(t_10, c_2 * t_11);
+        (
+            ::robot_dynamics::nalgebra::SMatrix::from_data(
+                ::robot_dynamics::nalgebra::ArrayStorage([
+                    [t_2, real(0.0), real(0.0), t_5, t_8, -t_9],
+                ]),
+            ),
+            ::robot_dynamics::nalgebra::SMatrix::from_data(
+                ::robot_dynamics::nalgebra::ArrayStorage([
+                    [real(0.0), t_10, t_11, real(0.0), t_12, t_13],
+                ]),
+            ),
+        )
+    }
+    /// First and second derivative by time of the inverse dynamics along a motion, (d tau/dt, d2 tau/dt2), N m/s and N m/s^2 (N/s and N/s^2). Viscous friction counts; Coulomb friction counts as constant.
+    ///
+    /// `q`: joint positions, rad; `qd`: joint velocities, rad per s; `qdd`: joint accelerations, rad per s^2; `jerk`: rates of the accelerations, rad per s^3; `snap`: rates of `jerk`, rad per s^4.
+    ///
+    /// Operations: 60 multiplications, 40 additions, sines and cosines of 2 angles.
+    ///
+    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
+    #[inline]
+    #[allow(unused_variables, clippy::all)]
+    pub fn inverse_dynamics_rates<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qdd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        jerk: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        snap: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> (
+        ::robot_dynamics::nalgebra::SVector<T, 2>,
+        ::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) {
+        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+        let [(s_2, c_2), (s_1, c_1)] = ::robot_dynamics::Scalar::sin_cos_array([
+            q.data.0[0][1],
+            q.data.0[0][0],
+        ]);
+        let qd_1 = qd.data.0[0][0];
+        let qd_2 = qd.data.0[0][1];
+        let qdd_1 = qdd.data.0[0][0];
+        let qdd_2 = qdd.data.0[0][1];
+        let jerk_1 = jerk.data.0[0][0];
+        let jerk_2 = jerk.data.0[0][1];
+        let snap_1 = snap.data.0[0][0];
+        let snap_2 = snap.data.0[0][1];
+        let t_1 = s_1 * qd_1;
+        let t_2 = real(0.2038735983690112).mul_add(jerk_1, -t_1);
+        let t_3 = s_2 * qd_2;
+        let t_4 = real(0.2038735983690112).mul_add(qdd_1, c_1);
+        let t_5 = c_1 * qd_1;
+        let t_6 = qd_1 * qdd_1;
+        let t_7 = real(-0.4077471967380224).mul_add(t_6, t_5);
+        let t_8 = c_2 * qd_2;
+        let t_9 = qd_1 * qd_1;
+        let t_10 = real(0.2038735983690112).mul_add(t_9, -s_1);
+        let t_11 = jerk_1 + jerk_2;
+        let t_12 = (-t_3).mul_add(t_4, real(0.06795786612300374) * t_11);
+        let t_13 = c_2.mul_add(t_2, t_8 * t_10);
+        let t_14 = (-s_2).mul_add(t_7, t_12);
+        let t_15 = t_13 + t_14;
+        let t_16 = real(4.905) * t_15;
+        let t_17 = qd_1 + qd_2;
+        let t_18 = t_17 * t_17;
+        let t_19 = qdd_1 + qdd_2;
+        let t_20 = t_17 * t_19;
+        let t_21 = s_2 * t_20;
+        let t_22 = c_2.mul_add(t_11, real(8.0) * jerk_1);
+        let t_23 = real(-49.05).mul_add(t_1, t_22);
+        let t_24 = t_3.mul_add(t_19, t_8 * t_18);
+        let t_25 = real(-2.0).mul_add(t_21, t_23);
+        let t_26 = t_25 - t_24;
+        let t_27 = t_26 + t_16;
+        let t_28 = qd_1.mul_add(t_5, s_1 * qdd_1);
+        let t_29 = real(0.2038735983690112).mul_add(snap_1, -t_28);
+        let t_30 = qd_2.mul_add(t_8, s_2 * qdd_2);
+        let t_31 = qd_1.mul_add(jerk_1, qdd_1 * qdd_1);
+        let t_32 = (-c_1).mul_add(qdd_1, real(0.4077471967380224) * t_31);
+        let t_33 = qd_1.mul_add(t_1, t_32);
+        let t_34 = (-c_2).mul_add(qdd_2, qd_2 * t_3);
+        let t_35 = t_8 * t_7;
+        let t_36 = t_3 * t_2;
+        let t_37 = snap_1 + snap_2;
+        let t_38 = (-t_4).mul_add(t_30, real(0.06795786612300374) * t_37);
+        let t_39 = (-t_10).mul_add(t_34, s_2 * t_33);
+        let t_40 = real(-2.0).mul_add(t_35, t_38);
+        let t_41 = real(-2.0).mul_add(t_36, c_2 * t_29);
+        let t_42 = t_39 + t_40;
+        let t_43 = t_41 + t_42;
+        let t_44 = real(4.905) * t_43;
+        let t_45 = t_8 * t_20;
+        let t_46 = t_17.mul_add(t_11, t_19 * t_19);
+        let t_47 = s_2 * t_46;
+        let t_48 = t_3 * t_11;
+        let t_49 = c_2.mul_add(t_37, real(8.0) * snap_1);
+        let t_50 = real(-2.0).mul_add(t_47, t_49);
+        let t_51 = real(-4.0).mul_add(t_45, t_50);
+        let t_52 = real(49.05).mul_add(t_28, real(2.0) * t_48);
+        let t_53 = (-t_19).mul_add(t_30, t_18 * t_34);
+        let t_54 = t_51 - t_52;
+        let t_55 = t_53 + t_54;
+        let t_56 = t_55 + t_44;
+        (
+            ::robot_dynamics::nalgebra::SMatrix::from_data(
+                ::robot_dynamics::nalgebra::ArrayStorage([[t_27, t_16]]),
+            ),
+            ::robot_dynamics::nalgebra::SMatrix::from_data(
+                ::robot_dynamics::nalgebra::ArrayStorage([[t_56, t_44]]),
+            ),
+        )
+    }
 }
 impl ::robot_dynamics::MassMatrix<2> for Arm {
     #[inline(always)]
