@@ -163,4 +163,6 @@ impl Default for Check {
 }
 
 #[cfg(test)]
+mod controller_tests;
+#[cfg(test)]
 mod tests;
