@@ -146,7 +146,7 @@ impl Arm {
     }
     /// (`friction_vector`, `potential_energy`) at one state, as one program.
     ///
-    /// - `0`: Friction vector F(qd) = viscous qd + coulomb sign(qd), N m or N, with sign(0) = 0.
+    /// - `0`: Friction vector F(qd) = viscous qd + sign(qd) (C + (S - C) exp(-(qd/v)^2)), N m or N, with sign(0) = 0: C is the Coulomb friction of the direction, S static friction that falls to it over the velocity v, where the table has one, else C.
     /// - `1`: Potential energy U(q) = -sum m g.c, zero at the origin of the base frame, and that of springs, 1/2 stiffness (q - rest)^2, J.
     ///
     /// `q`: joint positions, rad; `qd`: joint velocities, rad per s.
