@@ -29,7 +29,16 @@ fn tool(mass: Value) -> Tool {
 }
 
 fn is_about_the_tip(function: Function) -> bool {
-    function.row().description.contains("{tip}")
+    [
+        Function::ForwardKinematics,
+        Function::Jacobian,
+        Function::WrenchTorques,
+        Function::ToolVelocity,
+        Function::ToolAcceleration,
+        Function::JacobianRate,
+        Function::OperationalInertiaInverse,
+    ]
+    .contains(&function)
 }
 
 /// As it is written, operation by operation.

@@ -475,7 +475,7 @@ functions! {
         arguments: &[Position, Velocity],
         shape: TWIST,
         refuses: false,
-        description: "Velocity of the tip J(q) qd, vx vy vz wx wy wz, in the base frame, m/s and rad/s, without J.",
+        description: "Velocity of the tip J(q) qd, vx vy vz wx wy wz, in the {frame}, m/s and rad/s, without J.",
         symbol: None,
         set: Set::ByName,
         provided: None,
@@ -492,7 +492,7 @@ functions! {
         arguments: &[Position, Velocity, Acceleration],
         shape: TWIST,
         refuses: false,
-        description: "Acceleration of the tip J(q) qdd + dJ/dt qd: of its origin and of its rotation, in the base frame, m/s^2 and \
+        description: "Acceleration of the tip J(q) qdd + dJ/dt qd: of its origin and of its rotation, in the {frame}, m/s^2 and \
             rad/s^2, without J and its rate.",
         symbol: None,
         set: Set::ByName,
@@ -529,7 +529,7 @@ functions! {
         shape: Shape::Each(&Shape::Matrix(Fixed(6), Joints)),
         refuses: false,
         description: "Geometric Jacobians of the origins of all link frames whose joint moves, from the base outwards, each 6 x N, \
-            rows vx vy vz wx wy wz, in the base frame. Columns of joints beyond a link are zero.",
+            rows vx vy vz wx wy wz, in the {frame}. Columns of joints beyond a link are zero.",
         symbol: None,
         set: Set::ByName,
         provided: None,
@@ -546,7 +546,7 @@ functions! {
         arguments: &[Position],
         shape: Shape::Matrix(Fixed(3), One),
         refuses: false,
-        description: "Centre of mass of the tool and of all links but those that are locked to the base, in the world frame, m: that \
+        description: "Centre of mass of the tool and of all links but those that are locked to the base, in the {frame}, m: that \
             of the complete arm where parameters are neglected.",
         symbol: None,
         set: Set::ByName,
@@ -564,7 +564,7 @@ functions! {
         arguments: &[Position],
         shape: Shape::Matrix(Fixed(3), Joints),
         refuses: false,
-        description: "Jacobian of `center_of_mass`, 3 x N, by rows x y z: its velocity in the base frame is this times qd.",
+        description: "Jacobian of `center_of_mass`, 3 x N, by rows x y z: its velocity in the {frame} is this times qd.",
         symbol: None,
         set: Set::ByName,
         provided: None,
