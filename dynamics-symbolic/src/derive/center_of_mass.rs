@@ -136,10 +136,14 @@ fn grouped<'g>(
     let own = bodies(symbols, robot);
     let mut carried = Body::splat(zero);
     let mut kept = Vec::with_capacity(links.len());
-    for (link, (body, _)) in links.iter().zip(own).skip(robot.links_of_base()).rev() {
-        let point = Body {
-            inertia: Symmetric3::splat(zero),
-            ..body.times(factor)
+    for (i, (link, (body, _))) in links.iter().zip(own).enumerate().rev() {
+        let point = match i < robot.links_of_base() {
+            // Parts of the base have no share, but what comes from beyond passes their frames.
+            true => Body::splat(zero),
+            false => Body {
+                inertia: Symmetric3::splat(zero),
+                ..body.times(factor)
+            },
         };
         let (rest, moving) = split(link, point.joined(carried), zero);
         kept.push(rest);
@@ -149,7 +153,6 @@ fn grouped<'g>(
             .moved(link.offset(zero));
         carried.inertia = Symmetric3::splat(zero);
     }
-    kept.resize(links.len(), Body::splat(zero));
     kept.reverse();
     (kept, carried)
 }
