@@ -23,7 +23,7 @@ robot_dynamics! {
     functions: [
         default, forward_kinematics, jacobian,
         impedance_terms = (forward_kinematics, jacobian, gravity_vector),
-        observer_terms = (mass_matrix, coriolis_matrix, gravity_vector),
+        observer_terms = (generalized_momentum, momentum_bias),
     ],
 }
 
@@ -88,7 +88,9 @@ const PERIOD: f64 = 1e-3;
 
 /// The residual of the generalized momentum p = M qd (De Luca and Mattone 2003):
 ///
-///   r = RATE (p - p(0) - integral of tau + C' qd - G + r),   r' = RATE (J' w - r).
+///   r = RATE (p - p(0) - integral of tau + C' qd - G + r),   r' = RATE (J' w - r),
+///
+/// where C' qd - G is the momentum's bias.
 ///
 /// It is compared with J' w, which the observer does not know: the time when it finds half of the push,
 /// after it began, and the largest part of it that is missing at the end.
@@ -107,9 +109,9 @@ fn observed() -> Outcome<[f64; 2]> {
     let mut found = f64::INFINITY;
     let mut missing = f64::INFINITY;
     for ((&t, q), qd) in motion.t.iter().zip(&motion.q).zip(&motion.qd) {
-        let (m, c, g) = Arm.observer_terms(q, qd);
-        integral += (torque(q, qd) + c.tr_mul(qd) - g + residual) * PERIOD;
-        residual = (m * qd - integral) * RATE;
+        let (momentum, bias) = Arm.observer_terms(q, qd);
+        integral += (torque(q, qd) + bias + residual) * PERIOD;
+        residual = (momentum - integral) * RATE;
         let pushed = Arm.jacobian(q).tr_mul(&force(PUSH));
         missing = (residual - pushed).amax() / pushed.amax();
         if t <= 1.0 {

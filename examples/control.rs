@@ -29,16 +29,13 @@ robot_dynamics! {
     tool: { xyz: [0.4, 0, 0], mass: load },
     // One call gives all terms: sines and kinematics are evaluated once.
     functions: [
-        default, regressor, base_parameters,
+        default, passivity_regressor, base_parameters,
         control_terms = (mass_matrix, coriolis_vector, gravity_vector),
     ],
 }
 
 type Vector = Vector3<f64>;
 type Outcome<T> = Result<T, Box<SimulationError<3>>>;
-
-/// Base parameters.
-const P: usize = Arm::BASE_PARAMETERS;
 
 const START: Vector = Vector3::new(0.0, 0.6, -0.9);
 
@@ -115,20 +112,8 @@ fn dropped() -> Outcome<[f64; 2]> {
     Ok([told, untold].map(|motion| largest_error(&motion, 1.0)))
 }
 
-/// Y_r(q, qd, qd_r, qdd_r) with Y_r b = M qdd_r + C qd_r + G, C Christoffel's: the forces of the regressor
-/// are quadratic in the velocities, C qd_r is their bilinear form.
-fn passivity_regressor(q: &Vector, qd: &Vector, qd_r: &Vector, qdd_r: &Vector) -> Y {
-    let arm = Arm { load: 0.0 };
-    let rest = Vector::zeros();
-    let of_sum = arm.regressor(q, &(qd + qd_r), &rest);
-    let of_difference = arm.regressor(q, &(qd - qd_r), &rest);
-    arm.regressor(q, &rest, qdd_r) + (of_sum - of_difference) * 0.25
-}
-
-type Y = robot_dynamics::nalgebra::SMatrix<f64, 3, P>;
-
 /// Adaptive control (Slotine and Li 1987): tau = Y_r b - K s with s = qd - qd_r, qd_r = qd_d + L (q_d - q),
-/// and b' = -A Y_r' s. It starts from the parameters of the empty arm; 2 kg are at the tool. The largest
+/// and b' = -A Y_r' s, where Y_r b = M qdd_r + C qd_r + G. It starts from the parameters of the empty arm; 2 kg are at the tool. The largest
 /// errors of each second, in degrees.
 fn learned(seconds: usize) -> Outcome<Vec<f64>> {
     /// The controller's period, s.
@@ -143,7 +128,7 @@ fn learned(seconds: usize) -> Outcome<Vec<f64>> {
         let (e, ed) = (q_d - q, qd_d - qd);
         let (qd_r, qdd_r) = (qd_d + e * 8.0, qdd_d + ed * 8.0);
         let s = qd - qd_r;
-        let y = passivity_regressor(&q, &qd, &qd_r, &qdd_r);
+        let y = arm.passivity_regressor(&q, &qd, &qd_r, &qdd_r);
         let tau = y * b - s * 40.0;
         b -= y.tr_mul(&s) * (1.5 * PERIOD);
         let motion = Simulation::new(&arm)

@@ -4,6 +4,8 @@
 //! for every joint the sum of the moments of all forces beyond it. It shares nothing with the
 //! derivation, and no formula with the runtime's numeric algorithms.
 
+mod controllers;
+
 use std::f64::consts::FRAC_PI_2;
 
 use robot_dynamics::nalgebra::{Matrix3, SMatrix, SVector, Vector3};
@@ -21,6 +23,8 @@ struct Link {
     axis: Vector,
     /// A point of the joint's axis.
     origin: Vector,
+    /// The link frame of the table.
+    frame: Frame,
     /// The link itself, and the tool.
     bodies: [Option<Body>; 2],
 }
@@ -190,6 +194,7 @@ impl<const N: usize> Exact<'_, N> {
                 joint_type: row.joint_type,
                 axis,
                 origin,
+                frame,
                 bodies: [Some(link), tool],
             }
         })
