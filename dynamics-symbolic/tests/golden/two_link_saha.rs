@@ -977,7 +977,7 @@ impl Arm {
             ),
         ]
     }
-    /// Centre of mass of the tool and of all links but those that are locked to the base, in the world frame, m: that of the complete arm where parameters are neglected.
+    /// Centre of mass of the tool and of all links but those that are locked to the base, in the base frame, m: that of the complete arm where parameters are neglected.
     ///
     /// `q`: joint positions, rad.
     ///
