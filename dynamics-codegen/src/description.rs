@@ -94,6 +94,8 @@ pub enum Asked {
     One(Function, Place),
     /// `control_terms = (mass_matrix, gravity_vector)`
     Fused(Name, Vec<(Function, Place)>),
+    /// What could not be read: the error has been reported.
+    Unreadable,
 }
 
 /// `elbow = 0.3`

@@ -135,6 +135,8 @@ fn requests_to_stub(entries: &[Entry]) -> Vec<Request> {
                 Asked::Default(_) => default_set().collect(),
                 Asked::One(function, _) => vec![Request::One(*function)],
                 Asked::Fused(name, parts) => vec![fused(name, parts)],
+                // It may be any of them.
+                Asked::Unreadable => Function::ALL.map(Request::One).to_vec(),
             });
             requests.flatten().collect()
         }

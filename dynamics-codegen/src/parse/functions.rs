@@ -15,7 +15,7 @@ use crate::place::Place;
 /// The word for the default set.
 const DEFAULT: &str = "default";
 
-/// Reads the list. A wrong name leaves the choice unknown.
+/// Reads the list. What is wrong in it leaves the other entries as they are.
 pub(super) fn functions(cursor: &mut Cursor) -> Result<Vec<Asked>, Reported> {
     let group = cursor.take_list(Delimiter::Bracket, expected::functions())?;
     let mut inside = cursor.inside(&group);
@@ -23,17 +23,16 @@ pub(super) fn functions(cursor: &mut Cursor) -> Result<Vec<Asked>, Reported> {
         return Err(cursor.error(group.span(), mistake::entry::no_function()));
     }
     let mut asked = Vec::new();
-    let mut wrong = None;
     let end = comma_separated(&mut inside, at_item, |cursor| {
         let start = cursor.here();
         let (item, what) = item(cursor, start)?;
-        match item {
-            Ok(item) => asked.push(item),
-            Err(reported) => wrong = Some(reported),
-        }
+        asked.push(item.unwrap_or(Asked::Unreadable));
         Ok(what)
     });
-    wrong.map_or(end.map(|()| asked), Err)
+    if end.is_err() {
+        asked.push(Asked::Unreadable);
+    }
+    Ok(asked)
 }
 
 fn at_item(cursor: &Cursor) -> bool {

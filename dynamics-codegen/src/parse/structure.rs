@@ -4,7 +4,6 @@ use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
 use quote::{ToTokens, quote};
 use syn::parse::{ParseStream, Parser};
 use syn::punctuated::Punctuated;
-use syn::spanned::Spanned;
 use syn::{Attribute, LitBool, Meta, Token, Visibility};
 
 use super::cursor::Cursor;
@@ -78,9 +77,12 @@ impl Attributes {
         if meta.path().is_ident("derive") {
             self.has_derive = true;
         }
-        if meta.path().is_ident("cfg") {
-            self.cfgs.extend(attribute(meta.to_token_stream()));
-            self.switch = Some(meta.span().into());
+        if let Some(word) = meta.path().get_ident().filter(|word| *word == "cfg") {
+            let written = meta.to_token_stream();
+            let end = written.clone().into_iter().last();
+            let start = Place::from(word);
+            self.switch = Some(end.map_or(start, |end| start.to(end.span())));
+            self.cfgs.extend(attribute(written));
         }
         if let Meta::List(list) = meta
             && list.path.is_ident("cfg_attr")

@@ -32,7 +32,7 @@ pub(crate) const RESERVED: [&str; 11] = [
 /// Every function that is named, parts of tuples too.
 pub(super) fn named(asked: &[Asked]) -> impl Iterator<Item = (Function, Place)> + Clone {
     asked.iter().flat_map(|asked| match asked {
-        Asked::Default(_) => Vec::new(),
+        Asked::Default(_) | Asked::Unreadable => Vec::new(),
         Asked::One(function, place) => vec![(*function, *place)],
         Asked::Fused(_, parts) => parts.clone(),
     })
@@ -61,6 +61,7 @@ pub(super) fn requests(asked: Option<&[Asked]>, robot: &Robot) -> Vec<(Request, 
                 }
             }
             Asked::Fused(name, parts) => requests.push((fused(name, parts), Some(name.into()))),
+            Asked::Unreadable => {}
         }
     }
     requests
@@ -104,6 +105,7 @@ pub(super) fn report(asked: &[Asked], table: &Table, scope: &Scope) {
             Asked::Default(place) => ("default".to_owned(), *place),
             Asked::One(function, place) => (function.name().to_owned(), *place),
             Asked::Fused(name, _) => (name.plain().to_owned(), name.into()),
+            Asked::Unreadable => continue,
         };
         if !seen.insert(word.clone()) {
             scope.error(place, mistake::function_twice(&word));
@@ -116,7 +118,7 @@ pub(super) fn report(asked: &[Asked], table: &Table, scope: &Scope) {
                 report_name(name, table, scope);
                 report_parts(name, parts, scope);
             }
-            Asked::Default(_) | Asked::One(..) => {}
+            Asked::Default(_) | Asked::One(..) | Asked::Unreadable => {}
         }
     }
 }
@@ -154,7 +156,7 @@ pub(super) fn report_long(asked: &[Asked], joints: usize, scope: &Scope) {
     report_long_functions(asked, joints, scope);
     let tuples = asked.iter().filter_map(|asked| match asked {
         Asked::Fused(name, parts) => Some((name, parts.len())),
-        Asked::Default(_) | Asked::One(..) => None,
+        Asked::Default(_) | Asked::One(..) | Asked::Unreadable => None,
     });
     let mut parts = 0;
     for (name, count) in tuples {
