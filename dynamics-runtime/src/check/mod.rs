@@ -127,7 +127,7 @@ impl Check {
     pub fn run<R: Evaluate<N>, const N: usize>(&self, robot: &R) -> Report {
         let table = robot.table();
         let numeric = NewtonEuler::new(&table);
-        let mut states = self.states::<N>();
+        let mut states = self.states(table.rows.each_ref().map(|row| row.joint_type));
         states.extend(self.slow_states(&table));
         let mut report = Report::new(&R::JOINT_NAMES, states.len(), self.seed);
         // The regressor of the potential energy leaves a constant open: that of the first state.

@@ -76,7 +76,7 @@ impl<const N: usize> Exact<'_, N> {
         let columns: [_; N] = std::array::from_fn(|k| {
             let [derivative, _] = derivatives(|t| {
                 let mut moved = *q;
-                moved[k] = moved[k] + t;
+                moved[k] += t;
                 self.center_of_mass(&moved)
             });
             derivative
