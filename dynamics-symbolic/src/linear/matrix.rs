@@ -8,7 +8,7 @@ use core::ops::{Add, Mul, Sub};
 pub struct Matrix3<R>(pub [[R; 3]; 3]);
 
 impl<R: Ring> Matrix3<R> {
-    /// [v]x: times a vector it is the cross product of v and that.
+    /// `[v]x`: times a vector it is the cross product of v and that.
     pub fn cross(v: Vector3<R>, zero: R) -> Self {
         let [x, y, z] = v.0;
         Matrix3([[zero, -z, y], [z, zero, -x], [-y, x, zero]])

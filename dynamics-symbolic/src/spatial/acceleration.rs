@@ -42,7 +42,7 @@ impl<R: Ring> Acceleration<R> {
         }
     }
 
-    /// U = [wd]x + [w]x [w]x: the acceleration of a point at r is a + U r.
+    /// `U = [wd]x + [w]x [w]x`: the acceleration of a point at r is a + U r.
     pub fn u(&self) -> Matrix3<R> {
         let ([x, y, z], [xd, yd, zd]) = (self.w.0, self.wd.0);
         let (xx, yy, zz) = (x * x, y * y, z * z);
