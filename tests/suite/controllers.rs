@@ -98,8 +98,8 @@ fn errors<const N: usize>(
 ) -> [(&'static str, f64); 13] {
     let Motion { q, qd, qdd, .. } = at;
     let size = Magnitude::at(exact, at);
-    let [v, a, jerk, snap] = [qd, qdd, &at.jerk, &at.snap].map(|x| largest(x));
-    let [v_r, a_r] = [&at.qd_r, &at.qdd_r].map(|x| largest(x));
+    let [v, a, jerk, snap] = [qd, qdd, &at.jerk, &at.snap].map(largest);
+    let [v_r, a_r] = [&at.qd_r, &at.qdd_r].map(largest);
     let wrench = State::<N>::wrench().map(DoubleDouble::from);
     let jacobian = exact.jacobian(q);
     let n = N as f64;
