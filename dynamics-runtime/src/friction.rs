@@ -75,7 +75,6 @@ impl DryFriction {
 
     /// The second derivative of the force by the velocity: of x = exp(-(qd/v)^2) it is
     /// ((2 qd/v^2)^2 - 2/v^2) x.
-    #[cfg(feature = "std")]
     pub(crate) fn curvature(&self, qd: f64) -> f64 {
         let way = Scalar::sign(qd);
         self.stribeck.map_or(0.0, |stribeck| {

@@ -62,7 +62,7 @@ fn methods() -> Vec<Method> {
 fn the_force_is_handed_to_the_joints_by_the_jacobian() {
     for method in methods() {
         let simulation = || {
-            let simulation = Simulation::new(&Arm).method(method.clone());
+            let simulation = Simulation::new(&Arm).method(method);
             simulation
                 .initial(START, Vector2::zeros())
                 .duration(0.5)
@@ -138,7 +138,7 @@ fn a_joint_that_sticks_feels_the_force() {
 fn a_force_that_is_not_finite_is_named() {
     for method in methods() {
         let error = Simulation::new(&Arm)
-            .method(method.clone())
+            .method(method)
             .tool_force(|t, _, _| {
                 let moment = if t > 0.45 { f64::NAN } else { 0.0 };
                 Vector6::new(0.0, 0.0, 0.0, moment, 0.0, moment)
