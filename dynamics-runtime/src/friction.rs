@@ -36,15 +36,21 @@ impl DryFriction {
     /// C + (S - C) exp(-(qd/v)^2) of a motion one way: C is that of positive velocities where `way` is
     /// positive.
     pub(crate) fn magnitude(&self, way: f64, qd: f64) -> f64 {
+        self.coulomb(way) + self.beyond_coulomb(way, qd)
+    }
+
+    fn coulomb(&self, way: f64) -> f64 {
         let [positive, negative] = self.coulomb;
-        let coulomb = if way < 0.0 { negative } else { positive };
-        match self.stribeck {
-            None => coulomb,
-            Some(Stribeck { friction, velocity }) => {
+        if way < 0.0 { negative } else { positive }
+    }
+
+    /// (S - C) exp(-(qd/v)^2)
+    fn beyond_coulomb(&self, way: f64, qd: f64) -> f64 {
+        self.stribeck
+            .map_or(0.0, |Stribeck { friction, velocity }| {
                 let x = qd / velocity;
-                coulomb + (friction - coulomb) * Scalar::exp(-(x * x))
-            }
-        }
+                (friction - self.coulomb(way)) * Scalar::exp(-(x * x))
+            })
     }
 
     /// What holds a joint at rest against a motion that way.
@@ -62,14 +68,8 @@ impl DryFriction {
     /// The derivative of the force by the velocity, where the velocity does not change its sign.
     pub(crate) fn slope(&self, qd: f64) -> f64 {
         let way = Scalar::sign(qd);
-        self.stribeck.map_or(0.0, |stribeck| {
-            let rest = DryFriction {
-                stribeck: None,
-                ..*self
-            };
-            let beyond = self.magnitude(way, qd) - rest.magnitude(way, qd);
-            let v = stribeck.velocity;
-            -way * beyond * (2.0 * qd / v / v)
+        self.stribeck.map_or(0.0, |Stribeck { velocity: v, .. }| {
+            -way * self.beyond_coulomb(way, qd) * (2.0 * qd / v / v)
         })
     }
 
@@ -77,15 +77,9 @@ impl DryFriction {
     /// ((2 qd/v^2)^2 - 2/v^2) x.
     pub(crate) fn curvature(&self, qd: f64) -> f64 {
         let way = Scalar::sign(qd);
-        self.stribeck.map_or(0.0, |stribeck| {
-            let rest = DryFriction {
-                stribeck: None,
-                ..*self
-            };
-            let beyond = self.magnitude(way, qd) - rest.magnitude(way, qd);
-            let v = stribeck.velocity;
+        self.stribeck.map_or(0.0, |Stribeck { velocity: v, .. }| {
             let slope = 2.0 * qd / v / v;
-            way * beyond * (slope * slope - 2.0 / v / v)
+            way * self.beyond_coulomb(way, qd) * (slope * slope - 2.0 / v / v)
         })
     }
 

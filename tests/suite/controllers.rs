@@ -6,6 +6,8 @@ use robots::*;
 use testkit::exact::Exact;
 use testkit::random::Random;
 
+use super::exact::largest;
+
 /// Relative to what is added up, for each joint: as for the functions of the default set.
 const BOUND: f64 = 4e-15;
 
@@ -35,11 +37,6 @@ impl<const N: usize> Motion<N> {
             snap: number(state.snap()),
         }
     }
-}
-
-fn largest<const R: usize, const C: usize>(entries: &SMatrix<DoubleDouble, R, C>) -> f64 {
-    let sizes = entries.iter().map(|x| x.high().abs());
-    sizes.fold(0.0, f64::max)
 }
 
 /// The largest error of the entries over their magnitude.

@@ -73,7 +73,10 @@ where
     }
 }
 
-fn largest<const R: usize, const C: usize>(difference: &SMatrix<DoubleDouble, R, C>) -> f64 {
+/// The largest of the entries.
+pub(super) fn largest<const R: usize, const C: usize>(
+    difference: &SMatrix<DoubleDouble, R, C>,
+) -> f64 {
     difference
         .iter()
         .map(|x| x.high().abs())

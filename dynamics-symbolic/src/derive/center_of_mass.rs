@@ -8,7 +8,7 @@
 
 use super::base::{LinkGeometry, bodies, geometry};
 use super::chain::Chain;
-use super::energy::{Moment, composite_moments};
+use super::energy::{Moment, composite_moments, moment_about_base};
 use super::kinematics::{Axes, base};
 use super::place::Placed;
 use super::symbols::Symbols;
@@ -38,9 +38,7 @@ pub(super) fn center<'g>(
     chain: &Chain<Expr<'g>>,
 ) -> Vec<Expr<'g>> {
     let moments = Moments::new(symbols, robot, chain);
-    let first = chain.links.first().zip(moments.of_links.first());
-    let outer = first.map(|(link, (mass, h))| link.joint.leave(*h) + link.joint.position() * *mass);
-    let total = outer.map_or(moments.of_base, |outer| moments.of_base + outer);
+    let total = moment_about_base(chain, moments.of_base, &moments.of_links);
     let center = Vector3(moments.divided(total.0, chain.one));
     let center = match &robot.base {
         Some(base) => {

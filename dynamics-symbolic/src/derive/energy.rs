@@ -5,7 +5,7 @@ use crate::exact::Rational;
 use crate::expr::{Expr, Graph};
 use crate::linear::Vector3;
 use crate::robot::JointType;
-use crate::spatial::Motion;
+use crate::spatial::{Joint, Motion};
 
 /// T = sum 1/2 w.J w + v.(w x h) + 1/2 m v.v, and 1/2 r^2 J_m qd^2 for each motor.
 pub(super) fn kinetic_energy<'g>(
@@ -38,15 +38,13 @@ pub(super) fn kinetic_energy<'g>(
 /// which is at p in the world.
 pub(super) fn potential_energy<'g>(chain: &Chain<Expr<'g>>) -> Expr<'g> {
     let moments = scaled_moments(chain, chain.one);
-    let first = chain.links.first().zip(moments.first());
-    let outer = first
-        .map(|(link, (mass, moment))| link.joint.leave(*moment) + link.joint.position() * *mass);
-    let total = outer.map_or(chain.base.moment, |outer| chain.base.moment + outer);
+    let total = moment_about_base(chain, chain.base.moment, &moments);
     let about_base = -chain.gravity.dot(total);
     if chain.datum.is_zero() {
         return about_base;
     }
-    let mass = first.map_or(chain.base.mass, |(_, (mass, _))| chain.base.mass + *mass);
+    let first = moments.first();
+    let mass = first.map_or(chain.base.mass, |(mass, _)| chain.base.mass + *mass);
     about_base - chain.datum * mass
 }
 
@@ -74,6 +72,24 @@ pub(super) fn gravity_vector<'g>(chain: &Chain<Expr<'g>>) -> Vec<Expr<'g>> {
 /// A mass and a first moment.
 pub(super) type Moment<'g> = (Expr<'g>, Vector3<Expr<'g>>);
 
+/// The first moment of the whole arm about the origin of frame 0: of the base, and of the links as
+/// [`composite_moments`] has them.
+pub(super) fn moment_about_base<'g>(
+    chain: &Chain<Expr<'g>>,
+    of_base: Vector3<Expr<'g>>,
+    of_links: &[Moment<'g>],
+) -> Vector3<Expr<'g>> {
+    match chain.joints().zip(of_links).next() {
+        Some((joint, &moment)) => of_base + in_previous_frame(joint, moment),
+        None => of_base,
+    }
+}
+
+/// A first moment, with its mass, about the origin of the previous frame.
+fn in_previous_frame<'g>(joint: &Joint<Expr<'g>>, (mass, moment): Moment<'g>) -> Vector3<Expr<'g>> {
+    joint.leave(moment) + joint.position() * mass
+}
+
 /// Mass and first moment of links i to n about the origin of frame i, times `scale`.
 fn scaled_moments<'g>(chain: &Chain<Expr<'g>>, scale: Expr<'g>) -> Vec<Moment<'g>> {
     composite_moments(chain, |i| {
@@ -95,10 +111,7 @@ pub(super) fn composite_moments<'g>(
         let mass = own.0 + outer.0;
         let moment = own.1 + outer.1;
         composites.push((mass, moment));
-        outer = (
-            mass,
-            link.joint.leave(moment) + link.joint.position() * mass,
-        );
+        outer = (mass, in_previous_frame(&link.joint, (mass, moment)));
     }
     composites.reverse();
     composites

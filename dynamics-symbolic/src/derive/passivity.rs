@@ -43,8 +43,8 @@ impl<R: Ring> Mixed<R> {
         let a = joint.enter(self.a + self.u().apply(joint.position()));
         match joint.joint_type {
             JointType::Revolute => Mixed {
-                w: plus_z(w, qd),
-                w_r: plus_z(w_r, qd_r),
+                w: w.plus_z(qd),
+                w_r: w_r.plus_z(qd_r),
                 e: Vector3::new(e[0] + w[1] * qd_r, e[1] - w[0] * qd_r, e[2] + qdd_r),
                 a,
             },
@@ -96,10 +96,6 @@ fn moment<R: Ring>(body: &Body<R>, u: &Matrix3<R>, half: R) -> Vector3<R> {
         zz * u[0][2] - xx * u[2][0] - j.yz * u[0][1] + j.xy * u[2][1] + j.xz * (u[2][2] - u[0][0]),
         xx * u[1][0] - yy * u[0][1] - j.xz * u[1][2] + j.yz * u[0][2] + j.xy * (u[0][0] - u[1][1]),
     )
-}
-
-fn plus_z<R: Ring>(v: Vector3<R>, k: R) -> Vector3<R> {
-    Vector3::new(v[0], v[1], v[2] + k)
 }
 
 /// The motions of all links, of a base that accelerates against gravity.

@@ -34,7 +34,7 @@ fn place<'g>(symbols: &mut Symbols<'g>, robot: &Robot, chain: &Chain<Expr<'g>>) 
     // A standard link frame comes after the row's a and alpha, a modified one before the next row's.
     let along_x = Vector3::new(screw.a, chain.zero, chain.zero);
     let last = along_x + leave_x(screw.turn, of_tool);
-    leave_z(link.behind, plus_z(last, -link.shift))
+    leave_z(link.behind, last.plus_z(-link.shift))
 }
 
 /// J qd: velocity of the tip's origin, angular velocity.
@@ -51,9 +51,9 @@ pub(super) fn velocity<'g>(
         match joint.joint_type {
             JointType::Revolute => {
                 u = u + z_cross(chain, r, qd);
-                w = plus_z(w, qd);
+                w = w.plus_z(qd);
             }
-            JointType::Prismatic => u = plus_z(u, qd),
+            JointType::Prismatic => u = u.plus_z(qd),
         }
         (u, w) = (joint.leave(u), joint.leave(w));
         r = inward(joint, r);
@@ -77,12 +77,12 @@ pub(super) fn acceleration<'g>(
                 let before = u;
                 u = u + z_cross(chain, r, qd);
                 a = a + (z_cross(chain, before + u, qd) + z_cross(chain, r, qdd));
-                e = plus_z(e + z_cross(chain, w, qd), qdd);
-                w = plus_z(w, qd);
+                e = (e + z_cross(chain, w, qd)).plus_z(qdd);
+                w = w.plus_z(qd);
             }
             JointType::Prismatic => {
-                u = plus_z(u, qd);
-                a = plus_z(a, qdd);
+                u = u.plus_z(qd);
+                a = a.plus_z(qdd);
             }
         }
         [u, a, w, e] = [u, a, w, e].map(|v| joint.leave(v));
@@ -145,12 +145,7 @@ fn in_world<'g>(
 
 /// A place in the frame of the previous link.
 fn inward<'g>(joint: &Joint<Expr<'g>>, r: Vector<'g>) -> Vector<'g> {
-    joint.offset + joint.leave(plus_z(r, joint.slide))
-}
-
-/// v + k z
-fn plus_z<'g>(v: Vector<'g>, k: Expr<'g>) -> Vector<'g> {
-    Vector3::new(v[0], v[1], v[2] + k)
+    joint.offset + joint.leave(r.plus_z(joint.slide))
 }
 
 /// k z x v

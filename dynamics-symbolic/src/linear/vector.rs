@@ -30,6 +30,12 @@ impl<R: Ring> Vector3<R> {
         Vector3([b * z - c * y, c * x - a * z, a * y - b * x])
     }
 
+    /// v + k z
+    pub fn plus_z(self, k: R) -> Self {
+        let [x, y, z] = self.0;
+        Vector3([x, y, z + k])
+    }
+
     /// The vector times a number.
     pub fn scale(self, k: R) -> Self {
         Vector3(self.0.map(|x| k * x))

@@ -60,50 +60,7 @@ const SEED: u64 = 0x0070_726f_6f66;
 /// The first output that differs from the definition, if one does. A table that
 /// divides by zero defines nothing: no program is proven for it.
 pub fn prove(robot: &Robot, function: Function, program: &Program) -> Result<(), ProofFailure> {
-    Proof::new(robot, function).holds(program)
-}
-
-/// The proof of any number of programs of one function: its definition is evaluated once.
-pub struct Proof {
-    function: Function,
-    point: Assignment,
-    definition: Definition,
-    /// What the outputs must be, unless that is judged by what was computed; `None` inside where the
-    /// table defines nothing.
-    expected: Option<Option<Vec<Number>>>,
-}
-
-impl Proof {
-    /// That of a function of a robot.
-    pub fn new(robot: &Robot, function: Function) -> Self {
-        let mut point = Assignment::new(robot, SEED);
-        let definition = Definition::new(&mut point, robot);
-        let expected = (!function.row().refuses).then(|| definition.expected(function, &[]));
-        Proof {
-            function,
-            point,
-            definition,
-            expected,
-        }
-    }
-
-    /// Compares a program with the definition.
-    ///
-    /// # Errors
-    ///
-    /// As [`prove`].
-    pub fn holds(&mut self, program: &Program) -> Result<(), ProofFailure> {
-        let computed = program.evaluate(&mut self.point);
-        let judged;
-        let expected = match &self.expected {
-            Some(expected) => expected,
-            None => {
-                judged = self.definition.expected(self.function, &computed);
-                &judged
-            }
-        };
-        compare(self.function, &computed, expected.as_deref())
-    }
+    prove_together(robot, &[function], program)
 }
 
 /// Proves that a program computes some functions, the outputs of one after those of the other: each of
@@ -117,23 +74,66 @@ pub fn prove_together(
     functions: &[Function],
     program: &Program,
 ) -> Result<(), ProofFailure> {
-    let mut assignment = Assignment::new(robot, SEED);
-    let computed = program.evaluate(&mut assignment);
-    let definition = Definition::new(&mut assignment, robot);
-    let mut rest = &computed[..];
-    let spans = spans(functions, robot.dof(), computed.len());
-    for (number, (&function, span)) in functions.iter().zip(spans).enumerate() {
-        // The last one has to have all that is left.
-        let count = match number + 1 == functions.len() {
-            true => rest.len(),
-            false => span.len().min(rest.len()),
-        };
-        let (own, others) = rest.split_at(count);
-        rest = others;
-        let expected = definition.expected(function, own);
-        compare(function, own, expected.as_deref())?;
+    Proof::new(robot, functions).holds(program)
+}
+
+/// The proof of any number of programs of the same functions: their definitions are evaluated once.
+pub struct Proof {
+    dof: usize,
+    functions: Vec<Function>,
+    point: Assignment,
+    definition: Definition,
+    /// What the outputs of each function must be, unless that is judged by what was computed; `None`
+    /// inside where the table defines nothing.
+    expected: Vec<Option<Option<Vec<Number>>>>,
+}
+
+impl Proof {
+    /// That of some functions of a robot.
+    pub fn new(robot: &Robot, functions: &[Function]) -> Self {
+        let mut point = Assignment::new(robot, SEED);
+        let definition = Definition::new(&mut point, robot);
+        let expected = functions
+            .iter()
+            .map(|&function| (!function.row().refuses).then(|| definition.expected(function, &[])));
+        Proof {
+            dof: robot.dof(),
+            functions: functions.to_vec(),
+            expected: expected.collect(),
+            point,
+            definition,
+        }
     }
-    Ok(())
+
+    /// Compares a program with the definitions.
+    ///
+    /// # Errors
+    ///
+    /// As [`prove_together`].
+    pub fn holds(&mut self, program: &Program) -> Result<(), ProofFailure> {
+        let computed = program.evaluate(&mut self.point);
+        let mut rest = &computed[..];
+        let spans = spans(&self.functions, self.dof, computed.len());
+        for (number, (&function, span)) in self.functions.iter().zip(spans).enumerate() {
+            // The last one has to have all that is left.
+            let count = match number + 1 == self.functions.len() {
+                true => rest.len(),
+                false => span.len().min(rest.len()),
+            };
+            let (own, others) = rest.split_at(count);
+            rest = others;
+            let judged;
+            let expected = match &self.expected[number] {
+                Some(expected) => expected,
+                None => {
+                    judged = self.definition.expected(function, own);
+                    &judged
+                }
+            };
+            compare(function, own, expected.as_deref())?;
+        }
+        Ok(())
+    }
 }
 
 /// The outputs of one function beside what they must be: `None` where the table defines nothing.
