@@ -22,8 +22,8 @@ pub(crate) const ELSEWHERE: [(&str, Place); 8] = [
         "tests/suite/identities/single_precision.rs",
         "single_precision_agrees_with_double_precision",
     )),
-    ("HC42", Test("dynamics-symbolic/tests/chains.rs", "thirty_axes_expand")),
-    ("HC43", Test("dynamics-symbolic/tests/emission.rs", "long_programs_declare_their_names_in_groups")),
+    ("HC42", Test("dynamics-symbolic/tests/suite/chains.rs", "thirty_axes_expand")),
+    ("HC43", Test("dynamics-symbolic/tests/suite/emission.rs", "long_programs_declare_their_names_in_groups")),
     ("HC44", Test("dynamics-codegen/src/tests/hard_cases.rs", "literals_of_hard_case_44")),
     ("HC45", NotOurs(
         "a Scalar makes its constants from doubles, by contract: a decimal that is rounded twice is at most 1e-9 \

@@ -1,6 +1,9 @@
-//! The numeric algorithms and the simulations against the reference data of `tests/data`.
+//! The numeric algorithms and the simulations against the reference data of `tests/data`, and what they
+//! allocate: one program, which is linked once.
 
+mod allocations;
 mod arms;
+mod check;
 mod data;
 mod endings;
 mod friction;

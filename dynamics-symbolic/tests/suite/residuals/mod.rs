@@ -218,7 +218,7 @@ fn random_arms() {
     measure_random_arms(7, 400);
 }
 
-/// `cargo test --release -p dynamics-symbolic --test residuals -- --ignored --nocapture`
+/// `cargo test --release -p dynamics-symbolic --test suite residuals:: -- --ignored --nocapture`
 #[test]
 #[ignore = "takes a minute"]
 fn many_random_arms() {

@@ -274,7 +274,7 @@ fn arms_that_pass_are_positive_definite_wherever_they_are_attacked() {
     attack(1, 120, 30);
 }
 
-/// `cargo test --release -p dynamics-symbolic --test definite -- --ignored --nocapture`
+/// `cargo test --release -p dynamics-symbolic --test suite definite:: -- --ignored --nocapture`
 #[test]
 #[ignore = "takes some minutes"]
 fn many_arms_that_pass_are_positive_definite_wherever_they_are_attacked() {

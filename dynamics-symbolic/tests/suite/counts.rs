@@ -3,19 +3,11 @@
 //! Counted are multiplications, additions and divisions of the emitted code;
 //! sines and cosines of the joint angles apart, friction left out.
 
+use crate::without_friction;
 use dynamics_symbolic::derive::derive;
-use dynamics_symbolic::robot::{Robot, Value};
+use dynamics_symbolic::robot::Robot;
 use dynamics_symbolic::{Function, Operations};
 use expect_test::expect_file;
-
-fn without_friction(name: &str) -> Robot {
-    let mut robot = arms::robot(name);
-    for row in &mut robot.rows {
-        row.viscous = Value::zero();
-        row.coulomb = [(); 2].map(|()| Value::zero());
-    }
-    robot
-}
 
 fn operations(robot: &Robot, function: Function) -> Operations {
     derive(robot, function).operations()
@@ -41,7 +33,7 @@ fn snapshot_of_all_robots() {
             );
         }
     }
-    expect_file!["golden/counts.txt"].assert_eq(&table);
+    expect_file!["../golden/counts.txt"].assert_eq(&table);
 }
 
 /// Columns and lengths of the regressors.
@@ -62,7 +54,7 @@ fn snapshot_of_the_regressors() {
             count.sin_cos,
         );
     }
-    expect_file!["golden/regressors.txt"].assert_eq(&table);
+    expect_file!["../golden/regressors.txt"].assert_eq(&table);
 }
 
 /// Programs that are derived on request are long: some robots have to do.
@@ -91,7 +83,7 @@ fn snapshot_of_derivatives() {
             );
         }
     }
-    expect_file!["golden/derivatives.txt"].assert_eq(&table);
+    expect_file!["../golden/derivatives.txt"].assert_eq(&table);
 }
 
 /// The shortest programs known from other generators and trials: tau, V, M, G.

@@ -36,20 +36,20 @@ fn two_link_craig() -> Robot {
 #[test]
 fn two_link_arm_with_numbers() {
     let text = text(&arms::robot("two_link_saha"), &Function::ALL);
-    expect_file!["golden/two_link_saha.rs"].assert_eq(&text);
+    expect_file!["../golden/two_link_saha.rs"].assert_eq(&text);
 }
 
 #[test]
 fn two_link_arm_with_parameters() {
     let text = text(&two_link_craig(), &Function::default_set(false));
-    expect_file!["golden/two_link_craig.rs"].assert_eq(&text);
+    expect_file!["../golden/two_link_craig.rs"].assert_eq(&text);
 }
 
 #[test]
 fn gantry_has_no_sines() {
     let text = text(&arms::robot("gantry_ppp"), &Function::default_set(true));
     assert!(!text.contains("sin_cos("));
-    expect_file!["golden/gantry_ppp.rs"].assert_eq(&text);
+    expect_file!["../golden/gantry_ppp.rs"].assert_eq(&text);
 }
 
 /// A massless link at the tip: its documentation says that forward dynamics has no solution.

@@ -1,7 +1,7 @@
 //! Small arms whose mass matrices are nearly singular at many states: joints on one axis, links
 //! without inertia of their own, masses over ten powers of ten, small motors.
 
-use crate::arithmetic::thousandths;
+use super::arithmetic::thousandths;
 use dynamics_symbolic::exact::{Rational, SplitMix64};
 use dynamics_symbolic::robot::{Convention, JointType, Robot, Row, Value};
 

@@ -96,7 +96,7 @@ fn snapshot_and_shorter_than_what_a_user_would_write() {
         }
     }
     println!("{table}");
-    expect_file!["golden/second_set.txt"].assert_eq(&table);
+    expect_file!["../golden/second_set.txt"].assert_eq(&table);
 }
 
 /// Beside the recursion that each is a variation of: the passivity torque is Newton-Euler with a second

@@ -1,12 +1,13 @@
 //! The two forms of forward dynamics: the mass matrix factored, and articulated bodies.
 
+use crate::without_friction;
 use arms::generic_chain;
 use dynamics_symbolic::Function;
 use dynamics_symbolic::derive::functions::Form;
 use dynamics_symbolic::derive::{derive, derive_form};
 use dynamics_symbolic::program::Program;
 use dynamics_symbolic::prove::prove;
-use dynamics_symbolic::robot::{Robot, Value};
+use dynamics_symbolic::robot::Robot;
 use expect_test::expect_file;
 
 const ARMS: [&str; 6] = [
@@ -23,15 +24,6 @@ const CROSSOVER: usize = 12;
 
 fn program(robot: &Robot, form: Form) -> Program {
     derive_form(robot, Function::ForwardDynamics, form)
-}
-
-fn without_friction(name: &str) -> Robot {
-    let mut robot = arms::robot(name);
-    for row in &mut robot.rows {
-        row.viscous = Value::zero();
-        row.coulomb = [(); 2].map(|()| Value::zero());
-    }
-    robot
 }
 
 /// Prismatic joints, reflected inertias, friction and mass matrices that are identically singular
@@ -83,5 +75,5 @@ fn the_shorter_form_is_chosen() {
             assert_eq!(articulated, robot.rows.len() >= CROSSOVER, "{}", robot.name);
         }
     }
-    expect_file!["golden/forward_dynamics.txt"].assert_eq(&table);
+    expect_file!["../golden/forward_dynamics.txt"].assert_eq(&table);
 }

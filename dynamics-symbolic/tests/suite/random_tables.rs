@@ -53,7 +53,7 @@ fn regressors_of_arms_whose_axes_meet_are_proven() {
     prove_tables(8, 300, true, &functions);
 }
 
-/// Many more: `cargo test --release -p dynamics-symbolic --test random_tables -- --ignored`.
+/// Many more: `cargo test --release -p dynamics-symbolic --test suite random_tables:: -- --ignored`.
 #[test]
 #[ignore = "takes minutes"]
 fn every_function_of_many_random_arms_is_proven() {

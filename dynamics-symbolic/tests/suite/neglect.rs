@@ -1,10 +1,10 @@
 //! Abbreviated models: what they save, what they cost, and that they are proven.
 
+use crate::without_friction;
 use dynamics_symbolic::Function;
 use dynamics_symbolic::derive::derive;
 use dynamics_symbolic::neglect::{largest_error, neglect};
 use dynamics_symbolic::prove::prove;
-use dynamics_symbolic::robot::{Robot, Value};
 use expect_test::expect_file;
 
 const FUNCTIONS: [Function; 5] = [
@@ -14,15 +14,6 @@ const FUNCTIONS: [Function; 5] = [
     Function::GravityVector,
     Function::ForwardDynamics,
 ];
-
-fn without_friction(name: &str) -> Robot {
-    let mut robot = arms::robot(name);
-    for row in &mut robot.rows {
-        row.viscous = Value::zero();
-        row.coulomb = [(); 2].map(|()| Value::zero());
-    }
-    robot
-}
 
 /// Operations saved, and the largest errors.
 #[test]
@@ -59,7 +50,7 @@ fn abbreviated_models_are_proven_and_measured() {
             }
         }
     }
-    expect_file!["golden/neglect.txt"].assert_eq(&table);
+    expect_file!["../golden/neglect.txt"].assert_eq(&table);
 }
 
 /// Joints of both kinds, both conventions, axes that are written in those of another joint.

@@ -17,7 +17,7 @@ fn programs_of_hard_arms_lose_no_digits() {
     digits.assert_none_lost();
 }
 
-/// `cargo test --release -p dynamics-symbolic --test rounding -- --ignored`
+/// `cargo test --release -p dynamics-symbolic --test suite rounding:: -- --ignored`
 #[test]
 #[ignore = "takes minutes in a release build"]
 fn ten_thousand_programs_of_hard_arms_lose_no_digits() {

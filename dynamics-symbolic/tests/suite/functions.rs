@@ -5,10 +5,10 @@ use std::fmt::Write;
 use dynamics_symbolic::Function;
 use expect_test::expect_file;
 
-/// `UPDATE_EXPECT=1 cargo test -p dynamics-symbolic --test functions` writes the list anew.
+/// `UPDATE_EXPECT=1 cargo test -p dynamics-symbolic --test suite functions::` writes the list anew.
 #[test]
 fn the_list_for_macros_is_that_of_the_table() {
-    expect_file!["../../testkit/robots/src/functions.rs"].assert_eq(&list());
+    expect_file!["../../../testkit/robots/src/functions.rs"].assert_eq(&list());
 }
 
 fn list() -> String {

@@ -124,7 +124,7 @@ fn the_text_of_fused_methods() {
         ),
     ];
     let first = text(&robot, &requests);
-    expect_file!["golden/fused.rs"].assert_eq(&first);
+    expect_file!["../golden/fused.rs"].assert_eq(&first);
     assert_eq!(first, text(&robot, &requests));
 }
 
