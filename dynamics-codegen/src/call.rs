@@ -14,6 +14,8 @@ pub(crate) struct Call {
     pub(crate) table: Table,
     /// Whether it was too much to be read: that has been reported.
     pub(crate) is_refused: bool,
+    /// The file that was read: the call is expanded again when it has changed.
+    pub(crate) tracked: Option<String>,
 }
 
 /// The struct item.

@@ -55,6 +55,8 @@ pub struct Table {
     pub has_all_fields: bool,
     /// The entries, in the order in which they were written.
     pub entries: Vec<Entry>,
+    /// The keys that were written, and where.
+    pub keys: Vec<(&'static str, Place)>,
     /// Every name in the text of the entries, of those too that could not be read.
     pub mentions: BTreeSet<String>,
 }
@@ -83,6 +85,23 @@ pub enum Entry {
     Neglect(Option<Share>),
     /// `tests: true`
     Tests(Place, Option<bool>),
+    /// `file: "robots/arm.urdf"`
+    File(Option<FileName>),
+    /// `chain: ["base_link", "tool0"]`
+    Chain(Option<[Name; 2]>),
+    /// `ignore: [finger]`
+    Ignore(Option<Vec<Name>>),
+    /// `round_angles: 1e-4`
+    RoundAngles(Option<Expr>),
+}
+
+/// The name of a file, as it is written.
+#[derive(Clone, Debug)]
+pub struct FileName {
+    /// The path, from the folder of the crate's Cargo.toml on.
+    pub path: String,
+    /// Where it is written.
+    pub place: Place,
 }
 
 /// One entry of `functions`.

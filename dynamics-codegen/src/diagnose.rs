@@ -5,6 +5,7 @@ use std::cell::RefCell;
 use proc_macro2::TokenStream;
 use quote::quote_spanned;
 
+use crate::description::FileName;
 use crate::limits::MOST_ERRORS;
 use crate::mistake::Mistake;
 use crate::place::Place;
@@ -20,12 +21,18 @@ pub(crate) struct Reported(());
 #[derive(Debug, Default)]
 pub(crate) struct Diagnostics {
     errors: RefCell<Vec<(Place, Mistake)>>,
+    file: RefCell<Option<FileName>>,
 }
 
 impl Diagnostics {
     /// Nothing reported yet.
     pub(crate) fn new() -> Diagnostics {
         Diagnostics::default()
+    }
+
+    /// Says which file the places in a file are in.
+    pub(crate) fn reading(&self, file: &FileName) {
+        *self.file.borrow_mut() = Some(file.clone());
     }
 
     /// Reports an error.
@@ -56,18 +63,27 @@ impl Diagnostics {
         self.errors.borrow().is_empty()
     }
 
-    /// The errors, from the top to the end.
+    /// The errors, from the top to the end: of the call, then of its file.
     pub(crate) fn into_errors(self) -> Vec<(Place, Mistake)> {
         let mut errors = self.errors.take();
-        errors.sort_by_key(|(place, _)| place.position());
+        let is_in_file = |place: &Place| matches!(place, Place::File { .. });
+        errors.sort_by_key(|(place, _)| (is_in_file(place), place.position()));
         errors
     }
 
     /// One `compile_error!` for each error.
     pub(crate) fn into_compile_errors(self) -> TokenStream {
+        let file = self.file.take();
         let errors = self.into_errors().into_iter();
         let errors = errors.map(|(place, mistake)| {
-            let ([first, last], message) = (place.tokens(), mistake.to_string());
+            let (tokens, message) = match (&file, place) {
+                (Some(file), Place::File { line, column }) => (
+                    file.place,
+                    format!("{}:{line}:{column}: {mistake}", file.path),
+                ),
+                _ => (place, mistake.to_string()),
+            };
+            let [first, last] = tokens.tokens();
             // The compiler underlines from the path's span to the braces' span.
             let path = quote_spanned!(first=> ::core::compile_error!);
             let body = quote_spanned!(last=> { #message });

@@ -5,10 +5,11 @@
 //!
 //! 1. `parse` reads the tokens: the struct item (`call`) and the table ([`description`], plain data with
 //!    places);
-//! 2. `validate` makes a `dynamics_symbolic::robot::Robot` of the table, or reports every reason why
+//! 2. `files` reads the file that the call names, where it names one, and puts what it says beside the rest;
+//! 3. `validate` makes a `dynamics_symbolic::robot::Robot` of the table, or reports every reason why
 //!    there is none. It knows no tokens: [`check`] does the same for a table that was read elsewhere;
-//! 3. `dynamics_symbolic` derives the functions and proves them;
-//! 4. `expand` writes the struct and its methods. That cannot fail; after an error
+//! 4. `dynamics_symbolic` derives the functions and proves them;
+//! 5. `expand` writes the struct and its methods. That cannot fail; after an error
 //!    it writes the same items with empty methods, so that the code around the call
 //!    still passes the type check.
 //!
@@ -22,6 +23,7 @@ mod call;
 pub mod description;
 mod diagnose;
 mod expand;
+pub mod files;
 mod limits;
 mod mistake;
 mod parse;
@@ -47,7 +49,7 @@ pub fn generate(call: TokenStream) -> TokenStream {
 /// nothing neglected.
 pub fn outline(call: TokenStream) -> TokenStream {
     let diagnostics = Diagnostics::new();
-    let call = parse::call(call, &diagnostics);
+    let call = read(call, &diagnostics);
     let model = model(&call, &diagnostics);
     let generated = model.map(|model| (model, Vec::new()));
     items(&call, generated, diagnostics)
@@ -59,13 +61,20 @@ type Derivation = dyn Fn(&Robot, &[Function]) -> Program;
 /// [`generate`] with an engine of one's own, which a test damages.
 fn generate_by(call: TokenStream, derivation: &Derivation) -> TokenStream {
     let diagnostics = Diagnostics::new();
-    let call = parse::call(call, &diagnostics);
+    let call = read(call, &diagnostics);
     let generated = model(&call, &diagnostics).and_then(|model| {
         let model = abbreviated(model, &diagnostics)?;
         let methods = methods(&model, &call, derivation, &diagnostics)?;
         Some((model, methods))
     });
     items(&call, generated, diagnostics)
+}
+
+/// A call and the file that it names.
+fn read(call: TokenStream, diagnostics: &Diagnostics) -> call::Call {
+    let mut call = parse::call(call, diagnostics);
+    files::load(&mut call, diagnostics);
+    call
 }
 
 /// The model of a call; of one that is too long to be read there is none.
@@ -81,12 +90,17 @@ fn model(call: &call::Call, diagnostics: &Diagnostics) -> Option<Model> {
 pub fn check(table: &description::Table) -> Result<Model, Vec<Error>> {
     let diagnostics = Diagnostics::new();
     let model = validate::model(table, &diagnostics);
+    let errors = errors(diagnostics);
+    model.ok_or(errors)
+}
+
+fn errors(diagnostics: Diagnostics) -> Vec<Error> {
     let errors = diagnostics.into_errors().into_iter();
     let error = |(place, mistake): (_, mistake::Mistake)| Error {
         place,
         message: mistake.to_string(),
     };
-    model.ok_or_else(|| errors.map(error).collect())
+    errors.map(error).collect()
 }
 
 /// What is wrong with a table.
@@ -113,7 +127,14 @@ fn items(
         (None, _) => TokenStream::new(),
     };
     let errors = diagnostics.into_compile_errors();
-    quote!(#errors #items)
+    // The compiler expands the call again when a file that it includes has changed.
+    let tracked = call.tracked.as_ref();
+    let tracked = tracked.map(|path| {
+        quote!(
+            const _: &[u8] = ::core::include_bytes!(#path);
+        )
+    });
+    quote!(#errors #tracked #items)
 }
 
 /// The model without what is to be neglected, or `None` where that is too much: that is reported.

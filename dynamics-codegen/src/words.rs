@@ -15,6 +15,17 @@ pub(crate) fn is_keyword(ident: &Ident) -> bool {
     KEYWORDS.contains(&ident.to_string().as_str())
 }
 
+/// Whether a word of a file can be the name of something in Rust.
+#[cfg(feature = "files")]
+pub(crate) fn is_name(word: &str) -> bool {
+    let mut letters = word.chars();
+    letters
+        .next()
+        .is_some_and(|first| first.is_alphabetic() || first == '_')
+        && letters.all(|c| c.is_alphabetic() || c.is_ascii_digit() || c == '_')
+        && !KEYWORDS.contains(&word)
+}
+
 /// The Rust reference, "Keywords": strict and reserved.
 const KEYWORDS: [&str; 53] = [
     "_", "as", "async", "await", "break", "const", "continue", "crate", "dyn", "else", "enum",

@@ -2,6 +2,10 @@
 
 /// Generates a struct with the equations of motion of a robot arm as its methods, from the arm's
 /// Denavit-Hartenberg table. The crate `robot-dynamics` documents the table and the methods.
+///
+/// `file: "robots/puma560.toml"` stands in place of `convention` and `joints`: a path from the folder of the
+/// crate's Cargo.toml on, to TOML in the macro's own words or to JSON. Everything else may follow it or stand in
+/// the file. The feature `files` has the readers.
 // `$crate` is this crate under whatever name and through whatever re-export the caller sees it, so
 // that the generated code finds the runtime without a dependency of its own.
 #[macro_export]

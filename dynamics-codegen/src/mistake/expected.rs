@@ -179,3 +179,23 @@ pub(crate) fn value() -> Expected {
 pub(crate) fn end_of_parentheses() -> Expected {
     expected("one value and `)`")
 }
+
+pub(crate) fn end_of_text() -> Expected {
+    expected("one value")
+}
+
+pub(crate) fn file_name() -> Expected {
+    expected("the path of a file, from the crate's Cargo.toml on: `\"robots/arm.urdf\"`")
+}
+
+pub(crate) fn chain() -> Expected {
+    expected("the first and the last link: `[\"base_link\", \"tool0\"]`")
+}
+
+pub(crate) fn ignored() -> Expected {
+    expected("`[joint, ...]`")
+}
+
+pub(crate) fn ignored_joint() -> Expected {
+    expected("the name of a joint")
+}

@@ -5,6 +5,7 @@
 
 pub(crate) mod entry;
 pub(crate) mod expected;
+pub(crate) mod file;
 pub(crate) mod joint;
 pub(crate) mod number;
 pub(crate) mod size;

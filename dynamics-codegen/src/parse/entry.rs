@@ -5,6 +5,7 @@ use proc_macro2::{Delimiter, Ident};
 
 use super::cursor::Cursor;
 use super::expression::{expression, share};
+use super::files;
 use super::frames;
 use super::functions::functions;
 use super::list::{Key, colon, comma_separated, end_item, key, skip_docs};
@@ -14,10 +15,15 @@ use super::vector::vector;
 use crate::description::{Entry, Joints, Locked, Name};
 use crate::diagnose::Reported;
 use crate::mistake::{self, expected};
+use crate::place::Place;
 use crate::words;
 
 /// The keys of the table.
-const KEYS: [&str; 9] = [
+const KEYS: [&str; 13] = [
+    "file",
+    "chain",
+    "ignore",
+    "round_angles",
     "convention",
     "gravity",
     "base",
@@ -29,8 +35,11 @@ const KEYS: [&str; 9] = [
     "tests",
 ];
 
-/// Reads all entries.
-pub(super) fn entries(cursor: &mut Cursor) -> Vec<Entry> {
+/// Keys, and where they stand.
+type Keys = Vec<(&'static str, Place)>;
+
+/// Reads all entries; the keys that stand in front of them too.
+pub(super) fn entries(cursor: &mut Cursor) -> (Vec<Entry>, Keys) {
     let mut entries = Vec::new();
     let mut seen = Vec::new();
     while !cursor.at_end() {
@@ -49,7 +58,7 @@ pub(super) fn entries(cursor: &mut Cursor) -> Vec<Entry> {
             Err(_) => cursor.recover(start),
         }
     }
-    entries
+    (entries, seen)
 }
 
 /// Skips what stands in front of the first entry.
@@ -125,16 +134,16 @@ fn binding(cursor: &mut Cursor, entries: &mut Vec<Entry>) -> Result<String, Repo
 /// dropped.
 fn keyed(
     cursor: &mut Cursor,
-    seen: &mut Vec<&'static str>,
+    seen: &mut Keys,
     entries: &mut Vec<Entry>,
 ) -> Result<String, Reported> {
     let unknown = |word: &str| unknown("key", word, &KEYS);
     let key = key(cursor, "key", &KEYS, unknown)?;
-    let twice = seen.contains(&key.name);
+    let twice = seen.iter().any(|(name, _)| *name == key.name);
     if twice {
         key.twice(cursor);
     }
-    seen.push(key.name);
+    seen.push((key.name, Place::from(&key.ident)));
     let (entry, end) = value(cursor, &key);
     if !twice {
         entries.push(entry);
@@ -160,6 +169,10 @@ fn value(cursor: &mut Cursor, key: &Key) -> (Entry, Result<(), Reported>) {
         }),
         "functions" => split(colon.and_then(|()| functions(cursor)), Entry::Functions),
         "lock" => split(colon.and_then(|()| lock(cursor)), Entry::Lock),
+        "file" => split(colon.and_then(|()| files::name(cursor)), Entry::File),
+        "chain" => split(colon.and_then(|()| files::chain(cursor)), Entry::Chain),
+        "ignore" => split(colon.and_then(|()| files::ignored(cursor)), Entry::Ignore),
+        "round_angles" => split(colon.and_then(|()| expression(cursor)), Entry::RoundAngles),
         "neglect" => split(colon.and_then(|()| share(cursor)), Entry::Neglect),
         _ => split(colon.and_then(|()| truth(cursor)), |truth| {
             Entry::Tests(start, truth)
@@ -215,9 +228,8 @@ fn lock(cursor: &mut Cursor) -> Result<Vec<Locked>, Reported> {
     }
     let mut locked = Vec::new();
     let mut unnamed = None;
-    let at_name = |cursor: &Cursor| cursor.peek_ident().is_some();
-    let _ = comma_separated(&mut inside, at_name, |cursor| {
-        let Some(name) = cursor.take_ident() else {
+    let _ = comma_separated(&mut inside, files::at_name, |cursor| {
+        let Some(name) = files::take_name(cursor) else {
             let reported = cursor.expected(expected::locked_joint());
             unnamed = Some(reported);
             return Err(reported);
@@ -233,7 +245,7 @@ fn lock(cursor: &mut Cursor) -> Result<Vec<Locked>, Reported> {
         };
         let end = position.as_ref().err().copied();
         locked.push(Locked {
-            name: Name::from(&name),
+            name,
             position: position.ok(),
         });
         end.map_or(Ok(what), Err)

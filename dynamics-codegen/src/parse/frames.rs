@@ -11,8 +11,8 @@ use crate::description::{Placement, Tool};
 use crate::diagnose::Reported;
 use crate::mistake::expected;
 
-const BASE: [&str; 2] = ["xyz", "rpy"];
-const TOOL: [&str; 6] = ["xyz", "rpy", "mass", "com", "inertia", "allow"];
+pub(crate) const BASE: [&str; 2] = ["xyz", "rpy"];
+pub(crate) const TOOL: [&str; 6] = ["xyz", "rpy", "mass", "com", "inertia", "allow"];
 
 /// Reads `{ xyz: [x, y, z], rpy: [roll, pitch, yaw] }`.
 pub(super) fn base(cursor: &mut Cursor) -> Result<Placement, Reported> {

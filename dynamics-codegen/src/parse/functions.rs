@@ -13,7 +13,7 @@ use crate::mistake::{self, expected};
 use crate::place::Place;
 
 /// The word for the default set.
-const DEFAULT: &str = "default";
+pub(crate) const DEFAULT: &str = "default";
 
 /// Reads the list. What is wrong in it leaves the other entries as they are.
 pub(super) fn functions(cursor: &mut Cursor) -> Result<Vec<Asked>, Reported> {
@@ -103,7 +103,7 @@ fn fused(cursor: &mut Cursor) -> Result<(Result<Asked, Reported>, String), Repor
 }
 
 /// The names of all functions.
-fn names() -> impl Iterator<Item = &'static str> {
+pub(crate) fn names() -> impl Iterator<Item = &'static str> {
     Function::ALL.into_iter().map(Function::name)
 }
 

@@ -13,7 +13,7 @@ use crate::mistake::{self, expected};
 use crate::place::Place;
 
 /// The entries of a tensor, in the engine's order.
-pub(super) const ENTRIES: [&str; 6] = ["xx", "yy", "zz", "xy", "yz", "xz"];
+pub(crate) const ENTRIES: [&str; 6] = ["xx", "yy", "zz", "xy", "yz", "xz"];
 
 /// What a message calls them.
 const ENTRY: &str = "tensor entry";
@@ -57,7 +57,7 @@ fn tensor<'t>(cursor: &Cursor<'t>, group: &Group<'t>) -> [Given<Expr>; 6] {
 
 /// The message for a word that is no entry: `Ixx` and the like, below the diagonal, or a
 /// slip.
-fn unknown_entry(word: &str) -> Wrong {
+pub(crate) fn unknown_entry(word: &str) -> Wrong {
     let lower = word.to_lowercase();
     let axes = lower.trim_start_matches('i').trim_start_matches('_');
     if let Some(entry) = ENTRIES.iter().find(|entry| **entry == axes) {

@@ -6,15 +6,17 @@
 mod cursor;
 mod entry;
 mod expression;
-mod frames;
-mod functions;
-mod inertia;
+mod files;
+pub(crate) mod frames;
+pub(crate) mod functions;
+pub(crate) mod inertia;
 mod list;
-mod number;
-mod row;
+pub(crate) mod number;
+pub(crate) mod row;
 mod size;
 mod structure;
-mod unknown;
+pub(crate) mod text;
+pub(crate) mod unknown;
 mod vector;
 
 use std::collections::BTreeSet;
@@ -27,6 +29,8 @@ use crate::call::{Call, Structure};
 use crate::description::{Entry, Name, Table};
 use crate::diagnose::Diagnostics;
 use cursor::Cursor;
+
+pub(crate) use inertia::ENTRIES as TENSOR_ENTRIES;
 
 /// Reads a call of the macro: the struct item, then the entries of the table.
 ///
@@ -47,10 +51,14 @@ pub(crate) fn call(input: TokenStream, diagnostics: &Diagnostics) -> Call {
         entry::skip_to_entry(&mut cursor);
     }
     let mentions = names(cursor.rest());
-    let entries = entry::entries(&mut cursor);
+    let (entries, keys) = entry::entries(&mut cursor);
     Call {
         path,
-        table: table(structure.as_ref(), entries, mentions),
+        table: Table {
+            keys,
+            ..table(structure.as_ref(), entries, mentions)
+        },
+        tracked: None,
         structure,
         is_refused: false,
     }
@@ -72,6 +80,7 @@ fn refused(start: TokenStream) -> Call {
             entries: vec![Entry::Functions(None)],
             ..Table::default()
         },
+        tracked: None,
         is_refused: true,
     }
 }
@@ -87,6 +96,7 @@ fn table(structure: Option<&Structure>, entries: Vec<Entry>, mentions: BTreeSet<
         has_all_fields: structure.is_some_and(|structure| structure.complete),
         entries,
         mentions,
+        ..Table::default()
     }
 }
 

@@ -40,6 +40,30 @@ pub(super) fn number(literal: &Literal) -> Result<Rational, Mistake> {
     Ok(if unsigned == digits { value } else { -value })
 }
 
+/// The exact value of a decimal in a file, such as `.5`, `-1.e-3` or `+1E05`. The error says what is wrong.
+pub(crate) fn in_file(text: &str) -> Result<Rational, Mistake> {
+    let unsigned = text.strip_prefix(['-', '+']).unwrap_or(text);
+    let (mantissa, exponent) = match unsigned.split_once(['e', 'E']) {
+        Some((mantissa, exponent)) => (mantissa, Some(exponent)),
+        None => (unsigned, None),
+    };
+    let is_whole = |text: &str| text.bytes().all(|byte| byte.is_ascii_digit());
+    let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+    let has_digits = !whole.is_empty() || !fraction.is_empty();
+    let good_exponent = exponent.is_none_or(|exponent| {
+        let digits = exponent.strip_prefix(['-', '+']).unwrap_or(exponent);
+        !digits.is_empty() && is_whole(digits)
+    });
+    if !(has_digits && is_whole(whole) && is_whole(fraction) && good_exponent) {
+        return Err(mistake::other_literal(text));
+    }
+    let value = value(mantissa, exponent_value(exponent.unwrap_or("")))?;
+    Ok(match text.starts_with('-') {
+        true => -value,
+        false => value,
+    })
+}
+
 /// Digits of a whole number, leading zeros included: syn reads them in a time that grows with their square.
 const MOST_WHOLE_DIGITS: usize = 1_000;
 
@@ -170,6 +194,23 @@ mod tests {
         }
         for digits in ["1".repeat(101), "1".repeat(1_000_000), "1_".repeat(500_000)] {
             assert!(refusal(&digits).contains("digits"));
+        }
+    }
+
+    #[test]
+    fn decimals_of_files_are_exact() {
+        for (text, value) in [
+            (".5", "1/2"),
+            ("-1.e-3", "-1/1000"),
+            ("+1E05", "100000"),
+            ("0.0", "0"),
+        ] {
+            assert_eq!(in_file(text).unwrap(), exact(value), "{text}");
+        }
+        for text in [
+            "", ".", "-", "1e", "1e+", "nan", "inf", "0x1", "1,5", "1 2", "--1", "1_0",
+        ] {
+            assert!(in_file(text).is_err(), "{text}");
         }
     }
 

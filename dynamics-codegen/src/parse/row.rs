@@ -20,17 +20,17 @@ use crate::mistake::{self, expected};
 use crate::place::Place;
 
 /// The cells of a row.
-const CELLS: [&str; 12] = [
+pub(crate) const CELLS: [&str; 12] = [
     "a", "alpha", "d", "theta", "mass", "com", "inertia", "motor", "friction", "spring", "limits",
     "allow",
 ];
 
-const MOTOR: [&str; 2] = ["inertia", "gear_ratio"];
-const FRICTION: [&str; 3] = ["viscous", "coulomb", "stribeck"];
-const DIRECTIONS: [&str; 2] = ["positive", "negative"];
-const STRIBECK: [&str; 2] = ["static", "velocity"];
-const SPRING: [&str; 2] = ["stiffness", "rest"];
-const JOINT_TYPES: [&str; 2] = ["revolute", "prismatic"];
+pub(crate) const MOTOR: [&str; 2] = ["inertia", "gear_ratio"];
+pub(crate) const FRICTION: [&str; 3] = ["viscous", "coulomb", "stribeck"];
+pub(crate) const DIRECTIONS: [&str; 2] = ["positive", "negative"];
+pub(crate) const STRIBECK: [&str; 2] = ["static", "velocity"];
+pub(crate) const SPRING: [&str; 2] = ["stiffness", "rest"];
+pub(crate) const JOINT_TYPES: [&str; 2] = ["revolute", "prismatic"];
 
 /// Reads the rows. One that holds an error is returned all the same: it counts, unless
 /// it cannot be told where it ends.
@@ -162,7 +162,7 @@ fn cell(cursor: &mut Cursor, key: Key, row: &mut Row) -> Result<(), Reported> {
 }
 
 /// The message for a word that is no cell; it may be at home elsewhere.
-fn unknown_cell(word: &str) -> Wrong {
+pub(crate) fn unknown_cell(word: &str) -> Wrong {
     let home = [
         ("motor", MOTOR.as_slice()),
         ("friction", FRICTION.as_slice()),

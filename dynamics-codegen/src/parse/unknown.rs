@@ -4,14 +4,14 @@ use crate::mistake::{self, Mistake};
 use crate::words;
 
 /// What to say about a word that is none of the right ones, and which one was meant.
-pub(super) struct Wrong {
-    pub(super) mistake: Mistake,
-    pub(super) meant: Option<&'static str>,
+pub(crate) struct Wrong {
+    pub(crate) mistake: Mistake,
+    pub(crate) meant: Option<&'static str>,
 }
 
 /// A word that is none of `known`: the message names the nearest right word where one
 /// is near, all of them elsewhere.
-pub(super) fn unknown(what: &str, word: &str, known: &[&'static str]) -> Wrong {
+pub(crate) fn unknown(what: &str, word: &str, known: &[&'static str]) -> Wrong {
     let meant = words::meant(word, known);
     Wrong {
         mistake: mistake::unknown(what, word, meant, known),

@@ -15,13 +15,12 @@ mod table;
 use proc_macro2::TokenStream;
 
 use crate::diagnose::Diagnostics;
-use crate::parse;
 use crate::validate::Model;
 
 /// The model of a call and the messages about it.
 fn read(tokens: TokenStream) -> (Option<Model>, Vec<String>) {
     let diagnostics = Diagnostics::new();
-    let call = parse::call(tokens, &diagnostics);
+    let call = crate::read(tokens, &diagnostics);
     let model = crate::model(&call, &diagnostics);
     (model, diagnostics.into_messages())
 }

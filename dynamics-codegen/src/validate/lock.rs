@@ -68,7 +68,8 @@ pub(super) fn lock(
 }
 
 fn unknown(word: &str, names: &[String]) -> Mistake {
-    let known: Vec<&str> = names.iter().map(String::as_str).collect();
+    let known = names.iter().map(String::as_str);
+    let known: Vec<&str> = known.filter(|name| !name.is_empty()).collect();
     mistake::unknown_joint(word, words::nearest(word, &known), &known)
 }
 

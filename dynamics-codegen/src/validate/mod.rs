@@ -46,7 +46,9 @@ pub(crate) fn model(table: &Table, diagnostics: &Diagnostics) -> Option<Model> {
     let mut scope = Scope::new(table, diagnostics);
     let mut parts = Parts::read(table, &mut scope);
     if let Some(name) = &table.name {
-        parts.report_missing(name, diagnostics);
+        if !parts.has_unread_file {
+            parts.report_missing(name, diagnostics);
+        }
         parts.lock(table, diagnostics);
         neglect::report(&parts, table, diagnostics);
         parts.report_incomparable(diagnostics);
@@ -74,6 +76,8 @@ struct Parts {
     lock: Vec<Lock>,
     neglect: Option<(Value, Place)>,
     tests: Option<Place>,
+    /// Whether a file was named, what is in it is not known: that has been reported.
+    has_unread_file: bool,
 }
 
 impl Parts {
@@ -108,6 +112,9 @@ impl Parts {
                 Entry::Tests(place, tests) => {
                     parts.tests = tests.unwrap_or(false).then_some(*place);
                 }
+                // A file that could be read has given way to its entries.
+                Entry::File(_) => parts.has_unread_file = true,
+                Entry::Chain(_) | Entry::Ignore(_) | Entry::RoundAngles(_) => {}
             }
         }
         if let (Some(functions), Some(rows)) = (&parts.functions, &parts.rows) {

@@ -1,0 +1,54 @@
+//! TOML, as a tree.
+
+use toml::Spanned;
+use toml::de::{DeString, DeTable, DeValue};
+
+use super::tree::{Key, Kind, Lines, Node};
+use crate::diagnose::Diagnostics;
+use crate::mistake::file as mistake;
+
+/// Reads a document; what is no TOML is reported. Errors behind the first one follow from it, most of them.
+pub(super) fn document(text: &str, diagnostics: &Diagnostics) -> Option<Node> {
+    let lines = Lines::new(text);
+    let (document, errors) = DeTable::parse_recoverable(text);
+    if let Some(error) = errors.first() {
+        let start = error.span().map_or(0, |span| span.start);
+        diagnostics.error(lines.place(start), mistake::syntax("TOML", error.message()));
+    }
+    errors.is_empty().then(|| Node {
+        place: lines.place(0),
+        kind: table(document.get_ref(), &lines),
+    })
+}
+
+/// The items in the order in which they were written.
+fn table(table: &DeTable, lines: &Lines) -> Kind {
+    let mut items: Vec<_> = table.iter().collect();
+    items.sort_by_key(|(key, _)| key.span().start);
+    let item = |(key, value): (&Spanned<DeString>, &Spanned<DeValue>)| {
+        let place = lines.place(key.span().start);
+        (Key::new(key.get_ref().as_ref(), place), node(value, lines))
+    };
+    Kind::Table(items.into_iter().map(item).collect())
+}
+
+fn node(value: &Spanned<DeValue>, lines: &Lines) -> Node {
+    let kind = match value.get_ref() {
+        DeValue::String(text) => Kind::Text(text.to_string()),
+        DeValue::Integer(number) if number.radix() == 10 => {
+            Kind::Number(number.as_str().to_owned())
+        }
+        DeValue::Integer(_) => Kind::Other("a number that is not decimal"),
+        DeValue::Float(number) => Kind::Number(number.as_str().to_owned()),
+        DeValue::Boolean(truth) => Kind::Truth(*truth),
+        DeValue::Datetime(_) => Kind::Other("a date"),
+        DeValue::Array(values) => {
+            Kind::List(values.iter().map(|value| node(value, lines)).collect())
+        }
+        DeValue::Table(items) => table(items, lines),
+    };
+    Node {
+        place: lines.place(value.span().start),
+        kind,
+    }
+}

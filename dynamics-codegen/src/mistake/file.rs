@@ -1,0 +1,104 @@
+//! Mistakes in and about robot files.
+
+use std::fmt::Display;
+
+use super::Mistake;
+use crate::words::{either, shortened};
+
+/// A path at which nothing is.
+pub(crate) fn not_found(path: &str) -> Mistake {
+    Mistake::new(format!(
+        "there is no file `{path}`: a path starts at the folder of the crate's Cargo.toml"
+    ))
+}
+
+/// A file that cannot be read.
+pub(crate) fn unreadable(path: &str, reason: &impl Display) -> Mistake {
+    Mistake::new(format!("cannot read `{path}`: {reason}"))
+}
+
+pub(crate) fn too_long(path: &str, most: usize) -> Mistake {
+    Mistake::new(format!("`{path}` is longer than {most} bytes"))
+}
+
+pub(crate) fn no_text(line: usize) -> Mistake {
+    Mistake::new(format!("no UTF-8 text: line {line} has other bytes"))
+}
+
+pub(crate) fn unknown_format(path: &str) -> Mistake {
+    Mistake::new(format!(
+        "`{path}` is no kind of file that is read: expected `.urdf`, `.toml` or `.json`"
+    ))
+}
+
+/// The crate was built without the readers.
+#[cfg(not(feature = "files"))]
+pub(crate) fn switched_off() -> Mistake {
+    Mistake::new("files are read where the feature `files` of the crate `robot-dynamics` is on")
+}
+
+/// No text of that format.
+pub(crate) fn syntax(format: &str, message: &str) -> Mistake {
+    Mistake::new(format!("no {format}: {message}"))
+}
+
+/// Another kind of value than the one that was expected.
+pub(crate) fn other_kind(what: &str, found: &str) -> Mistake {
+    Mistake::new(format!("expected {what}, found {found}"))
+}
+
+/// A table with other words.
+pub(crate) fn no_table(name: &str, words: &[&str], found: &str) -> Mistake {
+    let words = either(words);
+    Mistake::new(format!(
+        "expected a table for {name}, of {words}, found {found}"
+    ))
+}
+
+pub(crate) fn no_name(what: &str, word: &str) -> Mistake {
+    let word = shortened(word);
+    Mistake::new(format!(
+        "{what} is a word of letters, digits and `_`, found `{word}`"
+    ))
+}
+
+pub(crate) fn nameless_joint() -> Mistake {
+    Mistake::new("this joint has no name: write `name = \"shoulder\"`, for example")
+}
+
+pub(crate) fn typeless_joint() -> Mistake {
+    Mistake::new("this joint has no type: write `type = \"revolute\"` or `type = \"prismatic\"`")
+}
+
+/// A value that is written as text, and is none.
+pub(crate) fn no_value(text: &str) -> Mistake {
+    Mistake::new(format!("expected a value, found `{}`", shortened(text)))
+}
+
+/// An entry that the file has too.
+pub(crate) fn in_file_too(word: &str, path: &str) -> Mistake {
+    Mistake::new(format!(
+        "`{word}` stands in `{path}` too: leave one of the two away"
+    ))
+}
+
+/// An entry in place of which the file stands.
+pub(crate) fn instead_of(word: &str, path: &str) -> Mistake {
+    Mistake::new(format!(
+        "`{path}` stands in place of `{word}`: leave `{word}` away"
+    ))
+}
+
+/// `chain` and the like without a file, or beside a file of another format.
+pub(crate) fn only_with_urdf(word: &str) -> Mistake {
+    Mistake::new(format!(
+        "`{word}` is about a URDF file: write it beside `file: \"robots/arm.urdf\"`"
+    ))
+}
+
+/// Another number of links.
+pub(crate) fn two_links() -> Mistake {
+    Mistake::new(
+        "a chain has two names, those of its first and its last link: `[\"base_link\", \"tool0\"]`",
+    )
+}

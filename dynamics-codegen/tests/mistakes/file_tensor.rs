@@ -1,0 +1,1 @@
+robot_dynamics! { struct Arm; file: "tests/mistakes/files/tensor.json" }
