@@ -31,6 +31,7 @@ impl Diagnostics {
     }
 
     /// Says which file the places in a file are in.
+    #[cfg(feature = "files")]
     pub(crate) fn reading(&self, file: &FileName) {
         *self.file.borrow_mut() = Some(file.clone());
     }

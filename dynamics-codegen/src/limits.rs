@@ -60,4 +60,5 @@ pub(crate) const MOST_PARTS: usize = 256;
 pub(crate) const MOST_LISTED: usize = 20;
 
 /// Bytes of a file. The URDF files of arms have some 20,000; those with meshes written out are not read.
+#[cfg(feature = "files")]
 pub(crate) const MOST_BYTES: usize = 4_000_000;

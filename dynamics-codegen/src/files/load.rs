@@ -4,7 +4,6 @@ use crate::call::Call;
 use crate::description::{Entry, FileName};
 use crate::diagnose::Diagnostics;
 use crate::mistake::file as mistake;
-use crate::place::Place;
 
 /// Entries that say something about a file, and mean nothing without one.
 const ABOUT_FILES: [&str; 3] = ["chain", "ignore", "round_angles"];
@@ -46,6 +45,7 @@ mod reading {
     use super::*;
     use crate::files::{self, Format};
     use crate::limits::MOST_BYTES;
+    use crate::place::Place;
 
     /// Entries in place of which a file stands.
     const INSTEAD: [&str; 2] = ["convention", "joints"];

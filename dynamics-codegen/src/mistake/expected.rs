@@ -180,6 +180,7 @@ pub(crate) fn end_of_parentheses() -> Expected {
     expected("one value and `)`")
 }
 
+#[cfg(feature = "files")]
 pub(crate) fn end_of_text() -> Expected {
     expected("one value")
 }

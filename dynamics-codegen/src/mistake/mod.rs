@@ -5,6 +5,8 @@
 
 pub(crate) mod entry;
 pub(crate) mod expected;
+// What is wrong in a file is said where files are read.
+#[cfg_attr(not(feature = "files"), allow(dead_code))]
 pub(crate) mod file;
 pub(crate) mod joint;
 pub(crate) mod number;

@@ -15,6 +15,7 @@ pub(crate) mod number;
 pub(crate) mod row;
 mod size;
 mod structure;
+#[cfg(feature = "files")]
 pub(crate) mod text;
 pub(crate) mod unknown;
 mod vector;
@@ -30,6 +31,7 @@ use crate::description::{Entry, Name, Table};
 use crate::diagnose::Diagnostics;
 use cursor::Cursor;
 
+#[cfg(feature = "files")]
 pub(crate) use inertia::ENTRIES as TENSOR_ENTRIES;
 
 /// Reads a call of the macro: the struct item, then the entries of the table.

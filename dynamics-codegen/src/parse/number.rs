@@ -41,6 +41,7 @@ pub(super) fn number(literal: &Literal) -> Result<Rational, Mistake> {
 }
 
 /// The exact value of a decimal in a file, such as `.5`, `-1.e-3` or `+1E05`. The error says what is wrong.
+#[cfg(feature = "files")]
 pub(crate) fn in_file(text: &str) -> Result<Rational, Mistake> {
     let unsigned = text.strip_prefix(['-', '+']).unwrap_or(text);
     let (mantissa, exponent) = match unsigned.split_once(['e', 'E']) {
@@ -197,6 +198,7 @@ mod tests {
         }
     }
 
+    #[cfg(feature = "files")]
     #[test]
     fn decimals_of_files_are_exact() {
         for (text, value) in [
