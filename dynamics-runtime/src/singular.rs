@@ -90,6 +90,7 @@ impl SingularMassMatrix {
 
 /// `pivot / |diagonal|`, and the pivot itself where that is 0/0 or the quotient of infinities.
 #[cold]
+#[inline(never)]
 pub(crate) fn relative_pivot<T: Scalar>(pivot: T, diagonal: T) -> f64 {
     let one = pivot.constant(1.0);
     let ratio = pivot.ratio_to_f64(diagonal * diagonal.sign());

@@ -76,8 +76,10 @@ impl_operator_abreast! {
 }
 
 impl<L: Lanes, const W: usize> Lanes for Abreast<L, W> {
+    type Number = L::Number;
+
     #[inline(always)]
-    fn constant(self, x: f64) -> Self {
+    fn constant(self, x: L::Number) -> Self {
         Abreast([self.0[0].constant(x); W])
     }
 
@@ -105,7 +107,7 @@ impl<L: Lanes, const W: usize> Lanes for Abreast<L, W> {
     }
 
     #[inline(always)]
-    fn all_within(self, limit: f64) -> bool {
+    fn all_within(self, limit: L::Number) -> bool {
         let mut all = true;
         for_each_index!(W, i => all &= self.0[i].all_within(limit));
         all

@@ -11,7 +11,7 @@ use fearless_simd::{
 use super::abreast;
 use super::unrolled::for_each_index;
 use crate::Scalar;
-use crate::sine::{self, Lanes};
+use crate::sine::{self, Kernel, Lanes};
 
 /// As many doubles as a vector register of the instruction set `S` holds.
 ///
@@ -100,7 +100,7 @@ impl<S: Simd> Scalar for Wide<S> {
         let Some(&first) = angles.first() else {
             return angles.map(Self::sin_cos);
         };
-        let limit = first.splat(sine::LARGEST);
+        let limit = first.splat(f64::LARGEST);
         let mut within = first.0.abs().simd_le(limit);
         for angle in &angles[1..] {
             within &= angle.0.abs().simd_le(limit);
@@ -196,6 +196,8 @@ fn token<S: Simd>() -> S {
 }
 
 impl<S: Simd> Lanes for Wide<S> {
+    type Number = f64;
+
     #[inline(always)]
     fn constant(self, x: f64) -> Self {
         Wide(self.splat(x))

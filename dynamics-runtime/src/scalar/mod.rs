@@ -7,7 +7,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 use fearless_simd::dispatch;
 
 use crate::float::Float;
-use crate::sine::{level, sin_cos_array};
+use crate::sine::{Sines, level};
 
 /// A real number type on which every generated function can be evaluated.
 ///
@@ -58,8 +58,8 @@ pub trait Scalar:
 
     /// Sine and cosine of several angles in radians, which generated functions ask for at once.
     ///
-    /// `f64` evaluates them in the lanes of a vector register, with an error below one unit in the
-    /// last place.
+    /// `f64` and `f32` evaluate them in the lanes of a vector register, each in its own precision, with an error
+    /// below one unit in the last place.
     #[inline]
     fn sin_cos_array<const K: usize>(angles: [Self; K]) -> [(Self, Self); K] {
         angles.map(Self::sin_cos)
@@ -70,7 +70,7 @@ pub trait Scalar:
 
     /// The exponential function, of which friction that falls with the velocity is made.
     ///
-    /// `f64` has an error below one unit in the last place. This implementation, for types that have none
+    /// `f64` and `f32` have an error below one unit in the last place. This implementation, for types that have none
     /// of their own, takes the argument apart by [`ratio_to_f64`](Scalar::ratio_to_f64), and is some ten
     /// roundings off, in any precision up to 40 digits. A type of several lanes needs its own.
     #[inline]
@@ -117,9 +117,9 @@ pub trait Scalar:
 }
 
 macro_rules! impl_scalar {
-    ($float:ident, $($sin_cos:item)*) => {
+    ($float:ident, $exp:path, $($vectorized:item)*) => {
         impl Scalar for $float {
-            $(#[inline] $sin_cos)*
+            $(#[inline] $vectorized)*
 
             #[inline]
             fn from_f64(x: f64) -> Self {
@@ -132,14 +132,25 @@ macro_rules! impl_scalar {
             }
 
             #[inline]
+            fn sin_cos(self) -> (Self, Self) {
+                let [value] = Sines::of_array([self]);
+                value
+            }
+
+            #[inline]
+            fn sin_cos_array<const K: usize>(angles: [Self; K]) -> [(Self, Self); K] {
+                Sines::of_array(angles)
+            }
+
+            #[inline]
             fn sqrt(self) -> Self {
                 self.root()
             }
 
             #[inline]
             fn exp(self) -> Self {
-                // By way of double precision: the same digits on every platform.
-                libm::exp(f64::from(self)) as $float
+                // The same digits on every platform.
+                $exp(self)
             }
 
             #[inline]
@@ -168,28 +179,10 @@ macro_rules! impl_scalar {
     };
 }
 
-impl_scalar! {
-    f32,
-    fn sin_cos(self) -> (Self, Self) {
-        let [value] = Scalar::sin_cos_array([self]);
-        value
-    }
-    // By way of double precision: rounded once more, and as fast.
-    fn sin_cos_array<const K: usize>(angles: [Self; K]) -> [(Self, Self); K] {
-        let values = sin_cos_array(angles.map(f64::from));
-        values.map(|(s, c)| (s as f32, c as f32))
-    }
-}
+impl_scalar! { f32, libm::expf, }
 
 impl_scalar! {
-    f64,
-    fn sin_cos(self) -> (Self, Self) {
-        let [value] = sin_cos_array([self]);
-        value
-    }
-    fn sin_cos_array<const K: usize>(angles: [Self; K]) -> [(Self, Self); K] {
-        sin_cos_array(angles)
-    }
+    f64, libm::exp,
     fn vectorized<R>(work: impl FnOnce() -> R) -> R {
         dispatch!(level(), simd => {
             let _ = simd;

@@ -1,84 +1,119 @@
 //! Sine and cosine of several angles at once.
 //!
-//! Sines are most of what a short program costs. The kernel here has no branches, so that several
-//! angles are evaluated in the lanes of a vector register, as wide as the processor at hand has
-//! them, and no operation that rounds otherwise where it is fused: every processor and every
-//! number of lanes gives the same digits. Angles beyond [`LARGEST`] take the exact reduction of the
-//! `libm` crate (Payne and Hanek 1983), which is the same on every platform too; the C library's
-//! loses up to 80 units in the last place near multiples of pi/2.
-//!
-//! Error below 0.8 units in the last place for |x| <= 1e5 (measured on ten million angles against
-//! double-double values, see the tests) and beyond.
+//! Sines are most of what a short program costs. The kernels here, one for each precision, have no branches,
+//! so that several angles are evaluated in the lanes of a vector register, as wide as the processor at hand
+//! has them, and no operation that rounds otherwise where it is fused: every processor and every number of
+//! lanes gives the same digits. Angles beyond [`Kernel::LARGEST`] are reduced exactly, one by one.
 
+mod double;
 mod lanes;
-mod polynomial;
-mod reduction;
+mod single;
 #[cfg(test)]
 mod tests;
 
-use fearless_simd::{Level, SimdBase, SimdFrom, dispatch, f64x2, f64x4, f64x8};
-pub(crate) use lanes::Lanes;
-use polynomial::sin_cos_reduced;
-use reduction::{Reduced, reduce};
+use fearless_simd::{Level, SimdBase, SimdFrom, dispatch, f32x4, f32x8, f64x2, f64x4, f64x8};
+use lanes::Reduced;
+pub(crate) use lanes::{Kernel, Lanes};
 
-/// The largest magnitude that the vectorised reduction takes.
-pub(crate) const LARGEST: f64 = 1e5;
+/// A precision whose sines of several angles are evaluated at once.
+pub(crate) trait Sines: Lanes<Number = Self> + Kernel {
+    /// Sine and cosine of every angle, rad.
+    ///
+    /// Error below one unit in the last place. Not a number, and infinities, give NaN.
+    fn of_array<const K: usize>(x: [Self; K]) -> [(Self, Self); K];
+}
 
-/// Sine and cosine of every angle, rad.
-///
-/// Error below one unit in the last place. Not a number, and infinities, give NaN.
-#[inline]
-pub(crate) fn sin_cos_array<const K: usize>(x: [f64; K]) -> [(f64, f64); K] {
-    let mut values = [(0.0, 1.0); K];
-    match K {
-        0 => {}
-        1 => values[0] = one(x[0]),
-        2 => store(two(level(), x[0], x[1]), &mut values),
-        3 => store(four(level(), x[0], x[1], x[2], 0.0), &mut values),
-        4 => store(four(level(), x[0], x[1], x[2], x[3]), &mut values),
-        _ => {
-            let level = level();
-            for (x, values) in x.chunks(8).zip(values.chunks_mut(8)) {
-                let lane = |i: usize| if i < x.len() { x[i] } else { 0.0 };
-                let [a, b, c, d, e, f, g, h] = core::array::from_fn(lane);
-                store(eight(level, a, b, c, d, e, f, g, h), values);
+impl Sines for f64 {
+    #[inline]
+    fn of_array<const K: usize>(x: [f64; K]) -> [(f64, f64); K] {
+        let mut values = [(0.0, 1.0); K];
+        let level = level();
+        match K {
+            0 => {}
+            1 => values[0] = one(x[0]),
+            _ if level.is_fallback() => each(&x, &mut values),
+            2 => store(two(level, x[0], x[1]), &mut values),
+            3 => store(four(level, x[0], x[1], x[2], 0.0), &mut values),
+            4 => store(four(level, x[0], x[1], x[2], x[3]), &mut values),
+            _ => {
+                for (x, values) in x.chunks(8).zip(values.chunks_mut(8)) {
+                    let [a, b, c, d, e, f, g, h] = filled(x);
+                    store(eight(level, a, b, c, d, e, f, g, h), values);
+                }
             }
         }
+        values
     }
-    values
+}
+
+impl Sines for f32 {
+    #[inline]
+    fn of_array<const K: usize>(x: [f32; K]) -> [(f32, f32); K] {
+        let mut values = [(0.0, 1.0); K];
+        let level = level();
+        match K {
+            0 => {}
+            1 => values[0] = one(x[0]),
+            _ if level.is_fallback() => each(&x, &mut values),
+            2 => store(four_singles(level, x[0], x[1], 0.0, 0.0), &mut values),
+            3 => store(four_singles(level, x[0], x[1], x[2], 0.0), &mut values),
+            4 => store(four_singles(level, x[0], x[1], x[2], x[3]), &mut values),
+            _ => {
+                for (x, values) in x.chunks(8).zip(values.chunks_mut(8)) {
+                    let [a, b, c, d, e, f, g, h] = filled(x);
+                    store(eight_singles(level, a, b, c, d, e, f, g, h), values);
+                }
+            }
+        }
+        values
+    }
+}
+
+/// Up to eight angles, and zeros.
+#[inline(always)]
+fn filled<F: Copy + Default>(x: &[F]) -> [F; 8] {
+    core::array::from_fn(|i| if i < x.len() { x[i] } else { F::default() })
 }
 
 /// The first lanes, as many as there are places for them.
 #[inline(always)]
-fn store<const W: usize>((sines, cosines): Pair<W>, values: &mut [(f64, f64)]) {
+fn store<F, const W: usize>((sines, cosines): Pair<F, W>, values: &mut [(F, F)]) {
     for (value, pair) in values.iter_mut().zip(sines.into_iter().zip(cosines)) {
         *value = pair;
     }
 }
 
+/// Where the target has no vectors.
+#[inline(always)]
+fn each<F: Sines>(x: &[F], values: &mut [(F, F)]) {
+    for (value, x) in values.iter_mut().zip(x) {
+        *value = one(*x);
+    }
+}
+
 /// Sine and cosine of one angle.
 #[inline]
-pub(crate) fn one(x: f64) -> (f64, f64) {
-    if x.all_within(LARGEST) {
+pub(crate) fn one<F: Sines>(x: F) -> (F, F) {
+    if x.all_within(F::LARGEST) {
         sin_cos(x)
     } else {
-        libm::sincos(x)
+        x.sin_cos_of_large()
     }
 }
 
 /// The sines and the cosines of some lanes.
-type Pair<const W: usize> = ([f64; W], [f64; W]);
+type Pair<F, const W: usize> = ([F; W], [F; W]);
 
 macro_rules! in_a_vector {
-    ($name:ident: $vector:ident, $width:literal, $($x:ident),*) => {
+    ($name:ident: $vector:ident of $float:ident, $width:literal, $($x:ident),*) => {
         /// Sines and cosines in the lanes of one vector. The angles come as numbers and not as an
         /// array: they stay in registers on the way.
         #[inline]
         #[allow(clippy::too_many_arguments)]
-        fn $name(level: Level, $($x: f64),*) -> Pair<$width> {
+        fn $name(level: Level, $($x: $float),*) -> Pair<$float, $width> {
             dispatch!(level, simd => {
                 let x = $vector::simd_from(simd, [$($x),*]);
-                if x.all_within(LARGEST) {
+                if x.all_within($float::LARGEST) {
                     let (s, c) = sin_cos(x);
                     (s.to_array(), c.to_array())
                 } else {
@@ -89,14 +124,16 @@ macro_rules! in_a_vector {
     };
 }
 
-in_a_vector!(two: f64x2, 2, a, b);
-in_a_vector!(four: f64x4, 4, a, b, c, d);
-in_a_vector!(eight: f64x8, 8, a, b, c, d, e, f, g, h);
+in_a_vector!(two: f64x2 of f64, 2, a, b);
+in_a_vector!(four: f64x4 of f64, 4, a, b, c, d);
+in_a_vector!(eight: f64x8 of f64, 8, a, b, c, d, e, f, g, h);
+in_a_vector!(four_singles: f32x4 of f32, 4, a, b, c, d);
+in_a_vector!(eight_singles: f32x8 of f32, 8, a, b, c, d, e, f, g, h);
 
 /// The way of angles among which there is a large one, or no number.
 #[cold]
 #[inline(never)]
-fn one_by_one<const W: usize>(x: [f64; W]) -> Pair<W> {
+fn one_by_one<F: Sines, const W: usize>(x: [F; W]) -> Pair<F, W> {
     let values = x.map(one);
     (values.map(|(s, _)| s), values.map(|(_, c)| c))
 }
@@ -113,11 +150,16 @@ pub(crate) fn level() -> Level {
     baseline
 }
 
-/// Sine and cosine of angles of magnitude up to [`LARGEST`].
+/// Sine and cosine of angles of magnitude up to [`Kernel::LARGEST`].
 #[inline(always)]
 pub(crate) fn sin_cos<L: Lanes>(x: L) -> (L, L) {
-    let Reduced { n, rest, tail } = reduce(x);
-    let (s, c) = sin_cos_reduced(rest, tail);
+    of_reduced(L::Number::reduce(x))
+}
+
+/// Sine and cosine of n pi/2 + rest + tail.
+#[inline(always)]
+fn of_reduced<L: Lanes>(Reduced { n, rest, tail }: Reduced<L>) -> (L, L) {
+    let (s, c) = L::Number::sin_cos_reduced(rest, tail);
     // A quarter turn: (s, c) -> (c, -s).
     let sine = n.select_by_lowest_bit(c, s).turned_by_bit::<1>(n);
     let cosine = n.select_by_lowest_bit(s, c).turned_by_lowest_bits(n);

@@ -2,7 +2,7 @@
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 
-use super::{LARGEST, eight, four, one, sin_cos_array, two};
+use super::{Kernel, Sines, eight, four, one, two};
 use crate::{DoubleDouble, Scalar};
 use core::f64::consts::{FRAC_PI_4, PI};
 use fearless_simd::Level;
@@ -19,7 +19,7 @@ fn largest_error(angles: &[f64]) -> f64 {
     let mut largest = 0.0_f64;
     for chunk in angles.chunks_exact(8) {
         let lanes: [f64; 8] = chunk.try_into().unwrap();
-        for (&x, (s, c)) in lanes.iter().zip(sin_cos_array(lanes)) {
+        for (&x, (s, c)) in lanes.iter().zip(f64::of_array(lanes)) {
             let (sine, cosine) = DoubleDouble::from(x).sin_cos();
             largest = largest.max(ulps(s, sine)).max(ulps(c, cosine));
         }
@@ -40,10 +40,10 @@ fn angles(count: usize, seed: u64) -> Vec<f64> {
         .map(|i| {
             let sign = if next() < 0.5 { -1.0 } else { 1.0 };
             sign * match i % 4 {
-                0 => next() * LARGEST,
+                0 => next() * f64::LARGEST,
                 1 => next() * 2.0 * PI,
                 2 => next() * FRAC_PI_4,
-                _ => (next() * 47.0 - 30.0).exp2().min(LARGEST),
+                _ => (next() * 47.0 - 30.0).exp2().min(f64::LARGEST),
             }
         })
         .collect()
@@ -69,25 +69,25 @@ fn errors_stay_below_one_ulp_for_ten_million_angles() {
 /// Doubles near multiples of pi/2 and pi/4, where digits cancel.
 #[test]
 fn errors_stay_below_one_ulp_where_digits_cancel() {
-    let last = (LARGEST / FRAC_PI_4) as i32;
+    let last = (f64::LARGEST / FRAC_PI_4) as i32;
     let near = (1..last).flat_map(|k| {
         let x = f64::from(k) * FRAC_PI_4;
         [x, x.next_up(), x.next_down(), -x]
     });
-    let near: Vec<_> = near.filter(|x| x.abs() <= LARGEST).collect();
+    let near: Vec<_> = near.filter(|x| x.abs() <= f64::LARGEST).collect();
     let largest = largest_error(&near);
     assert!(largest < 0.85, "{largest}");
 }
 
 #[test]
 fn special_values() {
-    let [(s, c), (t, d)] = sin_cos_array([0.0, -0.0]);
+    let [(s, c), (t, d)] = f64::of_array([0.0, -0.0]);
     assert!(s == 0.0 && s.is_sign_positive() && c == 1.0);
     assert!(t == 0.0 && t.is_sign_negative() && d == 1.0);
     let tiny = 5e-324;
-    assert_eq!(sin_cos_array([tiny, -tiny]), [(tiny, 1.0), (-tiny, 1.0)]);
+    assert_eq!(f64::of_array([tiny, -tiny]), [(tiny, 1.0), (-tiny, 1.0)]);
     for x in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-        let [(s, c), (t, _)] = sin_cos_array([x, 1.0]);
+        let [(s, c), (t, _)] = f64::of_array([x, 1.0]);
         assert!(s.is_nan() && c.is_nan() && !t.is_nan());
     }
 }
@@ -96,8 +96,8 @@ fn special_values() {
 fn every_number_of_lanes_gives_the_same_digits() {
     fn same<const K: usize>(angles: &[f64]) {
         let array: [f64; K] = angles[..K].try_into().unwrap();
-        for (&x, value) in array.iter().zip(sin_cos_array(array)) {
-            assert_eq!(sin_cos_array([x]), [value]);
+        for (&x, value) in array.iter().zip(f64::of_array(array)) {
+            assert_eq!(f64::of_array([x]), [value]);
         }
     }
     for seed in 0..200 {
@@ -112,7 +112,7 @@ fn every_number_of_lanes_gives_the_same_digits() {
 }
 
 /// The instruction sets that this processor has.
-fn levels() -> Vec<Level> {
+pub(super) fn levels() -> Vec<Level> {
     let best = Level::new();
     #[cfg(target_arch = "x86_64")]
     let lesser = [
@@ -147,7 +147,7 @@ fn every_instruction_set_gives_the_same_digits() {
     }
 }
 
-/// Angles beyond [`LARGEST`] with their sines and cosines, from integers of 2,600 bits.
+/// Angles beyond [`f64::LARGEST`] with their sines and cosines, from integers of 2,600 bits.
 const HUGE: [(f64, f64, f64); 8] = [
     (1.1e5, 0.271380632546237, 0.962472104675665),
     (-123456.789, 0.9986640823432246, 0.05167253271870138),
@@ -163,11 +163,11 @@ const HUGE: [(f64, f64, f64); 8] = [
 fn huge_angles_are_reduced_exactly() {
     // The double nearest to a multiple of pi/2 of all (Kahan 1983; Muller 2016, 11.3.2).
     let nearest = 6_381_956_970_095_103.0 * 797_f64.exp2();
-    let [(_, c)] = sin_cos_array([nearest]);
+    let [(_, c)] = f64::of_array([nearest]);
     assert_abs_diff_eq!(c, -4.687_165_924_254_628e-19, epsilon = 1e-34);
     // Against sines of 1,200 bits.
     for (x, sine, cosine) in HUGE {
-        let [(s, c)] = sin_cos_array([x]);
+        let [(s, c)] = f64::of_array([x]);
         assert_relative_eq!(s, sine, max_relative = f64::EPSILON);
         assert_relative_eq!(c, cosine, max_relative = f64::EPSILON);
     }

@@ -5,7 +5,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 use fearless_simd::{Simd, dispatch};
 
 use crate::Scalar;
-use crate::sine::{level, sin_cos_array};
+use crate::sine::{Sines, level};
 
 /// A double whose [`mul_add`](Scalar::mul_add) is fused: for processors that have the instruction
 /// although the build may not count on it. A series is a long chain of products that are added:
@@ -71,7 +71,7 @@ impl Scalar for Fused {
 
     #[inline(always)]
     fn sin_cos_array<const K: usize>(angles: [Self; K]) -> [(Self, Self); K] {
-        sin_cos_array(angles.map(|x| x.0)).map(|(s, c)| (Fused(s), Fused(c)))
+        f64::of_array(angles.map(|x| x.0)).map(|(s, c)| (Fused(s), Fused(c)))
     }
 
     #[inline(always)]

@@ -1,6 +1,6 @@
 //! Reduction of an angle to [-pi/4, pi/4] (Cody and Waite 1980).
 
-use super::lanes::Lanes;
+use crate::sine::lanes::{Lanes, Reduced};
 
 /// pi/2 = P1 + P2 + P3: two parts of 36 bits, whose products with whole numbers up to 2^17 are
 /// exact, and the rest, rounded.
@@ -11,23 +11,13 @@ const P3: f64 = 1.0562999066987428e-23;
 /// 1.5 2^52: added, it rounds to a whole number, whose lowest bits are then the lowest of the sum's.
 const ROUND: f64 = 6_755_399_441_055_744.0;
 
-/// x = n pi/2 + rest + tail, |rest| at most a little above pi/4.
-pub(super) struct Reduced<L> {
-    /// A number whose lowest bits are those of n.
-    pub(super) n: L,
-    /// The rest.
-    pub(super) rest: L,
-    /// What `rest` leaves out.
-    pub(super) tail: L,
-}
-
 /// Reduces an angle of magnitude up to 1e5.
 ///
 /// n P1 and n P2 are exact, and so is x - n P1: both are multiples of one unit, and close to each
 /// other. The nearest that such an angle comes to a multiple of pi/2 is above 2^-62; what is left
 /// out is below 2^-110.
 #[inline(always)]
-pub(super) fn reduce<L: Lanes>(x: L) -> Reduced<L> {
+pub(super) fn reduce<L: Lanes<Number = f64>>(x: L) -> Reduced<L> {
     let shifted = x * x.constant(core::f64::consts::FRAC_2_PI) + x.constant(ROUND);
     let n = shifted - x.constant(ROUND);
     let first = n.exact_product_from(x.constant(P1), x);

@@ -1,6 +1,6 @@
 //! Sine and cosine on [-pi/4, pi/4] by minimax polynomials.
 
-use super::lanes::Lanes;
+use crate::sine::lanes::Lanes;
 
 /// sin x = x - x^3 (S[0] + S[1] x^2 + ...), relative error 3.5e-18.
 const S: [f64; 6] = [
@@ -27,7 +27,7 @@ const C: [f64; 6] = [
 /// A single call waits for its longest chain of operations, not for their number: the polynomials
 /// are split in parts that are evaluated side by side (Estrin 1960).
 #[inline(always)]
-pub(super) fn sin_cos_reduced<L: Lanes>(x: L, e: L) -> (L, L) {
+pub(super) fn sin_cos_reduced<L: Lanes<Number = f64>>(x: L, e: L) -> (L, L) {
     let k = |constant: f64| x.constant(constant);
     let z = x * x;
     let (cube, zz) = (x * z, z * z);
