@@ -11,8 +11,8 @@ pub(crate) fn missing_convention() -> Mistake {
 
 pub(crate) fn missing_gravity() -> Mistake {
     Mistake::new(
-        "missing `gravity`, the acceleration of gravity in the base frame: \
-         write `gravity: [0, 0, -9.81]`, for example",
+        "missing `gravity`, the acceleration of gravity in the axes of the world, those of the base frame \
+         where there is no `base`: write `gravity: [0, 0, -9.81]`, for example",
     )
 }
 

@@ -88,7 +88,12 @@ fn a_thousand_rows_with_one_name() {
 #[test]
 fn as_many_joints_as_are_allowed() {
     let cells = "a: 0.1, alpha: 0.5, d: 0.2, theta: 0.3, mass: 1, com: [0.1, 0.2, 0.3], \
-                 inertia: { xx: 2, yy: 2, zz: 2, xy: 0.1, yz: 0.1, xz: 0.1 }";
+                 inertia: { xx: 2, yy: 2, zz: 2, xy: 0.1, yz: 0.1, xz: 0.1 }, \
+                 spring: { stiffness: 20, rest: 0.1 }, \
+                 friction: { \
+                     viscous: 0.3, coulomb: { positive: 0.2, negative: 0.1 }, \
+                     stribeck: { static: 0.5, velocity: 0.05 }, \
+                 }";
     let call = with_rows(&rows(MOST_JOINTS, cells));
     let (items, _) = expansion(&call, IN_SECONDS);
     assert!(errors(&items).is_empty());
@@ -120,6 +125,32 @@ fn functions_that_would_be_too_long_together() {
     );
     assert_eq!(refusal(&call(26)).len(), 1);
     assert_eq!(messages_of(&call(25)), [""; 0]);
+}
+
+/// As many tuples of three functions as an arm of so many joints may have.
+fn with_tuples(joints: usize, more: usize) -> String {
+    let cells = "a: 0.1, alpha: 0.5, d: 0.2, mass: 1, com: [0.1, 0.2, 0.3]";
+    let tuple = |i| format!("tuple{i} = (mass_matrix, coriolis_vector, gravity_vector)");
+    let tuples: Vec<String> = (0..MOST_PARTS / joints / 3 + more).map(tuple).collect();
+    let functions = format!("functions: [{}]", tuples.join(", "));
+    format!("{} {functions}", with_rows(&rows(joints, cells)))
+}
+
+#[test]
+fn as_many_parts_of_tuples_as_are_allowed() {
+    assert_eq!(messages_of(&with_tuples(7, 0)), [""; 0]);
+    let message = "the tuples of one call have at most 36 functions in all with 7 joints";
+    assert_eq!(refusal(&with_tuples(7, 1)), [message]);
+    let (items, _) = expansion(&with_tuples(2, 0), IN_SECONDS);
+    assert_eq!(errors(&items), [""; 0]);
+}
+
+/// `cargo test -p dynamics-codegen --lib limits:: -- --ignored`
+#[test]
+#[ignore = "takes half a minute"]
+fn as_many_parts_of_tuples_of_seven_joints_as_are_allowed() {
+    let (items, _) = expansion(&with_tuples(7, 0), IN_SECONDS);
+    assert_eq!(errors(&items), [""; 0]);
 }
 
 #[test]
