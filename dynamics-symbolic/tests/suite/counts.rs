@@ -3,8 +3,8 @@
 //! Counted are multiplications, additions and divisions of the emitted code;
 //! sines and cosines of the joint angles apart, friction left out.
 
+use crate::derive;
 use crate::without_friction;
-use dynamics_symbolic::derive::derive;
 use dynamics_symbolic::robot::Robot;
 use dynamics_symbolic::{Function, Operations};
 use expect_test::expect_file;

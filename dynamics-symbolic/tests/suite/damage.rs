@@ -118,7 +118,7 @@ fn every_damage_to_every_operation_is_found() {
     ] {
         let robot = arms::robot(name);
         for function in Function::ALL {
-            count += refused(&robot, function, &derive(&robot, function));
+            count += refused(&robot, function, &crate::derive(&robot, function));
         }
     }
     assert!(count > 5_000, "only {count} damages were made");

@@ -1,10 +1,11 @@
 //! The two forms of forward dynamics: the mass matrix factored, and articulated bodies.
 
+use crate::derive;
 use crate::without_friction;
 use arms::generic_chain;
 use dynamics_symbolic::Function;
+use dynamics_symbolic::derive::derive_form;
 use dynamics_symbolic::derive::functions::Form;
-use dynamics_symbolic::derive::{derive, derive_form};
 use dynamics_symbolic::program::Program;
 use dynamics_symbolic::prove::prove;
 use dynamics_symbolic::robot::Robot;

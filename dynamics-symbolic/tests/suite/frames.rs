@@ -1,8 +1,8 @@
 //! Bases and tools beside arms that say the same without them.
 
+use crate::derive;
 use arms::{decimal, robot};
 use dynamics_symbolic::Function;
-use dynamics_symbolic::derive::derive;
 use dynamics_symbolic::program::Program;
 use dynamics_symbolic::prove::prove;
 use dynamics_symbolic::robot::{Placement, Robot, Tool, Value};

@@ -1,6 +1,7 @@
 //! Several functions as one program: what it computes, and what it saves.
 
-use dynamics_symbolic::derive::{derive, derive_together};
+use crate::derive;
+use dynamics_symbolic::derive::derive_together;
 use dynamics_symbolic::function::{Fused, Request, spans};
 use dynamics_symbolic::program::Instruction;
 use dynamics_symbolic::prove::prove_together;

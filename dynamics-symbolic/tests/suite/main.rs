@@ -22,7 +22,25 @@ mod textbook;
 mod textbook_programs;
 mod units;
 
+use std::collections::HashMap;
+use std::sync::{Arc, LazyLock, Mutex, OnceLock};
+
+use dynamics_symbolic::Function;
+use dynamics_symbolic::program::Program;
 use dynamics_symbolic::robot::{Robot, Value};
+
+/// The program of a function, derived once in this process: many tests read those of the same arms.
+fn derive(robot: &Robot, function: Function) -> Arc<Program> {
+    type Programs = HashMap<String, Arc<OnceLock<Arc<Program>>>>;
+    static PROGRAMS: LazyLock<Mutex<Programs>> = LazyLock::new(Mutex::default);
+    let key = format!("{function:?} of {robot:?}");
+    let program = {
+        let mut programs = PROGRAMS.lock().expect("no test failed in here");
+        programs.entry(key).or_default().clone()
+    };
+    let derived = || Arc::new(dynamics_symbolic::derive::derive(robot, function));
+    program.get_or_init(derived).clone()
+}
 
 /// A robot of the data files whose joints have no friction.
 fn without_friction(name: &str) -> Robot {

@@ -1,8 +1,8 @@
 //! Abbreviated models: what they save, what they cost, and that they are proven.
 
+use crate::derive;
 use crate::without_friction;
 use dynamics_symbolic::Function;
-use dynamics_symbolic::derive::derive;
 use dynamics_symbolic::neglect::{largest_error, neglect};
 use dynamics_symbolic::prove::prove;
 use expect_test::expect_file;

@@ -1,6 +1,6 @@
 //! Every function of every robot is proven, and what vanishes in it is the constant 0.
 
-use dynamics_symbolic::derive::derive;
+use crate::derive;
 use dynamics_symbolic::{Function, prove};
 
 #[test]

@@ -11,14 +11,14 @@ use dynamics_symbolic::robot::Robot;
 
 #[test]
 fn every_function_of_random_arms_is_proven() {
-    prove_tables(7, 200, false, &Function::ALL);
+    prove_tables(7, 100, false, &Function::ALL);
 }
 
 /// Joints anywhere locked at a number, an angle or a parameter.
 #[test]
 fn every_function_of_random_arms_with_locked_joints_is_proven() {
     let mut tables = Tables::new(9, Bodies::Any);
-    for count in 0..60 {
+    for count in 0..40 {
         let robot = tables.locked_robot();
         prove_table(&robot, count, &Function::ALL);
     }
@@ -28,7 +28,7 @@ fn every_function_of_random_arms_with_locked_joints_is_proven() {
 #[test]
 fn every_function_of_random_arms_with_base_and_tool_is_proven() {
     let mut tables = Tables::new(10, Bodies::Any);
-    for count in 0..60 {
+    for count in 0..30 {
         let robot = tables.mounted_robot();
         prove_table(&robot, count, &Function::ALL);
         let robot = tables.mounted_and_locked_robot();
@@ -41,7 +41,7 @@ fn every_function_of_random_arms_with_base_and_tool_is_proven() {
 #[test]
 fn every_function_of_random_arms_with_joint_forces_is_proven() {
     let mut tables = Tables::new(10, Bodies::Any);
-    for count in 0..40 {
+    for count in 0..30 {
         let robot = tables.robot_with_joint_forces();
         prove_table(&robot, count, &Function::ALL);
     }

@@ -5,8 +5,8 @@
 
 use std::fmt::Write;
 
+use crate::derive;
 use dynamics_symbolic::Function;
-use dynamics_symbolic::derive::derive;
 use expect_test::expect_file;
 
 const ROBOTS: [&str; 6] = [

@@ -83,15 +83,16 @@ impl Digits {
         let mut digits = Digits::default();
         for number in 0..count {
             let arm = arms.arm();
-            digits.add(&arm, &mut arms, &format!("arm {number} of seed {seed}"));
+            let label = format!("arm {number} of seed {seed}");
+            digits.add(&arm, &Function::ALL, &mut arms, &label);
         }
         digits
     }
 
-    /// The functions of one arm.
-    pub(crate) fn add(&mut self, arm: &Arm, arms: &mut Arms, label: &str) {
+    /// Some functions of one arm.
+    pub(crate) fn add(&mut self, arm: &Arm, functions: &[Function], arms: &mut Arms, label: &str) {
         let states: Vec<State> = (0..STATES).map(|_| State::new(&arm.robot, arms)).collect();
-        for function in Function::ALL {
+        for &function in functions {
             let label = format!("{} of {label}", function.name());
             self.measure(arm, function, &states, &label);
         }
