@@ -1,6 +1,6 @@
 //! Batches of every length against single calls.
 
-use robots::{Panda, Puma560, Scara, Stanford, TiltingCell, Ur5};
+use robots::{Puma560, Scara, SprungArm, StickyArm, TiltingCell};
 
 use super::arms::FIELDS;
 use super::values::{Arm, States, Values, assert_same};
@@ -57,13 +57,15 @@ fn every_length<const N: usize>(name: &str, arm: &impl Arm<N>) {
     }
 }
 
+/// Every operation that a program can have: sines, quotients, signs and exponentials, of joints of both kinds,
+/// of numbers and of fields. More arms would say the same: each is compiled for every width of registers, in
+/// both layouts.
 #[test]
 fn batches_of_every_length_are_single_calls() {
     every_length("puma560", &Puma560);
-    every_length("panda", &Panda);
-    every_length("ur5", &Ur5);
-    every_length("stanford", &Stanford);
     every_length("scara", &Scara);
     every_length("fields", &FIELDS);
     every_length("tilting_cell", &TiltingCell);
+    every_length("sprung_arm", &SprungArm);
+    every_length("sticky_arm", &StickyArm);
 }

@@ -1,7 +1,7 @@
 //! Batches against 25 digits: the states of `tests/data/reference`, angles of 1e6 rad among them.
 
 use robot_dynamics::nalgebra::SVector;
-use robots::{Panda, Puma560, Scara, Stanford, Ur5};
+use robots::{Puma560, Scara};
 use serde::Deserialize;
 use testkit::references::{Decimal, read};
 
@@ -105,8 +105,5 @@ fn against_references<const N: usize>(name: &str, arm: &impl Arm<N>) {
 #[test]
 fn batches_are_as_exact_as_single_calls() {
     against_references("puma560", &Puma560);
-    against_references("panda", &Panda);
-    against_references("ur5", &Ur5);
-    against_references("stanford", &Stanford);
     against_references("scara", &Scara);
 }

@@ -1,18 +1,14 @@
 //! Coriolis and centrifugal terms: vector, matrix, and coefficients.
 
 use robot_dynamics::nalgebra::{SMatrix, SVector};
-use robots::Arm;
 
+use super::any_arm::AnyArm;
 use super::gradient::{mass_matrix_gradient, mass_matrix_rate};
 use super::samples::{Magnitude, assert_small, states};
 
 /// C qd = V.
-pub(super) fn coriolis_matrix_gives_the_coriolis_vector<
-    const N: usize,
-    const P: usize,
-    R: Arm<N, P>,
->(
-    robot: &R,
+pub(super) fn coriolis_matrix_gives_the_coriolis_vector<const N: usize, const P: usize>(
+    robot: &dyn AnyArm<N, P>,
 ) {
     for state in states() {
         let c = robot.coriolis_matrix(&state.q, &state.qd);
@@ -24,12 +20,8 @@ pub(super) fn coriolis_matrix_gives_the_coriolis_vector<
 
 /// C_ij = sum_k 1/2 (dM_ij/dq_k + dM_ik/dq_j - dM_jk/dq_i) qd_k (Siciliano et al. 2009, 7.44,
 /// 7.45).
-pub(super) fn coriolis_matrix_is_made_of_christoffel_symbols<
-    const N: usize,
-    const P: usize,
-    R: Arm<N, P>,
->(
-    robot: &R,
+pub(super) fn coriolis_matrix_is_made_of_christoffel_symbols<const N: usize, const P: usize>(
+    robot: &dyn AnyArm<N, P>,
 ) {
     for state in states() {
         let dm = mass_matrix_gradient(robot, &state.q);
@@ -48,9 +40,8 @@ pub(super) fn coriolis_matrix_is_made_of_christoffel_symbols<
 pub(super) fn rate_of_the_mass_matrix_minus_twice_coriolis_is_skew<
     const N: usize,
     const P: usize,
-    R: Arm<N, P>,
 >(
-    robot: &R,
+    robot: &dyn AnyArm<N, P>,
 ) {
     for state in states() {
         let rate = mass_matrix_rate(robot, &state.q, &state.qd);
@@ -65,9 +56,8 @@ pub(super) fn rate_of_the_mass_matrix_minus_twice_coriolis_is_skew<
 pub(super) fn coriolis_coefficients_are_those_of_the_configuration_space_form<
     const N: usize,
     const P: usize,
-    R: Arm<N, P>,
 >(
-    robot: &R,
+    robot: &dyn AnyArm<N, P>,
 ) {
     let pairs: Vec<_> = (0..N)
         .flat_map(|j| (j + 1..N).map(move |k| (j, k)))
@@ -98,12 +88,8 @@ pub(super) fn coriolis_coefficients_are_those_of_the_configuration_space_form<
 }
 
 /// V(q, -qd) = V(q, qd), to the bit: every product of two velocities keeps its sign.
-pub(super) fn coriolis_vector_is_even_in_the_velocity<
-    const N: usize,
-    const P: usize,
-    R: Arm<N, P>,
->(
-    robot: &R,
+pub(super) fn coriolis_vector_is_even_in_the_velocity<const N: usize, const P: usize>(
+    robot: &dyn AnyArm<N, P>,
 ) {
     for state in states() {
         let forth = robot.coriolis_vector(&state.q, &state.qd);
@@ -113,12 +99,8 @@ pub(super) fn coriolis_vector_is_even_in_the_velocity<
 }
 
 /// V(q, 2 qd) = 4 V(q, qd), to the bit: a power of two changes no rounding.
-pub(super) fn coriolis_vector_is_quadratic_in_the_velocity<
-    const N: usize,
-    const P: usize,
-    R: Arm<N, P>,
->(
-    robot: &R,
+pub(super) fn coriolis_vector_is_quadratic_in_the_velocity<const N: usize, const P: usize>(
+    robot: &dyn AnyArm<N, P>,
 ) {
     for state in states() {
         let once = robot.coriolis_vector(&state.q, &state.qd);

@@ -4,9 +4,9 @@ use num_dual::Dual64;
 use robot_dynamics::nalgebra::{SMatrix, SVector};
 use robot_dynamics::{AccelerationDerivatives, DoubleDouble, State};
 
+use super::any_arm::AnyArm;
 use super::gradient::unit;
 use super::samples::{Magnitude, along, assert_small, largest, states};
-use robots::Arm;
 
 /// The matrix whose column k is what `column` says of joint k.
 fn by_columns<const N: usize>(column: impl Fn(usize) -> SVector<f64, N>) -> SMatrix<f64, N, N> {
@@ -22,12 +22,8 @@ fn still<const N: usize>(x: &SVector<f64, N>) -> SVector<Dual64, N> {
 }
 
 /// Column k of d tau/dq is the derivative of tau along joint k, that of d tau/dqd along its velocity.
-pub(super) fn force_derivatives_are_those_of_dual_numbers<
-    const N: usize,
-    const P: usize,
-    R: Arm<N, P>,
->(
-    robot: &R,
+pub(super) fn force_derivatives_are_those_of_dual_numbers<const N: usize, const P: usize>(
+    robot: &dyn AnyArm<N, P>,
 ) {
     for state in states() {
         let State { q, qd, qdd } = &state;
@@ -49,12 +45,8 @@ pub(super) fn force_derivatives_are_those_of_dual_numbers<
 const STEP: f64 = 1.0 / (1u64 << 30) as f64;
 
 /// (tau(x + h) - tau(x - h)) / 2 h, with 31 digits. Run with `--nocapture` to see the errors.
-pub(super) fn force_derivatives_are_limits_of_differences<
-    const N: usize,
-    const P: usize,
-    R: Arm<N, P>,
->(
-    robot: &R,
+pub(super) fn force_derivatives_are_limits_of_differences<const N: usize, const P: usize>(
+    robot: &dyn AnyArm<N, P>,
 ) {
     let mut worst = 0.0_f64;
     for state in states().take(4) {
@@ -84,7 +76,7 @@ pub(super) fn force_derivatives_are_limits_of_differences<
             worst = worst.max(largest(errors) / magnitude);
         }
     }
-    println!("{}: {worst:.1e} of the natural magnitude", R::FILE);
+    println!("{}: {worst:.1e} of the natural magnitude", robot.file());
 }
 
 /// Errors of accelerations are judged by the forces that they need, M times the error. The
@@ -97,8 +89,8 @@ struct Residuals<const N: usize> {
 }
 
 impl<const N: usize> Residuals<N> {
-    fn at<const P: usize, R: Arm<N, P>>(
-        robot: &R,
+    fn at<const P: usize>(
+        robot: &dyn AnyArm<N, P>,
         state: &State<N>,
         derivatives: &AccelerationDerivatives<f64, N>,
     ) -> Self {
@@ -137,12 +129,8 @@ impl<const N: usize> Residuals<N> {
 }
 
 /// The derivatives are those of `forward_dynamics` on dual numbers.
-pub(super) fn acceleration_derivatives_are_those_of_dual_numbers<
-    const N: usize,
-    const P: usize,
-    R: Arm<N, P>,
->(
-    robot: &R,
+pub(super) fn acceleration_derivatives_are_those_of_dual_numbers<const N: usize, const P: usize>(
+    robot: &dyn AnyArm<N, P>,
 ) {
     for state in states() {
         let State { q, qd, qdd } = &state;
@@ -173,12 +161,8 @@ pub(super) fn acceleration_derivatives_are_those_of_dual_numbers<
 }
 
 /// M d qdd/dq = -d tau/dq and M d qdd/dqd = -d tau/dqd at that qdd, M d qdd/d tau = 1.
-pub(super) fn acceleration_derivatives_satisfy_their_equations<
-    const N: usize,
-    const P: usize,
-    R: Arm<N, P>,
->(
-    robot: &R,
+pub(super) fn acceleration_derivatives_satisfy_their_equations<const N: usize, const P: usize>(
+    robot: &dyn AnyArm<N, P>,
 ) {
     for mut state in states() {
         let tau = robot.inverse_dynamics(&state.q, &state.qd, &state.qdd);

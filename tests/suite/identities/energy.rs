@@ -2,17 +2,13 @@
 
 use robot_dynamics::nalgebra::{SVector, Vector1, Vector3};
 
+use super::any_arm::AnyArm;
 use super::gradient::unit;
 use super::samples::{Magnitude, along, assert_small, states};
-use robots::Arm;
 
 /// T = 1/2 qd'M qd.
-pub(super) fn kinetic_energy_is_that_of_the_mass_matrix<
-    const N: usize,
-    const P: usize,
-    R: Arm<N, P>,
->(
-    robot: &R,
+pub(super) fn kinetic_energy_is_that_of_the_mass_matrix<const N: usize, const P: usize>(
+    robot: &dyn AnyArm<N, P>,
 ) {
     for state in states() {
         let m = robot.mass_matrix(&state.q);
@@ -24,12 +20,8 @@ pub(super) fn kinetic_energy_is_that_of_the_mass_matrix<
 }
 
 /// U = -sum m g.c, zero where all centres of mass are at the world's origin, and the energy of springs.
-pub(super) fn potential_energy_is_that_of_weights_and_springs<
-    const N: usize,
-    const P: usize,
-    R: Arm<N, P>,
->(
-    robot: &R,
+pub(super) fn potential_energy_is_that_of_weights_and_springs<const N: usize, const P: usize>(
+    robot: &dyn AnyArm<N, P>,
 ) {
     let table = robot.table();
     let gravity = Vector3::from(table.gravity);
@@ -55,9 +47,8 @@ pub(super) fn potential_energy_is_that_of_weights_and_springs<
 pub(super) fn gravity_and_springs_are_the_gradient_of_the_potential_energy<
     const N: usize,
     const P: usize,
-    R: Arm<N, P>,
 >(
-    robot: &R,
+    robot: &dyn AnyArm<N, P>,
 ) {
     for state in states::<N>() {
         let slope = |k| robot.potential_energy(&along(&state.q, &unit(k))).eps;
@@ -72,12 +63,8 @@ pub(super) fn gravity_and_springs_are_the_gradient_of_the_potential_energy<
 }
 
 /// d(T + U)/dt = qd'(tau - F).
-pub(super) fn power_of_the_torques_is_the_rate_of_the_energy<
-    const N: usize,
-    const P: usize,
-    R: Arm<N, P>,
->(
-    robot: &R,
+pub(super) fn power_of_the_torques_is_the_rate_of_the_energy<const N: usize, const P: usize>(
+    robot: &dyn AnyArm<N, P>,
 ) {
     for state in states() {
         let q = along(&state.q, &state.qd);

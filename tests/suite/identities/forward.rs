@@ -1,16 +1,11 @@
 //! Forward dynamics against inverse dynamics.
 
-use robots::Arm;
-
+use super::any_arm::AnyArm;
 use super::samples::{Magnitude, TOLERANCE, assert_small, states};
 
 /// qdd of tau(qdd) is qdd, up to what M makes of a rounding of tau: |M^-1| times the tolerance.
-pub(super) fn forward_dynamics_undoes_inverse_dynamics<
-    const N: usize,
-    const P: usize,
-    R: Arm<N, P>,
->(
-    robot: &R,
+pub(super) fn forward_dynamics_undoes_inverse_dynamics<const N: usize, const P: usize>(
+    robot: &dyn AnyArm<N, P>,
 ) {
     for state in states() {
         let torque = robot.inverse_dynamics(&state.q, &state.qd, &state.qdd);
@@ -31,12 +26,8 @@ pub(super) fn forward_dynamics_undoes_inverse_dynamics<
 }
 
 /// tau of qdd(tau) is tau.
-pub(super) fn inverse_dynamics_undoes_forward_dynamics<
-    const N: usize,
-    const P: usize,
-    R: Arm<N, P>,
->(
-    robot: &R,
+pub(super) fn inverse_dynamics_undoes_forward_dynamics<const N: usize, const P: usize>(
+    robot: &dyn AnyArm<N, P>,
 ) {
     for mut state in states() {
         let torque = state.qdd;

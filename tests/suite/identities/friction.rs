@@ -1,14 +1,14 @@
 //! Friction.
 
 use robot_dynamics::nalgebra::{SVector, Vector1};
-use robots::Arm;
 
+use super::any_arm::AnyArm;
 use super::samples::{assert_small, states};
 
 /// F = viscous qd + sign(qd) (C + (S - C) exp(-(qd/v)^2)) with C that of the direction, and nothing where
 /// the table has none.
-pub(super) fn friction_is_that_of_the_table<const N: usize, const P: usize, R: Arm<N, P>>(
-    robot: &R,
+pub(super) fn friction_is_that_of_the_table<const N: usize, const P: usize>(
+    robot: &dyn AnyArm<N, P>,
 ) {
     let table = robot.table();
     for state in states() {
@@ -27,7 +27,7 @@ pub(super) fn friction_is_that_of_the_table<const N: usize, const P: usize, R: A
 }
 
 /// sign(0) = 0, for zeros of either sign.
-pub(super) fn nothing_rubs_at_rest<const N: usize, const P: usize, R: Arm<N, P>>(robot: &R) {
+pub(super) fn nothing_rubs_at_rest<const N: usize, const P: usize>(robot: &dyn AnyArm<N, P>) {
     for zero in [0.0, -0.0] {
         let friction = robot.friction_vector(&SVector::repeat(zero));
         assert_eq!(friction, SVector::<f64, N>::zeros());

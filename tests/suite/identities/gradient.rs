@@ -2,12 +2,12 @@
 
 use robot_dynamics::nalgebra::{SMatrix, SVector};
 
+use super::any_arm::AnyArm;
 use super::samples::along;
-use robots::Arm;
 
 /// dM/dt along the velocity `qd`.
-pub(super) fn mass_matrix_rate<const N: usize, const P: usize, R: Arm<N, P>>(
-    robot: &R,
+pub(super) fn mass_matrix_rate<const N: usize, const P: usize>(
+    robot: &dyn AnyArm<N, P>,
     q: &SVector<f64, N>,
     qd: &SVector<f64, N>,
 ) -> SMatrix<f64, N, N> {
@@ -15,8 +15,8 @@ pub(super) fn mass_matrix_rate<const N: usize, const P: usize, R: Arm<N, P>>(
 }
 
 /// dM/dq_k for each joint k.
-pub(super) fn mass_matrix_gradient<const N: usize, const P: usize, R: Arm<N, P>>(
-    robot: &R,
+pub(super) fn mass_matrix_gradient<const N: usize, const P: usize>(
+    robot: &dyn AnyArm<N, P>,
     q: &SVector<f64, N>,
 ) -> [SMatrix<f64, N, N>; N] {
     std::array::from_fn(|k| mass_matrix_rate(robot, q, &unit(k)))

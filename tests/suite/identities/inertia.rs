@@ -4,12 +4,12 @@ use num_dual::Dual64;
 use robot_dynamics::Table;
 use robot_dynamics::nalgebra::{Matrix3, Matrix4, SMatrix, SVector, Vector3};
 
+use super::any_arm::AnyArm;
 use super::gradient::unit;
 use super::samples::{Magnitude, along, assert_small, states};
-use robots::Arm;
 
 /// Both triangles hold the same bits.
-pub(super) fn mass_matrix_is_symmetric<const N: usize, const P: usize, R: Arm<N, P>>(robot: &R) {
+pub(super) fn mass_matrix_is_symmetric<const N: usize, const P: usize>(robot: &dyn AnyArm<N, P>) {
     for state in states() {
         let m = robot.mass_matrix(&state.q);
         assert_eq!(m, m.transpose());
@@ -17,8 +17,8 @@ pub(super) fn mass_matrix_is_symmetric<const N: usize, const P: usize, R: Arm<N,
 }
 
 /// x'Mx > 0 for every x, by its Cholesky factors.
-pub(super) fn mass_matrix_is_positive_definite<const N: usize, const P: usize, R: Arm<N, P>>(
-    robot: &R,
+pub(super) fn mass_matrix_is_positive_definite<const N: usize, const P: usize>(
+    robot: &dyn AnyArm<N, P>,
 ) {
     for state in states() {
         let mut pivots = robot.mass_matrix(&state.q);
@@ -53,12 +53,8 @@ fn tensor([xx, yy, zz, xy, yz, xz]: [f64; 6]) -> Matrix3<f64> {
 /// M_ij = sum over the bodies of m v_i.v_j + w_i.I w_j, with the reflected inertias on the
 /// diagonal, where v_i and w_i are the body's velocities at unit speed of joint i: the kinetic
 /// energy as every textbook defines it, from the poses alone. The tool is the last body.
-pub(super) fn mass_matrix_is_that_of_the_moving_links<
-    const N: usize,
-    const P: usize,
-    R: Arm<N, P>,
->(
-    robot: &R,
+pub(super) fn mass_matrix_is_that_of_the_moving_links<const N: usize, const P: usize>(
+    robot: &dyn AnyArm<N, P>,
 ) {
     let Table { rows, tool, .. } = robot.table();
     let links = rows.iter().map(|row| (row.mass, row.com, row.inertia));
@@ -92,9 +88,8 @@ pub(super) fn mass_matrix_is_that_of_the_moving_links<
 pub(super) fn columns_of_the_mass_matrix_are_torques_of_unit_accelerations<
     const N: usize,
     const P: usize,
-    R: Arm<N, P>,
 >(
-    robot: &R,
+    robot: &dyn AnyArm<N, P>,
 ) {
     let rest = SVector::zeros();
     for state in states() {

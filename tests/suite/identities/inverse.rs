@@ -1,17 +1,13 @@
 //! Inverse dynamics and its parts.
 
 use robot_dynamics::nalgebra::SVector;
-use robots::Arm;
 
+use super::any_arm::AnyArm;
 use super::samples::{Magnitude, assert_small, states};
 
 /// tau = M qdd + V + G + K + F.
-pub(super) fn inverse_dynamics_is_the_sum_of_its_terms<
-    const N: usize,
-    const P: usize,
-    R: Arm<N, P>,
->(
-    robot: &R,
+pub(super) fn inverse_dynamics_is_the_sum_of_its_terms<const N: usize, const P: usize>(
+    robot: &dyn AnyArm<N, P>,
 ) {
     for state in states() {
         let sum = robot.mass_matrix(&state.q) * state.qdd
@@ -25,12 +21,8 @@ pub(super) fn inverse_dynamics_is_the_sum_of_its_terms<
 }
 
 /// V + G + K + F = tau(q, qd, 0).
-pub(super) fn bias_force_is_the_torque_without_acceleration<
-    const N: usize,
-    const P: usize,
-    R: Arm<N, P>,
->(
-    robot: &R,
+pub(super) fn bias_force_is_the_torque_without_acceleration<const N: usize, const P: usize>(
+    robot: &dyn AnyArm<N, P>,
 ) {
     for state in states() {
         let torque = robot.inverse_dynamics(&state.q, &state.qd, &SVector::zeros());

@@ -3,9 +3,9 @@
 use robot_dynamics::nalgebra::{Matrix3, Matrix4, RowVector4, Vector3};
 use robot_dynamics::{Convention, Frame, JointType, Row};
 
+use super::any_arm::AnyArm;
 use super::gradient::unit;
 use super::samples::{Magnitude, along, assert_small, states};
-use robots::Arm;
 
 fn rotation(pose: &Matrix4<f64>) -> Matrix3<f64> {
     pose.fixed_view::<3, 3>(0, 0).into_owned()
@@ -56,9 +56,8 @@ fn transform(convention: Convention, row: &Row, q: f64) -> Matrix4<f64> {
 pub(super) fn link_poses_are_products_of_the_transforms_of_the_table<
     const N: usize,
     const P: usize,
-    R: Arm<N, P>,
 >(
-    robot: &R,
+    robot: &dyn AnyArm<N, P>,
 ) {
     let table = robot.table();
     for state in states() {
@@ -73,12 +72,8 @@ pub(super) fn link_poses_are_products_of_the_transforms_of_the_table<
 }
 
 /// But for the tool.
-pub(super) fn last_link_pose_is_the_forward_kinematics<
-    const N: usize,
-    const P: usize,
-    R: Arm<N, P>,
->(
-    robot: &R,
+pub(super) fn last_link_pose_is_the_forward_kinematics<const N: usize, const P: usize>(
+    robot: &dyn AnyArm<N, P>,
 ) {
     let tool = placed(&robot.table().tool.frame);
     for state in states() {
@@ -91,7 +86,7 @@ pub(super) fn last_link_pose_is_the_forward_kinematics<
 }
 
 /// R'R = 1 and det R = 1 for every link, above a last row of 0, 0, 0, 1.
-pub(super) fn rotations_are_orthonormal<const N: usize, const P: usize, R: Arm<N, P>>(robot: &R) {
+pub(super) fn rotations_are_orthonormal<const N: usize, const P: usize>(robot: &dyn AnyArm<N, P>) {
     for state in states() {
         for pose in robot.link_poses(&state.q) {
             let r = rotation(&pose);
@@ -104,12 +99,8 @@ pub(super) fn rotations_are_orthonormal<const N: usize, const P: usize, R: Arm<N
 
 /// Column j of the Jacobian is the velocity of the tip's origin above its angular
 /// velocity, where joint j moves at unit speed: dp/dq_j, and the w of dR/dq_j R' = [w x].
-pub(super) fn jacobian_is_the_derivative_of_the_pose<
-    const N: usize,
-    const P: usize,
-    R: Arm<N, P>,
->(
-    robot: &R,
+pub(super) fn jacobian_is_the_derivative_of_the_pose<const N: usize, const P: usize>(
+    robot: &dyn AnyArm<N, P>,
 ) {
     for state in states() {
         let jacobian = robot.jacobian(&state.q);

@@ -2,6 +2,7 @@
 //!
 //! Derivatives are exact: the functions run on the dual numbers of `num-dual`.
 
+mod any_arm;
 mod coriolis;
 mod derivatives;
 mod energy;
@@ -23,10 +24,10 @@ use robots::*;
 
 /// One test for each identity, on one robot.
 macro_rules! identities {
-    ($robot:ident: $($module:ident: $($identity:ident),*;)*) => {$($(
+    ($robot:ident, $n:literal, $p:literal: $($module:ident: $($identity:ident),*;)*) => {$($(
         #[test]
         fn $identity() {
-            $module::$identity(&$robot);
+            $module::$identity::<$n, $p>(&$robot);
         }
     )*)*};
 }
@@ -36,7 +37,7 @@ macro_rules! identities_of_all {
         mod $file {
             use super::*;
 
-            identities! { $robot:
+            identities! { $robot, $n, $p:
                 inertia: mass_matrix_is_symmetric,
                     mass_matrix_is_positive_definite,
                     mass_matrix_is_that_of_the_moving_links,
@@ -72,12 +73,16 @@ macro_rules! identities_of_all {
                 regressor: base_parameters_give_the_torque_without_springs_and_friction,
                     columns_of_the_regressor_are_independent,
                     torques_of_any_inertia_are_combinations_of_the_columns;
-                newton_euler: every_function_agrees_with_recursive_newton_euler;
                 non_finite: not_a_number_is_never_turned_into_a_number,
                     infinite_positions_are_never_turned_into_numbers,
                     forward_dynamics_does_not_hide_a_torque_that_is_not_a_number,
                     speeds_to_overflow_give_no_finite_forces;
                 single_precision: single_precision_agrees_with_double_precision;
+            }
+
+            #[test]
+            fn every_function_agrees_with_recursive_newton_euler() {
+                newton_euler::every_function_agrees_with_recursive_newton_euler(&$robot);
             }
         }
     )*};

@@ -1,17 +1,13 @@
 //! Hamilton's equations against those of Lagrange.
 
 use robot_dynamics::nalgebra::SVector;
-use robots::Arm;
 
+use super::any_arm::AnyArm;
 use super::samples::{Magnitude, TOLERANCE, assert_small, states};
 
 /// p' = dT/dq - G - K - F + tau with dT/dq = C' qd, C of the Christoffel symbols.
-pub(super) fn forces_on_momenta_are_those_of_the_coriolis_matrix<
-    const N: usize,
-    const P: usize,
-    R: Arm<N, P>,
->(
-    robot: &R,
+pub(super) fn forces_on_momenta_are_those_of_the_coriolis_matrix<const N: usize, const P: usize>(
+    robot: &dyn AnyArm<N, P>,
 ) {
     let arm = robot.momenta().expect("mass_matrix and inverse_dynamics");
     for state in states() {
@@ -25,7 +21,7 @@ pub(super) fn forces_on_momenta_are_those_of_the_coriolis_matrix<
 }
 
 /// M^-1 (M qd) = qd.
-pub(super) fn velocity_undoes_momentum<const N: usize, const P: usize, R: Arm<N, P>>(robot: &R) {
+pub(super) fn velocity_undoes_momentum<const N: usize, const P: usize>(robot: &dyn AnyArm<N, P>) {
     let arm = robot.momenta().expect("mass_matrix and inverse_dynamics");
     for state in states() {
         let p: SVector<f64, N> = arm.momentum(&state.q, &state.qd);

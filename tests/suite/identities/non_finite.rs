@@ -1,13 +1,13 @@
 //! What is not a number stays visible: a result is finite only where it does not depend on it.
 
 use robot_dynamics::nalgebra::SVector;
-use robots::Arm;
 
+use super::any_arm::AnyArm;
 use super::samples::{Magnitude, TOLERANCE, states};
 
 /// Every function at one position, as one list of numbers.
-fn all_functions<const N: usize, const P: usize, R: Arm<N, P>>(
-    robot: &R,
+fn all_functions<const N: usize, const P: usize>(
+    robot: &dyn AnyArm<N, P>,
     q: &SVector<f64, N>,
     qd: &SVector<f64, N>,
 ) -> Vec<f64> {
@@ -40,7 +40,7 @@ fn all_functions<const N: usize, const P: usize, R: Arm<N, P>>(
 }
 
 /// Where a result at positions `q` is finite, it is what it is at every other position.
-fn positions_do_not_vanish<const N: usize, const P: usize, R: Arm<N, P>>(robot: &R, q: f64) {
+fn positions_do_not_vanish<const N: usize, const P: usize>(robot: &dyn AnyArm<N, P>, q: f64) {
     let state = states::<N>().next().expect("a state");
     let is = Magnitude::at(robot, &state);
     let bound = TOLERANCE * N as f64 * (is.torque + is.reach + 1.0);
@@ -57,12 +57,8 @@ fn positions_do_not_vanish<const N: usize, const P: usize, R: Arm<N, P>>(robot: 
     }
 }
 
-pub(super) fn not_a_number_is_never_turned_into_a_number<
-    const N: usize,
-    const P: usize,
-    R: Arm<N, P>,
->(
-    robot: &R,
+pub(super) fn not_a_number_is_never_turned_into_a_number<const N: usize, const P: usize>(
+    robot: &dyn AnyArm<N, P>,
 ) {
     positions_do_not_vanish(robot, f64::NAN);
 
@@ -73,12 +69,8 @@ pub(super) fn not_a_number_is_never_turned_into_a_number<
     assert!(torque.iter().all(|x| x.is_nan()), "{torque}");
 }
 
-pub(super) fn infinite_positions_are_never_turned_into_numbers<
-    const N: usize,
-    const P: usize,
-    R: Arm<N, P>,
->(
-    robot: &R,
+pub(super) fn infinite_positions_are_never_turned_into_numbers<const N: usize, const P: usize>(
+    robot: &dyn AnyArm<N, P>,
 ) {
     positions_do_not_vanish(robot, f64::INFINITY);
     positions_do_not_vanish(robot, f64::NEG_INFINITY);
@@ -87,9 +79,8 @@ pub(super) fn infinite_positions_are_never_turned_into_numbers<
 pub(super) fn forward_dynamics_does_not_hide_a_torque_that_is_not_a_number<
     const N: usize,
     const P: usize,
-    R: Arm<N, P>,
 >(
-    robot: &R,
+    robot: &dyn AnyArm<N, P>,
 ) {
     let state = states::<N>().next().expect("a state");
     let nan = SVector::repeat(f64::NAN);
@@ -100,12 +91,8 @@ pub(super) fn forward_dynamics_does_not_hide_a_torque_that_is_not_a_number<
 
 /// V is quadratic in the velocity: at speeds whose square overflows, an entry that is not small is not
 /// finite, and one that vanishes identically is still 0. Nothing panics.
-pub(super) fn speeds_to_overflow_give_no_finite_forces<
-    const N: usize,
-    const P: usize,
-    R: Arm<N, P>,
->(
-    robot: &R,
+pub(super) fn speeds_to_overflow_give_no_finite_forces<const N: usize, const P: usize>(
+    robot: &dyn AnyArm<N, P>,
 ) {
     for state in states::<N>().take(3) {
         let once = robot.coriolis_vector(&state.q, &state.qd);

@@ -2,18 +2,17 @@
 
 use robot_dynamics::nalgebra::{DMatrix, DVector, SVector};
 use robot_dynamics::{NewtonEuler, Spring, State, Table};
-use robots::Arm;
 use testkit::random::Random;
 
+use super::any_arm::AnyArm;
 use super::samples::{Magnitude, assert_small, states};
 
 /// Y base_parameters + K + F = tau.
 pub(super) fn base_parameters_give_the_torque_without_springs_and_friction<
     const N: usize,
     const P: usize,
-    R: Arm<N, P>,
 >(
-    robot: &R,
+    robot: &dyn AnyArm<N, P>,
 ) {
     for state in states() {
         let found = robot.evaluate(&state, &SVector::zeros());
@@ -25,7 +24,7 @@ pub(super) fn base_parameters_give_the_torque_without_springs_and_friction<
 }
 
 /// Random states: three equations for each base parameter, and some.
-fn samples<const N: usize, const P: usize, R: Arm<N, P>>(robot: &R) -> Vec<State<N>> {
+fn samples<const N: usize, const P: usize>(robot: &dyn AnyArm<N, P>) -> Vec<State<N>> {
     let mut random = Random::seeded(1_990);
     let mut state = || State {
         q: random.vector(std::f64::consts::PI),
@@ -38,8 +37,8 @@ fn samples<const N: usize, const P: usize, R: Arm<N, P>>(robot: &R) -> Vec<State
     (0..count).map(|_| state()).collect()
 }
 
-fn columns<const N: usize, const P: usize, R: Arm<N, P>>(
-    robot: &R,
+fn columns<const N: usize, const P: usize>(
+    robot: &dyn AnyArm<N, P>,
     state: &State<N>,
 ) -> Vec<SVector<f64, N>> {
     let found = robot.evaluate(state, &SVector::zeros());
@@ -48,8 +47,8 @@ fn columns<const N: usize, const P: usize, R: Arm<N, P>>(
 
 /// The regressors of all states, one below the other, and the norm of each column, by which it is
 /// divided.
-fn stacked<const N: usize, const P: usize, R: Arm<N, P>>(
-    robot: &R,
+fn stacked<const N: usize, const P: usize>(
+    robot: &dyn AnyArm<N, P>,
     states: &[State<N>],
 ) -> (DMatrix<f64>, DVector<f64>) {
     let regressors: Vec<_> = states.iter().map(|state| columns(robot, state)).collect();
@@ -64,12 +63,8 @@ fn stacked<const N: usize, const P: usize, R: Arm<N, P>>(
 }
 
 /// None of the columns is a combination of the others, by a wide margin: the set is minimal.
-pub(super) fn columns_of_the_regressor_are_independent<
-    const N: usize,
-    const P: usize,
-    R: Arm<N, P>,
->(
-    robot: &R,
+pub(super) fn columns_of_the_regressor_are_independent<const N: usize, const P: usize>(
+    robot: &dyn AnyArm<N, P>,
 ) {
     let (matrix, _) = stacked(robot, &samples(robot));
     let values = matrix.singular_values();
@@ -104,9 +99,8 @@ fn with_other_links<const N: usize>(mut table: Table<N>, random: &mut Random) ->
 pub(super) fn torques_of_any_inertia_are_combinations_of_the_columns<
     const N: usize,
     const P: usize,
-    R: Arm<N, P>,
 >(
-    robot: &R,
+    robot: &dyn AnyArm<N, P>,
 ) {
     let states = samples(robot);
     let (matrix, norms) = stacked(robot, &states);

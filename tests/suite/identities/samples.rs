@@ -3,8 +3,9 @@
 use num_dual::Dual64;
 use robot_dynamics::nalgebra::{Dim, Matrix, RawStorage, SVector};
 use robot_dynamics::{JointType, Row, Spring, State, Stribeck, Table};
-use robots::Arm;
 use testkit::random::Random;
+
+use super::any_arm::AnyArm;
 
 /// What two results may differ by, for each joint, relative to their magnitude: the bound of the
 /// accuracy tests for both of them, and as much again for the sums of the test itself.
@@ -54,8 +55,8 @@ pub(super) struct Magnitude {
 }
 
 impl Magnitude {
-    pub(super) fn at<const N: usize, const P: usize, R: Arm<N, P>>(
-        robot: &R,
+    pub(super) fn at<const N: usize, const P: usize>(
+        robot: &dyn AnyArm<N, P>,
         state: &State<N>,
     ) -> Self {
         let table = robot.table();

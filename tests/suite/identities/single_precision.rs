@@ -2,8 +2,8 @@
 
 use robot_dynamics::State;
 use robot_dynamics::nalgebra::{Dim, Matrix, RawStorage, SVector, Vector1};
-use robots::Arm;
 
+use super::any_arm::AnyArm;
 use super::samples::{Magnitude, assert_small, states};
 
 /// The precision of `f64` over that of `f32`.
@@ -39,12 +39,8 @@ fn assert_near<R: Dim, C: Dim, S, D>(
     }
 }
 
-pub(super) fn single_precision_agrees_with_double_precision<
-    const N: usize,
-    const P: usize,
-    R: Arm<N, P>,
->(
-    robot: &R,
+pub(super) fn single_precision_agrees_with_double_precision<const N: usize, const P: usize>(
+    robot: &dyn AnyArm<N, P>,
 ) {
     for state in states() {
         let state @ State { q, qd, qdd } = rounded(&state);
