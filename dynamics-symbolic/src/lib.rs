@@ -12,6 +12,7 @@ pub mod emit;
 pub mod exact;
 mod expand;
 pub mod expr;
+pub mod formula;
 pub mod function;
 pub mod linear;
 pub mod neglect;

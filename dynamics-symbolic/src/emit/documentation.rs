@@ -1,7 +1,7 @@
 //! The documentation of the generated methods.
 
-use super::formula::formulas;
-use crate::function::{Argument, Function, Request, Shape, Size, spans};
+use crate::formula::{Budget, Format, Formulas, Shown, Structure};
+use crate::function::{Argument, Function, Request, Shape, spans};
 use crate::program::{Operand, Output, Program};
 use crate::robot::{JointType, Robot};
 
@@ -32,11 +32,9 @@ pub(super) fn documentation(
         _ => "",
     };
     lines.push(format!(" Operations{each}: {}.", program.operations()));
-    if let Some(formulas) = formulas(robot, program, constants).filter(|_| robot.dof() <= 3) {
-        let spans = spans(request.parts(), robot.dof(), formulas.len());
-        for (part, span) in request.parts().iter().zip(spans) {
-            lines.extend(formula_lines(robot, *part, &formulas[span]));
-        }
+    lines.extend(structures(robot, request, program));
+    if robot.dof() <= MOST_JOINTS {
+        lines.extend(formulas(robot, request, program));
     }
     lines.push(String::new());
     if request.refuses() {
@@ -140,27 +138,46 @@ fn units(robot: &Robot, request: &Request) -> String {
     format!("{}.", units.join("; "))
 }
 
-/// The formulas, each behind the name of its entry.
-fn formula_lines(robot: &Robot, function: Function, formulas: &[String]) -> Vec<String> {
-    let Some(symbol) = function.row().symbol else {
-        return Vec::new();
+/// Formulas are written for arms of so many joints.
+const MOST_JOINTS: usize = 3;
+
+/// A formula of more terms is no help.
+const MOST_TERMS: usize = 24;
+
+/// What is multiplied out before a formula is given up.
+const BUDGET: Budget = Budget {
+    terms: 300,
+    products: 5_000,
+};
+
+/// Which values are zero or constant, and what the others depend on.
+fn structures(robot: &Robot, request: &Request, program: &Program) -> Vec<String> {
+    let parts = request.parts();
+    let spans = spans(parts, robot.dof(), program.outputs.len());
+    let structure = |(part, span): (&Function, _)| {
+        let structure = Structure::of(robot, *part, program, span)?;
+        Some([String::new(), format!(" {}", structure.sentence())])
     };
-    let sizes = function.sizes(robot.dof(), formulas.len());
-    let name = |index: usize| match function.shape() {
-        Shape::Matrix(_, Size::One) => format!("{symbol}{}", index + 1),
-        Shape::Matrix(_, columns) => {
-            let columns = columns.of(sizes);
-            format!("{symbol}{}{}", index / columns + 1, index % columns + 1)
-        }
-        _ => symbol.to_owned(),
+    parts.iter().zip(spans).filter_map(structure).flatten().collect()
+}
+
+/// The formulas, each behind the name of its value, and what the names of sines in them mean.
+fn formulas(robot: &Robot, request: &Request, program: &Program) -> Vec<String> {
+    let formulas = Formulas::new(robot, request.parts(), program, BUDGET);
+    let shown = formulas.shown(Format::Text, MOST_TERMS);
+    if shown.is_empty() {
+        return Vec::new();
+    }
+    let line = |shown: &Shown| match &shown.formula {
+        Ok(formula) => format!(" {} = {formula}", shown.name),
+        Err(too_long) => format!(" {}: {too_long}", shown.name),
     };
     let mut lines = vec![String::new(), " ```text".to_owned()];
-    lines.extend(
-        formulas
-            .iter()
-            .enumerate()
-            .map(|(index, formula)| format!(" {} = {formula}", name(index))),
-    );
+    lines.extend(shown.iter().map(line));
+    let legend = formulas.legend(MOST_TERMS);
+    if !legend.is_empty() {
+        lines.push(format!(" with {}", legend.join(", ")));
+    }
     lines.push(" ```".to_owned());
     lines
 }

@@ -6,7 +6,6 @@
 
 mod body;
 mod documentation;
-mod formula;
 mod inputs;
 mod names;
 mod parameters;

@@ -1,0 +1,316 @@
+//! Angles of parallel axes, added up: sin(q1 + q2) for s1 c2 + c1 s2.
+//!
+//! In the angles of a group of parallel axes a polynomial is a Fourier polynomial: a sum of cosines and
+//! sines of whole multiples n1 q1 + n2 q2 + ... Where all multiples are 1, that is what textbooks write
+//! c12. Other multiples are written as products, cos(2 q2 + q3) = 2 c2 c23 - c3, by the identity that
+//! leaves the fewest terms.
+
+use super::atom::{Atom, Run};
+use super::expand::add_reduced;
+use super::polynomial::{Monomial, Polynomial, product};
+use crate::exact::Rational;
+use crate::robot::{Angle, Convention, JointType, Robot, Value};
+use std::collections::BTreeMap;
+
+/// Revolute joints with parallel axes, group by group: joints that follow each other, with prismatic
+/// joints between them or none.
+pub(super) struct Groups(Vec<Vec<Member>>);
+
+/// A joint of a group.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Member {
+    /// The joint, counted from 0.
+    pub(super) joint: usize,
+    /// Whether its axis points the other way than that of the first joint.
+    pub(super) is_reversed: bool,
+}
+
+impl Groups {
+    /// The groups of an arm.
+    pub(super) fn of(robot: &Robot) -> Self {
+        let mut groups: Vec<Vec<Member>> = Vec::new();
+        let mut is_parallel = false;
+        let mut is_reversed = false;
+        let mut joint = 0;
+        for row in &robot.rows {
+            if robot.convention == Convention::Modified {
+                follow(&row.alpha, &mut is_parallel, &mut is_reversed);
+            }
+            if row.locked.is_none() {
+                if row.joint_type == JointType::Revolute {
+                    if !is_parallel {
+                        groups.push(Vec::new());
+                        is_reversed = false;
+                    }
+                    is_parallel = true;
+                    let group = groups.last_mut().expect("one was begun");
+                    group.push(Member { joint, is_reversed });
+                }
+                joint += 1;
+            }
+            if robot.convention == Convention::Standard {
+                follow(&row.alpha, &mut is_parallel, &mut is_reversed);
+            }
+        }
+        Groups(groups)
+    }
+
+    /// The run of one revolute joint.
+    pub(super) fn run_of(&self, joint: usize) -> Run {
+        let found = self.0.iter().enumerate().find_map(|(group, members)| {
+            let at = members.iter().position(|member| member.joint == joint)?;
+            Some((group, at))
+        });
+        let (group, at) = found.expect("a joint that turns");
+        Run {
+            group,
+            first: at,
+            last: at,
+        }
+    }
+
+    /// The joints of a run, with whether they are subtracted.
+    pub(super) fn members(&self, run: Run) -> impl Iterator<Item = Member> {
+        let members = &self.0[run.group][run.first..=run.last];
+        let first = members[0].is_reversed;
+        members.iter().map(move |member| Member {
+            joint: member.joint,
+            is_reversed: member.is_reversed != first,
+        })
+    }
+}
+
+/// Passes over a twist: axes on both sides of it are parallel where it is 0 or half a turn.
+fn follow(alpha: &Value, is_parallel: &mut bool, is_reversed: &mut bool) {
+    let angle = Angle::new(alpha);
+    match (angle.rest, angle.quarter_turns) {
+        (None, 0) => {}
+        (None, 2) => *is_reversed = !*is_reversed,
+        _ => *is_parallel = false,
+    }
+}
+
+/// A polynomial in sines and cosines of sums of angles.
+pub(super) fn merged(polynomial: &Polynomial<Atom>, groups: &Groups) -> Polynomial<Atom> {
+    let mut merged = polynomial.clone();
+    for (group, members) in groups.0.iter().enumerate() {
+        if members.len() > 1 {
+            merged = merged_in(&merged, group, members);
+        }
+    }
+    with_squares_of_sines(merged)
+}
+
+/// The multiples n of the angles of a group.
+type Multiples = Vec<i32>;
+
+/// Amplitudes of cos(n . q) and sin(n . q), where the first multiple that is not 0 is positive. The
+/// angles are counted about the first axis of the group.
+type Waves = BTreeMap<Multiples, [Rational; 2]>;
+
+fn merged_in(polynomial: &Polynomial<Atom>, group: usize, members: &[Member]) -> Polynomial<Atom> {
+    let mut by_rest: BTreeMap<Monomial<Atom>, Waves> = BTreeMap::new();
+    for (monomial, coefficient) in polynomial.terms() {
+        let turns = |(atom, power): &(Atom, i32)| match atom {
+            Atom::Cosine(run) | Atom::Sine(run) => run.group == group && *power > 0,
+            _ => false,
+        };
+        let (turning, rest): (Monomial<Atom>, Monomial<Atom>) =
+            monomial.iter().partition(|factor| turns(factor));
+        add_waves(
+            by_rest.entry(rest).or_default(),
+            waves_of(&turning, members, coefficient),
+        );
+    }
+    let mut sum = Polynomial::zero();
+    for (rest, waves) in by_rest {
+        for (monomial, coefficient) in in_products(waves, group, members).terms() {
+            sum.add_term(product(&rest, monomial), coefficient);
+        }
+    }
+    sum
+}
+
+/// A coefficient times a product of sines and cosines as exponentials exp(i n . q), real and imaginary
+/// parts of their amplitudes: cos q = (z + 1/z) / 2, sin q = (z - 1/z) / 2i with z = exp(i q).
+fn waves_of(
+    turning: &Monomial<Atom>,
+    members: &[Member],
+    coefficient: &Rational,
+) -> BTreeMap<Multiples, [Rational; 2]> {
+    let start = vec![0; members.len()];
+    let mut waves = BTreeMap::from([(start, [coefficient.clone(), Rational::ZERO])]);
+    for &(atom, power) in turning {
+        let (Atom::Cosine(run) | Atom::Sine(run)) = atom else {
+            unreachable!("factors that turn are sines and cosines");
+        };
+        for _ in 0..power {
+            let mut next: BTreeMap<Multiples, [Rational; 2]> = BTreeMap::new();
+            for (multiples, [re, im]) in waves {
+                for step in [1, -1] {
+                    let mut key = multiples.clone();
+                    key[run.first] += step;
+                    let half = |x: &Rational| x / Rational::from(2);
+                    let sine_sign = step * if members[run.first].is_reversed { -1 } else { 1 };
+                    let [x, y] = match (atom, sine_sign) {
+                        (Atom::Cosine(_), _) => [half(&re), half(&im)],
+                        // (re + i im) / 2i
+                        (_, 1) => [half(&im), -half(&re)],
+                        _ => [-half(&im), half(&re)],
+                    };
+                    let sum = next.entry(key).or_insert([Rational::ZERO, Rational::ZERO]);
+                    sum[0] += x;
+                    sum[1] += y;
+                }
+            }
+            waves = next;
+        }
+    }
+    waves
+}
+
+/// Adds exponentials, which come with their conjugates: c z + conj(c) / z = 2 Re c cos - 2 Im c sin.
+fn add_waves(sum: &mut Waves, exponentials: BTreeMap<Multiples, [Rational; 2]>) {
+    for (multiples, [re, im]) in exponentials {
+        let factor = match multiples.iter().find(|&&n| n != 0) {
+            None => 1,
+            Some(n) if *n > 0 => 2,
+            Some(_) => continue,
+        };
+        let [cosine, sine] = sum
+            .entry(multiples)
+            .or_insert([Rational::ZERO, Rational::ZERO]);
+        *cosine += re * Rational::from(factor);
+        *sine -= im * Rational::from(factor);
+    }
+}
+
+/// The waves as products of sines and cosines of runs, the largest multiples first.
+fn in_products(mut waves: Waves, group: usize, members: &[Member]) -> Polynomial<Atom> {
+    let mut sum = Polynomial::zero();
+    let size = |multiples: &Multiples| multiples.iter().map(|n| n.abs()).sum::<i32>();
+    while let Some(largest) = waves.keys().max_by_key(|n| size(n)).cloned() {
+        let [cosine, sine] = waves.remove(&largest).expect("it is one of them");
+        let Some([first, second]) = split(&largest) else {
+            let [c, s] = turn(&largest, group, members);
+            sum.add_multiple(&c, &cosine);
+            sum.add_multiple(&s, &sine);
+            continue;
+        };
+        let [c1, s1] = turn(&first, group, members);
+        let [c2, s2] = turn(&second, group, members);
+        let difference: Multiples = first.iter().zip(&second).map(|(a, b)| a - b).collect();
+        let is_backwards = difference.iter().find(|&&n| n != 0).is_some_and(|n| *n < 0);
+        let key = match is_backwards {
+            true => difference.iter().map(|n| -n).collect(),
+            false => difference,
+        };
+        let mut none = [Rational::ZERO, Rational::ZERO];
+        let partner = waves.get_mut(&key).unwrap_or(&mut none);
+        // cos(a + b) + cos(a - b) = 2 cos a cos b, cos(a + b) - cos(a - b) = -2 sin a sin b.
+        let twice = |x: &Rational| x * Rational::from(2);
+        if partner[0] == cosine {
+            partner[0] = Rational::ZERO;
+            sum.add_multiple(&times(&c1, &c2), &twice(&cosine));
+        } else if partner[0] == -cosine.clone() {
+            partner[0] = Rational::ZERO;
+            sum.add_multiple(&times(&s1, &s2), &-twice(&cosine));
+        } else {
+            sum.add_multiple(&times(&c1, &c2), &cosine);
+            sum.add_multiple(&times(&s1, &s2), &-cosine);
+        }
+        // sin(a + b) + sin(a - b) = 2 sin a cos b, sin(a + b) - sin(a - b) = 2 cos a sin b.
+        let of_difference = match is_backwards {
+            true => -partner[1].clone(),
+            false => partner[1].clone(),
+        };
+        if of_difference == sine {
+            partner[1] = Rational::ZERO;
+            sum.add_multiple(&times(&s1, &c2), &twice(&sine));
+        } else if of_difference == -sine.clone() {
+            partner[1] = Rational::ZERO;
+            sum.add_multiple(&times(&c1, &s2), &twice(&sine));
+        } else {
+            sum.add_multiple(&times(&s1, &c2), &sine);
+            sum.add_multiple(&times(&c1, &s2), &sine);
+        }
+    }
+    sum
+}
+
+/// Multiples that are not those of one run as a sum: the first run, and what is left.
+fn split(multiples: &Multiples) -> Option<[Multiples; 2]> {
+    let start = multiples.iter().position(|&n| n != 0)?;
+    let sign = multiples[start].signum();
+    let is_of_run = |n: &&i32| n.signum() == sign;
+    let length = multiples[start..].iter().take_while(is_of_run).count();
+    let mut first = vec![0; multiples.len()];
+    first[start..start + length].fill(sign);
+    let rest: Multiples = multiples.iter().zip(&first).map(|(n, m)| n - m).collect();
+    rest.iter().any(|&n| n != 0).then_some([first, rest])
+}
+
+/// Cosine and sine of n . q in those of runs.
+fn turn(multiples: &Multiples, group: usize, members: &[Member]) -> [Polynomial<Atom>; 2] {
+    if let Some([first, second]) = split(multiples) {
+        let [c1, s1] = turn(&first, group, members);
+        let [c2, s2] = turn(&second, group, members);
+        let mut cosine = times(&c1, &c2);
+        cosine.add_multiple(&times(&s1, &s2), &-Rational::ONE);
+        let mut sine = times(&s1, &c2);
+        sine.add_multiple(&times(&c1, &s2), &Rational::ONE);
+        return [cosine, sine];
+    }
+    let Some(first) = multiples.iter().position(|&n| n != 0) else {
+        return [Polynomial::number(Rational::ONE), Polynomial::zero()];
+    };
+    let last = multiples.iter().rposition(|&n| n != 0).unwrap_or(first);
+    let run = Run { group, first, last };
+    let is_negative = (multiples[first] < 0) != members[first].is_reversed;
+    let sign = if is_negative { -1 } else { 1 };
+    [
+        Polynomial::variable(Atom::Cosine(run)),
+        Polynomial::term(vec![(Atom::Sine(run), 1)], Rational::from(sign)),
+    ]
+}
+
+fn times(a: &Polynomial<Atom>, b: &Polynomial<Atom>) -> Polynomial<Atom> {
+    let mut sum = Polynomial::zero();
+    for (left, x) in a.terms() {
+        for (right, y) in b.terms() {
+            add_reduced(&mut sum, product(left, right), &(x * y));
+        }
+    }
+    sum
+}
+
+/// X - X c^2 is X s^2.
+fn with_squares_of_sines(polynomial: Polynomial<Atom>) -> Polynomial<Atom> {
+    let squares: Vec<(Monomial<Atom>, Atom, Atom)> = polynomial
+        .terms()
+        .flat_map(|(monomial, _)| {
+            let square = |&(atom, power): &(Atom, i32)| match atom {
+                Atom::Cosine(run) if power >= 2 => Some((monomial.clone(), atom, Atom::Sine(run))),
+                Atom::AngleCosine(angle) if power >= 2 => {
+                    Some((monomial.clone(), atom, Atom::AngleSine(angle)))
+                }
+                _ => None,
+            };
+            monomial.iter().filter_map(square)
+        })
+        .collect();
+    let mut shorter = polynomial;
+    for (with_cosine, cosine, sine) in squares {
+        let rest = product(&with_cosine, &[(cosine, -2)]);
+        let (Some(a), Some(b)) = (shorter.coefficient(&rest), shorter.coefficient(&with_cosine))
+        else {
+            continue;
+        };
+        if *a == -b.clone() {
+            let coefficient = shorter.remove(&rest).expect("it was found");
+            shorter.remove(&with_cosine);
+            shorter.add_term(product(&rest, &[(sine, 2)]), &coefficient);
+        }
+    }
+    shorter
+}

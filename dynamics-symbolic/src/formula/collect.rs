@@ -1,0 +1,264 @@
+//! Common factors: l1^2 (m1 + m2) for m1 l1^2 + m2 l1^2.
+
+use super::atom::Atom;
+use super::expand::Atoms;
+use super::expression::{Base, Expression, Factor, Number, Term};
+use super::polynomial::{Monomial, Polynomial, exponent, inverse, product};
+use crate::exact::Rational;
+use crate::program::{Constant, ConstantId, ConstantPool};
+use crate::robot::Symbol;
+use std::collections::BTreeMap;
+
+/// A term of a polynomial whose constants have become one number.
+#[derive(Clone)]
+struct Single {
+    is_negative: bool,
+    number: Number,
+    monomial: Monomial<Atom>,
+}
+
+/// A polynomial as a sum: what is multiplied by the same velocities and accelerations together, in it
+/// what is multiplied by the same sines and positions, in that what differs in one parameter.
+pub(super) fn collected(atoms: &Atoms, polynomial: &Polynomial<Atom>) -> Expression {
+    let mut by_motion: BTreeMap<Key, BTreeMap<Key, Vec<Single>>> = BTreeMap::new();
+    for single in numbered(atoms, polynomial) {
+        let (parameters, rest): (Monomial<Atom>, Monomial<Atom>) = single
+            .monomial
+            .iter()
+            .partition(|(atom, _)| atom.is_parameter());
+        let (motion, position): (Monomial<Atom>, Monomial<Atom>) =
+            rest.into_iter().partition(|(atom, _)| atom.is_motion());
+        let parameters = Single {
+            monomial: parameters,
+            ..single
+        };
+        let of_motion = by_motion.entry(Key::of(motion)).or_default();
+        of_motion
+            .entry(Key::of(position))
+            .or_default()
+            .push(parameters);
+    }
+    let terms = by_motion.into_iter().flat_map(|(motion, by_position)| {
+        let terms: Vec<Term> = by_position.into_iter().flat_map(of_position).collect();
+        match (motion.monomial().is_empty(), terms.len()) {
+            (true, _) => terms,
+            (false, 1) => terms
+                .into_iter()
+                .map(|term| times(term, &motion.monomial()))
+                .collect(),
+            (false, _) => vec![times(in_parentheses(terms), &motion.monomial())],
+        }
+    });
+    Expression(terms.collect())
+}
+
+/// What is multiplied by the same sines and positions.
+fn of_position((position, sum): (Key, Vec<Single>)) -> Vec<Term> {
+    match position.monomial().is_empty() {
+        true => buckets(sum),
+        false => vec![times(factored(sum), &position.monomial())],
+    }
+}
+
+/// A monomial in the order of sums: x^2 before x y, and that before y^2.
+#[derive(PartialEq, Eq, PartialOrd, Ord)]
+struct Key(Monomial<Atom>);
+
+impl Key {
+    fn of(monomial: Monomial<Atom>) -> Self {
+        Key(inverse(&monomial))
+    }
+
+    fn monomial(&self) -> Monomial<Atom> {
+        inverse(&self.0)
+    }
+}
+
+/// A sum as a factor, with its sign and its number in front where all terms have the same.
+fn in_parentheses(mut terms: Vec<Term>) -> Term {
+    let is_negative = terms.iter().all(|term| term.is_negative);
+    let first = terms[0].number.clone();
+    let is_multiple = terms.iter().all(|term| term.number == first);
+    for term in &mut terms {
+        term.is_negative ^= is_negative;
+        if is_multiple {
+            term.number = Number::ONE;
+        }
+    }
+    Term {
+        is_negative,
+        number: if is_multiple { first } else { Number::ONE },
+        factors: vec![Factor::sum(Expression(terms))],
+        divisors: Vec::new(),
+    }
+}
+
+/// A sum of terms as one term: what all have in common in front of the rest.
+fn factored(mut sum: Vec<Single>) -> Term {
+    let common = common_factor(&sum);
+    let divisor = inverse(&common);
+    for single in &mut sum {
+        single.monomial = product(&single.monomial, &divisor);
+    }
+    let mut terms = buckets(sum);
+    if let [_] = terms.as_slice() {
+        return times(terms.remove(0), &common);
+    }
+    in_front(&common, in_parentheses(terms))
+}
+
+/// The powers that all terms have.
+fn common_factor(sum: &[Single]) -> Monomial<Atom> {
+    let mut common = sum[0].monomial.clone();
+    for single in sum {
+        for (atom, power) in &mut common {
+            *power = (*power).min(exponent(&single.monomial, *atom)).max(0);
+        }
+    }
+    common.retain(|(_, power)| *power > 0);
+    common
+}
+
+/// Terms that differ in one parameter together, as long as there are any.
+fn buckets(mut sum: Vec<Single>) -> Vec<Term> {
+    let mut terms = Vec::new();
+    while let Some(first) = sum.first() {
+        let largest = contexts(first)
+            .map(|(_, context)| {
+                let members = sum.iter().filter(|single| member(single, &context).is_some());
+                (members.count(), context)
+            })
+            .reduce(|best, next| if next.0 > best.0 { next } else { best });
+        let Some((2.., context)) = largest else {
+            let single = sum.remove(0);
+            terms.push(times(number(&single), &single.monomial));
+            continue;
+        };
+        let (members, others): (Vec<Single>, Vec<Single>) =
+            sum.into_iter().partition(|single| member(single, &context).is_some());
+        sum = others;
+        terms.push(together(&members, &context));
+    }
+    terms
+}
+
+/// What is left of a term without one of its parameters, for each of them that is not a power.
+fn contexts(single: &Single) -> impl Iterator<Item = (Atom, Monomial<Atom>)> {
+    let plain = single.monomial.iter().filter(|(_, power)| *power == 1);
+    plain.map(|&(atom, _)| (atom, product(&single.monomial, &[(atom, -1)])))
+}
+
+/// The parameter by which a term is more than the context.
+fn member(single: &Single, context: &Monomial<Atom>) -> Option<Atom> {
+    contexts(single).find_map(|(atom, rest)| (rest == *context).then_some(atom))
+}
+
+/// Members of one context as one term: the context in front of their sum.
+fn together(members: &[Single], context: &Monomial<Atom>) -> Term {
+    let of_sum = |single: &Single| Term {
+        factors: member(single, context)
+            .map(Factor::atom)
+            .into_iter()
+            .collect(),
+        ..number(single)
+    };
+    in_front(context, in_parentheses(members.iter().map(of_sum).collect()))
+}
+
+fn number(single: &Single) -> Term {
+    Term {
+        is_negative: single.is_negative,
+        number: single.number.clone(),
+        factors: Vec::new(),
+        divisors: Vec::new(),
+    }
+}
+
+/// A term times a monomial, which is written behind it.
+fn times(mut term: Term, monomial: &Monomial<Atom>) -> Term {
+    let (factors, divisors) = powers(monomial);
+    term.factors.extend(factors);
+    term.divisors.extend(divisors);
+    term
+}
+
+/// A term times a monomial, which is written in front of it.
+fn in_front(monomial: &Monomial<Atom>, mut term: Term) -> Term {
+    let (factors, divisors) = powers(monomial);
+    term.factors = [factors, term.factors].concat();
+    term.divisors.extend(divisors);
+    term
+}
+
+fn powers(monomial: &Monomial<Atom>) -> (Vec<Factor>, Vec<Factor>) {
+    let factor = |&(atom, power): &(Atom, i32)| Factor {
+        base: Base::Atom(atom),
+        exponent: power.unsigned_abs(),
+    };
+    let (above, below): (Monomial<Atom>, Monomial<Atom>) =
+        monomial.iter().partition(|(_, power)| *power > 0);
+    (
+        above.iter().map(factor).collect(),
+        below.iter().map(factor).collect(),
+    )
+}
+
+/// The terms of a polynomial, pi and constant angles made part of the number before the rest.
+fn numbered(atoms: &Atoms, polynomial: &Polynomial<Atom>) -> Vec<Single> {
+    let is_constant = |atom: Atom| match atom {
+        Atom::Pi => true,
+        Atom::AngleCosine(i) | Atom::AngleSine(i) => atoms.angles[i].is_number(),
+        _ => false,
+    };
+    let mut by_rest: BTreeMap<Monomial<Atom>, Polynomial<Atom>> = BTreeMap::new();
+    for (monomial, coefficient) in polynomial.terms() {
+        let (constant, rest): (Monomial<Atom>, Monomial<Atom>) =
+            monomial.iter().partition(|(atom, _)| is_constant(*atom));
+        let sum = by_rest.entry(rest).or_insert_with(Polynomial::zero);
+        sum.add_term(constant, coefficient);
+    }
+    let single = |(monomial, constant): (Monomial<Atom>, Polynomial<Atom>)| {
+        let (is_negative, number) = rounded(atoms, &constant);
+        Single {
+            is_negative,
+            number,
+            monomial,
+        }
+    };
+    by_rest.into_iter().map(single).collect()
+}
+
+/// A constant as a number: exactly where it is rational.
+fn rounded(atoms: &Atoms, constant: &Polynomial<Atom>) -> (bool, Number) {
+    let rational = constant.coefficient(&Monomial::new());
+    if let (1, Some(x)) = (constant.len(), rational) {
+        let is_negative = *x < Rational::ZERO;
+        let size = if is_negative { -x.clone() } else { x.clone() };
+        return (is_negative, Number::Exact(size));
+    }
+    let mut pool = ConstantPool::default();
+    let mut sum = pool.push(Constant::Rational(Rational::ZERO));
+    for (monomial, coefficient) in constant.terms() {
+        let mut product = pool.push(Constant::Rational(coefficient.clone()));
+        for &(atom, power) in monomial {
+            let factor = symbol(atoms, &mut pool, atom);
+            for _ in 0..power.unsigned_abs() {
+                product = pool.push(match power > 0 {
+                    true => Constant::Mul(product, factor),
+                    false => Constant::Div(product, factor),
+                });
+            }
+        }
+        sum = pool.push(Constant::Add(sum, product));
+    }
+    let value = pool.round(|id| id == sum)[sum.index()];
+    (value < 0.0, Number::Rounded(value.abs()))
+}
+
+fn symbol(atoms: &Atoms, pool: &mut ConstantPool, atom: Atom) -> ConstantId {
+    pool.push(Constant::Symbol(match atom {
+        Atom::AngleCosine(i) => Symbol::AngleCosine(atoms.angles[i].clone()),
+        Atom::AngleSine(i) => Symbol::AngleSine(atoms.angles[i].clone()),
+        _ => Symbol::Pi,
+    }))
+}

@@ -1,0 +1,192 @@
+//! A program multiplied out: each output as a polynomial, exactly.
+
+use super::TooLong;
+use super::angles::Groups;
+use super::atom::Atom;
+use super::polynomial::{Monomial, Polynomial, inverse, product};
+use crate::exact::Rational;
+use crate::program::{Arithmetic, Program};
+use crate::robot::{Symbol, Value};
+use std::rc::Rc;
+
+/// How far a program is multiplied out.
+#[derive(Clone, Copy, Debug)]
+pub struct Budget {
+    /// The largest number of terms of a value.
+    pub terms: usize,
+    /// The number of products of terms for all values together.
+    pub products: usize,
+}
+
+/// What the atoms stand for that are numbered as they come.
+#[derive(Default)]
+pub(super) struct Atoms {
+    /// Constant and parametric angles.
+    pub(super) angles: Vec<Value>,
+    /// Sums that something is divided by.
+    pub(super) divisors: Vec<Polynomial<Atom>>,
+}
+
+/// The outputs of a program as polynomials, or how long those are that are beyond the budget.
+pub(super) fn expand(
+    groups: &Groups,
+    program: &Program,
+    budget: Budget,
+) -> (Atoms, Vec<Result<Polynomial<Atom>, TooLong>>) {
+    let mut expansion = Expansion {
+        groups,
+        atoms: Atoms::default(),
+        budget,
+    };
+    let values = program.evaluate(&mut expansion);
+    let given_up = Err(TooLong {
+        terms: budget.terms,
+        or_more: true,
+    });
+    let value = |value: Number| value.map_or(given_up.clone(), |p| Ok(Rc::unwrap_or_clone(p)));
+    (expansion.atoms, values.into_iter().map(value).collect())
+}
+
+/// The arithmetic of polynomials. `None` is one that is too long.
+struct Expansion<'g> {
+    groups: &'g Groups,
+    atoms: Atoms,
+    budget: Budget,
+}
+
+type Number = Option<Rc<Polynomial<Atom>>>;
+
+impl Expansion<'_> {
+    /// The index of an angle and whether the angle or its opposite has it.
+    fn angle(&mut self, angle: &Value) -> (usize, bool) {
+        let opposite = -angle.clone();
+        let known = |known: &Value| known == angle || *known == opposite;
+        match self.atoms.angles.iter().position(known) {
+            Some(index) => (index, self.atoms.angles[index] != *angle),
+            None => {
+                self.atoms.angles.push(angle.clone());
+                (self.atoms.angles.len() - 1, false)
+            }
+        }
+    }
+
+    fn limited(&self, value: Polynomial<Atom>) -> Number {
+        (value.len() <= self.budget.terms).then(|| Rc::new(value))
+    }
+
+    fn product(&mut self, a: &Polynomial<Atom>, b: &Polynomial<Atom>) -> Number {
+        let products = a.len() * b.len();
+        self.budget.products = self.budget.products.checked_sub(products)?;
+        let mut sum = Polynomial::zero();
+        for (left, x) in a.terms() {
+            for (right, y) in b.terms() {
+                add_reduced(&mut sum, product(left, right), &(x * y));
+            }
+        }
+        self.limited(sum)
+    }
+}
+
+/// Adds a term with squares of sines written by cosines: sin^2 = 1 - cos^2.
+pub(super) fn add_reduced(
+    sum: &mut Polynomial<Atom>,
+    monomial: Monomial<Atom>,
+    coefficient: &Rational,
+) {
+    let square = monomial.iter().find_map(|&(atom, power)| {
+        let cosine = match atom {
+            Atom::Sine(run) => Atom::Cosine(run),
+            Atom::AngleSine(index) => Atom::AngleCosine(index),
+            _ => return None,
+        };
+        (power > 1).then_some((atom, cosine))
+    });
+    let Some((sine, cosine)) = square else {
+        return sum.add_term(monomial, coefficient);
+    };
+    let rest = product(&monomial, &[(sine, -2)]);
+    add_reduced(sum, product(&rest, &[(cosine, 2)]), &-coefficient.clone());
+    add_reduced(sum, rest, coefficient);
+}
+
+impl Arithmetic for Expansion<'_> {
+    type Number = Number;
+
+    fn rational(&mut self, x: &Rational) -> Number {
+        Some(Rc::new(Polynomial::number(x.clone())))
+    }
+
+    fn symbol(&mut self, symbol: &Symbol) -> Number {
+        let atom = match symbol {
+            Symbol::Pi => Atom::Pi,
+            Symbol::Field(i) => Atom::Field(*i),
+            Symbol::AngleCosine(angle) => Atom::AngleCosine(self.angle(angle).0),
+            Symbol::AngleSine(angle) => {
+                let (index, is_opposite) = self.angle(angle);
+                let sine = Polynomial::variable(Atom::AngleSine(index));
+                let sign = if is_opposite { -Rational::ONE } else { Rational::ONE };
+                let mut signed = Polynomial::zero();
+                signed.add_multiple(&sine, &sign);
+                return Some(Rc::new(signed));
+            }
+            Symbol::Sine(i) => Atom::Sine(self.groups.run_of(*i)),
+            Symbol::Cosine(i) => Atom::Cosine(self.groups.run_of(*i)),
+            Symbol::Position(i) => Atom::Position(*i),
+            Symbol::Velocity(i) => Atom::Velocity(*i),
+            Symbol::Acceleration(i) => Atom::Acceleration(*i),
+            Symbol::Force(i) => Atom::Force(*i),
+            Symbol::VelocitySign(i) => Atom::VelocitySign(*i),
+            Symbol::Stribeck(i) => Atom::Stribeck(*i),
+            Symbol::Entry(argument, i) => Atom::Entry(*argument, *i),
+        };
+        Some(Rc::new(Polynomial::variable(atom)))
+    }
+
+    fn neg(&mut self, a: Number) -> Number {
+        let mut negative = Polynomial::zero();
+        negative.add_multiple(&*a?, &-Rational::ONE);
+        Some(Rc::new(negative))
+    }
+
+    fn add(&mut self, a: Number, b: Number) -> Number {
+        let (a, b) = (a?, b?);
+        let (long, short) = if a.len() < b.len() { (b, a) } else { (a, b) };
+        let mut sum = Rc::unwrap_or_clone(long);
+        sum.add_multiple(&short, &Rational::ONE);
+        self.limited(sum)
+    }
+
+    fn mul(&mut self, a: Number, b: Number) -> Number {
+        self.product(&*a?, &*b?)
+    }
+
+    /// By a single term exactly; by a sum as a power of a variable that stands for the sum.
+    fn div(&mut self, a: Number, b: Number) -> Number {
+        let (a, b) = (a?, b?);
+        let mut terms = b.terms();
+        let factor = match (terms.next(), terms.next()) {
+            (None, _) => return None,
+            // A negative power of a sine would not be reduced beside a positive one.
+            (Some((monomial, coefficient)), None) if !has_sine(monomial) => {
+                let inverse = inverse(monomial);
+                Polynomial::term(inverse, Rational::ONE / coefficient)
+            }
+            _ => {
+                let known = self.atoms.divisors.iter().position(|known| *known == *b);
+                let index = known.unwrap_or_else(|| {
+                    self.atoms.divisors.push((*b).clone());
+                    self.atoms.divisors.len() - 1
+                });
+                Polynomial::term(vec![(Atom::Divisor(index), -1)], Rational::ONE)
+            }
+        };
+        self.product(&a, &factor)
+    }
+}
+
+fn has_sine(monomial: &Monomial<Atom>) -> bool {
+    let is_sine = |(atom, power): &(Atom, i32)| {
+        *power != 0 && matches!(atom, Atom::Sine(_) | Atom::AngleSine(_))
+    };
+    monomial.iter().any(is_sine)
+}

@@ -1,0 +1,147 @@
+//! Programs as formulas that a person can read.
+//!
+//! A program is multiplied out into polynomials (`expand`), exactly, so that what is shown is what was
+//! proven. The angles of parallel axes are added up (`angles`: c12 = cos(q1 + q2)), what has factors in
+//! common is collected (`collect`), and the result is written as text, LaTeX or MathML (`write`).
+//! [`Structure`] says what can be said of a program of any length: which of its outputs are zero or
+//! constant, and what the others depend on.
+
+mod angles;
+mod atom;
+mod collect;
+mod expand;
+mod expression;
+mod names;
+mod polynomial;
+mod structure;
+mod write;
+
+pub use expand::Budget;
+pub use structure::Structure;
+pub use write::Format;
+
+use crate::function::{Function, spans};
+use crate::program::Program;
+use crate::robot::Robot;
+use angles::Groups;
+use expression::Expression;
+use names::Names;
+
+/// The values of functions of one arm as formulas.
+pub struct Formulas {
+    names: Names,
+    entries: Vec<Entry>,
+}
+
+/// One value of a function.
+struct Entry {
+    function: Function,
+    symbol: &'static str,
+    indices: Vec<usize>,
+    formula: Result<Formula, TooLong>,
+}
+
+/// A formula and the number of its terms when multiplied out.
+struct Formula {
+    expression: Expression,
+    terms: usize,
+}
+
+/// Why there is no formula: it has so many terms, or more.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TooLong {
+    /// The number of terms.
+    pub terms: usize,
+    /// Whether there are more.
+    pub or_more: bool,
+}
+
+/// A value of a function, as it is shown.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Shown {
+    /// The function.
+    pub function: Function,
+    /// The name of the value, such as `M12`.
+    pub name: String,
+    /// The formula, or why there is none.
+    pub formula: Result<String, TooLong>,
+}
+
+impl Formulas {
+    /// Those of a program of some functions. Functions whose values have no letter to name them by are
+    /// left out, and so are those whose values are arranged in arrays and tuples.
+    pub fn new(robot: &Robot, functions: &[Function], program: &Program, budget: Budget) -> Self {
+        let groups = Groups::of(robot);
+        let (atoms, values) = expand::expand(&groups, program, budget);
+        let collected = |polynomial| {
+            let merged = angles::merged(polynomial, &groups);
+            (merged.len(), collect::collected(&atoms, &merged))
+        };
+        let mut entries = Vec::new();
+        let spans = spans(functions, robot.dof(), values.len());
+        for (&function, span) in functions.iter().zip(spans) {
+            let indices = structure::indices(function, robot.dof(), span.len());
+            let (Some(symbol), Some(indices)) = (function.row().symbol, indices) else {
+                continue;
+            };
+            for (value, indices) in values[span].iter().zip(indices) {
+                let formula = value.as_ref().map(|polynomial| {
+                    let (terms, expression) = collected(polynomial);
+                    Formula { expression, terms }
+                });
+                entries.push(Entry {
+                    function,
+                    symbol,
+                    indices,
+                    formula: formula.map_err(|too_long| *too_long),
+                });
+            }
+        }
+        let divisors = atoms.divisors.iter().map(|divisor| collected(divisor).1);
+        let divisors = divisors.collect();
+        Formulas {
+            names: Names::new(robot, groups, atoms.angles, divisors),
+            entries,
+        }
+    }
+
+    /// All values in order, in a format. Formulas of more than `most_terms` terms are left out.
+    pub fn shown(&self, format: Format, most_terms: usize) -> Vec<Shown> {
+        let shown = |entry: &Entry| Shown {
+            function: entry.function,
+            name: write::entry_name(format, entry.symbol, &entry.indices),
+            formula: entry
+                .readable(most_terms)
+                .map(|formula| write::written(format, &self.names, formula)),
+        };
+        self.entries.iter().map(shown).collect()
+    }
+
+    /// What the short names of sines and cosines in the formulas of at most `most_terms` terms mean:
+    /// `c12 = cos(q1 + q2)`.
+    pub fn legend(&self, most_terms: usize) -> Vec<String> {
+        let readable = |entry: &'_ Entry| entry.readable(most_terms).ok().cloned();
+        let formulas: Vec<Expression> = self.entries.iter().filter_map(readable).collect();
+        self.names.legend(formulas.iter())
+    }
+}
+
+impl Entry {
+    fn readable(&self, most_terms: usize) -> Result<&Expression, TooLong> {
+        match &self.formula {
+            Err(too_long) => Err(*too_long),
+            Ok(formula) if formula.terms > most_terms => Err(TooLong {
+                terms: formula.terms,
+                or_more: false,
+            }),
+            Ok(formula) => Ok(&formula.expression),
+        }
+    }
+}
+
+impl core::fmt::Display for TooLong {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        let more = if self.or_more { "more than " } else { "" };
+        write!(f, "too long to read: {more}{} terms", self.terms)
+    }
+}

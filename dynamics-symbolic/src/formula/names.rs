@@ -1,0 +1,106 @@
+//! What the variables of formulas are called.
+
+use super::angles::{Groups, Member};
+use super::atom::{Atom, Run};
+use super::expression::{Base, Expression, Factor};
+use crate::robot::{Robot, Value};
+use std::collections::BTreeSet;
+
+/// The names of one arm.
+pub(super) struct Names {
+    /// The struct's fields, without `r#`.
+    pub(super) fields: Vec<String>,
+    pub(super) groups: Groups,
+    pub(super) angles: Vec<Value>,
+    pub(super) divisors: Vec<Expression>,
+    /// The Stribeck velocities of the joints.
+    pub(super) stribeck: Vec<Option<Value>>,
+    /// Whether c12 stands for cos(q1 + q2).
+    pub(super) is_short: bool,
+}
+
+impl Names {
+    pub(super) fn new(
+        robot: &Robot,
+        groups: Groups,
+        angles: Vec<Value>,
+        divisors: Vec<Expression>,
+    ) -> Self {
+        let plain = |field: &String| field.strip_prefix("r#").unwrap_or(field).to_owned();
+        let fields: Vec<String> = robot.fields.iter().map(plain).collect();
+        let stribeck = |row: &crate::robot::Row| Some(row.stribeck.as_ref()?.velocity.clone());
+        Names {
+            // Indices of two digits would run into each other.
+            is_short: robot.dof() < 10 && !fields.iter().any(|field| is_like_a_sine(field)),
+            fields,
+            groups,
+            angles,
+            divisors,
+            stribeck: robot.joints().map(stribeck).collect(),
+        }
+    }
+
+    /// The digits of a run where all its angles are added: 12 for q1 + q2.
+    pub(super) fn digits(&self, run: Run) -> Option<String> {
+        let members: Vec<Member> = self.groups.members(run).collect();
+        let is_sum = members.iter().all(|member| !member.is_reversed);
+        let digits = members.iter().map(|member| (member.joint + 1).to_string());
+        (self.is_short && is_sum).then(|| digits.collect())
+    }
+
+    /// The sum of a run: `q1 + q2`.
+    pub(super) fn sum(&self, run: Run, position: impl Fn(usize) -> String) -> String {
+        let mut sum = String::new();
+        for member in self.groups.members(run) {
+            sum += match (sum.is_empty(), member.is_reversed) {
+                (true, _) => "",
+                (false, false) => " + ",
+                (false, true) => " - ",
+            };
+            sum += &position(member.joint);
+        }
+        sum
+    }
+
+    /// What the short names in formulas mean.
+    pub(super) fn legend<'e>(&self, formulas: impl Iterator<Item = &'e Expression>) -> Vec<String> {
+        let mut turning = BTreeSet::new();
+        for formula in formulas {
+            self.visit(formula, &mut |atom| match atom {
+                Atom::Cosine(run) | Atom::Sine(run) => drop(turning.insert((run, atom))),
+                _ => {}
+            });
+        }
+        let line = |(run, atom): (Run, Atom)| {
+            let (letter, function) = match atom {
+                Atom::Sine(_) => ("s", "sin"),
+                _ => ("c", "cos"),
+            };
+            let digits = self.digits(run)?;
+            let sum = self.sum(run, |joint| format!("q{}", joint + 1));
+            Some(format!("{letter}{digits} = {function}({sum})"))
+        };
+        turning.into_iter().filter_map(line).collect()
+    }
+
+    fn visit(&self, formula: &Expression, found: &mut impl FnMut(Atom)) {
+        let terms = formula.0.iter();
+        let factors = terms.flat_map(|term| term.factors.iter().chain(&term.divisors));
+        for Factor { base, .. } in factors {
+            match base {
+                Base::Sum(sum) => self.visit(sum, found),
+                Base::Atom(Atom::Divisor(i)) => self.visit(&self.divisors[*i], found),
+                Base::Atom(atom) => found(*atom),
+            }
+        }
+    }
+}
+
+/// A field that is called as a sine, a position or a velocity would be.
+fn is_like_a_sine(field: &str) -> bool {
+    let digits = |prefix| field.strip_prefix(prefix);
+    ["s", "c", "qdd", "qd", "q", "tau"]
+        .into_iter()
+        .filter_map(digits)
+        .any(|rest| !rest.is_empty() && rest.bytes().all(|byte| byte.is_ascii_digit()))
+}

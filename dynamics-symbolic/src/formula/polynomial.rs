@@ -1,0 +1,132 @@
+//! Polynomials with exact coefficients over any variables.
+
+use crate::exact::Rational;
+use std::collections::BTreeMap;
+use std::collections::btree_map::Entry as Slot;
+
+/// A product of powers of variables, by ascending variable; no exponent is zero, some may be negative.
+pub(crate) type Monomial<V> = Vec<(V, i32)>;
+
+/// A sum of monomials with coefficients; none is zero.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Polynomial<V> {
+    terms: BTreeMap<Monomial<V>, Rational>,
+}
+
+impl<V: Copy + Ord> Polynomial<V> {
+    /// No terms.
+    pub(crate) fn zero() -> Self {
+        Polynomial {
+            terms: BTreeMap::new(),
+        }
+    }
+
+    /// A number.
+    pub(crate) fn number(x: Rational) -> Self {
+        Self::term(Monomial::new(), x)
+    }
+
+    /// A variable.
+    pub(crate) fn variable(variable: V) -> Self {
+        Self::term(vec![(variable, 1)], Rational::ONE)
+    }
+
+    /// One term.
+    pub(crate) fn term(monomial: Monomial<V>, coefficient: Rational) -> Self {
+        let mut sum = Self::zero();
+        sum.add_term(monomial, &coefficient);
+        sum
+    }
+
+    /// The number of terms.
+    pub(crate) fn len(&self) -> usize {
+        self.terms.len()
+    }
+
+    /// The terms by ascending monomial.
+    pub(crate) fn terms(&self) -> impl Iterator<Item = (&Monomial<V>, &Rational)> {
+        self.terms.iter()
+    }
+
+    /// The coefficient of a monomial, where it has one.
+    pub(crate) fn coefficient(&self, monomial: &Monomial<V>) -> Option<&Rational> {
+        self.terms.get(monomial)
+    }
+
+    /// Takes a term out.
+    pub(crate) fn remove(&mut self, monomial: &Monomial<V>) -> Option<Rational> {
+        self.terms.remove(monomial)
+    }
+
+    /// Adds a term.
+    pub(crate) fn add_term(&mut self, monomial: Monomial<V>, coefficient: &Rational) {
+        if coefficient.is_zero() {
+            return;
+        }
+        match self.terms.entry(monomial) {
+            Slot::Vacant(slot) => {
+                slot.insert(coefficient.clone());
+            }
+            Slot::Occupied(mut slot) => {
+                *slot.get_mut() += coefficient;
+                if slot.get().is_zero() {
+                    slot.remove();
+                }
+            }
+        }
+    }
+
+    /// Adds a multiple of another one.
+    pub(crate) fn add_multiple(&mut self, other: &Self, factor: &Rational) {
+        for (monomial, coefficient) in &other.terms {
+            self.add_term(monomial.clone(), &(coefficient * factor));
+        }
+    }
+}
+
+/// The product of two monomials.
+pub(crate) fn product<V: Copy + Ord>(a: &[(V, i32)], b: &[(V, i32)]) -> Monomial<V> {
+    let mut powers: Monomial<V> = Vec::with_capacity(a.len() + b.len());
+    let (mut a, mut b) = (a.iter().peekable(), b.iter().peekable());
+    loop {
+        let next = match (a.peek(), b.peek()) {
+            (Some(x), Some(y)) if x.0 == y.0 => {
+                let sum = (x.0, x.1 + y.1);
+                a.next();
+                b.next();
+                sum
+            }
+            (Some(x), Some(y)) if x.0 > y.0 => {
+                let y = **y;
+                b.next();
+                y
+            }
+            (Some(x), _) => {
+                let x = **x;
+                a.next();
+                x
+            }
+            (None, Some(y)) => {
+                let y = **y;
+                b.next();
+                y
+            }
+            (None, None) => break,
+        };
+        if next.1 != 0 {
+            powers.push(next);
+        }
+    }
+    powers
+}
+
+/// The exponent of a variable in a monomial.
+pub(crate) fn exponent<V: Copy + Ord>(monomial: &[(V, i32)], variable: V) -> i32 {
+    let power = monomial.iter().find(|(v, _)| *v == variable);
+    power.map_or(0, |(_, exponent)| *exponent)
+}
+
+/// One over a monomial.
+pub(crate) fn inverse<V: Copy>(monomial: &[(V, i32)]) -> Monomial<V> {
+    monomial.iter().map(|&(v, power)| (v, -power)).collect()
+}

@@ -1,0 +1,220 @@
+//! Formulas as text, LaTeX or MathML.
+
+mod latex;
+mod mathml;
+mod number;
+mod text;
+
+use super::atom::{Atom, Run};
+use super::expression::{Base, Expression, Factor, Number, Term};
+use super::names::Names;
+use crate::function::Argument;
+use crate::robot::Value;
+use latex::Latex;
+use mathml::MathMl;
+use text::Text;
+
+/// How formulas are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    /// As plain text: `m2 l1 l2 c2`.
+    Text,
+    /// As LaTeX, for math mode.
+    Latex,
+    /// As a `math` element of MathML, which browsers show as it is.
+    MathMl,
+}
+
+/// What a format does with the parts of a formula.
+trait Notation {
+    /// A letter as it stands in text, and its parts: base, dots above it, subscript.
+    fn letter(&self, text: &str, base: &str, dots: usize, subscript: &str) -> String;
+    /// A number.
+    fn number(&self, number: &number::Written) -> String;
+    /// A power; the base is an atom or in parentheses.
+    fn power(&self, base: &str, exponent: u32) -> String;
+    /// Factors side by side.
+    fn product(&self, factors: &[String]) -> String;
+    /// A quotient; `is_single` says whether the divisor is one factor.
+    fn quotient(&self, dividend: &str, divisor: &str, is_single: bool) -> String;
+    /// Terms with their signs.
+    fn sum(&self, terms: &[(bool, String)]) -> String;
+    /// In parentheses.
+    fn parentheses(&self, inner: &str) -> String;
+    /// A function of an argument.
+    fn call(&self, function: &str, argument: &str) -> String;
+}
+
+/// A formula in a format.
+pub(super) fn written(format: Format, names: &Names, formula: &Expression) -> String {
+    match format {
+        Format::Text => expression(&Text, names, formula),
+        Format::Latex => expression(&Latex, names, formula),
+        Format::MathMl => mathml::element(&expression(&MathMl, names, formula)),
+    }
+}
+
+/// The name of a value of a function.
+pub(super) fn entry_name(format: Format, symbol: &str, indices: &[usize]) -> String {
+    let digits: String = indices.iter().map(usize::to_string).collect();
+    let text = format!("{symbol}{digits}");
+    match format {
+        Format::Text => text,
+        Format::Latex => Latex.letter(&text, symbol, 0, &digits),
+        Format::MathMl => mathml::element(&MathMl.letter(&text, symbol, 0, &digits)),
+    }
+}
+
+fn expression(to: &dyn Notation, names: &Names, sum: &Expression) -> String {
+    let terms: Vec<(bool, String)> = sum
+        .0
+        .iter()
+        .map(|summand| (summand.is_negative, term(to, names, summand)))
+        .collect();
+    match terms.is_empty() {
+        true => to.number(&number::Written::integer(0)),
+        false => to.sum(&terms),
+    }
+}
+
+/// Without its sign.
+fn term(to: &dyn Notation, names: &Names, term: &Term) -> String {
+    let write = |factors: &[Factor]| -> Vec<String> {
+        factors.iter().map(|f| factor(to, names, f)).collect()
+    };
+    let mut factors = write(&term.factors);
+    if term.number != Number::ONE || factors.is_empty() {
+        factors.insert(0, to.number(&number::Written::of(&term.number)));
+    }
+    let divisors = write(&term.divisors);
+    match divisors.is_empty() {
+        true => to.product(&factors),
+        false => to.quotient(
+            &to.product(&factors),
+            &to.product(&divisors),
+            divisors.len() == 1,
+        ),
+    }
+}
+
+fn factor(to: &dyn Notation, names: &Names, factor: &Factor) -> String {
+    let base = match &factor.base {
+        Base::Atom(Atom::Divisor(i)) => {
+            to.parentheses(&expression(to, names, &names.divisors[*i]))
+        }
+        Base::Atom(of) => atom(to, names, *of),
+        Base::Sum(sum) => to.parentheses(&expression(to, names, sum)),
+    };
+    match factor.exponent {
+        1 => base,
+        exponent => to.power(&base, exponent),
+    }
+}
+
+fn atom(to: &dyn Notation, names: &Names, atom: Atom) -> String {
+    match atom {
+        Atom::Pi => to.letter("pi", "pi", 0, ""),
+        Atom::Field(i) => field(to, &names.fields[i]),
+        Atom::AngleCosine(i) => to.call("cos", &value(to, names, &names.angles[i])),
+        Atom::AngleSine(i) => to.call("sin", &value(to, names, &names.angles[i])),
+        Atom::Divisor(i) => expression(to, names, &names.divisors[i]),
+        Atom::Position(i) => joint(to, Argument::Position, i),
+        Atom::Velocity(i) => joint(to, Argument::Velocity, i),
+        Atom::Acceleration(i) => joint(to, Argument::Acceleration, i),
+        Atom::Force(i) => joint(to, Argument::Force, i),
+        Atom::Entry(argument, i) => joint(to, argument, i),
+        Atom::Cosine(run) => turn(to, names, "c", "cos", run),
+        Atom::Sine(run) => turn(to, names, "s", "sin", run),
+        Atom::VelocitySign(i) => to.call("sign", &joint(to, Argument::Velocity, i)),
+        Atom::Stribeck(i) => stribeck(to, names, i),
+    }
+}
+
+fn turn(to: &dyn Notation, names: &Names, letter: &str, function: &str, run: Run) -> String {
+    match names.digits(run) {
+        Some(digits) => to.letter(&format!("{letter}{digits}"), letter, 0, &digits),
+        None => {
+            let members: Vec<(bool, String)> = names
+                .groups
+                .members(run)
+                .map(|member| {
+                    let position = joint(to, Argument::Position, member.joint);
+                    (member.is_reversed, position)
+                })
+                .collect();
+            to.call(function, &to.sum(&members))
+        }
+    }
+}
+
+/// exp(-(qd / v)^2)
+fn stribeck(to: &dyn Notation, names: &Names, index: usize) -> String {
+    let velocity = match &names.stribeck[index] {
+        Some(velocity) => value(to, names, velocity),
+        None => to.number(&number::Written::integer(1)),
+    };
+    let velocity = to.parentheses(&velocity);
+    let ratio = to.quotient(&joint(to, Argument::Velocity, index), &velocity, true);
+    let square = to.power(&to.parentheses(&ratio), 2);
+    to.call("exp", &to.sum(&[(true, square)]))
+}
+
+/// A cell of the table.
+fn value(to: &dyn Notation, names: &Names, value: &Value) -> String {
+    expression(to, names, &Expression::of_value(value))
+}
+
+/// An entry of an argument.
+fn joint(to: &dyn Notation, argument: Argument, index: usize) -> String {
+    let (base, dots, reference) = match argument {
+        Argument::Velocity => ("q", 1, ""),
+        Argument::Acceleration => ("q", 2, ""),
+        Argument::ReferenceVelocity => ("q", 1, "r,"),
+        Argument::ReferenceAcceleration => ("q", 2, "r,"),
+        Argument::Jerk => ("q", 3, ""),
+        Argument::Snap => ("q", 4, ""),
+        Argument::Wrench => ("w", 0, ""),
+        Argument::Position | Argument::Force | Argument::Order => (argument.name(), 0, ""),
+    };
+    let text = format!("{}{}", argument.name(), index + 1);
+    to.letter(&text, base, dots, &format!("{reference}{}", index + 1))
+}
+
+/// A field: digits at its end and what follows the first underscore are a subscript.
+fn field(to: &dyn Notation, name: &str) -> String {
+    let digits = name.trim_end_matches(|c: char| c.is_ascii_digit());
+    let (base, subscript) = match name.split_once('_') {
+        Some((base, rest)) if !base.is_empty() => (base, rest.replace('_', ",")),
+        _ if digits.is_empty() => (name, String::new()),
+        _ => (digits, name[digits.len()..].to_owned()),
+    };
+    to.letter(name, base, 0, &subscript)
+}
+
+/// Letters with a name in Greek, as LaTeX has them.
+const GREEK: [(&str, &str); 24] = [
+    ("alpha", "α"),
+    ("beta", "β"),
+    ("gamma", "γ"),
+    ("delta", "δ"),
+    ("epsilon", "ϵ"),
+    ("zeta", "ζ"),
+    ("eta", "η"),
+    ("theta", "θ"),
+    ("iota", "ι"),
+    ("kappa", "κ"),
+    ("lambda", "λ"),
+    ("mu", "μ"),
+    ("nu", "ν"),
+    ("xi", "ξ"),
+    ("pi", "π"),
+    ("rho", "ρ"),
+    ("sigma", "σ"),
+    ("tau", "τ"),
+    ("upsilon", "υ"),
+    ("phi", "ϕ"),
+    ("chi", "χ"),
+    ("psi", "ψ"),
+    ("omega", "ω"),
+    ("Omega", "Ω"),
+];

@@ -1,0 +1,57 @@
+//! Plain text: `2 m2 l1 l2 c2 qd1 qd2`.
+
+use super::Notation;
+use super::number::Written;
+
+pub(super) struct Text;
+
+impl Notation for Text {
+    fn letter(&self, text: &str, _base: &str, _dots: usize, _subscript: &str) -> String {
+        text.to_owned()
+    }
+
+    fn number(&self, number: &Written) -> String {
+        match number {
+            Written::Decimal(digits, None) => digits.clone(),
+            Written::Decimal(digits, Some(exponent)) => format!("{digits}e{exponent}"),
+            Written::Fraction(numerator, denominator) => format!("{numerator}/{denominator}"),
+        }
+    }
+
+    fn power(&self, base: &str, exponent: u32) -> String {
+        format!("{base}^{exponent}")
+    }
+
+    fn product(&self, factors: &[String]) -> String {
+        factors.join(" ")
+    }
+
+    fn quotient(&self, dividend: &str, divisor: &str, is_single: bool) -> String {
+        match is_single {
+            true => format!("{dividend} / {divisor}"),
+            false => format!("{dividend} / ({divisor})"),
+        }
+    }
+
+    fn sum(&self, terms: &[(bool, String)]) -> String {
+        let mut sum = String::new();
+        for (is_negative, term) in terms {
+            sum += match (sum.is_empty(), is_negative) {
+                (true, false) => "",
+                (true, true) => "-",
+                (false, false) => " + ",
+                (false, true) => " - ",
+            };
+            sum += term;
+        }
+        sum
+    }
+
+    fn parentheses(&self, inner: &str) -> String {
+        format!("({inner})")
+    }
+
+    fn call(&self, function: &str, argument: &str) -> String {
+        format!("{function}({argument})")
+    }
+}
