@@ -118,7 +118,7 @@ fn within(item: &Item) -> Vec<&Item> {
 }
 
 fn is_method(item: &ImplItem) -> bool {
-    matches!(item, ImplItem::Fn(method) if method.sig.ident != "table")
+    matches!(item, ImplItem::Fn(method) if method.sig.ident != "table" && method.sig.ident != "formulas")
 }
 
 fn degrees_of_freedom(item: &ImplItem) -> Option<String> {

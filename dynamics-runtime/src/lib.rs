@@ -32,6 +32,7 @@ mod evaluation;
 mod exact;
 mod factorisation;
 mod float;
+mod formula;
 mod frame;
 mod friction;
 #[cfg(feature = "std")]
@@ -68,6 +69,7 @@ pub use evaluation::{Evaluate, Evaluation};
 #[cfg(feature = "std")]
 #[doc(hidden)]
 pub use evaluation::{columns, vectors};
+pub use formula::Formula;
 pub use frame::{Frame, Tool};
 pub use model::{
     CoriolisVector, Energy, ForwardDynamics, GravityVector, InverseDynamics, Kinematics,

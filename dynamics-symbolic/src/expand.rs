@@ -2,6 +2,7 @@
 
 use crate::derive::derive_together;
 use crate::emit;
+use crate::formula::{Equation, Formulas, MOST_TERMS};
 use crate::function::{Function, Fused, Request};
 use crate::neglect::{STATES, largest_error};
 use crate::program::{Operations, Program};
@@ -23,6 +24,8 @@ pub struct Method {
     pub operations: Operations,
     /// The joints whose position's sine or cosine it reads.
     pub angles: Vec<usize>,
+    /// What it computes, where that is short enough to read.
+    pub equations: Vec<Equation>,
 }
 
 /// Why a method cannot be generated.
@@ -217,8 +220,21 @@ fn method(
     if constants.iter().any(|x| x.is_infinite()) {
         return Err(Reason::Overflow);
     }
-    let emitted = emit::method(robot, request, &program, &constants, notes, path);
-    Ok(method_of(request.clone(), emitted, &[&program]))
+    let formulas = Formulas::of_short_arm(robot, request.parts(), &program);
+    let emitted = emit::method(
+        robot,
+        request,
+        &program,
+        &constants,
+        formulas.as_ref(),
+        notes,
+        path,
+    );
+    let equations = formulas.map_or(Vec::new(), |formulas| formulas.equations(MOST_TERMS));
+    Ok(Method {
+        equations,
+        ..method_of(request.clone(), emitted, &[&program])
+    })
 }
 
 /// Proves and emits the two programs of Taylor series: the equations of motion, and the mass
@@ -264,5 +280,6 @@ fn method_of(request: Request, emitted: emit::Emitted, programs: &[&Program]) ->
         provided: emitted.provided,
         operations: programs[0].operations(),
         angles: angles.collect(),
+        equations: Vec::new(),
     }
 }

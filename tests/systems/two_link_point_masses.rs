@@ -42,6 +42,30 @@ robot_dynamics! {
     ],
 }
 
+/// `formulas()` hands out the printed ones, and those of all frames and conventions are the same.
+#[test]
+fn formulas_as_they_are_printed() {
+    let of = |function: &str, formulas: &[robot_dynamics::Formula]| {
+        let own = formulas.iter().filter(|formula| formula.function == function);
+        own.map(|formula| formula.text).collect::<Vec<_>>()
+    };
+    let printed = [
+        "M11 = l1^2 (m1 + m2) + m2 l2^2 + 2 m2 l1 l2 c2",
+        "M12 = m2 l2^2 + m2 l1 l2 c2",
+        "M21 = m2 l2^2 + m2 l1 l2 c2",
+        "M22 = m2 l2^2",
+    ];
+    assert_eq!(of("mass_matrix", Modified::formulas()), printed);
+    let texts = |formulas: &[robot_dynamics::Formula]| -> Vec<&str> {
+        formulas.iter().map(|formula| formula.text).collect()
+    };
+    assert_eq!(texts(Modified::formulas()), texts(Standard::formulas()));
+    let corner = Modified::formulas()[3];
+    assert_eq!((corner.value, corner.latex), ("M22", "M_{22} = m_{2} \\, l_{2}^{2}"));
+    assert!(corner.mathml.starts_with("<math"));
+    assert_eq!(corner.to_string(), corner.text);
+}
+
 /// The printed formulas.
 struct Printed {
     m1: f64,

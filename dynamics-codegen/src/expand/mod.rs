@@ -11,6 +11,7 @@ mod traits;
 
 use std::collections::BTreeSet;
 
+use dynamics_symbolic::formula::Equation;
 use dynamics_symbolic::{Function, Method, Request, base_parameter_constants, stub, stub_of_trait};
 use proc_macro2::{Literal, TokenStream};
 use quote::{ToTokens, quote};
@@ -42,7 +43,14 @@ pub(crate) fn robot(
     let bodies = methods.iter().map(|method| &method.tokens);
     let base_parameters = base_parameter_constants(&requests, Some(&model.robot));
     let operations = operations(methods, path);
-    let inherent = target.inherent(&names, &operations, &base_parameters, &table, bodies);
+    let formulas = formulas(methods, path);
+    let inherent = target.inherent(
+        &names,
+        [&operations, &formulas],
+        &base_parameters,
+        &table,
+        bodies,
+    );
     let provided = methods.iter().filter_map(|method| {
         let (function, mut item) = (method.request.function()?, method.provided.clone()?);
         if function == Function::ForwardDynamics {
@@ -71,7 +79,7 @@ pub(crate) fn stubs(structure: &Structure, entries: &[Entry], path: &TokenStream
     let item = structure::repaired(structure);
     let bodies = requests.iter().map(|r| stub(r, target.dof, path));
     let base_parameters = base_parameter_constants(&requests, None);
-    let inherent = target.inherent(&names, &[], &base_parameters, &unimplemented, bodies);
+    let inherent = target.inherent(&names, [&[], &[]], &base_parameters, &unimplemented, bodies);
     let provided = functions.iter().filter_map(|f| {
         let item = stub_of_trait(*f, target.dof, path)?;
         Some((*f, item))
@@ -183,13 +191,39 @@ fn operations(methods: &[Method], path: &TokenStream) -> Vec<TokenStream> {
     methods.iter().map(entry).collect()
 }
 
+/// The entries of `formulas`, of functions that are methods of their own.
+fn formulas(methods: &[Method], path: &TokenStream) -> Vec<TokenStream> {
+    let of_method = |method: &Method| {
+        let function = method.request.function()?.name();
+        let entry = move |equation: &Equation| {
+            let Equation {
+                name,
+                text,
+                latex,
+                mathml,
+            } = equation;
+            quote! {
+                #path::Formula {
+                    function: #function,
+                    value: #name,
+                    text: #text,
+                    latex: #latex,
+                    mathml: #mathml,
+                }
+            }
+        };
+        Some(method.equations.iter().map(entry).collect::<Vec<_>>())
+    };
+    methods.iter().filter_map(of_method).flatten().collect()
+}
+
 impl Target<'_> {
-    /// The inherent impl. `table` is the body of the method of that name, `base_parameters` the
+    /// The inherent impl: entries of `OPERATIONS` and of `formulas`; `table` is the body of the method of that name, `base_parameters` the
     /// constants about them, where there are any.
     fn inherent(
         &self,
         names: &[String],
-        operations: &[TokenStream],
+        [operations, formulas]: [&[TokenStream]; 2],
         base_parameters: &TokenStream,
         table: &TokenStream,
         methods: impl Iterator<Item = impl ToTokens>,
@@ -218,6 +252,12 @@ impl Target<'_> {
                 /// The table in numbers, as it was written: what the numeric checks read.
                 pub fn table(&self) -> #path::Table<#n> {
                     #table
+                }
+
+                /// What the generated methods compute, value by value, where that is short enough to
+                /// read: formulas of at most 24 terms of arms of up to three joints.
+                pub fn formulas() -> &'static [#path::Formula] {
+                    &[#(#formulas),*]
                 }
 
                 #(#methods)*

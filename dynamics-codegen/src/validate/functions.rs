@@ -15,9 +15,10 @@ use crate::mistake::{entry as mistake, size, value};
 use crate::place::Place;
 
 /// Names that an item of the struct has in any case, and the methods that come with its derives.
-pub(crate) const RESERVED: [&str; 11] = [
+pub(crate) const RESERVED: [&str; 12] = [
     "default",
     "table",
+    "formulas",
     "DOF",
     "JOINT_NAMES",
     "OPERATIONS",

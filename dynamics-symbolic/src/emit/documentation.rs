@@ -1,6 +1,6 @@
 //! The documentation of the generated methods.
 
-use crate::formula::{Budget, Format, Formulas, Shown, Structure};
+use crate::formula::{Format, Formulas, MOST_TERMS, Shown, Structure};
 use crate::function::{Argument, Function, Request, Shape, spans};
 use crate::program::{Operand, Output, Program};
 use crate::robot::{JointType, Robot};
@@ -11,6 +11,7 @@ pub(super) fn documentation(
     request: &Request,
     program: &Program,
     constants: &[f64],
+    formulas: Option<&Formulas>,
     notes: &[String],
 ) -> Vec<String> {
     let mut lines = quantities(robot, request);
@@ -33,9 +34,7 @@ pub(super) fn documentation(
     };
     lines.push(format!(" Operations{each}: {}.", program.operations()));
     lines.extend(structures(robot, request, program));
-    if robot.dof() <= MOST_JOINTS {
-        lines.extend(formulas(robot, request, program));
-    }
+    lines.extend(formulas.into_iter().flat_map(formula_lines));
     lines.push(String::new());
     if request.refuses() {
         lines.push(errors(&unresisted(robot, request, program, constants)));
@@ -138,18 +137,6 @@ fn units(robot: &Robot, request: &Request) -> String {
     format!("{}.", units.join("; "))
 }
 
-/// Formulas are written for arms of so many joints.
-const MOST_JOINTS: usize = 3;
-
-/// A formula of more terms is no help.
-const MOST_TERMS: usize = 24;
-
-/// What is multiplied out before a formula is given up.
-const BUDGET: Budget = Budget {
-    terms: 300,
-    products: 5_000,
-};
-
 /// Which values are zero or constant, and what the others depend on.
 fn structures(robot: &Robot, request: &Request, program: &Program) -> Vec<String> {
     let parts = request.parts();
@@ -158,12 +145,16 @@ fn structures(robot: &Robot, request: &Request, program: &Program) -> Vec<String
         let structure = Structure::of(robot, *part, program, span)?;
         Some([String::new(), format!(" {}", structure.sentence())])
     };
-    parts.iter().zip(spans).filter_map(structure).flatten().collect()
+    parts
+        .iter()
+        .zip(spans)
+        .filter_map(structure)
+        .flatten()
+        .collect()
 }
 
 /// The formulas, each behind the name of its value, and what the names of sines in them mean.
-fn formulas(robot: &Robot, request: &Request, program: &Program) -> Vec<String> {
-    let formulas = Formulas::new(robot, request.parts(), program, BUDGET);
+fn formula_lines(formulas: &Formulas) -> Vec<String> {
     let shown = formulas.shown(Format::Text, MOST_TERMS);
     if shown.is_empty() {
         return Vec::new();

@@ -18,6 +18,7 @@ use signature::signature;
 pub use signature::{base_parameter_constants, method_name, stub, stub_of_trait};
 use signature::{call, leading_matrix, provided, without_parameters};
 
+use crate::formula::Formulas;
 use crate::function::{Function, Request, sizes_of};
 use crate::program::Program;
 use crate::robot::Robot;
@@ -44,7 +45,7 @@ pub fn taylor_series(
     let (function, dof) = (Function::TaylorSeries, robot.dof());
     let request = function.into();
     let documentation =
-        documentation::documentation(robot, &request, equations.0, equations.1, notes);
+        documentation::documentation(robot, &request, equations.0, equations.1, None, notes);
     let signature = signature(&request, without_parameters(dof), path);
     let call = call(function, dof, path);
     let part = Function::MassMatrix.into();
@@ -62,8 +63,8 @@ pub fn taylor_series(
     }
 }
 
-/// The documented method of a function, or of several, with the rounded constants of its program; `notes` are
-/// lines of its documentation, `path` is the path of the runtime crate.
+/// The documented method of a function, or of several, with the rounded constants of its program; `notes` and
+/// `formulas` stand in its documentation, `path` is the path of the runtime crate.
 ///
 /// The body of a function that the runtime calls in lanes stands in the implementation of its
 /// trait: it must be compiled into the loop over the lanes, for the instructions that are chosen
@@ -73,10 +74,12 @@ pub fn method(
     request: &Request,
     program: &Program,
     constants: &[f64],
+    formulas: Option<&Formulas>,
     notes: &[String],
     path: &TokenStream,
 ) -> Emitted {
-    let documentation = documentation::documentation(robot, request, program, constants, notes);
+    let documentation =
+        documentation::documentation(robot, request, program, constants, formulas, notes);
     let sizes = sizes_of(request.parts(), robot.dof(), program.outputs.len());
     let signature = signature(request, sizes, path);
     let body = body::body(robot, request, program, constants, path);

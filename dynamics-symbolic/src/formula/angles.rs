@@ -151,7 +151,12 @@ fn waves_of(
                     let mut key = multiples.clone();
                     key[run.first] += step;
                     let half = |x: &Rational| x / Rational::from(2);
-                    let sine_sign = step * if members[run.first].is_reversed { -1 } else { 1 };
+                    let sine_sign = step
+                        * if members[run.first].is_reversed {
+                            -1
+                        } else {
+                            1
+                        };
                     let [x, y] = match (atom, sine_sign) {
                         (Atom::Cosine(_), _) => [half(&re), half(&im)],
                         // (re + i im) / 2i
@@ -302,8 +307,10 @@ fn with_squares_of_sines(polynomial: Polynomial<Atom>) -> Polynomial<Atom> {
     let mut shorter = polynomial;
     for (with_cosine, cosine, sine) in squares {
         let rest = product(&with_cosine, &[(cosine, -2)]);
-        let (Some(a), Some(b)) = (shorter.coefficient(&rest), shorter.coefficient(&with_cosine))
-        else {
+        let (Some(a), Some(b)) = (
+            shorter.coefficient(&rest),
+            shorter.coefficient(&with_cosine),
+        ) else {
             continue;
         };
         if *a == -b.clone() {

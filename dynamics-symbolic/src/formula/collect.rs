@@ -125,7 +125,9 @@ fn buckets(mut sum: Vec<Single>) -> Vec<Term> {
     while let Some(first) = sum.first() {
         let largest = contexts(first)
             .map(|(_, context)| {
-                let members = sum.iter().filter(|single| member(single, &context).is_some());
+                let members = sum
+                    .iter()
+                    .filter(|single| member(single, &context).is_some());
                 (members.count(), context)
             })
             .reduce(|best, next| if next.0 > best.0 { next } else { best });
@@ -134,8 +136,9 @@ fn buckets(mut sum: Vec<Single>) -> Vec<Term> {
             terms.push(times(number(&single), &single.monomial));
             continue;
         };
-        let (members, others): (Vec<Single>, Vec<Single>) =
-            sum.into_iter().partition(|single| member(single, &context).is_some());
+        let (members, others): (Vec<Single>, Vec<Single>) = sum
+            .into_iter()
+            .partition(|single| member(single, &context).is_some());
         sum = others;
         terms.push(together(&members, &context));
     }
@@ -162,7 +165,10 @@ fn together(members: &[Single], context: &Monomial<Atom>) -> Term {
             .collect(),
         ..number(single)
     };
-    in_front(context, in_parentheses(members.iter().map(of_sum).collect()))
+    in_front(
+        context,
+        in_parentheses(members.iter().map(of_sum).collect()),
+    )
 }
 
 fn number(single: &Single) -> Term {

@@ -124,7 +124,11 @@ impl Arithmetic for Expansion<'_> {
             Symbol::AngleSine(angle) => {
                 let (index, is_opposite) = self.angle(angle);
                 let sine = Polynomial::variable(Atom::AngleSine(index));
-                let sign = if is_opposite { -Rational::ONE } else { Rational::ONE };
+                let sign = if is_opposite {
+                    -Rational::ONE
+                } else {
+                    Rational::ONE
+                };
                 let mut signed = Polynomial::zero();
                 signed.add_multiple(&sine, &sign);
                 return Some(Rc::new(signed));

@@ -27,6 +27,18 @@ use angles::Groups;
 use expression::Expression;
 use names::Names;
 
+/// Formulas are written for arms of so many joints without being asked for.
+const MOST_JOINTS: usize = 3;
+
+/// A formula of more terms is no help to a reader.
+pub const MOST_TERMS: usize = 24;
+
+/// What is multiplied out before a formula that nobody asked for is given up.
+const BUDGET: Budget = Budget {
+    terms: 300,
+    products: 5_000,
+};
+
 /// The values of functions of one arm as formulas.
 pub struct Formulas {
     names: Names,
@@ -67,7 +79,26 @@ pub struct Shown {
     pub formula: Result<String, TooLong>,
 }
 
+/// A value of a function with its formula, as an equation in every format.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Equation {
+    /// The name of the value, such as `M12`.
+    pub name: String,
+    /// `M12 = m2 l2^2 + m2 l1 l2 c2`.
+    pub text: String,
+    /// The equation for LaTeX's math mode.
+    pub latex: String,
+    /// The equation as a `math` element.
+    pub mathml: String,
+}
+
 impl Formulas {
+    /// Those of a short arm, which are written without being asked for.
+    pub fn of_short_arm(robot: &Robot, functions: &[Function], program: &Program) -> Option<Self> {
+        let is_short = robot.dof() <= MOST_JOINTS;
+        is_short.then(|| Formulas::new(robot, functions, program, BUDGET))
+    }
+
     /// Those of a program of some functions. Functions whose values have no letter to name them by are
     /// left out, and so are those whose values are arranged in arrays and tuples.
     pub fn new(robot: &Robot, functions: &[Function], program: &Program, budget: Budget) -> Self {
@@ -109,12 +140,27 @@ impl Formulas {
     pub fn shown(&self, format: Format, most_terms: usize) -> Vec<Shown> {
         let shown = |entry: &Entry| Shown {
             function: entry.function,
-            name: write::entry_name(format, entry.symbol, &entry.indices),
+            name: write::entry_name(format, entry.title()),
             formula: entry
                 .readable(most_terms)
                 .map(|formula| write::written(format, &self.names, formula)),
         };
         self.entries.iter().map(shown).collect()
+    }
+
+    /// The values whose formulas have at most `most_terms` terms, as equations.
+    pub fn equations(&self, most_terms: usize) -> Vec<Equation> {
+        let equation = |entry: &Entry| {
+            let formula = entry.readable(most_terms).ok()?;
+            let in_format = |format| write::equation(format, &self.names, entry.title(), formula);
+            Some(Equation {
+                name: write::entry_name(Format::Text, entry.title()),
+                text: in_format(Format::Text),
+                latex: in_format(Format::Latex),
+                mathml: in_format(Format::MathMl),
+            })
+        };
+        self.entries.iter().filter_map(equation).collect()
     }
 
     /// What the short names of sines and cosines in the formulas of at most `most_terms` terms mean:
@@ -127,6 +173,11 @@ impl Formulas {
 }
 
 impl Entry {
+    /// The letter of the function and the indices of the value.
+    fn title(&self) -> (&str, &[usize]) {
+        (self.symbol, &self.indices)
+    }
+
     fn readable(&self, most_terms: usize) -> Result<&Expression, TooLong> {
         match &self.formula {
             Err(too_long) => Err(*too_long),

@@ -103,7 +103,11 @@ impl Structure {
             clauses.extend(count(&self.zero, "zero"));
             clauses.extend(count(&self.constant, "constant"));
             let all = self.variable.keys().flatten().copied().collect();
-            clauses.push(format!("of {} values all depend on {} at most", self.values, list(&all)));
+            clauses.push(format!(
+                "of {} values all depend on {} at most",
+                self.values,
+                list(&all)
+            ));
             return sentence(&clauses);
         }
         for (names, what) in [(&self.zero, "zero"), (&self.constant, "constant")] {
@@ -112,8 +116,16 @@ impl Structure {
             }
         }
         for (variables, names) in &self.variable {
-            let depend = if names.len() == 1 { "depends" } else { "depend" };
-            clauses.push(format!("{} {depend} on {}", names.join(", "), list(variables)));
+            let depend = if names.len() == 1 {
+                "depends"
+            } else {
+                "depend"
+            };
+            clauses.push(format!(
+                "{} {depend} on {}",
+                names.join(", "),
+                list(variables)
+            ));
         }
         sentence(&clauses)
     }
@@ -197,8 +209,11 @@ fn is_symmetric(outputs: &[Output], indices: &[Vec<usize>]) -> bool {
         let place = indices.iter().position(|index| *index == [i, j]);
         place.map(|place| outputs[place])
     };
-    indices.iter().enumerate().all(|(k, index)| match index.as_slice() {
-        [i, j] => at(*j, *i) == Some(outputs[k]),
-        _ => false,
-    })
+    indices
+        .iter()
+        .enumerate()
+        .all(|(k, index)| match index.as_slice() {
+            [i, j] => at(*j, *i) == Some(outputs[k]),
+            _ => false,
+        })
 }

@@ -5,6 +5,8 @@ impl Arm {
     ///
     /// Operations: 0 multiplications, 0 additions.
     ///
+    /// M12, M13, M23 are zero; M11, M22, M33 are constant.
+    ///
     /// ```text
     /// M11 = 22
     /// M12 = 0
@@ -32,6 +34,8 @@ impl Arm {
     ///
     /// Operations: 0 multiplications, 0 additions.
     ///
+    /// V1, V2, V3 are zero.
+    ///
     /// ```text
     /// V1 = 0
     /// V2 = 0
@@ -54,6 +58,8 @@ impl Arm {
     ///
     /// Operations: 0 multiplications, 0 additions.
     ///
+    /// G2, G3 are zero; G1 is constant.
+    ///
     /// ```text
     /// G1 = 215.82
     /// G2 = 0
@@ -74,6 +80,8 @@ impl Arm {
     /// `qd`: joint velocities, m per s.
     ///
     /// Operations: 6 multiplications, 3 additions.
+    ///
+    /// F1 depends on qd1; F2 depends on qd2; F3 depends on qd3.
     ///
     /// ```text
     /// F1 = 5 qd1 + 8 sign(qd1)
@@ -108,10 +116,12 @@ impl Arm {
     ///
     /// Operations: 8 multiplications, 7 additions.
     ///
+    /// tau1 depends on qd1, qdd1; tau2 depends on qd2, qdd2; tau3 depends on qd3, qdd3.
+    ///
     /// ```text
-    /// tau1 = 8 sign(qd1) + 5 qd1 + 22 (qdd1 + 9.81)
-    /// tau2 = 6 sign(qd2) + 10 qdd2 + 4 qd2
-    /// tau3 = 3 (qd3 + qdd3 + 1.3333333333333333 sign(qd3))
+    /// tau1 = 215.82 + 5 qd1 + 8 sign(qd1) + 22 qdd1
+    /// tau2 = 4 qd2 + 6 sign(qd2) + 10 qdd2
+    /// tau3 = 3 qd3 + 4 sign(qd3) + 3 qdd3
     /// ```
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
@@ -160,7 +170,7 @@ impl Arm {
     /// Operations: 6 multiplications, 4 additions.
     ///
     /// ```text
-    /// T = 6 (0.25 (qd3 qd3 + qd2 qd2 + qd1 qd1) + qd1 qd1 + 0.5833333333333334 (qd2 qd2 + qd1 qd1))
+    /// T = 11 qd1^2 + 5 qd2^2 + 3/2 qd3^2
     /// ```
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
@@ -190,7 +200,7 @@ impl Arm {
     /// Operations: 1 multiplication, 1 addition.
     ///
     /// ```text
-    /// U = (-215.82) (0.04045454545454545 - q1)
+    /// U = -8.7309 + 215.82 q1
     /// ```
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.

@@ -5,11 +5,14 @@ impl Arm {
     ///
     /// Operations: 6 multiplications, 4 additions, sine and cosine of one angle.
     ///
+    /// M22 is constant; M11, M12 depend on q2.
+    ///
     /// ```text
-    /// M11 = l2 m2 l2 + l1 cos(q2) m2 l2 + l1 l1 (m2 + m1) + l1 cos(q2) m2 l2
-    /// M12 = l2 m2 l2 + l1 cos(q2) m2 l2
-    /// M21 = l2 m2 l2 + l1 cos(q2) m2 l2
-    /// M22 = l2 m2 l2
+    /// M11 = l1^2 (m1 + m2) + m2 l2^2 + 2 m2 l1 l2 c2
+    /// M12 = m2 l2^2 + m2 l1 l2 c2
+    /// M21 = m2 l2^2 + m2 l1 l2 c2
+    /// M22 = m2 l2^2
+    /// with c2 = cos(q2)
     /// ```
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
@@ -27,9 +30,12 @@ impl Arm {
     ///
     /// Operations: 7 multiplications, 2 additions, sine and cosine of one angle.
     ///
+    /// V2 depends on q2, qd1; V1 depends on q2, qd1, qd2.
+    ///
     /// ```text
-    /// V1 = -qd2 (qd1 m2 l2 l1 sin(q2) + qd2 m2 l2 l1 sin(q2) + qd1 m2 l2 l1 sin(q2))
-    /// V2 = qd1 qd1 m2 l2 l1 sin(q2)
+    /// V1 = -2 m2 l1 l2 s2 qd1 qd2 - m2 l1 l2 s2 qd2^2
+    /// V2 = m2 l1 l2 s2 qd1^2
+    /// with s2 = sin(q2)
     /// ```
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
@@ -48,9 +54,12 @@ impl Arm {
     ///
     /// Operations: 8 multiplications, 3 additions, sines and cosines of 2 angles.
     ///
+    /// G1, G2 depend on q1, q2.
+    ///
     /// ```text
-    /// G1 = g (cos(q1) l1 (m2 + m1) + m2 l2 (cos(q1) cos(q2) - sin(q1) sin(q2)))
-    /// G2 = g m2 l2 (cos(q1) cos(q2) - sin(q1) sin(q2))
+    /// G1 = (m1 + m2) l1 g c1 + m2 l2 g c12
+    /// G2 = m2 l2 g c12
+    /// with c1 = cos(q1), c12 = cos(q1 + q2)
     /// ```
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
@@ -67,6 +76,14 @@ impl Arm {
     /// `q`: joint positions, rad; `qd`: joint velocities, rad per s; `qdd`: joint accelerations, rad per s^2.
     ///
     /// Operations: 18 multiplications, 10 additions, sines and cosines of 2 angles.
+    ///
+    /// tau1 depends on q1, q2, qd1, qd2, qdd1, qdd2; tau2 depends on q1, q2, qd1, qdd1, qdd2.
+    ///
+    /// ```text
+    /// tau1 = (m1 + m2) l1 g c1 + m2 l2 g c12 - 2 m2 l1 l2 s2 qd1 qd2 - m2 l1 l2 s2 qd2^2 + (l1^2 (m1 + m2) + m2 l2^2 + 2 m2 l1 l2 c2) qdd1 + (m2 l2^2 + m2 l1 l2 c2) qdd2
+    /// tau2 = m2 l2 g c12 + m2 l1 l2 s2 qd1^2 + (m2 l2^2 + m2 l1 l2 c2) qdd1 + m2 l2^2 qdd2
+    /// with c1 = cos(q1), c12 = cos(q1 + q2), c2 = cos(q2), s2 = sin(q2)
+    /// ```
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
     #[inline]
@@ -114,7 +131,8 @@ impl Arm {
     /// Operations: 11 multiplications, 4 additions, sine and cosine of one angle.
     ///
     /// ```text
-    /// T = 0.5 ((m2 + m1) l1 qd1 l1 qd1 + (qd1 + qd2) l2 m2 l2 (qd1 + qd2)) + m2 l2 cos(q2) l1 qd1 (qd1 + qd2)
+    /// T = (1/2 l1^2 (m1 + m2) + 1/2 m2 l2^2 + m2 l1 l2 c2) qd1^2 + (m2 l2^2 + m2 l1 l2 c2) qd1 qd2 + 1/2 m2 l2^2 qd2^2
+    /// with c2 = cos(q2)
     /// ```
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
@@ -153,7 +171,8 @@ impl Arm {
     /// Operations: 7 multiplications, 3 additions, sines and cosines of 2 angles.
     ///
     /// ```text
-    /// U = g (cos(q1) sin(q2) m2 l2 + sin(q1) (l1 (m2 + m1) + cos(q2) m2 l2))
+    /// U = (m1 + m2) l1 g s1 + m2 l2 g s12
+    /// with s1 = sin(q1), s12 = sin(q1 + q2)
     /// ```
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.

@@ -5,11 +5,14 @@ impl Arm {
     ///
     /// Operations: 0 multiplications, 3 additions, sine and cosine of one angle.
     ///
+    /// M22 is constant; M11, M12 depend on q2.
+    ///
     /// ```text
-    /// M11 = 8.333333333333334 + cos(q2) + cos(q2)
-    /// M12 = 0.3333333333333333 + cos(q2)
-    /// M21 = 0.3333333333333333 + cos(q2)
-    /// M22 = 0.3333333333333333
+    /// M11 = 8.333333333333334 + 2 c2
+    /// M12 = 0.33333333333333333 + c2
+    /// M21 = 0.33333333333333333 + c2
+    /// M22 = 0.33333333333333333
+    /// with c2 = cos(q2)
     /// ```
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
@@ -27,9 +30,12 @@ impl Arm {
     ///
     /// Operations: 4 multiplications, 2 additions, sine and cosine of one angle.
     ///
+    /// V2 depends on q2, qd1; V1 depends on q2, qd1, qd2.
+    ///
     /// ```text
-    /// V1 = sin(q2) qd1 qd1 - sin(q2) (qd1 + qd2) (qd1 + qd2)
-    /// V2 = sin(q2) qd1 qd1
+    /// V1 = -2 s2 qd1 qd2 - s2 qd2^2
+    /// V2 = s2 qd1^2
+    /// with s2 = sin(q2)
     /// ```
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
@@ -48,9 +54,12 @@ impl Arm {
     ///
     /// Operations: 4 multiplications, 2 additions, sines and cosines of 2 angles.
     ///
+    /// G1, G2 depend on q1, q2.
+    ///
     /// ```text
-    /// G1 = 49.05 cos(q1) + 4.905 (cos(q1) cos(q2) - sin(q1) sin(q2))
-    /// G2 = 4.905 (cos(q1) cos(q2) - sin(q1) sin(q2))
+    /// G1 = 49.05 c1 + 4.905 c12
+    /// G2 = 4.905 c12
+    /// with c1 = cos(q1), c12 = cos(q1 + q2)
     /// ```
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
@@ -67,6 +76,8 @@ impl Arm {
     /// `qd`: joint velocities, rad per s.
     ///
     /// Operations: 0 multiplications, 0 additions.
+    ///
+    /// F1, F2 are zero.
     ///
     /// ```text
     /// F1 = 0
@@ -91,6 +102,8 @@ impl Arm {
     ///
     /// Operations: 0 multiplications, 0 additions.
     ///
+    /// K1, K2 are zero.
+    ///
     /// ```text
     /// K1 = 0
     /// K2 = 0
@@ -114,9 +127,12 @@ impl Arm {
     ///
     /// Operations: 11 multiplications, 10 additions, sines and cosines of 2 angles.
     ///
+    /// tau1 depends on q1, q2, qd1, qd2, qdd1, qdd2; tau2 depends on q1, q2, qd1, qdd1, qdd2.
+    ///
     /// ```text
-    /// tau1 = 8 qdd1 + 49.05 cos(q1) + cos(q2) (qdd1 + qdd2) - sin(q2) (qd1 + qd2) (qd1 + qd2) + cos(q2) (qdd1 + 4.905 cos(q1)) + 0.3333333333333333 (qdd1 + qdd2) + sin(q2) (qd1 qd1 - 4.905 sin(q1))
-    /// tau2 = cos(q2) (qdd1 + 4.905 cos(q1)) + 0.3333333333333333 (qdd1 + qdd2) + sin(q2) (qd1 qd1 - 4.905 sin(q1))
+    /// tau1 = 49.05 c1 + 4.905 c12 - 2 s2 qd1 qd2 - s2 qd2^2 + (8.333333333333334 + 2 c2) qdd1 + (0.33333333333333333 + c2) qdd2
+    /// tau2 = 4.905 c12 + s2 qd1^2 + (0.33333333333333333 + c2) qdd1 + 0.33333333333333333 qdd2
+    /// with c1 = cos(q1), c12 = cos(q1 + q2), c2 = cos(q2), s2 = sin(q2)
     /// ```
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
@@ -165,7 +181,8 @@ impl Arm {
     /// Operations: 6 multiplications, 3 additions, sine and cosine of one angle.
     ///
     /// ```text
-    /// T = 4 (qd1 qd1 + 0.041666666666666664 (qd1 + qd2) (qd1 + qd2)) + (qd1 + qd2) qd1 cos(q2)
+    /// T = (4.166666666666667 + c2) qd1^2 + (0.33333333333333333 + c2) qd1 qd2 + 0.16666666666666666 qd2^2
+    /// with c2 = cos(q2)
     /// ```
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
@@ -194,7 +211,8 @@ impl Arm {
     /// Operations: 3 multiplications, 2 additions, sines and cosines of 2 angles.
     ///
     /// ```text
-    /// U = 4.905 (cos(q1) sin(q2) + sin(q1) (10 + cos(q2)))
+    /// U = 49.05 s1 + 4.905 s12
+    /// with s1 = sin(q1), s12 = sin(q1 + q2)
     /// ```
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
@@ -253,11 +271,14 @@ impl Arm {
     ///
     /// Operations: 2 multiplications, 1 addition, sine and cosine of one angle.
     ///
+    /// C22 is zero; C21 depends on q2, qd1; C12 depends on q2, qd1, qd2; C11 depends on q2, qd2.
+    ///
     /// ```text
-    /// C11 = -sin(q2) qd2
-    /// C12 = -(sin(q2) qd2 + qd1 sin(q2))
-    /// C21 = qd1 sin(q2)
+    /// C11 = -s2 qd2
+    /// C12 = -s2 qd1 - s2 qd2
+    /// C21 = s2 qd1
     /// C22 = 0
+    /// with s2 = sin(q2)
     /// ```
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
@@ -285,9 +306,12 @@ impl Arm {
     ///
     /// Operations: 1 multiplication, 0 additions, sine and cosine of one angle.
     ///
+    /// B21 is zero; B11 depends on q2.
+    ///
     /// ```text
-    /// B11 = -2 sin(q2)
+    /// B11 = -2 s2
     /// B21 = 0
+    /// with s2 = sin(q2)
     /// ```
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
@@ -310,11 +334,14 @@ impl Arm {
     ///
     /// Operations: 0 multiplications, 0 additions, sine and cosine of one angle.
     ///
+    /// C11, C22 are zero; C12, C21 depend on q2.
+    ///
     /// ```text
     /// C11 = 0
-    /// C12 = -sin(q2)
-    /// C21 = sin(q2)
+    /// C12 = -s2
+    /// C21 = s2
     /// C22 = 0
+    /// with s2 = sin(q2)
     /// ```
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
@@ -338,6 +365,28 @@ impl Arm {
     /// `q`: joint positions, rad.
     ///
     /// Operations: 6 multiplications, 4 additions, sines and cosines of 2 angles.
+    ///
+    /// T13, T23, T31, T32, T34, T41, T42, T43 are zero; T33, T44 are constant; T11, T12, T14, T21, T22, T24 depend on q1, q2.
+    ///
+    /// ```text
+    /// T11 = c12
+    /// T12 = -s12
+    /// T13 = 0
+    /// T14 = 2 c1 + c12
+    /// T21 = s12
+    /// T22 = c12
+    /// T23 = 0
+    /// T24 = 2 s1 + s12
+    /// T31 = 0
+    /// T32 = 0
+    /// T33 = 1
+    /// T34 = 0
+    /// T41 = 0
+    /// T42 = 0
+    /// T43 = 0
+    /// T44 = 1
+    /// with c1 = cos(q1), s1 = sin(q1), c12 = cos(q1 + q2), s12 = sin(q1 + q2)
+    /// ```
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
     #[inline]
@@ -412,6 +461,24 @@ impl Arm {
     /// `q`: joint positions, rad.
     ///
     /// Operations: 6 multiplications, 4 additions, sines and cosines of 2 angles.
+    ///
+    /// J31, J32, J41, J42, J51, J52 are zero; J61, J62 are constant; J11, J12, J21, J22 depend on q1, q2.
+    ///
+    /// ```text
+    /// J11 = -2 s1 - s12
+    /// J12 = -s12
+    /// J21 = 2 c1 + c12
+    /// J22 = c12
+    /// J31 = 0
+    /// J32 = 0
+    /// J41 = 0
+    /// J42 = 0
+    /// J51 = 0
+    /// J52 = 0
+    /// J61 = 1
+    /// J62 = 1
+    /// with c1 = cos(q1), s1 = sin(q1), c12 = cos(q1 + q2), s12 = sin(q1 + q2)
+    /// ```
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
     #[inline]
@@ -983,6 +1050,15 @@ impl Arm {
     ///
     /// Operations: 6 multiplications, 3 additions, sines and cosines of 2 angles.
     ///
+    /// r3 is zero; r1, r2 depend on q1, q2.
+    ///
+    /// ```text
+    /// r1 = 5/4 c1 + 1/8 c12
+    /// r2 = 5/4 s1 + 1/8 s12
+    /// r3 = 0
+    /// with c1 = cos(q1), s1 = sin(q1), c12 = cos(q1 + q2), s12 = sin(q1 + q2)
+    /// ```
+    ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
     #[inline]
     #[allow(unused_variables, clippy::all)]
@@ -1107,6 +1183,14 @@ impl Arm {
     /// `q`: joint positions, rad; `qd`: joint velocities, rad per s.
     ///
     /// Operations: 4 multiplications, 4 additions, sine and cosine of one angle.
+    ///
+    /// p1, p2 depend on q2, qd1, qd2.
+    ///
+    /// ```text
+    /// p1 = (8.333333333333334 + 2 c2) qd1 + (0.33333333333333333 + c2) qd2
+    /// p2 = (0.33333333333333333 + c2) qd1 + 0.33333333333333333 qd2
+    /// with c2 = cos(q2)
+    /// ```
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
     #[inline]

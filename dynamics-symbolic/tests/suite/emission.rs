@@ -1,5 +1,6 @@
 //! The text of generated code: readable, and the same each time.
 
+use super::formulas::two_link_craig;
 use dynamics_symbolic::robot::{Robot, Value};
 use dynamics_symbolic::{Function, expand};
 use expect_test::expect_file;
@@ -19,18 +20,6 @@ fn text(robot: &Robot, functions: &[Function]) -> String {
     let methods = methods.iter().map(|method| &method.tokens);
     let file = syn::parse2(quote!(impl Arm { #(#methods)* } #(#traits)*)).expect("Rust");
     prettyplease::unparse(&file)
-}
-
-/// The arm of Craig's (6.60) to (6.62) with symbolic parameters.
-fn two_link_craig() -> Robot {
-    let mut robot = arms::robot("two_link_craig");
-    robot.fields = ["m1", "m2", "l1", "l2", "g"].map(str::to_owned).to_vec();
-    for (row, (mass, length)) in robot.rows.iter_mut().zip([(0, 2), (1, 3)]) {
-        row.mass = Value::field(mass);
-        row.a = Value::field(length);
-    }
-    robot.gravity[1] = -Value::field(4);
-    robot
 }
 
 #[test]

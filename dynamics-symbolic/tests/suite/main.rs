@@ -7,6 +7,7 @@ mod counts;
 mod damage;
 mod definite;
 mod emission;
+mod formulas;
 mod forward_dynamics;
 mod frames;
 mod functions;

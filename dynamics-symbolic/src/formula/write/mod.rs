@@ -54,15 +54,33 @@ pub(super) fn written(format: Format, names: &Names, formula: &Expression) -> St
     }
 }
 
-/// The name of a value of a function.
-pub(super) fn entry_name(format: Format, symbol: &str, indices: &[usize]) -> String {
-    let digits: String = indices.iter().map(usize::to_string).collect();
-    let text = format!("{symbol}{digits}");
+/// The name of a value of a function: its letter and its indices.
+pub(super) fn entry_name(format: Format, title: (&str, &[usize])) -> String {
     match format {
-        Format::Text => text,
-        Format::Latex => Latex.letter(&text, symbol, 0, &digits),
-        Format::MathMl => mathml::element(&MathMl.letter(&text, symbol, 0, &digits)),
+        Format::Text => entry(&Text, title),
+        Format::Latex => entry(&Latex, title),
+        Format::MathMl => mathml::element(&entry(&MathMl, title)),
     }
+}
+
+/// A value of a function and its formula as an equation.
+pub(super) fn equation(
+    format: Format,
+    names: &Names,
+    title: (&str, &[usize]),
+    formula: &Expression,
+) -> String {
+    let sides = |to: &dyn Notation| [entry(to, title), expression(to, names, formula)];
+    match format {
+        Format::Text => sides(&Text).join(" = "),
+        Format::Latex => sides(&Latex).join(" = "),
+        Format::MathMl => mathml::element(&sides(&MathMl).join("<mo>=</mo>")),
+    }
+}
+
+fn entry(to: &dyn Notation, (symbol, indices): (&str, &[usize])) -> String {
+    let digits: String = indices.iter().map(usize::to_string).collect();
+    to.letter(&format!("{symbol}{digits}"), symbol, 0, &digits)
 }
 
 fn expression(to: &dyn Notation, names: &Names, sum: &Expression) -> String {
@@ -99,9 +117,7 @@ fn term(to: &dyn Notation, names: &Names, term: &Term) -> String {
 
 fn factor(to: &dyn Notation, names: &Names, factor: &Factor) -> String {
     let base = match &factor.base {
-        Base::Atom(Atom::Divisor(i)) => {
-            to.parentheses(&expression(to, names, &names.divisors[*i]))
-        }
+        Base::Atom(Atom::Divisor(i)) => to.parentheses(&expression(to, names, &names.divisors[*i])),
         Base::Atom(of) => atom(to, names, *of),
         Base::Sum(sum) => to.parentheses(&expression(to, names, sum)),
     };
