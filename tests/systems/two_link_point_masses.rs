@@ -46,7 +46,9 @@ robot_dynamics! {
 #[test]
 fn formulas_as_they_are_printed() {
     let of = |function: &str, formulas: &[robot_dynamics::Formula]| {
-        let own = formulas.iter().filter(|formula| formula.function == function);
+        let own = formulas
+            .iter()
+            .filter(|formula| formula.function == function);
         own.map(|formula| formula.text).collect::<Vec<_>>()
     };
     let printed = [
@@ -61,7 +63,10 @@ fn formulas_as_they_are_printed() {
     };
     assert_eq!(texts(Modified::formulas()), texts(Standard::formulas()));
     let corner = Modified::formulas()[3];
-    assert_eq!((corner.value, corner.latex), ("M22", "M_{22} = m_{2} \\, l_{2}^{2}"));
+    assert_eq!(
+        (corner.value, corner.latex),
+        ("M22", "M_{22} = m_{2} \\, l_{2}^{2}")
+    );
     assert!(corner.mathml.starts_with("<math"));
     assert_eq!(corner.to_string(), corner.text);
 }

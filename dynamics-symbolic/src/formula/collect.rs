@@ -124,6 +124,7 @@ fn buckets(mut sum: Vec<Single>) -> Vec<Term> {
     let mut terms = Vec::new();
     while let Some(first) = sum.first() {
         let largest = contexts(first)
+            .filter(|(_, context)| !context.is_empty())
             .map(|(_, context)| {
                 let members = sum
                     .iter()
@@ -136,9 +137,8 @@ fn buckets(mut sum: Vec<Single>) -> Vec<Term> {
             terms.push(times(number(&single), &single.monomial));
             continue;
         };
-        let (members, others): (Vec<Single>, Vec<Single>) = sum
-            .into_iter()
-            .partition(|single| member(single, &context).is_some());
+        let is_member = |single: &Single| member(single, &context).is_some();
+        let (members, others): (Vec<Single>, Vec<Single>) = sum.into_iter().partition(is_member);
         sum = others;
         terms.push(together(&members, &context));
     }
@@ -151,15 +151,19 @@ fn contexts(single: &Single) -> impl Iterator<Item = (Atom, Monomial<Atom>)> {
     plain.map(|&(atom, _)| (atom, product(&single.monomial, &[(atom, -1)])))
 }
 
-/// The parameter by which a term is more than the context.
-fn member(single: &Single, context: &Monomial<Atom>) -> Option<Atom> {
-    contexts(single).find_map(|(atom, rest)| (rest == *context).then_some(atom))
+/// What a term is more than the context: a parameter, or nothing but its number.
+fn member(single: &Single, context: &Monomial<Atom>) -> Option<Option<Atom>> {
+    if single.monomial == *context {
+        return Some(None);
+    }
+    contexts(single).find_map(|(atom, rest)| (rest == *context).then_some(Some(atom)))
 }
 
 /// Members of one context as one term: the context in front of their sum.
 fn together(members: &[Single], context: &Monomial<Atom>) -> Term {
     let of_sum = |single: &Single| Term {
         factors: member(single, context)
+            .flatten()
             .map(Factor::atom)
             .into_iter()
             .collect(),
@@ -211,15 +215,11 @@ fn powers(monomial: &Monomial<Atom>) -> (Vec<Factor>, Vec<Factor>) {
 
 /// The terms of a polynomial, pi and constant angles made part of the number before the rest.
 fn numbered(atoms: &Atoms, polynomial: &Polynomial<Atom>) -> Vec<Single> {
-    let is_constant = |atom: Atom| match atom {
-        Atom::Pi => true,
-        Atom::AngleCosine(i) | Atom::AngleSine(i) => atoms.angles[i].is_number(),
-        _ => false,
-    };
     let mut by_rest: BTreeMap<Monomial<Atom>, Polynomial<Atom>> = BTreeMap::new();
     for (monomial, coefficient) in polynomial.terms() {
-        let (constant, rest): (Monomial<Atom>, Monomial<Atom>) =
-            monomial.iter().partition(|(atom, _)| is_constant(*atom));
+        let (constant, rest): (Monomial<Atom>, Monomial<Atom>) = monomial
+            .iter()
+            .partition(|(atom, _)| is_constant(atoms, *atom));
         let sum = by_rest.entry(rest).or_insert_with(Polynomial::zero);
         sum.add_term(constant, coefficient);
     }
@@ -231,7 +231,22 @@ fn numbered(atoms: &Atoms, polynomial: &Polynomial<Atom>) -> Vec<Single> {
             monomial,
         }
     };
-    by_rest.into_iter().map(single).collect()
+    // Constants may cancel in a way that only their digits show.
+    let is_zero = |single: &Single| single.number == Number::Rounded(0.0);
+    let singles = by_rest.into_iter().map(single);
+    singles.filter(|single| !is_zero(single)).collect()
+}
+
+fn is_constant(atoms: &Atoms, atom: Atom) -> bool {
+    match atom {
+        Atom::Pi => true,
+        Atom::AngleCosine(i) | Atom::AngleSine(i) => atoms.angles[i].is_number(),
+        Atom::Divisor(i) => {
+            let mut factors = atoms.divisors[i].terms().flat_map(|(monomial, _)| monomial);
+            factors.all(|(atom, _)| is_constant(atoms, *atom))
+        }
+        _ => false,
+    }
 }
 
 /// A constant as a number: exactly where it is rational.
@@ -243,11 +258,29 @@ fn rounded(atoms: &Atoms, constant: &Polynomial<Atom>) -> (bool, Number) {
         return (is_negative, Number::Exact(size));
     }
     let mut pool = ConstantPool::default();
+    let sum = pooled(atoms, &mut pool, constant);
+    let value = pool.round(|id| id == sum)[sum.index()];
+    (value < 0.0, Number::Rounded(value.abs()))
+}
+
+/// A constant as one of a pool.
+fn pooled(atoms: &Atoms, pool: &mut ConstantPool, constant: &Polynomial<Atom>) -> ConstantId {
     let mut sum = pool.push(Constant::Rational(Rational::ZERO));
     for (monomial, coefficient) in constant.terms() {
         let mut product = pool.push(Constant::Rational(coefficient.clone()));
         for &(atom, power) in monomial {
-            let factor = symbol(atoms, &mut pool, atom);
+            let factor = match atom {
+                Atom::Divisor(i) => pooled(atoms, pool, &atoms.divisors[i]),
+                Atom::AngleCosine(i) => {
+                    let angle = atoms.angles[i].clone();
+                    pool.push(Constant::Symbol(Symbol::AngleCosine(angle)))
+                }
+                Atom::AngleSine(i) => {
+                    let angle = atoms.angles[i].clone();
+                    pool.push(Constant::Symbol(Symbol::AngleSine(angle)))
+                }
+                _ => pool.push(Constant::Symbol(Symbol::Pi)),
+            };
             for _ in 0..power.unsigned_abs() {
                 product = pool.push(match power > 0 {
                     true => Constant::Mul(product, factor),
@@ -257,14 +290,5 @@ fn rounded(atoms: &Atoms, constant: &Polynomial<Atom>) -> (bool, Number) {
         }
         sum = pool.push(Constant::Add(sum, product));
     }
-    let value = pool.round(|id| id == sum)[sum.index()];
-    (value < 0.0, Number::Rounded(value.abs()))
-}
-
-fn symbol(atoms: &Atoms, pool: &mut ConstantPool, atom: Atom) -> ConstantId {
-    pool.push(Constant::Symbol(match atom {
-        Atom::AngleCosine(i) => Symbol::AngleCosine(atoms.angles[i].clone()),
-        Atom::AngleSine(i) => Symbol::AngleSine(atoms.angles[i].clone()),
-        _ => Symbol::Pi,
-    }))
+    sum
 }

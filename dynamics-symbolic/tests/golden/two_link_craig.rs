@@ -57,7 +57,7 @@ impl Arm {
     /// G1, G2 depend on q1, q2.
     ///
     /// ```text
-    /// G1 = (m1 + m2) l1 g c1 + m2 l2 g c12
+    /// G1 = l1 g (m1 + m2) c1 + m2 l2 g c12
     /// G2 = m2 l2 g c12
     /// with c1 = cos(q1), c12 = cos(q1 + q2)
     /// ```
@@ -80,7 +80,7 @@ impl Arm {
     /// tau1 depends on q1, q2, qd1, qd2, qdd1, qdd2; tau2 depends on q1, q2, qd1, qdd1, qdd2.
     ///
     /// ```text
-    /// tau1 = (m1 + m2) l1 g c1 + m2 l2 g c12 - 2 m2 l1 l2 s2 qd1 qd2 - m2 l1 l2 s2 qd2^2 + (l1^2 (m1 + m2) + m2 l2^2 + 2 m2 l1 l2 c2) qdd1 + (m2 l2^2 + m2 l1 l2 c2) qdd2
+    /// tau1 = l1 g (m1 + m2) c1 + m2 l2 g c12 - 2 m2 l1 l2 s2 qd1 qd2 - m2 l1 l2 s2 qd2^2 + (l1^2 (m1 + m2) + m2 l2^2 + 2 m2 l1 l2 c2) qdd1 + (m2 l2^2 + m2 l1 l2 c2) qdd2
     /// tau2 = m2 l2 g c12 + m2 l1 l2 s2 qd1^2 + (m2 l2^2 + m2 l1 l2 c2) qdd1 + m2 l2^2 qdd2
     /// with c1 = cos(q1), c12 = cos(q1 + q2), c2 = cos(q2), s2 = sin(q2)
     /// ```
@@ -171,7 +171,7 @@ impl Arm {
     /// Operations: 7 multiplications, 3 additions, sines and cosines of 2 angles.
     ///
     /// ```text
-    /// U = (m1 + m2) l1 g s1 + m2 l2 g s12
+    /// U = l1 g (m1 + m2) s1 + m2 l2 g s12
     /// with s1 = sin(q1), s12 = sin(q1 + q2)
     /// ```
     ///

@@ -4,7 +4,7 @@ use dynamics_symbolic::Function;
 use dynamics_symbolic::derive::derive;
 use dynamics_symbolic::exact::Rational;
 use dynamics_symbolic::formula::{Budget, Format, Formulas, Structure};
-use dynamics_symbolic::program::{Arithmetic, Program};
+use dynamics_symbolic::program::Arithmetic;
 use dynamics_symbolic::robot::{Robot, Symbol, Value};
 
 const BUDGET: Budget = Budget {
@@ -69,7 +69,7 @@ fn equations_of_craig() {
         "M22 = m2 l2^2",
         "V1 = -2 m2 l1 l2 s2 qd1 qd2 - m2 l1 l2 s2 qd2^2",
         "V2 = m2 l1 l2 s2 qd1^2",
-        "G1 = (m1 + m2) l1 g c1 + m2 l2 g c12",
+        "G1 = l1 g (m1 + m2) c1 + m2 l2 g c12",
         "G2 = m2 l2 g c12",
     ];
     assert_eq!(lines(&two_link_craig(), &TERMS, Format::Text), expected);
@@ -85,7 +85,7 @@ fn equations_of_saha() {
         "M22 = 1/3 m2 a2^2",
         "V1 = -m2 a1 a2 s2 qd1 qd2 - 1/2 m2 a1 a2 s2 qd2^2",
         "V2 = 1/2 m2 a1 a2 s2 qd1^2",
-        "G1 = (1/2 m1 + m2) a1 g c1 + 1/2 m2 a2 g c12",
+        "G1 = a1 g (1/2 m1 + m2) c1 + 1/2 m2 a2 g c12",
         "G2 = 1/2 m2 a2 g c12",
     ];
     assert_eq!(lines(&two_link_saha(), &TERMS, Format::Text), expected);
@@ -195,13 +195,32 @@ fn a_formula_that_is_too_long_says_how_long() {
     assert_eq!(too_long, "too long to read: more than 3 terms");
 }
 
+/// Constants of odd angles are one number each, whatever the program divided by, and numbers stand in
+/// the sums that they belong to.
+#[test]
+fn odd_constant_angles() {
+    let mut robot = two_link_craig();
+    robot.rows[0].alpha = arms::decimal(0.3);
+    robot.rows[1].mass = Value::integer(2);
+    let of_mass = lines(&robot, &[Function::MassMatrix], Format::Text);
+    expect_test::expect![[r#"
+        M11 = l1^2 (m1 + 2) + 1.8253356149096782 l2^2 + 0.1746643850903217 l2^2 c2^2 + 4 l1 l2 c2
+        M12 = 1.910672978251212 l2^2 + 1.910672978251212 l1 l2 c2
+        M21 = 1.910672978251212 l2^2 + 1.910672978251212 l1 l2 c2
+        M22 = 2 l2^2"#]]
+    .assert_eq(&of_mass.join("\n"));
+    for line in lines(&robot, &TERMS, Format::Text) {
+        assert!(!line.contains('/') || line.contains("1/2"), "{line}");
+    }
+}
+
 /// Fields that look like short names keep theirs: sines are then written out.
 #[test]
 fn a_field_that_is_called_as_a_sine() {
     let mut robot = two_link_craig();
     robot.fields[0] = "c1".to_owned();
     let of_gravity = lines(&robot, &[Function::GravityVector], Format::Text);
-    let expected = "G1 = (c1 + m2) l1 g cos(q1) + m2 l2 g cos(q1 + q2)";
+    let expected = "G1 = l1 g (c1 + m2) cos(q1) + m2 l2 g cos(q1 + q2)";
     assert_eq!(of_gravity[0], expected);
 }
 
