@@ -16,6 +16,7 @@ pub mod formula;
 pub mod function;
 pub mod linear;
 pub mod neglect;
+mod polynomial;
 pub mod program;
 pub mod prove;
 pub mod robot;

@@ -1,14 +1,14 @@
 //! Polynomials over named variables, to be read: the formulas of the base parameters.
 
 use crate::exact::Rational;
+use crate::polynomial::{self, product};
 use core::cell::{Cell, RefCell};
 use core::ops::{Add, Mul, Neg, Sub};
-use std::collections::BTreeMap;
 
-/// A product of powers of variables: (variable, exponent) by ascending variable.
-type Monomial = Vec<(usize, u32)>;
+/// A product of powers of variables, which are counted as they come.
+type Monomial = polynomial::Monomial<usize>;
 
-type Terms = BTreeMap<Monomial, Rational>;
+type Terms = polynomial::Polynomial<usize>;
 
 /// A polynomial with more terms than that is no help to a reader, and is not worked out.
 const MOST_TERMS: usize = 300;
@@ -37,16 +37,12 @@ impl Polynomials {
     }
 
     pub(super) fn number(&self, x: i64) -> Polynomial<'_> {
-        let terms = match x {
-            0 => Terms::new(),
-            _ => Terms::from([(Monomial::new(), Rational::from(x))]),
-        };
-        self.push(terms)
+        self.push(Terms::number(Rational::from(x)))
     }
 
     pub(super) fn variable(&self, name: String) -> Polynomial<'_> {
         let variable = self.new_name(name);
-        self.push(Terms::from([(vec![(variable, 1)], Rational::ONE)]))
+        self.push(Terms::variable(variable))
     }
 
     /// Sine and cosine of one angle.
@@ -64,10 +60,9 @@ impl Polynomials {
     }
 
     fn push(&self, mut terms: Terms) -> Polynomial<'_> {
-        terms.retain(|_, coefficient| !coefficient.is_zero());
         if terms.len() > MOST_TERMS {
             self.overflow.set(true);
-            terms.clear();
+            terms = Terms::zero();
         }
         let mut all = self.all.borrow_mut();
         all.push(terms);
@@ -78,35 +73,21 @@ impl Polynomials {
     }
 
     /// Adds a term, with squares of sines written by cosines.
-    fn add_term(&self, terms: &mut Terms, monomial: Monomial, coefficient: Rational) {
+    fn add_term(&self, terms: &mut Terms, monomial: Monomial, coefficient: &Rational) {
         let circles = self.circles.borrow();
-        let square = circles.iter().find_map(|&(sine, cosine)| {
-            let at = monomial
-                .iter()
-                .position(|&(v, power)| v == sine && power > 1)?;
-            Some((at, cosine))
+        let square = circles.iter().find(|(sine, _)| {
+            let is_square = |&(v, power): &(usize, i32)| v == *sine && power > 1;
+            monomial.iter().any(is_square)
         });
-        let Some((at, cosine)) = square else {
-            let sum = terms.entry(monomial).or_insert(Rational::ZERO);
-            *sum += coefficient;
-            return;
+        let Some(&(sine, cosine)) = square else {
+            return terms.add_term(monomial, coefficient);
         };
-        let mut rest = monomial;
-        rest[at].1 -= 2;
-        rest.retain(|&(_, power)| power > 0);
-        let with_cosine = product(&rest, &vec![(cosine, 2)]);
         drop(circles);
-        self.add_term(terms, rest, coefficient.clone());
-        self.add_term(terms, with_cosine, -coefficient);
+        let rest = product(&monomial, &[(sine, -2)]);
+        let with_cosine = product(&rest, &[(cosine, 2)]);
+        self.add_term(terms, rest, coefficient);
+        self.add_term(terms, with_cosine, &-coefficient.clone());
     }
-}
-
-fn product(a: &Monomial, b: &Monomial) -> Monomial {
-    let mut powers: BTreeMap<usize, u32> = a.iter().copied().collect();
-    for &(variable, power) in b {
-        *powers.entry(variable).or_insert(0) += power;
-    }
-    powers.into_iter().collect()
 }
 
 impl Polynomial<'_> {
@@ -115,14 +96,14 @@ impl Polynomial<'_> {
     }
 
     pub(super) fn is_zero(self) -> bool {
-        self.terms().is_empty()
+        self.terms().len() == 0
     }
 
     /// The names of the variables in it.
     pub(super) fn variables(self) -> Vec<String> {
         let names = self.arena.names.borrow();
         let terms = self.terms();
-        let variables = terms.keys().flatten();
+        let variables = terms.terms().flat_map(|(monomial, _)| monomial);
         variables.map(|&(v, _)| names[v].clone()).collect()
     }
 
@@ -148,9 +129,11 @@ impl Polynomial<'_> {
 
     /// Terms that differ in their last factor, the inertial parameter, alone.
     fn groups(self) -> Vec<Group> {
-        let mut terms: Vec<_> = self.terms().into_iter().collect();
+        let all = self.terms();
+        let mut terms: Vec<(Monomial, Rational)> =
+            all.terms().map(|(m, c)| (m.clone(), c.clone())).collect();
         terms.sort_by_key(|(monomial, _)| {
-            let degree: u32 = monomial.iter().map(|&(_, power)| power).sum();
+            let degree: i32 = monomial.iter().map(|&(_, power)| power).sum();
             (degree, monomial.last().copied(), monomial.clone())
         });
         let mut groups: Vec<Group> = Vec::new();
@@ -179,7 +162,7 @@ impl Polynomial<'_> {
     /// Without the sign of the first member.
     fn group_text(self, group: &Group) -> String {
         let names = self.arena.names.borrow();
-        let factor = |&(variable, power): &(usize, u32)| match power {
+        let factor = |&(variable, power): &(usize, i32)| match power {
             1 => names[variable].clone(),
             _ => format!("{}^{power}", names[variable]),
         };
@@ -209,7 +192,7 @@ struct Group {
     common: Monomial,
     size: Rational,
     /// The last factors, and whether the term is negative.
-    members: Vec<(Option<(usize, u32)>, bool)>,
+    members: Vec<(Option<(usize, i32)>, bool)>,
 }
 
 impl Add for Polynomial<'_> {
@@ -217,9 +200,7 @@ impl Add for Polynomial<'_> {
 
     fn add(self, other: Self) -> Self {
         let mut terms = self.terms();
-        for (monomial, coefficient) in other.terms() {
-            *terms.entry(monomial).or_insert(Rational::ZERO) += coefficient;
-        }
+        terms.add_multiple(&other.terms(), &Rational::ONE);
         self.arena.push(terms)
     }
 }
@@ -228,8 +209,9 @@ impl Neg for Polynomial<'_> {
     type Output = Self;
 
     fn neg(self) -> Self {
-        let terms = self.terms().into_iter();
-        self.arena.push(terms.map(|(m, c)| (m, -c)).collect())
+        let mut terms = Terms::zero();
+        terms.add_multiple(&self.terms(), &-Rational::ONE);
+        self.arena.push(terms)
     }
 }
 
@@ -245,11 +227,11 @@ impl Mul for Polynomial<'_> {
     type Output = Self;
 
     fn mul(self, other: Self) -> Self {
-        let mut terms = Terms::new();
+        let mut terms = Terms::zero();
         let (left, right) = (self.terms(), other.terms());
-        for (a, x) in &left {
-            for (b, y) in &right {
-                self.arena.add_term(&mut terms, product(a, b), x * y);
+        for (a, x) in left.terms() {
+            for (b, y) in right.terms() {
+                self.arena.add_term(&mut terms, product(a, b), &(x * y));
             }
         }
         self.arena.push(terms)

@@ -7,8 +7,8 @@
 
 use super::atom::{Atom, Run};
 use super::expand::add_reduced;
-use super::polynomial::{Monomial, Polynomial, product};
 use crate::exact::Rational;
+use crate::polynomial::{Monomial, Polynomial, product};
 use crate::robot::{Angle, Convention, JointType, Robot, Value};
 use std::collections::BTreeMap;
 

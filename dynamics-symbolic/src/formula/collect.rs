@@ -3,8 +3,8 @@
 use super::atom::Atom;
 use super::expand::Atoms;
 use super::expression::{Base, Expression, Factor, Number, Term};
-use super::polynomial::{Monomial, Polynomial, exponent, inverse, product};
 use crate::exact::Rational;
+use crate::polynomial::{Monomial, Polynomial, exponent, inverse, product};
 use crate::program::{Constant, ConstantId, ConstantPool};
 use crate::robot::Symbol;
 use std::collections::BTreeMap;

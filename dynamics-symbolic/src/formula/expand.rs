@@ -3,8 +3,8 @@
 use super::TooLong;
 use super::angles::Groups;
 use super::atom::Atom;
-use super::polynomial::{Monomial, Polynomial, inverse, product};
 use crate::exact::Rational;
+use crate::polynomial::{Monomial, Polynomial, inverse, product};
 use crate::program::{Arithmetic, Program};
 use crate::robot::{Symbol, Value};
 use std::rc::Rc;

@@ -12,7 +12,6 @@ mod collect;
 mod expand;
 mod expression;
 mod names;
-mod polynomial;
 mod structure;
 mod write;
 
