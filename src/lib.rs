@@ -3,3 +3,6 @@
 #![forbid(unsafe_code)]
 
 pub use dynamics_runtime::*;
+
+#[cfg(feature = "runtime-robot")]
+pub use dynamics_evaluation as evaluation;

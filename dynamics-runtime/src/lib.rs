@@ -87,6 +87,8 @@ pub use simulation::{
     Simulation, SimulationError, Taylor, TaylorSimulation, ToolForce, Trajectory, Work,
 };
 #[doc(hidden)]
+pub use sine::sin_cos_column;
+#[doc(hidden)]
 pub use sines::{Evaluated, JointSines};
 pub use singular::SingularMassMatrix;
 pub use table::{Convention, JointType, Row, Spring, Stribeck, Table};

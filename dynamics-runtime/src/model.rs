@@ -15,6 +15,11 @@ pub trait Model<const N: usize> {
 
     /// The table as numbers.
     fn table(&self) -> Table<N>;
+
+    /// The names of the joints, where they are known at run time alone.
+    fn joint_names(&self) -> [&str; N] {
+        Self::JOINT_NAMES
+    }
 }
 
 /// An arm whose joint accelerations can be computed: what a simulation needs.

@@ -5,7 +5,7 @@ use crate::emit;
 use crate::formula::{Equation, Formulas, MOST_TERMS};
 use crate::function::{Function, Fused, Request};
 use crate::neglect::{STATES, largest_error};
-use crate::program::{Operations, Program};
+use crate::program::{Operations, Program, Proven};
 use crate::prove::{ProofFailure, prove, prove_together};
 use crate::robot::Robot;
 use core::fmt;
@@ -51,6 +51,8 @@ pub enum Reason {
         /// The joint's name.
         joint: String,
     },
+    /// It is written over Taylor series, and not as a program over numbers.
+    OverSeries,
 }
 
 impl fmt::Display for Failure {
@@ -63,6 +65,10 @@ impl fmt::Display for Failure {
                 f,
                 "`{name}` does not follow friction that falls with the velocity: ask for other functions, \
                  or leave out `stribeck` of `{joint}`"
+            ),
+            (Reason::OverSeries, _) => write!(
+                f,
+                "`{name}` is no program over numbers: only the macro `robot_dynamics!` generates it"
             ),
             (Reason::Overflow, _) => write!(
                 f,
@@ -215,11 +221,7 @@ fn method(
     notes: &[String],
     path: &TokenStream,
 ) -> Result<Method, Reason> {
-    prove_together(robot, request.parts(), &program).map_err(Reason::Proof)?;
-    let constants = program.rounded_constants();
-    if constants.iter().any(|x| x.is_infinite()) {
-        return Err(Reason::Overflow);
-    }
+    let Proven { program, constants } = proven(robot, request, program)?;
     let formulas = Formulas::of_short_arm(robot, request.parts(), &program);
     let emitted = emit::method(
         robot,
@@ -235,6 +237,34 @@ fn method(
         equations,
         ..method_of(request.clone(), emitted, &[&program])
     })
+}
+
+/// The program of what is asked for, which the macro writes down, and others evaluate or write down in
+/// another language.
+///
+/// # Errors
+///
+/// As [`expand`]; besides where `taylor_series` is asked for, which is no program over numbers.
+pub fn proven_program(robot: &Robot, request: &Request) -> Result<Proven, Failure> {
+    let failure = |reason| Failure {
+        request: request.clone(),
+        reason,
+    };
+    if request.function() == Some(Function::TaylorSeries) {
+        return Err(failure(Reason::OverSeries));
+    }
+    let program = derive_together(robot, request.parts());
+    proven(robot, request, program).map_err(failure)
+}
+
+/// Proves a program and rounds its constants.
+fn proven(robot: &Robot, request: &Request, program: Program) -> Result<Proven, Reason> {
+    prove_together(robot, request.parts(), &program).map_err(Reason::Proof)?;
+    let constants = program.rounded_constants();
+    match constants.iter().any(|x| x.is_infinite()) {
+        true => Err(Reason::Overflow),
+        false => Ok(Proven { program, constants }),
+    }
 }
 
 /// Proves and emits the two programs of Taylor series: the equations of motion, and the mass

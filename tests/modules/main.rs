@@ -56,6 +56,7 @@ fn modules_form_no_circles() {
         "dynamics-codegen",
         "dynamics-macros",
         "dynamics-runtime",
+        "dynamics-evaluation",
     ] {
         let circles = circles_of(name);
         assert!(circles.is_empty(), "{name}: {circles:#?}");

@@ -6,10 +6,9 @@
 mod printed;
 
 use arms::{Bodies, Tables};
+use dynamics_evaluation::RuntimeRobot;
 use dynamics_symbolic::Function;
-use dynamics_symbolic::derive::derive;
 use dynamics_symbolic::robot::Robot;
-use interpreter::Interpreted;
 use robot_dynamics::Check;
 
 /// The functions that are compared.
@@ -74,10 +73,10 @@ impl Tally {
         let is_mounted = robot.base.is_some() || robot.tool.is_some();
         let of_the_tip = OF_THE_TIP.into_iter().filter(|_| is_mounted);
         let functions = FUNCTIONS.into_iter().chain(of_the_tip);
-        let programs = functions.map(|function| (function, derive(robot, function)));
-        let programs: Vec<_> = programs.collect();
-        let arm = Interpreted::<N>::new(robot, fields, &programs);
-        let report = Check::new().samples(8).run(&arm);
+        let mut arm = RuntimeRobot::new(robot.clone(), functions).expect("programs are proven");
+        arm.set_fields(fields).expect("a value for each field");
+        let typed = arm.typed::<N>().expect("so many joints");
+        let report = Check::new().samples(8).run(&typed);
         assert!(report.is_ok(), "{label}: {report}\n{robot:#?}\n{fields:?}");
         self.arms += 1;
         self.solved += usize::from(!report.not_compared.contains(&"forward_dynamics"));

@@ -129,7 +129,7 @@ impl Check {
         let numeric = NewtonEuler::new(&table);
         let mut states = self.states(table.rows.each_ref().map(|row| row.joint_type));
         states.extend(self.slow_states(&table));
-        let mut report = Report::new(&R::JOINT_NAMES, states.len(), self.seed);
+        let mut report = Report::new(&robot.joint_names(), states.len(), self.seed);
         // The regressor of the potential energy leaves a constant open: that of the first state.
         let mut data = BTreeMap::new();
         for (label, state) in &states {

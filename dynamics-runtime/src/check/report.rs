@@ -28,7 +28,7 @@ pub struct Report {
     /// The state at which the mass matrix of the table is nearest to singular: its name, the joint and
     /// the least pivot.
     pub nearest_to_singular: Option<(String, Conditioning)>,
-    joint_names: Vec<&'static str>,
+    joint_names: Vec<String>,
 }
 
 /// The largest error of one function, relative to the natural scale of its values.
@@ -72,14 +72,14 @@ impl FunctionReport {
 }
 
 impl Report {
-    pub(super) fn new(joint_names: &[&'static str], states: usize, seed: u64) -> Self {
+    pub(super) fn new(joint_names: &[&str], states: usize, seed: u64) -> Self {
         Report {
             functions: Vec::new(),
             not_compared: Vec::new(),
             states,
             seed,
             nearest_to_singular: None,
-            joint_names: joint_names.into(),
+            joint_names: joint_names.iter().map(|&name| name.into()).collect(),
         }
     }
 
@@ -229,7 +229,7 @@ impl Report {
             format!("{:.1e}", row.error),
             format!("{:.1e}", row.tolerance),
             if row.is_ok() { "ok" } else { "WRONG" }.into(),
-            row.joint.map_or("", |i| self.joint_names[i]).into(),
+            row.joint.map_or("", |i| &self.joint_names[i]).into(),
             row.label.clone(),
         ]
     }

@@ -22,10 +22,21 @@ impl<const N: usize> Table<N> {
         rows: [Row; L],
         positions: [Option<f64>; L],
     ) -> Self {
+        Self::lock_rows(convention, gravity, &rows, &positions)
+    }
+
+    /// [`Table::lock`] of as many rows as there are.
+    #[doc(hidden)]
+    pub fn lock_rows(
+        convention: Convention,
+        gravity: [f64; 3],
+        rows: &[Row],
+        positions: &[Option<f64>],
+    ) -> Self {
         let mut moving: [Row; N] = [Row::new(JointType::Revolute); N];
         let mut count = 0;
         let mut start = Pose::identity();
-        for (row, position) in rows.iter().zip(positions) {
+        for (row, &position) in rows.iter().zip(positions) {
             match position {
                 None => {
                     moving[count] = *row;

@@ -5,12 +5,14 @@
 //! has them, and no operation that rounds otherwise where it is fused: every processor and every number of
 //! lanes gives the same digits. Angles beyond [`Kernel::LARGEST`] are reduced exactly, one by one.
 
+mod columns;
 mod double;
 mod lanes;
 mod single;
 #[cfg(test)]
 mod tests;
 
+pub use columns::sin_cos_column;
 use fearless_simd::{Level, SimdBase, SimdFrom, dispatch, f32x4, f32x8, f64x2, f64x4, f64x8};
 use lanes::Reduced;
 pub(crate) use lanes::{Kernel, Lanes};

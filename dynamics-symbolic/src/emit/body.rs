@@ -3,7 +3,7 @@
 use super::inputs::{constants_of, input_name, inputs, literal, reads_cells};
 use super::names::ident;
 use crate::function::{Function, Request, Shape, Sizes, sizes_of, spans};
-use crate::program::{Instruction, Operand, Output, Program, Readers};
+use crate::program::{Instruction, Line, Operand, Output, Program, Rest};
 use crate::robot::Robot;
 use core::ops::Range;
 use proc_macro2::{Ident, Literal, Punct, Spacing, TokenStream, TokenTree};
@@ -19,18 +19,9 @@ const GROUP: usize = 200;
 /// A program of more results is written in [parts](super::parts).
 const MOST_IN_ONE_FUNCTION: usize = 5_000;
 
-/// How a result appears in the text.
-#[derive(Clone, Copy, PartialEq)]
-enum Use {
-    /// As a variable.
-    Named,
-    /// A product that is written into the one sum that reads it.
-    Inlined,
-}
-
 pub(super) struct Writer<'p> {
     pub(super) program: &'p Program,
-    uses: Vec<Use>,
+    lines: Vec<Option<Line>>,
     constants: &'p [f64],
     inputs: Vec<Ident>,
     /// Of each result, the variable that holds it, if one does.
@@ -56,12 +47,12 @@ pub(super) fn body(
 
 impl<'p> Writer<'p> {
     fn new(robot: &Robot, program: &'p Program, constants: &'p [f64]) -> Self {
-        let uses = uses(program);
+        let lines = program.lines();
         let mut count = 0;
-        let names = uses
+        let names = lines
             .iter()
-            .map(|&used| {
-                (used == Use::Named).then(|| {
+            .map(|line| {
+                line.map(|_| {
                     count += 1;
                     ident(&format!("t_{count}"))
                 })
@@ -75,7 +66,7 @@ impl<'p> Writer<'p> {
             .collect();
         Writer {
             program,
-            uses,
+            lines,
             constants,
             inputs,
             names,
@@ -123,7 +114,9 @@ impl<'p> Writer<'p> {
     fn assign(&self, index: usize, tokens: &mut Vec<TokenTree>) {
         tokens.extend(self.names[index].clone().map(TokenTree::from));
         tokens.push(punct('='));
-        self.write(&self.program.instructions[index], tokens);
+        if let Some(line) = &self.lines[index] {
+            self.write(line, tokens);
+        }
         tokens.push(punct(';'));
     }
 
@@ -134,18 +127,27 @@ impl<'p> Writer<'p> {
         tokens.into_iter().collect()
     }
 
-    fn write(&self, instruction: &Instruction, tokens: &mut Vec<TokenTree>) {
-        let (a, b) = instruction.operands();
-        if let Some(fused) = self.fused(instruction) {
-            tokens.extend(fused);
-            return;
+    fn write(&self, line: &Line, tokens: &mut Vec<TokenTree>) {
+        match *line {
+            Line::Single(instruction) => {
+                let (a, b) = instruction.operands();
+                let operator = match instruction {
+                    Instruction::Add(..) => '+',
+                    Instruction::Sub(..) => '-',
+                    Instruction::Mul(..) => '*',
+                    Instruction::Div(..) => '/',
+                };
+                self.write_operation(a, operator, b, tokens);
+            }
+            Line::Fused {
+                product,
+                is_subtracted,
+                rest,
+            } => tokens.extend(self.fused(product, is_subtracted, rest)),
         }
-        let operator = match instruction {
-            Instruction::Add(..) => '+',
-            Instruction::Sub(..) => '-',
-            Instruction::Mul(..) => '*',
-            Instruction::Div(..) => '/',
-        };
+    }
+
+    fn write_operation(&self, a: Operand, operator: char, b: Operand, tokens: &mut Vec<TokenTree>) {
         self.write_operand(a, tokens);
         tokens.push(punct(operator));
         self.write_operand(b, tokens);
@@ -153,50 +155,38 @@ impl<'p> Writer<'p> {
 
     /// A sum with a product in it: a b + c as `a.mul_add(b, c)`, which the
     /// runtime makes one operation where the target has it, and two elsewhere.
-    fn fused(&self, instruction: &Instruction) -> Option<TokenStream> {
-        let read = |operand| self.operand(operand);
-        let (a, b) = match *instruction {
-            Instruction::Add(a, b) | Instruction::Sub(a, b) => (a, b),
-            _ => return None,
+    fn fused(&self, (x, y): (Operand, Operand), is_subtracted: bool, rest: Rest) -> TokenStream {
+        let x = match x {
+            Operand::Constant(id) if is_subtracted => self.constant(-self.constants[id.index()]),
+            _ if is_subtracted => {
+                let x = self.operand(x);
+                quote!((-#x))
+            }
+            _ => self.operand(x),
         };
-        let is_difference = matches!(instruction, Instruction::Sub(..));
-        if let Some((x, y)) = self.inlined_product(b) {
-            let (y, a) = (read(y), read(a));
-            let x = match x {
-                Operand::Constant(id) if is_difference => {
-                    self.constant(-self.constants[id.index()])
-                }
-                _ if is_difference => {
-                    let x = read(x);
-                    quote!((-#x))
-                }
-                _ => read(x),
-            };
-            return Some(quote!(#x.mul_add(#y, #a)));
-        }
-        let (x, y) = self.inlined_product(a)?;
-        let (x, y, b) = (read(x), read(y), read(b));
-        let b = if is_difference { quote!(-#b) } else { b };
-        Some(quote!(#x.mul_add(#y, #b)))
-    }
-
-    fn inlined_product(&self, operand: Operand) -> Option<(Operand, Operand)> {
-        let Operand::Result(index) = operand else {
-            return None;
+        let y = self.operand(y);
+        let rest = match rest {
+            Rest::Plus(a) => self.operand(a),
+            Rest::Minus(a) => {
+                let a = self.operand(a);
+                quote!(-#a)
+            }
+            Rest::Product(a, b) => {
+                let mut tokens = Vec::new();
+                self.write_operation(a, '*', b, &mut tokens);
+                tokens.into_iter().collect()
+            }
         };
-        let is_inlined = self.uses[index as usize] == Use::Inlined;
-        is_inlined.then(|| self.program.instructions[index as usize].operands())
+        quote!(#x.mul_add(#y, #rest))
     }
 
     fn write_operand(&self, operand: Operand, tokens: &mut Vec<TokenTree>) {
         match operand {
             Operand::Constant(id) => tokens.extend(self.constant(self.constants[id.index()])),
             Operand::Input(index) => tokens.push(self.inputs[index as usize].clone().into()),
+            // Products without a name are read by the line that they are written into alone.
             Operand::Result(index) => {
-                match (&self.names[index as usize], self.uses[index as usize]) {
-                    (Some(name), Use::Named) => tokens.push(name.clone().into()),
-                    _ => self.write(&self.program.instructions[index as usize], tokens),
-                }
+                tokens.extend(self.names[index as usize].clone().map(TokenTree::from));
             }
         }
     }
@@ -321,14 +311,4 @@ impl PivotTests {
 
 fn punct(c: char) -> TokenTree {
     Punct::new(c, Spacing::Alone).into()
-}
-
-/// A product that only one sum reads is written into that sum.
-fn uses(program: &Program) -> Vec<Use> {
-    let used = |(instruction, readers)| match (instruction, readers) {
-        (&Instruction::Mul(..), Readers::OneSum) => Use::Inlined,
-        _ => Use::Named,
-    };
-    let results = program.instructions.iter().zip(program.readers());
-    results.map(used).collect()
 }

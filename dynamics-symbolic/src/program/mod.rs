@@ -7,6 +7,7 @@ mod build;
 mod constant;
 mod count;
 mod evaluate;
+mod line;
 mod readers;
 mod real;
 mod signed;
@@ -15,6 +16,7 @@ pub use angle::rounded_angle;
 pub use arithmetic::Arithmetic;
 pub use constant::{Constant, ConstantId, ConstantPool};
 pub use count::Operations;
+pub use line::{Line, Rest};
 pub(crate) use readers::Readers;
 pub use real::{Approximation, Real};
 pub use signed::UpToSign;
@@ -73,6 +75,15 @@ pub struct Program {
     pub outputs: Vec<Output>,
     /// Whether this is the recursion as it is written, for every shorter program costs digits.
     pub is_plain: bool,
+}
+
+/// A program that is equal to the textbook definition of what it computes.
+#[derive(Clone, Debug)]
+pub struct Proven {
+    /// The program.
+    pub program: Program,
+    /// Its constants, correctly rounded; NaN where the program reads none.
+    pub constants: Vec<f64>,
 }
 
 impl Program {

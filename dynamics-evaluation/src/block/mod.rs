@@ -1,0 +1,30 @@
+//! Many states at once: each step for a block of states, in the lanes of vector registers.
+//!
+//! One dispatch of a step serves all states of a block, and the slots of a block are few enough to stay
+//! in the caches next to the processor.
+
+mod kernel;
+mod run;
+
+pub(crate) use kernel::Kernels;
+pub(crate) use run::{Batch, run};
+
+/// Lanes that are computed together: a register of AVX-512, two of AVX2.
+pub(crate) const LANES: usize = 8;
+
+/// Groups of lanes in a block: 64 states. Twice as many take a tenth longer (the Panda's forward
+/// dynamics), for the slots of a long program outgrow the first cache.
+pub(crate) const GROUPS: usize = 8;
+
+/// States in a block.
+pub(crate) const STATES: usize = GROUPS * LANES;
+
+/// A number at each state of a block.
+#[derive(Clone, Copy)]
+#[repr(align(64))]
+pub(crate) struct Block(pub(crate) [[f64; LANES]; GROUPS]);
+
+impl Block {
+    /// Zeros.
+    pub(crate) const ZERO: Block = Block([[0.0; LANES]; GROUPS]);
+}

@@ -1,0 +1,162 @@
+//! What can be wrong with a robot at run time, and with a call of one of its functions.
+
+use core::fmt;
+
+use dynamics_runtime::SingularMassMatrix;
+use dynamics_symbolic::Failure;
+
+/// Why there is no robot.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum BuildError {
+    /// No joint of the table moves.
+    NoJoints,
+    /// A cell of the table holds a field that the robot has not: its index.
+    NoSuchField(usize),
+    /// Two of the functions that are asked for have this name.
+    Repeated(String),
+    /// The program of a function could not be had, with the reason.
+    Failure(Failure),
+    /// The program of this function has more numbers than can be told apart: 65,536 of a kind.
+    TooLong(String),
+}
+
+impl fmt::Display for BuildError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            BuildError::NoJoints => {
+                write!(
+                    f,
+                    "no joint moves: expected a table with one joint at least that is not locked"
+                )
+            }
+            BuildError::NoSuchField(index) => {
+                write!(
+                    f,
+                    "a cell holds field {index}, which is not among the robot's fields"
+                )
+            }
+            BuildError::Repeated(name) => write!(f, "`{name}` is asked for twice"),
+            BuildError::Failure(failure) => failure.fmt(f),
+            BuildError::TooLong(name) => write!(
+                f,
+                "the program of `{name}` is too long to be evaluated: let the macro `robot_dynamics!` generate it"
+            ),
+        }
+    }
+}
+
+impl core::error::Error for BuildError {}
+
+/// Why a call has no value.
+#[derive(Clone, Debug, PartialEq)]
+pub enum EvaluationError {
+    /// The function of that name was not asked for when the robot was made.
+    NotDerived(String),
+    /// An argument, or the results, have another length than they must.
+    Length {
+        /// The argument by its name, or `results`.
+        argument: &'static str,
+        /// Its length.
+        found: usize,
+        /// The length that was expected.
+        expected: usize,
+    },
+    /// As many arguments were expected as the function has.
+    Arguments {
+        /// How many there were.
+        found: usize,
+        /// The names of those that were expected.
+        expected: Vec<&'static str>,
+    },
+    /// The mass matrix of a state cannot be solved with.
+    Singular {
+        /// The state in a batch, counted from 0.
+        state: Option<usize>,
+        /// The name of the joint whose pivot failed.
+        joint: String,
+        /// What generated code returns there.
+        error: SingularMassMatrix,
+    },
+}
+
+impl fmt::Display for EvaluationError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            EvaluationError::NotDerived(function) => {
+                write!(
+                    f,
+                    "`{function}` was not derived: ask for it when the robot is made"
+                )
+            }
+            EvaluationError::Length {
+                argument,
+                found,
+                expected,
+            } => write!(
+                f,
+                "`{argument}` has {found} entries where {expected} are expected"
+            ),
+            EvaluationError::Arguments { found, expected } => write!(
+                f,
+                "{found} arguments where {} are expected: {}",
+                expected.len(),
+                expected.join(", ")
+            ),
+            EvaluationError::Singular {
+                state,
+                joint,
+                error,
+            } => {
+                if let Some(state) = state {
+                    write!(f, "state {state}: ")?;
+                }
+                write!(f, "joint `{joint}`: {error}")
+            }
+        }
+    }
+}
+
+impl core::error::Error for EvaluationError {}
+
+/// A field of that name is not among the robot's.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct UnknownField {
+    /// The name.
+    pub name: String,
+    /// The fields that there are.
+    pub fields: Vec<String>,
+}
+
+impl fmt::Display for UnknownField {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let UnknownField { name, fields } = self;
+        match &fields[..] {
+            [] => write!(f, "no field `{name}`: the robot has none"),
+            _ => write!(
+                f,
+                "no field `{name}`: expected one of {}",
+                fields.join(", ")
+            ),
+        }
+    }
+}
+
+impl core::error::Error for UnknownField {}
+
+/// The arm has another number of joints.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct WrongJoints {
+    /// How many it has.
+    pub found: usize,
+    /// How many were expected.
+    pub expected: usize,
+}
+
+impl fmt::Display for WrongJoints {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let WrongJoints { found, expected } = self;
+        write!(f, "{found} joints move where {expected} are expected")
+    }
+}
+
+impl core::error::Error for WrongJoints {}

@@ -1,0 +1,27 @@
+//! Robots at run time: the equations of motion of an arm that is not known when a program is compiled.
+//!
+//! [`RuntimeRobot`] derives and proves the functions of a robot as the macro `robot_dynamics!` does, and
+//! evaluates their programs without a compiler: at one state, or at many in the lanes of vector
+//! registers. [`RuntimeRobot::typed`] makes of it what checks and simulations take.
+#![forbid(unsafe_code)]
+
+mod at;
+mod block;
+mod error;
+mod layout;
+mod methods;
+mod read;
+mod record;
+mod robot;
+mod table;
+mod tape;
+mod typed;
+mod value;
+
+pub use dynamics_runtime;
+pub use dynamics_symbolic;
+
+pub use error::{BuildError, EvaluationError, UnknownField, WrongJoints};
+pub use robot::RuntimeRobot;
+pub use typed::{Typed, TypedDynamics, TypedTip};
+pub use value::Value;

@@ -1,0 +1,487 @@
+//! A robot whose functions are evaluated without a compiler.
+
+use std::sync::Mutex;
+
+use dynamics_runtime::{Scalar, SingularMassMatrix};
+use dynamics_symbolic::function::Argument;
+use dynamics_symbolic::robot::{Robot, Value as Cell};
+use dynamics_symbolic::{Operations, Request, proven_program};
+use fearless_simd::Level;
+
+use crate::block::{Batch, Block, Kernels, run};
+use crate::error::{BuildError, EvaluationError, UnknownField};
+use crate::layout::Layout;
+use crate::read::{Reader, at_state, cell, stribeck_velocities};
+use crate::tape::Tape;
+use crate::value::Value;
+
+/// A robot arm known at run time, with the functions of a generated one.
+///
+/// Its functions are derived and proven as the macro's are, and are the same operations on the same
+/// constants: a call returns, bit for bit, what a generated method returns. One call takes some ten
+/// times as long as generated code, for each operation is looked up; a batch looks it up once for 64
+/// states, in the lanes of vector registers, and takes about as long as single calls of generated code.
+///
+/// ```
+/// use dynamics_evaluation::RuntimeRobot;
+/// use dynamics_symbolic::Function;
+/// use dynamics_symbolic::robot::{Convention, JointType, Robot, Row, Value};
+///
+/// let zero = Value::zero;
+/// // A mass that hangs from a horizontal axis: its mass is a field, its distance 1/2 m.
+/// let row = Row {
+///     name: "pivot".to_owned(),
+///     joint_type: JointType::Revolute,
+///     a: zero(), alpha: zero(), d: zero(), theta: zero(),
+///     mass: Value::field(0),
+///     com: [Value::integer(1).checked_div(Value::integer(2)).unwrap(), zero(), zero()],
+///     inertia: [(); 6].map(|()| zero()),
+///     motor_inertia: zero(), gear_ratio: zero(),
+///     viscous: zero(), coulomb: [zero(), zero()], stribeck: None, spring: None,
+///     limits: None, locked: None,
+/// };
+/// let robot = Robot {
+///     name: "Pendulum".to_owned(),
+///     fields: vec!["mass".to_owned()],
+///     convention: Convention::Modified,
+///     gravity: [Value::from_f64(9.81).unwrap(), zero(), zero()],
+///     base: None, rows: vec![row], tool: None, neglected: None,
+/// };
+/// let mut arm = RuntimeRobot::new(robot, [Function::MassMatrix, Function::GravityVector])?;
+/// arm.set_field("mass", 4.0)?;
+/// assert_eq!(arm.mass_matrix(&[0.3])?[0], 1.0);
+/// arm.set_field("mass", 8.0)?;
+/// assert_eq!(arm.mass_matrix(&[0.3])?[0], 2.0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug)]
+pub struct RuntimeRobot {
+    robot: Robot,
+    fields: Vec<f64>,
+    velocities: Vec<f64>,
+    functions: Vec<Compiled>,
+    /// Slots that no call is using.
+    rooms: Mutex<Vec<Room>>,
+}
+
+/// A function of a robot.
+#[derive(Clone, Debug)]
+pub(crate) struct Compiled {
+    pub(crate) request: Request,
+    pub(crate) layout: Layout,
+    operations: Operations,
+    arguments: Vec<(Argument, usize)>,
+    tape: Tape,
+    kernels: Vec<Option<Kernels>>,
+    /// The numbers that all states share, for the present values of the fields.
+    shared: Vec<f64>,
+}
+
+/// Slots of blocks.
+struct Room(Vec<Block>);
+
+impl core::fmt::Debug for Room {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        write!(f, "{} slots", self.0.len())
+    }
+}
+
+impl Clone for RuntimeRobot {
+    fn clone(&self) -> Self {
+        RuntimeRobot {
+            robot: self.robot.clone(),
+            fields: self.fields.clone(),
+            velocities: self.velocities.clone(),
+            functions: self.functions.clone(),
+            rooms: Mutex::default(),
+        }
+    }
+}
+
+impl RuntimeRobot {
+    /// The robot with the functions that are asked for, each derived and proven.
+    ///
+    /// Fields have no value yet: until each has one by [`set_field`](RuntimeRobot::set_field), what
+    /// depends on them is not a number.
+    ///
+    /// # Errors
+    ///
+    /// [`BuildError`]: the table has no joint that moves, or a function could not be proven.
+    pub fn new<R: Into<Request>>(
+        robot: Robot,
+        functions: impl IntoIterator<Item = R>,
+    ) -> Result<Self, BuildError> {
+        if robot.dof() == 0 {
+            return Err(BuildError::NoJoints);
+        }
+        if let Some(index) = unknown_field(&robot) {
+            return Err(BuildError::NoSuchField(index));
+        }
+        let mut compiled: Vec<Compiled> = Vec::new();
+        for request in functions {
+            let function = Compiled::new(&robot, request.into())?;
+            let name = function.request.name();
+            if compiled.iter().any(|known| known.request.name() == name) {
+                return Err(BuildError::Repeated(name.to_owned()));
+            }
+            compiled.push(function);
+        }
+        let fields = vec![f64::NAN; robot.fields.len()];
+        let mut arm = RuntimeRobot {
+            robot,
+            fields,
+            velocities: Vec::new(),
+            functions: compiled,
+            rooms: Mutex::default(),
+        };
+        arm.update();
+        Ok(arm)
+    }
+
+    /// The description that the robot was made of.
+    pub fn robot(&self) -> &Robot {
+        &self.robot
+    }
+
+    /// Number of joints that move.
+    pub fn dof(&self) -> usize {
+        self.robot.dof()
+    }
+
+    /// Names of the joints that move, from the base outwards.
+    pub fn joint_names(&self) -> impl Iterator<Item = &str> {
+        self.robot.joints().map(|row| row.name.as_str())
+    }
+
+    /// Names of the fields.
+    pub fn field_names(&self) -> &[String] {
+        &self.robot.fields
+    }
+
+    /// Values of the fields, in that order.
+    pub fn fields(&self) -> &[f64] {
+        &self.fields
+    }
+
+    /// Gives a field a value: a mass that changes takes no new derivation.
+    ///
+    /// # Errors
+    ///
+    /// [`UnknownField`] where there is no field of that name.
+    pub fn set_field(&mut self, name: &str, value: f64) -> Result<(), UnknownField> {
+        let plain = |field: &str| field.strip_prefix("r#").unwrap_or(field).to_owned();
+        let names = self.robot.fields.iter().map(|field| plain(field));
+        let Some(index) = names.clone().position(|field| field == plain(name)) else {
+            return Err(UnknownField {
+                name: name.to_owned(),
+                fields: names.collect(),
+            });
+        };
+        self.fields[index] = value;
+        self.update();
+        Ok(())
+    }
+
+    /// Gives all fields their values.
+    ///
+    /// # Errors
+    ///
+    /// [`EvaluationError::Length`] where there are not as many values as fields.
+    pub fn set_fields(&mut self, values: &[f64]) -> Result<(), EvaluationError> {
+        length("fields", values.len(), self.fields.len())?;
+        self.fields.copy_from_slice(values);
+        self.update();
+        Ok(())
+    }
+
+    fn update(&mut self) {
+        self.velocities = stribeck_velocities(&self.robot, &self.fields);
+        for function in &mut self.functions {
+            function.shared = function.tape.shared(&self.fields, &|x| x);
+        }
+    }
+
+    /// The names of the functions.
+    pub fn function_names(&self) -> impl Iterator<Item = &str> {
+        self.functions
+            .iter()
+            .map(|function| function.request.name())
+    }
+
+    /// What a function costs.
+    ///
+    /// # Errors
+    ///
+    /// [`EvaluationError::NotDerived`] where it was not asked for.
+    pub fn operations(&self, function: &str) -> Result<Operations, EvaluationError> {
+        self.function(function).map(|function| function.operations)
+    }
+
+    /// How many numbers at each state the evaluation of a function keeps at once.
+    ///
+    /// # Errors
+    ///
+    /// [`EvaluationError::NotDerived`] where it was not asked for.
+    pub fn slots(&self, function: &str) -> Result<usize, EvaluationError> {
+        self.function(function).map(|function| function.tape.slots)
+    }
+
+    /// The value of a function at a state, by its name or that of a method of several functions: what
+    /// the method of that name returns. The arguments are those of the method.
+    ///
+    /// # Errors
+    ///
+    /// [`EvaluationError`] where the function was not asked for, an argument is too short or too long,
+    /// or M cannot be solved with.
+    pub fn evaluate(&self, function: &str, arguments: &[&[f64]]) -> Result<Value, EvaluationError> {
+        let function = self.function(function)?;
+        self.arguments(function, arguments, 1)?;
+        let at = |argument: Argument, i: usize| {
+            let mut known = function.arguments.iter();
+            let place = known.position(|(known, _)| *known == argument);
+            place.map_or(f64::NAN, |place| arguments[place][i])
+        };
+        let values = self.values(function, &function.shared, &at, &|x| x);
+        let values = values.map_err(|error| self.singular(None, error))?;
+        Ok(Value::new(
+            &function.request,
+            function.layout.sizes,
+            &values,
+        ))
+    }
+
+    /// How many entries the value of a function has at each state.
+    ///
+    /// # Errors
+    ///
+    /// [`EvaluationError::NotDerived`] where it was not asked for.
+    pub fn entries(&self, function: &str) -> Result<usize, EvaluationError> {
+        self.function(function)
+            .map(|function| function.layout.entries())
+    }
+
+    /// The values of a function at many states. Arguments and results hold one state after the other,
+    /// matrices by columns, one after the other where there are several.
+    ///
+    /// Sums of products are fused where the processor can: values are those of
+    /// [`evaluate`](RuntimeRobot::evaluate) to the last few units in the last place of the largest
+    /// terms. The room that a call takes is kept for the next one.
+    ///
+    /// # Errors
+    ///
+    /// [`EvaluationError::Length`] where arguments and results have not as many states as the first
+    /// argument, and nothing is written; [`EvaluationError::Singular`] of the first state where M cannot
+    /// be solved with: all such states' values are NaN then, those of the others are written.
+    pub fn batch(
+        &self,
+        function: &str,
+        arguments: &[&[f64]],
+        results: &mut [f64],
+    ) -> Result<(), EvaluationError> {
+        self.batch_at(Level::new(), function, arguments, results)
+    }
+
+    /// [`batch`](RuntimeRobot::batch) with the instructions of a level.
+    #[doc(hidden)]
+    pub fn batch_at(
+        &self,
+        level: Level,
+        function: &str,
+        arguments: &[&[f64]],
+        results: &mut [f64],
+    ) -> Result<(), EvaluationError> {
+        let function = self.function(function)?;
+        let entries = function.layout.entries();
+        let states = match (function.arguments.first(), arguments.first()) {
+            (Some((_, width)), Some(first)) => first.len() / width,
+            // Base parameters are the same at all states.
+            _ => results.len().checked_div(entries).unwrap_or(0),
+        };
+        self.arguments(function, arguments, states)?;
+        length("results", results.len(), states * entries)?;
+        let pairs = function.arguments.iter().zip(arguments);
+        let reader = Reader {
+            arguments: pairs
+                .map(|((argument, width), entries)| (*argument, *entries, *width))
+                .collect(),
+            velocities: &self.velocities,
+        };
+        let batch = Batch {
+            tape: &function.tape,
+            kernels: &function.kernels,
+            shared: &function.shared,
+            layout: &function.layout,
+            states,
+        };
+        let mut room = self.room(function.tape.slots);
+        let failure = run(level, &batch, &reader, &mut room.0, results);
+        self.give_back(room);
+        match failure {
+            None => Ok(()),
+            Some((state, error)) => Err(self.singular(Some(state), error)),
+        }
+    }
+
+    fn room(&self, slots: usize) -> Room {
+        let kept = self.rooms.lock().ok().and_then(|mut rooms| rooms.pop());
+        let mut room = kept.unwrap_or(Room(Vec::new()));
+        if room.0.len() < slots {
+            room.0.resize(slots, Block::ZERO);
+        }
+        room
+    }
+
+    fn give_back(&self, room: Room) {
+        if let Ok(mut rooms) = self.rooms.lock() {
+            rooms.push(room);
+        }
+    }
+
+    /// The function of that name.
+    pub(crate) fn function(&self, name: &str) -> Result<&Compiled, EvaluationError> {
+        let mut functions = self.functions.iter();
+        let found = functions.find(|function| function.request.name() == name);
+        found.ok_or_else(|| EvaluationError::NotDerived(name.to_owned()))
+    }
+
+    pub(crate) fn functions(&self) -> &[Compiled] {
+        &self.functions
+    }
+
+    fn arguments(
+        &self,
+        function: &Compiled,
+        arguments: &[&[f64]],
+        states: usize,
+    ) -> Result<(), EvaluationError> {
+        if arguments.len() != function.arguments.len() {
+            let expected = function.arguments.iter();
+            return Err(EvaluationError::Arguments {
+                found: arguments.len(),
+                expected: expected.map(|(argument, _)| argument.name()).collect(),
+            });
+        }
+        let mut pairs = function.arguments.iter().zip(arguments);
+        pairs.try_for_each(|((argument, width), entries)| {
+            length(argument.name(), entries.len(), states * width)
+        })
+    }
+
+    /// The values of a function in the order of its shape, matrices by columns: `argument` are the
+    /// entries of the arguments, `shared` the numbers that all states share.
+    pub(crate) fn values<T: Scalar>(
+        &self,
+        function: &Compiled,
+        shared: &[T],
+        argument: &impl Fn(Argument, usize) -> T,
+        constant: &impl Fn(f64) -> T,
+    ) -> Result<Vec<T>, SingularMassMatrix> {
+        let velocity = |joint: usize| {
+            let row = self.robot.joints().nth(joint);
+            let stribeck = row.and_then(|row| row.stribeck.as_ref());
+            let velocity = stribeck.map(|s| cell(&s.velocity, &self.fields, constant));
+            velocity.unwrap_or_else(|| constant(1.0))
+        };
+        let read = |symbol: &_| {
+            let value = at_state(symbol, argument, velocity);
+            value.unwrap_or_else(|| constant(f64::NAN))
+        };
+        let outputs = function.tape.at(shared, &read);
+        for test in &function.layout.tests {
+            test.result(|output| outputs[output])?;
+        }
+        Ok(function.layout.values_of(&outputs))
+    }
+
+    /// The numbers that all states share, in the arithmetic of the numbers that `constant` makes.
+    pub(crate) fn shared<T: Scalar>(
+        &self,
+        function: &Compiled,
+        constant: &impl Fn(f64) -> T,
+    ) -> Vec<T> {
+        function.tape.shared(&self.fields, constant)
+    }
+
+    fn singular(&self, state: Option<usize>, error: SingularMassMatrix) -> EvaluationError {
+        let joint = self.joint_names().nth(error.joint);
+        EvaluationError::Singular {
+            state,
+            joint: joint.unwrap_or_default().to_owned(),
+            error,
+        }
+    }
+}
+
+impl Compiled {
+    fn new(robot: &Robot, request: Request) -> Result<Self, BuildError> {
+        let proven = proven_program(robot, &request).map_err(BuildError::Failure)?;
+        let too_long = |_| BuildError::TooLong(request.name().to_owned());
+        let tape = Tape::new(&proven).map_err(too_long)?;
+        let (joints, outputs) = (robot.dof(), proven.program.outputs.len());
+        let layout = Layout::new(&request, joints, outputs);
+        let arguments = request.arguments().into_iter().filter_map(|argument| {
+            let shape = argument.shape()?;
+            Some((argument, shape.entries(layout.sizes)))
+        });
+        Ok(Compiled {
+            arguments: arguments.collect(),
+            operations: proven.program.operations(),
+            kernels: tape.steps.iter().map(Kernels::of).collect(),
+            shared: Vec::new(),
+            layout,
+            tape,
+            request,
+        })
+    }
+}
+
+fn length(argument: &'static str, found: usize, expected: usize) -> Result<(), EvaluationError> {
+    match found == expected {
+        true => Ok(()),
+        false => Err(EvaluationError::Length {
+            argument,
+            found,
+            expected,
+        }),
+    }
+}
+
+/// A field in a cell of the table that the robot has not.
+fn unknown_field(robot: &Robot) -> Option<usize> {
+    let mut unknown = None;
+    let mut visit = |value: &Cell| {
+        value.visit_fields(&mut |index| {
+            if index >= robot.fields.len() {
+                unknown = Some(index);
+            }
+        });
+    };
+    robot.gravity.iter().for_each(&mut visit);
+    for row in &robot.rows {
+        let cells = [&row.a, &row.alpha, &row.d, &row.theta, &row.mass];
+        let motor = [&row.motor_inertia, &row.gear_ratio, &row.viscous];
+        cells.into_iter().chain(motor).for_each(&mut visit);
+        let arrays = row.com.iter().chain(&row.inertia).chain(&row.coulomb);
+        arrays.for_each(&mut visit);
+        let stribeck = row.stribeck.iter().flat_map(|s| [&s.friction, &s.velocity]);
+        let spring = row.spring.iter().flat_map(|s| [&s.stiffness, &s.rest]);
+        stribeck
+            .chain(spring)
+            .chain(&row.locked)
+            .for_each(&mut visit);
+        row.limits.iter().flatten().for_each(&mut visit);
+    }
+    let tool = robot.tool.as_ref();
+    let placements = robot.base.iter().chain(tool.map(|tool| &tool.placement));
+    placements
+        .flat_map(|p| p.xyz.iter().chain(&p.rpy))
+        .for_each(&mut visit);
+    if let Some(tool) = tool {
+        [&tool.mass]
+            .into_iter()
+            .chain(&tool.com)
+            .chain(&tool.inertia)
+            .for_each(&mut visit);
+    }
+    unknown
+}

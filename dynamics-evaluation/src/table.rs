@@ -1,0 +1,111 @@
+//! The table of a robot in numbers, as a generated struct hands it out.
+
+use dynamics_runtime::{Convention, Frame, JointType, Row, Spring, Stribeck, Table, Tool, turned};
+use dynamics_symbolic::program::rounded_angle;
+use dynamics_symbolic::robot::{self, Angle, Placement, Robot, Value};
+
+/// The table for these values of the fields; `None` where another number of joints moves.
+pub(crate) fn table<const N: usize>(robot: &Robot, fields: &[f64]) -> Option<Table<N>> {
+    let cells = Cells(fields);
+    let convention = match robot.convention {
+        robot::Convention::Standard => Convention::Standard,
+        robot::Convention::Modified => Convention::Modified,
+    };
+    let gravity = robot.gravity.each_ref().map(|value| cells.number(value));
+    let rows: Vec<Row> = robot.rows.iter().map(|row| cells.row(row)).collect();
+    let positions: Vec<_> = robot.rows.iter().map(|row| cells.locked(row)).collect();
+    let arm = match <[Row; N]>::try_from(rows) {
+        Ok(rows) if positions.iter().all(Option::is_none) => Table::new(convention, gravity, rows),
+        _ if robot.dof() != N => return None,
+        Ok(rows) => Table::lock_rows(convention, gravity, &rows, &positions),
+        Err(rows) => Table::lock_rows(convention, gravity, &rows, &positions),
+    };
+    Some(Table {
+        base: cells.frame(robot.base.as_ref()),
+        tool: robot
+            .tool
+            .as_ref()
+            .map_or(Tool::NONE, |tool| cells.tool(tool)),
+        ..arm
+    })
+}
+
+/// Cells of a table, over values of the fields.
+struct Cells<'a>(&'a [f64]);
+
+impl Cells<'_> {
+    fn number(&self, value: &Value) -> f64 {
+        value.to_f64(self.0)
+    }
+
+    fn numbers<const K: usize>(&self, values: &[Value; K]) -> [f64; K] {
+        values.each_ref().map(|value| self.number(value))
+    }
+
+    /// An angle, from the same parts as the engine's sine and cosine of it.
+    fn angle(&self, value: &Value) -> f64 {
+        if value.is_number() {
+            return rounded_angle(value);
+        }
+        let parts = Angle::new(value);
+        let rest = parts.rest.as_ref().map_or(0.0, |rest| self.number(rest));
+        match parts.signed_quarter_turns() {
+            0 => rest,
+            quarter_turns => turned(rest, f64::from(quarter_turns)),
+        }
+    }
+
+    fn frame(&self, placement: Option<&Placement>) -> Frame {
+        placement.map_or(Frame::IDENTITY, |placement| Frame {
+            xyz: self.numbers(&placement.xyz),
+            rpy: placement.rpy.each_ref().map(|angle| self.angle(angle)),
+        })
+    }
+
+    fn tool(&self, tool: &robot::Tool) -> Tool {
+        Tool {
+            frame: self.frame(Some(&tool.placement)),
+            mass: self.number(&tool.mass),
+            com: self.numbers(&tool.com),
+            inertia: self.numbers(&tool.inertia),
+        }
+    }
+
+    /// Where the joint of a row is locked.
+    fn locked(&self, row: &robot::Row) -> Option<f64> {
+        row.locked.as_ref().map(|position| match row.joint_type {
+            robot::JointType::Revolute => self.angle(position),
+            robot::JointType::Prismatic => self.number(position),
+        })
+    }
+
+    fn row(&self, row: &robot::Row) -> Row {
+        let joint_type = match row.joint_type {
+            robot::JointType::Revolute => JointType::Revolute,
+            robot::JointType::Prismatic => JointType::Prismatic,
+        };
+        Row {
+            a: self.number(&row.a),
+            alpha: self.angle(&row.alpha),
+            d: self.number(&row.d),
+            theta: self.angle(&row.theta),
+            mass: self.number(&row.mass),
+            com: self.numbers(&row.com),
+            inertia: self.numbers(&row.inertia),
+            motor_inertia: self.number(&row.motor_inertia),
+            gear_ratio: self.number(&row.gear_ratio),
+            viscous: self.number(&row.viscous),
+            coulomb: self.numbers(&row.coulomb),
+            stribeck: row.stribeck.as_ref().map(|stribeck| Stribeck {
+                friction: self.number(&stribeck.friction),
+                velocity: self.number(&stribeck.velocity),
+            }),
+            spring: row.spring.as_ref().map_or(Spring::NONE, |spring| Spring {
+                stiffness: self.number(&spring.stiffness),
+                rest: self.number(&spring.rest),
+            }),
+            limits: row.limits.as_ref().map(|limits| self.numbers(limits)),
+            ..Row::new(joint_type)
+        }
+    }
+}

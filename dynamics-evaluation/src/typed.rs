@@ -1,0 +1,318 @@
+//! A robot at run time as generic code of a fixed number of joints takes it: checks and simulations.
+
+use dynamics_runtime::nalgebra::{Matrix4, SMatrix, SVector};
+use dynamics_runtime::{
+    CoriolisVector, Energy, Evaluate, Evaluation, ForwardDynamics, GravityVector, InverseDynamics,
+    Kinematics, MassMatrix, Model, Momenta, Scalar, SingularMassMatrix, State, Table,
+};
+use dynamics_symbolic::function::Argument;
+use dynamics_symbolic::{Function, Request};
+
+use crate::record::record;
+use crate::robot::Compiled;
+use crate::table::table;
+use crate::{EvaluationError, RuntimeRobot, WrongJoints};
+
+impl RuntimeRobot {
+    /// The robot as an arm of `N` joints, which [`Check`](dynamics_runtime::Check) takes.
+    ///
+    /// ```
+    /// # use dynamics_evaluation::RuntimeRobot;
+    /// # fn checked(arm: &RuntimeRobot) -> Result<(), Box<dyn std::error::Error>> {
+    /// let report = dynamics_runtime::check_against_rnea(&arm.typed::<6>()?);
+    /// assert!(report.is_ok());
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`WrongJoints`] where another number of joints moves.
+    pub fn typed<const N: usize>(&self) -> Result<Typed<'_, N>, WrongJoints> {
+        let table = table(self.robot(), self.fields());
+        let table = table.ok_or(WrongJoints {
+            found: self.dof(),
+            expected: N,
+        })?;
+        Ok(Typed { arm: self, table })
+    }
+}
+
+/// A [`RuntimeRobot`] of `N` joints: all of its functions can be evaluated, those that it has.
+#[derive(Clone, Copy, Debug)]
+pub struct Typed<'a, const N: usize> {
+    arm: &'a RuntimeRobot,
+    table: Table<N>,
+}
+
+/// A [`RuntimeRobot`] of `N` joints that has the functions by which an arm moves: what
+/// [`Simulation`](dynamics_runtime::Simulation) takes.
+#[derive(Clone, Copy, Debug)]
+pub struct TypedDynamics<'a, const N: usize> {
+    typed: Typed<'a, N>,
+    mass_matrix: &'a Compiled,
+    coriolis_vector: &'a Compiled,
+    gravity_vector: &'a Compiled,
+    inverse_dynamics: &'a Compiled,
+    forward_dynamics: &'a Compiled,
+    kinetic_energy: &'a Compiled,
+    potential_energy: &'a Compiled,
+}
+
+/// A [`TypedDynamics`] whose tip can be followed: a simulation of it may have a force at the tool.
+#[derive(Clone, Copy, Debug)]
+pub struct TypedTip<'a, const N: usize> {
+    dynamics: TypedDynamics<'a, N>,
+    forward_kinematics: &'a Compiled,
+    jacobian: &'a Compiled,
+}
+
+impl<'a, const N: usize> Typed<'a, N> {
+    /// The arm with its motion.
+    ///
+    /// # Errors
+    ///
+    /// [`EvaluationError::NotDerived`] where one of the functions was not asked for that tables have
+    /// that ask for none: `mass_matrix`, `coriolis_vector`, `gravity_vector`, `inverse_dynamics`,
+    /// `forward_dynamics`, `kinetic_energy`, `potential_energy`.
+    pub fn dynamics(self) -> Result<TypedDynamics<'a, N>, EvaluationError> {
+        let function = |function: Function| self.arm.one(function);
+        Ok(TypedDynamics {
+            typed: self,
+            mass_matrix: function(Function::MassMatrix)?,
+            coriolis_vector: function(Function::CoriolisVector)?,
+            gravity_vector: function(Function::GravityVector)?,
+            inverse_dynamics: function(Function::InverseDynamics)?,
+            forward_dynamics: function(Function::ForwardDynamics)?,
+            kinetic_energy: function(Function::KineticEnergy)?,
+            potential_energy: function(Function::PotentialEnergy)?,
+        })
+    }
+
+    /// The values of a function at joint vectors, in the arithmetic of their numbers.
+    fn at<T: Scalar>(
+        &self,
+        function: &Compiled,
+        arguments: &[(Argument, &SVector<T, N>)],
+    ) -> Result<Vec<T>, SingularMassMatrix> {
+        let like = arguments.first().map(|(_, vector)| vector[0]);
+        let constant = |x: f64| like.map_or_else(|| T::from_f64(x), |like| like.constant(x));
+        let argument = |of: Argument, i: usize| {
+            let mut known = arguments.iter();
+            let vector = known.find(|(argument, _)| *argument == of);
+            vector.map_or_else(|| constant(f64::NAN), |(_, vector)| vector[i])
+        };
+        let shared = self.arm.shared(function, &constant);
+        self.arm.values(function, &shared, &argument, &constant)
+    }
+
+    /// The same of a function that does not solve with M.
+    fn vector<T: Scalar, const R: usize, const C: usize>(
+        &self,
+        function: &Compiled,
+        arguments: &[(Argument, &SVector<T, N>)],
+    ) -> SMatrix<T, R, C> {
+        let like = arguments[0].1[0];
+        match self.at(function, arguments) {
+            Ok(values) => SMatrix::from_iterator(values),
+            Err(_) => SMatrix::repeat(like.constant(f64::NAN)),
+        }
+    }
+}
+
+impl<'a, const N: usize> TypedDynamics<'a, N> {
+    /// The arm with its tip.
+    ///
+    /// # Errors
+    ///
+    /// [`EvaluationError::NotDerived`] where `forward_kinematics` or `jacobian` was not asked for.
+    pub fn with_tip(self) -> Result<TypedTip<'a, N>, EvaluationError> {
+        Ok(TypedTip {
+            dynamics: self,
+            forward_kinematics: self.typed.arm.one(Function::ForwardKinematics)?,
+            jacobian: self.typed.arm.one(Function::Jacobian)?,
+        })
+    }
+}
+
+impl RuntimeRobot {
+    /// The function by itself, not a method of several that has its name.
+    fn one(&self, function: Function) -> Result<&Compiled, EvaluationError> {
+        let found = self.function(function.name())?;
+        match found.request == Request::One(function) {
+            true => Ok(found),
+            false => Err(EvaluationError::NotDerived(function.name().to_owned())),
+        }
+    }
+}
+
+/// Names for joints whose own are known at run time alone: see `joint_names`.
+macro_rules! impl_model {
+    ($($typed:ident: $($path:ident).*;)*) => {$(
+        impl<const N: usize> Model<N> for $typed<'_, N> {
+            /// The names of the joints are those of `joint_names`.
+            const JOINT_NAMES: [&'static str; N] = ["joint"; N];
+
+            fn table(&self) -> Table<N> {
+                self.$($path.)*table
+            }
+
+            fn joint_names(&self) -> [&str; N] {
+                let mut names = self.$($path.)*arm.joint_names();
+                core::array::from_fn(|_| names.next().unwrap_or_default())
+            }
+        }
+
+        impl<const N: usize> Evaluate<N> for $typed<'_, N> {
+            fn evaluate(&self, state: &State<N>, tau: &SVector<f64, N>) -> Evaluation<N> {
+                self.$($path.)*arm.evaluation(state, tau)
+            }
+        }
+    )*};
+}
+
+impl_model! {
+    TypedDynamics: typed;
+    TypedTip: dynamics.typed;
+}
+
+impl<const N: usize> Model<N> for Typed<'_, N> {
+    /// The names of the joints are those of `joint_names`.
+    const JOINT_NAMES: [&'static str; N] = ["joint"; N];
+
+    fn table(&self) -> Table<N> {
+        self.table
+    }
+
+    fn joint_names(&self) -> [&str; N] {
+        let mut names = self.arm.joint_names();
+        core::array::from_fn(|_| names.next().unwrap_or_default())
+    }
+}
+
+impl<const N: usize> Evaluate<N> for Typed<'_, N> {
+    fn evaluate(&self, state: &State<N>, tau: &SVector<f64, N>) -> Evaluation<N> {
+        self.arm.evaluation(state, tau)
+    }
+}
+
+impl RuntimeRobot {
+    /// The values of all functions that are evaluated by themselves.
+    fn evaluation<const N: usize>(&self, state: &State<N>, tau: &SVector<f64, N>) -> Evaluation<N> {
+        let [qd_r, qdd_r] = [state.reference_velocity(), state.reference_acceleration()];
+        let ([jerk, snap], wrench) = ([state.jerk(), state.snap()], State::<N>::wrench());
+        let argument = |of: Argument, i: usize| match of {
+            Argument::Position => state.q[i],
+            Argument::Velocity => state.qd[i],
+            Argument::Acceleration => state.qdd[i],
+            Argument::Force => tau[i],
+            Argument::ReferenceVelocity => qd_r[i],
+            Argument::ReferenceAcceleration => qdd_r[i],
+            Argument::Jerk => jerk[i],
+            Argument::Snap => snap[i],
+            Argument::Wrench => wrench[i],
+            Argument::Order => f64::NAN,
+        };
+        let mut evaluation = Evaluation::default();
+        for function in self.functions() {
+            if let Request::One(name) = function.request {
+                let shared = self.shared(function, &|x| x);
+                let values = self.values(function, &shared, &argument, &|x| x);
+                record(&mut evaluation, name, values);
+            }
+        }
+        evaluation.combined(state)
+    }
+}
+
+use Argument::{Acceleration, Force, Position, Velocity};
+
+macro_rules! impl_dynamics {
+    ($($typed:ident: $($path:ident).*;)*) => {$(
+        impl<const N: usize> MassMatrix<N> for $typed<'_, N> {
+            fn mass_matrix<T: Scalar>(&self, q: &SVector<T, N>) -> SMatrix<T, N, N> {
+                let dynamics = &self$(.$path)*;
+                dynamics.typed.vector(dynamics.mass_matrix, &[(Position, q)])
+            }
+        }
+
+        impl<const N: usize> CoriolisVector<N> for $typed<'_, N> {
+            fn coriolis_vector<T: Scalar>(
+                &self,
+                q: &SVector<T, N>,
+                qd: &SVector<T, N>,
+            ) -> SVector<T, N> {
+                let dynamics = &self$(.$path)*;
+                let arguments = [(Position, q), (Velocity, qd)];
+                dynamics.typed.vector(dynamics.coriolis_vector, &arguments)
+            }
+        }
+
+        impl<const N: usize> GravityVector<N> for $typed<'_, N> {
+            fn gravity_vector<T: Scalar>(&self, q: &SVector<T, N>) -> SVector<T, N> {
+                let dynamics = &self$(.$path)*;
+                dynamics.typed.vector(dynamics.gravity_vector, &[(Position, q)])
+            }
+        }
+
+        impl<const N: usize> InverseDynamics<N> for $typed<'_, N> {
+            fn inverse_dynamics<T: Scalar>(
+                &self,
+                q: &SVector<T, N>,
+                qd: &SVector<T, N>,
+                qdd: &SVector<T, N>,
+            ) -> SVector<T, N> {
+                let dynamics = &self$(.$path)*;
+                let arguments = [(Position, q), (Velocity, qd), (Acceleration, qdd)];
+                dynamics.typed.vector(dynamics.inverse_dynamics, &arguments)
+            }
+        }
+
+        impl<const N: usize> ForwardDynamics<N> for $typed<'_, N> {
+            fn forward_dynamics<T: Scalar>(
+                &self,
+                q: &SVector<T, N>,
+                qd: &SVector<T, N>,
+                tau: &SVector<T, N>,
+            ) -> Result<SVector<T, N>, SingularMassMatrix> {
+                let dynamics = &self$(.$path)*;
+                let arguments = [(Position, q), (Velocity, qd), (Force, tau)];
+                let values = dynamics.typed.at(dynamics.forward_dynamics, &arguments)?;
+                Ok(SVector::from_iterator(values))
+            }
+
+            fn momenta(&self) -> Option<&dyn Momenta<N>> {
+                Some(self)
+            }
+        }
+
+        impl<const N: usize> Energy<N> for $typed<'_, N> {
+            fn kinetic_energy<T: Scalar>(&self, q: &SVector<T, N>, qd: &SVector<T, N>) -> T {
+                let dynamics = &self$(.$path)*;
+                let arguments = [(Position, q), (Velocity, qd)];
+                dynamics.typed.vector::<T, 1, 1>(dynamics.kinetic_energy, &arguments)[0]
+            }
+
+            fn potential_energy<T: Scalar>(&self, q: &SVector<T, N>) -> T {
+                let dynamics = &self$(.$path)*;
+                dynamics.typed.vector::<T, 1, 1>(dynamics.potential_energy, &[(Position, q)])[0]
+            }
+        }
+    )*};
+}
+
+impl_dynamics! {
+    TypedDynamics: ;
+    TypedTip: dynamics;
+}
+
+impl<const N: usize> Kinematics<N> for TypedTip<'_, N> {
+    fn forward_kinematics<T: Scalar>(&self, q: &SVector<T, N>) -> Matrix4<T> {
+        let typed = &self.dynamics.typed;
+        typed.vector(self.forward_kinematics, &[(Position, q)])
+    }
+
+    fn jacobian<T: Scalar>(&self, q: &SVector<T, N>) -> SMatrix<T, 6, N> {
+        self.dynamics.typed.vector(self.jacobian, &[(Position, q)])
+    }
+}

@@ -1,0 +1,120 @@
+//! Values of functions whose arrangement is known at run time.
+
+use dynamics_runtime::nalgebra::{DMatrix, DVector};
+use dynamics_symbolic::Request;
+use dynamics_symbolic::function::{Shape, Sizes};
+
+/// The value of a function, in the arrangement that generated code returns it in.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Value {
+    /// A number.
+    Number(f64),
+    /// A matrix; a vector is one of a single column.
+    Matrix(DMatrix<f64>),
+    /// An array of one for each joint.
+    Each(Vec<Value>),
+    /// A tuple.
+    Tuple(Vec<Value>),
+}
+
+impl Value {
+    /// The value of a request among its entries, in the order of its shape, matrices by columns.
+    pub(crate) fn new(request: &Request, sizes: Sizes, entries: &[f64]) -> Self {
+        let mut entries = entries.iter().copied();
+        match request {
+            Request::One(function) => read(function.shape(), sizes, &mut entries),
+            Request::Fused(fused) => {
+                let parts = fused.parts.iter();
+                Value::Tuple(
+                    parts
+                        .map(|part| read(part.shape(), sizes, &mut entries))
+                        .collect(),
+                )
+            }
+        }
+    }
+}
+
+fn read(shape: &Shape, sizes: Sizes, entries: &mut impl Iterator<Item = f64>) -> Value {
+    match shape {
+        Shape::Number => Value::Number(entries.next().unwrap_or(f64::NAN)),
+        Shape::Matrix(rows, columns) => {
+            let (rows, columns) = (rows.of(sizes), columns.of(sizes));
+            let of_matrix = entries.by_ref().take(rows * columns);
+            Value::Matrix(DMatrix::from_iterator(rows, columns, of_matrix))
+        }
+        Shape::Each(one) => {
+            let joints = 0..sizes.joints;
+            Value::Each(joints.map(|_| read(one, sizes, entries)).collect())
+        }
+        Shape::Tuple(parts) => Value::Tuple(
+            parts
+                .iter()
+                .map(|part| read(part, sizes, entries))
+                .collect(),
+        ),
+        // Not evaluated here.
+        Shape::Series => Value::Tuple(Vec::new()),
+    }
+}
+
+/// What the methods of a [`RuntimeRobot`](crate::RuntimeRobot) return: a [`Value`] of a known
+/// arrangement.
+pub(crate) trait FromValue: Sized {
+    /// The value; `None` where it is arranged otherwise.
+    fn from_value(value: Value) -> Option<Self>;
+}
+
+impl FromValue for f64 {
+    fn from_value(value: Value) -> Option<Self> {
+        match value {
+            Value::Number(x) => Some(x),
+            _ => None,
+        }
+    }
+}
+
+impl FromValue for DMatrix<f64> {
+    fn from_value(value: Value) -> Option<Self> {
+        match value {
+            Value::Matrix(matrix) => Some(matrix),
+            _ => None,
+        }
+    }
+}
+
+impl FromValue for DVector<f64> {
+    fn from_value(value: Value) -> Option<Self> {
+        match value {
+            Value::Matrix(matrix) if matrix.ncols() == 1 => {
+                Some(DVector::from_column_slice(matrix.as_slice()))
+            }
+            _ => None,
+        }
+    }
+}
+
+impl<V: FromValue> FromValue for Vec<V> {
+    fn from_value(value: Value) -> Option<Self> {
+        match value {
+            Value::Each(values) => values.into_iter().map(V::from_value).collect(),
+            _ => None,
+        }
+    }
+}
+
+macro_rules! impl_from_value_for_tuples {
+    ($(($($value:ident)*))*) => {$(
+        impl<$($value: FromValue),*> FromValue for ($($value,)*) {
+            fn from_value(value: Value) -> Option<Self> {
+                let Value::Tuple(values) = value else {
+                    return None;
+                };
+                let mut values = values.into_iter();
+                Some(($($value::from_value(values.next()?)?,)*))
+            }
+        }
+    )*};
+}
+
+impl_from_value_for_tuples!((A B) (A B C) (A B C D));

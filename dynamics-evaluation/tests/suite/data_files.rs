@@ -1,0 +1,49 @@
+//! The arms of the data files against Newton-Euler, with fields among their cells too.
+
+use dynamics_evaluation::RuntimeRobot;
+use dynamics_runtime::{Check, Report};
+use dynamics_symbolic::Function;
+
+/// Compares the functions of an arm of up to twelve joints.
+fn check(arm: &RuntimeRobot) -> Report {
+    let check = Check::new().samples(10);
+    macro_rules! of {
+        ($($dof:literal)*) => {
+            match arm.dof() {
+                $($dof => check.run(&arm.typed::<$dof>().expect("so many joints")),)*
+                dof => panic!("{dof} joints"),
+            }
+        };
+    }
+    of!(1 2 3 4 5 6 7 8 9 10 11 12)
+}
+
+/// The functions that hold all others.
+const FUNCTIONS: [Function; 3] = [
+    Function::MassMatrix,
+    Function::InverseDynamics,
+    Function::ForwardDynamics,
+];
+
+#[test]
+fn every_arm_agrees_with_newton_euler() {
+    for name in arms::NAMES {
+        let arm = RuntimeRobot::new(arms::robot(name), FUNCTIONS).expect(name);
+        let report = check(&arm);
+        assert!(report.is_ok(), "{name}: {report}");
+    }
+}
+
+/// One derivation for all masses, centres of mass and tensors.
+#[test]
+fn fields_take_no_new_derivation() {
+    let robot = arms::with_inertial_fields("ur5");
+    let mut arm = RuntimeRobot::new(robot, FUNCTIONS).expect("ur5");
+    for seed in 1..4 {
+        let value = |index: usize| 0.3 + ((seed * 31 + index * 17) as f64).sin().abs();
+        let values: Vec<f64> = (0..arm.fields().len()).map(value).collect();
+        arm.set_fields(&values).expect("so many fields");
+        let report = check(&arm);
+        assert!(report.is_ok(), "{report}");
+    }
+}

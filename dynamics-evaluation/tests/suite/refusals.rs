@@ -1,0 +1,96 @@
+//! What is refused, and what is said of it.
+
+use dynamics_evaluation::{BuildError, EvaluationError, RuntimeRobot};
+use dynamics_symbolic::Function;
+use dynamics_symbolic::robot::Value;
+
+fn arm() -> RuntimeRobot {
+    let functions = [Function::InverseDynamics, Function::BaseParameters];
+    RuntimeRobot::new(arms::robot("elbow_3r"), functions).expect("an arm")
+}
+
+#[test]
+fn what_was_not_asked_for_is_no_value() {
+    let error = arm().mass_matrix(&[0.0; 3]).unwrap_err();
+    assert_eq!(error, EvaluationError::NotDerived("mass_matrix".to_owned()));
+    assert!(
+        error
+            .to_string()
+            .contains("ask for it when the robot is made"),
+        "{error}"
+    );
+    let typed = arm()
+        .typed::<3>()
+        .map(|typed| typed.dynamics().map(|_| ()).is_err());
+    assert_eq!(typed, Ok(true));
+}
+
+#[test]
+fn lengths_are_told() {
+    let arm = arm();
+    let error = arm
+        .inverse_dynamics(&[0.0; 3], &[0.0; 2], &[0.0; 3])
+        .unwrap_err();
+    assert_eq!(error.to_string(), "`qd` has 2 entries where 3 are expected");
+    let mut tau = [7.0; 5];
+    let error = arm
+        .inverse_dynamics_batch(&[0.0; 6], &[0.0; 6], &[0.0; 6], &mut tau)
+        .unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "`results` has 5 entries where 6 are expected"
+    );
+    assert_eq!(tau, [7.0; 5]);
+    let error = arm
+        .inverse_dynamics_batch(&[0.0; 4], &[0.0; 6], &[0.0; 6], &mut tau)
+        .unwrap_err();
+    assert!(
+        matches!(error, EvaluationError::Length { argument: "q", .. }),
+        "{error}"
+    );
+    let error = arm.evaluate("inverse_dynamics", &[&[0.0; 3]]).unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "1 arguments where 3 are expected: q, qd, qdd"
+    );
+    assert_eq!(
+        arm.typed::<4>().unwrap_err().to_string(),
+        "3 joints move where 4 are expected"
+    );
+    assert!(arm.batch("base_parameters", &[], &mut []).is_ok());
+}
+
+#[test]
+fn fields_are_known_by_name() {
+    let mut arm = RuntimeRobot::new(
+        arms::with_inertial_fields("one_link"),
+        [Function::GravityVector],
+    )
+    .expect("an arm");
+    assert!(arm.gravity_vector(&[0.3]).expect("a value")[0].is_nan());
+    let error = arm.set_field("mass", 1.0).unwrap_err().to_string();
+    assert!(
+        error.starts_with("no field `mass`: expected one of p0, p1"),
+        "{error}"
+    );
+    assert!(arm.set_fields(&[1.0]).is_err());
+}
+
+#[test]
+fn descriptions_that_make_no_sense_are_refused() {
+    let mut robot = arms::robot("one_link");
+    robot.rows[0].mass = Value::field(3);
+    let refused = RuntimeRobot::new(robot.clone(), [Function::MassMatrix]).unwrap_err();
+    assert_eq!(refused, BuildError::NoSuchField(3));
+    robot.rows[0].locked = Some(Value::zero());
+    let refused = RuntimeRobot::new(robot.clone(), [Function::MassMatrix]).unwrap_err();
+    assert_eq!(refused, BuildError::NoJoints);
+    let twice = [Function::MassMatrix, Function::MassMatrix];
+    let refused = RuntimeRobot::new(arms::robot("one_link"), twice).unwrap_err();
+    assert_eq!(refused.to_string(), "`mass_matrix` is asked for twice");
+    let series = RuntimeRobot::new(arms::robot("one_link"), [Function::TaylorSeries]).unwrap_err();
+    assert!(
+        series.to_string().contains("no program over numbers"),
+        "{series}"
+    );
+}

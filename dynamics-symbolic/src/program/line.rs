@@ -1,0 +1,160 @@
+//! The lines of a program as it is carried out: products are written into the sums that alone read them.
+
+use super::{Instruction, Operand, Program, Readers};
+
+/// What one line computes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Line {
+    /// An instruction by itself.
+    Single(Instruction),
+    /// A sum with a product that nothing else reads, rounded once where the target multiplies and adds
+    /// in one instruction.
+    Fused {
+        /// The factors of the product.
+        product: (Operand, Operand),
+        /// Whether the product is subtracted.
+        is_subtracted: bool,
+        /// What else the sum is made of.
+        rest: Rest,
+    },
+}
+
+/// What a product is added to, or subtracted from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rest {
+    /// The operand.
+    Plus(Operand),
+    /// Minus the operand.
+    Minus(Operand),
+    /// Another product that nothing else reads, which is rounded by itself.
+    Product(Operand, Operand),
+}
+
+impl Line {
+    /// What the line reads.
+    pub fn operands(&self) -> Vec<Operand> {
+        match *self {
+            Line::Single(instruction) => {
+                let (a, b) = instruction.operands();
+                vec![a, b]
+            }
+            Line::Fused { product, rest, .. } => {
+                let (x, y) = product;
+                match rest {
+                    Rest::Plus(a) | Rest::Minus(a) => vec![x, y, a],
+                    Rest::Product(a, b) => vec![x, y, a, b],
+                }
+            }
+        }
+    }
+}
+
+impl Program {
+    /// The line of each instruction; `None` of a product that is written into a sum.
+    pub fn lines(&self) -> Vec<Option<Line>> {
+        let readers = self.readers();
+        let product = |operand: Operand| match operand {
+            Operand::Result(index) => match self.instructions[index as usize] {
+                Instruction::Mul(x, y) if readers[index as usize] == Readers::OneSum => {
+                    Some((x, y))
+                }
+                _ => None,
+            },
+            _ => None,
+        };
+        let line = |(instruction, readers): (&Instruction, &Readers)| {
+            let (a, b) = match (*instruction, readers) {
+                (Instruction::Mul(..), Readers::OneSum) => return None,
+                (Instruction::Add(a, b) | Instruction::Sub(a, b), _) => (a, b),
+                (instruction, _) => return Some(Line::Single(instruction)),
+            };
+            let is_difference = matches!(instruction, Instruction::Sub(..));
+            Some(match (product(a), product(b)) {
+                (first, Some(product)) => Line::Fused {
+                    product,
+                    is_subtracted: is_difference,
+                    rest: first.map_or(Rest::Plus(a), |(x, y)| Rest::Product(x, y)),
+                },
+                (Some(product), None) => Line::Fused {
+                    product,
+                    is_subtracted: false,
+                    rest: match is_difference {
+                        true => Rest::Minus(b),
+                        false => Rest::Plus(b),
+                    },
+                },
+                (None, None) => Line::Single(*instruction),
+            })
+        };
+        self.instructions.iter().zip(&readers).map(line).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::program::{ConstantPool, Output};
+    use Instruction::{Add, Mul, Sub};
+
+    /// x y and z w, and a sum or difference of what `of` makes of them.
+    fn last_line(of: fn([Operand; 2]) -> Instruction) -> Option<Line> {
+        let [x, y, z, w] = [0, 1, 2, 3].map(Operand::Input);
+        let last = of([0, 1].map(Operand::Result));
+        let program = Program {
+            inputs: Vec::new(),
+            constants: ConstantPool::default(),
+            instructions: vec![Mul(x, y), Mul(z, w), last],
+            outputs: vec![Output::positive(Operand::Result(2))],
+            is_plain: false,
+        };
+        program.lines()[2]
+    }
+
+    #[test]
+    fn products_are_written_into_sums() {
+        let [x, y, z, w] = [0, 1, 2, 3].map(Operand::Input);
+        let fused = |product, is_subtracted, rest| {
+            Some(Line::Fused {
+                product,
+                is_subtracted,
+                rest,
+            })
+        };
+        let both = Rest::Product(x, y);
+        assert_eq!(last_line(|[p, q]| Add(p, q)), fused((z, w), false, both));
+        assert_eq!(last_line(|[p, q]| Sub(p, q)), fused((z, w), true, both));
+        assert_eq!(
+            last_line(|[p, _]| Sub(p, Operand::Input(4))),
+            fused((x, y), false, Rest::Minus(Operand::Input(4)))
+        );
+        assert_eq!(
+            last_line(|[p, _]| Sub(Operand::Input(4), p)),
+            fused((x, y), true, Rest::Plus(Operand::Input(4)))
+        );
+        // Two readers, or one that is no sum: a line of its own.
+        let squared = last_line(|[p, _]| Add(p, p));
+        assert_eq!(
+            squared,
+            Some(Line::Single(Add(Operand::Result(0), Operand::Result(0))))
+        );
+        let multiplied = last_line(|[p, q]| Mul(p, q));
+        assert!(matches!(multiplied, Some(Line::Single(Mul(..)))));
+    }
+
+    #[test]
+    fn a_product_in_a_sum_has_no_line() {
+        let x = Operand::Input(0);
+        let program = Program {
+            inputs: Vec::new(),
+            constants: ConstantPool::default(),
+            instructions: vec![Mul(x, x), Add(Operand::Result(0), x)],
+            outputs: vec![Output::positive(Operand::Result(1))],
+            is_plain: false,
+        };
+        assert_eq!(program.lines()[0], None);
+        assert_eq!(
+            program.lines()[1].map(|line| line.operands()),
+            Some(vec![x, x, x])
+        );
+    }
+}
