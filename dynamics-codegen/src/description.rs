@@ -61,6 +61,25 @@ pub struct Table {
     pub mentions: BTreeSet<String>,
 }
 
+impl Table {
+    /// The tool, where one is written that could be read.
+    pub(crate) fn tool(&self) -> Option<&Tool> {
+        self.entries.iter().find_map(|entry| match entry {
+            Entry::Tool(tool) => tool.as_deref(),
+            _ => None,
+        })
+    }
+
+    /// What is allowed everywhere in the table.
+    pub(crate) fn allow(&self) -> Allow {
+        let allowed = self.entries.iter().filter_map(|entry| match entry {
+            Entry::Allow(allow) => Some(allow.unwrap_or(Allow::EVERYTHING)),
+            _ => None,
+        });
+        allowed.fold(Allow::default(), Allow::or)
+    }
+}
+
 /// An entry of the table. `None` stands for what could not be read: the error
 /// has been reported.
 #[derive(Debug)]
@@ -93,6 +112,8 @@ pub enum Entry {
     Ignore(Option<Vec<Name>>),
     /// `round_angles: 1e-4`
     RoundAngles(Option<Expr>),
+    /// `allow: [odd_angle]`, for the whole table.
+    Allow(Option<Allow>),
 }
 
 /// The name of a file, as it is written.
@@ -160,6 +181,8 @@ pub struct Tool {
     pub com: Given<Vector>,
     /// The body's inertia about the centre of mass.
     pub inertia: Given<Inertia>,
+    /// The same about the frame's origin, in place of `inertia`.
+    pub inertia_at_origin: Given<Tensor>,
     /// What is accepted all the same.
     pub allow: Given<Allow>,
 }
@@ -228,6 +251,8 @@ pub struct Row {
     pub com: Given<Vector>,
     /// Its inertia about the centre of mass.
     pub inertia: Given<Inertia>,
+    /// The same about the frame's origin, in place of `inertia`.
+    pub inertia_at_origin: Given<Tensor>,
     /// What turns with the joint.
     pub motor: Given<Motor>,
     /// Friction of the joint.
@@ -252,10 +277,22 @@ pub struct Inertia {
 /// How an inertia is written.
 #[derive(Debug)]
 pub enum InertiaKind {
-    /// `{ xx, yy, zz, xy, yz, xz }`, in this order.
-    Tensor(Box<[Given<Expr>; 6]>),
+    /// `{ xx, yy, zz, xy, yz, xz }`
+    Tensor(Entries),
     /// `cuboid(x, y, z)` and the like.
     Solid(Solid, Vec<Option<Expr>>),
+}
+
+/// The entries xx, yy, zz, xy, yz, xz of a tensor, in this order.
+pub type Entries = Box<[Given<Expr>; 6]>;
+
+/// The value of the cell `inertia_at_origin`.
+#[derive(Debug)]
+pub struct Tensor {
+    /// Where it stands.
+    pub place: Place,
+    /// Its entries.
+    pub entries: Entries,
 }
 
 /// A homogeneous solid.
@@ -263,12 +300,23 @@ pub enum InertiaKind {
 pub enum Solid {
     /// Edges x, y, z.
     Cuboid,
-    /// Radius and length, along z.
-    Cylinder,
-    /// Length, along x; slender.
-    Rod,
+    /// Radius and length, along that axis.
+    Cylinder(Axis),
+    /// Length, along that axis; slender.
+    Rod(Axis),
     /// Radius.
     Sphere,
+}
+
+/// An axis of a link's frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Axis {
+    /// x
+    X,
+    /// y
+    Y,
+    /// z
+    Z,
 }
 
 /// `motor: { inertia, gear_ratio }`
@@ -334,11 +382,41 @@ pub struct Spring {
 /// `limits: [lower, upper]`
 pub type Limits = [Option<Expr>; 2];
 
-/// `allow: [unphysical_inertia]`
-#[derive(Debug, Default)]
+/// `allow: [unphysical_inertia]`: what is accepted, odd as it is.
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Allow {
     /// A tensor that no body has.
     pub unphysical_inertia: bool,
+    /// An angle of more than a turn, or nearly a right one.
+    pub odd_angle: bool,
+    /// A centre of mass or a tensor without a mass, an arm without any.
+    pub odd_mass: bool,
+    /// A centre of mass far from everything.
+    pub odd_com: bool,
+    /// Gravity as it is nowhere.
+    pub odd_gravity: bool,
+}
+
+impl Allow {
+    /// All of it: what is meant to be allowed is not known.
+    pub const EVERYTHING: Allow = Allow {
+        unphysical_inertia: true,
+        odd_angle: true,
+        odd_mass: true,
+        odd_com: true,
+        odd_gravity: true,
+    };
+
+    /// What this or the other one allows.
+    pub fn or(self, other: Allow) -> Allow {
+        Allow {
+            unphysical_inertia: self.unphysical_inertia || other.unphysical_inertia,
+            odd_angle: self.odd_angle || other.odd_angle,
+            odd_mass: self.odd_mass || other.odd_mass,
+            odd_com: self.odd_com || other.odd_com,
+            odd_gravity: self.odd_gravity || other.odd_gravity,
+        }
+    }
 }
 
 /// A constant expression.

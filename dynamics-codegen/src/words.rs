@@ -96,8 +96,24 @@ fn elsewhere<'a>(word: &str, known: &[&'a str]) -> Option<&'a str> {
     ours.next().copied()
 }
 
+/// How a constant of Rust's standard library is written here.
+pub(crate) fn constant_of_std(name: &str) -> Option<&'static str> {
+    let known = OF_STD.iter().find(|(theirs, _)| *theirs == name);
+    known.map(|(_, ours)| *ours)
+}
+
+/// `std::f64::consts`, and ours.
+const OF_STD: [(&str, &str); 6] = [
+    ("FRAC_PI_2", "PI/2"),
+    ("FRAC_PI_3", "PI/3"),
+    ("FRAC_PI_4", "PI/4"),
+    ("FRAC_PI_6", "PI/6"),
+    ("FRAC_PI_8", "PI/8"),
+    ("TAU", "2*PI"),
+];
+
 /// Words of other books and programs, and ours.
-const ELSEWHERE: [(&str, &str); 57] = [
+const ELSEWHERE: [(&str, &str); 65] = [
     ("twist", "alpha"),
     ("length", "a"),
     ("offset", "d"),
@@ -108,6 +124,7 @@ const ELSEWHERE: [(&str, &str); 57] = [
     ("center_of_mass", "com"),
     ("centre_of_mass", "com"),
     ("tensor", "inertia"),
+    ("inertia_about_origin", "inertia_at_origin"),
     ("actuator", "motor"),
     ("damping", "friction"),
     ("damping", "viscous"),
@@ -120,12 +137,19 @@ const ELSEWHERE: [(&str, &str); 57] = [
     ("hinge", "revolute"),
     ("rotary", "revolute"),
     ("rotational", "revolute"),
+    ("continuous", "revolute"),
     ("P", "prismatic"),
     ("linear", "prismatic"),
     ("sliding", "prismatic"),
     ("classic", "standard"),
+    ("classical", "standard"),
+    ("sdh", "standard"),
+    ("paul", "standard"),
+    ("spong", "standard"),
     ("distal", "standard"),
     ("craig", "modified"),
+    ("mdh", "modified"),
+    ("khalil", "modified"),
     ("proximal", "modified"),
     ("links", "joints"),
     ("rows", "joints"),

@@ -9,6 +9,10 @@ use crate::{Model, SingularMassMatrix, TaylorCoefficients};
 
 /// An arm all of whose generated functions can be evaluated at a state: what the checks need.
 #[cfg(feature = "std")]
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no robot that `robot_dynamics!` made",
+    note = "checks compare what the macro generated with the table that it was generated from"
+)]
 pub trait Evaluate<const N: usize>: Model<N> {
     /// Every function at one state, `None` where the function was not generated.
     ///

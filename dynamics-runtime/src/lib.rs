@@ -35,6 +35,8 @@ mod float;
 mod formula;
 mod frame;
 mod friction;
+#[doc(hidden)]
+pub mod functions_by_name;
 #[cfg(feature = "std")]
 mod integrate;
 mod macros;

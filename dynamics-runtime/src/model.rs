@@ -5,6 +5,10 @@ use nalgebra::{Matrix4, SMatrix, SVector};
 use crate::{JointSines, Scalar, SingularMassMatrix, Table};
 
 /// An arm with `N` joints that can show the table it was generated from.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no robot",
+    note = "`robot_dynamics!` makes robots, from Denavit-Hartenberg tables"
+)]
 pub trait Model<const N: usize> {
     /// Names of the joints, from the base outwards.
     const JOINT_NAMES: [&'static str; N];
@@ -23,6 +27,10 @@ pub trait Model<const N: usize> {
 }
 
 /// An arm whose joint accelerations can be computed: what a simulation needs.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no forward dynamics: `forward_dynamics` was not asked for",
+    note = "add it to its `functions:`, or write `functions: [default, ...]`, which holds it"
+)]
 pub trait ForwardDynamics<const N: usize> {
     /// Joint accelerations qdd of `M(q) qdd + V(q, qd) + G(q) + F(qd) = tau`.
     ///
@@ -64,6 +72,10 @@ pub trait ForwardDynamics<const N: usize> {
 }
 
 /// An arm whose mass matrix can be computed.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no mass matrix: `mass_matrix` was not asked for",
+    note = "add it to its `functions:`, or write `functions: [default, ...]`, which holds it"
+)]
 pub trait MassMatrix<const N: usize> {
     /// Mass matrix M(q), both triangles, reflected motor inertias included; kg m^2, kg m or kg.
     ///
@@ -84,6 +96,10 @@ pub trait MassMatrix<const N: usize> {
 }
 
 /// An arm whose Coriolis and centrifugal forces can be computed.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no Coriolis vector: `coriolis_vector` was not asked for",
+    note = "add it to its `functions:`, or write `functions: [default, ...]`, which holds it"
+)]
 pub trait CoriolisVector<const N: usize> {
     /// Coriolis and centrifugal vector V(q, qd), N m or N.
     ///
@@ -105,6 +121,10 @@ pub trait CoriolisVector<const N: usize> {
 }
 
 /// An arm whose gravity forces can be computed.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no gravity vector: `gravity_vector` was not asked for",
+    note = "add it to its `functions:`, or write `functions: [default, ...]`, which holds it"
+)]
 pub trait GravityVector<const N: usize> {
     /// Gravity vector G(q) = dU/dq, N m or N.
     ///
@@ -125,6 +145,10 @@ pub trait GravityVector<const N: usize> {
 }
 
 /// An arm whose joint forces can be computed from its motion.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no inverse dynamics: `inverse_dynamics` was not asked for",
+    note = "add it to its `functions:`, or write `functions: [default, ...]`, which holds it"
+)]
 pub trait InverseDynamics<const N: usize> {
     /// Inverse dynamics tau = M(q) qdd + V(q, qd) + G(q) + F(qd), N m or N.
     ///
@@ -152,6 +176,10 @@ pub trait InverseDynamics<const N: usize> {
 }
 
 /// An arm whose mechanical energy can be computed.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no energies: `kinetic_energy` and `potential_energy` were not asked for",
+    note = "add them to its `functions:`, or write `functions: [default, ...]`, which holds them"
+)]
 pub trait Energy<const N: usize> {
     /// Kinetic energy 1/2 qd^T M(q) qd with the motors' reflected inertias, J.
     fn kinetic_energy<T: Scalar>(&self, q: &SVector<T, N>, qd: &SVector<T, N>) -> T;

@@ -32,6 +32,7 @@ macro_rules! three_axes {
                 },
             ],
             functions: [mass_matrix, coriolis_vector, gravity_vector, inverse_dynamics],
+            allow: [odd_angle],
         }
     };
 }
@@ -78,6 +79,7 @@ macro_rules! panda {
                 },
             ],
             functions: [mass_matrix, coriolis_vector, gravity_vector, inverse_dynamics],
+            allow: [odd_angle],
         }
     };
 }
@@ -167,6 +169,7 @@ robot_dynamics! {
         },
     ],
     functions: [mass_matrix],
+    allow: [odd_angle],
 }
 
 robot_dynamics! {
@@ -181,6 +184,7 @@ robot_dynamics! {
         j3: revolute { alpha: PI/2 },
     ],
     functions: [jacobian],
+    allow: [odd_angle],
 }
 
 robot_dynamics! {
@@ -195,6 +199,7 @@ robot_dynamics! {
         j1: revolute { alpha: -1.5708, com: [0, 0, 0.2], inertia: { yy: 0.0185 }, allow: [unphysical_inertia] },
     ],
     functions: [coriolis_coefficients],
+    allow: [odd_angle, odd_mass],
 }
 
 #[test]

@@ -7,12 +7,13 @@ use dynamics_symbolic::robot::{Convention, JointType};
 
 use super::tree::{Key, Kind, Node};
 use crate::description::{
-    Allow, Asked, Coulomb, Entry, Expr, ExprKind, Friction, Given, Inertia, InertiaKind, Joints,
-    Locked, Motor, Name, Placement, Row, Share, Spring, Stribeck, Table, Tool,
+    Allow, Asked, Coulomb, Entries, Entry, Expr, ExprKind, Friction, Given, Inertia, InertiaKind,
+    Joints, Locked, Motor, Name, Placement, Row, Share, Spring, Stribeck, Table, Tensor, Tool,
 };
 use crate::diagnose::{Diagnostics, Reported};
 use crate::limits::MOST_LETTERS;
 use crate::mistake::{self, Mistake, file as wrong, size};
+use crate::parse::allow;
 use crate::parse::frames::{BASE, TOOL};
 use crate::parse::functions::{DEFAULT, names as function_names};
 use crate::parse::inertia::{ENTRIES, unknown_entry};
@@ -26,7 +27,7 @@ use crate::place::Place;
 use crate::words;
 
 /// The keys of a file.
-pub(super) const KEYS: [&str; 10] = [
+pub(super) const KEYS: [&str; 11] = [
     "convention",
     "gravity",
     "base",
@@ -36,6 +37,7 @@ pub(super) const KEYS: [&str; 10] = [
     "lock",
     "neglect",
     "tests",
+    "allow",
     "let",
 ];
 
@@ -152,6 +154,7 @@ impl Reader<'_> {
             "lock" => Entry::Lock(self.lock(node).ok()),
             "neglect" => Entry::Neglect(self.share(node).ok()),
             "tests" => Entry::Tests(item.place, self.truth(node).ok()),
+            "allow" => Entry::Allow(self.allow(node, &allow::OF_TABLE).ok()),
             _ => return self.lets(node, entries),
         });
     }
@@ -362,13 +365,16 @@ impl Reader<'_> {
                 "mass" => tool.mass = given(self.value(item.node)),
                 "com" => tool.com = given(self.vector(item.node, "[x, y, z]")),
                 "inertia" => tool.inertia = given(self.inertia(item.node)),
-                "allow" => tool.allow = given(self.allow(item.node)),
+                "inertia_at_origin" => {
+                    tool.inertia_at_origin = given(self.inertia_at_origin(item.node));
+                }
+                "allow" => tool.allow = given(self.allow(item.node, &allow::OF_BODY)),
                 _ => self.placement(&item, &mut tool.placement),
             }
         }
         if items.incomplete {
             tool.mass.doubt();
-            tool.allow.doubt();
+            tool.com.doubt();
         }
         Ok(tool)
     }
@@ -406,7 +412,7 @@ impl Reader<'_> {
         }
         if items.incomplete {
             row.mass.doubt();
-            row.allow.doubt();
+            row.com.doubt();
         }
         Ok(row)
     }
@@ -423,11 +429,12 @@ impl Reader<'_> {
             "mass" => row.mass = given(self.value(node)),
             "com" => row.com = given(self.vector(node, "[x, y, z]")),
             "inertia" => row.inertia = given(self.inertia(node)),
+            "inertia_at_origin" => row.inertia_at_origin = given(self.inertia_at_origin(node)),
             "motor" => row.motor = given(self.motor(node)),
             "friction" => row.friction = given(self.friction(node)),
             "spring" => row.spring = given(self.spring(node)),
             "limits" => row.limits = given(self.vector(node, "[lower, upper]")),
-            _ => row.allow = given(self.allow(node)),
+            _ => row.allow = given(self.allow(node, &allow::OF_BODY)),
         }
     }
 
@@ -456,8 +463,23 @@ impl Reader<'_> {
             let what = mistake::expected::inertia().to_string();
             return Err(self.instead_of(&what, node));
         }
+        Ok(Inertia {
+            place: node.place,
+            kind: InertiaKind::Tensor(self.tensor(node)?),
+        })
+    }
+
+    /// A table of entries of a tensor about the origin of the frame.
+    fn inertia_at_origin(&mut self, node: &Node) -> Read<Tensor> {
+        Ok(Tensor {
+            place: node.place,
+            entries: self.tensor(node)?,
+        })
+    }
+
+    fn tensor(&mut self, node: &Node) -> Read<Entries> {
         let items = self.items(node, "an inertia", &ENTRIES, unknown_entry)?;
-        let mut entries: [Given<Expr>; 6] = Default::default();
+        let mut entries = Entries::default();
         for item in &items.read {
             let index = ENTRIES.iter().position(|entry| *entry == item.name);
             entries[index.unwrap_or(0)] = given(self.value(item.node));
@@ -465,10 +487,7 @@ impl Reader<'_> {
         if items.incomplete {
             entries.iter_mut().for_each(Given::doubt);
         }
-        Ok(Inertia {
-            place: node.place,
-            kind: InertiaKind::Tensor(Box::new(entries)),
-        })
+        Ok(entries)
     }
 
     /// Values for some words.
@@ -544,15 +563,13 @@ impl Reader<'_> {
         })
     }
 
-    fn allow(&self, node: &Node) -> Read<Allow> {
-        const KNOWN: [&str; 1] = ["unphysical_inertia"];
+    fn allow(&self, node: &Node, known: &[&'static str]) -> Read<Allow> {
         let Kind::List(words) = &node.kind else {
-            return Err(self.instead_of("`[\"unphysical_inertia\"]`", node));
+            return Err(self.instead_of("`[\"odd_angle\"]`", node));
         };
         let mut allow = Allow::default();
         for word in words {
-            self.choice(word, "allowance", &KNOWN)?;
-            allow.unphysical_inertia = true;
+            allow::note(&mut allow, self.choice(word, "allowance", known)?);
         }
         Ok(allow)
     }

@@ -20,6 +20,22 @@ pub(crate) fn missing_joints() -> Mistake {
     Mistake::new("missing `joints`: write `joints: [name: revolute { ... }, ...]`")
 }
 
+/// A word that is no convention.
+pub(crate) fn unknown_convention(word: &str) -> Mistake {
+    Mistake::new(format!(
+        "unknown convention `{}`: `standard` is Rz(theta) Tz(d) Tx(a) Rx(alpha), \
+         `modified` (Craig's) is Rx(alpha) Tx(a) Rz(theta) Tz(d)",
+        shortened(word)
+    ))
+}
+
+/// A word of `allow` that belongs to the whole table.
+pub(crate) fn allowed_for_the_table(word: &str) -> Mistake {
+    Mistake::new(format!(
+        "`{word}` is about the whole table: write `allow: [{word}]` at its end"
+    ))
+}
+
 pub(crate) fn no_function() -> Mistake {
     Mistake::new("no function is asked for: name one, or leave `functions` out for the default set")
 }
@@ -86,6 +102,23 @@ pub(crate) fn never_a_part(function: &str) -> Mistake {
 pub(crate) fn no_mass(function: &str) -> Mistake {
     Mistake::new(format!(
         "`{function}` of an arm without mass: there is no centre of mass, write `mass` in a row that moves"
+    ))
+}
+
+/// A model in which nothing resists a motion.
+pub(crate) fn no_inertia() -> Mistake {
+    Mistake::new(
+        "no link of this arm has a mass, a tensor or a motor with inertia: write `mass` in its rows, or ask \
+         for functions of its geometry alone, `functions: [forward_kinematics, jacobian]` \
+         (`allow: [odd_mass]` at the end of the table accepts it)",
+    )
+}
+
+/// Gravity, m/s^2, as it is nowhere.
+pub(crate) fn odd_gravity(magnitude: f64) -> Mistake {
+    Mistake::new(format!(
+        "gravity of {magnitude} m/s^2: on Earth it is 9.81, and [0, 0, 0] is none \
+         (`allow: [odd_gravity]` at the end of the table accepts it)"
     ))
 }
 

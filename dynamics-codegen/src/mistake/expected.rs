@@ -151,8 +151,9 @@ pub(crate) fn spring() -> Expected {
     expected("`{ stiffness: ..., rest: ... }`")
 }
 
-pub(crate) fn allowances() -> Expected {
-    expected("`[unphysical_inertia]`")
+/// What may be allowed.
+pub(crate) fn allowances(known: &[&str]) -> Expected {
+    expected(format!("`[...]` with {}", either(known)))
 }
 
 pub(crate) fn inertia() -> Expected {
@@ -160,6 +161,15 @@ pub(crate) fn inertia() -> Expected {
         "a tensor `{ xx: ..., yy: ..., zz: ... }` or a solid: \
          `cuboid(x, y, z)`, `cylinder(radius, length)`, `rod(length)` or `sphere(radius)`",
     )
+}
+
+pub(crate) fn inertia_at_origin() -> Expected {
+    expected("a tensor about the origin of the frame: `{ xx: ..., yy: ..., zz: ... }`")
+}
+
+/// The axis along which a solid lies.
+pub(crate) fn axis() -> Expected {
+    expected("`axis = x`, `axis = y` or `axis = z`")
 }
 
 /// A solid with its arguments.
@@ -170,6 +180,13 @@ pub(crate) fn solid(shown: &str) -> Expected {
 /// Values in brackets.
 pub(crate) fn array(shown: &str) -> Expected {
     expected(format!("`{shown}`"))
+}
+
+/// The acceleration of gravity.
+pub(crate) fn gravity(shown: &str) -> Expected {
+    expected(format!(
+        "`{shown}`, for example `[0, 0, -9.81]` where z points up"
+    ))
 }
 
 pub(crate) fn value() -> Expected {

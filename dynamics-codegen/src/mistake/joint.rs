@@ -2,8 +2,6 @@
 
 use std::fmt::Display;
 
-use dynamics_symbolic::exact::Rational;
-
 use super::Mistake;
 
 pub(crate) fn none() -> Mistake {
@@ -45,6 +43,14 @@ pub(crate) fn without_type(name: &impl Display) -> Mistake {
     ))
 }
 
+/// `fixed`
+pub(crate) fn fixed(name: &impl Display) -> Mistake {
+    Mistake::new(format!(
+        "a joint that stands still is `revolute` or `prismatic` and locked, `lock: [{name} = 0]` at the end \
+         of the table; a body fixed to the last link is the `tool`"
+    ))
+}
+
 /// A cell that belongs into another one.
 pub(crate) fn cell_elsewhere(word: &str, home: &str) -> Mistake {
     Mistake::new(format!(
@@ -59,11 +65,68 @@ pub(crate) fn mirrored_entry(word: &str, entry: &str) -> Mistake {
     ))
 }
 
-/// A multiple of 15 as an angle.
-pub(crate) fn angle_in_degrees(number: &Rational) -> Mistake {
+/// A decimal beyond a turn. `place` is where it can be allowed.
+pub(crate) fn angle_in_degrees(number: f64, place: &str) -> Mistake {
     Mistake::new(format!(
-        "angles are in radians: write `deg({number})` for degrees, or `1 * {number}` where \
-         {number} rad are meant"
+        "angles are in radians: write `deg({number})` for degrees \
+         (`allow: [odd_angle]` {place} accepts {number} rad)"
+    ))
+}
+
+/// Another angle beyond a turn, rad.
+pub(crate) fn more_than_a_turn(radians: f64, place: &str) -> Mistake {
+    Mistake::new(format!(
+        "an angle of more than a turn, {radians} rad: leave the whole turns out \
+         (`allow: [odd_angle]` {place} accepts it)"
+    ))
+}
+
+/// `1.5708`: `right` is the multiple of a right angle that was meant.
+pub(crate) fn nearly_right(right: &str, place: &str) -> Mistake {
+    Mistake::new(format!(
+        "nearly a right angle: write `{right}`, which is exact and makes the functions shorter \
+         (`allow: [odd_angle]` {place} accepts it as it stands)"
+    ))
+}
+
+/// `deg(1.5708)`
+pub(crate) fn degrees_of_right_angle(right: &str, place: &str) -> Mistake {
+    Mistake::new(format!(
+        "`deg` takes degrees, and this is `{right}` in radians: write `{right}`, without `deg` \
+         (`allow: [odd_angle]` {place} accepts it as it stands)"
+    ))
+}
+
+/// `deg(PI/2)`
+pub(crate) fn degrees_of_pi(place: &str) -> Mistake {
+    Mistake::new(format!(
+        "`deg` takes degrees, and what is written with `PI` is in radians: leave `deg` away, `PI/2` \
+         (`allow: [odd_angle]` {place} accepts it as it stands)"
+    ))
+}
+
+/// A centre of mass further from its frame, m, than anything in the arm is long. `place` is the row or the
+/// tool.
+pub(crate) fn far_com(distance: f64, longest: f64, place: &str) -> Mistake {
+    Mistake::new(format!(
+        "a centre of mass {distance} m from its frame, in an arm whose longest part is {longest} m: lengths \
+         are in m, `com` in the link frame (`allow: [odd_com]` on the {place} accepts it)"
+    ))
+}
+
+/// A centre of mass and no mass.
+pub(crate) fn com_without_mass(place: &str) -> Mistake {
+    Mistake::new(format!(
+        "a centre of mass without a mass: write the {place}'s `mass` \
+         (`mass: 0` says that it has none, or `allow: [odd_mass]` on the {place})"
+    ))
+}
+
+/// A tensor and no mass.
+pub(crate) fn tensor_without_mass(place: &str) -> Mistake {
+    Mistake::new(format!(
+        "a tensor without a mass: write the {place}'s `mass`; the moment about one axis alone needs none \
+         (`mass: 0` says that there is none, or `allow: [odd_mass]` on the {place})"
     ))
 }
 
@@ -82,6 +145,36 @@ pub(crate) fn no_body(reason: &str, place: &str) -> Mistake {
     Mistake::new(format!(
         "no body has this inertia tensor: {reason} \
          (published data can be like that: `allow: [unphysical_inertia]` on the {place} accepts it)"
+    ))
+}
+
+/// A tensor about the frame's origin beside one about the centre of mass.
+pub(crate) fn two_inertias() -> Mistake {
+    Mistake::new(
+        "`inertia` is about the centre of mass, `inertia_at_origin` about the frame's origin: leave one of \
+         the two away",
+    )
+}
+
+/// `place` is the row or the tool; `what` is missing there.
+pub(crate) fn cannot_be_moved(what: &str, place: &str) -> Mistake {
+    Mistake::new(format!(
+        "a tensor about the frame's origin is moved to the centre of mass: write the {place}'s `{what}`"
+    ))
+}
+
+/// `rod(length = 2)`
+pub(crate) fn named_size(solid: &str, word: &impl Display) -> Mistake {
+    Mistake::new(format!(
+        "the sizes of a solid have no names, found `{word} =`: only `axis = z` has one, in `{solid}` as \
+         elsewhere"
+    ))
+}
+
+/// `sphere(2, axis = z)`
+pub(crate) fn without_axis(solid: &str) -> Mistake {
+    Mistake::new(format!(
+        "a {solid} has no axis: `rod` and `cylinder` have one"
     ))
 }
 

@@ -1,5 +1,7 @@
 //! Mistakes in number literals.
 
+use std::fmt::Display;
+
 use super::Mistake;
 use crate::limits::MOST_DIGITS;
 use crate::words::shortened;
@@ -23,6 +25,13 @@ pub(crate) fn too_many_digits() -> Mistake {
 
 pub(crate) fn degrees(mantissa: &str) -> Mistake {
     Mistake::new(format!("write `deg({mantissa})` for an angle in degrees"))
+}
+
+/// `0,4`
+pub(crate) fn decimal_comma(whole: &impl Display, fraction: &impl Display) -> Mistake {
+    Mistake::new(format!(
+        "decimals are written with a point: `{whole}.{fraction}`"
+    ))
 }
 
 pub(crate) fn other_type(suffix: &str) -> Mistake {

@@ -13,6 +13,11 @@ pub(crate) fn keyword(what: &impl Display, word: &impl Display, can_be_raw: bool
     Mistake::new(format!("expected {what}, found the keyword `{word}`{hint}"))
 }
 
+/// Another struct behind the first one's table.
+pub(crate) fn second() -> Mistake {
+    Mistake::new("one robot in a call: write a second `robot_dynamics! { ... }` for this struct")
+}
+
 pub(crate) fn generic() -> Mistake {
     Mistake::new(
         "the struct has no generic parameters: its fields are `f64`, its methods are generic",

@@ -29,6 +29,21 @@ pub(crate) fn path_to_pi() -> Mistake {
     Mistake::new("write `PI` alone, without a path")
 }
 
+/// A constant of Rust's standard library, which is written otherwise here.
+pub(crate) fn constant_of_std(name: &str, ours: &str) -> Mistake {
+    Mistake::new(format!(
+        "constants of Rust cannot be read here: write `{ours}` for `{name}`"
+    ))
+}
+
+/// A path to a constant of that name.
+pub(crate) fn constant_by_path(name: &impl Display) -> Mistake {
+    Mistake::new(format!(
+        "constants of Rust cannot be read here: write its value, \
+         `let {name} = ...;` at the top of the table, or make it a field of the struct"
+    ))
+}
+
 pub(crate) fn other_function(name: &str) -> Mistake {
     Mistake::new(format!(
         "`{name}(...)` is not known: the only function is `deg(x)`"
@@ -81,6 +96,11 @@ pub(crate) fn unknown_name(
         None if ["nan", "inf", "infinity"].contains(&name.to_lowercase().as_str()) => {
             "every number of a table is finite".to_owned()
         }
+        None if is_constant(name) => format!(
+            "constants of Rust cannot be read here: write `let {} = ...;` above, \
+             or make it a field of the struct",
+            shortened(name)
+        ),
         None if known.is_empty() => "the struct has no fields, and no `let` is above".to_owned(),
         None if known.len() > MOST_LISTED => "expected a field or a `let`".to_owned(),
         None => format!("expected a field or a `let`: {}", either(known)),
@@ -90,6 +110,12 @@ pub(crate) fn unknown_name(
     });
     let name = shortened(name);
     Mistake::new(format!("unknown name `{name}`: {hint}{variable}"))
+}
+
+/// Whether the name is written as those of Rust's constants are.
+fn is_constant(name: &str) -> bool {
+    let is_upper = |c: char| c.is_ascii_uppercase() || c.is_ascii_digit() || c == '_';
+    name.len() > 1 && name.chars().all(is_upper) && name.starts_with(|c| c != '_')
 }
 
 /// A name that means something already, whatever it is to be given to.

@@ -1,6 +1,6 @@
 //! A position in the tokens of one group.
 
-use proc_macro2::{Delimiter, Ident, Punct, Spacing, Span, TokenStream, TokenTree};
+use proc_macro2::{Delimiter, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
 use syn::buffer::{self, TokenBuffer};
 
 use crate::diagnose::{Diagnostics, Reported};
@@ -20,6 +20,8 @@ pub(crate) struct Cursor<'t> {
     /// The token read last, or what came before the first.
     last: Place,
     taken: usize,
+    /// The number that was read last, where nothing was read behind it.
+    number: Option<Literal>,
     diagnostics: &'t Diagnostics,
 }
 
@@ -54,6 +56,7 @@ impl<'t> Cursor<'t> {
             rest: tokens.begin(),
             last: before.into(),
             taken: 0,
+            number: None,
             diagnostics,
         }
     }
@@ -64,6 +67,7 @@ impl<'t> Cursor<'t> {
             rest: group.inside,
             last: group.span.into(),
             taken: 0,
+            number: None,
             diagnostics: self.diagnostics,
         }
     }
@@ -122,13 +126,33 @@ impl<'t> Cursor<'t> {
         self.rest = rest;
         self.last = last.into();
         self.taken += 1;
+        self.number = None;
     }
 
     /// Takes the next token.
     pub(crate) fn take(&mut self) -> Option<TokenTree> {
         let (token, rest) = self.next()?;
         self.advance(rest, token.span());
+        if let TokenTree::Literal(literal) = &token {
+            self.number = Some(literal.clone());
+        }
         Some(token)
+    }
+
+    /// Takes the `,4` behind the `0` of `0,4` where an item starts otherwise, and reports it.
+    pub(crate) fn take_decimal_comma(&mut self, at_item: impl Fn(&Self) -> bool) {
+        let mut ahead = self.clone();
+        if let Some(whole) = self.number.clone()
+            && ahead.take_char(',').is_some()
+            && let Some(TokenTree::Literal(fraction)) = ahead.peek()
+            && [&whole, &fraction].into_iter().all(is_digits)
+            && !at_item(&ahead)
+        {
+            let place = Place::from(whole.span()).to(fraction.span());
+            self.error(place, mistake::number::decimal_comma(&whole, &fraction));
+            self.take();
+            self.take();
+        }
     }
 
     /// Whether a fragment of another macro comes next that holds something.
@@ -343,6 +367,10 @@ const DELIMITERS: [Delimiter; 3] = [Delimiter::Parenthesis, Delimiter::Bracket, 
 fn next_char(rest: buffer::Cursor, character: char) -> Option<buffer::Cursor> {
     let (punct, rest) = rest.punct()?;
     (punct.as_char() == character).then_some(rest)
+}
+
+fn is_digits(literal: &Literal) -> bool {
+    literal.to_string().chars().all(|c| c.is_ascii_digit())
 }
 
 /// The token as a message shows it.

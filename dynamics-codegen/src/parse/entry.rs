@@ -3,6 +3,7 @@
 use dynamics_symbolic::robot::Convention;
 use proc_macro2::{Delimiter, Ident};
 
+use super::allow::{self, allow};
 use super::cursor::Cursor;
 use super::expression::{expression, share};
 use super::files;
@@ -11,15 +12,15 @@ use super::functions::functions;
 use super::list::{Key, colon, comma_separated, end_item, key, skip_docs};
 use super::row::joints;
 use super::unknown::unknown;
-use super::vector::vector;
+use super::vector::gravity;
 use crate::description::{Entry, Joints, Locked, Name};
 use crate::diagnose::Reported;
-use crate::mistake::{self, expected};
+use crate::mistake::{self, Mistake, expected};
 use crate::place::Place;
 use crate::words;
 
 /// The keys of the table.
-const KEYS: [&str; 13] = [
+const KEYS: [&str; 14] = [
     "file",
     "chain",
     "ignore",
@@ -33,6 +34,7 @@ const KEYS: [&str; 13] = [
     "lock",
     "neglect",
     "tests",
+    "allow",
 ];
 
 /// Keys, and where they stand.
@@ -44,7 +46,12 @@ pub(super) fn entries(cursor: &mut Cursor) -> (Vec<Entry>, Keys) {
     let mut seen = Vec::new();
     while !cursor.at_end() {
         let start = cursor.taken();
-        let end = skip_docs(cursor).and_then(|()| match cursor.take_word("let") {
+        let docs = skip_docs(cursor);
+        if at_struct(cursor) {
+            second_struct(cursor);
+            break;
+        }
+        let end = docs.and_then(|()| match cursor.take_word("let") {
             Some(_) => binding(cursor, &mut entries).map(|what| (';', what)),
             None if at_constant(cursor) => constant(cursor, &mut entries).map(|what| (';', what)),
             None if at_bare_binding(cursor) => {
@@ -59,6 +66,17 @@ pub(super) fn entries(cursor: &mut Cursor) -> (Vec<Entry>, Keys) {
         }
     }
     (entries, seen)
+}
+
+/// Whether another struct comes next.
+fn at_struct(cursor: &Cursor) -> bool {
+    ["pub", "struct"].iter().any(|word| cursor.at_word(word)) && !cursor.at_key()
+}
+
+/// Reports another struct and skips it with its table.
+fn second_struct(cursor: &mut Cursor) {
+    cursor.error(cursor.here(), mistake::structure::second());
+    while cursor.take().is_some() {}
 }
 
 /// Skips what stands in front of the first entry.
@@ -157,7 +175,7 @@ fn value(cursor: &mut Cursor, key: &Key) -> (Entry, Result<(), Reported>) {
     let start = cursor.here();
     match key.name {
         "convention" => split(colon.and_then(|()| convention(cursor)), Entry::Convention),
-        "gravity" => split(colon.and_then(|()| vector(cursor)), Entry::Gravity),
+        "gravity" => split(colon.and_then(|()| gravity(cursor)), Entry::Gravity),
         "base" => split(colon.and_then(|()| frames::base(cursor)), |base| {
             Entry::Base(base.map(Box::new))
         }),
@@ -174,6 +192,10 @@ fn value(cursor: &mut Cursor, key: &Key) -> (Entry, Result<(), Reported>) {
         "ignore" => split(colon.and_then(|()| files::ignored(cursor)), Entry::Ignore),
         "round_angles" => split(colon.and_then(|()| expression(cursor)), Entry::RoundAngles),
         "neglect" => split(colon.and_then(|()| share(cursor)), Entry::Neglect),
+        "allow" => split(
+            colon.and_then(|()| allow(cursor, &allow::OF_TABLE)),
+            Entry::Allow,
+        ),
         _ => split(colon.and_then(|()| truth(cursor)), |truth| {
             Entry::Tests(start, truth)
         }),
@@ -196,27 +218,37 @@ fn split<T>(
 }
 
 fn convention(cursor: &mut Cursor) -> Result<Convention, Reported> {
-    let word = choice(cursor, "convention", &["standard", "modified"])?;
-    Ok(match word == "standard" {
+    const KNOWN: [&str; 2] = ["standard", "modified"];
+    let unknown = |word: &str| match words::meant(word, &KNOWN) {
+        None => mistake::entry::unknown_convention(word),
+        Some(_) => unknown("convention", word, &KNOWN).mistake,
+    };
+    Ok(match choice(cursor, &KNOWN, unknown)? == "standard" {
         true => Convention::Standard,
         false => Convention::Modified,
     })
 }
 
 fn truth(cursor: &mut Cursor) -> Result<bool, Reported> {
-    Ok(choice(cursor, "value", &["true", "false"])? == "true")
+    const KNOWN: [&str; 2] = ["true", "false"];
+    let unknown = |word: &str| unknown("value", word, &KNOWN).mistake;
+    Ok(choice(cursor, &KNOWN, unknown)? == "true")
 }
 
-/// Takes one of the words.
-fn choice(cursor: &mut Cursor, what: &str, known: &[&'static str]) -> Result<Ident, Reported> {
+/// Takes one of the words; `unknown` is what to say of another one.
+fn choice(
+    cursor: &mut Cursor,
+    known: &[&str],
+    unknown: impl Fn(&str) -> Mistake,
+) -> Result<Ident, Reported> {
     let Some(ident) = cursor.take_ident() else {
         return Err(cursor.expected(expected::one_of(known)));
     };
     if known.iter().any(|word| ident == word) {
         return Ok(ident);
     }
-    let wrong = unknown(what, &ident.to_string(), known);
-    Err(cursor.error(&ident, wrong.mistake))
+    let mistake = unknown(&ident.to_string());
+    Err(cursor.error(&ident, mistake))
 }
 
 /// Reads `[elbow = 0.3, ...]`. A position that cannot be read leaves the joint locked all the same.

@@ -9,6 +9,7 @@ use crate::diagnose::Reported;
 use crate::limits::{DEEPEST_VALUE, MOST_TERMS};
 use crate::mistake::{expected, size, value as mistake};
 use crate::place::Place;
+use crate::words;
 
 /// Reads a value.
 pub(super) fn expression(cursor: &mut Cursor) -> Result<Expr, Reported> {
@@ -204,11 +205,18 @@ fn path(cursor: &mut Cursor, start: Place) -> Reported {
         cursor.take();
         last = cursor.take_ident().or(last);
     }
-    let mistake = match last {
-        Some(last) if last == "PI" => mistake::path_to_pi(),
-        _ => mistake::foreign("a path"),
+    let place = start.to(cursor.last());
+    let Some(last) = last.filter(|_| !cursor.at('!')) else {
+        return cursor.error(place, mistake::foreign("a path"));
     };
-    cursor.error(start.to(cursor.last()), mistake)
+    let word = last.to_string();
+    let mistake = match words::constant_of_std(&word) {
+        _ if word == "PI" => mistake::path_to_pi(),
+        Some(ours) => mistake::constant_of_std(&word, ours),
+        None if matches!(cursor.peek(), Some(TokenTree::Group(_))) => mistake::foreign("a call"),
+        None => mistake::constant_by_path(&last),
+    };
+    cursor.error(place, mistake)
 }
 
 /// The value between delimiters.

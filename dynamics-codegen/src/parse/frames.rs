@@ -1,10 +1,11 @@
 //! The entries `base` and `tool`.
 
+use super::allow::{self, allow};
 use super::cursor::{Cursor, Group};
 use super::expression::expression;
-use super::inertia::inertia;
+use super::inertia::{inertia, inertia_at_origin};
 use super::list::{Key, comma_separated, fill, key};
-use super::row::{allow, braces};
+use super::row::braces;
 use super::unknown::unknown;
 use super::vector::{angles, vector};
 use crate::description::{Placement, Tool};
@@ -12,7 +13,15 @@ use crate::diagnose::Reported;
 use crate::mistake::expected;
 
 pub(crate) const BASE: [&str; 2] = ["xyz", "rpy"];
-pub(crate) const TOOL: [&str; 6] = ["xyz", "rpy", "mass", "com", "inertia", "allow"];
+pub(crate) const TOOL: [&str; 7] = [
+    "xyz",
+    "rpy",
+    "mass",
+    "com",
+    "inertia",
+    "inertia_at_origin",
+    "allow",
+];
 
 /// Reads `{ xyz: [x, y, z], rpy: [roll, pitch, yaw] }`.
 pub(super) fn base(cursor: &mut Cursor) -> Result<Placement, Reported> {
@@ -34,13 +43,18 @@ pub(super) fn tool(cursor: &mut Cursor) -> Result<Tool, Reported> {
             "mass" => fill(cursor, &mut tool.mass, key, expression),
             "com" => fill(cursor, &mut tool.com, key, vector),
             "inertia" => fill(cursor, &mut tool.inertia, key, inertia),
-            "allow" => fill(cursor, &mut tool.allow, key, allow),
+            "inertia_at_origin" => {
+                fill(cursor, &mut tool.inertia_at_origin, key, inertia_at_origin)
+            }
+            "allow" => fill(cursor, &mut tool.allow, key, |cursor| {
+                allow(cursor, &allow::OF_BODY)
+            }),
             _ => placement(cursor, key, &mut tool.placement),
         }
     });
     if outcome.is_err() {
         tool.mass.doubt();
-        tool.allow.doubt();
+        tool.com.doubt();
     }
     Ok(tool)
 }

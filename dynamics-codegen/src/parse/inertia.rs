@@ -6,8 +6,8 @@ use super::cursor::{Cursor, Group};
 use super::expression::expression;
 use super::list::{comma_separated, fill, key};
 use super::unknown::{Wrong, unknown};
-use super::vector::values;
-use crate::description::{Expr, Given, Inertia, InertiaKind, Solid};
+use super::vector::values_and;
+use crate::description::{Axis, Entries, Given, Inertia, InertiaKind, Solid, Tensor};
 use crate::diagnose::Reported;
 use crate::mistake::{self, expected};
 use crate::place::Place;
@@ -21,8 +21,8 @@ const ENTRY: &str = "tensor entry";
 /// The solids and their arguments.
 const SOLIDS: [(&str, Solid, &[&str]); 4] = [
     ("cuboid", Solid::Cuboid, &["x", "y", "z"]),
-    ("cylinder", Solid::Cylinder, &["radius", "length"]),
-    ("rod", Solid::Rod, &["length"]),
+    ("cylinder", Solid::Cylinder(Axis::Z), &["radius", "length"]),
+    ("rod", Solid::Rod(Axis::X), &["length"]),
     ("sphere", Solid::Sphere, &["radius"]),
 ];
 
@@ -31,7 +31,7 @@ pub(super) fn inertia(cursor: &mut Cursor) -> Result<Inertia, Reported> {
     if let Some(group) = cursor.take_group(Delimiter::Brace) {
         return Ok(Inertia {
             place: group.span().into(),
-            kind: InertiaKind::Tensor(Box::new(tensor(cursor, &group))),
+            kind: InertiaKind::Tensor(tensor(cursor, &group)),
         });
     }
     let Some(name) = cursor.take_ident() else {
@@ -40,8 +40,19 @@ pub(super) fn inertia(cursor: &mut Cursor) -> Result<Inertia, Reported> {
     solid(cursor, &name)
 }
 
-fn tensor<'t>(cursor: &Cursor<'t>, group: &Group<'t>) -> [Given<Expr>; 6] {
-    let mut entries: [Given<Expr>; 6] = Default::default();
+/// Reads `{ xx: ..., ... }` of a tensor about the origin of the frame.
+pub(super) fn inertia_at_origin(cursor: &mut Cursor) -> Result<Tensor, Reported> {
+    let group = cursor
+        .take_group(Delimiter::Brace)
+        .ok_or_else(|| cursor.expected(expected::inertia_at_origin()))?;
+    Ok(Tensor {
+        place: group.span().into(),
+        entries: tensor(cursor, &group),
+    })
+}
+
+fn tensor<'t>(cursor: &Cursor<'t>, group: &Group<'t>) -> Entries {
+    let mut entries = Entries::default();
     let outcome = comma_separated(&mut cursor.inside(group), Cursor::at_key, |cursor| {
         let key = key(cursor, ENTRY, &ENTRIES, unknown_entry)?;
         let what = format!("`{}`", key.ident);
@@ -87,9 +98,50 @@ fn solid(cursor: &mut Cursor, name: &Ident) -> Result<Inertia, Reported> {
         return Err(cursor.expected(expected::solid(&shown)));
     };
     let place = Place::from(name).to(group.span());
-    let values = values(cursor, &group, arguments.len(), &shown)?;
+    let mut solid = *solid;
+    let values = values_and(cursor, &group, arguments.len(), &shown, |cursor| {
+        let named = at_argument(cursor);
+        named.then(|| argument(cursor, right, &mut solid))
+    })?;
     Ok(Inertia {
         place,
-        kind: InertiaKind::Solid(*solid, values),
+        kind: InertiaKind::Solid(solid, values),
     })
+}
+
+/// Whether `name = ` comes next.
+fn at_argument(cursor: &Cursor) -> bool {
+    cursor.at_name_before('=')
+}
+
+/// Reads `axis = z`, the axis along which a solid lies.
+fn argument(cursor: &mut Cursor, name: &str, solid: &mut Solid) -> Result<String, Reported> {
+    let Some(word) = cursor.take_ident() else {
+        return Err(cursor.expected(expected::axis()));
+    };
+    cursor.take_char('=');
+    let along: fn(Axis) -> Solid = match solid {
+        _ if word != "axis" => {
+            let mistake = mistake::joint::named_size(name, &word);
+            return Err(cursor.error(&word, mistake));
+        }
+        Solid::Cylinder(_) => Solid::Cylinder,
+        Solid::Rod(_) => Solid::Rod,
+        Solid::Cuboid | Solid::Sphere => {
+            return Err(cursor.error(&word, mistake::joint::without_axis(name)));
+        }
+    };
+    *solid = along(axis(cursor)?);
+    Ok("`axis`".to_owned())
+}
+
+fn axis(cursor: &mut Cursor) -> Result<Axis, Reported> {
+    let axis = match cursor.peek_ident() {
+        Some(word) if word == "x" => Axis::X,
+        Some(word) if word == "y" => Axis::Y,
+        Some(word) if word == "z" => Axis::Z,
+        _ => return Err(cursor.expected(expected::axis())),
+    };
+    cursor.take();
+    Ok(axis)
 }

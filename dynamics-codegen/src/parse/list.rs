@@ -39,6 +39,7 @@ pub(super) fn end_item<'d>(
     what: &str,
     at_item: impl Fn(&Cursor<'d>) -> bool,
 ) {
+    cursor.take_decimal_comma(&at_item);
     if cursor.take_char(separator).is_some() || (separator == ',' && cursor.at_end()) {
         return;
     }

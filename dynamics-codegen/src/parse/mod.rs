@@ -3,6 +3,7 @@
 //! Reading goes on behind every error: it skips to the next comma or to the next
 //! `name:`, so that an error in one cell hides no error in another.
 
+pub(crate) mod allow;
 mod cursor;
 mod entry;
 mod expression;

@@ -5,14 +5,15 @@ use std::cell::Cell;
 use dynamics_symbolic::robot::JointType;
 use proc_macro2::{Delimiter, Ident};
 
+use super::allow::{self, allow};
 use super::cursor::{Cursor, Group};
 use super::expression::expression;
-use super::inertia::{ENTRIES, inertia};
+use super::inertia::{ENTRIES, inertia, inertia_at_origin};
 use super::list::{Key, colon, comma_separated, fill, key};
 use super::unknown::{Wrong, unknown};
 use super::vector::{limits, vector};
 use crate::description::{
-    Allow, Coulomb, Expr, Friction, Given, Joints, Motor, Name, Row, Spring, Stribeck,
+    Coulomb, Expr, Friction, Given, Joints, Motor, Name, Row, Spring, Stribeck,
 };
 use crate::diagnose::Reported;
 use crate::mistake::expected::Expected;
@@ -20,8 +21,19 @@ use crate::mistake::{self, expected};
 use crate::place::Place;
 
 /// The cells of a row.
-pub(crate) const CELLS: [&str; 12] = [
-    "a", "alpha", "d", "theta", "mass", "com", "inertia", "motor", "friction", "spring", "limits",
+pub(crate) const CELLS: [&str; 13] = [
+    "a",
+    "alpha",
+    "d",
+    "theta",
+    "mass",
+    "com",
+    "inertia",
+    "inertia_at_origin",
+    "motor",
+    "friction",
+    "spring",
+    "limits",
     "allow",
 ];
 
@@ -70,16 +82,18 @@ fn row_into(cursor: &mut Cursor, row: &mut Row) -> Result<String, Reported> {
         return Err(cursor.error(place, mistake::joint::in_parentheses()));
     }
     let name = behind_extra_word(cursor, name);
-    match name == "_" {
-        true => {
-            cursor.error(&name, mistake::joint::unnamed());
-        }
-        false => row.name = Some(Name::from(&name)),
+    if name == "_" {
+        cursor.error(&name, mistake::joint::unnamed());
     }
     let label = format!("joint `{name}`");
-    let cells = match cursor.take_group(Delimiter::Brace) {
+    let cells = cursor.take_group(Delimiter::Brace);
+    let is_type = cells.is_some() && JOINT_TYPES.iter().any(|word| name == word);
+    if name != "_" && !is_type {
+        row.name = Some(Name::from(&name));
+    }
+    let cells = match cells {
         Some(cells) => {
-            report_incomplete(cursor, &name);
+            report_incomplete(cursor, &name, is_type);
             cells
         }
         None => {
@@ -104,8 +118,7 @@ fn behind_extra_word(cursor: &mut Cursor, word: Ident) -> Ident {
 }
 
 /// Reports a row of which one word alone stands in front of the cells.
-fn report_incomplete(cursor: &Cursor, word: &Ident) {
-    let is_type = JOINT_TYPES.iter().any(|joint_type| word == joint_type);
+fn report_incomplete(cursor: &Cursor, word: &Ident, is_type: bool) {
     let mistake = match is_type {
         true => mistake::joint::without_name(word),
         false => mistake::joint::without_type(word),
@@ -123,6 +136,10 @@ fn joint_type(cursor: &mut Cursor, name: &Ident, row: &mut Row) {
     row.joint_type = match word.as_str() {
         "revolute" => Some(JointType::Revolute),
         "prismatic" => Some(JointType::Prismatic),
+        "fixed" => {
+            cursor.error(&ident, mistake::joint::fixed(name));
+            None
+        }
         _ => {
             let wrong = unknown("joint type", &word, &JOINT_TYPES);
             cursor.error(&ident, wrong.mistake);
@@ -140,7 +157,7 @@ fn cells(mut cursor: Cursor, row: &mut Row) {
     });
     if outcome.is_err() {
         row.mass.doubt();
-        row.allow.doubt();
+        row.com.doubt();
     }
 }
 
@@ -153,11 +170,14 @@ fn cell(cursor: &mut Cursor, key: Key, row: &mut Row) -> Result<(), Reported> {
         "mass" => fill(cursor, &mut row.mass, key, expression),
         "com" => fill(cursor, &mut row.com, key, vector),
         "inertia" => fill(cursor, &mut row.inertia, key, inertia),
+        "inertia_at_origin" => fill(cursor, &mut row.inertia_at_origin, key, inertia_at_origin),
         "motor" => fill(cursor, &mut row.motor, key, motor),
         "friction" => fill(cursor, &mut row.friction, key, friction),
         "spring" => fill(cursor, &mut row.spring, key, spring),
         "limits" => fill(cursor, &mut row.limits, key, limits),
-        _ => fill(cursor, &mut row.allow, key, allow),
+        _ => fill(cursor, &mut row.allow, key, |cursor| {
+            allow(cursor, &allow::OF_BODY)
+        }),
     }
 }
 
@@ -279,26 +299,4 @@ pub(super) fn braces<'t>(cursor: &mut Cursor<'t>, what: Expected) -> Result<Grou
     cursor
         .take_group(Delimiter::Brace)
         .ok_or_else(|| cursor.expected(what))
-}
-
-/// Reads `[unphysical_inertia]`. A wrong word leaves it unknown what was to be allowed.
-pub(super) fn allow(cursor: &mut Cursor) -> Result<Allow, Reported> {
-    const KNOWN: [&str; 1] = ["unphysical_inertia"];
-    let group = cursor.take_list(Delimiter::Bracket, expected::allowances())?;
-    let mut allow = Allow::default();
-    let mut wrong = None;
-    let at_word = |cursor: &Cursor| cursor.peek_ident().is_some();
-    let end = comma_separated(&mut cursor.inside(&group), at_word, |cursor| {
-        let Some(word) = cursor.take_ident() else {
-            return Err(cursor.expected(expected::one_of(&KNOWN)));
-        };
-        if word == KNOWN[0] {
-            allow.unphysical_inertia = true;
-        } else {
-            let unknown = unknown("allowance", &word.to_string(), &KNOWN);
-            wrong = Some(cursor.error(&word, unknown.mistake));
-        }
-        Ok(format!("`{word}`"))
-    });
-    wrong.map_or(end.map(|()| allow), Err)
 }

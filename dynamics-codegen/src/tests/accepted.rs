@@ -102,6 +102,53 @@ fn solids_use_the_mass_of_the_row() {
 }
 
 #[test]
+fn solids_lie_along_an_axis() {
+    let diagonal = |inertia: &str| {
+        let model = model(&with_cells(&format!("mass: 12, inertia: {inertia}")));
+        [0, 1, 2].map(|i| model.robot.rows[0].inertia[i].to_f64(&[]))
+    };
+    assert_eq!(diagonal("rod(1, axis = z)"), [1.0, 1.0, 0.0]);
+    assert_eq!(diagonal("rod(1, axis = x)"), diagonal("rod(1)"));
+    assert_eq!(diagonal("cylinder(1, 2, axis = y,)"), [7.0, 6.0, 7.0]);
+    assert_eq!(
+        diagonal("cylinder(1, 2, axis = z)"),
+        diagonal("cylinder(1, 2)")
+    );
+}
+
+/// The parallel-axis theorem, exactly, on numbers and on symbols: a rod of length l about its end.
+#[test]
+fn a_tensor_about_the_origin_is_moved_to_the_center_of_mass() {
+    let table = |inertia: &str| {
+        let call = with_cells(&format!("mass: m, com: [l/2, 0.1, -0.2], {inertia}"));
+        model(&call.replace("Arm;", "Arm { m: f64, l: f64 }")).robot
+    };
+    let at_origin = table(
+        "inertia_at_origin: {
+            xx: m*0.05, yy: m*l*l/3 + m*0.04, zz: m*l*l/3 + m*0.01,
+            xy: -m*l*0.05, xz: m*l*0.1, yz: m*0.02,
+        }",
+    );
+    let about_com = table("inertia: rod(l)");
+    let mut difference = at_origin.rows[0]
+        .inertia
+        .iter()
+        .zip(&about_com.rows[0].inertia);
+    let fields = [3.0, 0.7];
+    assert!(difference.all(|(a, b)| (a.to_f64(&fields) - b.to_f64(&fields)).abs() < 1e-15));
+    let exact = model(&with_cells(
+        "mass: 3, com: [0.1, 0.2, 0.3],
+         inertia_at_origin: { xx: 0.4, yy: 0.31, zz: 0.16, xy: -0.06, xz: -0.09, yz: -0.18 }",
+    ));
+    let entries = exact.robot.rows[0]
+        .inertia
+        .each_ref()
+        .map(|entry| entry.as_rational().cloned());
+    let expected = ["1/100", "1/100", "1/100", "0", "0", "0"].map(|text| Some(rational(text)));
+    assert_eq!(entries, expected);
+}
+
+#[test]
 fn tensors_that_some_body_has() {
     for tensor in [
         // A lamina, a slender rod, a point: the limits.

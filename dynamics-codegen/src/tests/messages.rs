@@ -33,7 +33,7 @@ fn nothing_is_said_twice() {
         "struct Arm; convention, gravity: [0, 0, 0], joints: [j: revolute {}]",
         "struct Arm; convention: standard, gravity: [0, 0, 0], joints: [j: revolute { weight: 1, inertia: rod(1) }]",
         "struct Arm; convention: standard, gravity: [0, 0, 0], joints: [j: revolute { motor: { inertia: 1, ratio: 2 } }]",
-        "struct Arm; convention: standard, gravity: [0, 0, 0], joints: [j: revolute { inertia: { Ixx: 1, yy: 1, zz: 2 } }]",
+        "struct Arm; convention: standard, gravity: [0, 0, 0], joints: [j: revolute { mass: 1, inertia: { Ixx: 1, yy: 1, zz: 2 } }]",
         "struct Arm; m = 1; convention: standard, gravity: [0, 0, 0], joints: [j: revolute { mass: m }]",
         // Rust in place of the table's own words.
         "struct Arm; let mut m = 3; convention: standard, gravity: [0, 0, 0], joints: [j: revolute { mass: m }]",
@@ -78,7 +78,7 @@ fn a_zero_that_only_algebra_sees() {
 fn a_quotient_that_may_be_finite() {
     model(
         "struct Arm { m: f64, l: f64 } convention: standard, gravity: [0, 0, 0],
-         joints: [j: revolute { a: 1 / (m - l), d: 1 / (PI - 3.14159) }]",
+         joints: [j: revolute { a: 1 / (m - l), d: 1 / (PI - 3.14159), mass: 1 }]",
     );
 }
 
@@ -158,27 +158,229 @@ fn a_slip_in_front_of_struct() {
     }
 }
 
+/// The start of the message about a cell.
+const DEGREES: &str = "angles are in radians: write `deg(";
+const NEARLY: &str = "nearly a right angle: write `";
+const LONG: &str = "an angle of more than a turn, ";
+const OF_RADIANS: &str = "`deg` takes degrees, and ";
+
+/// Each angle is reported where it stands, and accepted where the row or the table allows it.
 #[test]
-fn degrees_are_not_taken_for_radians() {
-    for cell in ["alpha: 90", "theta: -180.0", "alpha: - 45", "theta: 3.6e2"] {
-        let message = message(&with_cells(cell));
-        assert!(
-            message.starts_with("angles are in radians: write `deg("),
-            "{message}"
-        );
+fn odd_angles_are_allowed_by_name() {
+    for (angle, start) in [
+        ("90", DEGREES),
+        ("-180.0", DEGREES),
+        ("- 45", DEGREES),
+        ("57", DEGREES),
+        ("85.5", DEGREES),
+        ("3.6e2", DEGREES),
+        ("6.3", DEGREES),
+        ("1.5708", NEARLY),
+        ("-1.57", NEARLY),
+        ("1.570796", NEARLY),
+        ("3.14159", NEARLY),
+        ("4.712", NEARLY),
+        ("-6.2832", NEARLY),
+        ("3.1416 / 2", NEARLY),
+        ("deg(89.99)", NEARLY),
+        ("deg(400)", LONG),
+        ("deg(1.5708)", OF_RADIANS),
+        ("deg(-3.14)", OF_RADIANS),
+        ("deg(PI/2)", OF_RADIANS),
+        ("twist", NEARLY),
+    ] {
+        for cell in ["alpha", "theta"] {
+            let cells = |more: &str| {
+                let call = with_cells(&format!("{cell}: {angle}, {more}"));
+                call.replace("Arm;", "Arm; let twist = 1.5708;")
+            };
+            let message = message(&cells(""));
+            assert!(message.starts_with(start), "{angle}: {message}");
+            assert!(message.contains("(`allow: [odd_angle]` on the row accepts"));
+            model(&cells("allow: [odd_angle]"));
+            model(&cells("").replace("[odd_mass]", "[odd_mass, odd_angle]"));
+        }
     }
-    let negative = message(&with_cells("alpha: -90"));
-    assert!(negative.contains("`deg(90)`"), "{negative}");
+}
+
+/// Small angles are what a calibration finds; what is computed, or depends on a field, was thought about.
+#[test]
+fn angles_that_are_not_odd() {
     for cell in [
         "alpha: deg(90)",
-        "alpha: 1 * 90",
-        "theta: 15",
-        "theta: 91",
-        "alpha: 1e6",
+        "alpha: PI/2",
+        "alpha: 1.5707963268",
+        "theta: -3*PI/2",
+        "theta: 6.28318530718",
+        "theta: deg(360)",
+        "alpha: 0.001",
+        "alpha: -1e-6",
+        "alpha: PI/2 + 0.003",
+        "alpha: PI/2 - deg(0.1)",
+        "theta: 1.5",
+        "theta: 6",
+        "theta: 1 * 90",
+        "theta: 5*PI/2",
+        "theta: deg(11)",
+        "theta: x",
+        "theta: deg(x)",
+        "alpha: x + 1.5708",
         "a: 90",
+        "limits: [-1.57, 1.57]",
+        "d: 1.5708",
     ] {
-        model(&with_cells(cell));
+        model(&with_cells(&format!("{cell}, mass: x")).replace("Arm;", "Arm { x: f64 }"));
     }
+}
+
+/// Angles that stand in no row are allowed at the end of the table.
+#[test]
+fn odd_angles_elsewhere() {
+    let call = |entry: &str, allow: &str| {
+        with_cells("mass: 1")
+            .replace("allow: [odd_mass],", &format!("{entry} {allow}"))
+            .replace(
+                "joint:",
+                "slide: prismatic { mass: 1 }, turn: revolute {}, joint:",
+            )
+    };
+    for (entry, start) in [
+        ("base: { rpy: [1.5708, 0, 0] },", NEARLY),
+        ("lock: [turn = 90],", DEGREES),
+        ("lock: [turn = -1.5708],", NEARLY),
+        ("lock: [turn = deg(PI/2)],", OF_RADIANS),
+        ("let twist = deg(PI);", OF_RADIANS),
+    ] {
+        let message = message(&call(entry, ""));
+        assert!(message.starts_with(start), "{entry}: {message}");
+        assert!(
+            message.contains("at the end of the table accepts"),
+            "{message}"
+        );
+        model(&call(entry, "allow: [odd_angle]"));
+    }
+    let tool = message(&call("tool: { rpy: [0, 0, 45] },", ""));
+    assert!(tool.contains("on the tool accepts 45 rad"), "{tool}");
+    model(&call("tool: { rpy: [0, 0, 45], allow: [odd_angle] },", ""));
+    // A joint that slides has no angle, one that turns often has limits that say so.
+    model(&call("lock: [slide = 1.5708],", ""));
+    let turns = |position: &str| {
+        let call = call(&format!("lock: [turn = {position}],"), "");
+        call.replace("turn: revolute {}", "turn: revolute { limits: [-30, 30] }")
+    };
+    model(&turns("20"));
+    assert!(message(&turns("40")).contains("outside of the limits"));
+}
+
+/// Masses, centres of mass and gravity that were hardly meant.
+#[test]
+fn odd_bodies_are_allowed_by_name() {
+    let call = |cells: &str, entry: &str| {
+        format!(
+            "struct Arm; convention: standard, gravity: [0, 0, -9.81],
+             joints: [first: revolute {{ a: 0.4, {cells} }}, second: revolute {{}}], {entry}"
+        )
+    };
+    for (cells, what, word) in [
+        (
+            "com: [0.1, 0, 0]",
+            "a centre of mass without a mass",
+            "odd_mass",
+        ),
+        (
+            "inertia: { xx: 1, yy: 1, zz: 1 }",
+            "a tensor without a mass",
+            "odd_mass",
+        ),
+        (
+            "mass: 1, com: [-200, 0, 0]",
+            "a centre of mass 200 m from",
+            "odd_com",
+        ),
+        (
+            "mass: 1, com: [0, 0, 4.1]",
+            "a centre of mass 4.1 m from",
+            "odd_com",
+        ),
+    ] {
+        let message = message(&call(cells, ""));
+        assert!(message.starts_with(what), "{message}");
+        assert!(
+            message.contains(&format!("allow: [{word}]` on the row")),
+            "{message}"
+        );
+        let elsewhere = "tool: { mass: 1 },";
+        model(&call(&format!("{cells}, allow: [{word}]"), elsewhere));
+        model(&call(cells, &format!("allow: [{word}], {elsewhere}")));
+    }
+    for good in [
+        "mass: 1, com: [3.9, 0, 0]",
+        // As the PUMA's first link was published, and a mass that is said to be none.
+        "inertia: { yy: 0.35 }",
+        "mass: 0, com: [0.1, 0, 0], inertia: { xx: 1, yy: 1, zz: 1 }",
+        "com: [0, 0, 0], inertia: { yy: 1 }",
+        "motor: { inertia: 1, gear_ratio: 2 }",
+    ] {
+        model(&call(good, ""));
+    }
+    let massless = message(&call("a: 0, mass: 0", "").replace("a: 0.4, ", ""));
+    assert!(
+        massless.starts_with("no link of this arm has a mass"),
+        "{massless}"
+    );
+    model(&call("", "functions: [forward_kinematics, jacobian],"));
+    model(&call("", "tool: { mass: 1 },"));
+    model(&call("", "allow: [odd_mass],"));
+    // An arm without a length has nothing to compare with.
+    model(&call("mass: 1, com: [1, 0, 0]", "").replace("a: 0.4, ", ""));
+    // What slides is as long as its limits say.
+    let slide = |limits: &str| {
+        call("mass: 1, com: [6, 0, 0]", "").replace(
+            "second: revolute {}",
+            &format!("second: prismatic {{ {limits} }}"),
+        )
+    };
+    model(&slide(""));
+    model(&slide("limits: [0, 0.6]"));
+    assert!(message(&slide("limits: [0, 0.5]")).contains("longest part is 0.5 m"));
+    let of_tool = message(&call("mass: 1", "tool: { mass: 1, com: [0, 0, 50] },"));
+    assert!(
+        of_tool.contains("`allow: [odd_com]` on the tool"),
+        "{of_tool}"
+    );
+}
+
+#[test]
+fn gravity_as_it_is_nowhere() {
+    let call = |gravity: &str| with_cells("mass: 1").replace("[0, 0, -9.81]", gravity);
+    for odd in [
+        "[0, 0, -9810]",
+        "[0, 0, -981]",
+        "[0, 0.5, 0]",
+        "[0, 0, 30.1]",
+    ] {
+        let message = message(&call(odd));
+        assert!(message.starts_with("gravity of "), "{message}");
+        model(&call(odd).replace("[odd_mass]", "[odd_gravity]"));
+    }
+    for usual in [
+        "[0, 0, 0]",
+        "[0, 0, -1]",
+        "[6, 0, 8]",
+        "[0, -g, 0]",
+        "[0, 0, 24.79]",
+    ] {
+        model(
+            &call(usual)
+                .replace("Arm;", "Arm { g: f64 }")
+                .replace("mass: 1", "mass: g"),
+        );
+    }
+    let word = message(&with_cells("allow: [odd_gravity]"));
+    assert!(
+        word.ends_with("write `allow: [odd_gravity]` at its end"),
+        "{word}"
+    );
 }
 
 #[test]

@@ -45,9 +45,11 @@ fn model(source: &str) -> Model {
     model.unwrap_or_else(|| panic!("{messages:#?}"))
 }
 
-/// A call with those rows and otherwise nothing wrong.
+/// A call with those rows and otherwise nothing wrong: what is read and judged is more than masses.
 fn with_rows(rows: &str) -> String {
-    format!("struct Arm; convention: standard, gravity: [0, 0, -9.81], joints: [{rows}],")
+    format!(
+        "struct Arm; convention: standard, gravity: [0, 0, -9.81], joints: [{rows}], allow: [odd_mass],"
+    )
 }
 
 /// A call with those cells and otherwise nothing wrong.

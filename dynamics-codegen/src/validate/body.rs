@@ -5,15 +5,16 @@ use dynamics_symbolic::robot::Value;
 
 use super::scope::{Scope, all};
 use super::solid;
-use crate::description::{Allow, Expr, Given, Inertia, InertiaKind, Solid, Vector};
+use crate::description::{Expr, Given, Inertia, InertiaKind, Solid, Tensor, Vector};
 use crate::mistake::joint as mistake;
+use crate::place::Place;
 
 /// What is said of a body.
 pub(super) struct Body<'a> {
     pub(super) mass: &'a Given<Expr>,
     pub(super) com: &'a Given<Vector>,
     pub(super) inertia: &'a Given<Inertia>,
-    pub(super) allow: &'a Given<Allow>,
+    pub(super) inertia_at_origin: &'a Given<Tensor>,
     /// What messages call the place where it is said.
     pub(super) place: &'static str,
 }
@@ -21,14 +22,55 @@ pub(super) struct Body<'a> {
 /// Mass, centre of mass and inertia tensor; `None` where one of them is in error.
 pub(super) fn body(body: &Body, scope: &mut Scope) -> Option<(Value, [Value; 3], [Value; 6])> {
     let mass = scope.not_negative(body.mass, "a mass");
-    let com = scope.given_vector(body.com);
-    let inertia = inertia(body, mass.as_ref(), scope);
-    Some((mass?, all(com)?, inertia?))
+    let com = all(scope.given_vector(body.com));
+    report_massless(body, com.as_ref(), scope);
+    let inertia = match (body.inertia, body.inertia_at_origin) {
+        (inertia, Given::Absent) => inertia_about_com(inertia, body, mass.as_ref(), scope),
+        (Given::Absent, Given::Unreadable) => None,
+        (Given::Absent, Given::As(tensor)) => {
+            moved(tensor, body, mass.as_ref().zip(com.as_ref()), scope)
+        }
+        (_, tensor) => {
+            if let Given::As(tensor) = tensor {
+                scope.error(tensor.place, mistake::two_inertias());
+            }
+            None
+        }
+    };
+    Some((mass?, com?, inertia?))
+}
+
+/// Reports a centre of mass, or more than the moment about one axis, where no mass is written.
+///
+/// That moment is all that matters of a body that turns about this axis alone, and tables are published with
+/// it and without a mass: the PUMA's first link has `inertia: { yy: 0.35 }`. A mass of zero is written
+/// where none is meant.
+fn report_massless(body: &Body, com: Option<&[Value; 3]>, scope: &Scope) {
+    if !body.mass.is_absent() || scope.allowed().odd_mass {
+        return;
+    }
+    let is_elsewhere = com.is_some_and(|com| com.iter().any(|component| !component.is_zero()));
+    if let Some([Some(first), _, Some(last)]) = body.com.value().filter(|_| is_elsewhere) {
+        let place = first.place.to(last.place);
+        scope.error(place, mistake::com_without_mass(body.place));
+        return;
+    }
+    if let Given::As(inertia) = body.inertia
+        && let InertiaKind::Tensor(entries) = &inertia.kind
+        && entries.iter().filter_map(Given::value).count() > 1
+    {
+        scope.error(inertia.place, mistake::tensor_without_mass(body.place));
+    }
 }
 
 /// The tensor about the centre of mass: entries xx, yy, zz, xy, yz, xz.
-fn inertia(body: &Body, mass: Option<&Value>, scope: &mut Scope) -> Option<[Value; 6]> {
-    let inertia = match body.inertia {
+fn inertia_about_com(
+    inertia: &Given<Inertia>,
+    body: &Body,
+    mass: Option<&Value>,
+    scope: &mut Scope,
+) -> Option<[Value; 6]> {
+    let inertia = match inertia {
         Given::Absent => return Some([0; 6].map(Value::integer)),
         Given::Unreadable => return None,
         Given::As(inertia) => inertia,
@@ -42,16 +84,64 @@ fn inertia(body: &Body, mass: Option<&Value>, scope: &mut Scope) -> Option<[Valu
         }
         InertiaKind::Tensor(entries) => {
             let values = all(entries.each_ref().map(|entry| scope.given(entry)))?;
-            if allows_unphysical(body.allow) {
-                return Some(values);
-            }
-            match refusal(&known(entries, &values)) {
-                None => Some(values),
-                Some(reason) => {
-                    scope.error(inertia.place, mistake::no_body(reason, body.place));
-                    None
-                }
-            }
+            possible(known(entries, &values), inertia.place, body, scope)?;
+            Some(values)
+        }
+    }
+}
+
+/// The tensor about the centre of mass, from one about the frame's origin.
+fn moved(
+    tensor: &Tensor,
+    body: &Body,
+    place: Option<(&Value, &[Value; 3])>,
+    scope: &mut Scope,
+) -> Option<[Value; 6]> {
+    for (word, is_absent) in [
+        ("mass", body.mass.is_absent()),
+        ("com", body.com.is_absent()),
+    ] {
+        if is_absent {
+            scope.error(tensor.place, mistake::cannot_be_moved(word, body.place));
+            return None;
+        }
+    }
+    let values = all(tensor.entries.each_ref().map(|entry| scope.given(entry)))?;
+    let (mass, com) = place?;
+    let values = about_center_of_mass(values, mass, com);
+    possible(values.each_ref().map(number), tensor.place, body, scope)?;
+    Some(values)
+}
+
+/// `J_com = J_origin - m (c.c 1 - c c')`, the parallel-axis theorem (Huygens, Steiner), exactly.
+fn about_center_of_mass(tensor: [Value; 6], mass: &Value, com: &[Value; 3]) -> [Value; 6] {
+    let moment = |i: usize, j: usize| mass.clone() * (com[i].clone() * com[j].clone());
+    let [xx, yy, zz, xy, yz, xz] = tensor;
+    [
+        xx - moment(1, 1) - moment(2, 2),
+        yy - moment(0, 0) - moment(2, 2),
+        zz - moment(0, 0) - moment(1, 1),
+        xy + moment(0, 1),
+        yz + moment(1, 2),
+        xz + moment(0, 2),
+    ]
+}
+
+/// Reports a tensor that no body has, unless that is allowed: then it is `None`.
+fn possible(
+    entries: [Option<Rational>; 6],
+    place: Place,
+    body: &Body,
+    scope: &Scope,
+) -> Option<()> {
+    if scope.allowed().unphysical_inertia {
+        return Some(());
+    }
+    match refusal(&entries) {
+        None => Some(()),
+        Some(reason) => {
+            scope.error(place, mistake::no_body(reason, body.place));
+            None
         }
     }
 }
@@ -71,15 +161,6 @@ fn solid(
         values.extend(value);
     }
     solid::tensor(solid, mass?, &values)
-}
-
-/// Whether that is said, or something was meant to be said about it.
-fn allows_unphysical(allow: &Given<Allow>) -> bool {
-    match allow {
-        Given::Absent => false,
-        Given::Unreadable => true,
-        Given::As(allow) => allow.unphysical_inertia,
-    }
 }
 
 /// The entries that are known numbers.

@@ -3,7 +3,6 @@
 use dynamics_symbolic::robot::{Placement, Tool};
 
 use super::body::{self, Body};
-use super::degrees::report_degrees;
 use super::scope::{Scope, all};
 use crate::description;
 
@@ -13,10 +12,7 @@ pub(super) fn placement(
     scope: &mut Scope,
 ) -> Option<Placement> {
     let xyz = scope.given_vector(&placement.xyz);
-    let rpy = scope.given_vector(&placement.rpy);
-    for angle in placement.rpy.value().into_iter().flatten().flatten() {
-        report_degrees(angle, scope);
-    }
+    let rpy = scope.angles(&placement.rpy);
     Some(Placement {
         xyz: all(xyz)?,
         rpy: all(rpy)?,
@@ -25,13 +21,17 @@ pub(super) fn placement(
 
 /// The tool; `None` where it is in error.
 pub(super) fn tool(tool: &description::Tool, scope: &mut Scope) -> Option<Tool> {
+    scope.within(&tool.allow, "tool", |scope| placed_body(tool, scope))
+}
+
+fn placed_body(tool: &description::Tool, scope: &mut Scope) -> Option<Tool> {
     let placement = placement(&tool.placement, scope);
     let body = body::body(
         &Body {
             mass: &tool.mass,
             com: &tool.com,
             inertia: &tool.inertia,
-            allow: &tool.allow,
+            inertia_at_origin: &tool.inertia_at_origin,
             place: "tool",
         },
         scope,

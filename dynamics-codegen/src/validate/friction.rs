@@ -3,7 +3,7 @@
 use dynamics_symbolic::robot::{Stribeck, Value};
 
 use super::all;
-use super::scope::Scope;
+use super::scope::{Scope, number};
 use crate::description::{self, Coulomb, Given};
 use crate::mistake::joint as mistake;
 
@@ -99,9 +99,4 @@ fn stribeck(
         friction: friction?,
         velocity: velocity?,
     }))
-}
-
-/// The value, where it is known.
-fn number(value: &Value) -> Option<f64> {
-    value.is_number().then(|| value.to_f64(&[]))
 }

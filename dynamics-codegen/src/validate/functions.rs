@@ -5,8 +5,9 @@ use std::collections::BTreeSet;
 use dynamics_symbolic::Function;
 use dynamics_symbolic::derive::center_of_mass::is_massless;
 use dynamics_symbolic::function::{Fused, Growth, Request, Set};
-use dynamics_symbolic::robot::{Robot, Row};
+use dynamics_symbolic::robot::{Robot, Row, Tool};
 
+use super::Model;
 use super::scope::Scope;
 use crate::description::{Asked, Name, Table};
 use crate::diagnose::Diagnostics;
@@ -95,6 +96,30 @@ pub(super) fn have_mass(
         diagnostics.error(place, mistake::no_mass(function));
     }
     !massless
+}
+
+/// Whether anything has inertia, where a function depends on it.
+pub(super) fn have_inertia(model: &Model, table: &Table, diagnostics: &Diagnostics) -> bool {
+    let mut parts = model
+        .requests
+        .iter()
+        .flat_map(|(request, _)| request.parts());
+    let reads_inertia = parts.any(|function| function.row().reads_inertia);
+    let is_allowed = table.allow().odd_mass || !reads_inertia || has_inertia(&model.robot);
+    if let (false, Some(name)) = (is_allowed, &table.name) {
+        diagnostics.error(name, mistake::no_inertia());
+    }
+    is_allowed
+}
+
+/// Whether a mass, a tensor or a motor's inertia is something else than the number zero.
+fn has_inertia(robot: &Robot) -> bool {
+    let of_rows = robot.rows.iter().flat_map(|row| {
+        let inertia = row.inertia.iter();
+        inertia.chain([&row.mass, &row.motor_inertia])
+    });
+    let of_tool = robot.tool.as_ref().is_some_and(Tool::has_body);
+    of_tool || of_rows.into_iter().any(|value| !value.is_zero())
 }
 
 /// Reports what is asked for twice, names that mean something else, and tuples that are none.

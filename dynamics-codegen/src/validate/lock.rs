@@ -1,10 +1,10 @@
 //! Joints that are locked at a position.
 
-use dynamics_symbolic::robot::{Row, Value};
+use dynamics_symbolic::robot::{JointType, Row, Value};
 
-use super::scope::Scope;
+use super::angle::Odd;
+use super::scope::{Scope, number};
 use crate::description::{self, Name};
-use crate::diagnose::Diagnostics;
 use crate::mistake::{Mistake, entry as mistake};
 use crate::place::Place;
 use crate::words;
@@ -12,7 +12,14 @@ use crate::words;
 /// A joint and the position at which it is locked; `None` where that is in error.
 pub(super) struct Lock {
     name: Name,
-    position: Option<(Value, Place)>,
+    position: Option<Position>,
+}
+
+struct Position {
+    value: Value,
+    /// What is odd about it, where it is an angle.
+    odd: Option<Odd>,
+    place: Place,
 }
 
 /// The positions, in the scope of the place where they are written.
@@ -20,8 +27,9 @@ pub(super) fn positions(locked: Option<&[description::Locked]>, scope: &mut Scop
     let lock = |locked: &description::Locked| Lock {
         name: locked.name.clone(),
         position: locked.position.as_ref().and_then(|position| {
-            let value = scope.value(position)?;
-            Some((value, position.place))
+            let (value, odd) = scope.unjudged_angle(position)?;
+            let place = position.place;
+            Some(Position { value, odd, place })
         }),
     };
     locked.unwrap_or_default().iter().map(lock).collect()
@@ -33,7 +41,7 @@ pub(super) fn lock(
     rows: &mut [Option<Row>],
     locks: &[Lock],
     written: &[description::Row],
-    diagnostics: &Diagnostics,
+    scope: &Scope,
 ) {
     let name = |row: &description::Row| {
         row.name
@@ -45,16 +53,16 @@ pub(super) fn lock(
     for lock in locks {
         let word = lock.name.plain();
         let Some(index) = names.iter().position(|name| name == word) else {
-            diagnostics.error(&lock.name, unknown(word, &names));
+            scope.error(&lock.name, unknown(word, &names));
             return;
         };
         if locked[index] {
-            diagnostics.error(&lock.name, mistake::locked_twice(word));
+            scope.error(&lock.name, mistake::locked_twice(word));
         }
         locked[index] = true;
-        if let (Some(row), Some((value, place))) = (&mut rows[index], &lock.position) {
-            report_out_of_limits(row, value, *place, diagnostics);
-            row.locked = Some(value.clone());
+        if let (Some(row), Some(position)) = (&mut rows[index], &lock.position) {
+            report_position(row, position, scope);
+            row.locked = Some(position.value.clone());
         }
     }
     if let Some(first) = locks
@@ -63,7 +71,7 @@ pub(super) fn lock(
     {
         let last = locks.last().unwrap_or(first);
         let place = Place::from(&first.name).to(&last.name);
-        diagnostics.error(place, mistake::all_locked());
+        scope.error(place, mistake::all_locked());
     }
 }
 
@@ -73,13 +81,28 @@ fn unknown(word: &str, names: &[String]) -> Mistake {
     mistake::unknown_joint(word, words::nearest(word, &known), &known)
 }
 
-fn report_out_of_limits(row: &Row, value: &Value, place: Place, diagnostics: &Diagnostics) {
-    let Some([lower, upper]) = row.limits.as_ref().filter(|_| value.is_number()) else {
+/// Reports a position beyond the joint's limits, and an angle that was hardly meant. One of many turns is
+/// good where the limits say so.
+fn report_position(row: &Row, position: &Position, scope: &Scope) {
+    let number = number(&position.value);
+    let limits = row
+        .limits
+        .as_ref()
+        .map(|limits| limits.each_ref().map(|limit| limit.to_f64(&[])));
+    if let (Some(number), Some([lower, upper])) = (number, limits)
+        && !(lower..=upper).contains(&number)
+    {
+        let mistake = mistake::locked_out_of_limits(number, &row.name, [lower, upper]);
+        scope.error(position.place, mistake);
         return;
+    }
+    let odd = match &position.odd {
+        Some(Odd::ManyTurns(..)) if limits.is_some() => None,
+        odd => odd
+            .as_ref()
+            .filter(|_| row.joint_type == JointType::Revolute),
     };
-    let [lower, value, upper] = [lower, value, upper].map(|value| value.to_f64(&[]));
-    if !(lower..=upper).contains(&value) {
-        let mistake = mistake::locked_out_of_limits(value, &row.name, [lower, upper]);
-        diagnostics.error(place, mistake);
+    if let Some(odd) = odd.filter(|_| !scope.allowed().odd_angle) {
+        scope.error(position.place, odd.mistake(scope.place_of_allow()));
     }
 }

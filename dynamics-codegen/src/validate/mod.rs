@@ -4,15 +4,17 @@
 //! reported. A value that could not be read is unknown (`None`) from then on, so
 //! that nothing is said about it twice.
 
+mod angle;
 mod body;
-mod degrees;
 mod fields;
 mod frames;
 mod friction;
 pub(crate) mod functions;
+mod gravity;
 mod limits;
 mod lock;
 mod neglect;
+mod reach;
 mod row;
 mod scope;
 mod solid;
@@ -49,7 +51,8 @@ pub(crate) fn model(table: &Table, diagnostics: &Diagnostics) -> Option<Model> {
         if !parts.has_unread_file {
             parts.report_missing(name, diagnostics);
         }
-        parts.lock(table, diagnostics);
+        parts.lock(table, &scope);
+        reach::report(&parts, table, &scope);
         neglect::report(&parts, table, diagnostics);
         parts.report_incomparable(diagnostics);
         if parts.have_values() {
@@ -59,7 +62,8 @@ pub(crate) fn model(table: &Table, diagnostics: &Diagnostics) -> Option<Model> {
     match diagnostics.is_empty() {
         true => parts
             .model(table)
-            .filter(|model| functions::have_mass(&model.requests, &model.robot, diagnostics)),
+            .filter(|model| functions::have_mass(&model.requests, &model.robot, diagnostics))
+            .filter(|model| functions::have_inertia(model, table, diagnostics)),
         false => None,
     }
 }
@@ -89,7 +93,9 @@ impl Parts {
             match entry {
                 Entry::Let(name, value) => scope.bind(name, value.as_ref()),
                 Entry::Convention(convention) => parts.convention = Some(*convention),
-                Entry::Gravity(gravity) => parts.gravity = Some(scope.vector(gravity.as_ref())),
+                Entry::Gravity(gravity) => {
+                    parts.gravity = Some(gravity::gravity(gravity.as_ref(), scope));
+                }
                 Entry::Base(base) => {
                     let base = base.as_ref();
                     parts.base = Some(base.and_then(|base| frames::placement(base, scope)));
@@ -114,7 +120,7 @@ impl Parts {
                 }
                 // A file that could be read has given way to its entries.
                 Entry::File(_) => parts.has_unread_file = true,
-                Entry::Chain(_) | Entry::Ignore(_) | Entry::RoundAngles(_) => {}
+                Entry::Chain(_) | Entry::Ignore(_) | Entry::RoundAngles(_) | Entry::Allow(_) => {}
             }
         }
         if let (Some(functions), Some(rows)) = (&parts.functions, &parts.rows) {
@@ -159,10 +165,10 @@ impl Parts {
     }
 
     /// Locks the joints that are to be locked.
-    fn lock(&mut self, table: &Table, diagnostics: &Diagnostics) {
+    fn lock(&mut self, table: &Table, scope: &Scope) {
         let known = rows(table).is_some_and(|joints| joints.complete);
         if let (Some(rows), true) = (&mut self.rows, known) {
-            lock::lock(rows, &self.lock, rows_of(table), diagnostics);
+            lock::lock(rows, &self.lock, rows_of(table), scope);
         }
     }
 

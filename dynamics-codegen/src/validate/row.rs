@@ -5,7 +5,6 @@ use std::collections::BTreeSet;
 use dynamics_symbolic::robot::{JointType, Row, Spring, Value};
 
 use super::body::Body;
-use super::degrees::report_degrees;
 use super::scope::Scope;
 use super::{body, friction, limits};
 use crate::description::{self, Given, Motor};
@@ -28,20 +27,19 @@ fn report_duplicates(rows: &[description::Row], scope: &Scope) {
 }
 
 fn row(row: &description::Row, scope: &mut Scope) -> Option<Row> {
+    scope.within(&row.allow, "row", |scope| cells(row, scope))
+}
+
+fn cells(row: &description::Row, scope: &mut Scope) -> Option<Row> {
     let (d, theta) = offsets(row, scope);
     let a = scope.given(&row.a);
-    let alpha = scope.given(&row.alpha);
-    for angle in [&row.alpha, &row.theta] {
-        if let Some(angle) = angle.value() {
-            report_degrees(angle, scope);
-        }
-    }
+    let alpha = scope.angle(&row.alpha, None);
     let body = body::body(
         &Body {
             mass: &row.mass,
             com: &row.com,
             inertia: &row.inertia,
-            allow: &row.allow,
+            inertia_at_origin: &row.inertia_at_origin,
             place: "row",
         },
         scope,
@@ -77,13 +75,10 @@ fn offsets(row: &description::Row, scope: &mut Scope) -> (Option<Value>, Option<
     match row.joint_type {
         Some(JointType::Prismatic) => (
             scope.given_beside_variable(&row.d, "d"),
-            scope.given(&row.theta),
+            scope.angle(&row.theta, None),
         ),
-        Some(JointType::Revolute) => (
-            scope.given(&row.d),
-            scope.given_beside_variable(&row.theta, "theta"),
-        ),
-        None => (scope.given(&row.d), scope.given(&row.theta)),
+        Some(JointType::Revolute) => (scope.given(&row.d), scope.angle(&row.theta, Some("theta"))),
+        None => (scope.given(&row.d), scope.angle(&row.theta, None)),
     }
 }
 

@@ -5,7 +5,8 @@ use std::collections::BTreeMap;
 use dynamics_symbolic::exact::{Rational, SplitMix64, bit_length};
 use dynamics_symbolic::robot::Value;
 
-use crate::description::{Entry, Expr, ExprKind, Given, Name, Operator, Table, Vector};
+use super::angle;
+use crate::description::{Allow, Entry, Expr, ExprKind, Given, Name, Operator, Table, Vector};
 use crate::diagnose::Diagnostics;
 use crate::limits::{MOST_BITS, MOST_BITS_IN_ALL, MOST_TERMS, MOST_TERMS_IN_ALL};
 use crate::mistake::{Mistake, joint, size, value as mistake};
@@ -24,6 +25,10 @@ pub(super) struct Scope<'d> {
     complete: bool,
     /// What the values so far are in all.
     total: Total,
+    /// What is allowed everywhere in the table.
+    everywhere: Allow,
+    /// What is allowed besides in what is read, and what messages call that.
+    body: Option<(Allow, &'static str)>,
 }
 
 /// The size of values.
@@ -39,11 +44,25 @@ enum Binding {
     Let(Option<Measured>),
 }
 
-/// A value and the number of its terms.
+/// A value and how it came about.
 #[derive(Clone)]
-struct Measured {
-    value: Value,
+pub(super) struct Measured {
+    pub(super) value: Value,
+    /// The number of its terms.
     terms: usize,
+    /// Whether two values were put together in it.
+    pub(super) is_computed: bool,
+}
+
+impl Measured {
+    /// A number or a name.
+    fn of(value: Value) -> Measured {
+        Measured {
+            value,
+            terms: 1,
+            is_computed: false,
+        }
+    }
 }
 
 impl<'d> Scope<'d> {
@@ -56,6 +75,8 @@ impl<'d> Scope<'d> {
             used: Vec::new(),
             complete: table.has_all_fields,
             total: Total::default(),
+            everywhere: table.allow(),
+            body: None,
         };
         for name in &table.fields {
             let index = scope.used.len();
@@ -74,6 +95,42 @@ impl<'d> Scope<'d> {
     /// Reports an error.
     pub(super) fn error(&self, at: impl Into<Place>, mistake: Mistake) {
         self.diagnostics.error(at, mistake);
+    }
+
+    /// Reads a row or the tool, which `place` says, with what is allowed there.
+    pub(super) fn within<T>(
+        &mut self,
+        allow: &Given<Allow>,
+        place: &'static str,
+        read: impl FnOnce(&mut Self) -> T,
+    ) -> T {
+        self.body = Some((self.with(allow), place));
+        let value = read(self);
+        self.body = None;
+        value
+    }
+
+    /// What is allowed where that is allowed besides.
+    pub(super) fn with(&self, allow: &Given<Allow>) -> Allow {
+        self.everywhere.or(match allow {
+            Given::Absent => Allow::default(),
+            Given::Unreadable => Allow::EVERYTHING,
+            Given::As(allow) => *allow,
+        })
+    }
+
+    /// What is allowed in what is read.
+    pub(super) fn allowed(&self) -> Allow {
+        self.body.map_or(self.everywhere, |(allow, _)| allow)
+    }
+
+    /// Where it is allowed, as a message says it.
+    pub(super) fn place_of_allow(&self) -> &'static str {
+        match self.body {
+            Some((_, "tool")) => "on the tool",
+            Some(_) => "on the row",
+            None => "at the end of the table",
+        }
     }
 
     /// Binds the name to the value.
@@ -109,6 +166,42 @@ impl<'d> Scope<'d> {
     /// The value of an expression, or `None` where it is in error.
     pub(super) fn value(&mut self, expr: &Expr) -> Option<Value> {
         self.cell(expr, None)
+    }
+
+    /// The value of an angle and what is odd about it, of which nothing is said.
+    pub(super) fn unjudged_angle(&mut self, expr: &Expr) -> Option<(Value, Option<angle::Odd>)> {
+        let angle = self.measured_cell(expr, None)?;
+        let odd = angle::odd(&angle);
+        Some((angle.value, odd))
+    }
+
+    /// The value of an angle; left out, it is zero. One that was hardly meant is reported. `variable` is
+    /// the cell's name where the joint's variable is added to it.
+    pub(super) fn angle(
+        &mut self,
+        cell: &Given<Expr>,
+        variable: Option<&'static str>,
+    ) -> Option<Value> {
+        match cell {
+            Given::As(expr) => self.written_angle(expr, variable),
+            other => self.given(other),
+        }
+    }
+
+    fn written_angle(&mut self, expr: &Expr, variable: Option<&'static str>) -> Option<Value> {
+        let angle = self.measured_cell(expr, variable)?;
+        angle::report(expr, &angle, self);
+        Some(angle.value)
+    }
+
+    /// Three angles; left out, they are zero.
+    pub(super) fn angles(&mut self, angles: &Given<Vector>) -> [Option<Value>; 3] {
+        match angles {
+            Given::As(angles) => angles
+                .each_ref()
+                .map(|expr| self.written_angle(expr.as_ref()?, None)),
+            other => self.given_vector(other),
+        }
     }
 
     /// The value of a cell; left out, it is zero.
@@ -161,8 +254,13 @@ impl<'d> Scope<'d> {
     }
 
     fn cell(&mut self, expr: &Expr, variable: Option<&'static str>) -> Option<Value> {
-        let value = self.counted(expr, variable)?.value;
-        self.total.bits += bits(&value);
+        Some(self.measured_cell(expr, variable)?.value)
+    }
+
+    fn measured_cell(&mut self, expr: &Expr, variable: Option<&'static str>) -> Option<Measured> {
+        let measured = self.counted(expr, variable)?;
+        let value = &measured.value;
+        self.total.bits += bits(value);
         if self.total.bits > MOST_BITS_IN_ALL {
             // Said once: the table would have to be as long again.
             self.total.bits = 0;
@@ -173,7 +271,7 @@ impl<'d> Scope<'d> {
             self.error(expr.place, mistake::too_large());
             return None;
         }
-        Some(value)
+        Some(measured)
     }
 
     /// The value, added to what there is in all.
@@ -191,18 +289,28 @@ impl<'d> Scope<'d> {
     }
 
     fn measured(&mut self, expr: &Expr, variable: Option<&'static str>) -> Option<Measured> {
-        let (value, terms) = match &expr.kind {
-            ExprKind::Number(number) => (Value::Rational(number.clone()), 1),
+        let measured = match &expr.kind {
+            ExprKind::Number(number) => Measured::of(Value::Rational(number.clone())),
             ExprKind::Name(name) => return self.lookup(name, expr.place, variable),
             ExprKind::Degrees(angle) => {
                 let angle = self.measured(angle, variable)?;
+                if angle::report_radians(expr, &angle, self) {
+                    return None;
+                }
                 // The quotient first: deg(90) is PI/2, with no rounding of 90 PI.
                 let turns = angle.value.checked_div(Value::integer(180))?;
-                (turns * Value::Pi, angle.terms + 2)
+                Measured {
+                    value: turns * Value::Pi,
+                    terms: angle.terms + 2,
+                    is_computed: angle.is_computed,
+                }
             }
             ExprKind::Minus(value) => {
                 let value = self.measured(value, variable)?;
-                (-value.value, value.terms)
+                Measured {
+                    value: -value.value,
+                    ..value
+                }
             }
             ExprKind::Binary(operator, left, right) => {
                 // Both sides before either `?`: there may be errors in both.
@@ -215,10 +323,14 @@ impl<'d> Scope<'d> {
                 let a = a?;
                 let terms = a.terms + b.terms;
                 self.limit(terms, expr.place)?;
-                (apply(*operator, a.value, b.value)?, terms)
+                Measured {
+                    value: apply(*operator, a.value, b.value)?,
+                    terms,
+                    is_computed: true,
+                }
             }
         };
-        let rational = value.as_rational();
+        let rational = measured.value.as_rational();
         if rational.is_some_and(|r| r.to_f64().value().is_infinite()) {
             self.error(expr.place, mistake::too_large());
             return None;
@@ -227,7 +339,7 @@ impl<'d> Scope<'d> {
             self.error(expr.place, size::digits());
             return None;
         }
-        Some(Measured { value, terms })
+        Some(measured)
     }
 
     fn limit(&self, terms: usize, place: Place) -> Option<()> {
@@ -245,14 +357,12 @@ impl<'d> Scope<'d> {
         variable: Option<&'static str>,
     ) -> Option<Measured> {
         if name == "PI" {
-            let value = Value::Pi;
-            return Some(Measured { value, terms: 1 });
+            return Some(Measured::of(Value::Pi));
         }
         match self.names.get(name.strip_prefix("r#").unwrap_or(name)) {
             Some(Binding::Field(index)) => {
                 self.used[*index] = true;
-                let value = Value::field(*index);
-                Some(Measured { value, terms: 1 })
+                Some(Measured::of(Value::field(*index)))
             }
             Some(Binding::Let(value)) => value.clone(),
             None => {
@@ -269,6 +379,9 @@ impl<'d> Scope<'d> {
     fn unknown(&mut self, name: &str, variable: Option<&'static str>) -> Mistake {
         if self.lets.iter().any(|bound| bound == name) {
             return mistake::bound_below(name);
+        }
+        if let Some(ours) = words::constant_of_std(name) {
+            return mistake::constant_of_std(name, ours);
         }
         let names: Vec<&str> = self.names.keys().map(String::as_str).collect();
         let meant = words::nearest(name, &[names.as_slice(), &["PI"]].concat());
@@ -297,6 +410,17 @@ fn apply(operator: Operator, a: Value, b: Value) -> Option<Value> {
         Operator::Mul => Some(a * b),
         Operator::Div => a.checked_div(b),
     }
+}
+
+/// The value, where it is a known number.
+pub(super) fn number(value: &Value) -> Option<f64> {
+    value.is_number().then(|| value.to_f64(&[]))
+}
+
+/// The length of a vector, where its components are known numbers.
+pub(super) fn norm(vector: [Option<&Value>; 3]) -> Option<f64> {
+    let [x, y, z] = vector.map(|component| Some(number(component?)?.powi(2)));
+    Some((x? + y? + z?).sqrt())
 }
 
 /// The values, where all of them are known.

@@ -51,6 +51,10 @@ pub(crate) use stepper::{Refusal, SeriesStepper, Steady};
 pub use term::SeriesTerm;
 
 /// An arm whose motion can be expanded in a Taylor series: `functions: [taylor_series]`.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no Taylor series of its motion: `taylor_series` was not asked for",
+    note = "ask for it: `functions: [default, taylor_series]`"
+)]
 pub trait TaylorDynamics<const N: usize>: Model<N> {
     /// Room for the products of two series in the equations of motion.
     #[doc(hidden)]

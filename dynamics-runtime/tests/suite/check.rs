@@ -123,6 +123,7 @@ robot_dynamics! {
     ],
     lock: [c = 7654321.3],
     tests: true,
+    allow: [odd_angle],
 }
 
 /// The table means the arm that the functions were derived from.

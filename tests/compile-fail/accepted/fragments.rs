@@ -14,7 +14,7 @@ macro_rules! arms {
                     convention: standard,
                     let size = 3;
                     let twice = $d x * 2;
-                    gravity: [$d x * 2, 1 - $d x, -9.81 * $d x],
+                    gravity: [$d x * 2, 1 - $d x, -4.905 * $d x],
                     joints: [
                         first: revolute {
                             a: $d x * 2,

@@ -1,0 +1,129 @@
+//! Angles that were hardly meant: degrees, and right angles in a few decimals.
+//!
+//! What is judged is an angle that is a number, wherever it comes from: a cell, a `let`, `deg(x)`. What is
+//! computed from several numbers is taken as it stands, for nobody writes `PI/2 + 0.003` by mistake, unless
+//! it is a decimal near a right angle: `3.1416/2`. So is what depends on a field.
+
+use core::f64::consts::{FRAC_PI_2, TAU};
+
+use super::scope::{Measured, Scope};
+use crate::description::Expr;
+use crate::mistake::{Mistake, joint as mistake};
+use dynamics_symbolic::robot::Value;
+
+/// Below it an angle is a multiple of a right one: the engine takes it as that.
+const EXACT: f64 = 1e-9;
+
+/// Below it an angle is nearly a multiple of a right one: `1.57` is off by 8e-4.
+///
+/// Zero is no such multiple. It is never rounded, and small angles are what a calibration finds
+/// between axes that were meant to be parallel.
+const NEAR: f64 = 1e-2;
+
+/// An angle that was hardly meant.
+#[derive(Clone)]
+pub(super) enum Odd {
+    /// Within [`NEAR`] of that many right angles, which are written so.
+    NearlyRight(&'static str),
+    /// More than a turn: the angle in rad, and whether it is written as such.
+    ManyTurns(f64, bool),
+}
+
+/// What is odd about the angle.
+pub(super) fn odd(angle: &Measured) -> Option<Odd> {
+    if !angle.value.is_number() {
+        return None;
+    }
+    let radians = angle.value.to_f64(&[]);
+    let is_decimal = angle.value.as_rational().is_some();
+    if (is_decimal || !angle.is_computed)
+        && let Some((right, distance)) = right_angle(radians)
+        && distance > EXACT
+    {
+        return Some(Odd::NearlyRight(right));
+    }
+    let is_long = !angle.is_computed && radians.abs() > TAU + EXACT;
+    is_long.then_some(Odd::ManyTurns(radians, is_decimal))
+}
+
+/// The multiple of a right angle that is near, up to a turn, as it is written, and how far it is.
+fn right_angle(radians: f64) -> Option<(&'static str, f64)> {
+    const WRITTEN: [(f64, &str); 8] = [
+        (1.0, "PI/2"),
+        (2.0, "PI"),
+        (3.0, "3*PI/2"),
+        (4.0, "2*PI"),
+        (-1.0, "-PI/2"),
+        (-2.0, "-PI"),
+        (-3.0, "-3*PI/2"),
+        (-4.0, "-2*PI"),
+    ];
+    let distance = |quarters: f64| (radians - quarters * FRAC_PI_2).abs();
+    let mut multiples = WRITTEN.into_iter();
+    multiples.find_map(|(quarters, written)| {
+        let distance = distance(quarters);
+        (distance < NEAR).then_some((written, distance))
+    })
+}
+
+impl Odd {
+    /// What to say about it; `place` is where it can be allowed.
+    pub(super) fn mistake(&self, place: &str) -> Mistake {
+        match *self {
+            Odd::NearlyRight(right) => mistake::nearly_right(right, place),
+            Odd::ManyTurns(radians, true) => mistake::angle_in_degrees(radians, place),
+            Odd::ManyTurns(radians, false) => mistake::more_than_a_turn(radians, place),
+        }
+    }
+}
+
+/// Reports what is odd about the angle, where that is not allowed.
+pub(super) fn report(expr: &Expr, angle: &Measured, scope: &Scope) {
+    if let Some(odd) = odd(angle)
+        && !scope.allowed().odd_angle
+    {
+        scope.error(expr.place, odd.mistake(scope.place_of_allow()));
+    }
+}
+
+/// Reports `deg(angle)` of what was in radians already; returns whether it was.
+pub(super) fn report_radians(expr: &Expr, angle: &Measured, scope: &Scope) -> bool {
+    let place = scope.place_of_allow();
+    let mistake = match &angle.value {
+        _ if scope.allowed().odd_angle || !angle.value.is_number() => return false,
+        Value::Rational(number) => right_angle(number.to_f64().value())
+            .map(|(right, _)| mistake::degrees_of_right_angle(right, place)),
+        value => has_pi(value).then(|| mistake::degrees_of_pi(place)),
+    };
+    let is_wrong = mistake.is_some();
+    if let Some(mistake) = mistake {
+        scope.error(expr.place, mistake);
+    }
+    is_wrong
+}
+
+fn has_pi(value: &Value) -> bool {
+    match value {
+        Value::Pi => true,
+        Value::Rational(_) | Value::Field(_) => false,
+        Value::Neg(a) => has_pi(a),
+        Value::Add(a, b) | Value::Mul(a, b) | Value::Div(a, b) => has_pi(a) || has_pi(b),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::right_angle;
+
+    #[test]
+    fn right_angles_are_told_from_others() {
+        let near = |radians: f64| right_angle(radians).map(|(written, _)| written);
+        assert_eq!(near(1.57), Some("PI/2"));
+        assert_eq!(near(-3.14), Some("-PI"));
+        assert_eq!(near(4.71), Some("3*PI/2"));
+        assert_eq!(near(-6.28), Some("-2*PI"));
+        for other in [0.0, 0.001, -0.009, 1.55, 1.59, 7.854, 11.0] {
+            assert_eq!(near(other), None, "{other}");
+        }
+    }
+}

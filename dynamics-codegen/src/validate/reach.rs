@@ -1,0 +1,69 @@
+//! Centres of mass that are far from their links: millimetres, or a point of another frame.
+
+use dynamics_symbolic::robot::{JointType, Placement, Row, Value};
+
+use super::scope::{Scope, norm, number};
+use super::{Parts, rows_of};
+use crate::description::{Allow, Given, Table, Vector};
+use crate::mistake::joint as mistake;
+use crate::place::Place;
+
+/// A centre of mass may be so many times further from its frame than the arm's longest part is long.
+const FARTHEST: f64 = 10.0;
+
+/// Reports them, where all lengths are known. An arm without any is not judged: a pendulum has none but
+/// that of its centre of mass.
+pub(super) fn report(parts: &Parts, table: &Table, scope: &Scope) {
+    let Some(longest) = longest(parts).filter(|longest| *longest > 0.0) else {
+        return;
+    };
+    let far = |com: &[Value; 3], written: &Given<Vector>, allow: &Given<Allow>, place| {
+        let distance = norm(com.each_ref().map(Some));
+        if let (Some(distance), Some([Some(first), _, Some(last)])) = (distance, written.value())
+            && distance > FARTHEST * longest
+            && !scope.with(allow).odd_com
+        {
+            let place_of_com = Place::to(first.place, last.place);
+            scope.error(place_of_com, mistake::far_com(distance, longest, place));
+        }
+    };
+    for (row, written) in parts.rows.iter().flatten().zip(rows_of(table)) {
+        if let Some(row) = row {
+            far(&row.com, &written.com, &written.allow, "row");
+        }
+    }
+    if let (Some(Some(tool)), Some(written)) = (&parts.tool, table.tool()) {
+        far(&tool.com, &written.com, &written.allow, "tool");
+    }
+}
+
+/// The longest of `a`, `d`, the range of joints that slide, and the way to the tool. None where one of
+/// them is not known: a joint that slides without limits may slide as far as its links are long.
+fn longest(parts: &Parts) -> Option<f64> {
+    let mut longest = 0.0_f64;
+    for row in parts.rows.iter().flatten() {
+        longest = longest.max(length(row.as_ref()?)?);
+    }
+    match &parts.tool {
+        None => Some(longest),
+        Some(tool) => Some(longest.max(distance(&tool.as_ref()?.placement)?)),
+    }
+}
+
+fn length(row: &Row) -> Option<f64> {
+    let limits: &[Value] = match (row.joint_type, &row.limits) {
+        (JointType::Prismatic, None) => return None,
+        (JointType::Prismatic, Some(limits)) => limits,
+        (JointType::Revolute, _) => &[],
+    };
+    [&row.a, &row.d]
+        .into_iter()
+        .chain(limits)
+        .try_fold(0.0_f64, |longest, length| {
+            Some(longest.max(number(length)?.abs()))
+        })
+}
+
+fn distance(placement: &Placement) -> Option<f64> {
+    norm(placement.xyz.each_ref().map(Some))
+}
