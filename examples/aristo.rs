@@ -8,8 +8,8 @@
 
 use std::{error::Error, f64::consts::PI};
 
+use robot_dynamics::plot::{Curve, Figure, joints};
 use robot_dynamics::{Cycloidal, Simulation, nalgebra::Vector6, robot_dynamics};
-use testkit::plot::{Curve, Figure, joints};
 
 robot_dynamics! {
     /// MTAB Aristo. The Denavit-Hartenberg table is published; the mass properties are estimates
@@ -90,7 +90,7 @@ fn inverse_dynamics(start: Vector6<f64>, end: Vector6<f64>) -> Result<(), Box<dy
     Figure::new("Aristo: inverse dynamics on the cycloidal law")
         .panel("joint angles, rad", joints(names, &t, positions))
         .panel("joint torques, N m", joints(names, &t, tau))
-        .save("aristo_inverse_dynamics")
+        .save("examples/output/aristo_inverse_dynamics.svg")
 }
 
 /// Three seconds of free fall from rest at the trajectory's end, without friction: the energy must
@@ -116,5 +116,5 @@ fn free_fall(from: Vector6<f64>) -> Result<(), Box<dyn Error>> {
         .panel("joint angles, rad", joints(names, &run.t, run.q))
         .panel("joint rates, rad/s", joints(names, &run.t, run.qd))
         .panel("energy error, J", [energy_error])
-        .save("aristo_free_fall")
+        .save("examples/output/aristo_free_fall.svg")
 }

@@ -7,11 +7,11 @@
 
 use std::error::Error;
 
+use robot_dynamics::plot::{Curve, Figure, joints};
 use robot_dynamics::{
     Energy, Evaluate, ForwardDynamics, Simulation, check_against_rnea, nalgebra::SVector,
     robot_dynamics,
 };
-use testkit::plot::{Curve, Figure, joints};
 
 robot_dynamics! {
     /// Stanford arm: joint 3 is prismatic.
@@ -189,5 +189,5 @@ where
     Figure::new(format!("{name}: free fall"))
         .panel("positions, rad or m", joints(R::JOINT_NAMES, &run.t, run.q))
         .panel("energy error, J", [energy_error])
-        .save(&format!("{name}_free_fall"))
+        .save(format!("examples/output/{name}_free_fall.svg"))
 }

@@ -11,8 +11,8 @@ mod compare;
 
 use std::error::Error;
 
+use robot_dynamics::plot::{Figure, joints};
 use robot_dynamics::{Simulation, Trajectory, nalgebra::Vector1, robot_dynamics};
-use testkit::plot::{Figure, joints};
 
 robot_dynamics! {
     /// A mass on a horizontal rail: m xdd = f.
@@ -83,7 +83,7 @@ fn constant_force() -> Result<(), Box<dyn Error>> {
     Figure::new("Vertical mass under a constant force of 10 N")
         .panel("position, m", joints(["y"], &run.t, run.q))
         .panel("velocity, m/s", joints(["v"], &run.t, run.qd))
-        .save("vertical_mass")
+        .save("examples/output/vertical_mass.svg")
 }
 
 /// A proportional-derivative law with gravity cancelled, f = m g - 10 y - 7 v, and the law as the
@@ -110,7 +110,7 @@ fn position_control() -> Result<(), Box<dyn Error>> {
     let printed = joints(["-m g, as printed"], &printed.t, printed.q);
     Figure::new("Vertical mass held at y = 0: the sign of m g in the control law")
         .panel("position, m", right.into_iter().chain(printed))
-        .save("vertical_mass_control")
+        .save("examples/output/vertical_mass_control.svg")
 }
 
 /// (r^2 jm + jl) thdd + m g l sin th = tau.

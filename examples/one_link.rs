@@ -14,8 +14,8 @@ use std::{
     f64::consts::{FRAC_PI_2, PI},
 };
 
+use robot_dynamics::plot::{Figure, joints};
 use robot_dynamics::{Cycloidal, Simulation, nalgebra::Vector1, robot_dynamics};
-use testkit::plot::{Figure, joints};
 
 robot_dynamics! {
     /// A slender rod of mass m and length a; gravity points along x of the base.
@@ -119,7 +119,7 @@ fn inverse_dynamics() -> Result<(), Box<dyn Error>> {
             joints(["acceleration"], &t, points.iter().map(|p| p.qdd)),
         )
         .panel("tau, N m", joints(["torque"], &t, torques))
-        .save("one_link_inverse_dynamics")
+        .save("examples/output/one_link_inverse_dynamics.svg")
 }
 
 /// Ten seconds from rest at 90 degrees, as in the slides' `ode45` run.
@@ -140,7 +140,7 @@ fn free_swing() -> Result<(), Box<dyn Error>> {
     Figure::new("One-link arm: free swing from 90 degrees")
         .panel("th, rad", joints(["angle"], &run.t, run.q))
         .panel("thd, rad/s", joints(["rate"], &run.t, run.qd))
-        .save("one_link_free_swing")
+        .save("examples/output/one_link_free_swing.svg")
 }
 
 /// A swing is periodic: the run that ends after five periods must end where it began.

@@ -10,11 +10,11 @@ use std::{
     f64::consts::{FRAC_PI_4, PI},
 };
 
+use robot_dynamics::plot::{Curve, Figure, joints};
 use robot_dynamics::{
     DormandPrince, Method, Simulation, Trajectory, check_against_rnea, nalgebra::Vector6,
     robot_dynamics,
 };
-use testkit::plot::{Curve, Figure, joints};
 
 robot_dynamics! {
     /// Unimation PUMA 560.
@@ -139,7 +139,7 @@ fn free_fall() -> Result<(), Box<dyn Error>> {
         .panel("joint angles, rad", joints(names, &run.t, run.q))
         .panel("joint rates, rad/s", joints(names, &run.t, run.qd))
         .panel("energy error, J", [energy_error])
-        .save("puma560_free_fall")
+        .save("examples/output/puma560_free_fall.svg")
 }
 
 fn fall(tolerance: f64) -> Result<Trajectory<6>, Box<dyn Error>> {

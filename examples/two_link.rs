@@ -14,12 +14,12 @@ use std::{
     f64::consts::{FRAC_PI_2, PI},
 };
 
+use robot_dynamics::plot::{Curve, Figure, joints};
 use robot_dynamics::{
     Cycloidal, Simulation,
     nalgebra::{Matrix2, Vector2},
     robot_dynamics,
 };
-use testkit::plot::{Curve, Figure, joints};
 
 robot_dynamics! {
     /// Two slender rods of masses m1, m2 and lengths a1, a2.
@@ -195,7 +195,7 @@ fn inverse_dynamics() -> Result<(), Box<dyn Error>> {
             joints(names, &t, points.iter().map(|p| p.qdd)),
         )
         .panel("torques, N m", joints(names, &t, tau))
-        .save("two_link_inverse_dynamics")
+        .save("examples/output/two_link_inverse_dynamics.svg")
 }
 
 /// Ten seconds of free fall from rest in the horizontal position, with gamma_2 right and as
@@ -238,8 +238,8 @@ fn free_fall() -> Result<(), Box<dyn Error>> {
             "rates, rad/s",
             joints(TwoLink::JOINT_NAMES, &right.t, right.qd),
         )
-        .save("two_link_free_fall")?;
+        .save("examples/output/two_link_free_fall.svg")?;
     Figure::new("Two-link arm in free fall: the energy shows the misprint")
         .panel("T + U, J", energies)
-        .save("two_link_misprint")
+        .save("examples/output/two_link_misprint.svg")
 }

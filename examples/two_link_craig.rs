@@ -12,10 +12,10 @@ mod compare;
 
 use std::error::Error;
 
+use robot_dynamics::plot::{Curve, Figure, joints};
 use robot_dynamics::{
     DormandPrince, Method, Simulation, Trajectory, nalgebra::Vector2, robot_dynamics,
 };
-use testkit::plot::{Curve, Figure, joints};
 
 robot_dynamics! {
     /// Two-link arm with point masses at the distal ends of its links, angles from the horizontal.
@@ -156,7 +156,7 @@ fn plot_the_euler_scheme() -> Result<(), Box<dyn Error>> {
     Figure::new("Craig's Euler scheme, step 5 ms, beside Dormand-Prince")
         .panel("angles, rad", dormand_prince.into_iter().chain(euler))
         .panel("T + U, J", energies)
-        .save("two_link_craig_euler")
+        .save("examples/output/two_link_craig_euler.svg")
 }
 
 /// Free fall from rest in the horizontal position.

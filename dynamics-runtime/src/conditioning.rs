@@ -28,6 +28,7 @@ use crate::singular::relative_pivot;
 /// assert!((stretched.lost_digits() - 8.0).abs() < 1e-6);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Conditioning {
     /// The joint of the least relative pivot, counted from 0.
     pub joint: usize,

@@ -4,6 +4,7 @@
 ///
 /// Where an angle is the double nearest to a multiple of pi/2, it means exactly that multiple.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Frame {
     /// The frame's origin, m.
     pub xyz: [f64; 3],
@@ -21,6 +22,7 @@ impl Frame {
 
 /// A frame that is fixed to the last link, the tip of the arm, and a body in it.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Tool {
     /// The tool frame in the last link frame of the table.
     pub frame: Frame,

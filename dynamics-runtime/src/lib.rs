@@ -28,6 +28,7 @@ mod double_double;
 mod dual;
 #[cfg(feature = "num-dual")]
 mod dual_scalars;
+mod equations_of_motion;
 mod evaluation;
 mod exact;
 mod factorisation;
@@ -38,6 +39,8 @@ mod friction;
 #[doc(hidden)]
 pub mod functions_by_name;
 #[cfg(feature = "std")]
+mod identification;
+#[cfg(feature = "std")]
 mod integrate;
 mod macros;
 mod model;
@@ -45,7 +48,11 @@ mod momenta;
 mod newton_euler;
 mod operations;
 mod placement;
+#[cfg(feature = "plot")]
+pub mod plot;
 mod scalar;
+#[cfg(feature = "serde")]
+mod sequences;
 #[cfg(feature = "std")]
 mod simulation;
 mod sine;
@@ -65,6 +72,7 @@ pub use check::{Check, FunctionReport, Report, check_against_rnea};
 pub use conditioning::Conditioning;
 pub use configuration::Configuration;
 pub use double_double::DoubleDouble;
+pub use equations_of_motion::{EquationsOfMotion, Responses};
 pub use evaluation::{AccelerationDerivatives, State};
 #[cfg(feature = "std")]
 pub use evaluation::{Evaluate, Evaluation};
@@ -73,20 +81,23 @@ pub use evaluation::{Evaluate, Evaluation};
 pub use evaluation::{columns, vectors};
 pub use formula::Formula;
 pub use frame::{Frame, Tool};
+#[cfg(feature = "std")]
+pub use identification::base_parameter_map;
 pub use model::{
     CoriolisVector, Energy, ForwardDynamics, GravityVector, InverseDynamics, Kinematics,
     MassMatrix, Model, Momenta,
 };
-pub use newton_euler::NewtonEuler;
 #[doc(hidden)]
 pub use newton_euler::turned;
+pub use newton_euler::{NewtonEuler, StandardParameters};
 pub use operations::Operations;
 pub use placement::Placement;
 pub use scalar::Scalar;
 #[cfg(feature = "std")]
 pub use simulation::{
-    Cause, Dop853, DormandPrince, Friction, InvalidSetting, Method, NoToolForce, NoTorque, Radau5,
-    Simulation, SimulationError, Taylor, TaylorSimulation, ToolForce, Trajectory, Work,
+    Cause, Continuous, CsvError, CsvMistake, Dop853, DormandPrince, Friction, HeldToolForce,
+    HeldTorque, InvalidSetting, Method, NoToolForce, NoTorque, Radau5, Sampled, Simulation,
+    SimulationError, Taylor, TaylorSimulation, ToolForce, Trajectory, Work,
 };
 #[doc(hidden)]
 pub use sine::sin_cos_column;

@@ -24,6 +24,13 @@ pub trait Model<const N: usize> {
     fn joint_names(&self) -> [&str; N] {
         Self::JOINT_NAMES
     }
+
+    /// Kinetic and potential energy, J, where the arm knows both: a generated one does, if its functions
+    /// include `kinetic_energy` and `potential_energy`.
+    fn energies(&self, q: &SVector<f64, N>, qd: &SVector<f64, N>) -> Option<[f64; 2]> {
+        let _ = (q, qd);
+        None
+    }
 }
 
 /// An arm whose joint accelerations can be computed: what a simulation needs.

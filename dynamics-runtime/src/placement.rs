@@ -4,6 +4,7 @@ use nalgebra::{Matrix3, Vector3};
 
 /// Rotation and position of one frame in another.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Placement {
     /// The rotation matrix by rows: its columns are the frame's axes.
     pub rotation: [[f64; 3]; 3],

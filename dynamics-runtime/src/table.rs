@@ -5,6 +5,7 @@ use crate::placement::Placement;
 
 /// How a row of the table places link frame i in link frame i-1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Convention {
     /// `Rz(theta) Tz(d) Tx(a) Rx(alpha)`: the frame at the far end of the link.
     Standard,
@@ -15,6 +16,7 @@ pub enum Convention {
 
 /// The kind of a joint: its variable is added to `theta` (revolute) or to `d` (prismatic).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum JointType {
     /// Rotation about z.
     Revolute,
@@ -25,6 +27,7 @@ pub enum JointType {
 /// Static friction S that falls to Coulomb's C as a joint begins to move:
 /// `sign(qd) (C + (S - C) exp(-(qd/v)^2))`.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Stribeck {
     /// S, the same in both directions, N m or N.
     pub friction: f64,
@@ -34,6 +37,7 @@ pub struct Stribeck {
 
 /// A linear spring at a joint: it takes the torque or force `stiffness (q - rest)` to hold it.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Spring {
     /// Torque or force for each unit of displacement, N m/rad or N/m.
     pub stiffness: f64,
@@ -64,6 +68,7 @@ impl Spring {
 /// Where `alpha` or `theta` is the double nearest to a multiple of pi/2, it means exactly that multiple.
 /// A generated table has whole turns taken off the angles that lose digits by them.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Row {
     /// Revolute or prismatic.
     pub joint_type: JointType,
@@ -138,6 +143,7 @@ impl Row {
 
 /// The table of an arm with `N` joints, as numbers. Nothing is validated.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Table<const N: usize> {
     /// Convention of the rows.
     pub convention: Convention,
@@ -146,6 +152,7 @@ pub struct Table<const N: usize> {
     /// The base frame, frame 0, in the world.
     pub base: Frame,
     /// The rows, from the base outwards.
+    #[cfg_attr(feature = "serde", serde(with = "crate::sequences::array"))]
     pub rows: [Row; N],
     /// What is fixed to the last link of the table, be its joint locked or not.
     pub tool: Tool,
@@ -161,6 +168,11 @@ impl<const N: usize> Table<N> {
             rows,
             tool: Tool::NONE,
         }
+    }
+
+    /// The ranges of the joints' positions, lower ends first, rad or m, where the table has them.
+    pub fn joint_limits(&self) -> [Option<[f64; 2]>; N] {
+        self.rows.each_ref().map(|row| row.limits)
     }
 
     /// Mass of all links and of the tool, kg.

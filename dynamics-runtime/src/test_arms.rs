@@ -89,6 +89,10 @@ impl Model<2> for CraigArm {
             ],
         )
     }
+
+    fn energies(&self, q: &SVector<f64, 2>, qd: &SVector<f64, 2>) -> Option<[f64; 2]> {
+        Some([self.kinetic_energy(q, qd), self.potential_energy(q)])
+    }
 }
 
 impl ForwardDynamics<2> for CraigArm {

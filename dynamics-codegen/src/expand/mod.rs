@@ -44,13 +44,15 @@ pub(crate) fn robot(
     let base_parameters = base_parameter_constants(&requests, Some(&model.robot));
     let operations = operations(methods, path);
     let formulas = formulas(methods, path);
-    let inherent = target.inherent(
-        &names,
-        [&operations, &formulas],
-        &base_parameters,
-        &table,
-        bodies,
-    );
+    let limits: Vec<TokenStream> = model.robot.joints().map(table::limits).collect();
+    let constants = Constants {
+        names: &names,
+        limits: &limits,
+        operations: &operations,
+        formulas: &formulas,
+        base_parameters: &base_parameters,
+    };
+    let inherent = target.inherent(&constants, &table, bodies);
     let provided = methods.iter().filter_map(|method| {
         let (function, mut item) = (method.request.function()?, method.provided.clone()?);
         if function == Function::ForwardDynamics {
@@ -79,7 +81,14 @@ pub(crate) fn stubs(structure: &Structure, entries: &[Entry], path: &TokenStream
     let item = structure::repaired(structure);
     let bodies = requests.iter().map(|r| stub(r, target.dof, path));
     let base_parameters = base_parameter_constants(&requests, None);
-    let inherent = target.inherent(&names, [&[], &[]], &base_parameters, &unimplemented, bodies);
+    let constants = Constants {
+        names: &names,
+        limits: &vec![quote!(::core::option::Option::None); names.len()],
+        operations: &[],
+        formulas: &[],
+        base_parameters: &base_parameters,
+    };
+    let inherent = target.inherent(&constants, &unimplemented, bodies);
     let provided = functions.iter().filter_map(|f| {
         let item = stub_of_trait(*f, target.dof, path)?;
         Some((*f, item))
@@ -217,17 +226,35 @@ fn formulas(methods: &[Method], path: &TokenStream) -> Vec<TokenStream> {
     methods.iter().filter_map(of_method).flatten().collect()
 }
 
+/// What the constants of a struct say.
+struct Constants<'a> {
+    /// Names of the joints.
+    names: &'a [String],
+    /// Their ranges.
+    limits: &'a [TokenStream],
+    /// Names of methods, with their operations.
+    operations: &'a [TokenStream],
+    /// Entries of the method `formulas`.
+    formulas: &'a [TokenStream],
+    /// The constants about the base parameters, where there are any.
+    base_parameters: &'a TokenStream,
+}
+
 impl Target<'_> {
-    /// The inherent impl: entries of `OPERATIONS` and of `formulas`; `table` is the body of the method of that name, `base_parameters` the
-    /// constants about them, where there are any.
+    /// The inherent impl. `table` is the body of the method of that name.
     fn inherent(
         &self,
-        names: &[String],
-        [operations, formulas]: [&[TokenStream]; 2],
-        base_parameters: &TokenStream,
+        constants: &Constants,
         table: &TokenStream,
         methods: impl Iterator<Item = impl ToTokens>,
     ) -> TokenStream {
+        let Constants {
+            names,
+            limits,
+            operations,
+            formulas,
+            base_parameters,
+        } = constants;
         let Target {
             name, cfgs, path, ..
         } = self;
@@ -242,6 +269,9 @@ impl Target<'_> {
 
                 /// Names of the joints, from the base outwards.
                 pub const JOINT_NAMES: [&'static str; #n] = [#(#names),*];
+
+                /// Ranges of the joints' positions, lower ends first, rad or m, where the table has them.
+                pub const JOINT_LIMITS: [::core::option::Option<[f64; 2]>; #n] = [#(#limits),*];
 
                 /// Operations of each generated method, by the method's name.
                 pub const OPERATIONS: [(&'static str, #path::Operations); #count] =

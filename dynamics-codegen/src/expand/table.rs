@@ -114,13 +114,7 @@ fn row(row: &Row, fields: &[&Ident], path: &TokenStream) -> TokenStream {
             [&spring.stiffness, &spring.rest].map(|value| number(value, fields));
         quote!(spring: #path::Spring { stiffness: #stiffness, rest: #rest },)
     });
-    let limits = match &row.limits {
-        Some(limits) => {
-            let limits = limits.iter().map(|value| number(value, fields));
-            quote!(::core::option::Option::Some([#(#limits),*]))
-        }
-        None => quote!(::core::option::Option::None),
-    };
+    let limits = self::limits(row);
     quote! {
         #path::Row {
             a: #a,
@@ -139,6 +133,17 @@ fn row(row: &Row, fields: &[&Ident], path: &TokenStream) -> TokenStream {
             limits: #limits,
             ..#path::Row::new(#joint_type)
         }
+    }
+}
+
+/// The range of a joint: numbers, for no field may stand there.
+pub(super) fn limits(row: &Row) -> TokenStream {
+    match &row.limits {
+        Some(limits) => {
+            let limits = limits.iter().map(|value| number(value, &[]));
+            quote!(::core::option::Option::Some([#(#limits),*]))
+        }
+        None => quote!(::core::option::Option::None),
     }
 }
 

@@ -19,10 +19,10 @@ pub(super) fn traits(
     evaluation: &Evaluation,
 ) -> TokenStream {
     let has = |function| functions.contains(&function);
-    let model = model(target, angles, table);
+    let has_energies = has(Function::KineticEnergy) && has(Function::PotentialEnergy);
+    let model = model(target, angles, table, has_energies);
     let evaluate = evaluate(target, evaluation);
-    let energy =
-        (has(Function::KineticEnergy) && has(Function::PotentialEnergy)).then(|| energy(target));
+    let energy = has_energies.then(|| energy(target));
     let kinematics =
         (has(Function::ForwardKinematics) && has(Function::Jacobian)).then(|| kinematics(target));
     let articulated = (has(Function::ForwardDynamicsAba) && !has(Function::ForwardDynamics))
@@ -83,7 +83,7 @@ fn start(target: &Target, generics: &TokenStream, name: TokenStream) -> TokenStr
     }
 }
 
-fn model(target: &Target, angles: &[bool], table: &TokenStream) -> TokenStream {
+fn model(target: &Target, angles: &[bool], table: &TokenStream, has_energies: bool) -> TokenStream {
     let path = target.path;
     let (header, n) = header(target, quote!(Model));
     // An unknown number of joints has no names; the body stands in for a table too.
@@ -96,6 +96,22 @@ fn model(target: &Target, angles: &[bool], table: &TokenStream) -> TokenStream {
             const READS_ANGLE: [bool; #n] = [#(#angles),*];
         }
     });
+    let vector = quote!(#path::nalgebra::SVector<f64, #n>);
+    let energies = has_energies.then(|| {
+        quote! {
+            #[inline]
+            fn energies(
+                &self,
+                q: &#vector,
+                qd: &#vector,
+            ) -> ::core::option::Option<[f64; 2]> {
+                ::core::option::Option::Some([
+                    Self::kinetic_energy(self, q, qd),
+                    Self::potential_energy(self, q),
+                ])
+            }
+        }
+    });
     quote! {
         #header {
             const JOINT_NAMES: [&'static str; #n] = #names;
@@ -105,6 +121,8 @@ fn model(target: &Target, angles: &[bool], table: &TokenStream) -> TokenStream {
             fn table(&self) -> #path::Table<#n> {
                 #table
             }
+
+            #energies
         }
     }
 }

@@ -16,17 +16,19 @@ use crate::mistake::{entry as mistake, size, value};
 use crate::place::Place;
 
 /// Names that an item of the struct has in any case, and the methods that come with its derives.
-pub(crate) const RESERVED: [&str; 12] = [
+pub(crate) const RESERVED: [&str; 14] = [
     "default",
     "table",
     "formulas",
     "DOF",
     "JOINT_NAMES",
+    "JOINT_LIMITS",
     "OPERATIONS",
     "BASE_PARAMETERS",
     "BASE_PARAMETER_NAMES",
     "evaluate",
     "momenta",
+    "energies",
     "clone",
     "eq",
 ];

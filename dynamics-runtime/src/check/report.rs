@@ -12,6 +12,7 @@ use crate::{Conditioning, State};
 /// Printed, it is a table; the functions that could not be compared follow it, then the states of
 /// the errors beyond the tolerance, and with the alternate form `{:#}` the states of all.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[must_use]
 pub struct Report {
     /// One entry for each function that was compared, and one for each part of a method that returns
@@ -33,6 +34,7 @@ pub struct Report {
 
 /// The largest error of one function, relative to the natural scale of its values.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct FunctionReport {
     /// Name of the function.
     pub function: &'static str,

@@ -30,16 +30,18 @@ mod lock;
 mod pose;
 mod rates;
 mod recursion;
+mod regressor;
 mod terms;
 
 use core::array;
 
-use nalgebra::Vector3;
+use nalgebra::{SVector, Vector3};
 
-use crate::{Convention, Table, Tool};
+use crate::{Convention, Model, Table, Tool};
 pub use angle::turned;
 use link::Link;
 use pose::Pose;
+pub use regressor::StandardParameters;
 
 /// The numeric dynamics of an arm, read from its [`Table`].
 ///
@@ -63,8 +65,23 @@ use pose::Pose;
 /// assert_eq!(pendulum.mass_matrix(&SVector::from([0.0]))[0], 18.0);
 /// assert_eq!(pendulum.gravity_vector(&SVector::from([0.0]))[0], 0.0);
 /// ```
+///
+/// It can be simulated, so that a table which nothing was generated from moves too:
+#[cfg_attr(feature = "std", doc = "```")]
+#[cfg_attr(not(feature = "std"), doc = "```ignore")]
+/// # use dynamics_runtime::{Convention, JointType, NewtonEuler, Row, Table, nalgebra::SVector};
+/// # let row = Row { mass: 2.0, com: [3.0, 0.0, 0.0], ..Row::new(JointType::Revolute) };
+/// # let gravity = [9.81, 0.0, 0.0];
+/// # let pendulum = NewtonEuler::new(&Table::new(Convention::Modified, gravity, [row]));
+/// use dynamics_runtime::Simulation;
+///
+/// let swing = Simulation::new(&pendulum).initial(SVector::from([0.1]), SVector::zeros()).run()?;
+/// assert!((swing.q[100][0] - 0.1 * f64::cos((9.81_f64 / 3.0).sqrt())).abs() < 1e-3);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct NewtonEuler<const N: usize> {
+    table: Table<N>,
     links: [Link; N],
     /// In the axes of the base.
     gravity: Vector3<f64>,
@@ -91,12 +108,42 @@ impl<const N: usize> NewtonEuler<N> {
         let base = Pose::from(&table.base);
         let world_gravity = Vector3::from(table.gravity);
         NewtonEuler {
+            table: *table,
             links,
             gravity: base.rotation.tr_mul(&world_gravity),
             world_gravity,
             base,
         }
     }
+}
+
+/// The table that it was made of. The joints have no names there: they are counted.
+impl<const N: usize> Model<N> for NewtonEuler<N> {
+    const JOINT_NAMES: [&'static str; N] = numbered();
+
+    fn table(&self) -> Table<N> {
+        self.table
+    }
+
+    fn energies(&self, q: &SVector<f64, N>, qd: &SVector<f64, N>) -> Option<[f64; 2]> {
+        Some([self.kinetic_energy(q, qd), self.potential_energy(q)])
+    }
+}
+
+/// `joint_1`, `joint_2`, ... as far as they were written down.
+const fn numbered<const N: usize>() -> [&'static str; N] {
+    const NAMES: [&str; 16] = [
+        "joint_1", "joint_2", "joint_3", "joint_4", "joint_5", "joint_6", "joint_7", "joint_8",
+        "joint_9", "joint_10", "joint_11", "joint_12", "joint_13", "joint_14", "joint_15",
+        "joint_16",
+    ];
+    let mut names = ["joint"; N];
+    let mut i = 0;
+    while i < N && i < NAMES.len() {
+        names[i] = NAMES[i];
+        i += 1;
+    }
+    names
 }
 
 #[cfg(test)]

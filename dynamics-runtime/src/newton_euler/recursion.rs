@@ -120,4 +120,19 @@ impl<const N: usize> NewtonEuler<N> {
         }
         tau
     }
+
+    /// How the link frames move: the acceleration of each origin, gravity taken off, and U.
+    pub(super) fn motions(
+        &self,
+        joints: &[Joint; N],
+        qd: &SVector<f64, N>,
+        qdd: &SVector<f64, N>,
+        gravity: &Vector3<f64>,
+    ) -> [(Vector3<f64>, Matrix3<f64>); N] {
+        let mut motion = FrameMotion::base(gravity);
+        core::array::from_fn(|i| {
+            motion = motion.outward(self.links[i].joint_type, &joints[i], qd[i], qdd[i]);
+            (motion.linear_acceleration, motion.spread)
+        })
+    }
 }

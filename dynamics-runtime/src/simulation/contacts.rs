@@ -1,68 +1,98 @@
-//! What friction does to each joint: what it holds, what it lets go, and how far that is away.
+//! What friction and stops do to each joint: what they hold, what they let go, and how far that is away.
 
 use super::error::Cause;
 use super::friction::Contact;
+use super::impact::thrown_back;
+use super::limits::AtLimit;
 use super::motion::{Held, Motion};
 use super::torque::TorqueLaw;
-use crate::ForwardDynamics;
+use crate::EquationsOfMotion;
 use crate::integrate::Phase;
 
-/// Sets what friction does to each joint at the start: those at rest stick, if it holds them.
+/// What becomes of the joints as a motion begins: those that hit a stop are thrown back, those at rest
+/// stick or lean on a stop, if they are held. Returns the phase after that.
 pub(super) fn settle_at_start<R, L, const N: usize>(
     motion: &Motion<R, L, N>,
     phase: &Phase<N>,
-) -> Result<(), Cause>
+) -> Result<Phase<N>, Cause>
 where
-    R: ForwardDynamics<N>,
+    R: EquationsOfMotion<N>,
     L: TorqueLaw<N>,
 {
-    let dry = motion.dry();
-    motion.set_contacts(core::array::from_fn(|i| {
-        if dry[i].is_none() {
-            Contact::Slides(0.0)
-        } else if phase.qd[i] == 0.0 {
-            Contact::Sticks
-        } else {
-            Contact::Slides(phase.qd[i].signum())
-        }
-    }));
-    settle(motion, 0.0, phase).map(drop)
+    motion.set_contacts(classified(motion, phase));
+    let after = thrown_back(motion, 0.0, phase)?;
+    let phase = after.unwrap_or(*phase);
+    motion.set_contacts(classified(motion, &phase));
+    settle(motion, 0.0, &phase)?;
+    Ok(phase)
 }
 
-/// Lets go of joints that friction cannot hold, and that have somewhere to go.
+/// What friction and stops do to joints in a phase, as far as they hold.
+pub(super) fn classified<R, L, const N: usize>(
+    motion: &Motion<R, L, N>,
+    phase: &Phase<N>,
+) -> [Contact; N]
+where
+    R: EquationsOfMotion<N>,
+    L: TorqueLaw<N>,
+{
+    core::array::from_fn(|i| {
+        let moves = phase.qd[i] != 0.0;
+        match leaning_place(motion, i, phase) {
+            Some(inwards) => Contact::Leans(inwards),
+            None if !motion.may_stick(i) => Contact::Slides(0.0),
+            None if moves => Contact::Slides(phase.qd[i].signum()),
+            None => Contact::Sticks,
+        }
+    })
+}
+
+/// The way into its range of joint `i`, where it is at rest at a stop.
+fn leaning_place<R, L, const N: usize>(
+    motion: &Motion<R, L, N>,
+    i: usize,
+    phase: &Phase<N>,
+) -> Option<f64> {
+    let rebounds = matches!(motion.limits().kind, AtLimit::Rebounds { .. });
+    let end = motion.limits().end(i, phase.q[i])?;
+    (rebounds && phase.qd[i] == 0.0).then_some(end.inwards)
+}
+
+/// Lets go of joints that nothing holds, and that have somewhere to go; holds those at rest that would
+/// pass a stop.
 pub(super) fn settle<R, L, const N: usize>(
     motion: &Motion<R, L, N>,
     t: f64,
     phase: &Phase<N>,
 ) -> Result<Held<N>, Cause>
 where
-    R: ForwardDynamics<N>,
+    R: EquationsOfMotion<N>,
     L: TorqueLaw<N>,
 {
-    let held = let_go(motion, t, phase)?;
+    let held = balance(motion, t, phase)?;
     match driven_back(motion, t, phase, &held)? {
         Some(joint) => Err(Cause::Chatter { joint }),
         None => Ok(held),
     }
 }
 
-/// Lets go of joints that friction cannot hold, the one that it holds least first.
-fn let_go<R, L, const N: usize>(
+/// Stops first, then friction: the joint that friction holds least is let go, and stops are asked again.
+fn balance<R, L, const N: usize>(
     motion: &Motion<R, L, N>,
     t: f64,
     phase: &Phase<N>,
 ) -> Result<Held<N>, Cause>
 where
-    R: ForwardDynamics<N>,
+    R: EquationsOfMotion<N>,
     L: TorqueLaw<N>,
 {
     loop {
-        let held = motion.held(t, phase)?;
+        let held = lean(motion, t, phase)?;
         let mut contacts = motion.contacts();
         let excess = |i: usize| match held.forces[i].abs() {
             // Nothing to hold, of a joint that has no friction that way either.
             0.0 => 0.0,
-            force => force / breakaway(motion, i, &held),
+            force => force / motion.breakaway(i, way_out(&held, i)),
         };
         let stuck = (0..N).filter(|i| contacts[*i] == Contact::Sticks);
         let worst = stuck.max_by(|i, j| excess(*i).total_cmp(&excess(*j)));
@@ -76,28 +106,93 @@ where
     }
 }
 
+/// Which joints at rest lean on their stops: no stop pulls, and none is passed. As of impulses
+/// ([`impact`](super::impact)), by pivots of least index.
+fn lean<R, L, const N: usize>(
+    motion: &Motion<R, L, N>,
+    t: f64,
+    phase: &Phase<N>,
+) -> Result<Held<N>, Cause>
+where
+    R: EquationsOfMotion<N>,
+    L: TorqueLaw<N>,
+{
+    let mut last = 0;
+    for _ in 0..MOST_PIVOTS {
+        let held = motion.held(t, phase)?;
+        let mut contacts = motion.contacts();
+        let turned = |i: usize| match contacts[i] {
+            Contact::Leans(inwards) if leaves(motion, i, inwards, &held) => {
+                Some(let_in(motion, i, inwards))
+            }
+            Contact::Slides(_) => leaning_place(motion, i, phase)
+                .filter(|inwards| inwards * held.qdd[i] < 0.0)
+                .map(Contact::Leans),
+            _ => None,
+        };
+        let Some((i, contact)) = (0..N).find_map(|i| Some((i, turned(i)?))) else {
+            return Ok(held);
+        };
+        contacts[i] = contact;
+        motion.set_contacts(contacts);
+        last = i;
+    }
+    Err(Cause::Chatter { joint: last })
+}
+
+/// Pivots of ten joints at their stops at worst.
+const MOST_PIVOTS: usize = 1 << 10;
+
+/// A joint that leaves its stop.
+pub(super) fn let_in<R, L, const N: usize>(
+    motion: &Motion<R, L, N>,
+    i: usize,
+    inwards: f64,
+) -> Contact {
+    Contact::Slides(if motion.may_stick(i) { inwards } else { 0.0 })
+}
+
+/// Whether neither the stop, which cannot pull, nor friction keeps joint `i` at the stop.
+fn leaves<R, L, const N: usize>(
+    motion: &Motion<R, L, N>,
+    i: usize,
+    inwards: f64,
+    held: &Held<N>,
+) -> bool {
+    hold_of_stop(motion, i, inwards, held) < 0.0
+}
+
+/// How much the force of the stop that joint `i` leans on, and the friction there, are beyond what lets it
+/// go.
+fn hold_of_stop<R, L, const N: usize>(
+    motion: &Motion<R, L, N>,
+    i: usize,
+    inwards: f64,
+    held: &Held<N>,
+) -> f64 {
+    inwards * held.forces[i] + motion.breakaway(i, inwards)
+}
+
 /// The way that joint `i` goes where it is let go: against the force that holds it.
 pub(super) fn way_out<const N: usize>(held: &Held<N>, i: usize) -> f64 {
     -held.forces[i].signum()
 }
 
-/// How great a force friction holds against, at joint `i` at rest.
-fn breakaway<R, L, const N: usize>(motion: &Motion<R, L, N>, i: usize, held: &Held<N>) -> f64 {
-    motion.dry()[i].breakaway(way_out(held, i))
-}
-
-/// How far joint `i` is from its next event: the velocity of one that slides, the friction left of
-/// one that sticks.
+/// How far joint `i` is from its next event: the velocity of one that slides, and its way to a limit; the
+/// friction left of one that sticks; the force on the stop of one that leans on it.
 pub(super) fn margin<R, L, const N: usize>(
     motion: &Motion<R, L, N>,
     i: usize,
     phase: &Phase<N>,
     held: &Held<N>,
 ) -> f64 {
+    let limits = motion.limits();
+    let to_ends = limits.ends(i).map(|end| limits.margin(&end, phase.q[i]));
     match motion.contacts()[i] {
-        Contact::Slides(0.0) => f64::INFINITY,
-        Contact::Slides(way) => way * phase.qd[i],
-        Contact::Sticks => breakaway(motion, i, held) - held.forces[i].abs(),
+        Contact::Slides(0.0) => to_ends.fold(f64::INFINITY, f64::min),
+        Contact::Slides(way) => to_ends.fold(way * phase.qd[i], f64::min),
+        Contact::Sticks => motion.breakaway(i, way_out(held, i)) - held.forces[i].abs(),
+        Contact::Leans(inwards) => hold_of_stop(motion, i, inwards, held),
     }
 }
 
@@ -119,7 +214,7 @@ fn driven_back<R, L, const N: usize>(
     held: &Held<N>,
 ) -> Result<Option<usize>, Cause>
 where
-    R: ForwardDynamics<N>,
+    R: EquationsOfMotion<N>,
     L: TorqueLaw<N>,
 {
     let contacts = motion.contacts();
@@ -149,7 +244,7 @@ pub(super) fn stops_and_chatters<R, L, const N: usize>(
     within: f64,
 ) -> Option<usize>
 where
-    R: ForwardDynamics<N>,
+    R: EquationsOfMotion<N>,
     L: TorqueLaw<N>,
 {
     let held = motion.held(t, phase).ok()?;

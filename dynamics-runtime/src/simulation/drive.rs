@@ -1,11 +1,13 @@
 //! An integration from sample to sample.
 
 use super::error::Cause;
+use super::events::Eventful;
 use super::motion::Motion;
 use super::recorder::Recorder;
-use super::sticking::Sticking;
+use super::samples::{Followed, take_here, take_within};
+use super::sampling::Instants;
 use super::torque::TorqueLaw;
-use crate::ForwardDynamics;
+use crate::EquationsOfMotion;
 use crate::integrate::{Failure, Stepper};
 
 /// Makes steps to the end of the recorder's plan, at most `max_steps` between two samples.
@@ -17,36 +19,49 @@ pub(super) fn drive<S, R, L, const N: usize>(
     max_steps: usize,
 ) -> Result<(), Cause>
 where
-    R: ForwardDynamics<N>,
+    R: EquationsOfMotion<N>,
     L: TorqueLaw<N>,
 {
-    if motion.sticks() {
-        return Sticking::start(motion, system, stepper)?.drive(recorder, max_steps);
+    if motion.has_events() {
+        let duration = recorder.duration();
+        return Eventful::start(motion, system, stepper, duration)?.drive(recorder, max_steps);
     }
-    smooth(system, stepper, recorder, max_steps)
+    smooth(motion, system, stepper, recorder, max_steps)
 }
 
 /// The same without events.
-pub(super) fn smooth<S, E: Into<Cause>, const N: usize>(
+pub(super) fn smooth<M, S, E, const N: usize>(
+    motion: &M,
     system: &S,
     mut stepper: impl Stepper<S, E, N>,
     recorder: &mut Recorder<N>,
     max_steps: usize,
-) -> Result<(), Cause> {
-    let duration = recorder.duration();
-    while let Some(t) = recorder.next_sample() {
-        let mut steps = 0;
-        while stepper.t() < t {
-            if steps == max_steps {
-                return Err(Cause::TooManySteps);
-            }
-            let made = stepper.step(system, duration);
-            recorder.work.rejected = stepper.rejected();
-            made?;
-            recorder.reach(stepper.t(), *stepper.phase())?;
-            steps += 1;
+) -> Result<(), Cause>
+where
+    M: Followed<N>,
+    E: Into<Cause>,
+{
+    let mut instants = Instants::new(motion.period(), recorder.duration());
+    let mut steps = 0;
+    while recorder.next_sample().is_some() {
+        if steps == max_steps {
+            return Err(Cause::TooManySteps);
         }
-        recorder.push(t, stepper.at(system, t)?);
+        let made = stepper.step(system, instants.next());
+        recorder.work.rejected = stepper.rejected();
+        made?;
+        let (t, phase) = (stepper.t(), *stepper.phase());
+        recorder.reach(t, phase)?;
+        steps += 1;
+        let mut taken = take_within(motion, system, &mut stepper, recorder)?;
+        if instants.begin(t) {
+            motion.sample(t, &phase)?;
+            stepper.restart(system, phase)?;
+        }
+        taken |= take_here(motion, recorder);
+        if taken {
+            steps = 0;
+        }
     }
     Ok(())
 }

@@ -58,9 +58,17 @@ pub enum Cause {
     NoConvergence,
     /// The greatest number of steps between two samples was made.
     TooManySteps,
-    /// A joint of [`Friction::Sticking`](crate::Friction::Sticking) stops and is let go again and
-    /// again: the torques drive it back to rest whichever way it moves, and at rest friction does
-    /// not hold it.
+    /// A joint passes an end of its range, where that is an error
+    /// ([`Simulation::limits_are_errors`](crate::Simulation::limits_are_errors)).
+    JointLimit {
+        /// The joint, counted from 0.
+        joint: usize,
+        /// The end of its range, rad or m.
+        limit: f64,
+    },
+    /// A joint of [`Friction::Sticking`](crate::Friction::Sticking), or at a stop, stops and is let go
+    /// again and again: the torques drive it back to rest whichever way it moves, and at rest friction
+    /// does not hold it.
     ///
     /// A torque law does so that jumps where the velocity passes zero, as one with `signum` does. A
     /// law that is continuous there, as a boundary layer makes it, has a motion.
@@ -109,6 +117,25 @@ pub enum InvalidSetting {
     },
     /// The speed of regularised friction is not a positive finite number.
     FrictionSpeed(f64),
+    /// The period at which laws are sampled is not a positive finite number of seconds, or lost in the
+    /// rounding of the time.
+    Period(f64),
+    /// The restitution of stops is not a number from 0 to 1.
+    Restitution(f64),
+    /// The limits of a joint, which are stops or errors, are no range: not numbers, or not in order.
+    Limits {
+        /// The joint, counted from 0.
+        joint: usize,
+    },
+    /// A joint begins outside of its limits, which are stops or errors.
+    OutsideLimits {
+        /// The joint, counted from 0.
+        joint: usize,
+        /// Where it begins, rad or m.
+        q: f64,
+        /// Its limits, rad or m.
+        limits: [f64; 2],
+    },
     /// The method works in positions and momenta, and the arm is not known in them: see
     /// [`ForwardDynamics::momenta`](crate::ForwardDynamics::momenta).
     NoMomenta,
@@ -162,6 +189,9 @@ impl fmt::Display for Cause {
             Cause::StepTooSmall => write!(f, "no step is short enough for the tolerance"),
             Cause::NoConvergence => write!(f, "the step is too long for an implicit method"),
             Cause::TooManySteps => write!(f, "too many steps between two samples"),
+            Cause::JointLimit { joint, limit } => {
+                write!(f, "joint {} passes its limit {limit}", joint + 1)
+            }
             Cause::Chatter { joint } => write!(
                 f,
                 "joint {} chatters: the torques drive it back to rest from both sides",
@@ -194,6 +224,29 @@ impl fmt::Display for InvalidSetting {
             InvalidSetting::FrictionSpeed(speed) => {
                 write!(f, "friction cannot be regularised over a speed of {speed}")
             }
+            InvalidSetting::Period(period) => {
+                write!(f, "a period of {period} s is not possible")
+            }
+            InvalidSetting::Restitution(restitution) => {
+                write!(
+                    f,
+                    "a restitution of {restitution} is not possible: it lies between 0 and 1"
+                )
+            }
+            InvalidSetting::Limits { joint } => write!(
+                f,
+                "the limits of joint {} are no range: the lower one first, both numbers",
+                joint + 1
+            ),
+            InvalidSetting::OutsideLimits {
+                joint,
+                q,
+                limits: [lower, upper],
+            } => write!(
+                f,
+                "joint {} begins at {q}, outside of its limits {lower} to {upper}",
+                joint + 1
+            ),
             InvalidSetting::NoMomenta => write!(
                 f,
                 "the method works in momenta, for which the arm lacks mass_matrix or inverse_dynamics"

@@ -6,6 +6,7 @@ use crate::friction::DryFriction;
 /// How a [`Simulation`](crate::Simulation) treats dry friction: Coulomb's, and static friction that falls to
 /// it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum Friction {
     /// As the forward dynamics has it: a multiple of sign(qd), with sign(0) = 0.
@@ -41,13 +42,22 @@ pub enum Friction {
     },
 }
 
-/// What Coulomb friction does to each joint.
+/// What friction and stops do to each joint.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Contact {
     /// It slides one way, 1 or -1, with friction the other way; or it has no friction, 0.
     Slides(f64),
     /// It sticks.
     Sticks,
+    /// It leans on a stop, from which the way into its range is 1 or -1.
+    Leans(f64),
+}
+
+impl Contact {
+    /// Whether a force holds the joint where it is.
+    pub(super) fn holds(self) -> bool {
+        !matches!(self, Contact::Slides(_))
+    }
 }
 
 /// Friction of an arm.

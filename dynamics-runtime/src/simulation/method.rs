@@ -3,12 +3,13 @@
 use super::contacts::settle_at_start;
 use super::drive::drive;
 use super::motion::{InMomenta, Motion};
+use super::samples::Followed;
 use super::settings::{Dop853, DormandPrince, ErrorControl, Radau5, validate_step};
 
 use super::error::{Cause, InvalidSetting};
 use super::recorder::Recorder;
 use super::torque::TorqueLaw;
-use crate::ForwardDynamics;
+use crate::EquationsOfMotion;
 use crate::integrate::{
     Adaptive, CraigEuler, Dop853Method, DormandPrince54, Embedded, ExplicitEuler, FixedStep,
     GaussLegendre, OneStep, Radau, Rk4, SemiImplicitEuler,
@@ -41,6 +42,7 @@ use crate::integrate::{
 /// symplectic only where M is constant, which it is not for an arm: the same arm lost 80 % of its
 /// energy within 100 s, or flew away.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum Method {
     /// Euler's explicit method: `qd+ = qd + qdd h`, `q+ = q + qd h`. First order.
@@ -118,13 +120,10 @@ impl Method {
         recorder: &mut Recorder<N>,
     ) -> Result<(), Cause>
     where
-        R: ForwardDynamics<N>,
+        R: EquationsOfMotion<N>,
         L: TorqueLaw<N>,
     {
-        recorder.sample();
-        if motion.sticks() {
-            settle_at_start(motion, &recorder.phase)?;
-        }
+        begin(motion, recorder)?;
         match self {
             Method::ExplicitEuler { step } => fixed(ExplicitEuler, *step, motion, motion, recorder),
             Method::CraigEuler { step } => fixed(CraigEuler, *step, motion, motion, recorder),
@@ -167,6 +166,25 @@ impl Method {
     }
 }
 
+/// Asks sampled laws, takes the first sample, and finds what friction and stops do to the joints.
+fn begin<R, L, const N: usize>(
+    motion: &Motion<R, L, N>,
+    recorder: &mut Recorder<N>,
+) -> Result<(), Cause>
+where
+    R: EquationsOfMotion<N>,
+    L: TorqueLaw<N>,
+{
+    let initial = recorder.phase;
+    let mut begun = motion.sample(0.0, &initial).map(|()| initial);
+    if motion.has_events() {
+        begun = begun.and_then(|phase| settle_at_start(motion, &phase));
+    }
+    recorder.push(0.0, initial, motion.forces(0.0, &initial));
+    recorder.phase = begun?;
+    Ok(())
+}
+
 fn fixed<S, R, L, const N: usize>(
     method: impl OneStep<S, Cause, N>,
     step: f64,
@@ -175,7 +193,7 @@ fn fixed<S, R, L, const N: usize>(
     recorder: &mut Recorder<N>,
 ) -> Result<(), Cause>
 where
-    R: ForwardDynamics<N>,
+    R: EquationsOfMotion<N>,
     L: TorqueLaw<N>,
 {
     let run = FixedStep::start(method, recorder.grid(step), recorder.phase);
@@ -189,7 +207,7 @@ fn canonical<R, L, const STAGES: usize, const N: usize>(
     recorder: &mut Recorder<N>,
 ) -> Result<(), Cause>
 where
-    R: ForwardDynamics<N>,
+    R: EquationsOfMotion<N>,
     L: TorqueLaw<N>,
 {
     let system = InMomenta::new(motion).ok_or(InvalidSetting::NoMomenta)?;
@@ -203,7 +221,7 @@ fn adaptive<M, R, L, const N: usize>(
 ) -> Result<(), Cause>
 where
     M: Embedded<N>,
-    R: ForwardDynamics<N>,
+    R: EquationsOfMotion<N>,
     L: TorqueLaw<N>,
 {
     let range = control.range(recorder.duration());
@@ -217,7 +235,7 @@ fn radau<R, L, const N: usize>(
     recorder: &mut Recorder<N>,
 ) -> Result<(), Cause>
 where
-    R: ForwardDynamics<N>,
+    R: EquationsOfMotion<N>,
     L: TorqueLaw<N>,
 {
     let range = control.range(recorder.duration());

@@ -1,15 +1,20 @@
 //! Motion of an arm under a torque law.
 
 mod contacts;
+mod csv;
 mod drive;
 mod error;
+mod events;
 mod friction;
+mod impact;
+mod limits;
 mod method;
 mod motion;
 mod plan;
 mod recorder;
+mod samples;
+mod sampling;
 mod settings;
-mod sticking;
 mod taylor;
 mod tool_force;
 mod torque;
@@ -19,19 +24,22 @@ use nalgebra::{Matrix4, SVector, Vector6};
 
 use crate::friction::DryFriction;
 use crate::integrate::Phase;
-use crate::{ForwardDynamics, Kinematics, Model};
+use crate::{EquationsOfMotion, Kinematics, Model};
 use friction::Law;
+use limits::{AtLimit, Limits};
 use motion::Motion;
 use plan::Plan;
 use recorder::Recorder;
-use torque::Laws;
+use torque::{Laws, SampledLaws, TorqueLaw};
 
+pub use csv::{CsvError, CsvMistake};
 pub use error::{Cause, InvalidSetting, SimulationError};
 pub use friction::Friction;
 pub use method::Method;
+pub use sampling::{Continuous, Sampled};
 pub use settings::{Dop853, DormandPrince, Radau5};
-pub use taylor::{Taylor, TaylorSimulation};
-pub use tool_force::{NoToolForce, ToolForce};
+pub use taylor::{HeldTorque, Taylor, TaylorSimulation};
+pub use tool_force::{HeldToolForce, NoToolForce, ToolForce};
 pub use torque::NoTorque;
 pub use trajectory::{Trajectory, Work};
 
@@ -69,18 +77,20 @@ pub use trajectory::{Trajectory, Work};
 /// ```
 #[derive(Clone, Debug)]
 #[must_use]
-pub struct Simulation<'a, R, L, const N: usize, W = NoToolForce> {
+pub struct Simulation<'a, R, L, const N: usize, W = NoToolForce, S = Continuous> {
     robot: &'a R,
     torque: L,
     tool_force: W,
+    asked: S,
     method: Method,
     friction: Law<N>,
+    limits: Limits<N>,
     plan: Plan<N>,
 }
 
 impl<'a, R, const N: usize> Simulation<'a, R, NoTorque<N>, N>
 where
-    R: ForwardDynamics<N>,
+    R: EquationsOfMotion<N>,
 {
     /// Free motion of the arm.
     pub fn new(robot: &'a R) -> Self {
@@ -88,8 +98,10 @@ where
             robot,
             torque: |_, _, _| SVector::zeros(),
             tool_force: NoToolForce,
+            asked: Continuous,
             method: Method::default(),
             friction: Law::sign(),
+            limits: Limits::none(),
             plan: Plan::new(),
         }
     }
@@ -97,26 +109,80 @@ where
 
 impl<'a, R, L, W, const N: usize> Simulation<'a, R, L, N, W> {
     /// The joint torques as a function of t in s, q in rad or m, and qd; in N m or N.
+    ///
+    /// It is asked wherever the integration evaluates the equations of motion: at trial stages, out of
+    /// order, and in steps that are thrown away. So it is a function of its arguments and nothing else,
+    /// `Fn`. A controller with a memory (an integrator, a filter, a log) is `FnMut` and follows
+    /// [`sampled`](Simulation::sampled): `.sampled(1e-3).torque(law)`.
     pub fn torque<F>(self, law: F) -> Simulation<'a, R, F, N, W>
     where
         F: Fn(f64, &SVector<f64, N>, &SVector<f64, N>) -> SVector<f64, N>,
     {
-        let Simulation {
-            robot,
-            tool_force,
-            method,
-            friction,
-            plan,
-            ..
-        } = self;
-        Simulation {
-            robot,
-            torque: law,
-            tool_force,
-            method,
-            friction,
-            plan,
-        }
+        self.with_laws(|_, tool_force| (law, tool_force), Continuous)
+    }
+
+    /// Sample and hold, as by a digital controller: the torque law is asked at 0, p, 2 p, ... of the
+    /// period p in s, before the end of the run, once each and in order, and its torque is held from there
+    /// to the next one.
+    ///
+    /// The times are k p, rounded once, however many periods there are. Steps of the integration end
+    /// there, by every method, so that each step has constant torques and the method its order. What
+    /// arrives at the law is the state at that time; the delay of a real controller belongs into the law,
+    /// which may keep the torque back for a period. A force at the tool that was given as a function stays
+    /// one.
+    ///
+    /// A law that follows may have a memory:
+    ///
+    /// ```
+    /// use dynamics_runtime::nalgebra::{SVector, Vector1};
+    /// use dynamics_runtime::{Simulation, robot_dynamics};
+    ///
+    /// robot_dynamics! {
+    ///     /// A cart of 2 kg on a rail that slopes.
+    ///     struct Cart;
+    ///     convention: modified,
+    ///     gravity: [0, -9.7, -1.5],
+    ///     joints: [rail: prismatic { mass: 2 }],
+    /// }
+    ///
+    /// // PID control at 1 kHz. The integral learns what gravity takes.
+    /// let mut integral = Vector1::zeros();
+    /// let motion = Simulation::new(&Cart)
+    ///     .sampled(1e-3)
+    ///     .torque(|_t, q, qd| {
+    ///         let error = Vector1::new(0.1) - q;
+    ///         integral += error * 1e-3;
+    ///         error * 200.0 + integral * 400.0 - qd * 40.0
+    ///     })
+    ///     .duration(4.0)
+    ///     .run()?;
+    /// assert!((motion.q[100][0] - 0.1).abs() < 1e-4);
+    /// assert!((motion.tau[100][0] - 3.0).abs() < 0.05);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// One that is not sampled may not:
+    ///
+    /// ```compile_fail
+    /// # use dynamics_runtime::nalgebra::Vector1;
+    /// # use dynamics_runtime::{Simulation, robot_dynamics};
+    /// # robot_dynamics! {
+    /// #     struct Cart;
+    /// #     convention: modified,
+    /// #     gravity: [0, -9.81, 0],
+    /// #     joints: [rail: prismatic { mass: 2 }],
+    /// # }
+    /// let mut calls = 0;
+    /// Simulation::new(&Cart).torque(|_, q, _| {
+    ///     calls += 1;
+    ///     -q
+    /// });
+    /// ```
+    pub fn sampled(self, period: f64) -> Simulation<'a, R, L, N, W, Sampled> {
+        self.with_laws(
+            |torque, tool_force| (torque, tool_force),
+            Sampled { period },
+        )
     }
 
     /// What the surroundings do to the tool: a wrench (fx fy fz nx ny nz) in N and N m as a function of t
@@ -171,21 +237,59 @@ impl<'a, R, L, W, const N: usize> Simulation<'a, R, L, N, W> {
         R: Kinematics<N>,
         F: Fn(f64, &Matrix4<f64>, &Vector6<f64>) -> Vector6<f64>,
     {
-        let Simulation {
-            robot,
-            torque,
-            method,
-            friction,
-            plan,
-            ..
-        } = self;
+        self.with_laws(|torque, _| (torque, law), Continuous)
+    }
+}
+
+impl<'a, R, L, W, const N: usize> Simulation<'a, R, L, N, W, Sampled> {
+    /// The joint torques that are held from one sample to the next, as a function of t in s, q in rad or
+    /// m, and qd at the sample; in N m or N. The law may have a memory: it is called once each period, in
+    /// order.
+    ///
+    /// A run that is repeated goes on with the memory that the law has then.
+    pub fn torque<F>(self, law: F) -> Simulation<'a, R, F, N, W, Sampled>
+    where
+        F: FnMut(f64, &SVector<f64, N>, &SVector<f64, N>) -> SVector<f64, N>,
+    {
+        let asked = self.asked;
+        self.with_laws(|_, tool_force| (law, tool_force), asked)
+    }
+
+    /// What the surroundings do to the tool, sampled with the torques: a wrench (fx fy fz nx ny nz) in N and
+    /// N m as a function of t in s, the tip's pose and its twist at the sample, held in the axes of
+    /// `jacobian` to the next one. The law may have a memory.
+    ///
+    /// It is for disturbances, such as random pushes. Contact is no sampled thing: a wall that pushes back
+    /// is stiff, and a held force feeds energy into it. Give it as a function of time and state, before
+    /// [`sampled`](Simulation::sampled).
+    pub fn held_tool_force<F>(self, law: F) -> Simulation<'a, R, L, N, HeldToolForce<F>, Sampled>
+    where
+        R: Kinematics<N>,
+        F: FnMut(f64, &Matrix4<f64>, &Vector6<f64>) -> Vector6<f64>,
+    {
+        let asked = self.asked;
+        let wrench = Vector6::zeros();
+        self.with_laws(|torque, _| (torque, HeldToolForce { law, wrench }), asked)
+    }
+}
+
+impl<'a, R, L, W, S, const N: usize> Simulation<'a, R, L, N, W, S> {
+    /// The same with other laws.
+    fn with_laws<L2, W2, S2>(
+        self,
+        change: impl FnOnce(L, W) -> (L2, W2),
+        asked: S2,
+    ) -> Simulation<'a, R, L2, N, W2, S2> {
+        let (torque, tool_force) = change(self.torque, self.tool_force);
         Simulation {
-            robot,
+            robot: self.robot,
             torque,
-            tool_force: law,
-            method,
-            friction,
-            plan,
+            tool_force,
+            asked,
+            method: self.method,
+            friction: self.friction,
+            limits: self.limits,
+            plan: self.plan,
         }
     }
 
@@ -198,14 +302,86 @@ impl<'a, R, L, W, const N: usize> Simulation<'a, R, L, N, W> {
     }
 
     /// What becomes of the dry friction in the arm's table; [`Friction::Sign`] as it is made.
-    pub fn friction(self, kind: Friction) -> Self
+    pub fn friction(mut self, kind: Friction) -> Self
     where
         R: Model<N>,
     {
         let rows = self.robot.table().rows;
-        let dry = rows.each_ref().map(DryFriction::of);
-        let friction = Law { kind, dry };
-        Simulation { friction, ..self }
+        self.friction.dry = rows.each_ref().map(DryFriction::of);
+        self.friction.kind = kind;
+        self
+    }
+
+    /// Stops at the ends of the joints' ranges, the `limits` of the table: hard ones, that throw a joint
+    /// back with `restitution` times its speed, from 0 (it stays there) to 1 (no energy is lost).
+    ///
+    /// As the simulation is made, joints pass their limits as if there were none.
+    ///
+    /// The time of an impact is found to rounding on steps of the method itself, and so are bounces that
+    /// follow. The blow goes through the whole arm: `qd+ = qd- - (1 + e) M^-1 e_i qd_i- / (M^-1)_ii`, for
+    /// several joints at once by Newton's law of restitution, with no stop pulling; it overcomes
+    /// friction that sticks. A joint that comes to rest at a stop leans on it, with an acceleration of
+    /// exactly zero, until the force of the stop would have to pull; dry friction at rest there holds it
+    /// besides. Bounces that die out end where they rise by less than 1e-13 of the position (and
+    /// of 1 rad or m): infinitely many of them, that take a finite time, are few hundreds.
+    ///
+    /// At the end of each step it takes one more evaluation of the forward dynamics, and where joints lean
+    /// on stops one over dual numbers for each of them, instead of one; an impact takes some ten steps. A
+    /// joint that passes a limit and is back within one step is seen as far as a cubic through the ends of
+    /// the step shows it. Structure-preserving methods preserve it between impacts.
+    ///
+    /// ```
+    /// use dynamics_runtime::nalgebra::SVector;
+    /// use dynamics_runtime::{Simulation, robot_dynamics};
+    ///
+    /// robot_dynamics! {
+    ///     /// A ball that falls along z.
+    ///     struct Ball;
+    ///     convention: modified,
+    ///     gravity: [0, 0, -10],
+    ///     joints: [height: prismatic { mass: 1, limits: [0, 2] }],
+    /// }
+    ///
+    /// // From 1.25 m it falls for 1/2 s, and rises again with half of 5 m/s.
+    /// let motion = Simulation::new(&Ball)
+    ///     .initial(SVector::repeat(1.25), SVector::zeros())
+    ///     .stops(0.5)
+    ///     .duration(0.75)
+    ///     .run()?;
+    /// assert!((motion.q[100][0] - 0.3125).abs() < 1e-12);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn stops(self, restitution: f64) -> Self
+    where
+        R: Model<N>,
+    {
+        self.at_limits(AtLimit::Rebounds { restitution })
+    }
+
+    /// A joint that passes one of the `limits` of the table ends the run in
+    /// [`Cause::JointLimit`](crate::Cause::JointLimit), with the time and the state there and all samples
+    /// before.
+    ///
+    /// The time is found to rounding on steps of the method itself. A joint may rest at a limit.
+    pub fn limits_are_errors(self) -> Self
+    where
+        R: Model<N>,
+    {
+        self.at_limits(AtLimit::Ends)
+    }
+
+    fn at_limits(mut self, kind: AtLimit) -> Self
+    where
+        R: Model<N>,
+    {
+        let table = self.robot.table();
+        let endless = [f64::NEG_INFINITY, f64::INFINITY];
+        self.friction.dry = table.rows.each_ref().map(DryFriction::of);
+        self.limits = Limits {
+            kind,
+            ranges: table.joint_limits().map(|limits| limits.unwrap_or(endless)),
+        };
+        self
     }
 
     /// Positions and velocities at t = 0.
@@ -229,7 +405,7 @@ impl<'a, R, L, W, const N: usize> Simulation<'a, R, L, N, W> {
 
 impl<R, L, W, const N: usize> Simulation<'_, R, L, N, W>
 where
-    R: ForwardDynamics<N>,
+    R: EquationsOfMotion<N>,
     L: Fn(f64, &SVector<f64, N>, &SVector<f64, N>) -> SVector<f64, N>,
     W: ToolForce<R, N>,
 {
@@ -238,28 +414,88 @@ where
     /// # Errors
     ///
     /// [`SimulationError`], with the time and the state reached and all samples up to there, where
-    /// a setting is invalid, where the motion reaches a singular mass matrix or a torque, a force, an
-    /// acceleration or a state that is not finite, and where the error cannot be held
+    /// a setting is invalid, where the motion reaches a singular mass matrix, a limit that is an error, or
+    /// a torque, a force, an acceleration or a state that is not finite, and where the error cannot be held
     /// ([`Cause`]). Never panics, unless a law does.
     pub fn run(&self) -> Result<Trajectory<N>, Box<SimulationError<N>>> {
-        let mut recorder = Recorder::new(self.plan.initial);
         let laws = Laws {
             robot: self.robot,
             torque: &self.torque,
             tool_force: &self.tool_force,
         };
-        let motion = Motion::new(self.robot, &laws, self.friction);
+        self.setting().run(self.robot, &laws)
+    }
+}
+
+impl<R, L, W, const N: usize> Simulation<'_, R, L, N, W, Sampled>
+where
+    R: EquationsOfMotion<N>,
+    L: FnMut(f64, &SVector<f64, N>, &SVector<f64, N>) -> SVector<f64, N>,
+    W: ToolForce<R, N>,
+{
+    /// Runs the simulation. It allocates the samples at the start and nothing later.
+    ///
+    /// # Errors
+    ///
+    /// [`SimulationError`], with the time and the state reached and all samples up to there, where
+    /// a setting is invalid, where the motion reaches a singular mass matrix, a limit that is an error, or
+    /// a torque, a force, an acceleration or a state that is not finite, and where the error cannot be held
+    /// ([`Cause`]). Never panics, unless a law does.
+    pub fn run(&mut self) -> Result<Trajectory<N>, Box<SimulationError<N>>> {
+        let (setting, period) = (self.setting(), self.asked);
+        if let Err(setting) = period.validate(self.plan.duration) {
+            let recorder = Recorder::new(self.plan.initial);
+            return recorder.finished(Err(setting.into()), 0);
+        }
+        let laws = SampledLaws::new(
+            self.robot,
+            period.period,
+            &mut self.torque,
+            &mut self.tool_force,
+        );
+        setting.run(self.robot, &laws)
+    }
+}
+
+impl<R, L, W, S, const N: usize> Simulation<'_, R, L, N, W, S> {
+    fn setting(&self) -> Setting<N> {
+        Setting {
+            method: self.method,
+            friction: self.friction,
+            limits: self.limits,
+            plan: self.plan,
+        }
+    }
+}
+
+/// What a run is asked for, whatever moves the arm.
+struct Setting<const N: usize> {
+    method: Method,
+    friction: Law<N>,
+    limits: Limits<N>,
+    plan: Plan<N>,
+}
+
+impl<const N: usize> Setting<N> {
+    fn run<R: EquationsOfMotion<N>>(
+        &self,
+        robot: &R,
+        laws: &impl TorqueLaw<N>,
+    ) -> Result<Trajectory<N>, Box<SimulationError<N>>> {
+        let mut recorder = Recorder::new(self.plan.initial);
+        let motion = Motion::new(robot, laws, self.friction, self.limits);
         let end = self.record(&motion, &mut recorder);
         recorder.finished(end, motion.evaluations())
     }
 
-    fn record(
+    fn record<R: EquationsOfMotion<N>, L: TorqueLaw<N>>(
         &self,
-        motion: &Motion<R, Laws<R, L, W>, N>,
+        motion: &Motion<R, L, N>,
         recorder: &mut Recorder<N>,
     ) -> Result<(), Cause> {
         self.plan.validate()?;
         self.friction.validate()?;
+        self.limits.validate(&self.plan.initial)?;
         self.method.validate(self.plan.duration)?;
         recorder.plan(&self.plan)?;
         self.method.integrate(motion, recorder)

@@ -2,27 +2,29 @@
 
 use core::cell::Cell;
 
-use nalgebra::SVector;
+use nalgebra::{SMatrix, SVector};
 
 use super::error::Cause;
 use super::friction::{Contact, Friction, Law};
-use super::torque::TorqueLaw;
-use crate::dual::Dual;
-use crate::friction::DryFriction;
+use super::limits::Limits;
+use super::samples::Followed;
+use super::torque::{self, TorqueLaw};
+use super::trajectory::Forces;
 use crate::integrate::{Canonical, Equations, Lu, Phase, Point, first_non_finite};
-use crate::{ForwardDynamics, Momenta, Scalar, SingularMassMatrix};
+use crate::{EquationsOfMotion, Momenta, Scalar, SingularMassMatrix};
 
 pub(super) struct Motion<'a, R, L, const N: usize> {
     robot: &'a R,
     torque: &'a L,
     friction: Law<N>,
-    /// What friction does to each joint; without meaning where it does not stick.
+    limits: Limits<N>,
+    /// What friction and stops do to each joint; without meaning in a motion without events.
     contacts: Cell<[Contact; N]>,
     /// How often the equations of motion were evaluated.
     evaluations: Cell<u64>,
 }
 
-/// Accelerations, and the forces that hold the joints that stick.
+/// Accelerations, and the forces that hold the joints that stick or lean on a stop.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Held<const N: usize> {
     pub(super) qdd: SVector<f64, N>,
@@ -30,11 +32,12 @@ pub(super) struct Held<const N: usize> {
 }
 
 impl<'a, R, L, const N: usize> Motion<'a, R, L, N> {
-    pub(super) fn new(robot: &'a R, torque: &'a L, friction: Law<N>) -> Self {
+    pub(super) fn new(robot: &'a R, torque: &'a L, friction: Law<N>, limits: Limits<N>) -> Self {
         Motion {
             robot,
             torque,
             friction,
+            limits,
             contacts: Cell::new([Contact::Slides(0.0); N]),
             evaluations: Cell::new(0),
         }
@@ -48,13 +51,31 @@ impl<'a, R, L, const N: usize> Motion<'a, R, L, N> {
         self.evaluations.set(self.evaluations.get() + 1);
     }
 
-    pub(super) fn dry(&self) -> &[DryFriction; N] {
-        &self.friction.dry
+    pub(super) fn limits(&self) -> &Limits<N> {
+        &self.limits
     }
 
     /// Whether joints stop and stick.
-    pub(super) fn sticks(&self) -> bool {
+    fn sticks(&self) -> bool {
         self.friction.kind == Friction::Sticking
+    }
+
+    /// Whether joint `i` stops and sticks.
+    pub(super) fn may_stick(&self, i: usize) -> bool {
+        self.sticks() && !self.friction.dry[i].is_none()
+    }
+
+    /// Whether there is more to the motion than its equations.
+    pub(super) fn has_events(&self) -> bool {
+        self.sticks() || self.limits.matter()
+    }
+
+    /// How great a force friction holds against, at joint `i` at rest, that would move it one way.
+    pub(super) fn breakaway(&self, i: usize, way: f64) -> f64 {
+        match self.friction.kind {
+            Friction::Regularised { .. } => 0.0,
+            Friction::Sign | Friction::Sticking => self.friction.dry[i].breakaway(way),
+        }
     }
 
     pub(super) fn contacts(&self) -> [Contact; N] {
@@ -65,15 +86,12 @@ impl<'a, R, L, const N: usize> Motion<'a, R, L, N> {
         self.contacts.set(contacts);
     }
 
-    /// Which joints stick, where any does.
+    /// Which joints are held where they are, where any is.
     fn still(&self) -> Option<[bool; N]> {
-        if !self.sticks() {
+        if !self.has_events() {
             return None;
         }
-        let still = self
-            .contacts
-            .get()
-            .map(|contact| contact == Contact::Sticks);
+        let still = self.contacts.get().map(Contact::holds);
         still.contains(&true).then_some(still)
     }
 }
@@ -86,14 +104,18 @@ impl<R, L: TorqueLaw<N>, const N: usize> Motion<'_, R, L, N> {
 
     /// The torques at a time in a phase, where both are finite. In place of the friction that the
     /// forward dynamics takes off, a multiple of sign(qd), they have that of the simulation.
-    fn torque(&self, t: f64, phase: &Phase<N>) -> Result<SVector<f64, N>, Cause> {
+    pub(super) fn torques(&self, t: f64, phase: &Phase<N>) -> Result<SVector<f64, N>, Cause> {
         if let Some(joint) = phase.first_non_finite() {
             return Err(Cause::NonFiniteState { joint });
         }
-        let tau = self.law(t, phase)?;
+        Ok(self.with_friction(phase, self.law(t, phase)?))
+    }
+
+    #[inline]
+    fn with_friction(&self, phase: &Phase<N>, tau: SVector<f64, N>) -> SVector<f64, N> {
         match self.friction.kind {
-            Friction::Sign => Ok(tau),
-            _ => Ok(tau + self.instead_of_sign(&phase.qd)),
+            Friction::Sign => tau,
+            _ => tau + self.instead_of_sign(&phase.qd),
         }
     }
 
@@ -108,7 +130,7 @@ impl<R, L: TorqueLaw<N>, const N: usize> Motion<'_, R, L, N> {
             (Friction::Sign, _) => Scalar::sign(qd[i]),
             (Friction::Regularised { speed }, _) => (qd[i] / speed).tanh(),
             (Friction::Sticking, Contact::Slides(way)) => way,
-            (Friction::Sticking, Contact::Sticks) => 0.0,
+            (Friction::Sticking, Contact::Sticks | Contact::Leans(_)) => 0.0,
         };
         SVector::from_fn(|i, _| {
             let (dry, law) = (&self.friction.dry[i], law(i));
@@ -117,60 +139,93 @@ impl<R, L: TorqueLaw<N>, const N: usize> Motion<'_, R, L, N> {
     }
 }
 
-impl<R: ForwardDynamics<N>, L: TorqueLaw<N>, const N: usize> Motion<'_, R, L, N> {
-    /// The accelerations, and the forces that keep those of the joints that stick at zero.
+impl<R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N: usize> Motion<'_, R, L, N> {
+    /// The accelerations, and the forces that keep those of the joints that are held at zero.
     pub(super) fn held(&self, t: f64, phase: &Phase<N>) -> Result<Held<N>, Cause> {
-        let tau = self.torque(t, phase)?;
-        if self.still().is_none() {
-            let qdd = self.free(phase, &tau)?;
-            let forces = SVector::zeros();
-            return Ok(Held { qdd, forces });
+        self.held_under(phase, &self.torques(t, phase)?)
+    }
+
+    fn held_under(&self, phase: &Phase<N>, tau: &SVector<f64, N>) -> Result<Held<N>, Cause> {
+        match self.still() {
+            Some(still) => self.hold(phase, tau, &still),
+            None => Ok(Held {
+                qdd: self.free(phase, tau)?,
+                forces: SVector::zeros(),
+            }),
         }
-        self.hold(phase, &tau)
     }
 
     #[inline]
     fn free(&self, phase: &Phase<N>, tau: &SVector<f64, N>) -> Result<SVector<f64, N>, Cause> {
         self.count();
-        let qdd = self.robot.forward_dynamics(&phase.q, &phase.qd, tau)?;
+        let qdd = self.robot.accelerations(&phase.q, &phase.qd, tau)?;
         finite(qdd)
     }
 
     /// `qdd = a + W f` with a the accelerations without the holding forces f, and W = M^-1: those of
-    /// the joints that stick are zero where `W_ss f_s = -a_s`. A column of W is the derivative by a
-    /// torque, which a dual number carries along.
+    /// the joints that are held are zero where `W_ss f_s = -a_s`.
     #[cold]
     #[inline(never)]
-    fn hold(&self, phase: &Phase<N>, tau: &SVector<f64, N>) -> Result<Held<N>, Cause> {
-        let contacts = self.contacts.get();
-        let stuck = |i: usize| contacts[i] == Contact::Sticks;
-        let [q, qd] = [phase.q, phase.qd].map(|x| x.map(Dual::from_f64));
-        let mut free = SVector::zeros();
-        let mut columns = [SVector::<f64, N>::zeros(); N];
-        for j in (0..N).filter(|j| stuck(*j)) {
-            let tau = SVector::from_fn(|i, _| Dual::new(tau[i], f64::from(u8::from(i == j))));
-            self.count();
-            let qdd = self.robot.forward_dynamics(&q, &qd, &tau)?;
-            free = finite(qdd.map(|entry| entry.value))?;
-            columns[j] = qdd.map(|entry| entry.slope);
-        }
+    fn hold(
+        &self,
+        phase: &Phase<N>,
+        tau: &SVector<f64, N>,
+        still: &[bool; N],
+    ) -> Result<Held<N>, Cause> {
+        let (free, columns) = self.responses(phase, tau, still)?;
         // The rows and columns of the other joints are those of the unit matrix.
-        let mut inverse = nalgebra::SMatrix::<f64, N, N>::identity();
-        for i in (0..N).filter(|i| stuck(*i)) {
-            for j in (0..N).filter(|j| stuck(*j)) {
-                inverse[(i, j)] = columns[j][i];
+        let mut inverse = SMatrix::<f64, N, N>::identity();
+        for i in (0..N).filter(|i| still[*i]) {
+            for j in (0..N).filter(|j| still[*j]) {
+                inverse[(i, j)] = columns[(i, j)];
             }
         }
-        let wanted = SVector::from_fn(|i, _| if stuck(i) { -free[i] } else { 0.0 });
+        let wanted = SVector::from_fn(|i, _| if still[i] { -free[i] } else { 0.0 });
         let forces = Lu::new(inverse).solve(wanted);
-        let mut qdd = (0..N).fold(free, |qdd, j| qdd + columns[j] * forces[j]);
-        for i in (0..N).filter(|i| stuck(*i)) {
+        let mut qdd = (0..N).fold(free, |qdd, j| qdd + columns.column(j) * forces[j]);
+        for i in (0..N).filter(|i| still[*i]) {
             qdd[i] = 0.0;
         }
         Ok(Held {
             qdd: finite(qdd)?,
             forces,
         })
+    }
+
+    /// The accelerations under some torques, and the columns of M^-1 that belong to some joints.
+    pub(super) fn responses(
+        &self,
+        phase: &Phase<N>,
+        tau: &SVector<f64, N>,
+        joints: &[bool; N],
+    ) -> Result<(SVector<f64, N>, SMatrix<f64, N, N>), Cause> {
+        let evaluations = joints.iter().filter(|joint| **joint).count().max(1);
+        (0..evaluations).for_each(|_| self.count());
+        let Phase { q, qd } = phase;
+        let (qdd, columns) = self.robot.accelerations_and_responses(q, qd, tau, joints)?;
+        Ok((finite(qdd)?, columns))
+    }
+}
+
+impl<R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N: usize> Followed<N> for Motion<'_, R, L, N> {
+    /// Not a number where the laws or the equations refuse: what is recorded ends no run.
+    fn forces(&self, t: f64, phase: &Phase<N>) -> Forces<N> {
+        let (evaluations, tau) = (self.evaluations.get(), self.torque.motors(t, phase));
+        let law = torque::finite(tau).and_then(|tau| self.torque.with_tool(tau, t, phase));
+        let held = law.and_then(|tau| self.held_under(phase, &self.with_friction(phase, tau)));
+        self.evaluations.set(evaluations);
+        Forces {
+            qdd: held.map_or(SVector::repeat(f64::NAN), |held| held.qdd),
+            tau,
+        }
+    }
+
+    fn period(&self) -> Option<f64> {
+        self.torque.period()
+    }
+
+    fn sample(&self, t: f64, phase: &Phase<N>) -> Result<(), Cause> {
+        self.torque.sample(t, phase)
     }
 }
 
@@ -183,7 +238,7 @@ fn finite<const N: usize>(qdd: SVector<f64, N>) -> Result<SVector<f64, N>, Cause
 
 impl<R, L, const N: usize> Equations<N> for Motion<'_, R, L, N>
 where
-    R: ForwardDynamics<N>,
+    R: EquationsOfMotion<N>,
     L: TorqueLaw<N>,
 {
     type Refusal = Cause;
@@ -193,11 +248,11 @@ where
     // stands there some forty times, and whether it runs faster or slower for it is chance.
     #[inline(never)]
     fn acceleration(&self, t: f64, phase: &Phase<N>) -> Result<SVector<f64, N>, Cause> {
-        let tau = self.torque(t, phase)?;
-        if self.still().is_some() {
-            return Ok(self.hold(phase, &tau)?.qdd);
+        let tau = self.torques(t, phase)?;
+        match self.still() {
+            Some(still) => Ok(self.hold(phase, &tau, &still)?.qdd),
+            None => self.free(phase, &tau),
         }
-        self.free(phase, &tau)
     }
 }
 
@@ -207,14 +262,14 @@ pub(super) struct InMomenta<'a, R, L, const N: usize> {
     arm: &'a dyn Momenta<N>,
 }
 
-impl<'a, R: ForwardDynamics<N>, L, const N: usize> InMomenta<'a, R, L, N> {
+impl<'a, R: EquationsOfMotion<N>, L, const N: usize> InMomenta<'a, R, L, N> {
     /// `None` where the arm is not known in momenta.
     pub(super) fn new(motion: &'a Motion<'a, R, L, N>) -> Option<Self> {
-        let arm = motion.robot.momenta()?;
+        let arm = motion.robot.in_momenta()?;
         Some(InMomenta { motion, arm })
     }
 
-    /// Joints that stick have no velocity, whatever their momenta: those of the others are the
+    /// Joints that are held have no velocity, whatever their momenta: those of the others are the
     /// momenta of the arm that is left.
     #[inline]
     fn phase_beside(&self, still: Option<[bool; N]>, at: &Point<N>) -> Result<Phase<N>, Cause> {
@@ -233,7 +288,7 @@ impl<'a, R: ForwardDynamics<N>, L, const N: usize> InMomenta<'a, R, L, N> {
     #[cold]
     fn named(&self, error: SingularMassMatrix, q: &SVector<f64, N>) -> SingularMassMatrix {
         let rest = SVector::zeros();
-        match self.motion.robot.forward_dynamics(q, &rest, &rest) {
+        match self.motion.robot.accelerations(q, &rest, &rest) {
             Err(named) if named.joint == error.joint => named,
             _ => error,
         }
@@ -242,7 +297,7 @@ impl<'a, R: ForwardDynamics<N>, L, const N: usize> InMomenta<'a, R, L, N> {
 
 impl<R, L, const N: usize> Canonical<N> for InMomenta<'_, R, L, N>
 where
-    R: ForwardDynamics<N>,
+    R: EquationsOfMotion<N>,
     L: TorqueLaw<N>,
 {
     type Refusal = Cause;
@@ -258,7 +313,7 @@ where
     fn rate(&self, t: f64, at: &Point<N>) -> Result<Point<N>, Cause> {
         let still = self.motion.still();
         let phase = self.phase_beside(still, at)?;
-        let tau = self.motion.torque(t, &phase)?;
+        let tau = self.motion.torques(t, &phase)?;
         self.motion.count();
         let mut p = finite(self.arm.force(&phase.q, &phase.qd, &tau))?;
         // The forces that hold a joint act on its momentum alone, which nothing reads.

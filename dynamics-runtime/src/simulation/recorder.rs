@@ -2,7 +2,7 @@
 
 use super::error::{Cause, InvalidSetting, SimulationError};
 use super::plan::Plan;
-use super::trajectory::{Trajectory, Work};
+use super::trajectory::{Forces, Trajectory, Work};
 use crate::integrate::{Grid, Phase, sample_time};
 
 /// A run as it is recorded: the plan of its samples, the samples taken, the phase reached.
@@ -53,10 +53,12 @@ impl<const N: usize> Recorder<N> {
         let samples = plan.samples;
         self.duration = plan.duration;
         self.samples = samples;
-        let Trajectory { t, q, qd, .. } = &mut self.trajectory;
+        let Trajectory {
+            t, q, qd, qdd, tau, ..
+        } = &mut self.trajectory;
+        let mut vectors = [q, qd, qdd, tau].into_iter();
         t.try_reserve_exact(samples)
-            .and_then(|()| q.try_reserve_exact(samples))
-            .and_then(|()| qd.try_reserve_exact(samples))
+            .and_then(|()| vectors.try_for_each(|list| list.try_reserve_exact(samples)))
             .map_err(|_| InvalidSetting::Samples(samples))
     }
 
@@ -102,15 +104,12 @@ impl<const N: usize> Recorder<N> {
         }
     }
 
-    /// Takes the phase reached as a sample.
-    pub(super) fn sample(&mut self) {
-        self.push(self.t, self.phase);
-    }
-
     /// Takes a sample.
-    pub(super) fn push(&mut self, t: f64, phase: Phase<N>) {
+    pub(super) fn push(&mut self, t: f64, phase: Phase<N>, forces: Forces<N>) {
         self.trajectory.t.push(t);
         self.trajectory.q.push(phase.q);
         self.trajectory.qd.push(phase.qd);
+        self.trajectory.qdd.push(forces.qdd);
+        self.trajectory.tau.push(forces.tau);
     }
 }

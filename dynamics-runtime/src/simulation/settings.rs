@@ -49,6 +49,7 @@ macro_rules! settings {
     ($(#[$documentation:meta])* $name:ident) => {
         $(#[$documentation])*
         #[derive(Clone, Copy, Debug, PartialEq)]
+        #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
         pub struct $name {
             /// Relative tolerance of a step.
             pub relative_tolerance: f64,

@@ -1,16 +1,21 @@
 //! Integration by Taylor series.
 
+use core::cell::{Cell, RefCell};
+
 use nalgebra::SVector;
 
 use super::drive::smooth;
 use super::error::{Cause, InvalidSetting, SimulationError};
 use super::plan::Plan;
 use super::recorder::Recorder;
+use super::samples::Followed;
+use super::sampling::Sampled;
 use super::settings::ErrorControl;
-use super::trajectory::Trajectory;
+use super::torque::{NoTorque, finite};
+use super::trajectory::{Forces, Trajectory};
 use crate::TaylorDynamics;
 use crate::friction::DryFriction;
-use crate::integrate::{Phase, Tolerance, first_non_finite};
+use crate::integrate::{Phase, Tolerance};
 use crate::taylor::{FEWEST_ORDERS, SeriesStepper, Steady, order};
 
 /// Settings of the Taylor method.
@@ -21,6 +26,7 @@ use crate::taylor::{FEWEST_ORDERS, SeriesStepper, Steady, order};
 /// are compensated, so that a tolerance of 1e-16 makes sense: the error is then that of rounding
 /// the equations. Samples between the steps are taken from the series, as accurate as its end.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Taylor {
     /// Relative tolerance of a step.
     pub relative_tolerance: f64,
@@ -82,24 +88,31 @@ impl Default for Taylor {
 }
 
 /// A simulation of an arm by the Taylor method, of high order and with long steps: for accurate
-/// motions, of 1e-8 and better, under a constant torque.
+/// motions, of 1e-8 and better, under torques that are constant or held.
 ///
 /// The method differentiates the equations of motion along the motion, so that it has to know them:
 /// a torque law, a Rust function of time or state, has no derivatives. Torques are therefore
-/// constant over a run; where they change at known times (a controller that samples and holds), a
-/// run for each interval starts where the last one ended. Viscous friction belongs to the equations
+/// constant over a run, or those of a controller that samples and holds
+/// ([`sampled`](TaylorSimulation::sampled)). Viscous friction belongs to the equations
 /// and is included. Coulomb friction jumps where a joint reverses, where no series goes across: an
-/// arm that has it is refused. For laws and friction of any kind use
+/// arm that has it is refused. Limits of the table are passed. For laws, friction and stops of any kind use
 /// [`Simulation`](crate::Simulation).
 ///
 /// As it is made, the arm starts from rest at q = 0, moves freely for 1 s and is sampled 101 times.
 #[derive(Clone, Debug)]
 #[must_use]
-pub struct TaylorSimulation<'a, R, const N: usize> {
+pub struct TaylorSimulation<'a, R, const N: usize, L = SVector<f64, N>> {
     robot: &'a R,
-    tau: SVector<f64, N>,
+    torque: L,
     settings: Taylor,
     plan: Plan<N>,
+}
+
+/// A torque law that is asked once each period, and its torque held in between.
+#[derive(Clone, Copy, Debug)]
+pub struct HeldTorque<F> {
+    law: F,
+    asked: Sampled,
 }
 
 impl<'a, R, const N: usize> TaylorSimulation<'a, R, N>
@@ -110,7 +123,7 @@ where
     pub fn new(robot: &'a R) -> Self {
         TaylorSimulation {
             robot,
-            tau: SVector::zeros(),
+            torque: SVector::zeros(),
             settings: Taylor::default(),
             plan: Plan::new(),
         }
@@ -118,7 +131,92 @@ where
 
     /// The constant joint torques, N m or N.
     pub fn torque(self, tau: SVector<f64, N>) -> Self {
-        TaylorSimulation { tau, ..self }
+        TaylorSimulation {
+            torque: tau,
+            ..self
+        }
+    }
+
+    /// Sample and hold, as of [`Simulation::sampled`](crate::Simulation::sampled): a torque law that follows
+    /// is asked at multiples of the period in s, and a series begins there.
+    pub fn sampled(self, period: f64) -> TaylorSimulation<'a, R, N, HeldTorque<NoTorque<N>>> {
+        let law: NoTorque<N> = |_, _, _| SVector::zeros();
+        let asked = Sampled { period };
+        self.with_torque(HeldTorque { law, asked })
+    }
+
+    /// Runs the simulation. It allocates the samples and the room for one series at the start and
+    /// nothing later.
+    ///
+    /// # Errors
+    ///
+    /// [`SimulationError`], with the time and the state reached and all samples up to there, where
+    /// a setting is invalid or the arm has Coulomb friction, where the motion reaches a singular
+    /// mass matrix or an acceleration or a state that is not finite, and where no step fits the
+    /// equations ([`Cause`]). Never panics.
+    pub fn run(&self) -> Result<Trajectory<N>, Box<SimulationError<N>>> {
+        self.setting().run(None, |_, _| finite(self.torque))
+    }
+}
+
+impl<'a, R, F, const N: usize> TaylorSimulation<'a, R, N, HeldTorque<F>>
+where
+    R: TaylorDynamics<N>,
+{
+    /// The joint torques that are held from one sample to the next, as a function of t in s, q in rad or
+    /// m, and qd at the sample; in N m or N. The law may have a memory.
+    pub fn torque<G>(self, law: G) -> TaylorSimulation<'a, R, N, HeldTorque<G>>
+    where
+        G: FnMut(f64, &SVector<f64, N>, &SVector<f64, N>) -> SVector<f64, N>,
+    {
+        let asked = self.torque.asked;
+        self.with_torque(HeldTorque { law, asked })
+    }
+
+    /// Runs the simulation. It allocates the samples and the room for one series at the start and
+    /// nothing later.
+    ///
+    /// # Errors
+    ///
+    /// [`SimulationError`], with the time and the state reached and all samples up to there, where
+    /// a setting is invalid or the arm has Coulomb friction, where the motion reaches a singular
+    /// mass matrix or a torque, an acceleration or a state that is not finite, and where no step fits the
+    /// equations ([`Cause`]). Never panics, unless the law does.
+    pub fn run(&mut self) -> Result<Trajectory<N>, Box<SimulationError<N>>>
+    where
+        F: FnMut(f64, &SVector<f64, N>, &SVector<f64, N>) -> SVector<f64, N>,
+    {
+        let setting = self.setting();
+        let HeldTorque { law, asked } = &mut self.torque;
+        if let Err(setting) = asked.validate(self.plan.duration) {
+            let recorder = Recorder::new(self.plan.initial);
+            return recorder.finished(Err(setting.into()), 0);
+        }
+        setting.run(Some(asked.period), |t, phase| {
+            finite(law(t, &phase.q, &phase.qd))
+        })
+    }
+}
+
+impl<'a, R, L, const N: usize> TaylorSimulation<'a, R, N, L>
+where
+    R: TaylorDynamics<N>,
+{
+    fn with_torque<M>(self, torque: M) -> TaylorSimulation<'a, R, N, M> {
+        TaylorSimulation {
+            robot: self.robot,
+            torque,
+            settings: self.settings,
+            plan: self.plan,
+        }
+    }
+
+    fn setting(&self) -> Setting<'a, R, N> {
+        Setting {
+            robot: self.robot,
+            settings: self.settings,
+            plan: self.plan,
+        }
     }
 
     /// Tolerances, order and bounds of the steps.
@@ -143,48 +241,92 @@ where
         self.plan.samples = samples;
         self
     }
+}
 
-    /// Runs the simulation. It allocates the samples and the room for one series at the start and
-    /// nothing later.
-    ///
-    /// # Errors
-    ///
-    /// [`SimulationError`], with the time and the state reached and all samples up to there, where
-    /// a setting is invalid or the arm has Coulomb friction, where the motion reaches a singular
-    /// mass matrix or an acceleration or a state that is not finite, and where no step fits the
-    /// equations ([`Cause`]). Never panics.
-    pub fn run(&self) -> Result<Trajectory<N>, Box<SimulationError<N>>> {
+/// What a run is asked for, whatever the torques are.
+struct Setting<'a, R, const N: usize> {
+    robot: &'a R,
+    settings: Taylor,
+    plan: Plan<N>,
+}
+
+impl<R: TaylorDynamics<N>, const N: usize> Setting<'_, R, N> {
+    /// A run under a law that is asked at the start, and once each period if there is one.
+    fn run<F>(&self, period: Option<f64>, law: F) -> Result<Trajectory<N>, Box<SimulationError<N>>>
+    where
+        F: FnMut(f64, &Phase<N>) -> Result<SVector<f64, N>, Cause>,
+    {
+        let motion = Held {
+            steady: Steady {
+                robot: self.robot,
+                tau: Cell::new(SVector::zeros()),
+            },
+            period,
+            law: RefCell::new(law),
+        };
         let mut recorder = Recorder::new(self.plan.initial);
-        let end = self.record(&mut recorder);
+        let end = self.record(&motion, &mut recorder);
         // One series for each step.
         let series = recorder.work.steps;
         recorder.finished(end, series)
     }
 
-    fn record(&self, recorder: &mut Recorder<N>) -> Result<(), Cause> {
+    fn record<F>(&self, motion: &Held<R, F, N>, recorder: &mut Recorder<N>) -> Result<(), Cause>
+    where
+        F: FnMut(f64, &Phase<N>) -> Result<SVector<f64, N>, Cause>,
+    {
         self.validate()?;
         recorder.plan(&self.plan)?;
-        recorder.sample();
+        let start = self.plan.initial;
+        let begun = motion.sample(0.0, &start);
+        recorder.push(0.0, start, motion.forces(0.0, &start));
+        begun?;
         let control = self.settings.control();
         let range = control.range(self.plan.duration);
-        let motion = Steady {
-            robot: self.robot,
-            tau: self.tau,
-        };
-        let (start, order) = (self.plan.initial, self.settings.order());
-        let run = SeriesStepper::start(&motion, start, order, control.tolerance, range)?;
-        smooth(&motion, run, recorder, control.max_steps).map_err(Cause::of_long_steps)
+        let order = self.settings.order();
+        let run = SeriesStepper::start(&motion.steady, start, order, control.tolerance, range)?;
+        let run = smooth(motion, &motion.steady, run, recorder, control.max_steps);
+        run.map_err(Cause::of_long_steps)
     }
 
     fn validate(&self) -> Result<(), Cause> {
         self.plan.validate()?;
-        if let Some(joint) = first_non_finite(&self.tau) {
-            return Err(Cause::NonFiniteTorque { joint });
-        }
         let rows = self.robot.table().rows;
         if let Some(joint) = rows.iter().position(|row| !DryFriction::of(row).is_none()) {
             return Err(InvalidSetting::CoulombFriction { joint }.into());
         }
         Ok(self.settings.validate(self.plan.duration)?)
+    }
+}
+
+/// An arm under torques that are held.
+struct Held<'a, R, F, const N: usize> {
+    steady: Steady<'a, R, N>,
+    period: Option<f64>,
+    law: RefCell<F>,
+}
+
+impl<R, F, const N: usize> Followed<N> for Held<'_, R, F, N>
+where
+    R: TaylorDynamics<N>,
+    F: FnMut(f64, &Phase<N>) -> Result<SVector<f64, N>, Cause>,
+{
+    fn forces(&self, _t: f64, phase: &Phase<N>) -> Forces<N> {
+        let tau = self.steady.tau.get();
+        let robot = self.steady.robot;
+        let series = robot.taylor_series(&phase.q, &phase.qd, &tau, 2);
+        Forces {
+            qdd: series.map_or(SVector::repeat(f64::NAN), |series| series[2] * 2.0),
+            tau,
+        }
+    }
+
+    fn period(&self) -> Option<f64> {
+        self.period
+    }
+
+    fn sample(&self, t: f64, phase: &Phase<N>) -> Result<(), Cause> {
+        self.steady.tau.set((self.law.borrow_mut())(t, phase)?);
+        Ok(())
     }
 }

@@ -18,6 +18,18 @@ pub trait ToolForce<R, const N: usize> {
         q: &SVector<f64, N>,
         qd: &SVector<f64, N>,
     ) -> Result<SVector<f64, N>, Cause>;
+
+    /// Begins a period, where the law is sampled.
+    #[doc(hidden)]
+    fn sample(
+        &mut self,
+        _robot: &R,
+        _t: f64,
+        _q: &SVector<f64, N>,
+        _qd: &SVector<f64, N>,
+    ) -> Result<(), Cause> {
+        Ok(())
+    }
 }
 
 /// No force at the tool.
@@ -53,10 +65,51 @@ where
     ) -> Result<SVector<f64, N>, Cause> {
         let pose = robot.forward_kinematics(q);
         let jacobian = robot.jacobian(q);
-        let wrench = self(t, &pose, &(jacobian * qd));
-        match wrench.iter().position(|x| !x.is_finite()) {
-            Some(component) => Err(Cause::NonFiniteToolForce { component }),
-            None => Ok(tau + jacobian.tr_mul(&wrench)),
-        }
+        let wrench = finite(self(t, &pose, &(jacobian * qd)))?;
+        Ok(tau + jacobian.tr_mul(&wrench))
+    }
+}
+
+/// A force at the tool that is asked for once each period, and held in the axes of `jacobian` in between.
+#[derive(Clone, Copy, Debug)]
+pub struct HeldToolForce<F> {
+    pub(super) law: F,
+    pub(super) wrench: Vector6<f64>,
+}
+
+impl<R, F, const N: usize> ToolForce<R, N> for HeldToolForce<F>
+where
+    R: Kinematics<N>,
+    F: FnMut(f64, &Matrix4<f64>, &Vector6<f64>) -> Vector6<f64>,
+{
+    fn added_to(
+        &self,
+        tau: SVector<f64, N>,
+        robot: &R,
+        _t: f64,
+        q: &SVector<f64, N>,
+        _qd: &SVector<f64, N>,
+    ) -> Result<SVector<f64, N>, Cause> {
+        Ok(tau + robot.jacobian(q).tr_mul(&self.wrench))
+    }
+
+    fn sample(
+        &mut self,
+        robot: &R,
+        t: f64,
+        q: &SVector<f64, N>,
+        qd: &SVector<f64, N>,
+    ) -> Result<(), Cause> {
+        let pose = robot.forward_kinematics(q);
+        let twist = robot.jacobian(q) * qd;
+        self.wrench = finite((self.law)(t, &pose, &twist))?;
+        Ok(())
+    }
+}
+
+fn finite(wrench: Vector6<f64>) -> Result<Vector6<f64>, Cause> {
+    match wrench.iter().position(|x| !x.is_finite()) {
+        Some(component) => Err(Cause::NonFiniteToolForce { component }),
+        None => Ok(wrench),
     }
 }

@@ -1,5 +1,7 @@
 //! The laws that move an arm: of its motors, and of what touches its tool.
 
+use core::cell::{Cell, RefCell};
+
 use nalgebra::SVector;
 
 use super::error::Cause;
@@ -8,8 +10,32 @@ use crate::integrate::{Phase, first_non_finite};
 
 /// What acts on the joints from outside of the arm's own equations.
 pub(super) trait TorqueLaw<const N: usize> {
-    /// The joint torques at a time in a phase that is finite, N m or N.
-    fn torque(&self, t: f64, phase: &Phase<N>) -> Result<SVector<f64, N>, Cause>;
+    /// The torques of the motors at a time in a phase that is finite, be they finite or not; N m or N.
+    fn motors(&self, t: f64, phase: &Phase<N>) -> SVector<f64, N>;
+
+    /// Torques with those of the force at the tool.
+    fn with_tool(
+        &self,
+        tau: SVector<f64, N>,
+        t: f64,
+        phase: &Phase<N>,
+    ) -> Result<SVector<f64, N>, Cause>;
+
+    /// The period of laws that are sampled and held.
+    fn period(&self) -> Option<f64> {
+        None
+    }
+
+    /// Begins a period: asks the laws that are sampled.
+    fn sample(&self, _t: f64, _phase: &Phase<N>) -> Result<(), Cause> {
+        Ok(())
+    }
+
+    /// All of the torques.
+    #[inline]
+    fn torque(&self, t: f64, phase: &Phase<N>) -> Result<SVector<f64, N>, Cause> {
+        self.with_tool(finite(self.motors(t, phase))?, t, phase)
+    }
 }
 
 /// The torque law of free motion: no torque.
@@ -27,12 +53,82 @@ where
     L: Fn(f64, &SVector<f64, N>, &SVector<f64, N>) -> SVector<f64, N>,
     W: ToolForce<R, N>,
 {
-    fn torque(&self, t: f64, phase: &Phase<N>) -> Result<SVector<f64, N>, Cause> {
-        let tau = (self.torque)(t, &phase.q, &phase.qd);
-        if let Some(joint) = first_non_finite(&tau) {
-            return Err(Cause::NonFiniteTorque { joint });
-        }
+    #[inline]
+    fn motors(&self, t: f64, phase: &Phase<N>) -> SVector<f64, N> {
+        (self.torque)(t, &phase.q, &phase.qd)
+    }
+
+    #[inline]
+    fn with_tool(
+        &self,
+        tau: SVector<f64, N>,
+        t: f64,
+        phase: &Phase<N>,
+    ) -> Result<SVector<f64, N>, Cause> {
         self.tool_force
             .added_to(tau, self.robot, t, &phase.q, &phase.qd)
+    }
+}
+
+/// Torques of the motors that are sampled and held, and the force at the tool, which may be.
+pub(super) struct SampledLaws<'a, R, L, W, const N: usize> {
+    robot: &'a R,
+    period: f64,
+    torque: RefCell<&'a mut L>,
+    tool_force: RefCell<&'a mut W>,
+    held: Cell<SVector<f64, N>>,
+}
+
+impl<'a, R, L, W, const N: usize> SampledLaws<'a, R, L, W, N> {
+    pub(super) fn new(robot: &'a R, period: f64, torque: &'a mut L, tool_force: &'a mut W) -> Self {
+        SampledLaws {
+            robot,
+            period,
+            torque: RefCell::new(torque),
+            tool_force: RefCell::new(tool_force),
+            held: Cell::new(SVector::zeros()),
+        }
+    }
+}
+
+impl<R, L, W, const N: usize> TorqueLaw<N> for SampledLaws<'_, R, L, W, N>
+where
+    L: FnMut(f64, &SVector<f64, N>, &SVector<f64, N>) -> SVector<f64, N>,
+    W: ToolForce<R, N>,
+{
+    #[inline]
+    fn motors(&self, _t: f64, _phase: &Phase<N>) -> SVector<f64, N> {
+        self.held.get()
+    }
+
+    #[inline]
+    fn with_tool(
+        &self,
+        tau: SVector<f64, N>,
+        t: f64,
+        phase: &Phase<N>,
+    ) -> Result<SVector<f64, N>, Cause> {
+        let tool_force = self.tool_force.borrow();
+        tool_force.added_to(tau, self.robot, t, &phase.q, &phase.qd)
+    }
+
+    fn period(&self) -> Option<f64> {
+        Some(self.period)
+    }
+
+    fn sample(&self, t: f64, phase: &Phase<N>) -> Result<(), Cause> {
+        let tau = (self.torque.borrow_mut())(t, &phase.q, &phase.qd);
+        self.held.set(tau);
+        finite(tau)?;
+        let mut tool_force = self.tool_force.borrow_mut();
+        tool_force.sample(self.robot, t, &phase.q, &phase.qd)
+    }
+}
+
+/// Torques that a law returned, where they are numbers.
+pub(super) fn finite<const N: usize>(tau: SVector<f64, N>) -> Result<SVector<f64, N>, Cause> {
+    match first_non_finite(&tau) {
+        Some(joint) => Err(Cause::NonFiniteTorque { joint }),
+        None => Ok(tau),
     }
 }

@@ -4,21 +4,47 @@ use nalgebra::SVector;
 
 use crate::Energy;
 
-/// A sampled motion: sample k is `(t[k], q[k], qd[k])`.
+/// A sampled motion: sample k is `(t[k], q[k], qd[k])`, with the accelerations `qdd[k]` and the torques
+/// `tau[k]` there.
+///
+/// Where velocities, accelerations or torques jump at the time of a sample, at an impact or where a
+/// controller begins a period, they are those after it; the first sample is the initial state as it was
+/// given.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Trajectory<const N: usize> {
     /// Times, s.
     pub t: Vec<f64>,
     /// Joint positions, rad or m.
+    #[cfg_attr(feature = "serde", serde(with = "crate::sequences::vectors"))]
     pub q: Vec<SVector<f64, N>>,
     /// Joint velocities, rad/s or m/s.
+    #[cfg_attr(feature = "serde", serde(with = "crate::sequences::vectors"))]
     pub qd: Vec<SVector<f64, N>>,
+    /// Joint accelerations, rad/s^2 or m/s^2, with all that acts on the arm; not a number where they could not
+    /// be computed. What they took is no part of the [`work`](Trajectory::work).
+    #[cfg_attr(feature = "serde", serde(with = "crate::sequences::vectors"))]
+    pub qdd: Vec<SVector<f64, N>>,
+    /// Torques of the motors, as the law has them, N m or N: those of a sampled law are held between its
+    /// samples. A force at the tool is no part of them.
+    #[cfg_attr(feature = "serde", serde(with = "crate::sequences::vectors"))]
+    pub tau: Vec<SVector<f64, N>>,
     /// What the run took.
     pub work: Work,
 }
 
+/// What is recorded of a motion beside its phase.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Forces<const N: usize> {
+    /// Accelerations.
+    pub(super) qdd: SVector<f64, N>,
+    /// Torques of the motors.
+    pub(super) tau: SVector<f64, N>,
+}
+
 /// The work of a run, for comparing methods.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Work {
     /// How often the equations of motion were evaluated, in steps that were thrown away too.
     ///

@@ -1,5 +1,7 @@
 //! Steps by Taylor series.
 
+use core::cell::Cell;
+
 use nalgebra::SVector;
 
 use super::TaylorDynamics;
@@ -9,10 +11,10 @@ use crate::SingularMassMatrix;
 use crate::exact::{two_sum, two_sums};
 use crate::integrate::{Failure, Phase, StepRange, Stepper, Tolerance, first_non_finite};
 
-/// An arm under constant torques.
+/// An arm under constant torques, until others take their place.
 pub(crate) struct Steady<'a, R, const N: usize> {
     pub(crate) robot: &'a R,
-    pub(crate) tau: SVector<f64, N>,
+    pub(crate) tau: Cell<SVector<f64, N>>,
 }
 
 /// Why a series cannot begin at a phase.
@@ -125,7 +127,7 @@ where
         if let Some(joint) = phase.first_non_finite() {
             return Err(Refusal::State { joint });
         }
-        let begun = self.series.begin(motion.robot, phase, &motion.tau);
+        let begun = self.series.begin(motion.robot, phase, &motion.tau.get());
         begun.map_err(Refusal::Singular)?;
         match first_non_finite(&self.series.acceleration()) {
             Some(joint) => Err(Refusal::Acceleration { joint }),
@@ -216,6 +218,8 @@ where
 
 #[cfg(test)]
 mod tests {
+    use core::cell::Cell;
+
     use nalgebra::{SMatrix, SVector, Vector1};
 
     use super::{SeriesStepper, Steady};
@@ -254,7 +258,7 @@ mod tests {
 
     const MOTION: Steady<'static, Swing, 1> = Steady {
         robot: &Swing,
-        tau: Vector1::new(0.25),
+        tau: Cell::new(Vector1::new(0.25)),
     };
 
     fn start(t: f64, phase: Phase<1>) -> SeriesStepper<Swing, 1> {

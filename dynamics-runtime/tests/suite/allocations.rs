@@ -65,6 +65,7 @@ impl Model<1> for Pendulum {
     fn table(&self) -> Table<1> {
         let row = Row {
             coulomb: [self.0; 2],
+            limits: Some([-0.5, 0.1]),
             ..Row::new(JointType::Revolute)
         };
         Table::new(Convention::Modified, [0.0; 3], [row])
@@ -92,27 +93,59 @@ fn events_of_friction_do_not_allocate() {
             stuck = run.qd.iter().filter(|qd| qd[0] == 0.0).count();
         });
         assert!((5..95).contains(&stuck), "{method:?}: {stuck}");
-        assert_eq!(info.count_total, 3, "{method:?}");
+        assert_eq!(info.count_total, LISTS, "{method:?}");
     }
 }
 
-/// Times, positions, velocities: three, however many steps there are.
+/// Times, positions, velocities, accelerations, torques, however many steps there are.
+const LISTS: u64 = 5;
+
 #[test]
 fn a_run_allocates_its_samples_only() {
     for step in [0.1, 1e-3] {
-        assert_eq!(allocations(Method::ExplicitEuler { step }), 3);
-        assert_eq!(allocations(Method::CraigEuler { step }), 3);
-        assert_eq!(allocations(Method::SemiImplicitEuler { step }), 3);
-        assert_eq!(allocations(Method::RungeKutta4 { step }), 3);
-        assert_eq!(allocations(Method::ImplicitMidpoint { step }), 3);
-        assert_eq!(allocations(Method::GaussLegendre4 { step }), 3);
-        assert_eq!(allocations(Method::GaussLegendre6 { step }), 3);
+        assert_eq!(allocations(Method::ExplicitEuler { step }), LISTS);
+        assert_eq!(allocations(Method::CraigEuler { step }), LISTS);
+        assert_eq!(allocations(Method::SemiImplicitEuler { step }), LISTS);
+        assert_eq!(allocations(Method::RungeKutta4 { step }), LISTS);
+        assert_eq!(allocations(Method::ImplicitMidpoint { step }), LISTS);
+        assert_eq!(allocations(Method::GaussLegendre4 { step }), LISTS);
+        assert_eq!(allocations(Method::GaussLegendre6 { step }), LISTS);
     }
     for tolerance in [1e-3, 1e-12] {
         let settings = DormandPrince::with_tolerance(tolerance);
-        assert_eq!(allocations(settings.into()), 3);
-        assert_eq!(allocations(Dop853::with_tolerance(tolerance).into()), 3);
-        assert_eq!(allocations(Radau5::with_tolerance(tolerance).into()), 3);
+        assert_eq!(allocations(settings.into()), LISTS);
+        assert_eq!(allocations(Dop853::with_tolerance(tolerance).into()), LISTS);
+        assert_eq!(allocations(Radau5::with_tolerance(tolerance).into()), LISTS);
+    }
+}
+
+/// Bounces on a stop under a law that is sampled.
+#[test]
+fn impacts_and_samples_of_a_law_do_not_allocate() {
+    for method in [
+        Method::RungeKutta4 { step: 1e-2 },
+        Method::GaussLegendre4 { step: 1e-2 },
+        Dop853::default().into(),
+        Radau5::default().into(),
+    ] {
+        let mut calls = 0;
+        let mut simulation = Simulation::new(&Pendulum(0.0))
+            .initial(Vector1::new(-0.5), Vector1::new(0.0))
+            .sampled(0.1)
+            .torque(|_, _, qd| {
+                calls += 1;
+                qd * 0.1
+            })
+            .stops(0.7)
+            .duration(10.0)
+            .method(method);
+        let mut least = 0.0;
+        let info = measure(|| {
+            let run = simulation.run().unwrap();
+            least = run.q.iter().map(|q| q[0]).fold(0.0, f64::min);
+        });
+        assert_eq!(info.count_total, LISTS, "{method:?}");
+        assert!(calls == 100 && least >= -0.5, "{calls} {least}");
     }
 }
 

@@ -5,11 +5,15 @@ mod allocations;
 mod arms;
 mod check;
 mod data;
+#[cfg(feature = "serde")]
+mod data_formats;
 mod endings;
 mod friction;
 mod methods;
 mod reference;
+mod sampling;
 mod springs;
 mod sticking;
+mod stops;
 mod structure;
 mod trajectories;

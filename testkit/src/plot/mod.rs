@@ -1,14 +1,12 @@
-//! Plots as SVG: curves over time, and series on logarithmic axes.
+//! Plots with logarithmic axes as SVG. Curves over time are drawn by the runtime.
 
 mod logarithmic;
-mod over_time;
 
 use std::{error::Error, fs, path::Path};
 
 use plotters::style::RGBColor;
 
 pub use logarithmic::{Mark, Plot, Series};
-pub use over_time::{Curve, Figure, joints};
 
 /// Colours that stay apart for colour-blind readers: Okabe and Ito, Color Universal Design (2008), and
 /// some more where seven are too few.

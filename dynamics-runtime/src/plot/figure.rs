@@ -1,12 +1,13 @@
 //! Curves over time as SVG: panels above one another, one time axis, a legend beside each panel.
 
 use std::ops::Range;
+use std::path::Path;
 
+use nalgebra::SVector;
 use plotters::coord::{Shift, types::RangedCoordf64};
 use plotters::prelude::*;
-use robot_dynamics::nalgebra::SVector;
 
-use super::{COLOURS, Outcome};
+use super::Outcome;
 
 /// Units of the drawing in one pixel. Plotters rounds to whole units: finer ones keep curves smooth.
 const PIXEL: u32 = 8;
@@ -16,10 +17,28 @@ const TITLE_HEIGHT: u32 = 44 * PIXEL;
 /// Beside the curves and never on them.
 const LEGEND_WIDTH: u32 = 170 * PIXEL;
 
+/// Colours that stay apart for colour-blind readers: Okabe and Ito, Color Universal Design (2008), and
+/// some more where seven are too few.
+const COLOURS: [RGBColor; 12] = [
+    RGBColor(0, 114, 178),
+    RGBColor(213, 94, 0),
+    RGBColor(0, 158, 115),
+    RGBColor(204, 121, 167),
+    RGBColor(230, 159, 0),
+    RGBColor(86, 180, 233),
+    RGBColor(0, 0, 0),
+    RGBColor(150, 110, 60),
+    RGBColor(120, 120, 120),
+    RGBColor(110, 60, 160),
+    RGBColor(190, 190, 40),
+    RGBColor(200, 30, 30),
+];
+
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 type Chart<'a, 'b> = ChartContext<'a, SVGBackend<'b>, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
 
-/// One named curve.
+/// One named curve. What is not finite has no place in it.
+#[derive(Clone, Debug)]
 pub struct Curve {
     name: String,
     points: Vec<(f64, f64)>,
@@ -28,7 +47,10 @@ pub struct Curve {
 impl Curve {
     /// The values `y` at the times `t`, s.
     pub fn new(name: impl Into<String>, t: &[f64], y: impl IntoIterator<Item = f64>) -> Self {
-        let points = t.iter().copied().zip(y).collect();
+        let points = t.iter().copied().zip(y);
+        let points = points
+            .filter(|(t, y)| t.is_finite() && y.is_finite())
+            .collect();
         Self {
             name: name.into(),
             points,
@@ -46,12 +68,25 @@ pub fn joints<const N: usize>(
     std::array::from_fn(|i| Curve::new(names[i], t, values.iter().map(|v| v[i])))
 }
 
+#[derive(Clone, Debug)]
 struct Panel {
     y_label: String,
     curves: Vec<Curve>,
 }
 
 /// Panels above one another, over one time axis.
+///
+/// ```
+/// use dynamics_runtime::plot::{Curve, Figure};
+///
+/// let t: Vec<f64> = (0..101).map(|k| 0.1 * f64::from(k)).collect();
+/// let wave = Curve::new("wave", &t, t.iter().map(|t| t.sin()));
+/// let svg = Figure::new("A wave").panel("height, m", [wave]).svg()?;
+/// assert!(svg.contains("A wave") && svg.contains("height, m"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+#[must_use]
 pub struct Figure {
     title: String,
     panels: Vec<Panel>,
@@ -64,6 +99,12 @@ impl Figure {
             title: title.into(),
             panels: Vec::new(),
         }
+    }
+
+    /// Another title; none where it is empty.
+    pub fn title(mut self, title: impl Into<String>) -> Self {
+        self.title = title.into();
+        self
     }
 
     /// Adds a panel below the others; `y_label` names the quantity and its unit.
@@ -80,31 +121,53 @@ impl Figure {
         self
     }
 
-    /// Writes `examples/output/<name>.svg` and says so on standard output.
+    /// Writes the drawing into a file, in a folder that is made where it is missing.
     ///
     /// # Errors
     ///
-    /// Where the file cannot be written.
-    pub fn save(&self, name: &str) -> Outcome {
-        super::save(&self.svg()?, name)
+    /// Where the file cannot be written, or there is nothing to draw.
+    pub fn save(&self, file: impl AsRef<Path>) -> Outcome {
+        let svg = self.svg()?;
+        if let Some(folder) = file.as_ref().parent() {
+            std::fs::create_dir_all(folder)?;
+        }
+        Ok(std::fs::write(file, svg)?)
     }
 
-    /// The drawing in its fine units, shown at its size in pixels.
-    fn svg(&self) -> Outcome<String> {
-        let height = TITLE_HEIGHT + PANEL_HEIGHT * self.panels.len() as u32;
+    /// The drawing: as high as its panels, 900 pixels wide.
+    ///
+    /// # Errors
+    ///
+    /// Where there is nothing to draw.
+    pub fn svg(&self) -> Outcome<String> {
+        let points = self.panels.iter().flat_map(|panel| &panel.curves);
+        if points.map(|curve| curve.points.len()).sum::<usize>() == 0 {
+            return Err("there is nothing to draw".into());
+        }
+        let height = self.title_height() + PANEL_HEIGHT * self.panels.len() as u32;
         let mut svg = String::new();
         self.draw(SVGBackend::with_string(&mut svg, (WIDTH, height)))?;
+        // Drawn in fine units, shown at its size in pixels.
         let size =
             |pixel: u32| format!("width=\"{}\" height=\"{}\"", WIDTH / pixel, height / pixel);
         Ok(svg.replacen(&size(1), &size(PIXEL), 1))
     }
 
+    fn title_height(&self) -> u32 {
+        if self.title.is_empty() {
+            6 * PIXEL
+        } else {
+            TITLE_HEIGHT
+        }
+    }
+
     fn draw(&self, backend: SVGBackend) -> Outcome {
         let root = backend.into_drawing_area();
         root.fill(&WHITE)?;
-        let body = root
-            .margin(6 * PIXEL, 0, 0, 0)
-            .titled(&self.title, font(20))?;
+        let mut body = root.margin(6 * PIXEL, 0, 0, 0);
+        if !self.title.is_empty() {
+            body = body.titled(&self.title, font(20))?;
+        }
         let areas = body.split_evenly((self.panels.len(), 1));
         for (panel, area) in self.panels.iter().zip(areas) {
             panel.draw(&area)?;
@@ -164,7 +227,11 @@ impl Panel {
 
     fn time_range(&self) -> Range<f64> {
         let (low, high) = extent(self.curves.iter().flat_map(|c| &c.points).map(|p| p.0));
-        low..high
+        if low < high {
+            low..high
+        } else {
+            low..low + 1.0
+        }
     }
 
     /// The values' range with a margin, and a range of its own for a constant.
@@ -184,10 +251,16 @@ fn font(size: u32) -> (&'static str, u32) {
     ("sans-serif", size * PIXEL)
 }
 
+/// The least and the greatest of some values; of none, 0 and 1.
 fn extent(values: impl Iterator<Item = f64>) -> (f64, f64) {
-    values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| {
+    let extent = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| {
         (low.min(v), high.max(v))
-    })
+    });
+    if extent.0 <= extent.1 {
+        extent
+    } else {
+        (0.0, 1.0)
+    }
 }
 
 /// A label with the digits that ticks need on an axis whose largest value is `largest`.

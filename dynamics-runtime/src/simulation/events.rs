@@ -1,19 +1,27 @@
-//! Stopping, sticking and letting go: an integration between events.
+//! An integration between events: of friction, which stops joints, holds them and lets them go, and of the
+//! ends of their ranges.
 
-use super::contacts::{least_margin, margin, settle, stops_and_chatters, way_out};
+use super::contacts::{
+    classified, least_margin, let_in, margin, settle, stops_and_chatters, way_out,
+};
 use super::error::Cause;
 use super::friction::Contact;
+use super::impact::thrown_back;
+use super::limits::AtLimit;
 use super::motion::{Held, Motion};
 use super::recorder::Recorder;
+use super::samples::{Followed, take_here, take_within};
+use super::sampling::Instants;
 use super::torque::TorqueLaw;
-use crate::ForwardDynamics;
+use crate::EquationsOfMotion;
 use crate::integrate::{Phase, Stepper};
 
 /// An integration whose steps end at the events.
-pub(super) struct Sticking<'a, S, R, L, K, const N: usize> {
+pub(super) struct Eventful<'a, S, R, L, K, const N: usize> {
     motion: &'a Motion<'a, R, L, N>,
     system: &'a S,
     stepper: K,
+    instants: Instants,
     held: Held<N>,
     /// Events since the last step without one.
     in_a_row: usize,
@@ -27,9 +35,9 @@ pub(super) struct Sticking<'a, S, R, L, K, const N: usize> {
 /// the next one in a motion that a step of the method can follow.
 const MOST_IN_A_ROW: usize = 1_000;
 
-impl<'a, S, R, L, K, const N: usize> Sticking<'a, S, R, L, K, N>
+impl<'a, S, R, L, K, const N: usize> Eventful<'a, S, R, L, K, N>
 where
-    R: ForwardDynamics<N>,
+    R: EquationsOfMotion<N>,
     L: TorqueLaw<N>,
     K: Stepper<S, Cause, N>,
 {
@@ -38,12 +46,14 @@ where
         motion: &'a Motion<'a, R, L, N>,
         system: &'a S,
         stepper: K,
+        duration: f64,
     ) -> Result<Self, Cause> {
         let held = motion.held(stepper.t(), stepper.phase())?;
-        Ok(Sticking {
+        Ok(Eventful {
             motion,
             system,
             stepper,
+            instants: Instants::new(motion.period(), duration),
             held,
             in_a_row: 0,
             events: 0,
@@ -65,25 +75,37 @@ where
             if steps == max_steps {
                 return Err(self.too_many(steps));
             }
-            let made = self.advance(recorder.duration());
+            let made = self.advance(self.instants.next());
             recorder.work.rejected = self.stepper.rejected();
             let event = made.map_err(|cause| self.blamed(cause, recorder, next))?;
             let end = self.stopped(event);
             recorder.reach(self.stepper.t(), end)?;
             steps += 1;
-            while let Some(t) = recorder.next_sample().filter(|t| *t <= self.stepper.t()) {
-                let phase = match t == self.stepper.t() {
-                    true => end,
-                    false => self.stepper.at(self.system, t)?,
-                };
-                recorder.push(t, phase);
+            let mut taken = take_within(self.motion, self.system, &mut self.stepper, recorder)?;
+            self.turn(event, recorder)?;
+            taken |= take_here(self.motion, recorder);
+            if taken {
                 (steps, self.events) = (0, 0);
             }
-            if event {
-                self.change(end)?;
-            } else {
-                self.in_a_row = 0;
-            }
+        }
+        Ok(())
+    }
+
+    /// Goes on after a step: after an event in it, and from where the laws are asked again.
+    fn turn(&mut self, event: bool, recorder: &mut Recorder<N>) -> Result<(), Cause> {
+        let t = self.stepper.t();
+        if event {
+            recorder.phase = self.change(recorder.phase)?;
+        } else {
+            self.in_a_row = 0;
+        }
+        let begins = self.instants.begin(t);
+        if begins {
+            self.motion.sample(t, &recorder.phase)?;
+        }
+        if event || begins {
+            self.held = settle(self.motion, t, &recorder.phase)?;
+            self.stepper.restart(self.system, recorder.phase)?;
         }
         Ok(())
     }
@@ -122,7 +144,8 @@ where
         Ok(true)
     }
 
-    /// Whether a velocity dips below zero within a step that ends well; the stepper then is there.
+    /// Whether a velocity, or the way to a limit, dips below zero within a step that ends well; the
+    /// stepper then is there.
     fn dips(
         &mut self,
         t: f64,
@@ -151,21 +174,30 @@ where
     }
 
     /// The time at which a velocity that keeps its sign from one end of the step to the other dips
-    /// below zero, by the cubic through its values and slopes at the ends.
+    /// below zero, or a position passes a limit and comes back, by the cubic through values and slopes at
+    /// the ends.
     fn dip(&self, t: f64, from: &Phase<N>, before: &Held<N>, after: &Held<N>) -> Option<f64> {
         let to = self.stepper.phase();
         let h = self.stepper.t() - t;
-        let lowest = |i: usize| match self.motion.contacts()[i] {
+        let of_velocity = |i: usize| match self.motion.contacts()[i] {
             Contact::Slides(way) => lowest(
                 [way * from.qd[i], way * to.qd[i]],
                 [way * before.qdd[i] * h, way * after.qdd[i] * h],
             ),
-            Contact::Sticks => None,
+            _ => None,
         };
-        (0..N)
-            .filter_map(lowest)
-            .reduce(f64::min)
-            .map(|s| t + s * h)
+        let limits = self.motion.limits();
+        let of_position = |i: usize| {
+            let ends = limits.ends(i).filter_map(move |end| {
+                lowest(
+                    [from.q[i], to.q[i]].map(|q| limits.margin(&end, q)),
+                    [from.qd[i], to.qd[i]].map(|qd| end.inwards * qd * h),
+                )
+            });
+            ends.reduce(f64::min)
+        };
+        let dips = (0..N).flat_map(|i| [of_velocity(i), of_position(i)]);
+        dips.flatten().reduce(f64::min).map(|s| t + s * h)
     }
 
     /// Takes the step again, so that it ends where the least margin, which was `margin` at `start`
@@ -211,7 +243,7 @@ where
         for (i, contact) in self.motion.contacts().iter().enumerate() {
             let stops = match contact {
                 Contact::Slides(way) => event && *way != 0.0 && way * phase.qd[i] <= 0.0,
-                Contact::Sticks => true,
+                Contact::Sticks | Contact::Leans(_) => true,
             };
             if stops {
                 phase.qd[i] = 0.0;
@@ -220,25 +252,47 @@ where
         phase
     }
 
-    /// Goes on after an event: a joint that stopped sticks, one that friction does not hold is let
-    /// go.
-    fn change(&mut self, phase: Phase<N>) -> Result<(), Cause> {
-        let t = self.stepper.t();
+    /// The phase after an event: joints that hit a stop are thrown back; else one that stopped sticks, and
+    /// one that nothing holds is let go.
+    fn change(&mut self, phase: Phase<N>) -> Result<Phase<N>, Cause> {
+        self.passes(&phase)?;
+        if let Some(after) = thrown_back(self.motion, self.stepper.t(), &phase)? {
+            self.motion.set_contacts(classified(self.motion, &after));
+            // Bounces take time, and become fewer: they are no chatter.
+            self.in_a_row = 0;
+            return Ok(after);
+        }
         let (least, held) = self.here()?;
         let contacts = self.motion.contacts();
+        let free = |i: usize| margin(self.motion, i, &phase, &held) <= least.max(0.0);
         let next = core::array::from_fn(|i| match contacts[i] {
             Contact::Slides(way) if way != 0.0 && phase.qd[i] == 0.0 => Contact::Sticks,
             // It was held until now by all the friction that there is.
-            Contact::Sticks if margin(self.motion, i, &phase, &held) <= least.max(0.0) => {
-                Contact::Slides(way_out(&held, i))
-            }
+            Contact::Sticks if free(i) => Contact::Slides(way_out(&held, i)),
+            Contact::Leans(inwards) if free(i) => let_in(self.motion, i, inwards),
             contact => contact,
         });
         self.count(&contacts, &next);
         self.motion.set_contacts(next);
-        self.held = settle(self.motion, t, &phase)?;
-        self.stepper.restart(self.system, phase)?;
-        Ok(())
+        Ok(phase)
+    }
+
+    /// Passing a limit, where that is an error.
+    fn passes(&self, phase: &Phase<N>) -> Result<(), Cause> {
+        let limits = self.motion.limits();
+        if limits.kind != AtLimit::Ends {
+            return Ok(());
+        }
+        let beyond = |i: usize| {
+            let ends = limits
+                .ends(i)
+                .filter(|end| end.inwards * phase.qd[i] < 0.0 && end.gap(phase.q[i]) <= 0.0);
+            ends.map(|end| end.at).next()
+        };
+        match (0..N).find_map(|i| Some((i, beyond(i)?))) {
+            Some((joint, limit)) => Err(Cause::JointLimit { joint, limit }),
+            None => Ok(()),
+        }
     }
 
     fn count(&mut self, before: &[Contact; N], after: &[Contact; N]) {

@@ -1,0 +1,118 @@
+//! What a simulation asks of an arm.
+
+use nalgebra::{SMatrix, SVector};
+
+use crate::dual::Dual;
+use crate::factorisation::Factors;
+use crate::{ForwardDynamics, Momenta, NewtonEuler, Scalar, SingularMassMatrix};
+
+/// Accelerations, and what a unit torque at each of some joints adds to them: columns of M^-1.
+pub type Responses<const N: usize> = (SVector<f64, N>, SMatrix<f64, N, N>);
+
+/// An arm that a [`Simulation`](crate::Simulation) can move: its equations of motion, solved for the
+/// accelerations, in doubles.
+///
+/// Every arm with [`ForwardDynamics`] is one, and [`NewtonEuler`] is one for any table.
+pub trait EquationsOfMotion<const N: usize> {
+    /// Joint accelerations qdd of `M(q) qdd + V(q, qd) + G(q) + K(q) + F(qd) = tau`.
+    ///
+    /// `q` in rad or m, `qd` per second, `tau` in N m or N.
+    ///
+    /// # Errors
+    ///
+    /// [`SingularMassMatrix`] where M(q) is not positive definite to working precision, or holds a NaN.
+    fn accelerations(
+        &self,
+        q: &SVector<f64, N>,
+        qd: &SVector<f64, N>,
+        tau: &SVector<f64, N>,
+    ) -> Result<SVector<f64, N>, SingularMassMatrix>;
+
+    /// The accelerations, and the columns of M(q)^-1 that belong to `joints`; other columns are zero.
+    ///
+    /// # Errors
+    ///
+    /// As [`accelerations`](EquationsOfMotion::accelerations).
+    fn accelerations_and_responses(
+        &self,
+        q: &SVector<f64, N>,
+        qd: &SVector<f64, N>,
+        tau: &SVector<f64, N>,
+        joints: &[bool; N],
+    ) -> Result<Responses<N>, SingularMassMatrix>;
+
+    /// The arm in positions and momenta, which the structure-preserving methods need; `None` where it is
+    /// not known in them.
+    fn in_momenta(&self) -> Option<&dyn Momenta<N>>;
+}
+
+impl<R: ForwardDynamics<N>, const N: usize> EquationsOfMotion<N> for R {
+    #[inline]
+    fn accelerations(
+        &self,
+        q: &SVector<f64, N>,
+        qd: &SVector<f64, N>,
+        tau: &SVector<f64, N>,
+    ) -> Result<SVector<f64, N>, SingularMassMatrix> {
+        self.forward_dynamics(q, qd, tau)
+    }
+
+    /// A column of M^-1 is the derivative by a torque, which a dual number carries along.
+    fn accelerations_and_responses(
+        &self,
+        q: &SVector<f64, N>,
+        qd: &SVector<f64, N>,
+        tau: &SVector<f64, N>,
+        joints: &[bool; N],
+    ) -> Result<Responses<N>, SingularMassMatrix> {
+        let [positions, velocities] = [q, qd].map(|x| x.map(Dual::from_f64));
+        let mut free = None;
+        let mut columns = SMatrix::<f64, N, N>::zeros();
+        for j in (0..N).filter(|j| joints[*j]) {
+            let tau = SVector::from_fn(|i, _| Dual::new(tau[i], f64::from(u8::from(i == j))));
+            let qdd = self.forward_dynamics(&positions, &velocities, &tau)?;
+            free = Some(qdd.map(|entry| entry.value));
+            columns.set_column(j, &qdd.map(|entry| entry.slope));
+        }
+        match free {
+            Some(free) => Ok((free, columns)),
+            None => Ok((self.accelerations(q, qd, tau)?, columns)),
+        }
+    }
+
+    #[inline]
+    fn in_momenta(&self) -> Option<&dyn Momenta<N>> {
+        self.momenta()
+    }
+}
+
+impl<const N: usize> EquationsOfMotion<N> for NewtonEuler<N> {
+    fn accelerations(
+        &self,
+        q: &SVector<f64, N>,
+        qd: &SVector<f64, N>,
+        tau: &SVector<f64, N>,
+    ) -> Result<SVector<f64, N>, SingularMassMatrix> {
+        self.forward_dynamics(q, qd, tau)
+    }
+
+    fn accelerations_and_responses(
+        &self,
+        q: &SVector<f64, N>,
+        qd: &SVector<f64, N>,
+        tau: &SVector<f64, N>,
+        joints: &[bool; N],
+    ) -> Result<Responses<N>, SingularMassMatrix> {
+        let factors = Factors::new(self.mass_matrix(q))?;
+        let mut columns = SMatrix::<f64, N, N>::zeros();
+        for j in (0..N).filter(|j| joints[*j]) {
+            let unit = SVector::from_fn(|i, _| f64::from(u8::from(i == j)));
+            columns.set_column(j, &factors.solve(&unit));
+        }
+        Ok((factors.solve(&(tau - self.bias_force(q, qd))), columns))
+    }
+
+    fn in_momenta(&self) -> Option<&dyn Momenta<N>> {
+        Some(self)
+    }
+}

@@ -1,0 +1,16 @@
+//! Curves over time as SVG.
+//!
+//! [`Trajectory::plot`] draws a whole run; a [`Figure`] is made of panels of one's own.
+
+mod figure;
+mod run;
+
+use std::error::Error;
+
+pub use figure::{Curve, Figure, joints};
+
+/// What drawing returns: it ends in an error where a file cannot be written.
+pub type Outcome<T = ()> = Result<T, Box<dyn Error>>;
+
+#[cfg(doc)]
+use crate::Trajectory;

@@ -1,0 +1,152 @@
+//! A run as a figure.
+
+use std::path::Path;
+
+use super::{Curve, Figure, Outcome, joints};
+use crate::{JointType, Model, Trajectory};
+
+impl<const N: usize> Trajectory<N> {
+    /// Draws the run into the file, as SVG: panels of positions, velocities, accelerations, torques and, where
+    /// the robot knows them ([`Model::energies`]), energies, over one time axis. Where joints turn and others
+    /// slide, each kind has panels of its own.
+    ///
+    /// ```no_run
+    /// use dynamics_runtime::{Simulation, nalgebra::SVector, robot_dynamics};
+    ///
+    /// robot_dynamics! {
+    ///     /// A rod of 2 m that swings.
+    ///     struct Rod;
+    ///     convention: standard,
+    ///     gravity: [0, -9.81, 0],
+    ///     joints: [pivot: revolute { a: 2, mass: 3, com: [-1, 0, 0], inertia: rod(2) }],
+    /// }
+    ///
+    /// let swing = Simulation::new(&Rod).duration(10.0).samples(1001).run()?;
+    /// swing.plot(&Rod, "swing.svg")?;
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// Where the file cannot be written, or there is nothing to draw.
+    pub fn plot<R: Model<N>>(&self, robot: &R, file: impl AsRef<Path>) -> Outcome {
+        self.figure(robot).save(file)
+    }
+
+    /// The same as a figure without a title, to add panels to.
+    pub fn figure<R: Model<N>>(&self, robot: &R) -> Figure {
+        let rows = robot.table().rows;
+        let turns: [bool; N] = core::array::from_fn(|i| rows[i].joint_type == JointType::Revolute);
+        let mut figure = Figure::new(String::new());
+        let quantities = [
+            ("position", [", rad", ", m"], &self.q),
+            ("velocity", [", rad/s", ", m/s"], &self.qd),
+            ("acceleration", [", rad/s²", ", m/s²"], &self.qdd),
+            ("torque", [", N m", ", N"], &self.tau),
+        ];
+        for (name, units, values) in quantities {
+            if values.len() != self.len() {
+                continue;
+            }
+            for (kind, unit) in [true, false].into_iter().zip(units) {
+                let curves = joints(robot.joint_names(), &self.t, values.iter().copied());
+                let of_kind = curves
+                    .into_iter()
+                    .zip(turns)
+                    .filter(|(_, turns)| *turns == kind);
+                let curves: Vec<Curve> = of_kind.map(|(curve, _)| curve).collect();
+                if !curves.is_empty() {
+                    let name = if name == "torque" && !kind {
+                        "force"
+                    } else {
+                        name
+                    };
+                    figure = figure.panel(format!("{name}{unit}"), curves);
+                }
+            }
+        }
+        match self.energy_curves(robot) {
+            Some(curves) => figure.panel("energy, J", curves),
+            None => figure,
+        }
+    }
+
+    fn energy_curves<R: Model<N>>(&self, robot: &R) -> Option<[Curve; 3]> {
+        let states = self.q.iter().zip(&self.qd);
+        let energies: Option<Vec<[f64; 2]>> = states.map(|(q, qd)| robot.energies(q, qd)).collect();
+        let energies = energies?;
+        let curve = |name: &str, of: fn(&[f64; 2]) -> f64| {
+            Curve::new(name, &self.t, energies.iter().map(of))
+        };
+        Some([
+            curve("kinetic", |e| e[0]),
+            curve("potential", |e| e[1]),
+            curve("total", |e| e[0] + e[1]),
+        ])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::Vector2;
+
+    use crate::test_arms::CRAIG_ARM;
+    use crate::{JointType, NewtonEuler, Simulation, Table, Trajectory};
+
+    fn file(name: &str) -> std::path::PathBuf {
+        std::env::temp_dir().join(format!("{name}-{}.svg", std::process::id()))
+    }
+
+    fn drawn<R: crate::Model<2>>(run: &Trajectory<2>, robot: &R, name: &str) -> String {
+        let file = file(name);
+        run.plot(robot, &file).unwrap();
+        let svg = std::fs::read_to_string(&file).unwrap();
+        std::fs::remove_file(&file).unwrap();
+        svg
+    }
+
+    #[test]
+    fn a_run_is_drawn_with_all_that_it_has() {
+        let run = Simulation::new(&CRAIG_ARM).samples(5).run().unwrap();
+        let svg = drawn(&run, &CRAIG_ARM, "craig");
+        assert!(svg.starts_with("<svg") && svg.trim_end().ends_with("</svg>"));
+        for text in [
+            "position, rad",
+            "torque, N m",
+            "energy, J",
+            "shoulder",
+            "elbow",
+            "time, s",
+        ] {
+            assert!(svg.contains(text), "{text}");
+        }
+        assert_eq!(svg.matches("time, s").count(), 5);
+        assert!(!svg.contains("NaN"));
+    }
+
+    #[test]
+    fn joints_that_slide_have_panels_of_their_own() {
+        let mut table: Table<2> = crate::Model::table(&CRAIG_ARM);
+        table.rows[1].joint_type = JointType::Prismatic;
+        let arm = NewtonEuler::new(&table);
+        let run = Simulation::new(&arm).samples(3).run().unwrap();
+        let svg = drawn(&run, &arm, "sliding");
+        for text in ["position, rad", "position, m", "force, N", "joint_2"] {
+            assert!(svg.contains(text), "{text}");
+        }
+    }
+
+    #[test]
+    fn runs_that_are_no_numbers_are_drawn_as_far_as_they_are() {
+        let mut run = Simulation::new(&CRAIG_ARM).samples(5).run().unwrap();
+        run.q[3] = Vector2::new(f64::NAN, f64::INFINITY);
+        run.tau.clear();
+        let svg = drawn(&run, &CRAIG_ARM, "nan");
+        assert!(!svg.contains("NaN") && !svg.contains("torque"));
+        let empty = Trajectory::default().plot(&CRAIG_ARM, file("empty"));
+        assert_eq!(empty.unwrap_err().to_string(), "there is nothing to draw");
+        // A file is no folder.
+        let nowhere = concat!(env!("CARGO_MANIFEST_DIR"), "/Cargo.toml/run.svg");
+        assert!(run.plot(&CRAIG_ARM, nowhere).is_err());
+    }
+}

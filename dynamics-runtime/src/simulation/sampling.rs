@@ -1,0 +1,109 @@
+//! When the laws of a simulation are asked.
+
+use super::error::InvalidSetting;
+
+/// Laws that are asked wherever the integration evaluates the equations of motion: functions of time and
+/// state, and nothing else (`Fn`).
+///
+/// A method asks at trial stages too, out of order, and throws steps away: a law with a memory has no
+/// meaning there. It belongs to [`Sampled`].
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Continuous;
+
+/// Laws that are asked once each period, at 0, p, 2 p, ..., in order, and held in between: as a digital
+/// controller's, they may have a memory (`FnMut`).
+///
+/// Made by [`Simulation::sampled`](crate::Simulation::sampled).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sampled {
+    pub(super) period: f64,
+}
+
+impl Sampled {
+    /// A period that is lost in the rounding of the time would never end.
+    pub(super) fn validate(&self, duration: f64) -> Result<(), InvalidSetting> {
+        match self.period > duration * f64::EPSILON && self.period.is_finite() {
+            true => Ok(()),
+            false => Err(InvalidSetting::Period(self.period)),
+        }
+    }
+}
+
+/// Whether a time lies before another by more than the rounding of the two.
+///
+/// k periods and the time of a sample, which are the same in real numbers, differ by up to five roundings.
+pub(super) fn before(t: f64, other: f64) -> bool {
+    t < other - 4.0 * f64::EPSILON * other.abs()
+}
+
+/// The times at which laws are asked: multiples of the period before the end of a run. Products, not sums,
+/// whose roundings add up.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Instants {
+    period: Option<f64>,
+    /// Periods begun.
+    begun: u64,
+    duration: f64,
+}
+
+impl Instants {
+    /// From the start, where the laws have been asked.
+    pub(super) fn new(period: Option<f64>, duration: f64) -> Self {
+        Instants {
+            period,
+            begun: 1,
+            duration,
+        }
+    }
+
+    /// Up to when the laws hold.
+    pub(super) fn next(&self) -> f64 {
+        let next = self.period.map(|period| self.begun as f64 * period);
+        next.filter(|next| before(*next, self.duration))
+            .unwrap_or(self.duration)
+    }
+
+    /// Whether the laws are to be asked at the time reached; then their next period begins.
+    pub(super) fn begin(&mut self, t: f64) -> bool {
+        let due = t >= self.next() && t < self.duration;
+        self.begun += u64::from(due);
+        due
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Instants, before};
+
+    #[test]
+    fn instants_are_products_and_end_before_the_end() {
+        let mut instants = Instants::new(Some(0.1), 0.8);
+        let mut found = vec![];
+        while instants.next() < 0.8 {
+            let t = instants.next();
+            assert!(!instants.begin(0.5 * t));
+            assert!(instants.begin(t));
+            found.push(t);
+        }
+        let expected: Vec<f64> = (1..8).map(|k| k as f64 * 0.1).collect();
+        assert_eq!(found, expected);
+        assert!(!instants.begin(0.8));
+    }
+
+    #[test]
+    fn a_period_longer_than_the_run_is_asked_for_once() {
+        let mut instants = Instants::new(Some(2.0), 1.0);
+        assert_eq!(instants.next(), 1.0);
+        assert!(!instants.begin(1.0));
+    }
+
+    #[test]
+    fn times_that_differ_by_rounding_are_the_same() {
+        for k in 1..100_000 {
+            let t = k as f64 * 1e-3;
+            let sample = 100.0 * k as f64 / 100_000.0;
+            assert!(!before(t, sample) && !before(sample, t), "{k}");
+        }
+        assert!(before(1.0, 1.0 + 1e-14) && !before(0.0, 0.0));
+    }
+}

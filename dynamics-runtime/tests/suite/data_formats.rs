@@ -1,0 +1,98 @@
+//! Tables, trajectories, settings and reports as data, by serde: what is written is read back.
+
+use dynamics_runtime::nalgebra::SVector;
+use dynamics_runtime::{
+    Dop853, Friction, Method, NewtonEuler, Simulation, Table, Taylor, Trajectory,
+    check_against_rnea, robot_dynamics,
+};
+use serde::{Serialize, de::DeserializeOwned};
+
+robot_dynamics! {
+    /// An arm with something of everything.
+    struct Arm;
+
+    convention: standard,
+    gravity: [0, 0, -9.81],
+    base: { xyz: [0, 0, 0.5], rpy: [0, 0.1, 0] },
+    joints: [
+        turn: revolute {
+            d: 0.3, alpha: PI/2, mass: 4, com: [0, 0.01, 0.02], inertia: cylinder(0.1, 0.3),
+            friction: { viscous: 0.1, coulomb: 0.3, stribeck: { static: 0.5, velocity: 0.01 } },
+            spring: { stiffness: 3, rest: 0.1 },
+        },
+        slide: prismatic { mass: 1, com: [0, 0, 0.1], limits: [0.1, 0.7] },
+    ],
+    tool: { xyz: [0, 0, 0.1], mass: 0.5 },
+}
+
+fn read_back<T: Serialize + DeserializeOwned>(value: &T) -> T {
+    let text = serde_json::to_string(value).unwrap();
+    serde_json::from_str(&text).unwrap_or_else(|error| panic!("{error}: {text}"))
+}
+
+#[test]
+fn tables_and_trajectories_are_read_as_they_were_written() {
+    let table = read_back(&Arm.table());
+    assert_eq!(table, Arm.table());
+    let run = |table: &Table<2>| {
+        Simulation::new(&NewtonEuler::new(table))
+            .initial(SVector::from([0.3, 0.2]), SVector::zeros())
+            .samples(6)
+            .run()
+            .unwrap()
+    };
+    let original = run(&Arm.table());
+    assert_eq!(run(&table), original);
+    assert_eq!(read_back(&original), original);
+
+    let text = serde_json::to_string(&original).unwrap();
+    assert!(text.contains(r#""q":[[0.3,0.2],["#), "{text}");
+    let other = serde_json::from_str::<Trajectory<3>>(&text)
+        .unwrap_err()
+        .to_string();
+    assert!(
+        other.contains("invalid length 2, expected a sequence of 3"),
+        "{other}"
+    );
+}
+
+#[test]
+fn settings_are_read_as_they_were_written() {
+    for method in [
+        Method::RungeKutta4 { step: 1.0 / 3.0 },
+        Dop853::with_tolerance(1e-11).into(),
+        Method::default(),
+    ] {
+        assert_eq!(read_back(&method), method);
+    }
+    for friction in [
+        Friction::Sign,
+        Friction::Sticking,
+        Friction::Regularised { speed: 0.1 },
+    ] {
+        assert_eq!(read_back(&friction), friction);
+    }
+    let taylor = Taylor::with_tolerance(1e-14);
+    assert_eq!(read_back(&taylor), taylor);
+    // As a person writes it.
+    let written = r#"{"RungeKutta4": {"step": 0.001}}"#;
+    let method = serde_json::from_str::<Method>(written).unwrap();
+    assert_eq!(method, Method::RungeKutta4 { step: 1e-3 });
+}
+
+#[test]
+fn reports_are_written() {
+    let report = check_against_rnea(&Arm);
+    let text = serde_json::to_value(&report).unwrap();
+    assert_eq!(
+        text["functions"][0]["function"],
+        report.functions[0].function
+    );
+    assert_eq!(text["states"], report.states);
+}
+
+#[test]
+fn limits_are_a_constant_of_the_arm() {
+    assert_eq!(Arm::JOINT_LIMITS, [None, Some([0.1, 0.7])]);
+    assert_eq!(Arm.table().joint_limits(), Arm::JOINT_LIMITS);
+}
