@@ -75,3 +75,105 @@ impl<E: Into<Cause>> From<Failure<E>> for Cause {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use core::cell::Cell;
+
+    use nalgebra::Vector1;
+
+    use super::smooth;
+    use crate::integrate::{Failure, Phase, Stepper};
+    use crate::simulation::error::Cause;
+    use crate::simulation::plan::Plan;
+    use crate::simulation::recorder::Recorder;
+    use crate::simulation::samples::Followed;
+    use crate::simulation::trajectory::Forces;
+
+    /// Steps that go nowhere and end where they are told to.
+    struct Clock(f64, Phase<1>);
+
+    impl Stepper<(), Cause, 1> for Clock {
+        fn t(&self) -> f64 {
+            self.0
+        }
+
+        fn phase(&self) -> &Phase<1> {
+            &self.1
+        }
+
+        fn step(&mut self, _: &(), end: f64) -> Result<(), Failure<Cause>> {
+            assert!(end > self.0);
+            self.0 = end;
+            Ok(())
+        }
+
+        fn at(&mut self, _: &(), _: f64) -> Result<Phase<1>, Failure<Cause>> {
+            Ok(self.1)
+        }
+
+        fn retake(&mut self, _: &(), _: f64) -> Result<(), Failure<Cause>> {
+            Ok(())
+        }
+
+        fn restart(&mut self, _: &(), _: Phase<1>) -> Result<(), Failure<Cause>> {
+            Ok(())
+        }
+
+        fn rejected(&self) -> u64 {
+            0
+        }
+    }
+
+    /// A law that knows when it is to be asked.
+    struct Asked(f64, Cell<u64>);
+
+    impl Followed<1> for Asked {
+        fn forces(&self, _: f64, _: &Phase<1>) -> Forces<1> {
+            Forces {
+                qdd: Vector1::zeros(),
+                tau: Vector1::zeros(),
+            }
+        }
+
+        fn period(&self) -> Option<f64> {
+            Some(self.0)
+        }
+
+        fn sample(&self, t: f64, _: &Phase<1>) -> Result<(), Cause> {
+            self.1.set(self.1.get() + 1);
+            assert_eq!(t, self.1.get() as f64 * self.0);
+            Ok(())
+        }
+    }
+
+    /// The last one is asked for at its time to the last bit, and no step is one of rounding: samples of
+    /// the run, as many as periods or less, make none.
+    #[test]
+    fn a_million_periods_do_not_drift() {
+        let period = 1e-3;
+        for samples in [2, 1_001, 1_000_001] {
+            let mut plan = Plan::<1>::new();
+            (plan.duration, plan.samples) = (1e3, samples);
+            let mut recorder = Recorder::new(plan.initial);
+            recorder.plan(&plan).unwrap();
+            recorder.push(
+                0.0,
+                plan.initial,
+                Asked(0.0, Cell::new(0)).forces(0.0, &plan.initial),
+            );
+            let asked = Asked(period, Cell::new(0));
+            smooth(
+                &asked,
+                &(),
+                Clock(0.0, plan.initial),
+                &mut recorder,
+                1_000_000,
+            )
+            .unwrap();
+            assert_eq!(asked.1.get(), 999_999);
+            assert_eq!(recorder.work.steps, 1_000_000);
+            assert_eq!((recorder.t, recorder.next_sample()), (1e3, None));
+        }
+    }
+}

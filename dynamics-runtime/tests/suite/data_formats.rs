@@ -37,6 +37,7 @@ fn tables_and_trajectories_are_read_as_they_were_written() {
     let run = |table: &Table<2>| {
         Simulation::new(&NewtonEuler::new(table))
             .initial(SVector::from([0.3, 0.2]), SVector::zeros())
+            .friction(Friction::Sticking)
             .samples(6)
             .run()
             .unwrap()
