@@ -161,6 +161,10 @@ macro_rules! impl_model {
                 let mut names = self.$($path.)*arm.joint_names();
                 core::array::from_fn(|_| names.next().unwrap_or_default())
             }
+
+            fn energies(&self, q: &SVector<f64, N>, qd: &SVector<f64, N>) -> Option<[f64; 2]> {
+                Some([self.kinetic_energy(q, qd), self.potential_energy(q)])
+            }
         }
 
         impl<const N: usize> Evaluate<N> for $typed<'_, N> {

@@ -13,6 +13,10 @@ pub type Responses<const N: usize> = (SVector<f64, N>, SMatrix<f64, N, N>);
 /// accelerations, in doubles.
 ///
 /// Every arm with [`ForwardDynamics`] is one, and [`NewtonEuler`] is one for any table.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` cannot be simulated: `forward_dynamics` was not asked for",
+    note = "add it to its `functions:`, or write `functions: [default, ...]`, which holds it"
+)]
 pub trait EquationsOfMotion<const N: usize> {
     /// Joint accelerations qdd of `M(q) qdd + V(q, qd) + G(q) + K(q) + F(qd) = tau`.
     ///
