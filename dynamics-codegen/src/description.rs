@@ -437,10 +437,23 @@ pub enum ExprKind {
     Name(String),
     /// `deg(x)`
     Degrees(Box<Expr>),
+    /// `sqrt(x)` and the like.
+    Function(Elementary, Box<Expr>),
     /// `-x`
     Minus(Box<Expr>),
     /// `x + y` and the like.
     Binary(Operator, Box<Expr>, Box<Expr>),
+}
+
+/// The functions of a number.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Elementary {
+    /// The square root.
+    Sqrt,
+    /// The sine.
+    Sin,
+    /// The cosine.
+    Cos,
 }
 
 /// The operators of two values.

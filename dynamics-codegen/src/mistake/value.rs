@@ -9,8 +9,8 @@ use crate::words::{either, shortened};
 /// What is no part of a value, a path or a method call for example.
 pub(crate) fn foreign(what: &str) -> Mistake {
     Mistake::new(format!(
-        "{what} does not belong in a value, which is made of numbers, `PI`, `deg(x)`, fields, \
-         `let` names, `+ - * /` and parentheses"
+        "{what} does not belong in a value, which is made of numbers, `PI`, `deg(x)`, `sqrt(x)`, `sin(x)`, \
+         `cos(x)`, fields, `let` names, `+ - * /` and parentheses"
     ))
 }
 
@@ -46,8 +46,30 @@ pub(crate) fn constant_by_path(name: &impl Display) -> Mistake {
 
 pub(crate) fn other_function(name: &str) -> Mistake {
     Mistake::new(format!(
-        "`{name}(...)` is not known: the only function is `deg(x)`"
+        "`{name}(...)` is not known: the functions are `deg(x)`, `sqrt(x)`, `sin(x)` and `cos(x)`"
     ))
+}
+
+/// A function of what depends on a field.
+pub(crate) fn function_of_field(name: &str) -> Mistake {
+    Mistake::new(format!(
+        "`{name}` takes a number: a field has its value where the struct is built, and constants are exact \
+         here. Make the result a field"
+    ))
+}
+
+/// `sqrt(PI)`
+pub(crate) fn root_of_pi() -> Mistake {
+    Mistake::new("`sqrt` takes a number without `PI`: write its value in decimals")
+}
+
+pub(crate) fn root_of_negative() -> Mistake {
+    Mistake::new("`sqrt` of a negative number")
+}
+
+/// Of so huge an angle that nothing is known of its sine.
+pub(crate) fn sine_unknown() -> Mistake {
+    Mistake::new("the sine of so large an angle is not known")
 }
 
 pub(crate) fn degrees_of_nothing() -> Mistake {

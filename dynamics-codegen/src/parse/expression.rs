@@ -4,7 +4,7 @@ use proc_macro2::{Delimiter, Ident, Literal, TokenTree};
 
 use super::cursor::{Cursor, Group};
 use super::number::number;
-use crate::description::{Expr, ExprKind, Operator, Share};
+use crate::description::{Elementary, Expr, ExprKind, Operator, Share};
 use crate::diagnose::Reported;
 use crate::limits::{DEEPEST_VALUE, MOST_TERMS};
 use crate::mistake::{expected, size, value as mistake};
@@ -149,7 +149,7 @@ fn number_literal(cursor: &mut Cursor, literal: &Literal) -> Result<Expr, Report
     })
 }
 
-/// Reads what starts with a name: the name alone, or `deg(x)`.
+/// Reads what starts with a name: the name alone, or a function of a value.
 fn name(cursor: &mut Cursor, ident: Ident, limits: &mut Limits) -> Result<Expr, Reported> {
     let word = ident.to_string();
     let place = Place::from(&ident);
@@ -168,12 +168,16 @@ fn name(cursor: &mut Cursor, ident: Ident, limits: &mut Limits) -> Result<Expr, 
         .then(|| cursor.take_group(Delimiter::Parenthesis))
         .flatten()
     {
-        if word != "deg" {
-            return Err(cursor.error(place, mistake::other_function(&word)));
-        }
-        let angle = within(cursor, &arguments, limits)?;
+        let of: fn(Box<Expr>) -> ExprKind = match word.as_str() {
+            "deg" => ExprKind::Degrees,
+            "sqrt" => |x| ExprKind::Function(Elementary::Sqrt, x),
+            "sin" => |x| ExprKind::Function(Elementary::Sin, x),
+            "cos" => |x| ExprKind::Function(Elementary::Cos, x),
+            _ => return Err(cursor.error(place, mistake::other_function(&word))),
+        };
+        let argument = within(cursor, &arguments, limits)?;
         return Ok(Expr {
-            kind: ExprKind::Degrees(Box::new(angle)),
+            kind: of(Box::new(argument)),
             place: place.to(arguments.span()),
         });
     }
@@ -213,7 +217,7 @@ fn path(cursor: &mut Cursor, start: Place) -> Reported {
     let mistake = match words::constant_of_std(&word) {
         _ if word == "PI" => mistake::path_to_pi(),
         Some(ours) => mistake::constant_of_std(&word, ours),
-        None if matches!(cursor.peek(), Some(TokenTree::Group(_))) => mistake::foreign("a call"),
+        None if matches!(cursor.peek(), Some(TokenTree::Group(_))) => mistake::foreign("a path"),
         None => mistake::constant_by_path(&last),
     };
     cursor.error(place, mistake)

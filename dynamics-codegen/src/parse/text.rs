@@ -80,7 +80,9 @@ impl Placed for Expr {
         self.place = place;
         match &mut self.kind {
             ExprKind::Number(_) | ExprKind::Name(_) => {}
-            ExprKind::Degrees(value) | ExprKind::Minus(value) => value.put(place),
+            ExprKind::Degrees(value) | ExprKind::Function(_, value) | ExprKind::Minus(value) => {
+                value.put(place)
+            }
             ExprKind::Binary(_, left, right) => {
                 left.put(place);
                 right.put(place);

@@ -92,6 +92,33 @@ fn degrees_are_exact_fractions_of_pi() {
     );
 }
 
+/// Exactly where they are rational; else they are rounded once, with what is computed from them.
+#[test]
+fn functions_of_numbers() {
+    for (value, exact) in [
+        ("sqrt(9/4)", "3/2"),
+        ("sqrt(0.3*0.3 + 0.4*0.4)", "1/2"),
+        ("sin(PI/2) + cos(PI)", "0"),
+        ("2 * sin(PI/6)", "1"),
+        ("cos(deg(120))", "-1/2"),
+        ("3 * cos(deg(60) + deg(30))", "0"),
+    ] {
+        assert_eq!(a(value), rational(exact), "{value}");
+    }
+    for (value, nearest) in [
+        ("sqrt(2)", core::f64::consts::SQRT_2),
+        ("sqrt(2)/2", core::f64::consts::FRAC_1_SQRT_2),
+        ("sqrt(2) * sqrt(2)", 2.0),
+        ("cos(PI/4)", core::f64::consts::FRAC_1_SQRT_2),
+        ("sin(1)", 0.841_470_984_807_896_5),
+        ("sin(0.3)*sin(0.3) + cos(0.3)*cos(0.3)", 1.0),
+        // Digits that cancel in doubles: 1 - cos(1e-4) = 4.99999999583333334722222e-9
+        ("1 - cos(1e-4)", 4.999_999_995_833_333e-9),
+    ] {
+        assert_eq!(a(value).to_f64().value(), nearest, "{value}");
+    }
+}
+
 #[test]
 fn solids_use_the_mass_of_the_row() {
     let model = model(&with_cells("mass: 3, inertia: rod(2)"));

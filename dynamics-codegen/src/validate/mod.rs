@@ -6,6 +6,7 @@
 
 mod angle;
 mod body;
+mod elementary;
 mod fields;
 mod frames;
 mod friction;

@@ -5,8 +5,10 @@ use std::collections::BTreeMap;
 use dynamics_symbolic::exact::{Rational, SplitMix64, bit_length};
 use dynamics_symbolic::robot::Value;
 
-use super::angle;
-use crate::description::{Allow, Entry, Expr, ExprKind, Given, Name, Operator, Table, Vector};
+use super::{angle, elementary};
+use crate::description::{
+    Allow, Elementary, Entry, Expr, ExprKind, Given, Name, Operator, Table, Vector,
+};
 use crate::diagnose::Diagnostics;
 use crate::limits::{MOST_BITS, MOST_BITS_IN_ALL, MOST_TERMS, MOST_TERMS_IN_ALL};
 use crate::mistake::{Mistake, joint, size, value as mistake};
@@ -305,6 +307,9 @@ impl<'d> Scope<'d> {
                     is_computed: angle.is_computed,
                 }
             }
+            ExprKind::Function(function, argument) => {
+                self.function(*function, argument, expr.place, variable)?
+            }
             ExprKind::Minus(value) => {
                 let value = self.measured(value, variable)?;
                 Measured {
@@ -340,6 +345,31 @@ impl<'d> Scope<'d> {
             return None;
         }
         Some(measured)
+    }
+
+    /// A function of a number.
+    fn function(
+        &mut self,
+        function: Elementary,
+        argument: &Expr,
+        place: Place,
+        variable: Option<&'static str>,
+    ) -> Option<Measured> {
+        let x = self.measured(argument, variable)?;
+        if function != Elementary::Sqrt {
+            angle::report(argument, &x, self);
+        }
+        match elementary::value(function, &x.value) {
+            Ok(value) => Some(Measured {
+                value: Value::Rational(value),
+                terms: x.terms,
+                is_computed: true,
+            }),
+            Err(mistake) => {
+                self.error(place, mistake);
+                None
+            }
+        }
     }
 
     fn limit(&self, terms: usize, place: Place) -> Option<()> {

@@ -5,12 +5,14 @@
 
 mod random;
 mod residue;
+mod root;
 mod sine;
 
 use dashu_int::ops::BitTest;
 pub use dashu_ratio::RBig as Rational;
 pub use random::SplitMix64;
 pub use residue::{Residue, circle_point};
+pub use root::square_root;
 pub use sine::sin_cos;
 
 /// Bits of the numerator and the denominator together.

@@ -4,6 +4,7 @@ mod angle;
 mod arithmetic;
 mod balance;
 mod build;
+mod circle;
 mod constant;
 mod count;
 mod evaluate;
@@ -14,6 +15,7 @@ mod signed;
 
 pub use angle::rounded_angle;
 pub use arithmetic::Arithmetic;
+pub use circle::sine_and_cosine;
 pub use constant::{Constant, ConstantId, ConstantPool};
 pub use count::Operations;
 pub use line::{Line, Rest};

@@ -206,6 +206,22 @@ impl Approximation {
         (low == high).then_some(high + 0.0)
     }
 
+    /// The approximation itself, where its error is below 2^-bits.
+    pub(super) fn rational(&self, bits: usize) -> Option<Rational> {
+        let Ball { value, error } = self.0.as_ref()?;
+        let bound = Float::ONE >> bits as isize;
+        if *error >= bound {
+            return None;
+        }
+        let significand = Rational::from(value.repr().significand().clone());
+        let exponent = value.repr().exponent();
+        let power = Rational::from(IBig::ONE << exponent.unsigned_abs());
+        Some(match exponent < 0 {
+            true => significand / power,
+            false => significand * power,
+        })
+    }
+
     /// The double nearest to the approximation; infinity where nothing is known.
     pub fn nearest(&self) -> f64 {
         match &self.0 {

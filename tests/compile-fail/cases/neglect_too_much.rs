@@ -6,7 +6,7 @@ robot_dynamics! {
     gravity: [0, 0, -9.81],
     joints: [
         shoulder: revolute { a: 0.5, mass: 1 },
-        wrist: revolute { inertia: { zz: 0.01, xx: 0.01, yy: 0.01 }, motor: { inertia: 0.01, gear_ratio: 1 } },
+        wrist: revolute { mass: 0, inertia: { zz: 0.01, xx: 0.01, yy: 0.01 }, motor: { inertia: 0.01, gear_ratio: 1 } },
     ],
     neglect: 60%,
 }
