@@ -1,8 +1,8 @@
 //! The tables of `robots` are those of `tests/data/robots`, cell by cell.
 
-use robot_dynamics::{Convention, JointType, Row};
+use robot_dynamics::{Convention, Frame, JointType, Row, Tool};
 use robots::*;
-use testkit::references::{JointRow, RobotFile, read};
+use testkit::references::{JointRow, PlacementFile, RobotFile, ToolFile, read};
 
 /// The row that the file describes. A motor without inertia needs no gear.
 fn expected(joint: JointRow) -> Row {
@@ -28,6 +28,19 @@ fn expected(joint: JointRow) -> Row {
     }
 }
 
+fn frame(PlacementFile { xyz, rpy }: PlacementFile) -> Frame {
+    Frame { xyz, rpy }
+}
+
+fn tool(tool: ToolFile) -> Tool {
+    Tool {
+        frame: frame(tool.placement),
+        mass: tool.mass,
+        com: tool.com,
+        inertia: tool.inertia,
+    }
+}
+
 fn convention(name: &str) -> Convention {
     match name {
         "standard" => Convention::Standard,
@@ -41,6 +54,8 @@ fn is_that_of_its_file<const N: usize, const P: usize, R: Arm<N, P>>(robot: &R) 
     let table = robot.table();
     assert_eq!(table.convention, convention(&file.convention));
     assert_eq!(table.gravity, file.gravity);
+    assert_eq!(table.base, file.base.map_or(Frame::IDENTITY, frame));
+    assert_eq!(table.tool, file.tool.map_or(Tool::NONE, tool));
     assert_eq!(file.joints.len(), N);
     for (joint, (row, name)) in file
         .joints
@@ -61,3 +76,4 @@ macro_rules! tests {
     )*};
 }
 for_each_robot!(tests);
+tests! { tilting_cell: TiltingCell, 4, 6; }

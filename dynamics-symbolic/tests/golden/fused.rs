@@ -11,21 +11,22 @@ impl Arm {
     ///
     /// Operations: 9 multiplications, 6 additions, sines and cosines of 2 angles.
     ///
-    /// ```text
-    /// M11 = 2 (4.166666666666667 + cos(q2))
-    /// M12 = 0.3333333333333333 + cos(q2)
-    /// M21 = 0.3333333333333333 + cos(q2)
-    /// M22 = 0.3333333333333333
-    /// ```
+    /// M22 is constant; M11, M12 depend on q2.
+    ///
+    /// V2 depends on q2, qd1; V1 depends on q2, qd1, qd2.
+    ///
+    /// G1, G2 depend on q1, q2.
     ///
     /// ```text
-    /// V1 = -qd2 (qd1 sin(q2) + sin(q2) qd2 + qd1 sin(q2))
-    /// V2 = qd1 qd1 sin(q2)
-    /// ```
-    ///
-    /// ```text
-    /// G1 = 49.05 cos(q1) + 4.905 (cos(q1) cos(q2) - sin(q1) sin(q2))
-    /// G2 = 4.905 (cos(q1) cos(q2) - sin(q1) sin(q2))
+    /// M11 = 8.333333333333334 + 2 c2
+    /// M12 = 0.33333333333333333 + c2
+    /// M21 = 0.33333333333333333 + c2
+    /// M22 = 0.33333333333333333
+    /// V1 = -2 s2 qd1 qd2 - s2 qd2^2
+    /// V2 = s2 qd1^2
+    /// G1 = 49.05 c1 + 4.905 c12
+    /// G2 = 4.905 c12
+    /// with c1 = cos(q1), c12 = cos(q1 + q2), c2 = cos(q2), s2 = sin(q2)
     /// ```
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
@@ -83,6 +84,11 @@ impl Arm {
     /// A call of each function takes 37 multiplications, additions and divisions in all, and sines and cosines 3 times; 3 operations are saved here.
     ///
     /// Operations: 19 multiplications, 14 additions, 1 division, sines and cosines of 2 angles.
+    ///
+    /// ```text
+    /// T = (4.166666666666667 + c2) qd1^2 + (0.33333333333333333 + c2) qd1 qd2 + 0.16666666666666666 qd2^2
+    /// with c2 = cos(q2)
+    /// ```
     ///
     /** # Errors
 
@@ -155,13 +161,13 @@ impl Arm {
     ///
     /// Operations: 3 multiplications, 2 additions, sines and cosines of 2 angles.
     ///
+    /// F1, F2 are zero.
+    ///
     /// ```text
     /// F1 = 0
     /// F2 = 0
-    /// ```
-    ///
-    /// ```text
-    /// U = 4.905 (cos(q1) sin(q2) + sin(q1) (10 + cos(q2)))
+    /// U = 49.05 s1 + 4.905 s12
+    /// with s1 = sin(q1), s12 = sin(q1 + q2)
     /// ```
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.

@@ -3,6 +3,7 @@
 use crate::derive;
 use dynamics_symbolic::derive::derive_together;
 use dynamics_symbolic::function::{Fused, Request, spans};
+use dynamics_symbolic::neglect::neglect;
 use dynamics_symbolic::program::Instruction;
 use dynamics_symbolic::prove::prove_together;
 use dynamics_symbolic::robot::Robot;
@@ -54,6 +55,63 @@ fn each_part_is_proven_by_its_own_definition() {
                 Ok(()),
                 "{name} {set:?}"
             );
+        }
+    }
+}
+
+/// What controllers ask for together: of the tip, of the centre of mass, of passivity and identification,
+/// and what solves with M beside what does not.
+const OF_CONTROLLERS: [&[Function]; 4] = [
+    &[
+        Function::WrenchTorques,
+        Function::ToolVelocity,
+        Function::ToolAcceleration,
+        Function::JacobianRate,
+        Function::LinkJacobians,
+    ],
+    &[
+        Function::CenterOfMass,
+        Function::CenterOfMassJacobian,
+        Function::GeneralizedMomentum,
+        Function::MomentumBias,
+    ],
+    &[
+        Function::PassivityTorque,
+        Function::PassivityRegressor,
+        Function::EnergyRegressors,
+    ],
+    &[
+        Function::OperationalInertiaInverse,
+        Function::ForwardDynamics,
+        Function::InverseDynamicsRates,
+        Function::SpringVector,
+    ],
+];
+
+/// Joints of both kinds, a base and a tool, two conventions.
+#[test]
+fn functions_of_controllers_are_parts_too() {
+    for name in ["scara", "cylindrical_rpp", "elbow_3r", arms::MOUNTED] {
+        let robot = arms::robot(name);
+        for set in OF_CONTROLLERS {
+            let program = derive_together(&robot, set);
+            let proof = prove_together(&robot, set, &program);
+            assert_eq!(proof, Ok(()), "{name} {set:?}");
+        }
+    }
+}
+
+/// A tuple of an abbreviated model is proven by that model's definition, and by no other.
+#[test]
+fn abbreviated_models_have_tuples() {
+    for name in ["scara", "stanford"] {
+        let complete = arms::robot(name);
+        let robot = neglect(&complete, 0.03).expect("regular");
+        let sets = [&CONTROL[..], &LINEARISED, OF_CONTROLLERS[1]];
+        for set in sets {
+            let program = derive_together(&robot, set);
+            assert_eq!(prove_together(&robot, set, &program), Ok(()), "{name}");
+            assert!(prove_together(&complete, set, &program).is_err(), "{name}");
         }
     }
 }

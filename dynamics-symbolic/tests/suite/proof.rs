@@ -5,7 +5,7 @@ use dynamics_symbolic::{Function, prove};
 
 #[test]
 fn all_functions_of_all_robots() {
-    for name in arms::NAMES {
+    for name in arms::NAMES.into_iter().chain([arms::MOUNTED]) {
         let robot = arms::robot(name);
         for function in Function::ALL {
             let program = derive(&robot, function);

@@ -1,10 +1,10 @@
 //! Robots from data files.
 
 use dynamics_symbolic::exact::Rational;
-use dynamics_symbolic::robot::{Convention, JointType, Robot, Row, Value};
+use dynamics_symbolic::robot::{Convention, JointType, Placement, Robot, Row, Tool, Value};
 use serde_json::Value as Json;
 
-/// The robots that have a data file.
+/// The robots that have a data file and reference values.
 pub const NAMES: [&str; 26] = [
     "aristo",
     "cylindrical_rpp",
@@ -34,6 +34,9 @@ pub const NAMES: [&str; 26] = [
     "vertical_mass",
 ];
 
+/// A robot on a base that is placed in the world, with a tool: a data file without reference values.
+pub const MOUNTED: &str = "tilting_cell";
+
 /// The exact decimal that the shortest representation of a double spells.
 ///
 /// # Panics
@@ -61,6 +64,10 @@ pub fn robot(name: &str) -> Robot {
     );
     let json: Json = serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap();
     let cell = |row: &Json, key: &str| decimal(row[key].as_f64().unwrap());
+    let placement = |frame: &Json| Placement {
+        xyz: cells(&frame["xyz"]),
+        rpy: cells(&frame["rpy"]),
+    };
     let rows = json["joints"]
         .as_array()
         .unwrap()
@@ -77,8 +84,8 @@ pub fn robot(name: &str) -> Robot {
             d: cell(row, "d"),
             theta: cell(row, "theta"),
             mass: cell(row, "mass"),
-            com: [0, 1, 2].map(|k| decimal(row["com"][k].as_f64().unwrap())),
-            inertia: [0, 1, 2, 3, 4, 5].map(|k| decimal(row["inertia"][k].as_f64().unwrap())),
+            com: cells(&row["com"]),
+            inertia: cells(&row["inertia"]),
             motor_inertia: cell(row, "motor_inertia"),
             // A motor without inertia is none.
             gear_ratio: match row["motor_inertia"].as_f64() {
@@ -99,12 +106,22 @@ pub fn robot(name: &str) -> Robot {
             "standard" => Convention::Standard,
             _ => Convention::Modified,
         },
-        gravity: [0, 1, 2].map(|k| decimal(json["gravity"][k].as_f64().unwrap())),
+        gravity: cells(&json["gravity"]),
         rows: rows.collect(),
         neglected: None,
-        base: None,
-        tool: None,
+        base: json.get("base").map(placement),
+        tool: json.get("tool").map(|tool| Tool {
+            placement: placement(tool),
+            mass: cell(tool, "mass"),
+            com: cells(&tool["com"]),
+            inertia: cells(&tool["inertia"]),
+        }),
     }
+}
+
+/// A list of numbers.
+fn cells<const N: usize>(list: &Json) -> [Value; N] {
+    std::array::from_fn(|k| decimal(list[k].as_f64().unwrap()))
 }
 
 /// The arm with a field in each cell that says something about inertia.

@@ -8,7 +8,7 @@ mod near;
 mod random;
 mod zeros;
 
-pub use files::{NAMES, decimal, robot, with_inertial_fields};
+pub use files::{MOUNTED, NAMES, decimal, robot, with_inertial_fields};
 pub use generic_chain::generic_chain;
 pub use near::{Arm, Arms, printed};
 pub use random::{Bodies, Tables};

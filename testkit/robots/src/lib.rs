@@ -12,7 +12,6 @@ mod frames;
 mod generic;
 mod industrial;
 mod joint_forces;
-mod long_chains;
 mod textbook;
 mod three_axis;
 
@@ -23,7 +22,6 @@ pub use frames::*;
 pub use generic::*;
 pub use industrial::*;
 pub use joint_forces::*;
-pub use long_chains::*;
 pub use textbook::*;
 pub use three_axis::*;
 

@@ -7,5 +7,7 @@ mod trajectory;
 
 pub use data::read;
 pub use decimal::Decimal;
-pub use states::{JointRow, ReferenceFile, ReferenceState, RobotFile, Scale};
+pub use states::{
+    JointRow, PlacementFile, ReferenceFile, ReferenceState, RobotFile, Scale, ToolFile,
+};
 pub use trajectory::{MotionFile, TorqueFile};

@@ -9,10 +9,37 @@ use super::Decimal;
 pub struct RobotFile {
     /// `standard` or `modified`.
     pub convention: String,
-    /// Acceleration of gravity in the base frame, m/s^2.
+    /// Acceleration of gravity in the axes of the world, m/s^2.
     pub gravity: [f64; 3],
+    /// Where the arm is mounted in the world, if the file says it.
+    pub base: Option<PlacementFile>,
     /// The rows, from the base outwards.
     pub joints: Vec<JointRow>,
+    /// The frame and the body at the end, if there is one.
+    pub tool: Option<ToolFile>,
+}
+
+/// Where a frame is in another one.
+#[derive(Deserialize)]
+pub struct PlacementFile {
+    /// Its origin, m.
+    pub xyz: [f64; 3],
+    /// Roll, pitch and yaw, rad.
+    pub rpy: [f64; 3],
+}
+
+/// The tool of a robot.
+#[derive(Deserialize)]
+pub struct ToolFile {
+    /// Where its frame is in the last link frame.
+    #[serde(flatten)]
+    pub placement: PlacementFile,
+    /// Mass, kg.
+    pub mass: f64,
+    /// Centre of mass in the tool frame, m.
+    pub com: [f64; 3],
+    /// xx, yy, zz, xy, yz, xz about the centre of mass, kg m^2.
+    pub inertia: [f64; 6],
 }
 
 /// A row of a robot's table.
