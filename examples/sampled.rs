@@ -81,7 +81,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("after 4 s of control the joints are {error:.1e} rad from their target");
     let weight = Arm.gravity_vector(&q);
     println!(
-        "the integrals have learnt what gravity takes: {:.2} and {:.2} N m of {:.2} and {:.2}",
+        "the motors hold what friction does not of gravity: {:.2} and {:.2} N m of {:.2} and {:.2}",
         tau[0], tau[1], weight[0], weight[1]
     );
     println!(

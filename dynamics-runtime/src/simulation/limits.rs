@@ -94,9 +94,9 @@ impl<const N: usize> Limits<N> {
             return Err(InvalidSetting::Restitution(restitution));
         }
         for (joint, [lower, upper]) in self.ranges.into_iter().enumerate() {
-            let empty = lower == f64::INFINITY || upper == f64::NEG_INFINITY;
-            // Also where one is not a number.
-            if !(lower < upper) || empty {
+            // False also where one is not a number.
+            let is_range = lower < upper && lower < f64::INFINITY && upper > f64::NEG_INFINITY;
+            if !is_range {
                 return Err(InvalidSetting::Limits { joint });
             }
             let q = initial.q[joint];

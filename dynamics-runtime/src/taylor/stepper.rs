@@ -256,10 +256,12 @@ mod tests {
         }
     }
 
-    const MOTION: Steady<'static, Swing, 1> = Steady {
-        robot: &Swing,
-        tau: Cell::new(Vector1::new(0.25)),
-    };
+    fn motion() -> Steady<'static, Swing, 1> {
+        Steady {
+            robot: &Swing,
+            tau: Cell::new(Vector1::new(0.25)),
+        }
+    }
 
     fn start(t: f64, phase: Phase<1>) -> SeriesStepper<Swing, 1> {
         let tolerance = Tolerance {
@@ -270,7 +272,7 @@ mod tests {
             least: 1e-14,
             greatest: 1.0,
         };
-        let mut run = SeriesStepper::start(&MOTION, phase, 20, tolerance, range).unwrap();
+        let mut run = SeriesStepper::start(&motion(), phase, 20, tolerance, range).unwrap();
         run.t = t;
         run
     }
@@ -284,7 +286,7 @@ mod tests {
 
     fn reach(run: &mut SeriesStepper<Swing, 1>, end: f64) -> Phase<1> {
         while run.t < end {
-            run.step(&MOTION, end).unwrap();
+            run.step(&motion(), end).unwrap();
         }
         *run.phase()
     }
@@ -301,12 +303,12 @@ mod tests {
     #[test]
     fn a_step_made_again_is_one_to_the_earlier_time() {
         let mut run = start(0.0, phase(2.0, -0.5));
-        run.step(&MOTION, 5.0).unwrap();
-        run.step(&MOTION, 5.0).unwrap();
+        run.step(&motion(), 5.0).unwrap();
+        run.step(&motion(), 5.0).unwrap();
         let (from, to) = (run.start, run.t);
         let middle = 0.4 * from + 0.6 * to;
-        let expected = run.at(&MOTION, middle).unwrap();
-        run.retake(&MOTION, middle).unwrap();
+        let expected = run.at(&motion(), middle).unwrap();
+        run.retake(&motion(), middle).unwrap();
         assert_eq!((run.t, *run.phase()), (middle, expected));
         let whole = reach(&mut start(0.0, phase(2.0, -0.5)), 5.0);
         assert!(
@@ -322,7 +324,7 @@ mod tests {
         let other = phase(-1.0, 0.3);
         let mut run = start(0.0, phase(2.0, -0.5));
         reach(&mut run, 1.0);
-        run.restart(&MOTION, other).unwrap();
+        run.restart(&motion(), other).unwrap();
         let expected = reach(&mut start(1.0, other), 2.0);
         assert_eq!(reach(&mut run, 2.0), expected);
     }
