@@ -32,7 +32,7 @@ use crate::integrate::{
 /// `q' = M^-1 p`, `p' = dT/dq - G - F + tau`, `dT/dq = C' qd`,
 ///
 /// by iteration to rounding, with compensated sums. The arm must be known in momenta
-/// ([`ForwardDynamics::momenta`]). The step must be short beside the fastest of the motion's time
+/// ([`ForwardDynamics::momenta`](crate::ForwardDynamics::momenta)). The step must be short beside the fastest of the motion's time
 /// constants, or the iteration does not converge ([`Cause::NoConvergence`]).
 ///
 /// The same methods in (q, qd) would need no momenta, and are not enough: over 10^6 steps of 10 ms
