@@ -63,6 +63,7 @@ impl Cells<'_> {
             spring: self.spring()?,
             limits: None,
             locked: None,
+            mount: None,
         })
     }
 

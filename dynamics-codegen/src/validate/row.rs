@@ -67,6 +67,7 @@ fn cells(row: &description::Row, scope: &mut Scope) -> Option<Row> {
         spring: spring?,
         limits: limits?,
         locked: None,
+        mount: None,
     })
 }
 

@@ -139,8 +139,10 @@ pub(super) fn frames<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> Vec<Frame<
                 axes
             }
         };
+        let joint = axes.pose();
+        let places = row.mount.iter().flat_map(|mount| &mount.frame);
         frames.push(Frame {
-            pose: axes.pose(),
+            pose: places.fold(joint, |pose, place| placed(symbols, &pose, place)),
             axis,
             axis_origin,
         });

@@ -3,7 +3,7 @@
 //! T(xyz) Rz(yaw) Ry(pitch) Rx(roll), the order of URDF.
 
 use crate::linear::{Ring, Symmetric3, Vector3};
-use crate::robot::{Interpretation, Placement, Robot, Tool, Value};
+use crate::robot::{Interpretation, Placement, Robot, Row, Tool, Value};
 use crate::spatial::{
     Central, Turn, enter_x, enter_y, enter_z, leave_x, leave_y, leave_z, tensor_leave_x,
     tensor_leave_y, tensor_leave_z,
@@ -46,12 +46,17 @@ impl<R: Ring> Placed<R> {
         leave_z(self.yaw, leave_y(self.pitch, leave_x(self.roll, v)))
     }
 
+    /// A point of the placed frame, in the outer one.
+    pub(super) fn leave_point(&self, p: Vector3<R>) -> Vector3<R> {
+        self.origin + self.leave(p)
+    }
+
     /// A body of the placed frame, in the outer one.
     fn leave_body(&self, body: Central<R>) -> Central<R> {
         let about_y = tensor_leave_y(self.pitch, tensor_leave_x(self.roll, body.inertia));
         Central {
             mass: body.mass,
-            com: self.origin + self.leave(body.com),
+            com: self.leave_point(body.com),
             inertia: tensor_leave_z(self.yaw, about_y),
         }
     }
@@ -89,6 +94,22 @@ pub(super) fn body<I: Interpretation>(cells: &mut I, tool: &Tool) -> Central<I::
     };
     let place = Placed::new(cells, &tool.placement);
     place.leave_body(Central { mass, com, inertia })
+}
+
+/// The places of the link frame behind a joint, from the outermost on.
+pub(super) fn link_frame<I: Interpretation>(cells: &mut I, row: &Row) -> Vec<Placed<I::Number>> {
+    let places = row.mount.iter().flat_map(|mount| &mount.frame);
+    places.map(|place| Placed::new(cells, place)).collect()
+}
+
+/// A body of the link frame, in the frame that the row's cells describe.
+pub(super) fn in_joint_frame<I: Interpretation>(
+    cells: &mut I,
+    row: &Row,
+    body: Central<I::Number>,
+) -> Central<I::Number> {
+    let places = link_frame(cells, row).into_iter().rev();
+    places.fold(body, |body, place| place.leave_body(body))
 }
 
 fn vector<I: Interpretation>(cells: &mut I, vector: &[Value; 3]) -> Vector3<I::Number> {

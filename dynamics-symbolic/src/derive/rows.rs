@@ -38,8 +38,9 @@ pub(super) fn body<I: Interpretation>(
     i: usize,
     next: &Screw<I::Number>,
 ) -> Body<I::Number> {
-    let own = central(cells, &robot.rows[i]);
-    let own = behind_joint(cells, robot.convention, own, next);
+    let row = &robot.rows[i];
+    let own = central(cells, row);
+    let own = behind_joint(cells, robot.convention, row, own, next);
     let is_last = i + 1 == robot.rows.len();
     match robot
         .tool
@@ -48,7 +49,7 @@ pub(super) fn body<I: Interpretation>(
     {
         Some(tool) => {
             let tool = place::body(cells, tool);
-            own.joined(behind_joint(cells, robot.convention, tool, next))
+            own.joined(behind_joint(cells, robot.convention, row, tool, next))
         }
         None => own,
     }
@@ -71,15 +72,17 @@ fn central<I: Interpretation>(cells: &mut I, row: &Row) -> Central<I::Number> {
 }
 
 /// A body of the link frame, in the frame on the joint's axis.
-/// A standard link frame comes after the row's a and alpha, a modified one before the next row's.
+/// A standard link frame comes after the row's a and alpha, a modified one before the next row's; one of a
+/// [`Mount`](crate::robot::Mount) where that says.
 fn behind_joint<I: Interpretation>(
     cells: &mut I,
     convention: Convention,
+    row: &Row,
     body: Central<I::Number>,
     next: &Screw<I::Number>,
 ) -> Body<I::Number> {
     match convention {
-        Convention::Modified => Body::new(body),
+        Convention::Modified => Body::new(place::in_joint_frame(cells, row, body)),
         Convention::Standard => {
             let zero = cells.rational(&Rational::ZERO);
             let inertia = tensor_leave_x(next.turn, body.inertia);

@@ -11,7 +11,7 @@
 //! to be turned back.
 
 use super::chain::Chain;
-use super::place::Placed;
+use super::place::{Placed, link_frame};
 use super::rows::screws;
 use super::symbols::Symbols;
 use crate::expr::Expr;
@@ -31,6 +31,9 @@ fn place<'g>(symbols: &mut Symbols<'g>, robot: &Robot, chain: &Chain<Expr<'g>>) 
     let (Some(link), Some(screw)) = (chain.links.last(), screws.last()) else {
         return of_tool;
     };
+    let row = robot.rows.last().map(|row| link_frame(symbols, row));
+    let places = row.into_iter().flatten().rev();
+    let of_tool = places.fold(of_tool, |p, place| place.leave_point(p));
     // A standard link frame comes after the row's a and alpha, a modified one before the next row's.
     let along_x = Vector3::new(screw.a, chain.zero, chain.zero);
     let last = along_x + leave_x(screw.turn, of_tool);

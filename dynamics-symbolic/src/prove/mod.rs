@@ -180,6 +180,7 @@ mod tests {
             spring: None,
             limits: None,
             locked: None,
+            mount: None,
         };
         Robot {
             name: "Pendulum".to_owned(),

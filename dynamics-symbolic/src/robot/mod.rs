@@ -7,6 +7,7 @@ mod angle;
 mod friction;
 mod grouping;
 mod interpretation;
+mod mount;
 mod parameter;
 mod placement;
 mod spring;
@@ -17,6 +18,7 @@ pub use angle::Angle;
 pub use friction::Stribeck;
 pub use grouping::{Coefficient, Grouping, LinkGrouping, Sense, Tie};
 pub use interpretation::Interpretation;
+pub use mount::{Mount, mounted};
 pub use parameter::Parameter;
 pub use placement::{Placement, Tool};
 pub use spring::Spring;
@@ -81,6 +83,10 @@ pub struct Row {
     /// the arm's degrees of freedom, its link is a part of the one before, and its motor, its friction
     /// and its spring do nothing.
     pub locked: Option<Value>,
+    /// Where the joint and the link frame are, of a row that was not written as one: its cells a, alpha, d and
+    /// theta come from there ([`mounted`]), and its body is told in the link frame that stands in it. Rows of
+    /// a modified table alone have it.
+    pub mount: Option<Mount>,
 }
 
 impl Row {
@@ -88,6 +94,11 @@ impl Row {
     /// the table says that it is zero.
     pub fn has_motor(&self) -> bool {
         !self.gear_ratio.is_zero()
+    }
+
+    /// Whether the row is no joint of the arm's but a place between two axes, or its tip: see [`mounted`].
+    pub fn is_place(&self) -> bool {
+        self.name.is_empty() && self.locked.is_some()
     }
 
     /// Whether the table says of any friction at the joint.

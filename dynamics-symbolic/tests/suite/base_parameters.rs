@@ -150,6 +150,7 @@ fn row(joint_type: JointType, [a, alpha, d, theta]: [Value; 4]) -> Row {
         spring: None,
         limits: None,
         locked: None,
+        mount: None,
     }
 }
 

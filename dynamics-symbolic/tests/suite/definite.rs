@@ -74,6 +74,7 @@ fn massless(name: &str) -> Row {
         spring: None,
         limits: None,
         locked: None,
+        mount: None,
     }
 }
 

@@ -284,6 +284,7 @@ fn massless_row(joint_type: JointType) -> Row {
         spring: None,
         limits: None,
         locked: None,
+        mount: None,
     }
 }
 

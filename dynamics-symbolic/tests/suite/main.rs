@@ -13,6 +13,7 @@ mod frames;
 mod functions;
 mod fused;
 mod invariances;
+mod mounts;
 mod neglect;
 mod proof;
 mod random_tables;

@@ -124,6 +124,7 @@ fn planar_link(name: &str, a: Value, mass: Value, com_x: Value, inertia_zz: Valu
         spring: None,
         limits: None,
         locked: None,
+        mount: None,
     }
 }
 

@@ -98,6 +98,7 @@ pub fn robot(name: &str) -> Robot {
             spring: None,
             limits: None,
             locked: None,
+            mount: None,
         });
     Robot {
         name: name.to_owned(),

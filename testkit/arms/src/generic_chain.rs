@@ -41,6 +41,7 @@ fn row(k: i64) -> Row {
         spring: None,
         limits: None,
         locked: None,
+        mount: None,
     }
 }
 

@@ -153,6 +153,7 @@ impl Arms {
             spring: None,
             limits: None,
             locked: None,
+            mount: None,
         }
     }
 

@@ -157,6 +157,7 @@ impl Tables {
             spring: None,
             limits: None,
             locked: None,
+            mount: None,
         }
     }
 

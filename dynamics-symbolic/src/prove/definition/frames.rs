@@ -29,8 +29,30 @@ impl Definition {
         self.rows.iter().map_while(position).collect()
     }
 
-    /// The poses of all link frames in the world.
+    /// The poses of all link frames in the world: those of rows with a mount where it was written, not where
+    /// their cells are.
     pub(super) fn poses<R: Lift>(&self, q: &[Position<R>]) -> Vec<Pose<R>> {
+        let mut poses = self.poses_of_cells(q);
+        let mut before = None;
+        let rows = self.rows.iter().zip(self.positions(q));
+        for (pose, (row, position)) in poses.iter_mut().zip(rows) {
+            let Some(mount) = &row.mount else {
+                continue;
+            };
+            let joint = match &before {
+                Some(before) => Pose::then(before, &mount.joint()),
+                None => self.in_world(mount.joint()),
+            };
+            *pose = joint
+                .then(&moved(row.joint_type, &position))
+                .then(&mount.back());
+            before = Some(*pose);
+        }
+        poses
+    }
+
+    /// The poses of the frames that the cells describe.
+    fn poses_of_cells<R: Lift>(&self, q: &[Position<R>]) -> Vec<Pose<R>> {
         let mut poses: Vec<Pose<R>> = Vec::with_capacity(self.rows.len());
         for (row, position) in self.rows.iter().zip(self.positions(q)) {
             let transform = transform(self.convention, row, &position);
@@ -61,7 +83,7 @@ impl Definition {
 
     /// The poses of the frames on the joints' own axes, after Rz(theta) Tz(d).
     pub(super) fn joint_frames<R: Lift>(&self, q: &[Position<R>]) -> Vec<Pose<R>> {
-        let links = self.poses(q);
+        let links = self.poses_of_cells(q);
         if self.convention == Convention::Modified {
             return links;
         }
@@ -98,6 +120,15 @@ fn transform<R: Lift>(convention: Convention, row: &Row, position: &Position<R>)
     match convention {
         Convention::Standard => screw_z.then(&screw_x),
         Convention::Modified => screw_x.then(&screw_z),
+    }
+}
+
+/// Rz(q), or Tz(q)
+fn moved<R: Lift>(joint_type: JointType, position: &Position<R>) -> Pose<R> {
+    let (zero, one) = (R::lift(Number::ZERO), R::lift(Number::ONE));
+    match joint_type {
+        JointType::Revolute => Pose::screw_z((position.s, position.c), zero),
+        JointType::Prismatic => Pose::screw_z((zero, one), position.q),
     }
 }
 

@@ -27,6 +27,14 @@ impl Placement {
         }
     }
 
+    /// A rotation by angles whose sines and cosines are known.
+    pub(super) fn turned(rpy: [(Number, Number); 3]) -> Self {
+        Placement {
+            xyz: Vector3::splat(Number::ZERO),
+            rpy,
+        }
+    }
+
     /// T(xyz) Rz(yaw) Ry(pitch) Rx(roll)
     pub(super) fn pose<R: Lift>(&self) -> Pose<R> {
         let (zero, one) = (R::lift(Number::ZERO), R::lift(Number::ONE));

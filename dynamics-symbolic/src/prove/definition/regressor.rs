@@ -150,7 +150,10 @@ impl Definition {
         let mut values = Vec::new();
         for (i, row) in self.rows.iter().enumerate() {
             let link = match self.convention {
-                Convention::Modified => Pose::identity(),
+                Convention::Modified => row
+                    .mount
+                    .as_ref()
+                    .map_or(Pose::identity(), |mount| mount.frame()),
                 Convention::Standard => Pose::screw_x(row.twist, row.a),
             };
             let mut parameters = parameters(&row.body, &link);

@@ -3,6 +3,8 @@
 use super::super::assignment::{Assignment, Number};
 use super::body::Body;
 use super::friction::Friction;
+use super::placement::Placement;
+use super::pose::{Lift, Pose};
 use crate::robot::{self, Interpretation, JointType};
 
 /// A row of the table in the field.
@@ -23,6 +25,59 @@ pub(super) struct Row {
     pub(super) spring: Option<(Number, Number)>,
     /// Where the joint is locked: sine, cosine and value of its position.
     pub(super) locked: Option<((Number, Number), Number)>,
+    pub(super) mount: Option<Mount>,
+}
+
+/// Where the joint and its link frame are as they were written.
+pub(super) struct Mount {
+    /// Each in the one before it, the first in the link frame before.
+    places: Vec<Placement>,
+    /// Sine and cosine of the azimuth and the polar angle of the axis.
+    axis: [(Number, Number); 2],
+    /// The link frame in that of the row's cells, as the derivation has it: base parameters are told there.
+    frame: Vec<Placement>,
+}
+
+impl Mount {
+    fn new(point: &mut Assignment, mount: &robot::Mount) -> Self {
+        let mut places = |places: &[robot::Placement]| {
+            let places = places.iter().map(|place| Placement::new(point, place));
+            places.collect()
+        };
+        Mount {
+            places: places(&mount.places),
+            frame: places(&mount.frame),
+            axis: mount.axis.each_ref().map(|angle| point.sin_cos(angle)),
+        }
+    }
+
+    /// The joint's frame in the link frame before, without its turn: the places, then Rz(azimuth) Ry(polar).
+    pub(super) fn joint<R: Lift>(&self) -> Pose<R> {
+        let places = self.places.iter().map(Placement::pose);
+        let place = places.fold(Pose::identity(), |pose: Pose<R>, place| pose.then(&place));
+        place.then(&self.axis())
+    }
+
+    fn axis<R: Lift>(&self) -> Pose<R> {
+        let none = (Number::ZERO, Number::ONE);
+        let [azimuth, polar] = self.axis;
+        Placement::turned([none, polar, azimuth]).pose()
+    }
+
+    /// The link frame in the frame that turns with the joint: Ry(-polar) Rz(-azimuth).
+    pub(super) fn back<R: Lift>(&self) -> Pose<R> {
+        let Pose { rotation, origin } = self.axis();
+        Pose {
+            rotation: rotation.transpose(),
+            origin,
+        }
+    }
+
+    /// The link frame in the frame of the row's cells.
+    pub(super) fn frame<R: Lift>(&self) -> Pose<R> {
+        let places = self.frame.iter().map(Placement::pose);
+        places.fold(Pose::identity(), |pose: Pose<R>, place| pose.then(&place))
+    }
 }
 
 impl Row {
@@ -46,6 +101,7 @@ impl Row {
                 .locked
                 .as_ref()
                 .map(|position| locked(point, row.joint_type, position)),
+            mount: row.mount.as_ref().map(|mount| Mount::new(point, mount)),
         }
     }
 }

@@ -29,6 +29,7 @@ fn zero_row(name: &str, joint_type: JointType) -> Row {
         spring: None,
         limits: None,
         locked: None,
+        mount: None,
     }
 }
 

@@ -1,0 +1,153 @@
+//! Joints anywhere in space: the rows that are made of them are those of the transforms as they were written,
+//! by the proof of every function, which reads the latter.
+
+use dynamics_symbolic::Function;
+use dynamics_symbolic::derive::derive_plain;
+use dynamics_symbolic::exact::{Rational, SplitMix64};
+use dynamics_symbolic::prove::prove;
+use dynamics_symbolic::robot::{
+    Convention, JointType, Mount, Placement, Robot, Row, Value, mounted,
+};
+
+const JOINTS: usize = 4;
+
+struct Random {
+    random: SplitMix64,
+    /// How many of ten angles are no quarter turns.
+    slanted: u64,
+}
+
+impl Random {
+    fn below(&mut self, n: u64) -> u64 {
+        self.random.next_u64() % n
+    }
+
+    /// A decimal, often zero.
+    fn length(&mut self) -> Value {
+        match self.below(3) {
+            0 => Value::zero(),
+            _ => self.decimal(),
+        }
+    }
+
+    fn decimal(&mut self) -> Value {
+        let thousandths = self.below(2_000) as i64 - 1_000;
+        Value::Rational(Rational::from_parts_signed(
+            thousandths.into(),
+            1_000_u16.into(),
+        ))
+    }
+
+    fn angle(&mut self) -> Value {
+        match self.below(10) < self.slanted {
+            true => self.decimal(),
+            false => {
+                let quarters = self.below(4) as i64 - 1;
+                let half = Rational::from_parts_signed(quarters.into(), 2_u8.into());
+                Value::Pi * Value::Rational(half)
+            }
+        }
+    }
+
+    fn place(&mut self) -> Placement {
+        Placement {
+            xyz: [(); 3].map(|()| self.length()),
+            rpy: [(); 3].map(|()| self.angle()),
+        }
+    }
+
+    fn row(&mut self, index: usize) -> Row {
+        let places = 1 + self.below(2);
+        let zero = Value::zero;
+        Row {
+            name: format!("joint{index}"),
+            joint_type: match self.below(4) {
+                0 => JointType::Prismatic,
+                _ => JointType::Revolute,
+            },
+            a: zero(),
+            alpha: zero(),
+            d: zero(),
+            theta: zero(),
+            mass: self.decimal(),
+            com: [(); 3].map(|()| self.length()),
+            inertia: [(); 6].map(|()| self.decimal()),
+            motor_inertia: zero(),
+            gear_ratio: zero(),
+            viscous: zero(),
+            coulomb: [zero(), zero()],
+            stribeck: None,
+            spring: None,
+            limits: None,
+            locked: (self.below(6) == 0).then(|| self.decimal()),
+            mount: Some(Mount {
+                places: (0..places).map(|_| self.place()).collect(),
+                axis: [self.angle(), self.angle()],
+                frame: Vec::new(),
+            }),
+        }
+    }
+
+    fn robot(&mut self) -> Robot {
+        let rows = (0..JOINTS).map(|i| self.row(i)).collect();
+        let tip = match self.below(2) {
+            0 => Vec::new(),
+            _ => vec![self.place(), self.place()],
+        };
+        Robot {
+            name: "Mounted".to_owned(),
+            fields: Vec::new(),
+            convention: Convention::Modified,
+            gravity: [(); 3].map(|()| self.decimal()),
+            rows: mounted(rows, tip),
+            neglected: None,
+            base: None,
+            tool: None,
+        }
+    }
+}
+
+#[test]
+fn functions_of_mounted_joints_are_proven() {
+    let functions = [
+        Function::InverseDynamics,
+        Function::MassMatrix,
+        Function::PotentialEnergy,
+        Function::LinkPoses,
+        Function::ForwardKinematics,
+        Function::Jacobian,
+        Function::LinkJacobians,
+        Function::ToolAcceleration,
+        Function::WrenchTorques,
+        Function::CenterOfMass,
+        Function::Regressor,
+        Function::BaseParameters,
+    ];
+    for seed in 0..24 {
+        let random = SplitMix64::new(seed);
+        let slanted = [0, 0, 2, 6][seed as usize % 4];
+        let robot = Random { random, slanted }.robot();
+        for function in functions {
+            let program = derive_plain(&robot, function);
+            prove(&robot, function, &program).unwrap_or_else(|failure| {
+                panic!("seed {seed}: {failure}");
+            });
+        }
+    }
+}
+
+/// Quarter turns alone need no place between two axes, but for parallel ones that are apart in two directions
+/// and, where the base frame does not fit, the first.
+#[test]
+fn one_row_is_enough_between_axes_along_those_of_the_frames() {
+    for seed in 0..100 {
+        let random = SplitMix64::new(seed);
+        let mut random = Random { random, slanted: 0 };
+        let rows = (0..JOINTS).map(|i| random.row(i)).collect();
+        let rows = mounted(rows, Vec::new());
+        assert!(rows.len() <= 2 * JOINTS + 1, "{}", rows.len());
+        for row in &rows {
+            assert!(row.a.as_rational().is_some() && row.d.as_rational().is_some());
+        }
+    }
+}
