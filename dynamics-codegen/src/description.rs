@@ -55,6 +55,8 @@ pub struct Table {
     pub has_all_fields: bool,
     /// The entries, in the order in which they were written.
     pub entries: Vec<Entry>,
+    /// What the struct's documentation says besides.
+    pub notes: Vec<String>,
     /// The keys that were written, and where.
     pub keys: Vec<(&'static str, Place)>,
     /// Every name in the text of the entries, of those too that could not be read.
@@ -112,7 +114,7 @@ pub enum Entry {
     Ignore(Option<Vec<Name>>),
     /// `round_angles: 1e-4`
     RoundAngles(Option<Expr>),
-    /// `allow: [odd_angle]`, for the whole table.
+    /// `allow: [odd_angle]` of the whole table, `allow: [unphysical_inertia]` of a whole URDF file.
     Allow(Option<Allow>),
 }
 
@@ -228,6 +230,8 @@ pub struct Joints {
     pub rows: Vec<Row>,
     /// Whether these are all.
     pub complete: bool,
+    /// Where the tip is behind the last row's link frame, each place in the one before it.
+    pub tip: Vec<Placement>,
 }
 
 /// `name: revolute { cells }`
@@ -263,6 +267,17 @@ pub struct Row {
     pub limits: Given<Limits>,
     /// What is accepted all the same.
     pub allow: Given<Allow>,
+    /// Where the joint is, in a file that has no cells a, alpha, d and theta.
+    pub mount: Option<Mount>,
+}
+
+/// Where a joint is in the link frame before it.
+#[derive(Debug)]
+pub struct Mount {
+    /// The joint's frame, each place in the one before it.
+    pub places: Vec<Placement>,
+    /// Azimuth and polar angle of the axis in the last of them, rad.
+    pub axis: [Expr; 2],
 }
 
 /// The value of the cell `inertia`.

@@ -105,6 +105,9 @@ pub struct Row {
     /// Where this row begins, in the link frame of the row before or in the base frame: elsewhere than
     /// there where joints between the two rows are locked ([`Table::lock`]).
     pub mount: Placement,
+    /// Where the link frame is behind the joint, in the frame after `Rz(theta) Tz(d)` of a modified row: elsewhere
+    /// than there where a file has its own frames. `com` and `inertia` are told in it.
+    pub link_frame: Placement,
     /// Where the last link frame of the table is in this one, which matters in the last row: elsewhere
     /// than there where joints behind that row are locked.
     pub tip: Placement,
@@ -130,6 +133,7 @@ impl Row {
             spring: Spring::NONE,
             limits: None,
             mount: Placement::IDENTITY,
+            link_frame: Placement::IDENTITY,
             tip: Placement::IDENTITY,
         }
     }

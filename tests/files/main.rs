@@ -1,16 +1,36 @@
 //! Robots from files are those whose table stands in the call.
 
+mod compiled;
 mod tables;
+mod urdf;
 
-use dynamics_codegen::files::{Format, table};
+use dynamics_codegen::description::{Entry, Expr, ExprKind, Place};
+use dynamics_codegen::files::{Format, Request, table};
+use dynamics_symbolic::exact::Rational;
 use dynamics_symbolic::robot::Robot;
 
 /// The engine's robot that a text describes.
 fn robot(name: &str, text: &str, format: Format) -> Robot {
-    let table = table(name, text, format).unwrap_or_else(|errors| panic!("{name}: {errors:#?}"));
+    check(name, text, format, &Request::default())
+}
+
+fn check(name: &str, text: &str, format: Format, request: &Request) -> Robot {
+    let table = table(name, text, format, request);
+    let mut table = table.unwrap_or_else(|errors| panic!("{name}: {errors:#?}"));
+    if format == Format::Urdf {
+        let gravity = [0.0, 0.0, -9.81].map(|g| Some(number(g)));
+        table.entries.push(Entry::Gravity(Some(gravity)));
+    }
     let model = dynamics_codegen::check(&table);
     let model = model.unwrap_or_else(|errors| panic!("{name}: {errors:#?}"));
     model.robot
+}
+
+fn number(x: f64) -> Expr {
+    Expr {
+        kind: ExprKind::Number(Rational::try_from(x).expect("a number")),
+        place: Place::File { line: 1, column: 1 },
+    }
 }
 
 /// The text of a file of `tests/data`.

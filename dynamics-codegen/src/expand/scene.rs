@@ -13,6 +13,8 @@ pub(super) fn lines(model: &Model) -> Vec<String> {
     let frames = base.into_iter().chain(tool);
     let mut lines: Vec<String> = frames.flat_map(|text| section(&text, Vec::new())).collect();
     lines.extend(locked(model));
+    let notes = model.notes.iter();
+    lines.extend(notes.flat_map(|note| section(note, Vec::new())));
     if let Some(neglected) = &model.robot.neglected {
         lines.extend(self::neglected(neglected));
     }

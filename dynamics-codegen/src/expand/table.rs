@@ -115,6 +115,10 @@ fn row(row: &Row, fields: &[&Ident], path: &TokenStream) -> TokenStream {
         quote!(spring: #path::Spring { stiffness: #stiffness, rest: #rest },)
     });
     let limits = self::limits(row);
+    let places = row.mount.iter().flat_map(|mount| &mount.frame);
+    let places: Vec<_> = places.map(|place| frame(place, fields, path)).collect();
+    let link_frame = (!places.is_empty())
+        .then(|| quote!(link_frame: #path::Placement::of_frames(&[#(#places),*]),));
     quote! {
         #path::Row {
             a: #a,
@@ -131,6 +135,7 @@ fn row(row: &Row, fields: &[&Ident], path: &TokenStream) -> TokenStream {
             #stribeck
             #spring
             limits: #limits,
+            #link_frame
             ..#path::Row::new(#joint_type)
         }
     }

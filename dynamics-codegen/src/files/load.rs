@@ -43,7 +43,11 @@ mod reading {
     use std::path::{Path, PathBuf};
 
     use super::*;
-    use crate::files::{self, Format};
+    use dynamics_symbolic::exact::Rational;
+    use dynamics_symbolic::robot::Value;
+
+    use crate::description::{Expr, ExprKind, Locked, Operator, Table};
+    use crate::files::{self, Format, Request};
     use crate::limits::MOST_BYTES;
     use crate::place::Place;
 
@@ -64,12 +68,14 @@ mod reading {
         let Some(text) = text(&mut call.tracked, file, diagnostics) else {
             return;
         };
-        for (key, place) in &call.table.keys {
-            if ABOUT_FILES.contains(key) {
-                diagnostics.error(*place, mistake::only_with_urdf(key));
-            }
+        if format != Format::Urdf {
+            report_without_file(call, diagnostics);
         }
-        let Some(read) = files::read(&text, format, diagnostics) else {
+        let Some(request) = request(&call.table, diagnostics) else {
+            return;
+        };
+        let used = &mut Vec::new();
+        let Some(read) = files::read(&text, format, &request, used, diagnostics) else {
             return;
         };
         for (key, place) in &call.table.keys {
@@ -79,10 +85,82 @@ mod reading {
             }
         }
         let table = &mut call.table;
+        forget_locks(&mut table.entries, used);
+        table.notes.extend(read.notes);
         let is_file = |entry: &Entry| matches!(entry, Entry::File(_));
         let at = table.entries.iter().position(is_file).unwrap_or(0);
         table.entries.splice(at..=at, read.entries);
         table.mentions.extend(read.mentions);
+    }
+
+    /// What the call asks of the file; none where that could not be read.
+    fn request(table: &Table, diagnostics: &Diagnostics) -> Option<Request> {
+        let mut request = Request {
+            unphysical_inertia: table.allow().unphysical_inertia,
+            ..Request::default()
+        };
+        for entry in &table.entries {
+            match entry {
+                Entry::Chain(chain) => request.chain = Some(chain.clone()?),
+                Entry::Ignore(ignore) => request.ignore.clone_from(ignore.as_ref()?),
+                Entry::RoundAngles(angle) => {
+                    let within = rounded_within(angle.as_ref()?, diagnostics)?;
+                    request.round_angles = Some(within);
+                }
+                Entry::Lock(locked) => {
+                    let locked = locked.as_ref()?.iter();
+                    let lock = |locked: &Locked| {
+                        let position = locked.position.as_ref().and_then(constant);
+                        (locked.name.clone(), position)
+                    };
+                    request.lock = locked.map(lock).collect();
+                }
+                _ => {}
+            }
+        }
+        Some(request)
+    }
+
+    fn rounded_within(angle: &Expr, diagnostics: &Diagnostics) -> Option<Rational> {
+        let good = 0.0..=0.1;
+        let value = constant(angle).filter(|value| good.contains(&value.to_f64(&[])));
+        let value = value.and_then(|value| value.as_rational().cloned());
+        if value.is_none() {
+            diagnostics.error(angle.place, crate::mistake::urdf::round_angles());
+        }
+        value
+    }
+
+    /// The value of an expression of numbers and PI.
+    fn constant(expr: &Expr) -> Option<Value> {
+        Some(match &expr.kind {
+            ExprKind::Number(number) => Value::Rational(number.clone()),
+            ExprKind::Name(name) if name == "PI" => Value::Pi,
+            ExprKind::Name(_) => return None,
+            ExprKind::Degrees(angle) => {
+                constant(angle)?.checked_div(Value::integer(180))? * Value::Pi
+            }
+            ExprKind::Minus(value) => -constant(value)?,
+            ExprKind::Binary(operator, a, b) => {
+                let (a, b) = (constant(a)?, constant(b)?);
+                match operator {
+                    Operator::Add => a + b,
+                    Operator::Sub => a - b,
+                    Operator::Mul => a * b,
+                    Operator::Div => a.checked_div(b)?,
+                }
+            }
+        })
+    }
+
+    /// Takes the joints that are none of the arm's off the list of those that are locked.
+    fn forget_locks(entries: &mut Vec<Entry>, used: &[String]) {
+        for entry in entries.iter_mut() {
+            if let Entry::Lock(Some(locked)) = entry {
+                locked.retain(|locked| !used.iter().any(|name| name == locked.name.plain()));
+            }
+        }
+        entries.retain(|entry| !matches!(entry, Entry::Lock(Some(locked)) if locked.is_empty()));
     }
 
     fn format(file: &FileName, diagnostics: &Diagnostics) -> Option<Format> {

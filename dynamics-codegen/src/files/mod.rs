@@ -13,15 +13,21 @@ mod table;
 mod toml;
 #[cfg(feature = "files")]
 mod tree;
+#[cfg(feature = "files")]
+mod urdf;
 
 pub(crate) use load::load;
 
 use std::path::Path;
 
+use dynamics_symbolic::exact::Rational;
+use dynamics_symbolic::robot::Value;
+
 #[cfg(feature = "files")]
 use crate::Error;
+use crate::description::Name;
 #[cfg(feature = "files")]
-use crate::description::{Name, Place, Table};
+use crate::description::{Place, Table};
 #[cfg(feature = "files")]
 use crate::diagnose::Diagnostics;
 
@@ -34,6 +40,23 @@ pub enum Format {
     /// (xx, yy, zz, xy, yz, xz), `motor_inertia`, `gear_ratio`, `viscous`, `coulomb`. Where the file names its
     /// `source`, tensors that no body can have are taken as they are.
     Json,
+    /// The Unified Robot Description Format: the chain of links that a [`Request`] names.
+    Urdf,
+}
+
+/// What is asked of a URDF file.
+#[derive(Clone, Debug, Default)]
+pub struct Request {
+    /// The first and the last link of the arm.
+    pub chain: Option<[Name; 2]>,
+    /// Joints that are left out, with all that hangs on them.
+    pub ignore: Vec<Name>,
+    /// Joints that stand still, and where; no position is one that is not known here.
+    pub lock: Vec<(Name, Option<Value>)>,
+    /// How near an angle is to a quarter turn that is taken as one, rad.
+    pub round_angles: Option<Rational>,
+    /// Whether tensors that no body can have are accepted.
+    pub unphysical_inertia: bool,
 }
 
 impl Format {
@@ -42,6 +65,7 @@ impl Format {
         match path.extension()?.to_str()?.to_lowercase().as_str() {
             "toml" => Some(Format::Toml),
             "json" => Some(Format::Json),
+            "urdf" => Some(Format::Urdf),
             _ => None,
         }
     }
@@ -50,9 +74,15 @@ impl Format {
 /// Reads the text of a file: what it says of the robot `name`, or all that cannot be read. What a table
 /// says is judged by [`check`](crate::check); it need not have everything that a robot needs.
 #[cfg(feature = "files")]
-pub fn table(name: &str, text: &str, format: Format) -> Result<Table, Vec<Error>> {
+pub fn table(
+    name: &str,
+    text: &str,
+    format: Format,
+    request: &Request,
+) -> Result<Table, Vec<Error>> {
     let diagnostics = Diagnostics::new();
-    let mut table = read(text, format, &diagnostics).unwrap_or_default();
+    let used = &mut Vec::new();
+    let mut table = read(text, format, request, used, &diagnostics).unwrap_or_default();
     let start = Place::File { line: 1, column: 1 };
     table.name = Some(Name::new(name, start));
     table.has_all_fields = true;
@@ -64,10 +94,17 @@ pub fn table(name: &str, text: &str, format: Format) -> Result<Table, Vec<Error>
 
 /// The entries of a text; what cannot be read is reported. None of a text of another format.
 #[cfg(feature = "files")]
-fn read(text: &str, format: Format, diagnostics: &Diagnostics) -> Option<Table> {
+fn read(
+    text: &str,
+    format: Format,
+    request: &Request,
+    used: &mut Vec<String>,
+    diagnostics: &Diagnostics,
+) -> Option<Table> {
     let root = match format {
         Format::Toml => toml::document(text, diagnostics),
         Format::Json => json::document(text, diagnostics),
+        Format::Urdf => return urdf::read(text, request, used, diagnostics),
     };
     root.map(|root| table::table(&root, diagnostics))
 }

@@ -386,6 +386,7 @@ impl Reader<'_> {
         let mut joints = Joints {
             rows: Vec::new(),
             complete: true,
+            tip: Vec::new(),
         };
         for row in rows {
             match self.row(row) {

@@ -12,6 +12,8 @@ pub(crate) mod joint;
 pub(crate) mod number;
 pub(crate) mod size;
 pub(crate) mod structure;
+#[cfg(feature = "files")]
+pub(crate) mod urdf;
 pub(crate) mod value;
 
 use std::fmt;

@@ -69,6 +69,7 @@ pub(super) fn joints(mut cursor: Cursor) -> Joints {
     Joints {
         rows,
         complete: complete.get(),
+        tip: Vec::new(),
     }
 }
 

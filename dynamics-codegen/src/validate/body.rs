@@ -201,7 +201,7 @@ fn number(value: &Value) -> Option<Rational> {
 /// positive semidefinite, which is the triangle inequality of the principal moments
 /// (Wensing, Kim and Slotine 2018, IEEE RA-L 3(1), 60-67). It makes `J` positive
 /// semidefinite too; that is decided first, for a clearer message.
-fn refusal(entries: &[Option<Rational>; 6]) -> Option<&'static str> {
+pub(crate) fn refusal(entries: &[Option<Rational>; 6]) -> Option<&'static str> {
     let [xx, yy, zz, xy, yz, xz] = entries.clone();
     let half_trace = match (&xx, &yy, &zz) {
         (Some(xx), Some(yy), Some(zz)) => Some((xx + yy + zz) / Rational::from(2)),

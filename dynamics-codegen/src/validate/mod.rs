@@ -21,13 +21,15 @@ mod scope;
 mod solid;
 
 use dynamics_symbolic::Request;
-use dynamics_symbolic::robot::{Convention, Placement, Robot, Row, Tool, Value};
+use dynamics_symbolic::robot::{Convention, Placement, Robot, Row, Tool, Value, mounted};
 
-use crate::description::{self, Asked, Entry, Joints, Name, Table};
+use crate::description::{self, Allow, Asked, Entry, Given, Joints, Name, Table};
 use crate::diagnose::Diagnostics;
 use crate::limits::MOST_JOINTS;
 use crate::mistake::{entry, joint, size};
 use crate::place::Place;
+#[cfg(feature = "files")]
+pub(crate) use body::refusal;
 use lock::Lock;
 use scope::{Scope, all};
 
@@ -42,6 +44,8 @@ pub struct Model {
     pub tests: bool,
     /// The share below which terms are neglected, and where it was written.
     pub neglect: Option<(Value, Place)>,
+    /// What the struct's documentation says besides.
+    pub notes: Vec<String>,
 }
 
 /// The model that the call describes, or `None` where an error was reported.
@@ -81,6 +85,8 @@ struct Parts {
     lock: Vec<Lock>,
     neglect: Option<(Value, Place)>,
     tests: Option<Place>,
+    /// Where the tip is behind the last link frame.
+    tip: Vec<Placement>,
     /// Whether a file was named, what is in it is not known: that has been reported.
     has_unread_file: bool,
 }
@@ -106,6 +112,12 @@ impl Parts {
                     parts.tool = Some(tool.and_then(|tool| frames::tool(tool, scope)));
                 }
                 Entry::Joints(place, joints) => {
+                    let tip = joints.iter().flat_map(|joints| &joints.tip);
+                    let allowed = Given::As(Allow::EVERYTHING);
+                    let tip = tip.filter_map(|place| {
+                        scope.within(&allowed, "row", |scope| frames::placement(place, scope))
+                    });
+                    parts.tip = tip.collect();
                     parts.rows = Some(match joints {
                         Some(joints) if number_is_good(joints, *place, scope) => {
                             row::rows(&joints.rows, scope)
@@ -179,7 +191,7 @@ impl Parts {
             fields: table.fields.iter().map(Name::to_string).collect(),
             convention: self.convention??,
             gravity: all(self.gravity?)?,
-            rows: self.rows?.into_iter().collect::<Option<_>>()?,
+            rows: mounted(self.rows?.into_iter().collect::<Option<_>>()?, self.tip),
             neglected: None,
             base: given(self.base)?,
             tool: given(self.tool)?,
@@ -189,6 +201,7 @@ impl Parts {
             robot,
             tests: self.tests.is_some(),
             neglect: self.neglect,
+            notes: table.notes.clone(),
         })
     }
 }

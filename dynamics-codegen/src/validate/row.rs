@@ -2,12 +2,12 @@
 
 use std::collections::BTreeSet;
 
-use dynamics_symbolic::robot::{JointType, Row, Spring, Value};
+use dynamics_symbolic::robot::{JointType, Mount, Row, Spring, Value};
 
 use super::body::Body;
 use super::scope::Scope;
-use super::{body, friction, limits};
-use crate::description::{self, Given, Motor};
+use super::{body, frames, friction, limits};
+use crate::description::{self, Given};
 use crate::mistake::joint as mistake;
 
 /// The meaning of each row; `None` where it is in error.
@@ -48,6 +48,7 @@ fn cells(row: &description::Row, scope: &mut Scope) -> Option<Row> {
     let friction = friction::friction(&row.friction, scope);
     let spring = spring(&row.spring, scope);
     let limits = limits::limits(row, scope);
+    let mount = mount(row, scope);
     let (mass, com, inertia) = body?;
     Some(Row {
         name: row.name.as_ref()?.plain().to_owned(),
@@ -67,8 +68,25 @@ fn cells(row: &description::Row, scope: &mut Scope) -> Option<Row> {
         spring: spring?,
         limits: limits?,
         locked: None,
-        mount: None,
+        mount: mount?,
     })
+}
+
+/// Where the joint is, if no cells say so. Outer `None`: in error.
+fn mount(row: &description::Row, scope: &mut Scope) -> Option<Option<Mount>> {
+    let Some(mount) = &row.mount else {
+        return Some(None);
+    };
+    let places = mount.places.iter();
+    let places: Vec<_> = places
+        .map(|place| frames::placement(place, scope))
+        .collect();
+    let [azimuth, polar] = mount.axis.each_ref().map(|angle| scope.value(angle));
+    Some(Some(Mount {
+        places: places.into_iter().collect::<Option<_>>()?,
+        axis: [azimuth?, polar?],
+        frame: Vec::new(),
+    }))
 }
 
 /// `d` and `theta`: the joint's variable is added to one of them.
@@ -102,7 +120,7 @@ fn spring(cell: &Given<description::Spring>, scope: &mut Scope) -> Option<Option
 }
 
 /// The motor's inertia and its gear ratio.
-fn motor(cell: &Given<Motor>, scope: &mut Scope) -> (Option<Value>, Option<Value>) {
+fn motor(cell: &Given<description::Motor>, scope: &mut Scope) -> (Option<Value>, Option<Value>) {
     let motor = match cell {
         Given::Absent => return (Some(Value::zero()), Some(Value::zero())),
         Given::Unreadable => return (None, None),
@@ -117,7 +135,7 @@ fn motor(cell: &Given<Motor>, scope: &mut Scope) -> (Option<Value>, Option<Value
     (inertia, gear_ratio)
 }
 
-fn report_gear_ratio(motor: &Motor, scope: &Scope) {
+fn report_gear_ratio(motor: &description::Motor, scope: &Scope) {
     match motor.gear_ratio.value() {
         Some(expr) => scope.error(expr.place, mistake::gear_ratio_zero()),
         None => scope.error(motor.place, mistake::gear_ratio_missing()),

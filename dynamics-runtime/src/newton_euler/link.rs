@@ -48,7 +48,8 @@ impl Link {
     /// A row of a modified table: it is in these frames as it stands.
     pub(super) fn modified(row: &Row) -> Self {
         let screw_x = Joint::along_x(SinCos::of_constant(row.alpha), row.a);
-        Link::new(SinCos::of_constant(row.alpha), row.a, row, Pose::identity())
+        let link_frame = Pose::from(&row.link_frame);
+        Link::new(SinCos::of_constant(row.alpha), row.a, row, link_frame)
             .mounted(&row.mount, |mount| mount.then(&screw_x))
     }
 

@@ -6,7 +6,7 @@ use super::angle::SinCos;
 use super::inertia::tensor;
 use super::joint::Joint;
 use super::pose::Pose;
-use crate::{Convention, JointType, Row, Table, Tool};
+use crate::{Convention, Frame, JointType, Placement, Row, Table, Tool};
 
 impl<const N: usize> Table<N> {
     /// The table of an arm some of whose joints do not move. `positions` says of each of the L rows
@@ -47,17 +47,25 @@ impl<const N: usize> Table<N> {
                 Some(position) => {
                     start = start.then(&transform(convention, row, position));
                     if let Some(link) = count.checked_sub(1) {
-                        join(&mut moving[link], row, &start);
+                        let pose = in_link_frame(&moving[link], &start, row);
+                        join(&mut moving[link], row, &pose);
                     }
                 }
             }
             if let Some(link) = count.checked_sub(1) {
-                moving[link].tip = start.placement();
+                moving[link].tip = in_link_frame(&moving[link], &start, row).placement();
             }
         }
         assert_eq!(count, N, "so many joints move");
         Table::new(convention, gravity, moving)
     }
+}
+
+/// The link frame of a row that begins at `start` behind the joint of another one, in that one's link frame.
+/// A moving row begins at itself.
+fn in_link_frame(link: &Row, start: &Pose, row: &Row) -> Pose {
+    let back = Pose::from(&link.link_frame).inverse();
+    back.then(start).then(&(&row.link_frame).into())
 }
 
 /// The row's frame in the one before it, with the joint at that position.
@@ -72,6 +80,15 @@ fn transform(convention: Convention, row: &Row, position: f64) -> Pose {
     match convention {
         Convention::Standard => screw_z.then(&screw_x),
         Convention::Modified => screw_x.then(&screw_z),
+    }
+}
+
+impl Placement {
+    /// The last of some frames, each told in the one before it, in the first one's outer frame.
+    pub fn of_frames(frames: &[Frame]) -> Self {
+        let places = frames.iter().map(Pose::from);
+        let last = places.fold(Pose::identity(), |pose, place| pose.then(&place));
+        last.placement()
     }
 }
 

@@ -29,6 +29,15 @@ impl Pose {
         }
     }
 
+    /// The outer frame in this one.
+    pub(super) fn inverse(&self) -> Pose {
+        let rotation = self.rotation.transpose();
+        Pose {
+            rotation,
+            position: -(rotation * self.position),
+        }
+    }
+
     pub(super) fn placement(&self) -> Placement {
         Placement::new(&self.rotation, &self.position)
     }

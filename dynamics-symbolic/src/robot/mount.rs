@@ -199,21 +199,16 @@ impl Chain {
         let [x, y, z] = self.reached.origin.clone();
         let across = self.reached.rotation.map(|row| row[2]);
         let is_on_axis = x.is_zero() && y.is_zero() && across == [0, 0, 1];
+        let turned = count_about_z(&self.reached.rotation);
         if is_on_axis && !self.rows.is_empty() {
-            let turned = self::angle(count_about_z(&self.reached.rotation));
-            if let Some(angle) = locked.as_ref().filter(|angle| self.takes(angle)) {
-                self.adjust(turned + angle.clone(), z);
-                self.reached = Aligned::identity();
-                return;
-            }
-            // A joint on the axis of a place that stands still takes that one's cells.
-            let is_joint = locked.is_none();
-            if let Some(place) = self.rows.pop_if(|row| is_joint && row.is_place()) {
-                row.alpha = place.alpha;
-                row.a = place.a;
-                row.d = place.d + z;
-                row.theta = place.theta + turned;
-                self.rows.push(row);
+            let taken = match &locked {
+                Some(_) => self.adjust(turned, locked.as_ref(), &z),
+                None => self.take_place(&mut row, turned, &z),
+            };
+            if taken {
+                if locked.is_none() {
+                    self.rows.push(row);
+                }
                 self.reached = Aligned::identity();
                 return;
             }
@@ -225,16 +220,30 @@ impl Chain {
         row.alpha = angle(alpha);
         row.a = a;
         row.d = d;
-        row.theta = angle(count_about_z(&rotation)) + locked.unwrap_or(Value::zero());
-        self.rows.push(row);
+        let turned = count_about_z(&rotation);
+        let theta = sum(&locked.clone().unwrap_or(Value::zero()), turned, None);
         self.reached = Aligned::identity();
+        row.theta = theta.unwrap_or_else(|| {
+            // The turns about one axis may come in any order: the quarter turns are left for what follows.
+            self.reached.turned(&quarter_turns(2, turned));
+            locked.unwrap_or(Value::zero())
+        });
+        self.rows.push(row);
     }
 
-    /// Whether the last row's theta can take an angle beside its own: the sine of a sum of two angles, each
-    /// written as a number, is no number that the proof knows.
-    fn takes(&self, angle: &Value) -> bool {
-        let theta = self.rows.last().and_then(|row| Angle::new(&row.theta).rest);
-        theta.is_none_or(|theta| (theta + angle.clone()).is_zero())
+    /// Gives a joint on the axis of a place that stands still that one's cells, where it can take its angle.
+    fn take_place(&mut self, row: &mut Row, turned: u8, slide: &Value) -> bool {
+        let place = self.rows.last().filter(|row| row.is_place());
+        let theta = place.and_then(|place| sum(&place.theta, turned, None));
+        let (Some(theta), Some(place)) = (theta, place.cloned()) else {
+            return false;
+        };
+        self.rows.pop();
+        row.alpha = place.alpha;
+        row.a = place.a;
+        row.d = place.d + slide.clone();
+        row.theta = theta;
+        true
     }
 
     /// Alpha, a, the rotation that is left, and d, for an axis across z: the common normal is along
@@ -244,7 +253,7 @@ impl Chain {
         // The turn of the last frame about its z, after which the other axis is along its y.
         let turn = u8::from(across[0] != 0);
         let slide = self.reached.origin[2].clone();
-        self.adjust(angle(turn), slide);
+        self.move_last(turn, slide);
         let back = quarter_turns(2, 4 - turn);
         let unturned = Aligned {
             rotation: back,
@@ -279,7 +288,7 @@ impl Chain {
                 (1, y)
             }
         };
-        self.adjust(angle(turn), Value::zero());
+        self.move_last(turn, Value::zero());
         let rotation = product(&quarter_turns(2, 4 - turn), &self.reached.rotation);
         let (alpha, d) = match rotation[2][2] {
             1 => (0, z),
@@ -293,28 +302,67 @@ impl Chain {
         )
     }
 
-    /// Turns the last frame about its axis, and slides it along; what was placed in it stays where it is. The
-    /// base frame does neither: a locked row does it.
-    fn adjust(&mut self, turn: Value, slide: Value) {
-        if turn.is_zero() && slide.is_zero() {
+    /// The last frame turned about its axis by quarter turns, and slid along it; what was placed in it stays
+    /// where it is. The base frame does neither, nor a frame whose angle does not take the turns: a row that
+    /// stands still does it for them.
+    fn move_last(&mut self, turned: u8, slide: Value) {
+        if turned == 0 && slide.is_zero() {
             return;
         }
-        if self.rows.is_empty() {
-            self.rows.push(fixed());
-        }
-        let last = self.rows.len() - 1;
-        let row = &mut self.rows[last];
-        row.theta = row.theta.clone() + turn.clone();
-        row.d = row.d.clone() + slide.clone();
-        if self.last_link != Some(last) {
-            return;
-        }
-        if let Some(mount) = &mut row.mount {
-            let mut back = rotation([Value::zero(), Value::zero(), -turn]);
-            back.xyz[2] = -slide;
-            mount.frame.insert(0, back);
+        if self.rows.is_empty() || !self.adjust(turned, None, &slide) {
+            let mut place = fixed();
+            place.theta = angle(turned);
+            place.d = slide;
+            self.rows.push(place);
         }
     }
+
+    /// Turns the last frame by quarter turns and an angle, and slides it, where its own angle can take that.
+    fn adjust(&mut self, turned: u8, by: Option<&Value>, slide: &Value) -> bool {
+        let Some(last) = self.rows.len().checked_sub(1) else {
+            return false;
+        };
+        let row = &mut self.rows[last];
+        let (Some(theta), Some(turn)) =
+            (sum(&row.theta, turned, by), sum(&Value::zero(), turned, by))
+        else {
+            return false;
+        };
+        row.theta = theta;
+        row.d = row.d.clone() + slide.clone();
+        let of_link = row.mount.as_mut().filter(|_| self.last_link == Some(last));
+        if let Some(mount) = of_link {
+            let mut back = rotation([Value::zero(), Value::zero(), -turn]);
+            back.xyz[2] = -slide.clone();
+            mount.frame.insert(0, back);
+        }
+        true
+    }
+}
+
+/// An angle beside quarter turns and another angle, where the sum says as much: the sine of a sum of two
+/// angles, each written as a number, is no number that the proof knows, and a tiny angle beside quarter turns
+/// counts as rounding.
+fn sum(angle: &Value, turned: u8, by: Option<&Value>) -> Option<Value> {
+    let by = by.cloned().unwrap_or(Value::zero());
+    let parts = [Angle::new(angle), Angle::new(&by)];
+    let rest = match parts.each_ref().map(|part| part.rest.clone()) {
+        [Some(a), Some(b)] => {
+            let rest = a + b;
+            if !rest.is_zero() {
+                return None;
+            }
+            None
+        }
+        [a, b] => a.or(b),
+    };
+    let quarter_turns = (parts[0].quarter_turns + parts[1].quarter_turns + turned) % 4;
+    let sum = self::angle(quarter_turns) + rest.clone().unwrap_or(Value::zero());
+    let expected = Angle {
+        quarter_turns,
+        rest,
+    };
+    (Angle::new(&sum) == expected).then_some(sum)
 }
 
 fn rotation(rpy: [Value; 3]) -> Placement {

@@ -40,6 +40,11 @@ impl Random {
 
     fn angle(&mut self) -> Value {
         match self.below(10) < self.slanted {
+            // Tiny angles are angles of their own.
+            true if self.below(4) == 0 => {
+                let tiny = Rational::from_parts_signed(self.below(9).into(), 10_u64.pow(17).into());
+                Value::Rational(tiny)
+            }
             true => self.decimal(),
             false => {
                 let quarters = self.below(4) as i64 - 1;

@@ -1,0 +1,366 @@
+//! The joints between two links, and the bodies that they move.
+
+use std::collections::BTreeMap;
+
+use dynamics_symbolic::exact::{Rational, bit_length};
+use dynamics_symbolic::robot::{Convention, JointType, Value};
+
+use super::document::{Inertial, Joint, Kind, Link, Tree};
+use super::number::number;
+use super::transform::{Mass, Transform, Vector};
+use crate::description::{
+    Allow, Coulomb, Expr, ExprKind, Friction, Given, Inertia, InertiaKind, Joints, Mount, Name,
+    Operator, Placement, Row,
+};
+use crate::diagnose::Diagnostics;
+use crate::files::Request;
+use crate::files::table::signed;
+use crate::mistake::{Mistake, urdf as mistake};
+use crate::place::Place;
+use crate::validate::refusal;
+use crate::words;
+
+/// Bits beyond which the number of a body that was put together is rounded to fifty digits.
+const MOST_BITS: usize = 600;
+
+/// The rows of the chain between two links.
+pub(super) fn joints<'a>(
+    tree: &'a Tree,
+    ends: &'a [Name; 2],
+    request: &'a Request,
+    used: &'a mut Vec<String>,
+    diagnostics: &'a Diagnostics,
+) -> Option<(Convention, Joints)> {
+    let mut chain = Chain {
+        tree,
+        request,
+        used,
+        diagnostics,
+        inward: BTreeMap::new(),
+        outward: BTreeMap::new(),
+        on_chain: Vec::new(),
+    };
+    chain.index();
+    chain.report_names();
+    chain.find(ends)?;
+    let joints = chain.rows(ends);
+    diagnostics
+        .is_empty()
+        .then_some((Convention::Modified, joints))
+}
+
+struct Chain<'a> {
+    tree: &'a Tree,
+    request: &'a Request,
+    used: &'a mut Vec<String>,
+    diagnostics: &'a Diagnostics,
+    /// The joint whose child a link is.
+    inward: BTreeMap<&'a str, usize>,
+    /// The joints whose parent a link is.
+    outward: BTreeMap<&'a str, Vec<usize>>,
+    /// The joints of the chain, from the base outwards.
+    on_chain: Vec<usize>,
+}
+
+/// A body and whether anything was said about it.
+struct Gathered {
+    mass: Mass,
+    is_known: bool,
+    place: Place,
+}
+
+impl<'a> Chain<'a> {
+    fn error(&self, at: impl Into<Place>, mistake: Mistake) {
+        self.diagnostics.error(at, mistake);
+    }
+
+    fn index(&mut self) {
+        for (index, joint) in self.tree.joints.iter().enumerate() {
+            if self.inward.insert(&joint.child, index).is_some() {
+                self.error(joint.place, mistake::two_parents(&joint.child));
+            }
+            self.outward.entry(&joint.parent).or_default().push(index);
+        }
+    }
+
+    /// Names in `ignore` that no joint has.
+    fn report_names(&self) {
+        let known: Vec<&str> = self.tree.joints.iter().map(|j| j.name.as_str()).collect();
+        for name in &self.request.ignore {
+            if !known.contains(&name.plain()) {
+                let meant = words::nearest(name.plain(), &known);
+                let mistake = crate::mistake::entry::unknown_joint(name.plain(), meant, &known);
+                self.error(name, mistake);
+            }
+        }
+    }
+
+    fn link(&self, name: &str) -> Option<&'a Link> {
+        self.tree.links.iter().find(|link| link.name == name)
+    }
+
+    /// Finds the joints between the two links.
+    fn find(&mut self, [first, last]: &[Name; 2]) -> Option<()> {
+        let known: Vec<&str> = self
+            .tree
+            .links
+            .iter()
+            .map(|link| link.name.as_str())
+            .collect();
+        let mut good = true;
+        for end in [first, last] {
+            if !known.contains(&end.plain()) {
+                let meant = words::nearest(end.plain(), &known);
+                self.error(end, mistake::unknown_link(end.plain(), meant, &known));
+                good = false;
+            }
+        }
+        if !good {
+            return None;
+        }
+        let mut link = last.plain();
+        while link != first.plain() {
+            let joint = self.inward.get(link).copied();
+            // More joints than there are lead around a circle.
+            let is_circle = self.on_chain.len() > self.tree.joints.len();
+            let Some(joint) = joint.filter(|_| !is_circle) else {
+                let mistake = mistake::no_path(first.plain(), last.plain(), link);
+                self.error(last, mistake);
+                return None;
+            };
+            self.on_chain.push(joint);
+            link = &self.tree.joints[joint].parent;
+        }
+        self.on_chain.reverse();
+        Some(())
+    }
+
+    fn is_ignored(&self, joint: &Joint) -> bool {
+        self.request
+            .ignore
+            .iter()
+            .any(|name| name.plain() == joint.name)
+    }
+
+    fn rows(&mut self, [first, last]: &'a [Name; 2]) -> Joints {
+        // What hangs on the base link does not move, but has to be said to stand still.
+        self.gather(first.plain(), &Transform::identity());
+        let mut rows: Vec<Row> = Vec::new();
+        let mut places = Vec::new();
+        let mut body: Option<(&Joint, Gathered)> = None;
+        let mut frame = Transform::identity();
+        for index in self.on_chain.clone() {
+            let joint = &self.tree.joints[index];
+            if self.is_ignored(joint) {
+                self.error(joint.place, mistake::ignored_on_chain(&joint.name));
+            }
+            places.push(placement(joint));
+            match joint.kind {
+                Kind::Fixed => {
+                    frame = frame.then(&origin(joint));
+                    let gathered = self.gather(&joint.child, &frame);
+                    if let Some((_, body)) = &mut body {
+                        body.mass.add(&gathered.mass);
+                        body.is_known |= gathered.is_known;
+                    }
+                    continue;
+                }
+                Kind::Other(kind) => {
+                    self.error(joint.place, mistake::unsupported(&joint.name, kind));
+                    continue;
+                }
+                Kind::Revolute | Kind::Prismatic if joint.mimics => {
+                    self.error(joint.place, mistake::mimic(&joint.name));
+                }
+                Kind::Revolute | Kind::Prismatic => {}
+            }
+            self.finish(&mut rows, body.take());
+            frame = Transform::identity();
+            let gathered = self.gather(&joint.child, &frame);
+            body = Some((joint, gathered));
+            rows.push(row(joint, core::mem::take(&mut places)));
+        }
+        self.finish(&mut rows, body);
+        if rows.is_empty() && self.diagnostics.is_empty() {
+            self.error(last, mistake::nothing_moves(first.plain(), last.plain()));
+        }
+        Joints {
+            rows,
+            complete: true,
+            tip: places,
+        }
+    }
+
+    /// Puts the body of a link in its row.
+    fn finish(&self, rows: &mut [Row], body: Option<(&Joint, Gathered)>) {
+        let (Some((joint, body)), Some(row)) = (body, rows.last_mut()) else {
+            return;
+        };
+        let is_locked = self
+            .request
+            .lock
+            .iter()
+            .any(|(name, _)| name.plain() == joint.name);
+        if !body.is_known && !is_locked {
+            self.error(body.place, mistake::no_inertial(&joint.child));
+        }
+        let place = body.place;
+        let number = |x: Rational| signed(tidy(x), place);
+        let whole = body.mass.body();
+        row.mass = Given::As(number(whole.mass));
+        row.com = Given::As(whole.com.map(|x| Some(number(x))));
+        row.inertia = Given::As(Inertia {
+            place,
+            kind: InertiaKind::Tensor(Box::new(whole.inertia.map(|x| Given::As(number(x))))),
+        });
+        // Each of the bodies was judged where it stands, and angles are taken as they were written.
+        row.allow = Given::As(Allow::EVERYTHING);
+    }
+
+    /// The body of a link and of all that hangs on it by joints that do not move, off the chain.
+    fn gather(&mut self, link: &'a str, frame: &Transform) -> Gathered {
+        let place = self
+            .link(link)
+            .map_or(Place::File { line: 1, column: 1 }, |link| link.place);
+        let mut gathered = Gathered {
+            mass: Mass::none(),
+            is_known: false,
+            place,
+        };
+        let mut open = vec![(link, frame.clone())];
+        while let Some((name, frame)) = open.pop() {
+            let inertial = self.link(name).and_then(|link| link.inertial.as_ref());
+            if let Some(inertial) = inertial {
+                self.judge(inertial);
+                let frame = frame.then(&inertial.frame);
+                gathered
+                    .mass
+                    .add(&Mass::new(&inertial.mass, &inertial.tensor, &frame));
+                gathered.is_known = true;
+            }
+            for index in self.outward.get(name).cloned().unwrap_or_default() {
+                let joint = &self.tree.joints[index];
+                if self.on_chain.contains(&index) || self.is_ignored(joint) {
+                    continue;
+                }
+                if let Some(moved) = self.moved(joint) {
+                    open.push((&joint.child, frame.then(&origin(joint)).then(&moved)));
+                }
+            }
+        }
+        gathered
+    }
+
+    fn judge(&self, inertial: &Inertial) {
+        if inertial.mass < Rational::ZERO {
+            self.error(inertial.place, mistake::negative_mass());
+        }
+        let tensor = inertial.tensor.each_ref().map(|entry| Some(entry.clone()));
+        if let (Some(reason), false) = (refusal(&tensor), self.request.unphysical_inertia) {
+            self.error(inertial.place, mistake::no_body(reason));
+        }
+    }
+
+    /// What a joint off the chain does where it stands still.
+    fn moved(&mut self, joint: &Joint) -> Option<Transform> {
+        if let Kind::Other(kind) = joint.kind {
+            self.error(joint.place, mistake::unsupported(&joint.name, kind));
+            return None;
+        }
+        if joint.kind == Kind::Fixed {
+            return Some(Transform::identity());
+        }
+        let mut locks = self.request.lock.iter();
+        let Some((name, position)) = locks.find(|(name, _)| name.plain() == joint.name) else {
+            self.error(joint.place, mistake::off_chain(&joint.name));
+            return None;
+        };
+        self.used.push(joint.name.clone());
+        let Some(position) = position else {
+            self.error(name, mistake::lock_with_names(&joint.name));
+            return None;
+        };
+        let [azimuth, polar] = &joint.axis;
+        let zero = || [Rational::ZERO; 3];
+        let turn = |roll, pitch, yaw| Transform::new(&zero(), &[roll, pitch, yaw]);
+        let axis = turn(Value::zero(), polar.clone(), azimuth.clone())?;
+        let back = turn(Value::zero(), -polar.clone(), Value::zero())?;
+        let back = back.then(&turn(Value::zero(), Value::zero(), -azimuth.clone())?);
+        let along = match joint.kind {
+            Kind::Prismatic => {
+                let slide = [Rational::ZERO, Rational::ZERO, number(position)?];
+                Transform::new(&slide, &[0; 3].map(Value::integer))?
+            }
+            _ => turn(Value::zero(), Value::zero(), position.clone())?,
+        };
+        Some(axis.then(&along).then(&back))
+    }
+}
+
+fn tidy(x: Rational) -> Rational {
+    match bit_length(&x) > MOST_BITS {
+        true => super::number::rounded(&x),
+        false => x,
+    }
+}
+
+fn origin(joint: &Joint) -> Transform {
+    Transform::new(&joint.xyz, &joint.rpy).unwrap_or_else(Transform::identity)
+}
+
+fn placement(joint: &Joint) -> Placement {
+    let numbers = |v: &Vector| v.each_ref().map(|x| Some(signed(x.clone(), joint.place)));
+    Placement {
+        xyz: Given::As(numbers(&joint.xyz)),
+        rpy: Given::As(
+            joint
+                .rpy
+                .each_ref()
+                .map(|x| Some(expression(x, joint.place))),
+        ),
+    }
+}
+
+fn row(joint: &Joint, places: Vec<Placement>) -> Row {
+    let number = |(x, place): &(Rational, Place)| Given::As(signed(x.clone(), *place));
+    let friction = Friction {
+        viscous: joint.damping.as_ref().map_or(Given::Absent, number),
+        coulomb: match &joint.friction {
+            Some(friction) => Given::As(Coulomb::Both(number(friction))),
+            None => Given::Absent,
+        },
+        ..Friction::default()
+    };
+    let limits = joint.limits.as_ref();
+    Row {
+        name: Some(Name::new(&joint.name, joint.place)),
+        joint_type: Some(match joint.kind {
+            Kind::Prismatic => JointType::Prismatic,
+            _ => JointType::Revolute,
+        }),
+        friction: Given::As(friction),
+        limits: limits.map_or(Given::Absent, |(limits, place)| {
+            Given::As(limits.each_ref().map(|x| Some(signed(x.clone(), *place))))
+        }),
+        mount: Some(Mount {
+            places,
+            axis: joint.axis.each_ref().map(|x| expression(x, joint.place)),
+        }),
+        ..Row::default()
+    }
+}
+
+/// A constant as an expression.
+fn expression(value: &Value, place: Place) -> Expr {
+    let part = |value: &Value| Box::new(expression(value, place));
+    let kind = match value {
+        Value::Rational(x) => return signed(x.clone(), place),
+        Value::Pi => ExprKind::Name("PI".to_owned()),
+        Value::Field(index) => ExprKind::Name(index.to_string()),
+        Value::Neg(a) => ExprKind::Minus(part(a)),
+        Value::Add(a, b) => ExprKind::Binary(Operator::Add, part(a), part(b)),
+        Value::Mul(a, b) => ExprKind::Binary(Operator::Mul, part(a), part(b)),
+        Value::Div(a, b) => ExprKind::Binary(Operator::Div, part(a), part(b)),
+    };
+    Expr { kind, place }
+}

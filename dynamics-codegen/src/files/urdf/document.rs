@@ -1,0 +1,379 @@
+//! The links and joints of a URDF document.
+
+use std::collections::BTreeSet;
+
+use dynamics_symbolic::exact::Rational;
+use dynamics_symbolic::robot::Value;
+use roxmltree::{Attribute, Document, Node};
+
+use super::number;
+use super::transform::{Transform, Vector};
+use crate::diagnose::{Diagnostics, Reported};
+use crate::files::tree::Lines;
+use crate::mistake::{Mistake, file as text, urdf as mistake};
+use crate::parse::number::in_file;
+use crate::place::Place;
+use crate::words;
+
+/// What a document says of links and joints.
+pub(super) struct Tree {
+    pub(super) links: Vec<Link>,
+    pub(super) joints: Vec<Joint>,
+    /// Angles that are near to a quarter turn, but none.
+    pub(super) nearly_right: usize,
+}
+
+pub(super) struct Link {
+    pub(super) name: String,
+    pub(super) place: Place,
+    pub(super) inertial: Option<Inertial>,
+}
+
+pub(super) struct Inertial {
+    pub(super) place: Place,
+    pub(super) mass: Rational,
+    /// xx, yy, zz, xy, yz, xz about the centre of mass, in the axes of its frame.
+    pub(super) tensor: [Rational; 6],
+    /// That frame in the link's.
+    pub(super) frame: Transform,
+}
+
+pub(super) struct Joint {
+    pub(super) name: String,
+    pub(super) place: Place,
+    pub(super) kind: Kind,
+    pub(super) parent: String,
+    pub(super) child: String,
+    pub(super) xyz: Vector,
+    pub(super) rpy: [Value; 3],
+    pub(super) axis: [Value; 2],
+    pub(super) damping: Option<(Rational, Place)>,
+    pub(super) friction: Option<(Rational, Place)>,
+    pub(super) limits: Option<([Rational; 2], Place)>,
+    pub(super) mimics: bool,
+}
+
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Kind {
+    Fixed,
+    Revolute,
+    Prismatic,
+    /// `floating` or `planar`, which is refused where it matters.
+    Other(&'static str),
+}
+
+/// Angles that differ so much from a quarter turn may be meant as one.
+const NEARLY: f64 = 1e-2;
+
+/// Limits beyond so many rad or m are none.
+const WIDE: f64 = 1e3;
+
+type Read<T> = Result<T, Reported>;
+
+/// Reads a document; what is wrong in it is reported.
+pub(super) fn read(
+    source: &str,
+    round_angles: Option<&Rational>,
+    diagnostics: &Diagnostics,
+) -> Option<Tree> {
+    let lines = Lines::new(source);
+    let document = match Document::parse(source) {
+        Ok(document) => document,
+        Err(error) => {
+            let at = error.pos();
+            let place = Place::File {
+                line: at.row as usize,
+                column: at.col as usize,
+            };
+            diagnostics.error(place, text::syntax("XML", &reason(&error)));
+            return None;
+        }
+    };
+    let root = document.root_element();
+    let mut reader = Reader {
+        lines,
+        diagnostics,
+        round_angles,
+        nearly_right: 0,
+    };
+    if root.tag_name().name() != "robot" {
+        reader.error(root, mistake::no_robot(root.tag_name().name()));
+        return None;
+    }
+    let elements = |name: &'static str| {
+        let elements = root.children().filter(Node::is_element);
+        elements.filter(move |element| element.tag_name().name() == name)
+    };
+    let links: Vec<Read<Link>> = elements("link").map(|link| reader.link(link)).collect();
+    let joints: Vec<Read<Joint>> = elements("joint").map(|joint| reader.joint(joint)).collect();
+    let links: Vec<Link> = links.into_iter().collect::<Read<_>>().ok()?;
+    let joints: Vec<Joint> = joints.into_iter().collect::<Read<_>>().ok()?;
+    let names = |what, names: Vec<(&str, Place)>| {
+        let mut seen = BTreeSet::new();
+        for (name, place) in names {
+            if !seen.insert(name.to_owned()) {
+                diagnostics.error(place, mistake::twice(what, name));
+            }
+        }
+    };
+    names(
+        "link",
+        links.iter().map(|l| (l.name.as_str(), l.place)).collect(),
+    );
+    names(
+        "joint",
+        joints.iter().map(|j| (j.name.as_str(), j.place)).collect(),
+    );
+    let known: Vec<&str> = links.iter().map(|link| link.name.as_str()).collect();
+    for joint in &joints {
+        for link in [&joint.parent, &joint.child] {
+            if !known.contains(&link.as_str()) {
+                let meant = words::nearest(link, &known);
+                diagnostics.error(
+                    joint.place,
+                    mistake::unknown_link_of(&joint.name, link, meant),
+                );
+            }
+        }
+    }
+    diagnostics.is_empty().then_some(Tree {
+        links,
+        joints,
+        nearly_right: reader.nearly_right,
+    })
+}
+
+/// What is wrong, without the place, which the message has behind "at".
+fn reason(error: &roxmltree::Error) -> String {
+    let shown = error.to_string();
+    let end = shown.rfind(" at ").unwrap_or(shown.len());
+    shown[..end].to_owned()
+}
+
+struct Reader<'a> {
+    lines: Lines<'a>,
+    diagnostics: &'a Diagnostics,
+    round_angles: Option<&'a Rational>,
+    nearly_right: usize,
+}
+
+/// The element of that name in another one.
+fn child<'a, 'i>(node: Node<'a, 'i>, name: &str) -> Option<Node<'a, 'i>> {
+    let mut elements = node.children().filter(Node::is_element);
+    elements.find(|element| element.tag_name().name() == name)
+}
+
+impl Reader<'_> {
+    fn place(&self, node: Node) -> Place {
+        self.lines.place(node.range().start)
+    }
+
+    fn error(&self, node: Node, mistake: Mistake) -> Reported {
+        self.diagnostics.error(self.place(node), mistake)
+    }
+
+    fn attribute<'a, 'i>(&self, node: Node<'a, 'i>, name: &str) -> Read<Attribute<'a, 'i>> {
+        let missing = || {
+            let element = node.tag_name().name();
+            self.error(node, mistake::attribute_missing(element, name))
+        };
+        node.attribute_node(name).ok_or_else(missing)
+    }
+
+    fn name(&self, node: Node) -> Read<String> {
+        self.attribute(node, "name")
+            .map(|name| name.value().to_owned())
+    }
+
+    /// An element that has to be there.
+    fn part<'a, 'i>(&self, node: Node<'a, 'i>, name: &str) -> Read<Node<'a, 'i>> {
+        let missing = || {
+            let element = node.tag_name().name();
+            self.error(node, mistake::element_missing(element, name))
+        };
+        child(node, name).ok_or_else(missing)
+    }
+
+    fn number(&self, text: &str, place: Place) -> Read<Rational> {
+        in_file(text).map_err(|mistake| self.diagnostics.error(place, mistake))
+    }
+
+    /// The number in an attribute, and where it is.
+    fn value(&self, attribute: Attribute) -> Read<(Rational, Place)> {
+        let place = self.lines.place(attribute.range_value().start);
+        Ok((self.number(attribute.value().trim(), place)?, place))
+    }
+
+    fn required(&self, node: Node, name: &str) -> Read<Rational> {
+        let attribute = self.attribute(node, name)?;
+        self.value(attribute).map(|(value, _)| value)
+    }
+
+    fn optional(&self, node: Option<Node>, name: &str) -> Read<Option<(Rational, Place)>> {
+        let attribute = node.and_then(|node| node.attribute_node(name));
+        attribute.map(|attribute| self.value(attribute)).transpose()
+    }
+
+    /// Three numbers, or what stands for them where they are left out.
+    fn vector(&self, node: Option<Node>, name: &str, default: [i8; 3]) -> Read<(Vector, Place)> {
+        let Some(attribute) = node.and_then(|node| node.attribute_node(name)) else {
+            let place = node.map_or(Place::File { line: 1, column: 1 }, |node| self.place(node));
+            return Ok((default.map(Rational::from), place));
+        };
+        let start = attribute.range_value().start;
+        let place = self.lines.place(start);
+        let numbers = attribute.value().split_whitespace();
+        let numbers: Read<Vec<_>> = numbers.map(|number| self.number(number, place)).collect();
+        let numbers = numbers?;
+        let count = numbers.len();
+        let vector = numbers.try_into();
+        let vector = vector.map_err(|_| {
+            self.diagnostics
+                .error(place, mistake::three_numbers(name, count))
+        })?;
+        Ok((vector, place))
+    }
+
+    /// `<origin xyz rpy>`
+    fn origin(&mut self, node: Node) -> Read<(Vector, [Value; 3])> {
+        let origin = child(node, "origin");
+        let xyz = self.vector(origin, "xyz", [0; 3]);
+        let rpy = self.vector(origin, "rpy", [0; 3])?.0;
+        Ok((xyz?.0, rpy.map(|angle| self.angle(angle))))
+    }
+
+    /// An angle, which is a quarter turn where it is so near to one as the call says.
+    fn angle(&mut self, angle: Rational) -> Value {
+        let radians = angle.to_f64().value();
+        let quarters = (radians / core::f64::consts::FRAC_PI_2).round();
+        let apart = (radians - quarters * core::f64::consts::FRAC_PI_2).abs();
+        let within = self
+            .round_angles
+            .map_or(0.0, |within| within.to_f64().value());
+        if apart <= within {
+            let half = Rational::from_parts_signed((quarters as i64).into(), 2_u8.into());
+            return Value::Pi * Value::Rational(half);
+        }
+        let is_taken = apart <= 1e-9 && quarters != 0.0;
+        if apart <= NEARLY && !angle.is_zero() && !is_taken {
+            self.nearly_right += 1;
+        }
+        Value::Rational(angle)
+    }
+
+    fn link(&mut self, node: Node) -> Read<Link> {
+        let name = self.name(node);
+        let inertial = child(node, "inertial")
+            .map(|node| self.inertial(node))
+            .transpose();
+        Ok(Link {
+            name: name?,
+            place: self.place(node),
+            inertial: inertial?,
+        })
+    }
+
+    fn inertial(&mut self, node: Node) -> Read<Inertial> {
+        let origin = self.origin(node);
+        let mass = self
+            .part(node, "mass")
+            .and_then(|mass| self.required(mass, "value"));
+        let inertia = self.part(node, "inertia")?;
+        let entries = ["ixx", "iyy", "izz", "ixy", "iyz", "ixz"];
+        let entries = entries.map(|name| self.required(inertia, name));
+        let entries: Read<Vec<_>> = entries.into_iter().collect();
+        let tensor = entries?.try_into().unwrap_or([Rational::ZERO; 6]);
+        let (xyz, rpy) = origin?;
+        Ok(Inertial {
+            place: self.place(node),
+            mass: mass?,
+            tensor,
+            frame: Transform::new(&xyz, &rpy).unwrap_or_else(Transform::identity),
+        })
+    }
+
+    fn joint(&mut self, node: Node) -> Read<Joint> {
+        let name = self.name(node);
+        let kind = self.kind(node);
+        let link = |part: &str| {
+            let part = self.part(node, part)?;
+            let link = self.attribute(part, "link")?;
+            Ok(link.value().to_owned())
+        };
+        let (parent, child_link) = (link("parent"), link("child"));
+        let origin = self.origin(node);
+        let dynamics = child(node, "dynamics");
+        let damping = self.optional(dynamics, "damping");
+        let friction = self.optional(dynamics, "friction");
+        let limits = self.limits(node);
+        let kind = kind?;
+        let axis = self.axis(node, kind);
+        let (xyz, rpy) = origin?;
+        Ok(Joint {
+            name: name?,
+            place: self.place(node),
+            kind,
+            parent: parent?,
+            child: child_link?,
+            xyz,
+            rpy,
+            axis: axis?,
+            damping: damping?,
+            friction: friction?,
+            limits: limits?,
+            mimics: child(node, "mimic").is_some(),
+        })
+    }
+
+    fn kind(&self, node: Node) -> Read<Kind> {
+        const KNOWN: [&str; 6] = [
+            "revolute",
+            "continuous",
+            "prismatic",
+            "fixed",
+            "floating",
+            "planar",
+        ];
+        let attribute = self.attribute(node, "type")?;
+        Ok(match attribute.value() {
+            "revolute" | "continuous" => Kind::Revolute,
+            "prismatic" => Kind::Prismatic,
+            "fixed" => Kind::Fixed,
+            "floating" => Kind::Other("floating"),
+            "planar" => Kind::Other("planar"),
+            word => {
+                let place = self.lines.place(attribute.range_value().start);
+                let meant = words::meant(word, &KNOWN);
+                let mistake = crate::mistake::unknown("joint type", word, meant, &KNOWN);
+                return Err(self.diagnostics.error(place, mistake));
+            }
+        })
+    }
+
+    /// The direction of a joint's axis, (1, 0, 0) where nothing is said.
+    fn axis(&self, node: Node, kind: Kind) -> Read<[Value; 2]> {
+        if !matches!(kind, Kind::Revolute | Kind::Prismatic) {
+            return Ok([Value::zero(), Value::zero()]);
+        }
+        let (axis, place) = self.vector(child(node, "axis"), "xyz", [1, 0, 0])?;
+        let zero = || self.diagnostics.error(place, mistake::axis_of_no_length());
+        number::direction(&axis).ok_or_else(zero)
+    }
+
+    /// Where both are there and say something: continuous joints have none.
+    fn limits(&self, node: Node) -> Read<Option<([Rational; 2], Place)>> {
+        let limit = child(node, "limit");
+        let lower = self.optional(limit, "lower")?;
+        let upper = self.optional(limit, "upper")?;
+        if node.attribute("type") == Some("continuous") || (lower.is_none() && upper.is_none()) {
+            return Ok(None);
+        }
+        let place = lower.as_ref().or(upper.as_ref()).map(|(_, place)| *place);
+        let limits = [lower, upper].map(|limit| limit.map_or(Rational::ZERO, |(value, _)| value));
+        let is_wide = limits
+            .iter()
+            .any(|limit| limit.to_f64().value().abs() > WIDE);
+        let says_nothing = is_wide || limits[0] == limits[1];
+        Ok(place.filter(|_| !says_nothing).map(|place| (limits, place)))
+    }
+}

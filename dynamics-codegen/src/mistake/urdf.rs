@@ -1,0 +1,142 @@
+//! Mistakes in URDF files, and in what a call says about one.
+
+use super::Mistake;
+use crate::words::{either, shortened};
+
+pub(crate) fn no_robot(found: &str) -> Mistake {
+    Mistake::new(format!(
+        "expected `<robot>`, found `<{}>` (xacro files are expanded first: `xacro arm.urdf.xacro > arm.urdf`)",
+        shortened(found)
+    ))
+}
+
+pub(crate) fn attribute_missing(element: &str, name: &str) -> Mistake {
+    Mistake::new(format!("`<{element}>` has no `{name}`"))
+}
+
+pub(crate) fn element_missing(element: &str, name: &str) -> Mistake {
+    Mistake::new(format!("`<{element}>` has no `<{name}>`"))
+}
+
+pub(crate) fn three_numbers(name: &str, count: usize) -> Mistake {
+    Mistake::new(format!("`{name}` has three numbers, found {count}"))
+}
+
+pub(crate) fn twice(what: &str, name: &str) -> Mistake {
+    let name = shortened(name);
+    Mistake::new(format!("there is a {what} `{name}` already"))
+}
+
+/// A joint whose parent or child is no link.
+pub(crate) fn unknown_link_of(joint: &str, link: &str, meant: Option<&str>) -> Mistake {
+    let hint = meant.map_or(String::new(), |right| format!(": did you mean `{right}`?"));
+    Mistake::new(format!(
+        "the joint `{}` names the link `{}`, which is not there{hint}",
+        shortened(joint),
+        shortened(link)
+    ))
+}
+
+pub(crate) fn axis_of_no_length() -> Mistake {
+    Mistake::new("an axis has a direction: its length is zero here")
+}
+
+/// `chain` left out.
+pub(crate) fn chain_missing(first: &str) -> Mistake {
+    Mistake::new(format!(
+        "missing `chain`, the arm's first and last link: write `chain: [\"{}\", \"tool0\"]`, for example",
+        shortened(first)
+    ))
+}
+
+pub(crate) fn unknown_link(word: &str, meant: Option<&str>, known: &[&str]) -> Mistake {
+    let hint = match meant {
+        Some(right) => format!("did you mean `{right}`?"),
+        None => format!("expected {}", either(known)),
+    };
+    Mistake::new(format!("unknown link `{}`: {hint}", shortened(word)))
+}
+
+pub(crate) fn no_path(first: &str, last: &str, root: &str) -> Mistake {
+    Mistake::new(format!(
+        "no joints lead from `{}` outwards to `{}`: seen from there inwards the first link is `{}`",
+        shortened(first),
+        shortened(last),
+        shortened(root)
+    ))
+}
+
+pub(crate) fn two_parents(link: &str) -> Mistake {
+    let link = shortened(link);
+    Mistake::new(format!(
+        "the link `{link}` is the child of another joint already: a robot is a tree"
+    ))
+}
+
+/// A chain that nothing moves.
+pub(crate) fn nothing_moves(first: &str, last: &str) -> Mistake {
+    Mistake::new(format!(
+        "no joint between `{}` and `{}` moves: an arm has one at least",
+        shortened(first),
+        shortened(last)
+    ))
+}
+
+pub(crate) fn unsupported(joint: &str, kind: &str) -> Mistake {
+    Mistake::new(format!(
+        "the joint `{}` is {kind}: an arm has revolute, continuous, prismatic and fixed joints",
+        shortened(joint)
+    ))
+}
+
+pub(crate) fn mimic(joint: &str) -> Mistake {
+    Mistake::new(format!(
+        "the joint `{0}` follows another one (`<mimic>`), which the chain cannot have: lock it, `lock: [{0} = 0]`, \
+         or take the `<mimic>` away for a joint of its own",
+        shortened(joint)
+    ))
+}
+
+/// A movable joint that is not on the chain.
+pub(crate) fn off_chain(joint: &str) -> Mistake {
+    Mistake::new(format!(
+        "the joint `{0}` moves, and is not on the chain: lock it where it stands still, `lock: [{0} = 0]`, or leave \
+         it out with all that hangs on it, `ignore: [{0}]`",
+        shortened(joint)
+    ))
+}
+
+pub(crate) fn ignored_on_chain(joint: &str) -> Mistake {
+    let joint = shortened(joint);
+    Mistake::new(format!("`{joint}` is on the chain, and cannot be left out"))
+}
+
+pub(crate) fn lock_with_names(joint: &str) -> Mistake {
+    let joint = shortened(joint);
+    Mistake::new(format!(
+        "`{joint}` is not on the chain: its position is a number, without fields and `let`"
+    ))
+}
+
+pub(crate) fn no_inertial(link: &str) -> Mistake {
+    Mistake::new(format!(
+        "the link `{}` moves and has no `<inertial>`, nor has anything that is fixed to it: write one with zeros for a \
+         link without mass",
+        shortened(link)
+    ))
+}
+
+pub(crate) fn negative_mass() -> Mistake {
+    Mistake::new("a mass cannot be negative")
+}
+
+pub(crate) fn no_body(reason: &str) -> Mistake {
+    Mistake::new(format!(
+        "no body has this inertia tensor: {reason} (published data can be like that: `allow: [unphysical_inertia]` \
+         in the call accepts it)"
+    ))
+}
+
+pub(crate) fn round_angles() -> Mistake {
+    Mistake::new("expected an angle between 0 and 0.1 rad: `round_angles: 1e-4`, for example")
+}
