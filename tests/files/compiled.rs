@@ -54,5 +54,8 @@ fn frames_are_those_of_the_file() {
     // At rest the second axis is along -y of the base: the file turns it by roll, the table by alpha.
     let pose = Panda.link_poses(&SVector::zeros())[1];
     let axis: Vector3<f64> = pose.fixed_view::<3, 1>(0, 2).into_owned();
-    assert!((axis - Vector3::new(0.0, 1.0, 0.0)).amax() < 1e-15, "{axis}");
+    assert!(
+        (axis - Vector3::new(0.0, 1.0, 0.0)).amax() < 1e-15,
+        "{axis}"
+    );
 }

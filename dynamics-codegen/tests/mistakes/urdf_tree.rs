@@ -11,7 +11,7 @@ robot_dynamics! {
 }
 robot_dynamics! {
     struct Empty;
-    file: "tests/mistakes/files/tree.urdf", chain: ["lower", "hand"], ignore: [grip], gravity: [0, 0, -9.81],
+    file: "tests/mistakes/files/tree.urdf", chain: ["lower", "lower"], ignore: [grip, elbow], gravity: [0, 0, -9.81],
 }
 robot_dynamics! {
     struct Tree;
@@ -32,6 +32,6 @@ robot_dynamics! {
 }
 robot_dynamics! {
     struct Locks { x: f64 }
-    file: "tests/mistakes/files/tree.urdf", chain: ["base_link", "upper"], round_angles: 1,
+    file: "tests/mistakes/files/tree.urdf", chain: ["base_link", "upper"],
     ignore: [wheel, shoulder], lock: [elbow = x, grip = 0.1], gravity: [0, 0, -9.81],
 }

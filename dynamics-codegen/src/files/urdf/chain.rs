@@ -142,6 +142,11 @@ impl<'a> Chain<'a> {
             .any(|name| name.plain() == joint.name)
     }
 
+    fn is_locked(&self, joint: &Joint) -> bool {
+        let mut locked = self.request.lock.iter();
+        locked.any(|(name, _)| name.plain() == joint.name)
+    }
+
     fn rows(&mut self, [first, last]: &'a [Name; 2]) -> Joints {
         // What hangs on the base link does not move, but has to be said to stand still.
         self.gather(first.plain(), &Transform::identity());
@@ -169,7 +174,7 @@ impl<'a> Chain<'a> {
                     self.error(joint.place, mistake::unsupported(&joint.name, kind));
                     continue;
                 }
-                Kind::Revolute | Kind::Prismatic if joint.mimics => {
+                Kind::Revolute | Kind::Prismatic if joint.mimics && !self.is_locked(joint) => {
                     self.error(joint.place, mistake::mimic(&joint.name));
                 }
                 Kind::Revolute | Kind::Prismatic => {}
@@ -196,12 +201,7 @@ impl<'a> Chain<'a> {
         let (Some((joint, body)), Some(row)) = (body, rows.last_mut()) else {
             return;
         };
-        let is_locked = self
-            .request
-            .lock
-            .iter()
-            .any(|(name, _)| name.plain() == joint.name);
-        if !body.is_known && !is_locked {
+        if !body.is_known && !self.is_locked(joint) {
             self.error(body.place, mistake::no_inertial(&joint.child));
         }
         let place = body.place;
