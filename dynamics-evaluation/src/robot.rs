@@ -38,7 +38,7 @@ use crate::value::Value;
 ///     inertia: [(); 6].map(|()| zero()),
 ///     motor_inertia: zero(), gear_ratio: zero(),
 ///     viscous: zero(), coulomb: [zero(), zero()], stribeck: None, spring: None,
-///     limits: None, locked: None,
+///     limits: None, locked: None, mount: None,
 /// };
 /// let robot = Robot {
 ///     name: "Pendulum".to_owned(),

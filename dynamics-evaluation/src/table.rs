@@ -79,6 +79,13 @@ impl Cells<'_> {
         })
     }
 
+    /// Where the link frame is behind the joint.
+    fn link_frame(&self, row: &robot::Row) -> dynamics_runtime::Placement {
+        let places = row.mount.iter().flat_map(|mount| &mount.frame);
+        let frames: Vec<Frame> = places.map(|place| self.frame(Some(place))).collect();
+        dynamics_runtime::Placement::of_frames(&frames)
+    }
+
     fn row(&self, row: &robot::Row) -> Row {
         let joint_type = match row.joint_type {
             robot::JointType::Revolute => JointType::Revolute,
@@ -105,6 +112,7 @@ impl Cells<'_> {
                 rest: self.number(&spring.rest),
             }),
             limits: row.limits.as_ref().map(|limits| self.numbers(limits)),
+            link_frame: self.link_frame(row),
             ..Row::new(joint_type)
         }
     }

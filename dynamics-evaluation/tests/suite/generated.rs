@@ -82,6 +82,7 @@ fn row(name: &str, joint_type: JointType, mass: f64, com: [f64; 3]) -> Row {
         spring: None,
         limits: None,
         locked: None,
+        mount: None,
     }
 }
 
