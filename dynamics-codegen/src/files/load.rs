@@ -136,7 +136,7 @@ mod reading {
         Some(match &expr.kind {
             ExprKind::Number(number) => Value::Rational(number.clone()),
             ExprKind::Name(name) if name == "PI" => Value::Pi,
-            ExprKind::Name(_) => return None,
+            ExprKind::Name(_) | ExprKind::Function(..) => return None,
             ExprKind::Degrees(angle) => {
                 constant(angle)?.checked_div(Value::integer(180))? * Value::Pi
             }

@@ -114,7 +114,7 @@ pub(crate) fn ignored_on_chain(joint: &str) -> Mistake {
 pub(crate) fn lock_with_names(joint: &str) -> Mistake {
     let joint = shortened(joint);
     Mistake::new(format!(
-        "`{joint}` is not on the chain: its position is a number, without fields and `let`"
+        "`{joint}` is not on the chain: its position is a sum, product or quotient of numbers and `PI`, without fields and `let`"
     ))
 }
 
