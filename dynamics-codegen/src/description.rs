@@ -102,6 +102,8 @@ pub enum Entry {
     Functions(Option<Vec<Asked>>),
     /// `lock: [elbow = 0.3]`
     Lock(Option<Vec<Locked>>),
+    /// `couple: [finger_2 = -finger_1 + 0.02]`
+    Couple(Option<Vec<Coupled>>),
     /// `neglect: 1%`
     Neglect(Option<Share>),
     /// `tests: true`
@@ -147,6 +149,34 @@ pub struct Locked {
     pub name: Name,
     /// Where it stands still, rad or m; none where that could not be read.
     pub position: Option<Expr>,
+}
+
+/// `finger_2 = -finger_1 + 0.02`: a joint that follows another one.
+#[derive(Debug)]
+pub struct Coupled {
+    /// The joint that follows.
+    pub follower: Name,
+    /// Where it is: a linear function of the name of one other joint; none where that could not be read.
+    pub position: Option<Expr>,
+}
+
+impl Coupled {
+    /// `follower = factor * leader + offset`
+    pub fn new(follower: Name, factor: Expr, leader: &Name, offset: Expr) -> Coupled {
+        let leader = Expr {
+            kind: ExprKind::Name(leader.plain().to_owned()),
+            place: leader.into(),
+        };
+        let binary = |operator, a: Expr, b: Expr| Expr {
+            place: a.place.to(b.place),
+            kind: ExprKind::Binary(operator, Box::new(a), Box::new(b)),
+        };
+        let moved = binary(Operator::Mul, factor, leader);
+        Coupled {
+            follower,
+            position: Some(binary(Operator::Add, moved, offset)),
+        }
+    }
 }
 
 /// `1%`, or a number without `%`.

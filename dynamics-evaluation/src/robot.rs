@@ -38,7 +38,7 @@ use crate::value::Value;
 ///     inertia: [(); 6].map(|()| zero()),
 ///     motor_inertia: zero(), gear_ratio: zero(),
 ///     viscous: zero(), coulomb: [zero(), zero()], stribeck: None, spring: None,
-///     limits: None, locked: None, mount: None,
+///     limits: None, locked: None, follows: None, mount: None,
 /// };
 /// let robot = Robot {
 ///     name: "Pendulum".to_owned(),
@@ -416,6 +416,13 @@ impl Compiled {
     fn new(robot: &Robot, request: Request) -> Result<Self, BuildError> {
         let proven = proven_program(robot, &request).map_err(BuildError::Failure)?;
         let too_long = |_| BuildError::TooLong(request.name().to_owned());
+        let mut inputs = proven.program.inputs.iter();
+        if let Some(row) = inputs.find_map(|symbol| robot.follower_of(symbol)) {
+            return Err(BuildError::Follower {
+                function: request.name().to_owned(),
+                joint: row.name.clone(),
+            });
+        }
         let tape = Tape::new(&proven).map_err(too_long)?;
         let (joints, outputs) = (robot.dof(), proven.program.outputs.len());
         let layout = Layout::new(&request, joints, outputs);
@@ -468,6 +475,7 @@ fn unknown_field(robot: &Robot) -> Option<usize> {
         stribeck
             .chain(spring)
             .chain(&row.locked)
+            .chain(row.follows.iter().flat_map(|c| [&c.factor, &c.offset]))
             .for_each(&mut visit);
         row.limits.iter().flatten().for_each(&mut visit);
     }

@@ -1,6 +1,8 @@
 //! The table of a robot in numbers, as a generated struct hands it out.
 
-use dynamics_runtime::{Convention, Frame, JointType, Row, Spring, Stribeck, Table, Tool, turned};
+use dynamics_runtime::{
+    Convention, Frame, JointMotion, JointType, Row, Spring, Stribeck, Table, Tool, turned,
+};
 use dynamics_symbolic::program::rounded_angle;
 use dynamics_symbolic::robot::{self, Angle, Placement, Robot, Value};
 
@@ -14,9 +16,14 @@ pub(crate) fn table<const N: usize>(robot: &Robot, fields: &[f64]) -> Option<Tab
     let gravity = robot.gravity.each_ref().map(|value| cells.number(value));
     let rows: Vec<Row> = robot.rows.iter().map(|row| cells.row(row)).collect();
     let positions: Vec<_> = robot.rows.iter().map(|row| cells.locked(row)).collect();
+    let motions: Vec<_> = robot.rows.iter().map(|row| cells.motion(row)).collect();
     let arm = match <[Row; N]>::try_from(rows) {
-        Ok(rows) if positions.iter().all(Option::is_none) => Table::new(convention, gravity, rows),
+        Ok(rows) if positions.iter().all(Option::is_none) && !robot.is_coupled() => {
+            Table::new(convention, gravity, rows)
+        }
         _ if robot.dof() != N => return None,
+        Ok(rows) if robot.is_coupled() => Table::couple_rows(convention, gravity, &rows, &motions),
+        Err(rows) if robot.is_coupled() => Table::couple_rows(convention, gravity, &rows, &motions),
         Ok(rows) => Table::lock_rows(convention, gravity, &rows, &positions),
         Err(rows) => Table::lock_rows(convention, gravity, &rows, &positions),
     };
@@ -84,6 +91,22 @@ impl Cells<'_> {
         let places = row.mount.iter().flat_map(|mount| &mount.frame);
         let frames: Vec<Frame> = places.map(|place| self.frame(Some(place))).collect();
         dynamics_runtime::Placement::of_frames(&frames)
+    }
+
+    /// How the joint of a row moves.
+    fn motion(&self, row: &robot::Row) -> JointMotion {
+        match (&row.follows, self.locked(row)) {
+            (None, None) => JointMotion::Free,
+            (_, Some(position)) => JointMotion::Locked(position),
+            (Some(coupling), None) => JointMotion::Follows {
+                leader: coupling.leader,
+                factor: self.number(&coupling.factor),
+                offset: match row.joint_type {
+                    robot::JointType::Revolute => self.angle(&coupling.offset),
+                    robot::JointType::Prismatic => self.number(&coupling.offset),
+                },
+            },
+        }
     }
 
     fn row(&self, row: &robot::Row) -> Row {

@@ -1,5 +1,9 @@
 //! Dry friction of a joint, from its row.
 
+#[cfg(feature = "std")]
+use crate::Table;
+#[cfg(feature = "std")]
+use crate::table::MOST_FOLLOWERS;
 use crate::{Row, Scalar, Stribeck};
 
 /// What a joint feels beside viscous friction: Coulomb's, which may differ by direction, and static
@@ -51,12 +55,6 @@ impl DryFriction {
                 let x = qd / velocity;
                 (friction - self.coulomb(way)) * Scalar::exp(-(x * x))
             })
-    }
-
-    /// What holds a joint at rest against a motion that way.
-    #[cfg(feature = "std")]
-    pub(crate) fn breakaway(&self, way: f64) -> f64 {
-        self.magnitude(way, 0.0)
     }
 
     /// The force at a velocity, with its sign; zero at rest.
@@ -111,12 +109,77 @@ impl DryFriction {
     }
 }
 
+/// The dry friction that a joint feels: its own, and by their factors that of its followers.
+///
+/// A follower moves at k qd, and a force f on it is k f to the joint that it follows.
+#[cfg(feature = "std")]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct JointFriction {
+    own: DryFriction,
+    followers: [Option<(f64, DryFriction)>; MOST_FOLLOWERS],
+}
+
+#[cfg(feature = "std")]
+impl JointFriction {
+    /// None.
+    pub(crate) const NONE: JointFriction = JointFriction {
+        own: DryFriction::NONE,
+        followers: [None; MOST_FOLLOWERS],
+    };
+
+    /// Whether there is none at any velocity.
+    pub(crate) fn is_none(&self) -> bool {
+        self.parts()
+            .all(|(factor, dry)| factor == 0.0 || dry.is_none())
+    }
+
+    /// What it is of a motion one way, as [`DryFriction::magnitude`].
+    pub(crate) fn magnitude(&self, way: f64, qd: f64) -> f64 {
+        self.parts()
+            .map(|(factor, dry)| factor.abs() * dry.magnitude(factor * way, factor * qd))
+            .sum()
+    }
+
+    /// What holds the joint at rest against a motion that way.
+    pub(crate) fn breakaway(&self, way: f64) -> f64 {
+        self.magnitude(way, 0.0)
+    }
+
+    /// The force at a velocity, with its sign; zero at rest.
+    pub(crate) fn force(&self, qd: f64) -> f64 {
+        self.parts()
+            .map(|(factor, dry)| factor * dry.force(factor * qd))
+            .sum()
+    }
+
+    fn parts(&self) -> impl Iterator<Item = (f64, DryFriction)> {
+        let followers = self.followers.iter().flatten().copied();
+        core::iter::once((1.0, self.own)).chain(followers)
+    }
+}
+
+#[cfg(feature = "std")]
+impl<const N: usize> Table<N> {
+    /// What holds and brakes joint i: its own dry friction, and that of the joints that follow it.
+    pub(crate) fn dry_friction(&self) -> [JointFriction; N] {
+        let mut friction = self.rows.each_ref().map(|row| JointFriction {
+            own: DryFriction::of(row),
+            followers: [None; MOST_FOLLOWERS],
+        });
+        for (slot, follower) in self.followers.iter().enumerate() {
+            let dry = DryFriction::of(&follower.row);
+            friction[follower.leader].followers[slot] = Some((follower.factor, dry));
+        }
+        friction
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use approx::assert_relative_eq;
 
     use super::DryFriction;
-    use crate::{JointType, Row, Stribeck};
+    use crate::{Convention, Follower, JointType, Row, Stribeck, Table};
 
     fn joint() -> DryFriction {
         DryFriction::of(&Row {
@@ -133,7 +196,7 @@ mod tests {
     fn static_friction_falls_to_that_of_the_direction() {
         let joint = joint();
         assert_eq!(joint.force(0.0), 0.0);
-        assert_eq!([1.0, -1.0].map(|way| joint.breakaway(way)), [0.8, 0.8]);
+        assert_eq!([1.0, -1.0].map(|way| joint.magnitude(way, 0.0)), [0.8, 0.8]);
         assert_eq!([50.0, -50.0].map(|qd| joint.force(qd)), [0.5, -0.4]);
         let left = (-1.0_f64).exp();
         assert_relative_eq!(joint.force(0.1), 0.5 + 0.3 * left, max_relative = 1e-15);
@@ -149,6 +212,35 @@ mod tests {
             assert!(slope.abs() <= joint.greatest_slope());
         }
         assert_eq!(joint.slope(0.0), 0.0);
+    }
+
+    /// A follower that moves half as fast the other way: what holds it holds the joint by a half.
+    #[test]
+    fn friction_of_followers_counts_by_their_factors() {
+        let follower = Follower {
+            row: Row {
+                coulomb: [0.3, 0.2],
+                ..Row::new(JointType::Prismatic)
+            },
+            place: 1,
+            leader: 0,
+            factor: -0.5,
+            offset: 0.0,
+        };
+        let mut table = Table::new(
+            Convention::Modified,
+            [0.0; 3],
+            [Row {
+                coulomb: [0.5, 0.4],
+                ..Row::new(JointType::Revolute)
+            }],
+        );
+        assert!(table.followers.push(follower));
+        let [joint] = table.dry_friction();
+        assert!(!joint.is_none());
+        assert_relative_eq!(joint.force(2.0), 0.5 + 0.5 * 0.2);
+        assert_relative_eq!(joint.force(-2.0), -0.4 - 0.5 * 0.3);
+        assert_eq!([1.0, -1.0].map(|way| joint.breakaway(way)), [0.6, 0.55]);
     }
 
     #[test]

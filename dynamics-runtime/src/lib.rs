@@ -104,7 +104,9 @@ pub use sine::sin_cos_column;
 #[doc(hidden)]
 pub use sines::{Evaluated, JointSines};
 pub use singular::SingularMassMatrix;
-pub use table::{Convention, JointType, Row, Spring, Stribeck, Table};
+pub use table::{
+    Convention, Follower, Followers, JointMotion, JointType, Row, Spring, Stribeck, Table,
+};
 #[doc(hidden)]
 pub use taylor::{Block, Common, ProductTable, Products, SeriesTerm};
 pub use taylor::{MAX_TAYLOR_ORDER, TaylorCoefficients, TaylorDynamics};

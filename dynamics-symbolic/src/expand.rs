@@ -1,13 +1,14 @@
 //! From a robot to its methods: derive, prove, emit.
 
 use crate::derive::derive_together;
+use crate::derive::symbols::LARGEST_MULTIPLE;
 use crate::emit;
 use crate::formula::{Equation, Formulas, MOST_TERMS};
 use crate::function::{Function, Fused, Request};
 use crate::neglect::{STATES, largest_error};
 use crate::program::{Operations, Program, Proven};
 use crate::prove::{ProofFailure, prove, prove_together};
-use crate::robot::Robot;
+use crate::robot::{Robot, Row};
 use core::fmt;
 use proc_macro2::TokenStream;
 
@@ -53,6 +54,11 @@ pub enum Reason {
     },
     /// It is written over Taylor series, and not as a program over numbers.
     OverSeries,
+    /// This joint turns by a multiple of another joint's position of which there is no series here.
+    NoSeriesOfMultiple {
+        /// The name of the joint that follows.
+        joint: String,
+    },
 }
 
 impl fmt::Display for Failure {
@@ -69,6 +75,12 @@ impl fmt::Display for Failure {
             (Reason::OverSeries, _) => write!(
                 f,
                 "`{name}` is no program over numbers: only the macro `robot_dynamics!` generates it"
+            ),
+            (Reason::NoSeriesOfMultiple { joint }, _) => write!(
+                f,
+                "`{name}` has no series of the sine of `{joint}`, which follows another joint: ask for other \
+                 functions, or let it follow a revolute joint by a whole factor from -{LARGEST_MULTIPLE} to \
+                 {LARGEST_MULTIPLE}"
             ),
             (Reason::Overflow, _) => write!(
                 f,
@@ -276,13 +288,20 @@ fn taylor_series(
     path: &TokenStream,
     derive: &Derivation,
 ) -> Result<Method, Reason> {
-    if let Some(row) = robot.joints().find(|row| row.stribeck.is_some()) {
+    let moving = |row: &&Row| row.locked.is_none();
+    let mut rows = robot.rows.iter().filter(moving);
+    if let Some(row) = rows.find(|row| row.stribeck.is_some()) {
         let joint = row.name.clone();
         return Err(Reason::NoSeries { joint });
     }
     let function = Function::TaylorSeries;
     let part = Function::MassMatrix;
     let programs = [(function, equations), (part, derive(robot, &[part]))];
+    let mut inputs = programs.iter().flat_map(|(_, program)| &program.inputs);
+    if let Some(row) = inputs.find_map(|symbol| robot.follower_of(symbol)) {
+        let joint = row.name.clone();
+        return Err(Reason::NoSeriesOfMultiple { joint });
+    }
     let mut rounded = Vec::with_capacity(programs.len());
     for (part, program) in &programs {
         prove(robot, *part, program).map_err(Reason::Proof)?;

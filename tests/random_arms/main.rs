@@ -38,7 +38,7 @@ fn compare_drawn(seed: u64, count: usize, draw: fn(&mut Tables) -> Robot) -> Tal
         let fields: Vec<_> = fields.collect();
         tally.with_fields += usize::from(!fields.is_empty());
         let label = format!("table {number} of seed {seed}");
-        match robot.rows.len() {
+        match robot.dof() {
             1 => tally.add::<1>(&robot, &fields, &label),
             2 => tally.add::<2>(&robot, &fields, &label),
             3 => tally.add::<3>(&robot, &fields, &label),
@@ -108,4 +108,10 @@ fn programs_of_600_random_arms_agree_with_newton_euler() {
     for seed in seeds {
         assert_varied(&seed.join().expect("all arms agree"));
     }
+}
+
+/// Followers by factors and offsets of numbers, angles and fields, beside joints that are locked.
+#[test]
+fn programs_of_random_arms_with_followers_agree_with_newton_euler() {
+    assert_varied(&compare_drawn(4, 60, Tables::coupled_robot));
 }

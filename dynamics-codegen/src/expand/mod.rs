@@ -118,20 +118,32 @@ fn joint_names(entries: &[Entry]) -> Vec<String> {
         Some(joints) if joints.complete => joints.rows.iter().map(name).collect(),
         _ => Vec::new(),
     };
-    without_locked(names, entries).unwrap_or_default()
+    without_others(names, entries).unwrap_or_default()
 }
 
-/// The names without those of locked joints, or `None` where it is not known which these are.
-fn without_locked(mut names: Vec<String>, entries: &[Entry]) -> Option<Vec<String>> {
+/// The names without those of joints that are locked or follow others, or `None` where it is not known
+/// which these are.
+fn without_others(mut names: Vec<String>, entries: &[Entry]) -> Option<Vec<String>> {
+    let mut others = BTreeSet::new();
     for entry in entries {
-        let Entry::Lock(locked) = entry else {
-            continue;
-        };
-        for locked in locked.as_ref()? {
-            let word = locked.name.plain();
-            let index = names.iter().position(|name| name == word)?;
-            names.remove(index);
+        match entry {
+            Entry::Lock(locked) => {
+                others.extend(locked.as_ref()?.iter().map(|locked| locked.name.plain()));
+            }
+            Entry::Couple(coupled) => {
+                others.extend(
+                    coupled
+                        .as_ref()?
+                        .iter()
+                        .map(|coupled| coupled.follower.plain()),
+                );
+            }
+            _ => {}
         }
+    }
+    for other in others {
+        let index = names.iter().position(|name| name == other)?;
+        names.remove(index);
     }
     Some(names)
 }

@@ -1,7 +1,7 @@
-//! What the struct's documentation says of the base, of the tool, of joints that are locked and of terms
-//! that are neglected.
+//! What the struct's documentation says of the base, of the tool, of joints that are locked or follow
+//! others and of terms that are neglected.
 
-use dynamics_symbolic::robot::{Neglected, Placement, Robot, Tool, Value};
+use dynamics_symbolic::robot::{Coupling, Neglected, Placement, Robot, Row, Tool, Value};
 
 use crate::validate::Model;
 
@@ -15,6 +15,7 @@ pub(super) fn lines(model: &Model) -> Vec<String> {
     lines.extend(locked(model));
     let notes = model.notes.iter();
     lines.extend(notes.flat_map(|note| section(note, Vec::new())));
+    lines.extend(coupled(robot));
     if let Some(neglected) = &model.robot.neglected {
         lines.extend(self::neglected(neglected));
     }
@@ -74,6 +75,27 @@ fn locked(model: &Model) -> Vec<String> {
         false => section(
             " Joints that are locked, and are none of this arm's:",
             locked,
+        ),
+    }
+}
+
+fn coupled(robot: &Robot) -> Vec<String> {
+    let line = |(row, coupling): (&Row, &Coupling)| {
+        let leader = &robot.rows[coupling.leader].name;
+        let factor = shown(robot, &coupling.factor);
+        let offset = match coupling.offset.is_zero() {
+            true => String::new(),
+            false => format!(" + ({})", shown(robot, &coupling.offset)),
+        };
+        format!(" - `{}` = {factor} * `{leader}`{offset}", row.name)
+    };
+    let coupled: Vec<String> = robot.followers().map(line).collect();
+    match coupled.is_empty() {
+        true => Vec::new(),
+        false => section(
+            " Joints that follow others, and are none of this arm's; their links, motors, friction and springs \
+             count through the joints that they follow:",
+            coupled,
         ),
     }
 }

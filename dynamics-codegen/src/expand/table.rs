@@ -20,7 +20,19 @@ pub(super) fn table(structure: &Structure, robot: &Robot, path: &TokenStream) ->
     };
     let gravity = robot.gravity.iter().map(|value| number(value, &fields));
     let rows = robot.rows.iter().map(|row| self::row(row, &fields, path));
-    let arm = match robot.dof() < robot.rows.len() {
+    let is_locked = |row: &Row| row.locked.is_some();
+    let arm = match robot.rows.iter().any(is_locked) {
+        _ if robot.is_coupled() => {
+            let motions = motions(robot, &fields, path);
+            quote! {
+                #path::Table::couple(
+                    #convention,
+                    [#(#gravity),*],
+                    [#(#rows),*],
+                    [#(#motions),*],
+                )
+            }
+        }
         true => {
             let positions = positions(robot, &fields, path);
             quote! {
@@ -62,6 +74,30 @@ fn positions(robot: &Robot, fields: &[&Ident], path: &TokenStream) -> Vec<TokenS
         (None, _) => quote!(::core::option::Option::None),
     };
     robot.rows.iter().map(position).collect()
+}
+
+/// How the joints of all rows move.
+fn motions(robot: &Robot, fields: &[&Ident], path: &TokenStream) -> Vec<TokenStream> {
+    let position = |value: &Value, joint_type| match joint_type {
+        JointType::Revolute => angle(value, fields, path),
+        JointType::Prismatic => number(value, fields),
+    };
+    let motion = |row: &Row| match (&row.locked, &row.follows) {
+        (Some(locked), _) => {
+            let position = position(locked, row.joint_type);
+            quote!(#path::JointMotion::Locked(#position))
+        }
+        (None, Some(coupling)) => {
+            let leader = Literal::usize_unsuffixed(coupling.leader);
+            let factor = number(&coupling.factor, fields);
+            let offset = position(&coupling.offset, row.joint_type);
+            quote! {
+                #path::JointMotion::Follows { leader: #leader, factor: #factor, offset: #offset }
+            }
+        }
+        (None, None) => quote!(#path::JointMotion::Free),
+    };
+    robot.rows.iter().map(motion).collect()
 }
 
 fn frame(placement: &Placement, fields: &[&Ident], path: &TokenStream) -> TokenStream {

@@ -7,8 +7,9 @@ use dynamics_symbolic::robot::{Convention, JointType};
 
 use super::tree::{Key, Kind, Node};
 use crate::description::{
-    Allow, Asked, Coulomb, Entries, Entry, Expr, ExprKind, Friction, Given, Inertia, InertiaKind,
-    Joints, Locked, Motor, Name, Placement, Row, Share, Spring, Stribeck, Table, Tensor, Tool,
+    Allow, Asked, Coulomb, Coupled, Entries, Entry, Expr, ExprKind, Friction, Given, Inertia,
+    InertiaKind, Joints, Locked, Motor, Name, Placement, Row, Share, Spring, Stribeck, Table,
+    Tensor, Tool,
 };
 use crate::diagnose::{Diagnostics, Reported};
 use crate::limits::MOST_LETTERS;
@@ -27,11 +28,12 @@ use crate::place::Place;
 use crate::words;
 
 /// The keys of a file.
-pub(super) const KEYS: [&str; 11] = [
+pub(super) const KEYS: [&str; 12] = [
     "convention",
     "gravity",
     "base",
     "joint",
+    "couple",
     "tool",
     "functions",
     "lock",
@@ -152,6 +154,7 @@ impl Reader<'_> {
             "tool" => Entry::Tool(self.tool(node).ok().map(Box::new)),
             "functions" => Entry::Functions(self.functions(node).ok()),
             "lock" => Entry::Lock(self.lock(node).ok()),
+            "couple" => Entry::Couple(self.couple(node).ok()),
             "neglect" => Entry::Neglect(self.share(node).ok()),
             "tests" => Entry::Tests(item.place, self.truth(node).ok()),
             "allow" => Entry::Allow(self.allow(node, &allow::OF_TABLE).ok()),
@@ -280,6 +283,23 @@ impl Reader<'_> {
             });
         }
         Ok(locked)
+    }
+
+    fn couple(&mut self, node: &Node) -> Read<Vec<Coupled>> {
+        let Kind::Table(items) = &node.kind else {
+            return Err(self.instead_of("a table of joints and those that they follow", node));
+        };
+        if items.is_empty() {
+            return Err(self.error(node.place, mistake::couple::none()));
+        }
+        let mut coupled = Vec::new();
+        for (key, node) in items {
+            coupled.push(Coupled {
+                follower: self.name(&key.word, key.place)?,
+                position: self.value(node).ok(),
+            });
+        }
+        Ok(coupled)
     }
 
     fn functions(&self, node: &Node) -> Read<Vec<Asked>> {

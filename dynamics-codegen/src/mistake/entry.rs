@@ -3,6 +3,7 @@
 use std::fmt::Display;
 
 use super::Mistake;
+use crate::description::Name;
 use crate::words::{either, shortened};
 
 pub(crate) fn missing_convention() -> Mistake {
@@ -127,7 +128,7 @@ pub(crate) fn no_lock() -> Mistake {
 }
 
 /// `joint: position`
-pub(crate) fn lock_by_colon(name: &impl Display) -> Mistake {
+pub(crate) fn lock_by_colon(name: &Name) -> Mistake {
     Mistake::new(format!(
         "a joint is locked by `=`: write `{name} = position`"
     ))

@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use crate::description::Name;
 use crate::words::either;
 
 /// What was expected, as it follows the word "expected".
@@ -93,8 +94,22 @@ pub(crate) fn locked_joint() -> Expected {
     expected("the name of a joint: `joint = position`")
 }
 
-pub(crate) fn position_after(name: &impl fmt::Display) -> Expected {
+pub(crate) fn position_after(name: &Name) -> Expected {
     expected(format!("`=` and a position after `{name}`"))
+}
+
+pub(crate) fn couplings() -> Expected {
+    expected("`[follower = factor * leader + offset, ...]`")
+}
+
+pub(crate) fn follower() -> Expected {
+    expected("the name of a joint: `follower = factor * leader + offset`")
+}
+
+pub(crate) fn leader_after(name: &Name) -> Expected {
+    expected(format!(
+        "`=` and the joint that it follows after `{name}`: `{name} = factor * leader + offset`"
+    ))
 }
 
 pub(crate) fn functions() -> Expected {

@@ -3,6 +3,7 @@
 //!
 //! A [`Mistake`] can be made in this module alone, and nothing else can be reported.
 
+pub(crate) mod couple;
 pub(crate) mod entry;
 pub(crate) mod expected;
 // What is wrong in a file is said where files are read.

@@ -4,23 +4,24 @@ use dynamics_symbolic::robot::Convention;
 use proc_macro2::{Delimiter, Ident};
 
 use super::allow::{self, allow};
+use super::assignments::{Texts, assignments};
 use super::cursor::Cursor;
 use super::expression::{expression, share};
 use super::files;
 use super::frames;
 use super::functions::functions;
-use super::list::{Key, colon, comma_separated, end_item, key, skip_docs};
+use super::list::{Key, colon, end_item, key, skip_docs};
 use super::row::joints;
 use super::unknown::unknown;
 use super::vector::gravity;
-use crate::description::{Entry, Joints, Locked, Name};
+use crate::description::{Coupled, Entry, Joints, Locked, Name};
 use crate::diagnose::Reported;
 use crate::mistake::{self, Mistake, expected};
 use crate::place::Place;
 use crate::words;
 
 /// The keys of the table.
-const KEYS: [&str; 14] = [
+const KEYS: [&str; 15] = [
     "file",
     "chain",
     "ignore",
@@ -29,6 +30,7 @@ const KEYS: [&str; 14] = [
     "gravity",
     "base",
     "joints",
+    "couple",
     "tool",
     "functions",
     "lock",
@@ -191,6 +193,7 @@ fn value(cursor: &mut Cursor, key: &Key) -> (Entry, Result<(), Reported>) {
         "chain" => split(colon.and_then(|()| files::chain(cursor)), Entry::Chain),
         "ignore" => split(colon.and_then(|()| files::ignored(cursor)), Entry::Ignore),
         "round_angles" => split(colon.and_then(|()| expression(cursor)), Entry::RoundAngles),
+        "couple" => split(colon.and_then(|()| couple(cursor)), Entry::Couple),
         "neglect" => split(colon.and_then(|()| share(cursor)), Entry::Neglect),
         "allow" => split(
             colon.and_then(|()| allow(cursor, &allow::OF_TABLE)),
@@ -253,34 +256,28 @@ fn choice(
 
 /// Reads `[elbow = 0.3, ...]`. A position that cannot be read leaves the joint locked all the same.
 fn lock(cursor: &mut Cursor) -> Result<Vec<Locked>, Reported> {
-    let group = cursor.take_list(Delimiter::Bracket, expected::locks())?;
-    let mut inside = cursor.inside(&group);
-    if inside.at_end() {
-        return Err(cursor.error(group.span(), mistake::entry::no_lock()));
-    }
-    let mut locked = Vec::new();
-    let mut unnamed = None;
-    let _ = comma_separated(&mut inside, files::at_name, |cursor| {
-        let Some(name) = files::take_name(cursor) else {
-            let reported = cursor.expected(expected::locked_joint());
-            unnamed = Some(reported);
-            return Err(reported);
-        };
-        let what = format!("`{name} = ...`");
-        let start = cursor.here();
-        let position = match cursor.take_char('=').is_some() {
-            true => expression(cursor),
-            false if cursor.take_char(':').is_some() => {
-                Err(cursor.error(start, mistake::entry::lock_by_colon(&name)))
-            }
-            false => Err(cursor.expected(expected::position_after(&name))),
-        };
-        let end = position.as_ref().err().copied();
-        locked.push(Locked {
-            name,
-            position: position.ok(),
-        });
-        end.map_or(Ok(what), Err)
-    });
-    unnamed.map_or(Ok(locked), Err)
+    let texts = Texts {
+        list: expected::locks,
+        joint: expected::locked_joint,
+        value: expected::position_after,
+        none: mistake::entry::no_lock,
+        by_colon: mistake::entry::lock_by_colon,
+    };
+    let locked = assignments(cursor, &texts)?.into_iter();
+    let locked = locked.map(|(name, position)| Locked { name, position });
+    Ok(locked.collect())
+}
+
+/// Reads `[finger_2 = -finger_1 + 0.02, ...]`.
+fn couple(cursor: &mut Cursor) -> Result<Vec<Coupled>, Reported> {
+    let texts = Texts {
+        list: expected::couplings,
+        joint: expected::follower,
+        value: expected::leader_after,
+        none: mistake::couple::none,
+        by_colon: mistake::couple::by_colon,
+    };
+    let coupled = assignments(cursor, &texts)?.into_iter();
+    let coupled = coupled.map(|(follower, position)| Coupled { follower, position });
+    Ok(coupled.collect())
 }

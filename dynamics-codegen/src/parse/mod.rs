@@ -4,6 +4,7 @@
 //! `name:`, so that an error in one cell hides no error in another.
 
 pub(crate) mod allow;
+mod assignments;
 mod cursor;
 mod entry;
 mod expression;

@@ -44,7 +44,7 @@ pub(super) fn named(asked: &[Asked]) -> impl Iterator<Item = (Function, Place)> 
 
 /// What is asked for, each with its place; the functions of the default set have none.
 pub(super) fn requests(asked: Option<&[Asked]>, robot: &Robot) -> Vec<(Request, Option<Place>)> {
-    let default_set = Function::default_set(robot.joints().any(Row::has_friction)).into_iter();
+    let default_set = Function::default_set(has_friction(robot)).into_iter();
     let default_set: Vec<_> = default_set.map(|f| (Request::One(f), None)).collect();
     let Some(asked) = asked else {
         return default_set;
@@ -69,6 +69,12 @@ pub(super) fn requests(asked: Option<&[Asked]>, robot: &Robot) -> Vec<(Request, 
         }
     }
     requests
+}
+
+/// Whether there is friction at a joint that moves, by itself or with another one.
+fn has_friction(robot: &Robot) -> bool {
+    let mut moving = robot.rows.iter().filter(|row| row.locked.is_none());
+    moving.any(Row::has_friction)
 }
 
 /// The method of that name with those parts.

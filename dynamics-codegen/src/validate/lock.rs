@@ -65,11 +65,27 @@ pub(super) fn lock(
             row.locked = Some(position.value.clone());
         }
     }
-    if let Some(first) = locks
-        .first()
-        .filter(|_| locked.iter().all(|locked| *locked))
-    {
-        let last = locks.last().unwrap_or(first);
+    if locked.iter().all(|locked| *locked) {
+        report_all(locks, scope);
+    }
+}
+
+/// Reports that no joint is left, where those that follow locked ones are locked too. A table that is in
+/// error otherwise may not be all that there is.
+pub(super) fn report_all_locked(
+    rows: &[Option<Row>],
+    locks: &[Lock],
+    is_good: bool,
+    scope: &Scope,
+) {
+    let is_locked = |row: &Option<Row>| row.as_ref().is_some_and(|row| row.locked.is_some());
+    if is_good && rows.iter().all(is_locked) {
+        report_all(locks, scope);
+    }
+}
+
+fn report_all(locks: &[Lock], scope: &Scope) {
+    if let (Some(first), Some(last)) = (locks.first(), locks.last()) {
         let place = Place::from(&first.name).to(&last.name);
         scope.error(place, mistake::all_locked());
     }

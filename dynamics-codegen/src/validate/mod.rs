@@ -6,6 +6,7 @@
 
 mod angle;
 mod body;
+mod couple;
 mod elementary;
 mod fields;
 mod frames;
@@ -30,6 +31,7 @@ use crate::mistake::{entry, joint, size};
 use crate::place::Place;
 #[cfg(feature = "files")]
 pub(crate) use body::refusal;
+use couple::Couple;
 use lock::Lock;
 use scope::{Scope, all};
 
@@ -57,6 +59,7 @@ pub(crate) fn model(table: &Table, diagnostics: &Diagnostics) -> Option<Model> {
             parts.report_missing(name, diagnostics);
         }
         parts.lock(table, &scope);
+        parts.couple(table, &scope);
         reach::report(&parts, table, &scope);
         neglect::report(&parts, table, diagnostics);
         parts.report_incomparable(diagnostics);
@@ -83,6 +86,7 @@ struct Parts {
     tool: Option<Option<Tool>>,
     functions: Option<Vec<Asked>>,
     lock: Vec<Lock>,
+    couple: Vec<Couple>,
     neglect: Option<(Value, Place)>,
     tests: Option<Place>,
     /// Where the tip is behind the last link frame.
@@ -96,6 +100,7 @@ impl Parts {
     /// in which `let` binds names.
     fn read(table: &Table, scope: &mut Scope) -> Parts {
         let mut parts = Parts::default();
+        let joints = joint_names(table);
         for entry in &table.entries {
             match entry {
                 Entry::Let(name, value) => scope.bind(name, value.as_ref()),
@@ -127,6 +132,9 @@ impl Parts {
                 }
                 Entry::Functions(functions) => parts.functions = functions.clone(),
                 Entry::Lock(locked) => parts.lock = lock::positions(locked.as_deref(), scope),
+                Entry::Couple(coupled) => {
+                    parts.couple = couple::couplings(coupled.as_deref(), &joints, scope);
+                }
                 Entry::Neglect(share) => parts.neglect = neglect::share(share.as_ref(), scope),
                 Entry::Tests(place, tests) => {
                     parts.tests = tests.unwrap_or(false).then_some(*place);
@@ -185,6 +193,20 @@ impl Parts {
         }
     }
 
+    /// Couples the joints that follow others. One at least must be left that moves by itself.
+    fn couple(&mut self, table: &Table, scope: &Scope) {
+        let known = rows(table).is_some_and(|joints| joints.complete);
+        let (Some(rows), true) = (&mut self.rows, known) else {
+            return;
+        };
+        if self.couple.is_empty() {
+            return;
+        }
+        let is_good = scope.is_good();
+        couple::couple(rows, &self.couple, rows_of(table), scope);
+        lock::report_all_locked(rows, &self.lock, is_good, scope);
+    }
+
     fn model(self, table: &Table) -> Option<Model> {
         let robot = Robot {
             name: table.name.as_ref()?.plain().to_owned(),
@@ -212,6 +234,12 @@ fn rows(table: &Table) -> Option<&Joints> {
         Entry::Joints(_, joints) => joints.as_ref(),
         _ => None,
     })
+}
+
+/// The names of all joints.
+fn joint_names(table: &Table) -> Vec<String> {
+    let names = rows_of(table).iter().filter_map(|row| row.name.as_ref());
+    names.map(|name| name.plain().to_owned()).collect()
 }
 
 /// Its rows.

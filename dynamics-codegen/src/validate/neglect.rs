@@ -56,7 +56,7 @@ pub(super) fn report(parts: &Parts, table: &Table, diagnostics: &Diagnostics) {
         let (Some(row), Some(name)) = (row, &written.name) else {
             continue;
         };
-        let needs_limits = row.joint_type == JointType::Prismatic && row.locked.is_none();
+        let needs_limits = row.joint_type == JointType::Prismatic && row.is_free();
         if needs_limits && row.limits.is_none() {
             diagnostics.error(name, mistake::neglect_without_limits(name));
         }

@@ -69,6 +69,7 @@ fn cells(row: &description::Row, scope: &mut Scope) -> Option<Row> {
         limits: limits?,
         locked: None,
         mount: mount?,
+        follows: None,
     })
 }
 

@@ -160,6 +160,22 @@ impl<'d> Scope<'d> {
         false
     }
 
+    /// Whether the name is that of a value, or may be.
+    pub(super) fn has(&self, name: &str) -> bool {
+        let is_bound = self.lets.iter().any(|bound| bound == name);
+        name == "PI" || is_bound || self.names.contains_key(name) || !self.complete
+    }
+
+    /// Whether no error was reported.
+    pub(super) fn is_good(&self) -> bool {
+        self.diagnostics.is_empty()
+    }
+
+    /// The names of fields and values that are bound.
+    pub(super) fn names(&self) -> impl Iterator<Item = &str> {
+        self.names.keys().map(String::as_str)
+    }
+
     /// Whether the field of that index was used in a value.
     pub(super) fn is_used(&self, field: usize) -> bool {
         self.used.get(field).copied().unwrap_or(true)
@@ -464,7 +480,7 @@ pub(super) fn all<const N: usize>(values: [Option<Value>; N]) -> Option<[Value; 
 /// A value is a rational function of the fields and of pi, which is transcendental:
 /// where it vanishes at one point chosen at random, it is zero (Schwartz 1980,
 /// J. ACM 27(4), 701-717). The arithmetic is exact.
-fn is_identically_zero(value: &Value) -> bool {
+pub(super) fn is_identically_zero(value: &Value) -> bool {
     at_random_point(value).is_some_and(|r| r.is_zero())
 }
 

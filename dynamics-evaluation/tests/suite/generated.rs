@@ -83,6 +83,7 @@ fn row(name: &str, joint_type: JointType, mass: f64, com: [f64; 3]) -> Row {
         limits: None,
         locked: None,
         mount: None,
+        follows: None,
     }
 }
 

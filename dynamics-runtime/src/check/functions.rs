@@ -7,6 +7,7 @@ use super::coefficients::{centrifugal_coefficients as numeric_centrifugal, corio
 use super::deviation::{Deviation, entries};
 use super::kinematics::{in_space, jacobian_entries, pose_entries, tip_entries};
 use super::scale::Scale;
+use crate::table::Moving;
 use crate::{Evaluation, NewtonEuler, State, Table};
 
 /// The deviation of every generated function, in the order of the documentation. `datum` is the constant
@@ -272,8 +273,11 @@ pub(super) fn gravity_energy<const N: usize>(
     table: &Table<N>,
     q: &SVector<f64, N>,
 ) -> f64 {
-    let joints = table.rows.iter().zip(q.iter());
-    let springs: f64 = joints.map(|(row, &q)| row.spring.energy(q)).sum();
+    let energy = |moving: Moving<'_>| {
+        let position = moving.factor * q[moving.joint] + moving.offset;
+        moving.row.spring.energy(position)
+    };
+    let springs: f64 = table.chain().map(energy).sum();
     numeric.potential_energy(q) - springs
 }
 

@@ -3,7 +3,8 @@
 use nalgebra::{SMatrix, SVector};
 
 use crate::friction::DryFriction;
-use crate::{JointType, State, Table};
+use crate::table::Moving;
+use crate::{JointType, Spring, State, Table};
 
 /// Magnitudes that a quantity could have at a state of this size, whatever it cancels to there.
 ///
@@ -44,6 +45,8 @@ pub(super) struct Scale {
     pub(super) potential_energy: f64,
     /// Distance from the origin of the world, m.
     pub(super) position: f64,
+    /// The largest factor by which a joint is faster than the one that it follows; 1 where none is.
+    fastest: f64,
 }
 
 impl Scale {
@@ -87,14 +90,17 @@ impl Scale {
             force_by_velocity: 2.0 * mass * speed + slope_of_friction(table),
             potential_energy: weight * position + springs.energy,
             position,
+            fastest: fastest(table),
         }
     }
 
     /// Of the first and the second derivative of tau along a motion: of its terms with all products of
     /// the rates of the joints that have the same dimension.
     pub(super) fn rates<const N: usize>(&self, state: &State<N>) -> [f64; 2] {
-        let [v, a] = [state.qd.amax(), state.qdd.amax()];
-        let [jerk, snap] = [state.jerk().amax(), state.snap().amax()];
+        // Of all joints; that what they do is felt by those that lead is a part of M.
+        let [v, a, jerk, snap] = [state.qd, state.qdd, state.jerk(), state.snap()]
+            .map(|rates| self.fastest * rates.amax());
+        let mass = self.mass_matrix / self.fastest;
         let inertial = [
             jerk + a * v + v * v * v,
             snap + jerk * v + a * a + a * v * v + v * v * v * v,
@@ -104,7 +110,7 @@ impl Scale {
             self.slope_of_friction * a + self.stiffness * v,
             self.slope_of_friction * jerk + self.curvature_of_friction * a * a + self.stiffness * a,
         ];
-        [0, 1].map(|k| self.mass_matrix * inertial[k] + weight[k] + joint[k])
+        [0, 1].map(|k| mass * inertial[k] + weight[k] + joint[k])
     }
 }
 
@@ -123,13 +129,13 @@ impl Springs {
             force: 0.0,
             energy: 0.0,
         };
-        let joints = table.rows.iter().zip(q.iter());
-        joints.fold(none, |sum, (row, q)| {
-            let stiffness = row.spring.stiffness.abs();
-            let stretch = q.abs() + row.spring.rest.abs();
+        table.chain().fold(none, |sum, moving| {
+            let Spring { stiffness, rest } = moving.row.spring;
+            let (stiffness, factor) = (stiffness.abs(), moving.factor.abs());
+            let stretch = factor * q[moving.joint].abs() + moving.offset.abs() + rest.abs();
             Springs {
-                stiffness: sum.stiffness.max(stiffness),
-                force: sum.force.max(stiffness * stretch),
+                stiffness: sum.stiffness.max(factor * factor * stiffness),
+                force: sum.force.max(factor * stiffness * stretch),
                 energy: sum.energy + 0.5 * stiffness * stretch * stretch,
             }
         })
@@ -140,10 +146,11 @@ impl Springs {
 fn reach<const N: usize>(table: &Table<N>, q: &SVector<f64, N>) -> f64 {
     let mut origins = 0.0;
     let mut centre = 0.0_f64;
-    for (row, q) in table.rows.iter().zip(q.iter()) {
+    for moving in table.chain() {
+        let row = moving.row;
         let d = match row.joint_type {
             JointType::Revolute => row.d,
-            JointType::Prismatic => row.d + q,
+            JointType::Prismatic => row.d + moving.factor * q[moving.joint] + moving.offset,
         };
         origins += row.a.abs() + d.abs() + norm(&row.mount.position) + norm(&row.tip.position);
         centre = centre.max(norm(&row.com));
@@ -155,27 +162,37 @@ fn reach<const N: usize>(table: &Table<N>, q: &SVector<f64, N>) -> f64 {
 /// What turns a weight into the force or torque of a joint: the reach, and 1 at a prismatic joint.
 fn lever_arm<const N: usize>(table: &Table<N>, reach: f64) -> f64 {
     let prismatic = table
-        .rows
-        .iter()
-        .any(|row| row.joint_type == JointType::Prismatic);
+        .chain()
+        .any(|moving| moving.row.joint_type == JointType::Prismatic);
     if prismatic { reach.max(1.0) } else { reach }
 }
 
 fn friction<const N: usize>(table: &Table<N>, qd: &SVector<f64, N>) -> f64 {
-    let of_joint =
-        |(row, qd): (&crate::Row, &f64)| (row.viscous * qd).abs() + DryFriction::of(row).greatest();
-    let joints = table.rows.iter().zip(qd.iter()).map(of_joint);
-    joints.fold(0.0, f64::max)
+    let of_joint = |moving: Moving<'_>| {
+        let viscous = moving.row.viscous * moving.factor * qd[moving.joint];
+        moving.factor.abs() * (viscous.abs() + DryFriction::of(moving.row).greatest())
+    };
+    table.chain().map(of_joint).fold(0.0, f64::max)
 }
 
 fn slope_of_friction<const N: usize>(table: &Table<N>) -> f64 {
-    let slope = |row: &crate::Row| row.viscous.abs() + DryFriction::of(row).greatest_slope();
-    table.rows.iter().map(slope).fold(0.0, f64::max)
+    let slope = |moving: Moving<'_>| {
+        let own = moving.row.viscous.abs() + DryFriction::of(moving.row).greatest_slope();
+        moving.factor * moving.factor * own
+    };
+    table.chain().map(slope).fold(0.0, f64::max)
 }
 
 fn curvature_of_friction<const N: usize>(table: &Table<N>) -> f64 {
-    let curvature = |row: &crate::Row| DryFriction::of(row).greatest_curvature();
-    table.rows.iter().map(curvature).fold(0.0, f64::max)
+    let curvature = |moving: Moving<'_>| {
+        moving.factor.abs().powi(3) * DryFriction::of(moving.row).greatest_curvature()
+    };
+    table.chain().map(curvature).fold(0.0, f64::max)
+}
+
+fn fastest<const N: usize>(table: &Table<N>) -> f64 {
+    let factors = table.chain().map(|moving| moving.factor.abs());
+    factors.fold(1.0, f64::max)
 }
 
 fn norm(vector: &[f64; 3]) -> f64 {

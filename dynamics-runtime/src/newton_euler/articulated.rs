@@ -139,6 +139,10 @@ impl<const N: usize> NewtonEuler<N> {
         qd: &SVector<f64, N>,
         tau: &SVector<f64, N>,
     ) -> Result<SVector<f64, N>, SingularMassMatrix> {
+        if self.coupled.is_some() {
+            // Articulated bodies are of joints that move by themselves.
+            return self.forward_dynamics(q, qd, tau);
+        }
         let joints = self.joints(q);
         let (added, needed) = self.velocity_terms(&joints, qd);
         let available = tau - self.joint_forces(q, qd);

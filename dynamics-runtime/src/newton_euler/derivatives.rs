@@ -32,6 +32,9 @@ impl<const N: usize> NewtonEuler<N> {
         qd: &SVector<f64, N>,
         qdd: &SVector<f64, N>,
     ) -> (SMatrix<f64, N, N>, SMatrix<f64, N, N>) {
+        if let Some(coupled) = &self.coupled {
+            return coupled.derivatives(q, qd, qdd);
+        }
         let joints = self.joints(q);
         let mut by_position = SMatrix::<f64, N, N>::zeros();
         for j in 0..N {

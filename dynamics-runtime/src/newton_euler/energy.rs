@@ -13,6 +13,9 @@ impl<const N: usize> NewtonEuler<N> {
     /// `w_{i+1} = R w_i + qd z`, `v_{i+1} = R (v_i + w_i x p)` for a revolute joint,
     /// `w_{i+1} = R w_i`, `v_{i+1} = R (v_i + w_i x p) + qd z` for a prismatic one.
     pub fn kinetic_energy(&self, q: &SVector<f64, N>, qd: &SVector<f64, N>) -> f64 {
+        if let Some(coupled) = &self.coupled {
+            return coupled.kinetic_energy(q, qd);
+        }
         let joints = self.joints(q);
         let mut energy = 0.0;
         let mut angular = Vector3::<f64>::zeros();
@@ -35,6 +38,9 @@ impl<const N: usize> NewtonEuler<N> {
     /// Potential energy U = -sum m g.c + sum 1/2 stiffness (q - rest)^2: of gravity, zero where all
     /// centres of mass are at the world's origin, and of springs.
     pub fn potential_energy(&self, q: &SVector<f64, N>) -> f64 {
+        if let Some(coupled) = &self.coupled {
+            return coupled.potential_energy(q);
+        }
         let poses = self.poses_in_world(q);
         let energy = |i: usize| {
             let link = &self.links[i];

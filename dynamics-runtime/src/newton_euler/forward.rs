@@ -19,6 +19,9 @@ impl<const N: usize> NewtonEuler<N> {
         qd: &SVector<f64, N>,
         tau: &SVector<f64, N>,
     ) -> Result<SVector<f64, N>, SingularMassMatrix> {
+        if self.coupled.is_some() {
+            return solve(self.mass_matrix(q), &(tau - self.bias_force(q, qd)));
+        }
         let joints = self.joints(q);
         let bias = self.recursion(&joints, qd, &SVector::zeros(), &self.gravity);
         let available = tau - bias - self.joint_forces(q, qd);

@@ -40,12 +40,18 @@ impl<const N: usize> NewtonEuler<N> {
 
     /// Homogeneous transforms of all link frames of the table in the world.
     pub fn link_poses(&self, q: &SVector<f64, N>) -> [Matrix4<f64>; N] {
+        if let Some(coupled) = &self.coupled {
+            return coupled.link_poses(q);
+        }
         self.table_frames(q).map(|pose| homogeneous(&pose))
     }
 
     /// Homogeneous transform of the tip in the world: of the tool, or else of the last link frame. For
     /// no joints, that of the base.
     pub fn forward_kinematics(&self, q: &SVector<f64, N>) -> Matrix4<f64> {
+        if let Some(coupled) = &self.coupled {
+            return coupled.forward_kinematics(q);
+        }
         let poses = self.poses_in_world(q);
         let last = poses.last().zip(self.links.last());
         let tip = last.map_or(self.base, |(pose, link)| pose.then(&link.tip));
@@ -57,6 +63,9 @@ impl<const N: usize> NewtonEuler<N> {
     /// Column i is `(z_i x (p - p_i), z_i)` for a revolute joint, `(z_i, 0)` for a prismatic one
     /// (Craig, section 5.8).
     pub fn jacobian(&self, q: &SVector<f64, N>) -> SMatrix<f64, 6, N> {
+        if let Some(coupled) = &self.coupled {
+            return coupled.jacobian(q);
+        }
         let poses = self.poses_in_world(q);
         let tip = self
             .forward_kinematics(q)
@@ -76,6 +85,9 @@ impl<const N: usize> NewtonEuler<N> {
     /// Column i, `(z_i x r_i, z_i)` with `r_i = p - p_i`, changes as its vectors do:
     /// `dz_i/dt = w_i x z_i`, and `dr_i/dt` is the velocity of the tip less that of a point of axis i.
     pub fn jacobian_rate(&self, q: &SVector<f64, N>, qd: &SVector<f64, N>) -> SMatrix<f64, 6, N> {
+        if let Some(coupled) = &self.coupled {
+            return coupled.jacobian_rate(q, qd);
+        }
         let poses = self.poses_in_world(q);
         let jacobian = self.jacobian(q);
         let tip = self
@@ -111,6 +123,9 @@ impl<const N: usize> NewtonEuler<N> {
     /// Geometric Jacobians of the origins of all link frames of the table; joints beyond a link do not
     /// move it.
     pub fn link_jacobians(&self, q: &SVector<f64, N>) -> [SMatrix<f64, 6, N>; N] {
+        if let Some(coupled) = &self.coupled {
+            return coupled.link_jacobians(q);
+        }
         let (poses, frames) = (self.poses_in_world(q), self.table_frames(q));
         array::from_fn(|link| {
             let mut jacobian = SMatrix::<f64, 6, N>::zeros();
@@ -123,6 +138,9 @@ impl<const N: usize> NewtonEuler<N> {
 
     /// Centre of mass of all links and of the tool in the world, `sum m c / sum m`.
     pub fn center_of_mass(&self, q: &SVector<f64, N>) -> Vector3<f64> {
+        if let Some(coupled) = &self.coupled {
+            return coupled.center_of_mass(q);
+        }
         let poses = self.poses_in_world(q);
         let moment = |i: usize| self.center(i, &poses[i]) * self.links[i].mass;
         (0..N).map(moment).sum::<Vector3<f64>>() / self.total_mass()
@@ -131,6 +149,9 @@ impl<const N: usize> NewtonEuler<N> {
     /// Jacobian of the centre of mass: column i is the sum of what joint i gives the centres of the
     /// links beyond it.
     pub fn center_of_mass_jacobian(&self, q: &SVector<f64, N>) -> SMatrix<f64, 3, N> {
+        if let Some(coupled) = &self.coupled {
+            return coupled.center_of_mass_jacobian(q);
+        }
         let poses = self.poses_in_world(q);
         let mut jacobian = SMatrix::<f64, 3, N>::zeros();
         for (i, pose) in poses.iter().enumerate() {

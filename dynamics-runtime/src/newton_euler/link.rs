@@ -17,8 +17,8 @@ pub(super) struct Link {
     alpha: SinCos,
     /// a_{i-1}.
     a: f64,
-    d: f64,
-    theta: SinCos,
+    pub(super) d: f64,
+    pub(super) theta: SinCos,
     /// What comes before alpha and a where the row does not begin at the frame before it.
     mount: Option<Mount>,
     pub(super) mass: f64,

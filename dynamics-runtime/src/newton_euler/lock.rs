@@ -33,29 +33,8 @@ impl<const N: usize> Table<N> {
         rows: &[Row],
         positions: &[Option<f64>],
     ) -> Self {
-        let mut moving: [Row; N] = [Row::new(JointType::Revolute); N];
-        let mut count = 0;
-        let mut start = Pose::identity();
-        for (row, &position) in rows.iter().zip(positions) {
-            match position {
-                None => {
-                    moving[count] = *row;
-                    moving[count].mount = start.placement();
-                    count += 1;
-                    start = Pose::identity();
-                }
-                Some(position) => {
-                    start = start.then(&transform(convention, row, position));
-                    if let Some(link) = count.checked_sub(1) {
-                        let pose = in_link_frame(&moving[link], &start, row);
-                        join(&mut moving[link], row, &pose);
-                    }
-                }
-            }
-            if let Some(link) = count.checked_sub(1) {
-                moving[link].tip = in_link_frame(&moving[link], &start, row).placement();
-            }
-        }
+        let mut moving = [Row::new(JointType::Revolute); N];
+        let count = without_locked(convention, rows, positions, &mut moving);
         assert_eq!(count, N, "so many joints move");
         Table::new(convention, gravity, moving)
     }
@@ -66,6 +45,39 @@ impl<const N: usize> Table<N> {
 fn in_link_frame(link: &Row, start: &Pose, row: &Row) -> Pose {
     let back = Pose::from(&link.link_frame).inverse();
     back.then(start).then(&(&row.link_frame).into())
+}
+
+/// Writes the rows whose joints move to the start of `moving`, which has a place for each of them, and
+/// returns how many they are.
+pub(super) fn without_locked(
+    convention: Convention,
+    rows: &[Row],
+    positions: &[Option<f64>],
+    moving: &mut [Row],
+) -> usize {
+    let mut count = 0;
+    let mut start = Pose::identity();
+    for (row, position) in rows.iter().zip(positions) {
+        match *position {
+            None => {
+                moving[count] = *row;
+                moving[count].mount = start.placement();
+                count += 1;
+                start = Pose::identity();
+            }
+            Some(position) => {
+                start = start.then(&transform(convention, row, position));
+                if let Some(link) = count.checked_sub(1) {
+                    let pose = in_link_frame(&moving[link], &start, row);
+                    join(&mut moving[link], row, &pose);
+                }
+            }
+        }
+        if let Some(link) = count.checked_sub(1) {
+            moving[link].tip = in_link_frame(&moving[link], &start, row).placement();
+        }
+    }
+    count
 }
 
 /// The row's frame in the one before it, with the joint at that position.

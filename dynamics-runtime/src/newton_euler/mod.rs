@@ -18,6 +18,7 @@
 mod angle;
 mod articulated;
 mod composite;
+mod couple;
 mod derivatives;
 mod energy;
 mod forward;
@@ -32,6 +33,7 @@ mod rates;
 mod recursion;
 mod regressor;
 mod terms;
+mod whole;
 
 use core::array;
 
@@ -39,6 +41,7 @@ use nalgebra::{SVector, Vector3};
 
 use crate::{Convention, Model, Table, Tool};
 pub use angle::turned;
+use couple::Coupled;
 use link::Link;
 use pose::Pose;
 pub use regressor::StandardParameters;
@@ -89,6 +92,8 @@ pub struct NewtonEuler<const N: usize> {
     world_gravity: Vector3<f64>,
     /// In the world.
     base: Pose,
+    /// Where joints follow others: `links` are then those of the other joints alone.
+    coupled: Option<Coupled<N>>,
 }
 
 impl<const N: usize> NewtonEuler<N> {
@@ -113,6 +118,7 @@ impl<const N: usize> NewtonEuler<N> {
             gravity: base.rotation.tr_mul(&world_gravity),
             world_gravity,
             base,
+            coupled: Coupled::of(table),
         }
     }
 }

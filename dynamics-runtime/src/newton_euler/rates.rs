@@ -157,6 +157,9 @@ impl<const N: usize> NewtonEuler<N> {
         jerk: &SVector<f64, N>,
         snap: &SVector<f64, N>,
     ) -> (SVector<f64, N>, SVector<f64, N>) {
+        if let Some(coupled) = &self.coupled {
+            return coupled.rates([q, qd, qdd], [jerk, snap]);
+        }
         let joints = self.joints(q);
         let mut frame = Moving {
             rotation: [Matrix3::identity(), Matrix3::zeros(), Matrix3::zeros()],

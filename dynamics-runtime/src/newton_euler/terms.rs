@@ -8,22 +8,34 @@ impl<const N: usize> NewtonEuler<N> {
     /// Mass matrix M(q), both triangles: column j is the torque of a unit acceleration of joint j,
     /// at rest and without gravity. Reflected inertias are on the diagonal.
     pub fn mass_matrix(&self, q: &SVector<f64, N>) -> SMatrix<f64, N, N> {
+        if let Some(coupled) = &self.coupled {
+            return coupled.mass_matrix(q);
+        }
         self.composite_bodies(&self.joints(q))
     }
 
     /// Coriolis and centrifugal torques V(q, qd): no acceleration, no gravity.
     pub fn coriolis_vector(&self, q: &SVector<f64, N>, qd: &SVector<f64, N>) -> SVector<f64, N> {
+        if let Some(coupled) = &self.coupled {
+            return coupled.coriolis_vector(q, qd);
+        }
         self.recursion(&self.joints(q), qd, &SVector::zeros(), &Vector3::zeros())
     }
 
     /// Gravity torques G(q): no velocity, no acceleration, no springs.
     pub fn gravity_vector(&self, q: &SVector<f64, N>) -> SVector<f64, N> {
+        if let Some(coupled) = &self.coupled {
+            return coupled.gravity_vector(q);
+        }
         self.weights(&self.joints(q))
     }
 
     /// Friction torques F(qd) = viscous qd + sign(qd) (C + (S - C) exp(-(qd/v)^2)), sign(0) = 0, with C
     /// that of the direction.
     pub fn friction_vector(&self, qd: &SVector<f64, N>) -> SVector<f64, N> {
+        if let Some(coupled) = &self.coupled {
+            return coupled.friction_vector(qd);
+        }
         SVector::from_fn(|i, _| {
             let link = &self.links[i];
             link.viscous * qd[i] + link.dry.force(qd[i])
@@ -32,6 +44,9 @@ impl<const N: usize> NewtonEuler<N> {
 
     /// Spring torques K(q) = stiffness (q - rest).
     pub fn spring_vector(&self, q: &SVector<f64, N>) -> SVector<f64, N> {
+        if let Some(coupled) = &self.coupled {
+            return coupled.spring_vector(q);
+        }
         SVector::from_fn(|i, _| self.links[i].spring.force(q[i]))
     }
 
@@ -51,6 +66,9 @@ impl<const N: usize> NewtonEuler<N> {
         qd: &SVector<f64, N>,
         qdd: &SVector<f64, N>,
     ) -> SVector<f64, N> {
+        if let Some(coupled) = &self.coupled {
+            return coupled.inverse_dynamics(q, qd, qdd);
+        }
         self.recursion(&self.joints(q), qd, qdd, &self.gravity) + self.joint_forces(q, qd)
     }
 

@@ -1,7 +1,7 @@
 //! Dry friction as a simulation has it.
 
 use super::error::InvalidSetting;
-use crate::friction::DryFriction;
+use crate::friction::JointFriction;
 
 /// How a [`Simulation`](crate::Simulation) treats dry friction: Coulomb's, and static friction that falls to
 /// it.
@@ -64,14 +64,14 @@ impl Contact {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Law<const N: usize> {
     pub(super) kind: Friction,
-    pub(super) dry: [DryFriction; N],
+    pub(super) dry: [JointFriction; N],
 }
 
 impl<const N: usize> Law<N> {
     pub(super) fn sign() -> Self {
         Law {
             kind: Friction::Sign,
-            dry: [DryFriction::NONE; N],
+            dry: [JointFriction::NONE; N],
         }
     }
 

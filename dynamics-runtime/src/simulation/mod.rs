@@ -22,7 +22,6 @@ mod trajectory;
 
 use nalgebra::{Matrix4, SVector, Vector6};
 
-use crate::friction::DryFriction;
 use crate::integrate::Phase;
 use crate::{EquationsOfMotion, Kinematics, Model};
 use friction::Law;
@@ -306,8 +305,7 @@ impl<'a, R, L, W, S, const N: usize> Simulation<'a, R, L, N, W, S> {
     where
         R: Model<N>,
     {
-        let rows = self.robot.table().rows;
-        self.friction.dry = rows.each_ref().map(DryFriction::of);
+        self.friction.dry = self.robot.table().dry_friction();
         self.friction.kind = kind;
         self
     }
@@ -376,7 +374,7 @@ impl<'a, R, L, W, S, const N: usize> Simulation<'a, R, L, N, W, S> {
     {
         let table = self.robot.table();
         let endless = [f64::NEG_INFINITY, f64::INFINITY];
-        self.friction.dry = table.rows.each_ref().map(DryFriction::of);
+        self.friction.dry = table.dry_friction();
         self.limits = Limits {
             kind,
             ranges: table.joint_limits().map(|limits| limits.unwrap_or(endless)),

@@ -14,7 +14,6 @@ use super::settings::ErrorControl;
 use super::torque::{NoTorque, finite};
 use super::trajectory::{Forces, Trajectory};
 use crate::TaylorDynamics;
-use crate::friction::DryFriction;
 use crate::integrate::{Phase, Tolerance};
 use crate::taylor::{FEWEST_ORDERS, SeriesStepper, Steady, order};
 
@@ -291,8 +290,8 @@ impl<R: TaylorDynamics<N>, const N: usize> Setting<'_, R, N> {
 
     fn validate(&self) -> Result<(), Cause> {
         self.plan.validate()?;
-        let rows = self.robot.table().rows;
-        if let Some(joint) = rows.iter().position(|row| !DryFriction::of(row).is_none()) {
+        let dry = self.robot.table().dry_friction();
+        if let Some(joint) = dry.iter().position(|friction| !friction.is_none()) {
             return Err(InvalidSetting::CoulombFriction { joint }.into());
         }
         Ok(self.settings.validate(self.plan.duration)?)

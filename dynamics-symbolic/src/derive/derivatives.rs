@@ -21,17 +21,19 @@
 //!   prismatic: psi' = (0, w x z),      psi'' = (0, U z).
 
 use super::chain::{Chain, Link};
+use super::joints::Joints;
 use super::momentum::Momentum;
 use super::recursive;
 use super::symbols::Symbols;
 use crate::expr::{Direction, Expr};
 use crate::linear::{Ring, Vector3};
-use crate::robot::JointType;
+use crate::robot::{JointType, Robot};
 use crate::spatial::{Acceleration, Body, Force, Joint, Motion, accelerations};
 
 type Matrix<R> = Vec<Vec<R>>;
 
 /// The derivatives of joint forces, row i those of tau_i: of M qdd + V + G as they are made here.
+/// The recursion has those of the joints of all rows.
 pub(super) struct ForceDerivatives<R> {
     /// d tau/dq
     pub(super) by_position: Matrix<R>,
@@ -80,26 +82,37 @@ pub(super) fn recursion<R: Ring>(chain: &Chain<R>, qd: &[R], qdd: &[R]) -> Force
     derivatives
 }
 
-/// The derivatives of the recursive inverse dynamics, taken on the graph.
+impl<'g> ForceDerivatives<Expr<'g>> {
+    /// Those of the joints that move by themselves, from those of all rows.
+    pub(super) fn of_joints(self, symbols: &Symbols<'g>, robot: &Robot) -> Self {
+        let joints = Joints::of(symbols, robot);
+        ForceDerivatives {
+            by_position: joints.block(self.by_position),
+            by_velocity: joints.block(self.by_velocity),
+        }
+    }
+}
+
+/// The derivatives of the recursive inverse dynamics, taken on the graph: those of the joints that move
+/// by themselves.
 pub(super) fn differentiated<'g>(
     symbols: &Symbols<'g>,
+    robot: &Robot,
     chain: &Chain<Expr<'g>>,
-    qd: &[Expr<'g>],
-    qdd: &[Expr<'g>],
+    [qd, qdd]: [&[Expr<'g>]; 2],
 ) -> ForceDerivatives<Expr<'g>> {
     let forces = recursive::inverse_dynamics(chain, qd, qdd, chain.gravity);
+    let forces = Joints::of(symbols, robot).entries(forces);
     let along = |directions: Vec<Direction<'g>>| -> Matrix<Expr<'g>> {
         let row = |force: &Expr<'g>| directions.iter().map(|d| force.derivative(d)).collect();
         forces.iter().map(row).collect()
     };
-    let positions = (0..qd.len()).map(|i| symbols.along_position(Direction::new(), i, chain.one));
-    let velocities = qd.iter().map(|&qd| match qd.is_zero() {
-        true => Direction::new(),
-        false => Direction::new().with(qd, chain.one),
-    });
+    let joints = robot.moving();
+    let position = |&i: &usize| symbols.along_position(Direction::new(), i, chain.one);
+    let velocity = |&i: &usize| Direction::new().with(qd[i], chain.one);
     ForceDerivatives {
-        by_position: along(positions.collect()),
-        by_velocity: along(velocities.collect()),
+        by_position: along(joints.iter().map(position).collect()),
+        by_velocity: along(joints.iter().map(velocity).collect()),
     }
 }
 

@@ -36,16 +36,27 @@ pub fn outputs<'g>(
     form: Form,
 ) -> Vec<Expr<'g>> {
     let of_rows = of_rows(symbols, robot, chain, function, form);
-    match function.has_pivots() {
-        // What is solved for is that of the joints that move.
+    match is_of_joints(function) {
         true => of_rows,
-        false => Joints::of(robot).outputs(function.shape(), of_rows),
+        false => Joints::of(symbols, robot).outputs(function.shape(), of_rows),
     }
 }
 
+/// Whether the outputs are those of the joints that move by themselves from the start: what is solved
+/// for, derivatives by positions, and products of velocities, which are more of the rows than of the
+/// joints.
+fn is_of_joints(function: Function) -> bool {
+    function.has_pivots()
+        || matches!(
+            function,
+            Function::InverseDynamicsDerivatives
+                | Function::CoriolisCoefficients
+                | Function::CentrifugalCoefficients
+        )
+}
+
 /// The outputs with entries for the joint of every row of the table: a locked joint is one that stands
-/// still, at a constant position. What is solved for, accelerations and pivots, has entries of the
-/// joints that move only.
+/// still, at a constant position, a follower one that moves as it has to. See [`is_of_joints`].
 fn of_rows<'g>(
     symbols: &mut Symbols<'g>,
     robot: &Robot,
@@ -93,19 +104,21 @@ fn of_rows<'g>(
             entries.into_iter().map(|entry| half * entry).collect()
         }
         Function::CoriolisCoefficients => {
-            let n = robot.rows.len();
+            let n = robot.dof();
             let pairs: Vec<_> = (0..n)
                 .flat_map(|j| (j + 1..n).map(move |k| (j, k)))
                 .collect();
-            let symbols = christoffel::christoffel(graph, chain);
-            symbols
+            let of_rows = christoffel::christoffel(graph, chain);
+            Joints::of(symbols, robot)
+                .cube(of_rows)
                 .iter()
                 .flat_map(|c| pairs.iter().map(|&(j, k)| c[j][k] + c[k][j]))
                 .collect()
         }
         Function::CentrifugalCoefficients => {
-            let symbols = christoffel::christoffel(graph, chain);
-            symbols
+            let of_rows = christoffel::christoffel(graph, chain);
+            Joints::of(symbols, robot)
+                .cube(of_rows)
                 .iter()
                 .flat_map(|c| (0..c.len()).map(|j| c[j][j]))
                 .collect()
@@ -124,13 +137,17 @@ fn of_rows<'g>(
         Function::Jacobian => kinematics::jacobian(symbols, robot),
         Function::InverseDynamicsDerivatives => {
             let of_links = derivatives::recursion(chain, &qd, &qdd);
-            force_derivatives(symbols, robot, of_links)
+            force_derivatives(symbols, robot, of_links.of_joints(symbols, robot))
         }
         Function::ForwardDynamicsDerivatives => {
             acceleration_derivatives(symbols, robot, chain, |factors, b| factors.solve(b))
         }
         Function::Regressor => regressor::by_recursion(symbols, robot, chain),
         Function::BaseParameters => base::base_parameters(symbols, robot, &Grouping::of(robot)),
+        // Articulated bodies are of joints that move by themselves.
+        Function::ForwardDynamicsAba if robot.is_coupled() => {
+            forward_dynamics(symbols, robot, chain, Form::Recursive)
+        }
         Function::ForwardDynamicsAba => articulated_dynamics(symbols, robot, chain, &qd),
         Function::WrenchTorques => tip::wrench_torques(symbols, robot, chain),
         Function::ToolVelocity => tip::velocity(symbols, robot, chain),
@@ -210,7 +227,7 @@ fn operational_inertia_inverse<'g>(
     robot: &Robot,
     chain: &Chain<Expr<'g>>,
 ) -> Vec<Expr<'g>> {
-    let joints = Joints::of(robot);
+    let joints = Joints::of(symbols, robot);
     let matrix = joints.block(composite::mass_matrix(chain));
     let nothing = vec![chain.zero; matrix.len()];
     let (factors, _) = Factors::new(symbols.graph(), matrix.clone(), nothing);
@@ -232,7 +249,7 @@ fn forward_dynamics<'g>(
     form: Form,
 ) -> Vec<Expr<'g>> {
     let net = net_force(symbols, robot, chain);
-    let joints = Joints::of(robot);
+    let joints = Joints::of(symbols, robot);
     let matrix = joints.block(composite::mass_matrix(chain));
     let diagonal = (0..matrix.len()).map(|i| matrix[i][i]).collect();
     let (qdd, pivots) = match form {
@@ -262,7 +279,7 @@ fn articulated_dynamics<'g>(
     let (qdd, pivots) = articulated::forward_dynamics(chain, qd, &net);
     let matrix = composite::mass_matrix(chain);
     let diagonal = (0..matrix.len()).map(|i| matrix[i][i]).collect();
-    let joints = Joints::of(robot);
+    let joints = Joints::of(symbols, robot);
     [qdd, pivots, diagonal]
         .map(|of_rows| joints.entries(of_rows))
         .concat()
@@ -319,7 +336,7 @@ fn assembled<'g>(
         }
         Function::InverseDynamicsDerivatives => {
             let qdd = symbols.all(|joint| joint.qdd);
-            let of_links = derivatives::differentiated(symbols, chain, &qd, &qdd);
+            let of_links = derivatives::differentiated(symbols, robot, chain, [&qd, &qdd]);
             force_derivatives(symbols, robot, of_links)
         }
         Function::ForwardDynamicsDerivatives => {
@@ -374,7 +391,7 @@ fn pivots<'g>(factors: &Factors<'g>, matrix: &[Vec<Expr<'g>>]) -> Vec<Expr<'g>> 
     factors.pivots().iter().copied().chain(diagonal).collect()
 }
 
-/// d tau/dq and d tau/dqd, from those of M qdd + V + G.
+/// d tau/dq and d tau/dqd, from those of M qdd + V + G, of the joints that move by themselves.
 fn force_derivatives<'g>(
     symbols: &mut Symbols<'g>,
     robot: &Robot,
@@ -395,16 +412,15 @@ fn acceleration_derivatives<'g>(
     chain: &Chain<Expr<'g>>,
     solve: impl Fn(&Factors<'g>, Vec<Expr<'g>>) -> Vec<Expr<'g>>,
 ) -> Vec<Expr<'g>> {
-    let joints = Joints::of(robot);
+    let joints = Joints::of(symbols, robot);
     let n = robot.dof();
     let matrix = joints.block(composite::mass_matrix(chain));
     let net = joints.entries(net_force(symbols, robot, chain));
     let (factors, qdd) = Factors::new(symbols.graph(), matrix.clone(), net);
     let qd = symbols.all(|joint| joint.qd);
-    let qdd = joints.rows(&qdd, chain.zero);
-    let of_links = derivatives::recursion(chain, &qd, &qdd);
+    let qdd = symbols.of_rows(robot, &qdd);
+    let of_links = derivatives::recursion(chain, &qd, &qdd).of_joints(symbols, robot);
     let forces = force_derivatives(symbols, robot, of_links);
-    let forces = joints.outputs(Function::InverseDynamicsDerivatives.shape(), forces);
     let mut values = forces.clone();
     for (b, x) in forces.chunks(n * n).zip(values.chunks_mut(n * n)) {
         for column in 0..n {

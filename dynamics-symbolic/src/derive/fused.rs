@@ -36,7 +36,7 @@ fn together(robot: &Robot, functions: &[Function]) -> Vec<Part> {
     let mut parts: Vec<_> = functions.iter().map(recursive).collect();
     let mut cost = plain.length(robot, &parts);
     for index in 0..parts.len() {
-        for form in forms(parts[index].function, robot.dof()) {
+        for form in forms(robot, parts[index].function) {
             let before = parts[index];
             parts[index].form = form;
             let trial = plain.length(robot, &parts);
@@ -50,8 +50,8 @@ fn together(robot: &Robot, functions: &[Function]) -> Vec<Part> {
 }
 
 /// The forms that a function may have beside others.
-fn forms(function: Function, dof: usize) -> Vec<Form> {
-    let mut forms = function.forms(dof);
+fn forms(robot: &Robot, function: Function) -> Vec<Form> {
+    let mut forms = super::forms(robot, function);
     if function == Function::GravityVector {
         forms.push(Form::Columns);
     }

@@ -9,6 +9,7 @@
 //! motion is said here alone. A joint that is locked has neither.
 
 use super::derivatives::ForceDerivatives;
+use super::joints::Joints;
 use super::symbols::{JointSymbols, Symbols};
 use crate::exact::Rational;
 use crate::expr::Expr;
@@ -98,22 +99,27 @@ pub(super) fn energy_of_springs<'g>(symbols: &mut Symbols<'g>, robot: &Robot) ->
     half * twice
 }
 
-/// Adds dK/dq and dF/dqd to the derivatives of M qdd + V + G.
+/// Adds dK/dq and dF/dqd to the derivatives of M qdd + V + G, of the joints that move by themselves.
 pub(super) fn add_slopes<'g>(
     symbols: &mut Symbols<'g>,
     robot: &Robot,
     derivatives: &mut ForceDerivatives<Expr<'g>>,
 ) {
-    for (i, row) in robot.rows.iter().enumerate() {
+    let slopes = robot.rows.iter().enumerate().map(|(i, row)| {
         let (stiffness, _) = spring(symbols, robot, i);
         let joint = *symbols.joint(i);
-        let slope = slope_of_friction(symbols, row, &joint);
+        (stiffness, slope_of_friction(symbols, row, &joint))
+    });
+    let (stiffnesses, slopes): (Vec<_>, Vec<_>) = slopes.unzip();
+    let joints = Joints::of(symbols, robot);
+    let diagonals = [joints.diagonal(&stiffnesses), joints.diagonal(&slopes)];
+    for (i, (stiffness, slope)) in diagonals[0].iter().zip(&diagonals[1]).enumerate() {
         let [by_position, by_velocity] = [
             &mut derivatives.by_position[i][i],
             &mut derivatives.by_velocity[i][i],
         ];
-        *by_position = *by_position + stiffness;
-        *by_velocity = *by_velocity + slope;
+        *by_position = *by_position + *stiffness;
+        *by_velocity = *by_velocity + *slope;
     }
 }
 

@@ -1,52 +1,101 @@
-//! The joints that move among those of the table.
+//! The joints that move by themselves among those of the table.
 //!
 //! The equations of an arm with locked joints are those of the whole arm where these joints have a
 //! constant position and no velocity or acceleration, without their own rows and columns.
+//!
+//! Those of an arm in which joints follow others are the whole arm's too: its positions are
+//! q = S q_j + c, q_j those of the joints that move by themselves, and S and c constant. So qd = S qd_j
+//! and qdd = S qdd_j, and by the chain rule, or by virtual work,
+//!
+//!   tau_j = S' tau,   M_j = S' M S,   V_j = S' V,   G_j = S' G,   J_j = J S,
+//!
+//! and so for everything else that has an index of joints: forces, columns of Jacobians, Christoffel
+//! symbols, derivatives. A row of S has a 1 for a joint that moves by itself, the factor for a follower,
+//! and nothing for a joint that is locked.
 
+use super::symbols::Symbols;
+use crate::expr::Expr;
 use crate::function::{Shape, Size, Sizes};
+use crate::linear::Ring;
 use crate::robot::Robot;
 
-/// Which rows of the table have a joint that moves.
-pub(super) struct Joints {
+/// Which rows of the table have a joint that moves by itself, and which follow these: S.
+pub(super) struct Joints<R> {
     moving: Vec<usize>,
+    /// Row, joint and factor of each follower.
+    followers: Vec<(usize, usize, R)>,
     rows: usize,
 }
 
-impl Joints {
+impl<'g> Joints<Expr<'g>> {
     /// Those of a robot.
-    pub(super) fn of(robot: &Robot) -> Self {
+    pub(super) fn of(symbols: &Symbols<'g>, robot: &Robot) -> Self {
+        let follower = |i: usize| {
+            let (leader, factor) = symbols.followed(i)?;
+            Some((i, robot.joint_of(leader), factor))
+        };
         Joints {
             moving: robot.moving(),
+            followers: (0..robot.rows.len()).filter_map(follower).collect(),
             rows: robot.rows.len(),
         }
     }
+}
 
-    /// The entries of a vector.
-    pub(super) fn entries<T: Copy>(&self, of_rows: Vec<T>) -> Vec<T> {
-        self.moving.iter().map(|&i| of_rows[i]).collect()
-    }
-
-    /// The rows and columns of a square matrix.
-    pub(super) fn block<T: Copy>(&self, of_rows: Vec<Vec<T>>) -> Vec<Vec<T>> {
-        let row = |&i: &usize| self.moving.iter().map(|&j| of_rows[i][j]).collect();
-        self.moving.iter().map(row).collect()
-    }
-
-    /// The vector with `zero` where a joint is locked.
-    pub(super) fn rows<T: Copy>(&self, of_joints: &[T], zero: T) -> Vec<T> {
-        let mut of_rows = vec![zero; self.rows];
-        for (&i, &x) in self.moving.iter().zip(of_joints) {
-            of_rows[i] = x;
+impl<R: Ring> Joints<R> {
+    /// S' x
+    pub(super) fn entries(&self, of_rows: Vec<R>) -> Vec<R> {
+        let mut entries: Vec<R> = self.moving.iter().map(|&i| of_rows[i]).collect();
+        for &(i, joint, factor) in &self.followers {
+            entries[joint] = entries[joint] + factor * of_rows[i];
         }
-        of_rows
+        entries
     }
 
-    /// Of values for the joint of every row, in that arrangement, those of the joints that move.
-    pub(super) fn outputs<T: Copy>(&self, shape: &Shape, of_rows: Vec<T>) -> Vec<T> {
+    /// S' A S
+    pub(super) fn block(&self, of_rows: Vec<Vec<R>>) -> Vec<Vec<R>> {
+        let columns = of_rows.into_iter().map(|row| self.entries(row));
+        self.rows_of_matrix(columns.collect())
+    }
+
+    /// S' A
+    pub(super) fn rows_of_matrix(&self, of_rows: Vec<Vec<R>>) -> Vec<Vec<R>> {
+        let mut rows: Vec<Vec<R>> = self.moving.iter().map(|&i| of_rows[i].clone()).collect();
+        for &(i, joint, factor) in &self.followers {
+            let terms = rows[joint].iter_mut().zip(&of_rows[i]);
+            terms.for_each(|(entry, &x)| *entry = *entry + factor * x);
+        }
+        rows
+    }
+
+    /// S' A S for a diagonal matrix, which is diagonal too, for each follower follows one joint.
+    pub(super) fn diagonal(&self, of_rows: &[R]) -> Vec<R> {
+        let mut entries: Vec<R> = self.moving.iter().map(|&i| of_rows[i]).collect();
+        for &(i, joint, factor) in &self.followers {
+            entries[joint] = entries[joint] + factor * factor * of_rows[i];
+        }
+        entries
+    }
+
+    /// The symbols c_ijk of the joints from those of all rows.
+    pub(super) fn cube(&self, of_rows: Vec<Vec<Vec<R>>>) -> Vec<Vec<Vec<R>>> {
+        let blocks: Vec<_> = of_rows.into_iter().map(|c| self.block(c)).collect();
+        let mut cube: Vec<_> = self.moving.iter().map(|&i| blocks[i].clone()).collect();
+        for &(i, joint, factor) in &self.followers {
+            let entries = cube[joint].iter_mut().flatten();
+            let terms = entries.zip(blocks[i].iter().flatten());
+            terms.for_each(|(entry, &x)| *entry = *entry + factor * x);
+        }
+        cube
+    }
+
+    /// Of values for the joint of every row, in that arrangement, those of the joints that move by
+    /// themselves. An array has the values of each joint's own link.
+    pub(super) fn outputs(&self, shape: &Shape, of_rows: Vec<R>) -> Vec<R> {
         if self.moving.len() == self.rows {
             return of_rows;
         }
-        self.picked(shape, self.sizes(shape, of_rows.len()), &of_rows)
+        self.of_shape(shape, self.sizes(shape, of_rows.len()), &of_rows)
     }
 
     /// The sizes for the joint of every row.
@@ -57,24 +106,16 @@ impl Joints {
         }
     }
 
-    fn picked<T: Copy>(&self, shape: &Shape, sizes: Sizes, of_rows: &[T]) -> Vec<T> {
+    fn of_shape(&self, shape: &Shape, sizes: Sizes, of_rows: &[R]) -> Vec<R> {
         match shape {
             Shape::Number => of_rows.to_vec(),
-            Shape::Matrix(rows, columns) => {
-                let places = |size| self.places(size, sizes);
-                pick(
-                    of_rows,
-                    columns.of(sizes),
-                    &places(*rows),
-                    &places(*columns),
-                )
-            }
+            Shape::Matrix(rows, columns) => self.of_matrix(*rows, *columns, sizes, of_rows),
             Shape::Each(one) => {
                 let entries = one.entries(sizes);
                 let of_joint = |&i: &usize| &of_rows[i * entries..(i + 1) * entries];
                 let moving = self.moving.iter().map(of_joint);
                 moving
-                    .flat_map(|part| self.picked(one, sizes, part))
+                    .flat_map(|part| self.of_shape(one, sizes, part))
                     .collect()
             }
             Shape::Tuple(parts) => {
@@ -82,7 +123,7 @@ impl Joints {
                 let mut picked = Vec::new();
                 for part in *parts {
                     let (values, others) = rest.split_at(part.entries(sizes));
-                    picked.extend(self.picked(part, sizes, values));
+                    picked.extend(self.of_shape(part, sizes, values));
                     rest = others;
                 }
                 picked
@@ -91,58 +132,38 @@ impl Joints {
         }
     }
 
-    /// Which of so many rows or columns belong to joints that move, or to none.
-    fn places(&self, size: Size, sizes: Sizes) -> Vec<usize> {
-        match size {
-            Size::One | Size::Fixed(_) | Size::Parameters => (0..size.of(sizes)).collect(),
-            Size::Joints => self.moving.clone(),
-            Size::Pairs => {
-                let among = self.moving.iter().enumerate();
-                let inner = |(j, &a): (usize, &usize)| {
-                    let outer = self.moving[j + 1..].iter();
-                    outer.map(|&b| self.pair(a, b)).collect::<Vec<_>>()
-                };
-                among.flat_map(inner).collect()
-            }
+    fn of_matrix(&self, rows: Size, columns: Size, sizes: Sizes, of_rows: &[R]) -> Vec<R> {
+        let width = columns.of(sizes);
+        if width == 0 {
+            return Vec::new();
         }
+        let mut matrix: Vec<Vec<R>> = of_rows.chunks(width).map(<[R]>::to_vec).collect();
+        if columns == Size::Joints {
+            matrix = matrix.into_iter().map(|row| self.entries(row)).collect();
+        }
+        if rows == Size::Joints {
+            matrix = self.rows_of_matrix(matrix);
+        }
+        matrix.concat()
     }
-
-    /// The place of a pair of rows in the order (1,2), (1,3), ..., (n-1,n).
-    fn pair(&self, a: usize, b: usize) -> usize {
-        let before = |a: usize| (0..a).map(|i| self.rows - 1 - i).sum::<usize>();
-        before(a) + b - a - 1
-    }
-}
-
-/// Rows and columns of a matrix that is given by rows of that width.
-fn pick<T: Copy>(matrix: &[T], width: usize, rows: &[usize], columns: &[usize]) -> Vec<T> {
-    let row = |&i: &usize| columns.iter().map(move |&j| matrix[i * width + j]);
-    rows.iter().flat_map(row).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    #[test]
-    fn pairs_of_joints_keep_their_order() {
-        let joints = Joints {
-            moving: vec![0, 2, 3],
-            rows: 4,
-        };
-        // (1,2) (1,3) (1,4) (2,3) (2,4) (3,4), three rows that matter.
-        let of_rows: Vec<usize> = (0..24).collect();
-        let picked = joints.outputs(&Shape::Matrix(Size::Joints, Size::Pairs), of_rows);
-        assert_eq!(picked, [1, 2, 5, 13, 14, 17, 19, 20, 23]);
+    fn joints(moving: &[usize], followers: &[(usize, usize, i64)], rows: usize) -> Joints<i64> {
+        Joints {
+            moving: moving.to_vec(),
+            followers: followers.to_vec(),
+            rows,
+        }
     }
 
     /// A vector for each joint beside a matrix with a column for each: two of three joints move.
     #[test]
     fn what_does_not_belong_to_joints_stays() {
-        let joints = Joints {
-            moving: vec![0, 2],
-            rows: 3,
-        };
+        let joints = joints(&[0, 2], &[], 3);
         const EACH: Shape = Shape::Each(&Shape::Matrix(Size::Fixed(2), Size::One));
         const SHAPE: Shape = Shape::Tuple(&[
             EACH,
@@ -150,8 +171,37 @@ mod tests {
             Shape::Matrix(Size::Fixed(2), Size::Joints),
             Shape::Matrix(Size::Joints, Size::Parameters),
         ]);
-        let of_rows: Vec<usize> = (0..19).collect();
-        let picked = joints.outputs(&SHAPE, of_rows);
+        let picked = joints.outputs(&SHAPE, (0..19).collect());
         assert_eq!(picked, [0, 1, 4, 5, 6, 7, 9, 10, 12, 13, 14, 17, 18]);
+    }
+
+    /// Joint 1 is followed by row 2 with the factor -2; row 3 is locked.
+    #[test]
+    fn followers_count_through_the_joint_that_leads() {
+        let joints = joints(&[0, 1], &[(2, 1, -2)], 4);
+        assert_eq!(joints.entries(vec![1, 10, 100, 1000]), [1, -190]);
+        assert_eq!(joints.diagonal(&[1, 10, 100, 1000]), [1, 410]);
+        let jacobian = Shape::Matrix(Size::Fixed(2), Size::Joints);
+        let picked = joints.outputs(&jacobian, vec![1, 2, 3, 4, 5, 6, 7, 8]);
+        assert_eq!(picked, [1, 2 - 6, 5, 6 - 14]);
+        // S' A S with the entries of A in place.
+        let matrix = |f: fn(usize, usize) -> i64| -> Vec<Vec<i64>> {
+            (0..4).map(|i| (0..4).map(|j| f(i, j)).collect()).collect()
+        };
+        let block = joints.block(matrix(|i, j| (10 * i + j) as i64));
+        assert_eq!(
+            block,
+            [[0, 1 - 4], [10 - 40, 11 - 2 * 12 - 2 * (21 - 2 * 22)]]
+        );
+        let cube = (0..4).map(|k| vec![vec![k; 4]; 4]).collect();
+        assert_eq!(joints.cube(cube)[1], [[1 - 4, 3], [3, -3]]);
+    }
+
+    /// An array has the poses of the joints' own links.
+    #[test]
+    fn links_of_followers_have_no_entry_in_an_array() {
+        let joints = joints(&[0, 2], &[(1, 0, 3)], 3);
+        const POSES: Shape = Shape::Each(&Shape::Matrix(Size::Fixed(1), Size::Fixed(1)));
+        assert_eq!(joints.outputs(&POSES, vec![4, 5, 6]), [4, 6]);
     }
 }

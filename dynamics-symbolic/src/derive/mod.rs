@@ -80,7 +80,7 @@ fn is_tried_by(trial: Trial, function: Function) -> bool {
 /// before any search: a form that takes over a tenth more than another in the plain gauge is
 /// not tried.
 fn promising_forms(robot: &Robot, function: Function) -> Vec<Part> {
-    let forms = function.forms(robot.dof()).into_iter();
+    let forms = forms(robot, function).into_iter();
     let parts: Vec<_> = forms.map(|form| Part { function, form }).collect();
     if !is_tried_by(Trial::Promising, function) {
         return parts;
@@ -92,6 +92,13 @@ fn promising_forms(robot: &Robot, function: Function) -> Vec<Part> {
     let parts = parts.into_iter().zip(costs);
     let promising = parts.filter(|(_, cost)| 10 * cost <= 11 * least);
     promising.map(|(part, _)| part).collect()
+}
+
+/// The forms that may be the shortest. Articulated bodies are of joints that move by themselves.
+fn forms(robot: &Robot, function: Function) -> Vec<Form> {
+    let mut forms = function.forms(robot.dof());
+    forms.retain(|form| *form != Form::Articulated || !robot.is_coupled());
+    forms
 }
 
 /// The program of a function written in one form: the shortest that the gauges and the

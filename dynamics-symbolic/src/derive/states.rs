@@ -6,7 +6,8 @@ use crate::robot::{JointType, Robot, Row, Symbol, Value};
 use crate::rounding::Bounded;
 use core::f64::consts::{FRAC_PI_2, PI};
 
-/// What the symbols of a robot are at one state.
+/// What the symbols of a robot are at one state. Positions and velocities of the joints are followed by
+/// those of the followers, less their offsets.
 pub(super) struct State {
     q: Vec<f64>,
     qd: Vec<f64>,
@@ -74,13 +75,14 @@ impl State {
         };
         let q: Vec<f64> = robot.joints().map(along).collect();
         let mut symmetric = || q.iter().map(|_| 2.0 * random.unit() - 1.0).collect();
+        let (qd, qdd, tau): (Vec<f64>, _, _) = (symmetric(), symmetric(), symmetric());
         State {
-            qd: symmetric(),
-            qdd: symmetric(),
-            tau: symmetric(),
+            qd: robot.with_followers(&qd, &fields.values),
+            qdd,
+            tau,
             entries: q.first().map_or(0, |q| q.to_bits()),
+            q: robot.with_followers(&q, &fields.values),
             fields,
-            q,
         }
     }
 

@@ -13,7 +13,7 @@ use crate::expr::{Direction, Expr};
 use crate::linear::{Symmetric3, Vector3};
 use crate::robot::{Interpretation, Robot, Value};
 
-/// The equations of motion by the textbook.
+/// The equations of motion of the joints that move by themselves, by the textbook.
 pub struct Textbook<'g> {
     /// T
     pub kinetic_energy: Expr<'g>,
@@ -30,18 +30,21 @@ pub struct Textbook<'g> {
 impl<'g> Textbook<'g> {
     /// Derives the equations from the raw table.
     pub fn new(symbols: &mut Symbols<'g>, robot: &Robot) -> Self {
-        let n = robot.rows.len();
+        let joints = robot.moving();
+        let n = joints.len();
         let half = symbols
             .graph()
             .rational(&(Rational::ONE / Rational::from(2)));
         let kinetic_energy = kinetic_energy(symbols, robot, half);
         let potential_energy = potential_energy(symbols, robot);
         let one = symbols.graph().one();
-        let along_qd: Vec<_> = (0..n)
-            .map(|i| Direction::new().with(symbols.joint(i).qd, one))
+        let along_qd: Vec<_> = joints
+            .iter()
+            .map(|&i| Direction::new().with(symbols.joint(i).qd, one))
             .collect();
-        let along_q: Vec<_> = (0..n)
-            .map(|i| symbols.along_position(Direction::new(), i, one))
+        let along_q: Vec<_> = joints
+            .iter()
+            .map(|&i| symbols.along_position(Direction::new(), i, one))
             .collect();
         let mass_matrix: Vec<Vec<_>> = along_qd
             .iter()
@@ -53,7 +56,7 @@ impl<'g> Textbook<'g> {
             })
             .collect();
         let slope = |i: usize, j: usize, k: usize| mass_matrix[i][j].derivative(&along_q[k]);
-        let qd = symbols.all(|joint| joint.qd);
+        let qd: Vec<_> = joints.iter().map(|&i| symbols.joint(i).qd).collect();
         let zero = symbols.graph().zero();
         let coriolis = |i: usize| {
             let pairs = (0..n).flat_map(|j| (0..n).map(move |k| (j, k)));

@@ -37,8 +37,8 @@ pub(super) fn body(
 ) -> TokenStream {
     let writer = Writer::new(robot, program, constants);
     let reads_constants = writer.constants.iter().any(|x| !x.is_nan());
-    let number =
-        (reads_constants || reads_cells(program)).then(|| constants_of(&request.arguments(), path));
+    let number = (reads_constants || reads_cells(robot, program))
+        .then(|| constants_of(&request.arguments(), path));
     let inputs = inputs(robot, request, program, path);
     let assignments = writer.assignments(path);
     let outputs = writer.outputs(robot, request, path);

@@ -8,12 +8,13 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 /// Whether a field of the struct, or a function of a cell, is an input.
-pub(super) fn reads_cells(program: &Program) -> bool {
-    program.inputs.iter().any(|symbol| {
-        matches!(
-            symbol,
-            Symbol::Field(_) | Symbol::AngleSine(_) | Symbol::AngleCosine(_) | Symbol::Stribeck(_)
-        )
+pub(super) fn reads_cells(robot: &Robot, program: &Program) -> bool {
+    program.inputs.iter().any(|symbol| match symbol {
+        Symbol::Field(_) | Symbol::AngleSine(_) | Symbol::AngleCosine(_) | Symbol::Stribeck(_) => {
+            true
+        }
+        // The factor of a follower.
+        symbol => robot.follower_of(symbol).is_some(),
     })
 }
 
@@ -40,6 +41,18 @@ pub(super) fn constants_like(number: &TokenStream, path: &TokenStream) -> TokenS
 fn element(vector: Argument, i: usize) -> TokenStream {
     let (vector, i) = (ident(vector.name()), Literal::usize_unsuffixed(i));
     quote!(#vector.data.0[0][#i])
+}
+
+/// Position or velocity behind a symbol's index: of a follower, that of the joint it follows times the
+/// factor.
+fn of_joint(robot: &Robot, argument: Argument, i: usize) -> TokenStream {
+    match robot.followed(i) {
+        None => element(argument, i),
+        Some((leader, factor)) => {
+            let (factor, x) = (parametric(robot, factor), element(argument, leader));
+            quote!((#factor * #x))
+        }
+    }
 }
 
 /// The literal of a double, its sign apart.
@@ -105,7 +118,7 @@ pub(super) fn inputs(
             Symbol::Force(i) => element(Argument::Force, *i),
             Symbol::Entry(argument, i) => element(*argument, *i),
             Symbol::VelocitySign(i) => {
-                let velocity = element(Argument::Velocity, *i);
+                let velocity = of_joint(robot, Argument::Velocity, *i);
                 quote!(#path::Scalar::sign(#velocity))
             }
             Symbol::Stribeck(i) => stribeck(robot, *i, path),
@@ -151,14 +164,14 @@ fn sines(
     let (mut pairs, mut arguments) = (Vec::new(), Vec::new());
     for angle in angles {
         match angle {
-            Symbol::Sine(i) | Symbol::Cosine(i) if are_asked_for => {
+            Symbol::Sine(i) | Symbol::Cosine(i) if are_asked_for && *i < robot.dof() => {
                 joints.push(Literal::usize_unsuffixed(*i));
                 known.push(pair(Symbol::Sine(*i), Symbol::Cosine(*i)));
                 positions.push(element(Argument::Position, *i));
             }
             Symbol::Sine(i) | Symbol::Cosine(i) => {
                 pairs.push(pair(Symbol::Sine(*i), Symbol::Cosine(*i)));
-                arguments.push(element(Argument::Position, *i));
+                arguments.push(of_joint(robot, Argument::Position, *i));
             }
             Symbol::AngleSine(value) | Symbol::AngleCosine(value) => {
                 let [sine, cosine] = [Symbol::AngleSine, Symbol::AngleCosine];
@@ -199,12 +212,12 @@ pub(super) fn place(symbol: &Symbol) -> (u8, usize) {
     }
 }
 
-/// exp(-(qd/v)^2) of a joint that moves.
+/// exp(-(qd/v)^2) of the joint behind a symbol's index.
 fn stribeck(robot: &Robot, joint: usize, path: &TokenStream) -> TokenStream {
-    let row = robot.joints().nth(joint);
+    let row = robot.row_of(joint);
     let stribeck = row.and_then(|row| row.stribeck.as_ref());
     let v = stribeck.map(|stribeck| parametric(robot, &stribeck.velocity));
-    let (qd, x) = (element(Argument::Velocity, joint), ident("x"));
+    let (qd, x) = (of_joint(robot, Argument::Velocity, joint), ident("x"));
     quote! {{
         let #x = #qd / #v;
         #path::Scalar::exp(-(#x * #x))

@@ -54,10 +54,17 @@ fn legend(robot: &Robot) -> String {
         true => format!("{turn}; where joint i is locked, its position is added to theta or d"),
         false => turn.to_owned(),
     };
+    let coupled = match robot.is_coupled() {
+        true => {
+            " They are those of the arm in which the joints that follow others move by themselves: what they \
+             multiply may be dependent."
+        }
+        false => "",
+    };
     format!(
         "Jixx to Jizz (kg m^2) are the entries of link i's inertia tensor about the origin of frame i, hix to hiz \
          (kg m) its first moments mass * com from there, mi (kg) its mass{motor}. Frame i is {frame}. ai, di are cells of row i, \
-         sai, cai sine and cosine of its alpha{turn}."
+         sai, cai sine and cosine of its alpha{turn}.{coupled}"
     )
 }
 

@@ -36,7 +36,9 @@ impl Groups {
             if robot.convention == Convention::Modified {
                 follow(&row.alpha, &mut is_parallel, &mut is_reversed);
             }
-            if row.locked.is_none() {
+            if row.follows.is_some() {
+                is_parallel = false;
+            } else if row.locked.is_none() {
                 if row.joint_type == JointType::Revolute {
                     if !is_parallel {
                         groups.push(Vec::new());
@@ -55,18 +57,17 @@ impl Groups {
         Groups(groups)
     }
 
-    /// The run of one revolute joint.
-    pub(super) fn run_of(&self, joint: usize) -> Run {
+    /// The run of one revolute joint; `None` of one that follows another.
+    pub(super) fn run_of(&self, joint: usize) -> Option<Run> {
         let found = self.0.iter().enumerate().find_map(|(group, members)| {
             let at = members.iter().position(|member| member.joint == joint)?;
             Some((group, at))
         });
-        let (group, at) = found.expect("a joint that turns");
-        Run {
+        found.map(|(group, at)| Run {
             group,
             first: at,
             last: at,
-        }
+        })
     }
 
     /// The joints of a run, with whether they are subtracted.

@@ -133,8 +133,8 @@ impl Arithmetic for Expansion<'_> {
                 signed.add_multiple(&sine, &sign);
                 return Some(Rc::new(signed));
             }
-            Symbol::Sine(i) => Atom::Sine(self.groups.run_of(*i)),
-            Symbol::Cosine(i) => Atom::Cosine(self.groups.run_of(*i)),
+            Symbol::Sine(i) => Atom::Sine(self.groups.run_of(*i)?),
+            Symbol::Cosine(i) => Atom::Cosine(self.groups.run_of(*i)?),
             Symbol::Position(i) => Atom::Position(*i),
             Symbol::Velocity(i) => Atom::Velocity(*i),
             Symbol::Acceleration(i) => Atom::Acceleration(*i),

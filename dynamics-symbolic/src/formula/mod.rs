@@ -94,7 +94,10 @@ pub struct Equation {
 impl Formulas {
     /// Those of a short arm, which are written without being asked for.
     pub fn of_short_arm(robot: &Robot, functions: &[Function], program: &Program) -> Option<Self> {
-        let is_short = robot.dof() <= MOST_JOINTS;
+        // Sines of followers have no letter.
+        let mut inputs = program.inputs.iter();
+        let is_named = inputs.all(|symbol| robot.follower_of(symbol).is_none());
+        let is_short = robot.dof() <= MOST_JOINTS && is_named;
         is_short.then(|| Formulas::new(robot, functions, program, BUDGET))
     }
 

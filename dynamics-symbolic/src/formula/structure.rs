@@ -58,7 +58,7 @@ impl Structure {
         if outputs.len() < 2 {
             return None;
         }
-        let read = variables(program);
+        let read = variables(robot, program);
         let is_symmetric = is_symmetric(outputs, &indices);
         let mut structure = Structure {
             values: outputs.len(),
@@ -80,7 +80,9 @@ impl Structure {
                     }
                     continue;
                 }
-                Operand::Input(i) => variable(&program.inputs[i as usize]).into_iter().collect(),
+                Operand::Input(i) => variable(robot, &program.inputs[i as usize])
+                    .into_iter()
+                    .collect(),
                 Operand::Result(i) => read[i as usize].clone(),
             };
             match depends_on.is_empty() {
@@ -157,13 +159,15 @@ fn list(variables: &BTreeSet<Variable>) -> String {
 }
 
 /// The variables that each instruction depends on.
-fn variables(program: &Program) -> Vec<BTreeSet<Variable>> {
+fn variables(robot: &Robot, program: &Program) -> Vec<BTreeSet<Variable>> {
     let mut sets: Vec<BTreeSet<Variable>> = Vec::with_capacity(program.instructions.len());
     for instruction in &program.instructions {
         let (a, b) = instruction.operands();
         let of = |operand| match operand {
             Operand::Constant(_) => BTreeSet::new(),
-            Operand::Input(i) => variable(&program.inputs[i as usize]).into_iter().collect(),
+            Operand::Input(i) => variable(robot, &program.inputs[i as usize])
+                .into_iter()
+                .collect(),
             Operand::Result(i) => sets[i as usize].clone(),
         };
         let mut both: BTreeSet<Variable> = of(a);
@@ -173,7 +177,7 @@ fn variables(program: &Program) -> Vec<BTreeSet<Variable>> {
     sets
 }
 
-fn variable(symbol: &Symbol) -> Option<Variable> {
+fn variable(robot: &Robot, symbol: &Symbol) -> Option<Variable> {
     let (letter, index) = match symbol {
         Symbol::Pi | Symbol::Field(_) | Symbol::AngleSine(_) | Symbol::AngleCosine(_) => {
             return None;
@@ -186,7 +190,11 @@ fn variable(symbol: &Symbol) -> Option<Variable> {
         Symbol::Force(i) => (Letter::Force, i),
         Symbol::Entry(argument, i) => (Letter::Other(*argument), i),
     };
-    Some(Variable(letter, *index))
+    // What a follower does depends on the joint that it follows.
+    let followed = robot.followed(*index);
+    let is_followed = robot.follower_of(symbol).is_some();
+    let leader = followed.filter(|_| is_followed).map(|(leader, _)| leader);
+    Some(Variable(letter, leader.unwrap_or(*index)))
 }
 
 /// The indices of the values of a function that are numbers, vectors or matrices, counted from 1.

@@ -12,6 +12,7 @@ pub(super) type Forces = Vec<f64>;
 
 /// An arm as its base parameters.
 pub(super) struct Arm {
+    dof: usize,
     links: Vec<Link>,
     gravity: Vector3<f64>,
     /// Row and name of each base parameter.
@@ -24,8 +25,33 @@ struct Link {
     geometry: LinkGeometry<f64>,
     /// Of the joint variable's cell, where the joint turns.
     theta: Turn<f64>,
-    /// The joint, of those that move.
-    joint: Option<usize>,
+    motion: Option<Motion>,
+}
+
+/// How the joint of a link moves: one that moves by itself has the factor 1, and no offset.
+#[derive(Clone, Copy)]
+struct Motion {
+    /// The joint by which it moves, of those that move by themselves.
+    joint: usize,
+    factor: f64,
+    offset: f64,
+}
+
+impl Motion {
+    fn of(robot: &Robot, i: usize) -> Option<Self> {
+        match &robot.rows[i].follows {
+            Some(coupling) => Some(Motion {
+                joint: robot.joint_of(coupling.leader),
+                factor: coupling.factor.to_f64(&[]),
+                offset: coupling.offset.to_f64(&[]),
+            }),
+            None => robot.rows[i].is_free().then(|| Motion {
+                joint: robot.joint_of(i),
+                factor: 1.0,
+                offset: 0.0,
+            }),
+        }
+    }
 }
 
 impl Arm {
@@ -39,16 +65,16 @@ impl Arm {
             unit.map(|unit| unit.times(value)).ok_or(value)
         };
         let parts = columns.iter().zip(&values).map(part).collect();
-        let mut joints = 0..;
-        let links = geometry.iter().zip(&robot.rows).map(|(geometry, row)| {
-            let (s, c) = cells.sin_cos(&row.theta);
+        let links = geometry.iter().enumerate().map(|(i, geometry)| {
+            let (s, c) = cells.sin_cos(&robot.rows[i].theta);
             Link {
                 geometry: *geometry,
                 theta: Turn { s, c },
-                joint: row.locked.is_none().then(|| joints.next()).flatten(),
+                motion: Motion::of(robot, i),
             }
         });
         Arm {
+            dof: robot.dof(),
             links: links.collect(),
             gravity: place::gravity(cells, robot),
             columns,
@@ -57,10 +83,7 @@ impl Arm {
     }
 
     pub(super) fn dof(&self) -> usize {
-        self.links
-            .iter()
-            .filter(|link| link.joint.is_some())
-            .count()
+        self.dof
     }
 
     /// The columns of M that each parameter adds.
@@ -106,16 +129,18 @@ impl Arm {
 
     /// For the joint of every row, 0 where it is locked.
     fn of_rows(&self, of_joints: &[f64]) -> Vec<f64> {
-        let value = |link: &Link| link.joint.map_or(0.0, |joint| of_joints[joint]);
-        self.links.iter().map(value).collect()
+        let value = |motion: Motion| motion.factor * of_joints[motion.joint];
+        let links = self.links.iter();
+        links.map(|link| link.motion.map_or(0.0, value)).collect()
     }
 
-    /// For the joints that move; 0 for those behind the last row that is given.
+    /// For the joints that move by themselves, what those that follow them feel included; 0 for those
+    /// behind the last row that is given.
     fn of_joints(&self, of_rows: Vec<f64>) -> Forces {
         let mut forces = vec![0.0; self.dof()];
         for (link, force) in self.links.iter().zip(of_rows) {
-            if let Some(joint) = link.joint {
-                forces[joint] = force;
+            if let Some(Motion { joint, factor, .. }) = link.motion {
+                forces[joint] += factor * force;
             }
         }
         forces
@@ -125,17 +150,17 @@ impl Arm {
 impl Link {
     fn joint(&self, q: &[f64]) -> Joint<f64> {
         let still = self.geometry.joint(0.0, 1.0);
-        match (self.joint, still.joint_type) {
-            (None, _) => still,
-            (Some(j), JointType::Revolute) => {
-                let (s, c) = sin_cos(q[j]);
+        let Some(motion) = self.motion else {
+            return still;
+        };
+        let q = motion.factor * q[motion.joint] + motion.offset;
+        match still.joint_type {
+            JointType::Revolute => {
+                let (s, c) = sin_cos(q);
                 let turn = self.theta.plus(Turn { s, c });
                 Joint { turn, ..still }
             }
-            (Some(j), JointType::Prismatic) => Joint {
-                slide: q[j],
-                ..still
-            },
+            JointType::Prismatic => Joint { slide: q, ..still },
         }
     }
 }

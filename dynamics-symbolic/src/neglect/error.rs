@@ -83,8 +83,8 @@ fn points(robot: &Robot) -> Vec<Point> {
         let qdd: Vec<f64> = ud.iter().map(|u| ACCELERATION * u).collect();
         let tau = sum(&arm.forces(q, &qd, &qdd, true));
         Point {
-            q: q.clone(),
-            qd,
+            q: robot.with_followers(q, &[]),
+            qd: robot.with_followers(&qd, &[]),
             qdd,
             tau,
         }

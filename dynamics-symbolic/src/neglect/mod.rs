@@ -85,8 +85,10 @@ pub fn neglect(robot: &Robot, share: f64) -> Result<Robot, NotPositiveDefinite> 
         return refused(Some(q));
     }
     let sizes: Vec<f64> = effects.weights.iter().map(|w| w * w).collect();
-    let shown =
-        |is_left: &[bool]| definite::is_positive_definite(robot, &grouping, is_left, &sizes);
+    // What is shown is shown of arms whose joints all move by themselves.
+    let shown = |is_left: &[bool]| {
+        !robot.is_coupled() && definite::is_positive_definite(robot, &grouping, is_left, &sizes)
+    };
     let is_definite = shown(&is_left);
     if !is_definite && shown(&vec![true; small.len()]) {
         return refused(descent::indefinite(robot, &arm, &samples, &is_left));

@@ -3,7 +3,7 @@
 use crate::exact::{Rational, Residue, SplitMix64, circle_point};
 use crate::function::Argument;
 use crate::program::Arithmetic;
-use crate::robot::{Interpretation, Robot, Symbol, Value};
+use crate::robot::{Interpretation, JointType, Robot, Symbol, Value};
 
 /// A number of the field in which programs are proven: 2^62 - 57 is prime.
 pub type Number = Residue<{ (1 << 62) - 57 }>;
@@ -33,6 +33,7 @@ pub struct Assignment {
     pi: Number,
     fields: Vec<Number>,
     angles: Vec<(Value, (Number, Number))>,
+    /// Those of the joints that move by themselves, then those of the followers.
     joints: Vec<JointPoint>,
     /// The seed of all other arguments.
     entries: u64,
@@ -49,16 +50,7 @@ impl Assignment {
             .iter()
             .map(|_| Number::random(&mut random))
             .collect();
-        let joints = robot.joints().map(|_| JointPoint {
-            sin_cos: circle_point(&mut random),
-            q: Number::random(&mut random),
-            qd: Number::random(&mut random),
-            qdd: Number::random(&mut random),
-            tau: Number::random(&mut random),
-            sign: Number::random(&mut random),
-            stribeck: Number::random(&mut random),
-        });
-        let joints = joints.collect();
+        let joints = joint_points(robot, &mut random);
         Assignment {
             random,
             pi,
@@ -70,9 +62,24 @@ impl Assignment {
         }
     }
 
-    /// The variables of the joints that move.
+    /// The variables of the joints that move by themselves, then those of the followers, of which the
+    /// sine, the cosine, the sign and the exponential are read.
     pub fn joints(&self) -> &[JointPoint] {
         &self.joints
+    }
+
+    /// What is read at this point, but for the joints, which are at a point of another arm.
+    pub(super) fn with_joints_of<T>(
+        &mut self,
+        robot: &Robot,
+        seed: u64,
+        read: impl FnOnce(&mut Self) -> T,
+    ) -> T {
+        let others = joint_points(robot, &mut SplitMix64::new(seed));
+        let own = core::mem::replace(&mut self.joints, others);
+        let value = read(self);
+        self.joints = own;
+        value
     }
 
     /// An entry of another argument than q, qd, qdd and tau.
@@ -85,6 +92,67 @@ impl Assignment {
     pub fn is_unfaithful(&self) -> bool {
         self.unfaithful
     }
+}
+
+/// Random points of all joints. Where an angle is a whole multiple of another one, so is its point.
+fn joint_points(robot: &Robot, random: &mut SplitMix64) -> Vec<JointPoint> {
+    let mut points: Vec<_> = robot.joints().map(|_| JointPoint::random(random)).collect();
+    for (row, coupling) in robot.followers() {
+        let mut point = JointPoint::random(random);
+        let leader = robot.joint_of(coupling.leader);
+        let turn = [row, &robot.rows[coupling.leader]]
+            .iter()
+            .all(|row| row.joint_type == JointType::Revolute);
+        if let Some(n) = whole(&coupling.factor).filter(|_| turn) {
+            point.sin_cos = multiple(points[leader].sin_cos, n);
+        }
+        if let Some(sign) = coupling.sign() {
+            let sign_of_leader = points[leader].sign;
+            point.sign = if sign < 0 {
+                -sign_of_leader
+            } else {
+                sign_of_leader
+            };
+        }
+        points.push(point);
+    }
+    points
+}
+
+impl JointPoint {
+    fn random(random: &mut SplitMix64) -> Self {
+        JointPoint {
+            sin_cos: circle_point(random),
+            q: Number::random(random),
+            qd: Number::random(random),
+            qdd: Number::random(random),
+            tau: Number::random(random),
+            sign: Number::random(random),
+            stribeck: Number::random(random),
+        }
+    }
+}
+
+/// A factor that is a whole number.
+fn whole(factor: &Value) -> Option<i64> {
+    let factor = factor.as_rational()?;
+    factor
+        .is_int()
+        .then(|| i64::try_from(factor.round()).ok())?
+}
+
+/// Sine and cosine of n times an angle: (c + i s)^n, by squares.
+fn multiple((s, c): (Number, Number), n: i64) -> (Number, Number) {
+    let product =
+        |(s, c): (Number, Number), (t, d): (Number, Number)| (s * d + c * t, c * d - s * t);
+    let mut power = (Number::ZERO, Number::ONE);
+    for bit in (0..64 - n.unsigned_abs().leading_zeros()).rev() {
+        power = product(power, power);
+        if n.unsigned_abs() >> bit & 1 == 1 {
+            power = product(power, (s, c));
+        }
+    }
+    if n < 0 { (-power.0, power.1) } else { power }
 }
 
 impl Interpretation for Assignment {

@@ -181,6 +181,7 @@ mod tests {
             limits: None,
             locked: None,
             mount: None,
+            follows: None,
         };
         Robot {
             name: "Pendulum".to_owned(),

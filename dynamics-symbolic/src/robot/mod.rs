@@ -4,6 +4,7 @@
 //! other program.
 
 mod angle;
+mod coupling;
 mod friction;
 mod grouping;
 mod interpretation;
@@ -15,6 +16,7 @@ mod symbol;
 mod value;
 
 pub use angle::Angle;
+pub use coupling::Coupling;
 pub use friction::Stribeck;
 pub use grouping::{Coefficient, Grouping, LinkGrouping, Sense, Tie};
 pub use interpretation::Interpretation;
@@ -87,9 +89,17 @@ pub struct Row {
     /// theta come from there ([`mounted`]), and its body is told in the link frame that stands in it. Rows of
     /// a modified table alone have it.
     pub mount: Option<Mount>,
+    /// The joint that this one follows, where it does: then it is none of the arm's degrees of freedom,
+    /// and its link, its motor, its friction and its spring count through the one it follows.
+    pub follows: Option<Coupling>,
 }
 
 impl Row {
+    /// Whether the joint is one of the arm's degrees of freedom: it moves, and follows no other.
+    pub fn is_free(&self) -> bool {
+        self.locked.is_none() && self.follows.is_none()
+    }
+
     /// Whether the row has a motor: its reflected inertia is then a parameter of the arm, even where
     /// the table says that it is zero.
     pub fn has_motor(&self) -> bool {
@@ -146,11 +156,11 @@ pub struct Neglected {
 }
 
 impl Robot {
-    /// The rows of the joints that move: joint j, of those that are counted from the base outwards
-    /// everywhere in the generated functions, is row `moving()[j]`.
+    /// The rows of the joints that move by themselves: joint j, of those that are counted from the base
+    /// outwards everywhere in the generated functions, is row `moving()[j]`.
     pub fn moving(&self) -> Vec<usize> {
         let rows = self.rows.iter().enumerate();
-        let moving = rows.filter(|(_, row)| row.locked.is_none());
+        let moving = rows.filter(|(_, row)| row.is_free());
         moving.map(|(i, _)| i).collect()
     }
 
@@ -160,13 +170,74 @@ impl Robot {
         moving.unwrap_or(self.rows.len())
     }
 
-    /// The number of joints that move.
+    /// The number of joints that move by themselves.
     pub fn dof(&self) -> usize {
-        self.moving().len()
+        self.joints().count()
     }
 
-    /// The rows of the joints that move, from the base outwards.
+    /// The rows of the joints that move by themselves, from the base outwards.
     pub fn joints(&self) -> impl Iterator<Item = &Row> {
-        self.rows.iter().filter(|row| row.locked.is_none())
+        self.rows.iter().filter(|row| row.is_free())
+    }
+
+    /// The rows of the joints that follow others, from the base outwards, and how they do.
+    pub fn followers(&self) -> impl Iterator<Item = (&Row, &Coupling)> {
+        self.rows
+            .iter()
+            .filter_map(|row| Some((row, row.follows.as_ref()?)))
+    }
+
+    /// Whether a joint follows another one.
+    pub fn is_coupled(&self) -> bool {
+        self.followers().next().is_some()
+    }
+
+    /// Of a row, the joint of those that move by themselves.
+    pub fn joint_of(&self, row: usize) -> usize {
+        let before = self.rows[..row].iter();
+        before.filter(|row| row.is_free()).count()
+    }
+
+    /// The joint and the factor behind the index of a [`Symbol`]: of a follower, where the index is none
+    /// of a joint that moves by itself.
+    pub fn followed(&self, index: usize) -> Option<(usize, &Value)> {
+        let (_, coupling) = self.followers().nth(index.checked_sub(self.dof())?)?;
+        Some((self.joint_of(coupling.leader), &coupling.factor))
+    }
+
+    /// The row of the follower that a symbol is one of its own of.
+    pub fn follower_of(&self, symbol: &Symbol) -> Option<&Row> {
+        match symbol {
+            Symbol::Sine(i) | Symbol::Cosine(i) | Symbol::VelocitySign(i) | Symbol::Stribeck(i)
+                if *i >= self.dof() =>
+            {
+                self.row_of(*i)
+            }
+            _ => None,
+        }
+    }
+
+    /// The row behind the index of a [`Symbol`].
+    pub fn row_of(&self, index: usize) -> Option<&Row> {
+        let followers = self.followers().map(|(row, _)| row);
+        self.joints().chain(followers).nth(index)
+    }
+
+    /// Positions or velocities of the joints, then those of the followers by their factors alone, in the
+    /// order of the indices of [`Symbol`]; `fields` are the parameters' values.
+    pub fn with_followers(&self, of_joints: &[f64], fields: &[f64]) -> Vec<f64> {
+        let followers = self.followers().map(|(_, coupling)| {
+            coupling.factor.to_f64(fields) * of_joints[self.joint_of(coupling.leader)]
+        });
+        of_joints.iter().copied().chain(followers).collect()
+    }
+
+    /// The arm in which nothing is coupled: each follower is a joint of its own.
+    pub fn uncoupled(&self) -> Robot {
+        let mut robot = self.clone();
+        for row in &mut robot.rows {
+            row.follows = None;
+        }
+        robot
     }
 }

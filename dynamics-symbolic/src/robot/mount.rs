@@ -393,6 +393,7 @@ fn fixed() -> Row {
         spring: None,
         limits: None,
         locked: Some(zero()),
+        follows: None,
         mount: None,
     }
 }

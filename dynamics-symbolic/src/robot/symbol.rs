@@ -3,7 +3,9 @@
 use super::Value;
 use crate::function::Argument;
 
-/// What a symbol stands for. Indices of joints count from 0, joints that are locked left out.
+/// What a symbol stands for. Indices of joints count from 0, joints that are locked left out. Joints that
+/// follow others come after all that move by themselves, and have symbols of their own only for what is
+/// no polynomial in those of the joint they follow.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Symbol {
     /// The circle's ratio.
@@ -14,9 +16,9 @@ pub enum Symbol {
     AngleSine(Value),
     /// Cosine of a constant or parametric angle.
     AngleCosine(Value),
-    /// Sine of a joint angle.
+    /// Sine of a joint angle; of a follower, of the leader's position times the factor, without the offset.
     Sine(usize),
-    /// Cosine of a joint angle.
+    /// Cosine of such an angle.
     Cosine(usize),
     /// A joint's position, q.
     Position(usize),
@@ -26,9 +28,9 @@ pub enum Symbol {
     Acceleration(usize),
     /// A joint's force or torque, tau.
     Force(usize),
-    /// The sign of a joint's velocity.
+    /// The sign of a joint's or a follower's velocity.
     VelocitySign(usize),
-    /// exp(-(qd/v)^2) of a joint's velocity and its [Stribeck velocity](super::Stribeck): what is left
+    /// exp(-(qd/v)^2) of a joint's or a follower's velocity and its [Stribeck velocity](super::Stribeck): what is left
     /// of the static friction beyond Coulomb's.
     Stribeck(usize),
     /// An entry of another argument than q, qd, qdd and tau.

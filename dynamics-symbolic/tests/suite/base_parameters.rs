@@ -151,6 +151,7 @@ fn row(joint_type: JointType, [a, alpha, d, theta]: [Value; 4]) -> Row {
         limits: None,
         locked: None,
         mount: None,
+        follows: None,
     }
 }
 

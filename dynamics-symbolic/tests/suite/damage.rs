@@ -8,7 +8,7 @@ use dynamics_symbolic::exact::Rational;
 use dynamics_symbolic::neglect::neglect;
 use dynamics_symbolic::program::{Constant, Instruction, Operand, Program};
 use dynamics_symbolic::prove::{Proof, prove};
-use dynamics_symbolic::robot::{Robot, Row, Spring, Stribeck};
+use dynamics_symbolic::robot::{Coupling, Robot, Row, Spring, Stribeck, Value};
 
 /// Ways in which a simplification may go wrong.
 const DAMAGES: [fn(&mut Program, usize); 4] =
@@ -286,6 +286,98 @@ fn every_damage_to_an_arm_with_base_and_tool_is_found() {
         }
     }
     assert!(count > 3_000, "only {count} damages were made");
+}
+
+/// Operations that couplings make, and the couplings themselves: a wrong factor, a wrong offset, a follower
+/// without its friction, its motor or its spring.
+#[test]
+fn every_damage_to_an_arm_with_followers_is_found() {
+    let mut count = 0;
+    for factor in [[-1, 1], [2, 1], [7, 3]] {
+        let robot = coupled(Rational::from_parts(
+            factor[0].into(),
+            (factor[1] as u32).into(),
+        ));
+        for function in [
+            Function::MassMatrix,
+            Function::CoriolisVector,
+            Function::InverseDynamics,
+            Function::InverseDynamicsDerivatives,
+            Function::Jacobian,
+        ] {
+            let program = derive(&robot, function);
+            count += refused(&robot, function, &program);
+        }
+        let change = |change: fn(&mut Row)| {
+            let mut other = robot.clone();
+            change(&mut other.rows[2]);
+            other
+        };
+        let other_factor = change(|row| {
+            let coupling = row.follows.as_mut().expect("a follower");
+            coupling.factor = coupling.factor.clone() + arms::decimal(0.001);
+        });
+        let other_offset = change(|row| {
+            let coupling = row.follows.as_mut().expect("a follower");
+            coupling.offset = coupling.offset.clone() + arms::decimal(0.001);
+        });
+        for (other, functions) in [
+            (&other_factor, &Function::ALL[..]),
+            (
+                &other_offset,
+                &[Function::GravityVector, Function::SpringVector],
+            ),
+        ] {
+            for &function in functions {
+                // Base parameters, and the links up to the follower, do not depend on it.
+                let is_told = ![
+                    Function::BaseParameters,
+                    Function::LinkPoses,
+                    Function::LinkJacobians,
+                ]
+                .contains(&function);
+                let program = derive(other, function);
+                assert_eq!(
+                    prove(&robot, function, &program).is_err(),
+                    is_told,
+                    "{}",
+                    function.name()
+                );
+            }
+        }
+        let without = [
+            change(|row| row.viscous = Value::zero()),
+            change(|row| row.coulomb = [(); 2].map(|()| Value::zero())),
+            change(|row| row.motor_inertia = Value::zero()),
+            change(|row| row.spring = None),
+            change(|row| row.follows = None),
+        ];
+        for other in without {
+            let program = derive(&other, Function::InverseDynamics);
+            assert!(prove(&robot, Function::InverseDynamics, &program).is_err());
+        }
+    }
+    assert!(count > 1_000, "only {count} damages were made");
+}
+
+/// Three joints, the last of which follows the second.
+fn coupled(factor: Rational) -> Robot {
+    let mut robot = arms::robot("elbow_3r");
+    let row = &mut robot.rows[2];
+    row.follows = Some(Coupling {
+        leader: 1,
+        factor: Value::Rational(factor),
+        offset: arms::decimal(0.3),
+    });
+    row.viscous = arms::decimal(0.7);
+    row.coulomb = [0.4, 0.5].map(arms::decimal);
+    row.motor_inertia = arms::decimal(0.01);
+    row.gear_ratio = Value::integer(3);
+    row.spring = Some(Spring {
+        stiffness: Value::integer(5),
+        rest: arms::decimal(0.2),
+    });
+    robot
 }
 
 /// Every operation of base parameters that are formulas over masses and inertias.

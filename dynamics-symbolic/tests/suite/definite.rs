@@ -75,6 +75,7 @@ fn massless(name: &str) -> Row {
         limits: None,
         locked: None,
         mount: None,
+        follows: None,
     }
 }
 

@@ -285,6 +285,7 @@ fn massless_row(joint_type: JointType) -> Row {
         limits: None,
         locked: None,
         mount: None,
+        follows: None,
     }
 }
 

@@ -47,6 +47,17 @@ fn every_function_of_random_arms_with_joint_forces_is_proven() {
     }
 }
 
+/// Joints that follow others by factors and offsets of numbers and parameters, before and behind the joint
+/// that leads, with springs and friction of every kind.
+#[test]
+fn every_function_of_random_arms_with_followers_is_proven() {
+    let mut tables = Tables::new(11, Bodies::Any);
+    for count in 0..60 {
+        let robot = tables.coupled_robot();
+        prove_table(&robot, count, &Function::ALL);
+    }
+}
+
 #[test]
 fn regressors_of_arms_whose_axes_meet_are_proven() {
     let functions = [Function::Regressor, Function::BaseParameters];
@@ -77,11 +88,12 @@ fn prove_table(robot: &Robot, count: usize, functions: &[Function]) {
     let exists = |f: &&Function| !(f.divides_by_mass() && is_massless(robot));
     let functions = functions.iter().filter(exists);
     let programs = functions.map(|&f| (f, derive(robot, f)));
-    let articulated = (
-        Function::ForwardDynamics,
-        derive_form(robot, Function::ForwardDynamics, Form::Articulated),
-    );
-    for (function, program) in programs.chain([articulated]) {
+    // Articulated bodies are of joints that move by themselves.
+    let articulated = (!robot.is_coupled()).then(|| {
+        let function = Function::ForwardDynamics;
+        (function, derive_form(robot, function, Form::Articulated))
+    });
+    for (function, program) in programs.chain(articulated) {
         let proof = prove(robot, function, &program);
         assert_eq!(proof, Ok(()), "table {count}: {robot:#?}");
         arms::assert_zeros_are_constants(robot, function, &program);
@@ -100,8 +112,8 @@ fn prove_table(robot: &Robot, count: usize, functions: &[Function]) {
             Function::InverseDynamicsDerivatives,
             Function::InverseDynamicsRates,
         ];
-        let by_velocity =
-            differentiated.contains(&function) && robot.joints().any(|row| row.stribeck.is_some());
+        let by_velocity = differentiated.contains(&function)
+            && robot.rows.iter().any(|row| row.stribeck.is_some());
         assert!(
             solves.contains(&function) || function.divides_by_mass() || by_velocity || !divides,
             "table {count}: {robot:#?}"

@@ -99,6 +99,7 @@ pub fn robot(name: &str) -> Robot {
             limits: None,
             locked: None,
             mount: None,
+            follows: None,
         });
     Robot {
         name: name.to_owned(),

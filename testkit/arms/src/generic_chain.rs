@@ -42,6 +42,7 @@ fn row(k: i64) -> Row {
         limits: None,
         locked: None,
         mount: None,
+        follows: None,
     }
 }
 

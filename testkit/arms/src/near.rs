@@ -154,6 +154,7 @@ impl Arms {
             limits: None,
             locked: None,
             mount: None,
+            follows: None,
         }
     }
 

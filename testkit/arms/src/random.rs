@@ -2,7 +2,7 @@
 
 use dynamics_symbolic::exact::{Rational, SplitMix64};
 use dynamics_symbolic::robot::{
-    Convention, JointType, Placement, Robot, Row, Spring, Stribeck, Tool, Value,
+    Convention, Coupling, JointType, Placement, Robot, Row, Spring, Stribeck, Tool, Value,
 };
 
 /// What the links are.
@@ -158,6 +158,7 @@ impl Tables {
             limits: None,
             locked: None,
             mount: None,
+            follows: None,
         }
     }
 
@@ -177,6 +178,48 @@ impl Tables {
         }
         robot.fields = (0..self.fields).map(|i| format!("p{i}")).collect();
         robot
+    }
+
+    /// An arm some of whose joints follow others, at least one, and not all of them; springs and friction
+    /// at its joints, and one of the other joints may be locked.
+    pub fn coupled_robot(&mut self) -> Robot {
+        let mut robot = self.robot_with_joint_forces();
+        while robot.rows.len() < 2 {
+            robot = self.robot_with_joint_forces();
+        }
+        self.fields = robot.fields.len();
+        let count = robot.rows.len() as u64;
+        let leader = self.below(count) as usize;
+        let sure = (leader + 1 + self.below(count - 1) as usize) % robot.rows.len();
+        for i in (0..robot.rows.len()).filter(|&i| i != leader) {
+            match self.below(4) {
+                0 if i != sure => robot.rows[i].locked = Some(self.angle()),
+                1 if i != sure => {}
+                _ => {
+                    robot.rows[i].follows = Some(Coupling {
+                        leader,
+                        factor: self.factor(),
+                        offset: self.angle(),
+                    });
+                }
+            }
+        }
+        robot.fields = (0..self.fields).map(|i| format!("p{i}")).collect();
+        robot
+    }
+
+    /// The factor of a follower: a small whole number, a large one, a fraction, or a field.
+    fn factor(&mut self) -> Value {
+        let quotient = |a: i64, b: u64| Value::Rational(Rational::from_parts(a.into(), b.into()));
+        match self.below(8) {
+            0 | 1 => Value::integer(-1),
+            2 => Value::integer(1),
+            3 => Value::integer([2, -2, 3, -3][self.below(4) as usize]),
+            4 => Value::integer([4, -5][self.below(2) as usize]),
+            5 => quotient([1, -1, 3][self.below(3) as usize], 2),
+            6 => self.number() + Value::integer(3),
+            _ => self.positive() + Value::integer(1),
+        }
     }
 
     /// An arm on a base that is placed in the world, with a tool; one of the two at least.

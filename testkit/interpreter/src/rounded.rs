@@ -19,9 +19,9 @@ pub struct Rounded<'a> {
 pub struct Inputs<'a> {
     /// Values of the fields.
     pub fields: &'a [f64],
-    /// Positions.
+    /// Positions; behind those of the joints those of followers, less their offsets.
     pub q: &'a [f64],
-    /// Velocities.
+    /// Velocities; behind those of the joints those of followers.
     pub qd: &'a [f64],
     /// Accelerations.
     pub qdd: &'a [f64],

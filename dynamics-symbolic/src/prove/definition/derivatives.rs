@@ -12,22 +12,20 @@ impl Definition {
     /// The Euler-Lagrange equations, d/dt (dT/dqd) - dT/dq + dU/dq: tau without friction.
     fn euler_lagrange<R: Lift>(&self, motion: &State<R>) -> Vec<R> {
         let n = self.dof();
-        let (zero, one) = (R::lift(Number::ZERO), R::lift(Number::ONE));
-        let unit = |i: usize| (0..n).map(move |k| if k == i { one } else { zero });
+        let zero = R::lift(Number::ZERO);
         // d/dt: q changes at the rate qd, qd at the rate qdd.
-        let joints = motion.q.iter().zip(&motion.qd);
-        let moving: Vec<_> = joints.map(|(q, &qd)| q.moving(qd)).collect();
+        let moving = self.moving(&motion.q, &motion.qd);
         let rates = motion.qd.iter().zip(&motion.qdd);
         let speeds: Vec<_> = rates.map(|(&qd, &qdd)| Dual::new(qd, qdd)).collect();
         let rate = |qd: &[Dual<R>]| self.kinetic_energy(&moving, qd).derivative;
         let along_motion = rate(&speeds);
         let force = |i: usize| {
             // dT/dqd_i = T(qd + e_i) - T(qd) - T(e_i), for T is quadratic in qd.
-            let axis: Vec<_> = unit(i).map(|x| Dual::new(x, zero)).collect();
+            let unit = self.unit(i);
+            let axis: Vec<_> = unit.iter().map(|&x| Dual::new(x, zero)).collect();
             let shifted: Vec<_> = speeds.iter().zip(&axis).map(|(&a, &b)| a + b).collect();
             let momentum_rate = rate(&shifted) - along_motion - rate(&axis);
-            let joints = motion.q.iter().zip(unit(i));
-            let displaced: Vec<_> = joints.map(|(q, x)| q.moving(x)).collect();
+            let displaced = self.moving(&motion.q, &unit);
             let still: Vec<_> = motion.qd.iter().map(|&x| Dual::new(x, zero)).collect();
             let kinetic = self.kinetic_energy(&displaced, &still).derivative;
             let potential = self.potential_energy(&displaced).derivative;
@@ -43,10 +41,8 @@ impl Definition {
             let entry = |i: usize| Dual::new(Dual::new(x[i], xd[i]), Dual::new(xd[i], xdd[i]));
             (0..self.dof()).map(entry).collect()
         };
-        let joints = self.q.iter().zip(&self.qd).zip(&self.qdd);
-        let q = joints.map(|((q, &qd), &qdd)| q.moving(qd).moving(Dual::new(qd, qdd)));
         let force = self.euler_lagrange(&State {
-            q: q.collect(),
+            q: self.accelerating(),
             qd: jet(&self.qd, &self.qdd, &self.jerk),
             qdd: jet(&self.qdd, &self.jerk, &self.snap),
         });
@@ -54,6 +50,13 @@ impl Definition {
         let second: Vector = force.iter().map(|x| x.derivative.derivative).collect();
         let [of_friction, second_of_friction] = self.rates_of_friction();
         [sum(&first, &of_friction), sum(&second, &second_of_friction)].concat()
+    }
+
+    /// The positions with two steps in time.
+    pub(super) fn accelerating(&self) -> Vec<Position<Dual<Dual<Number>>>> {
+        let rates = self.qd.iter().zip(&self.qdd);
+        let speeds: Vec<_> = rates.map(|(&qd, &qdd)| Dual::new(qd, qdd)).collect();
+        self.moving(&self.moving(&self.q, &self.qd), &speeds)
     }
 
     /// d tau/dq and d tau/dqd at accelerations qdd, by rows. Coulomb friction is constant.

@@ -11,7 +11,7 @@ impl Definition {
     /// T = sum 1/2 (m c'.c' + w.I w) + sum 1/2 r^2 J_m qd^2, where c' is the
     /// derivative of c and w in the link frame that of the rotation: [w]x = R^T R'.
     pub(super) fn kinetic_energy<R: Lift>(&self, q: &[Position<R>], qd: &[R]) -> R {
-        let moving: Vec<_> = q.iter().zip(qd).map(|(q, &qd)| q.moving(qd)).collect();
+        let moving = self.moving(q, qd);
         let mut twice = R::lift(Number::ZERO);
         for (body, pose) in self.bodies(&moving) {
             let velocity = Vector3(body.center(&pose).0.map(|x| x.derivative));
@@ -19,8 +19,9 @@ impl Definition {
             let linear = R::lift(body.mass) * velocity.dot(velocity);
             twice = twice + linear + w.dot(body.tensor().apply(w));
         }
-        for ((_, row), &qd) in self.joints().zip(qd) {
-            twice = twice + R::lift(row.reflected) * qd * qd;
+        for (axis, row) in self.axes() {
+            let speed = axis.speed(qd);
+            twice = twice + R::lift(row.reflected) * speed * speed;
         }
         R::lift(self.half) * (twice - self.neglected_energy(&moving, qd))
     }
@@ -37,8 +38,9 @@ impl Definition {
                 twice = twice + R::lift(part) * energy;
             }
         }
-        for ((i, _), &qd) in self.joints().zip(qd) {
-            twice = twice + R::lift(self.neglected[i][10]) * qd * qd;
+        for (axis, _) in self.axes() {
+            let speed = axis.speed(qd);
+            twice = twice + R::lift(self.neglected[axis.row][10]) * speed * speed;
         }
         twice
     }
@@ -63,10 +65,10 @@ impl Definition {
         self.energy_of_gravity(q) + self.energy_of_springs(q)
     }
 
-    /// U_k = sum 1/2 stiffness (q - rest)^2, of the joints that move.
+    /// U_k = sum 1/2 stiffness (q - rest)^2, of the joints that move, by themselves or with others.
     pub(super) fn energy_of_springs<R: Lift>(&self, q: &[Position<R>]) -> R {
-        let joints = self.joints().zip(q);
-        joints.fold(R::lift(Number::ZERO), |energy, ((_, row), q)| {
+        let axes = self.axes().zip(q);
+        axes.fold(R::lift(Number::ZERO), |energy, ((_, row), q)| {
             let Some((stiffness, rest)) = row.spring else {
                 return energy;
             };

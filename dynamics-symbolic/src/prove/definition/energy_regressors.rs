@@ -10,23 +10,14 @@ impl Definition {
     /// `None` where the table's forces are not those of its parameters.
     pub(super) fn energy_regressors(&self) -> Option<Vector> {
         let kept = self.kept_parameters()?;
-        let joints = self.q.iter().zip(&self.qd);
-        let moving: Vec<_> = joints.map(|(q, &qd)| q.moving(qd)).collect();
-        let frames = self.joint_frames(&moving);
+        let frames = self.joint_frames(&self.moving(&self.q, &self.qd));
         let places = self.joint_frames(&self.q);
-        let mut own = self.joints().zip(&self.qd).map(|((i, _), &qd)| (i, qd));
-        let mut motor = own.next();
         let (mut kinetic, mut potential) = (Vector::new(), Vector::new());
         for (link, frame) in frames.iter().enumerate() {
             let twist = twist(frame);
             let energies = polar(twist, twist).map(|twice| self.half * twice).to_vec();
-            let speed = match motor {
-                Some((i, qd)) if i == link => {
-                    motor = own.next();
-                    qd
-                }
-                _ => Number::ZERO,
-            };
+            let axis = self.axes.iter().find(|axis| axis.row == link);
+            let speed = axis.map_or(Number::ZERO, |axis| axis.speed(&self.qd));
             let of_motor = self.half * speed * speed;
             kinetic.extend(self.in_moment_axes(link, energies, of_motor));
             let weights = self.weights(&places[link]);

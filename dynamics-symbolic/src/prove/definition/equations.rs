@@ -2,7 +2,8 @@
 
 use super::super::assignment::Number;
 use super::super::dual::Dual;
-use super::friction::{Friction, Velocity};
+use super::axis::Axis;
+use super::friction::Velocity;
 use super::pose::{Lift, Position};
 use super::row::Row;
 use super::{Definition, Matrix, Vector};
@@ -52,8 +53,7 @@ impl Definition {
 
     /// V = d/dt (dT/dqd) - dT/dq at qdd = 0, which is sum c_ijk qd_j qd_k.
     pub(super) fn coriolis_vector(&self) -> Vector {
-        let joints = self.q.iter().zip(&self.qd);
-        let moving: Vec<_> = joints.map(|(q, &qd)| q.moving(qd)).collect();
+        let moving = self.moving(&self.q, &self.qd);
         let rate = |qd: &[Number]| self.kinetic_energy(&moving, &constant(qd)).derivative;
         let still = rate(&self.qd);
         let component = |i: usize| {
@@ -136,36 +136,35 @@ pub(super) fn product(matrix: &Matrix, x: &[Number]) -> Vector {
 impl Definition {
     /// F
     pub(super) fn friction_vector(&self) -> Vector {
-        self.of_friction(Friction::force)
+        let of_axis =
+            |(axis, row): (&Axis, &Row)| row.friction.force(&self.velocity(axis), self.half);
+        self.felt(self.axes().map(of_axis))
     }
 
     /// The diagonal of dF/dqd.
     pub(super) fn slopes_of_friction(&self) -> Vector {
-        self.of_friction(Friction::slope)
+        // The velocity of an axis changes by its factor.
+        let of_axis = |(axis, row): (&Axis, &Row)| {
+            axis.factor * row.friction.slope(&self.velocity(axis), self.half)
+        };
+        self.felt(self.axes().map(of_axis))
     }
 
     /// The first and the second derivative of F along the motion.
     pub(super) fn rates_of_friction(&self) -> [Vector; 2] {
-        let of_joint = |(k, (_, row)): (usize, (usize, &Row))| {
-            let rates = [self.qdd[k], self.jerk[k]];
-            row.friction.rates(&self.velocity(k), rates, self.half)
+        let of_axis = |(axis, row): (&Axis, &Row)| {
+            let rates = [axis.speed(&self.qdd), axis.speed(&self.jerk)];
+            row.friction.rates(&self.velocity(axis), rates, self.half)
         };
-        let (first, second) = self.joints().enumerate().map(of_joint).unzip();
-        [first, second]
+        let (first, second): (Vector, Vector) = self.axes().map(of_axis).unzip();
+        [first, second].map(|of_axes| self.felt(of_axes.into_iter()))
     }
 
-    fn velocity(&self, k: usize) -> Velocity<Number> {
+    fn velocity(&self, axis: &Axis) -> Velocity<Number> {
         Velocity {
-            qd: self.qd[k],
-            sign: self.signs[k],
-            exponential: self.stribeck[k],
+            qd: axis.speed(&self.qd),
+            sign: axis.sign,
+            exponential: axis.exponential,
         }
-    }
-
-    fn of_friction(&self, value: fn(&Friction, &Velocity<Number>, Number) -> Number) -> Vector {
-        let of_joint = |(k, (_, row)): (usize, (usize, &Row))| {
-            value(&row.friction, &self.velocity(k), self.half)
-        };
-        self.joints().enumerate().map(of_joint).collect()
     }
 }

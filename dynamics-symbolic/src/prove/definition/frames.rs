@@ -10,12 +10,10 @@ use crate::robot::{Convention, JointType};
 impl Definition {
     /// The positions with their derivatives in the direction of joint k.
     pub(super) fn along(&self, k: usize) -> Vec<Position<Dual<Number>>> {
-        let rate = |i: usize| if i == k { Number::ONE } else { Number::ZERO };
-        let joints = self.q.iter().enumerate();
-        joints.map(|(i, q)| q.moving(rate(i))).collect()
+        self.moving(&self.q, &self.unit(k))
     }
 
-    /// The positions of the joints of all rows, from those of the joints that move.
+    /// The positions of the joints of all rows, from those of the axes.
     fn positions<R: Lift>(&self, q: &[Position<R>]) -> Vec<Position<R>> {
         let mut moving = q.iter();
         let position = |row: &Row| match &row.locked {

@@ -8,13 +8,15 @@
 //!   V_i = sum_jk c_ijk qd_j qd_k,  c_ijk = 1/2 (dM_ij/dq_k + dM_ik/dq_j - dM_jk/dq_i)
 //!   G_i = dU_g/dq_i,   K_i = dU_k/dq_i
 //!
-//! with q, qd of the joints that move; those that are locked have constants in their place.
+//! with q, qd of the joints that move by themselves; those that are locked have constants in their place,
+//! and those that follow others their leader's times the factor, plus the offset.
 //!
 //! Where base parameters are neglected, what they contribute to T and U is taken off.
 //!
 //! Velocities are derivatives of positions by dual numbers. T is quadratic in
 //! qd, so that its second derivatives are differences, without a limit.
 
+mod axis;
 mod body;
 mod center_of_mass;
 mod derivatives;
@@ -40,6 +42,7 @@ use crate::exact::Rational;
 use crate::function::{Argument, Function};
 use crate::linear::Vector3;
 use crate::robot::{Convention, Interpretation, Robot};
+use axis::Axis;
 use placement::{Placement, Tool};
 use pose::Position;
 use row::Row;
@@ -55,12 +58,12 @@ pub struct Definition {
     rows: Vec<Row>,
     tool: Option<Tool>,
     half: Number,
+    axes: Vec<Axis>,
+    /// The positions of all axes.
     q: Vec<Position<Number>>,
     qd: Vector,
     qdd: Vector,
     tau: Vector,
-    signs: Vector,
-    stribeck: Vector,
     /// A reference motion.
     qd_r: Vector,
     qdd_r: Vector,
@@ -69,8 +72,14 @@ pub struct Definition {
     wrench: Vector,
     /// What is taken off the links' parameters.
     neglected: Vec<Parameters>,
+    /// The complete arm in which nothing is coupled, where something is: its base parameters are those of
+    /// the arm.
+    uncoupled: Option<Box<Definition>>,
     unfaithful: bool,
 }
+
+/// The point at which an arm's joints are where nothing is coupled.
+const SEED_OF_UNCOUPLED: u64 = 0x0066_7265_6564;
 
 /// The ten inertial parameters of a link in the frame on its joint's axis, and its motor's.
 type Parameters = [Number; 11];
@@ -93,7 +102,16 @@ impl Definition {
         let (jerk, snap) = (entries(Argument::Jerk, dof), entries(Argument::Snap, dof));
         let wrench = entries(Argument::Wrench, 6);
         let half = Interpretation::rational(point, &(Rational::ONE / Rational::from(2)));
-        let joints = point.joints();
+        let (axes, q) = axis::axes(point, robot);
+        let uncoupled = robot.is_coupled().then(|| {
+            let complete = Robot {
+                neglected: None,
+                ..robot.uncoupled()
+            };
+            let read = |point: &mut Assignment| Definition::new(point, &complete);
+            Box::new(point.with_joints_of(&complete, SEED_OF_UNCOUPLED, read))
+        });
+        let joints = &point.joints()[..dof];
         let all = |variable: fn(&JointPoint) -> Number| joints.iter().map(variable).collect();
         let mut definition = Definition {
             convention: robot.convention,
@@ -102,18 +120,18 @@ impl Definition {
             rows,
             tool,
             half,
-            q: joints.iter().map(Position::new).collect(),
+            axes,
+            q,
             qd: all(|joint| joint.qd),
             qdd: all(|joint| joint.qdd),
             tau: all(|joint| joint.tau),
-            signs: all(|joint| joint.sign),
-            stribeck: all(|joint| joint.stribeck),
             qd_r,
             qdd_r,
             jerk,
             snap,
             wrench,
             neglected: Vec::new(),
+            uncoupled,
             unfaithful: point.is_unfaithful(),
         };
         if let Some(neglected) = &robot.neglected {
@@ -173,14 +191,14 @@ impl Definition {
         })
     }
 
-    /// The number of joints that move.
+    /// The number of joints that move by themselves.
     fn dof(&self) -> usize {
-        self.q.len()
+        self.qd.len()
     }
 
-    /// The rows of the joints that move.
+    /// The rows of the joints that move by themselves.
     fn joints(&self) -> impl Iterator<Item = (usize, &Row)> {
         let rows = self.rows.iter().enumerate();
-        rows.filter(|(_, row)| row.locked.is_none())
+        rows.filter(|(_, row)| row.is_free)
     }
 }

@@ -28,7 +28,7 @@ impl Definition {
         let slopes: Vec<Forms<Dual<Number>>> = (0..self.dof())
             .map(|k| self.standard_matrices(&self.along(k)))
             .collect();
-        let row = |(i, (own, _)): (usize, (usize, &super::Row))| {
+        let row = |i: usize| {
             let weights = self.standard_slopes(i);
             let of_link = |link: usize| -> Vector {
                 let force = |p: usize| {
@@ -42,11 +42,7 @@ impl Definition {
                     let terms = inertial.chain(coriolis);
                     terms.fold(weights[link][p], |sum, term| sum + term)
                 };
-                let motor = if own == link {
-                    self.qdd_r[i]
-                } else {
-                    Number::ZERO
-                };
+                let motor = self.share_of_motor(link, i) * self.qdd_r[i];
                 self.in_moment_axes(link, (0..10).map(force).collect(), motor)
             };
             let columns: Vector = (0..self.rows.len()).flat_map(of_link).collect();
@@ -54,7 +50,7 @@ impl Definition {
                 .map(|&column| columns[column])
                 .collect::<Vector>()
         };
-        let rows: Matrix = self.joints().enumerate().map(row).collect();
+        let rows: Matrix = (0..self.dof()).map(row).collect();
         Some(rows.concat())
     }
 
@@ -71,9 +67,7 @@ impl Definition {
 
     /// The velocities of all links where joint j alone moves, at unit speed.
     fn unit_twists<R: Lift>(&self, q: &[Position<R>], j: usize) -> Vec<Twist<R>> {
-        let unit = |i: usize| R::lift(if i == j { Number::ONE } else { Number::ZERO });
-        let moving = q.iter().enumerate().map(|(i, q)| q.moving(unit(i)));
-        let frames = self.joint_frames(&moving.collect::<Vec<_>>());
+        let frames = self.joint_frames(&self.moving(q, &self.unit(j)));
         frames.iter().map(twist).collect()
     }
 

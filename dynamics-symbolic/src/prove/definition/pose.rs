@@ -1,6 +1,6 @@
 //! Positions of joints and poses of frames, over the field or over dual numbers.
 
-use super::super::assignment::{JointPoint, Number};
+use super::super::assignment::Number;
 use super::super::dual::Dual;
 use crate::linear::{Matrix3, Ring, Vector3};
 
@@ -31,10 +31,6 @@ pub(super) struct Position<R> {
 }
 
 impl Position<Number> {
-    pub(super) fn new(joint: &JointPoint) -> Self {
-        Position::at(joint.sin_cos, joint.q)
-    }
-
     pub(super) fn at((s, c): (Number, Number), q: Number) -> Self {
         Position { s, c, q }
     }

@@ -13,7 +13,7 @@
 use super::super::assignment::Number;
 use super::super::dual::Dual;
 use super::body::Body;
-use super::pose::{Pose, Position};
+use super::pose::{Lift, Pose, Position};
 use super::state::State;
 use super::twist::{Twist, polar, twist};
 use super::{Definition, Matrix, Parameters, Vector};
@@ -67,7 +67,13 @@ impl Definition {
     }
 
     /// The base parameters: columns of the standard regressor, and values.
+    ///
+    /// Of an arm with couplings those of the arm in which the followers move by themselves: enough for its
+    /// forces, though not all of them may be told apart by these.
     fn base(&self) -> Option<(Vec<usize>, Vector)> {
+        if let Some(uncoupled) = &self.uncoupled {
+            return uncoupled.base();
+        }
         let mut random = SplitMix64::new(0x0062_6173_6963);
         let parameters = self.standard_parameters();
         let mut stacked = Vec::new();
@@ -194,7 +200,7 @@ impl Definition {
     fn standard_regressor(&self, state: &State<Number>) -> Matrix {
         let momenta = self.momentum_rates(state);
         let rotations = self.moment_axes();
-        let row = |(j, (own, _)): (usize, (usize, &super::Row))| {
+        let row = |j: usize| {
             let slopes = self.slopes(state, j);
             let mut row = Vec::new();
             for i in 0..self.rows.len() {
@@ -205,12 +211,12 @@ impl Definition {
                 }
                 row.extend(column);
                 if self.rows[i].has_motor && self.rows[i].locked.is_none() {
-                    row.push(if i == own { state.qdd[j] } else { Number::ZERO });
+                    row.push(self.share_of_motor(i, j) * state.qdd[j]);
                 }
             }
             row
         };
-        self.joints().enumerate().map(row).collect()
+        (0..self.dof()).map(row).collect()
     }
 
     /// d/dt (dT/dqd_j), for each joint j, link i and parameter.
@@ -219,14 +225,8 @@ impl Definition {
         let zero = Number::ZERO;
         // Inner derivatives are rates in time, outer ones those of a unit velocity of one joint.
         let moving = |k: usize| {
-            let joints = state.q.iter().zip(&state.qd).enumerate();
-            let joints: Vec<_> = joints
-                .map(|(i, (q, &qd))| {
-                    let unit = if i == k { Number::ONE } else { zero };
-                    q.moving(qd).moving(Dual::new(unit, zero))
-                })
-                .collect();
-            self.twists(&joints)
+            let along_motion = self.moving(&state.q, &state.qd);
+            self.twists(&self.moving(&along_motion, &self.unit(k)))
         };
         let units: Vec<Vec<Twist<Dual<Number>>>> = (0..n).map(moving).collect();
         let rates: Vec<_> = state.qd.iter().zip(&state.qdd).collect();
@@ -248,15 +248,9 @@ impl Definition {
 
     /// dT/dq_j - dU/dq_j, for each link and parameter.
     fn slopes(&self, state: &State<Number>, j: usize) -> Vec<[Number; 10]> {
-        let zero = Number::ZERO;
-        let joints = state.q.iter().zip(&state.qd).enumerate();
-        let joints: Vec<_> = joints
-            .map(|(i, (q, &qd))| {
-                let unit = if i == j { Number::ONE } else { zero };
-                q.moving(unit).moving(Dual::new(qd, zero))
-            })
-            .collect();
-        let frames = self.joint_frames(&joints);
+        let speeds: Vec<_> = state.qd.iter().map(|&qd| Dual::lift(qd)).collect();
+        let displaced = self.moving(&state.q, &self.unit(j));
+        let frames = self.joint_frames(&self.moving(&displaced, &speeds));
         let slope = |frame: &Pose<Dual<Dual<Number>>>| {
             let twist = twist(frame);
             let mut slope = polar(twist, twist).map(|x| self.half * x.derivative);

@@ -12,7 +12,7 @@ pub(super) struct Row {
     pub(super) joint_type: JointType,
     /// Sine and cosine of alpha.
     pub(super) twist: (Number, Number),
-    /// Sine and cosine of theta.
+    /// Sine and cosine of theta; of an angle that follows another, of theta and the offset.
     pub(super) turn: (Number, Number),
     pub(super) a: Number,
     pub(super) d: Number,
@@ -26,6 +26,8 @@ pub(super) struct Row {
     /// Where the joint is locked: sine, cosine and value of its position.
     pub(super) locked: Option<((Number, Number), Number)>,
     pub(super) mount: Option<Mount>,
+    /// Whether the joint moves by itself.
+    pub(super) is_free: bool,
 }
 
 /// Where the joint and its link frame are as they were written.
@@ -83,10 +85,17 @@ impl Mount {
 impl Row {
     pub(super) fn new(point: &mut Assignment, row: &robot::Row) -> Self {
         let ratio = point.value(&row.gear_ratio);
+        let offset = row.follows.as_ref().map(|coupling| &coupling.offset);
+        let turn = match (offset, row.joint_type) {
+            (Some(offset), JointType::Revolute) => {
+                point.sin_cos(&(row.theta.clone() + offset.clone()))
+            }
+            _ => point.sin_cos(&row.theta),
+        };
         Row {
             joint_type: row.joint_type,
             twist: point.sin_cos(&row.alpha),
-            turn: point.sin_cos(&row.theta),
+            turn,
             a: point.value(&row.a),
             d: point.value(&row.d),
             body: Body::new(point, &row.mass, &row.com, &row.inertia),
@@ -102,6 +111,7 @@ impl Row {
                 .as_ref()
                 .map(|position| locked(point, row.joint_type, position)),
             mount: row.mount.as_ref().map(|mount| Mount::new(point, mount)),
+            is_free: row.is_free(),
         }
     }
 }

@@ -17,29 +17,21 @@ impl Definition {
 
     /// The rate of the tip's pose along the motion.
     pub(super) fn tool_velocity(&self) -> Vector {
-        let joints = self.q.iter().zip(&self.qd);
-        let moving: Vec<_> = joints.map(|(q, &qd)| q.moving(qd)).collect();
+        let moving = self.moving(&self.q, &self.qd);
         self.velocity_of_tip(&moving).to_vec()
     }
 
     /// The rate of that velocity, where the velocities of the joints change at the rate qdd.
     pub(super) fn tool_acceleration(&self) -> Vector {
-        let joints = self.q.iter().zip(&self.qd).zip(&self.qdd);
-        let moving = joints.map(|((q, &qd), &qdd)| q.moving(qd).moving(Dual::new(qd, qdd)));
-        let moving: Vec<_> = moving.collect();
-        let velocity = self.velocity_of_tip(&moving);
+        let velocity = self.velocity_of_tip(&self.accelerating());
         velocity.map(|x| x.derivative).to_vec()
     }
 
     /// By rows: the rate of each column of the Jacobian along the motion.
     pub(super) fn jacobian_rate(&self) -> Vector {
         let column = |j: usize| -> Vector {
-            let joints = self.q.iter().zip(&self.qd).enumerate();
-            let moving = joints.map(|(i, (q, &qd))| {
-                let unit = if i == j { Number::ONE } else { Number::ZERO };
-                q.moving(qd).moving(Dual::lift(unit))
-            });
-            let velocity = self.velocity_of_tip(&moving.collect::<Vec<_>>());
+            let along_motion = self.moving(&self.q, &self.qd);
+            let velocity = self.velocity_of_tip(&self.moving(&along_motion, &self.unit(j)));
             velocity.iter().map(|x| x.derivative).collect()
         };
         let columns: Matrix = (0..self.dof()).map(column).collect();

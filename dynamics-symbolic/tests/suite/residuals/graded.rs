@@ -30,6 +30,7 @@ fn zero_row(name: &str, joint_type: JointType) -> Row {
         limits: None,
         locked: None,
         mount: None,
+        follows: None,
     }
 }
 

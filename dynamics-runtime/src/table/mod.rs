@@ -1,5 +1,10 @@
 //! The Denavit-Hartenberg table as plain numbers: what the numeric algorithms read.
 
+mod followers;
+
+pub use followers::{Follower, Followers, JointMotion};
+pub(crate) use followers::{MOST_FOLLOWERS, Moving};
+
 use crate::frame::{Frame, Tool};
 use crate::placement::Placement;
 
@@ -155,9 +160,12 @@ pub struct Table<const N: usize> {
     pub gravity: [f64; 3],
     /// The base frame, frame 0, in the world.
     pub base: Frame,
-    /// The rows, from the base outwards.
+    /// The rows of the joints, from the base outwards.
     #[cfg_attr(feature = "serde", serde(with = "crate::sequences::array"))]
     pub rows: [Row; N],
+    /// The rows of the joints that follow these.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub followers: Followers,
     /// What is fixed to the last link of the table, be its joint locked or not.
     pub tool: Tool,
 }
@@ -170,6 +178,7 @@ impl<const N: usize> Table<N> {
             gravity,
             base: Frame::IDENTITY,
             rows,
+            followers: Followers::NONE,
             tool: Tool::NONE,
         }
     }
@@ -181,6 +190,6 @@ impl<const N: usize> Table<N> {
 
     /// Mass of all links and of the tool, kg.
     pub fn total_mass(&self) -> f64 {
-        self.rows.iter().map(|row| row.mass).sum::<f64>() + self.tool.mass
+        self.chain().map(|moving| moving.row.mass).sum::<f64>() + self.tool.mass
     }
 }

@@ -1,0 +1,284 @@
+//! Joints that follow others.
+//!
+//! With positions q = S q_j + c of all joints, q_j those that move by themselves, the dynamics are those of
+//! the whole arm by virtual work: M_j = S' M S, tau_j = S' tau, J_j = J S.
+
+use nalgebra::{Matrix4, SMatrix, SVector, Vector3};
+
+use super::angle::SinCos;
+use super::link::Link;
+use super::lock::without_locked;
+use super::whole::{MOST_ROWS, Rows, Square, Whole, read};
+use crate::table::MOST_FOLLOWERS;
+use crate::{Convention, Follower, Followers, JointMotion, JointType, Placement, Row, Table};
+
+impl<const N: usize> Table<N> {
+    /// The table of an arm some of whose joints follow others, and some of which may be locked as in
+    /// [`Table::lock`]. `motions` says of each of the L rows how its joint moves: N of them by
+    /// themselves, at most 8 with one of those, 32 in all, or this panics.
+    pub fn couple<const L: usize>(
+        convention: Convention,
+        gravity: [f64; 3],
+        rows: [Row; L],
+        motions: [JointMotion; L],
+    ) -> Self {
+        Self::couple_rows(convention, gravity, &rows, &motions)
+    }
+
+    /// [`Table::couple`] of as many rows as there are.
+    #[doc(hidden)]
+    pub fn couple_rows(
+        convention: Convention,
+        gravity: [f64; 3],
+        rows: &[Row],
+        motions: &[JointMotion],
+    ) -> Self {
+        let mut positions = [None; MOST_ROWS];
+        for (position, motion) in positions.iter_mut().zip(motions) {
+            if let JointMotion::Locked(locked) = motion {
+                *position = Some(*locked);
+            }
+        }
+        let mut whole = [Row::new(JointType::Revolute); MOST_ROWS];
+        let count = without_locked(convention, rows, &positions[..rows.len()], &mut whole);
+        let rows = whole;
+        let is_free = |motion: &JointMotion| *motion == JointMotion::Free;
+        let joint_of = |row: usize| motions[..row].iter().filter(|m| is_free(m)).count();
+        let moving = motions
+            .iter()
+            .filter(|motion| !matches!(motion, JointMotion::Locked(_)));
+        let mut joints = [Row::new(JointType::Revolute); N];
+        let mut followers = Followers::NONE;
+        let mut free = 0;
+        for (row, motion) in rows[..count].iter().zip(moving) {
+            match *motion {
+                JointMotion::Follows {
+                    leader,
+                    factor,
+                    offset,
+                } => {
+                    let is_placed = followers.push(Follower {
+                        row: *row,
+                        place: free,
+                        leader: joint_of(leader),
+                        factor,
+                        offset,
+                    });
+                    assert!(is_placed, "at most {MOST_FOLLOWERS} joints follow others");
+                }
+                _ => {
+                    joints[free] = *row;
+                    free += 1;
+                }
+            }
+        }
+        assert_eq!(free, N, "so many joints move by themselves");
+        Table {
+            followers,
+            ..Table::new(convention, gravity, joints)
+        }
+    }
+}
+
+impl<const N: usize> Table<N> {
+    /// The whole arm, each row a joint of its own. Rows beyond [`MOST_ROWS`] are none of it.
+    fn uncoupled(&self) -> Table<MOST_ROWS> {
+        let mut rows = [Row::new(JointType::Prismatic); MOST_ROWS];
+        let mut tip = Placement::IDENTITY;
+        for (row, moving) in rows.iter_mut().zip(self.chain()) {
+            *row = *moving.row;
+            tip = core::mem::replace(&mut row.tip, Placement::IDENTITY);
+        }
+        // What hangs on the last row hangs on the rows behind it, whose frames are the same.
+        let last = self.chain().last().map(|moving| moving.row.link_frame);
+        rows[MOST_ROWS - 1].tip = tip;
+        rows[MOST_ROWS - 1].link_frame = last.unwrap_or(Placement::IDENTITY);
+        Table {
+            base: self.base,
+            tool: self.tool,
+            ..Table::new(self.convention, self.gravity, rows)
+        }
+    }
+}
+
+/// An arm some of whose joints follow others.
+#[derive(Clone, Debug)]
+pub(super) struct Coupled<const N: usize> {
+    table: Table<N>,
+}
+
+impl<const N: usize> Coupled<N> {
+    /// That of a table; `None` where nothing is coupled.
+    pub(super) fn of(table: &Table<N>) -> Option<Self> {
+        (!table.followers.is_empty()).then_some(Coupled { table: *table })
+    }
+
+    /// The whole arm. Offsets are a part of each row: its coordinate is the factor times the leader's.
+    pub(super) fn whole(&self) -> Whole {
+        let mut whole = read(&self.table.uncoupled());
+        for (link, moving) in whole.links.iter_mut().zip(self.table.chain()) {
+            link.shift(moving.offset);
+        }
+        whole
+    }
+
+    /// S x
+    pub(super) fn spread(&self, x: &SVector<f64, N>) -> Rows {
+        let mut spread = Rows::zeros();
+        for (entry, moving) in spread.iter_mut().zip(self.table.chain()) {
+            *entry = moving.factor * x[moving.joint];
+        }
+        spread
+    }
+
+    /// A S
+    pub(super) fn columns<const R: usize>(
+        &self,
+        matrix: &SMatrix<f64, R, MOST_ROWS>,
+    ) -> SMatrix<f64, R, N> {
+        let mut columns = SMatrix::<f64, R, N>::zeros();
+        for (column, moving) in matrix.column_iter().zip(self.table.chain()) {
+            let mut sum = columns.column_mut(moving.joint);
+            sum += column * moving.factor;
+        }
+        columns
+    }
+
+    /// S' x
+    pub(super) fn felt(&self, forces: &Rows) -> SVector<f64, N> {
+        self.columns(&forces.transpose()).transpose()
+    }
+
+    /// S' A S
+    pub(super) fn block(&self, matrix: &Square) -> SMatrix<f64, N, N> {
+        self.columns(&self.columns(matrix).transpose()).transpose()
+    }
+
+    /// Of what belongs to the links of all rows, what belongs to those of the joints.
+    pub(super) fn of_joints<X: Copy>(&self, of_rows: &[X; MOST_ROWS]) -> [X; N] {
+        let mut of_joints = [of_rows[0]; N];
+        for (row, moving) in of_rows.iter().zip(self.table.chain()) {
+            if !moving.is_follower {
+                of_joints[moving.joint] = *row;
+            }
+        }
+        of_joints
+    }
+}
+
+impl<const N: usize> Coupled<N> {
+    pub(super) fn mass_matrix(&self, q: &SVector<f64, N>) -> SMatrix<f64, N, N> {
+        self.block(&self.whole().whole_mass_matrix(&self.spread(q)))
+    }
+
+    pub(super) fn coriolis_vector(
+        &self,
+        q: &SVector<f64, N>,
+        qd: &SVector<f64, N>,
+    ) -> SVector<f64, N> {
+        let whole = self.whole();
+        self.felt(&whole.whole_coriolis_vector(&self.spread(q), &self.spread(qd)))
+    }
+
+    pub(super) fn gravity_vector(&self, q: &SVector<f64, N>) -> SVector<f64, N> {
+        self.felt(&self.whole().whole_gravity_vector(&self.spread(q)))
+    }
+
+    pub(super) fn friction_vector(&self, qd: &SVector<f64, N>) -> SVector<f64, N> {
+        self.felt(&self.whole().whole_friction_vector(&self.spread(qd)))
+    }
+
+    pub(super) fn spring_vector(&self, q: &SVector<f64, N>) -> SVector<f64, N> {
+        self.felt(&self.whole().whole_spring_vector(&self.spread(q)))
+    }
+
+    pub(super) fn inverse_dynamics(
+        &self,
+        q: &SVector<f64, N>,
+        qd: &SVector<f64, N>,
+        qdd: &SVector<f64, N>,
+    ) -> SVector<f64, N> {
+        let [q, qd, qdd] = [q, qd, qdd].map(|x| self.spread(x));
+        self.felt(&self.whole().whole_inverse_dynamics(&q, &qd, &qdd))
+    }
+
+    pub(super) fn kinetic_energy(&self, q: &SVector<f64, N>, qd: &SVector<f64, N>) -> f64 {
+        let whole = self.whole();
+        whole.whole_kinetic_energy(&self.spread(q), &self.spread(qd))
+    }
+
+    pub(super) fn potential_energy(&self, q: &SVector<f64, N>) -> f64 {
+        self.whole().whole_potential_energy(&self.spread(q))
+    }
+
+    pub(super) fn derivatives(
+        &self,
+        q: &SVector<f64, N>,
+        qd: &SVector<f64, N>,
+        qdd: &SVector<f64, N>,
+    ) -> (SMatrix<f64, N, N>, SMatrix<f64, N, N>) {
+        let [q, qd, qdd] = [q, qd, qdd].map(|x| self.spread(x));
+        let (by_position, by_velocity) = self.whole().whole_derivatives(&q, &qd, &qdd);
+        (self.block(&by_position), self.block(&by_velocity))
+    }
+
+    pub(super) fn rates(
+        &self,
+        motion: [&SVector<f64, N>; 3],
+        rates: [&SVector<f64, N>; 2],
+    ) -> (SVector<f64, N>, SVector<f64, N>) {
+        let (motion, rates) = (
+            motion.map(|x| self.spread(x)),
+            rates.map(|x| self.spread(x)),
+        );
+        let whole = self.whole();
+        let (first, second) = whole.whole_rates(motion.each_ref(), rates.each_ref());
+        (self.felt(&first), self.felt(&second))
+    }
+
+    pub(super) fn forward_kinematics(&self, q: &SVector<f64, N>) -> Matrix4<f64> {
+        self.whole().whole_forward_kinematics(&self.spread(q))
+    }
+
+    pub(super) fn link_poses(&self, q: &SVector<f64, N>) -> [Matrix4<f64>; N] {
+        self.of_joints(&self.whole().whole_link_poses(&self.spread(q)))
+    }
+
+    pub(super) fn jacobian(&self, q: &SVector<f64, N>) -> SMatrix<f64, 6, N> {
+        self.columns(&self.whole().whole_jacobian(&self.spread(q)))
+    }
+
+    pub(super) fn jacobian_rate(
+        &self,
+        q: &SVector<f64, N>,
+        qd: &SVector<f64, N>,
+    ) -> SMatrix<f64, 6, N> {
+        let whole = self.whole();
+        self.columns(&whole.whole_jacobian_rate(&self.spread(q), &self.spread(qd)))
+    }
+
+    pub(super) fn link_jacobians(&self, q: &SVector<f64, N>) -> [SMatrix<f64, 6, N>; N] {
+        let of_rows = self.whole().whole_link_jacobians(&self.spread(q));
+        self.of_joints(&of_rows)
+            .map(|jacobian| self.columns(&jacobian))
+    }
+
+    pub(super) fn center_of_mass(&self, q: &SVector<f64, N>) -> Vector3<f64> {
+        self.whole().whole_center_of_mass(&self.spread(q))
+    }
+
+    pub(super) fn center_of_mass_jacobian(&self, q: &SVector<f64, N>) -> SMatrix<f64, 3, N> {
+        self.columns(&self.whole().whole_center_of_mass_jacobian(&self.spread(q)))
+    }
+}
+
+impl Link {
+    /// Tells the position of the joint from an offset.
+    fn shift(&mut self, offset: f64) {
+        match self.joint_type {
+            JointType::Revolute => self.theta = self.theta.plus(SinCos::of_constant(offset)),
+            JointType::Prismatic => self.d += offset,
+        }
+        self.spring.rest -= offset;
+    }
+}
