@@ -120,6 +120,16 @@ fn a_published_table_is_read_as_it_is() {
     assert_eq!(from_file::Puma560::JOINT_NAMES[5], "joint6");
 }
 
+/// The compiler expands a call again where a file that it includes has changed: the call includes its own.
+#[test]
+fn a_call_depends_on_its_file() {
+    let call = "struct Everything { load: f64 } file: \"../data/files/everything.toml\"";
+    let tokens = dynamics_codegen::outline(call.parse().expect("the call lexes"));
+    let folder = env!("CARGO_MANIFEST_DIR");
+    let include = format!("include_bytes ! (\"{folder}/../data/files/everything.toml\")");
+    assert!(tokens.to_string().contains(&include));
+}
+
 /// All robots of the project's data, as JSON and as TOML.
 #[test]
 fn robots_of_files_are_those_of_their_data() {
