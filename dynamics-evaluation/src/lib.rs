@@ -8,6 +8,8 @@
 mod at;
 mod block;
 mod error;
+#[cfg(feature = "files")]
+mod file;
 mod layout;
 mod methods;
 mod read;
@@ -22,6 +24,8 @@ pub use dynamics_runtime;
 pub use dynamics_symbolic;
 
 pub use error::{BuildError, EvaluationError, UnknownField, WrongJoints};
+#[cfg(feature = "files")]
+pub use file::{FileError, FileMistake, read_file};
 pub use robot::RuntimeRobot;
 pub use typed::{Typed, TypedDynamics, TypedTip};
 pub use value::Value;

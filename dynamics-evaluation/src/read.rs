@@ -95,10 +95,7 @@ impl Reader<'_> {
         let Some((_, entries, width)) = arguments.find(|(known, ..)| *known == argument) else {
             return;
         };
-        let states = entries[first * width..].chunks_exact(*width);
-        for (lane, state) in column.iter_mut().zip(states) {
-            *lane = state[i];
-        }
+        gather(&entries[first * width..], *width, i, column);
         match symbol {
             Symbol::VelocitySign(_) => column.iter_mut().for_each(|x| *x = Scalar::sign(*x)),
             Symbol::Stribeck(_) => {
@@ -108,4 +105,52 @@ impl Reader<'_> {
             _ => {}
         }
     }
+}
+
+/// Entry `i` of rows of so many entries, one after the other.
+fn gather(rows: &[f64], width: usize, i: usize, column: &mut [f64]) {
+    macro_rules! gather {
+        ($($known:literal)*) => {
+            match width {
+                // The compiler knows the length of a row: it takes half the time.
+                $($known => {
+                    let (rows, _) = rows.as_chunks::<$known>();
+                    let i = i.min($known - 1);
+                    for (lane, row) in column.iter_mut().zip(rows) {
+                        *lane = row[i];
+                    }
+                })*
+                _ => {
+                    for (lane, row) in column.iter_mut().zip(rows.chunks_exact(width)) {
+                        *lane = row[i];
+                    }
+                }
+            }
+        };
+    }
+    gather!(1 2 3 4 5 6 7 8)
+}
+
+/// The opposite: puts a column into rows of so many entries.
+#[inline(always)]
+pub(crate) fn scatter(column: impl Iterator<Item = f64>, rows: &mut [f64], width: usize, i: usize) {
+    macro_rules! scatter {
+        ($($known:literal)*) => {
+            match width {
+                $($known => {
+                    let (rows, _) = rows.as_chunks_mut::<$known>();
+                    let i = i.min($known - 1);
+                    for (row, value) in rows.iter_mut().zip(column) {
+                        row[i] = value;
+                    }
+                })*
+                _ => {
+                    for (row, value) in rows.chunks_exact_mut(width).zip(column) {
+                        row[i] = value;
+                    }
+                }
+            }
+        };
+    }
+    scatter!(1 2 3 4 5 6 7 8)
 }

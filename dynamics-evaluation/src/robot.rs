@@ -5,7 +5,7 @@ use std::sync::Mutex;
 use dynamics_runtime::{Scalar, SingularMassMatrix};
 use dynamics_symbolic::function::Argument;
 use dynamics_symbolic::robot::{Robot, Value as Cell};
-use dynamics_symbolic::{Operations, Request, proven_program};
+use dynamics_symbolic::{Operations, Proven, Request, proven_program};
 use fearless_simd::Level;
 
 use crate::block::{Batch, Block, Kernels, run};
@@ -111,20 +111,32 @@ impl RuntimeRobot {
         robot: Robot,
         functions: impl IntoIterator<Item = R>,
     ) -> Result<Self, BuildError> {
-        if robot.dof() == 0 {
-            return Err(BuildError::NoJoints);
-        }
-        if let Some(index) = unknown_field(&robot) {
-            return Err(BuildError::NoSuchField(index));
-        }
-        let mut compiled: Vec<Compiled> = Vec::new();
+        validate(&robot)?;
+        let mut programs = Vec::new();
         for request in functions {
-            let function = Compiled::new(&robot, request.into())?;
-            let name = function.request.name();
+            let request = request.into();
+            let proven = proven_program(&robot, &request).map_err(BuildError::Failure)?;
+            programs.push((request, proven));
+        }
+        Self::of_programs(robot, &programs)
+    }
+
+    /// The robot with functions whose programs are known, by
+    /// [`proven_program`] of the same description: they may be written down
+    /// in another language besides.
+    ///
+    /// # Errors
+    ///
+    /// [`BuildError`], as [`new`](RuntimeRobot::new).
+    pub fn of_programs(robot: Robot, programs: &[(Request, Proven)]) -> Result<Self, BuildError> {
+        validate(&robot)?;
+        let mut compiled: Vec<Compiled> = Vec::new();
+        for (request, proven) in programs {
+            let name = request.name();
             if compiled.iter().any(|known| known.request.name() == name) {
                 return Err(BuildError::Repeated(name.to_owned()));
             }
-            compiled.push(function);
+            compiled.push(Compiled::new(&robot, request.clone(), proven)?);
         }
         let fields = vec![f64::NAN; robot.fields.len()];
         let mut arm = RuntimeRobot {
@@ -235,19 +247,61 @@ impl RuntimeRobot {
     /// or M cannot be solved with.
     pub fn evaluate(&self, function: &str, arguments: &[&[f64]]) -> Result<Value, EvaluationError> {
         let function = self.function(function)?;
-        self.arguments(function, arguments, 1)?;
-        let at = |argument: Argument, i: usize| {
-            let mut known = function.arguments.iter();
-            let place = known.position(|(known, _)| *known == argument);
-            place.map_or(f64::NAN, |place| arguments[place][i])
-        };
-        let values = self.values(function, &function.shared, &at, &|x| x);
-        let values = values.map_err(|error| self.singular(None, error))?;
+        let values = self.of_state(function, &function.shared, arguments, &|x| x)?;
         Ok(Value::new(
             &function.request,
             function.layout.sizes,
             &values,
         ))
+    }
+
+    /// The entries of the value of a function at a state, in the arithmetic of any scalar: in the order
+    /// of [`batch`](RuntimeRobot::batch).
+    ///
+    /// # Errors
+    ///
+    /// Those of [`evaluate`](RuntimeRobot::evaluate).
+    pub fn evaluate_in<T: Scalar>(
+        &self,
+        function: &str,
+        arguments: &[&[T]],
+    ) -> Result<Vec<T>, EvaluationError> {
+        let function = self.function(function)?;
+        let like = arguments.iter().find_map(|entries| entries.first());
+        let constant = |x: f64| like.map_or_else(|| T::from_f64(x), |like| like.constant(x));
+        let shared = self.shared(function, &constant);
+        self.of_state(function, &shared, arguments, &constant)
+    }
+
+    fn of_state<T: Scalar>(
+        &self,
+        function: &Compiled,
+        shared: &[T],
+        arguments: &[&[T]],
+        constant: &impl Fn(f64) -> T,
+    ) -> Result<Vec<T>, EvaluationError> {
+        let lengths = arguments.iter().map(|entries| entries.len());
+        check_lengths(function, lengths, 1)?;
+        let at = |argument: Argument, i: usize| {
+            let mut known = function.arguments.iter();
+            let place = known.position(|(known, _)| *known == argument);
+            place.map_or_else(|| constant(f64::NAN), |place| arguments[place][i])
+        };
+        let values = self.values(function, shared, &at, constant);
+        values.map_err(|error| self.singular(None, error))
+    }
+
+    /// The arguments of a function, each with its number of entries.
+    ///
+    /// # Errors
+    ///
+    /// [`EvaluationError::NotDerived`] where it was not asked for.
+    pub fn arguments(
+        &self,
+        function: &str,
+    ) -> Result<impl Iterator<Item = (Argument, usize)>, EvaluationError> {
+        self.function(function)
+            .map(|function| function.arguments.iter().copied())
     }
 
     /// How many entries the value of a function has at each state.
@@ -297,7 +351,8 @@ impl RuntimeRobot {
             // Base parameters are the same at all states.
             _ => results.len().checked_div(entries).unwrap_or(0),
         };
-        self.arguments(function, arguments, states)?;
+        let lengths = arguments.iter().map(|entries| entries.len());
+        check_lengths(function, lengths, states)?;
         length("results", results.len(), states * entries)?;
         let pairs = function.arguments.iter().zip(arguments);
         let reader = Reader {
@@ -348,25 +403,6 @@ impl RuntimeRobot {
         &self.functions
     }
 
-    fn arguments(
-        &self,
-        function: &Compiled,
-        arguments: &[&[f64]],
-        states: usize,
-    ) -> Result<(), EvaluationError> {
-        if arguments.len() != function.arguments.len() {
-            let expected = function.arguments.iter();
-            return Err(EvaluationError::Arguments {
-                found: arguments.len(),
-                expected: expected.map(|(argument, _)| argument.name()).collect(),
-            });
-        }
-        let mut pairs = function.arguments.iter().zip(arguments);
-        pairs.try_for_each(|((argument, width), entries)| {
-            length(argument.name(), entries.len(), states * width)
-        })
-    }
-
     /// The values of a function in the order of its shape, matrices by columns: `argument` are the
     /// entries of the arguments, `shared` the numbers that all states share.
     pub(crate) fn values<T: Scalar>(
@@ -413,8 +449,7 @@ impl RuntimeRobot {
 }
 
 impl Compiled {
-    fn new(robot: &Robot, request: Request) -> Result<Self, BuildError> {
-        let proven = proven_program(robot, &request).map_err(BuildError::Failure)?;
+    fn new(robot: &Robot, request: Request, proven: &Proven) -> Result<Self, BuildError> {
         let too_long = |_| BuildError::TooLong(request.name().to_owned());
         let mut inputs = proven.program.inputs.iter();
         if let Some(row) = inputs.find_map(|symbol| robot.follower_of(symbol)) {
@@ -423,7 +458,7 @@ impl Compiled {
                 joint: row.name.clone(),
             });
         }
-        let tape = Tape::new(&proven).map_err(too_long)?;
+        let tape = Tape::new(proven).map_err(too_long)?;
         let (joints, outputs) = (robot.dof(), proven.program.outputs.len());
         let layout = Layout::new(&request, joints, outputs);
         let arguments = request.arguments().into_iter().filter_map(|argument| {
@@ -439,6 +474,32 @@ impl Compiled {
             tape,
             request,
         })
+    }
+}
+
+/// Whether arguments have the lengths that so many states take.
+fn check_lengths(
+    function: &Compiled,
+    found: impl ExactSizeIterator<Item = usize>,
+    states: usize,
+) -> Result<(), EvaluationError> {
+    if found.len() != function.arguments.len() {
+        let expected = function.arguments.iter();
+        return Err(EvaluationError::Arguments {
+            found: found.len(),
+            expected: expected.map(|(argument, _)| argument.name()).collect(),
+        });
+    }
+    let mut pairs = function.arguments.iter().zip(found);
+    pairs.try_for_each(|((argument, width), found)| length(argument.name(), found, states * width))
+}
+
+/// Whether a description makes sense to those who read it.
+fn validate(robot: &Robot) -> Result<(), BuildError> {
+    match unknown_field(robot) {
+        Some(index) => Err(BuildError::NoSuchField(index)),
+        None if robot.dof() == 0 => Err(BuildError::NoJoints),
+        None => Ok(()),
     }
 }
 

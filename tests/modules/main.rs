@@ -57,6 +57,7 @@ fn modules_form_no_circles() {
         "dynamics-macros",
         "dynamics-runtime",
         "dynamics-evaluation",
+        "dynamics-cli",
     ] {
         let circles = circles_of(name);
         assert!(circles.is_empty(), "{name}: {circles:#?}");

@@ -6,7 +6,7 @@ use fearless_simd::{Level, Simd, SimdBase, SimdFrom, SimdMask, dispatch, f64x8};
 
 use super::{Block, GROUPS, Kernels, LANES, STATES};
 use crate::layout::{Layout, Test};
-use crate::read::Reader;
+use crate::read::{Reader, scatter};
 use crate::tape::{Output, Place, Step, Tape};
 
 /// A function at many states.
@@ -107,16 +107,16 @@ fn write(batch: &Batch<'_>, slots: &[Block], results: &mut [f64]) {
     let entries = batch.layout.entries();
     for &(output, place) in &batch.layout.values {
         let output = &batch.tape.outputs[output];
-        let states = results.chunks_exact_mut(entries);
-        match output.place {
-            Place::Shared(index) => {
+        match (output.place, output.negative) {
+            (Place::Shared(index), _) => {
                 let value = signed(batch.shared[usize::from(index)], output);
-                states.for_each(|state| state[place] = value);
+                scatter(core::iter::repeat(value), results, entries, place);
             }
-            Place::Slot(slot) => {
-                let lanes = slots[usize::from(slot)].0.as_flattened();
-                for (state, &lane) in states.zip(lanes) {
-                    state[place] = signed(lane, output);
+            (Place::Slot(slot), negative) => {
+                let lanes = slots[usize::from(slot)].0.as_flattened().iter();
+                match negative {
+                    true => scatter(lanes.map(|lane| -lane), results, entries, place),
+                    false => scatter(lanes.copied(), results, entries, place),
                 }
             }
         }

@@ -92,7 +92,7 @@ fn of_pi(divisor: i64) -> Value {
 }
 
 /// The same scene as a description.
-fn description() -> Robot {
+pub(crate) fn description() -> Robot {
     let zero = Value::zero;
     let [load, tilt, twist, stiffness, slow] = [0, 1, 2, 3, 4].map(Value::field);
     let lift = Row {
@@ -155,7 +155,7 @@ fn description() -> Robot {
     }
 }
 
-const FIELDS: [f64; 5] = [1.5, 0.2, -0.3, 120.0, 0.05];
+pub(crate) const FIELDS: [f64; 5] = [1.5, 0.2, -0.3, 120.0, 0.05];
 
 fn generated(fields: [f64; 5]) -> Scene {
     let [load, tilt, twist, stiffness, slow] = fields;
@@ -186,7 +186,7 @@ fn runtime(functions: impl IntoIterator<Item = Function>) -> RuntimeRobot {
     arm
 }
 
-fn all_functions() -> impl Iterator<Item = Function> {
+pub(crate) fn all_functions() -> impl Iterator<Item = Function> {
     FUNCTIONS
         .iter()
         .map(|name| Function::from_name(name).expect("a function"))

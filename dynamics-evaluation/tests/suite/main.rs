@@ -3,4 +3,5 @@
 mod batches;
 mod data_files;
 mod generated;
+mod languages;
 mod refusals;

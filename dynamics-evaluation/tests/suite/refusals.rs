@@ -82,6 +82,7 @@ fn descriptions_that_make_no_sense_are_refused() {
     robot.rows[0].mass = Value::field(3);
     let refused = RuntimeRobot::new(robot.clone(), [Function::MassMatrix]).unwrap_err();
     assert_eq!(refused, BuildError::NoSuchField(3));
+    robot.rows[0].mass = Value::zero();
     robot.rows[0].locked = Some(Value::zero());
     let refused = RuntimeRobot::new(robot.clone(), [Function::MassMatrix]).unwrap_err();
     assert_eq!(refused, BuildError::NoJoints);

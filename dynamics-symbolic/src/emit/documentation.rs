@@ -62,7 +62,7 @@ fn description(robot: &Robot, function: Function) -> String {
 }
 
 /// What is returned: each quantity of a tuple, in order.
-fn quantities(robot: &Robot, request: &Request) -> Vec<String> {
+pub(super) fn quantities(robot: &Robot, request: &Request) -> Vec<String> {
     let fused = match request {
         Request::One(function) => return vec![format!(" {}", description(robot, *function))],
         Request::Fused(fused) => fused,
@@ -98,7 +98,7 @@ fn errors(unresisted: &[&str]) -> String {
 }
 
 /// The joints whose pivot is the constant 0, whatever the state.
-fn unresisted<'r>(
+pub(super) fn unresisted<'r>(
     robot: &'r Robot,
     request: &Request,
     program: &Program,
@@ -122,7 +122,7 @@ fn unresisted<'r>(
 }
 
 /// The units of the arguments.
-fn units(robot: &Robot, request: &Request) -> String {
+pub(super) fn units(robot: &Robot, request: &Request) -> String {
     let is = |joint_type| robot.joints().all(|row| row.joint_type == joint_type);
     let (position, force) = match (is(JointType::Revolute), is(JointType::Prismatic)) {
         (true, _) => ("rad", "N m"),
@@ -138,7 +138,7 @@ fn units(robot: &Robot, request: &Request) -> String {
 }
 
 /// Which values are zero or constant, and what the others depend on.
-fn structures(robot: &Robot, request: &Request, program: &Program) -> Vec<String> {
+pub(super) fn structures(robot: &Robot, request: &Request, program: &Program) -> Vec<String> {
     let parts = request.parts();
     let spans = spans(parts, robot.dof(), program.outputs.len());
     let structure = |(part, span): (&Function, _)| {
@@ -154,7 +154,7 @@ fn structures(robot: &Robot, request: &Request, program: &Program) -> Vec<String
 }
 
 /// The formulas, each behind the name of its value, and what the names of sines in them mean.
-fn formula_lines(formulas: &Formulas) -> Vec<String> {
+pub(super) fn formula_lines(formulas: &Formulas) -> Vec<String> {
     let shown = formulas.shown(Format::Text, MOST_TERMS);
     if shown.is_empty() {
         return Vec::new();

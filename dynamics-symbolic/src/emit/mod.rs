@@ -1,4 +1,4 @@
-//! Emission: programs as Rust methods.
+//! Emission: programs as Rust methods, and in other languages.
 //!
 //! Straight-line code, one assignment a line, generic over the runtime's
 //! `Scalar`. Tokens are built by hand where there are many, and are the same
@@ -7,6 +7,7 @@
 mod body;
 mod documentation;
 mod inputs;
+mod languages;
 mod names;
 mod parameters;
 mod parts;
@@ -14,6 +15,7 @@ mod polynomial;
 mod series;
 mod signature;
 
+pub use languages::{CSource, c_source, description, javascript_module};
 use signature::signature;
 pub use signature::{base_parameter_constants, method_name, stub, stub_of_trait};
 use signature::{call, leading_matrix, provided, without_parameters};

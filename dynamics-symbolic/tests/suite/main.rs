@@ -13,6 +13,7 @@ mod frames;
 mod functions;
 mod fused;
 mod invariances;
+mod languages;
 mod mounts;
 mod neglect;
 mod proof;

@@ -1,0 +1,119 @@
+//! Rows of numbers, separated by commas.
+
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+
+use clap::ArgMatches;
+
+use crate::failure::Failure;
+
+/// A table that is being written: a header, and rows of numbers that read back as the same ones.
+pub(crate) struct Csv(String);
+
+impl Csv {
+    /// With names of columns: `time` by itself, and each of the others for every joint.
+    pub(crate) fn new<'n>(
+        time: &str,
+        quantities: &[&str],
+        joints: impl Iterator<Item = &'n str> + Clone,
+    ) -> Self {
+        let mut text = time.to_owned();
+        for quantity in quantities {
+            for joint in joints.clone() {
+                let _ = write!(text, ",{quantity}_{joint}");
+            }
+        }
+        text.push('\n');
+        Csv(text)
+    }
+
+    /// The table with another column.
+    pub(crate) fn with(mut self, column: &str) -> Self {
+        self.0.pop();
+        let _ = writeln!(self.0, ",{column}");
+        self
+    }
+
+    /// Adds a row.
+    pub(crate) fn row(&mut self, numbers: impl IntoIterator<Item = f64>) {
+        let numbers = numbers.into_iter().map(|x| x.to_string());
+        self.0.push_str(&numbers.collect::<Vec<_>>().join(","));
+        self.0.push('\n');
+    }
+
+    /// Writes the table to the file that `--out` names; the text where it names none.
+    pub(crate) fn put_out(self, given: &ArgMatches) -> Result<String, Failure> {
+        match given.get_one::<PathBuf>("out") {
+            None => Ok(self.0),
+            Some(path) => write(path, &self.0).map(|()| String::new()),
+        }
+    }
+}
+
+/// Writes a file.
+pub(crate) fn write(path: &Path, text: &str) -> Result<(), Failure> {
+    std::fs::write(path, text).map_err(|error| {
+        Failure::after(
+            String::new(),
+            format!("{}: cannot be written: {error}", path.display()),
+        )
+    })
+}
+
+/// The rows of a file, each of so many numbers; a first row of words is passed over.
+pub(crate) fn read(path: &Path, columns: usize) -> Result<Vec<Vec<f64>>, Failure> {
+    let wrong = |line: usize, column: usize, message: String| {
+        Failure::after(
+            String::new(),
+            format!("{}:{line}:{column}: {message}", path.display()),
+        )
+    };
+    let text = std::fs::read_to_string(path)
+        .map_err(|error| wrong(1, 1, format!("cannot be read: {error}")))?;
+    let mut rows: Vec<Vec<f64>> = Vec::new();
+    for (index, line) in text.lines().enumerate() {
+        let words: Vec<_> = line.split(',').collect();
+        let is_header = index == 0 && words.iter().all(|word| word.trim().parse::<f64>().is_err());
+        if line.trim().is_empty() || is_header {
+            continue;
+        }
+        if words.len() != columns {
+            let message = format!(
+                "{} numbers, expected {columns}: a time, and a position of each joint",
+                words.len()
+            );
+            return Err(wrong(index + 1, 1, message));
+        }
+        let mut column = 1;
+        let mut row = Vec::with_capacity(columns);
+        for word in words {
+            match word.trim().parse::<f64>() {
+                Ok(x) if x.is_finite() => row.push(x),
+                _ => {
+                    return Err(wrong(
+                        index + 1,
+                        column,
+                        format!("`{}`: expected a number", word.trim()),
+                    ));
+                }
+            }
+            column += word.chars().count() + 1;
+        }
+        if rows.last().is_some_and(|last| last[0] >= row[0]) {
+            return Err(wrong(
+                index + 1,
+                1,
+                "times must grow from row to row".to_owned(),
+            ));
+        }
+        rows.push(row);
+    }
+    match rows.len() {
+        0 | 1 => Err(wrong(
+            1,
+            1,
+            "expected two rows of numbers or more".to_owned(),
+        )),
+        _ => Ok(rows),
+    }
+}

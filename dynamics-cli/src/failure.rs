@@ -1,0 +1,40 @@
+//! Why a command has not done what it was asked for.
+
+use std::fmt;
+
+/// What is told, and the status of the process.
+#[derive(Debug)]
+pub(crate) struct Failure {
+    /// What was found before: it is put out as if nothing had failed.
+    pub(crate) output: String,
+    /// What is wrong, and what was expected.
+    pub(crate) message: String,
+    /// 1; or 2 where the command line itself is wrong.
+    pub(crate) status: u8,
+}
+
+impl Failure {
+    /// A failure behind an output.
+    pub(crate) fn after(output: String, message: impl Into<String>) -> Self {
+        Failure {
+            output,
+            message: message.into(),
+            status: 1,
+        }
+    }
+
+    /// What the command line says cannot be.
+    pub(crate) fn of_the_command_line(message: impl fmt::Display) -> Self {
+        Failure {
+            output: String::new(),
+            message: format!("error: {message}\n\nFor more information, try '--help'."),
+            status: 2,
+        }
+    }
+}
+
+impl<E: std::error::Error> From<E> for Failure {
+    fn from(error: E) -> Self {
+        Failure::after(String::new(), error.to_string())
+    }
+}

@@ -1,0 +1,121 @@
+//! Time and rounding of each function.
+
+use std::fmt::Write as _;
+use std::time::Instant;
+
+use clap::ArgMatches;
+use dynamics_evaluation::RuntimeRobot;
+use dynamics_runtime::DoubleDouble;
+use dynamics_symbolic::function::Argument;
+
+use crate::failure::Failure;
+use crate::load::{arm, model};
+
+/// States at which functions are evaluated.
+const STATES: usize = 256;
+
+/// Seconds that are spent on each time.
+const SECONDS: f64 = 0.05;
+
+/// The table of `measure`.
+pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
+    let (robot, requests) = model(given)?;
+    let arm = arm(robot, requests)?;
+    let mut text = format!(
+        "{:<32}{:>11}{:>9}{:>10}{:>13}\n",
+        "function", "operations", "ns", "batch ns", "largest error"
+    );
+    let names: Vec<String> = arm.function_names().map(str::to_owned).collect();
+    for name in names {
+        let measured = measure(&arm, &name)?;
+        let operations = arm.operations(&name)?.total();
+        let _ = writeln!(
+            text,
+            "{name:<32}{operations:>11}{:>9.0}{:>10.1}{:>13.1e}",
+            measured.single, measured.batch, measured.error
+        );
+    }
+    Ok(text)
+}
+
+struct Measured {
+    /// Of a single evaluation, ns.
+    single: f64,
+    /// Of a state in a batch, ns.
+    batch: f64,
+    /// The largest, over the largest entry of the same state.
+    error: f64,
+}
+
+fn measure(arm: &RuntimeRobot, name: &str) -> Result<Measured, Failure> {
+    let widths: Vec<usize> = arm.arguments(name)?.map(|(_, width)| width).collect();
+    let arguments: Vec<Vec<f64>> = arm
+        .arguments(name)?
+        .enumerate()
+        .map(|(seed, (argument, width))| entries(argument, STATES * width, seed))
+        .collect();
+    let all: Vec<&[f64]> = arguments.iter().map(Vec::as_slice).collect();
+    let at = |state: usize| -> Vec<&[f64]> {
+        let slices = all.iter().zip(&widths);
+        slices
+            .map(|(entries, width)| &entries[state * width..(state + 1) * width])
+            .collect()
+    };
+    let mut results = vec![0.0; STATES * arm.entries(name)?];
+    let batch = seconds(|| arm.batch(name, &all, &mut results))? / STATES as f64;
+    let states: Vec<_> = (0..STATES).map(at).collect();
+    let single = seconds(|| {
+        states
+            .iter()
+            .try_for_each(|state| arm.evaluate(name, state).map(drop))
+    })?;
+    let mut error = 0.0_f64;
+    for state in &states {
+        error = error.max(rounding(arm, name, state)?);
+    }
+    Ok(Measured {
+        single: 1e9 * single / STATES as f64,
+        batch: 1e9 * batch,
+        error,
+    })
+}
+
+/// The error of a state's values against the same program in 31 digits.
+fn rounding(arm: &RuntimeRobot, name: &str, state: &[&[f64]]) -> Result<f64, Failure> {
+    let values: Vec<f64> = arm.evaluate_in(name, state)?;
+    let precise: Vec<Vec<DoubleDouble>> = state
+        .iter()
+        .map(|entries| entries.iter().map(|x| DoubleDouble::from(*x)).collect())
+        .collect();
+    let precise: Vec<&[DoubleDouble]> = precise.iter().map(Vec::as_slice).collect();
+    let precise: Vec<DoubleDouble> = arm.evaluate_in(name, &precise)?;
+    let size = values.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
+    let differences = values.iter().zip(precise);
+    let worst = differences
+        .map(|(x, exact)| f64::from(DoubleDouble::from(*x) - exact).abs())
+        .fold(0.0, f64::max);
+    Ok(if size > 0.0 { worst / size } else { worst })
+}
+
+/// The least time of a call.
+fn seconds<E>(mut call: impl FnMut() -> Result<(), E>) -> Result<f64, E> {
+    let start = Instant::now();
+    let mut least = f64::INFINITY;
+    while start.elapsed().as_secs_f64() < SECONDS {
+        let before = Instant::now();
+        call()?;
+        least = least.min(before.elapsed().as_secs_f64());
+    }
+    Ok(least)
+}
+
+/// Entries of an argument: within pi of positions, some per second of rates.
+fn entries(argument: Argument, count: usize, seed: usize) -> Vec<f64> {
+    let range = match argument {
+        Argument::Position => core::f64::consts::PI,
+        _ => 5.0,
+    };
+    (0..count)
+        .map(|i| range * ((17 * seed + 5 * i) as f64 * 0.37).sin())
+        .collect()
+}

@@ -1,0 +1,303 @@
+//! The command as it is called: what it writes, and its exit status.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+fn data(name: &str) -> String {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/data/robots");
+    folder.join(name).to_string_lossy().into_owned()
+}
+
+fn folder(name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    std::fs::create_dir_all(&folder).expect("a folder");
+    folder
+}
+
+fn run(arguments: &[&str]) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_robot-dynamics"));
+    command.args(arguments).output().expect("the command")
+}
+
+/// The output of a call that succeeds.
+#[track_caller]
+fn output(arguments: &[&str]) -> String {
+    let output = run(arguments);
+    let errors = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(0), "{arguments:?}: {errors}");
+    String::from_utf8(output.stdout).expect("text")
+}
+
+/// What is told of a call that fails.
+#[track_caller]
+fn errors(arguments: &[&str], status: i32) -> String {
+    let output = run(arguments);
+    let errors = String::from_utf8(output.stderr).expect("text");
+    assert_eq!(
+        output.status.code(),
+        Some(status),
+        "{arguments:?}: {errors}"
+    );
+    assert!(!errors.contains("panicked"), "{errors}");
+    errors
+}
+
+const PENDULUM: &str = r#"
+convention = "modified"
+gravity = ["9.81", 0, 0]
+
+[[joint]]
+name = "pivot"
+type = "revolute"
+mass = 2
+com = [0.5, 0, 0]
+
+[[joint]]
+name = "knee"
+type = "revolute"
+a = 1
+mass = 1
+com = [0.25, 0, 0]
+"#;
+
+fn file(name: &str, text: &str) -> String {
+    let path = folder("files").join(name);
+    std::fs::write(&path, text).expect("a file");
+    path.to_string_lossy().into_owned()
+}
+
+#[test]
+fn show_prints_what_a_function_is() {
+    let pendulum = file("show.toml", PENDULUM);
+    let text = output(&["show", &pendulum, "--functions", "mass_matrix"]);
+    for expected in [
+        "show: 2 joints that move",
+        "knee",
+        "Mass matrix M(q)",
+        "Operations: ",
+        "M22 = ",
+    ] {
+        assert!(text.contains(expected), "{expected}: {text}");
+    }
+    assert!(!text.contains("coriolis_vector"), "{text}");
+    let latex = output(&[
+        "show",
+        &pendulum,
+        "--functions",
+        "gravity_vector",
+        "--format",
+        "latex",
+    ]);
+    assert!(latex.contains("G_{"), "{latex}");
+    let locked = output(&[
+        "show",
+        &pendulum,
+        "--lock",
+        "knee=0.5",
+        "--functions",
+        "mass_matrix",
+    ]);
+    assert!(
+        locked.contains("locked at 0.5") && locked.contains("1 joints that move"),
+        "{locked}"
+    );
+}
+
+#[test]
+fn check_compares_with_newton_euler_and_with_another_file() {
+    let (one, same) = (file("check.toml", PENDULUM), file("same.toml", PENDULUM));
+    let text = output(&["check", &one, "--against", &same]);
+    assert!(
+        text.contains("inverse_dynamics") && text.contains("against the other file"),
+        "{text}"
+    );
+    let heavier = file(
+        "heavier.toml",
+        &PENDULUM.replace("mass = 1", "mass = 1.001"),
+    );
+    let message = errors(&["check", &one, "--against", &heavier], 1);
+    assert!(
+        message.contains("the two files differ by more than 1e-9"),
+        "{message}"
+    );
+    output(&["check", &one, "--against", &heavier, "--tolerance", "0.01"]);
+    // The PUMA of the data files, which has a published tensor that no body can have.
+    output(&["check", &data("puma560.json"), "--samples", "10"]);
+}
+
+#[test]
+fn generate_writes_files() {
+    let out = folder("generated");
+    let out = out.to_string_lossy();
+    let pendulum = file("two_rods.toml", PENDULUM);
+    let text = output(&["generate", &pendulum, "--lang", "c", "--out", &out]);
+    assert_eq!(text.lines().count(), 2, "{text}");
+    let source = std::fs::read_to_string(folder("generated").join("two_rods.c")).expect("a source");
+    assert!(source.contains("two_rods_forward_dynamics"), "{source}");
+    output(&[
+        "generate",
+        &pendulum,
+        "--lang",
+        "js",
+        "--out",
+        &out,
+        "--functions",
+        "default,jacobian",
+    ]);
+    let module =
+        std::fs::read_to_string(folder("generated").join("two_rods.mjs")).expect("a module");
+    assert!(module.contains("export function jacobian(q)"), "{module}");
+}
+
+/// The rows of a CSV of so many columns.
+#[track_caller]
+fn rows(text: &str, columns: usize) -> Vec<Vec<f64>> {
+    let rows = text.lines().skip(1).map(|line| {
+        let row: Vec<f64> = line
+            .split(',')
+            .map(|x| x.parse().expect("a number"))
+            .collect();
+        assert_eq!(row.len(), columns, "{line}");
+        row
+    });
+    rows.collect()
+}
+
+#[test]
+fn a_free_fall_keeps_its_energy() {
+    let pendulum = file("fall.toml", PENDULUM);
+    let text = output(&[
+        "simulate",
+        &pendulum,
+        "--from",
+        "-1,0.5",
+        "--duration",
+        "2",
+        "--samples",
+        "11",
+    ]);
+    assert!(
+        text.starts_with("t,q_pivot,q_knee,qd_pivot,qd_knee,energy\n"),
+        "{text}"
+    );
+    let rows = rows(&text, 6);
+    assert_eq!((rows.len(), rows[10][0]), (11, 2.0));
+    assert!(
+        rows.iter().all(|row| (row[5] - rows[0][5]).abs() < 1e-6),
+        "{text}"
+    );
+    assert!(
+        rows.iter().any(|row| (row[1] - rows[0][1]).abs() > 0.5),
+        "{text}"
+    );
+}
+
+#[test]
+fn torques_of_motions() {
+    let pendulum = file("inverse.toml", PENDULUM);
+    let text = output(&["inverse", &pendulum, "--to", "1,-0.5", "--samples", "5"]);
+    let cycloidal = rows(&text, 9);
+    assert_eq!(cycloidal[4][1..3], [1.0, -0.5]);
+    // At rest at the end of the motion: gravity alone, m g l sin q at both joints.
+    let gravity = |q1: f64, q2: f64| {
+        let second = 9.81 * 0.25 * (q1 + q2).sin();
+        [9.81 * (2.0 * 0.5 + 1.0) * q1.sin() + second, second]
+    };
+    for (found, expected) in cycloidal[4][7..].iter().zip(gravity(1.0, -0.5)) {
+        assert!((found - expected).abs() < 1e-12, "{text}");
+    }
+    let waypoints = file("way.csv", "t,pivot,knee\n0,0,0\n1,0.5,0.2\n2,1,-0.5\n");
+    let text = output(&[
+        "inverse",
+        &pendulum,
+        "--waypoints",
+        &waypoints,
+        "--samples",
+        "3",
+    ]);
+    assert_eq!(rows(&text, 9)[1][1..3], [0.5, 0.2]);
+    let wrong = file("wrong.csv", "t,pivot,knee\n0,0,0\n1,0.5,fast\n");
+    let message = errors(&["inverse", &pendulum, "--waypoints", &wrong], 1);
+    assert!(
+        message.contains("wrong.csv:3:7: `fast`: expected a number"),
+        "{message}"
+    );
+    let out = folder("files").join("torques.csv");
+    let path = out.to_string_lossy();
+    assert!(output(&["inverse", &pendulum, "--to", "1,1", "--out", &path]).is_empty());
+    assert_eq!(
+        std::fs::read_to_string(&out)
+            .expect("a file")
+            .lines()
+            .count(),
+        102
+    );
+}
+
+#[test]
+fn measure_prints_times_and_errors() {
+    let pendulum = file("measure.toml", PENDULUM);
+    let text = output(&[
+        "measure",
+        &pendulum,
+        "--functions",
+        "mass_matrix,forward_dynamics",
+    ]);
+    let errors: Vec<f64> = text
+        .lines()
+        .skip(1)
+        .map(|line| {
+            line.split_whitespace()
+                .last()
+                .and_then(|x| x.parse().ok())
+                .expect("an error")
+        })
+        .collect();
+    assert_eq!(errors.len(), 2, "{text}");
+    assert!(
+        errors.iter().all(|error| (0.0..1e-12).contains(error)),
+        "{text}"
+    );
+}
+
+#[test]
+fn mistakes_are_told_with_their_places() {
+    let wrong = file(
+        "wrong.toml",
+        &PENDULUM
+            .replace("mass = 2", "mas = 2")
+            .replace("a = 1", "a = true"),
+    );
+    let message = errors(&["show", &wrong], 1);
+    assert!(
+        message.contains("wrong.toml:8:1: ") && message.contains("wrong.toml:14:5: "),
+        "{message}"
+    );
+    assert!(errors(&["show", "nowhere.toml"], 1).contains("nowhere.toml:1:1: cannot be read"));
+    assert!(errors(&["show", "robot.step"], 1).contains("robot.step:1:1: "));
+    let pendulum = file("right.toml", PENDULUM);
+    let unknown = errors(&["show", &pendulum, "--functions", "mass_matrx"], 2);
+    assert!(unknown.contains("mass_matrix"), "{unknown}");
+    assert!(errors(&["simulate", &pendulum, "--from", "1"], 2).contains("expected 2"));
+    assert!(errors(&["show", &pendulum, "--lock", "knee"], 2).contains("expected JOINT=POSITION"));
+    errors(&["dance", &pendulum], 2);
+    errors(&["generate", &pendulum, "--lang", "cobol"], 2);
+}
+
+#[test]
+fn help_and_completions() {
+    let help = output(&["--help"]);
+    for command in [
+        "show",
+        "check",
+        "generate",
+        "simulate",
+        "inverse",
+        "measure",
+        "completions",
+    ] {
+        assert!(help.contains(command), "{help}");
+        output(&[command, "--help"]);
+    }
+    assert!(output(&["completions", "bash"]).contains("robot-dynamics"));
+}

@@ -1,0 +1,500 @@
+//! Functions in C and JavaScript beside their values in Rust, on every arm of the data files.
+//!
+//! The programs are the same. Products and sums are rounded alike, so that values are equal to the last
+//! bit where sines and exponentials are: the C compiler, and the engine that runs the module, take those
+//! of Rust first. Then with their own, which may be off by a unit in the last place.
+
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use dynamics_evaluation::{EvaluationError, RuntimeRobot, Value};
+use dynamics_runtime::Scalar;
+use dynamics_symbolic::emit::{c_source, javascript_module};
+use dynamics_symbolic::robot::Robot;
+use dynamics_symbolic::{Function, Proven, Request, proven_program};
+
+use crate::generated;
+
+/// States at which functions are called.
+const STATES: usize = 5;
+
+/// A bound on errors where sines are those of another library: of values relative to the largest entry.
+/// The arms' condition numbers stay below 1e5.
+const OF_OTHER_SINES: f64 = 1e-10;
+
+/// The arms whose functions are called with the sines of other libraries too.
+const OF_OTHER_LIBRARIES: [&str; 3] = ["panda", "puma560", "scene"];
+
+/// An arm, its programs, and the states at which they are called.
+struct Case {
+    arm: RuntimeRobot,
+    programs: Vec<(Request, Proven)>,
+    angles: Vec<f64>,
+    exponents: Vec<f64>,
+}
+
+impl Case {
+    fn new(robot: Robot, fields: &[f64], functions: impl IntoIterator<Item = Function>) -> Self {
+        let programs = functions.into_iter().map(|function| {
+            let request = Request::One(function);
+            let program = proven_program(&robot, &request).expect("proven");
+            (request, program)
+        });
+        let programs: Vec<_> = programs.collect();
+        let mut arm = RuntimeRobot::of_programs(robot, &programs).expect("an arm");
+        arm.set_fields(fields).expect("a value for each field");
+        let dof = arm.dof();
+        let mut angles: Vec<f64> = (0..STATES)
+            .flat_map(|state| argument("q", dof, state))
+            .collect();
+        angles.extend(fields);
+        let exponents = match fields.last() {
+            Some(slow) => (0..STATES)
+                .flat_map(|state| argument("qd", dof, state))
+                .map(|qd| -((qd / slow) * (qd / slow)))
+                .collect(),
+            None => Vec::new(),
+        };
+        Case {
+            arm,
+            programs,
+            angles,
+            exponents,
+        }
+    }
+
+    fn arguments(&self, request: &Request, state: usize) -> Vec<(&'static str, Vec<f64>)> {
+        let arguments = request.arguments().into_iter();
+        let entries = arguments.map(|a| (a.name(), argument(a.name(), self.arm.dof(), state)));
+        entries.collect()
+    }
+
+    /// What Rust computes: a line for each call, as the programs print it.
+    fn expected(&self) -> Vec<Result<Vec<f64>, usize>> {
+        let calls = self.programs.iter().flat_map(|(request, _)| {
+            (0..STATES).map(move |state| {
+                let arguments = self.arguments(request, state);
+                let slices: Vec<&[f64]> = arguments.iter().map(|(_, x)| x.as_slice()).collect();
+                match self.arm.evaluate(request.name(), &slices) {
+                    Ok(value) => Ok(by_rows(&value)),
+                    Err(EvaluationError::Singular { error, .. }) => Err(error.joint),
+                    Err(error) => panic!("{error}"),
+                }
+            })
+        });
+        calls.collect()
+    }
+}
+
+/// Not finite at the last state: functions that solve with M refuse it.
+fn argument(name: &str, dof: usize, state: usize) -> Vec<f64> {
+    let count = if name == "wrench" { 6 } else { dof };
+    let seed = name.len() * 5 + usize::from(name.as_bytes()[0]);
+    let entry = |i: usize| match (state, name) {
+        (0, "qd") => 0.0,
+        (4, "q") if i + 1 == dof => f64::INFINITY,
+        _ => 2.0 * ((seed + 11 * state + 3 * i) as f64).sin(),
+    };
+    (0..count).map(entry).collect()
+}
+
+fn by_rows(value: &Value) -> Vec<f64> {
+    match value {
+        Value::Number(x) => vec![*x],
+        Value::Matrix(matrix) => matrix.transpose().iter().copied().collect(),
+        Value::Each(values) | Value::Tuple(values) => values.iter().flat_map(by_rows).collect(),
+    }
+}
+
+/// A folder for the files of a test.
+fn folder(name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    std::fs::create_dir_all(&folder).expect("a folder");
+    folder
+}
+
+/// Whether a program can be run; what is left out without it is said.
+fn is_there(program: &str) -> bool {
+    let found = Command::new(program).arg("--version").output().is_ok();
+    if !found {
+        println!("left out: {program} is not installed");
+    }
+    found
+}
+
+#[track_caller]
+fn run(command: &mut Command) -> String {
+    let output = command.output().expect("a program that runs");
+    let errors = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{command:?}: {errors}");
+    String::from_utf8(output.stdout).expect("text")
+}
+
+/// Lines of the bits of values, or of the joint of a refusal.
+fn printed(text: &str) -> Vec<Result<Vec<f64>, usize>> {
+    let bits = |word: &str| f64::from_bits(u64::from_str_radix(word, 16).expect("bits"));
+    let line = |line: &str| match line.strip_prefix("singular ") {
+        Some(joint) => Err(joint.parse::<usize>().expect("a joint")),
+        None => Ok(line.split_whitespace().map(bits).collect()),
+    };
+    text.lines().map(line).collect()
+}
+
+#[track_caller]
+fn assert_same(found: &str, case: &Case, label: &str, of_other_sines: bool) {
+    let (found, expected) = (printed(found), case.expected());
+    assert_eq!(found.len(), expected.len(), "{label}");
+    let names = case
+        .programs
+        .iter()
+        .flat_map(|(request, _)| [request.name(); STATES]);
+    for ((found, expected), name) in found.iter().zip(&expected).zip(names) {
+        let (found, expected) = match (found, expected) {
+            (Ok(found), Ok(expected)) => (found, expected),
+            (found, expected) => {
+                assert_eq!(found, expected, "{name} of {label}");
+                continue;
+            }
+        };
+        assert_eq!(found.len(), expected.len(), "{name} of {label}");
+        let size = expected.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
+        for (found, expected) in found.iter().zip(expected) {
+            let is_near = of_other_sines && (found - expected).abs() <= OF_OTHER_SINES * size;
+            let is_same = found.to_bits() == expected.to_bits() || is_near;
+            let both_nan = found.is_nan() && expected.is_nan();
+            assert!(
+                is_same || both_nan,
+                "{name} of {label}: {found:e} {expected:e}"
+            );
+        }
+    }
+}
+
+/// A double as C reads it.
+fn c_number(x: f64) -> String {
+    match x.is_finite() {
+        true => format!("{x:?}"),
+        false => "(1.0 / 0.0)".to_owned(),
+    }
+}
+
+/// A program that calls every function at every state and prints the bits of what it writes.
+fn c_program(case: &Case, name: &str, header: &str) -> String {
+    let mut text = format!("#include \"{name}.h\"\n#include <stdio.h>\n#include <string.h>\n");
+    text.push_str(
+        "static void print(const double *x, int count) {\n    for (int i = 0; i < count; i++) {\n        \
+         unsigned long long bits;\n        memcpy(&bits, &x[i], 8);\n        printf(\"%016llx \", bits);\n    }\n}\n\
+         int main(void) {\n",
+    );
+    let fields = case.arm.fields();
+    if !fields.is_empty() {
+        let fields: Vec<_> = fields.iter().map(|x| c_number(*x)).collect();
+        let _ = writeln!(
+            text,
+            "    const {name}_fields arm = {{{}}};",
+            fields.join(", ")
+        );
+    }
+    for (request, _) in &case.programs {
+        for state in 0..STATES {
+            text.push_str("    {\n");
+            let mut arguments = Vec::new();
+            if !fields.is_empty() {
+                arguments.push("&arm".to_owned());
+            }
+            for (argument, entries) in case.arguments(request, state) {
+                let entries: Vec<_> = entries.iter().map(|x| c_number(*x)).collect();
+                let _ = writeln!(
+                    text,
+                    "    const double {argument}[] = {{{}}};",
+                    entries.join(", ")
+                );
+                arguments.push(argument.to_owned());
+            }
+            let function = request.name();
+            let parts = c_parts(request, header);
+            if parts.is_empty() {
+                let _ = writeln!(
+                    text,
+                    "    const double value = {name}_{function}({});\n    print(&value, 1);",
+                    arguments.join(", ")
+                );
+            } else {
+                for (part, dimensions) in &parts {
+                    let _ = writeln!(text, "    double {part}_value{dimensions};");
+                    arguments.push(format!("{part}_value"));
+                }
+                let call = format!("{name}_{function}({})", arguments.join(", "));
+                let print: Vec<_> = parts
+                    .iter()
+                    .map(|(part, _)| {
+                        format!(
+                            "print((const double *){part}_value, (int)(sizeof {part}_value / 8));"
+                        )
+                    })
+                    .collect();
+                let print = print.join(" ");
+                match request.refuses() {
+                    true => {
+                        let _ = writeln!(
+                            text,
+                            "    const int code = {call};\n    if (code) printf(\"singular %d\", code - 1); else {{ {print} }}"
+                        );
+                    }
+                    false => {
+                        let _ = writeln!(text, "    {call};\n    {print}");
+                    }
+                }
+            }
+            text.push_str("    printf(\"\\n\");\n    }\n");
+        }
+    }
+    text.push_str("    return 0;\n}\n");
+    text
+}
+
+/// What a function writes to, with its dimensions, as its declaration has them; none of a number.
+fn c_parts(request: &Request, header: &str) -> Vec<(String, String)> {
+    let prefix = format!("_{}(", request.name());
+    let declaration = header
+        .lines()
+        .find(|line| line.starts_with("ROBOT") && line.contains(&prefix));
+    let (_, parameters) = declaration
+        .expect("a declaration")
+        .split_once('(')
+        .expect("parameters");
+    let parameters = parameters.trim_end_matches(");").split(", ");
+    let written = parameters.filter_map(|parameter| parameter.strip_prefix("double "));
+    let parts = written.map(|parameter| {
+        let at = parameter.find('[').unwrap_or(parameter.len());
+        (parameter[..at].to_owned(), parameter[at..].to_owned())
+    });
+    parts.collect()
+}
+
+/// Sines and exponentials of the angles that occur, as Rust has them: `x`, then its values, by bits.
+fn c_table(case: &Case) -> String {
+    let mut text = "#include <string.h>\ntypedef unsigned long long word;\n".to_owned();
+    let word = |x: f64| format!("0x{:016x}ull", x.to_bits());
+    let mut array = |name: &str, values: Vec<String>| {
+        let values = if values.is_empty() {
+            vec!["0".to_owned()]
+        } else {
+            values
+        };
+        let _ = writeln!(
+            text,
+            "static const word {name}[] = {{{}}};",
+            values.join(", ")
+        );
+    };
+    array("angles", case.angles.iter().map(|x| word(*x)).collect());
+    array(
+        "sines",
+        case.angles
+            .iter()
+            .map(|x| word(Scalar::sin_cos(*x).0))
+            .collect(),
+    );
+    array(
+        "cosines",
+        case.angles
+            .iter()
+            .map(|x| word(Scalar::sin_cos(*x).1))
+            .collect(),
+    );
+    array(
+        "exponents",
+        case.exponents.iter().map(|x| word(*x)).collect(),
+    );
+    array(
+        "exponentials",
+        case.exponents
+            .iter()
+            .map(|x| word(Scalar::exp(*x)))
+            .collect(),
+    );
+    text.push_str(
+        "static double look_up(const word *keys, const word *values, unsigned count, double x) {\n    \
+         word bits; memcpy(&bits, &x, 8);\n    double value = 0.0 / 0.0;\n    \
+         for (unsigned i = 0; i < count; i++) if (keys[i] == bits) memcpy(&value, &values[i], 8);\n    return value;\n}\n\
+         double table_sin(double x) { return look_up(angles, sines, sizeof angles / 8, x); }\n\
+         double table_cos(double x) { return look_up(angles, cosines, sizeof angles / 8, x); }\n\
+         double table_exp(double x) { return look_up(exponents, exponentials, sizeof exponents / 8, x); }\n",
+    );
+    text
+}
+
+const WARNINGS: [&str; 5] = [
+    "-Wall",
+    "-Wextra",
+    "-Wpedantic",
+    "-Werror",
+    "-ffp-contract=off",
+];
+
+fn assert_c(case: &Case) {
+    let files = c_source(case.arm.robot(), &case.programs);
+    let name = files.name.as_str();
+    let folder = folder(&format!("c_{name}"));
+    let write = |file: String, text: &str| std::fs::write(folder.join(file), text).expect("a file");
+    write(format!("{name}.h"), &files.header);
+    write(format!("{name}.c"), &files.source);
+    write("main.c".to_owned(), &c_program(case, name, &files.header));
+    write("table.c".to_owned(), &c_table(case));
+    let declared =
+        "double table_sin(double); double table_cos(double); double table_exp(double);\n";
+    write("table.h".to_owned(), declared);
+    let compile = |program: &str, options: &[&str]| {
+        let mut command = Command::new("gcc");
+        command
+            .current_dir(&folder)
+            .args(["-O2", "-std=c99"])
+            .args(WARNINGS)
+            .args(options);
+        command
+            .args([&format!("{name}.c"), "main.c"])
+            .args(["-lm", "-o", program]);
+        run(&mut command);
+        run(&mut Command::new(folder.join(program)))
+    };
+    let tables = [
+        "-include",
+        "table.h",
+        "table.c",
+        "-DROBOT_DYNAMICS_SIN=table_sin",
+        "-DROBOT_DYNAMICS_COS=table_cos",
+        "-DROBOT_DYNAMICS_EXP=table_exp",
+    ];
+    assert_same(&compile("with_tables", &tables), case, name, false);
+    if OF_OTHER_LIBRARIES.contains(&name) {
+        assert_same(&compile("with_libm", &[]), case, name, true);
+    }
+    if name == "scene" {
+        let mut command = Command::new("g++");
+        command
+            .current_dir(&folder)
+            .args(["-x", "c++", "-std=c++11", "-c"])
+            .args(WARNINGS);
+        command.arg("-DROBOT_DYNAMICS_DEVICE=__attribute__((noinline))");
+        run(command.arg(format!("{name}.c")).args(["-o", "scene.o"]));
+    }
+}
+
+/// A module that calls every function at every state and prints the bits of what it returns.
+fn javascript_program(case: &Case, with_tables: bool) -> String {
+    let mut text = "import * as robot from \"./robot.mjs\";\n".to_owned();
+    let number = |x: &f64| {
+        if x.is_finite() {
+            format!("{x:?}")
+        } else {
+            "Infinity".to_owned()
+        }
+    };
+    let map = |keys: &[f64], value: fn(f64) -> f64| {
+        // JavaScript has one NaN.
+        let value = |x: f64| {
+            Some(value(x))
+                .filter(|x| x.is_finite())
+                .map_or("NaN".to_owned(), |x| format!("{x:?}"))
+        };
+        let entries = keys
+            .iter()
+            .map(|x| format!("[{}, {}]", number(x), value(*x)));
+        format!("new Map([{}])", entries.collect::<Vec<_>>().join(", "))
+    };
+    if with_tables {
+        let _ = writeln!(
+            text,
+            "const s = {};",
+            map(&case.angles, |x| Scalar::sin_cos(x).0)
+        );
+        let _ = writeln!(
+            text,
+            "const c = {};",
+            map(&case.angles, |x| Scalar::sin_cos(x).1)
+        );
+        let _ = writeln!(text, "const e = {};", map(&case.exponents, Scalar::exp));
+        text.push_str(
+            "Math.sin = (x) => s.get(x); Math.cos = (x) => c.get(x); Math.exp = (x) => e.get(x);\n",
+        );
+    }
+    text.push_str(
+        "const bits = (x) => new BigUint64Array(new Float64Array([x]).buffer)[0].toString(16).padStart(16, \"0\");\n\
+         const flat = (value) => Array.isArray(value) ? value.flatMap(flat) : [value];\n\
+         const call = (f, ...args) => {\n  try {\n    console.log(flat(f(...args)).map(bits).join(\" \"));\n  } \
+         catch (error) {\n    if (!(error instanceof robot.SingularMassMatrix)) throw error;\n    \
+         console.log(`singular ${error.joint}`);\n  }\n};\n",
+    );
+    let fields: BTreeMap<_, _> = case
+        .arm
+        .field_names()
+        .iter()
+        .zip(case.arm.fields())
+        .collect();
+    let fields: Vec<_> = fields
+        .iter()
+        .map(|(name, x)| format!("{name}: {}", number(x)))
+        .collect();
+    let _ = writeln!(text, "const arm = {{{}}};", fields.join(", "));
+    for (request, _) in &case.programs {
+        for state in 0..STATES {
+            let mut arguments = vec![format!("robot.{}", request.name())];
+            arguments.extend((!fields.is_empty()).then(|| "arm".to_owned()));
+            for (_, entries) in case.arguments(request, state) {
+                let entries: Vec<_> = entries.iter().map(number).collect();
+                arguments.push(format!("[{}]", entries.join(", ")));
+            }
+            let _ = writeln!(text, "call({});", arguments.join(", "));
+        }
+    }
+    text
+}
+
+fn assert_javascript(case: &Case, name: &str) {
+    let folder = folder(&format!("javascript_{name}"));
+    let write = |file: &str, text: &str| std::fs::write(folder.join(file), text).expect("a file");
+    write(
+        "robot.mjs",
+        &javascript_module(case.arm.robot(), &case.programs),
+    );
+    for (file, with_tables) in [("with_tables.mjs", true), ("with_math.mjs", false)] {
+        write(file, &javascript_program(case, with_tables));
+        let found = run(Command::new("node").current_dir(&folder).arg(file));
+        assert_same(&found, case, name, !with_tables);
+    }
+}
+
+/// What every arm has; forward dynamics among them, which refuses the last state.
+const FUNCTIONS: [Function; 3] = [
+    Function::InverseDynamics,
+    Function::ForwardDynamics,
+    Function::Jacobian,
+];
+
+#[test]
+fn values_are_those_of_rust() {
+    let (has_c, has_javascript) = (is_there("gcc") && is_there("g++"), is_there("node"));
+    if !has_c && !has_javascript {
+        return;
+    }
+    let arms = arms::NAMES
+        .iter()
+        .map(|name| Case::new(arms::robot(name), &[], FUNCTIONS));
+    let scene = Case::new(
+        generated::description(),
+        &generated::FIELDS,
+        generated::all_functions(),
+    );
+    for case in arms.chain([scene]) {
+        let name = case.arm.robot().name.clone();
+        if has_c {
+            assert_c(&case);
+        }
+        if has_javascript {
+            assert_javascript(&case, &name);
+        }
+    }
+}

@@ -1,0 +1,423 @@
+//! C99, which is C++ and device code as well: a header and a source.
+
+use super::body::{Body, PivotTest};
+use super::comments::{comment, lines};
+use super::{Language, free_name, snake_case};
+use crate::function::{Request, Shape, Sizes, sizes_of};
+use crate::program::Proven;
+use crate::robot::Robot;
+use core::fmt::Write as _;
+
+/// A robot in C.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct CSource {
+    /// What the names of the files, and all names in them, begin with: `panda` of `panda.h` and
+    /// `panda.c`.
+    pub name: String,
+    /// The text of the header.
+    pub header: String,
+    /// The text of the source.
+    pub source: String,
+}
+
+const C: Language = Language {
+    declaration: "const double",
+    field: |field| format!("arm->{}", free_name(field, &WORDS)),
+    sine: "ROBOT_DYNAMICS_SIN",
+    cosine: "ROBOT_DYNAMICS_COS",
+    exponential: "ROBOT_DYNAMICS_EXP",
+    sign: "robot_dynamics_sign",
+};
+
+/// The keywords of C and of C++.
+const WORDS: [&str; 93] = [
+    "alignas",
+    "alignof",
+    "and",
+    "and_eq",
+    "asm",
+    "auto",
+    "bitand",
+    "bitor",
+    "bool",
+    "break",
+    "case",
+    "catch",
+    "char",
+    "class",
+    "compl",
+    "concept",
+    "const",
+    "const_cast",
+    "consteval",
+    "constexpr",
+    "constinit",
+    "continue",
+    "co_await",
+    "co_return",
+    "co_yield",
+    "decltype",
+    "default",
+    "delete",
+    "do",
+    "double",
+    "dynamic_cast",
+    "else",
+    "enum",
+    "explicit",
+    "export",
+    "extern",
+    "false",
+    "float",
+    "for",
+    "friend",
+    "goto",
+    "if",
+    "inline",
+    "int",
+    "long",
+    "mutable",
+    "namespace",
+    "new",
+    "noexcept",
+    "not",
+    "not_eq",
+    "nullptr",
+    "operator",
+    "or",
+    "or_eq",
+    "private",
+    "protected",
+    "public",
+    "register",
+    "reinterpret_cast",
+    "requires",
+    "restrict",
+    "return",
+    "short",
+    "signed",
+    "sizeof",
+    "static",
+    "static_assert",
+    "static_cast",
+    "struct",
+    "switch",
+    "template",
+    "this",
+    "thread_local",
+    "throw",
+    "true",
+    "try",
+    "typedef",
+    "typeid",
+    "typename",
+    "typeof",
+    "union",
+    "unsigned",
+    "using",
+    "virtual",
+    "void",
+    "volatile",
+    "wchar_t",
+    "while",
+    "xor",
+    "xor_eq",
+    "_Bool",
+    "_Complex",
+];
+
+/// Sine, cosine and exponential may be others than those of the C library.
+const FUNCTIONS: &str = "\
+#ifndef ROBOT_DYNAMICS_SIN
+#define ROBOT_DYNAMICS_SIN sin
+#endif
+#ifndef ROBOT_DYNAMICS_COS
+#define ROBOT_DYNAMICS_COS cos
+#endif
+#ifndef ROBOT_DYNAMICS_EXP
+#define ROBOT_DYNAMICS_EXP exp
+#endif
+";
+
+const SIGN: &str = "
+/** The sign, 0 of zero; NaN of NaN. */
+ROBOT_DYNAMICS_DEVICE static double robot_dynamics_sign(double x)
+{
+    return x > 0.0 ? 1.0 : x < 0.0 ? -1.0 : x == 0.0 ? 0.0 : x;
+}
+";
+
+const IS_PIVOT: &str = "
+/** Whether a pivot of M is greater than the rounding errors of its diagonal entry. */
+ROBOT_DYNAMICS_DEVICE static int robot_dynamics_is_pivot(double pivot, double diagonal)
+{
+    const double rounding = diagonal * 2.220446049250313e-16 * 8.0;
+    return pivot - rounding > 0.0 && pivot + rounding > 0.0;
+}
+";
+
+const REFUSAL: &str = "Returns 0; or, where M(q) is not positive definite to working precision or not finite, the \
+                       number of the joint whose pivot failed, counted from 1, and writes nothing.";
+
+/// The functions of a robot in C99, each with its program. A method of several functions writes the
+/// values of each.
+pub fn c_source(robot: &Robot, functions: &[(Request, Proven)]) -> CSource {
+    let writer = Writer {
+        robot,
+        name: snake_case(&robot.name),
+    };
+    CSource {
+        header: writer.header(functions),
+        source: writer.source(functions),
+        name: writer.name,
+    }
+}
+
+struct Writer<'a> {
+    robot: &'a Robot,
+    name: String,
+}
+
+/// A place that a function writes to: its type and name, and the texts of its entries.
+struct Written {
+    name: String,
+    dimensions: Vec<usize>,
+}
+
+impl Writer<'_> {
+    fn header(&self, functions: &[(Request, Proven)]) -> String {
+        let (name, upper) = (&self.name, self.name.to_uppercase());
+        let dof = self.robot.dof();
+        let joints: Vec<_> = self
+            .robot
+            .joints()
+            .map(|row| format!("{:?}", row.name))
+            .collect();
+        let mut text = comment(&[
+            format!("Equations of motion of `{}`, written by robot-dynamics.", self.robot.name),
+            String::new(),
+            "Each function is proven equal to the textbook Lagrangian. SI units, radians; matrices by rows."
+                .to_owned(),
+            "Nothing is allocated, no state is kept. What depends on an input that is not finite is not finite."
+                .to_owned(),
+        ]);
+        let _ = write!(
+            text,
+            "#ifndef {upper}_H\n#define {upper}_H\n\n\
+             /* What stands in front of every function: for device code it is compiled for both sides. */\n\
+             #ifndef ROBOT_DYNAMICS_DEVICE\n\
+             #if defined(__CUDACC__) || defined(__HIPCC__)\n\
+             #define ROBOT_DYNAMICS_DEVICE __host__ __device__\n\
+             #else\n#define ROBOT_DYNAMICS_DEVICE\n#endif\n#endif\n\n\
+             /* Joints that move, and their names from the base outwards. */\n\
+             #define {upper}_DOF {dof}\n\
+             #define {upper}_JOINT_NAMES {{{}}}\n\n\
+             #ifdef __cplusplus\nextern \"C\" {{\n#endif\n",
+            joints.join(", ")
+        );
+        if !self.robot.fields.is_empty() {
+            text.push_str("\n/** The symbolic parameters of the table. */\ntypedef struct {\n");
+            for field in &self.robot.fields {
+                let _ = writeln!(text, "    double {};", free_name(field, &WORDS));
+            }
+            let _ = writeln!(text, "}} {name}_fields;");
+        }
+        for (request, proven) in functions {
+            text.push('\n');
+            text.push_str(&comment(&lines(self.robot, request, proven, REFUSAL)));
+            let _ = writeln!(text, "{};", self.signature(request, proven));
+        }
+        text.push_str("\n#ifdef __cplusplus\n}\n#endif\n\n#endif\n");
+        text
+    }
+
+    fn source(&self, functions: &[(Request, Proven)]) -> String {
+        let mut bodies = String::new();
+        for (request, proven) in functions {
+            bodies.push_str(&self.function(request, proven));
+        }
+        let mut text = format!(
+            "#include \"{}.h\"\n\n#include <math.h>\n\n{FUNCTIONS}",
+            self.name
+        );
+        for (helper, called) in [
+            (SIGN, "robot_dynamics_sign("),
+            (IS_PIVOT, "robot_dynamics_is_pivot("),
+        ] {
+            if bodies.contains(called) {
+                text.push_str(helper);
+            }
+        }
+        text.push_str(&bodies);
+        text
+    }
+
+    fn function(&self, request: &Request, proven: &Proven) -> String {
+        let body = Body::new(self.robot, proven, &C);
+        let statements = body.statements();
+        let mut text = format!("\n{}\n{{\n", self.signature(request, proven));
+        let mut line = |statement: &str| {
+            let _ = writeln!(text, "    {statement}");
+        };
+        for argument in self.arguments(request) {
+            let reads = [format!("{argument}["), format!("{argument}->")];
+            let is_read = |statement: &String| reads.iter().any(|read| reads_name(statement, read));
+            if !statements.iter().any(is_read) {
+                line(&format!("(void){argument};"));
+            }
+        }
+        statements.iter().for_each(|statement| line(statement));
+        for PivotTest {
+            joint,
+            pivot,
+            diagonal,
+        } in body.pivot_tests(request)
+        {
+            line(&format!(
+                "if (!robot_dynamics_is_pivot({pivot}, {diagonal})) return {};",
+                joint + 1
+            ));
+        }
+        let values = body.values(request);
+        if is_number(request) {
+            line(&format!("return {};", values[0][0]));
+        } else {
+            let written = self.written(request, proven);
+            let entries = written.iter().flat_map(Written::entries);
+            for (place, value) in entries.zip(values.iter().flatten()) {
+                line(&format!("{place} = {value};"));
+            }
+            if request.refuses() {
+                line("return 0;");
+            }
+        }
+        text.push_str("}\n");
+        text
+    }
+
+    /// The names of what is read.
+    fn arguments(&self, request: &Request) -> Vec<&'static str> {
+        let fields = (!self.robot.fields.is_empty()).then_some("arm");
+        let arguments = request.arguments();
+        let names = arguments.iter().map(|argument| argument.name());
+        fields.into_iter().chain(names).collect()
+    }
+
+    fn signature(&self, request: &Request, proven: &Proven) -> String {
+        let result = match (is_number(request), request.refuses()) {
+            (true, _) => "double",
+            (_, true) => "int",
+            _ => "void",
+        };
+        let sizes = self.sizes(request, proven);
+        let mut parameters = Vec::new();
+        if !self.robot.fields.is_empty() {
+            parameters.push(format!("const {}_fields *arm", self.name));
+        }
+        for argument in request.arguments() {
+            let entries = argument.shape().map_or(0, |shape| shape.entries(sizes));
+            parameters.push(format!("const double {}[{entries}]", argument.name()));
+        }
+        if !is_number(request) {
+            let written = self.written(request, proven);
+            parameters.extend(written.iter().map(Written::parameter));
+        }
+        if parameters.is_empty() {
+            parameters.push("void".to_owned());
+        }
+        let function = request.name();
+        format!(
+            "ROBOT_DYNAMICS_DEVICE {result} {}_{function}({})",
+            self.name,
+            parameters.join(", ")
+        )
+    }
+
+    fn sizes(&self, request: &Request, proven: &Proven) -> Sizes {
+        sizes_of(
+            request.parts(),
+            self.robot.dof(),
+            proven.program.outputs.len(),
+        )
+    }
+
+    /// What a function writes to: nothing for a value without entries, which no array of C is.
+    fn written(&self, request: &Request, proven: &Proven) -> Vec<Written> {
+        let sizes = self.sizes(request, proven);
+        let mut written = Vec::new();
+        for part in request.parts() {
+            let shapes: Vec<(String, &Shape)> = match part.shape() {
+                Shape::Tuple(shapes) => {
+                    let shapes = shapes.iter().enumerate();
+                    shapes
+                        .map(|(k, shape)| (format!("{}_{}", part.name(), k + 1), shape))
+                        .collect()
+                }
+                shape => vec![(part.name().to_owned(), shape)],
+            };
+            for (name, shape) in shapes {
+                if shape.entries(sizes) > 0 {
+                    let dimensions = dimensions(shape, sizes);
+                    written.push(Written { name, dimensions });
+                }
+            }
+        }
+        written
+    }
+}
+
+/// Whether the value is one number, which is returned.
+fn is_number(request: &Request) -> bool {
+    request
+        .function()
+        .is_some_and(|function| *function.shape() == Shape::Number)
+}
+
+/// Whether a statement has the beginning of a read in it, and not as the end of a longer name.
+fn reads_name(statement: &str, read: &str) -> bool {
+    let is_letter = |letter: char| letter.is_alphanumeric() || letter == '_';
+    let mut found = statement.match_indices(read);
+    found.any(|(at, _)| !statement[..at].ends_with(is_letter))
+}
+
+/// The sizes of an array, none of a number.
+fn dimensions(shape: &Shape, sizes: Sizes) -> Vec<usize> {
+    use crate::function::Size;
+    match shape {
+        Shape::Matrix(rows, Size::One) => vec![rows.of(sizes)],
+        Shape::Matrix(rows, columns) => vec![rows.of(sizes), columns.of(sizes)],
+        Shape::Each(one) => {
+            let mut all = vec![sizes.joints];
+            all.extend(dimensions(one, sizes));
+            all
+        }
+        // Tuples in tuples: none of the functions has any.
+        Shape::Tuple(_) => vec![shape.entries(sizes)],
+        Shape::Number | Shape::Series => Vec::new(),
+    }
+}
+
+impl Written {
+    fn parameter(&self) -> String {
+        if self.dimensions.is_empty() {
+            return format!("double *{}", self.name);
+        }
+        let dimensions = self.dimensions.iter().map(|size| format!("[{size}]"));
+        format!("double {}{}", self.name, dimensions.collect::<String>())
+    }
+
+    /// The text of each entry, in the order of the values.
+    fn entries(&self) -> Vec<String> {
+        if self.dimensions.is_empty() {
+            return vec![format!("*{}", self.name)];
+        }
+        let mut entries = vec![self.name.clone()];
+        for &size in &self.dimensions {
+            let indexed = |entry: &String| -> Vec<String> {
+                (0..size).map(|i| format!("{entry}[{i}]")).collect()
+            };
+            entries = entries.iter().flat_map(indexed).collect();
+        }
+        entries
+    }
+}
