@@ -90,6 +90,7 @@ impl Random {
                 axis: [self.angle(), self.angle()],
                 frame: Vec::new(),
             }),
+            follows: None,
         }
     }
 
