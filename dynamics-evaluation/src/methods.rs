@@ -10,6 +10,14 @@ type TorqueDerivatives = (DMatrix<f64>, DMatrix<f64>);
 /// What [`RuntimeRobot::forward_dynamics_derivatives`] returns.
 type AccelerationDerivatives = (DMatrix<f64>, DMatrix<f64>, DMatrix<f64>);
 
+/// What [`RuntimeRobot::inverse_dynamics_second_derivatives`] returns.
+type SecondDerivatives = (
+    Vec<DMatrix<f64>>,
+    Vec<DMatrix<f64>>,
+    Vec<DMatrix<f64>>,
+    Vec<DMatrix<f64>>,
+);
+
 macro_rules! functions {
     ($($(#[$meaning:meta])* $name:ident($($argument:ident),*) -> $value:ty, $batch:ident;)*) => {
         /// The functions that have a method, each with its arguments.
@@ -119,6 +127,8 @@ functions! {
     energy_regressors(q, qd) -> (DVector<f64>, DVector<f64>), energy_regressors_batch;
     /// First and second time derivative of the torques.
     inverse_dynamics_rates(q, qd, qdd, jerk, snap) -> (DVector<f64>, DVector<f64>), inverse_dynamics_rates_batch;
+    /// Second derivatives (d2 tau/dq dq, d2 tau/dqd dqd, d2 tau/dq dqd, dM/dq), each a matrix for every joint.
+    inverse_dynamics_second_derivatives(q, qd, qdd) -> SecondDerivatives, inverse_dynamics_second_derivatives_batch;
 }
 
 impl RuntimeRobot {

@@ -121,5 +121,9 @@ fn found<const N: usize>(evaluation: &mut Evaluation<N>, function: Function, mut
         Function::InverseDynamicsRates => {
             evaluation.inverse_dynamics_rates = Some((values.matrix(), values.matrix()));
         }
+        Function::InverseDynamicsSecondDerivatives => {
+            let derivatives = (values.each(), values.each(), values.each(), values.each());
+            evaluation.inverse_dynamics_second_derivatives = Some(derivatives);
+        }
     }
 }

@@ -164,6 +164,8 @@ pub struct Evaluation<const N: usize> {
     pub energies_of_parameters: Option<(f64, f64)>,
     /// First and second derivative of the torques by time.
     pub inverse_dynamics_rates: Option<(SVector<f64, N>, SVector<f64, N>)>,
+    /// Second derivatives of the torques, and dM/dq.
+    pub inverse_dynamics_second_derivatives: Option<SecondDerivatives<f64, N>>,
 }
 
 #[cfg(feature = "std")]
@@ -232,6 +234,15 @@ pub fn vectors<const P: usize>(
 ) -> (Vec<f64>, Vec<f64>) {
     (first.as_slice().to_vec(), second.as_slice().to_vec())
 }
+
+/// d2 tau/dq dq, d2 tau/dqd dqd, d2 tau/dq dqd and dM/dq, each a matrix for every joint force: entry
+/// `[i][(j, k)]` is that of tau_i by q_j and q_k, by qd_j and qd_k, by q_j and qd_k, and dM_ij/dq_k.
+pub type SecondDerivatives<T, const N: usize> = (
+    [SMatrix<T, N, N>; N],
+    [SMatrix<T, N, N>; N],
+    [SMatrix<T, N, N>; N],
+    [SMatrix<T, N, N>; N],
+);
 
 /// d qdd/dq, d qdd/dqd and d qdd/d tau, the inverse of M.
 pub type AccelerationDerivatives<T, const N: usize> =

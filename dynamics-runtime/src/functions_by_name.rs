@@ -41,4 +41,5 @@ pub trait AddItsNameToFunctions {
     fn passivity_regressor(&self);
     fn energy_regressors(&self);
     fn inverse_dynamics_rates(&self);
+    fn inverse_dynamics_second_derivatives(&self);
 }

@@ -73,7 +73,7 @@ pub use conditioning::Conditioning;
 pub use configuration::Configuration;
 pub use double_double::DoubleDouble;
 pub use equations_of_motion::{EquationsOfMotion, Responses};
-pub use evaluation::{AccelerationDerivatives, State};
+pub use evaluation::{AccelerationDerivatives, SecondDerivatives, State};
 #[cfg(feature = "std")]
 pub use evaluation::{Evaluate, Evaluation};
 #[cfg(feature = "std")]

@@ -138,6 +138,7 @@ fn numeric_algorithms<const N: usize>(robot: &impl Model<N>, q: f64) {
         black_box(arm.forward_kinematics(&q));
         black_box(arm.jacobian(&q));
         black_box(arm.inverse_dynamics_derivatives(&q, &qd, &qdd));
+        black_box(arm.inverse_dynamics_second_derivatives(&q, &qd, &qdd));
     });
 }
 

@@ -11,5 +11,6 @@ mod dual_numbers;
 mod exact;
 mod free_fall;
 mod identities;
+mod second_derivatives;
 mod table;
 mod taylor;

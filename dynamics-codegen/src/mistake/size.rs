@@ -2,8 +2,8 @@
 
 use super::Mistake;
 use crate::limits::{
-    DEEPEST_DELIMITERS, DEEPEST_VALUE, MOST_JOINTS, MOST_JOINTS_OF_LONG_FUNCTIONS, MOST_LETTERS,
-    MOST_PARTS, MOST_TERMS, MOST_TERMS_IN_ALL, MOST_TOKENS,
+    DEEPEST_DELIMITERS, DEEPEST_VALUE, MOST_JOINTS, MOST_LETTERS, MOST_PARTS, MOST_TERMS,
+    MOST_TERMS_IN_ALL, MOST_TOKENS,
 };
 use crate::words::{all, shortened};
 
@@ -29,9 +29,9 @@ pub(crate) fn joints() -> Mistake {
     Mistake::new(format!("more than {MOST_JOINTS} joints"))
 }
 
-pub(crate) fn long_function(name: &str) -> Mistake {
+pub(crate) fn long_function(name: &str, most_joints: usize) -> Mistake {
     Mistake::new(format!(
-        "`{name}` of more than {MOST_JOINTS_OF_LONG_FUNCTIONS} joints would be too long"
+        "`{name}` of more than {most_joints} joints would be too long"
     ))
 }
 

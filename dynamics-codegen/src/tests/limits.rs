@@ -113,6 +113,23 @@ fn functions_that_would_be_too_long() {
 }
 
 #[test]
+fn a_function_of_as_many_values_as_the_cube_of_joints() {
+    let cells = "a: 0.1, alpha: 0.5, d: 0.2, theta: 0.3, mass: 1, com: [0.1, 0.2, 0.3], \
+                 inertia: { xx: 2, yy: 2, zz: 2, xy: 0.1, yz: 0.1, xz: 0.1 }";
+    let call = |joints| {
+        let asked = "functions: [inverse_dynamics_second_derivatives, coriolis_matrix]";
+        format!("{} {asked}", with_rows(&rows(joints, cells)))
+    };
+    let message = "`inverse_dynamics_second_derivatives` of more than 12 joints would be too long";
+    assert_eq!(
+        refusal(&call(MOST_JOINTS_OF_CUBIC_FUNCTIONS + 1)),
+        [message]
+    );
+    let (items, _) = expansion(&call(MOST_JOINTS_OF_CUBIC_FUNCTIONS), IN_SECONDS);
+    assert!(errors(&items).is_empty());
+}
+
+#[test]
 fn functions_that_would_be_too_long_together() {
     let asked = "functions: [regressor, mass_matrix, coriolis_matrix, inverse_dynamics_derivatives, coriolis_coefficients]";
     let call = |joints| format!("{} {asked}", with_rows(&rows(joints, "a: 1, mass: 1")));

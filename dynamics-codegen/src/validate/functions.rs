@@ -11,7 +11,9 @@ use super::Model;
 use super::scope::Scope;
 use crate::description::{Asked, Name, Table};
 use crate::diagnose::Diagnostics;
-use crate::limits::{MOST_JOINTS_OF_LONG_FUNCTIONS, MOST_LONG_FUNCTIONS, MOST_PARTS};
+use crate::limits::{
+    MOST_JOINTS_OF_CUBIC_FUNCTIONS, MOST_JOINTS_OF_LONG_FUNCTIONS, MOST_LONG_FUNCTIONS, MOST_PARTS,
+};
 use crate::mistake::{entry as mistake, size, value};
 use crate::place::Place;
 
@@ -203,14 +205,22 @@ pub(super) fn report_long(asked: &[Asked], joints: usize, scope: &Scope) {
 }
 
 fn report_long_functions(asked: &[Asked], joints: usize, scope: &Scope) {
-    let is_long = |function: Function| function.row().growth == Growth::Steep;
-    let long = named(asked).filter(|(function, _)| is_long(*function));
-    if joints > MOST_JOINTS_OF_LONG_FUNCTIONS {
-        for (function, place) in long {
-            scope.error(place, size::long_function(function.name()));
+    let most_joints = |function: Function| match function.row().growth {
+        Growth::Moderate => None,
+        Growth::Steep => Some(MOST_JOINTS_OF_LONG_FUNCTIONS),
+        Growth::Cubic => Some(MOST_JOINTS_OF_CUBIC_FUNCTIONS),
+    };
+    let mut are_short = true;
+    for (function, place) in named(asked) {
+        if let Some(most) = most_joints(function).filter(|most| joints > *most) {
+            scope.error(place, size::long_function(function.name(), most));
+            are_short = false;
         }
+    }
+    if !are_short {
         return;
     }
+    let long = named(asked).filter(|(function, _)| most_joints(*function).is_some());
     let most = MOST_LONG_FUNCTIONS / joints.pow(3).max(1);
     if let Some((function, place)) = long.clone().nth(most) {
         let names: Vec<&str> = long

@@ -55,7 +55,7 @@ scene! {
     forward_dynamics_aba, wrench_torques, tool_velocity, tool_acceleration, jacobian_rate,
     link_jacobians, center_of_mass, center_of_mass_jacobian, operational_inertia_inverse,
     generalized_momentum, momentum_bias, passivity_torque, passivity_regressor, energy_regressors,
-    inverse_dynamics_rates
+    inverse_dynamics_rates, inverse_dynamics_second_derivatives
 }
 
 fn numbers<const K: usize>(values: [f64; K]) -> [Value; K] {

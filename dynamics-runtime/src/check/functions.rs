@@ -4,11 +4,11 @@ use nalgebra::{SMatrix, SVector};
 
 use super::accelerations::{acceleration_derivatives, refused, series_residuals, task_space};
 use super::coefficients::{centrifugal_coefficients as numeric_centrifugal, coriolis_entries};
-use super::deviation::{Deviation, entries};
+use super::deviation::{Deviation, Entry, entries};
 use super::kinematics::{in_space, jacobian_entries, pose_entries, tip_entries};
 use super::scale::Scale;
 use crate::table::Moving;
-use crate::{Evaluation, NewtonEuler, State, Table};
+use crate::{Evaluation, NewtonEuler, SecondDerivatives, State, Table};
 
 /// The deviation of every generated function, in the order of the documentation. `datum` is the constant
 /// that the regressor of the potential energy leaves open.
@@ -61,6 +61,7 @@ pub(super) fn deviations<const N: usize>(
         energy_regressors,
         energies_of_parameters,
         inverse_dynamics_rates,
+        inverse_dynamics_second_derivatives,
     } = generated;
     let State { q, qd, qdd } = state;
     let m = numeric.mass_matrix(q);
@@ -245,6 +246,10 @@ pub(super) fn deviations<const N: usize>(
                 .chain(entries(second - expected.1, size_of_second));
             Deviation::worst("inverse_dynamics_rates", entries)
         }),
+        inverse_dynamics_second_derivatives.map(|derivatives| {
+            let expected = numeric.inverse_dynamics_second_derivatives(q, qd, qdd);
+            second_derivatives(&derivatives, &expected, &scale)
+        }),
         alone(
             "passivity_regressor",
             passivity_regressor.is_some(),
@@ -308,6 +313,29 @@ fn alone(
         error: None,
         joint: None,
     })
+}
+
+/// Second derivatives of tau beside those of the numeric recursion.
+fn second_derivatives<const N: usize>(
+    generated: &SecondDerivatives<f64, N>,
+    expected: &SecondDerivatives<f64, N>,
+    scale: &Scale,
+) -> Deviation {
+    let four = |d: &SecondDerivatives<f64, N>| [d.0, d.1, d.2, d.3];
+    let pairs = four(generated).into_iter().zip(four(expected));
+    let differences = pairs.zip(scale.second_derivatives());
+    let of_joint = |(i, difference): (usize, SMatrix<f64, N, N>), scale| {
+        let entries = entries(difference, scale);
+        entries.map(move |entry| Entry {
+            joint: Some(i),
+            ..entry
+        })
+    };
+    let entries = differences.flat_map(|((generated, expected), scale)| {
+        let matrices = generated.into_iter().zip(expected).enumerate();
+        matrices.flat_map(move |(i, (a, b))| of_joint((i, a - b), scale))
+    });
+    Deviation::worst("inverse_dynamics_second_derivatives", entries)
 }
 
 /// d tau/dq and d tau/dqd beside those of the numeric recursion.

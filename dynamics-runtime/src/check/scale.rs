@@ -94,6 +94,16 @@ impl Scale {
         }
     }
 
+    /// Of d2 tau/dq dq, whose terms are those of tau without springs and friction, d2 tau/dqd dqd, d2 tau/dq dqd and dM/dq.
+    pub(super) fn second_derivatives(&self) -> [f64; 4] {
+        [
+            self.force_by_position - self.stiffness,
+            2.0 * self.mass_matrix + self.curvature_of_friction,
+            2.0 * self.coriolis_matrix,
+            self.mass_matrix,
+        ]
+    }
+
     /// Of the first and the second derivative of tau along a motion: of its terms with all products of
     /// the rates of the joints that have the same dimension.
     pub(super) fn rates<const N: usize>(&self, state: &State<N>) -> [f64; 2] {

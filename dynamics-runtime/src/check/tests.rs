@@ -6,7 +6,8 @@ use super::accelerations::refused;
 use crate::test_arms::{CRAIG_ARM, CraigArm};
 use crate::{
     AccelerationDerivatives, Check, Evaluate, Evaluation, MAX_TAYLOR_ORDER, Model, NewtonEuler,
-    Report, SingularMassMatrix, State, Table, TaylorCoefficients, check_against_rnea,
+    Report, SecondDerivatives, SingularMassMatrix, State, Table, TaylorCoefficients,
+    check_against_rnea,
 };
 
 /// The textbook arm with one value of its evaluation changed.
@@ -67,6 +68,10 @@ fn force_derivatives(state: &State<2>) -> (Matrix2<f64>, Matrix2<f64>) {
     numeric().inverse_dynamics_derivatives(&state.q, &state.qd, &state.qdd)
 }
 
+fn second_derivatives(state: &State<2>) -> SecondDerivatives<f64, 2> {
+    numeric().inverse_dynamics_second_derivatives(&state.q, &state.qd, &state.qdd)
+}
+
 fn acceleration_derivatives(state: &State<2>) -> AccelerationDerivatives<f64, 2> {
     let (by_position, by_velocity) = force_derivatives(state);
     let inverse = CRAIG_ARM.mass_matrix(&state.q).try_inverse().unwrap();
@@ -86,7 +91,7 @@ fn taylor_series(state: &State<2>) -> TaylorCoefficients<f64, 2> {
 type Damage = (&'static str, fn(&State<2>, &mut Evaluation<2>));
 
 /// One for each function.
-const DAMAGES: [Damage; 22] = [
+const DAMAGES: [Damage; 23] = [
     ("mass_matrix", |_, e| {
         e.mass_matrix.as_mut().unwrap()[(1, 0)] *= WRONG;
     }),
@@ -163,6 +168,11 @@ const DAMAGES: [Damage; 22] = [
         let (by_position, by_velocity, by_force) = acceleration_derivatives(state);
         e.forward_dynamics_derivatives = Some(Ok((by_position, by_velocity * WRONG, by_force)));
     }),
+    ("inverse_dynamics_second_derivatives", |state, e| {
+        let mut derivatives = second_derivatives(state);
+        derivatives.3[0][(1, 1)] *= WRONG;
+        e.inverse_dynamics_second_derivatives = Some(derivatives);
+    }),
     ("forward_dynamics_aba", |state, e| {
         e.forward_dynamics_aba = Some(Ok(state.qdd * WRONG));
     }),
@@ -200,6 +210,7 @@ fn kinematics_and_matrix_forms_pass() {
         e.regressor_forces = Some(numeric().inverse_dynamics(q, qd, &state.qdd));
         e.inverse_dynamics_derivatives = Some(force_derivatives(state));
         e.forward_dynamics_derivatives = Some(Ok(acceleration_derivatives(state)));
+        e.inverse_dynamics_second_derivatives = Some(second_derivatives(state));
         e.forward_dynamics_aba = Some(Ok(state.qdd));
         e.taylor_series = Some(Ok(taylor_series(state)));
     });

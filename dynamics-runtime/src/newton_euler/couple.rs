@@ -8,9 +8,13 @@ use nalgebra::{Matrix4, SMatrix, SVector, Vector3};
 use super::angle::SinCos;
 use super::link::Link;
 use super::lock::without_locked;
+use super::second_derivatives::Sum;
 use super::whole::{MOST_ROWS, Rows, Square, Whole, read};
 use crate::table::MOST_FOLLOWERS;
-use crate::{Convention, Follower, Followers, JointMotion, JointType, Placement, Row, Table};
+use crate::{
+    Convention, Follower, Followers, JointMotion, JointType, Placement, Row, SecondDerivatives,
+    Table,
+};
 
 impl<const N: usize> Table<N> {
     /// The table of an arm some of whose joints follow others, and some of which may be locked as in
@@ -220,6 +224,25 @@ impl<const N: usize> Coupled<N> {
         let [q, qd, qdd] = [q, qd, qdd].map(|x| self.spread(x));
         let (by_position, by_velocity) = self.whole().whole_derivatives(&q, &qd, &qdd);
         (self.block(&by_position), self.block(&by_velocity))
+    }
+
+    pub(super) fn second_derivatives(
+        &self,
+        q: &SVector<f64, N>,
+        qd: &SVector<f64, N>,
+        qdd: &SVector<f64, N>,
+    ) -> SecondDerivatives<f64, N> {
+        let [q, qd, qdd] = [q, qd, qdd].map(|x| self.spread(x));
+        let whole = self.whole();
+        let mut all = Sum::default();
+        for (row, moving) in self.table.chain().enumerate() {
+            let (slopes, curvature) = whole.whole_slopes_by(row, &q, [&qd, &qdd]);
+            let slopes = slopes.map(|slopes| self.block(&slopes));
+            let (k, factor) = (moving.joint, moving.factor);
+            all.add(k, factor, slopes);
+            all.0.1[k][(k, k)] += factor * factor * factor * curvature;
+        }
+        all.0
     }
 
     pub(super) fn rates(

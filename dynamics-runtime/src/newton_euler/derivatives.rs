@@ -6,11 +6,13 @@
 //! functions exactly, with roundings as small as those of tau itself.
 
 use core::f64::consts::{FRAC_1_SQRT_2, SQRT_2};
+use core::ops::{Add, Mul, Sub};
 
 use nalgebra::{SMatrix, SVector};
 
 use super::NewtonEuler;
 use super::angle::SinCos;
+use super::joint::Joint;
 use crate::JointType;
 
 /// A turn by 45 degrees.
@@ -35,28 +37,7 @@ impl<const N: usize> NewtonEuler<N> {
         if let Some(coupled) = &self.coupled {
             return coupled.derivatives(q, qd, qdd);
         }
-        let joints = self.joints(q);
-        let mut by_position = SMatrix::<f64, N, N>::zeros();
-        for j in 0..N {
-            // tau with joint j moved by a turn or by a distance, less tau with it moved the other way.
-            let difference = |turn: SinCos, distance: f64| {
-                let tau = |turn, distance| {
-                    let mut joints = joints;
-                    joints[j] = joints[j].moved(turn, distance);
-                    self.recursion(&joints, qd, qdd, &self.gravity)
-                };
-                tau(turn, distance) - tau(turn.opposite(), -distance)
-            };
-            let derivative = match self.links[j].joint_type {
-                // With tau' = a + 2 b for the terms of degree one and two, the differences are
-                // 2 (sqrt(1/2) a + b) over 45 degrees and 2 a over 90 degrees.
-                JointType::Revolute => {
-                    difference(EIGHTH, 0.0) + difference(QUARTER, 0.0) * ((1.0 - SQRT_2) / 2.0)
-                }
-                JointType::Prismatic => difference(SinCos::ZERO, 1.0) / 2.0,
-            };
-            by_position.set_column(j, &derivative);
-        }
+        let mut by_position = self.slopes(&self.joints(q), qd, qdd);
         // C = 1/2 dV/dqd, for the symbols of Christoffel.
         let mut by_velocity = self.coriolis_matrix(q, qd) * 2.0;
         for (i, link) in self.links.iter().enumerate() {
@@ -64,5 +45,49 @@ impl<const N: usize> NewtonEuler<N> {
             by_velocity[(i, i)] += link.viscous + link.dry.slope(qd[i]);
         }
         (by_position, by_velocity)
+    }
+
+    /// d tau/dq without springs, where the joints are so.
+    pub(super) fn slopes(
+        &self,
+        joints: &[Joint; N],
+        qd: &SVector<f64, N>,
+        qdd: &SVector<f64, N>,
+    ) -> SMatrix<f64, N, N> {
+        let mut slopes = SMatrix::<f64, N, N>::zeros();
+        for j in 0..N {
+            let tau = |joints: &[Joint; N]| self.recursion(joints, qd, qdd, &self.gravity);
+            slopes.set_column(j, &self.slope(joints, j, tau));
+        }
+        slopes
+    }
+
+    /// The derivative by the position of joint j of what is such a polynomial of it.
+    pub(super) fn slope<X>(
+        &self,
+        joints: &[Joint; N],
+        j: usize,
+        value: impl Fn(&[Joint; N]) -> X,
+    ) -> X
+    where
+        X: Add<Output = X> + Sub<Output = X> + Mul<f64, Output = X>,
+    {
+        // The value with joint j moved by a turn or by a distance, less that with it moved the other way.
+        let difference = |turn: SinCos, distance: f64| {
+            let moved = |turn, distance| {
+                let mut joints = *joints;
+                joints[j] = joints[j].moved(turn, distance);
+                value(&joints)
+            };
+            moved(turn, distance) - moved(turn.opposite(), -distance)
+        };
+        match self.links[j].joint_type {
+            // With x' = a + 2 b for the terms of degree one and two, the differences are
+            // 2 (sqrt(1/2) a + b) over 45 degrees and 2 a over 90 degrees.
+            JointType::Revolute => {
+                difference(EIGHTH, 0.0) + difference(QUARTER, 0.0) * ((1.0 - SQRT_2) / 2.0)
+            }
+            JointType::Prismatic => difference(SinCos::ZERO, 1.0) * 0.5,
+        }
     }
 }

@@ -32,6 +32,7 @@ mod pose;
 mod rates;
 mod recursion;
 mod regressor;
+mod second_derivatives;
 mod terms;
 mod whole;
 

@@ -3,6 +3,7 @@
 use nalgebra::{SMatrix, SVector, Vector3};
 
 use super::NewtonEuler;
+use super::joint::Joint;
 
 impl<const N: usize> NewtonEuler<N> {
     /// Mass matrix M(q), both triangles: column j is the torque of a unit acceleration of joint j,
@@ -84,6 +85,16 @@ impl<const N: usize> NewtonEuler<N> {
     /// distance h is the derivative itself: `C e_j = (V(qd + h e_j) - V(qd - h e_j)) / (4 h)`. The
     /// greatest speed is taken for h, which keeps rounding at the scale of C.
     pub fn coriolis_matrix(&self, q: &SVector<f64, N>, qd: &SVector<f64, N>) -> SMatrix<f64, N, N> {
+        self.coriolis_matrix_of(&self.joints(q), qd)
+    }
+
+    /// C where the joints are so.
+    pub(super) fn coriolis_matrix_of(
+        &self,
+        joints: &[Joint; N],
+        qd: &SVector<f64, N>,
+    ) -> SMatrix<f64, N, N> {
+        let motion = |qd| self.recursion(joints, &qd, &SVector::zeros(), &Vector3::zeros());
         let mut coriolis_matrix = SMatrix::<f64, N, N>::zeros();
         let h = qd.amax();
         if h == 0.0 {
@@ -92,8 +103,7 @@ impl<const N: usize> NewtonEuler<N> {
         for j in 0..N {
             let mut distance = SVector::zeros();
             distance[j] = h;
-            let difference = self.coriolis_vector(q, &(qd + distance))
-                - self.coriolis_vector(q, &(qd - distance));
+            let difference = motion(qd + distance) - motion(qd - distance);
             coriolis_matrix.set_column(j, &(difference / (4.0 * h)));
         }
         coriolis_matrix

@@ -61,6 +61,17 @@ impl Whole {
         self.inverse_dynamics_derivatives(q, qd, qdd)
     }
 
+    /// What row k does, and the curvature of its friction.
+    pub(super) fn whole_slopes_by(
+        &self,
+        k: usize,
+        q: &Rows,
+        rates: [&Rows; 2],
+    ) -> ([Square; 4], f64) {
+        let slopes = self.slopes_by(k, &self.joints(q), rates);
+        (slopes, self.curvature_of_friction(k, rates[0][k]))
+    }
+
     pub(super) fn whole_rates(
         &self,
         [q, qd, qdd]: [&Rows; 3],

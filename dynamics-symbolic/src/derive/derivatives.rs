@@ -30,7 +30,7 @@ use crate::linear::{Ring, Vector3};
 use crate::robot::{JointType, Robot};
 use crate::spatial::{Acceleration, Body, Force, Joint, Motion, accelerations};
 
-type Matrix<R> = Vec<Vec<R>>;
+pub(super) type Matrix<R> = Vec<Vec<R>>;
 
 /// The derivatives of joint forces, row i those of tau_i: of M qdd + V + G as they are made here.
 /// The recursion has those of the joints of all rows.
@@ -43,42 +43,39 @@ pub(super) struct ForceDerivatives<R> {
 
 /// What a displacement of a joint adds to the links outside it.
 #[derive(Clone, Copy)]
-struct Rates<R> {
+pub(super) struct Rates<R> {
     /// psi'
-    velocity: Motion<R>,
+    pub(super) velocity: Motion<R>,
     /// psi''
-    acceleration: Motion<R>,
+    pub(super) acceleration: Motion<R>,
+}
+
+/// How the links move, and what displacements of their joints add.
+pub(super) struct Moving<R> {
+    accelerations: Vec<Acceleration<R>>,
+    velocities: Vec<Vector3<R>>,
+    pub(super) rates: Vec<Rates<R>>,
 }
 
 /// The links from some joint on, as one body.
-struct Composite<R> {
-    body: Body<R>,
-    momentum: Momentum<R>,
-    force: Force<R>,
+pub(super) struct Composite<R> {
+    pub(super) body: Body<R>,
+    pub(super) momentum: Momentum<R>,
+    pub(super) force: Force<R>,
 }
 
 /// The derivatives by the recursion.
 pub(super) fn recursion<R: Ring>(chain: &Chain<R>, qd: &[R], qdd: &[R]) -> ForceDerivatives<R> {
     let n = chain.links.len();
     let zero = chain.zero;
-    let base = Acceleration::of_base(zero, chain.gravity);
-    let accelerations = accelerations(base, chain.joints(), qd, qdd);
-    let velocities = velocities(chain, &accelerations, qd);
-    let links = chain.joints().zip(&accelerations).zip(&velocities);
-    let rates: Vec<_> = links
-        .map(|((joint, a), &v)| Rates::new(chain, joint, a, v))
-        .collect();
+    let moving = Moving::new(chain, qd, qdd);
     let mut derivatives = ForceDerivatives {
         by_position: vec![vec![zero; n]; n],
         by_velocity: vec![vec![zero; n]; n],
     };
-    let mut composite = Composite::none(zero);
-    for i in (0..n).rev() {
-        let link = &chain.links[i];
-        composite.join(link, &accelerations[i], velocities[i]);
-        derivatives.column_and_row(chain, &rates, &composite, i);
-        composite = composite.leave(&link.joint);
-    }
+    moving.inwards(chain, |i, composite| {
+        derivatives.column_and_row(chain, &moving.rates, composite, i);
+    });
     derivatives
 }
 
@@ -89,6 +86,31 @@ impl<'g> ForceDerivatives<Expr<'g>> {
         ForceDerivatives {
             by_position: joints.block(self.by_position),
             by_velocity: joints.block(self.by_velocity),
+        }
+    }
+}
+
+impl<R: Ring> Moving<R> {
+    pub(super) fn new(chain: &Chain<R>, qd: &[R], qdd: &[R]) -> Self {
+        let base = Acceleration::of_base(chain.zero, chain.gravity);
+        let accelerations = accelerations(base, chain.joints(), qd, qdd);
+        let velocities = velocities(chain, &accelerations, qd);
+        let links = chain.joints().zip(&accelerations).zip(&velocities);
+        let rates = links.map(|((joint, a), &v)| Rates::new(chain, joint, a, v));
+        Moving {
+            rates: rates.collect(),
+            accelerations,
+            velocities,
+        }
+    }
+
+    /// Hands on each joint, from the tip inwards, with the links outside it as one body in its frame.
+    pub(super) fn inwards(&self, chain: &Chain<R>, mut joint: impl FnMut(usize, &Composite<R>)) {
+        let mut composite = Composite::none(chain.zero);
+        for (i, link) in chain.links.iter().enumerate().rev() {
+            composite.join(link, &self.accelerations[i], self.velocities[i]);
+            joint(i, &composite);
+            composite = composite.leave(&link.joint);
         }
     }
 }
@@ -108,12 +130,30 @@ pub(super) fn differentiated<'g>(
         forces.iter().map(row).collect()
     };
     let joints = robot.moving();
-    let position = |&i: &usize| symbols.along_position(Direction::new(), i, chain.one);
-    let velocity = |&i: &usize| Direction::new().with(qd[i], chain.one);
     ForceDerivatives {
-        by_position: along(joints.iter().map(position).collect()),
-        by_velocity: along(joints.iter().map(velocity).collect()),
+        by_position: along(along_positions(symbols, &joints, chain.one)),
+        by_velocity: along(along_velocities(qd, &joints, chain.one)),
     }
+}
+
+/// The directions of the positions of some joints.
+pub(super) fn along_positions<'g>(
+    symbols: &Symbols<'g>,
+    joints: &[usize],
+    one: Expr<'g>,
+) -> Vec<Direction<'g>> {
+    let along = |&i: &usize| symbols.along_position(Direction::new(), i, one);
+    joints.iter().map(along).collect()
+}
+
+/// The directions of their velocities.
+pub(super) fn along_velocities<'g>(
+    qd: &[Expr<'g>],
+    joints: &[usize],
+    one: Expr<'g>,
+) -> Vec<Direction<'g>> {
+    let along = |&i: &usize| Direction::new().with(qd[i], one);
+    joints.iter().map(along).collect()
 }
 
 /// The velocities of the frames' origins.
@@ -194,16 +234,12 @@ impl<R: Ring> Composite<R> {
     }
 
     /// 2 B a + I m: what a motion with the angular velocity a and an acceleration m take.
-    fn apply(&self, angular: Vector3<R>, acceleration: Motion<R>) -> Force<R> {
-        let coriolis = Force {
-            n: self.momentum.n.apply(angular),
-            f: angular.cross(self.momentum.p),
-        };
-        coriolis + self.body.momentum(acceleration)
+    pub(super) fn apply(&self, angular: Vector3<R>, acceleration: Motion<R>) -> Force<R> {
+        self.momentum.apply(angular) + self.body.momentum(acceleration)
     }
 
     /// 2 S B for the axis S along z: it acts on angular velocities alone.
-    fn coriolis_row(&self, axis: Motion<R>, joint_type: JointType) -> Vector3<R> {
+    pub(super) fn coriolis_row(&self, axis: Motion<R>, joint_type: JointType) -> Vector3<R> {
         match joint_type {
             JointType::Revolute => Vector3(self.momentum.n.0[2]),
             JointType::Prismatic => self.momentum.p.cross(axis.v),

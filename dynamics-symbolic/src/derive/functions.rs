@@ -4,11 +4,13 @@ use super::chain::Chain;
 use super::derivatives::ForceDerivatives;
 use super::joints::Joints;
 use super::passivity::Rates;
+use super::second_derivatives::SecondDerivatives;
 use super::solve::Factors;
 use super::symbols::Symbols;
 use super::{
     articulated, base, center_of_mass, christoffel, composite, derivatives, energy, joint_forces,
-    kinematics, link_jacobians, momenta, passivity, rates, recursive, regressor, tip,
+    kinematics, link_jacobians, momenta, passivity, rates, recursive, regressor,
+    second_derivatives, tip,
 };
 use crate::exact::Rational;
 use crate::expr::Expr;
@@ -50,6 +52,7 @@ fn is_of_joints(function: Function) -> bool {
         || matches!(
             function,
             Function::InverseDynamicsDerivatives
+                | Function::InverseDynamicsSecondDerivatives
                 | Function::CoriolisCoefficients
                 | Function::CentrifugalCoefficients
         )
@@ -173,6 +176,11 @@ fn of_rows<'g>(
         }
         Function::EnergyRegressors => regressor::of_energies(symbols, robot, chain),
         Function::InverseDynamicsRates => force_rates(symbols, robot, chain),
+        Function::InverseDynamicsSecondDerivatives => {
+            let of_links = second_derivatives::recursion(symbols, chain, &qd, &qdd);
+            let of_joints = of_links.of_joints(symbols, robot);
+            second_force_derivatives(symbols, robot, of_joints)
+        }
     }
 }
 
@@ -370,6 +378,11 @@ fn assembled<'g>(
             let [jerk, snap] = jerk_and_snap(symbols, robot);
             rates::differentiated(symbols, robot, &forces, [&jerk, &snap]).concat()
         }
+        Function::InverseDynamicsSecondDerivatives => {
+            let qdd = symbols.all(|joint| joint.qdd);
+            let of_links = second_derivatives::differentiated(symbols, robot, chain, &qd, &qdd);
+            second_force_derivatives(symbols, robot, of_links)
+        }
         _ => of_rows(symbols, robot, chain, function, Form::Recursive),
     }
 }
@@ -399,6 +412,25 @@ fn force_derivatives<'g>(
 ) -> Vec<Expr<'g>> {
     joint_forces::add_slopes(symbols, robot, &mut derivatives);
     [derivatives.by_position, derivatives.by_velocity]
+        .concat()
+        .concat()
+}
+
+/// d2 tau/dq dq, d2 tau/dqd dqd, d2 tau/dq dqd and dM/dq, from those of M qdd + V + G.
+fn second_force_derivatives<'g>(
+    symbols: &mut Symbols<'g>,
+    robot: &Robot,
+    mut derivatives: SecondDerivatives<Expr<'g>>,
+) -> Vec<Expr<'g>> {
+    joint_forces::add_curvatures(symbols, robot, &mut derivatives);
+    let SecondDerivatives {
+        by_position,
+        by_velocity,
+        by_both,
+        of_inertia,
+    } = derivatives;
+    [by_position, by_velocity, by_both, of_inertia]
+        .concat()
         .concat()
         .concat()
 }

@@ -10,6 +10,7 @@
 
 use super::derivatives::ForceDerivatives;
 use super::joints::Joints;
+use super::second_derivatives::SecondDerivatives;
 use super::symbols::{JointSymbols, Symbols};
 use crate::exact::Rational;
 use crate::expr::Expr;
@@ -79,6 +80,19 @@ fn slope_of_friction<'g>(
     viscous - beyond * joint.sign * (falls * joint.qd)
 }
 
+/// d2F/dqd2 = -2/v^2 sign(qd) (S - C) exp(-(qd/v)^2) (1 - 2 qd^2/v^2); `None` where there is none.
+fn curvature_of_friction<'g>(
+    symbols: &mut Symbols<'g>,
+    row: &Row,
+    joint: &JointSymbols<'g>,
+) -> Option<Expr<'g>> {
+    let beyond = beyond_coulomb(symbols, row, joint)?;
+    let v = symbols.value(&row.stribeck.as_ref()?.velocity);
+    let one = symbols.graph().one();
+    let falls = symbols.rational(&Rational::from(2)) / (v * v);
+    Some(beyond * joint.sign * falls * (falls * joint.qd * joint.qd - one))
+}
+
 /// K, for the joint of every row.
 pub(super) fn springs<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> Vec<Expr<'g>> {
     let force = |i: usize| {
@@ -120,6 +134,31 @@ pub(super) fn add_slopes<'g>(
         ];
         *by_position = *by_position + *stiffness;
         *by_velocity = *by_velocity + *slope;
+    }
+}
+
+/// Adds d2F/dqd2 to the second derivatives of M qdd + V + G, of the joints that move by themselves; springs
+/// have none.
+pub(super) fn add_curvatures<'g>(
+    symbols: &mut Symbols<'g>,
+    robot: &Robot,
+    derivatives: &mut SecondDerivatives<Expr<'g>>,
+) {
+    let zero = symbols.graph().zero();
+    let rows = robot.rows.iter().enumerate().map(|(i, row)| {
+        let joint = *symbols.joint(i);
+        let curvature = curvature_of_friction(symbols, row, &joint).unwrap_or(zero);
+        // A follower's counts by the cube of its factor, two of which the diagonal has.
+        match symbols.followed(i) {
+            Some((_, factor)) => factor * curvature,
+            None => curvature,
+        }
+    });
+    let rows: Vec<_> = rows.collect();
+    let curvatures = Joints::of(symbols, robot).diagonal(&rows);
+    for (i, curvature) in curvatures.into_iter().enumerate() {
+        let entry = &mut derivatives.by_velocity[i][i][i];
+        *entry = *entry + curvature;
     }
 }
 

@@ -25,6 +25,7 @@ mod rates;
 mod recursive;
 mod regressor;
 mod rows;
+mod second_derivatives;
 mod solve;
 mod states;
 pub mod symbols;

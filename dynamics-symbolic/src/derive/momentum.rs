@@ -9,7 +9,8 @@
 //! It is twice the operator B of Singh, Russell and Wensing (2022).
 
 use crate::linear::{Matrix3, Ring, Vector3};
-use crate::spatial::{Body, Joint, Turn};
+use crate::robot::JointType;
+use crate::spatial::{Body, Force, Joint, Motion, Turn};
 
 /// 2 p and 2 N about the origin of a frame.
 #[derive(Clone, Copy)]
@@ -44,6 +45,44 @@ impl<R: Ring> Momentum<R> {
         Momentum {
             p: v * (body.mass + body.mass) + w.cross(twice_h),
             n: sum(trace_less(v, twice_h), spin),
+        }
+    }
+
+    /// What an angular velocity takes that is added to the bodies.
+    pub(super) fn apply(&self, angular: Vector3<R>) -> Force<R> {
+        Force {
+            n: self.n.apply(angular),
+            f: angular.cross(self.p),
+        }
+    }
+
+    /// a B, the row of a motion a: a . (B w) = row . w.
+    pub(super) fn row(&self, a: Motion<R>) -> Vector3<R> {
+        self.n.transpose().apply(a.w) + self.p.cross(a.v)
+    }
+
+    /// Its derivative where the bodies are displaced along z, of a joint or of the axis of one.
+    pub(super) fn displaced(&self, joint_type: JointType, zero: R, one: R) -> Self {
+        let z = Vector3::new(zero, zero, one);
+        match joint_type {
+            // z x p, and [z]x N - N [z]x
+            JointType::Revolute => {
+                let [[xx, xy, xz], [yx, yy, yz], [zx, zy, _]] = self.n.0;
+                let (sum, difference) = (xy + yx, xx - yy);
+                Momentum {
+                    p: z.cross(self.p),
+                    n: Matrix3([
+                        [-sum, difference, -yz],
+                        [difference, sum, xz],
+                        [-zy, zx, zero],
+                    ]),
+                }
+            }
+            // K' = K + p z^T
+            JointType::Prismatic => Momentum {
+                p: Vector3::splat(zero),
+                n: trace_less(self.p, z),
+            },
         }
     }
 

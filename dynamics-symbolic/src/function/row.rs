@@ -106,4 +106,6 @@ pub enum Growth {
     Moderate,
     /// Faster.
     Steep,
+    /// With its cube, and so do its values.
+    Cubic,
 }

@@ -9,6 +9,8 @@ use super::{Form, Growth, Row, Search, Second, Set, Shape, Trial};
 
 const VECTOR: Shape = Shape::Matrix(Joints, One);
 const SQUARE: Shape = Shape::Matrix(Joints, Joints);
+/// For each joint a square matrix.
+const SQUARES: Shape = Shape::Each(&SQUARE);
 /// A homogeneous transform.
 const POSE: Shape = Shape::Matrix(Fixed(4), Fixed(4));
 /// Velocities of the tip's origin and of its rotation, or their rates.
@@ -702,6 +704,27 @@ functions! {
         second: OF_SMALL_ARMS,
         search: Search::Own,
         growth: Growth::Moderate,
+        reads_inertia: true,
+        compared_with: None,
+    },
+
+    /// The second derivatives of tau, and dM/dq.
+    InverseDynamicsSecondDerivatives: Row {
+        name: "inverse_dynamics_second_derivatives",
+        arguments: &[Position, Velocity, Acceleration],
+        shape: Shape::Tuple(&[SQUARES, SQUARES, SQUARES, SQUARES]),
+        refuses: false,
+        description: "Second derivatives of the inverse dynamics, exact: (d2 tau/dq dq, d2 tau/dqd dqd, d2 tau/dq dqd, dM/dq), each an \
+            array of N matrices N x N. Entry `[i][(j, k)]` is that of tau_i by q_j and q_k, by qd_j and qd_k, by q_j (row) and qd_k \
+            (column), and the derivative of M_ij by q_k, which is that of tau_i by qdd_j and q_k. The first two are symmetric in j and k, the \
+            last one in i and j. Friction that falls with the velocity is in d2 tau/dqd dqd; that of other friction \
+            and of springs is zero.",
+        symbol: None,
+        set: Set::ByName,
+        provided: None,
+        second: OF_SMALL_ARMS,
+        search: Search::By(Function::InverseDynamicsDerivatives),
+        growth: Growth::Cubic,
         reads_inertia: true,
         compared_with: None,
     },

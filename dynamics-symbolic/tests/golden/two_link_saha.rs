@@ -1514,6 +1514,108 @@ impl Arm {
             ),
         )
     }
+    /// Second derivatives of the inverse dynamics, exact: (d2 tau/dq dq, d2 tau/dqd dqd, d2 tau/dq dqd, dM/dq), each an array of N matrices N x N. Entry `[i][(j, k)]` is that of tau_i by q_j and q_k, by qd_j and qd_k, by q_j (row) and qd_k (column), and the derivative of M_ij by q_k, which is that of tau_i by qdd_j and q_k. The first two are symmetric in j and k, the last one in i and j. Friction that falls with the velocity is in d2 tau/dqd dqd; that of other friction and of springs is zero.
+    ///
+    /// `q`: joint positions, rad; `qd`: joint velocities, rad per s; `qdd`: joint accelerations, rad per s^2.
+    ///
+    /// Operations: 17 multiplications, 10 additions, sines and cosines of 2 angles.
+    ///
+    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
+    #[inline]
+    #[allow(unused_variables, clippy::all)]
+    pub fn inverse_dynamics_second_derivatives<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qdd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> (
+        [::robot_dynamics::nalgebra::SMatrix<T, 2, 2>; 2],
+        [::robot_dynamics::nalgebra::SMatrix<T, 2, 2>; 2],
+        [::robot_dynamics::nalgebra::SMatrix<T, 2, 2>; 2],
+        [::robot_dynamics::nalgebra::SMatrix<T, 2, 2>; 2],
+    ) {
+        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Scalar::sin_cos_array([
+            q.data.0[0][0],
+            q.data.0[0][1],
+        ]);
+        let qd_1 = qd.data.0[0][0];
+        let qd_2 = qd.data.0[0][1];
+        let qdd_1 = qdd.data.0[0][0];
+        let qdd_2 = qdd.data.0[0][1];
+        let t_1 = real(4.905) * c_1;
+        let t_2 = c_2 * t_1;
+        let t_3 = real(0.5) * s_2;
+        let t_4 = real(9.81) * s_1;
+        let t_5 = t_3.mul_add(t_4, -t_2);
+        let t_6 = real(-49.05).mul_add(c_1, t_5);
+        let t_7 = real(2.0) * qd_1;
+        let t_8 = (-qd_1).mul_add(t_7, t_4);
+        let t_9 = qdd_1.mul_add(c_2, t_2);
+        let t_10 = t_3.mul_add(t_8, -t_9);
+        let t_11 = qdd_1 + qdd_2;
+        let t_12 = qd_1 + qd_2;
+        let t_13 = t_12 * t_12;
+        let t_14 = (-c_2).mul_add(t_11, s_2 * t_13);
+        let t_15 = t_14 + t_10;
+        let t_16 = real(2.0) * s_2;
+        let t_17 = c_2 * t_7;
+        let t_18 = c_2 * t_12;
+        let t_19 = real(2.0) * t_18;
+        let t_20 = t_17 - t_19;
+        (
+            [
+                ::robot_dynamics::nalgebra::SMatrix::from_data(
+                    ::robot_dynamics::nalgebra::ArrayStorage([[t_6, t_5], [t_5, t_15]]),
+                ),
+                ::robot_dynamics::nalgebra::SMatrix::from_data(
+                    ::robot_dynamics::nalgebra::ArrayStorage([[t_5, t_5], [t_5, t_10]]),
+                ),
+            ],
+            [
+                ::robot_dynamics::nalgebra::SMatrix::from_data(
+                    ::robot_dynamics::nalgebra::ArrayStorage([
+                        [real(0.0), -t_16],
+                        [-t_16, -t_16],
+                    ]),
+                ),
+                ::robot_dynamics::nalgebra::SMatrix::from_data(
+                    ::robot_dynamics::nalgebra::ArrayStorage([
+                        [t_16, real(0.0)],
+                        [real(0.0), real(0.0)],
+                    ]),
+                ),
+            ],
+            [
+                ::robot_dynamics::nalgebra::SMatrix::from_data(
+                    ::robot_dynamics::nalgebra::ArrayStorage([
+                        [real(0.0), t_20],
+                        [real(0.0), -t_19],
+                    ]),
+                ),
+                ::robot_dynamics::nalgebra::SMatrix::from_data(
+                    ::robot_dynamics::nalgebra::ArrayStorage([
+                        [real(0.0), t_17],
+                        [real(0.0), real(0.0)],
+                    ]),
+                ),
+            ],
+            [
+                ::robot_dynamics::nalgebra::SMatrix::from_data(
+                    ::robot_dynamics::nalgebra::ArrayStorage([
+                        [real(0.0), real(0.0)],
+                        [-t_16, -s_2],
+                    ]),
+                ),
+                ::robot_dynamics::nalgebra::SMatrix::from_data(
+                    ::robot_dynamics::nalgebra::ArrayStorage([
+                        [real(0.0), real(0.0)],
+                        [-s_2, real(0.0)],
+                    ]),
+                ),
+            ],
+        )
+    }
 }
 impl ::robot_dynamics::MassMatrix<2> for Arm {
     #[inline(always)]

@@ -61,7 +61,7 @@ fn snapshot_of_the_regressors() {
 #[test]
 fn snapshot_of_derivatives() {
     let mut table = String::from(
-        "robot              function                        mul    add   div  total  sin_cos\n",
+        "robot              function                               mul    add   div  total  sin_cos\n",
     );
     let robots = BOUNDS.map(|(name, _)| name);
     for name in robots.into_iter().chain(["scara", "generic_chain_n7"]) {
@@ -70,10 +70,11 @@ fn snapshot_of_derivatives() {
             Function::CoriolisMatrix,
             Function::InverseDynamicsDerivatives,
             Function::ForwardDynamicsDerivatives,
+            Function::InverseDynamicsSecondDerivatives,
         ] {
             let count = operations(&robot, function);
             table += &format!(
-                "{name:18} {:28} {:6} {:6} {:5} {:6} {:8}\n",
+                "{name:18} {:35} {:6} {:6} {:5} {:6} {:8}\n",
                 function.name(),
                 count.multiplications,
                 count.additions,
@@ -84,6 +85,21 @@ fn snapshot_of_derivatives() {
         }
     }
     expect_file!["../golden/derivatives.txt"].assert_eq(&table);
+}
+
+/// N^3 values from the recursion of the N^2 first ones: what is added grows with the cube too.
+#[test]
+fn second_derivatives_beside_the_first_ones() {
+    for (name, most) in [("two_link_saha", 1.1), ("puma560", 2.2), ("panda", 3.8)] {
+        let robot = without_friction(name);
+        let of = |function| f64::from(operations(&robot, function).total());
+        let second = of(Function::InverseDynamicsSecondDerivatives);
+        let ratio = second / of(Function::InverseDynamicsDerivatives);
+        assert!(
+            ratio <= most,
+            "{name}: {ratio:.3} times the first derivatives"
+        );
+    }
 }
 
 /// The shortest programs known from other generators and trials: tau, V, M, G.

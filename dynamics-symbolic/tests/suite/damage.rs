@@ -73,7 +73,11 @@ fn every(function: Function, dof: usize, length: usize) -> usize {
         {
             7
         }
-        Function::InverseDynamicsDerivatives | Function::ForwardDynamicsDerivatives if dof > 4 => {
+        Function::InverseDynamicsDerivatives
+        | Function::ForwardDynamicsDerivatives
+        | Function::InverseDynamicsSecondDerivatives
+            if dof > 4 =>
+        {
             50
         }
         _ => 1,
@@ -203,6 +207,7 @@ fn every_damage_to_friction_is_found() {
         Function::ForwardDynamicsAba,
         Function::InverseDynamicsDerivatives,
         Function::ForwardDynamicsDerivatives,
+        Function::InverseDynamicsSecondDerivatives,
     ] {
         let refused = refused(&robot, function, &derive(&robot, function));
         assert!(refused > 0, "{}", function.name());
@@ -221,7 +226,10 @@ fn a_program_of_other_friction_is_refused() {
         |row| row.stribeck = None,
     ];
     let program = derive(&robot, Function::FrictionVector);
-    let slopes = derive(&robot, Function::InverseDynamicsDerivatives);
+    let differentiated = [
+        Function::InverseDynamicsDerivatives,
+        Function::InverseDynamicsSecondDerivatives,
+    ];
     for change in changes {
         let mut other = robot.clone();
         change(&mut other.rows[1]);
@@ -231,7 +239,9 @@ fn a_program_of_other_friction_is_refused() {
     let mut other = robot.clone();
     let stribeck = other.rows[1].stribeck.as_mut().expect("sticky");
     stribeck.velocity = arms::decimal(0.02);
-    assert!(prove(&other, Function::InverseDynamicsDerivatives, &slopes).is_err());
+    for function in differentiated {
+        assert!(prove(&other, function, &derive(&robot, function)).is_err());
+    }
 }
 
 /// What the table says of a spring is part of what is proven, and nothing of one that is locked is.

@@ -3,17 +3,24 @@
 use std::fmt::Write;
 
 use dynamics_symbolic::Function;
+use dynamics_symbolic::function::Growth;
 use expect_test::expect_file;
 
 /// `UPDATE_EXPECT=1 cargo test -p dynamics-symbolic --test suite functions::` writes the list anew.
 #[test]
 fn the_list_for_macros_is_that_of_the_table() {
-    expect_file!["../../../testkit/robots/src/functions.rs"].assert_eq(&list());
+    let all = list(EVERY, |_| true);
+    let of_long_arms = list(OF_LONG_ARMS, |function| {
+        function.row().growth != Growth::Cubic
+    });
+    let file = format!("{HEAD}{all}{of_long_arms}");
+    expect_file!["../../../testkit/robots/src/functions.rs"].assert_eq(&file);
 }
 
-fn list() -> String {
-    let mut list = String::from(HEAD);
-    for function in Function::ALL {
+/// A macro over the functions that belong to it.
+fn list(head: &str, belongs: impl Fn(&Function) -> bool) -> String {
+    let mut list = String::from(head);
+    for function in Function::ALL.into_iter().filter(belongs) {
         let arguments = function.arguments().iter().map(|argument| argument.name());
         let arguments: Vec<_> = arguments.collect();
         let (name, arguments) = (function.name(), arguments.join(", "));
@@ -23,11 +30,22 @@ fn list() -> String {
 }
 
 const HEAD: &str = "\
-//! Every function of the engine's table with its arguments, as tokens: written by its test `functions`.
+//! The functions of the engine's table with their arguments, as tokens: written by its test `functions`.
+";
 
+const EVERY: &str = "
 /// Hands every function to the macro `$then`, behind a context in braces: `name [argument, ...]`.
 #[macro_export]
 macro_rules! each_function {
+    ($then:path { $($context:tt)* }) => {
+        $then! {
+            { $($context)* }
+";
+
+const OF_LONG_ARMS: &str = "
+/// As `each_function`, without those that have as many values as the cube of the number of joints.
+#[macro_export]
+macro_rules! each_function_of_long_arms {
     ($then:path { $($context:tt)* }) => {
         $then! {
             { $($context)* }
@@ -46,7 +64,7 @@ fn the_compiler_names_the_way_to_every_function() {
         writeln!(list, "    fn {}(&self);", function.name()).expect("a string takes it");
     }
     list.push_str("}\n");
-    expect_file!["../../dynamics-runtime/src/functions_by_name.rs"].assert_eq(&list);
+    expect_file!["../../../dynamics-runtime/src/functions_by_name.rs"].assert_eq(&list);
 }
 
 const HINT: &str = "\

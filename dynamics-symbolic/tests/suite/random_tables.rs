@@ -111,6 +111,7 @@ fn prove_table(robot: &Robot, count: usize, functions: &[Function]) {
         let differentiated = [
             Function::InverseDynamicsDerivatives,
             Function::InverseDynamicsRates,
+            Function::InverseDynamicsSecondDerivatives,
         ];
         let by_velocity = differentiated.contains(&function)
             && robot.rows.iter().any(|row| row.stribeck.is_some());

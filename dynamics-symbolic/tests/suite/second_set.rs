@@ -7,6 +7,7 @@ use std::fmt::Write;
 
 use crate::derive;
 use dynamics_symbolic::Function;
+use dynamics_symbolic::function::Growth;
 use expect_test::expect_file;
 
 const ROBOTS: [&str; 6] = [
@@ -69,6 +70,8 @@ fn snapshot_and_shorter_than_what_a_user_would_write() {
     );
     for robot in ROBOTS {
         let functions = Function::ALL.into_iter().filter(|f| *f as usize >= first);
+        // Second derivatives stand beside the first ones, in `derivatives.txt`.
+        let functions = functions.filter(|f| f.row().growth != Growth::Cubic);
         for function in functions {
             let count = derive(&arms::robot(robot), function).operations();
             let other = without(robot, function);

@@ -103,6 +103,26 @@ fn derivatives_are_those_of_the_textbook_s_torques() {
             let short = outputs(&mut symbols, &robot, &chain, function, form);
             assert_eq!(short, expected, "{name} {form:?}");
         }
+        // d2 tau/dq dq, d2 tau/dqd dqd and d2 tau/dq dqd from the first ones, dM/dq from M.
+        let (by_position, by_velocity) = expected.split_at(n * n);
+        let (positions, velocities) = directions.split_at(n);
+        let inertia = textbook.mass_matrix.concat();
+        let mut expected = Vec::new();
+        for (values, directions) in [
+            (by_position, positions),
+            (by_velocity, velocities),
+            (by_position, velocities),
+            (&inertia, positions),
+        ] {
+            for value in values {
+                expected.extend(directions.iter().map(|d| value.derivative(d)));
+            }
+        }
+        let function = Function::InverseDynamicsSecondDerivatives;
+        for form in [Form::Recursive, Form::Assembled] {
+            let short = outputs(&mut symbols, &robot, &chain, function, form);
+            assert_eq!(short, expected, "{name} {form:?}");
+        }
     }
 }
 

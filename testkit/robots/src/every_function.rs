@@ -8,6 +8,15 @@ macro_rules! every_function {
     };
 }
 
+/// As [`every_function!`], for a long arm: without the functions that have as many values as the cube of the number of
+/// joints, which would be most of what is compiled.
+#[macro_export]
+macro_rules! every_function_of_a_long_arm {
+    ($($table:tt)*) => {
+        $crate::each_function_of_long_arms! { $crate::__robot_with { $($table)* } }
+    };
+}
+
 /// As [`every_function!`], and some of them together, each tuple as one program.
 #[macro_export]
 macro_rules! every_function_and_tuples {

@@ -1,14 +1,14 @@
 //! Arms in which nothing is zero, so that no simplification can hide a wrong term.
 
-/// Chains each of which has the rows of those before it and some more.
+/// Chains each of which has the rows of those before it and some more, with the functions that a macro names.
 macro_rules! generic_chains {
     ([$($row:tt)*]) => {};
     (
         [$($row:tt)*]
-        $(#[$documentation:meta])* $name:ident: [$($more:tt)*]
+        $(#[$documentation:meta])* $name:ident, $functions:ident: [$($more:tt)*]
         $($rest:tt)*
     ) => {
-        every_function! {
+        $functions! {
             $(#[$documentation])*
             pub struct $name;
 
@@ -24,7 +24,7 @@ macro_rules! generic_chains {
 generic_chains! {
     []
     /// One revolute joint, every cell non-zero.
-    GenericChain1: [
+    GenericChain1, every_function: [
         joint1: revolute {
             d: 0.1, theta: 0.25, a: 0.17, alpha: -0.1,
             mass: 1.8, com: [0.09, -0.06, 0.08],
@@ -32,7 +32,7 @@ generic_chains! {
         },
     ]
     /// Two revolute joints, every cell non-zero.
-    GenericChain2: [
+    GenericChain2, every_function: [
         joint2: revolute {
             d: -0.15, theta: 0.3, a: 0.13, alpha: 1,
             mass: 3.1, com: [0.08, 0.04, -0.07],
@@ -40,7 +40,7 @@ generic_chains! {
         },
     ]
     /// Three revolute joints, every cell non-zero.
-    GenericChain3: [
+    GenericChain3, every_function: [
         joint3: revolute {
             d: 0.07, theta: -0.1, a: 0.2, alpha: -0.4,
             mass: 1.3, com: [-0.07, 0.02, 0.06],
@@ -48,7 +48,7 @@ generic_chains! {
         },
     ]
     /// Four revolute joints, every cell non-zero.
-    GenericChain4: [
+    GenericChain4, every_function: [
         joint4: revolute {
             d: -0.12, theta: 0.2, a: 0.16, alpha: 0.7,
             mass: 2.6, com: [0.06, -0.07, -0.05],
@@ -56,7 +56,7 @@ generic_chains! {
         },
     ]
     /// Six revolute joints, every cell non-zero.
-    GenericChain6: [
+    GenericChain6, every_function_of_a_long_arm: [
         joint5: revolute {
             d: 0.17, theta: -0.2, a: 0.12, alpha: -0.7,
             mass: 0.8, com: [0.05, -0.05, 0.04],
@@ -69,7 +69,7 @@ generic_chains! {
         },
     ]
     /// Seven revolute joints, every cell non-zero.
-    GenericChain7: [
+    GenericChain7, every_function_of_a_long_arm: [
         joint7: revolute {
             d: 0.14, theta: -0.3, a: 0.15, alpha: -1,
             mass: 3.4, com: [0.03, 0.01, 0.02],
@@ -77,7 +77,7 @@ generic_chains! {
         },
     ]
     /// Ten revolute joints, every cell non-zero.
-    GenericChain10: [
+    GenericChain10, every_function_of_a_long_arm: [
         joint8: revolute {
             d: -0.06, theta: 0.25, a: 0.11, alpha: 0.1,
             mass: 1.6, com: [0.02, -0.06, -0.01],
@@ -95,7 +95,7 @@ generic_chains! {
         },
     ]
     /// Twelve revolute joints, every cell non-zero.
-    GenericChain12: [
+    GenericChain12, every_function_of_a_long_arm: [
         joint11: revolute {
             d: 0.08, theta: 0.2, a: 0.1, alpha: 0.9,
             mass: 2.4, com: [0.08, 0.07, 0.06],
@@ -112,7 +112,7 @@ generic_chains! {
 /// RPRRPR with motors, gears, friction and oblique gravity, its rows read by a convention.
 macro_rules! generic_mixed {
     ($(#[$documentation:meta])* $name:ident, $convention:ident) => {
-        every_function! {
+        every_function_of_a_long_arm! {
             $(#[$documentation])*
             pub struct $name;
 

@@ -34,7 +34,7 @@ every_function_and_tuples! {
     ],
 }
 
-every_function! {
+every_function_of_a_long_arm! {
     /// MTAB Aristo. D-H table as published, masses and inertias an estimate (solid cylinders).
     pub struct Aristo;
 

@@ -57,6 +57,6 @@ robot_dynamics::robot_dynamics! {
         inverse_dynamics, forward_dynamics, kinetic_energy, potential_energy, bias_force,
         coriolis_matrix, coriolis_coefficients, centrifugal_coefficients, forward_kinematics,
         link_poses, jacobian, inverse_dynamics_derivatives, forward_dynamics_derivatives, regressor,
-        base_parameters, forward_dynamics_aba,
+        base_parameters, forward_dynamics_aba, inverse_dynamics_second_derivatives,
     ],
 }

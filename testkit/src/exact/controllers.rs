@@ -2,6 +2,7 @@
 
 use robot_dynamics::DoubleDouble;
 use robot_dynamics::JointType;
+use robot_dynamics::SecondDerivatives;
 use robot_dynamics::nalgebra::{Matrix6, SMatrix, SVector, Vector6};
 
 use super::{Exact, Link, Vector, number, solve};
@@ -117,6 +118,46 @@ impl<const N: usize> Exact<'_, N> {
         let viscous =
             |rate: &Joints<N>| SVector::from_fn(|i, _| number(self.0.rows[i].viscous) * rate[i]);
         [first + viscous(&motion[2]), second + viscous(&motion[3])]
+    }
+
+    /// d2 tau/dq dq, d2 tau/dqd dqd, d2 tau/dq dqd and dM/dq, indexed as those of the functions: second
+    /// derivatives in the direction of two arguments at once, less those of each.
+    pub fn second_derivatives(
+        &self,
+        q: &Joints<N>,
+        qd: &Joints<N>,
+        qdd: &Joints<N>,
+    ) -> SecondDerivatives<DoubleDouble, N> {
+        let unit = |k: usize| SVector::from_fn(|i, _| number(if i == k { 1.0 } else { 0.0 }));
+        // By positions along a and velocities along b.
+        let along = |a: Joints<N>, b: Joints<N>| {
+            let torque = |t| self.inverse_dynamics(&(q + a * t), &(qd + b * t), qdd);
+            let [_, second] = derivatives(torque);
+            second
+        };
+        let (none, half) = (Joints::<N>::zeros(), number(0.5));
+        let by_q: [_; N] = std::array::from_fn(|k| along(unit(k), none));
+        let by_qd: [_; N] = std::array::from_fn(|k| along(none, unit(k)));
+        let mut all = [(); 4].map(|()| [SMatrix::<DoubleDouble, N, N>::zeros(); N]);
+        for (j, k) in (0..N).flat_map(|j| (0..N).map(move |k| (j, k))) {
+            let pairs = [
+                along(unit(j) + unit(k), none) - by_q[j] - by_q[k],
+                along(none, unit(j) + unit(k)) - by_qd[j] - by_qd[k],
+                along(unit(j), unit(k)) - by_q[j] - by_qd[k],
+            ];
+            for i in 0..N {
+                for (matrices, mixed) in all.iter_mut().zip(&pairs) {
+                    matrices[i][(j, k)] = mixed[i] * half;
+                }
+            }
+        }
+        for k in 0..N {
+            let [slope, _] = derivatives(|t| self.mass_matrix(&(q + unit(k) * t)));
+            for i in 0..N {
+                all[3][i].set_column(k, &slope.row(i).transpose());
+            }
+        }
+        all.into()
     }
 
     fn at_rest(&self, q: &Joints<N>) -> [Link; N] {

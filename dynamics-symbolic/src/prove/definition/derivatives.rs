@@ -10,7 +10,7 @@ use super::{Definition, Matrix, Vector};
 
 impl Definition {
     /// The Euler-Lagrange equations, d/dt (dT/dqd) - dT/dq + dU/dq: tau without friction.
-    fn euler_lagrange<R: Lift>(&self, motion: &State<R>) -> Vec<R> {
+    pub(super) fn euler_lagrange<R: Lift>(&self, motion: &State<R>) -> Vec<R> {
         let n = self.dof();
         let zero = R::lift(Number::ZERO);
         // d/dt: q changes at the rate qd, qd at the rate qdd.

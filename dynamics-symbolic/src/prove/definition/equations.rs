@@ -40,7 +40,7 @@ impl Definition {
     }
 
     /// c_ijk, Christoffel symbols of the first kind, indexed `[i][j][k]`.
-    fn christoffel(&self) -> Vec<Matrix> {
+    pub(super) fn christoffel(&self) -> Vec<Matrix> {
         let n = self.dof();
         let slopes: Vec<_> = (0..n).map(|k| self.mass_matrix_slope(k)).collect();
         let symbol = |i: usize, j: usize, k: usize| {
@@ -158,6 +158,16 @@ impl Definition {
         };
         let (first, second): (Vector, Vector) = self.axes().map(of_axis).unzip();
         [first, second].map(|of_axes| self.felt(of_axes.into_iter()))
+    }
+
+    /// The diagonal of d2F/dqd2: the second derivative along a motion of unit acceleration.
+    pub(super) fn curvatures_of_friction(&self) -> Vector {
+        let unit = vec![Number::ONE; self.dof()];
+        let of_axis = |(axis, row): (&Axis, &Row)| {
+            let rates = [axis.speed(&unit), Number::ZERO];
+            row.friction.rates(&self.velocity(axis), rates, self.half).1
+        };
+        self.felt(self.axes().map(of_axis))
     }
 
     fn velocity(&self, axis: &Axis) -> Velocity<Number> {

@@ -33,6 +33,7 @@ mod placement;
 mod pose;
 mod regressor;
 mod row;
+mod second_derivatives;
 mod state;
 mod tip;
 mod twist;
@@ -188,6 +189,7 @@ impl Definition {
             Function::PassivityRegressor => self.passivity_regressor()?,
             Function::EnergyRegressors => self.energy_regressors()?,
             Function::InverseDynamicsRates => self.inverse_dynamics_rates(),
+            Function::InverseDynamicsSecondDerivatives => self.second_derivatives(),
         })
     }
 
