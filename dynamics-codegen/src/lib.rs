@@ -45,6 +45,18 @@ pub fn generate(call: TokenStream) -> TokenStream {
     generate_by(call, &dynamics_symbolic::derive::derive_together)
 }
 
+/// The runtime's own items of the table of functions: the types by which its trait `Function` knows them.
+#[doc(hidden)]
+pub fn function_names() -> TokenStream {
+    expand::batch::function_names()
+}
+
+/// The same: a trait or an implementation with a method for each function that evaluates it at many states.
+#[doc(hidden)]
+pub fn batch_methods(item: TokenStream) -> TokenStream {
+    expand::batch::batch_methods(item)
+}
+
 /// The same without the engine: the struct, its table and its traits, with no method derived and
 /// nothing neglected.
 pub fn outline(call: TokenStream) -> TokenStream {

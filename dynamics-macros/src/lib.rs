@@ -13,3 +13,19 @@
 pub fn robot_dynamics(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
     dynamics_codegen::generate(input.into()).into()
 }
+
+/// The types by which the runtime's trait `Function` knows the functions of the engine's table: for the runtime
+/// alone.
+#[doc(hidden)]
+#[proc_macro]
+pub fn function_names(_: proc_macro::TokenStream) -> proc_macro::TokenStream {
+    dynamics_codegen::function_names().into()
+}
+
+/// A trait or an implementation with a method for each function that evaluates it at many states: for the
+/// runtime alone.
+#[doc(hidden)]
+#[proc_macro]
+pub fn batch_methods(item: proc_macro::TokenStream) -> proc_macro::TokenStream {
+    dynamics_codegen::batch_methods(item.into()).into()
+}

@@ -2,7 +2,7 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use crate::sines::Known;
+use crate::inputs::Known;
 use crate::{
     CoriolisVector, ForwardDynamics, GravityVector, InverseDynamics, MassMatrix, Model, Scalar,
     SingularMassMatrix,

@@ -36,10 +36,12 @@ mod float;
 mod formula;
 mod frame;
 mod friction;
+mod function;
 #[doc(hidden)]
 pub mod functions_by_name;
 #[cfg(feature = "std")]
 mod identification;
+mod inputs;
 #[cfg(feature = "std")]
 mod integrate;
 mod macros;
@@ -56,7 +58,6 @@ mod sequences;
 #[cfg(feature = "std")]
 mod simulation;
 mod sine;
-mod sines;
 mod singular;
 mod table;
 mod taylor;
@@ -65,8 +66,14 @@ mod trajectory;
 #[cfg(test)]
 mod test_arms;
 
+#[cfg(feature = "rayon")]
+#[doc(hidden)]
+pub use batch::on_all_cores;
 #[cfg(feature = "std")]
-pub use batch::{Batch, BatchError, LengthMismatch, States, StatesMut};
+pub use batch::{Batch, BatchError, LengthMismatch, Precision, States, StatesMut, WithParameters};
+#[cfg(feature = "std")]
+#[doc(hidden)]
+pub use batch::{Each, Fields, Same, failing, on_one_core};
 #[cfg(feature = "std")]
 pub use check::{Check, FunctionReport, Report, check_against_rnea};
 pub use conditioning::Conditioning;
@@ -81,8 +88,12 @@ pub use evaluation::{Evaluate, Evaluation};
 pub use evaluation::{columns, vectors};
 pub use formula::Formula;
 pub use frame::{Frame, Tool};
+#[doc(hidden)]
+pub use function::{Arrangement, Entries, Function, Number, functions};
 #[cfg(feature = "std")]
 pub use identification::base_parameter_map;
+#[doc(hidden)]
+pub use inputs::{Evaluated, Inputs};
 pub use model::{
     CoriolisVector, Energy, ForwardDynamics, GravityVector, InverseDynamics, Kinematics,
     MassMatrix, Model, Momenta,
@@ -101,8 +112,6 @@ pub use simulation::{
 };
 #[doc(hidden)]
 pub use sine::sin_cos_column;
-#[doc(hidden)]
-pub use sines::{Evaluated, JointSines};
 pub use singular::SingularMassMatrix;
 pub use table::{
     Convention, Follower, Followers, JointMotion, JointType, Row, Spring, Stribeck, Table,

@@ -25,3 +25,19 @@ macro_rules! __with_std {
 macro_rules! __with_std {
     ($($items:tt)*) => {};
 }
+
+/// Hands on the items of generated code that need all cores.
+#[cfg(feature = "rayon")]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __with_rayon {
+    ($($items:tt)*) => { $($items)* };
+}
+
+/// Leaves out the items of generated code that need all cores.
+#[cfg(not(feature = "rayon"))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __with_rayon {
+    ($($items:tt)*) => {};
+}

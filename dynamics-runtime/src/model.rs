@@ -2,7 +2,10 @@
 
 use nalgebra::{Matrix4, SMatrix, SVector};
 
-use crate::{JointSines, Scalar, SingularMassMatrix, Table};
+use crate::{Inputs, Scalar, SingularMassMatrix, Table};
+
+/// The operations of a function, sines included, where they have not been counted.
+pub(crate) const UNKNOWN_WORK: u32 = 200;
 
 /// An arm with `N` joints that can show the table it was generated from.
 #[diagnostic::on_unimplemented(
@@ -39,6 +42,10 @@ pub trait Model<const N: usize> {
     note = "add it to its `functions:`, or write `functions: [default, ...]`, which holds it"
 )]
 pub trait ForwardDynamics<const N: usize> {
+    /// Roughly the number of operations, those of the sines with them: a batch of few states stays on one core.
+    #[doc(hidden)]
+    const WORK: u32 = UNKNOWN_WORK;
+
     /// Joint accelerations qdd of `M(q) qdd + V(q, qd) + G(q) + F(qd) = tau`.
     ///
     /// `q` in rad or m, `qd` per second, `tau` in N m or N.
@@ -59,7 +66,7 @@ pub trait ForwardDynamics<const N: usize> {
     #[inline]
     fn forward_dynamics_at<T: Scalar>(
         &self,
-        sines: &impl JointSines<T>,
+        sines: &impl Inputs<T>,
         q: &SVector<T, N>,
         qd: &SVector<T, N>,
         tau: &SVector<T, N>,
@@ -84,6 +91,10 @@ pub trait ForwardDynamics<const N: usize> {
     note = "add it to its `functions:`, or write `functions: [default, ...]`, which holds it"
 )]
 pub trait MassMatrix<const N: usize> {
+    /// Roughly the number of operations, those of the sines with them: a batch of few states stays on one core.
+    #[doc(hidden)]
+    const WORK: u32 = UNKNOWN_WORK;
+
     /// Mass matrix M(q), both triangles, reflected motor inertias included; kg m^2, kg m or kg.
     ///
     /// `q` in rad or m. Where a joint position is not finite, the entries that depend on it are not.
@@ -94,7 +105,7 @@ pub trait MassMatrix<const N: usize> {
     #[inline]
     fn mass_matrix_at<T: Scalar>(
         &self,
-        sines: &impl JointSines<T>,
+        sines: &impl Inputs<T>,
         q: &SVector<T, N>,
     ) -> SMatrix<T, N, N> {
         let _ = sines;
@@ -108,6 +119,10 @@ pub trait MassMatrix<const N: usize> {
     note = "add it to its `functions:`, or write `functions: [default, ...]`, which holds it"
 )]
 pub trait CoriolisVector<const N: usize> {
+    /// Roughly the number of operations, those of the sines with them: a batch of few states stays on one core.
+    #[doc(hidden)]
+    const WORK: u32 = UNKNOWN_WORK;
+
     /// Coriolis and centrifugal vector V(q, qd), N m or N.
     ///
     /// `q` in rad or m, `qd` per second.
@@ -118,7 +133,7 @@ pub trait CoriolisVector<const N: usize> {
     #[inline]
     fn coriolis_vector_at<T: Scalar>(
         &self,
-        sines: &impl JointSines<T>,
+        sines: &impl Inputs<T>,
         q: &SVector<T, N>,
         qd: &SVector<T, N>,
     ) -> SVector<T, N> {
@@ -133,6 +148,10 @@ pub trait CoriolisVector<const N: usize> {
     note = "add it to its `functions:`, or write `functions: [default, ...]`, which holds it"
 )]
 pub trait GravityVector<const N: usize> {
+    /// Roughly the number of operations, those of the sines with them: a batch of few states stays on one core.
+    #[doc(hidden)]
+    const WORK: u32 = UNKNOWN_WORK;
+
     /// Gravity vector G(q) = dU/dq, N m or N.
     ///
     /// `q` in rad or m.
@@ -143,7 +162,7 @@ pub trait GravityVector<const N: usize> {
     #[inline]
     fn gravity_vector_at<T: Scalar>(
         &self,
-        sines: &impl JointSines<T>,
+        sines: &impl Inputs<T>,
         q: &SVector<T, N>,
     ) -> SVector<T, N> {
         let _ = sines;
@@ -157,6 +176,10 @@ pub trait GravityVector<const N: usize> {
     note = "add it to its `functions:`, or write `functions: [default, ...]`, which holds it"
 )]
 pub trait InverseDynamics<const N: usize> {
+    /// Roughly the number of operations, those of the sines with them: a batch of few states stays on one core.
+    #[doc(hidden)]
+    const WORK: u32 = UNKNOWN_WORK;
+
     /// Inverse dynamics tau = M(q) qdd + V(q, qd) + G(q) + F(qd), N m or N.
     ///
     /// `q` in rad or m, `qd` per second, `qdd` per second squared.
@@ -172,7 +195,7 @@ pub trait InverseDynamics<const N: usize> {
     #[inline]
     fn inverse_dynamics_at<T: Scalar>(
         &self,
-        sines: &impl JointSines<T>,
+        sines: &impl Inputs<T>,
         q: &SVector<T, N>,
         qd: &SVector<T, N>,
         qdd: &SVector<T, N>,

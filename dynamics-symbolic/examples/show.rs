@@ -10,8 +10,9 @@ fn main() {
     let function = Function::from_name(&name).expect("the name of a function");
     let methods = expand(&robot, &[function], &quote::quote!(robot_dynamics));
     let method = &methods.unwrap_or_else(|failures| panic!("{}", failures[0]))[0];
-    // The program stands in the implementation of the function's trait where there is one.
-    let program = method.provided.as_ref().unwrap_or(&method.tokens);
+    // The program stands in the implementation of a trait of the runtime.
+    let of_trait = method.provided.as_ref().or(method.function.as_ref());
+    let program = of_trait.unwrap_or(&method.tokens);
     let file = syn::parse2(quote::quote!(impl Robot { #program })).expect("Rust");
     print!("{}", prettyplease::unparse(&file));
 }

@@ -21,6 +21,8 @@ pub struct Method {
     /// The item of the runtime's trait for the function, where there is one: see
     /// [`Function::trait_name`].
     pub provided: Option<TokenStream>,
+    /// The items of the runtime's trait `Function`, where the function has no trait of its own.
+    pub function: Option<TokenStream>,
     /// What it costs.
     pub operations: Operations,
     /// The joints whose position's sine or cosine it reads.
@@ -122,7 +124,7 @@ pub fn expand_with<R: Clone + Into<Request>>(
 ) -> Result<Vec<Method>, Vec<Failure>> {
     let mut methods: Vec<Method> = Vec::with_capacity(requests.len());
     let mut failures = Vec::new();
-    for request in requests {
+    for (index, request) in requests.iter().enumerate() {
         let request: Request = request.clone().into();
         let program = derive(robot, request.parts());
         let mut notes = neglected(robot, &request, &program, derive);
@@ -134,7 +136,7 @@ pub fn expand_with<R: Clone + Into<Request>>(
         }
         let method = match request.function() {
             Some(Function::TaylorSeries) => taylor_series(robot, program, &notes, path, derive),
-            _ => method(robot, &request, program, &notes, path),
+            _ => method(robot, (&request, index), program, &notes, path),
         };
         match method {
             Ok(method) => methods.push(method),
@@ -228,7 +230,7 @@ pub fn percent(share: f64) -> String {
 /// Proves a program, rounds its constants and emits it.
 fn method(
     robot: &Robot,
-    request: &Request,
+    (request, index): (&Request, usize),
     program: Program,
     notes: &[String],
     path: &TokenStream,
@@ -237,7 +239,7 @@ fn method(
     let formulas = Formulas::of_short_arm(robot, request.parts(), &program);
     let emitted = emit::method(
         robot,
-        request,
+        (request, index),
         &program,
         &constants,
         formulas.as_ref(),
@@ -327,6 +329,7 @@ fn method_of(request: Request, emitted: emit::Emitted, programs: &[&Program]) ->
         request,
         tokens: emitted.inherent,
         provided: emitted.provided,
+        function: emitted.function,
         operations: programs[0].operations(),
         angles: angles.collect(),
         equations: Vec::new(),

@@ -24,7 +24,9 @@ pub mod rounding;
 pub mod simplify;
 pub mod spatial;
 
-pub use emit::{base_parameter_constants, method_name, stub, stub_of_trait};
+pub use emit::{
+    base_parameter_constants, function_type, method_name, stub, stub_of_function, stub_of_trait,
+};
 pub use expand::{Failure, Method, Reason, expand, expand_with, percent, proven_program};
 pub use function::{Function, Request};
 pub use program::{Operations, Proven};

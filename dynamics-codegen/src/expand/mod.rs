@@ -1,5 +1,6 @@
 //! A model to the items of its struct. Nothing in here can fail.
 
+pub(crate) mod batch;
 mod evaluate;
 pub(crate) mod names;
 mod scene;
@@ -12,7 +13,9 @@ mod traits;
 use std::collections::BTreeSet;
 
 use dynamics_symbolic::formula::Equation;
-use dynamics_symbolic::{Function, Method, Request, base_parameter_constants, stub, stub_of_trait};
+use dynamics_symbolic::{
+    Function, Method, Request, base_parameter_constants, stub, stub_of_function, stub_of_trait,
+};
 use proc_macro2::{Literal, TokenStream};
 use quote::{ToTokens, quote};
 
@@ -60,7 +63,13 @@ pub(crate) fn robot(
         }
         Some((function, item))
     });
-    let provided = traits::provided(&target, provided);
+    let mut provided = traits::provided(&target, provided);
+    let items = methods
+        .iter()
+        .map(|method| (&method.request, method.function.clone()));
+    provided.extend(traits::functions(&target, items));
+    provided.extend(traits::fields(&target, &model.robot.fields));
+    provided.extend(batch::fused(&target, &requests));
     let angles = angles(model.robot.dof(), methods);
     let traits = traits::traits(&target, &functions, &angles, &table, &evaluation);
     let test = model
@@ -93,7 +102,11 @@ pub(crate) fn stubs(structure: &Structure, entries: &[Entry], path: &TokenStream
         let item = stub_of_trait(*f, target.dof, path)?;
         Some((*f, item))
     });
-    let provided = traits::provided(&target, provided);
+    let mut provided = traits::provided(&target, provided);
+    let items = requests.iter().enumerate();
+    let items = items.map(|(i, r)| (r, stub_of_function(r, i, target.dof, path)));
+    provided.extend(traits::functions(&target, items));
+    provided.extend(batch::fused(&target, &requests));
     let evaluation = Evaluation {
         functions: unimplemented.clone(),
         parts: None,
@@ -180,7 +193,7 @@ fn requests_to_stub(entries: &[Entry]) -> Vec<Request> {
 }
 
 /// Of each joint, whether the sine and cosine of its position are read by one of the methods that can
-/// also be called with sines that were evaluated before: those of the runtime's traits.
+/// also be called with sines that were evaluated before: those of the runtime's traits of single functions.
 fn angles(dof: usize, methods: &[Method]) -> Vec<bool> {
     let told = methods.iter().filter(|method| method.provided.is_some());
     let joints: Vec<usize> = told.flat_map(|method| method.angles.clone()).collect();

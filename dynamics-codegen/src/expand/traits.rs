@@ -1,8 +1,8 @@
 //! The runtime's traits: those of single functions hold the programs, the methods of the others
 //! hand on to the struct's own.
 
-use dynamics_symbolic::Function;
-use proc_macro2::{Ident, Span, TokenStream};
+use dynamics_symbolic::{Function, Request, function_type};
+use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{ToTokens, quote};
 
 use super::evaluate::Evaluation;
@@ -43,6 +43,55 @@ pub(super) fn provided(
     items.filter_map(implementation).collect()
 }
 
+/// The implementations of the trait `Function` of what has no trait of its own, in the order of the methods.
+pub(super) fn functions<'a>(
+    target: &Target,
+    items: impl Iterator<Item = (&'a Request, Option<TokenStream>)>,
+) -> TokenStream {
+    let (generics, n) = generics(target);
+    let implementation = |(index, (request, items)): (usize, (&Request, Option<TokenStream>))| {
+        let items = items?;
+        let function = function_type(request, index, target.path);
+        let start = start(target, &generics, quote!(Function<#function, #n>));
+        Some(quote!(#start { #items }))
+    };
+    items.enumerate().filter_map(implementation).collect()
+}
+
+/// The trait that reads the fields, where there are some.
+pub(super) fn fields(target: &Target, fields: &[String]) -> Option<TokenStream> {
+    if fields.is_empty() {
+        return None;
+    }
+    let path = target.path;
+    let start = start(target, &quote!(), quote!(Fields));
+    let arms = fields.iter().enumerate().map(|(i, name)| {
+        let (i, name) = (Literal::usize_unsuffixed(i), field(name));
+        quote!(#i => self.#name,)
+    });
+    Some(quote! {
+        #path::__with_std! {
+            #start {
+                #[inline(always)]
+                fn field(&self, index: usize) -> f64 {
+                    match index {
+                        #(#arms)*
+                        _ => 0.0,
+                    }
+                }
+            }
+        }
+    })
+}
+
+/// The identifier of a field of the user's struct.
+fn field(name: &str) -> Ident {
+    match name.strip_prefix("r#") {
+        Some(raw) => Ident::new_raw(raw, Span::call_site()),
+        None => Ident::new(name, Span::call_site()),
+    }
+}
+
 /// What structure-preserving integration asks an arm with forward dynamics for, where there are the
 /// functions that it takes.
 pub(super) fn momenta(target: &Target, functions: &[Function]) -> Option<TokenStream> {
@@ -61,11 +110,15 @@ pub(super) fn momenta(target: &Target, functions: &[Function]) -> Option<TokenSt
 /// The start of an impl, and the number of joints in it. Where an error left the
 /// number unknown the impl is for all of them.
 fn header(target: &Target, name: TokenStream) -> (TokenStream, TokenStream) {
-    let (generics, n) = match target.dof {
+    let (generics, n) = generics(target);
+    (start(target, &generics, quote!(#name<#n>)), n)
+}
+
+fn generics(target: &Target) -> (TokenStream, TokenStream) {
+    match target.dof {
         0 => (quote!(<const N: usize>), quote!(N)),
         _ => (quote!(), target.n().into_token_stream()),
-    };
-    (start(target, &generics, quote!(#name<#n>)), n)
+    }
 }
 
 fn start(target: &Target, generics: &TokenStream, name: TokenStream) -> TokenStream {
@@ -172,14 +225,19 @@ fn articulated_dynamics(target: &Target) -> TokenStream {
     let vector = quote!(#path::nalgebra::SVector<T, #n>);
     quote! {
         #header {
-            #[inline]
+            #[inline(always)]
             fn forward_dynamics<T: #path::Scalar>(
                 &self,
                 q: &#vector,
                 qd: &#vector,
                 tau: &#vector,
             ) -> ::core::result::Result<#vector, #path::SingularMassMatrix> {
-                Self::forward_dynamics_aba(self, q, qd, tau)
+                <Self as #path::Function<#path::functions::ForwardDynamicsAba, #n>>::at(
+                    self,
+                    #path::functions::ForwardDynamicsAba,
+                    &#path::Evaluated,
+                    &(*q, *qd, *tau),
+                )
             }
         }
     }

@@ -3,16 +3,18 @@
 use core::fmt;
 
 use crate::SingularMassMatrix;
+use crate::function::functions;
 
-/// An argument of a batch holds another number of states than the first argument, `q`.
+/// An argument of a batch holds another number of states than the first one, which is `q` for nearly all functions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct LengthMismatch {
-    /// The argument, by its name.
+    /// The argument, by its name; of the arms of [`Batch::with_parameters`](crate::Batch::with_parameters)
+    /// `parameters`.
     pub argument: &'static str,
     /// The number of states in it; where its columns differ from one another, the length of the
     /// first one that differs.
     pub found: usize,
-    /// The number of states in `q`.
+    /// The number of states in the first argument.
     pub expected: usize,
 }
 
@@ -23,21 +25,22 @@ impl fmt::Display for LengthMismatch {
             found,
             expected,
         } = self;
+        let first = functions::first_argument(argument);
         write!(
             f,
-            "`{argument}` has {found} states where `q` has {expected}"
+            "`{argument}` has {found} states where `{first}` has {expected}"
         )
     }
 }
 
 impl core::error::Error for LengthMismatch {}
 
-/// The forward dynamics of a batch failed.
+/// A batch of a function that solves with M failed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum BatchError {
     /// An argument holds another number of states than `q`. Nothing was written.
     Length(LengthMismatch),
-    /// The mass matrix of a state is not positive definite. The accelerations of all states that
+    /// The mass matrix of a state is not positive definite. The values of all states that
     /// have none are NaN, those of the others are written.
     Singular {
         /// The first such state, counted from 0.

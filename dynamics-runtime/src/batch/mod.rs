@@ -1,12 +1,13 @@
 //! Generated functions at many states at once, in the lanes of vector registers.
 //!
 //! The program of a function is generic over its numbers; here it runs on [`wide::Wide`], as many
-//! doubles as the processor's vectors hold. Which those are is asked at run time: the loop over the
+//! numbers as the processor's vectors hold. Which those are is asked at run time: the loop over the
 //! states is compiled once for each instruction set, with the program inlined into it.
 
 mod abreast;
+mod arguments;
+mod arms;
 mod error;
-mod function;
 mod layout;
 #[cfg(feature = "rayon")]
 mod parallel;
@@ -18,26 +19,32 @@ mod wide;
 
 use fearless_simd::Level;
 
-use crate::{CoriolisVector, ForwardDynamics, GravityVector, InverseDynamics, MassMatrix};
+use crate::function::{Function, functions};
+use arguments::Arguments;
+use arms::Arms;
+pub use arms::{Each, Fields, Same};
 pub use error::{BatchError, LengthMismatch};
-use function::{Function, G, M, Qdd, Tau, V};
 use layout::Sink;
 pub use layout::{States, StatesMut};
-use run::{Arguments, Failure, run, states};
+use run::{Failure, Task};
+pub use wide::Precision;
 
-/// The generated functions at many states at once.
+dynamics_macros::batch_methods! {
+/// The generated functions at many states at once, each under its name with `_batch` behind it.
 ///
-/// Every robot whose table generates a function has its batch: `use robot_dynamics::Batch`.
+/// Every robot whose table generates a function has its batch: `use robot_dynamics::Batch`. What is not
+/// called is not compiled.
 ///
 /// The states of a batch are evaluated in the lanes of vector registers, as wide as the processor
 /// at hand has them (AVX-512, AVX2 with FMA, SSE2; NEON; WebAssembly's), which is asked at run time.
 /// On one core this takes half to a fifth of the time of single calls: vectors of eight doubles
-/// take a quarter for inverse and forward dynamics (`cargo bench -p benches --bench batch`). With the feature `rayon` each method has a twin, with `par_`
-/// before its name, that uses all cores.
+/// take a quarter for inverse and forward dynamics (`cargo bench -p benches --bench batch`). Numbers are `f64`,
+/// or `f32` in twice as many lanes. Taylor series and base parameters are evaluated state by state. With the
+/// feature `rayon` each method has a twin, with `par_` before its name, that uses all cores.
 ///
 /// The values are those of the single function to the last few units in the last place of the
 /// largest terms: sums of products are fused where the processor can, whatever the build allows. A
-/// state's values do not depend on the other states, nor on their number, but for accelerations
+/// state's values do not depend on the other states, nor on their number, but for values
 /// beside a state that has none, which differ by as little.
 ///
 /// Arguments come as a vector for each state or as a column for each joint: see [`States`] and
@@ -69,256 +76,99 @@ use run::{Arguments, Failure, run, states};
 /// # Ok::<(), dynamics_runtime::LengthMismatch>(())
 /// ```
 pub trait Batch {
-    /// Mass matrix M(q) at every state, kg m^2, kg m or kg.
+    /// A batch in which every state has an arm of its own: `arms` has a struct for each state, which differ in
+    /// their fields. Masses that are estimated, tools that are tried out, gravity on a slope.
     ///
-    /// `q` in rad or m.
+    /// The methods are those of this trait, on what is returned. They take the time of one arm's and what it
+    /// takes to read the fields.
     ///
-    /// # Errors
-    ///
-    /// [`LengthMismatch`] where an argument is not as long as `q`.
-    fn mass_matrix_batch<const N: usize>(
-        &self,
-        q: impl States<N>,
-        mass_matrix: impl StatesMut<N, N>,
-    ) -> Result<(), LengthMismatch>
+    /// `Batch::with_parameters(&arms).inverse_dynamics_batch(&q, &qd, &qdd, &mut tau)`, for instance.
+    fn with_parameters(arms: &[Self]) -> WithParameters<'_, Self>
     where
-        Self: MassMatrix<N> + Sized,
+        Self: Sized,
     {
-        each::<M, _, _, _, N, 1, N>(self, (q.source(),), mass_matrix.sink())?;
-        Ok(())
+        WithParameters(arms)
     }
-
-    /// Coriolis and centrifugal vector V(q, qd) at every state, N m or N.
-    ///
-    /// `q` in rad or m, `qd` per second.
-    ///
-    /// # Errors
-    ///
-    /// [`LengthMismatch`] where an argument is not as long as `q`.
-    fn coriolis_vector_batch<const N: usize>(
-        &self,
-        q: impl States<N>,
-        qd: impl States<N>,
-        coriolis_vector: impl StatesMut<N>,
-    ) -> Result<(), LengthMismatch>
-    where
-        Self: CoriolisVector<N> + Sized,
-    {
-        each::<V, _, _, _, N, 2, 1>(self, (q.source(), qd.source()), coriolis_vector.sink())?;
-        Ok(())
-    }
-
-    /// Gravity vector G(q) = dU/dq at every state, N m or N.
-    ///
-    /// `q` in rad or m.
-    ///
-    /// # Errors
-    ///
-    /// [`LengthMismatch`] where an argument is not as long as `q`.
-    fn gravity_vector_batch<const N: usize>(
-        &self,
-        q: impl States<N>,
-        gravity_vector: impl StatesMut<N>,
-    ) -> Result<(), LengthMismatch>
-    where
-        Self: GravityVector<N> + Sized,
-    {
-        each::<G, _, _, _, N, 1, 1>(self, (q.source(),), gravity_vector.sink())?;
-        Ok(())
-    }
-
-    /// Inverse dynamics tau = M qdd + V + G + K + F at every state, N m or N.
-    ///
-    /// `q` in rad or m, `qd` per second, `qdd` per second squared.
-    ///
-    /// # Errors
-    ///
-    /// [`LengthMismatch`] where an argument is not as long as `q`.
-    fn inverse_dynamics_batch<const N: usize>(
-        &self,
-        q: impl States<N>,
-        qd: impl States<N>,
-        qdd: impl States<N>,
-        tau: impl StatesMut<N>,
-    ) -> Result<(), LengthMismatch>
-    where
-        Self: InverseDynamics<N> + Sized,
-    {
-        each::<Tau, _, _, _, N, 3, 1>(self, (q.source(), qd.source(), qdd.source()), tau.sink())?;
-        Ok(())
-    }
-
-    /// Forward dynamics qdd with M qdd + V + G + K + F = tau at every state, rad/s^2 or m/s^2.
-    ///
-    /// `q` in rad or m, `qd` per second, `tau` in N m or N.
-    ///
-    /// # Errors
-    ///
-    /// [`BatchError::Length`] where an argument is not as long as `q`;
-    /// [`BatchError::Singular`] where a mass matrix is not positive definite: the first such state
-    /// with what `forward_dynamics` says of it. All states' accelerations are written then too; they
-    /// are NaN where there are none.
-    fn forward_dynamics_batch<const N: usize>(
-        &self,
-        q: impl States<N>,
-        qd: impl States<N>,
-        tau: impl States<N>,
-        qdd: impl StatesMut<N>,
-    ) -> Result<(), BatchError>
-    where
-        Self: ForwardDynamics<N> + Sized,
-    {
-        let failure = each::<Qdd, _, _, _, N, 3, 1>(
-            self,
-            (q.source(), qd.source(), tau.source()),
-            qdd.sink(),
-        )?;
-        accelerations(failure)
-    }
-
-    /// [`mass_matrix_batch`](Batch::mass_matrix_batch) on all cores, by rayon's global thread pool.
-    ///
-    /// Worth it from some thousand states on; a batch below 1,024 states stays on this core.
-    ///
-    /// # Errors
-    ///
-    /// As there.
-    #[cfg(feature = "rayon")]
-    fn par_mass_matrix_batch<const N: usize>(
-        &self,
-        q: impl States<N>,
-        mass_matrix: impl StatesMut<N, N>,
-    ) -> Result<(), LengthMismatch>
-    where
-        Self: MassMatrix<N> + Sync + Sized,
-    {
-        parallel::each::<M, _, _, _, N, 1, N>(self, (q.source(),), mass_matrix.sink())?;
-        Ok(())
-    }
-
-    /// [`coriolis_vector_batch`](Batch::coriolis_vector_batch) on all cores, by rayon's global thread pool.
-    ///
-    /// Worth it from some thousand states on; a batch below 1,024 states stays on this core.
-    ///
-    /// # Errors
-    ///
-    /// As there.
-    #[cfg(feature = "rayon")]
-    fn par_coriolis_vector_batch<const N: usize>(
-        &self,
-        q: impl States<N>,
-        qd: impl States<N>,
-        coriolis_vector: impl StatesMut<N>,
-    ) -> Result<(), LengthMismatch>
-    where
-        Self: CoriolisVector<N> + Sync + Sized,
-    {
-        parallel::each::<V, _, _, _, N, 2, 1>(
-            self,
-            (q.source(), qd.source()),
-            coriolis_vector.sink(),
-        )?;
-        Ok(())
-    }
-
-    /// [`gravity_vector_batch`](Batch::gravity_vector_batch) on all cores, by rayon's global thread pool.
-    ///
-    /// Worth it from some thousand states on; a batch below 1,024 states stays on this core.
-    ///
-    /// # Errors
-    ///
-    /// As there.
-    #[cfg(feature = "rayon")]
-    fn par_gravity_vector_batch<const N: usize>(
-        &self,
-        q: impl States<N>,
-        gravity_vector: impl StatesMut<N>,
-    ) -> Result<(), LengthMismatch>
-    where
-        Self: GravityVector<N> + Sync + Sized,
-    {
-        parallel::each::<G, _, _, _, N, 1, 1>(self, (q.source(),), gravity_vector.sink())?;
-        Ok(())
-    }
-
-    /// [`inverse_dynamics_batch`](Batch::inverse_dynamics_batch) on all cores, by rayon's global thread pool.
-    ///
-    /// Worth it from some thousand states on; a batch below 1,024 states stays on this core.
-    ///
-    /// # Errors
-    ///
-    /// As there.
-    #[cfg(feature = "rayon")]
-    fn par_inverse_dynamics_batch<const N: usize>(
-        &self,
-        q: impl States<N>,
-        qd: impl States<N>,
-        qdd: impl States<N>,
-        tau: impl StatesMut<N>,
-    ) -> Result<(), LengthMismatch>
-    where
-        Self: InverseDynamics<N> + Sync + Sized,
-    {
-        parallel::each::<Tau, _, _, _, N, 3, 1>(
-            self,
-            (q.source(), qd.source(), qdd.source()),
-            tau.sink(),
-        )?;
-        Ok(())
-    }
-
-    /// [`forward_dynamics_batch`](Batch::forward_dynamics_batch) on all cores, by rayon's global thread pool.
-    ///
-    /// Worth it from some thousand states on; a batch below 1,024 states stays on this core.
-    ///
-    /// # Errors
-    ///
-    /// As there.
-    #[cfg(feature = "rayon")]
-    fn par_forward_dynamics_batch<const N: usize>(
-        &self,
-        q: impl States<N>,
-        qd: impl States<N>,
-        tau: impl States<N>,
-        qdd: impl StatesMut<N>,
-    ) -> Result<(), BatchError>
-    where
-        Self: ForwardDynamics<N> + Sync + Sized,
-    {
-        let failure = parallel::each::<Qdd, _, _, _, N, 3, 1>(
-            self,
-            (q.source(), qd.source(), tau.source()),
-            qdd.sink(),
-        )?;
-        accelerations(failure)
-    }
+}
 }
 
 impl<R> Batch for R {}
 
+/// A batch in which every state has an arm of its own, with fields of its own: see
+/// [`Batch::with_parameters`], and [`Batch`] for the methods. Another number of arms than of states is an error
+/// about the argument `parameters`.
+#[derive(Debug)]
+pub struct WithParameters<'a, R>(&'a [R]);
+
+impl<R> Clone for WithParameters<'_, R> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<R> Copy for WithParameters<'_, R> {}
+
+dynamics_macros::batch_methods! {
+impl<R> WithParameters<'_, R> {}
+}
+
 /// A function at every state, on this core.
-fn each<F, R, A, O, const N: usize, const K: usize, const C: usize>(
-    robot: &R,
+///
+/// # Errors
+///
+/// Where lengths differ.
+#[doc(hidden)]
+pub fn on_one_core<F, R, E, B, A, O, const N: usize>(
+    function: F,
+    arms: B,
     arguments: A,
     results: O,
 ) -> Result<Failure, LengthMismatch>
 where
-    F: Function<R, N, K, C>,
-    A: Arguments<N, K>,
-    O: Sink<N, C>,
+    F: Copy,
+    R: Function<F, N>,
+    E: Precision,
+    B: Arms<R>,
+    A: Arguments<R::Arguments, E>,
+    O: Sink<R::Values, E>,
 {
-    let states = states::<F, R, N, K, C>(&arguments, &results)?;
-    Ok(run::<F, R, A, O, N, K, C>(
-        Level::new(),
-        robot,
-        arguments,
-        results,
-        states,
-    ))
+    let task = Task::new::<R, E, N>(function, arms, arguments, results)?;
+    Ok(task.run::<R, E, N>(Level::new()))
 }
 
-fn accelerations(failure: Failure) -> Result<(), BatchError> {
-    match failure {
+/// A function at every state, on all cores.
+///
+/// # Errors
+///
+/// Where lengths differ.
+#[cfg(feature = "rayon")]
+#[doc(hidden)]
+pub fn on_all_cores<F, R, E, B, A, O, const N: usize>(
+    function: F,
+    arms: B,
+    arguments: A,
+    results: O,
+) -> Result<Failure, LengthMismatch>
+where
+    F: Copy + Send,
+    R: Function<F, N>,
+    E: Precision,
+    B: Arms<R> + Send,
+    A: Arguments<R::Arguments, E>,
+    O: Sink<R::Values, E>,
+{
+    let task = Task::new::<R, E, N>(function, arms, arguments, results)?;
+    Ok(task.halves::<R, E, N>(Level::new()))
+}
+
+/// The first state without a value as an error.
+///
+/// # Errors
+///
+/// Where there is one, or lengths differ.
+#[doc(hidden)]
+pub fn failing(done: Result<Failure, LengthMismatch>) -> Result<(), BatchError> {
+    match done? {
         None => Ok(()),
         Some((state, error)) => Err(BatchError::Singular { state, error }),
     }

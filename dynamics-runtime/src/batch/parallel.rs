@@ -2,61 +2,53 @@
 
 use fearless_simd::Level;
 
-use super::function::Function;
-use super::layout::Sink;
-use super::run::{Arguments, Failure, run, states};
-use super::{LengthMismatch, layout::MOST_LANES};
+use super::arguments::Arguments;
+use super::arms::Arms;
+use super::layout::{MOST_LANES, Sink};
+use super::run::{Failure, Task};
+use super::wide::Precision;
+use crate::function::Function;
 
-/// So many states are evaluated on one core: some ten microseconds of work, many times what it
+/// So many operations are done on one core: some ten microseconds of work, many times what it
 /// takes to hand them to another.
-const LEAST: usize = 512;
+const LEAST_WORK: usize = 80_000;
 
-/// A function at every state, on all cores.
-pub(super) fn each<F, R, A, O, const N: usize, const K: usize, const C: usize>(
-    robot: &R,
-    arguments: A,
-    results: O,
-) -> Result<Failure, LengthMismatch>
-where
-    F: Function<R, N, K, C>,
-    R: Sync,
-    A: Arguments<N, K>,
-    O: Sink<N, C>,
-{
-    let states = states::<F, R, N, K, C>(&arguments, &results)?;
-    Ok(halves::<F, R, A, O, N, K, C>(
-        Level::new(),
-        robot,
-        arguments,
-        results,
-        states,
-    ))
-}
-
-/// One half here, the other wherever there is a free core; and so each half.
-fn halves<F, R, A, O, const N: usize, const K: usize, const C: usize>(
-    level: Level,
-    robot: &R,
-    arguments: A,
-    results: O,
-    states: usize,
-) -> Failure
-where
-    F: Function<R, N, K, C>,
-    R: Sync,
-    A: Arguments<N, K>,
-    O: Sink<N, C>,
-{
-    if states < 2 * LEAST {
-        return run::<F, R, A, O, N, K, C>(level, robot, arguments, results, states);
+impl<F, B, A, O> Task<F, B, A, O> {
+    /// One half here, the other wherever there is a free core; and so each half.
+    pub(super) fn halves<R, E, const N: usize>(mut self, level: Level) -> Failure
+    where
+        F: Copy + Send,
+        R: Function<F, N>,
+        E: Precision,
+        B: Arms<R> + Send,
+        A: Arguments<R::Arguments, E>,
+        O: Sink<R::Values, E>,
+    {
+        let least = LEAST_WORK / (R::WORK as usize).max(1);
+        if self.states < 2 * least.max(MOST_LANES) {
+            return self.run::<R, E, N>(level);
+        }
+        let middle = (self.states / 2).next_multiple_of(MOST_LANES);
+        let (arguments, other_arguments) = self.arguments.split(middle);
+        let (arms, other_arms) = self.arms.split(middle);
+        let first = Task {
+            function: self.function,
+            arms,
+            arguments,
+            results: self.results.take(middle),
+            states: middle,
+        };
+        let others = Task {
+            function: self.function,
+            arms: other_arms,
+            arguments: other_arguments,
+            results: self.results,
+            states: self.states - middle,
+        };
+        let (first, others) = rayon::join(
+            move || first.halves::<R, E, N>(level),
+            move || others.halves::<R, E, N>(level),
+        );
+        first.or(others.map(|(state, error)| (middle + state, error)))
     }
-    let middle = (states / 2).next_multiple_of(MOST_LANES);
-    let (left, right) = arguments.split(middle);
-    let (left_results, right_results) = results.split(middle);
-    let rest = states - middle;
-    let (left, right) = rayon::join(
-        move || halves::<F, R, A, O, N, K, C>(level, robot, left, left_results, middle),
-        move || halves::<F, R, A, O, N, K, C>(level, robot, right, right_results, rest),
-    );
-    left.or(right.map(|(state, error)| (middle + state, error)))
 }

@@ -1,235 +1,232 @@
 //! The loop over the groups of states that fill a vector register.
 
-use fearless_simd::{Level, Simd, SimdBase, dispatch};
-use nalgebra::{SMatrix, SVector};
+use fearless_simd::{Level, Simd, dispatch};
 
 use super::LengthMismatch;
-use super::function::Function;
-use super::layout::{MOST_LANES, Sink, Source};
-use super::wide::Wide;
-use crate::SingularMassMatrix;
+use super::arguments::Arguments;
+use super::arms::Arms;
+use super::layout::Sink;
+use super::wide::Precision;
+use super::wide::{Wide, lanes};
+use crate::function::{Arrangement, Function, Of};
+use crate::inputs::Evaluated;
+use crate::{Scalar, SingularMassMatrix};
 
-/// The arguments of a function of `K` vectors: see [`Source`].
-pub(crate) trait Arguments<const N: usize, const K: usize>: Copy + Send {
-    type Room;
-    type Copied<'r>: Arguments<N, K>
-    where
-        Self: 'r;
-
-    fn states(&self) -> [(usize, Option<usize>); K];
-    fn shorten(&mut self, states: usize);
-    #[cfg(feature = "rayon")]
-    fn split(self, states: usize) -> (Self, Self);
-    fn state(&self, state: usize) -> [SVector<f64, N>; K];
-    fn room() -> Self::Room;
-    fn padded<'r>(&self, states: usize, room: &'r mut Self::Room) -> Self::Copied<'r>
-    where
-        Self: 'r;
-    fn load<S: Simd>(&self, simd: S, first: usize) -> [SVector<Wide<S>, N>; K];
-}
-
-macro_rules! impl_arguments {
-    ($arity:literal: $($source:ident $x:ident $y:ident),*) => {
-        impl<$($source: Source<N>,)* const N: usize> Arguments<N, $arity> for ($($source,)*) {
-            type Room = ($($source::Room,)*);
-            type Copied<'r> = ($($source::Copied<'r>,)*) where Self: 'r;
-
-            fn states(&self) -> [(usize, Option<usize>); $arity] {
-                let ($($x,)*) = self;
-                [$($x.states()),*]
-            }
-
-            #[inline(always)]
-            fn shorten(&mut self, states: usize) {
-                let ($($x,)*) = self;
-                $($x.shorten(states);)*
-            }
-
-            #[cfg(feature = "rayon")]
-            fn split(self, states: usize) -> (Self, Self) {
-                let ($($x,)*) = self;
-                $(let ($x, $y) = $x.split(states);)*
-                (($($x,)*), ($($y,)*))
-            }
-
-            #[inline]
-            fn state(&self, state: usize) -> [SVector<f64, N>; $arity] {
-                let ($($x,)*) = self;
-                [$($x.state(state)),*]
-            }
-
-            fn room() -> Self::Room {
-                ($($source::room(),)*)
-            }
-
-            fn padded<'r>(&self, states: usize, room: &'r mut Self::Room) -> Self::Copied<'r>
-            where
-                Self: 'r,
-            {
-                let (($($x,)*), ($($y,)*)) = (self, room);
-                ($($x.padded(states, $y),)*)
-            }
-
-            #[inline(always)]
-            fn load<S: Simd>(&self, simd: S, first: usize) -> [SVector<Wide<S>, N>; $arity] {
-                let ($($x,)*) = self;
-                [$($x.load(simd, first)),*]
-            }
-        }
-    };
-}
-
-impl_arguments!(1: A a x);
-impl_arguments!(2: A a x, B b y);
-impl_arguments!(3: A a x, B b y, C c z);
-
-/// A state without accelerations, and why.
+/// A state without a value, and why.
 pub(super) type Failure = Option<(usize, SingularMassMatrix)>;
 
-/// The number of states, if all arguments and the results agree on it.
-pub(super) fn states<F, R, const N: usize, const K: usize, const C: usize>(
-    arguments: &impl Arguments<N, K>,
-    results: &impl Sink<N, C>,
-) -> Result<usize, LengthMismatch>
-where
-    F: Function<R, N, K, C>,
-{
-    let arguments = arguments.states();
-    let (expected, _) = arguments[0];
-    let named = F::ARGUMENTS.into_iter().zip(arguments);
-    for (argument, (states, other)) in named.chain([(F::RESULT, results.states())]) {
-        let lengths = [Some(states), other];
-        if let Some(found) = lengths.into_iter().flatten().find(|&n| n != expected) {
-            return Err(LengthMismatch {
-                argument,
-                found,
-                expected,
+/// A function, the arms and the arguments that it is to be evaluated at, and where to.
+pub(super) struct Task<F, B, A, O> {
+    pub(super) function: F,
+    pub(super) arms: B,
+    pub(super) arguments: A,
+    pub(super) results: O,
+    pub(super) states: usize,
+}
+
+/// What a function puts out, in an arithmetic.
+type Value<R, F, const N: usize, T> = Of<<R as Function<F, N>>::Values, T>;
+
+impl<F, B, A, O> Task<F, B, A, O> {
+    /// The task, if all arguments, the arms and the results agree on the number of states: that of the
+    /// first of them.
+    pub(super) fn new<R, E, const N: usize>(
+        function: F,
+        arms: B,
+        arguments: A,
+        results: O,
+    ) -> Result<Self, LengthMismatch>
+    where
+        R: Function<F, N>,
+        E: Precision,
+        B: Arms<R>,
+        A: Arguments<R::Arguments, E>,
+        O: Sink<R::Values, E>,
+    {
+        let (mut expected, mut mismatch) = (None, None);
+        let mut compare = |argument, states: usize| {
+            let expected = *expected.get_or_insert(states);
+            if states != expected && mismatch.is_none() {
+                mismatch = Some(LengthMismatch {
+                    argument,
+                    found: states,
+                    expected,
+                });
+            }
+        };
+        let mut names = R::ARGUMENTS.iter();
+        arguments.states(&mut |states, other| {
+            let name = names.next().copied().unwrap_or_default();
+            compare(name, states);
+            compare(name, other.unwrap_or(states));
+        });
+        if let Some(states) = arms.states() {
+            compare("parameters", states);
+        }
+        let (states, other) = results.states();
+        compare(R::RESULT, states);
+        compare(R::RESULT, other.unwrap_or(states));
+        match mismatch {
+            Some(mismatch) => Err(mismatch),
+            None => Ok(Task {
+                function,
+                arms,
+                arguments,
+                results,
+                states,
+            }),
+        }
+    }
+
+    /// The function at every state, with the instructions of a level; the first state where it fails.
+    pub(super) fn run<R, E, const N: usize>(mut self, level: Level) -> Failure
+    where
+        F: Copy,
+        R: Function<F, N>,
+        E: Precision,
+        B: Arms<R>,
+        A: Arguments<R::Arguments, E>,
+        O: Sink<R::Values, E>,
+    {
+        if self.states == 0 {
+            return None;
+        }
+        if !R::IN_LANES {
+            return self.in_turn::<R, E, N>();
+        }
+        if self.states >= E::MOST_LANES {
+            return self.vectorised::<R, E, N>(level);
+        }
+        let (mut copies, mut values) = (A::room(), O::room());
+        let padded = Task {
+            function: self.function,
+            arms: self.arms,
+            arguments: self.arguments.padded(self.states, &mut copies),
+            results: O::elsewhere(&mut values),
+            states: E::MOST_LANES,
+        };
+        let failure = padded.vectorised::<R, E, N>(level);
+        let filled = O::elsewhere(&mut values);
+        for state in 0..self.states {
+            self.results.set(state, &filled.state(state));
+        }
+        // A copy of the last state fails where that one does.
+        failure
+    }
+
+    /// State by state.
+    fn in_turn<R, E, const N: usize>(mut self) -> Failure
+    where
+        F: Copy,
+        R: Function<F, N>,
+        E: Precision,
+        B: Arms<R>,
+        A: Arguments<R::Arguments, E>,
+        O: Sink<R::Values, E>,
+    {
+        let mut failure = None;
+        for state in 0..self.states {
+            let value = self.at::<R, E, N>(state).unwrap_or_else(|error| {
+                failure = failure.take().or(Some((state, error)));
+                R::Values::filled(E::from_f64(f64::NAN))
             });
+            self.results.set(state, &value);
+        }
+        failure
+    }
+
+    fn vectorised<R, E, const N: usize>(self, level: Level) -> Failure
+    where
+        F: Copy,
+        R: Function<F, N>,
+        E: Precision,
+        B: Arms<R>,
+        A: Arguments<R::Arguments, E>,
+        O: Sink<R::Values, E>,
+    {
+        dispatch!(level, simd => self.groups::<R, E, _, N>(simd))
+    }
+
+    /// The function in lanes. The last group overlaps the one before it where the lanes do not divide
+    /// the states; there are at least as many states as lanes.
+    #[inline(always)]
+    fn groups<R, E, S, const N: usize>(mut self, simd: S) -> Failure
+    where
+        F: Copy,
+        R: Function<F, N>,
+        E: Precision,
+        B: Arms<R>,
+        A: Arguments<R::Arguments, E>,
+        O: Sink<R::Values, E>,
+        S: Simd,
+    {
+        // All of one length in the compiler's eyes too: one comparison for each group.
+        self.arguments.shorten(self.states);
+        self.results.shorten(self.states);
+        let last = self.states - lanes::<S, E>();
+        let mut failure = None;
+        let mut first = 0;
+        loop {
+            let group = self.arguments.load(simd, first);
+            let inputs = self.arms.inputs::<S, E>(first);
+            match R::at(self.arms.arm(first), self.function, &inputs, &group) {
+                Ok(value) => self.results.store(first, &value),
+                Err(_) => {
+                    let (value, singular) = self.one_by_one::<R, E, S, N>(first);
+                    self.results.store(first, &value);
+                    failure = failure.or(singular);
+                }
+            }
+            if first >= last {
+                return failure;
+            }
+            first = last.min(first + lanes::<S, E>());
         }
     }
-    Ok(expected)
-}
 
-/// The function at every state, with the instructions of a level; the first state where it fails.
-pub(crate) fn run<F, R, A, O, const N: usize, const K: usize, const C: usize>(
-    level: Level,
-    robot: &R,
-    arguments: A,
-    mut results: O,
-    states: usize,
-) -> Failure
-where
-    F: Function<R, N, K, C>,
-    A: Arguments<N, K>,
-    O: Sink<N, C>,
-{
-    if states == 0 || N == 0 {
-        return None;
-    }
-    if states >= MOST_LANES {
-        return vectorised::<F, R, A, O, N, K, C>(level, robot, arguments, results, states);
-    }
-    let (mut copies, mut values) = (A::room(), O::room());
-    let copies = arguments.padded(states, &mut copies);
-    let filled = results.elsewhere(&mut values);
-    let failure = vectorised::<F, R, _, _, N, K, C>(level, robot, copies, filled, MOST_LANES);
-    let filled = results.elsewhere(&mut values);
-    for state in 0..states {
-        results.set(state, &filled.state(state));
-    }
-    failure
-}
-
-fn vectorised<F, R, A, O, const N: usize, const K: usize, const C: usize>(
-    level: Level,
-    robot: &R,
-    arguments: A,
-    results: O,
-    states: usize,
-) -> Failure
-where
-    F: Function<R, N, K, C>,
-    A: Arguments<N, K>,
-    O: Sink<N, C>,
-{
-    dispatch!(level, simd => groups::<F, R, A, O, _, N, K, C>(simd, robot, arguments, results, states))
-}
-
-/// The function in lanes. The last group overlaps the one before it where the lanes do not divide
-/// the states; there are at least as many states as lanes.
-#[inline(always)]
-fn groups<F, R, A, O, S, const N: usize, const K: usize, const C: usize>(
-    simd: S,
-    robot: &R,
-    mut arguments: A,
-    mut results: O,
-    states: usize,
-) -> Failure
-where
-    F: Function<R, N, K, C>,
-    A: Arguments<N, K>,
-    O: Sink<N, C>,
-    S: Simd,
-{
-    // All of one length in the compiler's eyes too: one comparison for each group.
-    arguments.shorten(states);
-    results.shorten(states);
-    let last = states - S::f64s::LEN;
-    let mut failure = None;
-    let mut first = 0;
-    loop {
-        let group = arguments.load(simd, first);
-        match F::at(robot, &group) {
-            Ok(value) => results.store(first, &value),
-            Err(_) => {
-                let (value, singular) =
-                    one_by_one::<F, R, A, S, N, K, C>(simd, robot, arguments, first);
-                results.store(first, &value);
-                failure = failure.or(singular);
+    /// A group in which a state fails: each by itself, so that none spoils another.
+    #[cold]
+    #[inline(never)]
+    fn one_by_one<R, E, S, const N: usize>(
+        &self,
+        first: usize,
+    ) -> (Value<R, F, N, Wide<S, E>>, Failure)
+    where
+        F: Copy,
+        R: Function<F, N>,
+        E: Precision,
+        B: Arms<R>,
+        A: Arguments<R::Arguments, E>,
+        S: Simd,
+    {
+        let mut values = R::Values::filled(Wide::<S, E>::from_f64(f64::NAN));
+        let mut failure = None;
+        for lane in 0..lanes::<S, E>() {
+            match self.at::<R, E, N>(first + lane) {
+                Ok(value) => {
+                    let set = &mut |lanes: &mut Wide<S, E>, x| lanes.0[lane] = x;
+                    R::Values::zip(&mut values, &value, set);
+                }
+                Err(error) => failure = failure.or(Some((first + lane, error))),
             }
         }
-        if first >= last {
-            return failure;
-        }
-        first = last.min(first + S::f64s::LEN);
+        (values, failure)
     }
-}
 
-/// A group in which a state fails: each by itself, so that none spoils another.
-#[cold]
-#[inline(never)]
-fn one_by_one<F, R, A, S, const N: usize, const K: usize, const C: usize>(
-    simd: S,
-    robot: &R,
-    arguments: A,
-    first: usize,
-) -> (SMatrix<Wide<S>, N, C>, Failure)
-where
-    F: Function<R, N, K, C>,
-    A: Arguments<N, K>,
-    S: Simd,
-{
-    let mut values = SMatrix::<Wide<S>, N, C>::repeat(Wide(S::f64s::splat(simd, f64::NAN)));
-    let mut failure = None;
-    for lane in 0..S::f64s::LEN {
-        match at::<F, R, N, K, C>(robot, &arguments.state(first + lane)) {
-            Ok(value) => {
-                values.zip_apply(&value, |lanes: &mut Wide<S>, x| lanes.0[lane] = x);
-            }
-            Err(error) => failure = failure.or(Some((first + lane, error))),
-        }
+    /// The function at a state, compiled once for all instruction sets.
+    #[inline(never)]
+    fn at<R, E, const N: usize>(
+        &self,
+        state: usize,
+    ) -> Result<Value<R, F, N, E>, SingularMassMatrix>
+    where
+        F: Copy,
+        R: Function<F, N>,
+        E: Precision,
+        B: Arms<R>,
+        A: Arguments<R::Arguments, E>,
+    {
+        let arguments = self.arguments.state(state);
+        R::at(self.arms.arm(state), self.function, &Evaluated, &arguments).map_err(Into::into)
     }
-    (values, failure)
-}
-
-/// The function at a state, compiled once for all instruction sets.
-#[inline(never)]
-fn at<F, R, const N: usize, const K: usize, const C: usize>(
-    robot: &R,
-    arguments: &[SVector<f64, N>; K],
-) -> Result<SMatrix<f64, N, C>, SingularMassMatrix>
-where
-    F: Function<R, N, K, C>,
-{
-    F::at(robot, arguments)
 }

@@ -3,12 +3,15 @@
 use fearless_simd::{Level, Simd};
 use nalgebra::{Matrix3, SVector, Vector2, Vector3};
 
-use super::function::{Function, M, Qdd, Tau};
+use super::arms::Same;
 use super::layout::{States, StatesMut};
-use super::run::{Failure, run};
+use super::run::{Failure, Task};
 use crate::check::random::SplitMix64;
+use crate::function::{Entries, Function, functions};
 use crate::test_arms::CRAIG_ARM;
 use crate::{ForwardDynamics, InverseDynamics, MassMatrix, Scalar};
+
+const M: functions::MassMatrix = functions::MassMatrix;
 
 /// The instruction sets that this processor has.
 fn levels() -> Vec<Level> {
@@ -63,19 +66,24 @@ fn states<const N: usize>(count: usize, seed: u64) -> Vec<SVector<f64, N>> {
     (0..count).map(state).collect()
 }
 
+/// The arrangement of three vectors.
+type Three<const N: usize> = (Entries<N, 1>, Entries<N, 1>, Entries<N, 1>);
+
 /// The function at three vectors for each state.
-fn of_three<F, R, const N: usize>(
+fn of_three<F: Copy, R, const N: usize>(
     level: Level,
+    function: F,
     robot: &R,
     [a, b, c]: [&Vec<SVector<f64, N>>; 3],
 ) -> (Vec<SVector<f64, N>>, Failure)
 where
-    F: Function<R, N, 3, 1>,
+    R: Function<F, N, Arguments = Three<N>, Values = Entries<N, 1>>,
 {
     let mut values = vec![SVector::repeat(7.0); a.len()];
     let arguments = (a.source(), b.source(), c.source());
-    let results = (&mut values).sink();
-    let failure = run::<F, R, _, _, N, 3, 1>(level, robot, arguments, results, a.len());
+    let results = StatesMut::<Entries<N, 1>>::sink(&mut values);
+    let task = Task::new::<R, f64, N>(function, Same(robot), arguments, results);
+    let failure = task.expect("all as long").run::<R, f64, N>(level);
     (values, failure)
 }
 
@@ -90,7 +98,8 @@ fn every_operation_is_that_of_a_double_in_every_lane() {
             b[count - 1 - i][2] = x;
         }
         for level in levels() {
-            let (values, failure) = of_three::<Tau, _, 3>(level, &Operations, [&a, &b, &c]);
+            let (values, failure) =
+                of_three(level, functions::InverseDynamics, &Operations, [&a, &b, &c]);
             assert!(failure.is_none());
             for (i, value) in values.iter().enumerate() {
                 let expected = Operations.inverse_dynamics(&a[i], &b[i], &c[i]);
@@ -114,10 +123,14 @@ fn matrices_come_in_either_layout() {
             let columns = entries.each_mut().map(|c| c.each_mut().map(|c| &mut c[..]));
             let q_columns = [0, 1, 2].map(|j| q.iter().map(|q| q[j]).collect::<Vec<_>>());
             let views = q_columns.each_ref().map(|column| &column[..]);
-            let (rows_sink, q_source) = ((&mut rows).sink(), (&q).source());
-            run::<M, _, _, _, 3, 1, 3>(level, &Operations, (q_source,), rows_sink, count);
-            let sink = columns.sink();
-            run::<M, _, _, _, 3, 1, 3>(level, &Operations, (views.source(),), sink, count);
+            let rows_sink = StatesMut::<Entries<3, 3>>::sink(&mut rows);
+            let by_rows = ((&q).source(),);
+            let task = Task::new::<Operations, f64, 3>(M, Same(&Operations), by_rows, rows_sink);
+            task.unwrap().run::<Operations, f64, 3>(level);
+            let sink = StatesMut::<Entries<3, 3>>::sink(columns);
+            let by_columns = (views.source(),);
+            let task = Task::new::<Operations, f64, 3>(M, Same(&Operations), by_columns, sink);
+            task.unwrap().run::<Operations, f64, 3>(level);
             for (state, q) in q.iter().enumerate() {
                 let expected = Operations.mass_matrix(q);
                 assert_eq!(rows[state], expected, "{level:?}");
@@ -139,7 +152,8 @@ fn a_state_without_accelerations_is_found_in_any_lane() {
         for singular in 0..21 {
             let mut q = q.clone();
             q[singular][1] = 0.0;
-            let (values, failure) = of_three::<Qdd, _, 2>(level, &arm, [&q, &qd, &tau]);
+            let (values, failure) =
+                of_three(level, functions::ForwardDynamics, &arm, [&q, &qd, &tau]);
             let error = arm.forward_dynamics(&q[singular], &qd[singular], &tau[singular]);
             assert_eq!(failure, error.err().map(|error| (singular, error)));
             for (i, value) in values.iter().enumerate() {

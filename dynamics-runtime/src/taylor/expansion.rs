@@ -7,7 +7,7 @@ use super::coefficients::{MAX_TAYLOR_ORDER, TaylorCoefficients};
 use super::products::Products;
 use super::term::{Coefficients, Term};
 use crate::factorisation::Factors;
-use crate::sines::Known;
+use crate::inputs::Known;
 use crate::{Scalar, SingularMassMatrix};
 
 /// The series of a motion, and all that its next coefficient depends on.

@@ -40,7 +40,7 @@ mod term;
 
 use nalgebra::{SMatrix, SVector};
 
-use crate::{JointSines, Model, Scalar, SingularMassMatrix};
+use crate::{Inputs, Model, Scalar, SingularMassMatrix};
 pub use coefficients::{MAX_TAYLOR_ORDER, TaylorCoefficients};
 use expansion::Expansion;
 pub use products::{Block, Common, ProductTable, Products};
@@ -64,7 +64,7 @@ pub trait TaylorDynamics<const N: usize>: Model<N> {
     #[doc(hidden)]
     fn leading_matrix<T: Scalar>(
         &self,
-        sines: &impl JointSines<T>,
+        sines: &impl Inputs<T>,
         q: &SVector<T, N>,
     ) -> SMatrix<T, N, N>;
 

@@ -225,7 +225,7 @@ mod tests {
     use super::{SeriesStepper, Steady};
     use crate::integrate::{Phase, StepRange, Stepper, Tolerance};
     use crate::taylor::{ProductTable, SeriesTerm, TaylorDynamics};
-    use crate::{JointSines, Model, Scalar, Table};
+    use crate::{Inputs, Model, Scalar, Table};
 
     /// qdd + sin q = tau.
     struct Swing;
@@ -243,7 +243,7 @@ mod tests {
 
         fn leading_matrix<T: Scalar>(
             &self,
-            _: &impl JointSines<T>,
+            _: &impl Inputs<T>,
             q: &SVector<T, 1>,
         ) -> SMatrix<T, 1, 1> {
             SMatrix::<T, 1, 1>::new(q[0].constant(1.0))

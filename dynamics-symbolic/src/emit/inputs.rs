@@ -45,11 +45,11 @@ fn element(vector: Argument, i: usize) -> TokenStream {
 
 /// Position or velocity behind a symbol's index: of a follower, that of the joint it follows times the
 /// factor.
-fn of_joint(robot: &Robot, argument: Argument, i: usize) -> TokenStream {
-    match robot.followed(i) {
+fn of_joint(cells: &Cells, argument: Argument, i: usize) -> TokenStream {
+    match cells.robot.followed(i) {
         None => element(argument, i),
         Some((leader, factor)) => {
-            let (factor, x) = (parametric(robot, factor), element(argument, leader));
+            let (factor, x) = (cells.value(factor), element(argument, leader));
             quote!((#factor * #x))
         }
     }
@@ -105,9 +105,10 @@ pub(super) fn inputs(
     path: &TokenStream,
 ) -> TokenStream {
     let angles = program.angles();
-    let of_trait = request.function().and_then(|f| f.trait_name());
     let name = |symbol: &Symbol| ident(&input_name(robot, symbol, &angles));
-    let mut lines = sines(robot, of_trait.is_some(), &angles, path);
+    let like = request.arguments().first().map(|first| element(*first, 0));
+    let cells = Cells { robot, path, like };
+    let mut lines = sines(&cells, true, &angles);
     let mut symbols: Vec<_> = program.inputs.iter().collect();
     symbols.sort_by_key(|symbol| place(symbol));
     for symbol in symbols {
@@ -118,11 +119,11 @@ pub(super) fn inputs(
             Symbol::Force(i) => element(Argument::Force, *i),
             Symbol::Entry(argument, i) => element(*argument, *i),
             Symbol::VelocitySign(i) => {
-                let velocity = of_joint(robot, Argument::Velocity, *i);
+                let velocity = of_joint(&cells, Argument::Velocity, *i);
                 quote!(#path::Scalar::sign(#velocity))
             }
-            Symbol::Stribeck(i) => stribeck(robot, *i, path),
-            Symbol::Field(i) => parametric(robot, &Value::Field(*i)),
+            Symbol::Stribeck(i) => stribeck(&cells, *i),
+            Symbol::Field(i) => cells.value(&Value::Field(*i)),
             _ => continue,
         };
         let name = name(symbol);
@@ -137,11 +138,16 @@ pub(super) fn constant_inputs(robot: &Robot, program: &Program, path: &TokenStre
     let angles = program.angles();
     let constant = |angle: &&Symbol| !matches!(angle, Symbol::Sine(_) | Symbol::Cosine(_));
     let of_constants: Vec<_> = angles.iter().copied().filter(constant).collect();
-    let mut lines = sines(robot, false, &of_constants, path);
+    let cells = Cells {
+        robot,
+        path,
+        like: None,
+    };
+    let mut lines = sines(&cells, false, &of_constants);
     for symbol in &program.inputs {
         if let Symbol::Field(i) = symbol {
             let name = ident(&input_name(robot, symbol, &angles));
-            let value = parametric(robot, &Value::Field(*i));
+            let value = cells.value(&Value::Field(*i));
             lines.extend(quote!(let #name = #value;));
         }
     }
@@ -150,12 +156,8 @@ pub(super) fn constant_inputs(robot: &Robot, program: &Program, path: &TokenStre
 
 /// The sines and cosines, all angles of a kind in one call, which evaluates them in the lanes of a
 /// vector register. Where the runtime may know those of the joints, they are asked for and come from `sines`.
-fn sines(
-    robot: &Robot,
-    are_asked_for: bool,
-    angles: &[&Symbol],
-    path: &TokenStream,
-) -> TokenStream {
+fn sines(cells: &Cells, are_asked_for: bool, angles: &[&Symbol]) -> TokenStream {
+    let Cells { robot, path, .. } = cells;
     let pair = |sine: Symbol, cosine: Symbol| {
         let [s, c] = [sine, cosine].map(|symbol| ident(&input_name(robot, &symbol, angles)));
         quote!((#s, #c))
@@ -171,12 +173,12 @@ fn sines(
             }
             Symbol::Sine(i) | Symbol::Cosine(i) => {
                 pairs.push(pair(Symbol::Sine(*i), Symbol::Cosine(*i)));
-                arguments.push(of_joint(robot, Argument::Position, *i));
+                arguments.push(of_joint(cells, Argument::Position, *i));
             }
             Symbol::AngleSine(value) | Symbol::AngleCosine(value) => {
                 let [sine, cosine] = [Symbol::AngleSine, Symbol::AngleCosine];
                 pairs.push(pair(sine(value.clone()), cosine(value.clone())));
-                arguments.push(parametric(robot, value));
+                arguments.push(cells.value(value));
             }
             _ => {}
         }
@@ -185,7 +187,7 @@ fn sines(
     let asked_for = (!known.is_empty()).then(|| {
         quote! {
             let [#(#known),*] =
-                #path::JointSines::sin_cos(#sines, [#(#joints),*], [#(#positions),*]);
+                #path::Inputs::sin_cos(#sines, [#(#joints),*], [#(#positions),*]);
         }
     });
     let evaluated = match (&pairs[..], &arguments[..]) {
@@ -213,44 +215,67 @@ pub(super) fn place(symbol: &Symbol) -> (u8, usize) {
 }
 
 /// exp(-(qd/v)^2) of the joint behind a symbol's index.
-fn stribeck(robot: &Robot, joint: usize, path: &TokenStream) -> TokenStream {
-    let row = robot.row_of(joint);
+fn stribeck(cells: &Cells, joint: usize) -> TokenStream {
+    let row = cells.robot.row_of(joint);
     let stribeck = row.and_then(|row| row.stribeck.as_ref());
-    let v = stribeck.map(|stribeck| parametric(robot, &stribeck.velocity));
-    let (qd, x) = (of_joint(robot, Argument::Velocity, joint), ident("x"));
+    let v = stribeck.map(|stribeck| cells.value(&stribeck.velocity));
+    let (qd, x) = (of_joint(cells, Argument::Velocity, joint), ident("x"));
+    let path = cells.path;
     quote! {{
         let #x = #qd / #v;
         #path::Scalar::exp(-(#x * #x))
     }}
 }
 
-/// A parametric cell as an expression over the fields.
-fn parametric(robot: &Robot, value: &Value) -> TokenStream {
-    let real = ident("real");
-    match value {
-        Value::Rational(_) | Value::Pi => {
-            let x = literal(value.to_f64(&[]));
-            quote!(#real(#x))
+/// Parametric cells as expressions over the fields.
+struct Cells<'a> {
+    robot: &'a Robot,
+    path: &'a TokenStream,
+    /// A number of the method's arguments, where the runtime is asked for fields by `sines`: in lanes each may
+    /// have its own.
+    like: Option<TokenStream>,
+}
+
+impl Cells<'_> {
+    fn value(&self, value: &Value) -> TokenStream {
+        let real = ident("real");
+        match value {
+            Value::Rational(_) | Value::Pi => {
+                let x = literal(value.to_f64(&[]));
+                quote!(#real(#x))
+            }
+            Value::Field(i) => self.field(*i),
+            Value::Neg(a) => {
+                let a = self.value(a);
+                quote!((-#a))
+            }
+            Value::Add(a, b) => {
+                let (a, b) = (self.value(a), self.value(b));
+                quote!((#a + #b))
+            }
+            Value::Mul(a, b) => {
+                let (a, b) = (self.value(a), self.value(b));
+                quote!((#a * #b))
+            }
+            Value::Div(a, b) => {
+                let (a, b) = (self.value(a), self.value(b));
+                quote!((#a / #b))
+            }
         }
-        Value::Field(i) => {
-            let field = field(&robot.fields[*i]);
-            quote!(#real(self.#field))
-        }
-        Value::Neg(a) => {
-            let a = parametric(robot, a);
-            quote!((-#a))
-        }
-        Value::Add(a, b) => {
-            let (a, b) = (parametric(robot, a), parametric(robot, b));
-            quote!((#a + #b))
-        }
-        Value::Mul(a, b) => {
-            let (a, b) = (parametric(robot, a), parametric(robot, b));
-            quote!((#a * #b))
-        }
-        Value::Div(a, b) => {
-            let (a, b) = (parametric(robot, a), parametric(robot, b));
-            quote!((#a / #b))
+    }
+
+    fn field(&self, index: usize) -> TokenStream {
+        let name = field(&self.robot.fields[index]);
+        match &self.like {
+            Some(like) => {
+                let (path, sines) = (self.path, ident("sines"));
+                let index = Literal::usize_unsuffixed(index);
+                quote!(#path::Inputs::field(#sines, #index, self.#name, #like))
+            }
+            None => {
+                let real = ident("real");
+                quote!(#real(self.#name))
+            }
         }
     }
 }

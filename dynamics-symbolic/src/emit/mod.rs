@@ -17,8 +17,12 @@ mod signature;
 
 pub use languages::{CSource, c_source, description, javascript_module};
 use signature::signature;
-pub use signature::{base_parameter_constants, method_name, stub, stub_of_trait};
-use signature::{call, leading_matrix, provided, without_parameters};
+pub use signature::{
+    base_parameter_constants, function_type, method_name, stub, stub_of_function, stub_of_trait,
+};
+use signature::{
+    call, call_of_function, function_items, leading_matrix, provided, without_parameters,
+};
 
 use crate::formula::Formulas;
 use crate::function::{Function, Request, sizes_of};
@@ -34,6 +38,8 @@ pub struct Emitted {
     /// The item of the implementation of the trait that is named as the function is, where the
     /// runtime has one.
     pub provided: Option<TokenStream>,
+    /// The items of the implementation of the runtime's trait `Function`, where it has no trait of its own.
+    pub function: Option<TokenStream>,
 }
 
 /// The method `taylor_series`, and the items of `TaylorDynamics`: the inverse dynamics over series,
@@ -62,18 +68,19 @@ pub fn taylor_series(
             pub #signature { #call }
         },
         provided: Some(quote!(#series #matrix)),
+        function: None,
     }
 }
 
-/// The documented method of a function, or of several, with the rounded constants of its program; `notes` and
-/// `formulas` stand in its documentation, `path` is the path of the runtime crate.
+/// The documented method of a function, or of several, with the rounded constants of its program; `index` is its
+/// number among the methods, `notes` and `formulas` stand in its documentation, `path` is the path of the runtime
+/// crate.
 ///
-/// The body of a function that the runtime calls in lanes stands in the implementation of its
-/// trait: it must be compiled into the loop over the lanes, for the instructions that are chosen
-/// there.
+/// The body stands in the implementation of a trait of the runtime, which calls it in lanes, too: it must
+/// be compiled into the loop over the lanes, for the instructions that are chosen there.
 pub fn method(
     robot: &Robot,
-    request: &Request,
+    (request, index): (&Request, usize),
     program: &Program,
     constants: &[f64],
     formulas: Option<&Formulas>,
@@ -85,13 +92,25 @@ pub fn method(
     let sizes = sizes_of(request.parts(), robot.dof(), program.outputs.len());
     let signature = signature(request, sizes, path);
     let body = body::body(robot, request, program, constants, path);
+    let work = program.operations().with_sines();
     let of_trait = request.function().and_then(|function| {
-        let item = provided(function, robot.dof(), path, &body)?;
+        let item = provided(function, robot.dof(), path, &body, work)?;
         Some((call(function, robot.dof(), path), item))
     });
-    let (inherent, provided) = match of_trait {
-        None => (body, None),
-        Some((call, item)) => (call, Some(item)),
+    let (inherent, provided, function) = match of_trait {
+        Some((call, item)) => (call, Some(item), None),
+        None => {
+            let body = match request.refuses() {
+                true => body,
+                false => quote!(::core::result::Result::Ok({ #body })),
+            };
+            let items = function_items(request, index, sizes, path, &body, work);
+            (
+                call_of_function(request, index, sizes, path),
+                None,
+                Some(items),
+            )
+        }
     };
     Emitted {
         inherent: quote! {
@@ -101,5 +120,6 @@ pub fn method(
             pub #signature { #inherent }
         },
         provided,
+        function,
     }
 }

@@ -131,6 +131,7 @@ pub(super) fn provided(
     dof: usize,
     path: &TokenStream,
     body: &TokenStream,
+    work: u32,
 ) -> Option<TokenStream> {
     function.trait_name()?;
     if *function.shape() == Shape::Series {
@@ -145,7 +146,10 @@ pub(super) fn provided(
     let sines = ident("sines");
     let (names, arguments) = (names(function), parameters_of(&request, &n, path));
     let output = output_type(&request, sizes, &n, path);
+    let work = Literal::u32_unsuffixed(work);
     Some(quote! {
+        const WORK: u32 = #work;
+
         #[inline(always)]
         #signature {
             Self::#at(self, &#path::Evaluated #(, #names)*)
@@ -154,7 +158,7 @@ pub(super) fn provided(
         #[inline(always)]
         fn #at<T: #path::Scalar>(
             &self,
-            #sines: &impl #path::JointSines<T>
+            #sines: &impl #path::Inputs<T>
             #(, #arguments)*
         ) -> #output {
             #body
@@ -170,7 +174,7 @@ pub(super) fn leading_matrix(dof: usize, path: &TokenStream, body: &TokenStream)
         #[inline(always)]
         fn leading_matrix<T: #path::Scalar>(
             &self,
-            #sines: &impl #path::JointSines<T>,
+            #sines: &impl #path::Inputs<T>,
             #q: &#path::nalgebra::SVector<T, #n>
         ) -> #path::nalgebra::SMatrix<T, #n, #n> {
             #body
@@ -223,7 +227,148 @@ pub fn stub(request: &Request, dof: usize, path: &TokenStream) -> TokenStream {
 /// The item of the runtime's trait for the function, if there is one, without a body: see
 /// [`stub`].
 pub fn stub_of_trait(function: Function, dof: usize, path: &TokenStream) -> Option<TokenStream> {
-    provided(function, dof, path, &quote!(::core::unimplemented!()))
+    provided(function, dof, path, &quote!(::core::unimplemented!()), 0)
+}
+
+/// The type by which the runtime's trait `Function` knows what is asked for: several functions by their
+/// number among the methods.
+pub fn function_type(request: &Request, index: usize, path: &TokenStream) -> TokenStream {
+    match request {
+        Request::One(function) => {
+            let name = ident(&format!("{function:?}"));
+            quote!(#path::functions::#name)
+        }
+        Request::Fused(_) => {
+            let index = Literal::usize_unsuffixed(index);
+            quote!(#path::functions::Fused<#index>)
+        }
+    }
+}
+
+/// Values in an arrangement as the runtime's trait `Arrangement` has them.
+fn arrangement(shape: &Shape, n: &TokenStream, sizes: Sizes, path: &TokenStream) -> TokenStream {
+    let size = |size: Size| match size {
+        Size::Joints => n.clone(),
+        other => Literal::usize_unsuffixed(other.of(sizes)).into_token_stream(),
+    };
+    match shape {
+        Shape::Number => quote!(#path::Number),
+        Shape::Matrix(rows, columns) => {
+            let (rows, columns) = (size(*rows), size(*columns));
+            quote!(#path::Entries<#rows, #columns>)
+        }
+        Shape::Each(one) => {
+            let one = arrangement(one, n, sizes, path);
+            quote!([#one; #n])
+        }
+        Shape::Tuple(parts) => {
+            let parts = parts.iter().map(|part| arrangement(part, n, sizes, path));
+            quote!((#(#parts,)*))
+        }
+        // It has a trait of its own.
+        Shape::Series => quote!(()),
+    }
+}
+
+/// The items of the runtime's trait `Function` for what has no trait of its own.
+pub(super) fn function_items(
+    request: &Request,
+    index: usize,
+    sizes: Sizes,
+    path: &TokenStream,
+    body: &TokenStream,
+    work: u32,
+) -> TokenStream {
+    let n = number_of_joints(sizes.joints);
+    let function = function_type(request, index, path);
+    let arguments = request.arguments();
+    let shapes = arguments.iter().filter_map(|argument| argument.shape());
+    let taken = shapes.map(|shape| arrangement(&shape, &n, sizes, path));
+    let parts = request.parts().iter();
+    let mut values = parts.map(|part| arrangement(part.shape(), &n, sizes, path));
+    let values = match request {
+        Request::One(_) => values.next().unwrap_or_default(),
+        Request::Fused(_) => quote!((#(#values,)*)),
+    };
+    let names: Vec<Ident> = arguments
+        .iter()
+        .map(|argument| ident(argument.name()))
+        .collect();
+    let texts = arguments.iter().map(|argument| argument.name());
+    let (result, work) = (request.result(), Literal::u32_unsuffixed(work));
+    let in_lanes = !arguments.is_empty();
+    let error = match request.refuses() {
+        true => quote!(#path::SingularMassMatrix),
+        false => quote!(::core::convert::Infallible),
+    };
+    let sines = ident("sines");
+    quote! {
+        type Arguments = (#(#taken,)*);
+        type Values = #values;
+        type Error = #error;
+
+        const ARGUMENTS: &'static [&'static str] = &[#(#texts),*];
+        const RESULT: &'static str = #result;
+        const WORK: u32 = #work;
+        const IN_LANES: bool = #in_lanes;
+
+        #[inline(always)]
+        fn at<T: #path::Scalar>(
+            &self,
+            _: #function,
+            #sines: &impl #path::Inputs<T>,
+            (#(#names,)*): &<Self::Arguments as #path::Arrangement>::Of<T>,
+        ) -> ::core::result::Result<<Self::Values as #path::Arrangement>::Of<T>, Self::Error> {
+            #body
+        }
+    }
+}
+
+/// The call of that.
+pub(super) fn call_of_function(
+    request: &Request,
+    index: usize,
+    sizes: Sizes,
+    path: &TokenStream,
+) -> TokenStream {
+    let (n, function) = (
+        number_of_joints(sizes.joints),
+        function_type(request, index, path),
+    );
+    let value = match request {
+        Request::One(_) => function.clone(),
+        Request::Fused(_) => {
+            let index = Literal::usize_unsuffixed(index);
+            quote!(#path::functions::Fused::<#index>)
+        }
+    };
+    let names = request
+        .arguments()
+        .into_iter()
+        .map(|argument| ident(argument.name()));
+    let call = quote! {
+        <Self as #path::Function<#function, #n>>::at(self, #value, &#path::Evaluated, &(#(*#names,)*))
+    };
+    let values = ident("all_values");
+    match request.refuses() {
+        true => call,
+        false => quote!(let ::core::result::Result::Ok(#values) = #call; #values),
+    }
+}
+
+/// The implementation of the runtime's trait `Function` without a body, where a function has no trait of its own:
+/// see [`stub`].
+pub fn stub_of_function(
+    request: &Request,
+    index: usize,
+    dof: usize,
+    path: &TokenStream,
+) -> Option<TokenStream> {
+    let body = quote!(::core::unimplemented!());
+    let has_trait = request
+        .function()
+        .is_some_and(|function| function.trait_name().is_some());
+    (!has_trait).then(|| function_items(request, index, without_parameters(dof), path, &body, 0))
 }
 
 #[cfg(test)]

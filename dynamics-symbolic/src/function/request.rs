@@ -40,6 +40,18 @@ impl Request {
         }
     }
 
+    /// The name of the results, where they are handed in: of accelerations and torques that of the argument
+    /// which they are elsewhere.
+    pub fn result(&self) -> &str {
+        match self {
+            Request::One(Function::InverseDynamics) => Argument::Force.name(),
+            Request::One(Function::ForwardDynamics | Function::ForwardDynamicsAba) => {
+                Argument::Acceleration.name()
+            }
+            request => request.name(),
+        }
+    }
+
     /// The function, where it is one.
     pub fn function(&self) -> Option<Function> {
         match self {

@@ -21,8 +21,8 @@ pub struct Row {
     pub symbol: Option<&'static str>,
     /// Whether it is generated without being asked for.
     pub set: Set,
-    /// The runtime's trait whose methods hold its program: functions that are also evaluated at many
-    /// states at once or with sines that are known, and Taylor series.
+    /// The runtime's trait of its own whose methods hold its program: functions that are also evaluated
+    /// with sines that are known, and Taylor series. All others are implementations of `Function`.
     pub provided: Option<&'static str>,
     /// Another way of writing it beside the recursion that is made for it.
     pub second: Option<Second>,

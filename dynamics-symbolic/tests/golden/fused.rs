@@ -41,38 +41,16 @@ impl Arm {
         ::robot_dynamics::nalgebra::SVector<T, 2>,
         ::robot_dynamics::nalgebra::SVector<T, 2>,
     ) {
-        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_2, c_2), (s_1, c_1)] = ::robot_dynamics::Scalar::sin_cos_array([
-            q.data.0[0][1],
-            q.data.0[0][0],
-        ]);
-        let qd_1 = qd.data.0[0][0];
-        let qd_2 = qd.data.0[0][1];
-        let t_1 = real(4.166666666666667) + c_2;
-        let t_2 = real(2.0) * t_1;
-        let t_3 = real(0.3333333333333333) + c_2;
-        let t_4 = qd_1 * s_2;
-        let t_5 = s_2.mul_add(qd_2, t_4);
-        let t_6 = t_4 + t_5;
-        let t_7 = qd_2 * t_6;
-        let t_8 = qd_1 * t_4;
-        let t_9 = (-s_1).mul_add(s_2, c_1 * c_2);
-        let t_10 = real(4.905) * t_9;
-        let t_11 = real(49.05).mul_add(c_1, t_10);
-        (
-            ::robot_dynamics::nalgebra::SMatrix::from_data(
-                ::robot_dynamics::nalgebra::ArrayStorage([
-                    [t_2, t_3],
-                    [t_3, real(0.3333333333333333)],
-                ]),
-            ),
-            ::robot_dynamics::nalgebra::SMatrix::from_data(
-                ::robot_dynamics::nalgebra::ArrayStorage([[-t_7, t_8]]),
-            ),
-            ::robot_dynamics::nalgebra::SMatrix::from_data(
-                ::robot_dynamics::nalgebra::ArrayStorage([[t_11, t_10]]),
-            ),
-        )
+        let ::core::result::Result::Ok(all_values) = <Self as ::robot_dynamics::Function<
+            ::robot_dynamics::functions::Fused<0>,
+            2,
+        >>::at(
+            self,
+            ::robot_dynamics::functions::Fused::<0>,
+            &::robot_dynamics::Evaluated,
+            &(*q, *qd),
+        );
+        all_values
     }
     /// (`forward_dynamics`, `kinetic_energy`) at one state, as one program.
     ///
@@ -106,11 +84,143 @@ impl Arm {
         (::robot_dynamics::nalgebra::SVector<T, 2>, T),
         ::robot_dynamics::SingularMassMatrix,
     > {
+        <Self as ::robot_dynamics::Function<
+            ::robot_dynamics::functions::Fused<1>,
+            2,
+        >>::at(
+            self,
+            ::robot_dynamics::functions::Fused::<1>,
+            &::robot_dynamics::Evaluated,
+            &(*q, *qd, *tau),
+        )
+    }
+    /// (`friction_vector`, `potential_energy`) at one state, as one program.
+    ///
+    /// - `0`: Friction vector F(qd) = viscous qd + sign(qd) (C + (S - C) exp(-(qd/v)^2)), N m or N, with sign(0) = 0: C is the Coulomb friction of the direction, S static friction that falls to it over the velocity v, where the table has one, else C.
+    /// - `1`: Potential energy U(q) = -sum m g.c, zero at the origin of the base frame, and that of springs, 1/2 stiffness (q - rest)^2, J.
+    ///
+    /// `q`: joint positions, rad; `qd`: joint velocities, rad per s.
+    ///
+    /// A call of each function takes 5 multiplications, additions and divisions in all, and sines and cosines 2 times: nothing but sines and cosines is saved here.
+    ///
+    /// Operations: 3 multiplications, 2 additions, sines and cosines of 2 angles.
+    ///
+    /// F1, F2 are zero.
+    ///
+    /// ```text
+    /// F1 = 0
+    /// F2 = 0
+    /// U = 49.05 s1 + 4.905 s12
+    /// with s1 = sin(q1), s12 = sin(q1 + q2)
+    /// ```
+    ///
+    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
+    #[inline]
+    #[allow(unused_variables, clippy::all)]
+    pub fn apart<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> (::robot_dynamics::nalgebra::SVector<T, 2>, T) {
+        let ::core::result::Result::Ok(all_values) = <Self as ::robot_dynamics::Function<
+            ::robot_dynamics::functions::Fused<2>,
+            2,
+        >>::at(
+            self,
+            ::robot_dynamics::functions::Fused::<2>,
+            &::robot_dynamics::Evaluated,
+            &(*q, *qd),
+        );
+        all_values
+    }
+}
+impl Function for Arm {
+    type Arguments = (::robot_dynamics::Entries<2, 1>, ::robot_dynamics::Entries<2, 1>);
+    type Values = (
+        ::robot_dynamics::Entries<2, 2>,
+        ::robot_dynamics::Entries<2, 1>,
+        ::robot_dynamics::Entries<2, 1>,
+    );
+    type Error = ::core::convert::Infallible;
+    const ARGUMENTS: &'static [&'static str] = &["q", "qd"];
+    const RESULT: &'static str = "control_terms";
+    const WORK: u32 = 95;
+    const IN_LANES: bool = true;
+    #[inline(always)]
+    fn at<T: ::robot_dynamics::Scalar>(
+        &self,
+        _: ::robot_dynamics::functions::Fused<0>,
+        sines: &impl ::robot_dynamics::Inputs<T>,
+        (q, qd): &<Self::Arguments as ::robot_dynamics::Arrangement>::Of<T>,
+    ) -> ::core::result::Result<
+        <Self::Values as ::robot_dynamics::Arrangement>::Of<T>,
+        Self::Error,
+    > {
+        ::core::result::Result::Ok({
+            let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+            let [(s_2, c_2), (s_1, c_1)] = ::robot_dynamics::Inputs::sin_cos(
+                sines,
+                [1, 0],
+                [q.data.0[0][1], q.data.0[0][0]],
+            );
+            let qd_1 = qd.data.0[0][0];
+            let qd_2 = qd.data.0[0][1];
+            let t_1 = real(4.166666666666667) + c_2;
+            let t_2 = real(2.0) * t_1;
+            let t_3 = real(0.3333333333333333) + c_2;
+            let t_4 = qd_1 * s_2;
+            let t_5 = s_2.mul_add(qd_2, t_4);
+            let t_6 = t_4 + t_5;
+            let t_7 = qd_2 * t_6;
+            let t_8 = qd_1 * t_4;
+            let t_9 = (-s_1).mul_add(s_2, c_1 * c_2);
+            let t_10 = real(4.905) * t_9;
+            let t_11 = real(49.05).mul_add(c_1, t_10);
+            (
+                ::robot_dynamics::nalgebra::SMatrix::from_data(
+                    ::robot_dynamics::nalgebra::ArrayStorage([
+                        [t_2, t_3],
+                        [t_3, real(0.3333333333333333)],
+                    ]),
+                ),
+                ::robot_dynamics::nalgebra::SMatrix::from_data(
+                    ::robot_dynamics::nalgebra::ArrayStorage([[-t_7, t_8]]),
+                ),
+                ::robot_dynamics::nalgebra::SMatrix::from_data(
+                    ::robot_dynamics::nalgebra::ArrayStorage([[t_11, t_10]]),
+                ),
+            )
+        })
+    }
+}
+impl Function for Arm {
+    type Arguments = (
+        ::robot_dynamics::Entries<2, 1>,
+        ::robot_dynamics::Entries<2, 1>,
+        ::robot_dynamics::Entries<2, 1>,
+    );
+    type Values = (::robot_dynamics::Entries<2, 1>, ::robot_dynamics::Number);
+    type Error = ::robot_dynamics::SingularMassMatrix;
+    const ARGUMENTS: &'static [&'static str] = &["q", "qd", "tau"];
+    const RESULT: &'static str = "motion";
+    const WORK: u32 = 114;
+    const IN_LANES: bool = true;
+    #[inline(always)]
+    fn at<T: ::robot_dynamics::Scalar>(
+        &self,
+        _: ::robot_dynamics::functions::Fused<1>,
+        sines: &impl ::robot_dynamics::Inputs<T>,
+        (q, qd, tau): &<Self::Arguments as ::robot_dynamics::Arrangement>::Of<T>,
+    ) -> ::core::result::Result<
+        <Self::Values as ::robot_dynamics::Arrangement>::Of<T>,
+        Self::Error,
+    > {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_2, c_2), (s_1, c_1)] = ::robot_dynamics::Scalar::sin_cos_array([
-            q.data.0[0][1],
-            q.data.0[0][0],
-        ]);
+        let [(s_2, c_2), (s_1, c_1)] = ::robot_dynamics::Inputs::sin_cos(
+            sines,
+            [1, 0],
+            [q.data.0[0][1], q.data.0[0][0]],
+        );
         let qd_1 = qd.data.0[0][0];
         let qd_2 = qd.data.0[0][1];
         let tau_1 = tau.data.0[0][0];
@@ -150,47 +260,41 @@ impl Arm {
             t_21,
         ))
     }
-    /// (`friction_vector`, `potential_energy`) at one state, as one program.
-    ///
-    /// - `0`: Friction vector F(qd) = viscous qd + sign(qd) (C + (S - C) exp(-(qd/v)^2)), N m or N, with sign(0) = 0: C is the Coulomb friction of the direction, S static friction that falls to it over the velocity v, where the table has one, else C.
-    /// - `1`: Potential energy U(q) = -sum m g.c, zero at the origin of the base frame, and that of springs, 1/2 stiffness (q - rest)^2, J.
-    ///
-    /// `q`: joint positions, rad; `qd`: joint velocities, rad per s.
-    ///
-    /// A call of each function takes 5 multiplications, additions and divisions in all, and sines and cosines 2 times: nothing but sines and cosines is saved here.
-    ///
-    /// Operations: 3 multiplications, 2 additions, sines and cosines of 2 angles.
-    ///
-    /// F1, F2 are zero.
-    ///
-    /// ```text
-    /// F1 = 0
-    /// F2 = 0
-    /// U = 49.05 s1 + 4.905 s12
-    /// with s1 = sin(q1), s12 = sin(q1 + q2)
-    /// ```
-    ///
-    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
-    #[allow(unused_variables, clippy::all)]
-    pub fn apart<T: ::robot_dynamics::Scalar>(
+}
+impl Function for Arm {
+    type Arguments = (::robot_dynamics::Entries<2, 1>, ::robot_dynamics::Entries<2, 1>);
+    type Values = (::robot_dynamics::Entries<2, 1>, ::robot_dynamics::Number);
+    type Error = ::core::convert::Infallible;
+    const ARGUMENTS: &'static [&'static str] = &["q", "qd"];
+    const RESULT: &'static str = "apart";
+    const WORK: u32 = 85;
+    const IN_LANES: bool = true;
+    #[inline(always)]
+    fn at<T: ::robot_dynamics::Scalar>(
         &self,
-        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
-        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
-    ) -> (::robot_dynamics::nalgebra::SVector<T, 2>, T) {
-        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Scalar::sin_cos_array([
-            q.data.0[0][0],
-            q.data.0[0][1],
-        ]);
-        let t_1 = real(10.0) + c_2;
-        let t_2 = s_1.mul_add(t_1, c_1 * s_2);
-        let t_3 = real(4.905) * t_2;
-        (
-            ::robot_dynamics::nalgebra::SMatrix::from_data(
-                ::robot_dynamics::nalgebra::ArrayStorage([[real(0.0), real(0.0)]]),
-            ),
-            t_3,
-        )
+        _: ::robot_dynamics::functions::Fused<2>,
+        sines: &impl ::robot_dynamics::Inputs<T>,
+        (q, qd): &<Self::Arguments as ::robot_dynamics::Arrangement>::Of<T>,
+    ) -> ::core::result::Result<
+        <Self::Values as ::robot_dynamics::Arrangement>::Of<T>,
+        Self::Error,
+    > {
+        ::core::result::Result::Ok({
+            let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+            let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+                sines,
+                [0, 1],
+                [q.data.0[0][0], q.data.0[0][1]],
+            );
+            let t_1 = real(10.0) + c_2;
+            let t_2 = s_1.mul_add(t_1, c_1 * s_2);
+            let t_3 = real(4.905) * t_2;
+            (
+                ::robot_dynamics::nalgebra::SMatrix::from_data(
+                    ::robot_dynamics::nalgebra::ArrayStorage([[real(0.0), real(0.0)]]),
+                ),
+                t_3,
+            )
+        })
     }
 }

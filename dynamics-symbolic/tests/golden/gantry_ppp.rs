@@ -96,19 +96,16 @@ impl Arm {
         &self,
         qd: &::robot_dynamics::nalgebra::SVector<T, 3>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 3> {
-        let real = |x: f64| ::robot_dynamics::Scalar::constant(qd.data.0[0][0], x);
-        let qd_1 = qd.data.0[0][0];
-        let qd_2 = qd.data.0[0][1];
-        let qd_3 = qd.data.0[0][2];
-        let sign_1 = ::robot_dynamics::Scalar::sign(qd.data.0[0][0]);
-        let sign_2 = ::robot_dynamics::Scalar::sign(qd.data.0[0][1]);
-        let sign_3 = ::robot_dynamics::Scalar::sign(qd.data.0[0][2]);
-        let t_1 = real(8.0).mul_add(sign_1, real(5.0) * qd_1);
-        let t_2 = real(6.0).mul_add(sign_2, real(4.0) * qd_2);
-        let t_3 = real(4.0).mul_add(sign_3, real(3.0) * qd_3);
-        ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([[t_1, t_2, t_3]]),
-        )
+        let ::core::result::Result::Ok(all_values) = <Self as ::robot_dynamics::Function<
+            ::robot_dynamics::functions::FrictionVector,
+            3,
+        >>::at(
+            self,
+            ::robot_dynamics::functions::FrictionVector,
+            &::robot_dynamics::Evaluated,
+            &(*qd,),
+        );
+        all_values
     }
     /// Inverse dynamics tau = M(q) qdd + V(q, qd) + G(q) + K(q) + F(qd), N m or N, as one program; K is of springs, F of friction.
     ///
@@ -181,17 +178,16 @@ impl Arm {
         q: &::robot_dynamics::nalgebra::SVector<T, 3>,
         qd: &::robot_dynamics::nalgebra::SVector<T, 3>,
     ) -> T {
-        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let qd_1 = qd.data.0[0][0];
-        let qd_2 = qd.data.0[0][1];
-        let qd_3 = qd.data.0[0][2];
-        let t_1 = qd_1 * qd_1;
-        let t_2 = qd_2.mul_add(qd_2, t_1);
-        let t_3 = qd_3.mul_add(qd_3, t_2);
-        let t_4 = real(0.5833333333333334).mul_add(t_2, t_1);
-        let t_5 = real(0.25).mul_add(t_3, t_4);
-        let t_6 = real(6.0) * t_5;
-        t_6
+        let ::core::result::Result::Ok(all_values) = <Self as ::robot_dynamics::Function<
+            ::robot_dynamics::functions::KineticEnergy,
+            3,
+        >>::at(
+            self,
+            ::robot_dynamics::functions::KineticEnergy,
+            &::robot_dynamics::Evaluated,
+            &(*q, *qd),
+        );
+        all_values
     }
     /// Potential energy U(q) = -sum m g.c, zero at the origin of the base frame, and that of springs, 1/2 stiffness (q - rest)^2, J.
     ///
@@ -210,14 +206,20 @@ impl Arm {
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 3>,
     ) -> T {
-        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let q_1 = q.data.0[0][0];
-        let t_1 = real(0.04045454545454545) - q_1;
-        let t_2 = real(-215.82) * t_1;
-        t_2
+        let ::core::result::Result::Ok(all_values) = <Self as ::robot_dynamics::Function<
+            ::robot_dynamics::functions::PotentialEnergy,
+            3,
+        >>::at(
+            self,
+            ::robot_dynamics::functions::PotentialEnergy,
+            &::robot_dynamics::Evaluated,
+            &(*q,),
+        );
+        all_values
     }
 }
 impl ::robot_dynamics::MassMatrix<3> for Arm {
+    const WORK: u32 = 0;
     #[inline(always)]
     fn mass_matrix<T: ::robot_dynamics::Scalar>(
         &self,
@@ -228,7 +230,7 @@ impl ::robot_dynamics::MassMatrix<3> for Arm {
     #[inline(always)]
     fn mass_matrix_at<T: ::robot_dynamics::Scalar>(
         &self,
-        sines: &impl ::robot_dynamics::JointSines<T>,
+        sines: &impl ::robot_dynamics::Inputs<T>,
         q: &::robot_dynamics::nalgebra::SVector<T, 3>,
     ) -> ::robot_dynamics::nalgebra::SMatrix<T, 3, 3> {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
@@ -242,6 +244,7 @@ impl ::robot_dynamics::MassMatrix<3> for Arm {
     }
 }
 impl ::robot_dynamics::CoriolisVector<3> for Arm {
+    const WORK: u32 = 0;
     #[inline(always)]
     fn coriolis_vector<T: ::robot_dynamics::Scalar>(
         &self,
@@ -253,7 +256,7 @@ impl ::robot_dynamics::CoriolisVector<3> for Arm {
     #[inline(always)]
     fn coriolis_vector_at<T: ::robot_dynamics::Scalar>(
         &self,
-        sines: &impl ::robot_dynamics::JointSines<T>,
+        sines: &impl ::robot_dynamics::Inputs<T>,
         q: &::robot_dynamics::nalgebra::SVector<T, 3>,
         qd: &::robot_dynamics::nalgebra::SVector<T, 3>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 3> {
@@ -264,6 +267,7 @@ impl ::robot_dynamics::CoriolisVector<3> for Arm {
     }
 }
 impl ::robot_dynamics::GravityVector<3> for Arm {
+    const WORK: u32 = 0;
     #[inline(always)]
     fn gravity_vector<T: ::robot_dynamics::Scalar>(
         &self,
@@ -274,7 +278,7 @@ impl ::robot_dynamics::GravityVector<3> for Arm {
     #[inline(always)]
     fn gravity_vector_at<T: ::robot_dynamics::Scalar>(
         &self,
-        sines: &impl ::robot_dynamics::JointSines<T>,
+        sines: &impl ::robot_dynamics::Inputs<T>,
         q: &::robot_dynamics::nalgebra::SVector<T, 3>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 3> {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
@@ -285,7 +289,43 @@ impl ::robot_dynamics::GravityVector<3> for Arm {
         )
     }
 }
+impl ::robot_dynamics::Function<::robot_dynamics::functions::FrictionVector, 3> for Arm {
+    type Arguments = (::robot_dynamics::Entries<3, 1>,);
+    type Values = ::robot_dynamics::Entries<3, 1>;
+    type Error = ::core::convert::Infallible;
+    const ARGUMENTS: &'static [&'static str] = &["qd"];
+    const RESULT: &'static str = "friction_vector";
+    const WORK: u32 = 9;
+    const IN_LANES: bool = true;
+    #[inline(always)]
+    fn at<T: ::robot_dynamics::Scalar>(
+        &self,
+        _: ::robot_dynamics::functions::FrictionVector,
+        sines: &impl ::robot_dynamics::Inputs<T>,
+        (qd,): &<Self::Arguments as ::robot_dynamics::Arrangement>::Of<T>,
+    ) -> ::core::result::Result<
+        <Self::Values as ::robot_dynamics::Arrangement>::Of<T>,
+        Self::Error,
+    > {
+        ::core::result::Result::Ok({
+            let real = |x: f64| ::robot_dynamics::Scalar::constant(qd.data.0[0][0], x);
+            let qd_1 = qd.data.0[0][0];
+            let qd_2 = qd.data.0[0][1];
+            let qd_3 = qd.data.0[0][2];
+            let sign_1 = ::robot_dynamics::Scalar::sign(qd.data.0[0][0]);
+            let sign_2 = ::robot_dynamics::Scalar::sign(qd.data.0[0][1]);
+            let sign_3 = ::robot_dynamics::Scalar::sign(qd.data.0[0][2]);
+            let t_1 = real(8.0).mul_add(sign_1, real(5.0) * qd_1);
+            let t_2 = real(6.0).mul_add(sign_2, real(4.0) * qd_2);
+            let t_3 = real(4.0).mul_add(sign_3, real(3.0) * qd_3);
+            ::robot_dynamics::nalgebra::SMatrix::from_data(
+                ::robot_dynamics::nalgebra::ArrayStorage([[t_1, t_2, t_3]]),
+            )
+        })
+    }
+}
 impl ::robot_dynamics::InverseDynamics<3> for Arm {
+    const WORK: u32 = 15;
     #[inline(always)]
     fn inverse_dynamics<T: ::robot_dynamics::Scalar>(
         &self,
@@ -298,7 +338,7 @@ impl ::robot_dynamics::InverseDynamics<3> for Arm {
     #[inline(always)]
     fn inverse_dynamics_at<T: ::robot_dynamics::Scalar>(
         &self,
-        sines: &impl ::robot_dynamics::JointSines<T>,
+        sines: &impl ::robot_dynamics::Inputs<T>,
         q: &::robot_dynamics::nalgebra::SVector<T, 3>,
         qd: &::robot_dynamics::nalgebra::SVector<T, 3>,
         qdd: &::robot_dynamics::nalgebra::SVector<T, 3>,
@@ -327,6 +367,7 @@ impl ::robot_dynamics::InverseDynamics<3> for Arm {
     }
 }
 impl ::robot_dynamics::ForwardDynamics<3> for Arm {
+    const WORK: u32 = 15;
     #[inline(always)]
     fn forward_dynamics<T: ::robot_dynamics::Scalar>(
         &self,
@@ -342,7 +383,7 @@ impl ::robot_dynamics::ForwardDynamics<3> for Arm {
     #[inline(always)]
     fn forward_dynamics_at<T: ::robot_dynamics::Scalar>(
         &self,
-        sines: &impl ::robot_dynamics::JointSines<T>,
+        sines: &impl ::robot_dynamics::Inputs<T>,
         q: &::robot_dynamics::nalgebra::SVector<T, 3>,
         qd: &::robot_dynamics::nalgebra::SVector<T, 3>,
         tau: &::robot_dynamics::nalgebra::SVector<T, 3>,
@@ -392,5 +433,66 @@ impl ::robot_dynamics::ForwardDynamics<3> for Arm {
                 ::robot_dynamics::nalgebra::ArrayStorage([[-t_4, t_7, -t_9]]),
             ),
         )
+    }
+}
+impl ::robot_dynamics::Function<::robot_dynamics::functions::KineticEnergy, 3> for Arm {
+    type Arguments = (::robot_dynamics::Entries<3, 1>, ::robot_dynamics::Entries<3, 1>);
+    type Values = ::robot_dynamics::Number;
+    type Error = ::core::convert::Infallible;
+    const ARGUMENTS: &'static [&'static str] = &["q", "qd"];
+    const RESULT: &'static str = "kinetic_energy";
+    const WORK: u32 = 10;
+    const IN_LANES: bool = true;
+    #[inline(always)]
+    fn at<T: ::robot_dynamics::Scalar>(
+        &self,
+        _: ::robot_dynamics::functions::KineticEnergy,
+        sines: &impl ::robot_dynamics::Inputs<T>,
+        (q, qd): &<Self::Arguments as ::robot_dynamics::Arrangement>::Of<T>,
+    ) -> ::core::result::Result<
+        <Self::Values as ::robot_dynamics::Arrangement>::Of<T>,
+        Self::Error,
+    > {
+        ::core::result::Result::Ok({
+            let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+            let qd_1 = qd.data.0[0][0];
+            let qd_2 = qd.data.0[0][1];
+            let qd_3 = qd.data.0[0][2];
+            let t_1 = qd_1 * qd_1;
+            let t_2 = qd_2.mul_add(qd_2, t_1);
+            let t_3 = qd_3.mul_add(qd_3, t_2);
+            let t_4 = real(0.5833333333333334).mul_add(t_2, t_1);
+            let t_5 = real(0.25).mul_add(t_3, t_4);
+            let t_6 = real(6.0) * t_5;
+            t_6
+        })
+    }
+}
+impl ::robot_dynamics::Function<::robot_dynamics::functions::PotentialEnergy, 3>
+for Arm {
+    type Arguments = (::robot_dynamics::Entries<3, 1>,);
+    type Values = ::robot_dynamics::Number;
+    type Error = ::core::convert::Infallible;
+    const ARGUMENTS: &'static [&'static str] = &["q"];
+    const RESULT: &'static str = "potential_energy";
+    const WORK: u32 = 2;
+    const IN_LANES: bool = true;
+    #[inline(always)]
+    fn at<T: ::robot_dynamics::Scalar>(
+        &self,
+        _: ::robot_dynamics::functions::PotentialEnergy,
+        sines: &impl ::robot_dynamics::Inputs<T>,
+        (q,): &<Self::Arguments as ::robot_dynamics::Arrangement>::Of<T>,
+    ) -> ::core::result::Result<
+        <Self::Values as ::robot_dynamics::Arrangement>::Of<T>,
+        Self::Error,
+    > {
+        ::core::result::Result::Ok({
+            let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+            let q_1 = q.data.0[0][0];
+            let t_1 = real(0.04045454545454545) - q_1;
+            let t_2 = real(-215.82) * t_1;
+            t_2
+        })
     }
 }

@@ -143,26 +143,16 @@ impl Arm {
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
         qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> T {
-        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let (s_2, c_2) = ::robot_dynamics::Scalar::sin_cos(q.data.0[0][1]);
-        let p_m1 = real(self.m1);
-        let p_m2 = real(self.m2);
-        let p_l1 = real(self.l1);
-        let p_l2 = real(self.l2);
-        let qd_1 = qd.data.0[0][0];
-        let qd_2 = qd.data.0[0][1];
-        let t_1 = p_m2 * p_l2;
-        let t_2 = p_l1 * qd_1;
-        let t_3 = c_2 * t_2;
-        let t_4 = qd_1 + qd_2;
-        let t_5 = t_3 * t_4;
-        let t_6 = p_m2 + p_m1;
-        let t_7 = t_2 * t_2;
-        let t_8 = p_l2 * t_1;
-        let t_9 = t_8 * t_4;
-        let t_10 = t_4.mul_add(t_9, t_6 * t_7);
-        let t_11 = t_1.mul_add(t_5, real(0.5) * t_10);
-        t_11
+        let ::core::result::Result::Ok(all_values) = <Self as ::robot_dynamics::Function<
+            ::robot_dynamics::functions::KineticEnergy,
+            2,
+        >>::at(
+            self,
+            ::robot_dynamics::functions::KineticEnergy,
+            &::robot_dynamics::Evaluated,
+            &(*q, *qd),
+        );
+        all_values
     }
     /// Potential energy U(q) = -sum m g.c, zero at the origin of the base frame, and that of springs, 1/2 stiffness (q - rest)^2, J.
     ///
@@ -182,26 +172,20 @@ impl Arm {
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> T {
-        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Scalar::sin_cos_array([
-            q.data.0[0][0],
-            q.data.0[0][1],
-        ]);
-        let p_m1 = real(self.m1);
-        let p_m2 = real(self.m2);
-        let p_l1 = real(self.l1);
-        let p_l2 = real(self.l2);
-        let p_g = real(self.g);
-        let t_1 = p_m2 + p_m1;
-        let t_2 = p_m2 * p_l2;
-        let t_3 = c_2.mul_add(t_2, p_l1 * t_1);
-        let t_4 = s_2 * t_2;
-        let t_5 = s_1.mul_add(t_3, c_1 * t_4);
-        let t_6 = p_g * t_5;
-        t_6
+        let ::core::result::Result::Ok(all_values) = <Self as ::robot_dynamics::Function<
+            ::robot_dynamics::functions::PotentialEnergy,
+            2,
+        >>::at(
+            self,
+            ::robot_dynamics::functions::PotentialEnergy,
+            &::robot_dynamics::Evaluated,
+            &(*q,),
+        );
+        all_values
     }
 }
 impl ::robot_dynamics::MassMatrix<2> for Arm {
+    const WORK: u32 = 50;
     #[inline(always)]
     fn mass_matrix<T: ::robot_dynamics::Scalar>(
         &self,
@@ -212,19 +196,19 @@ impl ::robot_dynamics::MassMatrix<2> for Arm {
     #[inline(always)]
     fn mass_matrix_at<T: ::robot_dynamics::Scalar>(
         &self,
-        sines: &impl ::robot_dynamics::JointSines<T>,
+        sines: &impl ::robot_dynamics::Inputs<T>,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SMatrix<T, 2, 2> {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_2, c_2)] = ::robot_dynamics::JointSines::sin_cos(
+        let [(s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
             sines,
             [1],
             [q.data.0[0][1]],
         );
-        let p_m1 = real(self.m1);
-        let p_m2 = real(self.m2);
-        let p_l1 = real(self.l1);
-        let p_l2 = real(self.l2);
+        let p_m1 = ::robot_dynamics::Inputs::field(sines, 0, self.m1, q.data.0[0][0]);
+        let p_m2 = ::robot_dynamics::Inputs::field(sines, 1, self.m2, q.data.0[0][0]);
+        let p_l1 = ::robot_dynamics::Inputs::field(sines, 2, self.l1, q.data.0[0][0]);
+        let p_l2 = ::robot_dynamics::Inputs::field(sines, 3, self.l2, q.data.0[0][0]);
         let t_1 = p_m2 + p_m1;
         let t_2 = p_l1 * t_1;
         let t_3 = p_m2 * p_l2;
@@ -240,6 +224,7 @@ impl ::robot_dynamics::MassMatrix<2> for Arm {
     }
 }
 impl ::robot_dynamics::CoriolisVector<2> for Arm {
+    const WORK: u32 = 49;
     #[inline(always)]
     fn coriolis_vector<T: ::robot_dynamics::Scalar>(
         &self,
@@ -251,19 +236,19 @@ impl ::robot_dynamics::CoriolisVector<2> for Arm {
     #[inline(always)]
     fn coriolis_vector_at<T: ::robot_dynamics::Scalar>(
         &self,
-        sines: &impl ::robot_dynamics::JointSines<T>,
+        sines: &impl ::robot_dynamics::Inputs<T>,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
         qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_2, c_2)] = ::robot_dynamics::JointSines::sin_cos(
+        let [(s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
             sines,
             [1],
             [q.data.0[0][1]],
         );
-        let p_m2 = real(self.m2);
-        let p_l1 = real(self.l1);
-        let p_l2 = real(self.l2);
+        let p_m2 = ::robot_dynamics::Inputs::field(sines, 1, self.m2, q.data.0[0][0]);
+        let p_l1 = ::robot_dynamics::Inputs::field(sines, 2, self.l1, q.data.0[0][0]);
+        let p_l2 = ::robot_dynamics::Inputs::field(sines, 3, self.l2, q.data.0[0][0]);
         let qd_1 = qd.data.0[0][0];
         let qd_2 = qd.data.0[0][1];
         let t_1 = p_m2 * p_l2;
@@ -280,6 +265,7 @@ impl ::robot_dynamics::CoriolisVector<2> for Arm {
     }
 }
 impl ::robot_dynamics::GravityVector<2> for Arm {
+    const WORK: u32 = 91;
     #[inline(always)]
     fn gravity_vector<T: ::robot_dynamics::Scalar>(
         &self,
@@ -290,20 +276,20 @@ impl ::robot_dynamics::GravityVector<2> for Arm {
     #[inline(always)]
     fn gravity_vector_at<T: ::robot_dynamics::Scalar>(
         &self,
-        sines: &impl ::robot_dynamics::JointSines<T>,
+        sines: &impl ::robot_dynamics::Inputs<T>,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::JointSines::sin_cos(
+        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
             sines,
             [0, 1],
             [q.data.0[0][0], q.data.0[0][1]],
         );
-        let p_m1 = real(self.m1);
-        let p_m2 = real(self.m2);
-        let p_l1 = real(self.l1);
-        let p_l2 = real(self.l2);
-        let p_g = real(self.g);
+        let p_m1 = ::robot_dynamics::Inputs::field(sines, 0, self.m1, q.data.0[0][0]);
+        let p_m2 = ::robot_dynamics::Inputs::field(sines, 1, self.m2, q.data.0[0][0]);
+        let p_l1 = ::robot_dynamics::Inputs::field(sines, 2, self.l1, q.data.0[0][0]);
+        let p_l2 = ::robot_dynamics::Inputs::field(sines, 3, self.l2, q.data.0[0][0]);
+        let p_g = ::robot_dynamics::Inputs::field(sines, 4, self.g, q.data.0[0][0]);
         let t_1 = p_m2 + p_m1;
         let t_2 = p_l1 * t_1;
         let t_3 = p_m2 * p_l2;
@@ -318,6 +304,7 @@ impl ::robot_dynamics::GravityVector<2> for Arm {
     }
 }
 impl ::robot_dynamics::InverseDynamics<2> for Arm {
+    const WORK: u32 = 108;
     #[inline(always)]
     fn inverse_dynamics<T: ::robot_dynamics::Scalar>(
         &self,
@@ -330,22 +317,22 @@ impl ::robot_dynamics::InverseDynamics<2> for Arm {
     #[inline(always)]
     fn inverse_dynamics_at<T: ::robot_dynamics::Scalar>(
         &self,
-        sines: &impl ::robot_dynamics::JointSines<T>,
+        sines: &impl ::robot_dynamics::Inputs<T>,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
         qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
         qdd: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::JointSines::sin_cos(
+        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
             sines,
             [0, 1],
             [q.data.0[0][0], q.data.0[0][1]],
         );
-        let p_m1 = real(self.m1);
-        let p_m2 = real(self.m2);
-        let p_l1 = real(self.l1);
-        let p_l2 = real(self.l2);
-        let p_g = real(self.g);
+        let p_m1 = ::robot_dynamics::Inputs::field(sines, 0, self.m1, q.data.0[0][0]);
+        let p_m2 = ::robot_dynamics::Inputs::field(sines, 1, self.m2, q.data.0[0][0]);
+        let p_l1 = ::robot_dynamics::Inputs::field(sines, 2, self.l1, q.data.0[0][0]);
+        let p_l2 = ::robot_dynamics::Inputs::field(sines, 3, self.l2, q.data.0[0][0]);
+        let p_g = ::robot_dynamics::Inputs::field(sines, 4, self.g, q.data.0[0][0]);
         let qd_1 = qd.data.0[0][0];
         let qd_2 = qd.data.0[0][1];
         let qdd_1 = qdd.data.0[0][0];
@@ -373,6 +360,7 @@ impl ::robot_dynamics::InverseDynamics<2> for Arm {
     }
 }
 impl ::robot_dynamics::ForwardDynamics<2> for Arm {
+    const WORK: u32 = 119;
     #[inline(always)]
     fn forward_dynamics<T: ::robot_dynamics::Scalar>(
         &self,
@@ -388,7 +376,7 @@ impl ::robot_dynamics::ForwardDynamics<2> for Arm {
     #[inline(always)]
     fn forward_dynamics_at<T: ::robot_dynamics::Scalar>(
         &self,
-        sines: &impl ::robot_dynamics::JointSines<T>,
+        sines: &impl ::robot_dynamics::Inputs<T>,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
         qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
         tau: &::robot_dynamics::nalgebra::SVector<T, 2>,
@@ -397,16 +385,16 @@ impl ::robot_dynamics::ForwardDynamics<2> for Arm {
         ::robot_dynamics::SingularMassMatrix,
     > {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::JointSines::sin_cos(
+        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
             sines,
             [0, 1],
             [q.data.0[0][0], q.data.0[0][1]],
         );
-        let p_m1 = real(self.m1);
-        let p_m2 = real(self.m2);
-        let p_l1 = real(self.l1);
-        let p_l2 = real(self.l2);
-        let p_g = real(self.g);
+        let p_m1 = ::robot_dynamics::Inputs::field(sines, 0, self.m1, q.data.0[0][0]);
+        let p_m2 = ::robot_dynamics::Inputs::field(sines, 1, self.m2, q.data.0[0][0]);
+        let p_l1 = ::robot_dynamics::Inputs::field(sines, 2, self.l1, q.data.0[0][0]);
+        let p_l2 = ::robot_dynamics::Inputs::field(sines, 3, self.l2, q.data.0[0][0]);
+        let p_g = ::robot_dynamics::Inputs::field(sines, 4, self.g, q.data.0[0][0]);
         let qd_1 = qd.data.0[0][0];
         let qd_2 = qd.data.0[0][1];
         let tau_1 = tau.data.0[0][0];
@@ -446,5 +434,132 @@ impl ::robot_dynamics::ForwardDynamics<2> for Arm {
                 ::robot_dynamics::nalgebra::ArrayStorage([[t_27, -t_28]]),
             ),
         )
+    }
+}
+impl ::robot_dynamics::Function<::robot_dynamics::functions::KineticEnergy, 2> for Arm {
+    type Arguments = (::robot_dynamics::Entries<2, 1>, ::robot_dynamics::Entries<2, 1>);
+    type Values = ::robot_dynamics::Number;
+    type Error = ::core::convert::Infallible;
+    const ARGUMENTS: &'static [&'static str] = &["q", "qd"];
+    const RESULT: &'static str = "kinetic_energy";
+    const WORK: u32 = 55;
+    const IN_LANES: bool = true;
+    #[inline(always)]
+    fn at<T: ::robot_dynamics::Scalar>(
+        &self,
+        _: ::robot_dynamics::functions::KineticEnergy,
+        sines: &impl ::robot_dynamics::Inputs<T>,
+        (q, qd): &<Self::Arguments as ::robot_dynamics::Arrangement>::Of<T>,
+    ) -> ::core::result::Result<
+        <Self::Values as ::robot_dynamics::Arrangement>::Of<T>,
+        Self::Error,
+    > {
+        ::core::result::Result::Ok({
+            let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+            let [(s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+                sines,
+                [1],
+                [q.data.0[0][1]],
+            );
+            let p_m1 = ::robot_dynamics::Inputs::field(
+                sines,
+                0,
+                self.m1,
+                q.data.0[0][0],
+            );
+            let p_m2 = ::robot_dynamics::Inputs::field(
+                sines,
+                1,
+                self.m2,
+                q.data.0[0][0],
+            );
+            let p_l1 = ::robot_dynamics::Inputs::field(
+                sines,
+                2,
+                self.l1,
+                q.data.0[0][0],
+            );
+            let p_l2 = ::robot_dynamics::Inputs::field(
+                sines,
+                3,
+                self.l2,
+                q.data.0[0][0],
+            );
+            let qd_1 = qd.data.0[0][0];
+            let qd_2 = qd.data.0[0][1];
+            let t_1 = p_m2 * p_l2;
+            let t_2 = p_l1 * qd_1;
+            let t_3 = c_2 * t_2;
+            let t_4 = qd_1 + qd_2;
+            let t_5 = t_3 * t_4;
+            let t_6 = p_m2 + p_m1;
+            let t_7 = t_2 * t_2;
+            let t_8 = p_l2 * t_1;
+            let t_9 = t_8 * t_4;
+            let t_10 = t_4.mul_add(t_9, t_6 * t_7);
+            let t_11 = t_1.mul_add(t_5, real(0.5) * t_10);
+            t_11
+        })
+    }
+}
+impl ::robot_dynamics::Function<::robot_dynamics::functions::PotentialEnergy, 2>
+for Arm {
+    type Arguments = (::robot_dynamics::Entries<2, 1>,);
+    type Values = ::robot_dynamics::Number;
+    type Error = ::core::convert::Infallible;
+    const ARGUMENTS: &'static [&'static str] = &["q"];
+    const RESULT: &'static str = "potential_energy";
+    const WORK: u32 = 90;
+    const IN_LANES: bool = true;
+    #[inline(always)]
+    fn at<T: ::robot_dynamics::Scalar>(
+        &self,
+        _: ::robot_dynamics::functions::PotentialEnergy,
+        sines: &impl ::robot_dynamics::Inputs<T>,
+        (q,): &<Self::Arguments as ::robot_dynamics::Arrangement>::Of<T>,
+    ) -> ::core::result::Result<
+        <Self::Values as ::robot_dynamics::Arrangement>::Of<T>,
+        Self::Error,
+    > {
+        ::core::result::Result::Ok({
+            let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+            let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+                sines,
+                [0, 1],
+                [q.data.0[0][0], q.data.0[0][1]],
+            );
+            let p_m1 = ::robot_dynamics::Inputs::field(
+                sines,
+                0,
+                self.m1,
+                q.data.0[0][0],
+            );
+            let p_m2 = ::robot_dynamics::Inputs::field(
+                sines,
+                1,
+                self.m2,
+                q.data.0[0][0],
+            );
+            let p_l1 = ::robot_dynamics::Inputs::field(
+                sines,
+                2,
+                self.l1,
+                q.data.0[0][0],
+            );
+            let p_l2 = ::robot_dynamics::Inputs::field(
+                sines,
+                3,
+                self.l2,
+                q.data.0[0][0],
+            );
+            let p_g = ::robot_dynamics::Inputs::field(sines, 4, self.g, q.data.0[0][0]);
+            let t_1 = p_m2 + p_m1;
+            let t_2 = p_m2 * p_l2;
+            let t_3 = c_2.mul_add(t_2, p_l1 * t_1);
+            let t_4 = s_2 * t_2;
+            let t_5 = s_1.mul_add(t_3, c_1 * t_4);
+            let t_6 = p_g * t_5;
+            t_6
+        })
     }
 }

@@ -11,11 +11,16 @@ fn text(robot: &Robot, functions: &[Function]) -> String {
     let path = quote!(::robot_dynamics);
     let methods = expand(robot, functions, &path).expect("proven");
     let n = robot.rows.len();
-    let traits = methods.iter().filter_map(|method| {
-        let name = quote::format_ident!("{}", method.request.function()?.trait_name()?);
+    let n = proc_macro2::Literal::usize_unsuffixed(n);
+    let traits = methods.iter().enumerate().map(|(index, method)| {
+        if let Some(items) = &method.function {
+            let function = dynamics_symbolic::function_type(&method.request, index, &path);
+            return quote!(impl #path::Function<#function, #n> for Arm { #items });
+        }
+        let function = method.request.function().expect("one function");
+        let name = quote::format_ident!("{}", function.trait_name().expect("a trait"));
         let item = method.provided.as_ref().expect("the trait's item");
-        let n = proc_macro2::Literal::usize_unsuffixed(n);
-        Some(quote!(impl #path::#name<#n> for Arm { #item }))
+        quote!(impl #path::#name<#n> for Arm { #item })
     });
     let methods = methods.iter().map(|method| &method.tokens);
     let file = syn::parse2(quote!(impl Arm { #(#methods)* } #(#traits)*)).expect("Rust");

@@ -9,22 +9,28 @@ use expect_test::expect_file;
 /// `UPDATE_EXPECT=1 cargo test -p dynamics-symbolic --test suite functions::` writes the list anew.
 #[test]
 fn the_list_for_macros_is_that_of_the_table() {
-    let all = list(EVERY, |_| true);
-    let of_long_arms = list(OF_LONG_ARMS, |function| {
-        function.row().growth != Growth::Cubic
-    });
-    let file = format!("{HEAD}{all}{of_long_arms}");
+    let alone = |name: &str| name.to_owned();
+    let with_batches = |name: &str| format!("{name} {name}_batch par_{name}_batch");
+    let all = list(EVERY, |_| true, alone);
+    let is_short = |function: &Function| function.row().growth != Growth::Cubic;
+    let of_long_arms = list(OF_LONG_ARMS, is_short, alone);
+    let batches = list(BATCHES, |_| true, with_batches);
+    let file = format!("{HEAD}{all}{of_long_arms}{batches}");
     expect_file!["../../../testkit/robots/src/functions.rs"].assert_eq(&file);
 }
 
 /// A macro over the functions that belong to it.
-fn list(head: &str, belongs: impl Fn(&Function) -> bool) -> String {
+fn list(
+    head: &str,
+    belongs: impl Fn(&Function) -> bool,
+    names: impl Fn(&str) -> String,
+) -> String {
     let mut list = String::from(head);
     for function in Function::ALL.into_iter().filter(belongs) {
         let arguments = function.arguments().iter().map(|argument| argument.name());
         let arguments: Vec<_> = arguments.collect();
-        let (name, arguments) = (function.name(), arguments.join(", "));
-        writeln!(list, "            {name} [{arguments}]").expect("a string takes it");
+        let (names, arguments) = (names(function.name()), arguments.join(", "));
+        writeln!(list, "            {names} [{arguments}]").expect("a string takes it");
     }
     list + TAIL
 }
@@ -46,6 +52,15 @@ const OF_LONG_ARMS: &str = "
 /// As `each_function`, without those that have as many values as the cube of the number of joints.
 #[macro_export]
 macro_rules! each_function_of_long_arms {
+    ($then:path { $($context:tt)* }) => {
+        $then! {
+            { $($context)* }
+";
+
+const BATCHES: &str = "
+/// Every function with its batches: `name name_batch par_name_batch [argument, ...]`.
+#[macro_export]
+macro_rules! each_batch {
     ($then:path { $($context:tt)* }) => {
         $then! {
             { $($context)* }

@@ -163,8 +163,10 @@ fn request(name: &str, parts: &[Function]) -> Request {
 
 fn text(robot: &Robot, requests: &[Request]) -> String {
     let methods = expand(robot, requests, &quote!(::robot_dynamics)).expect("proven");
+    let items = methods.iter().map(|method| &method.function);
     let methods = methods.iter().map(|method| &method.tokens);
-    prettyplease::unparse(&syn::parse2(quote!(impl Arm { #(#methods)* })).expect("Rust"))
+    let file = quote!(impl Arm { #(#methods)* } #(impl Function for Arm { #items })*);
+    prettyplease::unparse(&syn::parse2(file).expect("Rust"))
 }
 
 /// The methods as they are emitted: of a tuple, of one that may fail, and of what shares nothing.

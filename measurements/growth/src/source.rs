@@ -18,7 +18,15 @@ pub(crate) fn library(joints: usize, functions: &[Function], methods: &[Method])
         text += &in_lines(&method.tokens);
     }
     text += "}\n";
-    for method in methods {
+    for (index, method) in methods.iter().enumerate() {
+        if let Some(items) = &method.function {
+            let path = quote::quote!(dynamics_runtime);
+            let name = dynamics_symbolic::function_type(&method.request, index, &path);
+            let items = in_lines(items);
+            text += &format!(
+                "impl dynamics_runtime::Function<{name}, {joints}> for Chain {{\n{items}}}\n"
+            );
+        }
         let name = method.request.function().and_then(Function::trait_name);
         if let (Some(name), Some(items)) = (name, &method.provided) {
             let items = in_lines(items);

@@ -3,6 +3,7 @@
 /// two_link_saha.
 pub(crate) struct TwoLinkSaha;
 impl ::robot_dynamics::MassMatrix<2> for TwoLinkSaha {
+    const WORK: u32 = 108;
     #[inline(always)]
     fn mass_matrix<T: ::robot_dynamics::Scalar>(
         &self,
@@ -13,11 +14,11 @@ impl ::robot_dynamics::MassMatrix<2> for TwoLinkSaha {
     #[inline(always)]
     fn mass_matrix_at<T: ::robot_dynamics::Scalar>(
         &self,
-        sines: &impl ::robot_dynamics::JointSines<T>,
+        sines: &impl ::robot_dynamics::Inputs<T>,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SMatrix<T, 2, 2> {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::JointSines::sin_cos(
+        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
             sines,
             [0, 1],
             [q.data.0[0][0], q.data.0[0][1]],
@@ -53,6 +54,7 @@ impl ::robot_dynamics::MassMatrix<2> for TwoLinkSaha {
     }
 }
 impl ::robot_dynamics::CoriolisVector<2> for TwoLinkSaha {
+    const WORK: u32 = 47;
     #[inline(always)]
     fn coriolis_vector<T: ::robot_dynamics::Scalar>(
         &self,
@@ -64,11 +66,11 @@ impl ::robot_dynamics::CoriolisVector<2> for TwoLinkSaha {
     #[inline(always)]
     fn coriolis_vector_at<T: ::robot_dynamics::Scalar>(
         &self,
-        sines: &impl ::robot_dynamics::JointSines<T>,
+        sines: &impl ::robot_dynamics::Inputs<T>,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
         qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
-        let [(s_2, c_2)] = ::robot_dynamics::JointSines::sin_cos(
+        let [(s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
             sines,
             [1],
             [q.data.0[0][1]],
@@ -87,6 +89,7 @@ impl ::robot_dynamics::CoriolisVector<2> for TwoLinkSaha {
     }
 }
 impl ::robot_dynamics::GravityVector<2> for TwoLinkSaha {
+    const WORK: u32 = 91;
     #[inline(always)]
     fn gravity_vector<T: ::robot_dynamics::Scalar>(
         &self,
@@ -97,11 +100,11 @@ impl ::robot_dynamics::GravityVector<2> for TwoLinkSaha {
     #[inline(always)]
     fn gravity_vector_at<T: ::robot_dynamics::Scalar>(
         &self,
-        sines: &impl ::robot_dynamics::JointSines<T>,
+        sines: &impl ::robot_dynamics::Inputs<T>,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::JointSines::sin_cos(
+        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
             sines,
             [0, 1],
             [q.data.0[0][0], q.data.0[0][1]],
@@ -119,6 +122,7 @@ impl ::robot_dynamics::GravityVector<2> for TwoLinkSaha {
 /// two_link_craig.
 pub(crate) struct TwoLinkCraig;
 impl ::robot_dynamics::MassMatrix<2> for TwoLinkCraig {
+    const WORK: u32 = 112;
     #[inline(always)]
     fn mass_matrix<T: ::robot_dynamics::Scalar>(
         &self,
@@ -129,11 +133,11 @@ impl ::robot_dynamics::MassMatrix<2> for TwoLinkCraig {
     #[inline(always)]
     fn mass_matrix_at<T: ::robot_dynamics::Scalar>(
         &self,
-        sines: &impl ::robot_dynamics::JointSines<T>,
+        sines: &impl ::robot_dynamics::Inputs<T>,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SMatrix<T, 2, 2> {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::JointSines::sin_cos(
+        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
             sines,
             [0, 1],
             [q.data.0[0][0], q.data.0[0][1]],
@@ -169,6 +173,7 @@ impl ::robot_dynamics::MassMatrix<2> for TwoLinkCraig {
     }
 }
 impl ::robot_dynamics::CoriolisVector<2> for TwoLinkCraig {
+    const WORK: u32 = 107;
     #[inline(always)]
     fn coriolis_vector<T: ::robot_dynamics::Scalar>(
         &self,
@@ -180,12 +185,12 @@ impl ::robot_dynamics::CoriolisVector<2> for TwoLinkCraig {
     #[inline(always)]
     fn coriolis_vector_at<T: ::robot_dynamics::Scalar>(
         &self,
-        sines: &impl ::robot_dynamics::JointSines<T>,
+        sines: &impl ::robot_dynamics::Inputs<T>,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
         qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::JointSines::sin_cos(
+        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
             sines,
             [0, 1],
             [q.data.0[0][0], q.data.0[0][1]],
@@ -218,6 +223,7 @@ impl ::robot_dynamics::CoriolisVector<2> for TwoLinkCraig {
     }
 }
 impl ::robot_dynamics::GravityVector<2> for TwoLinkCraig {
+    const WORK: u32 = 90;
     #[inline(always)]
     fn gravity_vector<T: ::robot_dynamics::Scalar>(
         &self,
@@ -228,11 +234,11 @@ impl ::robot_dynamics::GravityVector<2> for TwoLinkCraig {
     #[inline(always)]
     fn gravity_vector_at<T: ::robot_dynamics::Scalar>(
         &self,
-        sines: &impl ::robot_dynamics::JointSines<T>,
+        sines: &impl ::robot_dynamics::Inputs<T>,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::JointSines::sin_cos(
+        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
             sines,
             [0, 1],
             [q.data.0[0][0], q.data.0[0][1]],
@@ -249,6 +255,7 @@ impl ::robot_dynamics::GravityVector<2> for TwoLinkCraig {
 /// elbow_3r.
 pub(crate) struct Elbow3r;
 impl ::robot_dynamics::MassMatrix<3> for Elbow3r {
+    const WORK: u32 = 322;
     #[inline(always)]
     fn mass_matrix<T: ::robot_dynamics::Scalar>(
         &self,
@@ -259,11 +266,11 @@ impl ::robot_dynamics::MassMatrix<3> for Elbow3r {
     #[inline(always)]
     fn mass_matrix_at<T: ::robot_dynamics::Scalar>(
         &self,
-        sines: &impl ::robot_dynamics::JointSines<T>,
+        sines: &impl ::robot_dynamics::Inputs<T>,
         q: &::robot_dynamics::nalgebra::SVector<T, 3>,
     ) -> ::robot_dynamics::nalgebra::SMatrix<T, 3, 3> {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_1, c_1), (s_2, c_2), (s_3, c_3)] = ::robot_dynamics::JointSines::sin_cos(
+        let [(s_1, c_1), (s_2, c_2), (s_3, c_3)] = ::robot_dynamics::Inputs::sin_cos(
             sines,
             [0, 1, 2],
             [q.data.0[0][0], q.data.0[0][1], q.data.0[0][2]],
@@ -423,6 +430,7 @@ impl ::robot_dynamics::MassMatrix<3> for Elbow3r {
     }
 }
 impl ::robot_dynamics::CoriolisVector<3> for Elbow3r {
+    const WORK: u32 = 348;
     #[inline(always)]
     fn coriolis_vector<T: ::robot_dynamics::Scalar>(
         &self,
@@ -434,12 +442,12 @@ impl ::robot_dynamics::CoriolisVector<3> for Elbow3r {
     #[inline(always)]
     fn coriolis_vector_at<T: ::robot_dynamics::Scalar>(
         &self,
-        sines: &impl ::robot_dynamics::JointSines<T>,
+        sines: &impl ::robot_dynamics::Inputs<T>,
         q: &::robot_dynamics::nalgebra::SVector<T, 3>,
         qd: &::robot_dynamics::nalgebra::SVector<T, 3>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 3> {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_2, c_2), (s_3, c_3), (s_1, c_1)] = ::robot_dynamics::JointSines::sin_cos(
+        let [(s_2, c_2), (s_3, c_3), (s_1, c_1)] = ::robot_dynamics::Inputs::sin_cos(
             sines,
             [1, 2, 0],
             [q.data.0[0][1], q.data.0[0][2], q.data.0[0][0]],
@@ -611,6 +619,7 @@ impl ::robot_dynamics::CoriolisVector<3> for Elbow3r {
     }
 }
 impl ::robot_dynamics::GravityVector<3> for Elbow3r {
+    const WORK: u32 = 102;
     #[inline(always)]
     fn gravity_vector<T: ::robot_dynamics::Scalar>(
         &self,
@@ -621,11 +630,11 @@ impl ::robot_dynamics::GravityVector<3> for Elbow3r {
     #[inline(always)]
     fn gravity_vector_at<T: ::robot_dynamics::Scalar>(
         &self,
-        sines: &impl ::robot_dynamics::JointSines<T>,
+        sines: &impl ::robot_dynamics::Inputs<T>,
         q: &::robot_dynamics::nalgebra::SVector<T, 3>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 3> {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_2, c_2), (s_3, c_3)] = ::robot_dynamics::JointSines::sin_cos(
+        let [(s_2, c_2), (s_3, c_3)] = ::robot_dynamics::Inputs::sin_cos(
             sines,
             [1, 2],
             [q.data.0[0][1], q.data.0[0][2]],
@@ -650,6 +659,7 @@ impl ::robot_dynamics::GravityVector<3> for Elbow3r {
 /// rrr_planar.
 pub(crate) struct RrrPlanar;
 impl ::robot_dynamics::MassMatrix<3> for RrrPlanar {
+    const WORK: u32 = 248;
     #[inline(always)]
     fn mass_matrix<T: ::robot_dynamics::Scalar>(
         &self,
@@ -660,11 +670,11 @@ impl ::robot_dynamics::MassMatrix<3> for RrrPlanar {
     #[inline(always)]
     fn mass_matrix_at<T: ::robot_dynamics::Scalar>(
         &self,
-        sines: &impl ::robot_dynamics::JointSines<T>,
+        sines: &impl ::robot_dynamics::Inputs<T>,
         q: &::robot_dynamics::nalgebra::SVector<T, 3>,
     ) -> ::robot_dynamics::nalgebra::SMatrix<T, 3, 3> {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_1, c_1), (s_2, c_2), (s_3, c_3)] = ::robot_dynamics::JointSines::sin_cos(
+        let [(s_1, c_1), (s_2, c_2), (s_3, c_3)] = ::robot_dynamics::Inputs::sin_cos(
             sines,
             [0, 1, 2],
             [q.data.0[0][0], q.data.0[0][1], q.data.0[0][2]],
@@ -783,6 +793,7 @@ impl ::robot_dynamics::MassMatrix<3> for RrrPlanar {
     }
 }
 impl ::robot_dynamics::CoriolisVector<3> for RrrPlanar {
+    const WORK: u32 = 242;
     #[inline(always)]
     fn coriolis_vector<T: ::robot_dynamics::Scalar>(
         &self,
@@ -794,12 +805,12 @@ impl ::robot_dynamics::CoriolisVector<3> for RrrPlanar {
     #[inline(always)]
     fn coriolis_vector_at<T: ::robot_dynamics::Scalar>(
         &self,
-        sines: &impl ::robot_dynamics::JointSines<T>,
+        sines: &impl ::robot_dynamics::Inputs<T>,
         q: &::robot_dynamics::nalgebra::SVector<T, 3>,
         qd: &::robot_dynamics::nalgebra::SVector<T, 3>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 3> {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_1, c_1), (s_2, c_2), (s_3, c_3)] = ::robot_dynamics::JointSines::sin_cos(
+        let [(s_1, c_1), (s_2, c_2), (s_3, c_3)] = ::robot_dynamics::Inputs::sin_cos(
             sines,
             [0, 1, 2],
             [q.data.0[0][0], q.data.0[0][1], q.data.0[0][2]],
@@ -908,6 +919,7 @@ impl ::robot_dynamics::CoriolisVector<3> for RrrPlanar {
     }
 }
 impl ::robot_dynamics::GravityVector<3> for RrrPlanar {
+    const WORK: u32 = 162;
     #[inline(always)]
     fn gravity_vector<T: ::robot_dynamics::Scalar>(
         &self,
@@ -918,11 +930,11 @@ impl ::robot_dynamics::GravityVector<3> for RrrPlanar {
     #[inline(always)]
     fn gravity_vector_at<T: ::robot_dynamics::Scalar>(
         &self,
-        sines: &impl ::robot_dynamics::JointSines<T>,
+        sines: &impl ::robot_dynamics::Inputs<T>,
         q: &::robot_dynamics::nalgebra::SVector<T, 3>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 3> {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_1, c_1), (s_2, c_2), (s_3, c_3)] = ::robot_dynamics::JointSines::sin_cos(
+        let [(s_1, c_1), (s_2, c_2), (s_3, c_3)] = ::robot_dynamics::Inputs::sin_cos(
             sines,
             [0, 1, 2],
             [q.data.0[0][0], q.data.0[0][1], q.data.0[0][2]],
@@ -958,6 +970,7 @@ impl ::robot_dynamics::GravityVector<3> for RrrPlanar {
 /// spherical_wrist.
 pub(crate) struct SphericalWrist;
 impl ::robot_dynamics::MassMatrix<3> for SphericalWrist {
+    const WORK: u32 = 357;
     #[inline(always)]
     fn mass_matrix<T: ::robot_dynamics::Scalar>(
         &self,
@@ -968,11 +981,11 @@ impl ::robot_dynamics::MassMatrix<3> for SphericalWrist {
     #[inline(always)]
     fn mass_matrix_at<T: ::robot_dynamics::Scalar>(
         &self,
-        sines: &impl ::robot_dynamics::JointSines<T>,
+        sines: &impl ::robot_dynamics::Inputs<T>,
         q: &::robot_dynamics::nalgebra::SVector<T, 3>,
     ) -> ::robot_dynamics::nalgebra::SMatrix<T, 3, 3> {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_1, c_1), (s_2, c_2), (s_3, c_3)] = ::robot_dynamics::JointSines::sin_cos(
+        let [(s_1, c_1), (s_2, c_2), (s_3, c_3)] = ::robot_dynamics::Inputs::sin_cos(
             sines,
             [0, 1, 2],
             [q.data.0[0][0], q.data.0[0][1], q.data.0[0][2]],
@@ -1146,6 +1159,7 @@ impl ::robot_dynamics::MassMatrix<3> for SphericalWrist {
     }
 }
 impl ::robot_dynamics::CoriolisVector<3> for SphericalWrist {
+    const WORK: u32 = 509;
     #[inline(always)]
     fn coriolis_vector<T: ::robot_dynamics::Scalar>(
         &self,
@@ -1157,12 +1171,12 @@ impl ::robot_dynamics::CoriolisVector<3> for SphericalWrist {
     #[inline(always)]
     fn coriolis_vector_at<T: ::robot_dynamics::Scalar>(
         &self,
-        sines: &impl ::robot_dynamics::JointSines<T>,
+        sines: &impl ::robot_dynamics::Inputs<T>,
         q: &::robot_dynamics::nalgebra::SVector<T, 3>,
         qd: &::robot_dynamics::nalgebra::SVector<T, 3>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 3> {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_2, c_2), (s_3, c_3), (s_1, c_1)] = ::robot_dynamics::JointSines::sin_cos(
+        let [(s_2, c_2), (s_3, c_3), (s_1, c_1)] = ::robot_dynamics::Inputs::sin_cos(
             sines,
             [1, 2, 0],
             [q.data.0[0][1], q.data.0[0][2], q.data.0[0][0]],
@@ -1438,6 +1452,7 @@ impl ::robot_dynamics::CoriolisVector<3> for SphericalWrist {
     }
 }
 impl ::robot_dynamics::GravityVector<3> for SphericalWrist {
+    const WORK: u32 = 101;
     #[inline(always)]
     fn gravity_vector<T: ::robot_dynamics::Scalar>(
         &self,
@@ -1448,11 +1463,11 @@ impl ::robot_dynamics::GravityVector<3> for SphericalWrist {
     #[inline(always)]
     fn gravity_vector_at<T: ::robot_dynamics::Scalar>(
         &self,
-        sines: &impl ::robot_dynamics::JointSines<T>,
+        sines: &impl ::robot_dynamics::Inputs<T>,
         q: &::robot_dynamics::nalgebra::SVector<T, 3>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 3> {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_2, c_2), (s_3, c_3)] = ::robot_dynamics::JointSines::sin_cos(
+        let [(s_2, c_2), (s_3, c_3)] = ::robot_dynamics::Inputs::sin_cos(
             sines,
             [1, 2],
             [q.data.0[0][1], q.data.0[0][2]],

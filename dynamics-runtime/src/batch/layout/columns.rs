@@ -4,19 +4,21 @@ use fearless_simd::{Simd, SimdBase};
 use nalgebra::{Const, Dyn, Matrix, SMatrix, SVector, VecStorage};
 
 use super::{MOST_LANES, Sink, Source, States, StatesMut, each_joint};
-use crate::batch::wide::Wide;
+use crate::batch::wide::Precision;
+use crate::batch::wide::{Wide, lanes};
+use crate::function::Entries;
 
 /// A column for each joint.
 #[derive(Clone, Copy)]
-pub struct Columns<'a, const N: usize>([&'a [f64]; N]);
+pub struct Columns<'a, E, const N: usize>([&'a [E]; N]);
 
 /// Room in a column for each entry.
-pub struct ColumnsMut<'a, const R: usize, const C: usize>([[&'a mut [f64]; R]; C]);
+pub struct ColumnsMut<'a, E, const R: usize, const C: usize>([[&'a mut [E]; R]; C]);
 
-impl<'a, const N: usize> Source<N> for Columns<'a, N> {
-    type Room = [SMatrix<f64, MOST_LANES, 1>; N];
+impl<'a, E: Precision, const N: usize> Source<N, E> for Columns<'a, E, N> {
+    type Room = [SMatrix<E, MOST_LANES, 1>; N];
     type Copied<'r>
-        = Columns<'r, N>
+        = Columns<'r, E, N>
     where
         Self: 'r;
 
@@ -42,15 +44,15 @@ impl<'a, const N: usize> Source<N> for Columns<'a, N> {
         (Columns(first), Columns(others))
     }
 
-    fn state(&self, state: usize) -> SVector<f64, N> {
+    fn state(&self, state: usize) -> SVector<E, N> {
         SVector::from_fn(|joint, _| self.0[joint][state])
     }
 
     fn room() -> Self::Room {
-        [SMatrix::zeros(); N]
+        [SMatrix::repeat(E::from_f64(0.0)); N]
     }
 
-    fn padded<'r>(&self, states: usize, room: &'r mut Self::Room) -> Columns<'r, N>
+    fn padded<'r>(&self, states: usize, room: &'r mut Self::Room) -> Columns<'r, E, N>
     where
         Self: 'r,
     {
@@ -63,18 +65,22 @@ impl<'a, const N: usize> Source<N> for Columns<'a, N> {
     }
 
     #[inline(always)]
-    fn load<S: Simd>(&self, simd: S, first: usize) -> SVector<Wide<S>, N> {
+    fn load<S: Simd>(&self, simd: S, first: usize) -> SVector<Wide<S, E>, N> {
         each_joint(
             #[inline(always)]
-            |joint| S::f64s::from_slice(simd, &self.0[joint][first..first + S::f64s::LEN]),
+            |joint| {
+                E::Native::<S>::from_slice(simd, &self.0[joint][first..first + lanes::<S, E>()])
+            },
         )
     }
 }
 
-impl<'a, const R: usize, const C: usize> Sink<R, C> for ColumnsMut<'a, R, C> {
-    type Room = [[SMatrix<f64, MOST_LANES, 1>; R]; C];
+impl<'a, E: Precision, const R: usize, const C: usize> Sink<Entries<R, C>, E>
+    for ColumnsMut<'a, E, R, C>
+{
+    type Room = [[SMatrix<E, MOST_LANES, 1>; R]; C];
     type Copied<'r>
-        = ColumnsMut<'r, R, C>
+        = ColumnsMut<'r, E, R, C>
     where
         Self: 'r;
 
@@ -92,23 +98,21 @@ impl<'a, const R: usize, const C: usize> Sink<R, C> for ColumnsMut<'a, R, C> {
     }
 
     #[cfg(feature = "rayon")]
-    fn split(self, states: usize) -> (Self, Self) {
-        let mut others = self.0;
-        let first = others.each_mut().map(|columns| {
+    fn take(&mut self, states: usize) -> Self {
+        ColumnsMut(self.0.each_mut().map(|columns| {
             columns.each_mut().map(|column| {
-                let (first, rest) = core::mem::take(column).split_at_mut(states);
-                *column = rest;
+                let (first, others) = core::mem::take(column).split_at_mut(states);
+                *column = others;
                 first
             })
-        });
-        (ColumnsMut(first), ColumnsMut(others))
+        }))
     }
 
-    fn state(&self, state: usize) -> SMatrix<f64, R, C> {
+    fn state(&self, state: usize) -> SMatrix<E, R, C> {
         SMatrix::from_fn(|i, j| self.0[j][i][state])
     }
 
-    fn set(&mut self, state: usize, value: &SMatrix<f64, R, C>) {
+    fn set(&mut self, state: usize, value: &SMatrix<E, R, C>) {
         for column in 0..C {
             for row in 0..R {
                 self.0[column][row][state] = value[(row, column)];
@@ -117,10 +121,10 @@ impl<'a, const R: usize, const C: usize> Sink<R, C> for ColumnsMut<'a, R, C> {
     }
 
     fn room() -> Self::Room {
-        [[SMatrix::zeros(); R]; C]
+        [[SMatrix::repeat(E::from_f64(0.0)); R]; C]
     }
 
-    fn elsewhere<'r>(&self, room: &'r mut Self::Room) -> ColumnsMut<'r, R, C>
+    fn elsewhere<'r>(room: &'r mut Self::Room) -> ColumnsMut<'r, E, R, C>
     where
         Self: 'r,
     {
@@ -131,72 +135,74 @@ impl<'a, const R: usize, const C: usize> Sink<R, C> for ColumnsMut<'a, R, C> {
     }
 
     #[inline(always)]
-    fn store<S: Simd>(&mut self, first: usize, value: &SMatrix<Wide<S>, R, C>) {
+    fn store<S: Simd>(&mut self, first: usize, value: &SMatrix<Wide<S, E>, R, C>) {
         for column in 0..C {
             for row in 0..R {
-                let states = &mut self.0[column][row][first..first + S::f64s::LEN];
+                let states = &mut self.0[column][row][first..first + lanes::<S, E>()];
                 value.data.0[column][row].0.store_slice(states);
             }
         }
     }
 }
 
-impl<'a, const N: usize> States<N> for [&'a [f64]; N] {
-    type Source = Columns<'a, N>;
+impl<'a, E: Precision, const N: usize> States<N, E> for [&'a [E]; N] {
+    type Source = Columns<'a, E, N>;
 
-    fn source(self) -> Columns<'a, N> {
+    fn source(self) -> Columns<'a, E, N> {
         Columns(self)
     }
 }
 
-impl<'a, const N: usize> States<N> for &'a [Vec<f64>; N] {
-    type Source = Columns<'a, N>;
+impl<'a, E: Precision, const N: usize> States<N, E> for &'a [Vec<E>; N] {
+    type Source = Columns<'a, E, N>;
 
-    fn source(self) -> Columns<'a, N> {
+    fn source(self) -> Columns<'a, E, N> {
         Columns(self.each_ref().map(|column| &column[..]))
     }
 }
 
 /// The matrices of a column for each joint.
-type ByColumns<const N: usize> = Matrix<f64, Dyn, Const<N>, VecStorage<f64, Dyn, Const<N>>>;
+type ByColumns<E, const N: usize> = Matrix<E, Dyn, Const<N>, VecStorage<E, Dyn, Const<N>>>;
 
-impl<'a, const N: usize> States<N> for &'a ByColumns<N> {
-    type Source = Columns<'a, N>;
+impl<'a, E: Precision, const N: usize> States<N, E> for &'a ByColumns<E, N> {
+    type Source = Columns<'a, E, N>;
 
-    fn source(self) -> Columns<'a, N> {
+    fn source(self) -> Columns<'a, E, N> {
         let mut columns = self.as_slice().chunks_exact(self.nrows().max(1));
         Columns(core::array::from_fn(|_| columns.next().unwrap_or_default()))
     }
 }
 
-impl<'a, const R: usize, const C: usize> StatesMut<R, C> for [[&'a mut [f64]; R]; C] {
-    type Sink = ColumnsMut<'a, R, C>;
+impl<'a, E: Precision, const R: usize, const C: usize> StatesMut<Entries<R, C>, E>
+    for [[&'a mut [E]; R]; C]
+{
+    type Sink = ColumnsMut<'a, E, R, C>;
 
-    fn sink(self) -> ColumnsMut<'a, R, C> {
+    fn sink(self) -> ColumnsMut<'a, E, R, C> {
         ColumnsMut(self)
     }
 }
 
-impl<'a, const R: usize> StatesMut<R, 1> for [&'a mut [f64]; R] {
-    type Sink = ColumnsMut<'a, R, 1>;
+impl<'a, E: Precision, const R: usize> StatesMut<Entries<R, 1>, E> for [&'a mut [E]; R] {
+    type Sink = ColumnsMut<'a, E, R, 1>;
 
-    fn sink(self) -> ColumnsMut<'a, R, 1> {
+    fn sink(self) -> ColumnsMut<'a, E, R, 1> {
         ColumnsMut([self])
     }
 }
 
-impl<'a, const R: usize> StatesMut<R, 1> for &'a mut [Vec<f64>; R] {
-    type Sink = ColumnsMut<'a, R, 1>;
+impl<'a, E: Precision, const R: usize> StatesMut<Entries<R, 1>, E> for &'a mut [Vec<E>; R] {
+    type Sink = ColumnsMut<'a, E, R, 1>;
 
-    fn sink(self) -> ColumnsMut<'a, R, 1> {
+    fn sink(self) -> ColumnsMut<'a, E, R, 1> {
         ColumnsMut([self.each_mut().map(|column| &mut column[..])])
     }
 }
 
-impl<'a, const R: usize> StatesMut<R, 1> for &'a mut ByColumns<R> {
-    type Sink = ColumnsMut<'a, R, 1>;
+impl<'a, E: Precision, const R: usize> StatesMut<Entries<R, 1>, E> for &'a mut ByColumns<E, R> {
+    type Sink = ColumnsMut<'a, E, R, 1>;
 
-    fn sink(self) -> ColumnsMut<'a, R, 1> {
+    fn sink(self) -> ColumnsMut<'a, E, R, 1> {
         let states = self.nrows().max(1);
         let mut columns = self.as_mut_slice().chunks_exact_mut(states);
         ColumnsMut([core::array::from_fn(|_| columns.next().unwrap_or_default())])

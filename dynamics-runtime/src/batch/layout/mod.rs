@@ -1,68 +1,73 @@
 //! How the states of a batch lie in memory.
 
 mod columns;
+mod parts;
 mod rows;
 
 use fearless_simd::Simd;
-use nalgebra::{ArrayStorage, SMatrix, SVector};
+use nalgebra::{ArrayStorage, SVector};
 
+use crate::batch::wide::Precision;
 use crate::batch::wide::Wide;
+use crate::function::{Arrangement, Of};
 
-/// `N` numbers for each of many states: the arguments of a batch.
+/// `N` numbers for each of many states: an argument of a batch. `T` is `f64` or `f32`.
 ///
 /// Implemented for
 ///
-/// - a vector for each state: `&[SVector<f64, N>]`, and references to a `Vec` or an array of them;
-/// - a column for each joint, which takes up to a sixth less time: `[&[f64]; N]`,
-///   `&[Vec<f64>; N]`, and `&OMatrix<f64, Dyn, Const<N>>`, a matrix of a row for each state.
+/// - a vector for each state: `&[SVector<T, N>]`, and references to a `Vec` or an array of them;
+/// - a column for each joint, which takes up to a sixth less time: `[&[T]; N]`,
+///   `&[Vec<T>; N]`, and `&OMatrix<T, Dyn, Const<N>>`, a matrix of a row for each state.
 ///
 /// Columns of several thousand states whose lengths are powers of two share sets of the cache, and
 /// lose what they have gained.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` does not hold {N} numbers for each of many states",
-    note = "it may be `&[SVector<f64, {N}>]`, `&Vec<SVector<f64, {N}>>`, `[&[f64]; {N}]` or `&OMatrix<f64, Dyn, Const<{N}>>`"
+    note = "it may be `&[SVector<{T}, {N}>]`, `&Vec<SVector<{T}, {N}>>`, `[&[{T}]; {N}]` or `&OMatrix<{T}, Dyn, Const<{N}>>`"
 )]
-pub trait States<const N: usize> {
+pub trait States<const N: usize, T: Precision = f64> {
     #[doc(hidden)]
-    type Source: Source<N>;
+    type Source: Source<N, T>;
 
     #[doc(hidden)]
     fn source(self) -> Self::Source;
 }
 
-/// Room for a matrix of `R` rows and `C` columns for each of many states: the results of a batch.
-/// Vectors are matrices of one column.
+/// Room for the values of a function at each of many states: the results of a batch. `T` is `f64` or `f32`,
+/// `A` stands for the type that a single call returns.
 ///
 /// Implemented for
 ///
-/// - a matrix or vector for each state: `&mut [SMatrix<f64, R, C>]`, and mutable references to a
-///   `Vec` or an array of them;
+/// - what a single call returns, for each state: `&mut [SMatrix<T, R, C>]`, `&mut [T]`, `&mut [(A, B)]`, and
+///   mutable references to a `Vec` or an array of them;
 /// - a column for each entry, which takes less time, for a mass matrix a third less:
-///   `[&mut [f64]; R]`, `&mut [Vec<f64>; R]` or `&mut OMatrix<f64, Dyn, Const<R>>` for vectors,
-///   and `[[&mut [f64]; R]; C]` for matrices, entry `(i, j)` in `[j][i]`.
+///   `[&mut [T]; R]`, `&mut [Vec<T>; R]` or `&mut OMatrix<T, Dyn, Const<R>>` for vectors,
+///   and `[[&mut [T]; R]; C]` for matrices, entry `(i, j)` in `[j][i]`;
+/// - where a single call returns a tuple or an array, a tuple or an array of any of these, such as
+///   `(&mut by_position, &mut by_velocity)`.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` has no room for {R} x {C} numbers for each of many states",
-    note = "it may be `&mut [SMatrix<f64, {R}, {C}>]`, a mutable reference to a `Vec` of them, or `[[&mut [f64]; {R}]; {C}]`",
-    note = "for vectors also `[&mut [f64]; {R}]` or `&mut OMatrix<f64, Dyn, Const<{R}>>`"
+    message = "`{Self}` has no room for the values of this function at each of many states",
+    note = "it may be `&mut [V]` or a mutable reference to a `Vec` of `V`, where `V` is what a single call returns in {T}, or a column for each entry",
+    note = "columns are `[&mut [{T}]; R]` or `&mut OMatrix<{T}, Dyn, Const<R>>` for vectors, `[[&mut [{T}]; R]; C]` for matrices"
 )]
-pub trait StatesMut<const R: usize, const C: usize = 1> {
+pub trait StatesMut<A: Arrangement, T: Precision = f64> {
     #[doc(hidden)]
-    type Sink: Sink<R, C>;
+    type Sink: Sink<A, T>;
 
     #[doc(hidden)]
     fn sink(self) -> Self::Sink;
 }
 
-/// The number of lanes of the widest vectors.
-pub(super) const MOST_LANES: usize = 8;
+/// The number of lanes of the widest vectors, of single precision.
+pub(super) const MOST_LANES: usize = 16;
 
 /// Where the lanes read.
-pub trait Source<const N: usize>: Copy + Send {
+pub trait Source<const N: usize, E: Precision>: Copy + Send {
     /// Room for as many states as there are lanes.
     type Room;
 
     /// The source that reads there.
-    type Copied<'r>: Source<N>
+    type Copied<'r>: Source<N, E>
     where
         Self: 'r;
 
@@ -77,7 +82,7 @@ pub trait Source<const N: usize>: Copy + Send {
     fn split(self, states: usize) -> (Self, Self);
 
     /// One state.
-    fn state(&self, state: usize) -> SVector<f64, N>;
+    fn state(&self, state: usize) -> SVector<E, N>;
 
     /// Empty room.
     fn room() -> Self::Room;
@@ -89,16 +94,16 @@ pub trait Source<const N: usize>: Copy + Send {
         Self: 'r;
 
     /// As many states as there are lanes, from the first on.
-    fn load<S: Simd>(&self, simd: S, first: usize) -> SVector<Wide<S>, N>;
+    fn load<S: Simd>(&self, simd: S, first: usize) -> SVector<Wide<S, E>, N>;
 }
 
 /// Where the lanes write.
-pub trait Sink<const R: usize, const C: usize>: Send + Sized {
+pub trait Sink<A: Arrangement, E: Precision>: Send + Sized {
     /// Room for as many states as there are lanes.
     type Room;
 
     /// The sink that writes there.
-    type Copied<'r>: Sink<R, C>
+    type Copied<'r>: Sink<A, E>
     where
         Self: 'r;
 
@@ -108,31 +113,34 @@ pub trait Sink<const R: usize, const C: usize>: Send + Sized {
     /// The first states alone.
     fn shorten(&mut self, states: usize);
 
-    /// The first states, and the others.
+    /// The first states; what is left are the others.
     #[cfg(feature = "rayon")]
-    fn split(self, states: usize) -> (Self, Self);
+    #[must_use]
+    fn take(&mut self, states: usize) -> Self;
 
     /// One state.
-    fn state(&self, state: usize) -> SMatrix<f64, R, C>;
+    fn state(&self, state: usize) -> Of<A, E>;
 
     /// Writes one state.
-    fn set(&mut self, state: usize, value: &SMatrix<f64, R, C>);
+    fn set(&mut self, state: usize, value: &Of<A, E>);
 
     /// Empty room.
     fn room() -> Self::Room;
 
     /// A sink for as many states as there are lanes.
-    fn elsewhere<'r>(&self, room: &'r mut Self::Room) -> Self::Copied<'r>
+    fn elsewhere<'r>(room: &'r mut Self::Room) -> Self::Copied<'r>
     where
         Self: 'r;
 
     /// Writes as many states as there are lanes, from the first on.
-    fn store<S: Simd>(&mut self, first: usize, value: &SMatrix<Wide<S>, R, C>);
+    fn store<S: Simd>(&mut self, first: usize, value: &Of<A, Wide<S, E>>);
 }
 
 /// The vector of what is there for each joint.
 #[inline(always)]
-fn each_joint<S: Simd, const N: usize>(lanes: impl Fn(usize) -> S::f64s) -> SVector<Wide<S>, N> {
+fn each_joint<S: Simd, E: Precision, const N: usize>(
+    lanes: impl Fn(usize) -> E::Native<S>,
+) -> SVector<Wide<S, E>, N> {
     // Not `from_fn`, which is not inlined for certain.
     let mut vector = [Wide(lanes(0)); N];
     for joint in 1..N {

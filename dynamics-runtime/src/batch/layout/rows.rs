@@ -1,22 +1,24 @@
-//! A vector or a matrix for each state.
+//! A value for each state: a number, a vector, a matrix, an array or a tuple.
 
 use fearless_simd::{Simd, SimdBase};
-use nalgebra::{SMatrix, SVector};
+use nalgebra::SVector;
 
 use super::{MOST_LANES, Sink, Source, States, StatesMut, each_joint};
-use crate::batch::wide::Wide;
+use crate::batch::wide::Precision;
+use crate::batch::wide::{Wide, lanes};
+use crate::function::{Arrangement, Of};
 
 /// A vector for each state.
 #[derive(Clone, Copy)]
-pub struct Rows<'a, const N: usize>(&'a [SVector<f64, N>]);
+pub struct Rows<'a, E, const N: usize>(&'a [SVector<E, N>]);
 
-/// Room for a matrix for each state.
-pub struct RowsMut<'a, const R: usize, const C: usize>(&'a mut [SMatrix<f64, R, C>]);
+/// Room for a value for each state.
+pub struct RowsMut<'a, A: Arrangement, E: Precision>(&'a mut [Of<A, E>]);
 
-impl<'a, const N: usize> Source<N> for Rows<'a, N> {
-    type Room = [SMatrix<f64, N, 1>; MOST_LANES];
+impl<'a, E: Precision, const N: usize> Source<N, E> for Rows<'a, E, N> {
+    type Room = [SVector<E, N>; MOST_LANES];
     type Copied<'r>
-        = Rows<'r, N>
+        = Rows<'r, E, N>
     where
         Self: 'r;
 
@@ -35,15 +37,15 @@ impl<'a, const N: usize> Source<N> for Rows<'a, N> {
         (Rows(first), Rows(others))
     }
 
-    fn state(&self, state: usize) -> SVector<f64, N> {
+    fn state(&self, state: usize) -> SVector<E, N> {
         self.0[state]
     }
 
     fn room() -> Self::Room {
-        [SMatrix::zeros(); MOST_LANES]
+        [SVector::repeat(E::from_f64(0.0)); MOST_LANES]
     }
 
-    fn padded<'r>(&self, states: usize, room: &'r mut Self::Room) -> Rows<'r, N>
+    fn padded<'r>(&self, states: usize, room: &'r mut Self::Room) -> Rows<'r, E, N>
     where
         Self: 'r,
     {
@@ -54,12 +56,12 @@ impl<'a, const N: usize> Source<N> for Rows<'a, N> {
     }
 
     #[inline(always)]
-    fn load<S: Simd>(&self, simd: S, first: usize) -> SVector<Wide<S>, N> {
-        let states = &self.0[first..first + S::f64s::LEN];
+    fn load<S: Simd>(&self, simd: S, first: usize) -> SVector<Wide<S, E>, N> {
+        let states = &self.0[first..first + lanes::<S, E>()];
         each_joint(
             #[inline(always)]
             |joint| {
-                S::f64s::from_fn(
+                E::Native::<S>::from_fn(
                     simd,
                     #[inline(always)]
                     |lane| states[lane].data.0[0][joint],
@@ -69,10 +71,13 @@ impl<'a, const N: usize> Source<N> for Rows<'a, N> {
     }
 }
 
-impl<'a, const R: usize, const C: usize> Sink<R, C> for RowsMut<'a, R, C> {
-    type Room = [SMatrix<f64, R, C>; MOST_LANES];
+impl<'a, A: Arrangement, E: Precision> Sink<A, E> for RowsMut<'a, A, E>
+where
+    Of<A, E>: Send,
+{
+    type Room = [Of<A, E>; MOST_LANES];
     type Copied<'r>
-        = RowsMut<'r, R, C>
+        = RowsMut<'r, A, E>
     where
         Self: 'r;
 
@@ -86,24 +91,25 @@ impl<'a, const R: usize, const C: usize> Sink<R, C> for RowsMut<'a, R, C> {
     }
 
     #[cfg(feature = "rayon")]
-    fn split(self, states: usize) -> (Self, Self) {
-        let (first, others) = self.0.split_at_mut(states);
-        (RowsMut(first), RowsMut(others))
+    fn take(&mut self, states: usize) -> Self {
+        let (first, others) = core::mem::take(&mut self.0).split_at_mut(states);
+        self.0 = others;
+        RowsMut(first)
     }
 
-    fn state(&self, state: usize) -> SMatrix<f64, R, C> {
+    fn state(&self, state: usize) -> Of<A, E> {
         self.0[state]
     }
 
-    fn set(&mut self, state: usize, value: &SMatrix<f64, R, C>) {
+    fn set(&mut self, state: usize, value: &Of<A, E>) {
         self.0[state] = *value;
     }
 
     fn room() -> Self::Room {
-        [SMatrix::zeros(); MOST_LANES]
+        [A::filled(E::from_f64(0.0)); MOST_LANES]
     }
 
-    fn elsewhere<'r>(&self, room: &'r mut Self::Room) -> RowsMut<'r, R, C>
+    fn elsewhere<'r>(room: &'r mut Self::Room) -> RowsMut<'r, A, E>
     where
         Self: 'r,
     {
@@ -111,65 +117,69 @@ impl<'a, const R: usize, const C: usize> Sink<R, C> for RowsMut<'a, R, C> {
     }
 
     #[inline(always)]
-    fn store<S: Simd>(&mut self, first: usize, value: &SMatrix<Wide<S>, R, C>) {
-        let states = &mut self.0[first..first + S::f64s::LEN];
-        for column in 0..C {
-            for row in 0..R {
-                let lanes = value.data.0[column][row].0;
-                for lane in 0..S::f64s::LEN {
-                    states[lane].data.0[column][row] = lanes[lane];
-                }
-            }
+    fn store<S: Simd>(&mut self, first: usize, value: &Of<A, Wide<S, E>>) {
+        let states = &mut self.0[first..first + lanes::<S, E>()];
+        for (lane, state) in states.iter_mut().enumerate() {
+            A::zip(state, value, &mut |x: &mut E, lanes: Wide<S, E>| {
+                *x = lanes.0[lane];
+            });
         }
     }
 }
 
-impl<'a, const N: usize> States<N> for &'a [SVector<f64, N>] {
-    type Source = Rows<'a, N>;
+impl<'a, E: Precision, const N: usize> States<N, E> for &'a [SVector<E, N>] {
+    type Source = Rows<'a, E, N>;
 
-    fn source(self) -> Rows<'a, N> {
+    fn source(self) -> Rows<'a, E, N> {
         Rows(self)
     }
 }
 
-impl<'a, const N: usize> States<N> for &'a Vec<SVector<f64, N>> {
-    type Source = Rows<'a, N>;
+impl<'a, E: Precision, const N: usize> States<N, E> for &'a Vec<SVector<E, N>> {
+    type Source = Rows<'a, E, N>;
 
-    fn source(self) -> Rows<'a, N> {
+    fn source(self) -> Rows<'a, E, N> {
         Rows(self)
     }
 }
 
-impl<'a, const N: usize, const L: usize> States<N> for &'a [SVector<f64, N>; L] {
-    type Source = Rows<'a, N>;
+impl<'a, E: Precision, const N: usize, const L: usize> States<N, E> for &'a [SVector<E, N>; L] {
+    type Source = Rows<'a, E, N>;
 
-    fn source(self) -> Rows<'a, N> {
+    fn source(self) -> Rows<'a, E, N> {
         Rows(self)
     }
 }
 
-impl<'a, const R: usize, const C: usize> StatesMut<R, C> for &'a mut [SMatrix<f64, R, C>] {
-    type Sink = RowsMut<'a, R, C>;
-
-    fn sink(self) -> RowsMut<'a, R, C> {
-        RowsMut(self)
-    }
-}
-
-impl<'a, const R: usize, const C: usize> StatesMut<R, C> for &'a mut Vec<SMatrix<f64, R, C>> {
-    type Sink = RowsMut<'a, R, C>;
-
-    fn sink(self) -> RowsMut<'a, R, C> {
-        RowsMut(self)
-    }
-}
-
-impl<'a, const R: usize, const C: usize, const L: usize> StatesMut<R, C>
-    for &'a mut [SMatrix<f64, R, C>; L]
+impl<'a, A: Arrangement, E: Precision> StatesMut<A, E> for &'a mut [Of<A, E>]
+where
+    Of<A, E>: Send,
 {
-    type Sink = RowsMut<'a, R, C>;
+    type Sink = RowsMut<'a, A, E>;
 
-    fn sink(self) -> RowsMut<'a, R, C> {
+    fn sink(self) -> RowsMut<'a, A, E> {
+        RowsMut(self)
+    }
+}
+
+impl<'a, A: Arrangement, E: Precision> StatesMut<A, E> for &'a mut Vec<Of<A, E>>
+where
+    Of<A, E>: Send,
+{
+    type Sink = RowsMut<'a, A, E>;
+
+    fn sink(self) -> RowsMut<'a, A, E> {
+        RowsMut(self)
+    }
+}
+
+impl<'a, A: Arrangement, E: Precision, const L: usize> StatesMut<A, E> for &'a mut [Of<A, E>; L]
+where
+    Of<A, E>: Send,
+{
+    type Sink = RowsMut<'a, A, E>;
+
+    fn sink(self) -> RowsMut<'a, A, E> {
         RowsMut(self)
     }
 }

@@ -1,6 +1,6 @@
 //! Sines in single precision, without an operation in another.
 //!
-//! Error below 0.71 units in the last place for |x| <= 1e4 (measured on all of these numbers, see the
+//! Error below 0.79 units in the last place for |x| <= 1e4 (measured on all of these numbers, see the
 //! tests) and beyond, where the reduction is exact, in integers.
 
 mod integers;

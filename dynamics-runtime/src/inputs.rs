@@ -1,30 +1,37 @@
-//! Where generated functions get the sines of joint positions from.
+//! Where generated functions get the sines of joint positions and the fields of their struct from.
 
 use crate::Scalar;
 
-/// Where a generated function gets the sines and cosines of joint positions from.
+/// Where a generated function gets the sines and cosines of joint positions and the struct's fields from.
 #[doc(hidden)]
-pub trait JointSines<T> {
+pub trait Inputs<T: Scalar> {
     /// Sines and cosines of the `positions` of some joints, by their indices.
     fn sin_cos<const K: usize>(&self, joints: [usize; K], positions: [T; K]) -> [(T, T); K];
+
+    /// A field, by its index, with its value in the struct at hand, in the arithmetic of `like`.
+    #[inline(always)]
+    fn field(&self, index: usize, value: f64, like: T) -> T {
+        let _ = index;
+        like.constant(value)
+    }
 }
 
-/// Evaluates them, all at once.
+/// Evaluates sines, all at once.
 #[doc(hidden)]
 pub struct Evaluated;
 
-impl<T: Scalar> JointSines<T> for Evaluated {
+impl<T: Scalar> Inputs<T> for Evaluated {
     #[inline(always)]
     fn sin_cos<const K: usize>(&self, _: [usize; K], positions: [T; K]) -> [(T, T); K] {
         T::sin_cos_array(positions)
     }
 }
 
-/// Looks them up.
+/// Looks sines up.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Known<T, const N: usize>(pub(crate) [(T, T); N]);
 
-impl<T: Scalar, const N: usize> JointSines<T> for Known<T, N> {
+impl<T: Scalar, const N: usize> Inputs<T> for Known<T, N> {
     #[inline(always)]
     fn sin_cos<const K: usize>(&self, joints: [usize; K], _: [T; K]) -> [(T, T); K] {
         // Not `map`, which is not inlined for certain.

@@ -1,0 +1,262 @@
+//! Several numbers in the lanes of one vector register, as a [`Scalar`].
+
+mod precision;
+
+use core::any::Any;
+use core::fmt;
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+use fearless_simd::{
+    Bytes, ExtractToken, Level, Select, Simd, SimdBase, SimdFloat, SimdMask, dispatch,
+};
+
+use super::abreast;
+use super::unrolled::for_each_index;
+use crate::Scalar;
+use crate::sine::{self, Kernel, Lanes};
+pub use precision::Precision;
+
+/// As many numbers as a vector register of the instruction set `S` holds.
+///
+/// `S` cannot be had where the processor lacks the instructions, so that every number carries the
+/// proof that its operations may run; it takes no space.
+#[derive(Clone, Copy)]
+pub struct Wide<S: Simd, E: Precision>(pub(super) E::Native<S>);
+
+/// How many they are.
+pub(super) const fn lanes<S: Simd, E: Precision>() -> usize {
+    <E::Native<S> as SimdBase<S>>::LEN
+}
+
+impl<S: Simd, E: Precision> Wide<S, E> {
+    /// The number `x` in every lane.
+    #[inline(always)]
+    fn splat(self, x: E) -> E::Native<S> {
+        E::Native::<S>::splat(self.0.token(), x)
+    }
+}
+
+macro_rules! impl_operator {
+    ($($operator:ident, $method:ident;)*) => {$(
+        impl<S: Simd, E: Precision> $operator for Wide<S, E> {
+            type Output = Self;
+
+            #[inline(always)]
+            fn $method(self, other: Self) -> Self {
+                Wide($operator::$method(self.0, other.0))
+            }
+        }
+    )*};
+}
+
+impl_operator! {
+    Add, add;
+    Sub, sub;
+    Mul, mul;
+    Div, div;
+}
+
+impl<S: Simd, E: Precision> Neg for Wide<S, E> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Wide(-self.0)
+    }
+}
+
+impl<S: Simd, E: Precision> PartialEq for Wide<S, E> {
+    fn eq(&self, other: &Self) -> bool {
+        self.0.as_slice() == other.0.as_slice()
+    }
+}
+
+impl<S: Simd, E: Precision> fmt::Debug for Wide<S, E> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.as_slice().fmt(f)
+    }
+}
+
+impl<S: Simd, E: Precision> Scalar for Wide<S, E> {
+    /// Generated functions do not come here: they make their constants by
+    /// [`constant`](Scalar::constant), which need not ask the processor.
+    #[cold]
+    fn from_f64(x: f64) -> Self {
+        Wide(E::Native::<S>::splat(token(), E::from_f64(x)))
+    }
+
+    #[inline(always)]
+    fn constant(self, x: f64) -> Self {
+        Wide(self.splat(E::from_f64(x)))
+    }
+
+    #[cold]
+    fn epsilon() -> Self {
+        Wide(E::Native::<S>::splat(token(), E::epsilon()))
+    }
+
+    #[inline(always)]
+    fn sin_cos(self) -> (Self, Self) {
+        let [value] = Self::sin_cos_array([self]);
+        value
+    }
+
+    #[inline(always)]
+    fn sin_cos_array<const K: usize>(angles: [Self; K]) -> [(Self, Self); K] {
+        E::sin_cos_of_lanes(angles)
+    }
+
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        Wide(self.0.sqrt())
+    }
+
+    /// Lane by lane.
+    #[inline]
+    fn exp(mut self) -> Self {
+        for x in self.0.as_mut_slice() {
+            *x = Scalar::exp(*x);
+        }
+        self
+    }
+
+    #[inline(always)]
+    fn mul_add(self, a: Self, b: Self) -> Self {
+        Wide(self.0.mul_add(a.0, b.0))
+    }
+
+    #[inline(always)]
+    fn sign(self) -> Self {
+        let (zero, one) = (self.splat(E::from_f64(0.0)), self.splat(E::from_f64(1.0)));
+        // Zero of either sign is +0, and NaN is NaN, plus zero.
+        let is_signed = self.0.abs().simd_gt(zero);
+        Wide(is_signed.select(one.copysign(self.0), self.0 + zero))
+    }
+
+    #[inline(always)]
+    fn is_positive(self) -> bool {
+        self.0.simd_gt(self.splat(E::from_f64(0.0))).all_true()
+    }
+
+    #[inline(always)]
+    fn exceeds_rounding_of(self, size: Self) -> bool {
+        let rounding = size * Wide(self.splat(E::epsilon() * E::from_f64(8.0)));
+        (self - rounding).is_positive() && (self + rounding).is_positive()
+    }
+
+    #[cold]
+    fn ratio_to_f64(self, of: Self) -> f64 {
+        let (of, ratios) = (of.0, self.0);
+        let ratios = ratios.as_slice().iter().zip(of.as_slice());
+        let least = |least: f64, ratio: f64| if least <= ratio { least } else { ratio };
+        ratios
+            .map(|(a, b)| a.ratio_to_f64(*b))
+            .reduce(least)
+            .unwrap_or(f64::NAN)
+    }
+}
+
+/// The instruction set, asked of the processor.
+fn token<S: Simd>() -> S {
+    let same = |token: &dyn Any| token.downcast_ref::<S>().copied();
+    // The best one has all the others in it.
+    let level = Level::new();
+    let mut found = dispatch!(level, simd => same(&simd));
+    #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+    {
+        found = found
+            .or_else(|| same(&level.as_avx2()?))
+            .or_else(|| same(&level.as_sse4_2()?))
+            .or_else(|| same(&level.as_sse2()?));
+    }
+    found.expect("lanes exist only where the processor has their instructions")
+}
+
+macro_rules! impl_precision {
+    ($($float:ident: $bits:ident, $last_bit:literal, $most_lanes:literal;)*) => {$(
+        impl Precision for $float {
+            const MOST_LANES: usize = $most_lanes;
+
+            #[inline(always)]
+            fn sin_cos_of_lanes<S: Simd, const K: usize>(
+                angles: [Wide<S, $float>; K],
+            ) -> [(Wide<S, $float>, Wide<S, $float>); K] {
+                // Not `map`: the functions of arrays that take a closure are not inlined for certain, and
+                // the closure by itself has none of the instructions.
+                let Some(&first) = angles.first() else {
+                    return angles.map(|angle| (angle, angle));
+                };
+                let limit = first.splat($float::LARGEST);
+                let mut within = first.0.abs().simd_le(limit);
+                for angle in &angles[1..] {
+                    within &= angle.0.abs().simd_le(limit);
+                }
+                let mut values = [(first, first); K];
+                if within.all_true() {
+                    abreast::sin_cos_of_each(&angles, &mut values);
+                } else {
+                    // By way of memory that is used nowhere else: what has an address stays out of the
+                    // registers.
+                    let mut copy = [first; K];
+                    for_each_index!(K, i => copy[i] = angles[i]);
+                    let copy = sin_cos_of_large(&copy, sine::one::<$float>);
+                    for_each_index!(K, i => values[i] = copy[i]);
+                }
+                values
+            }
+        }
+
+        impl<S: Simd> Lanes for Wide<S, $float> {
+            type Number = $float;
+
+            #[inline(always)]
+            fn constant(self, x: $float) -> Self {
+                Wide(self.splat(x))
+            }
+
+            #[inline(always)]
+            fn exact_product_from(self, b: Self, a: Self) -> Self {
+                Wide((-self.0).mul_add(b.0, a.0))
+            }
+
+            #[inline(always)]
+            fn select_by_lowest_bit(self, odd: Self, even: Self) -> Self {
+                let lowest = self.0.bitcast::<S::$bits>() << $last_bit;
+                let none = S::$bits::splat(self.0.token(), 0);
+                Wide(lowest.simd_eq(none).select(even.0, odd.0))
+            }
+
+            #[inline(always)]
+            fn turned_by_bit<const BIT: u32>(self, of: Self) -> Self {
+                let turn = (of.0.bitcast::<S::$bits>() >> BIT) << $last_bit;
+                Wide((self.0.bitcast::<S::$bits>() ^ turn).bitcast())
+            }
+
+            #[inline(always)]
+            fn all_within(self, limit: $float) -> bool {
+                self.0.abs().simd_le(self.splat(limit)).all_true()
+            }
+        }
+    )*};
+}
+
+impl_precision! {
+    f32: u32s, 31, 16;
+    f64: u64s, 63, 8;
+}
+
+/// Angles among which there is a large one, or no number: what one state does, for each.
+#[cold]
+#[inline(never)]
+fn sin_cos_of_large<S: Simd, E: Precision, const K: usize>(
+    angles: &[Wide<S, E>; K],
+    one: fn(E) -> (E, E),
+) -> [(Wide<S, E>, Wide<S, E>); K] {
+    angles.map(|mut angle| {
+        let mut sine = angle;
+        for (x, s) in angle.0.as_mut_slice().iter_mut().zip(sine.0.as_mut_slice()) {
+            (*s, *x) = one(*x);
+        }
+        (sine, angle)
+    })
+}

@@ -1,0 +1,141 @@
+//! Arrangements of numbers: what generated functions take and put out, of numbers of any kind.
+
+use nalgebra::SMatrix;
+
+use crate::Scalar;
+
+/// An arrangement of numbers, apart from what numbers they are.
+#[doc(hidden)]
+pub trait Arrangement: 'static {
+    /// Numbers in this arrangement.
+    type Of<T: Scalar>: Copy;
+
+    /// The same number everywhere.
+    fn filled<T: Scalar>(x: T) -> Self::Of<T>;
+
+    /// Does something to each number of `a`, with its counterpart in `b`.
+    fn zip<A: Scalar, B: Scalar>(
+        a: &mut Self::Of<A>,
+        b: &Self::Of<B>,
+        f: &mut impl FnMut(&mut A, B),
+    );
+}
+
+/// One number.
+#[doc(hidden)]
+#[derive(Debug)]
+pub enum Number {}
+
+impl Arrangement for Number {
+    type Of<T: Scalar> = T;
+
+    #[inline(always)]
+    fn filled<T: Scalar>(x: T) -> T {
+        x
+    }
+
+    #[inline(always)]
+    fn zip<A: Scalar, B: Scalar>(a: &mut A, b: &B, f: &mut impl FnMut(&mut A, B)) {
+        f(a, *b);
+    }
+}
+
+/// A matrix of `R` rows and `C` columns.
+#[doc(hidden)]
+#[derive(Debug)]
+pub enum Entries<const R: usize, const C: usize> {}
+
+impl<const R: usize, const C: usize> Arrangement for Entries<R, C> {
+    type Of<T: Scalar> = SMatrix<T, R, C>;
+
+    #[inline(always)]
+    fn filled<T: Scalar>(x: T) -> SMatrix<T, R, C> {
+        SMatrix::repeat(x)
+    }
+
+    #[inline(always)]
+    fn zip<A: Scalar, B: Scalar>(
+        a: &mut SMatrix<A, R, C>,
+        b: &SMatrix<B, R, C>,
+        f: &mut impl FnMut(&mut A, B),
+    ) {
+        for column in 0..C {
+            for row in 0..R {
+                f(&mut a.data.0[column][row], b.data.0[column][row]);
+            }
+        }
+    }
+}
+
+impl<P: Arrangement, const K: usize> Arrangement for [P; K] {
+    type Of<T: Scalar> = [P::Of<T>; K];
+
+    #[inline(always)]
+    fn filled<T: Scalar>(x: T) -> [P::Of<T>; K] {
+        [P::filled(x); K]
+    }
+
+    #[inline(always)]
+    fn zip<A: Scalar, B: Scalar>(
+        a: &mut [P::Of<A>; K],
+        b: &[P::Of<B>; K],
+        f: &mut impl FnMut(&mut A, B),
+    ) {
+        for i in 0..K {
+            P::zip(&mut a[i], &b[i], f);
+        }
+    }
+}
+
+macro_rules! impl_tuple {
+    ($($part:ident $other:ident $x:ident $y:ident),*) => {
+        #[allow(clippy::unused_unit, reason = "one of the tuples is empty")]
+        impl<$($part: Arrangement),*> Arrangement for ($($part,)*) {
+            type Of<T: Scalar> = ($($part::Of<T>,)*);
+
+            #[inline(always)]
+            fn filled<T: Scalar>(x: T) -> Self::Of<T> {
+                let _ = x;
+                ($($part::filled(x),)*)
+            }
+
+            #[inline(always)]
+            fn zip<A: Scalar, B: Scalar>(
+                a: &mut Self::Of<A>,
+                b: &Self::Of<B>,
+                f: &mut impl FnMut(&mut A, B),
+            ) {
+                let (($($x,)*), ($($y,)*)) = (a, b);
+                $($part::zip($x, $y, f);)*
+                let _ = f;
+            }
+        }
+    };
+}
+
+/// Hands tuples of all lengths that functions take and put out to a macro: for each part the names of two
+/// types and of two variables.
+macro_rules! each_tuple {
+    ($then:ident) => {
+        $then!();
+        $then!(P PP p pp);
+        $then!(P PP p pp, Q QQ q qq);
+        $then!(P PP p pp, Q QQ q qq, R RR r rr);
+        $then!(P PP p pp, Q QQ q qq, R RR r rr, V VV v vv);
+        $then!(P PP p pp, Q QQ q qq, R RR r rr, V VV v vv, X XX x xx);
+        $then!(P PP p pp, Q QQ q qq, R RR r rr, V VV v vv, X XX x xx, Z ZZ z zz);
+        $then!(P PP p pp, Q QQ q qq, R RR r rr, V VV v vv, X XX x xx, Z ZZ z zz, G GG g gg);
+        $then!(P PP p pp, Q QQ q qq, R RR r rr, V VV v vv, X XX x xx, Z ZZ z zz, G GG g gg, I II i ii);
+        $then!(P PP p pp, Q QQ q qq, R RR r rr, V VV v vv, X XX x xx, Z ZZ z zz, G GG g gg, I II i ii, K KK k kk);
+        $then!(P PP p pp, Q QQ q qq, R RR r rr, V VV v vv, X XX x xx, Z ZZ z zz, G GG g gg, I II i ii, K KK k kk, M MM m mm);
+        $then!(P PP p pp, Q QQ q qq, R RR r rr, V VV v vv, X XX x xx, Z ZZ z zz, G GG g gg, I II i ii, K KK k kk, M MM m mm, O OO o oo);
+        $then!(P PP p pp, Q QQ q qq, R RR r rr, V VV v vv, X XX x xx, Z ZZ z zz, G GG g gg, I II i ii, K KK k kk, M MM m mm, O OO o oo, D DD d dd);
+    };
+}
+#[cfg(feature = "std")]
+pub(crate) use each_tuple;
+
+each_tuple!(impl_tuple);
+
+/// Numbers in an arrangement.
+pub(crate) type Of<A, T> = <A as Arrangement>::Of<T>;
