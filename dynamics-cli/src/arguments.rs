@@ -144,7 +144,7 @@ fn of_a_file(name: &'static str, about: &'static str) -> Command {
     Command::new(name)
         .about(about)
         .arg(
-            file("file", "The robot: a file in TOML or JSON")
+            file("file", "The robot: a file in TOML, JSON or URDF")
                 .required(true)
                 .value_name("FILE"),
         )
@@ -163,6 +163,28 @@ fn of_a_file(name: &'static str, about: &'static str) -> Command {
                 .value_name("JOINT=POSITION")
                 .action(ArgAction::Append)
                 .help("A joint that stands still, rad or m; may be given several times"),
+        )
+        .arg(
+            Arg::new("chain")
+                .long("chain")
+                .value_name("BASE,TIP")
+                .value_delimiter(',')
+                .num_args(1)
+                .help("The first and the last link of the arm in a URDF file"),
+        )
+        .arg(
+            Arg::new("ignore")
+                .long("ignore")
+                .value_name("JOINT")
+                .action(ArgAction::Append)
+                .help("A joint of a URDF file that is left out, with all that hangs on it; may be given several times"),
+        )
+        .arg(
+            Arg::new("round-angles")
+                .long("round-angles")
+                .value_name("RAD")
+                .value_parser(value_parser!(f64))
+                .help("How near an angle of a URDF file is to a quarter turn that is taken as one, such as 1e-4"),
         )
 }
 

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use clap::ArgMatches;
-use dynamics_evaluation::{FileError, RuntimeRobot, read_file};
+use dynamics_evaluation::{Besides, FileError, RuntimeRobot, read_file};
 use dynamics_symbolic::robot::Robot;
 use dynamics_symbolic::{Function, Proven, Request, proven_program};
 use indicatif::ProgressBar;
@@ -31,8 +31,31 @@ pub(crate) fn model_of(path: &Path, given: &ArgMatches) -> Result<(Robot, Vec<Re
     Ok((model.robot, requests.collect()))
 }
 
+/// What the command line says besides the file.
+fn besides(given: &ArgMatches) -> Result<Besides, Failure> {
+    let names = |option: &str| -> Vec<String> {
+        let names = given.get_many::<String>(option).into_iter().flatten();
+        names.map(|name| name.trim().to_owned()).collect()
+    };
+    let chain = names("chain");
+    let chain = match <[String; 2]>::try_from(chain) {
+        Ok(chain) => Some(chain),
+        Err(none) if none.is_empty() => None,
+        Err(links) => {
+            let message = format!("`--chain {}`: expected BASE,TIP", links.join(","));
+            return Err(Failure::of_the_command_line(message));
+        }
+    };
+    Ok(Besides {
+        entries: entries(given)?,
+        chain,
+        ignore: names("ignore"),
+        round_angles: given.get_one::<f64>("round-angles").copied(),
+    })
+}
+
 /// The entries that take the place of those of the file, in its words.
-fn besides(given: &ArgMatches) -> Result<String, Failure> {
+fn entries(given: &ArgMatches) -> Result<String, Failure> {
     let mut text = String::new();
     let words = |name: &str| {
         let words = given.try_get_many::<String>(name).ok().flatten();

@@ -4,8 +4,9 @@ use core::fmt;
 use std::path::{Path, PathBuf};
 
 use dynamics_codegen::Model;
-use dynamics_codegen::description::{Entry, Place};
-use dynamics_codegen::files::{Format, Request, table};
+use dynamics_codegen::description::{Entry, Expr, ExprKind, Name, Place, Table};
+use dynamics_codegen::files::{Format, Request, table, table_beside};
+use dynamics_symbolic::exact::Rational;
 use dynamics_symbolic::neglect::neglect;
 
 use crate::{BuildError, RuntimeRobot};
@@ -59,7 +60,7 @@ impl fmt::Display for FileError {
             }
             FileError::UnknownFormat(file) => write!(
                 f,
-                "{}:1:1: the name tells no format: expected a file that ends in `.toml` or `.json`",
+                "{}:1:1: the name tells no format: expected a file that ends in `.toml`, `.json` or `.urdf`",
                 file.display()
             ),
             FileError::Mistakes(mistakes) => {
@@ -73,13 +74,49 @@ impl fmt::Display for FileError {
 
 impl core::error::Error for FileError {}
 
-/// Reads a robot and what is asked for; `besides` are entries in TOML that take the place of those of the
-/// file, or join them: `gravity`, `functions`, `lock`.
+/// What is said of a robot besides its file.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Besides {
+    /// Entries in TOML that take the place of those of the file, or join them: `gravity`, `functions`,
+    /// `lock`, `tool`.
+    pub entries: String,
+    /// The first and the last link of the arm, which a URDF file needs.
+    pub chain: Option<[String; 2]>,
+    /// Joints of a URDF file that are left out, with all that hangs on them.
+    pub ignore: Vec<String>,
+    /// How near an angle of a URDF file is to a quarter turn that is taken as one, rad.
+    pub round_angles: Option<f64>,
+}
+
+impl Besides {
+    /// As a table; the mistakes in the entries are no file's.
+    fn table(&self, stem: &str) -> Result<Table, FileError> {
+        let mut table = table(stem, &self.entries, Format::Toml, &Request::default())
+            .map_err(|errors| mistakes(None, errors))?;
+        let place = Place::File { line: 1, column: 1 };
+        let name = |name: &String| Name::new(name.as_str(), place);
+        let chain = self.chain.as_ref();
+        let chain = chain.map(|[first, last]| Entry::Chain(Some([name(first), name(last)])));
+        table.entries.extend(chain);
+        let ignore = self.ignore.iter().map(name).collect();
+        table.entries.push(Entry::Ignore(Some(ignore)));
+        if let Some(within) = self.round_angles {
+            let number = Rational::try_from(within).unwrap_or(Rational::ZERO);
+            let kind = ExprKind::Number(number);
+            table
+                .entries
+                .push(Entry::RoundAngles(Some(Expr { kind, place })));
+        }
+        Ok(table)
+    }
+}
+
+/// Reads a robot and what is asked for.
 ///
 /// # Errors
 ///
 /// [`FileError`], with all mistakes of the file.
-pub fn read_file(path: &Path, besides: &str) -> Result<Model, FileError> {
+pub fn read_file(path: &Path, besides: &Besides) -> Result<Model, FileError> {
     let text = std::fs::read_to_string(path);
     let text = text.map_err(|error| FileError::Unreadable(path.to_owned(), error.to_string()))?;
     let format = Format::of(path).ok_or_else(|| FileError::UnknownFormat(path.to_owned()))?;
@@ -87,21 +124,8 @@ pub fn read_file(path: &Path, besides: &str) -> Result<Model, FileError> {
         .file_stem()
         .and_then(|stem| stem.to_str())
         .unwrap_or("robot");
-    let mistakes = |file: Option<&Path>, errors: Vec<dynamics_codegen::Error>| {
-        let errors = errors.into_iter();
-        FileError::Mistakes(errors.map(|error| mistake(file, error)).collect())
-    };
-    let mut robot = table(stem, &text, format, &Request::default())
+    let robot = table_beside(stem, &text, format, besides.table(stem)?)
         .map_err(|errors| mistakes(Some(path), errors))?;
-    let besides = table(stem, besides, Format::Toml, &Request::default())
-        .map_err(|errors| mistakes(None, errors))?;
-    for entry in besides.entries {
-        let same =
-            |other: &Entry| core::mem::discriminant(other) == core::mem::discriminant(&entry);
-        robot.entries.retain(|other| !same(other));
-        robot.entries.push(entry);
-    }
-    robot.keys.extend(besides.keys);
     let mut model =
         dynamics_codegen::check(&robot).map_err(|errors| mistakes(Some(path), errors))?;
     if let Some((share, place)) = &model.neglect {
@@ -119,6 +143,11 @@ pub fn read_file(path: &Path, besides: &str) -> Result<Model, FileError> {
     Ok(model)
 }
 
+fn mistakes(file: Option<&Path>, errors: Vec<dynamics_codegen::Error>) -> FileError {
+    let errors = errors.into_iter();
+    FileError::Mistakes(errors.map(|error| mistake(file, error)).collect())
+}
+
 fn mistake(file: Option<&Path>, error: dynamics_codegen::Error) -> FileMistake {
     let (line, column) = match error.place {
         Place::File { line, column } => (line, column),
@@ -134,14 +163,37 @@ fn mistake(file: Option<&Path>, error: dynamics_codegen::Error) -> FileMistake {
 
 impl RuntimeRobot {
     /// The robot of a file, TOML in the macro's words or JSON, with the functions that the file asks
-    /// for, or else those that a table has that asks for none.
+    /// for, or else those that a table has that asks for none. A URDF file needs more: see
+    /// [`from_file_with`](Self::from_file_with).
     ///
     /// # Errors
     ///
     /// [`FileError`], with all mistakes of the file.
     pub fn from_file(path: impl AsRef<Path>) -> Result<Self, FileError> {
+        RuntimeRobot::from_file_with(path, &Besides::default())
+    }
+
+    /// The robot of a file, with what is said besides: of a URDF file the first and the last link, and
+    /// gravity.
+    ///
+    /// ```no_run
+    /// use dynamics_evaluation::{Besides, RuntimeRobot};
+    ///
+    /// let besides = Besides {
+    ///     entries: "gravity = [0, 0, -9.81]".to_owned(),
+    ///     chain: Some(["panda_link0", "panda_link8"].map(str::to_owned)),
+    ///     ..Besides::default()
+    /// };
+    /// let panda = RuntimeRobot::from_file_with("panda.urdf", &besides)?;
+    /// # Ok::<(), dynamics_evaluation::FileError>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`FileError`], with all mistakes of the file.
+    pub fn from_file_with(path: impl AsRef<Path>, besides: &Besides) -> Result<Self, FileError> {
         let path = path.as_ref();
-        let model = read_file(path, "")?;
+        let model = read_file(path, besides)?;
         let requests = model.requests.into_iter().map(|(request, _)| request);
         let arm = RuntimeRobot::new(model.robot, requests);
         arm.map_err(|error| FileError::Build(path.to_owned(), error))

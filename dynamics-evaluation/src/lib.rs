@@ -25,7 +25,7 @@ pub use dynamics_symbolic;
 
 pub use error::{BuildError, EvaluationError, UnknownField, WrongJoints};
 #[cfg(feature = "files")]
-pub use file::{FileError, FileMistake, read_file};
+pub use file::{Besides, FileError, FileMistake, read_file};
 pub use robot::RuntimeRobot;
 pub use typed::{Typed, TypedDynamics, TypedTip};
 pub use value::Value;

@@ -5,7 +5,7 @@
 
 use robot_dynamics::nalgebra::{SMatrix, SVector};
 use robot_dynamics::{
-    DoubleDouble, Friction, Model, NewtonEuler, Simulation, check_against_rnea, robot_dynamics,
+    DoubleDouble, Friction, NewtonEuler, Simulation, check_against_rnea, robot_dynamics,
 };
 use testkit::exact::Exact;
 

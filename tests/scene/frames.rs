@@ -58,7 +58,7 @@ arm!(Loaded { load: f64 } [0, 0, -9.81], [],
     tool: { xyz: [0.12, 0.03, 0.2], rpy: [0.1, 0.2, 0.4], mass: load, com: [0.01, -0.02, 0.05], inertia: sphere(0.04) },
 );
 arm!(Unloaded; [0, 0, -9.81], [],
-    tool: { xyz: [0.12, 0.03, 0.2], rpy: [0.1, 0.2, 0.4], com: [0.01, -0.02, 0.05] },
+    tool: { xyz: [0.12, 0.03, 0.2], rpy: [0.1, 0.2, 0.4], mass: 0, com: [0.01, -0.02, 0.05] },
 );
 arm!(ToolOnLocked { tilt: f64 } [0, 0, -9.81], [
     flange: revolute { a: 0.1, alpha: 0.5, d: 0.2, theta: 0.4, mass: 0.5, com: [0.01, 0, 0.05] },

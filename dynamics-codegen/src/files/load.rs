@@ -36,6 +36,8 @@ fn insert(_: &mut Call, file: &FileName, diagnostics: &Diagnostics) {
 
 #[cfg(feature = "files")]
 use reading::insert;
+#[cfg(feature = "files")]
+pub(super) use reading::{forget_locks, request};
 
 #[cfg(feature = "files")]
 mod reading {
@@ -94,7 +96,7 @@ mod reading {
     }
 
     /// What the call asks of the file; none where that could not be read.
-    fn request(table: &Table, diagnostics: &Diagnostics) -> Option<Request> {
+    pub(crate) fn request(table: &Table, diagnostics: &Diagnostics) -> Option<Request> {
         let mut request = Request {
             unphysical_inertia: table.allow().unphysical_inertia,
             ..Request::default()
@@ -154,7 +156,7 @@ mod reading {
     }
 
     /// Takes the joints that are none of the arm's off the list of those that are locked.
-    fn forget_locks(entries: &mut Vec<Entry>, used: &[String]) {
+    pub(crate) fn forget_locks(entries: &mut Vec<Entry>, used: &[String]) {
         for entry in entries.iter_mut() {
             if let Entry::Lock(Some(locked)) = entry {
                 locked.retain(|locked| !used.iter().any(|name| name == locked.name.plain()));

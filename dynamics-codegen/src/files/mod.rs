@@ -25,7 +25,7 @@ use dynamics_symbolic::robot::Value;
 
 #[cfg(feature = "files")]
 use crate::Error;
-use crate::description::Name;
+use crate::description::{Entry, Name};
 #[cfg(feature = "files")]
 use crate::description::{Place, Table};
 #[cfg(feature = "files")]
@@ -82,7 +82,13 @@ pub fn table(
 ) -> Result<Table, Vec<Error>> {
     let diagnostics = Diagnostics::new();
     let used = &mut Vec::new();
-    let mut table = read(text, format, request, used, &diagnostics).unwrap_or_default();
+    let table = read(text, format, request, used, &diagnostics).unwrap_or_default();
+    named(name, table, diagnostics)
+}
+
+/// The table of a robot of that name, unless there were mistakes.
+#[cfg(feature = "files")]
+fn named(name: &str, mut table: Table, diagnostics: Diagnostics) -> Result<Table, Vec<Error>> {
     let start = Place::File { line: 1, column: 1 };
     table.name = Some(Name::new(name, start));
     table.has_all_fields = true;
@@ -90,6 +96,36 @@ pub fn table(
         true => Ok(table),
         false => Err(crate::errors(diagnostics)),
     }
+}
+
+/// As [`table`], with entries beside those of the file, as a call of the macro has them: they take the
+/// place of the file's, and say what is asked of a URDF file (`chain`, `ignore`, `round_angles`, `lock`).
+#[cfg(feature = "files")]
+pub fn table_beside(
+    name: &str,
+    text: &str,
+    format: Format,
+    mut beside: Table,
+) -> Result<Table, Vec<Error>> {
+    let diagnostics = Diagnostics::new();
+    let request = load::request(&beside, &diagnostics).unwrap_or_default();
+    let used = &mut Vec::new();
+    let mut table = read(text, format, &request, used, &diagnostics).unwrap_or_default();
+    load::forget_locks(&mut beside.entries, used);
+    for entry in beside.entries {
+        if matches!(
+            entry,
+            Entry::Chain(_) | Entry::Ignore(_) | Entry::RoundAngles(_)
+        ) {
+            continue;
+        }
+        let same =
+            |other: &Entry| core::mem::discriminant(other) == core::mem::discriminant(&entry);
+        table.entries.retain(|other| !same(other));
+        table.entries.push(entry);
+    }
+    table.keys.extend(beside.keys);
+    named(name, table, diagnostics)
 }
 
 /// The entries of a text; what cannot be read is reported. None of a text of another format.
