@@ -20,11 +20,7 @@ fn the_list_for_macros_is_that_of_the_table() {
 }
 
 /// A macro over the functions that belong to it.
-fn list(
-    head: &str,
-    belongs: impl Fn(&Function) -> bool,
-    names: impl Fn(&str) -> String,
-) -> String {
+fn list(head: &str, belongs: impl Fn(&Function) -> bool, names: impl Fn(&str) -> String) -> String {
     let mut list = String::from(head);
     for function in Function::ALL.into_iter().filter(belongs) {
         let arguments = function.arguments().iter().map(|argument| argument.name());
