@@ -4,6 +4,7 @@
 //! and a mistake is told with its line and column. What comes out is a [`Table`], as from a call.
 
 mod load;
+mod request;
 
 #[cfg(feature = "files")]
 mod json;
@@ -17,11 +18,9 @@ mod tree;
 mod urdf;
 
 pub(crate) use load::load;
+pub use request::Request;
 
 use std::path::Path;
-
-use dynamics_symbolic::exact::Rational;
-use dynamics_symbolic::robot::Value;
 
 #[cfg(feature = "files")]
 use crate::Error;
@@ -42,21 +41,6 @@ pub enum Format {
     Json,
     /// The Unified Robot Description Format: the chain of links that a [`Request`] names.
     Urdf,
-}
-
-/// What is asked of a URDF file.
-#[derive(Clone, Debug, Default)]
-pub struct Request {
-    /// The first and the last link of the arm.
-    pub chain: Option<[Name; 2]>,
-    /// Joints that are left out, with all that hangs on them.
-    pub ignore: Vec<Name>,
-    /// Joints that stand still, and where; no position is one that is not known here.
-    pub lock: Vec<(Name, Option<Value>)>,
-    /// How near an angle is to a quarter turn that is taken as one, rad.
-    pub round_angles: Option<Rational>,
-    /// Whether tensors that no body can have are accepted.
-    pub unphysical_inertia: bool,
 }
 
 impl Format {

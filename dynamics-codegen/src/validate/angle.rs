@@ -6,8 +6,7 @@
 
 use core::f64::consts::{FRAC_PI_2, TAU};
 
-use super::scope::{Measured, Scope};
-use crate::description::Expr;
+use super::measured::Measured;
 use crate::mistake::{Mistake, joint as mistake};
 use dynamics_symbolic::robot::Value;
 
@@ -77,29 +76,14 @@ impl Odd {
     }
 }
 
-/// Reports what is odd about the angle, where that is not allowed.
-pub(super) fn report(expr: &Expr, angle: &Measured, scope: &Scope) {
-    if let Some(odd) = odd(angle)
-        && !scope.allowed().odd_angle
-    {
-        scope.error(expr.place, odd.mistake(scope.place_of_allow()));
-    }
-}
-
-/// Reports `deg(angle)` of what was in radians already; returns whether it was.
-pub(super) fn report_radians(expr: &Expr, angle: &Measured, scope: &Scope) -> bool {
-    let place = scope.place_of_allow();
-    let mistake = match &angle.value {
-        _ if scope.allowed().odd_angle || !angle.value.is_number() => return false,
+/// What is wrong with `deg(angle)` of what was in radians already; `place` is where it can be allowed.
+pub(super) fn degrees_of_radians(angle: &Measured, place: &str) -> Option<Mistake> {
+    match &angle.value {
+        value if !value.is_number() => None,
         Value::Rational(number) => right_angle(number.to_f64().value())
             .map(|(right, _)| mistake::degrees_of_right_angle(right, place)),
         value => has_pi(value).then(|| mistake::degrees_of_pi(place)),
-    };
-    let is_wrong = mistake.is_some();
-    if let Some(mistake) = mistake {
-        scope.error(expr.place, mistake);
     }
-    is_wrong
 }
 
 fn has_pi(value: &Value) -> bool {

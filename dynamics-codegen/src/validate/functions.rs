@@ -7,7 +7,6 @@ use dynamics_symbolic::derive::center_of_mass::is_massless;
 use dynamics_symbolic::function::{Fused, Growth, Request, Set};
 use dynamics_symbolic::robot::{Robot, Row, Tool};
 
-use super::Model;
 use super::scope::Scope;
 use crate::description::{Asked, Name, Table};
 use crate::diagnose::Diagnostics;
@@ -109,13 +108,15 @@ pub(super) fn have_mass(
 }
 
 /// Whether anything has inertia, where a function depends on it.
-pub(super) fn have_inertia(model: &Model, table: &Table, diagnostics: &Diagnostics) -> bool {
-    let mut parts = model
-        .requests
-        .iter()
-        .flat_map(|(request, _)| request.parts());
+pub(super) fn have_inertia<'r>(
+    robot: &Robot,
+    requests: impl Iterator<Item = &'r Request>,
+    table: &Table,
+    diagnostics: &Diagnostics,
+) -> bool {
+    let mut parts = requests.flat_map(Request::parts);
     let reads_inertia = parts.any(|function| function.row().reads_inertia);
-    let is_allowed = table.allow().odd_mass || !reads_inertia || has_inertia(&model.robot);
+    let is_allowed = table.allow().odd_mass || !reads_inertia || has_inertia(robot);
     if let (false, Some(name)) = (is_allowed, &table.name) {
         diagnostics.error(name, mistake::no_inertia());
     }

@@ -15,6 +15,7 @@ pub(crate) mod functions;
 mod gravity;
 mod limits;
 mod lock;
+mod measured;
 mod neglect;
 mod reach;
 mod row;
@@ -71,7 +72,10 @@ pub(crate) fn model(table: &Table, diagnostics: &Diagnostics) -> Option<Model> {
         true => parts
             .model(table)
             .filter(|model| functions::have_mass(&model.requests, &model.robot, diagnostics))
-            .filter(|model| functions::have_inertia(model, table, diagnostics)),
+            .filter(|model| {
+                let requests = model.requests.iter().map(|(request, _)| request);
+                functions::have_inertia(&model.robot, requests, table, diagnostics)
+            }),
         false => None,
     }
 }

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use dynamics_symbolic::exact::{Rational, SplitMix64, bit_length};
 use dynamics_symbolic::robot::Value;
 
+use super::measured::Measured;
 use super::{angle, elementary};
 use crate::description::{
     Allow, Elementary, Entry, Expr, ExprKind, Given, Name, Operator, Table, Vector,
@@ -44,27 +45,6 @@ enum Binding {
     Field(usize),
     /// `None`: the value is in error.
     Let(Option<Measured>),
-}
-
-/// A value and how it came about.
-#[derive(Clone)]
-pub(super) struct Measured {
-    pub(super) value: Value,
-    /// The number of its terms.
-    terms: usize,
-    /// Whether two values were put together in it.
-    pub(super) is_computed: bool,
-}
-
-impl Measured {
-    /// A number or a name.
-    fn of(value: Value) -> Measured {
-        Measured {
-            value,
-            terms: 1,
-            is_computed: false,
-        }
-    }
 }
 
 impl<'d> Scope<'d> {
@@ -206,9 +186,30 @@ impl<'d> Scope<'d> {
         }
     }
 
+    /// Reports what is odd about the angle, where that is not allowed.
+    fn report_odd(&self, expr: &Expr, angle: &Measured) {
+        if let Some(odd) = angle::odd(angle)
+            && !self.allowed().odd_angle
+        {
+            self.error(expr.place, odd.mistake(self.place_of_allow()));
+        }
+    }
+
+    /// Reports `deg(angle)` of what was in radians already; returns whether it was.
+    fn report_radians(&self, expr: &Expr, angle: &Measured) -> bool {
+        let is_judged = !self.allowed().odd_angle;
+        let mistake = angle::degrees_of_radians(angle, self.place_of_allow());
+        let mistake = mistake.filter(|_| is_judged);
+        let is_wrong = mistake.is_some();
+        if let Some(mistake) = mistake {
+            self.error(expr.place, mistake);
+        }
+        is_wrong
+    }
+
     fn written_angle(&mut self, expr: &Expr, variable: Option<&'static str>) -> Option<Value> {
         let angle = self.measured_cell(expr, variable)?;
-        angle::report(expr, &angle, self);
+        self.report_odd(expr, &angle);
         Some(angle.value)
     }
 
@@ -312,7 +313,7 @@ impl<'d> Scope<'d> {
             ExprKind::Name(name) => return self.lookup(name, expr.place, variable),
             ExprKind::Degrees(angle) => {
                 let angle = self.measured(angle, variable)?;
-                if angle::report_radians(expr, &angle, self) {
+                if self.report_radians(expr, &angle) {
                     return None;
                 }
                 // The quotient first: deg(90) is PI/2, with no rounding of 90 PI.
@@ -373,7 +374,7 @@ impl<'d> Scope<'d> {
     ) -> Option<Measured> {
         let x = self.measured(argument, variable)?;
         if function != Elementary::Sqrt {
-            angle::report(argument, &x, self);
+            self.report_odd(argument, &x);
         }
         match elementary::value(function, &x.value) {
             Ok(value) => Some(Measured {

@@ -34,7 +34,6 @@ mod recursion;
 mod regressor;
 mod second_derivatives;
 mod terms;
-mod whole;
 
 use core::array;
 

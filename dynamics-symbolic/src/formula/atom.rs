@@ -40,7 +40,7 @@ pub(super) enum Atom {
 /// other way than the first one, their angles are subtracted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(super) struct Run {
-    /// The group: see [`Groups`](super::angles::Groups).
+    /// The group: see [`Groups`](super::groups::Groups).
     pub(super) group: usize,
     /// The first angle.
     pub(super) first: usize,

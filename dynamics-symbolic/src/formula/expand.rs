@@ -1,8 +1,9 @@
 //! A program multiplied out: each output as a polynomial, exactly.
 
 use super::TooLong;
-use super::angles::Groups;
 use super::atom::Atom;
+use super::groups::Groups;
+use super::reduce::add_reduced;
 use crate::exact::Rational;
 use crate::polynomial::{Monomial, Polynomial, inverse, product};
 use crate::program::{Arithmetic, Program};
@@ -85,28 +86,6 @@ impl Expansion<'_> {
         }
         self.limited(sum)
     }
-}
-
-/// Adds a term with squares of sines written by cosines: sin^2 = 1 - cos^2.
-pub(super) fn add_reduced(
-    sum: &mut Polynomial<Atom>,
-    monomial: Monomial<Atom>,
-    coefficient: &Rational,
-) {
-    let square = monomial.iter().find_map(|&(atom, power)| {
-        let cosine = match atom {
-            Atom::Sine(run) => Atom::Cosine(run),
-            Atom::AngleSine(index) => Atom::AngleCosine(index),
-            _ => return None,
-        };
-        (power > 1).then_some((atom, cosine))
-    });
-    let Some((sine, cosine)) = square else {
-        return sum.add_term(monomial, coefficient);
-    };
-    let rest = product(&monomial, &[(sine, -2)]);
-    add_reduced(sum, product(&rest, &[(cosine, 2)]), &-coefficient.clone());
-    add_reduced(sum, rest, coefficient);
 }
 
 impl Arithmetic for Expansion<'_> {

@@ -11,7 +11,9 @@ mod atom;
 mod collect;
 mod expand;
 mod expression;
+mod groups;
 mod names;
+mod reduce;
 mod structure;
 mod write;
 
@@ -22,8 +24,8 @@ pub use write::Format;
 use crate::function::{Function, spans};
 use crate::program::Program;
 use crate::robot::Robot;
-use angles::Groups;
 use expression::Expression;
+use groups::Groups;
 use names::Names;
 
 /// Formulas are written for arms of so many joints without being asked for.

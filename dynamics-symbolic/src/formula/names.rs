@@ -1,8 +1,8 @@
 //! What the variables of formulas are called.
 
-use super::angles::{Groups, Member};
 use super::atom::{Atom, Run};
 use super::expression::{Base, Expression, Factor};
+use super::groups::{Groups, Member};
 use crate::robot::{Robot, Value};
 use std::collections::BTreeSet;
 

@@ -1,0 +1,21 @@
+//! What a call asks of a file.
+
+use dynamics_symbolic::exact::Rational;
+use dynamics_symbolic::robot::Value;
+
+use crate::description::Name;
+
+/// What is asked of a URDF file.
+#[derive(Clone, Debug, Default)]
+pub struct Request {
+    /// The first and the last link of the arm.
+    pub chain: Option<[Name; 2]>,
+    /// Joints that are left out, with all that hangs on them.
+    pub ignore: Vec<Name>,
+    /// Joints that stand still, and where; no position is one that is not known here.
+    pub lock: Vec<(Name, Option<Value>)>,
+    /// How near an angle is to a quarter turn that is taken as one, rad.
+    pub round_angles: Option<Rational>,
+    /// Whether tensors that no body can have are accepted.
+    pub unphysical_inertia: bool,
+}

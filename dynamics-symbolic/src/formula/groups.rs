@@ -1,0 +1,88 @@
+//! Which joints have parallel axes.
+
+use super::atom::Run;
+use crate::robot::{Angle, Convention, JointType, Robot, Value};
+
+/// Revolute joints with parallel axes, group by group: joints that follow each other, with prismatic
+/// joints between them or none.
+pub(super) struct Groups(Vec<Vec<Member>>);
+
+/// A joint of a group.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Member {
+    /// The joint, counted from 0.
+    pub(super) joint: usize,
+    /// Whether its axis points the other way than that of the first joint.
+    pub(super) is_reversed: bool,
+}
+
+impl Groups {
+    /// The groups of an arm.
+    pub(super) fn of(robot: &Robot) -> Self {
+        let mut groups: Vec<Vec<Member>> = Vec::new();
+        let mut is_parallel = false;
+        let mut is_reversed = false;
+        let mut joint = 0;
+        for row in &robot.rows {
+            if robot.convention == Convention::Modified {
+                follow(&row.alpha, &mut is_parallel, &mut is_reversed);
+            }
+            if row.follows.is_some() {
+                is_parallel = false;
+            } else if row.locked.is_none() {
+                if row.joint_type == JointType::Revolute {
+                    if !is_parallel {
+                        groups.push(Vec::new());
+                        is_reversed = false;
+                    }
+                    is_parallel = true;
+                    let group = groups.last_mut().expect("one was begun");
+                    group.push(Member { joint, is_reversed });
+                }
+                joint += 1;
+            }
+            if robot.convention == Convention::Standard {
+                follow(&row.alpha, &mut is_parallel, &mut is_reversed);
+            }
+        }
+        Groups(groups)
+    }
+
+    /// The joints of each group, with the group's index.
+    pub(super) fn members_of_all(&self) -> impl Iterator<Item = (usize, &Vec<Member>)> {
+        self.0.iter().enumerate()
+    }
+
+    /// The run of one revolute joint; `None` of one that follows another.
+    pub(super) fn run_of(&self, joint: usize) -> Option<Run> {
+        let found = self.0.iter().enumerate().find_map(|(group, members)| {
+            let at = members.iter().position(|member| member.joint == joint)?;
+            Some((group, at))
+        });
+        found.map(|(group, at)| Run {
+            group,
+            first: at,
+            last: at,
+        })
+    }
+
+    /// The joints of a run, with whether they are subtracted.
+    pub(super) fn members(&self, run: Run) -> impl Iterator<Item = Member> {
+        let members = &self.0[run.group][run.first..=run.last];
+        let first = members[0].is_reversed;
+        members.iter().map(move |member| Member {
+            joint: member.joint,
+            is_reversed: member.is_reversed != first,
+        })
+    }
+}
+
+/// Passes over a twist: axes on both sides of it are parallel where it is 0 or half a turn.
+fn follow(alpha: &Value, is_parallel: &mut bool, is_reversed: &mut bool) {
+    let angle = Angle::new(alpha);
+    match (angle.rest, angle.quarter_turns) {
+        (None, 0) => {}
+        (None, 2) => *is_reversed = !*is_reversed,
+        _ => *is_parallel = false,
+    }
+}
