@@ -62,6 +62,12 @@ of_one_shape! {
         value.1.tell(tell);
         value.2.tell(tell);
     };
+    [A: Numbers, B: Numbers, C: Numbers, D: Numbers] (A, B, C, D): A, |value, tell| {
+        value.0.tell(tell);
+        value.1.tell(tell);
+        value.2.tell(tell);
+        value.3.tell(tell);
+    };
 }
 
 /// The precisions, where a type of the language has a constant of the same name.

@@ -9,6 +9,8 @@ mod request;
 #[cfg(feature = "files")]
 mod json;
 #[cfg(feature = "files")]
+mod signed;
+#[cfg(feature = "files")]
 mod table;
 #[cfg(feature = "files")]
 mod toml;

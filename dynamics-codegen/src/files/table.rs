@@ -5,11 +5,11 @@ use std::collections::BTreeSet;
 use dynamics_symbolic::Function;
 use dynamics_symbolic::robot::{Convention, JointType};
 
+use super::signed::signed;
 use super::tree::{Key, Kind, Node};
 use crate::description::{
-    Allow, Asked, Coulomb, Coupled, Entries, Entry, Expr, ExprKind, Friction, Given, Inertia,
-    InertiaKind, Joints, Locked, Motor, Name, Placement, Row, Share, Spring, Stribeck, Table,
-    Tensor, Tool,
+    Allow, Asked, Coulomb, Coupled, Entries, Entry, Expr, Friction, Given, Inertia, InertiaKind,
+    Joints, Locked, Motor, Name, Placement, Row, Share, Spring, Stribeck, Table, Tensor, Tool,
 };
 use crate::diagnose::{Diagnostics, Reported};
 use crate::limits::MOST_LETTERS;
@@ -593,21 +593,5 @@ impl Reader<'_> {
             allow::note(&mut allow, self.choice(word, "allowance", known)?);
         }
         Ok(allow)
-    }
-}
-
-/// A number with its sign apart, as an expression has it.
-pub(super) fn signed(value: dynamics_symbolic::exact::Rational, place: Place) -> Expr {
-    let is_negative = value < dynamics_symbolic::exact::Rational::ZERO;
-    let number = |value| Expr {
-        kind: ExprKind::Number(value),
-        place,
-    };
-    match is_negative {
-        true => Expr {
-            kind: ExprKind::Minus(Box::new(number(-value))),
-            place,
-        },
-        false => number(value),
     }
 }

@@ -9,7 +9,7 @@ use super::NewtonEuler;
 use super::angle::SinCos;
 use super::link::Link;
 use super::lock::without_locked;
-use super::second_derivatives::Sum;
+use super::sum::Sum;
 use crate::table::MOST_FOLLOWERS;
 use crate::{
     Convention, Follower, Followers, JointMotion, JointType, Placement, Row, SecondDerivatives,

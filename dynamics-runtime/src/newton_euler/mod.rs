@@ -33,6 +33,7 @@ mod rates;
 mod recursion;
 mod regressor;
 mod second_derivatives;
+mod sum;
 mod terms;
 
 use core::array;

@@ -1,9 +1,9 @@
 //! A program multiplied out: each output as a polynomial, exactly.
 
-use super::TooLong;
 use super::atom::Atom;
 use super::groups::Groups;
 use super::reduce::add_reduced;
+use super::too_long::TooLong;
 use crate::exact::Rational;
 use crate::polynomial::{Monomial, Polynomial, inverse, product};
 use crate::program::{Arithmetic, Program};

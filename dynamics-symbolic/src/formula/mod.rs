@@ -15,10 +15,12 @@ mod groups;
 mod names;
 mod reduce;
 mod structure;
+mod too_long;
 mod write;
 
 pub use expand::Budget;
 pub use structure::Structure;
+pub use too_long::TooLong;
 pub use write::Format;
 
 use crate::function::{Function, spans};
@@ -58,15 +60,6 @@ struct Entry {
 struct Formula {
     expression: Expression,
     terms: usize,
-}
-
-/// Why there is no formula: it has so many terms, or more.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct TooLong {
-    /// The number of terms.
-    pub terms: usize,
-    /// Whether there are more.
-    pub or_more: bool,
 }
 
 /// A value of a function, as it is shown.
@@ -191,12 +184,5 @@ impl Entry {
             }),
             Ok(formula) => Ok(&formula.expression),
         }
-    }
-}
-
-impl core::fmt::Display for TooLong {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        let more = if self.or_more { "more than " } else { "" };
-        write!(f, "too long to read: {more}{} terms", self.terms)
     }
 }

@@ -14,7 +14,7 @@ use crate::description::{
 };
 use crate::diagnose::Diagnostics;
 use crate::files::Request;
-use crate::files::table::signed;
+use crate::files::signed::signed;
 use crate::mistake::{Mistake, urdf as mistake};
 use crate::place::Place;
 use crate::validate::refusal;

@@ -1,8 +1,8 @@
 //! LaTeX for math mode, with the commands of amsmath.
 
+use super::notation::{GREEK, Notation};
 use super::number::Written;
 use super::text::Text;
-use super::{GREEK, Notation};
 
 pub(super) struct Latex;
 

@@ -1,7 +1,7 @@
 //! MathML Core, which browsers show as it is.
 
+use super::notation::{GREEK, Notation};
 use super::number::Written;
-use super::{GREEK, Notation};
 
 pub(super) struct MathMl;
 

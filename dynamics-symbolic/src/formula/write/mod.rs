@@ -2,6 +2,7 @@
 
 mod latex;
 mod mathml;
+mod notation;
 mod number;
 mod text;
 
@@ -12,6 +13,7 @@ use crate::function::Argument;
 use crate::robot::Value;
 use latex::Latex;
 use mathml::MathMl;
+use notation::Notation;
 use text::Text;
 
 /// How formulas are written.
@@ -23,26 +25,6 @@ pub enum Format {
     Latex,
     /// As a `math` element of MathML, which browsers show as it is.
     MathMl,
-}
-
-/// What a format does with the parts of a formula.
-trait Notation {
-    /// A letter as it stands in text, and its parts: base, dots above it, subscript.
-    fn letter(&self, text: &str, base: &str, dots: usize, subscript: &str) -> String;
-    /// A number.
-    fn number(&self, number: &number::Written) -> String;
-    /// A power; the base is an atom or in parentheses.
-    fn power(&self, base: &str, exponent: u32) -> String;
-    /// Factors side by side.
-    fn product(&self, factors: &[String]) -> String;
-    /// A quotient; `is_single` says whether the divisor is one factor.
-    fn quotient(&self, dividend: &str, divisor: &str, is_single: bool) -> String;
-    /// Terms with their signs.
-    fn sum(&self, terms: &[(bool, String)]) -> String;
-    /// In parentheses.
-    fn parentheses(&self, inner: &str) -> String;
-    /// A function of an argument.
-    fn call(&self, function: &str, argument: &str) -> String;
 }
 
 /// A formula in a format.
@@ -206,31 +188,3 @@ fn field(to: &dyn Notation, name: &str) -> String {
     };
     to.letter(name, base, 0, &subscript)
 }
-
-/// Letters with a name in Greek, as LaTeX has them.
-const GREEK: [(&str, &str); 24] = [
-    ("alpha", "α"),
-    ("beta", "β"),
-    ("gamma", "γ"),
-    ("delta", "δ"),
-    ("epsilon", "ϵ"),
-    ("zeta", "ζ"),
-    ("eta", "η"),
-    ("theta", "θ"),
-    ("iota", "ι"),
-    ("kappa", "κ"),
-    ("lambda", "λ"),
-    ("mu", "μ"),
-    ("nu", "ν"),
-    ("xi", "ξ"),
-    ("pi", "π"),
-    ("rho", "ρ"),
-    ("sigma", "σ"),
-    ("tau", "τ"),
-    ("upsilon", "υ"),
-    ("phi", "ϕ"),
-    ("chi", "χ"),
-    ("psi", "ψ"),
-    ("omega", "ω"),
-    ("Omega", "Ω"),
-];

@@ -1,6 +1,6 @@
 //! Plain text: `2 m2 l1 l2 c2 qd1 qd2`.
 
-use super::Notation;
+use super::notation::Notation;
 use super::number::Written;
 
 pub(super) struct Text;
