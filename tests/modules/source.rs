@@ -44,7 +44,9 @@ impl Crate {
             files: Vec::new(),
             modules: BTreeMap::new(),
         };
-        sources.read_file(folder, "lib.rs", Vec::new());
+        let mut roots = ["lib.rs", "main.rs"].into_iter();
+        let root = roots.find(|root| folder.join(root).exists());
+        sources.read_file(folder, root.expect("a library or a program"), Vec::new());
         sources
     }
 
