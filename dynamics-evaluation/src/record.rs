@@ -123,7 +123,7 @@ fn found<const N: usize>(evaluation: &mut Evaluation<N>, function: Function, mut
         }
         Function::InverseDynamicsSecondDerivatives => {
             let derivatives = (values.each(), values.each(), values.each(), values.each());
-            evaluation.inverse_dynamics_second_derivatives = Some(derivatives);
+            evaluation.inverse_dynamics_second_derivatives = Some(Box::new(derivatives));
         }
     }
 }

@@ -165,7 +165,7 @@ pub struct Evaluation<const N: usize> {
     /// First and second derivative of the torques by time.
     pub inverse_dynamics_rates: Option<(SVector<f64, N>, SVector<f64, N>)>,
     /// Second derivatives of the torques, and dM/dq.
-    pub inverse_dynamics_second_derivatives: Option<SecondDerivatives<f64, N>>,
+    pub inverse_dynamics_second_derivatives: Option<Box<SecondDerivatives<f64, N>>>,
 }
 
 #[cfg(feature = "std")]
@@ -224,6 +224,13 @@ pub fn columns<const R: usize, const C: usize>(
 ) -> Vec<SVector<f64, R>> {
     let columns = matrix.column_iter();
     columns.map(|column| column.into_owned()).collect()
+}
+
+/// What would fill the stack of a long arm.
+#[cfg(feature = "std")]
+#[doc(hidden)]
+pub fn boxed<T>(value: T) -> Box<T> {
+    Box::new(value)
 }
 
 /// Two vectors whose length a field of [`Evaluation`] does not name.

@@ -85,7 +85,7 @@ pub use evaluation::{AccelerationDerivatives, SecondDerivatives, State};
 pub use evaluation::{Evaluate, Evaluation};
 #[cfg(feature = "std")]
 #[doc(hidden)]
-pub use evaluation::{columns, vectors};
+pub use evaluation::{boxed, columns, vectors};
 pub use formula::Formula;
 pub use frame::{Frame, Tool};
 #[doc(hidden)]

@@ -1,6 +1,6 @@
 //! Every generated function at one state, for the checks.
 
-use dynamics_symbolic::function::{Argument, Fused, Shape, Size};
+use dynamics_symbolic::function::{Argument, Fused, Growth, Shape, Size};
 use dynamics_symbolic::{Function, Request, method_name};
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
@@ -99,6 +99,7 @@ fn call(target: &Target, request: &Request) -> TokenStream {
 fn held(target: &Target, function: Function, value: TokenStream) -> TokenStream {
     let path = target.path;
     match function.shape() {
+        _ if function.row().growth == Growth::Cubic => quote!(#path::boxed(#value)),
         Shape::Matrix(Size::Parameters, Size::One) => quote!(<[f64]>::to_vec(#value.as_slice())),
         Shape::Tuple([Shape::Matrix(Size::Parameters, Size::One), ..]) => {
             quote!(#path::vectors(&#value))

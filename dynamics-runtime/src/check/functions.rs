@@ -246,10 +246,8 @@ pub(super) fn deviations<const N: usize>(
                 .chain(entries(second - expected.1, size_of_second));
             Deviation::worst("inverse_dynamics_rates", entries)
         }),
-        inverse_dynamics_second_derivatives.map(|derivatives| {
-            let expected = numeric.inverse_dynamics_second_derivatives(q, qd, qdd);
-            second_derivatives(&derivatives, &expected, &scale)
-        }),
+        inverse_dynamics_second_derivatives
+            .map(|derivatives| second_derivatives(&derivatives, numeric, [q, qd, qdd], &scale)),
         alone(
             "passivity_regressor",
             passivity_regressor.is_some(),
@@ -315,12 +313,16 @@ fn alone(
     })
 }
 
-/// Second derivatives of tau beside those of the numeric recursion.
+/// Second derivatives of tau beside those of the numeric recursion. Never a part of its caller, whose
+/// frame they would fill for arms that have none.
+#[inline(never)]
 fn second_derivatives<const N: usize>(
     generated: &SecondDerivatives<f64, N>,
-    expected: &SecondDerivatives<f64, N>,
+    numeric: &NewtonEuler<N>,
+    [q, qd, qdd]: [&SVector<f64, N>; 3],
     scale: &Scale,
 ) -> Deviation {
+    let expected = &numeric.inverse_dynamics_second_derivatives(q, qd, qdd);
     let four = |d: &SecondDerivatives<f64, N>| [d.0, d.1, d.2, d.3];
     let pairs = four(generated).into_iter().zip(four(expected));
     let differences = pairs.zip(scale.second_derivatives());

@@ -171,7 +171,7 @@ const DAMAGES: [Damage; 23] = [
     ("inverse_dynamics_second_derivatives", |state, e| {
         let mut derivatives = second_derivatives(state);
         derivatives.3[0][(1, 1)] *= WRONG;
-        e.inverse_dynamics_second_derivatives = Some(derivatives);
+        e.inverse_dynamics_second_derivatives = Some(Box::new(derivatives));
     }),
     ("forward_dynamics_aba", |state, e| {
         e.forward_dynamics_aba = Some(Ok(state.qdd * WRONG));
@@ -210,7 +210,7 @@ fn kinematics_and_matrix_forms_pass() {
         e.regressor_forces = Some(numeric().inverse_dynamics(q, qd, &state.qdd));
         e.inverse_dynamics_derivatives = Some(force_derivatives(state));
         e.forward_dynamics_derivatives = Some(Ok(acceleration_derivatives(state)));
-        e.inverse_dynamics_second_derivatives = Some(second_derivatives(state));
+        e.inverse_dynamics_second_derivatives = Some(Box::new(second_derivatives(state)));
         e.forward_dynamics_aba = Some(Ok(state.qdd));
         e.taylor_series = Some(Ok(taylor_series(state)));
     });
