@@ -247,7 +247,8 @@ pub(super) fn deviations<const N: usize>(
             Deviation::worst("inverse_dynamics_rates", entries)
         }),
         inverse_dynamics_second_derivatives
-            .map(|derivatives| second_derivatives(&derivatives, numeric, [q, qd, qdd], &scale)),
+            .as_ref()
+            .map(|derivatives| second_derivatives(derivatives, numeric, [q, qd, qdd], &scale)),
         alone(
             "passivity_regressor",
             passivity_regressor.is_some(),
