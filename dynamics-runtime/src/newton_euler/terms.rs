@@ -85,27 +85,37 @@ impl<const N: usize> NewtonEuler<N> {
     /// distance h is the derivative itself: `C e_j = (V(qd + h e_j) - V(qd - h e_j)) / (4 h)`. The
     /// greatest speed is taken for h, which keeps rounding at the scale of C.
     pub fn coriolis_matrix(&self, q: &SVector<f64, N>, qd: &SVector<f64, N>) -> SMatrix<f64, N, N> {
-        self.coriolis_matrix_of(&self.joints(q), qd)
+        christoffel(qd, |qd| self.coriolis_vector(q, &qd))
     }
 
-    /// C where the joints are so.
+    /// C where the joints are so, each row a joint of its own.
     pub(super) fn coriolis_matrix_of(
         &self,
         joints: &[Joint; N],
         qd: &SVector<f64, N>,
     ) -> SMatrix<f64, N, N> {
-        let motion = |qd| self.recursion(joints, &qd, &SVector::zeros(), &Vector3::zeros());
-        let mut coriolis_matrix = SMatrix::<f64, N, N>::zeros();
-        let h = qd.amax();
-        if h == 0.0 {
-            return coriolis_matrix;
-        }
-        for j in 0..N {
-            let mut distance = SVector::zeros();
-            distance[j] = h;
-            let difference = motion(qd + distance) - motion(qd - distance);
-            coriolis_matrix.set_column(j, &(difference / (4.0 * h)));
-        }
-        coriolis_matrix
+        let still = SVector::zeros();
+        christoffel(qd, |qd| {
+            self.recursion(joints, &qd, &still, &Vector3::zeros())
+        })
     }
+}
+
+/// C from V, a quadratic form of the velocities: see [`NewtonEuler::coriolis_matrix`].
+fn christoffel<const N: usize>(
+    qd: &SVector<f64, N>,
+    coriolis_vector: impl Fn(SVector<f64, N>) -> SVector<f64, N>,
+) -> SMatrix<f64, N, N> {
+    let mut coriolis_matrix = SMatrix::<f64, N, N>::zeros();
+    let h = qd.amax();
+    if h == 0.0 {
+        return coriolis_matrix;
+    }
+    for j in 0..N {
+        let mut distance = SVector::zeros();
+        distance[j] = h;
+        let difference = coriolis_vector(qd + distance) - coriolis_vector(qd - distance);
+        coriolis_matrix.set_column(j, &(difference / (4.0 * h)));
+    }
+    coriolis_matrix
 }

@@ -91,10 +91,16 @@ impl Arm {
         &self,
         qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
-        let real = |x: f64| ::robot_dynamics::Scalar::constant(qd.data.0[0][0], x);
-        ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([[real(0.0), real(0.0)]]),
-        )
+        let ::core::result::Result::Ok(all_values) = <Self as ::robot_dynamics::Function<
+            ::robot_dynamics::functions::FrictionVector,
+            2,
+        >>::at(
+            self,
+            ::robot_dynamics::functions::FrictionVector,
+            &::robot_dynamics::Evaluated,
+            &(*qd,),
+        );
+        all_values
     }
     /// Spring vector K(q) = stiffness (q - rest), N m or N: the gradient of the energy in the springs at the joints, zero where a joint has none.
     ///
@@ -116,10 +122,16 @@ impl Arm {
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
-        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([[real(0.0), real(0.0)]]),
-        )
+        let ::core::result::Result::Ok(all_values) = <Self as ::robot_dynamics::Function<
+            ::robot_dynamics::functions::SpringVector,
+            2,
+        >>::at(
+            self,
+            ::robot_dynamics::functions::SpringVector,
+            &::robot_dynamics::Evaluated,
+            &(*q,),
+        );
+        all_values
     }
     /// Inverse dynamics tau = M(q) qdd + V(q, qd) + G(q) + K(q) + F(qd), N m or N, as one program; K is of springs, F of friction.
     ///
@@ -193,16 +205,16 @@ impl Arm {
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
         qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> T {
-        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let (s_2, c_2) = ::robot_dynamics::Scalar::sin_cos(q.data.0[0][1]);
-        let qd_1 = qd.data.0[0][0];
-        let qd_2 = qd.data.0[0][1];
-        let t_1 = qd_1 + qd_2;
-        let t_2 = qd_1 * c_2;
-        let t_3 = t_1 * t_1;
-        let t_4 = real(0.041666666666666664).mul_add(t_3, qd_1 * qd_1);
-        let t_5 = t_1.mul_add(t_2, real(4.0) * t_4);
-        t_5
+        let ::core::result::Result::Ok(all_values) = <Self as ::robot_dynamics::Function<
+            ::robot_dynamics::functions::KineticEnergy,
+            2,
+        >>::at(
+            self,
+            ::robot_dynamics::functions::KineticEnergy,
+            &::robot_dynamics::Evaluated,
+            &(*q, *qd),
+        );
+        all_values
     }
     /// Potential energy U(q) = -sum m g.c, zero at the origin of the base frame, and that of springs, 1/2 stiffness (q - rest)^2, J.
     ///
@@ -222,15 +234,16 @@ impl Arm {
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> T {
-        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Scalar::sin_cos_array([
-            q.data.0[0][0],
-            q.data.0[0][1],
-        ]);
-        let t_1 = real(10.0) + c_2;
-        let t_2 = s_1.mul_add(t_1, c_1 * s_2);
-        let t_3 = real(4.905) * t_2;
-        t_3
+        let ::core::result::Result::Ok(all_values) = <Self as ::robot_dynamics::Function<
+            ::robot_dynamics::functions::PotentialEnergy,
+            2,
+        >>::at(
+            self,
+            ::robot_dynamics::functions::PotentialEnergy,
+            &::robot_dynamics::Evaluated,
+            &(*q,),
+        );
+        all_values
     }
     /// Bias force V(q, qd) + G(q) + K(q) + F(qd), N m or N: inverse dynamics without acceleration; K is of springs, F of friction.
     ///
@@ -246,24 +259,16 @@ impl Arm {
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
         qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
-        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_2, c_2), (s_1, c_1)] = ::robot_dynamics::Scalar::sin_cos_array([
-            q.data.0[0][1],
-            q.data.0[0][0],
-        ]);
-        let qd_1 = qd.data.0[0][0];
-        let qd_2 = qd.data.0[0][1];
-        let t_1 = qd_1 + qd_2;
-        let t_2 = t_1 * t_1;
-        let t_3 = qd_1 * qd_1;
-        let t_4 = real(0.2038735983690112).mul_add(t_3, -s_1);
-        let t_5 = s_2.mul_add(t_4, c_1 * c_2);
-        let t_6 = real(4.905) * t_5;
-        let t_7 = (-s_2).mul_add(t_2, real(49.05) * c_1);
-        let t_8 = t_7 + t_6;
-        ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([[t_8, t_6]]),
-        )
+        let ::core::result::Result::Ok(all_values) = <Self as ::robot_dynamics::Function<
+            ::robot_dynamics::functions::BiasForce,
+            2,
+        >>::at(
+            self,
+            ::robot_dynamics::functions::BiasForce,
+            &::robot_dynamics::Evaluated,
+            &(*q, *qd),
+        );
+        all_values
     }
     /// Coriolis matrix C(q, qd), N x N, from the Christoffel symbols of the first kind: C qd = V, and dM/dt - 2 C is skew-symmetric.
     ///
@@ -289,16 +294,16 @@ impl Arm {
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
         qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SMatrix<T, 2, 2> {
-        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let (s_2, c_2) = ::robot_dynamics::Scalar::sin_cos(q.data.0[0][1]);
-        let qd_1 = qd.data.0[0][0];
-        let qd_2 = qd.data.0[0][1];
-        let t_1 = s_2 * qd_2;
-        let t_2 = qd_1 * s_2;
-        let t_3 = t_1 + t_2;
-        ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([[-t_1, t_2], [-t_3, real(0.0)]]),
-        )
+        let ::core::result::Result::Ok(all_values) = <Self as ::robot_dynamics::Function<
+            ::robot_dynamics::functions::CoriolisMatrix,
+            2,
+        >>::at(
+            self,
+            ::robot_dynamics::functions::CoriolisMatrix,
+            &::robot_dynamics::Evaluated,
+            &(*q, *qd),
+        );
+        all_values
     }
     /// Coriolis coefficients B(q), N x N(N-1)/2, columns in the order (1,2), (1,3), ..., (N-1,N), of the configuration-space form tau = M qdd + B [qd qd] + C [qd^2] + G.
     ///
@@ -321,12 +326,16 @@ impl Arm {
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SMatrix<T, 2, 1> {
-        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let (s_2, c_2) = ::robot_dynamics::Scalar::sin_cos(q.data.0[0][1]);
-        let t_1 = real(2.0) * s_2;
-        ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([[-t_1, real(0.0)]]),
-        )
+        let ::core::result::Result::Ok(all_values) = <Self as ::robot_dynamics::Function<
+            ::robot_dynamics::functions::CoriolisCoefficients,
+            2,
+        >>::at(
+            self,
+            ::robot_dynamics::functions::CoriolisCoefficients,
+            &::robot_dynamics::Evaluated,
+            &(*q,),
+        );
+        all_values
     }
     /// Centrifugal coefficients C(q), N x N, of the configuration-space form tau = M qdd + B [qd qd] + C [qd^2] + G.
     ///
@@ -351,14 +360,16 @@ impl Arm {
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SMatrix<T, 2, 2> {
-        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let (s_2, c_2) = ::robot_dynamics::Scalar::sin_cos(q.data.0[0][1]);
-        ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([
-                [real(0.0), s_2],
-                [-s_2, real(0.0)],
-            ]),
-        )
+        let ::core::result::Result::Ok(all_values) = <Self as ::robot_dynamics::Function<
+            ::robot_dynamics::functions::CentrifugalCoefficients,
+            2,
+        >>::at(
+            self,
+            ::robot_dynamics::functions::CentrifugalCoefficients,
+            &::robot_dynamics::Evaluated,
+            &(*q,),
+        );
+        all_values
     }
     /// Forward kinematics: the homogeneous transform of the last link frame in the base frame, m.
     ///
@@ -395,23 +406,16 @@ impl Arm {
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::Matrix4<T> {
-        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Scalar::sin_cos_array([
-            q.data.0[0][0],
-            q.data.0[0][1],
-        ]);
-        let t_1 = (-s_1).mul_add(s_2, c_1 * c_2);
-        let t_2 = c_1.mul_add(s_2, s_1 * c_2);
-        let t_3 = real(2.0).mul_add(c_1, t_1);
-        let t_4 = real(2.0).mul_add(s_1, t_2);
-        ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([
-                [t_1, t_2, real(0.0), real(0.0)],
-                [-t_2, t_1, real(0.0), real(0.0)],
-                [real(0.0), real(0.0), real(1.0), real(0.0)],
-                [t_3, t_4, real(0.0), real(1.0)],
-            ]),
-        )
+        let ::core::result::Result::Ok(all_values) = <Self as ::robot_dynamics::Function<
+            ::robot_dynamics::functions::ForwardKinematics,
+            2,
+        >>::at(
+            self,
+            ::robot_dynamics::functions::ForwardKinematics,
+            &::robot_dynamics::Evaluated,
+            &(*q,),
+        );
+        all_values
     }
     /// Homogeneous transforms in the base frame of every link frame whose joint moves, from the base outwards, m.
     ///
@@ -426,35 +430,16 @@ impl Arm {
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> [::robot_dynamics::nalgebra::Matrix4<T>; 2] {
-        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Scalar::sin_cos_array([
-            q.data.0[0][0],
-            q.data.0[0][1],
-        ]);
-        let t_1 = real(2.0) * c_1;
-        let t_2 = real(2.0) * s_1;
-        let t_3 = (-s_1).mul_add(s_2, c_1 * c_2);
-        let t_4 = c_1.mul_add(s_2, s_1 * c_2);
-        let t_5 = t_1 + t_3;
-        let t_6 = t_2 + t_4;
-        [
-            ::robot_dynamics::nalgebra::SMatrix::from_data(
-                ::robot_dynamics::nalgebra::ArrayStorage([
-                    [c_1, s_1, real(0.0), real(0.0)],
-                    [-s_1, c_1, real(0.0), real(0.0)],
-                    [real(0.0), real(0.0), real(1.0), real(0.0)],
-                    [t_1, t_2, real(0.0), real(1.0)],
-                ]),
-            ),
-            ::robot_dynamics::nalgebra::SMatrix::from_data(
-                ::robot_dynamics::nalgebra::ArrayStorage([
-                    [t_3, t_4, real(0.0), real(0.0)],
-                    [-t_4, t_3, real(0.0), real(0.0)],
-                    [real(0.0), real(0.0), real(1.0), real(0.0)],
-                    [t_5, t_6, real(0.0), real(1.0)],
-                ]),
-            ),
-        ]
+        let ::core::result::Result::Ok(all_values) = <Self as ::robot_dynamics::Function<
+            ::robot_dynamics::functions::LinkPoses,
+            2,
+        >>::at(
+            self,
+            ::robot_dynamics::functions::LinkPoses,
+            &::robot_dynamics::Evaluated,
+            &(*q,),
+        );
+        all_values
     }
     /// Geometric Jacobian of the last link frame's origin, 6 x N, rows vx vy vz wx wy wz, in the base frame.
     ///
@@ -487,21 +472,16 @@ impl Arm {
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SMatrix<T, 6, 2> {
-        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Scalar::sin_cos_array([
-            q.data.0[0][0],
-            q.data.0[0][1],
-        ]);
-        let t_1 = c_1.mul_add(s_2, s_1 * c_2);
-        let t_2 = real(2.0).mul_add(s_1, t_1);
-        let t_3 = (-s_1).mul_add(s_2, c_1 * c_2);
-        let t_4 = real(2.0).mul_add(c_1, t_3);
-        ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([
-                [-t_2, t_4, real(0.0), real(0.0), real(0.0), real(1.0)],
-                [-t_1, t_3, real(0.0), real(0.0), real(0.0), real(1.0)],
-            ]),
-        )
+        let ::core::result::Result::Ok(all_values) = <Self as ::robot_dynamics::Function<
+            ::robot_dynamics::functions::Jacobian,
+            2,
+        >>::at(
+            self,
+            ::robot_dynamics::functions::Jacobian,
+            &::robot_dynamics::Evaluated,
+            &(*q,),
+        );
+        all_values
     }
     /// Derivatives of the inverse dynamics, exact: (d tau/dq, d tau/dqd), each N x N, entry (i, j) the derivative of tau_i by joint j. d tau/dqdd is M(q). The stiffness of springs is on the diagonal of d tau/dq, viscous friction on that of d tau/dqd; Coulomb friction counts as constant: its derivative is zero wherever it has one.
     ///
@@ -521,44 +501,16 @@ impl Arm {
         ::robot_dynamics::nalgebra::SMatrix<T, 2, 2>,
         ::robot_dynamics::nalgebra::SMatrix<T, 2, 2>,
     ) {
-        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_2, c_2), (s_1, c_1)] = ::robot_dynamics::Scalar::sin_cos_array([
-            q.data.0[0][1],
-            q.data.0[0][0],
-        ]);
-        let qd_1 = qd.data.0[0][0];
-        let qd_2 = qd.data.0[0][1];
-        let qdd_1 = qdd.data.0[0][0];
-        let qdd_2 = qdd.data.0[0][1];
-        let t_1 = real(4.905) * c_1;
-        let t_2 = real(0.5) * c_2;
-        let t_3 = real(9.81) * s_1;
-        let t_4 = t_2.mul_add(t_3, s_2 * t_1);
-        let t_5 = real(5.0).mul_add(t_3, t_4);
-        let t_6 = real(2.0) * qd_1;
-        let t_7 = (-qd_1).mul_add(t_6, t_3);
-        let t_8 = qdd_1 + t_1;
-        let t_9 = t_2.mul_add(t_7, s_2 * t_8);
-        let t_10 = qdd_1 + qdd_2;
-        let t_11 = qd_1 + qd_2;
-        let t_12 = t_11 * t_11;
-        let t_13 = c_2.mul_add(t_12, s_2 * t_10);
-        let t_14 = t_13 + t_9;
-        let t_15 = s_2 * t_6;
-        let t_16 = s_2 * t_11;
-        let t_17 = real(2.0) * t_16;
-        let t_18 = t_15 - t_17;
-        (
-            ::robot_dynamics::nalgebra::SMatrix::from_data(
-                ::robot_dynamics::nalgebra::ArrayStorage([[-t_5, -t_4], [-t_14, -t_9]]),
-            ),
-            ::robot_dynamics::nalgebra::SMatrix::from_data(
-                ::robot_dynamics::nalgebra::ArrayStorage([
-                    [t_18, t_15],
-                    [-t_17, real(0.0)],
-                ]),
-            ),
-        )
+        let ::core::result::Result::Ok(all_values) = <Self as ::robot_dynamics::Function<
+            ::robot_dynamics::functions::InverseDynamicsDerivatives,
+            2,
+        >>::at(
+            self,
+            ::robot_dynamics::functions::InverseDynamicsDerivatives,
+            &::robot_dynamics::Evaluated,
+            &(*q, *qd, *qdd),
+        );
+        all_values
     }
     /// Derivatives of the forward dynamics at qdd = forward_dynamics(q, qd, tau), exact: (d qdd/dq, d qdd/dqd, d qdd/d tau), each N x N, entry (i, j) the derivative of qdd_i by joint j. d qdd/d tau is the inverse of M(q). Coulomb friction counts as constant: its derivative is zero wherever it has one.
     ///
@@ -586,11 +538,1302 @@ impl Arm {
         ),
         ::robot_dynamics::SingularMassMatrix,
     > {
+        <Self as ::robot_dynamics::Function<
+            ::robot_dynamics::functions::ForwardDynamicsDerivatives,
+            2,
+        >>::at(
+            self,
+            ::robot_dynamics::functions::ForwardDynamicsDerivatives,
+            &::robot_dynamics::Evaluated,
+            &(*q, *qd, *tau),
+        )
+    }
+    /// Regressor Y(q, qd, qdd), N x P, of the P base inertial parameters: Y * base_parameters = tau - K - F, the joint forces without springs and friction.
+    ///
+    /// `q`: joint positions, rad; `qd`: joint velocities, rad per s; `qdd`: joint accelerations, rad per s^2.
+    ///
+    /// The base parameters:
+    ///
+    /// ```text
+    ///   1  J1zz + a1^2 m2
+    ///   2  h1x + a1 m2
+    ///   3  h1y
+    ///   4  J2zz
+    ///   5  h2x
+    ///   6  h2y
+    /// ```
+    ///
+    /// Jixx to Jizz (kg m^2) are the entries of link i's inertia tensor about the origin of frame i, hix to hiz (kg m) its first moments mass * com from there, mi (kg) its mass. Frame i is the link frame i of the table before its factors Tx(a) Rx(alpha): its origin and its z axis are on the axis of joint i. ai, di are cells of row i, sai, cai sine and cosine of its alpha.
+    ///
+    /// Operations: 16 multiplications, 10 additions, sines and cosines of 2 angles.
+    ///
+    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
+    #[inline]
+    #[allow(unused_variables, clippy::all)]
+    pub fn regressor<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qdd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::robot_dynamics::nalgebra::SMatrix<T, 2, 6> {
+        let ::core::result::Result::Ok(all_values) = <Self as ::robot_dynamics::Function<
+            ::robot_dynamics::functions::Regressor,
+            2,
+        >>::at(
+            self,
+            ::robot_dynamics::functions::Regressor,
+            &::robot_dynamics::Evaluated,
+            &(*q, *qd, *qdd),
+        );
+        all_values
+    }
+    /// The P base inertial parameters: the smallest set by which the joint forces of every motion are determined, regressor * base_parameters = tau - K - F.
+    ///
+    /// The base parameters:
+    ///
+    /// ```text
+    ///   1  J1zz + a1^2 m2
+    ///   2  h1x + a1 m2
+    ///   3  h1y
+    ///   4  J2zz
+    ///   5  h2x
+    ///   6  h2y
+    /// ```
+    ///
+    /// Jixx to Jizz (kg m^2) are the entries of link i's inertia tensor about the origin of frame i, hix to hiz (kg m) its first moments mass * com from there, mi (kg) its mass. Frame i is the link frame i of the table before its factors Tx(a) Rx(alpha): its origin and its z axis are on the axis of joint i. ai, di are cells of row i, sai, cai sine and cosine of its alpha.
+    ///
+    /// Operations: 0 multiplications, 0 additions.
+    ///
+    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
+    #[inline]
+    #[allow(unused_variables, clippy::all)]
+    pub fn base_parameters<T: ::robot_dynamics::Scalar>(
+        &self,
+    ) -> ::robot_dynamics::nalgebra::SVector<T, 6> {
+        let ::core::result::Result::Ok(all_values) = <Self as ::robot_dynamics::Function<
+            ::robot_dynamics::functions::BaseParameters,
+            2,
+        >>::at(
+            self,
+            ::robot_dynamics::functions::BaseParameters,
+            &::robot_dynamics::Evaluated,
+            &(),
+        );
+        all_values
+    }
+    /// Forward dynamics by articulated bodies (Featherstone), without M(q): the accelerations qdd with M(q) qdd + V(q, qd) + G(q) + K(q) + F(qd) = tau, rad/s^2 or m/s^2. Longer than `forward_dynamics`, and accurate where M(q) is nearly singular: about as many digits are right as the data determine.
+    ///
+    /// `q`: joint positions, rad; `qd`: joint velocities, rad per s; `tau`: joint forces and torques, N m.
+    ///
+    /// Operations: 30 multiplications, 19 additions, 1 division, sines and cosines of 2 angles.
+    ///
+    /** # Errors
+
+ `SingularMassMatrix` where M(q) is not positive definite to working precision, or not finite: it names the joint whose pivot failed.*/
+    ///
+    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
+    #[inline]
+    #[allow(unused_variables, clippy::all)]
+    pub fn forward_dynamics_aba<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        tau: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::core::result::Result<
+        ::robot_dynamics::nalgebra::SVector<T, 2>,
+        ::robot_dynamics::SingularMassMatrix,
+    > {
+        <Self as ::robot_dynamics::Function<
+            ::robot_dynamics::functions::ForwardDynamicsAba,
+            2,
+        >>::at(
+            self,
+            ::robot_dynamics::functions::ForwardDynamicsAba,
+            &::robot_dynamics::Evaluated,
+            &(*q, *qd, *tau),
+        )
+    }
+    /// Taylor coefficients q_0, q_1, ... of the motion q(t) = sum q_k t^k that starts at t = 0 from `q` and `qd` under the constant `tau`, up to `order` (2 to 30); zero beyond. Coulomb friction keeps the sign that it has at the start: the series ends where a joint reverses.
+    ///
+    /// `q`: joint positions, rad; `qd`: joint velocities, rad per s; `tau`: joint forces and torques, N m.
+    ///
+    /// Operations of the equations of motion at each order, inner sums of products apart: 11 multiplications, 10 additions, sines and cosines of 2 angles.
+    ///
+    /** # Errors
+
+ `SingularMassMatrix` where M(q) is not positive definite to working precision, or not finite: it names the joint whose pivot failed.*/
+    ///
+    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
+    #[inline]
+    #[allow(unused_variables, clippy::all)]
+    pub fn taylor_series<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        tau: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        order: usize,
+    ) -> ::core::result::Result<
+        ::robot_dynamics::TaylorCoefficients<T, 2>,
+        ::robot_dynamics::SingularMassMatrix,
+    > {
+        <Self as ::robot_dynamics::TaylorDynamics<
+            2,
+        >>::taylor_series(self, q, qd, tau, order)
+    }
+    /// Joint torques J(q)^T w of a wrench at the tip, N m or N, without J: M(q) qdd + V(q, qd) + G(q) + K(q) + F(qd) = tau + J(q)^T w.
+    ///
+    /// `q`: joint positions, rad; `wrench`: force (N) on the tip and moment (N m) about its origin, fx fy fz nx ny nz in the axes of `jacobian`, that the surroundings apply.
+    ///
+    /// Operations: 7 multiplications, 5 additions, sines and cosines of 2 angles.
+    ///
+    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
+    #[inline]
+    #[allow(unused_variables, clippy::all)]
+    pub fn wrench_torques<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        wrench: &::robot_dynamics::nalgebra::Vector6<T>,
+    ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
+        let ::core::result::Result::Ok(all_values) = <Self as ::robot_dynamics::Function<
+            ::robot_dynamics::functions::WrenchTorques,
+            2,
+        >>::at(
+            self,
+            ::robot_dynamics::functions::WrenchTorques,
+            &::robot_dynamics::Evaluated,
+            &(*q, *wrench),
+        );
+        all_values
+    }
+    /// Velocity of the tip J(q) qd, vx vy vz wx wy wz, in the base frame, m/s and rad/s, without J.
+    ///
+    /// `q`: joint positions, rad; `qd`: joint velocities, rad per s.
+    ///
+    /// Operations: 7 multiplications, 5 additions, sines and cosines of 2 angles.
+    ///
+    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
+    #[inline]
+    #[allow(unused_variables, clippy::all)]
+    pub fn tool_velocity<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::robot_dynamics::nalgebra::Vector6<T> {
+        let ::core::result::Result::Ok(all_values) = <Self as ::robot_dynamics::Function<
+            ::robot_dynamics::functions::ToolVelocity,
+            2,
+        >>::at(
+            self,
+            ::robot_dynamics::functions::ToolVelocity,
+            &::robot_dynamics::Evaluated,
+            &(*q, *qd),
+        );
+        all_values
+    }
+    /// Acceleration of the tip J(q) qdd + dJ/dt qd: of its origin and of its rotation, in the base frame, m/s^2 and rad/s^2, without J and its rate.
+    ///
+    /// `q`: joint positions, rad; `qd`: joint velocities, rad per s; `qdd`: joint accelerations, rad per s^2.
+    ///
+    /// Operations: 16 multiplications, 14 additions, sines and cosines of 2 angles.
+    ///
+    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
+    #[inline]
+    #[allow(unused_variables, clippy::all)]
+    pub fn tool_acceleration<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qdd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::robot_dynamics::nalgebra::Vector6<T> {
+        let ::core::result::Result::Ok(all_values) = <Self as ::robot_dynamics::Function<
+            ::robot_dynamics::functions::ToolAcceleration,
+            2,
+        >>::at(
+            self,
+            ::robot_dynamics::functions::ToolAcceleration,
+            &::robot_dynamics::Evaluated,
+            &(*q, *qd, *qdd),
+        );
+        all_values
+    }
+    /// Rate dJ/dt of the geometric Jacobian along a motion, 6 x N, rows as in `jacobian`: the acceleration of the tip is J qdd + dJ/dt qd.
+    ///
+    /// `q`: joint positions, rad; `qd`: joint velocities, rad per s.
+    ///
+    /// Operations: 10 multiplications, 5 additions, sines and cosines of 2 angles.
+    ///
+    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
+    #[inline]
+    #[allow(unused_variables, clippy::all)]
+    pub fn jacobian_rate<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::robot_dynamics::nalgebra::SMatrix<T, 6, 2> {
+        let ::core::result::Result::Ok(all_values) = <Self as ::robot_dynamics::Function<
+            ::robot_dynamics::functions::JacobianRate,
+            2,
+        >>::at(
+            self,
+            ::robot_dynamics::functions::JacobianRate,
+            &::robot_dynamics::Evaluated,
+            &(*q, *qd),
+        );
+        all_values
+    }
+    /// Geometric Jacobians of the origins of all link frames whose joint moves, from the base outwards, each 6 x N, rows vx vy vz wx wy wz, in the base frame. Columns of joints beyond a link are zero.
+    ///
+    /// `q`: joint positions, rad.
+    ///
+    /// Operations: 6 multiplications, 4 additions, sines and cosines of 2 angles.
+    ///
+    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
+    #[inline]
+    #[allow(unused_variables, clippy::all)]
+    pub fn link_jacobians<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> [::robot_dynamics::nalgebra::SMatrix<T, 6, 2>; 2] {
+        let ::core::result::Result::Ok(all_values) = <Self as ::robot_dynamics::Function<
+            ::robot_dynamics::functions::LinkJacobians,
+            2,
+        >>::at(
+            self,
+            ::robot_dynamics::functions::LinkJacobians,
+            &::robot_dynamics::Evaluated,
+            &(*q,),
+        );
+        all_values
+    }
+    /// Centre of mass of the tool and of all links but those that are locked to the base, in the base frame, m: that of the complete arm where parameters are neglected.
+    ///
+    /// `q`: joint positions, rad.
+    ///
+    /// Operations: 6 multiplications, 3 additions, sines and cosines of 2 angles.
+    ///
+    /// r3 is zero; r1, r2 depend on q1, q2.
+    ///
+    /// ```text
+    /// r1 = 5/4 c1 + 1/8 c12
+    /// r2 = 5/4 s1 + 1/8 s12
+    /// r3 = 0
+    /// with c1 = cos(q1), s1 = sin(q1), c12 = cos(q1 + q2), s12 = sin(q1 + q2)
+    /// ```
+    ///
+    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
+    #[inline]
+    #[allow(unused_variables, clippy::all)]
+    pub fn center_of_mass<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::robot_dynamics::nalgebra::Vector3<T> {
+        let ::core::result::Result::Ok(all_values) = <Self as ::robot_dynamics::Function<
+            ::robot_dynamics::functions::CenterOfMass,
+            2,
+        >>::at(
+            self,
+            ::robot_dynamics::functions::CenterOfMass,
+            &::robot_dynamics::Evaluated,
+            &(*q,),
+        );
+        all_values
+    }
+    /// Jacobian of `center_of_mass`, 3 x N, by rows x y z: its velocity in the base frame is this times qd.
+    ///
+    /// `q`: joint positions, rad.
+    ///
+    /// Operations: 8 multiplications, 4 additions, sines and cosines of 2 angles.
+    ///
+    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
+    #[inline]
+    #[allow(unused_variables, clippy::all)]
+    pub fn center_of_mass_jacobian<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::robot_dynamics::nalgebra::SMatrix<T, 3, 2> {
+        let ::core::result::Result::Ok(all_values) = <Self as ::robot_dynamics::Function<
+            ::robot_dynamics::functions::CenterOfMassJacobian,
+            2,
+        >>::at(
+            self,
+            ::robot_dynamics::functions::CenterOfMassJacobian,
+            &::robot_dynamics::Evaluated,
+            &(*q,),
+        );
+        all_values
+    }
+    /// Inverse of the inertia that the tip has in task space, J(q) M(q)^-1 J(q)^T, 6 x 6, rows and columns as those of `jacobian`: the acceleration of the tip by a wrench on it. It exists for every arm whose M is regular; where it is regular itself, its inverse is the operational-space inertia (Khatib).
+    ///
+    /// `q`: joint positions, rad.
+    ///
+    /// Operations: 24 multiplications, 16 additions, 1 division, sines and cosines of 2 angles.
+    ///
+    /** # Errors
+
+ `SingularMassMatrix` where M(q) is not positive definite to working precision, or not finite: it names the joint whose pivot failed.*/
+    ///
+    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
+    #[inline]
+    #[allow(unused_variables, clippy::all)]
+    pub fn operational_inertia_inverse<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::core::result::Result<
+        ::robot_dynamics::nalgebra::Matrix6<T>,
+        ::robot_dynamics::SingularMassMatrix,
+    > {
+        <Self as ::robot_dynamics::Function<
+            ::robot_dynamics::functions::OperationalInertiaInverse,
+            2,
+        >>::at(
+            self,
+            ::robot_dynamics::functions::OperationalInertiaInverse,
+            &::robot_dynamics::Evaluated,
+            &(*q,),
+        )
+    }
+    /// Generalized momentum p = M(q) qd = dT/dqd, N m s or N s, without M.
+    ///
+    /// `q`: joint positions, rad; `qd`: joint velocities, rad per s.
+    ///
+    /// Operations: 4 multiplications, 4 additions, sine and cosine of one angle.
+    ///
+    /// p1, p2 depend on q2, qd1, qd2.
+    ///
+    /// ```text
+    /// p1 = (8.333333333333334 + 2 c2) qd1 + (0.33333333333333333 + c2) qd2
+    /// p2 = (0.33333333333333333 + c2) qd1 + 0.33333333333333333 qd2
+    /// with c2 = cos(q2)
+    /// ```
+    ///
+    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
+    #[inline]
+    #[allow(unused_variables, clippy::all)]
+    pub fn generalized_momentum<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
+        let ::core::result::Result::Ok(all_values) = <Self as ::robot_dynamics::Function<
+            ::robot_dynamics::functions::GeneralizedMomentum,
+            2,
+        >>::at(
+            self,
+            ::robot_dynamics::functions::GeneralizedMomentum,
+            &::robot_dynamics::Evaluated,
+            &(*q, *qd),
+        );
+        all_values
+    }
+    /// Rate of the generalized momentum without applied forces, C(q, qd)^T qd - G(q) - K(q) - F(qd), N m or N, with C from the Christoffel symbols: d/dt (M qd) = tau + J^T w + momentum_bias, by which a momentum observer finds the forces that nobody has told it of.
+    ///
+    /// `q`: joint positions, rad; `qd`: joint velocities, rad per s.
+    ///
+    /// Operations: 6 multiplications, 4 additions, sines and cosines of 2 angles.
+    ///
+    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
+    #[inline]
+    #[allow(unused_variables, clippy::all)]
+    pub fn momentum_bias<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
+        let ::core::result::Result::Ok(all_values) = <Self as ::robot_dynamics::Function<
+            ::robot_dynamics::functions::MomentumBias,
+            2,
+        >>::at(
+            self,
+            ::robot_dynamics::functions::MomentumBias,
+            &::robot_dynamics::Evaluated,
+            &(*q, *qd),
+        );
+        all_values
+    }
+    /// Torque of a passivity-based controller, M(q) qdd_r + C(q, qd) qd_r + G(q) + K(q) + F(qd), N m or N, with C from the Christoffel symbols and without forming it. Also: the control of Slotine and Li.
+    ///
+    /// `q`: joint positions, rad; `qd`: joint velocities, rad per s; `qd_r`: reference velocities, rad per s; `qdd_r`: reference accelerations, rad per s^2.
+    ///
+    /// Operations: 12 multiplications, 11 additions, sines and cosines of 2 angles.
+    ///
+    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
+    #[inline]
+    #[allow(unused_variables, clippy::all)]
+    pub fn passivity_torque<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qd_r: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qdd_r: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
+        let ::core::result::Result::Ok(all_values) = <Self as ::robot_dynamics::Function<
+            ::robot_dynamics::functions::PassivityTorque,
+            2,
+        >>::at(
+            self,
+            ::robot_dynamics::functions::PassivityTorque,
+            &::robot_dynamics::Evaluated,
+            &(*q, *qd, *qd_r, *qdd_r),
+        );
+        all_values
+    }
+    /// Regressor Y_r(q, qd, qd_r, qdd_r), N x P, of the P base inertial parameters: Y_r * base_parameters = M qdd_r + C qd_r + G, the `passivity_torque` without springs and friction, from which adaptive control learns (Slotine and Li).
+    ///
+    /// `q`: joint positions, rad; `qd`: joint velocities, rad per s; `qd_r`: reference velocities, rad per s; `qdd_r`: reference accelerations, rad per s^2.
+    ///
+    /// The base parameters:
+    ///
+    /// ```text
+    ///   1  J1zz + a1^2 m2
+    ///   2  h1x + a1 m2
+    ///   3  h1y
+    ///   4  J2zz
+    ///   5  h2x
+    ///   6  h2y
+    /// ```
+    ///
+    /// Jixx to Jizz (kg m^2) are the entries of link i's inertia tensor about the origin of frame i, hix to hiz (kg m) its first moments mass * com from there, mi (kg) its mass. Frame i is the link frame i of the table before its factors Tx(a) Rx(alpha): its origin and its z axis are on the axis of joint i. ai, di are cells of row i, sai, cai sine and cosine of its alpha.
+    ///
+    /// Operations: 16 multiplications, 11 additions, sines and cosines of 2 angles.
+    ///
+    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
+    #[inline]
+    #[allow(unused_variables, clippy::all)]
+    pub fn passivity_regressor<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qd_r: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qdd_r: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::robot_dynamics::nalgebra::SMatrix<T, 2, 6> {
+        let ::core::result::Result::Ok(all_values) = <Self as ::robot_dynamics::Function<
+            ::robot_dynamics::functions::PassivityRegressor,
+            2,
+        >>::at(
+            self,
+            ::robot_dynamics::functions::PassivityRegressor,
+            &::robot_dynamics::Evaluated,
+            &(*q, *qd, *qd_r, *qdd_r),
+        );
+        all_values
+    }
+    /// Regressors of the energies, two vectors of P numbers, J for a unit of each of the P base inertial parameters: the kinetic energy is the first one times base_parameters, the potential energy of gravity the second one up to a constant.
+    ///
+    /// `q`: joint positions, rad; `qd`: joint velocities, rad per s.
+    ///
+    /// The base parameters:
+    ///
+    /// ```text
+    ///   1  J1zz + a1^2 m2
+    ///   2  h1x + a1 m2
+    ///   3  h1y
+    ///   4  J2zz
+    ///   5  h2x
+    ///   6  h2y
+    /// ```
+    ///
+    /// Jixx to Jizz (kg m^2) are the entries of link i's inertia tensor about the origin of frame i, hix to hiz (kg m) its first moments mass * com from there, mi (kg) its mass. Frame i is the link frame i of the table before its factors Tx(a) Rx(alpha): its origin and its z axis are on the axis of joint i. ai, di are cells of row i, sai, cai sine and cosine of its alpha.
+    ///
+    /// Operations: 14 multiplications, 3 additions, sines and cosines of 2 angles.
+    ///
+    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
+    #[inline]
+    #[allow(unused_variables, clippy::all)]
+    pub fn energy_regressors<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> (
+        ::robot_dynamics::nalgebra::SVector<T, 6>,
+        ::robot_dynamics::nalgebra::SVector<T, 6>,
+    ) {
+        let ::core::result::Result::Ok(all_values) = <Self as ::robot_dynamics::Function<
+            ::robot_dynamics::functions::EnergyRegressors,
+            2,
+        >>::at(
+            self,
+            ::robot_dynamics::functions::EnergyRegressors,
+            &::robot_dynamics::Evaluated,
+            &(*q, *qd),
+        );
+        all_values
+    }
+    /// First and second derivative by time of the inverse dynamics along a motion, (d tau/dt, d2 tau/dt2), N m/s and N m/s^2 (N/s and N/s^2). Viscous friction counts; Coulomb friction counts as constant.
+    ///
+    /// `q`: joint positions, rad; `qd`: joint velocities, rad per s; `qdd`: joint accelerations, rad per s^2; `jerk`: rates of the accelerations, rad per s^3; `snap`: rates of `jerk`, rad per s^4.
+    ///
+    /// Operations: 60 multiplications, 40 additions, sines and cosines of 2 angles.
+    ///
+    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
+    #[inline]
+    #[allow(unused_variables, clippy::all)]
+    pub fn inverse_dynamics_rates<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qdd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        jerk: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        snap: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> (
+        ::robot_dynamics::nalgebra::SVector<T, 2>,
+        ::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) {
+        let ::core::result::Result::Ok(all_values) = <Self as ::robot_dynamics::Function<
+            ::robot_dynamics::functions::InverseDynamicsRates,
+            2,
+        >>::at(
+            self,
+            ::robot_dynamics::functions::InverseDynamicsRates,
+            &::robot_dynamics::Evaluated,
+            &(*q, *qd, *qdd, *jerk, *snap),
+        );
+        all_values
+    }
+    /// Second derivatives of the inverse dynamics, exact: (d2 tau/dq dq, d2 tau/dqd dqd, d2 tau/dq dqd, dM/dq), each an array of N matrices N x N. Entry `[i][(j, k)]` is that of tau_i by q_j and q_k, by qd_j and qd_k, by q_j (row) and qd_k (column), and the derivative of M_ij by q_k, which is that of tau_i by qdd_j and q_k. The first two are symmetric in j and k, the last one in i and j. Friction that falls with the velocity is in d2 tau/dqd dqd; that of other friction and of springs is zero.
+    ///
+    /// `q`: joint positions, rad; `qd`: joint velocities, rad per s; `qdd`: joint accelerations, rad per s^2.
+    ///
+    /// Operations: 17 multiplications, 10 additions, sines and cosines of 2 angles.
+    ///
+    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
+    #[inline]
+    #[allow(unused_variables, clippy::all)]
+    pub fn inverse_dynamics_second_derivatives<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qdd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> (
+        [::robot_dynamics::nalgebra::SMatrix<T, 2, 2>; 2],
+        [::robot_dynamics::nalgebra::SMatrix<T, 2, 2>; 2],
+        [::robot_dynamics::nalgebra::SMatrix<T, 2, 2>; 2],
+        [::robot_dynamics::nalgebra::SMatrix<T, 2, 2>; 2],
+    ) {
+        let ::core::result::Result::Ok(all_values) = <Self as ::robot_dynamics::Function<
+            ::robot_dynamics::functions::InverseDynamicsSecondDerivatives,
+            2,
+        >>::at(
+            self,
+            ::robot_dynamics::functions::InverseDynamicsSecondDerivatives,
+            &::robot_dynamics::Evaluated,
+            &(*q, *qd, *qdd),
+        );
+        all_values
+    }
+}
+impl ::robot_dynamics::MassMatrix<2> for Arm {
+    const WORK: u32 = 43;
+    #[inline(always)]
+    fn mass_matrix<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::robot_dynamics::nalgebra::SMatrix<T, 2, 2> {
+        Self::mass_matrix_at(self, &::robot_dynamics::Evaluated, q)
+    }
+    #[inline(always)]
+    fn mass_matrix_at<T: ::robot_dynamics::Scalar>(
+        &self,
+        sines: &impl ::robot_dynamics::Inputs<T>,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::robot_dynamics::nalgebra::SMatrix<T, 2, 2> {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_2, c_2), (s_1, c_1)] = ::robot_dynamics::Scalar::sin_cos_array([
-            q.data.0[0][1],
-            q.data.0[0][0],
-        ]);
+        let [(s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+            sines,
+            [1],
+            [q.data.0[0][1]],
+        );
+        let t_1 = c_2 + c_2;
+        let t_2 = real(8.333333333333334) + t_1;
+        let t_3 = real(0.3333333333333333) + c_2;
+        ::robot_dynamics::nalgebra::SMatrix::from_data(
+            ::robot_dynamics::nalgebra::ArrayStorage([
+                [t_2, t_3],
+                [t_3, real(0.3333333333333333)],
+            ]),
+        )
+    }
+}
+impl ::robot_dynamics::CoriolisVector<2> for Arm {
+    const WORK: u32 = 46;
+    #[inline(always)]
+    fn coriolis_vector<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
+        Self::coriolis_vector_at(self, &::robot_dynamics::Evaluated, q, qd)
+    }
+    #[inline(always)]
+    fn coriolis_vector_at<T: ::robot_dynamics::Scalar>(
+        &self,
+        sines: &impl ::robot_dynamics::Inputs<T>,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
+        let [(s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+            sines,
+            [1],
+            [q.data.0[0][1]],
+        );
+        let qd_1 = qd.data.0[0][0];
+        let qd_2 = qd.data.0[0][1];
+        let t_1 = qd_1 * qd_1;
+        let t_2 = s_2 * t_1;
+        let t_3 = qd_1 + qd_2;
+        let t_4 = t_3 * t_3;
+        let t_5 = (-s_2).mul_add(t_4, t_2);
+        ::robot_dynamics::nalgebra::SMatrix::from_data(
+            ::robot_dynamics::nalgebra::ArrayStorage([[t_5, t_2]]),
+        )
+    }
+}
+impl ::robot_dynamics::GravityVector<2> for Arm {
+    const WORK: u32 = 86;
+    #[inline(always)]
+    fn gravity_vector<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
+        Self::gravity_vector_at(self, &::robot_dynamics::Evaluated, q)
+    }
+    #[inline(always)]
+    fn gravity_vector_at<T: ::robot_dynamics::Scalar>(
+        &self,
+        sines: &impl ::robot_dynamics::Inputs<T>,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
+        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+            sines,
+            [0, 1],
+            [q.data.0[0][0], q.data.0[0][1]],
+        );
+        let t_1 = (-s_1).mul_add(s_2, c_1 * c_2);
+        let t_2 = real(4.905) * t_1;
+        let t_3 = real(49.05).mul_add(c_1, t_2);
+        ::robot_dynamics::nalgebra::SMatrix::from_data(
+            ::robot_dynamics::nalgebra::ArrayStorage([[t_3, t_2]]),
+        )
+    }
+}
+impl ::robot_dynamics::Function<::robot_dynamics::functions::FrictionVector, 2> for Arm {
+    type Arguments = (::robot_dynamics::Entries<2, 1>,);
+    type Values = ::robot_dynamics::Entries<2, 1>;
+    type Error = ::core::convert::Infallible;
+    const ARGUMENTS: &'static [&'static str] = &["qd"];
+    const RESULT: &'static str = "friction_vector";
+    const WORK: u32 = 0;
+    const IN_LANES: bool = true;
+    #[inline(always)]
+    fn at<T: ::robot_dynamics::Scalar>(
+        &self,
+        _: ::robot_dynamics::functions::FrictionVector,
+        sines: &impl ::robot_dynamics::Inputs<T>,
+        (qd,): &<Self::Arguments as ::robot_dynamics::Arrangement>::Of<T>,
+    ) -> ::core::result::Result<
+        <Self::Values as ::robot_dynamics::Arrangement>::Of<T>,
+        Self::Error,
+    > {
+        ::core::result::Result::Ok({
+            let real = |x: f64| ::robot_dynamics::Scalar::constant(qd.data.0[0][0], x);
+            ::robot_dynamics::nalgebra::SMatrix::from_data(
+                ::robot_dynamics::nalgebra::ArrayStorage([[real(0.0), real(0.0)]]),
+            )
+        })
+    }
+}
+impl ::robot_dynamics::Function<::robot_dynamics::functions::SpringVector, 2> for Arm {
+    type Arguments = (::robot_dynamics::Entries<2, 1>,);
+    type Values = ::robot_dynamics::Entries<2, 1>;
+    type Error = ::core::convert::Infallible;
+    const ARGUMENTS: &'static [&'static str] = &["q"];
+    const RESULT: &'static str = "spring_vector";
+    const WORK: u32 = 0;
+    const IN_LANES: bool = true;
+    #[inline(always)]
+    fn at<T: ::robot_dynamics::Scalar>(
+        &self,
+        _: ::robot_dynamics::functions::SpringVector,
+        sines: &impl ::robot_dynamics::Inputs<T>,
+        (q,): &<Self::Arguments as ::robot_dynamics::Arrangement>::Of<T>,
+    ) -> ::core::result::Result<
+        <Self::Values as ::robot_dynamics::Arrangement>::Of<T>,
+        Self::Error,
+    > {
+        ::core::result::Result::Ok({
+            let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+            ::robot_dynamics::nalgebra::SMatrix::from_data(
+                ::robot_dynamics::nalgebra::ArrayStorage([[real(0.0), real(0.0)]]),
+            )
+        })
+    }
+}
+impl ::robot_dynamics::InverseDynamics<2> for Arm {
+    const WORK: u32 = 101;
+    #[inline(always)]
+    fn inverse_dynamics<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qdd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
+        Self::inverse_dynamics_at(self, &::robot_dynamics::Evaluated, q, qd, qdd)
+    }
+    #[inline(always)]
+    fn inverse_dynamics_at<T: ::robot_dynamics::Scalar>(
+        &self,
+        sines: &impl ::robot_dynamics::Inputs<T>,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qdd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
+        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+        let [(s_2, c_2), (s_1, c_1)] = ::robot_dynamics::Inputs::sin_cos(
+            sines,
+            [1, 0],
+            [q.data.0[0][1], q.data.0[0][0]],
+        );
+        let qd_1 = qd.data.0[0][0];
+        let qd_2 = qd.data.0[0][1];
+        let qdd_1 = qdd.data.0[0][0];
+        let qdd_2 = qdd.data.0[0][1];
+        let t_1 = qd_1 + qd_2;
+        let t_2 = t_1 * t_1;
+        let t_3 = qdd_1 + qdd_2;
+        let t_4 = real(-4.905).mul_add(s_1, qd_1 * qd_1);
+        let t_5 = real(4.905).mul_add(c_1, qdd_1);
+        let t_6 = s_2.mul_add(t_4, real(0.3333333333333333) * t_3);
+        let t_7 = c_2.mul_add(t_5, t_6);
+        let t_8 = real(49.05).mul_add(c_1, real(8.0) * qdd_1);
+        let t_9 = (-s_2).mul_add(t_2, c_2 * t_3);
+        let t_10 = t_8 + t_9;
+        let t_11 = t_10 + t_7;
+        ::robot_dynamics::nalgebra::SMatrix::from_data(
+            ::robot_dynamics::nalgebra::ArrayStorage([[t_11, t_7]]),
+        )
+    }
+}
+impl ::robot_dynamics::ForwardDynamics<2> for Arm {
+    const WORK: u32 = 108;
+    #[inline(always)]
+    fn forward_dynamics<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        tau: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::core::result::Result<
+        ::robot_dynamics::nalgebra::SVector<T, 2>,
+        ::robot_dynamics::SingularMassMatrix,
+    > {
+        Self::forward_dynamics_at(self, &::robot_dynamics::Evaluated, q, qd, tau)
+    }
+    #[inline(always)]
+    fn forward_dynamics_at<T: ::robot_dynamics::Scalar>(
+        &self,
+        sines: &impl ::robot_dynamics::Inputs<T>,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        tau: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::core::result::Result<
+        ::robot_dynamics::nalgebra::SVector<T, 2>,
+        ::robot_dynamics::SingularMassMatrix,
+    > {
+        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+        let [(s_2, c_2), (s_1, c_1)] = ::robot_dynamics::Inputs::sin_cos(
+            sines,
+            [1, 0],
+            [q.data.0[0][1], q.data.0[0][0]],
+        );
+        let qd_1 = qd.data.0[0][0];
+        let qd_2 = qd.data.0[0][1];
+        let tau_1 = tau.data.0[0][0];
+        let tau_2 = tau.data.0[0][1];
+        let t_1 = qd_1 + qd_2;
+        let t_2 = t_1 * t_1;
+        let t_3 = qd_1 * qd_1;
+        let t_4 = real(0.2038735983690112).mul_add(t_3, -s_1);
+        let t_5 = s_2.mul_add(t_4, c_1 * c_2);
+        let t_6 = real(4.905) * t_5;
+        let t_7 = t_6 - tau_2;
+        let t_8 = real(0.3333333333333333) + c_2;
+        let t_9 = real(3.0) * t_8;
+        let t_10 = real(49.05).mul_add(c_1, -tau_1);
+        let t_11 = (-s_2).mul_add(t_2, t_10);
+        let t_12 = t_11 + t_6;
+        let t_13 = (-t_7).mul_add(t_9, t_12);
+        let t_14 = real(2.0).mul_add(c_2, real(8.333333333333334));
+        let t_15 = (-t_8).mul_add(t_9, t_14);
+        let t_16 = real(1.0) / t_15;
+        let t_17 = t_13 * t_16;
+        let t_18 = real(-3.0).mul_add(t_7, t_9 * t_17);
+        ::robot_dynamics::SingularMassMatrix::test_joint(
+            1,
+            "joint2",
+            real(0.3333333333333333),
+            real(0.3333333333333333),
+        )?;
+        ::robot_dynamics::SingularMassMatrix::test_joint(0, "joint1", t_15, t_14)?;
+        ::core::result::Result::Ok(
+            ::robot_dynamics::nalgebra::SMatrix::from_data(
+                ::robot_dynamics::nalgebra::ArrayStorage([[-t_17, t_18]]),
+            ),
+        )
+    }
+}
+impl ::robot_dynamics::Function<::robot_dynamics::functions::KineticEnergy, 2> for Arm {
+    type Arguments = (::robot_dynamics::Entries<2, 1>, ::robot_dynamics::Entries<2, 1>);
+    type Values = ::robot_dynamics::Number;
+    type Error = ::core::convert::Infallible;
+    const ARGUMENTS: &'static [&'static str] = &["q", "qd"];
+    const RESULT: &'static str = "kinetic_energy";
+    const WORK: u32 = 49;
+    const IN_LANES: bool = true;
+    #[inline(always)]
+    fn at<T: ::robot_dynamics::Scalar>(
+        &self,
+        _: ::robot_dynamics::functions::KineticEnergy,
+        sines: &impl ::robot_dynamics::Inputs<T>,
+        (q, qd): &<Self::Arguments as ::robot_dynamics::Arrangement>::Of<T>,
+    ) -> ::core::result::Result<
+        <Self::Values as ::robot_dynamics::Arrangement>::Of<T>,
+        Self::Error,
+    > {
+        ::core::result::Result::Ok({
+            let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+            let [(s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+                sines,
+                [1],
+                [q.data.0[0][1]],
+            );
+            let qd_1 = qd.data.0[0][0];
+            let qd_2 = qd.data.0[0][1];
+            let t_1 = qd_1 + qd_2;
+            let t_2 = qd_1 * c_2;
+            let t_3 = t_1 * t_1;
+            let t_4 = real(0.041666666666666664).mul_add(t_3, qd_1 * qd_1);
+            let t_5 = t_1.mul_add(t_2, real(4.0) * t_4);
+            t_5
+        })
+    }
+}
+impl ::robot_dynamics::Function<::robot_dynamics::functions::PotentialEnergy, 2>
+for Arm {
+    type Arguments = (::robot_dynamics::Entries<2, 1>,);
+    type Values = ::robot_dynamics::Number;
+    type Error = ::core::convert::Infallible;
+    const ARGUMENTS: &'static [&'static str] = &["q"];
+    const RESULT: &'static str = "potential_energy";
+    const WORK: u32 = 85;
+    const IN_LANES: bool = true;
+    #[inline(always)]
+    fn at<T: ::robot_dynamics::Scalar>(
+        &self,
+        _: ::robot_dynamics::functions::PotentialEnergy,
+        sines: &impl ::robot_dynamics::Inputs<T>,
+        (q,): &<Self::Arguments as ::robot_dynamics::Arrangement>::Of<T>,
+    ) -> ::core::result::Result<
+        <Self::Values as ::robot_dynamics::Arrangement>::Of<T>,
+        Self::Error,
+    > {
+        ::core::result::Result::Ok({
+            let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+            let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+                sines,
+                [0, 1],
+                [q.data.0[0][0], q.data.0[0][1]],
+            );
+            let t_1 = real(10.0) + c_2;
+            let t_2 = s_1.mul_add(t_1, c_1 * s_2);
+            let t_3 = real(4.905) * t_2;
+            t_3
+        })
+    }
+}
+impl ::robot_dynamics::Function<::robot_dynamics::functions::BiasForce, 2> for Arm {
+    type Arguments = (::robot_dynamics::Entries<2, 1>, ::robot_dynamics::Entries<2, 1>);
+    type Values = ::robot_dynamics::Entries<2, 1>;
+    type Error = ::core::convert::Infallible;
+    const ARGUMENTS: &'static [&'static str] = &["q", "qd"];
+    const RESULT: &'static str = "bias_force";
+    const WORK: u32 = 93;
+    const IN_LANES: bool = true;
+    #[inline(always)]
+    fn at<T: ::robot_dynamics::Scalar>(
+        &self,
+        _: ::robot_dynamics::functions::BiasForce,
+        sines: &impl ::robot_dynamics::Inputs<T>,
+        (q, qd): &<Self::Arguments as ::robot_dynamics::Arrangement>::Of<T>,
+    ) -> ::core::result::Result<
+        <Self::Values as ::robot_dynamics::Arrangement>::Of<T>,
+        Self::Error,
+    > {
+        ::core::result::Result::Ok({
+            let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+            let [(s_2, c_2), (s_1, c_1)] = ::robot_dynamics::Inputs::sin_cos(
+                sines,
+                [1, 0],
+                [q.data.0[0][1], q.data.0[0][0]],
+            );
+            let qd_1 = qd.data.0[0][0];
+            let qd_2 = qd.data.0[0][1];
+            let t_1 = qd_1 + qd_2;
+            let t_2 = t_1 * t_1;
+            let t_3 = qd_1 * qd_1;
+            let t_4 = real(0.2038735983690112).mul_add(t_3, -s_1);
+            let t_5 = s_2.mul_add(t_4, c_1 * c_2);
+            let t_6 = real(4.905) * t_5;
+            let t_7 = (-s_2).mul_add(t_2, real(49.05) * c_1);
+            let t_8 = t_7 + t_6;
+            ::robot_dynamics::nalgebra::SMatrix::from_data(
+                ::robot_dynamics::nalgebra::ArrayStorage([[t_8, t_6]]),
+            )
+        })
+    }
+}
+impl ::robot_dynamics::Function<::robot_dynamics::functions::CoriolisMatrix, 2> for Arm {
+    type Arguments = (::robot_dynamics::Entries<2, 1>, ::robot_dynamics::Entries<2, 1>);
+    type Values = ::robot_dynamics::Entries<2, 2>;
+    type Error = ::core::convert::Infallible;
+    const ARGUMENTS: &'static [&'static str] = &["q", "qd"];
+    const RESULT: &'static str = "coriolis_matrix";
+    const WORK: u32 = 43;
+    const IN_LANES: bool = true;
+    #[inline(always)]
+    fn at<T: ::robot_dynamics::Scalar>(
+        &self,
+        _: ::robot_dynamics::functions::CoriolisMatrix,
+        sines: &impl ::robot_dynamics::Inputs<T>,
+        (q, qd): &<Self::Arguments as ::robot_dynamics::Arrangement>::Of<T>,
+    ) -> ::core::result::Result<
+        <Self::Values as ::robot_dynamics::Arrangement>::Of<T>,
+        Self::Error,
+    > {
+        ::core::result::Result::Ok({
+            let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+            let [(s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+                sines,
+                [1],
+                [q.data.0[0][1]],
+            );
+            let qd_1 = qd.data.0[0][0];
+            let qd_2 = qd.data.0[0][1];
+            let t_1 = s_2 * qd_2;
+            let t_2 = qd_1 * s_2;
+            let t_3 = t_1 + t_2;
+            ::robot_dynamics::nalgebra::SMatrix::from_data(
+                ::robot_dynamics::nalgebra::ArrayStorage([
+                    [-t_1, t_2],
+                    [-t_3, real(0.0)],
+                ]),
+            )
+        })
+    }
+}
+impl ::robot_dynamics::Function<::robot_dynamics::functions::CoriolisCoefficients, 2>
+for Arm {
+    type Arguments = (::robot_dynamics::Entries<2, 1>,);
+    type Values = ::robot_dynamics::Entries<2, 1>;
+    type Error = ::core::convert::Infallible;
+    const ARGUMENTS: &'static [&'static str] = &["q"];
+    const RESULT: &'static str = "coriolis_coefficients";
+    const WORK: u32 = 41;
+    const IN_LANES: bool = true;
+    #[inline(always)]
+    fn at<T: ::robot_dynamics::Scalar>(
+        &self,
+        _: ::robot_dynamics::functions::CoriolisCoefficients,
+        sines: &impl ::robot_dynamics::Inputs<T>,
+        (q,): &<Self::Arguments as ::robot_dynamics::Arrangement>::Of<T>,
+    ) -> ::core::result::Result<
+        <Self::Values as ::robot_dynamics::Arrangement>::Of<T>,
+        Self::Error,
+    > {
+        ::core::result::Result::Ok({
+            let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+            let [(s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+                sines,
+                [1],
+                [q.data.0[0][1]],
+            );
+            let t_1 = real(2.0) * s_2;
+            ::robot_dynamics::nalgebra::SMatrix::from_data(
+                ::robot_dynamics::nalgebra::ArrayStorage([[-t_1, real(0.0)]]),
+            )
+        })
+    }
+}
+impl ::robot_dynamics::Function<::robot_dynamics::functions::CentrifugalCoefficients, 2>
+for Arm {
+    type Arguments = (::robot_dynamics::Entries<2, 1>,);
+    type Values = ::robot_dynamics::Entries<2, 2>;
+    type Error = ::core::convert::Infallible;
+    const ARGUMENTS: &'static [&'static str] = &["q"];
+    const RESULT: &'static str = "centrifugal_coefficients";
+    const WORK: u32 = 40;
+    const IN_LANES: bool = true;
+    #[inline(always)]
+    fn at<T: ::robot_dynamics::Scalar>(
+        &self,
+        _: ::robot_dynamics::functions::CentrifugalCoefficients,
+        sines: &impl ::robot_dynamics::Inputs<T>,
+        (q,): &<Self::Arguments as ::robot_dynamics::Arrangement>::Of<T>,
+    ) -> ::core::result::Result<
+        <Self::Values as ::robot_dynamics::Arrangement>::Of<T>,
+        Self::Error,
+    > {
+        ::core::result::Result::Ok({
+            let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+            let [(s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+                sines,
+                [1],
+                [q.data.0[0][1]],
+            );
+            ::robot_dynamics::nalgebra::SMatrix::from_data(
+                ::robot_dynamics::nalgebra::ArrayStorage([
+                    [real(0.0), s_2],
+                    [-s_2, real(0.0)],
+                ]),
+            )
+        })
+    }
+}
+impl ::robot_dynamics::Function<::robot_dynamics::functions::ForwardKinematics, 2>
+for Arm {
+    type Arguments = (::robot_dynamics::Entries<2, 1>,);
+    type Values = ::robot_dynamics::Entries<4, 4>;
+    type Error = ::core::convert::Infallible;
+    const ARGUMENTS: &'static [&'static str] = &["q"];
+    const RESULT: &'static str = "forward_kinematics";
+    const WORK: u32 = 90;
+    const IN_LANES: bool = true;
+    #[inline(always)]
+    fn at<T: ::robot_dynamics::Scalar>(
+        &self,
+        _: ::robot_dynamics::functions::ForwardKinematics,
+        sines: &impl ::robot_dynamics::Inputs<T>,
+        (q,): &<Self::Arguments as ::robot_dynamics::Arrangement>::Of<T>,
+    ) -> ::core::result::Result<
+        <Self::Values as ::robot_dynamics::Arrangement>::Of<T>,
+        Self::Error,
+    > {
+        ::core::result::Result::Ok({
+            let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+            let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+                sines,
+                [0, 1],
+                [q.data.0[0][0], q.data.0[0][1]],
+            );
+            let t_1 = (-s_1).mul_add(s_2, c_1 * c_2);
+            let t_2 = c_1.mul_add(s_2, s_1 * c_2);
+            let t_3 = real(2.0).mul_add(c_1, t_1);
+            let t_4 = real(2.0).mul_add(s_1, t_2);
+            ::robot_dynamics::nalgebra::SMatrix::from_data(
+                ::robot_dynamics::nalgebra::ArrayStorage([
+                    [t_1, t_2, real(0.0), real(0.0)],
+                    [-t_2, t_1, real(0.0), real(0.0)],
+                    [real(0.0), real(0.0), real(1.0), real(0.0)],
+                    [t_3, t_4, real(0.0), real(1.0)],
+                ]),
+            )
+        })
+    }
+}
+impl ::robot_dynamics::Function<::robot_dynamics::functions::LinkPoses, 2> for Arm {
+    type Arguments = (::robot_dynamics::Entries<2, 1>,);
+    type Values = [::robot_dynamics::Entries<4, 4>; 2];
+    type Error = ::core::convert::Infallible;
+    const ARGUMENTS: &'static [&'static str] = &["q"];
+    const RESULT: &'static str = "link_poses";
+    const WORK: u32 = 90;
+    const IN_LANES: bool = true;
+    #[inline(always)]
+    fn at<T: ::robot_dynamics::Scalar>(
+        &self,
+        _: ::robot_dynamics::functions::LinkPoses,
+        sines: &impl ::robot_dynamics::Inputs<T>,
+        (q,): &<Self::Arguments as ::robot_dynamics::Arrangement>::Of<T>,
+    ) -> ::core::result::Result<
+        <Self::Values as ::robot_dynamics::Arrangement>::Of<T>,
+        Self::Error,
+    > {
+        ::core::result::Result::Ok({
+            let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+            let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+                sines,
+                [0, 1],
+                [q.data.0[0][0], q.data.0[0][1]],
+            );
+            let t_1 = real(2.0) * c_1;
+            let t_2 = real(2.0) * s_1;
+            let t_3 = (-s_1).mul_add(s_2, c_1 * c_2);
+            let t_4 = c_1.mul_add(s_2, s_1 * c_2);
+            let t_5 = t_1 + t_3;
+            let t_6 = t_2 + t_4;
+            [
+                ::robot_dynamics::nalgebra::SMatrix::from_data(
+                    ::robot_dynamics::nalgebra::ArrayStorage([
+                        [c_1, s_1, real(0.0), real(0.0)],
+                        [-s_1, c_1, real(0.0), real(0.0)],
+                        [real(0.0), real(0.0), real(1.0), real(0.0)],
+                        [t_1, t_2, real(0.0), real(1.0)],
+                    ]),
+                ),
+                ::robot_dynamics::nalgebra::SMatrix::from_data(
+                    ::robot_dynamics::nalgebra::ArrayStorage([
+                        [t_3, t_4, real(0.0), real(0.0)],
+                        [-t_4, t_3, real(0.0), real(0.0)],
+                        [real(0.0), real(0.0), real(1.0), real(0.0)],
+                        [t_5, t_6, real(0.0), real(1.0)],
+                    ]),
+                ),
+            ]
+        })
+    }
+}
+impl ::robot_dynamics::Function<::robot_dynamics::functions::Jacobian, 2> for Arm {
+    type Arguments = (::robot_dynamics::Entries<2, 1>,);
+    type Values = ::robot_dynamics::Entries<6, 2>;
+    type Error = ::core::convert::Infallible;
+    const ARGUMENTS: &'static [&'static str] = &["q"];
+    const RESULT: &'static str = "jacobian";
+    const WORK: u32 = 90;
+    const IN_LANES: bool = true;
+    #[inline(always)]
+    fn at<T: ::robot_dynamics::Scalar>(
+        &self,
+        _: ::robot_dynamics::functions::Jacobian,
+        sines: &impl ::robot_dynamics::Inputs<T>,
+        (q,): &<Self::Arguments as ::robot_dynamics::Arrangement>::Of<T>,
+    ) -> ::core::result::Result<
+        <Self::Values as ::robot_dynamics::Arrangement>::Of<T>,
+        Self::Error,
+    > {
+        ::core::result::Result::Ok({
+            let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+            let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+                sines,
+                [0, 1],
+                [q.data.0[0][0], q.data.0[0][1]],
+            );
+            let t_1 = c_1.mul_add(s_2, s_1 * c_2);
+            let t_2 = real(2.0).mul_add(s_1, t_1);
+            let t_3 = (-s_1).mul_add(s_2, c_1 * c_2);
+            let t_4 = real(2.0).mul_add(c_1, t_3);
+            ::robot_dynamics::nalgebra::SMatrix::from_data(
+                ::robot_dynamics::nalgebra::ArrayStorage([
+                    [-t_2, t_4, real(0.0), real(0.0), real(0.0), real(1.0)],
+                    [-t_1, t_3, real(0.0), real(0.0), real(0.0), real(1.0)],
+                ]),
+            )
+        })
+    }
+}
+impl ::robot_dynamics::Function<
+    ::robot_dynamics::functions::InverseDynamicsDerivatives,
+    2,
+> for Arm {
+    type Arguments = (
+        ::robot_dynamics::Entries<2, 1>,
+        ::robot_dynamics::Entries<2, 1>,
+        ::robot_dynamics::Entries<2, 1>,
+    );
+    type Values = (::robot_dynamics::Entries<2, 2>, ::robot_dynamics::Entries<2, 2>);
+    type Error = ::core::convert::Infallible;
+    const ARGUMENTS: &'static [&'static str] = &["q", "qd", "qdd"];
+    const RESULT: &'static str = "inverse_dynamics_derivatives";
+    const WORK: u32 = 106;
+    const IN_LANES: bool = true;
+    #[inline(always)]
+    fn at<T: ::robot_dynamics::Scalar>(
+        &self,
+        _: ::robot_dynamics::functions::InverseDynamicsDerivatives,
+        sines: &impl ::robot_dynamics::Inputs<T>,
+        (q, qd, qdd): &<Self::Arguments as ::robot_dynamics::Arrangement>::Of<T>,
+    ) -> ::core::result::Result<
+        <Self::Values as ::robot_dynamics::Arrangement>::Of<T>,
+        Self::Error,
+    > {
+        ::core::result::Result::Ok({
+            let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+            let [(s_2, c_2), (s_1, c_1)] = ::robot_dynamics::Inputs::sin_cos(
+                sines,
+                [1, 0],
+                [q.data.0[0][1], q.data.0[0][0]],
+            );
+            let qd_1 = qd.data.0[0][0];
+            let qd_2 = qd.data.0[0][1];
+            let qdd_1 = qdd.data.0[0][0];
+            let qdd_2 = qdd.data.0[0][1];
+            let t_1 = real(4.905) * c_1;
+            let t_2 = real(0.5) * c_2;
+            let t_3 = real(9.81) * s_1;
+            let t_4 = t_2.mul_add(t_3, s_2 * t_1);
+            let t_5 = real(5.0).mul_add(t_3, t_4);
+            let t_6 = real(2.0) * qd_1;
+            let t_7 = (-qd_1).mul_add(t_6, t_3);
+            let t_8 = qdd_1 + t_1;
+            let t_9 = t_2.mul_add(t_7, s_2 * t_8);
+            let t_10 = qdd_1 + qdd_2;
+            let t_11 = qd_1 + qd_2;
+            let t_12 = t_11 * t_11;
+            let t_13 = c_2.mul_add(t_12, s_2 * t_10);
+            let t_14 = t_13 + t_9;
+            let t_15 = s_2 * t_6;
+            let t_16 = s_2 * t_11;
+            let t_17 = real(2.0) * t_16;
+            let t_18 = t_15 - t_17;
+            (
+                ::robot_dynamics::nalgebra::SMatrix::from_data(
+                    ::robot_dynamics::nalgebra::ArrayStorage([
+                        [-t_5, -t_4],
+                        [-t_14, -t_9],
+                    ]),
+                ),
+                ::robot_dynamics::nalgebra::SMatrix::from_data(
+                    ::robot_dynamics::nalgebra::ArrayStorage([
+                        [t_18, t_15],
+                        [-t_17, real(0.0)],
+                    ]),
+                ),
+            )
+        })
+    }
+}
+impl ::robot_dynamics::Function<
+    ::robot_dynamics::functions::ForwardDynamicsDerivatives,
+    2,
+> for Arm {
+    type Arguments = (
+        ::robot_dynamics::Entries<2, 1>,
+        ::robot_dynamics::Entries<2, 1>,
+        ::robot_dynamics::Entries<2, 1>,
+    );
+    type Values = (
+        ::robot_dynamics::Entries<2, 2>,
+        ::robot_dynamics::Entries<2, 2>,
+        ::robot_dynamics::Entries<2, 2>,
+    );
+    type Error = ::robot_dynamics::SingularMassMatrix;
+    const ARGUMENTS: &'static [&'static str] = &["q", "qd", "tau"];
+    const RESULT: &'static str = "forward_dynamics_derivatives";
+    const WORK: u32 = 150;
+    const IN_LANES: bool = true;
+    #[inline(always)]
+    fn at<T: ::robot_dynamics::Scalar>(
+        &self,
+        _: ::robot_dynamics::functions::ForwardDynamicsDerivatives,
+        sines: &impl ::robot_dynamics::Inputs<T>,
+        (q, qd, tau): &<Self::Arguments as ::robot_dynamics::Arrangement>::Of<T>,
+    ) -> ::core::result::Result<
+        <Self::Values as ::robot_dynamics::Arrangement>::Of<T>,
+        Self::Error,
+    > {
+        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+        let [(s_2, c_2), (s_1, c_1)] = ::robot_dynamics::Inputs::sin_cos(
+            sines,
+            [1, 0],
+            [q.data.0[0][1], q.data.0[0][0]],
+        );
         let qd_1 = qd.data.0[0][0];
         let qd_2 = qd.data.0[0][1];
         let tau_1 = tau.data.0[0][0];
@@ -657,132 +1900,131 @@ impl Arm {
             ),
         ))
     }
-    /// Regressor Y(q, qd, qdd), N x P, of the P base inertial parameters: Y * base_parameters = tau - K - F, the joint forces without springs and friction.
-    ///
-    /// `q`: joint positions, rad; `qd`: joint velocities, rad per s; `qdd`: joint accelerations, rad per s^2.
-    ///
-    /// The base parameters:
-    ///
-    /// ```text
-    ///   1  J1zz + a1^2 m2
-    ///   2  h1x + a1 m2
-    ///   3  h1y
-    ///   4  J2zz
-    ///   5  h2x
-    ///   6  h2y
-    /// ```
-    ///
-    /// Jixx to Jizz (kg m^2) are the entries of link i's inertia tensor about the origin of frame i, hix to hiz (kg m) its first moments mass * com from there, mi (kg) its mass. Frame i is the link frame i of the table before its factors Tx(a) Rx(alpha): its origin and its z axis are on the axis of joint i. ai, di are cells of row i, sai, cai sine and cosine of its alpha.
-    ///
-    /// Operations: 16 multiplications, 10 additions, sines and cosines of 2 angles.
-    ///
-    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
-    #[allow(unused_variables, clippy::all)]
-    pub fn regressor<T: ::robot_dynamics::Scalar>(
+}
+impl ::robot_dynamics::Function<::robot_dynamics::functions::Regressor, 2> for Arm {
+    type Arguments = (
+        ::robot_dynamics::Entries<2, 1>,
+        ::robot_dynamics::Entries<2, 1>,
+        ::robot_dynamics::Entries<2, 1>,
+    );
+    type Values = ::robot_dynamics::Entries<2, 6>;
+    type Error = ::core::convert::Infallible;
+    const ARGUMENTS: &'static [&'static str] = &["q", "qd", "qdd"];
+    const RESULT: &'static str = "regressor";
+    const WORK: u32 = 106;
+    const IN_LANES: bool = true;
+    #[inline(always)]
+    fn at<T: ::robot_dynamics::Scalar>(
         &self,
-        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
-        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
-        qdd: &::robot_dynamics::nalgebra::SVector<T, 2>,
-    ) -> ::robot_dynamics::nalgebra::SMatrix<T, 2, 6> {
-        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Scalar::sin_cos_array([
-            q.data.0[0][0],
-            q.data.0[0][1],
-        ]);
-        let qd_1 = qd.data.0[0][0];
-        let qd_2 = qd.data.0[0][1];
-        let qdd_1 = qdd.data.0[0][0];
-        let qdd_2 = qdd.data.0[0][1];
-        let t_1 = real(9.81) * c_1;
-        let t_2 = real(-9.81) * s_1;
-        let t_3 = qdd_1 + qdd_2;
-        let t_4 = real(2.0).mul_add(qdd_1, t_1);
-        let t_5 = qd_1 * qd_1;
-        let t_6 = real(2.0).mul_add(t_5, t_2);
-        let t_7 = s_2.mul_add(t_6, c_2 * t_4);
-        let t_8 = qd_1 + qd_2;
-        let t_9 = t_8 * t_8;
-        let t_10 = (-c_2).mul_add(t_3, s_2 * t_9);
-        let t_11 = real(-2.0).mul_add(t_10, t_7);
-        let t_12 = (-s_2).mul_add(t_4, c_2 * t_6);
-        let t_13 = s_2.mul_add(t_3, c_2 * t_9);
-        let t_14 = real(-2.0).mul_add(t_13, t_12);
-        ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([
-                [qdd_1, real(0.0)],
-                [t_1, real(0.0)],
-                [t_2, real(0.0)],
-                [t_3, t_3],
-                [t_11, t_7],
-                [t_14, t_12],
-            ]),
-        )
-    }
-    /// The P base inertial parameters: the smallest set by which the joint forces of every motion are determined, regressor * base_parameters = tau - K - F.
-    ///
-    /// The base parameters:
-    ///
-    /// ```text
-    ///   1  J1zz + a1^2 m2
-    ///   2  h1x + a1 m2
-    ///   3  h1y
-    ///   4  J2zz
-    ///   5  h2x
-    ///   6  h2y
-    /// ```
-    ///
-    /// Jixx to Jizz (kg m^2) are the entries of link i's inertia tensor about the origin of frame i, hix to hiz (kg m) its first moments mass * com from there, mi (kg) its mass. Frame i is the link frame i of the table before its factors Tx(a) Rx(alpha): its origin and its z axis are on the axis of joint i. ai, di are cells of row i, sai, cai sine and cosine of its alpha.
-    ///
-    /// Operations: 0 multiplications, 0 additions.
-    ///
-    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
-    #[allow(unused_variables, clippy::all)]
-    pub fn base_parameters<T: ::robot_dynamics::Scalar>(
-        &self,
-    ) -> ::robot_dynamics::nalgebra::SVector<T, 6> {
-        let real = <T as ::robot_dynamics::Scalar>::from_f64;
-        ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([
-                [
-                    real(8.0),
-                    real(5.0),
-                    real(0.0),
-                    real(0.3333333333333333),
-                    real(0.5),
-                    real(0.0),
-                ],
-            ]),
-        )
-    }
-    /// Forward dynamics by articulated bodies (Featherstone), without M(q): the accelerations qdd with M(q) qdd + V(q, qd) + G(q) + K(q) + F(qd) = tau, rad/s^2 or m/s^2. Longer than `forward_dynamics`, and accurate where M(q) is nearly singular: about as many digits are right as the data determine.
-    ///
-    /// `q`: joint positions, rad; `qd`: joint velocities, rad per s; `tau`: joint forces and torques, N m.
-    ///
-    /// Operations: 30 multiplications, 19 additions, 1 division, sines and cosines of 2 angles.
-    ///
-    /** # Errors
-
- `SingularMassMatrix` where M(q) is not positive definite to working precision, or not finite: it names the joint whose pivot failed.*/
-    ///
-    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
-    #[allow(unused_variables, clippy::all)]
-    pub fn forward_dynamics_aba<T: ::robot_dynamics::Scalar>(
-        &self,
-        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
-        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
-        tau: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        _: ::robot_dynamics::functions::Regressor,
+        sines: &impl ::robot_dynamics::Inputs<T>,
+        (q, qd, qdd): &<Self::Arguments as ::robot_dynamics::Arrangement>::Of<T>,
     ) -> ::core::result::Result<
-        ::robot_dynamics::nalgebra::SVector<T, 2>,
-        ::robot_dynamics::SingularMassMatrix,
+        <Self::Values as ::robot_dynamics::Arrangement>::Of<T>,
+        Self::Error,
+    > {
+        ::core::result::Result::Ok({
+            let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+            let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+                sines,
+                [0, 1],
+                [q.data.0[0][0], q.data.0[0][1]],
+            );
+            let qd_1 = qd.data.0[0][0];
+            let qd_2 = qd.data.0[0][1];
+            let qdd_1 = qdd.data.0[0][0];
+            let qdd_2 = qdd.data.0[0][1];
+            let t_1 = real(9.81) * c_1;
+            let t_2 = real(-9.81) * s_1;
+            let t_3 = qdd_1 + qdd_2;
+            let t_4 = real(2.0).mul_add(qdd_1, t_1);
+            let t_5 = qd_1 * qd_1;
+            let t_6 = real(2.0).mul_add(t_5, t_2);
+            let t_7 = s_2.mul_add(t_6, c_2 * t_4);
+            let t_8 = qd_1 + qd_2;
+            let t_9 = t_8 * t_8;
+            let t_10 = (-c_2).mul_add(t_3, s_2 * t_9);
+            let t_11 = real(-2.0).mul_add(t_10, t_7);
+            let t_12 = (-s_2).mul_add(t_4, c_2 * t_6);
+            let t_13 = s_2.mul_add(t_3, c_2 * t_9);
+            let t_14 = real(-2.0).mul_add(t_13, t_12);
+            ::robot_dynamics::nalgebra::SMatrix::from_data(
+                ::robot_dynamics::nalgebra::ArrayStorage([
+                    [qdd_1, real(0.0)],
+                    [t_1, real(0.0)],
+                    [t_2, real(0.0)],
+                    [t_3, t_3],
+                    [t_11, t_7],
+                    [t_14, t_12],
+                ]),
+            )
+        })
+    }
+}
+impl ::robot_dynamics::Function<::robot_dynamics::functions::BaseParameters, 2> for Arm {
+    type Arguments = ();
+    type Values = ::robot_dynamics::Entries<6, 1>;
+    type Error = ::core::convert::Infallible;
+    const ARGUMENTS: &'static [&'static str] = &[];
+    const RESULT: &'static str = "base_parameters";
+    const WORK: u32 = 0;
+    const IN_LANES: bool = false;
+    #[inline(always)]
+    fn at<T: ::robot_dynamics::Scalar>(
+        &self,
+        _: ::robot_dynamics::functions::BaseParameters,
+        sines: &impl ::robot_dynamics::Inputs<T>,
+        (): &<Self::Arguments as ::robot_dynamics::Arrangement>::Of<T>,
+    ) -> ::core::result::Result<
+        <Self::Values as ::robot_dynamics::Arrangement>::Of<T>,
+        Self::Error,
+    > {
+        ::core::result::Result::Ok({
+            let real = <T as ::robot_dynamics::Scalar>::from_f64;
+            ::robot_dynamics::nalgebra::SMatrix::from_data(
+                ::robot_dynamics::nalgebra::ArrayStorage([
+                    [
+                        real(8.0),
+                        real(5.0),
+                        real(0.0),
+                        real(0.3333333333333333),
+                        real(0.5),
+                        real(0.0),
+                    ],
+                ]),
+            )
+        })
+    }
+}
+impl ::robot_dynamics::Function<::robot_dynamics::functions::ForwardDynamicsAba, 2>
+for Arm {
+    type Arguments = (
+        ::robot_dynamics::Entries<2, 1>,
+        ::robot_dynamics::Entries<2, 1>,
+        ::robot_dynamics::Entries<2, 1>,
+    );
+    type Values = ::robot_dynamics::Entries<2, 1>;
+    type Error = ::robot_dynamics::SingularMassMatrix;
+    const ARGUMENTS: &'static [&'static str] = &["q", "qd", "tau"];
+    const RESULT: &'static str = "qdd";
+    const WORK: u32 = 130;
+    const IN_LANES: bool = true;
+    #[inline(always)]
+    fn at<T: ::robot_dynamics::Scalar>(
+        &self,
+        _: ::robot_dynamics::functions::ForwardDynamicsAba,
+        sines: &impl ::robot_dynamics::Inputs<T>,
+        (q, qd, tau): &<Self::Arguments as ::robot_dynamics::Arrangement>::Of<T>,
+    ) -> ::core::result::Result<
+        <Self::Values as ::robot_dynamics::Arrangement>::Of<T>,
+        Self::Error,
     > {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_2, c_2), (s_1, c_1)] = ::robot_dynamics::Scalar::sin_cos_array([
-            q.data.0[0][1],
-            q.data.0[0][0],
-        ]);
+        let [(s_2, c_2), (s_1, c_1)] = ::robot_dynamics::Inputs::sin_cos(
+            sines,
+            [1, 0],
+            [q.data.0[0][1], q.data.0[0][0]],
+        );
         let qd_1 = qd.data.0[0][0];
         let qd_2 = qd.data.0[0][1];
         let tau_1 = tau.data.0[0][0];
@@ -828,993 +2070,6 @@ impl Arm {
         ::core::result::Result::Ok(
             ::robot_dynamics::nalgebra::SMatrix::from_data(
                 ::robot_dynamics::nalgebra::ArrayStorage([[t_24, -t_29]]),
-            ),
-        )
-    }
-    /// Taylor coefficients q_0, q_1, ... of the motion q(t) = sum q_k t^k that starts at t = 0 from `q` and `qd` under the constant `tau`, up to `order` (2 to 30); zero beyond. Coulomb friction keeps the sign that it has at the start: the series ends where a joint reverses.
-    ///
-    /// `q`: joint positions, rad; `qd`: joint velocities, rad per s; `tau`: joint forces and torques, N m.
-    ///
-    /// Operations of the equations of motion at each order, inner sums of products apart: 11 multiplications, 10 additions, sines and cosines of 2 angles.
-    ///
-    /** # Errors
-
- `SingularMassMatrix` where M(q) is not positive definite to working precision, or not finite: it names the joint whose pivot failed.*/
-    ///
-    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
-    #[allow(unused_variables, clippy::all)]
-    pub fn taylor_series<T: ::robot_dynamics::Scalar>(
-        &self,
-        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
-        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
-        tau: &::robot_dynamics::nalgebra::SVector<T, 2>,
-        order: usize,
-    ) -> ::core::result::Result<
-        ::robot_dynamics::TaylorCoefficients<T, 2>,
-        ::robot_dynamics::SingularMassMatrix,
-    > {
-        <Self as ::robot_dynamics::TaylorDynamics<
-            2,
-        >>::taylor_series(self, q, qd, tau, order)
-    }
-    /// Joint torques J(q)^T w of a wrench at the tip, N m or N, without J: M(q) qdd + V(q, qd) + G(q) + K(q) + F(qd) = tau + J(q)^T w.
-    ///
-    /// `q`: joint positions, rad; `wrench`: force (N) on the tip and moment (N m) about its origin, fx fy fz nx ny nz in the axes of `jacobian`, that the surroundings apply.
-    ///
-    /// Operations: 7 multiplications, 5 additions, sines and cosines of 2 angles.
-    ///
-    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
-    #[allow(unused_variables, clippy::all)]
-    pub fn wrench_torques<T: ::robot_dynamics::Scalar>(
-        &self,
-        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
-        wrench: &::robot_dynamics::nalgebra::Vector6<T>,
-    ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
-        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Scalar::sin_cos_array([
-            q.data.0[0][0],
-            q.data.0[0][1],
-        ]);
-        let wrench_1 = wrench.data.0[0][0];
-        let wrench_2 = wrench.data.0[0][1];
-        let wrench_6 = wrench.data.0[0][5];
-        let t_1 = (-c_1).mul_add(wrench_2, s_1 * wrench_1);
-        let t_2 = s_1.mul_add(wrench_2, c_1 * wrench_1);
-        let t_3 = (-s_2).mul_add(t_2, wrench_6);
-        let t_4 = (-c_2).mul_add(t_1, t_3);
-        let t_5 = real(-2.0).mul_add(t_1, t_4);
-        ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([[t_5, t_4]]),
-        )
-    }
-    /// Velocity of the tip J(q) qd, vx vy vz wx wy wz, in the base frame, m/s and rad/s, without J.
-    ///
-    /// `q`: joint positions, rad; `qd`: joint velocities, rad per s.
-    ///
-    /// Operations: 7 multiplications, 5 additions, sines and cosines of 2 angles.
-    ///
-    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
-    #[allow(unused_variables, clippy::all)]
-    pub fn tool_velocity<T: ::robot_dynamics::Scalar>(
-        &self,
-        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
-        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
-    ) -> ::robot_dynamics::nalgebra::Vector6<T> {
-        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Scalar::sin_cos_array([
-            q.data.0[0][0],
-            q.data.0[0][1],
-        ]);
-        let qd_1 = qd.data.0[0][0];
-        let qd_2 = qd.data.0[0][1];
-        let t_1 = qd_1 + qd_2;
-        let t_2 = s_2 * t_1;
-        let t_3 = real(2.0) + c_2;
-        let t_4 = qd_1.mul_add(t_3, c_2 * qd_2);
-        let t_5 = s_1.mul_add(t_4, c_1 * t_2);
-        let t_6 = (-s_1).mul_add(t_2, c_1 * t_4);
-        ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([
-                [-t_5, t_6, real(0.0), real(0.0), real(0.0), t_1],
-            ]),
-        )
-    }
-    /// Acceleration of the tip J(q) qdd + dJ/dt qd: of its origin and of its rotation, in the base frame, m/s^2 and rad/s^2, without J and its rate.
-    ///
-    /// `q`: joint positions, rad; `qd`: joint velocities, rad per s; `qdd`: joint accelerations, rad per s^2.
-    ///
-    /// Operations: 16 multiplications, 14 additions, sines and cosines of 2 angles.
-    ///
-    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
-    #[allow(unused_variables, clippy::all)]
-    pub fn tool_acceleration<T: ::robot_dynamics::Scalar>(
-        &self,
-        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
-        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
-        qdd: &::robot_dynamics::nalgebra::SVector<T, 2>,
-    ) -> ::robot_dynamics::nalgebra::Vector6<T> {
-        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Scalar::sin_cos_array([
-            q.data.0[0][0],
-            q.data.0[0][1],
-        ]);
-        let qd_1 = qd.data.0[0][0];
-        let qd_2 = qd.data.0[0][1];
-        let qdd_1 = qdd.data.0[0][0];
-        let qdd_2 = qdd.data.0[0][1];
-        let t_1 = c_2 * qd_2;
-        let t_2 = real(2.0) + c_2;
-        let t_3 = t_1 + t_1;
-        let t_4 = qd_1.mul_add(t_2, t_3);
-        let t_5 = qdd_1.mul_add(s_2, s_2 * qdd_2);
-        let t_6 = qd_2.mul_add(t_1, t_5);
-        let t_7 = qd_1.mul_add(t_4, t_6);
-        let t_8 = s_2 * qd_2;
-        let t_9 = qd_1.mul_add(s_2, t_8);
-        let t_10 = t_8 + t_9;
-        let t_11 = (-c_2).mul_add(qdd_2, qd_2 * t_8);
-        let t_12 = (-qdd_1).mul_add(t_2, t_11);
-        let t_13 = qd_1.mul_add(t_10, t_12);
-        let t_14 = (-c_1).mul_add(t_7, s_1 * t_13);
-        let t_15 = c_1.mul_add(t_13, s_1 * t_7);
-        let t_16 = qdd_1 + qdd_2;
-        ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([
-                [t_14, -t_15, real(0.0), real(0.0), real(0.0), t_16],
-            ]),
-        )
-    }
-    /// Rate dJ/dt of the geometric Jacobian along a motion, 6 x N, rows as in `jacobian`: the acceleration of the tip is J qdd + dJ/dt qd.
-    ///
-    /// `q`: joint positions, rad; `qd`: joint velocities, rad per s.
-    ///
-    /// Operations: 10 multiplications, 5 additions, sines and cosines of 2 angles.
-    ///
-    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
-    #[allow(unused_variables, clippy::all)]
-    pub fn jacobian_rate<T: ::robot_dynamics::Scalar>(
-        &self,
-        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
-        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
-    ) -> ::robot_dynamics::nalgebra::SMatrix<T, 6, 2> {
-        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Scalar::sin_cos_array([
-            q.data.0[0][0],
-            q.data.0[0][1],
-        ]);
-        let qd_1 = qd.data.0[0][0];
-        let qd_2 = qd.data.0[0][1];
-        let t_1 = (-s_1).mul_add(s_2, c_1 * c_2);
-        let t_2 = qd_2 + qd_1;
-        let t_3 = t_1 * t_2;
-        let t_4 = real(2.0) * c_1;
-        let t_5 = t_4.mul_add(qd_1, t_3);
-        let t_6 = c_1.mul_add(s_2, s_1 * c_2);
-        let t_7 = t_2 * t_6;
-        let t_8 = real(2.0) * s_1;
-        let t_9 = t_8.mul_add(qd_1, t_7);
-        ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([
-                [-t_5, -t_9, real(0.0), real(0.0), real(0.0), real(0.0)],
-                [-t_3, -t_7, real(0.0), real(0.0), real(0.0), real(0.0)],
-            ]),
-        )
-    }
-    /// Geometric Jacobians of the origins of all link frames whose joint moves, from the base outwards, each 6 x N, rows vx vy vz wx wy wz, in the base frame. Columns of joints beyond a link are zero.
-    ///
-    /// `q`: joint positions, rad.
-    ///
-    /// Operations: 6 multiplications, 4 additions, sines and cosines of 2 angles.
-    ///
-    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
-    #[allow(unused_variables, clippy::all)]
-    pub fn link_jacobians<T: ::robot_dynamics::Scalar>(
-        &self,
-        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
-    ) -> [::robot_dynamics::nalgebra::SMatrix<T, 6, 2>; 2] {
-        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Scalar::sin_cos_array([
-            q.data.0[0][0],
-            q.data.0[0][1],
-        ]);
-        let t_1 = real(-2.0) * s_1;
-        let t_2 = real(2.0) * c_1;
-        let t_3 = c_1.mul_add(s_2, s_1 * c_2);
-        let t_4 = t_1 - t_3;
-        let t_5 = (-s_1).mul_add(s_2, c_1 * c_2);
-        let t_6 = t_2 + t_5;
-        [
-            ::robot_dynamics::nalgebra::SMatrix::from_data(
-                ::robot_dynamics::nalgebra::ArrayStorage([
-                    [t_1, t_2, real(0.0), real(0.0), real(0.0), real(1.0)],
-                    [real(0.0), real(0.0), real(0.0), real(0.0), real(0.0), real(0.0)],
-                ]),
-            ),
-            ::robot_dynamics::nalgebra::SMatrix::from_data(
-                ::robot_dynamics::nalgebra::ArrayStorage([
-                    [t_4, t_6, real(0.0), real(0.0), real(0.0), real(1.0)],
-                    [-t_3, t_5, real(0.0), real(0.0), real(0.0), real(1.0)],
-                ]),
-            ),
-        ]
-    }
-    /// Centre of mass of the tool and of all links but those that are locked to the base, in the base frame, m: that of the complete arm where parameters are neglected.
-    ///
-    /// `q`: joint positions, rad.
-    ///
-    /// Operations: 6 multiplications, 3 additions, sines and cosines of 2 angles.
-    ///
-    /// r3 is zero; r1, r2 depend on q1, q2.
-    ///
-    /// ```text
-    /// r1 = 5/4 c1 + 1/8 c12
-    /// r2 = 5/4 s1 + 1/8 s12
-    /// r3 = 0
-    /// with c1 = cos(q1), s1 = sin(q1), c12 = cos(q1 + q2), s12 = sin(q1 + q2)
-    /// ```
-    ///
-    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
-    #[allow(unused_variables, clippy::all)]
-    pub fn center_of_mass<T: ::robot_dynamics::Scalar>(
-        &self,
-        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
-    ) -> ::robot_dynamics::nalgebra::Vector3<T> {
-        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Scalar::sin_cos_array([
-            q.data.0[0][0],
-            q.data.0[0][1],
-        ]);
-        let t_1 = real(0.125).mul_add(c_2, real(1.25));
-        let t_2 = real(0.125) * s_2;
-        let t_3 = (-s_1).mul_add(t_2, c_1 * t_1);
-        let t_4 = s_1.mul_add(t_1, c_1 * t_2);
-        ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([[t_3, t_4, real(0.0)]]),
-        )
-    }
-    /// Jacobian of `center_of_mass`, 3 x N, by rows x y z: its velocity in the base frame is this times qd.
-    ///
-    /// `q`: joint positions, rad.
-    ///
-    /// Operations: 8 multiplications, 4 additions, sines and cosines of 2 angles.
-    ///
-    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
-    #[allow(unused_variables, clippy::all)]
-    pub fn center_of_mass_jacobian<T: ::robot_dynamics::Scalar>(
-        &self,
-        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
-    ) -> ::robot_dynamics::nalgebra::SMatrix<T, 3, 2> {
-        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Scalar::sin_cos_array([
-            q.data.0[0][0],
-            q.data.0[0][1],
-        ]);
-        let t_1 = c_1.mul_add(s_2, s_1 * c_2);
-        let t_2 = real(0.125) * t_1;
-        let t_3 = real(1.25).mul_add(s_1, t_2);
-        let t_4 = (-s_1).mul_add(s_2, c_1 * c_2);
-        let t_5 = real(0.125) * t_4;
-        let t_6 = real(1.25).mul_add(c_1, t_5);
-        ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([
-                [-t_3, t_6, real(0.0)],
-                [-t_2, t_5, real(0.0)],
-            ]),
-        )
-    }
-    /// Inverse of the inertia that the tip has in task space, J(q) M(q)^-1 J(q)^T, 6 x 6, rows and columns as those of `jacobian`: the acceleration of the tip by a wrench on it. It exists for every arm whose M is regular; where it is regular itself, its inverse is the operational-space inertia (Khatib).
-    ///
-    /// `q`: joint positions, rad.
-    ///
-    /// Operations: 24 multiplications, 16 additions, 1 division, sines and cosines of 2 angles.
-    ///
-    /** # Errors
-
- `SingularMassMatrix` where M(q) is not positive definite to working precision, or not finite: it names the joint whose pivot failed.*/
-    ///
-    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
-    #[allow(unused_variables, clippy::all)]
-    pub fn operational_inertia_inverse<T: ::robot_dynamics::Scalar>(
-        &self,
-        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
-    ) -> ::core::result::Result<
-        ::robot_dynamics::nalgebra::Matrix6<T>,
-        ::robot_dynamics::SingularMassMatrix,
-    > {
-        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Scalar::sin_cos_array([
-            q.data.0[0][0],
-            q.data.0[0][1],
-        ]);
-        let t_1 = c_1.mul_add(s_2, s_1 * c_2);
-        let t_2 = real(3.0) * t_1;
-        let t_3 = real(-2.0).mul_add(s_1, t_2 * c_2);
-        let t_4 = c_2 + c_2;
-        let t_5 = real(8.333333333333334) + t_4;
-        let t_6 = real(0.3333333333333333) + c_2;
-        let t_7 = real(3.0) * t_6;
-        let t_8 = (-t_6).mul_add(t_7, t_5);
-        let t_9 = real(1.0) / t_8;
-        let t_10 = t_9 * t_3;
-        let t_11 = t_3.mul_add(t_10, t_1 * t_2);
-        let t_12 = (-s_1).mul_add(s_2, c_1 * c_2);
-        let t_13 = real(2.0).mul_add(c_1, t_12);
-        let t_14 = t_7.mul_add(t_12, -t_13);
-        let t_15 = t_14.mul_add(t_10, t_12 * t_2);
-        let t_16 = t_7 - real(1.0);
-        let t_17 = t_16.mul_add(t_10, t_2);
-        let t_18 = t_9 * t_14;
-        let t_19 = real(3.0) * t_12;
-        let t_20 = t_14.mul_add(t_18, t_12 * t_19);
-        let t_21 = t_16.mul_add(t_18, t_19);
-        let t_22 = t_9 * t_16;
-        let t_23 = t_16.mul_add(t_22, real(3.0));
-        ::robot_dynamics::SingularMassMatrix::test_joint(
-            1,
-            "joint2",
-            real(0.3333333333333333),
-            real(0.3333333333333333),
-        )?;
-        ::robot_dynamics::SingularMassMatrix::test_joint(0, "joint1", t_8, t_5)?;
-        ::core::result::Result::Ok(
-            ::robot_dynamics::nalgebra::SMatrix::from_data(
-                ::robot_dynamics::nalgebra::ArrayStorage([
-                    [t_11, -t_15, real(0.0), real(0.0), real(0.0), -t_17],
-                    [-t_15, t_20, real(0.0), real(0.0), real(0.0), t_21],
-                    [real(0.0), real(0.0), real(0.0), real(0.0), real(0.0), real(0.0)],
-                    [real(0.0), real(0.0), real(0.0), real(0.0), real(0.0), real(0.0)],
-                    [real(0.0), real(0.0), real(0.0), real(0.0), real(0.0), real(0.0)],
-                    [-t_17, t_21, real(0.0), real(0.0), real(0.0), t_23],
-                ]),
-            ),
-        )
-    }
-    /// Generalized momentum p = M(q) qd = dT/dqd, N m s or N s, without M.
-    ///
-    /// `q`: joint positions, rad; `qd`: joint velocities, rad per s.
-    ///
-    /// Operations: 4 multiplications, 4 additions, sine and cosine of one angle.
-    ///
-    /// p1, p2 depend on q2, qd1, qd2.
-    ///
-    /// ```text
-    /// p1 = (8.333333333333334 + 2 c2) qd1 + (0.33333333333333333 + c2) qd2
-    /// p2 = (0.33333333333333333 + c2) qd1 + 0.33333333333333333 qd2
-    /// with c2 = cos(q2)
-    /// ```
-    ///
-    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
-    #[allow(unused_variables, clippy::all)]
-    pub fn generalized_momentum<T: ::robot_dynamics::Scalar>(
-        &self,
-        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
-        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
-    ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
-        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let (s_2, c_2) = ::robot_dynamics::Scalar::sin_cos(q.data.0[0][1]);
-        let qd_1 = qd.data.0[0][0];
-        let qd_2 = qd.data.0[0][1];
-        let t_1 = qd_1 + qd_2;
-        let t_2 = qd_1.mul_add(c_2, real(0.3333333333333333) * t_1);
-        let t_3 = c_2.mul_add(t_1, real(8.0) * qd_1);
-        let t_4 = t_2 + t_3;
-        ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([[t_4, t_2]]),
-        )
-    }
-    /// Rate of the generalized momentum without applied forces, C(q, qd)^T qd - G(q) - K(q) - F(qd), N m or N, with C from the Christoffel symbols: d/dt (M qd) = tau + J^T w + momentum_bias, by which a momentum observer finds the forces that nobody has told it of.
-    ///
-    /// `q`: joint positions, rad; `qd`: joint velocities, rad per s.
-    ///
-    /// Operations: 6 multiplications, 4 additions, sines and cosines of 2 angles.
-    ///
-    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
-    #[allow(unused_variables, clippy::all)]
-    pub fn momentum_bias<T: ::robot_dynamics::Scalar>(
-        &self,
-        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
-        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
-    ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
-        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Scalar::sin_cos_array([
-            q.data.0[0][0],
-            q.data.0[0][1],
-        ]);
-        let qd_1 = qd.data.0[0][0];
-        let qd_2 = qd.data.0[0][1];
-        let t_1 = (-s_1).mul_add(s_2, c_1 * c_2);
-        let t_2 = real(4.905) * t_1;
-        let t_3 = real(49.05).mul_add(c_1, t_2);
-        let t_4 = qd_2 + qd_1;
-        let t_5 = s_2 * t_4;
-        let t_6 = qd_1.mul_add(t_5, t_2);
-        ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([[-t_3, -t_6]]),
-        )
-    }
-    /// Torque of a passivity-based controller, M(q) qdd_r + C(q, qd) qd_r + G(q) + K(q) + F(qd), N m or N, with C from the Christoffel symbols and without forming it. Also: the control of Slotine and Li.
-    ///
-    /// `q`: joint positions, rad; `qd`: joint velocities, rad per s; `qd_r`: reference velocities, rad per s; `qdd_r`: reference accelerations, rad per s^2.
-    ///
-    /// Operations: 12 multiplications, 11 additions, sines and cosines of 2 angles.
-    ///
-    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
-    #[allow(unused_variables, clippy::all)]
-    pub fn passivity_torque<T: ::robot_dynamics::Scalar>(
-        &self,
-        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
-        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
-        qd_r: &::robot_dynamics::nalgebra::SVector<T, 2>,
-        qdd_r: &::robot_dynamics::nalgebra::SVector<T, 2>,
-    ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
-        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_2, c_2), (s_1, c_1)] = ::robot_dynamics::Scalar::sin_cos_array([
-            q.data.0[0][1],
-            q.data.0[0][0],
-        ]);
-        let qd_1 = qd.data.0[0][0];
-        let qd_2 = qd.data.0[0][1];
-        let qd_r_1 = qd_r.data.0[0][0];
-        let qd_r_2 = qd_r.data.0[0][1];
-        let qdd_r_1 = qdd_r.data.0[0][0];
-        let qdd_r_2 = qdd_r.data.0[0][1];
-        let t_1 = qdd_r_1 + qdd_r_2;
-        let t_2 = qd_1 + qd_2;
-        let t_3 = qd_r_1 + qd_r_2;
-        let t_4 = t_2 * t_3;
-        let t_5 = qd_1 * qd_r_1;
-        let t_6 = real(-0.2038735983690112).mul_add(t_5, s_1);
-        let t_7 = real(0.2038735983690112).mul_add(qdd_r_1, c_1);
-        let t_8 = (-c_2).mul_add(t_7, s_2 * t_6);
-        let t_9 = real(-4.905).mul_add(t_8, real(0.3333333333333333) * t_1);
-        let t_10 = c_2.mul_add(t_1, real(8.0) * qdd_r_1);
-        let t_11 = (-s_2).mul_add(t_4, real(49.05) * c_1);
-        let t_12 = t_10 + t_11;
-        let t_13 = t_12 + t_9;
-        ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([[t_13, t_9]]),
-        )
-    }
-    /// Regressor Y_r(q, qd, qd_r, qdd_r), N x P, of the P base inertial parameters: Y_r * base_parameters = M qdd_r + C qd_r + G, the `passivity_torque` without springs and friction, from which adaptive control learns (Slotine and Li).
-    ///
-    /// `q`: joint positions, rad; `qd`: joint velocities, rad per s; `qd_r`: reference velocities, rad per s; `qdd_r`: reference accelerations, rad per s^2.
-    ///
-    /// The base parameters:
-    ///
-    /// ```text
-    ///   1  J1zz + a1^2 m2
-    ///   2  h1x + a1 m2
-    ///   3  h1y
-    ///   4  J2zz
-    ///   5  h2x
-    ///   6  h2y
-    /// ```
-    ///
-    /// Jixx to Jizz (kg m^2) are the entries of link i's inertia tensor about the origin of frame i, hix to hiz (kg m) its first moments mass * com from there, mi (kg) its mass. Frame i is the link frame i of the table before its factors Tx(a) Rx(alpha): its origin and its z axis are on the axis of joint i. ai, di are cells of row i, sai, cai sine and cosine of its alpha.
-    ///
-    /// Operations: 16 multiplications, 11 additions, sines and cosines of 2 angles.
-    ///
-    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
-    #[allow(unused_variables, clippy::all)]
-    pub fn passivity_regressor<T: ::robot_dynamics::Scalar>(
-        &self,
-        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
-        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
-        qd_r: &::robot_dynamics::nalgebra::SVector<T, 2>,
-        qdd_r: &::robot_dynamics::nalgebra::SVector<T, 2>,
-    ) -> ::robot_dynamics::nalgebra::SMatrix<T, 2, 6> {
-        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Scalar::sin_cos_array([
-            q.data.0[0][0],
-            q.data.0[0][1],
-        ]);
-        let qd_1 = qd.data.0[0][0];
-        let qd_2 = qd.data.0[0][1];
-        let qd_r_1 = qd_r.data.0[0][0];
-        let qd_r_2 = qd_r.data.0[0][1];
-        let qdd_r_1 = qdd_r.data.0[0][0];
-        let qdd_r_2 = qdd_r.data.0[0][1];
-        let t_1 = real(9.81) * c_1;
-        let t_2 = real(-9.81) * s_1;
-        let t_3 = qdd_r_1 + qdd_r_2;
-        let t_4 = real(2.0).mul_add(qdd_r_1, t_1);
-        let t_5 = qd_1 * qd_r_1;
-        let t_6 = real(2.0).mul_add(t_5, t_2);
-        let t_7 = s_2.mul_add(t_6, c_2 * t_4);
-        let t_8 = qd_1 + qd_2;
-        let t_9 = qd_r_1 + qd_r_2;
-        let t_10 = t_8 * t_9;
-        let t_11 = (-s_2).mul_add(t_10, c_2 * t_3);
-        let t_12 = real(2.0).mul_add(t_11, t_7);
-        let t_13 = (-s_2).mul_add(t_4, c_2 * t_6);
-        let t_14 = s_2.mul_add(t_3, c_2 * t_10);
-        let t_15 = real(-2.0).mul_add(t_14, t_13);
-        ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([
-                [qdd_r_1, real(0.0)],
-                [t_1, real(0.0)],
-                [t_2, real(0.0)],
-                [t_3, t_3],
-                [t_12, t_7],
-                [t_15, t_13],
-            ]),
-        )
-    }
-    /// Regressors of the energies, two vectors of P numbers, J for a unit of each of the P base inertial parameters: the kinetic energy is the first one times base_parameters, the potential energy of gravity the second one up to a constant.
-    ///
-    /// `q`: joint positions, rad; `qd`: joint velocities, rad per s.
-    ///
-    /// The base parameters:
-    ///
-    /// ```text
-    ///   1  J1zz + a1^2 m2
-    ///   2  h1x + a1 m2
-    ///   3  h1y
-    ///   4  J2zz
-    ///   5  h2x
-    ///   6  h2y
-    /// ```
-    ///
-    /// Jixx to Jizz (kg m^2) are the entries of link i's inertia tensor about the origin of frame i, hix to hiz (kg m) its first moments mass * com from there, mi (kg) its mass. Frame i is the link frame i of the table before its factors Tx(a) Rx(alpha): its origin and its z axis are on the axis of joint i. ai, di are cells of row i, sai, cai sine and cosine of its alpha.
-    ///
-    /// Operations: 14 multiplications, 3 additions, sines and cosines of 2 angles.
-    ///
-    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
-    #[allow(unused_variables, clippy::all)]
-    pub fn energy_regressors<T: ::robot_dynamics::Scalar>(
-        &self,
-        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
-        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
-    ) -> (
-        ::robot_dynamics::nalgebra::SVector<T, 6>,
-        ::robot_dynamics::nalgebra::SVector<T, 6>,
-    ) {
-        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_2, c_2), (s_1, c_1)] = ::robot_dynamics::Scalar::sin_cos_array([
-            q.data.0[0][1],
-            q.data.0[0][0],
-        ]);
-        let qd_1 = qd.data.0[0][0];
-        let qd_2 = qd.data.0[0][1];
-        let t_1 = qd_1 * qd_1;
-        let t_2 = real(0.5) * t_1;
-        let t_3 = qd_1 + qd_2;
-        let t_4 = t_3 * t_3;
-        let t_5 = real(0.5) * t_4;
-        let t_6 = real(2.0) * qd_1;
-        let t_7 = t_6 * t_3;
-        let t_8 = c_2 * t_7;
-        let t_9 = s_2 * t_7;
-        let t_10 = real(9.81) * s_1;
-        let t_11 = real(9.81) * c_1;
-        let t_12 = s_2.mul_add(t_11, c_2 * t_10);
-        let t_13 = (-s_2).mul_add(t_10, c_2 * t_11);
-        (
-            ::robot_dynamics::nalgebra::SMatrix::from_data(
-                ::robot_dynamics::nalgebra::ArrayStorage([
-                    [t_2, real(0.0), real(0.0), t_5, t_8, -t_9],
-                ]),
-            ),
-            ::robot_dynamics::nalgebra::SMatrix::from_data(
-                ::robot_dynamics::nalgebra::ArrayStorage([
-                    [real(0.0), t_10, t_11, real(0.0), t_12, t_13],
-                ]),
-            ),
-        )
-    }
-    /// First and second derivative by time of the inverse dynamics along a motion, (d tau/dt, d2 tau/dt2), N m/s and N m/s^2 (N/s and N/s^2). Viscous friction counts; Coulomb friction counts as constant.
-    ///
-    /// `q`: joint positions, rad; `qd`: joint velocities, rad per s; `qdd`: joint accelerations, rad per s^2; `jerk`: rates of the accelerations, rad per s^3; `snap`: rates of `jerk`, rad per s^4.
-    ///
-    /// Operations: 60 multiplications, 40 additions, sines and cosines of 2 angles.
-    ///
-    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
-    #[allow(unused_variables, clippy::all)]
-    pub fn inverse_dynamics_rates<T: ::robot_dynamics::Scalar>(
-        &self,
-        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
-        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
-        qdd: &::robot_dynamics::nalgebra::SVector<T, 2>,
-        jerk: &::robot_dynamics::nalgebra::SVector<T, 2>,
-        snap: &::robot_dynamics::nalgebra::SVector<T, 2>,
-    ) -> (
-        ::robot_dynamics::nalgebra::SVector<T, 2>,
-        ::robot_dynamics::nalgebra::SVector<T, 2>,
-    ) {
-        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_2, c_2), (s_1, c_1)] = ::robot_dynamics::Scalar::sin_cos_array([
-            q.data.0[0][1],
-            q.data.0[0][0],
-        ]);
-        let qd_1 = qd.data.0[0][0];
-        let qd_2 = qd.data.0[0][1];
-        let qdd_1 = qdd.data.0[0][0];
-        let qdd_2 = qdd.data.0[0][1];
-        let jerk_1 = jerk.data.0[0][0];
-        let jerk_2 = jerk.data.0[0][1];
-        let snap_1 = snap.data.0[0][0];
-        let snap_2 = snap.data.0[0][1];
-        let t_1 = s_1 * qd_1;
-        let t_2 = real(0.2038735983690112).mul_add(jerk_1, -t_1);
-        let t_3 = s_2 * qd_2;
-        let t_4 = real(0.2038735983690112).mul_add(qdd_1, c_1);
-        let t_5 = c_1 * qd_1;
-        let t_6 = qd_1 * qdd_1;
-        let t_7 = real(-0.4077471967380224).mul_add(t_6, t_5);
-        let t_8 = c_2 * qd_2;
-        let t_9 = qd_1 * qd_1;
-        let t_10 = real(0.2038735983690112).mul_add(t_9, -s_1);
-        let t_11 = jerk_1 + jerk_2;
-        let t_12 = (-t_3).mul_add(t_4, real(0.06795786612300374) * t_11);
-        let t_13 = c_2.mul_add(t_2, t_8 * t_10);
-        let t_14 = (-s_2).mul_add(t_7, t_12);
-        let t_15 = t_13 + t_14;
-        let t_16 = real(4.905) * t_15;
-        let t_17 = qd_1 + qd_2;
-        let t_18 = t_17 * t_17;
-        let t_19 = qdd_1 + qdd_2;
-        let t_20 = t_17 * t_19;
-        let t_21 = s_2 * t_20;
-        let t_22 = c_2.mul_add(t_11, real(8.0) * jerk_1);
-        let t_23 = real(-49.05).mul_add(t_1, t_22);
-        let t_24 = t_3.mul_add(t_19, t_8 * t_18);
-        let t_25 = real(-2.0).mul_add(t_21, t_23);
-        let t_26 = t_25 - t_24;
-        let t_27 = t_26 + t_16;
-        let t_28 = qd_1.mul_add(t_5, s_1 * qdd_1);
-        let t_29 = real(0.2038735983690112).mul_add(snap_1, -t_28);
-        let t_30 = qd_2.mul_add(t_8, s_2 * qdd_2);
-        let t_31 = qd_1.mul_add(jerk_1, qdd_1 * qdd_1);
-        let t_32 = (-c_1).mul_add(qdd_1, real(0.4077471967380224) * t_31);
-        let t_33 = qd_1.mul_add(t_1, t_32);
-        let t_34 = (-c_2).mul_add(qdd_2, qd_2 * t_3);
-        let t_35 = t_8 * t_7;
-        let t_36 = t_3 * t_2;
-        let t_37 = snap_1 + snap_2;
-        let t_38 = (-t_4).mul_add(t_30, real(0.06795786612300374) * t_37);
-        let t_39 = (-t_10).mul_add(t_34, s_2 * t_33);
-        let t_40 = real(-2.0).mul_add(t_35, t_38);
-        let t_41 = real(-2.0).mul_add(t_36, c_2 * t_29);
-        let t_42 = t_39 + t_40;
-        let t_43 = t_41 + t_42;
-        let t_44 = real(4.905) * t_43;
-        let t_45 = t_8 * t_20;
-        let t_46 = t_17.mul_add(t_11, t_19 * t_19);
-        let t_47 = s_2 * t_46;
-        let t_48 = t_3 * t_11;
-        let t_49 = c_2.mul_add(t_37, real(8.0) * snap_1);
-        let t_50 = real(-2.0).mul_add(t_47, t_49);
-        let t_51 = real(-4.0).mul_add(t_45, t_50);
-        let t_52 = real(49.05).mul_add(t_28, real(2.0) * t_48);
-        let t_53 = (-t_19).mul_add(t_30, t_18 * t_34);
-        let t_54 = t_51 - t_52;
-        let t_55 = t_53 + t_54;
-        let t_56 = t_55 + t_44;
-        (
-            ::robot_dynamics::nalgebra::SMatrix::from_data(
-                ::robot_dynamics::nalgebra::ArrayStorage([[t_27, t_16]]),
-            ),
-            ::robot_dynamics::nalgebra::SMatrix::from_data(
-                ::robot_dynamics::nalgebra::ArrayStorage([[t_56, t_44]]),
-            ),
-        )
-    }
-    /// Second derivatives of the inverse dynamics, exact: (d2 tau/dq dq, d2 tau/dqd dqd, d2 tau/dq dqd, dM/dq), each an array of N matrices N x N. Entry `[i][(j, k)]` is that of tau_i by q_j and q_k, by qd_j and qd_k, by q_j (row) and qd_k (column), and the derivative of M_ij by q_k, which is that of tau_i by qdd_j and q_k. The first two are symmetric in j and k, the last one in i and j. Friction that falls with the velocity is in d2 tau/dqd dqd; that of other friction and of springs is zero.
-    ///
-    /// `q`: joint positions, rad; `qd`: joint velocities, rad per s; `qdd`: joint accelerations, rad per s^2.
-    ///
-    /// Operations: 17 multiplications, 10 additions, sines and cosines of 2 angles.
-    ///
-    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
-    #[allow(unused_variables, clippy::all)]
-    pub fn inverse_dynamics_second_derivatives<T: ::robot_dynamics::Scalar>(
-        &self,
-        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
-        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
-        qdd: &::robot_dynamics::nalgebra::SVector<T, 2>,
-    ) -> (
-        [::robot_dynamics::nalgebra::SMatrix<T, 2, 2>; 2],
-        [::robot_dynamics::nalgebra::SMatrix<T, 2, 2>; 2],
-        [::robot_dynamics::nalgebra::SMatrix<T, 2, 2>; 2],
-        [::robot_dynamics::nalgebra::SMatrix<T, 2, 2>; 2],
-    ) {
-        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Scalar::sin_cos_array([
-            q.data.0[0][0],
-            q.data.0[0][1],
-        ]);
-        let qd_1 = qd.data.0[0][0];
-        let qd_2 = qd.data.0[0][1];
-        let qdd_1 = qdd.data.0[0][0];
-        let qdd_2 = qdd.data.0[0][1];
-        let t_1 = real(4.905) * c_1;
-        let t_2 = c_2 * t_1;
-        let t_3 = real(0.5) * s_2;
-        let t_4 = real(9.81) * s_1;
-        let t_5 = t_3.mul_add(t_4, -t_2);
-        let t_6 = real(-49.05).mul_add(c_1, t_5);
-        let t_7 = real(2.0) * qd_1;
-        let t_8 = (-qd_1).mul_add(t_7, t_4);
-        let t_9 = qdd_1.mul_add(c_2, t_2);
-        let t_10 = t_3.mul_add(t_8, -t_9);
-        let t_11 = qdd_1 + qdd_2;
-        let t_12 = qd_1 + qd_2;
-        let t_13 = t_12 * t_12;
-        let t_14 = (-c_2).mul_add(t_11, s_2 * t_13);
-        let t_15 = t_14 + t_10;
-        let t_16 = real(2.0) * s_2;
-        let t_17 = c_2 * t_7;
-        let t_18 = c_2 * t_12;
-        let t_19 = real(2.0) * t_18;
-        let t_20 = t_17 - t_19;
-        (
-            [
-                ::robot_dynamics::nalgebra::SMatrix::from_data(
-                    ::robot_dynamics::nalgebra::ArrayStorage([[t_6, t_5], [t_5, t_15]]),
-                ),
-                ::robot_dynamics::nalgebra::SMatrix::from_data(
-                    ::robot_dynamics::nalgebra::ArrayStorage([[t_5, t_5], [t_5, t_10]]),
-                ),
-            ],
-            [
-                ::robot_dynamics::nalgebra::SMatrix::from_data(
-                    ::robot_dynamics::nalgebra::ArrayStorage([
-                        [real(0.0), -t_16],
-                        [-t_16, -t_16],
-                    ]),
-                ),
-                ::robot_dynamics::nalgebra::SMatrix::from_data(
-                    ::robot_dynamics::nalgebra::ArrayStorage([
-                        [t_16, real(0.0)],
-                        [real(0.0), real(0.0)],
-                    ]),
-                ),
-            ],
-            [
-                ::robot_dynamics::nalgebra::SMatrix::from_data(
-                    ::robot_dynamics::nalgebra::ArrayStorage([
-                        [real(0.0), t_20],
-                        [real(0.0), -t_19],
-                    ]),
-                ),
-                ::robot_dynamics::nalgebra::SMatrix::from_data(
-                    ::robot_dynamics::nalgebra::ArrayStorage([
-                        [real(0.0), t_17],
-                        [real(0.0), real(0.0)],
-                    ]),
-                ),
-            ],
-            [
-                ::robot_dynamics::nalgebra::SMatrix::from_data(
-                    ::robot_dynamics::nalgebra::ArrayStorage([
-                        [real(0.0), real(0.0)],
-                        [-t_16, -s_2],
-                    ]),
-                ),
-                ::robot_dynamics::nalgebra::SMatrix::from_data(
-                    ::robot_dynamics::nalgebra::ArrayStorage([
-                        [real(0.0), real(0.0)],
-                        [-s_2, real(0.0)],
-                    ]),
-                ),
-            ],
-        )
-    }
-}
-impl ::robot_dynamics::MassMatrix<2> for Arm {
-    #[inline(always)]
-    fn mass_matrix<T: ::robot_dynamics::Scalar>(
-        &self,
-        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
-    ) -> ::robot_dynamics::nalgebra::SMatrix<T, 2, 2> {
-        Self::mass_matrix_at(self, &::robot_dynamics::Evaluated, q)
-    }
-    #[inline(always)]
-    fn mass_matrix_at<T: ::robot_dynamics::Scalar>(
-        &self,
-        sines: &impl ::robot_dynamics::JointSines<T>,
-        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
-    ) -> ::robot_dynamics::nalgebra::SMatrix<T, 2, 2> {
-        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_2, c_2)] = ::robot_dynamics::JointSines::sin_cos(
-            sines,
-            [1],
-            [q.data.0[0][1]],
-        );
-        let t_1 = c_2 + c_2;
-        let t_2 = real(8.333333333333334) + t_1;
-        let t_3 = real(0.3333333333333333) + c_2;
-        ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([
-                [t_2, t_3],
-                [t_3, real(0.3333333333333333)],
-            ]),
-        )
-    }
-}
-impl ::robot_dynamics::CoriolisVector<2> for Arm {
-    #[inline(always)]
-    fn coriolis_vector<T: ::robot_dynamics::Scalar>(
-        &self,
-        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
-        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
-    ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
-        Self::coriolis_vector_at(self, &::robot_dynamics::Evaluated, q, qd)
-    }
-    #[inline(always)]
-    fn coriolis_vector_at<T: ::robot_dynamics::Scalar>(
-        &self,
-        sines: &impl ::robot_dynamics::JointSines<T>,
-        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
-        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
-    ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
-        let [(s_2, c_2)] = ::robot_dynamics::JointSines::sin_cos(
-            sines,
-            [1],
-            [q.data.0[0][1]],
-        );
-        let qd_1 = qd.data.0[0][0];
-        let qd_2 = qd.data.0[0][1];
-        let t_1 = qd_1 * qd_1;
-        let t_2 = s_2 * t_1;
-        let t_3 = qd_1 + qd_2;
-        let t_4 = t_3 * t_3;
-        let t_5 = (-s_2).mul_add(t_4, t_2);
-        ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([[t_5, t_2]]),
-        )
-    }
-}
-impl ::robot_dynamics::GravityVector<2> for Arm {
-    #[inline(always)]
-    fn gravity_vector<T: ::robot_dynamics::Scalar>(
-        &self,
-        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
-    ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
-        Self::gravity_vector_at(self, &::robot_dynamics::Evaluated, q)
-    }
-    #[inline(always)]
-    fn gravity_vector_at<T: ::robot_dynamics::Scalar>(
-        &self,
-        sines: &impl ::robot_dynamics::JointSines<T>,
-        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
-    ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
-        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::JointSines::sin_cos(
-            sines,
-            [0, 1],
-            [q.data.0[0][0], q.data.0[0][1]],
-        );
-        let t_1 = (-s_1).mul_add(s_2, c_1 * c_2);
-        let t_2 = real(4.905) * t_1;
-        let t_3 = real(49.05).mul_add(c_1, t_2);
-        ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([[t_3, t_2]]),
-        )
-    }
-}
-impl ::robot_dynamics::InverseDynamics<2> for Arm {
-    #[inline(always)]
-    fn inverse_dynamics<T: ::robot_dynamics::Scalar>(
-        &self,
-        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
-        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
-        qdd: &::robot_dynamics::nalgebra::SVector<T, 2>,
-    ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
-        Self::inverse_dynamics_at(self, &::robot_dynamics::Evaluated, q, qd, qdd)
-    }
-    #[inline(always)]
-    fn inverse_dynamics_at<T: ::robot_dynamics::Scalar>(
-        &self,
-        sines: &impl ::robot_dynamics::JointSines<T>,
-        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
-        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
-        qdd: &::robot_dynamics::nalgebra::SVector<T, 2>,
-    ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
-        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_2, c_2), (s_1, c_1)] = ::robot_dynamics::JointSines::sin_cos(
-            sines,
-            [1, 0],
-            [q.data.0[0][1], q.data.0[0][0]],
-        );
-        let qd_1 = qd.data.0[0][0];
-        let qd_2 = qd.data.0[0][1];
-        let qdd_1 = qdd.data.0[0][0];
-        let qdd_2 = qdd.data.0[0][1];
-        let t_1 = qd_1 + qd_2;
-        let t_2 = t_1 * t_1;
-        let t_3 = qdd_1 + qdd_2;
-        let t_4 = real(-4.905).mul_add(s_1, qd_1 * qd_1);
-        let t_5 = real(4.905).mul_add(c_1, qdd_1);
-        let t_6 = s_2.mul_add(t_4, real(0.3333333333333333) * t_3);
-        let t_7 = c_2.mul_add(t_5, t_6);
-        let t_8 = real(49.05).mul_add(c_1, real(8.0) * qdd_1);
-        let t_9 = (-s_2).mul_add(t_2, c_2 * t_3);
-        let t_10 = t_8 + t_9;
-        let t_11 = t_10 + t_7;
-        ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([[t_11, t_7]]),
-        )
-    }
-}
-impl ::robot_dynamics::ForwardDynamics<2> for Arm {
-    #[inline(always)]
-    fn forward_dynamics<T: ::robot_dynamics::Scalar>(
-        &self,
-        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
-        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
-        tau: &::robot_dynamics::nalgebra::SVector<T, 2>,
-    ) -> ::core::result::Result<
-        ::robot_dynamics::nalgebra::SVector<T, 2>,
-        ::robot_dynamics::SingularMassMatrix,
-    > {
-        Self::forward_dynamics_at(self, &::robot_dynamics::Evaluated, q, qd, tau)
-    }
-    #[inline(always)]
-    fn forward_dynamics_at<T: ::robot_dynamics::Scalar>(
-        &self,
-        sines: &impl ::robot_dynamics::JointSines<T>,
-        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
-        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
-        tau: &::robot_dynamics::nalgebra::SVector<T, 2>,
-    ) -> ::core::result::Result<
-        ::robot_dynamics::nalgebra::SVector<T, 2>,
-        ::robot_dynamics::SingularMassMatrix,
-    > {
-        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_2, c_2), (s_1, c_1)] = ::robot_dynamics::JointSines::sin_cos(
-            sines,
-            [1, 0],
-            [q.data.0[0][1], q.data.0[0][0]],
-        );
-        let qd_1 = qd.data.0[0][0];
-        let qd_2 = qd.data.0[0][1];
-        let tau_1 = tau.data.0[0][0];
-        let tau_2 = tau.data.0[0][1];
-        let t_1 = qd_1 + qd_2;
-        let t_2 = t_1 * t_1;
-        let t_3 = qd_1 * qd_1;
-        let t_4 = real(0.2038735983690112).mul_add(t_3, -s_1);
-        let t_5 = s_2.mul_add(t_4, c_1 * c_2);
-        let t_6 = real(4.905) * t_5;
-        let t_7 = t_6 - tau_2;
-        let t_8 = real(0.3333333333333333) + c_2;
-        let t_9 = real(3.0) * t_8;
-        let t_10 = real(49.05).mul_add(c_1, -tau_1);
-        let t_11 = (-s_2).mul_add(t_2, t_10);
-        let t_12 = t_11 + t_6;
-        let t_13 = (-t_7).mul_add(t_9, t_12);
-        let t_14 = real(2.0).mul_add(c_2, real(8.333333333333334));
-        let t_15 = (-t_8).mul_add(t_9, t_14);
-        let t_16 = real(1.0) / t_15;
-        let t_17 = t_13 * t_16;
-        let t_18 = real(-3.0).mul_add(t_7, t_9 * t_17);
-        ::robot_dynamics::SingularMassMatrix::test_joint(
-            1,
-            "joint2",
-            real(0.3333333333333333),
-            real(0.3333333333333333),
-        )?;
-        ::robot_dynamics::SingularMassMatrix::test_joint(0, "joint1", t_15, t_14)?;
-        ::core::result::Result::Ok(
-            ::robot_dynamics::nalgebra::SMatrix::from_data(
-                ::robot_dynamics::nalgebra::ArrayStorage([[-t_17, t_18]]),
             ),
         )
     }
@@ -1870,11 +2125,11 @@ impl ::robot_dynamics::TaylorDynamics<2> for Arm {
     #[inline(always)]
     fn leading_matrix<T: ::robot_dynamics::Scalar>(
         &self,
-        sines: &impl ::robot_dynamics::JointSines<T>,
+        sines: &impl ::robot_dynamics::Inputs<T>,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SMatrix<T, 2, 2> {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_2, c_2)] = ::robot_dynamics::JointSines::sin_cos(
+        let [(s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
             sines,
             [1],
             [q.data.0[0][1]],
@@ -1888,5 +2143,879 @@ impl ::robot_dynamics::TaylorDynamics<2> for Arm {
                 [t_3, real(0.3333333333333333)],
             ]),
         )
+    }
+}
+impl ::robot_dynamics::Function<::robot_dynamics::functions::WrenchTorques, 2> for Arm {
+    type Arguments = (::robot_dynamics::Entries<2, 1>, ::robot_dynamics::Entries<6, 1>);
+    type Values = ::robot_dynamics::Entries<2, 1>;
+    type Error = ::core::convert::Infallible;
+    const ARGUMENTS: &'static [&'static str] = &["q", "wrench"];
+    const RESULT: &'static str = "wrench_torques";
+    const WORK: u32 = 92;
+    const IN_LANES: bool = true;
+    #[inline(always)]
+    fn at<T: ::robot_dynamics::Scalar>(
+        &self,
+        _: ::robot_dynamics::functions::WrenchTorques,
+        sines: &impl ::robot_dynamics::Inputs<T>,
+        (q, wrench): &<Self::Arguments as ::robot_dynamics::Arrangement>::Of<T>,
+    ) -> ::core::result::Result<
+        <Self::Values as ::robot_dynamics::Arrangement>::Of<T>,
+        Self::Error,
+    > {
+        ::core::result::Result::Ok({
+            let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+            let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+                sines,
+                [0, 1],
+                [q.data.0[0][0], q.data.0[0][1]],
+            );
+            let wrench_1 = wrench.data.0[0][0];
+            let wrench_2 = wrench.data.0[0][1];
+            let wrench_6 = wrench.data.0[0][5];
+            let t_1 = (-c_1).mul_add(wrench_2, s_1 * wrench_1);
+            let t_2 = s_1.mul_add(wrench_2, c_1 * wrench_1);
+            let t_3 = (-s_2).mul_add(t_2, wrench_6);
+            let t_4 = (-c_2).mul_add(t_1, t_3);
+            let t_5 = real(-2.0).mul_add(t_1, t_4);
+            ::robot_dynamics::nalgebra::SMatrix::from_data(
+                ::robot_dynamics::nalgebra::ArrayStorage([[t_5, t_4]]),
+            )
+        })
+    }
+}
+impl ::robot_dynamics::Function<::robot_dynamics::functions::ToolVelocity, 2> for Arm {
+    type Arguments = (::robot_dynamics::Entries<2, 1>, ::robot_dynamics::Entries<2, 1>);
+    type Values = ::robot_dynamics::Entries<6, 1>;
+    type Error = ::core::convert::Infallible;
+    const ARGUMENTS: &'static [&'static str] = &["q", "qd"];
+    const RESULT: &'static str = "tool_velocity";
+    const WORK: u32 = 92;
+    const IN_LANES: bool = true;
+    #[inline(always)]
+    fn at<T: ::robot_dynamics::Scalar>(
+        &self,
+        _: ::robot_dynamics::functions::ToolVelocity,
+        sines: &impl ::robot_dynamics::Inputs<T>,
+        (q, qd): &<Self::Arguments as ::robot_dynamics::Arrangement>::Of<T>,
+    ) -> ::core::result::Result<
+        <Self::Values as ::robot_dynamics::Arrangement>::Of<T>,
+        Self::Error,
+    > {
+        ::core::result::Result::Ok({
+            let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+            let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+                sines,
+                [0, 1],
+                [q.data.0[0][0], q.data.0[0][1]],
+            );
+            let qd_1 = qd.data.0[0][0];
+            let qd_2 = qd.data.0[0][1];
+            let t_1 = qd_1 + qd_2;
+            let t_2 = s_2 * t_1;
+            let t_3 = real(2.0) + c_2;
+            let t_4 = qd_1.mul_add(t_3, c_2 * qd_2);
+            let t_5 = s_1.mul_add(t_4, c_1 * t_2);
+            let t_6 = (-s_1).mul_add(t_2, c_1 * t_4);
+            ::robot_dynamics::nalgebra::SMatrix::from_data(
+                ::robot_dynamics::nalgebra::ArrayStorage([
+                    [-t_5, t_6, real(0.0), real(0.0), real(0.0), t_1],
+                ]),
+            )
+        })
+    }
+}
+impl ::robot_dynamics::Function<::robot_dynamics::functions::ToolAcceleration, 2>
+for Arm {
+    type Arguments = (
+        ::robot_dynamics::Entries<2, 1>,
+        ::robot_dynamics::Entries<2, 1>,
+        ::robot_dynamics::Entries<2, 1>,
+    );
+    type Values = ::robot_dynamics::Entries<6, 1>;
+    type Error = ::core::convert::Infallible;
+    const ARGUMENTS: &'static [&'static str] = &["q", "qd", "qdd"];
+    const RESULT: &'static str = "tool_acceleration";
+    const WORK: u32 = 110;
+    const IN_LANES: bool = true;
+    #[inline(always)]
+    fn at<T: ::robot_dynamics::Scalar>(
+        &self,
+        _: ::robot_dynamics::functions::ToolAcceleration,
+        sines: &impl ::robot_dynamics::Inputs<T>,
+        (q, qd, qdd): &<Self::Arguments as ::robot_dynamics::Arrangement>::Of<T>,
+    ) -> ::core::result::Result<
+        <Self::Values as ::robot_dynamics::Arrangement>::Of<T>,
+        Self::Error,
+    > {
+        ::core::result::Result::Ok({
+            let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+            let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+                sines,
+                [0, 1],
+                [q.data.0[0][0], q.data.0[0][1]],
+            );
+            let qd_1 = qd.data.0[0][0];
+            let qd_2 = qd.data.0[0][1];
+            let qdd_1 = qdd.data.0[0][0];
+            let qdd_2 = qdd.data.0[0][1];
+            let t_1 = c_2 * qd_2;
+            let t_2 = real(2.0) + c_2;
+            let t_3 = t_1 + t_1;
+            let t_4 = qd_1.mul_add(t_2, t_3);
+            let t_5 = qdd_1.mul_add(s_2, s_2 * qdd_2);
+            let t_6 = qd_2.mul_add(t_1, t_5);
+            let t_7 = qd_1.mul_add(t_4, t_6);
+            let t_8 = s_2 * qd_2;
+            let t_9 = qd_1.mul_add(s_2, t_8);
+            let t_10 = t_8 + t_9;
+            let t_11 = (-c_2).mul_add(qdd_2, qd_2 * t_8);
+            let t_12 = (-qdd_1).mul_add(t_2, t_11);
+            let t_13 = qd_1.mul_add(t_10, t_12);
+            let t_14 = (-c_1).mul_add(t_7, s_1 * t_13);
+            let t_15 = c_1.mul_add(t_13, s_1 * t_7);
+            let t_16 = qdd_1 + qdd_2;
+            ::robot_dynamics::nalgebra::SMatrix::from_data(
+                ::robot_dynamics::nalgebra::ArrayStorage([
+                    [t_14, -t_15, real(0.0), real(0.0), real(0.0), t_16],
+                ]),
+            )
+        })
+    }
+}
+impl ::robot_dynamics::Function<::robot_dynamics::functions::JacobianRate, 2> for Arm {
+    type Arguments = (::robot_dynamics::Entries<2, 1>, ::robot_dynamics::Entries<2, 1>);
+    type Values = ::robot_dynamics::Entries<6, 2>;
+    type Error = ::core::convert::Infallible;
+    const ARGUMENTS: &'static [&'static str] = &["q", "qd"];
+    const RESULT: &'static str = "jacobian_rate";
+    const WORK: u32 = 95;
+    const IN_LANES: bool = true;
+    #[inline(always)]
+    fn at<T: ::robot_dynamics::Scalar>(
+        &self,
+        _: ::robot_dynamics::functions::JacobianRate,
+        sines: &impl ::robot_dynamics::Inputs<T>,
+        (q, qd): &<Self::Arguments as ::robot_dynamics::Arrangement>::Of<T>,
+    ) -> ::core::result::Result<
+        <Self::Values as ::robot_dynamics::Arrangement>::Of<T>,
+        Self::Error,
+    > {
+        ::core::result::Result::Ok({
+            let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+            let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+                sines,
+                [0, 1],
+                [q.data.0[0][0], q.data.0[0][1]],
+            );
+            let qd_1 = qd.data.0[0][0];
+            let qd_2 = qd.data.0[0][1];
+            let t_1 = (-s_1).mul_add(s_2, c_1 * c_2);
+            let t_2 = qd_2 + qd_1;
+            let t_3 = t_1 * t_2;
+            let t_4 = real(2.0) * c_1;
+            let t_5 = t_4.mul_add(qd_1, t_3);
+            let t_6 = c_1.mul_add(s_2, s_1 * c_2);
+            let t_7 = t_2 * t_6;
+            let t_8 = real(2.0) * s_1;
+            let t_9 = t_8.mul_add(qd_1, t_7);
+            ::robot_dynamics::nalgebra::SMatrix::from_data(
+                ::robot_dynamics::nalgebra::ArrayStorage([
+                    [-t_5, -t_9, real(0.0), real(0.0), real(0.0), real(0.0)],
+                    [-t_3, -t_7, real(0.0), real(0.0), real(0.0), real(0.0)],
+                ]),
+            )
+        })
+    }
+}
+impl ::robot_dynamics::Function<::robot_dynamics::functions::LinkJacobians, 2> for Arm {
+    type Arguments = (::robot_dynamics::Entries<2, 1>,);
+    type Values = [::robot_dynamics::Entries<6, 2>; 2];
+    type Error = ::core::convert::Infallible;
+    const ARGUMENTS: &'static [&'static str] = &["q"];
+    const RESULT: &'static str = "link_jacobians";
+    const WORK: u32 = 90;
+    const IN_LANES: bool = true;
+    #[inline(always)]
+    fn at<T: ::robot_dynamics::Scalar>(
+        &self,
+        _: ::robot_dynamics::functions::LinkJacobians,
+        sines: &impl ::robot_dynamics::Inputs<T>,
+        (q,): &<Self::Arguments as ::robot_dynamics::Arrangement>::Of<T>,
+    ) -> ::core::result::Result<
+        <Self::Values as ::robot_dynamics::Arrangement>::Of<T>,
+        Self::Error,
+    > {
+        ::core::result::Result::Ok({
+            let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+            let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+                sines,
+                [0, 1],
+                [q.data.0[0][0], q.data.0[0][1]],
+            );
+            let t_1 = real(-2.0) * s_1;
+            let t_2 = real(2.0) * c_1;
+            let t_3 = c_1.mul_add(s_2, s_1 * c_2);
+            let t_4 = t_1 - t_3;
+            let t_5 = (-s_1).mul_add(s_2, c_1 * c_2);
+            let t_6 = t_2 + t_5;
+            [
+                ::robot_dynamics::nalgebra::SMatrix::from_data(
+                    ::robot_dynamics::nalgebra::ArrayStorage([
+                        [t_1, t_2, real(0.0), real(0.0), real(0.0), real(1.0)],
+                        [
+                            real(0.0),
+                            real(0.0),
+                            real(0.0),
+                            real(0.0),
+                            real(0.0),
+                            real(0.0),
+                        ],
+                    ]),
+                ),
+                ::robot_dynamics::nalgebra::SMatrix::from_data(
+                    ::robot_dynamics::nalgebra::ArrayStorage([
+                        [t_4, t_6, real(0.0), real(0.0), real(0.0), real(1.0)],
+                        [-t_3, t_5, real(0.0), real(0.0), real(0.0), real(1.0)],
+                    ]),
+                ),
+            ]
+        })
+    }
+}
+impl ::robot_dynamics::Function<::robot_dynamics::functions::CenterOfMass, 2> for Arm {
+    type Arguments = (::robot_dynamics::Entries<2, 1>,);
+    type Values = ::robot_dynamics::Entries<3, 1>;
+    type Error = ::core::convert::Infallible;
+    const ARGUMENTS: &'static [&'static str] = &["q"];
+    const RESULT: &'static str = "center_of_mass";
+    const WORK: u32 = 89;
+    const IN_LANES: bool = true;
+    #[inline(always)]
+    fn at<T: ::robot_dynamics::Scalar>(
+        &self,
+        _: ::robot_dynamics::functions::CenterOfMass,
+        sines: &impl ::robot_dynamics::Inputs<T>,
+        (q,): &<Self::Arguments as ::robot_dynamics::Arrangement>::Of<T>,
+    ) -> ::core::result::Result<
+        <Self::Values as ::robot_dynamics::Arrangement>::Of<T>,
+        Self::Error,
+    > {
+        ::core::result::Result::Ok({
+            let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+            let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+                sines,
+                [0, 1],
+                [q.data.0[0][0], q.data.0[0][1]],
+            );
+            let t_1 = real(0.125).mul_add(c_2, real(1.25));
+            let t_2 = real(0.125) * s_2;
+            let t_3 = (-s_1).mul_add(t_2, c_1 * t_1);
+            let t_4 = s_1.mul_add(t_1, c_1 * t_2);
+            ::robot_dynamics::nalgebra::SMatrix::from_data(
+                ::robot_dynamics::nalgebra::ArrayStorage([[t_3, t_4, real(0.0)]]),
+            )
+        })
+    }
+}
+impl ::robot_dynamics::Function<::robot_dynamics::functions::CenterOfMassJacobian, 2>
+for Arm {
+    type Arguments = (::robot_dynamics::Entries<2, 1>,);
+    type Values = ::robot_dynamics::Entries<3, 2>;
+    type Error = ::core::convert::Infallible;
+    const ARGUMENTS: &'static [&'static str] = &["q"];
+    const RESULT: &'static str = "center_of_mass_jacobian";
+    const WORK: u32 = 92;
+    const IN_LANES: bool = true;
+    #[inline(always)]
+    fn at<T: ::robot_dynamics::Scalar>(
+        &self,
+        _: ::robot_dynamics::functions::CenterOfMassJacobian,
+        sines: &impl ::robot_dynamics::Inputs<T>,
+        (q,): &<Self::Arguments as ::robot_dynamics::Arrangement>::Of<T>,
+    ) -> ::core::result::Result<
+        <Self::Values as ::robot_dynamics::Arrangement>::Of<T>,
+        Self::Error,
+    > {
+        ::core::result::Result::Ok({
+            let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+            let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+                sines,
+                [0, 1],
+                [q.data.0[0][0], q.data.0[0][1]],
+            );
+            let t_1 = c_1.mul_add(s_2, s_1 * c_2);
+            let t_2 = real(0.125) * t_1;
+            let t_3 = real(1.25).mul_add(s_1, t_2);
+            let t_4 = (-s_1).mul_add(s_2, c_1 * c_2);
+            let t_5 = real(0.125) * t_4;
+            let t_6 = real(1.25).mul_add(c_1, t_5);
+            ::robot_dynamics::nalgebra::SMatrix::from_data(
+                ::robot_dynamics::nalgebra::ArrayStorage([
+                    [-t_3, t_6, real(0.0)],
+                    [-t_2, t_5, real(0.0)],
+                ]),
+            )
+        })
+    }
+}
+impl ::robot_dynamics::Function<
+    ::robot_dynamics::functions::OperationalInertiaInverse,
+    2,
+> for Arm {
+    type Arguments = (::robot_dynamics::Entries<2, 1>,);
+    type Values = ::robot_dynamics::Entries<6, 6>;
+    type Error = ::robot_dynamics::SingularMassMatrix;
+    const ARGUMENTS: &'static [&'static str] = &["q"];
+    const RESULT: &'static str = "operational_inertia_inverse";
+    const WORK: u32 = 121;
+    const IN_LANES: bool = true;
+    #[inline(always)]
+    fn at<T: ::robot_dynamics::Scalar>(
+        &self,
+        _: ::robot_dynamics::functions::OperationalInertiaInverse,
+        sines: &impl ::robot_dynamics::Inputs<T>,
+        (q,): &<Self::Arguments as ::robot_dynamics::Arrangement>::Of<T>,
+    ) -> ::core::result::Result<
+        <Self::Values as ::robot_dynamics::Arrangement>::Of<T>,
+        Self::Error,
+    > {
+        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+            sines,
+            [0, 1],
+            [q.data.0[0][0], q.data.0[0][1]],
+        );
+        let t_1 = c_1.mul_add(s_2, s_1 * c_2);
+        let t_2 = real(3.0) * t_1;
+        let t_3 = real(-2.0).mul_add(s_1, t_2 * c_2);
+        let t_4 = c_2 + c_2;
+        let t_5 = real(8.333333333333334) + t_4;
+        let t_6 = real(0.3333333333333333) + c_2;
+        let t_7 = real(3.0) * t_6;
+        let t_8 = (-t_6).mul_add(t_7, t_5);
+        let t_9 = real(1.0) / t_8;
+        let t_10 = t_9 * t_3;
+        let t_11 = t_3.mul_add(t_10, t_1 * t_2);
+        let t_12 = (-s_1).mul_add(s_2, c_1 * c_2);
+        let t_13 = real(2.0).mul_add(c_1, t_12);
+        let t_14 = t_7.mul_add(t_12, -t_13);
+        let t_15 = t_14.mul_add(t_10, t_12 * t_2);
+        let t_16 = t_7 - real(1.0);
+        let t_17 = t_16.mul_add(t_10, t_2);
+        let t_18 = t_9 * t_14;
+        let t_19 = real(3.0) * t_12;
+        let t_20 = t_14.mul_add(t_18, t_12 * t_19);
+        let t_21 = t_16.mul_add(t_18, t_19);
+        let t_22 = t_9 * t_16;
+        let t_23 = t_16.mul_add(t_22, real(3.0));
+        ::robot_dynamics::SingularMassMatrix::test_joint(
+            1,
+            "joint2",
+            real(0.3333333333333333),
+            real(0.3333333333333333),
+        )?;
+        ::robot_dynamics::SingularMassMatrix::test_joint(0, "joint1", t_8, t_5)?;
+        ::core::result::Result::Ok(
+            ::robot_dynamics::nalgebra::SMatrix::from_data(
+                ::robot_dynamics::nalgebra::ArrayStorage([
+                    [t_11, -t_15, real(0.0), real(0.0), real(0.0), -t_17],
+                    [-t_15, t_20, real(0.0), real(0.0), real(0.0), t_21],
+                    [real(0.0), real(0.0), real(0.0), real(0.0), real(0.0), real(0.0)],
+                    [real(0.0), real(0.0), real(0.0), real(0.0), real(0.0), real(0.0)],
+                    [real(0.0), real(0.0), real(0.0), real(0.0), real(0.0), real(0.0)],
+                    [-t_17, t_21, real(0.0), real(0.0), real(0.0), t_23],
+                ]),
+            ),
+        )
+    }
+}
+impl ::robot_dynamics::Function<::robot_dynamics::functions::GeneralizedMomentum, 2>
+for Arm {
+    type Arguments = (::robot_dynamics::Entries<2, 1>, ::robot_dynamics::Entries<2, 1>);
+    type Values = ::robot_dynamics::Entries<2, 1>;
+    type Error = ::core::convert::Infallible;
+    const ARGUMENTS: &'static [&'static str] = &["q", "qd"];
+    const RESULT: &'static str = "generalized_momentum";
+    const WORK: u32 = 48;
+    const IN_LANES: bool = true;
+    #[inline(always)]
+    fn at<T: ::robot_dynamics::Scalar>(
+        &self,
+        _: ::robot_dynamics::functions::GeneralizedMomentum,
+        sines: &impl ::robot_dynamics::Inputs<T>,
+        (q, qd): &<Self::Arguments as ::robot_dynamics::Arrangement>::Of<T>,
+    ) -> ::core::result::Result<
+        <Self::Values as ::robot_dynamics::Arrangement>::Of<T>,
+        Self::Error,
+    > {
+        ::core::result::Result::Ok({
+            let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+            let [(s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+                sines,
+                [1],
+                [q.data.0[0][1]],
+            );
+            let qd_1 = qd.data.0[0][0];
+            let qd_2 = qd.data.0[0][1];
+            let t_1 = qd_1 + qd_2;
+            let t_2 = qd_1.mul_add(c_2, real(0.3333333333333333) * t_1);
+            let t_3 = c_2.mul_add(t_1, real(8.0) * qd_1);
+            let t_4 = t_2 + t_3;
+            ::robot_dynamics::nalgebra::SMatrix::from_data(
+                ::robot_dynamics::nalgebra::ArrayStorage([[t_4, t_2]]),
+            )
+        })
+    }
+}
+impl ::robot_dynamics::Function<::robot_dynamics::functions::MomentumBias, 2> for Arm {
+    type Arguments = (::robot_dynamics::Entries<2, 1>, ::robot_dynamics::Entries<2, 1>);
+    type Values = ::robot_dynamics::Entries<2, 1>;
+    type Error = ::core::convert::Infallible;
+    const ARGUMENTS: &'static [&'static str] = &["q", "qd"];
+    const RESULT: &'static str = "momentum_bias";
+    const WORK: u32 = 90;
+    const IN_LANES: bool = true;
+    #[inline(always)]
+    fn at<T: ::robot_dynamics::Scalar>(
+        &self,
+        _: ::robot_dynamics::functions::MomentumBias,
+        sines: &impl ::robot_dynamics::Inputs<T>,
+        (q, qd): &<Self::Arguments as ::robot_dynamics::Arrangement>::Of<T>,
+    ) -> ::core::result::Result<
+        <Self::Values as ::robot_dynamics::Arrangement>::Of<T>,
+        Self::Error,
+    > {
+        ::core::result::Result::Ok({
+            let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+            let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+                sines,
+                [0, 1],
+                [q.data.0[0][0], q.data.0[0][1]],
+            );
+            let qd_1 = qd.data.0[0][0];
+            let qd_2 = qd.data.0[0][1];
+            let t_1 = (-s_1).mul_add(s_2, c_1 * c_2);
+            let t_2 = real(4.905) * t_1;
+            let t_3 = real(49.05).mul_add(c_1, t_2);
+            let t_4 = qd_2 + qd_1;
+            let t_5 = s_2 * t_4;
+            let t_6 = qd_1.mul_add(t_5, t_2);
+            ::robot_dynamics::nalgebra::SMatrix::from_data(
+                ::robot_dynamics::nalgebra::ArrayStorage([[-t_3, -t_6]]),
+            )
+        })
+    }
+}
+impl ::robot_dynamics::Function<::robot_dynamics::functions::PassivityTorque, 2>
+for Arm {
+    type Arguments = (
+        ::robot_dynamics::Entries<2, 1>,
+        ::robot_dynamics::Entries<2, 1>,
+        ::robot_dynamics::Entries<2, 1>,
+        ::robot_dynamics::Entries<2, 1>,
+    );
+    type Values = ::robot_dynamics::Entries<2, 1>;
+    type Error = ::core::convert::Infallible;
+    const ARGUMENTS: &'static [&'static str] = &["q", "qd", "qd_r", "qdd_r"];
+    const RESULT: &'static str = "passivity_torque";
+    const WORK: u32 = 103;
+    const IN_LANES: bool = true;
+    #[inline(always)]
+    fn at<T: ::robot_dynamics::Scalar>(
+        &self,
+        _: ::robot_dynamics::functions::PassivityTorque,
+        sines: &impl ::robot_dynamics::Inputs<T>,
+        (q, qd, qd_r, qdd_r): &<Self::Arguments as ::robot_dynamics::Arrangement>::Of<T>,
+    ) -> ::core::result::Result<
+        <Self::Values as ::robot_dynamics::Arrangement>::Of<T>,
+        Self::Error,
+    > {
+        ::core::result::Result::Ok({
+            let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+            let [(s_2, c_2), (s_1, c_1)] = ::robot_dynamics::Inputs::sin_cos(
+                sines,
+                [1, 0],
+                [q.data.0[0][1], q.data.0[0][0]],
+            );
+            let qd_1 = qd.data.0[0][0];
+            let qd_2 = qd.data.0[0][1];
+            let qd_r_1 = qd_r.data.0[0][0];
+            let qd_r_2 = qd_r.data.0[0][1];
+            let qdd_r_1 = qdd_r.data.0[0][0];
+            let qdd_r_2 = qdd_r.data.0[0][1];
+            let t_1 = qdd_r_1 + qdd_r_2;
+            let t_2 = qd_1 + qd_2;
+            let t_3 = qd_r_1 + qd_r_2;
+            let t_4 = t_2 * t_3;
+            let t_5 = qd_1 * qd_r_1;
+            let t_6 = real(-0.2038735983690112).mul_add(t_5, s_1);
+            let t_7 = real(0.2038735983690112).mul_add(qdd_r_1, c_1);
+            let t_8 = (-c_2).mul_add(t_7, s_2 * t_6);
+            let t_9 = real(-4.905).mul_add(t_8, real(0.3333333333333333) * t_1);
+            let t_10 = c_2.mul_add(t_1, real(8.0) * qdd_r_1);
+            let t_11 = (-s_2).mul_add(t_4, real(49.05) * c_1);
+            let t_12 = t_10 + t_11;
+            let t_13 = t_12 + t_9;
+            ::robot_dynamics::nalgebra::SMatrix::from_data(
+                ::robot_dynamics::nalgebra::ArrayStorage([[t_13, t_9]]),
+            )
+        })
+    }
+}
+impl ::robot_dynamics::Function<::robot_dynamics::functions::PassivityRegressor, 2>
+for Arm {
+    type Arguments = (
+        ::robot_dynamics::Entries<2, 1>,
+        ::robot_dynamics::Entries<2, 1>,
+        ::robot_dynamics::Entries<2, 1>,
+        ::robot_dynamics::Entries<2, 1>,
+    );
+    type Values = ::robot_dynamics::Entries<2, 6>;
+    type Error = ::core::convert::Infallible;
+    const ARGUMENTS: &'static [&'static str] = &["q", "qd", "qd_r", "qdd_r"];
+    const RESULT: &'static str = "passivity_regressor";
+    const WORK: u32 = 107;
+    const IN_LANES: bool = true;
+    #[inline(always)]
+    fn at<T: ::robot_dynamics::Scalar>(
+        &self,
+        _: ::robot_dynamics::functions::PassivityRegressor,
+        sines: &impl ::robot_dynamics::Inputs<T>,
+        (q, qd, qd_r, qdd_r): &<Self::Arguments as ::robot_dynamics::Arrangement>::Of<T>,
+    ) -> ::core::result::Result<
+        <Self::Values as ::robot_dynamics::Arrangement>::Of<T>,
+        Self::Error,
+    > {
+        ::core::result::Result::Ok({
+            let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+            let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+                sines,
+                [0, 1],
+                [q.data.0[0][0], q.data.0[0][1]],
+            );
+            let qd_1 = qd.data.0[0][0];
+            let qd_2 = qd.data.0[0][1];
+            let qd_r_1 = qd_r.data.0[0][0];
+            let qd_r_2 = qd_r.data.0[0][1];
+            let qdd_r_1 = qdd_r.data.0[0][0];
+            let qdd_r_2 = qdd_r.data.0[0][1];
+            let t_1 = real(9.81) * c_1;
+            let t_2 = real(-9.81) * s_1;
+            let t_3 = qdd_r_1 + qdd_r_2;
+            let t_4 = real(2.0).mul_add(qdd_r_1, t_1);
+            let t_5 = qd_1 * qd_r_1;
+            let t_6 = real(2.0).mul_add(t_5, t_2);
+            let t_7 = s_2.mul_add(t_6, c_2 * t_4);
+            let t_8 = qd_1 + qd_2;
+            let t_9 = qd_r_1 + qd_r_2;
+            let t_10 = t_8 * t_9;
+            let t_11 = (-s_2).mul_add(t_10, c_2 * t_3);
+            let t_12 = real(2.0).mul_add(t_11, t_7);
+            let t_13 = (-s_2).mul_add(t_4, c_2 * t_6);
+            let t_14 = s_2.mul_add(t_3, c_2 * t_10);
+            let t_15 = real(-2.0).mul_add(t_14, t_13);
+            ::robot_dynamics::nalgebra::SMatrix::from_data(
+                ::robot_dynamics::nalgebra::ArrayStorage([
+                    [qdd_r_1, real(0.0)],
+                    [t_1, real(0.0)],
+                    [t_2, real(0.0)],
+                    [t_3, t_3],
+                    [t_12, t_7],
+                    [t_15, t_13],
+                ]),
+            )
+        })
+    }
+}
+impl ::robot_dynamics::Function<::robot_dynamics::functions::EnergyRegressors, 2>
+for Arm {
+    type Arguments = (::robot_dynamics::Entries<2, 1>, ::robot_dynamics::Entries<2, 1>);
+    type Values = (::robot_dynamics::Entries<6, 1>, ::robot_dynamics::Entries<6, 1>);
+    type Error = ::core::convert::Infallible;
+    const ARGUMENTS: &'static [&'static str] = &["q", "qd"];
+    const RESULT: &'static str = "energy_regressors";
+    const WORK: u32 = 97;
+    const IN_LANES: bool = true;
+    #[inline(always)]
+    fn at<T: ::robot_dynamics::Scalar>(
+        &self,
+        _: ::robot_dynamics::functions::EnergyRegressors,
+        sines: &impl ::robot_dynamics::Inputs<T>,
+        (q, qd): &<Self::Arguments as ::robot_dynamics::Arrangement>::Of<T>,
+    ) -> ::core::result::Result<
+        <Self::Values as ::robot_dynamics::Arrangement>::Of<T>,
+        Self::Error,
+    > {
+        ::core::result::Result::Ok({
+            let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+            let [(s_2, c_2), (s_1, c_1)] = ::robot_dynamics::Inputs::sin_cos(
+                sines,
+                [1, 0],
+                [q.data.0[0][1], q.data.0[0][0]],
+            );
+            let qd_1 = qd.data.0[0][0];
+            let qd_2 = qd.data.0[0][1];
+            let t_1 = qd_1 * qd_1;
+            let t_2 = real(0.5) * t_1;
+            let t_3 = qd_1 + qd_2;
+            let t_4 = t_3 * t_3;
+            let t_5 = real(0.5) * t_4;
+            let t_6 = real(2.0) * qd_1;
+            let t_7 = t_6 * t_3;
+            let t_8 = c_2 * t_7;
+            let t_9 = s_2 * t_7;
+            let t_10 = real(9.81) * s_1;
+            let t_11 = real(9.81) * c_1;
+            let t_12 = s_2.mul_add(t_11, c_2 * t_10);
+            let t_13 = (-s_2).mul_add(t_10, c_2 * t_11);
+            (
+                ::robot_dynamics::nalgebra::SMatrix::from_data(
+                    ::robot_dynamics::nalgebra::ArrayStorage([
+                        [t_2, real(0.0), real(0.0), t_5, t_8, -t_9],
+                    ]),
+                ),
+                ::robot_dynamics::nalgebra::SMatrix::from_data(
+                    ::robot_dynamics::nalgebra::ArrayStorage([
+                        [real(0.0), t_10, t_11, real(0.0), t_12, t_13],
+                    ]),
+                ),
+            )
+        })
+    }
+}
+impl ::robot_dynamics::Function<::robot_dynamics::functions::InverseDynamicsRates, 2>
+for Arm {
+    type Arguments = (
+        ::robot_dynamics::Entries<2, 1>,
+        ::robot_dynamics::Entries<2, 1>,
+        ::robot_dynamics::Entries<2, 1>,
+        ::robot_dynamics::Entries<2, 1>,
+        ::robot_dynamics::Entries<2, 1>,
+    );
+    type Values = (::robot_dynamics::Entries<2, 1>, ::robot_dynamics::Entries<2, 1>);
+    type Error = ::core::convert::Infallible;
+    const ARGUMENTS: &'static [&'static str] = &["q", "qd", "qdd", "jerk", "snap"];
+    const RESULT: &'static str = "inverse_dynamics_rates";
+    const WORK: u32 = 180;
+    const IN_LANES: bool = true;
+    #[inline(always)]
+    fn at<T: ::robot_dynamics::Scalar>(
+        &self,
+        _: ::robot_dynamics::functions::InverseDynamicsRates,
+        sines: &impl ::robot_dynamics::Inputs<T>,
+        (
+            q,
+            qd,
+            qdd,
+            jerk,
+            snap,
+        ): &<Self::Arguments as ::robot_dynamics::Arrangement>::Of<T>,
+    ) -> ::core::result::Result<
+        <Self::Values as ::robot_dynamics::Arrangement>::Of<T>,
+        Self::Error,
+    > {
+        ::core::result::Result::Ok({
+            let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+            let [(s_2, c_2), (s_1, c_1)] = ::robot_dynamics::Inputs::sin_cos(
+                sines,
+                [1, 0],
+                [q.data.0[0][1], q.data.0[0][0]],
+            );
+            let qd_1 = qd.data.0[0][0];
+            let qd_2 = qd.data.0[0][1];
+            let qdd_1 = qdd.data.0[0][0];
+            let qdd_2 = qdd.data.0[0][1];
+            let jerk_1 = jerk.data.0[0][0];
+            let jerk_2 = jerk.data.0[0][1];
+            let snap_1 = snap.data.0[0][0];
+            let snap_2 = snap.data.0[0][1];
+            let t_1 = s_1 * qd_1;
+            let t_2 = real(0.2038735983690112).mul_add(jerk_1, -t_1);
+            let t_3 = s_2 * qd_2;
+            let t_4 = real(0.2038735983690112).mul_add(qdd_1, c_1);
+            let t_5 = c_1 * qd_1;
+            let t_6 = qd_1 * qdd_1;
+            let t_7 = real(-0.4077471967380224).mul_add(t_6, t_5);
+            let t_8 = c_2 * qd_2;
+            let t_9 = qd_1 * qd_1;
+            let t_10 = real(0.2038735983690112).mul_add(t_9, -s_1);
+            let t_11 = jerk_1 + jerk_2;
+            let t_12 = (-t_3).mul_add(t_4, real(0.06795786612300374) * t_11);
+            let t_13 = c_2.mul_add(t_2, t_8 * t_10);
+            let t_14 = (-s_2).mul_add(t_7, t_12);
+            let t_15 = t_13 + t_14;
+            let t_16 = real(4.905) * t_15;
+            let t_17 = qd_1 + qd_2;
+            let t_18 = t_17 * t_17;
+            let t_19 = qdd_1 + qdd_2;
+            let t_20 = t_17 * t_19;
+            let t_21 = s_2 * t_20;
+            let t_22 = c_2.mul_add(t_11, real(8.0) * jerk_1);
+            let t_23 = real(-49.05).mul_add(t_1, t_22);
+            let t_24 = t_3.mul_add(t_19, t_8 * t_18);
+            let t_25 = real(-2.0).mul_add(t_21, t_23);
+            let t_26 = t_25 - t_24;
+            let t_27 = t_26 + t_16;
+            let t_28 = qd_1.mul_add(t_5, s_1 * qdd_1);
+            let t_29 = real(0.2038735983690112).mul_add(snap_1, -t_28);
+            let t_30 = qd_2.mul_add(t_8, s_2 * qdd_2);
+            let t_31 = qd_1.mul_add(jerk_1, qdd_1 * qdd_1);
+            let t_32 = (-c_1).mul_add(qdd_1, real(0.4077471967380224) * t_31);
+            let t_33 = qd_1.mul_add(t_1, t_32);
+            let t_34 = (-c_2).mul_add(qdd_2, qd_2 * t_3);
+            let t_35 = t_8 * t_7;
+            let t_36 = t_3 * t_2;
+            let t_37 = snap_1 + snap_2;
+            let t_38 = (-t_4).mul_add(t_30, real(0.06795786612300374) * t_37);
+            let t_39 = (-t_10).mul_add(t_34, s_2 * t_33);
+            let t_40 = real(-2.0).mul_add(t_35, t_38);
+            let t_41 = real(-2.0).mul_add(t_36, c_2 * t_29);
+            let t_42 = t_39 + t_40;
+            let t_43 = t_41 + t_42;
+            let t_44 = real(4.905) * t_43;
+            let t_45 = t_8 * t_20;
+            let t_46 = t_17.mul_add(t_11, t_19 * t_19);
+            let t_47 = s_2 * t_46;
+            let t_48 = t_3 * t_11;
+            let t_49 = c_2.mul_add(t_37, real(8.0) * snap_1);
+            let t_50 = real(-2.0).mul_add(t_47, t_49);
+            let t_51 = real(-4.0).mul_add(t_45, t_50);
+            let t_52 = real(49.05).mul_add(t_28, real(2.0) * t_48);
+            let t_53 = (-t_19).mul_add(t_30, t_18 * t_34);
+            let t_54 = t_51 - t_52;
+            let t_55 = t_53 + t_54;
+            let t_56 = t_55 + t_44;
+            (
+                ::robot_dynamics::nalgebra::SMatrix::from_data(
+                    ::robot_dynamics::nalgebra::ArrayStorage([[t_27, t_16]]),
+                ),
+                ::robot_dynamics::nalgebra::SMatrix::from_data(
+                    ::robot_dynamics::nalgebra::ArrayStorage([[t_56, t_44]]),
+                ),
+            )
+        })
+    }
+}
+impl ::robot_dynamics::Function<
+    ::robot_dynamics::functions::InverseDynamicsSecondDerivatives,
+    2,
+> for Arm {
+    type Arguments = (
+        ::robot_dynamics::Entries<2, 1>,
+        ::robot_dynamics::Entries<2, 1>,
+        ::robot_dynamics::Entries<2, 1>,
+    );
+    type Values = (
+        [::robot_dynamics::Entries<2, 2>; 2],
+        [::robot_dynamics::Entries<2, 2>; 2],
+        [::robot_dynamics::Entries<2, 2>; 2],
+        [::robot_dynamics::Entries<2, 2>; 2],
+    );
+    type Error = ::core::convert::Infallible;
+    const ARGUMENTS: &'static [&'static str] = &["q", "qd", "qdd"];
+    const RESULT: &'static str = "inverse_dynamics_second_derivatives";
+    const WORK: u32 = 107;
+    const IN_LANES: bool = true;
+    #[inline(always)]
+    fn at<T: ::robot_dynamics::Scalar>(
+        &self,
+        _: ::robot_dynamics::functions::InverseDynamicsSecondDerivatives,
+        sines: &impl ::robot_dynamics::Inputs<T>,
+        (q, qd, qdd): &<Self::Arguments as ::robot_dynamics::Arrangement>::Of<T>,
+    ) -> ::core::result::Result<
+        <Self::Values as ::robot_dynamics::Arrangement>::Of<T>,
+        Self::Error,
+    > {
+        ::core::result::Result::Ok({
+            let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+            let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+                sines,
+                [0, 1],
+                [q.data.0[0][0], q.data.0[0][1]],
+            );
+            let qd_1 = qd.data.0[0][0];
+            let qd_2 = qd.data.0[0][1];
+            let qdd_1 = qdd.data.0[0][0];
+            let qdd_2 = qdd.data.0[0][1];
+            let t_1 = real(4.905) * c_1;
+            let t_2 = c_2 * t_1;
+            let t_3 = real(0.5) * s_2;
+            let t_4 = real(9.81) * s_1;
+            let t_5 = t_3.mul_add(t_4, -t_2);
+            let t_6 = real(-49.05).mul_add(c_1, t_5);
+            let t_7 = real(2.0) * qd_1;
+            let t_8 = (-qd_1).mul_add(t_7, t_4);
+            let t_9 = qdd_1.mul_add(c_2, t_2);
+            let t_10 = t_3.mul_add(t_8, -t_9);
+            let t_11 = qdd_1 + qdd_2;
+            let t_12 = qd_1 + qd_2;
+            let t_13 = t_12 * t_12;
+            let t_14 = (-c_2).mul_add(t_11, s_2 * t_13);
+            let t_15 = t_14 + t_10;
+            let t_16 = real(2.0) * s_2;
+            let t_17 = c_2 * t_7;
+            let t_18 = c_2 * t_12;
+            let t_19 = real(2.0) * t_18;
+            let t_20 = t_17 - t_19;
+            (
+                [
+                    ::robot_dynamics::nalgebra::SMatrix::from_data(
+                        ::robot_dynamics::nalgebra::ArrayStorage([
+                            [t_6, t_5],
+                            [t_5, t_15],
+                        ]),
+                    ),
+                    ::robot_dynamics::nalgebra::SMatrix::from_data(
+                        ::robot_dynamics::nalgebra::ArrayStorage([
+                            [t_5, t_5],
+                            [t_5, t_10],
+                        ]),
+                    ),
+                ],
+                [
+                    ::robot_dynamics::nalgebra::SMatrix::from_data(
+                        ::robot_dynamics::nalgebra::ArrayStorage([
+                            [real(0.0), -t_16],
+                            [-t_16, -t_16],
+                        ]),
+                    ),
+                    ::robot_dynamics::nalgebra::SMatrix::from_data(
+                        ::robot_dynamics::nalgebra::ArrayStorage([
+                            [t_16, real(0.0)],
+                            [real(0.0), real(0.0)],
+                        ]),
+                    ),
+                ],
+                [
+                    ::robot_dynamics::nalgebra::SMatrix::from_data(
+                        ::robot_dynamics::nalgebra::ArrayStorage([
+                            [real(0.0), t_20],
+                            [real(0.0), -t_19],
+                        ]),
+                    ),
+                    ::robot_dynamics::nalgebra::SMatrix::from_data(
+                        ::robot_dynamics::nalgebra::ArrayStorage([
+                            [real(0.0), t_17],
+                            [real(0.0), real(0.0)],
+                        ]),
+                    ),
+                ],
+                [
+                    ::robot_dynamics::nalgebra::SMatrix::from_data(
+                        ::robot_dynamics::nalgebra::ArrayStorage([
+                            [real(0.0), real(0.0)],
+                            [-t_16, -s_2],
+                        ]),
+                    ),
+                    ::robot_dynamics::nalgebra::SMatrix::from_data(
+                        ::robot_dynamics::nalgebra::ArrayStorage([
+                            [real(0.0), real(0.0)],
+                            [-s_2, real(0.0)],
+                        ]),
+                    ),
+                ],
+            )
+        })
     }
 }
