@@ -64,7 +64,7 @@ impl Cells<'_> {
             limits: None,
             locked: None,
             mount: None,
- follows: None,
+            follows: None,
         })
     }
 
