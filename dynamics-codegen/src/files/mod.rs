@@ -26,9 +26,7 @@ use std::path::Path;
 
 #[cfg(feature = "files")]
 use crate::Error;
-use crate::description::{Entry, Name};
-#[cfg(feature = "files")]
-use crate::description::{Place, Table};
+use crate::description::{Entry, Name, Place, Table};
 #[cfg(feature = "files")]
 use crate::diagnose::Diagnostics;
 

@@ -2,8 +2,10 @@
 
 mod followers;
 
+pub(crate) use followers::MOST_FOLLOWERS;
+#[cfg(feature = "std")]
+pub(crate) use followers::Moving;
 pub use followers::{Follower, Followers, JointMotion};
-pub(crate) use followers::{MOST_FOLLOWERS, Moving};
 
 use crate::frame::{Frame, Tool};
 use crate::placement::Placement;
