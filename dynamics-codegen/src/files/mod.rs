@@ -26,6 +26,7 @@ use std::path::Path;
 
 #[cfg(feature = "files")]
 use crate::Error;
+#[cfg(feature = "files")]
 use crate::description::{Entry, Name, Place, Table};
 #[cfg(feature = "files")]
 use crate::diagnose::Diagnostics;
