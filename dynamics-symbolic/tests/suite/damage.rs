@@ -341,7 +341,7 @@ fn every_damage_to_an_arm_with_followers_is_found() {
             for &function in functions {
                 // These read the sine of the follower's own angle, which is a symbol whatever its factor is.
                 let reads_angle = [Function::ForwardKinematics, Function::CenterOfMass];
-                if factor[1] != 1 && reads_angle.contains(&function) {
+                if reads_angle.contains(&function) {
                     continue;
                 }
                 // Base parameters, and the links up to the follower, do not depend on it.
