@@ -333,10 +333,7 @@ fn every_damage_to_an_arm_with_followers_is_found() {
         });
         for (other, functions) in [
             (&other_factor, &Function::ALL[..]),
-            (
-                &other_offset,
-                &[Function::GravityVector, Function::SpringVector],
-            ),
+            (&other_offset, &[Function::SpringVector]),
         ] {
             for &function in functions {
                 // These read the sine of the follower's own angle, which is a symbol whatever its factor is.
