@@ -6,7 +6,7 @@ pub struct NodeId(u32);
 
 impl NodeId {
     /// The number 0, the first node of every graph.
-    pub(super) const ZERO: NodeId = NodeId(0);
+    pub(crate) const ZERO: NodeId = NodeId(0);
     /// The number 1, the second one.
     pub(super) const ONE: NodeId = NodeId(1);
 

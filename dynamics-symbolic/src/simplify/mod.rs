@@ -7,15 +7,18 @@
 //! more operations that nothing else needs, the definition is replaced
 //! (resubstitution, as in the synthesis of logic circuits).
 
+mod cancel;
 mod judge;
 mod network;
 mod pairs;
 mod resubstitute;
 mod scale;
 mod survey;
+mod writer;
 
 pub use judge::Judge;
 pub use network::Network;
+use writer::Writer;
 
 /// How much work the search for shorter programs may do.
 #[derive(Clone, Copy, Debug)]
@@ -51,6 +54,7 @@ pub fn simplify<'g>(network: &mut Network<'g>, judge: &mut Judge<'g>, effort: Ef
 fn shorten<'g>(network: &mut Network<'g>, judge: &mut Judge<'g>, left: &mut usize) {
     loop {
         let before = network.cost();
+        cancel::cancel(network, judge);
         resubstitute::resubstitute(network, judge, left);
         scale::rescale(network, judge);
         if network.cost() == before || *left == 0 {
@@ -138,6 +142,17 @@ mod tests {
         let [x, y, z] = [(); 3].map(|()| graph.symbol(Level::Variable));
         let program = simplified(&graph, &[x + y, x * z + y * z], 3);
         assert_eq!(program.operations().total(), 2);
+    }
+
+    /// 3 (z - x y^2) + 3 x (y^2 + w): what y^2 adds to one term it takes from the other.
+    #[test]
+    fn what_cancels_is_not_computed() {
+        let graph = Graph::new();
+        let [x, y, z, w] = [(); 4].map(|()| graph.symbol(Level::Variable));
+        let three = graph.rational(&crate::exact::Rational::from(3));
+        let output = three * (z - x * (y * y)) + (three * x) * (y * y + w);
+        let program = simplified(&graph, &[output], 4);
+        assert_eq!(program.operations().total(), 3);
     }
 
     #[test]

@@ -301,7 +301,6 @@ fn every_damage_to_an_arm_with_base_and_tool_is_found() {
 /// Operations that couplings make, and the couplings themselves: a wrong factor, a wrong offset, a follower
 /// without its friction, its motor or its spring.
 #[test]
-#[ignore = "one damaged operation of the inverse dynamics passes the proof, and it is not known why"]
 fn every_damage_to_an_arm_with_followers_is_found() {
     let mut count = 0;
     for factor in [[-1, 1], [2, 1], [7, 3]] {

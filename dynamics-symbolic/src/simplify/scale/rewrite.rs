@@ -2,7 +2,8 @@
 
 use super::Scaling;
 use super::terms::TermId;
-use crate::expr::{Edge, Graph, NodeId, Operation};
+use crate::expr::{Edge, NodeId, Operation};
+use crate::simplify::Writer;
 
 impl<'g> Scaling<'_, 'g> {
     /// The definitions of the rewritten network, and the nodes whose definitions are held: the
@@ -73,56 +74,5 @@ impl<'g> Scaling<'_, 'g> {
         if !self.network.is_free(output) {
             writer.scaled(multiple.exact.edge(), writer.stored(output));
         }
-    }
-}
-
-/// Writes operations on the graph exactly as they are given, and keeps them as definitions.
-struct Writer<'g> {
-    graph: &'g Graph,
-    definitions: Vec<(NodeId, Operation)>,
-    stored: Vec<Option<Edge>>,
-}
-
-impl<'g> Writer<'g> {
-    fn new(graph: &'g Graph) -> Self {
-        Writer {
-            graph,
-            definitions: Vec::new(),
-            stored: vec![None; graph.len()],
-        }
-    }
-
-    /// What is computed in the place of a node.
-    fn stored(&self, node: NodeId) -> Edge {
-        let stored = self.stored.get(node.index()).copied().flatten();
-        stored.unwrap_or(node.edge(false))
-    }
-
-    fn keep(&mut self, (edge, operation): (Edge, Operation)) -> Edge {
-        self.definitions.push((edge.node(), operation));
-        edge
-    }
-
-    fn scaled(&mut self, coefficient: Edge, edge: Edge) -> Edge {
-        let one = self.graph.one().edge();
-        if coefficient.node() == one.node() {
-            return edge.negate_if(coefficient.is_negative());
-        }
-        self.mul(coefficient, edge)
-    }
-
-    fn add(&mut self, a: Edge, b: Edge) -> Edge {
-        let written = self.graph.write_sum(a, b);
-        self.keep(written)
-    }
-
-    fn mul(&mut self, a: Edge, b: Edge) -> Edge {
-        let written = self.graph.write_product(a, b);
-        self.keep(written)
-    }
-
-    fn div(&mut self, a: Edge, b: Edge) -> Edge {
-        let written = self.graph.write_quotient(a, b);
-        self.keep(written)
     }
 }
