@@ -88,10 +88,13 @@ const HINT: &str = "\
 pub trait AddItsNameToFunctions {
 ";
 
-/// Every function is explained where the notation is fixed and where a user looks first.
+/// Every function is explained where the notation is fixed, and listed on the macro's page.
 #[test]
 fn documents_name_every_function() {
-    for document in ["../docs/NOTATION.md", "../README.md"] {
+    for document in [
+        "../docs/NOTATION.md",
+        "../dynamics-runtime/src/robot_dynamics.md",
+    ] {
         let path = format!("{}/{document}", env!("CARGO_MANIFEST_DIR"));
         let text = std::fs::read_to_string(path).expect("the document can be read");
         for function in Function::ALL {

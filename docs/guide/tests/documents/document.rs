@@ -1,0 +1,94 @@
+//! What a document says: its headings, its links, its blocks of code.
+
+use std::collections::HashMap;
+use std::path::{Path, PathBuf};
+
+use pulldown_cmark::{CodeBlockKind, Event, Options, Parser, Tag, TagEnd};
+
+#[derive(Default)]
+pub(crate) struct Document {
+    /// What comes behind `#` in links to its headings.
+    pub(crate) anchors: Vec<String>,
+    /// Where its links and pictures point.
+    pub(crate) links: Vec<String>,
+    /// Its blocks of code, with their language.
+    pub(crate) blocks: Vec<(String, String)>,
+}
+
+impl Document {
+    pub(crate) fn read(path: &Path) -> Self {
+        let text = text(path);
+        let mut document = Document::default();
+        let mut heading: Option<String> = None;
+        let mut in_block = false;
+        for event in Parser::new_ext(&text, Options::ENABLE_TABLES) {
+            match event {
+                Event::Start(Tag::Heading { .. }) => heading = Some(String::new()),
+                Event::End(TagEnd::Heading(_)) => document.anchor(heading.take()),
+                Event::Start(Tag::CodeBlock(CodeBlockKind::Fenced(language))) => {
+                    document.blocks.push((language.into(), String::new()));
+                    in_block = true;
+                }
+                Event::End(TagEnd::CodeBlock) => in_block = false,
+                Event::Text(words) | Event::Code(words) if heading.is_some() => {
+                    heading = heading.map(|text| text + &words);
+                }
+                Event::Text(words) if in_block => {
+                    if let Some((_, block)) = document.blocks.last_mut() {
+                        block.push_str(&words);
+                    }
+                }
+                Event::Start(Tag::Link { dest_url, .. } | Tag::Image { dest_url, .. }) => {
+                    document.links.push(dest_url.into());
+                }
+                _ => {}
+            }
+        }
+        document
+    }
+
+    /// A heading's name in links: small letters, digits, `-` for spaces, `-1` behind the second of that name.
+    fn anchor(&mut self, heading: Option<String>) {
+        let heading = heading.unwrap_or_default().to_lowercase();
+        let kept = heading.chars().filter_map(|c| match c {
+            ' ' => Some('-'),
+            c if c.is_alphanumeric() || c == '-' || c == '_' => Some(c),
+            _ => None,
+        });
+        let name: String = kept.collect();
+        let same = |anchor: &&String| anchor.as_str() == name;
+        let before = self.anchors.iter().filter(same).count();
+        self.anchors.push(match before {
+            0 => name,
+            n => format!("{name}-{n}"),
+        });
+    }
+}
+
+/// The text of a document, with what `{{#include PATH}}` puts into it.
+fn text(path: &Path) -> String {
+    let text = std::fs::read_to_string(path);
+    let text = text.unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+    let lines = text.lines().map(|line| {
+        let included = line
+            .strip_prefix("{{#include ")
+            .and_then(|line| line.strip_suffix("}}"));
+        match included {
+            Some(included) => self::text(&path.with_file_name(included)),
+            None => format!("{line}\n"),
+        }
+    });
+    lines.collect()
+}
+
+/// Documents that were read.
+#[derive(Default)]
+pub(crate) struct Library(HashMap<PathBuf, Document>);
+
+impl Library {
+    pub(crate) fn read(&mut self, path: &Path) -> &Document {
+        self.0
+            .entry(path.to_owned())
+            .or_insert_with(|| Document::read(path))
+    }
+}

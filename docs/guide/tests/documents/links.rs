@@ -1,0 +1,78 @@
+//! Links to files and headings.
+
+use std::path::{Path, PathBuf};
+
+use crate::document::{Document, Library};
+use crate::{assert_none, documents, root};
+
+/// Every file and heading that a document of the project links to is there. Addresses of other hosts are not asked for.
+#[test]
+fn links_lead_somewhere() {
+    let mut library = Library::default();
+    let mut dead = Vec::new();
+    for path in documents(&root()) {
+        let links = library.read(&path).links.clone();
+        for link in links {
+            if let Some(complaint) = complaint(&mut library, &path, &link) {
+                dead.push(format!("{}: {link}: {complaint}", path.display()));
+            }
+        }
+    }
+    assert_none(dead);
+}
+
+/// What is wrong with a link of a document.
+fn complaint(library: &mut Library, path: &Path, link: &str) -> Option<&'static str> {
+    // Another host, or an item of Rust, which rustdoc looks up.
+    if link.contains(":/") || link.contains("::") || link.starts_with("mailto:") {
+        return None;
+    }
+    let (file, anchor) = link.split_once('#').unwrap_or((link, ""));
+    let target = match file {
+        "" => path.to_owned(),
+        file => path.with_file_name(file),
+    };
+    if !target.exists() {
+        return Some("there is no such file");
+    }
+    let is_document = target
+        .extension()
+        .is_some_and(|extension| extension == "md");
+    if anchor.is_empty() || !is_document {
+        return None;
+    }
+    let anchors = &library.read(&target).anchors;
+    let known = anchors.iter().any(|known| known == anchor);
+    (!known).then_some("there is no such heading")
+}
+
+/// The guide's table of contents has all of its chapters: mdBook leaves out the others.
+#[test]
+fn every_chapter_is_in_the_table_of_contents() {
+    let source = root().join("docs/guide/src");
+    let contents = source.join("SUMMARY.md");
+    let listed: Vec<PathBuf> = Document::read(&contents)
+        .links
+        .iter()
+        .map(|link| source.join(link))
+        .collect();
+    let missing = documents(&source)
+        .into_iter()
+        .filter(|path| *path != contents && !listed.contains(path));
+    assert_none(missing.map(|path| path.display().to_string()).collect());
+}
+
+#[test]
+fn a_dead_link_is_found() {
+    let notation = root().join("docs/NOTATION.md");
+    let mut library = Library::default();
+    let mut complaint = |link| complaint(&mut library, &notation, link);
+    assert_eq!(complaint("ACCURACY.md#functions"), None);
+    assert_eq!(complaint("#equation-of-motion"), None);
+    assert_eq!(complaint("https://example.org/nothing.md"), None);
+    assert_eq!(complaint("accuracies.md"), Some("there is no such file"));
+    assert_eq!(
+        complaint("ACCURACY.md#function"),
+        Some("there is no such heading")
+    );
+}

@@ -1,0 +1,77 @@
+//! The calls of the command in the README and in the guide, each made in a folder with the files that the guide
+//! shows.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// The project's folder.
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
+}
+
+/// The README and the guide's chapters.
+fn documents() -> Vec<String> {
+    let chapters = std::fs::read_dir(root().join("docs/guide/src")).expect("the guide's chapters");
+    let mut paths: Vec<PathBuf> = chapters
+        .map(|entry| entry.expect("an entry").path())
+        .filter(|path| path.extension().is_some_and(|extension| extension == "md"))
+        .collect();
+    paths.sort();
+    paths.push(root().join("README.md"));
+    let texts = paths.iter().map(std::fs::read_to_string);
+    texts.map(|text| text.expect("a document")).collect()
+}
+
+/// The blocks of code of a document: what stands behind the opening fence, and the lines.
+fn blocks(document: &str) -> Vec<(&str, Vec<&str>)> {
+    let mut blocks = Vec::new();
+    let mut lines = document.lines();
+    while let Some(line) = lines.next() {
+        if let Some(language) = line.strip_prefix("```") {
+            let block = lines.by_ref().take_while(|line| !line.starts_with("```"));
+            blocks.push((language, block.collect()));
+        }
+    }
+    blocks
+}
+
+/// A folder with the files that the guide shows: blocks of TOML that have a name, and the robot of the examples.
+fn folder(documents: &[String]) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("documents");
+    std::fs::create_dir_all(&folder).expect("a folder");
+    for document in documents {
+        for (language, lines) in blocks(document) {
+            if let Some(name) = language.strip_prefix("toml,") {
+                std::fs::write(folder.join(name), lines.join("\n")).expect("a file");
+            }
+        }
+    }
+    let robot = root().join("examples/robots/picker.urdf");
+    std::fs::copy(robot, folder.join("picker.urdf")).expect("the robot of the examples");
+    folder
+}
+
+#[test]
+fn calls_in_documents_succeed() {
+    let documents = documents();
+    let folder = folder(&documents);
+    let mut calls = 0;
+    for document in &documents {
+        let blocks = blocks(document);
+        let shell = blocks.iter().filter(|(language, _)| *language == "sh");
+        let lines = shell.flat_map(|(_, lines)| lines);
+        for line in lines.filter(|line| line.starts_with("robot-dynamics ")) {
+            // The rest of the line is a remark.
+            let call = line.split_once('#').map_or(*line, |(call, _)| call);
+            let output = Command::new(env!("CARGO_BIN_EXE_robot-dynamics"))
+                .args(call.split_whitespace().skip(1))
+                .current_dir(&folder)
+                .output()
+                .expect("the command");
+            let errors = String::from_utf8_lossy(&output.stderr);
+            assert_eq!(output.status.code(), Some(0), "{line}\n{errors}");
+            calls += 1;
+        }
+    }
+    assert!(calls >= 10, "{calls} calls were found");
+}
