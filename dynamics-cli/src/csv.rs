@@ -1,9 +1,7 @@
 //! Rows of numbers, separated by commas.
 
 use std::fmt::Write as _;
-use std::path::{Path, PathBuf};
-
-use clap::ArgMatches;
+use std::path::Path;
 
 use crate::failure::Failure;
 
@@ -15,11 +13,12 @@ impl Csv {
     pub(crate) fn new<'n>(
         time: &str,
         quantities: &[&str],
-        joints: impl Iterator<Item = &'n str> + Clone,
+        joints: impl Iterator<Item = &'n str>,
     ) -> Self {
+        let joints: Vec<_> = joints.map(field).collect();
         let mut text = time.to_owned();
         for quantity in quantities {
-            for joint in joints.clone() {
+            for joint in &joints {
                 let _ = write!(text, ",{quantity}_{joint}");
             }
         }
@@ -41,23 +40,16 @@ impl Csv {
         self.0.push('\n');
     }
 
-    /// Writes the table to the file that `--out` names; the text where it names none.
-    pub(crate) fn put_out(self, given: &ArgMatches) -> Result<String, Failure> {
-        match given.get_one::<PathBuf>("out") {
-            None => Ok(self.0),
-            Some(path) => write(path, &self.0).map(|()| String::new()),
-        }
+    /// The text.
+    pub(crate) fn text(self) -> String {
+        self.0
     }
 }
 
-/// Writes a file.
-pub(crate) fn write(path: &Path, text: &str) -> Result<(), Failure> {
-    std::fs::write(path, text).map_err(|error| {
-        Failure::after(
-            String::new(),
-            format!("{}: cannot be written: {error}", path.display()),
-        )
-    })
+/// The name of a joint as a part of a name of a column: what parts columns and lines is left out.
+fn field(name: &str) -> String {
+    let is_separator = |letter: char| letter.is_control() || ",\";".contains(letter);
+    name.replace(is_separator, "_")
 }
 
 /// The rows of a file, each of so many numbers; a first row of words is passed over.

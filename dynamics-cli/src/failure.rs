@@ -1,6 +1,7 @@
 //! Why a command has not done what it was asked for.
 
 use std::fmt;
+use std::path::Path;
 
 /// What is told, and the status of the process.
 #[derive(Debug)]
@@ -21,6 +22,12 @@ impl Failure {
             message: message.into(),
             status: 1,
         }
+    }
+
+    /// What is wrong with a file as a whole.
+    pub(crate) fn of_file(path: &Path, message: impl fmt::Display) -> Self {
+        let message = format!("{}:1:1: {message}", path.display());
+        Failure::after(String::new(), message)
     }
 
     /// What the command line says cannot be.

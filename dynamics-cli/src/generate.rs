@@ -1,36 +1,27 @@
-//! The functions in another language.
+//! The functions as source code.
 
 use std::path::{Path, PathBuf};
 
 use clap::ArgMatches;
+use dynamics_codegen::Model;
 use dynamics_symbolic::emit::{c_source, javascript_module};
-use dynamics_symbolic::{Function, Request};
 
-use crate::csv::write;
 use crate::failure::Failure;
-use crate::load::{model, programs};
+use crate::load::{file_of, programs, read, requests};
+use crate::rust;
+use crate::write::{make_folder, write};
 
 /// Writes the files, and says which.
 pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
-    let (robot, requests) = model(given)?;
-    let series = Request::One(Function::TaylorSeries);
-    let requests = requests.into_iter().filter(|request| *request != series);
-    let programs = programs(&robot, requests)?;
-    let source = c_source(&robot, &programs);
+    let path = file_of(given);
+    let model = read(path, given)?;
     let files = match given.get_one::<String>("lang").map(String::as_str) {
-        Some("c") => vec![
-            (format!("{}.h", source.name), source.header),
-            (format!("{}.c", source.name), source.source),
-        ],
-        _ => vec![(
-            format!("{}.mjs", source.name),
-            javascript_module(&robot, &programs),
-        )],
+        Some("rust") => vec![rust::source(path, model)?],
+        language => other(language, path, &model)?,
     };
-    let folder = given
-        .get_one::<PathBuf>("out")
-        .map_or(Path::new("."), PathBuf::as_path);
-    std::fs::create_dir_all(folder)?;
+    let folder = given.get_one::<PathBuf>("out");
+    let folder = folder.map_or(Path::new("."), PathBuf::as_path);
+    make_folder(folder)?;
     let mut text = String::new();
     for (name, content) in files {
         let path = folder.join(name);
@@ -38,4 +29,25 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
         text.push_str(&format!("{}\n", path.display()));
     }
     Ok(text)
+}
+
+/// Names and texts of the files in another language.
+fn other(
+    language: Option<&str>,
+    path: &Path,
+    model: &Model,
+) -> Result<Vec<(String, String)>, Failure> {
+    let programs = programs(path, &model.robot, &requests(model))?;
+    let source = c_source(&model.robot, &programs);
+    let name = source.name;
+    Ok(match language {
+        Some("c") => vec![
+            (format!("{name}.h"), source.header),
+            (format!("{name}.c"), source.source),
+        ],
+        _ => vec![(
+            format!("{name}.mjs"),
+            javascript_module(&model.robot, &programs),
+        )],
+    })
 }

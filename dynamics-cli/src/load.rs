@@ -2,113 +2,191 @@
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
-use std::time::Duration;
 
 use clap::ArgMatches;
+use dynamics_codegen::Model;
+use dynamics_codegen::files::{Format, joint_names};
 use dynamics_evaluation::{Besides, FileError, RuntimeRobot, read_file};
 use dynamics_symbolic::robot::Robot;
 use dynamics_symbolic::{Function, Proven, Request, proven_program};
-use indicatif::ProgressBar;
 
 use crate::failure::Failure;
+use crate::progress::Progress;
 
-/// The robot of the argument `FILE`, and what is asked for.
-pub(crate) fn model(given: &ArgMatches) -> Result<(Robot, Vec<Request>), Failure> {
+/// The argument `FILE`.
+pub(crate) fn file_of(given: &ArgMatches) -> &Path {
     let path = given.get_one::<PathBuf>("file").map(PathBuf::as_path);
-    model_of(path.unwrap_or(Path::new("")), given)
+    path.unwrap_or(Path::new(""))
 }
 
-/// The robot of another file, with the same settings.
-pub(crate) fn model_of(path: &Path, given: &ArgMatches) -> Result<(Robot, Vec<Request>), Failure> {
-    let model = read_file(path, &besides(given)?).map_err(|error| match &error {
+/// A number of the command line that has a default.
+pub(crate) fn count(given: &ArgMatches, name: &str) -> usize {
+    given
+        .get_one::<u32>(name)
+        .map_or(0, |count| *count as usize)
+}
+
+/// The robot of a file, and what is asked for.
+pub(crate) fn read(path: &Path, given: &ArgMatches) -> Result<Model, Failure> {
+    read_with(path, besides(given, path, None, "chain")?)
+}
+
+/// The robot of the argument `FILE` and that of another one, with the same settings. A joint that only one
+/// of the files has is locked or left out there.
+pub(crate) fn read_both(other: &Path, given: &ArgMatches) -> Result<[Model; 2], Failure> {
+    let path = file_of(given);
+    let chain = match given.contains_id("against-chain") {
+        true => "against-chain",
+        false => "chain",
+    };
+    Ok([
+        read_with(path, besides(given, path, Some(other), "chain")?)?,
+        read_with(other, besides(given, other, Some(path), chain)?)?,
+    ])
+}
+
+fn read_with(path: &Path, besides: Besides) -> Result<Model, Failure> {
+    read_file(path, &besides).map_err(|error| match &error {
         // A mistake without a file is one of the command line.
         FileError::Mistakes(mistakes) if mistakes.iter().all(|mistake| mistake.file.is_none()) => {
             Failure::of_the_command_line(&error)
         }
         _ => Failure::from(error),
-    })?;
-    let requests = model.requests.into_iter().map(|(request, _)| request);
-    Ok((model.robot, requests.collect()))
-}
-
-/// What the command line says besides the file.
-fn besides(given: &ArgMatches) -> Result<Besides, Failure> {
-    let names = |option: &str| -> Vec<String> {
-        let names = given.get_many::<String>(option).into_iter().flatten();
-        names.map(|name| name.trim().to_owned()).collect()
-    };
-    let chain = names("chain");
-    let chain = match <[String; 2]>::try_from(chain) {
-        Ok(chain) => Some(chain),
-        Err(none) if none.is_empty() => None,
-        Err(links) => {
-            let message = format!("`--chain {}`: expected BASE,TIP", links.join(","));
-            return Err(Failure::of_the_command_line(message));
-        }
-    };
-    Ok(Besides {
-        entries: entries(given)?,
-        chain,
-        ignore: names("ignore"),
-        round_angles: given.get_one::<f64>("round-angles").copied(),
     })
 }
 
-/// The entries that take the place of those of the file, in its words.
-fn entries(given: &ArgMatches) -> Result<String, Failure> {
-    let mut text = String::new();
-    let words = |name: &str| {
-        let words = given.try_get_many::<String>(name).ok().flatten();
-        words.map(|words| {
-            words
-                .map(|word| format!("{:?}", word.trim()))
-                .collect::<Vec<_>>()
-        })
-    };
-    if let Some(gravity) = words("gravity") {
-        let _ = writeln!(text, "gravity = [{}]", gravity.join(", "));
-    }
-    if let Some(functions) = words("functions") {
-        let _ = writeln!(text, "functions = [{}]", functions.join(", "));
-    }
-    if let Some(locks) = given.get_many::<String>("lock") {
-        let mut entries = Vec::new();
-        for lock in locks {
-            let Some((joint, position)) = lock.split_once('=') else {
-                let message =
-                    format!("`--lock {lock}`: expected JOINT=POSITION, for example elbow=0.3");
-                return Err(Failure::of_the_command_line(message));
-            };
-            entries.push(format!("{:?} = {:?}", joint.trim(), position.trim()));
+/// What a model asks for, `taylor_series` left out, which is no program over numbers.
+pub(crate) fn requests(model: &Model) -> Vec<Request> {
+    let series = Request::One(Function::TaylorSeries);
+    let requests = model.requests.iter().map(|(request, _)| request);
+    requests
+        .filter(|request| **request != series)
+        .cloned()
+        .collect()
+}
+
+/// The words of an option.
+fn words(given: &ArgMatches, option: &str) -> Vec<String> {
+    let words = given.try_get_many::<String>(option).ok().flatten();
+    let words = words.into_iter().flatten();
+    words.map(|word| word.trim().to_owned()).collect()
+}
+
+/// Names of the joints in a file; none where it cannot be read, which is told elsewhere.
+fn joints_of(path: &Path) -> Vec<String> {
+    let text = std::fs::read_to_string(path).unwrap_or_default();
+    Format::of(path).map_or(Vec::new(), |format| joint_names(&text, format))
+}
+
+/// What the command line says besides a file, of two where there is another one.
+fn besides(
+    given: &ArgMatches,
+    path: &Path,
+    other: Option<&Path>,
+    chain: &str,
+) -> Result<Besides, Failure> {
+    let elsewhere = other.map(|other| (joints_of(path), joints_of(other)));
+    let is_meant = |joint: &str| match &elsewhere {
+        Some((here, there)) => {
+            let has = |names: &[String]| names.iter().any(|name| name == joint);
+            has(here) || !has(there)
         }
-        let _ = writeln!(text, "lock = {{ {} }}", entries.join(", "));
+        None => true,
+    };
+    let mut ignore = words(given, "ignore");
+    ignore.retain(|joint| is_meant(joint));
+    let round_angles = given.try_get_one::<f64>("round-angles").ok().flatten();
+    Ok(Besides {
+        entries: entries(given, is_meant)?,
+        chain: self::chain(given, path, chain)?,
+        ignore,
+        round_angles: round_angles.copied(),
+    })
+}
+
+/// The ends of the arm, which a URDF file needs.
+fn chain(given: &ArgMatches, path: &Path, option: &str) -> Result<Option<[String; 2]>, Failure> {
+    let links = words(given, option);
+    match <[String; 2]>::try_from(links) {
+        Ok(chain) => Ok(Some(chain)),
+        Err(none) if none.is_empty() => match Format::of(path) {
+            Some(Format::Urdf) => Err(Failure::of_the_command_line(format!(
+                "{} is a tree of links: expected `--chain BASE,TIP`, the first and the last link of the arm",
+                path.display()
+            ))),
+            _ => Ok(None),
+        },
+        Err(links) => {
+            let message = format!("`--{option} {}`: expected BASE,TIP", links.join(","));
+            Err(Failure::of_the_command_line(message))
+        }
+    }
+}
+
+/// The entries that take the place of those of the file, in its words.
+fn entries(given: &ArgMatches, is_meant: impl Fn(&str) -> bool) -> Result<String, Failure> {
+    let mut text = String::new();
+    for key in ["gravity", "functions", "allow"] {
+        let words = words(given, key);
+        if !words.is_empty() {
+            let words: Vec<_> = words.iter().map(|word| format!("{word:?}")).collect();
+            let _ = writeln!(text, "{key} = [{}]", words.join(", "));
+        }
+    }
+    let mut locks = Vec::new();
+    for lock in words(given, "lock") {
+        let Some((joint, position)) = lock.split_once('=') else {
+            let message =
+                format!("`--lock {lock}`: expected JOINT=POSITION, for example elbow=0.3");
+            return Err(Failure::of_the_command_line(message));
+        };
+        let (joint, position) = (joint.trim(), position.trim());
+        if is_meant(joint) {
+            locks.push(format!("{joint:?} = {position:?}"));
+        }
+    }
+    if !locks.is_empty() {
+        let _ = writeln!(text, "lock = {{ {} }}", locks.join(", "));
     }
     Ok(text)
 }
 
-/// Derives and proves the functions, and shows on a terminal how far it is.
+/// Derives and proves functions of a file's robot.
 pub(crate) fn programs(
+    path: &Path,
     robot: &Robot,
-    requests: impl IntoIterator<Item = Request>,
+    requests: &[Request],
 ) -> Result<Vec<(Request, Proven)>, Failure> {
-    let requests: Vec<_> = requests.into_iter().collect();
-    let bar = ProgressBar::new(requests.len() as u64);
-    bar.enable_steady_tick(Duration::from_millis(200));
+    let progress = Progress::new(requests.len());
     let mut programs = Vec::with_capacity(requests.len());
-    for request in requests {
-        bar.set_message(request.name().to_owned());
-        let program = proven_program(robot, &request)?;
-        programs.push((request, program));
-        bar.inc(1);
+    for (index, request) in requests.iter().enumerate() {
+        progress.doing(request.name());
+        let program = proven_program(robot, request);
+        let program = program.map_err(|error| Failure::of_file(path, error))?;
+        programs.push((request.clone(), program));
+        progress.done(index + 1);
     }
-    bar.finish_and_clear();
     Ok(programs)
 }
 
-/// The robot with what is asked for, `taylor_series` left out, which is no program over numbers.
-pub(crate) fn arm(robot: Robot, requests: Vec<Request>) -> Result<RuntimeRobot, Failure> {
-    let series = Request::One(Function::TaylorSeries);
-    let requests = requests.into_iter().filter(|request| *request != series);
-    let programs = programs(&robot, requests)?;
-    Ok(RuntimeRobot::of_programs(robot, &programs)?)
+/// The robot with functions.
+pub(crate) fn arm(
+    path: &Path,
+    robot: &Robot,
+    requests: &[Request],
+) -> Result<RuntimeRobot, Failure> {
+    let programs = programs(path, robot, requests)?;
+    let arm = RuntimeRobot::of_programs(robot.clone(), &programs);
+    arm.map_err(|error| Failure::of_file(path, error))
+}
+
+/// The robot of a file with single functions.
+pub(crate) fn arm_with(
+    given: &ArgMatches,
+    functions: impl IntoIterator<Item = Function>,
+) -> Result<RuntimeRobot, Failure> {
+    let path = file_of(given);
+    let model = read(path, given)?;
+    let requests: Vec<_> = functions.into_iter().map(Request::One).collect();
+    arm(path, &model.robot, &requests)
 }

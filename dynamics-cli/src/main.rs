@@ -3,6 +3,8 @@
 
 mod arguments;
 mod check;
+mod compare;
+mod convert;
 mod csv;
 mod failure;
 mod generate;
@@ -10,27 +12,26 @@ mod inverse;
 mod joints;
 mod load;
 mod measure;
+mod progress;
+mod rust;
 mod show;
 mod simulate;
+mod spline;
+mod write;
 
 use std::io::Write as _;
 use std::process::ExitCode;
+
+use clap::ArgMatches;
+
+use failure::Failure;
 
 fn main() -> ExitCode {
     let matches = arguments::command().get_matches();
     let Some((name, given)) = matches.subcommand() else {
         return ExitCode::from(2);
     };
-    let output = match name {
-        "show" => show::run(given),
-        "check" => check::run(given),
-        "generate" => generate::run(given),
-        "simulate" => simulate::run(given),
-        "inverse" => inverse::run(given),
-        "measure" => measure::run(given),
-        _ => Ok(arguments::completions(given)),
-    };
-    match output {
+    match output(name, given) {
         Ok(text) => {
             // Whoever reads the output may have read enough.
             let _ = std::io::stdout().write_all(text.as_bytes());
@@ -42,4 +43,19 @@ fn main() -> ExitCode {
             ExitCode::from(failure.status)
         }
     }
+}
+
+/// What a subcommand puts out, unless that goes to a file.
+fn output(name: &str, given: &ArgMatches) -> Result<String, Failure> {
+    let text = match name {
+        "show" => show::run(given),
+        "check" => check::run(given),
+        "generate" => return generate::run(given),
+        "simulate" => simulate::run(given),
+        "inverse" => inverse::run(given),
+        "measure" => measure::run(given),
+        "convert" => convert::run(given),
+        _ => Ok(arguments::completions(given)),
+    }?;
+    write::put_out(text, given)
 }

@@ -9,7 +9,8 @@ use dynamics_runtime::DoubleDouble;
 use dynamics_symbolic::function::Argument;
 
 use crate::failure::Failure;
-use crate::load::{arm, model};
+use crate::load::{arm, file_of, read, requests};
+use crate::progress::Progress;
 
 /// States at which functions are evaluated.
 const STATES: usize = 256;
@@ -19,16 +20,20 @@ const SECONDS: f64 = 0.05;
 
 /// The table of `measure`.
 pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
-    let (robot, requests) = model(given)?;
-    let arm = arm(robot, requests)?;
+    let path = file_of(given);
+    let model = read(path, given)?;
+    let arm = arm(path, &model.robot, &requests(&model))?;
     let mut text = format!(
         "{:<32}{:>11}{:>9}{:>10}{:>13}\n",
         "function", "operations", "ns", "batch ns", "largest error"
     );
     let names: Vec<String> = arm.function_names().map(str::to_owned).collect();
-    for name in names {
-        let measured = measure(&arm, &name)?;
-        let operations = arm.operations(&name)?.total();
+    let progress = Progress::new(names.len());
+    for (index, name) in names.iter().enumerate() {
+        progress.doing(name);
+        progress.done(index);
+        let measured = measure(&arm, name)?;
+        let operations = arm.operations(name)?.total();
         let _ = writeln!(
             text,
             "{name:<32}{operations:>11}{:>9.0}{:>10.1}{:>13.1e}",

@@ -4,43 +4,57 @@ use std::fmt::Write as _;
 
 use clap::ArgMatches;
 use dynamics_symbolic::emit::description;
-use dynamics_symbolic::formula::{Budget, Format, Formulas};
+use dynamics_symbolic::formula::{Budget, Format, Formulas, TooLong};
 use dynamics_symbolic::robot::{Convention, JointType, Robot, Row, Value};
-use dynamics_symbolic::{Function, Proven, Request};
+use dynamics_symbolic::{Proven, Request};
 
 use crate::failure::Failure;
-use crate::load::{model, programs};
+use crate::load::{count, file_of, programs, read, requests};
 
 /// What is multiplied out before a formula is given up.
 const PRODUCTS_FOR_EACH_TERM: usize = 100;
 
 /// The text of `show`.
 pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
-    let (robot, requests) = model(given)?;
-    let series = Request::One(Function::TaylorSeries);
-    let requests = requests.into_iter().filter(|request| *request != series);
-    let programs = programs(&robot, requests)?;
-    let format = given
-        .get_one::<String>("format")
-        .and_then(|name| match name.as_str() {
-            "text" => Some(Format::Text),
-            "latex" => Some(Format::Latex),
-            "mathml" => Some(Format::MathMl),
-            _ => None,
-        });
-    if let Some(format) = format {
-        let terms = given
-            .get_one::<u32>("terms")
-            .map_or(100, |terms| *terms as usize);
-        return Ok(formulas(&robot, &programs, format, terms));
+    let path = file_of(given);
+    let model = read(path, given)?;
+    let robot = &model.robot;
+    let programs = programs(path, robot, &requests(&model))?;
+    let terms = count(given, "terms");
+    let budget = Budget {
+        terms,
+        products: PRODUCTS_FOR_EACH_TERM.saturating_mul(terms),
+    };
+    if let Some(format) = format(given) {
+        return Ok(formulas(robot, &programs, format, budget));
     }
-    let mut text = table(&robot);
-    let _ = writeln!(
-        text,
-        "\n{:<32}{:>7}{:>7}{:>7}{:>9}",
+    let mut text = table(robot);
+    text.push_str(&operations(&programs));
+    for (request, proven) in &programs {
+        let _ = writeln!(text, "\n{}", request.name());
+        for line in description(robot, request, proven, budget, &longer) {
+            let _ = writeln!(text, "{}", format!("    {line}").trim_end());
+        }
+    }
+    Ok(text)
+}
+
+/// The format in which formulas alone are asked for.
+fn format(given: &ArgMatches) -> Option<Format> {
+    match given.get_one::<String>("format")?.as_str() {
+        "text" => Some(Format::Text),
+        "latex" => Some(Format::Latex),
+        _ => Some(Format::MathMl),
+    }
+}
+
+/// What each function costs.
+fn operations(programs: &[(Request, Proven)]) -> String {
+    let mut text = format!(
+        "\n{:<32}{:>7}{:>7}{:>7}{:>9}\n",
         "function", "mul", "add", "div", "sin cos"
     );
-    for (request, Proven { program, .. }) in &programs {
+    for (request, Proven { program, .. }) in programs {
         let operations = program.operations();
         let _ = writeln!(
             text,
@@ -52,28 +66,21 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
             operations.sin_cos
         );
     }
-    for (request, proven) in &programs {
-        let _ = writeln!(text, "\n{}", request.name());
-        for line in description(&robot, request, proven) {
-            let _ = writeln!(text, "{}", format!("    {line}").trim_end());
-        }
-    }
-    Ok(text)
+    text
 }
 
-/// The formulas of up to so many terms, in a format.
-fn formulas(robot: &Robot, programs: &[(Request, Proven)], format: Format, terms: usize) -> String {
-    let budget = Budget {
-        terms,
-        products: PRODUCTS_FOR_EACH_TERM.saturating_mul(terms),
-    };
+/// The formulas in a format; of those that are longer than the budget, how long they are.
+fn formulas(
+    robot: &Robot,
+    programs: &[(Request, Proven)],
+    format: Format,
+    budget: Budget,
+) -> String {
     let mut text = String::new();
     for (request, proven) in programs {
         let formulas = Formulas::new(robot, request.parts(), &proven.program, budget);
-        let equations = formulas.equations(terms);
-        let long = formulas.shown(format, terms).len() - equations.len();
         let _ = writeln!(text, "{}", request.name());
-        for equation in equations {
+        for equation in formulas.equations(budget.terms) {
             let equation = match format {
                 Format::Text => equation.text,
                 Format::Latex => equation.latex,
@@ -81,16 +88,26 @@ fn formulas(robot: &Robot, programs: &[(Request, Proven)], format: Format, terms
             };
             let _ = writeln!(text, "{equation}");
         }
-        if long > 0 {
-            let _ = writeln!(text, "{long} formulas have more than {terms} terms");
+        for shown in formulas.shown(Format::Text, budget.terms) {
+            if let Err(too_long) = shown.formula {
+                let _ = writeln!(text, "{}: {}", shown.name, longer(too_long));
+            }
         }
-        let legend = formulas.legend(terms);
+        let legend = formulas.legend(budget.terms);
         if !legend.is_empty() {
             let _ = writeln!(text, "with {}", legend.join(", "));
         }
         text.push('\n');
     }
     text
+}
+
+/// What is said of a formula that is not printed.
+fn longer(TooLong { terms, or_more }: TooLong) -> String {
+    match or_more {
+        true => format!("more than {terms} terms: a larger `--terms` prints them"),
+        false => format!("{terms} terms: `--terms {terms}` prints them"),
+    }
 }
 
 fn number(value: &Value) -> String {

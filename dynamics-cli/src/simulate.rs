@@ -4,45 +4,66 @@ use clap::ArgMatches;
 use dynamics_evaluation::RuntimeRobot;
 use dynamics_runtime::nalgebra::SVector;
 use dynamics_runtime::{DormandPrince, Energy as _, Friction, Simulation};
-use dynamics_symbolic::{Function, Request};
+use dynamics_symbolic::Function;
 
 use crate::csv::Csv;
 use crate::failure::Failure;
 use crate::joints::with_joints;
-use crate::load::{arm, model};
+use crate::load::{arm_with, count};
+use crate::progress::Progress;
 
 /// The motion as CSV.
 pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
-    let (robot, _) = model(given)?;
-    let functions = Function::default_set(false).into_iter().map(Request::One);
-    let arm = arm(robot, functions.collect())?;
-    let csv = with_joints!(arm.dof(), N => motion::<N>(&arm, given))?;
-    csv.put_out(given)
+    let arm = arm_with(given, Function::default_set(false))?;
+    let start = Start::of(given, arm.dof())?;
+    let csv = with_joints!(arm.dof(), N => motion::<N>(&arm, &start, given))?;
+    Ok(csv.text())
 }
 
-fn motion<const N: usize>(arm: &RuntimeRobot, given: &ArgMatches) -> Result<Csv, Failure> {
-    let [q, qd, torque] = ["from", "velocity", "torque"].map(|name| vector::<N>(given, name));
-    let (q, qd, torque) = (q?, qd?, torque?);
+/// Where a motion starts, and what drives it.
+struct Start {
+    q: Vec<f64>,
+    qd: Vec<f64>,
+    torque: Vec<f64>,
+}
+
+impl Start {
+    fn of(given: &ArgMatches, dof: usize) -> Result<Start, Failure> {
+        Ok(Start {
+            q: vector(given, "from", dof)?,
+            qd: vector(given, "velocity", dof)?,
+            torque: vector(given, "torque", dof)?,
+        })
+    }
+}
+
+/// Steps in which progress is shown.
+const STEPS: usize = 1000;
+
+fn motion<const N: usize>(
+    arm: &RuntimeRobot,
+    start: &Start,
+    given: &ArgMatches,
+) -> Result<Csv, Failure> {
     let number = |name: &str| given.get_one::<f64>(name).copied().unwrap_or(1.0);
-    let samples = given
-        .get_one::<u32>("samples")
-        .map_or(101, |samples| *samples as usize);
+    let [q, qd, torque] =
+        [&start.q, &start.qd, &start.torque].map(|entries| SVector::from_column_slice(entries));
     let typed = arm.typed::<N>()?.dynamics()?;
     let method = DormandPrince::with_tolerance(number("tolerance"));
+    let duration = number("duration");
+    let progress = Progress::new(STEPS);
     let motion = Simulation::new(&typed)
-        .torque(move |_t, _q, _qd| torque)
+        .torque(|t, _q, _qd| {
+            progress.done((t / duration * STEPS as f64) as usize);
+            torque
+        })
         .method(method)
         .friction(Friction::Sticking)
         .initial(q, qd)
-        .duration(number("duration"))
-        .samples(samples)
+        .duration(duration)
+        .samples(count(given, "samples"))
         .run()?;
-    let mut csv = Csv::new(
-        "t",
-        &["q", "qd"],
-        arm.joint_names().collect::<Vec<_>>().into_iter(),
-    )
-    .with("energy");
+    let mut csv = Csv::new("t", &["q", "qd"], arm.joint_names()).with("energy");
     for ((t, q), qd) in motion.t.iter().zip(&motion.q).zip(&motion.qd) {
         let energy = typed.kinetic_energy(q, qd) + typed.potential_energy(q);
         let entries = q.iter().chain(qd).copied();
@@ -52,22 +73,17 @@ fn motion<const N: usize>(arm: &RuntimeRobot, given: &ArgMatches) -> Result<Csv,
 }
 
 /// A vector of the command line, zeros where it has none.
-pub(crate) fn vector<const N: usize>(
-    given: &ArgMatches,
-    name: &str,
-) -> Result<SVector<f64, N>, Failure> {
+pub(crate) fn vector(given: &ArgMatches, name: &str, dof: usize) -> Result<Vec<f64>, Failure> {
     let Some(entries) = given.get_many::<f64>(name) else {
-        return Ok(SVector::zeros());
+        return Ok(vec![0.0; dof]);
     };
     let entries: Vec<f64> = entries.copied().collect();
-    match <[f64; N]>::try_from(entries) {
-        Ok(entries) => Ok(SVector::from(entries)),
-        Err(entries) => {
-            let found = entries.len();
-            let message = format!(
-                "`--{name}` has {found} numbers: expected {N}, one for each joint that moves"
-            );
-            Err(Failure::of_the_command_line(message))
-        }
+    if entries.len() != dof {
+        let found = entries.len();
+        let message = format!(
+            "`--{name}` has {found} numbers: expected {dof}, one for each joint that moves"
+        );
+        return Err(Failure::of_the_command_line(message));
     }
+    Ok(entries)
 }

@@ -24,6 +24,8 @@ pub mod description;
 mod diagnose;
 mod expand;
 pub mod files;
+#[cfg(feature = "files")]
+pub mod geometry;
 mod limits;
 mod mistake;
 mod parse;
@@ -37,7 +39,7 @@ use diagnose::Diagnostics;
 use dynamics_symbolic::program::Program;
 use dynamics_symbolic::robot::Robot;
 use dynamics_symbolic::{Function, Method, expand_with};
-use proc_macro2::{Span, TokenStream};
+use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
 /// The items of a call of the macro, and a `compile_error!` for each mistake in it.
@@ -113,6 +115,43 @@ fn errors(diagnostics: Diagnostics) -> Vec<Error> {
         message: mistake.to_string(),
     };
     errors.map(error).collect()
+}
+
+/// The items of a model that was read elsewhere, as a call of the macro with that table expands to them: a
+/// struct without fields, its methods and its traits. `path` is the path of the runtime crate.
+///
+/// # Errors
+///
+/// Each function that cannot be generated.
+pub fn items_of(
+    model: Model,
+    name: Ident,
+    documentation: &[String],
+    path: TokenStream,
+) -> Result<TokenStream, Vec<Error>> {
+    let diagnostics = Diagnostics::new();
+    let structure = call::Structure {
+        attributes: quote!(#(#[doc = #documentation])*),
+        cfgs: TokenStream::new(),
+        has_derive: false,
+        visibility: quote!(pub),
+        name,
+        shape: call::Shape::Unit,
+        fields: Vec::new(),
+        complete: true,
+    };
+    let call = call::Call {
+        path,
+        structure: Some(structure),
+        table: description::Table::default(),
+        is_refused: false,
+        tracked: None,
+    };
+    let derivation = &dynamics_symbolic::derive::derive_together;
+    match methods(&model, &call, derivation, &diagnostics) {
+        Some(methods) => Ok(items(&call, Some((model, methods)), diagnostics)),
+        None => Err(errors(diagnostics)),
+    }
 }
 
 /// What is wrong with a table.

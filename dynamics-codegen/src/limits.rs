@@ -70,4 +70,4 @@ pub(crate) const MOST_LISTED: usize = 20;
 
 /// Bytes of a file. The URDF files of arms have some 20,000; those with meshes written out are not read.
 #[cfg(feature = "files")]
-pub(crate) const MOST_BYTES: usize = 4_000_000;
+pub const MOST_BYTES: usize = 4_000_000;

@@ -1,11 +1,13 @@
 //! Robots from files.
 
 use core::fmt;
+use std::fs::File;
+use std::io::Read as _;
 use std::path::{Path, PathBuf};
 
 use dynamics_codegen::Model;
 use dynamics_codegen::description::{Entry, Expr, ExprKind, Name, Place, Table};
-use dynamics_codegen::files::{Format, Request, table, table_beside};
+use dynamics_codegen::files::{Format, MOST_BYTES, Request, table, table_beside};
 use dynamics_symbolic::exact::Rational;
 use dynamics_symbolic::neglect::neglect;
 
@@ -117,8 +119,7 @@ impl Besides {
 ///
 /// [`FileError`], with all mistakes of the file.
 pub fn read_file(path: &Path, besides: &Besides) -> Result<Model, FileError> {
-    let text = std::fs::read_to_string(path);
-    let text = text.map_err(|error| FileError::Unreadable(path.to_owned(), error.to_string()))?;
+    let text = text_of(path).map_err(|reason| FileError::Unreadable(path.to_owned(), reason))?;
     let format = Format::of(path).ok_or_else(|| FileError::UnknownFormat(path.to_owned()))?;
     let stem = path
         .file_stem()
@@ -141,6 +142,18 @@ pub fn read_file(path: &Path, besides: &Besides) -> Result<Model, FileError> {
         })?;
     }
     Ok(model)
+}
+
+/// The text of a file that is no longer than a robot's may be.
+fn text_of(path: &Path) -> Result<String, String> {
+    let file = File::open(path).map_err(|error| error.to_string())?;
+    let mut text = String::new();
+    let read = file.take(MOST_BYTES as u64 + 1).read_to_string(&mut text);
+    match read {
+        Err(error) => Err(error.to_string()),
+        Ok(bytes) if bytes > MOST_BYTES => Err(format!("it is longer than {MOST_BYTES} bytes")),
+        Ok(_) => Ok(text),
+    }
 }
 
 fn mistakes(file: Option<&Path>, errors: Vec<dynamics_codegen::Error>) -> FileError {

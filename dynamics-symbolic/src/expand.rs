@@ -3,7 +3,7 @@
 use crate::derive::derive_together;
 use crate::derive::symbols::LARGEST_MULTIPLE;
 use crate::emit;
-use crate::formula::{Equation, Formulas, MOST_TERMS};
+use crate::formula::{Budget, Equation, Formulas, MOST_TERMS};
 use crate::function::{Function, Fused, Request};
 use crate::neglect::{STATES, largest_error};
 use crate::program::{Operations, Program, Proven};
@@ -236,7 +236,7 @@ fn method(
     path: &TokenStream,
 ) -> Result<Method, Reason> {
     let Proven { program, constants } = proven(robot, request, program)?;
-    let formulas = Formulas::of_short_arm(robot, request.parts(), &program);
+    let formulas = Formulas::of_short_arm(robot, request.parts(), &program, Budget::UNASKED);
     let emitted = emit::method(
         robot,
         (request, index),

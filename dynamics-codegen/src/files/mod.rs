@@ -19,6 +19,8 @@ mod tree;
 #[cfg(feature = "files")]
 mod urdf;
 
+#[cfg(feature = "files")]
+pub use crate::limits::MOST_BYTES;
 pub(crate) use load::load;
 pub use request::Request;
 
@@ -111,6 +113,29 @@ pub fn table_beside(
     }
     table.keys.extend(beside.keys);
     named(name, table, diagnostics)
+}
+
+/// The names of all joints in the text of a file, of those too that are none of the arm's; none where it cannot
+/// be read.
+#[cfg(feature = "files")]
+pub fn joint_names(text: &str, format: Format) -> Vec<String> {
+    let diagnostics = Diagnostics::new();
+    let names = match format {
+        Format::Urdf => urdf::joint_names(text, &diagnostics),
+        _ => {
+            let used = &mut Vec::new();
+            let table = read(text, format, &Request::default(), used, &diagnostics);
+            let entries = table.into_iter().flat_map(|table| table.entries);
+            let rows = entries.filter_map(|entry| match entry {
+                Entry::Joints(_, joints) => Some(joints?.rows),
+                _ => None,
+            });
+            let names = rows.flatten().filter_map(|row| row.name);
+            names.map(|name| name.plain().to_owned()).collect()
+        }
+    };
+    diagnostics.forget();
+    names
 }
 
 /// The entries of a text; what cannot be read is reported. None of a text of another format.

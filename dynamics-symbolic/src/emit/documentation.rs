@@ -1,6 +1,6 @@
 //! The documentation of the generated methods.
 
-use crate::formula::{Format, Formulas, MOST_TERMS, Shown, Structure};
+use crate::formula::{Format, Formulas, MOST_TERMS, Shown, Structure, TooLong};
 use crate::function::{Argument, Function, Request, Shape, spans};
 use crate::program::{Operand, Output, Program};
 use crate::robot::{JointType, Robot};
@@ -34,7 +34,7 @@ pub(super) fn documentation(
     };
     lines.push(format!(" Operations{each}: {}.", program.operations()));
     lines.extend(structures(robot, request, program));
-    lines.extend(formulas.into_iter().flat_map(formula_lines));
+    lines.extend(formulas.into_iter().flat_map(short_formula_lines));
     lines.push(String::new());
     if request.refuses() {
         lines.push(errors(&unresisted(robot, request, program, constants)));
@@ -153,19 +153,29 @@ pub(super) fn structures(robot: &Robot, request: &Request, program: &Program) ->
         .collect()
 }
 
-/// The formulas, each behind the name of its value, and what the names of sines in them mean.
-pub(super) fn formula_lines(formulas: &Formulas) -> Vec<String> {
-    let shown = formulas.shown(Format::Text, MOST_TERMS);
+/// The formulas that are short enough to read at a method.
+pub(super) fn short_formula_lines(formulas: &Formulas) -> Vec<String> {
+    formula_lines(formulas, MOST_TERMS, &|too_long| too_long.to_string())
+}
+
+/// The formulas of at most so many terms, each behind the name of its value, and what the names of sines in
+/// them mean; `longer` says what there is to say of those that have more.
+pub(super) fn formula_lines(
+    formulas: &Formulas,
+    most_terms: usize,
+    longer: &dyn Fn(TooLong) -> String,
+) -> Vec<String> {
+    let shown = formulas.shown(Format::Text, most_terms);
     if shown.is_empty() {
         return Vec::new();
     }
     let line = |shown: &Shown| match &shown.formula {
         Ok(formula) => format!(" {} = {formula}", shown.name),
-        Err(too_long) => format!(" {}: {too_long}", shown.name),
+        Err(too_long) => format!(" {}: {}", shown.name, longer(*too_long)),
     };
     let mut lines = vec![String::new(), " ```text".to_owned()];
     lines.extend(shown.iter().map(line));
-    let legend = formulas.legend(MOST_TERMS);
+    let legend = formulas.legend(most_terms);
     if !legend.is_empty() {
         lines.push(format!(" with {}", legend.join(", ")));
     }

@@ -15,7 +15,7 @@ mod polynomial;
 mod series;
 mod signature;
 
-pub use languages::{CSource, c_source, description, javascript_module};
+pub use languages::{CSource, c_source, description, javascript_module, snake_case};
 use signature::signature;
 pub use signature::{
     base_parameter_constants, function_type, method_name, stub, stub_of_function, stub_of_trait,

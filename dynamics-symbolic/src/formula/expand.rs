@@ -19,6 +19,14 @@ pub struct Budget {
     pub products: usize,
 }
 
+impl Budget {
+    /// What is multiplied out before a formula that nobody asked for is given up.
+    pub const UNASKED: Budget = Budget {
+        terms: 300,
+        products: 5_000,
+    };
+}
+
 /// What the atoms stand for that are numbered as they come.
 #[derive(Default)]
 pub(super) struct Atoms {

@@ -36,12 +36,6 @@ const MOST_JOINTS: usize = 3;
 /// A formula of more terms is no help to a reader.
 pub const MOST_TERMS: usize = 24;
 
-/// What is multiplied out before a formula that nobody asked for is given up.
-const BUDGET: Budget = Budget {
-    terms: 300,
-    products: 5_000,
-};
-
 /// The values of functions of one arm as formulas.
 pub struct Formulas {
     names: Names,
@@ -88,12 +82,17 @@ pub struct Equation {
 
 impl Formulas {
     /// Those of a short arm, which are written without being asked for.
-    pub fn of_short_arm(robot: &Robot, functions: &[Function], program: &Program) -> Option<Self> {
+    pub fn of_short_arm(
+        robot: &Robot,
+        functions: &[Function],
+        program: &Program,
+        budget: Budget,
+    ) -> Option<Self> {
         // Sines of followers have no letter.
         let mut inputs = program.inputs.iter();
         let is_named = inputs.all(|symbol| robot.follower_of(symbol).is_none());
         let is_short = robot.dof() <= MOST_JOINTS && is_named;
-        is_short.then(|| Formulas::new(robot, functions, program, BUDGET))
+        is_short.then(|| Formulas::new(robot, functions, program, budget))
     }
 
     /// Those of a program of some functions. Functions whose values have no letter to name them by are

@@ -12,6 +12,10 @@ pub struct TooLong {
 impl core::fmt::Display for TooLong {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         let more = if self.or_more { "more than " } else { "" };
-        write!(f, "too long to read: {more}{} terms", self.terms)
+        write!(
+            f,
+            "too long: {more}{} terms; `robot-dynamics show`",
+            self.terms
+        )
     }
 }

@@ -183,7 +183,10 @@ fn a_formula_that_is_too_long_says_how_long() {
     let formulas = Formulas::new(&robot, &[Function::MassMatrix], &program, BUDGET);
     let shown = formulas.shown(Format::Text, 2);
     let too_long = shown[0].formula.clone().unwrap_err();
-    assert_eq!(too_long.to_string(), "too long to read: 4 terms");
+    assert_eq!(
+        too_long.to_string(),
+        "too long: 4 terms; `robot-dynamics show`"
+    );
     assert_eq!(shown[3].formula.as_deref(), Ok("m2 l2^2"));
     let small = Budget {
         terms: 3,
@@ -192,7 +195,10 @@ fn a_formula_that_is_too_long_says_how_long() {
     let formulas = Formulas::new(&robot, &[Function::MassMatrix], &program, small);
     let too_long = formulas.shown(Format::Text, 9)[0].formula.clone();
     let too_long = too_long.unwrap_err().to_string();
-    assert_eq!(too_long, "too long to read: more than 3 terms");
+    assert_eq!(
+        too_long,
+        "too long: more than 3 terms; `robot-dynamics show`"
+    );
 }
 
 /// Constants of odd angles are one number each, whatever the program divided by, and numbers stand in

@@ -2,12 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use dynamics_symbolic::exact::{Rational, bit_length};
+use dynamics_symbolic::exact::Rational;
 use dynamics_symbolic::robot::{Convention, JointType, Value};
 
 use super::document::{Inertial, Joint, Kind, Link, Tree};
-use super::number::number;
-use super::transform::{Mass, Transform, Vector};
 use crate::description::{
     Allow, Coulomb, Expr, ExprKind, Friction, Given, Inertia, InertiaKind, Joints, Mount, Name,
     Operator, Placement, Row,
@@ -15,13 +13,11 @@ use crate::description::{
 use crate::diagnose::Diagnostics;
 use crate::files::Request;
 use crate::files::signed::signed;
+use crate::geometry::{Mass, Transform, Vector, number, tidy};
 use crate::mistake::{Mistake, urdf as mistake};
 use crate::place::Place;
 use crate::validate::refusal;
 use crate::words;
-
-/// Bits beyond which the number of a body that was put together is rounded to fifty digits.
-const MOST_BITS: usize = 600;
 
 /// The rows of the chain between two links.
 pub(super) fn joints<'a>(
@@ -294,13 +290,6 @@ impl<'a> Chain<'a> {
             _ => turn(Value::zero(), Value::zero(), position.clone())?,
         };
         Some(axis.then(&along).then(&back))
-    }
-}
-
-fn tidy(x: Rational) -> Rational {
-    match bit_length(&x) > MOST_BITS {
-        true => super::number::rounded(&x),
-        false => x,
     }
 }
 

@@ -6,10 +6,9 @@ use dynamics_symbolic::exact::Rational;
 use dynamics_symbolic::robot::Value;
 use roxmltree::{Attribute, Document, Node};
 
-use super::number;
-use super::transform::{Transform, Vector};
 use crate::diagnose::{Diagnostics, Reported};
 use crate::files::tree::Lines;
+use crate::geometry::{Transform, Vector, direction};
 use crate::mistake::{Mistake, file as text, urdf as mistake};
 use crate::parse::number::in_file;
 use crate::place::Place;
@@ -357,7 +356,7 @@ impl Reader<'_> {
         }
         let (axis, place) = self.vector(child(node, "axis"), "xyz", [1, 0, 0])?;
         let zero = || self.diagnostics.error(place, mistake::axis_of_no_length());
-        number::direction(&axis).ok_or_else(zero)
+        direction(&axis).ok_or_else(zero)
     }
 
     /// Where both are there and say something: continuous joints have none.

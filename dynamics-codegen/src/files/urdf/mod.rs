@@ -2,8 +2,6 @@
 
 mod chain;
 mod document;
-mod number;
-mod transform;
 
 use super::Request;
 use crate::description::{Entry, Table};
@@ -36,6 +34,13 @@ pub(super) fn read(
         notes: notes(tree.nearly_right),
         ..Table::default()
     })
+}
+
+/// The names of all joints in a text.
+pub(super) fn joint_names(text: &str, diagnostics: &Diagnostics) -> Vec<String> {
+    let tree = document::read(text, None, diagnostics);
+    let joints = tree.into_iter().flat_map(|tree| tree.joints);
+    joints.map(|joint| joint.name).collect()
 }
 
 /// What the struct's documentation says of angles that were perhaps meant as quarter turns.

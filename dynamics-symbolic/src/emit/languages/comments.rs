@@ -1,25 +1,48 @@
 //! What is said of a function.
 
-use super::{documentation, parameters};
-use crate::formula::Formulas;
+use super::documentation::{self, formula_lines, short_formula_lines};
+use super::parameters;
+use crate::formula::{Budget, Formulas, TooLong};
 use crate::function::Request;
 use crate::program::Proven;
 use crate::robot::Robot;
 
-/// What a function is, its units, what it costs, and the formula where it is short: lines of text.
-pub fn description(robot: &Robot, request: &Request, proven: &Proven) -> Vec<String> {
+/// What a function is, its units, what it costs, and the formulas of a short arm, of as many terms as the
+/// budget has: lines of text. `longer` says what there is to say of those that have more.
+pub fn description(
+    robot: &Robot,
+    request: &Request,
+    proven: &Proven,
+    budget: Budget,
+    longer: &dyn Fn(TooLong) -> String,
+) -> Vec<String> {
     let refusal =
         "Refused where M(q) is not positive definite to working precision, or not finite.";
-    lines(robot, request, proven, refusal)
+    let formulas = Formulas::of_short_arm(robot, request.parts(), &proven.program, budget);
+    let formulas = formulas.map(|formulas| formula_lines(&formulas, budget.terms, longer));
+    of_function(robot, request, proven, refusal, formulas)
 }
 
-/// The quantity, shapes and units, what it costs, and the formula where it is short; `refusal` says what
+/// The quantity, shapes and units, what it costs, and the formulas where they are short; `refusal` says what
 /// happens where M is singular.
 pub(super) fn lines(
     robot: &Robot,
     request: &Request,
     proven: &Proven,
     refusal: &str,
+) -> Vec<String> {
+    let program = &proven.program;
+    let formulas = Formulas::of_short_arm(robot, request.parts(), program, Budget::UNASKED);
+    let formulas = formulas.map(|formulas| short_formula_lines(&formulas));
+    of_function(robot, request, proven, refusal, formulas)
+}
+
+fn of_function(
+    robot: &Robot,
+    request: &Request,
+    proven: &Proven,
+    refusal: &str,
+    formulas: Option<Vec<String>>,
 ) -> Vec<String> {
     let Proven { program, constants } = proven;
     let mut lines = documentation::quantities(robot, request);
@@ -35,8 +58,7 @@ pub(super) fn lines(
     }
     lines.push(format!("Operations: {}.", program.operations()));
     lines.extend(documentation::structures(robot, request, program));
-    let formulas = Formulas::of_short_arm(robot, request.parts(), program);
-    lines.extend(formulas.iter().flat_map(documentation::formula_lines));
+    lines.extend(formulas.into_iter().flatten());
     if request.refuses() {
         lines.extend([String::new(), refusal.to_owned()]);
         let unresisted = documentation::unresisted(robot, request, program, constants);

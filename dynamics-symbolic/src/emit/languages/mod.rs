@@ -39,8 +39,8 @@ fn free_name(name: &str, words: &[&str]) -> String {
     }
 }
 
-/// `TwoLink` as `two_link`.
-fn snake_case(name: &str) -> String {
+/// A name in the letters of a variable and of a file: `TwoLink` as `two_link`.
+pub fn snake_case(name: &str) -> String {
     let mut snake = String::new();
     let mut after_lower = false;
     for letter in plain(name).chars() {

@@ -1,70 +1,6 @@
-//! The command as it is called: what it writes, and its exit status.
+//! What each subcommand writes.
 
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
-
-fn data(name: &str) -> String {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/data/robots");
-    folder.join(name).to_string_lossy().into_owned()
-}
-
-fn folder(name: &str) -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
-    std::fs::create_dir_all(&folder).expect("a folder");
-    folder
-}
-
-fn run(arguments: &[&str]) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_robot-dynamics"));
-    command.args(arguments).output().expect("the command")
-}
-
-/// The output of a call that succeeds.
-#[track_caller]
-fn output(arguments: &[&str]) -> String {
-    let output = run(arguments);
-    let errors = String::from_utf8_lossy(&output.stderr).into_owned();
-    assert_eq!(output.status.code(), Some(0), "{arguments:?}: {errors}");
-    String::from_utf8(output.stdout).expect("text")
-}
-
-/// What is told of a call that fails.
-#[track_caller]
-fn errors(arguments: &[&str], status: i32) -> String {
-    let output = run(arguments);
-    let errors = String::from_utf8(output.stderr).expect("text");
-    assert_eq!(
-        output.status.code(),
-        Some(status),
-        "{arguments:?}: {errors}"
-    );
-    assert!(!errors.contains("panicked"), "{errors}");
-    errors
-}
-
-const PENDULUM: &str = r#"
-convention = "modified"
-gravity = ["9.81", 0, 0]
-
-[[joint]]
-name = "pivot"
-type = "revolute"
-mass = 2
-com = [0.5, 0, 0]
-
-[[joint]]
-name = "knee"
-type = "revolute"
-a = 1
-mass = 1
-com = [0.25, 0, 0]
-"#;
-
-fn file(name: &str, text: &str) -> String {
-    let path = folder("files").join(name);
-    std::fs::write(&path, text).expect("a file");
-    path.to_string_lossy().into_owned()
-}
+use super::calls::{PENDULUM, data, errors, file, folder, output};
 
 #[test]
 fn show_prints_what_a_function_is() {
@@ -122,7 +58,7 @@ fn check_compares_with_newton_euler_and_with_another_file() {
     );
     output(&["check", &one, "--against", &heavier, "--tolerance", "0.01"]);
     // The PUMA of the data files, which has a published tensor that no body can have.
-    output(&["check", &data("puma560.json"), "--samples", "10"]);
+    output(&["check", &data("robots/puma560.json"), "--samples", "10"]);
 }
 
 #[test]
@@ -258,46 +194,4 @@ fn measure_prints_times_and_errors() {
         errors.iter().all(|error| (0.0..1e-12).contains(error)),
         "{text}"
     );
-}
-
-#[test]
-fn mistakes_are_told_with_their_places() {
-    let wrong = file(
-        "wrong.toml",
-        &PENDULUM
-            .replace("mass = 2", "mas = 2")
-            .replace("a = 1", "a = true"),
-    );
-    let message = errors(&["show", &wrong], 1);
-    assert!(
-        message.contains("wrong.toml:8:1: ") && message.contains("wrong.toml:14:5: "),
-        "{message}"
-    );
-    assert!(errors(&["show", "nowhere.toml"], 1).contains("nowhere.toml:1:1: cannot be read"));
-    assert!(errors(&["show", "robot.step"], 1).contains("robot.step:1:1: "));
-    let pendulum = file("right.toml", PENDULUM);
-    let unknown = errors(&["show", &pendulum, "--functions", "mass_matrx"], 2);
-    assert!(unknown.contains("mass_matrix"), "{unknown}");
-    assert!(errors(&["simulate", &pendulum, "--from", "1"], 2).contains("expected 2"));
-    assert!(errors(&["show", &pendulum, "--lock", "knee"], 2).contains("expected JOINT=POSITION"));
-    errors(&["dance", &pendulum], 2);
-    errors(&["generate", &pendulum, "--lang", "cobol"], 2);
-}
-
-#[test]
-fn help_and_completions() {
-    let help = output(&["--help"]);
-    for command in [
-        "show",
-        "check",
-        "generate",
-        "simulate",
-        "inverse",
-        "measure",
-        "completions",
-    ] {
-        assert!(help.contains(command), "{help}");
-        output(&[command, "--help"]);
-    }
-    assert!(output(&["completions", "bash"]).contains("robot-dynamics"));
 }

@@ -3,20 +3,25 @@
 use dynamics_symbolic::exact::Rational;
 use dynamics_symbolic::robot::Value;
 
-use super::number::sin_cos;
+use super::number::{sin_cos, tidy};
 
-pub(super) type Vector = [Rational; 3];
-pub(super) type Matrix = [Vector; 3];
+/// Three components.
+pub type Vector = [Rational; 3];
+/// Rows of a matrix.
+pub type Matrix = [Vector; 3];
 
 /// A frame in another one.
 #[derive(Clone, Debug)]
-pub(super) struct Transform {
-    rotation: Matrix,
-    origin: Vector,
+pub struct Transform {
+    /// Its axes, the columns, in those of the other frame.
+    pub rotation: Matrix,
+    /// Its origin in the other frame, m.
+    pub origin: Vector,
 }
 
 impl Transform {
-    pub(super) fn identity() -> Transform {
+    /// The frame itself.
+    pub fn identity() -> Transform {
         Transform {
             rotation: identity(),
             origin: [Rational::ZERO; 3],
@@ -24,7 +29,7 @@ impl Transform {
     }
 
     /// T(xyz) Rz(yaw) Ry(pitch) Rx(roll); none where an angle is no number.
-    pub(super) fn new(xyz: &Vector, rpy: &[Value; 3]) -> Option<Transform> {
+    pub fn new(xyz: &Vector, rpy: &[Value; 3]) -> Option<Transform> {
         let mut rotation = identity();
         for axis in [2, 1, 0] {
             rotation = product(&rotation, &turn(axis, &rpy[axis])?);
@@ -36,11 +41,31 @@ impl Transform {
     }
 
     /// The frame that `next` is in this one.
-    pub(super) fn then(&self, next: &Transform) -> Transform {
+    pub fn then(&self, next: &Transform) -> Transform {
         Transform {
             rotation: product(&self.rotation, &next.rotation),
             origin: self.point(&next.origin),
         }
+    }
+
+    /// The outer frame in this one.
+    pub fn inverse(&self) -> Transform {
+        let rotation = transpose(&self.rotation);
+        let origin = apply(&rotation, &self.origin).map(|x| -x);
+        Transform { rotation, origin }
+    }
+
+    /// The frame with long numbers rounded to fifty digits.
+    pub fn tidy(self) -> Transform {
+        Transform {
+            rotation: self.rotation.map(|row| row.map(tidy)),
+            origin: self.origin.map(tidy),
+        }
+    }
+
+    /// The axis of that index, x, y or z.
+    pub fn axis(&self, index: usize) -> Vector {
+        self.rotation.each_ref().map(|row| row[index].clone())
     }
 
     /// A point of this frame in the outer one.
@@ -54,8 +79,14 @@ fn identity() -> Matrix {
     [0, 1, 2].map(|i| [0, 1, 2].map(|j| Rational::from(u8::from(i == j))))
 }
 
-fn dot(a: &Vector, b: &Vector) -> Rational {
+/// The scalar product.
+pub fn dot(a: &Vector, b: &Vector) -> Rational {
     &a[0] * &b[0] + &a[1] * &b[1] + &a[2] * &b[2]
+}
+
+/// The vector product.
+pub fn cross(a: &Vector, b: &Vector) -> Vector {
+    [(1, 2), (2, 0), (0, 1)].map(|(i, j)| &a[i] * &b[j] - &a[j] * &b[i])
 }
 
 fn apply(m: &Matrix, v: &Vector) -> Vector {
@@ -86,21 +117,25 @@ fn turn(axis: usize, by: &Value) -> Option<Matrix> {
 
 /// Mass, first moments and inertia about the origin of a frame, xx, yy, zz, xy, yz, xz.
 #[derive(Clone, Debug)]
-pub(super) struct Mass {
+pub struct Mass {
     mass: Rational,
     moment: Vector,
     inertia: Matrix,
 }
 
 /// A body: mass, centre of mass, inertia tensor about that in the frame's axes.
-pub(super) struct Body {
-    pub(super) mass: Rational,
-    pub(super) com: Vector,
-    pub(super) inertia: [Rational; 6],
+pub struct Body {
+    /// Mass, kg.
+    pub mass: Rational,
+    /// Centre of mass, m.
+    pub com: Vector,
+    /// xx, yy, zz, xy, yz, xz, kg m^2.
+    pub inertia: [Rational; 6],
 }
 
 impl Mass {
-    pub(super) fn none() -> Mass {
+    /// No body.
+    pub fn none() -> Mass {
         Mass {
             mass: Rational::ZERO,
             moment: [Rational::ZERO; 3],
@@ -109,7 +144,7 @@ impl Mass {
     }
 
     /// A body whose centre of mass is the origin of a frame, with the tensor in its axes.
-    pub(super) fn new(mass: &Rational, tensor: &[Rational; 6], frame: &Transform) -> Mass {
+    pub fn new(mass: &Rational, tensor: &[Rational; 6], frame: &Transform) -> Mass {
         let [xx, yy, zz, xy, yz, xz] = tensor;
         let tensor = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]].map(|row| row.map(Rational::clone));
         let r = &frame.rotation;
@@ -123,7 +158,18 @@ impl Mass {
         }
     }
 
-    pub(super) fn add(&mut self, other: &Mass) {
+    /// The body in the frame that `frame`, in which it is told, is in.
+    pub fn seen_from(&self, frame: &Transform) -> Mass {
+        let body = self.body();
+        let center = Transform {
+            origin: body.com.clone(),
+            ..Transform::identity()
+        };
+        Mass::new(&body.mass, &body.inertia, &frame.then(&center))
+    }
+
+    /// Puts another body beside this one.
+    pub fn add(&mut self, other: &Mass) {
         self.mass += &other.mass;
         for (x, y) in self.moment.iter_mut().zip(&other.moment) {
             *x += y;
@@ -132,7 +178,7 @@ impl Mass {
     }
 
     /// As a body: J - m (c.c 1 - c c') about the centre of mass.
-    pub(super) fn body(&self) -> Body {
+    pub fn body(&self) -> Body {
         let com = match self.mass.is_zero() {
             true => [Rational::ZERO; 3],
             false => self.moment.each_ref().map(|h| h / &self.mass),

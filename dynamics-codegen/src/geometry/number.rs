@@ -1,6 +1,6 @@
-//! Numbers of a URDF file: exact where they are rational, in fifty digits where they are not.
+//! Numbers: exact where they are rational, in fifty digits where they are not.
 
-use dynamics_symbolic::exact::Rational;
+use dynamics_symbolic::exact::{Rational, bit_length};
 use dynamics_symbolic::robot::{Angle, Value};
 
 /// pi in 60 digits.
@@ -10,14 +10,25 @@ const PI: &str = "314159265358979323846264338327950288419716939937510582097494/\
 /// Digits behind the point of what is rounded.
 const DIGITS: usize = 50;
 
+/// Bits beyond which a number that was put together of others is rounded.
+const MOST_BITS: usize = 600;
+
 /// The number in 50 digits behind the point.
-pub(super) fn rounded(x: &Rational) -> Rational {
+fn rounded(x: &Rational) -> Rational {
     let scale = Rational::from(10).pow(DIGITS as isize);
     Rational::from((x * &scale).round()) / scale
 }
 
+/// The number itself where it is short, in 50 digits behind the point where it has more than 600 bits.
+pub fn tidy(x: Rational) -> Rational {
+    match bit_length(&x) > MOST_BITS {
+        true => rounded(&x),
+        false => x,
+    }
+}
+
 /// A constant in 60 digits; none where it is no number.
-pub(super) fn number(value: &Value) -> Option<Rational> {
+pub fn number(value: &Value) -> Option<Rational> {
     Some(match value {
         Value::Rational(x) => x.clone(),
         Value::Pi => PI.parse().ok()?,
@@ -36,7 +47,7 @@ pub(super) fn number(value: &Value) -> Option<Rational> {
 }
 
 /// Sine and cosine of a constant angle: exact of quarter turns, else in 50 digits.
-pub(super) fn sin_cos(angle: &Value) -> Option<[Rational; 2]> {
+pub fn sin_cos(angle: &Value) -> Option<[Rational; 2]> {
     let angle = Angle::new(angle);
     let [s, c] = match &angle.rest {
         None => [Rational::ZERO, Rational::ONE],
@@ -73,7 +84,7 @@ fn series(x: &Rational) -> [Rational; 2] {
 
 /// The azimuth and the polar angle of a direction, Rz(azimuth) Ry(polar) z: exact along an axis, else in 50
 /// digits. None of a vector of length zero.
-pub(super) fn direction(v: &[Rational; 3]) -> Option<[Value; 2]> {
+pub fn direction(v: &[Rational; 3]) -> Option<[Value; 2]> {
     let quarter = |count: i64| {
         let half = Rational::from_parts_signed(count.into(), 2_u8.into());
         Value::Pi * Value::Rational(half)
@@ -95,8 +106,8 @@ pub(super) fn direction(v: &[Rational; 3]) -> Option<[Value; 2]> {
     })
 }
 
-/// atan2(y, x): in double precision, then by atan t = t - t^3/3 of what is left, some 1e-16.
-fn polar_angle(x: &Rational, y: &Rational) -> Rational {
+/// atan2(y, x), in 50 digits: in double precision, then by atan t = t - t^3/3 of what is left, some 1e-16.
+pub fn polar_angle(x: &Rational, y: &Rational) -> Rational {
     let first = y.to_f64().value().atan2(x.to_f64().value());
     let first = Rational::try_from(first).unwrap_or(Rational::ZERO);
     let [s, c] = series(&first);

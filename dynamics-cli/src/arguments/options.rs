@@ -1,0 +1,151 @@
+//! Options that several subcommands have.
+
+use std::path::PathBuf;
+
+use clap::builder::PossibleValuesParser;
+use clap::{Arg, ArgAction, Command, value_parser};
+
+/// A subcommand about a robot file, with the options that say what the file does not.
+pub(super) fn of_a_file(name: &'static str, about: &'static str) -> Command {
+    const OF_THE_FILE: &str = "About the file";
+    Command::new(name)
+        .about(about)
+        .arg(
+            path("file", "The robot: a file in TOML, JSON or URDF")
+                .required(true)
+                .value_name("FILE"),
+        )
+        .next_help_heading(OF_THE_FILE)
+        .arg(words("chain", "BASE,TIP").help("The first and the last link of the arm in a URDF file"))
+        .arg(
+            words("gravity", "X,Y,Z")
+                .allow_hyphen_values(true)
+                .help("Acceleration of gravity, m/s^2, in place of the file's; a URDF file has none"),
+        )
+        .arg(
+            several("lock", "JOINT=POSITION")
+                .help("A joint that stands still, rad or m; may be given several times"),
+        )
+        .arg(several("ignore", "JOINT").help(
+            "A joint of a URDF file that is left out, with all that hangs on it; may be given several times",
+        ))
+        .arg(
+            Arg::new("round-angles")
+                .long("round-angles")
+                .value_name("RAD")
+                .value_parser(small_angle)
+                .help("How near an angle of a URDF file is to a quarter turn that is taken as one, such as 1e-4"),
+        )
+        .arg(
+            words("allow", "WORD")
+                .value_parser(PossibleValuesParser::new([
+                    "odd_angle",
+                    "odd_com",
+                    "odd_gravity",
+                    "odd_mass",
+                    "unphysical_inertia",
+                ]))
+                .help("Accept what is refused otherwise, anywhere in the file"),
+        )
+        .next_help_heading(None::<&str>)
+}
+
+/// The functions that are asked for.
+pub(super) fn functions() -> Arg {
+    words("functions", "A,B,C").help(
+        "The functions, in place of the file's; `default` are those of a file that names none",
+    )
+}
+
+/// Words between commas.
+fn words(name: &'static str, shown: &'static str) -> Arg {
+    Arg::new(name)
+        .long(name)
+        .value_name(shown)
+        .value_delimiter(',')
+        .num_args(1)
+}
+
+fn several(name: &'static str, shown: &'static str) -> Arg {
+    Arg::new(name)
+        .long(name)
+        .value_name(shown)
+        .action(ArgAction::Append)
+}
+
+fn small_angle(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(angle) if (0.0..=0.1).contains(&angle) => Ok(angle),
+        _ => Err("expected an angle from 0 to 0.1 rad, such as 1e-4".to_owned()),
+    }
+}
+
+/// A word of several.
+pub(super) fn choice<const N: usize>(
+    name: &'static str,
+    shown: &'static str,
+    words: [&'static str; N],
+) -> Arg {
+    Arg::new(name)
+        .long(name)
+        .value_name(shown)
+        .value_parser(PossibleValuesParser::new(words))
+}
+
+/// The first and the last link of the arm in another file.
+pub(super) fn chain_of_other() -> Arg {
+    words("against-chain", "BASE,TIP")
+        .requires("against")
+        .help("The first and the last link of the arm in the other file, where they have other names there")
+}
+
+/// A path.
+pub(super) fn path(name: &'static str, help: &'static str) -> Arg {
+    Arg::new(name)
+        .value_name("PATH")
+        .value_parser(value_parser!(PathBuf))
+        .help(help)
+}
+
+/// The file that a subcommand writes.
+pub(super) fn out() -> Arg {
+    path(
+        "out",
+        "The file that is written; standard output where this is left out",
+    )
+    .long("out")
+}
+
+/// A number.
+pub(super) fn number(name: &'static str, help: &'static str) -> Arg {
+    Arg::new(name)
+        .long(name)
+        .value_name("NUMBER")
+        .allow_hyphen_values(true)
+        .value_parser(value_parser!(f64))
+        .help(help)
+}
+
+/// A whole number from `least` on.
+pub(super) fn count(
+    name: &'static str,
+    default: &'static str,
+    least: i64,
+    most: i64,
+    help: &'static str,
+) -> Arg {
+    Arg::new(name)
+        .long(name)
+        .value_name("COUNT")
+        .default_value(default)
+        .value_parser(value_parser!(u32).range(least..=most))
+        .help(help)
+}
+
+/// A number for each joint that moves.
+pub(super) fn vector(name: &'static str, help: &'static str) -> Arg {
+    words(name, "X,Y,...")
+        .allow_hyphen_values(true)
+        .value_parser(value_parser!(f64))
+        .help(help)
+}

@@ -1,0 +1,168 @@
+//! What each subcommand is, and an example of it.
+
+use clap::Command;
+
+use super::options::{
+    chain_of_other, choice, count, functions, number, of_a_file, out, path, vector,
+};
+use crate::convert::WITHOUT;
+
+/// Those about a robot file.
+pub(super) fn all() -> Vec<Command> {
+    vec![
+        show(),
+        check(),
+        generate(),
+        simulate(),
+        inverse(),
+        measure(),
+        convert(),
+    ]
+}
+
+fn show() -> Command {
+    of_a_file("show", "Print the table, what the functions are and cost, and their formulas")
+        .long_about(
+            "Print the table and, of each function, what it is, its units, its operations, which of its entries are \
+             zero or constant and on what the others depend, and the formulas of arms of up to three joints. With \
+             --format, print the formulas alone, of arms of any length. Formulas of more than --terms terms are counted \
+             and not printed.",
+        )
+        .arg(functions())
+        .arg(choice("format", "FORMAT", ["text", "latex", "mathml"]).help("Print formulas alone, in this format"))
+        .arg(count("terms", "1000", 1, 100_000, "The most terms of a formula that is printed"))
+        .arg(out())
+        .after_help(
+            "Examples:\n  \
+             robot-dynamics show two_link.toml\n  \
+             robot-dynamics show scara.toml --functions mass_matrix --format latex --out scara.tex",
+        )
+}
+
+fn check() -> Command {
+    of_a_file("check", "Compare every function with numeric Newton-Euler, and with another file")
+        .long_about(
+            "Compare every function with the numeric Newton-Euler algorithm on the raw table. With --against, compare M, \
+             V, G, tau and the pose of the tip with those of another file besides, or what --functions names: the table \
+             that somebody typed with the one it came from. The exit status is 1 where a difference is too large.",
+        )
+        .arg(functions())
+        .arg(path("against", "Another file of the same arm").long("against"))
+        .arg(chain_of_other())
+        .arg(count("samples", "100", 1, 1_000_000, "Random states"))
+        .arg(
+            number("tolerance", "Largest difference to the other file, relative to the largest entry")
+                .default_value("1e-9"),
+        )
+        .arg(out())
+        .after_help(
+            "Examples:\n  \
+             robot-dynamics check puma560.toml --functions default,jacobian\n  \
+             robot-dynamics check ur5.toml --against ur5.urdf --chain base_link,tool0 --gravity 0,0,-9.81",
+        )
+}
+
+fn generate() -> Command {
+    of_a_file("generate", "Write the functions as source code: Rust, C or JavaScript")
+        .long_about(
+            "Write the functions as source code into the folder that --out names, and say which files. `rust` is what \
+             the macro `robot_dynamics!` expands to, as a file of a crate that depends on `robot-dynamics`: a struct with \
+             the name of the file, documented methods, the runtime's traits. `c` is C99, a header and a source without \
+             dependencies, which are C++ and device code as well. `js` is an ES module. The same file gives the same \
+             bytes each time.",
+        )
+        .arg(functions())
+        .arg(
+            choice("lang", "LANGUAGE", ["rust", "c", "js"])
+                .required(true)
+                .help("The language"),
+        )
+        .arg(path("out", "The folder").long("out").default_value("."))
+        .after_help(
+            "Examples:\n  \
+             robot-dynamics generate puma560.toml --lang rust --out src\n  \
+             robot-dynamics generate panda.urdf --chain panda_link0,panda_link8 --gravity 0,0,-9.81 --lang c --out firmware",
+        )
+}
+
+fn simulate() -> Command {
+    of_a_file("simulate", "Move the arm, and write its motion as CSV")
+        .long_about(
+            "Move the arm under constant torques by Dormand and Prince's method, and write time, positions, velocities \
+             and energy as CSV. Joints with dry friction stick.",
+        )
+        .arg(vector("from", "Positions at the start; zeros where this is left out"))
+        .arg(vector("velocity", "Velocities at the start"))
+        .arg(vector("torque", "Torques and forces at the joints"))
+        .arg(number("duration", "Time simulated, s").default_value("1"))
+        .arg(count("samples", "101", 2, 10_000_000, "Rows of the output"))
+        .arg(number("tolerance", "Relative and absolute tolerance of a step").default_value("1e-9"))
+        .arg(out())
+        .after_help("Example:\n  robot-dynamics simulate two_link.toml --from 0.5,-1 --duration 10 --out fall.csv")
+}
+
+fn inverse() -> Command {
+    of_a_file("inverse", "Find the torques of a motion, and write them as CSV")
+        .long_about(
+            "Find the torques of a motion, and write time, positions, velocities, accelerations and torques as CSV. The \
+             motion is cycloidal from --from to --to, or passes the rows of a CSV file: a time and a position of each joint, \
+             joined by cubic splines at rest at both ends.",
+        )
+        .arg(vector("from", "Positions at the start of a cycloidal motion; zeros where this is left out"))
+        .arg(vector("to", "Positions at its end").required_unless_present("waypoints"))
+        .arg(
+            path("waypoints", "A CSV file of times and positions")
+                .long("waypoints")
+                .conflicts_with_all(["from", "to", "duration"]),
+        )
+        .arg(number("duration", "Time of a cycloidal motion, s").default_value("1"))
+        .arg(count("samples", "101", 2, 10_000_000, "Rows of the output"))
+        .arg(out())
+        .after_help(
+            "Examples:\n  \
+             robot-dynamics inverse two_link.toml --to 1,-0.5 --duration 2\n  \
+             robot-dynamics inverse two_link.toml --waypoints path.csv --samples 1001 --out torques.csv",
+        )
+}
+
+fn measure() -> Command {
+    of_a_file("measure", "Measure the time and the rounding error of each function on this machine")
+        .long_about(
+            "Measure each function on this machine: nanoseconds of a single evaluation and of a state in a batch, on one \
+             core, and the largest error of rounding, against the same program in 31 digits, relative to the largest entry. \
+             Programs are evaluated and not compiled: generated code takes a fraction of these times, with the same errors.",
+        )
+        .arg(functions())
+        .arg(out())
+        .after_help("Example:\n  robot-dynamics measure puma560.toml --functions inverse_dynamics,mass_matrix")
+}
+
+fn convert() -> Command {
+    of_a_file("convert", "Write the robot as another kind of file: TOML, JSON or URDF")
+        .long_about(
+            "Write the robot as another kind of file: a URDF file as a Denavit-Hartenberg table, a table as URDF, or a \
+             table of one convention as one of the other. Positions keep their zeros and their signs; what four numbers a \
+             joint cannot say at the ends of the arm stands in `base` and `tool`. Joints that are locked become parts of \
+             the links before them. Numbers are exact where the file's are and angles are quarter turns, and rounded to 25 \
+             digits where they are longer. `robot-dynamics check --against` compares the two files.",
+        )
+        .arg(functions().help("The functions that the table asks for"))
+        .arg(choice("to", "FORMAT", ["toml", "json", "urdf"]).help(
+            "The format; where this is left out that of the name of --out, or TOML for URDF and URDF for tables",
+        ))
+        .arg(
+            choice("convention", "CONVENTION", ["standard", "modified"])
+                .help("The convention of the table; where this is left out the file's, `modified` for URDF"),
+        )
+        .arg(
+            choice("without", "WORD", WITHOUT)
+                .value_delimiter(',')
+                .help("Leave out what URDF has no words for: motors, springs, friction other than constant and viscous"),
+        )
+        .arg(out())
+        .after_help(
+            "Examples:\n  \
+             robot-dynamics convert ur5.urdf --chain base_link,tool0 --gravity 0,0,-9.81 --convention standard --out ur5.toml\n  \
+             robot-dynamics convert puma560.toml --without motor --out puma560.urdf",
+        )
+}

@@ -1,0 +1,118 @@
+//! Two files of one arm.
+
+use std::fmt::Write as _;
+
+use dynamics_evaluation::RuntimeRobot;
+use dynamics_symbolic::function::Argument;
+
+use crate::failure::Failure;
+
+/// Compares the functions of two arms at random states; whether no difference is too large.
+pub(crate) fn compare(
+    one: &RuntimeRobot,
+    other: &RuntimeRobot,
+    samples: usize,
+    tolerance: f64,
+    text: &mut String,
+) -> Result<bool, Failure> {
+    let dof = one.dof();
+    if dof != other.dof() {
+        let message = format!("{} joints move, and {dof} in the first file", other.dof());
+        return Err(Failure::after(core::mem::take(text), message));
+    }
+    let _ = writeln!(
+        text,
+        "\nagainst the other file: largest difference over the largest entry"
+    );
+    let mut is_same = true;
+    for name in one.function_names() {
+        let found = Difference::of(name, one, other, samples)?;
+        let is_good = found.relative <= tolerance;
+        is_same &= is_good;
+        let at = match is_good {
+            true => String::new(),
+            false => format!(", most at {}", found.place(one)),
+        };
+        let _ = writeln!(text, "{name:<20} {:.1e}{at}", found.relative);
+    }
+    Ok(is_same)
+}
+
+/// The largest difference of a function's entries.
+struct Difference {
+    /// Over the largest entry.
+    relative: f64,
+    /// Which of the entries.
+    entry: usize,
+    entries: usize,
+}
+
+impl Difference {
+    fn of(
+        name: &str,
+        one: &RuntimeRobot,
+        other: &RuntimeRobot,
+        samples: usize,
+    ) -> Result<Difference, Failure> {
+        let mut random = Random(1);
+        let arguments = one.arguments(name)?.map(|(argument, width)| {
+            let range = range(argument);
+            let entries = (0..samples * width).map(|_| range * random.next());
+            entries.collect::<Vec<f64>>()
+        });
+        let arguments: Vec<_> = arguments.collect();
+        let arguments: Vec<&[f64]> = arguments.iter().map(Vec::as_slice).collect();
+        let entries = one.entries(name)?;
+        let [mut mine, mut others] = [(); 2].map(|()| vec![0.0; samples * entries]);
+        one.batch(name, &arguments, &mut mine)?;
+        other.batch(name, &arguments, &mut others)?;
+        let size = mine.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
+        let differences = mine.iter().zip(&others).map(|(a, b)| (a - b).abs());
+        let worst = |worst: (usize, f64), (place, x): (usize, f64)| {
+            let is_worse = x > worst.1 || x.is_nan();
+            if is_worse { (place, x) } else { worst }
+        };
+        let (place, difference) = differences.enumerate().fold((0, 0.0), worst);
+        Ok(Difference {
+            relative: if size > 0.0 {
+                difference / size
+            } else {
+                difference
+            },
+            entry: place.checked_rem(entries).unwrap_or(0),
+            entries,
+        })
+    }
+
+    /// The joint of the entry, where there is one for each joint or pair of joints.
+    fn place(&self, arm: &RuntimeRobot) -> String {
+        let dof = arm.dof();
+        let is_of_joints = self.entries == dof || self.entries == dof * dof;
+        let joint = arm.joint_names().nth(self.entry % dof);
+        match joint.filter(|_| is_of_joints) {
+            Some(joint) => format!("joint `{joint}`"),
+            None => format!("entry {}", self.entry + 1),
+        }
+    }
+}
+
+/// Up to which size the entries of an argument are.
+fn range(argument: Argument) -> f64 {
+    match argument {
+        Argument::Position | Argument::Velocity => 3.0,
+        _ => 10.0,
+    }
+}
+
+/// Numbers between -1 and 1, the same each time.
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> f64 {
+        let Random(state) = self;
+        *state = state
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        (*state >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+    }
+}

@@ -1,0 +1,126 @@
+//! Angles that are found from sines and cosines.
+
+use dynamics_codegen::geometry::{Matrix, Transform, polar_angle};
+use dynamics_symbolic::exact::{Rational, square_root};
+use dynamics_symbolic::robot::Value;
+
+/// An angle: so many quarter turns, or rad.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Angle {
+    Quarters(i8),
+    Radians(Rational),
+}
+
+/// Whether a number of fifty digits is zero.
+pub(super) fn is_zero(x: &Rational) -> bool {
+    is_below(x, 40)
+}
+
+/// Whether a number is zero to so many places behind the point.
+fn is_below(x: &Rational, places: isize) -> bool {
+    let least = Rational::ONE / Rational::from(10).pow(places);
+    *x < least && -x < least
+}
+
+impl Angle {
+    pub(super) const ZERO: Angle = Angle::Quarters(0);
+
+    /// The angle whose sine and cosine are those numbers, or in proportion to them.
+    pub(super) fn of(sine: &Rational, cosine: &Rational) -> Angle {
+        let is_positive = |x: &Rational| *x > Rational::ZERO;
+        match (is_zero(sine), is_zero(cosine)) {
+            (true, _) if is_positive(cosine) => Angle::ZERO,
+            (true, _) => Angle::Quarters(2),
+            (_, true) if is_positive(sine) => Angle::Quarters(1),
+            (_, true) => Angle::Quarters(-1),
+            _ => Angle::Radians(polar_angle(cosine, sine)),
+        }
+    }
+
+    pub(super) fn is_zero(&self) -> bool {
+        *self == Angle::ZERO
+    }
+
+    /// Of an angle so near to a quarter turn, or several, that every reader takes it for that: the turns, and
+    /// what is left.
+    pub(super) fn split(self) -> (Option<Angle>, Angle) {
+        let Angle::Radians(angle) = &self else {
+            return (None, self);
+        };
+        let count = (angle.to_f64().value() / core::f64::consts::FRAC_PI_2).round();
+        let whole = Angle::Quarters(count as i8);
+        let exact = dynamics_codegen::geometry::number(&whole.value());
+        let rest = angle - exact.unwrap_or(Rational::ZERO);
+        // Readers compare in doubles: what is a little further off is left apart as well.
+        match count != 0.0 && is_below(&(&rest * Rational::from(9) / Rational::from(10)), 9) {
+            true => (Some(whole), Angle::Radians(rest)),
+            false => (None, self),
+        }
+    }
+
+    /// The angle as a cell of a table.
+    pub(super) fn value(&self) -> Value {
+        match self {
+            Angle::Quarters(count) => {
+                let half = Rational::from_parts_signed((*count).into(), 2_u8.into());
+                Value::Pi * Value::Rational(half)
+            }
+            Angle::Radians(angle) => Value::Rational(angle.clone()),
+        }
+    }
+}
+
+/// Roll, pitch and yaw of a rotation Rz(yaw) Ry(pitch) Rx(roll).
+pub(super) fn roll_pitch_yaw(m: &Matrix) -> [Angle; 3] {
+    let square = &m[0][0] * &m[0][0] + &m[1][0] * &m[1][0];
+    let cosine = square_root(&square).unwrap_or(Rational::ZERO);
+    let pitch = Angle::of(&-&m[2][0], &cosine);
+    if is_zero(&cosine) {
+        // Roll and yaw turn about one axis: yaw is zero.
+        return [Angle::of(&-&m[1][2], &m[1][1]), pitch, Angle::ZERO];
+    }
+    [
+        Angle::of(&m[2][1], &m[2][2]),
+        pitch,
+        Angle::of(&m[1][0], &m[0][0]),
+    ]
+}
+
+/// Whether two frames are the same, but for digits that the feet of normals lose between axes that are
+/// nearly parallel.
+pub(super) fn is_same(one: &Transform, other: &Transform) -> bool {
+    let of = |frame: &Transform| {
+        let entries = frame.rotation.iter().flatten().chain(&frame.origin);
+        entries.cloned().collect::<Vec<_>>()
+    };
+    of(one)
+        .iter()
+        .zip(of(other))
+        .all(|(a, b)| is_below(&(a - b), 28))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn rotation(rpy: [Value; 3]) -> Transform {
+        Transform::new(&[Rational::ZERO; 3], &rpy).expect("numbers")
+    }
+
+    #[test]
+    fn roll_pitch_and_yaw_are_found_again() {
+        let decimal = |x: i64| Value::Rational(Rational::from_parts(x.into(), 100_u8.into()));
+        let quarter = |count: i8| Angle::Quarters(count).value();
+        for rpy in [
+            [decimal(30), decimal(-50), decimal(120)],
+            [quarter(1), quarter(0), quarter(-1)],
+            [quarter(2), decimal(1), quarter(2)],
+            [decimal(70), quarter(1), decimal(20)],
+            [decimal(70), quarter(-1), decimal(-310)],
+        ] {
+            let expected = rotation(rpy.clone());
+            let found = roll_pitch_yaw(&expected.rotation).map(|angle| angle.value());
+            assert!(is_same(&rotation(found), &expected), "{rpy:?}");
+        }
+    }
+}

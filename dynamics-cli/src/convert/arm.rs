@@ -1,0 +1,145 @@
+//! An arm in space, all of its joints at zero: what remains of a file when its frames are left out.
+
+use dynamics_codegen::geometry::{Mass, Transform, Vector, dot, number, tidy};
+use dynamics_symbolic::exact::{Rational, square_root};
+use dynamics_symbolic::robot::{Convention, JointType, Placement, Robot, Row, Value};
+
+/// An arm whose joints have axes in space, and whose bodies are told in the frames of its joints.
+pub(super) struct Arm<'r> {
+    pub(super) robot: &'r Robot,
+    /// Acceleration of gravity in the axes of the world.
+    pub(super) gravity: Vector,
+    /// From the base outwards; joints that are locked are parts of the links before them.
+    pub(super) joints: Vec<Joint<'r>>,
+    /// The tip's frame in the world.
+    pub(super) tip: Transform,
+}
+
+/// A joint that moves, and the link behind it.
+pub(super) struct Joint<'r> {
+    /// Its row, whose geometry and body are not read.
+    pub(super) row: &'r Row,
+    /// A frame in the world whose z axis is that of the joint.
+    pub(super) frame: Transform,
+    /// The link in that frame.
+    pub(super) body: Mass,
+}
+
+impl Joint<'_> {
+    pub(super) fn slides(&self) -> bool {
+        self.row.joint_type == JointType::Prismatic
+    }
+}
+
+impl Arm<'_> {
+    /// The arm of a robot without fields; of one with fields there is none.
+    pub(super) fn new(robot: &Robot) -> Option<Arm<'_>> {
+        let mut frame = match &robot.base {
+            Some(base) => placed(base)?,
+            None => Transform::identity(),
+        };
+        let mut joints: Vec<Joint> = Vec::new();
+        // The link frame behind the last row.
+        let mut link = frame.clone();
+        for row in &robot.rows {
+            let before = frame.clone();
+            frame = before.then(&step(robot.convention, row)?).tidy();
+            link = frame.clone();
+            for place in row.mount.iter().flat_map(|mount| &mount.frame) {
+                link = link.then(&placed(place)?).tidy();
+            }
+            if row.locked.is_none() {
+                let axis = match robot.convention {
+                    Convention::Standard => before,
+                    Convention::Modified => frame.clone(),
+                };
+                joints.push(Joint {
+                    row,
+                    frame: axis,
+                    body: Mass::none(),
+                });
+            }
+            // What comes before the first joint stands still.
+            if let Some(joint) = joints.last_mut() {
+                let link = joint.frame.inverse().then(&link);
+                joint
+                    .body
+                    .add(&body(&row.mass, &row.com, &row.inertia, &link)?);
+            }
+        }
+        let tip = match &robot.tool {
+            Some(tool) => frame.then(&placed(&tool.placement)?).tidy(),
+            None => link,
+        };
+        let gravity = numbers(&robot.gravity)?;
+        Some(Arm {
+            robot,
+            gravity,
+            joints,
+            tip,
+        })
+    }
+
+    /// A length that no distance in the arm exceeds by much.
+    pub(super) fn size(&self) -> Rational {
+        let frames = self.joints.iter().map(|joint| &joint.frame);
+        let mut before = [Rational::ZERO; 3];
+        let mut size = Rational::ZERO;
+        for frame in frames.chain([&self.tip]) {
+            size += length(&between(&before, &frame.origin));
+            before = frame.origin.clone();
+        }
+        size
+    }
+}
+
+/// The way from one point to another.
+pub(super) fn between(from: &Vector, to: &Vector) -> Vector {
+    [0, 1, 2].map(|k| tidy(&to[k] - &from[k]))
+}
+
+/// The length of a vector.
+pub(super) fn length(v: &Vector) -> Rational {
+    let square = dot(v, v);
+    square_root(&tidy(square)).unwrap_or(Rational::ZERO)
+}
+
+/// A body told in a link frame, in the frame that this one is in.
+fn body(mass: &Value, com: &[Value; 3], inertia: &[Value; 6], link: &Transform) -> Option<Mass> {
+    let center = Transform {
+        origin: numbers(com)?,
+        ..Transform::identity()
+    };
+    let frame = link.then(&center).tidy();
+    Some(Mass::new(&number(mass)?, &numbers(inertia)?, &frame))
+}
+
+fn numbers<const N: usize>(values: &[Value; N]) -> Option<[Rational; N]> {
+    let numbers: Option<Vec<_>> = values.iter().map(number).collect();
+    numbers?.try_into().ok()
+}
+
+fn placed(place: &Placement) -> Option<Transform> {
+    Transform::new(&numbers(&place.xyz)?, &place.rpy)
+}
+
+/// A frame behind a row in the one before it: the joint at zero, or where it is locked.
+fn step(convention: Convention, row: &Row) -> Option<Transform> {
+    let zero = Value::zero;
+    let along_x = [number(&row.a)?, Rational::ZERO, Rational::ZERO];
+    let about_x = Transform::new(&along_x, &[row.alpha.clone(), zero(), zero()])?;
+    let (mut angle, mut offset) = (zero(), number(&row.d)?);
+    match (&row.locked, row.joint_type) {
+        (None, _) => {}
+        (Some(position), JointType::Revolute) => angle = position.clone(),
+        (Some(position), JointType::Prismatic) => offset += number(position)?,
+    }
+    let along_z = [Rational::ZERO, Rational::ZERO, offset];
+    let about_z = Transform::new(&along_z, &[zero(), zero(), row.theta.clone()])?;
+    let locked = Transform::new(&[Rational::ZERO; 3], &[zero(), zero(), angle])?;
+    let about_z = about_z.then(&locked);
+    Some(match convention {
+        Convention::Standard => about_z.then(&about_x),
+        Convention::Modified => about_x.then(&about_z),
+    })
+}

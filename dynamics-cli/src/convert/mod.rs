@@ -1,0 +1,151 @@
+//! One kind of robot file as another: URDF as a Denavit-Hartenberg table, a table as URDF, and tables of one
+//! convention as those of the other.
+//!
+//! `arm` puts the axes and bodies of a file in space, exactly where angles are quarter turns and in fifty
+//! digits where they are not; `table` finds rows for them, or `urdf` writes them as they are. `document` says
+//! a table in the macro's words, `toml` and `json` write it. What is written is read back by the macro's own
+//! reader before anybody else sees it.
+
+mod angle;
+mod arm;
+mod document;
+mod json;
+mod normal;
+mod number;
+mod read_back;
+mod table;
+mod toml;
+mod urdf;
+
+use std::path::{Path, PathBuf};
+
+use clap::ArgMatches;
+use dynamics_codegen::Model;
+use dynamics_codegen::files::Format;
+use dynamics_symbolic::robot::Convention;
+
+use crate::failure::Failure;
+use crate::load::{file_of, read};
+use arm::Arm;
+use document::{Allowed, Document};
+use number::DIGITS;
+use read_back::{refusals, refused_words};
+use table::Table;
+
+/// What joints have that URDF has no words for, as the option `--without` names it.
+pub(crate) const WITHOUT: [&str; 3] = urdf::WITHOUT;
+
+/// The text of the other file.
+pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
+    let path = file_of(given);
+    let model = read(path, given)?;
+    let Some(arm) = Arm::new(&model.robot) else {
+        return Err(Failure::of_file(path, "expected numbers in every cell"));
+    };
+    let name = path.file_stem().and_then(|stem| stem.to_str());
+    let name = name.unwrap_or("robot");
+    match target(given, path) {
+        Format::Urdf => as_urdf(name, &arm, path, given),
+        format => as_table(name, &arm, &model, (path, format), given),
+    }
+}
+
+/// The format that is asked for: by name, by that of the file that is written, or the other one.
+fn target(given: &ArgMatches, path: &Path) -> Format {
+    let of_option = given
+        .get_one::<String>("to")
+        .and_then(|word| Format::of(&Path::new("robot").with_extension(word)));
+    let out = given.get_one::<PathBuf>("out");
+    let of_name = out.and_then(|out| Format::of(out));
+    let other = match Format::of(path) {
+        Some(Format::Urdf) => Format::Toml,
+        _ => Format::Urdf,
+    };
+    of_option.or(of_name).unwrap_or(other)
+}
+
+/// What stands at the head of the file.
+fn remarks(path: &Path, model_notes: &[String]) -> Vec<String> {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let mut remarks = vec![
+        format!("Converted from {name} by `robot-dynamics convert`. SI units, radians."),
+        format!("Numbers are exact, but for those of {DIGITS} digits, which are rounded."),
+    ];
+    let notes = model_notes.iter();
+    remarks.extend(notes.map(|note| {
+        let note = note.trim();
+        note.replace("`round_angles: 1e-4`", "`--round-angles 1e-4`")
+    }));
+    remarks
+}
+
+fn as_table(
+    name: &str,
+    arm: &Arm,
+    model: &Model,
+    (path, format): (&Path, Format),
+    given: &ArgMatches,
+) -> Result<String, Failure> {
+    let convention = match given.get_one::<String>("convention").map(String::as_str) {
+        Some("standard") => Convention::Standard,
+        Some(_) => Convention::Modified,
+        None => model.robot.convention,
+    };
+    let impossible = || Failure::of_file(path, "no table was found that has the arm's geometry");
+    let table = Table::of(arm, convention).ok_or_else(impossible)?;
+    let mut remarks = remarks(path, &model.notes);
+    if table.rows.iter().any(|row| row.joint.is_none()) {
+        remarks.push(
+            "The joints `fixed_1` and so on are locked. They stand where one row cannot say what is there: between \
+             axes that are nearly parallel, and where an angle is within 1e-9 of a quarter turn."
+                .to_owned(),
+        );
+    }
+    let mut allowed = Allowed::new();
+    loop {
+        let document = Document::new(&table, &arm.gravity, model, &allowed);
+        let text = match format {
+            Format::Json => json::text(name, &document, &remarks.join(" ")),
+            _ => toml::text(&document, &remarks),
+        };
+        let refusals = refusals(name, &text, format);
+        let Some(first) = refusals.first() else {
+            return Ok(text);
+        };
+        // What the file that was read has, odd as it is, is meant.
+        let mut is_new = false;
+        for (joint, word) in refused_words(&text, format, &table, &refusals) {
+            is_new |= allowed.entry(joint).or_default().insert(word);
+        }
+        if !is_new {
+            let message = format!("no table can say this: {}", first.message);
+            return Err(Failure::of_file(path, message));
+        }
+    }
+}
+
+fn as_urdf(name: &str, arm: &Arm, path: &Path, given: &ArgMatches) -> Result<String, Failure> {
+    let without: Vec<&str> = given
+        .get_many::<String>("without")
+        .into_iter()
+        .flatten()
+        .map(String::as_str)
+        .collect();
+    let untold = urdf::untold(arm);
+    let mut missing = untold.iter().filter(|(word, _)| !without.contains(word));
+    if let Some((word, what)) = missing.next() {
+        let message =
+            format!("{what}, which URDF has no words for: `--without {word}` leaves it out");
+        return Err(Failure::of_file(path, message));
+    }
+    let mut remarks = remarks(path, &[]);
+    let [base, tip] = urdf::CHAIN;
+    let gravity = arm.gravity.each_ref().map(number::decimal).join(", ");
+    remarks.push(format!(
+        "The arm is the chain from {base} to {tip}; gravity, of which URDF does not tell, is [{gravity}] m/s^2."
+    ));
+    for (_, what) in &untold {
+        remarks.push(format!("Left out: {what}."));
+    }
+    Ok(urdf::text(name, arm, &remarks))
+}

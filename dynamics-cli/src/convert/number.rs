@@ -1,0 +1,146 @@
+//! Numbers as text: exact where they are short.
+
+use dynamics_symbolic::exact::Rational;
+
+use super::angle::Angle;
+
+/// Digits of a number that has more.
+pub(super) const DIGITS: usize = 25;
+
+/// Behind the point, what is found in fifty digits is zero after so many.
+const PLACES: usize = 34;
+
+/// Letters of the longest fraction that is written as one.
+const FRACTION: usize = 40;
+
+/// A number as a decimal: exactly where it has at most [`DIGITS`] digits, or else rounded to as many.
+pub(super) fn decimal(x: &Rational) -> String {
+    let scale = Rational::from(10).pow(PLACES as isize);
+    let whole = (x * scale).round();
+    let text = whole.to_string();
+    let (sign, digits) = match text.strip_prefix('-') {
+        Some(digits) => ("-", digits),
+        None => ("", text.as_str()),
+    };
+    let (digits, exponent) = rounded(digits);
+    if digits.is_empty() {
+        return "0".to_owned();
+    }
+    format!("{sign}{}", placed(&digits, exponent))
+}
+
+/// The digits without zeros at the end, at most so many, and the power of ten that they are multiplied by.
+fn rounded(digits: &str) -> (String, isize) {
+    let mut exponent = -(PLACES as isize);
+    let mut digits = digits.to_owned();
+    if digits.len() > DIGITS {
+        let (kept, left) = digits.split_at(DIGITS);
+        exponent += left.len() as isize;
+        let up = left.as_bytes()[0] >= b'5';
+        digits = match (up, kept.parse::<u128>()) {
+            (true, Ok(kept)) => (kept + 1).to_string(),
+            _ => kept.to_owned(),
+        };
+    }
+    let kept = digits.trim_end_matches('0').len();
+    exponent += (digits.len() - kept) as isize;
+    digits.truncate(kept);
+    (digits, exponent)
+}
+
+/// A decimal with its point, or with an exponent where that is shorter to read.
+fn placed(digits: &str, exponent: isize) -> String {
+    let count = digits.len() as isize;
+    // The place of the point, counted from the first digit.
+    let point = count + exponent;
+    match point {
+        _ if exponent >= 0 && point <= 15 => {
+            format!("{digits}{}", "0".repeat(exponent.unsigned_abs()))
+        }
+        -4..=0 => format!("0.{}{digits}", "0".repeat(point.unsigned_abs())),
+        1..=15 => {
+            let (whole, behind) = digits.split_at(point.unsigned_abs());
+            format!("{whole}.{behind}")
+        }
+        _ => {
+            let (first, others) = digits.split_at(1);
+            let behind = match others {
+                "" => String::new(),
+                others => format!(".{others}"),
+            };
+            format!("{first}{behind}e{}", point - 1)
+        }
+    }
+}
+
+/// A number that is no decimal, as a fraction, where that is short.
+pub(super) fn fraction(x: &Rational) -> Option<String> {
+    let mut rest = x.denominator().to_string();
+    let is_decimal = {
+        let scale = Rational::from(10).pow(PLACES as isize);
+        (x * scale).is_int()
+    };
+    if is_decimal || rest.len() > FRACTION {
+        return None;
+    }
+    rest = format!("{} / {rest}", x.numerator());
+    (rest.len() <= FRACTION).then_some(rest)
+}
+
+/// An angle as a decimal.
+pub(super) fn radians(angle: &Angle) -> String {
+    match angle {
+        Angle::Quarters(count) => (f64::from(*count) * core::f64::consts::FRAC_PI_2).to_string(),
+        Angle::Radians(angle) => decimal(angle),
+    }
+}
+
+/// An angle in the words of a table: none where it is no multiple of a quarter turn.
+pub(super) fn turns(angle: &Angle) -> Option<&'static str> {
+    match angle {
+        Angle::Quarters(1) => Some("PI/2"),
+        Angle::Quarters(-1) => Some("-PI/2"),
+        Angle::Quarters(2) => Some("PI"),
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn decimals_are_exact_where_they_are_short() {
+        for text in [
+            "0", "1", "-1", "0.333", "-0.0825", "1234.5", "0.00012", "1e-7", "-2.5e-9", "120000",
+        ] {
+            let number: Rational = match text.split_once('e') {
+                None => parsed(text),
+                Some((mantissa, power)) => {
+                    let power: isize = power.parse().expect("a power");
+                    parsed(mantissa) / Rational::from(10).pow(-power)
+                }
+            };
+            assert_eq!(decimal(&number), text);
+        }
+    }
+
+    fn parsed(text: &str) -> Rational {
+        let (whole, behind) = text.split_once('.').unwrap_or((text, ""));
+        let digits: Rational = format!("{whole}{behind}").parse().expect("digits");
+        digits / Rational::from(10).pow(behind.len() as isize)
+    }
+
+    #[test]
+    fn other_numbers_are_rounded() {
+        let third = Rational::ONE / Rational::from(3);
+        assert_eq!(decimal(&third), "0.3333333333333333333333333");
+        assert_eq!(fraction(&third).as_deref(), Some("1 / 3"));
+        assert_eq!(fraction(&parsed("0.25")), None);
+        let two_thirds = Rational::from(2) * &third;
+        assert_eq!(decimal(&-two_thirds), "-0.6666666666666666666666667");
+        let nines = "9".repeat(30);
+        assert_eq!(decimal(&parsed(&format!("0.{nines}"))), "1");
+        assert_eq!(decimal(&(third / Rational::from(10).pow(45))), "0");
+    }
+}

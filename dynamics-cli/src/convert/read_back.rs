@@ -1,0 +1,51 @@
+//! What the macro's own reader says of a table that was written.
+
+use dynamics_codegen::description::Place;
+use dynamics_codegen::files::{Format, Request, table};
+use dynamics_codegen::{Error, check};
+
+use super::document::names;
+use super::table::Table;
+
+/// Why the table cannot be read; nothing where it can.
+pub(super) fn refusals(name: &str, text: &str, format: Format) -> Vec<Error> {
+    let read = table(name, text, format, &Request::default());
+    match read.and_then(|table| check(&table)) {
+        Ok(_) => Vec::new(),
+        Err(errors) => errors,
+    }
+}
+
+/// The words by which a table accepts what was refused, as the refusals name them, each with the joint in
+/// whose row it goes; without one it is for the whole table.
+pub(super) fn refused_words(
+    text: &str,
+    format: Format,
+    table: &Table,
+    refusals: &[Error],
+) -> Vec<(Option<String>, &'static str)> {
+    const WORDS: [&str; 5] = [
+        "odd_angle",
+        "odd_com",
+        "odd_gravity",
+        "odd_mass",
+        "unphysical_inertia",
+    ];
+    let head = match format {
+        Format::Json => "    {",
+        _ => "[[joint]]",
+    };
+    let names = names(table);
+    let word_of = |error: &Error| {
+        let word = WORDS
+            .into_iter()
+            .find(|word| error.message.contains(word))?;
+        let Place::File { line, .. } = error.place else {
+            return Some((None, word));
+        };
+        let rows = text.lines().take(line).filter(|line| *line == head).count();
+        let joint = rows.checked_sub(1).and_then(|row| names.get(row));
+        Some((joint.cloned(), word))
+    };
+    refusals.iter().filter_map(word_of).collect()
+}

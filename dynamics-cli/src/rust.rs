@@ -1,0 +1,155 @@
+//! What the macro expands to, as a file of Rust.
+
+use std::path::Path;
+
+use dynamics_codegen::{Model, items_of};
+use dynamics_symbolic::emit::snake_case;
+use proc_macro2::{Ident, Span};
+use quote::{format_ident, quote};
+use syn::{Expr, Item, Stmt, StmtMacro};
+
+use crate::failure::Failure;
+use crate::progress::Progress;
+
+/// The crate that the file's own crate depends on.
+const FACADE: &str = "::robot_dynamics";
+
+/// The name of the file, and its text.
+pub(crate) fn source(path: &Path, model: Model) -> Result<(String, String), Failure> {
+    let module = snake_case(&model.robot.name);
+    let name = struct_name(&module);
+    let of_file = path.file_name().unwrap_or_default().to_string_lossy();
+    let documentation = [
+        format!(" The arm of `{of_file}`, with its equations of motion."),
+        String::new(),
+        format!(
+            " Joints that move: {}.",
+            model
+                .robot
+                .joints()
+                .map(|row| format!("`{}`", row.name))
+                .collect::<Vec<_>>()
+                .join(", ")
+        ),
+    ];
+    let progress = Progress::new(1);
+    progress.doing("deriving and proving the functions");
+    let facade = syn::parse_str(FACADE)?;
+    let items = items_of(model, name, &documentation, facade).map_err(|errors| {
+        let messages = errors.iter().map(|error| error.message.as_str());
+        Failure::of_file(path, messages.collect::<Vec<_>>().join("\n"))
+    })?;
+    drop(progress);
+    let head = format!(
+        "// Generated from {of_file} by `robot-dynamics generate --lang rust`: what the macro `robot_dynamics!` expands to\n\
+         // for this arm. The crate that it stands in depends on `robot-dynamics`.\n\n"
+    );
+    let text = head + &formatted(syn::parse2(items)?);
+    Ok((format!("{module}.rs"), text))
+}
+
+/// `two_link` as `TwoLink`.
+fn struct_name(module: &str) -> Ident {
+    let words = module.split('_').map(|word| {
+        let mut letters = word.chars();
+        let first = letters.next().map(|first| first.to_uppercase().to_string());
+        first.unwrap_or_default() + letters.as_str()
+    });
+    let name: String = words.collect();
+    // A name does not start with a digit.
+    let name = match name.starts_with(|letter: char| letter.is_alphabetic()) {
+        true => name,
+        false => format!("Arm{name}"),
+    };
+    let name: String = name
+        .chars()
+        .filter(|letter| letter.is_ascii_alphanumeric())
+        .collect();
+    match syn::parse_str(&name) {
+        Ok(name) => name,
+        Err(_) => Ident::new("Arm", Span::call_site()),
+    }
+}
+
+/// The text of the items. What stands in a macro of the runtime's is formatted as the items that it is.
+fn formatted(mut file: syn::File) -> String {
+    let mut macros = Vec::new();
+    for item in &mut file.items {
+        let Item::Const(scope) = item else { continue };
+        let Expr::Block(block) = &mut *scope.expr else {
+            continue;
+        };
+        for statement in &mut block.block.stmts {
+            if let Some((module, path)) = as_module(statement, macros.len()) {
+                *statement = module;
+                macros.push(path);
+            }
+        }
+    }
+    let mut text = prettyplease::unparse(&file);
+    for (index, path) in macros.iter().enumerate() {
+        text = text.replace(&format!("mod __macro_{index} {{"), &format!("{path}! {{"));
+    }
+    spaced(&text)
+}
+
+/// A call of a macro that holds items as a module that holds them, and the path of the macro.
+fn as_module(statement: &Stmt, index: usize) -> Option<(Stmt, String)> {
+    let Stmt::Macro(StmtMacro { mac, .. }) = statement else {
+        return None;
+    };
+    let items = syn::parse2::<syn::File>(mac.tokens.clone()).ok()?.items;
+    let path = &mac.path;
+    let path = quote!(#path).to_string().replace(' ', "");
+    let name = format_ident!("__macro_{index}");
+    let module = syn::parse2(quote!(mod #name { #(#items)* })).ok()?;
+    Some((Stmt::Item(module), path))
+}
+
+/// The text with an empty line in front of each documented or attributed item, and of each implementation.
+fn spaced(text: &str) -> String {
+    let is_head = |line: &str| {
+        let line = line.trim_start();
+        [
+            "///",
+            "#[",
+            "impl",
+            "const _",
+            "mod ",
+            "::robot_dynamics::__with",
+        ]
+        .iter()
+        .any(|start| line.starts_with(start))
+    };
+    let mut spaced = String::with_capacity(text.len() + text.len() / 20);
+    let mut before = "{";
+    for line in text.lines() {
+        let goes_on =
+            before.ends_with('{') || before.trim() == ")]" || is_head(before) || before.is_empty();
+        if is_head(line) && !goes_on {
+            spaced.push('\n');
+        }
+        spaced.push_str(line);
+        spaced.push('\n');
+        before = line;
+    }
+    spaced
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn structs_have_the_names_of_files() {
+        for (name, expected) in [
+            ("two_link", "TwoLink"),
+            ("UR5e", "Ur5e"),
+            ("7bot", "Arm7bot"),
+            ("my arm.2", "MyArm2"),
+            ("self", "Arm"),
+        ] {
+            assert_eq!(struct_name(&snake_case(name)).to_string(), expected);
+        }
+    }
+}

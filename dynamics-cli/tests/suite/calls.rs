@@ -1,0 +1,71 @@
+//! Calls of the command, and files for them.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+/// A file of `tests/data`.
+pub(crate) fn data(name: &str) -> String {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/data");
+    folder.join(name).to_string_lossy().into_owned()
+}
+
+/// A folder for what a test writes.
+pub(crate) fn folder(name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    std::fs::create_dir_all(&folder).expect("a folder");
+    folder
+}
+
+/// A file with that text.
+pub(crate) fn file(name: &str, text: impl AsRef<[u8]>) -> String {
+    let path = folder("files").join(name);
+    std::fs::write(&path, text).expect("a file");
+    path.to_string_lossy().into_owned()
+}
+
+pub(crate) fn run(arguments: &[&str]) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_robot-dynamics"));
+    command.args(arguments).output().expect("the command")
+}
+
+/// The output of a call that succeeds.
+#[track_caller]
+pub(crate) fn output(arguments: &[&str]) -> String {
+    let output = run(arguments);
+    let errors = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(0), "{arguments:?}: {errors}");
+    String::from_utf8(output.stdout).expect("text")
+}
+
+/// What is told of a call that fails.
+#[track_caller]
+pub(crate) fn errors(arguments: &[&str], status: i32) -> String {
+    let output = run(arguments);
+    let errors = String::from_utf8(output.stderr).expect("text");
+    assert_eq!(
+        output.status.code(),
+        Some(status),
+        "{arguments:?}: {errors}"
+    );
+    assert!(!errors.contains("panicked"), "{errors}");
+    errors
+}
+
+/// Two rods that hang from each other.
+pub(crate) const PENDULUM: &str = r#"
+convention = "modified"
+gravity = ["9.81", 0, 0]
+
+[[joint]]
+name = "pivot"
+type = "revolute"
+mass = 2
+com = [0.5, 0, 0]
+
+[[joint]]
+name = "knee"
+type = "revolute"
+a = 1
+mass = 1
+com = [0.25, 0, 0]
+"#;

@@ -1,0 +1,444 @@
+//! Files that are converted describe the same arm, as numeric Newton-Euler reads them.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use dynamics_evaluation::{Besides, RuntimeRobot, read_file};
+use dynamics_runtime::nalgebra::SVector;
+use dynamics_runtime::{Model as _, NewtonEuler};
+use dynamics_symbolic::robot::{Convention, Robot};
+
+use super::calls::{data, errors, file, folder, output};
+
+/// An arm in a URDF file of `tests/data/urdf`.
+struct Arm {
+    name: String,
+    file: String,
+    options: Vec<String>,
+    besides: Besides,
+}
+
+const GRAVITY: &str = "gravity = [0, 0, -9.81]\nallow = [\"unphysical_inertia\"]\n";
+
+/// The strings between brackets behind a key of a JSON file that has no other brackets in them.
+fn strings(json: &str, key: &str) -> Vec<String> {
+    let behind = json
+        .split_once(&format!("\"{key}\": ["))
+        .expect("the key")
+        .1;
+    let list = behind.split_once(']').expect("a list").0;
+    list.split('"')
+        .skip(1)
+        .step_by(2)
+        .map(str::to_owned)
+        .collect()
+}
+
+/// The numbers of an object of them.
+fn numbers(json: &str, key: &str) -> BTreeMap<String, String> {
+    let behind = json
+        .split_once(&format!("\"{key}\": {{"))
+        .expect("the key")
+        .1;
+    let items = behind.split_once('}').expect("an object").0.split(',');
+    let item = |item: &str| {
+        let (name, number) = item.split_once(':')?;
+        Some((
+            name.trim().trim_matches('"').to_owned(),
+            number.trim().to_owned(),
+        ))
+    };
+    items.filter_map(item).collect()
+}
+
+/// All arms of the folder.
+fn arms() -> Vec<Arm> {
+    let folder = PathBuf::from(data("urdf"));
+    let entries = std::fs::read_dir(&folder).expect("the folder");
+    let paths = entries.map(|entry| entry.expect("an entry").path());
+    let mut paths: Vec<_> = paths
+        .filter(|path| path.extension().is_some_and(|end| end == "json"))
+        .collect();
+    paths.sort();
+    paths.iter().map(|path| arm(path)).collect()
+}
+
+fn arm(path: &Path) -> Arm {
+    let json = std::fs::read_to_string(path).expect("a reference");
+    let file = json.split('"').nth(3).expect("a file");
+    let chain: [String; 2] = strings(&json, "chain").try_into().expect("two links");
+    let ignore = strings(&json, "ignore");
+    let lock = numbers(&json, "lock");
+    let mut options = vec!["--chain".to_owned(), chain.join(",")];
+    let mut entries = GRAVITY.to_owned();
+    for joint in &ignore {
+        options.extend(["--ignore".to_owned(), joint.clone()]);
+    }
+    for (joint, position) in &lock {
+        options.extend(["--lock".to_owned(), format!("{joint}={position}")]);
+    }
+    if !lock.is_empty() {
+        let lock: Vec<_> = lock
+            .iter()
+            .map(|(joint, q)| format!("{joint:?} = {q}"))
+            .collect();
+        entries += &format!("lock = {{ {} }}\n", lock.join(", "));
+    }
+    options.extend(["--gravity", "0,0,-9.81", "--allow", "unphysical_inertia"].map(str::to_owned));
+    Arm {
+        name: path
+            .file_stem()
+            .expect("a name")
+            .to_string_lossy()
+            .into_owned(),
+        file: data(&format!("urdf/{file}")),
+        options,
+        besides: Besides {
+            entries,
+            chain: Some(chain),
+            ignore,
+            round_angles: None,
+        },
+    }
+}
+
+fn read(path: &str, besides: &Besides) -> Robot {
+    let model = read_file(Path::new(path), besides);
+    model.unwrap_or_else(|error| panic!("{error}")).robot
+}
+
+/// Calls `convert`, and reads what it wrote to that file.
+fn converted(file: &str, options: &[&str], name: &str, besides: &Besides) -> (String, Robot) {
+    let path = folder("converted").join(name);
+    let path = path.to_string_lossy().into_owned();
+    output(&[&["convert", file, "--out", &path][..], options].concat());
+    let robot = read(&path, besides);
+    (path, robot)
+}
+
+/// The largest difference of M, V, G, tau and the tip's pose at some states, relative to the largest entry.
+fn difference(one: &Robot, other: &Robot) -> f64 {
+    macro_rules! of_joints {
+        ($($n:literal)*) => {
+            match one.dof() {
+                $($n => difference_of::<$n>(one, other),)*
+                dof => panic!("{dof} joints"),
+            }
+        };
+    }
+    of_joints!(1 2 3 4 5 6 7 8)
+}
+
+fn difference_of<const N: usize>(one: &Robot, other: &Robot) -> f64 {
+    let values = [one, other].map(|robot| {
+        let arm = RuntimeRobot::of_programs(robot.clone(), &[]).expect("an arm");
+        let table = arm.typed::<N>().expect("so many joints").table();
+        let numeric = NewtonEuler::new(&table);
+        let mut values: [Vec<f64>; 5] = Default::default();
+        for state in 0..20 {
+            let vector = |seed: usize, range: f64| {
+                SVector::<f64, N>::from_fn(|i, _| {
+                    range * ((1 + 31 * state + 7 * seed + 13 * i) as f64).sin()
+                })
+            };
+            let (q, qd, qdd) = (vector(0, 3.0), vector(1, 3.0), vector(2, 10.0));
+            values[0].extend(numeric.mass_matrix(&q).iter());
+            values[1].extend(numeric.coriolis_vector(&q, &qd).iter());
+            values[2].extend(numeric.gravity_vector(&q).iter());
+            values[3].extend(numeric.inverse_dynamics(&q, &qd, &qdd).iter());
+            values[4].extend(numeric.forward_kinematics(&q).iter());
+        }
+        values
+    });
+    let of_quantity = |k: usize| {
+        let (a, b) = (&values[0][k], &values[1][k]);
+        assert_eq!(a.len(), b.len());
+        let size = a.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
+        let differences = a.iter().zip(b).map(|(a, b)| (a - b).abs());
+        let worst = differences.fold(
+            0.0,
+            |worst, x: f64| if x > worst || x.is_nan() { x } else { worst },
+        );
+        if size > 0.0 { worst / size } else { worst }
+    };
+    (0..5).map(of_quantity).fold(
+        0.0,
+        |worst, x| if x > worst || x.is_nan() { x } else { worst },
+    )
+}
+
+fn names(robot: &Robot) -> Vec<&str> {
+    robot.joints().map(|row| row.name.as_str()).collect()
+}
+
+/// Of every arm, the tables of both conventions, and URDF of one of them: M, V, G, tau and the tip's pose of
+/// all are those of the file that was published.
+#[test]
+fn arms_of_urdf_files_are_the_same_as_tables_and_back() {
+    let arms = arms();
+    assert!(arms.len() >= 29, "{}", arms.len());
+    let mut worst: f64 = 0.0;
+    for arm in &arms {
+        let options: Vec<&str> = arm.options.iter().map(String::as_str).collect();
+        let source = read(&arm.file, &arm.besides);
+        let with = |more: &[&'static str]| [options.as_slice(), more].concat();
+        let none = Besides::default();
+        let (standard, name) = (["--convention", "standard"], &arm.name);
+        let modified = format!("{name}.toml");
+        let (path, modified) = converted(&arm.file, &with(&[]), &modified, &none);
+        let standard = converted(&arm.file, &with(&standard), &format!("{name}.json"), &none).1;
+        assert_eq!(modified.convention, Convention::Modified);
+        assert_eq!(standard.convention, Convention::Standard);
+        let back = Besides {
+            chain: Some(["base", "tip"].map(str::to_owned)),
+            ignore: Vec::new(),
+            entries: GRAVITY.to_owned(),
+            ..Besides::default()
+        };
+        let back = converted(&path, &[], &format!("{name}_back.urdf"), &back).1;
+        for (kind, robot) in [
+            ("modified", modified),
+            ("standard", standard),
+            ("back", back),
+        ] {
+            assert_eq!(names(&robot), names(&source), "{name} {kind}");
+            let difference = difference(&source, &robot);
+            println!("{name:<20} {kind:<10} {difference:.1e}");
+            assert!(difference < 1e-12, "{name} {kind}: {difference:e}");
+            worst = worst.max(difference);
+            let limits = |robot: &Robot| robot.joints().filter(|row| row.limits.is_some()).count();
+            assert_eq!(limits(&robot), limits(&source), "{name} {kind}");
+        }
+    }
+    println!("largest difference {worst:.1e}");
+}
+
+/// The tables of published arms, of both conventions, with motors, slides, a base and odd angles, as tables of
+/// the other convention and back.
+#[test]
+fn tables_are_the_same_in_both_conventions() {
+    let none = Besides::default();
+    for name in [
+        "puma560",
+        "stanford",
+        "scara",
+        "cylindrical_rpp",
+        "gantry_ppp",
+        "spherical_wrist",
+        "generic_chain_n6",
+        "generic_mixed_n6_standard",
+        "elbow_3r",
+        "ur5",
+        "panda",
+        "aristo",
+        "one_link",
+    ] {
+        let source = data(&format!("robots/{name}.json"));
+        let robot = read(&source, &none);
+        let mut path = source;
+        for (step, convention) in ["modified", "standard", "modified"].into_iter().enumerate() {
+            let options = ["--convention", convention, "--to", "toml"];
+            let file = format!("{name}_{step}.toml");
+            let (next, converted) = converted(&path, &options, &file, &none);
+            let difference = difference(&robot, &converted);
+            println!("{name:<28} {convention:<10} {difference:.1e}");
+            assert!(difference < 1e-12, "{name} {convention}: {difference:e}");
+            path = next;
+        }
+    }
+}
+
+/// A table that is converted to its own convention has the cells that it had.
+#[test]
+fn the_cells_of_a_published_table_are_found_again() {
+    let path = data("robots/panda.json");
+    let robot = read(&path, &Besides::default());
+    let (_, same) = converted(&path, &["--to", "toml"], "same.toml", &Besides::default());
+    for (row, expected) in same.rows.iter().zip(&robot.rows) {
+        let cells = |row: &dynamics_symbolic::robot::Row| {
+            let angles = [&row.alpha, &row.theta].map(dynamics_symbolic::robot::Angle::new);
+            (
+                row.a.clone(),
+                row.d.clone(),
+                angles,
+                row.mass.clone(),
+                row.com.clone(),
+                row.inertia.clone(),
+            )
+        };
+        assert_eq!(cells(row), cells(expected), "{}", row.name);
+    }
+}
+
+/// Nearly parallel axes have no normal that is near: a locked joint stands between them, and digits stay.
+#[test]
+fn axes_that_are_nearly_parallel_keep_their_digits() {
+    let link = |index: usize, tilt: &str| {
+        format!(
+            "<joint name=\"j{index}\" type=\"continuous\"><parent link=\"l{}\"/><child link=\"l{index}\"/>\
+             <origin xyz=\"0.5 0 0.1\" rpy=\"0 {tilt} 0.3\"/><axis xyz=\"0 0 1\"/></joint>\n\
+             <link name=\"l{index}\"><inertial><origin xyz=\"0.2 0.1 0.3\"/><mass value=\"1\"/>\
+             <inertia ixx=\"0.1\" iyy=\"0.1\" izz=\"0.1\" ixy=\"0\" iyz=\"0\" ixz=\"0\"/></inertial></link>\n",
+            index - 1
+        )
+    };
+    let links = [
+        link(1, "0"),
+        link(2, "1e-9"),
+        link(3, "-1e-6"),
+        link(4, "1.570796"),
+    ]
+    .concat();
+    let path = file(
+        "tilted.urdf",
+        format!("<robot name=\"tilted\">\n<link name=\"l0\"/>\n{links}</robot>\n"),
+    );
+    let besides = Besides {
+        entries: GRAVITY.to_owned(),
+        chain: Some(["l0", "l4"].map(str::to_owned)),
+        ..Besides::default()
+    };
+    let source = read(&path, &besides);
+    for convention in ["standard", "modified"] {
+        let options = [
+            "--convention",
+            convention,
+            "--chain",
+            "l0,l4",
+            "--gravity",
+            "0,0,-9.81",
+        ];
+        let name = format!("tilted_{convention}.toml");
+        let (written, table) = converted(&path, &options, &name, &Besides::default());
+        let text = std::fs::read_to_string(written).expect("a table");
+        assert!(text.contains("lock = { fixed_1 = 0, fixed_2 = 0"), "{text}");
+        let difference = difference(&source, &table);
+        assert!(difference < 1e-12, "{convention}: {difference:e}");
+    }
+}
+
+/// Everything that a table may say of joints and tool stays in a table; URDF has no words for some of it.
+#[test]
+fn what_urdf_cannot_say_is_told() {
+    let text = std::fs::read_to_string(data("files/everything.toml")).expect("a table");
+    let path = file("everything.toml", text.replace("\"load\"", "1.25"));
+    let source = read(&path, &Besides::default());
+    let options = ["--convention", "standard", "--to", "toml"];
+    let (written, standard) = converted(
+        &path,
+        &options,
+        "everything_standard.toml",
+        &Besides::default(),
+    );
+    assert!(difference(&source, &standard) < 1e-12);
+    for (row, expected) in standard.joints().zip(source.joints()) {
+        assert_eq!(
+            (
+                &row.spring,
+                &row.stribeck,
+                &row.coulomb,
+                &row.viscous,
+                &row.gear_ratio
+            ),
+            (
+                &expected.spring,
+                &expected.stribeck,
+                &expected.coulomb,
+                &expected.viscous,
+                &expected.gear_ratio
+            ),
+        );
+    }
+    let text = std::fs::read_to_string(written).expect("a table");
+    assert!(
+        text.contains("\"jacobian\"") && text.contains("control_terms"),
+        "{text}"
+    );
+    let urdf = folder("converted").join("everything.urdf");
+    let urdf = urdf.to_string_lossy();
+    let message = errors(&["convert", &path, "--out", &urdf], 1);
+    assert!(
+        message.contains("`lift` has a spring") && message.contains("`--without spring`"),
+        "{message}"
+    );
+    output(&[
+        "convert",
+        &path,
+        "--out",
+        &urdf,
+        "--without",
+        "spring,motor,friction",
+    ]);
+    let text = std::fs::read_to_string(&*urdf).expect("a file");
+    assert!(text.contains("Left out: `turn` has a motor"), "{text}");
+    // What is left of it is the arm without springs, motors and such friction.
+    let besides = Besides {
+        entries: "gravity = [0, 0, -9.81]\nallow = [\"unphysical_inertia\"]".to_owned(),
+        chain: Some(["base", "tip"].map(str::to_owned)),
+        ..Besides::default()
+    };
+    let left = read(&urdf, &besides);
+    let mut bare = source.clone();
+    for row in &mut bare.rows {
+        let zero = dynamics_symbolic::robot::Value::zero;
+        (row.spring, row.stribeck) = (None, None);
+        (row.motor_inertia, row.gear_ratio) = (zero(), zero());
+        if row.coulomb[0] != row.coulomb[1] {
+            row.coulomb = [zero(), zero()];
+        }
+    }
+    assert!(difference(&bare, &left) < 1e-12);
+}
+
+/// The command compares a table with the URDF file that it came from, where joints and links have other names
+/// and number.
+#[test]
+fn check_compares_a_table_with_its_file() {
+    let urdf = data("urdf/panda.urdf");
+    let options = [
+        "--chain",
+        "panda_link0,panda_hand_tcp",
+        "--gravity",
+        "0,0,-9.81",
+        "--lock",
+        "panda_finger_joint1=0.02",
+        "--lock",
+        "panda_finger_joint2=0.035",
+    ];
+    let table = folder("converted").join("panda_table.toml");
+    let table = table.to_string_lossy();
+    output(&[&["convert", &urdf, "--out", &table][..], &options[..]].concat());
+    let functions = [
+        "--functions",
+        "gravity_vector,forward_kinematics",
+        "--samples",
+        "20",
+        "--tolerance",
+        "1e-12",
+    ];
+    let text = output(
+        &[
+            &["check", &table, "--against", &urdf][..],
+            &options[..],
+            &functions[..],
+        ]
+        .concat(),
+    );
+    assert!(
+        text.contains("against the other file") && text.contains("forward_kinematics"),
+        "{text}"
+    );
+    let back = folder("converted").join("panda_table.urdf");
+    let back = back.to_string_lossy();
+    output(&["convert", &table, "--out", &back]);
+    let other = ["--against-chain", "base,tip"];
+    output(
+        &[
+            &["check", &urdf, "--against", &back][..],
+            &options[..],
+            &functions[..],
+            &other[..],
+        ]
+        .concat(),
+    );
+}

@@ -1,0 +1,124 @@
+//! What is wrong with a file or the command line is told, whatever it is.
+
+use super::calls::{PENDULUM, errors, file, folder, output};
+
+#[test]
+fn mistakes_are_told_with_their_places() {
+    let wrong = file(
+        "wrong.toml",
+        &PENDULUM
+            .replace("mass = 2", "mas = 2")
+            .replace("a = 1", "a = true"),
+    );
+    let message = errors(&["show", &wrong], 1);
+    assert!(
+        message.contains("wrong.toml:8:1: ") && message.contains("wrong.toml:14:5: "),
+        "{message}"
+    );
+    assert!(errors(&["show", "nowhere.toml"], 1).contains("nowhere.toml:1:1: cannot be read"));
+    assert!(errors(&["show", "robot.step"], 1).contains("robot.step:1:1: "));
+    let pendulum = file("right.toml", PENDULUM);
+    let unknown = errors(&["show", &pendulum, "--functions", "mass_matrx"], 2);
+    assert!(unknown.contains("mass_matrix"), "{unknown}");
+    assert!(errors(&["simulate", &pendulum, "--from", "1"], 2).contains("expected 2"));
+    assert!(errors(&["show", &pendulum, "--lock", "knee"], 2).contains("expected JOINT=POSITION"));
+    errors(&["dance", &pendulum], 2);
+    errors(&["generate", &pendulum, "--lang", "cobol"], 2);
+}
+
+/// Whatever a file holds, there is a message with its name and no panic.
+#[test]
+fn files_that_are_no_robots_are_refused() {
+    let folder = folder("no_robots.toml");
+    let huge = PENDULUM.replace("mass = 2", "mass = 1e400");
+    let too_large = PENDULUM
+        .replace("mass = 2", "mass = 1e300")
+        .replace("com = [0.5", "com = [1e200");
+    let many: String = (0..200)
+        .map(|k| {
+            format!("[[joint]]\nname = \"j{k}\"\ntype = \"revolute\"\nmass = 1\ncom = [1, 0, 0]\n")
+        })
+        .collect();
+    let many = format!("convention = \"modified\"\ngravity = [0, 0, -9.81]\n{many}");
+    let deep = format!("gravity = {}{}", "[".repeat(5_000), "]".repeat(5_000));
+    let long = "a = ".repeat(2_000_000);
+    let files = [
+        file("empty.toml", ""),
+        file("empty.json", ""),
+        file("empty.urdf", ""),
+        file("list.json", "[1, 2"),
+        file("binary.toml", [0xff, 0xfe, 0, 1, 2]),
+        file("binary.urdf", [0x89, b'P', b'N', b'G', 0]),
+        file("no_robot.urdf", "<sdf/>"),
+        file("huge.toml", huge),
+        file("too_large.toml", too_large),
+        file("many.toml", many),
+        file("deep.toml", &deep),
+        file("deep.json", &deep),
+        file("long.toml", long),
+        folder.to_string_lossy().into_owned(),
+    ];
+    // What never ends is not read to its end.
+    #[cfg(unix)]
+    {
+        let endless = std::env::temp_dir().join(format!("endless_{}.toml", std::process::id()));
+        std::os::unix::fs::symlink("/dev/zero", &endless).expect("a link");
+        let message = errors(&["show", &endless.to_string_lossy()], 1);
+        std::fs::remove_file(&endless).expect("the link");
+        assert!(message.contains("longer than 4000000 bytes"), "{message}");
+    }
+    for file in &files {
+        for subcommand in ["show", "check", "convert"] {
+            let mut arguments = vec![subcommand, file];
+            if file.ends_with(".urdf") {
+                arguments.extend(["--chain", "base,tip", "--gravity", "0,0,-9.81"]);
+            }
+            // A table of large numbers can be written as another one.
+            if subcommand == "convert" && file.ends_with("too_large.toml") {
+                continue;
+            }
+            let message = errors(&arguments, 1);
+            assert!(
+                message.contains(&format!("{file}:")) && message.contains(": "),
+                "{message}"
+            );
+        }
+    }
+}
+
+#[test]
+fn files_that_cannot_be_written_are_told() {
+    let pendulum = file("unwritten.toml", PENDULUM);
+    let folder = folder("a_folder");
+    let folder = folder.to_string_lossy();
+    for arguments in [
+        ["convert", &pendulum, "--out", &folder],
+        ["show", &pendulum, "--out", &folder],
+        ["simulate", &pendulum, "--out", &folder],
+    ] {
+        let message = errors(&arguments, 1);
+        assert!(message.contains("cannot be written"), "{message}");
+    }
+    let inside = format!("{pendulum}/inside");
+    let message = errors(&["generate", &pendulum, "--lang", "c", "--out", &inside], 1);
+    assert!(message.contains("cannot be written"), "{message}");
+}
+
+/// Every subcommand with `--out` writes there what it prints without.
+#[test]
+fn output_goes_to_files() {
+    let pendulum = file("out.toml", PENDULUM);
+    let path = folder("files").join("out.txt");
+    let out = path.to_string_lossy();
+    for arguments in [
+        vec!["show", &pendulum],
+        vec!["check", &pendulum],
+        vec!["convert", &pendulum, "--to", "json"],
+        vec!["inverse", &pendulum, "--to", "1,1"],
+        vec!["completions", "fish"],
+    ] {
+        let printed = output(&arguments);
+        assert!(output(&[arguments, vec!["--out", &out]].concat()).is_empty());
+        assert_eq!(std::fs::read_to_string(&path).expect("a file"), printed);
+    }
+}

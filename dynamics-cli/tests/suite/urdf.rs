@@ -1,0 +1,232 @@
+//! The options that say what a URDF file does not.
+
+use super::calls::{data, errors, file, folder, output};
+
+/// A turntable with an arm, a gripper's finger at its end, and a camera whose mast turns.
+fn turntable(angle: &str) -> String {
+    format!(
+        r#"<robot name="turntable">
+  <link name="base"/>
+  <joint name="turn" type="continuous">
+    <parent link="base"/><child link="table"/><axis xyz="0 0 1"/>
+    <dynamics damping="0.5" friction="0.25"/>
+  </joint>
+  <link name="table"><inertial><mass value="5"/>
+    <inertia ixx="0.1" iyy="0.1" izz="0.15" ixy="0" iyz="0" ixz="0"/></inertial></link>
+  <joint name="mast" type="revolute">
+    <parent link="table"/><child link="camera"/><origin xyz="0.3 0 0"/><axis xyz="0 1 0"/>
+  </joint>
+  <link name="camera"><inertial><origin xyz="0 0 0.5"/><mass value="1"/>
+    <inertia ixx="0" iyy="0" izz="0" ixy="0" iyz="0" ixz="0"/></inertial></link>
+  <joint name="lift" type="revolute">
+    <parent link="table"/><child link="arm"/>
+    <origin xyz="0 0 0.4" rpy="{angle} 0 0"/><axis xyz="0 0 1"/>
+    <limit lower="-1" upper="2" effort="1" velocity="1"/>
+  </joint>
+  <link name="arm"><inertial><origin xyz="0.25 0 0"/><mass value="2"/>
+    <inertia ixx="0.01" iyy="0.02" izz="0.02" ixy="0" iyz="0" ixz="0"/></inertial></link>
+  <joint name="flange_joint" type="fixed">
+    <parent link="arm"/><child link="flange"/><origin xyz="0.5 0 0"/>
+  </joint>
+  <link name="flange"/>
+</robot>
+"#
+    )
+}
+
+const GRAVITY: [&str; 2] = ["--gravity", "0,0,-9.81"];
+
+/// The lines of `show --format text` about M of the turntable.
+fn mass_matrix(file: &str, options: &[&str]) -> String {
+    let call = [
+        "show",
+        file,
+        "--functions",
+        "mass_matrix",
+        "--format",
+        "text",
+    ];
+    output(&[&call[..], &GRAVITY[..], options].concat())
+}
+
+#[test]
+fn the_chain_ends_where_it_is_told() {
+    let file = file("turntable.urdf", turntable("1.5707963267948966"));
+    let ignore = ["--ignore", "mast"];
+    let whole = mass_matrix(
+        &file,
+        &[&["--chain", "base,flange"][..], &ignore[..]].concat(),
+    );
+    // 0.15 + 0.01 s2^2 + (0.02 + 2 0.25^2) c2^2, and 0.02 + 2 0.25^2.
+    assert!(
+        whole.contains("M11 = 0.16 + 0.135 c2^2\nM12 = 0\n"),
+        "{whole}"
+    );
+    assert!(whole.contains("M22 = 0.145\n"), "{whole}");
+    let ignore = [&ignore[..], &["--ignore", "lift"]].concat();
+    let table = output(
+        &[
+            &["show", &file, "--chain", "base,table"][..],
+            &GRAVITY[..],
+            &ignore[..],
+        ]
+        .concat(),
+    );
+    assert!(table.contains("1 joints that move"), "{table}");
+    assert!(!table.contains("lift"), "{table}");
+    let message = errors(&["show", &file, GRAVITY[0], GRAVITY[1]], 2);
+    assert!(message.contains("`--chain BASE,TIP`"), "{message}");
+    let message = errors(
+        &["show", &file, "--chain", "base", GRAVITY[0], GRAVITY[1]],
+        2,
+    );
+    assert!(message.contains("expected BASE,TIP"), "{message}");
+    let message = errors(
+        &[
+            "show",
+            &file,
+            "--chain",
+            "base,flang",
+            GRAVITY[0],
+            GRAVITY[1],
+        ],
+        1,
+    );
+    assert!(
+        message.contains("`flange`") && message.contains("turntable.urdf:1:1: "),
+        "{message}"
+    );
+    let message = errors(
+        &[&["show", &file, "--chain", "base,table"][..], &ignore[..]].concat(),
+        1,
+    );
+    assert!(message.contains("gravity"), "{message}");
+}
+
+/// A joint off the chain is left out with what hangs on it, or stands still with it.
+#[test]
+fn joints_off_the_chain_are_left_out_or_locked() {
+    let file = file("mast.urdf", turntable("1.5707963267948966"));
+    let call = [
+        "show",
+        &file,
+        "--chain",
+        "base,table",
+        "--ignore",
+        "lift",
+        "--functions",
+        "mass_matrix",
+        "--format",
+        "text",
+    ];
+    let call = |options: &[&'static str]| [&call[..], &GRAVITY[..], options].concat();
+    let message = errors(&call(&[]), 1);
+    assert!(
+        message.contains("`mast`") && message.contains("mast.urdf:9:3: "),
+        "{message}"
+    );
+    assert!(output(&call(&["--ignore", "mast"])).contains("M11 = 0.15\n"));
+    // The camera is above a point 0.3 m from the axis, or a quarter turn leans it outwards to 0.8 m.
+    assert!(output(&call(&["--lock", "mast=0"])).contains("M11 = 0.24\n"));
+    assert!(output(&call(&["--lock", "mast=PI/2"])).contains("M11 = 0.79\n"));
+    let message = errors(&call(&["--ignore", "mst"]), 1);
+    assert!(
+        message.contains("`mst`") && message.contains("mast"),
+        "{message}"
+    );
+}
+
+#[test]
+fn angles_are_rounded_where_that_is_asked_for() {
+    let file = file("rounded.urdf", turntable("1.5708"));
+    let chain = ["--chain", "base,flange", "--ignore", "mast"];
+    // A little of the arm's inertia is about the first axis besides.
+    let written = mass_matrix(&file, &chain);
+    assert!(!written.contains("M12 = 0\n"), "{written}");
+    let rounded = mass_matrix(
+        &file,
+        &[&chain[..], &["--round-angles", "1e-4"][..]].concat(),
+    );
+    assert!(rounded.contains("M12 = 0\n"), "{rounded}");
+    let still = mass_matrix(
+        &file,
+        &[&chain[..], &["--round-angles", "1e-6"][..]].concat(),
+    );
+    assert_eq!(still, written);
+    for wrong in ["1", "-1", "small"] {
+        let option = format!("--round-angles={wrong}");
+        let message = errors(
+            &[&["show", &file, &option][..], &chain[..], &GRAVITY[..]].concat(),
+            2,
+        );
+        assert!(message.contains("from 0 to 0.1 rad"), "{message}");
+    }
+}
+
+/// Each subcommand takes the options: an arm of a robot with many others.
+#[test]
+fn every_subcommand_reads_a_chain() {
+    let file = data("urdf/anymal.urdf");
+    let out = folder("chain");
+    let out = out.to_string_lossy();
+    let chain = [
+        "--chain",
+        "base,LF_FOOT",
+        "--ignore",
+        "RF_HAA",
+        "--ignore",
+        "LH_HAA",
+        "--ignore",
+        "RH_HAA",
+    ];
+    for call in [
+        vec!["show", &file, "--functions", "gravity_vector"],
+        vec![
+            "check",
+            &file,
+            "--functions",
+            "gravity_vector",
+            "--samples",
+            "2",
+        ],
+        vec![
+            "generate",
+            &file,
+            "--functions",
+            "gravity_vector",
+            "--lang",
+            "js",
+            "--out",
+            &out,
+        ],
+        vec!["simulate", &file, "--duration", "0.01", "--samples", "2"],
+        vec!["inverse", &file, "--to", "0.1,0.2,0.3", "--samples", "2"],
+        vec!["measure", &file, "--functions", "gravity_vector"],
+        vec!["convert", &file],
+    ] {
+        let odd = ["--allow", "unphysical_inertia"];
+        let text = output(&[&call[..], &chain[..], &GRAVITY[..], &odd[..]].concat());
+        assert!(!text.is_empty(), "{call:?}");
+    }
+}
+
+/// What no body can have is taken as it is where that is asked for.
+#[test]
+fn odd_files_are_accepted_where_that_is_asked_for() {
+    let odd = turntable("0").replace("izz=\"0.15\"", "izz=\"0.25\"");
+    let file = file("odd.urdf", odd);
+    let call = [
+        "show",
+        &file,
+        "--chain",
+        "base,flange",
+        "--ignore",
+        "mast",
+        "--functions",
+        "gravity_vector",
+    ];
+    let call = [&call[..], &GRAVITY[..]].concat();
+    let message = errors(&call, 1);
+    assert!(message.contains("unphysical_inertia"), "{message}");
+    output(&[&call[..], &["--allow", "unphysical_inertia"][..]].concat());
+}
