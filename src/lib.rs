@@ -49,7 +49,7 @@
 //!
 //! # Compile time
 //!
-//! The macro runs inside the compiler, unoptimised unless the top-level `Cargo.toml` says otherwise, which makes it five to
+//! The macro runs inside the compiler, unoptimised unless the top-level `Cargo.toml` says otherwise, which makes it some
 //! ten times faster:
 //!
 //! ```toml
