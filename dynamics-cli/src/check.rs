@@ -42,6 +42,15 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
         true => requests(&model),
         false => COMPARED.map(Request::One).to_vec(),
     };
+    let (dof, dof_of_other) = (model.robot.dof(), other.robot.dof());
+    if dof != dof_of_other {
+        let message = format!(
+            "{dof_of_other} joints move, and {dof} in {}",
+            path.display()
+        );
+        let message = Failure::of_file(path_of_other, message).message;
+        return Err(Failure::after(text, message));
+    }
     let one = arm(path, &model.robot, &compared)?;
     let other = arm(path_of_other, &other.robot, &compared)?;
     let tolerance = given.get_one::<f64>("tolerance").copied().unwrap_or(1e-9);

@@ -95,6 +95,12 @@ fn besides(
     };
     let mut ignore = words(given, "ignore");
     ignore.retain(|joint| is_meant(joint));
+    if Format::of(path) == Some(Format::Urdf) && words(given, "gravity").is_empty() {
+        return Err(Failure::of_the_command_line(format!(
+            "{} does not tell of gravity: expected `--gravity X,Y,Z`, such as `--gravity 0,0,-9.81` where z points up",
+            path.display()
+        )));
+    }
     let round_angles = given.try_get_one::<f64>("round-angles").ok().flatten();
     Ok(Besides {
         entries: entries(given, is_meant)?,

@@ -5,9 +5,9 @@ use std::fs::File;
 use std::io::Read as _;
 use std::path::{Path, PathBuf};
 
-use dynamics_codegen::Model;
 use dynamics_codegen::description::{Entry, Expr, ExprKind, Name, Place, Table};
 use dynamics_codegen::files::{Format, MOST_BYTES, Request, table, table_beside};
+use dynamics_codegen::{Error, Model};
 use dynamics_symbolic::exact::Rational;
 use dynamics_symbolic::neglect::neglect;
 
@@ -91,11 +91,15 @@ pub struct Besides {
 }
 
 impl Besides {
-    /// As a table; the mistakes in the entries are no file's.
-    fn table(&self, stem: &str) -> Result<Table, FileError> {
-        let mut table = table(stem, &self.entries, Format::Toml, &Request::default())
-            .map_err(|errors| mistakes(None, errors))?;
-        let place = Place::File { line: 1, column: 1 };
+    /// As a table. Its lines follow those of the file, of which there are `lines`: a mistake in one of them is
+    /// none of the file's.
+    fn table(&self, stem: &str, lines: usize) -> Result<Table, Vec<Error>> {
+        let entries = "\n".repeat(lines) + &self.entries;
+        let mut table = table(stem, &entries, Format::Toml, &Request::default())?;
+        let place = Place::File {
+            line: lines + 1,
+            column: 1,
+        };
         let name = |name: &String| Name::new(name.as_str(), place);
         let chain = self.chain.as_ref();
         let chain = chain.map(|[first, last]| Entry::Chain(Some([name(first), name(last)])));
@@ -117,28 +121,35 @@ impl Besides {
 ///
 /// # Errors
 ///
-/// [`FileError`], with all mistakes of the file.
+/// [`FileError`], with all mistakes of the file and of what is said besides.
 pub fn read_file(path: &Path, besides: &Besides) -> Result<Model, FileError> {
     let text = text_of(path).map_err(|reason| FileError::Unreadable(path.to_owned(), reason))?;
     let format = Format::of(path).ok_or_else(|| FileError::UnknownFormat(path.to_owned()))?;
-    let stem = path
-        .file_stem()
-        .and_then(|stem| stem.to_str())
-        .unwrap_or("robot");
-    let robot = table_beside(stem, &text, format, besides.table(stem)?)
-        .map_err(|errors| mistakes(Some(path), errors))?;
-    let mut model =
-        dynamics_codegen::check(&robot).map_err(|errors| mistakes(Some(path), errors))?;
+    let stem = path.file_stem().and_then(|stem| stem.to_str());
+    // The end of a file may be told as the line behind its last one.
+    let lines = text.lines().count() + 1;
+    read(stem.unwrap_or("robot"), &text, format, besides, lines).map_err(|errors| {
+        let mistakes = errors.into_iter().map(|error| mistake(path, lines, error));
+        FileError::Mistakes(mistakes.collect())
+    })
+}
+
+fn read(
+    stem: &str,
+    text: &str,
+    format: Format,
+    besides: &Besides,
+    lines: usize,
+) -> Result<Model, Vec<Error>> {
+    let robot = table_beside(stem, text, format, besides.table(stem, lines)?)?;
+    let mut model = dynamics_codegen::check(&robot)?;
     if let Some((share, place)) = &model.neglect {
-        model.robot = neglect(&model.robot, share.to_f64(&[])).map_err(|refused| {
-            let message = refused.to_string();
-            mistakes(
-                Some(path),
-                vec![dynamics_codegen::Error {
-                    place: *place,
-                    message,
-                }],
-            )
+        let neglected = neglect(&model.robot, share.to_f64(&[]));
+        model.robot = neglected.map_err(|refused| {
+            vec![Error {
+                place: *place,
+                message: refused.to_string(),
+            }]
         })?;
     }
     Ok(model)
@@ -156,19 +167,16 @@ fn text_of(path: &Path) -> Result<String, String> {
     }
 }
 
-fn mistakes(file: Option<&Path>, errors: Vec<dynamics_codegen::Error>) -> FileError {
-    let errors = errors.into_iter();
-    FileError::Mistakes(errors.map(|error| mistake(file, error)).collect())
-}
-
-fn mistake(file: Option<&Path>, error: dynamics_codegen::Error) -> FileMistake {
+/// A mistake with its place in a file of so many lines; one behind them is in what was said besides.
+fn mistake(path: &Path, lines: usize, error: Error) -> FileMistake {
     let (line, column) = match error.place {
         Place::File { line, column } => (line, column),
         Place::Tokens { .. } => (1, 1),
     };
+    let is_besides = line > lines;
     FileMistake {
-        file: file.map(Path::to_owned),
-        line,
+        file: (!is_besides).then(|| path.to_owned()),
+        line: if is_besides { line - lines } else { line },
         column,
         message: error.message,
     }

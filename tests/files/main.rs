@@ -1,6 +1,7 @@
 //! Robots from files are those whose table stands in the call.
 
 mod compiled;
+mod generated;
 mod rebuild;
 mod tables;
 mod urdf;

@@ -116,13 +116,29 @@ pub(super) fn out() -> Arg {
     .long("out")
 }
 
-/// A number.
+/// A finite number.
+fn finite(text: &str) -> Result<f64, String> {
+    match text.trim().parse::<f64>() {
+        Ok(x) if x.is_finite() => Ok(x),
+        _ => Err("expected a number".to_owned()),
+    }
+}
+
+/// A number above zero.
+fn positive(text: &str) -> Result<f64, String> {
+    match finite(text) {
+        Ok(x) if x > 0.0 => Ok(x),
+        _ => Err("expected a number above zero".to_owned()),
+    }
+}
+
+/// A number above zero.
 pub(super) fn number(name: &'static str, help: &'static str) -> Arg {
     Arg::new(name)
         .long(name)
         .value_name("NUMBER")
         .allow_hyphen_values(true)
-        .value_parser(value_parser!(f64))
+        .value_parser(positive)
         .help(help)
 }
 
@@ -146,6 +162,6 @@ pub(super) fn count(
 pub(super) fn vector(name: &'static str, help: &'static str) -> Arg {
     words(name, "X,Y,...")
         .allow_hyphen_values(true)
-        .value_parser(value_parser!(f64))
+        .value_parser(finite)
         .help(help)
 }

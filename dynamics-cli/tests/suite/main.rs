@@ -3,7 +3,9 @@
 mod calls;
 mod command;
 mod convert;
+mod formulas;
 mod help;
+mod long_arms;
 mod refusals;
 mod rust;
 mod urdf;

@@ -122,3 +122,29 @@ fn output_goes_to_files() {
         assert_eq!(std::fs::read_to_string(&path).expect("a file"), printed);
     }
 }
+
+/// What the command line says is told as a mistake of the command line, though it is about a file.
+#[test]
+fn mistakes_of_the_command_line_are_none_of_the_file() {
+    let pendulum = file("command_line.toml", PENDULUM);
+    for (call, expected) in [
+        (["show", "--lock", "ankle=0"], "unknown joint `ankle`"),
+        (["show", "--lock", "knee=high"], "`high`"),
+        (["show", "--gravity", "0,0"], "[x, y, z]"),
+        (["show", "--gravity", "0,0,down"], "`down`"),
+        (["simulate", "--duration", "nan"], "above zero"),
+        (["simulate", "--duration", "-1"], "above zero"),
+        (["simulate", "--tolerance", "0"], "above zero"),
+        (["simulate", "--from", "0,inf"], "expected a number"),
+        (["simulate", "--samples", "1"], "not in 2.."),
+        (["inverse", "--to", "1"], "expected 2"),
+    ] {
+        let [subcommand, option, value] = call;
+        let message = errors(&[subcommand, &pendulum, option, value], 2);
+        assert!(message.contains(expected), "{call:?}: {message}");
+        assert!(
+            !message.contains("command_line.toml:"),
+            "{call:?}: {message}"
+        );
+    }
+}

@@ -74,33 +74,16 @@ fn the_chain_ends_where_it_is_told() {
     );
     assert!(table.contains("1 joints that move"), "{table}");
     assert!(!table.contains("lift"), "{table}");
-    let message = errors(&["show", &file, GRAVITY[0], GRAVITY[1]], 2);
+    let told = |options: &[&str]| errors(&[&["show", &file][..], options].concat(), 2);
+    let gravity = |options: &[&'static str]| [options, &GRAVITY[..]].concat();
+    let message = told(&gravity(&[]));
     assert!(message.contains("`--chain BASE,TIP`"), "{message}");
-    let message = errors(
-        &["show", &file, "--chain", "base", GRAVITY[0], GRAVITY[1]],
-        2,
-    );
+    let message = told(&gravity(&["--chain", "base"]));
     assert!(message.contains("expected BASE,TIP"), "{message}");
-    let message = errors(
-        &[
-            "show",
-            &file,
-            "--chain",
-            "base,flang",
-            GRAVITY[0],
-            GRAVITY[1],
-        ],
-        1,
-    );
-    assert!(
-        message.contains("`flange`") && message.contains("turntable.urdf:1:1: "),
-        "{message}"
-    );
-    let message = errors(
-        &[&["show", &file, "--chain", "base,table"][..], &ignore[..]].concat(),
-        1,
-    );
-    assert!(message.contains("gravity"), "{message}");
+    let message = told(&gravity(&["--chain", "base,flang"]));
+    assert!(message.contains("`flange`"), "{message}");
+    let message = told(&["--chain", "base,table"]);
+    assert!(message.contains("`--gravity X,Y,Z`"), "{message}");
 }
 
 /// A joint off the chain is left out with what hangs on it, or stands still with it.

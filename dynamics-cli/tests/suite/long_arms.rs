@@ -1,0 +1,91 @@
+//! Arms of more joints than most have.
+
+use super::calls::{errors, file, output};
+
+/// Rods of which each hangs from the one before, about axes that alternate.
+fn chain(joints: usize) -> String {
+    let row = |index: usize| {
+        let twist = if index.is_multiple_of(2) {
+            "PI/2"
+        } else {
+            "-PI/2"
+        };
+        format!(
+            "[[joint]]\nname = \"j{index}\"\ntype = \"revolute\"\na = 0.3\nalpha = \"{twist}\"\nmass = 1\n\
+             com = [0.15, 0.02, 0]\ninertia = {{ xx = 0.01, yy = 0.011, zz = 0.012 }}\n"
+        )
+    };
+    let rows: String = (0..joints).map(row).collect();
+    format!("convention = \"modified\"\ngravity = [0, 0, -9.81]\n{rows}")
+}
+
+#[test]
+fn long_arms_are_compared_with_newton_euler() {
+    let arm = file("twenty.toml", chain(20));
+    let functions = [
+        "--functions",
+        "mass_matrix,gravity_vector",
+        "--samples",
+        "2",
+    ];
+    let text = output(&[&["check", &arm][..], &functions[..]].concat());
+    assert!(
+        text.contains("mass_matrix") && text.contains("ok"),
+        "{text}"
+    );
+    let arm = file("too_many.toml", chain(33));
+    let message = errors(&["check", &arm, "--functions", "gravity_vector"], 1);
+    assert!(
+        message.contains("expected 32 at most") && message.contains("--lock"),
+        "{message}"
+    );
+}
+
+/// Twelve joints fall for a moment, and keep their energy.
+#[test]
+fn long_arms_fall() {
+    let arm = file("twelve.toml", chain(12));
+    let text = output(&["simulate", &arm, "--duration", "0.02", "--samples", "3"]);
+    let energies: Vec<f64> = text
+        .lines()
+        .skip(1)
+        .map(|line| {
+            line.rsplit(',')
+                .next()
+                .and_then(|x| x.parse().ok())
+                .expect("an energy")
+        })
+        .collect();
+    assert_eq!(energies.len(), 3);
+    let worst = energies.iter().map(|energy| (energy - energies[0]).abs());
+    assert!(worst.fold(0.0, f64::max) < 1e-6, "{energies:?}");
+    assert!(
+        text.lines()
+            .nth(3)
+            .is_some_and(|line| !line.contains(",0,")),
+        "{text}"
+    );
+}
+
+/// Forty joints move from zero to one together: half way at half the time.
+#[test]
+fn the_torques_of_long_arms_are_found() {
+    let arm = file("forty.toml", chain(40));
+    let to = ["1"; 40].join(",");
+    let text = output(&["inverse", &arm, "--to", &to, "--samples", "3"]);
+    let middle = text.lines().nth(2).expect("a row");
+    let row: Vec<f64> = middle
+        .split(',')
+        .map(|x| x.parse().expect("a number"))
+        .collect();
+    assert_eq!(row.len(), 1 + 4 * 40);
+    assert_eq!(row[0], 0.5);
+    assert!(
+        row[1..=40].iter().all(|q| (q - 0.5).abs() < 1e-15),
+        "{middle}"
+    );
+    assert!(
+        row[121..].iter().any(|torque| torque.abs() > 1.0),
+        "{middle}"
+    );
+}
