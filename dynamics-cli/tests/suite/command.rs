@@ -47,10 +47,7 @@ fn check_compares_with_newton_euler_and_with_another_file() {
         text.contains("inverse_dynamics") && text.contains("against the other file"),
         "{text}"
     );
-    let heavier = file(
-        "heavier.toml",
-        &PENDULUM.replace("mass = 1", "mass = 1.001"),
-    );
+    let heavier = file("heavier.toml", PENDULUM.replace("mass = 1", "mass = 1.001"));
     let message = errors(&["check", &one, "--against", &heavier], 1);
     assert!(
         message.contains("the two files differ by more than 1e-9"),

@@ -6,7 +6,7 @@ use super::calls::{PENDULUM, errors, file, folder, output};
 fn mistakes_are_told_with_their_places() {
     let wrong = file(
         "wrong.toml",
-        &PENDULUM
+        PENDULUM
             .replace("mass = 2", "mas = 2")
             .replace("a = 1", "a = true"),
     );
