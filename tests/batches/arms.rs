@@ -1,18 +1,11 @@
-//! Small arms with every function.
+//! Small arms: one with every function, two with some.
 
 use robot_dynamics::robot_dynamics;
 
-/// The robot of a table with the functions of a list, and two tuples.
+/// The robot of a table with the functions of a list.
 macro_rules! robot_with {
     ({ $($table:tt)* } $($name:ident $arguments:tt)*) => {
-        robot_dynamics! {
-            $($table)*
-            functions: [
-                $($name,)*
-                control_terms = (mass_matrix, coriolis_vector, kinetic_energy),
-                motion = (forward_dynamics, forward_kinematics),
-            ],
-        }
+        robot_dynamics! { $($table)* functions: [$($name),*], }
     };
 }
 
@@ -61,7 +54,7 @@ impl Crane {
     }
 }
 
-each_function! { robot_with {
+robot_dynamics! {
     /// Three axes, none parallel, with a motor.
     pub(crate) struct Wrist;
 
@@ -75,7 +68,12 @@ each_function! { robot_with {
         pitch: revolute { a: 0.25, alpha: 0.7, mass: 1.5, com: [-0.1, 0.02, 0.05], inertia: cuboid(0.3, 0.1, 0.1) },
         roll: revolute { a: 0.1, mass: 1, com: [-0.05, 0.02, 0.1], inertia: cylinder(0.05, 0.2) },
     ],
-} }
+    functions: [
+        friction_vector, inverse_dynamics_derivatives, forward_dynamics_derivatives, link_poses,
+        control_terms = (mass_matrix, coriolis_vector, kinetic_energy),
+        motion = (forward_dynamics, forward_kinematics),
+    ],
+}
 
 robot_dynamics! {
     /// A point mass on a strut of two bars without mass: stretched, it has no inertia along itself.

@@ -66,7 +66,7 @@ fn documentation_says_that_nothing_resists_a_joint() {
 
 #[test]
 fn expansion_is_deterministic() {
-    for name in ["puma560", "generic_chain_n3", "scara"] {
+    for name in ["generic_chain_n3", "scara"] {
         let robot = arms::robot(name);
         assert_eq!(
             text(&robot, &Function::ALL),
