@@ -1,4 +1,4 @@
-//! The calls of the command in the README and in the guide, each made in a folder with the files that the guide
+//! The calls of the command in the READMEs and in the guide, each made in a folder with the files that the guide
 //! shows.
 
 use std::path::{Path, PathBuf};
@@ -9,7 +9,7 @@ fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
 }
 
-/// The README and the guide's chapters.
+/// The guide's chapters and the READMEs.
 fn documents() -> Vec<String> {
     let chapters = std::fs::read_dir(root().join("docs/guide/src")).expect("the guide's chapters");
     let mut paths: Vec<PathBuf> = chapters
@@ -17,7 +17,7 @@ fn documents() -> Vec<String> {
         .filter(|path| path.extension().is_some_and(|extension| extension == "md"))
         .collect();
     paths.sort();
-    paths.push(root().join("README.md"));
+    paths.extend(["README.md", "dynamics-cli/README.md"].map(|path| root().join(path)));
     let texts = paths.iter().map(std::fs::read_to_string);
     texts.map(|text| text.expect("a document")).collect()
 }
@@ -48,6 +48,8 @@ fn folder(documents: &[String]) -> PathBuf {
     }
     let robot = root().join("examples/robots/picker.urdf");
     std::fs::copy(robot, folder.join("picker.urdf")).expect("the robot of the examples");
+    // What a README calls `arm.toml` is anybody's.
+    std::fs::copy(folder.join("two_link.toml"), folder.join("arm.toml")).expect("the guide's arm");
     folder
 }
 
