@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use clap::ArgMatches;
 use dynamics_symbolic::emit::description;
-use dynamics_symbolic::formula::{Budget, Format, Formulas, TooLong};
+use dynamics_symbolic::formula::{Budget, Format, Formulas, MOST_JOINTS, TooLong};
 use dynamics_symbolic::robot::{Convention, JointType, Robot, Row, Value};
 use dynamics_symbolic::{Proven, Request};
 
@@ -30,6 +30,9 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
     }
     let mut text = table(robot);
     text.push_str(&operations(&programs));
+    if robot.dof() > MOST_JOINTS {
+        text.push_str("\nformulas of arms of more than three joints: `--format text`\n");
+    }
     for (request, proven) in &programs {
         let _ = writeln!(text, "\n{}", request.name());
         for line in description(robot, request, proven, budget, &longer) {

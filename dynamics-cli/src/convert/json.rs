@@ -5,6 +5,7 @@ use dynamics_symbolic::exact::Rational;
 
 use super::document::{Document, Entries, Node};
 use super::number::{decimal, radians};
+use super::string::quoted;
 
 /// The text of a document; `remark` says where it is from.
 pub(super) fn text(name: &str, document: &Document, remark: &str) -> String {
@@ -95,19 +96,4 @@ fn value(node: &Node) -> String {
             format!("{{ {} }}", entries.join(", "))
         }
     }
-}
-
-fn quoted(text: &str) -> String {
-    let mut quoted = "\"".to_owned();
-    for letter in text.chars() {
-        match letter {
-            '"' | '\\' => quoted.extend(['\\', letter]),
-            letter if letter.is_control() => {
-                quoted.push_str(&format!("\\u{:04x}", u32::from(letter)));
-            }
-            letter => quoted.push(letter),
-        }
-    }
-    quoted.push('"');
-    quoted
 }

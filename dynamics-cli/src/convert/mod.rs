@@ -13,6 +13,7 @@ mod json;
 mod normal;
 mod number;
 mod read_back;
+mod string;
 mod table;
 mod toml;
 mod urdf;

@@ -2,6 +2,7 @@
 
 use super::document::{Document, Entries, Node};
 use super::number::{decimal, fraction, radians, turns};
+use super::string::quoted;
 
 /// The text of a document.
 pub(super) fn text(document: &Document, remarks: &[String]) -> String {
@@ -59,20 +60,4 @@ fn key(word: &str) -> String {
         true => word.to_owned(),
         false => quoted(word),
     }
-}
-
-/// A string of one line.
-fn quoted(text: &str) -> String {
-    let mut quoted = "\"".to_owned();
-    for letter in text.chars() {
-        match letter {
-            '"' | '\\' => quoted.extend(['\\', letter]),
-            letter if letter.is_control() => {
-                quoted.push_str(&format!("\\u{:04X}", u32::from(letter)));
-            }
-            letter => quoted.push(letter),
-        }
-    }
-    quoted.push('"');
-    quoted
 }

@@ -317,6 +317,57 @@ fn axes_that_are_nearly_parallel_keep_their_digits() {
     }
 }
 
+/// Joints that follow others do so in the other convention, by the same factors and offsets.
+#[test]
+fn couplings_are_kept() {
+    let row = |name: &str, cells: &str| {
+        format!("[[joint]]\nname = \"{name}\"\nmass = 1\ncom = [0.1, 0.02, 0.3]\n{cells}\n")
+    };
+    let rows = [
+        row("lead", "type = \"revolute\"\nd = 0.2"),
+        row("slide", "type = \"prismatic\"\nalpha = \"PI/2\"\na = 0.1"),
+        row(
+            "follow",
+            "type = \"revolute\"\nalpha = 0.3\na = 0.4\ntheta = 0.2",
+        ),
+        row(
+            "slide_back",
+            "type = \"prismatic\"\nalpha = \"-PI/2\"\nd = 0.1",
+        ),
+    ];
+    let head = "convention = \"modified\"\ngravity = [0, 1, -9.81]\n\
+                couple = { follow = \"-2 * lead + 0.25\", slide_back = \"0.5 * slide - 0.125\" }\n";
+    let path = file("coupled.toml", head.to_owned() + &rows.concat());
+    let none = Besides::default();
+    let source = read(&path, &none);
+    assert_eq!(source.dof(), 2);
+    let options = ["--convention", "standard", "--to", "toml"];
+    let (_, standard) = converted(&path, &options, "coupled_standard.toml", &none);
+    assert_eq!(names(&standard), names(&source));
+    let couplings = |robot: &Robot| {
+        let followers = robot.followers();
+        let coupling = |(row, coupling): (
+            &dynamics_symbolic::robot::Row,
+            &dynamics_symbolic::robot::Coupling,
+        )| {
+            let leader = robot.rows[coupling.leader].name.clone();
+            (
+                row.name.clone(),
+                leader,
+                coupling.factor.clone(),
+                coupling.offset.clone(),
+            )
+        };
+        followers.map(coupling).collect::<Vec<_>>()
+    };
+    assert_eq!(couplings(&standard), couplings(&source));
+    let difference = difference(&source, &standard);
+    assert!(difference < 1e-12, "{difference:e}");
+    let urdf = output(&["convert", &path, "--to", "urdf"]);
+    let mimic = "<mimic joint=\"lead\" multiplier=\"-2\" offset=\"0.25\"/>";
+    assert!(urdf.contains(mimic), "{urdf}");
+}
+
 /// Everything that a table may say of joints and tool stays in a table; URDF has no words for some of it.
 #[test]
 fn what_urdf_cannot_say_is_told() {

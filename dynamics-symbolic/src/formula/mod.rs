@@ -31,7 +31,7 @@ use groups::Groups;
 use names::Names;
 
 /// Formulas are written for arms of so many joints without being asked for.
-const MOST_JOINTS: usize = 3;
+pub const MOST_JOINTS: usize = 3;
 
 /// A formula of more terms is no help to a reader.
 pub const MOST_TERMS: usize = 24;
