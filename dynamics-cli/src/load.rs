@@ -107,7 +107,25 @@ fn besides(
         chain: self::chain(given, path, chain)?,
         ignore,
         round_angles: round_angles.copied(),
+        fields: fields(given)?.into_iter().map(|(name, _)| name).collect(),
     })
+}
+
+/// The fields of `--field NAME=VALUE` with their values, where a subcommand has that option.
+pub(crate) fn fields(given: &ArgMatches) -> Result<Vec<(String, f64)>, Failure> {
+    let field = |field: &String| {
+        let parts = field.split_once('=');
+        let parts = parts.map(|(name, value)| (name.trim(), value.trim().parse::<f64>()));
+        match parts {
+            Some((name, Ok(value))) if value.is_finite() => Ok((name.to_owned(), value)),
+            _ => {
+                let message =
+                    format!("`--field {field}`: expected NAME=NUMBER, for example load=2.5");
+                Err(Failure::of_the_command_line(message))
+            }
+        }
+    };
+    words(given, "field").iter().map(field).collect()
 }
 
 /// The ends of the arm, which a URDF file needs.

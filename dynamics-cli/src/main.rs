@@ -12,6 +12,7 @@ mod inverse;
 mod joints;
 mod load;
 mod measure;
+mod page;
 mod progress;
 mod rust;
 mod show;
@@ -54,6 +55,7 @@ fn output(name: &str, given: &ArgMatches) -> Result<String, Failure> {
         "simulate" => simulate::run(given),
         "inverse" => inverse::run(given),
         "measure" => measure::run(given),
+        "page" => page::run(given),
         "convert" => convert::run(given),
         _ => Ok(arguments::completions(given)),
     }?;

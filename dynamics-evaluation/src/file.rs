@@ -88,6 +88,9 @@ pub struct Besides {
     pub ignore: Vec<String>,
     /// How near an angle of a URDF file is to a quarter turn that is taken as one, rad.
     pub round_angles: Option<f64>,
+    /// Names that cells may use without a value, as those of the fields of a struct: they become the
+    /// robot's fields, in this order.
+    pub fields: Vec<String>,
 }
 
 impl Besides {
@@ -101,6 +104,7 @@ impl Besides {
             column: 1,
         };
         let name = |name: &String| Name::new(name.as_str(), place);
+        table.fields = self.fields.iter().map(name).collect();
         let chain = self.chain.as_ref();
         let chain = chain.map(|[first, last]| Entry::Chain(Some([name(first), name(last)])));
         table.entries.extend(chain);

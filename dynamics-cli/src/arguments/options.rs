@@ -66,7 +66,8 @@ fn words(name: &'static str, shown: &'static str) -> Arg {
         .num_args(1)
 }
 
-fn several(name: &'static str, shown: &'static str) -> Arg {
+/// An option that may be given several times.
+pub(super) fn several(name: &'static str, shown: &'static str) -> Arg {
     Arg::new(name)
         .long(name)
         .value_name(shown)

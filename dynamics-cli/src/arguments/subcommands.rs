@@ -3,7 +3,7 @@
 use clap::Command;
 
 use super::options::{
-    chain_of_other, choice, count, functions, number, of_a_file, out, path, vector,
+    chain_of_other, choice, count, functions, number, of_a_file, out, path, several, vector,
 };
 use crate::convert::WITHOUT;
 
@@ -17,6 +17,7 @@ pub(super) fn all() -> Vec<Command> {
         inverse(),
         measure(),
         convert(),
+        page(),
     ]
 }
 
@@ -164,5 +165,26 @@ fn convert() -> Command {
             "Examples:\n  \
              robot-dynamics convert ur5.urdf --chain base_link,tool0 --gravity 0,0,-9.81 --convention standard --out ur5.toml\n  \
              robot-dynamics convert puma560.toml --without motor --out puma560.urdf",
+        )
+}
+
+fn page() -> Command {
+    of_a_file("page", "Write a page that shows the arm, and moves it")
+        .long_about(
+            "Write one HTML file that shows the arm in 3D with its table, M, V, G, tau and the pose of its tip at any \
+             state, plays prescribed and free motions, and plots them. It needs nothing besides: it works from a disk, \
+             without a network, and on a phone.",
+        )
+        .arg(several("field", "NAME=VALUE").help(
+            "A name in the file's cells that gets a slider, and its value at first; may be given several times",
+        ))
+        .arg(vector("from", "Positions at the start; zeros, or the middle of limits without zero, where this is left out"))
+        .arg(vector("to", "Positions at the end of the prescribed motion"))
+        .arg(number("duration", "Time of the motions, s").default_value("3"))
+        .arg(out())
+        .after_help(
+            "Examples:\n  \
+             robot-dynamics page puma560.toml --out puma560.html\n  \
+             robot-dynamics page two_link.toml --field m1=3 --field l1=0.5 --out two_link.html",
         )
 }

@@ -98,6 +98,7 @@ fn arm(path: &Path) -> Arm {
             chain: Some(chain),
             ignore,
             round_angles: None,
+            fields: Vec::new(),
         },
     }
 }

@@ -2,7 +2,7 @@
 
 use super::calls::{errors, output};
 
-const SUBCOMMANDS: [&str; 8] = [
+const SUBCOMMANDS: [&str; 9] = [
     "show",
     "check",
     "generate",
@@ -10,6 +10,7 @@ const SUBCOMMANDS: [&str; 8] = [
     "inverse",
     "measure",
     "convert",
+    "page",
     "completions",
 ];
 

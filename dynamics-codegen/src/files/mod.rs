@@ -87,6 +87,7 @@ fn named(name: &str, mut table: Table, diagnostics: Diagnostics) -> Result<Table
 
 /// As [`table`], with entries beside those of the file, as a call of the macro has them: they take the
 /// place of the file's, and say what is asked of a URDF file (`chain`, `ignore`, `round_angles`, `lock`).
+/// Its fields are those that cells of the file may use.
 #[cfg(feature = "files")]
 pub fn table_beside(
     name: &str,
@@ -112,6 +113,7 @@ pub fn table_beside(
         table.entries.push(entry);
     }
     table.keys.extend(beside.keys);
+    table.fields.extend(beside.fields);
     named(name, table, diagnostics)
 }
 

@@ -1,0 +1,276 @@
+// What can be set: kind of motion, sliders of the joints and of the fields.
+
+import { element, indexed } from "./dom.js";
+import { short } from "./format.js";
+
+const MODES = { motion: "Motion", free: "Free motion", pose: "Pose" };
+const SAID = {
+  motion: "From start to end, from rest to rest; inverse dynamics gives the torques.",
+  free: "From the start under given torques; forward dynamics gives the motion.",
+  pose: "One state; inverse dynamics gives the torques that it takes.",
+};
+
+/** A labelled slider with a number beside it. Values are SI, `factor` makes them those that are shown. */
+function slider({ label, key, min, max, get, set, factor, unit, about }) {
+  const range = element("input", { type: "range", step: "any", "data-key": key, "aria-label": about });
+  const typed = element("input", { type: "number", step: "any", "aria-label": `${about}, as a number` });
+  const sign = element("span", { class: "unit" });
+  const row = element("div", { class: "slider" }, element("span", { class: "what" }, label), range, typed, sign);
+  const show = () => {
+    const [value, times] = [get(), factor()];
+    const [low, high] = [Math.min(min(), value), Math.max(max(), value)];
+    Object.assign(range, { min: low * times, max: high * times });
+    range.value = value * times;
+    range.setAttribute("aria-valuetext", `${short(value * times)} ${unit()}`);
+    if (document.activeElement !== typed) typed.value = short(value * times, 5);
+    sign.textContent = unit();
+  };
+  const take = (text) => {
+    const value = Number(text) / factor();
+    if (text.trim() !== "" && Number.isFinite(value)) set(value);
+    show();
+  };
+  range.addEventListener("input", () => take(range.value));
+  typed.addEventListener("change", () => take(typed.value));
+  show();
+  return { row, show };
+}
+
+/** The setters of one joint for a kind of motion. */
+function jointSliders(model, joint) {
+  const { state } = model;
+  const row = model.joints[joint];
+  const [low, high] = model.ranges[joint];
+  const position = {
+    min: () => low,
+    max: () => high,
+    factor: () => model.units.factor(row.type),
+    unit: () => model.units.position(row.type),
+  };
+  const of = (name, changed = model.changed) => ({
+    get: () => state[name][joint],
+    set(value) {
+      state[name][joint] = value;
+      changed();
+    },
+  });
+  const speed = row.type === "revolute" ? Math.PI : model.size;
+  const wide = (most) => ({ min: () => -most, max: () => most });
+  const rate = {
+    ...wide(2 * speed),
+    factor: position.factor,
+    unit: () => model.units.velocity(row.type),
+  };
+  const start = {
+    ...position,
+    ...of("q"),
+    label: state.mode === "motion" ? "start" : indexed("q", null),
+    key: `q-${joint}`,
+    about: `${row.name}, position${state.mode === "pose" ? "" : " at the start"}`,
+  };
+  const velocity = {
+    ...rate,
+    ...of("qd"),
+    label: indexed("q̇", null),
+    key: `qd-${joint}`,
+    about: `${row.name}, velocity${state.mode === "pose" ? "" : " at the start"}`,
+  };
+  if (state.mode === "motion") {
+    const end = { ...position, ...of("end"), label: "end", key: `end-${joint}`, about: `${row.name}, position at the end` };
+    return [start, end];
+  }
+  if (state.mode === "pose") {
+    const acceleration = {
+      ...wide(4 * speed),
+      ...of("qdd"),
+      factor: position.factor,
+      unit: () => model.units.acceleration(row.type),
+      label: indexed("q̈", null),
+      key: `qdd-${joint}`,
+      about: `${row.name}, acceleration`,
+    };
+    return [start, velocity, acceleration];
+  }
+  if (state.law !== "constant") return [start, velocity];
+  const most = Math.max(1, ...model.table.rows.map((body) => body.mass)) * 9.81 * model.size;
+  const torque = {
+    ...wide(row.type === "revolute" ? most : most / model.size),
+    ...of("torque"),
+    factor: () => 1,
+    unit: () => model.units.force(row.type),
+    label: indexed("τ", null),
+    key: `tau-${joint}`,
+    about: `${row.name}, ${row.type === "revolute" ? "torque" : "force"}`,
+  };
+  return [start, velocity, torque];
+}
+
+/** A slider of a field. */
+function fieldSlider(model, { name, value, unit }) {
+  const isAngle = unit === "rad";
+  const [low, high] = isAngle ? [-Math.PI, Math.PI] : value < 0 ? [3 * value, 0] : [0, 3 * value || 1];
+  return slider({
+    label: element("i", {}, name),
+    key: `field-${name}`,
+    about: unit ? `field ${name}` : `field ${name}, without unit`,
+    min: () => low,
+    max: () => high,
+    get: () => model.fields[name],
+    set: (x) => model.setField(name, x),
+    factor: () => (isAngle ? model.units.factor("revolute") : 1),
+    unit: () => (isAngle ? model.units.angleUnit : unit),
+  });
+}
+
+/** A choice among named values. */
+function choice({ about, key, options, get, set }) {
+  const items = Object.entries(options).map(([value, text]) => element("option", { value }, text));
+  const select = element("select", { "data-key": key, onchange: () => set(select.value) }, items);
+  select.value = get();
+  return element("label", { class: "choice" }, element("span", {}, about), select);
+}
+
+/** The panel of all that can be set. */
+export function controls(model) {
+  const { state, joints, first } = model;
+  const sliders = [];
+  const tabs = Object.entries(MODES).map(([mode, text]) =>
+    element("button", { type: "button", role: "tab", "data-key": `mode-${mode}`, onclick: () => model.setMode(mode) }, text),
+  );
+  const list = element("div", { class: "tabs", role: "tablist", "aria-label": "Kind of motion" }, tabs);
+  list.addEventListener("keydown", ({ key }) => {
+    const step = { ArrowRight: 1, ArrowLeft: -1 }[key];
+    if (!step) return;
+    const at = tabs.findIndex((tab) => tab.getAttribute("aria-selected") === "true");
+    const next = tabs[(at + step + tabs.length) % tabs.length];
+    next.focus();
+    next.click();
+  });
+  const said = element("p", { class: "said" });
+  const settings = element("div", { class: "settings" });
+  const rows = element("div", { class: "joints" });
+  const panel = element("div", { role: "tabpanel" }, said, settings, rows);
+
+  const duration = element("input", { type: "number", min: "0.1", max: "60", step: "any", "data-key": "duration" });
+  duration.addEventListener("change", () => {
+    const seconds = Number(duration.value);
+    if (seconds > 0) state.duration = Math.min(seconds, 60);
+    duration.value = state.duration;
+    model.changed();
+  });
+
+  const profiles = { cycloidal: "cycloidal", quintic: "quintic polynomial", cubic: "cubic polynomial" };
+  const laws = { none: "none: free fall", constant: "constant", gravity: "G + K: the arm floats" };
+  const hasFriction = model.table.rows.some(
+    (row) => row.viscous !== 0 || row.coulomb.some((force) => force !== 0) || row.stribeck,
+  );
+
+  function build() {
+    tabs.forEach((tab) => {
+      const isSelected = tab.dataset.key === `mode-${state.mode}`;
+      tab.setAttribute("aria-selected", isSelected);
+      tab.tabIndex = isSelected ? 0 : -1;
+    });
+    said.textContent = SAID[state.mode];
+    duration.value = state.duration;
+    const asked = [];
+    if (state.mode !== "pose") {
+      asked.push(element("label", { class: "choice" }, element("span", {}, "duration, s"), duration));
+    }
+    if (state.mode === "motion") {
+      const set = (profile) => {
+        state.profile = profile;
+        model.changed();
+      };
+      asked.push(choice({ about: "profile", key: "profile", options: profiles, get: () => state.profile, set }));
+    }
+    if (state.mode === "free") {
+      const set = (law) => {
+        state.law = law;
+        build();
+        model.changed();
+      };
+      asked.push(choice({ about: "torques", key: "law", options: laws, get: () => state.law, set }));
+      if (hasFriction) {
+        const check = element("input", { type: "checkbox", checked: state.hasFriction, "data-key": "friction" });
+        check.addEventListener("change", () => {
+          state.hasFriction = check.checked;
+          model.changed();
+        });
+        asked.push(element("label", { class: "check" }, check, "friction"));
+      }
+    }
+    settings.replaceChildren(...asked);
+    sliders.length = 0;
+    rows.replaceChildren(
+      ...joints.map((row, joint) => {
+        const made = jointSliders(model, joint).map(slider);
+        sliders.push(...made);
+        const index = model.table.rows.findIndex((other) => other.joint === joint);
+        const name = element("button", { type: "button", class: "name", onclick: () => model.select(index) });
+        name.append(element("span", { class: "dot" }), element("b", {}, String(joint + 1)), ` ${row.name}`);
+        const kind = element("span", { class: "kind" }, row.type);
+        const limits = element("span", { class: "kind limits" });
+        const head = element("div", { class: "head" }, name, kind, limits);
+        const group = element("div", { class: "joint", "data-joint": joint }, head, made.map((one) => one.row));
+        group.addEventListener("focusin", () => model.select(index));
+        return group;
+      }),
+    );
+    mark();
+    limited();
+  }
+
+  function limited() {
+    const { factor, position } = model.units;
+    rows.querySelectorAll(".limits").forEach((text, joint) => {
+      const { limits, type } = joints[joint];
+      const ends = limits?.map((x) => short(x * factor(type), 4));
+      text.textContent = ends ? `${ends[0]} to ${ends[1]} ${position(type)}` : "no limits";
+    });
+  }
+
+  function mark() {
+    rows.querySelectorAll(".joint").forEach((group, joint) => {
+      const { selected } = state;
+      group.classList.toggle("selected", model.table.rows[selected]?.joint === joint);
+      group.style.setProperty("--color", `var(--joint-${joint % 8})`);
+    });
+  }
+
+  const fields = first.fields.map((field) => fieldSlider(model, field));
+  const parameters = element("div", { class: "fields" }, element("h3", {}, "Parameters"), fields.map((one) => one.row));
+  model.on("mode", build);
+  model.on("units", () => {
+    [...sliders, ...fields].forEach((one) => one.show());
+    limited();
+  });
+  model.on("selection", mark);
+  build();
+
+  const reset = element("button", {
+    type: "button",
+    class: "quiet",
+    onclick() {
+      const zero = (name) => state[name].fill(0);
+      ["qd", "qdd", "torque"].forEach(zero);
+      const { from, to, duration: seconds } = first;
+      initial.q.forEach((q, i) => (state.q[i] = from?.[i] ?? q));
+      initial.end.forEach((q, i) => (state.end[i] = to?.[i] ?? q));
+      state.duration = seconds;
+      first.fields.forEach(({ name, value }) => model.setField(name, value));
+      build();
+      fields.forEach((one) => one.show());
+      model.changed();
+    },
+  });
+  reset.append("Reset");
+  const initial = { q: [...state.q], end: [...state.end] };
+  return element(
+    "section",
+    { class: "panel controls", "aria-label": "Settings" },
+    element("div", { class: "bar" }, list, reset),
+    panel,
+    first.fields.length > 0 ? parameters : null,
+  );
+}

@@ -1,0 +1,198 @@
+// Motion under given torques: forward dynamics, integrated. Joints with dry friction stick and let go; the
+// times at which they do are found, and between them the equations are smooth.
+
+import { factor, trial } from "./dop853.js";
+import { dryFriction } from "./dry_friction.js";
+import { solved } from "./linear.js";
+
+/** Evaluations of the forward dynamics after which a motion is given up. */
+const MOST_EVALUATIONS = 600_000;
+
+/** Events without a step between them that are chatter. */
+const MOST_EVENTS = 200;
+
+/** Laws of the torques. */
+export const LAWS = {
+  none: () => (q, qd) => q.map(() => 0),
+  constant: ({ torque }) => () => torque,
+  /** G + K: the arm floats. */
+  gravity: ({ equations }) => (q) => {
+    const spring = equations.spring_vector(q);
+    return equations.gravity_vector(q).map((g, i) => g + spring[i]);
+  },
+};
+
+/** Why a motion ends early. */
+class Ended extends Error {}
+
+/** The equations of motion as rates of q, qd and the work of torques and friction. */
+class Motion {
+  constructor(equations, table, torque, hasFriction) {
+    this.equations = equations;
+    this.torque = torque;
+    this.hasFriction = hasFriction;
+    this.dry = dryFriction(table);
+    this.dof = table.dof;
+    this.evaluations = 0;
+    /** Of each joint 1 or -1, the way it slides; 0 where it has no dry friction; null where it sticks. */
+    this.contacts = new Array(table.dof).fill(0);
+    this.sticks = hasFriction && this.dry.isDry.some(Boolean);
+  }
+
+  /** Friction of the joints that slide, by the way they do. */
+  friction(qd) {
+    if (!this.hasFriction) return qd.map(() => 0);
+    return qd.map((speed, i) => {
+      const way = this.contacts[i];
+      return way === null ? 0 : this.dry.sliding(i, way || Math.sign(speed), speed);
+    });
+  }
+
+  /** Accelerations, friction, and the forces that hold the joints that stick. */
+  solve(q, qd) {
+    if (++this.evaluations > MOST_EVALUATIONS) throw new Ended("it takes too many steps");
+    const tau = this.torque(q, qd);
+    const friction = this.friction(qd);
+    if (!this.contacts.includes(null)) {
+      const generated = this.equations.friction_vector(qd);
+      // The generated function takes its own friction off.
+      const applied = tau.map((x, i) => x + (generated[i] - friction[i]));
+      return { tau, friction, qdd: this.equations.forward_dynamics(q, qd, applied), hold: null };
+    }
+    const zero = qd.map(() => 0);
+    const generated = this.equations.friction_vector(qd);
+    const bias = this.equations.inverse_dynamics(q, qd, zero).map((x, i) => x - generated[i]);
+    const mass = this.equations.mass_matrix(q);
+    const free = this.contacts.flatMap((contact, i) => (contact === null ? [] : [i]));
+    const right = tau.map((x, i) => x - bias[i] - friction[i]);
+    const qdd = zero;
+    solved(mass, right, free).forEach((x, k) => (qdd[free[k]] = x));
+    const hold = tau.map((x, i) => {
+      if (this.contacts[i] !== null) return 0;
+      // What friction must be for the joint to stay: tau - M qdd - V - G - K.
+      return mass[i].reduce((sum, m, j) => sum - m * qdd[j], x - bias[i]);
+    });
+    return { tau, friction, qdd, hold };
+  }
+
+  rate = (_t, y) => {
+    const n = this.dof;
+    const [q, qd] = [Array.from(y.subarray(0, n)), Array.from(y.subarray(n, 2 * n))];
+    const { tau, friction, qdd } = this.solve(q, qd);
+    const power = qd.reduce((sum, speed, i) => sum + speed * (tau[i] - friction[i]), 0);
+    return Float64Array.from([...qd, ...qdd, power]);
+  };
+
+  split(y) {
+    const n = this.dof;
+    return [Array.from(y.subarray(0, n)), Array.from(y.subarray(n, 2 * n))];
+  }
+
+  /** How far the state is from the next event: below zero behind one. */
+  margins(y) {
+    if (!this.sticks) return [Infinity];
+    const [q, qd] = this.split(y);
+    const hold = this.contacts.includes(null) ? this.solve(q, qd).hold : null;
+    return this.contacts.map((contact, i) => {
+      if (contact === null) return this.dry.breakaway(i, Math.sign(hold[i])) - Math.abs(hold[i]);
+      return contact === 0 ? Infinity : contact * qd[i];
+    });
+  }
+
+  /** Joints at rest stick; then those that friction holds too little are let go, the worst one first. */
+  settle(y) {
+    if (!this.sticks) return;
+    const [q, qd] = this.split(y);
+    this.contacts = qd.map((speed, i) => {
+      if (!this.dry.isDry[i]) return 0;
+      return speed === 0 ? null : Math.sign(speed);
+    });
+    while (this.contacts.includes(null)) {
+      const { hold } = this.solve(q, qd);
+      const excess = this.contacts.map((contact, i) => {
+        if (contact !== null || hold[i] === 0) return 0;
+        return Math.abs(hold[i]) / this.dry.breakaway(i, Math.sign(hold[i]));
+      });
+      const worst = excess.indexOf(Math.max(...excess));
+      if (!(excess[worst] > 1)) return;
+      this.contacts[worst] = Math.sign(hold[worst]);
+    }
+  }
+}
+
+/** The size of a step that ends at the first event in it, which a longer one has passed. */
+function untilEvent(motion, t, y, first, h) {
+  let [early, late] = [0, h];
+  for (let k = 0; k < 60 && late - early > 1e-12 * h; k++) {
+    const middle = (early + late) / 2;
+    const { end } = trial(motion.rate, t, y, first, middle);
+    if (Math.min(...motion.margins(end)) < 0) late = middle;
+    else early = middle;
+  }
+  return late;
+}
+
+/** Goes on to a time. */
+function advance(motion, from, until) {
+  let { t, y, h } = from;
+  let events = 0;
+  let wasRejected = false;
+  while (until - t > 1e-12 * Math.max(1, until)) {
+    const first = motion.rate(t, y);
+    const size = Math.min(h, until - t);
+    const { end, error } = trial(motion.rate, t, y, first, size);
+    if (!(error <= 1)) {
+      h = size * factor(error, true);
+      wasRejected = true;
+      if (!(h > 1e-12)) throw new Ended("its steps become too small");
+      continue;
+    }
+    if (Math.min(...motion.margins(end)) < 0) {
+      if (++events > MOST_EVENTS) throw new Ended("a joint sticks and lets go without end");
+      const part = untilEvent(motion, t, y, first, size);
+      y = trial(motion.rate, t, y, first, part).end;
+      t += part;
+      motion.contacts.forEach((contact, i) => {
+        // A velocity that has crossed zero is zero.
+        if (contact && contact * y[motion.dof + i] <= 0) y[motion.dof + i] = 0;
+      });
+      motion.settle(y);
+      continue;
+    }
+    [t, y] = [t + size, end];
+    const wish = size * factor(error, wasRejected);
+    // A step that was cut short by a sample says little of how long it could be.
+    h = size < h && error < 0.1 ? Math.max(h, wish) : wish;
+    wasRejected = false;
+  }
+  return { t: until, y, h };
+}
+
+/**
+ * The motion from a start, sampled: q, qd, qdd, torques and friction at each time, and the energy that
+ * torques have brought and friction has taken. Where it cannot go on, `ended` says why.
+ */
+export function freeMotion({ equations, table, law, torque, hasFriction, q, qd, duration, samples }) {
+  const motion = new Motion(equations, table, LAWS[law]({ equations, torque }), hasFriction);
+  const found = { t: [], q: [], qd: [], qdd: [], tau: [], work: [], ended: null };
+  let state = { t: 0, y: Float64Array.from([...q, ...qd, 0]), h: duration / samples };
+  try {
+    motion.settle(state.y);
+    for (let k = 0; k < samples; k++) {
+      const t = (duration * k) / (samples - 1);
+      state = advance(motion, state, t);
+      const [at, speed] = motion.split(state.y);
+      const { qdd, tau } = motion.solve(at, speed);
+      found.t.push(t);
+      found.q.push(at);
+      found.qd.push(speed);
+      found.qdd.push(qdd);
+      found.tau.push(tau);
+      found.work.push(state.y[2 * motion.dof]);
+    }
+  } catch (error) {
+    if (!(error instanceof Ended) && error.name !== "SingularMassMatrix") throw error;
+    found.ended = { t: state.t, reason: error.message };
+  }
+  return found;
+}

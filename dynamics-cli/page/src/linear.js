@@ -1,0 +1,22 @@
+// Symmetric positive definite systems of equations.
+
+/** x of A x = b by A = L L', rows and columns of `indices` alone. */
+export function solved(a, b, indices) {
+  const n = indices.length;
+  const l = indices.map(() => new Array(n).fill(0));
+  const x = indices.map((i) => b[i]);
+  for (let i = 0; i < n; i++) {
+    for (let j = 0; j <= i; j++) {
+      let sum = a[indices[i]][indices[j]];
+      for (let k = 0; k < j; k++) sum -= l[i][k] * l[j][k];
+      l[i][j] = i === j ? Math.sqrt(sum) : sum / l[j][j];
+    }
+    for (let k = 0; k < i; k++) x[i] -= l[i][k] * x[k];
+    x[i] /= l[i][i];
+  }
+  for (let i = n - 1; i >= 0; i--) {
+    for (let k = i + 1; k < n; k++) x[i] -= l[k][i] * x[k];
+    x[i] /= l[i][i];
+  }
+  return x;
+}

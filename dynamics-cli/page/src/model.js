@@ -1,0 +1,178 @@
+// The arm, what is asked of it, and its motion.
+
+import { chain, reach } from "./chain.js";
+import { bind, evaluate } from "./equations.js";
+import { units } from "./format.js";
+import { events } from "./store.js";
+import { freeTrajectory, prescribedTrajectory } from "./trajectory.js";
+
+/** The longest time, ms, that a motion may take to be computed with every step of a slider. */
+const PROMPT = 30;
+
+/** How far a joint goes: its limits, or else a turn, or as far as the arm is long. */
+function rangeOf(row, size) {
+  if (row.limits) return row.limits;
+  return row.type === "revolute" ? [-Math.PI, Math.PI] : [-size, size];
+}
+
+/** Where a joint begins: at zero, or in the middle of limits that zero is not in. */
+function startOf([low, high]) {
+  return low <= 0 && high >= 0 ? 0 : (low + high) / 2;
+}
+
+/** Degrees by which joints go on at first: not all alike, so that curves can be told apart. */
+const STEPS = [60, 40, -50, 30, 70, -40];
+
+/** Where a joint goes to: on by some degrees, or by a part of its way, back where its limits ask for it. */
+function endOf(from, { type, joint }, [low, high]) {
+  const turn = STEPS[joint % STEPS.length];
+  const step = type === "revolute" ? (turn * Math.PI) / 180 : ((high - low) * turn) / 240;
+  const [on, back] = [from + step, from - step];
+  const isWithin = (q) => q >= low && q <= high;
+  return isWithin(on) ? on : isWithin(back) ? back : step > 0 ? high : low;
+}
+
+/** The model of a page: `make` gives the table for values of the fields. */
+export function createModel(make, module, first) {
+  const { on, tell } = events();
+  const values = Object.fromEntries(first.fields.map(({ name, value }) => [name, value]));
+  const equations = bind(module, values);
+  const table = make(values);
+  const slides = table.rows
+    .filter((row) => row.type === "prismatic" && row.joint !== null)
+    .reduce((sum, row) => sum + (row.limits ? Math.max(...row.limits.map(Math.abs)) : 0), 0);
+  const size = reach(table, slides);
+  const joints = table.rows.filter((row) => row.joint !== null);
+  const ranges = joints.map((row) => rangeOf(row, size));
+  const zeros = joints.map(() => 0);
+  const from = first.from ?? ranges.map(startOf);
+
+  const state = {
+    mode: "motion",
+    q: [...from],
+    qd: [...zeros],
+    qdd: [...zeros],
+    end: first.to ?? from.map((q, i) => endOf(q, joints[i], ranges[i])),
+    torque: [...zeros],
+    profile: "cycloidal",
+    law: "none",
+    hasFriction: true,
+    duration: first.duration,
+    t: 0,
+    isPlaying: false,
+    isRepeated: false,
+    speed: 1,
+    selected: table.rows.indexOf(joints[0]),
+    show: { parameters: "selected", frames: false, axes: false, masses: false, trace: true, names: false },
+  };
+
+  const model = {
+    on,
+    tell,
+    state,
+    first,
+    fields: values,
+    equations,
+    table,
+    size,
+    joints,
+    ranges,
+    trajectory: null,
+    units: units(true),
+
+    /** The state that is shown. */
+    now() {
+      if (state.mode === "pose") {
+        const { q, qd, qdd } = state;
+        return { q, qd, qdd, tau: equations.inverse_dynamics(q, qd, qdd) };
+      }
+      return model.trajectory.at(state.t);
+    },
+    evaluated: () => evaluate(equations, model.now()),
+    frames: () => chain(model.table, model.now().q),
+
+    setTime(t) {
+      const duration = model.trajectory?.duration ?? 0;
+      state.t = Math.min(Math.max(t, 0), duration);
+      tell("time");
+    },
+
+    play(isPlaying) {
+      if (!model.trajectory) return;
+      state.isPlaying = isPlaying;
+      if (isPlaying && state.t >= model.trajectory.duration) model.setTime(0);
+      tell("play");
+    },
+
+    setMode(mode) {
+      state.mode = mode;
+      state.isPlaying = false;
+      state.t = 0;
+      model.recompute();
+      tell("mode");
+      tell("time");
+      tell("play");
+    },
+
+    /** A setting of the start or of the motion has changed: time begins anew. */
+    changed() {
+      state.isPlaying = false;
+      state.t = 0;
+      tell("play");
+      model.ask();
+    },
+
+    setField(name, value) {
+      values[name] = value;
+      model.table = make(values);
+      tell("fields");
+      model.changed();
+    },
+
+    setUnits(inDegrees) {
+      model.units = units(inDegrees);
+      tell("units");
+    },
+
+    select(row) {
+      state.selected = row;
+      tell("selection");
+    },
+
+    setShown(changes) {
+      Object.assign(state.show, changes);
+      tell("show");
+    },
+
+    recompute() {
+      const begin = performance.now();
+      const { q, qd, end, torque, profile, law, hasFriction, duration } = state;
+      const { table: current } = model;
+      model.trajectory =
+        state.mode === "motion"
+          ? prescribedTrajectory(equations, { from: [...q], to: [...end], duration, profile })
+          : state.mode === "free"
+            ? freeTrajectory(equations, {
+                ...{ table: current, law, hasFriction, duration },
+                ...{ q: [...q], qd: [...qd], torque: [...torque] },
+              })
+            : null;
+      cost = performance.now() - begin;
+      timer = undefined;
+      tell("trajectory");
+      tell("time");
+    },
+
+    /** Whether the motion that is shown is still that of former settings. */
+    isStale: () => timer !== undefined,
+
+    /** Computes the motion anew, soon. */
+    ask() {
+      clearTimeout(timer);
+      timer = setTimeout(model.recompute, cost > PROMPT ? 160 : 0);
+    },
+  };
+  let [cost, timer] = [0, undefined];
+  model.recompute();
+  return model;
+}

@@ -1,0 +1,162 @@
+// The numbers of the state that is shown.
+
+import { datum, element, show } from "./dom.js";
+import { plain } from "./format.js";
+import { rollPitchYaw } from "./frames.js";
+
+/** A table in a box that scrolls by itself. */
+export function scrolled(label, table) {
+  return element("div", { class: "scroll", role: "region", tabIndex: 0, "aria-label": label }, table);
+}
+
+/** The panel of numbers. */
+export function numbers(model) {
+  const { joints, table } = model;
+  const hasFriction = table.rows.some((row) => row.viscous || row.coulomb.some(Boolean) || row.stribeck);
+  const hasSpring = table.rows.some((row) => row.spring);
+  const columns = [
+    { key: "q", sign: "q", unit: "position", isAngle: true },
+    { key: "qd", sign: "q̇", unit: "velocity", isAngle: true },
+    { key: "qdd", sign: "q̈", unit: "acceleration", isAngle: true },
+    { key: "tau", sign: "τ", unit: "force" },
+    { key: "coriolis", sign: "V", unit: "force" },
+    { key: "gravity", sign: "G", unit: "force" },
+    ...(hasSpring ? [{ key: "spring", sign: "K", unit: "force" }] : []),
+    ...(hasFriction ? [{ key: "friction", sign: "F", unit: "force" }] : []),
+  ];
+  const data = new Map();
+  const cell = (key) => {
+    const made = datum(key);
+    data.set(key, made);
+    return element("td", {}, made);
+  };
+  const types = [...new Set(joints.map((row) => row.type))];
+  const unitCells = columns.map(() => element("th", { class: "unit", scope: "col" }));
+  const states = element(
+    "table",
+    { class: "numbers wide" },
+    element("caption", {}, "State and forces"),
+    element(
+      "thead",
+      {},
+      element("tr", {}, element("th", { scope: "col" }, "joint"), columns.map(({ sign }) => element("th", { scope: "col" }, element("i", {}, sign)))),
+      element("tr", {}, element("th", { class: "unit", scope: "col" }, ""), unitCells),
+    ),
+    element(
+      "tbody",
+      {},
+      joints.map((row, i) => {
+        const name = element("th", { scope: "row" }, element("span", { class: "dot" }), row.name);
+        name.style.setProperty("--color", `var(--joint-${i % 8})`);
+        return element("tr", {}, name, columns.map(({ key }) => cell(`${key}-${i}`)));
+      }),
+    ),
+  );
+
+  const isMixed = types.length > 1;
+  const massUnit = isMixed ? "kg m², kg m, kg" : types[0] === "revolute" ? "kg m²" : "kg";
+  const mass = element(
+    "table",
+    { class: "numbers matrix" },
+    element("caption", {}, "Mass matrix ", element("i", {}, "M"), `, ${massUnit}`),
+    element("tbody", {}, joints.map((_, i) => element("tr", {}, joints.map((__, j) => cell(`mass-${i}-${j}`))))),
+  );
+
+  const pose = element(
+    "table",
+    { class: "numbers" },
+    element("caption", {}, "Tip in the world"),
+    element(
+      "tbody",
+      {},
+      ["x", "y", "z"].map((axis, k) =>
+        element(
+          "tr",
+          {},
+          element("th", { scope: "row" }, element("i", {}, axis)),
+          cell(`tip-${k}-3`),
+          element("td", { class: "unit" }, "m"),
+          element("th", { scope: "row" }, ["roll", "pitch", "yaw"][k]),
+          cell(`rpy-${k}`),
+          element("td", { class: "unit angle" }),
+        ),
+      ),
+    ),
+  );
+  const rotation = element(
+    "details",
+    {},
+    element("summary", {}, "Transform of the tip, 4 × 4"),
+    scrolled(
+      "Transform of the tip",
+      element(
+        "table",
+        { class: "numbers matrix" },
+        element("tbody", {}, [0, 1, 2, 3].map((i) => element("tr", {}, [0, 1, 2, 3].map((j) => cell(`T-${i}-${j}`))))),
+      ),
+    ),
+  );
+  const energies = element(
+    "table",
+    { class: "numbers" },
+    element("caption", {}, "Energies, J"),
+    element(
+      "tbody",
+      {},
+      [
+        ["T", "kinetic"],
+        ["U", "potential"],
+        ["T + U", "total"],
+      ].map(([sign, key]) => element("tr", {}, element("th", { scope: "row" }, element("i", {}, sign)), cell(key))),
+    ),
+  );
+
+  const put = (key, value, factor = 1) => show(data.get(key), value, plain(value * factor));
+  function update() {
+    const { units } = model;
+    const found = model.evaluated();
+    joints.forEach((row, i) => {
+      columns.forEach(({ key, isAngle }) => put(`${key}-${i}`, found[key][i], isAngle ? units.factor(row.type) : 1));
+    });
+    const diagonal = found.mass.map((line, i) => Math.abs(line[i]));
+    joints.forEach((_, i) =>
+      joints.forEach((__, j) => {
+        put(`mass-${i}-${j}`, found.mass[i][j]);
+        // How strongly two joints are coupled: |M_ij| / sqrt(M_ii M_jj), at most 1.
+        const share = Math.abs(found.mass[i][j]) / Math.sqrt(diagonal[i] * diagonal[j]);
+        const shown = data.get(`mass-${i}-${j}`).parentElement;
+        shown.style.setProperty("--share", Number.isFinite(share) ? Math.min(share, 1).toFixed(3) : 0);
+      }),
+    );
+    found.tip.forEach((line, i) => line.forEach((value, j) => put(`T-${i}-${j}`, value)));
+    [0, 1, 2].forEach((k) => put(`tip-${k}-3`, found.tip[k][3]));
+    rollPitchYaw(found.tip).forEach((angle, k) => put(`rpy-${k}`, angle, units.factor("revolute")));
+    put("kinetic", found.kinetic);
+    put("potential", found.potential);
+    put("total", found.kinetic + found.potential);
+  }
+  function label() {
+    columns.forEach(({ unit }, k) => {
+      unitCells[k].textContent = types.map((type) => model.units[unit](type)).join(", ");
+    });
+    pose.querySelectorAll(".angle").forEach((text) => (text.textContent = model.units.angleUnit));
+    update();
+  }
+  model.on("units", label);
+  model.on("time", update);
+  label();
+  return element(
+    "section",
+    { class: "panel", "aria-label": "Numbers" },
+    scrolled("State and forces", states),
+    element(
+      "div",
+      { class: "blocks" },
+      scrolled("Mass matrix", mass),
+      scrolled("Pose of the tip", pose),
+      scrolled("Energies", energies),
+    ),
+    rotation,
+  );
+}
+

@@ -1,0 +1,194 @@
+// Pages in a browser: what they show, against what a file of cases expects. The cases are written by
+// `dynamics-cli/tests/page.rs`; each that fails is told, with status 1.
+//
+//     node page.mjs CHROMIUM CASES.json
+
+import { readFileSync } from "node:fs";
+
+import { open, withBrowser } from "./browser.mjs";
+
+const [program, cases] = process.argv.slice(2);
+const { pages } = JSON.parse(readFileSync(cases, "utf8"));
+const DESK = { width: 1100, height: 640 };
+const PHONE = { width: 380, height: 780 };
+
+let failures = 0;
+function check(name, isGood, told = "") {
+  if (isGood) return;
+  failures++;
+  console.log(`FAILED ${name}: ${told}`);
+}
+
+/** A number that is shown, with all of its digits. */
+const shown = (page, key) => page.evaluate(`Number(document.querySelector('data[data-key="${key}"]').value)`);
+
+/** Numbers that are shown, by their keys. */
+const allShown = (page) =>
+  page.evaluate(`Object.fromEntries([...document.querySelectorAll("data[data-key]")].map((one) => [one.dataset.key, Number(one.value)]))`);
+
+/** Fills in numbers as they stand in the cases, in radians. */
+async function type(page, values, event = "input") {
+  for (const [key, value] of Object.entries(values)) await page.set(key, value, event);
+}
+
+/** Waits until what was set is computed. */
+const computed = (page) => page.until("!robotPage.isStale()");
+
+/** Entries of M, G, tau and so on against those of Rust. */
+async function numbers(page, { name, states }) {
+  await page.click("mode-pose");
+  for (const [k, { set, expected, scale }] of states.entries()) {
+    await type(page, set);
+    await computed(page);
+    const found = await allShown(page);
+    let worst = 0;
+    for (const [key, value] of Object.entries(expected)) {
+      const size = scale[key.split("-")[0]] ?? 1;
+      const error = Math.abs(found[key] - value) / size;
+      worst = Math.max(worst, error);
+      check(`${name}, state ${k}, ${key}`, error < 1e-11, `${found[key]} instead of ${value}`);
+    }
+    const tip = ["0", "1", "2"].map((i) => found[`tip-${i}-3`].toFixed(4).replace(/^-(0\.0*)$/, "$1"));
+    const drawn = await page.evaluate("document.querySelector('.readout').textContent");
+    const [x, y, z] = [...drawn.matchAll(/-?\d+\.\d+/g)].map(([text]) => text);
+    // The frames that are drawn come from the table, the numbers from the generated function.
+    check(`${name}, state ${k}, drawn tip`, [x, y, z].join() === tip.join(), `${drawn} instead of ${tip}`);
+    console.log(`${name}, state ${k}: ${Object.keys(expected).length} numbers, largest error ${worst.toExponential(1)}`);
+  }
+  await page.click("mode-motion");
+}
+
+/** The motion at its samples against rows of the commands `inverse` and `simulate`. */
+async function motion(page, { name, motions }) {
+  for (const { mode, set, rows, tolerance } of motions) {
+    await page.click(`mode-${mode}`);
+    for (const [key, value] of Object.entries(set)) {
+      await page.set(key, value, key === "duration" || key === "law" ? "change" : "input");
+    }
+    await computed(page);
+    let worst = 0;
+    for (const { t, expected, scale } of rows) {
+      await page.set("time", t);
+      const found = await allShown(page);
+      for (const [key, value] of Object.entries(expected)) {
+        const error = Math.abs(found[key] - value) / scale[key.split("-")[0]];
+        worst = Math.max(worst, error);
+        check(`${name}, ${mode} at ${t} s, ${key}`, error < tolerance, `${found[key]} instead of ${value}`);
+      }
+    }
+    console.log(`${name}, ${mode}: ${rows.length} rows, largest error ${worst.toExponential(1)}`);
+    await page.click("mode-motion");
+  }
+}
+
+/** Sliders move the arm, by pointer and by keyboard; time moves it, and stops. */
+async function moves(page, { name }) {
+  await page.set("time", 0);
+  const [still, again] = [await page.picture(".view"), await page.picture(".view")];
+  check(`${name}, picture`, still === again, "two pictures of one state differ");
+  const before = await shown(page, "q-0");
+  const slider = (key) => `document.querySelector('[data-key="${key}"]')`;
+  const value = await page.evaluate(`(${slider("q-0")}.min * 3 + ${slider("q-0")}.max * 5) / 8`);
+  await page.set("q-0", value);
+  await computed(page);
+  check(`${name}, slider`, Math.abs((await shown(page, "q-0")) - value) < 1e-9 && value !== before, "q does not follow it");
+  check(`${name}, slider`, still !== (await page.picture(".view")), "the picture is the same");
+
+  await page.evaluate(`${slider("q-0")}.focus()`);
+  for (const type of ["keyDown", "keyUp"]) {
+    await page.call("Input.dispatchKeyEvent", { type, key: "ArrowRight", code: "ArrowRight", windowsVirtualKeyCode: 39 });
+  }
+  await computed(page);
+  check(`${name}, arrow key`, (await shown(page, "q-0")) > value, "q does not follow the key");
+
+  const start = await page.picture(".view");
+  await page.click("play");
+  await page.until(`Number(${slider("time")}.value) > 0.2`);
+  await page.click("play");
+  const held = await page.evaluate(`Number(${slider("time")}.value)`);
+  const later = await page.picture(".view");
+  check(`${name}, play`, start !== later, "the picture is the same");
+  check(`${name}, pause`, held === (await page.evaluate(`Number(${slider("time")}.value)`)), "time goes on");
+  await page.evaluate("robotPage.setTime(0.7 * robotPage.trajectory.duration)");
+  const traced = await page.picture(".view");
+  await page.click("show-trace");
+  check(`${name}, trace`, traced !== (await page.picture(".view")), "the picture without it is the same");
+  for (const key of ["frames", "axes", "masses"]) {
+    const without = await page.picture(".view");
+    await page.click(`show-${key}`);
+    check(`${name}, ${key}`, without !== (await page.picture(".view")), "the picture is the same");
+    await page.click(`show-${key}`);
+  }
+  await page.set("parameters", "none", "change");
+  check(`${name}, labels`, (await labels(page)) === 0, "labels without parameters");
+  await page.set("parameters", "all", "change");
+  check(`${name}, labels`, (await labels(page)) > 1, "no labels");
+  // A pointer on a plot sets the time, and all plots have it.
+  await page.evaluate("document.querySelector('.plots').scrollIntoView()");
+  const box = await page.evaluate("(() => { const { x, y, width, height } = document.querySelector('.u-over').getBoundingClientRect(); return { x, y, width, height }; })()");
+  const at = { x: box.x + box.width / 2, y: box.y + box.height / 2, button: "left", clickCount: 1 };
+  await page.call("Input.dispatchMouseEvent", { type: "mousePressed", ...at });
+  await page.call("Input.dispatchMouseEvent", { type: "mouseReleased", ...at });
+  const half = await page.evaluate(`${slider("time")}.value / ${slider("time")}.max`);
+  check(`${name}, plot`, Math.abs(half - 0.5) < 0.02, `time at ${half} of the motion`);
+  const heads = await page.evaluate("[...document.querySelectorAll('.playhead')].map((head) => head.style.transform)");
+  check(`${name}, plots`, heads.length === 6, `${heads.length} plots`);
+}
+
+const labels = (page) => page.evaluate("[...document.querySelectorAll('.label')].filter((one) => !one.hidden).length");
+
+/** On a phone nothing is wider than the screen, too small, or without a name. */
+async function readable(page, { name }) {
+  const wide = await page.evaluate("document.documentElement.scrollWidth");
+  check(`${name} at 380 px`, wide <= 380, `${wide} px wide`);
+  const cut = await page.evaluate(`[...document.querySelectorAll("body *")].filter((one) => {
+    if (one.closest(".scroll, .labels, .u-wrap, svg") || one.getClientRects().length === 0) return false;
+    const { left, right } = one.getBoundingClientRect();
+    return left < -0.5 || right > 380.5;
+  }).map((one) => one.outerHTML.slice(0, 80))`);
+  check(`${name} at 380 px`, cut.length === 0, `cut: ${cut.slice(0, 3).join(" ")}`);
+  const small = await page.evaluate(`[...document.querySelectorAll("body *")].filter((one) => {
+    const isText = [...one.childNodes].some((node) => node.nodeType === 3 && node.textContent.trim() !== "");
+    return isText && !one.closest("sub") && one.getClientRects().length > 0 && parseFloat(getComputedStyle(one).fontSize) < 11;
+  }).map((one) => one.outerHTML.slice(0, 80))`);
+  check(`${name} at 380 px`, small.length === 0, `small: ${small.slice(0, 3).join(" ")}`);
+  const view = await page.evaluate("document.querySelector('.view').getBoundingClientRect().height");
+  check(`${name} at 380 px`, view > 200, `the picture is ${view} px high`);
+  const nameless = await page.evaluate(`[...document.querySelectorAll("input, select, button")].filter((one) => {
+    return !one.ariaLabel && !(one.labels?.length > 0) && one.textContent.trim() === "";
+  }).map((one) => one.outerHTML.slice(0, 80))`);
+  check(`${name}, names of inputs`, nameless.length === 0, nameless.slice(0, 3).join(" "));
+}
+
+/** How far a color is from white, of 0 to 1. */
+const darkness = (page) =>
+  page.evaluate("(() => { const [r, g, b] = getComputedStyle(document.body).backgroundColor.match(/\\d+/g).map(Number); return 1 - (r + g + b) / 765; })()");
+
+function clean(page, name) {
+  check(`${name}, console`, page.errors.length === 0, page.errors.join("; "));
+  const outside = page.requests.filter((url) => !/^(file|data|blob):/.test(url));
+  check(`${name}, network`, outside.length === 0, outside.join(" "));
+}
+
+await withBrowser(program, async (browser) => {
+  for (const given of pages) {
+    const { name, file } = given;
+    const page = await open(browser, file, { ...DESK });
+    await page.click("units");
+    await numbers(page, given);
+    await motion(page, given);
+    if (given.moves) await moves(page, given);
+    clean(page, name);
+    await page.close();
+    const phone = await open(browser, file, { ...PHONE, scheme: "dark", isReduced: true });
+    await readable(phone, given);
+    check(`${name}, dark`, (await darkness(phone)) > 0.8, "it is light");
+    // From the system's colors to light ones.
+    await phone.click("theme");
+    check(`${name}, light`, (await darkness(phone)) < 0.2, "it is dark");
+    clean(phone, name);
+    await phone.close();
+  }
+});
+console.log(failures === 0 ? "all pages are as they should be" : `${failures} failures`);
+process.exitCode = failures === 0 ? 0 : 1;

@@ -1,0 +1,468 @@
+//! The pages: one file each, and in a browser the numbers of Rust.
+
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use dynamics_evaluation::dynamics_symbolic::robot::{JointType, Row};
+use dynamics_evaluation::{Besides, RuntimeRobot, Value};
+
+/// What the size of a page stays below.
+const MEGABYTE: usize = 1_000_000;
+
+fn data(name: &str) -> String {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/data");
+    folder.join(name).to_string_lossy().into_owned()
+}
+
+fn folder() -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("pages");
+    std::fs::create_dir_all(&folder).expect("a folder");
+    folder
+}
+
+fn run(arguments: &[&str]) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_robot-dynamics"));
+    command.args(arguments).output().expect("the command")
+}
+
+#[track_caller]
+fn output(arguments: &[&str]) -> String {
+    let output = run(arguments);
+    let errors = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(0), "{arguments:?}: {errors}");
+    String::from_utf8(output.stdout).expect("text")
+}
+
+/// An arm whose page is looked at.
+struct Arm {
+    name: &'static str,
+    file: String,
+    options: Vec<&'static str>,
+    besides: Besides,
+    /// The fields, with the values that they have at first.
+    fields: Vec<(&'static str, f64)>,
+}
+
+impl Arm {
+    fn new(name: &'static str, file: &str) -> Arm {
+        let functions = [
+            "mass_matrix",
+            "coriolis_vector",
+            "gravity_vector",
+            "friction_vector",
+            "spring_vector",
+            "inverse_dynamics",
+            "kinetic_energy",
+            "potential_energy",
+            "forward_kinematics",
+        ];
+        Arm {
+            name,
+            file: data(file),
+            options: Vec::new(),
+            besides: Besides {
+                entries: format!("functions = {functions:?}\n"),
+                ..Besides::default()
+            },
+            fields: Vec::new(),
+        }
+    }
+
+    fn with_fields(mut self, fields: &[(&'static str, f64)]) -> Arm {
+        self.fields = fields.to_vec();
+        self.besides.fields = fields.iter().map(|(name, _)| (*name).to_owned()).collect();
+        self
+    }
+
+    /// Writes the page, and returns its file.
+    fn page(&self) -> PathBuf {
+        let path = folder().join(self.name).with_extension("html");
+        let out = path.to_string_lossy();
+        let fields: Vec<_> = self
+            .fields
+            .iter()
+            .map(|(name, value)| format!("{name}={value:?}"))
+            .collect();
+        let mut arguments = vec!["page", &self.file, "--out", &out];
+        arguments.extend(&self.options);
+        arguments.extend(fields.iter().flat_map(|field| ["--field", field]));
+        assert_eq!(output(&arguments), "");
+        path
+    }
+
+    fn robot(&self) -> RuntimeRobot {
+        RuntimeRobot::from_file_with(&self.file, &self.besides).expect("a robot")
+    }
+}
+
+fn arms() -> Vec<Arm> {
+    let mut panda = Arm::new("panda", "urdf/panda.urdf");
+    panda.options = vec![
+        "--chain",
+        "panda_link0,panda_link8",
+        "--gravity",
+        "0,0,-9.81",
+        "--lock",
+        "panda_finger_joint1=0.02",
+        "--lock",
+        "panda_finger_joint2=0.02",
+    ];
+    panda.besides.entries.push_str(
+        "gravity = [0, 0, \"-9.81\"]\nlock = { panda_finger_joint1 = 0.02, panda_finger_joint2 = 0.02 }\n",
+    );
+    panda.besides.chain = Some(["panda_link0", "panda_link8"].map(str::to_owned));
+    vec![
+        Arm::new("two_link", "files/two_link.toml").with_fields(&[
+            ("m1", 3.0),
+            ("m2", 1.0),
+            ("l1", 2.0),
+            ("l2", 1.0),
+            ("g", 9.81),
+        ]),
+        Arm::new("two_link_saha", "robots/two_link_saha.json"),
+        Arm::new("puma560", "robots/puma560.json"),
+        Arm::new("aristo", "robots/aristo.json"),
+        Arm::new("cell", "files/cell.toml").with_fields(&[("load", 1.0), ("tilt", 0.2)]),
+        panda,
+    ]
+}
+
+/// One file below a megabyte that loads nothing, with the licences of what is in it.
+#[test]
+fn a_page_is_one_file() {
+    let mut arms = arms();
+    // The longest of the data files.
+    arms.push(Arm::new(
+        "generic_chain_n12",
+        "robots/generic_chain_n12.json",
+    ));
+    for arm in arms {
+        let text = std::fs::read_to_string(arm.page()).expect("a page");
+        println!("{}: {} bytes", arm.name, text.len());
+        assert!(text.len() < MEGABYTE, "{}: {} bytes", arm.name, text.len());
+        for notice in [
+            "three 0.187.0",
+            "uplot 1.6.32",
+            "three.js authors",
+            "Leon Sorokin",
+            "Permission is hereby granted",
+        ] {
+            assert!(text.contains(notice), "{}: {notice}", arm.name);
+        }
+        for loaded in [
+            "<script src",
+            "<link rel=\"stylesheet",
+            "@import url",
+            "from\"http",
+        ] {
+            assert!(!text.contains(loaded), "{}: {loaded}", arm.name);
+        }
+        assert_eq!(text.matches("</script>").count(), 3, "{}", arm.name);
+    }
+}
+
+#[test]
+fn what_cannot_be_is_refused() {
+    let file = data("files/two_link.toml");
+    let refused = |options: &[&str], status: i32, expected: &str| {
+        let arguments: Vec<_> = ["page", &file].iter().chain(options).copied().collect();
+        let output = run(&arguments);
+        let errors = String::from_utf8(output.stderr).expect("text");
+        assert_eq!(output.status.code(), Some(status), "{options:?}: {errors}");
+        assert!(errors.contains(expected), "{options:?}: {errors}");
+    };
+    let fields = ["m1=3", "m2=1", "l1=2", "l2=1", "g=9.81"];
+    let all: Vec<_> = fields.iter().flat_map(|field| ["--field", field]).collect();
+    let with = |more: &[&'static str]| [all.clone(), more.to_vec()].concat();
+    refused(&[], 1, "two_link.toml:");
+    refused(&["--field", "m1"], 2, "expected NAME=NUMBER");
+    refused(
+        &with(&["--field", "m3=1"]),
+        2,
+        "no value uses the field `m3`",
+    );
+    refused(&with(&["--from", "1"]), 2, "expected 2, one for each joint");
+    refused(
+        &with(&["--duration", "0"]),
+        2,
+        "expected a number above zero",
+    );
+}
+
+/// Numbers by the names under which a page shows them.
+type Numbers = Vec<(String, f64)>;
+
+fn object<K: AsRef<str>>(entries: impl IntoIterator<Item = (K, String)>) -> String {
+    let entries = entries
+        .into_iter()
+        .map(|(key, value)| format!("{:?}: {value}", key.as_ref()));
+    format!("{{{}}}", entries.collect::<Vec<_>>().join(", "))
+}
+
+fn numbers(numbers: &Numbers) -> String {
+    object(numbers.iter().map(|(key, x)| (key, format!("{x:?}"))))
+}
+
+/// The largest number of each group, `mass` of `mass-0-1`; of V that of tau too, for the page finds V as a
+/// difference of torques.
+fn scales<'n>(groups: impl IntoIterator<Item = &'n Numbers>) -> String {
+    let mut scales: Vec<(String, f64)> = Vec::new();
+    for (key, x) in groups.into_iter().flatten() {
+        let group = key.split('-').next().unwrap_or(key);
+        match scales.iter_mut().find(|(known, _)| known == group) {
+            Some((_, scale)) => *scale = scale.max(x.abs()),
+            None => scales.push((group.to_owned(), x.abs().max(1e-3))),
+        }
+    }
+    let of = |group: &str| scales.iter().position(|(known, _)| known == group);
+    if let (Some(coriolis), Some(tau)) = (of("coriolis"), of("tau")) {
+        scales[coriolis].1 = scales[coriolis].1.max(scales[tau].1);
+    }
+    numbers(&scales)
+}
+
+fn indexed(name: &str, values: &[f64]) -> Numbers {
+    let named = values.iter().enumerate();
+    named.map(|(i, x)| (format!("{name}-{i}"), *x)).collect()
+}
+
+/// A position within what a slider offers, by a share of it.
+fn position(row: &Row, share: f64) -> f64 {
+    let limits = row.limits.as_ref();
+    let [low, high] = match (limits, row.joint_type) {
+        (Some(limits), _) => limits.each_ref().map(|limit| limit.to_f64(&[])),
+        (None, JointType::Revolute) => [-3.0, 3.0],
+        (None, JointType::Prismatic) => [-0.2, 0.2],
+    };
+    low + share * (high - low)
+}
+
+/// A share that differs from joint to joint and from state to state.
+fn share(joint: usize, state: usize) -> f64 {
+    0.5 + 0.45 * ((3 * joint + 5 * state + 1) as f64).sin()
+}
+
+/// Entries of M, V, G, tau, of the tip and of energies at a state.
+fn expected(arm: &RuntimeRobot, q: &[f64], qd: &[f64], qdd: &[f64]) -> Numbers {
+    let evaluate = |function: &str, arguments: &[&[f64]]| -> Vec<f64> {
+        match arm.evaluate(function, arguments).expect("a value") {
+            Value::Number(x) => vec![x],
+            Value::Matrix(matrix) => matrix.transpose().iter().copied().collect(),
+            value => panic!("{value:?}"),
+        }
+    };
+    let matrix = |name: &str, rows: usize, values: Vec<f64>| -> Numbers {
+        let columns = values.len() / rows;
+        let named = values.iter().enumerate();
+        named
+            .map(|(k, x)| (format!("{name}-{}-{}", k / columns, k % columns), *x))
+            .collect()
+    };
+    let mut found = matrix("mass", arm.dof(), evaluate("mass_matrix", &[q]));
+    found.extend(indexed("coriolis", &evaluate("coriolis_vector", &[q, qd])));
+    found.extend(indexed("gravity", &evaluate("gravity_vector", &[q])));
+    for (name, values) in [
+        ("friction", evaluate("friction_vector", &[qd])),
+        ("spring", evaluate("spring_vector", &[q])),
+    ] {
+        // The page shows the columns that are not zero at all states.
+        if values.iter().any(|x| *x != 0.0) {
+            found.extend(indexed(name, &values));
+        }
+    }
+    found.extend(indexed("tau", &evaluate("inverse_dynamics", &[q, qd, qdd])));
+    let tip = evaluate("forward_kinematics", &[q]);
+    found.extend((0..3).map(|k| (format!("tip-{k}-3"), tip[4 * k + 3])));
+    found.extend(matrix("T", 4, tip));
+    let (kinetic, potential) = (
+        evaluate("kinetic_energy", &[q, qd])[0],
+        evaluate("potential_energy", &[q])[0],
+    );
+    found.push(("kinetic".to_owned(), kinetic));
+    found.push(("potential".to_owned(), potential));
+    found
+}
+
+/// States that are typed into a page, and what it shows then.
+fn states(arm: &Arm) -> String {
+    let mut robot = arm.robot();
+    let rows: Vec<Row> = robot.robot().joints().cloned().collect();
+    let states = (0..3).map(|state| {
+        let each = |scale: f64, seed: usize| -> Vec<f64> {
+            let shares = (0..rows.len()).map(|joint| share(joint, state + seed));
+            shares.map(|share| scale * (share - 0.5)).collect()
+        };
+        let joints = rows.iter().enumerate();
+        let q: Vec<f64> = joints
+            .map(|(joint, row)| position(row, share(joint, state)))
+            .collect();
+        let (qd, qdd) = (each(1.5, 7), each(2.5, 13));
+        let mut set = [indexed("q", &q), indexed("qd", &qd), indexed("qdd", &qdd)].concat();
+        for (k, (name, value)) in arm.fields.iter().enumerate() {
+            let value = value * (0.6 + share(k, state));
+            robot.set_field(name, value).expect("a field");
+            set.push((format!("field-{name}"), value));
+        }
+        let expected = expected(&robot, &q, &qd, &qdd);
+        let entries = [
+            ("set", numbers(&set)),
+            ("expected", numbers(&expected)),
+            ("scale", scales([&expected])),
+        ];
+        object(entries)
+    });
+    format!("[{}]", states.collect::<Vec<_>>().join(", "))
+}
+
+/// Rows of a table that the command has written: the time, and numbers by the names of a page.
+fn rows(csv: &str, groups: &[&str]) -> Vec<(f64, Numbers)> {
+    let rows = csv.lines().skip(1).map(|line| {
+        let cells: Vec<f64> = line
+            .split(',')
+            .map(|x| x.parse().expect("a number"))
+            .collect();
+        let dof = (cells.len() - 1) / groups.len();
+        let named = groups.iter().enumerate();
+        let found =
+            named.flat_map(|(k, group)| indexed(group, &cells[1 + k * dof..1 + (k + 1) * dof]));
+        (cells[0], found.collect())
+    });
+    rows.collect()
+}
+
+fn list(values: &[f64]) -> String {
+    let values: Vec<_> = values.iter().map(|x| format!("{x:?}")).collect();
+    values.join(",")
+}
+
+/// A prescribed motion and a free one, with what the commands `inverse` and `simulate` say of them. Those
+/// know no fields: the arm has numbers in their places.
+fn motions(arm: &Arm) -> String {
+    let mut text = std::fs::read_to_string(&arm.file).expect("a file");
+    let mut file = arm.file.clone();
+    if !arm.fields.is_empty() {
+        for (name, value) in &arm.fields {
+            text = text.replace(&format!("\"{name}\""), &format!("{value:?}"));
+            text = text.replace(&format!("\"-{name}\""), &format!("-{value:?}"));
+            text = text.replace(&format!("-{name} / 2"), &format!("-{value:?} / 2"));
+            text = text.replace(&format!("rod({name})"), &format!("rod({value:?})"));
+        }
+        let path = folder().join(format!("{}_in_numbers.toml", arm.name));
+        std::fs::write(&path, text).expect("a file");
+        file = path.to_string_lossy().into_owned();
+    }
+    let robot = arm.robot();
+    let joints = robot.robot().joints().enumerate();
+    let (from, to): (Vec<f64>, Vec<f64>) = joints
+        .map(|(joint, row)| {
+            (
+                position(row, share(joint, 2)),
+                position(row, share(joint, 4)),
+            )
+        })
+        .unzip();
+    let fields: Numbers = arm
+        .fields
+        .iter()
+        .map(|(name, value)| (format!("field-{name}"), *value))
+        .collect();
+    let motion = |mode: &str, set: Numbers, rows: Vec<(f64, Numbers)>, tolerance: f64| {
+        let scale = scales(rows.iter().map(|(_, numbers)| numbers));
+        let rows = rows.iter().map(|(t, expected)| {
+            object([
+                ("t", format!("{t:?}")),
+                ("expected", numbers(expected)),
+                ("scale", scale.clone()),
+            ])
+        });
+        object([
+            ("mode", format!("{mode:?}")),
+            ("set", numbers(&[fields.clone(), set].concat())),
+            ("rows", format!("[{}]", rows.collect::<Vec<_>>().join(", "))),
+            ("tolerance", format!("{tolerance:?}")),
+        ])
+    };
+    let duration = ("duration".to_owned(), 2.0);
+    let [from_list, to_list] = [&from, &to].map(|values| list(values));
+    let call = |subcommand: &'static str, more: &[&str]| {
+        let shared = [
+            subcommand,
+            &file,
+            "--duration",
+            "2",
+            "--samples",
+            "5",
+            "--from",
+            &from_list,
+        ];
+        let all: Vec<_> = shared
+            .iter()
+            .chain(&arm.options)
+            .chain(more)
+            .copied()
+            .collect();
+        output(&all)
+    };
+    let inverse = rows(
+        &call("inverse", &["--to", &to_list]),
+        &["q", "qd", "qdd", "tau"],
+    );
+    let simulated = call("simulate", &["--tolerance", "1e-12"]);
+    let without_energy: Vec<_> = simulated
+        .lines()
+        .map(|line| line.rsplit_once(',').expect("energies").0)
+        .collect();
+    let free = rows(&without_energy.join("\n"), &["q", "qd"]);
+    let start = |name: &str, values: &[f64]| [indexed("q", &from), indexed(name, values)].concat();
+    let still = vec![0.0; from.len()];
+    let prescribed = [start("end", &to), vec![duration.clone()]].concat();
+    let dropped = [start("qd", &still), vec![duration]].concat();
+    format!(
+        "[{}, {}]",
+        motion("motion", prescribed, inverse, 1e-11),
+        motion("free", dropped, free, 1e-6)
+    )
+}
+
+/// Whether a program can be run; what is left out without it is said.
+fn is_there(program: &str) -> bool {
+    let found = Command::new(program).arg("--version").output().is_ok();
+    if !found {
+        println!("left out: {program} is not installed");
+    }
+    found
+}
+
+/// What `page/test/page.mjs` finds in Chromium: sliders move the arm, play moves time, the numbers are
+/// those of Rust and of the commands `inverse` and `simulate`, a phone shows all of it, and no error is
+/// told.
+#[test]
+fn pages_do_what_they_should_in_a_browser() {
+    if !is_there("chromium") || !is_there("node") {
+        return;
+    }
+    let pages = arms().into_iter().map(|arm| {
+        object([
+            ("name", format!("{:?}", arm.name)),
+            ("file", format!("{:?}", arm.page().to_string_lossy())),
+            ("states", states(&arm)),
+            ("motions", motions(&arm)),
+            // Pictures take their time: two arms show what there is to see, one of them with slides.
+            ("moves", ["puma560", "cell"].contains(&arm.name).to_string()),
+        ])
+    });
+    let mut cases = String::new();
+    let pages: Vec<_> = pages.collect();
+    let _ = write!(cases, "{{\"pages\": [\n{}\n]}}\n", pages.join(",\n"));
+    let path = folder().join("cases.json");
+    std::fs::write(&path, cases).expect("a file");
+    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("page/test/page.mjs");
+    let mut node = Command::new("node");
+    node.arg(script).arg("chromium").arg(&path);
+    let output = node.output().expect("node");
+    let told = String::from_utf8_lossy(&output.stdout);
+    let errors = String::from_utf8_lossy(&output.stderr);
+    println!("{told}");
+    assert!(output.status.success(), "{told}{errors}");
+}
