@@ -41,6 +41,7 @@ impl Document {
                 Event::Start(Tag::Link { dest_url, .. } | Tag::Image { dest_url, .. }) => {
                     document.links.push(dest_url.into());
                 }
+                Event::Html(tag) | Event::InlineHtml(tag) => document.links.extend(addresses(&tag)),
                 _ => {}
             }
         }
@@ -63,6 +64,15 @@ impl Document {
             n => format!("{name}-{n}"),
         });
     }
+}
+
+/// Where the tags of HTML in a text point.
+fn addresses(html: &str) -> Vec<String> {
+    let attributes = ["src=\"", "href=\""].map(|attribute| html.split(attribute).skip(1));
+    let values = attributes.into_iter().flatten();
+    values
+        .filter_map(|text| Some(text.split_once('"')?.0.to_owned()))
+        .collect()
 }
 
 /// The text of a document, with what `{{#include PATH}}` puts into it.
