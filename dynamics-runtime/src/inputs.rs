@@ -12,7 +12,7 @@ pub trait Inputs<T: Scalar> {
     #[inline(always)]
     fn field(&self, index: usize, value: f64, like: T) -> T {
         let _ = index;
-        like.constant(value)
+        like.exact(value)
     }
 }
 

@@ -1,7 +1,8 @@
 //! The runtime of `robot-dynamics`: what generated robots are made of, and what can be done with
 //! any of them.
 //!
-//! - [`Scalar`], the numbers that generated functions run on, and [`DoubleDouble`], one of 31 digits; [`Model`], [`ForwardDynamics`],
+//! - [`Scalar`], the numbers that generated functions run on, [`DoubleDouble`], one of 31 digits, and [`Certified`],
+//!   one with a proven bound of its error; [`Model`], [`ForwardDynamics`],
 //!   [`Energy`] and [`Evaluate`], what a generated robot is to generic code; [`Table`], its
 //!   Denavit-Hartenberg table as numbers.
 //! - [`NewtonEuler`], the same dynamics computed numerically from the table, and
@@ -20,6 +21,7 @@ pub use nalgebra;
 
 #[cfg(feature = "std")]
 mod batch;
+mod certified;
 #[cfg(feature = "std")]
 mod check;
 mod conditioning;
@@ -74,6 +76,7 @@ pub use batch::{Batch, BatchError, LengthMismatch, Precision, States, StatesMut,
 #[cfg(feature = "std")]
 #[doc(hidden)]
 pub use batch::{Each, Fields, Same, failing, on_one_core};
+pub use certified::{Certified, Rounded};
 #[cfg(feature = "std")]
 pub use check::{Check, FunctionReport, Report, check_against_rnea};
 pub use conditioning::Conditioning;

@@ -4,6 +4,7 @@ mod accuracy;
 mod allocations;
 mod aristo;
 mod batch;
+mod certified;
 mod controllers;
 mod decimals;
 mod dry_friction;

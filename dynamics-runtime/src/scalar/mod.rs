@@ -13,8 +13,8 @@ use crate::sine::{Sines, level};
 ///
 /// The trait asks for what straight-line code of equations of motion needs and for nothing more,
 /// so that it can be implemented for numbers which are no complete field: dual numbers, SIMD lanes,
-/// numbers of extended precision. It is implemented for `f32`, `f64` and
-/// [`DoubleDouble`](crate::DoubleDouble).
+/// numbers of extended precision. It is implemented for `f32`, `f64`, [`DoubleDouble`](crate::DoubleDouble) and
+/// [`Certified`](crate::Certified).
 ///
 /// No method panics. Values that are not finite propagate as IEEE 754 arithmetic has it.
 ///
@@ -48,6 +48,15 @@ pub trait Scalar:
     #[inline(always)]
     fn constant(self, x: f64) -> Self {
         Self::from_f64(x)
+    }
+
+    /// `x`, which is no constant that was rounded to a double but what was meant, in the arithmetic of `self`:
+    /// a field of the struct.
+    ///
+    /// It is [`constant`](Scalar::constant) but for types that carry their errors.
+    #[inline(always)]
+    fn exact(self, x: f64) -> Self {
+        self.constant(x)
     }
 
     /// The distance from 1 to the next larger number.

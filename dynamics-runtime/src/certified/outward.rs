@@ -1,0 +1,117 @@
+//! Arithmetic of bounds, every result rounded up.
+//!
+//! The sum of two bounds in doubles may be less than the bounds together. What is computed is off by half a
+//! unit in the last place at most, so that the next larger number is a bound again.
+
+use core::ops::{Add, Div, Mul};
+
+use super::Rounded;
+
+/// What an error is at most: zero or more; infinite where nothing is known. Never NaN.
+#[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
+pub(super) struct Bound<F>(F);
+
+impl<F: Rounded> Bound<F> {
+    pub(super) const NONE: Self = Bound(F::ZERO);
+    pub(super) const UNKNOWN: Self = Bound(F::INFINITY);
+
+    /// A bound that is known exactly; what is negative or no number says nothing.
+    pub(super) fn new(x: F) -> Self {
+        if x >= F::ZERO {
+            // 0 for -0, which is not less.
+            Bound(x.magnitude())
+        } else {
+            Bound::UNKNOWN
+        }
+    }
+
+    pub(super) fn get(self) -> F {
+        self.0
+    }
+
+    /// A result of operations on bounds, rounded to nearest.
+    fn rounded_up(x: F) -> Self {
+        Bound::new(x.above())
+    }
+
+    pub(super) fn min(self, other: Self) -> Self {
+        if other < self { other } else { self }
+    }
+
+    fn is_known(self) -> bool {
+        self.0 < F::INFINITY
+    }
+
+    /// `self - other` rounded down; `None` where that is not greater than zero.
+    pub(super) fn beyond(self, other: Self) -> Option<Self> {
+        let rest = self.0 - other.0;
+        // A difference with zero is exact.
+        let rest = if other == Bound::NONE {
+            rest
+        } else {
+            rest.below()
+        };
+        (rest > F::ZERO).then_some(Bound(rest))
+    }
+}
+
+impl<F: Rounded> Add for Bound<F> {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        if self == Bound::NONE {
+            other
+        } else if other == Bound::NONE {
+            self
+        } else {
+            Bound::rounded_up(self.0 + other.0)
+        }
+    }
+}
+
+impl<F: Rounded> Mul for Bound<F> {
+    type Output = Self;
+
+    /// What is not known stays so, times zero too.
+    fn mul(self, other: Self) -> Self {
+        if !(self.is_known() && other.is_known()) {
+            Bound::UNKNOWN
+        } else if self == Bound::NONE || other == Bound::NONE {
+            Bound::NONE
+        } else {
+            Bound::rounded_up(self.0 * other.0)
+        }
+    }
+}
+
+impl<F: Rounded> Div for Bound<F> {
+    type Output = Self;
+
+    /// By a number that is at least `other`, which is greater than zero.
+    fn div(self, other: Self) -> Self {
+        match self == Bound::NONE || !self.is_known() {
+            true => self,
+            false => Bound::rounded_up(self.0 / other.0),
+        }
+    }
+}
+
+/// Half a unit in the last place: no number is further from the result that it was rounded to, and none from
+/// the least number that was rounded to zero.
+pub(super) fn half_unit<F: Rounded>(x: F) -> Bound<F> {
+    let unit = unit(x);
+    let half = unit * F::from_f64(0.5);
+    // Half the least number is zero.
+    Bound::new(if half > F::ZERO { half } else { unit })
+}
+
+/// One unit in the last place of a number that is less than two units away from `x`.
+pub(super) fn unit_near<F: Rounded>(x: F) -> Bound<F> {
+    Bound::new(unit(x.magnitude().above().above()))
+}
+
+/// From |x| to the next larger number; exact.
+fn unit<F: Rounded>(x: F) -> F {
+    let size = x.magnitude();
+    size.above() - size
+}

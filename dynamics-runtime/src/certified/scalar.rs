@@ -1,0 +1,142 @@
+//! What generated functions ask of a number.
+
+use num_traits::Zero;
+
+use super::outward::{Bound, half_unit, unit_near};
+use super::{Certified, Rounded};
+use crate::Scalar;
+use crate::float::FUSED;
+
+impl<F: Rounded> Scalar for Certified<F> {
+    /// A constant: an exact number that was rounded to the double `x`, and that to the precision.
+    fn from_f64(x: f64) -> Self {
+        let read = Self::read(x);
+        // A constant that is zero is written only where it is zero exactly.
+        let rounding = match x == 0.0 {
+            true => Bound::NONE,
+            false => Bound::new(F::at_least(half_unit(x).get())),
+        };
+        Certified::new(read.value, read.error + rounding)
+    }
+
+    fn exact(self, x: f64) -> Self {
+        Self::read(x)
+    }
+
+    fn epsilon() -> Self {
+        Certified::exact(F::epsilon())
+    }
+
+    fn sin_cos(self) -> (Self, Self) {
+        let [pair] = Self::sin_cos_array([self]);
+        pair
+    }
+
+    /// |sin a' - sin a| <= |cos a'| |e_a| + e_a^2 / 2, by Taylor's theorem, and no more than |e_a|; the same of
+    /// the cosine.
+    fn sin_cos_array<const K: usize>(angles: [Self; K]) -> [(Self, Self); K] {
+        let values = F::sin_cos_array(angles.map(|angle| angle.value));
+        core::array::from_fn(|i| {
+            let (angle, (sine, cosine)) = (angles[i], values[i]);
+            if angle.is_zero() {
+                return (angle, Certified::exact(cosine));
+            }
+            let kernel = [sine, cosine].map(unit_near);
+            let e = angle.error;
+            let half_square = e * e * Bound::new(F::from_f64(0.5));
+            let passed_on = |slope: F, error: Bound<F>| {
+                let slope = Bound::new(slope.magnitude()) + error;
+                e.min(slope * e + half_square)
+            };
+            (
+                Certified::new(sine, kernel[0] + passed_on(cosine, kernel[1])),
+                Certified::new(cosine, kernel[1] + passed_on(sine, kernel[0])),
+            )
+        })
+    }
+
+    /// |sqrt a' - sqrt a| = |e_a| / (sqrt a' + sqrt a), where the sum of roots is at least sqrt a', and twice the
+    /// root of a' - |e_a|.
+    fn sqrt(self) -> Self {
+        let value = self.value.sqrt();
+        if self.is_zero() {
+            return self;
+        }
+        let rounding = half_unit(value);
+        if self.error == Bound::NONE {
+            return Certified::new(value, rounding);
+        }
+        let lowest = Bound::new(self.value).beyond(self.error);
+        let least = lowest.and_then(|lowest| {
+            let root = Bound::new(lowest.get().sqrt());
+            root.beyond(half_unit(root.get()))
+        });
+        let (Some(root), Some(least)) = (Bound::new(value).beyond(rounding), least) else {
+            return Certified::new(value, Bound::UNKNOWN);
+        };
+        let half = Bound::new(F::from_f64(0.5));
+        let passed_on = (self.error / root).min(half * self.error / least);
+        Certified::new(value, passed_on + rounding)
+    }
+
+    /// |exp a' - exp a| <= exp a' (exp |e_a| - 1), which is at most exp a' (|e_a| + e_a^2) up to |e_a| = 1.
+    fn exp(self) -> Self {
+        let value = Scalar::exp(self.value);
+        let kernel = unit_near(value);
+        let e = self.error;
+        if e == Bound::NONE {
+            return Certified::new(value, kernel);
+        }
+        let one = F::from_f64(1.0);
+        let grown = match e.get() <= one {
+            true => e + e * e,
+            false => Bound::UNKNOWN,
+        };
+        Certified::new(value, kernel + (Bound::new(value) + kernel) * grown)
+    }
+
+    fn mul_add(self, a: Self, b: Self) -> Self {
+        if !FUSED {
+            return self * a + b;
+        }
+        let value = self.value.mul_add(a.value, b.value);
+        let is_exact = self.value == F::ZERO || a.value == F::ZERO;
+        let rounding = if is_exact {
+            Bound::NONE
+        } else {
+            half_unit(value)
+        };
+        Certified::new(value, self.error_of_product(a) + b.error + rounding)
+    }
+
+    /// Certain where the number cannot be zero, or is it exactly; else off by up to 1 + |sign a'|.
+    fn sign(self) -> Self {
+        let value = self.value.sign();
+        let is_certain = self.error == Bound::NONE || self.size().beyond(self.error).is_some();
+        let error = match is_certain {
+            true => Bound::NONE,
+            false => Bound::new(F::from_f64(1.0) + value.magnitude()),
+        };
+        let is_known = self.error != Bound::UNKNOWN;
+        Certified::new(value, if is_known { error } else { Bound::UNKNOWN })
+    }
+
+    /// Of the value: the same branches are taken as without bounds.
+    fn is_positive(self) -> bool {
+        self.value.is_positive()
+    }
+
+    fn ratio_to_f64(self, of: Self) -> f64 {
+        self.value.ratio_to_f64(of.value)
+    }
+}
+
+impl<F: Rounded> Certified<F> {
+    /// A double, as it is read in this precision.
+    fn read(x: f64) -> Self {
+        let value = F::from_f64(x);
+        // Exact: the difference has no more digits than x.
+        let distance = F::at_least((x - value.to_f64()).abs());
+        Certified::new(value, Bound::new(distance))
+    }
+}
