@@ -1,29 +1,29 @@
 //! The values of functions where checks look for them.
 
 use dynamics_runtime::nalgebra::{SMatrix, SVector};
-use dynamics_runtime::{Evaluation, SingularMassMatrix};
+use dynamics_runtime::{Evaluation, Scalar, SingularMassMatrix};
 use dynamics_symbolic::Function;
 
 /// Values that are read one after the other, matrices by columns.
-struct Values(std::vec::IntoIter<f64>);
+struct Values<T>(std::vec::IntoIter<T>);
 
-impl Values {
-    fn number(&mut self) -> f64 {
-        self.0.next().unwrap_or(f64::NAN)
+impl<T: Scalar> Values<T> {
+    fn number(&mut self) -> T {
+        self.0.next().unwrap_or_else(|| T::from_f64(f64::NAN))
     }
 
-    fn matrix<const R: usize, const C: usize>(&mut self) -> SMatrix<f64, R, C> {
+    fn matrix<const R: usize, const C: usize>(&mut self) -> SMatrix<T, R, C> {
         SMatrix::from_iterator((0..R * C).map(|_| self.number()))
     }
 
     /// One for each joint.
-    fn each<const N: usize, const R: usize, const C: usize>(&mut self) -> [SMatrix<f64, R, C>; N] {
+    fn each<const N: usize, const R: usize, const C: usize>(&mut self) -> [SMatrix<T, R, C>; N] {
         [(); N].map(|()| self.matrix())
     }
 
     /// The columns of a matrix of `N` rows whose width is known here alone.
-    fn columns<const N: usize>(self) -> Vec<SVector<f64, N>> {
-        let values: Vec<f64> = self.0.collect();
+    fn columns<const N: usize>(self) -> Vec<SVector<T, N>> {
+        let values: Vec<T> = self.0.collect();
         values
             .chunks_exact(N)
             .map(SVector::from_column_slice)
@@ -32,10 +32,10 @@ impl Values {
 }
 
 /// Puts the values of a function where they belong.
-pub(crate) fn record<const N: usize>(
-    evaluation: &mut Evaluation<N>,
+pub(crate) fn record<const N: usize, T: Scalar>(
+    evaluation: &mut Evaluation<N, T>,
     function: Function,
-    values: Result<Vec<f64>, SingularMassMatrix>,
+    values: Result<Vec<T>, SingularMassMatrix>,
 ) {
     match values {
         Ok(values) => found(evaluation, function, Values(values.into_iter())),
@@ -43,8 +43,8 @@ pub(crate) fn record<const N: usize>(
     }
 }
 
-fn refused<const N: usize>(
-    evaluation: &mut Evaluation<N>,
+fn refused<const N: usize, T: Scalar>(
+    evaluation: &mut Evaluation<N, T>,
     function: Function,
     error: SingularMassMatrix,
 ) {
@@ -61,7 +61,11 @@ fn refused<const N: usize>(
     }
 }
 
-fn found<const N: usize>(evaluation: &mut Evaluation<N>, function: Function, mut values: Values) {
+fn found<const N: usize, T: Scalar>(
+    evaluation: &mut Evaluation<N, T>,
+    function: Function,
+    mut values: Values<T>,
+) {
     match function {
         Function::MassMatrix => evaluation.mass_matrix = Some(values.matrix()),
         Function::CoriolisVector => evaluation.coriolis_vector = Some(values.matrix()),
@@ -114,7 +118,7 @@ fn found<const N: usize>(evaluation: &mut Evaluation<N>, function: Function, mut
         Function::PassivityTorque => evaluation.passivity_torque = Some(values.matrix()),
         Function::PassivityRegressor => evaluation.passivity_regressor = Some(values.columns()),
         Function::EnergyRegressors => {
-            let energies: Vec<f64> = values.0.collect();
+            let energies: Vec<T> = values.0.collect();
             let (kinetic, potential) = energies.split_at(energies.len() / 2);
             evaluation.energy_regressors = Some((kinetic.to_vec(), potential.to_vec()));
         }

@@ -169,7 +169,16 @@ macro_rules! impl_model {
 
         impl<const N: usize> Evaluate<N> for $typed<'_, N> {
             fn evaluate(&self, state: &State<N>, tau: &SVector<f64, N>) -> Evaluation<N> {
-                self.$($path.)*arm.evaluation(state, tau)
+                self.$($path.)*arm.evaluation(state, tau, |x| x)
+            }
+
+            fn evaluate_in<T: Scalar>(
+                &self,
+                state: &State<N>,
+                tau: &SVector<f64, N>,
+                real: fn(f64) -> T,
+            ) -> Evaluation<N, T> {
+                self.$($path.)*arm.evaluation(state, tau, real)
             }
         }
     )*};
@@ -196,16 +205,30 @@ impl<const N: usize> Model<N> for Typed<'_, N> {
 
 impl<const N: usize> Evaluate<N> for Typed<'_, N> {
     fn evaluate(&self, state: &State<N>, tau: &SVector<f64, N>) -> Evaluation<N> {
-        self.arm.evaluation(state, tau)
+        self.arm.evaluation(state, tau, |x| x)
+    }
+
+    fn evaluate_in<T: Scalar>(
+        &self,
+        state: &State<N>,
+        tau: &SVector<f64, N>,
+        real: fn(f64) -> T,
+    ) -> Evaluation<N, T> {
+        self.arm.evaluation(state, tau, real)
     }
 }
 
 impl RuntimeRobot {
-    /// The values of all functions that are evaluated by themselves.
-    fn evaluation<const N: usize>(&self, state: &State<N>, tau: &SVector<f64, N>) -> Evaluation<N> {
+    /// The values of all functions that are evaluated by themselves, in numbers that `real` makes of the state's.
+    fn evaluation<const N: usize, T: Scalar>(
+        &self,
+        state: &State<N>,
+        tau: &SVector<f64, N>,
+        real: fn(f64) -> T,
+    ) -> Evaluation<N, T> {
         let [qd_r, qdd_r] = [state.reference_velocity(), state.reference_acceleration()];
         let ([jerk, snap], wrench) = ([state.jerk(), state.snap()], State::<N>::wrench());
-        let argument = |of: Argument, i: usize| match of {
+        let double = |of: Argument, i: usize| match of {
             Argument::Position => state.q[i],
             Argument::Velocity => state.qd[i],
             Argument::Acceleration => state.qdd[i],
@@ -217,15 +240,16 @@ impl RuntimeRobot {
             Argument::Wrench => wrench[i],
             Argument::Order => f64::NAN,
         };
+        let argument = |of, i| real(double(of, i));
         let mut evaluation = Evaluation::default();
         for function in self.functions() {
             if let Request::One(name) = function.request {
-                let shared = self.shared(function, &|x| x);
-                let values = self.values(function, &shared, &argument, &|x| x);
+                let shared = self.shared(function, &T::from_f64);
+                let values = self.values(function, &shared, &argument, &T::from_f64);
                 record(&mut evaluation, name, values);
             }
         }
-        evaluation.combined(state)
+        evaluation.combined(&state.qd.map(real))
     }
 }
 

@@ -9,7 +9,7 @@ use super::target::Target;
 
 /// The methods of `Evaluate`.
 pub(super) struct Evaluation {
-    /// The body of `evaluate`.
+    /// The body of `evaluate_in`.
     pub(super) functions: TokenStream,
     /// The body of `evaluate_parts`, where a method returns several functions.
     pub(super) parts: Option<TokenStream>,
@@ -19,7 +19,7 @@ pub(super) struct Evaluation {
 pub(super) fn evaluation(target: &Target, requests: &[Request]) -> Evaluation {
     let functions = requests.iter().filter_map(Request::function);
     let fields = functions.map(|function| {
-        let value = call(target, &Request::One(function));
+        let value = call(target, &Request::One(function), &quote!(T));
         some(function, held(target, function, value))
     });
     let fused = requests.iter().filter_map(|request| match request {
@@ -36,7 +36,7 @@ pub(super) fn evaluation(target: &Target, requests: &[Request]) -> Evaluation {
 /// Hands the parts of a method on; where it refuses, each part that is solved for is that refusal.
 fn parts(target: &Target, request: &Request, fused: &Fused) -> TokenStream {
     let name = request.name();
-    let call = call(target, request);
+    let call = call(target, request, &quote!(f64));
     let values: Vec<Ident> = (1..=fused.parts.len())
         .map(|number| Ident::new(&format!("part_{number}"), Span::call_site()))
         .collect();
@@ -75,7 +75,7 @@ fn combined(target: &Target, fields: impl Iterator<Item = TokenStream>) -> Token
                 #(#fields)*
                 ..::core::default::Default::default()
             },
-            state,
+            &state.qd.map(real),
         )
     }
 }
@@ -86,13 +86,13 @@ fn some(function: Function, value: TokenStream) -> TokenStream {
     quote!(#name: ::core::option::Option::Some(#value),)
 }
 
-/// The call of a method at the state.
-fn call(target: &Target, request: &Request) -> TokenStream {
+/// The call of a method at the state, in numbers that `real` makes of its doubles.
+fn call(target: &Target, request: &Request, number: &TokenStream) -> TokenStream {
     let name = method_name(request);
     let arguments = request.arguments();
     let arguments = arguments.iter().map(|argument| at_state(target, *argument));
     // Without arguments nothing else says the type of the numbers.
-    quote!(Self::#name::<f64>(self #(, #arguments)*))
+    quote!(Self::#name::<#number>(self #(, #arguments)*))
 }
 
 /// The value of a function, as the field of that name holds it.
@@ -100,7 +100,7 @@ fn held(target: &Target, function: Function, value: TokenStream) -> TokenStream 
     let path = target.path;
     match function.shape() {
         _ if function.row().growth == Growth::Cubic => quote!(#path::boxed(#value)),
-        Shape::Matrix(Size::Parameters, Size::One) => quote!(<[f64]>::to_vec(#value.as_slice())),
+        Shape::Matrix(Size::Parameters, Size::One) => quote!(<[_]>::to_vec(#value.as_slice())),
         Shape::Tuple([Shape::Matrix(Size::Parameters, Size::One), ..]) => {
             quote!(#path::vectors(&#value))
         }
@@ -114,15 +114,15 @@ fn held(target: &Target, function: Function, value: TokenStream) -> TokenStream 
 fn at_state(target: &Target, argument: Argument) -> TokenStream {
     let (path, n) = (target.path, target.n());
     match argument {
-        Argument::Position => quote!(&state.q),
-        Argument::Velocity => quote!(&state.qd),
-        Argument::Acceleration => quote!(&state.qdd),
-        Argument::Force => quote!(tau),
-        Argument::ReferenceVelocity => quote!(&state.reference_velocity()),
-        Argument::ReferenceAcceleration => quote!(&state.reference_acceleration()),
-        Argument::Jerk => quote!(&state.jerk()),
-        Argument::Snap => quote!(&state.snap()),
-        Argument::Wrench => quote!(&#path::State::<#n>::wrench()),
+        Argument::Position => quote!(&state.q.map(real)),
+        Argument::Velocity => quote!(&state.qd.map(real)),
+        Argument::Acceleration => quote!(&state.qdd.map(real)),
+        Argument::Force => quote!(&tau.map(real)),
+        Argument::ReferenceVelocity => quote!(&state.reference_velocity().map(real)),
+        Argument::ReferenceAcceleration => quote!(&state.reference_acceleration().map(real)),
+        Argument::Jerk => quote!(&state.jerk().map(real)),
+        Argument::Snap => quote!(&state.snap().map(real)),
+        Argument::Wrench => quote!(&#path::State::<#n>::wrench().map(real)),
         Argument::Order => quote!(#path::Evaluation::<#n>::TAYLOR_ORDER),
     }
 }

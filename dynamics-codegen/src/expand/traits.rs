@@ -196,6 +196,7 @@ fn evaluate(target: &Target, evaluation: &Evaluation) -> TokenStream {
                 tau: &#path::nalgebra::SVector<f64, #n>,
                 found_parts: &mut dyn ::core::ops::FnMut(&'static str, #path::Evaluation<#n>),
             ) {
+                let real = |x: f64| x;
                 #parts
             }
         }
@@ -208,6 +209,15 @@ fn evaluate(target: &Target, evaluation: &Evaluation) -> TokenStream {
                     state: &#path::State<#n>,
                     tau: &#path::nalgebra::SVector<f64, #n>,
                 ) -> #path::Evaluation<#n> {
+                    Self::evaluate_in(self, state, tau, |x| x)
+                }
+
+                fn evaluate_in<T: #path::Scalar>(
+                    &self,
+                    state: &#path::State<#n>,
+                    tau: &#path::nalgebra::SVector<f64, #n>,
+                    real: fn(f64) -> T,
+                ) -> #path::Evaluation<#n, T> {
                     #functions
                 }
 

@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix6, SMatrix, SVector, Vector6};
 
-use super::deviation::{Deviation, Entry, entries};
+use super::deviation::{Deviation, Entry, Measured, amax, entries, of};
 use super::scale::Scale;
 use crate::{AccelerationDerivatives, NewtonEuler, SingularMassMatrix, State, TaylorCoefficients};
 
@@ -37,6 +37,7 @@ pub(super) fn refused<const N: usize>(
     Deviation {
         function,
         error: regular.then_some(f64::INFINITY),
+        rounding: 0.0,
         joint: Some(error.joint),
     }
 }
@@ -45,17 +46,17 @@ pub(super) fn refused<const N: usize>(
 /// M qdd_qd + tau_qd = 0, M qdd_tau = 1, with the derivatives of tau at the accelerations of the state.
 ///
 /// The generated function solves for these accelerations, whose roundings M^-1 magnifies.
-pub(super) fn acceleration_derivatives<const N: usize>(
-    generated: &AccelerationDerivatives<f64, N>,
+pub(super) fn acceleration_derivatives<T: Measured, const N: usize>(
+    generated: &AccelerationDerivatives<T, N>,
     mass_matrix: &SMatrix<f64, N, N>,
     forces: &(SMatrix<f64, N, N>, SMatrix<f64, N, N>),
     scale: &Scale,
 ) -> Deviation {
     let (by_position, by_velocity, by_force) = generated;
-    let condition = scale.mass_matrix * by_force.amax();
-    let residual = |derivative: &SMatrix<f64, N, N>, of: SMatrix<f64, N, N>, size: f64| {
-        let scale = size + scale.mass_matrix * derivative.amax();
-        entries(mass_matrix * derivative + of, scale)
+    let condition = scale.mass_matrix * amax(by_force);
+    let residual = |derivative: &SMatrix<T, N, N>, forces: SMatrix<f64, N, N>, size: f64| {
+        let scale = size + scale.mass_matrix * amax(derivative);
+        entries(of::<T, N, N>(*mass_matrix) * derivative + of(forces), scale)
     };
     let positions = scale.force_by_position + condition * scale.inverse_dynamics;
     let residuals = residual(by_position, forces.0, positions)
@@ -66,8 +67,8 @@ pub(super) fn acceleration_derivatives<const N: usize>(
 
 /// J M^-1 J' beside a solution of M X = J'. What rounds an entry of M by e changes the product by
 /// X' e X, which is its natural error however nearly singular M is.
-pub(super) fn task_space<const N: usize>(
-    generated: &Matrix6<f64>,
+pub(super) fn task_space<T: Measured, const N: usize>(
+    generated: &Matrix6<T>,
     mass_matrix: &SMatrix<f64, N, N>,
     jacobian: &SMatrix<f64, 6, N>,
 ) -> Deviation {
@@ -76,16 +77,16 @@ pub(super) fn task_space<const N: usize>(
         return Deviation {
             function: NAME,
             error: None,
+            rounding: 0.0,
             joint: None,
         };
     };
     let x = factor.solve(&jacobian.transpose());
-    let difference = generated - jacobian * x;
+    let difference = generated - of(jacobian * x);
     let sizes = Vector6::from_fn(|i, _| x.column(i).lp_norm(1));
-    let entry = |i: usize, j: usize| Entry {
-        joint: None,
-        difference: difference[(i, j)],
-        scale: mass_matrix.amax() * sizes[i] * sizes[j] + x.amax() * jacobian.amax(),
+    let entry = |i: usize, j: usize| {
+        let scale = mass_matrix.amax() * sizes[i] * sizes[j] + x.amax() * jacobian.amax();
+        Entry::new(None, difference[(i, j)], scale)
     };
     let entries = (0..6).flat_map(|i| (0..6).map(move |j| entry(i, j)));
     Deviation::worst(NAME, entries)
@@ -94,24 +95,25 @@ pub(super) fn task_space<const N: usize>(
 /// The start of the motion, and the equations of motion with their first derivative by time as far
 /// as the series does not satisfy them: M qdd + bias - tau = 0 with qdd = 2 q_2, and, since tau is
 /// constant, M jerk + tau_q qd + tau_qd qdd = 0 with jerk = 6 q_3.
-pub(super) fn series_residuals<const N: usize>(
-    [q, qd, second, third, ..]: &TaylorCoefficients<f64, N>,
+pub(super) fn series_residuals<T: Measured, const N: usize>(
+    [q, qd, second, third, ..]: &TaylorCoefficients<T, N>,
     numeric: &NewtonEuler<N>,
     scale: &Scale,
     state: &State<N>,
     tau: &SVector<f64, N>,
 ) -> Deviation {
-    let (qdd, jerk) = (second * 2.0, third * 6.0);
-    let mass_matrix = numeric.mass_matrix(&state.q);
+    let (qdd, jerk) = (second * T::of(2.0), third * T::of(6.0));
     let (by_position, by_velocity) =
-        numeric.inverse_dynamics_derivatives(&state.q, &state.qd, &qdd);
-    let force = mass_matrix * qdd + numeric.bias_force(&state.q, &state.qd) - tau;
-    let rate = mass_matrix * jerk + by_position * state.qd + by_velocity * qdd;
-    let inertial = scale.mass_matrix * qdd.amax();
-    let rates = scale.mass_matrix * jerk.amax()
+        numeric.inverse_dynamics_derivatives(&state.q, &state.qd, &qdd.map(T::double));
+    let mass_matrix: SMatrix<T, N, N> = of(numeric.mass_matrix(&state.q));
+    let bias = of(numeric.bias_force(&state.q, &state.qd));
+    let force = mass_matrix * qdd + bias - of(*tau);
+    let rate = mass_matrix * jerk + of(by_position * state.qd) + of(by_velocity) * qdd;
+    let inertial = scale.mass_matrix * amax(&qdd);
+    let rates = scale.mass_matrix * amax(&jerk)
         + (scale.force_by_position + inertial) * state.qd.amax()
-        + scale.force_by_velocity * qdd.amax();
-    let start = entries(q - state.q, 0.0).chain(entries(qd - state.qd, 0.0));
+        + scale.force_by_velocity * amax(&qdd);
+    let start = entries(q - of(state.q), 0.0).chain(entries(qd - of(state.qd), 0.0));
     let equations = entries(force, scale.inverse_dynamics + inertial).chain(entries(rate, rates));
     Deviation::worst("taylor_series", start.chain(equations))
 }

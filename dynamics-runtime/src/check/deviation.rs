@@ -1,6 +1,63 @@
 //! The difference between a generated and a numeric value, relative to its natural magnitude.
 
-use nalgebra::SMatrix;
+use nalgebra::{ClosedAddAssign, ClosedMulAssign, ClosedSubAssign, SMatrix};
+use num_traits::{One, Zero};
+
+use crate::{Certified, Scalar};
+
+/// What generated functions are compared in: doubles, or doubles with a bound of what they rounded.
+pub(super) trait Measured:
+    Scalar + ClosedAddAssign + ClosedSubAssign + ClosedMulAssign + Zero + One
+{
+    /// A number that is compared with.
+    fn of(x: f64) -> Self;
+
+    /// The number.
+    fn double(self) -> f64;
+
+    /// What its rounding errors add up to at most; 0 where they were not counted.
+    fn rounding(self) -> f64;
+}
+
+impl Measured for f64 {
+    fn of(x: f64) -> Self {
+        x
+    }
+
+    fn double(self) -> f64 {
+        self
+    }
+
+    fn rounding(self) -> f64 {
+        0.0
+    }
+}
+
+impl Measured for Certified {
+    fn of(x: f64) -> Self {
+        Certified::exact(x)
+    }
+
+    fn double(self) -> f64 {
+        self.value()
+    }
+
+    fn rounding(self) -> f64 {
+        self.bound()
+    }
+}
+
+/// Numbers that are compared with.
+pub(super) fn of<T: Measured, const R: usize, const C: usize>(
+    matrix: SMatrix<f64, R, C>,
+) -> SMatrix<T, R, C> {
+    matrix.map(T::of)
+}
+
+/// The largest magnitude.
+pub(super) fn amax<T: Measured, const R: usize, const C: usize>(matrix: &SMatrix<T, R, C>) -> f64 {
+    matrix.map(T::double).amax()
+}
 
 /// The largest relative error of one function at one state.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -8,38 +65,54 @@ pub(super) struct Deviation {
     pub(super) function: &'static str,
     /// Infinite where a value is not a number; `None` where there was nothing to compare.
     pub(super) error: Option<f64>,
+    /// The largest that rounding adds, relative to the same magnitudes.
+    pub(super) rounding: f64,
     /// The joint of the worst entry, where entries belong to joints.
     pub(super) joint: Option<usize>,
 }
 
 /// Entries of a matrix whose row i belongs to joint i.
-pub(super) fn entries<const R: usize, const C: usize>(
-    difference: SMatrix<f64, R, C>,
+pub(super) fn entries<T: Measured, const R: usize, const C: usize>(
+    difference: SMatrix<T, R, C>,
     scale: f64,
 ) -> impl Iterator<Item = Entry> {
     (0..R).flat_map(move |row| {
-        (0..C).map(move |column| Entry {
-            joint: Some(row),
-            difference: difference[(row, column)],
-            scale,
-        })
+        (0..C).map(move |column| Entry::new(Some(row), difference[(row, column)], scale))
     })
 }
 
 /// One entry of a difference, and the magnitude that the entry could have.
 pub(super) struct Entry {
-    pub(super) joint: Option<usize>,
-    pub(super) difference: f64,
-    pub(super) scale: f64,
+    joint: Option<usize>,
+    difference: f64,
+    rounding: f64,
+    scale: f64,
 }
 
 impl Entry {
+    pub(super) fn new<T: Measured>(joint: Option<usize>, difference: T, scale: f64) -> Self {
+        Entry {
+            joint,
+            difference: difference.double(),
+            rounding: difference.rounding(),
+            scale,
+        }
+    }
+
+    /// The same entry, of a joint.
+    pub(super) fn of_joint(self, joint: usize) -> Self {
+        Entry {
+            joint: Some(joint),
+            ..self
+        }
+    }
+
     /// Where the scale is zero nothing but an exact agreement will do.
-    fn relative(&self) -> f64 {
-        if self.difference == 0.0 {
+    fn relative(&self, size: f64) -> f64 {
+        if size == 0.0 {
             return 0.0;
         }
-        let relative = self.difference.abs() / self.scale;
+        let relative = size.abs() / self.scale;
         if relative.is_nan() {
             f64::INFINITY
         } else {
@@ -50,9 +123,10 @@ impl Entry {
 
 impl Deviation {
     pub(super) fn worst(function: &'static str, entries: impl Iterator<Item = Entry>) -> Self {
-        let mut worst = (0.0, None);
+        let (mut worst, mut rounding) = ((0.0, None), 0.0_f64);
         for entry in entries {
-            let error = entry.relative();
+            rounding = rounding.max(entry.relative(entry.rounding));
+            let error = entry.relative(entry.difference);
             if error > worst.0 {
                 worst = (error, entry.joint);
             }
@@ -60,25 +134,26 @@ impl Deviation {
         Deviation {
             function,
             error: Some(worst.0),
+            rounding,
             joint: worst.1,
         }
     }
 
     /// Row i belongs to joint i.
-    pub(super) fn of_matrix<const R: usize, const C: usize>(
+    pub(super) fn of_matrix<T: Measured, const R: usize, const C: usize>(
         function: &'static str,
-        difference: &SMatrix<f64, R, C>,
+        difference: &SMatrix<T, R, C>,
         scale: f64,
     ) -> Self {
         Deviation::worst(function, entries(*difference, scale))
     }
 
-    pub(super) fn of_number(function: &'static str, difference: f64, scale: f64) -> Self {
-        let entry = Entry {
-            joint: None,
-            difference,
-            scale,
-        };
+    pub(super) fn of_number<T: Measured>(
+        function: &'static str,
+        difference: T,
+        scale: f64,
+    ) -> Self {
+        let entry = Entry::new(None, difference, scale);
         Deviation::worst(function, core::iter::once(entry))
     }
 }

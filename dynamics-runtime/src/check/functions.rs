@@ -4,7 +4,7 @@ use nalgebra::{SMatrix, SVector};
 
 use super::accelerations::{acceleration_derivatives, refused, series_residuals, task_space};
 use super::coefficients::{centrifugal_coefficients as numeric_centrifugal, coriolis_entries};
-use super::deviation::{Deviation, Entry, entries};
+use super::deviation::{Deviation, Entry, Measured, amax, entries, of};
 use super::kinematics::{in_space, jacobian_entries, pose_entries, tip_entries};
 use super::scale::Scale;
 use crate::table::Moving;
@@ -12,8 +12,8 @@ use crate::{Evaluation, NewtonEuler, SecondDerivatives, State, Table};
 
 /// The deviation of every generated function, in the order of the documentation. `datum` is the constant
 /// that the regressor of the potential energy leaves open.
-pub(super) fn deviations<const N: usize>(
-    generated: &Evaluation<N>,
+pub(super) fn deviations<T: Measured, const N: usize>(
+    generated: &Evaluation<N, T>,
     numeric: &NewtonEuler<N>,
     table: &Table<N>,
     (state, tau): (&State<N>, &SVector<f64, N>),
@@ -67,47 +67,49 @@ pub(super) fn deviations<const N: usize>(
     let m = numeric.mass_matrix(q);
     let v = numeric.coriolis_vector(q, qd);
     let scale = Scale::new(table, &m, state);
-    let matrix = Deviation::of_matrix::<N, N>;
-    let vector = Deviation::of_matrix::<N, 1>;
-    let accelerations = |function, qdd: Result<SVector<f64, N>, _>| match qdd {
+    let matrix = Deviation::of_matrix::<T, N, N>;
+    let vector = Deviation::of_matrix::<T, N, 1>;
+    let accelerations = |function, qdd: Result<SVector<T, N>, _>| match qdd {
         Ok(qdd) => {
-            let residual = m * qdd + numeric.bias_force(q, qd) - tau;
-            let scale = scale.inverse_dynamics + scale.mass_matrix * qdd.amax();
+            let residual = of::<T, N, N>(m) * qdd + of(numeric.bias_force(q, qd)) - of(*tau);
+            let scale = scale.inverse_dynamics + scale.mass_matrix * amax(&qdd);
             vector(function, &residual, scale)
         }
         Err(error) => refused(function, &m, &error),
     };
     let found = [
-        mass_matrix.map(|found| matrix("mass_matrix", &(found - m), scale.mass_matrix)),
-        coriolis_vector.map(|found| vector("coriolis_vector", &(found - v), scale.coriolis_vector)),
+        mass_matrix.map(|found| matrix("mass_matrix", &(found - of(m)), scale.mass_matrix)),
+        coriolis_vector
+            .map(|found| vector("coriolis_vector", &(found - of(v)), scale.coriolis_vector)),
         gravity_vector.map(|g| {
-            let difference = g - numeric.gravity_vector(q);
+            let difference = g - of(numeric.gravity_vector(q));
             vector("gravity_vector", &difference, scale.gravity_vector)
         }),
         friction_vector.map(|f| {
-            let difference = f - numeric.friction_vector(qd);
+            let difference = f - of(numeric.friction_vector(qd));
             vector("friction_vector", &difference, scale.friction_vector)
         }),
         spring_vector.map(|k| {
-            let difference = k - numeric.spring_vector(q);
+            let difference = k - of(numeric.spring_vector(q));
             vector("spring_vector", &difference, scale.spring_vector)
         }),
-        inverse_dynamics.map(|t| vector("inverse_dynamics", &(t - tau), scale.inverse_dynamics)),
+        inverse_dynamics
+            .map(|t| vector("inverse_dynamics", &(t - of(*tau)), scale.inverse_dynamics)),
         forward_dynamics.map(|qdd| accelerations("forward_dynamics", qdd)),
         kinetic_energy.map(|t| {
-            let difference = t - numeric.kinetic_energy(q, qd);
+            let difference = t - T::of(numeric.kinetic_energy(q, qd));
             Deviation::of_number("kinetic_energy", difference, scale.coriolis_vector)
         }),
         potential_energy.map(|u| {
-            let difference = u - numeric.potential_energy(q);
+            let difference = u - T::of(numeric.potential_energy(q));
             Deviation::of_number("potential_energy", difference, scale.potential_energy)
         }),
         bias_force.map(|b| {
-            let difference = b - numeric.bias_force(q, qd);
+            let difference = b - of(numeric.bias_force(q, qd));
             vector("bias_force", &difference, scale.bias_force)
         }),
         coriolis_matrix.map(|c| {
-            let difference = c - numeric.coriolis_matrix(q, qd);
+            let difference = c - of(numeric.coriolis_matrix(q, qd));
             matrix("coriolis_matrix", &difference, scale.coriolis_matrix)
         }),
         coriolis_coefficients.as_ref().map(|columns| {
@@ -115,12 +117,12 @@ pub(super) fn deviations<const N: usize>(
             Deviation::worst("coriolis_coefficients", entries)
         }),
         centrifugal_coefficients.map(|c| {
-            let difference = c - numeric_centrifugal(numeric, q);
+            let difference = c - of(numeric_centrifugal(numeric, q));
             let scale = scale.coefficients;
             matrix("centrifugal_coefficients", &difference, scale)
         }),
         configuration_space_coriolis.map(|found| {
-            let difference = found - v;
+            let difference = found - of(v);
             vector(
                 "configuration_space_form",
                 &difference,
@@ -128,24 +130,24 @@ pub(super) fn deviations<const N: usize>(
             )
         }),
         forward_kinematics.map(|pose| {
-            let difference = pose - numeric.forward_kinematics(q);
+            let difference = pose - of(numeric.forward_kinematics(q));
             let entries = pose_entries(None, difference, scale.position);
             Deviation::worst("forward_kinematics", entries)
         }),
         link_poses.map(|poses| {
             let numeric = numeric.link_poses(q);
-            let entries =
-                (0..N).flat_map(|i| pose_entries(Some(i), poses[i] - numeric[i], scale.position));
+            let entries = (0..N)
+                .flat_map(|i| pose_entries(Some(i), poses[i] - of(numeric[i]), scale.position));
             Deviation::worst("link_poses", entries)
         }),
         jacobian.map(|jacobian| {
-            let difference = jacobian - numeric.jacobian(q);
+            let difference = jacobian - of(numeric.jacobian(q));
             let entries = jacobian_entries(table, &difference, scale.position);
             Deviation::worst("jacobian", entries)
         }),
         regressor_forces.map(|forces| {
             let others = numeric.spring_vector(q) + numeric.friction_vector(qd);
-            let difference = forces + others - tau;
+            let difference = forces + of(others) - of(*tau);
             vector("regressor_form", &difference, scale.inverse_dynamics)
         }),
         inverse_dynamics_derivatives.map(|derivatives| {
@@ -166,23 +168,23 @@ pub(super) fn deviations<const N: usize>(
         }),
         wrench_torques.map(|torques| {
             let wrench = State::<N>::wrench();
-            let difference = torques - numeric.jacobian(q).transpose() * wrench;
+            let difference = torques - of(numeric.jacobian(q).transpose() * wrench);
             let scale = wrench.amax() * scale.position.max(1.0);
             vector("wrench_torques", &difference, scale)
         }),
         tool_velocity.map(|velocity| {
-            let difference = velocity - numeric.jacobian(q) * qd;
+            let difference = velocity - of(numeric.jacobian(q) * qd);
             let entries = tip_entries(difference, qd.amax(), scale.position);
             Deviation::worst("tool_velocity", entries)
         }),
         tool_acceleration.map(|acceleration| {
             let expected = numeric.jacobian(q) * qdd + numeric.jacobian_rate(q, qd) * qd;
             let size = qdd.amax() + qd.amax() * qd.amax();
-            let entries = tip_entries(acceleration - expected, size, scale.position);
+            let entries = tip_entries(acceleration - of(expected), size, scale.position);
             Deviation::worst("tool_acceleration", entries)
         }),
         jacobian_rate.map(|rate| {
-            let difference = rate - numeric.jacobian_rate(q, qd);
+            let difference = rate - of(numeric.jacobian_rate(q, qd));
             let entries = (0..N).flat_map(|j| {
                 tip_entries(difference.column(j).into_owned(), qd.amax(), scale.position)
             });
@@ -191,17 +193,17 @@ pub(super) fn deviations<const N: usize>(
         link_jacobians.map(|jacobians| {
             let expected = numeric.link_jacobians(q);
             let entries = (0..N).flat_map(|i| {
-                let difference = jacobians[i] - expected[i];
+                let difference = jacobians[i] - of(expected[i]);
                 jacobian_entries(table, &difference, scale.position).collect::<Vec<_>>()
             });
             Deviation::worst("link_jacobians", entries)
         }),
         center_of_mass.map(|center| {
-            let difference = center - numeric.center_of_mass(q);
+            let difference = center - of(numeric.center_of_mass(q));
             Deviation::worst("center_of_mass", in_space(difference, scale.position))
         }),
         center_of_mass_jacobian.map(|jacobian| {
-            let difference = jacobian - numeric.center_of_mass_jacobian(q);
+            let difference = jacobian - of(numeric.center_of_mass_jacobian(q));
             let size = scale.position.max(1.0);
             Deviation::worst("center_of_mass_jacobian", in_space(difference, size))
         }),
@@ -210,40 +212,39 @@ pub(super) fn deviations<const N: usize>(
             Err(error) => refused("operational_inertia_inverse", &m, &error),
         }),
         generalized_momentum.map(|momentum| {
-            let difference = momentum - m * qd;
+            let difference = momentum - of(m * qd);
             vector("generalized_momentum", &difference, scale.coriolis_matrix)
         }),
         momentum_bias.map(|bias| {
             let coriolis = numeric.coriolis_matrix(q, qd).transpose() * qd;
             let forces = numeric.gravity_vector(q) + own_forces(numeric, state);
-            let difference = bias - (coriolis - forces);
+            let difference = bias - of(coriolis - forces);
             vector("momentum_bias", &difference, scale.bias_force)
         }),
         passivity_torque.map(|torque| {
-            let difference = torque - passivity(numeric, &m, state) - own_forces(numeric, state);
+            let forces = passivity(numeric, &m, state) + own_forces(numeric, state);
+            let difference = torque - of(forces);
             vector("passivity_torque", &difference, scale.passivity_torque)
         }),
         passivity_regressor_forces.map(|forces| {
-            let difference = forces - passivity(numeric, &m, state);
+            let difference = forces - of(passivity(numeric, &m, state));
             vector("passivity_form", &difference, scale.passivity_torque)
         }),
         energies_of_parameters.map(|(kinetic, potential)| {
-            let kinetic = kinetic - numeric.kinetic_energy(q, qd);
-            let potential = potential - gravity_energy(numeric, table, q) - datum;
-            let of = |difference, scale| {
-                let difference = SVector::<f64, 1>::new(difference);
-                in_space(difference, scale)
-            };
-            let entries =
-                of(kinetic, scale.coriolis_vector).chain(of(potential, scale.potential_energy));
-            Deviation::worst("energies_form", entries)
+            let kinetic = kinetic - T::of(numeric.kinetic_energy(q, qd));
+            let potential = potential - T::of(gravity_energy(numeric, table, q) + datum);
+            let entries = [
+                Entry::new(None, kinetic, scale.coriolis_vector),
+                Entry::new(None, potential, scale.potential_energy),
+            ];
+            Deviation::worst("energies_form", entries.into_iter())
         }),
         inverse_dynamics_rates.map(|(first, second)| {
             let [jerk, snap] = [state.jerk(), state.snap()];
             let expected = numeric.inverse_dynamics_rates(q, qd, qdd, &jerk, &snap);
             let [size, size_of_second] = scale.rates(state);
-            let entries = entries(first - expected.0, size)
-                .chain(entries(second - expected.1, size_of_second));
+            let entries = entries(first - of(expected.0), size)
+                .chain(entries(second - of(expected.1), size_of_second));
             Deviation::worst("inverse_dynamics_rates", entries)
         }),
         inverse_dynamics_second_derivatives
@@ -310,6 +311,7 @@ fn alone(
     (is_generated && !product_is_compared).then_some(Deviation {
         function,
         error: None,
+        rounding: 0.0,
         joint: None,
     })
 }
@@ -317,38 +319,36 @@ fn alone(
 /// Second derivatives of tau beside those of the numeric recursion. Never a part of its caller, whose
 /// frame they would fill for arms that have none.
 #[inline(never)]
-fn second_derivatives<const N: usize>(
-    generated: &SecondDerivatives<f64, N>,
+fn second_derivatives<T: Measured, const N: usize>(
+    generated: &SecondDerivatives<T, N>,
     numeric: &NewtonEuler<N>,
     [q, qd, qdd]: [&SVector<f64, N>; 3],
     scale: &Scale,
 ) -> Deviation {
     let expected = &numeric.inverse_dynamics_second_derivatives(q, qd, qdd);
-    let four = |d: &SecondDerivatives<f64, N>| [d.0, d.1, d.2, d.3];
-    let pairs = four(generated).into_iter().zip(four(expected));
+    let expected = [expected.0, expected.1, expected.2, expected.3];
+    let generated = [generated.0, generated.1, generated.2, generated.3];
+    let pairs = generated.into_iter().zip(expected);
     let differences = pairs.zip(scale.second_derivatives());
-    let of_joint = |(i, difference): (usize, SMatrix<f64, N, N>), scale| {
+    let of_joint = |(i, difference): (usize, SMatrix<T, N, N>), scale| {
         let entries = entries(difference, scale);
-        entries.map(move |entry| Entry {
-            joint: Some(i),
-            ..entry
-        })
+        entries.map(move |entry| entry.of_joint(i))
     };
     let entries = differences.flat_map(|((generated, expected), scale)| {
         let matrices = generated.into_iter().zip(expected).enumerate();
-        matrices.flat_map(move |(i, (a, b))| of_joint((i, a - b), scale))
+        matrices.flat_map(move |(i, (a, b))| of_joint((i, a - of(b)), scale))
     });
     Deviation::worst("inverse_dynamics_second_derivatives", entries)
 }
 
 /// d tau/dq and d tau/dqd beside those of the numeric recursion.
-fn force_derivatives<const N: usize>(
-    generated: &(SMatrix<f64, N, N>, SMatrix<f64, N, N>),
+fn force_derivatives<T: Measured, const N: usize>(
+    generated: &(SMatrix<T, N, N>, SMatrix<T, N, N>),
     expected: &(SMatrix<f64, N, N>, SMatrix<f64, N, N>),
     scale: &Scale,
 ) -> Deviation {
-    let by_position = entries(generated.0 - expected.0, scale.force_by_position);
-    let by_velocity = entries(generated.1 - expected.1, scale.force_by_velocity);
+    let by_position = entries(generated.0 - of(expected.0), scale.force_by_position);
+    let by_velocity = entries(generated.1 - of(expected.1), scale.force_by_velocity);
     Deviation::worst(
         "inverse_dynamics_derivatives",
         by_position.chain(by_velocity),

@@ -14,13 +14,16 @@ use core::f64::consts::PI;
 use core::ops::RangeInclusive;
 use std::collections::BTreeMap;
 
-use crate::{Evaluate, Evaluation, NewtonEuler};
+use nalgebra::SVector;
+
+use crate::{Certified, Evaluate, Evaluation, NewtonEuler, State, Table};
+use deviation::Deviation;
 use functions::{deviations, gravity_energy};
 
 pub use report::{FunctionReport, Report};
 
 /// Compares every generated function of the robot with [`NewtonEuler`] at the states of
-/// [`Check::new`].
+/// [`Check::new`], and says what rounding may add up to at most ([`Check::certify`]).
 ///
 /// ```
 /// use dynamics_runtime::{check_against_rnea, robot_dynamics};
@@ -38,7 +41,7 @@ pub use report::{FunctionReport, Report};
 /// report.assert_ok();
 /// ```
 pub fn check_against_rnea<R: Evaluate<N>, const N: usize>(robot: &R) -> Report {
-    Check::new().run(robot)
+    Check::new().certify(robot)
 }
 
 /// Settings of a comparison with the numeric recursive Newton-Euler algorithm.
@@ -125,6 +128,27 @@ impl Check {
 
     /// Compares every generated function of the robot at all states.
     pub fn run<R: Evaluate<N>, const N: usize>(&self, robot: &R) -> Report {
+        self.report(robot, |_, _, _| Vec::new())
+    }
+
+    /// The same, with the largest proven bound of what each function rounds beside its error: the functions are
+    /// evaluated in [`Certified`] numbers too. An error well above its bound is none of rounding, but for the
+    /// roundings of the numeric algorithm.
+    ///
+    /// Of arms that were not generated, and of functions that are parts of another method, there is no bound.
+    pub fn certify<R: Evaluate<N>, const N: usize>(&self, robot: &R) -> Report {
+        self.report(robot, |numeric, table, (state, tau)| {
+            let evaluation = robot.evaluate_in(state, tau, Certified::exact);
+            deviations(&evaluation, numeric, table, (state, tau), 0.0)
+        })
+    }
+
+    /// The report, with the roundings that `rounding` finds at a state.
+    fn report<R: Evaluate<N>, const N: usize>(
+        &self,
+        robot: &R,
+        rounding: impl Fn(&NewtonEuler<N>, &Table<N>, (&State<N>, &SVector<f64, N>)) -> Vec<Deviation>,
+    ) -> Report {
         let table = robot.table();
         let numeric = NewtonEuler::new(&table);
         let mut states = self.states(table.rows.each_ref().map(|row| row.joint_type));
@@ -151,6 +175,9 @@ impl Check {
             robot.evaluate_parts(state, &tau, &mut |method, parts| {
                 compare(Some(method), parts)
             });
+            for deviation in rounding(&numeric, &table, (state, &tau)) {
+                report.note_rounding(&deviation);
+            }
         }
         report
     }

@@ -44,6 +44,9 @@ pub struct FunctionReport {
     pub states: usize,
     /// The largest relative error; infinite where a value was not a number.
     pub error: f64,
+    /// The largest proven bound of what the function rounds, relative to the same scale, at any of the states;
+    /// infinite where nothing is proven, `None` where it was not asked for.
+    pub rounding: Option<f64>,
     /// The largest error that passes.
     pub tolerance: f64,
     /// The joint of the entry with the largest error, counted from 0, where there is one.
@@ -120,6 +123,16 @@ impl Report {
         }
     }
 
+    /// Takes in what a function of its own method rounds at most at one state.
+    pub(super) fn note_rounding(&mut self, found: &Deviation) {
+        let is_it = |f: &&mut FunctionReport| f.function == found.function && f.method.is_none();
+        let known = self.functions.iter_mut().find(is_it);
+        if let (Some(entry), Some(_)) = (known, found.error) {
+            let largest = entry.rounding.unwrap_or_default().max(found.rounding);
+            entry.rounding = Some(largest);
+        }
+    }
+
     /// Notes a function that could not be compared at a state, unless it was at another.
     fn miss(&mut self, function: &'static str) {
         let compared = self.functions.iter().any(|f| f.function == function);
@@ -143,6 +156,7 @@ impl Report {
                 method,
                 states: 0,
                 error: 0.0,
+                rounding: None,
                 tolerance,
                 joint: None,
                 label: String::new(),
@@ -211,17 +225,20 @@ fn reason(function: &str) -> &'static str {
     }
 }
 
-const COLUMNS: usize = 7;
+const COLUMNS: usize = 8;
 const HEADS: [&str; COLUMNS] = [
     "function",
     "states",
     "error",
+    "rounding",
     "tolerance",
     "",
     "joint",
     "state",
 ];
-const NUMBERS: core::ops::RangeInclusive<usize> = 1..=3;
+const NUMBERS: core::ops::RangeInclusive<usize> = 1..=4;
+/// The column that is left out where no function has an entry in it.
+const ROUNDING: usize = 3;
 
 impl Report {
     fn cells(&self, row: &FunctionReport) -> [String; COLUMNS] {
@@ -229,6 +246,8 @@ impl Report {
             row.name(),
             row.states.to_string(),
             format!("{:.1e}", row.error),
+            row.rounding
+                .map_or_else(String::new, |x| format!("{x:.1e}")),
             format!("{:.1e}", row.tolerance),
             if row.is_ok() { "ok" } else { "WRONG" }.into(),
             row.joint.map_or("", |i| &self.joint_names[i]).into(),
@@ -240,11 +259,13 @@ impl Report {
     fn fmt_table(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let mut lines = vec![HEADS.map(String::from)];
         lines.extend(self.functions.iter().map(|row| self.cells(row)));
+        let has_rounding = self.functions.iter().any(|row| row.rounding.is_some());
         let width = |i: usize| lines.iter().map(|line| line[i].chars().count()).max();
         let widths: [usize; COLUMNS] = core::array::from_fn(|i| width(i).unwrap_or(0));
         for line in &lines {
             let cells = line.iter().zip(widths).enumerate();
-            let padded = cells.map(|(i, (cell, width))| match NUMBERS.contains(&i) {
+            let shown = cells.filter(|(i, _)| *i != ROUNDING || has_rounding);
+            let padded = shown.map(|(i, (cell, width))| match NUMBERS.contains(&i) {
                 true => format!("{cell:>width$}"),
                 false => format!("{cell:width$}"),
             });

@@ -249,12 +249,12 @@ fn combinations_take_both_functions() {
         regressor: Some(vec![Vector2::new(1.0, 2.0), Vector2::new(0.0, 1.0)]),
         ..Evaluation::default()
     };
-    assert_eq!(regressor.clone().combined(&state).regressor_forces, None);
+    assert_eq!(regressor.clone().combined(&state.qd).regressor_forces, None);
     let both = Evaluation {
         base_parameters: Some(vec![3.0, 5.0]),
         ..regressor
     };
-    let forces = both.combined(&state).regressor_forces;
+    let forces = both.combined(&state.qd).regressor_forces;
     assert_eq!(forces, Some(Vector2::new(3.0, 11.0)));
 
     let (coriolis, centrifugal) = coefficients(&state);
@@ -262,13 +262,16 @@ fn combinations_take_both_functions() {
         coriolis_coefficients: Some(vec![coriolis]),
         ..Evaluation::default()
     };
-    let alone = coriolis.clone().combined(&state);
+    let alone = coriolis.clone().combined(&state.qd);
     assert_eq!(alone.configuration_space_coriolis, None);
     let both = Evaluation {
         centrifugal_coefficients: Some(centrifugal),
         ..coriolis
     };
-    let found = both.combined(&state).configuration_space_coriolis.unwrap();
+    let found = both
+        .combined(&state.qd)
+        .configuration_space_coriolis
+        .unwrap();
     let expected = numeric().coriolis_vector(&state.q, &state.qd);
     assert!((found - expected).amax() < 1e-12, "{found} {expected}");
 }

@@ -1,6 +1,6 @@
 //! The check of generated robots at the edges: singular arms, robots of few functions.
 
-use dynamics_runtime::{check_against_rnea, robot_dynamics};
+use dynamics_runtime::{Check, check_against_rnea, robot_dynamics};
 
 robot_dynamics! {
     /// Two point masses on the vertical axis of the waist wherever the elbow is upright: nothing
@@ -31,6 +31,25 @@ fn an_arm_that_is_singular_at_some_states_passes() {
         "{report}"
     );
     assert!(!report.to_string().contains("not compared"), "{report}");
+}
+
+#[test]
+fn bounds_of_rounding_stand_beside_the_errors() {
+    let report = check_against_rnea(&POINT_MASSES);
+    assert!(report.to_string().contains("  rounding  "), "{report}");
+    for function in &report.functions {
+        let rounding = function.rounding.expect("the arm is a generated one");
+        // Near the stretched pose, where M is singular, nothing is certain of accelerations.
+        let is_solved = function.function == "forward_dynamics";
+        assert!(
+            rounding > 1e-17 && (rounding < 1e-14 || is_solved),
+            "{report}"
+        );
+        assert!(function.error <= rounding + 1e-15, "{report}");
+    }
+    let plain = Check::new().run(&POINT_MASSES);
+    assert!(plain.functions.iter().all(|f| f.rounding.is_none()));
+    assert!(!plain.to_string().contains("rounding"), "{plain}");
 }
 
 #[test]

@@ -869,34 +869,58 @@ const _: () = {
                 state: &::robot_dynamics::State<2>,
                 tau: &::robot_dynamics::nalgebra::SVector<f64, 2>,
             ) -> ::robot_dynamics::Evaluation<2> {
+                Self::evaluate_in(self, state, tau, |x| x)
+            }
+            fn evaluate_in<T: ::robot_dynamics::Scalar>(
+                &self,
+                state: &::robot_dynamics::State<2>,
+                tau: &::robot_dynamics::nalgebra::SVector<f64, 2>,
+                real: fn(f64) -> T,
+            ) -> ::robot_dynamics::Evaluation<2, T> {
                 ::robot_dynamics::Evaluation::combined(
                     ::robot_dynamics::Evaluation {
                         mass_matrix: ::core::option::Option::Some(
-                            Self::mass_matrix::<f64>(self, &state.q),
+                            Self::mass_matrix::<T>(self, &state.q.map(real)),
                         ),
                         coriolis_vector: ::core::option::Option::Some(
-                            Self::coriolis_vector::<f64>(self, &state.q, &state.qd),
+                            Self::coriolis_vector::<
+                                T,
+                            >(self, &state.q.map(real), &state.qd.map(real)),
                         ),
                         gravity_vector: ::core::option::Option::Some(
-                            Self::gravity_vector::<f64>(self, &state.q),
+                            Self::gravity_vector::<T>(self, &state.q.map(real)),
                         ),
                         inverse_dynamics: ::core::option::Option::Some(
                             Self::inverse_dynamics::<
-                                f64,
-                            >(self, &state.q, &state.qd, &state.qdd),
+                                T,
+                            >(
+                                self,
+                                &state.q.map(real),
+                                &state.qd.map(real),
+                                &state.qdd.map(real),
+                            ),
                         ),
                         forward_dynamics: ::core::option::Option::Some(
-                            Self::forward_dynamics::<f64>(self, &state.q, &state.qd, tau),
+                            Self::forward_dynamics::<
+                                T,
+                            >(
+                                self,
+                                &state.q.map(real),
+                                &state.qd.map(real),
+                                &tau.map(real),
+                            ),
                         ),
                         kinetic_energy: ::core::option::Option::Some(
-                            Self::kinetic_energy::<f64>(self, &state.q, &state.qd),
+                            Self::kinetic_energy::<
+                                T,
+                            >(self, &state.q.map(real), &state.qd.map(real)),
                         ),
                         potential_energy: ::core::option::Option::Some(
-                            Self::potential_energy::<f64>(self, &state.q),
+                            Self::potential_energy::<T>(self, &state.q.map(real)),
                         ),
                         ..::core::default::Default::default()
                     },
-                    state,
+                    &state.qd.map(real),
                 )
             }
         }
