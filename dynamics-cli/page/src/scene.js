@@ -120,6 +120,7 @@ export function room(canvas, up, size) {
 
     /** Looks along a direction at points, so that all of them are seen. */
     look(direction, points) {
+      resize();
       const corners = [0, 1, 2].map((k) => points.map((p) => p[k]));
       const center = corners.map((values) => (Math.min(...values) + Math.max(...values)) / 2);
       const radius = Math.max(...points.map((p) => length(subtract(p, center))), size / 8);
