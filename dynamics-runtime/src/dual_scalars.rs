@@ -15,6 +15,12 @@ macro_rules! impl_scalar {
             }
 
             #[inline]
+            fn rounded_once(mut self, single: f32) -> Self {
+                self.re = self.re.rounded_once(single);
+                self
+            }
+
+            #[inline]
             fn epsilon() -> Self {
                 Self::from_re(<T as Scalar>::epsilon())
             }

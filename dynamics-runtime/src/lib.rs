@@ -64,6 +64,7 @@ mod singular;
 mod table;
 mod taylor;
 mod trajectory;
+mod unrolled;
 
 #[cfg(test)]
 mod test_arms;

@@ -1,6 +1,8 @@
 //! What `objdump` lists of a program.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
+use std::process::Command;
 
 /// The instructions of each function.
 pub(crate) struct Listing(BTreeMap<String, Vec<String>>);
@@ -15,6 +17,23 @@ const APART: [&str; 4] = [
 ];
 
 impl Listing {
+    /// Of a program; nothing, with a word about it, where there is no tool or another processor.
+    pub(crate) fn of_program(program: &Path) -> Option<Listing> {
+        if !cfg!(target_arch = "x86_64") {
+            println!("left out: only instructions of x86-64 are known to the test");
+            return None;
+        }
+        let tool = Command::new("objdump")
+            .args(["--disassemble", "--no-show-raw-insn"])
+            .arg(program)
+            .output();
+        let Ok(tool) = tool else {
+            println!("left out: there is no objdump");
+            return None;
+        };
+        Some(Listing::of(&String::from_utf8_lossy(&tool.stdout)))
+    }
+
     /// Of lines such as `0000000000012340 <name>:` and `12344: addsd %xmm0,%xmm1`, a tab behind the colon.
     pub(crate) fn of(text: &str) -> Listing {
         let mut functions = BTreeMap::<String, Vec<String>>::new();

@@ -2,15 +2,17 @@
 //!
 //! This program is compiled with optimisation, as a controller would be, and reads itself.
 
+mod crate_around;
 mod machine_code;
+mod three_joints;
 
 use std::hint::black_box;
 use std::path::Path;
 use std::process::Command;
 
 use machine_code::{Listing, is_of_doubles, is_of_doubles_on_arm};
-use robot_dynamics::nalgebra::{Vector3, Vector6};
-use robot_dynamics::{SingularMassMatrix, robot_dynamics};
+use robot_dynamics::nalgebra::{Vector1, Vector3, Vector6};
+use robot_dynamics::{Batch as _, SingularMassMatrix, robot_dynamics};
 
 robot_dynamics! {
     /// An elbow arm with everything that adds operations of another kind.
@@ -27,6 +29,16 @@ robot_dynamics! {
         elbow: revolute { a: 0.3, mass: 2, com: [-0.1, 0, 0], inertia: rod(0.3) },
     ],
     functions: [default, inverse_dynamics_derivatives],
+}
+
+robot_dynamics! {
+    /// A mass beside 1 + 2^-24, the middle between two singles: rounded to a double it is the middle.
+    pub struct Middle;
+
+    convention: modified,
+    gravity: [0, -1, 0],
+    joints: [link: revolute { mass: 1.000000059604644775390625000001, com: [1, 0, 0] }],
+    functions: [gravity_vector],
 }
 
 type Vector = Vector3<f32>;
@@ -65,18 +77,10 @@ fn functions_of_singles_have_no_operation_in_double() {
     black_box(derivatives_in_singles(&q, &qd, &x));
     black_box(accelerations_in_singles(&q, &qd, &x)).expect("M is regular");
     black_box(torques_in_doubles(&black_box(Vector3::new(0.1, 0.2, 0.3))));
-    if !cfg!(target_arch = "x86_64") {
-        return println!("left out: only instructions of x86-64 are known to the test");
-    }
     let program = std::env::current_exe().expect("a program");
-    let tool = Command::new("objdump")
-        .args(["--disassemble", "--no-show-raw-insn"])
-        .arg(program)
-        .output();
-    let Ok(tool) = tool else {
-        return println!("left out: there is no objdump");
+    let Some(listing) = Listing::of_program(&program) else {
+        return;
     };
-    let listing = Listing::of(&String::from_utf8_lossy(&tool.stdout));
     for function in [
         "torques_in_singles",
         "derivatives_in_singles",
@@ -92,6 +96,22 @@ fn functions_of_singles_have_no_operation_in_double() {
     let reached = listing.reached_from("torques_in_doubles");
     let mut all = reached.iter().flat_map(|(_, instructions)| *instructions);
     assert!(all.any(|line| is_of_doubles(line)));
+}
+
+#[test]
+fn constants_are_rounded_once() {
+    let nearest = 1.0_f32.next_up();
+    let torque = Middle.gravity_vector(&Vector1::new(0.0_f32));
+    assert_eq!(torque[0], nearest);
+    assert_eq!(
+        Middle.gravity_vector(&Vector1::new(0.0_f64))[0],
+        1.0 + 0.5_f64.powi(24)
+    );
+    let mut torques = [Vector1::zeros(); 20];
+    Middle
+        .gravity_vector_batch(&[Vector1::new(0.0_f32); 20], &mut torques)
+        .expect("as many torques");
+    assert_eq!(torques, [Vector1::new(nearest); 20]);
 }
 
 /// The program without the standard library, for a processor without doubles.

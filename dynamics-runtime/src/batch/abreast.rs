@@ -2,8 +2,8 @@
 
 use core::ops::{Add, Mul, Sub};
 
-use super::unrolled::for_each_index;
 use crate::sine::{self, Lanes};
+use crate::unrolled::for_each_index;
 
 /// Several vectors on which each operation is done before the next one is.
 ///
@@ -78,6 +78,8 @@ impl_operator_abreast! {
 impl<L: Lanes, const W: usize> Lanes for Abreast<L, W> {
     type Number = L::Number;
 
+    const OF_A_BATCH: bool = L::OF_A_BATCH;
+
     #[inline(always)]
     fn constant(self, x: L::Number) -> Self {
         Abreast([self.0[0].constant(x); W])
@@ -87,6 +89,13 @@ impl<L: Lanes, const W: usize> Lanes for Abreast<L, W> {
     fn exact_product_from(self, b: Self, a: Self) -> Self {
         let mut result = self;
         for_each_index!(W, i => result.0[i] = self.0[i].exact_product_from(b.0[i], a.0[i]));
+        result
+    }
+
+    #[inline(always)]
+    fn product_plus(self, a: Self, b: Self) -> Self {
+        let mut result = self;
+        for_each_index!(W, i => result.0[i] = L::product_plus(self.0[i], a.0[i], b.0[i]));
         result
     }
 

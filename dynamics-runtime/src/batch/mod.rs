@@ -14,7 +14,6 @@ mod parallel;
 mod run;
 #[cfg(test)]
 mod tests;
-mod unrolled;
 mod wide;
 
 use fearless_simd::Level;

@@ -8,8 +8,10 @@ use super::layout::{States, StatesMut};
 use super::run::{Failure, Task};
 use crate::check::random::SplitMix64;
 use crate::function::{Entries, Function, functions};
+use crate::sine::Kernel as _;
+use crate::sine::tests::{angles, ulps, ulps_of_single};
 use crate::test_arms::CRAIG_ARM;
-use crate::{ForwardDynamics, InverseDynamics, MassMatrix, Scalar};
+use crate::{Batch as _, DoubleDouble, ForwardDynamics, InverseDynamics, MassMatrix, Scalar};
 
 const M: functions::MassMatrix = functions::MassMatrix;
 
@@ -42,10 +44,9 @@ impl InverseDynamics<3> for Operations {
         b: &Vector3<T>,
         c: &Vector3<T>,
     ) -> Vector3<T> {
-        let (sine, cosine) = a[0].sin_cos();
         let root = (b[1] * b[1] + a[1].constant(0.25)).sqrt();
         Vector3::new(
-            sine * T::from_f64(3.0) - cosine / c[0],
+            a[0] * T::from_f64(3.0) - a[1] / c[0],
             a[2].sign() + root * b[2].sign(),
             -c[2] * T::epsilon(),
         )
@@ -108,6 +109,101 @@ fn every_operation_is_that_of_a_double_in_every_lane() {
                     x == y || f64::from_bits(*x).is_nan() && f64::from_bits(*y).is_nan()
                 });
                 assert!(same, "{level:?}: state {i} of {count}");
+            }
+        }
+    }
+}
+
+/// Sine and cosine of one angle, and the sine of another.
+struct SinesOfThree;
+
+impl InverseDynamics<3> for SinesOfThree {
+    #[inline(always)]
+    fn inverse_dynamics<T: Scalar>(
+        &self,
+        a: &Vector3<T>,
+        _: &Vector3<T>,
+        _: &Vector3<T>,
+    ) -> Vector3<T> {
+        let [(first, _), (_, second), (third, _)] = T::sin_cos_array([a[0], a[1], a[2]]);
+        Vector3::new(first, second, third)
+    }
+}
+
+/// Angles of which the first two are the same.
+fn triples<T: Copy>(angles: &[T]) -> Vec<[T; 3]> {
+    let triple = |pair: &[T]| [pair[0], pair[0], pair[1]];
+    angles.chunks_exact(2).map(triple).collect()
+}
+
+#[test]
+fn sines_in_lanes_stay_below_one_ulp() {
+    let triples = triples(&angles(100_000, 4));
+    let a: Vec<_> = triples.iter().map(|x| SVector::from(*x)).collect();
+    for level in levels() {
+        let torques = functions::InverseDynamics;
+        let (values, _) = of_three(level, torques, &SinesOfThree, [&a, &a, &a]);
+        let mut largest = 0.0_f64;
+        for (x, value) in a.iter().zip(&values) {
+            let [sine, cosine] = <[_; 2]>::from(DoubleDouble::from(x[0]).sin_cos());
+            let (other, _) = DoubleDouble::from(x[2]).sin_cos();
+            for (found, exact) in value.iter().zip([sine, cosine, other]) {
+                largest = largest.max(ulps(*found, exact));
+            }
+        }
+        println!("{level:?}: {largest} ulp");
+        assert!(largest < 0.95, "{level:?}: {largest}");
+    }
+}
+
+#[test]
+fn sines_of_singles_in_lanes_stay_below_one_ulp() {
+    let bits = (0..=f32::LARGEST.to_bits()).step_by(40_009);
+    let all: Vec<f32> = bits.map(f32::from_bits).flat_map(|x| [x, -x]).collect();
+    let a: Vec<_> = triples(&all).into_iter().map(SVector::from).collect();
+    let mut values = vec![Vector3::zeros(); a.len()];
+    SinesOfThree
+        .inverse_dynamics_batch(&a, &a, &a, &mut values)
+        .unwrap();
+    let mut largest = 0.0_f64;
+    for (x, value) in a.iter().zip(&values) {
+        let [first, second, third] = <[f32; 3]>::from(*x).map(f64::from);
+        for (found, exact) in value.iter().zip([first.sin(), second.cos(), third.sin()]) {
+            largest = largest.max(ulps_of_single(*found, exact));
+        }
+    }
+    println!("{largest} ulp");
+    assert!(largest < 0.95, "{largest}");
+}
+
+/// Zeros keep their sign; a group with an angle beyond the lanes' reduction, or none, has the digits of one
+/// state.
+#[test]
+fn special_angles_in_lanes() {
+    let special = [
+        0.0,
+        -0.0,
+        5e-324,
+        -5e-324,
+        f64::NAN,
+        f64::INFINITY,
+        3e6,
+        -1e22,
+    ];
+    for level in levels() {
+        for (place, angle) in special.into_iter().enumerate() {
+            let mut a = vec![Vector3::zeros(); 9];
+            a[place] = Vector3::repeat(angle);
+            let torques = functions::InverseDynamics;
+            let (values, _) = of_three(level, torques, &SinesOfThree, [&a, &a, &a]);
+            for (x, value) in a.iter().zip(&values) {
+                let expected = SinesOfThree.inverse_dynamics(x, x, x);
+                let same =
+                    |(x, y): (&f64, &f64)| x.to_bits() == y.to_bits() || y.is_nan() && x.is_nan();
+                assert!(
+                    value.iter().zip(&expected).all(same),
+                    "{level:?}: {x:?}: {value:?}"
+                );
             }
         }
     }

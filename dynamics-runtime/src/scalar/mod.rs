@@ -59,6 +59,17 @@ pub trait Scalar:
         self.constant(x)
     }
 
+    /// `self`, a constant of a generated function, or the `f32` nearest to it in single precision.
+    ///
+    /// Generated functions write their constants as doubles. One that lies closer to the middle between two
+    /// `f32` than a double tells would be rounded to the wrong one of them: it has both in its text.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn rounded_once(self, single: f32) -> Self {
+        let _ = single;
+        self
+    }
+
     /// The distance from 1 to the next larger number.
     fn epsilon() -> Self;
 
@@ -126,9 +137,9 @@ pub trait Scalar:
 }
 
 macro_rules! impl_scalar {
-    ($float:ident, $exp:path, $($vectorized:item)*) => {
+    ($float:ident, $exp:path, $($own:item)*) => {
         impl Scalar for $float {
-            $(#[inline] $vectorized)*
+            $(#[inline] $own)*
 
             #[inline]
             fn from_f64(x: f64) -> Self {
@@ -146,7 +157,8 @@ macro_rules! impl_scalar {
                 value
             }
 
-            #[inline]
+            // Always: left to the compiler, a crate with many functions would hand angles over in memory.
+            #[inline(always)]
             fn sin_cos_array<const K: usize>(angles: [Self; K]) -> [(Self, Self); K] {
                 Sines::of_array(angles)
             }
@@ -188,7 +200,12 @@ macro_rules! impl_scalar {
     };
 }
 
-impl_scalar! { f32, libm::expf, }
+impl_scalar! {
+    f32, libm::expf,
+    fn rounded_once(self, single: f32) -> Self {
+        single
+    }
+}
 
 impl_scalar! {
     f64, libm::exp,

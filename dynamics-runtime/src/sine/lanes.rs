@@ -6,22 +6,33 @@ use fearless_simd::{
 };
 
 use crate::float::Float as _;
+use crate::unrolled::for_each_index;
 
 /// A float, or several in lanes.
 ///
-/// No operation rounds otherwise in one lane than in eight, nor on one processor than on
-/// another: every width and every target gives the same digits.
+/// But for [`product_plus`](Lanes::product_plus), no operation rounds otherwise in one lane than in eight, nor on
+/// one processor than on another: every width and every target gives the same digits.
 pub(crate) trait Lanes:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self>
 {
     /// The number in a lane.
     type Number: Kernel;
 
+    /// Whether the lanes are states of a batch, whose sines take as long as their operations are many: those of
+    /// one state take as long as its operations wait for each other.
+    const OF_A_BATCH: bool = false;
+
     /// The number `x` in every lane, in the arithmetic of `self`.
     fn constant(self, x: Self::Number) -> Self;
 
     /// a - self b, where the product is exact: fused or not, the digits are the same.
     fn exact_product_from(self, b: Self, a: Self) -> Self;
+
+    /// self a + b, rounded once where the processor at hand has an instruction for it: for the lanes of batches.
+    #[inline(always)]
+    fn product_plus(self, a: Self, b: Self) -> Self {
+        self * a + b
+    }
 
     /// `odd` in the lanes where the lowest bit of `self` is set, and `even` in the others.
     fn select_by_lowest_bit(self, odd: Self, even: Self) -> Self;
@@ -41,6 +52,11 @@ pub(crate) trait Lanes:
 
 /// The sines of one precision.
 pub(crate) trait Kernel: Copy {
+    /// 0, 1/2 and 1.
+    const ZERO: Self;
+    const HALF: Self;
+    const ONE: Self;
+
     /// The largest magnitude that [`reduce`](Kernel::reduce) takes.
     const LARGEST: Self;
 
@@ -63,6 +79,42 @@ pub(crate) struct Reduced<L> {
     pub(super) rest: L,
     /// What `rest` leaves out.
     pub(super) tail: L,
+}
+
+/// Sine and cosine of x + e by the polynomials whose coefficients are given, in as few multiplications as they
+/// take, where e is below the last place of x, or both are tiny.
+#[inline(always)]
+pub(super) fn by_fewest_operations<L: Lanes, const K: usize>(
+    x: L,
+    e: L,
+    sine: [L::Number; K],
+    cosine: [L::Number; K],
+) -> (L, L) {
+    let k = |constant: L::Number| x.constant(constant);
+    let z = x * x;
+    // Not -e: -0 is to stay what it is.
+    let minus_e = k(L::Number::ZERO) - e;
+    // sin (x + e) = x - (x^3 (S0 + ...) - e): cos x is left off e, which is a half of the last place.
+    let sine = x - L::product_plus(x * z, polynomial(z, sine), minus_e);
+    // cos (x + e) = 1 - x^2/2 + x^4 (C0 + ...) - x e; what 1 - z/2 loses is made good.
+    let half_z = k(L::Number::HALF) * z;
+    let w = k(L::Number::ONE) - half_z;
+    let lost = (k(L::Number::ONE) - w) - half_z;
+    let rest = L::product_plus(x, minus_e, lost);
+    let cosine = w + L::product_plus(z * z, polynomial(z, cosine), rest);
+    (sine, cosine)
+}
+
+/// c[0] + c[1] z + c[2] z^2 + ... (Horner).
+#[inline(always)]
+fn polynomial<L: Lanes, const K: usize>(z: L, c: [L::Number; K]) -> L {
+    let mut sum = z.constant(c[K - 1]);
+    for_each_index!(K, i => {
+        if i > 0 {
+            sum = L::product_plus(sum, z, z.constant(c[K - 1 - i]));
+        }
+    });
+    sum
 }
 
 macro_rules! impl_number {

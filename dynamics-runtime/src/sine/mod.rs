@@ -10,10 +10,10 @@ mod double;
 mod lanes;
 mod single;
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;
 
 pub use columns::sin_cos_column;
-use fearless_simd::{Level, SimdBase, SimdFrom, dispatch, f32x4, f32x8, f64x2, f64x4, f64x8};
+use fearless_simd::{Level, Simd, SimdBase, SimdFrom, dispatch, f32x4, f32x8, f64x2, f64x4, f64x8};
 use lanes::Reduced;
 pub(crate) use lanes::{Kernel, Lanes};
 
@@ -25,22 +25,29 @@ pub(crate) trait Sines: Lanes<Number = Self> + Kernel {
     fn of_array<const K: usize>(x: [Self; K]) -> [(Self, Self); K];
 }
 
+// Inlined always, as is all that takes angles or gives sines in arrays: a function that is called has its
+// arrays in memory, and the angles that the caller writes one by one would be read as one vector, which a
+// processor does only when all of them have arrived there.
 impl Sines for f64 {
-    #[inline]
+    #[inline(always)]
     fn of_array<const K: usize>(x: [f64; K]) -> [(f64, f64); K] {
         let mut values = [(0.0, 1.0); K];
-        let level = level();
         match K {
             0 => {}
             1 => values[0] = one(x[0]),
-            _ if level.is_fallback() => each(&x, &mut values),
-            2 => store(two(level, x[0], x[1]), &mut values),
-            3 => store(four(level, x[0], x[1], x[2], 0.0), &mut values),
-            4 => store(four(level, x[0], x[1], x[2], x[3]), &mut values),
+            _ if Level::baseline().is_fallback() => each(&x, &mut values),
+            2 => store(two(level(), x[0], x[1]), &mut values),
+            3 => store(four(level(), x[0], x[1], x[2], 0.0), &mut values),
+            4 => store(four(level(), x[0], x[1], x[2], x[3]), &mut values),
+            5..=8 => {
+                let [a, b, c, d, e] = [x[0], x[1], x[2], x[3], x[4]];
+                let [f, g, h] = [at(&x, 5), at(&x, 6), at(&x, 7)];
+                store(eight(level(), a, b, c, d, e, f, g, h), &mut values);
+            }
             _ => {
                 for (x, values) in x.chunks(8).zip(values.chunks_mut(8)) {
                     let [a, b, c, d, e, f, g, h] = filled(x);
-                    store(eight(level, a, b, c, d, e, f, g, h), values);
+                    store(eight(level(), a, b, c, d, e, f, g, h), values);
                 }
             }
         }
@@ -49,26 +56,36 @@ impl Sines for f64 {
 }
 
 impl Sines for f32 {
-    #[inline]
+    #[inline(always)]
     fn of_array<const K: usize>(x: [f32; K]) -> [(f32, f32); K] {
         let mut values = [(0.0, 1.0); K];
-        let level = level();
         match K {
             0 => {}
             1 => values[0] = one(x[0]),
-            _ if level.is_fallback() => each(&x, &mut values),
-            2 => store(four_singles(level, x[0], x[1], 0.0, 0.0), &mut values),
-            3 => store(four_singles(level, x[0], x[1], x[2], 0.0), &mut values),
-            4 => store(four_singles(level, x[0], x[1], x[2], x[3]), &mut values),
+            _ if Level::baseline().is_fallback() => each(&x, &mut values),
+            2 => store(four_singles(level(), x[0], x[1], 0.0, 0.0), &mut values),
+            3 => store(four_singles(level(), x[0], x[1], x[2], 0.0), &mut values),
+            4 => store(four_singles(level(), x[0], x[1], x[2], x[3]), &mut values),
+            5..=8 => {
+                let [a, b, c, d, e] = [x[0], x[1], x[2], x[3], x[4]];
+                let [f, g, h] = [at(&x, 5), at(&x, 6), at(&x, 7)];
+                store(eight_singles(level(), a, b, c, d, e, f, g, h), &mut values);
+            }
             _ => {
                 for (x, values) in x.chunks(8).zip(values.chunks_mut(8)) {
                     let [a, b, c, d, e, f, g, h] = filled(x);
-                    store(eight_singles(level, a, b, c, d, e, f, g, h), values);
+                    store(eight_singles(level(), a, b, c, d, e, f, g, h), values);
                 }
             }
         }
         values
     }
+}
+
+/// An angle, or zero where there are fewer. The index is known to the compiler: the angles need no memory.
+#[inline(always)]
+fn at<F: Copy + Default, const K: usize>(x: &[F; K], i: usize) -> F {
+    if i < K { x[i] } else { F::default() }
 }
 
 /// Up to eight angles, and zeros.
@@ -110,18 +127,38 @@ macro_rules! in_a_vector {
     ($name:ident: $vector:ident of $float:ident, $width:literal, $($x:ident),*) => {
         /// Sines and cosines in the lanes of one vector. The angles come as numbers and not as an
         /// array: they stay in registers on the way.
-        #[inline]
+        #[inline(always)]
         #[allow(clippy::too_many_arguments)]
         fn $name(level: Level, $($x: $float),*) -> Pair<$float, $width> {
-            dispatch!(level, simd => {
-                let x = $vector::simd_from(simd, [$($x),*]);
-                if x.all_within($float::LARGEST) {
-                    let (s, c) = sin_cos(x);
+            // The angles of the rare way are an array of their own: what has an address stays out of the
+            // registers.
+            #[inline(always)]
+            #[allow(clippy::too_many_arguments)]
+            fn in_lanes<S: Simd>(simd: S, $($x: $float),*) -> Pair<$float, $width> {
+                let lanes = $vector::simd_from(simd, [$($x),*]);
+                if lanes.all_within($float::LARGEST) {
+                    let (s, c) = sin_cos(lanes);
                     (s.to_array(), c.to_array())
                 } else {
                     one_by_one([$($x),*])
                 }
-            })
+            }
+
+            /// For the processor at hand, with instructions that the caller does not have.
+            #[cfg_attr(any(target_arch = "x86", target_arch = "x86_64"), inline(never))]
+            #[cfg_attr(not(any(target_arch = "x86", target_arch = "x86_64")), inline(always))]
+            #[allow(clippy::too_many_arguments)]
+            fn dispatched(level: Level, $($x: $float),*) -> Pair<$float, $width> {
+                dispatch!(level, simd => in_lanes(simd, $($x),*))
+            }
+
+            #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+            match (Level::baseline().as_avx512(), Level::baseline().as_avx2()) {
+                (Some(simd), _) => return in_lanes(simd, $($x),*),
+                (None, Some(simd)) => return in_lanes(simd, $($x),*),
+                (None, None) => {}
+            }
+            dispatched(level, $($x),*)
         }
     };
 }

@@ -8,11 +8,18 @@ use core::f64::consts::{FRAC_PI_4, PI};
 use fearless_simd::Level;
 
 /// The error in units in the last place of the exact value.
-fn ulps(computed: f64, exact: DoubleDouble) -> f64 {
+pub(crate) fn ulps(computed: f64, exact: DoubleDouble) -> f64 {
     let error = (computed - exact.high()) - exact.low();
     let size = exact.high().abs();
     let ulp = (size.next_up() - size).max(f64::MIN_POSITIVE * f64::EPSILON);
     (error / ulp).abs()
+}
+
+/// The same for a number of single precision, where the exact value is a double.
+pub(crate) fn ulps_of_single(computed: f32, exact: f64) -> f64 {
+    let size = (exact as f32).abs();
+    let ulp = (size.next_up() - size).max(f32::from_bits(1));
+    ((f64::from(computed) - exact) / f64::from(ulp)).abs()
 }
 
 fn largest_error(angles: &[f64]) -> f64 {
@@ -28,7 +35,7 @@ fn largest_error(angles: &[f64]) -> f64 {
 }
 
 /// Reproducible angles: uniform in magnitude and uniform in exponent by turns.
-fn angles(count: usize, seed: u64) -> Vec<f64> {
+pub(crate) fn angles(count: usize, seed: u64) -> Vec<f64> {
     let mut state = seed;
     let mut next = || {
         state = state

@@ -3,7 +3,7 @@
 use super::inputs::{constants_of, input_name, inputs, literal, reads_cells};
 use super::names::ident;
 use crate::function::{Function, Request, Shape, Sizes, sizes_of, spans};
-use crate::program::{Instruction, Line, Operand, Output, Program, Rest};
+use crate::program::{ConstantId, Instruction, Line, Operand, Output, Program, Rest};
 use crate::robot::Robot;
 use core::ops::Range;
 use proc_macro2::{Ident, Literal, Punct, Spacing, TokenStream, TokenTree};
@@ -23,6 +23,8 @@ pub(super) struct Writer<'p> {
     pub(super) program: &'p Program,
     lines: Vec<Option<Line>>,
     constants: &'p [f64],
+    /// Of constants that a double rounds to another single, the nearest.
+    singles: Vec<Option<f32>>,
     inputs: Vec<Ident>,
     /// Of each result, the variable that holds it, if one does.
     pub(super) names: Vec<Option<Ident>>,
@@ -68,6 +70,7 @@ impl<'p> Writer<'p> {
             program,
             lines,
             constants,
+            singles: program.constants.singles(constants),
             inputs,
             names,
         }
@@ -157,7 +160,7 @@ impl<'p> Writer<'p> {
     /// runtime makes one operation where the target has it, and two elsewhere.
     fn fused(&self, (x, y): (Operand, Operand), is_subtracted: bool, rest: Rest) -> TokenStream {
         let x = match x {
-            Operand::Constant(id) if is_subtracted => self.constant(-self.constants[id.index()]),
+            Operand::Constant(id) if is_subtracted => self.constant(id, -1.0),
             _ if is_subtracted => {
                 let x = self.operand(x);
                 quote!((-#x))
@@ -182,7 +185,7 @@ impl<'p> Writer<'p> {
 
     fn write_operand(&self, operand: Operand, tokens: &mut Vec<TokenTree>) {
         match operand {
-            Operand::Constant(id) => tokens.extend(self.constant(self.constants[id.index()])),
+            Operand::Constant(id) => tokens.extend(self.constant(id, 1.0)),
             Operand::Input(index) => tokens.push(self.inputs[index as usize].clone().into()),
             // Products without a name are read by the line that they are written into alone.
             Operand::Result(index) => {
@@ -191,9 +194,16 @@ impl<'p> Writer<'p> {
         }
     }
 
-    fn constant(&self, x: f64) -> TokenStream {
-        let (real, literal) = (ident("real"), literal(x));
-        quote!(#real(#literal))
+    /// A constant times 1 or -1, as `real(0.1)`.
+    fn constant(&self, id: ConstantId, sign: f64) -> TokenStream {
+        let (real, double) = (ident("real"), literal(sign * self.constants[id.index()]));
+        match self.singles[id.index()] {
+            None => quote!(#real(#double)),
+            Some(single) => {
+                let single = literal(sign * f64::from(single));
+                quote!(#real(#double).rounded_once(#single))
+            }
+        }
     }
 
     fn output(&self, index: usize) -> TokenStream {

@@ -1,5 +1,7 @@
 //! The constants of a program: exact until they are rounded, once, at emission.
 
+use core::cmp::Ordering;
+
 use super::{Approximation, Arithmetic, Real};
 use crate::exact::Rational;
 use crate::robot::Symbol;
@@ -84,6 +86,48 @@ impl ConstantPool {
             values.iter().enumerate().map(round).collect()
         })
     }
+
+    /// The single-precision numbers nearest to the constants, where that is not what their correctly rounded
+    /// `doubles` round to: where a double lies in the middle between two singles and the constant beside it.
+    pub fn singles(&self, doubles: &[f64]) -> Vec<Option<f32>> {
+        let middles: Vec<usize> = (0..doubles.len())
+            .filter(|index| neighbours_of_middle(doubles[*index]).is_some())
+            .collect();
+        let mut singles = vec![None; doubles.len()];
+        if middles.is_empty() {
+            return singles;
+        }
+        let sides = until_certain(|real, is_last| {
+            let values = self.evaluate(real);
+            let side = |index: &usize| match values[*index].compare(doubles[*index]) {
+                None if is_last => Some(Ordering::Equal),
+                side => side,
+            };
+            middles.iter().map(side).collect::<Option<Vec<_>>>()
+        });
+        for (index, side) in middles.into_iter().zip(sides) {
+            let double = doubles[index];
+            let nearest = neighbours_of_middle(double).and_then(|[below, above]| match side {
+                Ordering::Less => Some(below),
+                Ordering::Equal => None,
+                Ordering::Greater => Some(above),
+            });
+            singles[index] = nearest.filter(|nearest| *nearest != double as f32);
+        }
+        singles
+    }
+}
+
+/// The two singles between which a double lies in the middle.
+fn neighbours_of_middle(double: f64) -> Option<[f32; 2]> {
+    let nearest = double as f32;
+    let neighbours = match f64::from(nearest).partial_cmp(&double)? {
+        Ordering::Less => [nearest, nearest.next_up()],
+        Ordering::Equal => return None,
+        Ordering::Greater => [nearest.next_down(), nearest],
+    };
+    let [below, above] = neighbours.map(f64::from);
+    (double - below == above - double).then_some(neighbours)
 }
 
 /// Raises the precision until `attempt` succeeds, which it does when it is told that there will be
@@ -137,6 +181,28 @@ mod tests {
         assert_eq!(rounded[product.index()], 0.09);
         assert_eq!(rounded[opposite.index()], -0.09);
         assert_eq!(rounded[quotient.index()], 1.0 / 3.0);
+    }
+
+    /// 1 + 2^-24 is the middle between two singles, and a double.
+    #[test]
+    fn a_constant_beside_the_middle_of_two_singles_is_rounded_once() {
+        let mut pool = ConstantPool::default();
+        let middle = rational(&mut pool, (1 << 24) + 1, 1 << 24);
+        let tenth = rational(&mut pool, 1, 10);
+        let [mut below, mut above] = [
+            rational(&mut pool, -1, 1 << 60),
+            rational(&mut pool, 1, 1 << 60),
+        ];
+        [below, above] = [below, above].map(|little| pool.push(Constant::Add(middle, little)));
+        let doubles = pool.round(|_| true);
+        assert_eq!(doubles[below.index()], doubles[middle.index()]);
+        assert_eq!(doubles[above.index()], doubles[middle.index()]);
+        let singles = pool.singles(&doubles);
+        let [middle, tenth, below, above] =
+            [middle, tenth, below, above].map(|id| singles[id.index()]);
+        // A tie goes to the even one, which is the one below.
+        assert_eq!([middle, tenth, below], [None; 3]);
+        assert_eq!(above, Some(1.0_f32.next_up()));
     }
 
     #[test]

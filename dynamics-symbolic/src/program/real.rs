@@ -4,6 +4,7 @@
 use super::Arithmetic;
 use crate::exact::Rational;
 use crate::robot::{Symbol, Value};
+use core::cmp::Ordering;
 use dashu_float::round::mode::HalfEven;
 use dashu_float::{Context, FBig, FpResult};
 use dashu_int::{IBig, Sign};
@@ -204,6 +205,18 @@ impl Approximation {
         let high = high.value().to_f64().value();
         // Zero has one sign: -0 + 0 = 0.
         (low == high).then_some(high + 0.0)
+    }
+
+    /// How the number compares with a finite double; nothing where the error is too large to tell.
+    pub(super) fn compare(&self, x: f64) -> Option<Ordering> {
+        let Ball { value, error } = self.0.as_ref()?;
+        let exact = Context::<HalfEven>::new(0);
+        let x = Float::try_from(x).ok()?;
+        let distance = exact.sub(value.repr(), x.repr()).ok()?.value();
+        match absolute(&distance) > *error {
+            true => distance.partial_cmp(&Float::ZERO),
+            false => (distance == Float::ZERO && *error == Float::ZERO).then_some(Ordering::Equal),
+        }
     }
 
     /// The approximation itself, where its error is below 2^-bits.

@@ -11,9 +11,9 @@ use fearless_simd::{
 };
 
 use super::abreast;
-use super::unrolled::for_each_index;
 use crate::Scalar;
 use crate::sine::{self, Kernel, Lanes};
+use crate::unrolled::for_each_index;
 pub use precision::Precision;
 
 /// As many numbers as a vector register of the instruction set `S` holds.
@@ -88,6 +88,14 @@ impl<S: Simd, E: Precision> Scalar for Wide<S, E> {
     #[inline(always)]
     fn constant(self, x: f64) -> Self {
         Wide(self.splat(E::from_f64(x)))
+    }
+
+    #[inline(always)]
+    fn rounded_once(mut self, single: f32) -> Self {
+        for x in self.0.as_mut_slice() {
+            *x = x.rounded_once(single);
+        }
+        self
     }
 
     #[cold]
@@ -209,9 +217,16 @@ macro_rules! impl_precision {
         impl<S: Simd> Lanes for Wide<S, $float> {
             type Number = $float;
 
+            const OF_A_BATCH: bool = true;
+
             #[inline(always)]
             fn constant(self, x: $float) -> Self {
                 Wide(self.splat(x))
+            }
+
+            #[inline(always)]
+            fn product_plus(self, a: Self, b: Self) -> Self {
+                Wide(self.0.mul_add(a.0, b.0))
             }
 
             #[inline(always)]

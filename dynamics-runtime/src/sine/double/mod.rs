@@ -5,7 +5,8 @@
 //! pi/2.
 //!
 //! Error below one unit in the last place for |x| <= 1e5, which is proven (see the tests); measured on ten million
-//! angles against double-double values it is below 0.8, and beyond 1e5 too.
+//! angles against double-double values it is below 0.8, and beyond 1e5 too. In the lanes of
+//! batches, which evaluate the same polynomials in fewer operations, it is measured below 0.9.
 
 mod polynomial;
 #[cfg(test)]
@@ -15,6 +16,9 @@ mod reduction;
 use super::lanes::{Kernel, Lanes, Reduced};
 
 impl Kernel for f64 {
+    const ZERO: Self = 0.0;
+    const HALF: Self = 0.5;
+    const ONE: Self = 1.0;
     const LARGEST: f64 = 1e5;
 
     #[inline(always)]

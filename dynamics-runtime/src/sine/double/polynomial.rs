@@ -1,6 +1,6 @@
 //! Sine and cosine on [-pi/4, pi/4] by minimax polynomials.
 
-use crate::sine::lanes::Lanes;
+use crate::sine::lanes::{self, Lanes};
 
 /// sin x = x - x^3 (S[0] + S[1] x^2 + ...), relative error 3.5e-18.
 pub(super) const S: [f64; 6] = [
@@ -28,6 +28,9 @@ pub(super) const C: [f64; 6] = [
 /// are split in parts that are evaluated side by side (Estrin 1960).
 #[inline(always)]
 pub(super) fn sin_cos_reduced<L: Lanes<Number = f64>>(x: L, e: L) -> (L, L) {
+    if L::OF_A_BATCH {
+        return lanes::by_fewest_operations(x, e, S, C);
+    }
     let k = |constant: f64| x.constant(constant);
     let z = x * x;
     let (cube, zz) = (x * z, z * z);

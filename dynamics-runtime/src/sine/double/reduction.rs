@@ -21,10 +21,11 @@ pub(super) fn reduce<L: Lanes<Number = f64>>(x: L) -> Reduced<L> {
     let shifted = x * x.constant(core::f64::consts::FRAC_2_PI) + x.constant(ROUND);
     let n = shifted - x.constant(ROUND);
     let first = n.exact_product_from(x.constant(P1), x);
-    let rest = n.exact_product_from(x.constant(P2), first);
+    let second = n * x.constant(P2);
+    let rest = first - second;
     // The rounding error of first - n P2 (Dekker 1971). It wants |first| >= |n P2|; where that
     // fails both are below 2^-22 and multiples of 2^-75, and there is no rounding.
-    let error = n.exact_product_from(x.constant(P2), first - rest);
+    let error = (first - rest) - second;
     Reduced {
         n: shifted,
         rest,

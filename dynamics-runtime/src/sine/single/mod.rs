@@ -1,7 +1,7 @@
 //! Sines in single precision, without an operation in another.
 //!
 //! Error below 0.79 units in the last place for |x| <= 1e4 (measured on all of these numbers, see the
-//! tests) and beyond, where the reduction is exact, in integers.
+//! tests) and beyond, where the reduction is exact, in integers; in the lanes of batches below 0.95 units.
 
 mod integers;
 mod polynomial;
@@ -12,6 +12,9 @@ mod tests;
 use super::lanes::{Kernel, Lanes, Reduced};
 
 impl Kernel for f32 {
+    const ZERO: Self = 0.0;
+    const HALF: Self = 0.5;
+    const ONE: Self = 1.0;
     const LARGEST: f32 = 1e4;
 
     #[inline(always)]

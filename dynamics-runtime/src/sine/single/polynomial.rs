@@ -1,6 +1,6 @@
 //! Sine and cosine on [-pi/4, pi/4] by minimax polynomials.
 
-use crate::sine::lanes::Lanes;
+use crate::sine::lanes::{self, Lanes};
 
 /// sin x = x - x^3 (S[0] + S[1] x^2 + ...), relative error 4.1e-9.
 const S: [f32; 3] = [0.166_666_55, -0.008_332_187, 0.000_195_178_97];
@@ -11,6 +11,9 @@ const C: [f32; 3] = [0.041_666_646, -0.001_388_730_1, 2.443_067e-5];
 /// Sine and cosine of x + e, where e is below the last place of x, or both are tiny.
 #[inline(always)]
 pub(super) fn sin_cos_reduced<L: Lanes<Number = f32>>(x: L, e: L) -> (L, L) {
+    if L::OF_A_BATCH {
+        return lanes::by_fewest_operations(x, e, S, C);
+    }
     let k = |constant: f32| x.constant(constant);
     let z = x * x;
     // cos x = w + (1 - w - z/2) + ...: what 1 - z/2 loses is made good.

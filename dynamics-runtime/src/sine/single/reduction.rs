@@ -22,10 +22,11 @@ pub(super) fn reduce<L: Lanes<Number = f32>>(x: L) -> Reduced<L> {
     let n = shifted - x.constant(ROUND);
     let first = n.exact_product_from(x.constant(P1), x);
     let second = n.exact_product_from(x.constant(P2), first);
-    let rest = n.exact_product_from(x.constant(P3), second);
+    let third = n * x.constant(P3);
+    let rest = second - third;
     // The rounding error of second - n P3 (Dekker 1971). It wants |second| >= |n P3|; where that
     // fails both are below 2^-10 and multiples of 2^-34, and there is no rounding.
-    let error = n.exact_product_from(x.constant(P3), second - rest);
+    let error = (second - rest) - third;
     Reduced {
         n: shifted,
         rest,

@@ -3,15 +3,8 @@
 use std::thread;
 
 use crate::check::random::SplitMix64;
-use crate::sine::tests::levels;
+use crate::sine::tests::{levels, ulps_of_single as ulps};
 use crate::sine::{Kernel, Sines, eight_singles, four_singles, one};
-
-/// The error in units in the last place of the exact value.
-fn ulps(computed: f32, exact: f64) -> f64 {
-    let size = (exact as f32).abs();
-    let ulp = (size.next_up() - size).max(f32::from_bits(1));
-    ((f64::from(computed) - exact) / f64::from(ulp)).abs()
-}
 
 /// The largest error of the sines and cosines of the floats whose bits are in a range.
 fn largest_error(bits: impl Iterator<Item = u32>) -> f64 {

@@ -16,4 +16,4 @@ macro_rules! for_each_index {
         })*
     };
 }
-pub(super) use for_each_index;
+pub(crate) use for_each_index;
