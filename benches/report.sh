@@ -40,3 +40,6 @@ if [ ${#elsewhere[@]} -gt 0 ]; then
 fi
 "$target/rivals-plain" report "$target/plain.txt" "$target/native.txt" elsewhere/measured.txt \
   >../../docs/PERFORMANCE.md
+# The table of goals, met or missed, for the widest lanes that there are, and for those of AVX2.
+../goals.sh
+if grep -qw avx512f /proc/cpuinfo; then ../goals.sh avx2; fi

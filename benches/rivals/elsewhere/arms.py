@@ -26,6 +26,14 @@ class Link:
     viscous: float
     coulomb: float
 
+    def about_origin(self):
+        """First moment m c and inertia tensor about the origin of the link's frame."""
+        m, c = self.mass, self.com
+        squares = sum(x * x for x in c)
+        shift = lambda i, j: m * ((squares if i == j else 0) - c[i] * c[j])
+        tensor = [[self.tensor[i][j] + shift(i, j) for j in range(3)] for i in range(3)]
+        return [m * x for x in c], tensor
+
 
 @dataclass
 class Arm:

@@ -17,14 +17,13 @@ def cross(a, b):
 
 
 class Frames:
-    """Rotation and origin of frame i in frame i-1."""
+    """Rotation and origin of frame i in frame i-1, of joint positions and their sines and cosines."""
 
-    def __init__(self, arm, q):
+    def __init__(self, arm, q, sines, cosines):
         self.rotations, self.origins = [], []
-        for link, qi in zip(arm.links, ca.vertsplit(q)):
+        for link, qi, s, c in zip(arm.links, *map(ca.vertsplit, (q, sines, cosines))):
             (st, ct), d = link.theta, link.d
             if link.revolute:
-                s, c = ca.sin(qi), ca.cos(qi)
                 st, ct = s * ct + c * st, c * ct - s * st
             else:
                 d = d + qi
@@ -32,13 +31,6 @@ class Frames:
             rows = [[ct, -st, 0], [st * ca_, ct * ca_, -sa], [st * sa, ct * sa, ca_]]
             self.rotations.append(ca.vertcat(*[ca.horzcat(*row) for row in rows]))
             self.origins.append(ca.vertcat(link.a, -sa * d, ca_ * d))
-
-
-def about_origin(link):
-    """First moment m c and inertia tensor about the origin of the link's frame."""
-    c = ca.DM(link.com)
-    shift = link.mass * (ca.dot(c, c) * ca.DM.eye(3) - c @ c.T)
-    return link.mass * c, ca.DM(link.tensor) + shift
 
 
 def inverse_dynamics(arm, frames, qd, qdd, gravity):
@@ -55,7 +47,7 @@ def inverse_dynamics(arm, frames, qd, qdd, gravity):
             w = w + z * qd[i]
         else:
             a = a + 2 * cross(w, z) * qd[i] + z * qdd[i]
-        h, tensor = about_origin(link)
+        h, tensor = map(ca.DM, link.about_origin())
         forces.append(link.mass * a + cross(wd, h) + cross(w, cross(w, h)))
         moments.append(tensor @ wd + cross(w, tensor @ w) + cross(h, a))
     tau = [None] * len(arm.links)
@@ -75,7 +67,7 @@ def mass_matrix(arm, frames):
     mass, first, tensor = 0, ca.SX.zeros(3), ca.SX.zeros(3, 3)
     for i in reversed(range(size)):
         link = arm.links[i]
-        h, own = about_origin(link)
+        h, own = map(ca.DM, link.about_origin())
         mass, first, tensor = mass + link.mass, first + h, tensor + own
         if link.revolute:
             f, n = ca.vertcat(-first[1], first[0], 0), tensor[:, 2]
@@ -111,27 +103,31 @@ def solve(m, b):
     return ca.vertcat(*x)
 
 
-def functions(name):
-    a = arm(name)
-    size = len(a.links)
-    q, qd, qdd, tau = (ca.SX.sym(x, size) for x in ("q", "qd", "qdd", "tau"))
-    zero, still = ca.SX.zeros(size), [0, 0, 0]
-    frames = Frames(a, q)
+def values(a, frames, qd, x):
+    """The five functions, in their order: x is qdd, or tau."""
+    zero, still = ca.SX.zeros(len(a.links)), [0, 0, 0]
     friction = ca.vertcat(
         *[l.viscous * qd[i] + l.coulomb * ca.sign(qd[i]) for i, l in enumerate(a.links)]
     )
     m = mass_matrix(a, frames)
     bias = inverse_dynamics(a, frames, qd, zero, a.gravity) + friction
-    values = [
-        ([q, qd, qdd], inverse_dynamics(a, frames, qd, qdd, a.gravity) + friction),
-        ([q], ca.densify(m)),
-        ([q, qd], inverse_dynamics(a, frames, qd, zero, still)),
-        ([q], ca.densify(inverse_dynamics(a, frames, zero, zero, a.gravity))),
-        ([q, qd, tau], solve(m, tau - bias)),
+    found = [
+        inverse_dynamics(a, frames, qd, x, a.gravity) + friction,
+        m,
+        inverse_dynamics(a, frames, qd, zero, still),
+        inverse_dynamics(a, frames, zero, zero, a.gravity),
+        solve(m, x - bias),
     ]
-    for function, (arguments, value) in zip(FUNCTIONS, values):
-        value = ca.cse(ca.densify(value))
-        yield ca.Function(f"{name}_{function}", arguments, [value])
+    return [ca.cse(ca.densify(value)) for value in found]
+
+
+def functions(name):
+    a = arm(name)
+    q, qd, x = (ca.SX.sym(symbol, len(a.links)) for symbol in ("q", "qd", "x"))
+    frames = Frames(a, q, ca.sin(q), ca.cos(q))
+    arguments = [[q, qd, x], [q], [q, qd], [q], [q, qd, x]]
+    for function, of, value in zip(FUNCTIONS, arguments, values(a, frames, qd, x)):
+        yield ca.Function(f"{name}_{function}", of, [value])
 
 
 def main(folder):
@@ -143,4 +139,5 @@ def main(folder):
     code.generate(folder + "/")
 
 
-main(sys.argv[1])
+if __name__ == "__main__":
+    main(sys.argv[1])

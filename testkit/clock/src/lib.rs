@@ -60,4 +60,32 @@ impl Effort {
         times.sort();
         times[self.samples / 2].as_nanos() as f64 / (rounds * inputs.len()) as f64
     }
+
+    /// The median times of some pieces of work, ns, measured in turns, so that whatever else the machine does
+    /// meets all of them.
+    pub fn in_turns<const K: usize>(self, work: [&mut dyn FnMut(); K]) -> [f64; K] {
+        let mut sample = |piece: usize, rounds: usize| {
+            let start = Instant::now();
+            for _ in 0..rounds {
+                work[piece]();
+            }
+            start.elapsed()
+        };
+        let mut rounds = [1; K];
+        for piece in 0..K {
+            while sample(piece, rounds[piece]) < self.sample {
+                rounds[piece] *= 2;
+            }
+        }
+        let mut times = [const { Vec::new() }; K];
+        for _ in 0..self.samples {
+            for piece in 0..K {
+                times[piece].push(sample(piece, rounds[piece]));
+            }
+        }
+        core::array::from_fn(|piece| {
+            times[piece].sort();
+            times[piece][self.samples / 2].as_nanos() as f64 / rounds[piece] as f64
+        })
+    }
 }

@@ -1,0 +1,41 @@
+#!/usr/bin/env bash
+# Measures what the project has set itself goals for, and writes the table of goals, met or missed, into
+# docs/PERFORMANCE.md: the generated functions beside a trial that benches/rivals/elsewhere/trial.sh builds, in
+# turn on one core; then two cores beside one. With `avx2` the same without AVX-512, where a processor has it.
+#
+# ROUNDS says how often each program runs (5), GOALS_TARGET where cargo builds.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+host=$(rustc -vV | sed -n 's/^host: //p')
+target=$(realpath -m "${GOALS_TARGET:-target/goals}")
+if [ "${1:-}" = avx2 ] || ! grep -qw avx512f /proc/cpuinfo; then
+  lanes=4 name=AVX2 march=x86-64-v3 flags="-C target-cpu=x86-64-v3 --cfg disable_dispatch_avx512"
+else
+  lanes=8 name=AVX-512 march=native flags="-C target-cpu=native"
+fi
+# Names of functions with their types, for what is said of registers.
+flags="$flags -C symbol-mangling-version=v0"
+RUSTFLAGS=$flags cargo build --quiet --release -p goals --target "$host" --target-dir "$target/$lanes"
+goals=$target/$lanes/$host/release/goals
+trial=$(benches/rivals/elsewhere/trial.sh "$march" "$target/trial-$lanes")
+pin() { if command -v taskset >/dev/null; then taskset -c $(($(nproc) - 1)) "$@"; else "$@"; fi; }
+lines=$target/lines-$lanes.txt
+cp "$trial.errors" "$lines"
+for round in $(seq "${ROUNDS:-5}"); do
+  echo "round $round" >&2
+  pin "$goals" one-core >>"$lines"
+  pin "$trial" >>"$lines"
+  "$goals" all-cores >>"$lines"
+done
+table=$target/table-$lanes.md
+{
+  printf '### %s\n\n' "$name"
+  printf '%s, %s lanes of doubles; %s; trial compiled by %s; %s.\n\n' \
+    "$(sed -n 's/^model name\s*: //p' /proc/cpuinfo | head -n 1)" "$lanes" "$(rustc --version)" \
+    "$(cat "$trial.compiler")" "$(date -u +%Y-%m-%d)"
+  "$goals" table "$lanes" "$lines"
+  python3 benches/spills.py "$goals"
+} >"$table"
+sed '/^Each function/,$d' "$table"
+# In the document the table stands between two comments.
+sed -i -e "/^<!-- goals on $name -->/,/^<!-- end -->/{//!d}" -e "/^<!-- goals on $name -->/r $table" docs/PERFORMANCE.md

@@ -1,0 +1,78 @@
+//! States by columns, a column for each joint.
+
+use robot_dynamics::nalgebra::SVector;
+use robot_dynamics::{Batch, Precision, Scalar};
+
+use crate::five::Five;
+
+/// Positions, velocities, and accelerations or torques of a state.
+pub(crate) type Numbers<T, const N: usize> = [SVector<T, N>; 3];
+
+/// Arguments and values of a batch.
+pub(crate) struct Columns<T, const N: usize> {
+    arguments: [[Vec<T>; N]; 3],
+    vector: [Vec<T>; N],
+    matrix: [[Vec<T>; N]; N],
+}
+
+impl<T: Precision, const N: usize> Columns<T, N> {
+    pub(crate) fn new(states: &[Numbers<T, N>]) -> Self {
+        let column =
+            |argument: usize, joint: usize| states.iter().map(|s| s[argument][joint]).collect();
+        Columns {
+            arguments: std::array::from_fn(|argument| {
+                std::array::from_fn(|joint| column(argument, joint))
+            }),
+            vector: zeros(states.len()),
+            matrix: std::array::from_fn(|_| zeros(states.len())),
+        }
+    }
+
+    /// Positions, velocities, and accelerations or torques.
+    pub(crate) fn arguments(&self) -> [[&[T]; N]; 3] {
+        self.arguments.each_ref().map(views)
+    }
+
+    /// Evaluates the function of that place in [`crate::five::NAMES`] at all states.
+    pub(crate) fn evaluate<A: Five<N>>(&mut self, function: usize, arm: &A) {
+        let [q, qd, last] = self.arguments.each_ref().map(views);
+        let vector = views_mut(&mut self.vector);
+        let written = match function {
+            0 => arm.inverse_dynamics_batch(q, qd, last, vector),
+            1 => arm.mass_matrix_batch(q, self.matrix.each_mut().map(views_mut)),
+            2 => arm.coriolis_vector_batch(q, qd, vector),
+            3 => arm.gravity_vector_batch(q, vector),
+            _ => {
+                let written = arm.forward_dynamics_batch(q, qd, last, vector);
+                written.expect("M is positive definite");
+                Ok(())
+            }
+        };
+        written.expect("columns of one length");
+    }
+
+    /// The values of the function that was evaluated last, at every state.
+    pub(crate) fn values(&self, function: usize) -> Vec<Vec<f64>> {
+        let at = |state: usize| -> Vec<f64> {
+            let value = |column: &Vec<T>| column[state].ratio_to_f64(T::from_f64(1.0));
+            match function {
+                1 => self.matrix.iter().flatten().map(value).collect(),
+                _ => self.vector.iter().map(value).collect(),
+            }
+        };
+        (0..self.vector[0].len()).map(at).collect()
+    }
+}
+
+/// Columns of zeros.
+pub(crate) fn zeros<T: Scalar, const N: usize>(states: usize) -> [Vec<T>; N] {
+    std::array::from_fn(|_| vec![T::from_f64(0.0); states])
+}
+
+fn views<T, const N: usize>(columns: &[Vec<T>; N]) -> [&[T]; N] {
+    columns.each_ref().map(|column| &column[..])
+}
+
+pub(crate) fn views_mut<T, const N: usize>(columns: &mut [Vec<T>; N]) -> [&mut [T]; N] {
+    columns.each_mut().map(|column| &mut column[..])
+}

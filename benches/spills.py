@@ -1,0 +1,69 @@
+"""Registers that the loops of batches store on the stack, from the machine code of benches/goals.
+
+Usage: spills.py PROGRAM
+
+Prints a table: for each arm and function the instructions on vectors, and how many of them write a vector to the
+stack, or read one there (a load by itself, or as an operand). Constants are read from elsewhere.
+"""
+
+import re
+import subprocess
+import sys
+
+FUNCTIONS = {
+    "InverseDynamics": "inverse_dynamics",
+    "MassMatrix": "mass_matrix",
+    "CoriolisVector": "coriolis_vector",
+    "GravityVector": "gravity_vector",
+    "ForwardDynamics": "forward_dynamics",
+    "InverseDynamicsDerivatives": "inverse_dynamics_derivatives",
+    "ForwardDynamicsDerivatives": "forward_dynamics_derivatives",
+}
+HEADER = re.compile(r"^[0-9a-f]+ <(.*)>:$")
+# The loop of a batch by columns: Task<functions::F, Same<goals::arms::industrial::Arm>, .. f64 or f32 ..>::vectorised.
+LOOP = re.compile(r"4Task.*?9functions\d+([A-Z][A-Za-z]*?)INt.*?5goals4arms\d+[a-z_]+?\d+([A-Z][A-Za-z0-9]*?)E.*?7Columns([df])Kj.*10vectorised")
+ON_STACK = re.compile(r"-?(?:0x[0-9a-f]+)?\(%r[sb]p")
+
+
+def functions(program):
+    """Name and instructions of every function, as objdump lists them."""
+    command = ["objdump", "--disassemble", "--no-show-raw-insn", program]
+    name, lines = None, []
+    for line in subprocess.run(command, capture_output=True, text=True, check=True).stdout.splitlines():
+        header = HEADER.match(line)
+        if header:
+            if name:
+                yield name, lines
+            name, lines = header.group(1), []
+        elif ":\t" in line:
+            lines.append(line.split(":\t", 1)[1])
+    if name:
+        yield name, lines
+
+
+def count(lines):
+    """Instructions on whole vectors, those that write to the stack, those that read there."""
+    vectors = [line for line in lines if re.search(r"%[yz]mm", line)]
+    on_stack = [line for line in vectors if ON_STACK.search(line)]
+    writes = [line for line in on_stack if re.search(r"^vmov\S+\s+%[yz]mm\d+,", line)]
+    return len(vectors), len(writes), len(on_stack) - len(writes)
+
+
+def main(program):
+    found = {}
+    for name, lines in functions(program):
+        match = LOOP.search(name)
+        if match and match.group(1) in FUNCTIONS:
+            function, arm, number = match.groups()
+            found.setdefault((arm, FUNCTIONS[function]), {})[number] = count(lines)
+    if not found:
+        sys.exit(f"{program} has no functions of batches: build it with -C symbol-mangling-version=v0")
+    print("\nInstructions on vectors in the loops of batches, of these stores to the stack and reads of it:\n")
+    print("| arm | function | `f64` | stores | reads | `f32` | stores | reads |")
+    print("|---|---|--:|--:|--:|--:|--:|--:|")
+    for (arm, function), counts in sorted(found.items()):
+        cells = [str(x) for number in "df" for x in counts.get(number, ("", "", ""))]
+        print("|", " | ".join([arm, function, *cells]), "|")
+
+
+main(sys.argv[1])
