@@ -16,14 +16,6 @@ pub enum BuildError {
     Repeated(String),
     /// The program of a function could not be had, with the reason.
     Failure(Failure),
-    /// The program of this function reads the sine, the sign or the exponential of a joint that follows
-    /// another one, which is no function of the joint that leads alone.
-    Follower {
-        /// The function.
-        function: String,
-        /// The joint that follows.
-        joint: String,
-    },
     /// The program of this function has more numbers than can be told apart: 65,536 of a kind.
     TooLong(String),
 }
@@ -45,11 +37,6 @@ impl fmt::Display for BuildError {
             }
             BuildError::Repeated(name) => write!(f, "`{name}` is asked for twice"),
             BuildError::Failure(failure) => failure.fmt(f),
-            BuildError::Follower { function, joint } => write!(
-                f,
-                "`{function}` depends on `{joint}`, which follows another joint by a factor that is no small \
-                 whole number, or with friction that falls: let the macro `robot_dynamics!` generate it"
-            ),
             BuildError::TooLong(name) => write!(
                 f,
                 "the program of `{name}` is too long to be evaluated: let the macro `robot_dynamics!` generate it"

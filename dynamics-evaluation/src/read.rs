@@ -4,7 +4,7 @@ use core::f64::consts::PI;
 
 use dynamics_runtime::Scalar;
 use dynamics_symbolic::function::Argument;
-use dynamics_symbolic::robot::{Robot, Symbol, Value};
+use dynamics_symbolic::robot::{Robot, Row, Symbol, Value};
 
 /// A cell of the table over the fields, in the arithmetic of the numbers that `constant` makes.
 pub(crate) fn cell<T: Scalar>(value: &Value, fields: &[f64], constant: &impl Fn(f64) -> T) -> T {
@@ -33,13 +33,39 @@ pub(crate) fn parameter<T: Scalar>(
     }
 }
 
-/// Stribeck's velocity of each joint that moves; 1 where the joint has none, which nothing reads.
-pub(crate) fn stribeck_velocities(robot: &Robot, fields: &[f64]) -> Vec<f64> {
-    let velocity = |row: &dynamics_symbolic::robot::Row| {
-        let stribeck = row.stribeck.as_ref();
-        stribeck.map_or(1.0, |stribeck| cell(&stribeck.velocity, fields, &|x| x))
+/// What an index of [`Symbol`] stands for: a joint that moves by itself, or one that follows it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Axis<T> {
+    /// The joint by which it moves.
+    joint: usize,
+    /// Of a follower, what positions and velocities of that joint are multiplied by.
+    factor: Option<T>,
+    /// Stribeck's velocity; 1 where the joint has none, which nothing reads.
+    stribeck: T,
+}
+
+/// The joints that move by themselves, then their followers, in the order of the indices of [`Symbol`].
+pub(crate) fn axes<T: Scalar>(
+    robot: &Robot,
+    fields: &[f64],
+    constant: &impl Fn(f64) -> T,
+) -> Vec<Axis<T>> {
+    let cell = |value: &Value| cell(value, fields, constant);
+    let axis = |row: &Row, joint: usize, factor: Option<&Value>| Axis {
+        joint,
+        factor: factor.map(cell),
+        stribeck: match &row.stribeck {
+            Some(stribeck) => cell(&stribeck.velocity),
+            None => constant(1.0),
+        },
     };
-    robot.joints().map(velocity).collect()
+    let joints = robot.joints().enumerate();
+    let joints = joints.map(|(joint, row)| axis(row, joint, None));
+    let followers = robot.followers().map(|(row, coupling)| {
+        let leader = robot.joint_of(coupling.leader);
+        axis(row, leader, Some(&coupling.factor))
+    });
+    joints.chain(followers).collect()
 }
 
 /// exp(-(qd/v)^2)
@@ -48,61 +74,94 @@ fn stribeck<T: Scalar>(qd: T, v: T) -> T {
     (-(x * x)).exp()
 }
 
-/// The argument that a symbol is an entry of, and which one.
-fn entry(symbol: &Symbol) -> Option<(Argument, usize)> {
-    Some(match *symbol {
-        Symbol::Position(i) => (Argument::Position, i),
-        Symbol::Velocity(i) | Symbol::VelocitySign(i) | Symbol::Stribeck(i) => {
-            (Argument::Velocity, i)
+/// What a symbol is read of: an entry of an argument, of a follower times the factor.
+struct Source<T> {
+    argument: Argument,
+    entry: usize,
+    factor: Option<T>,
+    read: Read<T>,
+}
+
+/// What is read of that number.
+enum Read<T> {
+    Itself,
+    Sign,
+    /// exp(-(qd/v)^2) with this v.
+    Exponential(T),
+}
+
+impl<T: Scalar> Source<T> {
+    fn of(symbol: &Symbol, axes: &[Axis<T>]) -> Option<Self> {
+        let of_axis = |argument: Argument, index: usize, read: Read<T>| Source {
+            argument,
+            entry: axes[index].joint,
+            factor: axes[index].factor,
+            read,
+        };
+        let of_argument = |argument: Argument, entry: usize| Source {
+            argument,
+            entry,
+            factor: None,
+            read: Read::Itself,
+        };
+        Some(match *symbol {
+            Symbol::Position(i) => of_axis(Argument::Position, i, Read::Itself),
+            Symbol::Velocity(i) => of_axis(Argument::Velocity, i, Read::Itself),
+            Symbol::VelocitySign(i) => of_axis(Argument::Velocity, i, Read::Sign),
+            Symbol::Stribeck(i) => {
+                let read = Read::Exponential(axes[i].stribeck);
+                of_axis(Argument::Velocity, i, read)
+            }
+            Symbol::Acceleration(i) => of_argument(Argument::Acceleration, i),
+            Symbol::Force(i) => of_argument(Argument::Force, i),
+            Symbol::Entry(argument, i) => of_argument(argument, i),
+            _ => return None,
+        })
+    }
+
+    /// What is read where the entry is x.
+    fn value(&self, x: T) -> T {
+        let x = self.factor.map_or(x, |factor| factor * x);
+        match self.read {
+            Read::Itself => x,
+            Read::Sign => x.sign(),
+            Read::Exponential(velocity) => stribeck(x, velocity),
         }
-        Symbol::Acceleration(i) => (Argument::Acceleration, i),
-        Symbol::Force(i) => (Argument::Force, i),
-        Symbol::Entry(argument, i) => (argument, i),
-        _ => return None,
-    })
+    }
 }
 
 /// What a symbol is at one state: `argument` are the entries of the arguments there.
 pub(crate) fn at_state<T: Scalar>(
     symbol: &Symbol,
     argument: &impl Fn(Argument, usize) -> T,
-    velocity: impl Fn(usize) -> T,
+    axes: &[Axis<T>],
 ) -> Option<T> {
-    let (of, i) = entry(symbol)?;
-    let x = argument(of, i);
-    Some(match symbol {
-        Symbol::VelocitySign(_) => x.sign(),
-        Symbol::Stribeck(joint) => stribeck(x, velocity(*joint)),
-        _ => x,
-    })
+    let source = Source::of(symbol, axes)?;
+    Some(source.value(argument(source.argument, source.entry)))
 }
 
 /// The arguments of many states, one state after the other.
 pub(crate) struct Reader<'a> {
     /// Each argument with its entries of all states and how many of them a state has.
     pub(crate) arguments: Vec<(Argument, &'a [f64], usize)>,
-    /// Stribeck's velocity of each joint.
-    pub(crate) velocities: &'a [f64],
+    /// What the indices of symbols stand for.
+    pub(crate) axes: &'a [Axis<f64>],
 }
 
 impl Reader<'_> {
     /// A symbol at the states from `first` on, as many as there is room for.
     pub(crate) fn column(&self, symbol: &Symbol, first: usize, column: &mut [f64]) {
-        let Some((argument, i)) = entry(symbol) else {
+        let Some(source) = Source::of(symbol, self.axes) else {
             return;
         };
         let mut arguments = self.arguments.iter();
-        let Some((_, entries, width)) = arguments.find(|(known, ..)| *known == argument) else {
+        let of_source = |(known, ..): &&(Argument, &[f64], usize)| *known == source.argument;
+        let Some((_, entries, width)) = arguments.find(of_source) else {
             return;
         };
-        gather(&entries[first * width..], *width, i, column);
-        match symbol {
-            Symbol::VelocitySign(_) => column.iter_mut().for_each(|x| *x = Scalar::sign(*x)),
-            Symbol::Stribeck(_) => {
-                let velocity = self.velocities[i];
-                column.iter_mut().for_each(|x| *x = stribeck(*x, velocity));
-            }
-            _ => {}
+        gather(&entries[first * width..], *width, source.entry, column);
+        if !matches!((&source.factor, &source.read), (None, Read::Itself)) {
+            column.iter_mut().for_each(|x| *x = source.value(*x));
         }
     }
 }

@@ -11,7 +11,7 @@ use fearless_simd::Level;
 use crate::block::{Batch, Block, Kernels, run};
 use crate::error::{BuildError, EvaluationError, UnknownField};
 use crate::layout::Layout;
-use crate::read::{Reader, at_state, cell, stribeck_velocities};
+use crate::read::{Axis, Reader, at_state, axes};
 use crate::tape::Tape;
 use crate::value::Value;
 
@@ -58,7 +58,8 @@ use crate::value::Value;
 pub struct RuntimeRobot {
     robot: Robot,
     fields: Vec<f64>,
-    velocities: Vec<f64>,
+    /// Of the present values of the fields.
+    axes: Vec<Axis<f64>>,
     functions: Vec<Compiled>,
     /// Slots that no call is using.
     rooms: Mutex<Vec<Room>>,
@@ -91,7 +92,7 @@ impl Clone for RuntimeRobot {
         RuntimeRobot {
             robot: self.robot.clone(),
             fields: self.fields.clone(),
-            velocities: self.velocities.clone(),
+            axes: self.axes.clone(),
             functions: self.functions.clone(),
             rooms: Mutex::default(),
         }
@@ -142,7 +143,7 @@ impl RuntimeRobot {
         let mut arm = RuntimeRobot {
             robot,
             fields,
-            velocities: Vec::new(),
+            axes: Vec::new(),
             functions: compiled,
             rooms: Mutex::default(),
         };
@@ -207,7 +208,7 @@ impl RuntimeRobot {
     }
 
     fn update(&mut self) {
-        self.velocities = stribeck_velocities(&self.robot, &self.fields);
+        self.axes = axes(&self.robot, &self.fields, &|x| x);
         for function in &mut self.functions {
             function.shared = function.tape.shared(&self.fields, &|x| x);
         }
@@ -359,7 +360,7 @@ impl RuntimeRobot {
             arguments: pairs
                 .map(|((argument, width), entries)| (*argument, *entries, *width))
                 .collect(),
-            velocities: &self.velocities,
+            axes: &self.axes,
         };
         let batch = Batch {
             tape: &function.tape,
@@ -412,14 +413,9 @@ impl RuntimeRobot {
         argument: &impl Fn(Argument, usize) -> T,
         constant: &impl Fn(f64) -> T,
     ) -> Result<Vec<T>, SingularMassMatrix> {
-        let velocity = |joint: usize| {
-            let row = self.robot.joints().nth(joint);
-            let stribeck = row.and_then(|row| row.stribeck.as_ref());
-            let velocity = stribeck.map(|s| cell(&s.velocity, &self.fields, constant));
-            velocity.unwrap_or_else(|| constant(1.0))
-        };
+        let axes = axes(&self.robot, &self.fields, constant);
         let read = |symbol: &_| {
-            let value = at_state(symbol, argument, velocity);
+            let value = at_state(symbol, argument, &axes);
             value.unwrap_or_else(|| constant(f64::NAN))
         };
         let outputs = function.tape.at(shared, &read);
@@ -451,13 +447,6 @@ impl RuntimeRobot {
 impl Compiled {
     fn new(robot: &Robot, request: Request, proven: &Proven) -> Result<Self, BuildError> {
         let too_long = |_| BuildError::TooLong(request.name().to_owned());
-        let mut inputs = proven.program.inputs.iter();
-        if let Some(row) = inputs.find_map(|symbol| robot.follower_of(symbol)) {
-            return Err(BuildError::Follower {
-                function: request.name().to_owned(),
-                joint: row.name.clone(),
-            });
-        }
         let tape = Tape::new(proven).map_err(too_long)?;
         let (joints, outputs) = (robot.dof(), proven.program.outputs.len());
         let layout = Layout::new(&request, joints, outputs);

@@ -8,7 +8,7 @@ use dynamics_runtime::{
 };
 use dynamics_symbolic::function::Fused;
 use dynamics_symbolic::robot::{
-    Convention, JointType, Placement, Robot, Row, Spring, Stribeck, Tool, Value,
+    Convention, Coupling, JointType, Placement, Robot, Row, Spring, Stribeck, Tool, Value,
 };
 use dynamics_symbolic::{Function, Request};
 
@@ -16,7 +16,7 @@ macro_rules! scene {
     ($($function:ident),*) => {
         robot_dynamics! {
             /// All that a table may hold.
-            struct Scene { load: f64, tilt: f64, twist: f64, stiffness: f64, slow: f64 }
+            struct Scene { load: f64, tilt: f64, twist: f64, stiffness: f64, ratio: f64, slow: f64 }
 
             convention: modified,
             gravity: [0, 0, -9.81],
@@ -37,8 +37,13 @@ macro_rules! scene {
                     inertia: { xx: 0.01, yy: 0.03, zz: 0.03 },
                     motor: { inertia: 1e-4, gear_ratio: 50 },
                 },
+                lever: revolute {
+                    a: 0.15, mass: 0.4, com: [0.05, 0, 0.01],
+                    friction: { coulomb: 0.02, stribeck: { static: 0.03, velocity: slow } },
+                },
             ],
             lock: [still = 0.7],
+            couple: [lever = ratio * turn + 0.4],
             tool: { xyz: [0, 0, 0.1], rpy: [0, 0, PI/4], mass: load, com: [0, 0, 0.05] },
             functions: [$($function,)* together = (mass_matrix, forward_dynamics, gravity_vector)],
         }
@@ -94,7 +99,7 @@ fn of_pi(divisor: i64) -> Value {
 /// The same scene as a description.
 pub(crate) fn description() -> Robot {
     let zero = Value::zero;
-    let [load, tilt, twist, stiffness, slow] = [0, 1, 2, 3, 4].map(Value::field);
+    let [load, tilt, twist, stiffness, ratio, slow] = [0, 1, 2, 3, 4, 5].map(Value::field);
     let lift = Row {
         spring: Some(Spring {
             stiffness,
@@ -110,7 +115,7 @@ pub(crate) fn description() -> Robot {
         coulomb: numbers([0.5, 0.4]),
         stribeck: Some(Stribeck {
             friction: decimal(0.8),
-            velocity: slow,
+            velocity: slow.clone(),
         }),
         ..row("turn", JointType::Revolute, 1.0, [0.1, 0.0, 0.02])
     };
@@ -130,9 +135,23 @@ pub(crate) fn description() -> Robot {
         gear_ratio: decimal(50.0),
         ..row("bend", JointType::Revolute, 2.0, [0.1, 0.02, 0.0])
     };
+    let lever = Row {
+        a: decimal(0.15),
+        coulomb: numbers([0.02, 0.02]),
+        stribeck: Some(Stribeck {
+            friction: decimal(0.03),
+            velocity: slow,
+        }),
+        follows: Some(Coupling {
+            leader: 1,
+            factor: ratio,
+            offset: decimal(0.4),
+        }),
+        ..row("lever", JointType::Revolute, 0.4, [0.05, 0.0, 0.01])
+    };
     Robot {
         name: "Scene".to_owned(),
-        fields: ["load", "tilt", "twist", "stiffness", "slow"]
+        fields: ["load", "tilt", "twist", "stiffness", "ratio", "slow"]
             .map(str::to_owned)
             .to_vec(),
         convention: Convention::Modified,
@@ -141,7 +160,7 @@ pub(crate) fn description() -> Robot {
             xyz: numbers([0.0, 0.0, 0.8]),
             rpy: [zero(), tilt, zero()],
         }),
-        rows: vec![lift, turn, still, bend],
+        rows: vec![lift, turn, still, bend, lever],
         tool: Some(Tool {
             placement: Placement {
                 xyz: numbers([0.0, 0.0, 0.1]),
@@ -155,15 +174,16 @@ pub(crate) fn description() -> Robot {
     }
 }
 
-pub(crate) const FIELDS: [f64; 5] = [1.5, 0.2, -0.3, 120.0, 0.05];
+pub(crate) const FIELDS: [f64; 6] = [1.5, 0.2, -0.3, 120.0, -0.7, 0.05];
 
-fn generated(fields: [f64; 5]) -> Scene {
-    let [load, tilt, twist, stiffness, slow] = fields;
+fn generated(fields: [f64; 6]) -> Scene {
+    let [load, tilt, twist, stiffness, ratio, slow] = fields;
     Scene {
         load,
         tilt,
         twist,
         stiffness,
+        ratio,
         slow,
     }
 }
@@ -182,7 +202,7 @@ fn runtime(functions: impl IntoIterator<Item = Function>) -> RuntimeRobot {
         .map(Request::One)
         .chain([Request::Fused(fused)]);
     let mut arm = RuntimeRobot::new(description(), requests).expect("a robot");
-    arm.set_fields(&FIELDS).expect("five fields");
+    arm.set_fields(&FIELDS).expect("six fields");
     arm
 }
 
@@ -213,8 +233,8 @@ fn state(number: usize) -> (State<3>, Vector3<f64>) {
 fn every_value_is_that_of_generated_code() {
     let mut arm = runtime(all_functions());
     assert_eq!(FUNCTIONS.len() + 1, Function::ALL.len());
-    for fields in [FIELDS, [0.25, -1.0, 2.0, 10.0, 0.5]] {
-        arm.set_fields(&fields).expect("five fields");
+    for fields in [FIELDS, [0.25, -1.0, 2.0, 10.0, 1.9, 0.5]] {
+        arm.set_fields(&fields).expect("six fields");
         let scene = generated(fields);
         let typed = arm.typed::<3>().expect("three joints");
         assert_eq!(Model::table(&typed), scene.table());

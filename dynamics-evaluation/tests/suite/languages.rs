@@ -46,13 +46,17 @@ impl Case {
         let mut arm = RuntimeRobot::of_programs(robot, &programs).expect("an arm");
         arm.set_fields(fields).expect("a value for each field");
         let dof = arm.dof();
-        let mut angles: Vec<f64> = (0..STATES)
-            .flat_map(|state| argument("q", dof, state))
-            .collect();
+        let of_axes = |name: &str| -> Vec<f64> {
+            let states = (0..STATES).map(|state| argument(name, dof, state));
+            states
+                .flat_map(|entries| arm.robot().with_followers(&entries, fields))
+                .collect()
+        };
+        let mut angles = of_axes("q");
         angles.extend(fields);
         let exponents = match fields.last() {
-            Some(slow) => (0..STATES)
-                .flat_map(|state| argument("qd", dof, state))
+            Some(slow) => of_axes("qd")
+                .into_iter()
                 .map(|qd| -((qd / slow) * (qd / slow)))
                 .collect(),
             None => Vec::new(),
