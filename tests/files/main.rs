@@ -3,6 +3,7 @@
 mod compiled;
 mod generated;
 mod rebuild;
+mod mimic;
 mod tables;
 mod urdf;
 

@@ -107,9 +107,11 @@ pub fn table_beside(
         ) {
             continue;
         }
+        // Of a URDF file, the joints that follow others: they do beside those of the call.
+        let adds = matches!(entry, Entry::Lock(_) | Entry::Couple(_)) && format == Format::Urdf;
         let same =
             |other: &Entry| core::mem::discriminant(other) == core::mem::discriminant(&entry);
-        table.entries.retain(|other| !same(other));
+        table.entries.retain(|other| adds || !same(other));
         table.entries.push(entry);
     }
     table.keys.extend(beside.keys);

@@ -89,11 +89,50 @@ pub(crate) fn unsupported(joint: &str, kind: &str) -> Mistake {
     ))
 }
 
-pub(crate) fn mimic(joint: &str) -> Mistake {
+/// `<mimic>` of a joint that is not there.
+pub(crate) fn unknown_leader(joint: &str, leader: &str, meant: Option<&str>) -> Mistake {
+    let hint = meant.map_or(String::new(), |right| format!(": did you mean `{right}`?"));
     Mistake::new(format!(
-        "the joint `{0}` follows another one (`<mimic>`), which the chain cannot have: lock it, `lock: [{0} = 0]`, \
-         or take the `<mimic>` away for a joint of its own",
+        "the joint `{}` follows `{}`, which is not there{hint}",
+        shortened(joint),
+        shortened(leader)
+    ))
+}
+
+/// `<mimic>` of a joint that has no position.
+pub(crate) fn leader_without_position(joint: &str, leader: &str) -> Mistake {
+    Mistake::new(format!(
+        "the joint `{}` follows `{}`, which has no position: it is neither revolute nor prismatic",
+        shortened(joint),
+        shortened(leader)
+    ))
+}
+
+/// Joints that follow one another and stand beside the chain.
+pub(crate) fn circle(joint: &str) -> Mistake {
+    Mistake::new(format!(
+        "the joint `{}` follows itself, by way of others: one of them has to move by itself",
         shortened(joint)
+    ))
+}
+
+/// A joint on the chain that follows one beside it, which moves.
+pub(crate) fn leader_off_chain(joint: &str, leader: &str) -> Mistake {
+    Mistake::new(format!(
+        "the joint `{0}` follows `{1}` (`<mimic>`), which is not on the chain: lock that where it stands still, \
+         `lock: [{1} = 0]`, or lock this one, `lock: [{0} = 0]`, or take the `<mimic>` away for a joint of its own",
+        shortened(joint),
+        shortened(leader)
+    ))
+}
+
+/// A joint beside the chain that follows one on it.
+pub(crate) fn follower_off_chain(joint: &str, leader: &str) -> Mistake {
+    Mistake::new(format!(
+        "the joint `{0}` follows `{1}` (`<mimic>`), which moves, and is not on the chain itself: lock it where it \
+         stands still, `lock: [{0} = 0]`, or leave it out with all that hangs on it, `ignore: [{0}]`",
+        shortened(joint),
+        shortened(leader)
     ))
 }
 

@@ -32,10 +32,6 @@ pub(super) fn couplings(
     scope: &mut Scope,
 ) -> Vec<Couple> {
     let coupled = coupled.unwrap_or_default();
-    if let Some(first_too_many) = coupled.get(MOST_FOLLOWERS) {
-        scope.error(&first_too_many.follower, mistake::too_many());
-        return Vec::new();
-    }
     let couple = |coupled: &Coupled| Couple {
         name: coupled.follower.clone(),
         law: coupled
@@ -243,6 +239,10 @@ pub(super) fn couple(
 ) {
     let names: Vec<String> = written.iter().map(name_of).collect();
     let position = |word: &str| names.iter().position(|name| name == word);
+    if let Some(first_too_many) = couples.get(MOST_FOLLOWERS) {
+        scope.error(&first_too_many.name, mistake::too_many());
+        return;
+    }
     if let Some(couple) = couples.first()
         && names.len() > MOST_JOINTS_OF_COUPLED
     {
@@ -271,7 +271,10 @@ pub(super) fn couple(
         let Some(law) = &couple.law else {
             continue;
         };
-        report_limits(&written[row], &law.leader, scope);
+        // Those of a URDF file are written at each joint.
+        if written[row].mount.is_none() {
+            report_limits(&written[row], &law.leader, scope);
+        }
         laws[row] = position(&law.leader).map(|leader| (leader, law));
     }
     if report_circles(&laws, couples, &names, scope) {
@@ -285,6 +288,8 @@ pub(super) fn couple(
         let Some(row) = &mut rows[row] else {
             continue;
         };
+        // It is where the joint that leads is, within the limits of that one.
+        row.limits = None;
         match locked {
             Some(position) => row.locked = Some(factor * position + offset),
             None => {

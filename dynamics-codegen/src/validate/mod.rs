@@ -135,9 +135,11 @@ impl Parts {
                     });
                 }
                 Entry::Functions(functions) => parts.functions = functions.clone(),
-                Entry::Lock(locked) => parts.lock = lock::positions(locked.as_deref(), scope),
+                // A file may have one besides that of the call.
+                Entry::Lock(locked) => parts.lock.extend(lock::positions(locked.as_deref(), scope)),
                 Entry::Couple(coupled) => {
-                    parts.couple = couple::couplings(coupled.as_deref(), &joints, scope);
+                    let couplings = couple::couplings(coupled.as_deref(), &joints, scope);
+                    parts.couple.extend(couplings);
                 }
                 Entry::Neglect(share) => parts.neglect = neglect::share(share.as_ref(), scope),
                 Entry::Tests(place, tests) => {

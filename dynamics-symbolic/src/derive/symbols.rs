@@ -39,18 +39,22 @@ pub struct Symbols<'g> {
     entries: Vec<((Argument, usize), Expr<'g>)>,
 }
 
+type Circle<'g> = (Expr<'g>, Expr<'g>);
+
 /// What a row follows.
 struct Follows<'g> {
     /// The row of the joint that leads.
     leader: usize,
     factor: Expr<'g>,
     offset: Value,
+    /// Whether its place was told apart from its row: then its offset is a turn of its own, as in the places.
+    is_mounted: bool,
 }
 
 /// Whole factors up to this one have no sine of their own: that of a multiple of an angle is a polynomial
 /// in sine and cosine of the angle, four products and two sums for each step, and what it cancels with is
 /// found.
-pub const LARGEST_MULTIPLE: i64 = 3;
+const LARGEST_MULTIPLE: i64 = 3;
 
 impl<'g> Symbols<'g> {
     /// Makes the symbols of a robot.
@@ -99,6 +103,7 @@ impl<'g> Symbols<'g> {
                 leader: coupling.leader,
                 factor,
                 offset: coupling.offset.clone(),
+                is_mounted: row.mount.is_some(),
             });
         }
     }
@@ -273,21 +278,21 @@ impl<'g> Symbols<'g> {
         joint_type: JointType,
         theta: &Value,
     ) -> (Expr<'g>, Expr<'g>) {
-        let (st, ct) = match &self.follows[i] {
-            Some(follows) if joint_type == JointType::Revolute => {
-                let offset = follows.offset.clone();
-                self.sin_cos(&(theta.clone() + offset))
-            }
-            _ => self.sin_cos(theta),
+        let follows = self.follows[i].as_ref();
+        let offset = follows.map(|follows| (follows.offset.clone(), follows.is_mounted));
+        let constant = match (joint_type, offset) {
+            (JointType::Prismatic, _) => return self.sin_cos(theta),
+            (_, None) => self.sin_cos(theta),
+            (_, Some((offset, false))) => self.sin_cos(&(theta.clone() + offset)),
+            (_, Some((offset, true))) => turned(self.sin_cos(theta), self.sin_cos(&offset)),
         };
-        match joint_type {
-            JointType::Prismatic => (st, ct),
-            JointType::Revolute => {
-                let (s, c) = self.joints[i].sin_cos;
-                (s * ct + c * st, c * ct - s * st)
-            }
-        }
+        turned(self.joints[i].sin_cos, constant)
     }
+}
+
+/// Sine and cosine of the sum of two angles.
+fn turned<'g>((s, c): Circle<'g>, (sk, ck): Circle<'g>) -> Circle<'g> {
+    (s * ck + c * sk, c * ck - s * sk)
 }
 
 /// A direction in which, besides, a point of the circle turns at a rate.
@@ -308,8 +313,7 @@ fn whole(factor: &Value) -> Option<i64> {
 
 /// Sine and cosine of n times an angle, n not zero.
 fn multiple<'g>((s, c): (Expr<'g>, Expr<'g>), n: i64) -> (Expr<'g>, Expr<'g>) {
-    let add = |(sn, cn), _| (sn * c + cn * s, cn * c - sn * s);
-    let (sn, cn) = (1..n.abs()).fold((s, c), add);
+    let (sn, cn) = (1..n.abs()).fold((s, c), |of_less, _| turned(of_less, (s, c)));
     if n < 0 { (-sn, cn) } else { (sn, cn) }
 }
 

@@ -29,11 +29,16 @@ pub struct Mount {
 /// in the last of the places behind the last link frame: another such row.
 pub fn mounted(rows: Vec<Row>, tip: Vec<Placement>) -> Vec<Row> {
     let mut chain = Chain::default();
+    let mut places = Vec::with_capacity(rows.len());
     for row in rows {
         match row.mount.clone() {
             Some(mount) => chain.push(row, &mount),
             None => chain.rows.push(row),
         }
+        places.push(chain.rows.len() - 1);
+    }
+    for coupling in chain.rows.iter_mut().filter_map(|row| row.follows.as_mut()) {
+        coupling.leader = places[coupling.leader];
     }
     if !tip.is_empty() {
         let last = chain.rows.last().and_then(|row| row.mount.as_ref());

@@ -6,7 +6,7 @@ use dynamics_symbolic::derive::derive_plain;
 use dynamics_symbolic::exact::{Rational, SplitMix64};
 use dynamics_symbolic::prove::prove;
 use dynamics_symbolic::robot::{
-    Convention, JointType, Mount, Placement, Robot, Row, Value, mounted,
+    Convention, Coupling, JointType, Mount, Placement, Robot, Row, Value, mounted,
 };
 
 const JOINTS: usize = 4;
@@ -94,8 +94,31 @@ impl Random {
         }
     }
 
+    /// Joints that follow one of the others, on both sides of it.
+    fn couple(&mut self, rows: &mut [Row]) {
+        let leader = self.below(JOINTS as u64) as usize;
+        rows[leader].locked = None;
+        for i in (0..JOINTS).filter(|&i| i != leader) {
+            if rows[i].locked.is_none() && self.below(2) == 0 {
+                let factor = match self.below(3) {
+                    0 => Value::integer(-1),
+                    1 => Value::integer(2),
+                    _ => self.decimal() + Value::integer(3),
+                };
+                rows[i].follows = Some(Coupling {
+                    leader,
+                    factor,
+                    offset: self.angle(),
+                });
+            }
+        }
+    }
+
     fn robot(&mut self) -> Robot {
-        let rows = (0..JOINTS).map(|i| self.row(i)).collect();
+        let mut rows: Vec<Row> = (0..JOINTS).map(|i| self.row(i)).collect();
+        if self.below(2) == 0 {
+            self.couple(&mut rows);
+        }
         let tip = match self.below(2) {
             0 => Vec::new(),
             _ => vec![self.place(), self.place()],

@@ -7,8 +7,8 @@ use dynamics_symbolic::robot::{Convention, JointType, Value};
 
 use super::document::{Inertial, Joint, Kind, Link, Tree};
 use crate::description::{
-    Allow, Coulomb, Expr, ExprKind, Friction, Given, Inertia, InertiaKind, Joints, Mount, Name,
-    Operator, Placement, Row,
+    Allow, Coulomb, Coupled, Entry, Expr, ExprKind, Friction, Given, Inertia, InertiaKind, Joints,
+    Locked, Mount, Name, Operator, Placement, Row,
 };
 use crate::diagnose::Diagnostics;
 use crate::files::Request;
@@ -19,14 +19,14 @@ use crate::place::Place;
 use crate::validate::refusal;
 use crate::words;
 
-/// The rows of the chain between two links.
-pub(super) fn joints<'a>(
+/// The rows of the chain between two links, and how their joints move.
+pub(super) fn entries<'a>(
     tree: &'a Tree,
     ends: &'a [Name; 2],
     request: &'a Request,
     used: &'a mut Vec<String>,
     diagnostics: &'a Diagnostics,
-) -> Option<(Convention, Joints)> {
+) -> Option<Vec<Entry>> {
     let mut chain = Chain {
         tree,
         request,
@@ -35,27 +35,43 @@ pub(super) fn joints<'a>(
         inward: BTreeMap::new(),
         outward: BTreeMap::new(),
         on_chain: Vec::new(),
+        coupled: Vec::new(),
+        locked: Vec::new(),
     };
     chain.index();
     chain.report_names();
     chain.find(ends)?;
     let joints = chain.rows(ends);
-    diagnostics
-        .is_empty()
-        .then_some((Convention::Modified, joints))
+    let start = Place::File { line: 1, column: 1 };
+    let mut entries = vec![
+        Entry::Convention(Some(Convention::Modified)),
+        Entry::Joints(start, Some(joints)),
+    ];
+    if !chain.locked.is_empty() {
+        entries.push(Entry::Lock(Some(chain.locked)));
+    }
+    if !chain.coupled.is_empty() {
+        entries.push(Entry::Couple(Some(chain.coupled)));
+    }
+    diagnostics.is_empty().then_some(entries)
 }
 
-struct Chain<'a> {
-    tree: &'a Tree,
-    request: &'a Request,
-    used: &'a mut Vec<String>,
+pub(super) struct Chain<'a> {
+    pub(super) tree: &'a Tree,
+    pub(super) request: &'a Request,
+    /// Locked joints that are none of the chain's.
+    pub(super) used: &'a mut Vec<String>,
     diagnostics: &'a Diagnostics,
     /// The joint whose child a link is.
     inward: BTreeMap<&'a str, usize>,
     /// The joints whose parent a link is.
     outward: BTreeMap<&'a str, Vec<usize>>,
     /// The joints of the chain, from the base outwards.
-    on_chain: Vec<usize>,
+    pub(super) on_chain: Vec<usize>,
+    /// Those of them that follow others of them.
+    pub(super) coupled: Vec<Coupled>,
+    /// Those that follow joints which stand still beside the chain.
+    pub(super) locked: Vec<Locked>,
 }
 
 /// A body and whether anything was said about it.
@@ -66,7 +82,7 @@ struct Gathered {
 }
 
 impl<'a> Chain<'a> {
-    fn error(&self, at: impl Into<Place>, mistake: Mistake) {
+    pub(super) fn error(&self, at: impl Into<Place>, mistake: Mistake) {
         self.diagnostics.error(at, mistake);
     }
 
@@ -138,7 +154,7 @@ impl<'a> Chain<'a> {
             .any(|name| name.plain() == joint.name)
     }
 
-    fn is_locked(&self, joint: &Joint) -> bool {
+    pub(super) fn is_locked(&self, joint: &Joint) -> bool {
         let mut locked = self.request.lock.iter();
         locked.any(|(name, _)| name.plain() == joint.name)
     }
@@ -148,10 +164,11 @@ impl<'a> Chain<'a> {
         self.gather(first.plain(), &Transform::identity());
         let mut rows: Vec<Row> = Vec::new();
         let mut places = Vec::new();
-        let mut body: Option<(&Joint, Gathered)> = None;
+        let mut body: Option<(&'a Joint, Gathered)> = None;
         let mut frame = Transform::identity();
         for index in self.on_chain.clone() {
-            let joint = &self.tree.joints[index];
+            let tree = self.tree;
+            let joint = &tree.joints[index];
             if self.is_ignored(joint) {
                 self.error(joint.place, mistake::ignored_on_chain(&joint.name));
             }
@@ -170,10 +187,7 @@ impl<'a> Chain<'a> {
                     self.error(joint.place, mistake::unsupported(&joint.name, kind));
                     continue;
                 }
-                Kind::Revolute | Kind::Prismatic if joint.mimics && !self.is_locked(joint) => {
-                    self.error(joint.place, mistake::mimic(&joint.name));
-                }
-                Kind::Revolute | Kind::Prismatic => {}
+                Kind::Revolute | Kind::Prismatic => self.follow(joint),
             }
             self.finish(&mut rows, body.take());
             frame = Transform::identity();
@@ -193,11 +207,11 @@ impl<'a> Chain<'a> {
     }
 
     /// Puts the body of a link in its row.
-    fn finish(&self, rows: &mut [Row], body: Option<(&Joint, Gathered)>) {
+    fn finish(&self, rows: &mut [Row], body: Option<(&'a Joint, Gathered)>) {
         let (Some((joint, body)), Some(row)) = (body, rows.last_mut()) else {
             return;
         };
-        if !body.is_known && !self.is_locked(joint) {
+        if !body.is_known && !self.stands_still(joint) {
             self.error(body.place, mistake::no_inertial(&joint.child));
         }
         let place = body.place;
@@ -235,7 +249,8 @@ impl<'a> Chain<'a> {
                 gathered.is_known = true;
             }
             for index in self.outward.get(name).cloned().unwrap_or_default() {
-                let joint = &self.tree.joints[index];
+                let tree = self.tree;
+                let joint = &tree.joints[index];
                 if self.on_chain.contains(&index) || self.is_ignored(joint) {
                     continue;
                 }
@@ -258,7 +273,7 @@ impl<'a> Chain<'a> {
     }
 
     /// What a joint off the chain does where it stands still.
-    fn moved(&mut self, joint: &Joint) -> Option<Transform> {
+    fn moved(&mut self, joint: &'a Joint) -> Option<Transform> {
         if let Kind::Other(kind) = joint.kind {
             self.error(joint.place, mistake::unsupported(&joint.name, kind));
             return None;
@@ -266,16 +281,7 @@ impl<'a> Chain<'a> {
         if joint.kind == Kind::Fixed {
             return Some(Transform::identity());
         }
-        let mut locks = self.request.lock.iter();
-        let Some((name, position)) = locks.find(|(name, _)| name.plain() == joint.name) else {
-            self.error(joint.place, mistake::off_chain(&joint.name));
-            return None;
-        };
-        self.used.push(joint.name.clone());
-        let Some(position) = position else {
-            self.error(name, mistake::lock_with_names(&joint.name));
-            return None;
-        };
+        let position = self.position_beside(joint)?;
         let [azimuth, polar] = &joint.axis;
         let zero = || [Rational::ZERO; 3];
         let turn = |roll, pitch, yaw| Transform::new(&zero(), &[roll, pitch, yaw]);
@@ -284,10 +290,10 @@ impl<'a> Chain<'a> {
         let back = back.then(&turn(Value::zero(), Value::zero(), -azimuth.clone())?);
         let along = match joint.kind {
             Kind::Prismatic => {
-                let slide = [Rational::ZERO, Rational::ZERO, number(position)?];
+                let slide = [Rational::ZERO, Rational::ZERO, number(&position)?];
                 Transform::new(&slide, &[0; 3].map(Value::integer))?
             }
-            _ => turn(Value::zero(), Value::zero(), position.clone())?,
+            _ => turn(Value::zero(), Value::zero(), position)?,
         };
         Some(axis.then(&along).then(&back))
     }
@@ -340,7 +346,7 @@ fn row(joint: &Joint, places: Vec<Placement>) -> Row {
 }
 
 /// A constant as an expression.
-fn expression(value: &Value, place: Place) -> Expr {
+pub(super) fn expression(value: &Value, place: Place) -> Expr {
     let part = |value: &Value| Box::new(expression(value, place));
     let kind = match value {
         Value::Rational(x) => return signed(x.clone(), place),

@@ -49,7 +49,18 @@ pub(super) struct Joint {
     pub(super) damping: Option<(Rational, Place)>,
     pub(super) friction: Option<(Rational, Place)>,
     pub(super) limits: Option<([Rational; 2], Place)>,
-    pub(super) mimics: bool,
+    pub(super) mimic: Option<Mimic>,
+}
+
+/// `<mimic joint="finger_1" multiplier="-1" offset="0.02"/>`: the joint is at multiplier * q + offset.
+pub(super) struct Mimic {
+    pub(super) place: Place,
+    /// The joint that leads.
+    pub(super) joint: String,
+    /// 1 where it is left out.
+    pub(super) multiplier: Rational,
+    /// 0 where it is left out.
+    pub(super) offset: Value,
 }
 
 #[derive(Clone, Copy, PartialEq)]
@@ -306,6 +317,7 @@ impl Reader<'_> {
         let friction = self.optional(dynamics, "friction");
         let limits = self.limits(node);
         let kind = kind?;
+        let mimic = child(node, "mimic").map(|mimic| self.mimic(mimic, kind));
         let axis = self.axis(node, kind);
         let (xyz, rpy) = origin?;
         Ok(Joint {
@@ -320,7 +332,25 @@ impl Reader<'_> {
             damping: damping?,
             friction: friction?,
             limits: limits?,
-            mimics: child(node, "mimic").is_some(),
+            mimic: mimic.transpose()?,
+        })
+    }
+
+    fn mimic(&mut self, node: Node, kind: Kind) -> Read<Mimic> {
+        let joint = self.attribute(node, "joint");
+        let number = |name: &str, default: i8| {
+            let number = self.optional(Some(node), name)?;
+            Ok(number.map_or(Rational::from(default), |(number, _)| number))
+        };
+        let (multiplier, offset) = (number("multiplier", 1), number("offset", 0));
+        Ok(Mimic {
+            place: self.place(node),
+            joint: joint?.value().to_owned(),
+            multiplier: multiplier?,
+            offset: match kind {
+                Kind::Revolute => self.angle(offset?),
+                _ => Value::Rational(offset?),
+            },
         })
     }
 

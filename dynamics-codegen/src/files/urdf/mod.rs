@@ -2,9 +2,10 @@
 
 mod chain;
 mod document;
+mod follow;
 
 use super::Request;
-use crate::description::{Entry, Table};
+use crate::description::Table;
 use crate::diagnose::Diagnostics;
 use crate::mistake::urdf as mistake;
 use crate::place::Place;
@@ -24,13 +25,9 @@ pub(super) fn read(
         diagnostics.error(start, mistake::chain_missing(first));
         return None;
     };
-    let (convention, joints) = chain::joints(&tree, ends, request, used, diagnostics)?;
-    let start = Place::File { line: 1, column: 1 };
+    let entries = chain::entries(&tree, ends, request, used, diagnostics)?;
     Some(Table {
-        entries: vec![
-            Entry::Convention(Some(convention)),
-            Entry::Joints(start, Some(joints)),
-        ],
+        entries,
         notes: notes(tree.nearly_right),
         ..Table::default()
     })

@@ -41,9 +41,7 @@ impl Definition {
                 Some(before) => Pose::then(before, &mount.joint()),
                 None => self.in_world(mount.joint()),
             };
-            *pose = joint
-                .then(&moved(row.joint_type, &position))
-                .then(&mount.back());
+            *pose = joint.then(&moved(row, &position)).then(&mount.back());
             before = Some(*pose);
         }
         poses
@@ -121,11 +119,14 @@ fn transform<R: Lift>(convention: Convention, row: &Row, position: &Position<R>)
     }
 }
 
-/// Rz(q), or Tz(q)
-fn moved<R: Lift>(joint_type: JointType, position: &Position<R>) -> Pose<R> {
+/// Rz(q), or Tz(q): where the angle of a follower is told without its offset, that comes first.
+fn moved<R: Lift>(row: &Row, position: &Position<R>) -> Pose<R> {
     let (zero, one) = (R::lift(Number::ZERO), R::lift(Number::ONE));
-    match joint_type {
-        JointType::Revolute => Pose::screw_z((position.s, position.c), zero),
+    let (s, c) = (R::lift(row.offset.0), R::lift(row.offset.1));
+    match row.joint_type {
+        JointType::Revolute => {
+            Pose::screw_z((s, c), zero).then(&Pose::screw_z((position.s, position.c), zero))
+        }
         JointType::Prismatic => Pose::screw_z((zero, one), position.q),
     }
 }

@@ -14,6 +14,8 @@ pub(super) struct Row {
     pub(super) twist: (Number, Number),
     /// Sine and cosine of theta; of an angle that follows another, of theta and the offset.
     pub(super) turn: (Number, Number),
+    /// The offset alone, where a mount says where the joint is: a turn beside those that are written there.
+    pub(super) offset: (Number, Number),
     pub(super) a: Number,
     pub(super) d: Number,
     pub(super) body: Body,
@@ -85,17 +87,24 @@ impl Mount {
 impl Row {
     pub(super) fn new(point: &mut Assignment, row: &robot::Row) -> Self {
         let ratio = point.value(&row.gear_ratio);
-        let offset = row.follows.as_ref().map(|coupling| &coupling.offset);
-        let turn = match (offset, row.joint_type) {
-            (Some(offset), JointType::Revolute) => {
-                point.sin_cos(&(row.theta.clone() + offset.clone()))
+        let is_turned = row.joint_type == JointType::Revolute;
+        let follows = row.follows.as_ref().filter(|_| is_turned);
+        let offset = follows.map_or(robot::Value::zero(), |coupling| coupling.offset.clone());
+        let (turn, offset) = match &row.mount {
+            None => {
+                let turn = point.sin_cos(&(row.theta.clone() + offset));
+                (turn, (Number::ZERO, Number::ONE))
             }
-            _ => point.sin_cos(&row.theta),
+            Some(_) => {
+                let [theta, offset] = [&row.theta, &offset].map(|angle| point.sin_cos(angle));
+                (sum(theta, offset), offset)
+            }
         };
         Row {
             joint_type: row.joint_type,
             twist: point.sin_cos(&row.alpha),
             turn,
+            offset,
             a: point.value(&row.a),
             d: point.value(&row.d),
             body: Body::new(point, &row.mass, &row.com, &row.inertia),
@@ -114,6 +123,11 @@ impl Row {
             is_free: row.is_free(),
         }
     }
+}
+
+/// Sine and cosine of the sum of two angles.
+fn sum((s, c): (Number, Number), (t, d): (Number, Number)) -> (Number, Number) {
+    (s * d + c * t, c * d - s * t)
 }
 
 /// The position of a locked joint. Lengths have no sine.
