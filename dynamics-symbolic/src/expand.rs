@@ -1,7 +1,6 @@
 //! From a robot to its methods: derive, prove, emit.
 
 use crate::derive::derive_together;
-use crate::derive::symbols::LARGEST_MULTIPLE;
 use crate::emit;
 use crate::formula::{Budget, Equation, Formulas, MOST_TERMS};
 use crate::function::{Function, Fused, Request};
@@ -56,11 +55,6 @@ pub enum Reason {
     },
     /// It is written over Taylor series, and not as a program over numbers.
     OverSeries,
-    /// This joint turns by a multiple of another joint's position of which there is no series here.
-    NoSeriesOfMultiple {
-        /// The name of the joint that follows.
-        joint: String,
-    },
 }
 
 impl fmt::Display for Failure {
@@ -77,12 +71,6 @@ impl fmt::Display for Failure {
             (Reason::OverSeries, _) => write!(
                 f,
                 "`{name}` is no program over numbers: only the macro `robot_dynamics!` generates it"
-            ),
-            (Reason::NoSeriesOfMultiple { joint }, _) => write!(
-                f,
-                "`{name}` has no series of the sine of `{joint}`, which follows another joint: ask for other \
-                 functions, or let it follow a revolute joint by a whole factor from -{LARGEST_MULTIPLE} to \
-                 {LARGEST_MULTIPLE}"
             ),
             (Reason::Overflow, _) => write!(
                 f,
@@ -129,6 +117,7 @@ pub fn expand_with<R: Clone + Into<Request>>(
         let program = derive(robot, request.parts());
         let mut notes = neglected(robot, &request, &program, derive);
         notes.extend(plain(&program));
+        notes.extend(factored(robot, &request));
         if let Request::Fused(fused) = &request {
             notes.push(beside_single_calls(
                 robot, fused, &program, &methods, derive,
@@ -182,6 +171,16 @@ fn plain(program: &Program) -> Option<String> {
     program.is_plain.then(|| {
         " Written as the recursion of the equations of motion is: every shorter program that was found \
          would cost digits."
+            .to_owned()
+    })
+}
+
+/// What the documentation says of forward dynamics by articulated bodies where joints follow others.
+fn factored(robot: &Robot, request: &Request) -> Option<String> {
+    let is_factored = robot.is_coupled() && request.parts().contains(&Function::ForwardDynamicsAba);
+    is_factored.then(|| {
+        " Joints of this arm follow others, for which there are no articulated bodies: M(q) is factored, as in \
+         `forward_dynamics`, and the digits are those of that function."
             .to_owned()
     })
 }
@@ -299,11 +298,6 @@ fn taylor_series(
     let function = Function::TaylorSeries;
     let part = Function::MassMatrix;
     let programs = [(function, equations), (part, derive(robot, &[part]))];
-    let mut inputs = programs.iter().flat_map(|(_, program)| &program.inputs);
-    if let Some(row) = inputs.find_map(|symbol| robot.follower_of(symbol)) {
-        let joint = row.name.clone();
-        return Err(Reason::NoSeriesOfMultiple { joint });
-    }
     let mut rounded = Vec::with_capacity(programs.len());
     for (part, program) in &programs {
         prove(robot, *part, program).map_err(Reason::Proof)?;

@@ -127,10 +127,13 @@ where
             products: &mut self.products,
         };
         robot.series_term(&mut term);
-        let (sine, cosine) = (term.next_sine, term.next_cosine);
+        let (sine, cosine, qdd) = (term.next_sine, term.next_cosine, term.motion.qdd);
         let inverse = reciprocal(motion.q[0], k + 1);
+        for (sine, cosine) in self.products.multiples() {
+            (*sine, *cosine) = (*sine * inverse, *cosine * inverse);
+        }
         self.motion = Coefficients {
-            qdd: term.motion.qdd,
+            qdd,
             sine: sine.map(|x| x * inverse),
             cosine: cosine.map(|x| x * inverse),
             ..motion

@@ -12,6 +12,8 @@
 //! c = cos q       (k + 1) c_{k+1} = -(sin q  qd)_k
 //! ```
 //!
+//! A joint that follows another one by a factor turns by that multiple of q, at that multiple of qd.
+//!
 //! The equations of motion are taken as they are, tau = M(q) qdd + V + G + K + F, not solved for qdd.
 //! Their coefficient of order k is linear in the unknown qdd_k, with the matrix M(q_0) whatever k:
 //!

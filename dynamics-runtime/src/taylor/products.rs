@@ -79,12 +79,13 @@ pub struct Block<T, L> {
 }
 
 /// Room for all products of an arm's equations: eight in a block, those of the first blocks with a
-/// common factor.
+/// common factor. Besides, sine and cosine of each angle that is a multiple of a joint's.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug)]
-pub struct ProductTable<T, const COMMON: usize, const SINGLE: usize> {
+pub struct ProductTable<T, const COMMON: usize, const SINGLE: usize, const MULTIPLES: usize> {
     common: [Block<T, Common<T>>; COMMON],
     single: [Block<T, Lanes<T>>; SINGLE],
+    multiples: [(T, T); MULTIPLES],
 }
 
 /// A [`ProductTable`] of any size.
@@ -99,17 +100,21 @@ pub trait Products<T> {
     /// The factors of order 0, and the inner sum of the order at hand.
     fn lead(&self, slot: usize) -> [T; 3];
 
+    /// Sines and cosines of the angles that are multiples of joints', at the order at hand.
+    fn multiples(&mut self) -> &mut [(T, T)];
+
     /// Goes on from order k - 1 to order k > 0: keeps the factors, and computes the inner sums.
     fn advance(&mut self, k: usize);
 }
 
-impl<T: Scalar, const COMMON: usize, const SINGLE: usize> Products<T>
-    for ProductTable<T, COMMON, SINGLE>
+impl<T: Scalar, const COMMON: usize, const SINGLE: usize, const MULTIPLES: usize> Products<T>
+    for ProductTable<T, COMMON, SINGLE, MULTIPLES>
 {
     fn new(zero: T) -> Self {
         ProductTable {
             common: [Block::new(zero); COMMON],
             single: [Block::new(zero); SINGLE],
+            multiples: [(zero, zero); MULTIPLES],
         }
     }
 
@@ -129,6 +134,11 @@ impl<T: Scalar, const COMMON: usize, const SINGLE: usize> Products<T>
             true => self.common[block].lead(lane),
             false => self.single[block - COMMON].lead(lane),
         }
+    }
+
+    #[inline(always)]
+    fn multiples(&mut self) -> &mut [(T, T)] {
+        &mut self.multiples
     }
 
     #[inline(always)]

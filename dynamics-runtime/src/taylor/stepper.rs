@@ -239,7 +239,7 @@ mod tests {
     }
 
     impl TaylorDynamics<1> for Swing {
-        type Products<T: Scalar> = ProductTable<T, 0, 1>;
+        type Products<T: Scalar> = ProductTable<T, 0, 1, 0>;
 
         fn leading_matrix<T: Scalar>(
             &self,

@@ -34,6 +34,10 @@ pub trait SeriesTerm<T, const N: usize> {
     fn trial(&self, slot: usize, a: T, b: T) -> T;
     /// The next coefficients of sine and cosine of a joint's position, by two products.
     fn turn(&mut self, joint: usize, slot: usize);
+    /// The coefficients of sine and cosine of a joint's position times a factor, an angle of that index.
+    fn multiple(&mut self, index: usize, joint: usize, factor: T) -> (T, T);
+    /// The next coefficients of these, by two products. Those of this order are gone then.
+    fn turn_multiple(&mut self, index: usize, joint: usize, factor: T, slot: usize);
     /// The accelerations that the forces lack.
     fn solve(&mut self, forces: [T; N]);
 }
@@ -125,6 +129,26 @@ where
         let qd = self.motion.qd[joint];
         self.next_sine[joint] = self.product(slot, c, qd);
         self.next_cosine[joint] = -self.product(slot + 1, s, qd);
+    }
+
+    #[inline(always)]
+    fn multiple(&mut self, index: usize, joint: usize, factor: T) -> (T, T) {
+        let multiple = &mut self.products.multiples()[index];
+        if LEADING {
+            *multiple = (factor * self.motion.q[joint]).sin_cos();
+        }
+        *multiple
+    }
+
+    #[inline(always)]
+    fn turn_multiple(&mut self, index: usize, joint: usize, factor: T, slot: usize) {
+        let (s, c) = self.products.multiples()[index];
+        let rate = factor * self.motion.qd[joint];
+        let next = (
+            self.product(slot, c, rate),
+            -self.product(slot + 1, s, rate),
+        );
+        self.products.multiples()[index] = next;
     }
 
     #[inline(always)]

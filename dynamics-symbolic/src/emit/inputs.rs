@@ -154,6 +154,16 @@ pub(super) fn constant_inputs(robot: &Robot, program: &Program, path: &TokenStre
     lines
 }
 
+/// A cell that no motion changes, where `real` is defined.
+pub(super) fn constant_cell(robot: &Robot, value: &Value, path: &TokenStream) -> TokenStream {
+    let cells = Cells {
+        robot,
+        path,
+        like: None,
+    };
+    cells.value(value)
+}
+
 /// The sines and cosines, all angles of a kind in one call, which evaluates them in the lanes of a
 /// vector register. Where the runtime may know those of the joints, they are asked for and come from `sines`.
 fn sines(cells: &Cells, are_asked_for: bool, angles: &[&Symbol]) -> TokenStream {

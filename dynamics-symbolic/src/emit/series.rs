@@ -52,7 +52,7 @@ struct Series<'p> {
     feeds_products: Vec<bool>,
     /// Multiples of a series that are written into the one sum that reads them.
     inlined: Vec<bool>,
-    /// Joints whose sine or cosine is read, which takes two more slots each.
+    /// Joints whose sine or cosine is read, and followers that have one of their own: two more slots each.
     turns: Vec<usize>,
     /// The first slot of the turns.
     turning: usize,
@@ -71,21 +71,24 @@ pub(super) fn items(
 ) -> TokenStream {
     let series = Series::new(robot, program, constants);
     let body = series.body(path);
-    declarations(series.blocks, robot.dof(), path, &body)
+    let multiples = series.multiples().count();
+    declarations(series.blocks, multiples, robot.dof(), path, &body)
 }
 
-/// The items with a given body; with `dof` zero for any number of joints.
+/// The items with a given body, which reads so many sines of followers' own angles; with `dof` zero for any
+/// number of joints.
 pub(super) fn declarations(
     [common, single]: [usize; 2],
+    multiples: usize,
     dof: usize,
     path: &TokenStream,
     body: &TokenStream,
 ) -> TokenStream {
-    let [common, single] = [common, single].map(Literal::usize_unsuffixed);
+    let [common, single, multiples] = [common, single, multiples].map(Literal::usize_unsuffixed);
     let n = number_of_joints(dof);
     let term = ident("term");
     quote! {
-        type Products<T: #path::Scalar> = #path::ProductTable<T, #common, #single>;
+        type Products<T: #path::Scalar> = #path::ProductTable<T, #common, #single, #multiples>;
 
         #[inline(always)]
         fn series_term<T: #path::Scalar>(&self, #term: &mut impl #path::SeriesTerm<T, #n>) {
@@ -236,16 +239,25 @@ impl<'p> Series<'p> {
         let feeding: Vec<_> = feeding
             .filter(|&i| self.feeds_products[i] || self.slots[i].is_some())
             .collect();
-        let known_inputs = self.inputs_of(Kind::Known);
-        let moved_inputs = self.inputs_of(Kind::Moved);
+        let known_inputs = self.inputs_of(Kind::Known, path);
+        let moved_inputs = self.inputs_of(Kind::Moved, path);
+        let multiples = self.read_multiples(path);
         let known = self.lines(&known, STORED);
         let trial = self.lines(&moved, TRIAL);
         let stored = self.lines(&feeding, STORED);
         let forces_name = ident("forces");
         let turns = self.turns.iter().enumerate().map(|(count, &joint)| {
             let slot = Literal::usize_unsuffixed(self.turning + 2 * count);
-            let joint = Literal::usize_unsuffixed(joint);
-            quote!(#term.turn(#joint, #slot);)
+            match self.followed(joint, path) {
+                Some((leader, factor)) => {
+                    let index = self.index_of_multiple(joint);
+                    quote!(#term.turn_multiple(#index, #leader, #factor, #slot);)
+                }
+                None => {
+                    let joint = Literal::usize_unsuffixed(joint);
+                    quote!(#term.turn(#joint, #slot);)
+                }
+            }
         });
         let forces = self.program.outputs.iter().map(|output| {
             let value = self.series(output.operand);
@@ -262,6 +274,7 @@ impl<'p> Series<'p> {
             };
             #constants
             #known_inputs
+            #multiples
             #(#turns)*
             #known
             let #forces_name = {
@@ -275,7 +288,38 @@ impl<'p> Series<'p> {
         }
     }
 
-    fn inputs_of(&self, kind: Kind) -> TokenStream {
+    /// The followers that have a sine of their own, by the indices of their symbols.
+    fn multiples(&self) -> impl Iterator<Item = usize> {
+        let turns = self.turns.iter().copied();
+        turns.filter(|&index| self.robot.followed(index).is_some())
+    }
+
+    fn index_of_multiple(&self, index: usize) -> Literal {
+        let before = self.multiples().take_while(|&other| other != index);
+        Literal::usize_unsuffixed(before.count())
+    }
+
+    /// The joint and the factor behind the index of a follower's symbol.
+    fn followed(&self, index: usize, path: &TokenStream) -> Option<(Literal, TokenStream)> {
+        let (leader, factor) = self.robot.followed(index)?;
+        let factor = inputs::constant_cell(self.robot, factor, path);
+        Some((Literal::usize_unsuffixed(leader), factor))
+    }
+
+    /// Sines and cosines of followers' own angles.
+    fn read_multiples(&self, path: &TokenStream) -> TokenStream {
+        let term = ident("term");
+        let lines = self.multiples().filter_map(|index| {
+            let (leader, factor) = self.followed(index, path)?;
+            let number = self.index_of_multiple(index);
+            let name = |symbol: Symbol| ident(&inputs::input_name(self.robot, &symbol, &[]));
+            let (sine, cosine) = (name(Symbol::Sine(index)), name(Symbol::Cosine(index)));
+            Some(quote!(let (#sine, #cosine) = #term.multiple(#number, #leader, #factor);))
+        });
+        lines.collect()
+    }
+
+    fn inputs_of(&self, kind: Kind, path: &TokenStream) -> TokenStream {
         let term = ident("term");
         let mut order: Vec<usize> = (0..self.inputs.len()).collect();
         order.sort_by_key(|&index| inputs::place(&self.program.inputs[index]));
@@ -283,7 +327,11 @@ impl<'p> Series<'p> {
             if self.kind(Operand::Input(index as u32)) != kind {
                 return None;
             }
-            let (method, joint) = match self.program.inputs[index] {
+            let symbol = &self.program.inputs[index];
+            if self.robot.follower_of(symbol).is_some() {
+                return self.sign_of_follower(index, symbol, path);
+            }
+            let (method, joint) = match *symbol {
                 Symbol::Sine(i) => ("sine", i),
                 Symbol::Cosine(i) => ("cosine", i),
                 Symbol::Position(i) => ("position", i),
@@ -297,6 +345,23 @@ impl<'p> Series<'p> {
             Some(quote!(let #name = #term.#method(#joint);))
         });
         lines.collect()
+    }
+
+    /// The sign of a follower's velocity, where that is no function of its leader's alone.
+    fn sign_of_follower(
+        &self,
+        input: usize,
+        symbol: &Symbol,
+        path: &TokenStream,
+    ) -> Option<TokenStream> {
+        let Symbol::VelocitySign(index) = symbol else {
+            return None;
+        };
+        let (leader, factor) = self.followed(*index, path)?;
+        let (name, term) = (&self.inputs[input], ident("term"));
+        Some(quote! {
+            let #name = #path::Scalar::sign(#factor) * #term.velocity_sign(#leader);
+        })
     }
 
     /// The assignments of some instructions.

@@ -135,7 +135,7 @@ pub(super) fn provided(
 ) -> Option<TokenStream> {
     function.trait_name()?;
     if *function.shape() == Shape::Series {
-        let series = super::series::declarations([0, 1], dof, path, body);
+        let series = super::series::declarations([0, 1], 0, dof, path, body);
         let matrix = leading_matrix(dof, path, body);
         return Some(quote!(#series #matrix));
     }
