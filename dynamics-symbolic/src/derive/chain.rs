@@ -61,6 +61,8 @@ pub struct Chain<R> {
     pub base: Body<R>,
     /// The links.
     pub links: Vec<Link<R>>,
+    /// The joint about whose origin the moment of a wrench on the tip is told, where it is about one.
+    pub pivot: Option<usize>,
 }
 
 impl<'g> Chain<Expr<'g>> {
@@ -125,6 +127,7 @@ impl<'g> Chain<Expr<'g>> {
             datum: place::datum(symbols, robot).unwrap_or(zero),
             base: Body::splat(zero),
             links,
+            pivot: None,
         }
     }
 }

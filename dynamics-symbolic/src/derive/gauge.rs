@@ -6,7 +6,7 @@ use super::chain::{Chain, Origin};
 use super::functions::{Part, outputs};
 use super::symbols::Symbols;
 use crate::expr::{Edge, Expr, Graph};
-use crate::function::{Form, Search};
+use crate::function::{Form, Function, Search};
 use crate::robot::Robot;
 use crate::simplify::Network;
 use crate::spatial::Keep;
@@ -23,6 +23,8 @@ pub struct Gauge {
     /// Whether inertial parameters move inwards to the base parameters: see
     /// [`Chain::group_parameters`].
     pub grouped: bool,
+    /// The joint about whose origin the moment of a wrench on the tip is told: see [`Chain::pivot`].
+    pub pivot: Option<usize>,
 }
 
 /// How many nodes of trial graphs one search may make for each function: the search ends within
@@ -37,6 +39,7 @@ impl Gauge {
             stays: vec![false; dof],
             keep: vec![Keep::Xx; dof],
             grouped: true,
+            pivot: None,
         }
     }
 
@@ -56,6 +59,7 @@ impl Gauge {
             chain.group_parameters(&self.keep);
         }
         chain.stay_behind(&self.stays);
+        chain.pivot = self.pivot;
         chain
     }
 
@@ -77,8 +81,19 @@ impl Gauge {
         let most = MOST_NODES * parts.len();
         let mut nodes = 0;
         let mut cost = gauge.cost(robot, &parts, &mut nodes);
+        let has_pivot = |part: &Part| part.function == Function::WrenchTorques;
+        let pivots = if parts.iter().any(has_pivot) { dof } else { 0 };
         loop {
             let before = cost;
+            for pivot in 0..pivots {
+                let known = gauge.pivot.replace(pivot);
+                let trial = gauge.cost(robot, &parts, &mut nodes);
+                if trial < cost {
+                    cost = trial;
+                } else {
+                    gauge.pivot = known;
+                }
+            }
             for step in steps(dof) {
                 if nodes > most {
                     return gauge;

@@ -207,11 +207,14 @@ fn simplified(robot: &Robot, written: &[Written], recursion: &Recursion) -> Prog
     network.program(symbols.meanings()).balanced()
 }
 
-/// The effort for one function, once for each.
+/// The effort for one function, once for each; twice for torques along two velocities, of whose long programs
+/// pairs of nodes would be left out.
 fn effort(written: &[Written]) -> Effort {
-    let parts: usize = written.iter().map(|written| written.parts.len()).sum();
+    let parts = || written.iter().flat_map(|written| &written.parts);
+    let is_mixed = parts().any(|part| part.function == Function::PassivityTorque);
+    let times = if is_mixed { 2 } else { 1 };
     Effort {
-        lookups: parts * Effort::DEFAULT.lookups,
-        ..Effort::DEFAULT
+        lookups: times * parts().count() * Effort::DEFAULT.lookups,
+        pairs: times * Effort::DEFAULT.pairs,
     }
 }

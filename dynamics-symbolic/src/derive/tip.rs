@@ -95,25 +95,85 @@ pub(super) fn acceleration<'g>(
 }
 
 /// J' w, the force f and the moment n handed on outwards as they are: with the tip at r from the origin
-/// of frame i, joint i feels z.(n + r x f).
+/// of frame i, joint i feels z.(n + r x f). Where the chain has a pivot, the moment is told about the origin
+/// of that joint, and handed on from there ([`Wrench::about`]).
 pub(super) fn wrench_torques<'g>(
     symbols: &mut Symbols<'g>,
     robot: &Robot,
     chain: &Chain<Expr<'g>>,
 ) -> Vec<Expr<'g>> {
-    let mut levers = vec![place(symbols, robot, chain)];
-    for joint in chain.joints().skip(1).rev() {
-        levers.push(inward(joint, levers[levers.len() - 1]));
+    let wrench = Wrench::new(symbols, robot, chain);
+    let mut felt = vec![None; chain.links.len()];
+    if let Some(pivot) = chain.pivot {
+        wrench.about(chain, pivot, &mut felt);
     }
-    let [mut f, mut n] = wrench(symbols, robot);
-    let feel = |(joint, r): (&Joint<Expr<'g>>, &Vector<'g>)| {
-        (f, n) = (joint.enter(f), joint.enter(n));
+    let joints = chain.joints().enumerate().zip(felt);
+    let felt = joints.map(|((i, joint), felt)| felt.unwrap_or_else(|| wrench.felt_by(i, joint)));
+    felt.collect()
+}
+
+/// A wrench on the tip, in frame 0 and the frames of all links.
+struct Wrench<'g> {
+    /// Force and moment.
+    wrenches: Vec<[Vector<'g>; 2]>,
+    /// Where the tip is.
+    levers: Vec<Vector<'g>>,
+}
+
+impl<'g> Wrench<'g> {
+    fn new(symbols: &mut Symbols<'g>, robot: &Robot, chain: &Chain<Expr<'g>>) -> Self {
+        let mut lever = place(symbols, robot, chain);
+        let mut levers = vec![lever];
+        for joint in chain.joints().rev() {
+            lever = inward(joint, lever);
+            levers.push(lever);
+        }
+        levers.reverse();
+        let mut wrench = wrench(symbols, robot);
+        let mut wrenches = vec![wrench];
+        for joint in chain.joints() {
+            wrench = wrench.map(|v| joint.enter(v));
+            wrenches.push(wrench);
+        }
+        Wrench { wrenches, levers }
+    }
+
+    /// z.(n + r x f)
+    fn felt_by(&self, i: usize, joint: &Joint<Expr<'g>>) -> Expr<'g> {
+        let ([f, n], r) = (self.wrenches[i + 1], self.levers[i + 1]);
         match joint.joint_type {
             JointType::Revolute => n[2] + (r[0] * f[1] - r[1] * f[0]),
             JointType::Prismatic => f[2],
         }
-    };
-    chain.joints().zip(levers.iter().rev()).map(feel).collect()
+    }
+
+    /// What the joints feel of the moment m about the origin of one of them, told in the frame before it:
+    /// outwards those whose axes meet there, inwards all, with joint i+1 at p in frame i,
+    ///
+    ///   m_i = R (m_i+1 + slide z x f_i+1) + p x f_i.
+    fn about(&self, chain: &Chain<Expr<'g>>, pivot: usize, felt: &mut [Option<Expr<'g>>]) {
+        let joints: Vec<_> = chain.joints().collect();
+        let ([f, n], lever) = (self.wrenches[pivot], self.levers[pivot]);
+        let about = n + (lever - joints[pivot].offset).cross(f);
+        let is_at_pivot = |joint: &Joint<Expr<'g>>| joint.offset.0.iter().all(|x| x.is_zero());
+        let mut m = about;
+        for (i, joint) in joints.iter().enumerate().skip(pivot) {
+            if joint.joint_type == JointType::Prismatic || (i > pivot && !is_at_pivot(joint)) {
+                break;
+            }
+            m = joint.enter(m);
+            felt[i] = Some(m[2]);
+        }
+        m = about;
+        for i in (0..pivot).rev() {
+            let ([f, _], slide) = (self.wrenches[i + 1], joints[i].slide);
+            m = m + joints[i + 1].offset.cross(f);
+            if joints[i].joint_type == JointType::Revolute {
+                felt[i] = Some(m[2]);
+            }
+            m = joints[i].leave(m + z_cross(chain, f, slide));
+        }
+    }
 }
 
 /// Force and moment at the tip, in the axes of frame 0.

@@ -22,7 +22,7 @@ mod sample;
 pub use error::{LargestError, largest_error};
 
 use crate::linear::eliminate;
-use crate::robot::{Grouping, Neglected, Robot};
+use crate::robot::{Grouping, Neglected, Robot, Value};
 use arm::{Arm, Forces};
 use core::fmt;
 use sample::Samples;
@@ -84,13 +84,16 @@ pub fn neglect(robot: &Robot, share: f64) -> Result<Robot, NotPositiveDefinite> 
     if let Some(q) = effects.indefinite(&samples, &is_left) {
         return refused(Some(q));
     }
-    let sizes: Vec<f64> = effects.weights.iter().map(|w| w * w).collect();
-    // What is shown is shown of arms whose joints all move by themselves.
-    let shown = |is_left: &[bool]| {
-        !robot.is_coupled() && definite::is_positive_definite(robot, &grouping, is_left, &sizes)
+    let free = robot.is_coupled().then(|| followers_free(robot));
+    let sizes = match &free {
+        Some(free) => sizes(&Arm::new(free, &grouping), &Samples::new(free, STATES)),
+        None => effects.sizes(),
     };
+    let free = free.as_ref().unwrap_or(robot);
+    let shown = |is_left: &[bool]| definite::is_positive_definite(free, &grouping, is_left, &sizes);
     let is_definite = shown(&is_left);
-    if !is_definite && shown(&vec![true; small.len()]) {
+    // Of a coupled arm the free one may lose its definiteness alone.
+    if !is_definite && !robot.is_coupled() && shown(&vec![true; small.len()]) {
         return refused(descent::indefinite(robot, &arm, &samples, &is_left));
     }
     let columns = arm.columns.iter().zip(&small);
@@ -103,6 +106,30 @@ pub fn neglect(robot: &Robot, share: f64) -> Result<Robot, NotPositiveDefinite> 
         is_definite,
     });
     Ok(pruned)
+}
+
+/// The arm in which joints that follow others move by themselves, over the ranges in which they follow.
+///
+/// M of the coupled arm is S' M S of that one. The columns of S are independent, so that it is positive definite
+/// where that one is.
+fn followers_free(robot: &Robot) -> Robot {
+    let mut free = robot.uncoupled();
+    let follows = robot.rows.iter().map(|row| row.follows.as_ref());
+    for (row, coupling) in free.rows.iter_mut().zip(follows) {
+        let Some(coupling) = coupling else {
+            continue;
+        };
+        let ends = sample::range(&robot.rows[coupling.leader]).map(|end| {
+            let end = Value::from_f64(end).unwrap_or(Value::zero());
+            coupling.factor.clone() * end + coupling.offset.clone()
+        });
+        let [first, last] = ends;
+        row.limits = Some(match coupling.factor.is_negative() {
+            true => [last, first],
+            false => [first, last],
+        });
+    }
+    free
 }
 
 /// What each base parameter adds to M, V and G at the samples.
@@ -137,6 +164,11 @@ impl Effects {
             mass_matrix,
             weights,
         }
+    }
+
+    /// The largest M_ii.
+    fn sizes(&self) -> Vec<f64> {
+        self.weights.iter().map(|w| w * w).collect()
     }
 
     /// The largest share of each parameter in any of the functions.
@@ -189,6 +221,13 @@ impl Effects {
             states.find(|(_, parts)| is_definite(parts, &all) && !is_definite(parts, is_left));
         found.map(|(q, _)| q.clone())
     }
+}
+
+/// The largest M_ii of an arm at the samples.
+fn sizes(arm: &Arm, samples: &Samples) -> Vec<f64> {
+    let mass_matrix: Vec<_> = samples.q.iter().map(|q| arm.mass_matrix(q)).collect();
+    let weights = weights(&mass_matrix, arm.dof()).into_iter();
+    weights.map(|w| w * w).collect()
 }
 
 /// M of some of the parameters.

@@ -5,6 +5,7 @@ use crate::without_friction;
 use dynamics_symbolic::Function;
 use dynamics_symbolic::neglect::{largest_error, neglect};
 use dynamics_symbolic::prove::prove;
+use dynamics_symbolic::robot::Coupling;
 use expect_test::expect_file;
 
 const FUNCTIONS: [Function; 5] = [
@@ -97,5 +98,31 @@ fn locked_arms_can_be_abbreviated() {
     for function in FUNCTIONS {
         let program = derive(&robot, function);
         assert_eq!(prove(&robot, function, &program), Ok(()));
+    }
+}
+
+/// That M of a coupled arm is positive definite follows from that of the arm in which nothing is coupled.
+#[test]
+fn coupled_arms_can_be_abbreviated() {
+    for (name, leader, follower, [factor, offset]) in [
+        ("puma560", 3, 4, [0.5, 0.3]),
+        ("stanford", 1, 2, [-0.1, 0.4]),
+    ] {
+        let mut robot = arms::robot(name);
+        robot.rows[follower].follows = Some(Coupling {
+            leader,
+            factor: arms::decimal(factor),
+            offset: arms::decimal(offset),
+        });
+        let robot = neglect(&robot, 0.02).expect("regular");
+        let neglected = robot.neglected.as_ref().expect("neglected");
+        assert!(
+            neglected.is_definite && !neglected.columns.is_empty(),
+            "{name}"
+        );
+        for function in FUNCTIONS {
+            let program = derive(&robot, function);
+            assert_eq!(prove(&robot, function, &program), Ok(()), "{name}");
+        }
     }
 }
