@@ -3,13 +3,17 @@
 use nalgebra::{DMatrix, SVector};
 
 use crate::check::random::SplitMix64;
-use crate::{Evaluate, NewtonEuler, State};
+use crate::{Evaluate, NewtonEuler, State, Table};
 
 /// K of `b = K x`: how the base parameters b of [`base_parameters`] and `regressor` are combined of the
-/// standard ones. `None` where the arm's functions lack `regressor`.
+/// standard ones. `None` where the arm's functions lack `regressor`, and where its columns are dependent, as they
+/// may be where joints follow others: then more than one K fits.
 ///
 /// x holds the ten [standard parameters](crate::Table::standard_parameters) of the first link, of the second,
-/// ..., then the reflected inertia of each motor, `gear_ratio^2 inertia`. K is P x 11 N and depends on the
+/// ..., then the reflected inertia of each motor, `gear_ratio^2 inertia`. The F joints that follow others come
+/// after the joints in both: their links
+/// ([`Table::standard_parameters_of_followers`](crate::Table::standard_parameters_of_followers)) behind those of the
+/// joints, their motors behind those of the joints. K is P x 11 (N + F) and depends on the
 /// geometry alone. What lies in its null space moves no joint: two sets of links with the same K x
 /// cannot be told from each other by torques.
 ///
@@ -43,9 +47,10 @@ use crate::{Evaluate, NewtonEuler, State};
 ///
 /// [`base_parameters`]: crate::Evaluation::base_parameters
 pub fn base_parameter_map<R: Evaluate<N>, const N: usize>(robot: &R) -> Option<DMatrix<f64>> {
-    let numeric = NewtonEuler::new(&robot.table());
+    let table = robot.table();
+    let numeric = NewtonEuler::new(&table);
     let mut random = SplitMix64(1);
-    let width = 11 * N;
+    let links = N + table.followers.iter().count();
     let state = |random: &mut SplitMix64| {
         let mut vector = |size: f64| SVector::from_fn(|_, _| random.within(&(-size..=size)));
         State {
@@ -59,7 +64,7 @@ pub fn base_parameter_map<R: Evaluate<N>, const N: usize>(robot: &R) -> Option<D
     // Four times as many equations as the least.
     let states = 4 * count.div_ceil(N.max(1)) + 4;
     let mut base = DMatrix::zeros(states * N, count);
-    let mut standard = DMatrix::zeros(states * N, width);
+    let mut standard = DMatrix::zeros(states * N, 11 * links);
     for k in 0..states {
         let state = state(&mut random);
         let columns = robot.evaluate(&state, &SVector::zeros()).regressor?;
@@ -67,19 +72,35 @@ pub fn base_parameter_map<R: Evaluate<N>, const N: usize>(robot: &R) -> Option<D
             base.fixed_view_mut::<N, 1>(k * N, j).copy_from(column);
         }
         let State { q, qd, qdd } = &state;
-        for (link, block) in numeric.standard_regressor(q, qd, qdd).iter().enumerate() {
+        let own = numeric.standard_regressor(q, qd, qdd).into_iter();
+        let of_followers = numeric.standard_regressor_of_followers(q, qd, qdd);
+        for (link, block) in own.chain(of_followers).enumerate() {
             standard
                 .fixed_view_mut::<N, 10>(k * N, 10 * link)
-                .copy_from(block);
-            standard[(k * N + link, 10 * N + link)] = qdd[link];
+                .copy_from(&block);
+        }
+        for (motor, (joint, factor)) in motors(&table).enumerate() {
+            standard[(k * N + joint, 10 * links + motor)] = factor * factor * qdd[joint];
         }
     }
     let factors = base.qr();
     let right = factors.q().tr_mul(&standard);
-    let mut map = factors.r().solve_upper_triangular(&right)?;
+    let triangle = factors.r();
+    let pivots = triangle.diagonal().abs();
+    if pivots.min() < 1e-9 * pivots.max() {
+        return None;
+    }
+    let mut map = triangle.solve_upper_triangular(&right)?;
     let nothing = 1e-11 * map.amax();
     map.iter_mut()
         .filter(|entry| entry.abs() < nothing)
         .for_each(|entry| *entry = 0.0);
     Some(map)
+}
+
+/// Of the motor of each joint, then of each follower, the joint that feels it and by which factor.
+fn motors<const N: usize>(table: &Table<N>) -> impl Iterator<Item = (usize, f64)> {
+    let followers = table.followers.iter();
+    let followers = followers.map(|follower| (follower.leader, follower.factor));
+    (0..N).map(|joint| (joint, 1.0)).chain(followers)
 }

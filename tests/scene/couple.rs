@@ -3,9 +3,10 @@
 //!
 //! With q = S q_j + c of the whole arm, M_j = S' M S, and so for everything that has an index of joints.
 
-use robot_dynamics::nalgebra::{SMatrix, SVector};
+use robot_dynamics::nalgebra::{DVector, SMatrix, SVector};
 use robot_dynamics::{
-    DoubleDouble, Friction, NewtonEuler, Simulation, check_against_rnea, robot_dynamics,
+    DoubleDouble, Friction, NewtonEuler, Simulation, Table, base_parameter_map,
+    check_against_rnea, robot_dynamics,
 };
 use testkit::exact::Exact;
 
@@ -243,7 +244,82 @@ macro_rules! agrees {
         let report = check_against_rnea(&coupled);
         println!("{report}");
         report.assert_ok();
+        links_give_the_torques(&coupled.table());
     }};
+}
+
+/// The standard regressor of all links, those of followers included, times their parameters, with the motors.
+fn links_give_the_torques<const N: usize>(table: &Table<N>) {
+    let numeric = NewtonEuler::new(table);
+    let [q, qd, qdd] = [1, 7, 13].map(|at| {
+        SVector::<f64, N>::from_fn(|i, _| (1.7 * (i + at) as f64).sin())
+    });
+    let own = numeric.standard_regressor(&q, &qd, &qdd).into_iter();
+    let own = own.zip(table.standard_parameters());
+    let followers = numeric.standard_regressor_of_followers(&q, &qd, &qdd);
+    let followers: Vec<_> = followers
+        .zip(table.standard_parameters_of_followers())
+        .collect();
+    assert_eq!(followers.len(), table.followers.iter().count());
+    let all = own.chain(followers);
+    let mut torque = all.fold(SVector::zeros(), |sum, (block, x)| sum + block * x);
+    for (joint, row) in table.rows.iter().enumerate() {
+        torque[joint] += row.reflected_inertia() * qdd[joint];
+    }
+    for follower in table.followers.iter() {
+        let felt = follower.factor * follower.factor * follower.row.reflected_inertia();
+        torque[follower.leader] += felt * qdd[follower.leader];
+    }
+    let expected = numeric.inverse_dynamics(&q, &qd, &qdd)
+        - numeric.friction_vector(&qd)
+        - numeric.spring_vector(&q);
+    near("standard parameters", torque, expected);
+}
+
+/// The base parameters are combinations of the standard ones of all links and of all motors. Where columns of
+/// the regressor are dependent no combination is the only one, and none is given.
+#[test]
+fn base_parameters_of_a_gripper_are_those_of_all_its_links() {
+    let arm = gripper();
+    let table = arm.table();
+    let map = base_parameter_map(&arm).expect("independent columns");
+    let own = table.standard_parameters().into_iter();
+    let links = own.chain(table.standard_parameters_of_followers());
+    let mut x: Vec<f64> = links.flat_map(|x| x.data.0[0]).collect();
+    x.extend(table.rows.iter().map(|row| row.reflected_inertia()));
+    let followers = table.followers.iter();
+    x.extend(followers.map(|follower| follower.row.reflected_inertia()));
+    let b = map * DVector::from_vec(x);
+    let expected = arm.base_parameters::<f64>();
+    assert!((b - expected).amax() < 1e-11 * expected.amax());
+}
+
+/// A run ends at the limit of the joint that leads, and the table has no others.
+#[test]
+fn limits_are_those_of_the_joints_that_lead() {
+    assert_eq!(Limited.table().joint_limits(), [Some([0.0, 0.04])]);
+    assert_eq!(Limited::JOINT_LIMITS, [Some([0.0, 0.04])]);
+    let run = Simulation::new(&Limited)
+        .torque(|_, _, _| SVector::from([0.3]))
+        .initial(SVector::from([0.01]), SVector::zeros())
+        .stops(0.0)
+        .duration(2.0)
+        .samples(5)
+        .run()
+        .expect("a run");
+    let last = run.q.last().expect("a sample")[0];
+    assert!((last - 0.04).abs() < 1e-12, "{last}");
+}
+
+robot_dynamics! {
+    struct Limited;
+    convention: modified,
+    gravity: [0, 0, -9.81],
+    joints: [
+        finger_1: prismatic { alpha: PI/2, mass: 0.2, limits: [0, 0.04] },
+        finger_2: prismatic { mass: 0.15 },
+    ],
+    couple: [finger_2 = -finger_1 + 0.04],
 }
 
 fn gripper() -> Gripper {

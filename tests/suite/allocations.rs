@@ -82,6 +82,8 @@ allocations! {
     spherical_wrist: SphericalWrist, 3;
     scara: Scara, 4;
     tilting_cell: TiltingCell, 4;
+    gripper_arm: GripperArm, 3;
+    palletiser: Palletiser, 3;
     puma560: Puma560, 6;
     panda: Panda, 7;
 }

@@ -185,3 +185,4 @@ macro_rules! tests {
     )*};
 }
 for_each_robot!(tests);
+tests! { gripper_arm: GripperArm, 3, 3; palletiser: Palletiser, 3, 3; }

@@ -19,7 +19,7 @@ use crate::{
 impl<const N: usize> Table<N> {
     /// The table of an arm some of whose joints follow others, and some of which may be locked as in
     /// [`Table::lock`]. `motions` says of each of the L rows how its joint moves: N of them by
-    /// themselves, at most 8 with one of those, 32 in all, or this panics.
+    /// themselves, at most 8 with one of those, 32 both together, or this panics.
     pub fn couple<const L: usize>(
         convention: Convention,
         gravity: [f64; 3],
@@ -37,14 +37,12 @@ impl<const N: usize> Table<N> {
         rows: &[Row],
         motions: &[JointMotion],
     ) -> Self {
-        let mut positions = [None; MOST_ROWS];
-        for (position, motion) in positions.iter_mut().zip(motions) {
-            if let JointMotion::Locked(locked) = motion {
-                *position = Some(*locked);
-            }
-        }
+        let positions = motions.iter().map(|motion| match motion {
+            JointMotion::Locked(position) => Some(*position),
+            _ => None,
+        });
         let mut whole = [Row::new(JointType::Revolute); MOST_ROWS];
-        let count = without_locked(convention, rows, &positions[..rows.len()], &mut whole);
+        let count = without_locked(convention, rows, positions, &mut whole);
         let rows = whole;
         let is_free = |motion: &JointMotion| *motion == JointMotion::Free;
         let joint_of = |row: usize| motions[..row].iter().filter(|m| is_free(m)).count();
@@ -206,6 +204,25 @@ impl<const N: usize> Coupled<N> {
         self.felt(&self.whole().whole_inverse_dynamics(&q, &qd, &qdd))
     }
 
+    /// The blocks of the links of the joints, and those of the followers' links.
+    pub(super) fn standard_regressor(
+        &self,
+        q: &SVector<f64, N>,
+        qd: &SVector<f64, N>,
+        qdd: &SVector<f64, N>,
+    ) -> (Blocks<N>, [Option<Block<N>>; MOST_FOLLOWERS]) {
+        let [q, qd, qdd] = [q, qd, qdd].map(|x| self.spread(x));
+        let blocks = self.whole().whole_standard_regressor(&q, &qd, &qdd);
+        let felt = blocks.map(|block| self.columns(&block.transpose()).transpose());
+        let mut of_followers = [None; MOST_FOLLOWERS];
+        let rows = felt.iter().zip(self.table.chain());
+        let followers = rows.filter(|(_, moving)| moving.is_follower);
+        for (place, (block, _)) in of_followers.iter_mut().zip(followers) {
+            *place = Some(*block);
+        }
+        (self.of_joints(&felt), of_followers)
+    }
+
     pub(super) fn kinetic_energy(&self, q: &SVector<f64, N>, qd: &SVector<f64, N>) -> f64 {
         let whole = self.whole();
         whole.whole_kinetic_energy(&self.spread(q), &self.spread(qd))
@@ -318,6 +335,10 @@ pub(super) type Whole = NewtonEuler<MOST_ROWS>;
 /// What belongs to the rows.
 pub(super) type Rows = SVector<f64, MOST_ROWS>;
 
+/// The columns of the standard regressor of one link.
+type Block<const N: usize> = SMatrix<f64, N, 10>;
+type Blocks<const N: usize> = [Block<N>; N];
+
 /// What belongs to pairs of rows.
 pub(super) type Square = SMatrix<f64, MOST_ROWS, MOST_ROWS>;
 
@@ -349,6 +370,15 @@ impl Whole {
 
     pub(super) fn whole_inverse_dynamics(&self, q: &Rows, qd: &Rows, qdd: &Rows) -> Rows {
         self.inverse_dynamics(q, qd, qdd)
+    }
+
+    pub(super) fn whole_standard_regressor(
+        &self,
+        q: &Rows,
+        qd: &Rows,
+        qdd: &Rows,
+    ) -> [Block<MOST_ROWS>; MOST_ROWS] {
+        self.standard_regressor(q, qd, qdd)
     }
 
     pub(super) fn whole_kinetic_energy(&self, q: &Rows, qd: &Rows) -> f64 {

@@ -34,7 +34,7 @@ impl<const N: usize> Table<N> {
         positions: &[Option<f64>],
     ) -> Self {
         let mut moving = [Row::new(JointType::Revolute); N];
-        let count = without_locked(convention, rows, positions, &mut moving);
+        let count = without_locked(convention, rows, positions.iter().copied(), &mut moving);
         assert_eq!(count, N, "so many joints move");
         Table::new(convention, gravity, moving)
     }
@@ -52,13 +52,13 @@ fn in_link_frame(link: &Row, start: &Pose, row: &Row) -> Pose {
 pub(super) fn without_locked(
     convention: Convention,
     rows: &[Row],
-    positions: &[Option<f64>],
+    positions: impl Iterator<Item = Option<f64>>,
     moving: &mut [Row],
 ) -> usize {
     let mut count = 0;
     let mut start = Pose::identity();
     for (row, position) in rows.iter().zip(positions) {
-        match *position {
+        match position {
             None => {
                 moving[count] = *row;
                 moving[count].mount = start.placement();

@@ -9,7 +9,7 @@ use nalgebra::{Matrix3, SMatrix, SVector, Vector3};
 use super::NewtonEuler;
 use super::inertia::Inertia;
 use super::pose::Pose;
-use crate::Table;
+use crate::{Row, Table};
 
 /// The standard parameters of a link, in its frame of the table and about that frame's origin: mass m in kg,
 /// first moments m c_x, m c_y, m c_z in kg m, and the inertia tensor's J_xx, J_yy, J_zz, J_xy, J_yz, J_xz in
@@ -17,31 +17,49 @@ use crate::Table;
 pub type StandardParameters = SVector<f64, 10>;
 
 impl<const N: usize> Table<N> {
-    /// The ten standard inertial parameters of each link, the tool among those of the last one.
+    /// The ten standard inertial parameters of the link of each joint, the tool among those of the last link.
     ///
-    /// Motors, springs and friction are no part of them.
+    /// Motors, springs and friction are no part of them. Joints that follow others have links too:
+    /// [`standard_parameters_of_followers`](Table::standard_parameters_of_followers).
     pub fn standard_parameters(&self) -> [StandardParameters; N] {
         let mut rows = self.rows;
-        if let Some(last) = rows.last_mut() {
+        let is_last = self.followers.iter().all(|follower| follower.place < N);
+        if let Some(last) = rows.last_mut().filter(|_| is_last) {
             *last = self.tool.joined(last);
         }
-        rows.each_ref().map(|row| {
-            let (m, c) = (row.mass, Vector3::from(row.com));
-            let [xx, yy, zz, xy, yz, xz] = row.inertia;
-            SVector::from([
-                m,
-                m * c.x,
-                m * c.y,
-                m * c.z,
-                xx + m * (c.y * c.y + c.z * c.z),
-                yy + m * (c.z * c.z + c.x * c.x),
-                zz + m * (c.x * c.x + c.y * c.y),
-                xy - m * c.x * c.y,
-                yz - m * c.y * c.z,
-                xz - m * c.z * c.x,
-            ])
+        rows.each_ref().map(parameters)
+    }
+
+    /// The same of the links of the joints that follow others, in the order of [`Table::followers`].
+    pub fn standard_parameters_of_followers(&self) -> impl Iterator<Item = StandardParameters> {
+        let count = self.followers.iter().count();
+        let followers = self.followers.iter().enumerate();
+        followers.map(move |(k, follower)| {
+            let is_last = k + 1 == count && follower.place == N;
+            match is_last {
+                true => parameters(&self.tool.joined(&follower.row)),
+                false => parameters(&follower.row),
+            }
         })
     }
+}
+
+/// The standard parameters of a row's link.
+fn parameters(row: &Row) -> StandardParameters {
+    let (m, c) = (row.mass, Vector3::from(row.com));
+    let [xx, yy, zz, xy, yz, xz] = row.inertia;
+    SVector::from([
+        m,
+        m * c.x,
+        m * c.y,
+        m * c.z,
+        xx + m * (c.y * c.y + c.z * c.z),
+        yy + m * (c.z * c.z + c.x * c.x),
+        zz + m * (c.x * c.x + c.y * c.y),
+        xy - m * c.x * c.y,
+        yz - m * c.y * c.z,
+        xz - m * c.z * c.x,
+    ])
 }
 
 impl Inertia {
@@ -92,12 +110,19 @@ impl<const N: usize> NewtonEuler<N> {
     /// `q` in rad or m, `qd` per second, `qdd` per second squared. None of the columns depends on the
     /// masses of the table. They are not independent: [`base_parameter_map`](crate::base_parameter_map) says
     /// which combinations a motion shows. Input that is not finite propagates; never panics, never allocates.
+    ///
+    /// Where joints follow others, their links are the other terms of the sum:
+    /// [`standard_regressor_of_followers`](NewtonEuler::standard_regressor_of_followers), and the motor of one
+    /// that moves by a factor adds factor^2 times its reflected inertia to J of the joint that leads.
     pub fn standard_regressor(
         &self,
         q: &SVector<f64, N>,
         qd: &SVector<f64, N>,
         qdd: &SVector<f64, N>,
     ) -> [SMatrix<f64, N, 10>; N] {
+        if let Some(coupled) = &self.coupled {
+            return coupled.standard_regressor(q, qd, qdd).0;
+        }
         let joints = self.joints(q);
         let motions = self.motions(&joints, qd, qdd, &self.gravity);
         core::array::from_fn(|k| {
@@ -113,6 +138,21 @@ impl<const N: usize> NewtonEuler<N> {
             }
             block
         })
+    }
+
+    /// The blocks of the links of joints that follow others, as [`standard_regressor`](Self::standard_regressor)
+    /// has those of the joints' own links: with the
+    /// [parameters](Table::standard_parameters_of_followers) of these links, and in their order. None where
+    /// nothing is coupled.
+    pub fn standard_regressor_of_followers(
+        &self,
+        q: &SVector<f64, N>,
+        qd: &SVector<f64, N>,
+        qdd: &SVector<f64, N>,
+    ) -> impl Iterator<Item = SMatrix<f64, N, 10>> + use<N> {
+        let coupled = self.coupled.as_ref();
+        let blocks = coupled.map(|coupled| coupled.standard_regressor(q, qd, qdd).1);
+        blocks.into_iter().flatten().flatten()
     }
 }
 

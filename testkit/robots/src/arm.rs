@@ -151,3 +151,5 @@ arms! { tilting_cell: TiltingCell, 4, 6; }
 arms! { generic_mixed_n6_modified: GenericMixed6Modified, 6, 15; }
 arms! { sprung_arm: SprungArm, 3, 3; }
 arms! { sticky_arm: StickyArm, 2, 1; }
+arms! { gripper_arm: GripperArm, 3, 3; }
+arms! { palletiser: Palletiser, 3, 3; }

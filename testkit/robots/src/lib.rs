@@ -7,6 +7,7 @@ mod every_function;
 
 mod arguments;
 mod arm;
+mod coupled;
 mod fields;
 mod frames;
 mod generic;
@@ -17,6 +18,7 @@ mod three_axis;
 
 pub use arguments::Arguments;
 pub use arm::Arm;
+pub use coupled::*;
 pub use fields::*;
 pub use frames::*;
 pub use generic::*;

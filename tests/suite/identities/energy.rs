@@ -3,6 +3,7 @@
 use robot_dynamics::nalgebra::{SVector, Vector1, Vector3};
 
 use super::any_arm::AnyArm;
+use super::axes::{axes, with_followers};
 use super::gradient::unit;
 use super::samples::{Magnitude, along, assert_small, states};
 
@@ -26,9 +27,10 @@ pub(super) fn potential_energy_is_that_of_weights_and_springs<const N: usize, co
     let table = robot.table();
     let gravity = Vector3::from(table.gravity);
     for state in states() {
-        let poses = robot.link_poses(&state.q);
-        let links = table.rows.iter().zip(poses);
-        let energy = links.zip(state.q.iter()).map(|((row, pose), q)| {
+        let poses = with_followers(&table, &state.q, &robot.link_poses(&state.q));
+        let links = axes(&table).into_iter().zip(poses);
+        let energy = links.map(|(axis, pose)| {
+            let (row, q) = (axis.row, axis.position(&state.q));
             let com = pose * Vector3::from(row.com).push(1.0);
             let stretch = q - row.spring.rest;
             0.5 * row.spring.stiffness * stretch * stretch - row.mass * gravity.dot(&com.xyz())

@@ -1,10 +1,10 @@
 //! The mass matrix.
 
 use num_dual::Dual64;
-use robot_dynamics::Table;
 use robot_dynamics::nalgebra::{Matrix3, Matrix4, SMatrix, SVector, Vector3};
 
 use super::any_arm::AnyArm;
+use super::axes::{axes, with_followers};
 use super::gradient::unit;
 use super::samples::{Magnitude, along, assert_small, states};
 
@@ -56,19 +56,25 @@ fn tensor([xx, yy, zz, xy, yz, xz]: [f64; 6]) -> Matrix3<f64> {
 pub(super) fn mass_matrix_is_that_of_the_moving_links<const N: usize, const P: usize>(
     robot: &dyn AnyArm<N, P>,
 ) {
-    let Table { rows, tool, .. } = robot.table();
-    let links = rows.iter().map(|row| (row.mass, row.com, row.inertia));
+    let table = robot.table();
+    let (axes, tool) = (axes(&table), table.tool);
+    let links = axes.iter().map(|axis| axis.row);
+    let links = links.map(|row| (row.mass, row.com, row.inertia));
     let bodies: Vec<_> = links.chain([(tool.mass, tool.com, tool.inertia)]).collect();
     for state in states() {
         let moving: [_; N] = std::array::from_fn(|j| {
             let q = along(&state.q, &unit(j));
-            let links = robot.link_poses(&q).into_iter();
+            let links = with_followers(&table, &q, &robot.link_poses(&q));
             links
+                .into_iter()
                 .chain([robot.forward_kinematics(&q)])
                 .collect::<Vec<_>>()
         });
-        let reflected = rows.map(|row| row.reflected_inertia());
-        let mut expected = SMatrix::<f64, N, N>::from_diagonal(&SVector::from(reflected));
+        let mut reflected = SVector::<f64, N>::zeros();
+        for axis in &axes {
+            reflected[axis.joint] += axis.factor * axis.factor * axis.row.reflected_inertia();
+        }
+        let mut expected = SMatrix::<f64, N, N>::from_diagonal(&reflected);
         for (body, (mass, com, inertia)) in bodies.iter().enumerate() {
             let velocities: Vec<_> = (moving.iter())
                 .map(|poses| velocities(&poses[body], *com))

@@ -1,9 +1,9 @@
 //! Poses and the Jacobian.
 
 use robot_dynamics::nalgebra::{Matrix3, Matrix4, RowVector4, Vector3};
-use robot_dynamics::{Convention, Frame, JointType, Row};
 
 use super::any_arm::AnyArm;
+use super::axes::{axes, placed, poses, with_followers};
 use super::gradient::unit;
 use super::samples::{Magnitude, along, assert_small, states};
 
@@ -15,44 +15,6 @@ fn position(pose: &Matrix4<f64>) -> Vector3<f64> {
     pose.fixed_view::<3, 1>(0, 3).into_owned()
 }
 
-/// Rotation by `angle` about z and displacement by `d` along it.
-fn about_z(angle: f64, d: f64) -> Matrix4<f64> {
-    let mut pose = Matrix4::from_axis_angle(&Vector3::z_axis(), angle);
-    pose[(2, 3)] = d;
-    pose
-}
-
-/// Rotation by `angle` about x and displacement by `a` along it.
-fn about_x(angle: f64, a: f64) -> Matrix4<f64> {
-    let mut pose = Matrix4::from_axis_angle(&Vector3::x_axis(), angle);
-    pose[(0, 3)] = a;
-    pose
-}
-
-/// `T(xyz) Rz(yaw) Ry(pitch) Rx(roll)`.
-pub(super) fn placed(frame: &Frame) -> Matrix4<f64> {
-    let [roll, pitch, yaw] = frame.rpy;
-    let mut pose = Matrix4::from_axis_angle(&Vector3::z_axis(), yaw)
-        * Matrix4::from_axis_angle(&Vector3::y_axis(), pitch)
-        * Matrix4::from_axis_angle(&Vector3::x_axis(), roll);
-    pose.fixed_view_mut::<3, 1>(0, 3)
-        .copy_from(&Vector3::from(frame.xyz));
-    pose
-}
-
-/// `Rz(theta) Tz(d) Tx(a) Rx(alpha)` or `Rx(alpha) Tx(a) Rz(theta) Tz(d)`.
-fn transform(convention: Convention, row: &Row, q: f64) -> Matrix4<f64> {
-    let joint = match row.joint_type {
-        JointType::Revolute => about_z(row.theta + q, row.d),
-        JointType::Prismatic => about_z(row.theta, row.d + q),
-    };
-    let link = about_x(row.alpha, row.a);
-    match convention {
-        Convention::Standard => joint * link,
-        Convention::Modified => link * joint,
-    }
-}
-
 pub(super) fn link_poses_are_products_of_the_transforms_of_the_table<
     const N: usize,
     const P: usize,
@@ -62,9 +24,10 @@ pub(super) fn link_poses_are_products_of_the_transforms_of_the_table<
     let table = robot.table();
     for state in states() {
         let reach = Magnitude::at(robot, &state).reach;
-        let mut expected = placed(&table.base);
-        for (i, pose) in robot.link_poses(&state.q).iter().enumerate() {
-            expected *= transform(table.convention, &table.rows[i], state.q[i]);
+        let links = robot.link_poses(&state.q);
+        let expected = axes(&table).into_iter().zip(poses(&table, &state.q));
+        for (axis, expected) in expected.filter(|(axis, _)| axis.is_free) {
+            let pose = links[axis.joint];
             assert_small(&rotation(&(pose - expected)), 1.0, N);
             assert_small(&position(&(pose - expected)), reach, N);
         }
@@ -75,9 +38,11 @@ pub(super) fn link_poses_are_products_of_the_transforms_of_the_table<
 pub(super) fn last_link_pose_is_the_forward_kinematics<const N: usize, const P: usize>(
     robot: &dyn AnyArm<N, P>,
 ) {
-    let tool = placed(&robot.table().tool.frame);
+    let table = robot.table();
+    let tool = placed(&table.tool.frame);
     for state in states() {
-        let expected = robot.link_poses(&state.q)[N - 1] * tool;
+        let links = with_followers(&table, &state.q, &robot.link_poses(&state.q));
+        let expected = links.last().expect("a link") * tool;
         let difference = robot.forward_kinematics(&state.q) - expected;
         assert_small(&rotation(&difference), 1.0, N);
         let reach = Magnitude::at(robot, &state).reach;

@@ -3,6 +3,7 @@
 //! Derivatives are exact: the functions run on the dual numbers of `num-dual`.
 
 mod any_arm;
+mod axes;
 mod coriolis;
 mod derivatives;
 mod energy;
@@ -92,3 +93,5 @@ identities_of_all! { tilting_cell: TiltingCell, 4, 6; }
 identities_of_all! { generic_mixed_n6_modified: GenericMixed6Modified, 6, 15; }
 identities_of_all! { sprung_arm: SprungArm, 3, 3; }
 identities_of_all! { sticky_arm: StickyArm, 2, 1; }
+identities_of_all! { gripper_arm: GripperArm, 3, 3; }
+identities_of_all! { palletiser: Palletiser, 3, 3; }

@@ -5,6 +5,7 @@ use robot_dynamics::{NewtonEuler, Spring, State, Table};
 use testkit::random::Random;
 
 use super::any_arm::AnyArm;
+use super::axes::{axes, with_axes};
 use super::samples::{Magnitude, assert_small, states};
 
 /// Y base_parameters + K + F = tau.
@@ -76,8 +77,9 @@ pub(super) fn columns_of_the_regressor_are_independent<const N: usize, const P: 
 }
 
 /// The same geometry with other links, springs and friction left out.
-fn with_other_links<const N: usize>(mut table: Table<N>, random: &mut Random) -> Table<N> {
-    for row in &mut table.rows {
+fn with_other_links<const N: usize>(table: &Table<N>, random: &mut Random) -> Table<N> {
+    let mut axes = axes(table);
+    for row in axes.iter_mut().map(|axis| &mut axis.row) {
         row.mass = random.between(0.5, 5.0);
         row.com = [(); 3].map(|()| random.between(-0.3, 0.3));
         let diagonal = [(); 3].map(|()| random.between(0.1, 0.15));
@@ -90,7 +92,7 @@ fn with_other_links<const N: usize>(mut table: Table<N>, random: &mut Random) ->
         (row.viscous, row.coulomb, row.stribeck) = (0.0, [0.0; 2], None);
         row.spring = Spring::NONE;
     }
-    table
+    with_axes(table, &axes)
 }
 
 /// Identification: base parameters by least squares from the torques of an arm of the same geometry,
@@ -107,7 +109,7 @@ pub(super) fn torques_of_any_inertia_are_combinations_of_the_columns<
     let factors = matrix.svd(true, true);
     let mut random = Random::seeded(7);
     for _ in 0..3 {
-        let table = with_other_links(robot.table(), &mut random);
+        let table = with_other_links(&robot.table(), &mut random);
         let unknown = NewtonEuler::new(&table);
         let torque = |state: &State<N>| unknown.inverse_dynamics(&state.q, &state.qd, &state.qdd);
         let measured = states.iter().flat_map(|state| torque(state).data.0[0]);

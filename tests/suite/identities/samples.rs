@@ -2,10 +2,11 @@
 
 use num_dual::Dual64;
 use robot_dynamics::nalgebra::{Dim, Matrix, RawStorage, SVector};
-use robot_dynamics::{JointType, Row, Spring, State, Stribeck, Table};
+use robot_dynamics::{JointType, State, Stribeck, Table};
 use testkit::random::Random;
 
 use super::any_arm::AnyArm;
+use super::axes::{Axis, axes};
 
 /// What two results may differ by, for each joint, relative to their magnitude: the bound of the
 /// accuracy tests for both of them, and as much again for the sums of the test itself.
@@ -67,19 +68,24 @@ impl Magnitude {
         let gravity = weight * reach;
         let coriolis = inertia * speed * speed;
         let friction = largest(&robot.friction_vector(&state.qd));
-        let springs = || table.rows.iter().map(|row| row.spring).zip(state.q.iter());
-        let stretch = |spring: Spring, q: &f64| q.abs() + spring.rest.abs();
-        let forces = springs().map(|(spring, q)| spring.stiffness * stretch(spring, q));
-        let spring = forces.fold(0.0, f64::max);
-        let energies =
-            springs().map(|(spring, q)| 0.5 * spring.stiffness * stretch(spring, q).powi(2));
-        let stiffness = springs().map(|(spring, _)| spring.stiffness);
-        // exp(-x^2) has a slope below 1.
-        let slope = |row: &Row| {
-            let falls = |stribeck: Stribeck| stribeck.friction / stribeck.velocity;
-            row.viscous + row.stribeck.map_or(0.0, falls)
+        let axes = axes(&table);
+        let stretch = |axis: &Axis| {
+            let rest = axis.row.spring.rest.abs() + axis.offset.abs();
+            axis.speed(&state.q).abs() + rest
         };
-        let slopes = table.rows.iter().map(slope);
+        let spring = |axis: &Axis| axis.factor.abs() * axis.row.spring.stiffness * stretch(axis);
+        let spring = axes.iter().map(spring).fold(0.0, f64::max);
+        let energy = |axis: &Axis| 0.5 * axis.row.spring.stiffness * stretch(axis).powi(2);
+        let energies = axes.iter().map(energy);
+        let square = |axis: &Axis| axis.factor * axis.factor;
+        let stiffness = axes.iter();
+        let stiffness = stiffness.map(|axis| square(axis) * axis.row.spring.stiffness);
+        // exp(-x^2) has a slope below 1.
+        let slope = |axis: &Axis| {
+            let falls = |stribeck: Stribeck| stribeck.friction / stribeck.velocity;
+            square(axis) * (axis.row.viscous + axis.row.stribeck.map_or(0.0, falls))
+        };
+        let slopes = axes.iter().map(slope);
         let inertial = inertia * largest(&state.qdd) + coriolis;
         Magnitude {
             inertia,
@@ -101,15 +107,16 @@ fn norm(v: [f64; 3]) -> f64 {
 }
 
 fn reach<const N: usize>(table: &Table<N>, q: &SVector<f64, N>) -> f64 {
-    let link = |(row, q): (&Row, &f64)| {
+    let link = |axis: Axis| {
+        let row = axis.row;
         let travel = match row.joint_type {
             JointType::Revolute => 0.0,
-            JointType::Prismatic => q.abs(),
+            JointType::Prismatic => axis.position(q).abs(),
         };
         row.a.abs() + row.d.abs() + travel + norm(row.com)
     };
     let tool = norm(table.tool.frame.xyz) + norm(table.tool.com);
-    let links: f64 = table.rows.iter().zip(q.iter()).map(link).sum();
+    let links: f64 = axes(table).into_iter().map(link).sum();
     norm(table.base.xyz) + links + tool
 }
 
