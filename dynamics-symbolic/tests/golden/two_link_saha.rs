@@ -2075,7 +2075,12 @@ for Arm {
     }
 }
 impl ::robot_dynamics::TaylorDynamics<2> for Arm {
-    type Products<T: ::robot_dynamics::Scalar> = ::robot_dynamics::ProductTable<T, 0, 2>;
+    type Products<T: ::robot_dynamics::Scalar> = ::robot_dynamics::ProductTable<
+        T,
+        0,
+        2,
+        0,
+    >;
     #[inline(always)]
     fn series_term<T: ::robot_dynamics::Scalar>(
         &self,
@@ -2165,18 +2170,18 @@ impl ::robot_dynamics::Function<::robot_dynamics::functions::WrenchTorques, 2> f
     > {
         ::core::result::Result::Ok({
             let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-            let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+            let [(s_2, c_2), (s_1, c_1)] = ::robot_dynamics::Inputs::sin_cos(
                 sines,
-                [0, 1],
-                [q.data.0[0][0], q.data.0[0][1]],
+                [1, 0],
+                [q.data.0[0][1], q.data.0[0][0]],
             );
             let wrench_1 = wrench.data.0[0][0];
             let wrench_2 = wrench.data.0[0][1];
             let wrench_6 = wrench.data.0[0][5];
             let t_1 = (-c_1).mul_add(wrench_2, s_1 * wrench_1);
             let t_2 = s_1.mul_add(wrench_2, c_1 * wrench_1);
-            let t_3 = (-s_2).mul_add(t_2, wrench_6);
-            let t_4 = (-c_2).mul_add(t_1, t_3);
+            let t_3 = (-c_2).mul_add(t_1, wrench_6);
+            let t_4 = (-s_2).mul_add(t_2, t_3);
             let t_5 = real(-2.0).mul_add(t_1, t_4);
             ::robot_dynamics::nalgebra::SMatrix::from_data(
                 ::robot_dynamics::nalgebra::ArrayStorage([[t_5, t_4]]),

@@ -103,11 +103,11 @@ fn snapshot_and_shorter_than_what_a_user_would_write() {
 }
 
 /// Beside the recursion that each is a variation of: the passivity torque is Newton-Euler with a second
-/// velocity, the momentum bias takes no accelerations. Two velocities cost the PUMA 0.4 % more than the
-/// 1.15 of tau that the longer arm stays below.
+/// velocity, the momentum bias takes no accelerations.
 #[test]
 fn lengths_beside_the_recursions() {
-    for (robot, passivity) in [("puma560", 1.16), ("panda", 1.15)] {
+    // The PUMA's Jacobian takes 61 operations, for its wrist moves no point of its tip.
+    for (robot, of_jacobian) in [("puma560", 0.91), ("panda", 0.7)] {
         let ratio = |a, b| length(robot, a) / length(robot, b);
         let torque = ratio(Function::PassivityTorque, Function::InverseDynamics);
         let bias = ratio(Function::MomentumBias, Function::CoriolisVector);
@@ -116,7 +116,7 @@ fn lengths_beside_the_recursions() {
             "{robot}: passivity {torque:.3} of tau, bias {bias:.3} of V, J' w {wrench:.3} of J"
         );
         assert!(
-            torque <= passivity && bias <= 1.15 && wrench < 1.0,
+            torque <= 1.15 && bias <= 1.15 && wrench <= of_jacobian,
             "{robot}"
         );
     }
