@@ -2,8 +2,8 @@
 
 mod compiled;
 mod generated;
-mod rebuild;
 mod mimic;
+mod rebuild;
 mod tables;
 mod urdf;
 

@@ -151,7 +151,13 @@ impl Check {
     ) -> Report {
         let table = robot.table();
         let numeric = NewtonEuler::new(&table);
-        let mut states = self.states(table.rows.each_ref().map(|row| row.joint_type));
+        let mut farthest = [1.0_f64; N];
+        for follower in table.followers.iter() {
+            let farthest = &mut farthest[follower.leader];
+            *farthest = farthest.max(follower.factor.abs());
+        }
+        let joints = table.rows.each_ref().map(|row| row.joint_type);
+        let mut states = self.states(joints, farthest);
         states.extend(self.slow_states(&table));
         let mut report = Report::new(&robot.joint_names(), states.len(), self.seed);
         // The regressor of the potential energy leaves a constant open: that of the first state.

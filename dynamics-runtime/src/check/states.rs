@@ -15,8 +15,13 @@ const AT_REST: usize = 4;
 const SLOW: usize = 16;
 
 impl Check {
-    /// The special states, then the random ones, each with a name.
-    pub(super) fn states<const N: usize>(&self, joints: [JointType; N]) -> Vec<(String, State<N>)> {
+    /// The special states, then the random ones, each with a name. `farthest` says how far what follows a
+    /// joint goes for each unit of it: no angle is larger than it is asked for, for its rounding is an error of its sine.
+    pub(super) fn states<const N: usize>(
+        &self,
+        joints: [JointType; N],
+        farthest: [f64; N],
+    ) -> Vec<(String, State<N>)> {
         let mut random = SplitMix64(self.seed);
         let mut states = vec![(
             "zero".into(),
@@ -42,8 +47,8 @@ impl Check {
         }
         for i in 0..LARGE_ANGLES {
             add(format!("large angles {i}"), &|random, state| {
-                for (q, joint_type) in state.q.iter_mut().zip(joints) {
-                    let angle = random.within(&(-1e3..=1e3));
+                for ((q, joint_type), farthest) in state.q.iter_mut().zip(joints).zip(farthest) {
+                    let angle = random.within(&(-1e3..=1e3)) / farthest;
                     // What slides does not go a kilometre: moments of inertia over that distance cost
                     // the numeric side digits that the model has.
                     if joint_type == JointType::Revolute {
@@ -100,7 +105,7 @@ mod tests {
 
     #[test]
     fn equal_settings_give_equal_states() {
-        let states = |check: &Check| check.states([Revolute; 4]);
+        let states = |check: &Check| check.states([Revolute; 4], [1.0; 4]);
         let check = Check::new().samples(5).seed(3);
         assert_eq!(states(&check), states(&check.clone()));
         assert_ne!(states(&check), states(&check.clone().seed(4)));
@@ -108,7 +113,7 @@ mod tests {
 
     #[test]
     fn only_what_turns_is_at_large_angles() {
-        let states = Check::new().states([Prismatic, Revolute]);
+        let states = Check::new().states([Prismatic, Revolute], [1.0; 2]);
         let mut large = states
             .iter()
             .filter(|(label, _)| label.starts_with("large"));
@@ -120,7 +125,7 @@ mod tests {
 
     #[test]
     fn special_states_are_what_their_names_say() {
-        let states = Check::new().samples(2).states([Revolute; 3]);
+        let states = Check::new().samples(2).states([Revolute; 3], [1.0; 3]);
         for (label, state) in &states {
             let quarters = state.q / FRAC_PI_2;
             match label.split(' ').next().unwrap() {
