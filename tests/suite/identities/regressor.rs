@@ -56,7 +56,10 @@ fn stacked<const N: usize, const P: usize>(
     let mut matrix = DMatrix::from_fn(N * states.len(), regressors[0].len(), |row, column| {
         regressors[row / N][column][row % N]
     });
-    let norms = DVector::from_iterator(matrix.ncols(), matrix.column_iter().map(|c| c.norm()));
+    // Columns of a coupled arm may vanish.
+    let norm = |norm: f64| if norm > 0.0 { norm } else { 1.0 };
+    let norms = matrix.column_iter().map(|column| norm(column.norm()));
+    let norms = DVector::from_iterator(matrix.ncols(), norms);
     for (mut column, norm) in matrix.column_iter_mut().zip(norms.iter()) {
         column /= *norm;
     }
@@ -118,7 +121,8 @@ pub(super) fn torques_of_any_inertia_are_combinations_of_the_columns<
         let torque = |state: &State<N>| unknown.inverse_dynamics(&state.q, &state.qd, &state.qdd);
         let measured = states.iter().flat_map(|state| torque(state).data.0[0]);
         let measured = DVector::from_iterator(N * states.len(), measured);
-        let scaled = factors.solve(&measured, 0.0).expect("both factors");
+        let least = 1e-9 * factors.singular_values.max();
+        let scaled = factors.solve(&measured, least).expect("both factors");
         let identified = scaled.component_div(&norms);
         for state in super::samples::states() {
             let columns = columns(robot, &state);
