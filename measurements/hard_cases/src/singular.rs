@@ -4,6 +4,7 @@ use robot_dynamics::nalgebra::{Vector2, Vector3};
 use robot_dynamics::{Conditioning, ForwardDynamics};
 
 use super::arms::*;
+use super::conditioning::proven;
 use super::entries::{entry, relative_error};
 use super::score::Score;
 
@@ -75,7 +76,7 @@ fn gimbal(id: &'static str, angle: f64, bound: f64, naive: f64) -> Vec<Score> {
         Err(_) => f64::INFINITY,
     };
     let nearest = Conditioning::of(&IdealWrist.mass_matrix(&q));
-    vec![
+    let mut scores = vec![
         Score::at_most(id, "error of qdd, forward_dynamics_aba", articulated, bound).naive(naive),
         Score::at_most(
             id,
@@ -89,5 +90,7 @@ fn gimbal(id: &'static str, angle: f64, bound: f64, naive: f64) -> Vec<Score> {
             (nearest.lost_digits() / (-2.0 * angle.log10()) - 1.0).abs(),
             0.5,
         ),
-    ]
+    ];
+    scores.extend(proven(id, &IdealWrist, nearest.error()));
+    scores
 }

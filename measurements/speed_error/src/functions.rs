@@ -3,8 +3,8 @@
 use clock::Effort;
 use robot_dynamics::nalgebra::{SMatrix, SVector};
 use robot_dynamics::{
-    Batch, CoriolisVector, DoubleDouble, ForwardDynamics, GravityVector, InverseDynamics,
-    MassMatrix, Model, NewtonEuler, SingularMassMatrix, Table,
+    Batch, Certified, CoriolisVector, DoubleDouble, ForwardDynamics, GravityVector,
+    InverseDynamics, MassMatrix, Model, NewtonEuler, SingularMassMatrix, Table,
 };
 
 use crate::errors::{AtState, Errors};
@@ -58,6 +58,19 @@ impl Function {
             Function::V => values.scale.coriolis,
             Function::G => values.scale.gravity,
             Function::Tau | Function::Qdd => values.scale.torque,
+        }
+    }
+
+    /// Bounds of errors as errors are judged: those of accelerations by the torques that they take at most.
+    fn judged_bounds<const N: usize>(self, bounds: &[f64], values: &Values<N>) -> Vec<f64> {
+        match self {
+            Function::Qdd => {
+                let m = values.mass_matrix.map(|x| x.high().abs());
+                (m * SVector::<_, N>::from_column_slice(bounds))
+                    .as_slice()
+                    .to_vec()
+            }
+            _ => bounds.to_vec(),
         }
     }
 
@@ -136,6 +149,8 @@ pub(crate) struct Measured {
     pub(crate) variant: Variant,
     pub(crate) nanoseconds: f64,
     pub(crate) errors: Errors,
+    /// The largest proven bound of an error, as the largest error is judged; where it was asked for.
+    pub(crate) bound: Option<f64>,
 }
 
 /// An arm that is measured.
@@ -179,6 +194,7 @@ impl<const N: usize> Measurements<N> {
         measurements.generated::<f64, R>(Variant::F64, arm);
         measurements.generated_otherwise(arm);
         measurements.generated::<f32, R>(Variant::F32, arm);
+        measurements.proven(arm);
         measurements.numeric(&NewtonEuler::new(&arm.table()));
         measurements
     }
@@ -199,6 +215,47 @@ impl<const N: usize> Measurements<N> {
         self.measure(Function::Qdd, variant, |s: &State<T, N>| {
             or_nan(arm.forward_dynamics(&s.q, &s.qd, &s.tau))
         });
+    }
+
+    /// The proven bounds of the errors in doubles.
+    fn proven<R: Arm<N>>(&mut self, arm: &R) {
+        self.bound(Function::M, |s| arm.mass_matrix(&s.q));
+        self.bound(Function::V, |s| arm.coriolis_vector(&s.q, &s.qd));
+        self.bound(Function::G, |s| arm.gravity_vector(&s.q));
+        self.bound(Function::Tau, |s| arm.inverse_dynamics(&s.q, &s.qd, &s.qdd));
+        self.bound(Function::Qdd, |s| {
+            let qdd = arm.forward_dynamics(&s.q, &s.qd, &s.tau);
+            qdd.unwrap_or_else(|_| SVector::repeat(Certified::exact(f64::NAN)))
+        });
+    }
+
+    /// The largest bound at all states, beside the errors that were measured in doubles.
+    fn bound<const C: usize>(
+        &mut self,
+        function: Function,
+        value: impl Fn(&State<Certified, N>) -> SMatrix<Certified, N, C>,
+    ) {
+        let states = self.samples.states_as(Certified::exact);
+        let bounds = states
+            .iter()
+            .zip(&self.samples.values)
+            .map(|(state, values)| {
+                let bounds = value(state).map(|x| x.bound());
+                let judged = function.judged_bounds(bounds.as_slice(), values);
+                let over = |bound: f64| {
+                    if bound == 0.0 {
+                        0.0
+                    } else {
+                        bound / function.scale(values)
+                    }
+                };
+                judged.into_iter().map(over).fold(0.0, f64::max)
+            });
+        let largest = bounds.fold(0.0, f64::max);
+        let is_beside = |m: &&mut Measured| (m.function, m.variant) == (function, Variant::F64);
+        for measured in self.all.iter_mut().filter(is_beside) {
+            measured.bound = Some(largest);
+        }
     }
 
     /// With fused instructions, which a plain build has only where they are asked for.
@@ -365,6 +422,7 @@ impl<const N: usize> Measurements<N> {
             variant,
             nanoseconds,
             errors,
+            bound: None,
         });
     }
 }

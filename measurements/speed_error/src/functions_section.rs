@@ -19,7 +19,9 @@ pub(crate) fn section(all: &[Measured]) -> Result<Section, Box<dyn Error>> {
          The exact values are Newton-Euler in 31 digits on the doubles of the table. Errors are \
          relative to the natural magnitude: max |M| for M, max |M| max |qd|^2 for V, sum m |g| reach \
          for G, and max |M| max |qdd| with both for tau. The error of qdd is the torque that it \
-         takes, M times the error, over the magnitude of tau.",
+         takes, M times the error, over the magnitude of tau. Beside the largest error of the functions in \
+         doubles stands the largest bound that is proven for one of these states (Certified), which counts \
+         from the decimals of the table, not from its doubles, relative to the same magnitudes.",
     );
     section.text(
         "Bits: how many of the last of 53 bits of a single entry are wrong, in the worst case and in \
@@ -51,7 +53,9 @@ fn summary(all: &[Measured]) -> Table {
         "robots",
         "time / f64, median",
         "largest error",
+        "largest proven bound",
         "median of the robots' largest",
+        "median of bound / error",
         "rms, median",
         "worst bits, median",
         "zeros broken",
@@ -79,7 +83,9 @@ fn summary(all: &[Measured]) -> Table {
                 found.len().to_string(),
                 format!("{:.2}", median(found.iter().map(ratio))),
                 short(largest),
+                largest_bound(&found),
                 short(median(found.iter().map(|m| m.errors.largest))),
+                median_ratio(&found),
                 short(median(found.iter().map(|m| m.errors.rms))),
                 format!("{:.0}", median(found.iter().map(|m| m.errors.worst_bits))),
                 format!("{broken} of {zeros}"),
@@ -87,6 +93,23 @@ fn summary(all: &[Measured]) -> Table {
         }
     }
     table
+}
+
+/// The largest proven bound of some measurements, where there are bounds.
+fn largest_bound(found: &[&Measured]) -> String {
+    let bounds = found.iter().filter_map(|m| m.bound);
+    bounds.reduce(f64::max).map_or_else(String::new, short)
+}
+
+/// How many times their largest errors the largest bounds of the robots are, in the median.
+fn median_ratio(found: &[&Measured]) -> String {
+    let ratio =
+        |m: &&&Measured| Some(m.bound? / m.errors.largest).filter(|ratio| ratio.is_finite());
+    let ratios: Vec<f64> = found.iter().filter_map(|m| ratio(&m)).collect();
+    match ratios.is_empty() {
+        true => String::new(),
+        false => format!("{:.0}", median(ratios.into_iter())),
+    }
 }
 
 fn median(values: impl Iterator<Item = f64>) -> f64 {
@@ -105,6 +128,7 @@ fn table(robot: &str, measured: &[&Measured]) -> Table {
         "function, variant",
         "ns",
         "largest error",
+        "proven bound",
         "rms",
         "bits, worst",
         "bits, median",
@@ -117,6 +141,7 @@ fn table(robot: &str, measured: &[&Measured]) -> Table {
                 format!("{}, {}", function.symbol(), m.variant.name()),
                 nanoseconds(m.nanoseconds),
                 short(m.errors.largest),
+                m.bound.map_or_else(String::new, short),
                 short(m.errors.rms),
                 format!("{:.0}", m.errors.worst_bits),
                 format!("{:.1}", m.errors.median_bits),

@@ -1,7 +1,7 @@
 //! The states at which functions are measured, and their exact values there.
 
 use robot_dynamics::nalgebra::{SMatrix, SVector};
-use robot_dynamics::{DoubleDouble, JointType, Row, Table};
+use robot_dynamics::{DoubleDouble, JointType, Row, Scalar, Table};
 use testkit::exact::Exact;
 use testkit::random::Random;
 
@@ -105,7 +105,12 @@ impl<const N: usize> Samples<N> {
 
     /// All states, the ordinary ones first.
     pub(crate) fn states<T: Number>(&self) -> Vec<State<T, N>> {
-        let number = |x: &SVector<f64, N>| x.map(T::from_f64);
+        self.states_as(T::from_f64)
+    }
+
+    /// All states, in numbers that are made of doubles.
+    pub(crate) fn states_as<T: Scalar>(&self, number: impl Fn(f64) -> T) -> Vec<State<T, N>> {
+        let number = |x: &SVector<f64, N>| x.map(&number);
         let states = self.states.iter().map(|state| State {
             q: number(&state.q),
             qd: number(&state.qd),
