@@ -23,6 +23,13 @@ impl<F: Rounded> Scalar for Certified<F> {
         Self::read(x)
     }
 
+    /// As far again from the exact constant as the other single is, which is a neighbour: their difference is exact.
+    fn rounded_once(self, single: f32) -> Self {
+        let value = self.value.rounded_once(single);
+        let distance = Bound::new((value - self.value).magnitude());
+        Certified::new(value, self.error + distance)
+    }
+
     fn epsilon() -> Self {
         Certified::exact(F::epsilon())
     }

@@ -172,6 +172,12 @@ fn constants_are_rounded_numbers() {
     let distance = f64::from(0.1_f32) - 0.1;
     assert!(f64::from(single.bound()) >= distance + half_a_unit);
     assert!(f64::from(single.bound()) < 1.000_001 * distance);
+    let next = 0.1_f32.next_up();
+    let moved = single.rounded_once(next);
+    assert_eq!(moved.value(), next);
+    assert!(f64::from(moved.bound()) >= f64::from(next) - 0.1);
+    let double = Certified::<f64>::from_f64(0.1);
+    assert_eq!(double.rounded_once(next), double);
 }
 
 #[test]
