@@ -10,6 +10,7 @@ mod block;
 mod error;
 #[cfg(feature = "files")]
 mod file;
+mod identified;
 mod layout;
 mod methods;
 mod read;
@@ -26,6 +27,7 @@ pub use dynamics_symbolic;
 pub use error::{BuildError, EvaluationError, UnknownField, WrongJoints};
 #[cfg(feature = "files")]
 pub use file::{Besides, FileError, FileMistake, read_file};
+pub use identified::IdentificationError;
 pub use robot::RuntimeRobot;
 pub use typed::{Typed, TypedDynamics, TypedTip};
 pub use value::Value;

@@ -41,8 +41,8 @@ impl RuntimeRobot {
 /// A [`RuntimeRobot`] of `N` joints: all of its functions can be evaluated, those that it has.
 #[derive(Clone, Copy, Debug)]
 pub struct Typed<'a, const N: usize> {
-    arm: &'a RuntimeRobot,
-    table: Table<N>,
+    pub(crate) arm: &'a RuntimeRobot,
+    pub(crate) table: Table<N>,
 }
 
 /// A [`RuntimeRobot`] of `N` joints that has the functions by which an arm moves: what

@@ -3,5 +3,6 @@
 mod batches;
 mod data_files;
 mod generated;
+mod identified;
 mod languages;
 mod refusals;
