@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Measures what the project has set itself goals for, and writes the table of goals, met or missed, into
 # docs/PERFORMANCE.md: the generated functions beside a trial that benches/rivals/elsewhere/trial.sh builds, in
-# turn on one core; then two cores beside one. With `avx2` the same without AVX-512, where a processor has it.
+# turn on one core, and the C code that `robot-dynamics generate` writes; then two cores beside one. With `avx2`
+# the same without AVX-512, where a processor has it.
 #
 # ROUNDS says how often each program runs (5), GOALS_TARGET where cargo builds.
 set -euo pipefail
@@ -18,13 +19,15 @@ flags="$flags -C symbol-mangling-version=v0"
 RUSTFLAGS=$flags cargo build --quiet --release -p goals --target "$host" --target-dir "$target/$lanes"
 goals=$target/$lanes/$host/release/goals
 trial=$(benches/rivals/elsewhere/trial.sh "$march" "$target/trial-$lanes")
+of_c=$(benches/rivals/elsewhere/generated_c.sh "$march" "$target/generated-c-$lanes")
+mapfile -t c_programs <<<"$of_c"
 pin() { if command -v taskset >/dev/null; then taskset -c $(($(nproc) - 1)) "$@"; else "$@"; fi; }
 lines=$target/lines-$lanes.txt
-cp "$trial.errors" "$lines"
+cat "$trial.errors" "${c_programs[@]/%/.errors}" >"$lines"
 for round in $(seq "${ROUNDS:-5}"); do
   echo "round $round" >&2
   pin "$goals" one-core >>"$lines"
-  pin "$trial" >>"$lines"
+  for program in "$trial" "${c_programs[@]}"; do pin "$program" >>"$lines"; done
   "$goals" all-cores >>"$lines"
 done
 table=$target/table-$lanes.md

@@ -14,6 +14,7 @@ const ARMS: [&str; 6] = for_each_arm!(names);
 
 const GENERATED: &str = "generated";
 const TRIAL: &str = "trial";
+const COMPILERS: [&str; 2] = ["C,gcc", "C,clang"];
 
 /// Numbers by kind, arm, function and candidate; medians of all runs.
 struct Records(BTreeMap<String, Vec<[f64; 2]>>);
@@ -175,6 +176,7 @@ pub(crate) fn print(lanes: &str, file: &str) {
         }
     }
     details(&records);
+    in_c(&records);
 }
 
 fn shares(what: &str, each: &Each, bar: f64) {
@@ -218,6 +220,33 @@ fn details(records: &Records) {
                 records.ratio(arm, &format!("{batch}_f32")),
                 records.errors(arm, &format!("{batch}_f32"), GENERATED),
             );
+        }
+    }
+}
+
+const HEADS_OF_C: &str = "
+The C code that `robot-dynamics generate` writes: ns of one call, times those of the generated Rust, and largest error
+and root of the mean square over the natural scale. The programs are the same; the sines are the C library's, one
+angle after the other, where those of Rust are evaluated together in vectors.
+
+| arm | function | Rust | C, gcc | / Rust | errors | C, clang | / Rust | errors |
+|---|---|--:|--:|--:|---|--:|--:|---|
+";
+
+fn in_c(records: &Records) {
+    if records.time(ARMS[0], NAMES[0], COMPILERS[0]).is_nan() {
+        return;
+    }
+    print!("{HEADS_OF_C}");
+    for arm in ARMS {
+        for function in NAMES {
+            let rust = records.time(arm, function, GENERATED);
+            let [gcc, clang] = COMPILERS.map(|compiler| {
+                let time = records.time(arm, function, compiler);
+                let errors = records.errors(arm, function, compiler);
+                format!("{time:.1} | {:.2} | {errors}", time / rust)
+            });
+            println!("| {arm} | {function} | {rust:.1} | {gcc} | {clang} |");
         }
     }
 }

@@ -237,9 +237,9 @@ fn what_is_saved() {
         panda     mass_matrix coriolis_vector gravity_vector    899 + 18   852 + 6   5.2 %
         panda     inverse_dynamics inverse_dynamics_derivatives 3073 + 12  2537 + 6  17.4 %
         ur5       mass_matrix coriolis_vector gravity_vector    263 + 13   236 + 5  10.3 %
-        ur5       inverse_dynamics inverse_dynamics_derivatives  926 + 10   771 + 5  16.7 %
+        ur5       inverse_dynamics inverse_dynamics_derivatives  927 + 10   772 + 5  16.7 %
         stanford  mass_matrix coriolis_vector gravity_vector    317 +  9   316 + 3   0.3 %
-        stanford  inverse_dynamics inverse_dynamics_derivatives 1164 +  6   946 + 3  18.7 %
+        stanford  inverse_dynamics inverse_dynamics_derivatives 1160 +  6   939 + 3  19.1 %
         elbow_3r  mass_matrix coriolis_vector gravity_vector    110 +  6    87 + 2  20.9 %
         elbow_3r  inverse_dynamics inverse_dynamics_derivatives  287 +  4   224 + 2  22.0 %
         scara     mass_matrix coriolis_vector gravity_vector     70 +  4    64 + 2   8.6 %
