@@ -10,11 +10,11 @@
 pub mod derive;
 pub mod emit;
 pub mod exact;
-mod expand;
 pub mod expr;
 pub mod formula;
 pub mod function;
 pub mod linear;
+mod methods;
 pub mod neglect;
 mod polynomial;
 pub mod program;
@@ -27,6 +27,6 @@ pub mod spatial;
 pub use emit::{
     base_parameter_constants, function_type, method_name, stub, stub_of_function, stub_of_trait,
 };
-pub use expand::{Failure, Method, Reason, expand, expand_with, percent, proven_program};
 pub use function::{Function, Request};
+pub use methods::{Failure, Method, Reason, expand, expand_with, percent, proven_program};
 pub use program::{Operations, Proven};

@@ -9,11 +9,11 @@ pub(super) enum Atom {
     Pi,
     /// A symbolic parameter.
     Field(usize),
-    /// Cosine of the constant or parametric angle of that index in [`Atoms::angles`](super::expand::Atoms).
+    /// Cosine of the constant or parametric angle of that index in [`Atoms::angles`](super::multiply_out::Atoms).
     AngleCosine(usize),
     /// Its sine.
     AngleSine(usize),
-    /// The sum of that index in [`Atoms::divisors`](super::expand::Atoms), by which something is divided.
+    /// The sum of that index in [`Atoms::divisors`](super::multiply_out::Atoms), by which something is divided.
     Divisor(usize),
     /// q of a joint.
     Position(usize),

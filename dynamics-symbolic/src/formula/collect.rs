@@ -1,8 +1,8 @@
 //! Common factors: l1^2 (m1 + m2) for m1 l1^2 + m2 l1^2.
 
 use super::atom::Atom;
-use super::expand::Atoms;
 use super::expression::{Base, Expression, Factor, Number, Term};
+use super::multiply_out::Atoms;
 use crate::exact::Rational;
 use crate::polynomial::{Monomial, Polynomial, exponent, inverse, product};
 use crate::program::{Constant, ConstantId, ConstantPool};

@@ -1,6 +1,6 @@
 //! Programs as formulas that a person can read.
 //!
-//! A program is multiplied out into polynomials (`expand`), exactly, so that what is shown is what was
+//! A program is multiplied out into polynomials (`multiply_out`), exactly, so that what is shown is what was
 //! proven. The angles of parallel axes are added up (`angles`: c12 = cos(q1 + q2)), what has factors in
 //! common is collected (`collect`), and the result is written as text, LaTeX or MathML (`write`).
 //! [`Structure`] says what can be said of a program of any length: which of its outputs are zero or
@@ -9,16 +9,16 @@
 mod angles;
 mod atom;
 mod collect;
-mod expand;
 mod expression;
 mod groups;
+mod multiply_out;
 mod names;
 mod reduce;
 mod structure;
 mod too_long;
 mod write;
 
-pub use expand::Budget;
+pub use multiply_out::Budget;
 pub use structure::Structure;
 pub use too_long::TooLong;
 pub use write::Format;
@@ -99,7 +99,7 @@ impl Formulas {
     /// left out, and so are those whose values are arranged in arrays and tuples.
     pub fn new(robot: &Robot, functions: &[Function], program: &Program, budget: Budget) -> Self {
         let groups = Groups::of(robot);
-        let (atoms, values) = expand::expand(&groups, program, budget);
+        let (atoms, values) = multiply_out::multiplied_out(&groups, program, budget);
         let collected = |polynomial| {
             let merged = angles::merged(polynomial, &groups);
             (merged.len(), collect::collected(&atoms, &merged))

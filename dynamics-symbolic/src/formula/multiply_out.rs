@@ -37,7 +37,7 @@ pub(super) struct Atoms {
 }
 
 /// The outputs of a program as polynomials, or how long those are that are beyond the budget.
-pub(super) fn expand(
+pub(super) fn multiplied_out(
     groups: &Groups,
     program: &Program,
     budget: Budget,
