@@ -14,9 +14,7 @@ impl Tape {
         let parameters = self.parameters.iter();
         shared.extend(parameters.map(|symbol| parameter(symbol, fields, constant)));
         for operation in &self.shared {
-            let value = operation.value(&|place| match place {
-                Place::Shared(index) | Place::Slot(index) => shared[usize::from(index)],
-            });
+            let value = operation.value(&|place: Place| shared[usize::from(place.index())]);
             shared.push(value);
         }
         shared
@@ -25,9 +23,14 @@ impl Tape {
     /// The outputs at a state, where `read` gives the symbols their values.
     pub(crate) fn at<T: Scalar>(&self, shared: &[T], read: &impl Fn(&Symbol) -> T) -> Vec<T> {
         let mut slots: Vec<Option<T>> = vec![None; self.slots];
-        let at = |slots: &[Option<T>], place: Place| match place {
-            Place::Shared(index) => shared[usize::from(index)],
-            Place::Slot(index) => slots[usize::from(index)].expect("written before it is read"),
+        let mut last = None;
+        let at = |slots: &[Option<T>], last: Option<T>, place: Place| {
+            let known = match place {
+                Place::Last => last,
+                Place::Shared(index) => Some(shared[usize::from(index)]),
+                Place::Slot(index) => slots[usize::from(index)],
+            };
+            known.expect("written before it is read")
         };
         for step in &self.steps {
             match *step {
@@ -44,13 +47,15 @@ impl Tape {
                     slots[usize::from(cosine)] = Some(c);
                 }
                 Step::Compute { operation, to } => {
-                    let value = operation.value(&|place| at(&slots, place));
-                    slots[usize::from(to)] = Some(value);
+                    last = Some(operation.value(&|place| at(&slots, last, place)));
+                    if let Some(to) = to {
+                        slots[usize::from(to)] = last;
+                    }
                 }
             }
         }
         let outputs = self.outputs.iter().map(|output| {
-            let value = at(&slots, output.place);
+            let value = at(&slots, last, output.place);
             match output.negative {
                 true => -value,
                 false => value,
@@ -69,12 +74,11 @@ impl Operation {
             Operation::Sub(a, b) => at(a) - at(b),
             Operation::Mul(a, b) => at(a) * at(b),
             Operation::Div(a, b) => at(a) / at(b),
-            Operation::MulAdd([x, y], c) => at(x).mul_add(at(y), at(c)),
-            Operation::MulSub([x, y], c) => at(x).mul_add(at(y), -at(c)),
-            Operation::NegMulAdd([x, y], c) => (-at(x)).mul_add(at(y), at(c)),
-            Operation::Sum([x, y], [a, b]) => at(x).mul_add(at(y), at(a) * at(b)),
-            Operation::Difference([x, y], [a, b]) => (-at(x)).mul_add(at(y), at(a) * at(b)),
-            Operation::Copy(a) => at(a),
+            Operation::MulAdd(x, y, c) => at(x).mul_add(at(y), at(c)),
+            Operation::MulSub(x, y, c) => at(x).mul_add(at(y), -at(c)),
+            Operation::NegMulAdd(x, y, c) => (-at(x)).mul_add(at(y), at(c)),
+            Operation::Sum(x, y, a, b) => at(x).mul_add(at(y), at(a) * at(b)),
+            Operation::Difference(x, y, a, b) => (-at(x)).mul_add(at(y), at(a) * at(b)),
         }
     }
 }

@@ -148,20 +148,36 @@ pub(crate) struct Reader<'a> {
     pub(crate) axes: &'a [Axis<f64>],
 }
 
-impl Reader<'_> {
-    /// A symbol at the states from `first` on, as many as there is room for.
-    pub(crate) fn column(&self, symbol: &Symbol, first: usize, column: &mut [f64]) {
-        let Some(source) = Source::of(symbol, self.axes) else {
-            return;
-        };
+/// A symbol at many states.
+pub(crate) struct Column<'a> {
+    source: Source<f64>,
+    /// The entries of the argument that it is read of, and how many of them a state has.
+    entries: &'a [f64],
+    width: usize,
+}
+
+impl<'a> Reader<'a> {
+    /// A symbol at all states.
+    pub(crate) fn column(&self, symbol: &Symbol) -> Option<Column<'a>> {
+        let source = Source::of(symbol, self.axes)?;
         let mut arguments = self.arguments.iter();
         let of_source = |(known, ..): &&(Argument, &[f64], usize)| *known == source.argument;
-        let Some((_, entries, width)) = arguments.find(of_source) else {
-            return;
-        };
-        gather(&entries[first * width..], *width, source.entry, column);
+        let &(_, entries, width) = arguments.find(of_source)?;
+        Some(Column {
+            source,
+            entries,
+            width,
+        })
+    }
+}
+
+impl Column<'_> {
+    /// The numbers at the states from `first` on, as many as there is room for.
+    pub(crate) fn read(&self, first: usize, lanes: &mut [f64]) {
+        let (source, width) = (&self.source, self.width);
+        gather(&self.entries[first * width..], width, source.entry, lanes);
         if !matches!((&source.factor, &source.read), (None, Read::Itself)) {
-            column.iter_mut().for_each(|x| *x = source.value(*x));
+            lanes.iter_mut().for_each(|x| *x = source.value(*x));
         }
     }
 }

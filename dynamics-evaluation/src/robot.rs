@@ -8,7 +8,7 @@ use dynamics_symbolic::robot::{Robot, Value as Cell};
 use dynamics_symbolic::{Operations, Proven, Request, proven_program};
 use fearless_simd::Level;
 
-use crate::block::{Batch, Block, Kernels, run};
+use crate::block::{Batch, Block, Stage, run, stages};
 use crate::error::{BuildError, EvaluationError, UnknownField};
 use crate::layout::Layout;
 use crate::read::{Axis, Reader, at_state, axes};
@@ -19,7 +19,7 @@ use crate::value::Value;
 ///
 /// Its functions are derived and proven as the macro's are, and are the same operations on the same
 /// constants: a call returns, bit for bit, what a generated method returns. One call takes some ten
-/// times as long as generated code, for each operation is looked up; a batch looks it up once for 64
+/// times as long as generated code, for each operation is looked up; a batch looks it up once for 32
 /// states, in the lanes of vector registers, and takes about as long as single calls of generated code.
 ///
 /// ```
@@ -73,7 +73,7 @@ pub(crate) struct Compiled {
     operations: Operations,
     arguments: Vec<(Argument, usize)>,
     tape: Tape,
-    kernels: Vec<Option<Kernels>>,
+    stages: Vec<Stage>,
     /// The numbers that all states share, for the present values of the fields.
     shared: Vec<f64>,
 }
@@ -364,7 +364,7 @@ impl RuntimeRobot {
         };
         let batch = Batch {
             tape: &function.tape,
-            kernels: &function.kernels,
+            stages: &function.stages,
             shared: &function.shared,
             layout: &function.layout,
             states,
@@ -457,7 +457,7 @@ impl Compiled {
         Ok(Compiled {
             arguments: arguments.collect(),
             operations: proven.program.operations(),
-            kernels: tape.steps.iter().map(Kernels::of).collect(),
+            stages: stages(&tape),
             shared: Vec::new(),
             layout,
             tape,

@@ -6,15 +6,14 @@
 mod kernel;
 mod run;
 
-pub(crate) use kernel::Kernels;
-pub(crate) use run::{Batch, run};
+pub(crate) use run::{Batch, Stage, run, stages};
 
 /// Lanes that are computed together: a register of AVX-512, two of AVX2.
 pub(crate) const LANES: usize = 8;
 
-/// Groups of lanes in a block: 64 states. Twice as many take a tenth longer (the Panda's forward
-/// dynamics), for the slots of a long program outgrow the first cache.
-pub(crate) const GROUPS: usize = 8;
+/// Groups of lanes in a block: 32 states. A number at all of them fits into eight registers of AVX2 or
+/// four of AVX-512, and the slots of a long program into the first cache.
+pub(crate) const GROUPS: usize = 4;
 
 /// States in a block.
 pub(crate) const STATES: usize = GROUPS * LANES;

@@ -4,17 +4,60 @@ use dynamics_runtime::{SingularMassMatrix, sin_cos_column};
 use dynamics_symbolic::robot::Symbol;
 use fearless_simd::{Level, Simd, SimdBase, SimdFrom, SimdMask, dispatch, f64x8};
 
-use super::{Block, GROUPS, Kernels, LANES, STATES};
+use super::kernel::{Bound, carry_out};
+use super::{Block, GROUPS, LANES, STATES};
 use crate::layout::{Layout, Test};
-use crate::read::{Reader, scatter};
+use crate::read::{Column, Reader, scatter};
 use crate::tape::{Output, Place, Step, Tape};
+
+/// What is done at the states of a block.
+#[derive(Clone, Debug)]
+pub(crate) enum Stage {
+    /// Reads a symbol into a slot.
+    Read(Symbol, u16),
+    /// Sine and cosine of a position, into two slots.
+    SinCos(Symbol, [u16; 2]),
+    /// Operations.
+    Compute(Vec<Bound>),
+}
+
+/// The stages of a tape.
+pub(crate) fn stages(tape: &Tape) -> Vec<Stage> {
+    let mut stages = Vec::new();
+    for step in &tape.steps {
+        match (*step, stages.last_mut()) {
+            (Step::Read { input, to }, _) => {
+                let symbol = tape.inputs[usize::from(input)].clone();
+                stages.push(Stage::Read(symbol, to));
+            }
+            (
+                Step::SinCos {
+                    joint,
+                    sine,
+                    cosine,
+                },
+                _,
+            ) => {
+                let position = Symbol::Position(usize::from(joint));
+                stages.push(Stage::SinCos(position, [sine, cosine]));
+            }
+            (Step::Compute { operation, to }, Some(Stage::Compute(operations))) => {
+                operations.push(Bound::new(operation, to));
+            }
+            (Step::Compute { operation, to }, _) => {
+                stages.push(Stage::Compute(vec![Bound::new(operation, to)]));
+            }
+        }
+    }
+    stages
+}
 
 /// A function at many states.
 pub(crate) struct Batch<'a> {
     /// Its tape.
     pub(crate) tape: &'a Tape,
-    /// The kernels of the tape's steps; `None` of those that read.
-    pub(crate) kernels: &'a [Option<Kernels>],
+    /// The stages of the tape.
+    pub(crate) stages: &'a [Stage],
     /// The numbers that all states share.
     pub(crate) shared: &'a [f64],
     /// What its outputs are.
@@ -26,6 +69,8 @@ pub(crate) struct Batch<'a> {
 /// A state at which M is singular, and why.
 pub(crate) type Failure = Option<(usize, SingularMassMatrix)>;
 
+const KEPT: &str = "outputs are kept";
+
 /// The values at all states, one state after the other, with the instructions of a level; the first
 /// state that is refused. The values of states that are refused are NaN.
 pub(crate) fn run(
@@ -35,13 +80,25 @@ pub(crate) fn run(
     slots: &mut [Block],
     results: &mut [f64],
 ) -> Failure {
+    let columns = batch.stages.iter().map(|stage| match stage {
+        Stage::Read(symbol, _) | Stage::SinCos(symbol, _) => read.column(symbol),
+        Stage::Compute(_) => None,
+    });
+    let columns: Vec<Option<Column<'_>>> = columns.collect();
     let mut failure = None;
-    for first in (0..batch.states).step_by(STATES) {
-        let count = (batch.states - first).min(STATES);
+    let mut first = 0;
+    while first < batch.states {
+        let rest = batch.states - first;
+        // What is left beyond two groups is computed as a whole block.
+        let is_whole = rest > 2 * LANES;
+        let count = rest.min(if is_whole { STATES } else { LANES });
         let entries = batch.layout.entries();
         let results = &mut results[first * entries..(first + count) * entries];
         let all_regular = dispatch!(level, simd => {
-            steps(simd, level, batch, read, slots, (first, count));
+            match is_whole {
+                true => steps::<_, GROUPS>(simd, level, batch, &columns, slots, (first, count)),
+                false => steps::<_, 1>(simd, level, batch, &columns, slots, (first, count)),
+            }
             write(batch, slots, results);
             are_regular(simd, batch, slots, count)
         });
@@ -49,56 +106,50 @@ pub(crate) fn run(
             let found = refused(batch, slots, count, results);
             failure = failure.or(found.map(|(state, error)| (first + state, error)));
         }
+        first += count;
     }
     failure
 }
 
-/// All steps on the states of a block.
+/// All stages on the states of so many groups.
 #[inline(always)]
-fn steps<S: Simd>(
+fn steps<S: Simd, const GROUPS: usize>(
     simd: S,
     level: Level,
     batch: &Batch<'_>,
-    read: &Reader<'_>,
+    columns: &[Option<Column<'_>>],
     slots: &mut [Block],
-    (first, count): (usize, usize),
+    states: (usize, usize),
 ) {
-    let groups = count.div_ceil(LANES).min(GROUPS);
-    for (step, kernel) in batch.tape.steps.iter().zip(batch.kernels) {
-        match (kernel, *step) {
-            (Some(kernel), _) => kernel.carry_out(simd, batch.shared, slots, groups),
-            (None, Step::Read { input, to }) => {
-                let symbol = &batch.tape.inputs[usize::from(input)];
-                fill(&mut slots[usize::from(to)], symbol, read, (first, count));
+    for (stage, column) in batch.stages.iter().zip(columns) {
+        match stage {
+            Stage::Read(_, to) => {
+                let lanes = &mut slots[usize::from(*to)].0[..GROUPS];
+                fill(lanes, column, states);
             }
-            (
-                None,
-                Step::SinCos {
-                    joint,
-                    sine,
-                    cosine,
-                },
-            ) => {
-                let mut angles = Block::ZERO;
-                let position = Symbol::Position(usize::from(joint));
-                fill(&mut angles, &position, read, (first, count));
-                let places = [sine, cosine].map(usize::from);
+            Stage::SinCos(_, places) => {
+                let mut angles = [[0.0; LANES]; GROUPS];
+                fill(&mut angles, column, states);
+                let places = places.map(usize::from);
                 if let Ok([sines, cosines]) = slots.get_disjoint_mut(places) {
-                    let angles = &angles.0[..groups];
-                    sin_cos_column(level, angles, &mut sines.0, &mut cosines.0);
+                    sin_cos_column(level, &angles, &mut sines.0, &mut cosines.0);
                 }
             }
-            (None, Step::Compute { .. }) => {}
+            Stage::Compute(operations) => {
+                carry_out::<_, GROUPS>(simd, operations, batch.shared, slots);
+            }
         }
     }
 }
 
-/// An input at the states of a block. Lanes without a state are at the last one: zeros may be singular.
-fn fill(block: &mut Block, symbol: &Symbol, read: &Reader<'_>, (first, count): (usize, usize)) {
-    let lanes = block.0.as_flattened_mut();
-    read.column(symbol, first, &mut lanes[..count]);
-    let (last, end) = (lanes[count - 1], count.next_multiple_of(LANES));
-    lanes[count..end].fill(last);
+/// A column at the states of a block. Lanes without a state are at the last one: zeros may be singular.
+fn fill(groups: &mut [[f64; LANES]], column: &Option<Column<'_>>, (first, count): (usize, usize)) {
+    let lanes = groups.as_flattened_mut();
+    if let Some(column) = column {
+        column.read(first, &mut lanes[..count]);
+    }
+    let last = lanes[count - 1];
+    lanes[count..].fill(last);
 }
 
 /// The values of the block's states, one state after the other.
@@ -119,6 +170,7 @@ fn write(batch: &Batch<'_>, slots: &[Block], results: &mut [f64]) {
                     false => scatter(lanes.copied(), results, entries, place),
                 }
             }
+            (Place::Last, _) => unreachable!("{KEPT}"),
         }
     }
 }
@@ -143,6 +195,7 @@ fn are_regular<S: Simd>(simd: S, batch: &Batch<'_>, slots: &[Block], count: usiz
                 let lanes = match output.place {
                     Place::Shared(index) => f64x8::splat(simd, batch.shared[usize::from(index)]),
                     Place::Slot(slot) => f64x8::simd_from(simd, slots[usize::from(slot)].0[group]),
+                    Place::Last => unreachable!("{KEPT}"),
                 };
                 if output.negative { -lanes } else { lanes }
             };
@@ -169,6 +222,7 @@ fn refused(batch: &Batch<'_>, slots: &[Block], count: usize, results: &mut [f64]
                 Place::Slot(slot) => {
                     signed(slots[usize::from(slot)].0.as_flattened()[state], output)
                 }
+                Place::Last => unreachable!("{KEPT}"),
             }
         };
         let error = |test: &Test| test.result(of).err();

@@ -4,6 +4,7 @@ use dynamics_symbolic::Proven;
 use dynamics_symbolic::program::{Instruction, Line, Operand, Program, Rest};
 use dynamics_symbolic::robot::Symbol;
 
+use super::lines::{Lines, is_shared_symbol};
 use super::order::order;
 use super::places::{LastReaders, Slots, TooLong, last_readers};
 use super::{Operation, Output, Place, Step, Tape};
@@ -11,13 +12,17 @@ use super::{Operation, Output, Place, Step, Tape};
 impl Tape {
     /// The tape of a proven program.
     pub(crate) fn new(proven: &Proven) -> Result<Self, TooLong> {
-        let lines = proven.program.lines();
-        let order = order(&proven.program, &lines);
-        let mut builder = Builder::new(proven, last_readers(&proven.program, &lines, &order))?;
-        for (time, index) in order.into_iter().enumerate() {
-            if let Some(line) = &lines[index] {
-                builder.line(index, time, line)?;
-            }
+        let lines = Lines::new(&proven.program);
+        let order = order(&lines);
+        let last = last_readers(&lines, &order);
+        let mut builder = Builder::new(proven, &lines, last)?;
+        for line in lines.shared() {
+            builder.shared(line)?;
+        }
+        let mut time = 0;
+        for chain in order.chunk_by(|line, next| lines.reads_once(*next, *line)) {
+            builder.chain(chain, time)?;
+            time += chain.len();
         }
         builder.finish(&proven.program)
     }
@@ -25,7 +30,7 @@ impl Tape {
 
 /// A tape that is being written.
 struct Builder<'p> {
-    program: &'p Program,
+    lines: &'p Lines<'p>,
     tape: Tape,
     /// Where each constant of the program's pool, each input and each result is, once it is known.
     constants: Vec<Option<Place>>,
@@ -36,20 +41,12 @@ struct Builder<'p> {
     slots: Slots,
 }
 
-/// Whether a symbol has the same value at all states.
-fn is_shared(symbol: &Symbol) -> bool {
-    matches!(
-        symbol,
-        Symbol::Pi | Symbol::Field(_) | Symbol::AngleSine(_) | Symbol::AngleCosine(_)
-    )
-}
-
 fn index(count: usize) -> Result<u16, TooLong> {
     u16::try_from(count).map_err(|_| TooLong)
 }
 
 impl<'p> Builder<'p> {
-    fn new(proven: &'p Proven, last: LastReaders) -> Result<Self, TooLong> {
+    fn new(proven: &'p Proven, lines: &'p Lines<'p>, last: LastReaders) -> Result<Self, TooLong> {
         let program = &proven.program;
         let mut constants = vec![None; proven.constants.len()];
         let mut values = Vec::new();
@@ -62,7 +59,7 @@ impl<'p> Builder<'p> {
         let mut inputs = vec![None; program.inputs.len()];
         let mut parameters = Vec::new();
         for (place, symbol) in inputs.iter_mut().zip(&program.inputs) {
-            if is_shared(symbol) {
+            if is_shared_symbol(symbol) {
                 *place = Some(Place::Shared(index(values.len() + parameters.len())?));
                 parameters.push(symbol.clone());
             }
@@ -77,7 +74,7 @@ impl<'p> Builder<'p> {
             outputs: Vec::new(),
         };
         Ok(Builder {
-            program,
+            lines,
             tape,
             constants,
             inputs,
@@ -87,55 +84,99 @@ impl<'p> Builder<'p> {
         })
     }
 
-    /// Writes a line: among what all states share where nothing that it reads depends on the state.
-    fn line(&mut self, line_index: usize, time: usize, line: &Line) -> Result<(), TooLong> {
-        let operands = line.operands();
-        let mut places = Vec::with_capacity(operands.len());
-        for operand in &operands {
-            places.push(self.place(*operand)?);
-        }
-        let operation = operation(line, &places);
-        if places.iter().all(|place| matches!(place, Place::Shared(_))) {
-            let tape = &mut self.tape;
-            let count = tape.constants.len() + tape.parameters.len() + tape.shared.len();
-            tape.shared.push(operation);
-            self.results[line_index] = Some(Place::Shared(index(count)?));
+    /// Writes a line among what is computed for all states together.
+    fn shared(&mut self, line: usize) -> Result<(), TooLong> {
+        let Some(operation) = self.operation(line, None)? else {
             return Ok(());
-        }
-        let mut copies = Vec::new();
-        let operation = self.with_one_shared_factor(operation, &mut copies)?;
-        // A line may write where it has read: what is read for the last time is free before.
-        for operand in operands {
-            self.release(operand, time);
-        }
-        for slot in copies {
-            self.slots.give_back(slot);
-        }
-        let to = self.slots.take()?;
-        self.tape.steps.push(Step::Compute { operation, to });
-        self.results[line_index] = Some(Place::Slot(to));
+        };
+        self.results[line] = Some(self.shared_value(operation)?);
         Ok(())
     }
 
-    /// Where an operand is; an input is read before the first line that needs it.
+    fn shared_value(&mut self, operation: Operation) -> Result<Place, TooLong> {
+        let tape = &mut self.tape;
+        let count = tape.constants.len() + tape.parameters.len() + tape.shared.len();
+        tape.shared.push(operation);
+        Ok(Place::Shared(index(count)?))
+    }
+
+    /// Writes lines of which each reads the result of the one before. What they read of a state is read
+    /// before them, so that nothing comes in between.
+    fn chain(&mut self, chain: &[usize], start: usize) -> Result<(), TooLong> {
+        for line in chain {
+            for operand in self.lines.operands(*line) {
+                if let Operand::Input(input) = operand {
+                    self.input(input as usize)?;
+                }
+            }
+        }
+        let mut before = None;
+        for (time, &line) in (start..).zip(chain) {
+            let Some(operation) = self.operation(line, before)? else {
+                continue;
+            };
+            // A line may write where it has read: what is read for the last time is free before.
+            for operand in self.lines.operands(line) {
+                self.release(operand, time);
+            }
+            let is_kept = time + 1 == start + chain.len() || self.last.of_results[line] > time + 1;
+            let to = is_kept.then(|| self.slots.take()).transpose()?;
+            self.tape.steps.push(Step::Compute { operation, to });
+            self.results[line] = to.map(Place::Slot);
+            before = Some(line);
+        }
+        Ok(())
+    }
+
+    /// The operation of a line, which may read the result of the line before.
+    fn operation(
+        &mut self,
+        line: usize,
+        before: Option<usize>,
+    ) -> Result<Option<Operation>, TooLong> {
+        let Some(line) = self.lines.line(line) else {
+            return Ok(None);
+        };
+        let mut places = Vec::with_capacity(4);
+        for operand in line.operands() {
+            let is_last = before.is_some_and(|last| operand == Operand::Result(last as u32));
+            places.push(match is_last {
+                true => Place::Last,
+                false => self.place(operand)?,
+            });
+        }
+        Ok(Some(match operation(line, &places) {
+            // The product that is rounded by itself is a number that all states share.
+            Operation::Sum(x, y, a @ Place::Shared(_), b @ Place::Shared(_)) => {
+                Operation::MulAdd(x, y, self.shared_value(Operation::Mul(a, b))?)
+            }
+            Operation::Difference(x, y, a @ Place::Shared(_), b @ Place::Shared(_)) => {
+                Operation::NegMulAdd(x, y, self.shared_value(Operation::Mul(a, b))?)
+            }
+            operation => operation,
+        }))
+    }
+
     fn place(&mut self, operand: Operand) -> Result<Place, TooLong> {
         let known = match operand {
             Operand::Constant(id) => self.constants[id.index()],
-            Operand::Input(input) => self.inputs[input as usize],
+            Operand::Input(input) => Some(self.input(input as usize)?),
             Operand::Result(result) => self.results[result as usize],
         };
-        match (known, operand) {
-            (Some(place), _) => Ok(place),
-            (None, Operand::Input(input)) => self.read(input as usize),
-            (None, _) => {
-                unreachable!("constants are rounded, and results computed, before they are read")
-            }
+        Ok(known.expect("constants are rounded, and results computed, before they are read"))
+    }
+
+    /// Where an input is, which is read unless it is known.
+    fn input(&mut self, input: usize) -> Result<Place, TooLong> {
+        match self.inputs[input] {
+            Some(place) => Ok(place),
+            None => self.read(input),
         }
     }
 
     fn read(&mut self, input: usize) -> Result<Place, TooLong> {
         let to = self.slots.take()?;
-        let symbol = &self.program.inputs[input];
+        let symbol = &self.lines.program.inputs[input];
         let step = match *symbol {
             Symbol::Sine(joint) | Symbol::Cosine(joint) => {
                 let is_sine = matches!(symbol, Symbol::Sine(_));
@@ -144,11 +185,8 @@ impl<'p> Builder<'p> {
                     false => Symbol::Sine(joint),
                 };
                 let beside = self.slots.take()?;
-                let other = self
-                    .program
-                    .inputs
-                    .iter()
-                    .position(|symbol| *symbol == other);
+                let mut inputs = self.lines.program.inputs.iter();
+                let other = inputs.position(|symbol| *symbol == other);
                 match other {
                     Some(other) => self.inputs[other] = Some(Place::Slot(beside)),
                     None => self.slots.give_back(beside),
@@ -184,37 +222,6 @@ impl<'p> Builder<'p> {
         }
     }
 
-    /// A product of two shared numbers has one of them in a slot: the lanes know products of slots, and
-    /// of a slot and a shared number.
-    /// `copies` are the slots that it takes.
-    fn with_one_shared_factor(
-        &mut self,
-        operation: Operation,
-        copies: &mut Vec<u16>,
-    ) -> Result<Operation, TooLong> {
-        let mut in_slot = |factors: [Place; 2]| -> Result<[Place; 2], TooLong> {
-            let [x, y] = factors;
-            let (Place::Shared(_), Place::Shared(_)) = (x, y) else {
-                return Ok(factors);
-            };
-            let to = self.slots.take()?;
-            copies.push(to);
-            let operation = Operation::Copy(y);
-            self.tape.steps.push(Step::Compute { operation, to });
-            Ok([x, Place::Slot(to)])
-        };
-        Ok(match operation {
-            Operation::MulAdd(product, c) => Operation::MulAdd(in_slot(product)?, c),
-            Operation::MulSub(product, c) => Operation::MulSub(in_slot(product)?, c),
-            Operation::NegMulAdd(product, c) => Operation::NegMulAdd(in_slot(product)?, c),
-            Operation::Sum(product, other) => Operation::Sum(in_slot(product)?, in_slot(other)?),
-            Operation::Difference(product, other) => {
-                Operation::Difference(in_slot(product)?, in_slot(other)?)
-            }
-            other => other,
-        })
-    }
-
     fn finish(mut self, program: &Program) -> Result<Tape, TooLong> {
         for output in &program.outputs {
             let place = self.place(output.operand)?;
@@ -230,13 +237,17 @@ impl<'p> Builder<'p> {
 
 /// The operation of a line whose operands are at these places.
 fn operation(line: &Line, places: &[Place]) -> Operation {
+    let sorted = |a: Place, b: Place| if b < a { (b, a) } else { (a, b) };
     match (line, places) {
-        (Line::Single(instruction), &[a, b]) => match instruction {
-            Instruction::Add(..) => Operation::Add(a, b),
-            Instruction::Sub(..) => Operation::Sub(a, b),
-            Instruction::Mul(..) => Operation::Mul(a, b),
-            Instruction::Div(..) => Operation::Div(a, b),
-        },
+        (Line::Single(instruction), &[a, b]) => {
+            let (first, second) = sorted(a, b);
+            match instruction {
+                Instruction::Add(..) => Operation::Add(first, second),
+                Instruction::Sub(..) => Operation::Sub(a, b),
+                Instruction::Mul(..) => Operation::Mul(first, second),
+                Instruction::Div(..) => Operation::Div(a, b),
+            }
+        }
         (
             Line::Fused {
                 is_subtracted,
@@ -244,14 +255,22 @@ fn operation(line: &Line, places: &[Place]) -> Operation {
                 ..
             },
             &[x, y, ref others @ ..],
-        ) => match (rest, is_subtracted, others) {
-            (Rest::Plus(_), false, &[c]) => Operation::MulAdd([x, y], c),
-            (Rest::Plus(_), true, &[c]) => Operation::NegMulAdd([x, y], c),
-            (Rest::Minus(_), _, &[c]) => Operation::MulSub([x, y], c),
-            (Rest::Product(..), false, &[a, b]) => Operation::Sum([x, y], [a, b]),
-            (Rest::Product(..), true, &[a, b]) => Operation::Difference([x, y], [a, b]),
-            _ => unreachable!("a line has as many places as operands"),
-        },
+        ) => {
+            let (x, y) = sorted(x, y);
+            match (rest, is_subtracted, others) {
+                (Rest::Plus(_), false, &[c]) => Operation::MulAdd(x, y, c),
+                (Rest::Plus(_), true, &[c]) => Operation::NegMulAdd(x, y, c),
+                (Rest::Minus(_), _, &[c]) => Operation::MulSub(x, y, c),
+                (Rest::Product(..), _, &[a, b]) => {
+                    let (a, b) = sorted(a, b);
+                    match is_subtracted {
+                        false => Operation::Sum(x, y, a, b),
+                        true => Operation::Difference(x, y, a, b),
+                    }
+                }
+                _ => unreachable!("a line has as many places as operands"),
+            }
+        }
         _ => unreachable!("a line has as many places as operands"),
     }
 }

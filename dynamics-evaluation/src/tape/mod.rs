@@ -1,6 +1,7 @@
 //! Programs as they are evaluated: a step for each line, between numbered places.
 
 mod build;
+mod lines;
 mod order;
 mod places;
 
@@ -8,8 +9,9 @@ use dynamics_symbolic::robot::Symbol;
 
 /// A program as it is evaluated.
 ///
-/// What depends on constants and fields alone is a number that all states share; what depends on the
-/// state has a slot, which others take over after its last reader.
+/// What depends on constants and fields alone is a number that all states share. What depends on the
+/// state has a slot, which others take over after its last reader, or none where the next operation
+/// alone reads it. An operation reads the result of the one before without its slot.
 #[derive(Clone, Debug)]
 pub(crate) struct Tape {
     /// The constants that are read, the first of the shared numbers.
@@ -29,12 +31,24 @@ pub(crate) struct Tape {
 }
 
 /// Where an operand is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Place {
+    /// Nowhere: it is the result of the operation before.
+    Last,
     /// Among the numbers that all states share.
     Shared(u16),
     /// In a slot.
     Slot(u16),
+}
+
+impl Place {
+    /// Its number there.
+    pub(crate) fn index(self) -> u16 {
+        match self {
+            Place::Last => 0,
+            Place::Shared(index) | Place::Slot(index) => index,
+        }
+    }
 }
 
 /// A step at each state.
@@ -60,12 +74,14 @@ pub(crate) enum Step {
     Compute {
         /// What is computed.
         operation: Operation,
-        /// The slot of the result.
-        to: u16,
+        /// The slot of the result; none where the next step, an operation too, alone reads it.
+        to: Option<u16>,
     },
 }
 
-/// One line of a program between places.
+/// One line of a program between places, of which one at most is the last result. Of factors that may
+/// be exchanged, and of the terms of a sum, the first is the one of the lower place: the last result
+/// before what all states share, and that before slots.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Operation {
     /// a + b
@@ -77,17 +93,15 @@ pub(crate) enum Operation {
     /// a / b
     Div(Place, Place),
     /// x y + c, rounded once where that is one instruction, as all that follow
-    MulAdd([Place; 2], Place),
+    MulAdd(Place, Place, Place),
     /// x y - c
-    MulSub([Place; 2], Place),
+    MulSub(Place, Place, Place),
     /// c - x y
-    NegMulAdd([Place; 2], Place),
+    NegMulAdd(Place, Place, Place),
     /// x y + a b, where a b is rounded by itself
-    Sum([Place; 2], [Place; 2]),
+    Sum(Place, Place, Place, Place),
     /// a b - x y, where a b is rounded by itself
-    Difference([Place; 2], [Place; 2]),
-    /// The number itself: what all states share, in a slot.
-    Copy(Place),
+    Difference(Place, Place, Place, Place),
 }
 
 /// An output: where it is, and whether its sign is changed.

@@ -1,27 +1,28 @@
-//! The order of the lines: such that few numbers are kept at once.
+//! The order of the lines: such that few numbers are kept at once, and results are read at once.
 
 use std::collections::BTreeSet;
 
-use dynamics_symbolic::program::{Line, Operand, Program};
+use dynamics_symbolic::program::Operand;
+
+use super::lines::Lines;
 
 /// Longer programs stay in the order that they have: the search looks at all lines that could be next.
 const LONGEST: usize = 20_000;
 
-/// The lines of a program in an order in which each reads earlier ones alone.
+/// The lines whose values differ from state to state, in an order in which each reads earlier ones alone.
 ///
-/// Of the lines that could be next it is the one after which the fewest numbers are kept (its own
-/// result, inputs that it is the first to read, less what nothing else reads), among equals the one
-/// that reads what was computed last.
-pub(super) fn order(program: &Program, lines: &[Option<Line>]) -> Vec<usize> {
-    let count = lines.iter().flatten().count();
+/// Of the lines that could be next it is one that alone reads the result of the line before, for that
+/// needs no slot; then the one after which the fewest numbers are kept (its own result, inputs that it
+/// is the first to read, less what nothing else reads), where one that reads the result of the line
+/// before counts for one less; among equals the one that reads what was computed last.
+pub(super) fn order(lines: &Lines<'_>) -> Vec<usize> {
+    let count = lines.varying().count();
     if count > LONGEST {
-        return (0..lines.len())
-            .filter(|line| lines[*line].is_some())
-            .collect();
+        return lines.varying().collect();
     }
-    let mut state = State::new(program, lines);
+    let mut state = State::new(lines);
     let mut order = Vec::with_capacity(count);
-    while let Some(line) = state.next() {
+    while let Some(line) = state.next(order.last().copied()) {
         state.carry_out(line, order.len());
         order.push(line);
     }
@@ -29,7 +30,7 @@ pub(super) fn order(program: &Program, lines: &[Option<Line>]) -> Vec<usize> {
 }
 
 struct State<'p> {
-    /// What each line reads, without constants and repetitions.
+    /// What each line reads that differs from state to state, without repetitions.
     reads: Vec<Vec<Operand>>,
     /// The lines that read each result.
     readers: Vec<Vec<usize>>,
@@ -42,27 +43,28 @@ struct State<'p> {
     ready: BTreeSet<usize>,
     /// When each result was computed.
     computed: Vec<usize>,
-    lines: &'p [Option<Line>],
+    lines: &'p Lines<'p>,
 }
 
 impl<'p> State<'p> {
-    fn new(program: &Program, lines: &'p [Option<Line>]) -> Self {
-        let reads = |line: &Option<Line>| {
-            let mut operands = line.map_or(Vec::new(), |line| line.operands());
-            operands.retain(|operand| !matches!(operand, Operand::Constant(_)));
+    fn new(lines: &'p Lines<'p>) -> Self {
+        let reads = |line: usize| {
+            let mut operands = lines.operands(line);
+            operands.retain(|operand| !lines.is_shared(*operand));
             operands.sort();
             operands.dedup();
             operands
         };
+        let count = lines.count();
         let mut state = State {
-            reads: lines.iter().map(reads).collect(),
-            readers: vec![Vec::new(); lines.len()],
-            input_uses: vec![0; program.inputs.len()],
-            result_uses: vec![0; lines.len()],
-            is_loaded: vec![false; program.inputs.len()],
-            waits_for: vec![0; lines.len()],
+            reads: (0..count).map(reads).collect(),
+            readers: vec![Vec::new(); count],
+            input_uses: vec![0; lines.program.inputs.len()],
+            result_uses: vec![0; count],
+            is_loaded: vec![false; lines.program.inputs.len()],
+            waits_for: vec![0; count],
             ready: BTreeSet::new(),
-            computed: vec![0; lines.len()],
+            computed: vec![0; count],
             lines,
         };
         for (line, reads) in state.reads.iter().enumerate() {
@@ -78,20 +80,22 @@ impl<'p> State<'p> {
                 }
             }
         }
-        for output in &program.outputs {
+        for output in &lines.program.outputs {
             match output.operand {
                 Operand::Input(i) => state.input_uses[i as usize] += 1,
                 Operand::Result(i) => state.result_uses[i as usize] += 1,
                 Operand::Constant(_) => {}
             }
         }
-        let is_ready = |line: &usize| lines[*line].is_some() && state.waits_for[*line] == 0;
-        state.ready = (0..lines.len()).filter(is_ready).collect();
+        state.ready = lines
+            .varying()
+            .filter(|line| state.waits_for[*line] == 0)
+            .collect();
         state
     }
 
-    /// The next line.
-    fn next(&self) -> Option<usize> {
+    /// The next line, after the one that is the last so far.
+    fn next(&self, last: Option<usize>) -> Option<usize> {
         let latest = |line: usize| {
             let reads = self.reads[line].iter();
             let computed = reads.filter_map(|operand| match operand {
@@ -100,7 +104,14 @@ impl<'p> State<'p> {
             });
             computed.max().unwrap_or(0)
         };
-        let key = |line: &&usize| (self.growth(**line), usize::MAX - latest(**line), **line);
+        let reads_last = |line: usize| last.is_some_and(|last| self.lines.reads_once(line, last));
+        let has_one_reader = last.is_some_and(|last| self.result_uses[last] == 1);
+        let goes_on = |line: usize| has_one_reader && reads_last(line);
+        let key = |line: &&usize| {
+            let line = **line;
+            let kept = self.growth(line) - isize::from(reads_last(line));
+            (!goes_on(line), kept, usize::MAX - latest(line), line)
+        };
         self.ready.iter().min_by_key(key).copied()
     }
 
@@ -118,7 +129,6 @@ impl<'p> State<'p> {
     }
 
     fn carry_out(&mut self, line: usize, time: usize) {
-        debug_assert!(self.lines[line].is_some());
         self.ready.remove(&line);
         self.computed[line] = time;
         for operand in &self.reads[line] {

@@ -2,7 +2,9 @@
 
 use std::collections::BTreeSet;
 
-use dynamics_symbolic::program::{Line, Operand, Program};
+use dynamics_symbolic::program::Operand;
+
+use super::lines::Lines;
 
 /// A program has more numbers than places have names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -44,14 +46,10 @@ pub(super) struct LastReaders {
 }
 
 /// The last readers of lines in this order; outputs are read after all of them.
-pub(super) fn last_readers(
-    program: &Program,
-    lines: &[Option<Line>],
-    order: &[usize],
-) -> LastReaders {
+pub(super) fn last_readers(lines: &Lines<'_>, order: &[usize]) -> LastReaders {
     let mut last = LastReaders {
-        of_inputs: vec![0; program.inputs.len()],
-        of_results: vec![0; lines.len()],
+        of_inputs: vec![0; lines.program.inputs.len()],
+        of_results: vec![0; lines.count()],
     };
     let mut note = |operand: Operand, time: usize| match operand {
         Operand::Constant(_) => {}
@@ -59,10 +57,11 @@ pub(super) fn last_readers(
         Operand::Result(i) => last.of_results[i as usize] = time,
     };
     for (time, line) in order.iter().enumerate() {
-        let operands = lines[*line].iter().flat_map(|line| line.operands());
-        operands.for_each(|operand| note(operand, time));
+        for operand in lines.operands(*line) {
+            note(operand, time);
+        }
     }
-    for output in &program.outputs {
+    for output in &lines.program.outputs {
         note(output.operand, usize::MAX);
     }
     last
