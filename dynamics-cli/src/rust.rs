@@ -6,7 +6,7 @@ use dynamics_codegen::{Model, items_of};
 use dynamics_symbolic::emit::snake_case;
 use proc_macro2::{Ident, Span};
 use quote::{format_ident, quote};
-use syn::{Expr, Item, Stmt, StmtMacro};
+use syn::{Item, ItemMacro};
 
 use crate::failure::Failure;
 use crate::progress::Progress;
@@ -75,15 +75,9 @@ fn struct_name(module: &str) -> Ident {
 fn formatted(mut file: syn::File) -> String {
     let mut macros = Vec::new();
     for item in &mut file.items {
-        let Item::Const(scope) = item else { continue };
-        let Expr::Block(block) = &mut *scope.expr else {
-            continue;
-        };
-        for statement in &mut block.block.stmts {
-            if let Some((module, path)) = as_module(statement, macros.len()) {
-                *statement = module;
-                macros.push(path);
-            }
+        if let Some((module, path)) = as_module(item, macros.len()) {
+            *item = module;
+            macros.push(path);
         }
     }
     let mut text = prettyplease::unparse(&file);
@@ -94,8 +88,8 @@ fn formatted(mut file: syn::File) -> String {
 }
 
 /// A call of a macro that holds items as a module that holds them, and the path of the macro.
-fn as_module(statement: &Stmt, index: usize) -> Option<(Stmt, String)> {
-    let Stmt::Macro(StmtMacro { mac, .. }) = statement else {
+fn as_module(item: &Item, index: usize) -> Option<(Item, String)> {
+    let Item::Macro(ItemMacro { mac, .. }) = item else {
         return None;
     };
     let items = syn::parse2::<syn::File>(mac.tokens.clone()).ok()?.items;
@@ -103,23 +97,16 @@ fn as_module(statement: &Stmt, index: usize) -> Option<(Stmt, String)> {
     let path = quote!(#path).to_string().replace(' ', "");
     let name = format_ident!("__macro_{index}");
     let module = syn::parse2(quote!(mod #name { #(#items)* })).ok()?;
-    Some((Stmt::Item(module), path))
+    Some((module, path))
 }
 
 /// The text with an empty line in front of each documented or attributed item, and of each implementation.
 fn spaced(text: &str) -> String {
     let is_head = |line: &str| {
         let line = line.trim_start();
-        [
-            "///",
-            "#[",
-            "impl",
-            "const _",
-            "mod ",
-            "::robot_dynamics::__with",
-        ]
-        .iter()
-        .any(|start| line.starts_with(start))
+        ["///", "#[", "impl", "mod ", "::robot_dynamics::__with"]
+            .iter()
+            .any(|start| line.starts_with(start))
     };
     let mut spaced = String::with_capacity(text.len() + text.len() / 20);
     let mut before = "{";

@@ -36,6 +36,8 @@ pub(crate) struct Structure {
     pub(crate) fields: Vec<Field>,
     /// Whether these are all.
     pub(crate) complete: bool,
+    /// Whether it has a file for itself, in which there are no other names.
+    pub(crate) is_alone: bool,
 }
 
 /// What follows a struct's name.

@@ -118,7 +118,8 @@ fn errors(diagnostics: Diagnostics) -> Vec<Error> {
 }
 
 /// The items of a model that was read elsewhere, as a call of the macro with that table expands to them: a
-/// struct without fields, its methods and its traits. `path` is the path of the runtime crate.
+/// struct without fields, its methods and its traits, for a file of their own. `path` is the path of the runtime
+/// crate.
 ///
 /// # Errors
 ///
@@ -139,6 +140,7 @@ pub fn items_of(
         shape: call::Shape::Unit,
         fields: Vec::new(),
         complete: true,
+        is_alone: true,
     };
     let call = call::Call {
         path,

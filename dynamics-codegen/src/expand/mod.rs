@@ -75,7 +75,11 @@ pub(crate) fn robot(
     let test = model
         .tests
         .then(|| test::agrees_with_newton_euler(&target, structure));
-    let implementations = names::apart(&quote!(#inherent #provided #traits));
+    let implementations = quote!(#inherent #provided #traits);
+    let implementations = match structure.is_alone {
+        true => implementations,
+        false => names::apart(&implementations),
+    };
     quote!(#item #implementations #test)
 }
 

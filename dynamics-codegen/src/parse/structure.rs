@@ -38,6 +38,7 @@ pub(super) fn structure(cursor: &mut Cursor) -> Option<Structure> {
         shape: body.shape,
         fields: body.fields,
         complete: body.complete,
+        is_alone: false,
     })
 }
 
