@@ -2,9 +2,9 @@
 
 use std::fmt::Write;
 
-use arms::NAMES;
+use arms::{MOUNTED, NAMES};
 use dynamics_codegen::files::Format;
-use dynamics_symbolic::robot::{Convention, JointType, Robot, Value};
+use dynamics_symbolic::robot::{Convention, JointType, Placement, Robot, Value};
 use robot_dynamics::nalgebra::Vector3;
 use robot_dynamics::robot_dynamics;
 
@@ -133,7 +133,7 @@ fn a_call_depends_on_its_file() {
 /// All robots of the project's data, as JSON and as TOML.
 #[test]
 fn robots_of_files_are_those_of_their_data() {
-    for name in NAMES {
+    for name in NAMES.into_iter().chain([MOUNTED]) {
         let expected = arms::robot(name);
         let json = text(&format!("robots/{name}.json"));
         for (text, format) in [(json, Format::Json), (toml(&expected), Format::Toml)] {
@@ -141,6 +141,8 @@ fn robots_of_files_are_those_of_their_data() {
             assert_eq!(found.rows, expected.rows, "{name} {format:?}");
             assert_eq!(found.convention, expected.convention);
             assert_eq!(found.gravity, expected.gravity);
+            assert_eq!(found.base, expected.base);
+            assert_eq!(found.tool, expected.tool);
         }
     }
 }
@@ -180,16 +182,32 @@ fn toml(robot: &Robot) -> String {
         for (word, value) in cells {
             writeln!(text, "{word} = {}", cell(value)).unwrap();
         }
-        writeln!(text, "com = {}", list(&row.com)).unwrap();
-        let entries = ["xx", "yy", "zz", "xy", "yz", "xz"]
-            .iter()
-            .zip(&row.inertia);
-        for (word, value) in entries {
-            writeln!(text, "inertia.{word} = {}", cell(value)).unwrap();
-        }
+        body(&mut text, &row.com, &row.inertia);
         writeln!(text, "allow = ['unphysical_inertia']").unwrap();
     }
+    if let Some(base) = &robot.base {
+        text.push_str("[base]\n");
+        placement(&mut text, base);
+    }
+    if let Some(tool) = &robot.tool {
+        writeln!(text, "[tool]\nmass = {}", cell(&tool.mass)).unwrap();
+        placement(&mut text, &tool.placement);
+        body(&mut text, &tool.com, &tool.inertia);
+    }
     text
+}
+
+fn placement(text: &mut String, placement: &Placement) {
+    let (xyz, rpy) = (list(&placement.xyz), list(&placement.rpy));
+    writeln!(text, "xyz = {xyz}\nrpy = {rpy}").unwrap();
+}
+
+fn body(text: &mut String, com: &[Value; 3], inertia: &[Value; 6]) {
+    writeln!(text, "com = {}", list(com)).unwrap();
+    let entries = ["xx", "yy", "zz", "xy", "yz", "xz"].iter().zip(inertia);
+    for (word, value) in entries {
+        writeln!(text, "inertia.{word} = {}", cell(value)).unwrap();
+    }
 }
 
 fn cell(value: &Value) -> String {

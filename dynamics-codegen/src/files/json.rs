@@ -1,8 +1,8 @@
 //! JSON, as a tree with the words of TOML.
 //!
 //! The shape is that of published tables: `joints` with the cells `a`, `alpha`, `d`, `theta`, `mass`, `com`,
-//! `inertia` (a list: xx, yy, zz, xy, yz, xz), `motor_inertia`, `gear_ratio`, `viscous`, `coulomb`, beside
-//! notes such as `source`. The words of the macro are read as well.
+//! `inertia` (a list: xx, yy, zz, xy, yz, xz), `motor_inertia`, `gear_ratio`, `viscous`, `coulomb`, and `tool`, whose
+//! `inertia` is such a list too, beside notes such as `source`. The words of the macro are read as well.
 
 use jsonc_parser::ast::{ObjectProp, Value};
 use jsonc_parser::common::Ranged;
@@ -86,15 +86,18 @@ fn with_words_of_toml(root: &mut Node) {
     };
     let is_published = items.iter().any(|(key, _)| key.word == "source");
     items.retain(|(key, _)| !is_note(&key.word));
-    for (key, joints) in items {
-        if key.word != "joints" {
-            continue;
-        }
-        key.word = "joint".to_owned();
-        if let Kind::List(rows) = &mut joints.kind {
-            for (index, row) in rows.iter_mut().enumerate() {
-                joint(row, index, is_published);
+    for (key, value) in items {
+        match key.word.as_str() {
+            "joints" => {
+                key.word = "joint".to_owned();
+                if let Kind::List(rows) = &mut value.kind {
+                    for (index, row) in rows.iter_mut().enumerate() {
+                        joint(row, index, is_published);
+                    }
+                }
             }
+            "tool" => tool(value, is_published),
+            _ => {}
         }
     }
 }
@@ -113,15 +116,7 @@ fn joint(row: &mut Node, index: usize, is_published: bool) {
         let name = text(format!("joint{}", index + 1), place);
         cells.push((Key::new("name", place), name));
     }
-    for (key, value) in cells.iter_mut() {
-        if let ("inertia", Kind::List(entries)) = (key.word.as_str(), &mut value.kind)
-            && entries.len() == TENSOR_ENTRIES.len()
-        {
-            let entries = TENSOR_ENTRIES.into_iter().zip(entries.drain(..));
-            let entry = |(word, entry): (&str, Node)| (Key::new(word, entry.place), entry);
-            value.kind = Kind::Table(entries.map(entry).collect());
-        }
-    }
+    body(cells, place, is_published);
     // A motor without inertia is none.
     let motor = take(
         cells,
@@ -135,6 +130,27 @@ fn joint(row: &mut Node, index: usize, is_published: bool) {
     }
     let friction = take(cells, &[("viscous", "viscous"), ("coulomb", "coulomb")]);
     put(cells, "friction", friction);
+}
+
+fn tool(tool: &mut Node, is_published: bool) {
+    let place = tool.place;
+    if let Some(cells) = tool.items_mut() {
+        body(cells, place, is_published);
+    }
+}
+
+/// Cells of a body, whose tensor is a list.
+fn body(cells: &mut Vec<(Key, Node)>, place: Place, is_published: bool) {
+    for (key, value) in cells.iter_mut() {
+        if let ("inertia" | "inertia_at_origin", Kind::List(entries)) =
+            (key.word.as_str(), &mut value.kind)
+            && entries.len() == TENSOR_ENTRIES.len()
+        {
+            let entries = TENSOR_ENTRIES.into_iter().zip(entries.drain(..));
+            let entry = |(word, entry): (&str, Node)| (Key::new(word, entry.place), entry);
+            value.kind = Kind::Table(entries.map(entry).collect());
+        }
+    }
     // Published tensors may be those of no body. Who names the source means them as they are.
     if is_published && !has(cells, "allow") {
         let allowed = text("unphysical_inertia".to_owned(), place);

@@ -156,5 +156,5 @@ fn read(
         Format::Json => json::document(text, diagnostics),
         Format::Urdf => return urdf::read(text, request, used, diagnostics),
     };
-    root.map(|root| table::table(&root, diagnostics))
+    root.map(|root| table::table(&root, format, diagnostics))
 }

@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use dynamics_symbolic::Function;
 use dynamics_symbolic::robot::{Convention, JointType};
 
+use super::Format;
 use super::signed::signed;
 use super::tree::{Key, Kind, Node};
 use crate::description::{
@@ -43,9 +44,13 @@ pub(super) const KEYS: [&str; 12] = [
     "let",
 ];
 
+/// Cells of a published table that stand in parts of a row here.
+const PUBLISHED: [&str; 4] = ["motor_inertia", "gear_ratio", "viscous", "coulomb"];
+
 /// What a file says of the robot, in the order in which it stands there.
-pub(super) fn table(root: &Node, diagnostics: &Diagnostics) -> Table {
+pub(super) fn table(root: &Node, format: Format, diagnostics: &Diagnostics) -> Table {
     let mut reader = Reader {
+        format,
         diagnostics,
         mentions: BTreeSet::new(),
     };
@@ -61,6 +66,8 @@ pub(super) fn table(root: &Node, diagnostics: &Diagnostics) -> Table {
 }
 
 struct Reader<'d> {
+    /// What it is read from: messages are in its words.
+    format: Format,
     diagnostics: &'d Diagnostics,
     mentions: BTreeSet<String>,
 }
@@ -88,6 +95,10 @@ fn given<T>(value: Read<T>) -> Given<T> {
 }
 
 impl Reader<'_> {
+    fn is_json(&self) -> bool {
+        self.format == Format::Json
+    }
+
     fn error(&self, at: impl Into<Place>, mistake: Mistake) -> Reported {
         self.diagnostics.error(at, mistake)
     }
@@ -401,7 +412,7 @@ impl Reader<'_> {
 
     fn joints(&mut self, node: &Node) -> Read<Joints> {
         let Kind::List(rows) = &node.kind else {
-            return Err(self.instead_of("joints, each under a line `[[joint]]`", node));
+            return Err(self.instead_of(wrong::joints(self.is_json()), node));
         };
         let mut joints = Joints {
             rows: Vec::new(),
@@ -419,7 +430,7 @@ impl Reader<'_> {
 
     fn row(&mut self, node: &Node) -> Read<Row> {
         let known = [&["name", "type"], CELLS.as_slice()].concat();
-        let items = self.items(node, "a joint", &known, unknown_cell)?;
+        let items = self.items(node, "a joint", &known, |word| self.unknown_cell(word))?;
         let mut row = Row::default();
         for item in &items.read {
             self.cell(item, &mut row);
@@ -429,13 +440,25 @@ impl Reader<'_> {
             self.error(node.place, wrong::nameless_joint());
         }
         if !has("type") {
-            self.error(node.place, wrong::typeless_joint());
+            self.error(node.place, wrong::typeless_joint(self.is_json()));
         }
         if items.incomplete {
             row.mass.doubt();
             row.com.doubt();
         }
         Ok(row)
+    }
+
+    /// A word that is none of a row's. Published tables have more of them.
+    fn unknown_cell(&self, word: &str) -> Wrong {
+        let published = unknown("cell", word, &PUBLISHED);
+        match published.meant {
+            Some(_) if self.is_json() => Wrong {
+                meant: None,
+                ..published
+            },
+            _ => unknown_cell(word),
+        }
     }
 
     fn cell(&mut self, item: &Item, row: &mut Row) {
@@ -479,6 +502,12 @@ impl Reader<'_> {
     fn inertia(&mut self, node: &Node) -> Read<Inertia> {
         if let Kind::Text(text) = &node.kind {
             return text::solid(text, &mut self.at(node.place));
+        }
+        if let Kind::List(entries) = &node.kind
+            && self.is_json()
+        {
+            let mistake = mistake::value::other_count("[xx, yy, zz, xy, yz, xz]", entries.len());
+            return Err(self.error(node.place, mistake));
         }
         if !matches!(node.kind, Kind::Table(_)) {
             let what = mistake::expected::inertia().to_string();

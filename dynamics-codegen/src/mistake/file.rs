@@ -66,8 +66,24 @@ pub(crate) fn nameless_joint() -> Mistake {
     Mistake::new("this joint has no name: write `name = \"shoulder\"`, for example")
 }
 
-pub(crate) fn typeless_joint() -> Mistake {
-    Mistake::new("this joint has no type: write `type = \"revolute\"` or `type = \"prismatic\"`")
+pub(crate) fn typeless_joint(is_json: bool) -> Mistake {
+    let word = match is_json {
+        true => "\"type\":",
+        false => "type =",
+    };
+    Mistake::new(format!(
+        "this joint has no type: write `{word} \"revolute\"` or `{word} \"prismatic\"`"
+    ))
+}
+
+/// The joints of a table.
+pub(crate) fn joints(is_json: bool) -> &'static str {
+    match is_json {
+        true => {
+            "a list of joints, `[{ \"name\": \"shoulder\", \"type\": \"revolute\" }]` for example"
+        }
+        false => "joints, each under a line `[[joint]]`",
+    }
 }
 
 /// A value that is written as text, and is none.
