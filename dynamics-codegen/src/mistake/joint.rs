@@ -235,8 +235,8 @@ pub(crate) fn limit_with_field() -> Mistake {
     Mistake::new("a limit is a number: it does not depend on a field")
 }
 
-/// A revolute joint's limit, rad.
-pub(crate) fn limit_of_many_turns(size: f64) -> Mistake {
+/// A position of a revolute joint, rad.
+pub(crate) fn position_of_many_turns(size: f64) -> Mistake {
     Mistake::new(format!(
         "{size} rad are more than five turns: write `deg({size})` for degrees, or a multiple of \
          `PI` for a joint that turns so far"

@@ -2,8 +2,9 @@
 
 use std::collections::BTreeSet;
 
-use dynamics_symbolic::robot::{Coupling, Row, Value};
+use dynamics_symbolic::robot::{Coupling, JointType, Row, Value};
 
+use super::angle::Odd;
 use super::scope::{Scope, is_identically_zero};
 use crate::description::{self, Coupled, Expr, ExprKind, Given, Name, Operator};
 use crate::limits::{MOST_FOLLOWERS, MOST_JOINTS_OF_COUPLED};
@@ -23,6 +24,8 @@ struct Law {
     leader: String,
     factor: Value,
     offset: Value,
+    /// What is odd about the offset, where it is an angle.
+    odd: Option<(Odd, Place)>,
 }
 
 /// The couplings, in the scope of the place where they are written; `joints` are the names of all joints.
@@ -48,7 +51,7 @@ fn law(position: &Expr, follower: &Name, joints: &[String], scope: &mut Scope) -
         joints,
         scope,
     };
-    let Linear { term, rest } = reader.linear(position)?;
+    let Linear { term, rest, odd } = reader.linear(position)?;
     let Some((leader, place, factor)) = term else {
         scope.error(position.place, mistake::no_leader(follower.plain()));
         return None;
@@ -68,6 +71,7 @@ fn law(position: &Expr, follower: &Name, joints: &[String], scope: &mut Scope) -
         leader,
         factor,
         offset: rest,
+        odd,
     })
 }
 
@@ -76,9 +80,21 @@ struct Linear {
     /// Name, place and factor of the joint.
     term: Option<(String, Place, Value)>,
     rest: Value,
+    /// What is odd about the rest as an angle, where it is one value as it was written, up to sign.
+    odd: Option<(Odd, Place)>,
 }
 
 impl Linear {
+    fn negated(self) -> Self {
+        Linear {
+            term: self
+                .term
+                .map(|(name, place, factor)| (name, place, -factor)),
+            rest: -self.rest,
+            odd: self.odd,
+        }
+    }
+
     fn scaled(self, by: impl Fn(Value) -> Option<Value>) -> Option<Self> {
         let term = match self.term {
             Some((name, place, factor)) => Some((name, place, by(factor)?)),
@@ -87,6 +103,7 @@ impl Linear {
         Some(Linear {
             term,
             rest: by(self.rest)?,
+            odd: None,
         })
     }
 }
@@ -101,9 +118,11 @@ impl Reader<'_, '_> {
     fn linear(&mut self, expr: &Expr) -> Option<Linear> {
         if !self.names_joint(expr) {
             self.report_unknown(expr)?;
+            let (rest, odd) = self.scope.unjudged_angle(expr)?;
             return Some(Linear {
                 term: None,
-                rest: self.scope.value(expr)?,
+                rest,
+                odd: odd.map(|odd| (odd, expr.place)),
             });
         }
         match &expr.kind {
@@ -111,6 +130,7 @@ impl Reader<'_, '_> {
             ExprKind::Name(name) => Some(Linear {
                 term: Some((plain(name).to_owned(), expr.place, Value::integer(1))),
                 rest: Value::zero(),
+                odd: None,
             }),
             ExprKind::Degrees(angle) => {
                 let degree = Value::Pi.checked_div(Value::integer(180))?;
@@ -120,7 +140,7 @@ impl Reader<'_, '_> {
                 let leader = self.linear(value)?.term.map(|(leader, ..)| leader);
                 self.not_linear(&leader.unwrap_or_default(), expr.place)
             }
-            ExprKind::Minus(value) => self.linear(value)?.scaled(|x| Some(-x)),
+            ExprKind::Minus(value) => Some(self.linear(value)?.negated()),
             ExprKind::Binary(operator, left, right) => {
                 // Both sides before either `?`: there may be errors in both.
                 let (a, b) = (self.linear(left), self.linear(right));
@@ -138,7 +158,7 @@ impl Reader<'_, '_> {
     ) -> Option<Linear> {
         match operator {
             Operator::Add => self.sum(a, b),
-            Operator::Sub => self.sum(a, b.scaled(|x| Some(-x))?),
+            Operator::Sub => self.sum(a, b.negated()),
             Operator::Mul => match (&a.term, &b.term) {
                 (Some(_), Some((leader, ..))) => {
                     self.not_linear(leader, left.place.to(right.place))
@@ -170,9 +190,15 @@ impl Reader<'_, '_> {
             }
             (one, other) => one.or(other),
         };
+        let odd = match (a.rest.is_zero(), b.rest.is_zero()) {
+            (true, _) => b.odd,
+            (_, true) => a.odd,
+            _ => None,
+        };
         Some(Linear {
             term,
             rest: a.rest + b.rest,
+            odd,
         })
     }
 
@@ -271,9 +297,10 @@ pub(super) fn couple(
         let Some(law) = &couple.law else {
             continue;
         };
-        // Those of a URDF file are written at each joint.
+        // A URDF file has limits at each joint, and angles that are rounded where it is asked for.
         if written[row].mount.is_none() {
             report_limits(&written[row], &law.leader, scope);
+            report_offset(rows[row].as_ref(), law, scope);
         }
         laws[row] = position(&law.leader).map(|leader| (leader, law));
     }
@@ -315,6 +342,17 @@ fn report_limits(row: &description::Row, leader: &str, scope: &Scope) {
     };
     let mistake = mistake::limits(&name_of(row), leader);
     scope.error(lower.place.to(upper.place), mistake);
+}
+
+/// Reports an offset that was hardly meant as an angle.
+fn report_offset(row: Option<&Row>, law: &Law, scope: &Scope) {
+    let is_angle = row.is_some_and(|row| row.joint_type == JointType::Revolute);
+    if let Some((odd, place)) = &law.odd
+        && is_angle
+        && !scope.allowed().odd_angle
+    {
+        scope.error(*place, odd.mistake(scope.place_of_allow()));
+    }
 }
 
 /// Reports every circle of followers, once; whether there is one.

@@ -4,9 +4,9 @@ use dynamics_symbolic::robot::{JointType, Value};
 
 use super::scope::Scope;
 use crate::description::{self, Expr, Given};
-use crate::mistake::joint as mistake;
+use crate::mistake::{Mistake, joint as mistake};
 
-/// A revolute joint does not turn so far, in rad, unless its limit is written in terms of PI: five
+/// A revolute joint does not turn so far, in rad, unless its position is written in terms of PI: five
 /// turns.
 const MANY_TURNS: f64 = 10.0 * core::f64::consts::PI;
 
@@ -40,11 +40,16 @@ fn limit(limit: &Expr, row: &description::Row, scope: &mut Scope) -> Option<Valu
         scope.error(limit.place, mistake::limit_with_field());
         return None;
     }
-    let is_angle = row.joint_type == Some(JointType::Revolute);
-    let size = value.to_f64(&[]).abs();
-    if is_angle && size > MANY_TURNS && value.as_rational().is_some() {
-        scope.error(limit.place, mistake::limit_of_many_turns(size));
+    if let Some(mistake) = many_turns(&value, row) {
+        scope.error(limit.place, mistake);
         return None;
     }
     Some(value)
+}
+
+/// What is wrong with a position of the row's joint that was hardly meant in rad.
+pub(super) fn many_turns(value: &Value, row: &description::Row) -> Option<Mistake> {
+    let is_angle = row.joint_type == Some(JointType::Revolute);
+    let size = value.as_rational()?.to_f64().value().abs();
+    (is_angle && size > MANY_TURNS).then(|| mistake::position_of_many_turns(size))
 }

@@ -46,7 +46,7 @@ fn cells(row: &description::Row, scope: &mut Scope) -> Option<Row> {
     );
     let (motor_inertia, gear_ratio) = motor(&row.motor, scope);
     let friction = friction::friction(&row.friction, scope);
-    let spring = spring(&row.spring, scope);
+    let spring = spring(row, scope);
     let limits = limits::limits(row, scope);
     let mount = mount(row, scope);
     let (mass, com, inertia) = body?;
@@ -103,8 +103,8 @@ fn offsets(row: &description::Row, scope: &mut Scope) -> (Option<Value>, Option<
 }
 
 /// Outer `None`: in error; inner `None`: no spring.
-fn spring(cell: &Given<description::Spring>, scope: &mut Scope) -> Option<Option<Spring>> {
-    let spring = match cell {
+fn spring(row: &description::Row, scope: &mut Scope) -> Option<Option<Spring>> {
+    let spring = match &row.spring {
         Given::Absent => return Some(None),
         Given::Unreadable => return None,
         Given::As(spring) => spring,
@@ -114,6 +114,11 @@ fn spring(cell: &Given<description::Spring>, scope: &mut Scope) -> Option<Option
     }
     let stiffness = scope.not_negative(&spring.stiffness, "a spring's stiffness");
     let rest = scope.given(&spring.rest);
+    if let (Given::As(written), Some(rest)) = (&spring.rest, &rest)
+        && let Some(mistake) = limits::many_turns(rest, row)
+    {
+        scope.error(written.place, mistake);
+    }
     Some(Some(Spring {
         stiffness: stiffness?,
         rest: rest?,

@@ -11,7 +11,13 @@ robot_dynamics! {
         elbow: revolute { alpha: -4.712, theta: deg(-400), mass: 1, allow: [odd_angle] },
         wrist: revolute { mass: 1 },
         slide: prismatic { theta: 1.57, mass: 1 },
+        level: revolute { mass: 1 },
+        wheel: revolute { mass: 1 },
+        rack: prismatic { mass: 1 },
+        hand: revolute { mass: 1, spring: { stiffness: 2, rest: 90 } },
+        roller: revolute { mass: 1, spring: { stiffness: 2, rest: -12 * PI } },
     ],
     tool: { rpy: [0, 0, -1.5708] },
+    couple: [level = -shoulder - 1.5708, wheel = 90 * shoulder + 45, rack = shoulder / 90 + 45],
     lock: [wrist = 1.5708, slide = 1.5708],
 }
