@@ -113,7 +113,7 @@ const OF_STD: [(&str, &str); 6] = [
 ];
 
 /// Words of other books and programs, and ours.
-const ELSEWHERE: [(&str, &str); 65] = [
+const ELSEWHERE: [(&str, &str); 69] = [
     ("twist", "alpha"),
     ("length", "a"),
     ("offset", "d"),
@@ -166,6 +166,10 @@ const ELSEWHERE: [(&str, &str); 65] = [
     ("aba", "forward_dynamics"),
     ("fk", "forward_kinematics"),
     ("J", "jacobian"),
+    ("jacobian_dot", "jacobian_rate"),
+    ("jacobian_derivative", "jacobian_rate"),
+    ("operational_space_inertia", "operational_inertia_inverse"),
+    ("task_space_inertia", "operational_inertia_inverse"),
     ("box", "cuboid"),
     ("mount", "base"),
     ("mounting", "base"),

@@ -34,6 +34,11 @@ pub(crate) fn decimal_comma(whole: &impl Display, fraction: &impl Display) -> Mi
     ))
 }
 
+/// `.5`
+pub(crate) fn leading_point(fraction: &impl Display) -> Mistake {
+    Mistake::new(format!("decimals begin with a digit: `0.{fraction}`"))
+}
+
 pub(crate) fn other_type(suffix: &str) -> Mistake {
     Mistake::new(format!("every number is an `f64`: remove `{suffix}`"))
 }

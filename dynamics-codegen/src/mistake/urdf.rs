@@ -10,6 +10,14 @@ pub(crate) fn no_robot(found: &str) -> Mistake {
     ))
 }
 
+/// An element of the language that URDF is written by.
+pub(crate) fn xacro(element: &str) -> Mistake {
+    Mistake::new(format!(
+        "`<xacro:{}>`: xacro files are expanded first, `xacro arm.urdf.xacro > arm.urdf`",
+        shortened(element)
+    ))
+}
+
 pub(crate) fn attribute_missing(element: &str, name: &str) -> Mistake {
     Mistake::new(format!("`<{element}>` has no `{name}`"))
 }

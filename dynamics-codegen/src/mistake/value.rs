@@ -123,7 +123,9 @@ pub(crate) fn unknown_name(
              or make it a field of the struct",
             shortened(name)
         ),
-        None if known.is_empty() => "the struct has no fields, and no `let` is above".to_owned(),
+        None if known.is_empty() => {
+            "expected numbers, for there are no fields, and no `let` is above".to_owned()
+        }
         None if known.len() > MOST_LISTED => "expected a field or a `let`".to_owned(),
         None => format!("expected a field or a `let`: {}", either(known)),
     };

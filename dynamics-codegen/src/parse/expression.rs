@@ -7,7 +7,7 @@ use super::number::number;
 use crate::description::{Elementary, Expr, ExprKind, Operator, Share};
 use crate::diagnose::Reported;
 use crate::limits::{DEEPEST_VALUE, MOST_TERMS};
-use crate::mistake::{expected, size, value as mistake};
+use crate::mistake::{expected, number as mistake_of_number, size, value as mistake};
 use crate::place::Place;
 use crate::words;
 
@@ -136,7 +136,7 @@ fn plain_operand(cursor: &mut Cursor, limits: &mut Limits) -> Result<Expr, Repor
             cursor.take();
             name(cursor, ident, limits)
         }
-        _ => Err(cursor.expected(expected::value())),
+        _ => Err(no_operand(cursor)),
     }
 }
 
@@ -147,6 +147,20 @@ fn number_literal(cursor: &mut Cursor, literal: &Literal) -> Result<Expr, Report
         kind: ExprKind::Number(value),
         place,
     })
+}
+
+/// Reports what is no operand; a number may lack the digit in front of its point.
+fn no_operand(cursor: &mut Cursor) -> Reported {
+    let mut ahead = cursor.clone();
+    if let (Some(point), Some(TokenTree::Literal(fraction))) = (ahead.take_char('.'), ahead.peek())
+        && fraction
+            .to_string()
+            .starts_with(|c: char| c.is_ascii_digit())
+    {
+        let place = Place::from(point).to(fraction.span());
+        return cursor.error(place, mistake_of_number::leading_point(&fraction));
+    }
+    cursor.expected(expected::value())
 }
 
 /// Reads what starts with a name: the name alone, or a function of a value.

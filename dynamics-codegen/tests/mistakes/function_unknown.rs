@@ -3,5 +3,5 @@ robot_dynamics! {
     convention: standard,
     gravity: [0, 0, -9.81],
     joints: [joint: revolute { mass: 1 }],
-    functions: [mass_matrx, lagrangian, inverse_dynamics],
+    functions: [mass_matrx, lagrangian, operational_space_inertia, inverse_dynamics],
 }

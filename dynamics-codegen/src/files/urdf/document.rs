@@ -110,6 +110,14 @@ pub(super) fn read(
         reader.error(root, mistake::no_robot(root.tag_name().name()));
         return None;
     }
+    let is_xacro = |element: &Node| {
+        let space = element.tag_name().namespace();
+        space.is_some_and(|space| space.ends_with("/xacro"))
+    };
+    if let Some(element) = root.descendants().find(is_xacro) {
+        reader.error(element, mistake::xacro(element.tag_name().name()));
+        return None;
+    }
     let elements = |name: &'static str| {
         let elements = root.children().filter(Node::is_element);
         elements.filter(move |element| element.tag_name().name() == name)
