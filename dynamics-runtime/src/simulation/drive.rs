@@ -11,10 +11,13 @@ use crate::EquationsOfMotion;
 use crate::integrate::{Failure, Stepper};
 
 /// Makes steps to the end of the recorder's plan, at most `max_steps` between two samples.
+///
+/// The stepper is known at run time alone: a call for each step is nothing beside the step, and what is written
+/// here is compiled once for all methods.
 pub(super) fn drive<S, R, L, const N: usize>(
     motion: &Motion<R, L, N>,
     system: &S,
-    stepper: impl Stepper<S, Cause, N>,
+    stepper: &mut dyn Stepper<S, Cause, N>,
     recorder: &mut Recorder<N>,
     max_steps: usize,
 ) -> Result<(), Cause>
@@ -33,7 +36,7 @@ where
 pub(super) fn smooth<M, S, E, const N: usize>(
     motion: &M,
     system: &S,
-    mut stepper: impl Stepper<S, E, N>,
+    stepper: &mut dyn Stepper<S, E, N>,
     recorder: &mut Recorder<N>,
     max_steps: usize,
 ) -> Result<(), Cause>
@@ -53,7 +56,7 @@ where
         let (t, phase) = (stepper.t(), *stepper.phase());
         recorder.reach(t, phase)?;
         steps += 1;
-        let mut taken = take_within(motion, system, &mut stepper, recorder)?;
+        let mut taken = take_within(motion, system, stepper, recorder)?;
         if instants.begin(t) {
             motion.sample(t, &phase)?;
             stepper.restart(system, phase)?;
@@ -166,7 +169,7 @@ mod tests {
             smooth(
                 &asked,
                 &(),
-                Clock(0.0, plan.initial),
+                &mut Clock(0.0, plan.initial),
                 &mut recorder,
                 1_000_000,
             )

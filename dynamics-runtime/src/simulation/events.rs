@@ -17,10 +17,10 @@ use crate::EquationsOfMotion;
 use crate::integrate::{Phase, Stepper};
 
 /// An integration whose steps end at the events.
-pub(super) struct Eventful<'a, S, R, L, K, const N: usize> {
+pub(super) struct Eventful<'a, S, R, L, const N: usize> {
     motion: &'a Motion<'a, R, L, N>,
     system: &'a S,
-    stepper: K,
+    stepper: &'a mut dyn Stepper<S, Cause, N>,
     instants: Instants,
     held: Held<N>,
     /// Events since the last step without one.
@@ -35,17 +35,16 @@ pub(super) struct Eventful<'a, S, R, L, K, const N: usize> {
 /// the next one in a motion that a step of the method can follow.
 const MOST_IN_A_ROW: usize = 1_000;
 
-impl<'a, S, R, L, K, const N: usize> Eventful<'a, S, R, L, K, N>
+impl<'a, S, R, L, const N: usize> Eventful<'a, S, R, L, N>
 where
     R: EquationsOfMotion<N>,
     L: TorqueLaw<N>,
-    K: Stepper<S, Cause, N>,
 {
     /// From where the stepper is.
     pub(super) fn start(
         motion: &'a Motion<'a, R, L, N>,
         system: &'a S,
-        stepper: K,
+        stepper: &'a mut dyn Stepper<S, Cause, N>,
         duration: f64,
     ) -> Result<Self, Cause> {
         let held = motion.held(stepper.t(), stepper.phase())?;
@@ -81,7 +80,7 @@ where
             let end = self.stopped(event);
             recorder.reach(self.stepper.t(), end)?;
             steps += 1;
-            let mut taken = take_within(self.motion, self.system, &mut self.stepper, recorder)?;
+            let mut taken = take_within(self.motion, self.system, self.stepper, recorder)?;
             self.turn(event, recorder)?;
             taken |= take_here(self.motion, recorder);
             if taken {

@@ -196,8 +196,8 @@ where
     R: EquationsOfMotion<N>,
     L: TorqueLaw<N>,
 {
-    let run = FixedStep::start(method, recorder.grid(step), recorder.phase);
-    drive(motion, system, run, recorder, usize::MAX)
+    let mut run = FixedStep::start(method, recorder.grid(step), recorder.phase);
+    drive(motion, system, &mut run, recorder, usize::MAX)
 }
 
 fn canonical<R, L, const STAGES: usize, const N: usize>(
@@ -225,8 +225,8 @@ where
     L: TorqueLaw<N>,
 {
     let range = control.range(recorder.duration());
-    let run = Adaptive::<M, N>::start(motion, 0.0, recorder.phase, control.tolerance, range)?;
-    drive(motion, motion, run, recorder, control.max_steps).map_err(Cause::of_long_steps)
+    let mut run = Adaptive::<M, N>::start(motion, 0.0, recorder.phase, control.tolerance, range)?;
+    drive(motion, motion, &mut run, recorder, control.max_steps).map_err(Cause::of_long_steps)
 }
 
 fn radau<R, L, const N: usize>(
@@ -239,6 +239,6 @@ where
     L: TorqueLaw<N>,
 {
     let range = control.range(recorder.duration());
-    let run = Radau::start(motion, 0.0, recorder.phase, control.tolerance, range)?;
-    drive(motion, motion, run, recorder, control.max_steps).map_err(Cause::of_long_steps)
+    let mut run = Radau::start(motion, 0.0, recorder.phase, control.tolerance, range)?;
+    drive(motion, motion, &mut run, recorder, control.max_steps).map_err(Cause::of_long_steps)
 }

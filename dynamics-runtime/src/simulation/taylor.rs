@@ -283,8 +283,14 @@ impl<R: TaylorDynamics<N>, const N: usize> Setting<'_, R, N> {
         let control = self.settings.control();
         let range = control.range(self.plan.duration);
         let order = self.settings.order();
-        let run = SeriesStepper::start(&motion.steady, start, order, control.tolerance, range)?;
-        let run = smooth(motion, &motion.steady, run, recorder, control.max_steps);
+        let mut run = SeriesStepper::start(&motion.steady, start, order, control.tolerance, range)?;
+        let run = smooth(
+            motion,
+            &motion.steady,
+            &mut run,
+            recorder,
+            control.max_steps,
+        );
         run.map_err(Cause::of_long_steps)
     }
 
