@@ -1,3 +1,5 @@
+//! What a refused table would have is called all the same: no other error follows.
+
 use robot_dynamics::robot_dynamics;
 
 robot_dynamics! {
@@ -18,6 +20,19 @@ fn kinetic<const N: usize>(arm: &impl robot_dynamics::Energy<N>) -> f64 {
 
 fn fall<const N: usize>(_: &impl robot_dynamics::ForwardDynamics<N>) {}
 
+robot_dynamics! {
+    pub struct Identified { length: f64 }
+    convention: standard,
+    gravity: [0, 0, -9.81],
+    joints: [
+        shoulder: revolute { a: length, mass: 1, com: [0, 0, ] },
+        elbow: revolute { a: lenght, mass: 1 },
+    ],
+    functions: [regressor, base_parameters],
+}
+
+const P: usize = Identified::BASE_PARAMETERS;
+
 fn main() {
     let arm = Arm { length: 0.3 }.clone();
     let q = robot_dynamics::nalgebra::Vector2::new(0.1, 0.2);
@@ -28,4 +43,16 @@ fn main() {
     let _ = (arm.table(), Arm::DOF, Arm::JOINT_NAMES[1], Arm::OPERATIONS);
     robot_dynamics::check_against_rnea(&arm).assert_ok();
     fall(&arm);
+    identified();
+}
+
+fn identified() {
+    let arm = Identified { length: 0.3 };
+    let q = robot_dynamics::nalgebra::Vector2::new(0.1, 0.2);
+    let y = arm.regressor(&q, &q, &q);
+    let tau = y * arm.base_parameters();
+    let beta: robot_dynamics::nalgebra::SVector<f64, P> = arm.base_parameters();
+    let _: [&str; P] = Identified::BASE_PARAMETER_NAMES;
+    let _ = (tau[0], beta.norm(), y.transpose() * y);
+    robot_dynamics::check_against_rnea(&arm).assert_ok();
 }
