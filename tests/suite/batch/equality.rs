@@ -1,6 +1,6 @@
 //! Batches of every length against single calls.
 
-use robots::{Puma560, Scara, SprungArm, StickyArm, TiltingCell};
+use robots::{Puma560, StickyArm};
 
 use super::arms::FIELDS;
 use super::values::{Arm, States, Values, assert_same};
@@ -63,9 +63,6 @@ fn every_length<const N: usize>(name: &str, arm: &impl Arm<N>) {
 #[test]
 fn batches_of_every_length_are_single_calls() {
     every_length("puma560", &Puma560);
-    every_length("scara", &Scara);
     every_length("fields", &FIELDS);
-    every_length("tilting_cell", &TiltingCell);
-    every_length("sprung_arm", &SprungArm);
     every_length("sticky_arm", &StickyArm);
 }
