@@ -27,6 +27,8 @@ pub enum IdentificationError {
     Values(EvaluationError),
     /// A base parameter is not a finite number: its index.
     NotFinite(usize),
+    /// A field of the robot has no value, or none that is finite: its name.
+    Field(String),
     /// The columns of the regressor are dependent, as they may be where joints follow others: no set of base
     /// parameters is the only one.
     Dependent,
@@ -51,6 +53,9 @@ impl fmt::Display for IdentificationError {
                     f,
                     "base parameter {index} is not finite: expected kg, kg m or kg m^2"
                 )
+            }
+            IdentificationError::Field(name) => {
+                write!(f, "field `{name}` has no finite value: give it one first")
             }
             IdentificationError::Dependent => write!(
                 f,
@@ -84,8 +89,8 @@ impl<const N: usize> Typed<'_, N> {
     ///
     /// # Errors
     ///
-    /// [`IdentificationError`]: `regressor` was not asked for, another number of values, a value that is not
-    /// finite, or a link without mass that would need one.
+    /// [`IdentificationError`]: `regressor` was not asked for, another number of values, a value or a field that is
+    /// not finite, or a link without mass that would need one.
     pub fn identified(&self, base_parameters: &[f64]) -> Result<RuntimeRobot, IdentificationError> {
         let arm = self.arm;
         let expected = arm.entries("regressor")? / N;
@@ -98,6 +103,10 @@ impl<const N: usize> Typed<'_, N> {
         }
         if let Some(index) = base_parameters.iter().position(|b| !b.is_finite()) {
             return Err(IdentificationError::NotFinite(index));
+        }
+        let mut fields = arm.field_names().iter().zip(arm.fields());
+        if let Some((name, _)) = fields.find(|(_, value)| !value.is_finite()) {
+            return Err(IdentificationError::Field(name.clone()));
         }
         let map = base_parameter_map(self).ok_or(IdentificationError::Dependent)?;
         let changes = changes(&map, &self.table, base_parameters);

@@ -2,7 +2,7 @@
 
 use dynamics_evaluation::{EvaluationError, IdentificationError, RuntimeRobot};
 use dynamics_symbolic::Function;
-use dynamics_symbolic::robot::{Robot, Value};
+use dynamics_symbolic::robot::{Coupling, Robot, Value};
 
 const FUNCTIONS: [Function; 4] = [
     Function::InverseDynamics,
@@ -11,13 +11,13 @@ const FUNCTIONS: [Function; 4] = [
     Function::BaseParameters,
 ];
 
-/// The arm as it is, beside its table: other masses, centres of mass and tensors.
-fn real(guess: &Robot) -> Robot {
+/// The arm as it is, beside its table with these values of its fields: other masses, centres of mass and tensors.
+fn real(guess: &Robot, fields: &[f64]) -> Robot {
     let mut real = guess.clone();
     for (k, row) in real.rows.iter_mut().enumerate() {
         let more = |value: &Value, i: usize| {
             let share = 0.2 * (1.0 + ((7 * k + 3 * i) as f64).sin());
-            let x = value.to_f64(&[]);
+            let x = value.to_f64(fields);
             Value::from_f64(x + share * x.abs() + 0.01 * share).expect("finite")
         };
         if !row.mass.is_zero() {
@@ -36,14 +36,27 @@ fn values(arm: &RuntimeRobot, function: &str, arguments: &[&[f64]]) -> Vec<f64> 
     values
 }
 
-fn made(robot: Robot) -> RuntimeRobot {
-    RuntimeRobot::new(robot, FUNCTIONS).expect("proven")
+fn made(robot: Robot, fields: &[f64]) -> RuntimeRobot {
+    let mut arm = RuntimeRobot::new(robot, FUNCTIONS).expect("proven");
+    arm.set_fields(fields).expect("a value for each field");
+    arm
+}
+
+/// Two slides of which the second one follows the first, at one and a half times its speed.
+fn coupled() -> Robot {
+    let mut robot = arms::robot("cylindrical_rpp");
+    robot.rows[2].follows = Some(Coupling {
+        leader: 1,
+        factor: arms::decimal(1.5),
+        offset: arms::decimal(0.25),
+    });
+    robot
 }
 
 /// The torques of the identified arm are those of the real one, and its base parameters.
-fn assert_found<const N: usize>(guess: Robot) {
+fn assert_found<const N: usize>(guess: Robot, fields: &[f64]) {
     let name = guess.name.clone();
-    let (real, guess) = (made(real(&guess)), made(guess));
+    let (real, guess) = (made(real(&guess, fields), fields), made(guess, fields));
     let identified = values(&real, "base_parameters", &[]);
     let found = guess
         .typed::<N>()
@@ -77,17 +90,23 @@ fn assert_found<const N: usize>(guess: Robot) {
 
 #[test]
 fn an_identified_robot_moves_as_the_real_one() {
-    assert_found::<6>(arms::robot("puma560"));
-    assert_found::<6>(arms::robot("stanford"));
+    assert_found::<6>(arms::robot("puma560"), &[]);
+    assert_found::<6>(arms::robot("stanford"), &[]);
     let mut locked = arms::robot("puma560");
     locked.rows[1].locked = Some(arms::decimal(0.3));
     locked.rows[5].locked = Some(arms::decimal(-1.5));
-    assert_found::<4>(locked);
+    assert_found::<4>(locked, &[]);
+    assert_found::<2>(coupled(), &[]);
+    let symbolic = arms::with_inertial_fields("elbow_3r");
+    let fields: Vec<f64> = (0..symbolic.fields.len())
+        .map(|k| 1.0 + 0.3 * (5.0 * k as f64).sin())
+        .collect();
+    assert_found::<3>(symbolic, &fields);
 }
 
 #[test]
 fn what_is_no_identification_is_refused() {
-    let guess = made(arms::robot("two_link_saha"));
+    let guess = made(arms::robot("two_link_saha"), &[]);
     let typed = guess.typed::<2>().expect("two joints");
     let mut found = values(&guess, "base_parameters", &[]);
     assert!(typed.identified(&found).is_ok());
@@ -101,6 +120,12 @@ fn what_is_no_identification_is_refused() {
     found[1] = f64::NAN;
     let error = typed.identified(&found).expect_err("no number");
     assert_eq!(error, IdentificationError::NotFinite(1));
+    let symbolic = arms::with_inertial_fields("two_link_saha");
+    let arm = RuntimeRobot::new(symbolic, FUNCTIONS).expect("proven");
+    let count = arm.entries("base_parameters").expect("derived");
+    let typed = arm.typed::<2>().expect("two joints");
+    let error = typed.identified(&vec![1.0; count]).expect_err("no values");
+    assert_eq!(error, IdentificationError::Field("p0".to_owned()));
     let arm = RuntimeRobot::new(arms::robot("two_link_saha"), [Function::MassMatrix]);
     let error = arm
         .expect("proven")
