@@ -8,7 +8,10 @@
 use divan::{Bencher, black_box, counter::ItemsCount};
 use robot_dynamics::NewtonEuler;
 use robot_dynamics::nalgebra::{SVector, Vector6};
-use robots::{Arguments, Elbow3r, Panda, Puma560, Stanford, TwoLinkSaha, Ur5, each_function};
+use robots::{
+    Arguments, Elbow3r, Panda, Puma560, Stanford, TwoLinkSaha, Ur5, each_function,
+    for_each_measured_arm,
+};
 
 const STATES: usize = 64;
 
@@ -95,14 +98,7 @@ macro_rules! bench_robots {
     )*};
 }
 
-bench_robots! {
-    two_link_saha: TwoLinkSaha, 2;
-    elbow_3r: Elbow3r, 3;
-    stanford: Stanford, 6;
-    puma560: Puma560, 6;
-    ur5: Ur5, 6;
-    panda: Panda, 7;
-}
+for_each_measured_arm!(bench_robots);
 
 fn main() {
     divan::main();

@@ -8,18 +8,25 @@ use robot_dynamics::{
     DoubleDouble, Friction, NewtonEuler, Simulation, Table, base_parameter_map, check_against_rnea,
     robot_dynamics,
 };
+use robots::palletiser_table;
 use testkit::exact::Exact;
 
 /// An arm with couplings and all functions, and the same arm without them.
 macro_rules! arm {
     (
-        $coupled:ident { $($field:ident),* } $whole:ident { $($own:ident),* } also: [$($also:ident)?], couple: $couple:tt,
+        $coupled:ident { $($field:ident),* } $whole:ident { $($own:ident),* } couple: $couple:tt,
         $($entries:tt)*
     ) => {
+        coupled! { struct $coupled { $($field: f64),* } $($entries)* couple: $couple, }
+        whole! { struct $whole { $($own: f64),* } $($entries)* }
+    };
+}
+
+/// An arm with couplings.
+macro_rules! coupled {
+    ($($entries:tt)*) => {
         robot_dynamics! {
-            struct $coupled { $($field: f64),* }
             $($entries)*
-            couple: $couple,
             functions: [
                 default, friction_vector, spring_vector, bias_force, coriolis_matrix,
                 coriolis_coefficients, centrifugal_coefficients, forward_kinematics, link_poses, jacobian,
@@ -27,13 +34,17 @@ macro_rules! arm {
                 forward_dynamics_aba, wrench_torques, tool_velocity, tool_acceleration, jacobian_rate,
                 link_jacobians, center_of_mass, center_of_mass_jacobian, operational_inertia_inverse,
                 generalized_momentum, momentum_bias, passivity_torque, passivity_regressor,
-                energy_regressors, inverse_dynamics_rates, $($also,)?
+                energy_regressors, inverse_dynamics_rates,
                 control_terms = (mass_matrix, coriolis_vector, gravity_vector),
             ],
         }
+    };
+}
 
+/// An arm whose joints all move by themselves.
+macro_rules! whole {
+    ($($entries:tt)*) => {
         robot_dynamics! {
-            struct $whole { $($own: f64),* }
             $($entries)*
             functions: [
                 default, friction_vector, spring_vector, coriolis_matrix, jacobian, link_poses,
@@ -45,7 +56,7 @@ macro_rules! arm {
 
 // A two-finger gripper on a short arm; the fingers move against each other.
 arm! {
-    Gripper { load, tilt, width } OpenGripper { load, tilt } also: [], couple: [finger_2 = -finger_1 + width],
+    Gripper { load, tilt, width } OpenGripper { load, tilt } couple: [finger_2 = -finger_1 + width],
     convention: modified,
     gravity: [0, 0, -9.81],
     base: { xyz: [0, 0, 0.8], rpy: [0, tilt, 0] },
@@ -73,42 +84,16 @@ arm! {
     tool: { xyz: [0.1, 0, 0.02], rpy: [0.3, 0, -0.2], mass: load, com: [0, 0, 0.05] },
 }
 
-// A palletiser: parallelograms keep the elbow's frame and the hand level, whatever upper arm and forearm
-// do. The joints that follow are in front of the joints that move on.
-arm! {
-    Palletiser {} Serial {} also: [taylor_series], couple: [level = -upper + PI/2, hand = -fore - 0.3],
-    convention: standard,
-    gravity: [0.5, 0, -9.81],
-    joints: [
-        waist: revolute {
-            d: 0.8, a: 0.1, alpha: PI/2, mass: 20, com: [0, -0.1, 0.02],
-            inertia: { xx: 0.8, yy: 0.9, zz: 0.7 },
-            friction: { viscous: 2, coulomb: 1 },
-        },
-        upper: revolute {
-            a: 0.7, mass: 12, com: [-0.3, 0, 0.05], inertia: { xx: 0.1, yy: 0.6, zz: 0.65, xy: 0.02 },
-            motor: { inertia: 1e-4, gear_ratio: 100 }, friction: { viscous: 3, coulomb: 2 },
-        },
-        level: revolute {
-            theta: -PI/2, a: 0.1, mass: 2, com: [-0.05, 0.01, 0], inertia: { xx: 0.01, yy: 0.02, zz: 0.02 },
-            friction: { viscous: 0.4, coulomb: { positive: 0.2, negative: 0.3 } },
-        },
-        fore: revolute {
-            a: 0.6, mass: 8, com: [-0.25, 0, -0.03], inertia: { xx: 0.05, yy: 0.3, zz: 0.32 },
-            friction: { viscous: 2, coulomb: 1.5 }, spring: { stiffness: 30, rest: -0.2 },
-        },
-        hand: revolute {
-            alpha: -PI/2, theta: 0.1, a: 0.08, mass: 4, com: [0.02, 0.01, -0.1],
-            inertia: { xx: 0.04, yy: 0.03, zz: 0.02 },
-            motor: { inertia: 2e-5, gear_ratio: 30 }, spring: { stiffness: 20, rest: 0.4 },
-        },
-    ],
+// The palletiser of `testkit/robots`: the joints that follow are in front of the joints that move on.
+palletiser_table! {
+    coupled { struct Palletiser; } { couple: [level = -upper + PI/2, hand = -fore - 0.25], }
 }
+palletiser_table! { whole { struct Serial; } {} }
 
 // Belts and gears: twice as far, half as far, by a field, three times by way of another follower, a rack
 // that turns a pinion, and a joint that follows one behind it.
 arm! {
-    Geared { ratio, phase } Loose {} also: [], couple: [
+    Geared { ratio, phase } Loose {} couple: [
         half = arm / 2 + deg(20),
         double = 2 * arm + phase,
         pinion = 25 * (rack - 0.01),
@@ -346,8 +331,8 @@ fn parallelograms_of_a_palletiser() {
         0.0, 0.0, 1.0,
         0.0, 0.0, -1.0,
     ]);
-    let c = SVector::from([0.0, 0.0, std::f64::consts::FRAC_PI_2, 0.0, -0.3]);
-    agrees!(Palletiser {}, Serial {}, 3, 5, Coupling { s, c }, [0, 1, 3]);
+    let c = SVector::from([0.0, 0.0, std::f64::consts::FRAC_PI_2, 0.0, -0.25]);
+    agrees!(Palletiser, Serial, 3, 5, Coupling { s, c }, [0, 1, 3]);
     // Of five angles three are read: those that follow share sine and cosine with the joint that leads.
     let count = |name: &str| {
         let mut operations = Palletiser::OPERATIONS.iter();

@@ -17,6 +17,9 @@ macro_rules! every_function_of_a_long_arm {
 
 #[path = "../../../testkit/robots/src/industrial.rs"]
 mod industrial;
+#[macro_use]
+#[path = "../../../testkit/robots/src/measured.rs"]
+mod measured;
 #[path = "../../../testkit/robots/src/textbook.rs"]
 mod textbook;
 #[path = "../../../testkit/robots/src/three_axis.rs"]
@@ -26,18 +29,4 @@ pub(crate) use industrial::{Panda, Puma560, Stanford, Ur5};
 pub(crate) use textbook::TwoLinkSaha;
 pub(crate) use three_axis::Elbow3r;
 
-/// Hands every arm to the macro `$then`: the name of its files in `tests/data`, its type, its
-/// number of joints.
-macro_rules! for_each_arm {
-    ($then:ident) => {
-        $then! {
-            two_link_saha: TwoLinkSaha, 2;
-            elbow_3r: Elbow3r, 3;
-            stanford: Stanford, 6;
-            puma560: Puma560, 6;
-            ur5: Ur5, 6;
-            panda: Panda, 7;
-        }
-    };
-}
-pub(crate) use for_each_arm;
+pub(crate) use for_each_measured_arm as for_each_arm;

@@ -41,35 +41,50 @@ every_function! {
     couple: [finger_2 = -finger_1 + 0.0625, hook = 12.5 * finger_1 - 0.3],
 }
 
-every_function! {
-    /// A palletiser: parallelograms keep the elbow's frame and the hand level, whatever upper arm and forearm do.
-    pub struct Palletiser;
+/// The table of [`Palletiser`] without its couplings, handed to the macro `$then` between what stands in front of it
+/// and behind it.
+#[macro_export]
+macro_rules! palletiser_table {
+    ($then:ident { $($head:tt)* } { $($tail:tt)* }) => {
+        $then! {
+            $($head)*
 
-    convention: standard,
-    gravity: [0, 0, -9.81],
-    joints: [
-        waist: revolute {
-            d: 0.8, a: 0.1, alpha: PI/2, mass: 20, com: [0.02, -0.1, 0.03],
-            inertia: { xx: 0.8, yy: 0.9, zz: 0.7 },
-            friction: { viscous: 2, coulomb: 1 },
-        },
-        upper: revolute {
-            a: 0.7, mass: 12, com: [-0.3, 0.01, 0.05], inertia: { xx: 0.1, yy: 0.6, zz: 0.65, xy: 0.02 },
-            motor: { inertia: 1e-4, gear_ratio: 100 }, friction: { viscous: 3, coulomb: 2 },
-        },
-        level: revolute {
-            theta: -PI/2, a: 0.1, mass: 2, com: [-0.05, 0.01, 0.02], inertia: { xx: 0.01, yy: 0.02, zz: 0.02 },
-            friction: { viscous: 0.4, coulomb: { positive: 0.2, negative: 0.3 } },
-        },
-        fore: revolute {
-            a: 0.6, mass: 8, com: [-0.25, 0.02, -0.03], inertia: { xx: 0.05, yy: 0.3, zz: 0.32 },
-            friction: { viscous: 2, coulomb: 1.5 }, spring: { stiffness: 30, rest: -0.5 },
-        },
-        hand: revolute {
-            alpha: -PI/2, theta: 0.1, a: 0.08, mass: 4, com: [0.02, 0.01, -0.1],
-            inertia: { xx: 0.04, yy: 0.03, zz: 0.02 },
-            motor: { inertia: 2e-5, gear_ratio: 30 }, spring: { stiffness: 20, rest: 0.25 },
-        },
-    ],
-    couple: [level = -upper + PI/2, hand = -fore - 0.25],
+            convention: standard,
+            gravity: [0, 0, -9.81],
+            joints: [
+                waist: revolute {
+                    d: 0.8, a: 0.1, alpha: PI/2, mass: 20, com: [0.02, -0.1, 0.03],
+                    inertia: { xx: 0.8, yy: 0.9, zz: 0.7 },
+                    friction: { viscous: 2, coulomb: 1 },
+                },
+                upper: revolute {
+                    a: 0.7, mass: 12, com: [-0.3, 0.01, 0.05], inertia: { xx: 0.1, yy: 0.6, zz: 0.65, xy: 0.02 },
+                    motor: { inertia: 1e-4, gear_ratio: 100 }, friction: { viscous: 3, coulomb: 2 },
+                },
+                level: revolute {
+                    theta: -PI/2, a: 0.1, mass: 2, com: [-0.05, 0.01, 0.02], inertia: { xx: 0.01, yy: 0.02, zz: 0.02 },
+                    friction: { viscous: 0.4, coulomb: { positive: 0.2, negative: 0.3 } },
+                },
+                fore: revolute {
+                    a: 0.6, mass: 8, com: [-0.25, 0.02, -0.03], inertia: { xx: 0.05, yy: 0.3, zz: 0.32 },
+                    friction: { viscous: 2, coulomb: 1.5 }, spring: { stiffness: 30, rest: -0.5 },
+                },
+                hand: revolute {
+                    alpha: -PI/2, theta: 0.1, a: 0.08, mass: 4, com: [0.02, 0.01, -0.1],
+                    inertia: { xx: 0.04, yy: 0.03, zz: 0.02 },
+                    motor: { inertia: 2e-5, gear_ratio: 30 }, spring: { stiffness: 20, rest: 0.25 },
+                },
+            ],
+            $($tail)*
+        }
+    };
+}
+
+palletiser_table! {
+    every_function {
+        /// A palletiser: parallelograms keep the elbow's frame and the hand level, whatever upper arm and forearm do.
+        pub struct Palletiser;
+    } {
+        couple: [level = -upper + PI/2, hand = -fore - 0.25],
+    }
 }
