@@ -8,7 +8,7 @@
 //! With numbers as arguments, generic chains of so many joints are expanded instead, once each.
 
 use dynamics_symbolic::neglect::neglect;
-use dynamics_symbolic::robot::Robot;
+use dynamics_symbolic::robot::{Robot, Value};
 use dynamics_symbolic::{Function, expand};
 use quote::quote;
 
@@ -26,6 +26,9 @@ const LONGEST: (usize, f64) = (30, 20.0);
 
 /// As [`CASES`], the PUMA 560 abbreviated: both models are derived.
 const ABBREVIATED: f64 = 4.0;
+
+/// As [`CASES`], the Panda with ranges of its joints, over which rounding errors are bounded.
+const LIMITED: f64 = 4.0;
 
 fn main() {
     let joints: Vec<usize> = std::env::args()
@@ -45,6 +48,12 @@ fn main() {
         let mut abbreviated = neglect(&complete, 0.01).expect("a part of it");
         abbreviated.name = "puma560 at 1 %".to_owned();
         report(&abbreviated, 3, ABBREVIATED);
+        let mut limited = arms::robot("panda");
+        limited.name = "panda with limits".to_owned();
+        for row in &mut limited.rows {
+            row.limits = Some([Value::integer(-2), Value::integer(2)]);
+        }
+        report(&limited, 3, LIMITED);
     }
 }
 

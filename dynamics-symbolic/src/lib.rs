@@ -7,12 +7,14 @@
 //! and leaves as Rust tokens (`emit`).
 #![forbid(unsafe_code)]
 
+pub mod bounds;
 pub mod derive;
 pub mod emit;
 pub mod exact;
 pub mod expr;
 pub mod formula;
 pub mod function;
+mod interval;
 pub mod linear;
 mod methods;
 pub mod neglect;

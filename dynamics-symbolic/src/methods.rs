@@ -1,5 +1,6 @@
 //! From a robot to its methods: derive, prove, emit.
 
+use crate::bounds;
 use crate::derive::derive_together;
 use crate::emit;
 use crate::formula::{Budget, Equation, Formulas, MOST_TERMS};
@@ -125,7 +126,7 @@ pub fn expand_with<R: Clone + Into<Request>>(
         }
         let method = match request.function() {
             Some(Function::TaylorSeries) => taylor_series(robot, program, &notes, path, derive),
-            _ => method(robot, (&request, index), program, &notes, path),
+            _ => method(robot, (&request, index), program, notes, path),
         };
         match method {
             Ok(method) => methods.push(method),
@@ -231,10 +232,11 @@ fn method(
     robot: &Robot,
     (request, index): (&Request, usize),
     program: Program,
-    notes: &[String],
+    mut notes: Vec<String>,
     path: &TokenStream,
 ) -> Result<Method, Reason> {
     let Proven { program, constants } = proven(robot, request, program)?;
+    notes.extend(bounds::note(robot, request, &program, &constants));
     let formulas = Formulas::of_short_arm(robot, request.parts(), &program, Budget::UNASKED);
     let emitted = emit::method(
         robot,
@@ -242,7 +244,7 @@ fn method(
         &program,
         &constants,
         formulas.as_ref(),
-        notes,
+        &notes,
         path,
     );
     let equations = formulas.map_or(Vec::new(), |formulas| formulas.equations(MOST_TERMS));

@@ -1,5 +1,6 @@
 //! Robots from files are those whose table stands in the call.
 
+mod bounds;
 mod compiled;
 mod generated;
 mod mimic;

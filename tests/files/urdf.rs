@@ -15,7 +15,7 @@ use super::{check, text};
 
 /// What was recorded of an arm.
 #[derive(Deserialize)]
-struct Reference {
+pub(super) struct Reference {
     file: String,
     chain: [String; 2],
     ignore: Vec<String>,
@@ -55,7 +55,7 @@ impl Reference {
 }
 
 /// Those of the folder.
-fn references() -> Vec<(String, Reference)> {
+pub(super) fn references() -> Vec<(String, Reference)> {
     let folder = format!("{}/../data/urdf", env!("CARGO_MANIFEST_DIR"));
     let entries = std::fs::read_dir(folder).expect("the folder can be read");
     let paths = entries.map(|entry| entry.expect("an entry").path());
@@ -91,7 +91,7 @@ fn largest<'a>(values: impl IntoIterator<Item = &'a f64>) -> f64 {
 }
 
 /// What the arm's own file says: without friction, which Pinocchio's torques leave out, with gravity.
-fn robot(name: &str, reference: &Reference) -> Robot {
+pub(super) fn robot(name: &str, reference: &Reference) -> Robot {
     let file = text(&format!("urdf/{}", reference.file));
     let mut robot = check(
         name,

@@ -27,7 +27,7 @@ mod regressor;
 mod rows;
 mod second_derivatives;
 mod solve;
-mod states;
+pub(crate) mod states;
 pub mod symbols;
 pub mod textbook;
 mod tip;

@@ -8,7 +8,7 @@ use core::f64::consts::{FRAC_PI_2, PI};
 
 /// What the symbols of a robot are at one state. Positions and velocities of the joints are followed by
 /// those of the followers, less their offsets.
-pub(super) struct State {
+pub(crate) struct State {
     q: Vec<f64>,
     qd: Vec<f64>,
     qdd: Vec<f64>,
@@ -23,7 +23,7 @@ pub(super) struct State {
 /// Two states each have the same values of the fields. Those of every other pair are ordinary, those of
 /// the pairs between unlucky: magnitudes that differ by up to nine powers of ten, and angles that
 /// nearly vanish or are nearly right.
-pub(super) fn states(robot: &Robot, seed: u64, pairs: usize) -> Vec<[State; 2]> {
+pub(crate) fn states(robot: &Robot, seed: u64, pairs: usize) -> Vec<[State; 2]> {
     let mut random = SplitMix64::new(seed);
     let pair = |number| {
         let fields = Fields::new(robot, &mut random, number % 2 == 1);
@@ -95,7 +95,7 @@ impl State {
     }
 
     /// The value of a symbol: rounded where the program computes it.
-    pub(super) fn symbol(&self, symbol: &Symbol) -> Bounded {
+    pub(crate) fn symbol(&self, symbol: &Symbol) -> Bounded {
         match symbol {
             Symbol::Pi => Bounded::rounded(PI),
             Symbol::Field(i) => Bounded::exact(self.fields.values[*i]),

@@ -13,7 +13,7 @@ pub use dashu_ratio::RBig as Rational;
 pub use random::SplitMix64;
 pub use residue::{Residue, circle_point};
 pub use root::square_root;
-pub use sine::sin_cos;
+pub use sine::{SINE_ERROR, sin_cos};
 
 /// Bits of the numerator and the denominator together.
 pub fn bit_length(x: &Rational) -> usize {

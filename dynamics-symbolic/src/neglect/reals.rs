@@ -33,7 +33,3 @@ impl Interpretation for Reals {
         sin_cos(angle.to_f64(&[]))
     }
 }
-
-/// How far [`sin_cos`] may be from the true values, over 1 and the size of the angle in radians: some
-/// ten times the rounding of its last operations and of the angle that is left of whole quarters.
-pub(super) const SINE_ERROR: f64 = 4e-15;

@@ -50,6 +50,11 @@ impl ConstantPool {
         &self.0[id.index()]
     }
 
+    /// All constants, in order.
+    pub fn iter(&self) -> core::slice::Iter<'_, Constant> {
+        self.0.iter()
+    }
+
     /// The values of all constants.
     pub fn evaluate<A: Arithmetic>(&self, arithmetic: &mut A) -> Vec<A::Number> {
         let mut values: Vec<A::Number> = Vec::with_capacity(self.0.len());

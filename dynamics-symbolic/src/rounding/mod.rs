@@ -5,15 +5,21 @@
 //! where the points come from, and what errors are allowed, is the caller's.
 //!
 //! [`Bounded`] has the rules. [`Running`] applies them to the nodes of a graph, whose definitions may
-//! change, [`Rounded`] to finished programs.
+//! change, [`Rounded`] to finished programs. [`outputs_over`] applies them to a finished program over a
+//! box of points, rounded outwards: what it says is proven.
 
 mod bounded;
 mod constants;
+mod over;
+mod pairs;
 mod program;
+mod ranged;
 mod running;
 
 pub use bounded::{Bounded, UNIT};
+pub(crate) use over::outputs_over;
 pub use program::Rounded;
+pub(crate) use ranged::Ranged;
 pub use running::{Point, Running};
 
 /// At how many points the nodes of a graph are evaluated together.

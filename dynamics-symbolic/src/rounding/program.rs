@@ -25,7 +25,12 @@ impl<'p> Rounded<'p> {
         });
         let doubles = doubles.collect::<Option<Vec<_>>>();
         let doubles = doubles.unwrap_or_else(|| program.rounded_constants());
-        let constants = doubles.into_iter().map(Bounded::constant).collect();
+        Rounded::with_constants(program, &doubles)
+    }
+
+    /// The program with these constants.
+    pub fn with_constants(program: &'p Program, constants: &[f64]) -> Self {
+        let constants = constants.iter().copied().map(Bounded::constant).collect();
         Rounded { program, constants }
     }
 

@@ -2,6 +2,7 @@
 //! is linked once and both cores stay busy until the last test.
 
 mod base_parameters;
+mod bounds;
 mod chains;
 mod counts;
 mod damage;

@@ -19,21 +19,20 @@
 //! J_xx + J_yy of a revolute joint. Those of a body that can be make all brackets positive where no
 //! parameter is left out.)
 //!
-//! The L_j are found in doubles ([`search`]); that they do it is then shown in intervals ([`interval`])
+//! The L_j are found in doubles ([`search`]); that they do it is then shown in [intervals](crate::interval)
 //! from the table's exact numbers. Where none are found, nothing is known.
 
 mod chain;
 mod energy;
-mod interval;
 mod matrix;
 mod search;
 
 use super::reals::Reals;
+use crate::interval::{Interval, Intervals};
 use crate::linear::eliminate;
 use crate::robot::{Grouping, JointType, Robot};
 use chain::{MovingJoint, joints};
 use energy::{forms, handed_on, unknowns};
-use interval::{Interval, Intervals};
 use matrix::Matrix;
 use search::{Affine, search};
 

@@ -1,0 +1,43 @@
+//! Values that grow with a power of an argument.
+
+use crate::program::{Instruction, Operand, Program};
+use crate::robot::Symbol;
+
+/// The power of an argument with which some outputs grow, together with everything that is computed on the way to them:
+/// multiplied by s, the argument multiplies each of them by a power of s. `None` where sums have terms of different
+/// powers. `is_entry` tells the argument's entries, `outputs` are those of the program that count.
+///
+/// The error of such an output grows with the same power, and so does its bound (underflow apart).
+pub(super) fn degree(
+    program: &Program,
+    outputs: core::ops::Range<usize>,
+    is_entry: impl Fn(&Symbol) -> bool,
+) -> Option<u32> {
+    let inputs: Vec<_> = program
+        .inputs
+        .iter()
+        .map(|x| u32::from(is_entry(x)))
+        .collect();
+    // `None` of what has no power.
+    let mut results: Vec<Option<u32>> = Vec::with_capacity(program.instructions.len());
+    let read = |results: &[Option<u32>], operand: Operand| match operand {
+        Operand::Constant(_) => Some(0),
+        Operand::Input(index) => Some(inputs[index as usize]),
+        Operand::Result(index) => results[index as usize],
+    };
+    for instruction in &program.instructions {
+        let (a, b) = instruction.operands();
+        let both = read(&results, a).zip(read(&results, b));
+        results.push(both.and_then(|(a, b)| match instruction {
+            Instruction::Add(..) | Instruction::Sub(..) => (a == b).then_some(a),
+            Instruction::Mul(..) => Some(a + b),
+            Instruction::Div(..) => a.checked_sub(b),
+        }));
+    }
+    let outputs = program.outputs[outputs].iter().map(|output| output.operand);
+    // Constants among them are the same for any argument: those that vanish, and no others where the rest grows.
+    let grows = |operand: &Operand| !matches!(operand, Operand::Constant(_));
+    let mut degrees = outputs.filter(grows).map(|operand| read(&results, operand));
+    let first = degrees.next()??;
+    degrees.all(|degree| degree == Some(first)).then_some(first)
+}

@@ -1,0 +1,104 @@
+//! The ranges of what a program reads, and the errors with which it is there.
+
+use crate::exact::Rational;
+use crate::interval::{Interval, Intervals};
+use crate::robot::{Interpretation, Robot, Symbol, Value};
+use crate::rounding::Ranged;
+
+/// An input, as generated code has it; with an infinite error where nothing is known.
+pub(super) fn input(robot: &Robot, symbol: &Symbol) -> Ranged {
+    let one = || Interval::symmetric(1.0);
+    match symbol {
+        Symbol::Sine(i) => circle(position(robot, *i), |(sine, _)| sine),
+        Symbol::Cosine(i) => circle(position(robot, *i), |(_, cosine)| cosine),
+        Symbol::Position(i) => position(robot, *i),
+        Symbol::Velocity(i) => moved(robot, *i, |_| one()),
+        Symbol::Acceleration(_) | Symbol::Force(_) | Symbol::Entry(..) => Ranged::exact(one()),
+        // That of a follower's velocity, too, up to underflow.
+        Symbol::VelocitySign(_) => Ranged::exact(one()),
+        Symbol::Stribeck(i) => stribeck(robot, *i),
+        Symbol::Pi | Symbol::Field(_) | Symbol::AngleSine(_) | Symbol::AngleCosine(_) => unknown(),
+    }
+}
+
+fn unknown() -> Ranged {
+    Ranged::with_error(Interval::symmetric(f64::INFINITY), f64::INFINITY)
+}
+
+/// Of a follower, what the factor makes of its leader's position or velocity.
+fn moved(robot: &Robot, index: usize, of_joint: impl Fn(usize) -> Interval) -> Ranged {
+    match robot.followed(index) {
+        None => Ranged::exact(of_joint(index)),
+        Some((leader, factor)) => cell(factor) * Ranged::exact(of_joint(leader)),
+    }
+}
+
+/// A position: of a joint without limits, anywhere.
+fn position(robot: &Robot, index: usize) -> Ranged {
+    moved(robot, index, |joint| {
+        let limits = robot.row_of(joint).and_then(|row| row.limits.as_ref());
+        match limits.map(|limits| limits.each_ref().map(|limit| Intervals.value(limit))) {
+            Some([lower, upper]) => lower.hull(upper),
+            None => Interval::symmetric(f64::INFINITY),
+        }
+    })
+}
+
+/// A sine or a cosine: one unit in the last place of the largest, and what the angle is wrong by.
+fn circle(angle: Ranged, pick: impl Fn((Interval, Interval)) -> Interval) -> Ranged {
+    let range = pick(angle.range.sin_cos());
+    // Only the cosine of zero is 1, and it is exact.
+    let largest = range.size().min(1.0_f64.next_down());
+    let unit = largest.next_up() - largest;
+    Ranged::with_error(range, (unit + angle.error).next_up())
+}
+
+/// exp(-(qd/v)^2).
+///
+/// With y' = y (1 + r) in place of y, |exp(-y') - exp(-y)| <= |r| y exp(-y (1 - |r|)), which is at most
+/// |r| / (e (1 - |r|)), and less than |r| for small r.
+fn stribeck(robot: &Robot, index: usize) -> Ranged {
+    let range = Interval::new(0.0, 1.0);
+    let stribeck = robot.row_of(index).and_then(|row| row.stribeck.as_ref());
+    let Some(stribeck) = stribeck else {
+        return unknown();
+    };
+    let velocity = match robot.followed(index) {
+        None => relative(Ranged::exact(Interval::exact(1.0))),
+        Some((_, factor)) => relative(cell(factor) * Ranged::exact(Interval::exact(1.0))),
+    };
+    let ratio = velocity / relative(cell(&stribeck.velocity));
+    let r = (ratio * ratio).error;
+    match r < 0.5 {
+        true => Ranged::with_error(range, (r + f64::EPSILON).next_up()),
+        false => unknown(),
+    }
+}
+
+/// The number over its exact value.
+fn relative(x: Ranged) -> Ranged {
+    let error = match x.error == 0.0 {
+        true => 0.0,
+        false => (x.error / x.range.least_size()).next_up(),
+    };
+    Ranged::with_error(Interval::exact(1.0), error)
+}
+
+/// A cell of the table as generated code evaluates it: its numbers rounded, and each operation.
+fn cell(value: &Value) -> Ranged {
+    match value {
+        Value::Rational(x) => {
+            let double = x.to_f64().value();
+            match Rational::try_from(double).is_ok_and(|double| double == *x) {
+                true => Ranged::exact(Interval::exact(double)),
+                false => Ranged::rounded(double),
+            }
+        }
+        Value::Pi => Ranged::rounded(core::f64::consts::PI),
+        Value::Field(_) => unknown(),
+        Value::Neg(a) => -cell(a),
+        Value::Add(a, b) => cell(a) + cell(b),
+        Value::Mul(a, b) => cell(a) * cell(b),
+        Value::Div(a, b) => cell(a) / cell(b),
+    }
+}

@@ -1,0 +1,237 @@
+//! Numbers between two ends, with a bound on their error that holds for all of them.
+//!
+//! The rules are those of [`Bounded`](super::Bounded), over all points of a box instead of at one: |a| is the largest
+//! absolute value that the exact number has anywhere. Here nothing is left out: every bound is rounded upwards, and
+//! what may underflow is counted.
+
+use super::UNIT;
+use crate::interval::Interval;
+use core::ops::{Add, Div, Mul, Neg};
+
+/// A number over a box of points: the exact one is in `range`, and what is computed at most `error` away from it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Ranged {
+    /// The exact numbers.
+    pub(crate) range: Interval,
+    /// The bound; infinite where nothing is known.
+    pub(crate) error: f64,
+}
+
+/// Beyond it a result may overflow.
+const LARGEST: f64 = f64::MAX / 4.0;
+
+/// A result of operations on bounds, rounded upwards: next to it where it was rounded to nearest. Zero is exact.
+pub(super) fn up(x: f64) -> f64 {
+    if x == 0.0 { 0.0 } else { x.next_up() }
+}
+
+/// a + b, rounded upwards.
+pub(super) fn plus(a: f64, b: f64) -> f64 {
+    match a == 0.0 || b == 0.0 {
+        true => a + b,
+        false => up(a + b),
+    }
+}
+
+/// a b, rounded upwards: more than zero unless one of them is. What is not known stays so, times zero too.
+pub(super) fn times(a: f64, b: f64) -> f64 {
+    match a == 0.0 || b == 0.0 {
+        true if a < f64::INFINITY && b < f64::INFINITY => 0.0,
+        true => f64::INFINITY,
+        false => (a * b).next_up(),
+    }
+}
+
+/// The square root of a^2 + b^2, rounded upwards.
+pub(super) fn norm(a: f64, b: f64) -> f64 {
+    up(plus(times(a, a), times(b, b)).sqrt())
+}
+
+/// What the rounding of a result of that size leaves out at most.
+pub(super) fn rounding(size: f64) -> f64 {
+    times(size, UNIT)
+}
+
+impl Ranged {
+    /// Numbers that are what they stand for.
+    pub(crate) fn exact(range: Interval) -> Self {
+        Ranged { range, error: 0.0 }
+    }
+
+    /// Numbers that are known to some error.
+    pub(crate) fn with_error(range: Interval, error: f64) -> Self {
+        let is_known = error <= LARGEST && range.size() <= LARGEST;
+        Ranged {
+            range,
+            error: if is_known { error } else { f64::INFINITY },
+        }
+    }
+
+    /// An exact number that was rounded to the double `x`.
+    pub(crate) fn rounded(x: f64) -> Self {
+        let range = Interval::new(x.next_down(), x.next_up());
+        Ranged::with_error(range, rounding(x.abs()))
+    }
+
+    /// The largest size of what is computed.
+    pub(super) fn computed(self) -> f64 {
+        plus(self.range.size(), self.error)
+    }
+
+    /// A result that is rounded once, from operands that contribute `error`.
+    pub(super) fn from_operands(range: Interval, error: f64) -> Self {
+        let rounding = rounding(plus(range.size(), error));
+        Ranged::with_error(range, plus(error, rounding))
+    }
+}
+
+impl Neg for Ranged {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        Ranged {
+            range: -self.range,
+            ..self
+        }
+    }
+}
+
+impl Add for Ranged {
+    type Output = Self;
+
+    fn add(self, b: Self) -> Self {
+        Ranged::from_operands(self.range + b.range, plus(self.error, b.error))
+    }
+}
+
+impl Mul for Ranged {
+    type Output = Self;
+
+    fn mul(self, b: Self) -> Self {
+        let range = self.range * b.range;
+        let passed_on = plus(
+            times(self.range.size(), b.error),
+            times(b.computed(), self.error),
+        );
+        Ranged::from_operands(range, passed_on)
+    }
+}
+
+impl Div for Ranged {
+    type Output = Self;
+
+    /// |a'/b' - a/b| <= (e_a + |a/b| e_b) / (|b| - e_b)
+    fn div(self, b: Self) -> Self {
+        let range = self.range.over(b.range);
+        let room = (b.range.least_size() - b.error).next_down();
+        let passed_on = plus(self.error, times(range.size(), b.error));
+        let error = match room > 0.0 {
+            true if passed_on == 0.0 => 0.0,
+            true => (passed_on / room).next_up(),
+            false => f64::INFINITY,
+        };
+        Ranged::from_operands(range, error)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::exact::{Rational, SplitMix64};
+
+    /// A box of one number and its neighbours, what is computed for one of them, and that number.
+    #[derive(Clone)]
+    struct Known {
+        ranged: Ranged,
+        computed: f64,
+        exact: Rational,
+    }
+
+    fn rational(x: f64) -> Rational {
+        Rational::try_from(x).expect("finite")
+    }
+
+    impl Known {
+        fn assert_holds(&self) {
+            let difference = rational(self.computed) - &self.exact;
+            let bound = rational(self.ranged.error);
+            assert!(
+                -&bound <= difference && difference <= bound,
+                "{:?}",
+                self.ranged
+            );
+            let size = rational(self.ranged.range.size());
+            assert!(-&size <= self.exact && self.exact <= size);
+        }
+    }
+
+    /// Random expressions of points of random intervals, with the exact value beside the computed one.
+    #[test]
+    fn exact_results_are_within_the_bound_anywhere_in_the_box() {
+        let mut random = SplitMix64::new(3);
+        let mut finite = 0;
+        for _ in 0..500 {
+            let mut input = || {
+                let (low, width) = (4.0 * random.unit() - 2.0, random.unit() - 0.5);
+                let range = Interval::new(low, low + width.max(0.0));
+                let computed = low + width.max(0.0) * random.unit();
+                Known {
+                    ranged: Ranged::exact(range),
+                    computed,
+                    exact: rational(computed),
+                }
+            };
+            let mut numbers = [(); 4].map(|()| input()).to_vec();
+            for _ in 0..6 {
+                let mut any =
+                    || numbers[(random.next_u64() % numbers.len() as u64) as usize].clone();
+                let (a, b) = (any(), any());
+                let number = match random.next_u64() % 4 {
+                    0 => Known {
+                        ranged: a.ranged + b.ranged,
+                        computed: a.computed + b.computed,
+                        exact: a.exact + b.exact,
+                    },
+                    1 => Known {
+                        ranged: a.ranged + -b.ranged,
+                        computed: a.computed - b.computed,
+                        exact: a.exact - b.exact,
+                    },
+                    3 if (a.ranged / b.ranged).error < f64::INFINITY => Known {
+                        ranged: a.ranged / b.ranged,
+                        computed: a.computed / b.computed,
+                        exact: a.exact / b.exact,
+                    },
+                    _ => Known {
+                        ranged: a.ranged * b.ranged,
+                        computed: a.computed * b.computed,
+                        exact: a.exact * b.exact,
+                    },
+                };
+                number.assert_holds();
+                finite += 1;
+                numbers.push(number);
+            }
+        }
+        assert_eq!(finite, 3_000);
+    }
+
+    #[test]
+    fn nothing_is_known_of_a_quotient_by_what_may_be_zero_or_of_what_overflows() {
+        let one = Ranged::exact(Interval::exact(1.0));
+        let around = Ranged::exact(Interval::symmetric(1e-3));
+        assert_eq!((one / around).error, f64::INFINITY);
+        assert_eq!((one / around + one).error, f64::INFINITY);
+        let large = Ranged::exact(Interval::symmetric(1e300));
+        assert_eq!((large * large).error, f64::INFINITY);
+        assert_eq!((large * large * -around).error, f64::INFINITY);
+    }
+
+    #[test]
+    fn what_underflows_is_counted() {
+        let tiny = Ranged::exact(Interval::symmetric(1e-200));
+        assert!((tiny * tiny).error > 0.0);
+        let zero = Ranged::exact(Interval::exact(0.0));
+        assert_eq!((zero * tiny).error, 0.0);
+    }
+}

@@ -1,0 +1,161 @@
+//! Bounds of rounding over the joint limits, of arms whose files have limits.
+
+use dynamics_symbolic::Function;
+use dynamics_symbolic::bounds::over_limits;
+use dynamics_symbolic::derive::{derive, derive_plain};
+use dynamics_symbolic::exact::SplitMix64;
+use dynamics_symbolic::program::Program;
+use dynamics_symbolic::robot::{JointType, Robot};
+use interpreter::{Inputs, Rounded};
+
+use super::urdf::{references, robot};
+
+/// States of one arm: at every third all joints are at an end, and all other arguments are 1 or -1.
+const STATES: usize = 12;
+
+/// Functions of every arm.
+const FUNCTIONS: [Function; 9] = [
+    Function::MassMatrix,
+    Function::CoriolisVector,
+    Function::GravityVector,
+    Function::InverseDynamics,
+    Function::KineticEnergy,
+    Function::PotentialEnergy,
+    Function::ForwardKinematics,
+    Function::Jacobian,
+    Function::InverseDynamicsDerivatives,
+];
+
+/// Positions within the limits, and what else is an argument.
+struct State {
+    q: Vec<f64>,
+    others: [Vec<f64>; 4],
+}
+
+impl State {
+    fn new(robot: &Robot, random: &mut SplitMix64, is_at_ends: bool) -> Self {
+        let mut along = || match is_at_ends {
+            true => (random.next_u64() % 2) as f64,
+            false => random.unit(),
+        };
+        let q = robot.joints().map(|row| {
+            let [lower, upper] = match (&row.limits, row.joint_type) {
+                (Some(limits), _) => limits.each_ref().map(|limit| limit.to_f64(&[])),
+                (None, JointType::Revolute) => [-9.0, 9.0],
+                (None, JointType::Prismatic) => [-1.0, 1.0],
+            };
+            (lower + along() * (upper - lower)).clamp(lower, upper)
+        });
+        let q = q.collect();
+        let count = robot.dof().max(6);
+        let others = [(); 4].map(|()| (0..count).map(|_| 2.0 * along() - 1.0).collect());
+        State { q, others }
+    }
+
+    fn inputs(&self) -> Inputs<'_> {
+        let [qd, qdd, tau, wrench] = &self.others;
+        Inputs {
+            fields: &[],
+            q: &self.q,
+            qd,
+            qdd,
+            tau,
+            stribeck: &[],
+            qd_r: qdd,
+            qdd_r: tau,
+            jerk: tau,
+            snap: qdd,
+            wrench,
+        }
+    }
+}
+
+/// The largest error of a function's values at some states, and the largest bound; no error exceeds its own.
+fn measured(robot: &Robot, function: Function, program: &Program, label: &str) -> Option<[f64; 2]> {
+    let bounds = over_limits(robot, program, &program.rounded_constants())?;
+    let count = function.entries(robot.dof(), program.outputs.len());
+    let bounds = &bounds[..count];
+    let program = Rounded::new(program);
+    let exact = program.with_all_digits();
+    let mut random = SplitMix64::new(31);
+    let mut largest = 0.0_f64;
+    for number in 0..STATES {
+        let state = State::new(robot, &mut random, number % 3 == 0);
+        let found = program.run::<f64>(&state.inputs());
+        for (k, (found, exact)) in found
+            .iter()
+            .zip(exact.run(&state.inputs()))
+            .take(count)
+            .enumerate()
+        {
+            let error = f64::from((exact - (*found).into()).abs());
+            assert!(
+                error <= bounds[k],
+                "{label}: {error:e} of {k}, {:e}",
+                bounds[k]
+            );
+            largest = largest.max(error);
+        }
+    }
+    Some([largest, bounds.iter().copied().fold(0.0, f64::max)])
+}
+
+/// The geometric mean of bounds over the largest errors, and the largest.
+fn print_ratios(function: Function, measured: &[[f64; 2]]) -> f64 {
+    let ratios = measured.iter().filter(|[error, _]| *error > 0.0);
+    let ratios: Vec<f64> = ratios.map(|[error, bound]| bound / error).collect();
+    let mean = (ratios.iter().map(|x| x.ln()).sum::<f64>() / ratios.len() as f64).exp();
+    let largest = ratios.iter().copied().fold(0.0, f64::max);
+    println!(
+        "{:32} {:4} programs {mean:10.1} {largest:10.1}",
+        function.name(),
+        ratios.len()
+    );
+    largest
+}
+
+/// Every arm of a file, by the plain recursion.
+#[test]
+fn no_error_within_the_limits_exceeds_its_bound() {
+    let robots: Vec<_> = references()
+        .iter()
+        .map(|(name, reference)| (name.clone(), robot(name, reference)))
+        .collect();
+    for function in FUNCTIONS {
+        let measured = robots.iter().filter_map(|(name, robot)| {
+            let program = derive_plain(robot, function);
+            measured(
+                robot,
+                function,
+                &program,
+                &format!("{} of {name}", function.name()),
+            )
+        });
+        let measured: Vec<_> = measured.collect();
+        assert!(measured.len() > 20);
+        print_ratios(function, &measured);
+    }
+}
+
+/// Every function as it is generated.
+#[test]
+fn bounds_of_generated_programs_hold_for_every_function() {
+    for name in ["panda", "ur5"] {
+        let all = references();
+        let (_, reference) = all
+            .iter()
+            .find(|(other, _)| other == name)
+            .expect("a reference");
+        let robot = robot(name, reference);
+        for function in Function::ALL {
+            let program = derive(&robot, function);
+            let label = format!("{} of {name}", function.name());
+            if let Some([error, bound]) = measured(&robot, function, &program, &label) {
+                println!(
+                    "{label:48} {error:10.1e} {bound:10.1e} {:10.1}",
+                    bound / error
+                );
+            }
+        }
+    }
+}
