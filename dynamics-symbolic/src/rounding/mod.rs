@@ -5,7 +5,7 @@
 //! where the points come from, and what errors are allowed, is the caller's.
 //!
 //! [`Bounded`] has the rules. [`Running`] applies them to the nodes of a graph, whose definitions may
-//! change, [`Rounded`] to finished programs. [`outputs_over`] applies them to a finished program over a
+//! change, [`Rounded`] to finished programs. `outputs_over` applies them to a finished program over a
 //! box of points, rounded outwards: what it says is proven.
 
 mod bounded;
