@@ -21,10 +21,36 @@ pub(crate) fn print(files: &[String]) {
     println!("{OVERVIEW}");
     print!("{}", tables::overview(&native, &elsewhere));
     println!("{}", goals::section(&native));
+    println!("{GENERATORS}");
     println!("{DETAILS}");
     print!("{}", tables::details(&plain, &native, &elsewhere));
     print!("{}", tables::groups(&plain, &native));
 }
+
+const GENERATORS: &str = "\
+## Other generators, and a GPU
+
+`benches/generators.sh` measures this table alone. CppADCodeGen 2.4.3 records what Pinocchio's `rnea`, `crba`,
+`computeGeneralizedGravity` and `aba` compute, lets CppAD optimise it, and writes C code; beside it the C code of
+`robot-dynamics generate`. The same compiler with `-O3 -march=native`, in turn on one core. Operations are the
+multiplications, additions and divisions in the code. CppADCodeGen's constants have the 15 digits that it writes
+where it is told nothing else.
+
+<!-- generators -->
+<!-- end -->
+
+What could not be measured: Thunder, which is not on PyPI, npm or in Debian, and robcogen2 0.1.0, whose wheel on PyPI
+does not start without the Lua module `template-text` of LuaRocks, and whose code needs the headers `iit/rbd` from
+their repository.
+
+GRiD (CUDA) as it was published, not measured here: iiwa14, 1,024 states, RTX 5090, `fp32`; ns a state with the
+data on the GPU, and with copies there and back.
+
+| function | on the GPU | with copies |
+|---|--:|--:|
+| gradient of inverse dynamics | 30 | 58 |
+| gradient of forward dynamics | 57 | 79 |
+";
 
 const INTRODUCTION: &str = "\
 # Performance
