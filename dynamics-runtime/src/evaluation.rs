@@ -164,9 +164,9 @@ pub struct Evaluation<const N: usize, T: Scalar = f64> {
     pub operational_inertia_inverse: Option<Result<Matrix6<T>, SingularMassMatrix>>,
     /// M qd.
     pub generalized_momentum: Option<SVector<T, N>>,
-    /// C' qd - G - F.
+    /// C' qd - G - K - F.
     pub momentum_bias: Option<SVector<T, N>>,
-    /// M qdd_r + C qd_r + G + F, for the reference motion of the state.
+    /// M qdd_r + C qd_r + G + K + F, for the reference motion of the state.
     pub passivity_torque: Option<SVector<T, N>>,
     /// The column of each base parameter in M qdd_r + C qd_r + G.
     pub passivity_regressor: Option<Vec<SVector<T, N>>>,
