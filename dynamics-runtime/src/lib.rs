@@ -115,7 +115,7 @@ pub use simulation::{
     SimulationError, Taylor, TaylorSimulation, ToolForce, Trajectory, Work,
 };
 #[doc(hidden)]
-pub use sine::sin_cos_column;
+pub use sine::{Part, sin_cos_column};
 pub use singular::SingularMassMatrix;
 pub use table::{
     Convention, Follower, Followers, JointMotion, JointType, Row, Spring, Stribeck, Table,

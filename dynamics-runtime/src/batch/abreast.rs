@@ -86,10 +86,15 @@ impl<L: Lanes, const W: usize> Lanes for Abreast<L, W> {
     }
 
     #[inline(always)]
-    fn exact_product_from(self, b: Self, a: Self) -> Self {
+    fn product_from(self, b: Self, a: Self) -> Self {
         let mut result = self;
-        for_each_index!(W, i => result.0[i] = self.0[i].exact_product_from(b.0[i], a.0[i]));
+        for_each_index!(W, i => result.0[i] = self.0[i].product_from(b.0[i], a.0[i]));
         result
+    }
+
+    #[inline(always)]
+    fn fuses(self) -> bool {
+        self.0[0].fuses()
     }
 
     #[inline(always)]

@@ -20,9 +20,6 @@ pub trait Arguments<A: Arrangement, E: Precision>: Copy + Send {
     /// Tells of each argument the number of states, and one that differs from it, if there is one.
     fn states(&self, tell: &mut dyn FnMut(usize, Option<usize>));
 
-    /// See [`Source::shorten`].
-    fn shorten(&mut self, states: usize);
-
     /// See [`Source::split`].
     #[cfg(feature = "rayon")]
     fn split(self, states: usize) -> (Self, Self);
@@ -57,12 +54,6 @@ macro_rules! impl_arguments {
                     let (states, other) = $x.states();
                     tell(states, other);
                 })*
-            }
-
-            #[inline(always)]
-            fn shorten(&mut self, states: usize) {
-                let ($($x,)*) = self;
-                $($x.shorten(states);)*
             }
 
             #[cfg(feature = "rayon")]

@@ -6,6 +6,7 @@ use super::wide::Precision;
 use super::wide::Wide;
 use crate::Scalar;
 use crate::inputs::{Evaluated, Inputs};
+use crate::sine::Part;
 
 /// The fields of an arm's struct, in their order: what differs from state to state where there is an arm for
 /// each.
@@ -118,6 +119,16 @@ impl<R: Fields, S: Simd, E: Precision> Inputs<Wide<S, E>> for FieldsOfEach<'_, R
         positions: [Wide<S, E>; K],
     ) -> [(Wide<S, E>, Wide<S, E>); K] {
         Wide::sin_cos_array(positions)
+    }
+
+    #[inline(always)]
+    fn sin_cos_parts<const K: usize>(
+        &self,
+        _: [usize; K],
+        parts: [Part; K],
+        positions: [Wide<S, E>; K],
+    ) -> [(Wide<S, E>, Wide<S, E>); K] {
+        Wide::sin_cos_parts(positions, parts)
     }
 
     #[inline(always)]

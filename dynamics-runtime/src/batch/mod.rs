@@ -48,7 +48,8 @@ dynamics_macros::batch_methods! {
 ///
 /// Arguments come as a vector for each state or as a column for each joint: see [`States`] and
 /// [`StatesMut`]. Any number of states will do, none included; arguments of different lengths are
-/// an error, and nothing is written. No method panics, and none allocates.
+/// an error, and nothing is written. No method panics, and none allocates but those of all cores, a few bytes for each
+/// core.
 ///
 /// ```
 /// use dynamics_runtime::nalgebra::{SVector, Vector1};
@@ -117,6 +118,7 @@ impl<R> WithParameters<'_, R> {}
 ///
 /// Where lengths differ.
 #[doc(hidden)]
+#[inline(always)]
 pub fn on_one_core<F, R, E, B, A, O, const N: usize>(
     function: F,
     arms: B,
@@ -131,7 +133,7 @@ where
     A: Arguments<R::Arguments, E>,
     O: Sink<R::Values, E>,
 {
-    let task = Task::new::<R, E, N>(function, arms, arguments, results)?;
+    let mut task = Task::new::<R, E, N>(function, arms, arguments, results)?;
     Ok(task.run::<R, E, N>(Level::new()))
 }
 
@@ -157,7 +159,7 @@ where
     O: Sink<R::Values, E>,
 {
     let task = Task::new::<R, E, N>(function, arms, arguments, results)?;
-    Ok(task.halves::<R, E, N>(Level::new()))
+    Ok(task.on_all_cores::<R, E, N>(Level::new()))
 }
 
 /// The first state without a value as an error.

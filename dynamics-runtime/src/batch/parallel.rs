@@ -1,6 +1,11 @@
 //! The states of a batch over all cores.
 
+use core::hint::spin_loop;
+use core::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
+
 use fearless_simd::Level;
+use rayon::Scope;
 
 use super::arguments::Arguments;
 use super::arms::Arms;
@@ -9,13 +14,17 @@ use super::run::{Failure, Task};
 use super::wide::Precision;
 use crate::function::Function;
 
-/// So many operations are done on one core: some ten microseconds of work, many times what it
-/// takes to hand them to another.
-const LEAST_WORK: usize = 80_000;
+/// So many operations are done by one core at a time: some five microseconds of work, many times what it takes to
+/// fetch them.
+const LEAST_WORK: usize = 40_000;
+
+/// So often a thread that has no work left looks whether the others are done, before it sleeps: some ten microseconds,
+/// in which they evaluate what they have, and less than it takes to wake up.
+const MOST_LOOKS: usize = 1_000;
 
 impl<F, B, A, O> Task<F, B, A, O> {
-    /// One half here, the other wherever there is a free core; and so each half.
-    pub(super) fn halves<R, E, const N: usize>(mut self, level: Level) -> Failure
+    /// The function at every state, on this core and on all that are free.
+    pub(super) fn on_all_cores<R, E, const N: usize>(mut self, level: Level) -> Failure
     where
         F: Copy + Send,
         R: Function<F, N>,
@@ -24,31 +33,126 @@ impl<F, B, A, O> Task<F, B, A, O> {
         A: Arguments<R::Arguments, E>,
         O: Sink<R::Values, E>,
     {
-        let least = LEAST_WORK / (R::WORK as usize).max(1);
-        if self.states < 2 * least.max(MOST_LANES) {
+        let least = (LEAST_WORK / (R::WORK as usize).max(1)).max(MOST_LANES);
+        let threads = rayon::current_num_threads().min(self.states / (2 * least));
+        if threads < 2 {
             return self.run::<R, E, N>(level);
         }
-        let middle = (self.states / 2).next_multiple_of(MOST_LANES);
-        let (arguments, other_arguments) = self.arguments.split(middle);
-        let (arms, other_arms) = self.arms.split(middle);
-        let first = Task {
+        let shared = Shared {
+            rest: Mutex::new((0, self)),
+            failure: Mutex::new(None),
+            least,
+            threads,
+            at_work: AtomicUsize::new(threads - 1),
+        };
+        // Not `join`, which hands all of the work to other threads where this one is none of rayon's: this one
+        // begins at once, while others wake up.
+        rayon::in_place_scope(|scope| {
+            shared.work::<R, E, N>(scope, threads - 1, level);
+            shared.await_others();
+        });
+        let failure = shared.failure.into_inner();
+        failure.unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// The first states, which are a task of their own.
+    fn take<R, E, const N: usize>(&mut self, states: usize) -> Self
+    where
+        F: Copy,
+        R: Function<F, N>,
+        E: Precision,
+        B: Arms<R>,
+        A: Arguments<R::Arguments, E>,
+        O: Sink<R::Values, E>,
+    {
+        let (arguments, other_arguments) = self.arguments.split(states);
+        let (arms, other_arms) = self.arms.split(states);
+        self.arguments = other_arguments;
+        self.arms = other_arms;
+        self.states -= states;
+        Task {
             function: self.function,
             arms,
             arguments,
-            results: self.results.take(middle),
-            states: middle,
-        };
-        let others = Task {
-            function: self.function,
-            arms: other_arms,
-            arguments: other_arguments,
-            results: self.results,
-            states: self.states - middle,
-        };
-        let (first, others) = rayon::join(
-            move || first.halves::<R, E, N>(level),
-            move || others.halves::<R, E, N>(level),
-        );
-        first.or(others.map(|(state, error)| (middle + state, error)))
+            results: self.results.take(states),
+            states,
+        }
+    }
+}
+
+/// States that several threads evaluate, each of which takes some whenever it has none.
+struct Shared<F, B, A, O> {
+    /// What nobody has taken yet, and the number of its first state.
+    rest: Mutex<(usize, Task<F, B, A, O>)>,
+    failure: Mutex<Failure>,
+    /// So many states at a time, at least.
+    least: usize,
+    threads: usize,
+    /// How many of the others have not come to the end.
+    at_work: AtomicUsize,
+}
+
+impl<F, B, A, O> Shared<F, B, A, O> {
+    /// Takes states until there are none left, beside so many other threads, each of which wakes up half of those
+    /// that it is given.
+    fn work<'s, R, E, const N: usize>(&'s self, scope: &Scope<'s>, mut others: usize, level: Level)
+    where
+        F: Copy + Send + 's,
+        R: Function<F, N> + 's,
+        E: Precision,
+        B: Arms<R> + Send + 's,
+        A: Arguments<R::Arguments, E> + 's,
+        O: Sink<R::Values, E> + 's,
+    {
+        while others > 0 {
+            let of_other = others / 2;
+            scope.spawn(move |scope| {
+                self.work::<R, E, N>(scope, of_other, level);
+                self.at_work.fetch_sub(1, Ordering::Release);
+            });
+            others -= of_other + 1;
+        }
+        while let Some((first, mut task)) = self.next::<R, E, N>() {
+            if let Some((state, error)) = task.run::<R, E, N>(level) {
+                let mut failure = self.failure.lock().unwrap_or_else(PoisonError::into_inner);
+                if failure
+                    .as_ref()
+                    .is_none_or(|(earlier, _)| first + state < *earlier)
+                {
+                    *failure = Some((first + state, error));
+                }
+            }
+        }
+    }
+
+    /// Waits for a while, awake. A thread of rayon's has other work to do.
+    fn await_others(&self) {
+        let is_alone = rayon::current_thread_index().is_none();
+        for _ in 0..if is_alone { MOST_LOOKS } else { 0 } {
+            if self.at_work.load(Ordering::Acquire) == 0 {
+                return;
+            }
+            spin_loop();
+        }
+    }
+
+    /// A share of the states that are left: large ones at first, for each costs a little, and small ones at last, so
+    /// that all threads end together.
+    fn next<R, E, const N: usize>(&self) -> Option<(usize, Task<F, B, A, O>)>
+    where
+        F: Copy,
+        R: Function<F, N>,
+        E: Precision,
+        B: Arms<R>,
+        A: Arguments<R::Arguments, E>,
+        O: Sink<R::Values, E>,
+    {
+        let mut rest = self.rest.lock().unwrap_or_else(PoisonError::into_inner);
+        let (first, task) = &mut *rest;
+        let share = (task.states / (2 * self.threads)).max(self.least);
+        let share = share.next_multiple_of(MOST_LANES).min(task.states);
+        let taken = (share > 0).then(|| (*first, task.take::<R, E, N>(share)));
+        *first += share;
+        taken
     }
 }

@@ -7,7 +7,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 use fearless_simd::dispatch;
 
 use crate::float::Float;
-use crate::sine::{Sines, level};
+use crate::sine::{Part, Sines, level};
 
 /// A real number type on which every generated function can be evaluated.
 ///
@@ -83,6 +83,16 @@ pub trait Scalar:
     #[inline]
     fn sin_cos_array<const K: usize>(angles: [Self; K]) -> [(Self, Self); K] {
         angles.map(Self::sin_cos)
+    }
+
+    /// Of the sines and cosines of several angles these parts, which are all that is read; the others are any
+    /// numbers. Generated functions ask for what they need; the digits are those of
+    /// [`sin_cos_array`](Scalar::sin_cos_array), but for lanes that are chosen at run time.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn sin_cos_parts<const K: usize>(angles: [Self; K], parts: [Part; K]) -> [(Self, Self); K] {
+        let _ = parts;
+        Self::sin_cos_array(angles)
     }
 
     /// The square root; NaN of a negative number.
@@ -161,6 +171,14 @@ macro_rules! impl_scalar {
             #[inline(always)]
             fn sin_cos_array<const K: usize>(angles: [Self; K]) -> [(Self, Self); K] {
                 Sines::of_array(angles)
+            }
+
+            #[inline(always)]
+            fn sin_cos_parts<const K: usize>(
+                angles: [Self; K],
+                parts: [Part; K],
+            ) -> [(Self, Self); K] {
+                Sines::parts_of_array(angles, parts)
             }
 
             #[inline]

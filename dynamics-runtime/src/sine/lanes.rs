@@ -10,7 +10,7 @@ use crate::unrolled::for_each_index;
 
 /// A float, or several in lanes.
 ///
-/// But for [`product_plus`](Lanes::product_plus), no operation rounds otherwise in one lane than in eight, nor on
+/// But for products that are fused with sums, no operation rounds otherwise in one lane than in eight, nor on
 /// one processor than on another: every width and every target gives the same digits.
 pub(crate) trait Lanes:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self>
@@ -25,8 +25,9 @@ pub(crate) trait Lanes:
     /// The number `x` in every lane, in the arithmetic of `self`.
     fn constant(self, x: Self::Number) -> Self;
 
-    /// a - self b, where the product is exact: fused or not, the digits are the same.
-    fn exact_product_from(self, b: Self, a: Self) -> Self;
+    /// a - self b, rounded once where the processor at hand has an instruction for it: where the product is exact,
+    /// the digits are the same either way.
+    fn product_from(self, b: Self, a: Self) -> Self;
 
     /// self a + b, rounded once where the processor at hand has an instruction for it: for the lanes of batches.
     #[inline(always)]
@@ -46,14 +47,19 @@ pub(crate) trait Lanes:
         self.turned_by_bit::<0>(of).turned_by_bit::<1>(of)
     }
 
+    /// Whether [`product_plus`](Lanes::product_plus) rounds once.
+    #[inline(always)]
+    fn fuses(self) -> bool {
+        false
+    }
+
     /// Whether |x| <= limit in every lane; false for NaN.
     fn all_within(self, limit: Self::Number) -> bool;
 }
 
 /// The sines of one precision.
 pub(crate) trait Kernel: Copy {
-    /// 0, 1/2 and 1.
-    const ZERO: Self;
+    /// 1/2 and 1.
     const HALF: Self;
     const ONE: Self;
 
@@ -63,46 +69,56 @@ pub(crate) trait Kernel: Copy {
     /// Reduces angles of magnitude up to [`LARGEST`](Kernel::LARGEST).
     fn reduce<L: Lanes<Number = Self>>(x: L) -> Reduced<L>;
 
-    /// Sine and cosine of x + e with |x| at most a little above pi/4, where e is below the last place of x, or
+    /// Sine and cosine of x - d with |x| at most a little above pi/4, where d is below the last place of x, or
     /// both are tiny.
-    fn sin_cos_reduced<L: Lanes<Number = Self>>(x: L, e: L) -> (L, L);
+    fn sin_cos_reduced<L: Lanes<Number = Self>>(x: L, d: L) -> (L, L);
+
+    /// The sine alone, in the lanes of a batch.
+    fn sin_reduced<L: Lanes<Number = Self>>(x: L, d: L) -> L;
 
     /// Sine and cosine of an angle of any magnitude, reduced exactly; NaN of what is not finite.
     fn sin_cos_of_large(self) -> (Self, Self);
 }
 
-/// x = n pi/2 + rest + tail, |rest| at most a little above pi/4.
+/// x = n pi/2 + rest - excess, |rest| at most a little above pi/4.
 pub(crate) struct Reduced<L> {
     /// A number whose lowest bits are those of n.
     pub(super) n: L,
     /// The rest.
     pub(super) rest: L,
-    /// What `rest` leaves out.
-    pub(super) tail: L,
+    /// By how much `rest` is too large.
+    pub(super) excess: L,
 }
 
-/// Sine and cosine of x + e by the polynomials whose coefficients are given, in as few multiplications as they
-/// take, where e is below the last place of x, or both are tiny.
+/// Sine and cosine of x - d by the polynomials whose coefficients are given, in as few operations as they
+/// take, where d is below the last place of x, or both are tiny.
 #[inline(always)]
 pub(super) fn by_fewest_operations<L: Lanes, const K: usize>(
     x: L,
-    e: L,
+    d: L,
     sine: [L::Number; K],
     cosine: [L::Number; K],
 ) -> (L, L) {
-    let k = |constant: L::Number| x.constant(constant);
+    let (half, one) = (x.constant(L::Number::HALF), x.constant(L::Number::ONE));
     let z = x * x;
-    // Not -e: -0 is to stay what it is.
-    let minus_e = k(L::Number::ZERO) - e;
-    // sin (x + e) = x - (x^3 (S0 + ...) - e): cos x is left off e, which is a half of the last place.
-    let sine = x - L::product_plus(x * z, polynomial(z, sine), minus_e);
-    // cos (x + e) = 1 - x^2/2 + x^4 (C0 + ...) - x e; what 1 - z/2 loses is made good.
-    let half_z = k(L::Number::HALF) * z;
-    let w = k(L::Number::ONE) - half_z;
-    let lost = (k(L::Number::ONE) - w) - half_z;
-    let rest = L::product_plus(x, minus_e, lost);
+    // cos (x - d) = 1 - x^2/2 + x^4 (C0 + ...) + x d; what 1 - z/2 loses is made good.
+    let half_z = half * z;
+    let w = one - half_z;
+    let lost = (one - w) - half_z;
+    let rest = L::product_plus(x, d, lost);
     let cosine = w + L::product_plus(z * z, polynomial(z, cosine), rest);
-    (sine, cosine)
+    (sine_by_fewest_operations(x, d, sine), cosine)
+}
+
+/// sin (x - d) = x - (x^3 (S0 + ...) + d): cos x is left off d, which is a half of the last place.
+#[inline(always)]
+pub(super) fn sine_by_fewest_operations<L: Lanes, const K: usize>(
+    x: L,
+    d: L,
+    sine: [L::Number; K],
+) -> L {
+    let z = x * x;
+    x - L::product_plus(x * z, polynomial(z, sine), d)
 }
 
 /// c[0] + c[1] z + c[2] z^2 + ... (Horner).
@@ -128,7 +144,7 @@ macro_rules! impl_number {
             }
 
             #[inline(always)]
-            fn exact_product_from(self, b: Self, a: Self) -> Self {
+            fn product_from(self, b: Self, a: Self) -> Self {
                 (-self).times_plus(b, a)
             }
 
@@ -164,7 +180,7 @@ macro_rules! impl_lanes {
             }
 
             #[inline(always)]
-            fn exact_product_from(self, b: Self, a: Self) -> Self {
+            fn product_from(self, b: Self, a: Self) -> Self {
                 (-self).mul_add(b, a)
             }
 

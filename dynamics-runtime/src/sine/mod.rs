@@ -8,6 +8,7 @@
 mod columns;
 mod double;
 mod lanes;
+mod part;
 mod single;
 #[cfg(test)]
 pub(crate) mod tests;
@@ -16,6 +17,8 @@ pub use columns::sin_cos_column;
 use fearless_simd::{Level, Simd, SimdBase, SimdFrom, dispatch, f32x4, f32x8, f64x2, f64x4, f64x8};
 use lanes::Reduced;
 pub(crate) use lanes::{Kernel, Lanes};
+pub use part::Part;
+pub(crate) use part::part_in_lanes;
 
 /// A precision whose sines of several angles are evaluated at once.
 pub(crate) trait Sines: Lanes<Number = Self> + Kernel {
@@ -23,12 +26,34 @@ pub(crate) trait Sines: Lanes<Number = Self> + Kernel {
     ///
     /// Error below one unit in the last place. Not a number, and infinities, give NaN.
     fn of_array<const K: usize>(x: [Self; K]) -> [(Self, Self); K];
+
+    /// Whether the lowest bit is set.
+    fn is_odd(self) -> bool;
+
+    /// What is read of the sine and the cosine of every angle, with the digits of [`of_array`](Sines::of_array);
+    /// the rest is any number.
+    #[inline(always)]
+    fn parts_of_array<const K: usize>(x: [Self; K], parts: [Part; K]) -> [(Self, Self); K] {
+        match parts.first() {
+            Some(part) if K == 1 && *part != Part::Both => {
+                let value = part::one(x[0], *part);
+                [(value, value); K]
+            }
+            // In the lanes of a vector the other part costs nothing.
+            _ => Self::of_array(x),
+        }
+    }
 }
 
 // Inlined always, as is all that takes angles or gives sines in arrays: a function that is called has its
 // arrays in memory, and the angles that the caller writes one by one would be read as one vector, which a
 // processor does only when all of them have arrived there.
 impl Sines for f64 {
+    #[inline(always)]
+    fn is_odd(self) -> bool {
+        self.to_bits() & 1 == 1
+    }
+
     #[inline(always)]
     fn of_array<const K: usize>(x: [f64; K]) -> [(f64, f64); K] {
         let mut values = [(0.0, 1.0); K];
@@ -56,6 +81,11 @@ impl Sines for f64 {
 }
 
 impl Sines for f32 {
+    #[inline(always)]
+    fn is_odd(self) -> bool {
+        self.to_bits() & 1 == 1
+    }
+
     #[inline(always)]
     fn of_array<const K: usize>(x: [f32; K]) -> [(f32, f32); K] {
         let mut values = [(0.0, 1.0); K];
@@ -196,10 +226,10 @@ pub(crate) fn sin_cos<L: Lanes>(x: L) -> (L, L) {
     of_reduced(L::Number::reduce(x))
 }
 
-/// Sine and cosine of n pi/2 + rest + tail.
+/// Sine and cosine of n pi/2 + rest - excess.
 #[inline(always)]
-fn of_reduced<L: Lanes>(Reduced { n, rest, tail }: Reduced<L>) -> (L, L) {
-    let (s, c) = L::Number::sin_cos_reduced(rest, tail);
+fn of_reduced<L: Lanes>(Reduced { n, rest, excess }: Reduced<L>) -> (L, L) {
+    let (s, c) = L::Number::sin_cos_reduced(rest, excess);
     // A quarter turn: (s, c) -> (c, -s).
     let sine = n.select_by_lowest_bit(c, s).turned_by_bit::<1>(n);
     let cosine = n.select_by_lowest_bit(s, c).turned_by_lowest_bits(n);

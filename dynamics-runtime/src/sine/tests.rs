@@ -2,7 +2,7 @@
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 
-use super::{Kernel, Sines, eight, four, one, two};
+use super::{Kernel, Part, Sines, eight, four, one, two};
 use crate::{DoubleDouble, Scalar};
 use core::f64::consts::{FRAC_PI_4, PI};
 use fearless_simd::Level;
@@ -177,5 +177,25 @@ fn huge_angles_are_reduced_exactly() {
         let [(s, c)] = f64::of_array([x]);
         assert_relative_eq!(s, sine, max_relative = f64::EPSILON);
         assert_relative_eq!(c, cosine, max_relative = f64::EPSILON);
+    }
+}
+
+/// One angle, of which a function reads a part: the digits that the part has beside the other.
+#[test]
+fn a_part_alone_has_the_same_digits() {
+    fn same<F: Sines + PartialEq + std::fmt::Debug>(x: F) {
+        let [(s, c)] = F::of_array([x]);
+        let [(sine, _)] = F::parts_of_array([x], [Part::Sine]);
+        let [(_, cosine)] = F::parts_of_array([x], [Part::Cosine]);
+        assert_eq!([sine, cosine], [s, c], "{x:?}");
+    }
+    for x in angles(20_000, 11).into_iter().chain(HUGE.map(|(x, ..)| x)) {
+        same(x);
+        same((x as f32).clamp(f32::MIN, f32::MAX));
+    }
+    for x in [0.0, -0.0, 5e-324] {
+        same(x);
+        let [(sine, _)] = f64::parts_of_array([x], [Part::Sine]);
+        assert_eq!(sine.to_bits(), x.to_bits());
     }
 }

@@ -4,7 +4,7 @@ use super::names::{field, ident, plain};
 use crate::function::{Argument, Request};
 use crate::program::Program;
 use crate::robot::{Robot, Symbol, Value};
-use proc_macro2::{Literal, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 /// Whether a field of the struct, or a function of a cell, is an input.
@@ -108,7 +108,7 @@ pub(super) fn inputs(
     let name = |symbol: &Symbol| ident(&input_name(robot, symbol, &angles));
     let like = request.arguments().first().map(|first| element(*first, 0));
     let cells = Cells { robot, path, like };
-    let mut lines = sines(&cells, true, &angles);
+    let mut lines = sines(&cells, true, &angles, program);
     let mut symbols: Vec<_> = program.inputs.iter().collect();
     symbols.sort_by_key(|symbol| place(symbol));
     for symbol in symbols {
@@ -143,7 +143,7 @@ pub(super) fn constant_inputs(robot: &Robot, program: &Program, path: &TokenStre
         path,
         like: None,
     };
-    let mut lines = sines(&cells, false, &of_constants);
+    let mut lines = sines(&cells, false, &of_constants, program);
     for symbol in &program.inputs {
         if let Symbol::Field(i) = symbol {
             let name = ident(&input_name(robot, symbol, &angles));
@@ -166,11 +166,14 @@ pub(super) fn constant_cell(robot: &Robot, value: &Value, path: &TokenStream) ->
 
 /// The sines and cosines, all angles of a kind in one call, which evaluates them in the lanes of a
 /// vector register. Where the runtime may know those of the joints, they are asked for and come from `sines`.
-fn sines(cells: &Cells, are_asked_for: bool, angles: &[&Symbol]) -> TokenStream {
+fn sines(cells: &Cells, are_asked_for: bool, angles: &[&Symbol], program: &Program) -> TokenStream {
     let Cells { robot, path, .. } = cells;
     let pair = |sine: Symbol, cosine: Symbol| {
-        let [s, c] = [sine, cosine].map(|symbol| ident(&input_name(robot, &symbol, angles)));
-        quote!((#s, #c))
+        let [s, c] = [sine, cosine].map(|symbol| {
+            let is_read = program.inputs.contains(&symbol);
+            is_read.then(|| ident(&input_name(robot, &symbol, angles)))
+        });
+        Pair(s, c)
     };
     let (mut joints, mut known, mut positions) = (Vec::new(), Vec::new(), Vec::new());
     let (mut pairs, mut arguments) = (Vec::new(), Vec::new());
@@ -193,19 +196,53 @@ fn sines(cells: &Cells, are_asked_for: bool, angles: &[&Symbol]) -> TokenStream 
             _ => {}
         }
     }
-    let sines = ident("sines");
-    let asked_for = (!known.is_empty()).then(|| {
-        quote! {
-            let [#(#known),*] =
+    let (sines, patterns) = (ident("sines"), known.iter().map(Pair::pattern));
+    let asked_for = match Pair::parts(&known, path) {
+        _ if known.is_empty() => TokenStream::new(),
+        None => quote! {
+            let [#(#patterns),*] =
                 #path::Inputs::sin_cos(#sines, [#(#joints),*], [#(#positions),*]);
-        }
-    });
-    let evaluated = match (&pairs[..], &arguments[..]) {
-        ([], _) => TokenStream::new(),
-        ([pair], [argument]) => quote!(let #pair = #path::Scalar::sin_cos(#argument);),
-        _ => quote!(let [#(#pairs),*] = #path::Scalar::sin_cos_array([#(#arguments),*]);),
+        },
+        Some(parts) => quote! {
+            let [#(#patterns),*] =
+                #path::Inputs::sin_cos_parts(#sines, [#(#joints),*], #parts, [#(#positions),*]);
+        },
+    };
+    let patterns: Vec<_> = pairs.iter().map(Pair::pattern).collect();
+    let evaluated = match (&patterns[..], &arguments[..], Pair::parts(&pairs, path)) {
+        ([], ..) => TokenStream::new(),
+        (_, _, Some(parts)) => quote! {
+            let [#(#patterns),*] = #path::Scalar::sin_cos_parts([#(#arguments),*], #parts);
+        },
+        ([pair], [argument], _) => quote!(let #pair = #path::Scalar::sin_cos(#argument);),
+        _ => quote!(let [#(#patterns),*] = #path::Scalar::sin_cos_array([#(#arguments),*]);),
     };
     quote!(#asked_for #evaluated)
+}
+
+/// The variables of the sine and the cosine of an angle, of those that are read.
+struct Pair(Option<Ident>, Option<Ident>);
+
+impl Pair {
+    /// What they are bound by.
+    fn pattern(&self) -> TokenStream {
+        let [sine, cosine] = [&self.0, &self.1].map(|name| match name {
+            Some(name) => quote!(#name),
+            None => quote!(_),
+        });
+        quote!((#sine, #cosine))
+    }
+
+    /// Which of them are read, where that is not both of every angle.
+    fn parts(pairs: &[Pair], path: &TokenStream) -> Option<TokenStream> {
+        let parts = pairs.iter().map(|Pair(sine, cosine)| match (sine, cosine) {
+            (Some(_), None) => quote!(#path::Part::Sine),
+            (None, Some(_)) => quote!(#path::Part::Cosine),
+            _ => quote!(#path::Part::Both),
+        });
+        let is_both = |pair: &Pair| pair.0.is_some() && pair.1.is_some();
+        (!pairs.iter().all(is_both)).then(|| quote!([#(#parts),*]))
+    }
 }
 
 /// Where an input is read: fields first, then the arguments in their order.

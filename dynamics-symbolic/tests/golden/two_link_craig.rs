@@ -200,9 +200,10 @@ impl ::robot_dynamics::MassMatrix<2> for Arm {
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SMatrix<T, 2, 2> {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+        let [(_, c_2)] = ::robot_dynamics::Inputs::sin_cos_parts(
             sines,
             [1],
+            [::robot_dynamics::Part::Cosine],
             [q.data.0[0][1]],
         );
         let p_m1 = ::robot_dynamics::Inputs::field(sines, 0, self.m1, q.data.0[0][0]);
@@ -241,9 +242,10 @@ impl ::robot_dynamics::CoriolisVector<2> for Arm {
         qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+        let [(s_2, _)] = ::robot_dynamics::Inputs::sin_cos_parts(
             sines,
             [1],
+            [::robot_dynamics::Part::Sine],
             [q.data.0[0][1]],
         );
         let p_m2 = ::robot_dynamics::Inputs::field(sines, 1, self.m2, q.data.0[0][0]);
@@ -456,9 +458,10 @@ impl ::robot_dynamics::Function<::robot_dynamics::functions::KineticEnergy, 2> f
     > {
         ::core::result::Result::Ok({
             let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-            let [(s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+            let [(_, c_2)] = ::robot_dynamics::Inputs::sin_cos_parts(
                 sines,
                 [1],
+                [::robot_dynamics::Part::Cosine],
                 [q.data.0[0][1]],
             );
             let p_m1 = ::robot_dynamics::Inputs::field(

@@ -1137,9 +1137,10 @@ impl ::robot_dynamics::MassMatrix<2> for Arm {
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SMatrix<T, 2, 2> {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+        let [(_, c_2)] = ::robot_dynamics::Inputs::sin_cos_parts(
             sines,
             [1],
+            [::robot_dynamics::Part::Cosine],
             [q.data.0[0][1]],
         );
         let t_1 = c_2 + c_2;
@@ -1170,9 +1171,10 @@ impl ::robot_dynamics::CoriolisVector<2> for Arm {
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
         qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
-        let [(s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+        let [(s_2, _)] = ::robot_dynamics::Inputs::sin_cos_parts(
             sines,
             [1],
+            [::robot_dynamics::Part::Sine],
             [q.data.0[0][1]],
         );
         let qd_1 = qd.data.0[0][0];
@@ -1400,9 +1402,10 @@ impl ::robot_dynamics::Function<::robot_dynamics::functions::KineticEnergy, 2> f
     > {
         ::core::result::Result::Ok({
             let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-            let [(s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+            let [(_, c_2)] = ::robot_dynamics::Inputs::sin_cos_parts(
                 sines,
                 [1],
+                [::robot_dynamics::Part::Cosine],
                 [q.data.0[0][1]],
             );
             let qd_1 = qd.data.0[0][0];
@@ -1510,9 +1513,10 @@ impl ::robot_dynamics::Function<::robot_dynamics::functions::CoriolisMatrix, 2> 
     > {
         ::core::result::Result::Ok({
             let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-            let [(s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+            let [(s_2, _)] = ::robot_dynamics::Inputs::sin_cos_parts(
                 sines,
                 [1],
+                [::robot_dynamics::Part::Sine],
                 [q.data.0[0][1]],
             );
             let qd_1 = qd.data.0[0][0];
@@ -1550,9 +1554,10 @@ for Arm {
     > {
         ::core::result::Result::Ok({
             let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-            let [(s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+            let [(s_2, _)] = ::robot_dynamics::Inputs::sin_cos_parts(
                 sines,
                 [1],
+                [::robot_dynamics::Part::Sine],
                 [q.data.0[0][1]],
             );
             let t_1 = real(2.0) * s_2;
@@ -1583,9 +1588,10 @@ for Arm {
     > {
         ::core::result::Result::Ok({
             let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-            let [(s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+            let [(s_2, _)] = ::robot_dynamics::Inputs::sin_cos_parts(
                 sines,
                 [1],
+                [::robot_dynamics::Part::Sine],
                 [q.data.0[0][1]],
             );
             ::robot_dynamics::nalgebra::SMatrix::from_data(
@@ -2134,9 +2140,10 @@ impl ::robot_dynamics::TaylorDynamics<2> for Arm {
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SMatrix<T, 2, 2> {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+        let [(_, c_2)] = ::robot_dynamics::Inputs::sin_cos_parts(
             sines,
             [1],
+            [::robot_dynamics::Part::Cosine],
             [q.data.0[0][1]],
         );
         let t_1 = c_2 + c_2;
@@ -2556,9 +2563,10 @@ for Arm {
     > {
         ::core::result::Result::Ok({
             let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-            let [(s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+            let [(_, c_2)] = ::robot_dynamics::Inputs::sin_cos_parts(
                 sines,
                 [1],
+                [::robot_dynamics::Part::Cosine],
                 [q.data.0[0][1]],
             );
             let qd_1 = qd.data.0[0][0];

@@ -70,9 +70,10 @@ impl ::robot_dynamics::CoriolisVector<2> for TwoLinkSaha {
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
         qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
-        let [(s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+        let [(s_2, _)] = ::robot_dynamics::Inputs::sin_cos_parts(
             sines,
             [1],
+            [::robot_dynamics::Part::Sine],
             [q.data.0[0][1]],
         );
         let qd_1 = qd.data.0[0][0];

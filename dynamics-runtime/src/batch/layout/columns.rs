@@ -28,13 +28,6 @@ impl<'a, E: Precision, const N: usize> Source<N, E> for Columns<'a, E, N> {
         (states, lengths.find(|&length| length != states))
     }
 
-    #[inline(always)]
-    fn shorten(&mut self, states: usize) {
-        for column in &mut self.0 {
-            *column = &column[..states];
-        }
-    }
-
     #[cfg(feature = "rayon")]
     fn split(self, states: usize) -> (Self, Self) {
         let (mut first, mut others) = (self.0, self.0);
@@ -88,13 +81,6 @@ impl<'a, E: Precision, const R: usize, const C: usize> Sink<Entries<R, C>, E>
         let lengths = || self.0.iter().flatten().map(|column| column.len());
         let states = lengths().next().unwrap_or(0);
         (states, lengths().find(|&length| length != states))
-    }
-
-    #[inline(always)]
-    fn shorten(&mut self, states: usize) {
-        for column in self.0.iter_mut().flatten() {
-            *column = &mut core::mem::take(column)[..states];
-        }
     }
 
     #[cfg(feature = "rayon")]

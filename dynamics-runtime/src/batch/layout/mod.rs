@@ -74,9 +74,6 @@ pub trait Source<const N: usize, E: Precision>: Copy + Send {
     /// The number of states, and one that differs from it, if the columns are not all as long.
     fn states(&self) -> (usize, Option<usize>);
 
-    /// The first states alone.
-    fn shorten(&mut self, states: usize);
-
     /// The first states, and the others.
     #[cfg(feature = "rayon")]
     fn split(self, states: usize) -> (Self, Self);
@@ -109,9 +106,6 @@ pub trait Sink<A: Arrangement, E: Precision>: Send + Sized {
 
     /// The number of states, and one that differs from it, if the columns are not all as long.
     fn states(&self) -> (usize, Option<usize>);
-
-    /// The first states alone.
-    fn shorten(&mut self, states: usize);
 
     /// The first states; what is left are the others.
     #[cfg(feature = "rayon")]

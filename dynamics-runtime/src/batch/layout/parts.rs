@@ -37,13 +37,6 @@ where
         lengths(self.0.iter().map(Sink::states))
     }
 
-    #[inline(always)]
-    fn shorten(&mut self, states: usize) {
-        for element in &mut self.0 {
-            element.shorten(states);
-        }
-    }
-
     #[cfg(feature = "rayon")]
     fn take(&mut self, states: usize) -> Self {
         Elements(self.0.each_mut().map(|element| element.take(states)))
@@ -103,12 +96,6 @@ macro_rules! impl_parts {
             fn states(&self) -> (usize, Option<usize>) {
                 let ($($x,)*) = self;
                 lengths([$($x.states()),*].into_iter())
-            }
-
-            #[inline(always)]
-            fn shorten(&mut self, states: usize) {
-                let ($($x,)*) = self;
-                $($x.shorten(states);)*
             }
 
             #[cfg(feature = "rayon")]

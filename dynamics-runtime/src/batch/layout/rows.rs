@@ -26,11 +26,6 @@ impl<'a, E: Precision, const N: usize> Source<N, E> for Rows<'a, E, N> {
         (self.0.len(), None)
     }
 
-    #[inline(always)]
-    fn shorten(&mut self, states: usize) {
-        self.0 = &self.0[..states];
-    }
-
     #[cfg(feature = "rayon")]
     fn split(self, states: usize) -> (Self, Self) {
         let (first, others) = self.0.split_at(states);
@@ -83,11 +78,6 @@ where
 
     fn states(&self) -> (usize, Option<usize>) {
         (self.0.len(), None)
-    }
-
-    #[inline(always)]
-    fn shorten(&mut self, states: usize) {
-        self.0 = &mut core::mem::take(&mut self.0)[..states];
     }
 
     #[cfg(feature = "rayon")]

@@ -12,7 +12,7 @@ use fearless_simd::{
 
 use super::abreast;
 use crate::Scalar;
-use crate::sine::{self, Kernel, Lanes};
+use crate::sine::{self, Kernel, Lanes, Part};
 use crate::unrolled::for_each_index;
 pub use precision::Precision;
 
@@ -111,7 +111,12 @@ impl<S: Simd, E: Precision> Scalar for Wide<S, E> {
 
     #[inline(always)]
     fn sin_cos_array<const K: usize>(angles: [Self; K]) -> [(Self, Self); K] {
-        E::sin_cos_of_lanes(angles)
+        E::sin_cos_of_lanes(angles, [Part::Both; K])
+    }
+
+    #[inline(always)]
+    fn sin_cos_parts<const K: usize>(angles: [Self; K], parts: [Part; K]) -> [(Self, Self); K] {
+        E::sin_cos_of_lanes(angles, parts)
     }
 
     #[inline(always)]
@@ -164,6 +169,20 @@ impl<S: Simd, E: Precision> Scalar for Wide<S, E> {
     }
 }
 
+/// Whether a product and a sum in lanes are one instruction, which rounds once.
+#[inline(always)]
+fn fuses(level: Level) -> bool {
+    #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+    return matches!(level, Level::Avx2(_) | Level::Avx512(_));
+    #[cfg(target_arch = "aarch64")]
+    return matches!(level, Level::Neon(_));
+    #[cfg(not(any(target_arch = "x86", target_arch = "x86_64", target_arch = "aarch64")))]
+    return {
+        let _ = level;
+        false
+    };
+}
+
 /// The instruction set, asked of the processor.
 fn token<S: Simd>() -> S {
     let same = |token: &dyn Any| token.downcast_ref::<S>().copied();
@@ -188,6 +207,7 @@ macro_rules! impl_precision {
             #[inline(always)]
             fn sin_cos_of_lanes<S: Simd, const K: usize>(
                 angles: [Wide<S, $float>; K],
+                parts: [Part; K],
             ) -> [(Wide<S, $float>, Wide<S, $float>); K] {
                 // Not `map`: the functions of arrays that take a closure are not inlined for certain, and
                 // the closure by itself has none of the instructions.
@@ -202,6 +222,13 @@ macro_rules! impl_precision {
                 let mut values = [(first, first); K];
                 if within.all_true() {
                     abreast::sin_cos_of_each(&angles, &mut values);
+                    // What of these the program does not read is not computed.
+                    for_each_index!(K, i => {
+                        if parts[i] != Part::Both {
+                            let value = sine::part_in_lanes(angles[i], parts[i]);
+                            values[i] = (value, value);
+                        }
+                    });
                 } else {
                     // By way of memory that is used nowhere else: what has an address stays out of the
                     // registers.
@@ -230,8 +257,13 @@ macro_rules! impl_precision {
             }
 
             #[inline(always)]
-            fn exact_product_from(self, b: Self, a: Self) -> Self {
+            fn product_from(self, b: Self, a: Self) -> Self {
                 Wide((-self.0).mul_add(b.0, a.0))
+            }
+
+            #[inline(always)]
+            fn fuses(self) -> bool {
+                fuses(self.0.token().level())
             }
 
             #[inline(always)]

@@ -13,10 +13,9 @@ mod polynomial;
 mod proof;
 mod reduction;
 
-use super::lanes::{Kernel, Lanes, Reduced};
+use super::lanes::{self, Kernel, Lanes, Reduced};
 
 impl Kernel for f64 {
-    const ZERO: Self = 0.0;
     const HALF: Self = 0.5;
     const ONE: Self = 1.0;
     const LARGEST: f64 = 1e5;
@@ -27,8 +26,13 @@ impl Kernel for f64 {
     }
 
     #[inline(always)]
-    fn sin_cos_reduced<L: Lanes<Number = f64>>(x: L, e: L) -> (L, L) {
-        polynomial::sin_cos_reduced(x, e)
+    fn sin_cos_reduced<L: Lanes<Number = f64>>(x: L, d: L) -> (L, L) {
+        polynomial::sin_cos_reduced(x, d)
+    }
+
+    #[inline(always)]
+    fn sin_reduced<L: Lanes<Number = f64>>(x: L, d: L) -> L {
+        lanes::sine_by_fewest_operations(x, d, polynomial::S)
     }
 
     #[inline]

@@ -22,14 +22,14 @@ pub(super) const C: [f64; 6] = [
     -1.1359648042271599e-11,
 ];
 
-/// Sine and cosine of x + e, where e is below the last place of x, or both are tiny.
+/// Sine and cosine of x - d, where d is below the last place of x, or both are tiny.
 ///
 /// A single call waits for its longest chain of operations, not for their number: the polynomials
 /// are split in parts that are evaluated side by side (Estrin 1960).
 #[inline(always)]
-pub(super) fn sin_cos_reduced<L: Lanes<Number = f64>>(x: L, e: L) -> (L, L) {
+pub(super) fn sin_cos_reduced<L: Lanes<Number = f64>>(x: L, d: L) -> (L, L) {
     if L::OF_A_BATCH {
-        return lanes::by_fewest_operations(x, e, S, C);
+        return lanes::by_fewest_operations(x, d, S, C);
     }
     let k = |constant: f64| x.constant(constant);
     let z = x * x;
@@ -39,13 +39,13 @@ pub(super) fn sin_cos_reduced<L: Lanes<Number = f64>>(x: L, e: L) -> (L, L) {
     let half_z = k(0.5) * z;
     let w = k(1.0) - half_z;
     let lost = (k(1.0) - w) - half_z;
-    // sin (x + e) = x - (x^3 S0 + x^5 (S1 + ...) - e (1 - x^2/2)); -0 stays what it is.
+    // sin (x - d) = x - (x^3 S0 + x^5 (S1 + ...) + d (1 - x^2/2))
     let upper = (k(S[3]) + z * k(S[4])) + zz * k(S[5]);
-    let lower = fifth * (k(S[1]) + z * k(S[2])) - e * w;
+    let lower = fifth * (k(S[1]) + z * k(S[2])) + d * w;
     let sine = x - (cube * k(S[0]) + (lower + (zz * fifth) * upper));
-    // cos (x + e) = 1 - x^2/2 + x^4 (C0 + ...) - x e
+    // cos (x - d) = 1 - x^2/2 + x^4 (C0 + ...) + x d
     let upper = (k(C[2]) + z * k(C[3])) + zz * (k(C[4]) + z * k(C[5]));
-    let lower = zz * (k(C[0]) + z * k(C[1])) - x * e;
+    let lower = zz * (k(C[0]) + z * k(C[1])) + x * d;
     let cosine = w + ((lost + lower) + (zz * zz) * upper);
     (sine, cosine)
 }

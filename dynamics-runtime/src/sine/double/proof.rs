@@ -5,9 +5,9 @@
 //! so that an error that is made good later cancels, as that of 1 - x^2/2 does. What the polynomials leave out is
 //! evaluated in 31 digits in the middle of the interval, with a bound of its slope.
 //!
-//! Below 2^-27 it takes no machine: what the kernel adds to x + e is a sixth of x^3, below 2^-56 x, and what
-//! rounding that together with e loses is below 2^-74 x. The sine is x + e, rounded once, the cosine
-//! 1 - x^2/2 - x e. What is left is the reduction.
+//! Below 2^-27 it takes no machine: what the kernel takes off x - d is a sixth of x^3, below 2^-56 x, and what
+//! rounding that together with d loses is below 2^-74 x. The sine is x - d, rounded once, the cosine
+//! 1 - x^2/2 + x d. What is left is the reduction.
 
 use core::cell::Cell;
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4};
@@ -182,7 +182,7 @@ impl Lanes for Enclosed {
         Enclosed::exactly(x, x)
     }
 
-    fn exact_product_from(self, _: Self, _: Self) -> Self {
+    fn product_from(self, _: Self, _: Self) -> Self {
         unreachable!("the reduction has it alone")
     }
 
@@ -280,7 +280,7 @@ fn polynomials_and_their_roundings_stay_below_one_unit() {
         ROUNDINGS.set(0);
         let (sine, cosine) =
             sin_cos_reduced(Enclosed::exactly(low, high), Enclosed::exactly(-tail, tail));
-        // sin (x + e) = sin x + e cos x - ..., where the kernel has 1 - x^2/2 for cos x; the same of the cosine.
+        // sin (x - d) = sin x - d cos x - ..., where the kernel has 1 - x^2/2 for cos x; the same of the cosine.
         let left_out = tail * high.powi(4) / 24.0 + tail * tail;
         let before = sine.before_the_last_rounding() + of_sine.largest(low, high) + left_out;
         let smallest = (low - tail) * (1.0 - low * low / 6.0) * (1.0 - 1e-15);

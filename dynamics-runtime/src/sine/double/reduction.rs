@@ -18,17 +18,18 @@ const ROUND: f64 = 6_755_399_441_055_744.0;
 /// out is below 2^-110.
 #[inline(always)]
 pub(super) fn reduce<L: Lanes<Number = f64>>(x: L) -> Reduced<L> {
-    let shifted = x * x.constant(core::f64::consts::FRAC_2_PI) + x.constant(ROUND);
-    let n = shifted - x.constant(ROUND);
-    let first = n.exact_product_from(x.constant(P1), x);
-    let second = n * x.constant(P2);
+    let k = |constant: f64| x.constant(constant);
+    let shifted = x.product_plus(k(core::f64::consts::FRAC_2_PI), k(ROUND));
+    let n = shifted - k(ROUND);
+    let first = n.product_from(k(P1), x);
+    let second = n * k(P2);
     let rest = first - second;
-    // The rounding error of first - n P2 (Dekker 1971). It wants |first| >= |n P2|; where that
-    // fails both are below 2^-22 and multiples of 2^-75, and there is no rounding.
-    let error = (first - rest) - second;
+    // The rounding error of first - n P2 (Dekker 1971), its sign turned. It wants |first| >= |n P2|; where
+    // that fails both are below 2^-22 and multiples of 2^-75, and there is no rounding.
+    let minus_error = (rest - first) + second;
     Reduced {
         n: shifted,
         rest,
-        tail: error - n * x.constant(P3),
+        excess: n.product_plus(k(P3), minus_error),
     }
 }

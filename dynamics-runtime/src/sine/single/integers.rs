@@ -52,6 +52,6 @@ pub(super) fn reduce(x: f32) -> Reduced<f32> {
     Reduced {
         n: f32::from_bits(n as u32),
         rest: part(product >> 40, 40),
-        tail: part(product >> 16, 16),
+        excess: -part(product >> 16, 16),
     }
 }

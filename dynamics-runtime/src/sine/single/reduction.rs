@@ -18,18 +18,19 @@ const ROUND: f32 = 12_582_912.0;
 /// x or of 2^-22, whichever is smaller, and small enough for 24 bits.
 #[inline(always)]
 pub(super) fn reduce<L: Lanes<Number = f32>>(x: L) -> Reduced<L> {
-    let shifted = x * x.constant(core::f32::consts::FRAC_2_PI) + x.constant(ROUND);
-    let n = shifted - x.constant(ROUND);
-    let first = n.exact_product_from(x.constant(P1), x);
-    let second = n.exact_product_from(x.constant(P2), first);
-    let third = n * x.constant(P3);
+    let k = |constant: f32| x.constant(constant);
+    let shifted = x.product_plus(k(core::f32::consts::FRAC_2_PI), k(ROUND));
+    let n = shifted - k(ROUND);
+    let first = n.product_from(k(P1), x);
+    let second = n.product_from(k(P2), first);
+    let third = n * k(P3);
     let rest = second - third;
-    // The rounding error of second - n P3 (Dekker 1971). It wants |second| >= |n P3|; where that
-    // fails both are below 2^-10 and multiples of 2^-34, and there is no rounding.
-    let error = (second - rest) - third;
+    // The rounding error of second - n P3 (Dekker 1971), its sign turned. It wants |second| >= |n P3|; where
+    // that fails both are below 2^-10 and multiples of 2^-34, and there is no rounding.
+    let minus_error = (rest - second) + third;
     Reduced {
         n: shifted,
         rest,
-        tail: error - n * x.constant(P4),
+        excess: n.product_plus(k(P4), minus_error),
     }
 }
