@@ -448,9 +448,10 @@ impl ::robot_dynamics::MassMatrix<2> for TwoRods {
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SMatrix<T, 2, 2> {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+        let [(_, c_2)] = ::robot_dynamics::Inputs::sin_cos_parts(
             sines,
             [1],
+            [::robot_dynamics::Part::Cosine],
             [q.data.0[0][1]],
         );
         let t_1 = real(0.25) * c_2;
@@ -485,9 +486,10 @@ impl ::robot_dynamics::CoriolisVector<2> for TwoRods {
         qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+        let [(s_2, _)] = ::robot_dynamics::Inputs::sin_cos_parts(
             sines,
             [1],
+            [::robot_dynamics::Part::Sine],
             [q.data.0[0][1]],
         );
         let qd_1 = qd.data.0[0][0];
@@ -693,9 +695,10 @@ for TwoRods {
     > {
         ::core::result::Result::Ok({
             let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-            let [(s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+            let [(_, c_2)] = ::robot_dynamics::Inputs::sin_cos_parts(
                 sines,
                 [1],
+                [::robot_dynamics::Part::Cosine],
                 [q.data.0[0][1]],
             );
             let qd_1 = qd.data.0[0][0];
