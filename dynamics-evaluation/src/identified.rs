@@ -8,7 +8,7 @@
 use core::fmt;
 
 use dynamics_runtime::nalgebra::{DMatrix, DVector};
-use dynamics_runtime::{Table, base_parameter_map};
+use dynamics_runtime::{Convention, JointType, StandardParameters, Table, base_parameter_map};
 use dynamics_symbolic::robot::{Row, Value};
 
 use crate::typed::Typed;
@@ -186,20 +186,11 @@ fn change_link(row: &mut Row, fields: &[f64], change: &[f64]) -> Result<(), Iden
         return Err(IdentificationError::Mass { joint, mass });
     }
     let com = moment.map(|h| if is_placed { h / mass } else { 0.0 });
-    let steiner = |m: f64, [x, y, z]: [f64; 3]| {
-        [
-            y * y + z * z,
-            z * z + x * x,
-            x * x + y * y,
-            -x * y,
-            -y * z,
-            -z * x,
-        ]
-        .map(|entry| m * entry)
-    };
-    let (from, to) = (steiner(old_mass, old_com), steiner(mass, com));
-    let inertia =
-        [0, 1, 2, 3, 4, 5].map(|k| number(&row.inertia[k]) + from[k] + change[4 + k] - to[k]);
+    let old_inertia = row.inertia.each_ref().map(number);
+    let about_origin = parameters(old_mass, old_com, old_inertia);
+    let of_point = parameters(mass, com, [0.0; 6]);
+    let inertia: [f64; 6] =
+        core::array::from_fn(|k| about_origin[4 + k] + change[4 + k] - of_point[4 + k]);
     let not_finite = || IdentificationError::Mass {
         joint: row.name.clone(),
         mass,
@@ -218,6 +209,18 @@ fn change_link(row: &mut Row, fields: &[f64], change: &[f64]) -> Result<(), Iden
     ];
     (row.mass, row.com, row.inertia) = (value(mass)?, com, inertia);
     Ok(())
+}
+
+/// The standard parameters of a link.
+fn parameters(mass: f64, com: [f64; 3], inertia: [f64; 6]) -> StandardParameters {
+    let row = dynamics_runtime::Row {
+        mass,
+        com,
+        inertia,
+        ..dynamics_runtime::Row::new(JointType::Revolute)
+    };
+    let [parameters] = Table::new(Convention::Modified, [0.0; 3], [row]).standard_parameters();
+    parameters
 }
 
 #[cfg(test)]

@@ -146,9 +146,9 @@ impl RuntimeRobot {
     }
 }
 
-/// Names for joints whose own are known at run time alone: see `joint_names`.
+/// What all of them are; names of joints are known at run time alone: see `joint_names`.
 macro_rules! impl_model {
-    ($($typed:ident: $($path:ident).*;)*) => {$(
+    ($($typed:ident: [$($path:ident).*] $($energies:ident)?;)*) => {$(
         impl<const N: usize> Model<N> for $typed<'_, N> {
             /// The names of the joints are those of `joint_names`.
             const JOINT_NAMES: [&'static str; N] = ["joint"; N];
@@ -162,9 +162,9 @@ macro_rules! impl_model {
                 core::array::from_fn(|_| names.next().unwrap_or_default())
             }
 
-            fn energies(&self, q: &SVector<f64, N>, qd: &SVector<f64, N>) -> Option<[f64; 2]> {
+            $(fn $energies(&self, q: &SVector<f64, N>, qd: &SVector<f64, N>) -> Option<[f64; 2]> {
                 Some([self.kinetic_energy(q, qd), self.potential_energy(q)])
-            }
+            })?
         }
 
         impl<const N: usize> Evaluate<N> for $typed<'_, N> {
@@ -185,37 +185,9 @@ macro_rules! impl_model {
 }
 
 impl_model! {
-    TypedDynamics: typed;
-    TypedTip: dynamics.typed;
-}
-
-impl<const N: usize> Model<N> for Typed<'_, N> {
-    /// The names of the joints are those of `joint_names`.
-    const JOINT_NAMES: [&'static str; N] = ["joint"; N];
-
-    fn table(&self) -> Table<N> {
-        self.table
-    }
-
-    fn joint_names(&self) -> [&str; N] {
-        let mut names = self.arm.joint_names();
-        core::array::from_fn(|_| names.next().unwrap_or_default())
-    }
-}
-
-impl<const N: usize> Evaluate<N> for Typed<'_, N> {
-    fn evaluate(&self, state: &State<N>, tau: &SVector<f64, N>) -> Evaluation<N> {
-        self.arm.evaluation(state, tau, |x| x)
-    }
-
-    fn evaluate_in<T: Scalar>(
-        &self,
-        state: &State<N>,
-        tau: &SVector<f64, N>,
-        real: fn(f64) -> T,
-    ) -> Evaluation<N, T> {
-        self.arm.evaluation(state, tau, real)
-    }
+    Typed: [];
+    TypedDynamics: [typed] energies;
+    TypedTip: [dynamics.typed] energies;
 }
 
 impl RuntimeRobot {

@@ -51,6 +51,7 @@ mod model;
 mod momenta;
 mod newton_euler;
 mod operations;
+mod operators;
 mod placement;
 #[cfg(feature = "plot")]
 pub mod plot;

@@ -4,12 +4,13 @@
 //! pass on, and what the operation itself leaves out (Higham, *Accuracy and Stability of Numerical Algorithms*,
 //! 2nd ed., section 3.3).
 
-use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use num_traits::{One, Zero};
 
 use super::outward::{Bound, half_unit};
 use super::{Certified, Rounded};
+use crate::operators::impl_assign;
 
 impl<F: Rounded> Neg for Certified<F> {
     type Output = Self;
@@ -93,22 +94,7 @@ impl<F: Rounded> Certified<F> {
     }
 }
 
-macro_rules! impl_assign {
-    ($($assign:ident, $method:ident: $operator:tt;)*) => {$(
-        impl<F: Rounded> $assign for Certified<F> {
-            fn $method(&mut self, other: Self) {
-                *self = *self $operator other;
-            }
-        }
-    )*};
-}
-
-impl_assign! {
-    AddAssign, add_assign: +;
-    SubAssign, sub_assign: -;
-    MulAssign, mul_assign: *;
-    DivAssign, div_assign: /;
-}
+impl_assign! { impl [F: Rounded] for Certified<F> }
 
 impl<F: Rounded> Zero for Certified<F> {
     fn zero() -> Self {

@@ -7,13 +7,14 @@
 //! Sums, products and quotients are calls: inlined, each has some forty instructions and a branch,
 //! and a program of some hundred operations would take the compiler minutes.
 
-use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use num_traits::{One, Zero};
 
 use super::DoubleDouble;
 use crate::exact;
 use crate::float::Float as _;
+use crate::operators::impl_assign;
 
 /// What is not finite keeps its value.
 impl DoubleDouble {
@@ -130,23 +131,7 @@ pub(super) fn sqrt(x: DoubleDouble) -> DoubleDouble {
     DoubleDouble::fast_sum(root, rest / (2.0 * root))
 }
 
-macro_rules! impl_assign {
-    ($($assign:ident, $method:ident: $operator:tt;)*) => {$(
-        impl $assign for DoubleDouble {
-            #[inline]
-            fn $method(&mut self, other: Self) {
-                *self = *self $operator other;
-            }
-        }
-    )*};
-}
-
-impl_assign! {
-    AddAssign, add_assign: +;
-    SubAssign, sub_assign: -;
-    MulAssign, mul_assign: *;
-    DivAssign, div_assign: /;
-}
+impl_assign! { impl [] for DoubleDouble }
 
 impl Zero for DoubleDouble {
     #[inline]
