@@ -1,5 +1,6 @@
 // Coefficients of the method of order 8(5,3) of Dormand and Prince, DOP853: Hairer, Norsett and Wanner,
-// Solving Ordinary Differential Equations I, 2nd edition, section II.5, and their program DOP853.
+// Solving Ordinary Differential Equations I, 2nd edition, section II.5, and their program DOP853. Written
+// from those of dynamics-runtime by its test `the_page_has_the_same_digits`.
 
 /** Times of the stages. */
 export const TIMES = [
@@ -96,8 +97,4 @@ export const FIFTH = [
 ];
 
 /** The quadrature of order 3. */
-export const THIRD = [
-  [0, 0.2440944881889764],
-  [8, 0.7338466882816118],
-  [11, 0.022058823529411766],
-];
+export const THIRD = [[0, 0.2440944881889764], [8, 0.7338466882816118], [11, 0.022058823529411766]];

@@ -158,6 +158,7 @@ pub(super) const DENSE: [[f64; STAGES]; 4] = [
 #[cfg(test)]
 mod tests {
     use approx::assert_abs_diff_eq;
+    use expect_test::expect_file;
 
     use super::{A, C, ERROR_5, LAST, STAGES, THIRD};
     use crate::integrate::order_conditions::{order, square};
@@ -185,5 +186,67 @@ mod tests {
             third[stage] = weight;
         }
         assert_eq!(order(&a, &third), 3);
+    }
+
+    /// The script of the page that the command writes integrates by the same coefficients: its file is
+    /// written from these, by `UPDATE_EXPECT=1 cargo test -p dynamics-runtime --lib dop853_tableau`.
+    #[test]
+    fn the_page_has_the_same_digits() {
+        let page = concat!(env!("CARGO_MANIFEST_DIR"), "/../dynamics-cli/page");
+        // A package of this crate has no page beside it.
+        if std::path::Path::new(page).is_dir() {
+            let file = expect_file!["../../../dynamics-cli/page/src/dop853_tableau.js"];
+            file.assert_eq(&javascript());
+        }
+    }
+
+    fn javascript() -> String {
+        let times: String = C[..LAST].iter().map(|c| format!("  {c:?},\n")).collect();
+        let stages: String = A[..=LAST]
+            .iter()
+            .map(|row| format!("  {},\n", list(weights(row), 2)))
+            .collect();
+        let [fifth, third] = [weights(&ERROR_5), THIRD.to_vec()].map(|row| list(row, 0));
+        format!(
+            "// Coefficients of the method of order 8(5,3) of Dormand and Prince, DOP853: Hairer, Norsett and Wanner,
+// Solving Ordinary Differential Equations I, 2nd edition, section II.5, and their program DOP853. Written
+// from those of dynamics-runtime by its test `the_page_has_the_same_digits`.
+
+/** Times of the stages. */
+export const TIMES = [
+{times}];
+
+/** Of each stage the stages before that it reads, with their weights; the last is the result of order 8. */
+export const STAGES = [
+{stages}];
+
+/** Result of order 8 minus that of order 5. */
+export const FIFTH = {fifth};
+
+/** The quadrature of order 3. */
+export const THIRD = {third};
+"
+        )
+    }
+
+    /// The stages that are read, with their weights.
+    fn weights(row: &[f64]) -> Vec<(usize, f64)> {
+        let weights = row.iter().copied().enumerate();
+        weights.filter(|(_, weight)| *weight != 0.0).collect()
+    }
+
+    /// In a line where it has room there, behind so many spaces.
+    fn list(weights: Vec<(usize, f64)>, indent: usize) -> String {
+        let pairs = weights
+            .iter()
+            .map(|(stage, weight)| format!("[{stage}, {weight:?}]"));
+        let pairs: Vec<String> = pairs.collect();
+        let line = format!("[{}]", pairs.join(", "));
+        if indent + line.len() <= 100 {
+            return line;
+        }
+        let spaces = " ".repeat(indent);
+        let lines = pairs.iter().map(|pair| format!("{spaces}  {pair},\n"));
+        format!("[\n{}{spaces}]", lines.collect::<String>())
     }
 }
