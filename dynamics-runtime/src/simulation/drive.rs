@@ -1,5 +1,6 @@
 //! An integration from sample to sample.
 
+use super::by_margins::ByMargins;
 use super::error::Cause;
 use super::events::Eventful;
 use super::motion::Motion;
@@ -27,7 +28,8 @@ where
 {
     if motion.has_events() {
         let duration = recorder.duration();
-        return Eventful::start(motion, system, stepper, duration)?.drive(recorder, max_steps);
+        let run = Eventful::<_, _, _, _, ByMargins, N>::start(motion, system, stepper, duration)?;
+        return run.drive(recorder, max_steps);
     }
     smooth(motion, system, stepper, recorder, max_steps)
 }

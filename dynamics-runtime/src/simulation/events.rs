@@ -1,6 +1,8 @@
 //! An integration between events: of friction, which stops joints, holds them and lets them go, and of the
 //! ends of their ranges.
 
+use core::marker::PhantomData;
+
 use super::contacts::{
     classified, least_margin, let_in, margin, settle, stops_and_chatters, way_out,
 };
@@ -16,11 +18,44 @@ use super::torque::TorqueLaw;
 use crate::EquationsOfMotion;
 use crate::integrate::{Phase, Stepper};
 
-/// An integration whose steps end at the events.
-pub(super) struct Eventful<'a, S, R, L, const N: usize> {
+/// Where a step begins.
+pub(super) struct Start<const N: usize> {
+    pub(super) t: f64,
+    pub(super) phase: Phase<N>,
+    pub(super) held: Held<N>,
+}
+
+/// How the first event within a step is found.
+pub(super) trait Finder<S, R, L, K: ?Sized, const N: usize> {
+    /// Has the last step of the stepper end at the first event in it. Where there is none, the
+    /// forces at its end.
+    fn first_event(
+        motion: &Motion<R, L, N>,
+        system: &S,
+        stepper: &mut K,
+        start: &Start<N>,
+    ) -> Result<Option<Held<N>>, Cause>;
+}
+
+/// The least margin where a stepper is, and the forces there.
+pub(super) fn here<S, R, L, const N: usize>(
+    motion: &Motion<R, L, N>,
+    stepper: &(impl Stepper<S, Cause, N> + ?Sized),
+) -> Result<(f64, Held<N>), Cause>
+where
+    R: EquationsOfMotion<N>,
+    L: TorqueLaw<N>,
+{
+    let phase = stepper.phase();
+    let held = motion.held(stepper.t(), phase)?;
+    Ok((least_margin(motion, phase, &held), held))
+}
+
+/// An integration whose steps end at the events that `F` finds.
+pub(super) struct Eventful<'a, S, R, L, K: ?Sized, F, const N: usize> {
     motion: &'a Motion<'a, R, L, N>,
     system: &'a S,
-    stepper: &'a mut dyn Stepper<S, Cause, N>,
+    stepper: &'a mut K,
     instants: Instants,
     held: Held<N>,
     /// Events since the last step without one.
@@ -29,22 +64,25 @@ pub(super) struct Eventful<'a, S, R, L, const N: usize> {
     events: usize,
     /// The joint of the last event.
     joint: usize,
+    finder: PhantomData<F>,
 }
 
 /// So many events without a step between them that has none are chatter: no event is that short of
 /// the next one in a motion that a step of the method can follow.
 const MOST_IN_A_ROW: usize = 1_000;
 
-impl<'a, S, R, L, const N: usize> Eventful<'a, S, R, L, N>
+impl<'a, S, R, L, K: ?Sized, F, const N: usize> Eventful<'a, S, R, L, K, F, N>
 where
     R: EquationsOfMotion<N>,
     L: TorqueLaw<N>,
+    K: Stepper<S, Cause, N>,
+    F: Finder<S, R, L, K, N>,
 {
     /// From where the stepper is.
     pub(super) fn start(
         motion: &'a Motion<'a, R, L, N>,
         system: &'a S,
-        stepper: &'a mut dyn Stepper<S, Cause, N>,
+        stepper: &'a mut K,
         duration: f64,
     ) -> Result<Self, Cause> {
         let held = motion.held(stepper.t(), stepper.phase())?;
@@ -57,6 +95,7 @@ where
             in_a_row: 0,
             events: 0,
             joint: 0,
+            finder: PhantomData,
         })
     }
 
@@ -132,108 +171,15 @@ where
 
     /// Makes a step, up to the first event in it; whether there was one.
     fn advance(&mut self, end: f64) -> Result<bool, Cause> {
-        let (t, phase, held) = (self.stepper.t(), *self.stepper.phase(), self.held);
+        let start = Start {
+            t: self.stepper.t(),
+            phase: *self.stepper.phase(),
+            held: self.held,
+        };
         self.stepper.step(self.system, end)?;
-        let (margin, after) = self.here()?;
-        if margin >= 0.0 && !self.dips(t, &phase, &held, &after)? {
-            self.held = after;
-            return Ok(false);
-        }
-        self.locate(t, least_margin(self.motion, &phase, &held))?;
-        Ok(true)
-    }
-
-    /// Whether a velocity, or the way to a limit, dips below zero within a step that ends well; the
-    /// stepper then is there.
-    fn dips(
-        &mut self,
-        t: f64,
-        from: &Phase<N>,
-        before: &Held<N>,
-        after: &Held<N>,
-    ) -> Result<bool, Cause> {
-        let late = self.stepper.t();
-        let dip = self.dip(t, from, before, after);
-        let Some(dip) = dip.filter(|dip| t < *dip && *dip < late) else {
-            return Ok(false);
-        };
-        self.stepper.retake(self.system, dip)?;
-        if self.here()?.0 < 0.0 {
-            return Ok(true);
-        }
-        self.stepper.retake(self.system, late)?;
-        Ok(false)
-    }
-
-    /// The least margin where the stepper is, and the forces there.
-    fn here(&self) -> Result<(f64, Held<N>), Cause> {
-        let phase = self.stepper.phase();
-        let held = self.motion.held(self.stepper.t(), phase)?;
-        Ok((least_margin(self.motion, phase, &held), held))
-    }
-
-    /// The time at which a velocity that keeps its sign from one end of the step to the other dips
-    /// below zero, or a position passes a limit and comes back, by the cubic through values and slopes at
-    /// the ends.
-    fn dip(&self, t: f64, from: &Phase<N>, before: &Held<N>, after: &Held<N>) -> Option<f64> {
-        let to = self.stepper.phase();
-        let h = self.stepper.t() - t;
-        let of_velocity = |i: usize| match self.motion.contacts()[i] {
-            Contact::Slides(way) => lowest(
-                [way * from.qd[i], way * to.qd[i]],
-                [way * before.qdd[i] * h, way * after.qdd[i] * h],
-            ),
-            _ => None,
-        };
-        let limits = self.motion.limits();
-        let of_position = |i: usize| {
-            let ends = limits.ends(i).filter_map(move |end| {
-                lowest(
-                    [from.q[i], to.q[i]].map(|q| limits.margin(&end, q)),
-                    [from.qd[i], to.qd[i]].map(|qd| end.inwards * qd * h),
-                )
-            });
-            ends.reduce(f64::min)
-        };
-        let dips = (0..N).flat_map(|i| [of_velocity(i), of_position(i)]);
-        dips.flatten().reduce(f64::min).map(|s| t + s * h)
-    }
-
-    /// Takes the step again, so that it ends where the least margin, which was `margin` at `start`
-    /// and is negative here, passes zero: false position after Illinois (M. Dowell, P. Jarratt, BIT
-    /// 11 (1971)), by halves where that does not apply.
-    fn locate(&mut self, start: f64, margin: f64) -> Result<(), Cause> {
-        let (mut a, mut at_a) = (start, margin);
-        let (mut b, mut at_b) = (self.stepper.t(), self.here()?.0);
-        let rounding = 4.0 * f64::EPSILON * at_a.abs();
-        let mut side = 0;
-        while b - a > 4.0 * f64::EPSILON * b && at_b < -rounding {
-            let secant = b - at_b * (b - a) / (at_b - at_a);
-            let inside = at_a > 0.0 && secant > a && secant < b;
-            let c = if inside { secant } else { 0.5 * (a + b) };
-            if c <= a || c >= b {
-                break;
-            }
-            self.stepper.retake(self.system, c)?;
-            let at_c = self.here()?.0;
-            if at_c <= rounding {
-                (b, at_b) = (c, at_c);
-                if side == 1 {
-                    at_a *= 0.5;
-                }
-                side = 1;
-            } else {
-                (a, at_a) = (c, at_c);
-                if side == -1 {
-                    at_b *= 0.5;
-                }
-                side = -1;
-            }
-        }
-        if self.stepper.t() != b {
-            self.stepper.retake(self.system, b)?;
-        }
-        Ok(())
+        let without = F::first_event(self.motion, self.system, self.stepper, &start)?;
+        self.held = without.unwrap_or(self.held);
+        Ok(without.is_none())
     }
 
     /// The phase reached, in which joints that an event stopped stand still.
@@ -261,7 +207,7 @@ where
             self.in_a_row = 0;
             return Ok(after);
         }
-        let (least, held) = self.here()?;
+        let (least, held) = here(self.motion, self.stepper)?;
         let contacts = self.motion.contacts();
         let free = |i: usize| margin(self.motion, i, &phase, &held) <= least.max(0.0);
         let next = core::array::from_fn(|i| match contacts[i] {
@@ -299,37 +245,5 @@ where
         self.events += 1;
         let changed = (0..N).find(|i| before[*i] != after[*i]);
         self.joint = changed.unwrap_or(self.joint);
-    }
-}
-
-/// Where, from 0 to 1, the cubic with these values and slopes at 0 and 1 has a negative minimum.
-fn lowest([g0, g1]: [f64; 2], [d0, d1]: [f64; 2]) -> Option<f64> {
-    if !(d0 < 0.0 && d1 > 0.0) {
-        return None;
-    }
-    // g0 + d0 s + a s^2 + b s^3, and the root of its derivative where it turns upwards.
-    let a = 3.0 * (g1 - g0) - 2.0 * d0 - d1;
-    let b = 2.0 * (g0 - g1) + d0 + d1;
-    let s = -d0 / (a + (a * a - 3.0 * b * d0).sqrt());
-    let value = g0 + s * (d0 + s * (a + s * b));
-    (s > 0.0 && s < 1.0 && value < 0.0).then_some(s)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::lowest;
-
-    #[test]
-    fn dips_are_where_a_cubic_is_negative() {
-        // (s - 1/2)^2 - 1/100.
-        let s = lowest([0.24, 0.24], [-1.0, 1.0]).unwrap();
-        assert!((s - 0.5).abs() < 1e-15);
-        assert_eq!(lowest([0.26, 0.26], [-1.0, 1.0]), None);
-        assert_eq!(lowest([0.1, 0.2], [1.0, 1.0]), None);
-        // (s - 1/4)^2 (s + 1) - 1/50.
-        let cubic = |s: f64| (s - 0.25).powi(2) * (s + 1.0) - 0.02;
-        let slope = |s: f64| 2.0 * (s - 0.25) * (s + 1.0) + (s - 0.25).powi(2);
-        let s = lowest([cubic(0.0), cubic(1.0)], [slope(0.0), slope(1.0)]).unwrap();
-        assert!((s - 0.25).abs() < 1e-15);
     }
 }

@@ -1,6 +1,7 @@
 //! The ends of the joints' ranges, as a simulation has them.
 
 use super::error::InvalidSetting;
+use crate::Table;
 use crate::integrate::Phase;
 
 /// What becomes of a joint that reaches an end of its range.
@@ -55,6 +56,13 @@ impl<const N: usize> Limits<N> {
             kind: AtLimit::Passes,
             ranges: [[f64::NEG_INFINITY, f64::INFINITY]; N],
         }
+    }
+
+    /// Those of a table.
+    pub(super) fn of(table: &Table<N>, kind: AtLimit) -> Self {
+        let endless = [f64::NEG_INFINITY, f64::INFINITY];
+        let ranges = table.joint_limits().map(|limits| limits.unwrap_or(endless));
+        Limits { kind, ranges }
     }
 
     /// Whether they have a say in the motion.

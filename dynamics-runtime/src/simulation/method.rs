@@ -167,7 +167,7 @@ impl Method {
 }
 
 /// Asks sampled laws, takes the first sample, and finds what friction and stops do to the joints.
-fn begin<R, L, const N: usize>(
+pub(super) fn begin<R, L, const N: usize>(
     motion: &Motion<R, L, N>,
     recorder: &mut Recorder<N>,
 ) -> Result<(), Cause>

@@ -1,5 +1,7 @@
 //! Motion of an arm under a torque law.
 
+mod by_margins;
+mod by_series;
 mod contacts;
 mod csv;
 mod drive;
@@ -373,12 +375,8 @@ impl<'a, R, L, W, S, const N: usize> Simulation<'a, R, L, N, W, S> {
         R: Model<N>,
     {
         let table = self.robot.table();
-        let endless = [f64::NEG_INFINITY, f64::INFINITY];
         self.friction.dry = table.dry_friction();
-        self.limits = Limits {
-            kind,
-            ranges: table.joint_limits().map(|limits| limits.unwrap_or(endless)),
-        };
+        self.limits = Limits::of(&table, kind);
         self
     }
 

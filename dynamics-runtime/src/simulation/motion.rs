@@ -43,6 +43,14 @@ impl<'a, R, L, const N: usize> Motion<'a, R, L, N> {
         }
     }
 
+    pub(super) fn robot(&self) -> &R {
+        self.robot
+    }
+
+    pub(super) fn torque_law(&self) -> &L {
+        self.torque
+    }
+
     pub(super) fn evaluations(&self) -> u64 {
         self.evaluations.get()
     }
@@ -87,7 +95,7 @@ impl<'a, R, L, const N: usize> Motion<'a, R, L, N> {
     }
 
     /// Which joints are held where they are, where any is.
-    fn still(&self) -> Option<[bool; N]> {
+    pub(super) fn still(&self) -> Option<[bool; N]> {
         if !self.has_events() {
             return None;
         }

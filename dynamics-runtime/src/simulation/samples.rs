@@ -22,7 +22,7 @@ pub(super) trait Followed<const N: usize> {
 pub(super) fn take_within<M, S, E, const N: usize>(
     motion: &M,
     system: &S,
-    stepper: &mut dyn Stepper<S, E, N>,
+    stepper: &mut (impl Stepper<S, E, N> + ?Sized),
     recorder: &mut Recorder<N>,
 ) -> Result<bool, Failure<E>>
 where

@@ -2,20 +2,26 @@
 
 use core::cell::{Cell, RefCell};
 
-use nalgebra::SVector;
+use nalgebra::{SMatrix, SVector};
 
+use super::by_series::BySeries;
 use super::drive::smooth;
 use super::error::{Cause, InvalidSetting, SimulationError};
+use super::events::Eventful;
+use super::friction::Law;
+use super::limits::{AtLimit, Limits};
+use super::method::begin;
+use super::motion::Motion;
 use super::plan::Plan;
 use super::recorder::Recorder;
-use super::samples::Followed;
 use super::sampling::Sampled;
 use super::settings::ErrorControl;
-use super::torque::{NoTorque, finite};
-use super::trajectory::{Forces, Trajectory};
-use crate::TaylorDynamics;
+use super::torque::{NoTorque, TorqueLaw, finite};
+use super::trajectory::Trajectory;
+use crate::factorisation::Factors;
 use crate::integrate::{Phase, Tolerance};
-use crate::taylor::{FEWEST_ORDERS, SeriesStepper, Steady, order};
+use crate::taylor::{FEWEST_ORDERS, SeriesStepper, Steady, mass_matrix, order};
+use crate::{EquationsOfMotion, Momenta, Responses, SingularMassMatrix, TaylorDynamics};
 
 /// Settings of the Taylor method.
 ///
@@ -94,8 +100,9 @@ impl Default for Taylor {
 /// constant over a run, or those of a controller that samples and holds
 /// ([`sampled`](TaylorSimulation::sampled)). Viscous friction belongs to the equations
 /// and is included. Coulomb friction jumps where a joint reverses, where no series goes across: an
-/// arm that has it is refused. Limits of the table are passed. For laws, friction and stops of any kind use
-/// [`Simulation`](crate::Simulation).
+/// arm that has it is refused. For laws and friction of any kind use [`Simulation`](crate::Simulation).
+/// Limits of the table are passed, unless they are [`stops`](TaylorSimulation::stops) or
+/// [errors](TaylorSimulation::limits_are_errors).
 ///
 /// As it is made, the arm starts from rest at q = 0, moves freely for 1 s and is sampled 101 times.
 #[derive(Clone, Debug)]
@@ -104,6 +111,7 @@ pub struct TaylorSimulation<'a, R, const N: usize, L = SVector<f64, N>> {
     robot: &'a R,
     torque: L,
     settings: Taylor,
+    limits: Limits<N>,
     plan: Plan<N>,
 }
 
@@ -124,6 +132,7 @@ where
             robot,
             torque: SVector::zeros(),
             settings: Taylor::default(),
+            limits: Limits::none(),
             plan: Plan::new(),
         }
     }
@@ -206,6 +215,7 @@ where
             robot: self.robot,
             torque,
             settings: self.settings,
+            limits: self.limits,
             plan: self.plan,
         }
     }
@@ -214,6 +224,7 @@ where
         Setting {
             robot: self.robot,
             settings: self.settings,
+            limits: self.limits,
             plan: self.plan,
         }
     }
@@ -221,6 +232,52 @@ where
     /// Tolerances, order and bounds of the steps.
     pub fn settings(self, settings: Taylor) -> Self {
         TaylorSimulation { settings, ..self }
+    }
+
+    /// Stops at the ends of the joints' ranges, the `limits` of the table, as of
+    /// [`Simulation::stops`](crate::Simulation::stops): a joint comes back with `restitution` times its
+    /// speed, 0 to 1, or leans on its stop until the force of the stop would have to pull.
+    ///
+    /// The time of an impact, and that at which a joint leaves its stop, is the first zero of a polynomial,
+    /// the series of the step: as accurate as the motion, and found however often a joint turns within the
+    /// step. A series begins at each of them; between them steps are as long as without stops.
+    ///
+    /// ```
+    /// use dynamics_runtime::nalgebra::SVector;
+    /// use dynamics_runtime::{TaylorSimulation, robot_dynamics};
+    ///
+    /// robot_dynamics! {
+    ///     /// A ball that falls along z.
+    ///     struct Ball;
+    ///     convention: modified,
+    ///     gravity: [0, 0, -10],
+    ///     joints: [height: prismatic { mass: 1, limits: [0, 2] }],
+    ///     functions: [default, taylor_series],
+    /// }
+    ///
+    /// // From 1.25 m it falls for 1/2 s, and rises again with half of 5 m/s.
+    /// let motion = TaylorSimulation::new(&Ball)
+    ///     .initial(SVector::repeat(1.25), SVector::zeros())
+    ///     .stops(0.5)
+    ///     .duration(0.75)
+    ///     .run()?;
+    /// assert!((motion.q[100][0] - 0.3125).abs() < 1e-15);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn stops(self, restitution: f64) -> Self {
+        self.at_limits(AtLimit::Rebounds { restitution })
+    }
+
+    /// A joint that passes one of the `limits` of the table ends the run in
+    /// [`Cause::JointLimit`](crate::Cause::JointLimit), with the time and the state there and all samples
+    /// before. A joint may rest at a limit.
+    pub fn limits_are_errors(self) -> Self {
+        self.at_limits(AtLimit::Ends)
+    }
+
+    fn at_limits(mut self, kind: AtLimit) -> Self {
+        self.limits = Limits::of(&self.robot.table(), kind);
+        self
     }
 
     /// Positions and velocities at t = 0.
@@ -246,6 +303,7 @@ where
 struct Setting<'a, R, const N: usize> {
     robot: &'a R,
     settings: Taylor,
+    limits: Limits<N>,
     plan: Plan<N>,
 }
 
@@ -255,42 +313,41 @@ impl<R: TaylorDynamics<N>, const N: usize> Setting<'_, R, N> {
     where
         F: FnMut(f64, &Phase<N>) -> Result<SVector<f64, N>, Cause>,
     {
-        let motion = Held {
-            steady: Steady {
-                robot: self.robot,
-                tau: Cell::new(SVector::zeros()),
-            },
+        let arm = BySteps(self.robot);
+        let law = Held {
+            tau: Cell::new(SVector::zeros()),
             period,
             law: RefCell::new(law),
         };
+        let motion = Motion::new(&arm, &law, Law::sign(), self.limits);
         let mut recorder = Recorder::new(self.plan.initial);
         let end = self.record(&motion, &mut recorder);
-        // One series for each step.
-        let series = recorder.work.steps;
-        recorder.finished(end, series)
+        // One series for each step; impacts evaluate the equations besides.
+        let evaluations = recorder.work.steps + motion.evaluations();
+        recorder.finished(end, evaluations)
     }
 
-    fn record<F>(&self, motion: &Held<R, F, N>, recorder: &mut Recorder<N>) -> Result<(), Cause>
+    fn record<F>(
+        &self,
+        motion: &Motion<BySteps<R>, Held<F, N>, N>,
+        recorder: &mut Recorder<N>,
+    ) -> Result<(), Cause>
     where
         F: FnMut(f64, &Phase<N>) -> Result<SVector<f64, N>, Cause>,
     {
         self.validate()?;
         recorder.plan(&self.plan)?;
-        let start = self.plan.initial;
-        let begun = motion.sample(0.0, &start);
-        recorder.push(0.0, start, motion.forces(0.0, &start));
-        begun?;
+        begin(motion, recorder)?;
         let control = self.settings.control();
         let range = control.range(self.plan.duration);
-        let order = self.settings.order();
-        let mut run = SeriesStepper::start(&motion.steady, start, order, control.tolerance, range)?;
-        let run = smooth(
-            motion,
-            &motion.steady,
-            &mut run,
-            recorder,
-            control.max_steps,
-        );
+        let (start, order) = (recorder.phase, self.settings.order());
+        let mut run = SeriesStepper::start(motion, start, order, control.tolerance, range)?;
+        let (steps, duration) = (control.max_steps, recorder.duration());
+        let run = match motion.has_events() {
+            true => Eventful::<_, _, _, _, BySeries, N>::start(motion, motion, &mut run, duration)
+                .and_then(|run| run.drive(recorder, steps)),
+            false => smooth::<_, _, Cause, N>(motion, motion, &mut run, recorder, steps),
+        };
         run.map_err(Cause::of_long_steps)
     }
 
@@ -300,30 +357,68 @@ impl<R: TaylorDynamics<N>, const N: usize> Setting<'_, R, N> {
         if let Some(joint) = dry.iter().position(|friction| !friction.is_none()) {
             return Err(InvalidSetting::CoulombFriction { joint }.into());
         }
+        self.limits.validate(&self.plan.initial)?;
         Ok(self.settings.validate(self.plan.duration)?)
     }
 }
 
-/// An arm under torques that are held.
-struct Held<'a, R, F, const N: usize> {
-    steady: Steady<'a, R, N>,
+/// An arm that is known by its series.
+struct BySteps<'a, R>(&'a R);
+
+impl<R: TaylorDynamics<N>, const N: usize> EquationsOfMotion<N> for BySteps<'_, R> {
+    fn accelerations(
+        &self,
+        q: &SVector<f64, N>,
+        qd: &SVector<f64, N>,
+        tau: &SVector<f64, N>,
+    ) -> Result<SVector<f64, N>, SingularMassMatrix> {
+        Ok(self.0.taylor_series(q, qd, tau, 2)?[2] * 2.0)
+    }
+
+    fn accelerations_and_responses(
+        &self,
+        q: &SVector<f64, N>,
+        qd: &SVector<f64, N>,
+        tau: &SVector<f64, N>,
+        joints: &[bool; N],
+    ) -> Result<Responses<N>, SingularMassMatrix> {
+        let qdd = self.accelerations(q, qd, tau)?;
+        let factors = Factors::new(mass_matrix(self.0, q))?;
+        let mut columns = SMatrix::<f64, N, N>::zeros();
+        for j in (0..N).filter(|j| joints[*j]) {
+            let unit = SVector::from_fn(|i, _| f64::from(u8::from(i == j)));
+            columns.set_column(j, &factors.solve(&unit));
+        }
+        Ok((qdd, columns))
+    }
+
+    fn in_momenta(&self) -> Option<&dyn Momenta<N>> {
+        None
+    }
+}
+
+/// Torques that are held.
+struct Held<F, const N: usize> {
+    tau: Cell<SVector<f64, N>>,
     period: Option<f64>,
     law: RefCell<F>,
 }
 
-impl<R, F, const N: usize> Followed<N> for Held<'_, R, F, N>
+impl<F, const N: usize> TorqueLaw<N> for Held<F, N>
 where
-    R: TaylorDynamics<N>,
     F: FnMut(f64, &Phase<N>) -> Result<SVector<f64, N>, Cause>,
 {
-    fn forces(&self, _t: f64, phase: &Phase<N>) -> Forces<N> {
-        let tau = self.steady.tau.get();
-        let robot = self.steady.robot;
-        let series = robot.taylor_series(&phase.q, &phase.qd, &tau, 2);
-        Forces {
-            qdd: series.map_or(SVector::repeat(f64::NAN), |series| series[2] * 2.0),
-            tau,
-        }
+    fn motors(&self, _t: f64, _phase: &Phase<N>) -> SVector<f64, N> {
+        self.tau.get()
+    }
+
+    fn with_tool(
+        &self,
+        tau: SVector<f64, N>,
+        _t: f64,
+        _phase: &Phase<N>,
+    ) -> Result<SVector<f64, N>, Cause> {
+        Ok(tau)
     }
 
     fn period(&self) -> Option<f64> {
@@ -331,7 +426,26 @@ where
     }
 
     fn sample(&self, t: f64, phase: &Phase<N>) -> Result<(), Cause> {
-        self.steady.tau.set((self.law.borrow_mut())(t, phase)?);
+        self.tau.set((self.law.borrow_mut())(t, phase)?);
         Ok(())
+    }
+}
+
+impl<R, F, const N: usize> Steady<N> for Motion<'_, BySteps<'_, R>, Held<F, N>, N>
+where
+    R: TaylorDynamics<N>,
+{
+    type Arm = R;
+
+    fn arm(&self) -> &R {
+        self.robot().0
+    }
+
+    fn torque(&self) -> SVector<f64, N> {
+        self.torque_law().tau.get()
+    }
+
+    fn held(&self) -> Option<[bool; N]> {
+        self.still()
     }
 }

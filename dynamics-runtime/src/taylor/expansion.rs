@@ -1,11 +1,11 @@
 //! The coefficients of a motion, order by order.
 
-use nalgebra::SVector;
+use nalgebra::{SMatrix, SVector};
 
 use super::TaylorDynamics;
 use super::coefficients::{MAX_TAYLOR_ORDER, TaylorCoefficients};
 use super::products::Products;
-use super::term::{Coefficients, Term};
+use super::term::{Coefficients, Rest, Term};
 use crate::factorisation::Factors;
 use crate::inputs::Known;
 use crate::{Scalar, SingularMassMatrix};
@@ -21,6 +21,10 @@ where
     motion: Coefficients<T, N>,
     factors: Factors<T, N>,
     products: R::Products<T>,
+    rest: Rest<T, N>,
+    /// The force that holds each joint that is held, at the order reached, and the series of it.
+    holding: SVector<T, N>,
+    forces: TaylorCoefficients<T, N>,
 }
 
 impl<R, T, const N: usize> Expansion<R, T, N>
@@ -47,11 +51,35 @@ where
             },
             factors: Factors::unit(like),
             products: R::Products::new(like.constant(0.0)),
+            rest: Rest {
+                joints: None,
+                matrix: SMatrix::repeat(like.constant(0.0)),
+            },
+            holding: zero,
+            forces: [zero; MAX_TAYLOR_ORDER + 1],
         }
     }
 
     pub(crate) fn coefficients(&self) -> &TaylorCoefficients<T, N> {
         &self.coefficients
+    }
+
+    /// The series of the forces that hold joints.
+    #[cfg(feature = "std")]
+    pub(crate) fn forces(&self) -> &TaylorCoefficients<T, N> {
+        &self.forces
+    }
+
+    /// Whether a series that begins now holds joints.
+    #[cfg(feature = "std")]
+    pub(crate) fn holds(&self) -> bool {
+        self.rest.joints.is_some()
+    }
+
+    /// Which joints series that begin from now on hold where they are.
+    #[cfg(feature = "std")]
+    pub(crate) fn hold(&mut self, joints: Option<[bool; N]>) {
+        self.rest.joints = joints;
     }
 
     /// The accelerations of the series that was begun.
@@ -72,10 +100,14 @@ where
         tau: &SVector<T, N>,
     ) -> Result<(), SingularMassMatrix> {
         let zero = q[0].constant(0.0);
-        let angles: [T; N] = core::array::from_fn(|i| if R::READS_ANGLE[i] { q[i] } else { zero });
-        let sines = T::sin_cos_array(angles);
-        self.factors = Factors::new(robot.leading_matrix(&Known(sines), q))
-            .map_err(|error| error.named(R::JOINT_NAMES[error.joint]))?;
+        let sines = sines(robot, q);
+        let mut matrix = robot.leading_matrix(&Known(sines), q);
+        if let Some(held) = &self.rest.joints {
+            self.rest.matrix = matrix;
+            leave_out(&mut matrix, held);
+        }
+        self.factors =
+            Factors::new(matrix).map_err(|error| error.named(R::JOINT_NAMES[error.joint]))?;
         let motion = Coefficients {
             q: *q,
             qd: *qd,
@@ -111,9 +143,11 @@ where
             // qd_{k+1} = qdd_k / (k + 1), q_{k+2} = qd_{k+1} / (k + 2)
             let [first, second] = [k + 1, k + 2].map(|n| reciprocal(self.motion.q[0], n));
             self.motion.qd = self.motion.qdd.map(|x| x * first);
+            self.forces[k] = self.holding;
             self.coefficients[k + 2] = self.motion.qd.map(|x| x * second);
         }
         self.coefficients[order + 1..].fill(zero);
+        self.forces[order - 1..].fill(zero);
     }
 
     /// Order k of the equations of motion.
@@ -124,10 +158,14 @@ where
             next_sine: motion.sine,
             next_cosine: motion.cosine,
             factors: &self.factors,
+            rest: &self.rest,
+            holding: self.holding,
             products: &mut self.products,
         };
         robot.series_term(&mut term);
         let (sine, cosine, qdd) = (term.next_sine, term.next_cosine, term.motion.qdd);
+        let holding = term.holding;
+        self.holding = holding;
         let inverse = reciprocal(motion.q[0], k + 1);
         for (sine, cosine) in self.products.multiples() {
             (*sine, *cosine) = (*sine * inverse, *cosine * inverse);
@@ -138,6 +176,38 @@ where
             cosine: cosine.map(|x| x * inverse),
             ..motion
         };
+    }
+}
+
+/// Sines and cosines of the positions that are read as angles.
+#[inline(always)]
+fn sines<R, T, const N: usize>(_: &R, q: &SVector<T, N>) -> [(T, T); N]
+where
+    R: TaylorDynamics<N>,
+    T: Scalar,
+{
+    let zero = q[0].constant(0.0);
+    T::sin_cos_array(core::array::from_fn(|i| {
+        if R::READS_ANGLE[i] { q[i] } else { zero }
+    }))
+}
+
+/// M(q)
+#[cfg(feature = "std")]
+pub(crate) fn mass_matrix<R, const N: usize>(robot: &R, q: &SVector<f64, N>) -> SMatrix<f64, N, N>
+where
+    R: TaylorDynamics<N>,
+{
+    robot.leading_matrix(&Known(sines(robot, q)), q)
+}
+
+/// Rows and columns of some joints become those of the unit matrix.
+fn leave_out<T: Scalar, const N: usize>(matrix: &mut SMatrix<T, N, N>, joints: &[bool; N]) {
+    let like = matrix[(0, 0)];
+    for i in 0..N {
+        for j in (0..N).filter(|j| joints[i] || joints[*j]) {
+            matrix[(i, j)] = like.constant(if i == j { 1.0 } else { 0.0 });
+        }
     }
 }
 

@@ -30,6 +30,8 @@
 mod coefficients;
 mod expansion;
 #[cfg(feature = "std")]
+mod first_root;
+#[cfg(feature = "std")]
 mod fused;
 #[cfg(feature = "std")]
 mod numbers;
@@ -45,6 +47,10 @@ use nalgebra::{SMatrix, SVector};
 use crate::{Inputs, Model, Scalar, SingularMassMatrix};
 pub use coefficients::{MAX_TAYLOR_ORDER, TaylorCoefficients};
 use expansion::Expansion;
+#[cfg(feature = "std")]
+pub(crate) use expansion::mass_matrix;
+#[cfg(feature = "std")]
+pub(crate) use first_root::Polynomial;
 pub use products::{Block, Common, ProductTable, Products};
 #[cfg(feature = "std")]
 pub(crate) use step_size::{FEWEST_ORDERS, order};

@@ -20,6 +20,7 @@ where
     Fused {
         expansion: Box<Expansion<R, Fused, N>>,
         coefficients: Box<TaylorCoefficients<f64, N>>,
+        forces: Box<TaylorCoefficients<f64, N>>,
     },
 }
 
@@ -34,7 +35,16 @@ where
             true => Series::Fused {
                 expansion: Box::new(Expansion::new(&zero.map(Fused))),
                 coefficients: Box::new([zero; MAX_TAYLOR_ORDER + 1]),
+                forces: Box::new([zero; MAX_TAYLOR_ORDER + 1]),
             },
+        }
+    }
+
+    /// Which joints series that begin from now on hold where they are.
+    pub(super) fn hold(&mut self, joints: Option<[bool; N]>) {
+        match self {
+            Series::Plain(expansion) => expansion.hold(joints),
+            Series::Fused { expansion, .. } => expansion.hold(joints),
         }
     }
 
@@ -62,6 +72,7 @@ where
             Series::Fused {
                 expansion,
                 coefficients,
+                forces,
             } => {
                 with_best_instructions(
                     #[inline(always)]
@@ -71,6 +82,11 @@ where
                 for (x, computed) in coefficients.iter_mut().zip(computed) {
                     *x = computed.map(|x| x.0);
                 }
+                if expansion.holds() {
+                    for (x, computed) in forces.iter_mut().zip(expansion.forces()) {
+                        *x = computed.map(|x| x.0);
+                    }
+                }
             }
         }
     }
@@ -79,6 +95,14 @@ where
         match self {
             Series::Plain(expansion) => expansion.coefficients(),
             Series::Fused { coefficients, .. } => coefficients,
+        }
+    }
+
+    /// The series of the forces that hold joints; without meaning where none is held.
+    pub(super) fn forces(&self) -> &TaylorCoefficients<f64, N> {
+        match self {
+            Series::Plain(expansion) => expansion.forces(),
+            Series::Fused { forces, .. } => forces,
         }
     }
 

@@ -1,20 +1,29 @@
 //! Steps by Taylor series.
 
-use core::cell::Cell;
-
 use nalgebra::SVector;
 
 use super::TaylorDynamics;
+use super::coefficients::TaylorCoefficients;
+use super::first_root::Polynomial;
 use super::numbers::Series;
 use super::step_size::step_size;
 use crate::SingularMassMatrix;
 use crate::exact::{two_sum, two_sums};
 use crate::integrate::{Failure, Phase, StepRange, Stepper, Tolerance, first_non_finite};
 
-/// An arm under constant torques, until others take their place.
-pub(crate) struct Steady<'a, R, const N: usize> {
-    pub(crate) robot: &'a R,
-    pub(crate) tau: Cell<SVector<f64, N>>,
+/// An arm whose torques are constant, and of which some joints are held where they are, until a stepper is
+/// told to begin again.
+pub(crate) trait Steady<const N: usize> {
+    /// The arm.
+    type Arm: TaylorDynamics<N>;
+
+    fn arm(&self) -> &Self::Arm;
+
+    /// The torques, N m or N.
+    fn torque(&self) -> SVector<f64, N>;
+
+    /// The joints that are held, where any is.
+    fn held(&self) -> Option<[bool; N]>;
 }
 
 /// Why a series cannot begin at a phase.
@@ -58,7 +67,7 @@ where
     R: TaylorDynamics<N>,
 {
     pub(crate) fn start(
-        motion: &Steady<R, N>,
+        motion: &impl Steady<N, Arm = R>,
         phase: Phase<N>,
         order: usize,
         tolerance: Tolerance,
@@ -78,6 +87,44 @@ where
         };
         stepper.begin(motion, &phase)?;
         Ok(stepper)
+    }
+
+    /// The phase at a time within the last step.
+    fn within(&self, t: f64) -> Phase<N> {
+        if t == self.t {
+            return self.phase;
+        }
+        let (position, velocity) = self.increments(t - self.start);
+        let q = self.series.coefficients();
+        Phase {
+            q: q[0] + position,
+            qd: q[1] + velocity,
+        }
+    }
+
+    /// The position of a joint over the last step, from 0 at its start to 1 at its end.
+    pub(crate) fn position(&self, joint: usize) -> Polynomial {
+        self.over_the_step(self.series.coefficients(), joint)
+    }
+
+    /// The force that holds a joint, over the last step.
+    pub(crate) fn holding_force(&self, joint: usize) -> Polynomial {
+        self.over_the_step(self.series.forces(), joint)
+    }
+
+    fn over_the_step(&self, series: &TaylorCoefficients<f64, N>, joint: usize) -> Polynomial {
+        let h = self.t - self.start;
+        let mut power = 1.0;
+        Polynomial(series.map(|coefficient| {
+            let term = coefficient[joint] * power;
+            power *= h;
+            term
+        }))
+    }
+
+    /// The time at a share of the last step.
+    pub(crate) fn time_at(&self, share: f64) -> f64 {
+        self.start + share * (self.t - self.start)
     }
 
     /// The phase after a step, and what its rounding has lost.
@@ -123,11 +170,12 @@ where
     }
 
     /// Begins the series at a phase.
-    fn begin(&mut self, motion: &Steady<R, N>, phase: &Phase<N>) -> Result<(), Refusal> {
+    fn begin(&mut self, motion: &impl Steady<N, Arm = R>, phase: &Phase<N>) -> Result<(), Refusal> {
         if let Some(joint) = phase.first_non_finite() {
             return Err(Refusal::State { joint });
         }
-        let begun = self.series.begin(motion.robot, phase, &motion.tau.get());
+        self.series.hold(motion.held());
+        let begun = self.series.begin(motion.arm(), phase, &motion.torque());
         begun.map_err(Refusal::Singular)?;
         match first_non_finite(&self.series.acceleration()) {
             Some(joint) => Err(Refusal::Acceleration { joint }),
@@ -136,8 +184,10 @@ where
     }
 }
 
-impl<R, const N: usize> Stepper<Steady<'_, R, N>, Refusal, N> for SeriesStepper<R, N>
+impl<M, E, R, const N: usize> Stepper<M, E, N> for SeriesStepper<R, N>
 where
+    M: Steady<N, Arm = R>,
+    E: From<Refusal>,
     R: TaylorDynamics<N>,
 {
     fn t(&self) -> f64 {
@@ -149,8 +199,8 @@ where
     }
 
     /// After a failure the phase is that before the step.
-    fn step(&mut self, motion: &Steady<R, N>, end: f64) -> Result<(), Failure<Refusal>> {
-        self.series.extend(motion.robot, self.order);
+    fn step(&mut self, motion: &M, end: f64) -> Result<(), Failure<E>> {
+        self.series.extend(motion.arm(), self.order);
         let coefficients = self.series.coefficients();
         let wish = step_size(coefficients, self.order, &self.tolerance);
         let rest = end - self.t - self.lost_time;
@@ -176,7 +226,7 @@ where
                     return Ok(());
                 }
                 Ok(()) => Failure::StepTooSmall,
-                Err(refusal) => Failure::Refused(refusal),
+                Err(refusal) => Failure::Refused(refusal.into()),
             };
             self.rejected += 1;
             h *= 0.5;
@@ -188,27 +238,20 @@ where
     }
 
     /// On the series of the last step.
-    fn at(&mut self, _: &Steady<R, N>, t: f64) -> Result<Phase<N>, Failure<Refusal>> {
-        if t == self.t {
-            return Ok(self.phase);
-        }
-        let (position, velocity) = self.increments(t - self.start);
-        let q = self.series.coefficients();
-        Ok(Phase {
-            q: q[0] + position,
-            qd: q[1] + velocity,
-        })
+    fn at(&mut self, _: &M, t: f64) -> Result<Phase<N>, Failure<E>> {
+        Ok(self.within(t))
     }
 
-    fn retake(&mut self, motion: &Steady<R, N>, end: f64) -> Result<(), Failure<Refusal>> {
-        let phase = self.at(motion, end)?;
+    fn retake(&mut self, motion: &M, end: f64) -> Result<(), Failure<E>> {
+        let phase = self.within(end);
         (self.t, self.lost_time) = (end, 0.0);
         self.restart(motion, phase)
     }
 
-    fn restart(&mut self, motion: &Steady<R, N>, phase: Phase<N>) -> Result<(), Failure<Refusal>> {
+    fn restart(&mut self, motion: &M, phase: Phase<N>) -> Result<(), Failure<E>> {
         (self.phase, self.lost) = (phase, Phase::zeros());
-        Ok(self.begin(motion, &phase)?)
+        self.begin(motion, &phase)
+            .map_err(|refusal| Failure::Refused(refusal.into()))
     }
 
     fn rejected(&self) -> u64 {
@@ -218,11 +261,9 @@ where
 
 #[cfg(test)]
 mod tests {
-    use core::cell::Cell;
-
     use nalgebra::{SMatrix, SVector, Vector1};
 
-    use super::{SeriesStepper, Steady};
+    use super::{Refusal, SeriesStepper, Steady};
     use crate::integrate::{Phase, StepRange, Stepper, Tolerance};
     use crate::taylor::{ProductTable, SeriesTerm, TaylorDynamics};
     use crate::{Inputs, Model, Scalar, Table};
@@ -256,11 +297,35 @@ mod tests {
         }
     }
 
-    fn motion() -> Steady<'static, Swing, 1> {
-        Steady {
-            robot: &Swing,
-            tau: Cell::new(Vector1::new(0.25)),
+    /// Under a torque of 1/4, free or held.
+    struct Under {
+        holds: bool,
+    }
+
+    impl Steady<1> for Under {
+        type Arm = Swing;
+
+        fn arm(&self) -> &Swing {
+            &Swing
         }
+
+        fn torque(&self) -> Vector1<f64> {
+            Vector1::new(0.25)
+        }
+
+        fn held(&self) -> Option<[bool; 1]> {
+            self.holds.then_some([true])
+        }
+    }
+
+    const FREE: Under = Under { holds: false };
+
+    fn step(run: &mut SeriesStepper<Swing, 1>, end: f64) {
+        Stepper::<_, Refusal, 1>::step(run, &FREE, end).unwrap();
+    }
+
+    fn restart(run: &mut SeriesStepper<Swing, 1>, motion: &Under, phase: Phase<1>) {
+        Stepper::<_, Refusal, 1>::restart(run, motion, phase).unwrap();
     }
 
     fn start(t: f64, phase: Phase<1>) -> SeriesStepper<Swing, 1> {
@@ -272,7 +337,7 @@ mod tests {
             least: 1e-14,
             greatest: 1.0,
         };
-        let mut run = SeriesStepper::start(&motion(), phase, 20, tolerance, range).unwrap();
+        let mut run = SeriesStepper::start(&FREE, phase, 20, tolerance, range).unwrap();
         run.t = t;
         run
     }
@@ -286,9 +351,9 @@ mod tests {
 
     fn reach(run: &mut SeriesStepper<Swing, 1>, end: f64) -> Phase<1> {
         while run.t < end {
-            run.step(&motion(), end).unwrap();
+            step(run, end);
         }
-        *run.phase()
+        run.phase
     }
 
     /// E = qd^2 / 2 - cos q - tau q.
@@ -303,13 +368,13 @@ mod tests {
     #[test]
     fn a_step_made_again_is_one_to_the_earlier_time() {
         let mut run = start(0.0, phase(2.0, -0.5));
-        run.step(&motion(), 5.0).unwrap();
-        run.step(&motion(), 5.0).unwrap();
+        step(&mut run, 5.0);
+        step(&mut run, 5.0);
         let (from, to) = (run.start, run.t);
         let middle = 0.4 * from + 0.6 * to;
-        let expected = run.at(&motion(), middle).unwrap();
-        run.retake(&motion(), middle).unwrap();
-        assert_eq!((run.t, *run.phase()), (middle, expected));
+        let expected = run.within(middle);
+        Stepper::<_, Refusal, 1>::retake(&mut run, &FREE, middle).unwrap();
+        assert_eq!((run.t, run.phase), (middle, expected));
         let whole = reach(&mut start(0.0, phase(2.0, -0.5)), 5.0);
         assert!(
             reach(&mut run, 5.0)
@@ -319,12 +384,29 @@ mod tests {
         );
     }
 
+    /// A joint that is held does not move, by a force of sin q - tau; let go, it does.
+    #[test]
+    fn a_joint_that_is_held_stays() {
+        let mut run = start(0.0, phase(0.5, 0.0));
+        let held = Under { holds: true };
+        restart(&mut run, &held, phase(0.5, 0.0));
+        Stepper::<_, Refusal, 1>::step(&mut run, &held, 0.5).unwrap();
+        assert_eq!((run.t, run.phase), (0.5, phase(0.5, 0.0)));
+        let force = run.holding_force(0);
+        let expected = 0.5_f64.sin() - 0.25;
+        assert!((force.0[0] - expected).abs() < 1e-15);
+        assert!(force.0[1..].iter().all(|c| *c == 0.0));
+        restart(&mut run, &FREE, phase(0.5, 0.0));
+        step(&mut run, 1.0);
+        assert!(run.phase.q[0] < 0.5);
+    }
+
     #[test]
     fn a_restart_forgets_the_motion_before() {
         let other = phase(-1.0, 0.3);
         let mut run = start(0.0, phase(2.0, -0.5));
         reach(&mut run, 1.0);
-        run.restart(&motion(), other).unwrap();
+        restart(&mut run, &FREE, other);
         let expected = reach(&mut start(1.0, other), 2.0);
         assert_eq!(reach(&mut run, 2.0), expected);
     }

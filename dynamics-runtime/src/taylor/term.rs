@@ -1,6 +1,6 @@
 //! One order of the series, as generated code sees it.
 
-use nalgebra::SVector;
+use nalgebra::{SMatrix, SVector};
 
 use super::products::Products;
 use crate::Scalar;
@@ -60,7 +60,19 @@ pub(super) struct Term<'a, P, T, const N: usize, const LEADING: bool> {
     pub(super) next_sine: SVector<T, N>,
     pub(super) next_cosine: SVector<T, N>,
     pub(super) factors: &'a Factors<T, N>,
+    pub(super) rest: &'a Rest<T, N>,
+    /// The forces that hold the joints that are held.
+    pub(super) holding: SVector<T, N>,
     pub(super) products: &'a mut P,
+}
+
+/// Joints that are held where they are.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Rest<T, const N: usize> {
+    /// Which these are; none where there are none.
+    pub(super) joints: Option<[bool; N]>,
+    /// M(q_0) of all joints.
+    pub(super) matrix: SMatrix<T, N, N>,
 }
 
 impl<P, T, const N: usize, const LEADING: bool> SeriesTerm<T, N> for Term<'_, P, T, N, LEADING>
@@ -154,6 +166,33 @@ where
     #[inline(always)]
     fn solve(&mut self, forces: [T; N]) {
         let lacking = SVector::from_fn(|i, _| self.motion.tau[i] - forces[i]);
-        self.motion.qdd = self.factors.solve(&lacking);
+        match &self.rest.joints {
+            None => self.motion.qdd = self.factors.solve(&lacking),
+            Some(held) => self.solve_beside(held, lacking),
+        }
+    }
+}
+
+impl<P, T, const N: usize, const LEADING: bool> Term<'_, P, T, N, LEADING>
+where
+    T: Scalar,
+{
+    /// The accelerations where those of some joints are zero, and the forces f that hold these:
+    /// `M qdd = lacking + f`. Rows and columns of these joints are those of the unit matrix in the
+    /// factors.
+    fn solve_beside(&mut self, held: &[bool; N], lacking: SVector<T, N>) {
+        let zero = self.motion.q[0].constant(0.0);
+        let of_others = SVector::from_fn(|i, _| if held[i] { zero } else { lacking[i] });
+        let mut qdd = self.factors.solve(&of_others);
+        for i in (0..N).filter(|i| held[*i]) {
+            qdd[i] = zero;
+        }
+        self.motion.qdd = qdd;
+        self.holding = SVector::from_fn(|i, _| match held[i] {
+            true => (0..N).fold(-lacking[i], |force, j| {
+                self.rest.matrix[(i, j)].mul_add(qdd[j], force)
+            }),
+            false => zero,
+        });
     }
 }

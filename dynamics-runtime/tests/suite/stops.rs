@@ -3,8 +3,8 @@
 use dynamics_runtime::nalgebra::{SMatrix, SVector, Vector1, Vector2, Vector3};
 use dynamics_runtime::{
     Cause, Convention, Dop853, DormandPrince, EquationsOfMotion, Friction, InvalidSetting,
-    JointType, Method, Model, NewtonEuler, Radau5, Row, Simulation, Table, Trajectory,
-    robot_dynamics,
+    JointType, Method, Model, NewtonEuler, Radau5, Row, Simulation, Table, Taylor,
+    TaylorSimulation, Trajectory, robot_dynamics,
 };
 
 robot_dynamics! {
@@ -14,7 +14,9 @@ robot_dynamics! {
     convention: modified,
     gravity: [0, 0, -10],
     joints: [height: prismatic { mass: 2, limits: [0, 20] }],
-    functions: [mass_matrix, inverse_dynamics, forward_dynamics, kinetic_energy, potential_energy],
+    functions: [
+        mass_matrix, inverse_dynamics, forward_dynamics, kinetic_energy, potential_energy, taylor_series,
+    ],
 }
 
 robot_dynamics! {
@@ -27,7 +29,9 @@ robot_dynamics! {
         shoulder: revolute { a: 2, mass: 3, com: [-1, 0, 0], inertia: rod(2), limits: [-2.5, 0.6] },
         elbow: revolute { a: 1, mass: 1, com: [-0.5, 0, 0], inertia: rod(1), limits: [-1, 0.6] },
     ],
-    functions: [mass_matrix, inverse_dynamics, forward_dynamics, kinetic_energy, potential_energy],
+    functions: [
+        mass_matrix, inverse_dynamics, forward_dynamics, kinetic_energy, potential_energy, taylor_series,
+    ],
 }
 
 /// Those that are exact under constant forces.
@@ -541,4 +545,173 @@ fn newton_euler_moves_as_the_generated_arm() {
             assert!(error < 1e-8, "{method:?}, {k}: {error:e}");
         }
     }
+}
+
+/// The ball by its series, with steps as long as a flight.
+fn dropped_by_series(restitution: f64, duration: f64, samples: usize) -> Trajectory<1> {
+    TaylorSimulation::new(&Ball)
+        .initial(Vector1::new(1.25), Vector1::zeros())
+        .stops(restitution)
+        .settings(Taylor {
+            max_step: Some(f64::INFINITY),
+            ..Taylor::default()
+        })
+        .duration(duration)
+        .samples(samples)
+        .run()
+        .unwrap()
+}
+
+/// The times of impacts are zeros of polynomials of order 2: nothing is lost but rounding.
+#[test]
+fn series_bounce_as_they_must() {
+    for restitution in [0.5, 0.6, 0.9, 1.0] {
+        let run = dropped_by_series(restitution, 3.3, 24);
+        for (k, &t) in run.t.iter().enumerate() {
+            let (height, speed, bounces) = bouncing(1.25, restitution, t);
+            let errors = [run.q[k][0] - height, run.qd[k][0] - speed];
+            let what = format!("e = {restitution}, t = {t}: {errors:?}");
+            assert!(errors[0].abs() < 1e-13, "{what}");
+            // Where infinitely many bounces have ended, or are about to.
+            assert!(errors[1].abs() < 1e-11, "{what}");
+            assert!(
+                restitution > 0.5 || t < 1.6 || bounces == u32::MAX,
+                "{what}"
+            );
+        }
+        if restitution == 1.0 {
+            // A step for each flight.
+            assert_eq!(run.work.steps, 4, "{:?}", run.work);
+        }
+    }
+    let rest = dropped_by_series(0.5, 3.9, 41);
+    for k in 17..41 {
+        let at_rest = [rest.q[k][0], rest.qd[k][0], rest.qdd[k][0]];
+        assert_eq!(at_rest, [0.0; 3], "{}", rest.t[k]);
+    }
+}
+
+/// Thrown up at 6 m/s from 18.75 m it would be back below its limit of 20 m at the end of the step.
+#[test]
+fn series_see_a_limit_that_is_passed_and_left_within_a_step() {
+    let thrown = TaylorSimulation::new(&Ball)
+        .initial(Vector1::new(18.75), Vector1::new(6.0))
+        .settings(Taylor {
+            max_step: Some(f64::INFINITY),
+            ..Taylor::default()
+        })
+        .samples(2);
+    let speed = 11.0_f64.sqrt();
+    let hit = 0.6 - 0.1 * speed;
+    let error = thrown.clone().limits_are_errors().run().unwrap_err();
+    let limit = 20.0;
+    assert_eq!(error.cause, Cause::JointLimit { joint: 0, limit });
+    assert!((error.time - hit).abs() < 1e-12, "{}", error.time);
+    let run = thrown.stops(1.0).run().unwrap();
+    let left = 1.0 - hit;
+    let expected = 20.0 - speed * left - 5.0 * left * left;
+    assert!((run.q[1][0] - expected).abs() < 1e-13, "{}", run.q[1]);
+    assert_eq!(run.work.steps, 2, "{:?}", run.work);
+}
+
+fn rods_by_series() -> TaylorSimulation<'static, Rods, 2> {
+    TaylorSimulation::new(&Rods).initial(Vector2::new(-0.3, 0.2), Vector2::new(1.0, -2.0))
+}
+
+/// Joints hit, bounce, lean and are let go at the same times by series and by DOP853.
+#[test]
+fn series_meet_stops_where_other_methods_do() {
+    let accurate = Dop853::with_tolerance(1e-13);
+    let by_steps = Simulation::new(&Rods)
+        .initial(Vector2::new(-0.3, 0.2), Vector2::new(1.0, -2.0))
+        .method(accurate);
+    let [first, second] = [
+        by_steps.clone().limits_are_errors().run().unwrap_err(),
+        rods_by_series().limits_are_errors().run().unwrap_err(),
+    ];
+    assert_eq!(first.cause, second.cause);
+    assert!((first.time - second.time).abs() < 1e-12);
+    assert!((first.qd - second.qd).amax() < 1e-11);
+
+    // A torque that presses the elbow against its stop, until the shoulder swings back.
+    let tau = Vector2::new(0.0, 4.0);
+    let by_steps = by_steps.torque(|_, _, _| tau);
+    for restitution in [0.0, 0.3, 0.7] {
+        let [by_steps, by_series] = [
+            by_steps.clone().stops(restitution).duration(2.0).run(),
+            rods_by_series()
+                .torque(tau)
+                .stops(restitution)
+                .duration(2.0)
+                .run(),
+        ]
+        .map(Result::unwrap);
+        let mut leans = 0;
+        for k in 0..by_steps.len() {
+            let difference = (by_steps.q[k] - by_series.q[k]).amax();
+            let t = by_steps.t[k];
+            assert!(
+                difference < 1e-9,
+                "e = {restitution}, t = {t}: {difference:e}"
+            );
+            let at_rest = |run: &Trajectory<2>| (0..2).filter(|i| run.qd[k][*i] == 0.0).count();
+            leans += at_rest(&by_series);
+            assert_eq!(
+                at_rest(&by_steps),
+                at_rest(&by_series),
+                "e = {restitution}, t = {t}"
+            );
+        }
+        let some = 10..by_steps.len() - 10;
+        assert!(restitution > 0.0 || some.contains(&leans), "{leans}");
+    }
+    let elastic = rods_by_series()
+        .settings(Taylor::with_tolerance(1e-16))
+        .stops(1.0)
+        .duration(5.0)
+        .run()
+        .unwrap();
+    let drift = elastic.energy_drift(&Rods);
+    assert!(drift < 1e-12, "{drift:e} J");
+    for q in &elastic.q {
+        let inside = (-2.5..=0.6).contains(&q[0]) && (-1.0..=0.6).contains(&q[1]);
+        assert!(inside, "{q}");
+    }
+}
+
+/// As by the other methods: the ball is caught by a law that is sampled, and settings are refused.
+#[test]
+fn series_with_stops_take_sampled_laws_and_refuse_what_is_no_setting() {
+    let mut calls = 0;
+    let run = TaylorSimulation::new(&Ball)
+        .initial(Vector1::new(1.25), Vector1::zeros())
+        .stops(0.8)
+        .sampled(0.3)
+        .torque(|_, _, _| {
+            calls += 1;
+            Vector1::new(if calls > 2 { 20.0 } else { 0.0 })
+        })
+        .samples(11)
+        .run()
+        .unwrap();
+    let (height, speed, _) = bouncing(1.25, 0.8, 0.6);
+    assert!((run.q[10][0] - height - speed * 0.4).abs() < 1e-13);
+    assert_eq!(calls, 4);
+    let ball = TaylorSimulation::new(&Ball);
+    let refused = |run: TaylorSimulation<'_, Ball, 1>| run.run().unwrap_err().cause;
+    let restitution = InvalidSetting::Restitution(1.5);
+    assert_eq!(
+        refused(ball.clone().stops(1.5)),
+        Cause::InvalidSetting(restitution)
+    );
+    let outside = ball.initial(Vector1::new(-1.0), Vector1::zeros());
+    let setting = InvalidSetting::OutsideLimits {
+        joint: 0,
+        q: -1.0,
+        limits: [0.0, 20.0],
+    };
+    assert_eq!(
+        refused(outside.limits_are_errors()),
+        Cause::InvalidSetting(setting)
+    );
 }

@@ -1,0 +1,64 @@
+//! Events of a motion whose series are known: zeros of polynomials.
+
+use super::error::Cause;
+use super::events::{Finder, Start};
+use super::friction::Contact;
+use super::limits::{AtLimit, End};
+use super::motion::{Held, Motion};
+use crate::integrate::Stepper;
+use crate::taylor::{Polynomial, SeriesStepper, Steady};
+use crate::{EquationsOfMotion, TaylorDynamics};
+
+/// The first zero of the way to a limit, or of the force on a stop, over a step: to rounding, and however
+/// often a joint turns within the step.
+pub(super) struct BySeries;
+
+/// A force on a stop that is less than so many roundings of its greatest term is none.
+const ROUNDINGS_OF_FORCE: f64 = 16.0;
+
+impl<'m, R, A, L, const N: usize> Finder<Motion<'m, R, L, N>, R, L, SeriesStepper<A, N>, N>
+    for BySeries
+where
+    R: EquationsOfMotion<N>,
+    A: TaylorDynamics<N>,
+    Motion<'m, R, L, N>: Steady<N, Arm = A>,
+{
+    fn first_event(
+        motion: &Motion<'_, R, L, N>,
+        system: &Motion<'m, R, L, N>,
+        stepper: &mut SeriesStepper<A, N>,
+        start: &Start<N>,
+    ) -> Result<Option<Held<N>>, Cause> {
+        let limits = motion.limits();
+        let of_joint = |i: usize| match motion.contacts()[i] {
+            Contact::Leans(inwards) => {
+                let force = stepper.holding_force(i).less(0.0, inwards);
+                force.first_passage(ROUNDINGS_OF_FORCE * f64::EPSILON * force.size())
+            }
+            _ => {
+                let position = stepper.position(i);
+                let ends = limits.ends(i);
+                let times = ends.filter_map(|end| arrival(limits.kind, &end, position));
+                times.reduce(f64::min)
+            }
+        };
+        let Some(share) = (0..N).filter_map(of_joint).reduce(f64::min) else {
+            return Ok(Some(start.held));
+        };
+        let t = stepper.time_at(share).max(start.t.next_up());
+        Stepper::<_, Cause, N>::retake(stepper, system, t)?;
+        Ok(None)
+    }
+}
+
+/// When a joint arrives at an end of its range. Where that is an error, it may be there.
+fn arrival(kind: AtLimit, end: &End, position: Polynomial) -> Option<f64> {
+    let gap = position.less(end.at, end.inwards);
+    match kind {
+        AtLimit::Ends => gap.first_passage(end.resolution()),
+        _ => {
+            let rounding = f64::EPSILON * (1.0 + end.at.abs());
+            gap.first_passage(rounding).map(|share| gap.refined(share))
+        }
+    }
+}
