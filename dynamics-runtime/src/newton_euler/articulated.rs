@@ -153,7 +153,7 @@ impl<const N: usize> NewtonEuler<N> {
             angular: Vector3::zeros(),
             linear: -self.gravity,
         };
-        for (i, link) in self.links.iter().enumerate() {
+        for (i, link) in self.links().iter().enumerate() {
             motion = motion.outward(&joints[i]);
             motion.angular += added[i].angular;
             motion.linear += added[i].linear;
@@ -176,7 +176,7 @@ impl<const N: usize> NewtonEuler<N> {
         };
         let (mut added, mut needed) = ([none; N], [Wrench::ZERO; N]);
         let mut w: Vector3<f64> = Vector3::zeros();
-        for (i, link) in self.links.iter().enumerate() {
+        for (i, link) in self.links().iter().enumerate() {
             let centripetal = w.cross(&w.cross(&joints[i].origin));
             w = joints[i].outward(&w);
             let mut linear = joints[i].outward(&centripetal);
@@ -214,7 +214,7 @@ impl<const N: usize> NewtonEuler<N> {
         let mut passes = [none; N];
         let mut beyond: Option<Articulated> = None;
         let mut composite = Inertia::ZERO;
-        for (i, link) in self.links.iter().enumerate().rev() {
+        for (i, link) in self.links().iter().enumerate().rev() {
             let rigid = Articulated::rigid(&link.inertia);
             let body = beyond.map_or(rigid, |beyond| rigid.plus(&beyond));
             composite = link.inertia + composite;

@@ -34,7 +34,7 @@ impl<const N: usize> NewtonEuler<N> {
     pub(super) fn composite_bodies(&self, joints: &[Joint; N]) -> SMatrix<f64, N, N> {
         let mut mass_matrix = SMatrix::<f64, N, N>::zeros();
         let mut composite = Inertia::ZERO;
-        for (i, link) in self.links.iter().enumerate().rev() {
+        for (i, link) in self.links().iter().enumerate().rev() {
             composite = match joints.get(i + 1) {
                 Some(joint) => link.inertia + joint.inertia_inward(&composite),
                 None => link.inertia,
@@ -57,14 +57,14 @@ impl<const N: usize> NewtonEuler<N> {
     pub(super) fn weights(&self, joints: &[Joint; N]) -> SVector<f64, N> {
         let mut gravity = [Vector3::zeros(); N];
         let mut carried = self.gravity;
-        for i in 0..N {
+        for i in 0..self.rows() {
             carried = joints[i].outward(&carried);
             gravity[i] = carried;
         }
 
         let mut torques = SVector::zeros();
         let (mut mass, mut first_moment) = (0.0, Vector3::zeros());
-        for (i, link) in self.links.iter().enumerate().rev() {
+        for (i, link) in self.links().iter().enumerate().rev() {
             mass += link.inertia.mass;
             first_moment += link.inertia.first_moment;
             let (h, g): (Vector3<f64>, _) = (first_moment, gravity[i]);

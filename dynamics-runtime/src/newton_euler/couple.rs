@@ -12,8 +12,7 @@ use super::lock::without_locked;
 use super::sum::Sum;
 use crate::table::MOST_FOLLOWERS;
 use crate::{
-    Convention, Follower, Followers, JointMotion, JointType, Placement, Row, SecondDerivatives,
-    Table,
+    Convention, Follower, Followers, JointMotion, JointType, Row, SecondDerivatives, Table,
 };
 
 impl<const N: usize> Table<N> {
@@ -83,23 +82,21 @@ impl<const N: usize> Table<N> {
 }
 
 impl<const N: usize> Table<N> {
-    /// The whole arm, each row a joint of its own. Rows beyond [`MOST_ROWS`] are none of it.
-    fn uncoupled(&self) -> Table<MOST_ROWS> {
+    /// The whole arm, each row a joint of its own, and how many rows it has. Rows beyond [`MOST_ROWS`] are
+    /// none of it.
+    fn uncoupled(&self) -> (Table<MOST_ROWS>, usize) {
         let mut rows = [Row::new(JointType::Prismatic); MOST_ROWS];
-        let mut tip = Placement::IDENTITY;
+        let mut used = 0;
         for (row, moving) in rows.iter_mut().zip(self.chain()) {
             *row = *moving.row;
-            tip = core::mem::replace(&mut row.tip, Placement::IDENTITY);
+            used += 1;
         }
-        // What hangs on the last row hangs on the rows behind it, whose frames are the same.
-        let last = self.chain().last().map(|moving| moving.row.link_frame);
-        rows[MOST_ROWS - 1].tip = tip;
-        rows[MOST_ROWS - 1].link_frame = last.unwrap_or(Placement::IDENTITY);
-        Table {
+        let table = Table {
             base: self.base,
             tool: self.tool,
             ..Table::new(self.convention, self.gravity, rows)
-        }
+        };
+        (table, used)
     }
 }
 
@@ -117,7 +114,8 @@ impl<const N: usize> Coupled<N> {
 
     /// The whole arm. Offsets are a part of each row: its coordinate is the factor times the leader's.
     pub(super) fn whole(&self) -> Whole {
-        let mut whole = read(&self.table.uncoupled());
+        let (table, used) = self.table.uncoupled();
+        let mut whole = read(&table, used);
         for (link, moving) in whole.links.iter_mut().zip(self.table.chain()) {
             link.shift(moving.offset);
         }
@@ -323,8 +321,8 @@ impl Link {
     }
 }
 
-// The functions of an arm with as many rows as an arm with followers may have: compiled here once, and not
-// with every robot that is checked.
+// The functions of an arm with room for as many rows as an arm with followers may have: compiled here once, and
+// not with every robot that is checked. Loops end with the last row that it has.
 
 /// The most rows of an arm with followers, joints included.
 pub(super) const MOST_ROWS: usize = 32;
@@ -342,9 +340,9 @@ type Blocks<const N: usize> = [Block<N>; N];
 /// What belongs to pairs of rows.
 pub(super) type Square = SMatrix<f64, MOST_ROWS, MOST_ROWS>;
 
-/// Reads a table.
-pub(super) fn read(table: &Table<MOST_ROWS>) -> Whole {
-    NewtonEuler::new(table)
+/// Reads so many rows of a table.
+pub(super) fn read(table: &Table<MOST_ROWS>, used: usize) -> Whole {
+    NewtonEuler::of_rows(table, used)
 }
 
 impl Whole {

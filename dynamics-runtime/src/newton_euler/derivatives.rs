@@ -40,7 +40,7 @@ impl<const N: usize> NewtonEuler<N> {
         let mut by_position = self.slopes(&self.joints(q), qd, qdd);
         // C = 1/2 dV/dqd, for the symbols of Christoffel.
         let mut by_velocity = self.coriolis_matrix(q, qd) * 2.0;
-        for (i, link) in self.links.iter().enumerate() {
+        for (i, link) in self.links().iter().enumerate() {
             by_position[(i, i)] += link.spring.stiffness;
             by_velocity[(i, i)] += link.viscous + link.dry.slope(qd[i]);
         }
@@ -55,7 +55,7 @@ impl<const N: usize> NewtonEuler<N> {
         qdd: &SVector<f64, N>,
     ) -> SMatrix<f64, N, N> {
         let mut slopes = SMatrix::<f64, N, N>::zeros();
-        for j in 0..N {
+        for j in 0..self.rows() {
             let tau = |joints: &[Joint; N]| self.recursion(joints, qd, qdd, &self.gravity);
             slopes.set_column(j, &self.slope(joints, j, tau));
         }

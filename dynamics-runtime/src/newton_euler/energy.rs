@@ -20,7 +20,7 @@ impl<const N: usize> NewtonEuler<N> {
         let mut energy = 0.0;
         let mut angular = Vector3::<f64>::zeros();
         let mut linear = Vector3::zeros();
-        for (i, link) in self.links.iter().enumerate() {
+        for (i, link) in self.links().iter().enumerate() {
             linear = joints[i].outward(&(linear + angular.cross(&joints[i].origin)));
             angular = joints[i].outward(&angular);
             match link.joint_type {
@@ -47,6 +47,6 @@ impl<const N: usize> NewtonEuler<N> {
             let centre = poses[i].rotation * link.com + poses[i].position;
             link.spring.energy(q[i]) - link.mass * self.world_gravity.dot(&centre)
         };
-        (0..N).map(energy).sum()
+        (0..self.rows()).map(energy).sum()
     }
 }

@@ -15,21 +15,37 @@ impl<const N: usize> NewtonEuler<N> {
     /// The joints at their positions; one evaluation for all sines.
     #[inline(always)]
     pub(super) fn joints(&self, q: &SVector<f64, N>) -> [Joint; N] {
-        let turned = SinCos::of_joints(q.data.0[0]);
+        let turned = self.sines(q);
         let mut joints = [Joint::new(SinCos::ZERO, 0.0, SinCos::ZERO, 0.0); N];
-        for (i, link) in self.links.iter().enumerate() {
+        for (i, link) in self.links().iter().enumerate() {
             joints[i] = link.joint(q[i], turned[i]);
         }
         joints
     }
 
+    /// Of every row in use; of all at once where that is all.
+    #[inline(always)]
+    fn sines(&self, q: &SVector<f64, N>) -> [SinCos; N] {
+        let [angles] = q.data.0;
+        if self.rows() == N {
+            return SinCos::of_joints(angles);
+        }
+        let mut turned = [SinCos::ZERO; N];
+        for (turned, angle) in turned.iter_mut().zip(angles).take(self.rows()) {
+            [*turned] = SinCos::of_joints([angle]);
+        }
+        turned
+    }
+
     /// The joints' frames in the world.
     pub(super) fn poses_in_world(&self, q: &SVector<f64, N>) -> [Pose; N] {
-        let mut pose = self.base;
-        self.joints(q).map(|joint| {
+        let (mut pose, joints) = (self.base, self.joints(q));
+        let mut poses = [pose; N];
+        for (i, joint) in joints.iter().take(self.rows()).enumerate() {
             pose = pose.then(&joint.pose());
-            pose
-        })
+            poses[i] = pose;
+        }
+        poses
     }
 
     /// The table's link frames in the world.
@@ -53,7 +69,7 @@ impl<const N: usize> NewtonEuler<N> {
             return coupled.forward_kinematics(q);
         }
         let poses = self.poses_in_world(q);
-        let last = poses.last().zip(self.links.last());
+        let last = poses[..self.rows()].last().zip(self.links().last());
         let tip = last.map_or(self.base, |(pose, link)| pose.then(&link.tip));
         homogeneous(&tip)
     }
@@ -72,7 +88,7 @@ impl<const N: usize> NewtonEuler<N> {
             .fixed_view::<3, 1>(0, 3)
             .into_owned();
         let mut jacobian = SMatrix::<f64, 6, N>::zeros();
-        for (i, pose) in poses.iter().enumerate() {
+        for (i, pose) in poses.iter().take(self.rows()).enumerate() {
             jacobian.set_column(i, &self.column(i, pose, &tip));
         }
         jacobian
@@ -96,7 +112,7 @@ impl<const N: usize> NewtonEuler<N> {
             .into_owned();
         let velocity_of_tip = (jacobian * qd).fixed_rows::<3>(0).into_owned();
         let mut rate = SMatrix::<f64, 6, N>::zeros();
-        for (i, pose) in poses.iter().enumerate() {
+        for (i, pose) in poses.iter().take(self.rows()).enumerate() {
             let axis = pose.rotation.column(2).into_owned();
             let place = pose.position;
             // Of the axis and of its point, by the joints before it.
@@ -127,13 +143,13 @@ impl<const N: usize> NewtonEuler<N> {
             return coupled.link_jacobians(q);
         }
         let (poses, frames) = (self.poses_in_world(q), self.table_frames(q));
-        array::from_fn(|link| {
-            let mut jacobian = SMatrix::<f64, 6, N>::zeros();
+        let mut jacobians = [SMatrix::<f64, 6, N>::zeros(); N];
+        for (link, jacobian) in jacobians.iter_mut().take(self.rows()).enumerate() {
             for (i, pose) in poses[..=link].iter().enumerate() {
                 jacobian.set_column(i, &self.column(i, pose, &frames[link].position));
             }
-            jacobian
-        })
+        }
+        jacobians
     }
 
     /// Centre of mass of all links and of the tool in the world, `sum m c / sum m`.
@@ -143,7 +159,7 @@ impl<const N: usize> NewtonEuler<N> {
         }
         let poses = self.poses_in_world(q);
         let moment = |i: usize| self.center(i, &poses[i]) * self.links[i].mass;
-        (0..N).map(moment).sum::<Vector3<f64>>() / self.total_mass()
+        (0..self.rows()).map(moment).sum::<Vector3<f64>>() / self.total_mass()
     }
 
     /// Jacobian of the centre of mass: column i is the sum of what joint i gives the centres of the
@@ -154,8 +170,8 @@ impl<const N: usize> NewtonEuler<N> {
         }
         let poses = self.poses_in_world(q);
         let mut jacobian = SMatrix::<f64, 3, N>::zeros();
-        for (i, pose) in poses.iter().enumerate() {
-            for link in i..N {
+        for (i, pose) in poses.iter().take(self.rows()).enumerate() {
+            for link in i..self.rows() {
                 let center = self.center(link, &poses[link]);
                 let column = self.column(i, pose, &center);
                 let moment = column.fixed_rows::<3>(0) * self.links[link].mass;
@@ -166,7 +182,7 @@ impl<const N: usize> NewtonEuler<N> {
     }
 
     fn total_mass(&self) -> f64 {
-        self.links.iter().map(|link| link.mass).sum()
+        self.links().iter().map(|link| link.mass).sum()
     }
 
     /// The centre of mass of a link whose joint's frame is at `pose`.

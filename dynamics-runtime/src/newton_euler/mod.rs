@@ -40,9 +40,9 @@ use core::array;
 
 use nalgebra::{SVector, Vector3};
 
-use crate::{Convention, Model, Table, Tool};
+use crate::{Convention, JointType, Model, Row, Table, Tool};
 pub use angle::turned;
-use couple::Coupled;
+use couple::{Coupled, MOST_ROWS};
 use link::Link;
 use pose::Pose;
 pub use regressor::StandardParameters;
@@ -87,6 +87,8 @@ pub use regressor::StandardParameters;
 pub struct NewtonEuler<const N: usize> {
     table: Table<N>,
     links: [Link; N],
+    /// How many of them are in use.
+    used: usize,
     /// In the axes of the base.
     gravity: Vector3<f64>,
     /// In the axes of the world.
@@ -100,27 +102,53 @@ pub struct NewtonEuler<const N: usize> {
 impl<const N: usize> NewtonEuler<N> {
     /// Reads the table. Standard rows are converted to frames on the joints' own axes.
     pub fn new(table: &Table<N>) -> Self {
+        Self::of_rows(table, N)
+    }
+
+    /// Reads so many of the rows.
+    #[inline(always)]
+    fn of_rows(table: &Table<N>, used: usize) -> Self {
         let mut rows = table.rows;
-        if let Some(last) = rows.last_mut().filter(|_| table.tool != Tool::NONE) {
+        let last = rows[..used].last_mut();
+        if let Some(last) = last.filter(|_| table.tool != Tool::NONE) {
             *last = table.tool.joined(last);
         }
-        let links = match table.convention {
-            Convention::Modified => array::from_fn(|i| Link::modified(&rows[i])),
-            Convention::Standard => array::from_fn(|i| {
+        let none = (used < N).then(|| Link::modified(&Row::new(JointType::Prismatic)));
+        let links = array::from_fn(|i| match (&none, table.convention) {
+            (Some(none), _) if i >= used => none.clone(),
+            (_, Convention::Modified) => Link::modified(&rows[i]),
+            (_, Convention::Standard) => {
                 let before = i.checked_sub(1).map(|before| &rows[before]);
                 Link::standard(before, &rows[i])
-            }),
-        };
+            }
+        });
         let base = Pose::from(&table.base);
         let world_gravity = Vector3::from(table.gravity);
         NewtonEuler {
             table: *table,
             links,
+            used,
             gravity: base.rotation.tr_mul(&world_gravity),
             world_gravity,
             base,
             coupled: Coupled::of(table),
         }
+    }
+
+    /// How many rows are in use. All of them, and a constant to the compiler, but in the arm that stands for
+    /// one with followers, which has room for any.
+    #[inline(always)]
+    fn rows(&self) -> usize {
+        match N == MOST_ROWS {
+            true => self.used.min(N),
+            false => N,
+        }
+    }
+
+    /// The links in use.
+    #[inline(always)]
+    fn links(&self) -> &[Link] {
+        &self.links[..self.rows()]
     }
 }
 

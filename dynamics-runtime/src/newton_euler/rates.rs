@@ -84,6 +84,16 @@ struct Loaded {
     moment: Vector,
 }
 
+impl Loaded {
+    const NOTHING: Loaded = Loaded {
+        axis: REST,
+        origin: REST,
+        center: REST,
+        force: REST,
+        moment: REST,
+    };
+}
+
 impl Moving {
     /// The frame of the next link: `pose` is where it is in this one, `qd` and `qdd` how it moves.
     fn next(&self, link: &Link, pose: &Pose, qd: Jet<f64>, qdd: Jet<f64>) -> Moving {
@@ -168,12 +178,19 @@ impl<const N: usize> NewtonEuler<N> {
             acceleration: REST,
             linear: minus(fixed(self.gravity)),
         };
+        let rows = self.rows();
         let links: [Loaded; N] = core::array::from_fn(|i| {
+            if i >= rows {
+                return Loaded::NOTHING;
+            }
             let (qd, qdd) = ([qd[i], qdd[i], jerk[i]], [qdd[i], jerk[i], snap[i]]);
             frame = frame.next(&self.links[i], &joints[i].pose(), qd, qdd);
             frame.loaded(&self.links[i])
         });
         let torque = |i: usize| {
+            if i >= rows {
+                return [0.0; 2];
+            }
             let joint = &links[i];
             let link = &self.links[i];
             let slope = link.viscous + link.dry.slope(qd[i]);
@@ -186,7 +203,7 @@ impl<const N: usize> NewtonEuler<N> {
                     + slope * jerk[i]
                     + curvature * qdd[i] * qdd[i],
             ];
-            links[i..].iter().fold(own, |sum_of, outer| {
+            links[i..rows].iter().fold(own, |sum_of, outer| {
                 let lever = sum(outer.center, minus(joint.origin));
                 let moment = sum(outer.moment, cross(lever, outer.force));
                 let felt = match link.joint_type {

@@ -101,7 +101,7 @@ impl<const N: usize> NewtonEuler<N> {
     ) -> SVector<f64, N> {
         let mut wrenches = [Wrench::ZERO; N];
         let mut motion = FrameMotion::base(gravity);
-        for (i, link) in self.links.iter().enumerate() {
+        for (i, link) in self.links().iter().enumerate() {
             motion = motion.outward(link.joint_type, &joints[i], qd[i], qdd[i]);
             wrenches[i] = link
                 .inertia
@@ -111,7 +111,7 @@ impl<const N: usize> NewtonEuler<N> {
         // f_i = F_i + R f_{i+1}, n_i = N_i + R n_{i+1} + p_{i+1} x R f_{i+1}.
         let mut tau = SVector::zeros();
         let mut outer = Wrench::ZERO;
-        for (i, link) in self.links.iter().enumerate().rev() {
+        for (i, link) in self.links().iter().enumerate().rev() {
             outer = match joints.get(i + 1) {
                 Some(joint) => wrenches[i] + outer.inward(joint),
                 None => wrenches[i],
@@ -130,9 +130,11 @@ impl<const N: usize> NewtonEuler<N> {
         gravity: &Vector3<f64>,
     ) -> [(Vector3<f64>, Matrix3<f64>); N] {
         let mut motion = FrameMotion::base(gravity);
-        core::array::from_fn(|i| {
-            motion = motion.outward(self.links[i].joint_type, &joints[i], qd[i], qdd[i]);
-            (motion.linear_acceleration, motion.spread)
-        })
+        let mut motions = [(Vector3::zeros(), Matrix3::zeros()); N];
+        for (i, link) in self.links().iter().enumerate() {
+            motion = motion.outward(link.joint_type, &joints[i], qd[i], qdd[i]);
+            motions[i] = (motion.linear_acceleration, motion.spread);
+        }
+        motions
     }
 }

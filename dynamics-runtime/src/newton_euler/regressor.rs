@@ -125,19 +125,19 @@ impl<const N: usize> NewtonEuler<N> {
         }
         let joints = self.joints(q);
         let motions = self.motions(&joints, qd, qdd, &self.gravity);
-        core::array::from_fn(|k| {
-            let mut block = SMatrix::zeros();
+        let mut blocks = [SMatrix::zeros(); N];
+        for (k, link) in self.links().iter().enumerate() {
             for parameter in 0..10 {
-                let inertia = Inertia::unit(parameter).placed(&self.links[k].table_frame);
+                let inertia = Inertia::unit(parameter).placed(&link.table_frame);
                 let (acceleration, spread) = &motions[k];
                 let mut wrench = inertia.wrench(acceleration, spread);
                 for i in (0..=k).rev() {
-                    block[(i, parameter)] = wrench.along_joint(self.links[i].joint_type);
+                    blocks[k][(i, parameter)] = wrench.along_joint(self.links[i].joint_type);
                     wrench = wrench.inward(&joints[i]);
                 }
             }
-            block
-        })
+        }
+        blocks
     }
 
     /// The blocks of the links of joints that follow others, as [`standard_regressor`](Self::standard_regressor)

@@ -26,7 +26,7 @@ impl<const N: usize> NewtonEuler<N> {
         }
         let joints = self.joints(q);
         let mut all = Sum::default();
-        for k in 0..N {
+        for k in 0..self.rows() {
             all.add(k, 1.0, self.slopes_by(k, &joints, [qd, qdd]));
             all.0.1[k][(k, k)] += self.links[k].dry.curvature(qd[k]);
         }

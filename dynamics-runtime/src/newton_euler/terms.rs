@@ -85,7 +85,7 @@ impl<const N: usize> NewtonEuler<N> {
     /// distance h is the derivative itself: `C e_j = (V(qd + h e_j) - V(qd - h e_j)) / (4 h)`. The
     /// greatest speed is taken for h, which keeps rounding at the scale of C.
     pub fn coriolis_matrix(&self, q: &SVector<f64, N>, qd: &SVector<f64, N>) -> SMatrix<f64, N, N> {
-        christoffel(qd, |qd| self.coriolis_vector(q, &qd))
+        christoffel(self.rows(), qd, |qd| self.coriolis_vector(q, &qd))
     }
 
     /// C where the joints are so, each row a joint of its own.
@@ -95,7 +95,7 @@ impl<const N: usize> NewtonEuler<N> {
         qd: &SVector<f64, N>,
     ) -> SMatrix<f64, N, N> {
         let still = SVector::zeros();
-        christoffel(qd, |qd| {
+        christoffel(self.rows(), qd, |qd| {
             self.recursion(joints, &qd, &still, &Vector3::zeros())
         })
     }
@@ -103,6 +103,7 @@ impl<const N: usize> NewtonEuler<N> {
 
 /// C from V, a quadratic form of the velocities: see [`NewtonEuler::coriolis_matrix`].
 fn christoffel<const N: usize>(
+    rows: usize,
     qd: &SVector<f64, N>,
     coriolis_vector: impl Fn(SVector<f64, N>) -> SVector<f64, N>,
 ) -> SMatrix<f64, N, N> {
@@ -111,7 +112,7 @@ fn christoffel<const N: usize>(
     if h == 0.0 {
         return coriolis_matrix;
     }
-    for j in 0..N {
+    for j in 0..rows {
         let mut distance = SVector::zeros();
         distance[j] = h;
         let difference = coriolis_vector(qd + distance) - coriolis_vector(qd - distance);
