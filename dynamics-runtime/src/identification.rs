@@ -6,8 +6,9 @@ use crate::check::random::SplitMix64;
 use crate::{Evaluate, NewtonEuler, State, Table};
 
 /// K of `b = K x`: how the base parameters b of [`base_parameters`] and `regressor` are combined of the
-/// standard ones. `None` where the arm's functions lack `regressor`, and where its columns are dependent, as they
-/// may be where joints follow others: then more than one K fits.
+/// standard ones. `None` where the arm's functions lack `regressor`, and where its columns are dependent, so that
+/// more than one K fits: at values of fields for which the arm is a special one, such as a factor of zero by which
+/// a joint follows another.
 ///
 /// x holds the ten [standard parameters](crate::Table::standard_parameters) of the first link, of the second,
 /// ..., then the reflected inertia of each motor, `gear_ratio^2 inertia`. The F joints that follow others come

@@ -17,7 +17,7 @@ use crate::expr::Expr;
 pub use crate::function::Form;
 use crate::function::{Argument, Function};
 use crate::linear::Vector3;
-use crate::robot::{Grouping, Robot};
+use crate::robot::Robot;
 
 /// A function, and how it is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -146,7 +146,7 @@ fn of_rows<'g>(
             acceleration_derivatives(symbols, robot, chain, |factors, b| factors.solve(b))
         }
         Function::Regressor => regressor::by_recursion(symbols, robot, chain),
-        Function::BaseParameters => base::base_parameters(symbols, robot, &Grouping::of(robot)),
+        Function::BaseParameters => base::observed_parameters(symbols, robot),
         // Articulated bodies are of joints that move by themselves.
         Function::ForwardDynamicsAba if robot.is_coupled() => {
             forward_dynamics(symbols, robot, chain, Form::Recursive)

@@ -4,7 +4,7 @@
 //! The joint forces are linear in the inertial parameters (Khosla and Kanade 1985), so the column
 //! of a parameter is what the equations of motion give where that one is 1 and all others are 0.
 
-use super::base::{self, LinkGeometry};
+use super::base::{self, LinkGeometry, Observed};
 use super::chain::Chain;
 use super::momenta;
 use super::passivity::{self, Rates};
@@ -12,7 +12,7 @@ use super::symbols::Symbols;
 use crate::exact::Rational;
 use crate::expr::Expr;
 use crate::linear::Vector3;
-use crate::robot::{Grouping, Robot};
+use crate::robot::Robot;
 use crate::spatial::{Acceleration, Body, Force, Joint, accelerations, felt_inwards};
 
 /// A column in the making.
@@ -151,14 +151,14 @@ fn columns_of_motion<'g>(
 
 /// The base parameters of an arm, a unit of each of them.
 struct Units<'g> {
-    grouping: Grouping,
+    observed: Observed,
     geometry: Vec<LinkGeometry<Expr<'g>>>,
 }
 
 impl<'g> Units<'g> {
     fn new(symbols: &mut Symbols<'g>, robot: &Robot) -> Self {
         Units {
-            grouping: Grouping::of(robot),
+            observed: Observed::of(robot),
             geometry: base::geometry(symbols, robot),
         }
     }
@@ -170,9 +170,10 @@ impl<'g> Units<'g> {
         chain: &Chain<Expr<'g>>,
     ) -> impl Iterator<Item = (usize, Option<Body<Expr<'g>>>)> {
         let constants = (chain.zero, chain.one);
-        let columns = base::columns(&self.grouping).into_iter();
+        let grouping = &self.observed.grouping;
+        let columns = self.observed.columns().into_iter();
         columns.map(move |(i, parameter)| {
-            let body = base::unit(&self.grouping, &self.geometry, i, parameter, constants);
+            let body = base::unit(grouping, &self.geometry, i, parameter, constants);
             (i, body.map(|body| chain.links[i].place(body, chain.zero)))
         })
     }

@@ -278,15 +278,27 @@ impl<'g> Symbols<'g> {
         joint_type: JointType,
         theta: &Value,
     ) -> (Expr<'g>, Expr<'g>) {
+        let constant = self.constant_sin_cos(i, joint_type, theta);
+        match joint_type {
+            JointType::Prismatic => constant,
+            JointType::Revolute => turned(self.joints[i].sin_cos, constant),
+        }
+    }
+
+    /// Of the angle of row i what is constant: theta, and the offset of an angle that follows another.
+    pub fn constant_sin_cos(
+        &mut self,
+        i: usize,
+        joint_type: JointType,
+        theta: &Value,
+    ) -> (Expr<'g>, Expr<'g>) {
         let follows = self.follows[i].as_ref();
         let offset = follows.map(|follows| (follows.offset.clone(), follows.is_mounted));
-        let constant = match (joint_type, offset) {
-            (JointType::Prismatic, _) => return self.sin_cos(theta),
-            (_, None) => self.sin_cos(theta),
+        match (joint_type, offset) {
+            (JointType::Prismatic, _) | (_, None) => self.sin_cos(theta),
             (_, Some((offset, false))) => self.sin_cos(&(theta.clone() + offset)),
             (_, Some((offset, true))) => turned(self.sin_cos(theta), self.sin_cos(&offset)),
-        };
-        turned(self.joints[i].sin_cos, constant)
+        }
     }
 }
 

@@ -1,10 +1,12 @@
 //! What each base parameter is, as a formula in the standard parameters of the links.
 
 use super::polynomial::{Polynomial, Polynomials};
-use crate::derive::base::{LinkGeometry, geometry, group};
+use crate::derive::base::{LinkGeometry, Observed, dependent, geometry, group};
 use crate::derive::symbols::Symbols;
 use crate::expr::{Expr, Graph};
-use crate::robot::{Convention, Grouping, JointType, Parameter, Robot};
+use crate::program::{Operand, Output};
+use crate::robot::{Convention, Grouping, JointType, Parameter, Robot, Symbol};
+use crate::simplify::Network;
 use crate::spatial::{Body, Turn};
 
 /// A longer formula is written in steps.
@@ -12,17 +14,20 @@ const LONGEST: usize = 250;
 
 /// The formulas of the base parameters, and what the names in them mean: lines of documentation.
 pub(super) fn lines(robot: &Robot) -> Vec<String> {
-    let grouping = Grouping::of(robot);
-    let formulas = Formulas::expanded(robot, &grouping)
-        .unwrap_or_else(|| Formulas::in_steps(robot, &grouping));
+    let observed = Observed::of(robot);
+    let formulas = Formulas::expanded(robot, &observed)
+        .unwrap_or_else(|| Formulas::in_steps(robot, &observed));
     let mut lines = vec![" The base parameters:".to_owned(), String::new()];
     lines.push(" ```text".to_owned());
     let columns = formulas.columns.iter().enumerate();
     lines.extend(columns.map(|(k, formula)| format!(" {:3}  {formula}", k + 1)));
-    if !formulas.steps.is_empty() {
+    let steps = formulas.steps.into_iter().chain(formulas.coefficients);
+    let steps: Vec<_> = steps
+        .map(|(name, formula)| format!("      {name} = {formula}"))
+        .collect();
+    if !steps.is_empty() {
         lines.push(" where".to_owned());
-        let step = |(name, formula)| format!("      {name} = {formula}");
-        lines.extend(formulas.steps.into_iter().map(step));
+        lines.extend(steps);
     }
     lines.push(" ```".to_owned());
     lines.push(String::new());
@@ -56,15 +61,15 @@ fn legend(robot: &Robot) -> String {
     };
     let coupled = match robot.is_coupled() {
         true => {
-            " They are those of the arm in which the joints that follow others move by themselves: what they \
-             multiply may be dependent."
+            ". Links of joints that follow others are told apart as far as the arm moves them: what the forces show of \
+             them together stands in one sum"
         }
         false => "",
     };
     format!(
         "Jixx to Jizz (kg m^2) are the entries of link i's inertia tensor about the origin of frame i, hix to hiz \
          (kg m) its first moments mass * com from there, mi (kg) its mass{motor}. Frame i is {frame}. ai, di are cells of row i, \
-         sai, cai sine and cosine of its alpha{turn}.{coupled}"
+         sai, cai sine and cosine of its alpha{turn}{coupled}."
     )
 }
 
@@ -74,25 +79,32 @@ struct Formulas {
     /// Sums that the columns read: parameters with an apostrophe, those that moved inwards to the
     /// link included.
     steps: Vec<(String, String)>,
+    /// Numbers that couplings lead to.
+    coefficients: Vec<(String, String)>,
 }
 
 impl Formulas {
     /// In the links' own parameters alone; `None` where that is too long to read.
-    fn expanded(robot: &Robot, grouping: &Grouping) -> Option<Self> {
+    fn expanded(robot: &Robot, observed: &Observed) -> Option<Self> {
         let all = Polynomials::default();
-        let (columns, _) = columns(&all, robot, grouping, false);
+        let couplings = Couplings::of(&all, robot, observed);
+        let (columns, _) = columns(&all, robot, &observed.grouping, false);
+        let (columns, coefficients) = couplings.applied(observed, columns);
         let columns: Vec<_> = columns.iter().map(|column| column.text()).collect();
         let is_readable = columns.iter().all(|text| text.len() <= LONGEST);
         (is_readable && !all.overflow()).then_some(Formulas {
             columns,
             steps: Vec::new(),
+            coefficients,
         })
     }
 
     /// In parameters with an apostrophe.
-    fn in_steps(robot: &Robot, grouping: &Grouping) -> Self {
+    fn in_steps(robot: &Robot, observed: &Observed) -> Self {
         let all = Polynomials::default();
-        let (columns, steps) = columns(&all, robot, grouping, true);
+        let couplings = Couplings::of(&all, robot, observed);
+        let (columns, steps) = columns(&all, robot, &observed.grouping, true);
+        let (columns, coefficients) = couplings.applied(observed, columns);
         let mut used: Vec<_> = columns
             .iter()
             .flat_map(|column| column.variables())
@@ -107,6 +119,7 @@ impl Formulas {
         Formulas {
             columns: columns.iter().map(|column| column.text()).collect(),
             steps: needed,
+            coefficients,
         }
     }
 }
@@ -148,6 +161,98 @@ fn columns<'p>(
     }
     columns.reverse();
     (columns.concat(), steps)
+}
+
+/// What joints that follow others make of the base parameters.
+struct Couplings<'p> {
+    /// A column, and how much of it is added to another one.
+    terms: Vec<(usize, usize, Polynomial<'p>)>,
+    /// The numbers in these, by their names.
+    coefficients: Vec<(String, String)>,
+}
+
+impl<'p> Couplings<'p> {
+    fn of(all: &'p Polynomials, robot: &Robot, observed: &Observed) -> Self {
+        let mut terms = Vec::new();
+        if !robot.is_coupled() {
+            let coefficients = Vec::new();
+            return Couplings {
+                terms,
+                coefficients,
+            };
+        }
+        let graph = Graph::new();
+        let mut symbols = Symbols::new(&graph, robot);
+        let mut coefficients = Coefficients {
+            all,
+            known: Vec::new(),
+        };
+        for dependent in dependent(&mut symbols, robot, &observed.grouping) {
+            for (column, coefficient) in dependent.terms {
+                let coefficient = coefficients.name(coefficient);
+                terms.push((dependent.column, column, coefficient));
+            }
+        }
+        Couplings {
+            terms,
+            coefficients: coefficients.values(symbols.meanings()),
+        }
+    }
+
+    /// The columns that are left, and what the numbers in them are.
+    fn applied(
+        self,
+        observed: &Observed,
+        mut columns: Vec<Polynomial<'p>>,
+    ) -> (Vec<Polynomial<'p>>, Vec<(String, String)>) {
+        for (from, to, coefficient) in self.terms {
+            columns[to] = columns[to] + coefficient * columns[from];
+        }
+        let kept = observed.kept.iter().map(|&column| columns[column]);
+        (kept.collect(), self.coefficients)
+    }
+}
+
+/// Coefficients that are no rational numbers have names: k1, k2, ...
+struct Coefficients<'p, 'g> {
+    all: &'p Polynomials,
+    known: Vec<(Expr<'g>, Polynomial<'p>)>,
+}
+
+impl<'p, 'g> Coefficients<'p, 'g> {
+    fn name(&mut self, coefficient: Expr<'g>) -> Polynomial<'p> {
+        if let Some(x) = coefficient.as_rational() {
+            return self.all.rational(x);
+        }
+        for &(known, name) in &self.known {
+            if known == coefficient {
+                return name;
+            }
+            if known == -coefficient {
+                return -name;
+            }
+        }
+        let name = self.all.variable(format!("k{}", self.known.len() + 1));
+        self.known.push((coefficient, name));
+        name
+    }
+
+    /// The names and values: of those that depend on fields that they do.
+    fn values(&self, meanings: &[Symbol]) -> Vec<(String, String)> {
+        let Some((first, _)) = self.known.first() else {
+            return Vec::new();
+        };
+        let outputs: Vec<_> = self.known.iter().map(|(x, _)| x.edge()).collect();
+        let program = Network::new(first.graph, &outputs).program(meanings);
+        let constants = program.rounded_constants();
+        let value = |output: &Output| match output.operand {
+            Operand::Constant(id) if output.negative => (-constants[id.index()]).to_string(),
+            Operand::Constant(id) => constants[id.index()].to_string(),
+            _ => "a number that depends on the fields".to_owned(),
+        };
+        let names = (1..).map(|number| format!("k{number}"));
+        names.zip(program.outputs.iter().map(value)).collect()
+    }
 }
 
 /// The geometry with the names of cells in place of their numbers, and 0 and +-1 as they are.

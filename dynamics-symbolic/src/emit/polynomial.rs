@@ -37,7 +37,11 @@ impl Polynomials {
     }
 
     pub(super) fn number(&self, x: i64) -> Polynomial<'_> {
-        self.push(Terms::number(Rational::from(x)))
+        self.rational(Rational::from(x))
+    }
+
+    pub(super) fn rational(&self, x: Rational) -> Polynomial<'_> {
+        self.push(Terms::number(x))
     }
 
     pub(super) fn variable(&self, name: String) -> Polynomial<'_> {

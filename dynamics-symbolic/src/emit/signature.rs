@@ -1,9 +1,9 @@
 //! The signatures of the generated methods.
 
 use super::names::{field, ident, number_of_joints};
-use crate::derive::base::columns;
+use crate::derive::base::observed;
 use crate::function::{Argument, Function, Request, Shape, Size, Sizes};
-use crate::robot::{Grouping, Robot};
+use crate::robot::Robot;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, quote};
 
@@ -196,7 +196,7 @@ pub fn base_parameter_constants(requests: &[Request], robot: Option<&Robot>) -> 
     if !requests.iter().any(Request::is_about_base_parameters) {
         return TokenStream::new();
     }
-    let columns = robot.map_or(Vec::new(), |robot| columns(&Grouping::of(robot)));
+    let columns = robot.map_or(Vec::new(), observed);
     let count = Literal::usize_unsuffixed(columns.len());
     let names = columns.iter().map(|&(i, parameter)| parameter.name(i + 1));
     quote! {

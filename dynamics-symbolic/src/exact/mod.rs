@@ -3,6 +3,7 @@
 //! Rationals come from `dashu-ratio`, whose integers stay in two machine words
 //! for as long as they fit.
 
+mod multiples;
 mod random;
 mod residue;
 mod root;
@@ -10,6 +11,7 @@ mod sine;
 
 use dashu_int::ops::BitTest;
 pub use dashu_ratio::RBig as Rational;
+pub use multiples::common_angles;
 pub use random::SplitMix64;
 pub use residue::{Residue, circle_point};
 pub use root::square_root;

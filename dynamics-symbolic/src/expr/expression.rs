@@ -1,6 +1,6 @@
 //! Handles of expressions, with the operators of arithmetic.
 
-use super::{Edge, Fingerprint, Graph, Level, NodeId};
+use super::{Edge, Fingerprint, Graph, Level, NodeId, Operation};
 use crate::exact::Rational;
 use core::fmt;
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -59,6 +59,19 @@ impl<'g> Expr<'g> {
     /// What the expression depends on.
     pub fn level(self) -> Level {
         self.graph.node(self.edge.node()).level
+    }
+
+    /// The exact number that the expression is, where it is one.
+    pub(crate) fn as_rational(self) -> Option<Rational> {
+        let Operation::Rational(index) = self.graph.operation(self.edge.node()) else {
+            return None;
+        };
+        let magnitude = self.graph.rational_of(index);
+        Some(if self.edge.is_negative() {
+            -magnitude
+        } else {
+            magnitude
+        })
     }
 
     /// The value at the graph's random point.

@@ -142,7 +142,7 @@ fn whole(factor: &Value) -> Option<i64> {
 }
 
 /// Sine and cosine of n times an angle: (c + i s)^n, by squares.
-fn multiple((s, c): (Number, Number), n: i64) -> (Number, Number) {
+pub(super) fn multiple((s, c): (Number, Number), n: i64) -> (Number, Number) {
     let product =
         |(s, c): (Number, Number), (t, d): (Number, Number)| (s * d + c * t, c * d - s * t);
     let mut power = (Number::ZERO, Number::ONE);

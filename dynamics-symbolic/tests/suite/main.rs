@@ -5,6 +5,7 @@ mod base_parameters;
 mod bounds;
 mod chains;
 mod counts;
+mod coupled_parameters;
 mod damage;
 mod definite;
 mod emission;

@@ -127,8 +127,11 @@ fn prove_table(robot: &Robot, count: usize, functions: &[Function]) {
         ];
         let by_velocity = differentiated.contains(&function)
             && robot.rows.iter().any(|row| row.stribeck.is_some());
+        // By factors that are parameters.
+        let by_factor = function == Function::BaseParameters && robot.is_coupled();
+        let may_divide = solves.contains(&function) || function.divides_by_mass();
         assert!(
-            solves.contains(&function) || function.divides_by_mass() || by_velocity || !divides,
+            may_divide || by_velocity || by_factor || !divides,
             "table {count}: {robot:#?}"
         );
         let constants = program.rounded_constants();

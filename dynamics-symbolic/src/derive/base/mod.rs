@@ -14,21 +14,25 @@
 //! the base outwards, the parameters of a link in the order of [`Parameter::ALL`], each kept unless
 //! it is a combination of those before it.
 //!
+//! Where joints follow others the forces tell fewer parameters apart: see [`Observed`].
+//!
 //! Constants other than multiples of a quarter turn count as independent of one another: a
 //! coincidence such as sin 30 deg = 1/2 groups nothing.
 
 mod axes;
+mod couple;
 mod geometry;
 mod group;
 mod observe;
 
+pub(crate) use couple::dependent;
 pub(crate) use geometry::{LinkGeometry, geometry};
 pub(crate) use group::{group, unit};
 
 use super::rows::{body, screws};
 use super::symbols::Symbols;
 use crate::exact::Rational;
-use crate::expr::Expr;
+use crate::expr::{Expr, Graph};
 use crate::robot::{Grouping, Interpretation, Parameter, Robot};
 use crate::spatial::Body;
 
@@ -54,7 +58,7 @@ pub(super) fn bodies<I: Interpretation>(
     .collect()
 }
 
-/// The base parameters of a robot, in the order of the regressor's columns.
+/// The base parameters of a robot without its couplings, in the order of [`columns`].
 pub(crate) fn base_parameters<I: Interpretation>(
     cells: &mut I,
     robot: &Robot,
@@ -102,7 +106,57 @@ pub(super) fn neglected<'g>(
     parts
 }
 
-/// Link and parameter of every column.
+/// The base parameters of an arm: those of the arm without its couplings, or fewer, of which some are
+/// combinations of these.
+pub(crate) struct Observed {
+    /// Those without couplings.
+    pub(crate) grouping: Grouping,
+    /// Which of their columns are kept, in order.
+    pub(crate) kept: Vec<usize>,
+}
+
+impl Observed {
+    /// Those of a robot.
+    pub(crate) fn of(robot: &Robot) -> Self {
+        let grouping = Grouping::of(robot);
+        let kept = match robot.is_coupled() {
+            true => {
+                let graph = Graph::new();
+                couple::independent(&mut Symbols::new(&graph, robot), robot, &grouping)
+            }
+            false => (0..grouping.count()).collect(),
+        };
+        Observed { grouping, kept }
+    }
+
+    /// Link and parameter of every column of the regressor.
+    pub(crate) fn columns(&self) -> Vec<(usize, Parameter)> {
+        let all = columns(&self.grouping);
+        self.kept.iter().map(|&column| all[column]).collect()
+    }
+}
+
+/// Link and parameter of every column of a robot's regressor.
+pub fn observed(robot: &Robot) -> Vec<(usize, Parameter)> {
+    Observed::of(robot).columns()
+}
+
+/// The base parameters of a robot, in the order of the regressor's columns.
+pub(super) fn observed_parameters<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> Vec<Expr<'g>> {
+    let Observed { grouping, kept } = Observed::of(robot);
+    let mut values = base_parameters(symbols, robot, &grouping);
+    if robot.is_coupled() {
+        for dependent in dependent(symbols, robot, &grouping) {
+            let value = values[dependent.column];
+            for (column, coefficient) in dependent.terms {
+                values[column] = values[column] + coefficient * value;
+            }
+        }
+    }
+    kept.iter().map(|&column| values[column]).collect()
+}
+
+/// Link and parameter of every base parameter of the arm without its couplings.
 pub fn columns(grouping: &Grouping) -> Vec<(usize, Parameter)> {
     let links = grouping.links.iter().enumerate();
     links

@@ -11,7 +11,7 @@ use crate::derive::place;
 use crate::derive::symbols::Symbols;
 use crate::exact::{SplitMix64, circle_point};
 use crate::expr::{Expr, Fingerprint, Graph};
-use crate::linear::Vector3;
+use crate::linear::{Matrix3, Ring, Vector3};
 use crate::robot::{Coefficient, Grouping, JointType, LinkGrouping, Parameter, Robot, Sense, Tie};
 use crate::spatial::{Joint, Motion, Turn};
 
@@ -58,7 +58,8 @@ impl Grouping {
     }
 }
 
-fn value_of(link: &LinkGeometry<Expr<'_>>) -> LinkGeometry<Fingerprint> {
+/// The geometry at the graph's random point.
+pub(super) fn value_of(link: &LinkGeometry<Expr<'_>>) -> LinkGeometry<Fingerprint> {
     let turn = |turn: &Turn<Expr<'_>>| Turn {
         s: turn.s.fingerprint(),
         c: turn.c.fingerprint(),
@@ -96,23 +97,23 @@ fn moment_axes(links: &[LinkGeometry<Fingerprint>], i: usize) -> usize {
 }
 
 /// Twice the kinetic energy, and the potential energy, of the unit parameters of one link.
-struct Energies {
-    kinetic: [Fingerprint; 11],
-    potential: [Fingerprint; 11],
+pub(super) struct Energies<R> {
+    pub(super) kinetic: [R; 11],
+    pub(super) potential: [R; 11],
 }
 
 /// 2 T = w.J w + 2 h.(v x w) + m v.v + I qd^2 and U = -m g.p - g.h, in the link's frame, with w, v
 /// the velocities of frame and origin, and p the position of the origin.
-fn unit_energies(
-    Motion { w, v }: Motion<Fingerprint>,
-    qd: Fingerprint,
-    g: Vector,
-    weight: Fingerprint,
-) -> Energies {
+pub(super) fn unit_energies<R: Ring>(
+    Motion { w, v }: Motion<R>,
+    qd: R,
+    g: Vector3<R>,
+    weight: R,
+    zero: R,
+) -> Energies<R> {
     let [x, y, z] = w.0;
     let h = v.cross(w);
-    let twice = |a: Fingerprint| a + a;
-    let zero = Fingerprint::ZERO;
+    let twice = |a: R| a + a;
     Energies {
         kinetic: [
             x * x,
@@ -164,7 +165,7 @@ fn energies(
     for (i, link) in links.iter().enumerate() {
         let still = link.joint(zero, one);
         (motion, g) = (motion.enter(&still), still.enter(g));
-        let before = unit_energies(motion, zero, g, zero);
+        let before = unit_energies(motion, zero, g, zero, zero);
         let (mut qd, mut weight) = (zero, zero);
         if !link.locked {
             qd = Fingerprint::random(random);
@@ -173,15 +174,12 @@ fn energies(
             g = moved.enter(g);
             weight = g[2] * moved.slide;
         }
-        let after = unit_energies(motion, qd, g, weight);
+        let after = unit_energies(motion, qd, g, weight, zero);
         let rotation = (axes[i] != i).then(|| axes::rotation(links, i, axes[i], (zero, one)));
         let row = |after: [Fingerprint; 11], before: [Fingerprint; 11]| {
-            let mut row: Vec<_> = after.iter().zip(before).map(|(&a, b)| a - b).collect();
-            if let Some(rotation) = &rotation {
-                let moment = rotation.apply(Vector3::new(row[6], row[7], row[8]));
-                row[6..9].copy_from_slice(&moment.0);
-            }
-            row
+            let mut row: [_; 11] = core::array::from_fn(|k| after[k] - before[k]);
+            rotate_moments(&mut row, rotation.as_ref());
+            row.to_vec()
         };
         rows.push([
             row(after.kinetic, before.kinetic),
@@ -189,6 +187,14 @@ fn energies(
         ]);
     }
     rows
+}
+
+/// What belongs to the parameters of a link, its first moments told in the axes in which they are written.
+pub(super) fn rotate_moments<R: Ring>(row: &mut [R; 11], rotation: Option<&Matrix3<R>>) {
+    if let Some(rotation) = rotation {
+        let moment = rotation.apply(Vector3::new(row[6], row[7], row[8]));
+        row[6..9].copy_from_slice(&moment.0);
+    }
 }
 
 /// Which columns are not combinations of those before them, and how the others are made of them.

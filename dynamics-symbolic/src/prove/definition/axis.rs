@@ -3,11 +3,12 @@
 //! A follower of joint j with the factor k is at k q_j + c, and moves at the speed k qd_j. Positions are
 //! those of all axes; velocities, and what is derived by a position or a velocity, those of the joints.
 
-use super::super::assignment::{Assignment, JointPoint, Number};
+use super::super::assignment::{Assignment, JointPoint, Number, multiple};
 use super::super::dual::Dual;
 use super::pose::{Lift, Position};
 use super::{Definition, Row, Vector};
-use crate::robot::{self, Interpretation, Robot};
+use crate::exact::{SplitMix64, circle_point, common_angles};
+use crate::robot::{self, Interpretation, JointType, Robot};
 
 /// One axis of the arm.
 #[derive(Clone, Copy)]
@@ -18,6 +19,8 @@ pub(super) struct Axis {
     pub(super) joint: usize,
     /// Its speed over that joint's: 1 of a joint that moves by itself.
     pub(super) factor: Number,
+    /// Where it is while that joint is at zero.
+    offset: Number,
     /// The sign of its velocity, and exp(-(qd/v)^2).
     pub(super) sign: Number,
     pub(super) exponential: Number,
@@ -40,7 +43,7 @@ pub(super) fn axes(point: &mut Assignment, robot: &Robot) -> (Vec<Axis>, Vec<Pos
         None => {
             let joint = joints.next().unwrap_or_default();
             let own = point.joints()[joint];
-            let axis = self::axis(row, joint, Number::ONE, own);
+            let axis = self::axis(row, joint, (Number::ONE, Number::ZERO), own);
             (axis, Position::at(own.sin_cos, own.q))
         }
         Some(coupling) => {
@@ -50,17 +53,19 @@ pub(super) fn axes(point: &mut Assignment, robot: &Robot) -> (Vec<Axis>, Vec<Pos
             let own = point.joints()[followers.next().unwrap_or_default()];
             let q = factor * point.joints()[joint].q + offset;
             // The offset of an angle is a part of the constant one.
-            (axis(row, joint, factor, own), Position::at(own.sin_cos, q))
+            let axis = self::axis(row, joint, (factor, offset), own);
+            (axis, Position::at(own.sin_cos, q))
         }
     };
     moving.map(axis).unzip()
 }
 
-fn axis(row: usize, joint: usize, factor: Number, own: JointPoint) -> Axis {
+fn axis(row: usize, joint: usize, (factor, offset): (Number, Number), own: JointPoint) -> Axis {
     Axis {
         row,
         joint,
         factor,
+        offset,
         sign: own.sign,
         exponential: own.stribeck,
     }
@@ -70,6 +75,29 @@ impl Definition {
     /// Every axis with its row.
     pub(super) fn axes(&self) -> impl Iterator<Item = (&Axis, &Row)> {
         self.axes.iter().map(|axis| (axis, &self.rows[axis.row]))
+    }
+
+    /// Random positions of the joints, and all axes where they belong to these: angles by factors whose
+    /// ratios are fractions are multiples of one angle. Every axis has a point of the circle, and a value.
+    pub(super) fn random_positions(&self, random: &mut SplitMix64) -> Vec<Position<Number>> {
+        let joints: Vec<_> = (0..self.dof()).map(|_| Number::random(random)).collect();
+        let is_turned = |axis: &Axis| self.rows[axis.row].joint_type == JointType::Revolute;
+        let mut points = vec![(Number::ZERO, Number::ONE); self.axes.len()];
+        for joint in 0..self.dof() {
+            let axes = self.axes.iter().enumerate();
+            let turning = axes.filter(|(_, axis)| axis.joint == joint && is_turned(axis));
+            let (places, factors): (Vec<_>, Vec<_>) =
+                turning.map(|(place, axis)| (place, axis.factor)).unzip();
+            let angles: Vec<_> = places.iter().map(|_| circle_point(random)).collect();
+            for (place, (number, n)) in places.into_iter().zip(common_angles(&factors)) {
+                points[place] = multiple(angles[number], n);
+            }
+        }
+        let positions = self.axes.iter().zip(points);
+        let position = |(axis, point): (&Axis, (Number, Number))| {
+            Position::at(point, axis.factor * joints[axis.joint] + axis.offset)
+        };
+        positions.map(position).collect()
     }
 
     /// Positions with their derivatives, where the joints have these speeds.

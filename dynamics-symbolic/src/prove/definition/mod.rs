@@ -73,8 +73,8 @@ pub struct Definition {
     wrench: Vector,
     /// What is taken off the links' parameters.
     neglected: Vec<Parameters>,
-    /// The complete arm in which nothing is coupled, where something is: its base parameters are those of
-    /// the arm.
+    /// The complete arm in which nothing is coupled, where something is: the arm's base parameters are among
+    /// those of this one.
     uncoupled: Option<Box<Definition>>,
     unfaithful: bool,
 }

@@ -9,21 +9,22 @@
 //! 0. A parameter is a base parameter where its column, at enough random states, is no combination
 //! of the columns before it. That gives the columns of Y, and, with tau - F at the same states,
 //! the only values that the base parameters can have.
+//!
+//! Of an arm whose joints follow others it is one of the base parameters of the arm in which nothing is
+//! coupled whose column is no combination of those before it: of the links that move by themselves, then
+//! of the followers' links.
 
 use super::super::assignment::Number;
 use super::super::dual::Dual;
 use super::body::Body;
 use super::pose::{Lift, Pose, Position};
+use super::row::Row;
 use super::state::State;
 use super::twist::{Twist, polar, twist};
 use super::{Definition, Matrix, Parameters, Vector};
-use crate::exact::{SplitMix64, circle_point};
+use crate::exact::SplitMix64;
 use crate::linear::{Matrix3, Symmetric3, Vector3};
 use crate::robot::{Convention, JointType, Parameter};
-
-/// Eleven parameters of a link are told apart by that many values of its own joint's force; two
-/// more, so that a combination that fits by chance is found out.
-const STATES: usize = 13;
 
 impl Definition {
     /// Y by rows, or `None` where the table's forces are not those of its parameters.
@@ -40,16 +41,12 @@ impl Definition {
     }
 
     /// The values of some base parameters, each in its place among the parameters of its link, the
-    /// moments in the link's own axes; `None` where one of them is no base parameter.
+    /// moments in the link's own axes; `None` where one of them is no base parameter of the arm in which
+    /// nothing is coupled.
     pub(super) fn values_of(&self, columns: &[(usize, Parameter)]) -> Option<Vec<Parameters>> {
-        let (kept, values) = self.base()?;
+        let (kept, values) = self.uncoupled.as_deref().unwrap_or(self).base()?;
         let rotations = self.moment_axes();
-        let has_motor = |i: usize| self.rows[i].has_motor && self.rows[i].locked.is_none();
-        let start = |i: usize| {
-            (0..i)
-                .map(|i| 10 + usize::from(has_motor(i)))
-                .sum::<usize>()
-        };
+        let start = |i: usize| self.first_column(i);
         let mut links = vec![[Number::ZERO; 11]; self.rows.len()];
         for &(i, parameter) in columns {
             let column = start(i) + parameter.index();
@@ -67,41 +64,57 @@ impl Definition {
     }
 
     /// The base parameters: columns of the standard regressor, and values.
-    ///
-    /// Of an arm with couplings those of the arm in which the followers move by themselves: enough for its
-    /// forces, though not all of them may be told apart by these.
     fn base(&self) -> Option<(Vec<usize>, Vector)> {
-        if let Some(uncoupled) = &self.uncoupled {
-            return uncoupled.base();
-        }
-        let mut random = SplitMix64::new(0x0062_6173_6963);
         let parameters = self.standard_parameters();
-        let mut stacked = Vec::new();
-        for k in 0..STATES {
-            let state = match k {
-                0 => self.state(),
-                _ => self.random_state(&mut random),
-            };
-            let regressor = self.standard_regressor(&state);
-            let forces: Vector = regressor.iter().map(|row| dot(row, &parameters)).collect();
-            if k == 0 && forces != self.forces_of_links() {
-                return None;
-            }
-            let rows = regressor.into_iter().zip(forces);
-            stacked.extend(rows.map(|(mut row, force)| {
-                row.push(force);
-                row
-            }));
-        }
-        let forces = parameters.len();
-        let kept = independent_columns(&mut stacked, forces);
-        // What is left of the forces where all base parameters are accounted for.
-        let rest = stacked[kept.len()..].iter().map(|row| row[forces]);
-        if rest.into_iter().any(|x| !x.is_zero()) {
+        let forces = |regressor: &Matrix| -> Vector {
+            regressor.iter().map(|row| dot(row, &parameters)).collect()
+        };
+        if forces(&self.standard_regressor(&self.state())) != self.forces_of_links() {
             return None;
         }
-        let values = stacked[..kept.len()].iter().map(|row| row[forces]);
-        Some((kept, values.collect()))
+        let candidates = self.candidates()?;
+        let mut random = SplitMix64::new(0x0062_6173_6963);
+        let mut equations = Equations::default();
+        loop {
+            let regressor = self.standard_regressor(&self.random_state(&mut random));
+            let forces = forces(&regressor);
+            let before = equations.0.len();
+            for (row, force) in regressor.into_iter().zip(forces) {
+                let row = candidates.iter().map(|&k| row[k]).collect();
+                // Where all base parameters are accounted for nothing must be left of the force.
+                equations.add(row, force)?;
+            }
+            // A state that adds nothing might have been any: no state does.
+            if equations.0.len() == before {
+                break;
+            }
+        }
+        let solved = equations.0.into_iter();
+        let mut base: Vec<_> = solved
+            .map(|equation| (candidates[equation.column], equation.value))
+            .collect();
+        base.sort_unstable_by_key(|(column, _)| *column);
+        Some(base.into_iter().unzip())
+    }
+
+    /// The columns among which base parameters are, in the order in which they are chosen.
+    fn candidates(&self) -> Option<Vec<usize>> {
+        let Some(uncoupled) = &self.uncoupled else {
+            return Some((0..self.first_column(self.rows.len())).collect());
+        };
+        let mut columns = uncoupled.base()?.0;
+        let follows = |column: usize| {
+            let row = (0..self.rows.len()).rfind(|&i| self.first_column(i) <= column);
+            row.is_some_and(|i| !self.rows[i].is_free)
+        };
+        columns.sort_by_key(|&column| follows(column));
+        Some(columns)
+    }
+
+    /// The first column of the standard regressor that belongs to a link.
+    fn first_column(&self, link: usize) -> usize {
+        let columns = |row: &Row| 10 + usize::from(row.has_motor && row.locked.is_none());
+        self.rows[..link].iter().map(columns).sum()
     }
 
     /// Which of the standard parameters are base parameters.
@@ -137,15 +150,12 @@ impl Definition {
     }
 
     fn random_state(&self, random: &mut SplitMix64) -> State<Number> {
-        let n = self.dof();
-        let mut numbers = || -> Vector { (0..n).map(|_| Number::random(random)).collect() };
-        let (q, qd, qdd) = (numbers(), numbers(), numbers());
+        let q = self.random_positions(random);
+        let mut numbers = || (0..self.dof()).map(|_| Number::random(random)).collect();
         State {
-            q: q.into_iter()
-                .map(|q| Position::at(circle_point(random), q))
-                .collect(),
-            qd,
-            qdd,
+            q,
+            qd: numbers(),
+            qdd: numbers(),
         }
     }
 
@@ -299,30 +309,47 @@ fn dot(a: &[Number], b: &[Number]) -> Number {
     terms.fold(Number::ZERO, |sum, (&a, &b)| sum + a * b)
 }
 
-/// The first `columns` columns that are no combination of those before them; the rows are left in
-/// reduced echelon form.
-fn independent_columns(rows: &mut Matrix, columns: usize) -> Vec<usize> {
-    let mut independent = Vec::new();
-    for column in 0..columns {
-        let top = independent.len();
-        let pivot = (top..rows.len()).find(|&r| !rows[r][column].is_zero());
-        let Some((pivot, inverse)) = pivot.and_then(|p| Some((p, rows[p][column].inverse()?)))
-        else {
-            continue;
-        };
-        rows.swap(pivot, top);
-        let scaled: Vector = rows[top].iter().map(|&x| x * inverse).collect();
-        for row in rows.iter_mut() {
-            let factor = row[column];
-            if !factor.is_zero() {
-                let terms = row.iter_mut().zip(&scaled).skip(column);
-                terms.for_each(|(x, &pivot)| *x = *x - factor * pivot);
-            }
+/// Equations in reduced echelon form: the columns of their pivots are no combinations of those before them.
+#[derive(Default)]
+struct Equations(Vec<Equation>);
+
+struct Equation {
+    /// The first entry that is not zero: it is 1, and that of all others is 0 there.
+    column: usize,
+    row: Vector,
+    value: Number,
+}
+
+impl Equations {
+    /// Adds row . x = value; `None` where that contradicts the others.
+    fn add(&mut self, mut row: Vector, mut value: Number) -> Option<()> {
+        for known in &self.0 {
+            let factor = row[known.column];
+            subtract(&mut row, factor, &known.row);
+            value = value - factor * known.value;
         }
-        rows[top] = scaled;
-        independent.push(column);
+        let Some(column) = row.iter().position(|x| !x.is_zero()) else {
+            return value.is_zero().then_some(());
+        };
+        let inverse = row[column].inverse()?;
+        let row: Vector = row.iter().map(|&x| x * inverse).collect();
+        let value = value * inverse;
+        for known in &mut self.0 {
+            let factor = known.row[column];
+            subtract(&mut known.row, factor, &row);
+            known.value = known.value - factor * value;
+        }
+        self.0.push(Equation { column, row, value });
+        Some(())
     }
-    independent
+}
+
+/// row - factor other
+fn subtract(row: &mut [Number], factor: Number, other: &[Number]) {
+    if !factor.is_zero() {
+        let terms = row.iter_mut().zip(other);
+        terms.for_each(|(x, &y)| *x = *x - factor * y);
+    }
 }
 
 #[cfg(test)]
@@ -331,16 +358,15 @@ mod tests {
 
     #[test]
     fn dependent_columns_are_left_out() {
-        let row = |entries: [u64; 5]| entries.map(Number::new).to_vec();
-        // The second column is twice the first, the fourth the sum of the first and the third.
-        let mut rows = vec![
-            row([1, 2, 0, 1, 5]),
-            row([0, 0, 3, 3, 6]),
-            row([2, 4, 1, 3, 12]),
-        ];
-        assert_eq!(independent_columns(&mut rows, 4), [0, 2]);
-        // 5 times the first and 2 times the third make the last one.
-        assert_eq!((rows[0][4], rows[1][4]), (Number::new(5), Number::new(2)));
-        assert!(rows[2][4].is_zero());
+        let row = |entries: [u64; 4]| entries.map(Number::new).to_vec();
+        // The second column is twice the first, the fourth the sum of the first and the third: 5 times the
+        // first and 2 times the third make the values.
+        let mut equations = Equations::default();
+        for (entries, value) in [([0, 0, 3, 3], 6), ([1, 2, 0, 1], 5), ([2, 4, 1, 3], 12)] {
+            assert_eq!(equations.add(row(entries), Number::new(value)), Some(()));
+        }
+        let solved = equations.0.iter().map(|e| (e.column, e.value.get()));
+        assert_eq!(solved.collect::<Vec<_>>(), [(2, 2), (0, 5)]);
+        assert_eq!(equations.add(row([1, 2, 0, 1]), Number::new(4)), None);
     }
 }

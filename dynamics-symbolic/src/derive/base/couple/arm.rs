@@ -1,0 +1,256 @@
+//! An arm as its couplings move it, and the energies of its base parameters.
+
+use crate::derive::base::axes;
+use crate::derive::base::geometry::{LinkGeometry, geometry};
+use crate::derive::base::observe::{Energies, rotate_moments, unit_energies, value_of};
+use crate::derive::place;
+use crate::derive::symbols::Symbols;
+use crate::exact::{SplitMix64, circle_point, common_angles};
+use crate::expr::{Expr, Fingerprint};
+use crate::linear::{Matrix3, Ring, Vector3};
+use crate::robot::{Grouping, Interpretation, JointType, Parameter, Robot};
+use crate::spatial::{Joint, Motion, Turn};
+
+/// An arm and its base parameters without couplings.
+pub(super) struct Arm<R> {
+    zero: R,
+    one: R,
+    gravity: Vector3<R>,
+    links: Vec<Link<R>>,
+    pub(super) columns: Vec<(usize, Parameter)>,
+    /// How many joints move by themselves, and how many angles they and their followers have in common.
+    pub(super) joints: usize,
+    pub(super) angles: usize,
+}
+
+struct Link<R> {
+    geometry: LinkGeometry<R>,
+    /// From the link's axes to those in which its first moments are written, where these are others.
+    moments: Option<Matrix3<R>>,
+    movement: Option<Movement<R>>,
+}
+
+/// How a joint moves.
+struct Movement<R> {
+    /// The joint by which it moves, of those that move by themselves.
+    joint: usize,
+    factor: R,
+    /// Of a joint that slides: where it is while that joint is at zero.
+    offset: R,
+    /// Of a joint that turns: its constant angle.
+    turn: Turn<R>,
+    /// Of a joint that turns: which of the angles that joints have in common, and how often.
+    angle: (usize, i64),
+}
+
+impl<'g> Arm<Expr<'g>> {
+    pub(super) fn of(
+        symbols: &mut Symbols<'g>,
+        robot: &Robot,
+        grouping: &Grouping,
+        columns: Vec<(usize, Parameter)>,
+    ) -> Self {
+        let (zero, one) = (symbols.graph().zero(), symbols.graph().one());
+        let geometry = geometry(symbols, robot);
+        let mut movements: Vec<_> = (0..robot.rows.len())
+            .map(|i| movement(symbols, robot, i))
+            .collect();
+        let angles = number_angles(robot, &mut movements);
+        let moments = grouping.links.iter().enumerate();
+        let moments: Vec<_> = moments
+            .map(|(i, link)| {
+                (link.axes != i).then(|| axes::rotation(&geometry, i, link.axes, (zero, one)))
+            })
+            .collect();
+        let parts = geometry.into_iter().zip(moments).zip(movements);
+        let links = parts.map(|((geometry, moments), movement)| Link {
+            geometry,
+            moments,
+            movement,
+        });
+        Arm {
+            zero,
+            one,
+            gravity: place::gravity(symbols, robot),
+            links: links.collect(),
+            columns,
+            joints: robot.dof(),
+            angles,
+        }
+    }
+
+    /// The arm at the graph's random point.
+    pub(super) fn values(&self) -> Arm<Fingerprint> {
+        let value = |x: Expr<'g>| x.fingerprint();
+        let links = self.links.iter().map(|link| Link {
+            geometry: value_of(&link.geometry),
+            moments: link
+                .moments
+                .as_ref()
+                .map(|rotation| Matrix3(rotation.0.map(|row| row.map(value)))),
+            movement: link.movement.as_ref().map(|movement| Movement {
+                joint: movement.joint,
+                factor: value(movement.factor),
+                offset: value(movement.offset),
+                turn: Turn {
+                    s: value(movement.turn.s),
+                    c: value(movement.turn.c),
+                },
+                angle: movement.angle,
+            }),
+        });
+        Arm {
+            zero: Fingerprint::ZERO,
+            one: Fingerprint::ONE,
+            gravity: Vector3(self.gravity.0.map(value)),
+            links: links.collect(),
+            columns: self.columns.clone(),
+            joints: self.joints,
+            angles: self.angles,
+        }
+    }
+}
+
+/// How the joint of row i moves, where it does. Its angle has no number.
+fn movement<'g>(symbols: &mut Symbols<'g>, robot: &Robot, i: usize) -> Option<Movement<Expr<'g>>> {
+    let row = &robot.rows[i];
+    if row.locked.is_some() {
+        return None;
+    }
+    let turn = Turn::from(symbols.constant_sin_cos(i, row.joint_type, &row.theta));
+    let (leader, factor, offset) = match &row.follows {
+        None => (i, symbols.graph().one(), symbols.graph().zero()),
+        Some(coupling) => {
+            let [factor, offset] =
+                [&coupling.factor, &coupling.offset].map(|value| symbols.value(value));
+            (coupling.leader, factor, offset)
+        }
+    };
+    Some(Movement {
+        joint: robot.joint_of(leader),
+        factor,
+        offset,
+        turn,
+        angle: (0, 0),
+    })
+}
+
+/// Finds the angles that the joints that turn have in common, joint by joint, and says how many they are.
+fn number_angles(robot: &Robot, movements: &mut [Option<Movement<Expr<'_>>>]) -> usize {
+    let mut angles = 0;
+    for joint in 0..robot.dof() {
+        let rows = robot.rows.iter().zip(movements.iter_mut());
+        let turning = rows.filter(|(row, _)| row.joint_type == JointType::Revolute);
+        let mut turning: Vec<_> = turning
+            .filter_map(|(_, movement)| movement.as_mut())
+            .filter(|movement| movement.joint == joint)
+            .collect();
+        let factors: Vec<_> = turning.iter().map(|m| m.factor.fingerprint()).collect();
+        let common = common_angles(&factors);
+        let count = common.iter().map(|(number, _)| number + 1).max();
+        for (movement, (number, multiple)) in turning.iter_mut().zip(common) {
+            movement.angle = (angles + number, multiple);
+        }
+        angles += count.unwrap_or(0);
+    }
+    angles
+}
+
+/// A state of an arm.
+pub(super) struct State<R> {
+    /// The angles that joints have in common.
+    pub(super) angles: Vec<Turn<R>>,
+    pub(super) q: Vec<R>,
+    pub(super) qd: Vec<R>,
+}
+
+impl State<Fingerprint> {
+    pub(super) fn random(arm: &Arm<Fingerprint>, random: &mut SplitMix64) -> Self {
+        let angles = (0..arm.angles).map(|_| Turn::from(circle_point(random)));
+        let angles = angles.collect();
+        let mut numbers = || {
+            (0..arm.joints)
+                .map(|_| Fingerprint::random(random))
+                .collect()
+        };
+        State {
+            angles,
+            q: numbers(),
+            qd: numbers(),
+        }
+    }
+}
+
+impl<R: Ring> Arm<R> {
+    /// 2 T and U of a unit of each base parameter.
+    pub(super) fn energies(&self, state: &State<R>) -> [Vec<R>; 2] {
+        let (mut motion, mut g, mut above) = (Motion::splat(self.zero), self.gravity, self.zero);
+        let mut of_links = Vec::with_capacity(self.links.len());
+        for link in &self.links {
+            let joint = self.joint(link, state);
+            above = above + g.dot(joint.position());
+            g = joint.enter(g);
+            let movement = link.movement.as_ref();
+            let qd = movement.map_or(self.zero, |m| m.factor * state.qd[m.joint]);
+            motion = motion.enter(&joint).with_joint(joint.joint_type, qd);
+            let Energies {
+                mut kinetic,
+                mut potential,
+            } = unit_energies(motion, qd, g, above, self.zero);
+            rotate_moments(&mut kinetic, link.moments.as_ref());
+            rotate_moments(&mut potential, link.moments.as_ref());
+            of_links.push([kinetic, potential]);
+        }
+        let pick = |kind: usize| {
+            let columns = self.columns.iter();
+            columns
+                .map(|&(i, parameter)| of_links[i][kind][parameter.index()])
+                .collect()
+        };
+        [pick(0), pick(1)]
+    }
+
+    fn joint(&self, link: &Link<R>, state: &State<R>) -> Joint<R> {
+        let still = link.geometry.joint(self.zero, self.one);
+        let Some(movement) = &link.movement else {
+            return still;
+        };
+        match still.joint_type {
+            JointType::Revolute => {
+                let (number, multiple) = movement.angle;
+                let turned = self.times(state.angles[number], multiple);
+                Joint {
+                    turn: movement.turn.plus(turned),
+                    ..still
+                }
+            }
+            JointType::Prismatic => Joint {
+                slide: movement.factor * state.q[movement.joint] + movement.offset,
+                ..still
+            },
+        }
+    }
+
+    /// A turn several times, or backwards.
+    fn times(&self, turn: Turn<R>, n: i64) -> Turn<R> {
+        let mut power = Turn::none(self.zero, self.one);
+        for bit in (0..64 - n.unsigned_abs().leading_zeros()).rev() {
+            power = power.plus(power);
+            if n.unsigned_abs() >> bit & 1 == 1 {
+                power = power.plus(turn);
+            }
+        }
+        match n < 0 {
+            true => Turn {
+                s: -power.s,
+                ..power
+            },
+            false => power,
+        }
+    }
+}
+
+/// a - b
+pub(super) fn less<R: Ring>(a: Vec<R>, b: &[R]) -> Vec<R> {
+    a.into_iter().zip(b).map(|(a, &b)| a - b).collect()
+}
