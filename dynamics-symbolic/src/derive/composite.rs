@@ -5,10 +5,25 @@
 //!
 //! Gravity is an acceleration -g of the base. What joint j feels of that is, for M is symmetric, what the
 //! base feels along -g of a unit acceleration of joint j: G_j = -g.f_j with the force of column j.
+//!
+//! V comes from the same bodies. The acceleration of a point of link k is what it would
+//! have as a point of link k - 1, and what joint k adds to that; so the links outside joint j, taken as one
+//! body, move with link j, and each joint k outside adds a force on the body of links k to n:
+//!
+//!   V_j = S_j . (force of body j in the motion of link j + sum over k > j of what joint k adds to body k).
+//!
+//! To the acceleration of a point at r, U r with U of [`Acceleration::u`], a revolute joint adds, with w the
+//! angular velocity before it, x = w_x qd, y = w_y qd and s = (w_z + qd)^2 - w_z^2,
+//!
+//!   (-s r_x, -s r_y, 2 (x r_x + y r_y)),
+//!
+//! and a prismatic one 2 w x z qd. Where M is computed in any case, so are these
+//! bodies, and what is left is shorter than the force of every link: see `fused`.
 
 use super::chain::Chain;
-use crate::linear::Ring;
-use crate::spatial::{Body, Force, Motion, felt_inwards};
+use crate::linear::{Ring, Vector3};
+use crate::robot::JointType;
+use crate::spatial::{Acceleration, Body, Force, Motion, accelerations, felt_inwards};
 
 /// M(q) by rows, both triangles.
 pub(super) fn mass_matrix<R: Ring>(chain: &Chain<R>) -> Vec<Vec<R>> {
@@ -38,6 +53,57 @@ pub(super) fn gravity_vector<R: Ring>(chain: &Chain<R>) -> Vec<R> {
     let mut felt: Vec<R> = felt.collect();
     felt.reverse();
     felt
+}
+
+/// V, or V + G where `gravity` is the chain's.
+pub(super) fn bias_force<R: Ring>(chain: &Chain<R>, qd: &[R], gravity: Vector3<R>) -> Vec<R> {
+    let base = Acceleration::of_base(chain.zero, gravity);
+    let still = vec![chain.zero; chain.links.len()];
+    let motions = accelerations(base, chain.joints(), qd, &still);
+    let mut forces = vec![chain.zero; chain.links.len()];
+    let mut outer = Force::splat(chain.zero);
+    for (j, composite) in composites(chain) {
+        let link = &chain.links[j];
+        let (joint_type, motion) = (link.joint.joint_type, &motions[j]);
+        forces[j] = motion.force(&composite).along(joint_type) + outer.along(joint_type);
+        let added = added(&composite, joint_type, motion, (qd[j], chain.zero));
+        outer = (outer + added).leave(&link.joint);
+    }
+    forces
+}
+
+/// The force of what the velocity of a joint adds to the motion of the links behind it, but for what the joint
+/// itself feels of that, which is nothing.
+fn added<R: Ring>(
+    body: &Body<R>,
+    joint_type: JointType,
+    motion: &Acceleration<R>,
+    (qd, zero): (R, R),
+) -> Force<R> {
+    let ([wx, wy, wz], [hx, hy, _], j) = (motion.w.0, body.moment.0, &body.inertia);
+    let (x, y) = (wx * qd, wy * qd);
+    let (twice_x, twice_y) = (x + x, y + y);
+    match joint_type {
+        JointType::Revolute => {
+            let s = qd * (wz + (wz - qd));
+            let apart = j.xx - j.yy;
+            Force {
+                n: Vector3::new(
+                    y * (j.zz + apart) - twice_x * j.xy - s * j.yz,
+                    s * j.xz + twice_y * j.xy - x * (j.zz - apart),
+                    zero,
+                ),
+                f: Vector3::new(-(s * hx), -(s * hy), twice_x * hx + twice_y * hy),
+            }
+        }
+        JointType::Prismatic => {
+            let a = Vector3::new(twice_y, -twice_x, zero);
+            Force {
+                n: body.moment.cross(a),
+                f: a * body.mass,
+            }
+        }
+    }
 }
 
 /// From the tip inwards, each link with all links outside it as one body.

@@ -69,7 +69,7 @@ fn of_rows<'g>(
 ) -> Vec<Expr<'g>> {
     match form {
         Form::Assembled => return assembled(symbols, robot, chain, function),
-        Form::Columns => return composite::gravity_vector(chain),
+        Form::Columns => return columns(symbols, robot, chain, function),
         Form::Recursive | Form::Articulated => {}
     }
     let graph = symbols.graph();
@@ -382,6 +382,25 @@ fn assembled<'g>(
             let qdd = symbols.all(|joint| joint.qdd);
             let of_links = second_derivatives::differentiated(symbols, robot, chain, &qd, &qdd);
             second_force_derivatives(symbols, robot, of_links)
+        }
+        _ => of_rows(symbols, robot, chain, function, Form::Recursive),
+    }
+}
+
+/// The functions that are written by the composite bodies of M, beside that.
+fn columns<'g>(
+    symbols: &mut Symbols<'g>,
+    robot: &Robot,
+    chain: &Chain<Expr<'g>>,
+    function: Function,
+) -> Vec<Expr<'g>> {
+    let qd = symbols.all(|joint| joint.qd);
+    match function {
+        Function::GravityVector => composite::gravity_vector(chain),
+        Function::CoriolisVector => composite::bias_force(chain, &qd, Vector3::splat(chain.zero)),
+        Function::BiasForce => {
+            let forces = composite::bias_force(chain, &qd, chain.gravity);
+            sum(forces, &joint_forces::both(symbols, robot))
         }
         _ => of_rows(symbols, robot, chain, function, Form::Recursive),
     }

@@ -52,7 +52,12 @@ fn together(robot: &Robot, functions: &[Function]) -> Vec<Part> {
 /// The forms that a function may have beside others.
 fn forms(robot: &Robot, function: Function) -> Vec<Form> {
     let mut forms = super::forms(robot, function);
-    if function == Function::GravityVector {
+    let by_bodies = [
+        Function::GravityVector,
+        Function::CoriolisVector,
+        Function::BiasForce,
+    ];
+    if by_bodies.contains(&function) {
         forms.push(Form::Columns);
     }
     forms

@@ -57,8 +57,8 @@ pub enum Form {
     Assembled,
     /// Forward dynamics by articulated bodies, without the mass matrix.
     Articulated,
-    /// Gravity from the forces that the columns of the mass matrix are made of: next to nothing where
-    /// these are computed in any case.
+    /// Gravity from the forces that the columns of the mass matrix are made of, and Coriolis forces from its
+    /// composite bodies: short where these are computed in any case.
     Columns,
 }
 
