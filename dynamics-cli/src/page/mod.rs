@@ -6,6 +6,8 @@ mod html;
 mod literal;
 mod table;
 
+use std::io::Write as _;
+
 use clap::ArgMatches;
 use dynamics_symbolic::emit::javascript_module;
 use dynamics_symbolic::robot::Robot;
@@ -41,7 +43,28 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
         equations: module_with_a_global(&javascript_module(&robot, &programs), "robotEquations"),
         table: table::script(&robot, &fields(given)?, &start),
     };
-    Ok(page.html())
+    let equations = page.equations.len();
+    let html = page.html();
+    if let Some(remark) = remark(html.len(), equations, robot.dof()) {
+        let _ = writeln!(std::io::stderr(), "{remark}");
+    }
+    Ok(html)
+}
+
+/// Bytes up to which a page opens at once on a phone.
+const LARGE: usize = 1_000_000;
+
+/// What is said of a page of so many bytes, of which the equations of so many joints take a part.
+fn remark(bytes: usize, equations: usize, joints: usize) -> Option<String> {
+    let megabytes = |bytes: usize| bytes as f64 / 1e6;
+    (bytes > LARGE).then(|| {
+        format!(
+            "the page has {:.2} MB, {:.2} of them the equations of {joints} joints: it takes a moment to open; \
+             joints that stand still are left out of them by `--lock`",
+            megabytes(bytes),
+            megabytes(equations)
+        )
+    })
 }
 
 /// What the page shows at first.
@@ -64,5 +87,20 @@ impl Start {
             to: positions("to")?,
             duration: given.get_one::<f64>("duration").copied().unwrap_or(3.0),
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::remark;
+
+    #[test]
+    fn large_pages_are_remarked_on() {
+        assert_eq!(remark(990_000, 280_000, 12), None);
+        let remark = remark(1_234_000, 524_000, 16).unwrap_or_default();
+        assert!(
+            remark.starts_with("the page has 1.23 MB, 0.52 of them the equations of 16 joints"),
+            "{remark}"
+        );
     }
 }
