@@ -29,8 +29,8 @@ pub enum IdentificationError {
     NotFinite(usize),
     /// A field of the robot has no value, or none that is finite: its name.
     Field(String),
-    /// The columns of the regressor are dependent, as they may be where joints follow others: no set of base
-    /// parameters is the only one.
+    /// The columns of the regressor are dependent, as they may be for special values of fields, such as a factor
+    /// of zero by which a joint follows another: no set of base parameters is the only one.
     Dependent,
     /// The link of this joint needs a positive mass for its centre of mass, and would have another one: give it
     /// a mass in the table.

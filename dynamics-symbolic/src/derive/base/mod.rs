@@ -14,7 +14,7 @@
 //! the base outwards, the parameters of a link in the order of [`Parameter::ALL`], each kept unless
 //! it is a combination of those before it.
 //!
-//! Where joints follow others the forces tell fewer parameters apart: see [`Observed`].
+//! Where joints follow others the forces tell fewer parameters apart: see `couple`.
 //!
 //! Constants other than multiples of a quarter turn count as independent of one another: a
 //! coincidence such as sin 30 deg = 1/2 groups nothing.
