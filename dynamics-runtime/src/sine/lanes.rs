@@ -48,6 +48,7 @@ pub(crate) trait Lanes:
     }
 
     /// Whether [`product_plus`](Lanes::product_plus) rounds once.
+    #[cfg(feature = "std")]
     #[inline(always)]
     fn fuses(self) -> bool {
         false
@@ -72,9 +73,6 @@ pub(crate) trait Kernel: Copy {
     /// Sine and cosine of x - d with |x| at most a little above pi/4, where d is below the last place of x, or
     /// both are tiny.
     fn sin_cos_reduced<L: Lanes<Number = Self>>(x: L, d: L) -> (L, L);
-
-    /// The sine alone, in the lanes of a batch.
-    fn sin_reduced<L: Lanes<Number = Self>>(x: L, d: L) -> L;
 
     /// Sine and cosine of an angle of any magnitude, reduced exactly; NaN of what is not finite.
     fn sin_cos_of_large(self) -> (Self, Self);
@@ -107,18 +105,9 @@ pub(super) fn by_fewest_operations<L: Lanes, const K: usize>(
     let lost = (one - w) - half_z;
     let rest = L::product_plus(x, d, lost);
     let cosine = w + L::product_plus(z * z, polynomial(z, cosine), rest);
-    (sine_by_fewest_operations(x, d, sine), cosine)
-}
-
-/// sin (x - d) = x - (x^3 (S0 + ...) + d): cos x is left off d, which is a half of the last place.
-#[inline(always)]
-pub(super) fn sine_by_fewest_operations<L: Lanes, const K: usize>(
-    x: L,
-    d: L,
-    sine: [L::Number; K],
-) -> L {
-    let z = x * x;
-    x - L::product_plus(x * z, polynomial(z, sine), d)
+    // sin (x - d) = x - (x^3 (S0 + ...) + d): cos x is left off d, which is a half of the last place.
+    let sine = x - L::product_plus(x * z, polynomial(z, sine), d);
+    (sine, cosine)
 }
 
 /// c[0] + c[1] z + c[2] z^2 + ... (Horner).

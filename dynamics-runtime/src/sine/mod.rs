@@ -18,6 +18,7 @@ use fearless_simd::{Level, Simd, SimdBase, SimdFrom, dispatch, f32x4, f32x8, f64
 use lanes::Reduced;
 pub(crate) use lanes::{Kernel, Lanes};
 pub use part::Part;
+#[cfg(feature = "std")]
 pub(crate) use part::part_in_lanes;
 
 /// A precision whose sines of several angles are evaluated at once.

@@ -1,7 +1,9 @@
 //! The sine alone, or the cosine alone.
 
+use super::Sines;
 use super::lanes::Reduced;
-use super::{Kernel as _, Lanes, Sines, sin_cos};
+#[cfg(feature = "std")]
+use super::{Kernel as _, Lanes, sin_cos};
 
 /// What a generated function reads of the sine and the cosine of an angle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -44,6 +46,7 @@ pub(super) fn one<F: Sines>(x: F, part: Part) -> F {
 /// The error of the sine is at most 0.55 units in the last place where |x/2| < pi/8, and four times as many of its
 /// units are 0.42 of those of the cosine, which is rounded once where products are fused: its error is below 0.95
 /// units. Elsewhere it would be above one unit, and both polynomials are evaluated.
+#[cfg(feature = "std")]
 #[inline(always)]
 pub(crate) fn part_in_lanes<L: Lanes>(x: L, part: Part) -> L {
     if !x.fuses() {
@@ -58,7 +61,7 @@ pub(crate) fn part_in_lanes<L: Lanes>(x: L, part: Part) -> L {
         _ => n.select_by_lowest_bit(cosine, sine),
     };
     let share = choose(unit, half);
-    let sine = L::Number::sin_reduced(rest * share, excess * share);
+    let (sine, _) = L::Number::sin_cos_reduced(rest * share, excess * share);
     let value = choose(sine, sine.product_from(sine + sine, unit));
     match part {
         Part::Cosine => value.turned_by_lowest_bits(n),

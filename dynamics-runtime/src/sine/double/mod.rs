@@ -13,7 +13,7 @@ mod polynomial;
 mod proof;
 mod reduction;
 
-use super::lanes::{self, Kernel, Lanes, Reduced};
+use super::lanes::{Kernel, Lanes, Reduced};
 
 impl Kernel for f64 {
     const HALF: Self = 0.5;
@@ -28,11 +28,6 @@ impl Kernel for f64 {
     #[inline(always)]
     fn sin_cos_reduced<L: Lanes<Number = f64>>(x: L, d: L) -> (L, L) {
         polynomial::sin_cos_reduced(x, d)
-    }
-
-    #[inline(always)]
-    fn sin_reduced<L: Lanes<Number = f64>>(x: L, d: L) -> L {
-        lanes::sine_by_fewest_operations(x, d, polynomial::S)
     }
 
     #[inline]

@@ -9,7 +9,7 @@ mod reduction;
 #[cfg(test)]
 mod tests;
 
-use super::lanes::{self, Kernel, Lanes, Reduced};
+use super::lanes::{Kernel, Lanes, Reduced};
 
 impl Kernel for f32 {
     const HALF: Self = 0.5;
@@ -24,11 +24,6 @@ impl Kernel for f32 {
     #[inline(always)]
     fn sin_cos_reduced<L: Lanes<Number = f32>>(x: L, d: L) -> (L, L) {
         polynomial::sin_cos_reduced(x, d)
-    }
-
-    #[inline(always)]
-    fn sin_reduced<L: Lanes<Number = f32>>(x: L, d: L) -> L {
-        lanes::sine_by_fewest_operations(x, d, polynomial::S)
     }
 
     fn sin_cos_of_large(self) -> (f32, f32) {
