@@ -21,6 +21,9 @@ pub(super) fn all() -> Vec<Command> {
     ]
 }
 
+/// Of the list of functions where a subcommand knows what it needs.
+const BESIDES: &str = "The functions, in place of the file's: their names are checked, and what is needed here is derived";
+
 fn show() -> Command {
     of_a_file("show", "Print the table, what the functions are and cost, and their formulas")
         .long_about(
@@ -92,6 +95,7 @@ fn simulate() -> Command {
             "Move the arm under constant torques by Dormand and Prince's method, and write time, positions, velocities \
              and energy as CSV. Joints with dry friction stick.",
         )
+        .arg(functions().help(BESIDES))
         .arg(vector("from", "Positions at the start; zeros where this is left out"))
         .arg(vector("velocity", "Velocities at the start"))
         .arg(vector("torque", "Torques and forces at the joints"))
@@ -109,6 +113,7 @@ fn inverse() -> Command {
              motion is cycloidal from --from to --to, or passes the rows of a CSV file: a time and a position of each joint, \
              joined by cubic splines at rest at both ends.",
         )
+        .arg(functions().help(BESIDES))
         .arg(vector("from", "Positions at the start of a cycloidal motion; zeros where this is left out"))
         .arg(vector("to", "Positions at its end").required_unless_present("waypoints"))
         .arg(
@@ -175,6 +180,7 @@ fn page() -> Command {
              state, plays prescribed and free motions, and plots them. It needs nothing besides: it works from a disk, \
              without a network, and on a phone.",
         )
+        .arg(functions().help(BESIDES))
         .arg(several("field", "NAME=VALUE").help(
             "A name in the file's cells that gets a slider, and its value at first; may be given several times",
         ))

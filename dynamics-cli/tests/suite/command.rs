@@ -134,7 +134,16 @@ fn a_free_fall_keeps_its_energy() {
 #[test]
 fn torques_of_motions() {
     let pendulum = file("inverse.toml", PENDULUM);
-    let text = output(&["inverse", &pendulum, "--to", "1,-0.5", "--samples", "5"]);
+    let text = output(&[
+        "inverse",
+        &pendulum,
+        "--to",
+        "1,-0.5",
+        "--samples",
+        "5",
+        "--functions",
+        "default,jacobian",
+    ]);
     let cycloidal = rows(&text, 9);
     assert_eq!(cycloidal[4][1..3], [1.0, -0.5]);
     // At rest at the end of the motion: gravity alone, m g l sin q at both joints.

@@ -18,8 +18,10 @@ fn mistakes_are_told_with_their_places() {
     assert!(errors(&["show", "nowhere.toml"], 1).contains("nowhere.toml:1:1: cannot be read"));
     assert!(errors(&["show", "robot.step"], 1).contains("robot.step:1:1: "));
     let pendulum = file("right.toml", PENDULUM);
-    let unknown = errors(&["show", &pendulum, "--functions", "mass_matrx"], 2);
-    assert!(unknown.contains("mass_matrix"), "{unknown}");
+    for subcommand in ["show", "simulate", "page"] {
+        let unknown = errors(&[subcommand, &pendulum, "--functions", "mass_matrx"], 2);
+        assert!(unknown.contains("mass_matrix"), "{unknown}");
+    }
     assert!(errors(&["simulate", &pendulum, "--from", "1"], 2).contains("expected 2"));
     assert!(errors(&["show", &pendulum, "--lock", "knee"], 2).contains("expected JOINT=POSITION"));
     errors(&["dance", &pendulum], 2);
