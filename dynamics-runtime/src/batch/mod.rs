@@ -44,7 +44,8 @@ dynamics_macros::batch_methods! {
 /// The values are those of the single function to the last few units in the last place of the
 /// largest terms: sums of products are fused where the processor can, whatever the build allows. A
 /// state's values do not depend on the other states, nor on their number, but for values
-/// beside a state that has none, which differ by as little.
+/// beside a state that has none, or beside an angle beyond 1e5 rad (1e4 rad in `f32`), which differ by as
+/// little.
 ///
 /// Arguments come as a vector for each state or as a column for each joint: see [`States`] and
 /// [`StatesMut`]. Any number of states will do, none included; arguments of different lengths are
