@@ -1,6 +1,6 @@
 //! The documentation of the generated methods.
 
-use crate::formula::{Format, Formulas, MOST_TERMS, Shown, Structure, TooLong};
+use crate::formula::{Format, Formulas, MOST_JOINTS, MOST_TERMS, Shown, Structure, TooLong};
 use crate::function::{Argument, Function, Request, Shape, spans};
 use crate::program::{Operand, Output, Program};
 use crate::robot::{JointType, Robot};
@@ -34,7 +34,10 @@ pub(super) fn documentation(
     };
     lines.push(format!(" Operations{each}: {}.", program.operations()));
     lines.extend(structures(robot, request, program));
-    lines.extend(formulas.into_iter().flat_map(short_formula_lines));
+    match formulas {
+        Some(formulas) => lines.extend(short_formula_lines(formulas)),
+        None => lines.extend(formulas_elsewhere(robot, request)),
+    }
     lines.push(String::new());
     if request.refuses() {
         lines.push(errors(&unresisted(robot, request, program, constants)));
@@ -151,6 +154,21 @@ pub(super) fn structures(robot: &Robot, request: &Request, program: &Program) ->
         .filter_map(structure)
         .flatten()
         .collect()
+}
+
+/// Where there are formulas of a longer arm, whose values have names.
+fn formulas_elsewhere(robot: &Robot, request: &Request) -> Vec<String> {
+    let has_symbol = |part: &Function| part.row().symbol.is_some();
+    let is_longer = robot.dof() > MOST_JOINTS && robot.followers().next().is_none();
+    match is_longer && request.parts().iter().any(has_symbol) {
+        true => vec![
+            String::new(),
+            format!(
+                " Formulas of arms of more than {MOST_JOINTS} joints: `robot-dynamics show`, with `--format text`."
+            ),
+        ],
+        false => Vec::new(),
+    }
 }
 
 /// The formulas that are short enough to read at a method.

@@ -64,6 +64,17 @@ fn documentation_says_that_nothing_resists_a_joint() {
     }
 }
 
+/// Where there are formulas of a longer arm, of functions whose values have names.
+#[test]
+fn documentation_of_a_longer_arm_says_where_its_formulas_are() {
+    let says = |arm: &str, function| {
+        text(&arms::robot(arm), &[function]).contains("`robot-dynamics show`, with `--format text`")
+    };
+    assert!(says("scara", Function::GravityVector));
+    assert!(!says("scara", Function::ForwardDynamics));
+    assert!(!says("elbow_3r", Function::GravityVector));
+}
+
 #[test]
 fn expansion_is_deterministic() {
     for name in ["generic_chain_n3", "scara"] {
