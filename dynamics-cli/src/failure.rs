@@ -1,7 +1,12 @@
 //! Why a command has not done what it was asked for.
 
 use std::fmt;
+use std::io::IsTerminal as _;
 use std::path::Path;
+
+use dynamics_evaluation::FileMistake;
+
+use crate::excerpt::with_excerpts;
 
 /// What is told, and the status of the process.
 #[derive(Debug)]
@@ -10,6 +15,8 @@ pub(crate) struct Failure {
     pub(crate) output: String,
     /// What is wrong, and what was expected.
     pub(crate) message: String,
+    /// The mistakes in a file that the message tells.
+    mistakes: Vec<FileMistake>,
     /// 1; or 2 where the command line itself is wrong.
     pub(crate) status: u8,
 }
@@ -20,6 +27,7 @@ impl Failure {
         Failure {
             output,
             message: message.into(),
+            mistakes: Vec::new(),
             status: 1,
         }
     }
@@ -35,7 +43,25 @@ impl Failure {
         Failure {
             output: String::new(),
             message: format!("error: {message}\n\nFor more information, try '--help'."),
+            mistakes: Vec::new(),
             status: 2,
+        }
+    }
+
+    /// Mistakes in a file.
+    pub(crate) fn of_mistakes(message: impl fmt::Display, mistakes: Vec<FileMistake>) -> Self {
+        Failure {
+            mistakes,
+            ..Failure::after(String::new(), message.to_string())
+        }
+    }
+
+    /// What is written to standard error: on a terminal with the places in the file, elsewhere a line for each
+    /// mistake.
+    pub(crate) fn told(&self) -> String {
+        match std::io::stderr().is_terminal() && !self.mistakes.is_empty() {
+            true => with_excerpts(&self.mistakes, std::env::var_os("NO_COLOR").is_none()),
+            false => self.message.clone(),
         }
     }
 }

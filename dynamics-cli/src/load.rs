@@ -51,6 +51,7 @@ fn read_with(path: &Path, besides: Besides) -> Result<Model, Failure> {
         FileError::Mistakes(mistakes) if mistakes.iter().all(|mistake| mistake.file.is_none()) => {
             Failure::of_the_command_line(&error)
         }
+        FileError::Mistakes(mistakes) => Failure::of_mistakes(&error, mistakes.clone()),
         _ => Failure::from(error),
     })
 }

@@ -6,6 +6,7 @@ mod check;
 mod compare;
 mod convert;
 mod csv;
+mod excerpt;
 mod failure;
 mod generate;
 mod inverse;
@@ -40,7 +41,7 @@ fn main() -> ExitCode {
         }
         Err(failure) => {
             let _ = std::io::stdout().write_all(failure.output.as_bytes());
-            let _ = writeln!(std::io::stderr(), "{}", failure.message);
+            let _ = writeln!(std::io::stderr(), "{}", failure.told());
             ExitCode::from(failure.status)
         }
     }

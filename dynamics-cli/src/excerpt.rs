@@ -1,0 +1,111 @@
+//! Mistakes in a file, each with the line that it is in.
+
+use std::ops::Range;
+use std::path::Path;
+
+use ariadne::{Color, Config, Label, Report, ReportKind, Source};
+use dynamics_evaluation::FileMistake;
+
+/// What is told of mistakes to a person: `FILE:LINE:COLUMN: what is wrong`, and below it the place in the file.
+/// Where a file cannot be read any more the place is left out.
+pub(crate) fn with_excerpts(mistakes: &[FileMistake], is_coloured: bool) -> String {
+    let told: Vec<_> = mistakes
+        .iter()
+        .map(|mistake| {
+            let text = mistake.file.as_deref().and_then(text_of);
+            let excerpt = text.and_then(|text| excerpt(mistake, &text, is_coloured));
+            excerpt.unwrap_or_else(|| mistake.to_string())
+        })
+        .collect();
+    told.join("\n")
+}
+
+fn text_of(path: &Path) -> Option<String> {
+    std::fs::read_to_string(path).ok()
+}
+
+fn excerpt(mistake: &FileMistake, text: &str, is_coloured: bool) -> Option<String> {
+    let file = mistake.file.as_ref()?.display().to_string();
+    let span = (file.clone(), word(mistake, text)?);
+    let mut report = Vec::new();
+    Report::build(ReportKind::Error, span.clone())
+        .with_config(Config::default().with_color(is_coloured))
+        .with_label(Label::new(span).with_message("here").with_color(Color::Red))
+        .finish()
+        .write((file, Source::from(text)), &mut report)
+        .ok()?;
+    // The report's own first line is for a message without a place.
+    let report = String::from_utf8_lossy(&report);
+    let (_, place) = report.trim_end().split_once('\n')?;
+    Some(format!("{mistake}\n{place}"))
+}
+
+/// Which characters of the text are the word that a mistake begins at.
+fn word(mistake: &FileMistake, text: &str) -> Option<Range<usize>> {
+    let line = mistake.line.checked_sub(1)?;
+    let before: usize = text
+        .split_inclusive('\n')
+        .take(line)
+        .map(|l| l.chars().count())
+        .sum();
+    let line = text.lines().nth(line)?;
+    let column = mistake.column.checked_sub(1)?;
+    let is_of_a_word = |c: &char| c.is_alphanumeric() || "_.-+".contains(*c);
+    let length = line.chars().skip(column).take_while(is_of_a_word).count();
+    let start = before + column.min(line.chars().count());
+    Some(start..start + length.max(1))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{excerpt, with_excerpts};
+    use dynamics_evaluation::FileMistake;
+
+    fn mistake(file: &str, line: usize, column: usize) -> FileMistake {
+        FileMistake {
+            file: Some(file.into()),
+            line,
+            column,
+            message: "unknown cell `mas`: did you mean `mass`?".to_owned(),
+        }
+    }
+
+    #[test]
+    fn the_word_is_marked_below_the_message() {
+        let text = "# L\u{e9}ger, \u{f6} and \u{fc}\n[[joint]]\n  mas = 2\n";
+        let told = excerpt(&mistake("two.toml", 3, 3), text, false).expect("an excerpt");
+        let lines: Vec<_> = told.lines().collect();
+        assert_eq!(
+            lines[0],
+            "two.toml:3:3: unknown cell `mas`: did you mean `mass`?"
+        );
+        let marked = lines
+            .iter()
+            .position(|line| line.contains("mas = 2"))
+            .expect("the line");
+        let column = |line: &str, what: &str| line.find(what).map(|at| line[..at].chars().count());
+        let below = lines[marked + 1];
+        assert_eq!(
+            column(below, "\u{2500}"),
+            column(lines[marked], "mas"),
+            "{told}"
+        );
+        assert!(
+            below.trim_end().ends_with(" \u{2500}\u{252c}\u{2500}"),
+            "{told}"
+        );
+    }
+
+    /// At the end of a file, behind it, and in one that is not there.
+    #[test]
+    fn places_outside_of_a_text_are_told_all_the_same() {
+        for (line, column) in [(1, 4), (1, 90), (7, 1), (0, 0)] {
+            let mistake = mistake("nowhere/two.toml", line, column);
+            let _ = excerpt(&mistake, "mas", false);
+            assert_eq!(
+                with_excerpts(std::slice::from_ref(&mistake), true),
+                mistake.to_string()
+            );
+        }
+    }
+}
