@@ -111,12 +111,12 @@ impl<S: Simd, E: Precision> Scalar for Wide<S, E> {
 
     #[inline(always)]
     fn sin_cos_array<const K: usize>(angles: [Self; K]) -> [(Self, Self); K] {
-        E::sin_cos_of_lanes(angles, [Part::Both; K])
+        sin_cos_of_lanes(angles, [Part::Both; K])
     }
 
     #[inline(always)]
     fn sin_cos_parts<const K: usize>(angles: [Self; K], parts: [Part; K]) -> [(Self, Self); K] {
-        E::sin_cos_of_lanes(angles, parts)
+        sin_cos_of_lanes(angles, parts)
     }
 
     #[inline(always)]
@@ -166,6 +166,32 @@ impl<S: Simd, E: Precision> Scalar for Wide<S, E> {
             .map(|(a, b)| a.ratio_to_f64(*b))
             .reduce(least)
             .unwrap_or(f64::NAN)
+    }
+}
+
+/// Sines and cosines of angles in lanes, of which only these parts are read.
+#[cfg(not(debug_assertions))]
+#[inline(always)]
+fn sin_cos_of_lanes<S: Simd, E: Precision, const K: usize>(
+    angles: [Wide<S, E>; K],
+    parts: [Part; K],
+) -> [(Wide<S, E>, Wide<S, E>); K] {
+    E::sin_cos_of_lanes(angles, parts)
+}
+
+/// The same in a function that is called: a build without optimisation would hold 200 KB of sines in every function
+/// of a batch.
+#[cfg(debug_assertions)]
+fn sin_cos_of_lanes<S: Simd, E: Precision, const K: usize>(
+    angles: [Wide<S, E>; K],
+    parts: [Part; K],
+) -> [(Wide<S, E>, Wide<S, E>); K] {
+    match angles.first() {
+        Some(first) => first.0.token().vectorize(
+            #[inline(always)]
+            || E::sin_cos_of_lanes(angles, parts),
+        ),
+        None => angles.map(|angle| (angle, angle)),
     }
 }
 
