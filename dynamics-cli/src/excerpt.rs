@@ -1,7 +1,6 @@
 //! Mistakes in a file, each with the line that it is in.
 
 use std::ops::Range;
-use std::path::Path;
 
 use ariadne::{Color, Config, Label, Report, ReportKind, Source};
 use dynamics_evaluation::FileMistake;
@@ -9,22 +8,20 @@ use dynamics_evaluation::FileMistake;
 /// What is told of mistakes to a person: `FILE:LINE:COLUMN: what is wrong`, and below it the place in the file.
 /// Where a file cannot be read any more the place is left out.
 pub(crate) fn with_excerpts(mistakes: &[FileMistake], is_coloured: bool) -> String {
-    let told: Vec<_> = mistakes
-        .iter()
-        .map(|mistake| {
-            let text = mistake.file.as_deref().and_then(text_of);
-            let excerpt = text.and_then(|text| excerpt(mistake, &text, is_coloured));
+    let mut told = Vec::with_capacity(mistakes.len());
+    for of_one_file in mistakes.chunk_by(|a, b| a.file == b.file) {
+        let file = of_one_file[0].file.as_deref();
+        let text = file.and_then(|file| std::fs::read_to_string(file).ok());
+        told.extend(of_one_file.iter().map(|mistake| {
+            let text = text.as_deref();
+            let excerpt = text.and_then(|text| excerpt_of(mistake, text, is_coloured));
             excerpt.unwrap_or_else(|| mistake.to_string())
-        })
-        .collect();
+        }));
+    }
     told.join("\n")
 }
 
-fn text_of(path: &Path) -> Option<String> {
-    std::fs::read_to_string(path).ok()
-}
-
-fn excerpt(mistake: &FileMistake, text: &str, is_coloured: bool) -> Option<String> {
+fn excerpt_of(mistake: &FileMistake, text: &str, is_coloured: bool) -> Option<String> {
     let file = mistake.file.as_ref()?.display().to_string();
     let span = (file.clone(), word(mistake, text)?);
     let mut report = Vec::new();
@@ -58,7 +55,7 @@ fn word(mistake: &FileMistake, text: &str) -> Option<Range<usize>> {
 
 #[cfg(test)]
 mod tests {
-    use super::{excerpt, with_excerpts};
+    use super::{excerpt_of, with_excerpts};
     use dynamics_evaluation::FileMistake;
 
     fn mistake(file: &str, line: usize, column: usize) -> FileMistake {
@@ -73,7 +70,7 @@ mod tests {
     #[test]
     fn the_word_is_marked_below_the_message() {
         let text = "# L\u{e9}ger, \u{f6} and \u{fc}\n[[joint]]\n  mas = 2\n";
-        let told = excerpt(&mistake("two.toml", 3, 3), text, false).expect("an excerpt");
+        let told = excerpt_of(&mistake("two.toml", 3, 3), text, false).expect("an excerpt");
         let lines: Vec<_> = told.lines().collect();
         assert_eq!(
             lines[0],
@@ -101,7 +98,7 @@ mod tests {
     fn places_outside_of_a_text_are_told_all_the_same() {
         for (line, column) in [(1, 4), (1, 90), (7, 1), (0, 0)] {
             let mistake = mistake("nowhere/two.toml", line, column);
-            let _ = excerpt(&mistake, "mas", false);
+            let _ = excerpt_of(&mistake, "mas", false);
             assert_eq!(
                 with_excerpts(std::slice::from_ref(&mistake), true),
                 mistake.to_string()
