@@ -134,8 +134,8 @@ where
     A: Arguments<R::Arguments, E>,
     O: Sink<R::Values, E>,
 {
-    let mut task = Task::new::<R, E, N>(function, arms, arguments, results)?;
-    Ok(task.run::<R, E, N>(Level::new()))
+    let mut task = Task::<R, E, _, _, _, _, N>::new(function, arms, arguments, results)?;
+    Ok(task.run(Level::new()))
 }
 
 /// A function at every state, on all cores.
@@ -159,8 +159,8 @@ where
     A: Arguments<R::Arguments, E>,
     O: Sink<R::Values, E>,
 {
-    let task = Task::new::<R, E, N>(function, arms, arguments, results)?;
-    Ok(task.on_all_cores::<R, E, N>(Level::new()))
+    let task = Task::<R, E, _, _, _, _, N>::new(function, arms, arguments, results)?;
+    Ok(task.on_all_cores(Level::new()))
 }
 
 /// The first state without a value as an error.

@@ -1,6 +1,7 @@
 //! The states of a batch over all cores.
 
 use core::hint::spin_loop;
+use core::marker::PhantomData;
 use core::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
@@ -22,21 +23,21 @@ const LEAST_WORK: usize = 40_000;
 /// in which they evaluate what they have, and less than it takes to wake up.
 const MOST_LOOKS: usize = 1_000;
 
-impl<F, B, A, O> Task<F, B, A, O> {
+impl<R, E, F, B, A, O, const N: usize> Task<R, E, F, B, A, O, N>
+where
+    R: Function<F, N>,
+    E: Precision,
+    F: Copy + Send,
+    B: Arms<R> + Send,
+    A: Arguments<R::Arguments, E>,
+    O: Sink<R::Values, E>,
+{
     /// The function at every state, on this core and on all that are free.
-    pub(super) fn on_all_cores<R, E, const N: usize>(mut self, level: Level) -> Failure
-    where
-        F: Copy + Send,
-        R: Function<F, N>,
-        E: Precision,
-        B: Arms<R> + Send,
-        A: Arguments<R::Arguments, E>,
-        O: Sink<R::Values, E>,
-    {
+    pub(super) fn on_all_cores(mut self, level: Level) -> Failure {
         let least = (LEAST_WORK / (R::WORK as usize).max(1)).max(MOST_LANES);
         let threads = rayon::current_num_threads().min(self.states / (2 * least));
         if threads < 2 {
-            return self.run::<R, E, N>(level);
+            return self.run(level);
         }
         let shared = Shared {
             rest: Mutex::new((0, self)),
@@ -48,7 +49,7 @@ impl<F, B, A, O> Task<F, B, A, O> {
         // Not `join`, which hands all of the work to other threads where this one is none of rayon's: this one
         // begins at once, while others wake up.
         rayon::in_place_scope(|scope| {
-            shared.work::<R, E, N>(scope, threads - 1, level);
+            shared.work(scope, threads - 1, level);
             shared.await_others();
         });
         let failure = shared.failure.into_inner();
@@ -56,21 +57,14 @@ impl<F, B, A, O> Task<F, B, A, O> {
     }
 
     /// The first states, which are a task of their own.
-    fn take<R, E, const N: usize>(&mut self, states: usize) -> Self
-    where
-        F: Copy,
-        R: Function<F, N>,
-        E: Precision,
-        B: Arms<R>,
-        A: Arguments<R::Arguments, E>,
-        O: Sink<R::Values, E>,
-    {
+    fn take(&mut self, states: usize) -> Self {
         let (arguments, other_arguments) = self.arguments.split(states);
         let (arms, other_arms) = self.arms.split(states);
         self.arguments = other_arguments;
         self.arms = other_arms;
         self.states -= states;
         Task {
+            kind: PhantomData,
             function: self.function,
             arms,
             arguments,
@@ -80,10 +74,13 @@ impl<F, B, A, O> Task<F, B, A, O> {
     }
 }
 
+/// A part of the states, and the number of its first one.
+type Numbered<R, E, F, B, A, O, const N: usize> = (usize, Task<R, E, F, B, A, O, N>);
+
 /// States that several threads evaluate, each of which takes some whenever it has none.
-struct Shared<F, B, A, O> {
-    /// What nobody has taken yet, and the number of its first state.
-    rest: Mutex<(usize, Task<F, B, A, O>)>,
+struct Shared<R, E, F, B, A, O, const N: usize> {
+    /// What nobody has taken yet.
+    rest: Mutex<Numbered<R, E, F, B, A, O, N>>,
     failure: Mutex<Failure>,
     /// So many states at a time, at least.
     least: usize,
@@ -92,28 +89,28 @@ struct Shared<F, B, A, O> {
     at_work: AtomicUsize,
 }
 
-impl<F, B, A, O> Shared<F, B, A, O> {
+impl<R, E, F, B, A, O, const N: usize> Shared<R, E, F, B, A, O, N>
+where
+    R: Function<F, N>,
+    E: Precision,
+    F: Copy + Send,
+    B: Arms<R> + Send,
+    A: Arguments<R::Arguments, E>,
+    O: Sink<R::Values, E>,
+{
     /// Takes states until there are none left, beside so many other threads, each of which wakes up half of those
     /// that it is given.
-    fn work<'s, R, E, const N: usize>(&'s self, scope: &Scope<'s>, mut others: usize, level: Level)
-    where
-        F: Copy + Send + 's,
-        R: Function<F, N> + 's,
-        E: Precision,
-        B: Arms<R> + Send + 's,
-        A: Arguments<R::Arguments, E> + 's,
-        O: Sink<R::Values, E> + 's,
-    {
+    fn work<'s>(&'s self, scope: &Scope<'s>, mut others: usize, level: Level) {
         while others > 0 {
             let of_other = others / 2;
             scope.spawn(move |scope| {
-                self.work::<R, E, N>(scope, of_other, level);
+                self.work(scope, of_other, level);
                 self.at_work.fetch_sub(1, Ordering::Release);
             });
             others -= of_other + 1;
         }
-        while let Some((first, mut task)) = self.next::<R, E, N>() {
-            if let Some((state, error)) = task.run::<R, E, N>(level) {
+        while let Some((first, mut task)) = self.next() {
+            if let Some((state, error)) = task.run(level) {
                 let mut failure = self.failure.lock().unwrap_or_else(PoisonError::into_inner);
                 if failure
                     .as_ref()
@@ -138,20 +135,12 @@ impl<F, B, A, O> Shared<F, B, A, O> {
 
     /// A share of the states that are left: large ones at first, for each costs a little, and small ones at last, so
     /// that all threads end together.
-    fn next<R, E, const N: usize>(&self) -> Option<(usize, Task<F, B, A, O>)>
-    where
-        F: Copy,
-        R: Function<F, N>,
-        E: Precision,
-        B: Arms<R>,
-        A: Arguments<R::Arguments, E>,
-        O: Sink<R::Values, E>,
-    {
+    fn next(&self) -> Option<Numbered<R, E, F, B, A, O, N>> {
         let mut rest = self.rest.lock().unwrap_or_else(PoisonError::into_inner);
         let (first, task) = &mut *rest;
         let share = (task.states / (2 * self.threads)).max(self.least);
         let share = share.next_multiple_of(MOST_LANES).min(task.states);
-        let taken = (share > 0).then(|| (*first, task.take::<R, E, N>(share)));
+        let taken = (share > 0).then(|| (*first, task.take(share)));
         *first += share;
         taken
     }

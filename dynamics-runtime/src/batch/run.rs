@@ -1,5 +1,7 @@
 //! The loop over the groups of states that fill a vector register.
 
+use core::marker::PhantomData;
+
 use fearless_simd::{Level, Simd, dispatch};
 
 use super::LengthMismatch;
@@ -15,8 +17,10 @@ use crate::{Scalar, SingularMassMatrix};
 /// A state without a value, and why.
 pub(super) type Failure = Option<(usize, SingularMassMatrix)>;
 
-/// A function, the arms and the arguments that it is to be evaluated at, and where to.
-pub(super) struct Task<F, B, A, O> {
+/// A function of robots `R` with `N` joints, the arms and the arguments that it is to be evaluated at, and where to,
+/// as numbers of type `E`.
+pub(super) struct Task<R, E, F, B, A, O, const N: usize> {
+    pub(super) kind: PhantomData<fn() -> (R, E)>,
     pub(super) function: F,
     pub(super) arms: B,
     pub(super) arguments: A,
@@ -27,26 +31,27 @@ pub(super) struct Task<F, B, A, O> {
 /// What a function puts out, in an arithmetic.
 type Value<R, F, const N: usize, T> = Of<<R as Function<F, N>>::Values, T>;
 
-impl<F, B, A, O> Task<F, B, A, O> {
+impl<R, E, F, B, A, O, const N: usize> Task<R, E, F, B, A, O, N>
+where
+    R: Function<F, N>,
+    E: Precision,
+    F: Copy,
+    B: Arms<R>,
+    A: Arguments<R::Arguments, E>,
+    O: Sink<R::Values, E>,
+{
     /// The task, if all arguments, the arms and the results agree on the number of states: that of the
     /// first of them.
     ///
     /// Inlined into what is called for a batch, so that the slices go to memory one number at a time: a processor
     /// reads nothing for some ten nanoseconds of what was just written in smaller parts.
     #[inline(always)]
-    pub(super) fn new<R, E, const N: usize>(
+    pub(super) fn new(
         function: F,
         arms: B,
         arguments: A,
         results: O,
-    ) -> Result<Self, LengthMismatch>
-    where
-        R: Function<F, N>,
-        E: Precision,
-        B: Arms<R>,
-        A: Arguments<R::Arguments, E>,
-        O: Sink<R::Values, E>,
-    {
+    ) -> Result<Self, LengthMismatch> {
         let (mut expected, mut mismatch) = (None, None);
         let mut compare = |argument, states: usize| {
             let expected = *expected.get_or_insert(states);
@@ -73,6 +78,7 @@ impl<F, B, A, O> Task<F, B, A, O> {
         match mismatch {
             Some(mismatch) => Err(mismatch),
             None => Ok(Task {
+                kind: PhantomData,
                 function,
                 arms,
                 arguments,
@@ -84,47 +90,32 @@ impl<F, B, A, O> Task<F, B, A, O> {
 
     /// The function at every state, with the instructions of a level; the first state where it fails.
     #[inline(always)]
-    pub(super) fn run<R, E, const N: usize>(&mut self, level: Level) -> Failure
-    where
-        F: Copy,
-        R: Function<F, N>,
-        E: Precision,
-        B: Arms<R>,
-        A: Arguments<R::Arguments, E>,
-        O: Sink<R::Values, E>,
-    {
+    pub(super) fn run(&mut self, level: Level) -> Failure {
         if self.states == 0 {
             return None;
         }
         if !R::IN_LANES {
-            return self.in_turn::<R, E, N>();
+            return self.in_turn();
         }
         if self.states >= E::MOST_LANES {
-            return self.vectorised::<R, E, N>(level);
+            return self.vectorised(level);
         }
-        self.padded::<R, E, N>(level)
+        self.padded(level)
     }
 
     /// Fewer states than lanes.
     #[inline(never)]
-    fn padded<R, E, const N: usize>(&mut self, level: Level) -> Failure
-    where
-        F: Copy,
-        R: Function<F, N>,
-        E: Precision,
-        B: Arms<R>,
-        A: Arguments<R::Arguments, E>,
-        O: Sink<R::Values, E>,
-    {
+    fn padded(&mut self, level: Level) -> Failure {
         let (mut copies, mut values) = (A::room(), O::room());
-        let failure = Task {
+        let failure = Task::<R, E, _, _, _, _, N> {
+            kind: PhantomData,
             function: self.function,
             arms: self.arms,
             arguments: self.arguments.padded(self.states, &mut copies),
             results: O::elsewhere(&mut values),
             states: E::MOST_LANES,
         }
-        .vectorised::<R, E, N>(level);
+        .vectorised(level);
         let filled = O::elsewhere(&mut values);
         for state in 0..self.states {
             self.results.set(state, &filled.state(state));
@@ -134,18 +125,10 @@ impl<F, B, A, O> Task<F, B, A, O> {
     }
 
     /// State by state.
-    fn in_turn<R, E, const N: usize>(&mut self) -> Failure
-    where
-        F: Copy,
-        R: Function<F, N>,
-        E: Precision,
-        B: Arms<R>,
-        A: Arguments<R::Arguments, E>,
-        O: Sink<R::Values, E>,
-    {
+    fn in_turn(&mut self) -> Failure {
         let mut failure = None;
         for state in 0..self.states {
-            let value = self.at::<R, E, N>(state).unwrap_or_else(|error| {
+            let value = self.at(state).unwrap_or_else(|error| {
                 failure = failure.take().or(Some((state, error)));
                 R::Values::filled(E::from_f64(f64::NAN))
             });
@@ -155,31 +138,14 @@ impl<F, B, A, O> Task<F, B, A, O> {
     }
 
     #[inline(never)]
-    fn vectorised<R, E, const N: usize>(&mut self, level: Level) -> Failure
-    where
-        F: Copy,
-        R: Function<F, N>,
-        E: Precision,
-        B: Arms<R>,
-        A: Arguments<R::Arguments, E>,
-        O: Sink<R::Values, E>,
-    {
-        dispatch!(level, simd => self.groups::<R, E, _, N>(simd))
+    fn vectorised(&mut self, level: Level) -> Failure {
+        dispatch!(level, simd => self.groups(simd))
     }
 
     /// The function in lanes. The last group overlaps the one before it where the lanes do not divide
     /// the states; there are at least as many states as lanes.
     #[inline(always)]
-    fn groups<R, E, S, const N: usize>(&mut self, simd: S) -> Failure
-    where
-        F: Copy,
-        R: Function<F, N>,
-        E: Precision,
-        B: Arms<R>,
-        A: Arguments<R::Arguments, E>,
-        O: Sink<R::Values, E>,
-        S: Simd,
-    {
+    fn groups<S: Simd>(&mut self, simd: S) -> Failure {
         let last = self.states - lanes::<S, E>();
         let mut failure = None;
         let mut first = 0;
@@ -189,7 +155,7 @@ impl<F, B, A, O> Task<F, B, A, O> {
             match R::at(self.arms.arm(first), self.function, &inputs, &group) {
                 Ok(value) => self.results.store(first, &value),
                 Err(_) => {
-                    let (value, singular) = self.one_by_one::<R, E, S, N>(first);
+                    let (value, singular) = self.one_by_one::<S>(first);
                     self.results.store(first, &value);
                     failure = failure.or(singular);
                 }
@@ -204,22 +170,11 @@ impl<F, B, A, O> Task<F, B, A, O> {
     /// A group in which a state fails: each by itself, so that none spoils another.
     #[cold]
     #[inline(never)]
-    fn one_by_one<R, E, S, const N: usize>(
-        &self,
-        first: usize,
-    ) -> (Value<R, F, N, Wide<S, E>>, Failure)
-    where
-        F: Copy,
-        R: Function<F, N>,
-        E: Precision,
-        B: Arms<R>,
-        A: Arguments<R::Arguments, E>,
-        S: Simd,
-    {
+    fn one_by_one<S: Simd>(&self, first: usize) -> (Value<R, F, N, Wide<S, E>>, Failure) {
         let mut values = R::Values::filled(Wide::<S, E>::from_f64(f64::NAN));
         let mut failure = None;
         for lane in 0..lanes::<S, E>() {
-            match self.at::<R, E, N>(first + lane) {
+            match self.at(first + lane) {
                 Ok(value) => {
                     let set = &mut |lanes: &mut Wide<S, E>, x| lanes.0[lane] = x;
                     R::Values::zip(&mut values, &value, set);
@@ -232,17 +187,7 @@ impl<F, B, A, O> Task<F, B, A, O> {
 
     /// The function at a state, compiled once for all instruction sets.
     #[inline(never)]
-    fn at<R, E, const N: usize>(
-        &self,
-        state: usize,
-    ) -> Result<Value<R, F, N, E>, SingularMassMatrix>
-    where
-        F: Copy,
-        R: Function<F, N>,
-        E: Precision,
-        B: Arms<R>,
-        A: Arguments<R::Arguments, E>,
-    {
+    fn at(&self, state: usize) -> Result<Value<R, F, N, E>, SingularMassMatrix> {
         let arguments = self.arguments.state(state);
         R::at(self.arms.arm(state), self.function, &Evaluated, &arguments).map_err(Into::into)
     }

@@ -83,8 +83,8 @@ where
     let mut values = vec![SVector::repeat(7.0); a.len()];
     let arguments = (a.source(), b.source(), c.source());
     let results = StatesMut::<Entries<N, 1>>::sink(&mut values);
-    let task = Task::new::<R, f64, N>(function, Same(robot), arguments, results);
-    let failure = task.expect("all as long").run::<R, f64, N>(level);
+    let task = Task::<R, f64, _, _, _, _, N>::new(function, Same(robot), arguments, results);
+    let failure = task.expect("all as long").run(level);
     (values, failure)
 }
 
@@ -239,12 +239,18 @@ fn matrices_come_in_either_layout() {
             let views = q_columns.each_ref().map(|column| &column[..]);
             let rows_sink = StatesMut::<Entries<3, 3>>::sink(&mut rows);
             let by_rows = ((&q).source(),);
-            let task = Task::new::<Operations, f64, 3>(M, Same(&Operations), by_rows, rows_sink);
-            task.unwrap().run::<Operations, f64, 3>(level);
+            let task = Task::<Operations, f64, _, _, _, _, 3>::new(
+                M,
+                Same(&Operations),
+                by_rows,
+                rows_sink,
+            );
+            task.unwrap().run(level);
             let sink = StatesMut::<Entries<3, 3>>::sink(columns);
             let by_columns = (views.source(),);
-            let task = Task::new::<Operations, f64, 3>(M, Same(&Operations), by_columns, sink);
-            task.unwrap().run::<Operations, f64, 3>(level);
+            let task =
+                Task::<Operations, f64, _, _, _, _, 3>::new(M, Same(&Operations), by_columns, sink);
+            task.unwrap().run(level);
             for (state, q) in q.iter().enumerate() {
                 let expected = Operations.mass_matrix(q);
                 assert_eq!(rows[state], expected, "{level:?}");
