@@ -9,9 +9,11 @@ mkdir -p "$2"
 folder=$(realpath "$2")
 cd "$(dirname "$0")"
 functions=inverse_dynamics,mass_matrix,coriolis_vector,gravity_vector,forward_dynamics
+# Named by its manifest: this folder lies in a workspace of its own.
+root=../../..
 for arm in two_link_saha elbow_3r stanford puma560 ur5 panda; do
-  cargo run --quiet -p dynamics-cli -- generate "../../../tests/data/robots/$arm.json" --functions "$functions" \
-    --lang c --out "$folder"
+  cargo run --quiet --manifest-path "$root/Cargo.toml" -p dynamics-cli -- \
+    generate "$root/tests/data/robots/$arm.json" --functions "$functions" --lang c --out "$folder"
 done
 for pair in gcc:g++ clang:clang++; do
   c=${pair%:*} cpp=${pair#*:}
