@@ -13,7 +13,7 @@ functions=inverse_dynamics,mass_matrix,coriolis_vector,gravity_vector,forward_dy
 root=../../..
 for arm in two_link_saha elbow_3r stanford puma560 ur5 panda; do
   cargo run --quiet --manifest-path "$root/Cargo.toml" -p dynamics-cli -- \
-    generate "$root/tests/data/robots/$arm.json" --functions "$functions" --lang c --out "$folder"
+    generate "$root/tests/data/robots/$arm.json" --functions "$functions" --lang c --out "$folder" >/dev/null
 done
 for pair in gcc:g++ clang:clang++; do
   c=${pair%:*} cpp=${pair#*:}
