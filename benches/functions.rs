@@ -8,10 +8,7 @@
 use divan::{Bencher, black_box, counter::ItemsCount};
 use robot_dynamics::NewtonEuler;
 use robot_dynamics::nalgebra::{SVector, Vector6};
-use robots::{
-    Arguments, Elbow3r, Panda, Puma560, Stanford, TwoLinkSaha, Ur5, each_function,
-    for_each_measured_arm,
-};
+use robots::{Arguments, Elbow3r, Panda, Puma560, Stanford, TwoLinkSaha, Ur5, each_function};
 
 const STATES: usize = 64;
 
@@ -98,7 +95,7 @@ macro_rules! bench_robots {
     )*};
 }
 
-for_each_measured_arm!(bench_robots);
+measured_arms::for_each_arm!(bench_robots);
 
 fn main() {
     divan::main();

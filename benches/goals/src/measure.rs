@@ -5,9 +5,9 @@ use clock::Effort;
 use robot_dynamics::nalgebra::{SMatrix, SVector};
 use robot_dynamics::{Batch, DoubleDouble, Scalar};
 
-use crate::arms::*;
 use crate::columns::{Columns, Numbers, views_mut, zeros};
 use crate::five::{Five, NAMES, calls, values};
+use measured_arms::*;
 
 /// The states at which a function is evaluated in turn, and those of a batch: all fit into the first cache.
 const STATES: usize = 64;

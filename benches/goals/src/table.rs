@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 use std::fs;
 
-use crate::arms::*;
 use crate::five::NAMES;
+use measured_arms::*;
 
 macro_rules! names {
     ($($file:ident: $arm:ident, $n:literal;)*) => { [$(stringify!($file)),*] };

@@ -5,7 +5,6 @@
 //! each `measure` in turn, and has one of them print the `report`, `docs/PERFORMANCE.md`. To measure
 //! one build by hand: `cargo run --release -- measure`.
 
-mod arms;
 mod candidates;
 mod errors;
 mod measure;

@@ -7,11 +7,11 @@ use robot_dynamics::{
     NewtonEuler, State,
 };
 
-use crate::arms::*;
 use crate::candidates::{Candidate, Columns, Dynibo, Lanes, Values};
 use crate::errors::errors;
 use crate::others::rounding_error;
 use crate::timing::{STATES, states};
+use measured_arms::*;
 
 /// The functions that every candidate has.
 pub(crate) const FUNCTIONS: [&str; 5] = [

@@ -13,7 +13,6 @@ mod frames;
 mod generic;
 mod industrial;
 mod joint_forces;
-mod measured;
 mod textbook;
 mod three_axis;
 

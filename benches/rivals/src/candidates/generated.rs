@@ -3,8 +3,8 @@
 use robot_dynamics::nalgebra::{SMatrix, SVector};
 
 use super::Candidate;
-use crate::arms::*;
 use crate::measure::GENERATED;
+use measured_arms::*;
 
 macro_rules! candidates {
     ($($file:ident: $arm:ident, $n:literal;)*) => {$(

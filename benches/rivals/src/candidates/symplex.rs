@@ -7,7 +7,7 @@ use robot_dynamics::nalgebra::{SMatrix, SVector};
 use robot_dynamics::{Model, NewtonEuler};
 
 use super::Candidate;
-use crate::arms::*;
+use measured_arms::*;
 
 #[allow(clippy::all, unused)]
 mod code {

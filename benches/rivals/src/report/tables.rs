@@ -5,8 +5,8 @@ use std::fmt::Write;
 use testkit::table::Table;
 
 use super::records::Records;
-use crate::arms::for_each_arm;
 use crate::measure::{FUNCTIONS, GENERATED, GROUPS};
+use measured_arms::for_each_arm;
 
 macro_rules! names {
     ($($file:ident: $arm:ident, $n:literal;)*) => { [$(stringify!($file)),*] };

@@ -3,7 +3,7 @@
 /// Hands every arm that is measured to the macro `$then`: the name of its files in `tests/data`, its type, its
 /// number of joints.
 #[macro_export]
-macro_rules! for_each_measured_arm {
+macro_rules! for_each_arm {
     ($then:ident) => {
         $then! {
             two_link_saha: TwoLinkSaha, 2;
