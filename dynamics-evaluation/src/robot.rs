@@ -30,15 +30,9 @@ use crate::value::Value;
 /// let zero = Value::zero;
 /// // A mass that hangs from a horizontal axis: its mass is a field, its distance 1/2 m.
 /// let row = Row {
-///     name: "pivot".to_owned(),
-///     joint_type: JointType::Revolute,
-///     a: zero(), alpha: zero(), d: zero(), theta: zero(),
 ///     mass: Value::field(0),
 ///     com: [Value::integer(1).checked_div(Value::integer(2)).unwrap(), zero(), zero()],
-///     inertia: [(); 6].map(|()| zero()),
-///     motor_inertia: zero(), gear_ratio: zero(),
-///     viscous: zero(), coulomb: [zero(), zero()], stribeck: None, spring: None,
-///     limits: None, locked: None, follows: None, mount: None,
+///     ..Row::new("pivot", JointType::Revolute)
 /// };
 /// let robot = Robot {
 ///     name: "Pendulum".to_owned(),
@@ -75,7 +69,7 @@ pub(crate) struct Compiled {
     tape: Tape,
     stages: Vec<Stage>,
     /// The numbers that all states share, for the present values of the fields.
-    shared: Vec<f64>,
+    pub(crate) shared: Vec<f64>,
 }
 
 /// Slots of blocks.

@@ -46,8 +46,6 @@ impl Cells<'_> {
             false => JointType::Prismatic,
         };
         Ok(Row {
-            name: format!("joint{i}"),
-            joint_type,
             a: self.cell()?,
             alpha: self.angle()?,
             d: self.cell()?,
@@ -61,10 +59,7 @@ impl Cells<'_> {
             coulomb: [self.positive()?, self.positive()?],
             stribeck: self.stribeck()?,
             spring: self.spring()?,
-            limits: None,
-            locked: None,
-            mount: None,
-            follows: None,
+            ..Row::new(format!("joint{i}"), joint_type)
         })
     }
 

@@ -163,25 +163,10 @@ mod tests {
     fn one_joint(mass: Value) -> Robot {
         let zero = Value::zero;
         let row = Row {
-            name: "joint".to_owned(),
-            joint_type: JointType::Revolute,
             a: Value::integer(1),
-            alpha: zero(),
-            d: zero(),
-            theta: zero(),
             mass,
-            com: [(); 3].map(|()| zero()),
-            inertia: [(); 6].map(|()| zero()),
-            motor_inertia: zero(),
             gear_ratio: Value::integer(1),
-            viscous: zero(),
-            coulomb: [(); 2].map(|()| zero()),
-            stribeck: None,
-            spring: None,
-            limits: None,
-            locked: None,
-            mount: None,
-            follows: None,
+            ..Row::new("joint", JointType::Revolute)
         };
         Robot {
             name: "Pendulum".to_owned(),

@@ -95,6 +95,32 @@ pub struct Row {
 }
 
 impl Row {
+    /// A row of zeros: a link without mass in the place of the one before it.
+    pub fn new(name: impl Into<String>, joint_type: JointType) -> Self {
+        let zero = Value::zero;
+        Row {
+            name: name.into(),
+            joint_type,
+            a: zero(),
+            alpha: zero(),
+            d: zero(),
+            theta: zero(),
+            mass: zero(),
+            com: [(); 3].map(|()| zero()),
+            inertia: [(); 6].map(|()| zero()),
+            motor_inertia: zero(),
+            gear_ratio: zero(),
+            viscous: zero(),
+            coulomb: [zero(), zero()],
+            stribeck: None,
+            spring: None,
+            limits: None,
+            locked: None,
+            mount: None,
+            follows: None,
+        }
+    }
+
     /// Whether the joint is one of the arm's degrees of freedom: it moves, and follows no other.
     pub fn is_free(&self) -> bool {
         self.locked.is_none() && self.follows.is_none()

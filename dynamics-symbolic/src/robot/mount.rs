@@ -379,26 +379,8 @@ fn rotation(rpy: [Value; 3]) -> Placement {
 
 /// A row that stands still: a place between two axes, with no body.
 fn fixed() -> Row {
-    let zero = Value::zero;
     Row {
-        name: String::new(),
-        joint_type: JointType::Revolute,
-        a: zero(),
-        alpha: zero(),
-        d: zero(),
-        theta: zero(),
-        mass: zero(),
-        com: [0; 3].map(Value::integer),
-        inertia: [0; 6].map(Value::integer),
-        motor_inertia: zero(),
-        gear_ratio: zero(),
-        viscous: zero(),
-        coulomb: [zero(), zero()],
-        stribeck: None,
-        spring: None,
-        limits: None,
-        locked: Some(zero()),
-        follows: None,
-        mount: None,
+        locked: Some(Value::zero()),
+        ..Row::new("", JointType::Revolute)
     }
 }

@@ -131,10 +131,7 @@ fn base_parameters_hold_for_any_inertia() {
 }
 
 fn row(joint_type: JointType, [a, alpha, d, theta]: [Value; 4]) -> Row {
-    let zero = Value::zero;
     Row {
-        name: "joint".to_owned(),
-        joint_type,
         a,
         alpha,
         d,
@@ -142,16 +139,7 @@ fn row(joint_type: JointType, [a, alpha, d, theta]: [Value; 4]) -> Row {
         mass: Value::integer(1),
         com: [1, 2, 3].map(Value::integer),
         inertia: [7, 8, 9, 1, 2, 3].map(Value::integer),
-        motor_inertia: zero(),
-        gear_ratio: zero(),
-        viscous: zero(),
-        coulomb: [(); 2].map(|()| zero()),
-        stribeck: None,
-        spring: None,
-        limits: None,
-        locked: None,
-        mount: None,
-        follows: None,
+        ..Row::new("joint", joint_type)
     }
 }
 

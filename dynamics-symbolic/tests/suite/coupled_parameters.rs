@@ -180,10 +180,7 @@ fn count_without_couplings(robot: &Robot) -> usize {
 }
 
 fn row(name: &str, joint_type: JointType, [a, alpha, d, theta]: [Value; 4]) -> Row {
-    let zero = Value::zero;
     Row {
-        name: name.to_owned(),
-        joint_type,
         a,
         alpha,
         d,
@@ -195,16 +192,7 @@ fn row(name: &str, joint_type: JointType, [a, alpha, d, theta]: [Value; 4]) -> R
             arms::decimal(-0.03),
         ],
         inertia: [0.3, 0.4, 0.5, 0.01, -0.02, 0.03].map(arms::decimal),
-        motor_inertia: zero(),
-        gear_ratio: zero(),
-        viscous: zero(),
-        coulomb: [(); 2].map(|()| zero()),
-        stribeck: None,
-        spring: None,
-        limits: None,
-        locked: None,
-        mount: None,
-        follows: None,
+        ..Row::new(name, joint_type)
     }
 }
 

@@ -33,7 +33,6 @@ impl Arms {
         let [xy, yz, xz] = [(); 3].map(|()| Value::zero());
         let quarters = [0, 0, 1, -1][self.below(4) as usize];
         Row {
-            joint_type,
             a: self.hundredths(60),
             alpha: Value::Pi * ratio(quarters, 2),
             d: self.hundredths(25),
@@ -41,7 +40,7 @@ impl Arms {
             com: [40, 20, 15].map(|limit| self.hundredths(limit)),
             inertia: [xx, yy, zz, xy, yz, xz],
             limits: (joint_type == JointType::Prismatic).then(|| [ratio(-3, 10), ratio(5, 10)]),
-            ..massless(&format!("joint{i}"))
+            ..Row::new(format!("joint{i}"), joint_type)
         }
     }
 
@@ -53,30 +52,6 @@ impl Arms {
 
 fn ratio(n: i64, d: u64) -> Value {
     Value::Rational(Rational::from_parts(n.into(), d.into()))
-}
-
-fn massless(name: &str) -> Row {
-    Row {
-        name: name.to_owned(),
-        joint_type: JointType::Revolute,
-        a: Value::zero(),
-        alpha: Value::zero(),
-        d: Value::zero(),
-        theta: Value::zero(),
-        mass: Value::zero(),
-        com: [(); 3].map(|()| Value::zero()),
-        inertia: [(); 6].map(|()| Value::zero()),
-        motor_inertia: Value::zero(),
-        gear_ratio: Value::zero(),
-        viscous: Value::zero(),
-        coulomb: [(); 2].map(|()| Value::zero()),
-        stribeck: None,
-        spring: None,
-        limits: None,
-        locked: None,
-        mount: None,
-        follows: None,
-    }
 }
 
 fn arm(rows: Vec<Row>) -> Robot {
@@ -217,7 +192,7 @@ fn an_indefinite_mass_matrix_between_the_samples_is_refused() {
         com: com.map(|x| ratio(x, 100)),
         inertia: [0, 1, 2, 3, 4, 5]
             .map(|i| inertia.get(i).map_or(Value::zero(), |&x| ratio(x, 10_000))),
-        ..massless("joint")
+        ..Row::new("joint", JointType::Revolute)
     };
     let robot = arm(vec![
         row(57, 0, 22, 285, [-36, -19, 7], [136, 90, 61]),

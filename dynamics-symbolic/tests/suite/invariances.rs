@@ -264,31 +264,6 @@ fn reversing_an_axis_changes_signs() {
     }
 }
 
-/// A link without mass in the place of the link before it.
-fn massless_row(joint_type: JointType) -> Row {
-    Row {
-        name: "extra".to_owned(),
-        joint_type,
-        a: Value::zero(),
-        alpha: Value::zero(),
-        d: Value::zero(),
-        theta: Value::zero(),
-        mass: Value::zero(),
-        com: [(); 3].map(|()| Value::zero()),
-        inertia: [(); 6].map(|()| Value::zero()),
-        motor_inertia: Value::zero(),
-        gear_ratio: Value::zero(),
-        viscous: Value::zero(),
-        coulomb: [(); 2].map(|()| Value::zero()),
-        stribeck: None,
-        spring: None,
-        limits: None,
-        locked: None,
-        mount: None,
-        follows: None,
-    }
-}
-
 /// The joint that a table's row has one more of, by turns.
 fn extra(tables: &mut Tables) -> JointType {
     match tables.below(2) {
@@ -319,7 +294,7 @@ fn a_massless_link_at_the_tip_changes_nothing() {
     for (robot, mut point, mut tables) in arms(3, 1) {
         let n = robot.rows.len();
         let mut arm = robot.clone();
-        let mut row = massless_row(extra(&mut tables));
+        let mut row = Row::new("extra", extra(&mut tables));
         (row.a, row.alpha, row.d) = (tables.number(), tables.number(), tables.number());
         arm.rows.push(row);
         let mut random = SplitMix64::new(tables.below(1 << 40));
@@ -388,7 +363,7 @@ fn splitting_a_link_changes_nothing() {
         carry(&mut robot.rows[i], joined(&parts[0], &parts[1]));
         let [first, second] = parts;
         carry(&mut split.rows[i], first);
-        let mut row = massless_row(extra(&mut tables));
+        let mut row = Row::new("extra", extra(&mut tables));
         carry(&mut row, second);
         split.rows.insert(i + 1, row);
         let whole = point.clone();

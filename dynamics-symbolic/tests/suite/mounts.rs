@@ -63,34 +63,21 @@ impl Random {
 
     fn row(&mut self, index: usize) -> Row {
         let places = 1 + self.below(2);
-        let zero = Value::zero;
+        let joint_type = match self.below(4) {
+            0 => JointType::Prismatic,
+            _ => JointType::Revolute,
+        };
         Row {
-            name: format!("joint{index}"),
-            joint_type: match self.below(4) {
-                0 => JointType::Prismatic,
-                _ => JointType::Revolute,
-            },
-            a: zero(),
-            alpha: zero(),
-            d: zero(),
-            theta: zero(),
             mass: self.decimal(),
             com: [(); 3].map(|()| self.length()),
             inertia: [(); 6].map(|()| self.decimal()),
-            motor_inertia: zero(),
-            gear_ratio: zero(),
-            viscous: zero(),
-            coulomb: [zero(), zero()],
-            stribeck: None,
-            spring: None,
-            limits: None,
             locked: (self.below(6) == 0).then(|| self.decimal()),
             mount: Some(Mount {
                 places: (0..places).map(|_| self.place()).collect(),
                 axis: [self.angle(), self.angle()],
                 frame: Vec::new(),
             }),
-            follows: None,
+            ..Row::new(format!("joint{index}"), joint_type)
         }
     }
 

@@ -130,12 +130,7 @@ fn derivatives_are_those_of_the_textbook_s_torques() {
 fn planar_link(name: &str, a: Value, mass: Value, com_x: Value, inertia_zz: Value) -> Row {
     let zero = Value::zero;
     Row {
-        name: name.to_owned(),
-        joint_type: JointType::Revolute,
         a,
-        alpha: zero(),
-        d: zero(),
-        theta: zero(),
         mass,
         com: [com_x, zero(), zero()],
         inertia: [
@@ -146,16 +141,8 @@ fn planar_link(name: &str, a: Value, mass: Value, com_x: Value, inertia_zz: Valu
             zero(),
             zero(),
         ],
-        motor_inertia: zero(),
         gear_ratio: Value::integer(1),
-        viscous: zero(),
-        coulomb: [(); 2].map(|()| zero()),
-        stribeck: None,
-        spring: None,
-        limits: None,
-        locked: None,
-        mount: None,
-        follows: None,
+        ..Row::new(name, JointType::Revolute)
     }
 }
 

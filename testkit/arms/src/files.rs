@@ -74,11 +74,6 @@ pub fn robot(name: &str) -> Robot {
         .iter()
         .enumerate()
         .map(|(i, row)| Row {
-            name: format!("joint{}", i + 1),
-            joint_type: match row["type"].as_str().unwrap() {
-                "revolute" => JointType::Revolute,
-                _ => JointType::Prismatic,
-            },
             a: cell(row, "a"),
             alpha: cell(row, "alpha"),
             d: cell(row, "d"),
@@ -94,12 +89,7 @@ pub fn robot(name: &str) -> Robot {
             },
             viscous: cell(row, "viscous"),
             coulomb: [(); 2].map(|()| cell(row, "coulomb")),
-            stribeck: None,
-            spring: None,
-            limits: None,
-            locked: None,
-            mount: None,
-            follows: None,
+            ..Row::new(format!("joint{}", i + 1), joint_type(row))
         });
     Robot {
         name: name.to_owned(),
@@ -118,6 +108,13 @@ pub fn robot(name: &str) -> Robot {
             com: cells(&tool["com"]),
             inertia: cells(&tool["inertia"]),
         }),
+    }
+}
+
+fn joint_type(row: &Json) -> JointType {
+    match row["type"].as_str().unwrap() {
+        "revolute" => JointType::Revolute,
+        _ => JointType::Prismatic,
     }
 }
 

@@ -24,8 +24,6 @@ pub fn generic_chain(joints: usize) -> Robot {
 fn row(k: i64) -> Row {
     let alternating = if k % 2 == 1 { 1 } else { -1 };
     Row {
-        name: format!("joint{k}"),
-        joint_type: JointType::Revolute,
         a: thousandths(100 + 10 * (7 * k % 11)),
         alpha: thousandths(100 * (11 * k % 25 - 12)),
         d: thousandths(alternating * (50 + 10 * (5 * k % 13))),
@@ -33,16 +31,7 @@ fn row(k: i64) -> Row {
         mass: thousandths(500 + 100 * (13 * k % 31)),
         com: com(k, alternating).map(thousandths),
         inertia: inertia(k).map(ten_thousandths),
-        motor_inertia: thousandths(0),
-        gear_ratio: thousandths(0),
-        viscous: thousandths(0),
-        coulomb: [(); 2].map(|()| thousandths(0)),
-        stribeck: None,
-        spring: None,
-        limits: None,
-        locked: None,
-        mount: None,
-        follows: None,
+        ..Row::new(format!("joint{k}"), JointType::Revolute)
     }
 }
 

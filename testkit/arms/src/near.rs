@@ -136,8 +136,6 @@ impl Arms {
         let [xx, yy, zz] = diagonal;
         let [xy, yz, xz] = [(); 3].map(|()| Value::zero());
         Row {
-            name: format!("joint{i}"),
-            joint_type,
             a: self.length(),
             alpha: self.angle(),
             d: self.length(),
@@ -148,13 +146,7 @@ impl Arms {
             motor_inertia: self.positive(),
             gear_ratio: Value::integer(self.below(3) as i64 * 20),
             viscous: self.positive(),
-            coulomb: [(); 2].map(|()| Value::zero()),
-            stribeck: None,
-            spring: None,
-            limits: None,
-            locked: None,
-            mount: None,
-            follows: None,
+            ..Row::new(format!("joint{i}"), joint_type)
         }
     }
 

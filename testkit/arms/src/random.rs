@@ -134,8 +134,6 @@ impl Tables {
             _ => JointType::Revolute,
         };
         Row {
-            name: format!("joint{i}"),
-            joint_type,
             a: match self.meeting && self.below(6) > 0 {
                 true => Value::zero(),
                 false => self.cell(),
@@ -153,12 +151,7 @@ impl Tables {
                 let coulomb = self.cell();
                 [coulomb.clone(), coulomb]
             },
-            stribeck: None,
-            spring: None,
-            limits: None,
-            locked: None,
-            mount: None,
-            follows: None,
+            ..Row::new(format!("joint{i}"), joint_type)
         }
     }
 

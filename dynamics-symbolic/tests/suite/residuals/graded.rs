@@ -10,30 +10,6 @@ fn ratio(n: i64, d: u64) -> Value {
     Value::Rational(Rational::from_parts(n.into(), d.into()))
 }
 
-fn zero_row(name: &str, joint_type: JointType) -> Row {
-    Row {
-        name: name.to_owned(),
-        joint_type,
-        a: Value::zero(),
-        alpha: Value::zero(),
-        d: Value::zero(),
-        theta: Value::zero(),
-        mass: Value::zero(),
-        com: [(); 3].map(|()| Value::zero()),
-        inertia: [(); 6].map(|()| Value::zero()),
-        motor_inertia: Value::zero(),
-        gear_ratio: Value::zero(),
-        viscous: Value::zero(),
-        coulomb: [(); 2].map(|()| Value::zero()),
-        stribeck: None,
-        spring: None,
-        limits: None,
-        locked: None,
-        mount: None,
-        follows: None,
-    }
-}
-
 fn quarters(n: i64) -> Value {
     Value::Pi * ratio(n, 2)
 }
@@ -62,7 +38,7 @@ pub(crate) fn antiparallel() -> Robot {
                 coulomb: [(); 2].map(|()| ratio(31074618642011385, 10_000_000_000_000_000)),
                 inertia: tensor([(1, ratio(167, 1000)), (0, none()), (2, none())]),
                 alpha: quarters(1),
-                ..zero_row("j0", Revolute)
+                ..Row::new("j0", Revolute)
             },
             Row {
                 motor_inertia: ratio(43238972770729646, 10_000_000_000_000_000_000),
@@ -74,14 +50,14 @@ pub(crate) fn antiparallel() -> Robot {
                     (1, none()),
                     (2, none()),
                 ]),
-                ..zero_row("j1", Revolute)
+                ..Row::new("j1", Revolute)
             },
             Row {
                 alpha: quarters(1),
                 d: ratio(428, 1000),
                 viscous: ratio(2023, 1000),
                 mass: ratio(2038, 1000),
-                ..zero_row("j2", Prismatic)
+                ..Row::new("j2", Prismatic)
             },
             Row {
                 inertia: tensor([
@@ -95,7 +71,7 @@ pub(crate) fn antiparallel() -> Robot {
                 mass: ratio(43353853427694711, 10_000_000_000_000_000),
                 theta: ratio(-11, 10),
                 viscous: ratio(1073, 1000),
-                ..zero_row("j3", Prismatic)
+                ..Row::new("j3", Prismatic)
             },
         ],
         neglected: None,
@@ -180,7 +156,7 @@ impl Arms {
                 Value::zero()
             },
             gear_ratio: Value::integer(i64::from(is_geared)),
-            ..zero_row(&format!("joint{i}"), joint_type)
+            ..Row::new(format!("joint{i}"), joint_type)
         }
     }
 
