@@ -68,14 +68,14 @@ fn parts(target: &Target, request: &Request, fused: &Fused) -> TokenStream {
 
 /// An evaluation with these fields and those that follow from them.
 fn combined(target: &Target, fields: impl Iterator<Item = TokenStream>) -> TokenStream {
-    let path = target.path;
+    let (path, qd) = (target.path, at_state(target, Argument::Velocity));
     quote! {
         #path::Evaluation::combined(
             #path::Evaluation {
                 #(#fields)*
                 ..::core::default::Default::default()
             },
-            &state.qd.map(real),
+            #qd,
         )
     }
 }
@@ -100,7 +100,9 @@ fn held(target: &Target, function: Function, value: TokenStream) -> TokenStream 
     let path = target.path;
     match function.shape() {
         _ if function.row().growth == Growth::Cubic => quote!(#path::boxed(#value)),
-        Shape::Matrix(Size::Parameters, Size::One) => quote!(<[_]>::to_vec(#value.as_slice())),
+        Shape::Matrix(Size::Parameters, Size::One) => {
+            quote!(<[_]>::to_vec(#path::nalgebra::Matrix::as_slice(&#value)))
+        }
         Shape::Tuple([Shape::Matrix(Size::Parameters, Size::One), ..]) => {
             quote!(#path::vectors(&#value))
         }
@@ -110,19 +112,22 @@ fn held(target: &Target, function: Function, value: TokenStream) -> TokenStream 
     }
 }
 
-/// An argument at the state that is compared.
+/// An argument at the state that is compared. Its methods are called by their paths: behind a point, one of that name of
+/// a trait that is in scope around the table could come first.
 fn at_state(target: &Target, argument: Argument) -> TokenStream {
     let (path, n) = (target.path, target.n());
-    match argument {
-        Argument::Position => quote!(&state.q.map(real)),
-        Argument::Velocity => quote!(&state.qd.map(real)),
-        Argument::Acceleration => quote!(&state.qdd.map(real)),
-        Argument::Force => quote!(&tau.map(real)),
-        Argument::ReferenceVelocity => quote!(&state.reference_velocity().map(real)),
-        Argument::ReferenceAcceleration => quote!(&state.reference_acceleration().map(real)),
-        Argument::Jerk => quote!(&state.jerk().map(real)),
-        Argument::Snap => quote!(&state.snap().map(real)),
-        Argument::Wrench => quote!(&#path::State::<#n>::wrench().map(real)),
-        Argument::Order => quote!(#path::Evaluation::<#n>::TAYLOR_ORDER),
-    }
+    let state = quote!(#path::State::<#n>);
+    let vector = match argument {
+        Argument::Position => quote!(&state.q),
+        Argument::Velocity => quote!(&state.qd),
+        Argument::Acceleration => quote!(&state.qdd),
+        Argument::Force => quote!(tau),
+        Argument::ReferenceVelocity => quote!(&#state::reference_velocity(state)),
+        Argument::ReferenceAcceleration => quote!(&#state::reference_acceleration(state)),
+        Argument::Jerk => quote!(&#state::jerk(state)),
+        Argument::Snap => quote!(&#state::snap(state)),
+        Argument::Wrench => quote!(&#state::wrench()),
+        Argument::Order => return quote!(#path::Evaluation::<#n>::TAYLOR_ORDER),
+    };
+    quote!(&#path::nalgebra::Matrix::map(#vector, real))
 }

@@ -43,6 +43,8 @@ struct Series<'p> {
     robot: &'p Robot,
     program: &'p Program,
     constants: &'p [f64],
+    /// The path of the runtime.
+    path: &'p TokenStream,
     kinds: Vec<Kind>,
     /// The slot of each product of two series.
     slots: Vec<Option<usize>>,
@@ -69,8 +71,8 @@ pub(super) fn items(
     constants: &[f64],
     path: &TokenStream,
 ) -> TokenStream {
-    let series = Series::new(robot, program, constants);
-    let body = series.body(path);
+    let series = Series::new(robot, program, constants, path);
+    let body = series.body();
     let multiples = series.multiples().count();
     declarations(series.blocks, multiples, robot.dof(), path, &body)
 }
@@ -98,13 +100,19 @@ pub(super) fn declarations(
 }
 
 impl<'p> Series<'p> {
-    fn new(robot: &'p Robot, program: &'p Program, constants: &'p [f64]) -> Self {
+    fn new(
+        robot: &'p Robot,
+        program: &'p Program,
+        constants: &'p [f64],
+        path: &'p TokenStream,
+    ) -> Self {
         let angles = program.angles();
         let name = |symbol: &Symbol| ident(&inputs::input_name(robot, symbol, &angles));
         let mut series = Series {
             robot,
             program,
             constants,
+            path,
             kinds: Vec::with_capacity(program.instructions.len()),
             slots: Vec::with_capacity(program.instructions.len()),
             swapped: vec![false; program.instructions.len()],
@@ -230,8 +238,8 @@ impl<'p> Series<'p> {
         }
     }
 
-    fn body(&self, path: &TokenStream) -> TokenStream {
-        let [term, real, x] = ["term", "real", "x"].map(ident);
+    fn body(&self) -> TokenStream {
+        let (path, [real, x]) = (self.path, ["real", "x"].map(ident));
         let constants = inputs::constant_inputs(self.robot, self.program, path);
         let (known, moved): (Vec<_>, Vec<_>) =
             (0..self.program.instructions.len()).partition(|&i| self.kinds[i] != Kind::Moved);
@@ -239,23 +247,23 @@ impl<'p> Series<'p> {
         let feeding: Vec<_> = feeding
             .filter(|&i| self.feeds_products[i] || self.slots[i].is_some())
             .collect();
-        let known_inputs = self.inputs_of(Kind::Known, path);
-        let moved_inputs = self.inputs_of(Kind::Moved, path);
-        let multiples = self.read_multiples(path);
+        let known_inputs = self.inputs_of(Kind::Known);
+        let moved_inputs = self.inputs_of(Kind::Moved);
+        let multiples = self.read_multiples();
         let known = self.lines(&known, STORED);
         let trial = self.lines(&moved, TRIAL);
         let stored = self.lines(&feeding, STORED);
         let forces_name = ident("forces");
         let turns = self.turns.iter().enumerate().map(|(count, &joint)| {
             let slot = Literal::usize_unsuffixed(self.turning + 2 * count);
-            match self.followed(joint, path) {
+            match self.followed(joint) {
                 Some((leader, factor)) => {
                     let index = self.index_of_multiple(joint);
-                    quote!(#term.turn_multiple(#index, #leader, #factor, #slot);)
+                    self.of_term("turn_multiple", quote!(#index, #leader, #factor, #slot))
                 }
                 None => {
                     let joint = Literal::usize_unsuffixed(joint);
-                    quote!(#term.turn(#joint, #slot);)
+                    self.of_term("turn", quote!(#joint, #slot))
                 }
             }
         });
@@ -267,22 +275,24 @@ impl<'p> Series<'p> {
                 value
             }
         });
+        let like = self.of_term("like", quote!());
+        let solve = self.of_term("solve", quote!(#forces_name));
         quote! {
             let #real = {
-                let #x = #path::SeriesTerm::like(#term);
+                let #x = #like;
                 move |x: f64| #path::Scalar::constant(#x, x)
             };
             #constants
             #known_inputs
             #multiples
-            #(#turns)*
+            #(#turns;)*
             #known
             let #forces_name = {
                 #moved_inputs
                 #trial
                 [#(#forces),*]
             };
-            #term.solve(#forces_name);
+            #solve;
             #moved_inputs
             #stored
         }
@@ -300,27 +310,26 @@ impl<'p> Series<'p> {
     }
 
     /// The joint and the factor behind the index of a follower's symbol.
-    fn followed(&self, index: usize, path: &TokenStream) -> Option<(Literal, TokenStream)> {
+    fn followed(&self, index: usize) -> Option<(Literal, TokenStream)> {
         let (leader, factor) = self.robot.followed(index)?;
-        let factor = inputs::constant_cell(self.robot, factor, path);
+        let factor = inputs::constant_cell(self.robot, factor, self.path);
         Some((Literal::usize_unsuffixed(leader), factor))
     }
 
     /// Sines and cosines of followers' own angles.
-    fn read_multiples(&self, path: &TokenStream) -> TokenStream {
-        let term = ident("term");
+    fn read_multiples(&self) -> TokenStream {
         let lines = self.multiples().filter_map(|index| {
-            let (leader, factor) = self.followed(index, path)?;
+            let (leader, factor) = self.followed(index)?;
             let number = self.index_of_multiple(index);
             let name = |symbol: Symbol| ident(&inputs::input_name(self.robot, &symbol, &[]));
             let (sine, cosine) = (name(Symbol::Sine(index)), name(Symbol::Cosine(index)));
-            Some(quote!(let (#sine, #cosine) = #term.multiple(#number, #leader, #factor);))
+            let pair = self.of_term("multiple", quote!(#number, #leader, #factor));
+            Some(quote!(let (#sine, #cosine) = #pair;))
         });
         lines.collect()
     }
 
-    fn inputs_of(&self, kind: Kind, path: &TokenStream) -> TokenStream {
-        let term = ident("term");
+    fn inputs_of(&self, kind: Kind) -> TokenStream {
         let mut order: Vec<usize> = (0..self.inputs.len()).collect();
         order.sort_by_key(|&index| inputs::place(&self.program.inputs[index]));
         let lines = order.into_iter().filter_map(|index| {
@@ -329,7 +338,7 @@ impl<'p> Series<'p> {
             }
             let symbol = &self.program.inputs[index];
             if self.robot.follower_of(symbol).is_some() {
-                return self.sign_of_follower(index, symbol, path);
+                return self.sign_of_follower(index, symbol);
             }
             let (method, joint) = match *symbol {
                 Symbol::Sine(i) => ("sine", i),
@@ -340,28 +349,22 @@ impl<'p> Series<'p> {
                 Symbol::Acceleration(i) => ("acceleration", i),
                 _ => return None,
             };
-            let (name, method) = (&self.inputs[index], ident(method));
-            let joint = Literal::usize_unsuffixed(joint);
-            Some(quote!(let #name = #term.#method(#joint);))
+            let (name, joint) = (&self.inputs[index], Literal::usize_unsuffixed(joint));
+            let value = self.of_term(method, quote!(#joint));
+            Some(quote!(let #name = #value;))
         });
         lines.collect()
     }
 
     /// The sign of a follower's velocity, where that is no function of its leader's alone.
-    fn sign_of_follower(
-        &self,
-        input: usize,
-        symbol: &Symbol,
-        path: &TokenStream,
-    ) -> Option<TokenStream> {
+    fn sign_of_follower(&self, input: usize, symbol: &Symbol) -> Option<TokenStream> {
         let Symbol::VelocitySign(index) = symbol else {
             return None;
         };
-        let (leader, factor) = self.followed(*index, path)?;
-        let (name, term) = (&self.inputs[input], ident("term"));
-        Some(quote! {
-            let #name = #path::Scalar::sign(#factor) * #term.velocity_sign(#leader);
-        })
+        let (leader, factor) = self.followed(*index)?;
+        let (name, path) = (&self.inputs[input], self.path);
+        let sign = self.of_term("velocity_sign", quote!(#leader));
+        Some(quote!(let #name = #path::Scalar::sign(#factor) * #sign;))
     }
 
     /// The assignments of some instructions.
@@ -390,13 +393,13 @@ impl<'p> Series<'p> {
 
     /// The right-hand side of an instruction; `product` is the method for products of series.
     fn value(&self, index: usize, product: &str) -> TokenStream {
-        let (term, instruction) = (ident("term"), &self.program.instructions[index]);
+        let instruction = &self.program.instructions[index];
         let (a, b) = instruction.operands();
         if let Some(slot) = self.slots[index] {
             let slot = Literal::usize_unsuffixed(slot);
             let (a, b) = if self.swapped[index] { (b, a) } else { (a, b) };
-            let (product, a, b) = (ident(product), self.number(a), self.number(b));
-            return quote!(#term.#product(#slot, #a, #b));
+            let (a, b) = (self.number(a), self.number(b));
+            return self.of_term(product, quote!(#slot, #a, #b));
         }
         // The operands of a sum of series are series, of any other operation numbers.
         let read = |operand| match (instruction, self.kinds[index]) {
@@ -443,6 +446,14 @@ impl<'p> Series<'p> {
         self.inlined[index].then(|| self.program.instructions[index].operands())
     }
 
+    /// A call of a method of `SeriesTerm`, by its path: behind a point, a method of that name of any trait that is
+    /// implemented for all types and in scope around the table would come first.
+    fn of_term(&self, method: &str, arguments: TokenStream) -> TokenStream {
+        let (path, method, term) = (self.path, ident(method), ident("term"));
+        let comma = (!arguments.is_empty()).then(|| quote!(,));
+        quote!(#path::SeriesTerm::#method(#term #comma #arguments))
+    }
+
     /// An operand as it is.
     fn number(&self, operand: Operand) -> TokenStream {
         match operand {
@@ -469,10 +480,7 @@ impl<'p> Series<'p> {
     fn series(&self, operand: Operand) -> TokenStream {
         let number = self.number(operand);
         match self.kind(operand) {
-            Kind::Constant => {
-                let term = ident("term");
-                quote!(#term.constant(#number))
-            }
+            Kind::Constant => self.of_term("constant", number),
             _ => number,
         }
     }

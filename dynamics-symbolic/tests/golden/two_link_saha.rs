@@ -2096,42 +2096,42 @@ impl ::robot_dynamics::TaylorDynamics<2> for Arm {
             let x = ::robot_dynamics::SeriesTerm::like(term);
             move |x: f64| ::robot_dynamics::Scalar::constant(x, x)
         };
-        let c_1 = term.cosine(0);
-        let s_1 = term.sine(0);
-        let s_2 = term.sine(1);
-        let c_2 = term.cosine(1);
-        let qd_1 = term.velocity(0);
-        let qd_2 = term.velocity(1);
-        term.turn(0, 6);
-        term.turn(1, 8);
+        let c_1 = ::robot_dynamics::SeriesTerm::cosine(term, 0);
+        let s_1 = ::robot_dynamics::SeriesTerm::sine(term, 0);
+        let s_2 = ::robot_dynamics::SeriesTerm::sine(term, 1);
+        let c_2 = ::robot_dynamics::SeriesTerm::cosine(term, 1);
+        let qd_1 = ::robot_dynamics::SeriesTerm::velocity(term, 0);
+        let qd_2 = ::robot_dynamics::SeriesTerm::velocity(term, 1);
+        ::robot_dynamics::SeriesTerm::turn(term, 0, 6);
+        ::robot_dynamics::SeriesTerm::turn(term, 1, 8);
         let t_1 = qd_1 + qd_2;
-        let t_2 = term.product(0, t_1, t_1);
-        let t_4 = term.product(1, qd_1, qd_1);
+        let t_2 = ::robot_dynamics::SeriesTerm::product(term, 0, t_1, t_1);
+        let t_4 = ::robot_dynamics::SeriesTerm::product(term, 1, qd_1, qd_1);
         let t_6 = (-real(4.905)).mul_add(s_1, t_4);
-        let t_10 = term.product(2, s_2, t_6);
-        let t_17 = term.product(4, s_2, t_2);
+        let t_10 = ::robot_dynamics::SeriesTerm::product(term, 2, s_2, t_6);
+        let t_17 = ::robot_dynamics::SeriesTerm::product(term, 4, s_2, t_2);
         let forces = {
-            let qdd_1 = term.acceleration(0);
-            let qdd_2 = term.acceleration(1);
+            let qdd_1 = ::robot_dynamics::SeriesTerm::acceleration(term, 0);
+            let qdd_2 = ::robot_dynamics::SeriesTerm::acceleration(term, 1);
             let t_3 = qdd_1 + qdd_2;
             let t_8 = real(4.905).mul_add(c_1, qdd_1);
             let t_11 = real(0.3333333333333333).mul_add(t_3, t_10);
-            let t_12 = term.trial(3, c_2, t_8);
+            let t_12 = ::robot_dynamics::SeriesTerm::trial(term, 3, c_2, t_8);
             let t_13 = t_12 + t_11;
             let t_16 = real(49.05).mul_add(c_1, (real(8.0) * qdd_1));
-            let t_18 = term.trial(5, c_2, t_3);
+            let t_18 = ::robot_dynamics::SeriesTerm::trial(term, 5, c_2, t_3);
             let t_19 = t_18 - t_17;
             let t_20 = t_16 + t_19;
             let t_21 = t_20 + t_13;
             [t_21, t_13]
         };
-        term.solve(forces);
-        let qdd_1 = term.acceleration(0);
-        let qdd_2 = term.acceleration(1);
+        ::robot_dynamics::SeriesTerm::solve(term, forces);
+        let qdd_1 = ::robot_dynamics::SeriesTerm::acceleration(term, 0);
+        let qdd_2 = ::robot_dynamics::SeriesTerm::acceleration(term, 1);
         let t_3 = qdd_1 + qdd_2;
         let t_8 = real(4.905).mul_add(c_1, qdd_1);
-        let t_12 = term.product(3, c_2, t_8);
-        let t_18 = term.product(5, c_2, t_3);
+        let t_12 = ::robot_dynamics::SeriesTerm::product(term, 3, c_2, t_8);
+        let t_18 = ::robot_dynamics::SeriesTerm::product(term, 5, c_2, t_3);
     }
     #[inline(always)]
     fn leading_matrix<T: ::robot_dynamics::Scalar>(
