@@ -24,7 +24,7 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
             (model, Some((other, of_other)))
         }
     };
-    let checked = arm(path, &model.robot, &each_by_itself(&requests(&model)))?;
+    let checked = arm(path, &model.robot, &requests(&model))?;
     let check = Check::new().samples(samples);
     let progress = Progress::new(1);
     progress.doing("comparing with Newton-Euler");
@@ -59,17 +59,6 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
         return Err(Failure::after(text, message));
     }
     Ok(text)
-}
-
-/// The functions, those of tuples too, each once.
-fn each_by_itself(requests: &[Request]) -> Vec<Request> {
-    let mut functions: Vec<Function> = Vec::new();
-    for function in requests.iter().flat_map(Request::parts) {
-        if !functions.contains(function) {
-            functions.push(*function);
-        }
-    }
-    functions.into_iter().map(Request::One).collect()
 }
 
 /// What is compared with another file: all that a motion depends on, and where the tip is.

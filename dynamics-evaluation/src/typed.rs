@@ -180,6 +180,15 @@ macro_rules! impl_model {
             ) -> Evaluation<N, T> {
                 self.$($path.)*arm.evaluation(state, tau, real)
             }
+
+            fn evaluate_parts(
+                &self,
+                state: &State<N>,
+                tau: &SVector<f64, N>,
+                found: &mut dyn FnMut(&str, Evaluation<N>),
+            ) {
+                self.$($path.)*arm.evaluate_parts(state, tau, found);
+            }
         }
     )*};
 }
@@ -198,20 +207,7 @@ impl RuntimeRobot {
         tau: &SVector<f64, N>,
         real: fn(f64) -> T,
     ) -> Evaluation<N, T> {
-        let [qd_r, qdd_r] = [state.reference_velocity(), state.reference_acceleration()];
-        let ([jerk, snap], wrench) = ([state.jerk(), state.snap()], State::<N>::wrench());
-        let double = |of: Argument, i: usize| match of {
-            Argument::Position => state.q[i],
-            Argument::Velocity => state.qd[i],
-            Argument::Acceleration => state.qdd[i],
-            Argument::Force => tau[i],
-            Argument::ReferenceVelocity => qd_r[i],
-            Argument::ReferenceAcceleration => qdd_r[i],
-            Argument::Jerk => jerk[i],
-            Argument::Snap => snap[i],
-            Argument::Wrench => wrench[i],
-            Argument::Order => f64::NAN,
-        };
+        let double = arguments(state, tau);
         let argument = |of, i| real(double(of, i));
         let mut evaluation = Evaluation::default();
         for function in self.functions() {
@@ -222,6 +218,53 @@ impl RuntimeRobot {
             }
         }
         evaluation.combined(&state.qd.map(real))
+    }
+
+    /// The parts of the methods that return several functions, each method by its own program.
+    fn evaluate_parts<const N: usize>(
+        &self,
+        state: &State<N>,
+        tau: &SVector<f64, N>,
+        found: &mut dyn FnMut(&str, Evaluation<N>),
+    ) {
+        let argument = arguments(state, tau);
+        for function in self.functions() {
+            let Request::Fused(fused) = &function.request else {
+                continue;
+            };
+            let mut values = self
+                .values(function, &function.shared, &argument, &|x| x)
+                .map(Vec::into_iter);
+            let mut evaluation = Evaluation::default();
+            for &part in &fused.parts {
+                let entries = part.shape().entries(function.layout.sizes);
+                let of_part = values.as_mut().map(|values| values.take(entries).collect());
+                record(&mut evaluation, part, of_part.map_err(|error| *error));
+            }
+            found(function.request.name(), evaluation.combined(&state.qd));
+        }
+    }
+}
+
+/// The entries of all arguments at a state.
+fn arguments<const N: usize>(
+    state: &State<N>,
+    tau: &SVector<f64, N>,
+) -> impl Fn(Argument, usize) -> f64 {
+    let (State { q, qd, qdd }, tau) = (*state, *tau);
+    let [qd_r, qdd_r] = [state.reference_velocity(), state.reference_acceleration()];
+    let ([jerk, snap], wrench) = ([state.jerk(), state.snap()], State::<N>::wrench());
+    move |of, i| match of {
+        Argument::Position => q[i],
+        Argument::Velocity => qd[i],
+        Argument::Acceleration => qdd[i],
+        Argument::Force => tau[i],
+        Argument::ReferenceVelocity => qd_r[i],
+        Argument::ReferenceAcceleration => qdd_r[i],
+        Argument::Jerk => jerk[i],
+        Argument::Snap => snap[i],
+        Argument::Wrench => wrench[i],
+        Argument::Order => f64::NAN,
     }
 }
 

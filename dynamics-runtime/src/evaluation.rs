@@ -39,7 +39,7 @@ pub trait Evaluate<const N: usize>: Model<N> {
         &self,
         state: &State<N>,
         tau: &SVector<f64, N>,
-        found: &mut dyn FnMut(&'static str, Evaluation<N>),
+        found: &mut dyn FnMut(&str, Evaluation<N>),
     ) {
         let _ = (state, tau, found);
     }

@@ -165,7 +165,10 @@ fn parts_are_checked_as_functions_are() {
     let report = check_against_rnea(&Puma560);
     report.assert_ok();
     let of = |method: Option<&str>| {
-        let functions = report.functions.iter().filter(|f| f.method == method);
+        let functions = report
+            .functions
+            .iter()
+            .filter(|f| f.method.as_deref() == method);
         functions.map(|f| f.function).collect::<Vec<_>>()
     };
     let control = ["mass_matrix", "coriolis_vector", "gravity_vector"];

@@ -194,7 +194,7 @@ fn evaluate(target: &Target, evaluation: &Evaluation) -> TokenStream {
                 &self,
                 state: &#path::State<#n>,
                 tau: &#path::nalgebra::SVector<f64, #n>,
-                found_parts: &mut dyn ::core::ops::FnMut(&'static str, #path::Evaluation<#n>),
+                found_parts: &mut dyn ::core::ops::FnMut(&str, #path::Evaluation<#n>),
             ) {
                 let real = |x: f64| x;
                 #parts

@@ -68,27 +68,10 @@ fn numbers<const K: usize>(values: [f64; K]) -> [Value; K] {
 }
 
 fn row(name: &str, joint_type: JointType, mass: f64, com: [f64; 3]) -> Row {
-    let zero = Value::zero;
     Row {
-        name: name.to_owned(),
-        joint_type,
-        a: zero(),
-        alpha: zero(),
-        d: zero(),
-        theta: zero(),
         mass: decimal(mass),
         com: numbers(com),
-        inertia: [(); 6].map(|()| zero()),
-        motor_inertia: zero(),
-        gear_ratio: zero(),
-        viscous: zero(),
-        coulomb: [zero(), zero()],
-        stribeck: None,
-        spring: None,
-        limits: None,
-        locked: None,
-        mount: None,
-        follows: None,
+        ..Row::new(name, joint_type)
     }
 }
 
@@ -247,8 +230,25 @@ fn every_value_is_that_of_generated_code() {
                 format!("{expected:?}"),
                 "state {number}"
             );
+            assert_eq!(
+                parts(&typed, &state, &tau),
+                parts(&scene, &state, &tau),
+                "state {number}"
+            );
         }
     }
+}
+
+/// The parts of methods that return several functions, as text: a refusal too.
+fn parts(arm: &impl Evaluate<3>, state: &State<3>, tau: &Vector3<f64>) -> Vec<String> {
+    let mut parts = Vec::new();
+    for tau in [*tau, tau * f64::NAN] {
+        arm.evaluate_parts(state, &tau, &mut |name, values| {
+            parts.push(format!("{name}: {values:?}"));
+        });
+    }
+    assert_eq!(parts.len(), 2);
+    parts
 }
 
 #[test]

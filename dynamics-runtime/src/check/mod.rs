@@ -165,12 +165,12 @@ impl Check {
         for (label, state) in &states {
             report.note_conditioning(label, numeric.conditioning(&state.q));
             let tau = numeric.inverse_dynamics(&state.q, &state.qd, &state.qdd);
-            let mut compare = |method, evaluation: Evaluation<N>| {
+            let mut compare = |method: Option<&str>, evaluation: Evaluation<N>| {
                 let open = || {
                     let (_, potential) = evaluation.energies_of_parameters.unwrap_or_default();
                     potential - gravity_energy(&numeric, &table, &state.q)
                 };
-                let datum = *data.entry(method).or_insert_with(open);
+                let datum = *data.entry(method.map(String::from)).or_insert_with(open);
                 let found = deviations(&evaluation, &numeric, &table, (state, &tau), datum);
                 for deviation in found {
                     let tolerance = self.tolerance * N as f64;

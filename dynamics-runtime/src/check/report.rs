@@ -39,7 +39,7 @@ pub struct FunctionReport {
     /// Name of the function.
     pub function: &'static str,
     /// The method that returned it with others; `None` where the function has a method of its own.
-    pub method: Option<&'static str>,
+    pub method: Option<String>,
     /// Number of states at which it was compared.
     pub states: usize,
     /// The largest relative error; infinite where a value was not a number.
@@ -69,7 +69,7 @@ impl FunctionReport {
 
     /// The function, and the method that returned it where that is another.
     fn name(&self) -> String {
-        match self.method {
+        match &self.method {
             None => self.function.into(),
             Some(method) => format!("{} of {method}", self.function),
         }
@@ -102,7 +102,7 @@ impl Report {
     /// Takes in what was found at one state, of a function or of a part of a method.
     pub(super) fn record<const N: usize>(
         &mut self,
-        method: Option<&'static str>,
+        method: Option<&str>,
         deviation: &Deviation,
         tolerance: f64,
         label: &str,
@@ -144,16 +144,16 @@ impl Report {
     fn entry(
         &mut self,
         function: &'static str,
-        method: Option<&'static str>,
+        method: Option<&str>,
         tolerance: f64,
     ) -> &mut FunctionReport {
-        let is_known = |f: &FunctionReport| f.function == function && f.method == method;
+        let is_known = |f: &FunctionReport| f.function == function && f.method.as_deref() == method;
         let known = self.functions.iter().position(is_known);
         let index = known.unwrap_or_else(|| {
             self.not_compared.retain(|missed| *missed != function);
             self.functions.push(FunctionReport {
                 function,
-                method,
+                method: method.map(String::from),
                 states: 0,
                 error: 0.0,
                 rounding: None,

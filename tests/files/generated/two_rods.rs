@@ -801,42 +801,61 @@ impl ::robot_dynamics::Model<2> for TwoRods {
             ::robot_dynamics::Evaluation::combined(
                 ::robot_dynamics::Evaluation {
                     mass_matrix: ::core::option::Option::Some(
-                        Self::mass_matrix::<T>(self, &state.q.map(real)),
+                        Self::mass_matrix::<
+                            T,
+                        >(self, &::robot_dynamics::nalgebra::Matrix::map(&state.q, real)),
                     ),
                     coriolis_vector: ::core::option::Option::Some(
                         Self::coriolis_vector::<
                             T,
-                        >(self, &state.q.map(real), &state.qd.map(real)),
+                        >(
+                            self,
+                            &::robot_dynamics::nalgebra::Matrix::map(&state.q, real),
+                            &::robot_dynamics::nalgebra::Matrix::map(&state.qd, real),
+                        ),
                     ),
                     gravity_vector: ::core::option::Option::Some(
-                        Self::gravity_vector::<T>(self, &state.q.map(real)),
+                        Self::gravity_vector::<
+                            T,
+                        >(self, &::robot_dynamics::nalgebra::Matrix::map(&state.q, real)),
                     ),
                     inverse_dynamics: ::core::option::Option::Some(
                         Self::inverse_dynamics::<
                             T,
                         >(
                             self,
-                            &state.q.map(real),
-                            &state.qd.map(real),
-                            &state.qdd.map(real),
+                            &::robot_dynamics::nalgebra::Matrix::map(&state.q, real),
+                            &::robot_dynamics::nalgebra::Matrix::map(&state.qd, real),
+                            &::robot_dynamics::nalgebra::Matrix::map(&state.qdd, real),
                         ),
                     ),
                     forward_dynamics: ::core::option::Option::Some(
                         Self::forward_dynamics::<
                             T,
-                        >(self, &state.q.map(real), &state.qd.map(real), &tau.map(real)),
+                        >(
+                            self,
+                            &::robot_dynamics::nalgebra::Matrix::map(&state.q, real),
+                            &::robot_dynamics::nalgebra::Matrix::map(&state.qd, real),
+                            &::robot_dynamics::nalgebra::Matrix::map(tau, real),
+                        ),
                     ),
                     kinetic_energy: ::core::option::Option::Some(
                         Self::kinetic_energy::<
                             T,
-                        >(self, &state.q.map(real), &state.qd.map(real)),
+                        >(
+                            self,
+                            &::robot_dynamics::nalgebra::Matrix::map(&state.q, real),
+                            &::robot_dynamics::nalgebra::Matrix::map(&state.qd, real),
+                        ),
                     ),
                     potential_energy: ::core::option::Option::Some(
-                        Self::potential_energy::<T>(self, &state.q.map(real)),
+                        Self::potential_energy::<
+                            T,
+                        >(self, &::robot_dynamics::nalgebra::Matrix::map(&state.q, real)),
                     ),
                     ..::core::default::Default::default()
                 },
-                &state.qd.map(real),
+                &::robot_dynamics::nalgebra::Matrix::map(&state.qd, real),
             )
         }
     }
