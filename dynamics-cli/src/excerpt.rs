@@ -12,17 +12,48 @@ pub(crate) fn with_excerpts(mistakes: &[FileMistake], is_coloured: bool) -> Stri
     for of_one_file in mistakes.chunk_by(|a, b| a.file == b.file) {
         let file = of_one_file[0].file.as_deref();
         let text = file.and_then(|file| std::fs::read_to_string(file).ok());
+        let text = text.map(|text| without_controls(&text));
         told.extend(of_one_file.iter().map(|mistake| {
             let text = text.as_deref();
             let excerpt = text.and_then(|text| excerpt_of(mistake, text, is_coloured));
-            excerpt.unwrap_or_else(|| mistake.to_string())
+            excerpt.unwrap_or_else(|| told_of(mistake))
         }));
     }
     told.join("\n")
 }
 
+/// What is told of a mistake without its place. It may hold words of the file.
+fn told_of(mistake: &FileMistake) -> String {
+    without_controls(&mistake.to_string())
+}
+
+/// The text with a visible character for each one that would act on the terminal: control characters, but for the end
+/// of a line and the tab, and those that change the direction of writing. It has as many characters as before, so that
+/// places in it stay what they are.
+fn without_controls(text: &str) -> String {
+    let mut rest = text.chars().peekable();
+    let mut shown = String::with_capacity(text.len());
+    while let Some(c) = rest.next() {
+        shown.push(match c {
+            '\n' | '\t' => c,
+            '\r' if rest.peek() == Some(&'\n') => c,
+            // The pictures of control characters stand in their order from U+2400 on.
+            '\0'..='\u{1f}' => {
+                char::from_u32(0x2400 + u32::from(c)).unwrap_or(char::REPLACEMENT_CHARACTER)
+            }
+            '\u{7f}' => '\u{2421}',
+            '\u{80}'..='\u{9f}' => char::REPLACEMENT_CHARACTER,
+            '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}' => {
+                char::REPLACEMENT_CHARACTER
+            }
+            _ => c,
+        });
+    }
+    shown
+}
+
 fn excerpt_of(mistake: &FileMistake, text: &str, is_coloured: bool) -> Option<String> {
-    let file = mistake.file.as_ref()?.display().to_string();
+    let file = without_controls(&mistake.file.as_ref()?.display().to_string());
     let span = (file.clone(), word(mistake, text)?);
     let mut report = Vec::new();
     Report::build(ReportKind::Error, span.clone())
@@ -34,7 +65,7 @@ fn excerpt_of(mistake: &FileMistake, text: &str, is_coloured: bool) -> Option<St
     // The report's own first line is for a message without a place.
     let report = String::from_utf8_lossy(&report);
     let (_, place) = report.trim_end().split_once('\n')?;
-    Some(format!("{mistake}\n{place}"))
+    Some(format!("{}\n{place}", told_of(mistake)))
 }
 
 /// Which characters of the text are the word that a mistake begins at.
@@ -55,7 +86,7 @@ fn word(mistake: &FileMistake, text: &str) -> Option<Range<usize>> {
 
 #[cfg(test)]
 mod tests {
-    use super::{excerpt_of, with_excerpts};
+    use super::{excerpt_of, with_excerpts, without_controls};
     use dynamics_evaluation::FileMistake;
 
     fn mistake(file: &str, line: usize, column: usize) -> FileMistake {
@@ -91,6 +122,33 @@ mod tests {
             below.trim_end().ends_with(" \u{2500}\u{252c}\u{2500}"),
             "{told}"
         );
+    }
+
+    /// A file may hold what would colour, move or rename the terminal, or write from right to left.
+    #[test]
+    fn what_would_act_on_a_terminal_is_shown() {
+        let text = "a = 1 # \u{1b}[31m\u{9b}2J\u{7f}\u{202e}\r\nmas\t= 2\u{0}\r# \u{c}\n";
+        let shown = without_controls(text);
+        assert_eq!(
+            shown,
+            "a = 1 # \u{241b}[31m\u{fffd}2J\u{2421}\u{fffd}\r\nmas\t= 2\u{2400}\u{240d}# \u{240c}\n"
+        );
+        assert_eq!(shown.chars().count(), text.chars().count());
+        let name = "mas\u{1b}]0;x\u{7}.toml";
+        let folder = std::env::temp_dir().join(format!("excerpts_{}", std::process::id()));
+        std::fs::create_dir_all(&folder).expect("a folder");
+        let file = folder.join(name);
+        std::fs::write(&file, text).expect("a file");
+        let mut mistake = mistake(&file.to_string_lossy(), 2, 1);
+        mistake.message = "unknown cell `\u{1b}[5m`".to_owned();
+        let told = with_excerpts(&[mistake], false);
+        std::fs::remove_dir_all(&folder).expect("the folder");
+        assert!(
+            told.contains("mas") && told.contains("= 2\u{2400}\u{240d}#"),
+            "{told:?}"
+        );
+        let acts = |c: char| c.is_control() && c != '\n';
+        assert!(!told.contains(acts), "{told:?}");
     }
 
     /// At the end of a file, behind it, and in one that is not there.
