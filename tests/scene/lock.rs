@@ -3,10 +3,10 @@
 use robot_dynamics::check_against_rnea;
 use robot_dynamics::nalgebra::{SMatrix, SVector};
 
-/// Six joints of every kind; after it the arm's name, more fields of its struct and entries.
+/// Six joints of every kind; after it the macro that makes the arm, its name, more fields of its struct and entries.
 macro_rules! arm {
-    ($name:ident { $($field:ident),* } $convention:ident, $($entries:tt)*) => {
-        robots::every_function! {
+    ($made_by:path: $name:ident { $($field:ident),* } $convention:ident, $($entries:tt)*) => {
+        $made_by! {
             struct $name { $($field: f64,)* m: f64 }
             convention: $convention,
             gravity: [1, -2, -9.81],
@@ -48,12 +48,30 @@ macro_rules! arm {
     };
 }
 
-arm!(Whole {} standard,);
-arm!(WholeCraig {} modified,);
-arm!(WithoutWrist {} standard, lock: [roll = 0.3, pitch = deg(-90), yaw = 1.1],);
-arm!(OddOnes { slid } standard, lock: [slide = slid, waist = -0.4, pitch = 0],);
-arm!(CraigOnes { turned } modified, lock: [shoulder = turned, slide = 0.25],);
-arm!(CraigWrist {} modified, lock: [waist = PI/3, yaw = -2, pitch = 0.5],);
+macro_rules! whole {
+    ($name:ident $convention:ident) => {
+        arm!(
+            robot_dynamics::robot_dynamics: $name {} $convention,
+            // What the locked arms are compared in.
+            functions: [
+                mass_matrix, inverse_dynamics, coriolis_matrix, kinetic_energy, gravity_vector, potential_energy,
+                forward_kinematics, link_poses, jacobian,
+            ],
+        );
+    };
+}
+whole!(Whole standard);
+whole!(WholeCraig modified);
+
+macro_rules! locked {
+    ($($arm:tt)*) => {
+        arm!(robots::every_function: $($arm)*);
+    };
+}
+locked!(WithoutWrist {} standard, lock: [roll = 0.3, pitch = deg(-90), yaw = 1.1],);
+locked!(OddOnes { slid } standard, lock: [slide = slid, waist = -0.4, pitch = 0],);
+locked!(CraigOnes { turned } modified, lock: [shoulder = turned, slide = 0.25],);
+locked!(CraigWrist {} modified, lock: [waist = PI/3, yaw = -2, pitch = 0.5],);
 
 /// The functions of an arm some of whose joints are locked are those of the whole arm at rest there.
 macro_rules! agrees {
