@@ -1,4 +1,4 @@
-//! The field of integers modulo a prime below 2^63.
+//! The field of integers modulo a prime that is little below a power of two, itself below 2^63.
 //!
 //! Two different rational functions of total degree d agree at a random point
 //! of this field with probability below d/p (Schwartz 1980, Zippel 1979).
@@ -11,10 +11,15 @@ use dashu_int::Sign;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Residue<const P: u64>(u64);
 
-/// 2^61 - 1, whose reduction is two shifts and an addition.
-const MERSENNE_61: u64 = (1 << 61) - 1;
-
 impl<const P: u64> Residue<P> {
+    /// P = 2^BITS - DISTANCE.
+    const BITS: u32 = u64::BITS - P.leading_zeros();
+    const DISTANCE: u64 = {
+        let distance = (1 << Self::BITS) - P;
+        assert!(Self::BITS > 32 && Self::BITS < 64 && distance < 1 << 16);
+        distance
+    };
+
     /// Zero.
     pub const ZERO: Self = Residue(0);
     /// One.
@@ -23,6 +28,14 @@ impl<const P: u64> Residue<P> {
     /// The residue of an integer.
     pub fn new(n: u64) -> Self {
         Residue(n % P)
+    }
+
+    /// A smaller number with the same residue: 2^BITS is DISTANCE. What is left of a product after two of
+    /// these is below 2^BITS + DISTANCE^2, less than twice P.
+    #[inline]
+    fn folded(n: u128) -> u128 {
+        let low = n & ((1 << Self::BITS) - 1);
+        low + (n >> Self::BITS) * u128::from(Self::DISTANCE)
     }
 
     /// The representative in 0..P.
@@ -103,12 +116,13 @@ impl<const P: u64> Mul for Residue<P> {
 
     #[inline]
     fn mul(self, other: Self) -> Self {
-        let product = self.0 as u128 * other.0 as u128;
-        if P == MERSENNE_61 {
-            let folded = (product as u64 & P) + (product >> 61) as u64;
-            return Residue(if folded >= P { folded - P } else { folded });
-        }
-        Residue((product % P as u128) as u64)
+        let folded = Self::folded(self.0 as u128 * other.0 as u128);
+        // Of P = 2^BITS - 1 once is enough: both parts are below P.
+        let folded = match Self::DISTANCE {
+            1 => folded as u64,
+            _ => Self::folded(folded) as u64,
+        };
+        Residue(if folded >= P { folded - P } else { folded })
     }
 }
 
@@ -127,10 +141,20 @@ pub fn circle_point<const P: u64>(random: &mut SplitMix64) -> (Residue<P>, Resid
 mod tests {
     use super::*;
 
+    const MERSENNE_61: u64 = (1 << 61) - 1;
+
     type Mersenne = Residue<MERSENNE_61>;
     type Other = Residue<{ (1 << 62) - 57 }>;
 
     fn check_field<const P: u64>() {
+        for (a, b) in [(1, 1), (1, 2), (2, P / 2), (P - 1, 1)] {
+            let product = Residue::<P>(P - a) * Residue(P - b);
+            assert_eq!(product, Residue(a) * Residue(b));
+            assert_eq!(
+                product.get(),
+                (u128::from(a) * u128::from(b) % u128::from(P)) as u64
+            );
+        }
         let mut random = SplitMix64::new(1);
         for _ in 0..200 {
             let (a, b) = (
@@ -150,6 +174,7 @@ mod tests {
     fn field_laws() {
         check_field::<MERSENNE_61>();
         check_field::<{ (1 << 62) - 57 }>();
+        check_field::<{ (1 << 61) - 31 }>();
     }
 
     #[test]

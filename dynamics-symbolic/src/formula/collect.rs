@@ -223,17 +223,15 @@ fn numbered(atoms: &Atoms, polynomial: &Polynomial<Atom>) -> Vec<Single> {
         let sum = by_rest.entry(rest).or_insert_with(Polynomial::zero);
         sum.add_term(constant, coefficient);
     }
-    let single = |(monomial, constant): (Monomial<Atom>, Polynomial<Atom>)| {
-        let (is_negative, number) = rounded(atoms, &constant);
-        Single {
-            is_negative,
-            number,
-            monomial,
-        }
-    };
+    let numbers = rounded(atoms, by_rest.values());
+    let singles = by_rest.into_keys().zip(numbers);
+    let singles = singles.map(|(monomial, (is_negative, number))| Single {
+        is_negative,
+        number,
+        monomial,
+    });
     // Constants may cancel in a way that only their digits show.
     let is_zero = |single: &Single| single.number == Number::Rounded(0.0);
-    let singles = by_rest.into_iter().map(single);
     singles.filter(|single| !is_zero(single)).collect()
 }
 
@@ -249,46 +247,82 @@ fn is_constant(atoms: &Atoms, atom: Atom) -> bool {
     }
 }
 
-/// A constant as a number: exactly where it is rational.
-fn rounded(atoms: &Atoms, constant: &Polynomial<Atom>) -> (bool, Number) {
-    let rational = constant.coefficient(&Monomial::new());
-    if let (1, Some(x)) = (constant.len(), rational) {
-        let is_negative = *x < Rational::ZERO;
-        let size = if is_negative { -x.clone() } else { x.clone() };
-        return (is_negative, Number::Exact(size));
-    }
-    let mut pool = ConstantPool::default();
-    let sum = pooled(atoms, &mut pool, constant);
-    let value = pool.round(|id| id == sum)[sum.index()];
-    (value < 0.0, Number::Rounded(value.abs()))
+/// Constants as numbers with their signs: exactly where they are rational.
+fn rounded<'a>(
+    atoms: &Atoms,
+    constants: impl Iterator<Item = &'a Polynomial<Atom>>,
+) -> Vec<(bool, Number)> {
+    let mut pool = Pool {
+        atoms,
+        constants: ConstantPool::default(),
+        factors: BTreeMap::new(),
+    };
+    let of_pool = |constant: &Polynomial<Atom>| match as_rational(constant) {
+        Some(x) => Ok(x.clone()),
+        None => Err(pool.sum(constant)),
+    };
+    let constants: Vec<_> = constants.map(of_pool).collect();
+    let sums: Vec<ConstantId> = constants
+        .iter()
+        .filter_map(|x| x.as_ref().err().copied())
+        .collect();
+    let values = pool.constants.round(|id| sums.binary_search(&id).is_ok());
+    let number = |constant: Result<Rational, ConstantId>| match constant {
+        Ok(x) if x < Rational::ZERO => (true, Number::Exact(-x)),
+        Ok(x) => (false, Number::Exact(x)),
+        Err(sum) => {
+            let value = values[sum.index()];
+            (value < 0.0, Number::Rounded(value.abs()))
+        }
+    };
+    constants.into_iter().map(number).collect()
 }
 
-/// A constant as one of a pool.
-fn pooled(atoms: &Atoms, pool: &mut ConstantPool, constant: &Polynomial<Atom>) -> ConstantId {
-    let mut sum = pool.push(Constant::Rational(Rational::ZERO));
-    for (monomial, coefficient) in constant.terms() {
-        let mut product = pool.push(Constant::Rational(coefficient.clone()));
-        for &(atom, power) in monomial {
-            let factor = match atom {
-                Atom::Divisor(i) => pooled(atoms, pool, &atoms.divisors[i]),
-                Atom::AngleCosine(i) => {
-                    let angle = atoms.angles[i].clone();
-                    pool.push(Constant::Symbol(Symbol::AngleCosine(angle)))
+fn as_rational(constant: &Polynomial<Atom>) -> Option<&Rational> {
+    let rational = constant.coefficient(&Monomial::new());
+    rational.filter(|_| constant.len() == 1)
+}
+
+/// Constants of one polynomial, in which pi and the sines of constant angles, which take long to round, stand
+/// once.
+struct Pool<'a> {
+    atoms: &'a Atoms,
+    constants: ConstantPool,
+    factors: BTreeMap<Atom, ConstantId>,
+}
+
+impl Pool<'_> {
+    fn sum(&mut self, constant: &Polynomial<Atom>) -> ConstantId {
+        let mut sum = self.constants.push(Constant::Rational(Rational::ZERO));
+        for (monomial, coefficient) in constant.terms() {
+            let mut product = self.constants.push(Constant::Rational(coefficient.clone()));
+            for &(atom, power) in monomial {
+                let factor = self.factor(atom);
+                for _ in 0..power.unsigned_abs() {
+                    product = self.constants.push(match power > 0 {
+                        true => Constant::Mul(product, factor),
+                        false => Constant::Div(product, factor),
+                    });
                 }
-                Atom::AngleSine(i) => {
-                    let angle = atoms.angles[i].clone();
-                    pool.push(Constant::Symbol(Symbol::AngleSine(angle)))
-                }
-                _ => pool.push(Constant::Symbol(Symbol::Pi)),
-            };
-            for _ in 0..power.unsigned_abs() {
-                product = pool.push(match power > 0 {
-                    true => Constant::Mul(product, factor),
-                    false => Constant::Div(product, factor),
-                });
             }
+            sum = self.constants.push(Constant::Add(sum, product));
         }
-        sum = pool.push(Constant::Add(sum, product));
+        sum
     }
-    sum
+
+    fn factor(&mut self, atom: Atom) -> ConstantId {
+        if let Some(known) = self.factors.get(&atom) {
+            return *known;
+        }
+        let atoms = self.atoms;
+        let symbol = match atom {
+            Atom::Divisor(i) => return self.sum(&atoms.divisors[i]),
+            Atom::AngleCosine(i) => Symbol::AngleCosine(atoms.angles[i].clone()),
+            Atom::AngleSine(i) => Symbol::AngleSine(atoms.angles[i].clone()),
+            _ => Symbol::Pi,
+        };
+        let factor = self.constants.push(Constant::Symbol(symbol));
+        self.factors.insert(atom, factor);
+        factor
+    }
 }

@@ -83,10 +83,12 @@ impl ConstantPool {
     pub fn round(&self, needed: impl Fn(ConstantId) -> bool) -> Vec<f64> {
         until_certain(|real, is_last| {
             let values = self.evaluate(real);
-            let round = |(index, value): (usize, &Approximation)| match value.round() {
-                _ if !needed(ConstantId(index as u32)) => Some(f64::NAN),
-                None if is_last => Some(value.nearest()),
-                rounded => rounded,
+            let round = |(index, value): (usize, &Approximation)| {
+                if !needed(ConstantId(index as u32)) {
+                    return Some(f64::NAN);
+                }
+                let rounded = value.round();
+                rounded.or_else(|| is_last.then(|| value.nearest()))
             };
             values.iter().enumerate().map(round).collect()
         })
