@@ -1,21 +1,27 @@
-//! What a table says, in the words of the macro: a tree that TOML and JSON write.
+//! What a table says, in the words of the macro: a tree that TOML and JSON write. It is a table that was found for an
+//! arm in space, or the one that was read.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use dynamics_codegen::Model;
-use dynamics_codegen::geometry::{Body, Transform, Vector, number};
+use dynamics_codegen::geometry::{Body, Transform, Vector};
 use dynamics_symbolic::Request;
 use dynamics_symbolic::exact::Rational;
-use dynamics_symbolic::robot::{Convention, Coupling, JointType, Robot, Row as Joint, Value};
+use dynamics_symbolic::robot::{
+    Convention, Coupling, JointType, Placement, Robot, Row as Joint, Value,
+};
 
 use super::angle::{Angle, roll_pitch_yaw};
 use super::number::decimal;
 use super::table::{Row, Table};
+use super::written::{Binding, expression, sum};
 
 /// A value.
 #[derive(Clone)]
 pub(super) enum Node {
     Number(Rational),
+    /// As it was written in the file that was read.
+    Written(Value),
     Angle(Angle),
     Text(String),
     List(Vec<Node>),
@@ -32,52 +38,167 @@ pub(super) type Allowed = BTreeMap<Option<String>, BTreeSet<&'static str>>;
 pub(super) struct Document {
     pub(super) entries: Entries,
     pub(super) joints: Vec<Entries>,
+    /// The names of the joints.
+    pub(super) names: Vec<String>,
+}
+
+/// Where an arm's frames are, in words.
+struct Geometry<'a> {
+    convention: Convention,
+    gravity: Node,
+    base: Entries,
+    rows: Vec<Line<'a>>,
+    /// The tool's frame.
+    tool: Entries,
+}
+
+/// A row.
+struct Line<'a> {
+    name: String,
+    /// What the row says of the joint itself; nothing where it is only there to stand still.
+    joint: Option<&'a Joint>,
+    /// Where the joint stands still.
+    locked: Option<Node>,
+    /// Of the four parameters and the body those that are not zero.
+    cells: Entries,
 }
 
 impl Document {
-    pub(super) fn new(
+    /// A table that was found for the arm.
+    pub(super) fn of_table(
         table: &Table,
         gravity: &Vector,
         model: &Model,
         allowed: &Allowed,
     ) -> Document {
+        let rows = table.rows.iter().zip(names(table));
+        let geometry = Geometry {
+            convention: table.convention,
+            gravity: numbers(gravity),
+            base: table.base.as_ref().map(placement).unwrap_or_default(),
+            rows: rows.map(|(row, name)| found(row, name)).collect(),
+            tool: table.tool.as_ref().map(placement).unwrap_or_default(),
+        };
+        Document::new(geometry, model, allowed)
+    }
+
+    /// The table that was read, with the cells as they were written. Its rows have no mounts.
+    pub(super) fn as_written(model: &Model, allowed: &Allowed) -> Document {
         let robot = &model.robot;
-        let convention = match table.convention {
+        let base = robot.base.as_ref();
+        let tool = robot.tool.as_ref().map(|tool| &tool.placement);
+        let geometry = Geometry {
+            convention: robot.convention,
+            gravity: values(&robot.gravity),
+            base: base.map(placement_as_written).unwrap_or_default(),
+            rows: robot.rows.iter().map(line_as_written).collect(),
+            tool: tool.map(placement_as_written).unwrap_or_default(),
+        };
+        Document::new(geometry, model, allowed)
+    }
+
+    fn new(geometry: Geometry<'_>, model: &Model, allowed: &Allowed) -> Document {
+        let robot = &model.robot;
+        let convention = match geometry.convention {
             Convention::Standard => "standard",
             Convention::Modified => "modified",
         };
         let mut entries = vec![
             entry("convention", Node::Text(convention.to_owned())),
-            entry("gravity", numbers(gravity)),
+            entry("gravity", geometry.gravity),
         ];
         entries.extend(functions(model));
-        let names = names(table);
-        let locked = names.iter().zip(&table.rows);
-        let locked = locked.filter(|(_, row)| row.joint.is_none());
-        let locked: Entries = locked
-            .map(|(name, _)| (name.clone(), Node::Number(Rational::ZERO)))
-            .collect();
-        entries.extend(unless_empty("lock", locked));
+        let locked = geometry.rows.iter();
+        let locked = locked.filter_map(|row| Some((row.name.clone(), row.locked.clone()?)));
+        entries.extend(unless_empty("lock", locked.collect()));
         entries.extend(unless_empty("couple", couplings(robot)));
         if let Some((share, _)) = &model.neglect {
             entries.push(entry("neglect", value(share)));
         }
         entries.extend(allow(allowed.get(&None)));
-        if let Some(base) = &table.base {
-            entries.push(entry("base", Node::Table(placement(base))));
-        }
-        entries.extend(tool(table, robot));
-        let joints = table.rows.iter().zip(&names).map(|(row, name)| {
-            let mut cells = cells(row, name);
-            cells.extend(allow(allowed.get(&Some(name.clone()))));
+        entries.extend(unless_empty("base", geometry.base));
+        entries.extend(tool(geometry.tool, robot));
+        let names: Vec<String> = geometry.rows.iter().map(|row| row.name.clone()).collect();
+        let joints = geometry.rows.into_iter().map(|row| {
+            let allowed = allow(allowed.get(&Some(row.name.clone())));
+            let mut cells = cells(row);
+            cells.extend(allowed);
             cells
         });
         Document {
             entries,
             joints: joints.collect(),
+            names,
         }
     }
 }
+
+/// A row that was found.
+fn found<'a>(row: &Row<'a>, name: String) -> Line<'a> {
+    let length =
+        |word, x: &Rational| (decimal(x) != "0").then(|| entry(word, Node::Number(x.clone())));
+    let angle = |word, x: &Angle| (!x.is_zero()).then(|| entry(word, Node::Angle(x.clone())));
+    let parameters = &row.parameters;
+    let cells = [
+        length("a", &parameters.a),
+        angle("alpha", &parameters.alpha),
+        length("d", &parameters.d),
+        angle("theta", &parameters.theta),
+    ];
+    let joint = row.joint.map(|joint| joint.row);
+    Line {
+        name,
+        joint,
+        locked: joint.is_none().then_some(Node::Number(Rational::ZERO)),
+        cells: cells.into_iter().flatten().chain(body(&row.body)).collect(),
+    }
+}
+
+/// A row that was read.
+fn line_as_written(row: &Joint) -> Line<'_> {
+    let parameters = [
+        ("a", &row.a),
+        ("alpha", &row.alpha),
+        ("d", &row.d),
+        ("theta", &row.theta),
+    ];
+    let is_given = |x: &Value| !x.is_zero();
+    let given = parameters.into_iter().filter(|(_, x)| is_given(x));
+    let mut cells: Entries = given.map(|(word, x)| entry(word, value(x))).collect();
+    let inertia = tensor_as_written(&row.inertia);
+    // A mass of zero is written where a tensor might be taken for one without its mass.
+    if is_given(&row.mass) || inertia.is_some() {
+        cells.push(entry("mass", value(&row.mass)));
+    }
+    if row.com.iter().any(is_given) {
+        cells.push(entry("com", values(&row.com)));
+    }
+    cells.extend(inertia);
+    Line {
+        name: row.name.clone(),
+        joint: Some(row),
+        locked: row.locked.as_ref().map(value),
+        cells,
+    }
+}
+
+/// `xyz` and `rpy` of a frame that was read.
+fn placement_as_written(frame: &Placement) -> Entries {
+    vec![
+        entry("xyz", values(&frame.xyz)),
+        entry("rpy", values(&frame.rpy)),
+    ]
+}
+
+/// The entries of a tensor that are not zero.
+fn tensor_as_written(inertia: &[Value; 6]) -> Option<(String, Node)> {
+    let entries = TENSOR.into_iter().zip(inertia);
+    let entries = entries.filter(|(_, x)| !x.is_zero());
+    let entries = entries.map(|(word, x)| entry(word, value(x)));
+    unless_empty("inertia", entries.collect())
+}
+
+const TENSOR: [&str; 6] = ["xx", "yy", "zz", "xy", "yz", "xz"];
 
 fn entry(word: &str, node: Node) -> (String, Node) {
     (word.to_owned(), node)
@@ -97,11 +218,11 @@ fn values(values: &[Value]) -> Node {
 
 /// A number of the file that was read.
 fn value(value: &Value) -> Node {
-    Node::Number(number(value).unwrap_or(Rational::ZERO))
+    Node::Written(value.clone())
 }
 
 /// Names of all rows: those of the joints, and others for rows that stand still.
-pub(super) fn names(table: &Table) -> Vec<String> {
+fn names(table: &Table) -> Vec<String> {
     let joints = table.rows.iter().filter_map(|row| row.joint);
     let taken: BTreeSet<&str> = joints.map(|joint| joint.row.name.as_str()).collect();
     let mut free = (1..)
@@ -134,12 +255,14 @@ fn functions(model: &Model) -> Option<(String, Node)> {
 /// `finger_2 = "-1 * finger_1 + 0.02"`
 fn couplings(robot: &Robot) -> Entries {
     let coupling = |(row, coupling): (&Joint, &Coupling)| {
-        let [factor, offset] = [&coupling.factor, &coupling.offset]
-            .map(|value| decimal(&number(value).unwrap_or(Rational::ZERO)));
         let leader = &robot.rows[coupling.leader].name;
-        let text = match offset.as_str() {
-            "0" => format!("{factor} * {leader}"),
-            _ => format!("{factor} * {leader} + {offset}"),
+        let multiple = format!(
+            "{} * {leader}",
+            expression(&coupling.factor, Binding::Product)
+        );
+        let text = match coupling.offset.is_zero() {
+            true => multiple,
+            false => sum(multiple, &coupling.offset),
         };
         (row.name.clone(), Node::Text(text))
     };
@@ -161,49 +284,35 @@ fn placement(frame: &Transform) -> Entries {
 }
 
 /// The tool's frame, and its body as the file that was read has it.
-fn tool(table: &Table, robot: &Robot) -> Option<(String, Node)> {
-    let mut entries = table.tool.as_ref().map(placement).unwrap_or_default();
+fn tool(mut entries: Entries, robot: &Robot) -> Option<(String, Node)> {
     if let Some(tool) = robot.tool.as_ref().filter(|tool| tool.has_body()) {
         entries.push(entry("mass", value(&tool.mass)));
         entries.push(entry("com", values(&tool.com)));
-        let inertia = tool
-            .inertia
-            .each_ref()
-            .map(|x| number(x).unwrap_or(Rational::ZERO));
-        entries.extend(tensor(&inertia));
+        entries.extend(tensor_as_written(&tool.inertia));
     }
     unless_empty("tool", entries)
 }
 
 /// The entries of a tensor that are not zero.
 fn tensor(inertia: &[Rational; 6]) -> Option<(String, Node)> {
-    let words = ["xx", "yy", "zz", "xy", "yz", "xz"]
-        .into_iter()
-        .zip(inertia);
-    let entries = words.filter(|(_, x)| decimal(x) != "0");
+    let entries = TENSOR.into_iter().zip(inertia);
+    let entries = entries.filter(|(_, x)| decimal(x) != "0");
     let entries = entries.map(|(word, x)| entry(word, Node::Number(x.clone())));
     unless_empty("inertia", entries.collect())
 }
 
-fn cells(row: &Row, name: &str) -> Entries {
+/// All cells of a row.
+fn cells(row: Line) -> Entries {
     let is_slide = row
         .joint
-        .is_some_and(|joint| joint.row.joint_type == JointType::Prismatic);
+        .is_some_and(|joint| joint.joint_type == JointType::Prismatic);
     let joint_type = if is_slide { "prismatic" } else { "revolute" };
     let mut cells = vec![
-        entry("name", Node::Text(name.to_owned())),
+        entry("name", Node::Text(row.name)),
         entry("type", Node::Text(joint_type.to_owned())),
     ];
-    let length =
-        |word, x: &Rational| (decimal(x) != "0").then(|| entry(word, Node::Number(x.clone())));
-    let angle = |word, x: &Angle| (!x.is_zero()).then(|| entry(word, Node::Angle(x.clone())));
-    let parameters = &row.parameters;
-    cells.extend(length("a", &parameters.a));
-    cells.extend(angle("alpha", &parameters.alpha));
-    cells.extend(length("d", &parameters.d));
-    cells.extend(angle("theta", &parameters.theta));
-    cells.extend(body(&row.body));
-    cells.extend(row.joint.iter().flat_map(|joint| of_joint(joint.row)));
+    cells.extend(row.cells);
+    cells.extend(row.joint.into_iter().flat_map(of_joint));
     cells
 }
 

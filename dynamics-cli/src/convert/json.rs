@@ -6,6 +6,7 @@ use dynamics_symbolic::exact::Rational;
 use super::document::{Document, Entries, Node};
 use super::number::{decimal, radians};
 use super::string::quoted;
+use super::written::written;
 
 /// The text of a document; `remark` says where it is from.
 pub(super) fn text(name: &str, document: &Document, remark: &str) -> String {
@@ -83,6 +84,7 @@ fn published(cells: &Entries) -> Vec<(String, String)> {
 fn value(node: &Node) -> String {
     match node {
         Node::Number(x) => decimal(x),
+        Node::Written(value) => written(value),
         Node::Angle(angle) => radians(angle),
         Node::Text(text) => quoted(text),
         Node::List(values) => {

@@ -2,8 +2,8 @@
 //! convention as those of the other.
 //!
 //! `arm` puts the axes and bodies of a file in space, exactly where angles are quarter turns and in fifty
-//! digits where they are not; `table` finds rows for them, or `urdf` writes them as they are. `document` says
-//! a table in the macro's words, `toml` and `json` write it. What is written is read back by the macro's own
+//! digits where they are not; `table` finds rows for them, or `urdf` writes them as they are. A table that stays in
+//! its convention keeps its rows. `document` says a table in the macro's words, `toml` and `json` write it. What is written is read back by the macro's own
 //! reader before anybody else sees it.
 
 mod angle;
@@ -17,6 +17,7 @@ mod string;
 mod table;
 mod toml;
 mod urdf;
+mod written;
 
 use std::path::{Path, PathBuf};
 
@@ -66,11 +67,15 @@ fn target(given: &ArgMatches, path: &Path) -> Format {
 }
 
 /// What stands at the head of the file.
-fn remarks(path: &Path, model_notes: &[String]) -> Vec<String> {
+fn remarks(path: &Path, is_rounded: bool, model_notes: &[String]) -> Vec<String> {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let numbers = match is_rounded {
+        true => format!("Numbers are exact, but for those of {DIGITS} digits, which are rounded."),
+        false => "Numbers are exact.".to_owned(),
+    };
     let mut remarks = vec![
         format!("Converted from {name} by `robot-dynamics convert`. SI units, radians."),
-        format!("Numbers are exact, but for those of {DIGITS} digits, which are rounded."),
+        numbers,
     ];
     let notes = model_notes.iter();
     remarks.extend(notes.map(|note| {
@@ -93,9 +98,15 @@ fn as_table(
         None => model.robot.convention,
     };
     let impossible = || Failure::of_file(path, "no table was found that has the arm's geometry");
-    let table = Table::of(arm, convention).ok_or_else(impossible)?;
-    let mut remarks = remarks(path, &model.notes);
-    if table.rows.iter().any(|row| row.joint.is_none()) {
+    let is_kept = convention == model.robot.convention
+        && model.robot.rows.iter().all(|row| row.mount.is_none());
+    let table = match is_kept {
+        true => None,
+        false => Some(Table::of(arm, convention).ok_or_else(impossible)?),
+    };
+    let mut remarks = remarks(path, !is_kept, &model.notes);
+    let mut rows = table.iter().flat_map(|table| &table.rows);
+    if rows.any(|row| row.joint.is_none()) {
         remarks.push(
             "The joints `fixed_1` and so on are locked. They stand where one row cannot say what is there: between \
              axes that are nearly parallel, and where an angle is within 1e-9 of a quarter turn."
@@ -104,7 +115,10 @@ fn as_table(
     }
     let mut allowed = Allowed::new();
     loop {
-        let document = Document::new(&table, &arm.gravity, model, &allowed);
+        let document = match &table {
+            Some(table) => Document::of_table(table, &arm.gravity, model, &allowed),
+            None => Document::as_written(model, &allowed),
+        };
         let text = match format {
             Format::Json => json::text(name, &document, &remarks.join(" ")),
             _ => toml::text(&document, &remarks),
@@ -115,7 +129,7 @@ fn as_table(
         };
         // What the file that was read has, odd as it is, is meant.
         let mut is_new = false;
-        for (joint, word) in refused_words(&text, format, &table, &refusals) {
+        for (joint, word) in refused_words(&text, format, &document, &refusals) {
             is_new |= allowed.entry(joint).or_default().insert(word);
         }
         if !is_new {
@@ -139,7 +153,7 @@ fn as_urdf(name: &str, arm: &Arm, path: &Path, given: &ArgMatches) -> Result<Str
             format!("{what}, which URDF has no words for: `--without {word}` leaves it out");
         return Err(Failure::of_file(path, message));
     }
-    let mut remarks = remarks(path, &[]);
+    let mut remarks = remarks(path, true, &[]);
     let [base, tip] = urdf::CHAIN;
     let gravity = arm.gravity.each_ref().map(number::decimal).join(", ");
     remarks.push(format!(

@@ -49,7 +49,7 @@ fn rounded(digits: &str) -> (String, isize) {
 }
 
 /// A decimal with its point, or with an exponent where that is shorter to read.
-fn placed(digits: &str, exponent: isize) -> String {
+pub(super) fn placed(digits: &str, exponent: isize) -> String {
     let count = digits.len() as isize;
     // The place of the point, counted from the first digit.
     let point = count + exponent;

@@ -4,8 +4,7 @@ use dynamics_codegen::description::Place;
 use dynamics_codegen::files::{Format, Request, table};
 use dynamics_codegen::{Error, check};
 
-use super::document::names;
-use super::table::Table;
+use super::document::Document;
 
 /// Why the table cannot be read; nothing where it can.
 pub(super) fn refusals(name: &str, text: &str, format: Format) -> Vec<Error> {
@@ -21,7 +20,7 @@ pub(super) fn refusals(name: &str, text: &str, format: Format) -> Vec<Error> {
 pub(super) fn refused_words(
     text: &str,
     format: Format,
-    table: &Table,
+    document: &Document,
     refusals: &[Error],
 ) -> Vec<(Option<String>, &'static str)> {
     const WORDS: [&str; 5] = [
@@ -35,7 +34,6 @@ pub(super) fn refused_words(
         Format::Json => "    {",
         _ => "[[joint]]",
     };
-    let names = names(table);
     let word_of = |error: &Error| {
         let word = WORDS
             .into_iter()
@@ -44,7 +42,7 @@ pub(super) fn refused_words(
             return Some((None, word));
         };
         let rows = text.lines().take(line).filter(|line| *line == head).count();
-        let joint = rows.checked_sub(1).and_then(|row| names.get(row));
+        let joint = rows.checked_sub(1).and_then(|row| document.names.get(row));
         Some((joint.cloned(), word))
     };
     refusals.iter().filter_map(word_of).collect()

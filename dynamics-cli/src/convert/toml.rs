@@ -3,6 +3,7 @@
 use super::document::{Document, Entries, Node};
 use super::number::{decimal, fraction, radians, turns};
 use super::string::quoted;
+use super::written::written;
 
 /// The text of a document.
 pub(super) fn text(document: &Document, remarks: &[String]) -> String {
@@ -18,17 +19,17 @@ pub(super) fn text(document: &Document, remarks: &[String]) -> String {
     for (word, node) in tables {
         text.push_str(&format!("\n[{}]\n", key(word)));
         if let Node::Table(entries) = node {
-            text.push_str(&written(entries));
+            text.push_str(&each_on_a_line(entries));
         }
     }
     for joint in &document.joints {
         text.push_str("\n[[joint]]\n");
-        text.push_str(&written(joint));
+        text.push_str(&each_on_a_line(joint));
     }
     text
 }
 
-fn written(entries: &Entries) -> String {
+fn each_on_a_line(entries: &Entries) -> String {
     let line = |(word, node): &(String, Node)| format!("{} = {}\n", key(word), value(node));
     entries.iter().map(line).collect()
 }
@@ -39,6 +40,7 @@ fn value(node: &Node) -> String {
             Some(fraction) => quoted(&fraction),
             None => decimal(x),
         },
+        Node::Written(value) => written(value),
         Node::Angle(angle) => turns(angle).map_or_else(|| radians(angle), quoted),
         Node::Text(text) => quoted(text),
         Node::List(values) => {

@@ -271,6 +271,44 @@ fn the_cells_of_a_published_table_are_found_again() {
     }
 }
 
+/// Frames that are no feet of normals, angles and numbers without an end, locked and coupled joints, base and tool.
+#[test]
+fn a_table_in_its_own_convention_keeps_its_rows() {
+    let text = "convention = \"modified\"\ngravity = [0, 0, -9.80665]\n\
+        lock = { brake = \"deg(-30)\" }\ncouple = { back = \"-one / 3 + 0.02\" }\n\
+        [base]\nxyz = [0, 0, 0.8]\nrpy = [0, \"deg(15)\", 0.2]\n\
+        [tool]\nxyz = [0.1, 0, 0]\nrpy = [\"PI / 7\", 0, 0]\nmass = 0.3\ncom = [0, 0, 0.05]\ninertia = \"sphere(0.04)\"\n\
+        [[joint]]\nname = \"one\"\ntype = \"revolute\"\nd = 0.3\ntheta = \"PI / 5\"\nmass = 1.2345678901234567890123456789\n\
+        com = [0.1, \"1 / 3\", -2e-7]\ninertia = \"rod(2)\"\nlimits = [\"-2 * PI\", 3]\n\
+        [[joint]]\nname = \"slide\"\ntype = \"prismatic\"\na = 0.4\nalpha = -0.3\nd = 0.1\ntheta = 0.2\nmass = 2\n\
+        motor = { inertia = 1e-40, gear_ratio = 100 }\nspring = { stiffness = 40, rest = 0.1 }\n\
+        [[joint]]\nname = \"brake\"\ntype = \"revolute\"\na = 0.1\nalpha = \"PI / 2\"\nmass = 0.5\ncom = [0, 0, 0.1]\n\
+        [[joint]]\nname = \"back\"\ntype = \"revolute\"\nalpha = 1.5707963267948966\nd = 0.2\nmass = 0.25\ncom = [0.1, 0, 0]\n\
+        friction = { viscous = 0.1, coulomb = { positive = 0.5, negative = 0.4 } }\n";
+    let path = file("kept.toml", text);
+    let none = Besides::default();
+    let source = read(&path, &none);
+    for (options, name) in [
+        (&["--to", "toml"][..], "kept_again.toml"),
+        (
+            &["--to", "json", "--convention", "modified"],
+            "kept_again.json",
+        ),
+    ] {
+        let (written, same) = converted(&path, options, name, &none);
+        assert_eq!(same.rows, source.rows, "{name}");
+        assert_eq!((&same.base, &same.gravity), (&source.base, &source.gravity));
+        let parts = |robot: &Robot| {
+            let tool = robot.tool.clone().expect("a tool");
+            (tool.placement, tool.mass, tool.com, tool.inertia)
+        };
+        assert_eq!(parts(&same), parts(&source), "{name}");
+        let text = std::fs::read_to_string(written).expect("a table");
+        assert!(text.contains("1.2345678901234567890123456789"), "{text}");
+        assert!(text.contains("Numbers are exact."), "{text}");
+    }
+}
+
 /// Nearly parallel axes have no normal that is near: a locked joint stands between them, and digits stay.
 #[test]
 fn axes_that_are_nearly_parallel_keep_their_digits() {
