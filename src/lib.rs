@@ -28,6 +28,7 @@
 //! - [`robot_dynamics!`] has the whole grammar of a table, with an example of each entry, the files that it reads, and
 //!   the list of all functions.
 //! - [`Scalar`] is what functions compute with: `f32`, `f64`, [`DoubleDouble`] of 31 digits, dual numbers, your own.
+//! - [`Certified`] numbers carry a proven bound of their error; [`certified`] has sharper ones of what is solved for with M.
 //! - [`Simulation`] moves an arm under torques and forces by a [`Method`] of your choice, [`TaylorSimulation`] to any
 //!   accuracy that a double holds; [`Cycloidal`] is a motion to follow.
 //! - `Batch` gives every function a second one, `NAME_batch`, for many states at once.

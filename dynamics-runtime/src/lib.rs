@@ -21,7 +21,7 @@ pub use nalgebra;
 
 #[cfg(feature = "std")]
 mod batch;
-mod certified;
+pub mod certified;
 #[cfg(feature = "std")]
 mod check;
 mod conditioning;

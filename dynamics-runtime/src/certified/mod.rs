@@ -1,15 +1,28 @@
-//! Numbers that carry a proven bound of their error.
+//! Numbers that carry a proven bound of their error, and functions that solve with M on them.
+//!
+//! Any generated method runs on [`Certified`] numbers. For those that solve with M, the functions of this module have
+//! sharper bounds of the same values: an elimination is what a bound that follows one operation after the other
+//! cannot see through.
 
+mod dynamics;
 mod operations;
 mod outward;
 mod rounded;
 mod scalar;
+mod solution;
 #[cfg(test)]
 mod tests;
 
 use core::fmt;
 
+#[cfg(feature = "std")]
+pub(crate) use dynamics::accelerations_near;
+pub use dynamics::{
+    forward_dynamics, forward_dynamics_aba, forward_dynamics_derivatives,
+    operational_inertia_inverse,
+};
 use outward::Bound;
+use rounded::Magnitude as _;
 pub use rounded::Rounded;
 
 /// A number as a processor computes it, and a proven bound of its distance from the exact one.
@@ -62,7 +75,7 @@ pub use rounded::Rounded;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Certified<F: Rounded = f64> {
     value: F,
-    error: Bound<F>,
+    error: Bound<F::Magnitude>,
 }
 
 impl<F: Rounded> Certified<F> {
@@ -73,7 +86,7 @@ impl<F: Rounded> Certified<F> {
 
     /// A number of which the exact one is at most `error` away; a negative error, or one that is no number, says
     /// nothing.
-    pub fn with_error(value: F, error: F) -> Self {
+    pub fn with_error(value: F, error: F::Magnitude) -> Self {
         Certified::new(value, Bound::new(error))
     }
 
@@ -83,12 +96,12 @@ impl<F: Rounded> Certified<F> {
     }
 
     /// How far the exact number may be from the value: infinite where nothing is proven.
-    pub fn bound(self) -> F {
+    pub fn bound(self) -> F::Magnitude {
         self.error.get()
     }
 
-    fn new(value: F, error: Bound<F>) -> Self {
-        let is_finite = value.magnitude() < F::INFINITY;
+    fn new(value: F, error: Bound<F::Magnitude>) -> Self {
+        let is_finite = value.magnitude() < F::Magnitude::INFINITY;
         Certified {
             value,
             error: if is_finite { error } else { Bound::UNKNOWN },
@@ -97,7 +110,10 @@ impl<F: Rounded> Certified<F> {
 }
 
 /// `0.25 +- 3e-17`.
-impl<F: Rounded + fmt::Display + fmt::LowerExp> fmt::Display for Certified<F> {
+impl<F> fmt::Display for Certified<F>
+where
+    F: Rounded<Magnitude: fmt::LowerExp> + fmt::Display,
+{
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{} +- {:.1e}", self.value, self.bound())
     }

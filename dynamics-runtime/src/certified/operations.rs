@@ -8,7 +8,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use num_traits::{One, Zero};
 
-use super::outward::{Bound, half_unit};
+use super::outward::Bound;
 use super::{Certified, Rounded};
 use crate::operators::impl_assign;
 
@@ -29,8 +29,7 @@ impl<F: Rounded> Add for Certified<F> {
     /// |(a' + b') - (a + b)| <= |e_a| + |e_b|
     fn add(self, b: Self) -> Self {
         let value = self.value + b.value;
-        let left_out = F::left_out(self.value, b.value, value);
-        let rounding = Bound::new(left_out.magnitude());
+        let rounding = Bound::new(F::left_out(self.value, b.value, value));
         Certified::new(value, self.error + b.error + rounding)
     }
 }
@@ -61,12 +60,12 @@ impl<F: Rounded> Div for Certified<F> {
     /// |a'/b' - a/b| = |(a'/b') e_b - e_a| / |b|, and |b| >= |b'| - |e_b|.
     fn div(self, b: Self) -> Self {
         let value = self.value / b.value;
-        let Some(least) = b.size().beyond(b.error) else {
+        let Some(least) = b.least_size().beyond(b.error) else {
             return Certified::new(value, Bound::UNKNOWN);
         };
         let rounding = match self.value == F::ZERO {
             true => Bound::NONE,
-            false => half_unit(value),
+            false => Bound::new(value.rounding()),
         };
         let quotient = Bound::new(value.magnitude()) + rounding;
         let passed_on = (quotient * b.error + self.error) / least;
@@ -76,21 +75,31 @@ impl<F: Rounded> Div for Certified<F> {
 
 impl<F: Rounded> Certified<F> {
     /// |a' b' - a b| <= |a'| |e_b| + |b'| |e_a| + |e_a| |e_b|
-    pub(super) fn error_of_product(self, b: Self) -> Bound<F> {
+    pub(super) fn error_of_product(self, b: Self) -> Bound<F::Magnitude> {
         self.size() * b.error + b.size() * self.error + self.error * b.error
     }
 
     /// What is left out of a product that is rounded to `value`: nothing of one by zero.
-    fn rounding_of_product(self, b: Self, value: F) -> Bound<F> {
+    fn rounding_of_product(self, b: Self, value: F) -> Bound<F::Magnitude> {
         match self.value == F::ZERO || b.value == F::ZERO {
             true => Bound::NONE,
-            false => half_unit(value),
+            false => Bound::new(value.rounding()),
         }
     }
 
+    /// |a'| + |e_a|: no exact number is larger.
+    pub(super) fn largest(self) -> Bound<F::Magnitude> {
+        self.size() + self.error
+    }
+
     /// |a'|, which is no bound of |a|.
-    pub(super) fn size(self) -> Bound<F> {
+    pub(super) fn size(self) -> Bound<F::Magnitude> {
         Bound::new(self.value.magnitude())
+    }
+
+    /// |a'| or less.
+    pub(super) fn least_size(self) -> Bound<F::Magnitude> {
+        Bound::new(self.value.least_magnitude())
     }
 }
 

@@ -5,13 +5,13 @@
 
 use core::ops::{Add, Div, Mul};
 
-use super::Rounded;
+use super::rounded::Magnitude;
 
 /// What an error is at most: zero or more; infinite where nothing is known. Never NaN.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 pub(super) struct Bound<F>(F);
 
-impl<F: Rounded> Bound<F> {
+impl<F: Magnitude> Bound<F> {
     pub(super) const NONE: Self = Bound(F::ZERO);
     pub(super) const UNKNOWN: Self = Bound(F::INFINITY);
 
@@ -19,7 +19,7 @@ impl<F: Rounded> Bound<F> {
     pub(super) fn new(x: F) -> Self {
         if x >= F::ZERO {
             // 0 for -0, which is not less.
-            Bound(x.magnitude())
+            Bound(x + F::ZERO)
         } else {
             Bound::UNKNOWN
         }
@@ -36,6 +36,10 @@ impl<F: Rounded> Bound<F> {
 
     pub(super) fn min(self, other: Self) -> Self {
         if other < self { other } else { self }
+    }
+
+    pub(super) fn max(self, other: Self) -> Self {
+        if other > self { other } else { self }
     }
 
     fn is_known(self) -> bool {
@@ -55,7 +59,7 @@ impl<F: Rounded> Bound<F> {
     }
 }
 
-impl<F: Rounded> Add for Bound<F> {
+impl<F: Magnitude> Add for Bound<F> {
     type Output = Self;
 
     fn add(self, other: Self) -> Self {
@@ -69,7 +73,7 @@ impl<F: Rounded> Add for Bound<F> {
     }
 }
 
-impl<F: Rounded> Mul for Bound<F> {
+impl<F: Magnitude> Mul for Bound<F> {
     type Output = Self;
 
     /// What is not known stays so, times zero too.
@@ -84,7 +88,7 @@ impl<F: Rounded> Mul for Bound<F> {
     }
 }
 
-impl<F: Rounded> Div for Bound<F> {
+impl<F: Magnitude> Div for Bound<F> {
     type Output = Self;
 
     /// By a number that is at least `other`, which is greater than zero.
@@ -94,24 +98,4 @@ impl<F: Rounded> Div for Bound<F> {
             false => Bound::rounded_up(self.0 / other.0),
         }
     }
-}
-
-/// Half a unit in the last place: no number is further from the result that it was rounded to, and none from
-/// the least number that was rounded to zero.
-pub(super) fn half_unit<F: Rounded>(x: F) -> Bound<F> {
-    let unit = unit(x);
-    let half = unit * F::from_f64(0.5);
-    // Half the least number is zero.
-    Bound::new(if half > F::ZERO { half } else { unit })
-}
-
-/// One unit in the last place of a number that is less than two units away from `x`.
-pub(super) fn unit_near<F: Rounded>(x: F) -> Bound<F> {
-    Bound::new(unit(x.magnitude().above().above()))
-}
-
-/// From |x| to the next larger number; exact.
-fn unit<F: Rounded>(x: F) -> F {
-    let size = x.magnitude();
-    size.above() - size
 }

@@ -2,10 +2,10 @@
 
 use num_traits::Zero;
 
-use super::outward::{Bound, half_unit, unit_near};
+use super::outward::Bound;
+use super::rounded::Magnitude;
 use super::{Certified, Rounded};
 use crate::Scalar;
-use crate::float::FUSED;
 
 impl<F: Rounded> Scalar for Certified<F> {
     /// A constant: an exact number that was rounded to the double `x`, and that to the precision.
@@ -14,7 +14,7 @@ impl<F: Rounded> Scalar for Certified<F> {
         // A constant that is zero is written only where it is zero exactly.
         let rounding = match x == 0.0 {
             true => Bound::NONE,
-            false => Bound::new(F::at_least(half_unit(x).get())),
+            false => Bound::new(F::Magnitude::at_least(x.rounding())),
         };
         Certified::new(read.value, read.error + rounding)
     }
@@ -48,10 +48,10 @@ impl<F: Rounded> Scalar for Certified<F> {
             if angle.is_zero() {
                 return (angle, Certified::exact(cosine));
             }
-            let kernel = [sine, cosine].map(unit_near);
+            let kernel = [sine, cosine].map(|x| Bound::new(angle.value.sine_error(x)));
             let e = angle.error;
-            let half_square = e * e * Bound::new(F::from_f64(0.5));
-            let passed_on = |slope: F, error: Bound<F>| {
+            let half_square = e * e * Bound::new(F::Magnitude::HALF);
+            let passed_on = |slope: F, error: Bound<F::Magnitude>| {
                 let slope = Bound::new(slope.magnitude()) + error;
                 e.min(slope * e + half_square)
             };
@@ -69,19 +69,18 @@ impl<F: Rounded> Scalar for Certified<F> {
         if self.is_zero() {
             return self;
         }
-        let rounding = half_unit(value);
+        let rounding = Bound::new(value.rounding());
         if self.error == Bound::NONE {
             return Certified::new(value, rounding);
         }
-        let lowest = Bound::new(self.value).beyond(self.error);
-        let least = lowest.and_then(|lowest| {
-            let root = Bound::new(lowest.get().sqrt());
-            root.beyond(half_unit(root.get()))
-        });
-        let (Some(root), Some(least)) = (Bound::new(value).beyond(rounding), least) else {
+        let least = self.least_size().beyond(self.error);
+        let least =
+            least.and_then(|least| Bound::new(least.get().root().below()).beyond(Bound::NONE));
+        let root = Bound::new(value.least_magnitude()).beyond(rounding);
+        let (Some(root), Some(least)) = (root, least) else {
             return Certified::new(value, Bound::UNKNOWN);
         };
-        let half = Bound::new(F::from_f64(0.5));
+        let half = Bound::new(F::Magnitude::HALF);
         let passed_on = (self.error / root).min(half * self.error / least);
         Certified::new(value, passed_on + rounding)
     }
@@ -89,21 +88,23 @@ impl<F: Rounded> Scalar for Certified<F> {
     /// |exp a' - exp a| <= exp a' (exp |e_a| - 1), which is at most exp a' (|e_a| + e_a^2) up to |e_a| = 1.
     fn exp(self) -> Self {
         let value = Scalar::exp(self.value);
-        let kernel = unit_near(value);
+        let kernel = Bound::new(value.kernel_error());
         let e = self.error;
         if e == Bound::NONE {
             return Certified::new(value, kernel);
         }
-        let one = F::from_f64(1.0);
-        let grown = match e.get() <= one {
+        let grown = match e.get() <= F::Magnitude::ONE {
             true => e + e * e,
             false => Bound::UNKNOWN,
         };
-        Certified::new(value, kernel + (Bound::new(value) + kernel) * grown)
+        Certified::new(
+            value,
+            kernel + (Bound::new(value.magnitude()) + kernel) * grown,
+        )
     }
 
     fn mul_add(self, a: Self, b: Self) -> Self {
-        if !FUSED {
+        if !F::FUSED {
             return self * a + b;
         }
         let value = self.value.mul_add(a.value, b.value);
@@ -111,7 +112,7 @@ impl<F: Rounded> Scalar for Certified<F> {
         let rounding = if is_exact {
             Bound::NONE
         } else {
-            half_unit(value)
+            Bound::new(value.rounding())
         };
         Certified::new(value, self.error_of_product(a) + b.error + rounding)
     }
@@ -119,10 +120,12 @@ impl<F: Rounded> Scalar for Certified<F> {
     /// Certain where the number cannot be zero, or is it exactly; else off by up to 1 + |sign a'|.
     fn sign(self) -> Self {
         let value = self.value.sign();
-        let is_certain = self.error == Bound::NONE || self.size().beyond(self.error).is_some();
+        let is_certain =
+            self.error == Bound::NONE || self.least_size().beyond(self.error).is_some();
         let error = match is_certain {
             true => Bound::NONE,
-            false => Bound::new(F::from_f64(1.0) + value.magnitude()),
+            false if value == F::ZERO => Bound::new(F::Magnitude::ONE),
+            false => Bound::new(F::Magnitude::ONE + F::Magnitude::ONE),
         };
         let is_known = self.error != Bound::UNKNOWN;
         Certified::new(value, if is_known { error } else { Bound::UNKNOWN })
@@ -143,7 +146,7 @@ impl<F: Rounded> Certified<F> {
     fn read(x: f64) -> Self {
         let value = F::from_f64(x);
         // Exact: the difference has no more digits than x.
-        let distance = F::at_least((x - value.to_f64()).abs());
+        let distance = F::Magnitude::at_least((x - value.to_f64()).abs());
         Certified::new(value, Bound::new(distance))
     }
 }

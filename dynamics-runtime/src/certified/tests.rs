@@ -1,15 +1,22 @@
+use super::rounded::Magnitude;
 use super::{Certified, Rounded};
 use crate::check::random::SplitMix64;
 use crate::{DoubleDouble, Scalar};
 
+/// A precision whose errors it holds itself.
+trait Number: Rounded<Magnitude = Self> + Magnitude {}
+
+impl Number for f32 {}
+impl Number for f64 {}
+
 /// A number with its bound, and the exact one to 31 digits.
 #[derive(Clone, Copy)]
-struct Known<F: Rounded> {
+struct Known<F: Number> {
     certified: Certified<F>,
     exact: DoubleDouble,
 }
 
-impl<F: Rounded> Known<F> {
+impl<F: Number> Known<F> {
     /// A random number of either sign, over some powers of ten, known to some error or exactly.
     fn random(random: &mut SplitMix64) -> Self {
         let sign = if random.within(&(-1.0..=1.0)) < 0.0 {
@@ -72,7 +79,7 @@ fn operate<T: Scalar>(choice: u8, a: T, b: T, c: T) -> T {
 
 /// The numbers of long random computations are never further from the exact ones than their bounds. Values are
 /// those of the plain float.
-fn random_computations<F: Rounded>() {
+fn random_computations<F: Number>() {
     let mut random = SplitMix64(5);
     let mut numbers: [Known<F>; 8] = core::array::from_fn(|_| Known::random(&mut random));
     let mut count = 0;
@@ -104,8 +111,53 @@ fn random_computations<F: Rounded>() {
     assert!(count > 10_000, "{count}");
 }
 
+/// Numbers of 31 digits that are wrong by as much as they may be, through all operations: what their own roundings add
+/// is far below. At the ends of the errors bounds are nearly reached.
+#[test]
+fn bounds_hold_in_31_digits() {
+    let mut random = SplitMix64(7);
+    let mut largest = [0.0_f64; 9];
+    for _ in 0..2000 {
+        for (choice, largest) in largest.iter_mut().enumerate() {
+            let [a, b, c] = core::array::from_fn(|_| {
+                let x = random.within(&(0.5..=2.0));
+                let error = 1e-20 * random.within(&(0.5..=1.0));
+                let off = if random.within(&(0.0..=1.0)) < 0.5 {
+                    error
+                } else {
+                    -error
+                };
+                let value = DoubleDouble::from(x);
+                (
+                    Certified::with_error(value, error),
+                    value + DoubleDouble::from(off),
+                )
+            });
+            let found = operate(choice as u8, a.0, b.0, c.0);
+            let exact = operate(choice as u8, a.1, b.1, c.1);
+            let error = (found.value() - exact).abs().high();
+            assert!(error <= found.bound(), "{choice}: {error:e} {found:?}");
+            *largest = largest.max(error / found.bound());
+        }
+    }
+    assert!(largest.iter().all(|x| *x > 0.9), "{largest:?}");
+}
+
+/// Of numbers near the end of the range something may be left out, of far angles nothing is known.
+#[test]
+fn what_31_digits_do_not_hold_is_counted() {
+    let [a, b] = [1.0 / 3.0, 2.0 / 7.0].map(|x| DoubleDouble::from(x) * DoubleDouble::from(1e-290));
+    for x in [a * b, a - b, a / b, a.sqrt()] {
+        assert!(x.rounding() >= f64::MIN_POSITIVE && x.magnitude() >= x.least_magnitude());
+    }
+    let far = Certified::exact(DoubleDouble::from(1e13)).sin_cos();
+    assert_eq!(far.0.bound(), f64::INFINITY);
+    let near = Certified::exact(DoubleDouble::from(1e6)).sin_cos();
+    assert!(near.0.bound() < 1e-28 && near.1.bound() > 0.0);
+}
+
 /// The largest error of each operation over its bound, on operands that are exact or as wrong as they may be.
-fn largest_ratios<F: Rounded>(relative_error: f64) -> [f64; 9] {
+fn largest_ratios<F: Number>(relative_error: f64) -> [f64; 9] {
     let mut random = SplitMix64(6);
     core::array::from_fn(|choice| {
         let ratios = (0..3000).map(|_| {

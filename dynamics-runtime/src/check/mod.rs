@@ -16,6 +16,7 @@ use std::collections::BTreeMap;
 
 use nalgebra::SVector;
 
+use crate::certified::accelerations_near;
 use crate::{Certified, Evaluate, Evaluation, NewtonEuler, State, Table};
 use deviation::Deviation;
 use functions::{deviations, gravity_energy};
@@ -132,13 +133,15 @@ impl Check {
     }
 
     /// The same, with the largest proven bound of what each function rounds beside its error: the functions are
-    /// evaluated in [`Certified`] numbers too. An error well above its bound is none of rounding, but for the
+    /// evaluated in [`Certified`] numbers too, accelerations bounded by their residual besides where `mass_matrix` and
+    /// `inverse_dynamics` are known. An error well above its bound is none of rounding, but for the
     /// roundings of the numeric algorithm.
     ///
     /// Of arms that were not generated, and of functions that are parts of another method, there is no bound.
     pub fn certify<R: Evaluate<N>, const N: usize>(&self, robot: &R) -> Report {
         self.report(robot, |numeric, table, (state, tau)| {
             let evaluation = robot.evaluate_in(state, tau, Certified::exact);
+            let evaluation = by_residuals(evaluation, state, tau);
             deviations(&evaluation, numeric, table, (state, tau), 0.0)
         })
     }
@@ -186,6 +189,24 @@ impl Check {
             }
         }
         report
+    }
+}
+
+/// Bounds of accelerations by what they leave of the torques.
+fn by_residuals<const N: usize>(
+    found: Evaluation<N, Certified>,
+    state: &State<N>,
+    tau: &SVector<f64, N>,
+) -> Evaluation<N, Certified> {
+    let (Some(mass_matrix), Some(torques)) = (found.mass_matrix, found.inverse_dynamics) else {
+        return found;
+    };
+    let left = tau.map(Certified::exact) - torques;
+    let sharpened = |qdd: SVector<_, N>| accelerations_near((&state.qdd, &left), &mass_matrix, qdd);
+    Evaluation {
+        forward_dynamics: found.forward_dynamics.map(|qdd| qdd.map(sharpened)),
+        forward_dynamics_aba: found.forward_dynamics_aba.map(|qdd| qdd.map(sharpened)),
+        ..found
     }
 }
 

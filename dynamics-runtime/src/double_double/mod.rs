@@ -43,6 +43,11 @@ pub struct DoubleDouble {
 }
 
 impl DoubleDouble {
+    pub(crate) const ZERO: Self = DoubleDouble {
+        high: 0.0,
+        low: 0.0,
+    };
+
     /// The nearest double.
     #[inline]
     pub const fn high(self) -> f64 {

@@ -38,7 +38,10 @@ macro_rules! point_masses {
     };
 }
 
-point_masses!(PointMasses, [mass_matrix, forward_dynamics]);
+point_masses!(
+    PointMasses,
+    [mass_matrix, inverse_dynamics, forward_dynamics]
+);
 point_masses!(ArticulatedMasses, [forward_dynamics_aba]);
 
 robot_dynamics! {
@@ -97,7 +100,10 @@ macro_rules! ideal_wrist {
     };
 }
 
-ideal_wrist!(IdealWrist, [mass_matrix, forward_dynamics]);
+ideal_wrist!(
+    IdealWrist,
+    [mass_matrix, inverse_dynamics, forward_dynamics]
+);
 ideal_wrist!(ArticulatedWrist, [forward_dynamics_aba]);
 
 /// The PUMA 560 (Armstrong, Khatib and Burdick 1986; Corke 1996), without friction: `motors` times the inertia

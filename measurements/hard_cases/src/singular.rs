@@ -91,6 +91,7 @@ fn gimbal(id: &'static str, angle: f64, bound: f64, naive: f64) -> Vec<Score> {
             0.5,
         ),
     ];
-    scores.extend(proven(id, &IdealWrist, nearest.error()));
+    // The constants of a table of numbers are known to half a unit in the last place.
+    scores.extend(proven(id, &IdealWrist, nearest.error(), 200.0));
     scores
 }

@@ -4,7 +4,7 @@ use clock::Effort;
 use robot_dynamics::nalgebra::{SMatrix, SVector};
 use robot_dynamics::{
     Batch, Certified, CoriolisVector, DoubleDouble, ForwardDynamics, GravityVector,
-    InverseDynamics, MassMatrix, Model, NewtonEuler, SingularMassMatrix, Table,
+    InverseDynamics, MassMatrix, Model, NewtonEuler, SingularMassMatrix, Table, certified,
 };
 
 use crate::errors::{AtState, Errors};
@@ -224,7 +224,7 @@ impl<const N: usize> Measurements<N> {
         self.bound(Function::G, |s| arm.gravity_vector(&s.q));
         self.bound(Function::Tau, |s| arm.inverse_dynamics(&s.q, &s.qd, &s.qdd));
         self.bound(Function::Qdd, |s| {
-            let qdd = arm.forward_dynamics(&s.q, &s.qd, &s.tau);
+            let qdd = certified::forward_dynamics(arm, &s.q, &s.qd, &s.tau);
             qdd.unwrap_or_else(|_| SVector::repeat(Certified::exact(f64::NAN)))
         });
     }

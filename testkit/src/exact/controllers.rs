@@ -46,6 +46,47 @@ impl<const N: usize> Exact<'_, N> {
         acceleration
     }
 
+    /// d tau/dq and d tau/dqd, dry friction constant.
+    pub fn inverse_dynamics_derivatives(
+        &self,
+        q: &Joints<N>,
+        qd: &Joints<N>,
+        qdd: &Joints<N>,
+    ) -> [SMatrix<DoubleDouble, N, N>; 2] {
+        let along = |a: Joints<N>, b: Joints<N>| {
+            let [derivative, _] = derivatives(|t| {
+                let position = q + a * t;
+                let torques = self.torques(&position, &(qd + b * t), qdd, &self.gravity());
+                torques + self.springs(&position)
+            });
+            derivative
+        };
+        let none = Joints::<N>::zeros();
+        let by_position: [_; N] = std::array::from_fn(|k| along(unit(k), none));
+        let by_velocity: [_; N] = std::array::from_fn(|k| {
+            along(none, unit(k)) + unit(k) * number(self.0.rows[k].viscous)
+        });
+        [by_position, by_velocity].map(|columns| SMatrix::from_columns(&columns))
+    }
+
+    /// d qdd/dq, d qdd/dqd and M^-1, dry friction constant.
+    pub fn forward_dynamics_derivatives(
+        &self,
+        q: &Joints<N>,
+        qd: &Joints<N>,
+        tau: &Joints<N>,
+    ) -> [SMatrix<DoubleDouble, N, N>; 3] {
+        let m = self.mass_matrix(q);
+        let qdd = self.forward_dynamics(q, qd, tau);
+        let [by_position, by_velocity] = self.inverse_dynamics_derivatives(q, qd, &qdd);
+        let units: [_; N] = std::array::from_fn(unit);
+        let solved = |b: SMatrix<DoubleDouble, N, N>| {
+            let columns: [_; N] = std::array::from_fn(|k| solve(m, b.column(k).into_owned()));
+            SMatrix::from_columns(&columns)
+        };
+        [-by_position, -by_velocity, SMatrix::from_columns(&units)].map(solved)
+    }
+
     /// J M^-1 J'.
     pub fn operational_inertia_inverse(&self, q: &Joints<N>) -> Matrix6<DoubleDouble> {
         let (m, j) = (self.mass_matrix(q), self.jacobian(q));
@@ -75,11 +116,7 @@ impl<const N: usize> Exact<'_, N> {
     /// Its derivatives by the positions.
     pub fn center_of_mass_jacobian(&self, q: &Joints<N>) -> SMatrix<DoubleDouble, 3, N> {
         let columns: [_; N] = std::array::from_fn(|k| {
-            let [derivative, _] = derivatives(|t| {
-                let mut moved = *q;
-                moved[k] += t;
-                self.center_of_mass(&moved)
-            });
+            let [derivative, _] = derivatives(|t| self.center_of_mass(&(q + unit(k) * t)));
             derivative
         });
         SMatrix::from_columns(&columns)
@@ -93,11 +130,7 @@ impl<const N: usize> Exact<'_, N> {
 
     /// C' qd - G - K - F.
     pub fn momentum_bias(&self, q: &Joints<N>, qd: &Joints<N>) -> Joints<N> {
-        let kinetic = SVector::from_fn(|j, _| {
-            let mut unit = Joints::<N>::zeros();
-            unit[j] = number(1.0);
-            qd.dot(&self.coriolis(q, qd, &unit))
-        });
+        let kinetic = SVector::from_fn(|j, _| qd.dot(&self.coriolis(q, qd, &unit(j))));
         kinetic - self.gravity_vector(q) - self.springs(q) - self.friction(qd)
     }
 
@@ -128,7 +161,6 @@ impl<const N: usize> Exact<'_, N> {
         qd: &Joints<N>,
         qdd: &Joints<N>,
     ) -> SecondDerivatives<DoubleDouble, N> {
-        let unit = |k: usize| SVector::from_fn(|i, _| number(if i == k { 1.0 } else { 0.0 }));
         // By positions along a and velocities along b.
         let along = |a: Joints<N>, b: Joints<N>| {
             let torque = |t| self.inverse_dynamics(&(q + a * t), &(qd + b * t), qdd);
@@ -178,6 +210,11 @@ fn jacobian<const N: usize>(links: &[Link], p: Vector) -> Jacobian<N> {
         columns.fixed_view_mut::<3, 1>(3, k).copy_from(&angular);
     }
     columns
+}
+
+/// One joint alone moves.
+fn unit<const N: usize>(k: usize) -> Joints<N> {
+    SVector::from_fn(|i, _| number(if i == k { 1.0 } else { 0.0 }))
 }
 
 /// x + x' t + x'' t^2/2 + ...
