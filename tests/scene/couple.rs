@@ -3,13 +3,15 @@
 //!
 //! With q = S q_j + c of the whole arm, M_j = S' M S, and so for everything that has an index of joints.
 
-use robot_dynamics::nalgebra::{DVector, SMatrix, SVector};
+use robot_dynamics::nalgebra::{DMatrix, DVector, SMatrix, SVector};
 use robot_dynamics::{
-    DoubleDouble, Evaluate, Friction, NewtonEuler, Simulation, Table, base_parameter_map,
+    Certified, DoubleDouble, Evaluate, ForwardDynamics, Friction, GravityVector, InverseDynamics,
+    MassMatrix, NewtonEuler, Scalar, Simulation, State, Table, base_parameter_map, certified,
     check_against_rnea, robot_dynamics,
 };
 use robots::palletiser_table;
 use testkit::exact::Exact;
+use testkit::random::Random;
 
 /// An arm with couplings and all functions, and the same arm without them.
 macro_rules! arm {
@@ -284,9 +286,32 @@ fn leads<R: Evaluate<N>, const N: usize, const P: usize>(robot: &R, expected: &S
     x.extend(rows.map(|row| row.reflected_inertia()));
     let found = map * DVector::from(x);
     let error = (&found - expected).amax() / expected.amax();
-    println!("base parameters: {P}, error {error:e}");
-    // The condition of the regressor's columns, up to 40 of heavy links and of a pinion of 0.1 kg.
-    assert!(error < 1e-10, "{error:e}");
+    let condition = condition(robot);
+    println!("base parameters: {P}, error {error:e}, condition {condition:e}");
+    // Least squares lose what the condition number says: it is 4 and 6 for the gripper and the palletiser, and 6e4 for
+    // the gears, whose followers turn by multiples of one angle.
+    assert!(error < 4.0 * f64::EPSILON * condition, "{error:e}");
+}
+
+/// The condition number of the regressor's columns over some states, each column scaled to the same length.
+fn condition<R: Evaluate<N>, const N: usize>(robot: &R) -> f64 {
+    let mut random = Random::seeded(3);
+    let mut rows = Vec::new();
+    for _ in 0..100 {
+        let [q, qd, qdd] = [(); 3].map(|()| random.vector::<N>(2.0));
+        let state = State { q, qd, qdd };
+        let columns = robot
+            .evaluate(&state, &SVector::zeros())
+            .regressor
+            .expect("generated");
+        rows.extend((0..N).map(|i| columns.iter().map(|column| column[i]).collect::<Vec<_>>()));
+    }
+    let mut matrix = DMatrix::from_fn(rows.len(), rows[0].len(), |i, j| rows[i][j]);
+    for mut column in matrix.column_iter_mut() {
+        column /= column.norm();
+    }
+    let values = matrix.singular_values();
+    values.max() / values.min()
 }
 
 /// A run ends at the limit of the joint that leads, and the table has no others.
@@ -471,4 +496,87 @@ fn a_follower_of_a_locked_joint_is_locked() {
     assert_eq!(following.table(), locked.table());
     assert_eq!(following.gravity_vector(&q), locked.gravity_vector(&q));
     assert_eq!(LockedLeader::OPERATIONS, BothLocked::OPERATIONS);
+}
+
+robot_dynamics! {
+    /// A link that turns by 0.35 of the angle of a joint that carries nothing besides.
+    struct Fraction;
+    convention: modified,
+    gravity: [0, -9.81, 0],
+    joints: [leader: revolute {}, follower: revolute { mass: 1.3, com: [0.4, 0, 0] }],
+    couple: [follower = 0.35 * leader + 0.2],
+}
+
+robot_dynamics! {
+    /// The same, its numbers fields.
+    struct FractionOfFields { factor: f64, offset: f64, mass: f64, length: f64, g: f64 }
+    convention: modified,
+    gravity: [0, -g, 0],
+    joints: [leader: revolute {}, follower: revolute { mass: mass, com: [length, 0, 0] }],
+    couple: [follower = factor * leader + offset],
+}
+
+/// The largest and the mean error of G and of accelerations over their bounds, beside M = m (1 + f)^2 l^2 and
+/// G = m g l (1 + f) cos((1 + f) q + offset) in 31 digits.
+fn follower_ratios<R>(arm: &R, [f, offset, m, l, g]: [DoubleDouble; 5]) -> [[f64; 2]; 2]
+where
+    R: GravityVector<1> + ForwardDynamics<1> + InverseDynamics<1> + MassMatrix<1>,
+{
+    const STATES: usize = 60;
+    let mut ratios = [[0.0_f64; 2]; 2];
+    for k in 0..STATES {
+        let q = (0.1 + 0.77 * k as f64) * [1.0, 1e3, 1e5][k % 3];
+        let whole = DoubleDouble::from(1.0) + f;
+        let angle = whole * DoubleDouble::from(q) + offset;
+        let gravity = m * g * l * whole * angle.sin_cos().1;
+        let tau = DoubleDouble::from(1.0);
+        let acceleration = (tau - gravity) / (m * whole * whole * l * l);
+        let [at, still, tau] = [q, 0.0, 1.0].map(|x| SVector::from([Certified::exact(x)]));
+        let found = [
+            (arm.gravity_vector(&at)[0], gravity),
+            (
+                certified::forward_dynamics(arm, &at, &still, &tau).expect("regular")[0],
+                acceleration,
+            ),
+        ];
+        for (ratios, (found, exact)) in ratios.iter_mut().zip(found) {
+            let error = (DoubleDouble::from(found.value()) - exact).abs().high();
+            assert!(error <= found.bound(), "q = {q}: {error:e} {found}");
+            *ratios = [
+                ratios[0].max(error / found.bound()),
+                ratios[1] + error / found.bound() / STATES as f64,
+            ];
+        }
+    }
+    println!("{ratios:.3?}");
+    ratios
+}
+
+/// A fraction of an angle of 1e6 rad is rounded before its sine is taken: `Certified` counts it.
+#[test]
+fn the_rounding_of_a_followers_angle_is_counted() {
+    let quotient = |a: f64, b: f64| DoubleDouble::from(a) / DoubleDouble::from(b);
+    let decimals = [
+        (7.0, 20.0),
+        (1.0, 5.0),
+        (13.0, 10.0),
+        (2.0, 5.0),
+        (981.0, 100.0),
+    ];
+    let of_decimals = follower_ratios(&Fraction, decimals.map(|(a, b)| quotient(a, b)));
+    let arm = FractionOfFields {
+        factor: 0.35,
+        offset: 0.2,
+        mass: 1.3,
+        length: 0.4,
+        g: 9.81,
+    };
+    let fields = [arm.factor, arm.offset, arm.mass, arm.length, arm.g];
+    let of_fields = follower_ratios(&arm, fields.map(DoubleDouble::from));
+    for [largest, mean] in of_decimals.into_iter().chain(of_fields) {
+        assert!(
+            largest > 0.1 && mean >= 0.02,
+            "{of_decimals:?} {of_fields:?}"
+        );
+    }
 }
