@@ -28,6 +28,7 @@ pub(crate) fn count(given: &ArgMatches, name: &str) -> usize {
 
 /// The robot of a file, and what is asked for.
 pub(crate) fn read(path: &Path, given: &ArgMatches) -> Result<Model, Failure> {
+    about_links(given, &[path])?;
     read_with(path, besides(given, path, None, "chain")?)
 }
 
@@ -39,10 +40,28 @@ pub(crate) fn read_both(other: &Path, given: &ArgMatches) -> Result<[Model; 2], 
         true => "against-chain",
         false => "chain",
     };
+    about_links(given, &[path, other])?;
     Ok([
         read_with(path, besides(given, path, Some(other), "chain")?)?,
         read_with(other, besides(given, other, Some(path), chain)?)?,
     ])
+}
+
+/// Whether the options that are about trees of links have a file that is one.
+fn about_links(given: &ArgMatches, paths: &[&Path]) -> Result<(), Failure> {
+    let mut formats = paths.iter().map(|path| Format::of(path));
+    if formats.any(|format| !matches!(format, Some(Format::Toml | Format::Json))) {
+        return Ok(());
+    }
+    const OPTIONS: [&str; 3] = ["chain", "ignore", "round-angles"];
+    let is_given = |option: &&str| matches!(given.try_contains_id(option), Ok(true));
+    match OPTIONS.into_iter().find(is_given) {
+        Some(option) => Err(Failure::of_the_command_line(format!(
+            "`--{option}` is about a URDF file, a tree of links: {} is a table",
+            paths[0].display()
+        ))),
+        None => Ok(()),
+    }
 }
 
 fn read_with(path: &Path, besides: Besides) -> Result<Model, Failure> {

@@ -24,6 +24,19 @@ fn mistakes_are_told_with_their_places() {
     }
     assert!(errors(&["simulate", &pendulum, "--from", "1"], 2).contains("expected 2"));
     assert!(errors(&["show", &pendulum, "--lock", "knee"], 2).contains("expected JOINT=POSITION"));
+    for option in [
+        ["--chain", "base,tip"],
+        ["--ignore", "finger"],
+        ["--round-angles", "1e-4"],
+    ] {
+        let message = errors(&["show", &pendulum, option[0], option[1]], 2);
+        assert!(message.contains("is about a URDF file"), "{message}");
+    }
+    let empty = errors(&["show", &file("nothing.toml", "")], 1);
+    assert!(
+        empty.contains("expected \"standard\" or \"modified\"") && !empty.contains("write `"),
+        "{empty}"
+    );
     errors(&["dance", &pendulum], 2);
     errors(&["generate", &pendulum, "--lang", "cobol"], 2);
 }

@@ -6,19 +6,30 @@ use super::Mistake;
 use crate::description::Name;
 use crate::words::{either, shortened};
 
-pub(crate) fn missing_convention() -> Mistake {
-    Mistake::new("missing `convention`: write `convention: standard` or `convention: modified`")
+/// In a call, or in a file, of either format.
+pub(crate) fn missing_convention(is_of_file: bool) -> Mistake {
+    Mistake::new(match is_of_file {
+        true => "missing `convention`: expected \"standard\" or \"modified\"",
+        false => "missing `convention`: write `convention: standard` or `convention: modified`",
+    })
 }
 
-pub(crate) fn missing_gravity() -> Mistake {
-    Mistake::new(
+pub(crate) fn missing_gravity(is_of_file: bool) -> Mistake {
+    let example = match is_of_file {
+        true => "expected [0, 0, -9.81]",
+        false => "write `gravity: [0, 0, -9.81]`",
+    };
+    Mistake::new(format!(
         "missing `gravity`, the acceleration of gravity in the axes of the world, those of the base frame \
-         where there is no `base`: write `gravity: [0, 0, -9.81]`, for example",
-    )
+         where there is no `base`: {example}, for example"
+    ))
 }
 
-pub(crate) fn missing_joints() -> Mistake {
-    Mistake::new("missing `joints`: write `joints: [name: revolute { ... }, ...]`")
+pub(crate) fn missing_joints(is_of_file: bool) -> Mistake {
+    Mistake::new(match is_of_file {
+        true => "missing joints: expected a table for each, with `name`, `type` and its cells",
+        false => "missing `joints`: write `joints: [name: revolute { ... }, ...]`",
+    })
 }
 
 /// A word that is no convention.

@@ -165,14 +165,15 @@ impl Parts {
     }
 
     fn report_missing(&self, name: &Name, diagnostics: &Diagnostics) {
+        let is_of_file = matches!(Place::from(name), Place::File { .. });
         if self.convention.is_none() {
-            diagnostics.error(name, entry::missing_convention());
+            diagnostics.error(name, entry::missing_convention(is_of_file));
         }
         if self.gravity.is_none() {
-            diagnostics.error(name, entry::missing_gravity());
+            diagnostics.error(name, entry::missing_gravity(is_of_file));
         }
         if self.rows.is_none() {
-            diagnostics.error(name, entry::missing_joints());
+            diagnostics.error(name, entry::missing_joints(is_of_file));
         }
     }
 
