@@ -110,6 +110,7 @@ pub(crate) fn stubs(structure: &Structure, entries: &[Entry], path: &TokenStream
     let items = requests.iter().enumerate();
     let items = items.map(|(i, r)| (r, stub_of_function(r, i, target.dof, path)));
     provided.extend(traits::functions(&target, items));
+    provided.extend(traits::fields_by(&target, &unimplemented));
     provided.extend(batch::fused(&target, &requests));
     let evaluation = Evaluation {
         functions: unimplemented.clone(),

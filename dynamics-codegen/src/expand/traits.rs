@@ -63,25 +63,33 @@ pub(super) fn fields(target: &Target, fields: &[String]) -> Option<TokenStream> 
     if fields.is_empty() {
         return None;
     }
-    let path = target.path;
-    let start = start(target, &quote!(), quote!(Fields));
     let arms = fields.iter().enumerate().map(|(i, name)| {
         let (i, name) = (Literal::usize_unsuffixed(i), field(name));
         quote!(#i => self.#name,)
     });
-    Some(quote! {
+    let value = quote! {
+        match index {
+            #(#arms)*
+            _ => 0.0,
+        }
+    };
+    Some(fields_by(target, &value))
+}
+
+/// The trait that reads the field of the number `index`.
+pub(super) fn fields_by(target: &Target, value: &TokenStream) -> TokenStream {
+    let path = target.path;
+    let start = start(target, &quote!(), quote!(Fields));
+    quote! {
         #path::__with_std! {
             #start {
                 #[inline(always)]
                 fn field(&self, index: usize) -> f64 {
-                    match index {
-                        #(#arms)*
-                        _ => 0.0,
-                    }
+                    #value
                 }
             }
         }
-    })
+    }
 }
 
 /// The identifier of a field of the user's struct.

@@ -149,6 +149,8 @@ fn after_an_error_the_methods_that_were_asked_for_exist() {
     let default = expansion(&wrong);
     assert!(default.contains("fn mass_matrix") && default.contains("fn friction_vector"));
     assert!(!default.contains("fn jacobian"));
+    // A batch of arms reads their fields.
+    assert!(default.contains("Fields for Arm"));
     let unknown = expansion(&format!("{wrong} functions: [jacobean]"));
     assert!(unknown.contains("fn jacobian") && unknown.contains("fn mass_matrix"));
 }

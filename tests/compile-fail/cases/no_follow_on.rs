@@ -44,6 +44,15 @@ fn main() {
     robot_dynamics::check_against_rnea(&arm).assert_ok();
     fall(&arm);
     identified();
+    many(&[arm]);
+}
+
+fn many(arms: &[Arm]) {
+    use robot_dynamics::Batch;
+    let q = [robot_dynamics::nalgebra::Vector2::new(0.1, 0.2)];
+    let mut g = q;
+    arms[0].gravity_vector_batch(&q, &mut g).unwrap();
+    Batch::with_parameters(arms).gravity_vector_batch(&q, &mut g).unwrap();
 }
 
 fn identified() {
