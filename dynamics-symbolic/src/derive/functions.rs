@@ -13,7 +13,7 @@ use super::{
     second_derivatives, tip,
 };
 use crate::exact::Rational;
-use crate::expr::Expr;
+use crate::expr::{Expr, Graph};
 pub use crate::function::Form;
 use crate::function::{Argument, Function};
 use crate::linear::Vector3;
@@ -99,33 +99,9 @@ fn of_rows<'g>(
             let of_springs = joint_forces::energy_of_springs(symbols, robot);
             vec![energy::potential_energy(chain) + of_springs]
         }
-        Function::CoriolisMatrix => {
-            // C = 1/2 dV/dqd: V is quadratic in qd, with the Christoffel symbols as coefficients.
-            let forces = derivatives::recursion(chain, &qd, &still);
-            let half = graph.rational(&(Rational::ONE / Rational::from(2)));
-            let entries = forces.by_velocity.concat();
-            entries.into_iter().map(|entry| half * entry).collect()
-        }
-        Function::CoriolisCoefficients => {
-            let n = robot.dof();
-            let pairs: Vec<_> = (0..n)
-                .flat_map(|j| (j + 1..n).map(move |k| (j, k)))
-                .collect();
-            let of_rows = christoffel::christoffel(graph, chain);
-            Joints::of(symbols, robot)
-                .cube(of_rows)
-                .iter()
-                .flat_map(|c| pairs.iter().map(|&(j, k)| c[j][k] + c[k][j]))
-                .collect()
-        }
-        Function::CentrifugalCoefficients => {
-            let of_rows = christoffel::christoffel(graph, chain);
-            Joints::of(symbols, robot)
-                .cube(of_rows)
-                .iter()
-                .flat_map(|c| (0..c.len()).map(|j| c[j][j]))
-                .collect()
-        }
+        Function::CoriolisMatrix => coriolis_matrix(graph, chain, &qd),
+        Function::CoriolisCoefficients => coriolis_coefficients(symbols, robot, chain),
+        Function::CentrifugalCoefficients => centrifugal_coefficients(symbols, robot, chain),
         Function::ForwardKinematics => {
             let frames = kinematics::frames(symbols, robot);
             kinematics::tip(symbols, robot, &frames).homogeneous(zero, one)
@@ -182,6 +158,51 @@ fn of_rows<'g>(
             second_force_derivatives(symbols, robot, of_joints)
         }
     }
+}
+
+/// C = 1/2 dV/dqd: V is quadratic in qd, with the Christoffel symbols as coefficients.
+fn coriolis_matrix<'g>(
+    graph: &'g Graph,
+    chain: &Chain<Expr<'g>>,
+    qd: &[Expr<'g>],
+) -> Vec<Expr<'g>> {
+    let still = vec![graph.zero(); qd.len()];
+    let forces = derivatives::recursion(chain, qd, &still);
+    let half = graph.rational(&(Rational::ONE / Rational::from(2)));
+    let entries = forces.by_velocity.concat();
+    entries.into_iter().map(|entry| half * entry).collect()
+}
+
+/// The Christoffel symbols of each pair of different joints, both orders of it added up.
+fn coriolis_coefficients<'g>(
+    symbols: &mut Symbols<'g>,
+    robot: &Robot,
+    chain: &Chain<Expr<'g>>,
+) -> Vec<Expr<'g>> {
+    let n = robot.dof();
+    let pairs: Vec<_> = (0..n)
+        .flat_map(|j| (j + 1..n).map(move |k| (j, k)))
+        .collect();
+    let of_rows = christoffel::christoffel(symbols.graph(), chain);
+    Joints::of(symbols, robot)
+        .cube(of_rows)
+        .iter()
+        .flat_map(|c| pairs.iter().map(|&(j, k)| c[j][k] + c[k][j]))
+        .collect()
+}
+
+/// The Christoffel symbols of each joint with itself.
+fn centrifugal_coefficients<'g>(
+    symbols: &mut Symbols<'g>,
+    robot: &Robot,
+    chain: &Chain<Expr<'g>>,
+) -> Vec<Expr<'g>> {
+    let of_rows = christoffel::christoffel(symbols.graph(), chain);
+    Joints::of(symbols, robot)
+        .cube(of_rows)
+        .iter()
+        .flat_map(|c| (0..c.len()).map(|j| c[j][j]))
+        .collect()
 }
 
 /// C' qd - G - K - F, from the first term.

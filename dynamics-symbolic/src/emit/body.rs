@@ -7,13 +7,13 @@ use crate::program::{ConstantId, Instruction, Line, Operand, Output, Program, Re
 use crate::robot::Robot;
 use core::ops::Range;
 use proc_macro2::{Ident, Literal, Punct, Spacing, TokenStream, TokenTree};
-use quote::quote;
+use quote::{ToTokens, quote};
 
 /// Up to so many results are declared by a `let` each, as a person would write
 /// them; more are declared by one pattern for each group. rustc crashes on
 /// about 2,900 nested scopes, which is what `let`s are to debug information
 /// (rust-lang/rust#93908).
-const MOST_LETS: usize = 500;
+pub(super) const MOST_LETS: usize = 500;
 const GROUP: usize = 200;
 
 /// A program of more results is written in [parts](super::parts).
@@ -45,6 +45,15 @@ pub(super) fn body(
     let assignments = writer.assignments(path);
     let outputs = writer.outputs(robot, request, path);
     quote!(#number #inputs #assignments #outputs)
+}
+
+/// Declarations of variables that are assigned later, by one pattern for each group.
+pub(super) fn declared_in_groups(names: &[impl ToTokens]) -> TokenStream {
+    let groups = names.chunks(GROUP).map(|group| {
+        let types = group.iter().map(|_| quote!(T));
+        quote!(let (#(#group,)*): (#(#types,)*);)
+    });
+    groups.collect()
 }
 
 impl<'p> Writer<'p> {
@@ -100,12 +109,8 @@ impl<'p> Writer<'p> {
 
     /// The results, declared in groups.
     fn groups(&self, results: &[usize]) -> TokenStream {
-        let mut declarations = TokenStream::new();
-        for group in results.chunks(GROUP) {
-            let names = group.iter().map(|index| &self.names[*index]);
-            let types = group.iter().map(|_| quote!(T));
-            declarations.extend(quote!(let (#(#names,)*): (#(#types,)*);));
-        }
+        let names = results.iter().map(|index| &self.names[*index]);
+        let mut declarations = declared_in_groups(&names.collect::<Vec<_>>());
         let mut tokens = Vec::new();
         for index in results {
             self.assign(*index, &mut tokens);

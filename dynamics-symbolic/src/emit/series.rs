@@ -6,6 +6,7 @@
 //! twice: with accelerations of zero for the forces that they have to make up, and with the
 //! accelerations for the products of later orders.
 
+use super::body::{MOST_LETS, declared_in_groups};
 use super::inputs;
 use super::names::{ident, number_of_joints};
 use crate::program::{Instruction, Operand, Program, Readers};
@@ -18,10 +19,6 @@ const LANES: usize = 8;
 
 /// So many products with a common factor make a block.
 const FEWEST_COMMON: usize = 5;
-
-/// Above so many names they are declared by one pattern for each group: see `body`.
-const MOST_LETS: usize = 500;
-const GROUP: usize = 200;
 
 /// The method for a product whose factors are final, and the one for factors that are not.
 const STORED: &str = "product";
@@ -375,14 +372,11 @@ impl<'p> Series<'p> {
             .filter(|&index| !self.inlined[index]);
         let named: Vec<usize> = named.collect();
         let names: Vec<_> = named.iter().map(|&index| name(index)).collect();
-        let mut lines = TokenStream::new();
         let declares_each = names.len() <= MOST_LETS;
-        if !declares_each {
-            for group in names.chunks(GROUP) {
-                let types = group.iter().map(|_| quote!(T));
-                lines.extend(quote!(let (#(#group,)*): (#(#types,)*);));
-            }
-        }
+        let mut lines = match declares_each {
+            true => TokenStream::new(),
+            false => declared_in_groups(&names),
+        };
         for (&index, name) in named.iter().zip(&names) {
             let value = self.value(index, product);
             let declaration = declares_each.then(|| quote!(let));
