@@ -80,7 +80,7 @@ impl ForwardDynamics<7> for Damaged {
     ) -> Result<SVector<T, 7>, SingularMassMatrix> {
         let tau = tau.map(|x| x / x.exact(1.0 + self.torques));
         let qdd = Panda.forward_dynamics(q, qd, &tau)?;
-        Ok(qdd.map(|x| x.exact(1.0 + self.accelerations) * x + (x - x).sqrt()))
+        Ok(qdd.map(|x| x.exact(1.0 + self.accelerations) * x + (x + -x).sqrt()))
     }
 }
 
