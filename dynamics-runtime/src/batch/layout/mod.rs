@@ -40,7 +40,8 @@ pub trait States<const N: usize, T: Precision = f64> {
 ///
 /// - what a single call returns, for each state: `&mut [SMatrix<T, R, C>]`, `&mut [T]`, `&mut [(A, B)]`, and
 ///   mutable references to a `Vec` or an array of them;
-/// - a column for each entry, which takes less time, for a mass matrix a third less:
+/// - a column for each entry, which takes less time, for a mass matrix a third less, and is the only way to gain
+///   by a batch of many values of few operations each, as those of a regressor are:
 ///   `[&mut [T]; R]`, `&mut [Vec<T>; R]` or `&mut OMatrix<T, Dyn, Const<R>>` for vectors,
 ///   and `[[&mut [T]; R]; C]` for matrices, entry `(i, j)` in `[j][i]`;
 /// - where a single call returns a tuple or an array, a tuple or an array of any of these, such as
@@ -96,6 +97,9 @@ pub trait Source<const N: usize, E: Precision>: Copy + Send {
 
 /// Where the lanes write.
 pub trait Sink<A: Arrangement, E: Precision>: Send + Sized {
+    /// How many numbers of a state lie beside each other, so that lanes are taken apart to write them.
+    const BY_ROWS: usize;
+
     /// Room for as many states as there are lanes.
     type Room;
 
