@@ -3,9 +3,9 @@
 use allocation_counter::measure;
 use dynamics_runtime::nalgebra::{SMatrix, SVector, Vector1};
 use dynamics_runtime::{
-    Batch, Convention, Cycloidal, Dop853, DormandPrince, ForwardDynamics, Friction,
+    Batch, Certified, Convention, Cycloidal, Dop853, DormandPrince, ForwardDynamics, Friction,
     InverseDynamics, JointType, MassMatrix, Method, Model, Momenta, Radau5, Row, Scalar,
-    Simulation, SingularMassMatrix, Table,
+    Simulation, SingularMassMatrix, Table, certified,
 };
 
 /// A pendulum with dry friction.
@@ -185,4 +185,14 @@ fn a_batch_does_not_allocate() {
 fn an_allocation_is_counted() {
     let info = measure(|| drop(std::hint::black_box(vec![1.0; 10])));
     assert_eq!(info.count_total, 1);
+}
+
+#[test]
+fn bounds_by_residuals_allocate_nothing() {
+    let [q, qd, tau] = [0.3, 0.5, -2.0].map(|x| Vector1::new(Certified::exact(x)));
+    let mut found = None;
+    let info = measure(|| found = certified::forward_dynamics(&Pendulum(0.2), &q, &qd, &tau).ok());
+    assert_eq!(info.count_total, 0);
+    let found = found.expect("regular")[0];
+    assert!(found.bound() > 0.0 && found.bound() < 1e-15, "{found}");
 }
