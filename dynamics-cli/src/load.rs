@@ -26,10 +26,18 @@ pub(crate) fn count(given: &ArgMatches, name: &str) -> usize {
         .map_or(0, |count| *count as usize)
 }
 
-/// The robot of a file, and what is asked for.
+/// The robot of a file, and what is asked for. The names of `--field` stand for their values.
 pub(crate) fn read(path: &Path, given: &ArgMatches) -> Result<Model, Failure> {
     about_links(given, &[path])?;
-    read_with(path, besides(given, path, None, "chain")?)
+    read_with(path, with_values(given, path, None, "chain")?)
+}
+
+/// As [`read`], the names of `--field` being fields of the robot.
+pub(crate) fn read_with_fields(path: &Path, given: &ArgMatches) -> Result<Model, Failure> {
+    about_links(given, &[path])?;
+    let besides = besides(given, path, None, "chain")?;
+    let fields = fields(given)?.into_iter().map(|(name, _)| name).collect();
+    read_with(path, Besides { fields, ..besides })
 }
 
 /// The robot of the argument `FILE` and that of another one, with the same settings. A joint that only one
@@ -42,8 +50,8 @@ pub(crate) fn read_both(other: &Path, given: &ArgMatches) -> Result<[Model; 2], 
     };
     about_links(given, &[path, other])?;
     Ok([
-        read_with(path, besides(given, path, Some(other), "chain")?)?,
-        read_with(other, besides(given, other, Some(path), chain)?)?,
+        read_with(path, with_values(given, path, Some(other), "chain")?)?,
+        read_with(other, with_values(given, other, Some(path), chain)?)?,
     ])
 }
 
@@ -98,6 +106,50 @@ fn joints_of(path: &Path) -> Vec<String> {
     Format::of(path).map_or(Vec::new(), |format| joint_names(&text, format))
 }
 
+/// As [`besides`], the names of `--field` bound to their values.
+fn with_values(
+    given: &ArgMatches,
+    path: &Path,
+    other: Option<&Path>,
+    chain: &str,
+) -> Result<Besides, Failure> {
+    let besides = besides(given, path, other, chain)?;
+    Ok(Besides {
+        entries: besides.entries + &values(given, path, other)?,
+        ..besides
+    })
+}
+
+/// The names and values of `--field` in the file's words: those that the file has, of two those that either has.
+fn values(given: &ArgMatches, path: &Path, other: Option<&Path>) -> Result<String, Failure> {
+    let mut text = String::new();
+    for field in words(given, "field") {
+        let Some((name, value)) = field.split_once('=') else {
+            return Err(no_field(&field));
+        };
+        let name = name.trim();
+        if has_word(path, name) {
+            let _ = writeln!(text, "let.{name:?} = {:?}", value.trim());
+        } else if !other.is_some_and(|other| has_word(other, name)) {
+            let message = format!(
+                "`--field {field}`: there is no `{name}` in {}",
+                path.display()
+            );
+            return Err(Failure::of_the_command_line(message));
+        }
+    }
+    Ok(text)
+}
+
+/// Whether the word stands in a file; it does in one that cannot be read, which is told elsewhere.
+fn has_word(path: &Path, word: &str) -> bool {
+    let is_between = |c: char| !(c.is_alphanumeric() || c == '_');
+    match std::fs::read_to_string(path) {
+        Ok(text) => text.split(is_between).any(|other| other == word),
+        Err(_) => true,
+    }
+}
+
 /// What the command line says besides a file, of two where there is another one.
 fn besides(
     given: &ArgMatches,
@@ -127,25 +179,26 @@ fn besides(
         chain: self::chain(given, path, chain)?,
         ignore,
         round_angles: round_angles.copied(),
-        fields: fields(given)?.into_iter().map(|(name, _)| name).collect(),
+        fields: Vec::new(),
     })
 }
 
-/// The fields of `--field NAME=VALUE` with their values, where a subcommand has that option.
+/// The fields of `--field NAME=VALUE` with their values as numbers.
 pub(crate) fn fields(given: &ArgMatches) -> Result<Vec<(String, f64)>, Failure> {
     let field = |field: &String| {
         let parts = field.split_once('=');
         let parts = parts.map(|(name, value)| (name.trim(), value.trim().parse::<f64>()));
         match parts {
             Some((name, Ok(value))) if value.is_finite() => Ok((name.to_owned(), value)),
-            _ => {
-                let message =
-                    format!("`--field {field}`: expected NAME=NUMBER, for example load=2.5");
-                Err(Failure::of_the_command_line(message))
-            }
+            _ => Err(no_field(field)),
         }
     };
     words(given, "field").iter().map(field).collect()
+}
+
+fn no_field(field: &str) -> Failure {
+    let message = format!("`--field {field}`: expected NAME=NUMBER, for example load=2.5");
+    Failure::of_the_command_line(message)
 }
 
 /// The ends of the arm, which a URDF file needs.

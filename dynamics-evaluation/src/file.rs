@@ -80,7 +80,7 @@ impl core::error::Error for FileError {}
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Besides {
     /// Entries in TOML that take the place of those of the file, or join them: `gravity`, `functions`,
-    /// `lock`, `tool`.
+    /// `lock`, `tool`, `let`.
     pub entries: String,
     /// The first and the last link of the arm, which a URDF file needs.
     pub chain: Option<[String; 2]>,

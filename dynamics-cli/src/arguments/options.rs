@@ -23,6 +23,10 @@ pub(super) fn of_a_file(name: &'static str, about: &'static str) -> Command {
                 .help("Acceleration of gravity, m/s^2, in place of the file's; a URDF file has none"),
         )
         .arg(
+            several("field", "NAME=VALUE")
+                .help("The value of a name in the file's cells, such as load=2.5; may be given several times"),
+        )
+        .arg(
             several("lock", "JOINT=POSITION")
                 .help("A joint that stands still, rad or m; may be given several times"),
         )

@@ -3,7 +3,7 @@
 use clap::Command;
 
 use super::options::{
-    chain_of_other, choice, count, functions, number, of_a_file, out, path, several, vector,
+    chain_of_other, choice, count, functions, number, of_a_file, out, path, vector,
 };
 use crate::convert::WITHOUT;
 
@@ -62,6 +62,7 @@ fn check() -> Command {
         .after_help(
             "Examples:\n  \
              robot-dynamics check puma560.toml --functions default,jacobian\n  \
+             robot-dynamics check carrying.toml --field load=2.5\n  \
              robot-dynamics check ur5.toml --against ur5.urdf --chain base_link,tool0 --gravity 0,0,-9.81",
         )
 }
@@ -181,9 +182,9 @@ fn page() -> Command {
              without a network, and on a phone.",
         )
         .arg(functions().help(BESIDES))
-        .arg(several("field", "NAME=VALUE").help(
-            "A name in the file's cells that gets a slider, and its value at first; may be given several times",
-        ))
+        .mut_arg("field", |arg| {
+            arg.help("A name in the file's cells that gets a slider, and its value at first; may be given several times")
+        })
         .arg(vector("from", "Positions at the start; zeros, or the middle of limits without zero, where this is left out"))
         .arg(vector("to", "Positions at the end of the prescribed motion"))
         .arg(number("duration", "Time of the motions, s").default_value("3"))

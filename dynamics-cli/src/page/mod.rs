@@ -14,7 +14,7 @@ use dynamics_symbolic::robot::Robot;
 use dynamics_symbolic::{Function, Request};
 
 use crate::failure::Failure;
-use crate::load::{fields, file_of, programs, read};
+use crate::load::{fields, file_of, programs, read_with_fields};
 use crate::simulate::vector;
 use html::Page;
 use literal::module_with_a_global;
@@ -35,7 +35,7 @@ const FUNCTIONS: [Function; 9] = [
 /// The page.
 pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
     let path = file_of(given);
-    let robot = read(path, given)?.robot;
+    let robot = read_with_fields(path, given)?.robot;
     let start = Start::of(given, &robot)?;
     let programs = programs(path, &robot, &FUNCTIONS.map(Request::One))?;
     let page = Page {

@@ -39,6 +39,46 @@ fn show_prints_what_a_function_is() {
     );
 }
 
+/// A name in the cells has the value that is given, in place of the file's own.
+#[test]
+fn fields_have_values() {
+    let carrying = PENDULUM.replace("mass = 1", r#"mass = "1 + load""#);
+    let carrying = file("carrying.toml", carrying);
+    let halves = PENDULUM.replace("mass = 1", r#"mass = "1 + load / 2""#);
+    let of_its_own = file("of_its_own.toml", format!("{halves}\n[let]\nload = 7\n"));
+    let heavier = file(
+        "two_and_a_half.toml",
+        PENDULUM.replace("mass = 1", "mass = 2.5"),
+    );
+    for (of, value) in [(&carrying, "load=1.5"), (&of_its_own, "load = 3")] {
+        output(&["check", of, "--field", value, "--against", &heavier]);
+    }
+    let generated = folder("carrying");
+    let to = generated.to_string_lossy();
+    output(&[
+        "generate", &carrying, "--field", "load=3/2", "--lang", "c", "--out", &to,
+    ]);
+    output(&[
+        "simulate",
+        &carrying,
+        "--field",
+        "load=1.5",
+        "--samples",
+        "3",
+    ]);
+
+    assert!(errors(&["show", &carrying], 1).contains("unknown name `load`"));
+    let message = errors(&["show", &carrying, "--field", "laod=1"], 2);
+    assert!(message.contains("there is no `laod` in "), "{message}");
+    for (value, expected) in [
+        ("load", "expected NAME=NUMBER"),
+        ("load=light", "unknown name `light`"),
+    ] {
+        let message = errors(&["show", &carrying, "--field", value], 2);
+        assert!(message.contains(expected), "{message}");
+    }
+}
+
 #[test]
 fn check_compares_with_newton_euler_and_with_another_file() {
     let (one, same) = (file("check.toml", PENDULUM), file("same.toml", PENDULUM));

@@ -86,7 +86,8 @@ fn named(name: &str, mut table: Table, diagnostics: Diagnostics) -> Result<Table
 }
 
 /// As [`table`], with entries beside those of the file, as a call of the macro has them: they take the
-/// place of the file's, and say what is asked of a URDF file (`chain`, `ignore`, `round_angles`, `lock`).
+/// place of the file's, a `let` that of the same name, and say what is asked of a URDF file (`chain`, `ignore`,
+/// `round_angles`, `lock`).
 /// Its fields are those that cells of the file may use.
 #[cfg(feature = "files")]
 pub fn table_beside(
@@ -100,7 +101,12 @@ pub fn table_beside(
     let used = &mut Vec::new();
     let mut table = read(text, format, &request, used, &diagnostics).unwrap_or_default();
     load::forget_locks(&mut beside.entries, used);
-    for entry in beside.entries {
+    let (names, entries): (Vec<_>, Vec<_>) = beside
+        .entries
+        .into_iter()
+        .partition(|entry| matches!(entry, Entry::Let(..)));
+    bind_first(&mut table.entries, names);
+    for entry in entries {
         if matches!(
             entry,
             Entry::Chain(_) | Entry::Ignore(_) | Entry::RoundAngles(_)
@@ -117,6 +123,18 @@ pub fn table_beside(
     table.keys.extend(beside.keys);
     table.fields.extend(beside.fields);
     named(name, table, diagnostics)
+}
+
+/// Puts bindings of names before the entries, in the place of those that bind the same names.
+#[cfg(feature = "files")]
+fn bind_first(entries: &mut Vec<Entry>, bindings: Vec<Entry>) {
+    let name_of = |entry: &Entry| match entry {
+        Entry::Let(name, _) => Some(name.plain().to_owned()),
+        _ => None,
+    };
+    let bound: Vec<_> = bindings.iter().map(name_of).collect();
+    entries.retain(|entry| name_of(entry).is_none() || !bound.contains(&name_of(entry)));
+    entries.splice(0..0, bindings);
 }
 
 /// The names of all joints in the text of a file, of those too that are none of the arm's; none where it cannot
