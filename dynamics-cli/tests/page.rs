@@ -438,6 +438,7 @@ fn is_there(program: &str) -> bool {
 /// those of Rust and of the commands `inverse` and `simulate`, a phone shows all of it, and no error is
 /// told.
 #[test]
+#[ignore = "needs Chromium and node, and takes half a minute: .ci/run runs it"]
 fn pages_do_what_they_should_in_a_browser() {
     if !is_there("chromium") || !is_there("node") {
         return;

@@ -7,7 +7,7 @@ use robot_dynamics::nalgebra::{DMatrix, DVector, SMatrix, SVector};
 use robot_dynamics::{
     Certified, DoubleDouble, Evaluate, ForwardDynamics, Friction, GravityVector, InverseDynamics,
     MassMatrix, NewtonEuler, Scalar, Simulation, State, Table, base_parameter_map, certified,
-    check_against_rnea, robot_dynamics,
+    robot_dynamics,
 };
 use robots::palletiser_table;
 use testkit::exact::Exact;
@@ -228,7 +228,7 @@ macro_rules! agrees {
             let found = coupled.inverse_dynamics(&q, &qd, &qdd);
             near("exact tau", found, coupling.felt(torque));
         }
-        let report = check_against_rnea(&coupled);
+        let report = crate::check().run(&coupled);
         println!("{report}");
         report.assert_ok();
         links_give_the_torques(&coupled.table());

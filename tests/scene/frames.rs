@@ -1,7 +1,7 @@
 //! Mountings and tools: beside the same arm said in another way, and beside Newton and Euler.
 
 use robot_dynamics::nalgebra::{Matrix4, SMatrix, SVector, Vector3, Vector6};
-use robot_dynamics::{Batch, Simulation, check_against_rnea, robot_dynamics};
+use robot_dynamics::{Batch, Simulation, robot_dynamics};
 use robots::TiltingCell;
 
 /// Three joints; after the arm's name what follows it in the struct, gravity, more rows and entries.
@@ -260,15 +260,15 @@ fn a_tool_behind_a_locked_joint() {
         assert!(tip.amax() < 1e-14 && energy.abs() < 1e-12);
         assert!((locked.jacobian(&q) - jacobian).amax() < 1e-14);
     }
-    check_against_rnea(&locked).assert_ok();
-    check_against_rnea(&whole).assert_ok();
+    crate::check().run(&locked).assert_ok();
+    crate::check().run(&whole).assert_ok();
 }
 
 /// Every function beside the numeric algorithms, which read base and tool on their own.
 #[test]
 fn arms_with_base_and_tool_agree_with_newton_euler() {
     for (load, tilt) in [(0.0, 0.0), (1.25, 0.3), (20.0, -2.0), (1e-6, 1.5)] {
-        let report = check_against_rnea(&TiltingCell {
+        let report = crate::check().run(&TiltingCell {
             load,
             tilt,
             ..TiltingCell
@@ -276,8 +276,8 @@ fn arms_with_base_and_tool_agree_with_newton_euler() {
         println!("{report}");
         report.assert_ok();
     }
-    check_against_rnea(&OnTheWall).assert_ok();
-    check_against_rnea(&WithTool).assert_ok();
+    crate::check().run(&OnTheWall).assert_ok();
+    crate::check().run(&WithTool).assert_ok();
 }
 
 /// A check of the wrong load is one that fails: the numeric side reads the tool.

@@ -1,6 +1,5 @@
 //! Joints that are locked: beside the whole arm held still there, and beside Newton and Euler.
 
-use robot_dynamics::check_against_rnea;
 use robot_dynamics::nalgebra::{SMatrix, SVector};
 
 /// Six joints of every kind; after it the macro that makes the arm, its name, more fields of its struct and entries.
@@ -134,7 +133,7 @@ macro_rules! agrees {
                 near((solution.expect("regular") - qdd).amax(), 100.0);
             }
         }
-        let report = check_against_rnea(&locked);
+        let report = crate::check().run(&locked);
         println!("{report}");
         report.assert_ok();
     }};

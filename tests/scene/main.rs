@@ -7,3 +7,11 @@ mod frames;
 mod limits;
 mod lock;
 mod neglect;
+
+use robot_dynamics::Check;
+
+/// A comparison with the numeric algorithms at fewer states than it has by default, for arms that are long to
+/// compute unoptimised.
+fn check() -> Check {
+    Check::new().samples(20)
+}

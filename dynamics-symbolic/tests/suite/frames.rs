@@ -7,8 +7,8 @@ use dynamics_symbolic::program::Program;
 use dynamics_symbolic::prove::prove;
 use dynamics_symbolic::robot::{Placement, Robot, Tool, Value};
 
-/// Tables of both conventions, revolute and prismatic joints.
-const ARMS: [&str; 4] = ["puma560", "stanford", "scara", "two_link_craig"];
+/// Revolute and prismatic joints.
+const ARMS: [&str; 3] = ["stanford", "scara", "two_link_craig"];
 
 fn placement(xyz: [f64; 3], rpy: [f64; 3]) -> Placement {
     Placement {

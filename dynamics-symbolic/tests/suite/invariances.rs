@@ -13,7 +13,7 @@ use dynamics_symbolic::robot::{Convention, JointType, Robot, Row, Symbol, Value}
 type Number = Residue<{ (1 << 62) - 57 }>;
 
 /// Tables for each change.
-const TABLES: usize = 20;
+const TABLES: usize = 8;
 
 /// The state of a joint: sine and cosine, position, velocity, acceleration, force, sign of the velocity.
 #[derive(Clone, Copy)]

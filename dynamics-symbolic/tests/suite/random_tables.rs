@@ -11,77 +11,74 @@ use dynamics_symbolic::robot::Robot;
 
 #[test]
 fn every_function_of_random_arms_is_proven() {
-    prove_tables(7, 60, false, &Function::ALL);
+    prove_tables(7, 15, false, &Function::ALL);
 }
 
 /// Joints anywhere locked at a number, an angle or a parameter.
 #[test]
 fn every_function_of_random_arms_with_locked_joints_is_proven() {
-    let mut tables = Tables::new(9, Bodies::Any);
-    for count in 0..20 {
-        let robot = tables.locked_robot();
-        prove_table(&robot, count, &Function::ALL);
-    }
+    prove_drawn(9, 8, &[Tables::locked_robot]);
 }
 
 /// Bases and tools of numbers, angles and parameters.
 #[test]
 fn every_function_of_random_arms_with_base_and_tool_is_proven() {
-    let mut tables = Tables::new(10, Bodies::Any);
-    for count in 0..15 {
-        let robot = tables.mounted_robot();
-        prove_table(&robot, count, &Function::ALL);
-        let robot = tables.mounted_and_locked_robot();
-        prove_table(&robot, count, &Function::ALL);
-    }
+    prove_drawn(
+        10,
+        5,
+        &[Tables::mounted_robot, Tables::mounted_and_locked_robot],
+    );
 }
 
 /// Springs at some of the joints, friction by direction and friction that falls with the velocity, made of
 /// numbers and parameters.
 #[test]
 fn every_function_of_random_arms_with_joint_forces_is_proven() {
-    let mut tables = Tables::new(10, Bodies::Any);
-    for count in 0..30 {
-        let robot = tables.robot_with_joint_forces();
-        prove_table(&robot, count, &Function::ALL);
-    }
+    prove_drawn(10, 10, &[Tables::robot_with_joint_forces]);
 }
 
 /// Joints that follow others by factors and offsets of numbers and parameters, before and behind the joint
 /// that leads, with springs and friction of every kind.
 #[test]
 fn every_function_of_random_arms_with_followers_is_proven() {
-    let mut tables = Tables::new(11, Bodies::Any);
-    for count in 0..25 {
-        let robot = tables.coupled_robot();
-        prove_table(&robot, count, &Function::ALL);
-    }
+    prove_drawn(11, 6, &[Tables::coupled_robot]);
 }
 
 #[test]
 fn regressors_of_arms_whose_axes_meet_are_proven() {
     let functions = [Function::Regressor, Function::BaseParameters];
-    prove_tables(8, 300, true, &functions);
+    prove_tables(8, 75, true, &functions);
 }
 
-/// Many more: `cargo test --release -p dynamics-symbolic --test suite random_tables:: -- --ignored`.
+/// Many more: `cargo test -p dynamics-symbolic --test suite random_tables:: -- --ignored`.
 #[test]
-#[ignore = "takes minutes"]
+#[ignore = "takes a minute: .ci/run runs it"]
 fn every_function_of_many_random_arms_is_proven() {
-    for seed in 100..110 {
-        prove_tables(seed, 400, false, &Function::ALL);
-        prove_tables(seed, 400, true, &Function::ALL);
-        for kind in [
-            Tables::locked_robot,
-            Tables::mounted_robot,
-            Tables::mounted_and_locked_robot,
-            Tables::robot_with_joint_forces,
-            Tables::coupled_robot,
-        ] {
-            let mut tables = Tables::new(seed, Bodies::Any);
-            for count in 0..100 {
-                prove_table(&kind(&mut tables), count, &Function::ALL);
-            }
+    let functions = [Function::Regressor, Function::BaseParameters];
+    prove_tables(100, 300, true, &functions);
+    prove_tables(100, 200, false, &Function::ALL);
+    prove_tables(101, 50, true, &Function::ALL);
+}
+
+#[test]
+#[ignore = "takes a minute: .ci/run runs it"]
+fn every_function_of_many_random_arms_of_each_kind_is_proven() {
+    let kinds = [
+        Tables::locked_robot,
+        Tables::mounted_robot,
+        Tables::mounted_and_locked_robot,
+        Tables::robot_with_joint_forces,
+        Tables::coupled_robot,
+    ];
+    prove_drawn(100, 40, &kinds);
+}
+
+/// As many arms of each kind.
+fn prove_drawn(seed: u64, count: usize, kinds: &[fn(&mut Tables) -> Robot]) {
+    let mut tables = Tables::new(seed, Bodies::Any);
+    for number in 0..count {
+        for draw in kinds {
+            prove_table(&draw(&mut tables), number, &Function::ALL);
         }
     }
 }

@@ -20,9 +20,6 @@ use robots::*;
 use testkit::exact::Exact;
 use testkit::random::Random;
 
-/// States of a robot.
-const STATES: usize = 40;
-
 /// How small errors may be beside their bounds, in the mean.
 const LEAST_MEAN: f64 = 1.0 / 50.0;
 
@@ -116,6 +113,7 @@ const FUNCTIONS: [&str; 7] = ["M", "V", "G", "tau", "qdd", "certified", "in f32"
 fn ratios<const N: usize, R>(
     name: &'static str,
     robot: &R,
+    states: usize,
 ) -> (&'static str, [Ratios; FUNCTIONS.len()])
 where
     R: Model<N>
@@ -128,7 +126,7 @@ where
     let decimals = Decimals::of(robot.table());
     let mut random = Random::seeded(13);
     let mut ratios = [Ratios::default(); FUNCTIONS.len()];
-    for number in 0..STATES {
+    for number in 0..states {
         let State { q, qd, qdd } = State::<N>::random(&mut random, number).in_single_precision();
         let [x, xd, xdd] = [&q, &qd, &qdd].map(|x| x.map(DoubleDouble::from));
         let of = |exact: &Exact<N>| exact.inverse_dynamics(&x, &xd, &xdd);
@@ -190,18 +188,17 @@ fn largest<const R: usize, const C: usize>(x: &SMatrix<DoubleDouble, R, C>) -> f
 /// The cells of these are no decimals: the tensor of a rod has a twelfth in it.
 const RODS: [&str; 2] = ["one_link", "two_link_saha"];
 
-macro_rules! ratios_of_all {
-    ($($file:ident: $robot:ident, $n:literal, $p:literal;)*) => {{
-        let mut all = Vec::new();
-        $(if !RODS.contains(&stringify!($file)) {
-            all.push(ratios::<$n, _>(stringify!($file), &$robot));
-        })*
-        all
-    }};
-}
-
-#[test]
-fn errors_stay_below_bounds_that_are_not_much_larger() {
+/// At so many states of each robot.
+fn assert_below_bounds(states: usize) {
+    macro_rules! ratios_of_all {
+        ($($file:ident: $robot:ident, $n:literal, $p:literal;)*) => {{
+            let mut all = Vec::new();
+            $(if !RODS.contains(&stringify!($file)) {
+                all.push(ratios::<$n, _>(stringify!($file), &$robot, states));
+            })*
+            all
+        }};
+    }
     println!("{}", FUNCTIONS.join(", "));
     let all = for_each_robot!(ratios_of_all);
     for (k, function) in FUNCTIONS.iter().enumerate() {
@@ -233,4 +230,16 @@ fn errors_stay_below_bounds_that_are_not_much_larger() {
             assert!(ratios.mean() >= least, "{name}: {ratios:?}");
         }
     }
+}
+
+#[test]
+fn errors_stay_below_bounds_that_are_not_much_larger() {
+    assert_below_bounds(8);
+}
+
+/// `cargo test -p tests --test suite certified:: -- --ignored --nocapture`
+#[test]
+#[ignore = "takes a quarter of a minute: .ci/run runs it"]
+fn errors_stay_below_bounds_at_many_states() {
+    assert_below_bounds(40);
 }

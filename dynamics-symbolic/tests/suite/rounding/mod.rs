@@ -13,8 +13,8 @@ const RIGHT: [&str; 4] = ["1.5708", "1.570796", "1.5707963", "1.57079633"];
 /// Angles next to right ones, masses that differ by eight powers of ten, unlucky fields.
 #[test]
 fn programs_of_hard_arms_lose_no_digits() {
-    let digits = Digits::of_arms(1, 12);
-    assert!(digits.programs() >= 400);
+    let digits = Digits::of_arms(1, 5);
+    assert!(digits.programs() >= 150);
     digits.assert_none_lost();
 }
 
@@ -33,9 +33,21 @@ fn ten_thousand_programs_of_hard_arms_lose_no_digits() {
 /// from a right angle, the default set with each.
 #[test]
 fn industrial_arms_lose_no_digits() {
+    assert_industrial(&["stanford"]);
+}
+
+/// `cargo test -p dynamics-symbolic --test suite rounding:: -- --ignored`
+#[test]
+#[ignore = "takes a quarter of a minute: .ci/run runs it"]
+fn longer_industrial_arms_lose_no_digits() {
+    assert_industrial(&["panda", "puma560"]);
+}
+
+#[track_caller]
+fn assert_industrial(names: &[&str]) {
     let mut digits = Digits::default();
     let mut arms = Arms::new(7);
-    for name in ["panda", "stanford", "puma560"] {
+    for name in names {
         for right in RIGHT {
             let number = right.parse().expect("a number");
             let arm = Arm {
