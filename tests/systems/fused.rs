@@ -4,7 +4,7 @@
 use allocation_counter::measure;
 use robot_dynamics::nalgebra::{Matrix4, SMatrix, SVector};
 use robot_dynamics::{
-    DoubleDouble, Scalar, SingularMassMatrix, check_against_rnea, robot_dynamics,
+    Check, DoubleDouble, Scalar, SingularMassMatrix, check_against_rnea, robot_dynamics,
 };
 use robots::{Panda, Puma560, Scara, TwoLinkSaha};
 use testkit::random::Random;
@@ -162,7 +162,7 @@ fn tuples_hold_what_each_function_gives() {
 /// Each part of each tuple is compared with recursive Newton-Euler, beside the functions themselves.
 #[test]
 fn parts_are_checked_as_functions_are() {
-    let report = check_against_rnea(&Puma560);
+    let report = Check::new().samples(5).run(&Puma560);
     report.assert_ok();
     let of = |method: Option<&str>| {
         let functions = report
