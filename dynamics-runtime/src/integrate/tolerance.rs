@@ -1,6 +1,6 @@
 //! How large an error and a step may be.
 
-use super::Phase;
+use super::{Failure, Phase};
 
 /// Error bounds: a step's error in an entry y may be `absolute + relative |y|`.
 #[derive(Clone, Copy, Debug)]
@@ -41,5 +41,17 @@ impl StepRange {
     /// as they may be, never arrive.
     pub(super) fn within(&self, wish: f64) -> f64 {
         wish.max(self.least).min(self.greatest)
+    }
+
+    /// Why no step of the range was good, of which the shortest failed so, where the motion asked for steps of length
+    /// `wish` at its start.
+    ///
+    /// What was wrong with the equations is told where steps could be that short. Where none can, it was met at stages
+    /// far beyond what the motion reaches.
+    pub(super) fn judge<E>(&self, failure: Failure<E>, wish: f64) -> Failure<E> {
+        match self.least > wish {
+            true => Failure::StepTooSmall,
+            false => failure,
+        }
     }
 }

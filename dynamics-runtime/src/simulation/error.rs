@@ -145,7 +145,7 @@ impl<const N: usize> fmt::Display for SimulationError<N> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(
             f,
-            "the simulation ended at t = {} s: {} (q = {:?}, qd = {:?})",
+            "the simulation ended at t = {:?} s: {} (q = {:?}, qd = {:?})",
             self.time,
             self.cause,
             self.q.as_slice(),
@@ -186,11 +186,14 @@ impl fmt::Display for Cause {
             Cause::NonFiniteState { joint } => {
                 write!(f, "the state of joint {} is not finite", joint + 1)
             }
-            Cause::StepTooSmall => write!(f, "no step is short enough for the tolerance"),
+            Cause::StepTooSmall => write!(
+                f,
+                "no step is short enough for the tolerance: shorter ones are lost in the rounding of the time"
+            ),
             Cause::NoConvergence => write!(f, "the step is too long for an implicit method"),
-            Cause::TooManySteps => write!(f, "too many steps between two samples"),
+            Cause::TooManySteps => write!(f, "more steps between two samples than `max_steps`"),
             Cause::JointLimit { joint, limit } => {
-                write!(f, "joint {} passes its limit {limit}", joint + 1)
+                write!(f, "joint {} passes its limit {limit:?}", joint + 1)
             }
             Cause::Chatter { joint } => write!(
                 f,
@@ -205,13 +208,24 @@ impl fmt::Display for InvalidSetting {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             InvalidSetting::Duration(duration) => {
-                write!(f, "a duration of {duration} s is not possible")
+                write!(
+                    f,
+                    "a duration of {duration:?} s is not possible: expected a finite time above 1e-292 s"
+                )
             }
-            InvalidSetting::Samples(samples) => write!(f, "{samples} samples are not possible"),
-            InvalidSetting::Step(step) => write!(f, "a step of {step} s is not possible"),
-            InvalidSetting::Tolerance(tolerance) => {
-                write!(f, "a tolerance of {tolerance} is not possible")
-            }
+            InvalidSetting::Samples(samples) => write!(
+                f,
+                "{samples} samples are not possible: expected two at least, and no more than memory holds"
+            ),
+            InvalidSetting::Step(step) => write!(
+                f,
+                "a step of {step:?} s is not possible: expected a finite time that is not lost in the rounding of the \
+                 duration"
+            ),
+            InvalidSetting::Tolerance(tolerance) => write!(
+                f,
+                "a tolerance of {tolerance:?} is not possible: expected a finite number above zero"
+            ),
             InvalidSetting::Order(order) => write!(f, "series of order {order} are not possible"),
             InvalidSetting::CoulombFriction { joint } => write!(
                 f,
@@ -222,15 +236,22 @@ impl fmt::Display for InvalidSetting {
                 write!(f, "the initial state of joint {} is not finite", joint + 1)
             }
             InvalidSetting::FrictionSpeed(speed) => {
-                write!(f, "friction cannot be regularised over a speed of {speed}")
+                write!(
+                    f,
+                    "friction cannot be regularised over a speed of {speed:?}"
+                )
             }
             InvalidSetting::Period(period) => {
-                write!(f, "a period of {period} s is not possible")
+                write!(
+                    f,
+                    "a period of {period:?} s is not possible: expected a finite time that is not lost in the \
+                     rounding of the duration"
+                )
             }
             InvalidSetting::Restitution(restitution) => {
                 write!(
                     f,
-                    "a restitution of {restitution} is not possible: it lies between 0 and 1"
+                    "a restitution of {restitution:?} is not possible: it lies between 0 and 1"
                 )
             }
             InvalidSetting::Limits { joint } => write!(
@@ -244,7 +265,7 @@ impl fmt::Display for InvalidSetting {
                 limits: [lower, upper],
             } => write!(
                 f,
-                "joint {} begins at {q}, outside of its limits {lower} to {upper}",
+                "joint {} begins at {q:?}, outside of its limits {lower:?} to {upper:?}",
                 joint + 1
             ),
             InvalidSetting::NoMomenta => write!(

@@ -402,7 +402,7 @@ fn settings_that_make_no_sense_are_refused() {
 fn errors_say_where_and_why() {
     let simulation = Simulation::new(&Vanishing).initial(unit(FRAC_PI_2), unit(0.0));
     let text = simulation.run().unwrap_err().to_string();
-    let start = "the simulation ended at t = 0 s: the mass matrix is not positive definite at joint 1 \
+    let start = "the simulation ended at t = 0.0 s: the mass matrix is not positive definite at joint 1 \
                  (relative pivot 0e0): ";
     assert!(text.starts_with(start), "{text}");
     assert!(

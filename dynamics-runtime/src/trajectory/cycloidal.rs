@@ -54,10 +54,10 @@ impl fmt::Display for InvalidDuration {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let InvalidDuration { duration, joint } = self;
         match joint {
-            None => write!(f, "a trajectory cannot last {duration} s"),
+            None => write!(f, "a trajectory cannot last {duration:?} s"),
             Some(joint) => write!(
                 f,
-                "joint {} cannot travel its distance in {duration} s: its rates are not finite",
+                "joint {} cannot travel its distance in {duration:?} s: its rates are not finite",
                 joint + 1
             ),
         }
@@ -305,7 +305,7 @@ mod tests {
             assert_eq!(
                 error.to_string(),
                 format!(
-                    "joint 2 cannot travel its distance in {duration} s: its rates are not finite"
+                    "joint 2 cannot travel its distance in {duration:?} s: its rates are not finite"
                 )
             );
         }

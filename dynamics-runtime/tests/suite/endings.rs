@@ -99,6 +99,20 @@ fn the_shortest_and_the_longest_times_are_simulated() {
     }
 }
 
+/// Beside such times all steps that the motion asks for are lost in the rounding of the time, and what is met at longer
+/// ones says nothing about the motion.
+#[test]
+fn times_beside_which_every_step_is_lost_end_in_a_step_that_is_too_small() {
+    for duration in [1e20, 1e300] {
+        for method in controlled() {
+            let swing = Simulation::new(&Pendulum).initial(Vector1::new(0.3), Vector1::new(0.1));
+            let error = swing.method(method).duration(duration).run().unwrap_err();
+            assert_eq!(error.cause, Cause::StepTooSmall, "{method:?} {duration:e}");
+            assert_eq!(error.time, 0.0);
+        }
+    }
+}
+
 /// A force beyond all measure asks for steps that are lost in the rounding of the time; the state is
 /// finite all the same.
 #[test]

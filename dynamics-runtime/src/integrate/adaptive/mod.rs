@@ -13,6 +13,8 @@ pub(crate) struct Adaptive<M: Embedded<N>, const N: usize> {
     t: f64,
     phase: Phase<N>,
     h: f64,
+    /// The step that the motion asks for at its start.
+    first: f64,
     rates: M::Rates,
     last: Start<N>,
     fresh: bool,
@@ -33,10 +35,12 @@ impl<M: Embedded<N>, const N: usize> Adaptive<M, N> {
         range: StepRange,
     ) -> Result<Self, S::Refusal> {
         let rate = system.rate(t, &phase)?;
+        let first = initial_step(system, t, &phase, &rate, &tolerance, M::CONTROL.order);
         Ok(Adaptive {
             t,
             phase,
-            h: initial_step(system, t, &phase, &rate, &tolerance, M::CONTROL.order),
+            h: first,
+            first,
             rates: M::rates(rate),
             last: Start { t, phase, h: 0.0 },
             fresh: false,
@@ -119,7 +123,7 @@ impl<M: Embedded<N>, S: Equations<N>, const N: usize> Stepper<S, S::Refusal, N> 
             self.rejected += 1;
             self.h *= self.control.reject(error);
             if self.h < self.range.least {
-                return Err(failure);
+                return Err(self.range.judge(failure, self.first));
             }
         }
     }

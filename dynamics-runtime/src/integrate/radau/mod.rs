@@ -28,6 +28,8 @@ pub(crate) struct Radau<const N: usize> {
     /// Where the last step started.
     from: Beginning<N>,
     h: f64,
+    /// The step that the motion asks for at its start.
+    first: f64,
     jacobian: Jacobian<N>,
     jacobian_is: Age,
     polynomial: Option<Polynomial<N>>,
@@ -91,12 +93,14 @@ impl<const N: usize> Radau<N> {
             absolute: relative * (wanted.absolute / wanted.relative),
         };
         let least = 10.0 * f64::EPSILON / relative;
+        let first = initial_step(system, t, &phase, &rate, &wanted, 4.0);
         Ok(Radau {
             t,
             phase,
             rate,
             from: Beginning { t, phase, rate },
-            h: initial_step(system, t, &phase, &rate, &wanted, 4.0),
+            h: first,
+            first,
             jacobian: Jacobian::zeros(),
             jacobian_is: Age::Useless,
             polynomial: None,
@@ -276,7 +280,7 @@ impl<S: Equations<N>, const N: usize> Stepper<S, S::Refusal, N> for Radau<N> {
                 }
             };
             if self.h < self.range.least {
-                return Err(failure);
+                return Err(self.range.judge(failure, self.first));
             }
         }
     }
