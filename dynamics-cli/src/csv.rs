@@ -35,7 +35,7 @@ impl Csv {
 
     /// Adds a row.
     pub(crate) fn row(&mut self, numbers: impl IntoIterator<Item = f64>) {
-        let numbers = numbers.into_iter().map(|x| x.to_string());
+        let numbers = numbers.into_iter().map(shortest);
         self.0.push_str(&numbers.collect::<Vec<_>>().join(","));
         self.0.push('\n');
     }
@@ -43,6 +43,15 @@ impl Csv {
     /// The text.
     pub(crate) fn text(self) -> String {
         self.0
+    }
+}
+
+/// A number in as few letters as it takes: `0.5`, `1e-17`.
+pub(crate) fn shortest(x: f64) -> String {
+    let (decimal, scientific) = (x.to_string(), format!("{x:e}"));
+    match decimal.len() <= scientific.len() {
+        true => decimal,
+        false => scientific,
     }
 }
 

@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use ariadne::{Color, Config, Label, Report, ReportKind, Source};
+use dynamics_codegen::visible;
 use dynamics_evaluation::FileMistake;
 
 /// What is told of mistakes to a person: `FILE:LINE:COLUMN: what is wrong`, and below it the place in the file.
@@ -30,23 +31,14 @@ fn told_of(mistake: &FileMistake) -> String {
 /// The text with a visible character for each one that would act on the terminal: control characters, but for the end
 /// of a line and the tab, and those that change the direction of writing. It has as many characters as before, so that
 /// places in it stay what they are.
-fn without_controls(text: &str) -> String {
+pub(crate) fn without_controls(text: &str) -> String {
     let mut rest = text.chars().peekable();
     let mut shown = String::with_capacity(text.len());
     while let Some(c) = rest.next() {
         shown.push(match c {
             '\n' | '\t' => c,
             '\r' if rest.peek() == Some(&'\n') => c,
-            // The pictures of control characters stand in their order from U+2400 on.
-            '\0'..='\u{1f}' => {
-                char::from_u32(0x2400 + u32::from(c)).unwrap_or(char::REPLACEMENT_CHARACTER)
-            }
-            '\u{7f}' => '\u{2421}',
-            '\u{80}'..='\u{9f}' => char::REPLACEMENT_CHARACTER,
-            '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}' => {
-                char::REPLACEMENT_CHARACTER
-            }
-            _ => c,
+            _ => visible(c),
         });
     }
     shown

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use dynamics_evaluation::FileMistake;
 
-use crate::excerpt::with_excerpts;
+use crate::excerpt::{with_excerpts, without_controls};
 
 /// What is told, and the status of the process.
 #[derive(Debug)]
@@ -57,11 +57,12 @@ impl Failure {
     }
 
     /// What is written to standard error: on a terminal with the places in the file, elsewhere a line for each
-    /// mistake.
+    /// mistake. Nothing in it acts on the terminal, whatever the names of files and of what is in them: a log may be
+    /// shown on one later.
     pub(crate) fn told(&self) -> String {
         match std::io::stderr().is_terminal() && !self.mistakes.is_empty() {
             true => with_excerpts(&self.mistakes, std::env::var_os("NO_COLOR").is_none()),
-            false => self.message.clone(),
+            false => without_controls(&self.message),
         }
     }
 }

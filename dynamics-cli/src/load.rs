@@ -4,8 +4,8 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 use clap::ArgMatches;
-use dynamics_codegen::Model;
-use dynamics_codegen::files::{Format, joint_names};
+use dynamics_codegen::files::{Format, ends, joint_names, names_in_values};
+use dynamics_codegen::{Audience, Model};
 use dynamics_evaluation::{Besides, FileError, RuntimeRobot, read_file};
 use dynamics_symbolic::robot::Robot;
 use dynamics_symbolic::{Function, Proven, Request, proven_program};
@@ -128,11 +128,11 @@ fn values(given: &ArgMatches, path: &Path, other: Option<&Path>) -> Result<Strin
             return Err(no_field(&field));
         };
         let name = name.trim();
-        if has_word(path, name) {
+        if has_name(path, name) {
             let _ = writeln!(text, "let.{name:?} = {:?}", value.trim());
-        } else if !other.is_some_and(|other| has_word(other, name)) {
+        } else if !other.is_some_and(|other| has_name(other, name)) {
             let message = format!(
-                "`--field {field}`: there is no `{name}` in {}",
+                "`--field {field}`: no value in {} has the name `{name}`",
                 path.display()
             );
             return Err(Failure::of_the_command_line(message));
@@ -141,12 +141,11 @@ fn values(given: &ArgMatches, path: &Path, other: Option<&Path>) -> Result<Strin
     Ok(text)
 }
 
-/// Whether the word stands in a file; it does in one that cannot be read, which is told elsewhere.
-fn has_word(path: &Path, word: &str) -> bool {
-    let is_between = |c: char| !(c.is_alphanumeric() || c == '_');
-    match std::fs::read_to_string(path) {
-        Ok(text) => text.split(is_between).any(|other| other == word),
-        Err(_) => true,
+/// Whether a value of a file has the name; one that cannot be read has it, which is told elsewhere.
+fn has_name(path: &Path, name: &str) -> bool {
+    match (std::fs::read_to_string(path), Format::of(path)) {
+        (Ok(text), Some(format)) => names_in_values(&text, format).contains(name),
+        _ => true,
     }
 }
 
@@ -167,20 +166,62 @@ fn besides(
     };
     let mut ignore = words(given, "ignore");
     ignore.retain(|joint| is_meant(joint));
-    if Format::of(path) == Some(Format::Urdf) && words(given, "gravity").is_empty() {
-        return Err(Failure::of_the_command_line(format!(
-            "{} does not tell of gravity: expected `--gravity X,Y,Z`, such as `--gravity 0,0,-9.81` where z points up",
-            path.display()
-        )));
-    }
+    report_missing(given, path, chain)?;
     let round_angles = given.try_get_one::<f64>("round-angles").ok().flatten();
     Ok(Besides {
         entries: entries(given, is_meant)?,
-        chain: self::chain(given, path, chain)?,
+        chain: self::chain(given, chain)?,
         ignore,
         round_angles: round_angles.copied(),
         fields: Vec::new(),
+        audience: Audience::Command,
     })
+}
+
+/// Reports the options that a URDF file needs and that are not there. One without joints has a mistake of its own, which
+/// is told where it is read.
+fn report_missing(given: &ArgMatches, path: &Path, chain: &str) -> Result<(), Failure> {
+    let is_tree = Format::of(path) == Some(Format::Urdf) && !joints_of(path).is_empty();
+    let mut missing = Vec::new();
+    if is_tree && words(given, chain).is_empty() {
+        missing.push(format!(
+            "expected `--{chain} BASE,TIP`, the first and the last link of the arm{}",
+            ends_of(path)
+        ));
+    }
+    if is_tree && words(given, "gravity").is_empty() {
+        let gravity = "expected `--gravity X,Y,Z`, such as `--gravity 0,0,-9.81` where z of the first link points up";
+        missing.push(gravity.to_owned());
+    }
+    match missing.is_empty() {
+        true => Ok(()),
+        false => Err(Failure::of_the_command_line(format!(
+            "{} is a tree of links: {}",
+            path.display(),
+            missing.join("; ")
+        ))),
+    }
+}
+
+/// Most links that are listed.
+const LISTED: usize = 12;
+
+/// Where the tree of links in a file begins and ends.
+fn ends_of(path: &Path) -> String {
+    let text = std::fs::read_to_string(path).unwrap_or_default();
+    let Some([first, last]) = ends(&text) else {
+        return String::new();
+    };
+    let listed = |links: &[String]| {
+        let quoted = links.iter().take(LISTED).map(|link| format!("`{link}`"));
+        let others = if links.len() > LISTED { ", ..." } else { "" };
+        quoted.collect::<Vec<_>>().join(", ") + others
+    };
+    format!(
+        " (the tree begins at {} and ends at {})",
+        listed(&first),
+        listed(&last)
+    )
 }
 
 /// The fields of `--field NAME=VALUE` with their values as numbers.
@@ -202,17 +243,11 @@ fn no_field(field: &str) -> Failure {
 }
 
 /// The ends of the arm, which a URDF file needs.
-fn chain(given: &ArgMatches, path: &Path, option: &str) -> Result<Option<[String; 2]>, Failure> {
+fn chain(given: &ArgMatches, option: &str) -> Result<Option<[String; 2]>, Failure> {
     let links = words(given, option);
     match <[String; 2]>::try_from(links) {
         Ok(chain) => Ok(Some(chain)),
-        Err(none) if none.is_empty() => match Format::of(path) {
-            Some(Format::Urdf) => Err(Failure::of_the_command_line(format!(
-                "{} is a tree of links: expected `--chain BASE,TIP`, the first and the last link of the arm",
-                path.display()
-            ))),
-            _ => Ok(None),
-        },
+        Err(none) if none.is_empty() => Ok(None),
         Err(links) => {
             let message = format!("`--{option} {}`: expected BASE,TIP", links.join(","));
             Err(Failure::of_the_command_line(message))

@@ -3,10 +3,10 @@
 use clap::ArgMatches;
 use dynamics_evaluation::RuntimeRobot;
 use dynamics_runtime::nalgebra::SVector;
-use dynamics_runtime::{DormandPrince, Energy as _, Friction, Simulation};
+use dynamics_runtime::{Cause, DormandPrince, Energy as _, Friction, Simulation, SimulationError};
 use dynamics_symbolic::Function;
 
-use crate::csv::Csv;
+use crate::csv::{Csv, shortest};
 use crate::failure::Failure;
 use crate::joints::with_joints;
 use crate::load::{arm_with, count};
@@ -62,7 +62,8 @@ fn motion<const N: usize>(
         .initial(q, qd)
         .duration(duration)
         .samples(count(given, "samples"))
-        .run()?;
+        .run()
+        .map_err(|error| Failure::after(String::new(), told(&error, duration)))?;
     let mut csv = Csv::new("t", &["q", "qd"], arm.joint_names()).with("energy");
     for ((t, q), qd) in motion.t.iter().zip(&motion.q).zip(&motion.qd) {
         let energy = typed.kinetic_energy(q, qd) + typed.potential_energy(q);
@@ -71,6 +72,36 @@ fn motion<const N: usize>(
     }
     Ok(csv)
 }
+
+/// Why a motion of so many seconds was not followed to its end, and which option is to blame.
+fn told<const N: usize>(error: &SimulationError<N>, duration: f64) -> String {
+    let lost = 16.0 * f64::EPSILON * duration;
+    let reached = error.trajectory.t.last().copied().unwrap_or(0.0);
+    match error.cause {
+        Cause::StepTooSmall if lost > SHORT => format!(
+            "`--duration {}`: beside so long a time steps below {lost:.0e} s are lost in rounding, and the motion at \
+             t = {} s asks for shorter ones: give a shorter time",
+            shortest(duration),
+            shortest(error.time)
+        ),
+        Cause::TooManySteps => {
+            let most = DormandPrince::default().max_steps as f64;
+            let step = (error.time - reached) / most;
+            format!(
+                "`--duration {}`: the motion asks for steps of {step:.0e} s at t = {} s, some {:.0e} up to the end, \
+                 and {most:.0e} between two samples are the most: give a shorter time, a larger `--tolerance` or more \
+                 `--samples`",
+                shortest(duration),
+                shortest(error.time),
+                (duration - error.time) / step
+            )
+        }
+        _ => error.to_string(),
+    }
+}
+
+/// Steps of arms are longer, s, unless something is wrong with the motion.
+const SHORT: f64 = 1e-9;
 
 /// A vector of the command line, zeros where it has none.
 pub(crate) fn vector(given: &ArgMatches, name: &str, dof: usize) -> Result<Vec<f64>, Failure> {

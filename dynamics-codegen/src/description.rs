@@ -8,6 +8,8 @@ use dynamics_symbolic::robot::{Convention, JointType};
 use std::collections::BTreeSet;
 use std::fmt;
 
+use crate::audience::Audience;
+
 pub use crate::place::Place;
 
 /// A name, and where it stands.
@@ -61,6 +63,8 @@ pub struct Table {
     pub keys: Vec<(&'static str, Place)>,
     /// Every name in the text of the entries, of those too that could not be read.
     pub mentions: BTreeSet<String>,
+    /// Who is told of mistakes.
+    pub audience: Audience,
 }
 
 impl Table {

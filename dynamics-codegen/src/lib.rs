@@ -14,11 +14,12 @@
 //!    still passes the type check.
 //!
 //! `diagnose` collects the errors of a call, which are reported together, each at its `place`; `mistake`
-//! has all their texts; `words` finds the word that was meant; `limits` says how much a call may ask for.
+//! has all their texts, each in the words of its `audience`; `words` finds the word that was meant; `limits` says how much a call may ask for.
 #![forbid(unsafe_code)]
 
 extern crate proc_macro;
 
+mod audience;
 mod call;
 pub mod description;
 mod diagnose;
@@ -33,7 +34,9 @@ mod place;
 mod validate;
 mod words;
 
+pub use audience::Audience;
 pub use validate::Model;
+pub use words::visible;
 
 use diagnose::Diagnostics;
 use dynamics_symbolic::program::Program;
@@ -104,15 +107,15 @@ fn model(call: &call::Call, diagnostics: &Diagnostics) -> Option<Model> {
 pub fn check(table: &description::Table) -> Result<Model, Vec<Error>> {
     let diagnostics = Diagnostics::new();
     let model = validate::model(table, &diagnostics);
-    let errors = errors(diagnostics);
+    let errors = errors(diagnostics, table.audience);
     model.ok_or(errors)
 }
 
-fn errors(diagnostics: Diagnostics) -> Vec<Error> {
+fn errors(diagnostics: Diagnostics, audience: Audience) -> Vec<Error> {
     let errors = diagnostics.into_errors().into_iter();
     let error = |(place, mistake): (_, mistake::Mistake)| Error {
         place,
-        message: mistake.to_string(),
+        message: mistake.told_to(audience).to_owned(),
     };
     errors.map(error).collect()
 }
@@ -152,7 +155,7 @@ pub fn items_of(
     let derivation = &dynamics_symbolic::derive::derive_together;
     match methods(&model, &call, derivation, &diagnostics) {
         Some(methods) => Ok(items(&call, Some((model, methods)), diagnostics)),
-        None => Err(errors(diagnostics)),
+        None => Err(errors(diagnostics, Audience::default())),
     }
 }
 

@@ -65,6 +65,33 @@ pub(crate) fn shortened(text: &str) -> String {
     }
 }
 
+/// A number as it is written shortest: `90`, `0.5`, `1e300`.
+pub(crate) fn number(x: f64) -> String {
+    let (decimal, scientific) = (x.to_string(), format!("{x:e}"));
+    match decimal.len() <= scientific.len() + 2 {
+        true => decimal,
+        false => scientific,
+    }
+}
+
+/// A visible character for one that would act on a terminal or end a line: a control character, or one that changes the
+/// direction of writing. Any other one is itself.
+pub fn visible(c: char) -> char {
+    match c {
+        // The pictures of control characters stand in their order from U+2400 on.
+        '\0'..='\u{1f}' => {
+            char::from_u32(0x2400 + u32::from(c)).unwrap_or(char::REPLACEMENT_CHARACTER)
+        }
+        '\u{7f}' => '\u{2421}',
+        '\u{80}'..='\u{9f}'
+        | '\u{200e}'
+        | '\u{200f}'
+        | '\u{2028}'..='\u{202e}'
+        | '\u{2066}'..='\u{2069}' => char::REPLACEMENT_CHARACTER,
+        _ => c,
+    }
+}
+
 /// The known word that `word` was most likely meant to be.
 ///
 /// Case does not count; words of one or two letters must agree, longer ones may be off

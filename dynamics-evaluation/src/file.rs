@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use dynamics_codegen::description::{Entry, Expr, ExprKind, Name, Place, Table};
 use dynamics_codegen::files::{Format, MOST_BYTES, Request, table, table_beside};
-use dynamics_codegen::{Error, Model};
+use dynamics_codegen::{Audience, Error, Model};
 use dynamics_symbolic::exact::Rational;
 use dynamics_symbolic::neglect::neglect;
 
@@ -91,6 +91,8 @@ pub struct Besides {
     /// Names that cells may use without a value, as those of the fields of a struct: they become the
     /// robot's fields, in this order.
     pub fields: Vec<String>,
+    /// Who is told of mistakes, and in whose words they say what to write.
+    pub audience: Audience,
 }
 
 impl Besides {
@@ -99,6 +101,7 @@ impl Besides {
     fn table(&self, stem: &str, lines: usize) -> Result<Table, Vec<Error>> {
         let entries = "\n".repeat(lines) + &self.entries;
         let mut table = table(stem, &entries, Format::Toml, &Request::default())?;
+        table.audience = self.audience;
         let place = Place::File {
             line: lines + 1,
             column: 1,

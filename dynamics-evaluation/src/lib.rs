@@ -21,6 +21,8 @@ mod tape;
 mod typed;
 mod value;
 
+#[cfg(feature = "files")]
+pub use dynamics_codegen::Audience;
 pub use dynamics_runtime;
 pub use dynamics_symbolic;
 

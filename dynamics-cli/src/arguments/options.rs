@@ -147,19 +147,31 @@ pub(super) fn number(name: &'static str, help: &'static str) -> Arg {
         .help(help)
 }
 
+/// A number from `least` to `most`.
+pub(super) fn number_between(name: &'static str, least: f64, most: f64, help: &'static str) -> Arg {
+    number(name, help).value_parser(move |text: &str| match finite(text) {
+        Ok(x) if (least..=most).contains(&x) => Ok(x),
+        _ => Err(format!("expected a number from {least:e} to {most}")),
+    })
+}
+
 /// A whole number from `least` on.
 pub(super) fn count(
     name: &'static str,
     default: &'static str,
-    least: i64,
-    most: i64,
+    least: u32,
+    most: u32,
     help: &'static str,
 ) -> Arg {
     Arg::new(name)
         .long(name)
         .value_name("COUNT")
         .default_value(default)
-        .value_parser(value_parser!(u32).range(least..=most))
+        .allow_hyphen_values(true)
+        .value_parser(move |text: &str| match text.trim().parse::<u32>() {
+            Ok(count) if (least..=most).contains(&count) => Ok(count),
+            _ => Err(format!("expected a whole number from {least} to {most}")),
+        })
         .help(help)
 }
 

@@ -3,7 +3,7 @@
 use clap::Command;
 
 use super::options::{
-    chain_of_other, choice, count, functions, number, of_a_file, out, path, vector,
+    chain_of_other, choice, count, functions, number, number_between, of_a_file, out, path, vector,
 };
 use crate::convert::WITHOUT;
 
@@ -102,7 +102,7 @@ fn simulate() -> Command {
         .arg(vector("torque", "Torques and forces at the joints"))
         .arg(number("duration", "Time simulated, s").default_value("1"))
         .arg(count("samples", "101", 2, 10_000_000, "Rows of the output"))
-        .arg(number("tolerance", "Relative and absolute tolerance of a step").default_value("1e-9"))
+        .arg(number_between("tolerance", 1e-15, 1.0, "Relative and absolute tolerance of a step").default_value("1e-9"))
         .arg(out())
         .after_help("Example:\n  robot-dynamics simulate two_link.toml --from 0.5,-1 --duration 10 --out fall.csv")
 }
@@ -187,7 +187,7 @@ fn page() -> Command {
         })
         .arg(vector("from", "Positions at the start; zeros, or the middle of limits without zero, where this is left out"))
         .arg(vector("to", "Positions at the end of the prescribed motion"))
-        .arg(number("duration", "Time of the motions, s").default_value("3"))
+        .arg(number_between("duration", 1e-3, 1e3, "Time of the motions, s").default_value("3"))
         .arg(out())
         .after_help(
             "Examples:\n  \

@@ -69,7 +69,7 @@ fn fields_have_values() {
 
     assert!(errors(&["show", &carrying], 1).contains("unknown name `load`"));
     let message = errors(&["show", &carrying, "--field", "laod=1"], 2);
-    assert!(message.contains("there is no `laod` in "), "{message}");
+    assert!(message.contains("has the name `laod`"), "{message}");
     for (value, expected) in [
         ("load", "expected NAME=NUMBER"),
         ("load=light", "unknown name `light`"),

@@ -97,8 +97,7 @@ fn arm(path: &Path) -> Arm {
             entries,
             chain: Some(chain),
             ignore,
-            round_angles: None,
-            fields: Vec::new(),
+            ..Besides::default()
         },
     }
 }

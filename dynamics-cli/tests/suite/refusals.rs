@@ -149,17 +149,87 @@ fn mistakes_of_the_command_line_are_none_of_the_file() {
         (["show", "--gravity", "0,0,down"], "`down`"),
         (["simulate", "--duration", "nan"], "above zero"),
         (["simulate", "--duration", "-1"], "above zero"),
-        (["simulate", "--tolerance", "0"], "above zero"),
+        (["simulate", "--tolerance", "0"], "from 1e-15 to 1"),
+        (["simulate", "--tolerance", "1e-300"], "from 1e-15 to 1"),
+        (["simulate", "--samples", "-1"], "from 2 to"),
+        (["simulate", "--samples", "1e300"], "from 2 to"),
+        (["check", "--samples", "nan"], "from 1 to"),
+        (["inverse", "--duration", "1e-300"], " in 1e-300 s"),
+        (["page", "--duration", "1e300"], "from 1e-3 to 1000"),
+        (["show", "--gravity", "0,0,1e300"], "`--allow odd_gravity`"),
+        (["show", "--lock", "knee=1e300"], "`deg(1e300)`"),
+        (["show", "--field", "mass=3"], "has the name `mass`"),
         (["simulate", "--from", "0,inf"], "expected a number"),
-        (["simulate", "--samples", "1"], "not in 2.."),
+        (["simulate", "--samples", "1"], "from 2 to"),
         (["inverse", "--to", "1"], "expected 2"),
     ] {
         let [subcommand, option, value] = call;
-        let message = errors(&[subcommand, &pendulum, option, value], 2);
+        let mut call_of = vec![subcommand, &pendulum, option, value];
+        if subcommand == "inverse" && option != "--to" {
+            call_of.extend(["--to", "1,1"]);
+        }
+        let message = errors(&call_of, 2);
         assert!(message.contains(expected), "{call:?}: {message}");
         assert!(
             !message.contains("command_line.toml:"),
             "{call:?}: {message}"
+        );
+    }
+}
+
+/// A time that is too long for the motion is told as that, with the steps that it would take.
+#[test]
+fn times_that_are_too_long_are_told() {
+    let pendulum = file("long.toml", PENDULUM);
+    let told = |options: &[&str]| errors(&[&["simulate", &pendulum], options].concat(), 1);
+    let lost = told(&["--from", "0.3,1", "--duration", "1e300"]);
+    assert!(
+        lost.starts_with("`--duration 1e300`: ") && lost.contains("steps below 4e285 s are lost"),
+        "{lost}"
+    );
+    // Turning so fast, the arm asks for steps of some 1e-8 s.
+    let many = told(&[
+        "--velocity",
+        "1e7,0",
+        "--samples",
+        "2",
+        "--tolerance",
+        "1e-3",
+    ]);
+    for expected in ["`--duration 1`: ", "up to the end", "`--samples`"] {
+        assert!(many.contains(expected), "{many}");
+    }
+}
+
+/// What a file or the name of one holds does not act on a terminal that shows a log, and makes no line of its own.
+#[test]
+fn messages_hold_no_control_characters() {
+    let escape = r#"\u001b[31m\u009b2J\nother.toml:1:1: forged\u202e"#;
+    let unknown = PENDULUM.replace(
+        "convention",
+        &format!("functions = [\"{escape}\"]\nconvention"),
+    );
+    let tree = "<robot><link name='a'/><link name='b'/><joint name='j\u{9b}2J' type='planar'><parent link='a'/>\
+                <child link='b'/></joint></robot>";
+    for (name, text) in [
+        ("un\u{1b}[31mknown.toml", &unknown[..]),
+        ("controls.urdf", tree),
+    ] {
+        let path = file(name, text);
+        let urdf = ["--chain", "a,b", "--gravity", "0,0,-9.81"];
+        let options = if name.ends_with(".urdf") {
+            &urdf[..]
+        } else {
+            &[]
+        };
+        let message = errors(&[&["show", &path], options].concat(), 1);
+        let acts = |c: char| c != '\n' && (c.is_control() || c == '\u{202e}');
+        assert!(!message.contains(acts), "{message:?}");
+        assert!(
+            message
+                .lines()
+                .all(|line| line.contains(&name[name.len() - 4..])),
+            "{message:?}"
         );
     }
 }

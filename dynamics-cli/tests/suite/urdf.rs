@@ -84,6 +84,36 @@ fn the_chain_ends_where_it_is_told() {
     assert!(message.contains("`flange`"), "{message}");
     let message = told(&["--chain", "base,table"]);
     assert!(message.contains("`--gravity X,Y,Z`"), "{message}");
+    // Both at once, and where the tree begins and ends.
+    let message = told(&[]);
+    for expected in [
+        "`--chain BASE,TIP`",
+        "begins at `base`",
+        "`flange`",
+        "`--gravity X,Y,Z`",
+    ] {
+        assert!(message.contains(expected), "{message}");
+    }
+}
+
+/// A file without a robot is told as that, and not what its robot would need.
+#[test]
+fn a_file_without_joints_is_told_before_options_that_are_missing() {
+    let links = "<robot name='x'><link name='base'/></robot>";
+    for (name, text, expected) in [
+        ("empty_tree.urdf", "", "no XML"),
+        ("no_links.urdf", "<robot name='x'/>", "no joints"),
+        ("no_joints.urdf", links, "no joints"),
+    ] {
+        let file = file(name, text);
+        for options in [&[][..], &["--chain", "base,tip"], &GRAVITY] {
+            let message = errors(&[&["show", &file][..], options].concat(), 1);
+            assert!(
+                message.contains(&format!("{name}:1:1: {expected}")),
+                "{message}"
+            );
+        }
+    }
 }
 
 /// A joint off the chain is left out with what hangs on it, or stands still with it.
@@ -105,7 +135,9 @@ fn joints_off_the_chain_are_left_out_or_locked() {
     let call = |options: &[&'static str]| [&call[..], &GRAVITY[..], options].concat();
     let message = errors(&call(&[]), 1);
     assert!(
-        message.contains("`mast`") && message.contains("mast.urdf:9:3: "),
+        message.contains("mast.urdf:9:3: ")
+            && message.contains("`--lock mast=0`")
+            && message.contains("`--ignore mast`"),
         "{message}"
     );
     assert!(output(&call(&["--ignore", "mast"])).contains("M11 = 0.15\n"));
@@ -210,6 +242,9 @@ fn odd_files_are_accepted_where_that_is_asked_for() {
     ];
     let call = [&call[..], &GRAVITY[..]].concat();
     let message = errors(&call, 1);
-    assert!(message.contains("unphysical_inertia"), "{message}");
+    assert!(
+        message.contains("`--allow unphysical_inertia`"),
+        "{message}"
+    );
     output(&[&call[..], &["--allow", "unphysical_inertia"][..]].concat());
 }

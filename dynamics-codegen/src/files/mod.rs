@@ -24,6 +24,8 @@ pub use crate::limits::MOST_BYTES;
 pub(crate) use load::load;
 pub use request::Request;
 
+#[cfg(feature = "files")]
+use std::collections::BTreeSet;
 use std::path::Path;
 
 #[cfg(feature = "files")]
@@ -81,14 +83,14 @@ fn named(name: &str, mut table: Table, diagnostics: Diagnostics) -> Result<Table
     table.has_all_fields = true;
     match diagnostics.is_empty() {
         true => Ok(table),
-        false => Err(crate::errors(diagnostics)),
+        false => Err(crate::errors(diagnostics, table.audience)),
     }
 }
 
 /// As [`table`], with entries beside those of the file, as a call of the macro has them: they take the
 /// place of the file's, a `let` that of the same name, and say what is asked of a URDF file (`chain`, `ignore`,
 /// `round_angles`, `lock`).
-/// Its fields are those that cells of the file may use.
+/// Its fields are those that cells of the file may use, and its audience is who is told of mistakes.
 #[cfg(feature = "files")]
 pub fn table_beside(
     name: &str,
@@ -122,6 +124,7 @@ pub fn table_beside(
     }
     table.keys.extend(beside.keys);
     table.fields.extend(beside.fields);
+    table.audience = beside.audience;
     named(name, table, diagnostics)
 }
 
@@ -158,6 +161,31 @@ pub fn joint_names(text: &str, format: Format) -> Vec<String> {
     };
     diagnostics.forget();
     names
+}
+
+/// The links of the text of a URDF file to which no joint leads, and those from which none does: where an arm may begin
+/// and end. None where it cannot be read.
+#[cfg(feature = "files")]
+pub fn ends(text: &str) -> Option<[Vec<String>; 2]> {
+    let diagnostics = Diagnostics::new();
+    let ends = urdf::ends(text, &diagnostics);
+    diagnostics.forget();
+    ends
+}
+
+/// The names in the values of the text of a table.
+#[cfg(feature = "files")]
+pub fn names_in_values(text: &str, format: Format) -> BTreeSet<String> {
+    let diagnostics = Diagnostics::new();
+    let table = read(
+        text,
+        format,
+        &Request::default(),
+        &mut Vec::new(),
+        &diagnostics,
+    );
+    diagnostics.forget();
+    table.map_or(BTreeSet::new(), |table| table.mentions)
 }
 
 /// The entries of a text; what cannot be read is reported. None of a text of another format.

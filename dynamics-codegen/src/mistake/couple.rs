@@ -57,10 +57,13 @@ pub(crate) fn limits(name: &str, leader: &str) -> Mistake {
 
 /// A position in which no joint is named.
 pub(crate) fn no_leader(name: &str) -> Mistake {
-    Mistake::new(format!(
-        "no joint is named that `{name}` follows: write `{name} = factor * leader + offset`, or \
-         `lock: [{name} = position]` where it stands still"
-    ))
+    Mistake::advice(|audience| {
+        let lock = audience.lock(name, "position");
+        format!(
+            "no joint is named that `{name}` follows: write `{name} = factor * leader + offset`, or {lock} where it \
+             stands still"
+        )
+    })
 }
 
 pub(crate) fn two_leaders(name: &str, leaders: [&str; 2]) -> Mistake {
@@ -77,9 +80,10 @@ pub(crate) fn not_linear(name: &str, leader: &str) -> Mistake {
 }
 
 pub(crate) fn factor_zero(name: &str, leader: &str) -> Mistake {
-    Mistake::new(format!(
-        "the factor of `{leader}` is zero: where `{name}` stands still, write `lock: [{name} = position]`"
-    ))
+    Mistake::advice(|audience| {
+        let lock = audience.lock(name, "position");
+        format!("the factor of `{leader}` is zero: where `{name}` stands still, write {lock}")
+    })
 }
 
 /// A name in a position that is neither a joint nor a value.

@@ -3,8 +3,9 @@
 use std::fmt::Display;
 
 use super::Mistake;
+use crate::audience::{AT_THE_END, Audience};
 use crate::description::Name;
-use crate::words::{either, shortened};
+use crate::words::{either, number, shortened};
 
 /// In a call, or in a file, of either format.
 pub(crate) fn missing_convention(is_of_file: bool) -> Mistake {
@@ -15,14 +16,17 @@ pub(crate) fn missing_convention(is_of_file: bool) -> Mistake {
 }
 
 pub(crate) fn missing_gravity(is_of_file: bool) -> Mistake {
-    let example = match is_of_file {
-        true => "expected [0, 0, -9.81]",
-        false => "write `gravity: [0, 0, -9.81]`",
-    };
-    Mistake::new(format!(
-        "missing `gravity`, the acceleration of gravity in the axes of the world, those of the base frame \
-         where there is no `base`: {example}, for example"
-    ))
+    Mistake::advice(|audience| {
+        let example = match (audience, is_of_file) {
+            (Audience::Call, false) => "write `gravity: [0, 0, -9.81]`",
+            (Audience::Call, true) | (Audience::File, _) => "expected [0, 0, -9.81]",
+            (Audience::Command, _) => "expected [0, 0, -9.81], or `--gravity 0,0,-9.81`",
+        };
+        format!(
+            "missing `gravity`, the acceleration of gravity in the axes of the world, those of the base frame \
+             where there is no `base`: {example}, for example"
+        )
+    })
 }
 
 pub(crate) fn missing_joints(is_of_file: bool) -> Mistake {
@@ -43,9 +47,10 @@ pub(crate) fn unknown_convention(word: &str) -> Mistake {
 
 /// A word of `allow` that belongs to the whole table.
 pub(crate) fn allowed_for_the_table(word: &str) -> Mistake {
-    Mistake::new(format!(
-        "`{word}` is about the whole table: write `allow: [{word}]` at its end"
-    ))
+    Mistake::advice(|audience| {
+        let allow = audience.allow(word, AT_THE_END);
+        format!("`{word}` is about the whole table: write {allow}")
+    })
 }
 
 pub(crate) fn no_function() -> Mistake {
@@ -119,19 +124,25 @@ pub(crate) fn no_mass(function: &str) -> Mistake {
 
 /// A model in which nothing resists a motion.
 pub(crate) fn no_inertia() -> Mistake {
-    Mistake::new(
-        "no link of this arm has a mass, a tensor or a motor with inertia: write `mass` in its rows, or ask \
-         for functions of its geometry alone, `functions: [forward_kinematics, jacobian]` \
-         (`allow: [odd_mass]` at the end of the table accepts it)",
-    )
+    Mistake::advice(|audience| {
+        let functions = audience.functions("forward_kinematics", "jacobian");
+        let allow = audience.allow("odd_mass", AT_THE_END);
+        format!(
+            "no link of this arm has a mass, a tensor or a motor with inertia: write `mass` in its rows, or ask for \
+             functions of its geometry alone, {functions} ({allow} accepts it)"
+        )
+    })
 }
 
 /// Gravity, m/s^2, as it is nowhere.
 pub(crate) fn odd_gravity(magnitude: f64) -> Mistake {
-    Mistake::new(format!(
-        "gravity of {magnitude} m/s^2: on Earth it is 9.81, and [0, 0, 0] is none \
-         (`allow: [odd_gravity]` at the end of the table accepts it)"
-    ))
+    let magnitude = number(magnitude);
+    Mistake::advice(|audience| {
+        let allow = audience.allow("odd_gravity", AT_THE_END);
+        format!(
+            "gravity of {magnitude} m/s^2: on Earth it is 9.81, and [0, 0, 0] is none ({allow} accepts it)"
+        )
+    })
 }
 
 pub(crate) fn no_lock() -> Mistake {
@@ -163,6 +174,7 @@ pub(crate) fn unknown_joint(word: &str, meant: Option<&str>, known: &[&str]) -> 
 }
 
 pub(crate) fn locked_out_of_limits(value: f64, name: &str, [lower, upper]: [f64; 2]) -> Mistake {
+    let [value, lower, upper] = [value, lower, upper].map(number);
     Mistake::new(format!(
         "{value} is outside of the limits of `{name}`, {lower} to {upper}"
     ))
@@ -180,7 +192,10 @@ pub(crate) fn share_of_nothing() -> Mistake {
 pub(crate) fn share_of_more_than_all(size: f64, percent: bool) -> Mistake {
     Mistake::new(match percent {
         true => "a share is below 100%".to_owned(),
-        false => format!("a share is below 1: `{size}%` is {size} parts of a hundred"),
+        false => format!(
+            "a share is below 1: `{0}%` is {0} parts of a hundred",
+            number(size)
+        ),
     })
 }
 

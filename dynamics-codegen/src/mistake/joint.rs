@@ -3,6 +3,8 @@
 use std::fmt::Display;
 
 use super::Mistake;
+use crate::audience::Audience;
+use crate::words::number;
 
 pub(crate) fn none() -> Mistake {
     Mistake::new("no joints: a robot has at least one")
@@ -45,10 +47,17 @@ pub(crate) fn without_type(name: &impl Display) -> Mistake {
 
 /// `fixed`
 pub(crate) fn fixed(name: &impl Display) -> Mistake {
-    Mistake::new(format!(
-        "a joint that stands still is `revolute` or `prismatic` and locked, `lock: [{name} = 0]` at the end \
-         of the table; a body fixed to the last link is the `tool`"
-    ))
+    Mistake::advice(|audience| {
+        let lock = audience.lock(&name.to_string(), "0");
+        let place = match audience {
+            Audience::Call => " at the end of the table",
+            Audience::File | Audience::Command => "",
+        };
+        format!(
+            "a joint that stands still is `revolute` or `prismatic` and locked, {lock}{place}; a body fixed to the \
+             last link is the `tool`"
+        )
+    })
 }
 
 /// A cell that belongs into another one.
@@ -66,68 +75,93 @@ pub(crate) fn mirrored_entry(word: &str, entry: &str) -> Mistake {
 }
 
 /// A decimal beyond a turn. `place` is where it can be allowed.
-pub(crate) fn angle_in_degrees(number: f64, place: &str) -> Mistake {
-    Mistake::new(format!(
-        "angles are in radians: write `deg({number})` for degrees \
-         (`allow: [odd_angle]` {place} accepts {number} rad)"
-    ))
+pub(crate) fn angle_in_degrees(angle: f64, place: &str) -> Mistake {
+    let angle = number(angle);
+    Mistake::advice(|audience| {
+        let allow = audience.allow("odd_angle", place);
+        format!(
+            "angles are in radians: write `deg({angle})` for degrees ({allow} accepts {angle} rad)"
+        )
+    })
 }
 
 /// Another angle beyond a turn, rad.
 pub(crate) fn more_than_a_turn(radians: f64, place: &str) -> Mistake {
-    Mistake::new(format!(
-        "an angle of more than a turn, {radians} rad: leave the whole turns out \
-         (`allow: [odd_angle]` {place} accepts it)"
-    ))
+    let radians = number(radians);
+    Mistake::advice(|audience| {
+        let allow = audience.allow("odd_angle", place);
+        format!(
+            "an angle of more than a turn, {radians} rad: leave the whole turns out ({allow} accepts it)"
+        )
+    })
 }
 
 /// `1.5708`: `right` is the multiple of a right angle that was meant.
 pub(crate) fn nearly_right(right: &str, place: &str) -> Mistake {
-    Mistake::new(format!(
-        "nearly a right angle: write `{right}`, which is exact and makes the functions shorter \
-         (`allow: [odd_angle]` {place} accepts it as it stands)"
-    ))
+    Mistake::advice(|audience| {
+        let allow = audience.allow("odd_angle", place);
+        format!(
+            "nearly a right angle: write `{right}`, which is exact and makes the functions shorter \
+             ({allow} accepts it as it stands)"
+        )
+    })
 }
 
 /// `deg(1.5708)`
 pub(crate) fn degrees_of_right_angle(right: &str, place: &str) -> Mistake {
-    Mistake::new(format!(
-        "`deg` takes degrees, and this is `{right}` in radians: write `{right}`, without `deg` \
-         (`allow: [odd_angle]` {place} accepts it as it stands)"
-    ))
+    Mistake::advice(|audience| {
+        let allow = audience.allow("odd_angle", place);
+        format!(
+            "`deg` takes degrees, and this is `{right}` in radians: write `{right}`, without `deg` \
+             ({allow} accepts it as it stands)"
+        )
+    })
 }
 
 /// `deg(PI/2)`
 pub(crate) fn degrees_of_pi(place: &str) -> Mistake {
-    Mistake::new(format!(
-        "`deg` takes degrees, and what is written with `PI` is in radians: leave `deg` away, `PI/2` \
-         (`allow: [odd_angle]` {place} accepts it as it stands)"
-    ))
+    Mistake::advice(|audience| {
+        let allow = audience.allow("odd_angle", place);
+        format!(
+            "`deg` takes degrees, and what is written with `PI` is in radians: leave `deg` away, `PI/2` \
+             ({allow} accepts it as it stands)"
+        )
+    })
 }
 
 /// A centre of mass further from its frame, m, than anything in the arm is long. `place` is the row or the
 /// tool.
 pub(crate) fn far_com(distance: f64, longest: f64, place: &str) -> Mistake {
-    Mistake::new(format!(
-        "a centre of mass {distance} m from its frame, in an arm whose longest part is {longest} m: lengths \
-         are in m, `com` in the link frame (`allow: [odd_com]` on the {place} accepts it)"
-    ))
+    let (distance, longest) = (number(distance), number(longest));
+    Mistake::advice(|audience| {
+        let allow = audience.allow("odd_com", &format!("on the {place}"));
+        format!(
+            "a centre of mass {distance} m from its frame, in an arm whose longest part is {longest} m: lengths \
+             are in m, `com` in the link frame ({allow} accepts it)"
+        )
+    })
 }
 
 /// A centre of mass and no mass.
 pub(crate) fn com_without_mass(place: &str) -> Mistake {
-    Mistake::new(format!(
-        "a centre of mass without a mass: write the {place}'s `mass` \
-         (`mass: 0` says that it has none, or `allow: [odd_mass]` on the {place})"
-    ))
+    Mistake::advice(|audience| {
+        let allow = audience.allow("odd_mass", &format!("on the {place}"));
+        format!(
+            "a centre of mass without a mass: write the {place}'s `mass` \
+             (`mass: 0` says that it has none, or {allow})"
+        )
+    })
 }
 
 /// A tensor and no mass.
 pub(crate) fn tensor_without_mass(place: &str) -> Mistake {
-    Mistake::new(format!(
-        "a tensor without a mass: write the {place}'s `mass`; the moment about one axis alone needs none \
-         (`mass: 0` says that there is none, or `allow: [odd_mass]` on the {place})"
-    ))
+    Mistake::advice(|audience| {
+        let allow = audience.allow("odd_mass", &format!("on the {place}"));
+        format!(
+            "a tensor without a mass: write the {place}'s `mass`; the moment about one axis alone needs none \
+             (`mass: 0` says that there is none, or {allow})"
+        )
+    })
 }
 
 /// A mass, an inertia or a coefficient below zero.
@@ -142,10 +176,13 @@ pub(crate) fn solid_without_mass(place: &str) -> Mistake {
 
 /// `place` is the row or the tool.
 pub(crate) fn no_body(reason: &str, place: &str) -> Mistake {
-    Mistake::new(format!(
-        "no body has this inertia tensor: {reason} \
-         (published data can be like that: `allow: [unphysical_inertia]` on the {place} accepts it)"
-    ))
+    Mistake::advice(|audience| {
+        let allow = audience.allow("unphysical_inertia", &format!("on the {place}"));
+        format!(
+            "no body has this inertia tensor: {reason} \
+             (published data can be like that: {allow} accepts it)"
+        )
+    })
 }
 
 /// A tensor about the frame's origin beside one about the centre of mass.
@@ -216,7 +253,8 @@ pub(crate) fn stribeck_velocity_not_positive() -> Mistake {
 
 pub(crate) fn static_below_coulomb(coulomb: f64) -> Mistake {
     Mistake::new(format!(
-        "static friction is not below Coulomb friction, {coulomb}"
+        "static friction is not below Coulomb friction, {}",
+        number(coulomb)
     ))
 }
 
@@ -237,6 +275,7 @@ pub(crate) fn limit_with_field() -> Mistake {
 
 /// A position of a revolute joint, rad.
 pub(crate) fn position_of_many_turns(size: f64) -> Mistake {
+    let size = number(size);
     Mistake::new(format!(
         "{size} rad are more than five turns: write `deg({size})` for degrees, or a multiple of \
          `PI` for a joint that turns so far"

@@ -21,28 +21,51 @@ use std::fmt;
 
 use dynamics_symbolic::neglect::NotPositiveDefinite;
 
-use crate::words::{either, shortened};
+use crate::audience::Audience;
+use crate::words::{either, shortened, visible};
 
-/// What is wrong, as it is shown.
-#[derive(Clone, Debug, PartialEq)]
+/// What is wrong, as it is shown to each [`Audience`].
+#[derive(Clone, Debug)]
 pub(crate) struct Mistake {
-    text: String,
+    texts: [String; Audience::ALL.len()],
 }
 
 impl Mistake {
+    /// The same text for all.
     fn new(text: impl Into<String>) -> Mistake {
-        Mistake { text: text.into() }
+        let text = text.into();
+        Mistake::advice(|_| text.clone())
+    }
+
+    /// A text with words of the audience in it. It is one line, and nothing in it acts on a terminal, whatever words of
+    /// a file it has.
+    fn advice(text: impl Fn(Audience) -> String) -> Mistake {
+        let texts = Audience::ALL.map(|audience| text(audience).chars().map(visible).collect());
+        Mistake { texts }
     }
 
     /// The last mistake that is shown.
     pub(crate) fn with_others(self) -> Mistake {
-        Mistake::new(self.text + " (more errors than are shown)")
+        let texts = self
+            .texts
+            .map(|text| text + " (more errors than are shown)");
+        Mistake { texts }
+    }
+
+    /// The text for an audience.
+    pub(crate) fn told_to(&self, audience: Audience) -> &str {
+        let [call, file, command] = &self.texts;
+        match audience {
+            Audience::Call => call,
+            Audience::File => file,
+            Audience::Command => command,
+        }
     }
 }
 
 impl fmt::Display for Mistake {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        f.write_str(&self.text)
+        f.write_str(self.told_to(Audience::Call))
     }
 }
 

@@ -1,7 +1,8 @@
 //! Mistakes in URDF files, and in what a call says about one.
 
 use super::Mistake;
-use crate::words::{either, shortened};
+use crate::audience::Audience;
+use crate::words::{all, either, shortened};
 
 pub(crate) fn no_robot(found: &str) -> Mistake {
     Mistake::new(format!(
@@ -50,11 +51,21 @@ pub(crate) fn axis_of_no_length() -> Mistake {
 }
 
 /// `chain` left out.
-pub(crate) fn chain_missing(first: &str) -> Mistake {
-    Mistake::new(format!(
-        "missing `chain`, the arm's first and last link: write `chain: [\"{}\", \"tool0\"]`, for example",
-        shortened(first)
-    ))
+///
+/// `first` are the links to which no joint leads, and `last` those from which none does.
+pub(crate) fn chain_missing(first: &[&str], last: &[&str]) -> Mistake {
+    let from = first.first().unwrap_or(&"base_link");
+    let to = last.first().unwrap_or(&"tool0");
+    Mistake::advice(|audience| {
+        let chain = audience.chain(from, to);
+        let others = match last {
+            [] | [_] => String::new(),
+            _ => format!(" (the links at the ends of the tree are {})", all(last)),
+        };
+        format!(
+            "missing `chain`, the arm's first and last link: write {chain}, for example{others}"
+        )
+    })
 }
 
 pub(crate) fn unknown_link(word: &str, meant: Option<&str>, known: &[&str]) -> Mistake {
@@ -126,31 +137,47 @@ pub(crate) fn circle(joint: &str) -> Mistake {
 
 /// A joint on the chain that follows one beside it, which moves.
 pub(crate) fn leader_off_chain(joint: &str, leader: &str) -> Mistake {
-    Mistake::new(format!(
-        "the joint `{0}` follows `{1}` (`<mimic>`), which is not on the chain: lock that where it stands still, \
-         `lock: [{1} = 0]`, or lock this one, `lock: [{0} = 0]`, or take the `<mimic>` away for a joint of its own",
-        shortened(joint),
-        shortened(leader)
-    ))
+    Mistake::advice(|audience| {
+        format!(
+            "the joint `{}` follows `{}` (`<mimic>`), which is not on the chain: lock that where it stands still, {}, \
+             or lock this one, {}, or take the `<mimic>` away for a joint of its own",
+            shortened(joint),
+            shortened(leader),
+            audience.lock(leader, "0"),
+            audience.lock(joint, "0"),
+        )
+    })
 }
 
 /// A joint beside the chain that follows one on it.
 pub(crate) fn follower_off_chain(joint: &str, leader: &str) -> Mistake {
-    Mistake::new(format!(
-        "the joint `{0}` follows `{1}` (`<mimic>`), which moves, and is not on the chain itself: lock it where it \
-         stands still, `lock: [{0} = 0]`, or leave it out with all that hangs on it, `ignore: [{0}]`",
-        shortened(joint),
-        shortened(leader)
-    ))
+    Mistake::advice(|audience| {
+        format!(
+            "the joint `{}` follows `{}` (`<mimic>`), which moves, and is not on the chain itself: {}",
+            shortened(joint),
+            shortened(leader),
+            locked_or_left_out(joint, audience)
+        )
+    })
 }
 
 /// A movable joint that is not on the chain.
 pub(crate) fn off_chain(joint: &str) -> Mistake {
-    Mistake::new(format!(
-        "the joint `{0}` moves, and is not on the chain: lock it where it stands still, `lock: [{0} = 0]`, or leave \
-         it out with all that hangs on it, `ignore: [{0}]`",
-        shortened(joint)
-    ))
+    Mistake::advice(|audience| {
+        format!(
+            "the joint `{}` moves, and is not on the chain: {}",
+            shortened(joint),
+            locked_or_left_out(joint, audience)
+        )
+    })
+}
+
+/// What can be done about a joint beside the chain.
+fn locked_or_left_out(joint: &str, audience: Audience) -> String {
+    let (lock, ignore) = (audience.lock(joint, "0"), audience.ignore(joint));
+    format!(
+        "lock it where it stands still, {lock}, or leave it out with all that hangs on it, {ignore}"
+    )
 }
 
 pub(crate) fn ignored_on_chain(joint: &str) -> Mistake {
@@ -178,10 +205,12 @@ pub(crate) fn negative_mass() -> Mistake {
 }
 
 pub(crate) fn no_body(reason: &str) -> Mistake {
-    Mistake::new(format!(
-        "no body has this inertia tensor: {reason} (published data can be like that: `allow: [unphysical_inertia]` \
-         in the call accepts it)"
-    ))
+    Mistake::advice(|audience| {
+        let allow = audience.allow("unphysical_inertia", "in the call");
+        format!(
+            "no body has this inertia tensor: {reason} (published data can be like that: {allow} accepts it)"
+        )
+    })
 }
 
 pub(crate) fn round_angles() -> Mistake {

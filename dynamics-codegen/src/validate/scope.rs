@@ -7,6 +7,7 @@ use dynamics_symbolic::robot::Value;
 
 use super::measured::Measured;
 use super::{angle, elementary};
+use crate::audience::AT_THE_END;
 use crate::description::{
     Allow, Elementary, Entry, Expr, ExprKind, Given, Name, Operator, Table, Vector,
 };
@@ -111,7 +112,7 @@ impl<'d> Scope<'d> {
         match self.body {
             Some((_, "tool")) => "on the tool",
             Some(_) => "on the row",
-            None => "at the end of the table",
+            None => AT_THE_END,
         }
     }
 

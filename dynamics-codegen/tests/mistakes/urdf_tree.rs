@@ -35,3 +35,8 @@ robot_dynamics! {
     file: "tests/mistakes/files/tree.urdf", chain: ["base_link", "upper"],
     ignore: [wheel, shoulder], lock: [elbow = x, grip = 0.1], gravity: [0, 0, -9.81],
 }
+
+robot_dynamics! {
+    struct NoJoints;
+    file: "tests/mistakes/files/no_joints.urdf", chain: ["base", "tip"],
+}

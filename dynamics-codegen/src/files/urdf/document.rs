@@ -22,6 +22,21 @@ pub(super) struct Tree {
     pub(super) nearly_right: usize,
 }
 
+impl Tree {
+    /// The links to which no joint leads, and those from which none does.
+    pub(super) fn ends(&self) -> (Vec<&str>, Vec<&str>) {
+        let outside_of = |end: fn(&Joint) -> &str| {
+            let taken: BTreeSet<&str> = self.joints.iter().map(end).collect();
+            let names = self.links.iter().map(|link| link.name.as_str());
+            names.filter(|name| !taken.contains(name)).collect()
+        };
+        (
+            outside_of(|joint| &joint.child),
+            outside_of(|joint| &joint.parent),
+        )
+    }
+}
+
 pub(super) struct Link {
     pub(super) name: String,
     pub(super) place: Place,

@@ -19,10 +19,14 @@ pub(super) fn read(
     diagnostics: &Diagnostics,
 ) -> Option<Table> {
     let tree = document::read(text, request.round_angles.as_ref(), diagnostics)?;
+    let start = Place::File { line: 1, column: 1 };
+    if tree.joints.is_empty() {
+        diagnostics.error(start, crate::mistake::joint::none());
+        return None;
+    }
     let Some(ends) = &request.chain else {
-        let start = Place::File { line: 1, column: 1 };
-        let first = tree.links.first().map_or("base_link", |link| &link.name);
-        diagnostics.error(start, mistake::chain_missing(first));
+        let (first, last) = tree.ends();
+        diagnostics.error(start, mistake::chain_missing(&first, &last));
         return None;
     };
     let entries = chain::entries(&tree, ends, request, used, diagnostics)?;
@@ -31,6 +35,13 @@ pub(super) fn read(
         notes: notes(tree.nearly_right),
         ..Table::default()
     })
+}
+
+/// The links of a text to which no joint leads, and those from which none does; none of one that cannot be read.
+pub(super) fn ends(text: &str, diagnostics: &Diagnostics) -> Option<[Vec<String>; 2]> {
+    let tree = document::read(text, None, diagnostics)?;
+    let (first, last) = tree.ends();
+    Some([first, last].map(|links| links.into_iter().map(str::to_owned).collect()))
 }
 
 /// The names of all joints in a text.

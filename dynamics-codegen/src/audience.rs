@@ -1,0 +1,75 @@
+//! Who is told of a mistake, and in whose words advice is given.
+
+use crate::words::shortened;
+
+/// Who is told of a mistake, and in whose words it says what to write.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Audience {
+    /// Who wrote a call of the macro: `lock: [elbow = 0]`.
+    Call,
+    /// Who wrote a file, or entries in the words of one: `lock = { elbow = 0 }`.
+    #[default]
+    File,
+    /// Who typed a command line: `--lock elbow=0`.
+    Command,
+}
+
+/// Where all that a table says is allowed.
+pub(crate) const AT_THE_END: &str = "at the end of the table";
+
+impl Audience {
+    /// All of them.
+    pub(crate) const ALL: [Audience; 3] = [Audience::Call, Audience::File, Audience::Command];
+
+    /// A joint that is made to stand still.
+    pub(crate) fn lock(self, joint: &str, position: &str) -> String {
+        let joint = shortened(joint);
+        match self {
+            Audience::Call => format!("`lock: [{joint} = {position}]`"),
+            Audience::File => format!("`lock = {{ {joint} = {position} }}`"),
+            Audience::Command => format!("`--lock {joint}={position}`"),
+        }
+    }
+
+    /// A joint of a URDF file that is left out with what hangs on it.
+    pub(crate) fn ignore(self, joint: &str) -> String {
+        let joint = shortened(joint);
+        match self {
+            Audience::Call => format!("`ignore: [{joint}]`"),
+            Audience::File => format!("`ignore` with `{joint}`"),
+            Audience::Command => format!("`--ignore {joint}`"),
+        }
+    }
+
+    /// The first and the last link of an arm.
+    pub(crate) fn chain(self, first: &str, last: &str) -> String {
+        let (first, last) = (shortened(first), shortened(last));
+        match self {
+            Audience::Call => format!("`chain: [\"{first}\", \"{last}\"]`"),
+            Audience::File => format!("`chain` with `{first}` and `{last}`"),
+            Audience::Command => format!("`--chain {first},{last}`"),
+        }
+    }
+
+    /// Two functions that are asked for.
+    pub(crate) fn functions(self, one: &str, other: &str) -> String {
+        match self {
+            Audience::Call => format!("`functions: [{one}, {other}]`"),
+            Audience::File => format!("`functions = [\"{one}\", \"{other}\"]`"),
+            Audience::Command => format!("`--functions {one},{other}`"),
+        }
+    }
+
+    /// A word by which what is odd is accepted, and where it stands.
+    pub(crate) fn allow(self, word: &str, place: &str) -> String {
+        match self {
+            Audience::Call => format!("`allow: [{word}]` {place}"),
+            // Behind the rows of a file an entry would be one of the last row.
+            Audience::File if place == AT_THE_END => {
+                format!("`allow = [\"{word}\"]` at the top of the file")
+            }
+            Audience::File => format!("`allow = [\"{word}\"]` {place}"),
+            Audience::Command => format!("`--allow {word}`"),
+        }
+    }
+}
