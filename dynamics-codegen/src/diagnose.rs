@@ -5,6 +5,7 @@ use std::cell::RefCell;
 use proc_macro2::TokenStream;
 use quote::quote_spanned;
 
+use crate::audience::Audience;
 use crate::description::FileName;
 use crate::limits::MOST_ERRORS;
 use crate::mistake::Mistake;
@@ -21,7 +22,7 @@ pub(crate) struct Reported(());
 #[derive(Debug, Default)]
 pub(crate) struct Diagnostics {
     errors: RefCell<Vec<(Place, Mistake)>>,
-    file: RefCell<Option<FileName>>,
+    file: RefCell<Option<(FileName, Audience)>>,
 }
 
 impl Diagnostics {
@@ -30,10 +31,10 @@ impl Diagnostics {
         Diagnostics::default()
     }
 
-    /// Says which file the places in a file are in.
+    /// Says which file the places in a file are in, and in whose words its mistakes are told.
     #[cfg(feature = "files")]
-    pub(crate) fn reading(&self, file: &FileName) {
-        *self.file.borrow_mut() = Some(file.clone());
+    pub(crate) fn reading(&self, file: &FileName, audience: Audience) {
+        *self.file.borrow_mut() = Some((file.clone(), audience));
     }
 
     /// Reports an error.
@@ -78,10 +79,10 @@ impl Diagnostics {
         let errors = self.into_errors().into_iter();
         let errors = errors.map(|(place, mistake)| {
             let (tokens, message) = match (&file, place) {
-                (Some(file), Place::File { line, column }) => (
-                    file.place,
-                    format!("{}:{line}:{column}: {mistake}", file.path),
-                ),
+                (Some((file, audience)), Place::File { line, column }) => {
+                    let told = mistake.told_to(*audience);
+                    (file.place, format!("{}:{line}:{column}: {told}", file.path))
+                }
                 _ => (place, mistake.to_string()),
             };
             let [first, last] = tokens.tokens();

@@ -6,7 +6,7 @@ use std::io::Read as _;
 use std::path::{Path, PathBuf};
 
 use dynamics_codegen::description::{Entry, Expr, ExprKind, Name, Place, Table};
-use dynamics_codegen::files::{Format, MOST_BYTES, Request, table, table_beside};
+use dynamics_codegen::files::{Format, MOST_BYTES, Request, model_beside, table};
 use dynamics_codegen::{Audience, Error, Model};
 use dynamics_symbolic::exact::Rational;
 use dynamics_symbolic::neglect::neglect;
@@ -148,8 +148,7 @@ fn read(
     besides: &Besides,
     lines: usize,
 ) -> Result<Model, Vec<Error>> {
-    let robot = table_beside(stem, text, format, besides.table(stem, lines)?)?;
-    let mut model = dynamics_codegen::check(&robot)?;
+    let mut model = model_beside(stem, text, format, besides.table(stem, lines)?)?;
     if let Some((share, place)) = &model.neglect {
         let neglected = neglect(&model.robot, share.to_f64(&[]));
         model.robot = neglected.map_err(|refused| {

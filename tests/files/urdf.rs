@@ -48,8 +48,8 @@ impl Reference {
                 .iter()
                 .map(|(joint, q)| (name(joint), Value::from_f64(*q)))
                 .collect(),
-            round_angles: None,
             unphysical_inertia: true,
+            ..Request::default()
         }
     }
 }

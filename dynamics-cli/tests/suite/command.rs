@@ -67,7 +67,11 @@ fn fields_have_values() {
         "3",
     ]);
 
-    assert!(errors(&["show", &carrying], 1).contains("unknown name `load`"));
+    let message = errors(&["show", &carrying], 1);
+    assert!(
+        message.contains("unknown name `load`: `--field load=2`"),
+        "{message}"
+    );
     let message = errors(&["show", &carrying, "--field", "laod=1"], 2);
     assert!(message.contains("has the name `laod`"), "{message}");
     for (value, expected) in [

@@ -15,6 +15,16 @@ fn mistakes_are_told_with_their_places() {
         message.contains("wrong.toml:8:1: ") && message.contains("wrong.toml:14:5: "),
         "{message}"
     );
+    // What cannot be read and what makes no robot are told at once.
+    let both = PENDULUM
+        .replace("mass = 2", "mass = \"2 kg\"")
+        .replace("a = 1", "alpha = 90");
+    let message = errors(&["show", &file("both.toml", both)], 1);
+    assert!(
+        message.contains("a number has no unit, found `kg`")
+            && message.contains("`--allow odd_angle`"),
+        "{message}"
+    );
     assert!(errors(&["show", "nowhere.toml"], 1).contains("nowhere.toml:1:1: cannot be read"));
     assert!(errors(&["show", "robot.step"], 1).contains("robot.step:1:1: "));
     let pendulum = file("right.toml", PENDULUM);

@@ -48,6 +48,7 @@ mod reading {
     use dynamics_symbolic::exact::Rational;
     use dynamics_symbolic::robot::Value;
 
+    use crate::audience::Audience;
     use crate::description::{Expr, ExprKind, Locked, Operator, Table};
     use crate::files::{self, Format, Request};
     use crate::limits::MOST_BYTES;
@@ -58,7 +59,12 @@ mod reading {
 
     /// Reads the file and puts its entries where the call names it.
     pub(super) fn insert(call: &mut Call, file: &FileName, diagnostics: &Diagnostics) {
-        diagnostics.reading(file);
+        // What a URDF file leaves open is said in the call.
+        let audience = match Format::of(Path::new(&file.path)) {
+            Some(Format::Urdf) => Audience::Call,
+            _ => Audience::File,
+        };
+        diagnostics.reading(file, audience);
         for (key, place) in &call.table.keys {
             if INSTEAD.contains(key) {
                 diagnostics.error(*place, mistake::instead_of(key, &file.path));
@@ -99,6 +105,7 @@ mod reading {
     pub(crate) fn request(table: &Table, diagnostics: &Diagnostics) -> Option<Request> {
         let mut request = Request {
             unphysical_inertia: table.allow().unphysical_inertia,
+            odd_angle: table.allow().odd_angle,
             ..Request::default()
         };
         for entry in &table.entries {

@@ -29,11 +29,11 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 #[cfg(feature = "files")]
-use crate::Error;
-#[cfg(feature = "files")]
 use crate::description::{Entry, Name, Place, Table};
 #[cfg(feature = "files")]
 use crate::diagnose::Diagnostics;
+#[cfg(feature = "files")]
+use crate::{Error, Model};
 
 /// A kind of file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -78,13 +78,18 @@ pub fn table(
 /// The table of a robot of that name, unless there were mistakes.
 #[cfg(feature = "files")]
 fn named(name: &str, mut table: Table, diagnostics: Diagnostics) -> Result<Table, Vec<Error>> {
-    let start = Place::File { line: 1, column: 1 };
-    table.name = Some(Name::new(name, start));
-    table.has_all_fields = true;
+    put_name(name, &mut table);
     match diagnostics.is_empty() {
         true => Ok(table),
         false => Err(crate::errors(diagnostics, table.audience)),
     }
+}
+
+#[cfg(feature = "files")]
+fn put_name(name: &str, table: &mut Table) {
+    let start = Place::File { line: 1, column: 1 };
+    table.name = Some(Name::new(name, start));
+    table.has_all_fields = true;
 }
 
 /// As [`table`], with entries beside those of the file, as a call of the macro has them: they take the
@@ -96,12 +101,41 @@ pub fn table_beside(
     name: &str,
     text: &str,
     format: Format,
-    mut beside: Table,
+    beside: Table,
 ) -> Result<Table, Vec<Error>> {
     let diagnostics = Diagnostics::new();
-    let request = load::request(&beside, &diagnostics).unwrap_or_default();
+    let table = put_beside(text, format, beside, &diagnostics);
+    named(name, table, diagnostics)
+}
+
+/// What a text says with entries beside those of the file, as in [`table_beside`], or all that is wrong with it: what
+/// cannot be read, and of the rest what makes no robot.
+#[cfg(feature = "files")]
+pub fn model_beside(
+    name: &str,
+    text: &str,
+    format: Format,
+    beside: Table,
+) -> Result<Model, Vec<Error>> {
+    let diagnostics = Diagnostics::new();
+    let mut table = put_beside(text, format, beside, &diagnostics);
+    put_name(name, &mut table);
+    let model = crate::validate::model(&table, &diagnostics);
+    let errors = crate::errors(diagnostics, table.audience);
+    model.ok_or(errors)
+}
+
+/// The table of a text with entries beside it. Where the text cannot be read, the entry for the file stands in place of
+/// its entries.
+#[cfg(feature = "files")]
+fn put_beside(text: &str, format: Format, mut beside: Table, diagnostics: &Diagnostics) -> Table {
+    let request = load::request(&beside, diagnostics).unwrap_or_default();
     let used = &mut Vec::new();
-    let mut table = read(text, format, &request, used, &diagnostics).unwrap_or_default();
+    let unread = || Table {
+        entries: vec![Entry::File(None)],
+        ..Table::default()
+    };
+    let mut table = read(text, format, &request, used, diagnostics).unwrap_or_else(unread);
     load::forget_locks(&mut beside.entries, used);
     let (names, entries): (Vec<_>, Vec<_>) = beside
         .entries
@@ -125,7 +159,7 @@ pub fn table_beside(
     table.keys.extend(beside.keys);
     table.fields.extend(beside.fields);
     table.audience = beside.audience;
-    named(name, table, diagnostics)
+    table
 }
 
 /// Puts bindings of names before the entries, in the place of those that bind the same names.

@@ -18,4 +18,6 @@ pub struct Request {
     pub round_angles: Option<Rational>,
     /// Whether tensors that no body can have are accepted.
     pub unphysical_inertia: bool,
+    /// Whether angles of many turns are accepted, which are meant in degrees elsewhere.
+    pub odd_angle: bool,
 }

@@ -85,6 +85,8 @@ struct Item<'n> {
     name: &'static str,
     place: Place,
     node: &'n Node,
+    /// Whether another word stands there, which was reported.
+    is_guess: bool,
 }
 
 type Read<T> = Result<T, Reported>;
@@ -132,17 +134,20 @@ impl Reader<'_> {
             let Some(name) = name else {
                 continue;
             };
-            if read.iter().any(|item| item.name == name) {
-                if right.is_some() {
-                    self.error(key.place, mistake::given_twice(&key.word));
-                }
-                continue;
-            }
-            read.push(Item {
+            let item = Item {
                 name,
                 place: key.place,
                 node,
-            });
+                is_guess: right.is_none(),
+            };
+            match read.iter_mut().find(|item| item.name == name) {
+                None => read.push(item),
+                Some(_) if right.is_none() => {}
+                Some(guess) if guess.is_guess => *guess = item,
+                Some(_) => {
+                    self.error(key.place, mistake::given_twice(&key.word));
+                }
+            }
         }
         Ok(Items { read, incomplete })
     }
@@ -196,6 +201,9 @@ impl Reader<'_> {
     }
 
     fn name(&self, word: &str, place: Place) -> Read<Name> {
+        if word.chars().any(char::is_control) {
+            return Err(self.error(place, wrong::control_in_name(word)));
+        }
         match word.len() > MOST_LETTERS {
             true => Err(self.error(place, size::name(word))),
             false => Ok(Name::new(word, place)),
@@ -451,6 +459,12 @@ impl Reader<'_> {
 
     /// A word that is none of a row's. Published tables have more of them.
     fn unknown_cell(&self, word: &str) -> Wrong {
+        if KEYS.contains(&word) {
+            return Wrong {
+                mistake: wrong::of_the_whole_table(word, self.is_json()),
+                meant: None,
+            };
+        }
         let published = unknown("cell", word, &PUBLISHED);
         match published.meant {
             Some(_) if self.is_json() => Wrong {
@@ -465,7 +479,7 @@ impl Reader<'_> {
         let node = item.node;
         match item.name {
             "name" => row.name = self.joint_name(node).ok(),
-            "type" => row.joint_type = self.joint_type(node).ok(),
+            "type" => row.joint_type = self.joint_type(node, row.name.as_ref()).ok(),
             "a" => row.a = given(self.value(node)),
             "alpha" => row.alpha = given(self.value(node)),
             "d" => row.d = given(self.value(node)),
@@ -490,7 +504,11 @@ impl Reader<'_> {
         }
     }
 
-    fn joint_type(&self, node: &Node) -> Read<JointType> {
+    fn joint_type(&self, node: &Node, joint: Option<&Name>) -> Read<JointType> {
+        if matches!(&node.kind, Kind::Text(word) if word == "fixed") {
+            let joint = joint.map_or("joint", Name::plain);
+            return Err(self.error(node.place, mistake::joint::fixed(&joint)));
+        }
         let word = self.choice(node, "joint type", &JOINT_TYPES)?;
         Ok(match word {
             "revolute" => JointType::Revolute,

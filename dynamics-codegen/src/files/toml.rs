@@ -11,8 +11,9 @@ use crate::mistake::file as mistake;
 pub(super) fn document(text: &str, diagnostics: &Diagnostics) -> Option<Node> {
     let lines = Lines::new(text);
     let (document, errors) = DeTable::parse_recoverable(text);
-    if let Some(error) = errors.first() {
-        let start = error.span().map_or(0, |span| span.start);
+    let start = |error: &toml::de::Error| error.span().map_or(0, |span| span.start);
+    if let Some(error) = errors.iter().min_by_key(|error| start(error)) {
+        let start = start(error);
         diagnostics.error(lines.place(start), mistake::syntax("TOML", error.message()));
     }
     errors.is_empty().then(|| Node {

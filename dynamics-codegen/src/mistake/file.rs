@@ -62,6 +62,23 @@ pub(crate) fn no_name(what: &str, word: &str) -> Mistake {
     ))
 }
 
+/// A name that would act on a terminal.
+pub(crate) fn control_in_name(word: &str) -> Mistake {
+    let word = shortened(word);
+    Mistake::new(format!("a name has no control characters, found `{word}`"))
+}
+
+/// A key of the table in the row of a joint, behind whose line it stands.
+pub(crate) fn of_the_whole_table(word: &str, is_json: bool) -> Mistake {
+    let place = match is_json {
+        true => "beside `joints`",
+        false => "above the first line `[[joint]]`",
+    };
+    Mistake::new(format!(
+        "`{word}` belongs to the whole table and to no joint: write it {place}"
+    ))
+}
+
 pub(crate) fn nameless_joint() -> Mistake {
     Mistake::new("this joint has no name: write `name = \"shoulder\"`, for example")
 }

@@ -2,7 +2,7 @@
 
 use super::Mistake;
 use crate::audience::Audience;
-use crate::words::{all, either, shortened};
+use crate::words::{all, either, number, shortened};
 
 pub(crate) fn no_robot(found: &str) -> Mistake {
     Mistake::new(format!(
@@ -44,6 +44,17 @@ pub(crate) fn unknown_link_of(joint: &str, link: &str, meant: Option<&str>) -> M
         shortened(joint),
         shortened(link)
     ))
+}
+
+/// Roll, pitch or yaw of many turns.
+pub(crate) fn in_degrees(radians: f64) -> Mistake {
+    let radians = number(radians);
+    Mistake::advice(|audience| {
+        let allow = audience.allow("odd_angle", "in the call");
+        format!(
+            "`rpy` is in radians, and {radians} rad are more than two turns ({allow} accepts it)"
+        )
+    })
 }
 
 pub(crate) fn axis_of_no_length() -> Mistake {

@@ -3,6 +3,7 @@
 use std::fmt::Display;
 
 use super::Mistake;
+use crate::audience::Audience;
 use crate::limits::MOST_LISTED;
 use crate::words::{either, shortened};
 
@@ -38,6 +39,9 @@ pub(crate) fn constant_of_std(name: &str, ours: &str) -> Mistake {
 
 /// A path to a constant of that name.
 pub(crate) fn constant_by_path(name: &impl Display) -> Mistake {
+    if ["NAN", "INFINITY", "NEG_INFINITY"].contains(&name.to_string().as_str()) {
+        return Mistake::new(FINITE);
+    }
     Mistake::new(format!(
         "constants of Rust cannot be read here: write its value, \
          `let {name} = ...;` at the top of the table, or make it a field of the struct"
@@ -115,9 +119,7 @@ pub(crate) fn unknown_name(
 ) -> Mistake {
     let hint = match meant {
         Some(right) => format!("did you mean `{right}`?"),
-        None if ["nan", "inf", "infinity"].contains(&name.to_lowercase().as_str()) => {
-            "every number of a table is finite".to_owned()
-        }
+        None if !is_free(name) => FINITE.to_owned(),
         None if is_constant(name) => format!(
             "constants of Rust cannot be read here: write `let {} = ...;` above, \
              or make it a field of the struct",
@@ -133,8 +135,25 @@ pub(crate) fn unknown_name(
         format!(" (the joint's own variable is not written: it is added to `{cell}`)")
     });
     let name = shortened(name);
-    Mistake::new(format!("unknown name `{name}`: {hint}{variable}"))
+    Mistake::advice(|audience| {
+        let hint = match audience {
+            Audience::Command if meant.is_none() && is_free(&name) => {
+                format!(
+                    "`--field {name}=2`, for example, says what it stands for, or `[let]` in the file"
+                )
+            }
+            _ => hint.clone(),
+        };
+        format!("unknown name `{name}`: {hint}{variable}")
+    })
 }
+
+/// Whether the name may stand for a number: `inf` stands for none.
+fn is_free(name: &str) -> bool {
+    !["nan", "inf", "infinity"].contains(&name.to_lowercase().as_str())
+}
+
+const FINITE: &str = "every number of a table is finite";
 
 /// Whether the name is written as those of Rust's constants are.
 fn is_constant(name: &str) -> bool {

@@ -10,7 +10,7 @@ use super::{expression, inertia, names, size};
 use crate::description::{Expr, ExprKind, Given, Inertia, InertiaKind, Share};
 use crate::diagnose::{Diagnostics, Reported};
 use crate::limits::{DEEPEST_DELIMITERS, MOST_TOKENS};
-use crate::mistake::{expected, file as mistake};
+use crate::mistake::{Mistake, expected, file as mistake, number};
 use crate::place::Place;
 
 /// Reads a value such as `PI/2`, at `place` for whatever is said about it.
@@ -41,7 +41,13 @@ impl At<'_> {
         text: &str,
         read: impl FnOnce(&mut Cursor) -> Result<T, Reported>,
     ) -> Result<T, Reported> {
-        let no_value = || self.diagnostics.error(self.place, mistake::no_value(text));
+        let no_value = || {
+            let mistake = otherwise(text).unwrap_or_else(|| mistake::no_value(text));
+            self.diagnostics.error(self.place, mistake)
+        };
+        if otherwise(text).is_some() {
+            return Err(no_value());
+        }
         if !lexes(text) {
             return Err(no_value());
         }
@@ -66,6 +72,28 @@ impl At<'_> {
         let mut value = value?;
         value.put(self.place);
         Ok(value)
+    }
+}
+
+/// What is wrong with a number that is written as it is elsewhere: `100mm`, `30°`, `0,5`.
+fn otherwise(text: &str) -> Option<Mistake> {
+    let text = text.trim();
+    let number = text.trim_start_matches(['-', '+']).trim_start();
+    let is_digits = |text: &str| !text.is_empty() && text.chars().all(|c| c.is_ascii_digit());
+    if let Some((whole, fraction)) = number.split_once(',') {
+        let is_number = is_digits(whole) && is_digits(fraction);
+        return is_number.then(|| number::decimal_comma(&whole, &fraction));
+    }
+    let end = number.find(|c: char| !(c.is_ascii_digit() || c == '.'))?;
+    let unit = number[end..].trim_start();
+    let is_unit = unit.chars().all(|c| c.is_alphabetic() || c == '°');
+    let is_number = number[..end].starts_with(|c: char| c.is_ascii_digit());
+    let sign = &text[..text.len() - number.len()];
+    match unit {
+        _ if !is_unit || !is_number => None,
+        "deg" | "degrees" | "°" => Some(number::degrees(&format!("{sign}{}", &number[..end]))),
+        "" | "e" | "E" => None,
+        _ => Some(number::unit(unit)),
     }
 }
 

@@ -378,7 +378,7 @@ fn gravity_as_it_is_nowhere() {
     }
     let word = message(&with_cells("allow: [odd_gravity]"));
     assert!(
-        word.ends_with("write `allow: [odd_gravity]` at its end"),
+        word.ends_with("write `allow: [odd_gravity]` at the end of the table"),
         "{word}"
     );
 }

@@ -7,6 +7,7 @@ use dynamics_symbolic::robot::Value;
 use roxmltree::{Attribute, Document, Node};
 
 use crate::diagnose::{Diagnostics, Reported};
+use crate::files::Request;
 use crate::files::tree::Lines;
 use crate::geometry::{Transform, Vector, direction};
 use crate::mistake::{Mistake, file as text, urdf as mistake};
@@ -93,14 +94,13 @@ const NEARLY: f64 = 1e-2;
 /// Limits beyond so many rad or m are none.
 const WIDE: f64 = 1e3;
 
+/// Angles of more turns are meant in degrees, rad. Files have a turn that is rounded up.
+const MOST_RADIANS: f64 = 2.0 * core::f64::consts::TAU;
+
 type Read<T> = Result<T, Reported>;
 
 /// Reads a document; what is wrong in it is reported.
-pub(super) fn read(
-    source: &str,
-    round_angles: Option<&Rational>,
-    diagnostics: &Diagnostics,
-) -> Option<Tree> {
+pub(super) fn read(source: &str, request: &Request, diagnostics: &Diagnostics) -> Option<Tree> {
     let lines = Lines::new(source);
     let document = match Document::parse(source) {
         Ok(document) => document,
@@ -118,7 +118,8 @@ pub(super) fn read(
     let mut reader = Reader {
         lines,
         diagnostics,
-        round_angles,
+        round_angles: request.round_angles.as_ref(),
+        odd_angle: request.odd_angle,
         nearly_right: 0,
     };
     if root.tag_name().name() != "robot" {
@@ -187,6 +188,8 @@ struct Reader<'a> {
     lines: Lines<'a>,
     diagnostics: &'a Diagnostics,
     round_angles: Option<&'a Rational>,
+    /// Whether angles of many turns are accepted.
+    odd_angle: bool,
     nearly_right: usize,
 }
 
@@ -214,8 +217,12 @@ impl Reader<'_> {
     }
 
     fn name(&self, node: Node) -> Read<String> {
-        self.attribute(node, "name")
-            .map(|name| name.value().to_owned())
+        let name = self.attribute(node, "name")?;
+        let word = name.value();
+        match word.chars().any(char::is_control) {
+            true => Err(self.error(node, text::control_in_name(word))),
+            false => Ok(word.to_owned()),
+        }
     }
 
     /// An element that has to be there.
@@ -271,7 +278,13 @@ impl Reader<'_> {
     fn origin(&mut self, node: Node) -> Read<(Vector, [Value; 3])> {
         let origin = child(node, "origin");
         let xyz = self.vector(origin, "xyz", [0; 3]);
-        let rpy = self.vector(origin, "rpy", [0; 3])?.0;
+        let (rpy, place) = self.vector(origin, "rpy", [0; 3])?;
+        for angle in &rpy {
+            let radians = angle.to_f64().value();
+            if radians.abs() > MOST_RADIANS && !self.odd_angle {
+                self.diagnostics.error(place, mistake::in_degrees(radians));
+            }
+        }
         Ok((xyz?.0, rpy.map(|angle| self.angle(angle))))
     }
 

@@ -18,7 +18,7 @@ pub(super) fn read(
     used: &mut Vec<String>,
     diagnostics: &Diagnostics,
 ) -> Option<Table> {
-    let tree = document::read(text, request.round_angles.as_ref(), diagnostics)?;
+    let tree = document::read(text, request, diagnostics)?;
     let start = Place::File { line: 1, column: 1 };
     if tree.joints.is_empty() {
         diagnostics.error(start, crate::mistake::joint::none());
@@ -39,14 +39,14 @@ pub(super) fn read(
 
 /// The links of a text to which no joint leads, and those from which none does; none of one that cannot be read.
 pub(super) fn ends(text: &str, diagnostics: &Diagnostics) -> Option<[Vec<String>; 2]> {
-    let tree = document::read(text, None, diagnostics)?;
+    let tree = document::read(text, &Request::default(), diagnostics)?;
     let (first, last) = tree.ends();
     Some([first, last].map(|links| links.into_iter().map(str::to_owned).collect()))
 }
 
 /// The names of all joints in a text.
 pub(super) fn joint_names(text: &str, diagnostics: &Diagnostics) -> Vec<String> {
-    let tree = document::read(text, None, diagnostics);
+    let tree = document::read(text, &Request::default(), diagnostics);
     let joints = tree.into_iter().flat_map(|tree| tree.joints);
     joints.map(|joint| joint.name).collect()
 }
