@@ -55,6 +55,14 @@ pub(crate) fn shortest(x: f64) -> String {
     }
 }
 
+/// So many numbers.
+pub(crate) fn numbers(count: usize) -> String {
+    match count {
+        1 => "1 number".to_owned(),
+        _ => format!("{count} numbers"),
+    }
+}
+
 /// The name of a joint as a part of a name of a column: what parts columns and lines is left out.
 fn field(name: &str) -> String {
     let is_separator = |letter: char| letter.is_control() || ",\";".contains(letter);
@@ -80,8 +88,8 @@ pub(crate) fn read(path: &Path, columns: usize) -> Result<Vec<Vec<f64>>, Failure
         }
         if words.len() != columns {
             let message = format!(
-                "{} numbers, expected {columns}: a time, and a position of each joint",
-                words.len()
+                "found {}, expected {columns} separated by commas: a time, and a position of each joint",
+                numbers(words.len())
             );
             return Err(wrong(index + 1, 1, message));
         }

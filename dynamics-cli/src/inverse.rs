@@ -8,7 +8,7 @@ use dynamics_runtime::Cycloidal;
 use dynamics_runtime::nalgebra::Vector1;
 use dynamics_symbolic::Function;
 
-use crate::csv::{Csv, read};
+use crate::csv::{Csv, read, shortest};
 use crate::failure::Failure;
 use crate::load::{arm_with, count};
 use crate::simulate::vector;
@@ -91,7 +91,16 @@ fn through_waypoints(path: &Path, dof: usize, samples: usize) -> Result<Motion, 
     });
     let splines: Vec<_> = splines.collect();
     let mut motion = Motion::default();
+    let is_finite = |spline: &Spline, t: f64| spline.at(t).iter().all(|x| x.is_finite());
     for t in times(times_of_rows[0], times_of_rows[rows.len() - 1], samples) {
+        if !splines.iter().all(|spline| is_finite(spline, t)) {
+            let message = format!(
+                "rates or accelerations between the rows are not finite at t = {}: the times are too short for the \
+                 positions, or the positions too large",
+                shortest(t)
+            );
+            return Err(Failure::of_file(path, message));
+        }
         motion.t.push(t);
         for spline in &splines {
             let [q, qd, qdd] = spline.at(t);

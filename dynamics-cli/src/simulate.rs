@@ -6,7 +6,7 @@ use dynamics_runtime::nalgebra::SVector;
 use dynamics_runtime::{Cause, DormandPrince, Energy as _, Friction, Simulation, SimulationError};
 use dynamics_symbolic::Function;
 
-use crate::csv::{Csv, shortest};
+use crate::csv::{Csv, numbers, shortest};
 use crate::failure::Failure;
 use crate::joints::with_joints;
 use crate::load::{arm_with, count};
@@ -110,10 +110,9 @@ pub(crate) fn vector(given: &ArgMatches, name: &str, dof: usize) -> Result<Vec<f
     };
     let entries: Vec<f64> = entries.copied().collect();
     if entries.len() != dof {
-        let found = entries.len();
-        let message = format!(
-            "`--{name}` has {found} numbers: expected {dof}, one for each joint that moves"
-        );
+        let found = numbers(entries.len());
+        let message =
+            format!("`--{name}` has {found}: expected {dof}, one for each joint that moves");
         return Err(Failure::of_the_command_line(message));
     }
     Ok(entries)

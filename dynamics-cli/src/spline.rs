@@ -21,7 +21,7 @@ impl<'t> Spline<'t> {
                 positions[i] - positions[i - 1],
                 positions[i + 1] - positions[i],
             );
-            let right = 3.0 * (before / (h * h) + after / (k * k));
+            let right = 3.0 * (before / h / h + after / k / k);
             let pivot = 2.0 * (1.0 / h + 1.0 / k) - upper[i - 1] / h;
             upper[i] = 1.0 / (k * pivot);
             slopes[i] = (right - slopes[i - 1] / h) / pivot;
@@ -42,15 +42,15 @@ impl<'t> Spline<'t> {
         let after = self.times.partition_point(|time| *time <= t);
         let i = after.saturating_sub(1).min(last);
         let h = self.times[i + 1] - self.times[i];
-        let (x, p, s) = (t - self.times[i], &self.positions, &self.slopes);
-        let chord = (p[i + 1] - p[i]) / h;
-        // p + s x + b x^2 + c x^3
-        let b = (3.0 * chord - 2.0 * s[i] - s[i + 1]) / h;
-        let c = (s[i] + s[i + 1] - 2.0 * chord) / (h * h);
+        let (u, p) = ((t - self.times[i]) / h, &self.positions);
+        let (rise, s, e) = (p[i + 1] - p[i], self.slopes[i] * h, self.slopes[i + 1] * h);
+        // p + s u + b u^2 + c u^3 with u from 0 to 1: the squares of long and short times are no numbers.
+        let b = 3.0 * rise - 2.0 * s - e;
+        let c = s + e - 2.0 * rise;
         [
-            p[i] + x * (s[i] + x * (b + x * c)),
-            s[i] + x * (2.0 * b + x * 3.0 * c),
-            2.0 * b + x * 6.0 * c,
+            p[i] + u * (s + u * (b + u * c)),
+            (s + u * (2.0 * b + u * 3.0 * c)) / h,
+            (2.0 * b + u * 6.0 * c) / h / h,
         ]
     }
 }

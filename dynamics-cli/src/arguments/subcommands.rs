@@ -1,6 +1,6 @@
 //! What each subcommand is, and an example of it.
 
-use clap::Command;
+use clap::{ArgGroup, Command};
 
 use super::options::{
     chain_of_other, choice, count, functions, number, number_between, of_a_file, out, path, vector,
@@ -94,12 +94,12 @@ fn simulate() -> Command {
     of_a_file("simulate", "Move the arm, and write its motion as CSV")
         .long_about(
             "Move the arm under constant torques by Dormand and Prince's method, and write time, positions, velocities \
-             and energy as CSV. Joints with dry friction stick.",
+             and energy as CSV. Joints with dry friction stick; limits are passed as if they were not there.",
         )
         .arg(functions().help(BESIDES))
-        .arg(vector("from", "Positions at the start; zeros where this is left out"))
-        .arg(vector("velocity", "Velocities at the start"))
-        .arg(vector("torque", "Torques and forces at the joints"))
+        .arg(vector("from", "Positions at the start, rad or m; zeros where this is left out"))
+        .arg(vector("velocity", "Velocities at the start, rad/s or m/s; zeros where this is left out"))
+        .arg(vector("torque", "Torques and forces at the joints, N m or N; zeros where this is left out"))
         .arg(number("duration", "Time simulated, s").default_value("1"))
         .arg(count("samples", "101", 2, 10_000_000, "Rows of the output"))
         .arg(number_between("tolerance", 1e-15, 1.0, "Relative and absolute tolerance of a step").default_value("1e-9"))
@@ -115,13 +115,14 @@ fn inverse() -> Command {
              joined by cubic splines at rest at both ends.",
         )
         .arg(functions().help(BESIDES))
-        .arg(vector("from", "Positions at the start of a cycloidal motion; zeros where this is left out"))
-        .arg(vector("to", "Positions at its end").required_unless_present("waypoints"))
+        .arg(vector("from", "Positions at the start of a cycloidal motion, rad or m; zeros where this is left out"))
+        .arg(vector("to", "Positions at its end, rad or m"))
         .arg(
-            path("waypoints", "A CSV file of times and positions")
+            path("waypoints", "A CSV file of times, s, and positions, rad or m")
                 .long("waypoints")
                 .conflicts_with_all(["from", "to", "duration"]),
         )
+        .group(ArgGroup::new("motion").args(["to", "waypoints"]).required(true))
         .arg(number("duration", "Time of a cycloidal motion, s").default_value("1"))
         .arg(count("samples", "101", 2, 10_000_000, "Rows of the output"))
         .arg(out())
@@ -185,8 +186,8 @@ fn page() -> Command {
         .mut_arg("field", |arg| {
             arg.help("A name in the file's cells that gets a slider, and its value at first; may be given several times")
         })
-        .arg(vector("from", "Positions at the start; zeros, or the middle of limits without zero, where this is left out"))
-        .arg(vector("to", "Positions at the end of the prescribed motion"))
+        .arg(vector("from", "Positions at the start, rad or m; zeros, or the middle of limits without zero, where this is left out"))
+        .arg(vector("to", "Positions at the end of the prescribed motion, rad or m"))
         .arg(number_between("duration", 1e-3, 1e3, "Time of the motions, s").default_value("3"))
         .arg(out())
         .after_help(

@@ -216,6 +216,26 @@ fn torques_of_motions() {
         message.contains("wrong.csv:3:7: `fast`: expected a number"),
         "{message}"
     );
+    for (name, end, expected) in [
+        (
+            "one.csv",
+            "1",
+            "one.csv:2:1: found 1 number, expected 3 separated by commas",
+        ),
+        ("short.csv", "1e-300,1,1", "not finite at t = 0"),
+    ] {
+        let way = file(name, format!("0,0,0\n{end}\n"));
+        let message = errors(&["inverse", &pendulum, "--waypoints", &way], 1);
+        assert!(message.contains(expected), "{message}");
+    }
+    let way = file("long.csv", "0,0,0\n1e200,0.5,0.2\n1e300,1,-0.5\n");
+    let text = output(&["inverse", &pendulum, "--waypoints", &way, "--samples", "2"]);
+    let end = &rows(&text, 9)[1];
+    assert!(
+        end[0] == 1e300 && (end[1] - 1.0).abs() < 1e-12 && (end[2] + 0.5).abs() < 1e-12,
+        "{text}"
+    );
+    assert!(errors(&["inverse", &pendulum], 2).contains("--to <X,Y,...>|--waypoints <PATH>"));
     let out = folder("files").join("torques.csv");
     let path = out.to_string_lossy();
     assert!(output(&["inverse", &pendulum, "--to", "1,1", "--out", &path]).is_empty());
