@@ -123,16 +123,12 @@ fn with_values(
 /// The names and values of `--field` in the file's words: those that the file has, of two those that either has.
 fn values(given: &ArgMatches, path: &Path, other: Option<&Path>) -> Result<String, Failure> {
     let mut text = String::new();
-    for field in words(given, "field") {
-        let Some((name, value)) = field.split_once('=') else {
-            return Err(no_field(&field));
-        };
-        let name = name.trim();
-        if has_name(path, name) {
-            let _ = writeln!(text, "let.{name:?} = {:?}", value.trim());
-        } else if !other.is_some_and(|other| has_name(other, name)) {
+    for (name, value) in assignments(given, FIELD)? {
+        if has_name(path, &name) {
+            let _ = writeln!(text, "let.{name:?} = {value:?}");
+        } else if !other.is_some_and(|other| has_name(other, &name)) {
             let message = format!(
-                "`--field {field}`: no value in {} has the name `{name}`",
+                "`--field {name}={value}`: no value in {} has the name `{name}`",
                 path.display()
             );
             return Err(Failure::of_the_command_line(message));
@@ -226,20 +222,37 @@ fn ends_of(path: &Path) -> String {
 
 /// The fields of `--field NAME=VALUE` with their values as numbers.
 pub(crate) fn fields(given: &ArgMatches) -> Result<Vec<(String, f64)>, Failure> {
-    let field = |field: &String| {
-        let parts = field.split_once('=');
-        let parts = parts.map(|(name, value)| (name.trim(), value.trim().parse::<f64>()));
-        match parts {
-            Some((name, Ok(value))) if value.is_finite() => Ok((name.to_owned(), value)),
-            _ => Err(no_field(field)),
-        }
+    let number = |(name, value): (String, String)| match value.parse::<f64>() {
+        Ok(number) if number.is_finite() => Ok((name, number)),
+        _ => Err(no_assignment(FIELD, &format!("{name}={value}"))),
     };
-    words(given, "field").iter().map(field).collect()
+    assignments(given, FIELD)?.into_iter().map(number).collect()
 }
 
-fn no_field(field: &str) -> Failure {
-    let message = format!("`--field {field}`: expected NAME=NUMBER, for example load=2.5");
-    Failure::of_the_command_line(message)
+/// An option that gives something to a name, and what is expected of it.
+type Assigning = (&'static str, &'static str);
+const FIELD: Assigning = ("field", "NAME=NUMBER, for example load=2.5");
+const LOCK: Assigning = ("lock", "JOINT=POSITION, for example elbow=0.3");
+
+/// The names and values of such an option, each name once.
+fn assignments(given: &ArgMatches, what: Assigning) -> Result<Vec<(String, String)>, Failure> {
+    let mut read: Vec<(String, String)> = Vec::new();
+    for word in words(given, what.0) {
+        let parts = word
+            .split_once('=')
+            .ok_or_else(|| no_assignment(what, &word))?;
+        let (name, value) = (parts.0.trim(), parts.1.trim());
+        if read.iter().any(|(other, _)| other == name) {
+            let message = format!("`--{} {word}`: `{name}` has a value already", what.0);
+            return Err(Failure::of_the_command_line(message));
+        }
+        read.push((name.to_owned(), value.to_owned()));
+    }
+    Ok(read)
+}
+
+fn no_assignment((option, expected): Assigning, found: &str) -> Failure {
+    Failure::of_the_command_line(format!("`--{option} {found}`: expected {expected}"))
 }
 
 /// The ends of the arm, which a URDF file needs.
@@ -266,14 +279,8 @@ fn entries(given: &ArgMatches, is_meant: impl Fn(&str) -> bool) -> Result<String
         }
     }
     let mut locks = Vec::new();
-    for lock in words(given, "lock") {
-        let Some((joint, position)) = lock.split_once('=') else {
-            let message =
-                format!("`--lock {lock}`: expected JOINT=POSITION, for example elbow=0.3");
-            return Err(Failure::of_the_command_line(message));
-        };
-        let (joint, position) = (joint.trim(), position.trim());
-        if is_meant(joint) {
+    for (joint, position) in assignments(given, LOCK)? {
+        if is_meant(&joint) {
             locks.push(format!("{joint:?} = {position:?}"));
         }
     }

@@ -129,9 +129,12 @@ fn table(robot: &Robot) -> String {
         Convention::Modified => "modified",
     };
     let mut text = format!(
-        "{}: {} joints that move, {convention} convention, gravity {} m/s^2\n\n",
+        "{}: {}, {convention} convention, gravity {} m/s^2\n\n",
         robot.name,
-        robot.dof(),
+        match robot.dof() {
+            1 => "1 joint that moves".to_owned(),
+            dof => format!("{dof} joints that move"),
+        },
         numbers(&robot.gravity)
     );
     let widest = robot.rows.iter().map(|row| row.name.chars().count()).max();
@@ -147,10 +150,15 @@ fn table(robot: &Robot) -> String {
             JointType::Prismatic => "prismatic",
         };
         let cell = |value: &Value| {
-            format!("{:.6}", value.to_f64(&[]))
-                .trim_end_matches('0')
-                .trim_end_matches('.')
-                .to_owned()
+            let x = value.to_f64(&[]);
+            let decimal = format!("{x:.6}");
+            match x != 0.0 && !(1e-4..1e7).contains(&x.abs()) {
+                true => format!("{x:.2e}"),
+                false => decimal
+                    .trim_end_matches('0')
+                    .trim_end_matches('.')
+                    .to_owned(),
+            }
         };
         let _ = writeln!(
             text,

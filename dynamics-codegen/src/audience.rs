@@ -23,21 +23,19 @@ impl Audience {
 
     /// A joint that is made to stand still.
     pub(crate) fn lock(self, joint: &str, position: &str) -> String {
-        let joint = shortened(joint);
         match self {
-            Audience::Call => format!("`lock: [{joint} = {position}]`"),
-            Audience::File => format!("`lock = {{ {joint} = {position} }}`"),
-            Audience::Command => format!("`--lock {joint}={position}`"),
+            Audience::Call => format!("`lock: [{} = {position}]`", quoted(joint)),
+            Audience::File => format!("`lock = {{ {} = {position} }}`", quoted(joint)),
+            Audience::Command => format!("`--lock {}`", argument(&format!("{joint}={position}"))),
         }
     }
 
     /// A joint of a URDF file that is left out with what hangs on it.
     pub(crate) fn ignore(self, joint: &str) -> String {
-        let joint = shortened(joint);
         match self {
-            Audience::Call => format!("`ignore: [{joint}]`"),
-            Audience::File => format!("`ignore` with `{joint}`"),
-            Audience::Command => format!("`--ignore {joint}`"),
+            Audience::Call => format!("`ignore: [{}]`", quoted(joint)),
+            Audience::File => format!("`ignore` with `{}`", shortened(joint)),
+            Audience::Command => format!("`--ignore {}`", argument(joint)),
         }
     }
 
@@ -47,7 +45,7 @@ impl Audience {
         match self {
             Audience::Call => format!("`chain: [\"{first}\", \"{last}\"]`"),
             Audience::File => format!("`chain` with `{first}` and `{last}`"),
-            Audience::Command => format!("`--chain {first},{last}`"),
+            Audience::Command => format!("`--chain {}`", argument(&format!("{first},{last}"))),
         }
     }
 
@@ -71,5 +69,25 @@ impl Audience {
             Audience::File => format!("`allow = [\"{word}\"]` {place}"),
             Audience::Command => format!("`--allow {word}`"),
         }
+    }
+}
+
+/// A name in a call or a file: in quotes where it is no word of Rust.
+fn quoted(name: &str) -> String {
+    let is_word = name.chars().all(|c| c.is_alphanumeric() || c == '_');
+    let name = shortened(name);
+    match is_word && !name.starts_with(|c: char| c.is_ascii_digit()) {
+        true => name,
+        false => format!("\"{name}\""),
+    }
+}
+
+/// A word of a command line: in quotes where a shell would take it apart.
+fn argument(word: &str) -> String {
+    let is_plain = |c: char| c.is_alphanumeric() || "_-.,=/+:@%".contains(c);
+    let shown = shortened(word);
+    match word.chars().all(is_plain) {
+        true => shown,
+        false => format!("'{shown}'"),
     }
 }

@@ -34,7 +34,7 @@ fn show_prints_what_a_function_is() {
         "mass_matrix",
     ]);
     assert!(
-        locked.contains("locked at 0.5") && locked.contains("1 joints that move"),
+        locked.contains("locked at 0.5") && locked.contains("1 joint that moves"),
         "{locked}"
     );
 }

@@ -155,6 +155,11 @@ fn mistakes_of_the_command_line_are_none_of_the_file() {
     for (call, expected) in [
         (["show", "--lock", "ankle=0"], "unknown joint `ankle`"),
         (["show", "--lock", "knee=high"], "`high`"),
+        (
+            ["show", "--lock", "knee=0\tknee=1"],
+            "`knee` has a value already",
+        ),
+        (["show", "--field", "l=0\tl=1"], "`l` has a value already"),
         (["show", "--gravity", "0,0"], "[x, y, z]"),
         (["show", "--gravity", "0,0,down"], "`down`"),
         (["simulate", "--duration", "nan"], "above zero"),
@@ -174,7 +179,8 @@ fn mistakes_of_the_command_line_are_none_of_the_file() {
         (["inverse", "--to", "1"], "expected 2"),
     ] {
         let [subcommand, option, value] = call;
-        let mut call_of = vec![subcommand, &pendulum, option, value];
+        let mut call_of = vec![subcommand, &pendulum];
+        call_of.extend(value.split('\t').flat_map(|value| [option, value]));
         if subcommand == "inverse" && option != "--to" {
             call_of.extend(["--to", "1,1"]);
         }

@@ -72,7 +72,7 @@ fn the_chain_ends_where_it_is_told() {
         ]
         .concat(),
     );
-    assert!(table.contains("1 joints that move"), "{table}");
+    assert!(table.contains("1 joint that moves"), "{table}");
     assert!(!table.contains("lift"), "{table}");
     let told = |options: &[&str]| errors(&[&["show", &file][..], options].concat(), 2);
     let gravity = |options: &[&'static str]| [options, &GRAVITY[..]].concat();
@@ -82,6 +82,11 @@ fn the_chain_ends_where_it_is_told() {
     assert!(message.contains("expected BASE,TIP"), "{message}");
     let message = told(&gravity(&["--chain", "base,flang"]));
     assert!(message.contains("`flange`"), "{message}");
+    let message = told(&gravity(&["--chain", "base,base"]));
+    assert!(
+        message.contains("no joint between `base` and `base` moves"),
+        "{message}"
+    );
     let message = told(&["--chain", "base,table"]);
     assert!(message.contains("`--gravity X,Y,Z`"), "{message}");
     // Both at once, and where the tree begins and ends.

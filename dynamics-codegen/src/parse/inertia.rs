@@ -34,10 +34,19 @@ pub(super) fn inertia(cursor: &mut Cursor) -> Result<Inertia, Reported> {
             kind: InertiaKind::Tensor(tensor(cursor, &group)),
         });
     }
-    let Some(name) = cursor.take_ident() else {
-        return Err(cursor.expected(expected::inertia()));
-    };
-    solid(cursor, &name)
+    let mut ahead = cursor.clone();
+    match ahead.take_ident() {
+        // A name alone is a number: a moment about one axis, which the tensor has as one of its entries.
+        Some(name) if ahead.take_group(Delimiter::Parenthesis).is_some() || is_solid(&name) => {
+            cursor.take_ident();
+            solid(cursor, &name)
+        }
+        _ => Err(cursor.expected(expected::inertia())),
+    }
+}
+
+fn is_solid(name: &Ident) -> bool {
+    SOLIDS.iter().any(|(solid, ..)| name == solid)
 }
 
 /// Reads `{ xx: ..., ... }` of a tensor about the origin of the frame.

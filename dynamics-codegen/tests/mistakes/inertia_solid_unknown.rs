@@ -6,5 +6,6 @@ robot_dynamics! {
         joint: revolute {
             mass: 1, inertia: cubiod(1, 2, 3)
         },
+        other: revolute { mass: 1, inertia: m * l * l / 12 },
     ],
 }

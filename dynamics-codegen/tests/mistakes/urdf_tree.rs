@@ -40,3 +40,8 @@ robot_dynamics! {
     struct NoJoints;
     file: "tests/mistakes/files/no_joints.urdf", chain: ["base", "tip"],
 }
+
+robot_dynamics! {
+    struct OddNames;
+    file: "tests/mistakes/files/odd_names.urdf", chain: ["base", "arm"], gravity: [0, 0, -9.81],
+}

@@ -41,7 +41,12 @@ pub(super) fn entries<'a>(
     chain.index();
     chain.report_names();
     chain.find(ends)?;
-    let joints = chain.rows(ends);
+    if !chain.moves() {
+        let [first, last] = ends;
+        chain.error(last, mistake::nothing_moves(first.plain(), last.plain()));
+        return None;
+    }
+    let joints = chain.rows(&ends[0]);
     let start = Place::File { line: 1, column: 1 };
     let mut entries = vec![
         Entry::Convention(Some(Convention::Modified)),
@@ -159,7 +164,13 @@ impl<'a> Chain<'a> {
         locked.any(|(name, _)| name.plain() == joint.name)
     }
 
-    fn rows(&mut self, [first, last]: &'a [Name; 2]) -> Joints {
+    /// Whether a joint of the chain is none that is fixed.
+    fn moves(&self) -> bool {
+        let mut joints = self.on_chain.iter().map(|joint| &self.tree.joints[*joint]);
+        joints.any(|joint| joint.kind != Kind::Fixed)
+    }
+
+    fn rows(&mut self, first: &'a Name) -> Joints {
         // What hangs on the base link does not move, but has to be said to stand still.
         self.gather(first.plain(), &Transform::identity());
         let mut rows: Vec<Row> = Vec::new();
@@ -196,9 +207,6 @@ impl<'a> Chain<'a> {
             rows.push(row(joint, core::mem::take(&mut places)));
         }
         self.finish(&mut rows, body);
-        if rows.is_empty() && self.diagnostics.is_empty() {
-            self.error(last, mistake::nothing_moves(first.plain(), last.plain()));
-        }
         Joints {
             rows,
             complete: true,
