@@ -29,17 +29,17 @@ impl<T: Precision, const N: usize> Columns<T, N> {
     }
 
     /// Positions, velocities, and accelerations or torques.
-    pub(crate) fn arguments(&self) -> [[&[T]; N]; 3] {
-        self.arguments.each_ref().map(views)
+    pub(crate) fn arguments(&self) -> &[[Vec<T>; N]; 3] {
+        &self.arguments
     }
 
     /// Evaluates the function of that place in [`crate::five::NAMES`] at all states.
     pub(crate) fn evaluate<A: Five<N>>(&mut self, function: usize, arm: &A) {
-        let [q, qd, last] = self.arguments.each_ref().map(views);
-        let vector = views_mut(&mut self.vector);
+        let [q, qd, last] = &self.arguments;
+        let vector = &mut self.vector;
         let written = match function {
             0 => arm.inverse_dynamics_batch(q, qd, last, vector),
-            1 => arm.mass_matrix_batch(q, self.matrix.each_mut().map(views_mut)),
+            1 => arm.mass_matrix_batch(q, &mut self.matrix),
             2 => arm.coriolis_vector_batch(q, qd, vector),
             3 => arm.gravity_vector_batch(q, vector),
             _ => {
@@ -67,12 +67,4 @@ impl<T: Precision, const N: usize> Columns<T, N> {
 /// Columns of zeros.
 pub(crate) fn zeros<T: Scalar, const N: usize>(states: usize) -> [Vec<T>; N] {
     std::array::from_fn(|_| vec![T::from_f64(0.0); states])
-}
-
-fn views<T, const N: usize>(columns: &[Vec<T>; N]) -> [&[T]; N] {
-    columns.each_ref().map(|column| &column[..])
-}
-
-pub(crate) fn views_mut<T, const N: usize>(columns: &mut [Vec<T>; N]) -> [&mut [T]; N] {
-    columns.each_mut().map(|column| &mut column[..])
 }

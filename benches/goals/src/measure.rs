@@ -5,7 +5,7 @@ use clock::Effort;
 use robot_dynamics::nalgebra::{SMatrix, SVector};
 use robot_dynamics::{Batch, DoubleDouble, Scalar};
 
-use crate::columns::{Columns, Numbers, views_mut, zeros};
+use crate::columns::{Columns, Numbers, zeros};
 use crate::five::{Five, NAMES, calls, values};
 use measured_arms::*;
 
@@ -126,13 +126,13 @@ fn derivatives() {
             let matrix = || -> [[Vec<f64>; $n]; $n] { std::array::from_fn(|_| zeros(MANY)) };
             let [mut a, mut b, mut c] = [matrix(), matrix(), matrix()];
             let inverse = &mut || {
-                let [a, b] = [&mut a, &mut b].map(|m| m.each_mut().map(views_mut));
-                $arm.inverse_dynamics_derivatives_batch(q, qd, x, (a, b)).expect("one length");
+                let written = $arm.inverse_dynamics_derivatives_batch(q, qd, x, (&mut a, &mut b));
+                written.expect("one length");
             };
             let [inverse] = Effort::FULL.in_turns([inverse]);
             let forward = &mut || {
-                let [a, b, c] = [&mut a, &mut b, &mut c].map(|m| m.each_mut().map(views_mut));
-                let written = $arm.forward_dynamics_derivatives_batch(q, qd, x, (a, b, c));
+                let values = (&mut a, &mut b, &mut c);
+                let written = $arm.forward_dynamics_derivatives_batch(q, qd, x, values);
                 written.expect("M is regular");
             };
             let [forward] = Effort::FULL.in_turns([forward]);

@@ -125,7 +125,7 @@ pub fn on_one_core<F, R, E, B, A, O, const N: usize>(
     function: F,
     arms: B,
     arguments: A,
-    results: O,
+    mut results: O,
 ) -> Result<Failure, LengthMismatch>
 where
     F: Copy,
@@ -135,7 +135,7 @@ where
     A: Arguments<R::Arguments, E>,
     O: Sink<R::Values, E>,
 {
-    let mut task = Task::<R, E, _, _, _, _, N>::new(function, arms, arguments, results)?;
+    let mut task = Task::<R, E, _, _, _, _, N>::new(function, arms, &arguments, &mut results)?;
     Ok(task.run(Level::new()))
 }
 
@@ -150,7 +150,7 @@ pub fn on_all_cores<F, R, E, B, A, O, const N: usize>(
     function: F,
     arms: B,
     arguments: A,
-    results: O,
+    mut results: O,
 ) -> Result<Failure, LengthMismatch>
 where
     F: Copy + Send,
@@ -160,8 +160,11 @@ where
     A: Arguments<R::Arguments, E>,
     O: Sink<R::Values, E>,
 {
-    let task = Task::<R, E, _, _, _, _, N>::new(function, arms, arguments, results)?;
-    Ok(task.on_all_cores(Level::new()))
+    let task = Task::<R, E, _, _, _, _, N>::new(function, arms, &arguments, &mut results)?;
+    let states = task.states;
+    let all =
+        parallel::Part::<R, E, _, _, _, _, N>::all(function, arms, arguments, results, states);
+    Ok(all.on_all_cores(Level::new()))
 }
 
 /// The first state without a value as an error.

@@ -23,7 +23,19 @@ const LEAST_WORK: usize = 40_000;
 /// in which they evaluate what they have, and less than it takes to wake up.
 const MOST_LOOKS: usize = 1_000;
 
-impl<R, E, F, B, A, O, const N: usize> Task<R, E, F, B, A, O, N>
+/// States that are evaluated together, with all that this takes.
+pub(super) struct Part<R, E, F, B, A, O, const N: usize> {
+    kind: PhantomData<fn() -> (R, E)>,
+    function: F,
+    arms: B,
+    arguments: A,
+    results: O,
+    /// The number of the first state among all.
+    first: usize,
+    states: usize,
+}
+
+impl<R, E, F, B, A, O, const N: usize> Part<R, E, F, B, A, O, N>
 where
     R: Function<F, N>,
     E: Precision,
@@ -32,6 +44,19 @@ where
     A: Arguments<R::Arguments, E>,
     O: Sink<R::Values, E>,
 {
+    /// All states, which all parts of the task have.
+    pub(super) fn all(function: F, arms: B, arguments: A, results: O, states: usize) -> Self {
+        Part {
+            kind: PhantomData,
+            function,
+            arms,
+            arguments,
+            results,
+            first: 0,
+            states,
+        }
+    }
+
     /// The function at every state, on this core and on all that are free.
     pub(super) fn on_all_cores(mut self, level: Level) -> Failure {
         let least = (LEAST_WORK / (R::WORK as usize).max(1)).max(MOST_LANES);
@@ -40,7 +65,7 @@ where
             return self.run(level);
         }
         let shared = Shared {
-            rest: Mutex::new((0, self)),
+            rest: Mutex::new(self),
             failure: Mutex::new(None),
             least,
             threads,
@@ -56,31 +81,44 @@ where
         failure.unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// The first states, which are a task of their own.
+    /// The function at every state, on this core; the first state where it fails, by its number among all.
+    fn run(&mut self, level: Level) -> Failure {
+        let mut task = Task::<R, E, _, _, _, _, N>::of(
+            self.function,
+            self.arms,
+            &self.arguments,
+            &mut self.results,
+            self.states,
+        );
+        let failure = task.run(level);
+        failure.map(|(state, error)| (self.first + state, error))
+    }
+
+    /// The first states, which are a part of their own.
     fn take(&mut self, states: usize) -> Self {
         let (arguments, other_arguments) = self.arguments.split(states);
         let (arms, other_arms) = self.arms.split(states);
+        let first = self.first;
         self.arguments = other_arguments;
         self.arms = other_arms;
+        self.first += states;
         self.states -= states;
-        Task {
+        Part {
             kind: PhantomData,
             function: self.function,
             arms,
             arguments,
             results: self.results.take(states),
+            first,
             states,
         }
     }
 }
 
-/// A part of the states, and the number of its first one.
-type Numbered<R, E, F, B, A, O, const N: usize> = (usize, Task<R, E, F, B, A, O, N>);
-
 /// States that several threads evaluate, each of which takes some whenever it has none.
 struct Shared<R, E, F, B, A, O, const N: usize> {
     /// What nobody has taken yet.
-    rest: Mutex<Numbered<R, E, F, B, A, O, N>>,
+    rest: Mutex<Part<R, E, F, B, A, O, N>>,
     failure: Mutex<Failure>,
     /// So many states at a time, at least.
     least: usize,
@@ -109,14 +147,11 @@ where
             });
             others -= of_other + 1;
         }
-        while let Some((first, mut task)) = self.next() {
-            if let Some((state, error)) = task.run(level) {
+        while let Some(mut part) = self.next() {
+            if let Some((state, error)) = part.run(level) {
                 let mut failure = self.failure.lock().unwrap_or_else(PoisonError::into_inner);
-                if failure
-                    .as_ref()
-                    .is_none_or(|(earlier, _)| first + state < *earlier)
-                {
-                    *failure = Some((first + state, error));
+                if failure.as_ref().is_none_or(|(earlier, _)| state < *earlier) {
+                    *failure = Some((state, error));
                 }
             }
         }
@@ -135,13 +170,10 @@ where
 
     /// A share of the states that are left: large ones at first, for each costs a little, and small ones at last, so
     /// that all threads end together.
-    fn next(&self) -> Option<Numbered<R, E, F, B, A, O, N>> {
+    fn next(&self) -> Option<Part<R, E, F, B, A, O, N>> {
         let mut rest = self.rest.lock().unwrap_or_else(PoisonError::into_inner);
-        let (first, task) = &mut *rest;
-        let share = (task.states / (2 * self.threads)).max(self.least);
-        let share = share.next_multiple_of(MOST_LANES).min(task.states);
-        let taken = (share > 0).then(|| (*first, task.take(share)));
-        *first += share;
-        taken
+        let share = (rest.states / (2 * self.threads)).max(self.least);
+        let share = share.next_multiple_of(MOST_LANES).min(rest.states);
+        (share > 0).then(|| rest.take(share))
     }
 }

@@ -26,19 +26,22 @@ pub(super) type Failure = Option<(usize, SingularMassMatrix)>;
 
 /// A function of robots `R` with `N` joints, the arms and the arguments that it is to be evaluated at, and where to,
 /// as numbers of type `E`.
-pub(super) struct Task<R, E, F, B, A, O, const N: usize> {
-    pub(super) kind: PhantomData<fn() -> (R, E)>,
+///
+/// Arguments and results stay where they are: columns of a matrix are a hundred numbers, and a processor waits before
+/// it copies what was just written.
+pub(super) struct Task<'t, R, E, F, B, A, O, const N: usize> {
+    kind: PhantomData<fn() -> (R, E)>,
     pub(super) function: F,
     pub(super) arms: B,
-    pub(super) arguments: A,
-    pub(super) results: O,
+    pub(super) arguments: &'t A,
+    pub(super) results: &'t mut O,
     pub(super) states: usize,
 }
 
 /// What a function puts out, in an arithmetic.
 type Value<R, F, const N: usize, T> = Of<<R as Function<F, N>>::Values, T>;
 
-impl<R, E, F, B, A, O, const N: usize> Task<R, E, F, B, A, O, N>
+impl<'t, R, E, F, B, A, O, const N: usize> Task<'t, R, E, F, B, A, O, N>
 where
     R: Function<F, N>,
     E: Precision,
@@ -56,8 +59,8 @@ where
     pub(super) fn new(
         function: F,
         arms: B,
-        arguments: A,
-        results: O,
+        arguments: &'t A,
+        results: &'t mut O,
     ) -> Result<Self, LengthMismatch> {
         let (mut expected, mut mismatch) = (None, None);
         let mut compare = |argument, states: usize| {
@@ -84,14 +87,26 @@ where
         compare(R::RESULT, other.unwrap_or(states));
         match mismatch {
             Some(mismatch) => Err(mismatch),
-            None => Ok(Task {
-                kind: PhantomData,
-                function,
-                arms,
-                arguments,
-                results,
-                states,
-            }),
+            None => Ok(Task::of(function, arms, arguments, results, states)),
+        }
+    }
+
+    /// The task at so many states, which all parts of it have.
+    #[inline(always)]
+    pub(super) fn of(
+        function: F,
+        arms: B,
+        arguments: &'t A,
+        results: &'t mut O,
+        states: usize,
+    ) -> Self {
+        Task {
+            kind: PhantomData,
+            function,
+            arms,
+            arguments,
+            results,
+            states,
         }
     }
 
@@ -105,7 +120,7 @@ where
             return self.in_turn();
         }
         if self.states >= E::MOST_LANES {
-            return self.vectorised(level);
+            return self.in_lanes(level);
         }
         self.padded(level)
     }
@@ -114,18 +129,19 @@ where
     #[inline(never)]
     fn padded(&mut self, level: Level) -> Failure {
         let (mut copies, mut values) = (A::room(), O::room());
-        let failure = Task::<R, E, _, _, _, _, N> {
-            kind: PhantomData,
-            function: self.function,
-            arms: self.arms,
-            arguments: self.arguments.padded(self.states, &mut copies),
-            results: O::elsewhere(&mut values),
-            states: E::MOST_LANES,
-        }
-        .vectorised(level);
-        let filled = O::elsewhere(&mut values);
+        let arguments = self.arguments.padded(self.states, &mut copies);
+        let mut results = O::elsewhere(&mut values);
+        let (function, arms) = (self.function, self.arms);
+        let mut full = Task::<R, E, _, _, _, _, N>::of(
+            function,
+            arms,
+            &arguments,
+            &mut results,
+            E::MOST_LANES,
+        );
+        let failure = full.in_lanes(level);
         for state in 0..self.states {
-            self.results.set(state, &filled.state(state));
+            self.results.set(state, &results.state(state));
         }
         // A copy of the last state fails where that one does.
         failure
@@ -135,7 +151,7 @@ where
     fn in_turn(&mut self) -> Failure {
         let mut failure = None;
         for state in 0..self.states {
-            match self.at(state) {
+            match Self::at(self.function, self.arms, self.arguments, state) {
                 Ok(value) => self.results.set(state, &value),
                 Err(error) => {
                     failure = failure.take().or(Some((state, error)));
@@ -147,26 +163,53 @@ where
         failure
     }
 
+    fn in_lanes(&mut self, level: Level) -> Failure {
+        let (function, arms) = (self.function, self.arms);
+        Self::vectorised(
+            level,
+            function,
+            arms,
+            self.arguments,
+            self.results,
+            self.states,
+        )
+    }
+
+    /// Not a method: by what it is given the compiler knows that where the columns are is not written in the loop.
     #[inline(never)]
-    fn vectorised(&mut self, level: Level) -> Failure {
-        dispatch!(level, simd => self.groups(simd))
+    fn vectorised(
+        level: Level,
+        function: F,
+        arms: B,
+        arguments: &A,
+        results: &mut O,
+        states: usize,
+    ) -> Failure {
+        dispatch!(level, simd => Self::groups(simd, function, arms, arguments, results, states))
     }
 
     /// The function in lanes. The last group overlaps the one before it where the lanes do not divide
     /// the states; there are at least as many states as lanes.
     #[inline(always)]
-    fn groups<S: Simd>(&mut self, simd: S) -> Failure {
-        let last = self.states - lanes::<S, E>();
+    fn groups<S: Simd>(
+        simd: S,
+        function: F,
+        arms: B,
+        arguments: &A,
+        results: &mut O,
+        states: usize,
+    ) -> Failure {
+        let last = states - lanes::<S, E>();
         let mut failure = None;
         let mut first = 0;
         loop {
-            let group = self.arguments.load(simd, first);
-            let inputs = self.arms.inputs::<S, E>(first);
-            match R::at(self.arms.arm(first), self.function, &inputs, &group) {
-                Ok(value) => self.results.store(first, &value),
+            let group = arguments.load(simd, first);
+            let inputs = arms.inputs::<S, E>(first);
+            match R::at(arms.arm(first), function, &inputs, &group) {
+                Ok(value) => results.store(first, &value),
                 Err(_) => {
-                    let (value, singular) = self.one_by_one::<S>(first);
-                    self.results.store(first, &value);
+                    let (value, singular) = Self::one_by_one::<S>(function, arms, arguments, first);
+                    results.store(first, &value);
                     failure = failure.or(singular);
                 }
             }
@@ -180,11 +223,16 @@ where
     /// A group in which a state fails: each by itself, so that none spoils another.
     #[cold]
     #[inline(never)]
-    fn one_by_one<S: Simd>(&self, first: usize) -> (Value<R, F, N, Wide<S, E>>, Failure) {
+    fn one_by_one<S: Simd>(
+        function: F,
+        arms: B,
+        arguments: &A,
+        first: usize,
+    ) -> (Value<R, F, N, Wide<S, E>>, Failure) {
         let mut values = R::Values::filled(Wide::<S, E>::from_f64(f64::NAN));
         let mut failure = None;
         for lane in 0..lanes::<S, E>() {
-            match self.at(first + lane) {
+            match Self::at(function, arms, arguments, first + lane) {
                 Ok(value) => {
                     let set = &mut |lanes: &mut Wide<S, E>, x| lanes.0[lane] = x;
                     R::Values::zip(&mut values, &value, set);
@@ -197,8 +245,13 @@ where
 
     /// The function at a state, compiled once for all instruction sets.
     #[inline(never)]
-    fn at(&self, state: usize) -> Result<Value<R, F, N, E>, SingularMassMatrix> {
-        let arguments = self.arguments.state(state);
-        R::at(self.arms.arm(state), self.function, &Evaluated, &arguments).map_err(Into::into)
+    fn at(
+        function: F,
+        arms: B,
+        arguments: &A,
+        state: usize,
+    ) -> Result<Value<R, F, N, E>, SingularMassMatrix> {
+        let arguments = arguments.state(state);
+        R::at(arms.arm(state), function, &Evaluated, &arguments).map_err(Into::into)
     }
 }

@@ -82,8 +82,8 @@ where
 {
     let mut values = vec![SVector::repeat(7.0); a.len()];
     let arguments = (a.source(), b.source(), c.source());
-    let results = StatesMut::<Entries<N, 1>>::sink(&mut values);
-    let task = Task::<R, f64, _, _, _, _, N>::new(function, Same(robot), arguments, results);
+    let mut results = StatesMut::<Entries<N, 1>>::sink(&mut values);
+    let task = Task::<R, f64, _, _, _, _, N>::new(function, Same(robot), &arguments, &mut results);
     let failure = task.expect("all as long").run(level);
     (values, failure)
 }
@@ -237,22 +237,25 @@ fn matrices_come_in_either_layout() {
             let q = states::<3>(count, 5);
             let mut rows = vec![Matrix3::zeros(); count];
             let mut entries = [[(); 3]; 3].map(|column| column.map(|()| vec![0.0; count]));
-            let columns = entries.each_mut().map(|c| c.each_mut().map(|c| &mut c[..]));
             let q_columns = [0, 1, 2].map(|j| q.iter().map(|q| q[j]).collect::<Vec<_>>());
             let views = q_columns.each_ref().map(|column| &column[..]);
-            let rows_sink = StatesMut::<Entries<3, 3>>::sink(&mut rows);
+            let mut rows_sink = StatesMut::<Entries<3, 3>>::sink(&mut rows);
             let by_rows = ((&q).source(),);
             let task = Task::<Operations, f64, _, _, _, _, 3>::new(
                 M,
                 Same(&Operations),
-                by_rows,
-                rows_sink,
+                &by_rows,
+                &mut rows_sink,
             );
             task.unwrap().run(level);
-            let sink = StatesMut::<Entries<3, 3>>::sink(columns);
+            let mut sink = StatesMut::<Entries<3, 3>>::sink(&mut entries);
             let by_columns = (views.source(),);
-            let task =
-                Task::<Operations, f64, _, _, _, _, 3>::new(M, Same(&Operations), by_columns, sink);
+            let task = Task::<Operations, f64, _, _, _, _, 3>::new(
+                M,
+                Same(&Operations),
+                &by_columns,
+                &mut sink,
+            );
             task.unwrap().run(level);
             for (state, q) in q.iter().enumerate() {
                 let expected = Operations.mass_matrix(q);

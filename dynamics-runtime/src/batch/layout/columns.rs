@@ -1,5 +1,7 @@
 //! A column for each joint, or for each entry of a matrix.
 
+use core::array::from_fn;
+
 use fearless_simd::{Simd, SimdBase};
 use nalgebra::{Const, Dyn, Matrix, SMatrix, SVector, VecStorage};
 
@@ -145,7 +147,11 @@ impl<'a, E: Precision, const N: usize> States<N, E> for &'a [Vec<E>; N] {
     type Source = Columns<'a, E, N>;
 
     fn source(self) -> Columns<'a, E, N> {
-        Columns(self.each_ref().map(|column| &column[..]))
+        let mut columns = Columns([&[]; N]);
+        for (column, vector) in columns.0.iter_mut().zip(self) {
+            *column = vector;
+        }
+        columns
     }
 }
 
@@ -171,6 +177,33 @@ impl<'a, E: Precision, const R: usize, const C: usize> StatesMut<Entries<R, C>, 
     }
 }
 
+/// The vectors as slices.
+///
+/// Not by `map`, which writes an array in parts and then reads it as a whole: a processor waits there, hundreds of
+/// cycles for a matrix.
+#[inline(always)]
+fn slices<E: Precision, const R: usize, const C: usize>(
+    vectors: &mut [[Vec<E>; R]; C],
+) -> ColumnsMut<'_, E, R, C> {
+    let mut slices = ColumnsMut(from_fn(|_| from_fn(|_| &mut [][..])));
+    for (slices, vectors) in slices.0.iter_mut().zip(vectors) {
+        for (slice, vector) in slices.iter_mut().zip(vectors) {
+            *slice = vector;
+        }
+    }
+    slices
+}
+
+impl<'a, E: Precision, const R: usize, const C: usize> StatesMut<Entries<R, C>, E>
+    for &'a mut [[Vec<E>; R]; C]
+{
+    type Sink = ColumnsMut<'a, E, R, C>;
+
+    fn sink(self) -> ColumnsMut<'a, E, R, C> {
+        slices(self)
+    }
+}
+
 impl<'a, E: Precision, const R: usize> StatesMut<Entries<R, 1>, E> for [&'a mut [E]; R] {
     type Sink = ColumnsMut<'a, E, R, 1>;
 
@@ -183,7 +216,7 @@ impl<'a, E: Precision, const R: usize> StatesMut<Entries<R, 1>, E> for &'a mut [
     type Sink = ColumnsMut<'a, E, R, 1>;
 
     fn sink(self) -> ColumnsMut<'a, E, R, 1> {
-        ColumnsMut([self.each_mut().map(|column| &mut column[..])])
+        slices(core::array::from_mut(self))
     }
 }
 

@@ -43,13 +43,13 @@ pub trait States<const N: usize, T: Precision = f64> {
 /// - a column for each entry, which takes less time, for a mass matrix a third less, and is the only way to gain
 ///   by a batch of many values of few operations each, as those of a regressor are:
 ///   `[&mut [T]; R]`, `&mut [Vec<T>; R]` or `&mut OMatrix<T, Dyn, Const<R>>` for vectors,
-///   and `[[&mut [T]; R]; C]` for matrices, entry `(i, j)` in `[j][i]`;
+///   and `[[&mut [T]; R]; C]` or `&mut [[Vec<T>; R]; C]` for matrices, entry `(i, j)` in `[j][i]`;
 /// - where a single call returns a tuple or an array, a tuple or an array of any of these, such as
 ///   `(&mut by_position, &mut by_velocity)`.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no room for the values of this function at each of many states",
     note = "it may be `&mut [V]` or a mutable reference to a `Vec` of `V`, where `V` is what a single call returns in {T}, or a column for each entry",
-    note = "columns are `[&mut [{T}]; R]` or `&mut OMatrix<{T}, Dyn, Const<R>>` for vectors, `[[&mut [{T}]; R]; C]` for matrices"
+    note = "columns are `[&mut [{T}]; R]` or `&mut [Vec<{T}>; R]` for vectors, `[[&mut [{T}]; R]; C]` or `&mut [[Vec<{T}>; R]; C]` for matrices"
 )]
 pub trait StatesMut<A: Arrangement, T: Precision = f64> {
     #[doc(hidden)]
