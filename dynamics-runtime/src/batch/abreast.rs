@@ -105,6 +105,13 @@ impl<L: Lanes, const W: usize> Lanes for Abreast<L, W> {
     }
 
     #[inline(always)]
+    fn product_minus(self, a: Self, b: Self) -> Self {
+        let mut result = self;
+        for_each_index!(W, i => result.0[i] = L::product_minus(self.0[i], a.0[i], b.0[i]));
+        result
+    }
+
+    #[inline(always)]
     fn select_by_lowest_bit(self, odd: Self, even: Self) -> Self {
         let mut result = self;
         for_each_index!(W, i => result.0[i] = self.0[i].select_by_lowest_bit(odd.0[i], even.0[i]));

@@ -35,6 +35,12 @@ pub(crate) trait Lanes:
         self * a + b
     }
 
+    /// self a - b, rounded once where the processor at hand has an instruction for it.
+    #[inline(always)]
+    fn product_minus(self, a: Self, b: Self) -> Self {
+        self * a - b
+    }
+
     /// `odd` in the lanes where the lowest bit of `self` is set, and `even` in the others.
     fn select_by_lowest_bit(self, odd: Self, even: Self) -> Self;
 
@@ -48,7 +54,6 @@ pub(crate) trait Lanes:
     }
 
     /// Whether [`product_plus`](Lanes::product_plus) rounds once.
-    #[cfg(feature = "std")]
     #[inline(always)]
     fn fuses(self) -> bool {
         false
@@ -74,6 +79,10 @@ pub(crate) trait Kernel: Copy {
     /// both are tiny.
     fn sin_cos_reduced<L: Lanes<Number = Self>>(x: L, d: L) -> (L, L);
 
+    /// The sine of x - d alone, in as few operations as it takes.
+    #[cfg(feature = "std")]
+    fn sine_reduced<L: Lanes<Number = Self>>(x: L, d: L) -> L;
+
     /// Sine and cosine of an angle of any magnitude, reduced exactly; NaN of what is not finite.
     fn sin_cos_of_large(self) -> (Self, Self);
 }
@@ -90,6 +99,12 @@ pub(crate) struct Reduced<L> {
 
 /// Sine and cosine of x - d by the polynomials whose coefficients are given, in as few operations as they
 /// take, where d is below the last place of x, or both are tiny.
+///
+/// Where products are fused the cosine is 1 - (x - d)^2 Q, where Q = 1/2 - x^2 (C0 + ...) does not wait for d. In units
+/// of its last place, 2^-53 in double precision, it errs by at most 0.5 by its own rounding, by 0.25 by that of the
+/// square (at most 0.62, half a unit, times Q below 1/2) and by 0.16 by that of Q (a quarter of a unit, times the
+/// square); what is behind is below 0.03: by less than 0.94 units in all. Where products are rounded too it would be a
+/// quarter of a unit more, and what 1 - x^2/2 loses is made good.
 #[inline(always)]
 pub(super) fn by_fewest_operations<L: Lanes, const K: usize>(
     x: L,
@@ -99,15 +114,29 @@ pub(super) fn by_fewest_operations<L: Lanes, const K: usize>(
 ) -> (L, L) {
     let (half, one) = (x.constant(L::Number::HALF), x.constant(L::Number::ONE));
     let z = x * x;
-    // cos (x - d) = 1 - x^2/2 + x^4 (C0 + ...) + x d; what 1 - z/2 loses is made good.
+    if x.fuses() {
+        let q = z.product_from(polynomial(z, cosine), half);
+        let square = x.product_minus(x, x * (d + d));
+        return (sine_by_fewest(x, d, z, sine), square.product_from(q, one));
+    }
+    // cos (x - d) = 1 - x^2/2 + x^4 (C0 + ...) + x d
     let half_z = half * z;
     let w = one - half_z;
     let lost = (one - w) - half_z;
     let rest = L::product_plus(x, d, lost);
     let cosine = w + L::product_plus(z * z, polynomial(z, cosine), rest);
-    // sin (x - d) = x - (x^3 (S0 + ...) + d): cos x is left off d, which is a half of the last place.
-    let sine = x - L::product_plus(x * z, polynomial(z, sine), d);
-    (sine, cosine)
+    (sine_by_fewest(x, d, z, sine), cosine)
+}
+
+/// sin (x - d) = x - (x^3 (S0 + ...) + d), where z = x^2: cos x is left off d, which is a half of the last place.
+#[inline(always)]
+pub(super) fn sine_by_fewest<L: Lanes, const K: usize>(
+    x: L,
+    d: L,
+    z: L,
+    coefficients: [L::Number; K],
+) -> L {
+    x - L::product_plus(x * z, polynomial(z, coefficients), d)
 }
 
 /// c[0] + c[1] z + c[2] z^2 + ... (Horner).

@@ -61,7 +61,7 @@ pub(crate) fn part_in_lanes<L: Lanes>(x: L, part: Part) -> L {
         _ => n.select_by_lowest_bit(cosine, sine),
     };
     let share = choose(unit, half);
-    let (sine, _) = L::Number::sin_cos_reduced(rest * share, excess * share);
+    let sine = L::Number::sine_reduced(rest * share, excess * share);
     let value = choose(sine, sine.product_from(sine + sine, unit));
     match part {
         Part::Cosine => value.turned_by_lowest_bits(n),

@@ -226,7 +226,7 @@ fn token<S: Simd>() -> S {
 }
 
 macro_rules! impl_precision {
-    ($($float:ident: $bits:ident, $last_bit:literal, $most_lanes:literal;)*) => {$(
+    ($($float:ident: $bits:ident, $signed:ident, $last_bit:literal, $most_lanes:literal;)*) => {$(
         impl Precision for $float {
             const MOST_LANES: usize = $most_lanes;
 
@@ -283,6 +283,11 @@ macro_rules! impl_precision {
             }
 
             #[inline(always)]
+            fn product_minus(self, a: Self, b: Self) -> Self {
+                Wide(self.0.mul_sub(a.0, b.0))
+            }
+
+            #[inline(always)]
             fn product_from(self, b: Self, a: Self) -> Self {
                 Wide((-self.0).mul_add(b.0, a.0))
             }
@@ -294,9 +299,10 @@ macro_rules! impl_precision {
 
             #[inline(always)]
             fn select_by_lowest_bit(self, odd: Self, even: Self) -> Self {
-                let lowest = self.0.bitcast::<S::$bits>() << $last_bit;
-                let none = S::$bits::splat(self.0.token(), 0);
-                Wide(lowest.simd_eq(none).select(even.0, odd.0))
+                // Negative where the bit is the sign: what selects asks for no more than the sign.
+                let lowest = self.0.bitcast::<S::$signed>() << $last_bit;
+                let zero = S::$signed::splat(self.0.token(), 0);
+                Wide(lowest.simd_lt(zero).select(odd.0, even.0))
             }
 
             #[inline(always)]
@@ -314,8 +320,8 @@ macro_rules! impl_precision {
 }
 
 impl_precision! {
-    f32: u32s, 31, 16;
-    f64: u64s, 63, 8;
+    f32: u32s, i32s, 31, 16;
+    f64: u64s, i64s, 63, 8;
 }
 
 /// Angles among which there is a large one, or no number: what one state does, for each.

@@ -30,6 +30,12 @@ impl Kernel for f64 {
         polynomial::sin_cos_reduced(x, d)
     }
 
+    #[cfg(feature = "std")]
+    #[inline(always)]
+    fn sine_reduced<L: Lanes<Number = f64>>(x: L, d: L) -> L {
+        polynomial::sine_reduced(x, d)
+    }
+
     #[inline]
     fn sin_cos_of_large(self) -> (f64, f64) {
         libm::sincos(self)

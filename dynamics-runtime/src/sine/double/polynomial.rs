@@ -49,3 +49,10 @@ pub(super) fn sin_cos_reduced<L: Lanes<Number = f64>>(x: L, d: L) -> (L, L) {
     let cosine = w + ((lost + lower) + (zz * zz) * upper);
     (sine, cosine)
 }
+
+/// The sine of x - d alone, in as few operations as it takes.
+#[cfg(feature = "std")]
+#[inline(always)]
+pub(super) fn sine_reduced<L: Lanes<Number = f64>>(x: L, d: L) -> L {
+    lanes::sine_by_fewest(x, d, x * x, S)
+}

@@ -26,6 +26,12 @@ impl Kernel for f32 {
         polynomial::sin_cos_reduced(x, d)
     }
 
+    #[cfg(feature = "std")]
+    #[inline(always)]
+    fn sine_reduced<L: Lanes<Number = f32>>(x: L, d: L) -> L {
+        polynomial::sine_reduced(x, d)
+    }
+
     fn sin_cos_of_large(self) -> (f32, f32) {
         if !self.is_finite() {
             return (f32::NAN, f32::NAN);

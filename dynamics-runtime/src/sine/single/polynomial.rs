@@ -29,3 +29,10 @@ pub(super) fn sin_cos_reduced<L: Lanes<Number = f32>>(x: L, d: L) -> (L, L) {
     let cosine = w + (lower + (zz * zz) * k(C[2]));
     (sine, cosine)
 }
+
+/// The sine of x - d alone, in as few operations as it takes.
+#[cfg(feature = "std")]
+#[inline(always)]
+pub(super) fn sine_reduced<L: Lanes<Number = f32>>(x: L, d: L) -> L {
+    lanes::sine_by_fewest(x, d, x * x, S)
+}
