@@ -280,7 +280,7 @@ mod tests {
             assert_eq!(error.duration.to_bits(), duration.to_bits());
             assert_eq!(
                 error.to_string(),
-                format!("a trajectory cannot last {duration} s")
+                format!("a trajectory cannot last {duration:?} s")
             );
         }
     }
