@@ -24,7 +24,7 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
             (model, Some((other, of_other)))
         }
     };
-    let checked = arm(path, &model.robot, &requests(&model))?;
+    let checked = arm(path, &model.robot, &requests(&model)?)?;
     let check = Check::new().samples(samples);
     let progress = Progress::new(1);
     progress.doing("comparing with Newton-Euler");
@@ -32,14 +32,20 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
     drop(progress);
     let mut text = format!("{report}\n");
     if !report.is_ok() {
-        let message = "the functions differ from Newton-Euler";
+        let differs = report.functions.iter().any(|function| !function.is_ok());
+        let message = match differs {
+            true => "the functions differ from Newton-Euler",
+            false => {
+                "none of the functions can be compared with Newton-Euler: ask for others besides"
+            }
+        };
         return Err(Failure::after(text, message));
     }
     let Some((path_of_other, other)) = other else {
         return Ok(text);
     };
     let compared = match given.contains_id("functions") {
-        true => requests(&model),
+        true => requests(&model)?,
         false => COMPARED.map(Request::One).to_vec(),
     };
     let (dof, dof_of_other) = (model.robot.dof(), other.robot.dof());

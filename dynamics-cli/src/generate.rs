@@ -37,7 +37,7 @@ fn other(
     path: &Path,
     model: &Model,
 ) -> Result<Vec<(String, String)>, Failure> {
-    let programs = programs(path, &model.robot, &requests(model))?;
+    let programs = programs(path, &model.robot, &requests(model)?)?;
     let source = c_source(&model.robot, &programs);
     let name = source.name;
     Ok(match language {

@@ -1,6 +1,7 @@
 //! A robot file with what the command line says besides.
 
 use std::fmt::Write as _;
+use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use clap::ArgMatches;
@@ -83,14 +84,28 @@ fn read_with(path: &Path, besides: Besides) -> Result<Model, Failure> {
     })
 }
 
-/// What a model asks for, `taylor_series` left out, which is no program over numbers.
-pub(crate) fn requests(model: &Model) -> Vec<Request> {
+/// What a model asks for, `taylor_series` left out, which is no program over numbers: that is said.
+pub(crate) fn requests(model: &Model) -> Result<Vec<Request>, Failure> {
+    const LEFT_OUT: &str =
+        "`taylor_series` is left out: `generate --lang rust` and the macro write it";
     let series = Request::One(Function::TaylorSeries);
     let requests = model.requests.iter().map(|(request, _)| request);
-    requests
+    let others: Vec<_> = requests
         .filter(|request| **request != series)
         .cloned()
-        .collect()
+        .collect();
+    match (others.len(), model.requests.len()) {
+        (0, _) => Err(Failure::after(
+            String::new(),
+            format!("{LEFT_OUT}, and nothing else is asked for"),
+        )),
+        (some, all) => {
+            if some < all {
+                let _ = writeln!(std::io::stderr(), "{LEFT_OUT}");
+            }
+            Ok(others)
+        }
+    }
 }
 
 /// The words of an option.

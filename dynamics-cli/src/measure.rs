@@ -22,7 +22,7 @@ const SECONDS: f64 = 0.05;
 pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
     let path = file_of(given);
     let model = read(path, given)?;
-    let arm = arm(path, &model.robot, &requests(&model))?;
+    let arm = arm(path, &model.robot, &requests(&model)?)?;
     let mut text = format!(
         "{:<32}{:>11}{:>9}{:>10}{:>15}\n",
         "function", "operations", "ns", "batch ns", "largest error"

@@ -19,7 +19,7 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
     let path = file_of(given);
     let model = read(path, given)?;
     let robot = &model.robot;
-    let programs = programs(path, robot, &requests(&model))?;
+    let programs = programs(path, robot, &requests(&model)?)?;
     let terms = count(given, "terms");
     let budget = Budget {
         terms,

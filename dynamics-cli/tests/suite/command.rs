@@ -1,6 +1,6 @@
 //! What each subcommand writes.
 
-use super::calls::{PENDULUM, data, errors, file, folder, output};
+use super::calls::{PENDULUM, data, errors, file, folder, output, run};
 
 #[test]
 fn show_prints_what_a_function_is() {
@@ -98,6 +98,23 @@ fn check_compares_with_newton_euler_and_with_another_file() {
         "{message}"
     );
     output(&["check", &one, "--against", &heavier, "--tolerance", "0.01"]);
+    // What cannot be compared is no difference.
+    for alone in ["regressor", "energy_regressors"] {
+        let call = ["check", &one, "--functions", alone];
+        let message = errors(&call, 1);
+        assert!(message.contains("can be compared"), "{message}");
+        let report = String::from_utf8_lossy(&run(&call).stdout).into_owned();
+        assert!(
+            report.contains("(that takes `base_parameters` too)"),
+            "{report}"
+        );
+    }
+    for call in [&["check"][..], &["show"], &["generate", "--lang", "c"]] {
+        let series = ["--functions", "taylor_series"];
+        let message = errors(&[call, &[&one], &series].concat(), 1);
+        assert!(message.contains("nothing else is asked for"), "{message}");
+    }
+    output(&["show", &one, "--functions", "mass_matrix,taylor_series"]);
     // Functions of a tuple are compared as its one program has them.
     let tuple = r#"functions = ["mass_matrix", { terms = ["mass_matrix", "jacobian"] }]"#;
     let tuples = file("tuples.toml", format!("{tuple}{PENDULUM}"));

@@ -219,7 +219,9 @@ impl fmt::Display for Report {
 /// Why a function could be compared at no state.
 fn reason(function: &str) -> &'static str {
     match function {
-        "regressor" => "that takes `base_parameters` too",
+        "regressor" | "energy_regressors" | "passivity_regressor" => {
+            "that takes `base_parameters` too"
+        }
         "base_parameters" => "that takes `regressor` too",
         _ => "the mass matrix is singular",
     }
