@@ -77,3 +77,18 @@ macro_rules! tests {
 }
 for_each_robot!(tests);
 tests! { tilting_cell: TiltingCell, 4, 6; }
+
+macro_rules! names {
+    ($($file:ident: $robot:ident, $n:literal, $p:literal;)*) => { vec![$(stringify!($file)),*] };
+}
+
+#[test]
+#[cfg_attr(
+    not(feature = "long_arms"),
+    ignore = "arms of ten and twelve joints are compiled with `--all-features`: .ci/run does"
+)]
+fn every_robot_that_has_a_file_is_compiled() {
+    let mut names = for_each_robot!(names);
+    names.sort();
+    assert_eq!(names, arms::NAMES);
+}

@@ -1,7 +1,7 @@
 //! Speed against error: tables on standard output, and a page with plots.
 //!
 //! ```text
-//! taskset -c 1 cargo run --release -p speed_error
+//! taskset -c 1 cargo run --release -p speed_error --features long_arms
 //! ```
 //!
 //! measures everything on one core and writes `target/speed_error/report.html`, with the plots and

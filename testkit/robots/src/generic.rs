@@ -1,13 +1,15 @@
 //! Arms in which nothing is zero, so that no simplification can hide a wrong term.
 
-/// Chains each of which has the rows of those before it and some more, with the functions that a macro names.
+/// Chains each of which has the rows of those before it and some more, with the functions that a macro names, some by a
+/// feature alone.
 macro_rules! generic_chains {
     ([$($row:tt)*]) => {};
     (
         [$($row:tt)*]
-        $(#[$documentation:meta])* $name:ident, $functions:ident: [$($more:tt)*]
+        $(#[$documentation:meta])* $name:ident, $functions:ident $(, feature $feature:literal)?: [$($more:tt)*]
         $($rest:tt)*
     ) => {
+        $(#[cfg(feature = $feature)])?
         $functions! {
             $(#[$documentation])*
             pub struct $name;
@@ -77,7 +79,7 @@ generic_chains! {
         },
     ]
     /// Ten revolute joints, every cell non-zero.
-    GenericChain10, every_function_of_a_long_arm: [
+    GenericChain10, every_function_of_a_long_arm, feature "long_arms": [
         joint8: revolute {
             d: -0.06, theta: 0.25, a: 0.11, alpha: 0.1,
             mass: 1.6, com: [0.02, -0.06, -0.01],
@@ -95,7 +97,7 @@ generic_chains! {
         },
     ]
     /// Twelve revolute joints, every cell non-zero.
-    GenericChain12, every_function_of_a_long_arm: [
+    GenericChain12, every_function_of_a_long_arm, feature "long_arms": [
         joint11: revolute {
             d: 0.08, theta: 0.2, a: 0.1, alpha: 0.9,
             mass: 2.4, com: [0.08, 0.07, 0.06],

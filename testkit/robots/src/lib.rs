@@ -1,4 +1,5 @@
-//! The robots of `tests/data/robots`, each as a user would write it, with every function.
+//! The robots of `tests/data/robots`, each as a user would write it, with every function: those of more than seven
+//! joints by the feature `long_arms`.
 
 #[macro_use]
 mod functions;
@@ -32,7 +33,8 @@ pub use three_axis::*;
 #[macro_export]
 macro_rules! for_each_robot {
     ($then:ident) => {
-        $then! {
+        $crate::__and_long_arms! {
+            $then
             moving_mass: MovingMass, 1, 0;
             vertical_mass: VerticalMass, 1, 0;
             geared_link: GearedLink, 1, 0;
@@ -57,8 +59,30 @@ macro_rules! for_each_robot {
             generic_mixed_n6_standard: GenericMixed6, 6, 15;
             panda: Panda, 7, 21;
             generic_chain_n7: GenericChain7, 7, 21;
+        }
+    };
+}
+
+/// Hands the rows of robots to the macro `$then`, and those of the long arms where they are compiled.
+#[cfg(feature = "long_arms")]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __and_long_arms {
+    ($then:ident $($rows:tt)*) => {
+        $then! {
+            $($rows)*
             generic_chain_n10: GenericChain10, 10, 45;
             generic_chain_n12: GenericChain12, 12, 66;
         }
+    };
+}
+
+/// Hands the rows of robots to the macro `$then`: the feature `long_arms` adds two.
+#[cfg(not(feature = "long_arms"))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __and_long_arms {
+    ($then:ident $($rows:tt)*) => {
+        $then! { $($rows)* }
     };
 }
