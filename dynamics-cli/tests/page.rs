@@ -186,7 +186,7 @@ fn what_cannot_be_is_refused() {
     refused(
         &with(&["--duration", "0"]),
         2,
-        "expected a number above zero",
+        "expected a number from 1e-3 to 1000",
     );
 }
 
