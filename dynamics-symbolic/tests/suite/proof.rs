@@ -19,12 +19,12 @@ fn prove_all(is_asked: fn(&Robot) -> bool) {
 
 #[test]
 fn all_functions_of_all_robots() {
-    prove_all(|robot| robot.dof() <= 6);
+    prove_all(|robot| robot.dof() <= 4);
 }
 
 /// `cargo test -p dynamics-symbolic --test suite proof:: -- --ignored`
 #[test]
-#[ignore = "takes a quarter of a minute: .ci/run runs it"]
+#[ignore = "takes half a minute: .ci/run runs it"]
 fn all_functions_of_longer_robots() {
-    prove_all(|robot| robot.dof() > 6);
+    prove_all(|robot| robot.dof() > 4);
 }

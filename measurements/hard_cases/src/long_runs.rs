@@ -1,5 +1,7 @@
 //! Chaos, and what a long run keeps.
 
+use std::thread;
+
 use robot_dynamics::nalgebra::{Vector1, Vector2};
 use robot_dynamics::{Energy, ForwardDynamics, Method};
 
@@ -10,15 +12,18 @@ use super::motion::{dop853, dormand_prince, free};
 use super::score::Score;
 
 pub(crate) fn scores(effort: Effort) -> Vec<Score> {
-    let mut scores = chaos();
-    scores.extend(swing(effort));
-    scores.extend(momenta(effort));
-    scores.extend([
-        pruned(&ElbowAtTenthOfPercent, "0.1 %"),
-        pruned(&ElbowAtOnePercent, "1 %"),
-        pruned(&ElbowAtThreePercent, "3 %"),
-    ]);
-    scores
+    // Side by side: each is one long run after another.
+    thread::scope(|scope| {
+        let others = scope.spawn(|| [chaos(), swing(effort)].concat());
+        let rest = scope.spawn(|| momenta(effort));
+        let pruned = vec![
+            pruned(&ElbowAtTenthOfPercent, "0.1 %"),
+            pruned(&ElbowAtOnePercent, "1 %"),
+            pruned(&ElbowAtThreePercent, "3 %"),
+        ];
+        let ended = [others.join(), rest.join()].map(|run| run.expect("no run panics"));
+        [ended.concat(), pruned].concat()
+    })
 }
 
 /// Growth of the distance between two motions of the rods, per second.
