@@ -1,12 +1,8 @@
 //! States by columns, a column for each joint.
 
-use robot_dynamics::nalgebra::SVector;
 use robot_dynamics::{Batch, Precision, Scalar};
 
-use crate::five::Five;
-
-/// Positions, velocities, and accelerations or torques of a state.
-pub(crate) type Numbers<T, const N: usize> = [SVector<T, N>; 3];
+use crate::five::{Five, Numbers};
 
 /// Arguments and values of a batch.
 pub(crate) struct Columns<T, const N: usize> {

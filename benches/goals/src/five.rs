@@ -7,8 +7,6 @@ use robot_dynamics::{
     CoriolisVector, ForwardDynamics, GravityVector, InverseDynamics, MassMatrix, Scalar,
 };
 
-use crate::columns::Numbers;
-
 /// Their names, in the order in which they are numbered.
 pub(crate) const NAMES: [&str; 5] = [
     "inverse_dynamics",
@@ -32,6 +30,9 @@ impl<A, const N: usize> Five<N> for A where
         + ForwardDynamics<N>
 {
 }
+
+/// Positions, velocities, and accelerations or torques of a state.
+pub(crate) type Numbers<T, const N: usize> = [SVector<T, N>; 3];
 
 /// A function at every state in turn.
 pub(crate) fn calls<A: Five<N>, T: Scalar, const N: usize>(

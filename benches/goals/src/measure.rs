@@ -5,8 +5,8 @@ use clock::Effort;
 use robot_dynamics::nalgebra::{SMatrix, SVector};
 use robot_dynamics::{Batch, DoubleDouble, Scalar};
 
-use crate::columns::{Columns, Numbers, zeros};
-use crate::five::{Five, NAMES, calls, values};
+use crate::columns::{Columns, zeros};
+use crate::five::{Five, NAMES, Numbers, calls, values};
 use measured_arms::*;
 
 /// The states at which a function is evaluated in turn, and those of a batch: all fit into the first cache.
