@@ -81,19 +81,8 @@ pub(super) fn datum<I: Interpretation>(cells: &mut I, robot: &Robot) -> Option<I
 
 /// The tool's body, in the last link frame of the table.
 pub(super) fn body<I: Interpretation>(cells: &mut I, tool: &Tool) -> Central<I::Number> {
-    let mass = cells.value(&tool.mass);
-    let com = vector(cells, &tool.com);
-    let [xx, yy, zz, xy, yz, xz] = tool.inertia.each_ref().map(|entry| cells.value(entry));
-    let inertia = Symmetric3 {
-        xx,
-        yy,
-        zz,
-        xy,
-        yz,
-        xz,
-    };
-    let place = Placed::new(cells, &tool.placement);
-    place.leave_body(Central { mass, com, inertia })
+    let body = central(cells, &tool.mass, &tool.com, &tool.inertia);
+    Placed::new(cells, &tool.placement).leave_body(body)
 }
 
 /// The places of the link frame behind a joint, from the outermost on.
@@ -110,6 +99,20 @@ pub(super) fn in_joint_frame<I: Interpretation>(
 ) -> Central<I::Number> {
     let places = link_frame(cells, row).into_iter().rev();
     places.fold(body, |body, place| place.leave_body(body))
+}
+
+/// A rigid body, from its cells.
+pub(super) fn central<I: Interpretation>(
+    cells: &mut I,
+    mass: &Value,
+    com: &[Value; 3],
+    inertia: &[Value; 6],
+) -> Central<I::Number> {
+    Central {
+        mass: cells.value(mass),
+        com: vector(cells, com),
+        inertia: Symmetric3::from_entries(inertia.each_ref().map(|entry| cells.value(entry))),
+    }
 }
 
 fn vector<I: Interpretation>(cells: &mut I, vector: &[Value; 3]) -> Vector3<I::Number> {

@@ -286,20 +286,12 @@ impl<'g> Turning<'g> {
         self.turned([v, none, none], |y| [-y[1], y[0]])
     }
 
-    /// So too of a tensor, whose derivative by the angle is [z]x J - J [z]x.
+    /// The same for a tensor J: J' = q' K(J), J'' = q'' K(J) + q'^2 K(K(J)) with K(J) = [z]x J - J [z]x.
     fn spun_tensor(&self, j: Symmetric3<Expr<'g>>) -> Symmetric3<Jet<'g>> {
         let [rate, rate_of_rate] = self.rates;
-        let by_angle = |j: Symmetric3<Expr<'g>>| Symmetric3 {
-            xx: -(j.xy + j.xy),
-            yy: j.xy + j.xy,
-            zz: self.zero,
-            xy: j.xx - j.yy,
-            yz: j.xz,
-            xz: -j.yz,
-        };
-        let slope = by_angle(j);
+        let slope = j.slope_about_z(self.zero);
         let first = slope * rate;
-        let second = slope * rate_of_rate + by_angle(slope) * (rate * rate);
+        let second = slope * rate_of_rate + slope.slope_about_z(self.zero) * (rate * rate);
         let entry =
             |of: fn(&Symmetric3<Expr<'g>>) -> Expr<'g>| Jet([of(&j), of(&first), of(&second)]);
         Symmetric3 {

@@ -2,7 +2,7 @@
 
 use super::place;
 use crate::exact::Rational;
-use crate::linear::{Symmetric3, Vector3};
+use crate::linear::Vector3;
 use crate::robot::{Convention, Interpretation, Robot, Row, Value};
 use crate::spatial::{Body, Central, Turn, leave_x, tensor_leave_x};
 
@@ -39,7 +39,7 @@ pub(super) fn body<I: Interpretation>(
     next: &Screw<I::Number>,
 ) -> Body<I::Number> {
     let row = &robot.rows[i];
-    let own = central(cells, row);
+    let own = place::central(cells, &row.mass, &row.com, &row.inertia);
     let own = behind_joint(cells, robot.convention, row, own, next);
     let is_last = i + 1 == robot.rows.len();
     match robot
@@ -53,22 +53,6 @@ pub(super) fn body<I: Interpretation>(
         }
         None => own,
     }
-}
-
-/// The link's body in its link frame.
-fn central<I: Interpretation>(cells: &mut I, row: &Row) -> Central<I::Number> {
-    let mass = cells.value(&row.mass);
-    let com = Vector3([0, 1, 2].map(|k| cells.value(&row.com[k])));
-    let [xx, yy, zz, xy, yz, xz] = [0, 1, 2, 3, 4, 5].map(|k| cells.value(&row.inertia[k]));
-    let inertia = Symmetric3 {
-        xx,
-        yy,
-        zz,
-        xy,
-        yz,
-        xz,
-    };
-    Central { mass, com, inertia }
 }
 
 /// A body of the link frame, in the frame on the joint's axis.

@@ -224,20 +224,13 @@ impl<R: Ring> Slopes<R> {
 /// The derivative of a body's parameters where it is displaced along z, of a joint or of the axis of one.
 fn displaced<R: Ring>(body: &Body<R>, joint_type: JointType, zero: R, one: R) -> Body<R> {
     let z = Vector3::new(zero, zero, one);
-    let (h, i) = (body.moment, &body.inertia);
+    let h = body.moment;
     match joint_type {
         // z x h, and [z]x J - J [z]x
         JointType::Revolute => Body {
             mass: zero,
             moment: z.cross(h),
-            inertia: Symmetric3 {
-                xx: -(i.xy + i.xy),
-                yy: i.xy + i.xy,
-                zz: zero,
-                xy: i.xx - i.yy,
-                yz: i.xz,
-                xz: -i.yz,
-            },
+            inertia: body.inertia.slope_about_z(zero),
         },
         JointType::Prismatic => Body {
             mass: zero,

@@ -105,15 +105,8 @@ impl<'g> Body<'_, 'g> {
 
     /// The inertia tensor about the centre of mass, in the body's frame.
     fn tensor(&self, symbols: &mut Symbols<'g>) -> Symmetric3<Expr<'g>> {
-        let [xx, yy, zz, xy, yz, xz] = self.inertia.each_ref().map(|entry| symbols.value(entry));
-        Symmetric3 {
-            xx,
-            yy,
-            zz,
-            xy,
-            yz,
-            xz,
-        }
+        let entries = self.inertia.each_ref().map(|entry| symbols.value(entry));
+        Symmetric3::from_entries(entries)
     }
 }
 

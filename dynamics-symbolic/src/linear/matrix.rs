@@ -58,16 +58,27 @@ pub struct Symmetric3<R> {
 }
 
 impl<R: Ring> Symmetric3<R> {
+    /// The matrix with these entries: xx, yy, zz, xy, yz, xz, the order of a table's cells.
+    pub fn from_entries([xx, yy, zz, xy, yz, xz]: [R; 6]) -> Self {
+        Symmetric3 {
+            xx,
+            yy,
+            zz,
+            xy,
+            yz,
+            xz,
+        }
+    }
+
+    /// The matrix whose entries are those of this one, mapped by `f`.
+    pub fn map<S: Ring>(&self, f: impl Fn(R) -> S) -> Symmetric3<S> {
+        let entries = [self.xx, self.yy, self.zz, self.xy, self.yz, self.xz];
+        Symmetric3::from_entries(entries.map(f))
+    }
+
     /// The same entry everywhere.
     pub fn splat(x: R) -> Self {
-        Symmetric3 {
-            xx: x,
-            yy: x,
-            zz: x,
-            xy: x,
-            yz: x,
-            xz: x,
-        }
+        Symmetric3::from_entries([x; 6])
     }
 
     /// The matrix times a vector.
@@ -109,6 +120,31 @@ impl<R: Ring> Symmetric3<R> {
                 .product(&self.full())
                 .product(&rotation.transpose()),
         )
+    }
+
+    /// [z]x J - J [z]x: the derivative, by the angle, of a tensor J that turns about z.
+    pub fn slope_about_z(&self, zero: R) -> Self {
+        Symmetric3 {
+            xx: -(self.xy + self.xy),
+            yy: self.xy + self.xy,
+            zz: zero,
+            xy: self.xx - self.yy,
+            yz: self.xz,
+            xz: -self.yz,
+        }
+    }
+
+    /// m (r.r 1 - r r^T): the tensor, about the origin, of a point of mass m at r with the first moment h = m r.
+    pub fn of_point(h: Vector3<R>, r: Vector3<R>) -> Self {
+        let ([hx, hy, hz], [x, y, z]) = (h.0, r.0);
+        Symmetric3 {
+            xx: hy * y + hz * z,
+            yy: hx * x + hz * z,
+            zz: hx * x + hy * y,
+            xy: -(hx * y),
+            yz: -(hy * z),
+            xz: -(hx * z),
+        }
     }
 
     /// What a shift by r adds to the inertia of a body with the first moment h,
@@ -161,14 +197,7 @@ impl<R: Ring> Mul<R> for Symmetric3<R> {
     type Output = Self;
 
     fn mul(self, k: R) -> Self {
-        Symmetric3 {
-            xx: self.xx * k,
-            yy: self.yy * k,
-            zz: self.zz * k,
-            xy: self.xy * k,
-            yz: self.yz * k,
-            xz: self.xz * k,
-        }
+        self.map(|x| x * k)
     }
 }
 

@@ -38,21 +38,11 @@ impl<R: Ring> Body<R> {
 
     /// A body about the origin of its frame: J = I + m (c.c 1 - c c^T), the parallel-axis theorem.
     pub fn new(Central { mass, com, inertia }: Central<R>) -> Self {
-        let [x, y, z] = com.0;
         let moment = com * mass;
-        let [hx, hy, hz] = moment.0;
-        let steiner = Symmetric3 {
-            xx: hy * y + hz * z,
-            yy: hx * x + hz * z,
-            zz: hx * x + hy * y,
-            xy: -(hx * y),
-            yz: -(hy * z),
-            xz: -(hx * z),
-        };
         Body {
             mass,
             moment,
-            inertia: inertia + steiner,
+            inertia: inertia + Symmetric3::of_point(moment, com),
         }
     }
 
@@ -111,18 +101,7 @@ impl<R: Ring> Body<R> {
     /// J' = J + 2 (h.r) 1 - h r^T - r h^T + m (r.r 1 - r r^T), h' = h + m r.
     pub fn moved(self, r: Vector3<R>) -> Self {
         let mr = r * self.mass;
-        let point = {
-            let [x, y, z] = r.0;
-            let [hx, hy, hz] = mr.0;
-            Symmetric3 {
-                xx: hy * y + hz * z,
-                yy: hx * x + hz * z,
-                zz: hx * x + hy * y,
-                xy: -(hx * y),
-                yz: -(hy * z),
-                xz: -(hx * z),
-            }
-        };
+        let point = Symmetric3::of_point(mr, r);
         Body {
             mass: self.mass,
             moment: self.moment + mr,

@@ -20,18 +20,11 @@ impl Body {
         com: &[Value; 3],
         inertia: &[Value; 6],
     ) -> Self {
-        let [xx, yy, zz, xy, yz, xz] = inertia.each_ref().map(|entry| point.value(entry));
+        let inertia = inertia.each_ref().map(|entry| point.value(entry));
         Body {
             mass: point.value(mass),
             com: Vector3(com.each_ref().map(|x| point.value(x))),
-            inertia: Symmetric3 {
-                xx,
-                yy,
-                zz,
-                xy,
-                yz,
-                xz,
-            },
+            inertia: Symmetric3::from_entries(inertia),
         }
     }
 
@@ -42,15 +35,6 @@ impl Body {
 
     /// The inertia tensor about the centre of mass, in the body's axes.
     pub(super) fn tensor<R: Lift>(&self) -> Symmetric3<R> {
-        let [xx, yy, zz] = [self.inertia.xx, self.inertia.yy, self.inertia.zz].map(R::lift);
-        let [xy, yz, xz] = [self.inertia.xy, self.inertia.yz, self.inertia.xz].map(R::lift);
-        Symmetric3 {
-            xx,
-            yy,
-            zz,
-            xy,
-            yz,
-            xz,
-        }
+        self.inertia.map(R::lift)
     }
 }
