@@ -19,7 +19,7 @@ const LEGEND_WIDTH: u32 = 170 * PIXEL;
 
 /// Colours that stay apart for colour-blind readers: Okabe and Ito, Color Universal Design (2008), and
 /// some more where seven are too few.
-const COLOURS: [RGBColor; 12] = [
+pub const COLOURS: [RGBColor; 12] = [
     RGBColor(0, 114, 178),
     RGBColor(213, 94, 0),
     RGBColor(0, 158, 115),

@@ -7,6 +7,8 @@ mod run;
 
 use std::error::Error;
 
+#[doc(hidden)]
+pub use figure::COLOURS;
 pub use figure::{Curve, Figure, joints};
 
 /// What drawing returns: it ends in an error where a file cannot be written.

@@ -5,7 +5,9 @@ use std::ops::Range;
 use plotters::coord::Shift;
 use plotters::prelude::*;
 
-use super::{COLOURS, Outcome};
+use robot_dynamics::plot::COLOURS;
+
+use super::Outcome;
 
 const WIDTH: u32 = 940;
 const HEIGHT: u32 = 480;
