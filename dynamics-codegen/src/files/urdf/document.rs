@@ -101,39 +101,25 @@ type Read<T> = Result<T, Reported>;
 
 /// Reads a document; what is wrong in it is reported.
 pub(super) fn read(source: &str, request: &Request, diagnostics: &Diagnostics) -> Option<Tree> {
-    let lines = Lines::new(source);
-    let document = match Document::parse(source) {
-        Ok(document) => document,
-        Err(error) => {
-            let at = error.pos();
-            let place = Place::File {
-                line: at.row as usize,
-                column: at.col as usize,
-            };
-            diagnostics.error(place, text::syntax("XML", &reason(&error)));
-            return None;
-        }
-    };
+    let document = Document::parse(source);
+    let document = document.map_err(|error| {
+        let at = error.pos();
+        let place = Place::File {
+            line: at.row as usize,
+            column: at.col as usize,
+        };
+        diagnostics.error(place, text::syntax("XML", &reason(&error)))
+    });
+    let document = document.ok()?;
     let root = document.root_element();
     let mut reader = Reader {
-        lines,
+        lines: Lines::new(source),
         diagnostics,
         round_angles: request.round_angles.as_ref(),
         odd_angle: request.odd_angle,
         nearly_right: 0,
     };
-    if root.tag_name().name() != "robot" {
-        reader.error(root, mistake::no_robot(root.tag_name().name()));
-        return None;
-    }
-    let is_xacro = |element: &Node| {
-        let space = element.tag_name().namespace();
-        space.is_some_and(|space| space.ends_with("/xacro"))
-    };
-    if let Some(element) = root.descendants().find(is_xacro) {
-        reader.error(element, mistake::xacro(element.tag_name().name()));
-        return None;
-    }
+    reader.require_robot(root).ok()?;
     let elements = |name: &'static str| {
         let elements = root.children().filter(Node::is_element);
         elements.filter(move |element| element.tag_name().name() == name)
@@ -142,39 +128,45 @@ pub(super) fn read(source: &str, request: &Request, diagnostics: &Diagnostics) -
     let joints: Vec<Read<Joint>> = elements("joint").map(|joint| reader.joint(joint)).collect();
     let links: Vec<Link> = links.into_iter().collect::<Read<_>>().ok()?;
     let joints: Vec<Joint> = joints.into_iter().collect::<Read<_>>().ok()?;
-    let names = |what, names: Vec<(&str, Place)>| {
-        let mut seen = BTreeSet::new();
-        for (name, place) in names {
-            if !seen.insert(name.to_owned()) {
-                diagnostics.error(place, mistake::twice(what, name));
-            }
-        }
-    };
-    names(
-        "link",
-        links.iter().map(|l| (l.name.as_str(), l.place)).collect(),
-    );
-    names(
-        "joint",
-        joints.iter().map(|j| (j.name.as_str(), j.place)).collect(),
-    );
-    let known: Vec<&str> = links.iter().map(|link| link.name.as_str()).collect();
-    for joint in &joints {
-        for link in [&joint.parent, &joint.child] {
-            if !known.contains(&link.as_str()) {
-                let meant = words::nearest(link, &known);
-                diagnostics.error(
-                    joint.place,
-                    mistake::unknown_link_of(&joint.name, link, meant),
-                );
-            }
-        }
-    }
-    diagnostics.is_empty().then_some(Tree {
+    let tree = Tree {
         links,
         joints,
         nearly_right: reader.nearly_right,
-    })
+    };
+    let links = tree.links.iter();
+    report_repeated("link", links.map(|l| (&*l.name, l.place)), diagnostics);
+    let joints = tree.joints.iter();
+    report_repeated("joint", joints.map(|j| (&*j.name, j.place)), diagnostics);
+    report_unknown_links(&tree, diagnostics);
+    diagnostics.is_empty().then_some(tree)
+}
+
+/// Reports each name that stands before it in the list already.
+fn report_repeated<'a>(
+    what: &str,
+    names: impl Iterator<Item = (&'a str, Place)>,
+    diagnostics: &Diagnostics,
+) {
+    let mut seen = BTreeSet::new();
+    for (name, place) in names {
+        if !seen.insert(name) {
+            diagnostics.error(place, mistake::twice(what, name));
+        }
+    }
+}
+
+/// Reports the parents and children of joints that are no links of the file.
+fn report_unknown_links(tree: &Tree, diagnostics: &Diagnostics) {
+    let known: Vec<&str> = tree.links.iter().map(|link| link.name.as_str()).collect();
+    for joint in &tree.joints {
+        for link in [&joint.parent, &joint.child] {
+            if !known.contains(&link.as_str()) {
+                let meant = words::nearest(link, &known);
+                let mistake = mistake::unknown_link_of(&joint.name, link, meant);
+                diagnostics.error(joint.place, mistake);
+            }
+        }
+    }
 }
 
 /// What is wrong, without the place, which the message has behind "at".
@@ -206,6 +198,21 @@ impl Reader<'_> {
 
     fn error(&self, node: Node, mistake: Mistake) -> Reported {
         self.diagnostics.error(self.place(node), mistake)
+    }
+
+    /// Refuses a document whose root is no `<robot>`, and xacro, which is to be expanded first.
+    fn require_robot(&self, root: Node) -> Read<()> {
+        if root.tag_name().name() != "robot" {
+            return Err(self.error(root, mistake::no_robot(root.tag_name().name())));
+        }
+        let is_xacro = |element: &Node| {
+            let space = element.tag_name().namespace();
+            space.is_some_and(|space| space.ends_with("/xacro"))
+        };
+        match root.descendants().find(is_xacro) {
+            Some(element) => Err(self.error(element, mistake::xacro(element.tag_name().name()))),
+            None => Ok(()),
+        }
     }
 
     fn attribute<'a, 'i>(&self, node: Node<'a, 'i>, name: &str) -> Read<Attribute<'a, 'i>> {
