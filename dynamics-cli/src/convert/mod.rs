@@ -12,6 +12,7 @@ mod document;
 mod json;
 mod normal;
 mod number;
+mod parameters;
 mod read_back;
 mod string;
 mod table;

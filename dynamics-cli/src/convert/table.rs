@@ -15,9 +15,10 @@ use dynamics_codegen::geometry::{Body, Mass, Matrix, Transform, Vector, cross, d
 use dynamics_symbolic::exact::Rational;
 use dynamics_symbolic::robot::Convention;
 
-use super::angle::{Angle, is_same, is_zero, roll_pitch_yaw};
+use super::angle::{is_same, is_zero, roll_pitch_yaw};
 use super::arm::{Arm, Joint, between, length};
 use super::normal::{Axis, Normal, common_normal, unit};
+use super::parameters::Parameters;
 
 /// A normal further away than so many times the length of the arm is not used.
 const FARTHEST: u8 = 10;
@@ -39,15 +40,6 @@ pub(super) struct Row<'a> {
     pub(super) parameters: Parameters,
     /// The link in its frame.
     pub(super) body: Body,
-}
-
-/// The four parameters of a row.
-#[derive(Clone)]
-pub(super) struct Parameters {
-    pub(super) a: Rational,
-    pub(super) alpha: Angle,
-    pub(super) d: Rational,
-    pub(super) theta: Angle,
 }
 
 /// The axis of a row.
@@ -115,30 +107,7 @@ impl<'a> Table<'a> {
         let frames = frames(convention, &lines, &normals, &start, &arm.tip);
         let mut rows = Vec::with_capacity(lines.len());
         for (line, pair) in lines.iter().zip(frames.windows(2)) {
-            let step = pair[0].inverse().then(&pair[1]).tidy();
-            let steps = Parameters::of(convention, &step).in_steps(convention);
-            let mut product = Transform::identity();
-            for (parameters, _) in &steps {
-                product = product.then(&parameters.step(convention)?).tidy();
-            }
-            if !is_same(&product, &step) {
-                return None;
-            }
-            let body = line.joint.map_or_else(Mass::none, |joint| {
-                let frame = pair[1].inverse().then(&joint.frame).tidy();
-                joint.body.seen_from(&frame)
-            });
-            let last = steps.len() - 1;
-            for (index, (parameters, moves)) in steps.into_iter().enumerate() {
-                rows.push(Row {
-                    joint: line.joint.filter(|_| moves),
-                    parameters,
-                    body: match index == last {
-                        true => body.body(),
-                        false => Mass::none().body(),
-                    },
-                });
-            }
+            rows.extend(rows_between(convention, &pair[0], &pair[1], line.joint)?);
         }
         let unless_same = |frame: Transform| {
             let is_identity = is_same(&frame, &Transform::identity());
@@ -152,6 +121,39 @@ impl<'a> Table<'a> {
             tool: unless_same(last.inverse().then(&arm.tip).tidy()),
         })
     }
+}
+
+/// The rows that lead from a frame to the next one, which stands on the axis of `joint`; none where the numbers found
+/// lead elsewhere.
+fn rows_between<'a>(
+    convention: Convention,
+    from: &Transform,
+    to: &Transform,
+    joint: Option<&'a Joint<'a>>,
+) -> Option<Vec<Row<'a>>> {
+    let step = from.inverse().then(to).tidy();
+    let steps = Parameters::of(convention, &step).in_steps(convention);
+    let mut product = Transform::identity();
+    for (parameters, _) in &steps {
+        product = product.then(&parameters.step(convention)?).tidy();
+    }
+    if !is_same(&product, &step) {
+        return None;
+    }
+    let body = joint.map_or_else(Mass::none, |joint| {
+        let frame = to.inverse().then(&joint.frame).tidy();
+        joint.body.seen_from(&frame)
+    });
+    let last = steps.len() - 1;
+    let row = |(index, (parameters, moves))| Row {
+        joint: joint.filter(|_| moves),
+        parameters,
+        body: match index == last {
+            true => body.body(),
+            false => Mass::none().body(),
+        },
+    };
+    Some(steps.into_iter().enumerate().map(row).collect())
 }
 
 /// The frame with those x and z axes.
@@ -307,118 +309,4 @@ fn frames(
     };
     frames.push(end);
     frames
-}
-
-impl Parameters {
-    /// Those of a step from a frame to the next one.
-    fn of(convention: Convention, step: &Transform) -> Parameters {
-        let Transform {
-            rotation: r,
-            origin: [x, y, z],
-        } = step;
-        match convention {
-            // Rz(theta) Tz(d) Tx(a) Rx(alpha), of which the origin is (a cos theta, a sin theta, d).
-            Convention::Standard => Parameters {
-                a: tidy(x * &r[0][0] + y * &r[1][0]),
-                alpha: Angle::of(&r[2][1], &r[2][2]),
-                d: z.clone(),
-                theta: Angle::of(&r[1][0], &r[0][0]),
-            },
-            // Rx(alpha) Tx(a) Rz(theta) Tz(d), of which the origin is (a, -d sin alpha, d cos alpha).
-            Convention::Modified => Parameters {
-                a: x.clone(),
-                alpha: Angle::of(&-&r[1][2], &r[2][2]),
-                d: tidy(y * &r[1][2] + z * &r[2][2]),
-                theta: Angle::of(&-&r[0][1], &r[0][0]),
-            },
-        }
-    }
-
-    /// The same step in rows whose angles mean what they say: one within 1e-9 of a quarter turn is that
-    /// turn to every reader, and what is left of it is an angle of another row. The row that moves is marked.
-    fn in_steps(self, convention: Convention) -> Vec<(Parameters, bool)> {
-        let Parameters { a, alpha, d, theta } = self;
-        let none = Parameters {
-            a: Rational::ZERO,
-            alpha: Angle::ZERO,
-            d: Rational::ZERO,
-            theta: Angle::ZERO,
-        };
-        let (whole_alpha, alpha) = alpha.split();
-        let (whole_theta, theta) = theta.split();
-        let mut steps = Vec::new();
-        match convention {
-            // Rx(whole) Rx(rest) Tx Rz(rest) Rz(whole + q) Tz
-            Convention::Modified => {
-                steps.extend(whole_alpha.map(|alpha| {
-                    (
-                        Parameters {
-                            alpha,
-                            ..none.clone()
-                        },
-                        false,
-                    )
-                }));
-                let last = match whole_theta {
-                    None => Parameters { a, alpha, d, theta },
-                    Some(whole) => {
-                        let d_is_zero = Rational::ZERO;
-                        steps.push((
-                            Parameters {
-                                a,
-                                alpha,
-                                d: d_is_zero,
-                                theta,
-                            },
-                            false,
-                        ));
-                        Parameters {
-                            d,
-                            theta: whole,
-                            ..none
-                        }
-                    }
-                };
-                steps.push((last, true));
-            }
-            // Rz(rest) Rz(whole + q) Tz Tx Rx(rest) Rx(whole)
-            Convention::Standard => {
-                let theta = match whole_theta {
-                    None => theta,
-                    Some(whole) => {
-                        steps.push((
-                            Parameters {
-                                theta,
-                                ..none.clone()
-                            },
-                            false,
-                        ));
-                        whole
-                    }
-                };
-                steps.push((Parameters { a, alpha, d, theta }, true));
-                steps.extend(whole_alpha.map(|alpha| (Parameters { alpha, ..none }, false)));
-            }
-        }
-        steps
-    }
-
-    /// The step that they are the parameters of.
-    fn step(&self, convention: Convention) -> Option<Transform> {
-        let zero = || Angle::ZERO.value();
-        let along = |x: &Rational, z: &Rational| [x.clone(), Rational::ZERO, z.clone()];
-        let nothing = Rational::ZERO;
-        let about_x = Transform::new(
-            &along(&self.a, &nothing),
-            &[self.alpha.value(), zero(), zero()],
-        )?;
-        let about_z = Transform::new(
-            &along(&nothing, &self.d),
-            &[zero(), zero(), self.theta.value()],
-        )?;
-        Some(match convention {
-            Convention::Standard => about_z.then(&about_x),
-            Convention::Modified => about_x.then(&about_z),
-        })
-    }
 }
