@@ -92,6 +92,27 @@ impl Writer<'_> {
     }
 
     fn row(&self, index: usize, row: &Row) -> String {
+        let entries = self.joint(index, row).into_iter();
+        let entries = entries.chain(self.parameters(row)).chain(self.body(row));
+        object(entries.chain(self.forces(row)))
+    }
+
+    /// What the row's joint is, how it moves and where it stands.
+    fn joint(&self, index: usize, row: &Row) -> [(&'static str, String); 8] {
+        let joint_type = match row.joint_type {
+            JointType::Revolute => "revolute",
+            JointType::Prismatic => "prismatic",
+        };
+        let joint = row.is_free().then(|| self.0.joint_of(index).to_string());
+        let locked = row.locked.as_ref().map(|value| self.cell(value));
+        let follows = row.follows.as_ref().map(|coupling| {
+            object([
+                ("joint", self.0.joint_of(coupling.leader).to_string()),
+                ("factor", self.cell(&coupling.factor)),
+                ("offset", self.cell(&coupling.offset)),
+            ])
+        });
+        let limits = row.limits.as_ref().map(|limits| self.vector(limits));
         let placements = |places: &[Placement]| array(places.iter().map(|p| self.placement(p)));
         let mount = row.mount.as_ref().map(|mount| {
             object([
@@ -100,6 +121,29 @@ impl Writer<'_> {
                 ("frame", placements(&mount.frame)),
             ])
         });
+        [
+            ("name", string(&row.name)),
+            ("type", string(joint_type)),
+            ("joint", option(joint)),
+            ("isPlace", row.is_place().to_string()),
+            ("locked", option(locked)),
+            ("follows", option(follows)),
+            ("limits", option(limits)),
+            ("mount", option(mount)),
+        ]
+    }
+
+    /// The row's link.
+    fn body(&self, row: &Row) -> [(&'static str, String); 3] {
+        [
+            ("mass", self.cell(&row.mass)),
+            ("com", self.vector(&row.com)),
+            ("inertia", self.vector(&row.inertia)),
+        ]
+    }
+
+    /// What acts at the joint itself: motor, friction and spring.
+    fn forces(&self, row: &Row) -> [(&'static str, String); 6] {
         let stribeck = row.stribeck.as_ref().map(|stribeck| {
             object([
                 ("friction", self.cell(&stribeck.friction)),
@@ -112,54 +156,28 @@ impl Writer<'_> {
                 ("rest", self.cell(&spring.rest)),
             ])
         });
-        let follows = row.follows.as_ref().map(|coupling| {
-            object([
-                ("joint", self.0.joint_of(coupling.leader).to_string()),
-                ("factor", self.cell(&coupling.factor)),
-                ("offset", self.cell(&coupling.offset)),
-            ])
-        });
+        [
+            ("motorInertia", self.cell(&row.motor_inertia)),
+            ("gearRatio", self.cell(&row.gear_ratio)),
+            ("viscous", self.cell(&row.viscous)),
+            ("coulomb", self.vector(&row.coulomb)),
+            ("stribeck", option(stribeck)),
+            ("spring", option(spring)),
+        ]
+    }
+
+    /// The Denavit-Hartenberg parameters as numbers, and as text those cells, with the mass, that have fields in them.
+    fn parameters(&self, row: &Row) -> [(&'static str, String); 5] {
         let cells = [
             ("a", &row.a),
             ("alpha", &row.alpha),
             ("d", &row.d),
             ("theta", &row.theta),
-            ("mass", &row.mass),
-            ("motorInertia", &row.motor_inertia),
-            ("gearRatio", &row.gear_ratio),
-            ("viscous", &row.viscous),
         ];
-        let texts = cells[..5]
-            .iter()
-            .filter_map(|(name, value)| text(self.0, value).map(|text| (*name, string(&text))));
-        let joint_type = match row.joint_type {
-            JointType::Revolute => "revolute",
-            JointType::Prismatic => "prismatic",
-        };
-        let joint = row.is_free().then(|| self.0.joint_of(index).to_string());
-        let others = [
-            ("name", string(&row.name)),
-            ("type", string(joint_type)),
-            ("joint", option(joint)),
-            ("isPlace", row.is_place().to_string()),
-            (
-                "locked",
-                option(row.locked.as_ref().map(|value| self.cell(value))),
-            ),
-            ("follows", option(follows)),
-            ("com", self.vector(&row.com)),
-            ("inertia", self.vector(&row.inertia)),
-            ("coulomb", self.vector(&row.coulomb)),
-            ("stribeck", option(stribeck)),
-            ("spring", option(spring)),
-            (
-                "limits",
-                option(row.limits.as_ref().map(|limits| self.vector(limits))),
-            ),
-            ("mount", option(mount)),
-            ("text", object(texts)),
-        ];
-        let cells = cells.map(|(name, value)| (name, self.cell(value)));
-        object(others.into_iter().chain(cells))
+        let texts = cells.into_iter().chain([("mass", &row.mass)]);
+        let texts =
+            texts.filter_map(|(name, value)| text(self.0, value).map(|text| (name, string(&text))));
+        let [a, alpha, d, theta] = cells.map(|(name, value)| (name, self.cell(value)));
+        [a, alpha, d, theta, ("text", object(texts))]
     }
 }
