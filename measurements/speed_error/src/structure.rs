@@ -49,15 +49,18 @@ pub(crate) fn section(duration: f64) -> Result<Section, Box<dyn Error>> {
     Ok(section)
 }
 
-/// A method, its setting, the time of its run, s, and the run.
-type Named<const N: usize> = (
-    &'static str,
-    String,
-    f64,
-    Result<Trajectory<N>, Box<SimulationError<N>>>,
-);
+/// The run of one method.
+struct Run<const N: usize> {
+    method: &'static str,
+    setting: String,
+    /// Of the processor, s.
+    time: f64,
+    motion: Trajectory<N>,
+    /// Why it ended early; empty where it did not.
+    remark: String,
+}
 
-/// The energy of every method's run.
+/// The energy of every method's run: a plot, and a table.
 fn drifts<R: ForwardDynamics<N> + Energy<N> + TaylorDynamics<N>, const N: usize>(
     section: &mut Section,
     title: &'static str,
@@ -74,79 +77,22 @@ fn drifts<R: ForwardDynamics<N> + Energy<N> + TaylorDynamics<N>, const N: usize>
         "remark",
     ];
     let mut table = Table::new(format!("{title}, {duration:e} s"), &heads);
-    let none = || "-".to_owned();
-    // Methods with error control have a greatest number of steps between samples.
-    let samples = if duration > 1e4 { 1001 } else { 101 };
     let mut series = Vec::new();
-    let mut runs: Vec<Named<N>> = Vec::new();
-    for family in &FAMILIES {
-        let (method, setting) = family.method(0.01, 1e-9);
-        let simulation = Simulation::new(arm)
-            .method(method)
-            .initial(q, SVector::zeros())
-            .duration(duration)
-            .samples(samples);
-        let start = Instant::now();
-        let run = simulation.run();
-        runs.push((family.name, setting, start.elapsed().as_secs_f64(), run));
-    }
-    let simulation = TaylorSimulation::new(arm)
-        .settings(Taylor::with_tolerance(1e-9))
-        .initial(q, SVector::zeros())
-        .duration(duration)
-        .samples(samples);
-    let start = Instant::now();
-    let run = simulation.run();
-    let time = start.elapsed().as_secs_f64();
-    runs.push((TAYLOR, "tolerance 1e-9".to_owned(), time, run));
-    for (name, setting, time, run) in runs {
-        let (motion, remark) = match run {
-            Ok(motion) => (motion, String::new()),
-            Err(end) => {
-                let remark = format!("stopped at {:.3} s: {:?}", end.time, end.cause);
-                (end.trajectory, remark)
-            }
-        };
-        let energies = motion.energies(arm);
-        let drift: Vec<_> = energies
-            .iter()
-            .map(|energy| (energy - energies[0]).abs())
-            .collect();
+    for run in runs(arm, q, duration) {
+        let drift = drift(arm, &run.motion);
+        series.push(curve(&run, &drift, duration));
+        // The first sample is where the drift is counted from.
+        let later = drift.get(1..).unwrap_or_default();
+        let largest = later.iter().copied().reduce(f64::max);
+        let shown = |drift: Option<f64>| drift.map_or_else(|| "-".to_owned(), short);
         table.row([
-            name.to_owned(),
-            setting,
-            format!("{time:.2}"),
-            // The first sample is where the drift is counted from.
-            drift
-                .iter()
-                .skip(1)
-                .copied()
-                .reduce(f64::max)
-                .map_or_else(none, short),
-            drift
-                .iter()
-                .skip(1)
-                .last()
-                .copied()
-                .map_or_else(none, short),
-            remark.clone(),
+            run.method.to_owned(),
+            run.setting,
+            format!("{:.2}", run.time),
+            shown(largest),
+            shown(later.last().copied()),
+            run.remark,
         ]);
-        let points = motion.t.iter().zip(&drift).skip(1);
-        let mut points: Vec<_> = points
-            .filter(|(_, drift)| drift.is_finite())
-            .map(|(&t, &drift)| (t, drift.clamp(LEAST, 1e6), Mark::Dot))
-            .collect();
-        if !remark.is_empty() {
-            let (t, drift) = points
-                .last()
-                .map_or((duration / 100.0, 1.0), |p| (p.0, p.1));
-            points.push((t, drift, Mark::Cross));
-        }
-        series.push(Series {
-            name: name.to_owned(),
-            joined: true,
-            points,
-        });
     }
     let plot = Plot {
         title: format!("{title}: |E - E(0)| over time"),
@@ -159,6 +105,84 @@ fn drifts<R: ForwardDynamics<N> + Energy<N> + TaylorDynamics<N>, const N: usize>
     section.parts.push(Part::Plot(file, plot.svg()?));
     section.parts.push(Part::Table(table));
     Ok(())
+}
+
+/// The motion from rest at q by every method.
+fn runs<R: ForwardDynamics<N> + TaylorDynamics<N>, const N: usize>(
+    arm: &R,
+    q: SVector<f64, N>,
+    duration: f64,
+) -> Vec<Run<N>> {
+    // Methods with error control have a greatest number of steps between samples.
+    let samples = if duration > 1e4 { 1001 } else { 101 };
+    let by_family = FAMILIES.iter().map(|family| {
+        let (method, setting) = family.method(0.01, 1e-9);
+        let simulation = Simulation::new(arm)
+            .method(method)
+            .initial(q, SVector::zeros())
+            .duration(duration)
+            .samples(samples);
+        timed(family.name, setting, || simulation.run())
+    });
+    let mut runs: Vec<_> = by_family.collect();
+    let simulation = TaylorSimulation::new(arm)
+        .settings(Taylor::with_tolerance(1e-9))
+        .initial(q, SVector::zeros())
+        .duration(duration)
+        .samples(samples);
+    let setting = "tolerance 1e-9".to_owned();
+    runs.push(timed(TAYLOR, setting, || simulation.run()));
+    runs
+}
+
+fn timed<const N: usize>(
+    method: &'static str,
+    setting: String,
+    run: impl FnOnce() -> Result<Trajectory<N>, Box<SimulationError<N>>>,
+) -> Run<N> {
+    let start = Instant::now();
+    let ended = run();
+    let time = start.elapsed().as_secs_f64();
+    let (motion, remark) = match ended {
+        Ok(motion) => (motion, String::new()),
+        Err(end) => {
+            let remark = format!("stopped at {:.3} s: {:?}", end.time, end.cause);
+            (end.trajectory, remark)
+        }
+    };
+    Run {
+        method,
+        setting,
+        time,
+        motion,
+        remark,
+    }
+}
+
+/// |E - E(0)| at each sample.
+fn drift<R: Energy<N>, const N: usize>(arm: &R, motion: &Trajectory<N>) -> Vec<f64> {
+    let energies = motion.energies(arm);
+    let drift = |energy: &f64| (energy - energies[0]).abs();
+    energies.iter().map(drift).collect()
+}
+
+/// The drift over time, with a cross where the run ended early.
+fn curve<const N: usize>(run: &Run<N>, drift: &[f64], duration: f64) -> Series {
+    let points = run.motion.t.iter().zip(drift).skip(1);
+    let mut points: Vec<_> = points
+        .filter(|(_, drift)| drift.is_finite())
+        .map(|(&t, &drift)| (t, drift.clamp(LEAST, 1e6), Mark::Dot))
+        .collect();
+    if !run.remark.is_empty() {
+        let last = points.last();
+        let (t, drift) = last.map_or((duration / 100.0, 1.0), |p| (p.0, p.1));
+        points.push((t, drift, Mark::Cross));
+    }
+    Series {
+        name: run.method.to_owned(),
+        joined: true,
+        points,
+    }
 }
 
 /// An arm with its Coriolis matrix, which no trait has.
