@@ -1,5 +1,5 @@
 //! The Denavit-Hartenberg table of a robot arm, or its URDF file, becomes explicit functions at compile time: mass matrix,
-//! Coriolis and gravity vectors, inverse and forward dynamics, and what is asked for besides, each proven equal to the
+//! Coriolis and gravity vectors, inverse and forward dynamics, and others on request, each proven equal to the
 //! textbook Lagrangian.
 //!
 //! ```
@@ -25,16 +25,18 @@
 //! # Ok::<(), robot_dynamics::SingularMassMatrix>(())
 //! ```
 //!
-//! - [`robot_dynamics!`] has the whole grammar of a table, with an example of each entry, the files that it reads, and
-//!   the list of all functions.
-//! - [`Scalar`] is what functions compute with: `f32`, `f64`, [`DoubleDouble`] of 31 digits, dual numbers, your own.
-//! - [`Certified`] numbers carry a proven bound of their error; [`certified`] has sharper ones of what is solved for with M.
-//! - [`Simulation`] moves an arm under torques and forces by a [`Method`] of your choice, [`TaylorSimulation`] to any
-//!   accuracy that a double holds; [`Cycloidal`] is a motion to follow.
-//! - `Batch` gives every function a second one, `NAME_batch`, for many states at once.
-//! - [`check_against_rnea`] compares every function with [`NewtonEuler`], which knows nothing of the symbolic result;
+//! - [`robot_dynamics!`] documents the whole grammar of a table, with an example of each entry, the files that it reads,
+//!   and the list of all functions.
+//! - [`Scalar`] is the trait of the numbers that functions compute with: `f32`, `f64`, [`DoubleDouble`] with 31 digits,
+//!   dual numbers, your own.
+//! - [`Certified`] numbers carry a proven bound of their error; the module [`certified`] has sharper bounds of
+//!   accelerations and other results of solving with M.
+//! - [`Simulation`] moves an arm under torques and forces by a [`Method`] of your choice; [`TaylorSimulation`] does so with
+//!   errors down to the rounding of a double. [`Cycloidal`] is a motion to follow.
+//! - [`Batch`] adds to every function `NAME` a method `NAME_batch` for many states at once.
+//! - [`check_against_rnea`] compares every function with [`NewtonEuler`], a numeric algorithm that reads only the table;
 //!   [`Conditioning`] says how many digits accelerations lose.
-//! - [`Model`], [`ForwardDynamics`], [`Kinematics`] and so on are what a generated arm is to generic code.
+//! - [`Model`], [`ForwardDynamics`], [`Kinematics`] and other traits give generic code access to a generated arm.
 //!
 //! # Features
 //!
@@ -44,14 +46,14 @@
 //! | `files` | yes | `file:` in a call: the readers of TOML, JSON and URDF, three seconds of the macro's build |
 //! | `rayon` | | batches on all cores: `par_NAME_batch` |
 //! | `num-dual` | | [`Scalar`] for the dual numbers of that crate |
-//! | `runtime-robot` | | `evaluation::RuntimeRobot`, an arm that is known at run time alone |
+//! | `runtime-robot` | | `evaluation::RuntimeRobot`, an arm that is not known before run time |
 //! | `plot` | | `Trajectory::plot`: curves over time as SVG |
 //! | `serde` | | tables, trajectories, settings and reports as data |
 //!
 //! # Compile time
 //!
-//! The macro runs inside the compiler, unoptimised unless the top-level `Cargo.toml` says otherwise, which makes it some
-//! ten times faster:
+//! The macro runs inside the compiler. By default it is compiled without optimisation; these lines in the top-level
+//! `Cargo.toml` make it some ten times faster:
 //!
 //! ```toml
 //! [profile.dev.build-override]
@@ -61,7 +63,7 @@
 //! opt-level = 3
 //! ```
 //!
-//! It runs again at each edit of the crate that a call stands in: robots belong into a crate of their own.
+//! It runs again after each edit of the crate in which the call stands: put robots into a crate of their own.
 #![cfg_attr(not(feature = "std"), no_std)]
 #![forbid(unsafe_code)]
 

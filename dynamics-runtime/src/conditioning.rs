@@ -7,12 +7,12 @@ use crate::singular::relative_pivot;
 
 /// How near to singular a mass matrix is: the least pivot relative to its diagonal entry.
 ///
-/// M = U D U^T, factored from the tip inwards: d_i is the inertia that joint i feels with the
-/// joints beyond it free, M_ii what it feels with them locked. min d_i / M_ii says how many digits
-/// a solution of M x = b loses: about `-log10` of it. Unlike the condition number it does not change
+/// In M = U D U^T, factored from the tip inwards, the pivot d_i is the inertia that joint i feels while the
+/// joints beyond it are free; M_ii is what it feels while they are locked. A solution of M x = b loses about
+/// `-log10(min d_i / M_ii)` digits. Unlike the condition number, this ratio does not change
 /// with the units of the joints, nor with small masses at the end of a large arm, which cost no
 /// digits (van der Sluis 1969: scaling a positive definite matrix by its diagonal is nearly the
-/// best there is).
+/// best scaling).
 ///
 /// ```
 /// use dynamics_runtime::Conditioning;
@@ -63,7 +63,7 @@ impl Conditioning {
     }
 
     /// Decimal digits that accelerations lose by solving with this matrix: infinite where it is not
-    /// positive definite, NaN where it is not a number.
+    /// positive definite, NaN where it holds a NaN.
     pub fn lost_digits(&self) -> f64 {
         match self.relative_pivot {
             pivot if pivot <= 0.0 => f64::INFINITY,

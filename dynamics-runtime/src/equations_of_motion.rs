@@ -45,8 +45,8 @@ pub trait EquationsOfMotion<const N: usize> {
         joints: &[bool; N],
     ) -> Result<Responses<N>, SingularMassMatrix>;
 
-    /// The arm in positions and momenta, which the structure-preserving methods need; `None` where it is
-    /// not known in them.
+    /// The arm in positions and momenta, as the structure-preserving methods need it; `None` for an arm without
+    /// these functions.
     fn in_momenta(&self) -> Option<&dyn Momenta<N>>;
 }
 

@@ -7,7 +7,7 @@ use nalgebra::{SMatrix, SVector, Vector6};
 #[cfg(feature = "std")]
 use crate::{Model, Scalar, SingularMassMatrix, TaylorCoefficients};
 
-/// An arm all of whose generated functions can be evaluated at a state: what the checks need.
+/// An arm that evaluates all of its generated functions at a state, as the checks need it.
 #[cfg(feature = "std")]
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no robot that `robot_dynamics!` made",
@@ -19,10 +19,10 @@ pub trait Evaluate<const N: usize>: Model<N> {
     /// `tau` are the joint torques at which the forward dynamics is evaluated.
     fn evaluate(&self, state: &State<N>, tau: &SVector<f64, N>) -> Evaluation<N>;
 
-    /// The same in any arithmetic, whose numbers `real` makes of the doubles of the state: with
-    /// [`Certified`](crate::Certified) it bounds what every function rounds.
+    /// The same in the arithmetic `T`; `real` turns the doubles of the state into its numbers. In
+    /// [`Certified`](crate::Certified) numbers the values carry bounds of their rounding errors.
     ///
-    /// Generated arms have it. Of others nothing is known.
+    /// Generated arms implement it. By default, every value is `None`.
     fn evaluate_in<T: Scalar>(
         &self,
         state: &State<N>,
@@ -33,8 +33,8 @@ pub trait Evaluate<const N: usize>: Model<N> {
         Evaluation::default()
     }
 
-    /// Calls `found` with each method that returns several functions: its name, and its parts at one
-    /// state.
+    /// Calls `found` for each method that returns several functions, with its name and the values of these functions
+    /// at one state.
     fn evaluate_parts(
         &self,
         state: &State<N>,
@@ -56,9 +56,9 @@ pub struct State<const N: usize> {
     pub qdd: SVector<f64, N>,
 }
 
-/// The arguments of some functions that a state does not hold are made of it, so that a state is all
-/// that a check chooses: they are as fast as the state, and none of them is a multiple of another
-/// argument of the same function.
+/// Some functions have arguments that a state does not hold. Checks make them of the state, so that the state is all
+/// that they choose: these arguments are as fast as the state, and none is a multiple of another argument of the same
+/// function.
 impl<const N: usize> State<N> {
     /// qd_r, a reference velocity.
     #[doc(hidden)]

@@ -2,8 +2,8 @@
 
 use core::fmt;
 
-/// A value of a generated function and its formula, as an equation: `formulas()` of a generated struct
-/// hands out those that are short enough to read.
+/// A value of a generated function and its formula, as an equation. `formulas()` of a generated struct
+/// returns those that are short enough to read.
 ///
 /// c12 is cos(q1 + q2), s12 its sine; q, qd, qdd and tau are counted from 1. Numbers are exact, unless
 /// they have more than 17 digits.

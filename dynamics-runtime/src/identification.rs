@@ -1,26 +1,30 @@
-//! From the parameters of links to those that a motion shows.
+//! From the inertial parameters of links to the base parameters, the combinations that a motion shows.
 
 use nalgebra::{DMatrix, SVector};
 
 use crate::check::random::SplitMix64;
 use crate::{Evaluate, NewtonEuler, State, Table};
 
-/// K of `b = K x`: how the base parameters b of [`base_parameters`] and `regressor` are combined of the
-/// standard ones. `None` where the arm's functions lack `regressor`, and where its columns are dependent, so that
-/// more than one K fits: at values of fields for which the arm is a special one, such as a factor of zero by which
+/// The matrix K of `b = K x`: the base parameters b of [`base_parameters`] and `regressor` as combinations of the
+/// links' standard parameters x.
+///
+/// K is P x 11 (N + F) for P base parameters, N joints, and F joints that follow others. x holds, in this order,
+///
+/// - the ten [standard parameters](crate::Table::standard_parameters) of each joint's link, from the base outwards;
+/// - [those of the followers' links](crate::Table::standard_parameters_of_followers);
+/// - the reflected inertia `gear_ratio^2 inertia` of each joint's motor;
+/// - those of the followers' motors.
+///
+/// K depends on the geometry alone. Two sets of links with the same K x need the same torques for every motion, so
+/// that torques cannot tell them apart.
+///
+/// K is the least-squares solution of Y_b K = Y_x over random states, where Y_b is the generated regressor and Y_x the
+/// numeric one of the table. The error of an entry is some 1e-13 of the largest one; entries below 1e-11 of the largest
+/// are set to zero.
+///
+/// `None` where `regressor` was not generated, and where its columns are dependent, so that more than one K fits. The
+/// latter happens where the values of the struct's fields make the arm a special one, such as a factor of zero by which
 /// a joint follows another.
-///
-/// x holds the ten [standard parameters](crate::Table::standard_parameters) of the first link, of the second,
-/// ..., then the reflected inertia of each motor, `gear_ratio^2 inertia`. The F joints that follow others come
-/// after the joints in both: their links
-/// ([`Table::standard_parameters_of_followers`](crate::Table::standard_parameters_of_followers)) behind those of the
-/// joints, their motors behind those of the joints. K is P x 11 (N + F) and depends on the
-/// geometry alone. What lies in its null space moves no joint: two sets of links with the same K x
-/// cannot be told from each other by torques.
-///
-/// It is found from the two regressors, Y(b) K = Y(x), by least squares over random states: the generated one
-/// and the numeric one of the table, so that an entry has an error of some 1e-13 of the largest. Entries that
-/// are smaller than 1e-11 of it are zero.
 ///
 /// ```
 /// use dynamics_runtime::{base_parameter_map, robot_dynamics};

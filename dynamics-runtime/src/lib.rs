@@ -1,9 +1,9 @@
 //! The runtime of `robot-dynamics`: what generated robots are made of, and what can be done with
 //! any of them.
 //!
-//! - [`Scalar`], the numbers that generated functions run on, [`DoubleDouble`], one of 31 digits, and [`Certified`],
-//!   one with a proven bound of its error; [`Model`], [`ForwardDynamics`],
-//!   [`Energy`] and [`Evaluate`], what a generated robot is to generic code; [`Table`], its
+//! - [`Scalar`], the trait of the numbers that generated functions run on, with [`DoubleDouble`] (31 digits) and
+//!   [`Certified`] (a proven bound of the error) among them.
+//! - [`Model`], [`ForwardDynamics`], [`Energy`], [`Evaluate`] and others, the traits of a generated robot; [`Table`], its
 //!   Denavit-Hartenberg table as numbers.
 //! - [`NewtonEuler`], the same dynamics computed numerically from the table, and
 //!   [`check_against_rnea`], which compares the two.

@@ -28,8 +28,8 @@ pub trait Model<const N: usize> {
         Self::JOINT_NAMES
     }
 
-    /// Kinetic and potential energy, J, where the arm knows both: a generated one does, if its functions
-    /// include `kinetic_energy` and `potential_energy`.
+    /// Kinetic and potential energy, J; `None` for an arm without both functions. A generated arm has them if its
+    /// functions include `kinetic_energy` and `potential_energy`.
     fn energies(&self, q: &SVector<f64, N>, qd: &SVector<f64, N>) -> Option<[f64; 2]> {
         let _ = (q, qd);
         None
@@ -42,11 +42,12 @@ pub trait Model<const N: usize> {
     note = "add it to its `functions:`, or write `functions: [default, ...]`, which holds it"
 )]
 pub trait ForwardDynamics<const N: usize> {
-    /// Roughly the number of operations, those of the sines with them: a batch of few states stays on one core.
+    /// Roughly the number of operations of one call, sines included: it tells a batch how many states are worth
+    /// another core.
     #[doc(hidden)]
     const WORK: u32 = UNKNOWN_WORK;
 
-    /// Joint accelerations qdd of `M(q) qdd + V(q, qd) + G(q) + F(qd) = tau`.
+    /// Joint accelerations qdd of `M(q) qdd + V(q, qd) + G(q) + K(q) + F(qd) = tau`.
     ///
     /// `q` in rad or m, `qd` per second, `tau` in N m or N.
     ///
@@ -75,11 +76,11 @@ pub trait ForwardDynamics<const N: usize> {
         self.forward_dynamics(q, qd, tau)
     }
 
-    /// The arm in positions and momenta, which the structure-preserving methods of a
-    /// [`Simulation`](crate::Simulation) need; `None` where it is not known in them.
+    /// The arm in positions and momenta, as the structure-preserving methods of a
+    /// [`Simulation`](crate::Simulation) need it; `None` for an arm without these functions.
     ///
-    /// A generated arm is, if its functions include `mass_matrix` and `inverse_dynamics`. For an arm
-    /// of your own with [`MassMatrix`] and [`InverseDynamics`] it is `Some(self)`.
+    /// A generated arm has them if its functions include `mass_matrix` and `inverse_dynamics`. For an arm
+    /// of your own with [`MassMatrix`] and [`InverseDynamics`], return `Some(self)`.
     fn momenta(&self) -> Option<&dyn Momenta<N>> {
         None
     }
@@ -91,7 +92,8 @@ pub trait ForwardDynamics<const N: usize> {
     note = "add it to its `functions:`, or write `functions: [default, ...]`, which holds it"
 )]
 pub trait MassMatrix<const N: usize> {
-    /// Roughly the number of operations, those of the sines with them: a batch of few states stays on one core.
+    /// Roughly the number of operations of one call, sines included: it tells a batch how many states are worth
+    /// another core.
     #[doc(hidden)]
     const WORK: u32 = UNKNOWN_WORK;
 
@@ -119,7 +121,8 @@ pub trait MassMatrix<const N: usize> {
     note = "add it to its `functions:`, or write `functions: [default, ...]`, which holds it"
 )]
 pub trait CoriolisVector<const N: usize> {
-    /// Roughly the number of operations, those of the sines with them: a batch of few states stays on one core.
+    /// Roughly the number of operations of one call, sines included: it tells a batch how many states are worth
+    /// another core.
     #[doc(hidden)]
     const WORK: u32 = UNKNOWN_WORK;
 
@@ -148,7 +151,8 @@ pub trait CoriolisVector<const N: usize> {
     note = "add it to its `functions:`, or write `functions: [default, ...]`, which holds it"
 )]
 pub trait GravityVector<const N: usize> {
-    /// Roughly the number of operations, those of the sines with them: a batch of few states stays on one core.
+    /// Roughly the number of operations of one call, sines included: it tells a batch how many states are worth
+    /// another core.
     #[doc(hidden)]
     const WORK: u32 = UNKNOWN_WORK;
 
@@ -176,11 +180,12 @@ pub trait GravityVector<const N: usize> {
     note = "add it to its `functions:`, or write `functions: [default, ...]`, which holds it"
 )]
 pub trait InverseDynamics<const N: usize> {
-    /// Roughly the number of operations, those of the sines with them: a batch of few states stays on one core.
+    /// Roughly the number of operations of one call, sines included: it tells a batch how many states are worth
+    /// another core.
     #[doc(hidden)]
     const WORK: u32 = UNKNOWN_WORK;
 
-    /// Inverse dynamics tau = M(q) qdd + V(q, qd) + G(q) + F(qd), N m or N.
+    /// Inverse dynamics tau = M(q) qdd + V(q, qd) + G(q) + K(q) + F(qd), N m or N.
     ///
     /// `q` in rad or m, `qd` per second, `qdd` per second squared.
     fn inverse_dynamics<T: Scalar>(
@@ -232,15 +237,16 @@ pub trait Kinematics<const N: usize> {
     fn jacobian<T: Scalar>(&self, q: &SVector<T, N>) -> SMatrix<T, 6, N>;
 }
 
-/// An arm in positions q and momenta p = M(q) qd, as Hamilton has it: what the structure-preserving
-/// methods of a [`Simulation`](crate::Simulation) need.
+/// Hamilton's equations of an arm, in positions q and momenta p = M(q) qd. The structure-preserving
+/// methods of a [`Simulation`](crate::Simulation) integrate them.
 ///
-/// Every arm with `mass_matrix` and `inverse_dynamics` is one. With T the kinetic energy,
+/// Every arm with `mass_matrix` and `inverse_dynamics` has this trait. With T the kinetic energy and C the
+/// Coriolis matrix of the Christoffel symbols (C^T is its transpose),
 ///
-/// `q' = M^-1 p`, `p' = dT/dq - G - F + tau`, `dT/dq = C' qd = M' qd - V`,
+/// `dq/dt = M^-1 p`, `dp/dt = dT/dq - G - K - F + tau`, `dT/dq = C^T qd`.
 ///
-/// where C is the Coriolis matrix of the Christoffel symbols and M' qd is the change of momentum at
-/// constant velocity: M along a dual number gives it without C (`M' = C + C'` and `V = C qd`).
+/// C itself is not needed: since `dM/dt = C + C^T` and `V = C qd`, `dT/dq = (dM/dt) qd - V`, and dM/dt is the
+/// derivative of M(q) along qd, which dual numbers give.
 pub trait Momenta<const N: usize> {
     /// p = M(q) qd, kg m^2/s or kg m/s.
     fn momentum(&self, q: &SVector<f64, N>, qd: &SVector<f64, N>) -> SVector<f64, N>;
@@ -256,9 +262,9 @@ pub trait Momenta<const N: usize> {
         p: &SVector<f64, N>,
     ) -> Result<SVector<f64, N>, SingularMassMatrix>;
 
-    /// The velocities of an arm some joints of which stand still: theirs are exactly zero, and of
-    /// the others M_ff qd_f = p_f, with the rows and columns of those that move alone. The momenta
-    /// of the joints that stand still are not read.
+    /// The velocities of an arm some of whose joints stand still. Those joints have exactly zero; the velocities
+    /// of the others solve M_ff qd_f = p_f, where M_ff has the rows and columns of the moving joints alone. The
+    /// momenta of the joints that stand still are not read.
     ///
     /// # Errors
     ///
@@ -270,7 +276,7 @@ pub trait Momenta<const N: usize> {
         p: &SVector<f64, N>,
     ) -> Result<SVector<f64, N>, SingularMassMatrix>;
 
-    /// p' = dT/dq - G - F + tau at the velocity `qd`, N m or N.
+    /// dp/dt = dT/dq - G - K - F + tau at the velocity `qd`, N m or N.
     fn force(
         &self,
         q: &SVector<f64, N>,

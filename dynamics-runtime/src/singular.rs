@@ -9,7 +9,7 @@ use crate::Scalar;
 ///
 /// It happens where the links beyond a joint have no inertia about it, where the data are
 /// unphysical, and where the state is not finite. Printed, it says which of the three, and what
-/// helps. [`Conditioning`](crate::Conditioning) asks how near to it a mass matrix is that can still be solved with.
+/// helps. [`Conditioning`](crate::Conditioning) says how near a mass matrix is to being singular.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SingularMassMatrix {
     /// The joint of the pivot, counted from 0.
@@ -31,7 +31,7 @@ impl SingularMassMatrix {
         }
     }
 
-    /// What a factorisation calls for each pivot, from the tip inwards.
+    /// Tests a pivot: a factorisation calls it for each, from the tip inwards.
     ///
     /// A pivot that is not greater than the rounding errors of the differences that
     /// it is made of cannot be told from zero: no digit of the accelerations would be right.

@@ -1,4 +1,4 @@
-//! What is solved for with M, bounded by its residual.
+//! Functions that solve with M, their values bounded by residuals.
 
 use nalgebra::{Matrix6, SMatrix, SVector};
 
@@ -25,12 +25,12 @@ type Vector<F, const N: usize> = SVector<Certified<F>, N>;
 
 /// `forward_dynamics`, with bounds that are sharp for long arms too.
 ///
-/// The values are those of the plain method, bit for bit. Evaluated on [`Certified`] numbers it bounds them as well,
-/// but an elimination hides from a running bound what belongs together, and the bound grows some threefold with each
-/// joint. Here it is the smaller one of that bound and of one by the residual, tau - tau(q, qd, qdd) of the computed
-/// accelerations by `inverse_dynamics`, times a proven bound of |M^-1| from `mass_matrix` (S. M. Rump, *Verification
-/// methods: rigorous results using floating-point arithmetic*, Acta Numerica 19 (2010), section 10). For single
-/// precision the residual is evaluated in double, and the bound is nearly the error itself.
+/// The values are those of the plain method, bit for bit. The plain method on [`Certified`] numbers has bounds too, but
+/// they grow some threefold with each joint, because errors that cancel in an elimination are added up. This function
+/// returns the smaller one of that bound and of a bound by the residual: the residual tau - tau(q, qd, qdd) of the
+/// computed accelerations, by `inverse_dynamics`, times a proven bound of |M^-1| from `mass_matrix` (S. M. Rump,
+/// *Verification methods: rigorous results using floating-point arithmetic*, Acta Numerica 19 (2010), section 10). For
+/// single precision the residual is evaluated in double, and the bound is nearly the error itself.
 ///
 /// Where M may be singular within its own errors, bounds are infinite.
 ///
@@ -101,10 +101,11 @@ where
     Ok(accelerations(arm, [q, qd, tau], qdd))
 }
 
-/// `forward_dynamics_derivatives`, bounded by the equations that derivatives satisfy: M d qdd/dq + d tau/dq = 0,
-/// M d qdd/dqd + d tau/dqd = 0 and M M^-1 = 1, with those of tau by `inverse_dynamics_derivatives` at the exact
-/// accelerations, of which `inverse_dynamics` knows how far they are from computed ones. Otherwise as
-/// [`forward_dynamics`].
+/// `forward_dynamics_derivatives`, bounded by the residuals of the equations that the derivatives satisfy:
+/// M d qdd/dq + d tau/dq = 0, M d qdd/dqd + d tau/dqd = 0 and M M^-1 = 1.
+///
+/// The derivatives of tau are those of `inverse_dynamics_derivatives` at the exact accelerations, which are known up to
+/// a bound, by `inverse_dynamics`. Otherwise as [`forward_dynamics`].
 ///
 /// # Errors
 ///
@@ -202,7 +203,7 @@ where
     }))
 }
 
-/// Accelerations that were computed, with the smaller one of their bounds and that of their residual.
+/// Computed accelerations, each with the smaller one of its bound and the bound by its residual.
 fn accelerations<A, F, const N: usize>(
     arm: &A,
     arguments: [&Vector<F, N>; 3],
@@ -221,8 +222,8 @@ where
     })
 }
 
-/// The same where M, and the torques at accelerations nearby, are known already: of them `left` is left of tau, and
-/// left - M (qdd - nearby) is the residual.
+/// The same where M is known already, and so is the residual `left` of accelerations nearby: the residual of `qdd` is
+/// then left - M (qdd - nearby).
 #[cfg(feature = "std")]
 pub(crate) fn accelerations_near<F: Rounded, const N: usize>(
     (nearby, left): (&SVector<F, N>, &Vector<F, N>),
@@ -241,7 +242,8 @@ pub(crate) fn accelerations_near<F: Rounded, const N: usize>(
     })
 }
 
-/// The exact accelerations: computed by M^-1, once improved by their residual, and how far these are from them.
+/// The exact accelerations: approximate ones, computed by M^-1 and improved once by their residual, with a bound of
+/// their error.
 fn enclosed<A, F, const N: usize>(
     arm: &A,
     verification: &Verification<F, N>,
@@ -261,8 +263,8 @@ where
     SVector::from_fn(|i, _| Certified::new(qdd[i], error[i]))
 }
 
-/// Numbers with the smaller one of their bounds and of those that `error` has of a column's values, in the precision
-/// of residuals.
+/// The numbers that were found, each with the smaller one of its bound and the bound that `error` returns for the
+/// values of its column. `error` works in the precision of residuals.
 fn by_columns<F: Rounded, const R: usize, const C: usize>(
     found: SMatrix<Certified<F>, R, C>,
     error: impl Fn(Vector<F::Wide, R>, usize) -> SVector<Bound<Size<F::Wide>>, R>,

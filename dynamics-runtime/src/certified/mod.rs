@@ -1,8 +1,8 @@
 //! Numbers that carry a proven bound of their error, and functions that solve with M on them.
 //!
-//! Any generated method runs on [`Certified`] numbers. For those that solve with M, the functions of this module have
-//! sharper bounds of the same values: an elimination is what a bound that follows one operation after the other
-//! cannot see through.
+//! Any generated method runs on [`Certified`] numbers. For the methods that solve with M, the functions of this module
+//! return the same values with sharper bounds: a bound that follows one operation after the other grows much faster
+//! than the error of an elimination does.
 
 mod dynamics;
 mod operations;
@@ -28,15 +28,15 @@ pub use rounded::Rounded;
 /// A number as a processor computes it, and a proven bound of its distance from the exact one.
 ///
 /// Every generated function runs on it. The values are those of the plain float, bit for bit; the bounds hold
-/// at the state at hand, however near it is to a singular one. Every operation adds what its operands pass on
-/// and what it rounds off itself (a running error analysis), and bounds are rounded upwards, so that nothing
-/// is left out. Exact is what the equations of the table say for the arguments:
+/// at the state at hand, however near it is to a singular one. The bound of each operation is what the errors of its
+/// operands make of it, plus its own rounding (a running error analysis), and bounds are rounded upwards, so that
+/// nothing is left out. The exact number, from which the bound is counted, is what the equations of the table give for
+/// the arguments:
 ///
-/// - the constants of a function are exact numbers that were rounded once, and count as wrong by half a unit
-///   in their last place;
-/// - the fields of the struct are the doubles that they hold;
-/// - arguments are what they say: [`exact`](Certified::exact), or known to
-///   [some error](Certified::with_error).
+/// - a constant of a function stands for an exact number that was rounded once, so that it counts as wrong by half a
+///   unit in its last place;
+/// - a field of the struct is exactly the double that it holds;
+/// - an argument is [exact](Certified::exact), or known up to [an error](Certified::with_error).
 ///
 /// A bound is infinite where nothing is proven: a value that is not finite, a quotient by a number that may be
 /// zero, the root of one that may be negative, and all that is computed from them. The sign of a velocity that
@@ -79,13 +79,12 @@ pub struct Certified<F: Rounded = f64> {
 }
 
 impl<F: Rounded> Certified<F> {
-    /// A number that is what it says.
+    /// A number without an error.
     pub fn exact(value: F) -> Self {
         Certified::new(value, Bound::NONE)
     }
 
-    /// A number of which the exact one is at most `error` away; a negative error, or one that is no number, says
-    /// nothing.
+    /// A number that is at most `error` away from the exact one. If `error` is negative or NaN, the bound is infinite.
     pub fn with_error(value: F, error: F::Magnitude) -> Self {
         Certified::new(value, Bound::new(error))
     }

@@ -15,7 +15,7 @@ impl<F: Magnitude> Bound<F> {
     pub(super) const NONE: Self = Bound(F::ZERO);
     pub(super) const UNKNOWN: Self = Bound(F::INFINITY);
 
-    /// A bound that is known exactly; what is negative or no number says nothing.
+    /// The bound `x`, which is exact; infinity for a negative `x` and for NaN.
     pub(super) fn new(x: F) -> Self {
         if x >= F::ZERO {
             // 0 for -0, which is not less.

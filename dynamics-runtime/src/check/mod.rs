@@ -24,7 +24,7 @@ use functions::{deviations, gravity_energy};
 pub use report::{FunctionReport, Report};
 
 /// Compares every generated function of the robot with [`NewtonEuler`] at the states of
-/// [`Check::new`], and says what rounding may add up to at most ([`Check::certify`]).
+/// [`Check::new`]. The report also has proven bounds of the rounding errors ([`Check::certify`]).
 ///
 /// ```
 /// use dynamics_runtime::{check_against_rnea, robot_dynamics};
@@ -47,10 +47,9 @@ pub fn check_against_rnea<R: Evaluate<N>, const N: usize>(robot: &R) -> Report {
 
 /// Settings of a comparison with the numeric recursive Newton-Euler algorithm.
 ///
-/// The states are the special ones (all joints at zero, at multiples of a right angle, at about
-/// 1000 rad, at rest) and then random ones, uniform in the ranges. Where friction falls with the
-/// velocity, there are some more with velocities at which it does. Equal settings give equal states on
-/// every machine.
+/// The states are special ones (all joints at zero, at multiples of a right angle, at about
+/// 1000 rad, at rest) and then random ones, uniform in the ranges. For a joint with Stribeck friction there are more, at
+/// velocities where that friction falls. Equal settings give equal states on every machine.
 ///
 /// ```
 /// # use dynamics_runtime::{Check, robot_dynamics};
@@ -132,12 +131,13 @@ impl Check {
         self.report(robot, |_, _, _| Vec::new())
     }
 
-    /// The same, with the largest proven bound of what each function rounds beside its error: the functions are
-    /// evaluated in [`Certified`] numbers too, accelerations bounded by their residual besides where `mass_matrix` and
-    /// `inverse_dynamics` are known. An error well above its bound is none of rounding, but for the
-    /// roundings of the numeric algorithm.
+    /// The same, and beside the largest error of each function the largest proven bound of its rounding errors. For the
+    /// bounds, the functions are evaluated in [`Certified`] numbers too; accelerations are also bounded by their
+    /// residual if `mass_matrix` and `inverse_dynamics` were generated. An error well above its bound is more than
+    /// rounding, unless it comes from the numeric algorithm.
     ///
-    /// Of arms that were not generated, and of functions that are parts of another method, there is no bound.
+    /// There are no bounds for arms that were not generated, nor for the parts of a method that returns several
+    /// functions.
     pub fn certify<R: Evaluate<N>, const N: usize>(&self, robot: &R) -> Report {
         self.report(robot, |numeric, table, (state, tau)| {
             let evaluation = robot.evaluate_in(state, tau, Certified::exact);
@@ -192,7 +192,7 @@ impl Check {
     }
 }
 
-/// Bounds of accelerations by what they leave of the torques.
+/// Bounds of accelerations by their residuals in the equations of motion.
 fn by_residuals<const N: usize>(
     found: Evaluation<N, Certified>,
     state: &State<N>,

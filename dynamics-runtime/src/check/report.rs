@@ -9,8 +9,8 @@ use crate::{Conditioning, State};
 
 /// The largest error of every generated function, and where it occurs.
 ///
-/// Printed, it is a table; the functions that could not be compared follow it, then the states of
-/// the errors beyond the tolerance, and with the alternate form `{:#}` the states of all.
+/// Printed, it is a table, then the functions that could not be compared, then the states of the errors beyond the
+/// tolerance. The alternate form `{:#}` prints the states of the largest errors of all functions.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[must_use]
@@ -18,9 +18,9 @@ pub struct Report {
     /// One entry for each function that was compared, and one for each part of a method that returns
     /// several functions.
     pub functions: Vec<FunctionReport>,
-    /// The functions that could be compared at no state: forward dynamics where the mass matrix is
-    /// singular everywhere, and refusing to solve is right; the regressor and the base parameters,
-    /// of which the product is compared, where one was generated without the other.
+    /// The functions that could be compared at no state: forward dynamics of a mass matrix that is singular
+    /// everywhere, where an error is the right answer; a regressor without `base_parameters`, or these without a
+    /// regressor, because only their product is compared.
     pub not_compared: Vec<&'static str>,
     /// Number of states at which the robot was evaluated.
     pub states: usize,

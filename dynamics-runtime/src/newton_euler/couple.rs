@@ -16,9 +16,9 @@ use crate::{
 };
 
 impl<const N: usize> Table<N> {
-    /// The table of an arm some of whose joints follow others, and some of which may be locked as in
-    /// [`Table::lock`]. `motions` says of each of the L rows how its joint moves: N of them by
-    /// themselves, at most 8 with one of those, 32 both together, or this panics.
+    /// The table of an arm some of whose joints follow others; joints may be locked too, as in
+    /// [`Table::lock`]. `motions` says for each of the L rows how its joint moves. N joints must move by
+    /// themselves, at most 8 may follow one of those, and both together may be at most 32: otherwise this panics.
     pub fn couple<const L: usize>(
         convention: Convention,
         gravity: [f64; 3],
@@ -28,7 +28,7 @@ impl<const N: usize> Table<N> {
         Self::couple_rows(convention, gravity, &rows, &motions)
     }
 
-    /// [`Table::couple`] of as many rows as there are.
+    /// [`Table::couple`] with a slice of rows.
     #[doc(hidden)]
     pub fn couple_rows(
         convention: Convention,

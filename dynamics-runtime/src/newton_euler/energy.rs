@@ -35,8 +35,8 @@ impl<const N: usize> NewtonEuler<N> {
         0.5 * energy
     }
 
-    /// Potential energy U = -sum m g.c + sum 1/2 stiffness (q - rest)^2: of gravity, zero where all
-    /// centres of mass are at the world's origin, and of springs.
+    /// Potential energy of gravity and springs, U = -sum m g.c + sum 1/2 stiffness (q - rest)^2. That of gravity is
+    /// zero if all centres of mass are at the world's origin.
     pub fn potential_energy(&self, q: &SVector<f64, N>) -> f64 {
         if let Some(coupled) = &self.coupled {
             return coupled.potential_energy(q);

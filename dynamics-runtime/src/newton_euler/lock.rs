@@ -9,13 +9,13 @@ use super::pose::Pose;
 use crate::{Convention, Frame, JointType, Placement, Row, Table, Tool};
 
 impl<const N: usize> Table<N> {
-    /// The table of an arm some of whose joints do not move. `positions` says of each of the L rows
-    /// where its joint is locked, rad or m; `None` where it moves, which are N of them, or this
+    /// The table of an arm some of whose joints do not move. `positions` says for each of the L rows
+    /// where its joint is locked, rad or m; `None` for a joint that moves. N joints must move, otherwise this
     /// panics.
     ///
     /// The link of a locked joint becomes a part of the link before it, or of the base; motors,
-    /// friction and springs of locked joints are left out. Link frames of the joints that move are
-    /// those of the table; the tip, and what a tool is fixed to, stays the frame of its last row.
+    /// friction and springs of locked joints are left out. The joints that move keep the link frames of the
+    /// table; the tip, to which a tool is fixed, stays the frame of the last row.
     pub fn lock<const L: usize>(
         convention: Convention,
         gravity: [f64; 3],
@@ -25,7 +25,7 @@ impl<const N: usize> Table<N> {
         Self::lock_rows(convention, gravity, &rows, &positions)
     }
 
-    /// [`Table::lock`] of as many rows as there are.
+    /// [`Table::lock`] with a slice of rows.
     #[doc(hidden)]
     pub fn lock_rows(
         convention: Convention,

@@ -49,12 +49,12 @@ pub use regressor::StandardParameters;
 
 /// The numeric dynamics of an arm, read from its [`Table`].
 ///
-/// The methods carry the names of the generated functions that they are the measure of, and take
+/// The methods are named like the generated functions that are compared with them, and take
 /// and return the same quantities in the same units: `q` in rad or m, `qd` and `qdd` per second and
 /// per second squared, torques in N m or N, energies in J.
 ///
-/// No method panics or allocates, and none but the two of forward dynamics
-/// fails; input that is not finite propagates. The rounding error of
+/// No method panics or allocates, and only the two of forward dynamics can
+/// fail; input that is not finite propagates. The rounding error of
 /// each result is a few units in the last place of the result's natural scale, held against
 /// references of 25 digits by `tests/suite/reference.rs`.
 ///
@@ -70,7 +70,7 @@ pub use regressor::StandardParameters;
 /// assert_eq!(pendulum.gravity_vector(&SVector::from([0.0]))[0], 0.0);
 /// ```
 ///
-/// It can be simulated, so that a table which nothing was generated from moves too:
+/// It can be simulated, so that a table moves too from which no code was generated:
 #[cfg_attr(feature = "std", doc = "```")]
 #[cfg_attr(not(feature = "std"), doc = "```ignore")]
 /// # use dynamics_runtime::{Convention, JointType, NewtonEuler, Row, Table, nalgebra::SVector};

@@ -19,7 +19,7 @@ pub type StandardParameters = SVector<f64, 10>;
 impl<const N: usize> Table<N> {
     /// The ten standard inertial parameters of the link of each joint, the tool among those of the last link.
     ///
-    /// Motors, springs and friction are no part of them. Joints that follow others have links too:
+    /// They do not include motors, springs and friction. The links of joints that follow others are in
     /// [`standard_parameters_of_followers`](Table::standard_parameters_of_followers).
     pub fn standard_parameters(&self) -> [StandardParameters; N] {
         let mut rows = self.rows;
@@ -111,9 +111,9 @@ impl<const N: usize> NewtonEuler<N> {
     /// masses of the table. They are not independent: [`base_parameter_map`](crate::base_parameter_map) says
     /// which combinations a motion shows. Input that is not finite propagates; never panics, never allocates.
     ///
-    /// Where joints follow others, their links are the other terms of the sum:
-    /// [`standard_regressor_of_followers`](NewtonEuler::standard_regressor_of_followers), and the motor of one
-    /// that moves by a factor adds factor^2 times its reflected inertia to J of the joint that leads.
+    /// Where joints follow others, the terms of their links belong to the sum too
+    /// ([`standard_regressor_of_followers`](NewtonEuler::standard_regressor_of_followers)), and the motor of a follower
+    /// adds factor^2 times its reflected inertia to J of the joint that leads.
     pub fn standard_regressor(
         &self,
         q: &SVector<f64, N>,
@@ -140,10 +140,8 @@ impl<const N: usize> NewtonEuler<N> {
         blocks
     }
 
-    /// The blocks of the links of joints that follow others, as [`standard_regressor`](Self::standard_regressor)
-    /// has those of the joints' own links: with the
-    /// [parameters](Table::standard_parameters_of_followers) of these links, and in their order. None where
-    /// nothing is coupled.
+    /// The blocks of the [standard regressor](Self::standard_regressor) for the links of joints that follow others, in
+    /// the order of [their parameters](Table::standard_parameters_of_followers). Empty where nothing is coupled.
     pub fn standard_regressor_of_followers(
         &self,
         q: &SVector<f64, N>,

@@ -42,18 +42,18 @@ pub trait Scalar:
 
     /// The number nearest to `x`, in the arithmetic of `self`, whose value does not matter.
     ///
-    /// Generated functions make their constants so. It is [`from_f64`](Scalar::from_f64) but for
-    /// types whose arithmetic is known from their values alone: lanes that are chosen at run time,
+    /// Generated functions make their constants with it. It equals [`from_f64`](Scalar::from_f64), except for types
+    /// whose values carry the arithmetic to use, such as lanes of an instruction set that is chosen at run time, or
     /// numbers of a precision that is.
     #[inline(always)]
     fn constant(self, x: f64) -> Self {
         Self::from_f64(x)
     }
 
-    /// `x`, which is no constant that was rounded to a double but what was meant, in the arithmetic of `self`:
-    /// a field of the struct.
+    /// `x` in the arithmetic of `self`, where the double `x` is exactly the number that was meant: a field of the
+    /// struct, as opposed to a constant, which was rounded to a double.
     ///
-    /// It is [`constant`](Scalar::constant) but for types that carry their errors.
+    /// It equals [`constant`](Scalar::constant), except for types that carry their errors.
     #[inline(always)]
     fn exact(self, x: f64) -> Self {
         self.constant(x)
@@ -61,8 +61,8 @@ pub trait Scalar:
 
     /// `self`, a constant of a generated function, or the `f32` nearest to it in single precision.
     ///
-    /// Generated functions write their constants as doubles. One that lies closer to the middle between two
-    /// `f32` than a double tells would be rounded to the wrong one of them: it has both in its text.
+    /// Generated functions write their constants as doubles. A constant that lies so close to the middle of two
+    /// neighbouring `f32` that its double would be rounded to the wrong one is written with both.
     #[doc(hidden)]
     #[inline(always)]
     fn rounded_once(self, single: f32) -> Self {
@@ -85,9 +85,9 @@ pub trait Scalar:
         angles.map(Self::sin_cos)
     }
 
-    /// Of the sines and cosines of several angles these parts, which are all that is read; the others are any
-    /// numbers. Generated functions ask for what they need; the digits are those of
-    /// [`sin_cos_array`](Scalar::sin_cos_array), but for lanes that are chosen at run time.
+    /// Sine and cosine of several angles, of which only the given parts are read: the others may be any numbers.
+    /// Generated functions ask for the parts that they need. The digits are those of
+    /// [`sin_cos_array`](Scalar::sin_cos_array), except for lanes of an instruction set that is chosen at run time.
     #[doc(hidden)]
     #[inline(always)]
     fn sin_cos_parts<const K: usize>(angles: [Self; K], parts: [Part; K]) -> [(Self, Self); K] {
@@ -98,7 +98,7 @@ pub trait Scalar:
     /// The square root; NaN of a negative number.
     fn sqrt(self) -> Self;
 
-    /// The exponential function, of which friction that falls with the velocity is made.
+    /// The exponential function, which friction that falls with the velocity (Stribeck's) needs.
     ///
     /// `f64` and `f32` have an error below one unit in the last place. This implementation, for types that have none
     /// of their own, takes the argument apart by [`ratio_to_f64`](Scalar::ratio_to_f64), and is some ten
@@ -124,9 +124,8 @@ pub trait Scalar:
     /// for all of them.
     fn is_positive(self) -> bool;
 
-    /// Whether the number, which is a difference of numbers of the size of `size`, is positive
-    /// beyond their rounding errors, 8 epsilon of `size`; false for NaN. A type of several lanes
-    /// answers for all of them.
+    /// Whether the number, a difference of numbers as large as `size`, is positive beyond the rounding errors of
+    /// these: greater than 8 epsilon times `size`. False for NaN. A type of several lanes answers for all of them.
     #[inline(always)]
     fn exceeds_rounding_of(self, size: Self) -> bool {
         let rounding = size * Self::epsilon() * size.constant(8.0);
@@ -137,8 +136,8 @@ pub trait Scalar:
     /// the least ratio of its lanes.
     fn ratio_to_f64(self, of: Self) -> f64;
 
-    /// `work`, which is all loops over arrays of these numbers, compiled for the widest vector
-    /// registers that the processor has.
+    /// Runs `work`, which loops over arrays of these numbers, compiled for the widest vector registers that the
+    /// processor has.
     #[doc(hidden)]
     #[inline(always)]
     fn vectorized<R>(work: impl FnOnce() -> R) -> R {

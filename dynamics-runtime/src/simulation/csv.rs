@@ -22,8 +22,8 @@ impl<const N: usize> Trajectory<N> {
     /// The columns are `t [s]`; `q.NAME [rad]` of each joint, in m where it is prismatic; `qd.NAME`,
     /// `qdd.NAME` and `tau.NAME` with their units; and `kinetic energy [J]`, `potential energy [J]` where
     /// the robot knows them ([`Model::energies`]). Numbers have as many digits as it takes to read the same
-    /// ones back, and a dot whatever the language; what is not finite is `NaN`, `inf` or `-inf`. Accelerations
-    /// or torques of which there are not as many as times have no columns.
+    /// ones back, with a decimal point whatever the language; a number that is not finite is `NaN`, `inf` or `-inf`.
+    /// Accelerations or torques have no columns where the trajectory does not have one for each time.
     ///
     /// ```
     /// use dynamics_runtime::{Simulation, nalgebra::SVector, robot_dynamics};
@@ -230,7 +230,7 @@ impl<'a> Cells<'a> {
     }
 }
 
-/// A table that is no trajectory.
+/// Why a table could not be read as a trajectory.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CsvError {
     /// The line, counted from 1.

@@ -51,7 +51,7 @@ pub enum Cause {
         /// The joint, counted from 0.
         joint: usize,
     },
-    /// The error stays beyond the tolerance even at steps that are lost in the rounding of the time.
+    /// The error stays beyond the tolerance at every step, down to those that vanish in the rounding of the time.
     StepTooSmall,
     /// The equations of a step of an implicit method are not solved by iteration: the step is too
     /// long.
@@ -70,8 +70,8 @@ pub enum Cause {
     /// again and again: the torques drive it back to rest whichever way it moves, and at rest friction
     /// does not hold it.
     ///
-    /// A torque law does so that jumps where the velocity passes zero, as one with `signum` does. A
-    /// law that is continuous there, as a boundary layer makes it, has a motion.
+    /// Torque laws that jump where the velocity passes zero, such as those with `signum`, do that. Make the law continuous
+    /// there, by a boundary layer for example.
     Chatter {
         /// The joint, counted from 0.
         joint: usize,
@@ -136,7 +136,7 @@ pub enum InvalidSetting {
         /// Its limits, rad or m.
         limits: [f64; 2],
     },
-    /// The method works in positions and momenta, and the arm is not known in them: see
+    /// The method works in positions and momenta, and the arm lacks the functions for these: see
     /// [`ForwardDynamics::momenta`](crate::ForwardDynamics::momenta).
     NoMomenta,
 }

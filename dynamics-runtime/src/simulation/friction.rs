@@ -9,11 +9,11 @@ use crate::friction::JointFriction;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum Friction {
-    /// As the forward dynamics has it: a multiple of sign(qd), with sign(0) = 0.
+    /// As in the forward dynamics: a multiple of sign(qd), with sign(0) = 0.
     ///
     /// A joint that should stick chatters about zero velocity: methods with error control end in
-    /// [`Cause::TooManySteps`](crate::Cause::TooManySteps), those of fixed step leave a velocity of
-    /// the size of a step.
+    /// [`Cause::TooManySteps`](crate::Cause::TooManySteps), and methods of fixed step leave a velocity that is
+    /// proportional to the step.
     #[default]
     Sign,
     /// With stopping and sticking as events.
@@ -24,12 +24,12 @@ pub enum Friction {
     /// that of Coulomb in its direction), and lets go at the time at which it becomes greater. Between
     /// events the equations are smooth and every method has its order.
     ///
-    /// At the end of each step it takes one more evaluation of the forward dynamics, and where
-    /// joints stick one evaluation over dual numbers for each of them, instead of one; an event
-    /// takes some ten steps. A force that exceeds friction and is back below it within one step is
-    /// not seen. A torque law that jumps at zero velocity, and drives a joint back from both sides
-    /// harder than friction holds it, leaves it no motion: the run ends in
-    /// [`Cause::Chatter`](crate::Cause::Chatter).
+    /// Cost: one more evaluation of the forward dynamics at the end of each step. Where joints stick, an evaluation
+    /// becomes one over dual numbers for each of these joints. An event takes some ten steps.
+    ///
+    /// A force that exceeds friction and is back below it within one step is not noticed. A torque law that jumps at zero
+    /// velocity, and drives a joint back from both sides harder than friction holds it, leaves no motion that is
+    /// possible: the run ends in [`Cause::Chatter`](crate::Cause::Chatter).
     Sticking,
     /// `tanh(qd / speed)` in place of the sign.
     ///

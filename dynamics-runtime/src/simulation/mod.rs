@@ -46,7 +46,7 @@ pub use trajectory::{Trajectory, Work};
 
 /// A simulation of an arm: set it up, then [`run`](Simulation::run) it.
 ///
-/// As it is made, the arm starts from rest at q = 0, moves freely for 1 s, is sampled 101 times
+/// By default the arm starts from rest at q = 0 and moves freely for 1 s, is sampled 101 times,
 /// and is integrated by [`DormandPrince`] with its default tolerance.
 ///
 /// ```
@@ -111,10 +111,10 @@ where
 impl<'a, R, L, W, const N: usize> Simulation<'a, R, L, N, W> {
     /// The joint torques as a function of t in s, q in rad or m, and qd; in N m or N.
     ///
-    /// It is asked wherever the integration evaluates the equations of motion: at trial stages, out of
-    /// order, and in steps that are thrown away. So it is a function of its arguments and nothing else,
-    /// `Fn`. A controller with a memory (an integrator, a filter, a log) is `FnMut` and follows
-    /// [`sampled`](Simulation::sampled): `.sampled(1e-3).torque(law)`.
+    /// It is called wherever the integration evaluates the equations of motion: at trial stages, out of
+    /// order, and in steps that are thrown away. Therefore it must be a function of its arguments alone, an
+    /// `Fn`. A controller with a memory (an integrator, a filter, a log) is an `FnMut` and needs
+    /// [`sampled`](Simulation::sampled) before it: `.sampled(1e-3).torque(law)`.
     pub fn torque<F>(self, law: F) -> Simulation<'a, R, F, N, W>
     where
         F: Fn(f64, &SVector<f64, N>, &SVector<f64, N>) -> SVector<f64, N>,
@@ -122,17 +122,17 @@ impl<'a, R, L, W, const N: usize> Simulation<'a, R, L, N, W> {
         self.with_laws(|_, tool_force| (law, tool_force), Continuous)
     }
 
-    /// Sample and hold, as by a digital controller: the torque law is asked at 0, p, 2 p, ... of the
-    /// period p in s, before the end of the run, once each and in order, and its torque is held from there
-    /// to the next one.
+    /// Sample and hold, as a digital controller works: with the period p in s, the torque law is called at the times
+    /// 0, p, 2 p, ... before the end of the run, once each and in order, and its torque is held until the next
+    /// of them.
     ///
-    /// The times are k p, rounded once, however many periods there are. Steps of the integration end
-    /// there, by every method, so that each step has constant torques and the method its order. What
-    /// arrives at the law is the state at that time; the delay of a real controller belongs into the law,
-    /// which may keep the torque back for a period. A force at the tool that was given as a function stays
-    /// one.
+    /// Every time is k p, rounded once, so that rounding does not add up. All methods end a step at each of these
+    /// times: within a step the torques are constant, so that the method keeps its order. The law sees the state
+    /// at that time. A real controller answers with a delay; to simulate it, let the law return the torque that
+    /// it computed one period before. A force at the tool that was given as a function before stays a function
+    /// of time and state.
     ///
-    /// A law that follows may have a memory:
+    /// The torque law that is given after `sampled` may have a memory:
     ///
     /// ```
     /// use dynamics_runtime::nalgebra::{SVector, Vector1};
@@ -162,7 +162,7 @@ impl<'a, R, L, W, const N: usize> Simulation<'a, R, L, N, W> {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
-    /// One that is not sampled may not:
+    /// Without `sampled` it may not:
     ///
     /// ```compile_fail
     /// # use dynamics_runtime::nalgebra::Vector1;
@@ -186,10 +186,10 @@ impl<'a, R, L, W, const N: usize> Simulation<'a, R, L, N, W> {
         )
     }
 
-    /// What the surroundings do to the tool: a wrench (fx fy fz nx ny nz) in N and N m as a function of t
-    /// in s, the tip's pose, and its twist (vx vy vz wx wy wz). Forces act at the tip's origin, the
+    /// The force of the surroundings on the tool: a wrench w = (fx fy fz nx ny nz), N and N m, as a function of t
+    /// in s, the tip's pose, and its twist (vx vy vz wx wy wz). The force acts at the tip's origin, the
     /// point of `forward_kinematics`; axes are those of `jacobian`. J^T w is added to the torques of the
-    /// motors, by any method of integration; joints that stick feel it.
+    /// motors, by every method of integration, and counts for joints that stick too.
     ///
     /// ```
     /// use dynamics_runtime::nalgebra::{SVector, Vector6};
@@ -218,7 +218,7 @@ impl<'a, R, L, W, const N: usize> Simulation<'a, R, L, N, W> {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
-    /// An arm whose functions lack one of the two is refused:
+    /// An arm without `forward_kinematics` or `jacobian` is refused:
     ///
     /// ```compile_fail,E0277
     /// # use dynamics_runtime::nalgebra::Vector6;
@@ -243,11 +243,11 @@ impl<'a, R, L, W, const N: usize> Simulation<'a, R, L, N, W> {
 }
 
 impl<'a, R, L, W, const N: usize> Simulation<'a, R, L, N, W, Sampled> {
-    /// The joint torques that are held from one sample to the next, as a function of t in s, q in rad or
-    /// m, and qd at the sample; in N m or N. The law may have a memory: it is called once each period, in
-    /// order.
+    /// The joint torques, N m or N, as a function of t in s, q in rad or m, and qd at a sample. They are held
+    /// until the next sample. The law may have a memory: it is called once each period, in order.
     ///
-    /// A run that is repeated goes on with the memory that the law has then.
+    /// Nothing resets that memory: a second run of the same simulation begins with the memory that the first one
+    /// left.
     pub fn torque<F>(self, law: F) -> Simulation<'a, R, F, N, W, Sampled>
     where
         F: FnMut(f64, &SVector<f64, N>, &SVector<f64, N>) -> SVector<f64, N>,
@@ -256,13 +256,13 @@ impl<'a, R, L, W, const N: usize> Simulation<'a, R, L, N, W, Sampled> {
         self.with_laws(|_, tool_force| (law, tool_force), asked)
     }
 
-    /// What the surroundings do to the tool, sampled with the torques: a wrench (fx fy fz nx ny nz) in N and
-    /// N m as a function of t in s, the tip's pose and its twist at the sample, held in the axes of
-    /// `jacobian` to the next one. The law may have a memory.
+    /// The force of the surroundings on the tool, sampled with the torques: a wrench (fx fy fz nx ny nz), N and
+    /// N m, as a function of t in s, the tip's pose and its twist at a sample. It is held, in the axes of
+    /// `jacobian`, until the next sample. The law may have a memory.
     ///
-    /// It is for disturbances, such as random pushes. Contact is no sampled thing: a wall that pushes back
-    /// is stiff, and a held force feeds energy into it. Give it as a function of time and state, before
-    /// [`sampled`](Simulation::sampled).
+    /// It is for disturbances, such as random pushes, and not for contact: a wall that pushes back is stiff,
+    /// and a force that is held feeds energy into the motion. Give a contact as a function of time and state, by
+    /// `tool_force` before [`sampled`](Simulation::sampled).
     pub fn held_tool_force<F>(self, law: F) -> Simulation<'a, R, L, N, HeldToolForce<F>, Sampled>
     where
         R: Kinematics<N>,
@@ -302,7 +302,7 @@ impl<'a, R, L, W, S, const N: usize> Simulation<'a, R, L, N, W, S> {
         }
     }
 
-    /// What becomes of the dry friction in the arm's table; [`Friction::Sign`] as it is made.
+    /// How the dry friction of the arm's table is treated; by default, [`Friction::Sign`].
     pub fn friction(mut self, kind: Friction) -> Self
     where
         R: Model<N>,
@@ -312,23 +312,22 @@ impl<'a, R, L, W, S, const N: usize> Simulation<'a, R, L, N, W, S> {
         self
     }
 
-    /// Stops at the ends of the joints' ranges, the `limits` of the table: hard ones, that throw a joint
-    /// back with `restitution` times its speed, from 0 (it stays there) to 1 (no energy is lost).
+    /// Makes the `limits` of the table hard stops, which throw a joint back with `restitution` times its speed: from
+    /// 0 (it stays there) to 1 (no energy is lost). By default, joints pass their limits as if there were none.
     ///
-    /// As the simulation is made, joints pass their limits as if there were none.
+    /// The time of an impact is found to rounding, on steps of the method itself, and so are those of the bounces that
+    /// follow. With the restitution e, an impact of joint i changes the velocities of the whole arm:
+    /// `qd+ = qd- - (1 + e) M^-1 e_i qd_i- / (M^-1)_ii`. Several joints at once obey Newton's law of restitution,
+    /// and no stop pulls. An impact overcomes friction that sticks.
     ///
-    /// The time of an impact is found to rounding on steps of the method itself, and so are bounces that
-    /// follow. The blow goes through the whole arm: `qd+ = qd- - (1 + e) M^-1 e_i qd_i- / (M^-1)_ii`, for
-    /// several joints at once by Newton's law of restitution, with no stop pulling; it overcomes
-    /// friction that sticks. A joint that comes to rest at a stop leans on it, with an acceleration of
-    /// exactly zero, until the force of the stop would have to pull; dry friction at rest there holds it
-    /// besides. Bounces that die out end where they rise by less than 1e-13 of the position (and
-    /// of 1 rad or m): infinitely many of them, that take a finite time, are few hundreds.
+    /// A joint that comes to rest at a stop leans on it, with an acceleration of exactly zero, until the stop would have
+    /// to pull it; dry friction holds it there besides. Bounces that die out are infinitely many in a finite time:
+    /// they end where they would rise by less than 1e-13 of the position (and of 1 rad or m), after a few hundred.
     ///
-    /// At the end of each step it takes one more evaluation of the forward dynamics, and where joints lean
-    /// on stops one over dual numbers for each of them, instead of one; an impact takes some ten steps. A
-    /// joint that passes a limit and is back within one step is seen as far as a cubic through the ends of
-    /// the step shows it. Structure-preserving methods preserve it between impacts.
+    /// Cost: one more evaluation of the forward dynamics at the end of each step. Where joints lean on stops, an
+    /// evaluation becomes one over dual numbers for each of these joints. An impact takes some ten steps. A joint that
+    /// passes a limit and comes back within one step is noticed where a cubic through the ends of the step shows
+    /// it. Structure-preserving methods preserve the structure between impacts.
     ///
     /// ```
     /// use dynamics_runtime::nalgebra::SVector;
@@ -358,11 +357,10 @@ impl<'a, R, L, W, S, const N: usize> Simulation<'a, R, L, N, W, S> {
         self.at_limits(AtLimit::Rebounds { restitution })
     }
 
-    /// A joint that passes one of the `limits` of the table ends the run in
-    /// [`Cause::JointLimit`](crate::Cause::JointLimit), with the time and the state there and all samples
-    /// before.
+    /// Ends the run in [`Cause::JointLimit`](crate::Cause::JointLimit) where a joint passes one of the `limits` of the
+    /// table. The error has the time and the state there, and all samples before.
     ///
-    /// The time is found to rounding on steps of the method itself. A joint may rest at a limit.
+    /// The time is found to rounding, on steps of the method itself. A joint may rest at a limit.
     pub fn limits_are_errors(self) -> Self
     where
         R: Model<N>,
@@ -409,10 +407,9 @@ where
     ///
     /// # Errors
     ///
-    /// [`SimulationError`], with the time and the state reached and all samples up to there, where
-    /// a setting is invalid, where the motion reaches a singular mass matrix, a limit that is an error, or
-    /// a torque, a force, an acceleration or a state that is not finite, and where the error cannot be held
-    /// ([`Cause`]). Never panics, unless a law does.
+    /// [`SimulationError`], with the time and the state reached and all samples up to there. Its [`Cause`] is an invalid
+    /// setting; a singular mass matrix, a limit that is an error, or a torque, force, acceleration or state that is
+    /// not finite, reached by the motion; or an error that cannot be held. Never panics, unless a law does.
     pub fn run(&self) -> Result<Trajectory<N>, Box<SimulationError<N>>> {
         let laws = Laws {
             robot: self.robot,
@@ -433,10 +430,9 @@ where
     ///
     /// # Errors
     ///
-    /// [`SimulationError`], with the time and the state reached and all samples up to there, where
-    /// a setting is invalid, where the motion reaches a singular mass matrix, a limit that is an error, or
-    /// a torque, a force, an acceleration or a state that is not finite, and where the error cannot be held
-    /// ([`Cause`]). Never panics, unless a law does.
+    /// [`SimulationError`], with the time and the state reached and all samples up to there. Its [`Cause`] is an invalid
+    /// setting; a singular mass matrix, a limit that is an error, or a torque, force, acceleration or state that is
+    /// not finite, reached by the motion; or an error that cannot be held. Never panics, unless a law does.
     pub fn run(&mut self) -> Result<Trajectory<N>, Box<SimulationError<N>>> {
         let (setting, period) = (self.setting(), self.asked);
         if let Err(setting) = period.validate(self.plan.duration) {

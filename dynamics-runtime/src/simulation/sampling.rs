@@ -2,16 +2,16 @@
 
 use super::error::InvalidSetting;
 
-/// Laws that are asked wherever the integration evaluates the equations of motion: functions of time and
-/// state, and nothing else (`Fn`).
+/// Laws that are called wherever the integration evaluates the equations of motion. They are functions of time and
+/// state alone (`Fn`).
 ///
-/// A method asks at trial stages too, out of order, and throws steps away: a law with a memory has no
-/// meaning there. It belongs to [`Sampled`].
+/// A method of integration also evaluates trial stages, out of order, and throws steps away: a law with a memory
+/// would be wrong there. Such a law needs [`Sampled`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Continuous;
 
-/// Laws that are asked once each period, at 0, p, 2 p, ..., in order, and held in between: as a digital
-/// controller's, they may have a memory (`FnMut`).
+/// Laws that are called once each period p, at 0, p, 2 p, ..., in order, and held in between, as those of a digital
+/// controller. They may have a memory (`FnMut`).
 ///
 /// Made by [`Simulation::sampled`](crate::Simulation::sampled).
 #[derive(Clone, Copy, Debug, PartialEq)]

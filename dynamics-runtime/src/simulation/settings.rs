@@ -57,8 +57,8 @@ macro_rules! settings {
             pub absolute_tolerance: f64,
             /// The longest step, s; `None` for a fiftieth of the duration, infinity for no bound.
             ///
-            /// The estimate vanishes in an arm at rest, and steps would become as long as the run:
-            /// a torque that comes and goes within one step would never be seen.
+            /// The estimate vanishes in an arm at rest, and without this bound a step could become as long as the run:
+            /// a torque that comes and goes within it would never be noticed.
             pub max_step: Option<f64>,
             /// The greatest number of steps between two samples.
             pub max_steps: usize,

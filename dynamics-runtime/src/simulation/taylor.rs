@@ -25,11 +25,11 @@ use crate::{EquationsOfMotion, Momenta, Responses, SingularMassMatrix, TaylorDyn
 
 /// Settings of the Taylor method.
 ///
-/// A step is as long as the last terms of the series of each position and velocity y stay below
+/// A step is so long that the last terms of the series of each position and velocity y stay below
 /// `absolute_tolerance + relative_tolerance |y|`; the error of a step is a few times smaller. The
-/// error of a whole run grows with its length and with the motion's own sensitivity. Sums of steps
-/// are compensated, so that a tolerance of 1e-16 makes sense: the error is then that of rounding
-/// the equations. Samples between the steps are taken from the series, as accurate as its end.
+/// error of a whole run grows with its length and with the motion's own sensitivity. Steps are added
+/// with compensated sums, so that a tolerance of 1e-16 makes sense: what remains is the rounding of
+/// the equations. Samples between the ends of steps are taken from the series and are as accurate as those ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Taylor {
@@ -95,16 +95,15 @@ impl Default for Taylor {
 /// A simulation of an arm by the Taylor method, of high order and with long steps: for accurate
 /// motions, of 1e-8 and better, under torques that are constant or held.
 ///
-/// The method differentiates the equations of motion along the motion, so that it has to know them:
-/// a torque law, a Rust function of time or state, has no derivatives. Torques are therefore
-/// constant over a run, or those of a controller that samples and holds
-/// ([`sampled`](TaylorSimulation::sampled)). Viscous friction belongs to the equations
-/// and is included. Coulomb friction jumps where a joint reverses, where no series goes across: an
-/// arm that has it is refused. For laws and friction of any kind use [`Simulation`](crate::Simulation).
-/// Limits of the table are passed, unless they are [`stops`](TaylorSimulation::stops) or
+/// The method differentiates the equations of motion along the motion. A torque law is a Rust function of time and
+/// state, whose derivatives nobody knows. Torques are therefore constant over a run, or those of a controller that
+/// samples and holds ([`sampled`](TaylorSimulation::sampled)). Viscous friction is part of the equations. Coulomb friction
+/// jumps where a joint reverses, and no series continues across a jump: an arm with Coulomb friction is refused. For
+/// laws and friction of any kind use [`Simulation`](crate::Simulation).
+/// Joints pass the limits of the table, unless these are [`stops`](TaylorSimulation::stops) or
 /// [errors](TaylorSimulation::limits_are_errors).
 ///
-/// As it is made, the arm starts from rest at q = 0, moves freely for 1 s and is sampled 101 times.
+/// By default the arm starts from rest at q = 0, moves freely for 1 s and is sampled 101 times.
 #[derive(Clone, Debug)]
 #[must_use]
 pub struct TaylorSimulation<'a, R, const N: usize, L = SVector<f64, N>> {
@@ -115,7 +114,7 @@ pub struct TaylorSimulation<'a, R, const N: usize, L = SVector<f64, N>> {
     plan: Plan<N>,
 }
 
-/// A torque law that is asked once each period, and its torque held in between.
+/// A torque law that is called once each period, and whose torque is held until the next call.
 #[derive(Clone, Copy, Debug)]
 pub struct HeldTorque<F> {
     law: F,
@@ -145,8 +144,8 @@ where
         }
     }
 
-    /// Sample and hold, as of [`Simulation::sampled`](crate::Simulation::sampled): a torque law that follows
-    /// is asked at multiples of the period in s, and a series begins there.
+    /// Sample and hold, as [`Simulation::sampled`](crate::Simulation::sampled): the torque law that is given next
+    /// is called at multiples of `period` in s, and a new series begins there.
     pub fn sampled(self, period: f64) -> TaylorSimulation<'a, R, N, HeldTorque<NoTorque<N>>> {
         let law: NoTorque<N> = |_, _, _| SVector::zeros();
         let asked = Sampled { period };
@@ -158,10 +157,9 @@ where
     ///
     /// # Errors
     ///
-    /// [`SimulationError`], with the time and the state reached and all samples up to there, where
-    /// a setting is invalid or the arm has Coulomb friction, where the motion reaches a singular
-    /// mass matrix or an acceleration or a state that is not finite, and where no step fits the
-    /// equations ([`Cause`]). Never panics.
+    /// [`SimulationError`], with the time and the state reached and all samples up to there. Its [`Cause`] is an invalid
+    /// setting, Coulomb friction among them; a singular mass matrix, or an acceleration or a state that is not finite,
+    /// reached by the motion; or that no step fits the equations. Never panics.
     pub fn run(&self) -> Result<Trajectory<N>, Box<SimulationError<N>>> {
         self.setting().run(None, |_, _| finite(self.torque))
     }
@@ -171,8 +169,8 @@ impl<'a, R, F, const N: usize> TaylorSimulation<'a, R, N, HeldTorque<F>>
 where
     R: TaylorDynamics<N>,
 {
-    /// The joint torques that are held from one sample to the next, as a function of t in s, q in rad or
-    /// m, and qd at the sample; in N m or N. The law may have a memory.
+    /// The joint torques, N m or N, as a function of t in s, q in rad or m, and qd at a sample. They are held
+    /// until the next sample. The law may have a memory.
     pub fn torque<G>(self, law: G) -> TaylorSimulation<'a, R, N, HeldTorque<G>>
     where
         G: FnMut(f64, &SVector<f64, N>, &SVector<f64, N>) -> SVector<f64, N>,
@@ -186,10 +184,9 @@ where
     ///
     /// # Errors
     ///
-    /// [`SimulationError`], with the time and the state reached and all samples up to there, where
-    /// a setting is invalid or the arm has Coulomb friction, where the motion reaches a singular
-    /// mass matrix or a torque, an acceleration or a state that is not finite, and where no step fits the
-    /// equations ([`Cause`]). Never panics, unless the law does.
+    /// [`SimulationError`], with the time and the state reached and all samples up to there. Its [`Cause`] is an invalid
+    /// setting, Coulomb friction among them; a singular mass matrix, or a torque, acceleration or state that is not
+    /// finite, reached by the motion; or that no step fits the equations. Never panics, unless the law does.
     pub fn run(&mut self) -> Result<Trajectory<N>, Box<SimulationError<N>>>
     where
         F: FnMut(f64, &SVector<f64, N>, &SVector<f64, N>) -> SVector<f64, N>,
@@ -234,13 +231,12 @@ where
         TaylorSimulation { settings, ..self }
     }
 
-    /// Stops at the ends of the joints' ranges, the `limits` of the table, as of
-    /// [`Simulation::stops`](crate::Simulation::stops): a joint comes back with `restitution` times its
-    /// speed, 0 to 1, or leans on its stop until the force of the stop would have to pull.
+    /// Makes the `limits` of the table hard stops, as [`Simulation::stops`](crate::Simulation::stops): a joint comes
+    /// back with `restitution` times its speed, 0 to 1, or leans on its stop until the stop would have to pull it.
     ///
-    /// The time of an impact, and that at which a joint leaves its stop, is the first zero of a polynomial,
-    /// the series of the step: as accurate as the motion, and found however often a joint turns within the
-    /// step. A series begins at each of them; between them steps are as long as without stops.
+    /// The time of an impact, or at which a joint leaves its stop, is the first zero of a polynomial,
+    /// the series of the step. It is as accurate as the motion, and is found however often a joint turns within the
+    /// step. A new series begins at each such time; between them steps are as long as without stops.
     ///
     /// ```
     /// use dynamics_runtime::nalgebra::SVector;
@@ -268,9 +264,8 @@ where
         self.at_limits(AtLimit::Rebounds { restitution })
     }
 
-    /// A joint that passes one of the `limits` of the table ends the run in
-    /// [`Cause::JointLimit`](crate::Cause::JointLimit), with the time and the state there and all samples
-    /// before. A joint may rest at a limit.
+    /// Ends the run in [`Cause::JointLimit`](crate::Cause::JointLimit) where a joint passes one of the `limits` of the
+    /// table. The error has the time and the state there, and all samples before. A joint may rest at a limit.
     pub fn limits_are_errors(self) -> Self {
         self.at_limits(AtLimit::Ends)
     }
@@ -308,7 +303,7 @@ struct Setting<'a, R, const N: usize> {
 }
 
 impl<R: TaylorDynamics<N>, const N: usize> Setting<'_, R, N> {
-    /// A run under a law that is asked at the start, and once each period if there is one.
+    /// A run under a law that is called at the start, and then once each period if there is one.
     fn run<F>(&self, period: Option<f64>, law: F) -> Result<Trajectory<N>, Box<SimulationError<N>>>
     where
         F: FnMut(f64, &Phase<N>) -> Result<SVector<f64, N>, Cause>,

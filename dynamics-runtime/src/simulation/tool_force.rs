@@ -5,8 +5,8 @@ use nalgebra::{Matrix4, SVector, Vector6};
 use super::error::Cause;
 use crate::Kinematics;
 
-/// What a [`Simulation`](crate::Simulation) knows of the force at the tool: nothing, or a law for arms
-/// whose [`Kinematics`] are generated.
+/// The force at the tool in a [`Simulation`](crate::Simulation): none, or a law, which needs an arm with generated
+/// [`Kinematics`].
 pub trait ToolForce<R, const N: usize> {
     /// The joint torques `tau` with those of the force: tau + J^T w.
     #[doc(hidden)]
@@ -70,7 +70,8 @@ where
     }
 }
 
-/// A force at the tool that is asked for once each period, and held in the axes of `jacobian` in between.
+/// A law of the force at the tool that is called once each period. In between, the force is held in the axes of
+/// `jacobian`.
 #[derive(Clone, Copy, Debug)]
 pub struct HeldToolForce<F> {
     pub(super) law: F,

@@ -21,12 +21,12 @@ pub struct Trajectory<const N: usize> {
     /// Joint velocities, rad/s or m/s.
     #[cfg_attr(feature = "serde", serde(with = "crate::sequences::vectors"))]
     pub qd: Vec<SVector<f64, N>>,
-    /// Joint accelerations, rad/s^2 or m/s^2, with all that acts on the arm; not a number where they could not
-    /// be computed. What they took is no part of the [`work`](Trajectory::work).
+    /// Joint accelerations under all forces that act on the arm, rad/s^2 or m/s^2; NaN where they could not be
+    /// computed. Computing them does not count in [`work`](Trajectory::work).
     #[cfg_attr(feature = "serde", serde(with = "crate::sequences::vectors"))]
     pub qdd: Vec<SVector<f64, N>>,
-    /// Torques of the motors, as the law has them, N m or N: those of a sampled law are held between its
-    /// samples. A force at the tool is no part of them.
+    /// Torques of the motors, as the torque law returns them, N m or N; those of a sampled law are held between its
+    /// samples. They do not include the force at the tool.
     #[cfg_attr(feature = "serde", serde(with = "crate::sequences::vectors"))]
     pub tau: Vec<SVector<f64, N>>,
     /// What the run took.
@@ -46,10 +46,10 @@ pub(super) struct Forces<const N: usize> {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Work {
-    /// How often the equations of motion were evaluated, in steps that were thrown away too.
+    /// How often the equations of motion were evaluated, including the steps that were thrown away.
     ///
-    /// One evaluation is one call of the forward dynamics; of the methods that work in positions and
-    /// momenta, one of q' and p'; of the Taylor method, one series of the motion.
+    /// One evaluation is one call of the forward dynamics; for methods that work in positions and
+    /// momenta, one of their derivatives; for the Taylor method, one series of the motion.
     pub evaluations: u64,
     /// Steps made.
     pub steps: u64,

@@ -5,7 +5,7 @@ use super::{Row, Table};
 /// How many joints of an arm may follow others.
 pub(crate) const MOST_FOLLOWERS: usize = 8;
 
-/// A joint that is at `factor * q + offset`, q the position of the joint that it follows, and its link.
+/// A joint that follows another one, at `factor * q + offset` with the position q of that one, and its link.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Follower {

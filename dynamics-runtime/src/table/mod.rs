@@ -109,14 +109,14 @@ pub struct Row {
     pub spring: Spring,
     /// The range of the joint's position, lower end first, rad or m, where the table has one.
     pub limits: Option<[f64; 2]>,
-    /// Where this row begins, in the link frame of the row before or in the base frame: elsewhere than
-    /// there where joints between the two rows are locked ([`Table::lock`]).
+    /// Where this row begins, in the link frame of the row before, or for the first row in the base frame. It is
+    /// [`Placement::IDENTITY`], unless joints between the two rows are locked ([`Table::lock`]).
     pub mount: Placement,
-    /// Where the link frame is behind the joint, in the frame after `Rz(theta) Tz(d)` of a modified row: elsewhere
-    /// than there where a file has its own frames. `com` and `inertia` are told in it.
+    /// The link frame, in the frame after `Rz(theta) Tz(d)` of a modified row. It is [`Placement::IDENTITY`], unless a
+    /// file has frames of its own. `com` and `inertia` refer to the link frame.
     pub link_frame: Placement,
-    /// Where the last link frame of the table is in this one, which matters in the last row: elsewhere
-    /// than there where joints behind that row are locked.
+    /// The last link frame of the table, in the frame of this row; it is read in the last row alone. It is
+    /// [`Placement::IDENTITY`], unless joints behind that row are locked.
     pub tip: Placement,
 }
 
@@ -168,7 +168,7 @@ pub struct Table<const N: usize> {
     /// The rows of the joints that follow these.
     #[cfg_attr(feature = "serde", serde(default))]
     pub followers: Followers,
-    /// What is fixed to the last link of the table, be its joint locked or not.
+    /// What is fixed to the last link of the table, whether its joint is locked or not.
     pub tool: Tool,
 }
 

@@ -21,8 +21,8 @@ use crate::float::{first_non_finite, sin_cos};
 /// inverse dynamics.
 ///
 /// The distances from the start and to the end, the velocity and the acceleration are accurate to a
-/// few units in the last place at all times, near their zeros too, where the formulas as they stand
-/// cancel; held by `tests/suite/trajectories.rs`.
+/// few units in the last place at all times, also near their zeros, where the formulas above would
+/// cancel; `tests/suite/trajectories.rs` tests it.
 ///
 /// ```
 /// use dynamics_runtime::{Cycloidal, nalgebra::SVector};
@@ -40,7 +40,7 @@ pub struct Cycloidal<const N: usize> {
     duration: f64,
 }
 
-/// No trajectory has this duration.
+/// A duration that no trajectory between these positions can have.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct InvalidDuration {
     /// The duration, s.
