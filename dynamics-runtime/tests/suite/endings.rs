@@ -2,9 +2,11 @@
 
 use dynamics_runtime::nalgebra::{Vector1, Vector2};
 use dynamics_runtime::{
-    Cause, Dop853, DormandPrince, Friction, InvalidSetting, Method, Radau5, Simulation,
-    SimulationError, TaylorSimulation, Trajectory, robot_dynamics,
+    Cause, Dop853, DormandPrince, Friction, InvalidSetting, Method, Simulation, SimulationError,
+    TaylorSimulation, Trajectory, robot_dynamics,
 };
+
+use crate::every_method::{self, fixed};
 
 robot_dynamics! {
     /// A mass at the end of a rod of 1 m.
@@ -39,24 +41,8 @@ robot_dynamics! {
 
 type Run<const N: usize> = Result<Trajectory<N>, Box<SimulationError<N>>>;
 
-fn fixed(step: f64) -> [Method; 7] {
-    [
-        Method::ExplicitEuler { step },
-        Method::CraigEuler { step },
-        Method::SemiImplicitEuler { step },
-        Method::RungeKutta4 { step },
-        Method::ImplicitMidpoint { step },
-        Method::GaussLegendre4 { step },
-        Method::GaussLegendre6 { step },
-    ]
-}
-
 fn controlled() -> [Method; 3] {
-    [
-        DormandPrince::default().into(),
-        Dop853::default().into(),
-        Radau5::default().into(),
-    ]
+    every_method::controlled(1e-9)
 }
 
 /// The pendulum over a time, by every method in a tenth of it.

@@ -8,6 +8,7 @@ mod data;
 #[cfg(feature = "serde")]
 mod data_formats;
 mod endings;
+mod every_method;
 mod friction;
 mod methods;
 mod reference;
