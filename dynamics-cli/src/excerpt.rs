@@ -6,8 +6,8 @@ use ariadne::{Color, Config, Label, Report, ReportKind, Source};
 use dynamics_codegen::visible;
 use dynamics_evaluation::FileMistake;
 
-/// What is told of mistakes to a person: `FILE:LINE:COLUMN: what is wrong`, and below it the place in the file.
-/// Where a file cannot be read any more the place is left out.
+/// The mistakes as a person reads them: `FILE:LINE:COLUMN: what is wrong`, and below it the place in the file.
+/// If the file cannot be read any more, the place is left out.
 pub(crate) fn with_excerpts(mistakes: &[FileMistake], is_coloured: bool) -> String {
     let mut told = Vec::with_capacity(mistakes.len());
     for of_one_file in mistakes.chunk_by(|a, b| a.file == b.file) {
@@ -23,7 +23,7 @@ pub(crate) fn with_excerpts(mistakes: &[FileMistake], is_coloured: bool) -> Stri
     told.join("\n")
 }
 
-/// What is told of a mistake without its place. It may hold words of the file.
+/// The message of a mistake without its place in the file. It may quote words of the file.
 fn told_of(mistake: &FileMistake) -> String {
     without_controls(&mistake.to_string())
 }

@@ -1,4 +1,4 @@
-//! Why a command has not done what it was asked for.
+//! How a command fails.
 
 use std::fmt;
 use std::io::IsTerminal as _;
@@ -8,21 +8,21 @@ use dynamics_evaluation::FileMistake;
 
 use crate::excerpt::{with_excerpts, without_controls};
 
-/// What is told, and the status of the process.
+/// The message of a failure, and the status of the process.
 #[derive(Debug)]
 pub(crate) struct Failure {
-    /// What was found before: it is put out as if nothing had failed.
+    /// What was found before the failure: it is printed as if nothing had failed.
     pub(crate) output: String,
     /// What is wrong, and what was expected.
     pub(crate) message: String,
-    /// The mistakes in a file that the message tells.
+    /// The mistakes in a file that the message reports.
     mistakes: Vec<FileMistake>,
     /// 1; or 2 where the command line itself is wrong.
     pub(crate) status: u8,
 }
 
 impl Failure {
-    /// A failure behind an output.
+    /// A failure after some output.
     pub(crate) fn after(output: String, message: impl Into<String>) -> Self {
         Failure {
             output,

@@ -115,13 +115,13 @@ fn words(given: &ArgMatches, option: &str) -> Vec<String> {
     words.map(|word| word.trim().to_owned()).collect()
 }
 
-/// Names of the joints in a file; none where it cannot be read, which is told elsewhere.
+/// Names of the joints in a file; empty if it cannot be read, which is reported elsewhere.
 fn joints_of(path: &Path) -> Vec<String> {
     let text = std::fs::read_to_string(path).unwrap_or_default();
     Format::of(path).map_or(Vec::new(), |format| joint_names(&text, format))
 }
 
-/// As [`besides`], the names of `--field` bound to their values.
+/// As [`besides`], with the names of `--field` bound to their values.
 fn with_values(
     given: &ArgMatches,
     path: &Path,
@@ -135,7 +135,8 @@ fn with_values(
     })
 }
 
-/// The names and values of `--field` in the file's words: those that the file has, of two those that either has.
+/// The names and values of `--field`, as a file binds them. A name must occur in the file, or in the other one if there
+/// are two; only those of the file itself are bound.
 fn values(given: &ArgMatches, path: &Path, other: Option<&Path>) -> Result<String, Failure> {
     let mut text = String::new();
     for (name, value) in assignments(given, FIELD)? {
@@ -152,7 +153,7 @@ fn values(given: &ArgMatches, path: &Path, other: Option<&Path>) -> Result<Strin
     Ok(text)
 }
 
-/// Whether a value of a file has the name; one that cannot be read has it, which is told elsewhere.
+/// Whether a value of the file uses the name. A file that cannot be read, which is reported elsewhere, counts as using it.
 fn has_name(path: &Path, name: &str) -> bool {
     match (std::fs::read_to_string(path), Format::of(path)) {
         (Ok(text), Some(format)) => names_in_values(&text, format).contains(name),
@@ -160,7 +161,8 @@ fn has_name(path: &Path, name: &str) -> bool {
     }
 }
 
-/// What the command line says besides a file, of two where there is another one.
+/// What the command line says about a file besides its content. If there are two files, joints that only the other one
+/// has are left out.
 fn besides(
     given: &ArgMatches,
     path: &Path,
@@ -189,8 +191,8 @@ fn besides(
     })
 }
 
-/// Reports the options that a URDF file needs and that are not there. One without joints has a mistake of its own, which
-/// is told where it is read.
+/// Reports the missing options of a URDF file. A file without joints has a mistake of its own, which is reported when it
+/// is read.
 fn report_missing(given: &ArgMatches, path: &Path, chain: &str) -> Result<(), Failure> {
     let is_tree = Format::of(path) == Some(Format::Urdf) && !joints_of(path).is_empty();
     let mut missing = Vec::new();

@@ -47,7 +47,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// What a subcommand puts out, unless that goes to a file.
+/// The output of a subcommand, unless it goes to a file.
 fn output(name: &str, given: &ArgMatches) -> Result<String, Failure> {
     let text = match name {
         "show" => show::run(given),

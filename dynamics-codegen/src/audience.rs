@@ -1,20 +1,20 @@
-//! Who is told of a mistake, and in whose words advice is given.
+//! The reader of a message: where the mistake was made decides in which words advice is given.
 
 use crate::words::shortened;
 
-/// Who is told of a mistake, and in whose words it says what to write.
+/// The reader of a message, in whose words it says what to write.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Audience {
-    /// Who wrote a call of the macro: `lock: [elbow = 0]`.
+    /// The author of a call of the macro: `lock: [elbow = 0]`.
     Call,
-    /// Who wrote a file, or entries in the words of one: `lock = { elbow = 0 }`.
+    /// The author of a file, or of entries in the words of a file: `lock = { elbow = 0 }`.
     #[default]
     File,
-    /// Who typed a command line: `--lock elbow=0`.
+    /// Somebody who typed a command line: `--lock elbow=0`.
     Command,
 }
 
-/// Where all that a table says is allowed.
+/// Where `allow` concerns the whole table.
 pub(crate) const AT_THE_END: &str = "at the end of the table";
 
 impl Audience {

@@ -1,4 +1,4 @@
-//! What a call of the macro says besides the table: tokens that are handed on to the generated code.
+//! A call of the macro: the table, and the tokens around it that pass into the generated code.
 
 use proc_macro2::{Ident, TokenStream};
 

@@ -1,5 +1,5 @@
-//! What is said about a robot, before it is known to make sense: plain data with places, be it read
-//! from the tokens of a call or from a file.
+//! The description of a robot before it is validated: plain data with places, read from the tokens of a call or from
+//! a file.
 
 use dynamics_symbolic::Function;
 use dynamics_symbolic::exact::Rational;
@@ -53,17 +53,17 @@ pub struct Table {
     pub name: Option<Name>,
     /// Symbolic parameters.
     pub fields: Vec<Name>,
-    /// Whether these are all.
+    /// Whether `fields` holds all of them, or some could not be read.
     pub has_all_fields: bool,
     /// The entries, in the order in which they were written.
     pub entries: Vec<Entry>,
-    /// What the struct's documentation says besides.
+    /// Further remarks for the struct's documentation.
     pub notes: Vec<String>,
     /// The keys that were written, and where.
     pub keys: Vec<(&'static str, Place)>,
-    /// Every name in the text of the entries, of those too that could not be read.
+    /// Every name in the text of the entries, including those entries that could not be read.
     pub mentions: BTreeSet<String>,
-    /// Who is told of mistakes.
+    /// The reader of messages.
     pub audience: Audience,
 }
 
@@ -260,11 +260,11 @@ impl<T> Given<T> {
 /// `[name: revolute { cells }, ...]`
 #[derive(Debug)]
 pub struct Joints {
-    /// The rows that could be told apart as rows.
+    /// The rows that could be recognised as rows.
     pub rows: Vec<Row>,
-    /// Whether these are all.
+    /// Whether these are all rows.
     pub complete: bool,
-    /// Where the tip is behind the last row's link frame, each place in the one before it.
+    /// The places from the last row's link frame to the tip, each in the one before it.
     pub tip: Vec<Placement>,
 }
 

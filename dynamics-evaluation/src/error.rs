@@ -10,13 +10,13 @@ use dynamics_symbolic::Failure;
 pub enum BuildError {
     /// No joint of the table moves.
     NoJoints,
-    /// A cell of the table holds a field that the robot has not: its index.
+    /// A cell of the table refers to a field that the robot does not have, by this index.
     NoSuchField(usize),
     /// Two of the functions that are asked for have this name.
     Repeated(String),
-    /// The program of a function could not be had, with the reason.
+    /// No program was found for a function, with the reason.
     Failure(Failure),
-    /// The program of this function has more numbers than can be told apart: 65,536 of a kind.
+    /// The program of this function has more than 65,536 numbers of one kind, which have no room in its tape.
     TooLong(String),
 }
 

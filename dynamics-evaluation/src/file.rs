@@ -91,13 +91,13 @@ pub struct Besides {
     /// Names that cells may use without a value, as those of the fields of a struct: they become the
     /// robot's fields, in this order.
     pub fields: Vec<String>,
-    /// Who is told of mistakes, and in whose words they say what to write.
+    /// The reader of messages, in whose words they say what to write.
     pub audience: Audience,
 }
 
 impl Besides {
-    /// As a table. Its lines follow those of the file, of which there are `lines`: a mistake in one of them is
-    /// none of the file's.
+    /// As a table. Its lines are counted behind the `lines` of the file, so that a mistake in one of them is not taken for
+    /// one in the file.
     fn table(&self, stem: &str, lines: usize) -> Result<Table, Vec<Error>> {
         let entries = "\n".repeat(lines) + &self.entries;
         let mut table = table(stem, &entries, Format::Toml, &Request::default())?;
@@ -124,7 +124,7 @@ impl Besides {
     }
 }
 
-/// Reads a robot and what is asked for.
+/// Reads a robot and the functions that are asked for.
 ///
 /// # Errors
 ///
@@ -133,7 +133,7 @@ pub fn read_file(path: &Path, besides: &Besides) -> Result<Model, FileError> {
     let text = text_of(path).map_err(|reason| FileError::Unreadable(path.to_owned(), reason))?;
     let format = Format::of(path).ok_or_else(|| FileError::UnknownFormat(path.to_owned()))?;
     let stem = path.file_stem().and_then(|stem| stem.to_str());
-    // The end of a file may be told as the line behind its last one.
+    // A mistake at the end of a file may have the line behind its last one.
     let lines = text.lines().count() + 1;
     read(stem.unwrap_or("robot"), &text, format, besides, lines).map_err(|errors| {
         let mistakes = errors.into_iter().map(|error| mistake(path, lines, error));

@@ -169,8 +169,8 @@ fn changes<const N: usize>(
     })
 }
 
-/// Adds to the parameters of a row's link, which are told about the origin of its frame, while the row has its
-/// tensor about the centre of mass: `J = I + m (c.c 1 - c c^T)`.
+/// Adds a change to the parameters of a row's link. The change has the tensor J about the origin of the link frame, the
+/// row has I about the centre of mass: `J = I + m (c.c 1 - c c^T)`.
 fn change_link(row: &mut Row, fields: &[f64], change: &[f64]) -> Result<(), IdentificationError> {
     if change.iter().all(|&x| x == 0.0) {
         return Ok(());

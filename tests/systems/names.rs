@@ -27,7 +27,11 @@ mod without_a_prelude {
 }
 
 /// Constants and statics with the names of generated arguments and variables.
-#[allow(non_upper_case_globals, dead_code)]
+#[allow(
+    non_upper_case_globals,
+    dead_code,
+    reason = "the names are those of variables, and nothing reads them"
+)]
 mod among_constants {
     const q: f64 = 1.0;
     const qd: f64 = 1.0;

@@ -1,10 +1,10 @@
-//! An arm in space, all of its joints at zero: what remains of a file when its frames are left out.
+//! An arm in space with all joints at zero: what a file describes, apart from its frames.
 
 use dynamics_codegen::geometry::{Mass, Transform, Vector, dot, number, tidy};
 use dynamics_symbolic::exact::{Rational, square_root};
 use dynamics_symbolic::robot::{Convention, JointType, Placement, Robot, Row, Value};
 
-/// An arm whose joints have axes in space, and whose bodies are told in the frames of its joints.
+/// An arm whose joints have axes in space, and whose bodies are given in the frames of its joints.
 pub(super) struct Arm<'r> {
     pub(super) robot: &'r Robot,
     /// Acceleration of gravity in the axes of the world.
@@ -104,7 +104,7 @@ pub(super) fn length(v: &Vector) -> Rational {
     square_root(&tidy(square)).unwrap_or(Rational::ZERO)
 }
 
-/// A body told in a link frame, in the frame that this one is in.
+/// A body of a link frame, in the frame in which `link` places that one.
 fn body(mass: &Value, com: &[Value; 3], inertia: &[Value; 6], link: &Transform) -> Option<Mass> {
     let center = Transform {
         origin: numbers(com)?,

@@ -162,7 +162,7 @@ mod reading {
         })
     }
 
-    /// Takes the joints that are none of the arm's off the list of those that are locked.
+    /// Removes the joints `used`, which are not part of the arm, from the list of locked joints.
     pub(crate) fn forget_locks(entries: &mut Vec<Entry>, used: &[String]) {
         for entry in entries.iter_mut() {
             if let Entry::Lock(Some(locked)) = entry {

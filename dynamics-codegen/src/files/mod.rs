@@ -1,7 +1,7 @@
 //! Files of robots: what the entry `file` of a call names, or another program reads.
 //!
-//! The formats are read by crates that keep the text and the place of every number: decimals stay exact,
-//! and a mistake is told with its line and column. What comes out is a [`Table`], as from a call.
+//! The formats are read by crates that keep the text and the place of every number, so that decimals stay exact
+//! and mistakes are reported with line and column. The result is a [`Table`], as that of a call.
 
 mod load;
 mod request;
@@ -92,10 +92,9 @@ fn put_name(name: &str, table: &mut Table) {
     table.has_all_fields = true;
 }
 
-/// As [`table`], with entries beside those of the file, as a call of the macro has them: they take the
-/// place of the file's, a `let` that of the same name, and say what is asked of a URDF file (`chain`, `ignore`,
-/// `round_angles`, `lock`).
-/// Its fields are those that cells of the file may use, and its audience is who is told of mistakes.
+/// As [`table`], with the entries of `beside`, as they stand in a call of the macro. They replace entries of the file (a
+/// `let` replaces that of the same name), and say what is wanted of a URDF file (`chain`, `ignore`,
+/// `round_angles`, `lock`). Cells of the file may use the fields of `beside`, whose audience is the reader of messages.
 #[cfg(feature = "files")]
 pub fn table_beside(
     name: &str,
@@ -108,8 +107,8 @@ pub fn table_beside(
     named(name, table, diagnostics)
 }
 
-/// What a text says with entries beside those of the file, as in [`table_beside`], or all that is wrong with it: what
-/// cannot be read, and of the rest what makes no robot.
+/// The model of a text with the entries of `beside`, as in [`table_beside`], or all mistakes: in what cannot be read, and
+/// in the rest of the robot.
 #[cfg(feature = "files")]
 pub fn model_beside(
     name: &str,
@@ -174,7 +173,7 @@ fn bind_first(entries: &mut Vec<Entry>, bindings: Vec<Entry>) {
     entries.splice(0..0, bindings);
 }
 
-/// The names of all joints in the text of a file, of those too that are none of the arm's; none where it cannot
+/// The names of all joints in the text of a file, including those that are not part of the arm; empty if it cannot
 /// be read.
 #[cfg(feature = "files")]
 pub fn joint_names(text: &str, format: Format) -> Vec<String> {

@@ -457,7 +457,7 @@ impl Reader<'_> {
         Ok(row)
     }
 
-    /// A word that is none of a row's. Published tables have more of them.
+    /// The mistake of a key that is no cell of a row. Published tables have keys of their own.
     fn unknown_cell(&self, word: &str) -> Wrong {
         if KEYS.contains(&word) {
             return Wrong {

@@ -77,7 +77,7 @@ pub(crate) fn instead(what: &expected::Expected, found: Option<&str>) -> Mistake
     })
 }
 
-/// A word that is none of those known, of which one may have been meant.
+/// A word that is not known; `meant` is the known word that was probably meant.
 pub(crate) fn unknown(what: &str, word: &str, meant: Option<&str>, known: &[&str]) -> Mistake {
     let word = shortened(word);
     Mistake::new(match meant {

@@ -61,7 +61,7 @@ fn attributes(cursor: &mut Cursor) -> Attributes {
             continue;
         }
         let written = quote!(#hash #content);
-        // What is no attribute in brackets is handed on as it is: the compiler says why.
+        // Brackets that do not hold an attribute are copied as they are: the compiler explains the mistake.
         let read = Attribute::parse_outer.parse2(written.clone());
         for attribute in read.iter().flatten() {
             attributes.note(&attribute.meta, &|meta| quote!(#hash [#meta]));

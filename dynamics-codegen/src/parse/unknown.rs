@@ -1,16 +1,15 @@
-//! Words that are none of the right ones.
+//! Unknown words.
 
 use crate::mistake::{self, Mistake};
 use crate::words;
 
-/// What to say about a word that is none of the right ones, and which one was meant.
+/// The mistake of an unknown word, and the word that was probably meant.
 pub(crate) struct Wrong {
     pub(crate) mistake: Mistake,
     pub(crate) meant: Option<&'static str>,
 }
 
-/// A word that is none of `known`: the message names the nearest right word where one
-/// is near, all of them elsewhere.
+/// A word that is not in `known`: the message names the nearest known word if one is near, otherwise all of them.
 pub(crate) fn unknown(what: &str, word: &str, known: &[&'static str]) -> Wrong {
     let meant = words::meant(word, known);
     Wrong {

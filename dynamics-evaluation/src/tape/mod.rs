@@ -109,6 +109,6 @@ pub(crate) enum Operation {
 pub(crate) struct Output {
     /// The place.
     pub(crate) place: Place,
-    /// Whether minus that is put out.
+    /// Whether the output is minus the value there.
     pub(crate) negative: bool,
 }

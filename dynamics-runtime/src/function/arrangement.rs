@@ -1,4 +1,4 @@
-//! Arrangements of numbers: what generated functions take and put out, of numbers of any kind.
+//! Arrangements of numbers: the arguments and values of generated functions, apart from the kind of number.
 
 use nalgebra::SMatrix;
 
@@ -113,8 +113,8 @@ macro_rules! impl_tuple {
     };
 }
 
-/// Hands tuples of all lengths that functions take and put out to a macro: for each part the names of two
-/// types and of two variables.
+/// Calls a macro for each length of the tuples that functions take and return, with the names of two types and of two
+/// variables for each part.
 macro_rules! each_tuple {
     ($then:ident) => {
         $then!();

@@ -32,10 +32,10 @@ pub trait Function<F, const N: usize> {
     /// The vectors that it takes, a tuple.
     type Arguments: Arrangement;
 
-    /// What it puts out.
+    /// The arrangement of its values.
     type Values: Arrangement;
 
-    /// Why it may put out nothing.
+    /// The error that it may return in place of values.
     type Error: Into<SingularMassMatrix>;
 
     /// The names of the arguments.

@@ -96,7 +96,7 @@ fn transform(convention: Convention, row: &Row, position: f64) -> Pose {
 }
 
 impl Placement {
-    /// The last of some frames, each told in the one before it, in the first one's outer frame.
+    /// The last of some frames, each given in the one before it, in the frame in which the first one is given.
     pub fn of_frames(frames: &[Frame]) -> Self {
         let places = frames.iter().map(Pose::from);
         let last = places.fold(Pose::identity(), |pose, place| pose.then(&place));

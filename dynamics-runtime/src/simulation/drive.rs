@@ -95,7 +95,7 @@ mod tests {
     use crate::simulation::samples::Followed;
     use crate::simulation::trajectory::Forces;
 
-    /// Steps that go nowhere and end where they are told to.
+    /// A stepper without motion, whose steps end at the given time.
     struct Clock(f64, Phase<1>);
 
     impl Stepper<(), Cause, 1> for Clock {

@@ -1,4 +1,4 @@
-//! The laws that move an arm: of its motors, and of what touches its tool.
+//! The laws that move an arm: the torques of its motors, and the force at its tool.
 
 use core::cell::{Cell, RefCell};
 
@@ -10,7 +10,7 @@ use crate::integrate::{Phase, first_non_finite};
 
 /// What acts on the joints from outside of the arm's own equations.
 pub(super) trait TorqueLaw<const N: usize> {
-    /// The torques of the motors at a time in a phase that is finite, be they finite or not; N m or N.
+    /// The torques of the motors at a time in a finite phase, N m or N. They may be infinite or NaN.
     fn motors(&self, t: f64, phase: &Phase<N>) -> SVector<f64, N>;
 
     /// Torques with those of the force at the tool.
@@ -26,7 +26,7 @@ pub(super) trait TorqueLaw<const N: usize> {
         None
     }
 
-    /// Begins a period: asks the laws that are sampled.
+    /// Begins a period: calls the laws that are sampled.
     fn sample(&self, _t: f64, _phase: &Phase<N>) -> Result<(), Cause> {
         Ok(())
     }

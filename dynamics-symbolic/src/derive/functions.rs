@@ -28,8 +28,8 @@ pub struct Part {
     pub form: Form,
 }
 
-/// What a function puts out, in the order of its contract: matrices by rows.
-/// Forward dynamics and its derivatives: the values, the pivots, and M's diagonal.
+/// The outputs of a function, in the order of its contract: matrices by rows.
+/// For forward dynamics and its derivatives: the values, the pivots, and M's diagonal.
 pub fn outputs<'g>(
     symbols: &mut Symbols<'g>,
     robot: &Robot,

@@ -150,12 +150,11 @@ fn accurate(robot: &Robot, written: &[Written]) -> Program {
     })
 }
 
-/// The program of a function in the plain gauge, as its recursion is written: long, and accurate. It
-/// is what the rounding of programs is measured by, and what is put out where every shorter one costs
-/// digits.
+/// The program of a function in the plain gauge, as its recursion is written: long, and accurate. The rounding of
+/// other programs is compared with it, and it is the result where every shorter program loses digits.
 pub fn derive_plain(robot: &Robot, function: Function) -> Program {
     let gauge = match function.row().search {
-        // Written so in any case: its recursion is its own.
+        // Its recursion is written in this gauge in any case.
         Search::Accuracy => Gauge::physical(robot.rows.len()),
         _ => Gauge::plain(robot.rows.len()),
     };

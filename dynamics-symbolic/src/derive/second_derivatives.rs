@@ -1,35 +1,34 @@
-//! Second derivatives of inverse dynamics, in the frames of the links. (Singh, Wensing et al., "On
-//! second-order derivatives of rigid-body dynamics: theory and implementation", 2024, have them in spatial
-//! vectors of the base; what follows comes from the first derivatives of [`derivatives`](super::derivatives).)
+//! Second derivatives of inverse dynamics, in the frames of the links, by differentiating the first derivatives of
+//! [`derivatives`](super::derivatives). (Singh, Wensing et al., "On second-order derivatives of rigid-body dynamics:
+//! theory and implementation", 2024, derive them in spatial vectors of the base.)
 //!
-//! With S, psi', psi'', I, B and f as there (B twice theirs), links j to n as one body feel, of a
-//! displacement and of a velocity of a joint k <= j,
+//! With S, psi', psi'', I, B and f as there (B is twice that of the paper), a displacement and a velocity of a joint
+//! k <= j cause the forces f_j,k and g_j,k on links j to n as one body,
 //!
 //!   f_j,k = I_j psi_k'' + B_j psi_k'      g_j,k = 2 I_j psi_k' + B_j S_k
 //!
 //! in axes that move with the joint, and tau_i is S_i . f_i. Seen from the link before joint j,
-//! S_k, psi_k' and psi_k'' do not change where joint j moves. Marked by ' what a displacement of it changes,
-//! and by ^ what its velocity does, the derivatives of tau_i for i, k <= j are
+//! S_k, psi_k' and psi_k'' do not change when joint j moves. With I_j', B_j', f_j' for the derivatives by its displacement
+//! and B_j^, f_j^ for those by its velocity, the derivatives of tau_i for i, k <= j are
 //!
 //!   d2 tau_i/dq_j dq_k    = S_i . (I_j' psi_k'' + B_j' psi_k')  + S_i . (S_k x* f_j') for i < k
 //!   d2 tau_i/dq_j dqd_k   = S_i . (2 I_j' psi_k' + B_j' S_k)
 //!   d2 tau_i/dqd_j dq_k   = S_i . B_j^ psi_k'                   + S_i . (S_k x* f_j^) for i < k,   k < j
 //!   d2 tau_i/dqd_j dqd_k  = S_i . B_j^ S_k
 //!
-//! with f_j' = S_j x* f_j + f_j,j and f_j^ = g_j,j. B_j' has a part of the velocity psi_j' that
-//! the displacement adds, and B_j^ is that of the velocity S_j alone.
+//! with f_j' = S_j x* f_j + f_j,j and f_j^ = g_j,j. A part of B_j' comes from the velocity psi_j' that
+//! the displacement adds; B_j^ is the operator of the velocity S_j alone.
 //!
-//! What a joint feels of those inside it, k <= j < i, is told by the rows e_i = S_i I_i and S_i B_i. The form
-//! a . B_b c of one body, B_b that of its velocity b, changes its sign where a and b change places, so that
-//! what is known of S_j and joint i gives what is left:
+//! The remaining entries, of joints k <= j < i, follow from the rows e_i = S_i I_i and S_i B_i. With B_b the operator of
+//! a body that moves at b, the form a . B_b c changes its sign if a and b change places. Therefore
 //!
 //!   d2 tau_i/dq_j dq_k    = psi_k'' . (S_j x* e_i)  + psi_k' . (S_j x S_i B_i)  - psi_j' . B_i^ psi_k'
 //!   d2 tau_i/dq_j dqd_k   = 2 psi_k' . (S_j x* e_i) + S_k . (S_j x S_i B_i)     - psi_j' . B_i^ S_k
 //!   d2 tau_i/dqd_j dq_k   = -S_j . B_i^ psi_k',  k < j
 //!   d2 tau_i/dqd_j dqd_k  = -S_j . B_i^ S_k
 //!
-//! B acts on the angular part of what stands behind it, and of an axis before S B the angular part counts. The
-//! symbols of Christoffel c_ijk = 1/2 S_i . B_j^ S_k hold dM_ij/dq_k = c_ijk + c_jik too.
+//! B acts on the angular part of the motion behind it; of the axis in a product with S B the angular part counts. The
+//! Christoffel symbols c_ijk = 1/2 S_i . B_j^ S_k also give dM_ij/dq_k = c_ijk + c_jik.
 
 use super::chain::Chain;
 use super::derivatives::{Composite, Matrix, Moving, Rates};

@@ -47,7 +47,7 @@ struct Follows<'g> {
     leader: usize,
     factor: Expr<'g>,
     offset: Value,
-    /// Whether its place was told apart from its row: then its offset is a turn of its own, as in the places.
+    /// Whether the row has a mount: its offset is then a turn of its own among the places of the mount.
     is_mounted: bool,
 }
 

@@ -1,4 +1,4 @@
-//! What there is to say of a function.
+//! The properties of a function: the columns of the table.
 
 use super::{Argument, Function, Shape};
 
@@ -11,39 +11,39 @@ pub struct Row {
     pub arguments: &'static [Argument],
     /// The arrangement of its values.
     pub shape: Shape,
-    /// Whether it solves with M, and refuses where M is singular.
+    /// Whether it solves with M, and returns an error where M is singular.
     pub refuses: bool,
-    /// What it is, with its unit and other names: the first line of the documentation. `{frame}` and
-    /// `{tip}` stand for the frames that poses are told in and about: the base frame and the last link
-    /// frame, where the table says nothing else.
+    /// What it is, with its unit and other names: the first line of the documentation. `{frame}` stands for the frame
+    /// to which poses refer, `{tip}` for the frame whose pose it is: the base frame and the last link
+    /// frame, unless the table has a base and a tool.
     pub description: &'static str,
     /// The letter of its values in the formulas of small arms, where these are shown.
     pub symbol: Option<&'static str>,
     /// Whether it is generated without being asked for.
     pub set: Set,
-    /// The runtime's trait of its own whose methods hold its program: functions that are also evaluated
-    /// with sines that are known, and Taylor series. All others are implementations of `Function`.
+    /// The trait of the runtime for this function alone, if it has one: functions that can also be evaluated with
+    /// given sines, and Taylor series. All others implement the runtime's trait `Function`.
     pub provided: Option<&'static str>,
-    /// Another way of writing it beside the recursion that is made for it.
+    /// Another form, besides the recursion that is made for this function.
     pub second: Option<Second>,
-    /// How the gauge is chosen in which it is written.
+    /// How the gauge is chosen (see `derive::gauge`).
     pub search: Search,
     /// How its length grows with the number of joints.
     pub growth: Growth,
-    /// Whether it depends on masses and tensors: what is neglected changes it.
+    /// Whether it depends on masses and tensors, so that `neglect` changes it.
     pub reads_inertia: bool,
-    /// The other factor, where only a product can be compared with Newton-Euler.
+    /// The other factor, if only the product of both functions can be compared with Newton-Euler.
     pub compared_with: Option<Function>,
 }
 
 /// Where a function is generated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Set {
-    /// For every table that asks for no functions by name.
+    /// In the default set.
     Default,
-    /// For those of them where a row has friction.
+    /// In the default set of a table with friction.
     WithFriction,
-    /// Where it is asked for.
+    /// Only if it is asked for by name.
     ByName,
 }
 
@@ -57,8 +57,8 @@ pub enum Form {
     Assembled,
     /// Forward dynamics by articulated bodies, without the mass matrix.
     Articulated,
-    /// Gravity from the forces that the columns of the mass matrix are made of, and Coriolis forces from its
-    /// composite bodies: short where these are computed in any case.
+    /// Gravity from the forces of which the columns of the mass matrix are made, and Coriolis forces from its
+    /// composite bodies: short beside the mass matrix, which needs these anyway.
     Columns,
 }
 
@@ -67,8 +67,8 @@ pub enum Form {
 pub struct Second {
     /// The form.
     pub form: Form,
-    /// The largest number of joints for which it may be. Assembled motions grow with a higher power
-    /// of the number of joints: they win for up to three.
+    /// The largest number of joints for which it is tried. Assembled motions grow with a higher power
+    /// of the number of joints: they are shorter for up to three.
     pub up_to: usize,
     /// How the two are compared.
     pub trial: Trial,
@@ -79,23 +79,23 @@ pub struct Second {
 pub enum Trial {
     /// By their shortest programs.
     Whole,
-    /// So too, unless one is longer by over a tenth before any search: they differ by the number of
-    /// joints, the more the longer the arm.
+    /// By their shortest programs, unless one is longer by over a tenth before any search: their lengths grow
+    /// differently with the number of joints.
     Promising,
-    /// Before they are simplified, for that takes long.
+    /// By their programs before these are simplified, because simplifying both would take too long.
     Unsimplified,
 }
 
 /// How the gauge of a function is chosen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Search {
-    /// By the operations of the function.
+    /// By counting the operations of the function.
     Own,
-    /// By those of another function's recursion, which is all of it that depends on the gauge.
+    /// By counting those of another function's recursion, the only part of this one that depends on the gauge.
     By(Function),
-    /// Not at all: it depends on the table alone.
+    /// Not at all: the function depends on the table alone.
     None,
-    /// For accuracy: every link's own parameters, and nothing is simplified.
+    /// For accuracy: every link keeps its own parameters, and nothing is simplified.
     Accuracy,
 }
 
@@ -106,6 +106,6 @@ pub enum Growth {
     Moderate,
     /// Faster.
     Steep,
-    /// With its cube, and so do its values.
+    /// With its cube, as does the number of its values.
     Cubic,
 }

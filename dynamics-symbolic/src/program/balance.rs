@@ -26,7 +26,7 @@ impl Program {
         let mut balance = Balance {
             program: self,
             readers: self.readers(),
-            put_out_negative: put_out_negative(self),
+            put_out_negative: negative_outputs(self),
             places: vec![None; self.instructions.len()],
             constants: self.constants.clone(),
             instructions: Vec::with_capacity(self.instructions.len()),
@@ -87,8 +87,8 @@ impl Term {
     }
 }
 
-/// Which results are put out with their sign changed.
-fn put_out_negative(program: &Program) -> Vec<bool> {
+/// Which results are outputs with a changed sign.
+fn negative_outputs(program: &Program) -> Vec<bool> {
     let mut negative = vec![false; program.instructions.len()];
     for output in program.outputs.iter().rev() {
         if let Operand::Result(index) = output.operand {
@@ -352,7 +352,7 @@ mod tests {
         assert_eq!(balanced.instructions[0], chain[0]);
     }
 
-    /// -(s - a - b) is put out as a + b - s: no sign is left to change.
+    /// The output -(s - a - b) is written as a + b - s: no sign is left to change.
     #[test]
     fn the_last_difference_is_taken_the_way_that_the_output_wants() {
         use Instruction::{Add, Sub};

@@ -37,7 +37,7 @@ pub fn sine_and_cosine(angle: &Value) -> Option<[Rational; 2]> {
     })
 }
 
-/// The number, or the half that it cannot be told from.
+/// The number, or the multiple of a half that it equals to all its digits.
 fn halved(x: Rational) -> Rational {
     let half = Rational::from((&x * Rational::from(2)).round()) / Rational::from(2);
     let difference = &x - &half;

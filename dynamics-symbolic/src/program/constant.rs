@@ -137,8 +137,8 @@ fn neighbours_of_middle(double: f64) -> Option<[f32; 2]> {
     (double - below == above - double).then_some(neighbours)
 }
 
-/// Raises the precision until `attempt` succeeds, which it does when it is told that there will be
-/// no more.
+/// Raises the precision until `attempt` succeeds. Its second argument says that the precision will not be raised any
+/// more: then it must succeed.
 pub(super) fn until_certain<T>(mut attempt: impl FnMut(&mut Real, bool) -> Option<T>) -> T {
     let mut precision = FEWEST_BITS;
     loop {

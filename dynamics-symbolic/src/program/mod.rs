@@ -61,7 +61,7 @@ impl Instruction {
     }
 }
 
-/// An output: what is put out, or minus that.
+/// An output of a program: a value, or minus that value.
 pub type Output = UpToSign;
 
 /// A program without branches: each instruction reads inputs, constants and earlier results.
@@ -75,7 +75,7 @@ pub struct Program {
     pub instructions: Vec<Instruction>,
     /// The outputs in the order of the function's contract.
     pub outputs: Vec<Output>,
-    /// Whether this is the recursion as it is written, for every shorter program costs digits.
+    /// Whether this is the plain recursion, because every shorter program loses digits.
     pub is_plain: bool,
 }
 

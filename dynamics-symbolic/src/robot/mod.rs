@@ -81,16 +81,16 @@ pub struct Row {
     pub spring: Option<Spring>,
     /// The range of the joint's position, lower end first, rad or m, where it is known.
     pub limits: Option<[Value; 2]>,
-    /// The position at which the joint is locked, rad or m, where it is: then the joint is none of
-    /// the arm's degrees of freedom, its link is a part of the one before, and its motor, its friction
-    /// and its spring do nothing.
+    /// The position at which the joint is locked, rad or m; `None` where it moves. A locked joint is not a degree of
+    /// freedom of the arm, its link is a part of the link before it, and its motor, friction and spring do
+    /// nothing.
     pub locked: Option<Value>,
-    /// Where the joint and the link frame are, of a row that was not written as one: its cells a, alpha, d and
-    /// theta come from there ([`mounted`]), and its body is told in the link frame that stands in it. Rows of
-    /// a modified table alone have it.
+    /// Where the joint and the link frame are, if a file says so in place of a row. The cells a, alpha, d and
+    /// theta then follow from it ([`mounted`]), and the body refers to the link frame of the mount. Only rows of
+    /// a modified table have it.
     pub mount: Option<Mount>,
-    /// The joint that this one follows, where it does: then it is none of the arm's degrees of freedom,
-    /// and its link, its motor, its friction and its spring count through the one it follows.
+    /// The joint that this one follows, if it does. A follower is not a degree of freedom of the arm; its link,
+    /// motor, friction and spring act on the joint that leads.
     pub follows: Option<Coupling>,
 }
 

@@ -134,8 +134,8 @@ pub(super) fn canonical(value: Fingerprint) -> (Fingerprint, bool) {
     }
 }
 
-/// Nodes by value. Nine of ten values that are looked up belong to no node: most of them are told by
-/// their last bits.
+/// Nodes by value. Nine of ten values that are looked up belong to no node; most of these are recognised by
+/// their last bits, without a look into the map.
 struct ByValue {
     /// Whether some value has these last bits.
     last_bits: Vec<bool>,

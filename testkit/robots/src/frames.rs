@@ -48,9 +48,9 @@ every_function! {
     },
 }
 
-/// The one that the tests hold to what they hold every arm to: a value of the struct's own name, as
-/// the structs without fields have one.
-#[allow(non_upper_case_globals)]
+/// The values of the fields at which the tests examine this arm as every other one: a constant with the struct's own name,
+/// because a struct without fields is a value by its name.
+#[allow(non_upper_case_globals, reason = "the name of the struct")]
 pub const TiltingCell: TiltingCell = TiltingCell {
     tilt: 0.3,
     turn: -0.7,

@@ -64,7 +64,7 @@ pub(super) fn entries<'a>(
 pub(super) struct Chain<'a> {
     pub(super) tree: &'a Tree,
     pub(super) request: &'a Request,
-    /// Locked joints that are none of the chain's.
+    /// Locked joints that are not on the chain.
     pub(super) used: &'a mut Vec<String>,
     diagnostics: &'a Diagnostics,
     /// The joint whose child a link is.

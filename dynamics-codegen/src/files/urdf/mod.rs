@@ -10,8 +10,8 @@ use crate::diagnose::Diagnostics;
 use crate::mistake::urdf as mistake;
 use crate::place::Place;
 
-/// What a text says of the chain that is asked for; what is wrong is reported. `used` gets the names of the
-/// locked joints that are none of the chain's.
+/// Reads the requested chain from a text, and reports what is wrong. `used` gets the names of the
+/// locked joints that are not on the chain.
 pub(super) fn read(
     text: &str,
     request: &Request,
@@ -37,7 +37,7 @@ pub(super) fn read(
     })
 }
 
-/// The links of a text to which no joint leads, and those from which none does; none of one that cannot be read.
+/// The links of a text to which no joint leads, and those from which none does; `None` if it cannot be read.
 pub(super) fn ends(text: &str, diagnostics: &Diagnostics) -> Option<[Vec<String>; 2]> {
     let tree = document::read(text, &Request::default(), diagnostics)?;
     let (first, last) = tree.ends();
@@ -51,7 +51,7 @@ pub(super) fn joint_names(text: &str, diagnostics: &Diagnostics) -> Vec<String> 
     joints.map(|joint| joint.name).collect()
 }
 
-/// What the struct's documentation says of angles that were perhaps meant as quarter turns.
+/// A note for the struct's documentation on angles that were perhaps meant as quarter turns.
 fn notes(nearly_right: usize) -> Vec<String> {
     match nearly_right {
         0 => Vec::new(),

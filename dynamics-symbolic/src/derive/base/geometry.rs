@@ -10,7 +10,7 @@ use crate::spatial::{Joint, Turn, leave_x};
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LinkGeometry<R> {
     pub(crate) joint_type: JointType,
-    /// Whether the joint is locked: nothing of the link is told apart from the one before.
+    /// Whether the joint is locked: all parameters of the link then move to the link before it.
     pub(crate) locked: bool,
     /// Distance of the joint's axis from the previous one.
     pub(crate) a: R,

@@ -71,7 +71,7 @@ pub(crate) fn group<R: Ring>(
         };
         let part = if tie.negative { -part } else { part };
         kept[to] = kept[to] + part;
-        // A motor that cannot be told from J_zz is one on an axis that does not turn by itself: no
+        // Motor and J_zz have the same effect only on an axis whose link is turned by nothing else: no
         // motion of the link before it feels J_zz.
         let is_felt = tie.dropped != Parameter::Motor || tie.kept != Parameter::Jzz;
         if to < 10 && is_felt {

@@ -189,7 +189,7 @@ fn energies(
     rows
 }
 
-/// What belongs to the parameters of a link, its first moments told in the axes in which they are written.
+/// Turns the entries that belong to a link's first moments into the axes in which these are written.
 pub(super) fn rotate_moments<R: Ring>(row: &mut [R; 11], rotation: Option<&Matrix3<R>>) {
     if let Some(rotation) = rotation {
         let moment = rotation.apply(Vector3::new(row[6], row[7], row[8]));

@@ -30,7 +30,7 @@ struct Language {
     sign: &'static str,
 }
 
-/// A name that is none of the words that a language keeps to itself.
+/// The name, changed if it is a reserved word of the language.
 fn free_name(name: &str, words: &[&str]) -> String {
     let name = plain(name);
     match words.contains(&name) {

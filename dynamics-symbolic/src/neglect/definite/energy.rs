@@ -5,7 +5,7 @@ use super::matrix::{Matrix, combined, congruent};
 use crate::linear::Ring;
 use crate::robot::JointType;
 
-/// How many numbers say what is handed on by a joint.
+/// How many coefficients the form L_j of a joint has.
 pub(super) fn unknowns(joint_type: JointType) -> usize {
     match joint_type {
         JointType::Revolute => 7,

@@ -1,26 +1,26 @@
 //! Whether M is positive definite at all positions.
 //!
-//! Samples do not show it, and boxes of positions are too many. But kinetic energy is a sum of forms
-//! of few variables, one for each joint. With a the motion (w, v) of the link before, in the axes of
-//! joint j before it moves, P(q_j) what the position makes of it, S the joint's direction and I_j the
-//! form of link j (T = 1/2 xi.I xi), let L_j be any form of a, and L_(n+1) = 0. Then
+//! Samples cannot show it, and it would take too many boxes of positions. But the kinetic energy can be written as a
+//! sum of quadratic forms of few variables, one for each joint. Let a_j be the motion (w, v) of the link before joint j, in
+//! the axes of the joint before it moves, P(q_j) the change of axes by the joint's position, S the joint's direction, I_j
+//! the form of link j (T = 1/2 xi.I xi), L_j any quadratic form of a_j, and L_(n+1) = 0. Then
 //!
 //!   2 T = sum_j [ xi_j.I_j xi_j + r_j qd_j^2 + L_(j+1)(a_(j+1)) - L_j(a_j) ],
 //!   xi_j = P(q_j) a_j + S qd_j,   a_(j+1) = X_(j+1) xi_j,   a_1 = 0,
 //!
-//! for what a joint hands on to the one before it goes out of one bracket and into the next. Each
-//! bracket is a form of a_j and qd_j. Where all of them are positive definite for some L_j, whatever
-//! q_j is, so is M: if T is zero, qd_1 is, and then a_2, and so on.
+//! because each L_j is added in one bracket and subtracted in the next. Each bracket is a form of a_j and qd_j. If there are
+//! L_j with which all brackets are positive definite at every q_j, then M is positive definite: T = 0 implies qd_1 = 0,
+//! hence a_2 = 0, and so on.
 //!
-//! The position leaves the bracket of a revolute joint where no turn about its axis changes L_j: seven
-//! numbers say what such a form is. That of a prismatic joint is concave in q_j where L_j does not
+//! The bracket of a revolute joint does not depend on its position if a turn about its axis does not change L_j; such a
+//! form has seven coefficients. The bracket of a prismatic joint is concave in q_j if L_j does not
 //! take away from the energy of a sideways motion: then both ends of the range decide for all
-//! positions between. (What base parameters move to the link before is such an L_j: m, h_z and
-//! J_xx + J_yy of a revolute joint. Those of a body that can be make all brackets positive where no
+//! positions between. (The parameters that a base parameter moves to the link before are such an L_j: m, h_z and
+//! J_xx + J_yy of a revolute joint. For bodies that can exist, these make all brackets positive if no
 //! parameter is left out.)
 //!
-//! The L_j are found in doubles ([`search`]); that they do it is then shown in [intervals](crate::interval)
-//! from the table's exact numbers. Where none are found, nothing is known.
+//! The L_j are found in doubles ([`search`]); [intervals](crate::interval), from the table's exact numbers, then show that
+//! they make all brackets positive. Where none are found, nothing is known.
 
 mod chain;
 mod energy;

@@ -60,7 +60,7 @@ impl Definition {
         poses
     }
 
-    /// A frame that is told in frame 0.
+    /// A frame of frame 0, in the world.
     fn in_world<R: Lift>(&self, pose: Pose<R>) -> Pose<R> {
         match &self.base {
             Some(base) => base.pose().then(&pose),
@@ -119,7 +119,7 @@ fn transform<R: Lift>(convention: Convention, row: &Row, position: &Position<R>)
     }
 }
 
-/// Rz(q), or Tz(q): where the angle of a follower is told without its offset, that comes first.
+/// Rz(q), or Tz(q). If the position of a follower does not include its offset, Rz(offset) comes first.
 fn moved<R: Lift>(row: &Row, position: &Position<R>) -> Pose<R> {
     let (zero, one) = (R::lift(Number::ZERO), R::lift(Number::ONE));
     let (s, c) = (R::lift(row.offset.0), R::lift(row.offset.1));

@@ -38,7 +38,7 @@ pub(super) struct Mount {
     places: Vec<Placement>,
     /// Sine and cosine of the azimuth and the polar angle of the axis.
     axis: [(Number, Number); 2],
-    /// The link frame in that of the row's cells, as the derivation has it: base parameters are told there.
+    /// The link frame in the frame of the row's cells, to which the derivation's base parameters refer.
     frame: Vec<Placement>,
 }
 

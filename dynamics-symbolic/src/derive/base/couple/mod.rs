@@ -5,16 +5,17 @@
 //!
 //!   F_k = sum_j a_jk F_j + const,
 //!
-//! for a hand that a parallelogram keeps level does not turn, or because two fingers move at one speed. With
-//! the parameters k left out, those that are kept grow by a_jk b_k: b_j + sum_k a_jk b_k is the smallest set.
+//! because a hand that a parallelogram keeps level does not turn, for example, or because two fingers move at one speed.
+//! If the parameters b_k are left out, those that are kept become b_j + sum_k a_jk b_k: the smallest set.
 //!
 //! Which F_k depend on others is found by elimination at random states of the prime field. The a_jk are
 //! rational functions of the geometry, the factors and the offsets. They solve a few equations of energies
-//! at states whose numbers are simple, so that they are short; what divides by a parameter is nowhere else.
+//! at states of simple numbers, so that the expressions are short. These coefficients alone may divide by a parameter of
+//! the arm.
 //!
-//! The parameters of links whose joints move by themselves come first, those of the followers' links after
-//! them: each is kept unless it is a combination of those before it. So a_jk is the square of a factor
-//! where the other order would divide by that.
+//! A parameter is kept unless it is a combination of those before it. The parameters of links whose joints move by
+//! themselves come first, those of the followers' links after them: then a_jk is the square of a factor, where the other
+//! order would divide by it.
 
 mod arm;
 mod echelon;
@@ -29,7 +30,7 @@ use arm::{Arm, less};
 use echelon::Echelon;
 use equations::{Equations, Simple};
 
-/// A base parameter of the arm without couplings that is none of the coupled arm.
+/// A base parameter of the arm without couplings that the coupled arm does not have.
 pub(crate) struct Dependent<'g> {
     /// Its column.
     pub(crate) column: usize,
