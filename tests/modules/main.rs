@@ -58,6 +58,15 @@ fn modules_form_no_circles() {
         "dynamics-runtime",
         "dynamics-evaluation",
         "dynamics-cli",
+        "testkit",
+        "testkit/arms",
+        "testkit/interpreter",
+        "benches/goals",
+        "benches/rivals",
+        "measurements/growth",
+        "measurements/hard_cases",
+        "measurements/scene",
+        "measurements/speed_error",
     ] {
         let circles = circles_of(name);
         assert!(circles.is_empty(), "{name}: {circles:#?}");
