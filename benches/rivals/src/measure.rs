@@ -7,7 +7,7 @@ use robot_dynamics::{
     NewtonEuler, State,
 };
 
-use crate::candidates::{Candidate, Columns, Dynibo, Lanes, Values};
+use crate::candidates::{Candidate, Columns, Dynibo, GENERATED, Lanes, Values};
 use crate::errors::errors;
 use crate::others::rounding_error;
 use crate::timing::{STATES, states};
@@ -21,9 +21,6 @@ pub(crate) const FUNCTIONS: [&str; 5] = [
     "gravity_vector",
     "forward_dynamics",
 ];
-
-/// The name of the generated functions among the candidates.
-pub(crate) const GENERATED: &str = "generated";
 
 /// The functions that only the generated code has, as the report groups them: those that are not
 /// measured (below) have no line there.

@@ -7,7 +7,7 @@ use std::{
     time::{SystemTime, UNIX_EPOCH},
 };
 
-use super::Outcome;
+use crate::chain::Outcome;
 
 /// Options of rustc: those of cargo's profiles.
 pub(crate) type Profile = [&'static str];

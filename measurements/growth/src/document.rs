@@ -5,9 +5,10 @@ use std::process::Command;
 use testkit::machine;
 use testkit::table::Table;
 
-use super::compile::flags;
-use super::series::{Panel, panels};
-use super::{Chain, LISTED, Outcome, fit};
+use crate::chain::{Chain, LISTED, Outcome};
+use crate::compile::flags;
+use crate::fit;
+use crate::series::{Panel, panels};
 
 const INTRODUCTION: &str = "\
 # Growth with the number of joints

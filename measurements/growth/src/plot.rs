@@ -2,8 +2,8 @@
 
 use testkit::plot::{self, Mark, Plot};
 
-use super::series::{Panel, Series, panels};
-use super::{Chain, Outcome};
+use crate::chain::{Chain, Outcome};
+use crate::series::{Panel, Series, panels};
 
 /// Writes the plots to `examples/output/`.
 pub(crate) fn plots(chains: &[Chain]) -> Outcome<()> {

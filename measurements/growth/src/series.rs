@@ -1,6 +1,7 @@
 //! The measurements as curves.
 
-use super::{Chain, LISTED, fit};
+use crate::chain::{Chain, LISTED};
+use crate::fit;
 
 /// A quantity over another one, for all chains.
 pub(crate) struct Series {

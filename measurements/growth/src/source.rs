@@ -3,7 +3,7 @@
 
 use dynamics_symbolic::{Function, Method};
 
-use super::LISTED;
+use crate::chain::LISTED;
 
 /// A library with the methods of a chain, and a function for each that is not generic, so that
 /// its code is generated here.

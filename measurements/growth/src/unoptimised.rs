@@ -2,7 +2,8 @@
 
 use std::process::Stdio;
 
-use super::{Outcome, compile::cargo};
+use crate::chain::Outcome;
+use crate::compile::cargo;
 
 /// Seconds of the expansion of the default set, for each number of joints.
 pub(crate) fn expansion_times(joints: &[usize]) -> Outcome<Vec<f64>> {

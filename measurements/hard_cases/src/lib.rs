@@ -1,6 +1,6 @@
 //! The hard cases of `tests/data/hard_cases.json`: what is measured, against what bound.
 //!
-//! Each theme puts out its [`Score`]s; `tests/hard_cases` holds them, the program of this package
+//! Each theme returns its [`Score`]s; `tests/hard_cases` asserts that they pass, the program of this package
 //! prints them.
 
 #![forbid(unsafe_code)]
@@ -9,6 +9,7 @@ mod arguments;
 mod arms;
 mod conditioning;
 mod constants;
+mod effort;
 mod entries;
 mod friction;
 mod integration;
@@ -18,34 +19,9 @@ mod robustness;
 mod score;
 mod singular;
 
+pub use effort::Effort;
 pub use entries::all as all_entries;
 pub use score::{Score, table};
-
-/// How long the long runs are.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Effort {
-    /// Seconds of a test in the dev profile.
-    Short,
-    /// As long as the entries have them: for a release build.
-    Full,
-}
-
-impl Effort {
-    /// That of this build.
-    pub fn of_this_build() -> Self {
-        match cfg!(debug_assertions) {
-            true => Effort::Short,
-            false => Effort::Full,
-        }
-    }
-
-    fn pick<T>(self, short: T, full: T) -> T {
-        match self {
-            Effort::Short => short,
-            Effort::Full => full,
-        }
-    }
-}
 
 /// A theme of the hard cases.
 pub struct Theme {

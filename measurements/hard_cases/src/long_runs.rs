@@ -5,8 +5,8 @@ use std::thread;
 use robot_dynamics::nalgebra::{Vector1, Vector2};
 use robot_dynamics::{Energy, ForwardDynamics, Method};
 
-use super::Effort;
 use super::arms::*;
+use super::effort::Effort;
 use super::entries::entry;
 use super::motion::{dop853, dormand_prince, free};
 use super::score::Score;

@@ -5,8 +5,8 @@ use std::cell::Cell;
 use robot_dynamics::nalgebra::{SVector, Vector1, Vector2, Vector6};
 use robot_dynamics::{Cause, DormandPrince, InvalidSetting, Method, NewtonEuler, Simulation};
 
-use super::Effort;
 use super::arms::*;
+use super::effort::Effort;
 use super::motion::Counted;
 use super::score::Score;
 

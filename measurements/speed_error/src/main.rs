@@ -99,7 +99,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     let mut sections = Vec::new();
     if arguments.wants("functions") {
-        sections.push(functions_section::section(&functions(&arguments))?);
+        sections.push(functions_section::section(&measured_functions(&arguments))?);
     }
     if arguments.wants("numbers") {
         sections.push(scalars::section(arguments.effort()));
@@ -125,7 +125,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 /// The robots of a quick run.
 const QUICK: [&str; 4] = ["one_link", "two_link_saha", "puma560", "panda"];
 
-fn functions(arguments: &Arguments) -> Vec<Measured> {
+fn measured_functions(arguments: &Arguments) -> Vec<Measured> {
     let mut all = Vec::new();
     macro_rules! measure {
         ($($file:ident: $robot:ident, $n:literal, $lanes:ident;)*) => {$(

@@ -3,8 +3,10 @@
 use robot_dynamics::nalgebra::{SMatrix, SVector};
 
 use super::Candidate;
-use crate::measure::GENERATED;
 use measured_arms::*;
+
+/// The name of the generated functions among the candidates.
+pub(crate) const GENERATED: &str = "generated";
 
 macro_rules! candidates {
     ($($file:ident: $arm:ident, $n:literal;)*) => {$(

@@ -12,6 +12,7 @@ use robot_dynamics::nalgebra::{SMatrix, SVector};
 
 pub(crate) use batch::{Columns, Lanes};
 pub(crate) use dynibo::Dynibo;
+pub(crate) use generated::GENERATED;
 #[cfg(feature = "symplex")]
 pub(crate) use symplex::Symplex;
 

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use super::records::Records;
 use super::tables::three_digits;
-use crate::measure::GENERATED;
+use crate::candidates::GENERATED;
 
 /// Derivatives: the function, the goal, ns, and what Pinocchio takes.
 const DERIVATIVES: [(&str, f64, f64); 2] = [

@@ -5,7 +5,8 @@ use std::fmt::Write;
 use testkit::table::Table;
 
 use super::records::Records;
-use crate::measure::{FUNCTIONS, GENERATED, GROUPS};
+use crate::candidates::GENERATED;
+use crate::measure::{FUNCTIONS, GROUPS};
 use measured_arms::for_each_arm;
 
 macro_rules! names {

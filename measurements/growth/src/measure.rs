@@ -1,0 +1,71 @@
+//! Measuring chains.
+
+use dynamics_symbolic::{Function, expand, robot::Robot};
+use quote::quote;
+
+use crate::chain::{Chain, LISTED, Outcome};
+use crate::compile::{self, Compiler};
+use crate::{source, unoptimised};
+
+/// Measures the chains of these numbers of joints.
+pub(crate) fn measure(joints: &[usize], unoptimised_too: bool) -> Outcome<Vec<Chain>> {
+    let compiler = Compiler::new()?;
+    let unoptimised = match unoptimised_too {
+        true => unoptimised::expansion_times(joints)?
+            .into_iter()
+            .map(Some)
+            .collect(),
+        false => vec![None; joints.len()],
+    };
+    let chains = joints.iter().zip(unoptimised);
+    chains
+        .map(|(&joints, unoptimised)| {
+            let chain = measure_chain(&compiler, joints, unoptimised)?;
+            println!("{joints:2} joints measured");
+            Ok(chain)
+        })
+        .collect()
+}
+
+fn measure_chain(compiler: &Compiler, joints: usize, unoptimised: Option<f64>) -> Outcome<Chain> {
+    let robot = arms::generic_chain(joints);
+    let functions = Function::default_set(false);
+    let (expansion, methods) = expansion(&robot, &functions)?;
+    let source = source::library(joints, &functions, &methods);
+    let dev = compiler.library(&source, &compile::DEV)?;
+    let release = compiler.library(&source, &compile::RELEASE)?;
+    let calls = compiler.run(&source::program(joints))?;
+    let operations = |function| {
+        let method = methods
+            .iter()
+            .find(|m| m.request.function() == Some(function));
+        method.map_or(0.0, |method| f64::from(method.operations.total()))
+    };
+    Ok(Chain {
+        joints,
+        expansion,
+        unoptimised,
+        operations: LISTED.map(|(function, _)| operations(function)),
+        length: functions.iter().map(|&function| operations(function)).sum(),
+        release,
+        dev,
+        calls: calls.try_into().map_err(|_| "a time for each function")?,
+    })
+}
+
+/// The median of three expansions in seconds, and the methods.
+fn expansion(
+    robot: &Robot,
+    functions: &[Function],
+) -> Outcome<(f64, Vec<dynamics_symbolic::Method>)> {
+    let mut times = Vec::new();
+    let mut methods = Vec::new();
+    for _ in 0..3 {
+        let start = clock::thread_seconds();
+        methods = expand(robot, functions, &quote!(::dynamics_runtime))
+            .map_err(|failures| failures[0].to_string())?;
+        times.push(clock::thread_seconds() - start);
+    }
+    times.sort_by(f64::total_cmp);
+    Ok((times[1], methods))
+}
