@@ -2,11 +2,12 @@
 //!
 //! [`RuntimeRobot`] derives and proves the functions of a robot as the macro `robot_dynamics!` does, and
 //! evaluates their programs without a compiler: at one state, or at many in the lanes of vector
-//! registers. [`RuntimeRobot::typed`] makes of it what checks and simulations take.
+//! registers. Checks and simulations take the result of [`RuntimeRobot::typed`].
 #![forbid(unsafe_code)]
 
 mod at;
 mod block;
+mod compiled;
 mod error;
 #[cfg(feature = "files")]
 mod file;
@@ -19,6 +20,7 @@ mod robot;
 mod table;
 mod tape;
 mod typed;
+mod validate;
 mod value;
 
 #[cfg(feature = "files")]

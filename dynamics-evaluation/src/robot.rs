@@ -4,22 +4,22 @@ use std::sync::Mutex;
 
 use dynamics_runtime::{Scalar, SingularMassMatrix};
 use dynamics_symbolic::function::Argument;
-use dynamics_symbolic::robot::{Robot, Value as Cell};
+use dynamics_symbolic::robot::Robot;
 use dynamics_symbolic::{Operations, Proven, Request, proven_program};
 use fearless_simd::Level;
 
-use crate::block::{Batch, Block, Stage, run, stages};
+use crate::block::{Batch, Block, run};
+use crate::compiled::{Compiled, check_length};
 use crate::error::{BuildError, EvaluationError, UnknownField};
-use crate::layout::Layout;
 use crate::read::{Axis, Reader, at_state, axes};
-use crate::tape::Tape;
+use crate::validate::validate;
 use crate::value::Value;
 
 /// A robot arm known at run time, with the functions of a generated one.
 ///
 /// Its functions are derived and proven as the macro's are, and are the same operations on the same
 /// constants: a call returns, bit for bit, what a generated method returns. One call takes some ten
-/// times as long as generated code, for each operation is looked up; a batch looks it up once for 32
+/// times as long as generated code, because each operation has to be looked up. A batch looks it up once for 32
 /// states, in the lanes of vector registers, and takes about as long as single calls of generated code.
 ///
 /// ```
@@ -52,24 +52,11 @@ use crate::value::Value;
 pub struct RuntimeRobot {
     robot: Robot,
     fields: Vec<f64>,
-    /// Of the present values of the fields.
+    /// The axes for the present values of the fields.
     axes: Vec<Axis<f64>>,
     functions: Vec<Compiled>,
     /// Slots that no call is using.
     rooms: Mutex<Vec<Room>>,
-}
-
-/// A function of a robot.
-#[derive(Clone, Debug)]
-pub(crate) struct Compiled {
-    pub(crate) request: Request,
-    pub(crate) layout: Layout,
-    operations: Operations,
-    arguments: Vec<(Argument, usize)>,
-    tape: Tape,
-    stages: Vec<Stage>,
-    /// The numbers that all states share, for the present values of the fields.
-    pub(crate) shared: Vec<f64>,
 }
 
 /// Slots of blocks.
@@ -96,8 +83,8 @@ impl Clone for RuntimeRobot {
 impl RuntimeRobot {
     /// The robot with the functions that are asked for, each derived and proven.
     ///
-    /// Fields have no value yet: until each has one by [`set_field`](RuntimeRobot::set_field), what
-    /// depends on them is not a number.
+    /// Fields have no value yet: until each has one by [`set_field`](RuntimeRobot::set_field), values that
+    /// depend on them are NaN.
     ///
     /// # Errors
     ///
@@ -116,9 +103,8 @@ impl RuntimeRobot {
         Self::of_programs(robot, &programs)
     }
 
-    /// The robot with functions whose programs are known, by
-    /// [`proven_program`] of the same description: they may be written down
-    /// in another language besides.
+    /// The robot with functions whose programs are known already, from [`proven_program`] of the same
+    /// description, for example because they are emitted in another language too.
     ///
     /// # Errors
     ///
@@ -195,7 +181,7 @@ impl RuntimeRobot {
     ///
     /// [`EvaluationError::Length`] where there are not as many values as fields.
     pub fn set_fields(&mut self, values: &[f64]) -> Result<(), EvaluationError> {
-        length("fields", values.len(), self.fields.len())?;
+        check_length("fields", values.len(), self.fields.len())?;
         self.fields.copy_from_slice(values);
         self.update();
         Ok(())
@@ -239,7 +225,7 @@ impl RuntimeRobot {
     /// # Errors
     ///
     /// [`EvaluationError`] where the function was not asked for, an argument is too short or too long,
-    /// or M cannot be solved with.
+    /// or M is singular.
     pub fn evaluate(&self, function: &str, arguments: &[&[f64]]) -> Result<Value, EvaluationError> {
         let function = self.function(function)?;
         let values = self.of_state(function, &function.shared, arguments, &|x| x)?;
@@ -276,7 +262,7 @@ impl RuntimeRobot {
         constant: &impl Fn(f64) -> T,
     ) -> Result<Vec<T>, EvaluationError> {
         let lengths = arguments.iter().map(|entries| entries.len());
-        check_lengths(function, lengths, 1)?;
+        function.check_lengths(lengths, 1)?;
         let at = |argument: Argument, i: usize| {
             let mut known = function.arguments.iter();
             let place = known.position(|(known, _)| *known == argument);
@@ -318,9 +304,9 @@ impl RuntimeRobot {
     ///
     /// # Errors
     ///
-    /// [`EvaluationError::Length`] where arguments and results have not as many states as the first
-    /// argument, and nothing is written; [`EvaluationError::Singular`] of the first state where M cannot
-    /// be solved with: all such states' values are NaN then, those of the others are written.
+    /// [`EvaluationError::Length`] where arguments or results do not have as many states as the first
+    /// argument; nothing is written then. [`EvaluationError::Singular`] for the first state where M is singular: the
+    /// values of all such states are NaN then, those of the others are written.
     pub fn batch(
         &self,
         function: &str,
@@ -347,8 +333,8 @@ impl RuntimeRobot {
             _ => results.len().checked_div(entries).unwrap_or(0),
         };
         let lengths = arguments.iter().map(|entries| entries.len());
-        check_lengths(function, lengths, states)?;
-        length("results", results.len(), states * entries)?;
+        function.check_lengths(lengths, states)?;
+        check_length("results", results.len(), states * entries)?;
         let pairs = function.arguments.iter().zip(arguments);
         let reader = Reader {
             arguments: pairs
@@ -436,104 +422,4 @@ impl RuntimeRobot {
             error,
         }
     }
-}
-
-impl Compiled {
-    fn new(robot: &Robot, request: Request, proven: &Proven) -> Result<Self, BuildError> {
-        let too_long = |_| BuildError::TooLong(request.name().to_owned());
-        let tape = Tape::new(proven).map_err(too_long)?;
-        let (joints, outputs) = (robot.dof(), proven.program.outputs.len());
-        let layout = Layout::new(&request, joints, outputs);
-        let arguments = request.arguments().into_iter().filter_map(|argument| {
-            let shape = argument.shape()?;
-            Some((argument, shape.entries(layout.sizes)))
-        });
-        Ok(Compiled {
-            arguments: arguments.collect(),
-            operations: proven.program.operations(),
-            stages: stages(&tape),
-            shared: Vec::new(),
-            layout,
-            tape,
-            request,
-        })
-    }
-}
-
-/// Whether arguments have the lengths that so many states take.
-fn check_lengths(
-    function: &Compiled,
-    found: impl ExactSizeIterator<Item = usize>,
-    states: usize,
-) -> Result<(), EvaluationError> {
-    if found.len() != function.arguments.len() {
-        let expected = function.arguments.iter();
-        return Err(EvaluationError::Arguments {
-            found: found.len(),
-            expected: expected.map(|(argument, _)| argument.name()).collect(),
-        });
-    }
-    let mut pairs = function.arguments.iter().zip(found);
-    pairs.try_for_each(|((argument, width), found)| length(argument.name(), found, states * width))
-}
-
-/// Whether a description makes sense to those who read it.
-fn validate(robot: &Robot) -> Result<(), BuildError> {
-    match unknown_field(robot) {
-        Some(index) => Err(BuildError::NoSuchField(index)),
-        None if robot.dof() == 0 => Err(BuildError::NoJoints),
-        None => Ok(()),
-    }
-}
-
-fn length(argument: &'static str, found: usize, expected: usize) -> Result<(), EvaluationError> {
-    match found == expected {
-        true => Ok(()),
-        false => Err(EvaluationError::Length {
-            argument,
-            found,
-            expected,
-        }),
-    }
-}
-
-/// A field in a cell of the table that the robot has not.
-fn unknown_field(robot: &Robot) -> Option<usize> {
-    let mut unknown = None;
-    let mut visit = |value: &Cell| {
-        value.visit_fields(&mut |index| {
-            if index >= robot.fields.len() {
-                unknown = Some(index);
-            }
-        });
-    };
-    robot.gravity.iter().for_each(&mut visit);
-    for row in &robot.rows {
-        let cells = [&row.a, &row.alpha, &row.d, &row.theta, &row.mass];
-        let motor = [&row.motor_inertia, &row.gear_ratio, &row.viscous];
-        cells.into_iter().chain(motor).for_each(&mut visit);
-        let arrays = row.com.iter().chain(&row.inertia).chain(&row.coulomb);
-        arrays.for_each(&mut visit);
-        let stribeck = row.stribeck.iter().flat_map(|s| [&s.friction, &s.velocity]);
-        let spring = row.spring.iter().flat_map(|s| [&s.stiffness, &s.rest]);
-        stribeck
-            .chain(spring)
-            .chain(&row.locked)
-            .chain(row.follows.iter().flat_map(|c| [&c.factor, &c.offset]))
-            .for_each(&mut visit);
-        row.limits.iter().flatten().for_each(&mut visit);
-    }
-    let tool = robot.tool.as_ref();
-    let placements = robot.base.iter().chain(tool.map(|tool| &tool.placement));
-    placements
-        .flat_map(|p| p.xyz.iter().chain(&p.rpy))
-        .for_each(&mut visit);
-    if let Some(tool) = tool {
-        [&tool.mass]
-            .into_iter()
-            .chain(&tool.com)
-            .chain(&tool.inertia)
-            .for_each(&mut visit);
-    }
-    unknown
 }

@@ -8,8 +8,8 @@ use dynamics_runtime::{
 use dynamics_symbolic::function::Argument;
 use dynamics_symbolic::{Function, Request};
 
+use crate::compiled::Compiled;
 use crate::record::record;
-use crate::robot::Compiled;
 use crate::table::table;
 use crate::{EvaluationError, RuntimeRobot, WrongJoints};
 
@@ -38,15 +38,15 @@ impl RuntimeRobot {
     }
 }
 
-/// A [`RuntimeRobot`] of `N` joints: all of its functions can be evaluated, those that it has.
+/// A [`RuntimeRobot`] of `N` joints, whose functions can be evaluated.
 #[derive(Clone, Copy, Debug)]
 pub struct Typed<'a, const N: usize> {
     pub(crate) arm: &'a RuntimeRobot,
     pub(crate) table: Table<N>,
 }
 
-/// A [`RuntimeRobot`] of `N` joints that has the functions by which an arm moves: what
-/// [`Simulation`](dynamics_runtime::Simulation) takes.
+/// A [`RuntimeRobot`] of `N` joints that has the functions by which an arm moves, as
+/// [`Simulation`](dynamics_runtime::Simulation) needs them.
 #[derive(Clone, Copy, Debug)]
 pub struct TypedDynamics<'a, const N: usize> {
     typed: Typed<'a, N>,
@@ -59,7 +59,7 @@ pub struct TypedDynamics<'a, const N: usize> {
     potential_energy: &'a Compiled,
 }
 
-/// A [`TypedDynamics`] whose tip can be followed: a simulation of it may have a force at the tool.
+/// A [`TypedDynamics`] with the kinematics of its tip: a simulation of it may have a force at the tool.
 #[derive(Clone, Copy, Debug)]
 pub struct TypedTip<'a, const N: usize> {
     dynamics: TypedDynamics<'a, N>,
@@ -72,9 +72,9 @@ impl<'a, const N: usize> Typed<'a, N> {
     ///
     /// # Errors
     ///
-    /// [`EvaluationError::NotDerived`] where one of the functions was not asked for that tables have
-    /// that ask for none: `mass_matrix`, `coriolis_vector`, `gravity_vector`, `inverse_dynamics`,
-    /// `forward_dynamics`, `kinetic_energy`, `potential_energy`.
+    /// [`EvaluationError::NotDerived`] unless all of these functions were asked for: `mass_matrix`,
+    /// `coriolis_vector`, `gravity_vector`, `inverse_dynamics`, `forward_dynamics`, `kinetic_energy`,
+    /// `potential_energy`.
     pub fn dynamics(self) -> Result<TypedDynamics<'a, N>, EvaluationError> {
         let function = |function: Function| self.arm.one(function);
         Ok(TypedDynamics {

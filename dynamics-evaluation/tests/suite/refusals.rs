@@ -2,7 +2,7 @@
 
 use dynamics_evaluation::{BuildError, EvaluationError, RuntimeRobot};
 use dynamics_symbolic::Function;
-use dynamics_symbolic::robot::Value;
+use dynamics_symbolic::robot::{Mount, Placement, Value};
 
 fn arm() -> RuntimeRobot {
     let functions = [Function::InverseDynamics, Function::BaseParameters];
@@ -76,6 +76,33 @@ fn fields_are_known_by_name() {
     assert!(arm.set_fields(&[1.0]).is_err());
 }
 
+/// Mounts with that field in one of their cells, of each kind.
+fn mounts_with_field(index: usize) -> [Mount; 3] {
+    let zeros = || [0; 3].map(|_| Value::zero());
+    let still = || Mount {
+        places: Vec::new(),
+        axis: [Value::zero(), Value::zero()],
+        frame: Vec::new(),
+    };
+    let turned = || Placement {
+        xyz: zeros(),
+        rpy: [Value::zero(), Value::field(index), Value::zero()],
+    };
+    let places = Mount {
+        places: vec![turned()],
+        ..still()
+    };
+    let axis = Mount {
+        axis: [Value::field(index), Value::zero()],
+        ..still()
+    };
+    let frame = Mount {
+        frame: vec![turned()],
+        ..still()
+    };
+    [places, axis, frame]
+}
+
 #[test]
 fn descriptions_that_make_no_sense_are_refused() {
     let mut robot = arms::robot("one_link");
@@ -83,6 +110,12 @@ fn descriptions_that_make_no_sense_are_refused() {
     let refused = RuntimeRobot::new(robot.clone(), [Function::MassMatrix]).unwrap_err();
     assert_eq!(refused, BuildError::NoSuchField(3));
     robot.rows[0].mass = Value::zero();
+    for mount in mounts_with_field(2) {
+        robot.rows[0].mount = Some(mount);
+        let refused = RuntimeRobot::new(robot.clone(), [Function::MassMatrix]).unwrap_err();
+        assert_eq!(refused, BuildError::NoSuchField(2));
+    }
+    robot.rows[0].mount = None;
     robot.rows[0].locked = Some(Value::zero());
     let refused = RuntimeRobot::new(robot.clone(), [Function::MassMatrix]).unwrap_err();
     assert_eq!(refused, BuildError::NoJoints);

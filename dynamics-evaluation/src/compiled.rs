@@ -1,0 +1,84 @@
+//! A function of a robot, ready to be evaluated.
+
+use dynamics_symbolic::function::Argument;
+use dynamics_symbolic::robot::Robot;
+use dynamics_symbolic::{Operations, Proven, Request};
+
+use crate::block::{Stage, stages};
+use crate::error::{BuildError, EvaluationError};
+use crate::layout::Layout;
+use crate::tape::Tape;
+
+/// A function of a robot.
+#[derive(Clone, Debug)]
+pub(crate) struct Compiled {
+    pub(crate) request: Request,
+    pub(crate) layout: Layout,
+    pub(crate) operations: Operations,
+    /// The arguments, each with its number of entries.
+    pub(crate) arguments: Vec<(Argument, usize)>,
+    pub(crate) tape: Tape,
+    pub(crate) stages: Vec<Stage>,
+    /// The numbers that all states share, for the present values of the fields.
+    pub(crate) shared: Vec<f64>,
+}
+
+impl Compiled {
+    pub(crate) fn new(
+        robot: &Robot,
+        request: Request,
+        proven: &Proven,
+    ) -> Result<Self, BuildError> {
+        let too_long = |_| BuildError::TooLong(request.name().to_owned());
+        let tape = Tape::new(proven).map_err(too_long)?;
+        let (joints, outputs) = (robot.dof(), proven.program.outputs.len());
+        let layout = Layout::new(&request, joints, outputs);
+        let arguments = request.arguments().into_iter().filter_map(|argument| {
+            let shape = argument.shape()?;
+            Some((argument, shape.entries(layout.sizes)))
+        });
+        Ok(Compiled {
+            arguments: arguments.collect(),
+            operations: proven.program.operations(),
+            stages: stages(&tape),
+            shared: Vec::new(),
+            layout,
+            tape,
+            request,
+        })
+    }
+
+    /// Whether arguments have the lengths that so many states take.
+    pub(crate) fn check_lengths(
+        &self,
+        found: impl ExactSizeIterator<Item = usize>,
+        states: usize,
+    ) -> Result<(), EvaluationError> {
+        if found.len() != self.arguments.len() {
+            let expected = self.arguments.iter();
+            return Err(EvaluationError::Arguments {
+                found: found.len(),
+                expected: expected.map(|(argument, _)| argument.name()).collect(),
+            });
+        }
+        let mut pairs = self.arguments.iter().zip(found);
+        pairs.try_for_each(|((argument, width), found)| {
+            check_length(argument.name(), found, states * width)
+        })
+    }
+}
+
+pub(crate) fn check_length(
+    argument: &'static str,
+    found: usize,
+    expected: usize,
+) -> Result<(), EvaluationError> {
+    match found == expected {
+        true => Ok(()),
+        false => Err(EvaluationError::Length {
+            argument,
+            found,
+            expected,
+        }),
+    }
+}
