@@ -31,6 +31,7 @@ impl Audience {
     }
 
     /// A joint of a URDF file that is left out with what hangs on it.
+    #[cfg(feature = "files")]
     pub(crate) fn ignore(self, joint: &str) -> String {
         match self {
             Audience::Call => format!("`ignore: [{}]`", quoted(joint)),
@@ -40,6 +41,7 @@ impl Audience {
     }
 
     /// The first and the last link of an arm.
+    #[cfg(feature = "files")]
     pub(crate) fn chain(self, first: &str, last: &str) -> String {
         let (first, last) = (shortened(first), shortened(last));
         match self {

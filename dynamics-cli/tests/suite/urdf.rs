@@ -106,7 +106,7 @@ fn the_chain_ends_where_it_is_told() {
 fn a_file_without_joints_is_told_before_options_that_are_missing() {
     let links = "<robot name='x'><link name='base'/></robot>";
     for (name, text, expected) in [
-        ("empty_tree.urdf", "", "no XML"),
+        ("empty_tree.urdf", "", "not XML"),
         ("no_links.urdf", "<robot name='x'/>", "no joints"),
         ("no_joints.urdf", links, "no joints"),
     ] {

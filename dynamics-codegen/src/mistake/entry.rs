@@ -202,14 +202,13 @@ pub(crate) fn share_of_more_than_all(size: f64, percent: bool) -> Mistake {
 pub(crate) fn neglect_and_tests() -> Mistake {
     Mistake::new(
         "`tests: true` compares with the whole table, of which `neglect` leaves a part out: \
-         leave one of the two away",
+         remove one of the two",
     )
 }
 
 pub(crate) fn neglect_and_identification(function: &str) -> Mistake {
     Mistake::new(format!(
-        "`{function}` is about all base parameters, some of which `neglect` leaves out: leave one of the \
-         two away"
+        "`{function}` is about all base parameters, some of which `neglect` leaves out: remove one of the two"
     ))
 }
 

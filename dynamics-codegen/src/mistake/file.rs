@@ -22,12 +22,12 @@ pub(crate) fn too_long(path: &str, most: usize) -> Mistake {
 }
 
 pub(crate) fn no_text(line: usize) -> Mistake {
-    Mistake::new(format!("no UTF-8 text: line {line} has other bytes"))
+    Mistake::new(format!("not UTF-8 text: line {line} has other bytes"))
 }
 
 pub(crate) fn unknown_format(path: &str) -> Mistake {
     Mistake::new(format!(
-        "`{path}` is no kind of file that is read: expected `.urdf`, `.toml` or `.json`"
+        "`{path}` has an unknown format: expected `.urdf`, `.toml` or `.json`"
     ))
 }
 
@@ -39,7 +39,7 @@ pub(crate) fn switched_off() -> Mistake {
 
 /// No text of that format.
 pub(crate) fn syntax(format: &str, message: &str) -> Mistake {
-    Mistake::new(format!("no {format}: {message}"))
+    Mistake::new(format!("not {format}: {message}"))
 }
 
 /// Another kind of value than the one that was expected.
@@ -111,14 +111,14 @@ pub(crate) fn no_value(text: &str) -> Mistake {
 /// An entry that the file has too.
 pub(crate) fn in_file_too(word: &str, path: &str) -> Mistake {
     Mistake::new(format!(
-        "`{word}` stands in `{path}` too: leave one of the two away"
+        "`{word}` stands in `{path}` too: remove one of the two"
     ))
 }
 
 /// An entry in place of which the file stands.
 pub(crate) fn instead_of(word: &str, path: &str) -> Mistake {
     Mistake::new(format!(
-        "`{path}` stands in place of `{word}`: leave `{word}` away"
+        "`{path}` stands in place of `{word}`: remove `{word}`"
     ))
 }
 

@@ -123,7 +123,7 @@ pub(crate) fn degrees_of_pi(place: &str) -> Mistake {
     Mistake::advice(|audience| {
         let allow = audience.allow("odd_angle", place);
         format!(
-            "`deg` takes degrees, and what is written with `PI` is in radians: leave `deg` away, `PI/2` \
+            "`deg` takes degrees, and what is written with `PI` is in radians: write `PI/2` without `deg` \
              ({allow} accepts it as it stands)"
         )
     })
@@ -188,8 +188,7 @@ pub(crate) fn no_body(reason: &str, place: &str) -> Mistake {
 /// A tensor about the frame's origin beside one about the centre of mass.
 pub(crate) fn two_inertias() -> Mistake {
     Mistake::new(
-        "`inertia` is about the centre of mass, `inertia_at_origin` about the frame's origin: leave one of \
-         the two away",
+        "`inertia` is about the centre of mass, `inertia_at_origin` about the frame's origin: remove one of the two",
     )
 }
 
