@@ -122,7 +122,7 @@ impl<R: Ring> Symmetric3<R> {
         )
     }
 
-    /// [z]x J - J [z]x: the derivative, by the angle, of a tensor J that turns about z.
+    /// `[z]x J - J [z]x`: the derivative, by the angle, of a tensor J that turns about z.
     pub fn slope_about_z(&self, zero: R) -> Self {
         Symmetric3 {
             xx: -(self.xy + self.xy),
