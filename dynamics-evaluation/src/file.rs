@@ -6,7 +6,7 @@ use std::io::Read as _;
 use std::path::{Path, PathBuf};
 
 use dynamics_codegen::description::{Entry, Expr, ExprKind, Name, Place, Table};
-use dynamics_codegen::files::{Format, MOST_BYTES, Request, model_beside, table};
+use dynamics_codegen::files::{Format, MOST_BYTES, Request, model_beside, table, text};
 use dynamics_codegen::{Audience, Error, Model};
 use dynamics_symbolic::exact::Rational;
 use dynamics_symbolic::neglect::neglect;
@@ -130,7 +130,7 @@ impl Besides {
 ///
 /// [`FileError`], with all mistakes of the file and of what is said besides.
 pub fn read_file(path: &Path, besides: &Besides) -> Result<Model, FileError> {
-    let text = text_of(path).map_err(|reason| FileError::Unreadable(path.to_owned(), reason))?;
+    let text = read_text(path)?;
     let format = Format::of(path).ok_or_else(|| FileError::UnknownFormat(path.to_owned()))?;
     let stem = path.file_stem().and_then(|stem| stem.to_str());
     // A mistake at the end of a file may have the line behind its last one.
@@ -162,15 +162,23 @@ fn read(
 }
 
 /// The text of a file that is no longer than a robot's may be.
-fn text_of(path: &Path) -> Result<String, String> {
-    let file = File::open(path).map_err(|error| error.to_string())?;
-    let mut text = String::new();
-    let read = file.take(MOST_BYTES as u64 + 1).read_to_string(&mut text);
+///
+/// # Errors
+///
+/// [`FileError::Unreadable`], and a mistake where the bytes are no text.
+pub fn read_text(path: &Path) -> Result<String, FileError> {
+    let unreadable = |reason| FileError::Unreadable(path.to_owned(), reason);
+    let file = File::open(path).map_err(|error| unreadable(error.to_string()))?;
+    let mut bytes = Vec::new();
+    let read = file.take(MOST_BYTES as u64 + 1).read_to_end(&mut bytes);
     match read {
-        Err(error) => Err(error.to_string()),
-        Ok(bytes) if bytes > MOST_BYTES => Err(format!("it is longer than {MOST_BYTES} bytes")),
-        Ok(_) => Ok(text),
+        Err(error) => return Err(unreadable(error.to_string())),
+        Ok(bytes) if bytes > MOST_BYTES => {
+            return Err(unreadable(format!("it is longer than {MOST_BYTES} bytes")));
+        }
+        Ok(_) => {}
     }
+    text(bytes).map_err(|error| FileError::Mistakes(vec![mistake(path, usize::MAX, error)]))
 }
 
 /// A mistake with its place in a file of so many lines; one behind them is in what was said besides.

@@ -30,7 +30,7 @@ pub use dynamics_symbolic;
 
 pub use error::{BuildError, EvaluationError, UnknownField, WrongJoints};
 #[cfg(feature = "files")]
-pub use file::{Besides, FileError, FileMistake, read_file};
+pub use file::{Besides, FileError, FileMistake, read_file, read_text};
 pub use identified::IdentificationError;
 pub use robot::RuntimeRobot;
 pub use typed::{Typed, TypedDynamics, TypedTip};

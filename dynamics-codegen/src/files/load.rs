@@ -52,7 +52,6 @@ mod reading {
     use crate::description::{Expr, ExprKind, Locked, Operator, Table};
     use crate::files::{self, Format, Request};
     use crate::limits::MOST_BYTES;
-    use crate::place::Place;
 
     /// Entries in place of which a file stands.
     const INSTEAD: [&str; 2] = ["convention", "joints"];
@@ -204,13 +203,8 @@ mod reading {
             diagnostics.error(file.place, mistake::too_long(&file.path, MOST_BYTES));
             return None;
         }
-        String::from_utf8(bytes)
-            .map_err(|error| {
-                let good = &error.as_bytes()[..error.utf8_error().valid_up_to()];
-                let line = 1 + good.iter().filter(|byte| **byte == b'\n').count();
-                let place = Place::File { line, column: 1 };
-                diagnostics.error(place, mistake::no_text(line));
-            })
+        files::decoded(bytes)
+            .map_err(|(place, mistake)| diagnostics.error(place, mistake))
             .ok()
     }
 }

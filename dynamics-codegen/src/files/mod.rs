@@ -33,6 +33,8 @@ use crate::description::{Entry, Name, Place, Table};
 #[cfg(feature = "files")]
 use crate::diagnose::Diagnostics;
 #[cfg(feature = "files")]
+use crate::mistake::{Mistake, file as mistake};
+#[cfg(feature = "files")]
 use crate::{Error, Model};
 
 /// A kind of file.
@@ -58,6 +60,46 @@ impl Format {
             _ => None,
         }
     }
+}
+
+/// The text of a file's bytes.
+///
+/// # Errors
+///
+/// The first of them that is none of a text in UTF-8.
+#[cfg(feature = "files")]
+pub fn text(bytes: Vec<u8>) -> Result<String, Error> {
+    decoded(bytes).map_err(|(place, mistake)| Error {
+        place,
+        message: mistake.to_string(),
+    })
+}
+
+#[cfg(feature = "files")]
+fn decoded(bytes: Vec<u8>) -> Result<String, (Place, Mistake)> {
+    let is_utf_16 = match bytes[..] {
+        // The mark at its start; without one, a letter of which a byte is zero.
+        [0xff, 0xfe, ..] | [0xfe, 0xff, ..] => true,
+        [first, second, ..] => (first == 0) != (second == 0),
+        _ => false,
+    };
+    let start = Place::File { line: 1, column: 1 };
+    if is_utf_16 {
+        return Err((start, mistake::utf_16()));
+    }
+    String::from_utf8(bytes).map_err(|error| {
+        let (good, rest) = error.as_bytes().split_at(error.utf8_error().valid_up_to());
+        let good = String::from_utf8_lossy(good);
+        let last = good.rsplit('\n').next().unwrap_or_default();
+        let place = Place::File {
+            line: 1 + good.matches('\n').count(),
+            column: 1 + last.chars().count(),
+        };
+        (
+            place,
+            mistake::no_text(rest.first().copied().unwrap_or_default()),
+        )
+    })
 }
 
 /// Reads the text of a file: what it says of the robot `name`, or all that cannot be read. What a table

@@ -21,8 +21,16 @@ pub(crate) fn too_long(path: &str, most: usize) -> Mistake {
     Mistake::new(format!("`{path}` is longer than {most} bytes"))
 }
 
-pub(crate) fn no_text(line: usize) -> Mistake {
-    Mistake::new(format!("not UTF-8 text: line {line} has other bytes"))
+/// A byte that belongs to no letter.
+pub(crate) fn no_text(byte: u8) -> Mistake {
+    Mistake::new(format!(
+        "not UTF-8 text: the byte {byte:#04x} belongs to no letter: save the file as UTF-8"
+    ))
+}
+
+/// Letters of two bytes each.
+pub(crate) fn utf_16() -> Mistake {
+    Mistake::new("UTF-16 text, expected UTF-8: save the file as UTF-8")
 }
 
 pub(crate) fn unknown_format(path: &str) -> Mistake {
