@@ -21,6 +21,14 @@ impl Audience {
     /// All of them.
     pub(crate) const ALL: [Audience; 3] = [Audience::Call, Audience::File, Audience::Command];
 
+    /// A cell as the call has it, in the words of a file where there is one.
+    pub(crate) fn cell(self, call: &str) -> String {
+        match self {
+            Audience::Call => format!("`{call}`"),
+            Audience::File | Audience::Command => format!("`{}`", call.replace(": ", " = ")),
+        }
+    }
+
     /// A joint that is made to stand still.
     pub(crate) fn lock(self, joint: &str, position: &str) -> String {
         match self {

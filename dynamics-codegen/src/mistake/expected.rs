@@ -173,13 +173,15 @@ pub(crate) fn allowances(known: &[&str]) -> Expected {
 
 pub(crate) fn inertia() -> Expected {
     expected(
-        "a tensor `{ xx: ..., yy: ..., zz: ... }` or a solid: \
+        "a tensor of named entries, `{ xx, yy, zz, xy, yz, xz }`, or a solid: \
          `cuboid(x, y, z)`, `cylinder(radius, length)`, `rod(length)` or `sphere(radius)`",
     )
 }
 
 pub(crate) fn inertia_at_origin() -> Expected {
-    expected("a tensor about the origin of the frame: `{ xx: ..., yy: ..., zz: ... }`")
+    expected(
+        "a tensor about the origin of the frame, of named entries: `{ xx, yy, zz, xy, yz, xz }`",
+    )
 }
 
 /// The axis along which a solid lies.

@@ -219,31 +219,40 @@ pub(crate) fn gear_ratio_zero() -> Mistake {
 }
 
 pub(crate) fn gear_ratio_missing() -> Mistake {
-    Mistake::new(
-        "missing `gear_ratio`, motor speed over joint speed: \
-         write `gear_ratio: 1` for a direct drive",
-    )
+    Mistake::advice(|audience| {
+        let direct = audience.cell("gear_ratio: 1");
+        format!(
+            "missing `gear_ratio`, motor speed over joint speed: write {direct} for a direct drive"
+        )
+    })
 }
 
 /// One direction of two.
 pub(crate) fn direction_missing(word: &str) -> Mistake {
-    Mistake::new(format!(
-        "missing `{word}`: write `coulomb: {{ positive: 0.5, negative: 0.4 }}`, for example"
-    ))
+    Mistake::advice(|audience| {
+        let coulomb = audience.cell("coulomb: { positive: 0.5, negative: 0.4 }");
+        format!("missing `{word}`: write {coulomb}, for example")
+    })
 }
 
+const STRIBECK: &str = "stribeck: { static: 0.8, velocity: 0.01 }";
+
 pub(crate) fn static_missing() -> Mistake {
-    Mistake::new(
-        "missing `static`, the friction that holds the joint at rest: \
-         write `stribeck: { static: 0.8, velocity: 0.01 }`, for example",
-    )
+    Mistake::advice(|audience| {
+        let stribeck = audience.cell(STRIBECK);
+        format!(
+            "missing `static`, the friction that holds the joint at rest: write {stribeck}, for example"
+        )
+    })
 }
 
 pub(crate) fn stribeck_velocity_missing() -> Mistake {
-    Mistake::new(
-        "missing `velocity`, over which static friction falls to Coulomb's: \
-         write `stribeck: { static: 0.8, velocity: 0.01 }`, for example",
-    )
+    Mistake::advice(|audience| {
+        let stribeck = audience.cell(STRIBECK);
+        format!(
+            "missing `velocity`, over which static friction falls to Coulomb's: write {stribeck}, for example"
+        )
+    })
 }
 
 pub(crate) fn stribeck_velocity_not_positive() -> Mistake {
@@ -270,6 +279,16 @@ pub(crate) fn limits_swapped() -> Mistake {
 
 pub(crate) fn limit_with_field() -> Mistake {
     Mistake::new("a limit is a number: it does not depend on a field")
+}
+
+/// As [`position_of_many_turns`], in the words of URDF, which has neither `deg` nor `PI`.
+pub(crate) fn limit_in_degrees(radians: f64) -> Mistake {
+    let degrees = number(radians);
+    Mistake::new(format!(
+        "`<limit>` is in radians, and {degrees} rad are more than five turns: {degrees} degrees are {:.4} rad, and a \
+         joint that turns so far is `continuous`",
+        radians.to_radians()
+    ))
 }
 
 /// A position of a revolute joint, rad.

@@ -57,6 +57,14 @@ pub(crate) fn in_degrees(radians: f64) -> Mistake {
     })
 }
 
+/// An element or attribute in whose place another one was meant.
+pub(crate) fn misspelled(element: &str, what: &str, word: &str, right: &str) -> Mistake {
+    let word = shortened(word);
+    Mistake::new(format!(
+        "unknown {what} `{word}` of `<{element}>`: did you mean `{right}`?"
+    ))
+}
+
 pub(crate) fn axis_of_no_length() -> Mistake {
     Mistake::new("an axis has a direction: its length is zero here")
 }

@@ -103,6 +103,8 @@ pub(super) fn key(
             let wrong = wrong(&word);
             let reported = cursor.error(&ident, wrong.mistake);
             match wrong.meant {
+                // That one stands further on.
+                Some(name) if has_key(cursor, name) => return Err(reported),
                 Some(name) => (name, Some(reported)),
                 None => return Err(reported),
             }
@@ -125,6 +127,16 @@ pub(super) fn colon(cursor: &mut Cursor, name: &str) -> Result<(), Reported> {
         Some(_) if !at_next_item => Ok(()),
         _ => Err(reported),
     }
+}
+
+/// Whether a key stands behind one of the commas that follow.
+fn has_key(cursor: &Cursor, name: &str) -> bool {
+    let tokens: Vec<String> = cursor
+        .rest()
+        .into_iter()
+        .map(|token| token.to_string())
+        .collect();
+    tokens.windows(3).any(|three| three == [",", name, ":"])
 }
 
 /// Reads `: value` into a slot, unless it was filled before.

@@ -51,5 +51,9 @@ fn limit(limit: &Expr, row: &description::Row, scope: &mut Scope) -> Option<Valu
 pub(super) fn many_turns(value: &Value, row: &description::Row) -> Option<Mistake> {
     let is_angle = row.joint_type == Some(JointType::Revolute);
     let size = value.as_rational()?.to_f64().value().abs();
-    (is_angle && size > MANY_TURNS).then(|| mistake::position_of_many_turns(size))
+    (is_angle && size > MANY_TURNS).then(|| match row.mount {
+        // Rows of URDF are mounted anywhere.
+        Some(_) => mistake::limit_in_degrees(size),
+        None => mistake::position_of_many_turns(size),
+    })
 }

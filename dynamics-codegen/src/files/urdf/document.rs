@@ -191,6 +191,14 @@ fn child<'a, 'i>(node: Node<'a, 'i>, name: &str) -> Option<Node<'a, 'i>> {
     elements.find(|element| element.tag_name().name() == name)
 }
 
+/// The known word that was meant by one that is none.
+fn misspelled<'k>(word: &str, known: &[&'k str]) -> Option<&'k str> {
+    match known.contains(&word) {
+        true => None,
+        false => words::nearest(word, known),
+    }
+}
+
 impl Reader<'_> {
     fn place(&self, node: Node) -> Place {
         self.lines.place(node.range().start)
@@ -212,6 +220,27 @@ impl Reader<'_> {
         match root.descendants().find(is_xacro) {
             Some(element) => Err(self.error(element, mistake::xacro(element.tag_name().name()))),
             None => Ok(()),
+        }
+    }
+
+    /// Reports words of an element in whose place one of those that are known was meant. Others mean something to
+    /// other programs.
+    fn spelled(&self, node: Node, elements: &[&str], attributes: &[&str]) {
+        let element = node.tag_name().name();
+        for child in node.children().filter(Node::is_element) {
+            let word = child.tag_name().name();
+            if let Some(right) = misspelled(word, elements) {
+                let mistake = mistake::misspelled(element, "element", word, right);
+                self.error(child, mistake);
+            }
+        }
+        for attribute in node.attributes() {
+            let word = attribute.name();
+            if let Some(right) = misspelled(word, attributes) {
+                let place = self.lines.place(attribute.range().start);
+                let mistake = mistake::misspelled(element, "attribute", word, right);
+                self.diagnostics.error(place, mistake);
+            }
         }
     }
 
@@ -284,6 +313,9 @@ impl Reader<'_> {
     /// `<origin xyz rpy>`
     fn origin(&mut self, node: Node) -> Read<(Vector, [Value; 3])> {
         let origin = child(node, "origin");
+        if let Some(origin) = origin {
+            self.spelled(origin, &[], &["xyz", "rpy"]);
+        }
         let xyz = self.vector(origin, "xyz", [0; 3]);
         let (rpy, place) = self.vector(origin, "rpy", [0; 3])?;
         for angle in &rpy {
@@ -315,6 +347,11 @@ impl Reader<'_> {
     }
 
     fn link(&mut self, node: Node) -> Read<Link> {
+        self.spelled(
+            node,
+            &["inertial", "visual", "collision"],
+            &["name", "type"],
+        );
         let name = self.name(node);
         let inertial = child(node, "inertial")
             .map(|node| self.inertial(node))
@@ -327,6 +364,7 @@ impl Reader<'_> {
     }
 
     fn inertial(&mut self, node: Node) -> Read<Inertial> {
+        self.spelled(node, &["origin", "mass", "inertia"], &[]);
         let origin = self.origin(node);
         let mass = self
             .part(node, "mass")
@@ -346,6 +384,22 @@ impl Reader<'_> {
     }
 
     fn joint(&mut self, node: Node) -> Read<Joint> {
+        const PARTS: [(&str, &[&str]); 6] = [
+            ("parent", &["link"]),
+            ("child", &["link"]),
+            ("axis", &["xyz"]),
+            ("limit", &["lower", "upper", "effort", "velocity"]),
+            ("dynamics", &["damping", "friction"]),
+            ("mimic", &["joint", "multiplier", "offset"]),
+        ];
+        let parts = PARTS.map(|(part, _)| part);
+        let elements = [&parts[..], &["origin"]].concat();
+        self.spelled(node, &elements, &["name", "type"]);
+        for (part, attributes) in PARTS {
+            if let Some(part) = child(node, part) {
+                self.spelled(part, &[], attributes);
+            }
+        }
         let name = self.name(node);
         let kind = self.kind(node);
         let link = |part: &str| {
