@@ -3,6 +3,9 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
+use dynamics_codegen::description::Place;
+use dynamics_codegen::files;
+
 use crate::failure::Failure;
 
 /// A table that is being written: a header, and rows of numbers that read back as the same ones.
@@ -69,20 +72,59 @@ fn field(name: &str) -> String {
     name.replace(is_separator, "_")
 }
 
-/// The rows of a file, each of so many numbers; a first row of words is passed over.
-pub(crate) fn read(path: &Path, columns: usize) -> Result<Vec<Vec<f64>>, Failure> {
+/// A word of a row, in quotes or without them.
+fn unquoted(word: &str) -> &str {
+    word.trim().trim_matches('"')
+}
+
+/// Which word of a header names another joint than the one whose positions stand there, and both of them.
+fn misplaced<'j>(words: &[&str], joints: &[&'j str]) -> Option<(usize, &'j str, &'j str)> {
+    let is_of = |word: &str, joint: &str| {
+        let word = unquoted(word);
+        let name = field(joint);
+        word == name || word.strip_prefix("q_") == Some(&name)
+    };
+    let columns = words.iter().skip(1).zip(joints).enumerate();
+    columns
+        .filter(|(_, (word, joint))| !is_of(word, joint))
+        .find_map(|(index, (word, expected))| {
+            let found = joints.iter().find(|joint| is_of(word, joint))?;
+            Some((index + 1, *found, *expected))
+        })
+}
+
+/// The rows of a file, each of a time and a position of every joint; a first row of words is passed over, unless it
+/// has the joints in another order.
+pub(crate) fn read(path: &Path, joints: &[&str]) -> Result<Vec<Vec<f64>>, Failure> {
+    let columns = joints.len() + 1;
     let wrong = |line: usize, column: usize, message: String| {
         Failure::after(
             String::new(),
             format!("{}:{line}:{column}: {message}", path.display()),
         )
     };
-    let text = std::fs::read_to_string(path)
-        .map_err(|error| wrong(1, 1, format!("cannot be read: {error}")))?;
+    let bytes =
+        std::fs::read(path).map_err(|error| wrong(1, 1, format!("cannot be read: {error}")))?;
+    let text = files::text(bytes).map_err(|error| match error.place {
+        Place::File { line, column } => wrong(line, column, error.message),
+        Place::Tokens { .. } => wrong(1, 1, error.message),
+    })?;
     let mut rows: Vec<Vec<f64>> = Vec::new();
+    let text = text.strip_prefix('\u{feff}').unwrap_or(&text);
     for (index, line) in text.lines().enumerate() {
         let words: Vec<_> = line.split(',').collect();
-        let is_header = index == 0 && words.iter().all(|word| word.trim().parse::<f64>().is_err());
+        let is_header = index == 0
+            && words
+                .iter()
+                .all(|word| unquoted(word).parse::<f64>().is_err());
+        let misplaced = misplaced(&words, joints).filter(|_| is_header);
+        if let Some((word, found, expected)) = misplaced {
+            let before = words[..word].iter().map(|word| word.chars().count() + 1);
+            let message = format!(
+                "a column of `{found}`, expected one of `{expected}`: columns are in the order of the joints"
+            );
+            return Err(wrong(index + 1, 1 + before.sum::<usize>(), message));
+        }
         if line.trim().is_empty() || is_header {
             continue;
         }
@@ -96,7 +138,7 @@ pub(crate) fn read(path: &Path, columns: usize) -> Result<Vec<Vec<f64>>, Failure
         let mut column = 1;
         let mut row = Vec::with_capacity(columns);
         for word in words {
-            match word.trim().parse::<f64>() {
+            match unquoted(word).parse::<f64>() {
                 Ok(x) if x.is_finite() => row.push(x),
                 _ => {
                     return Err(wrong(

@@ -32,6 +32,11 @@ impl Failure {
         }
     }
 
+    /// The failure with another output behind it.
+    pub(crate) fn with_output(self, output: String) -> Self {
+        Failure { output, ..self }
+    }
+
     /// What is wrong with a file as a whole.
     pub(crate) fn of_file(path: &Path, message: impl fmt::Display) -> Self {
         let message = format!("{}:1:1: {message}", path.display());

@@ -7,11 +7,13 @@ use dynamics_evaluation::RuntimeRobot;
 use dynamics_runtime::Cycloidal;
 use dynamics_runtime::nalgebra::Vector1;
 use dynamics_symbolic::Function;
+use dynamics_symbolic::robot::Robot;
 
 use crate::csv::{Csv, read, shortest};
 use crate::failure::Failure;
+use crate::joints::note_degrees;
 use crate::load::{arm_with, count};
-use crate::simulate::vector;
+use crate::simulate::positions;
 use crate::spline::Spline;
 
 /// The motion and its torques as CSV.
@@ -19,8 +21,8 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
     let arm = arm_with(given, [Function::InverseDynamics])?;
     let samples = count(given, "samples");
     let motion = match given.get_one::<PathBuf>("waypoints") {
-        Some(path) => through_waypoints(path, arm.dof(), samples)?,
-        None => cycloidal(given, arm.dof(), samples)?,
+        Some(path) => through_waypoints(path, arm.robot(), samples)?,
+        None => cycloidal(given, arm.robot(), samples)?,
     };
     Ok(torques(&arm, motion)?.text())
 }
@@ -55,8 +57,9 @@ fn times(first: f64, last: f64, samples: usize) -> impl Iterator<Item = f64> {
 }
 
 /// Each joint by itself from one position to another, in the same time.
-fn cycloidal(given: &ArgMatches, dof: usize, samples: usize) -> Result<Motion, Failure> {
-    let (from, to) = (vector(given, "from", dof)?, vector(given, "to", dof)?);
+fn cycloidal(given: &ArgMatches, robot: &Robot, samples: usize) -> Result<Motion, Failure> {
+    let from = positions(given, "from", robot)?;
+    let to = positions(given, "to", robot)?;
     let duration = given.get_one::<f64>("duration").copied().unwrap_or(1.0);
     let path = |(from, to): (&f64, &f64)| {
         Cycloidal::new(Vector1::new(*from), Vector1::new(*to), duration)
@@ -82,10 +85,16 @@ fn cycloidal(given: &ArgMatches, dof: usize, samples: usize) -> Result<Motion, F
 }
 
 /// Cubic splines through the rows of a file, at rest at both ends.
-fn through_waypoints(path: &Path, dof: usize, samples: usize) -> Result<Motion, Failure> {
-    let rows = read(path, dof + 1)?;
+fn through_waypoints(path: &Path, robot: &Robot, samples: usize) -> Result<Motion, Failure> {
+    let joints: Vec<_> = robot.joints().map(|row| row.name.as_str()).collect();
+    let rows = read(path, &joints)?;
+    for row in &rows {
+        if note_degrees(&path.display().to_string(), robot, &row[1..]) {
+            break;
+        }
+    }
     let times_of_rows: Vec<f64> = rows.iter().map(|row| row[0]).collect();
-    let splines = (1..=dof).map(|joint| {
+    let splines = (1..=joints.len()).map(|joint| {
         let positions: Vec<f64> = rows.iter().map(|row| row[joint]).collect();
         Spline::new(&times_of_rows, positions)
     });

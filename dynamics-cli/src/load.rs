@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use clap::ArgMatches;
 use dynamics_codegen::files::{Format, ends, joint_names, names_in_values};
 use dynamics_codegen::{Audience, Model};
-use dynamics_evaluation::{Besides, FileError, RuntimeRobot, read_file};
+use dynamics_evaluation::{Besides, FileError, RuntimeRobot, read_file, read_text};
 use dynamics_symbolic::robot::Robot;
 use dynamics_symbolic::{Function, Proven, Request, proven_program};
 
@@ -117,7 +117,7 @@ fn words(given: &ArgMatches, option: &str) -> Vec<String> {
 
 /// Names of the joints in a file; empty if it cannot be read, which is reported elsewhere.
 fn joints_of(path: &Path) -> Vec<String> {
-    let text = std::fs::read_to_string(path).unwrap_or_default();
+    let text = read_text(path).unwrap_or_default();
     Format::of(path).map_or(Vec::new(), |format| joint_names(&text, format))
 }
 
@@ -155,7 +155,7 @@ fn values(given: &ArgMatches, path: &Path, other: Option<&Path>) -> Result<Strin
 
 /// Whether a value of the file uses the name. A file that cannot be read, which is reported elsewhere, counts as using it.
 fn has_name(path: &Path, name: &str) -> bool {
-    match (std::fs::read_to_string(path), Format::of(path)) {
+    match (read_text(path), Format::of(path)) {
         (Ok(text), Some(format)) => names_in_values(&text, format).contains(name),
         _ => true,
     }
@@ -221,7 +221,7 @@ const LISTED: usize = 12;
 
 /// Where the tree of links in a file begins and ends.
 fn ends_of(path: &Path) -> String {
-    let text = std::fs::read_to_string(path).unwrap_or_default();
+    let text = read_text(path).unwrap_or_default();
     let Some([first, last]) = ends(&text) else {
         return String::new();
     };
@@ -290,6 +290,15 @@ fn entries(given: &ArgMatches, is_meant: impl Fn(&str) -> bool) -> Result<String
     let mut text = String::new();
     for key in ["gravity", "functions", "allow"] {
         let words = words(given, key);
+        let is_vector = key != "gravity" || words.len() == 3;
+        if !words.is_empty() && (!is_vector || words.contains(&String::new())) {
+            let expected = match key {
+                "gravity" => "X,Y,Z, three numbers between commas, for example 0,0,-9.81",
+                _ => "names between commas",
+            };
+            let message = format!("`--{key} {}`: expected {expected}", words.join(","));
+            return Err(Failure::of_the_command_line(message));
+        }
         if !words.is_empty() {
             let words: Vec<_> = words.iter().map(|word| format!("{word:?}")).collect();
             let _ = writeln!(text, "{key} = [{}]", words.join(", "));

@@ -33,14 +33,14 @@ fn main() -> ExitCode {
     let Some((name, given)) = matches.subcommand() else {
         return ExitCode::from(2);
     };
-    match output(name, given) {
-        Ok(text) => {
-            // Whoever reads the output may have read enough.
-            let _ = std::io::stdout().write_all(text.as_bytes());
-            ExitCode::SUCCESS
-        }
-        Err(failure) => {
-            let _ = std::io::stdout().write_all(failure.output.as_bytes());
+    let (text, failure) = match output(name, given) {
+        Ok(text) => (text, None),
+        Err(failure) => (failure.output.clone(), Some(failure)),
+    };
+    let failure = failure.or(write::print(&text).err());
+    match failure {
+        None => ExitCode::SUCCESS,
+        Some(failure) => {
             let _ = writeln!(std::io::stderr(), "{}", failure.told());
             ExitCode::from(failure.status)
         }
@@ -49,6 +49,7 @@ fn main() -> ExitCode {
 
 /// The output of a subcommand, unless it goes to a file.
 fn output(name: &str, given: &ArgMatches) -> Result<String, Failure> {
+    write::not_over_what_is_read(given)?;
     let text = match name {
         "show" => show::run(given),
         "check" => check::run(given),
@@ -59,6 +60,12 @@ fn output(name: &str, given: &ArgMatches) -> Result<String, Failure> {
         "page" => page::run(given),
         "convert" => convert::run(given),
         _ => Ok(arguments::completions(given)),
-    }?;
-    write::put_out(text, given)
+    };
+    match text {
+        Ok(text) => write::put_out(text, given),
+        Err(failure) => {
+            let rest = write::put_out(failure.output.clone(), given)?;
+            Err(failure.with_output(rest))
+        }
+    }
 }

@@ -5,17 +5,18 @@ use dynamics_evaluation::RuntimeRobot;
 use dynamics_runtime::nalgebra::SVector;
 use dynamics_runtime::{Cause, DormandPrince, Energy as _, Friction, Simulation, SimulationError};
 use dynamics_symbolic::Function;
+use dynamics_symbolic::robot::Robot;
 
 use crate::csv::{Csv, numbers, shortest};
 use crate::failure::Failure;
-use crate::joints::with_joints;
+use crate::joints::{note_degrees, with_joints};
 use crate::load::{arm_with, count};
 use crate::progress::Progress;
 
 /// The motion as CSV.
 pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
     let arm = arm_with(given, Function::default_set(false))?;
-    let start = Start::of(given, arm.dof())?;
+    let start = Start::of(given, arm.robot())?;
     let csv = with_joints!(arm.dof(), N => motion::<N>(&arm, &start, given))?;
     Ok(csv.text())
 }
@@ -28,11 +29,11 @@ struct Start {
 }
 
 impl Start {
-    fn of(given: &ArgMatches, dof: usize) -> Result<Start, Failure> {
+    fn of(given: &ArgMatches, robot: &Robot) -> Result<Start, Failure> {
         Ok(Start {
-            q: vector(given, "from", dof)?,
-            qd: vector(given, "velocity", dof)?,
-            torque: vector(given, "torque", dof)?,
+            q: positions(given, "from", robot)?,
+            qd: vector(given, "velocity", robot.dof())?,
+            torque: vector(given, "torque", robot.dof())?,
         })
     }
 }
@@ -103,8 +104,19 @@ fn told<const N: usize>(error: &SimulationError<N>, duration: f64) -> String {
 /// Steps of arms are longer, s, unless something is wrong with the motion.
 const SHORT: f64 = 1e-9;
 
+/// Positions of the command line, zeros where it has none.
+pub(crate) fn positions(
+    given: &ArgMatches,
+    name: &str,
+    robot: &Robot,
+) -> Result<Vec<f64>, Failure> {
+    let positions = vector(given, name, robot.dof())?;
+    note_degrees(&format!("--{name}"), robot, &positions);
+    Ok(positions)
+}
+
 /// A vector of the command line, zeros where it has none.
-pub(crate) fn vector(given: &ArgMatches, name: &str, dof: usize) -> Result<Vec<f64>, Failure> {
+fn vector(given: &ArgMatches, name: &str, dof: usize) -> Result<Vec<f64>, Failure> {
     let Some(entries) = given.get_many::<f64>(name) else {
         return Ok(vec![0.0; dof]);
     };

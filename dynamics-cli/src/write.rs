@@ -1,16 +1,48 @@
 //! Files that are written.
 
+use std::io::{ErrorKind, Write as _};
 use std::path::{Path, PathBuf};
 
 use clap::ArgMatches;
 
 use crate::failure::Failure;
 
-/// Writes a text to the file that `--out` names; hands it back where it names none.
+/// Refuses to write over a file that is read.
+pub(crate) fn not_over_what_is_read(given: &ArgMatches) -> Result<(), Failure> {
+    const READ: [&str; 3] = ["file", "against", "waypoints"];
+    let named = |option: &str| given.try_get_one::<PathBuf>(option).ok().flatten();
+    let place = |path: &PathBuf| path.canonicalize().ok();
+    let Some(out) = named("out") else {
+        return Ok(());
+    };
+    let mut read = READ.into_iter().filter_map(named);
+    let is_out = |path: &PathBuf| place(path).is_some() && place(path) == place(out);
+    match read.any(is_out) {
+        true => Err(Failure::of_the_command_line(format!(
+            "`--out {}` is a file that is read, and would be lost: write to another one",
+            out.display()
+        ))),
+        false => Ok(()),
+    }
+}
+
+/// Writes a text to the file that `--out` names; hands it back where it names none, or there is no text.
 pub(crate) fn put_out(text: String, given: &ArgMatches) -> Result<String, Failure> {
     match given.get_one::<PathBuf>("out") {
-        None => Ok(text),
-        Some(path) => write(path, &text).map(|()| String::new()),
+        Some(path) if !text.is_empty() => write(path, &text).map(|()| String::new()),
+        _ => Ok(text),
+    }
+}
+
+/// Writes a text to standard output.
+pub(crate) fn print(text: &str) -> Result<(), Failure> {
+    let mut out = std::io::stdout();
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+        // Whoever reads the output may have read enough.
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => {
+            Err(cannot(Path::new("standard output"), &error))
+        }
+        _ => Ok(()),
     }
 }
 

@@ -42,6 +42,7 @@ pub(super) fn of_a_file(name: &'static str, about: &'static str) -> Command {
         )
         .arg(
             words("allow", "WORD")
+                .action(ArgAction::Append)
                 .value_parser(PossibleValuesParser::new([
                     "odd_angle",
                     "odd_com",
@@ -56,7 +57,7 @@ pub(super) fn of_a_file(name: &'static str, about: &'static str) -> Command {
 
 /// The functions that are asked for.
 pub(super) fn functions() -> Arg {
-    words("functions", "A,B,C").help(
+    words("functions", "A,B,C").action(ArgAction::Append).help(
         "The functions, in place of the file's; `default` are those of a file that names none",
     )
 }

@@ -1,6 +1,6 @@
 //! What each subcommand is, and an example of it.
 
-use clap::{ArgGroup, Command};
+use clap::{ArgAction, ArgGroup, Command};
 
 use super::options::{
     chain_of_other, choice, count, functions, number, number_between, of_a_file, out, path, vector,
@@ -165,6 +165,7 @@ fn convert() -> Command {
         .arg(
             choice("without", "WORD", WITHOUT)
                 .value_delimiter(',')
+                .action(ArgAction::Append)
                 .help("Leave out what URDF has no words for: motors, springs, friction other than constant and viscous"),
         )
         .arg(out())

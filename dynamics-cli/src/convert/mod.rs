@@ -148,10 +148,17 @@ fn as_urdf(name: &str, arm: &Arm, path: &Path, given: &ArgMatches) -> Result<Str
         .map(String::as_str)
         .collect();
     let untold = urdf::untold(arm);
-    let mut missing = untold.iter().filter(|(word, _)| !without.contains(word));
-    if let Some((word, what)) = missing.next() {
-        let message =
-            format!("{what}, which URDF has no words for: `--without {word}` leaves it out");
+    let is_missing = |word: &str| !without.contains(&word);
+    let missing = untold.iter().filter(|(word, _)| is_missing(word));
+    let missing: Vec<_> = missing.map(|(_, what)| what.as_str()).collect();
+    if !missing.is_empty() {
+        let has = |word: &&str| untold.iter().any(|(other, _)| other == word);
+        let words: Vec<_> = WITHOUT.into_iter().filter(has).collect();
+        let message = format!(
+            "{}, which URDF has no words for: `--without {}` leaves it out",
+            missing.join(", "),
+            words.join(",")
+        );
         return Err(Failure::of_file(path, message));
     }
     let mut remarks = remarks(path, true, &[]);

@@ -15,7 +15,7 @@ use dynamics_symbolic::{Function, Request};
 
 use crate::failure::Failure;
 use crate::load::{fields, file_of, programs, read_with_fields};
-use crate::simulate::vector;
+use crate::simulate::positions;
 use html::Page;
 use literal::module_with_a_global;
 
@@ -76,15 +76,13 @@ struct Start {
 
 impl Start {
     fn of(given: &ArgMatches, robot: &Robot) -> Result<Start, Failure> {
-        let positions = |name: &str| {
+        let positions_of = |name: &str| {
             let is_given = given.contains_id(name);
-            is_given
-                .then(|| vector(given, name, robot.dof()))
-                .transpose()
+            is_given.then(|| positions(given, name, robot)).transpose()
         };
         Ok(Start {
-            from: positions("from")?,
-            to: positions("to")?,
+            from: positions_of("from")?,
+            to: positions_of("to")?,
             duration: given.get_one::<f64>("duration").copied().unwrap_or(3.0),
         })
     }

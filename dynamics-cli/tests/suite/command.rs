@@ -240,10 +240,41 @@ fn torques_of_motions() {
             "one.csv:2:1: found 1 number, expected 3 separated by commas",
         ),
         ("short.csv", "1e-300,1,1", "not finite at t = 0"),
+        (
+            "latin.csv",
+            "1,1,1 \u{fffd}",
+            "latin.csv:2:7: no UTF-8 text",
+        ),
     ] {
-        let way = file(name, format!("0,0,0\n{end}\n"));
+        let text = format!("0,0,0\n{end}\n").replace('\u{fffd}', "?");
+        let mut bytes = text.into_bytes();
+        bytes
+            .iter_mut()
+            .filter(|byte| **byte == b'?')
+            .for_each(|byte| *byte = 0xe4);
+        let way = file(name, bytes);
         let message = errors(&["inverse", &pendulum, "--waypoints", &way], 1);
         assert!(message.contains(expected), "{message}");
+    }
+    // Names of columns are those of the joints, in their order, in quotes or not, behind the mark of a text.
+    let named = "\u{feff}\"t\",\"q_pivot\",\"q_knee\"\n\"0\",\"0\",\"0\"\n1,1,1\n";
+    let way = file("named.csv", named);
+    output(&["inverse", &pendulum, "--waypoints", &way]);
+    let way = file("swapped.csv", "t,q_knee,q_pivot\n0,0,0\n1,1,1\n");
+    let message = errors(&["inverse", &pendulum, "--waypoints", &way], 1);
+    assert!(
+        message.contains("swapped.csv:1:3: a column of `knee`, expected one of `pivot`"),
+        "{message}"
+    );
+    // What was perhaps meant in degrees is remarked on.
+    let way = file("degrees.csv", "0,0,0\n1,90,45\n");
+    for degrees in [["--waypoints", &way], ["--to", "90,45"]] {
+        let call = run(&[&["inverse", &pendulum][..], &degrees].concat());
+        let remarks = String::from_utf8_lossy(&call.stderr).into_owned();
+        assert_eq!(call.status.code(), Some(0), "{remarks}");
+        let expected =
+            "90 rad of `pivot` are 14.3 turns: angles are in radians, and 90 degrees are 1.5708";
+        assert!(remarks.contains(expected), "{remarks}");
     }
     let way = file("long.csv", "0,0,0\n1e200,0.5,0.2\n1e300,1,-0.5\n");
     let text = output(&["inverse", &pendulum, "--waypoints", &way, "--samples", "2"]);

@@ -447,7 +447,9 @@ fn what_urdf_cannot_say_is_told() {
     let urdf = urdf.to_string_lossy();
     let message = errors(&["convert", &path, "--out", &urdf], 1);
     assert!(
-        message.contains("`lift` has a spring") && message.contains("`--without spring`"),
+        message.contains("`lift` has a spring")
+            && message.contains("`turn` has a motor")
+            && message.contains("`--without motor,spring,friction`"),
         "{message}"
     );
     output(&[
@@ -456,7 +458,9 @@ fn what_urdf_cannot_say_is_told() {
         "--out",
         &urdf,
         "--without",
-        "spring,motor,friction",
+        "spring,motor",
+        "--without",
+        "friction",
     ]);
     let text = std::fs::read_to_string(&*urdf).expect("a file");
     assert!(text.contains("Left out: `turn` has a motor"), "{text}");

@@ -1,6 +1,9 @@
 //! What is wrong with a file or the command line is told, whatever it is.
 
-use super::calls::{PENDULUM, errors, file, folder, output};
+#[cfg(target_os = "linux")]
+use std::process::Command;
+
+use super::calls::{PENDULUM, errors, file, folder, output, run};
 
 #[test]
 fn mistakes_are_told_with_their_places() {
@@ -67,11 +70,14 @@ fn files_that_are_no_robots_are_refused() {
     let many = format!("convention = \"modified\"\ngravity = [0, 0, -9.81]\n{many}");
     let deep = format!("gravity = {}{}", "[".repeat(5_000), "]".repeat(5_000));
     let long = "a = ".repeat(2_000_000);
+    let utf_16 = PENDULUM.encode_utf16().map(u16::to_le_bytes);
     let files = [
         file("empty.toml", ""),
         file("empty.json", ""),
         file("empty.urdf", ""),
         file("list.json", "[1, 2"),
+        file("utf_16.toml", utf_16.flatten().collect::<Vec<_>>()),
+        file("latin_1.toml", b"name = \"Armgelenk \xe4\"\n"),
         file("binary.toml", [0xff, 0xfe, 0, 1, 2]),
         file("binary.urdf", [0x89, b'P', b'N', b'G', 0]),
         file("no_robot.urdf", "<sdf/>"),
@@ -103,6 +109,12 @@ fn files_that_are_no_robots_are_refused() {
                 continue;
             }
             let message = errors(&arguments, 1);
+            let no_text = match file {
+                file if file.ends_with("utf_16.toml") => ":1:1: UTF-16 text, expected UTF-8",
+                file if file.ends_with("latin_1.toml") => ":1:19: no UTF-8 text: the byte 0xe4",
+                _ => "",
+            };
+            assert!(message.contains(no_text), "{message}");
             assert!(
                 message.contains(&format!("{file}:")) && message.contains(": "),
                 "{message}"
@@ -127,6 +139,57 @@ fn files_that_cannot_be_written_are_told() {
     let inside = format!("{pendulum}/inside");
     let message = errors(&["generate", &pendulum, "--lang", "c", "--out", &inside], 1);
     assert!(message.contains("cannot be written"), "{message}");
+}
+
+/// A disk that is full is told, where it is standard output too.
+#[cfg(target_os = "linux")]
+#[test]
+fn output_that_is_lost_is_told() {
+    let pendulum = file("lost.toml", PENDULUM);
+    let mut command = Command::new(env!("CARGO_BIN_EXE_robot-dynamics"));
+    let full = std::fs::OpenOptions::new().write(true).open("/dev/full");
+    command.args(["show", &pendulum]);
+    command.stdout(full.expect("a disk that is full"));
+    let output = command.output().expect("the command");
+    let message = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(1), "{message}");
+    assert!(
+        message.contains("standard output: cannot be written"),
+        "{message}"
+    );
+}
+
+/// `--out robot.toml` behind `robot.toml` would put what is made of the file in its place.
+#[test]
+fn files_that_are_read_are_not_written_over() {
+    let pendulum = file("read.toml", PENDULUM);
+    let path = file("path.csv", "0,0,0\n1,1,1\n");
+    let same = pendulum.replace("read.toml", "../files/read.toml");
+    for (arguments, out) in [
+        (vec!["convert", &pendulum, "--to", "toml"], &pendulum),
+        (vec!["page", &pendulum], &same),
+        (vec!["inverse", &pendulum, "--waypoints", &path], &path),
+    ] {
+        let message = errors(&[&arguments[..], &["--out", out]].concat(), 2);
+        assert!(message.contains("would be lost"), "{message}");
+    }
+    let text = |path| std::fs::read_to_string(path).expect("a file");
+    assert_eq!(text(&pendulum), PENDULUM);
+    assert_eq!(text(&path), "0,0,0\n1,1,1\n");
+}
+
+/// The table of a comparison that finds a difference goes where it was to go.
+#[test]
+fn reports_of_differences_go_to_files_too() {
+    let pendulum = file("report.toml", PENDULUM);
+    let heavier = file("heavier.toml", PENDULUM.replace("mass = 2", "mass = 2.5"));
+    let path = folder("files").join("report.txt");
+    let out = path.to_string_lossy();
+    let difference = ["check", &pendulum, "--against", &heavier];
+    let printed = run(&difference).stdout;
+    let written = run(&[&difference[..], &["--out", &out]].concat());
+    assert_eq!((written.status.code(), written.stdout), (Some(1), vec![]));
+    assert_eq!(std::fs::read(&path).expect("a file"), printed);
 }
 
 /// Every subcommand with `--out` writes there what it prints without.
@@ -160,7 +223,12 @@ fn mistakes_of_the_command_line_are_none_of_the_file() {
             "`knee` has a value already",
         ),
         (["show", "--field", "l=0\tl=1"], "`l` has a value already"),
-        (["show", "--gravity", "0,0"], "[x, y, z]"),
+        (
+            ["show", "--gravity", "0,0"],
+            "`--gravity 0,0`: expected X,Y,Z",
+        ),
+        (["show", "--gravity", "0 0 -9.81"], "expected X,Y,Z"),
+        (["show", "--functions", "mass_matrix,"], "expected names"),
         (["show", "--gravity", "0,0,down"], "`down`"),
         (["simulate", "--duration", "nan"], "above zero"),
         (["simulate", "--duration", "-1"], "above zero"),

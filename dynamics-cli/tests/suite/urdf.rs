@@ -1,6 +1,6 @@
 //! The options that say what a URDF file does not.
 
-use super::calls::{data, errors, file, folder, output};
+use super::calls::{data, errors, file, folder, output, run};
 
 /// A turntable with an arm, a gripper's finger at its end, and a camera whose mast turns.
 fn turntable(angle: &str) -> String {
@@ -252,4 +252,53 @@ fn odd_files_are_accepted_where_that_is_asked_for() {
         "{message}"
     );
     output(&[&call[..], &["--allow", "unphysical_inertia"][..]].concat());
+}
+
+/// A word that is nearly one of URDF's would leave something of the arm out, if it were passed over; other words mean
+/// something to other programs.
+#[test]
+fn misspelled_words_are_told() {
+    let right = turntable("0");
+    let call = |name: &str, text: String| {
+        let file = file(name, text);
+        let options = ["--chain", "base,flange", "--ignore", "mast"];
+        run(&[&["show", &file][..], &GRAVITY, &options].concat())
+    };
+    for (wrong, expected) in [
+        (
+            ("<origin xyz=\"0.25", "<orgin xyz=\"0.25"),
+            ":19:30: unknown element `orgin` of `<inertial>`: did you mean `origin`?",
+        ),
+        (
+            ("damping=\"0.5\"", "dampng=\"0.5\""),
+            ":5:15: unknown attribute `dampng` of `<dynamics>`: did you mean `damping`?",
+        ),
+        (
+            ("rpy=\"0 0 0\"", "rpY=\"0 0 0\""),
+            ":16:27: unknown attribute `rpY` of `<origin>`: did you mean `rpy`?",
+        ),
+        (
+            ("<limit lower", "<limits lower"),
+            ":17:5: unknown element `limits` of `<joint>`: did you mean `limit`?",
+        ),
+        (
+            ("lower=\"-1\" upper=\"2\"", "lower=\"-90\" upper=\"90\""),
+            "`<limit>` is in radians, and 90 rad are more than five turns: 90 degrees are 1.5708 rad",
+        ),
+    ] {
+        let text = right.replace(wrong.0, wrong.1);
+        assert_ne!(text, right);
+        let told = String::from_utf8_lossy(&call("misspelled.urdf", text).stderr).into_owned();
+        assert!(told.contains(expected), "{wrong:?}: {told}");
+    }
+    let others = right
+        .replace(
+            "<limit lower",
+            "<safety_controller k_velocity=\"1\"/><limit acceleration=\"2\" lower",
+        )
+        .replace(
+            "<link name=\"flange\"/>",
+            "<link name=\"flange\"><visual/><sensor/></link><gazebo/>",
+        );
+    assert_eq!(call("others.urdf", others).status.code(), Some(0));
 }
