@@ -243,7 +243,7 @@ fn torques_of_motions() {
         (
             "latin.csv",
             "1,1,1 \u{fffd}",
-            "latin.csv:2:7: no UTF-8 text",
+            "latin.csv:2:7: not UTF-8 text",
         ),
     ] {
         let text = format!("0,0,0\n{end}\n").replace('\u{fffd}', "?");

@@ -111,7 +111,7 @@ fn files_that_are_no_robots_are_refused() {
             let message = errors(&arguments, 1);
             let no_text = match file {
                 file if file.ends_with("utf_16.toml") => ":1:1: UTF-16 text, expected UTF-8",
-                file if file.ends_with("latin_1.toml") => ":1:19: no UTF-8 text: the byte 0xe4",
+                file if file.ends_with("latin_1.toml") => ":1:19: not UTF-8 text: the byte 0xe4",
                 _ => "",
             };
             assert!(message.contains(no_text), "{message}");
