@@ -62,17 +62,6 @@ fn errors_stay_below_one_ulp() {
     assert!(largest < 0.85, "{largest}");
 }
 
-/// The same for ten million angles: `cargo test --release -p dynamics-runtime --lib ten_million -- --ignored`.
-#[test]
-#[ignore = "takes a minute where it is not optimised"]
-fn errors_stay_below_one_ulp_for_ten_million_angles() {
-    let largest = (0..100)
-        .map(|seed| largest_error(&angles(100_000, seed)))
-        .fold(0.0, f64::max);
-    println!("largest error: {largest} ulp");
-    assert!(largest < 0.85, "{largest}");
-}
-
 /// Doubles near multiples of pi/2 and pi/4, where digits cancel.
 #[test]
 fn errors_stay_below_one_ulp_where_digits_cancel() {

@@ -1,7 +1,5 @@
 //! Against sines in double precision, whose errors are 2^-29 of a unit in the last place here.
 
-use std::thread;
-
 use crate::check::random::SplitMix64;
 use crate::sine::tests::{levels, ulps_of_single as ulps};
 use crate::sine::{Kernel, Sines, eight_singles, four_singles, one};
@@ -37,20 +35,6 @@ fn errors_stay_below_one_ulp() {
     );
     println!("largest error: {error} ulp");
     assert!(error < LARGEST_ERROR, "{error}");
-}
-
-/// Every number: `cargo test --release -p dynamics-runtime --lib every_single -- --ignored --nocapture`.
-#[test]
-#[ignore = "takes minutes where it is not optimised"]
-fn errors_stay_below_one_ulp_for_every_single_number() {
-    let largest = f32::LARGEST.to_bits();
-    let middle = largest / 2;
-    let (low, high) = thread::scope(|scope| {
-        let low = scope.spawn(|| largest_error(0..middle));
-        (low.join().unwrap(), largest_error(middle..=largest))
-    });
-    println!("largest error: {} ulp", low.max(high));
-    assert!(low.max(high) < LARGEST_ERROR, "{low} {high}");
 }
 
 /// Beyond the limit, among them the largest numbers and those nearest to multiples of pi/2.

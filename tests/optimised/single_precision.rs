@@ -1,16 +1,10 @@
 //! Functions at `f32` have no operation in double precision: their machine code is looked at.
-//!
-//! This program is compiled with optimisation, as a controller would be, and reads itself.
-
-mod crate_around;
-mod machine_code;
-mod three_joints;
 
 use std::hint::black_box;
 use std::path::Path;
 use std::process::Command;
 
-use machine_code::{Listing, is_of_doubles, is_of_doubles_on_arm};
+use crate::machine_code::{Listing, is_of_doubles, is_of_doubles_on_arm};
 use robot_dynamics::nalgebra::{Vector1, Vector3, Vector6};
 use robot_dynamics::{Batch as _, SingularMassMatrix, robot_dynamics};
 
@@ -139,7 +133,7 @@ fn a_cortex_m4f_computes_torques_without_doubles() {
         ])
         .args([
             "--target-dir",
-            "target/single_precision",
+            "target/optimised",
             "--",
             "--emit",
             "asm",
@@ -150,7 +144,7 @@ fn a_cortex_m4f_computes_torques_without_doubles() {
         .status();
     assert!(built.is_ok_and(|status| status.success()));
     let folder = program
-        .join("target/single_precision")
+        .join("target/optimised")
         .join(TARGET)
         .join("release/deps");
     let files = std::fs::read_dir(folder)

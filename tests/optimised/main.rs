@@ -1,0 +1,8 @@
+//! Tests that have to be compiled with optimisation, as a controller would be: those that look at the machine code of
+//! this program, and those that compute for long.
+
+mod crate_around;
+mod long;
+mod machine_code;
+mod single_precision;
+mod three_joints;
