@@ -10,7 +10,7 @@ use crate::robot::{Interpretation, JointType, Robot};
 use crate::spatial::{Body, Joint, Keep, Motion, Turn, leave_x, leave_z};
 
 /// Where the origin of a joint's frame is on the axis.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Origin {
     /// After the offset d: at the common normal with the next axis.
     AfterOffset,

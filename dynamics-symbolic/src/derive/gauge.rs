@@ -2,6 +2,8 @@
 //! with, which of two equal parameters remains. The functions are the same
 //! whatever is chosen; the number of operations is not.
 
+use std::collections::HashMap;
+
 use super::chain::{Chain, Origin};
 use super::functions::{Part, outputs};
 use super::symbols::Symbols;
@@ -12,7 +14,7 @@ use crate::simplify::Network;
 use crate::spatial::Keep;
 
 /// One choice for every joint.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Gauge {
     /// Where the frame's origin is on the axis.
     pub origins: Vec<Origin>,
@@ -79,15 +81,15 @@ impl Gauge {
             return gauge;
         }
         let most = MOST_NODES * parts.len();
-        let mut nodes = 0;
-        let mut cost = gauge.cost(robot, &parts, &mut nodes);
+        let mut trials = Trials::new(robot, &parts);
+        let mut cost = trials.cost(&gauge);
         let has_pivot = |part: &Part| part.function == Function::WrenchTorques;
         let pivots = if parts.iter().any(has_pivot) { dof } else { 0 };
         loop {
             let before = cost;
             for pivot in 0..pivots {
                 let known = gauge.pivot.replace(pivot);
-                let trial = gauge.cost(robot, &parts, &mut nodes);
+                let trial = trials.cost(&gauge);
                 if trial < cost {
                     cost = trial;
                 } else {
@@ -95,11 +97,11 @@ impl Gauge {
                 }
             }
             for step in steps(dof) {
-                if nodes > most {
+                if trials.nodes > most {
                     return gauge;
                 }
                 gauge.reverse(&step);
-                let trial = gauge.cost(robot, &parts, &mut nodes);
+                let trial = trials.cost(&gauge);
                 if trial < cost {
                     cost = trial;
                 } else {
@@ -112,9 +114,9 @@ impl Gauge {
         }
     }
 
-    /// Operations of some functions in this gauge, before any simplification.
+    /// The work of some functions in this gauge, before any simplification.
     pub fn length(&self, robot: &Robot, parts: &[Part]) -> usize {
-        self.cost(robot, parts, &mut 0)
+        self.tried(robot, parts).work
     }
 
     /// The outputs of some functions in this gauge, one function after the other.
@@ -130,14 +132,14 @@ impl Gauge {
         outputs.map(|e| e.edge()).collect()
     }
 
-    /// The work before any simplification; adds the nodes of the trial graph to `nodes`.
-    fn cost(&self, robot: &Robot, parts: &[Part], nodes: &mut usize) -> usize {
+    fn tried(&self, robot: &Robot, parts: &[Part]) -> Tried {
         let graph = Graph::new();
         let mut symbols = Symbols::new(&graph, robot);
         let outputs = self.outputs(&mut symbols, robot, parts);
-        let cost = Network::new(&graph, &outputs).work();
-        *nodes += graph.len();
-        cost
+        Tried {
+            work: Network::new(&graph, &outputs).work(),
+            nodes: graph.len(),
+        }
     }
 
     fn reverse(&mut self, step: &[Choice]) {
@@ -158,6 +160,50 @@ impl Gauge {
                 }
             }
         }
+    }
+}
+
+/// What came of trying a gauge.
+#[derive(Clone, Copy)]
+struct Tried {
+    /// The work before any simplification.
+    work: usize,
+    /// The nodes of the trial graph.
+    nodes: usize,
+}
+
+/// The trials of a search. The last round of a descent comes back to gauges of the round before it: each
+/// is tried once, and counted as often as it is asked for.
+struct Trials<'a> {
+    robot: &'a Robot,
+    parts: &'a [Part],
+    known: HashMap<Gauge, Tried>,
+    /// The nodes of all trial graphs.
+    nodes: usize,
+}
+
+impl<'a> Trials<'a> {
+    fn new(robot: &'a Robot, parts: &'a [Part]) -> Self {
+        Trials {
+            robot,
+            parts,
+            known: HashMap::new(),
+            nodes: 0,
+        }
+    }
+
+    /// The work of the functions in a gauge.
+    fn cost(&mut self, gauge: &Gauge) -> usize {
+        let trial = match self.known.get(gauge) {
+            Some(known) => *known,
+            None => {
+                let trial = gauge.tried(self.robot, self.parts);
+                self.known.insert(gauge.clone(), trial);
+                trial
+            }
+        };
+        self.nodes += trial.nodes;
+        trial.work
     }
 }
 

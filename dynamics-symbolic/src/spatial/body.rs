@@ -146,7 +146,7 @@ impl<R: Ring> Body<R> {
 }
 
 /// Which of J_xx and J_yy remains on a link behind a revolute joint; only their difference matters.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Keep {
     /// J_xx - J_yy, as J_xx.
     Xx,
