@@ -250,24 +250,36 @@ impl Arena {
         // another prime, is what counts.
         let value = Fingerprint::from_rational(x)
             .unwrap_or_else(|| Fingerprint::random(&mut SplitMix64::new(self.nodes.len() as u64)));
-        let negative = value.get() > (-value).get();
-        let magnitude = if negative { -x } else { x.clone() };
+        self.number(value, |_| x.clone())
+    }
+
+    /// The number of that fingerprint, which is worked out where no node has it yet: a fraction takes a
+    /// hundred times as long as its fingerprint.
+    fn number(&mut self, value: Fingerprint, exact: impl FnOnce(&Self) -> Rational) -> Edge {
         let index = self.rationals.len() as u32;
         let edge = self.intern(Operation::Rational(index), Level::Constant, value);
         if self.node(edge).operation == Operation::Rational(index) {
-            self.rationals.push(magnitude);
+            let x = exact(self);
+            self.rationals.push(if edge.is_negative() { -x } else { x });
         }
         edge
     }
 
-    fn as_rational(&self, edge: Edge) -> Option<Rational> {
+    /// Where the number of an edge is, and whether it is its opposite; `None` where the edge is no rational number.
+    fn number_of(&self, edge: Edge) -> Option<(u32, bool)> {
         match self.node(edge).operation {
-            Operation::Rational(index) => {
-                let x = self.rationals[index as usize].clone();
-                Some(if edge.is_negative() { -x } else { x })
-            }
+            Operation::Rational(index) => Some((index, edge.is_negative())),
             _ => None,
         }
+    }
+
+    fn exact(&self, (index, negative): (u32, bool)) -> Rational {
+        let x = self.rationals[index as usize].clone();
+        if negative { -x } else { x }
+    }
+
+    fn as_rational(&self, edge: Edge) -> Option<Rational> {
+        Some(self.exact(self.number_of(edge)?))
     }
 
     fn is_zero(&self, edge: Edge) -> bool {
@@ -290,8 +302,13 @@ impl Arena {
         if self.is_zero(a) {
             return b;
         }
-        if let (Some(x), Some(y)) = (self.as_rational(a), self.as_rational(b)) {
-            return self.rational(&(x + y));
+        if let (Some(x), Some(y)) = (self.number_of(a), self.number_of(b)) {
+            let sum = |arena: &Self| arena.exact(x) + arena.exact(y);
+            return match self.value(a) + self.value(b) {
+                // The number itself says whether it is zero.
+                Fingerprint::ZERO => self.rational(&sum(self)),
+                value => self.number(value, sum),
+            };
         }
         if let Some(folded) = self
             .fold_constant_term(a, b)
@@ -336,8 +353,9 @@ impl Arena {
         if self.is_one(b) {
             return a.negate_if(b.is_negative());
         }
-        if let (Some(x), Some(y)) = (self.as_rational(a), self.as_rational(b)) {
-            return self.rational(&(x * y));
+        if let (Some(x), Some(y)) = (self.number_of(a), self.number_of(b)) {
+            let product = |arena: &Self| arena.exact(x) * arena.exact(y);
+            return self.number(self.value(a) * self.value(b), product);
         }
         if let Some(folded) = self
             .fold_constant_factor(a, b)
