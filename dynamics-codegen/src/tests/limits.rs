@@ -86,6 +86,7 @@ fn a_thousand_rows_with_one_name() {
 }
 
 #[test]
+#[ignore = "takes seconds: .ci/run runs it"]
 fn as_many_joints_as_are_allowed() {
     let cells = "a: 0.1, alpha: 0.5, d: 0.2, theta: 0.3, mass: 1, com: [0.1, 0.2, 0.3], \
                  inertia: { xx: 2, yy: 2, zz: 2, xy: 0.1, yz: 0.1, xz: 0.1 }, \
@@ -112,20 +113,28 @@ fn functions_that_would_be_too_long() {
     );
 }
 
-#[test]
-fn a_function_of_as_many_values_as_the_cube_of_joints() {
+/// A call for functions whose values are as many as the cube of the joints.
+fn with_cubic_functions(joints: usize) -> String {
     let cells = "a: 0.1, alpha: 0.5, d: 0.2, theta: 0.3, mass: 1, com: [0.1, 0.2, 0.3], \
                  inertia: { xx: 2, yy: 2, zz: 2, xy: 0.1, yz: 0.1, xz: 0.1 }";
-    let call = |joints| {
-        let asked = "functions: [inverse_dynamics_second_derivatives, coriolis_matrix]";
-        format!("{} {asked}", with_rows(&rows(joints, cells)))
-    };
+    let asked = "functions: [inverse_dynamics_second_derivatives, coriolis_matrix]";
+    format!("{} {asked}", with_rows(&rows(joints, cells)))
+}
+
+#[test]
+fn a_cubic_function_of_too_many_joints() {
     let message = "`inverse_dynamics_second_derivatives` of more than 12 joints would be too long";
     assert_eq!(
-        refusal(&call(MOST_JOINTS_OF_CUBIC_FUNCTIONS + 1)),
+        refusal(&with_cubic_functions(MOST_JOINTS_OF_CUBIC_FUNCTIONS + 1)),
         [message]
     );
-    let (items, _) = expansion(&call(MOST_JOINTS_OF_CUBIC_FUNCTIONS), IN_SECONDS);
+}
+
+#[test]
+#[ignore = "takes seconds: .ci/run runs it"]
+fn a_cubic_function_of_as_many_joints_as_are_allowed() {
+    let call = with_cubic_functions(MOST_JOINTS_OF_CUBIC_FUNCTIONS);
+    let (items, _) = expansion(&call, IN_SECONDS);
     assert!(errors(&items).is_empty());
 }
 

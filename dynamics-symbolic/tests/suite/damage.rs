@@ -122,15 +122,15 @@ fn refused_of(names: &[&str]) -> usize {
 
 #[test]
 fn every_damage_to_every_operation_is_found() {
-    let count = refused_of(&["cylindrical_rpp", "two_link_saha", "generic_chain_n3"]);
-    assert!(count > 5_000, "only {count} damages were made");
+    let count = refused_of(&["cylindrical_rpp", "two_link_saha"]);
+    assert!(count > 1_000, "only {count} damages were made");
 }
 
 /// `cargo test -p dynamics-symbolic --test suite damage:: -- --ignored`
 #[test]
 #[ignore = "takes a quarter of a minute: .ci/run runs it"]
 fn every_damage_to_every_operation_of_longer_arms_is_found() {
-    let count = refused_of(&["scara", "puma560", "stanford"]);
+    let count = refused_of(&["generic_chain_n3", "scara", "puma560", "stanford"]);
     assert!(count > 5_000, "only {count} damages were made");
 }
 
