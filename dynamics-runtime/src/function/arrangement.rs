@@ -1,5 +1,7 @@
 //! Arrangements of numbers: the arguments and values of generated functions, apart from the kind of number.
 
+use core::slice;
+
 use nalgebra::SMatrix;
 
 use crate::Scalar;
@@ -13,12 +15,42 @@ pub trait Arrangement: 'static {
     /// The same number everywhere.
     fn filled<T: Scalar>(x: T) -> Self::Of<T>;
 
+    /// As [`zip_runs`](Arrangement::zip_runs): what each arrangement says of itself. One reference is handed on, for
+    /// references to references are not inlined for certain.
+    fn each_run<A: Scalar, B: Scalar>(
+        a: &mut Self::Of<A>,
+        b: &Self::Of<B>,
+        f: &mut impl FnMut(&mut [A], &[B]),
+    );
+
+    /// Does something to each run of numbers of `a` that lie beside each other, with its counterpart in `b`.
+    #[inline(always)]
+    fn zip_runs<A: Scalar, B: Scalar>(
+        a: &mut Self::Of<A>,
+        b: &Self::Of<B>,
+        mut f: impl FnMut(&mut [A], &[B]),
+    ) {
+        Self::each_run(a, b, &mut f);
+    }
+
     /// Does something to each number of `a`, with its counterpart in `b`.
+    #[inline(always)]
     fn zip<A: Scalar, B: Scalar>(
         a: &mut Self::Of<A>,
         b: &Self::Of<B>,
-        f: &mut impl FnMut(&mut A, B),
-    );
+        mut f: impl FnMut(&mut A, B),
+    ) {
+        Self::zip_runs(
+            a,
+            b,
+            #[inline(always)]
+            |a, b| {
+                for (a, b) in a.iter_mut().zip(b) {
+                    f(a, *b);
+                }
+            },
+        );
+    }
 }
 
 /// One number.
@@ -35,8 +67,8 @@ impl Arrangement for Number {
     }
 
     #[inline(always)]
-    fn zip<A: Scalar, B: Scalar>(a: &mut A, b: &B, f: &mut impl FnMut(&mut A, B)) {
-        f(a, *b);
+    fn each_run<A: Scalar, B: Scalar>(a: &mut A, b: &B, f: &mut impl FnMut(&mut [A], &[B])) {
+        f(slice::from_mut(a), slice::from_ref(b));
     }
 }
 
@@ -54,16 +86,12 @@ impl<const R: usize, const C: usize> Arrangement for Entries<R, C> {
     }
 
     #[inline(always)]
-    fn zip<A: Scalar, B: Scalar>(
+    fn each_run<A: Scalar, B: Scalar>(
         a: &mut SMatrix<A, R, C>,
         b: &SMatrix<B, R, C>,
-        f: &mut impl FnMut(&mut A, B),
+        f: &mut impl FnMut(&mut [A], &[B]),
     ) {
-        for column in 0..C {
-            for row in 0..R {
-                f(&mut a.data.0[column][row], b.data.0[column][row]);
-            }
-        }
+        f(a.data.0.as_flattened_mut(), b.data.0.as_flattened());
     }
 }
 
@@ -76,13 +104,13 @@ impl<P: Arrangement, const K: usize> Arrangement for [P; K] {
     }
 
     #[inline(always)]
-    fn zip<A: Scalar, B: Scalar>(
+    fn each_run<A: Scalar, B: Scalar>(
         a: &mut [P::Of<A>; K],
         b: &[P::Of<B>; K],
-        f: &mut impl FnMut(&mut A, B),
+        f: &mut impl FnMut(&mut [A], &[B]),
     ) {
         for i in 0..K {
-            P::zip(&mut a[i], &b[i], f);
+            P::each_run(&mut a[i], &b[i], f);
         }
     }
 }
@@ -100,13 +128,13 @@ macro_rules! impl_tuple {
             }
 
             #[inline(always)]
-            fn zip<A: Scalar, B: Scalar>(
+            fn each_run<A: Scalar, B: Scalar>(
                 a: &mut Self::Of<A>,
                 b: &Self::Of<B>,
-                f: &mut impl FnMut(&mut A, B),
+                f: &mut impl FnMut(&mut [A], &[B]),
             ) {
                 let (($($x,)*), ($($y,)*)) = (a, b);
-                $($part::zip($x, $y, f);)*
+                $($part::each_run($x, $y, f);)*
                 let _ = f;
             }
         }

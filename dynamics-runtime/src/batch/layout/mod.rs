@@ -3,6 +3,7 @@
 mod columns;
 mod parts;
 mod rows;
+mod transposition;
 
 use fearless_simd::Simd;
 use nalgebra::{ArrayStorage, SVector};

@@ -1,0 +1,28 @@
+//! From a vector of states for each number to a vector of numbers for each state.
+
+use fearless_simd::{Simd, SimdBase};
+
+use super::MOST_LANES;
+use crate::batch::wide::{Precision, Wide, lanes};
+
+/// As many numbers as there are lanes, for as many states: number `i` of state `j`, which is in lane `j` of `from[i]`,
+/// goes to lane `i` of `to[j]`.
+///
+/// Shuffling the two halves of a deck of 2^k cards, first with last, turns the k digits of each place by one: the
+/// numbers of all vectors, one behind the other, are a deck whose places have the digits of i and then those of j, and
+/// after as many shuffles as i has digits those of j are first.
+#[inline(always)]
+pub(super) fn transpose<S: Simd, E: Precision>(from: &[Wide<S, E>], to: &mut [Wide<S, E>]) {
+    let (lanes, half) = (lanes::<S, E>(), lanes::<S, E>() / 2);
+    let mut deck = [from[0]; MOST_LANES];
+    deck[..lanes].copy_from_slice(&from[..lanes]);
+    for _ in 0..lanes.ilog2() {
+        let old = deck;
+        for i in 0..half {
+            let (first, second) = (old[i].0, old[i + half].0);
+            deck[2 * i] = Wide(first.zip_low(second));
+            deck[2 * i + 1] = Wide(first.zip_high(second));
+        }
+    }
+    to[..lanes].copy_from_slice(&deck[..lanes]);
+}
