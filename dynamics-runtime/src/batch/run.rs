@@ -14,13 +14,6 @@ use crate::function::{Arrangement, Function, Of};
 use crate::inputs::Evaluated;
 use crate::{Scalar, SingularMassMatrix};
 
-/// To take a number out of lanes and write it into a row takes the time of so many operations in lanes: a function
-/// with fewer for each number that is written by rows is faster state by state. Measured: the PUMA 560's regressor,
-/// 240 numbers of 860 operations, sines counted, 108 ns a call and 251 ns a state in lanes; its second derivatives
-/// of the torque, 864 of 2,418, 406 and 917; first derivatives of forward dynamics of the Panda, 147 of 4,653, 650
-/// and 235.
-const OPERATIONS_OF_A_ROW: usize = 5;
-
 /// A state without a value, and why.
 pub(super) type Failure = Option<(usize, SingularMassMatrix)>;
 
@@ -116,7 +109,7 @@ where
         if self.states == 0 {
             return None;
         }
-        if !R::IN_LANES || (R::WORK as usize) < OPERATIONS_OF_A_ROW * O::BY_ROWS {
+        if !R::IN_LANES {
             return self.in_turn();
         }
         if self.states >= E::MOST_LANES {
@@ -147,7 +140,7 @@ where
         failure
     }
 
-    /// State by state: what has no lanes, and what is faster so.
+    /// State by state: what has no lanes.
     fn in_turn(&mut self) -> Failure {
         let mut failure = None;
         for state in 0..self.states {

@@ -73,8 +73,6 @@ impl<'a, E: Precision, const N: usize> Source<N, E> for Columns<'a, E, N> {
 impl<'a, E: Precision, const R: usize, const C: usize> Sink<Entries<R, C>, E>
     for ColumnsMut<'a, E, R, C>
 {
-    const BY_ROWS: usize = 0;
-
     type Room = [[SMatrix<E, MOST_LANES, 1>; R]; C];
     type Copied<'r>
         = ColumnsMut<'r, E, R, C>

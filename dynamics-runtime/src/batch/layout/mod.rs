@@ -98,9 +98,6 @@ pub trait Source<const N: usize, E: Precision>: Copy + Send {
 
 /// Where the lanes write.
 pub trait Sink<A: Arrangement, E: Precision>: Send + Sized {
-    /// How many numbers of a state lie beside each other, so that lanes are taken apart to write them.
-    const BY_ROWS: usize;
-
     /// Room for as many states as there are lanes.
     type Room;
 

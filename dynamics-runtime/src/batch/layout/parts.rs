@@ -27,8 +27,6 @@ where
     E: Precision,
     X: Sink<A, E>,
 {
-    const BY_ROWS: usize = K * X::BY_ROWS;
-
     type Room = [X::Room; K];
     type Copied<'r>
         = Elements<X::Copied<'r>, K>
@@ -92,8 +90,6 @@ macro_rules! impl_parts {
         impl<E: Precision, $($part: Arrangement, $sink: Sink<$part, E>,)*> Sink<($($part,)*), E>
             for ($($sink,)*)
         {
-            const BY_ROWS: usize = 0 $(+ $sink::BY_ROWS)*;
-
             type Room = ($($sink::Room,)*);
             type Copied<'r> = ($($sink::Copied<'r>,)*) where Self: 'r;
 

@@ -71,8 +71,6 @@ impl<'a, A: Arrangement, E: Precision> Sink<A, E> for RowsMut<'a, A, E>
 where
     Of<A, E>: Send,
 {
-    const BY_ROWS: usize = size_of::<Of<A, E>>() / size_of::<E>();
-
     type Room = [Of<A, E>; MOST_LANES];
     type Copied<'r>
         = RowsMut<'r, A, E>
