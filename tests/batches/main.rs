@@ -134,7 +134,7 @@ fn results_lie_where_they_like() {
     for state in 0..21 {
         assert_eq!(poses[state], [a[state], b[state], c[state]]);
     }
-    // So many values of so few operations are written to rows state by state, and to columns from lanes.
+    // Rows have the digits of columns.
     let mut columns = [(); 3].map(|()| [(); 4].map(|()| [(); 4].map(|()| vec![0.0; 21])));
     let views = columns.each_mut().map(|pose| {
         pose.each_mut()
@@ -142,10 +142,11 @@ fn results_lie_where_they_like() {
     });
     Wrist.link_poses_batch(q, views).unwrap();
     for state in 0..21 {
-        assert_eq!(poses[state], Wrist.link_poses(&q[state]));
-        for (pose, columns) in poses[state].iter().zip(&columns) {
-            let from_lanes = SMatrix::<f64, 4, 4>::from_fn(|i, j| columns[j][i][state]);
-            assert!((pose - from_lanes).amax() < 1e-14, "{pose} {from_lanes}");
+        let single = Wrist.link_poses(&q[state]);
+        for ((pose, columns), single) in poses[state].iter().zip(&columns).zip(single) {
+            let by_columns = SMatrix::<f64, 4, 4>::from_fn(|i, j| columns[j][i][state]);
+            assert_eq!(*pose, by_columns);
+            assert!((pose - single).amax() < 1e-14, "{pose} {single}");
         }
     }
     let mut short = vec![Matrix3::zeros(); 20];

@@ -38,8 +38,8 @@ dynamics_macros::batch_methods! {
 /// at hand has them (AVX-512, AVX2 with FMA, SSE2; NEON; WebAssembly's), which is asked at run time.
 /// On one core this takes half to a fifth of the time of single calls: vectors of eight doubles
 /// take a quarter for inverse and forward dynamics (`cargo bench -p benches --bench batch`). Numbers are `f64`,
-/// or `f32` in twice as many lanes. Taylor series and base parameters are evaluated state by state, and what has
-/// many values of few operations each where they lie by rows ([`StatesMut`]). With the
+/// or `f32` in twice as many lanes. Taylor series and base parameters are evaluated state by state. Columns of numbers
+/// take less time than a vector or a matrix for each state ([`States`], [`StatesMut`]). With the
 /// feature `rayon` each method has a twin, with `par_` before its name, that uses all cores.
 ///
 /// The values are those of the single function to the last few units in the last place of the

@@ -119,7 +119,7 @@ fn every_number_of_lanes_gives_the_same_digits() {
 }
 
 /// The instruction sets that this processor has.
-pub(super) fn levels() -> Vec<Level> {
+pub(crate) fn levels() -> Vec<Level> {
     let best = Level::new();
     #[cfg(target_arch = "x86_64")]
     let lesser = [

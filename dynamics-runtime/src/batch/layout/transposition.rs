@@ -26,3 +26,34 @@ pub(super) fn transpose<S: Simd, E: Precision>(from: &[Wide<S, E>], to: &mut [Wi
     }
     to[..lanes].copy_from_slice(&deck[..lanes]);
 }
+
+#[cfg(test)]
+mod tests {
+    use fearless_simd::dispatch;
+
+    use super::*;
+    use crate::sine::tests::levels;
+
+    /// Number i of state j is 100 i + j.
+    #[inline(always)]
+    fn assert_transposed<S: Simd, E: Precision>(simd: S) {
+        let lanes = lanes::<S, E>();
+        let number = |i: usize, j: usize| E::from_f64((100 * i + j) as f64);
+        let of_number = |i| Wide::<S, E>(E::Native::<S>::from_fn(simd, |j| number(i, j)));
+        let from: Vec<_> = (0..lanes).map(of_number).collect();
+        let mut to = from.clone();
+        transpose(&from, &mut to);
+        for (j, state) in to.iter().enumerate() {
+            let expected: Vec<_> = (0..lanes).map(|i| number(i, j)).collect();
+            assert_eq!(state.0.as_slice(), expected);
+        }
+    }
+
+    #[test]
+    fn numbers_of_states_become_states_of_numbers() {
+        for level in levels() {
+            dispatch!(level, simd => assert_transposed::<_, f64>(simd));
+            dispatch!(level, simd => assert_transposed::<_, f32>(simd));
+        }
+    }
+}
