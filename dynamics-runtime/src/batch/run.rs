@@ -227,7 +227,7 @@ where
         for lane in 0..lanes::<S, E>() {
             match Self::at(function, arms, arguments, first + lane) {
                 Ok(value) => {
-                    let set = &mut |lanes: &mut Wide<S, E>, x| lanes.0[lane] = x;
+                    let set = |lanes: &mut Wide<S, E>, x| lanes.0[lane] = x;
                     R::Values::zip(&mut values, &value, set);
                 }
                 Err(error) => failure = failure.or(Some((first + lane, error))),

@@ -15,23 +15,14 @@ pub trait Arrangement: 'static {
     /// The same number everywhere.
     fn filled<T: Scalar>(x: T) -> Self::Of<T>;
 
-    /// As [`zip_runs`](Arrangement::zip_runs): what each arrangement says of itself. One reference is handed on, for
-    /// references to references are not inlined for certain.
-    fn each_run<A: Scalar, B: Scalar>(
-        a: &mut Self::Of<A>,
-        b: &Self::Of<B>,
-        f: &mut impl FnMut(&mut [A], &[B]),
-    );
+    /// How many runs of numbers that lie beside each other there are.
+    const RUNS: usize;
 
-    /// Does something to each run of numbers of `a` that lie beside each other, with its counterpart in `b`.
-    #[inline(always)]
-    fn zip_runs<A: Scalar, B: Scalar>(
-        a: &mut Self::Of<A>,
-        b: &Self::Of<B>,
-        mut f: impl FnMut(&mut [A], &[B]),
-    ) {
-        Self::each_run(a, b, &mut f);
-    }
+    /// One of the runs, counted from 0.
+    fn run<T: Scalar>(value: &Self::Of<T>, index: usize) -> &[T];
+
+    /// The same, to write to.
+    fn run_mut<T: Scalar>(value: &mut Self::Of<T>, index: usize) -> &mut [T];
 
     /// Does something to each number of `a`, with its counterpart in `b`.
     #[inline(always)]
@@ -40,16 +31,12 @@ pub trait Arrangement: 'static {
         b: &Self::Of<B>,
         mut f: impl FnMut(&mut A, B),
     ) {
-        Self::zip_runs(
-            a,
-            b,
-            #[inline(always)]
-            |a, b| {
-                for (a, b) in a.iter_mut().zip(b) {
-                    f(a, *b);
-                }
-            },
-        );
+        for index in 0..Self::RUNS {
+            let runs = Self::run_mut::<A>(a, index).iter_mut();
+            for (a, b) in runs.zip(Self::run::<B>(b, index)) {
+                f(a, *b);
+            }
+        }
     }
 }
 
@@ -66,9 +53,16 @@ impl Arrangement for Number {
         x
     }
 
+    const RUNS: usize = 1;
+
     #[inline(always)]
-    fn each_run<A: Scalar, B: Scalar>(a: &mut A, b: &B, f: &mut impl FnMut(&mut [A], &[B])) {
-        f(slice::from_mut(a), slice::from_ref(b));
+    fn run<T: Scalar>(value: &T, _: usize) -> &[T] {
+        slice::from_ref(value)
+    }
+
+    #[inline(always)]
+    fn run_mut<T: Scalar>(value: &mut T, _: usize) -> &mut [T] {
+        slice::from_mut(value)
     }
 }
 
@@ -85,13 +79,16 @@ impl<const R: usize, const C: usize> Arrangement for Entries<R, C> {
         SMatrix::repeat(x)
     }
 
+    const RUNS: usize = 1;
+
     #[inline(always)]
-    fn each_run<A: Scalar, B: Scalar>(
-        a: &mut SMatrix<A, R, C>,
-        b: &SMatrix<B, R, C>,
-        f: &mut impl FnMut(&mut [A], &[B]),
-    ) {
-        f(a.data.0.as_flattened_mut(), b.data.0.as_flattened());
+    fn run<T: Scalar>(value: &SMatrix<T, R, C>, _: usize) -> &[T] {
+        value.data.0.as_flattened()
+    }
+
+    #[inline(always)]
+    fn run_mut<T: Scalar>(value: &mut SMatrix<T, R, C>, _: usize) -> &mut [T] {
+        value.data.0.as_flattened_mut()
     }
 }
 
@@ -103,14 +100,21 @@ impl<P: Arrangement, const K: usize> Arrangement for [P; K] {
         [P::filled(x); K]
     }
 
+    const RUNS: usize = K * P::RUNS;
+
     #[inline(always)]
-    fn each_run<A: Scalar, B: Scalar>(
-        a: &mut [P::Of<A>; K],
-        b: &[P::Of<B>; K],
-        f: &mut impl FnMut(&mut [A], &[B]),
-    ) {
-        for i in 0..K {
-            P::each_run(&mut a[i], &b[i], f);
+    fn run<T: Scalar>(value: &[P::Of<T>; K], index: usize) -> &[T] {
+        match P::RUNS {
+            0 => &[],
+            runs => P::run::<T>(&value[index / runs], index % runs),
+        }
+    }
+
+    #[inline(always)]
+    fn run_mut<T: Scalar>(value: &mut [P::Of<T>; K], index: usize) -> &mut [T] {
+        match P::RUNS {
+            0 => &mut [],
+            runs => P::run_mut::<T>(&mut value[index / runs], index % runs),
         }
     }
 }
@@ -127,15 +131,28 @@ macro_rules! impl_tuple {
                 ($($part::filled(x),)*)
             }
 
+            const RUNS: usize = 0 $(+ $part::RUNS)*;
+
             #[inline(always)]
-            fn each_run<A: Scalar, B: Scalar>(
-                a: &mut Self::Of<A>,
-                b: &Self::Of<B>,
-                f: &mut impl FnMut(&mut [A], &[B]),
-            ) {
-                let (($($x,)*), ($($y,)*)) = (a, b);
-                $($part::each_run($x, $y, f);)*
-                let _ = f;
+            fn run<T: Scalar>(($($x,)*): &Self::Of<T>, index: usize) -> &[T] {
+                $(
+                    let Some(index) = index.checked_sub($part::RUNS) else {
+                        return $part::run::<T>($x, index);
+                    };
+                )*
+                let _ = index;
+                &[]
+            }
+
+            #[inline(always)]
+            fn run_mut<T: Scalar>(($($x,)*): &mut Self::Of<T>, index: usize) -> &mut [T] {
+                $(
+                    let Some(index) = index.checked_sub($part::RUNS) else {
+                        return $part::run_mut::<T>($x, index);
+                    };
+                )*
+                let _ = index;
+                &mut []
             }
         }
     };

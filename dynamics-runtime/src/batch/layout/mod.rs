@@ -41,7 +41,7 @@ pub trait States<const N: usize, T: Precision = f64> {
 ///
 /// - what a single call returns, for each state: `&mut [SMatrix<T, R, C>]`, `&mut [T]`, `&mut [(A, B)]`, and
 ///   mutable references to a `Vec` or an array of them;
-/// - a column for each entry, which takes less time, for a mass matrix a third to a half less:
+/// - a column for each entry, which takes less time, for a mass matrix a quarter less:
 ///   `[&mut [T]; R]`, `&mut [Vec<T>; R]` or `&mut OMatrix<T, Dyn, Const<R>>` for vectors,
 ///   and `[[&mut [T]; R]; C]` or `&mut [[Vec<T>; R]; C]` for matrices, entry `(i, j)` in `[j][i]`;
 /// - where a single call returns a tuple or an array, a tuple or an array of any of these, such as

@@ -3,7 +3,7 @@
 use fearless_simd::{Simd, SimdBase};
 use nalgebra::SVector;
 
-use super::transposition::transpose;
+use super::transposition::transposed;
 use super::{MOST_LANES, Sink, Source, States, StatesMut, each_joint};
 use crate::batch::wide::Precision;
 use crate::batch::wide::{Wide, lanes};
@@ -110,50 +110,24 @@ where
     #[inline(always)]
     fn store<S: Simd>(&mut self, first: usize, value: &Of<A, Wide<S, E>>) {
         let states = &mut self.0[first..first + lanes::<S, E>()];
-        let blocks = by_state::<A, S, E>(value);
-        for (lane, state) in states.iter_mut().enumerate() {
-            A::zip_runs(
-                state,
-                &blocks,
-                #[inline(always)]
-                |state, blocks| write(state, blocks, lane),
-            );
-        }
-    }
-}
-
-/// Values whose runs of numbers are transposed block by block, so that a vector holds as many numbers of one state. What
-/// is left of a run is as it was.
-#[inline(always)]
-fn by_state<A: Arrangement, S: Simd, E: Precision>(value: &Of<A, Wide<S, E>>) -> Of<A, Wide<S, E>> {
-    let mut blocks = *value;
-    A::zip_runs(
-        &mut blocks,
-        value,
-        #[inline(always)]
-        |blocks: &mut [Wide<S, E>], value: &[Wide<S, E>]| {
-            let lanes = lanes::<S, E>();
-            let whole = value.len() - value.len() % lanes;
-            for first in (0..whole).step_by(lanes) {
-                transpose(&value[first..], &mut blocks[first..]);
+        for index in 0..A::RUNS {
+            let numbers = A::run::<Wide<S, E>>(value, index);
+            let whole = numbers.len() - numbers.len() % lanes::<S, E>();
+            for first in (0..whole).step_by(lanes::<S, E>()) {
+                let by_state = transposed(&numbers[first..]);
+                for (state, block) in states.iter_mut().zip(&by_state) {
+                    let run = A::run_mut::<E>(state, index);
+                    block
+                        .0
+                        .store_slice(&mut run[first..first + lanes::<S, E>()]);
+                }
             }
-        },
-    );
-    blocks
-}
-
-/// A run of one state from such blocks.
-#[inline(always)]
-fn write<S: Simd, E: Precision>(state: &mut [E], blocks: &[Wide<S, E>], lane: usize) {
-    let lanes = lanes::<S, E>();
-    let mut chunks = state.chunks_exact_mut(lanes);
-    let mut first = 0;
-    for chunk in &mut chunks {
-        blocks[first + lane].0.store_slice(chunk);
-        first += lanes;
-    }
-    for (number, rest) in chunks.into_remainder().iter_mut().zip(&blocks[first..]) {
-        *number = rest.0[lane];
+            for number in whole..numbers.len() {
+                for (lane, state) in states.iter_mut().enumerate() {
+                    A::run_mut::<E>(state, index)[number] = numbers[number].0[lane];
+                }
+            }
+        }
     }
 }
 

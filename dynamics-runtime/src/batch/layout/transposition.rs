@@ -5,17 +5,19 @@ use fearless_simd::{Simd, SimdBase};
 use super::MOST_LANES;
 use crate::batch::wide::{Precision, Wide, lanes};
 
-/// As many numbers as there are lanes, for as many states: number `i` of state `j`, which is in lane `j` of `from[i]`,
-/// goes to lane `i` of `to[j]`.
+/// As many numbers as there are lanes, for as many states: number `i` of state `j`, which is in lane `j` of
+/// `numbers[i]`, is in lane `i` of the vector `j` of what is returned. What is behind these is of no use.
 ///
 /// Shuffling the two halves of a deck of 2^k cards, first with last, turns the k digits of each place by one: the
 /// numbers of all vectors, one behind the other, are a deck whose places have the digits of i and then those of j, and
 /// after as many shuffles as i has digits those of j are first.
 #[inline(always)]
-pub(super) fn transpose<S: Simd, E: Precision>(from: &[Wide<S, E>], to: &mut [Wide<S, E>]) {
+pub(super) fn transposed<S: Simd, E: Precision>(
+    numbers: &[Wide<S, E>],
+) -> [Wide<S, E>; MOST_LANES] {
     let (lanes, half) = (lanes::<S, E>(), lanes::<S, E>() / 2);
-    let mut deck = [from[0]; MOST_LANES];
-    deck[..lanes].copy_from_slice(&from[..lanes]);
+    let mut deck = [numbers[0]; MOST_LANES];
+    deck[..lanes].copy_from_slice(&numbers[..lanes]);
     for _ in 0..lanes.ilog2() {
         let old = deck;
         for i in 0..half {
@@ -24,7 +26,7 @@ pub(super) fn transpose<S: Simd, E: Precision>(from: &[Wide<S, E>], to: &mut [Wi
             deck[2 * i + 1] = Wide(first.zip_high(second));
         }
     }
-    to[..lanes].copy_from_slice(&deck[..lanes]);
+    deck
 }
 
 #[cfg(test)]
@@ -40,10 +42,8 @@ mod tests {
         let lanes = lanes::<S, E>();
         let number = |i: usize, j: usize| E::from_f64((100 * i + j) as f64);
         let of_number = |i| Wide::<S, E>(E::Native::<S>::from_fn(simd, |j| number(i, j)));
-        let from: Vec<_> = (0..lanes).map(of_number).collect();
-        let mut to = from.clone();
-        transpose(&from, &mut to);
-        for (j, state) in to.iter().enumerate() {
+        let numbers: Vec<_> = (0..lanes).map(of_number).collect();
+        for (j, state) in transposed(&numbers)[..lanes].iter().enumerate() {
             let expected: Vec<_> = (0..lanes).map(|i| number(i, j)).collect();
             assert_eq!(state.0.as_slice(), expected);
         }
