@@ -253,8 +253,8 @@ impl Arena {
         self.number(value, |_| x.clone())
     }
 
-    /// The number of that fingerprint, which is worked out where no node has it yet: a fraction takes a
-    /// hundred times as long as its fingerprint.
+    /// The number of that fingerprint. Fractions are slow, fingerprints are not: the number is worked out only where no
+    /// node has it yet.
     fn number(&mut self, value: Fingerprint, exact: impl FnOnce(&Self) -> Rational) -> Edge {
         let index = self.rationals.len() as u32;
         let edge = self.intern(Operation::Rational(index), Level::Constant, value);

@@ -109,17 +109,16 @@ where
 
     #[inline(always)]
     fn store<S: Simd>(&mut self, first: usize, value: &Of<A, Wide<S, E>>) {
-        let states = &mut self.0[first..first + lanes::<S, E>()];
+        let lanes = lanes::<S, E>();
+        let states = &mut self.0[first..first + lanes];
         for index in 0..A::RUNS {
             let numbers = A::run::<Wide<S, E>>(value, index);
-            let whole = numbers.len() - numbers.len() % lanes::<S, E>();
-            for first in (0..whole).step_by(lanes::<S, E>()) {
-                let by_state = transposed(&numbers[first..]);
-                for (state, block) in states.iter_mut().zip(&by_state) {
+            let whole = numbers.len() - numbers.len() % lanes;
+            for block in (0..whole).step_by(lanes) {
+                let by_state = transposed(&numbers[block..]);
+                for (state, numbers) in states.iter_mut().zip(&by_state) {
                     let run = A::run_mut::<E>(state, index);
-                    block
-                        .0
-                        .store_slice(&mut run[first..first + lanes::<S, E>()]);
+                    numbers.0.store_slice(&mut run[block..block + lanes]);
                 }
             }
             for number in whole..numbers.len() {
