@@ -52,11 +52,17 @@ pub fn simplify<'g>(network: &mut Network<'g>, judge: &mut Judge<'g>, effort: Ef
 }
 
 fn shorten<'g>(network: &mut Network<'g>, judge: &mut Judge<'g>, left: &mut usize) {
+    // Whatever changes a network makes it shorter: one of this cost was rescaled in vain.
+    let mut scaled = None;
     loop {
         let before = network.cost();
         cancel::cancel(network, judge);
         resubstitute::resubstitute(network, judge, left);
-        scale::rescale(network, judge);
+        let unscaled = network.cost();
+        if scaled != Some(unscaled) {
+            scale::rescale(network, judge);
+            scaled = (network.cost() == unscaled).then_some(unscaled);
+        }
         if network.cost() == before || *left == 0 {
             return;
         }

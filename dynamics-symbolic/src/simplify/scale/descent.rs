@@ -4,9 +4,6 @@ use super::Scaling;
 use super::multiple::{Multiple, Ratio};
 use super::terms::{Factor, TermId};
 
-/// How often moves that cost nothing are made.
-const DRIFTS: usize = 2;
-
 /// A multiple to try.
 #[derive(Clone, Copy)]
 enum Candidate {
@@ -25,17 +22,9 @@ impl<'g> Scaling<'_, 'g> {
         let mut best = (self.total_cost(), self.multiples());
         for longest in [0, 1, usize::MAX] {
             self.start(longest);
-            for _ in 0..DRIFTS {
-                self.settle();
-                let cost = self.total_cost();
-                if cost < best.0 {
-                    best = (cost, self.multiples());
-                }
-                // Moves that cost nothing carry multiples towards the readers, where they meet others.
-                for sum in 0..self.sums.len() {
-                    self.improve(sum, true);
-                }
-            }
+            self.settle(&mut best);
+            self.drift();
+            self.settle(&mut best);
         }
         for (sum, multiple) in self.sums.iter_mut().zip(best.1) {
             sum.multiple = multiple;
@@ -60,9 +49,9 @@ impl<'g> Scaling<'_, 'g> {
         self.settled.fill(false);
     }
 
-    /// Improves multiples until none can be. It ends: every improvement is one
-    /// of the total cost.
-    fn settle(&mut self) {
+    /// Improves multiples until none can be, and keeps them if they cost less than the best. It ends:
+    /// every improvement is one of the total cost.
+    fn settle(&mut self, best: &mut (usize, Vec<Multiple<'g>>)) {
         while self.settled.contains(&false) {
             for sum in 0..self.sums.len() {
                 if !self.settled[sum] {
@@ -70,6 +59,17 @@ impl<'g> Scaling<'_, 'g> {
                     self.improve(sum, false);
                 }
             }
+        }
+        let cost = self.total_cost();
+        if cost < best.0 {
+            *best = (cost, self.multiples());
+        }
+    }
+
+    /// Moves that cost nothing carry multiples towards the readers, where they meet others.
+    fn drift(&mut self) {
+        for sum in 0..self.sums.len() {
+            self.improve(sum, true);
         }
     }
 
