@@ -8,6 +8,7 @@
 //! each case by an engine that is not optimised.
 
 mod accepted;
+mod rebuild;
 
 use std::fs::DirEntry;
 use std::path::{Path, PathBuf};
@@ -61,18 +62,27 @@ fn rustc() -> Command {
 
 /// A file as the compiler reads it that `cargo check` calls.
 fn compiled(file: &Path, library: &Path) -> Output {
-    let name = |path: &Path| path.to_string_lossy().into_owned();
-    let folder = library.parent().expect("the folder of all libraries");
     rustc()
         .current_dir(workspace())
         .args(["--edition=2024", "--crate-type=bin", "--emit=metadata"])
         .args(["--color=never", "--diagnostic-width=140"])
         .args(["--out-dir", env!("CARGO_TARGET_TMPDIR")])
-        .args(["-L", &format!("dependency={}", name(folder))])
-        .args(["--extern", &format!("robot_dynamics={}", name(library))])
+        .args(library_flags(library))
         .arg(file.strip_prefix(workspace()).unwrap_or(file))
         .output()
         .expect("a compiler")
+}
+
+/// Tells the compiler where the library is, and what it depends on.
+fn library_flags(library: &Path) -> [String; 4] {
+    let name = |path: &Path| path.to_string_lossy().into_owned();
+    let folder = library.parent().expect("the folder of all libraries");
+    [
+        "-L".to_owned(),
+        format!("dependency={}", name(folder)),
+        "--extern".to_owned(),
+        format!("robot_dynamics={}", name(library)),
+    ]
 }
 
 /// The library in the folder of this test's program. There is one for each selection of features that was

@@ -4,7 +4,6 @@ mod bounds;
 mod compiled;
 mod generated;
 mod mimic;
-mod rebuild;
 mod tables;
 mod urdf;
 
