@@ -14,12 +14,22 @@ pub(super) fn document(text: &str, diagnostics: &Diagnostics) -> Option<Node> {
     let start = |error: &toml::de::Error| error.span().map_or(0, |span| span.start);
     if let Some(error) = errors.iter().min_by_key(|error| start(error)) {
         let start = start(error);
-        diagnostics.error(lines.place(start), mistake::syntax("TOML", error.message()));
+        let mistake = match is_single_joint(text, start) {
+            true => mistake::single_brackets(),
+            false => mistake::syntax("TOML", error.message()),
+        };
+        diagnostics.error(lines.place(start), mistake);
     }
     errors.is_empty().then(|| Node {
         place: lines.place(0),
         kind: table(document.get_ref(), &lines),
     })
+}
+
+/// Whether what begins behind so many bytes is the word of a line `[joint]`.
+fn is_single_joint(text: &str, start: usize) -> bool {
+    let before = text[..start].lines().next_back().unwrap_or_default();
+    before.trim() == "[" && text[start..].starts_with("joint]")
 }
 
 /// The items in the order in which they were written.

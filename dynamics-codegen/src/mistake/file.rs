@@ -50,6 +50,11 @@ pub(crate) fn syntax(format: &str, message: &str) -> Mistake {
     Mistake::new(format!("not {format}: {message}"))
 }
 
+/// `[joint]` for the second time.
+pub(crate) fn single_brackets() -> Mistake {
+    Mistake::new("each joint stands under a line `[[joint]]`, with two brackets")
+}
+
 /// Another kind of value than the one that was expected.
 pub(crate) fn other_kind(what: &str, found: &str) -> Mistake {
     Mistake::new(format!("expected {what}, found {found}"))

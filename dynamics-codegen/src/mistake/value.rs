@@ -49,6 +49,11 @@ pub(crate) fn constant_by_path(name: &impl Display) -> Mistake {
 }
 
 pub(crate) fn other_function(name: &str) -> Mistake {
+    if ["degree", "degrees", "radians", "to_radians", "deg2rad"].contains(&name) {
+        return Mistake::new(format!(
+            "`{name}(...)` is not known: write `deg(90)` for an angle in degrees; an angle in rad is a number"
+        ));
+    }
     Mistake::new(format!(
         "`{name}(...)` is not known: the functions are `deg(x)`, `sqrt(x)`, `sin(x)` and `cos(x)`"
     ))

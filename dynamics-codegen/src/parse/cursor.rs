@@ -79,7 +79,10 @@ impl<'t> Cursor<'t> {
 
     /// Reports that something else stands here, or that the tokens end.
     pub(crate) fn expected(&self, what: Expected) -> Reported {
-        let found = self.peek().map(|token| describe(&token));
+        let found = match self.at_path_separator() {
+            true => Some("`::`".to_owned()),
+            false => self.peek().map(|token| describe(&token)),
+        };
         self.error(self.here(), mistake::instead(&what, found.as_deref()))
     }
 

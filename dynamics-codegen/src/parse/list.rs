@@ -120,7 +120,10 @@ pub(super) fn colon(cursor: &mut Cursor, name: &str) -> Result<(), Reported> {
         return Ok(());
     }
     let reported = cursor.expected(expected::colon_after(&name));
-    let instead = cursor.take_char('=').is_some();
+    let instead = match cursor.at_path_separator() {
+        true => cursor.take().and(cursor.take()).is_some(),
+        false => cursor.take_char('=').is_some(),
+    };
     let at_next_item = !instead && cursor.at_key();
     match cursor.peek() {
         Some(TokenTree::Punct(punct)) if punct.as_char() != '-' => Err(reported),

@@ -2,6 +2,6 @@ robot_dynamics! {
     pub struct Arm;
     convention standard,
     gravity = [0, 0, -9.81],
-    joints: [joint revolute { mass: 1 }],
+    joints: [joint revolute { mass:: 1 }],
     tests,
 }
