@@ -34,8 +34,9 @@ done
 table=$target/table-$lanes.md
 {
   printf '### %s\n\n' "$name"
-  printf '%s, %s lanes of doubles; %s; trial compiled by %s; %s.\n\n' \
-    "$(sed -n 's/^model name\s*: //p' /proc/cpuinfo | head -n 1)" "$lanes" "$(rustc --version)" \
+  printf '%s, family %s, %s lanes of doubles; %s; trial compiled by %s; %s.\n\n' \
+    "$(sed -n 's/^model name\s*: //p' /proc/cpuinfo | head -n 1)" \
+    "$(sed -n 's/^cpu family\s*: //p' /proc/cpuinfo | head -n 1)" "$lanes" "$(rustc --version)" \
     "$(cat "$trial.compiler")" "$(date -u +%Y-%m-%d)"
   "$goals" table "$lanes" "$lines"
   python3 benches/spills.py "$goals"
