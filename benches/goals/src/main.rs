@@ -4,12 +4,16 @@
 mod columns;
 mod five;
 mod measure;
+mod second;
 mod table;
 
 fn main() {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
-        ["one-core"] => measure::on_one_core(),
+        ["one-core"] => {
+            measure::on_one_core();
+            second::derivatives();
+        }
         ["all-cores"] => measure::on_all_cores(),
         ["table", lanes, lines] => table::print(lanes, lines),
         _ => panic!("`one-core`, `all-cores`, or `table`, a number of lanes and a file of lines"),

@@ -16,7 +16,7 @@ const STATES: usize = 64;
 const MANY: usize = 1024;
 
 /// States spread over the joints' circles, in numbers that single precision holds.
-fn states<T: Scalar, const N: usize>(count: usize) -> Vec<Numbers<T, N>> {
+pub(crate) fn states<T: Scalar, const N: usize>(count: usize) -> Vec<Numbers<T, N>> {
     let number = |phase: f64, state: usize, joint: usize| {
         let x = (phase + 1.7 * state as f64 + 2.3 * joint as f64).sin() * 3.0;
         T::from_f64(f64::from(x as f32))
@@ -108,7 +108,7 @@ fn largest_of<'a>(numbers: impl Iterator<Item = &'a f64>) -> f64 {
 }
 
 /// The largest of the errors, and the root of the mean square, over a scale.
-fn relative<'a>(errors: impl Iterator<Item = &'a f64> + Clone, scale: f64) -> [f64; 2] {
+pub(crate) fn relative<'a>(errors: impl Iterator<Item = &'a f64> + Clone, scale: f64) -> [f64; 2] {
     let squares: f64 = errors.clone().map(|e| e * e).sum();
     let count = errors.clone().count() as f64;
     match scale {

@@ -165,6 +165,14 @@ pub(crate) fn print(lanes: &str, file: &str) {
         let what = format!("`{function}` of the Panda, ns a state (errors {errors})");
         goal(&what, time, Bar::AtMost(bar));
     }
+    let second = "inverse_dynamics_second_derivatives";
+    let errors = records.errors("panda", second, GENERATED);
+    let what = format!("`{second}` of the Panda, ns a call (errors {errors})");
+    goal(
+        &what,
+        records.time("panda", second, GENERATED),
+        Bar::AtMost(1500.0),
+    );
     for (key, numbers) in &records.0 {
         if let Some(name) = key.strip_prefix("ratio panda par_") {
             let name = name
