@@ -11,6 +11,8 @@ const ZERO: f64 = 1e-26;
 pub(crate) struct Errors {
     /// The largest error over the natural magnitude; infinite where a value is no number.
     pub(crate) largest: f64,
+    /// The state at which it is.
+    pub(crate) at: usize,
     /// The root of the mean of the squares.
     pub(crate) rms: f64,
     /// The largest relative error of a single entry, in bits: how many of the last of 53 bits are
@@ -36,17 +38,19 @@ pub(crate) struct AtState {
 impl Errors {
     pub(crate) fn of(states: &[AtState]) -> Self {
         let mut errors = Errors::default();
-        let judged = states.iter().flat_map(|state| {
+        let judged = states.iter().enumerate().flat_map(|(at, state)| {
             let over = |error: f64| match error {
                 0.0 => 0.0,
                 error if error.is_nan() => f64::INFINITY,
                 error => error.abs() / state.scale,
             };
-            state.judged.iter().map(move |&error| over(error))
+            state.judged.iter().map(move |&error| (at, over(error)))
         });
         let (mut squares, mut count) = (0.0, 0);
-        for error in judged {
-            errors.largest = errors.largest.max(error);
+        for (at, error) in judged {
+            if error > errors.largest {
+                (errors.largest, errors.at) = (error, at);
+            }
             squares += error * error;
             count += 1;
         }

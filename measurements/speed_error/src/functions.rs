@@ -151,6 +151,9 @@ pub(crate) struct Measured {
     pub(crate) errors: Errors,
     /// The largest proven bound of an error, as the largest error is judged; where it was asked for.
     pub(crate) bound: Option<f64>,
+    /// In single precision, what half a unit in the last place of the arguments changes at the state of the largest
+    /// error, over the same magnitude.
+    pub(crate) conditioning: Option<f64>,
 }
 
 /// An arm that is measured.
@@ -415,6 +418,8 @@ impl<const N: usize> Measurements<N> {
     }
 
     fn record(&mut self, function: Function, variant: Variant, nanoseconds: f64, errors: Errors) {
+        let conditioning =
+            (variant == Variant::F32).then(|| self.conditioning(function, errors.at));
         self.all.push(Measured {
             robot: self.robot,
             joints: N,
@@ -423,7 +428,24 @@ impl<const N: usize> Measurements<N> {
             nanoseconds,
             errors,
             bound: None,
+            conditioning: conditioning.flatten(),
         });
+    }
+
+    fn conditioning(&self, function: Function, state: usize) -> Option<f64> {
+        let change = self.samples.change_by_half_units(state, |exact, s| {
+            let all = |x: &[DoubleDouble]| x.to_vec();
+            match function {
+                Function::M => all(exact.mass_matrix(&s.q).as_slice()),
+                Function::V => all(exact.coriolis_vector(&s.q, &s.qd).as_slice()),
+                Function::G => all(exact.gravity_vector(&s.q).as_slice()),
+                Function::Tau => all(exact.inverse_dynamics(&s.q, &s.qd, &s.qdd).as_slice()),
+                // Their errors are judged by torques.
+                Function::Qdd => Vec::new(),
+            }
+        });
+        let is_judged = function != Function::Qdd;
+        is_judged.then(|| change / function.scale(&self.samples.values[state]))
     }
 }
 

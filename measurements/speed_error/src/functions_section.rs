@@ -29,6 +29,11 @@ pub(crate) fn section(all: &[Measured]) -> Result<Section, Box<dyn Error>> {
          of them came out as anything else.",
     );
     section.parts.push(Part::Table(summary(all)));
+    section.text(
+        "Where errors in single precision are above 4e-7: beside each stands what half a unit in the last place of \
+         the arguments, added for all of them, changes at that state, in exact arithmetic.",
+    );
+    section.parts.push(Part::Table(singles(all)));
     for robot in robots(all) {
         let of_robot: Vec<_> = all.iter().filter(|m| m.robot == robot).collect();
         section.parts.push(Part::Plot(
@@ -91,6 +96,28 @@ fn summary(all: &[Measured]) -> Table {
                 format!("{broken} of {zeros}"),
             ]);
         }
+    }
+    table
+}
+
+/// What errors in single precision stay below, but for those of this table.
+const OF_SINGLES: f64 = 4e-7;
+
+/// The largest errors in single precision, each beside the conditioning.
+fn singles(all: &[Measured]) -> Table {
+    let heads = [
+        "robot, function",
+        "largest error",
+        "half a unit in the arguments",
+    ];
+    let mut table = Table::new("Single precision, errors above 4e-7", &heads);
+    let is_large = |m: &&Measured| m.variant == Variant::F32 && m.errors.largest > OF_SINGLES;
+    for m in all.iter().filter(is_large) {
+        table.row([
+            format!("{}, {}", m.robot, m.function.symbol()),
+            short(m.errors.largest),
+            m.conditioning.map_or_else(String::new, short),
+        ]);
     }
     table
 }

@@ -32,7 +32,7 @@ pub(crate) struct Values<const N: usize> {
     pub(crate) scale: Scale,
 }
 
-/// The denominators of relative errors: max |M|, max |M| max |qd|^2, sum m |g| reach, and for
+/// The denominators of relative errors: max |M|, max |M| max |qd|^2, sum m |g| reach (at least 1 m where a joint slides), and for
 /// torques max |M| max |qdd| with the two others and friction.
 pub(crate) struct Scale {
     pub(crate) inertia: f64,
@@ -43,6 +43,7 @@ pub(crate) struct Scale {
 
 /// The states of an arm with their exact values.
 pub(crate) struct Samples<const N: usize> {
+    table: Table<N>,
     states: Vec<State<f64, N>>,
     pub(crate) values: Vec<Values<N>>,
 }
@@ -52,6 +53,7 @@ impl<const N: usize> Samples<N> {
         let mut random = Random::seeded(560);
         let exact = Exact(table);
         let mut samples = Samples {
+            table: *table,
             states: Vec::new(),
             values: Vec::new(),
         };
@@ -120,10 +122,53 @@ impl<const N: usize> Samples<N> {
         states.collect()
     }
 
+    /// What changes at a state with half a unit in the last place of an argument in single precision, added over
+    /// all arguments: the largest sum of an entry of `value`.
+    pub(crate) fn change_by_half_units(
+        &self,
+        state: usize,
+        value: impl Fn(&Exact<N>, &State<DoubleDouble, N>) -> Vec<DoubleDouble>,
+    ) -> f64 {
+        let exact = Exact(&self.table);
+        let at = self.states_as(DoubleDouble::from)[state];
+        let here = value(&exact, &at);
+        let mut changes = vec![0.0; here.len()];
+        for joint in 0..N {
+            let moved = [
+                State {
+                    q: moved(&at.q, joint),
+                    ..at
+                },
+                State {
+                    qd: moved(&at.qd, joint),
+                    ..at
+                },
+                State {
+                    qdd: moved(&at.qdd, joint),
+                    ..at
+                },
+            ];
+            for there in moved.map(|state| value(&exact, &state)) {
+                let pairs = changes.iter_mut().zip(there.iter().zip(&here));
+                pairs.for_each(|(change, (x, y))| *change += (*x - *y).high().abs());
+            }
+        }
+        changes.into_iter().fold(0.0, f64::max)
+    }
+
     /// How many of the states are ordinary: these are timed.
     pub(crate) fn timed(&self) -> usize {
         ORDINARY
     }
+}
+
+/// A vector with half a unit in the last place of single precision added to the number of a joint.
+fn moved<const N: usize>(x: &SVector<DoubleDouble, N>, joint: usize) -> SVector<DoubleDouble, N> {
+    let mut moved = *x;
+    let single = x[joint].high() as f32;
+    let unit = f64::from(single.abs().next_up()) - f64::from(single.abs());
+    moved[joint] = x[joint] + DoubleDouble::from(0.5 * unit);
+    moved
 }
 
 /// Rounded to single precision, so that every kind of number starts from the same values.
@@ -146,5 +191,12 @@ fn weight_by_reach<const N: usize>(table: &Table<N>, q: &SVector<f64, N>) -> f64
         row.a.abs() + row.d.abs() + travel + norm(&row.com)
     };
     let reach: f64 = table.rows.iter().zip(q.iter()).map(link).sum();
-    table.total_mass() * norm(&table.gravity) * reach
+    // A joint that slides has a force, not a moment.
+    let slides = |row: &Row| row.joint_type == JointType::Prismatic;
+    let lever = if table.rows.iter().any(slides) {
+        reach.max(1.0)
+    } else {
+        reach
+    };
+    table.total_mass() * norm(&table.gravity) * lever
 }
