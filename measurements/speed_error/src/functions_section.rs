@@ -17,8 +17,8 @@ pub(crate) fn section(all: &[Measured]) -> Result<Section, Box<dyn Error>> {
         "Time of one evaluation, the median on one core, and errors at 64 states: 48 random ones, 8 \
          at rest, 8 with angles of up to 10^6 rad, all of them numbers that single precision holds. \
          The exact values are Newton-Euler in 31 digits on the doubles of the table. Errors are \
-         relative to the natural magnitude: max |M| for M, max |M| max |qd|^2 for V, sum m |g| reach \
-         for G, and max |M| max |qdd| with both for tau. The error of qdd is the torque that it \
+         relative to the natural magnitude: max |M| for M, max |M| max |qd|^2 for V, sum m |g| reach, \
+         at least 1 m where a joint slides, for G, and max |M| max |qdd| with both for tau. The error of qdd is the torque that it \
          takes, M times the error, over the magnitude of tau. Beside the largest error of the functions in \
          doubles stands the largest bound that is proven for one of these states (Certified), which counts \
          from the decimals of the table, not from its doubles, relative to the same magnitudes.",
