@@ -13,8 +13,8 @@ const DERIVATIVES: [(&str, f64, f64); 2] = [
 ];
 
 /// What stands in front of these times and behind them: the one place of this text, for the document is written anew.
-const BEFORE: &str = include_str!("goals/before.md");
-const AFTER: &str = include_str!("goals/after.md");
+const BEFORE: &str = include_str!("goals/before.txt");
+const AFTER: &str = include_str!("goals/after.txt");
 
 /// The section, from the lines of the native build.
 pub(super) fn section(native: &Records) -> String {
