@@ -10,7 +10,7 @@ use crate::five::{Five, NAMES, Numbers, calls, values};
 use measured_arms::*;
 
 /// The states at which a function is evaluated in turn, and those of a batch: all fit into the first cache.
-const STATES: usize = 64;
+pub(crate) const STATES: usize = 64;
 
 /// The states of a batch of derivatives.
 const MANY: usize = 1024;

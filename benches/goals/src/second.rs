@@ -5,7 +5,7 @@ use robot_dynamics::DoubleDouble;
 use robot_dynamics::nalgebra::SMatrix;
 
 use crate::five::Numbers;
-use crate::measure::{relative, states};
+use crate::measure::{STATES, relative, states};
 
 robot_dynamics::robot_dynamics! {
     /// The Panda with this function alone.
@@ -15,9 +15,6 @@ robot_dynamics::robot_dynamics! {
 }
 
 const N: usize = 7;
-
-/// The states at which it is called in turn.
-const STATES: usize = 64;
 
 /// Prints the time of a call, and the errors relative to the largest entry of a derivative at that state.
 pub(crate) fn derivatives() {

@@ -28,8 +28,11 @@ pub(super) fn document(text: &str, diagnostics: &Diagnostics) -> Option<Node> {
 
 /// Whether what begins behind so many bytes is the word of a line `[joint]`.
 fn is_single_joint(text: &str, start: usize) -> bool {
-    let before = text[..start].lines().next_back().unwrap_or_default();
-    before.trim() == "[" && text[start..].starts_with("joint]")
+    let (Some(before), Some(behind)) = (text.get(..start), text.get(start..)) else {
+        return false;
+    };
+    let line = before.lines().next_back().unwrap_or_default();
+    line.trim() == "[" && behind.starts_with("joint]")
 }
 
 /// The items in the order in which they were written.

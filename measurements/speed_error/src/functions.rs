@@ -6,6 +6,7 @@ use robot_dynamics::{
     Batch, Certified, CoriolisVector, DoubleDouble, ForwardDynamics, GravityVector,
     InverseDynamics, MassMatrix, Model, NewtonEuler, SingularMassMatrix, Table, certified,
 };
+use testkit::exact::Exact;
 
 use crate::errors::{AtState, Errors};
 use crate::number::{BUILT_FUSED, Number, Otherwise, can_fuse, with_fused_instructions};
@@ -418,8 +419,10 @@ impl<const N: usize> Measurements<N> {
     }
 
     fn record(&mut self, function: Function, variant: Variant, nanoseconds: f64, errors: Errors) {
-        let conditioning =
-            (variant == Variant::F32).then(|| self.conditioning(function, errors.at));
+        let conditioning = match variant {
+            Variant::F32 => self.conditioning(function, errors.at),
+            _ => None,
+        };
         self.all.push(Measured {
             robot: self.robot,
             joints: N,
@@ -428,24 +431,24 @@ impl<const N: usize> Measurements<N> {
             nanoseconds,
             errors,
             bound: None,
-            conditioning: conditioning.flatten(),
+            conditioning,
         });
     }
 
+    /// That of a value at a state; none of accelerations, whose errors are judged by torques.
     fn conditioning(&self, function: Function, state: usize) -> Option<f64> {
-        let change = self.samples.change_by_half_units(state, |exact, s| {
-            let all = |x: &[DoubleDouble]| x.to_vec();
-            match function {
-                Function::M => all(exact.mass_matrix(&s.q).as_slice()),
-                Function::V => all(exact.coriolis_vector(&s.q, &s.qd).as_slice()),
-                Function::G => all(exact.gravity_vector(&s.q).as_slice()),
-                Function::Tau => all(exact.inverse_dynamics(&s.q, &s.qd, &s.qdd).as_slice()),
-                // Their errors are judged by torques.
-                Function::Qdd => Vec::new(),
-            }
-        });
-        let is_judged = function != Function::Qdd;
-        is_judged.then(|| change / function.scale(&self.samples.values[state]))
+        let value: fn(&Exact<N>, &State<DoubleDouble, N>) -> Vec<DoubleDouble> = match function {
+            Function::M => |exact, s| exact.mass_matrix(&s.q).as_slice().to_vec(),
+            Function::V => |exact, s| exact.coriolis_vector(&s.q, &s.qd).as_slice().to_vec(),
+            Function::G => |exact, s| exact.gravity_vector(&s.q).as_slice().to_vec(),
+            Function::Tau => |exact, s| {
+                let tau = exact.inverse_dynamics(&s.q, &s.qd, &s.qdd);
+                tau.as_slice().to_vec()
+            },
+            Function::Qdd => return None,
+        };
+        let change = self.samples.change_by_half_units(state, value);
+        Some(change / function.scale(&self.samples.values[state]))
     }
 }
 

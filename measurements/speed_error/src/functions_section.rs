@@ -18,8 +18,8 @@ pub(crate) fn section(all: &[Measured]) -> Result<Section, Box<dyn Error>> {
          at rest, 8 with angles of up to 10^6 rad, all of them numbers that single precision holds. \
          The exact values are Newton-Euler in 31 digits on the doubles of the table. Errors are \
          relative to the natural magnitude: max |M| for M, max |M| max |qd|^2 for V, sum m |g| reach, \
-         at least 1 m where a joint slides, for G, and max |M| max |qdd| with both for tau. The error of qdd is the torque that it \
-         takes, M times the error, over the magnitude of tau. Beside the largest error of the functions in \
+         at least 1 m where a joint slides, for G, and max |M| max |qdd| with both for tau. The error \
+         of qdd is the torque that it takes, M times the error, over the magnitude of tau. Beside the largest error of the functions in \
          doubles stands the largest bound that is proven for one of these states (Certified), which counts \
          from the decimals of the table, not from its doubles, relative to the same magnitudes.",
     );
@@ -29,10 +29,10 @@ pub(crate) fn section(all: &[Measured]) -> Result<Section, Box<dyn Error>> {
          of them came out as anything else.",
     );
     section.parts.push(Part::Table(summary(all)));
-    section.text(
-        "Where errors in single precision are above 4e-7: beside each stands what half a unit in the last place of \
-         the arguments, added for all of them, changes at that state, in exact arithmetic.",
-    );
+    section.text(format!(
+        "Where errors in single precision are above {OF_SINGLES:e}: beside each stands what half a unit in the last \
+         place of the arguments, added for all of them, changes at that state, in exact arithmetic."
+    ));
     section.parts.push(Part::Table(singles(all)));
     for robot in robots(all) {
         let of_robot: Vec<_> = all.iter().filter(|m| m.robot == robot).collect();
@@ -110,7 +110,8 @@ fn singles(all: &[Measured]) -> Table {
         "largest error",
         "half a unit in the arguments",
     ];
-    let mut table = Table::new("Single precision, errors above 4e-7", &heads);
+    let title = format!("Single precision, errors above {OF_SINGLES:e}");
+    let mut table = Table::new(title, &heads);
     let is_large = |m: &&Measured| m.variant == Variant::F32 && m.errors.largest > OF_SINGLES;
     for m in all.iter().filter(is_large) {
         table.row([

@@ -32,8 +32,8 @@ pub(crate) struct Values<const N: usize> {
     pub(crate) scale: Scale,
 }
 
-/// The denominators of relative errors: max |M|, max |M| max |qd|^2, sum m |g| reach (at least 1 m where a joint slides), and for
-/// torques max |M| max |qdd| with the two others and friction.
+/// The denominators of relative errors: max |M|, max |M| max |qd|^2, sum m |g| reach (at least 1 m
+/// where a joint slides), and for torques max |M| max |qdd| with the two others and friction.
 pub(crate) struct Scale {
     pub(crate) inertia: f64,
     pub(crate) coriolis: f64,
