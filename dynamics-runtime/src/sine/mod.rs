@@ -12,14 +12,17 @@ mod part;
 mod single;
 #[cfg(test)]
 pub(crate) mod tests;
+mod vectors;
 
 pub use columns::sin_cos_column;
-use fearless_simd::{Level, Simd, SimdBase, SimdFrom, dispatch, f32x4, f32x8, f64x2, f64x4, f64x8};
+use fearless_simd::Level;
 use lanes::Reduced;
 pub(crate) use lanes::{Kernel, Lanes};
 pub use part::Part;
 #[cfg(feature = "std")]
 pub(crate) use part::part_in_lanes;
+pub(crate) use vectors::level;
+use vectors::{Pair, eight, eight_singles, four, four_singles, two};
 
 /// A precision whose sines of several angles are evaluated at once.
 pub(crate) trait Sines: Lanes<Number = Self> + Kernel {
@@ -149,76 +152,6 @@ pub(crate) fn one<F: Sines>(x: F) -> (F, F) {
     } else {
         x.sin_cos_of_large()
     }
-}
-
-/// The sines and the cosines of some lanes.
-type Pair<F, const W: usize> = ([F; W], [F; W]);
-
-macro_rules! in_a_vector {
-    ($name:ident: $vector:ident of $float:ident, $width:literal, $($x:ident),*) => {
-        /// Sines and cosines in the lanes of one vector. The angles come as numbers and not as an
-        /// array: they stay in registers on the way.
-        #[inline(always)]
-        #[allow(clippy::too_many_arguments)]
-        fn $name(level: Level, $($x: $float),*) -> Pair<$float, $width> {
-            // The angles of the rare way are an array of their own: what has an address stays out of the
-            // registers.
-            #[inline(always)]
-            #[allow(clippy::too_many_arguments)]
-            fn in_lanes<S: Simd>(simd: S, $($x: $float),*) -> Pair<$float, $width> {
-                let lanes = $vector::simd_from(simd, [$($x),*]);
-                if lanes.all_within($float::LARGEST) {
-                    let (s, c) = sin_cos(lanes);
-                    (s.to_array(), c.to_array())
-                } else {
-                    one_by_one([$($x),*])
-                }
-            }
-
-            /// For the processor at hand, with instructions that the caller does not have.
-            #[cfg_attr(any(target_arch = "x86", target_arch = "x86_64"), inline(never))]
-            #[cfg_attr(not(any(target_arch = "x86", target_arch = "x86_64")), inline(always))]
-            #[allow(clippy::too_many_arguments)]
-            fn dispatched(level: Level, $($x: $float),*) -> Pair<$float, $width> {
-                dispatch!(level, simd => in_lanes(simd, $($x),*))
-            }
-
-            // A build without optimisation would hold the ways of both in every function that asks for sines.
-            #[cfg(all(any(target_arch = "x86", target_arch = "x86_64"), not(debug_assertions)))]
-            match (Level::baseline().as_avx512(), Level::baseline().as_avx2()) {
-                (Some(simd), _) => return in_lanes(simd, $($x),*),
-                (None, Some(simd)) => return in_lanes(simd, $($x),*),
-                (None, None) => {}
-            }
-            dispatched(level, $($x),*)
-        }
-    };
-}
-
-in_a_vector!(two: f64x2 of f64, 2, a, b);
-in_a_vector!(four: f64x4 of f64, 4, a, b, c, d);
-in_a_vector!(eight: f64x8 of f64, 8, a, b, c, d, e, f, g, h);
-in_a_vector!(four_singles: f32x4 of f32, 4, a, b, c, d);
-in_a_vector!(eight_singles: f32x8 of f32, 8, a, b, c, d, e, f, g, h);
-
-/// The way of angles among which there is a large one, or no number.
-#[cold]
-#[inline(never)]
-fn one_by_one<F: Sines, const W: usize>(x: [F; W]) -> Pair<F, W> {
-    let values = x.map(one);
-    (values.map(|(s, _)| s), values.map(|(_, c)| c))
-}
-
-/// The processor's instruction set; asked for at run time where the build does not settle it, and
-/// there is a standard library to ask.
-#[inline(always)]
-pub(crate) fn level() -> Level {
-    let baseline = Level::baseline();
-    #[cfg(all(feature = "std", any(target_arch = "x86", target_arch = "x86_64")))]
-    if baseline.as_avx512().is_none() {
-        return Level::new();
-    }
-    baseline
 }
 
 /// Sine and cosine of angles of magnitude up to [`Kernel::LARGEST`].

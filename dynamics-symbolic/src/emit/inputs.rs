@@ -177,7 +177,10 @@ fn sines(cells: &Cells, are_asked_for: bool, angles: &[&Symbol], program: &Progr
     };
     let (mut joints, mut known, mut positions) = (Vec::new(), Vec::new(), Vec::new());
     let (mut pairs, mut arguments) = (Vec::new(), Vec::new());
-    for angle in angles {
+    // In the order of the joints: angles that lie side by side are loaded together.
+    let mut angles = angles.to_vec();
+    angles.sort_by_key(|angle| place(angle));
+    for angle in &angles {
         match angle {
             Symbol::Sine(i) | Symbol::Cosine(i) if are_asked_for && *i < robot.dof() => {
                 joints.push(Literal::usize_unsuffixed(*i));

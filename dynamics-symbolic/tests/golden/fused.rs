@@ -158,10 +158,10 @@ impl Function for Arm {
     > {
         ::core::result::Result::Ok({
             let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-            let [(s_2, c_2), (s_1, c_1)] = ::robot_dynamics::Inputs::sin_cos(
+            let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
                 sines,
-                [1, 0],
-                [q.data.0[0][1], q.data.0[0][0]],
+                [0, 1],
+                [q.data.0[0][0], q.data.0[0][1]],
             );
             let qd_1 = qd.data.0[0][0];
             let qd_2 = qd.data.0[0][1];
@@ -216,10 +216,10 @@ impl Function for Arm {
         Self::Error,
     > {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_2, c_2), (s_1, c_1)] = ::robot_dynamics::Inputs::sin_cos(
+        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
             sines,
-            [1, 0],
-            [q.data.0[0][1], q.data.0[0][0]],
+            [0, 1],
+            [q.data.0[0][0], q.data.0[0][1]],
         );
         let qd_1 = qd.data.0[0][0];
         let qd_2 = qd.data.0[0][1];

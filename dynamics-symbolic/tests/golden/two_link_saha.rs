@@ -1290,10 +1290,10 @@ impl ::robot_dynamics::InverseDynamics<2> for Arm {
         qdd: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_2, c_2), (s_1, c_1)] = ::robot_dynamics::Inputs::sin_cos(
+        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
             sines,
-            [1, 0],
-            [q.data.0[0][1], q.data.0[0][0]],
+            [0, 1],
+            [q.data.0[0][0], q.data.0[0][1]],
         );
         let qd_1 = qd.data.0[0][0];
         let qd_2 = qd.data.0[0][1];
@@ -1341,10 +1341,10 @@ impl ::robot_dynamics::ForwardDynamics<2> for Arm {
         ::robot_dynamics::SingularMassMatrix,
     > {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_2, c_2), (s_1, c_1)] = ::robot_dynamics::Inputs::sin_cos(
+        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
             sines,
-            [1, 0],
-            [q.data.0[0][1], q.data.0[0][0]],
+            [0, 1],
+            [q.data.0[0][0], q.data.0[0][1]],
         );
         let qd_1 = qd.data.0[0][0];
         let qd_2 = qd.data.0[0][1];
@@ -1472,10 +1472,10 @@ impl ::robot_dynamics::Function<::robot_dynamics::functions::BiasForce, 2> for A
     > {
         ::core::result::Result::Ok({
             let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-            let [(s_2, c_2), (s_1, c_1)] = ::robot_dynamics::Inputs::sin_cos(
+            let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
                 sines,
-                [1, 0],
-                [q.data.0[0][1], q.data.0[0][0]],
+                [0, 1],
+                [q.data.0[0][0], q.data.0[0][1]],
             );
             let qd_1 = qd.data.0[0][0];
             let qd_2 = qd.data.0[0][1];
@@ -1761,10 +1761,10 @@ impl ::robot_dynamics::Function<
     > {
         ::core::result::Result::Ok({
             let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-            let [(s_2, c_2), (s_1, c_1)] = ::robot_dynamics::Inputs::sin_cos(
+            let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
                 sines,
-                [1, 0],
-                [q.data.0[0][1], q.data.0[0][0]],
+                [0, 1],
+                [q.data.0[0][0], q.data.0[0][1]],
             );
             let qd_1 = qd.data.0[0][0];
             let qd_2 = qd.data.0[0][1];
@@ -1835,10 +1835,10 @@ impl ::robot_dynamics::Function<
         Self::Error,
     > {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_2, c_2), (s_1, c_1)] = ::robot_dynamics::Inputs::sin_cos(
+        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
             sines,
-            [1, 0],
-            [q.data.0[0][1], q.data.0[0][0]],
+            [0, 1],
+            [q.data.0[0][0], q.data.0[0][1]],
         );
         let qd_1 = qd.data.0[0][0];
         let qd_2 = qd.data.0[0][1];
@@ -2026,10 +2026,10 @@ for Arm {
         Self::Error,
     > {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_2, c_2), (s_1, c_1)] = ::robot_dynamics::Inputs::sin_cos(
+        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
             sines,
-            [1, 0],
-            [q.data.0[0][1], q.data.0[0][0]],
+            [0, 1],
+            [q.data.0[0][0], q.data.0[0][1]],
         );
         let qd_1 = qd.data.0[0][0];
         let qd_2 = qd.data.0[0][1];
@@ -2177,10 +2177,10 @@ impl ::robot_dynamics::Function<::robot_dynamics::functions::WrenchTorques, 2> f
     > {
         ::core::result::Result::Ok({
             let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-            let [(s_2, c_2), (s_1, c_1)] = ::robot_dynamics::Inputs::sin_cos(
+            let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
                 sines,
-                [1, 0],
-                [q.data.0[0][1], q.data.0[0][0]],
+                [0, 1],
+                [q.data.0[0][0], q.data.0[0][1]],
             );
             let wrench_1 = wrench.data.0[0][0];
             let wrench_2 = wrench.data.0[0][1];
@@ -2646,10 +2646,10 @@ for Arm {
     > {
         ::core::result::Result::Ok({
             let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-            let [(s_2, c_2), (s_1, c_1)] = ::robot_dynamics::Inputs::sin_cos(
+            let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
                 sines,
-                [1, 0],
-                [q.data.0[0][1], q.data.0[0][0]],
+                [0, 1],
+                [q.data.0[0][0], q.data.0[0][1]],
             );
             let qd_1 = qd.data.0[0][0];
             let qd_2 = qd.data.0[0][1];
@@ -2762,10 +2762,10 @@ for Arm {
     > {
         ::core::result::Result::Ok({
             let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-            let [(s_2, c_2), (s_1, c_1)] = ::robot_dynamics::Inputs::sin_cos(
+            let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
                 sines,
-                [1, 0],
-                [q.data.0[0][1], q.data.0[0][0]],
+                [0, 1],
+                [q.data.0[0][0], q.data.0[0][1]],
             );
             let qd_1 = qd.data.0[0][0];
             let qd_2 = qd.data.0[0][1];
@@ -2830,10 +2830,10 @@ for Arm {
     > {
         ::core::result::Result::Ok({
             let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-            let [(s_2, c_2), (s_1, c_1)] = ::robot_dynamics::Inputs::sin_cos(
+            let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
                 sines,
-                [1, 0],
-                [q.data.0[0][1], q.data.0[0][0]],
+                [0, 1],
+                [q.data.0[0][0], q.data.0[0][1]],
             );
             let qd_1 = qd.data.0[0][0];
             let qd_2 = qd.data.0[0][1];

@@ -448,10 +448,10 @@ impl ::robot_dynamics::CoriolisVector<3> for Elbow3r {
         qd: &::robot_dynamics::nalgebra::SVector<T, 3>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 3> {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_2, c_2), (s_3, c_3), (s_1, c_1)] = ::robot_dynamics::Inputs::sin_cos(
+        let [(s_1, c_1), (s_2, c_2), (s_3, c_3)] = ::robot_dynamics::Inputs::sin_cos(
             sines,
-            [1, 2, 0],
-            [q.data.0[0][1], q.data.0[0][2], q.data.0[0][0]],
+            [0, 1, 2],
+            [q.data.0[0][0], q.data.0[0][1], q.data.0[0][2]],
         );
         let qd_1 = qd.data.0[0][0];
         let qd_2 = qd.data.0[0][1];
@@ -1177,10 +1177,10 @@ impl ::robot_dynamics::CoriolisVector<3> for SphericalWrist {
         qd: &::robot_dynamics::nalgebra::SVector<T, 3>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 3> {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_2, c_2), (s_3, c_3), (s_1, c_1)] = ::robot_dynamics::Inputs::sin_cos(
+        let [(s_1, c_1), (s_2, c_2), (s_3, c_3)] = ::robot_dynamics::Inputs::sin_cos(
             sines,
-            [1, 2, 0],
-            [q.data.0[0][1], q.data.0[0][2], q.data.0[0][0]],
+            [0, 1, 2],
+            [q.data.0[0][0], q.data.0[0][1], q.data.0[0][2]],
         );
         let qd_1 = qd.data.0[0][0];
         let qd_2 = qd.data.0[0][1];
