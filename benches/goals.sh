@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Measures what the project has set itself goals for, and writes the table of goals, met or missed, into
-# docs/PERFORMANCE.md: the generated functions beside a trial that benches/rivals/elsewhere/trial.sh builds, in
-# turn on one core, and the C code that `robot-dynamics generate` writes; then two cores beside one. With `avx2`
-# the same without AVX-512, where a processor has it.
+# Measures what the project has set itself goals for, and writes the table of goals, met or missed, into a file of this
+# processor in docs/goals, and those of all processors into docs/PERFORMANCE.md: the generated functions beside a trial
+# that benches/rivals/elsewhere/trial.sh builds, in turn on one core, and the C code that `robot-dynamics generate`
+# writes; then two cores beside one. With `avx2` the same without AVX-512, where a processor has it.
 #
 # ROUNDS says how often each program runs (5), GOALS_TARGET where cargo builds. With fewer than five rounds the table
 # is printed alone: `ROUNDS=1 benches/goals.sh` tries whether all of it runs.
@@ -32,16 +32,25 @@ for round in $(seq "${ROUNDS:-5}"); do
   "$goals" all-cores >>"$lines"
 done
 table=$target/table-$lanes.md
+of_processor() { sed -n "s/^$1\s*: //p" /proc/cpuinfo | head -n 1; }
+family="family $(of_processor 'cpu family'), model $(of_processor model)"
 {
-  printf '### %s\n\n' "$name"
-  printf '%s, family %s, %s lanes of doubles; %s; trial compiled by %s; %s.\n\n' \
-    "$(sed -n 's/^model name\s*: //p' /proc/cpuinfo | head -n 1)" \
-    "$(sed -n 's/^cpu family\s*: //p' /proc/cpuinfo | head -n 1)" "$lanes" "$(rustc --version)" \
-    "$(cat "$trial.compiler")" "$(date -u +%Y-%m-%d)"
+  printf '# Goals on %s: %s, %s\n\n' "$name" "$(of_processor 'model name')" "$family"
+  printf '%s lanes of doubles; %s; trial compiled by %s; %s.\n\n' \
+    "$lanes" "$(rustc --version)" "$(cat "$trial.compiler")" "$(date -u +%Y-%m-%d)"
   "$goals" table "$lanes" "$lines"
   python3 benches/spills.py "$goals"
 } >"$table"
 sed '/^Each function/,$d' "$table"
 [ "${ROUNDS:-5}" -ge 5 ] || exit 0
+case $(of_processor vendor_id) in
+  AuthenticAMD) vendor=amd ;;
+  GenuineIntel) vendor=intel ;;
+  *) vendor=other ;;
+esac
+width=$(tr -d - <<<"${name,,}")
+cp "$table" "docs/goals/$vendor-$(of_processor 'cpu family')-$(of_processor model)-$width.md"
 # In the document the table stands between two comments.
-sed -i -e "/^<!-- goals on $name -->/,/^<!-- end -->/{//!d}" -e "/^<!-- goals on $name -->/r $table" docs/PERFORMANCE.md
+summary=$target/summary.md
+python3 benches/goals_summary.py docs/goals/*.md >"$summary"
+sed -i -e "/^<!-- goals -->/,/^<!-- end -->/{//!d}" -e "/^<!-- goals -->/r $summary" docs/PERFORMANCE.md

@@ -6,3 +6,4 @@ mod long;
 mod machine_code;
 mod single_precision;
 mod three_joints;
+mod wide_registers;
