@@ -159,6 +159,13 @@ fn a_heavy_payload_behind_two_free_joints() {
 #[test]
 fn a_wrist_near_its_singular_pose() {
     let (qd, tau) = (vector![0.3, 0.2, 0.1], vector![0.1, 0.1, 0.1]);
+    // The bounds are what articulated bodies reach elsewhere, where products are rounded. Where the build fuses them
+    // with sums, other digits are lost: 3.6e-9 at the last pose.
+    let share = if cfg!(target_feature = "fma") {
+        2.0
+    } else {
+        1.0
+    };
     for (pitch, bound, digits) in [
         (
             1e-2,
@@ -191,6 +198,7 @@ fn a_wrist_near_its_singular_pose() {
         let (reference, [factored, articulated]) =
             errors!(IdealWrist, vector![0.1, pitch, 0.3], qd, tau);
         assert_is(reference, digits);
+        let bound = share * bound;
         assert!(articulated <= bound && factored <= bound);
     }
 }

@@ -148,6 +148,8 @@ fn printed(text: &str) -> Vec<Result<Vec<f64>, usize>> {
 
 #[track_caller]
 fn assert_same(found: &str, case: &Case, label: &str, of_other_sines: bool) {
+    // Where this build fuses products with sums, which other languages do not, the last digits differ too.
+    let is_rounded_otherwise = of_other_sines || cfg!(target_feature = "fma");
     let (found, expected) = (printed(found), case.expected());
     assert_eq!(found.len(), expected.len(), "{label}");
     let names = case
@@ -165,7 +167,7 @@ fn assert_same(found: &str, case: &Case, label: &str, of_other_sines: bool) {
         assert_eq!(found.len(), expected.len(), "{name} of {label}");
         let size = expected.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
         for (found, expected) in found.iter().zip(expected) {
-            let is_near = of_other_sines && (found - expected).abs() <= OF_OTHER_SINES * size;
+            let is_near = is_rounded_otherwise && (found - expected).abs() <= OF_OTHER_SINES * size;
             let is_same = found.to_bits() == expected.to_bits() || is_near;
             let both_nan = found.is_nan() && expected.is_nan();
             assert!(

@@ -222,11 +222,13 @@ fn assert_below_bounds(states: usize) {
     ];
     for (name, ratios) in &all {
         for ratios in ratios[5..].iter().filter(|ratios| ratios.largest > 0.0) {
-            let least = if LONG.contains(name) {
-                LEAST_MEAN / 100.0
-            } else {
-                LEAST_MEAN
+            // Where the build fuses products with sums, errors get smaller by more than their bounds do.
+            let share = match (LONG.contains(name), cfg!(target_feature = "fma")) {
+                (true, _) => 0.01,
+                (false, true) => 0.5,
+                (false, false) => 1.0,
             };
+            let least = share * LEAST_MEAN;
             assert!(ratios.mean() >= least, "{name}: {ratios:?}");
         }
     }
