@@ -92,6 +92,17 @@ impl Listing {
         }
         reached
     }
+
+    /// That no instruction of a kind is in a function, nor in what it calls.
+    #[track_caller]
+    pub(crate) fn assert_free(&self, function: &str, is_of_kind: impl Fn(&str) -> bool) {
+        let reached = self.reached_from(function);
+        assert!(!reached.is_empty(), "{function} is not in the listing");
+        for (name, instructions) in reached {
+            let found = instructions.iter().find(|line| is_of_kind(line));
+            assert_eq!(found, None, "{function} calls {name}");
+        }
+    }
 }
 
 /// The function whose beginning a line calls or jumps to.

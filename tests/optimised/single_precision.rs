@@ -80,12 +80,7 @@ fn functions_of_singles_have_no_operation_in_double() {
         "derivatives_in_singles",
         "accelerations_in_singles",
     ] {
-        let reached = listing.reached_from(function);
-        assert!(!reached.is_empty(), "{function} is not in the listing");
-        for (name, instructions) in reached {
-            let of_doubles = instructions.iter().find(|line| is_of_doubles(line));
-            assert_eq!(of_doubles, None, "{function} calls {name}");
-        }
+        listing.assert_free(function, is_of_doubles);
     }
     let reached = listing.reached_from("torques_in_doubles");
     let mut all = reached.iter().flat_map(|(_, instructions)| *instructions);
@@ -157,10 +152,5 @@ fn a_cortex_m4f_computes_torques_without_doubles() {
         .max_by_key(written);
     let text = std::fs::read_to_string(latest.expect("assembly")).expect("a text");
     let listing = Listing::of_assembly(&text);
-    let reached = listing.reached_from("computed_torque");
-    assert!(!reached.is_empty());
-    for (name, instructions) in reached {
-        let of_doubles = instructions.iter().find(|line| is_of_doubles_on_arm(line));
-        assert_eq!(of_doubles, None, "{name}");
-    }
+    listing.assert_free("computed_torque", is_of_doubles_on_arm);
 }

@@ -57,7 +57,7 @@ in_lanes!(eight_singles(a, b, c, d, e, f, g, h) of f32, 8:
 /// Whether eight doubles are in two vectors, and not in one of 512 bits.
 ///
 /// Intel's processors have two units that multiply doubles. While an instruction of 512 bits is under way, one of them
-/// is a half of a larger one, and what follows the sines takes up to 1.8 times as long (PERFORMANCE.md). AMD's
+/// is a half of a larger one, and what follows the sines takes up to twice as long (PERFORMANCE.md). AMD's
 /// processors, which alone have SSE4a, lose nothing, and gain by one vector. Where the build leaves the instructions
 /// to the processor at hand, sines are called for, and are over before the rest begins.
 const IS_HALVED: bool = cfg!(all(
