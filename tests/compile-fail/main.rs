@@ -13,6 +13,7 @@ mod rebuild;
 use std::fs::DirEntry;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
+use std::sync::LazyLock;
 
 use expect_test::expect_file;
 
@@ -30,14 +31,14 @@ fn the_compiler_shows_mistakes_where_they_are() {
         println!("skipped: {compiler} shows errors in its own way, not in that of {WRITTEN_FOR}*");
         return;
     }
-    let library = library();
+    let library = &*LIBRARY;
     let cases = files(&workspace().join(CASES), "", ".rs");
     assert!(cases.len() >= 6, "{cases:?}");
     // Each in a thread, whose panic is the test's.
     std::thread::scope(|scope| {
         for case in &cases {
             scope.spawn(|| {
-                let shown = compiled(case, &library);
+                let shown = compiled(case, library);
                 assert!(!shown.status.success(), "{} compiles", case.display());
                 let expected = case.with_extension("stderr");
                 expect_file![expected].assert_eq(&normalized(&text(&shown.stderr)));
@@ -88,7 +89,9 @@ fn library_flags(library: &Path) -> [String; 4] {
 /// The library in the folder of this test's program. There is one for each selection of features that was
 /// ever built: the newest is as new as the sources, and it can be used if what it depends on was not built
 /// anew without it.
-fn library() -> PathBuf {
+///
+/// Found once: the tests, which run side by side, would write the file that is compiled over each other's.
+static LIBRARY: LazyLock<PathBuf> = LazyLock::new(|| {
     let program = std::env::current_exe().expect("the test's program");
     let folder = program.parent().expect("the folder of all libraries");
     let mut libraries = files(folder, "librobot_dynamics-", ".rlib");
@@ -98,7 +101,7 @@ fn library() -> PathBuf {
     let is_usable = |library: &PathBuf| compiled(&empty, library).status.success();
     let library = libraries.into_iter().rev().find(is_usable);
     library.expect("the library that this test is built with")
-}
+});
 
 /// The files of a folder with names that begin and end so, sorted.
 fn files(folder: &Path, start: &str, end: &str) -> Vec<PathBuf> {
