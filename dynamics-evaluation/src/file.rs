@@ -79,14 +79,15 @@ impl core::error::Error for FileError {}
 /// What is said of a robot besides its file.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Besides {
-    /// Entries in TOML that take the place of those of the file, or join them: `gravity`, `functions`,
-    /// `lock`, `tool`, `let`.
+    /// Entries in TOML. `lock`, `couple` and `allow` add to those of the file: a joint that both lock at different
+    /// positions is a mistake. Each of `gravity`, `functions`, `base`, `tool`, `neglect` and `tests` takes the place of
+    /// the file's, and a name in `let` that of the same name. `convention` and `joint` are the file's alone.
     pub entries: String,
-    /// The first and the last link of the arm, which a URDF file needs.
+    /// The first and the last link of the arm, which a URDF file needs; passed over for a table.
     pub chain: Option<[String; 2]>,
-    /// Joints of a URDF file that are left out, with all that hangs on them.
+    /// Joints of a URDF file that are left out, with all that hangs on them; passed over for a table.
     pub ignore: Vec<String>,
-    /// How near an angle of a URDF file is to a quarter turn that is taken as one, rad.
+    /// How near an angle of a URDF file is to a quarter turn that is taken as one, rad; passed over for a table.
     pub round_angles: Option<f64>,
     /// Names that cells may use without a value, as those of the fields of a struct: they become the
     /// robot's fields, in this order.

@@ -28,7 +28,7 @@ pub(super) fn of_a_file(name: &'static str, about: &'static str) -> Command {
         )
         .arg(
             several("lock", "JOINT=POSITION")
-                .help("A joint that stands still, rad or m; may be given several times"),
+                .help("A joint that stands still, rad or m, beside those that the file locks; may be given several times"),
         )
         .arg(several("ignore", "JOINT").help(
             "A joint of a URDF file that is left out, with all that hangs on it; may be given several times",

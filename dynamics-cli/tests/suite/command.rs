@@ -39,6 +39,33 @@ fn show_prints_what_a_function_is() {
     );
 }
 
+/// Joints that the command line locks are locked beside those of the file, and what it allows is allowed beside what the
+/// file does.
+#[test]
+fn locks_of_the_file_stay_locked() {
+    let mut three = format!("lock = {{ knee = \"3/10\" }}\nallow = [\"odd_angle\"]\n{PENDULUM}");
+    three += "alpha = 1.5708\n[[joint]]\nname = \"toe\"\ntype = \"revolute\"\na = 1\ncom = [0.25, 0, 0]\n";
+    let three = file("three_locks.toml", three);
+    let show = |lock: &str| {
+        let mut arguments = vec!["show", &three, "--functions", "mass_matrix"];
+        arguments.extend(["--allow", "odd_mass", "--lock", lock]);
+        run(&arguments)
+    };
+    for (lock, locked) in [("toe=0.1", 2), ("knee=0.3", 1)] {
+        let shown = show(lock);
+        let text = String::from_utf8_lossy(&shown.stdout).into_owned();
+        assert!(shown.status.success(), "{shown:?}");
+        assert_eq!(text.matches("locked at").count(), locked, "{text}");
+    }
+    let refused = show("knee=0.5");
+    assert_eq!(refused.status.code(), Some(2));
+    let message = String::from_utf8_lossy(&refused.stderr).into_owned();
+    assert!(
+        message.contains("`knee` is locked at 0.3 in one place and at 0.5 in another"),
+        "{message}"
+    );
+}
+
 /// A name in the cells has the value that is given, in place of the file's own.
 #[test]
 fn fields_have_values() {

@@ -87,7 +87,7 @@ mod reading {
         };
         for (key, place) in &call.table.keys {
             let is_in_file = read.keys.iter().any(|(other, _)| other == key);
-            if is_in_file && !INSTEAD.contains(key) {
+            if is_in_file && !INSTEAD.contains(key) && !files::ADDING.contains(key) {
                 diagnostics.error(*place, mistake::in_file_too(key, &file.path));
             }
         }

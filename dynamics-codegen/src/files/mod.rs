@@ -134,9 +134,10 @@ fn put_name(name: &str, table: &mut Table) {
     table.has_all_fields = true;
 }
 
-/// As [`table`], with the entries of `beside`, as they stand in a call of the macro. They replace entries of the file (a
-/// `let` replaces that of the same name), and say what is wanted of a URDF file (`chain`, `ignore`,
-/// `round_angles`, `lock`). Cells of the file may use the fields of `beside`, whose audience is the reader of messages.
+/// As [`table`], with the entries of `beside`, as they stand in a call of the macro. Joints that are locked or coupled and
+/// what is allowed add to the file's. Every other entry replaces the file's (a `let` replaces that of the same name);
+/// `convention` and `joint` are mistakes. `chain`, `ignore` and `round_angles` say what is wanted of a URDF file, and are
+/// passed over for a table. Cells of the file may use the fields of `beside`, whose audience is the reader of messages.
 #[cfg(feature = "files")]
 pub fn table_beside(
     name: &str,
@@ -166,6 +167,16 @@ pub fn model_beside(
     model.ok_or(errors)
 }
 
+/// Keys of entries that add to the same entries of a file.
+#[cfg(feature = "files")]
+const ADDING: [&str; 3] = ["lock", "couple", "allow"];
+
+/// Whether an entry has one of these keys.
+#[cfg(feature = "files")]
+fn adds(entry: &Entry) -> bool {
+    matches!(entry, Entry::Lock(_) | Entry::Couple(_) | Entry::Allow(_))
+}
+
 /// The table of a text with entries beside it. Where the text cannot be read, the entry for the file stands in place of
 /// its entries.
 #[cfg(feature = "files")]
@@ -178,6 +189,11 @@ fn put_beside(text: &str, format: Format, mut beside: Table, diagnostics: &Diagn
     };
     let mut table = read(text, format, &request, used, diagnostics).unwrap_or_else(unread);
     load::forget_locks(&mut beside.entries, used);
+    for (key, place) in &beside.keys {
+        if ["convention", "joint", "joints"].contains(key) {
+            diagnostics.error(*place, mistake::beside_a_file(key));
+        }
+    }
     let (names, entries): (Vec<_>, Vec<_>) = beside
         .entries
         .into_iter()
@@ -186,15 +202,17 @@ fn put_beside(text: &str, format: Format, mut beside: Table, diagnostics: &Diagn
     for entry in entries {
         if matches!(
             entry,
-            Entry::Chain(_) | Entry::Ignore(_) | Entry::RoundAngles(_)
+            Entry::Chain(_)
+                | Entry::Ignore(_)
+                | Entry::RoundAngles(_)
+                | Entry::Convention(_)
+                | Entry::Joints(..)
         ) {
             continue;
         }
-        // Of a URDF file, the joints that follow others: they do beside those of the call.
-        let adds = matches!(entry, Entry::Lock(_) | Entry::Couple(_)) && format == Format::Urdf;
         let same =
             |other: &Entry| core::mem::discriminant(other) == core::mem::discriminant(&entry);
-        table.entries.retain(|other| adds || !same(other));
+        table.entries.retain(|other| adds(&entry) || !same(other));
         table.entries.push(entry);
     }
     table.keys.extend(beside.keys);

@@ -160,6 +160,16 @@ pub(crate) fn locked_twice(name: &str) -> Mistake {
     Mistake::new(format!("`{name}` is locked twice"))
 }
 
+/// A joint that the file and the entries beside it lock at different positions; one that is no number is none here.
+pub(crate) fn locked_at_two(name: &str, positions: [Option<f64>; 2]) -> Mistake {
+    let shown =
+        |position: Option<f64>| position.map_or("the value of a formula".to_owned(), number);
+    let [one, other] = positions.map(shown);
+    Mistake::new(format!(
+        "`{name}` is locked at {one} in one place and at {other} in another: remove one of the two"
+    ))
+}
+
 pub(crate) fn all_locked() -> Mistake {
     Mistake::new("all joints are locked: an arm has at least one that moves")
 }

@@ -135,6 +135,13 @@ pub(crate) fn instead_of(word: &str, path: &str) -> Mistake {
     ))
 }
 
+/// An entry beside a file that no file leaves open.
+pub(crate) fn beside_a_file(word: &str) -> Mistake {
+    Mistake::new(format!(
+        "`{word}` beside a file, which says it itself: remove `{word}`"
+    ))
+}
+
 /// `chain` and the like without a file, or beside a file of another format.
 pub(crate) fn only_with_urdf(word: &str) -> Mistake {
     Mistake::new(format!(

@@ -2,6 +2,8 @@
 //! shown by `tests/mistakes.rs`.
 
 mod accepted;
+#[cfg(feature = "files")]
+mod beside;
 mod damage;
 mod expansion;
 mod fragments;

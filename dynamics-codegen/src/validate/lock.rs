@@ -35,6 +35,30 @@ pub(super) fn positions(locked: Option<&[description::Locked]>, scope: &mut Scop
     locked.unwrap_or_default().iter().map(lock).collect()
 }
 
+/// Adds the locks of one list to those of others: the file's and those beside it. A joint may stand in two lists at the
+/// same position; at two positions it is a mistake.
+pub(super) fn join(locks: &mut Vec<Lock>, list: Vec<Lock>, scope: &Scope) {
+    let before = locks.len();
+    for lock in list {
+        let word = lock.name.plain();
+        let known = locks[..before]
+            .iter()
+            .find(|known| known.name.plain() == word);
+        let Some(known) = known else {
+            locks.push(lock);
+            continue;
+        };
+        if let (Some(one), Some(other)) = (&known.position, &lock.position) {
+            let numbers = [number(&one.value), number(&other.value)];
+            let is_same =
+                one.value == other.value || (numbers[0].is_some() && numbers[0] == numbers[1]);
+            if !is_same {
+                scope.error(&lock.name, mistake::locked_at_two(word, numbers));
+            }
+        }
+    }
+}
+
 /// Locks the rows' joints, of which one at least must be left. A row that is in error (`None`) is
 /// known by its name alone.
 pub(super) fn lock(

@@ -136,7 +136,10 @@ impl Parts {
                 }
                 Entry::Functions(functions) => parts.functions = functions.clone(),
                 // A file may have one besides that of the call.
-                Entry::Lock(locked) => parts.lock.extend(lock::positions(locked.as_deref(), scope)),
+                Entry::Lock(locked) => {
+                    let list = lock::positions(locked.as_deref(), scope);
+                    lock::join(&mut parts.lock, list, scope);
+                }
                 Entry::Couple(coupled) => {
                     let couplings = couple::couplings(coupled.as_deref(), &joints, scope);
                     parts.couple.extend(couplings);

@@ -1,0 +1,93 @@
+//! Entries beside a file: which add to the file's, which take their place, and which are mistakes.
+
+use crate::description::{Entry, Table};
+use crate::files::{Format, Request, model_beside, table};
+use crate::{Error, Model};
+
+const FILE: &str = include_str!("../../tests/mistakes/files/locked.toml");
+
+/// The model of the file with entries beside it.
+fn beside(entries: &str) -> Result<Model, Vec<Error>> {
+    let request = Request::default();
+    let entries = table("beside", entries, Format::Toml, &request).expect("entries");
+    model_beside("locked", FILE, Format::Toml, entries)
+}
+
+fn messages(entries: &str) -> Vec<String> {
+    let errors = beside(entries).expect_err("a mistake");
+    errors.into_iter().map(|error| error.message).collect()
+}
+
+#[test]
+fn locks_couplings_and_what_is_allowed_add_up() {
+    let entries =
+        "lock = { wrist = 0.1 }\ncouple = { thumb = \"2 * finger\" }\nallow = [\"odd_mass\"]";
+    let robot = beside(entries).expect("a robot").robot;
+    let locked = |name: &str| {
+        let row = robot.rows.iter().find(|row| row.name == name);
+        row.and_then(|row| Some(row.locked.as_ref()?.to_f64(&[])))
+    };
+    assert_eq!((locked("elbow"), locked("wrist")), (Some(0.3), Some(0.1)));
+    let followers: Vec<_> = robot
+        .followers()
+        .map(|(row, _)| row.name.as_str())
+        .collect();
+    assert_eq!(followers, ["jaw", "thumb"]);
+    assert_eq!(robot.dof(), 2);
+}
+
+#[test]
+fn the_other_entries_replace_those_of_the_file() {
+    let model = beside(
+        "gravity = [0, 0, 0]\nfunctions = [\"jacobian\"]\nbase = { xyz = [1, 0, 0] }\ntool = { xyz = [0, 2, 0] }\n\
+         allow = [\"odd_mass\"]",
+    );
+    let model = model.expect("a robot");
+    assert!(model.robot.gravity.iter().all(|g| g.to_f64(&[]) == 0.0));
+    assert_eq!(model.requests.len(), 1);
+    assert!(model.robot.base.is_some() && model.robot.tool.is_some());
+}
+
+/// A joint twice is one lock where the positions agree, however they are written.
+#[test]
+fn a_joint_is_locked_at_one_position() {
+    let allowed = "allow = [\"odd_mass\"]\nlock = ";
+    assert!(beside(&format!("{allowed}{{ elbow = 0.3 }}")).is_ok());
+    for (position, shown) in [
+        ("0.5", "at 0.3 in one place and at 0.5"),
+        ("\"PI/8\"", "and at 0.39"),
+    ] {
+        let messages = messages(&format!("{allowed}{{ elbow = {position} }}"));
+        assert_eq!(messages.len(), 1, "{messages:?}");
+        assert!(messages[0].contains(shown), "{messages:?}");
+    }
+}
+
+#[test]
+fn what_is_the_file_s_alone_is_a_mistake_beside_it() {
+    let row = "[[joint]]\nname = \"a\"\ntype = \"revolute\"\nmass = 1";
+    let messages = messages(&format!(
+        "convention = \"modified\"\nallow = [\"odd_mass\"]\n{row}"
+    ));
+    let expected = ["convention", "joint"]
+        .map(|word| format!("`{word}` beside a file, which says it itself: remove `{word}`"));
+    assert_eq!(messages, expected);
+}
+
+/// The description has each entry of the file once, and those that add beside it.
+#[test]
+fn entries_that_add_stand_beside_those_of_the_file() {
+    let request = Request::default();
+    let entries = table(
+        "beside",
+        "lock = { wrist = 1 }\nfunctions = [\"default\"]",
+        Format::Toml,
+        &request,
+    );
+    let joined: Table =
+        crate::files::table_beside("locked", FILE, Format::Toml, entries.expect("entries"))
+            .expect("a table");
+    let count = |is: fn(&Entry) -> bool| joined.entries.iter().filter(|entry| is(entry)).count();
+    assert_eq!(count(|entry| matches!(entry, Entry::Lock(_))), 2);
+    assert_eq!(count(|entry| matches!(entry, Entry::Functions(_))), 1);
+}
