@@ -22,13 +22,15 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
     let folder = given.get_one::<PathBuf>("out");
     let folder = folder.map_or(Path::new("."), PathBuf::as_path);
     make_folder(folder)?;
-    let mut text = String::new();
-    for (name, content) in files {
-        let path = folder.join(name);
-        write(&path, &content)?;
-        text.push_str(&format!("{}\n", path.display()));
-    }
-    Ok(text)
+    let files = files.into_iter();
+    let files: Vec<_> = files
+        .map(|(name, content)| (folder.join(name), content))
+        .collect();
+    write(&files)?;
+    let names = files
+        .iter()
+        .map(|(path, _)| format!("{}\n", path.display()));
+    Ok(names.collect())
 }
 
 /// Names and texts of the files in another language.

@@ -4,32 +4,46 @@ use std::io::{ErrorKind, Write as _};
 use std::path::{Path, PathBuf};
 
 use clap::ArgMatches;
+use dynamics_runtime::replace_files;
 
 use crate::failure::Failure;
 
-/// Refuses to write over a file that is read.
+/// Refuses to write over a file that is read, whichever of its names is given.
 pub(crate) fn not_over_what_is_read(given: &ArgMatches) -> Result<(), Failure> {
     const READ: [&str; 3] = ["file", "against", "waypoints"];
     let named = |option: &str| given.try_get_one::<PathBuf>(option).ok().flatten();
-    let place = |path: &PathBuf| path.canonicalize().ok();
     let Some(out) = named("out") else {
         return Ok(());
     };
+    let written = identity(out);
     let mut read = READ.into_iter().filter_map(named);
-    let is_out = |path: &PathBuf| place(path).is_some() && place(path) == place(out);
-    match read.any(is_out) {
-        true => Err(Failure::of_the_command_line(format!(
+    if written.is_some() && read.any(|path| identity(path) == written) {
+        return Err(Failure::of_the_command_line(format!(
             "`--out {}` is a file that is read, and would be lost: write to another one",
             out.display()
-        ))),
-        false => Ok(()),
+        )));
     }
+    Ok(())
+}
+
+/// The device and the number of a file, which all of its names share.
+#[cfg(unix)]
+fn identity(path: &Path) -> Option<(u64, u64)> {
+    use std::os::unix::fs::MetadataExt as _;
+    let file = path.metadata().ok()?;
+    Some((file.dev(), file.ino()))
+}
+
+/// The path of a file without links.
+#[cfg(not(unix))]
+fn identity(path: &Path) -> Option<PathBuf> {
+    path.canonicalize().ok()
 }
 
 /// Writes a text to the file that `--out` names; hands it back where it names none, or there is no text.
 pub(crate) fn put_out(text: String, given: &ArgMatches) -> Result<String, Failure> {
     match given.get_one::<PathBuf>("out") {
-        Some(path) if !text.is_empty() => write(path, &text).map(|()| String::new()),
+        Some(path) if !text.is_empty() => write(&[(path.clone(), text)]).map(|()| String::new()),
         _ => Ok(text),
     }
 }
@@ -46,9 +60,9 @@ pub(crate) fn print(text: &str) -> Result<(), Failure> {
     }
 }
 
-/// Writes a file.
-pub(crate) fn write(path: &Path, text: &str) -> Result<(), Failure> {
-    std::fs::write(path, text).map_err(|error| cannot(path, &error))
+/// Writes files: all of them, or none if one cannot be written.
+pub(crate) fn write(files: &[(PathBuf, String)]) -> Result<(), Failure> {
+    replace_files(files).map_err(|(path, error)| cannot(&path, &error))
 }
 
 /// Makes a folder, unless it is there.

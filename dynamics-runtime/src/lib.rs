@@ -55,6 +55,8 @@ mod operators;
 mod placement;
 #[cfg(feature = "plot")]
 pub mod plot;
+#[cfg(feature = "std")]
+mod replace;
 mod scalar;
 #[cfg(feature = "serde")]
 mod sequences;
@@ -108,6 +110,9 @@ pub use newton_euler::turned;
 pub use newton_euler::{NewtonEuler, StandardParameters};
 pub use operations::Operations;
 pub use placement::Placement;
+#[cfg(feature = "std")]
+#[doc(hidden)]
+pub use replace::replace_files;
 pub use scalar::Scalar;
 #[cfg(feature = "std")]
 pub use simulation::{

@@ -8,6 +8,7 @@ use plotters::coord::{Shift, types::RangedCoordf64};
 use plotters::prelude::*;
 
 use super::Outcome;
+use crate::replace_files;
 
 /// Units of the drawing in one pixel. Plotters rounds to whole units: finer ones keep curves smooth.
 const PIXEL: u32 = 8;
@@ -121,7 +122,8 @@ impl Figure {
         self
     }
 
-    /// Writes the drawing into a file, in a folder that is made where it is missing.
+    /// Writes the drawing into a file, in a folder that is made where it is missing. A file that is there is replaced when
+    /// the drawing is complete, and stays as it was if it cannot be.
     ///
     /// # Errors
     ///
@@ -131,7 +133,7 @@ impl Figure {
         if let Some(folder) = file.as_ref().parent() {
             std::fs::create_dir_all(folder)?;
         }
-        Ok(std::fs::write(file, svg)?)
+        replace_files(&[(file.as_ref().to_owned(), svg)]).map_err(|(_, error)| error.into())
     }
 
     /// The drawing: as high as its panels, 900 pixels wide.
