@@ -36,11 +36,25 @@ impl Csv {
         self
     }
 
-    /// Adds a row.
-    pub(crate) fn row(&mut self, numbers: impl IntoIterator<Item = f64>) {
-        let numbers = numbers.into_iter().map(shortest);
-        self.0.push_str(&numbers.collect::<Vec<_>>().join(","));
+    /// Adds a row, which begins with a time. A number that is not finite is a failure, which says when and of which joint.
+    pub(crate) fn row(&mut self, numbers: impl IntoIterator<Item = f64>) -> Result<(), Failure> {
+        let numbers: Vec<f64> = numbers.into_iter().collect();
+        if let Some(column) = numbers.iter().position(|x| !x.is_finite()) {
+            let names = self.0.lines().next().unwrap_or_default();
+            return Err(Failure::after(
+                String::new(),
+                format!(
+                    "`{}` at t = {} s is beyond the largest number that a computer holds: the motion is too fast, its \
+                     positions are too large, or the numbers of the robot are",
+                    names.split(',').nth(column).unwrap_or_default(),
+                    shortest(numbers[0])
+                ),
+            ));
+        }
+        let numbers: Vec<_> = numbers.into_iter().map(shortest).collect();
+        self.0.push_str(&numbers.join(","));
         self.0.push('\n');
+        Ok(())
     }
 
     /// The text.

@@ -45,7 +45,7 @@ fn torques(arm: &RuntimeRobot, motion: Motion) -> Result<Csv, Failure> {
     for (sample, t) in t.iter().enumerate() {
         let entries = [&q, &qd, &qdd, &tau].into_iter();
         let entries = entries.flat_map(|vector| vector[sample * dof..(sample + 1) * dof].iter());
-        csv.row([*t].into_iter().chain(entries.copied()));
+        csv.row([*t].into_iter().chain(entries.copied()))?;
     }
     Ok(csv)
 }

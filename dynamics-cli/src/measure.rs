@@ -94,6 +94,12 @@ fn rounding(arm: &RuntimeRobot, name: &str, state: &[&[f64]]) -> Result<f64, Fai
         .collect();
     let precise: Vec<&[DoubleDouble]> = precise.iter().map(Vec::as_slice).collect();
     let precise: Vec<DoubleDouble> = arm.evaluate_in(name, &precise)?;
+    if values.iter().any(|x| !x.is_finite()) {
+        let message = format!(
+            "`{name}` is not finite at a state of the measurement: the numbers of the robot are too large"
+        );
+        return Err(Failure::after(String::new(), message));
+    }
     let size = values.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
     let differences = values.iter().zip(precise);
     let worst = differences

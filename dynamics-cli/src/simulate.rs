@@ -69,7 +69,7 @@ fn motion<const N: usize>(
     for ((t, q), qd) in motion.t.iter().zip(&motion.q).zip(&motion.qd) {
         let energy = typed.kinetic_energy(q, qd) + typed.potential_energy(q);
         let entries = q.iter().chain(qd).copied();
-        csv.row([*t].into_iter().chain(entries).chain([energy]));
+        csv.row([*t].into_iter().chain(entries).chain([energy]))?;
     }
     Ok(csv)
 }

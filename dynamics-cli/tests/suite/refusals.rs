@@ -165,7 +165,11 @@ fn files_that_are_read_are_not_written_over() {
     let pendulum = file("read.toml", PENDULUM);
     let path = file("path.csv", "0,0,0\n1,1,1\n");
     let same = pendulum.replace("read.toml", "../files/read.toml");
+    let linked = pendulum.replace("read.toml", "hard_link.toml");
+    let _ = std::fs::remove_file(&linked);
+    std::fs::hard_link(&pendulum, &linked).expect("a hard link");
     for (arguments, out) in [
+        (vec!["convert", &pendulum, "--to", "toml"], &linked),
         (vec!["convert", &pendulum, "--to", "toml"], &pendulum),
         (vec!["page", &pendulum], &same),
         (vec!["inverse", &pendulum, "--waypoints", &path], &path),
@@ -176,6 +180,75 @@ fn files_that_are_read_are_not_written_over() {
     let text = |path| std::fs::read_to_string(path).expect("a file");
     assert_eq!(text(&pendulum), PENDULUM);
     assert_eq!(text(&path), "0,0,0\n1,1,1\n");
+}
+
+/// Where the disk is full in the middle of several files, those of before stay as they were. A limit of the size of
+/// files stands for the disk: the header is shorter, the source is longer.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disk_leaves_the_files_of_before() {
+    let pendulum = file("full.toml", PENDULUM);
+    let folder = folder("full");
+    let to = folder.to_string_lossy();
+    let arguments = ["generate", &pendulum, "--lang", "c", "--out", &to];
+    output(&[&arguments[..], &["--functions", "mass_matrix"]].concat());
+    let texts = || ["full.h", "full.c"].map(|name| std::fs::read(folder.join(name)).expect("text"));
+    let before = texts();
+    let whole = super::calls::folder("whole");
+    output(&[&arguments[..5], &[&whole.to_string_lossy()]].concat());
+    let [header, source] =
+        ["full.h", "full.c"].map(|name| std::fs::metadata(whole.join(name)).expect("a file").len());
+    let blocks = header.div_ceil(512);
+    assert!(source > 512 * blocks, "{header} {source}");
+    let script = format!("trap '' XFSZ; ulimit -f {blocks}; exec \"$@\"");
+    let mut command = Command::new("sh");
+    command.args(["-c", &script, "sh", env!("CARGO_BIN_EXE_robot-dynamics")]);
+    let output = command.args(arguments).output().expect("the command");
+    let message = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(1), "{message}");
+    assert!(message.contains("full.c: cannot be written"), "{message}");
+    assert!(texts() == before, "a file was written");
+    assert_eq!(std::fs::read_dir(&folder).expect("a folder").count(), 2);
+}
+
+/// Torques, energies and errors that are too large for a number are told, and not written as `NaN`.
+#[test]
+fn numbers_that_are_too_large_are_told() {
+    let pendulum = file("overflow.toml", PENDULUM);
+    for (arguments, expected) in [
+        (
+            [
+                "inverse",
+                &pendulum,
+                "--to",
+                "1e160,-1e160",
+                "--samples",
+                "3",
+            ],
+            "`tau_pivot` at t = 0.5 s is beyond the largest number",
+        ),
+        (
+            [
+                "simulate",
+                &pendulum,
+                "--velocity",
+                "1e155,0",
+                "--samples",
+                "3",
+            ],
+            "the acceleration of joint 1 is not finite",
+        ),
+    ] {
+        let message = errors(&arguments, 1);
+        assert!(message.contains(expected), "{message}");
+        assert!(!message.contains("NaN"), "{message}");
+    }
+    let heavy = file("heavy.toml", PENDULUM.replace("mass = 2", "mass = 3.5e307"));
+    let message = errors(&["measure", &heavy, "--functions", "inverse_dynamics"], 1);
+    assert!(
+        message.contains("`inverse_dynamics` is not finite"),
+        "{message}"
+    );
 }
 
 /// The table of a comparison that finds a difference goes where it was to go.
