@@ -508,6 +508,61 @@ fn values_of_short_arms_are_those_of_rust() {
     assert_languages(cases(|joints| joints <= 2));
 }
 
+/// Names that would end a comment or a string, or are trigraphs, compile in C99, and are the names that are written.
+#[test]
+fn names_of_joints_stay_what_they_are() {
+    const NAMES: [&str; 6] = [
+        "??/",
+        "???/*",
+        "*/",
+        "say \"\\",
+        "\u{e9}\u{301}\u{202e}",
+        "??<%:",
+    ];
+    let mut robot = arms::robot("two_link_saha");
+    robot.name = "names ??/*/".to_owned();
+    let row = robot.rows[1].clone();
+    robot.rows.resize(NAMES.len(), row);
+    for (row, name) in robot.rows.iter_mut().zip(NAMES) {
+        row.name = name.to_owned();
+    }
+    let request = Request::One(Function::GravityVector);
+    let program = proven_program(&robot, &request).expect("proven");
+    let programs = [(request, program)];
+    let files = c_source(&robot, &programs);
+    let name = files.name.as_str();
+    let folder = folder("c_names");
+    let write = |file: &str, text: &str| std::fs::write(folder.join(file), text).expect("a file");
+    write(&format!("{name}.h"), &files.header);
+    write(&format!("{name}.c"), &files.source);
+    let upper = name.to_uppercase();
+    write(
+        "main.c",
+        &format!(
+            "#include \"{name}.h\"\n#include <stdio.h>\nint main(void) {{\n    const char *names[] = {upper}_JOINT_NAMES;\n    \
+             for (int i = 0; i < {upper}_DOF; i++) puts(names[i]);\n    return 0;\n}}\n"
+        ),
+    );
+    write("robot.mjs", &javascript_module(&robot, &programs));
+    if is_there("gcc") {
+        let mut command = Command::new("gcc");
+        command
+            .current_dir(&folder)
+            .args(["-std=c99", "-Wtrigraphs"]);
+        command
+            .args(WARNINGS)
+            .args([&format!("{name}.c"), "main.c"]);
+        run(command.args(["-lm", "-o", "names"]));
+        let found = run(&mut Command::new(folder.join("names")));
+        assert_eq!(found.lines().collect::<Vec<_>>(), NAMES);
+    }
+    if is_there("node") {
+        run(Command::new("node")
+            .current_dir(&folder)
+            .args(["--check", "robot.mjs"]));
+    }
+}
+
 /// `cargo test -p dynamics-evaluation --test suite languages:: -- --ignored`
 #[test]
 #[ignore = "needs gcc and node, and takes a quarter of a minute: .ci/run runs it"]

@@ -188,11 +188,7 @@ impl Writer<'_> {
     fn header(&self, functions: &[(Request, Proven)]) -> String {
         let (name, upper) = (&self.name, self.name.to_uppercase());
         let dof = self.robot.dof();
-        let joints: Vec<_> = self
-            .robot
-            .joints()
-            .map(|row| format!("{:?}", row.name))
-            .collect();
+        let joints: Vec<_> = self.robot.joints().map(|row| string(&row.name)).collect();
         let mut text = comment(&[
             format!("Equations of motion of `{}`, written by robot-dynamics.", self.robot.name),
             String::new(),
@@ -364,6 +360,25 @@ impl Writer<'_> {
         }
         written
     }
+}
+
+/// A string literal. `?` is escaped because `??/` is a backslash in C99 (ISO/IEC 9899:1999, 5.2.1.1); letters that do
+/// not show themselves are written as the octal bytes of UTF-8.
+fn string(text: &str) -> String {
+    let mut literal = "\"".to_owned();
+    for letter in text.chars() {
+        match letter {
+            '"' | '\\' | '?' => literal.extend(['\\', letter]),
+            ' '..='~' => literal.push(letter),
+            _ if letter.is_alphanumeric() => literal.push(letter),
+            _ => {
+                for byte in letter.encode_utf8(&mut [0; 4]).bytes() {
+                    let _ = write!(literal, "\\{byte:03o}");
+                }
+            }
+        }
+    }
+    literal + "\""
 }
 
 /// Whether the value is one number, which is returned.

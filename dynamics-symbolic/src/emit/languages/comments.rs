@@ -72,18 +72,21 @@ fn of_function(
     let fences = ["```text", "```"];
     let lines = lines.into_iter().map(|line| line.trim_end().to_owned());
     let lines = lines.filter(|line| !fences.contains(&line.trim()));
-    let lines = lines.map(|line| line.strip_prefix(' ').unwrap_or(&line).replace("*/", "* /"));
+    let lines = lines.map(|line| line.strip_prefix(' ').unwrap_or(&line).to_owned());
     lines.collect()
 }
 
-/// A comment of several lines, in the form that C and JavaScript share.
+/// A comment of several lines, in the form that C and JavaScript share. The marks of comments and the trigraphs of C that
+/// stand in names are taken apart by spaces.
 pub(super) fn comment(lines: &[String]) -> String {
     let mut text = "/**\n".to_owned();
     for line in lines {
-        match line.is_empty() {
-            true => text.push_str(" *\n"),
-            false => text.push_str(&format!(" * {line}\n")),
+        let mut line = line.replace("*/", "* /").replace("/*", "/ *");
+        while line.contains("??") {
+            line = line.replace("??", "? ?");
         }
+        text.push_str(format!(" * {line}").trim_end());
+        text.push('\n');
     }
     text.push_str(" */\n");
     text
