@@ -1,15 +1,18 @@
 //! What a file says, and what the functions of its robot are.
 
+mod table;
+
 use std::fmt::Write as _;
 
 use clap::ArgMatches;
 use dynamics_symbolic::emit::description;
 use dynamics_symbolic::formula::{Budget, Format, Formulas, MOST_JOINTS, TooLong};
-use dynamics_symbolic::robot::{Convention, JointType, Robot, Row, Value};
+use dynamics_symbolic::robot::Robot;
 use dynamics_symbolic::{Proven, Request};
 
 use crate::failure::Failure;
 use crate::load::{count, file_of, programs, read, requests};
+use table::table;
 
 /// What is multiplied out before a formula is given up.
 const PRODUCTS_FOR_EACH_TERM: usize = 100;
@@ -111,74 +114,4 @@ fn longer(TooLong { terms, or_more }: TooLong) -> String {
         true => format!("more than {terms} terms: a larger `--terms` prints them"),
         false => format!("{terms} terms: `--terms {terms}` prints them"),
     }
-}
-
-fn number(value: &Value) -> String {
-    value.to_f64(&[]).to_string()
-}
-
-fn numbers(values: &[Value]) -> String {
-    let numbers: Vec<_> = values.iter().map(number).collect();
-    format!("[{}]", numbers.join(", "))
-}
-
-/// The cells of the table.
-fn table(robot: &Robot) -> String {
-    let convention = match robot.convention {
-        Convention::Standard => "standard",
-        Convention::Modified => "modified",
-    };
-    let mut text = format!(
-        "{}: {}, {convention} convention, gravity {} m/s^2\n\n",
-        robot.name,
-        match robot.dof() {
-            1 => "1 joint that moves".to_owned(),
-            dof => format!("{dof} joints that move"),
-        },
-        numbers(&robot.gravity)
-    );
-    let widest = robot.rows.iter().map(|row| row.name.chars().count()).max();
-    let width = widest.unwrap_or(0).max(5) + 2;
-    let _ = writeln!(
-        text,
-        "{:<width$}{:<11}{:>10}{:>10}{:>10}{:>10}{:>10}  com",
-        "joint", "type", "a", "alpha", "d", "theta", "mass"
-    );
-    for row in &robot.rows {
-        let joint_type = match row.joint_type {
-            JointType::Revolute => "revolute",
-            JointType::Prismatic => "prismatic",
-        };
-        let cell = |value: &Value| {
-            let x = value.to_f64(&[]);
-            let decimal = format!("{x:.6}");
-            match x != 0.0 && !(1e-4..1e7).contains(&x.abs()) {
-                true => format!("{x:.2e}"),
-                false => decimal
-                    .trim_end_matches('0')
-                    .trim_end_matches('.')
-                    .to_owned(),
-            }
-        };
-        let _ = writeln!(
-            text,
-            "{:<width$}{joint_type:<11}{:>10}{:>10}{:>10}{:>10}{:>10}  {}{}",
-            row.name,
-            cell(&row.a),
-            cell(&row.alpha),
-            cell(&row.d),
-            cell(&row.theta),
-            cell(&row.mass),
-            numbers(&row.com),
-            locked(row)
-        );
-    }
-    text
-}
-
-fn locked(row: &Row) -> String {
-    let locked = row.locked.as_ref();
-    locked.map_or(String::new(), |position| {
-        format!(", locked at {}", number(position))
-    })
 }

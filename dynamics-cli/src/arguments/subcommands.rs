@@ -27,7 +27,7 @@ const BESIDES: &str = "The functions, in place of the file's: their names are ch
 fn show() -> Command {
     of_a_file("show", "Print the table, what the functions are and cost, and their formulas")
         .long_about(
-            "Print the table and, of each function, what it is, its units, its operations, which of its entries are \
+            "Print the table, of a URDF file the joints as it places them; and, of each function, what it is, its units, its operations, which of its entries are \
              zero or constant and on what the others depend, and the formulas of arms of up to three joints. With \
              --format, print the formulas alone, of arms of any length. Formulas of more than --terms terms are counted \
              and not printed.",

@@ -302,3 +302,113 @@ fn misspelled_words_are_told() {
         );
     assert_eq!(call("others.urdf", others).status.code(), Some(0));
 }
+
+/// The numbers in brackets behind each place of a word in a text.
+fn lists(text: &str, word: &str) -> Vec<String> {
+    let start = format!("{word} [");
+    let lists = text.split(&start).skip(1);
+    let list = |rest: &str| rest.split(']').next().unwrap_or_default().replace(',', "");
+    lists.map(list).collect()
+}
+
+/// The URDF file that somebody types who reads the table of `show`: its last link is `tip`.
+fn typed_in(shown: &str) -> String {
+    let mut text = "<robot name=\"typed\"><link name=\"l0\"/>".to_owned();
+    let mut links = 0;
+    let mut joint = |head: &str, kind: &str, more: &str, body: &str| {
+        let mut words = head.split_whitespace();
+        let name = words.next().expect("a name").to_owned();
+        let places: Vec<_> = lists(head, "xyz")
+            .into_iter()
+            .zip(lists(head, "rpy"))
+            .collect();
+        let last = places.len() - 1;
+        for (k, (xyz, rpy)) in places.iter().enumerate() {
+            let (kind, more, body, label) = match k == last {
+                true => (kind, more, body, name.clone()),
+                false => ("fixed", "", "", format!("{name}_{k}")),
+            };
+            let link = match name == "tip" && k == last {
+                true => "tip".to_owned(),
+                false => format!("l{}", links + 1),
+            };
+            text += &format!(
+                "<joint name=\"{label}\" type=\"{kind}\"><parent link=\"l{links}\"/><child link=\"{link}\"/>\
+                 <origin xyz=\"{xyz}\" rpy=\"{rpy}\"/>{more}</joint><link name=\"{link}\">{body}</link>\n"
+            );
+            links += 1;
+        }
+    };
+    let table = shown
+        .split("Denavit-Hartenberg table.\n\n")
+        .nth(1)
+        .expect("a table");
+    let table = table.split("\n\n").next().expect("its end");
+    let lines: Vec<&str> = table.lines().collect();
+    for pair in lines.chunks(2) {
+        let [head, body] = pair else {
+            joint(pair[0], "fixed", "", "");
+            continue;
+        };
+        let kind = match head.split_whitespace().nth(1) {
+            Some("revolute") => "continuous",
+            Some("prismatic") => "prismatic",
+            other => panic!("{other:?}"),
+        };
+        let axis = format!(
+            "<axis xyz=\"{}\"/><limit lower=\"-9\" upper=\"9\"/>",
+            lists(head, "axis")[0]
+        );
+        let mass = body.split_whitespace().nth(1).expect("a mass");
+        let inertia = lists(body, "inertia");
+        let inertia = inertia.first().map_or("0 0 0 0 0 0", String::as_str);
+        let entries: Vec<&str> = inertia.split(' ').collect();
+        let body = format!(
+            "<inertial><origin xyz=\"{}\"/><mass value=\"{mass}\"/><inertia ixx=\"{}\" iyy=\"{}\" izz=\"{}\" \
+             ixy=\"{}\" iyz=\"{}\" ixz=\"{}\"/></inertial>",
+            lists(body, "com")[0],
+            entries[0],
+            entries[1],
+            entries[2],
+            entries[3],
+            entries[4],
+            entries[5]
+        );
+        joint(head, kind, &axis, &body);
+    }
+    text + "</robot>"
+}
+
+/// The table that `show` prints of a URDF file is the arm: typed in again, it has the same M, G and tip. The Panda's hand is
+/// fixed by three joints behind each other, the turntable's `lift` stands askew.
+#[test]
+fn the_table_that_is_shown_is_the_arm() {
+    let turntable = file("askew.urdf", turntable("0.3"));
+    let panda = data("urdf/panda.urdf");
+    let fingers = ["panda_finger_joint1=0.02", "panda_finger_joint2=0.01"];
+    for (of, chain, locks) in [
+        (&turntable, "base,flange", &["mast=0.4"][..]),
+        (&panda, "panda_link0,panda_hand_tcp", &fingers[..]),
+    ] {
+        let locks: Vec<_> = locks.iter().flat_map(|lock| ["--lock", lock]).collect();
+        let functions = [
+            "--functions",
+            "mass_matrix,gravity_vector,forward_kinematics",
+        ];
+        let options = [&GRAVITY[..], &functions[..], &locks[..]].concat();
+        let shown = output(&[&["show", of, "--chain", chain][..], &options].concat());
+        let typed = file("typed.urdf", typed_in(&shown));
+        let compared = [
+            "check",
+            &typed,
+            "--chain",
+            "l0,tip",
+            "--against",
+            of,
+            "--against-chain",
+            chain,
+        ];
+        let more = ["--samples", "5", "--allow", "odd_angle"];
+        output(&[&compared[..], &more[..], &options].concat());
+    }
+}

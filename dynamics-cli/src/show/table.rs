@@ -1,0 +1,193 @@
+//! The table of an arm as text. A URDF file has no Denavit-Hartenberg table: its joints are shown as it places them.
+
+use std::fmt::Write as _;
+
+use dynamics_symbolic::robot::{Convention, JointType, Mount, Placement, Robot, Row, Value};
+
+use crate::csv::shortest;
+
+/// All that the file says of the arm, so that the same arm can be typed in again.
+pub(super) fn table(robot: &Robot) -> String {
+    let is_placed = robot.rows.iter().any(|row| row.mount.is_some());
+    let how = match (is_placed, robot.convention) {
+        (true, _) => "as the URDF file places them",
+        (false, Convention::Standard) => "standard convention",
+        (false, Convention::Modified) => "modified convention",
+    };
+    let joints = match robot.dof() {
+        1 => "1 joint that moves".to_owned(),
+        dof => format!("{dof} joints that move"),
+    };
+    let gravity = numbers(&robot.gravity);
+    let mut text = format!(
+        "{}: {joints}, {how}, gravity {gravity} m/s^2\n\n",
+        robot.name
+    );
+    let widest = robot.rows.iter().map(|row| row.name.chars().count()).max();
+    let width = widest.unwrap_or(0).max(5) + 2;
+    if is_placed {
+        text.push_str(
+            "Each joint stands at xyz, rpy in the link frame before, by T(xyz) Rz(yaw) Ry(pitch) Rx(roll); com and \
+             inertia\n(xx, yy, zz, xy, yz, xz, about the centre of mass) are in its link frame. \
+             `robot-dynamics convert` writes a\nDenavit-Hartenberg table.\n\n",
+        );
+    } else {
+        let _ = writeln!(
+            text,
+            "{:<width$}{:<11}{:>10}{:>10}{:>10}{:>10}{:>10}  com",
+            "joint", "type", "a", "alpha", "d", "theta", "mass"
+        );
+    }
+    if let Some(base) = &robot.base {
+        let _ = writeln!(text, "{:<width$}{}", "base", place(base));
+    }
+    for row in &robot.rows {
+        match (&row.mount, is_placed) {
+            (Some(mount), _) => text.push_str(&placed(robot, row, mount, width)),
+            // Rows of the equations, which the file does not have.
+            (None, true) => {}
+            (None, false) => text.push_str(&cells(robot, row, width)),
+        }
+    }
+    if let Some(tool) = &robot.tool {
+        let _ = write!(text, "{:<width$}{}", "tool", place(&tool.placement));
+        if tool.has_body() {
+            let _ = write!(
+                text,
+                "  mass {}  com {}",
+                number(&tool.mass),
+                numbers(&tool.com)
+            );
+            let _ = write!(text, "  inertia {}", numbers(&tool.inertia));
+        }
+        text.push('\n');
+    }
+    text
+}
+
+/// A row of a Denavit-Hartenberg table.
+fn cells(robot: &Robot, row: &Row, width: usize) -> String {
+    let cell = |value: &Value| {
+        let x = value.to_f64(&[]);
+        let decimal = format!("{x:.6}");
+        match x != 0.0 && !(1e-4..1e7).contains(&x.abs()) {
+            true => format!("{x:.2e}"),
+            false => decimal
+                .trim_end_matches('0')
+                .trim_end_matches('.')
+                .to_owned(),
+        }
+    };
+    let numbers_of_row = [&row.a, &row.alpha, &row.d, &row.theta, &row.mass].map(cell);
+    let columns = numbers_of_row
+        .map(|number| format!("{number:>10}"))
+        .concat();
+    let further = further(robot, row).into_iter();
+    let further: String = further.map(|entry| format!(", {entry}")).collect();
+    format!(
+        "{:<width$}{:<11}{columns}  {}{further}\n",
+        row.name,
+        joint_type(row),
+        numbers(&row.com)
+    )
+}
+
+/// A joint of a URDF file with its link, or the tip.
+fn placed(robot: &Robot, row: &Row, mount: &Mount, width: usize) -> String {
+    let places: Vec<_> = mount.places.iter().map(place).collect();
+    let places = match places.is_empty() {
+        true => "xyz [0, 0, 0]  rpy [0, 0, 0]".to_owned(),
+        false => places.join(", then "),
+    };
+    if row.is_place() {
+        return format!("{:<width$}{:<11}{places}\n", "tip", "fixed");
+    }
+    let [azimuth, polar] = mount.axis.each_ref().map(|angle| angle.to_f64(&[]));
+    let axis = [
+        polar.sin() * azimuth.cos(),
+        polar.sin() * azimuth.sin(),
+        polar.cos(),
+    ];
+    // The sine of pi is 1.2e-16 in doubles.
+    let axis = axis.map(|x| shortest(if x.abs() < 1e-15 { 0.0 } else { x }));
+    let mut text = format!(
+        "{:<width$}{:<11}{places}  axis [{}]\n{:width$}mass {}  com {}",
+        row.name,
+        joint_type(row),
+        axis.join(", "),
+        "",
+        number(&row.mass),
+        numbers(&row.com)
+    );
+    for entry in further(robot, row) {
+        text.push_str("  ");
+        text.push_str(&entry);
+    }
+    text + "\n"
+}
+
+/// What a row says besides its place, its mass and the centre of that.
+fn further(robot: &Robot, row: &Row) -> Vec<String> {
+    let is_given = |value: &Value| !value.is_zero();
+    let mut entries = Vec::new();
+    if row.inertia.iter().any(is_given) {
+        entries.push(format!("inertia {}", numbers(&row.inertia)));
+    }
+    if row.has_motor() {
+        let [inertia, ratio] = [&row.motor_inertia, &row.gear_ratio].map(number);
+        entries.push(format!("motor {inertia} x {ratio}^2"));
+    }
+    if is_given(&row.viscous) {
+        entries.push(format!("viscous {}", number(&row.viscous)));
+    }
+    let [positive, negative] = &row.coulomb;
+    if positive == negative && is_given(positive) {
+        entries.push(format!("coulomb {}", number(positive)));
+    } else if positive != negative {
+        entries.push(format!(
+            "coulomb +{} -{}",
+            number(positive),
+            number(negative)
+        ));
+    }
+    if let Some(stribeck) = &row.stribeck {
+        let [friction, velocity] = [&stribeck.friction, &stribeck.velocity].map(number);
+        entries.push(format!("static {friction} below {velocity}"));
+    }
+    if let Some(spring) = &row.spring {
+        let [stiffness, rest] = [&spring.stiffness, &spring.rest].map(number);
+        entries.push(format!("spring {stiffness} at {rest}"));
+    }
+    if let Some(limits) = &row.limits {
+        entries.push(format!("limits {}", numbers(limits)));
+    }
+    if let Some(coupling) = &row.follows {
+        let leader = &robot.rows[coupling.leader].name;
+        let [factor, offset] = [&coupling.factor, &coupling.offset].map(number);
+        entries.push(format!("follows {factor} {leader} + {offset}"));
+    }
+    if let Some(position) = &row.locked {
+        entries.push(format!("locked at {}", number(position)));
+    }
+    entries
+}
+
+fn joint_type(row: &Row) -> &'static str {
+    match row.joint_type {
+        JointType::Revolute => "revolute",
+        JointType::Prismatic => "prismatic",
+    }
+}
+
+fn place(place: &Placement) -> String {
+    format!("xyz {}  rpy {}", numbers(&place.xyz), numbers(&place.rpy))
+}
+
+fn number(value: &Value) -> String {
+    shortest(value.to_f64(&[]))
+}
+
+fn numbers(values: &[Value]) -> String {
+    let numbers: Vec<_> = values.iter().map(number).collect();
+    format!("[{}]", numbers.join(", "))
+}
