@@ -100,7 +100,7 @@ fn arms() -> Vec<Arm> {
     let mut panda = Arm::new("panda", "urdf/panda.urdf");
     panda.options = vec![
         "--chain",
-        "panda_link0,panda_link8",
+        "panda_link0,panda_hand_tcp",
         "--gravity",
         "0,0,-9.81",
         "--lock",
@@ -111,7 +111,7 @@ fn arms() -> Vec<Arm> {
     panda.besides.entries.push_str(
         "gravity = [0, 0, \"-9.81\"]\nlock = { panda_finger_joint1 = 0.02, panda_finger_joint2 = 0.02 }\n",
     );
-    panda.besides.chain = Some(["panda_link0", "panda_link8"].map(str::to_owned));
+    panda.besides.chain = Some(["panda_link0", "panda_hand_tcp"].map(str::to_owned));
     vec![
         Arm::new("two_link", "files/two_link.toml").with_fields(&[
             ("m1", 3.0),
@@ -187,6 +187,13 @@ fn what_cannot_be_is_refused() {
         &with(&["--duration", "0"]),
         2,
         "expected a number from 1e-3 to 1000",
+    );
+    let negative = ["m1=3", "m2=-1", "l1=2", "l2=1", "g=9.81"];
+    let negative = negative.iter().flat_map(|field| ["--field", field]);
+    refused(
+        &negative.collect::<Vec<_>>(),
+        1,
+        "a mass cannot be negative",
     );
 }
 
@@ -451,6 +458,19 @@ fn pages_do_what_they_should_in_a_browser() {
             ("motions", motions(&arm)),
             // Pictures take their time: two arms show what there is to see, one of them with slides.
             ("moves", ["puma560", "cell"].contains(&arm.name).to_string()),
+            ("refuses", (arm.name == "two_link").to_string()),
+            // Two fixed joints lead to it, 0.107 m and 0.1034 m long.
+            (
+                "tip",
+                format!(
+                    "{:?}",
+                    if arm.name == "panda" {
+                        "0, 0, 0.2104"
+                    } else {
+                        ""
+                    }
+                ),
+            ),
         ])
     });
     let mut cases = String::new();

@@ -10,24 +10,30 @@ const SAID = {
   pose: "One state; inverse dynamics gives the torques that it takes.",
 };
 
-/** A labelled slider with a number beside it. Values are SI, `factor` makes them those that are shown. */
+/**
+ * A labelled slider with a number beside it. Values are SI, `factor` makes them those that are shown. `set` returns why a
+ * value is refused, if it is.
+ */
 function slider({ label, key, min, max, get, set, factor, unit, about }) {
   const range = element("input", { type: "range", step: "any", "data-key": key, "aria-label": about });
   const typed = element("input", { type: "number", step: "any", "aria-label": `${about}, as a number` });
   const sign = element("span", { class: "unit" });
-  const row = element("div", { class: "slider" }, element("span", { class: "what" }, label), range, typed, sign);
+  const refused = element("p", { class: "refused", role: "alert" });
+  const row = element("div", { class: "slider" }, element("span", { class: "what" }, label), range, typed, sign, refused);
   const show = () => {
     const [value, times] = [get(), factor()];
     const [low, high] = [Math.min(min(), value), Math.max(max(), value)];
     Object.assign(range, { min: low * times, max: high * times });
     range.value = value * times;
     range.setAttribute("aria-valuetext", `${short(value * times)} ${unit()}`);
-    if (document.activeElement !== typed) typed.value = short(value * times, 5);
+    if (document.activeElement !== typed || refused.textContent) typed.value = short(value * times, 5);
     sign.textContent = unit();
   };
   const take = (text) => {
     const value = Number(text) / factor();
-    if (text.trim() !== "" && Number.isFinite(value)) set(value);
+    const isNumber = text.trim() !== "" && Number.isFinite(value);
+    const reason = isNumber ? set(value) : "expected a number";
+    refused.textContent = reason ? `${isNumber ? `${text} is refused: ` : ""}${reason}` : "";
     show();
   };
   range.addEventListener("input", () => take(range.value));
@@ -116,7 +122,7 @@ function fieldSlider(model, { name, value, unit }) {
     min: () => low,
     max: () => high,
     get: () => model.fields[name],
-    set: (x) => model.setField(name, x),
+    set: (x) => model.setFields({ [name]: x }),
     factor: () => (isAngle ? model.units.factor("revolute") : 1),
     unit: () => (isAngle ? model.units.angleUnit : unit),
   });
@@ -258,7 +264,7 @@ export function controls(model) {
       initial.q.forEach((q, i) => (state.q[i] = from?.[i] ?? q));
       initial.end.forEach((q, i) => (state.end[i] = to?.[i] ?? q));
       state.duration = seconds;
-      first.fields.forEach(({ name, value }) => model.setField(name, value));
+      model.setFields(Object.fromEntries(first.fields.map(({ name, value }) => [name, value])));
       build();
       fields.forEach((one) => one.show());
       model.changed();

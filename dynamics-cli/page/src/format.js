@@ -2,8 +2,9 @@
 
 const DEGREE = 180 / Math.PI;
 
-/** A number of about five digits, with as many decimals as its size leaves: columns keep their width. */
+/** A number of about five digits, with as many decimals as its size leaves: columns keep their width. NaN is not known. */
 export function plain(x) {
+  if (Number.isNaN(x)) return "–";
   if (!Number.isFinite(x)) return String(x);
   const size = Math.abs(x);
   if (size < 5e-13) return "0";

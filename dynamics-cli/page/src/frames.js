@@ -76,3 +76,12 @@ export function rollPitchYaw(r) {
   if (Math.hypot(r[0][0], r[1][0]) < 1e-9) return [0, pitch, Math.atan2(-r[0][1], r[1][1])];
   return [Math.atan2(r[2][1], r[2][2]), pitch, Math.atan2(r[1][0], r[0][0])];
 }
+
+/** One place for several, each in the one before it. */
+export function composed(places) {
+  if (places.length === 1) return places[0];
+  const { x, y, z, o } = places.reduce(placed, WORLD);
+  const rpy = rollPitchYaw([0, 1, 2].map((k) => [x[k], y[k], z[k]]));
+  const tidy = (values) => values.map((value) => (Math.abs(value) < 1e-15 ? 0 : value));
+  return { xyz: tidy(o), rpy: tidy(rpy) };
+}

@@ -3,7 +3,7 @@
 
 import { factor, trial } from "./dop853.js";
 import { dryFriction } from "./dry_friction.js";
-import { solved } from "./linear.js";
+import { NotPositiveDefinite, solved } from "./linear.js";
 
 /** Evaluations of the forward dynamics after which a motion is given up. */
 const MOST_EVALUATIONS = 600_000;
@@ -21,6 +21,12 @@ export const LAWS = {
     return equations.gravity_vector(q).map((g, i) => g + spring[i]);
   },
 };
+
+/** Why a motion cannot go on where M is singular: its number and name say which joint. */
+function singular(table, joint) {
+  const { name } = table.rows.find((row) => row.joint === joint);
+  return `the mass matrix is singular at joint ${joint + 1}, \`${name}\`: no inertia resists its motion`;
+}
 
 /** Why a motion ends early. */
 class Ended extends Error {}
@@ -191,8 +197,9 @@ export function freeMotion({ equations, table, law, torque, hasFriction, q, qd, 
       found.work.push(state.y[2 * motion.dof]);
     }
   } catch (error) {
-    if (!(error instanceof Ended) && error.name !== "SingularMassMatrix") throw error;
-    found.ended = { t: state.t, reason: error.message };
+    const isSingular = error instanceof NotPositiveDefinite || error.name === "SingularMassMatrix";
+    if (!(error instanceof Ended) && !isSingular) throw error;
+    found.ended = { t: state.t, reason: isSingular ? singular(table, error.joint) : error.message };
   }
   return found;
 }

@@ -3,6 +3,7 @@
 import { chain, reach } from "./chain.js";
 import { bind, evaluate } from "./equations.js";
 import { units } from "./format.js";
+import { refusal } from "./refusal.js";
 import { events } from "./store.js";
 import { freeTrajectory, prescribedTrajectory } from "./trajectory.js";
 
@@ -122,11 +123,16 @@ export function createModel(make, module, first) {
       model.ask();
     },
 
-    setField(name, value) {
-      values[name] = value;
-      model.table = make(values);
+    /** Gives fields other values; why not, where the table would be none of a robot. */
+    setFields(changes) {
+      const next = make({ ...values, ...changes });
+      const reason = refusal(next, table);
+      if (reason) return reason;
+      Object.assign(values, changes);
+      model.table = next;
       tell("fields");
       model.changed();
+      return null;
     },
 
     setUnits(inDegrees) {

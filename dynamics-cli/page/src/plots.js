@@ -11,7 +11,10 @@ const SYNC = "robot-dynamics";
 /** A color of the style sheet. */
 export const colorOf = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
-/** The plots: of each title, unit and curves. Curves have values of each sample, and the scale of a unit. */
+/**
+ * The plots: of each title, unit and curves. Curves have values of each sample, the scale of a unit, and `now`, the value of
+ * a state that was evaluated.
+ */
 function plotsOf(model) {
   const { joints, units, trajectory } = model;
   const ofJoints = (key, title, unit, isAngle) => ({
@@ -24,9 +27,10 @@ function plotsOf(model) {
       color: `--joint-${i % 8}`,
       isDashed: i >= 8,
       values: trajectory[key].map((values) => values[i] * (isAngle ? units.factor(row.type) : 1)),
+      now: (state) => state[key][i] * (isAngle ? units.factor(row.type) : 1),
     })),
   });
-  const single = (name, sign, values, unit, color) => ({ joint: null, name, sign, values, unit, color });
+  const single = (name, sign, values, unit, color, now) => ({ joint: null, name, sign, values, unit, color, now });
   const axis = (k) => trajectory.tip.map((tip) => tip[k]);
   return [
     ofJoints("q", ["q", "positions"], units.position, true),
@@ -37,15 +41,15 @@ function plotsOf(model) {
       key: "energy",
       title: ["E", "energies"],
       curves: [
-        single("kinetic", "T", trajectory.kinetic, "J", "--joint-0"),
-        single("potential", "U", trajectory.potential, "J", "--joint-1"),
-        single("total", "T+U", trajectory.total, "J", "--ink"),
+        single("kinetic", "T", trajectory.kinetic, "J", "--joint-0", ({ kinetic }) => kinetic),
+        single("potential", "U", trajectory.potential, "J", "--joint-1", ({ potential }) => potential),
+        single("total", "T+U", trajectory.total, "J", "--ink", ({ kinetic, potential }) => kinetic + potential),
       ],
     },
     {
       key: "tip",
       title: ["p", "tip"],
-      curves: [0, 1, 2].map((k) => single("xyz"[k], "xyz"[k], axis(k), "m", ["--axis-x", "--axis-y", "--axis-z"][k])),
+      curves: [0, 1, 2].map((k) => single("xyz"[k], "xyz"[k], axis(k), "m", ["--axis-x", "--axis-y", "--axis-z"][k], ({ tip }) => tip[k][3])),
     },
   ];
 }
@@ -157,7 +161,11 @@ export function plots(model) {
     made = [];
     grid.replaceChildren();
     section.hidden = trajectory === null;
-    if (!trajectory || trajectory.t.length < 2) return;
+    if (!trajectory) return;
+    tell();
+    const hasBegun = trajectory.t.length > 1;
+    save.disabled = !hasBegun;
+    if (!hasBegun) return;
     for (const plot of plotsOf(model)) {
       const [sign, name] = plot.title;
       const all = [...new Set(plot.curves.map(({ unit }) => unit))];
@@ -191,7 +199,6 @@ export function plots(model) {
     }
     observe();
     move();
-    tell();
   }
 
   /** A pointer on a plot sets the time. */
@@ -213,14 +220,14 @@ export function plots(model) {
   function move() {
     const { trajectory, state } = model;
     if (!trajectory || made.length === 0) return;
-    const { t } = trajectory;
-    const k = Math.min(Math.round((state.t / (t[t.length - 1] || 1)) * (t.length - 1)), t.length - 1);
+    // The readings are those of the numbers beside: of this instant, which may be between two samples.
+    const found = model.evaluated();
     for (const { plot, chart, head, readings } of made) {
       head.style.transform = `translateX(${chart.valToPos(state.t, "x")}px)`;
-      plot.curves.forEach(({ values }, i) => {
+      plot.curves.forEach(({ now }, i) => {
         const data = readings[i].lastChild;
-        data.value = String(values[k]);
-        data.textContent = plain(values[k]);
+        data.value = String(now(found));
+        data.textContent = plain(now(found));
       });
     }
   }
@@ -229,10 +236,12 @@ export function plots(model) {
   function tell() {
     const { trajectory, state, table } = model;
     const texts = [];
+    const hasBegun = trajectory.t.length > 1;
     if (trajectory.ended) {
-      texts.push(`Ends at ${plain(trajectory.ended.t)} s: ${trajectory.ended.reason}.`);
+      const { t, reason } = trajectory.ended;
+      texts.push(hasBegun ? `Ends at ${plain(t)} s: ${reason}.` : `The motion cannot begin: ${reason}.`);
     }
-    if (state.mode === "free") {
+    if (state.mode === "free" && hasBegun) {
       const relative = trajectory.energyScale > 0 ? trajectory.drift / trajectory.energyScale : 0;
       texts.push(
         `Integrated by DOP853. Energy and work balance to ${trajectory.drift.toExponential(1)} J, ` +

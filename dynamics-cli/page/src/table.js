@@ -4,6 +4,7 @@ import { COLORS } from "./annotations.js";
 import { drawn } from "./arm.js";
 import { element, indexed } from "./dom.js";
 import { short } from "./format.js";
+import { composed } from "./frames.js";
 import { scrolled } from "./numbers.js";
 
 const SIGNS = { theta: "θ", d: "d", a: "a", alpha: "α" };
@@ -65,7 +66,8 @@ export function tablePanel(model) {
     const { cell } = model.units;
     if (table.isMounted) {
       const { places, axis } = row.mount;
-      const place = places[places.length - 1] ?? { xyz: [0, 0, 0], rpy: [0, 0, 0] };
+      // Fixed joints on the chain are places of their own.
+      const place = composed(places);
       const [azimuth, polar] = axis;
       const way = [Math.sin(polar) * Math.cos(azimuth), Math.sin(polar) * Math.sin(azimuth), Math.cos(polar)];
       const texts = { xyz: vector(place.xyz), rpy: place.rpy.map(cell).join(", "), axis: vector(way.map((x) => (Math.abs(x) < 1e-12 ? 0 : x))) };
@@ -98,6 +100,14 @@ export function tablePanel(model) {
       .join(", ");
   }
 
+  /** What a joint is; in a table without joint variables, where it is held and what it follows too. */
+  function kind(row, now) {
+    if (row.follows) return table.isMounted ? ["follows ", variable(now)] : "follows";
+    if (row.locked === null) return row.type;
+    if (!table.isMounted) return "locked";
+    return `locked at ${short(now.locked * model.units.factor(row.type))} ${model.units.position(row.type)}`;
+  }
+
   function rowOf({ row, index }) {
     const now = model.table.rows[index];
     const { factor, position } = model.units;
@@ -107,7 +117,7 @@ export function tablePanel(model) {
     else {
       const button = element("button", { type: "button", class: "name", onclick: () => model.select(index) });
       button.append(element("span", { class: "dot" }), row.name || "fixed", " ");
-      button.append(element("span", { class: "kind" }, row.follows ? "follows" : row.locked !== null ? "locked" : row.type));
+      button.append(element("span", { class: "kind" }, kind(row, now)));
       name.append(button);
     }
     name.style.setProperty("--color", color === undefined ? "var(--muted)" : `var(--joint-${color % 8})`);

@@ -76,9 +76,59 @@ async function motion(page, { name, motions }) {
         check(`${name}, ${mode} at ${t} s, ${key}`, error < tolerance, `${found[key]} instead of ${value}`);
       }
     }
+    await readings(page, `${name}, ${mode}`);
     console.log(`${name}, ${mode}: ${rows.length} rows, largest error ${worst.toExponential(1)}`);
     await page.click("mode-motion");
   }
+}
+
+/** At an instant between two samples the readings of the plots are the numbers of the tables. */
+async function readings(page, name) {
+  await page.evaluate("robotPage.setTime(0.33337 * robotPage.trajectory.duration)");
+  const numbers = await allShown(page);
+  const read = await page.evaluate(`Object.fromEntries([...document.querySelectorAll("figure[data-plot]")].map((one) => [one.dataset.plot, [...one.querySelectorAll(".reading data")].map((data) => Number(data.value))]))`);
+  const keys = { energy: ["kinetic", "potential", "total"], tip: ["tip-0-3", "tip-1-3", "tip-2-3"] };
+  for (const [plot, values] of Object.entries(read)) {
+    values.forEach((value, k) => {
+      const key = keys[plot]?.[k] ?? `${plot}-${k}`;
+      check(`${name}, reading of ${key}`, value === numbers[key], `${value} beside ${numbers[key]}`);
+    });
+  }
+  check(`${name}, readings`, Object.keys(read).length === 6, `${Object.keys(read).length} plots`);
+}
+
+/** Numbers that no table can have are refused, and a motion that cannot be says why in the place of former results. */
+async function refusals(page, name) {
+  const status = () => page.evaluate(`document.querySelector('[data-key="status"]').textContent`);
+  const alert = (key) => page.evaluate(`document.querySelector('[data-key="${key}"]').parentElement.querySelector("[role=alert]").textContent`);
+  const plots = () => page.evaluate("document.querySelectorAll('figure[data-plot]').length");
+  await page.click("mode-free");
+  await computed(page);
+  check(`${name}, free motion`, (await status()).includes("Energy and work balance") && (await plots()) === 6, await status());
+  const typed = `document.querySelector('[data-key="field-m2"]').nextElementSibling`;
+  const fill = (text) => page.evaluate(`(() => { const typed = ${typed}; typed.focus(); typed.value = ${JSON.stringify(text)}; typed.dispatchEvent(new Event("change")); return typed.value; })()`);
+  for (const [text, reason] of [["-3", "-3 is refused: `elbow`: a mass cannot be negative"], ["", "expected a number"]]) {
+    check(`${name}, mass "${text}"`, (await fill(text)) === "1", "it is left in the field");
+    check(`${name}, mass "${text}"`, (await alert("field-m2")) === reason, await alert("field-m2"));
+    check(`${name}, mass "${text}"`, (await page.evaluate("robotPage.fields.m2")) === 1, "it was taken");
+  }
+  await page.set("field-m2", 0);
+  await computed(page);
+  check(`${name}, no mass`, (await alert("field-m2")) === "", await alert("field-m2"));
+  check(`${name}, no inertia`, (await status()) === "The motion cannot begin: the mass matrix is singular at joint 2, `elbow`: no inertia resists its motion.", await status());
+  check(`${name}, no inertia`, (await plots()) === 0, "former plots are shown");
+  const texts = await page.evaluate("document.querySelector('main').textContent");
+  check(`${name}, no inertia`, !texts.includes("NaN"), "NaN is shown");
+  await page.set("field-m2", 1);
+  await computed(page);
+  check(`${name}, mass again`, (await plots()) === 6 && !(await status()).includes("singular"), await status());
+  await page.click("mode-motion");
+}
+
+/** Where the table places the tip in the last link: all fixed joints on the way are in it. */
+async function tip(page, { name, tip: expected }) {
+  const found = await page.evaluate(`[...document.querySelectorAll(".cells tbody tr")].find((row) => row.querySelector("th").textContent === "tip").querySelector("td").textContent`);
+  check(`${name}, tip of the table`, found === expected, `${found} instead of ${expected}`);
 }
 
 /** Sliders move the arm, by pointer and by keyboard; time moves it, and stops. */
@@ -177,6 +227,8 @@ await withBrowser(program, async (browser) => {
     await page.click("units");
     await numbers(page, given);
     await motion(page, given);
+    if (given.refuses) await refusals(page, name);
+    if (given.tip) await tip(page, given);
     if (given.moves) await moves(page, given);
     clean(page, name);
     await page.close();

@@ -14,7 +14,7 @@ use dynamics_symbolic::robot::Robot;
 use dynamics_symbolic::{Function, Request};
 
 use crate::failure::Failure;
-use crate::load::{fields, file_of, programs, read_with_fields};
+use crate::load::{fields, file_of, programs, read, read_with_fields};
 use crate::simulate::positions;
 use html::Page;
 use literal::module_with_a_global;
@@ -37,6 +37,8 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
     let path = file_of(given);
     let robot = read_with_fields(path, given)?.robot;
     let start = Start::of(given, &robot)?;
+    // The values that the fields have at first are judged as those of a file without fields.
+    read(path, given)?;
     let programs = programs(path, &robot, &FUNCTIONS.map(Request::One))?;
     let page = Page {
         name: &robot.name,
