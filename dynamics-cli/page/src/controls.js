@@ -158,8 +158,10 @@ export function controls(model) {
   const panel = element("div", { role: "tabpanel" }, said, settings, rows);
 
   const duration = element("input", { type: "number", min: "0.1", max: "60", step: "any", "data-key": "duration" });
+  const refusedDuration = element("p", { class: "refused", role: "alert" });
   duration.addEventListener("change", () => {
     const seconds = Number(duration.value);
+    refusedDuration.textContent = seconds > 0 ? "" : "expected a number above zero";
     if (seconds > 0) state.duration = Math.min(seconds, 60);
     duration.value = state.duration;
     model.changed();
@@ -181,7 +183,7 @@ export function controls(model) {
     duration.value = state.duration;
     const asked = [];
     if (state.mode !== "pose") {
-      asked.push(element("label", { class: "choice" }, element("span", {}, "duration, s"), duration));
+      asked.push(element("label", { class: "choice" }, element("span", {}, "duration, s"), duration), refusedDuration);
     }
     if (state.mode === "motion") {
       const set = (profile) => {

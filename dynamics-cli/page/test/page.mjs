@@ -122,6 +122,9 @@ async function refusals(page, name) {
   await page.set("field-m2", 1);
   await computed(page);
   check(`${name}, mass again`, (await plots()) === 6 && !(await status()).includes("singular"), await status());
+  await page.set("duration", -2, "change");
+  const duration = await page.evaluate(`(() => { const label = document.querySelector('[data-key="duration"]').closest("label"); return label.nextElementSibling.textContent; })()`);
+  check(`${name}, negative duration`, duration === "expected a number above zero", duration);
   await page.click("mode-motion");
 }
 

@@ -50,33 +50,25 @@ pub(super) fn table(robot: &Robot) -> String {
         }
     }
     if let Some(tool) = &robot.tool {
-        let _ = write!(text, "{:<width$}{}", "tool", place(&tool.placement));
-        if tool.has_body() {
-            let _ = write!(
-                text,
-                "  mass {}  com {}",
-                number(&tool.mass),
-                numbers(&tool.com)
-            );
-            let _ = write!(text, "  inertia {}", numbers(&tool.inertia));
-        }
-        text.push('\n');
+        let [com, inertia] = [numbers(&tool.com), numbers(&tool.inertia)];
+        let (place, mass) = (place(&tool.placement), number(&tool.mass));
+        let _ = writeln!(
+            text,
+            "{:<width$}{place}  mass {mass}  com {com}  inertia {inertia}",
+            "tool"
+        );
     }
     text
 }
 
 /// A row of a Denavit-Hartenberg table.
 fn cells(robot: &Robot, row: &Row, width: usize) -> String {
-    let cell = |value: &Value| {
-        let x = value.to_f64(&[]);
-        let decimal = format!("{x:.6}");
-        match x != 0.0 && !(1e-4..1e7).contains(&x.abs()) {
-            true => format!("{x:.2e}"),
-            false => decimal
-                .trim_end_matches('0')
-                .trim_end_matches('.')
-                .to_owned(),
-        }
+    let cell = |value: &Value| match value.to_f64(&[]) {
+        x if x != 0.0 && !(1e-4..1e7).contains(&x.abs()) => format!("{x:.2e}"),
+        x => format!("{x:.6}")
+            .trim_end_matches('0')
+            .trim_end_matches('.')
+            .to_owned(),
     };
     let numbers_of_row = [&row.a, &row.alpha, &row.d, &row.theta, &row.mass].map(cell);
     let columns = numbers_of_row
@@ -126,50 +118,39 @@ fn placed(robot: &Robot, row: &Row, mount: &Mount, width: usize) -> String {
     text + "\n"
 }
 
-/// What a row says besides its place, its mass and the centre of that.
+/// What a row says besides its place, its mass and the centre of that. A motor has its inertia and its gear ratio, dry
+/// friction one value for each direction, a spring its stiffness and its position at rest.
 fn further(robot: &Robot, row: &Row) -> Vec<String> {
-    let is_given = |value: &Value| !value.is_zero();
-    let mut entries = Vec::new();
-    if row.inertia.iter().any(is_given) {
-        entries.push(format!("inertia {}", numbers(&row.inertia)));
-    }
-    if row.has_motor() {
-        let [inertia, ratio] = [&row.motor_inertia, &row.gear_ratio].map(number);
-        entries.push(format!("motor {inertia} x {ratio}^2"));
-    }
-    if is_given(&row.viscous) {
-        entries.push(format!("viscous {}", number(&row.viscous)));
-    }
-    let [positive, negative] = &row.coulomb;
-    if positive == negative && is_given(positive) {
-        entries.push(format!("coulomb {}", number(positive)));
-    } else if positive != negative {
-        entries.push(format!(
-            "coulomb +{} -{}",
-            number(positive),
-            number(negative)
-        ));
-    }
-    if let Some(stribeck) = &row.stribeck {
-        let [friction, velocity] = [&stribeck.friction, &stribeck.velocity].map(number);
-        entries.push(format!("static {friction} below {velocity}"));
-    }
-    if let Some(spring) = &row.spring {
-        let [stiffness, rest] = [&spring.stiffness, &spring.rest].map(number);
-        entries.push(format!("spring {stiffness} at {rest}"));
-    }
-    if let Some(limits) = &row.limits {
-        entries.push(format!("limits {}", numbers(limits)));
-    }
-    if let Some(coupling) = &row.follows {
+    let pair = |a: &Value, b: &Value| vec![a.clone(), b.clone()];
+    let stribeck = row.stribeck.as_ref();
+    let spring = row.spring.as_ref();
+    let entries = [
+        ("inertia", Some(row.inertia.to_vec())),
+        ("motor", Some(pair(&row.motor_inertia, &row.gear_ratio))),
+        ("viscous", Some(vec![row.viscous.clone()])),
+        ("coulomb", Some(row.coulomb.to_vec())),
+        (
+            "static, velocity",
+            stribeck.map(|s| pair(&s.friction, &s.velocity)),
+        ),
+        (
+            "spring",
+            spring.map(|spring| pair(&spring.stiffness, &spring.rest)),
+        ),
+        ("limits", row.limits.as_ref().map(|limits| limits.to_vec())),
+    ];
+    let given = entries.into_iter().filter_map(|(word, values)| {
+        let values = values.filter(|values| values.iter().any(|value| !value.is_zero()))?;
+        Some(format!("{word} {}", numbers(&values)))
+    });
+    let follows = row.follows.iter().map(|coupling| {
         let leader = &robot.rows[coupling.leader].name;
         let [factor, offset] = [&coupling.factor, &coupling.offset].map(number);
-        entries.push(format!("follows {factor} {leader} + {offset}"));
-    }
-    if let Some(position) = &row.locked {
-        entries.push(format!("locked at {}", number(position)));
-    }
-    entries
+        format!("follows {factor} {leader} + {offset}")
+    });
+    let locked = row.locked.iter();
+    let locked = locked.map(|position| format!("locked at {}", number(position)));
+    given.chain(follows).chain(locked).collect()
 }
 
 fn joint_type(row: &Row) -> &'static str {
