@@ -41,15 +41,13 @@ impl Csv {
         let numbers: Vec<f64> = numbers.into_iter().collect();
         if let Some(column) = numbers.iter().position(|x| !x.is_finite()) {
             let names = self.0.lines().next().unwrap_or_default();
-            return Err(Failure::after(
-                String::new(),
-                format!(
-                    "`{}` at t = {} s is beyond the largest number that a computer holds: the motion is too fast, its \
-                     positions are too large, or the numbers of the robot are",
-                    names.split(',').nth(column).unwrap_or_default(),
-                    shortest(numbers[0])
-                ),
-            ));
+            let message = format!(
+                "`{}` at t = {} s is beyond the largest number that a computer holds: the motion is too fast, its \
+                 positions are too large, or the numbers of the robot are",
+                names.split(',').nth(column).unwrap_or_default(),
+                shortest(numbers[0])
+            );
+            return Err(Failure::after(String::new(), message));
         }
         let numbers: Vec<_> = numbers.into_iter().map(shortest).collect();
         self.0.push_str(&numbers.join(","));

@@ -18,18 +18,14 @@ pub(super) fn table(robot: &Robot) -> String {
         1 => "1 joint that moves".to_owned(),
         dof => format!("{dof} joints that move"),
     };
-    let gravity = numbers(&robot.gravity);
-    let mut text = format!(
-        "{}: {joints}, {how}, gravity {gravity} m/s^2\n\n",
-        robot.name
-    );
+    let (name, gravity) = (&robot.name, numbers(&robot.gravity));
+    let mut text = format!("{name}: {joints}, {how}, gravity {gravity} m/s^2\n\n");
     let widest = robot.rows.iter().map(|row| row.name.chars().count()).max();
     let width = widest.unwrap_or(0).max(5) + 2;
     if is_placed {
         text.push_str(
-            "Each joint stands at xyz, rpy in the link frame before, by T(xyz) Rz(yaw) Ry(pitch) Rx(roll); com and \
-             inertia\n(xx, yy, zz, xy, yz, xz, about the centre of mass) are in its link frame. \
-             `robot-dynamics convert` writes a\nDenavit-Hartenberg table.\n\n",
+            "xyz and rpy are in the link frame before, com and inertia (xx, yy, zz, xy, yz, xz, about the centre of mass) \
+             in\nthat of the link. `robot-dynamics convert` writes a Denavit-Hartenberg table.\n\n",
         );
     } else {
         let _ = writeln!(
@@ -50,13 +46,10 @@ pub(super) fn table(robot: &Robot) -> String {
         }
     }
     if let Some(tool) = &robot.tool {
-        let [com, inertia] = [numbers(&tool.com), numbers(&tool.inertia)];
         let (place, mass) = (place(&tool.placement), number(&tool.mass));
-        let _ = writeln!(
-            text,
-            "{:<width$}{place}  mass {mass}  com {com}  inertia {inertia}",
-            "tool"
-        );
+        let [com, inertia] = [numbers(&tool.com), numbers(&tool.inertia)];
+        let body = format!("mass {mass}  com {com}  inertia {inertia}");
+        let _ = writeln!(text, "{:<width$}{place}  {body}", "tool");
     }
     text
 }
@@ -70,17 +63,12 @@ fn cells(robot: &Robot, row: &Row, width: usize) -> String {
             .trim_end_matches('.')
             .to_owned(),
     };
-    let numbers_of_row = [&row.a, &row.alpha, &row.d, &row.theta, &row.mass].map(cell);
-    let columns = numbers_of_row
-        .map(|number| format!("{number:>10}"))
-        .concat();
-    let further = further(robot, row).into_iter();
-    let further: String = further.map(|entry| format!(", {entry}")).collect();
+    let columns = [&row.a, &row.alpha, &row.d, &row.theta, &row.mass];
+    let columns = columns.map(|value| format!("{:>10}", cell(value))).concat();
+    let (name, com, further) = (&row.name, numbers(&row.com), further(robot, row));
     format!(
-        "{:<width$}{:<11}{columns}  {}{further}\n",
-        row.name,
-        joint_type(row),
-        numbers(&row.com)
+        "{name:<width$}{:<11}{columns}  {com}{further}\n",
+        joint_type(row)
     )
 }
 
@@ -102,55 +90,46 @@ fn placed(robot: &Robot, row: &Row, mount: &Mount, width: usize) -> String {
     ];
     // The sine of pi is 1.2e-16 in doubles.
     let axis = axis.map(|x| shortest(if x.abs() < 1e-15 { 0.0 } else { x }));
-    let mut text = format!(
-        "{:<width$}{:<11}{places}  axis [{}]\n{:width$}mass {}  com {}",
-        row.name,
-        joint_type(row),
-        axis.join(", "),
-        "",
-        number(&row.mass),
-        numbers(&row.com)
-    );
-    for entry in further(robot, row) {
-        text.push_str("  ");
-        text.push_str(&entry);
-    }
-    text + "\n"
+    let axis = axis.join(", ");
+    let (name, kind, further) = (&row.name, joint_type(row), further(robot, row));
+    let (mass, com) = (number(&row.mass), numbers(&row.com));
+    format!(
+        "{name:<width$}{kind:<11}{places}  axis [{axis}]\n{:width$}mass {mass}  com {com}{further}\n",
+        ""
+    )
 }
 
 /// What a row says besides its place, its mass and the centre of that. A motor has its inertia and its gear ratio, dry
 /// friction one value for each direction, a spring its stiffness and its position at rest.
-fn further(robot: &Robot, row: &Row) -> Vec<String> {
-    let pair = |a: &Value, b: &Value| vec![a.clone(), b.clone()];
-    let stribeck = row.stribeck.as_ref();
-    let spring = row.spring.as_ref();
+fn further(robot: &Robot, row: &Row) -> String {
+    let stribeck = row.stribeck.iter();
+    let stribeck = stribeck.flat_map(|stribeck| [&stribeck.friction, &stribeck.velocity]);
+    let spring = row.spring.iter();
+    let spring = spring.flat_map(|spring| [&spring.stiffness, &spring.rest]);
     let entries = [
-        ("inertia", Some(row.inertia.to_vec())),
-        ("motor", Some(pair(&row.motor_inertia, &row.gear_ratio))),
-        ("viscous", Some(vec![row.viscous.clone()])),
-        ("coulomb", Some(row.coulomb.to_vec())),
-        (
-            "static, velocity",
-            stribeck.map(|s| pair(&s.friction, &s.velocity)),
-        ),
-        (
-            "spring",
-            spring.map(|spring| pair(&spring.stiffness, &spring.rest)),
-        ),
-        ("limits", row.limits.as_ref().map(|limits| limits.to_vec())),
+        ("inertia", row.inertia.iter().collect::<Vec<_>>()),
+        ("motor", vec![&row.motor_inertia, &row.gear_ratio]),
+        ("viscous", vec![&row.viscous]),
+        ("coulomb", row.coulomb.iter().collect()),
+        ("static, velocity", stribeck.collect()),
+        ("spring", spring.collect()),
+        ("limits", row.limits.iter().flatten().collect()),
     ];
-    let given = entries.into_iter().filter_map(|(word, values)| {
-        let values = values.filter(|values| values.iter().any(|value| !value.is_zero()))?;
-        Some(format!("{word} {}", numbers(&values)))
-    });
-    let follows = row.follows.iter().map(|coupling| {
+    let mut text = String::new();
+    for (word, values) in entries {
+        if values.iter().any(|value| !value.is_zero()) {
+            let _ = write!(text, "  {word} {}", numbers(values));
+        }
+    }
+    if let Some(coupling) = &row.follows {
         let leader = &robot.rows[coupling.leader].name;
         let [factor, offset] = [&coupling.factor, &coupling.offset].map(number);
-        format!("follows {factor} {leader} + {offset}")
-    });
-    let locked = row.locked.iter();
-    let locked = locked.map(|position| format!("locked at {}", number(position)));
-    given.chain(follows).chain(locked).collect()
+        let _ = write!(text, "  follows {factor} {leader} + {offset}");
+    }
+    if let Some(position) = &row.locked {
+        let _ = write!(text, "  locked at {}", number(position));
+    }
+    text
 }
 
 fn joint_type(row: &Row) -> &'static str {
@@ -168,7 +147,7 @@ fn number(value: &Value) -> String {
     shortest(value.to_f64(&[]))
 }
 
-fn numbers(values: &[Value]) -> String {
-    let numbers: Vec<_> = values.iter().map(number).collect();
+fn numbers<'v>(values: impl IntoIterator<Item = &'v Value>) -> String {
+    let numbers: Vec<_> = values.into_iter().map(number).collect();
     format!("[{}]", numbers.join(", "))
 }

@@ -41,19 +41,15 @@ pub(super) fn join(locks: &mut Vec<Lock>, list: Vec<Lock>, scope: &Scope) {
     let before = locks.len();
     for lock in list {
         let word = lock.name.plain();
-        let known = locks[..before]
-            .iter()
-            .find(|known| known.name.plain() == word);
-        let Some(known) = known else {
+        let mut known = locks[..before].iter();
+        let Some(known) = known.find(|known| known.name.plain() == word) else {
             locks.push(lock);
             continue;
         };
         if let (Some(one), Some(other)) = (&known.position, &lock.position) {
-            let numbers = [number(&one.value), number(&other.value)];
-            let is_same =
-                one.value == other.value || (numbers[0].is_some() && numbers[0] == numbers[1]);
-            if !is_same {
-                scope.error(&lock.name, mistake::locked_at_two(word, numbers));
+            let [a, b] = [&one.value, &other.value].map(number);
+            if one.value != other.value && (a.is_none() || a != b) {
+                scope.error(&lock.name, mistake::locked_at_two(word, [a, b]));
             }
         }
     }
