@@ -211,6 +211,25 @@ fn a_full_disk_leaves_the_files_of_before() {
     assert_eq!(std::fs::read_dir(&folder).expect("a folder").count(), 2);
 }
 
+/// `--out /dev/stdout` writes behind what the file that standard output goes to has already.
+#[cfg(target_os = "linux")]
+#[test]
+fn standard_output_is_not_replaced() {
+    let pendulum = file("appended.toml", PENDULUM);
+    let log = folder("files").join("appended.log");
+    std::fs::write(&log, "first\n").expect("a file");
+    let mut command = Command::new(env!("CARGO_BIN_EXE_robot-dynamics"));
+    command.args(["convert", &pendulum, "--to", "json", "--out", "/dev/stdout"]);
+    let opened = std::fs::OpenOptions::new().append(true).open(&log);
+    command.stdout(opened.expect("the file"));
+    assert!(command.status().expect("the command").success());
+    let text = std::fs::read_to_string(&log).expect("text");
+    assert!(
+        text.starts_with("first\n{") && text.ends_with("}\n"),
+        "{text}"
+    );
+}
+
 /// Torques, energies and errors that are too large for a number are told, and not written as `NaN`.
 #[test]
 fn numbers_that_are_too_large_are_told() {
