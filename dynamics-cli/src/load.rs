@@ -33,12 +33,23 @@ pub(crate) fn read(path: &Path, given: &ArgMatches) -> Result<Model, Failure> {
     read_with(path, with_values(given, path, None, "chain")?)
 }
 
-/// As [`read`], the names of `--field` being fields of the robot.
-pub(crate) fn read_with_fields(path: &Path, given: &ArgMatches) -> Result<Model, Failure> {
+/// As [`read`], the names of `--field` being fields of the robot, of which functions are needed besides.
+pub(crate) fn read_with_fields(
+    path: &Path,
+    given: &ArgMatches,
+    needed: Vec<Function>,
+) -> Result<Model, Failure> {
     about_links(given, &[path])?;
     let besides = besides(given, path, None, "chain")?;
     let fields = fields(given)?.into_iter().map(|(name, _)| name).collect();
-    read_with(path, Besides { fields, ..besides })
+    read_with(
+        path,
+        Besides {
+            fields,
+            needed,
+            ..besides
+        },
+    )
 }
 
 /// The robot of the argument `FILE` and that of another one, with the same settings. A joint that only one
@@ -171,6 +182,10 @@ fn besides(
 ) -> Result<Besides, Failure> {
     let elsewhere = other.map(|other| (joints_of(path), joints_of(other)));
     let is_meant = |joint: &str| match &elsewhere {
+        // A table has no joints beside a chain.
+        Some((here, _)) if joint == "rest" && Format::of(path) != Some(Format::Urdf) => {
+            here.iter().any(|name| name == joint)
+        }
         Some((here, there)) => {
             let has = |names: &[String]| names.iter().any(|name| name == joint);
             has(here) || !has(there)
@@ -187,6 +202,7 @@ fn besides(
         ignore,
         round_angles: round_angles.copied(),
         fields: Vec::new(),
+        needed: Vec::new(),
         audience: Audience::Command,
     })
 }
@@ -351,7 +367,10 @@ pub(crate) fn arm_with(
     functions: impl IntoIterator<Item = Function>,
 ) -> Result<RuntimeRobot, Failure> {
     let path = file_of(given);
-    let model = read(path, given)?;
-    let requests: Vec<_> = functions.into_iter().map(Request::One).collect();
+    about_links(given, &[path])?;
+    let needed: Vec<_> = functions.into_iter().collect();
+    let requests: Vec<_> = needed.iter().copied().map(Request::One).collect();
+    let besides = with_values(given, path, None, "chain")?;
+    let model = read_with(path, Besides { needed, ..besides })?;
     arm(path, &model.robot, &requests)
 }

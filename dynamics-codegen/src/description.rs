@@ -65,6 +65,8 @@ pub struct Table {
     pub mentions: BTreeSet<String>,
     /// The reader of messages.
     pub audience: Audience,
+    /// Functions that are derived besides those that the entries ask for: the table has to say what they read.
+    pub needed: Vec<Function>,
 }
 
 impl Table {
@@ -438,12 +440,16 @@ pub struct Allow {
     pub unphysical_inertia: bool,
     /// An angle of more than a turn, or nearly a right one.
     pub odd_angle: bool,
-    /// A centre of mass or a tensor without a mass, an arm without any.
+    /// A centre of mass or a tensor without a mass.
     pub odd_mass: bool,
     /// A centre of mass far from everything.
     pub odd_com: bool,
     /// Gravity as it is nowhere.
     pub odd_gravity: bool,
+    /// Limits of which the lower one is above the upper one, which are none then.
+    pub odd_limits: bool,
+    /// Links of a URDF file of which no inertia is said, and arms without any: they are massless.
+    pub no_inertia: bool,
 }
 
 impl Allow {
@@ -454,6 +460,8 @@ impl Allow {
         odd_mass: true,
         odd_com: true,
         odd_gravity: true,
+        odd_limits: true,
+        no_inertia: true,
     };
 
     /// What this or the other one allows.
@@ -464,6 +472,8 @@ impl Allow {
             odd_mass: self.odd_mass || other.odd_mass,
             odd_com: self.odd_com || other.odd_com,
             odd_gravity: self.odd_gravity || other.odd_gravity,
+            odd_limits: self.odd_limits || other.odd_limits,
+            no_inertia: self.no_inertia || other.no_inertia,
         }
     }
 }

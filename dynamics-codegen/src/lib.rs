@@ -35,6 +35,7 @@ mod validate;
 mod words;
 
 pub use audience::Audience;
+pub use parse::allow::OF_TABLE as ALLOWANCES;
 pub use validate::Model;
 pub use words::visible;
 

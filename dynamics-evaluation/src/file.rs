@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 use dynamics_codegen::description::{Entry, Expr, ExprKind, Name, Place, Table};
 use dynamics_codegen::files::{Format, MOST_BYTES, Request, model_beside, table, text};
 use dynamics_codegen::{Audience, Error, Model};
+use dynamics_symbolic::Function;
 use dynamics_symbolic::exact::Rational;
 use dynamics_symbolic::neglect::neglect;
 
@@ -85,13 +86,16 @@ pub struct Besides {
     pub entries: String,
     /// The first and the last link of the arm, which a URDF file needs; passed over for a table.
     pub chain: Option<[String; 2]>,
-    /// Joints of a URDF file that are left out, with all that hangs on them; passed over for a table.
+    /// Joints of a URDF file that are left out, with all that hangs on them; passed over for a table. `rest`, where no
+    /// joint has that name, is all joints beside the chain that are not named; it may be locked, too.
     pub ignore: Vec<String>,
     /// How near an angle of a URDF file is to a quarter turn that is taken as one, rad; passed over for a table.
     pub round_angles: Option<f64>,
     /// Names that cells may use without a value, as those of the fields of a struct: they become the
     /// robot's fields, in this order.
     pub fields: Vec<String>,
+    /// Functions that are derived besides those that are asked for. If one reads masses, the file has to have them.
+    pub needed: Vec<Function>,
     /// The reader of messages, in whose words they say what to write.
     pub audience: Audience,
 }
@@ -103,6 +107,7 @@ impl Besides {
         let entries = "\n".repeat(lines) + &self.entries;
         let mut table = table(stem, &entries, Format::Toml, &Request::default())?;
         table.audience = self.audience;
+        table.needed.clone_from(&self.needed);
         let place = Place::File {
             line: lines + 1,
             column: 1,

@@ -4,7 +4,7 @@ use crate::bounds;
 use crate::derive::derive_together;
 use crate::emit;
 use crate::formula::{Budget, Equation, Formulas, MOST_TERMS};
-use crate::function::{Function, Fused, Request};
+use crate::function::{Function, Fused, Masses, Request};
 use crate::neglect::{STATES, largest_error};
 use crate::program::{Operations, Program, Proven};
 use crate::prove::{ProofFailure, prove, prove_together};
@@ -194,7 +194,8 @@ fn neglected(
     derive: &Derivation,
 ) -> Vec<String> {
     let parts = request.parts();
-    let reads_inertia = parts.iter().any(|part| part.row().reads_inertia);
+    let mut parts_read = parts.iter().map(|part| part.row().masses);
+    let reads_inertia = parts_read.any(|masses| masses == Masses::Inertia);
     let Some(neglected) = robot.neglected.as_ref().filter(|_| reads_inertia) else {
         return Vec::new();
     };

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::builder::PossibleValuesParser;
 use clap::{Arg, ArgAction, Command, value_parser};
+use dynamics_codegen::ALLOWANCES;
 
 /// A subcommand about a robot file, with the options that say what the file does not.
 pub(super) fn of_a_file(name: &'static str, about: &'static str) -> Command {
@@ -28,10 +29,10 @@ pub(super) fn of_a_file(name: &'static str, about: &'static str) -> Command {
         )
         .arg(
             several("lock", "JOINT=POSITION")
-                .help("A joint that stands still, rad or m, beside those that the file locks; may be given several times"),
+                .help("Joints that stand still, rad or m, beside those that the file locks; `rest` as for --ignore; may be given several times"),
         )
-        .arg(several("ignore", "JOINT").help(
-            "A joint of a URDF file that is left out, with all that hangs on it; may be given several times",
+        .arg(words("ignore", "JOINT").action(ArgAction::Append).help(
+            "Joints of a URDF file that are left out, with all that hangs on them; `rest` is all beside the chain that are not named",
         ))
         .arg(
             Arg::new("round-angles")
@@ -43,13 +44,7 @@ pub(super) fn of_a_file(name: &'static str, about: &'static str) -> Command {
         .arg(
             words("allow", "WORD")
                 .action(ArgAction::Append)
-                .value_parser(PossibleValuesParser::new([
-                    "odd_angle",
-                    "odd_com",
-                    "odd_gravity",
-                    "odd_mass",
-                    "unphysical_inertia",
-                ]))
+                .value_parser(PossibleValuesParser::new(ALLOWANCES))
                 .help("Accept what is refused otherwise, anywhere in the file"),
         )
         .next_help_heading(None::<&str>)

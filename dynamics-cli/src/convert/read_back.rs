@@ -2,7 +2,7 @@
 
 use dynamics_codegen::description::Place;
 use dynamics_codegen::files::{Format, Request, table};
-use dynamics_codegen::{Error, check};
+use dynamics_codegen::{ALLOWANCES, Error, check};
 
 use super::document::Document;
 
@@ -23,19 +23,12 @@ pub(super) fn refused_words(
     document: &Document,
     refusals: &[Error],
 ) -> Vec<(Option<String>, &'static str)> {
-    const WORDS: [&str; 5] = [
-        "odd_angle",
-        "odd_com",
-        "odd_gravity",
-        "odd_mass",
-        "unphysical_inertia",
-    ];
     let head = match format {
         Format::Json => "    {",
         _ => "[[joint]]",
     };
     let word_of = |error: &Error| {
-        let word = WORDS
+        let word = ALLOWANCES
             .into_iter()
             .find(|word| error.message.contains(word))?;
         let Place::File { line, .. } = error.place else {

@@ -35,7 +35,7 @@ const FUNCTIONS: [Function; 9] = [
 /// The page.
 pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
     let path = file_of(given);
-    let robot = read_with_fields(path, given)?.robot;
+    let robot = read_with_fields(path, given, FUNCTIONS.to_vec())?.robot;
     let start = Start::of(given, &robot)?;
     // The values that the fields have at first are judged as those of a file without fields.
     read(path, given)?;

@@ -52,6 +52,7 @@ mod reading {
     use crate::description::{Expr, ExprKind, Locked, Operator, Table};
     use crate::files::{self, Format, Request};
     use crate::limits::MOST_BYTES;
+    use crate::validate::functions::read_masses;
 
     /// Entries in place of which a file stands.
     const INSTEAD: [&str; 2] = ["convention", "joints"];
@@ -104,6 +105,7 @@ mod reading {
     pub(crate) fn request(table: &Table, diagnostics: &Diagnostics) -> Option<Request> {
         let mut request = Request {
             unphysical_inertia: table.allow().unphysical_inertia,
+            no_inertia: table.allow().no_inertia || !read_masses(table),
             odd_angle: table.allow().odd_angle,
             ..Request::default()
         };

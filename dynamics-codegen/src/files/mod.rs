@@ -218,6 +218,7 @@ fn put_beside(text: &str, format: Format, mut beside: Table, diagnostics: &Diagn
     table.keys.extend(beside.keys);
     table.fields.extend(beside.fields);
     table.audience = beside.audience;
+    table.needed = beside.needed;
     table
 }
 

@@ -10,14 +10,17 @@ use crate::description::Name;
 pub struct Request {
     /// The first and the last link of the arm.
     pub chain: Option<[Name; 2]>,
-    /// Joints that are left out, with all that hangs on them.
+    /// Joints that are left out, with all that hangs on them. `rest`, where no joint has that name, is all joints
+    /// beside the chain that are not named, here and in `lock`.
     pub ignore: Vec<Name>,
-    /// Joints that stand still, and where; no position is one that is not known here.
+    /// Joints that stand still, and where, or `rest`; no position is one that is not known here.
     pub lock: Vec<(Name, Option<Value>)>,
     /// How near an angle is to a quarter turn that is taken as one, rad.
     pub round_angles: Option<Rational>,
     /// Whether tensors that no body can have are accepted.
     pub unphysical_inertia: bool,
+    /// Whether movable links without `<inertial>` are taken as massless.
+    pub no_inertia: bool,
     /// Whether angles of many turns are accepted, which are meant in degrees elsewhere.
     pub odd_angle: bool,
 }

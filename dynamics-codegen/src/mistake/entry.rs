@@ -126,10 +126,10 @@ pub(crate) fn no_mass(function: &str) -> Mistake {
 pub(crate) fn no_inertia() -> Mistake {
     Mistake::advice(|audience| {
         let functions = audience.functions("forward_kinematics", "jacobian");
-        let allow = audience.allow("odd_mass", AT_THE_END);
+        let allow = audience.allow("no_inertia", AT_THE_END);
         format!(
             "no link of this arm has a mass, a tensor or a motor with inertia: write `mass` in its rows, or ask for \
-             functions of its geometry alone, {functions} ({allow} accepts it)"
+             functions of its geometry alone, {functions} ({allow} takes it as massless)"
         )
     })
 }

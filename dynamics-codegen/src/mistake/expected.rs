@@ -228,7 +228,7 @@ pub(crate) fn chain() -> Expected {
 }
 
 pub(crate) fn ignored() -> Expected {
-    expected("`[joint, ...]`")
+    expected("`[joint, ...]`, or `rest`")
 }
 
 pub(crate) fn ignored_joint() -> Expected {

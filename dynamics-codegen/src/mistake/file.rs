@@ -75,6 +75,14 @@ pub(crate) fn no_name(what: &str, word: &str) -> Mistake {
     ))
 }
 
+/// A number in place of a name.
+pub(crate) fn number_as_name(number: &str) -> Mistake {
+    let number = shortened(number);
+    Mistake::new(format!(
+        "expected a name, found `{number}`: a name that is no word stands in quotes, `\"{number}\"`"
+    ))
+}
+
 /// A name that would act on a terminal.
 pub(crate) fn control_in_name(word: &str) -> Mistake {
     let word = shortened(word);

@@ -277,6 +277,17 @@ pub(crate) fn limits_swapped() -> Mistake {
     Mistake::new("the lower limit comes first, and is below the upper one: `[lower, upper]`")
 }
 
+/// The same in a URDF file, of which somebody else may be the author.
+pub(crate) fn limits_of_a_file_swapped() -> Mistake {
+    Mistake::advice(|audience| {
+        let allow = audience.allow("odd_limits", "in the call");
+        format!(
+            "`lower` of `<limit>` is below `upper`: exchange the two, or take the joint as one without limits, {allow}, \
+             as programs do that read such limits as none"
+        )
+    })
+}
+
 pub(crate) fn limit_with_field() -> Mistake {
     Mistake::new("a limit is a number: it does not depend on a field")
 }

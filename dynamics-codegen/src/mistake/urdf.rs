@@ -127,14 +127,44 @@ pub(crate) fn unsupported(joint: &str, kind: &str) -> Mistake {
     ))
 }
 
+/// A joint that may be made to stand still.
+#[derive(Clone, Copy)]
+pub(crate) struct Still<'a> {
+    pub(crate) joint: &'a str,
+    /// Its limits, rad or m.
+    pub(crate) limits: Option<[f64; 2]>,
+}
+
+impl Still<'_> {
+    /// How it is locked: at zero, or at the limit that is nearest to it.
+    fn lock(self, audience: Audience) -> String {
+        let [lower, upper] = self.limits.unwrap_or([0.0, 0.0]);
+        audience.lock(self.joint, &number(0.0_f64.clamp(lower, upper)))
+    }
+}
+
 /// `<mimic>` of a joint that is not there.
-pub(crate) fn unknown_leader(joint: &str, leader: &str, meant: Option<&str>) -> Mistake {
-    let hint = meant.map_or(String::new(), |right| format!(": did you mean `{right}`?"));
-    Mistake::new(format!(
-        "the joint `{}` follows `{}`, which is not there{hint}",
-        shortened(joint),
-        shortened(leader)
-    ))
+pub(crate) fn unknown_leader(
+    joint: Still,
+    is_beside: bool,
+    leader: &str,
+    meant: Option<&str>,
+) -> Mistake {
+    let hint = meant.map_or(String::new(), |right| format!(" (did you mean `{right}`?)"));
+    Mistake::advice(|audience| {
+        let way_out = match is_beside {
+            true => locked_or_left_out(joint, audience),
+            false => format!(
+                "lock it where it stands still, {}, or take the `<mimic>` away for a joint of its own",
+                joint.lock(audience)
+            ),
+        };
+        format!(
+            "the joint `{}` follows `{}`, which is not there{hint}: {way_out}",
+            shortened(joint.joint),
+            shortened(leader)
+        )
+    })
 }
 
 /// `<mimic>` of a joint that has no position.
@@ -155,25 +185,25 @@ pub(crate) fn circle(joint: &str) -> Mistake {
 }
 
 /// A joint on the chain that follows one beside it, which moves.
-pub(crate) fn leader_off_chain(joint: &str, leader: &str) -> Mistake {
+pub(crate) fn leader_off_chain(joint: Still, leader: Still) -> Mistake {
     Mistake::advice(|audience| {
         format!(
             "the joint `{}` follows `{}` (`<mimic>`), which is not on the chain: lock that where it stands still, {}, \
              or lock this one, {}, or take the `<mimic>` away for a joint of its own",
-            shortened(joint),
-            shortened(leader),
-            audience.lock(leader, "0"),
-            audience.lock(joint, "0"),
+            shortened(joint.joint),
+            shortened(leader.joint),
+            leader.lock(audience),
+            joint.lock(audience),
         )
     })
 }
 
 /// A joint beside the chain that follows one on it.
-pub(crate) fn follower_off_chain(joint: &str, leader: &str) -> Mistake {
+pub(crate) fn follower_off_chain(joint: Still, leader: &str) -> Mistake {
     Mistake::advice(|audience| {
         format!(
             "the joint `{}` follows `{}` (`<mimic>`), which moves, and is not on the chain itself: {}",
-            shortened(joint),
+            shortened(joint.joint),
             shortened(leader),
             locked_or_left_out(joint, audience)
         )
@@ -181,22 +211,44 @@ pub(crate) fn follower_off_chain(joint: &str, leader: &str) -> Mistake {
 }
 
 /// A movable joint that is not on the chain.
-pub(crate) fn off_chain(joint: &str) -> Mistake {
+pub(crate) fn off_chain(joint: Still) -> Mistake {
     Mistake::advice(|audience| {
         format!(
             "the joint `{}` moves, and is not on the chain: {}",
-            shortened(joint),
+            shortened(joint.joint),
             locked_or_left_out(joint, audience)
         )
     })
 }
 
 /// What can be done about a joint beside the chain.
-fn locked_or_left_out(joint: &str, audience: Audience) -> String {
-    let (lock, ignore) = (audience.lock(joint, "0"), audience.ignore(joint));
+fn locked_or_left_out(joint: Still, audience: Audience) -> String {
+    let (lock, ignore) = (joint.lock(audience), audience.ignore(joint.joint));
     format!(
-        "lock it where it stands still, {lock}, or leave it out with all that hangs on it, {ignore}"
+        "lock it where it stands still, {lock}, or leave it out with all that hangs on it, {ignore} (`rest` as a name is \
+         all such joints)"
     )
+}
+
+/// A joint that stands still beside the chain, by its own lock, as one of the rest, or because it follows another one.
+pub(crate) fn still_out_of_limits(
+    joint: Still,
+    position: f64,
+    [lower, upper]: [f64; 2],
+) -> Mistake {
+    let [position, lower, upper] = [position, lower, upper].map(number);
+    Mistake::advice(|audience| {
+        format!(
+            "`{}` would stand still at {position}, outside of its limits, {lower} to {upper}: {} is within them",
+            shortened(joint.joint),
+            joint.lock(audience)
+        )
+    })
+}
+
+/// `rest` in both lists.
+pub(crate) fn rest_twice() -> Mistake {
+    Mistake::new("`rest` is locked and ignored: remove one of the two")
 }
 
 pub(crate) fn ignored_on_chain(joint: &str) -> Mistake {
@@ -211,12 +263,23 @@ pub(crate) fn lock_with_names(joint: &str) -> Mistake {
     ))
 }
 
-pub(crate) fn no_inertial(link: &str) -> Mistake {
-    Mistake::new(format!(
-        "the link `{}` moves and has no `<inertial>`, nor has anything that is fixed to it: write one with zeros for a \
-         link without mass",
-        shortened(link)
-    ))
+/// A link of which functions have to know the mass. `joint` is that which moves it, where nothing beyond has a mass.
+pub(crate) fn no_inertial(link: &str, joint: Option<&str>) -> Mistake {
+    Mistake::advice(|audience| {
+        let allow = audience.allow("no_inertia", "in the call");
+        let singular = joint.map_or(String::new(), |joint| {
+            let joint = shortened(joint);
+            format!(
+                " (no mass moves with `{joint}` then, and `forward_dynamics` returns an error unless the `tool` has one)"
+            )
+        });
+        format!(
+            "the link `{}` moves and has no `<inertial>`, nor has anything that is fixed to it: {allow} takes it as \
+             massless{singular}; functions of the geometry alone need none, {}",
+            shortened(link),
+            audience.functions("forward_kinematics", "jacobian")
+        )
+    })
 }
 
 pub(crate) fn negative_mass() -> Mistake {

@@ -12,11 +12,13 @@ use crate::mistake::{self, expected};
 /// What a row or the tool may allow.
 pub(crate) const OF_BODY: [&str; 4] = ["odd_angle", "odd_com", "odd_mass", "unphysical_inertia"];
 
-/// What the table may allow.
-pub(crate) const OF_TABLE: [&str; 5] = [
+/// What `allow` of the whole table may hold.
+pub const OF_TABLE: [&str; 7] = [
+    "no_inertia",
     "odd_angle",
     "odd_com",
     "odd_gravity",
+    "odd_limits",
     "odd_mass",
     "unphysical_inertia",
 ];
@@ -49,9 +51,11 @@ pub(super) fn allow(cursor: &mut Cursor, known: &[&'static str]) -> Result<Allow
 /// Notes a word of [`OF_TABLE`].
 pub(crate) fn note(allow: &mut Allow, word: &str) {
     match word {
+        "no_inertia" => allow.no_inertia = true,
         "odd_angle" => allow.odd_angle = true,
         "odd_com" => allow.odd_com = true,
         "odd_gravity" => allow.odd_gravity = true,
+        "odd_limits" => allow.odd_limits = true,
         "odd_mass" => allow.odd_mass = true,
         _ => allow.unphysical_inertia = true,
     }

@@ -39,7 +39,7 @@ pub(super) fn assignments(
     let mut unnamed = None;
     let _ = comma_separated(&mut inside, files::at_name, |cursor| {
         let Some(name) = files::take_name(cursor) else {
-            let reported = cursor.expected((texts.joint)());
+            let reported = files::no_name(cursor, (texts.joint)());
             unnamed = Some(reported);
             return Err(reported);
         };

@@ -28,8 +28,11 @@ pub(super) fn chain(cursor: &mut Cursor) -> Result<[Name; 2], Reported> {
         .map_err(|_| cursor.error(place, crate::mistake::file::two_links()))
 }
 
-/// Reads `[finger_1, "finger-2"]`.
+/// Reads `[finger_1, "finger-2"]`, or `rest`.
 pub(super) fn ignored(cursor: &mut Cursor) -> Result<Vec<Name>, Reported> {
+    if let Some(rest) = cursor.take_word("rest") {
+        return Ok(vec![Name::from(&rest)]);
+    }
     let group = cursor.take_list(Delimiter::Bracket, expected::ignored())?;
     names(&mut cursor.inside(&group), expected::ignored_joint)
 }
@@ -45,9 +48,20 @@ fn names(
             names.push(name);
             Ok(label)
         }
-        None => Err(cursor.expected(what())),
+        None => Err(no_name(cursor, what())),
     })?;
     Ok(names)
+}
+
+/// Reports that no name comes next; of a number, that it stands in quotes where it is one.
+pub(super) fn no_name(cursor: &Cursor, what: expected::Expected) -> Reported {
+    match cursor.peek() {
+        Some(TokenTree::Literal(number)) => {
+            let number = number.to_string();
+            cursor.error(cursor.here(), crate::mistake::file::number_as_name(&number))
+        }
+        _ => cursor.expected(what),
+    }
 }
 
 /// Whether a name comes next, be it in quotes.

@@ -8,13 +8,14 @@ use dynamics_symbolic::function::{Fused, Growth, Request, Set};
 use dynamics_symbolic::robot::{Robot, Row, Tool};
 
 use super::scope::Scope;
-use crate::description::{Asked, Name, Table};
+use crate::description::{Asked, Entry, Name, Table};
 use crate::diagnose::Diagnostics;
 use crate::limits::{
     MOST_JOINTS_OF_CUBIC_FUNCTIONS, MOST_JOINTS_OF_LONG_FUNCTIONS, MOST_LONG_FUNCTIONS, MOST_PARTS,
 };
 use crate::mistake::{entry as mistake, size, value};
 use crate::place::Place;
+use crate::words;
 
 /// Names that an item of the struct has in any case, and the methods that come with its derives.
 pub(crate) const RESERVED: [&str; 14] = [
@@ -107,16 +108,22 @@ pub(super) fn have_mass(
     !massless
 }
 
+/// Whether a function that a table asks for, or that is needed besides, reads masses. The default set does.
+pub(crate) fn read_masses(table: &Table) -> bool {
+    let asked = table.entries.iter().find_map(|entry| match entry {
+        Entry::Functions(asked) => Some(asked.as_deref().unwrap_or_default()),
+        _ => None,
+    });
+    let is_default = |asked: &Asked| matches!(asked, Asked::Default(_));
+    let has_default = asked.is_none_or(|asked| asked.iter().any(is_default));
+    let named = named(asked.unwrap_or_default()).map(|(function, _)| function);
+    let mut functions = named.chain(table.needed.iter().copied());
+    has_default || functions.any(Function::reads_masses)
+}
+
 /// Whether anything has inertia, where a function depends on it.
-pub(super) fn have_inertia<'r>(
-    robot: &Robot,
-    requests: impl Iterator<Item = &'r Request>,
-    table: &Table,
-    diagnostics: &Diagnostics,
-) -> bool {
-    let mut parts = requests.flat_map(Request::parts);
-    let reads_inertia = parts.any(|function| function.row().reads_inertia);
-    let is_allowed = table.allow().odd_mass || !reads_inertia || has_inertia(robot);
+pub(super) fn have_inertia(robot: &Robot, table: &Table, diagnostics: &Diagnostics) -> bool {
+    let is_allowed = table.allow().no_inertia || !read_masses(table) || has_inertia(robot);
     if let (false, Some(name)) = (is_allowed, &table.name) {
         diagnostics.error(name, mistake::no_inertia());
     }
@@ -125,12 +132,47 @@ pub(super) fn have_inertia<'r>(
 
 /// Whether a mass, a tensor or a motor's inertia is something else than the number zero.
 fn has_inertia(robot: &Robot) -> bool {
-    let of_rows = robot.rows.iter().flat_map(|row| {
-        let inertia = row.inertia.iter();
-        inertia.chain([&row.mass, &row.motor_inertia])
-    });
-    let of_tool = robot.tool.as_ref().is_some_and(Tool::has_body);
-    of_tool || of_rows.into_iter().any(|value| !value.is_zero())
+    let has_motor = |row: &Row| !row.motor_inertia.is_zero();
+    has_body(&robot.rows, robot) || robot.rows.iter().any(has_motor)
+}
+
+/// Whether one of those rows or the tool has a mass or a tensor.
+fn has_body(rows: &[Row], robot: &Robot) -> bool {
+    let mut cells = rows
+        .iter()
+        .flat_map(|row| row.inertia.iter().chain([&row.mass]));
+    robot.tool.as_ref().is_some_and(Tool::has_body) || cells.any(|value| !value.is_zero())
+}
+
+/// A note for the documentation on joints that move no mass, where a function solves with M.
+pub(super) fn note_on_massless(
+    robot: &Robot,
+    requests: &[(Request, Option<Place>)],
+) -> Option<String> {
+    let mut parts = requests.iter().flat_map(|(request, _)| request.parts());
+    let solving = parts.find(|function| function.row().refuses)?;
+    let moves_nothing = |index: usize| {
+        !has_body(&robot.rows[index..], robot) && robot.rows[index].motor_inertia.is_zero()
+    };
+    let is_massless = |joint: usize| {
+        let mut followers = robot.rows.iter().enumerate().filter(|(_, row)| {
+            let follows = row.follows.as_ref();
+            follows.is_some_and(|coupling| coupling.leader == joint)
+        });
+        moves_nothing(joint) && followers.all(|(index, _)| moves_nothing(index))
+    };
+    let rows = robot.rows.iter().enumerate();
+    let joints = rows.filter(|(_, row)| row.locked.is_none() && row.follows.is_none());
+    let massless = joints.filter(|(index, _)| is_massless(*index));
+    let names: Vec<&str> = massless.map(|(_, row)| row.name.as_str()).collect();
+    (!names.is_empty()).then(|| {
+        format!(
+            " No mass moves with {}: M is singular at every position, and `{}` returns an error, until the last link or the \
+             `tool` has a mass, or the joint a motor.",
+            words::all(&names),
+            solving.name()
+        )
+    })
 }
 
 /// Reports what is asked for twice, names that mean something else, and tuples that are none.

@@ -27,7 +27,14 @@ pub(super) fn limits(row: &description::Row, scope: &mut Scope) -> Option<Option
         return None;
     };
     if lower.to_f64(&[]) >= upper.to_f64(&[]) {
-        scope.error(first.place.to(last.place), mistake::limits_swapped());
+        if scope.allowed().odd_limits {
+            return Some(None);
+        }
+        let mistake = match row.mount {
+            Some(_) => mistake::limits_of_a_file_swapped(),
+            None => mistake::limits_swapped(),
+        };
+        scope.error(first.place.to(last.place), mistake);
         return None;
     }
     Some(Some([lower, upper]))

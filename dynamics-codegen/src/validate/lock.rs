@@ -117,23 +117,36 @@ fn unknown(word: &str, names: &[String]) -> Mistake {
     mistake::unknown_joint(word, words::nearest(word, &known), &known)
 }
 
-/// Reports a position beyond the joint's limits, and an angle that was hardly meant. One of many turns is
-/// good where the limits say so.
-fn report_position(row: &Row, position: &Position, scope: &Scope) {
-    let number = number(&position.value);
+/// Reports a position beyond the limits of a joint that stands still there; whether it did.
+pub(super) fn report_out_of_limits(
+    row: &Row,
+    position: &Value,
+    place: Place,
+    scope: &Scope,
+) -> bool {
     let limits = row
         .limits
         .as_ref()
         .map(|limits| limits.each_ref().map(|limit| limit.to_f64(&[])));
-    if let (Some(number), Some([lower, upper])) = (number, limits)
-        && !(lower..=upper).contains(&number)
-    {
+    let (Some(number), Some([lower, upper])) = (number(position), limits) else {
+        return false;
+    };
+    let is_outside = !(lower..=upper).contains(&number);
+    if is_outside {
         let mistake = mistake::locked_out_of_limits(number, &row.name, [lower, upper]);
-        scope.error(position.place, mistake);
+        scope.error(place, mistake);
+    }
+    is_outside
+}
+
+/// Reports a position beyond the joint's limits, and an angle that was hardly meant. One of many turns is
+/// good where the limits say so.
+fn report_position(row: &Row, position: &Position, scope: &Scope) {
+    if report_out_of_limits(row, &position.value, position.place, scope) {
         return;
     }
     let odd = match &position.odd {
-        Some(Odd::ManyTurns(..)) if limits.is_some() => None,
+        Some(Odd::ManyTurns(..)) if row.limits.is_some() => None,
         odd => odd
             .as_ref()
             .filter(|_| row.joint_type == JointType::Revolute),

@@ -72,9 +72,12 @@ pub(crate) fn model(table: &Table, diagnostics: &Diagnostics) -> Option<Model> {
         true => parts
             .model(table)
             .filter(|model| functions::have_mass(&model.requests, &model.robot, diagnostics))
-            .filter(|model| {
-                let requests = model.requests.iter().map(|(request, _)| request);
-                functions::have_inertia(&model.robot, requests, table, diagnostics)
+            .filter(|model| functions::have_inertia(&model.robot, table, diagnostics))
+            .map(|mut model| {
+                let massless = functions::note_on_massless(&model.robot, &model.requests);
+                let massless = massless.filter(|_| table.allow().no_inertia);
+                model.notes.extend(massless);
+                model
             }),
         false => None,
     }

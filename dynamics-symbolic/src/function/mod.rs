@@ -11,7 +11,7 @@ mod table;
 
 pub use argument::Argument;
 pub use request::{Fused, Request, sizes_of, spans};
-pub use row::{Form, Growth, Row, Search, Second, Set, Trial};
+pub use row::{Form, Growth, Masses, Row, Search, Second, Set, Trial};
 pub use shape::{Shape, Size, Sizes};
 pub use table::Function;
 
@@ -73,10 +73,12 @@ impl Function {
 
     /// Whether it divides by the mass of the arm.
     pub fn divides_by_mass(self) -> bool {
-        matches!(
-            self,
-            Function::CenterOfMass | Function::CenterOfMassJacobian
-        )
+        self.row().masses == Masses::Center
+    }
+
+    /// Whether it depends on masses or tensors.
+    pub fn reads_masses(self) -> bool {
+        self.row().masses != Masses::Unread
     }
 
     /// How many outputs of a program are values. Pivots and the diagonal of M may follow.

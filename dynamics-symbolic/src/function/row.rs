@@ -30,8 +30,8 @@ pub struct Row {
     pub search: Search,
     /// How its length grows with the number of joints.
     pub growth: Growth,
-    /// Whether it depends on masses and tensors, so that `neglect` changes it.
-    pub reads_inertia: bool,
+    /// How it depends on masses.
+    pub masses: Masses,
     /// The other factor, if only the product of both functions can be compared with Newton-Euler.
     pub compared_with: Option<Function>,
 }
@@ -60,6 +60,17 @@ pub enum Form {
     /// Gravity from the forces of which the columns of the mass matrix are made, and Coriolis forces from its
     /// composite bodies: short beside the mass matrix, which needs these anyway.
     Columns,
+}
+
+/// How a function depends on masses.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Masses {
+    /// Not at all: on the geometry, on springs and on friction alone.
+    Unread,
+    /// By the centre of mass of the complete arm: it divides by the arm's mass, and `neglect` does not change it.
+    Center,
+    /// By masses and tensors, so that `neglect` changes it.
+    Inertia,
 }
 
 /// A second form, which may be shorter than the recursion.

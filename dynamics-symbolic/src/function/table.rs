@@ -5,7 +5,7 @@ use super::Argument::{
     Velocity, Wrench,
 };
 use super::Size::{Fixed, Joints, One, Pairs, Parameters};
-use super::{Form, Growth, Row, Search, Second, Set, Shape, Trial};
+use super::{Form, Growth, Masses, Row, Search, Second, Set, Shape, Trial};
 
 const VECTOR: Shape = Shape::Matrix(Joints, One);
 const SQUARE: Shape = Shape::Matrix(Joints, Joints);
@@ -68,7 +68,7 @@ functions! {
         second: None,
         search: Search::Own,
         growth: Growth::Moderate,
-        reads_inertia: true,
+        masses: Masses::Inertia,
         compared_with: None,
     },
 
@@ -86,7 +86,7 @@ functions! {
         second: OF_SMALL_ARMS,
         search: Search::Own,
         growth: Growth::Moderate,
-        reads_inertia: true,
+        masses: Masses::Inertia,
         compared_with: None,
     },
 
@@ -104,7 +104,7 @@ functions! {
         second: ASSEMBLED,
         search: Search::Own,
         growth: Growth::Moderate,
-        reads_inertia: true,
+        masses: Masses::Inertia,
         compared_with: None,
     },
 
@@ -123,7 +123,7 @@ functions! {
         second: None,
         search: Search::Own,
         growth: Growth::Moderate,
-        reads_inertia: false,
+        masses: Masses::Unread,
         compared_with: None,
     },
 
@@ -141,7 +141,7 @@ functions! {
         second: None,
         search: Search::None,
         growth: Growth::Moderate,
-        reads_inertia: false,
+        masses: Masses::Unread,
         compared_with: None,
     },
 
@@ -159,7 +159,7 @@ functions! {
         second: OF_SMALL_ARMS,
         search: Search::Own,
         growth: Growth::Moderate,
-        reads_inertia: true,
+        masses: Masses::Inertia,
         compared_with: None,
     },
 
@@ -177,7 +177,7 @@ functions! {
         second: Some(Second { form: Form::Articulated, up_to: ANY, trial: Trial::Promising }),
         search: Search::Own,
         growth: Growth::Moderate,
-        reads_inertia: true,
+        masses: Masses::Inertia,
         compared_with: None,
     },
 
@@ -194,7 +194,7 @@ functions! {
         second: None,
         search: Search::Own,
         growth: Growth::Moderate,
-        reads_inertia: true,
+        masses: Masses::Inertia,
         compared_with: None,
     },
 
@@ -212,7 +212,7 @@ functions! {
         second: None,
         search: Search::Own,
         growth: Growth::Moderate,
-        reads_inertia: true,
+        masses: Masses::Inertia,
         compared_with: None,
     },
 
@@ -230,7 +230,7 @@ functions! {
         second: OF_SMALL_ARMS,
         search: Search::Own,
         growth: Growth::Moderate,
-        reads_inertia: true,
+        masses: Masses::Inertia,
         compared_with: None,
     },
 
@@ -249,7 +249,7 @@ functions! {
         second: Some(Second { form: Form::Assembled, up_to: 8, trial: Trial::Promising }),
         search: Search::Own,
         growth: Growth::Steep,
-        reads_inertia: true,
+        masses: Masses::Inertia,
         compared_with: None,
     },
 
@@ -267,7 +267,7 @@ functions! {
         second: None,
         search: Search::Own,
         growth: Growth::Steep,
-        reads_inertia: true,
+        masses: Masses::Inertia,
         compared_with: None,
     },
 
@@ -285,7 +285,7 @@ functions! {
         second: None,
         search: Search::Own,
         growth: Growth::Steep,
-        reads_inertia: true,
+        masses: Masses::Inertia,
         compared_with: None,
     },
 
@@ -302,7 +302,7 @@ functions! {
         second: None,
         search: Search::Own,
         growth: Growth::Moderate,
-        reads_inertia: false,
+        masses: Masses::Unread,
         compared_with: None,
     },
 
@@ -319,7 +319,7 @@ functions! {
         second: None,
         search: Search::Own,
         growth: Growth::Moderate,
-        reads_inertia: false,
+        masses: Masses::Unread,
         compared_with: None,
     },
 
@@ -336,7 +336,7 @@ functions! {
         second: None,
         search: Search::Own,
         growth: Growth::Moderate,
-        reads_inertia: false,
+        masses: Masses::Unread,
         compared_with: None,
     },
 
@@ -356,7 +356,7 @@ functions! {
         second: OF_SMALL_ARMS,
         search: Search::Own,
         growth: Growth::Steep,
-        reads_inertia: true,
+        masses: Masses::Inertia,
         compared_with: None,
     },
 
@@ -376,7 +376,7 @@ functions! {
         second: Some(Second { form: Form::Assembled, up_to: ANY, trial: Trial::Unsimplified }),
         search: Search::By(Function::InverseDynamicsDerivatives),
         growth: Growth::Steep,
-        reads_inertia: true,
+        masses: Masses::Inertia,
         compared_with: None,
     },
 
@@ -394,7 +394,7 @@ functions! {
         second: ASSEMBLED,
         search: Search::Own,
         growth: Growth::Steep,
-        reads_inertia: true,
+        masses: Masses::Inertia,
         compared_with: Some(Function::BaseParameters),
     },
 
@@ -412,7 +412,7 @@ functions! {
         second: None,
         search: Search::None,
         growth: Growth::Moderate,
-        reads_inertia: true,
+        masses: Masses::Inertia,
         compared_with: Some(Function::Regressor),
     },
 
@@ -431,7 +431,7 @@ functions! {
         second: None,
         search: Search::Accuracy,
         growth: Growth::Moderate,
-        reads_inertia: true,
+        masses: Masses::Inertia,
         compared_with: None,
     },
 
@@ -450,7 +450,7 @@ functions! {
         second: OF_SMALL_ARMS,
         search: Search::Own,
         growth: Growth::Moderate,
-        reads_inertia: true,
+        masses: Masses::Inertia,
         compared_with: None,
     },
 
@@ -467,7 +467,7 @@ functions! {
         second: None,
         search: Search::Own,
         growth: Growth::Moderate,
-        reads_inertia: false,
+        masses: Masses::Unread,
         compared_with: None,
     },
 
@@ -484,7 +484,7 @@ functions! {
         second: None,
         search: Search::Own,
         growth: Growth::Moderate,
-        reads_inertia: false,
+        masses: Masses::Unread,
         compared_with: None,
     },
 
@@ -502,7 +502,7 @@ functions! {
         second: None,
         search: Search::Own,
         growth: Growth::Moderate,
-        reads_inertia: false,
+        masses: Masses::Unread,
         compared_with: None,
     },
 
@@ -520,7 +520,7 @@ functions! {
         second: None,
         search: Search::None,
         growth: Growth::Moderate,
-        reads_inertia: false,
+        masses: Masses::Unread,
         compared_with: None,
     },
 
@@ -538,7 +538,7 @@ functions! {
         second: None,
         search: Search::None,
         growth: Growth::Moderate,
-        reads_inertia: false,
+        masses: Masses::Unread,
         compared_with: None,
     },
 
@@ -556,7 +556,7 @@ functions! {
         second: None,
         search: Search::Own,
         growth: Growth::Moderate,
-        reads_inertia: false,
+        masses: Masses::Center,
         compared_with: None,
     },
 
@@ -573,7 +573,7 @@ functions! {
         second: None,
         search: Search::Own,
         growth: Growth::Moderate,
-        reads_inertia: false,
+        masses: Masses::Center,
         compared_with: None,
     },
 
@@ -592,7 +592,7 @@ functions! {
         second: None,
         search: Search::By(Function::MassMatrix),
         growth: Growth::Moderate,
-        reads_inertia: true,
+        masses: Masses::Inertia,
         compared_with: None,
     },
 
@@ -609,7 +609,7 @@ functions! {
         second: OF_SMALL_ARMS,
         search: Search::Own,
         growth: Growth::Moderate,
-        reads_inertia: true,
+        masses: Masses::Inertia,
         compared_with: None,
     },
 
@@ -627,7 +627,7 @@ functions! {
         second: OF_SMALL_ARMS,
         search: Search::Own,
         growth: Growth::Moderate,
-        reads_inertia: true,
+        masses: Masses::Inertia,
         compared_with: None,
     },
 
@@ -645,7 +645,7 @@ functions! {
         second: OF_SMALL_ARMS,
         search: Search::Own,
         growth: Growth::Moderate,
-        reads_inertia: true,
+        masses: Masses::Inertia,
         compared_with: None,
     },
 
@@ -664,7 +664,7 @@ functions! {
         second: None,
         search: Search::By(Function::Regressor),
         growth: Growth::Steep,
-        reads_inertia: true,
+        masses: Masses::Inertia,
         compared_with: Some(Function::BaseParameters),
     },
 
@@ -686,7 +686,7 @@ functions! {
         second: None,
         search: Search::Own,
         growth: Growth::Moderate,
-        reads_inertia: true,
+        masses: Masses::Inertia,
         compared_with: Some(Function::BaseParameters),
     },
 
@@ -704,7 +704,7 @@ functions! {
         second: OF_SMALL_ARMS,
         search: Search::Own,
         growth: Growth::Moderate,
-        reads_inertia: true,
+        masses: Masses::Inertia,
         compared_with: None,
     },
 
@@ -725,7 +725,7 @@ functions! {
         second: OF_SMALL_ARMS,
         search: Search::By(Function::InverseDynamicsDerivatives),
         growth: Growth::Cubic,
-        reads_inertia: true,
+        masses: Masses::Inertia,
         compared_with: None,
     },
 }

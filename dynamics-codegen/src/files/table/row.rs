@@ -101,6 +101,9 @@ impl Reader<'_> {
     }
 
     fn joint_name(&self, node: &Node) -> Read<Name> {
+        if let Kind::Number(number) = &node.kind {
+            return Err(self.error(node.place, wrong::number_as_name(number)));
+        }
         let word = self.word(node, "the joint's name")?;
         match word.trim().is_empty() || word == "_" {
             true => Err(self.error(node.place, wrong::nameless_joint())),

@@ -37,6 +37,7 @@ pub(super) fn entries<'a>(
         on_chain: Vec::new(),
         coupled: Vec::new(),
         locked: Vec::new(),
+        moving: Vec::new(),
     };
     chain.index();
     chain.report_names();
@@ -47,6 +48,7 @@ pub(super) fn entries<'a>(
         return None;
     }
     let joints = chain.rows(&ends[0]);
+    chain.report_without_inertia();
     let start = Place::File { line: 1, column: 1 };
     let mut entries = vec![
         Entry::Convention(Some(Convention::Modified)),
@@ -77,6 +79,20 @@ pub(super) struct Chain<'a> {
     pub(super) coupled: Vec<Coupled>,
     /// Those that follow joints which stand still beside the chain.
     pub(super) locked: Vec<Locked>,
+    /// The joints of the chain that move, with what moves with each.
+    moving: Vec<Moving<'a>>,
+}
+
+/// The word for all joints beside the chain that are not named. Where a joint has this name it is that joint.
+const REST: &str = "rest";
+
+/// A joint of the chain that moves.
+struct Moving<'a> {
+    joint: &'a Joint,
+    /// Where its link is.
+    place: Place,
+    /// Whether the inertia is known of its link or of something that is fixed to it.
+    is_known: bool,
 }
 
 /// A body and whether anything was said about it.
@@ -100,11 +116,17 @@ impl<'a> Chain<'a> {
         }
     }
 
-    /// Names in `ignore` that no joint has.
-    fn report_names(&self) {
+    /// Names in `ignore` that no joint has, and `rest` in both lists.
+    fn report_names(&mut self) {
         let known: Vec<&str> = self.tree.joints.iter().map(|j| j.name.as_str()).collect();
+        if let Some((name, _)) = self.rest_locked() {
+            self.used.push(REST.to_owned());
+            if self.is_rest_ignored() {
+                self.error(name, mistake::rest_twice());
+            }
+        }
         for name in &self.request.ignore {
-            if !known.contains(&name.plain()) {
+            if !known.contains(&name.plain()) && name.plain() != REST {
                 let meant = words::nearest(name.plain(), &known);
                 let mistake = crate::mistake::entry::unknown_joint(name.plain(), meant, &known);
                 self.error(name, mistake);
@@ -152,16 +174,30 @@ impl<'a> Chain<'a> {
         Some(())
     }
 
-    fn is_ignored(&self, joint: &Joint) -> bool {
-        self.request
-            .ignore
-            .iter()
-            .any(|name| name.plain() == joint.name)
+    /// Whether a joint is left out, by its name or as one of the rest.
+    fn is_ignored(&self, joint: &'a Joint) -> bool {
+        let is_of_rest = || {
+            let is_beside = joint.kind != Kind::Fixed && !self.is_on_chain(joint);
+            is_beside && self.is_rest_ignored() && !self.stands_still(joint)
+        };
+        self.is_ignored_by_name(joint) || is_of_rest()
     }
 
-    pub(super) fn is_locked(&self, joint: &Joint) -> bool {
+    pub(super) fn is_ignored_by_name(&self, joint: &Joint) -> bool {
+        let mut ignored = self.request.ignore.iter();
+        ignored.any(|name| name.plain() == joint.name)
+    }
+
+    fn is_rest_ignored(&self) -> bool {
+        let mut ignored = self.request.ignore.iter();
+        self.named(REST).is_none() && ignored.any(|name| name.plain() == REST)
+    }
+
+    /// Where the joints beside the chain stand still that are not named.
+    pub(super) fn rest_locked(&self) -> Option<&'a (Name, Option<Value>)> {
         let mut locked = self.request.lock.iter();
-        locked.any(|(name, _)| name.plain() == joint.name)
+        let rest = locked.find(|(name, _)| name.plain() == REST);
+        rest.filter(|_| self.named(REST).is_none())
     }
 
     /// Whether a joint of the chain is none that is fixed.
@@ -214,15 +250,37 @@ impl<'a> Chain<'a> {
         }
     }
 
+    /// Reports the links that move without anything being said of their inertia, all of them.
+    fn report_without_inertia(&self) {
+        let last = self.moving.iter().rposition(|moving| moving.is_known);
+        let without = self.moving.iter().enumerate();
+        for (index, moving) in
+            without.filter(|(_, moving)| !moving.is_known && !self.request.no_inertia)
+        {
+            // A joint that others follow may carry theirs.
+            let is_beyond = self.coupled.is_empty() && last.is_none_or(|last| index > last);
+            let without_mass = is_beyond.then_some(moving.joint.name.as_str());
+            let mistake = mistake::no_inertial(&moving.joint.child, without_mass);
+            self.error(moving.place, mistake);
+        }
+    }
+
     /// Puts the body of a link in its row.
-    fn finish(&self, rows: &mut [Row], body: Option<(&'a Joint, Gathered)>) {
+    fn finish(&mut self, rows: &mut [Row], body: Option<(&'a Joint, Gathered)>) {
         let (Some((joint, body)), Some(row)) = (body, rows.last_mut()) else {
             return;
         };
-        if !body.is_known && !self.stands_still(joint) {
-            self.error(body.place, mistake::no_inertial(&joint.child));
-        }
         let place = body.place;
+        match (self.stands_still(joint), self.moving.last_mut()) {
+            // It is a part of the link before it, or of the base.
+            (true, Some(before)) => before.is_known |= body.is_known,
+            (true, None) => {}
+            (false, _) => self.moving.push(Moving {
+                joint,
+                place,
+                is_known: body.is_known,
+            }),
+        }
         let number = |x: Rational| signed(tidy(x), place);
         let whole = body.mass.body();
         row.mass = Given::As(number(whole.mass));
@@ -232,7 +290,10 @@ impl<'a> Chain<'a> {
             kind: InertiaKind::Tensor(Box::new(whole.inertia.map(|x| Given::As(number(x))))),
         });
         // Each of the bodies was judged where it stands, and angles are taken as they were written.
-        row.allow = Given::As(Allow::EVERYTHING);
+        row.allow = Given::As(Allow {
+            odd_limits: false,
+            ..Allow::EVERYTHING
+        });
     }
 
     /// The body of a link and of all that hangs on it by joints that do not move, off the chain.
@@ -290,6 +351,7 @@ impl<'a> Chain<'a> {
             return Some(Transform::identity());
         }
         let position = self.position_beside(joint)?;
+        self.report_out_of_limits(joint, &position);
         let [azimuth, polar] = &joint.axis;
         let zero = || [Rational::ZERO; 3];
         let turn = |roll, pitch, yaw| Transform::new(&zero(), &[roll, pitch, yaw]);

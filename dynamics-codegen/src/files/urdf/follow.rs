@@ -9,13 +9,14 @@ use super::chain::{Chain, expression};
 use super::document::{Joint, Kind, Mimic};
 use crate::description::{Coupled, Locked, Name};
 use crate::files::signed::signed;
-use crate::mistake::urdf as mistake;
+use crate::mistake::urdf::{self as mistake, Still};
 use crate::words;
 
 impl<'a> Chain<'a> {
     /// Couples a joint on the chain to the one that it follows, where it does.
     pub(super) fn follow(&mut self, joint: &'a Joint) {
-        let Some(mimic) = joint.mimic.as_ref().filter(|_| !self.is_locked(joint)) else {
+        let mimic = joint.mimic.as_ref();
+        let Some(mimic) = mimic.filter(|_| self.lock_of(joint).is_none()) else {
             return;
         };
         let Some(leader) = self.leader(joint, mimic) else {
@@ -29,7 +30,7 @@ impl<'a> Chain<'a> {
             self.coupled
                 .push(Coupled::new(name, factor, &leader, offset));
         } else if !self.stands_still(leader) {
-            let mistake = mistake::leader_off_chain(&joint.name, &leader.name);
+            let mistake = mistake::leader_off_chain(Still::of(joint), Still::of(leader));
             self.error(mimic.place, mistake);
         } else if let Some(position) = self.position_beside(joint) {
             let position = Some(expression(&position, mimic.place));
@@ -43,15 +44,15 @@ impl<'a> Chain<'a> {
         let (mut factor, mut offset) = (Value::integer(1), Value::zero());
         let mut at = joint;
         for _ in 0..=self.tree.joints.len() {
-            if self.is_locked(at) {
-                let position = self.locked_position(at)?;
+            if let Some(lock) = self.lock_of(at) {
+                let position = self.locked_position(at, lock)?;
                 return Some(factor * position + offset);
             }
             let Some(mimic) = &at.mimic else {
                 let mistake = match (self.is_on_chain(at), core::ptr::eq(at, joint)) {
-                    (true, _) => mistake::follower_off_chain(&joint.name, &at.name),
-                    (false, true) => mistake::off_chain(&joint.name),
-                    (false, false) => mistake::leader_off_chain(&joint.name, &at.name),
+                    (true, _) => mistake::follower_off_chain(Still::of(joint), &at.name),
+                    (false, true) => mistake::off_chain(Still::of(joint)),
+                    (false, false) => mistake::leader_off_chain(Still::of(joint), Still::of(at)),
                 };
                 self.error(joint.place, mistake);
                 return None;
@@ -69,7 +70,7 @@ impl<'a> Chain<'a> {
     pub(super) fn stands_still(&self, joint: &'a Joint) -> bool {
         let mut at = joint;
         for _ in 0..=self.tree.joints.len() {
-            if self.is_locked(at) {
+            if self.lock_of(at).is_some() {
                 return true;
             }
             let next = at.mimic.as_ref().and_then(|mimic| self.named(&mimic.joint));
@@ -81,16 +82,65 @@ impl<'a> Chain<'a> {
         false
     }
 
+    /// The lock that makes a joint stand still by itself: that of its name, or that of the rest.
+    fn lock_of(&self, joint: &Joint) -> Option<&'a (Name, Option<Value>)> {
+        let mut locks = self.request.lock.iter();
+        let lock = locks.find(|(name, _)| name.plain() == joint.name);
+        lock.or_else(|| {
+            let is_of_rest = !self.is_on_chain(joint) && !self.is_ignored_by_name(joint);
+            let rest = self.rest_locked().filter(|_| is_of_rest)?;
+            (!self.follows_beside(joint)).then_some(rest)
+        })
+    }
+
+    /// Whether a joint beside the chain follows one that stands still by its name or as one of the rest, and so is none
+    /// of the rest itself.
+    fn follows_beside(&self, joint: &Joint) -> bool {
+        let leader = joint
+            .mimic
+            .as_ref()
+            .and_then(|mimic| self.named(&mimic.joint));
+        leader.is_some_and(|leader| {
+            let mut locks = self.request.lock.iter();
+            let is_named = locks.any(|(name, _)| name.plain() == leader.name);
+            let is_of_rest = !self.is_on_chain(leader) && !self.is_ignored_by_name(leader);
+            has_position(leader) && (is_named || is_of_rest)
+        })
+    }
+
+    /// Reports a joint that stands still beside the chain, beyond its limits.
+    pub(super) fn report_out_of_limits(&self, joint: &'a Joint, position: &Value) {
+        let (still, position) = (Still::of(joint), position.to_f64(&[]));
+        let Some([lower, upper]) = still.limits else {
+            return;
+        };
+        // The joint that is locked: this one, or one that it follows.
+        let mut at = Some(joint);
+        let mut lock = None;
+        while let (None, Some(joint)) = (lock, at) {
+            lock = self.lock_of(joint);
+            at = joint
+                .mimic
+                .as_ref()
+                .and_then(|mimic| self.named(&mimic.joint));
+        }
+        if let Some((name, _)) = lock.filter(|_| !(lower..=upper).contains(&position)) {
+            let mistake = mistake::still_out_of_limits(still, position, [lower, upper]);
+            self.error(name, mistake);
+        }
+    }
+
     /// The joint that another one follows, which has a position.
     fn leader(&self, joint: &Joint, mimic: &Mimic) -> Option<&'a Joint> {
         let Some(leader) = self.named(&mimic.joint) else {
             let known: Vec<&str> = self.tree.joints.iter().map(|j| j.name.as_str()).collect();
             let meant = words::nearest(&mimic.joint, &known);
-            let mistake = mistake::unknown_leader(&joint.name, &mimic.joint, meant);
+            let is_beside = !self.is_on_chain(joint);
+            let mistake = mistake::unknown_leader(Still::of(joint), is_beside, &mimic.joint, meant);
             self.error(mimic.place, mistake);
             return None;
         };
-        if !matches!(leader.kind, Kind::Revolute | Kind::Prismatic) {
+        if !has_position(leader) {
             let mistake = mistake::leader_without_position(&joint.name, &leader.name);
             self.error(mimic.place, mistake);
             return None;
@@ -98,19 +148,21 @@ impl<'a> Chain<'a> {
         Some(leader)
     }
 
-    fn named(&self, name: &str) -> Option<&'a Joint> {
+    pub(super) fn named(&self, name: &str) -> Option<&'a Joint> {
         self.tree.joints.iter().find(|joint| joint.name == name)
     }
 
-    fn is_on_chain(&self, joint: &Joint) -> bool {
+    pub(super) fn is_on_chain(&self, joint: &Joint) -> bool {
         let mut on_chain = self.on_chain.iter();
         on_chain.any(|&index| self.tree.joints[index].name == joint.name)
     }
 
     /// The position of a joint that the call locks.
-    fn locked_position(&mut self, joint: &Joint) -> Option<Value> {
-        let mut locks = self.request.lock.iter();
-        let (name, position) = locks.find(|(name, _)| name.plain() == joint.name)?;
+    fn locked_position(
+        &mut self,
+        joint: &Joint,
+        (name, position): &(Name, Option<Value>),
+    ) -> Option<Value> {
         if !self.is_on_chain(joint) {
             self.used.push(joint.name.clone());
         }
@@ -118,5 +170,22 @@ impl<'a> Chain<'a> {
             self.error(name, mistake::lock_with_names(&joint.name));
         }
         position.clone()
+    }
+}
+
+fn has_position(joint: &Joint) -> bool {
+    matches!(joint.kind, Kind::Revolute | Kind::Prismatic)
+}
+
+impl<'a> Still<'a> {
+    /// A joint for which it is proposed that it stands still. Limits of which the lower one is above are none.
+    fn of(joint: &'a Joint) -> Still<'a> {
+        let limits = joint.limits.as_ref();
+        let limits =
+            limits.map(|(limits, _)| limits.each_ref().map(|limit| limit.to_f64().value()));
+        Still {
+            joint: &joint.name,
+            limits: limits.filter(|[lower, upper]| lower <= upper),
+        }
     }
 }

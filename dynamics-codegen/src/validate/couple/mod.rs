@@ -6,10 +6,12 @@ use std::collections::BTreeSet;
 
 use dynamics_symbolic::robot::{Coupling, JointType, Row};
 
+use super::lock::report_out_of_limits;
 use super::scope::Scope;
 use crate::description::{self, Coupled, Given, Name};
 use crate::limits::{MOST_FOLLOWERS, MOST_JOINTS_OF_COUPLED};
 use crate::mistake::{couple as mistake, entry};
+use crate::place::Place;
 use crate::words;
 use law::{Law, law};
 
@@ -57,8 +59,10 @@ pub(super) fn couple(
         return;
     }
     for row in 0..names.len() {
-        if let Some(coupling) = resolved(&laws, row) {
-            follow(rows, row, coupling);
+        let name = couples.iter().map(|couple| &couple.name);
+        let name = name.filter(|name| name.plain() == names[row]).last();
+        if let (Some(coupling), Some(name)) = (resolved(&laws, row), name) {
+            follow(rows, row, coupling, name.into(), scope);
         }
     }
 }
@@ -120,19 +124,23 @@ fn laws_of_rows<'c>(
     laws
 }
 
-/// Makes a row a follower, or locks it where its leader is locked.
-fn follow(rows: &mut [Option<Row>], row: usize, coupling: Coupling) {
+/// Makes a row a follower, or locks it where its leader is locked, within its own limits.
+fn follow(rows: &mut [Option<Row>], row: usize, coupling: Coupling, place: Place, scope: &Scope) {
     let leader = rows[coupling.leader].as_ref();
     let locked = leader.and_then(|row| row.locked.clone());
     let Some(row) = &mut rows[row] else {
         return;
     };
-    // It is where the joint that leads is, within the limits of that one.
-    row.limits = None;
     match locked {
-        Some(position) => row.locked = Some(coupling.factor * position + coupling.offset),
+        Some(position) => {
+            let position = coupling.factor * position + coupling.offset;
+            report_out_of_limits(row, &position, place, scope);
+            row.locked = Some(position);
+        }
         None => row.follows = Some(coupling),
     }
+    // It is where the joint that leads is, within the limits of that one.
+    row.limits = None;
 }
 
 fn name_of(row: &description::Row) -> String {
