@@ -282,8 +282,8 @@ pub(crate) fn limits_of_a_file_swapped() -> Mistake {
     Mistake::advice(|audience| {
         let allow = audience.allow("odd_limits", "in the call");
         format!(
-            "`lower` of `<limit>` is below `upper`: exchange the two, or take the joint as one without limits, {allow}, \
-             as programs do that read such limits as none"
+            "`lower` is above `upper` in this `<limit>`: exchange the two, or write {allow}, which takes the joint as one \
+             without limits, as some programs do"
         )
     })
 }

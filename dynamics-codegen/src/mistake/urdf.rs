@@ -143,14 +143,18 @@ impl Still<'_> {
     }
 }
 
-/// `<mimic>` of a joint that is not there.
-pub(crate) fn unknown_leader(
-    joint: Still,
-    is_beside: bool,
-    leader: &str,
-    meant: Option<&str>,
-) -> Mistake {
+/// `<mimic>` of a joint that is not there; `meant` is perhaps the right one.
+pub(crate) fn unknown_leader(meant: Option<&str>) -> String {
     let hint = meant.map_or(String::new(), |right| format!(" (did you mean `{right}`?)"));
+    format!("which is not there{hint}")
+}
+
+/// `<mimic>` of a joint that has no position.
+pub(crate) const WITHOUT_POSITION: &str =
+    "which has no position (it is neither revolute nor prismatic)";
+
+/// `<mimic>` of a joint that cannot lead, and why it cannot.
+pub(crate) fn no_leader(joint: Still, is_beside: bool, leader: &str, why: &str) -> Mistake {
     Mistake::advice(|audience| {
         let way_out = match is_beside {
             true => locked_or_left_out(joint, audience),
@@ -160,20 +164,11 @@ pub(crate) fn unknown_leader(
             ),
         };
         format!(
-            "the joint `{}` follows `{}`, which is not there{hint}: {way_out}",
+            "the joint `{}` follows `{}`, {why}: {way_out}",
             shortened(joint.joint),
             shortened(leader)
         )
     })
-}
-
-/// `<mimic>` of a joint that has no position.
-pub(crate) fn leader_without_position(joint: &str, leader: &str) -> Mistake {
-    Mistake::new(format!(
-        "the joint `{}` follows `{}`, which has no position: it is neither revolute nor prismatic",
-        shortened(joint),
-        shortened(leader)
-    ))
 }
 
 /// Joints that follow one another and stand beside the chain.

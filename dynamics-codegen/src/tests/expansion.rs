@@ -129,7 +129,7 @@ fn base_parameters_are_counted_where_a_function_is_about_them() {
     assert!(items.contains("BASE_PARAMETERS : usize = 0"), "{items}");
     // A motor cell is a parameter, even where it says zero.
     let rail = "struct Arm; convention: standard, gravity: [0, 0, -9.81], joints: [
-        rail: prismatic { motor: { inertia: 0, gear_ratio: 1 } }], functions: [regressor], allow: [odd_mass]";
+        rail: prismatic { motor: { inertia: 0, gear_ratio: 1 } }], functions: [regressor], allow: [no_inertia]";
     assert!(expansion(rail).contains("BASE_PARAMETERS : usize = 2"));
 }
 

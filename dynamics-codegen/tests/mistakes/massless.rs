@@ -17,5 +17,5 @@ robot_dynamics! {
     gravity: [0, 0, -9.81],
     joints: [one: revolute { a: 1 }],
     functions: [mass_matrix],
-    allow: [odd_mass],
+    allow: [no_inertia],
 }

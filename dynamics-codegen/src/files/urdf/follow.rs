@@ -132,20 +132,19 @@ impl<'a> Chain<'a> {
 
     /// The joint that another one follows, which has a position.
     fn leader(&self, joint: &Joint, mimic: &Mimic) -> Option<&'a Joint> {
-        let Some(leader) = self.named(&mimic.joint) else {
-            let known: Vec<&str> = self.tree.joints.iter().map(|j| j.name.as_str()).collect();
-            let meant = words::nearest(&mimic.joint, &known);
-            let is_beside = !self.is_on_chain(joint);
-            let mistake = mistake::unknown_leader(Still::of(joint), is_beside, &mimic.joint, meant);
-            self.error(mimic.place, mistake);
-            return None;
+        let leader = self.named(&mimic.joint);
+        let why = match leader {
+            Some(leader) if has_position(leader) => return Some(leader),
+            Some(_) => mistake::WITHOUT_POSITION.to_owned(),
+            None => {
+                let known: Vec<&str> = self.tree.joints.iter().map(|j| j.name.as_str()).collect();
+                mistake::unknown_leader(words::nearest(&mimic.joint, &known))
+            }
         };
-        if !has_position(leader) {
-            let mistake = mistake::leader_without_position(&joint.name, &leader.name);
-            self.error(mimic.place, mistake);
-            return None;
-        }
-        Some(leader)
+        let is_beside = !self.is_on_chain(joint);
+        let mistake = mistake::no_leader(Still::of(joint), is_beside, &mimic.joint, &why);
+        self.error(mimic.place, mistake);
+        None
     }
 
     pub(super) fn named(&self, name: &str) -> Option<&'a Joint> {
