@@ -1,5 +1,7 @@
 //! The options that say what a URDF file does not.
 
+use dynamics_evaluation::{Besides, RuntimeRobot};
+
 use super::calls::{data, errors, file, folder, output, run};
 
 /// A turntable with an arm, a gripper's finger at its end, and a camera whose mast turns.
@@ -411,4 +413,268 @@ fn the_table_that_is_shown_is_the_arm() {
         let more = ["--samples", "5", "--allow", "odd_angle"];
         output(&[&compared[..], &more[..], &options].concat());
     }
+}
+
+/// An arm of two links, of which nothing is said, or whose elements these are.
+fn bare(name: &str, inertial: [&str; 2]) -> String {
+    let [first, second] = inertial;
+    let text = format!(
+        r#"<robot name="bare">
+  <link name="base"/>
+  <link name="upper">{first}</link>
+  <link name="lower">{second}</link>
+  <joint name="one" type="continuous">
+    <parent link="base"/><child link="upper"/><axis xyz="0 0 1"/>
+  </joint>
+  <joint name="two" type="continuous">
+    <parent link="upper"/><child link="lower"/><origin xyz="0.5 0 0"/><axis xyz="0 0 1"/>
+  </joint>
+</robot>
+"#
+    );
+    file(name, text)
+}
+
+const POINT: &str = r#"<inertial><origin xyz="0.25 0 0"/><mass value="2"/>
+    <inertia ixx="0" iyy="0" izz="0" ixy="0" iyz="0" ixz="0"/></inertial>"#;
+const ZEROS: &str = r#"<inertial><mass value="0"/>
+    <inertia ixx="0" iyy="0" izz="0" ixy="0" iyz="0" ixz="0"/></inertial>"#;
+
+/// A call of a subcommand about a file of `bare`.
+fn of_bare<'a>(subcommand: &'a str, file: &'a str, options: &[&'a str]) -> Vec<&'a str> {
+    let chain = ["--chain", "base,lower"];
+    [&[subcommand, file][..], &chain, &GRAVITY, options].concat()
+}
+
+/// Functions of the geometry do not ask for masses. All others name every link of which nothing is said, and what takes
+/// it as massless; then their values are those of a file that says zero.
+#[test]
+fn links_without_inertia_matter_where_masses_are_read() {
+    let neither = bare("neither.urdf", ["", ""]);
+    let zeros = bare("zeros.urdf", [ZEROS, ZEROS]);
+    let geometry = ["--functions", "forward_kinematics,jacobian,friction_vector"];
+    let of_geometry = |file| output(&of_bare("show", file, &geometry));
+    assert_eq!(
+        of_geometry(&neither).replace("neither", "zeros"),
+        of_geometry(&zeros)
+    );
+    for functions in ["default", "jacobian,mass_matrix", "center_of_mass"] {
+        let message = errors(&of_bare("show", &neither, &["--functions", functions]), 1);
+        for expected in [
+            "neither.urdf:3:3: the link `upper` moves",
+            "neither.urdf:4:3: the link `lower` moves",
+            "`--allow no_inertia`",
+        ] {
+            assert!(message.contains(expected), "{functions}: {message}");
+        }
+    }
+    let first = bare("first.urdf", [POINT, ""]);
+    let message = errors(&of_bare("show", &first, &[]), 1);
+    assert!(!message.contains("`upper`"), "{message}");
+    assert!(message.contains("no mass moves with `two`"), "{message}");
+    let massless = [
+        "--functions",
+        "mass_matrix,gravity_vector",
+        "--format",
+        "text",
+    ];
+    let allowed = [&massless[..], &["--allow", "no_inertia"]].concat();
+    let shown = output(&of_bare("show", &first, &allowed));
+    assert!(shown.contains("M11 = 1/8\nM12 = 0\n"), "{shown}");
+    let said = bare("said.urdf", [POINT, ZEROS]);
+    assert_eq!(output(&of_bare("show", &said, &massless)), shown);
+    // The mass on the second link moves with the first one, too.
+    let second = bare("second.urdf", ["", POINT]);
+    assert!(errors(&of_bare("show", &second, &[]), 1).contains("`upper` moves"));
+    let bent = ["--allow", "no_inertia", "--from", "0,1", "--samples", "2"];
+    output(&of_bare("simulate", &second, &bent));
+}
+
+/// A subcommand that reads masses asks for them whatever `--functions` says, and of a table, too.
+#[test]
+fn subcommands_ask_for_the_masses_that_they_read() {
+    let neither = bare("without.urdf", ["", ""]);
+    let table = "convention = 'standard'\ngravity = [0, 0, 0]\nfunctions = ['jacobian']\n\
+        [[joint]]\nname = 'one'\ntype = 'revolute'\na = 1\n";
+    let table = file("without.toml", table);
+    let page = folder("without").join("page.html");
+    let page = page.to_string_lossy();
+    for options in [
+        &["simulate"][..],
+        &["inverse", "--to", "1,1"],
+        &["page", "--out", &page],
+    ] {
+        let functions = [&options[1..], &["--functions", "jacobian"]].concat();
+        let message = errors(&of_bare(options[0], &neither, &functions), 1);
+        assert!(message.contains("`--allow no_inertia`"), "{message}");
+        let of_table = [&[options[0], &table][..], &options[1..]].concat();
+        let message = errors(&of_table, 1);
+        assert!(message.contains("`--allow no_inertia`"), "{message}");
+    }
+    let message = errors(
+        &of_bare("simulate", &neither, &["--allow", "no_inertia"]),
+        1,
+    );
+    assert!(message.contains("not positive definite"), "{message}");
+    // What is converted can be read back, with the word that it needs.
+    for (options, expected) in [
+        (["--functions", "jacobian"], "functions = [\"jacobian\"]"),
+        (["--allow", "no_inertia"], "allow = [\"no_inertia\"]"),
+    ] {
+        for format in ["toml", "json"] {
+            let options = [&options[..], &["--to", format]].concat();
+            let text = output(&of_bare("convert", &neither, &options));
+            let expected = match format {
+                "toml" => expected.to_owned(),
+                _ => format!("\"{}", expected.replace(" =", "\":")),
+            };
+            assert!(text.contains(&expected), "{text}");
+            output(&["check", &file(&format!("converted.{format}"), text)]);
+        }
+    }
+}
+
+/// A robot at run time, whose functions are those of the request.
+#[test]
+fn a_robot_at_run_time_asks_for_the_masses_that_its_functions_read() {
+    let neither = bare("at_run_time.urdf", ["", ""]);
+    let arm = |entries: &str| {
+        let besides = Besides {
+            entries: format!("gravity = [0, 0, 0]\n{entries}"),
+            chain: Some(["base", "lower"].map(str::to_owned)),
+            ..Besides::default()
+        };
+        RuntimeRobot::from_file_with(&neither, &besides)
+    };
+    let message = arm("").map_err(|error| error.to_string()).unwrap_err();
+    assert_eq!(message.lines().count(), 2, "{message}");
+    assert!(message.contains("`allow = [\"no_inertia\"]`"), "{message}");
+    let geometry = arm("functions = ['forward_kinematics']").expect("geometry");
+    let pose = geometry.forward_kinematics(&[0.0; 2]).expect("a pose");
+    assert_eq!(pose[(0, 3)], 0.5);
+    let massless = arm("allow = ['no_inertia']").expect("a massless arm");
+    assert_eq!(massless.mass_matrix(&[0.0; 2]).map(|m| m.amax()), Ok(0.0));
+    assert!(
+        massless
+            .forward_dynamics(&[0.0; 2], &[0.0; 2], &[0.0; 2])
+            .is_err()
+    );
+}
+
+/// A hand: two fingers, of which one follows, a thumb and a joint with another name.
+fn hand(name: &str, thumb: &str) -> String {
+    let finger = |name: &str, more: &str| {
+        format!(
+            r#"  <link name="{name}_link">{POINT}</link>
+  <joint name="{name}" type="prismatic">
+    <parent link="arm"/><child link="{name}_link"/><axis xyz="1 0 0"/>{more}
+  </joint>
+"#
+        )
+    };
+    let fingers = finger("left", r#"<limit lower="-1" upper="1"/>"#)
+        + &finger(
+            "right",
+            r#"<mimic joint="left" multiplier="-1" offset="0.5"/>"#,
+        )
+        + &finger(thumb, "")
+        + &finger("4", "");
+    let text = format!(
+        r#"<robot name="hand">
+  <link name="base"/>
+  <link name="arm">{POINT}</link>
+  <joint name="turn" type="revolute">
+    <parent link="base"/><child link="arm"/><axis xyz="0 0 1"/><limit lower="1" upper="-1"/>
+  </joint>
+{fingers}</robot>
+"#
+    );
+    file(name, text)
+}
+
+/// `rest` is all joints beside the chain that are not named; what follows one that stands still stands where that says.
+#[test]
+fn the_rest_of_the_joints_has_a_name() {
+    let hand = |name: &str, thumb: &str| (self::hand(name, thumb), "base,arm");
+    let (plain, chain) = hand("hand.urdf", "thumb");
+    let inertia = |file: &str, options: &[&str]| {
+        let chain = ["--chain", chain, "--allow", "odd_limits"];
+        mass_matrix(file, &[&chain[..], options].concat())
+    };
+    // 2 kg at 0.25 m from where each finger is: 0.125, 0.125, 2 0.75^2, 0.125, 0.125.
+    assert!(inertia(&plain, &["--lock", "rest=0"]).contains("M11 = 13/8\n"));
+    let named = ["--lock", "left=0", "--lock", "thumb=0", "--lock", "4=0"];
+    assert!(inertia(&plain, &named).contains("M11 = 13/8\n"));
+    for none in [
+        &["--ignore", "rest"][..],
+        &["--ignore", "left,right,thumb,4"],
+        &["--ignore", "left,right", "--ignore", "rest"],
+        &["--ignore", "left,right,4", "--ignore=thumb"],
+    ] {
+        assert!(inertia(&plain, none).contains("M11 = 1/8\n"), "{none:?}");
+    }
+    // The left finger at 0.25 m, and so the right one; the others are left out, or at 0.
+    let left = ["--lock", "left=0.25", "--ignore", "rest"];
+    assert!(inertia(&plain, &left).contains("M11 = 9/8\n"));
+    let left = ["--lock", "left=0.25", "--lock", "rest=0"];
+    assert!(inertia(&plain, &left).contains("M11 = 11/8\n"));
+    // A joint that has this name is meant by it alone.
+    let (named, _) = hand("hand_at_rest.urdf", "rest");
+    let all = ["--lock", "left=0.25", "--lock", "rest=0", "--ignore", "4"];
+    assert!(inertia(&named, &all).contains("M11 = 5/4\n"));
+    let call = [
+        "--chain",
+        chain,
+        "--allow",
+        "odd_limits",
+        "--ignore",
+        "rest",
+    ];
+    let message = errors(&[&["show", &named][..], &GRAVITY, &call].concat(), 1);
+    assert!(message.contains("the joint `left` moves"), "{message}");
+    // The same options may be about a table besides.
+    let table = output(&[&["convert", &plain][..], &GRAVITY, &call].concat());
+    let table = file("hand.toml", table);
+    output(&[&["check", &table, "--against", &plain][..], &GRAVITY, &call].concat());
+    let locked = [
+        "--chain",
+        chain,
+        "--allow",
+        "odd_limits",
+        "--lock",
+        "rest=0",
+    ];
+    let table = output(&[&["convert", &plain][..], &GRAVITY, &locked].concat());
+    let table = file("hand.toml", table);
+    output(
+        &[
+            &["check", &table, "--against", &plain][..],
+            &GRAVITY,
+            &locked,
+        ]
+        .concat(),
+    );
+}
+
+/// What stands still does so within its limits; limits the wrong way round are none where that is asked for.
+#[test]
+fn limits_hold_beside_the_chain() {
+    let hand = hand("limits.urdf", "thumb");
+    let told = |options: &[&str], status| {
+        let call = ["show", &hand, "--chain", "base,arm", "--ignore", "thumb,4"];
+        errors(&[&call[..], &GRAVITY, options].concat(), status)
+    };
+    let message = told(&["--lock", "left=0"], 1);
+    assert!(
+        message.contains("limits.urdf:6:78: `lower` is above `upper`")
+            && message.contains("`--allow odd_limits`"),
+        "{message}"
+    );
+    let message = told(&["--allow", "odd_limits", "--lock", "left=1.5"], 2);
+    assert!(
+        message.contains(
+            "`left` would stand still at 1.5, outside of its limits, -1 to 1: `--lock left=0` is"
+        ),
+        "{message}"
+    );
 }
