@@ -83,6 +83,14 @@ pub(crate) fn number_as_name(number: &str) -> Mistake {
     ))
 }
 
+/// `joint_1.0 = 0` in TOML, where a dot leads into a table.
+pub(crate) fn dotted_name(first: &str, second: &str) -> Mistake {
+    let name = shortened(&format!("{first}.{second}"));
+    Mistake::new(format!(
+        "expected a joint and a position: a name with a dot stands in quotes, `\"{name}\"`"
+    ))
+}
+
 /// A name that would act on a terminal.
 pub(crate) fn control_in_name(word: &str) -> Mistake {
     let word = shortened(word);

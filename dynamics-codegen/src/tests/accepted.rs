@@ -302,3 +302,47 @@ fn functions_are_fused_by_name() {
         );
     }
 }
+
+/// Limits the wrong way round are none where that is allowed.
+#[test]
+fn odd_limits_are_none() {
+    let call = |allow: &str| {
+        format!(
+            "struct Arm; convention: standard, gravity: [0, 0, 0],
+             joints: [joint: revolute {{ mass: 1, com: [1, 0, 0], limits: [1, -1] }}], allow: [{allow}]"
+        )
+    };
+    assert!(message(&call("odd_mass")).contains("below the upper one"));
+    assert_eq!(model(&call("odd_limits")).robot.rows[0].limits, None);
+}
+
+/// A joint that moves no mass is noted where a function solves with M, unless its motor has inertia.
+#[test]
+fn joints_that_move_no_mass_are_noted() {
+    let notes = |last: &str, entries: &str| {
+        let call = format!(
+            "struct Arm; convention: standard, gravity: [0, 0, 0], joints: [
+                first: revolute {{ mass: 1, com: [1, 0, 0] }}, second: revolute {{}}, third: revolute {{ {last} }},
+            ], {entries} allow: [no_inertia]"
+        );
+        model(&call).notes
+    };
+    let both = notes("", "");
+    assert_eq!(both.len(), 1);
+    assert!(
+        both[0].starts_with(" No mass moves with `second` and `third`: M is singular")
+            && both[0].contains("`forward_dynamics` returns an error"),
+        "{both:?}"
+    );
+    assert!(notes("motor: { inertia: 1, gear_ratio: 1 }", "")[0].contains("with `second`: M"));
+    let first = notes("", "couple: [second = first],");
+    assert!(first[0].contains("with `third`: M"), "{first:?}");
+    for (last, entries) in [
+        ("mass: 1", ""),
+        ("", "tool: { mass: 1 },"),
+        ("", "lock: [second = 0, third = 0],"),
+        ("", "functions: [mass_matrix, jacobian],"),
+    ] {
+        assert_eq!(notes(last, entries), [""; 0], "{last} {entries}");
+    }
+}

@@ -117,6 +117,12 @@ impl Reader<'_> {
         }
         let mut locked = Vec::new();
         for (key, node) in items {
+            if let (Kind::Table(parts), false) = (&node.kind, self.is_json())
+                && let Some((part, _)) = parts.first()
+            {
+                let mistake = mistake::file::dotted_name(&key.word, &part.word);
+                return Err(self.error(key.place, mistake));
+            }
             locked.push(Locked {
                 name: self.name(&key.word, key.place)?,
                 position: self.value(node).ok(),

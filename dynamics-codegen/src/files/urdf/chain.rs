@@ -177,8 +177,8 @@ impl<'a> Chain<'a> {
     /// Whether a joint is left out, by its name or as one of the rest.
     fn is_ignored(&self, joint: &'a Joint) -> bool {
         let is_of_rest = || {
-            let is_beside = joint.kind != Kind::Fixed && !self.is_on_chain(joint);
-            is_beside && self.is_rest_ignored() && !self.stands_still(joint)
+            let moves = joint.kind != Kind::Fixed && self.is_rest_ignored();
+            moves && !self.is_on_chain(joint) && !self.stands_still(joint)
         };
         self.is_ignored_by_name(joint) || is_of_rest()
     }
@@ -190,7 +190,7 @@ impl<'a> Chain<'a> {
 
     fn is_rest_ignored(&self) -> bool {
         let mut ignored = self.request.ignore.iter();
-        self.named(REST).is_none() && ignored.any(|name| name.plain() == REST)
+        ignored.any(|name| name.plain() == REST) && self.named(REST).is_none()
     }
 
     /// Where the joints beside the chain stand still that are not named.

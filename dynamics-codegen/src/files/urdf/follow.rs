@@ -73,8 +73,7 @@ impl<'a> Chain<'a> {
             if self.lock_of(at).is_some() {
                 return true;
             }
-            let next = at.mimic.as_ref().and_then(|mimic| self.named(&mimic.joint));
-            let Some(next) = next else {
+            let Some(next) = self.leader_of(at) else {
                 return false;
             };
             at = next;
@@ -87,24 +86,24 @@ impl<'a> Chain<'a> {
         let mut locks = self.request.lock.iter();
         let lock = locks.find(|(name, _)| name.plain() == joint.name);
         lock.or_else(|| {
-            let is_of_rest = !self.is_on_chain(joint) && !self.is_ignored_by_name(joint);
-            let rest = self.rest_locked().filter(|_| is_of_rest)?;
-            (!self.follows_beside(joint)).then_some(rest)
+            let rest = self.rest_locked()?;
+            let is_of_rest = self.is_beside(joint) && !self.follows_beside(joint);
+            is_of_rest.then_some(rest)
         })
     }
 
-    /// Whether a joint beside the chain follows one that stands still by its name or as one of the rest, and so is none
-    /// of the rest itself.
+    /// Whether a joint is beside the chain, and not left out by its name.
+    fn is_beside(&self, joint: &Joint) -> bool {
+        !self.is_on_chain(joint) && !self.is_ignored_by_name(joint)
+    }
+
+    /// Whether a joint follows one that stands still by its name or as one of the rest, and so is none of the rest.
     fn follows_beside(&self, joint: &Joint) -> bool {
-        let leader = joint
-            .mimic
-            .as_ref()
-            .and_then(|mimic| self.named(&mimic.joint));
+        let leader = self.leader_of(joint);
         leader.is_some_and(|leader| {
             let mut locks = self.request.lock.iter();
             let is_named = locks.any(|(name, _)| name.plain() == leader.name);
-            let is_of_rest = !self.is_on_chain(leader) && !self.is_ignored_by_name(leader);
-            has_position(leader) && (is_named || is_of_rest)
+            has_position(leader) && (is_named || self.is_beside(leader))
         })
     }
 
@@ -119,10 +118,7 @@ impl<'a> Chain<'a> {
         let mut lock = None;
         while let (None, Some(joint)) = (lock, at) {
             lock = self.lock_of(joint);
-            at = joint
-                .mimic
-                .as_ref()
-                .and_then(|mimic| self.named(&mimic.joint));
+            at = self.leader_of(joint);
         }
         if let Some((name, _)) = lock.filter(|_| !(lower..=upper).contains(&position)) {
             let mistake = mistake::still_out_of_limits(still, position, [lower, upper]);
@@ -145,6 +141,11 @@ impl<'a> Chain<'a> {
         let mistake = mistake::no_leader(Still::of(joint), is_beside, &mimic.joint, &why);
         self.error(mimic.place, mistake);
         None
+    }
+
+    /// The joint that another one follows, whatever it is.
+    fn leader_of(&self, joint: &Joint) -> Option<&'a Joint> {
+        self.named(&joint.mimic.as_ref()?.joint)
     }
 
     pub(super) fn named(&self, name: &str) -> Option<&'a Joint> {
