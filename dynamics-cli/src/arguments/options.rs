@@ -28,8 +28,9 @@ pub(super) fn of_a_file(name: &'static str, about: &'static str) -> Command {
                 .help("The value of a name in the file's cells, such as load=2.5; may be given several times"),
         )
         .arg(
-            several("lock", "JOINT=POSITION")
-                .help("Joints that stand still, rad or m, beside those that the file locks; `rest` as for --ignore; may be given several times"),
+            words("lock", "JOINT=POSITION")
+                .action(ArgAction::Append)
+                .help("Joints that stand still, rad or m, beside those that the file locks; `rest` as for --ignore"),
         )
         .arg(words("ignore", "JOINT").action(ArgAction::Append).help(
             "Joints of a URDF file that are left out, with all that hangs on them; `rest` is all beside the chain that are not named",

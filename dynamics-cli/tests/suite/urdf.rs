@@ -616,7 +616,7 @@ fn the_rest_of_the_joints_has_a_name() {
     // The left finger at 0.25 m, and so the right one; the others are left out, or at 0.
     let left = ["--lock", "left=0.25", "--ignore", "rest"];
     assert!(inertia(&plain, &left).contains("M11 = 9/8\n"));
-    let left = ["--lock", "left=0.25", "--lock", "rest=0"];
+    let left = ["--lock", "left=0.25,rest=0"];
     assert!(inertia(&plain, &left).contains("M11 = 11/8\n"));
     // A joint that has this name is meant by it alone.
     let (named, _) = hand("hand_at_rest.urdf", "rest");
@@ -675,6 +675,35 @@ fn limits_hold_beside_the_chain() {
         message.contains(
             "`left` would stand still at 1.5, outside of its limits, -1 to 1: `--lock left=0` is"
         ),
+        "{message}"
+    );
+    // What follows a joint of the chain that is locked, on the chain.
+    let follower = r#"<mimic joint="one" multiplier="3"/><limit lower="-1" upper="1"/>"#;
+    let text = std::fs::read_to_string(bare("followed.urdf", [POINT, POINT])).expect("the file");
+    let text = text.replace(
+        "0.5 0 0\"/><axis xyz=\"0 0 1\"/>",
+        &format!("0.5 0 0\"/>{follower}"),
+    );
+    let text = text.replace("\"two\" type=\"continuous\"", "\"two\" type=\"revolute\"");
+    let tip = r#"<link name="tip"/><joint name="tip" type="continuous">
+        <parent link="lower"/><child link="tip"/></joint></robot>"#;
+    let followed = file("followed.urdf", text.replace("</robot>", tip));
+    let show = |lock: &str| {
+        let options = [
+            "--chain",
+            "base,tip",
+            "--functions",
+            "jacobian",
+            "--lock",
+            lock,
+        ];
+        run(&[&["show", &followed][..], &GRAVITY, &options].concat())
+    };
+    assert!(show("one=0.3").status.success());
+    let message = String::from_utf8_lossy(&show("one=0.5").stderr).into_owned();
+    assert!(
+        message.contains("followed.urdf:11:")
+            && message.contains("1.5 is outside of the limits of `two`, -1 to 1"),
         "{message}"
     );
 }

@@ -59,8 +59,8 @@ pub(super) fn couple(
         return;
     }
     for row in 0..names.len() {
-        let name = couples.iter().map(|couple| &couple.name);
-        let name = name.filter(|name| name.plain() == names[row]).last();
+        let mut followers = couples.iter().map(|couple| &couple.name);
+        let name = followers.find(|name| name.plain() == names[row]);
         if let (Some(coupling), Some(name)) = (resolved(&laws, row), name) {
             follow(rows, row, coupling, name.into(), scope);
         }
