@@ -42,14 +42,12 @@ pub(crate) fn read_with_fields(
     about_links(given, &[path])?;
     let besides = besides(given, path, None, "chain")?;
     let fields = fields(given)?.into_iter().map(|(name, _)| name).collect();
-    read_with(
-        path,
-        Besides {
-            fields,
-            needed,
-            ..besides
-        },
-    )
+    let besides = Besides {
+        fields,
+        needed,
+        ..besides
+    };
+    read_with(path, besides)
 }
 
 /// The robot of the argument `FILE` and that of another one, with the same settings. A joint that only one
@@ -182,13 +180,11 @@ fn besides(
 ) -> Result<Besides, Failure> {
     let elsewhere = other.map(|other| (joints_of(path), joints_of(other)));
     let is_meant = |joint: &str| match &elsewhere {
-        // A table has no joints beside a chain.
-        Some((here, _)) if joint == "rest" && Format::of(path) != Some(Format::Urdf) => {
-            here.iter().any(|name| name == joint)
-        }
         Some((here, there)) => {
             let has = |names: &[String]| names.iter().any(|name| name == joint);
-            has(here) || !has(there)
+            // A table has no joints beside a chain, of which `rest` would be all.
+            let is_rest = joint == "rest" && Format::of(path) != Some(Format::Urdf);
+            has(here) || !(has(there) || is_rest)
         }
         None => true,
     };

@@ -144,28 +144,22 @@ fn has_body(rows: &[Row], robot: &Robot) -> bool {
     robot.tool.as_ref().is_some_and(Tool::has_body) || cells.any(|value| !value.is_zero())
 }
 
-/// A note for the documentation on joints that move no mass, where a function solves with M.
+/// A note for the documentation on joints that move no mass, where a function solves with M. Joints that others follow
+/// may move the mass of these.
 pub(super) fn note_on_massless(
     robot: &Robot,
     requests: &[(Request, Option<Place>)],
 ) -> Option<String> {
     let mut parts = requests.iter().flat_map(|(request, _)| request.parts());
     let solving = parts.find(|function| function.row().refuses)?;
-    let moves_nothing = |index: usize| {
-        !has_body(&robot.rows[index..], robot) && robot.rows[index].motor_inertia.is_zero()
-    };
-    let is_massless = |joint: usize| {
-        let mut followers = robot.rows.iter().enumerate().filter(|(_, row)| {
-            let follows = row.follows.as_ref();
-            follows.is_some_and(|coupling| coupling.leader == joint)
-        });
-        moves_nothing(joint) && followers.all(|(index, _)| moves_nothing(index))
-    };
     let rows = robot.rows.iter().enumerate();
-    let joints = rows.filter(|(_, row)| row.locked.is_none() && row.follows.is_none());
-    let massless = joints.filter(|(index, _)| is_massless(*index));
+    let massless = rows.filter(|(index, row)| {
+        let is_bare = !has_body(&robot.rows[*index..], robot) && row.motor_inertia.is_zero();
+        is_bare && row.locked.is_none()
+    });
     let names: Vec<&str> = massless.map(|(_, row)| row.name.as_str()).collect();
-    (!names.is_empty()).then(|| {
+    let is_certain = !names.is_empty() && robot.followers().next().is_none();
+    is_certain.then(|| {
         format!(
             " No mass moves with {}: M is singular at every position, and `{}` returns an error, until the last link or the \
              `tool` has a mass, or the joint a motor.",

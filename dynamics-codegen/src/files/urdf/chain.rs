@@ -350,8 +350,8 @@ impl<'a> Chain<'a> {
         if joint.kind == Kind::Fixed {
             return Some(Transform::identity());
         }
-        let position = self.position_beside(joint)?;
-        self.report_out_of_limits(joint, &position);
+        let (position, lock) = self.position_beside(joint)?;
+        self.report_out_of_limits(joint, &position, lock);
         let [azimuth, polar] = &joint.axis;
         let zero = || [Rational::ZERO; 3];
         let turn = |roll, pitch, yaw| Transform::new(&zero(), &[roll, pitch, yaw]);

@@ -32,21 +32,21 @@ impl<'a> Chain<'a> {
         } else if !self.stands_still(leader) {
             let mistake = mistake::leader_off_chain(Still::of(joint), Still::of(leader));
             self.error(mimic.place, mistake);
-        } else if let Some(position) = self.position_beside(joint) {
+        } else if let Some((position, _)) = self.position_beside(joint) {
             let position = Some(expression(&position, mimic.place));
             self.locked.push(Locked { name, position });
         }
     }
 
-    /// Where a joint stands still that is locked, or follows one that is. What is wrong is reported, of a joint
-    /// off the chain that moves by itself too.
-    pub(super) fn position_beside(&mut self, joint: &'a Joint) -> Option<Value> {
+    /// Where a joint stands still that is locked, or follows one that is, and by which lock. What is wrong is reported,
+    /// of a joint off the chain that moves by itself too.
+    pub(super) fn position_beside(&mut self, joint: &'a Joint) -> Option<(Value, &'a Name)> {
         let (mut factor, mut offset) = (Value::integer(1), Value::zero());
         let mut at = joint;
         for _ in 0..=self.tree.joints.len() {
             if let Some(lock) = self.lock_of(at) {
                 let position = self.locked_position(at, lock)?;
-                return Some(factor * position + offset);
+                return Some((factor * position + offset, &lock.0));
             }
             let Some(mimic) = &at.mimic else {
                 let mistake = match (self.is_on_chain(at), core::ptr::eq(at, joint)) {
@@ -107,22 +107,12 @@ impl<'a> Chain<'a> {
         })
     }
 
-    /// Reports a joint that stands still beside the chain, beyond its limits.
-    pub(super) fn report_out_of_limits(&self, joint: &'a Joint, position: &Value) {
+    /// Reports a joint that stands still beside the chain, beyond its limits, where it is locked.
+    pub(super) fn report_out_of_limits(&self, joint: &Joint, position: &Value, lock: &Name) {
         let (still, position) = (Still::of(joint), position.to_f64(&[]));
-        let Some([lower, upper]) = still.limits else {
-            return;
-        };
-        // The joint that is locked: this one, or one that it follows.
-        let mut at = Some(joint);
-        let mut lock = None;
-        while let (None, Some(joint)) = (lock, at) {
-            lock = self.lock_of(joint);
-            at = self.leader_of(joint);
-        }
-        if let Some((name, _)) = lock.filter(|_| !(lower..=upper).contains(&position)) {
-            let mistake = mistake::still_out_of_limits(still, position, [lower, upper]);
-            self.error(name, mistake);
+        let is_beyond = |[lower, upper]: &[f64; 2]| !(*lower..=*upper).contains(&position);
+        if let Some(limits) = still.limits.filter(is_beyond) {
+            self.error(lock, mistake::still_out_of_limits(still, position, limits));
         }
     }
 
