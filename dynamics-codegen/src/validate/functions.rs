@@ -121,9 +121,11 @@ pub(crate) fn read_masses(table: &Table) -> bool {
     has_default || functions.any(Function::reads_masses)
 }
 
-/// Whether anything has inertia, where a function depends on it.
+/// Whether anything has inertia, where a function depends on it. `odd_mass` accepts an arm without any, too.
 pub(super) fn have_inertia(robot: &Robot, table: &Table, diagnostics: &Diagnostics) -> bool {
-    let is_allowed = table.allow().no_inertia || !read_masses(table) || has_inertia(robot);
+    let allow = table.allow();
+    let is_allowed =
+        allow.no_inertia || allow.odd_mass || !read_masses(table) || has_inertia(robot);
     if let (false, Some(name)) = (is_allowed, &table.name) {
         diagnostics.error(name, mistake::no_inertia());
     }

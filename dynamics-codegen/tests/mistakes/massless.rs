@@ -19,3 +19,11 @@ robot_dynamics! {
     functions: [mass_matrix],
     allow: [no_inertia],
 }
+robot_dynamics! {
+    pub struct OddMass;
+    convention: modified,
+    gravity: [0, 0, -9.81],
+    joints: [one: revolute { a: 1 }],
+    functions: [mass_matrix],
+    allow: [odd_mass],
+}
