@@ -11,9 +11,9 @@ pub(super) enum Angle {
     Radians(Rational),
 }
 
-/// Whether a number of fifty digits is zero.
+/// Whether a number of fifty digits is zero. Directions of small vectors have fewer digits: tables are compared to 28.
 pub(super) fn is_zero(x: &Rational) -> bool {
-    is_below(x, 40)
+    is_below(x, 30)
 }
 
 /// Whether a number is zero to so many places behind the point.

@@ -79,10 +79,7 @@ fn remarks(path: &Path, is_rounded: bool, model_notes: &[String]) -> Vec<String>
         numbers,
     ];
     let notes = model_notes.iter();
-    remarks.extend(notes.map(|note| {
-        let note = note.trim();
-        note.replace("`round_angles: 1e-4`", "`--round-angles 1e-4`")
-    }));
+    remarks.extend(notes.map(|note| note.trim().replace("`round_angles: ", "`--round-angles ")));
     remarks
 }
 

@@ -20,6 +20,8 @@ pub(super) struct Normal {
     pub(super) from: Vector,
     /// Its foot on the second axis.
     pub(super) to: Vector,
+    /// Whether the axes are so nearly parallel that the feet have lost digits.
+    pub(super) is_vague: bool,
 }
 
 impl Axis {
@@ -47,10 +49,21 @@ fn moved(point: &Vector, direction: &Vector, by: &Rational) -> Vector {
     [0, 1, 2].map(|k| tidy(&point[k] + &direction[k] * by))
 }
 
-/// The direction of a vector.
-pub(super) fn unit(v: &Vector) -> Vector {
-    let length = length(v);
-    v.each_ref().map(|x| tidy(x / &length))
+/// The direction of that part of a vector which is across another direction; none if there is no such part.
+pub(super) fn across(v: &Vector, direction: &Vector) -> Option<Vector> {
+    let part = |v: &Vector| moved(v, direction, &-dot(v, direction));
+    let first = part(v);
+    // Where little is left of the vector, its direction has few digits: it is put across again.
+    (!first.iter().all(is_zero)).then(|| unit(&part(&unit(&first))))
+}
+
+/// The direction of a vector, in as many digits where that is short: squares of its entries would have twice the zeros.
+fn unit(v: &Vector) -> Vector {
+    let size = |x: &Rational| if *x < Rational::ZERO { -x } else { x.clone() };
+    let largest = v.iter().map(size).max().unwrap_or(Rational::ONE);
+    let v = v.each_ref().map(|x| tidy(x / &largest));
+    let length = length(&v);
+    v.map(|x| tidy(x / &length))
 }
 
 fn opposite(v: Vector) -> Vector {
@@ -61,11 +74,13 @@ fn opposite(v: Vector) -> Vector {
 /// across the first axis; between parallel axes its foot is at `near`, a point of the first axis.
 pub(super) fn common_normal(first: &Axis, second: &Axis, like: &Vector, near: &Vector) -> Normal {
     let across = cross(&first.direction, &second.direction).map(tidy);
-    let square = tidy(dot(&across, &across));
+    let square = dot(&across, &across);
     let way = between(near, &second.point);
-    // Directions have fifty digits: the square of the sine of parallel ones is below 1e-80.
-    let least = Rational::ONE / Rational::from(10).pow(80);
-    let (from, to, line) = if square < least {
+    // The sine of parallel axes is zero (`is_zero`). With fifty digits of a direction, one of 1e-15 leaves 20 digits of
+    // the feet.
+    let below = |places| square < Rational::ONE / Rational::from(10).pow(places);
+    let is_parallel = below(60);
+    let (from, to, line) = if is_parallel {
         let along = dot(&way, &first.direction);
         let to = moved(&second.point, &first.direction, &-along);
         let line = between(near, &to);
@@ -82,11 +97,8 @@ pub(super) fn common_normal(first: &Axis, second: &Axis, like: &Vector, near: &V
         };
         (from, to, line)
     };
-    let direction = match line.iter().all(is_zero) && square < least {
-        // The axes are one: any direction across it is normal to both.
-        true => like.clone(),
-        false => unit(&line),
-    };
+    // If the axes are one, any direction across it is normal to both.
+    let direction = self::across(&line, &first.direction).unwrap_or_else(|| like.clone());
     let is_like = dot(&direction, like);
     let is_against = is_like < Rational::ZERO && !is_zero(&is_like);
     Normal {
@@ -96,6 +108,7 @@ pub(super) fn common_normal(first: &Axis, second: &Axis, like: &Vector, near: &V
         },
         from,
         to,
+        is_vague: !is_parallel && below(30),
     }
 }
 

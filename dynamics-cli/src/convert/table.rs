@@ -17,7 +17,7 @@ use dynamics_symbolic::robot::Convention;
 
 use super::angle::{is_same, is_zero, roll_pitch_yaw};
 use super::arm::{Arm, Joint, between, length};
-use super::normal::{Axis, Normal, common_normal, unit};
+use super::normal::{Axis, Normal, across, common_normal};
 use super::parameters::Parameters;
 
 /// A normal further away than so many times the length of the arm is not used.
@@ -180,15 +180,14 @@ fn start(convention: Convention, first: &Axis) -> Transform {
         return world;
     }
     let [x, y, z] = [0, 1, 2].map(|axis| world.axis(axis));
-    let z_is_along = cross(&z, &first.direction).iter().all(is_zero);
     let is_across = |axis: &Vector| is_zero(&dot(axis, &first.direction));
-    let across = match (is_across(&x), is_across(&y)) {
+    let across_both = cross(&z, &first.direction);
+    let x = match (is_across(&x), is_across(&y)) {
         (true, _) => x,
         (_, true) => y,
-        _ if z_is_along => x,
-        _ => unit(&cross(&z, &first.direction)),
+        _ => across(&across_both, &first.direction).unwrap_or(x),
     };
-    frame(&across, &first.direction, &first.point)
+    frame(&x, &first.direction, &first.point)
 }
 
 /// Where the x axis of a frame meets an axis that it is across.
@@ -248,9 +247,8 @@ impl<'a> Lines<'a> {
         let last = &self.lines[self.lines.len() - 1].axis;
         let normal = common_normal(last, &axis, &self.like, &self.near);
         let is_far = |from: &Vector, to: &Vector| length(&between(from, to)) > self.farthest;
-        if is_far(&self.near, &normal.from) || is_far(&axis.point, &normal.to) {
-            // It meets both, and is across both.
-            let leading = leading(&self.near, &axis);
+        if normal.is_vague || is_far(&self.near, &normal.from) || is_far(&axis.point, &normal.to) {
+            let leading = leading(&self.near, &axis, &self.like);
             let normal = common_normal(last, &leading, &self.like, &self.near);
             self.add(leading, None, normal);
             let last = &self.lines[self.lines.len() - 1].axis;
@@ -269,11 +267,14 @@ impl<'a> Lines<'a> {
     }
 }
 
-/// The axis from a point to the nearest one of another axis.
-fn leading(from: &Vector, to: &Axis) -> Axis {
+/// The axis from a point to the nearest one of another axis, across that; through a point of it like a direction that is
+/// across another axis, nearly parallel to it.
+fn leading(from: &Vector, to: &Axis, like: &Vector) -> Axis {
+    let way = between(from, &to.nearest(from));
+    let direction = across(&way, &to.direction).or_else(|| across(like, &to.direction));
     Axis {
         point: from.clone(),
-        direction: unit(&between(from, &to.nearest(from))),
+        direction: direction.unwrap_or_else(|| like.clone()),
     }
 }
 
