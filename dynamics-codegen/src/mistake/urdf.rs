@@ -6,16 +6,28 @@ use crate::words::{all, either, number, shortened};
 
 pub(crate) fn no_robot(found: &str) -> Mistake {
     Mistake::new(format!(
-        "expected `<robot>`, found `<{}>` (xacro files are expanded first: `xacro arm.urdf.xacro > arm.urdf`)",
+        "expected `<robot>`, found `<{}>` ({EXPANDED})",
         shortened(found)
     ))
 }
 
-/// An element of the language that URDF is written by.
-pub(crate) fn xacro(element: &str) -> Mistake {
+/// How a file in the language that URDF is written by becomes one in URDF.
+const EXPANDED: &str = "a file in xacro is expanded first: `xacro arm.urdf.xacro > arm.urdf`, \
+                        after `pip install xacro` where there is no ROS";
+
+/// An element or a text of xacro, where a link, a joint or a number is read.
+pub(crate) fn xacro(what: &str) -> Mistake {
     Mistake::new(format!(
-        "`<xacro:{}>`: xacro files are expanded first, `xacro arm.urdf.xacro > arm.urdf`",
-        shortened(element)
+        "`{}` is left of xacro, in a place that is read: {EXPANDED}; if that leaves it there, remove it or write its \
+         value",
+        shortened(what)
+    ))
+}
+
+/// The second of two elements of which only one is read.
+pub(crate) fn repeated(element: &str, word: &str, (line, column): (usize, usize)) -> Mistake {
+    Mistake::new(format!(
+        "a second `<{word}>` in one `<{element}>`, the first stands in line {line}, column {column}: remove one of them"
     ))
 }
 

@@ -1,14 +1,16 @@
 //! The links and joints of a URDF document.
 
+use std::cell::Cell;
 use std::collections::BTreeSet;
 
 use dynamics_symbolic::exact::Rational;
 use dynamics_symbolic::robot::Value;
 use roxmltree::{Attribute, Document, Node};
 
+use super::prefixes::Declared;
+use super::rounding::Rounding;
 use crate::diagnose::{Diagnostics, Reported};
 use crate::files::Request;
-use crate::files::tree::Lines;
 use crate::geometry::{Transform, Vector, direction};
 use crate::mistake::{Mistake, file as text, urdf as mistake};
 use crate::parse::number::in_file;
@@ -19,8 +21,8 @@ use crate::words;
 pub(super) struct Tree {
     pub(super) links: Vec<Link>,
     pub(super) joints: Vec<Joint>,
-    /// Angles that are near to a quarter turn, but none.
-    pub(super) nearly_right: usize,
+    /// What was taken as another number.
+    pub(super) rounding: Rounding,
 }
 
 impl Tree {
@@ -88,9 +90,6 @@ pub(super) enum Kind {
     Other(&'static str),
 }
 
-/// Angles that differ so much from a quarter turn may be meant as one.
-const NEARLY: f64 = 1e-2;
-
 /// Limits beyond so many rad or m are none.
 const WIDE: f64 = 1e3;
 
@@ -101,29 +100,24 @@ type Read<T> = Result<T, Reported>;
 
 /// Reads a document; what is wrong in it is reported.
 pub(super) fn read(source: &str, request: &Request, diagnostics: &Diagnostics) -> Option<Tree> {
-    let document = Document::parse(source);
-    let document = document.map_err(|error| {
-        let at = error.pos();
-        let place = Place::File {
-            line: at.row as usize,
-            column: at.col as usize,
-        };
+    let declared = Declared::new(source);
+    let document = Document::parse(declared.text()).map_err(|error| {
+        let place = declared.place_of(error.pos());
         diagnostics.error(place, text::syntax("XML", &reason(&error)))
     });
     let document = document.ok()?;
     let root = document.root_element();
+    let within = request.round_angles.as_ref();
     let mut reader = Reader {
-        lines: Lines::new(source),
+        text: &declared,
         diagnostics,
-        round_angles: request.round_angles.as_ref(),
         odd_angle: request.odd_angle,
-        nearly_right: 0,
+        rounding: Rounding::new(within.map_or(0.0, |within| within.to_f64().value())),
+        left_over: Cell::new(None),
     };
     reader.require_robot(root).ok()?;
-    let elements = |name: &'static str| {
-        let elements = root.children().filter(Node::is_element);
-        elements.filter(move |element| element.tag_name().name() == name)
-    };
+    let elements =
+        |name: &'static str| elements(root).filter(move |element| is_named(*element, name));
     let links: Vec<Read<Link>> = elements("link").map(|link| reader.link(link)).collect();
     let joints: Vec<Read<Joint>> = elements("joint").map(|joint| reader.joint(joint)).collect();
     let links: Vec<Link> = links.into_iter().collect::<Read<_>>().ok()?;
@@ -131,7 +125,7 @@ pub(super) fn read(source: &str, request: &Request, diagnostics: &Diagnostics) -
     let tree = Tree {
         links,
         joints,
-        nearly_right: reader.nearly_right,
+        rounding: reader.rounding,
     };
     let links = tree.links.iter();
     report_repeated("link", links.map(|l| (&*l.name, l.place)), diagnostics);
@@ -177,18 +171,30 @@ fn reason(error: &roxmltree::Error) -> String {
 }
 
 struct Reader<'a> {
-    lines: Lines<'a>,
+    text: &'a Declared<'a>,
     diagnostics: &'a Diagnostics,
-    round_angles: Option<&'a Rational>,
     /// Whether angles of many turns are accepted.
     odd_angle: bool,
-    nearly_right: usize,
+    rounding: Rounding,
+    /// Whether something was found that xacro should have replaced: the rest of it goes with the first.
+    left_over: Cell<Option<Reported>>,
+}
+
+/// The elements in another one that a reader of URDF knows. A prefix marks those of other programs.
+fn elements<'a, 'i>(node: Node<'a, 'i>) -> impl Iterator<Item = Node<'a, 'i>> {
+    let space = |node: Node<'a, 'i>| node.tag_name().namespace();
+    let own = space(node.document().root_element());
+    let elements = node.children().filter(Node::is_element);
+    elements.filter(move |element| space(*element) == own)
+}
+
+fn is_named(element: Node, name: &str) -> bool {
+    element.tag_name().name() == name
 }
 
 /// The element of that name in another one.
 fn child<'a, 'i>(node: Node<'a, 'i>, name: &str) -> Option<Node<'a, 'i>> {
-    let mut elements = node.children().filter(Node::is_element);
-    elements.find(|element| element.tag_name().name() == name)
+    elements(node).find(|element| is_named(*element, name))
 }
 
 /// The known word that was meant by one that is none.
@@ -201,46 +207,90 @@ fn misspelled<'k>(word: &str, known: &[&'k str]) -> Option<&'k str> {
 
 impl Reader<'_> {
     fn place(&self, node: Node) -> Place {
-        self.lines.place(node.range().start)
+        self.text.place(node.range().start)
     }
 
     fn error(&self, node: Node, mistake: Mistake) -> Reported {
         self.diagnostics.error(self.place(node), mistake)
     }
 
-    /// Refuses a document whose root is no `<robot>`, and xacro, which is to be expanded first.
+    /// Refuses a document whose root is no `<robot>`, and calls of xacro that would give it links and joints.
     fn require_robot(&self, root: Node) -> Read<()> {
-        if root.tag_name().name() != "robot" {
+        /// What they define does nothing by itself.
+        const DEFINITIONS: [&str; 3] = ["arg", "macro", "property"];
+        if !is_named(root, "robot") {
             return Err(self.error(root, mistake::no_robot(root.tag_name().name())));
         }
-        let is_xacro = |element: &Node| {
-            let space = element.tag_name().namespace();
-            space.is_some_and(|space| space.ends_with("/xacro"))
+        self.require_expanded(root, &DEFINITIONS);
+        self.left_over.get().map_or(Ok(()), Err)
+    }
+
+    /// Reports an element of xacro in one that is read, except those of some names.
+    fn require_expanded(&self, node: Node, harmless: &[&str]) {
+        let is_left = |element: &Node| {
+            let name = element.tag_name();
+            let is_xacro = name
+                .namespace()
+                .is_some_and(|space| space.ends_with("/xacro"));
+            is_xacro && !harmless.contains(&name.name())
         };
-        match root.descendants().find(is_xacro) {
-            Some(element) => Err(self.error(element, mistake::xacro(element.tag_name().name()))),
-            None => Ok(()),
+        let own = node.document().root_element().tag_name().namespace();
+        let mut others = node
+            .children()
+            .filter(|child| child.tag_name().namespace() != own);
+        if let Some(element) = others.find(is_left) {
+            let what = format!("<xacro:{}>", element.tag_name().name());
+            self.report_left_over(self.place(element), &what);
         }
     }
 
-    /// Reports words of an element in whose place one of those that are known was meant. Others mean something to
-    /// other programs.
-    fn spelled(&self, node: Node, elements: &[&str], attributes: &[&str]) {
+    fn report_left_over(&self, place: Place, what: &str) -> Reported {
+        let report = || self.diagnostics.error(place, mistake::xacro(what));
+        let reported = self.left_over.get().unwrap_or_else(report);
+        self.left_over.set(Some(reported));
+        reported
+    }
+
+    /// Reports words of an element in whose place one of those that are known was meant, and the second of two
+    /// elements of which one counts. Other words mean something to other programs.
+    fn spelled(&self, node: Node, known: &[&str], attributes: &[&str]) {
+        const REPEATABLE: [&str; 2] = ["visual", "collision"];
         let element = node.tag_name().name();
-        for child in node.children().filter(Node::is_element) {
+        self.require_expanded(node, &[]);
+        for child in elements(node) {
             let word = child.tag_name().name();
-            if let Some(right) = misspelled(word, elements) {
+            if let Some(right) = misspelled(word, known) {
                 let mistake = mistake::misspelled(element, "element", word, right);
                 self.error(child, mistake);
             }
+            let counts = known.contains(&word) && !REPEATABLE.contains(&word);
+            let first = counts.then(|| self::child(node, word)).flatten();
+            if let Some(first) = first.filter(|first| *first != child) {
+                let mistake = mistake::repeated(element, word, self.place(first).position());
+                self.error(child, mistake);
+            }
         }
-        for attribute in node.attributes() {
+        let is_own = |attribute: &Attribute| attribute.namespace().is_none();
+        for attribute in node.attributes().filter(is_own) {
             let word = attribute.name();
             if let Some(right) = misspelled(word, attributes) {
-                let place = self.lines.place(attribute.range().start);
+                let place = self.text.place(attribute.range().start);
                 let mistake = mistake::misspelled(element, "attribute", word, right);
                 self.diagnostics.error(place, mistake);
             }
+        }
+    }
+
+    /// An attribute, unless it says something that xacro should have replaced.
+    fn found<'a, 'i>(&self, node: Node<'a, 'i>, name: &str) -> Read<Option<Attribute<'a, 'i>>> {
+        let attribute = node.attribute_node(name);
+        let is_left = |text: &str| text.contains("${") || text.contains("$(");
+        match attribute.filter(|attribute| is_left(attribute.value())) {
+            Some(left) => {
+                let place = self.text.place(left.range_value().start);
+                Err(self.report_left_over(place, left.value()))
+            }
+            None => Ok(attribute),
         }
     }
 
@@ -249,7 +299,7 @@ impl Reader<'_> {
             let element = node.tag_name().name();
             self.error(node, mistake::attribute_missing(element, name))
         };
-        node.attribute_node(name).ok_or_else(missing)
+        self.found(node, name)?.ok_or_else(missing)
     }
 
     fn name(&self, node: Node) -> Read<String> {
@@ -276,7 +326,7 @@ impl Reader<'_> {
 
     /// The number in an attribute, and where it is.
     fn value(&self, attribute: Attribute) -> Read<(Rational, Place)> {
-        let place = self.lines.place(attribute.range_value().start);
+        let place = self.text.place(attribute.range_value().start);
         Ok((self.number(attribute.value().trim(), place)?, place))
     }
 
@@ -286,18 +336,20 @@ impl Reader<'_> {
     }
 
     fn optional(&self, node: Option<Node>, name: &str) -> Read<Option<(Rational, Place)>> {
-        let attribute = node.and_then(|node| node.attribute_node(name));
+        let attribute = node.map(|node| self.found(node, name)).transpose()?;
+        let attribute = attribute.flatten();
         attribute.map(|attribute| self.value(attribute)).transpose()
     }
 
     /// Three numbers, or what stands for them where they are left out.
     fn vector(&self, node: Option<Node>, name: &str, default: [i8; 3]) -> Read<(Vector, Place)> {
-        let Some(attribute) = node.and_then(|node| node.attribute_node(name)) else {
+        let attribute = node.map(|node| self.found(node, name)).transpose()?;
+        let Some(attribute) = attribute.flatten() else {
             let place = node.map_or(Place::File { line: 1, column: 1 }, |node| self.place(node));
             return Ok((default.map(Rational::from), place));
         };
         let start = attribute.range_value().start;
-        let place = self.lines.place(start);
+        let place = self.text.place(start);
         let numbers = attribute.value().split_whitespace();
         let numbers: Read<Vec<_>> = numbers.map(|number| self.number(number, place)).collect();
         let numbers = numbers?;
@@ -324,26 +376,10 @@ impl Reader<'_> {
                 self.diagnostics.error(place, mistake::in_degrees(radians));
             }
         }
-        Ok((xyz?.0, rpy.map(|angle| self.angle(angle))))
-    }
-
-    /// An angle, which is a quarter turn where it is so near to one as the call says.
-    fn angle(&mut self, angle: Rational) -> Value {
-        let radians = angle.to_f64().value();
-        let quarters = (radians / core::f64::consts::FRAC_PI_2).round();
-        let apart = (radians - quarters * core::f64::consts::FRAC_PI_2).abs();
-        let within = self
-            .round_angles
-            .map_or(0.0, |within| within.to_f64().value());
-        if apart <= within {
-            let half = Rational::from_parts_signed((quarters as i64).into(), 2_u8.into());
-            return Value::Pi * Value::Rational(half);
-        }
-        let is_taken = apart <= 1e-9 && quarters != 0.0;
-        if apart <= NEARLY && !angle.is_zero() && !is_taken {
-            self.nearly_right += 1;
-        }
-        Value::Rational(angle)
+        Ok((
+            xyz?.0.map(|length| self.rounding.length(length)),
+            rpy.map(|angle| self.rounding.angle(angle)),
+        ))
     }
 
     fn link(&mut self, node: Node) -> Read<Link> {
@@ -445,7 +481,7 @@ impl Reader<'_> {
             joint: joint?.value().to_owned(),
             multiplier: multiplier?,
             offset: match kind {
-                Kind::Revolute => self.angle(offset?),
+                Kind::Revolute => self.rounding.angle(offset?),
                 _ => Value::Rational(offset?),
             },
         })
@@ -468,7 +504,7 @@ impl Reader<'_> {
             "floating" => Kind::Other("floating"),
             "planar" => Kind::Other("planar"),
             word => {
-                let place = self.lines.place(attribute.range_value().start);
+                let place = self.text.place(attribute.range_value().start);
                 let meant = words::meant(word, &KNOWN);
                 let mistake = crate::mistake::unknown("joint type", word, meant, &KNOWN);
                 return Err(self.diagnostics.error(place, mistake));
@@ -477,13 +513,13 @@ impl Reader<'_> {
     }
 
     /// The direction of a joint's axis, (1, 0, 0) where nothing is said.
-    fn axis(&self, node: Node, kind: Kind) -> Read<[Value; 2]> {
+    fn axis(&mut self, node: Node, kind: Kind) -> Read<[Value; 2]> {
         if !matches!(kind, Kind::Revolute | Kind::Prismatic) {
             return Ok([Value::zero(), Value::zero()]);
         }
         let (axis, place) = self.vector(child(node, "axis"), "xyz", [1, 0, 0])?;
         let zero = || self.diagnostics.error(place, mistake::axis_of_no_length());
-        direction(&axis).ok_or_else(zero)
+        direction(&self.rounding.axis(axis)).ok_or_else(zero)
     }
 
     /// Where both are there and say something: continuous joints have none.

@@ -3,6 +3,8 @@
 mod chain;
 mod document;
 mod follow;
+mod prefixes;
+mod rounding;
 
 use super::Request;
 use crate::description::Table;
@@ -32,7 +34,7 @@ pub(super) fn read(
     let entries = chain::entries(&tree, ends, request, used, diagnostics)?;
     Some(Table {
         entries,
-        notes: notes(tree.nearly_right),
+        notes: tree.rounding.notes(),
         ..Table::default()
     })
 }
@@ -49,24 +51,4 @@ pub(super) fn joint_names(text: &str, diagnostics: &Diagnostics) -> Vec<String> 
     let tree = document::read(text, &Request::default(), diagnostics);
     let joints = tree.into_iter().flat_map(|tree| tree.joints);
     joints.map(|joint| joint.name).collect()
-}
-
-/// A note for the struct's documentation on angles that were perhaps meant as quarter turns.
-fn notes(nearly_right: usize) -> Vec<String> {
-    match nearly_right {
-        0 => Vec::new(),
-        1 => vec![nearly("One angle of the file is", "it", "a quarter turn")],
-        n => vec![nearly(
-            &format!("{n} angles of the file are"),
-            "them",
-            "quarter turns",
-        )],
-    }
-}
-
-fn nearly(which: &str, them: &str, turns: &str) -> String {
-    format!(
-        " {which} within 0.01 rad of a quarter turn, and taken as written: every vector that passes such an angle costs \
-         four multiplications and two additions. `round_angles: 1e-4` takes {them} as {turns} where they are as near as that."
-    )
 }

@@ -1,0 +1,125 @@
+//! Prefixes of names, such as `sensor:` in `<sensor:camera>`, that a document does not declare.
+//!
+//! XML refuses them, but what a prefix marks is not read. So a document is parsed with declarations of them in its first
+//! element, and places are those of the document as it was written.
+
+use roxmltree::{Document, Error, TextPos};
+
+use crate::files::tree::Lines;
+use crate::place::Place;
+
+/// More of them are in no file that somebody wrote, and each costs a parse.
+const MOST: usize = 16;
+
+/// A document in which every prefix is declared.
+pub(super) struct Declared<'t> {
+    lines: Lines<'t>,
+    text: String,
+    /// Where the declarations begin, and how many bytes they are.
+    start: usize,
+    length: usize,
+}
+
+impl<'t> Declared<'t> {
+    /// Declares prefixes as long as an undeclared one is all that keeps the text from being read.
+    pub(super) fn new(source: &'t str) -> Declared<'t> {
+        let start = after_first_name(source).unwrap_or(0);
+        let mut declared = Declared {
+            lines: Lines::new(source),
+            text: source.to_owned(),
+            start,
+            length: 0,
+        };
+        for _ in 0..MOST {
+            let Err(Error::UnknownNamespace(prefix, _)) = Document::parse(&declared.text) else {
+                break;
+            };
+            let declaration = format!(" xmlns:{prefix}=\"undeclared/{prefix}\"");
+            declared.text.insert_str(start, &declaration);
+            declared.length += declaration.len();
+        }
+        declared
+    }
+
+    pub(super) fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// The place in the document of the letter behind so many bytes of the text.
+    pub(super) fn place(&self, offset: usize) -> Place {
+        let behind = offset.saturating_sub(self.start);
+        self.lines.place(offset - behind.min(self.length))
+    }
+
+    /// The place in the document of a place in the text.
+    pub(super) fn place_of(&self, at: TextPos) -> Place {
+        let (row, column) = (at.row as usize, at.col as usize);
+        let lines = self.text.split_inclusive('\n');
+        let before: usize = lines.clone().take(row - 1).map(str::len).sum();
+        let line = lines.clone().nth(row - 1).unwrap_or_default();
+        let letters = line.chars().take(column - 1).map(char::len_utf8);
+        self.place(before + letters.sum::<usize>())
+    }
+}
+
+/// The byte behind the name of the first element.
+fn after_first_name(source: &str) -> Option<usize> {
+    let mut at = 0;
+    loop {
+        at += source[at..].find('<')?;
+        let rest = &source[at..];
+        at += if rest.starts_with("<!--") {
+            rest.find("-->")?
+        } else if rest.starts_with("<?") {
+            rest.find("?>")?
+        } else {
+            let ends = |letter: char| letter.is_whitespace() || "/>".contains(letter);
+            return Some(at + rest.find(ends)?);
+        };
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn places_are_those_of_the_document() {
+        let source = "<?xml version=\"1.0\"?>\n<!-- <robot> -->\n<robot name=\"x\"><a:b\n c:d=\"1\"/><e/></robot>";
+        let declared = Declared::new(source);
+        let document = Document::parse(declared.text()).expect("a document");
+        let element = |name: &str| {
+            let mut elements = document.descendants();
+            elements.find(|element| element.tag_name().name() == name)
+        };
+        for (name, expected) in [("robot", (3, 1)), ("b", (3, 17)), ("e", (4, 11))] {
+            let element = element(name).expect("the element");
+            let place = declared.place(element.range().start);
+            assert_eq!(place.position(), expected, "{name}");
+            let at = document.text_pos_at(element.range().start);
+            assert_eq!(declared.place_of(at).position(), expected, "{name}");
+        }
+        assert_eq!(
+            element("b").and_then(|b| b.tag_name().namespace()),
+            Some("undeclared/a")
+        );
+    }
+
+    #[test]
+    fn a_document_that_is_none_stays_so() {
+        for source in [
+            "",
+            "<",
+            "<!-- ",
+            "<robot",
+            "<a:b/>",
+            "<?",
+            "<robot><a:b></robot>",
+        ] {
+            let declared = Declared::new(source);
+            if let Err(error) = Document::parse(declared.text()) {
+                let _ = declared.place_of(error.pos());
+            }
+        }
+    }
+}
