@@ -8,6 +8,9 @@ use dynamics_codegen::files;
 
 use crate::failure::Failure;
 
+/// Bytes of a file that is read: 100,000 rows of seven joints have some 15 million.
+const MOST_BYTES: usize = 100_000_000;
+
 /// A table that is being written: a header, and rows of numbers that read back as the same ones.
 pub(crate) struct Csv(String);
 
@@ -115,8 +118,8 @@ pub(crate) fn read(path: &Path, joints: &[&str]) -> Result<Vec<Vec<f64>>, Failur
             format!("{}:{line}:{column}: {message}", path.display()),
         )
     };
-    let bytes =
-        std::fs::read(path).map_err(|error| wrong(1, 1, format!("cannot be read: {error}")))?;
+    let bytes = files::bytes(path, MOST_BYTES)
+        .map_err(|error| wrong(1, 1, format!("cannot be read: {error}")))?;
     let text = files::text(bytes).map_err(|error| match error.place {
         Place::File { line, column } => wrong(line, column, error.message),
         Place::Tokens { .. } => wrong(1, 1, error.message),

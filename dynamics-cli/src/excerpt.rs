@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use ariadne::{Color, Config, Label, Report, ReportKind, Source};
 use dynamics_codegen::visible;
-use dynamics_evaluation::FileMistake;
+use dynamics_evaluation::{FileMistake, read_text};
 
 /// The mistakes as a person reads them: `FILE:LINE:COLUMN: what is wrong`, and below it the place in the file.
 /// If the file cannot be read any more, the place is left out.
@@ -12,7 +12,7 @@ pub(crate) fn with_excerpts(mistakes: &[FileMistake], is_coloured: bool) -> Stri
     let mut told = Vec::with_capacity(mistakes.len());
     for of_one_file in mistakes.chunk_by(|a, b| a.file == b.file) {
         let file = of_one_file[0].file.as_deref();
-        let text = file.and_then(|file| std::fs::read_to_string(file).ok());
+        let text = file.and_then(|file| read_text(file).ok());
         let text = text.map(|text| without_controls(&text));
         told.extend(of_one_file.iter().map(|mistake| {
             let text = text.as_deref();

@@ -1,12 +1,10 @@
 //! Robots from files.
 
 use core::fmt;
-use std::fs::File;
-use std::io::Read as _;
 use std::path::{Path, PathBuf};
 
 use dynamics_codegen::description::{Entry, Expr, ExprKind, Name, Place, Table};
-use dynamics_codegen::files::{Format, MOST_BYTES, Request, model_beside, table, text};
+use dynamics_codegen::files::{Format, MOST_BYTES, Request, bytes, model_beside, table, text};
 use dynamics_codegen::{Audience, Error, Model};
 use dynamics_symbolic::Function;
 use dynamics_symbolic::exact::Rational;
@@ -174,16 +172,7 @@ fn read(
 /// [`FileError::Unreadable`], and a mistake where the bytes are no text.
 pub fn read_text(path: &Path) -> Result<String, FileError> {
     let unreadable = |reason| FileError::Unreadable(path.to_owned(), reason);
-    let file = File::open(path).map_err(|error| unreadable(error.to_string()))?;
-    let mut bytes = Vec::new();
-    let read = file.take(MOST_BYTES as u64 + 1).read_to_end(&mut bytes);
-    match read {
-        Err(error) => return Err(unreadable(error.to_string())),
-        Ok(bytes) if bytes > MOST_BYTES => {
-            return Err(unreadable(format!("it is longer than {MOST_BYTES} bytes")));
-        }
-        Ok(_) => {}
-    }
+    let bytes = bytes(path, MOST_BYTES).map_err(|error| unreadable(error.to_string()))?;
     text(bytes).map_err(|error| FileError::Mistakes(vec![mistake(path, usize::MAX, error)]))
 }
 

@@ -159,6 +159,52 @@ fn output_that_is_lost_is_told() {
     );
 }
 
+/// A device has no end, and to open a pipe waits for whoever writes into it.
+#[cfg(unix)]
+#[test]
+fn only_files_are_read() {
+    let pendulum = file("only_files.toml", PENDULUM);
+    let folder = folder("no_files");
+    let path = |name: &str| folder.join(name).to_string_lossy().into_owned();
+    for name in ["pipe.toml", "pipe.csv"] {
+        let _ = std::fs::remove_file(path(name));
+        let pipe = std::process::Command::new("mkfifo")
+            .arg(path(name))
+            .status();
+        assert!(pipe.expect("a program").success());
+    }
+    std::fs::create_dir_all(path("folder.toml")).expect("a folder");
+    for (no_file, reason) in [
+        (
+            path("pipe.toml"),
+            "cannot be read: it is a pipe or a device",
+        ),
+        (
+            path("folder.toml"),
+            "cannot be read: it is a folder, expected a file",
+        ),
+    ] {
+        for call in [
+            &["show", &no_file][..],
+            &["check", &pendulum, "--against", &no_file],
+        ] {
+            let message = errors(call, 1);
+            assert!(message.contains(reason), "{message}");
+        }
+    }
+    for (no_file, reason) in [
+        ("/dev/zero", "a pipe or a device"),
+        (&*path("pipe.csv"), "a pipe or a device"),
+        (&*path("folder.toml"), "a folder"),
+    ] {
+        let message = errors(&["inverse", &pendulum, "--waypoints", no_file], 1);
+        assert!(
+            message.contains(&format!("{no_file}:1:1: cannot be read: it is {reason}")),
+            "{message}"
+        );
+    }
+}
+
 /// `--out robot.toml` behind `robot.toml` would put what is made of the file in its place.
 #[test]
 fn files_that_are_read_are_not_written_over() {

@@ -185,6 +185,61 @@ fn angles_are_rounded_where_that_is_asked_for() {
     }
 }
 
+/// Elements and attributes that other programs read may have any prefix, and xacro may have left something in them.
+#[test]
+fn what_is_not_read_does_no_harm() {
+    let plain = turntable("1.5707963267948966");
+    let left = plain
+        .replace("<inertial>", "<visual><xacro:grey/><origin xyz=\"${x} 0 0\"/></visual><inertial>")
+        .replace("</robot>", "<gazebo><sensor:camera name=\"${name}\"/></gazebo><xacro:property name=\"x\"/></robot>")
+        .replace("effort=\"1\"", "effort=\"${effort}\" drake:acceleration=\"2\"");
+    assert!(left.contains("drake") && left.contains("grey") && left.contains("sensor"));
+    let chain = ["--chain", "base,flange", "--ignore", "mast"];
+    let expected = mass_matrix(&file("without.urdf", plain), &chain);
+    assert_eq!(mass_matrix(&file("left.urdf", &left), &chain), expected);
+    let wrong = left.replace("0 0 0.4", "0 0 ${height}");
+    let path = file("left_number.urdf", wrong);
+    let call = [&["show", &path][..], &chain, &GRAVITY].concat();
+    let message = errors(&call, 1);
+    assert!(
+        message.contains("left_number.urdf:16:18: `0 0 ${height}` is left of xacro")
+            && message.contains("`xacro arm.urdf.xacro > arm.urdf`"),
+        "{message}"
+    );
+}
+
+/// Doubles that were computed have noise: without it M is as short as that of the arm that was meant.
+#[test]
+fn noise_is_taken_for_zero() {
+    let exact = file("exact.urdf", turntable("0"));
+    let noisy = turntable("2.7629E-18")
+        .replace(
+            "<axis xyz=\"0 0 1\"/>",
+            "<axis xyz=\"-6.1e-16 9.9e-17 1\"/>",
+        )
+        .replace("xyz=\"0 0 0.4\"", "xyz=\"1.1e-16 0 0.4\"");
+    let chain = ["--chain", "base,flange", "--ignore", "mast"];
+    let found = mass_matrix(&file("noisy.urdf", &noisy), &chain);
+    assert_eq!(found, mass_matrix(&exact, &chain));
+    let tilted = file(
+        "tilted_axis.urdf",
+        noisy.replace("-6.1e-16 9.9e-17 1", "0.0001 0 1"),
+    );
+    assert_ne!(mass_matrix(&tilted, &chain), found);
+    let rounded = [&chain[..], &["--round-angles", "1e-3"]].concat();
+    assert_eq!(mass_matrix(&tilted, &rounded), found);
+    let call = [&["convert", &tilted][..], &chain, &GRAVITY].concat();
+    let text = output(&call);
+    assert!(
+        text.contains("# 2 numbers of the file are noise and taken as zero")
+            && text.contains(
+                "# 2 angles of the file are within 0.01 rad of a multiple of a quarter turn"
+            )
+            && text.contains("`--round-angles 1e-4` takes 2 of them"),
+        "{text}"
+    );
+}
+
 /// Each subcommand takes the options: an arm of a robot with many others.
 #[test]
 fn every_subcommand_reads_a_chain() {

@@ -189,22 +189,14 @@ mod reading {
     ) -> Option<String> {
         let folder = std::env::var_os("CARGO_MANIFEST_DIR").map(PathBuf::from);
         let path = folder.unwrap_or_default().join(&file.path);
-        let bytes = match std::fs::read(&path) {
-            Ok(bytes) => bytes,
-            Err(error) => {
-                let mistake = match error.kind() {
-                    ErrorKind::NotFound => mistake::not_found(&file.path),
-                    _ => mistake::unreadable(&file.path, &error),
-                };
-                diagnostics.error(file.place, mistake);
-                return None;
-            }
+        let unreadable = |error: std::io::Error| match error.kind() {
+            ErrorKind::NotFound => mistake::not_found(&file.path),
+            _ => mistake::unreadable(&file.path, &error),
         };
+        let bytes = files::bytes(&path, MOST_BYTES);
+        let bytes = bytes.map_err(|error| diagnostics.error(file.place, unreadable(error)));
+        let bytes = bytes.ok()?;
         *tracked = path.to_str().map(str::to_owned);
-        if bytes.len() > MOST_BYTES {
-            diagnostics.error(file.place, mistake::too_long(&file.path, MOST_BYTES));
-            return None;
-        }
         files::decoded(bytes)
             .map_err(|(place, mistake)| diagnostics.error(place, mistake))
             .ok()

@@ -26,6 +26,8 @@ pub use request::Request;
 
 #[cfg(feature = "files")]
 use std::collections::BTreeSet;
+#[cfg(feature = "files")]
+use std::io::Read as _;
 use std::path::Path;
 
 #[cfg(feature = "files")]
@@ -59,6 +61,38 @@ impl Format {
             "urdf" => Some(Format::Urdf),
             _ => None,
         }
+    }
+}
+
+/// The bytes of a file that has at most so many.
+///
+/// # Errors
+///
+/// What the system says of a file that cannot be read; [`InvalidInput`](std::io::ErrorKind::InvalidInput) if it is longer,
+/// or a folder, a pipe or a device, of which no end may ever be read.
+#[cfg(feature = "files")]
+pub fn bytes(path: &Path, most: usize) -> std::io::Result<Vec<u8>> {
+    let refused = |reason: String| {
+        Err(std::io::Error::new(
+            std::io::ErrorKind::InvalidInput,
+            reason,
+        ))
+    };
+    // To open a pipe waits for somebody who writes into it.
+    let kind = std::fs::metadata(path)?;
+    if kind.is_dir() {
+        return refused("it is a folder, expected a file".to_owned());
+    }
+    if !kind.is_file() {
+        return refused(format!(
+            "it is a pipe or a device and may be longer than {most} bytes, expected a file"
+        ));
+    }
+    let mut bytes = Vec::new();
+    let file = std::fs::File::open(path)?;
+    match file.take(most as u64 + 1).read_to_end(&mut bytes)? {
+        read if read > most => refused(format!("it is longer than {most} bytes")),
+        _ => Ok(bytes),
     }
 }
 

@@ -17,10 +17,6 @@ pub(crate) fn unreadable(path: &str, reason: &impl Display) -> Mistake {
     Mistake::new(format!("cannot read `{path}`: {reason}"))
 }
 
-pub(crate) fn too_long(path: &str, most: usize) -> Mistake {
-    Mistake::new(format!("`{path}` is longer than {most} bytes"))
-}
-
 /// A byte that belongs to no letter.
 pub(crate) fn no_text(byte: u8) -> Mistake {
     Mistake::new(format!(

@@ -109,3 +109,36 @@ fn tuple_fields_end_at_semicolons() {
         assert!(!messages(&call).is_empty(), "{fields}");
     }
 }
+
+/// What never ends, or never begins, is not read by a compiler: a device behind a link, a pipe, a folder, a long file.
+#[cfg(all(unix, feature = "files"))]
+#[test]
+fn what_is_no_file_is_not_read() {
+    let folder = std::env::temp_dir().join(format!("no_files_{}", std::process::id()));
+    std::fs::create_dir_all(folder.join("folder.toml")).expect("a folder");
+    std::os::unix::fs::symlink("/dev/zero", folder.join("zero.toml")).expect("a link");
+    let pipe = std::process::Command::new("mkfifo")
+        .arg(folder.join("pipe.urdf"))
+        .status();
+    assert!(pipe.expect("a program").success());
+    let long = std::fs::File::create(folder.join("long.json")).expect("a file");
+    long.set_len(1 << 40).expect("a file without blocks");
+    let told = |name: &str| {
+        let path = folder.join(name);
+        message(&format!("struct Arm; file: \"{}\"", path.display()))
+    };
+    let [zero, pipe, long, folder_named] =
+        ["zero.toml", "pipe.urdf", "long.json", "folder.toml"].map(told);
+    std::fs::remove_dir_all(&folder).expect("the folder");
+    for (message, reason) in [
+        (zero, "a pipe or a device"),
+        (pipe, "a pipe or a device"),
+        (long, "longer than 4000000 bytes"),
+        (folder_named, "a folder"),
+    ] {
+        assert!(
+            message.starts_with("cannot read `") && message.contains(reason),
+            "{message}"
+        );
+    }
+}
