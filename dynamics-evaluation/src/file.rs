@@ -87,7 +87,8 @@ pub struct Besides {
     /// Joints of a URDF file that are left out, with all that hangs on them; passed over for a table. `rest`, where no
     /// joint has that name, is all joints beside the chain that are not named; it may be locked, too.
     pub ignore: Vec<String>,
-    /// How near an angle of a URDF file is to a quarter turn that is taken as one, rad; passed over for a table.
+    /// How near an angle of a URDF file is to a multiple of a quarter turn that it is taken for, rad, and which share of
+    /// an axis is zero; passed over for a table.
     pub round_angles: Option<f64>,
     /// Names that cells may use without a value, as those of the fields of a struct: they become the
     /// robot's fields, in this order.

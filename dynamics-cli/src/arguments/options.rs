@@ -40,7 +40,7 @@ pub(super) fn of_a_file(name: &'static str, about: &'static str) -> Command {
                 .long("round-angles")
                 .value_name("RAD")
                 .value_parser(small_angle)
-                .help("How near an angle of a URDF file is to a quarter turn that is taken as one, such as 1e-4"),
+                .help("How near an angle or axis of a URDF file is to a multiple of a quarter turn that it is taken for, such as 1e-4"),
         )
         .arg(
             words("allow", "WORD")

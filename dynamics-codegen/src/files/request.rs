@@ -15,7 +15,7 @@ pub struct Request {
     pub ignore: Vec<Name>,
     /// Joints that stand still, and where, or `rest`; no position is one that is not known here.
     pub lock: Vec<(Name, Option<Value>)>,
-    /// How near an angle is to a quarter turn that is taken as one, rad.
+    /// How near an angle is to a multiple of a quarter turn that it is taken for, rad, and which share of an axis is zero.
     pub round_angles: Option<Rational>,
     /// Whether tensors that no body can have are accepted.
     pub unphysical_inertia: bool,

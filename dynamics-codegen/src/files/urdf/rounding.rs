@@ -108,10 +108,10 @@ impl Rounding {
             ));
         }
         if self.asked > 0 {
-            let angles = counted(self.asked, "angle", "angles");
+            let angles = counted(self.asked, "angle of the file is", "angles of the file are");
             let within = self.within;
             notes.push(format!(
-                " `round_angles: {within:e}` takes {angles} of the file as multiples of a quarter turn."
+                " {angles} taken as multiples of a quarter turn: `round_angles: {within:e}`."
             ));
         }
         notes.extend(self.nearly());
@@ -241,7 +241,7 @@ mod tests {
         );
         let of_two = "`round_angles: 1e-2` takes 2 of them";
         let taken =
-            " `round_angles: 1e-3` takes 3 angles of the file as multiples of a quarter turn.";
+            " 3 angles of the file are taken as multiples of a quarter turn: `round_angles: 1e-3`.";
         assert_eq!(
             notes(1e-3),
             [
