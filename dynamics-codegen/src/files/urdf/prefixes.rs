@@ -3,13 +3,15 @@
 //! XML refuses them, but what a prefix marks is not read. So a document is parsed with declarations of them in its first
 //! element, and places are those of the document as it was written.
 
+use std::collections::BTreeSet;
+
 use roxmltree::{Document, Error, TextPos};
 
 use crate::files::tree::Lines;
 use crate::place::Place;
 
-/// More of them are in no file that somebody wrote, and each costs a parse.
-const MOST: usize = 16;
+/// More of them are in no file that somebody wrote.
+const MOST: usize = 64;
 
 /// A document in which every prefix is declared.
 pub(super) struct Declared<'t> {
@@ -21,24 +23,21 @@ pub(super) struct Declared<'t> {
 }
 
 impl<'t> Declared<'t> {
-    /// Declares prefixes as long as an undeclared one is all that keeps the text from being read.
+    /// Declares prefixes where an undeclared one keeps the text from being read.
     pub(super) fn new(source: &'t str) -> Declared<'t> {
         let start = after_first_name(source).unwrap_or(0);
-        let mut declared = Declared {
-            lines: Lines::new(source),
-            text: source.to_owned(),
-            start,
-            length: 0,
-        };
-        for _ in 0..MOST {
-            let Err(Error::UnknownNamespace(prefix, _)) = Document::parse(&declared.text) else {
-                break;
-            };
-            let declaration = format!(" xmlns:{prefix}=\"undeclared/{prefix}\"");
-            declared.text.insert_str(start, &declaration);
-            declared.length += declaration.len();
+        let mut text = source.to_owned();
+        if let Err(Error::UnknownNamespace(..)) = Document::parse(source) {
+            let declare = |prefix: &str| format!(" xmlns:{prefix}=\"undeclared/{prefix}\"");
+            let declarations: String = undeclared(source, start).map(declare).collect();
+            text.insert_str(start, &declarations);
         }
-        declared
+        Declared {
+            lines: Lines::new(source),
+            length: text.len() - source.len(),
+            text,
+            start,
+        }
     }
 
     pub(super) fn text(&self) -> &str {
@@ -60,6 +59,19 @@ impl<'t> Declared<'t> {
         let letters = line.chars().take(column - 1).map(char::len_utf8);
         self.place(before + letters.sum::<usize>())
     }
+}
+
+/// Words in front of a colon and a letter that the first element, whose name ends at `start`, does not declare.
+fn undeclared(source: &str, start: usize) -> impl Iterator<Item = &str> {
+    let declared = source[start..].split('>').next().unwrap_or_default();
+    let is_part = |letter: char| letter.is_alphanumeric() || "_-.".contains(letter);
+    let colons = source.match_indices(':').map(|(at, _)| source.split_at(at));
+    let colons = colons.filter(|(_, behind)| behind[1..].starts_with(char::is_alphabetic));
+    let words = colons.map(move |(before, _)| &before[before.trim_end_matches(is_part).len()..]);
+    let words: BTreeSet<&str> = words.collect();
+    let is_word = |word: &&str| word.starts_with(char::is_alphabetic) && !word.starts_with("xml");
+    let words = words.into_iter().filter(is_word).take(MOST);
+    words.filter(move |word| !declared.contains(&format!("xmlns:{word}=")))
 }
 
 /// The byte behind the name of the first element.
@@ -85,7 +97,8 @@ mod tests {
 
     #[test]
     fn places_are_those_of_the_document() {
-        let source = "<?xml version=\"1.0\"?>\n<!-- <robot> -->\n<robot name=\"x\"><a:b\n c:d=\"1\"/><e/></robot>";
+        let source = "<?xml version=\"1.0\"?>\n<!-- <robot> -->\n<robot name=\"x\"><a:b\n c:d=\"1\"/><e/>\
+                      <f xmlns:a=\"of f\"/></robot>";
         let declared = Declared::new(source);
         let document = Document::parse(declared.text()).expect("a document");
         let element = |name: &str| {
