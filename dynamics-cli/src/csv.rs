@@ -118,7 +118,7 @@ pub(crate) fn read(path: &Path, joints: &[&str]) -> Result<Vec<Vec<f64>>, Failur
             format!("{}:{line}:{column}: {message}", path.display()),
         )
     };
-    let bytes = files::bytes(path, MOST_BYTES)
+    let bytes = files::bytes_of_any(path, MOST_BYTES)
         .map_err(|error| wrong(1, 1, format!("cannot be read: {error}")))?;
     let text = files::text(bytes).map_err(|error| match error.place {
         Place::File { line, column } => wrong(line, column, error.message),

@@ -166,13 +166,11 @@ fn only_files_are_read() {
     let pendulum = file("only_files.toml", PENDULUM);
     let folder = folder("no_files");
     let path = |name: &str| folder.join(name).to_string_lossy().into_owned();
-    for name in ["pipe.toml", "pipe.csv"] {
-        let _ = std::fs::remove_file(path(name));
-        let pipe = std::process::Command::new("mkfifo")
-            .arg(path(name))
-            .status();
-        assert!(pipe.expect("a program").success());
-    }
+    let _ = std::fs::remove_file(path("pipe.toml"));
+    let pipe = std::process::Command::new("mkfifo")
+        .arg(path("pipe.toml"))
+        .status();
+    assert!(pipe.expect("a program").success());
     std::fs::create_dir_all(path("folder.toml")).expect("a folder");
     for (no_file, reason) in [
         (
@@ -193,16 +191,38 @@ fn only_files_are_read() {
         }
     }
     for (no_file, reason) in [
-        ("/dev/zero", "a pipe or a device"),
-        (&*path("pipe.csv"), "a pipe or a device"),
-        (&*path("folder.toml"), "a folder"),
+        ("/dev/zero", "it is longer than 100000000 bytes"),
+        (&*path("folder.toml"), "Is a directory"),
     ] {
         let message = errors(&["inverse", &pendulum, "--waypoints", no_file], 1);
         assert!(
-            message.contains(&format!("{no_file}:1:1: cannot be read: it is {reason}")),
+            message.contains(&format!("{no_file}:1:1: cannot be read: {reason}")),
             "{message}"
         );
     }
+}
+
+/// Waypoints that another program writes come through a pipe.
+#[test]
+fn waypoints_are_read_from_a_pipe() {
+    let pendulum = file("piped.toml", PENDULUM);
+    let waypoints = "0,0,0\n1,1,1\n";
+    let of_file = output(&[
+        "inverse",
+        &pendulum,
+        "--waypoints",
+        &file("piped.csv", waypoints),
+    ]);
+    let command = format!(
+        "printf '{}' | {} inverse {pendulum} --waypoints /dev/stdin",
+        waypoints.replace('\n', "\\n"),
+        env!("CARGO_BIN_EXE_robot-dynamics")
+    );
+    let piped = std::process::Command::new("sh")
+        .args(["-c", &command])
+        .output();
+    let piped = piped.expect("a shell");
+    assert_eq!(String::from_utf8_lossy(&piped.stdout), of_file);
 }
 
 /// `--out robot.toml` behind `robot.toml` would put what is made of the file in its place.

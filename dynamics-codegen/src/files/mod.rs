@@ -72,28 +72,38 @@ impl Format {
 /// or a folder, a pipe or a device, of which no end may ever be read.
 #[cfg(feature = "files")]
 pub fn bytes(path: &Path, most: usize) -> std::io::Result<Vec<u8>> {
-    let refused = |reason: String| {
-        Err(std::io::Error::new(
-            std::io::ErrorKind::InvalidInput,
-            reason,
-        ))
-    };
     // To open a pipe waits for somebody who writes into it.
     let kind = std::fs::metadata(path)?;
     if kind.is_dir() {
-        return refused("it is a folder, expected a file".to_owned());
+        return Err(unread("it is a folder, expected a file".to_owned()));
     }
     if !kind.is_file() {
-        return refused(format!(
+        return Err(unread(format!(
             "it is a pipe or a device and may be longer than {most} bytes, expected a file"
-        ));
+        )));
     }
+    bytes_of_any(path, most)
+}
+
+/// As [`bytes`], of a pipe or a device too: only so many are read of it.
+///
+/// # Errors
+///
+/// What the system says; [`InvalidInput`](std::io::ErrorKind::InvalidInput) if there are more.
+#[cfg(feature = "files")]
+pub fn bytes_of_any(path: &Path, most: usize) -> std::io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     let file = std::fs::File::open(path)?;
     match file.take(most as u64 + 1).read_to_end(&mut bytes)? {
-        read if read > most => refused(format!("it is longer than {most} bytes")),
+        read if read > most => Err(unread(format!("it is longer than {most} bytes"))),
         _ => Ok(bytes),
     }
+}
+
+/// The error of a file that is not read, or not whole.
+#[cfg(feature = "files")]
+fn unread(reason: String) -> std::io::Error {
+    std::io::Error::new(std::io::ErrorKind::InvalidInput, reason)
 }
 
 /// The text of a file's bytes.
