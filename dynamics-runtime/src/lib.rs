@@ -117,8 +117,8 @@ pub use scalar::Scalar;
 #[cfg(feature = "std")]
 pub use simulation::{
     Cause, Continuous, CsvError, CsvMistake, Dop853, DormandPrince, Friction, HeldToolForce,
-    HeldTorque, InvalidSetting, Method, NoToolForce, NoTorque, Radau5, Sampled, Simulation,
-    SimulationError, Taylor, TaylorSimulation, ToolForce, Trajectory, Work,
+    HeldTorque, InvalidSetting, JointSet, Method, NoToolForce, NoTorque, Radau5, Sampled,
+    Simulation, SimulationError, Taylor, TaylorSimulation, ToolForce, Trajectory, Work,
 };
 #[doc(hidden)]
 pub use sine::{Part, sin_cos_column};

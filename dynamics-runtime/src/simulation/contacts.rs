@@ -1,6 +1,7 @@
 //! What friction and stops do to each joint: what they hold, what they let go, and how far that is away.
 
-use super::error::Cause;
+use super::complementarity::{Balance, Place, balanced};
+use super::error::{Cause, JointSet};
 use super::friction::Contact;
 use super::impact::thrown_back;
 use super::limits::AtLimit;
@@ -20,8 +21,8 @@ where
     L: TorqueLaw<N>,
 {
     motion.set_contacts(classified(motion, phase));
-    let after = thrown_back(motion, 0.0, phase)?;
-    let phase = after.unwrap_or(*phase);
+    let impact = thrown_back(motion, 0.0, phase)?;
+    let phase = impact.map_or(*phase, |impact| impact.after);
     motion.set_contacts(classified(motion, &phase));
     settle(motion, 0.0, &phase)?;
     Ok(phase)
@@ -76,7 +77,8 @@ where
     }
 }
 
-/// Stops first, then friction: the joint that friction holds least is let go, and stops are asked again.
+/// The contacts of joints at rest, and the forces there: as they are where these hold, else those of the one
+/// balance that there is.
 fn balance<R, L, const N: usize>(
     motion: &Motion<R, L, N>,
     t: f64,
@@ -86,62 +88,85 @@ where
     R: EquationsOfMotion<N>,
     L: TorqueLaw<N>,
 {
-    loop {
-        let held = lean(motion, t, phase)?;
-        let mut contacts = motion.contacts();
-        let excess = |i: usize| match held.forces[i].abs() {
-            // Nothing to hold, of a joint that has no friction that way either.
-            0.0 => 0.0,
-            force => force / motion.breakaway(i, way_out(&held, i)),
-        };
-        let stuck = (0..N).filter(|i| contacts[*i] == Contact::Sticks);
-        let worst = stuck.max_by(|i, j| excess(*i).total_cmp(&excess(*j)));
-        match worst {
-            Some(i) if excess(i) > 1.0 => {
-                contacts[i] = Contact::Slides(way_out(&held, i));
-                motion.set_contacts(contacts);
-            }
-            _ => return Ok(held),
+    let held = motion.held(t, phase)?;
+    let contacts = motion.contacts();
+    if (0..N).all(|i| is_balanced(motion, i, phase, &held)) {
+        return Ok(held);
+    }
+    let start = contacts.map(|contact| match contact {
+        Contact::Slides(way) if way > 0.0 => Place::Low,
+        Contact::Slides(way) if way < 0.0 => Place::High,
+        _ => Place::Between,
+    });
+    let at_rest = classified(motion, phase);
+    let before: [Contact; N] = core::array::from_fn(|i| match phase.qd[i] == 0.0 {
+        true => at_rest[i],
+        false => contacts[i],
+    });
+    motion.set_contacts(before);
+    let balance = balance_at_rest(motion, t, phase, start)?;
+    motion.set_contacts(core::array::from_fn(|i| {
+        match (before[i], balance.places[i]) {
+            (contact @ Contact::Slides(_), _) | (contact, Place::Between) => contact,
+            (Contact::Leans(inwards), _) => let_in(motion, i, inwards),
+            (Contact::Sticks, Place::Low) => Contact::Slides(1.0),
+            (Contact::Sticks, Place::High) => Contact::Slides(-1.0),
+        }
+    }));
+    motion.held(t, phase)
+}
+
+/// Whether joint `i` does what its contact says: the force that holds it is possible, or it moves that way.
+fn is_balanced<R, L, const N: usize>(
+    motion: &Motion<R, L, N>,
+    i: usize,
+    phase: &Phase<N>,
+    held: &Held<N>,
+) -> bool {
+    match motion.contacts()[i] {
+        Contact::Leans(inwards) => hold_of_stop(motion, i, inwards, held) >= 0.0,
+        Contact::Sticks => held.forces[i].abs() <= motion.breakaway(i, way_out(held, i)),
+        Contact::Slides(_) if phase.qd[i] != 0.0 => true,
+        Contact::Slides(way) => {
+            let way = leaning_place(motion, i, phase).unwrap_or(way);
+            way * held.qdd[i] >= 0.0
         }
     }
 }
 
-/// Which joints at rest lean on their stops: no stop pulls, and none is passed. As of impulses
-/// ([`impact`](super::impact)), by pivots of least index.
-fn lean<R, L, const N: usize>(
+/// The balance of the forces that stops and friction have at joints that lean or stick, where each is that of a joint
+/// at rest: a stop has a force inwards, of any size, and dry friction one either way, up to its greatest
+/// value. `start` is where the search begins, at bounds that are finite.
+pub(super) fn balance_at_rest<R, L, const N: usize>(
     motion: &Motion<R, L, N>,
     t: f64,
     phase: &Phase<N>,
-) -> Result<Held<N>, Cause>
+    start: [Place; N],
+) -> Result<Balance<N>, Cause>
 where
     R: EquationsOfMotion<N>,
     L: TorqueLaw<N>,
 {
-    let mut last = 0;
-    for _ in 0..MOST_PIVOTS {
-        let held = motion.held(t, phase)?;
-        let mut contacts = motion.contacts();
-        let turned = |i: usize| match contacts[i] {
-            Contact::Leans(inwards) if leaves(motion, i, inwards, &held) => {
-                Some(let_in(motion, i, inwards))
-            }
-            Contact::Slides(_) => leaning_place(motion, i, phase)
-                .filter(|inwards| inwards * held.qdd[i] < 0.0)
-                .map(Contact::Leans),
-            _ => None,
-        };
-        let Some((i, contact)) = (0..N).find_map(|i| Some((i, turned(i)?))) else {
-            return Ok(held);
-        };
-        contacts[i] = contact;
-        motion.set_contacts(contacts);
-        last = i;
-    }
-    Err(Cause::Chatter { joint: last })
+    let contacts = motion.contacts();
+    let bounds = core::array::from_fn(|i| {
+        let [negative, positive] = [-1.0, 1.0].map(|way| motion.breakaway(i, way));
+        match contacts[i] {
+            Contact::Slides(_) => None,
+            Contact::Sticks => Some([-positive, negative]),
+            Contact::Leans(inwards) if inwards > 0.0 => Some([-positive, f64::INFINITY]),
+            Contact::Leans(_) => Some([f64::NEG_INFINITY, negative]),
+        }
+    });
+    let start = core::array::from_fn(|i| match (bounds[i], start[i]) {
+        (Some([low, _]), Place::Low) if low.is_finite() => Place::Low,
+        (Some([_, high]), Place::High) if high.is_finite() => Place::High,
+        _ => Place::Between,
+    });
+    let held = contacts.map(Contact::holds);
+    let (qdd, responses) = motion.responses(phase, &motion.torques(t, phase)?, &held)?;
+    let joints = (0..N).filter(|i| held[*i]).collect::<JointSet>();
+    balanced(&qdd, &responses, &bounds, start).ok_or(Cause::Impacts { joints })
 }
-
-/// Pivots of ten joints at their stops at worst.
-const MOST_PIVOTS: usize = 1 << 10;
 
 /// A joint that leaves its stop.
 pub(super) fn let_in<R, L, const N: usize>(
@@ -150,16 +175,6 @@ pub(super) fn let_in<R, L, const N: usize>(
     inwards: f64,
 ) -> Contact {
     Contact::Slides(if motion.may_stick(i) { inwards } else { 0.0 })
-}
-
-/// Whether neither the stop, which cannot pull, nor friction keeps joint `i` at the stop.
-fn leaves<R, L, const N: usize>(
-    motion: &Motion<R, L, N>,
-    i: usize,
-    inwards: f64,
-    held: &Held<N>,
-) -> bool {
-    hold_of_stop(motion, i, inwards, held) < 0.0
 }
 
 /// How much the force of the stop that joint `i` leans on, and the friction there, are beyond what lets it

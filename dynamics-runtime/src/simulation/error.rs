@@ -76,6 +76,66 @@ pub enum Cause {
         /// The joint, counted from 0.
         joint: usize,
     },
+    /// Joints hit their stops, or stop and are let go, so often that the motion does not get on: 100 000 times between
+    /// two samples, or 1 000 times within distances that positions do not resolve.
+    ///
+    /// Elastic stops (a restitution of 1) under a strong force, and torque laws that jump at a stop, do that. A lower
+    /// restitution, a continuous law, or more samples help.
+    Impacts {
+        /// The joints that take part.
+        joints: JointSet,
+    },
+}
+
+/// A set of joints. Joints are counted from 0; it has room for the first 128.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct JointSet(u128);
+
+impl JointSet {
+    const ROOM: usize = 128;
+
+    /// Whether a joint, counted from 0, is one of them.
+    pub fn contains(&self, joint: usize) -> bool {
+        joint < Self::ROOM && self.0 >> joint & 1 == 1
+    }
+
+    /// The joints, counted from 0, in order.
+    pub fn iter(&self) -> impl Iterator<Item = usize> {
+        let set = *self;
+        (0..Self::ROOM).filter(move |joint| set.contains(*joint))
+    }
+}
+
+impl Extend<usize> for JointSet {
+    fn extend<I: IntoIterator<Item = usize>>(&mut self, joints: I) {
+        let within = joints.into_iter().filter(|joint| *joint < Self::ROOM);
+        self.0 = within.fold(self.0, |set, joint| set | 1 << joint);
+    }
+}
+
+impl FromIterator<usize> for JointSet {
+    fn from_iter<I: IntoIterator<Item = usize>>(joints: I) -> Self {
+        let mut set = JointSet::default();
+        set.extend(joints);
+        set
+    }
+}
+
+impl fmt::Display for JointSet {
+    /// `joint 2`, `joints 1 and 2`, `joints 1, 2 and 4`, counted from 1.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let count = self.iter().count();
+        f.write_str(if count == 1 { "joint " } else { "joints " })?;
+        for (k, joint) in self.iter().enumerate() {
+            let before = match k {
+                0 => "",
+                _ if k + 1 == count => " and ",
+                _ => ", ",
+            };
+            write!(f, "{before}{}", joint + 1)?;
+        }
+        Ok(())
+    }
 }
 
 impl Cause {
@@ -200,6 +260,10 @@ impl fmt::Display for Cause {
                 "joint {} chatters: the torques drive it back to rest from both sides",
                 joint + 1
             ),
+            Cause::Impacts { joints } => write!(
+                f,
+                "the motion does not get on at the stops of {joints}: they hit or leave them again and again"
+            ),
         }
     }
 }
@@ -299,5 +363,18 @@ impl From<Refusal> for Cause {
             Refusal::Acceleration { joint } => Cause::NonFiniteAcceleration { joint },
             Refusal::Singular(error) => Cause::SingularMassMatrix(error),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::JointSet;
+
+    #[test]
+    fn sets_of_joints_are_said_as_lists() {
+        let said = |joints: &[usize]| joints.iter().copied().collect::<JointSet>().to_string();
+        assert_eq!(said(&[1]), "joint 2");
+        assert_eq!(said(&[4, 0]), "joints 1 and 5");
+        assert_eq!(said(&[0, 127, 1, 1, 128]), "joints 1, 2 and 128");
     }
 }

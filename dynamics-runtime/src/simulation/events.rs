@@ -3,10 +3,8 @@
 
 use core::marker::PhantomData;
 
-use super::contacts::{
-    classified, least_margin, let_in, margin, settle, stops_and_chatters, way_out,
-};
-use super::error::Cause;
+use super::contacts::{least_margin, let_in, margin, settle, stops_and_chatters, way_out};
+use super::error::{Cause, JointSet};
 use super::friction::Contact;
 use super::impact::thrown_back;
 use super::limits::AtLimit;
@@ -58,18 +56,25 @@ pub(super) struct Eventful<'a, S, R, L, K: ?Sized, F, const N: usize> {
     stepper: &'a mut K,
     instants: Instants,
     held: Held<N>,
-    /// Events since the last step without one.
+    /// Events since the last progress: a step without one, or an impact of a joint that came from farther than
+    /// positions resolve.
     in_a_row: usize,
     /// Events since the last sample.
     events: usize,
-    /// The joint of the last event.
+    /// The joint of the last event that was no impact.
     joint: usize,
+    /// The joints that hit their stops since the last progress, and those since the last sample.
+    hit: [JointSet; 2],
     finder: PhantomData<F>,
 }
 
 /// So many events without a step between them that has none are chatter: no event is that short of
 /// the next one in a motion that a step of the method can follow.
 const MOST_IN_A_ROW: usize = 1_000;
+
+/// So many events between two samples end a run of any method: a bound for those whose steps have none, and for
+/// elastic bounces that go on for ever.
+const MOST_BETWEEN_SAMPLES: usize = 100_000;
 
 impl<'a, S, R, L, K: ?Sized, F, const N: usize> Eventful<'a, S, R, L, K, F, N>
 where
@@ -95,6 +100,7 @@ where
             in_a_row: 0,
             events: 0,
             joint: 0,
+            hit: [JointSet::default(); 2],
             finder: PhantomData,
         })
     }
@@ -107,8 +113,11 @@ where
     ) -> Result<(), Cause> {
         let mut steps = 0;
         while let Some(next) = recorder.next_sample() {
-            if self.in_a_row == MOST_IN_A_ROW {
-                return Err(Cause::Chatter { joint: self.joint });
+            if self.in_a_row >= MOST_IN_A_ROW {
+                return Err(self.endless(self.hit[0]));
+            }
+            if self.events >= MOST_BETWEEN_SAMPLES {
+                return Err(self.endless(self.hit[1]));
             }
             if steps == max_steps {
                 return Err(self.too_many(steps));
@@ -124,6 +133,7 @@ where
             taken |= take_here(self.motion, recorder);
             if taken {
                 (steps, self.events) = (0, 0);
+                self.hit[1] = JointSet::default();
             }
         }
         Ok(())
@@ -135,7 +145,7 @@ where
         if event {
             recorder.phase = self.change(recorder.phase)?;
         } else {
-            self.in_a_row = 0;
+            self.progress();
         }
         let begins = self.instants.begin(t);
         if begins {
@@ -151,9 +161,23 @@ where
     /// Where a run of steps that does not get on ends: by a joint's events, if most of them had one.
     fn too_many(&self, steps: usize) -> Cause {
         match 2 * self.events > steps {
-            true => Cause::Chatter { joint: self.joint },
+            true => self.endless(self.hit[1]),
             false => Cause::TooManySteps,
         }
+    }
+
+    /// The cause of events without end, among them impacts of some joints.
+    fn endless(&self, joints: JointSet) -> Cause {
+        if joints == JointSet::default() {
+            Cause::Chatter { joint: self.joint }
+        } else {
+            Cause::Impacts { joints }
+        }
+    }
+
+    fn progress(&mut self) {
+        self.in_a_row = 0;
+        self.hit[0] = JointSet::default();
     }
 
     /// What makes a step fail for which the method has no better reason than that it fails: a joint
@@ -201,11 +225,16 @@ where
     /// one that nothing holds is let go.
     fn change(&mut self, phase: Phase<N>) -> Result<Phase<N>, Cause> {
         self.passes(&phase)?;
-        if let Some(after) = thrown_back(self.motion, self.stepper.t(), &phase)? {
-            self.motion.set_contacts(classified(self.motion, &after));
-            // Bounces take time, and become fewer: they are no chatter.
-            self.in_a_row = 0;
-            return Ok(after);
+        if let Some(impact) = thrown_back(self.motion, self.stepper.t(), &phase)? {
+            if impact.is_progress {
+                self.progress();
+            }
+            self.in_a_row += 1;
+            self.events += 1;
+            self.hit
+                .iter_mut()
+                .for_each(|hit| hit.extend(impact.joints.iter()));
+            return Ok(impact.after);
         }
         let (least, held) = here(self.motion, self.stepper)?;
         let contacts = self.motion.contacts();

@@ -13,25 +13,47 @@
 //!
 //! With one e for all of them the energy changes by (1 - e) p.v- / 2, which is never positive, and zero for
 //! e = 1.
+//!
+//! Bounces that die out are infinitely many in a finite time. They end where no position would tell them from
+//! rest: with restitution 0, and for all joints at their stops together. For one joint alone would throw off those that
+//! lean, which come back and throw it off in turn, for ever. Joints are set to rest that would fall back from a
+//! rise below the resolution, under the forces of the other stops (`resting`). Impulses of either sign take
+//! their velocities, and no other joint passes its stop: the velocities nearest to those before, as measured by
+//! the kinetic energy, among those with `v = 0` for these joints and `v >= 0` for others at their stops. They form a
+//! cone, so that the energy does not rise. Which joints lean and which leave is then decided by the accelerations
+//! ([`contacts`](super::contacts)).
 
 use nalgebra::{SMatrix, SVector};
 
-use super::error::Cause;
+use super::complementarity::{Place, balanced};
+use super::contacts::{balance_at_rest, classified};
+use super::error::{Cause, JointSet};
 use super::limits::{AtLimit, End};
 use super::motion::Motion;
 use super::torque::TorqueLaw;
 use crate::EquationsOfMotion;
-use crate::integrate::{Lu, Phase};
+use crate::integrate::Phase;
 
-/// The phase after the impacts of all joints that hit their stops; `None` where none does.
+/// What became of joints that hit their stops.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Impact<const N: usize> {
+    /// The phase after it.
+    pub(super) after: Phase<N>,
+    /// The joints that hit.
+    pub(super) joints: JointSet,
+    /// Whether one of them came from farther than the resolution of its position.
+    pub(super) is_progress: bool,
+}
+
+/// The impacts of all joints that hit their stops; `None` where none does.
 ///
 /// A joint that leaves its stop may be driven back into it by the impact of another one: impacts follow
-/// each other until none is left.
+/// each other until none is left. The contacts of the motion are those after the impacts.
 pub(super) fn thrown_back<R, L, const N: usize>(
     motion: &Motion<R, L, N>,
     t: f64,
     before: &Phase<N>,
-) -> Result<Option<Phase<N>>, Cause>
+) -> Result<Option<Impact<N>>, Cause>
 where
     R: EquationsOfMotion<N>,
     L: TorqueLaw<N>,
@@ -39,12 +61,10 @@ where
     let AtLimit::Rebounds { restitution } = motion.limits().kind else {
         return Ok(None);
     };
-    let ends: [Option<End>; N] = core::array::from_fn(|i| motion.limits().end(i, before.q[i]));
-    let inwards = |phase: &Phase<N>, i: usize| ends[i].map(|end| end.inwards * phase.qd[i]);
-    let hits = |phase: &Phase<N>| (0..N).find(|i| inwards(phase, *i).is_some_and(|v| v < 0.0));
-    let Some(mut joint) = hits(before) else {
+    let ends: Ends<N> = core::array::from_fn(|i| motion.limits().end(i, before.q[i]));
+    if (0..N).all(|i| !hits(&ends, &before.qd, i)) {
         return Ok(None);
-    };
+    }
     let mut phase = *before;
     for i in 0..N {
         // Those that move inwards are on their way already.
@@ -52,113 +72,192 @@ where
             phase.q[i] = end.at;
         }
     }
-    let at_ends = ends.map(|end| end.is_some());
     let tau = motion.torques(t, &phase)?;
-    let (qdd, responses) = motion.responses(&phase, &tau, &at_ends)?;
-    for _ in 0..MOST_IMPACTS {
+    let (qdd, responses) = motion.responses(&phase, &tau, &ends.map(|end| end.is_some()))?;
+    let is_progress = (0..N).any(|i| {
+        let fallen = |end: End| 0.5 * phase.qd[i].powi(2) > qdd[i].abs() * end.resolution();
+        hits(&ends, &phase.qd, i) && ends[i].is_some_and(fallen)
+    });
+    let mut joints = JointSet::default();
+    let mut impacts = 0;
+    while (0..N).any(|i| hits(&ends, &phase.qd, i)) {
+        joints.extend((0..N).filter(|i| hits(&ends, &phase.qd, *i)));
+        // Without restitution one impact is the last.
+        let e = if impacts < MOST_IMPACTS {
+            restitution
+        } else {
+            0.0
+        };
         let wanted = core::array::from_fn(|i| {
             let end = ends[i]?;
-            let v = end.inwards * phase.qd[i];
-            let velocity = rebound(&end, -restitution * v, end.inwards * qdd[i]);
-            let inwards = end.inwards;
-            (v <= 0.0).then_some(Wanted { inwards, velocity })
+            let rebound = -e * end.inwards * phase.qd[i];
+            // Without the sign of a zero.
+            let wanted = Wanted::least(end.inwards, rebound + 0.0);
+            (rebound >= 0.0 || e == 0.0).then_some(wanted)
         });
-        let after = after(&phase.qd, &wanted, &responses);
-        phase.qd = after.ok_or(Cause::Chatter { joint })?;
-        match hits(&phase) {
-            Some(next) => joint = next,
-            None => return Ok(Some(phase)),
-        }
+        phase.qd = after(&phase.qd, &wanted, &responses).ok_or(Cause::Impacts { joints })?;
+        impacts += 1;
     }
-    Err(Cause::Chatter { joint })
+    let after = at_rest(motion, t, phase, &ends, &responses)?.ok_or(Cause::Impacts { joints })?;
+    Ok(Some(Impact {
+        after,
+        joints,
+        is_progress,
+    }))
 }
 
-/// Impacts that follow each other at one time are as many as that in no arm that was tried.
+/// The ends of their ranges where joints are.
+type Ends<const N: usize> = [Option<End>; N];
+
+fn hits<const N: usize>(ends: &Ends<N>, qd: &SVector<f64, N>, i: usize) -> bool {
+    ends[i].is_some_and(|end| end.inwards * qd[i] < 0.0)
+}
+
+/// So many impacts at one time are made with restitution.
 const MOST_IMPACTS: usize = 10_000;
 
-/// The velocity of a rebound under an acceleration, both counted inwards: none where the joint would rise
-/// by less than what tells its position from that of the stop. So bounces that die out come to an end, and
-/// the joint leans on its stop.
-fn rebound(end: &End, velocity: f64, acceleration: f64) -> f64 {
-    let falls = -acceleration > 0.0;
-    match falls && 0.5 * velocity * velocity <= -acceleration * end.resolution() {
-        true => 0.0,
-        // Without the sign of a zero.
-        false => velocity + 0.0,
+/// The phase in which joints that bounce no more are at rest, those at their stops together.
+fn at_rest<R, L, const N: usize>(
+    motion: &Motion<R, L, N>,
+    t: f64,
+    mut phase: Phase<N>,
+    ends: &Ends<N>,
+    responses: &SMatrix<f64, N, N>,
+) -> Result<Option<Phase<N>>, Cause>
+where
+    R: EquationsOfMotion<N>,
+    L: TorqueLaw<N>,
+{
+    loop {
+        let rest = resting(motion, t, &phase, ends, responses)?;
+        for i in (0..N).filter(|i| rest[*i]) {
+            phase.q[i] = ends[i].map_or(phase.q[i], |end| end.at);
+        }
+        // Joints at rest stay so: each time there are more of them.
+        if (0..N).all(|i| !rest[i] || phase.qd[i] == 0.0) {
+            motion.set_contacts(classified(motion, &phase));
+            return Ok(Some(phase));
+        }
+        let wanted = core::array::from_fn(|i| {
+            let inwards = ends[i]?.inwards;
+            Some(if rest[i] {
+                Wanted::REST
+            } else {
+                Wanted::least(inwards, 0.0)
+            })
+        });
+        match after(&phase.qd, &wanted, responses) {
+            Some(qd) => phase.qd = qd,
+            None => return Ok(None),
+        }
     }
+}
+
+/// Which joints at their stops are at rest, or move inwards so slowly that they are to be.
+///
+/// With all of them at rest, the stop and dry friction hold joint i with a force f_i, and it alone would fall back with
+/// the acceleration f_i / m ([`inertia`](super::complementarity::Balance::inertia)) from a rise of `v^2 m / (2 f_i)`.
+/// The joint of the greatest energy v^2 / W_ii that rises by more, or that nothing holds, is left out, and the others
+/// are asked again.
+fn resting<R, L, const N: usize>(
+    motion: &Motion<R, L, N>,
+    t: f64,
+    phase: &Phase<N>,
+    ends: &Ends<N>,
+    responses: &SMatrix<f64, N, N>,
+) -> Result<[bool; N], Cause>
+where
+    R: EquationsOfMotion<N>,
+    L: TorqueLaw<N>,
+{
+    let mut rest = ends.map(|end| end.is_some());
+    while (0..N).any(|i| rest[i] && phase.qd[i] != 0.0) {
+        let mut still = *phase;
+        for i in (0..N).filter(|i| rest[*i]) {
+            still.qd[i] = 0.0;
+            still.q[i] = ends[i].map_or(phase.q[i], |end| end.at);
+        }
+        motion.set_contacts(classified(motion, &still));
+        let balance = balance_at_rest(motion, t, &still, [Place::Between; N])?;
+        let rises = |i: usize| {
+            let Some(end) = ends[i].filter(|_| balance.places[i] == Place::Between) else {
+                return true;
+            };
+            let hold = end.inwards * balance.forces[i] + motion.breakaway(i, end.inwards);
+            let mass = balance.inertia(i);
+            let least = motion.limits().least_rise(&end, hold / mass);
+            0.5 * mass * phase.qd[i].powi(2) > hold * least
+        };
+        let energy = |i: usize| phase.qd[i].powi(2) / responses[(i, i)];
+        let moving = (0..N).filter(|i| rest[*i] && phase.qd[*i] != 0.0 && rises(*i));
+        match moving.max_by(|i, j| energy(*i).total_cmp(&energy(*j))) {
+            Some(i) => rest[i] = false,
+            None => break,
+        }
+    }
+    Ok(rest)
 }
 
 /// What an impact asks of a joint at a stop.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Wanted {
-    /// The way into the range, 1 or -1.
-    inwards: f64,
-    /// The least velocity after it, inwards.
+    /// The velocity after it, or the least one inwards.
     velocity: f64,
+    /// The bounds of the impulse.
+    bounds: [f64; 2],
+}
+
+impl Wanted {
+    /// At least a velocity inwards, with an impulse inwards, where `inwards` is the way into the range, 1 or -1.
+    fn least(inwards: f64, velocity: f64) -> Self {
+        let bounds = if inwards > 0.0 {
+            [0.0, f64::INFINITY]
+        } else {
+            [f64::NEG_INFINITY, 0.0]
+        };
+        Wanted {
+            velocity: inwards * velocity,
+            bounds,
+        }
+    }
+
+    /// No velocity, with any impulse.
+    const REST: Wanted = Wanted {
+        velocity: 0.0,
+        bounds: [f64::NEG_INFINITY, f64::INFINITY],
+    };
+
+    /// Where the impulse is as the search for it begins: there is none where that is possible.
+    fn start(&self) -> Place {
+        match self.bounds {
+            [0.0, _] => Place::Low,
+            [_, 0.0] => Place::High,
+            _ => Place::Between,
+        }
+    }
 }
 
 /// The velocities after impulses that let each of the joints at a stop have at least its wanted velocity,
-/// where `responses` holds their columns of M^-1.
-///
-/// Which joints feel an impulse is a linear complementarity problem with a positive definite matrix, which
-/// has one solution: pivots of least index find it (K. G. Murty, *Note on a Bard-type scheme for solving
-/// the complementarity problem*, Opsearch 11 (1974)). `None` where rounding keeps it from ending.
+/// where `responses` holds their columns of M^-1. `None` where rounding keeps them from being found.
 fn after<const N: usize>(
     qd: &SVector<f64, N>,
     wanted: &[Option<Wanted>; N],
     responses: &SMatrix<f64, N, N>,
 ) -> Option<SVector<f64, N>> {
-    let mut pushed = [false; N];
-    for _ in 0..MOST_PIVOTS {
-        let impulses = impulses(qd, wanted, responses, &pushed);
-        let after = qd + responses * impulses;
-        let wrong = (0..N).find(|i| match wanted[*i] {
-            None => false,
-            Some(at) if pushed[*i] => at.inwards * impulses[*i] < 0.0,
-            Some(at) => at.inwards * after[*i] < at.velocity,
-        });
-        match wrong {
-            Some(i) => pushed[i] = !pushed[i],
-            None => return Some(exactly(after, wanted, &pushed)),
+    let missing = SVector::from_fn(|i, _| qd[i] - wanted[i].map_or(0.0, |at| at.velocity));
+    let start = wanted.map(|at| at.map_or(Place::Low, |at| at.start()));
+    let bounds = wanted.map(|at| at.map(|at| at.bounds));
+    let balance = balanced(&missing, responses, &bounds, start)?;
+    let changed = qd + responses * balance.forces;
+    Some(SVector::from_fn(|i, _| {
+        match (wanted[i], balance.places[i]) {
+            (None, _) => changed[i],
+            // Without the rounding of the velocities that are known.
+            (Some(at), Place::Between) => at.velocity,
+            (Some(at), Place::Low) => changed[i].max(at.velocity),
+            (Some(at), Place::High) => changed[i].min(at.velocity),
         }
-    }
-    None
-}
-
-/// Pivots of 16 joints at their stops at worst.
-const MOST_PIVOTS: usize = 1 << 16;
-
-/// The impulses that give those who are pushed their wanted velocity.
-fn impulses<const N: usize>(
-    qd: &SVector<f64, N>,
-    wanted: &[Option<Wanted>; N],
-    responses: &SMatrix<f64, N, N>,
-    pushed: &[bool; N],
-) -> SVector<f64, N> {
-    // The rows and columns of the other joints are those of the unit matrix.
-    let mut matrix = SMatrix::<f64, N, N>::identity();
-    let mut change = SVector::zeros();
-    for i in (0..N).filter(|i| pushed[*i]) {
-        for j in (0..N).filter(|j| pushed[*j]) {
-            matrix[(i, j)] = responses[(i, j)];
-        }
-        change[i] = wanted[i].map_or(0.0, |at| at.inwards * at.velocity - qd[i]);
-    }
-    Lu::new(matrix).solve(change)
-}
-
-/// Without the rounding of the velocities that are known.
-fn exactly<const N: usize>(
-    mut after: SVector<f64, N>,
-    wanted: &[Option<Wanted>; N],
-    pushed: &[bool; N],
-) -> SVector<f64, N> {
-    for i in 0..N {
-        if let Some(at) = wanted[i].filter(|_| pushed[i]) {
-            after[i] = at.inwards * at.velocity;
-        }
-    }
-    after
+    }))
 }
 
 #[cfg(test)]
@@ -171,8 +270,7 @@ mod tests {
     const INVERSE: Matrix3<f64> = Matrix3::new(2.0, -1.5, 0.3, -1.5, 3.0, -0.4, 0.3, -0.4, 1.0);
 
     fn lower(velocity: f64) -> Option<Wanted> {
-        let inwards = 1.0;
-        Some(Wanted { inwards, velocity })
+        Some(Wanted::least(1.0, velocity))
     }
 
     fn energy(qd: &Vector3<f64>) -> f64 {
@@ -195,10 +293,7 @@ mod tests {
         let qd = Vector3::new(-2.0, 0.0, 1.0);
         let held = after(&qd, &[lower(1.0), lower(0.0), None], &INVERSE).unwrap();
         assert_eq!((held[0], held[1]), (1.0, 0.0));
-        let upper = Some(Wanted {
-            inwards: -1.0,
-            velocity: 0.0,
-        });
+        let upper = Some(Wanted::least(-1.0, 0.0));
         let leaves = after(&qd, &[lower(1.0), upper, None], &INVERSE).unwrap();
         assert!(leaves[0] == 1.0 && leaves[1] < -1.0, "{leaves}");
     }

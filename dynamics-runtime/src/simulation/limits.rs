@@ -23,6 +23,8 @@ pub(super) enum AtLimit {
 pub(super) struct Limits<const N: usize> {
     pub(super) kind: AtLimit,
     pub(super) ranges: [[f64; 2]; N],
+    /// The step of a method whose positions are straight lines within a step, s; 0 of the other methods.
+    pub(super) straight: f64,
 }
 
 /// An end of a joint's range where the joint is.
@@ -55,6 +57,7 @@ impl<const N: usize> Limits<N> {
         Limits {
             kind: AtLimit::Passes,
             ranges: [[f64::NEG_INFINITY, f64::INFINITY]; N],
+            straight: 0.0,
         }
     }
 
@@ -62,7 +65,12 @@ impl<const N: usize> Limits<N> {
     pub(super) fn of(table: &Table<N>, kind: AtLimit) -> Self {
         let endless = [f64::NEG_INFINITY, f64::INFINITY];
         let ranges = table.joint_limits().map(|limits| limits.unwrap_or(endless));
-        Limits { kind, ranges }
+        let straight = 0.0;
+        Limits {
+            kind,
+            ranges,
+            straight,
+        }
     }
 
     /// Whether they have a say in the motion.
@@ -90,6 +98,13 @@ impl<const N: usize> Limits<N> {
             AtLimit::Ends => end.gap(q) + end.resolution(),
             _ => end.gap(q),
         }
+    }
+
+    /// The least rise of a bounce under an acceleration back to the stop, rad or m: the resolution of positions, and
+    /// the `a h^2 / 2` that straight steps of length h leave out. Steps of Euler's explicit method throw each bounce that
+    /// high again, so that it would never end.
+    pub(super) fn least_rise(&self, end: &End, acceleration: f64) -> f64 {
+        end.resolution() + 0.5 * acceleration * self.straight.powi(2)
     }
 
     pub(super) fn validate(&self, initial: &Phase<N>) -> Result<(), InvalidSetting> {
@@ -129,6 +144,7 @@ mod tests {
         let limits = Limits {
             kind: AtLimit::Ends,
             ranges: [[-1.0, 1.0], range],
+            straight: 0.0,
         };
         limits.validate(&Phase {
             q: Vector2::new(0.0, q),

@@ -150,6 +150,14 @@ impl Method {
         }
     }
 
+    /// The step of a method whose positions are straight lines within a step; 0 of the others.
+    pub(super) fn straight_step(&self) -> f64 {
+        match self {
+            Method::ExplicitEuler { step } => *step,
+            _ => 0.0,
+        }
+    }
+
     pub(super) fn validate(&self, duration: f64) -> Result<(), InvalidSetting> {
         match self {
             Method::ExplicitEuler { step }

@@ -4,6 +4,7 @@ use core::cell::Cell;
 
 use nalgebra::{SMatrix, SVector};
 
+use super::complementarity::block;
 use super::error::Cause;
 use super::friction::{Contact, Friction, Law};
 use super::limits::Limits;
@@ -181,15 +182,8 @@ impl<R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N: usize> Motion<'_, R, L, 
         still: &[bool; N],
     ) -> Result<Held<N>, Cause> {
         let (free, columns) = self.responses(phase, tau, still)?;
-        // The rows and columns of the other joints are those of the unit matrix.
-        let mut inverse = SMatrix::<f64, N, N>::identity();
-        for i in (0..N).filter(|i| still[*i]) {
-            for j in (0..N).filter(|j| still[*j]) {
-                inverse[(i, j)] = columns[(i, j)];
-            }
-        }
         let wanted = SVector::from_fn(|i, _| if still[i] { -free[i] } else { 0.0 });
-        let forces = Lu::new(inverse).solve(wanted);
+        let forces = Lu::new(block(&columns, still)).solve(wanted);
         let mut qdd = (0..N).fold(free, |qdd, j| qdd + columns.column(j) * forces[j]);
         for i in (0..N).filter(|i| still[*i]) {
             qdd[i] = 0.0;

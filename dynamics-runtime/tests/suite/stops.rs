@@ -1,5 +1,7 @@
 //! Joints at the ends of their ranges: stops against exact solutions, and limits that are errors.
 
+use std::cell::Cell;
+
 use dynamics_runtime::nalgebra::{SMatrix, SVector, Vector1, Vector2, Vector3};
 use dynamics_runtime::{
     Cause, Convention, Dop853, DormandPrince, EquationsOfMotion, Friction, InvalidSetting,
@@ -714,4 +716,108 @@ fn series_with_stops_take_sampled_laws_and_refuse_what_is_no_setting() {
         refused(outside.limits_are_errors()),
         Cause::InvalidSetting(setting)
     );
+}
+
+robot_dynamics! {
+    /// Two slender rods that torques press against their stops.
+    struct Pressed;
+
+    convention: standard,
+    gravity: [0, -9.81, 0],
+    joints: [
+        a: revolute { a: 0.5, mass: 2, com: [-0.25, 0, 0], inertia: rod(0.5), limits: [-1, 1.2] },
+        b: revolute { a: 0.4, mass: 1, com: [-0.2, 0, 0], inertia: rod(0.4), limits: [-0.8, 0.9] },
+    ],
+    functions: [
+        mass_matrix, inverse_dynamics, forward_dynamics, kinetic_energy, potential_energy, taylor_series,
+    ],
+}
+
+/// A run from rest under constant torques, and how often they were asked for.
+fn pressed(tau: Vector2<f64>, restitution: f64, method: Method) -> (Trajectory<2>, u64) {
+    let calls = Cell::new(0);
+    let torque = |_: f64, _: &Vector2<f64>, _: &Vector2<f64>| {
+        calls.set(calls.get() + 1);
+        assert!(calls.get() < 1_000_000, "{method:?} does not end");
+        tau
+    };
+    let run = Simulation::new(&Pressed).torque(torque).stops(restitution);
+    let run = run.method(method).duration(2.0).run().unwrap();
+    (run, calls.get())
+}
+
+/// Joints that throw each other off their stops bounce ever less, and come to rest together: at their stops, exactly.
+#[test]
+fn two_joints_come_to_rest_at_their_stops() {
+    let step = 1e-3;
+    let others = [
+        Method::RungeKutta4 { step },
+        Method::GaussLegendre6 { step: 4e-3 },
+        Dop853::default().into(),
+        Radau5::default().into(),
+    ];
+    let tau = Vector2::new(20.0, -10.0);
+    let starts = others.map(|method| (tau, 0.3, method));
+    let by_default = [
+        (tau, 0.0),
+        (tau, 0.1),
+        (tau, 0.3),
+        (Vector2::new(25.0, -9.0), 0.3),
+        (Vector2::new(-15.0, -2.0), 0.5),
+        (Vector2::new(20.0, -5.0), 0.3),
+    ];
+    let by_default = by_default.map(|(tau, e)| (tau, e, Method::default()));
+    for (tau, restitution, method) in starts.into_iter().chain(by_default) {
+        let (run, calls) = pressed(tau, restitution, method);
+        let what = format!("{tau}, e = {restitution}, {method:?}: {calls} calls");
+        assert!(calls < 100_000, "{what}");
+        let energies = run.energies(&Pressed);
+        let left = |k: usize| energies[k] - tau.dot(&run.q[k]);
+        assert!((1..101).all(|k| left(k) < left(k - 1) + 1e-6), "{what}");
+        if tau[0] == 20.0 && tau[1] == -10.0 {
+            assert_eq!(
+                (run.q[100], run.qd[100]),
+                (Vector2::new(1.2, -0.8), Vector2::zeros()),
+                "{what}"
+            );
+        }
+    }
+    let run = TaylorSimulation::new(&Pressed).torque(tau).stops(0.3);
+    let run = run.duration(2.0).run().unwrap();
+    assert_eq!(
+        (run.q[100], run.qd[100]),
+        (Vector2::new(1.2, -0.8), Vector2::zeros())
+    );
+    assert!(run.work.evaluations < 20_000, "{:?}", run.work);
+}
+
+/// A rise of an Euler step is no bounce: the ball, which fell for 1/2 s, rests before another 1/2 s has passed.
+#[test]
+fn a_ball_comes_to_rest_by_euler_s_explicit_method() {
+    for (step, restitution) in [(1e-3, 0.5), (1e-2, 0.3), (1e-3, 0.0), (2.5e-3, 0.1)] {
+        let run = dropped(Method::ExplicitEuler { step }, restitution, 3.0, 31);
+        let end = 0.5 + (1.0 * restitution) / (1.0 - restitution);
+        for (k, t) in run.t.iter().enumerate().filter(|(_, t)| **t > end + 0.1) {
+            let found = [run.q[k][0], run.qd[k][0], run.qdd[k][0]];
+            assert_eq!(found, [0.0; 3], "step {step}, e = {restitution}, {t} s");
+        }
+    }
+}
+
+/// A law that lifts the ball at rest, and presses it down as soon as it rises: there is no motion.
+#[test]
+fn impacts_without_end_are_an_error_of_their_joints() {
+    let law = |_: f64, _: &Vector1<f64>, qd: &Vector1<f64>| {
+        Vector1::new(if qd[0] > 0.0 { -100.0 } else { 40.0 })
+    };
+    for method in [1e-2, 3e-3].map(|step| Method::RungeKutta4 { step }) {
+        let run = Simulation::new(&Ball).torque(law).stops(0.5).method(method);
+        let end = run.duration(2.0).samples(5).run().unwrap_err();
+        assert!(
+            matches!(end.cause, Cause::Impacts { joints } if joints.iter().eq([0])),
+            "{method:?}: {end}"
+        );
+        let work = end.trajectory.work;
+        assert!(work.evaluations < 300_000, "{method:?}: {work:?}");
+    }
 }

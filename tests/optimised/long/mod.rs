@@ -3,3 +3,4 @@
 
 mod energy;
 mod sines;
+mod stops;
