@@ -90,9 +90,9 @@ fn methods(step: f64) -> [Method; 10] {
 struct Start<const N: usize> {
     q: SVector<f64, N>,
     qd: SVector<f64, N>,
-    /// The torques by turns, each for a period, s.
+    /// The torques by turns, each for a period, s; or the first of them for the whole run.
     torques: [SVector<f64, N>; 2],
-    period: f64,
+    period: Option<f64>,
     restitution: f64,
 }
 
@@ -114,23 +114,31 @@ impl<const N: usize> Start<N> {
         };
         let qd = SVector::from_fn(|_, _| some(0.7, 3.0));
         let torques = [0, 1].map(|_| SVector::from_fn(|_, _| some(0.7, 25.0)));
+        // Two thirds of the runs are under constant torques.
+        let period = Some(random.between(0.01, 1.8)).filter(|period| *period < DURATION);
         let restitutions = [0.0, 0.1, 0.3, 0.5, 0.8, 0.9, 1.0];
         Start {
             q,
             qd,
             torques,
-            // Half of the runs are under constant torques.
-            period: random.between(0.01, 1.0 + 2.0 * DURATION).min(DURATION),
+            period,
             restitution: restitutions[random.between(0.0, 7.0) as usize],
         }
     }
 
     fn torque(&self, t: f64) -> SVector<f64, N> {
-        self.torques[(t / self.period) as usize % 2]
+        let turn = self.period.map_or(0, |period| (t / period) as usize);
+        self.torques[turn % 2]
     }
 
-    fn is_constant(&self) -> bool {
-        self.period >= DURATION
+    /// The most calls of the torques: a million in a second. Elastic bounces of a joint that torques press against its
+    /// stop go on for ever, some in microseconds; no more is asked of such a run than that it ends.
+    fn most_calls(&self) -> u64 {
+        if self.restitution < 1.0 {
+            600_000
+        } else {
+            20_000_000
+        }
     }
 }
 
@@ -146,7 +154,10 @@ fn run<const N: usize>(
     let calls = Cell::new(0);
     let torque = |t: f64, _: &SVector<f64, N>, _: &SVector<f64, N>| {
         calls.set(calls.get() + 1);
-        assert!(calls.get() < 5_000_000, "{method:?} does not end");
+        if calls.get() > start.most_calls() {
+            // It ends there.
+            return SVector::repeat(f64::NAN);
+        }
         start.torque(t)
     };
     let run = Simulation::new(arm)
@@ -179,20 +190,21 @@ fn verdict<const N: usize>(
     conserves: bool,
 ) -> Result<u64, String> {
     let run = run.map_err(|error| error.to_string())?;
-    if calls as f64 > 1e6 * DURATION {
+    if calls > start.most_calls() {
         return Err(format!("{calls} calls"));
     }
     let limits = arm.table().joint_limits();
     for (t, q) in run.t.iter().zip(&run.q) {
         let within = |i: usize| {
             let beyond = |[low, high]: [f64; 2]| f64::max(low - q[i], q[i] - high);
-            limits[i].map(beyond).is_none_or(|beyond| beyond < 1e-12)
+            // Samples within steps are as accurate as these, 1e-8 at worst.
+            limits[i].map(beyond).is_none_or(|beyond| beyond < 1e-10)
         };
         if !(0..N).all(within) {
             return Err(format!("beyond a stop at {t} s: {q}"));
         }
     }
-    if conserves && start.is_constant() {
+    if conserves && start.period.is_none() {
         let work = |q: &SVector<f64, N>| start.torques[0].dot(q);
         let energies = run.energies(arm);
         let left = energies
@@ -224,9 +236,11 @@ fn survey<const N: usize>(
         let (method, friction) = (methods(1e-3)[k % 10], frictions[k / 10 % 2]);
         let conserves = (3..10).contains(&(k % 10)) && k % 10 != 4;
         match verdict(arm, &start, run(arm, &start, friction, method), conserves) {
-            Ok(calls) => most = most.max(calls),
+            Ok(calls) if start.restitution < 1.0 => most = most.max(calls),
+            Ok(_) => (),
             Err(what) => wrong.push(format!(
-                "{N} joints, start {k}, {method:?}, {friction:?}: {what}"
+                "e = {}, {N} joints, start {k}, {method:?}, {friction:?}: {what}",
+                start.restitution
             )),
         }
     }
@@ -235,7 +249,7 @@ fn survey<const N: usize>(
 
 /// Two thousand runs, each method a tenth of those of an arm and of its kind of friction.
 #[test]
-#[ignore = "half a minute in a release build"]
+#[ignore = "5 s in a release build"]
 fn joints_at_their_stops_come_to_rest_from_random_starts() {
     let regularised = Friction::Regularised { speed: 0.05 };
     let frictions = [Friction::Sticking, regularised];
@@ -256,7 +270,7 @@ fn joints_at_their_stops_come_to_rest_from_random_starts() {
             Err(what) => wrong.push(format!("series, start {k}: {what}")),
         }
     }
-    println!("at most {most} calls in {DURATION} s");
+    println!("at most {most} calls in {DURATION} s where stops are not elastic");
     assert!(
         wrong.is_empty(),
         "{} of 2000:\n{}",
@@ -278,7 +292,7 @@ robot_dynamics! {
 /// Elastic bounces from a nanometre take 28 microseconds each, for ever: a run of each kind ends after a hundred
 /// thousand of them without a sample, and says which joint it is; with a sample between them it goes on.
 #[test]
-#[ignore = "seconds in a release build"]
+#[ignore = "1 s in a release build"]
 fn elastic_bounces_without_end_are_an_error_of_their_joint() {
     let (start, rest) = (Vector1::new(1e-9), Vector1::zeros());
     for method in [
