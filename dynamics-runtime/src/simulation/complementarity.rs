@@ -36,15 +36,15 @@ pub(super) struct Balance<const N: usize> {
     between: [bool; N],
 }
 
-/// Pivots that follow each other from a start are far fewer; the bound is the worst case of ten joints, 3^10.
+/// The worst case of ten joints, 3^10. A search takes about as many pivots as there are contacts.
 const MOST_PIVOTS: usize = 60_000;
 
-/// A force or a rate that is beyond its bound by less than this share of the terms it is made of is at its bound:
-/// otherwise rounding could turn a pivot back and forth.
+/// A force or a rate within this share of its terms of the bound is at the bound. Without that, rounding could turn a
+/// pivot back and forth.
 const ROUNDING: f64 = 1e-13;
 
-/// The balance of the contacts that have bounds `[low, high]`, of which one is finite where `start` says that the
-/// force is there. `None` where rounding keeps the pivots from ending.
+/// The balance of the contacts that have bounds `[low, high]`, searched from `start`, whose forces are finite. `None` if
+/// rounding keeps the pivots from ending.
 ///
 /// `rates` are those without forces of contacts; `responses` holds the columns of W of the joints with bounds.
 pub(super) fn balanced<const N: usize>(

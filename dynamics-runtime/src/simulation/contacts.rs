@@ -77,8 +77,8 @@ where
     }
 }
 
-/// The contacts of joints at rest, and the forces there: as they are where these hold, else those of the one
-/// balance that there is.
+/// The contacts of joints at rest, and the forces there. They stay as they are if they hold; else they are those of
+/// the one balance that there is.
 fn balance<R, L, const N: usize>(
     motion: &Motion<R, L, N>,
     t: f64,
@@ -99,9 +99,12 @@ where
         _ => Place::Between,
     });
     let at_rest = classified(motion, phase);
-    let before: [Contact; N] = core::array::from_fn(|i| match phase.qd[i] == 0.0 {
-        true => at_rest[i],
-        false => contacts[i],
+    let before: [Contact; N] = core::array::from_fn(|i| {
+        if phase.qd[i] == 0.0 {
+            at_rest[i]
+        } else {
+            contacts[i]
+        }
     });
     motion.set_contacts(before);
     let balance = balance_at_rest(motion, t, phase, start)?;
@@ -134,9 +137,10 @@ fn is_balanced<R, L, const N: usize>(
     }
 }
 
-/// The balance of the forces that stops and friction have at joints that lean or stick, where each is that of a joint
-/// at rest: a stop has a force inwards, of any size, and dry friction one either way, up to its greatest
-/// value. `start` is where the search begins, at bounds that are finite.
+/// The balance of the forces of stops and friction at the joints that lean or stick.
+///
+/// A stop has a force inwards of any size, and dry friction at rest one either way, up to its greatest value. The search
+/// begins at `start`, or between the bounds where that one is infinite.
 pub(super) fn balance_at_rest<R, L, const N: usize>(
     motion: &Motion<R, L, N>,
     t: f64,

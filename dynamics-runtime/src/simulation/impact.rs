@@ -15,12 +15,12 @@
 //! e = 1.
 //!
 //! Bounces that die out are infinitely many in a finite time. They end where no position would tell them from
-//! rest: with restitution 0, and for all joints at their stops together. For one joint alone would throw off those that
-//! lean, which come back and throw it off in turn, for ever. Joints are set to rest that would fall back from a
-//! rise below the resolution, under the forces of the other stops (`resting`). Impulses of either sign take
-//! their velocities, and no other joint passes its stop: the velocities nearest to those before, as measured by
-//! the kinetic energy, among those with `v = 0` for these joints and `v >= 0` for others at their stops. They form a
-//! cone, so that the energy does not rise. Which joints lean and which leave is then decided by the accelerations
+//! rest: with restitution 0, and for all joints at their stops together. One joint that is set to rest alone throws off
+//! those that lean, which come back and throw it off in turn, for ever. Joints are set to rest that would fall back from
+//! a rise below the resolution, under the forces of the other stops (`resting`). Impulses of either sign take
+//! their velocities, and no other joint passes its stop. The result has `v = 0` for these joints and `v >= 0` for others
+//! at their stops. Of all such velocities it is the nearest to those before, as measured by the kinetic energy. They
+//! form a cone, so that the energy does not rise. The accelerations then decide which joints lean and which leave
 //! ([`contacts`](super::contacts)).
 
 use nalgebra::{SMatrix, SVector};
@@ -34,7 +34,7 @@ use super::torque::TorqueLaw;
 use crate::EquationsOfMotion;
 use crate::integrate::Phase;
 
-/// What became of joints that hit their stops.
+/// Impacts of joints on their stops, and their result.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Impact<const N: usize> {
     /// The phase after it.
@@ -67,7 +67,7 @@ where
     }
     let mut phase = *before;
     for i in 0..N {
-        // Those that move inwards are on their way already.
+        // Joints that move inwards are on their way already.
         if let Some(end) = ends[i].filter(|end| end.inwards * phase.qd[i] <= 0.0) {
             phase.q[i] = end.at;
         }
@@ -79,25 +79,8 @@ where
         hits(&ends, &phase.qd, i) && ends[i].is_some_and(fallen)
     });
     let mut joints = JointSet::default();
-    let mut impacts = 0;
-    while (0..N).any(|i| hits(&ends, &phase.qd, i)) {
-        joints.extend((0..N).filter(|i| hits(&ends, &phase.qd, *i)));
-        // Without restitution one impact is the last.
-        let e = if impacts < MOST_IMPACTS {
-            restitution
-        } else {
-            0.0
-        };
-        let wanted = core::array::from_fn(|i| {
-            let end = ends[i]?;
-            let rebound = -e * end.inwards * phase.qd[i];
-            // Without the sign of a zero.
-            let wanted = Wanted::least(end.inwards, rebound + 0.0);
-            (rebound >= 0.0 || e == 0.0).then_some(wanted)
-        });
-        phase.qd = after(&phase.qd, &wanted, &responses).ok_or(Cause::Impacts { joints })?;
-        impacts += 1;
-    }
+    let rebound = rebounds(phase.qd, &ends, &responses, restitution, &mut joints);
+    phase.qd = rebound.ok_or(Cause::Impacts { joints })?;
     let after = at_rest(motion, t, phase, &ends, &responses)?.ok_or(Cause::Impacts { joints })?;
     Ok(Some(Impact {
         after,
@@ -111,6 +94,36 @@ type Ends<const N: usize> = [Option<End>; N];
 
 fn hits<const N: usize>(ends: &Ends<N>, qd: &SVector<f64, N>, i: usize) -> bool {
     ends[i].is_some_and(|end| end.inwards * qd[i] < 0.0)
+}
+
+/// The velocities after the impacts that follow each other at one time. `joints` gets those that hit.
+fn rebounds<const N: usize>(
+    mut qd: SVector<f64, N>,
+    ends: &Ends<N>,
+    responses: &SMatrix<f64, N, N>,
+    restitution: f64,
+    joints: &mut JointSet,
+) -> Option<SVector<f64, N>> {
+    let mut impacts = 0;
+    while (0..N).any(|i| hits(ends, &qd, i)) {
+        joints.extend((0..N).filter(|i| hits(ends, &qd, *i)));
+        // Without restitution one impact is the last.
+        let e = if impacts < MOST_IMPACTS {
+            restitution
+        } else {
+            0.0
+        };
+        let wanted = core::array::from_fn(|i| {
+            let end = ends[i]?;
+            let rebound = -e * end.inwards * qd[i];
+            // Without the sign of a zero.
+            let wanted = Wanted::least(end.inwards, rebound + 0.0);
+            (rebound >= 0.0 || e == 0.0).then_some(wanted)
+        });
+        qd = after(&qd, &wanted, responses)?;
+        impacts += 1;
+    }
+    Some(qd)
 }
 
 /// So many impacts at one time are made with restitution.
@@ -153,7 +166,7 @@ where
     }
 }
 
-/// Which joints at their stops are at rest, or move inwards so slowly that they are to be.
+/// The joints at their stops that are at rest, or move inwards so slowly that they are set to rest.
 ///
 /// With all of them at rest, the stop and dry friction hold joint i with a force f_i, and it alone would fall back with
 /// the acceleration f_i / m ([`inertia`](super::complementarity::Balance::inertia)) from a rise of `v^2 m / (2 f_i)`.
@@ -198,7 +211,7 @@ where
     Ok(rest)
 }
 
-/// What an impact asks of a joint at a stop.
+/// The demand of an impact on a joint at a stop.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Wanted {
     /// The velocity after it, or the least one inwards.
@@ -227,7 +240,7 @@ impl Wanted {
         bounds: [f64::NEG_INFINITY, f64::INFINITY],
     };
 
-    /// Where the impulse is as the search for it begins: there is none where that is possible.
+    /// The place where the search for the impulse begins: at none, if none is possible.
     fn start(&self) -> Place {
         match self.bounds {
             [0.0, _] => Place::Low,

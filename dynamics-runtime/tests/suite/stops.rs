@@ -746,6 +746,21 @@ fn pressed(tau: Vector2<f64>, restitution: f64, method: Method) -> (Trajectory<2
     (run, calls.get())
 }
 
+/// Some 1,600 bounces in one step, each a two-hundredth slower than the last, are no chatter: they last 0.2 s.
+#[test]
+fn a_long_row_of_bounces_in_one_step_ends_in_rest() {
+    let run = Simulation::new(&Ball)
+        .initial(Vector1::new(1.25e-6), Vector1::zeros())
+        .stops(0.995)
+        .method(Method::RungeKutta4 { step: 1.0 })
+        .samples(2)
+        .run()
+        .unwrap();
+    let at_rest = [run.q[1][0], run.qd[1][0], run.qdd[1][0]];
+    assert_eq!(at_rest, [0.0; 3]);
+    assert!((1_200..2_000).contains(&run.work.steps), "{:?}", run.work);
+}
+
 /// Joints that throw each other off their stops bounce ever less, and come to rest together: at their stops, exactly.
 #[test]
 fn two_joints_come_to_rest_at_their_stops() {

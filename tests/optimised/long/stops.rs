@@ -86,7 +86,7 @@ fn methods(step: f64) -> [Method; 10] {
     ]
 }
 
-/// What a run is begun with.
+/// The start of a run, and its laws.
 struct Start<const N: usize> {
     q: SVector<f64, N>,
     qd: SVector<f64, N>,
@@ -108,9 +108,12 @@ impl<const N: usize> Start<N> {
                 .between(1.4 * low - 0.4 * high, 1.4 * high - 0.4 * low)
                 .clamp(low, high)
         });
-        let mut some = |share: f64, limit: f64| match random.between(0.0, 1.0) < share {
-            true => random.between(-limit, limit),
-            false => 0.0,
+        let mut some = |share: f64, limit: f64| {
+            if random.between(0.0, 1.0) < share {
+                random.between(-limit, limit)
+            } else {
+                0.0
+            }
         };
         let qd = SVector::from_fn(|_, _| some(0.7, 3.0));
         let torques = [0, 1].map(|_| SVector::from_fn(|_, _| some(0.7, 25.0)));
@@ -182,7 +185,7 @@ fn by_series(start: &Start<2>) -> (Run<2>, u64) {
     (run, work.evaluations)
 }
 
-/// What is wrong with a run, if anything is.
+/// The calls of a run, or the defect that was found in it.
 fn verdict<const N: usize>(
     arm: &(impl Model<N> + Energy<N>),
     start: &Start<N>,
@@ -224,7 +227,7 @@ fn verdict<const N: usize>(
     Ok(calls)
 }
 
-/// Runs of one arm, one method after the other; returns what is wrong, and the most calls.
+/// Runs of one arm, one method after the other. Returns the defects, and the most calls of a run.
 fn survey<const N: usize>(
     arm: &(impl EquationsOfMotion<N> + Model<N> + Energy<N>),
     frictions: [Friction; 2],
