@@ -2,7 +2,7 @@
 
 use std::cell::Cell;
 
-use dynamics_runtime::nalgebra::{Vector1, Vector2};
+use dynamics_runtime::nalgebra::{Vector1, Vector2, Vector3};
 use dynamics_runtime::{
     Cause, Dop853, DormandPrince, Friction, Method, Radau5, Simulation, robot_dynamics,
 };
@@ -189,4 +189,58 @@ fn events_without_end_are_an_error_of_their_joint() {
     };
     let (cause, ..) = chatter(&cart, bounded.into(), 1.0, law);
     assert_eq!(cause, Some(Cause::Chatter { joint: 0 }));
+}
+
+robot_dynamics! {
+    /// A lift on a spring, and two rods with dry joints, all of which have stops.
+    struct DryLift;
+
+    convention: modified,
+    gravity: [0, 0, -9.81],
+    joints: [
+        a: prismatic {
+            mass: 3, com: [0, 0.1, 0.1], inertia: cuboid(0.1, 0.2, 0.3), limits: [-0.1, 0.3],
+            spring: { stiffness: 200, rest: 0.1 },
+        },
+        b: revolute {
+            a: 0.1, alpha: PI/2, mass: 2, com: [0.25, 0, 0.02], inertia: rod(0.5), limits: [-1, 1.2],
+            friction: {
+                viscous: 0.1, coulomb: { positive: 0.9, negative: 0.4 }, stribeck: { static: 1.4, velocity: 0.1 },
+            },
+        },
+        c: revolute {
+            a: 0.5, mass: 1, com: [0.2, 0, 0], inertia: rod(0.4), limits: [-0.8, 0.9], friction: { coulomb: 0.3 },
+        },
+    ],
+    functions: [mass_matrix, inverse_dynamics, forward_dynamics],
+}
+
+/// Where joints lean, stick and slide at once, letting go of one after the other turned back and forth: constant torques
+/// ended in an error.
+#[test]
+fn constant_torques_give_no_chatter() {
+    let starts = [
+        [
+            [-0.1, 0.9040583364042221, 0.638871722354639],
+            [2.6215350890507025, 2.45011107092599, -1.4925095445171088],
+            [-17.06668397435851, 0.0, 0.0],
+        ],
+        [
+            [-0.1, 1.2, 0.5248216266320473],
+            [
+                -1.7155424696205446,
+                -0.3735257199023865,
+                -1.6647796552768757,
+            ],
+            [-15.823715719065351, 0.0, 0.8446116908409174],
+        ],
+    ];
+    for [q, qd, tau] in starts.map(|start| start.map(Vector3::from)) {
+        let run = Simulation::new(&DryLift)
+            .initial(q, qd)
+            .torque(|_, _, _| tau);
+        let run = run.friction(Friction::Sticking).stops(0.0).duration(0.5);
+        let run = run.method(Method::ImplicitMidpoint { step: 5e-4 }).run();
+        assert!(run.unwrap().work.evaluations < 20_000);
+    }
 }

@@ -764,12 +764,10 @@ fn a_long_row_of_bounces_in_one_step_ends_in_rest() {
 /// Joints that throw each other off their stops bounce ever less, and come to rest together: at their stops, exactly.
 #[test]
 fn two_joints_come_to_rest_at_their_stops() {
-    let step = 1e-3;
     let others = [
-        Method::RungeKutta4 { step },
-        Method::GaussLegendre6 { step: 4e-3 },
+        Method::RungeKutta4 { step: 1e-3 },
+        Method::GaussLegendre4 { step: 2e-3 },
         Dop853::default().into(),
-        Radau5::default().into(),
     ];
     let tau = Vector2::new(20.0, -10.0);
     let starts = others.map(|method| (tau, 0.3, method));
@@ -819,22 +817,22 @@ fn a_ball_comes_to_rest_by_euler_s_explicit_method() {
     }
 }
 
-/// From 1/2 s on a law lifts the ball at rest, and presses it down as soon as it rises: there is no motion.
+/// From 1/2 s on, or from the start, a law lifts the ball at rest, and presses it down as soon as it rises: there is no
+/// motion.
 #[test]
 fn impacts_without_end_are_an_error_of_their_joints() {
-    let law = |t: f64, _: &Vector1<f64>, qd: &Vector1<f64>| {
-        let lifts = t > 0.5 && qd[0] <= 0.0;
-        Vector1::new(if lifts { 40.0 } else { -100.0 })
-    };
-    for method in [1e-2, 3e-3].map(|step| Method::RungeKutta4 { step }) {
-        let run = Simulation::new(&Ball).torque(law).stops(0.5).method(method);
+    for (step, begin) in [(1e-2, 0.5), (3e-3, 0.5), (1e-2, 0.0)] {
+        let law = |t: f64, _: &Vector1<f64>, qd: &Vector1<f64>| {
+            let lifts = t >= begin && qd[0] <= 0.0;
+            Vector1::new(if lifts { 40.0 } else { -100.0 })
+        };
+        let run = Simulation::new(&Ball).torque(law).stops(0.5);
+        let run = run.method(Method::RungeKutta4 { step });
         let end = run.duration(2.0).samples(5).run().unwrap_err();
-        assert!(
-            matches!(end.cause, Cause::Impacts { joints } if joints.iter().eq([0])),
-            "{method:?}: {end}"
-        );
+        let what = format!("step {step}: {end}");
+        let is_named = matches!(end.cause, Cause::Impacts { joints } if joints.iter().eq([0]));
+        assert!(is_named && (end.time - begin).abs() < 1e-9, "{what}");
         let work = end.trajectory.work;
-        assert!((end.time - 0.5).abs() < 1e-9, "{method:?}: {end}");
-        assert!(work.evaluations < 500_000, "{method:?}: {work:?}");
+        assert!(work.evaluations < 600_000, "{what}: {work:?}");
     }
 }
