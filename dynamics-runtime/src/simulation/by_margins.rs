@@ -107,9 +107,7 @@ where
         let (mut b, mut at_b) = (self.stepper.t(), here(self.motion, self.stepper)?.0);
         let rounding = 4.0 * f64::EPSILON * at_a.abs();
         let mut side = 0;
-        // The rounding of a time near 0 is without bound: there the rounding of the step's rounding will do.
-        let least = f64::EPSILON * f64::EPSILON * (b - a);
-        while b - a > least.max(4.0 * f64::EPSILON * b) && at_b < -rounding {
+        while b - a > 4.0 * f64::EPSILON * b && at_b < -rounding {
             let secant = b - at_b * (b - a) / (at_b - at_a);
             let inside = at_a > 0.0 && secant > a && secant < b;
             let c = if inside { secant } else { 0.5 * (a + b) };

@@ -817,13 +817,12 @@ fn a_ball_comes_to_rest_by_euler_s_explicit_method() {
     }
 }
 
-/// From 1/2 s on, or from the start, a law lifts the ball at rest, and presses it down as soon as it rises: there is no
-/// motion.
+/// From 1/2 s on a law lifts the ball at rest, and presses it down as soon as it rises: there is no motion.
 #[test]
 fn impacts_without_end_are_an_error_of_their_joints() {
-    for (step, begin) in [(1e-2, 0.5), (3e-3, 0.5), (1e-2, 0.0)] {
+    for step in [1e-2, 3e-3] {
         let law = |t: f64, _: &Vector1<f64>, qd: &Vector1<f64>| {
-            let lifts = t >= begin && qd[0] <= 0.0;
+            let lifts = t > 0.5 && qd[0] <= 0.0;
             Vector1::new(if lifts { 40.0 } else { -100.0 })
         };
         let run = Simulation::new(&Ball).torque(law).stops(0.5);
@@ -831,8 +830,8 @@ fn impacts_without_end_are_an_error_of_their_joints() {
         let end = run.duration(2.0).samples(5).run().unwrap_err();
         let what = format!("step {step}: {end}");
         let is_named = matches!(end.cause, Cause::Impacts { joints } if joints.iter().eq([0]));
-        assert!(is_named && (end.time - begin).abs() < 1e-9, "{what}");
+        assert!(is_named && (end.time - 0.5).abs() < 1e-9, "{what}");
         let work = end.trajectory.work;
-        assert!(work.evaluations < 600_000, "{what}: {work:?}");
+        assert!(work.evaluations < 500_000, "{what}: {work:?}");
     }
 }
