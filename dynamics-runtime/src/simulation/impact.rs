@@ -107,7 +107,10 @@ fn rebounds<const N: usize>(
     let mut impacts = 0;
     while (0..N).any(|i| hits(ends, &qd, i)) {
         joints.extend((0..N).filter(|i| hits(ends, &qd, *i)));
-        // Without restitution one impact is the last.
+        if impacts == 2 * MOST_IMPACTS {
+            return None;
+        }
+        // Without restitution one impact is the last, but for rounding.
         let e = if impacts < MOST_IMPACTS {
             restitution
         } else {
@@ -126,7 +129,7 @@ fn rebounds<const N: usize>(
     Some(qd)
 }
 
-/// So many impacts at one time are made with restitution.
+/// So many impacts at one time are made with restitution, and as many without.
 const MOST_IMPACTS: usize = 10_000;
 
 /// The phase in which joints that bounce no more are at rest, those at their stops together.
