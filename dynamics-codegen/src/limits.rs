@@ -32,9 +32,9 @@ pub(crate) const MOST_TERMS: usize = 500;
 /// the engine's time grows with them.
 pub(crate) const MOST_TERMS_IN_ALL: usize = 20_000;
 
-/// Bits of the numerator and denominator of an exact number, 1,200 digits. The smallest `f64` in 100
-/// digits has 1,400 bits.
-pub(crate) const MOST_BITS: usize = 4_000;
+/// Bits of the numerator and denominator of an exact number, 1,200 digits, beyond which the engine computes none
+/// either. The smallest `f64` in 100 digits has 1,400 bits.
+pub(crate) const MOST_BITS: usize = dynamics_symbolic::exact::MOST_BITS;
 
 /// Bits of all exact numbers in the cells of a table, 50,000 digits. A table of 64 joints with every
 /// cell a decimal of 17 digits has 160,000; where six joints share as many, expansion takes ten

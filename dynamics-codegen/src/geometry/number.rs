@@ -1,6 +1,6 @@
 //! Numbers: exact where they are rational, in fifty digits where they are not.
 
-use dynamics_symbolic::exact::{Rational, bit_length};
+use dynamics_symbolic::exact::{self, Rational, bit_length};
 use dynamics_symbolic::robot::{Angle, Value};
 
 /// pi in 60 digits.
@@ -22,6 +22,15 @@ fn rounded(x: &Rational) -> Rational {
 /// The number itself where it is short, in 50 digits behind the point where it has more than 600 bits.
 pub fn tidy(x: Rational) -> Rational {
     match bit_length(&x) > MOST_BITS {
+        true => rounded(&x),
+        false => x,
+    }
+}
+
+/// The number itself, in 50 digits behind the point where it is longer than the engine's may get: of many frames in
+/// each other, and of many bodies at one link.
+pub(super) fn bounded(x: Rational) -> Rational {
+    match bit_length(&x) > exact::MOST_BITS {
         true => rounded(&x),
         false => x,
     }

@@ -3,7 +3,7 @@
 use dynamics_symbolic::exact::Rational;
 use dynamics_symbolic::robot::Value;
 
-use super::number::{sin_cos, tidy};
+use super::number::{bounded, sin_cos, tidy};
 
 /// Three components.
 pub type Vector = [Rational; 3];
@@ -43,8 +43,8 @@ impl Transform {
     /// The frame that `next` is in this one.
     pub fn then(&self, next: &Transform) -> Transform {
         Transform {
-            rotation: product(&self.rotation, &next.rotation),
-            origin: self.point(&next.origin),
+            rotation: product(&self.rotation, &next.rotation).map(|row| row.map(bounded)),
+            origin: self.point(&next.origin).map(bounded),
         }
     }
 
@@ -170,11 +170,11 @@ impl Mass {
 
     /// Puts another body beside this one.
     pub fn add(&mut self, other: &Mass) {
-        self.mass += &other.mass;
+        self.mass = bounded(&self.mass + &other.mass);
         for (x, y) in self.moment.iter_mut().zip(&other.moment) {
-            *x += y;
+            *x = bounded(&*x + y);
         }
-        self.inertia = sum(&self.inertia, &other.inertia);
+        self.inertia = sum(&self.inertia, &other.inertia).map(|row| row.map(bounded));
     }
 
     /// As a body: J - m (c.c 1 - c c') about the centre of mass.
@@ -187,8 +187,8 @@ impl Mass {
         let entry = |i: usize, j: usize| &self.inertia[i][j] - &steiner[i][j];
         Body {
             mass: self.mass.clone(),
-            inertia: [(0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (0, 2)].map(|(i, j)| entry(i, j)),
-            com,
+            inertia: [(0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (0, 2)].map(|(i, j)| bounded(entry(i, j))),
+            com: com.map(bounded),
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use dynamics_symbolic::exact::{Rational, SplitMix64, bit_length};
+use dynamics_symbolic::exact::{Residue, SplitMix64, bit_length};
 use dynamics_symbolic::robot::Value;
 
 use super::measured::Measured;
@@ -358,11 +358,23 @@ impl<'d> Scope<'d> {
             self.error(expr.place, mistake::too_large());
             return None;
         }
-        if rational.is_some_and(|r| bit_length(r) > MOST_BITS) {
-            self.error(expr.place, size::digits());
-            return None;
-        }
+        self.limit_digits(&measured.value, expr.place)?;
         Some(measured)
+    }
+
+    /// A value that was put together of values that are good, or `None` where it is longer than a value may be.
+    pub(super) fn limited(&self, value: Value, place: Place) -> Option<Value> {
+        self.limit(terms(&value), place)?;
+        self.limit_digits(&value, place)?;
+        Some(value)
+    }
+
+    fn limit_digits(&self, value: &Value, place: Place) -> Option<()> {
+        if value.as_rational().is_none_or(|r| bit_length(r) <= MOST_BITS) {
+            return Some(());
+        }
+        self.error(place, size::digits());
+        None
     }
 
     /// A function of a number.
@@ -440,6 +452,15 @@ impl<'d> Scope<'d> {
     }
 }
 
+/// Terms of the value.
+fn terms(value: &Value) -> usize {
+    match value {
+        Value::Rational(_) | Value::Pi | Value::Field(_) => 1,
+        Value::Neg(a) => terms(a),
+        Value::Add(a, b) | Value::Mul(a, b) | Value::Div(a, b) => terms(a) + terms(b),
+    }
+}
+
 /// Bits of the exact numbers in the value.
 fn bits(value: &Value) -> usize {
     match value {
@@ -481,31 +502,28 @@ pub(super) fn all<const N: usize>(values: [Option<Value>; N]) -> Option<[Value; 
 ///
 /// A value is a rational function of the fields and of pi, which is transcendental:
 /// where it vanishes at one point chosen at random, it is zero (Schwartz 1980,
-/// J. ACM 27(4), 701-717). The arithmetic is exact.
+/// J. ACM 27(4), 701-717). The point is one of a prime field, where no number gets longer than others.
 pub(super) fn is_identically_zero(value: &Value) -> bool {
-    at_random_point(value).is_some_and(|r| r.is_zero())
+    at_random_point(value).is_some_and(Number::is_zero)
 }
 
-/// The value at one fixed point with 64-bit coordinates, `None` at a pole.
-fn at_random_point(value: &Value) -> Option<Rational> {
+/// A number of the field.
+type Number = Residue<{ (1 << 61) - 1 }>;
+
+/// The value at one fixed point, `None` at a pole and where a number has no image in the field.
+fn at_random_point(value: &Value) -> Option<Number> {
     Some(match value {
-        Value::Rational(r) => r.clone(),
-        Value::Pi => Rational::from(coordinate(0)),
-        Value::Field(index) => Rational::from(coordinate(*index as u64 + 1)),
+        Value::Rational(r) => Number::from_rational(r)?,
+        Value::Pi => coordinate(0),
+        Value::Field(index) => coordinate(*index as u64 + 1),
         Value::Neg(a) => -at_random_point(a)?,
         Value::Add(a, b) => at_random_point(a)? + at_random_point(b)?,
         Value::Mul(a, b) => at_random_point(a)? * at_random_point(b)?,
-        Value::Div(a, b) => {
-            let divisor = at_random_point(b)?;
-            match divisor.is_zero() {
-                true => return None,
-                false => at_random_point(a)? / divisor,
-            }
-        }
+        Value::Div(a, b) => at_random_point(a)? * at_random_point(b)?.inverse()?,
     })
 }
 
 /// The coordinate of that index of the fixed point.
-fn coordinate(index: u64) -> u64 {
-    SplitMix64::number(0, index)
+fn coordinate(index: u64) -> Number {
+    Number::new(SplitMix64::number(0, index))
 }

@@ -1,63 +1,114 @@
 //! Angles that are whole multiples of common ones.
+//!
+//! Joints that follow one leader turn by the angles k_i x. Twice the kinetic energy of a link is of degree 2 at most
+//! in the sine and the cosine of each angle, and the potential energy is of degree 1. So every energy is a sum of
+//! waves exp(i (e . k) x) with whole numbers |e_i| <= 2, whose amplitudes are polynomials in positions and velocities.
+//! Waves of different frequencies are linearly independent. A combination of energies is therefore constant if and
+//! only if the amplitudes of each frequency add up to none.
+//!
+//! Two waves e and e' have one frequency if (e - e') . k = 0, where |e_i - e'_i| <= 4. Such a relation is called
+//! short. All that matters about the factors is which short relations they have. Angles that satisfy these
+//! relations, and are independent otherwise, lead to the same combinations: cos 1000 x and cos 997 x count as those
+//! of two angles. If a relation is left out, every combination that is found still holds, but some may be missed.
 
 use super::Residue;
+use std::collections::BTreeMap;
 
-/// The largest numerator and denominator of a ratio of two angles.
-const LARGEST: i64 = 1_000;
+/// The largest coefficient of a short relation.
+const LARGEST_COEFFICIENT: i64 = 4;
 
-/// The largest common denominator.
-const MOST: i64 = 1_000_000;
+/// The largest multiple of an angle. A relation that would need a larger one is left out: factors such as 1, 4, 16,
+/// 64 and 256 have one.
+const LARGEST_MULTIPLE: i64 = 64;
 
-/// Angles k_i x by the factors k_i of one angle x: for each of them a number, which is the same where the
-/// ratio of two factors is a fraction of small numbers, and the whole multiple that it is of an angle that
-/// all those with this number have in common. A sine of one number is independent of those of another.
-pub fn common_angles<const P: u64>(factors: &[Residue<P>]) -> Vec<(usize, i64)> {
-    // The first factor of each number, and a common denominator of all ratios to it.
-    let mut known: Vec<(Residue<P>, i64)> = Vec::new();
-    let mut ratios = Vec::with_capacity(factors.len());
-    for &factor in factors {
-        let found = known
-            .iter()
-            .enumerate()
-            .find_map(|(number, (first, common))| {
-                let ratio = small_fraction(factor * first.inverse()?)?;
-                let common = common * (ratio.1 / greatest_divisor(*common, ratio.1));
-                (common <= MOST).then_some((number, ratio, common))
-            });
-        let (number, ratio) = match found {
-            Some((number, ratio, common)) => {
-                known[number].1 = common;
-                (number, ratio)
+/// Among how many factors relations are looked for: a leader and as many followers as the macro allows. The work is
+/// 9^5 sums for 9 factors.
+const MOST_FACTORS: usize = 9;
+
+/// Angles k_i x by the factors k_i of one angle x, as whole multiples of independent angles: for each factor as many
+/// multiples as there are angles.
+pub fn common_angles<const P: u64>(factors: &[Residue<P>]) -> Vec<Vec<i64>> {
+    let mut angles: Vec<Vec<i64>> = (0..factors.len())
+        .map(|own| (0..factors.len()).map(|i| i64::from(i == own)).collect())
+        .collect();
+    for (group, some) in factors.chunks(MOST_FACTORS).enumerate() {
+        for_each_relation(some, |relation| {
+            let mut whole = vec![0; group * MOST_FACTORS];
+            whole.extend(relation);
+            if let Some(fewer) = with_relation(&angles, &whole) {
+                angles = fewer;
             }
-            None => {
-                let (first, ratio) = match factor.is_zero() {
-                    true => (Residue::ONE, (0, 1)),
-                    false => (factor, (1, 1)),
-                };
-                known.push((first, 1));
-                (known.len() - 1, ratio)
-            }
-        };
-        ratios.push((number, ratio));
+        });
     }
-    let multiple = |(number, (numerator, denominator)): (usize, (i64, i64))| {
-        (number, numerator * (known[number].1 / denominator))
-    };
-    ratios.into_iter().map(multiple).collect()
+    let multiples = |i: usize| angles.iter().map(|angle| angle[i]).collect();
+    (0..factors.len()).map(multiples).collect()
 }
 
-/// The fraction of small numbers that has this residue, by the steps of Euclid's algorithm: a residue of
-/// any other number is one by a chance of 10^-12.
-fn small_fraction<const P: u64>(x: Residue<P>) -> Option<(i64, i64)> {
-    let (mut r0, mut r1) = (P as i64, x.get() as i64);
-    let (mut t0, mut t1) = (0_i64, 1_i64);
-    while r1 > LARGEST {
-        let quotient = r0 / r1;
-        (r0, r1) = (r1, r0 - quotient * r1);
-        (t0, t1) = (t1, t0.checked_sub(quotient.checked_mul(t1)?)?);
+/// Calls `use_relation` with short relations of the factors, of which all others are combinations.
+///
+/// A relation says that a sum of the first half of the terms is the opposite of a sum of the second half. A number
+/// that is not zero has the residue zero by a chance of 9^9 / 2^61, about 2e-10, for all relations together.
+fn for_each_relation<const P: u64>(factors: &[Residue<P>], mut use_relation: impl FnMut(Vec<i64>)) {
+    let (left, right) = factors.split_at(factors.len() / 2);
+    let [all_left, all_right] = [left, right].map(sums);
+    let first = |all: &[(Residue<P>, Vec<i64>)]| -> BTreeMap<Residue<P>, Vec<i64>> {
+        all.iter().rev().cloned().collect()
+    };
+    let (first_left, first_right) = (first(&all_left), first(&all_right));
+    for (sum, mut coefficients) in all_left {
+        if let Some(others) = first_right.get(&-sum) {
+            coefficients.extend(others);
+            use_relation(coefficients);
+        }
     }
-    let (numerator, denominator) = if t1 < 0 { (-r1, -t1) } else { (r1, t1) };
-    (denominator <= LARGEST).then_some((numerator, denominator))
+    for (sum, others) in all_right {
+        if let Some(coefficients) = first_left.get(&-sum) {
+            use_relation([&coefficients[..], &others].concat());
+        }
+    }
+}
+
+/// All sums of the factors with coefficients of short relations.
+fn sums<const P: u64>(factors: &[Residue<P>]) -> Vec<(Residue<P>, Vec<i64>)> {
+    let mut sums = vec![(Residue::ZERO, Vec::new())];
+    for &factor in factors {
+        let mut longer = Vec::new();
+        for (sum, coefficients) in &sums {
+            for coefficient in -LARGEST_COEFFICIENT..=LARGEST_COEFFICIENT {
+                let size = Residue::new(coefficient.unsigned_abs()) * factor;
+                let term = if coefficient < 0 { -size } else { size };
+                longer.push((*sum + term, [&coefficients[..], &[coefficient]].concat()));
+            }
+        }
+        sums = longer;
+    }
+    sums
+}
+
+/// The angles that are left independent by one more relation. `None` if the angles satisfy it already, or if a
+/// multiple would be too large.
+///
+/// The angles y, of which `angles` has the multiples, then satisfy w . y = 0. The last one that has a part in it is
+/// written by the others.
+fn with_relation(angles: &[Vec<i64>], relation: &[i64]) -> Option<Vec<Vec<i64>>> {
+    let part = |angle: &Vec<i64>| -> i64 { angle.iter().zip(relation).map(|(n, c)| n * c).sum() };
+    let last = angles.iter().rposition(|angle| part(angle) != 0)?;
+    let (of_last, sign) = (part(&angles[last]), part(&angles[last]).signum());
+    let without_last = |angle: &Vec<i64>| -> Vec<i64> {
+        let own = part(angle);
+        let multiples = angle.iter().zip(&angles[last]);
+        let multiples: Vec<i64> = multiples
+            .map(|(n, n_last)| sign * (n * of_last - n_last * own))
+            .collect();
+        let divisor = multiples
+            .iter()
+            .fold(0, |all, n| greatest_divisor(all, n.abs()));
+        multiples.iter().map(|n| n / divisor.max(1)).collect()
+    };
+    let others = (0..angles.len()).filter(|k| *k != last);
+    let fewer: Vec<_> = others.map(|k| without_last(&angles[k])).collect();
+    let is_small = |n: &i64| n.abs() <= LARGEST_MULTIPLE;
+    fewer.iter().flatten().all(is_small).then_some(fewer)
 }
 
 fn greatest_divisor(a: i64, b: i64) -> i64 {
@@ -80,18 +131,47 @@ mod tests {
         Number::from_rational(&x).unwrap()
     }
 
+    fn of<const N: usize>(factors: [(i64, u64); N]) -> Vec<Vec<i64>> {
+        common_angles(&factors.map(|(n, d)| fraction(n, d)))
+    }
+
     #[test]
     fn fractions_have_a_common_angle() {
-        let factors = [(1, 1), (-1, 2), (2, 1), (5, 3), (0, 1)].map(|(n, d)| fraction(n, d));
-        let expected = [(0, 6), (0, -3), (0, 12), (0, 10), (0, 0)];
-        assert_eq!(common_angles(&factors), expected);
-        assert_eq!(common_angles(&[Number::ZERO]), [(0, 0)]);
+        let angles = of([(1, 1), (-1, 2), (2, 1), (5, 3), (0, 1)]);
+        assert_eq!(angles, [[6], [-3], [12], [10], [0]]);
+        assert_eq!(of([(0, 1)]), [[0; 0]]);
     }
 
     #[test]
     fn a_parameter_has_an_angle_of_its_own() {
         let k = Number::random(&mut SplitMix64::new(1));
         let factors = [Number::ONE, k, -Number::ONE, fraction(-2, 3) * k];
-        assert_eq!(common_angles(&factors), [(0, 1), (1, 3), (0, -1), (1, -2)]);
+        assert_eq!(common_angles(&factors), [[1, 0], [0, 3], [-1, 0], [0, -2]]);
+    }
+
+    #[test]
+    fn decimals_have_angles_of_their_own_but_for_their_short_relations() {
+        assert_eq!(of([(1, 1), (-997, 1000)]), [[1, 0], [0, 1]]);
+        assert_eq!(of([(1, 1), (1, 5)]), [[1, 0], [0, 1]]);
+        // 1/3 + 2/3 in four decimals, and four times one less three times the other.
+        let angles = of([(1, 1), (3_333, 10_000), (6_667, 10_000)]);
+        assert_eq!(angles, [[1, 0], [0, 1], [1, -1]]);
+        let angles = of([(1, 1), (123_457, 1_000_000), (493_828, 3_000_000)]);
+        assert_eq!(angles, [[1, 0], [0, 3], [0, 4]]);
+    }
+
+    #[test]
+    fn multiples_are_bounded() {
+        let powers = [0, 1, 2, 3, 4, 5].map(|k| (4_i64.pow(k), 1));
+        let angles = of(powers);
+        assert!(angles.iter().flatten().all(|n| (0..=64).contains(n)));
+        assert_eq!(angles[0].len(), 3);
+    }
+
+    #[test]
+    fn more_factors_than_relations_are_looked_for() {
+        let angles = of([(1, 1); 12]);
+        assert_eq!(angles[..9], [[1, 0]; 9]);
+        assert_eq!(angles[9..], [[0, 1]; 3]);
     }
 }

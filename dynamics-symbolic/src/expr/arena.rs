@@ -3,7 +3,7 @@
 use super::Operation;
 use super::fingerprint::{Fingerprint, FingerprintMap};
 use super::node::{Edge, Level, NodeId};
-use crate::exact::{Rational, SplitMix64, circle_point};
+use crate::exact::{Rational, SplitMix64, circle_point, is_short};
 use core::cell::RefCell;
 
 /// A node: what it is, how deep its dependencies go, its fingerprint, and whether its definition is
@@ -273,6 +273,14 @@ impl Arena {
         }
     }
 
+    /// Where two numbers are of which sum and product are worked out. Of long ones they are not: what is computed from
+    /// decimals in many steps has more and more digits.
+    fn short_numbers(&self, a: Edge, b: Edge) -> Option<((u32, bool), (u32, bool))> {
+        let (x, y) = (self.number_of(a)?, self.number_of(b)?);
+        let [first, second] = [x, y].map(|(index, _)| &self.rationals[index as usize]);
+        is_short(first, second).then_some((x, y))
+    }
+
     fn exact(&self, (index, negative): (u32, bool)) -> Rational {
         let x = self.rationals[index as usize].clone();
         if negative { -x } else { x }
@@ -302,7 +310,7 @@ impl Arena {
         if self.is_zero(a) {
             return b;
         }
-        if let (Some(x), Some(y)) = (self.number_of(a), self.number_of(b)) {
+        if let Some((x, y)) = self.short_numbers(a, b) {
             let sum = |arena: &Self| arena.exact(x) + arena.exact(y);
             return match self.value(a) + self.value(b) {
                 // The number itself says whether it is zero.
@@ -353,7 +361,7 @@ impl Arena {
         if self.is_one(b) {
             return a.negate_if(b.is_negative());
         }
-        if let (Some(x), Some(y)) = (self.number_of(a), self.number_of(b)) {
+        if let Some((x, y)) = self.short_numbers(a, b) {
             let product = |arena: &Self| arena.exact(x) * arena.exact(y);
             return self.number(self.value(a) * self.value(b), product);
         }

@@ -141,15 +141,18 @@ fn whole(factor: &Value) -> Option<i64> {
         .then(|| i64::try_from(factor.round()).ok())?
 }
 
+/// Sine and cosine of the sum of two angles.
+pub(super) fn turned((s, c): (Number, Number), (t, d): (Number, Number)) -> (Number, Number) {
+    (s * d + c * t, c * d - s * t)
+}
+
 /// Sine and cosine of n times an angle: (c + i s)^n, by squares.
 pub(super) fn multiple((s, c): (Number, Number), n: i64) -> (Number, Number) {
-    let product =
-        |(s, c): (Number, Number), (t, d): (Number, Number)| (s * d + c * t, c * d - s * t);
     let mut power = (Number::ZERO, Number::ONE);
     for bit in (0..64 - n.unsigned_abs().leading_zeros()).rev() {
-        power = product(power, power);
+        power = turned(power, power);
         if n.unsigned_abs() >> bit & 1 == 1 {
-            power = product(power, (s, c));
+            power = turned(power, (s, c));
         }
     }
     if n < 0 { (-power.0, power.1) } else { power }

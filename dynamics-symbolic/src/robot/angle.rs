@@ -1,7 +1,7 @@
 //! Constant angles: whole quarter turns, which are exact, and a rest.
 
 use super::Value;
-use crate::exact::Rational;
+use crate::exact::{Rational, is_short};
 use core::f64::consts::{FRAC_PI_2, PI};
 use dashu_int::IBig;
 use dashu_int::ops::RemEuclid;
@@ -89,32 +89,30 @@ impl LinearForm {
         is_near.then(|| nearest.rem_euclid(4.0) as u8)
     }
 
+    /// The form of a value. What it would take long numbers to separate is one of the others, as it is written.
     fn of(value: &Value) -> Self {
-        let zero = || Rational::ZERO;
-        match value {
-            Value::Rational(r) => LinearForm {
-                number: r.clone(),
-                pi: zero(),
-                others: Value::zero(),
-            },
-            Value::Pi => LinearForm {
-                number: zero(),
-                pi: Rational::ONE,
-                others: Value::zero(),
-            },
+        let number = |number: Rational, pi: Rational| LinearForm {
+            number,
+            pi,
+            others: Value::zero(),
+        };
+        let form = match value {
+            Value::Rational(r) => Some(number(r.clone(), Rational::ZERO)),
+            Value::Pi => Some(number(Rational::ZERO, Rational::ONE)),
             Value::Neg(a) => LinearForm::of(a).scaled(&Rational::from(-1)),
             Value::Add(a, b) => LinearForm::of(a).plus(LinearForm::of(b)),
             Value::Mul(a, b) => match (a.as_rational(), b.as_rational()) {
                 (Some(k), _) => LinearForm::of(b).scaled(k),
                 (_, Some(k)) => LinearForm::of(a).scaled(k),
-                _ => LinearForm::opaque(value),
+                _ => None,
             },
             Value::Div(a, b) => match b.as_rational() {
                 Some(k) if !k.is_zero() => LinearForm::of(a).scaled(&(Rational::ONE / k)),
-                _ => LinearForm::opaque(value),
+                _ => None,
             },
-            Value::Field(_) => LinearForm::opaque(value),
-        }
+            Value::Field(_) => None,
+        };
+        form.unwrap_or_else(|| LinearForm::opaque(value))
     }
 
     fn opaque(value: &Value) -> Self {
@@ -125,26 +123,29 @@ impl LinearForm {
         }
     }
 
-    fn scaled(self, k: &Rational) -> Self {
-        LinearForm {
+    fn scaled(self, k: &Rational) -> Option<Self> {
+        let is_short = is_short(&self.number, k) && is_short(&self.pi, k);
+        is_short.then(|| LinearForm {
             number: self.number * k,
             pi: self.pi * k,
             others: self.others * Value::Rational(k.clone()),
-        }
+        })
     }
 
-    fn plus(self, other: Self) -> Self {
-        LinearForm {
+    fn plus(self, other: Self) -> Option<Self> {
+        let is_short = is_short(&self.number, &other.number) && is_short(&self.pi, &other.pi);
+        is_short.then(|| LinearForm {
             number: self.number + other.number,
             pi: self.pi + other.pi,
             others: self.others + other.others,
-        }
+        })
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::exact::{MOST_BITS, bit_length};
 
     fn rational(numerator: i64, denominator: u64) -> Value {
         Value::Rational(Rational::from_parts(numerator.into(), denominator.into()))
@@ -216,6 +217,20 @@ mod tests {
         }
         let written_out = Value::Pi - rational(3_141_592_653_589_793, 1_000_000_000_000_000);
         assert_eq!(Angle::new(&written_out).rest, None);
+    }
+
+    /// Sums of multiples of pi by fractions that have nothing in common.
+    #[test]
+    fn long_numbers_are_left_as_they_are_written() {
+        let mut angle = Value::zero();
+        for k in 0..400_u64 {
+            let denominator = Rational::from(2).pow(89) + Rational::from(2 * k + 1);
+            angle = angle + Value::Pi * Value::Rational(Rational::ONE / denominator);
+        }
+        let rest = Angle::new(&angle).rest.expect("it is not zero");
+        assert!((rest.to_f64(&[]) / angle.to_f64(&[]) - 1.0).abs() < 1e-12);
+        let LinearForm { number, pi, .. } = LinearForm::of(&angle);
+        assert!(bit_length(&number) + bit_length(&pi) <= MOST_BITS);
     }
 
     #[test]

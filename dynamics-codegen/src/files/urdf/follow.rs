@@ -3,12 +3,15 @@
 //! What follows a joint on the chain is coupled to it, on whichever side of it. What follows a joint that
 //! stands still beside the chain stands still itself.
 
+use dynamics_symbolic::exact::bit_length;
 use dynamics_symbolic::robot::Value;
 
 use super::chain::{Chain, expression};
 use super::document::{Joint, Kind, Mimic};
 use crate::description::{Coupled, Locked, Name};
 use crate::files::signed::signed;
+use crate::limits::MOST_BITS;
+use crate::mistake::size;
 use crate::mistake::urdf::{self as mistake, Still};
 use crate::words;
 
@@ -60,6 +63,11 @@ impl<'a> Chain<'a> {
             // k (k' q + c') + c
             offset = factor.clone() * mimic.offset.clone() + offset;
             factor = factor * Value::Rational(mimic.multiplier.clone());
+            let mut numbers = [&factor, &offset].into_iter().filter_map(Value::as_rational);
+            if numbers.any(|x| bit_length(x) > MOST_BITS) {
+                self.error(mimic.place, size::digits());
+                return None;
+            }
             at = self.leader(at, mimic)?;
         }
         self.error(joint.place, mistake::circle(&joint.name));

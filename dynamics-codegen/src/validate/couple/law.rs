@@ -74,6 +74,19 @@ impl Linear {
         }
     }
 
+    /// The same, or `None` where a value in it is longer than one may be.
+    fn limited(self, scope: &Scope, place: Place) -> Option<Self> {
+        let term = match self.term {
+            Some((name, at, factor)) => Some((name, at, scope.limited(factor, place)?)),
+            None => None,
+        };
+        Some(Linear {
+            term,
+            rest: scope.limited(self.rest, place)?,
+            odd: self.odd,
+        })
+    }
+
     fn scaled(self, by: impl Fn(Value) -> Option<Value>) -> Option<Self> {
         let term = match self.term {
             Some((name, place, factor)) => Some((name, place, by(factor)?)),
@@ -124,7 +137,8 @@ impl Reader<'_, '_> {
             ExprKind::Binary(operator, left, right) => {
                 // Both sides before either `?`: there may be errors in both.
                 let (a, b) = (self.linear(left), self.linear(right));
-                self.combined(*operator, a?, b?, [left, right])
+                let combined = self.combined(*operator, a?, b?, [left, right])?;
+                combined.limited(self.scope, expr.place)
             }
         }
     }

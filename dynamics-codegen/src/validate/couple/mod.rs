@@ -58,11 +58,13 @@ pub(super) fn couple(
     if report_circles(&laws, couples, &names, scope) {
         return;
     }
-    for row in 0..names.len() {
-        let mut followers = couples.iter().map(|couple| &couple.name);
-        let name = followers.find(|name| name.plain() == names[row]);
-        if let (Some(coupling), Some(name)) = (resolved(&laws, row), name) {
-            follow(rows, row, coupling, name.into(), scope);
+    for (row, name) in names.iter().enumerate() {
+        let couple = couples.iter().find(|couple| couple.name.plain() == name);
+        let Some(place) = couple.map(|couple| Place::from(&couple.name)) else {
+            continue;
+        };
+        if let Some(coupling) = resolved(&laws, row, scope, place) {
+            follow(rows, row, coupling, place, scope);
         }
     }
 }
@@ -193,14 +195,15 @@ fn report_circles(laws: &[Lead], couples: &[Couple], names: &[String], scope: &S
     !in_circles.is_empty()
 }
 
-/// How a row follows the joint that leads it in the end, which follows none.
-fn resolved(laws: &[Lead], row: usize) -> Option<Coupling> {
+/// How a row follows the joint that leads it in the end, which follows none. Reports a factor that gets too long on
+/// the way.
+fn resolved(laws: &[Lead], row: usize, scope: &Scope, place: Place) -> Option<Coupling> {
     let (mut leader, law) = laws[row]?;
     let (mut factor, mut offset) = (law.factor.clone(), law.offset.clone());
     while let Some((next, law)) = laws[leader] {
         // k (k' q + c') + c
-        offset = factor.clone() * law.offset.clone() + offset;
-        factor = factor * law.factor.clone();
+        offset = scope.limited(factor.clone() * law.offset.clone() + offset, place)?;
+        factor = scope.limited(factor * law.factor.clone(), place)?;
         leader = next;
     }
     Some(Coupling {

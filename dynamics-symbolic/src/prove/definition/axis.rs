@@ -3,7 +3,7 @@
 //! A follower of joint j with the factor k is at k q_j + c, and moves at the speed k qd_j. Positions are
 //! those of all axes; velocities, and what is derived by a position or a velocity, those of the joints.
 
-use super::super::assignment::{Assignment, JointPoint, Number, multiple};
+use super::super::assignment::{Assignment, JointPoint, Number, multiple, turned};
 use super::super::dual::Dual;
 use super::pose::{Lift, Position};
 use super::{Definition, Row, Vector};
@@ -77,24 +77,38 @@ impl Definition {
         self.axes.iter().map(|axis| (axis, &self.rows[axis.row]))
     }
 
-    /// Random positions of the joints, and all axes where they belong to these: angles by factors whose
-    /// ratios are fractions are multiples of one angle. Every axis has a point of the circle, and a value.
-    pub(super) fn random_positions(&self, random: &mut SplitMix64) -> Vec<Position<Number>> {
-        let joints: Vec<_> = (0..self.dof()).map(|_| Number::random(random)).collect();
-        let is_turned = |axis: &Axis| self.rows[axis.row].joint_type == JointType::Revolute;
-        let mut points = vec![(Number::ZERO, Number::ONE); self.axes.len()];
+    /// For every axis that turns, its angle as whole multiples of independent angles of the joint that it belongs to.
+    pub(super) fn multiples(&self) -> Vec<Vec<i64>> {
+        let mut multiples = vec![Vec::new(); self.axes.len()];
         for joint in 0..self.dof() {
+            let is_turned = |axis: &Axis| self.rows[axis.row].joint_type == JointType::Revolute;
             let axes = self.axes.iter().enumerate();
             let turning = axes.filter(|(_, axis)| axis.joint == joint && is_turned(axis));
             let (places, factors): (Vec<_>, Vec<_>) =
                 turning.map(|(place, axis)| (place, axis.factor)).unzip();
-            let angles: Vec<_> = places.iter().map(|_| circle_point(random)).collect();
-            for (place, (number, n)) in places.into_iter().zip(common_angles(&factors)) {
-                points[place] = multiple(angles[number], n);
+            for (place, of_axis) in places.into_iter().zip(common_angles(&factors)) {
+                multiples[place] = of_axis;
             }
         }
-        let positions = self.axes.iter().zip(points);
-        let position = |(axis, point): (&Axis, (Number, Number))| {
+        multiples
+    }
+
+    /// Random positions of the joints, and all axes where they belong to these. Every axis has a point of the
+    /// circle, by its [`multiples`](Self::multiples), and a value.
+    pub(super) fn random_positions(
+        &self,
+        multiples: &[Vec<i64>],
+        random: &mut SplitMix64,
+    ) -> Vec<Position<Number>> {
+        let joints: Vec<_> = (0..self.dof()).map(|_| Number::random(random)).collect();
+        let angles: Vec<Vec<_>> = (0..self.dof())
+            .map(|_| self.axes.iter().map(|_| circle_point(random)).collect())
+            .collect();
+        let positions = self.axes.iter().zip(multiples);
+        let position = |(axis, multiples): (&Axis, &Vec<i64>)| {
+            let turns = angles[axis.joint].iter().zip(multiples);
+            let turns = turns.map(|(&angle, &n)| multiple(angle, n));
+            let point = turns.fold((Number::ZERO, Number::ONE), turned);
             Position::at(point, axis.factor * joints[axis.joint] + axis.offset)
         };
         positions.map(position).collect()

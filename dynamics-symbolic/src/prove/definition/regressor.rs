@@ -74,9 +74,10 @@ impl Definition {
         }
         let candidates = self.candidates()?;
         let mut random = SplitMix64::new(0x0062_6173_6963);
+        let multiples = self.multiples();
         let mut equations = Equations::default();
         loop {
-            let regressor = self.standard_regressor(&self.random_state(&mut random));
+            let regressor = self.standard_regressor(&self.random_state(&multiples, &mut random));
             let forces = forces(&regressor);
             let before = equations.0.len();
             for (row, force) in regressor.into_iter().zip(forces) {
@@ -149,8 +150,8 @@ impl Definition {
         }
     }
 
-    fn random_state(&self, random: &mut SplitMix64) -> State<Number> {
-        let q = self.random_positions(random);
+    fn random_state(&self, multiples: &[Vec<i64>], random: &mut SplitMix64) -> State<Number> {
+        let q = self.random_positions(multiples, random);
         let mut numbers = || (0..self.dof()).map(|_| Number::random(random)).collect();
         State {
             q,

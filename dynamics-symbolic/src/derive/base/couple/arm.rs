@@ -39,8 +39,8 @@ struct Movement<R> {
     offset: R,
     /// Of a joint that turns: its constant angle.
     turn: Turn<R>,
-    /// Of a joint that turns: which of the angles that joints have in common, and how often.
-    angle: (usize, i64),
+    /// Of a joint that turns: of which of the angles that joints have in common it is the sum, and how often.
+    angles: Vec<(usize, i64)>,
 }
 
 impl<'g> Arm<Expr<'g>> {
@@ -96,7 +96,7 @@ impl<'g> Arm<Expr<'g>> {
                     s: value(movement.turn.s),
                     c: value(movement.turn.c),
                 },
-                angle: movement.angle,
+                angles: movement.angles.clone(),
             }),
         });
         Arm {
@@ -111,7 +111,7 @@ impl<'g> Arm<Expr<'g>> {
     }
 }
 
-/// How the joint of row i moves, where it does. Its angle has no number.
+/// How the joint of row i moves, where it does. Its angles have no numbers.
 fn movement<'g>(symbols: &mut Symbols<'g>, robot: &Robot, i: usize) -> Option<Movement<Expr<'g>>> {
     let row = &robot.rows[i];
     if row.locked.is_some() {
@@ -131,7 +131,7 @@ fn movement<'g>(symbols: &mut Symbols<'g>, robot: &Robot, i: usize) -> Option<Mo
         factor,
         offset,
         turn,
-        angle: (0, 0),
+        angles: Vec::new(),
     })
 }
 
@@ -147,11 +147,12 @@ fn number_angles(robot: &Robot, movements: &mut [Option<Movement<Expr<'_>>>]) ->
             .collect();
         let factors: Vec<_> = turning.iter().map(|m| m.factor.fingerprint()).collect();
         let common = common_angles(&factors);
-        let count = common.iter().map(|(number, _)| number + 1).max();
-        for (movement, (number, multiple)) in turning.iter_mut().zip(common) {
-            movement.angle = (angles + number, multiple);
+        let count = common.first().map_or(0, Vec::len);
+        for (movement, multiples) in turning.iter_mut().zip(common) {
+            let all = (angles..).zip(multiples);
+            movement.angles = all.filter(|(_, multiple)| *multiple != 0).collect();
         }
-        angles += count.unwrap_or(0);
+        angles += count;
     }
     angles
 }
@@ -217,10 +218,11 @@ impl<R: Ring> Arm<R> {
         };
         match still.joint_type {
             JointType::Revolute => {
-                let (number, multiple) = movement.angle;
-                let turned = self.times(state.angles[number], multiple);
+                let angles = movement.angles.iter();
+                let turns = angles.map(|&(angle, n)| self.times(state.angles[angle], n));
+                let turned = turns.reduce(Turn::plus);
                 Joint {
-                    turn: movement.turn.plus(turned),
+                    turn: turned.map_or(movement.turn, |turned| movement.turn.plus(turned)),
                     ..still
                 }
             }
