@@ -28,8 +28,10 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
         terms,
         products: PRODUCTS_FOR_EACH_TERM.saturating_mul(terms),
     };
+    let mut left_out = LeftOut::default();
     if let Some(format) = format(given) {
-        return Ok(formulas(robot, &programs, format, budget));
+        let text = formulas(robot, &programs, format, budget, &mut left_out);
+        return Ok(text + &left_out.sentence(terms));
     }
     let mut text = table(robot);
     text.push_str(&operations(&programs));
@@ -38,11 +40,40 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
     }
     for (request, proven) in &programs {
         let _ = writeln!(text, "\n{}", request.name());
-        for line in description(robot, request, proven, budget, &longer) {
+        let mut longer = |name: &str, too_long| {
+            left_out.0.push((name.to_owned(), too_long));
+            None
+        };
+        for line in description(robot, request, proven, budget, &mut longer) {
             let _ = writeln!(text, "{}", format!("    {line}").trim_end());
         }
     }
-    Ok(text)
+    if !left_out.0.is_empty() {
+        text.push('\n');
+    }
+    Ok(text + &left_out.sentence(terms))
+}
+
+/// The values whose formulas have too many terms to be printed.
+#[derive(Default)]
+struct LeftOut(Vec<(String, TooLong)>);
+
+impl LeftOut {
+    /// What is said of them all.
+    fn sentence(&self, most_terms: usize) -> String {
+        let Some(largest) = self.0.iter().map(|(_, too_long)| too_long.terms).max() else {
+            return String::new();
+        };
+        let names: Vec<&str> = self.0.iter().map(|(name, _)| name.as_str()).collect();
+        let enough = match self.0.iter().any(|(_, too_long)| too_long.or_more) {
+            true => "a larger `--terms`".to_owned(),
+            false => format!("`--terms {largest}`"),
+        };
+        format!(
+            "not printed, because of more than {most_terms} terms: {}; {enough} prints them\n",
+            names.join(", ")
+        )
+    }
 }
 
 /// The format in which formulas alone are asked for.
@@ -75,12 +106,13 @@ fn operations(programs: &[(Request, Proven)]) -> String {
     text
 }
 
-/// The formulas in a format; of those that are longer than the budget, how long they are.
+/// The formulas in a format, and which are longer than the budget.
 fn formulas(
     robot: &Robot,
     programs: &[(Request, Proven)],
     format: Format,
     budget: Budget,
+    left_out: &mut LeftOut,
 ) -> String {
     let mut text = String::new();
     for (request, proven) in programs {
@@ -94,11 +126,13 @@ fn formulas(
             };
             let _ = writeln!(text, "{equation}");
         }
-        for shown in formulas.shown(Format::Text, budget.terms) {
-            if let Err(too_long) = shown.formula {
-                let _ = writeln!(text, "{}: {}", shown.name, longer(too_long));
-            }
+        let shown = formulas.shown(Format::Text, budget.terms);
+        if shown.is_empty() {
+            let _ = writeln!(text, "{}", without_formulas(request));
         }
+        let too_long = shown.into_iter();
+        let too_long = too_long.filter_map(|shown| Some((shown.name, shown.formula.err()?)));
+        left_out.0.extend(too_long);
         let legend = formulas.legend(budget.terms);
         if !legend.is_empty() {
             let _ = writeln!(text, "with {}", legend.join(", "));
@@ -108,10 +142,11 @@ fn formulas(
     text
 }
 
-/// What is said of a formula that is not printed.
-fn longer(TooLong { terms, or_more }: TooLong) -> String {
-    match or_more {
-        true => format!("more than {terms} terms: a larger `--terms` prints them"),
-        false => format!("{terms} terms: `--terms {terms}` prints them"),
-    }
+/// Why a function has no formulas.
+fn without_formulas(request: &Request) -> String {
+    let reason = match request.refuses() {
+        true => "it solves equations with M(q) step by step; `mass_matrix` and `inverse_dynamics` have formulas",
+        false => "its values have no letters by which a formula would name them",
+    };
+    format!("no formulas: {reason}")
 }

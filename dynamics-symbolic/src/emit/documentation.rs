@@ -173,26 +173,28 @@ fn formulas_elsewhere(robot: &Robot, request: &Request) -> Vec<String> {
 
 /// The formulas that are short enough to read at a method.
 pub(super) fn short_formula_lines(formulas: &Formulas) -> Vec<String> {
-    formula_lines(formulas, MOST_TERMS, &|too_long| too_long.to_string())
+    let mut line = |name: &str, too_long: TooLong| Some(format!(" {name}: {too_long}"));
+    formula_lines(formulas, MOST_TERMS, &mut line)
 }
 
 /// The formulas of at most so many terms, each behind the name of its value, and what the names of sines in
-/// them mean; `longer` says what there is to say of those that have more.
+/// them mean; `longer` gives the line of a value that has more, if there is one.
 pub(super) fn formula_lines(
     formulas: &Formulas,
     most_terms: usize,
-    longer: &dyn Fn(TooLong) -> String,
+    longer: &mut dyn FnMut(&str, TooLong) -> Option<String>,
 ) -> Vec<String> {
     let shown = formulas.shown(Format::Text, most_terms);
-    if shown.is_empty() {
+    let line = |shown: &Shown| match &shown.formula {
+        Ok(formula) => Some(format!(" {} = {formula}", shown.name)),
+        Err(too_long) => longer(&shown.name, *too_long),
+    };
+    let formula_lines: Vec<_> = shown.iter().filter_map(line).collect();
+    if formula_lines.is_empty() {
         return Vec::new();
     }
-    let line = |shown: &Shown| match &shown.formula {
-        Ok(formula) => format!(" {} = {formula}", shown.name),
-        Err(too_long) => format!(" {}: {}", shown.name, longer(*too_long)),
-    };
     let mut lines = vec![String::new(), " ```text".to_owned()];
-    lines.extend(shown.iter().map(line));
+    lines.extend(formula_lines);
     let legend = formulas.legend(most_terms);
     if !legend.is_empty() {
         lines.push(format!(" with {}", legend.join(", ")));

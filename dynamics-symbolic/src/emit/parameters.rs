@@ -3,6 +3,7 @@
 use super::polynomial::{Polynomial, Polynomials};
 use crate::derive::base::{LinkGeometry, Observed, dependent, geometry, group};
 use crate::derive::symbols::Symbols;
+use crate::exact::bit_length;
 use crate::expr::{Expr, Graph};
 use crate::program::{Operand, Output};
 use crate::robot::{Convention, Grouping, JointType, Parameter, Robot, Symbol};
@@ -11,6 +12,9 @@ use crate::spatial::{Body, Turn};
 
 /// A longer formula is written in steps.
 const LONGEST: usize = 250;
+
+/// Bits of the longest fraction that a formula shows, 40 digits: other coefficients are shown as decimals.
+const MOST_BITS_READ: usize = 128;
 
 /// The formulas of the base parameters, and what the names in them mean: lines of documentation.
 pub(super) fn lines(robot: &Robot) -> Vec<String> {
@@ -213,7 +217,7 @@ impl<'p> Couplings<'p> {
     }
 }
 
-/// Coefficients that are no rational numbers have names: k1, k2, ...
+/// Coefficients that are no short rational numbers have names: k1, k2, ...
 struct Coefficients<'p, 'g> {
     all: &'p Polynomials,
     known: Vec<(Expr<'g>, Polynomial<'p>)>,
@@ -221,7 +225,8 @@ struct Coefficients<'p, 'g> {
 
 impl<'p, 'g> Coefficients<'p, 'g> {
     fn name(&mut self, coefficient: Expr<'g>) -> Polynomial<'p> {
-        if let Some(x) = coefficient.as_rational() {
+        let rational = coefficient.as_rational();
+        if let Some(x) = rational.filter(|x| bit_length(x) <= MOST_BITS_READ) {
             return self.all.rational(x);
         }
         for &(known, name) in &self.known {

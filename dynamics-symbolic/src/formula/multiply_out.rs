@@ -4,7 +4,7 @@ use super::atom::Atom;
 use super::groups::Groups;
 use super::reduce::add_reduced;
 use super::too_long::TooLong;
-use crate::exact::Rational;
+use crate::exact::{MOST_BITS, Rational, bit_length};
 use crate::polynomial::{Monomial, Polynomial, inverse, product};
 use crate::program::{Arithmetic, Program};
 use crate::robot::{Symbol, Value};
@@ -15,7 +15,7 @@ use std::rc::Rc;
 pub struct Budget {
     /// The largest number of terms of a value.
     pub terms: usize,
-    /// The number of products of terms for all values together.
+    /// The number of terms that products of terms become, for all values together.
     pub products: usize,
 }
 
@@ -79,17 +79,22 @@ impl Expansion<'_> {
         }
     }
 
+    /// The value, unless it has too many terms or a number that is too long.
     fn limited(&self, value: Polynomial<Atom>) -> Number {
-        (value.len() <= self.budget.terms).then(|| Rc::new(value))
+        let is_short = |(_, x): (_, &Rational)| bit_length(x) <= MOST_BITS;
+        let is_good = value.len() <= self.budget.terms && value.terms().all(is_short);
+        is_good.then(|| Rc::new(value))
     }
 
     fn product(&mut self, a: &Polynomial<Atom>, b: &Polynomial<Atom>) -> Number {
-        let products = a.len() * b.len();
-        self.budget.products = self.budget.products.checked_sub(products)?;
+        if a.len() * b.len() > self.budget.products {
+            return None;
+        }
         let mut sum = Polynomial::zero();
         for (left, x) in a.terms() {
             for (right, y) in b.terms() {
-                add_reduced(&mut sum, product(left, right), &(x * y));
+                let terms = add_reduced(&mut sum, product(left, right), &(x * y));
+                self.budget.products = self.budget.products.checked_sub(terms)?;
             }
         }
         self.limited(sum)

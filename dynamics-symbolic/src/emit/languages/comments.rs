@@ -8,13 +8,13 @@ use crate::program::Proven;
 use crate::robot::Robot;
 
 /// What a function is, its units, what it costs, and the formulas of a short arm, of as many terms as the
-/// budget has: lines of text. `longer` says what there is to say of those that have more.
+/// budget has: lines of text. `longer` gives the line of a value whose formula has more, if there is one.
 pub fn description(
     robot: &Robot,
     request: &Request,
     proven: &Proven,
     budget: Budget,
-    longer: &dyn Fn(TooLong) -> String,
+    longer: &mut dyn FnMut(&str, TooLong) -> Option<String>,
 ) -> Vec<String> {
     let refusal =
         "Refused where M(q) is not positive definite to working precision, or not finite.";
