@@ -8,6 +8,7 @@ use dynamics_symbolic::Function;
 use dynamics_symbolic::derive::center_of_mass::is_massless;
 use dynamics_symbolic::derive::derive;
 use dynamics_symbolic::prove::prove;
+use dynamics_symbolic::robot::Robot;
 use proc_macro2::TokenStream;
 
 /// Reads a call of the macro to its end. There is a model or there are errors; the items, the stubs
@@ -44,9 +45,23 @@ pub fn tables(bytes: &[u8]) {
         let program = derive(&robot, function);
         assert_eq!(prove(&robot, function, &program), Ok(()), "{robot:#?}");
     }
-    let arm = RuntimeRobot::new(robot.clone(), chosen);
+    compare(&robot, &fields, chosen);
+}
+
+/// Derives and proves what depends on the base parameters of a random arm whose joints follow others, and compares its
+/// values as [`tables`] does.
+pub fn couplings(bytes: &[u8]) {
+    let Ok((robot, fields)) = robot::coupled_robot(bytes) else {
+        return;
+    };
+    let functions = [Function::Regressor, Function::BaseParameters, Function::EnergyRegressors];
+    compare(&robot, &fields, functions);
+}
+
+fn compare(robot: &Robot, fields: &[f64], functions: impl IntoIterator<Item = Function>) {
+    let arm = RuntimeRobot::new(robot.clone(), functions);
     let mut arm = arm.unwrap_or_else(|error| panic!("{error}: {robot:#?}"));
-    arm.set_fields(&fields).expect("a value for each field");
+    arm.set_fields(fields).expect("a value for each field");
     let check = Check::new().samples(4);
     macro_rules! compare {
         ($($dof:literal)*) => {
@@ -56,7 +71,7 @@ pub fn tables(bytes: &[u8]) {
             }
         };
     }
-    let report = compare!(1 2 3 4);
+    let report = compare!(1 2 3 4 5 6 7);
     assert!(report.is_ok(), "{report}\n{fields:?}\n{:#?}", arm.robot());
 }
 
@@ -64,16 +79,24 @@ pub fn tables(bytes: &[u8]) {
 mod tests {
     use std::path::Path;
 
+    /// Reads all inputs of a target's corpus; how many there are.
+    fn run(name: &str, target: fn(&[u8])) -> usize {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("corpus").join(name);
+        let entries = std::fs::read_dir(folder).expect("the folder can be read");
+        let inputs = entries.map(|entry| entry.expect("an entry of the folder").path());
+        inputs.map(|path| target(&std::fs::read(path).expect("an input can be read"))).count()
+    }
+
     /// Among them are tables of which earlier versions of the target made bodies that cannot be.
     #[test]
     fn the_tables_of_the_corpus_pass() {
-        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("corpus/tables");
-        let mut count = 0;
-        for entry in std::fs::read_dir(folder).expect("the folder can be read") {
-            let path = entry.expect("an entry of the folder").path();
-            crate::tables(&std::fs::read(path).expect("an input can be read"));
-            count += 1;
-        }
+        let count = run("tables", crate::tables);
         assert!(count >= 15, "{count} tables");
+    }
+
+    #[test]
+    fn the_couplings_of_the_corpus_pass() {
+        let count = run("couplings", crate::couplings);
+        assert!(count >= 8, "{count} arms");
     }
 }

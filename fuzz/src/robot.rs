@@ -3,7 +3,7 @@
 use arbitrary::{Result, Unstructured};
 use dynamics_symbolic::exact::Rational;
 use dynamics_symbolic::robot::{
-    Convention, JointType, Placement, Robot, Row, Spring, Stribeck, Tool, Value,
+    Convention, Coupling, JointType, Placement, Robot, Row, Spring, Stribeck, Tool, Value,
 };
 
 /// Cells of a robot, and the values of its fields.
@@ -39,7 +39,63 @@ pub(crate) fn robot(bytes: &[u8]) -> Result<(Robot, Vec<f64>)> {
     Ok((robot, cells.fields))
 }
 
+/// A robot of two to seven joints, some of which follow others, and the values of its fields. What follows a
+/// follower follows the joint that leads that one.
+pub(crate) fn coupled_robot(bytes: &[u8]) -> Result<(Robot, Vec<f64>)> {
+    let mut cells = Cells {
+        bytes: Unstructured::new(bytes),
+        fields: Vec::new(),
+    };
+    let count = cells.bytes.int_in_range(2..=7)?;
+    let mut rows = (0..count).map(|i| cells.row(i)).collect::<Result<Vec<_>>>()?;
+    for i in 1..count {
+        let before = cells.bytes.int_in_range(0..=2 * i)?;
+        // Half of the joints move by themselves.
+        let Some(next) = rows.get(before).filter(|_| before < i).map(|row| row.follows.clone()) else {
+            continue;
+        };
+        let (factor, offset) = (cells.factor()?, cells.angle()?);
+        rows[i].follows = Some(match next {
+            None => Coupling {
+                leader: before,
+                factor,
+                offset,
+            },
+            // k (k' q + c') + c
+            Some(next) => Coupling {
+                leader: next.leader,
+                factor: factor.clone() * next.factor,
+                offset: factor * next.offset + offset,
+            },
+        });
+    }
+    let gravity = cells.cells()?;
+    let robot = Robot {
+        name: "random".to_owned(),
+        fields: (0..cells.fields.len()).map(|i| format!("p{i}")).collect(),
+        convention: Convention::Modified,
+        gravity,
+        rows,
+        neglected: None,
+        base: None,
+        tool: None,
+    };
+    Ok((robot, cells.fields))
+}
+
 impl Cells<'_> {
+    /// A factor of up to six decimals between -3 and 3, or a field.
+    fn factor(&mut self) -> Result<Value> {
+        let decimals = self.bytes.int_in_range(0..=7)?;
+        if decimals == 7 {
+            return self.field();
+        }
+        let scale = 10_i64.pow(decimals);
+        let numerator = self.bytes.int_in_range(1..=3 * scale)?;
+        let size = Value::Rational(Rational::from(numerator) / Rational::from(scale));
+        Ok(if self.bytes.arbitrary()? { -size } else { size })
+    }
+
     fn row(&mut self, i: usize) -> Result<Row> {
         let joint_type = match self.bytes.arbitrary()? {
             true => JointType::Revolute,

@@ -29,8 +29,8 @@ fn show() -> Command {
         .long_about(
             "Print the table, of a URDF file the joints as it places them; and, of each function, what it is, its units, its operations, which of its entries are \
              zero or constant and on what the others depend, and the formulas of arms of up to three joints. With \
-             --format, print the formulas alone, of arms of any length. Formulas of more than --terms terms are counted \
-             and not printed.",
+             --format, print the formulas alone, of arms of any length. Formulas of more than --terms terms are not \
+             printed, nor those that take too long to multiply out: a sentence names them.",
         )
         .arg(functions())
         .arg(choice("format", "FORMAT", ["text", "latex", "mathml"]).help("Print formulas alone, in this format"))

@@ -39,7 +39,70 @@ fn the_command_prints_what_documentation_leaves_out() {
     let few = ["--terms", "20"];
     let shown = output(&[&["show", &arm][..], &functions[..], &few[..]].concat());
     assert!(
-        shown.contains("terms: a larger `--terms` prints them"),
+        shown.ends_with("a larger `--terms` prints them\n"),
         "{shown}"
     );
+}
+
+/// A wrist with skew axes: one sentence says that its formulas are too long, after a bounded amount of work.
+#[test]
+fn one_sentence_for_all_long_formulas() {
+    let wrist = data("files/skew_wrist.urdf");
+    let shown = output(&[
+        "show",
+        &wrist,
+        "--chain",
+        "base,l3",
+        "--gravity",
+        "0,0,-9.81",
+    ]);
+    let sentences: Vec<&str> = shown
+        .lines()
+        .filter(|line| line.contains("--terms"))
+        .collect();
+    let expected = "not printed, because of more than 1000 terms: ";
+    assert!(
+        sentences.len() == 1 && sentences[0].starts_with(expected),
+        "{shown}"
+    );
+    let names = [
+        "M11, M12, ",
+        "V1, V2, V3",
+        "G1, G2, G3",
+        "tau1, tau2, tau3",
+        "T, U",
+    ];
+    assert!(
+        names.iter().all(|name| sentences[0].contains(name)),
+        "{shown}"
+    );
+    assert!(shown.contains("\n    M33 = "), "{shown}");
+}
+
+/// A function that has no formulas says so.
+#[test]
+fn functions_without_formulas() {
+    let arm = data("robots/elbow_3r.json");
+    let functions = ["forward_dynamics", "regressor", "gravity_vector"];
+    for format in ["text", "latex", "mathml"] {
+        let call = [
+            "show",
+            &arm,
+            "--format",
+            format,
+            "--functions",
+            &functions.join(","),
+        ];
+        let shown = output(&call);
+        let sections: Vec<&str> = shown.split("\n\n").collect();
+        assert!(
+            sections[0].starts_with("forward_dynamics\nno formulas: it solves"),
+            "{shown}"
+        );
+        assert!(
+            sections[1].starts_with("regressor\nno formulas: "),
+            "{shown}"
+        );
+        assert!(!sections[2].contains("no formulas"), "{shown}");
+    }
 }

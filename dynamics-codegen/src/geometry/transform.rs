@@ -187,7 +187,8 @@ impl Mass {
         let entry = |i: usize, j: usize| &self.inertia[i][j] - &steiner[i][j];
         Body {
             mass: self.mass.clone(),
-            inertia: [(0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (0, 2)].map(|(i, j)| bounded(entry(i, j))),
+            inertia: [(0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (0, 2)]
+                .map(|(i, j)| bounded(entry(i, j))),
             com: com.map(bounded),
         }
     }

@@ -52,6 +52,39 @@ fn numbers_that_square() {
     );
 }
 
+const TOO_LONG: &str =
+    "the exact value of this is a fraction of more than 1,200 digits: write a decimal number";
+
+fn coupled(lets: &str, laws: &str) -> String {
+    let rows = "a: revolute { mass: 1 }, b: revolute { mass: 1 }, c: revolute { mass: 1 }, d: revolute { mass: 1 }";
+    format!(
+        "struct Arm; {lets} convention: standard, gravity: [0, 0, -9.81], joints: [{rows}], couple: {{ {laws} }},"
+    )
+}
+
+/// The factors of a law, and those of joints that follow each other.
+#[test]
+fn factors_that_multiply() {
+    let lets = format!("let x = 1.{};", "0123456789".repeat(9));
+    let law = format!("b: {} a", "x * ".repeat(400));
+    assert_eq!(message(&coupled(&lets, &law)), TOO_LONG);
+    let cube = format!("{} x", "x * ".repeat(4));
+    let chain = format!("b: {cube} * a, c: {cube} * b, d: {cube} * c");
+    assert_eq!(messages(&coupled(&lets, &chain)), [TOO_LONG; 2]);
+    model(&coupled(&lets, &format!("b: {cube} * a, c: b + 1")));
+}
+
+/// Whether a divisor is zero is judged modulo a prime, of which a multiple is no zero.
+#[test]
+fn divisors_that_look_like_zero() {
+    let prime = (1_u64 << 61) - 1;
+    let cells = |divisor: &str| with_cells(&format!("a: 1 / ({divisor}), mass: 1"));
+    for divisor in [&format!("PI * {prime}"), "PI * 3 - PI * 3.0000001"] {
+        model(&cells(divisor));
+    }
+    assert_eq!(message(&cells("PI * 3 - PI * 3.0")), "division by zero");
+}
+
 /// Every prefix and every call with one token missing is read to its end: there is
 /// an error or there is a model.
 #[test]

@@ -370,7 +370,10 @@ impl<'d> Scope<'d> {
     }
 
     fn limit_digits(&self, value: &Value, place: Place) -> Option<()> {
-        if value.as_rational().is_none_or(|r| bit_length(r) <= MOST_BITS) {
+        if value
+            .as_rational()
+            .is_none_or(|r| bit_length(r) <= MOST_BITS)
+        {
             return Some(());
         }
         self.error(place, size::digits());

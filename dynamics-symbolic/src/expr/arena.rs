@@ -405,3 +405,28 @@ impl Arena {
         self.write_quotient(a, b).0
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::exact::{MOST_BITS, bit_length};
+
+    /// Squares of a decimal, of which the last would have 10^9 digits: they are operations that are not carried out,
+    /// and equal ones are still known to be equal.
+    #[test]
+    fn numbers_get_no_longer_than_the_longest() {
+        let graph = Graph::new();
+        let decimal = graph.rational(&(Rational::from(997) / Rational::from(1_000)));
+        let (mut power, mut inverse) = (decimal, graph.one() / decimal);
+        for _ in 0..30 {
+            (power, inverse) = (power * power + decimal - decimal, inverse * inverse);
+        }
+        assert!(power.as_rational().is_none());
+        assert_eq!(power.level(), Level::Constant);
+        assert_eq!(power * inverse, graph.one());
+        assert!((power - graph.one() / inverse).is_zero());
+        let arena = graph.arena.borrow();
+        let longest = arena.rationals.iter().map(bit_length).max();
+        assert!(longest.is_some_and(|bits| (MOST_BITS / 2..=MOST_BITS + 1).contains(&bits)));
+    }
+}

@@ -15,9 +15,13 @@ use std::rc::Rc;
 pub struct Budget {
     /// The largest number of terms of a value.
     pub terms: usize,
-    /// The number of terms that products of terms become, for all values together.
+    /// The number of terms that products of terms become, for all values together. A term with a long number counts
+    /// once more for every 256 bits of it.
     pub products: usize,
 }
+
+/// Bits of a number that take about as long to compute as a term does otherwise.
+const BITS_OF_ONE_MORE: usize = 256;
 
 impl Budget {
     /// What is multiplied out before a formula that nobody asked for is given up.
@@ -93,8 +97,10 @@ impl Expansion<'_> {
         let mut sum = Polynomial::zero();
         for (left, x) in a.terms() {
             for (right, y) in b.terms() {
-                let terms = add_reduced(&mut sum, product(left, right), &(x * y));
-                self.budget.products = self.budget.products.checked_sub(terms)?;
+                let number = x * y;
+                let size = 1 + bit_length(&number) / BITS_OF_ONE_MORE;
+                let terms = add_reduced(&mut sum, product(left, right), &number);
+                self.budget.products = self.budget.products.checked_sub(terms * size)?;
             }
         }
         self.limited(sum)

@@ -3,7 +3,9 @@
 use arms::{Bodies, Tables};
 use dynamics_symbolic::derive::base::{columns, observed};
 use dynamics_symbolic::derive::derive;
-use dynamics_symbolic::exact::{Rational, Residue, SplitMix64, circle_point};
+use dynamics_symbolic::exact::{
+    MOST_BITS, Rational, Residue, SplitMix64, bit_length, circle_point,
+};
 use dynamics_symbolic::program::{Arithmetic, Constant, Instruction, Operand, Program};
 use dynamics_symbolic::prove::{Proof, prove};
 use dynamics_symbolic::robot::{
@@ -23,13 +25,15 @@ const FUNCTIONS: [Function; 4] = [
 type Number = Residue<2_305_843_009_213_693_921>;
 
 /// Random numbers for the cells, the same at each state, and a random state at which sines of angles in
-/// rational ratios belong together.
+/// rational ratios belong together, however large the numbers of the ratio are.
 struct Point<'r> {
     robot: &'r Robot,
     cells: SplitMix64,
     angles: Vec<(Value, (Number, Number))>,
-    /// Of each joint the sine and the cosine of a sixth of its angle.
-    sixths: Vec<(Number, Number)>,
+    /// A common denominator of all factors.
+    parts: i64,
+    /// Of each joint the sine and the cosine of its angle over the denominator.
+    angles_of_parts: Vec<(Number, Number)>,
     state: u64,
 }
 
@@ -39,7 +43,8 @@ impl<'r> Point<'r> {
             robot,
             cells: SplitMix64::new(1),
             angles: Vec::new(),
-            sixths: Vec::new(),
+            parts: common_denominator(robot),
+            angles_of_parts: Vec::new(),
             state: 0,
         }
     }
@@ -47,26 +52,21 @@ impl<'r> Point<'r> {
     fn move_on(&mut self) {
         self.state += 1;
         let mut random = SplitMix64::new(self.state);
-        let sixth = |_| circle_point(&mut random);
-        self.sixths = (0..self.robot.dof()).map(sixth).collect();
+        let point = |_| circle_point(&mut random);
+        self.angles_of_parts = (0..self.robot.dof()).map(point).collect();
     }
 
     /// Sine and cosine of a joint's angle, or of the factor times its leader's.
     fn joint(&self, index: usize) -> (Number, Number) {
-        let sixth = |joint: usize, n: i64| {
-            let times = (0..n.abs()).fold((Number::ZERO, Number::ONE), |sum, _| {
-                turned(sum, self.sixths[joint])
-            });
-            if n < 0 { (-times.0, times.1) } else { times }
-        };
         let Some((leader, factor)) = self.robot.followed(index) else {
-            return sixth(index, 6);
+            return times(self.angles_of_parts[index], self.parts);
         };
-        let sixths = factor
-            .as_rational()
-            .map(|factor| factor * Rational::from(6));
-        match sixths.filter(|n| n.is_int()) {
-            Some(n) => sixth(leader, i64::try_from(n.round()).unwrap()),
+        let factor = factor.as_rational();
+        match factor.map(|factor| factor * Rational::from(self.parts)) {
+            Some(n) => times(
+                self.angles_of_parts[leader],
+                i64::try_from(n.round()).unwrap(),
+            ),
             None => circle_point(&mut SplitMix64::new(self.state ^ (index as u64) << 32)),
         }
     }
@@ -76,6 +76,29 @@ impl<'r> Point<'r> {
             self.state << 16 | kind << 8 | index as u64,
         ))
     }
+}
+
+/// The least number by which all factors that are numbers are whole.
+fn common_denominator(robot: &Robot) -> i64 {
+    let factors = robot.rows.iter().filter_map(|row| row.follows.as_ref());
+    let factors = factors.filter_map(|coupling| coupling.factor.as_rational());
+    let parts = factors.fold(Rational::ONE, |parts, factor| {
+        let rest = &parts * factor;
+        parts * Rational::from(rest.denominator().clone())
+    });
+    i64::try_from(parts.round()).expect("few decimals")
+}
+
+/// Sine and cosine of n times an angle.
+fn times(angle: (Number, Number), n: i64) -> (Number, Number) {
+    let mut times = (Number::ZERO, Number::ONE);
+    for bit in (0..64 - n.unsigned_abs().leading_zeros()).rev() {
+        times = turned(times, times);
+        if n.unsigned_abs() >> bit & 1 == 1 {
+            times = turned(times, angle);
+        }
+    }
+    if n < 0 { (-times.0, times.1) } else { times }
 }
 
 fn turned((s, c): (Number, Number), (t, d): (Number, Number)) -> (Number, Number) {
@@ -342,6 +365,91 @@ fn random_arms() {
         assert_smallest(&robot, &format!("table {table}: {robot:#?}"));
     }
     assert!(fewer >= 15, "{fewer}");
+}
+
+/// Three joints on one motor: exact cosines of a thousand times an angle would not end.
+#[test]
+fn factors_of_three_decimals() {
+    let zero = Value::zero;
+    let joint = |name, a: f64, d: f64| {
+        let cells = [arms::decimal(a), right(), arms::decimal(d), zero()];
+        row(name, JointType::Revolute, cells)
+    };
+    let follows_by = |row, factor: f64| follows(row, 1, arms::decimal(factor), zero());
+    let rows = vec![
+        follows_by(joint("j0", 0.5, 0.0), -0.997),
+        joint("j1", -0.2, 0.25),
+        follows_by(joint("j2", 0.0, 0.3), -0.988027),
+    ];
+    let robot = arm(Convention::Modified, [0, 0, -10], 0, rows);
+    assert_smallest(&robot, "three joints on one motor");
+    assert_short(&robot);
+}
+
+/// A third and two thirds in four decimals keep a hand level together, and in four decimals there is no other way to
+/// know.
+#[test]
+fn a_hand_that_two_followers_keep_level() {
+    let zero = Value::zero;
+    let joint = |name| {
+        let cells = [arms::decimal(0.5), zero(), zero(), zero()];
+        row(name, JointType::Revolute, cells)
+    };
+    let with = |factors: [f64; 2]| {
+        let [second, third] = factors.map(arms::decimal);
+        let rows = vec![
+            joint("first"),
+            follows(joint("second"), 0, second, zero()),
+            follows(joint("third"), 0, third, zero()),
+        ];
+        arm(Convention::Standard, [0, -10, 0], 0, rows)
+    };
+    let [level, other] = [[-0.3333, -0.6667], [-0.3333, -0.6666]].map(with);
+    assert_smallest(&level, "level");
+    assert_smallest(&other, "not level");
+    assert!(observed(&level).len() < observed(&other).len());
+}
+
+/// Numbers of the program of base parameters are no longer than the engine's may get, and there are not many.
+fn assert_short(robot: &Robot) {
+    let program = derive(robot, Function::BaseParameters);
+    let longest = program
+        .constants
+        .iter()
+        .filter_map(|constant| match constant {
+            Constant::Rational(x) => Some(bit_length(x)),
+            _ => None,
+        });
+    let longest = longest.max().unwrap_or(0);
+    let count = program.constants.iter().count();
+    assert!(
+        longest <= MOST_BITS + 1 && count <= 100_000,
+        "{longest} bits, {count} constants: {robot:#?}"
+    );
+}
+
+/// Up to six followers, of one leader or of another follower, by factors of up to six decimals.
+fn random_decimals(seed: u64, arms: usize) {
+    let mut tables = Tables::new(seed, Bodies::Any);
+    let mut coupled = 0;
+    for _ in 0..arms {
+        let robot = tables.robot_with_decimal_couplings();
+        coupled += usize::from(robot.is_coupled());
+        assert_smallest(&robot, &format!("{robot:#?}"));
+        assert_short(&robot);
+    }
+    assert!(2 * coupled > arms, "{coupled}");
+}
+
+#[test]
+fn random_decimal_factors() {
+    random_decimals(31, 6);
+}
+
+#[test]
+#[ignore = "half a minute"]
+fn many_random_decimal_factors() {
+    random_decimals(32, 200);
 }
 
 /// Every operation, and every parameter that is a constant.

@@ -215,6 +215,83 @@ impl Tables {
         }
     }
 
+    /// An arm of two to seven joints in numbers alone, most of which follow others, some of them followers: factors of
+    /// no more than six decimals in all, angles of all kinds.
+    pub fn robot_with_decimal_couplings(&mut self) -> Robot {
+        let mut robot = self.robot();
+        let count = 2 + self.below(6) as usize;
+        robot.fields.clear();
+        robot.gravity = [(); 3].map(|()| self.decimal(2));
+        robot.rows = (0..count).map(|i| self.decimal_row(i)).collect();
+        for i in 1..count {
+            let before = self.below(i as u64) as usize;
+            if self.below(4) == 0 {
+                continue;
+            }
+            let decimals = match robot.rows[before].follows {
+                Some(_) => 3,
+                None => self.below(4) as u32,
+            };
+            let factor = self.decimal(decimals) + Value::integer(3);
+            let offset = self.angle_of_numbers();
+            robot.rows[i].follows = Some(match robot.rows[before].follows.clone() {
+                None => Coupling {
+                    leader: before,
+                    factor,
+                    offset,
+                },
+                // k (k' q + c') + c
+                Some(next) => Coupling {
+                    leader: next.leader,
+                    factor: factor.clone() * next.factor,
+                    offset: factor * next.offset + offset,
+                },
+            });
+        }
+        // A joint that leads may come behind those that follow it.
+        if self.below(2) == 0 {
+            robot.rows.reverse();
+            for coupling in robot.rows.iter_mut().filter_map(|row| row.follows.as_mut()) {
+                coupling.leader = count - 1 - coupling.leader;
+            }
+        }
+        robot
+    }
+
+    fn decimal_row(&mut self, i: usize) -> Row {
+        let joint_type = match self.below(4) {
+            0 => JointType::Prismatic,
+            _ => JointType::Revolute,
+        };
+        Row {
+            a: self.decimal(3),
+            alpha: self.angle_of_numbers(),
+            d: self.decimal(3),
+            theta: self.angle_of_numbers(),
+            mass: self.positive_number(),
+            com: [(); 3].map(|()| self.decimal(3)),
+            inertia: [(); 6].map(|()| self.decimal(4)),
+            motor_inertia: self.decimal(1),
+            gear_ratio: self.decimal(1),
+            ..Row::new(format!("joint{i}"), joint_type)
+        }
+    }
+
+    fn angle_of_numbers(&mut self) -> Value {
+        let quarter = Value::Pi * Value::Rational(Rational::ONE / Rational::from(2));
+        match self.below(3) {
+            0 => self.decimal(3),
+            _ => quarter * Value::integer(self.below(4) as i64 - 1),
+        }
+    }
+
+    /// A number between -2 and 2 of so many decimals.
+    fn decimal(&mut self, decimals: u32) -> Value {
+        let scale = 10_u64.pow(decimals);
+        let numerator = self.below(4 * scale + 1) as i64 - 2 * scale as i64;
+        Value::Rational(Rational::from_parts(numerator.into(), scale.into()))
+    }
+
     /// An arm on a base that is placed in the world, with a tool; one of the two at least.
     pub fn mounted_robot(&mut self) -> Robot {
         let robot = self.robot();

@@ -63,7 +63,9 @@ impl<'a> Chain<'a> {
             // k (k' q + c') + c
             offset = factor.clone() * mimic.offset.clone() + offset;
             factor = factor * Value::Rational(mimic.multiplier.clone());
-            let mut numbers = [&factor, &offset].into_iter().filter_map(Value::as_rational);
+            let mut numbers = [&factor, &offset]
+                .into_iter()
+                .filter_map(Value::as_rational);
             if numbers.any(|x| bit_length(x) > MOST_BITS) {
                 self.error(mimic.place, size::digits());
                 return None;
