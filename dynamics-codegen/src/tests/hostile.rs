@@ -58,7 +58,7 @@ const TOO_LONG: &str =
 fn coupled(lets: &str, laws: &str) -> String {
     let rows = "a: revolute { mass: 1 }, b: revolute { mass: 1 }, c: revolute { mass: 1 }, d: revolute { mass: 1 }";
     format!(
-        "struct Arm; {lets} convention: standard, gravity: [0, 0, -9.81], joints: [{rows}], couple: {{ {laws} }},"
+        "struct Arm; {lets} convention: standard, gravity: [0, 0, -9.81], joints: [{rows}], couple: [{laws}],"
     )
 }
 
@@ -66,12 +66,45 @@ fn coupled(lets: &str, laws: &str) -> String {
 #[test]
 fn factors_that_multiply() {
     let lets = format!("let x = 1.{};", "0123456789".repeat(9));
-    let law = format!("b: {} a", "x * ".repeat(400));
+    let law = format!("b = {} a", "x * ".repeat(400));
     assert_eq!(message(&coupled(&lets, &law)), TOO_LONG);
     let cube = format!("{} x", "x * ".repeat(4));
-    let chain = format!("b: {cube} * a, c: {cube} * b, d: {cube} * c");
+    let chain = format!("b = {cube} * a, c = {cube} * b, d = {cube} * c");
     assert_eq!(messages(&coupled(&lets, &chain)), [TOO_LONG; 2]);
-    model(&coupled(&lets, &format!("b: {cube} * a, c: b + 1")));
+    model(&coupled(&lets, &format!("b = {cube} * a, c = b + 1")));
+}
+
+/// Joints of a file that stand still beside the arm, and follow each other.
+#[cfg(feature = "files")]
+#[test]
+fn factors_that_multiply_beside_the_arm() {
+    use crate::description::Name;
+    use crate::files::{Format, Request, table};
+    use crate::place::Place;
+    use dynamics_symbolic::robot::Value;
+
+    let joint = |k: usize| {
+        let digits = "0123456789".repeat(9);
+        let next = k + 1;
+        format!(
+            "<link name='l{k}'/><joint name='j{k}' type='revolute'><parent link='base'/><child link='l{k}'/>\
+             <axis xyz='0 0 1'/><mimic joint='j{next}' multiplier='1.{digits}'/></joint>"
+        )
+    };
+    let joints: String = (0..100).map(joint).collect();
+    let last = "<link name='l100'/><joint name='j100' type='revolute'><parent link='base'/><child link='l100'/></joint>";
+    let text = format!("<robot name='arm'><link name='base'/>{joints}{last}</robot>");
+    let name = |word: &str| Name::new(word, Place::File { line: 1, column: 1 });
+    let request = Request {
+        chain: Some([name("base"), name("l0")]),
+        lock: vec![(name("j100"), Some(Value::integer(1)))],
+        ..Request::default()
+    };
+    let errors = table("arm", &text, Format::Urdf, &request).unwrap_err();
+    assert!(!errors.is_empty());
+    for error in errors {
+        assert!(error.message.starts_with(TOO_LONG), "{}", error.message);
+    }
 }
 
 /// Whether a divisor is zero is judged modulo a prime, of which a multiple is no zero.

@@ -50,21 +50,19 @@ pub fn common_angles<const P: u64>(factors: &[Residue<P>]) -> Vec<Vec<i64>> {
 /// that is not zero has the residue zero by a chance of 9^9 / 2^61, about 2e-10, for all relations together.
 fn for_each_relation<const P: u64>(factors: &[Residue<P>], mut use_relation: impl FnMut(Vec<i64>)) {
     let (left, right) = factors.split_at(factors.len() / 2);
-    let [all_left, all_right] = [left, right].map(sums);
-    let first = |all: &[(Residue<P>, Vec<i64>)]| -> BTreeMap<Residue<P>, Vec<i64>> {
-        all.iter().rev().cloned().collect()
-    };
-    let (first_left, first_right) = (first(&all_left), first(&all_right));
-    for (sum, mut coefficients) in all_left {
-        if let Some(others) = first_right.get(&-sum) {
-            coefficients.extend(others);
-            use_relation(coefficients);
-        }
+    let mut by_sum: BTreeMap<Residue<P>, Vec<Vec<i64>>> = BTreeMap::new();
+    for (sum, coefficients) in sums(left) {
+        by_sum.entry(sum).or_default().push(coefficients);
     }
-    for (sum, others) in all_right {
-        if let Some(coefficients) = first_left.get(&-sum) {
+    for (sum, others) in sums(right) {
+        let Some(opposite) = by_sum.get_mut(&-sum) else {
+            continue;
+        };
+        for coefficients in opposite.iter() {
             use_relation([&coefficients[..], &others].concat());
         }
+        // With the next sum of the same value one of them is enough.
+        opposite.truncate(1);
     }
 }
 
