@@ -163,7 +163,7 @@ mod tests {
         let powers = [0, 1, 2, 3, 4, 5].map(|k| (4_i64.pow(k), 1));
         let angles = of(powers);
         assert!(angles.iter().flatten().all(|n| (0..=64).contains(n)));
-        assert_eq!(angles[0].len(), 3);
+        assert_eq!(angles[0].len(), 2);
     }
 
     #[test]

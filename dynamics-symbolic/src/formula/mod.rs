@@ -124,8 +124,10 @@ impl Formulas {
                 });
             }
         }
-        let divisors = atoms.divisors.iter().map(|divisor| collected(divisor).1);
-        let divisors = divisors.collect();
+        // Where no formula is short enough, nothing reads what it would divide by, and rounding that takes long.
+        let is_read = entries.iter().any(|entry| entry.formula.is_ok());
+        let divisors = atoms.divisors.iter().filter(|_| is_read);
+        let divisors = divisors.map(|divisor| collected(divisor).1).collect();
         Formulas {
             names: Names::new(robot, groups, atoms.angles, divisors),
             entries,
