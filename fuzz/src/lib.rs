@@ -54,7 +54,11 @@ pub fn couplings(bytes: &[u8]) {
     let Ok((robot, fields)) = robot::coupled_robot(bytes) else {
         return;
     };
-    let functions = [Function::Regressor, Function::BaseParameters, Function::EnergyRegressors];
+    let functions = [
+        Function::Regressor,
+        Function::BaseParameters,
+        Function::EnergyRegressors,
+    ];
     compare(&robot, &fields, functions);
 }
 
@@ -81,10 +85,14 @@ mod tests {
 
     /// Reads all inputs of a target's corpus; how many there are.
     fn run(name: &str, target: fn(&[u8])) -> usize {
-        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("corpus").join(name);
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR"))
+            .join("corpus")
+            .join(name);
         let entries = std::fs::read_dir(folder).expect("the folder can be read");
         let inputs = entries.map(|entry| entry.expect("an entry of the folder").path());
-        inputs.map(|path| target(&std::fs::read(path).expect("an input can be read"))).count()
+        inputs
+            .map(|path| target(&std::fs::read(path).expect("an input can be read")))
+            .count()
     }
 
     /// Among them are tables of which earlier versions of the target made bodies that cannot be.

@@ -47,11 +47,17 @@ pub(crate) fn coupled_robot(bytes: &[u8]) -> Result<(Robot, Vec<f64>)> {
         fields: Vec::new(),
     };
     let count = cells.bytes.int_in_range(2..=7)?;
-    let mut rows = (0..count).map(|i| cells.row(i)).collect::<Result<Vec<_>>>()?;
+    let mut rows = (0..count)
+        .map(|i| cells.row(i))
+        .collect::<Result<Vec<_>>>()?;
     for i in 1..count {
         let before = cells.bytes.int_in_range(0..=2 * i)?;
         // Half of the joints move by themselves.
-        let Some(next) = rows.get(before).filter(|_| before < i).map(|row| row.follows.clone()) else {
+        let Some(next) = rows
+            .get(before)
+            .filter(|_| before < i)
+            .map(|row| row.follows.clone())
+        else {
             continue;
         };
         let (factor, offset) = (cells.factor()?, cells.angle()?);
