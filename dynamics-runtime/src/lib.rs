@@ -116,8 +116,9 @@ pub use replace::replace_files;
 pub use scalar::Scalar;
 #[cfg(feature = "std")]
 pub use simulation::{
-    Cause, Continuous, CsvError, CsvMistake, Dop853, DormandPrince, Friction, HeldToolForce,
-    HeldTorque, InvalidSetting, JointSet, Method, NoToolForce, NoTorque, Radau5, Sampled,
+    Cause, Continuous, ContinuousForce, CsvError, CsvMistake, Dop853, DormandPrince, Friction,
+    HeldToolForce, HeldTorque, InvalidSetting, JointSet, Method, NoToolForce, NoTorque, Radau5,
+    Sampled,
     Simulation, SimulationError, Taylor, TaylorSimulation, ToolForce, Trajectory, Work,
 };
 #[doc(hidden)]

@@ -26,7 +26,8 @@ impl<const N: usize> Trajectory<N> {
     /// Accelerations or torques have no columns where the trajectory does not have one for each time.
     ///
     /// ```
-    /// use dynamics_runtime::{Simulation, nalgebra::SVector, robot_dynamics};
+    /// # extern crate dynamics_runtime as robot_dynamics;
+    /// use robot_dynamics::{Simulation, nalgebra::SVector, robot_dynamics};
     ///
     /// robot_dynamics! {
     ///     /// A stone that falls along z.

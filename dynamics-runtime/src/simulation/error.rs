@@ -9,7 +9,9 @@ use crate::SingularMassMatrix;
 use crate::taylor::Refusal;
 
 /// A simulation that could not reach its end, with everything that it computed before.
-#[derive(Clone, Debug, PartialEq)]
+///
+/// `{:?}`, which `unwrap` and an error of `main` print, is the sentence of `{}` and the number of samples.
+#[derive(Clone, PartialEq)]
 pub struct SimulationError<const N: usize> {
     /// The time reached, s.
     pub time: f64,
@@ -211,6 +213,13 @@ impl<const N: usize> fmt::Display for SimulationError<N> {
             self.q.as_slice(),
             self.qd.as_slice()
         )
+    }
+}
+
+impl<const N: usize> fmt::Debug for SimulationError<N> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let samples = self.trajectory.len();
+        write!(f, "{self}; `trajectory` has {samples} samples up to there")
     }
 }
 

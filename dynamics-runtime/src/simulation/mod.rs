@@ -41,7 +41,7 @@ pub use method::Method;
 pub use sampling::{Continuous, Sampled};
 pub use settings::{Dop853, DormandPrince, Radau5};
 pub use taylor::{HeldTorque, Taylor, TaylorSimulation};
-pub use tool_force::{HeldToolForce, NoToolForce, ToolForce};
+pub use tool_force::{ContinuousForce, HeldToolForce, NoToolForce, ToolForce};
 pub use torque::NoTorque;
 pub use trajectory::{Trajectory, Work};
 
@@ -51,8 +51,9 @@ pub use trajectory::{Trajectory, Work};
 /// and is integrated by [`DormandPrince`] with its default tolerance.
 ///
 /// ```
-/// use dynamics_runtime::nalgebra::{SVector, Vector1};
-/// use dynamics_runtime::{ForwardDynamics, Scalar, Simulation, SingularMassMatrix};
+/// # extern crate dynamics_runtime as robot_dynamics;
+/// use robot_dynamics::nalgebra::{SVector, Vector1};
+/// use robot_dynamics::{ForwardDynamics, Scalar, Simulation, SingularMassMatrix};
 ///
 /// /// A cart of 2 kg on a rail.
 /// struct Cart;
@@ -120,9 +121,11 @@ impl<'a, R, L, W, const N: usize> Simulation<'a, R, L, N, W> {
     where
         F: Fn(f64, &SVector<f64, N>, &SVector<f64, N>) -> SVector<f64, N>,
     {
-        self.with_laws(|_, tool_force| (law, tool_force), Continuous)
+        self.with_laws(|_, tool_force, asked| (law, tool_force, asked))
     }
+}
 
+impl<'a, R, L, W, S, const N: usize> Simulation<'a, R, L, N, W, S> {
     /// Sample and hold, as a digital controller works: with the period p in s, the torque law is called at the times
     /// 0, p, 2 p, ... before the end of the run, once each and in order, and its torque is held until the next
     /// of them.
@@ -136,8 +139,9 @@ impl<'a, R, L, W, const N: usize> Simulation<'a, R, L, N, W> {
     /// The torque law that is given after `sampled` may have a memory:
     ///
     /// ```
-    /// use dynamics_runtime::nalgebra::{SVector, Vector1};
-    /// use dynamics_runtime::{Simulation, robot_dynamics};
+    /// # extern crate dynamics_runtime as robot_dynamics;
+    /// use robot_dynamics::nalgebra::{SVector, Vector1};
+    /// use robot_dynamics::{Simulation, robot_dynamics};
     ///
     /// robot_dynamics! {
     ///     /// A cart of 2 kg on a rail that slopes.
@@ -165,9 +169,10 @@ impl<'a, R, L, W, const N: usize> Simulation<'a, R, L, N, W> {
     ///
     /// Without `sampled` it may not:
     ///
-    /// ```compile_fail
-    /// # use dynamics_runtime::nalgebra::Vector1;
-    /// # use dynamics_runtime::{Simulation, robot_dynamics};
+    /// ```compile_fail,E0594
+    /// # extern crate dynamics_runtime as robot_dynamics;
+    /// # use robot_dynamics::nalgebra::Vector1;
+    /// # use robot_dynamics::{Simulation, robot_dynamics};
     /// # robot_dynamics! {
     /// #     struct Cart;
     /// #     convention: modified,
@@ -181,20 +186,19 @@ impl<'a, R, L, W, const N: usize> Simulation<'a, R, L, N, W> {
     /// });
     /// ```
     pub fn sampled(self, period: f64) -> Simulation<'a, R, L, N, W, Sampled> {
-        self.with_laws(
-            |torque, tool_force| (torque, tool_force),
-            Sampled { period },
-        )
+        self.with_laws(|torque, tool_force, _| (torque, tool_force, Sampled { period }))
     }
 
     /// The force of the surroundings on the tool: a wrench w = (fx fy fz nx ny nz), N and N m, as a function of t
     /// in s, the tip's pose, and its twist (vx vy vz wx wy wz). The force acts at the tip's origin, the
     /// point of `forward_kinematics`; axes are those of `jacobian`. J^T w is added to the torques of the
-    /// motors, by every method of integration, and counts for joints that stick too.
+    /// motors, by every method of integration, and counts for joints that stick too. The law is called wherever the
+    /// integration evaluates the equations of motion, also where the torques are [`sampled`](Simulation::sampled).
     ///
     /// ```
-    /// use dynamics_runtime::nalgebra::{SVector, Vector6};
-    /// use dynamics_runtime::{Simulation, robot_dynamics};
+    /// # extern crate dynamics_runtime as robot_dynamics;
+    /// use robot_dynamics::nalgebra::{SVector, Vector6};
+    /// use robot_dynamics::{Simulation, robot_dynamics};
     ///
     /// robot_dynamics! {
     ///     /// A cart of 2 kg on a rail along z.
@@ -222,8 +226,9 @@ impl<'a, R, L, W, const N: usize> Simulation<'a, R, L, N, W> {
     /// An arm without `forward_kinematics` or `jacobian` is refused:
     ///
     /// ```compile_fail,E0277
-    /// # use dynamics_runtime::nalgebra::Vector6;
-    /// # use dynamics_runtime::{Simulation, robot_dynamics};
+    /// # extern crate dynamics_runtime as robot_dynamics;
+    /// # use robot_dynamics::nalgebra::Vector6;
+    /// # use robot_dynamics::{Simulation, robot_dynamics};
     /// robot_dynamics! {
     ///     struct Cart;
     ///     convention: modified,
@@ -234,12 +239,45 @@ impl<'a, R, L, W, const N: usize> Simulation<'a, R, L, N, W> {
     ///
     /// Simulation::new(&Cart).tool_force(|_, _, _| Vector6::zeros()).run();
     /// ```
-    pub fn tool_force<F>(self, law: F) -> Simulation<'a, R, L, N, F>
+    pub fn tool_force<F>(self, law: F) -> Simulation<'a, R, L, N, F, S>
     where
         R: Kinematics<N>,
         F: Fn(f64, &Matrix4<f64>, &Vector6<f64>) -> Vector6<f64>,
     {
-        self.with_laws(|torque, _| (torque, law), Continuous)
+        self.with_laws(|torque, _, asked| (torque, law, asked))
+    }
+
+    /// The force of the surroundings on the tool, sampled with the torques: a wrench (fx fy fz nx ny nz), N and
+    /// N m, as a function of t in s, the tip's pose and its twist at a sample. It is held, in the axes of
+    /// `jacobian`, until the next sample. The law may have a memory. It takes the period of
+    /// [`sampled`](Simulation::sampled), which may be called before or after.
+    ///
+    /// It is for disturbances, such as random pushes, and not for contact: a wall that pushes back is stiff,
+    /// and a force that is held feeds energy into the motion. Give a contact as a function of time and state, by
+    /// [`tool_force`](Simulation::tool_force).
+    ///
+    /// Without `sampled` there is no period:
+    ///
+    /// ```compile_fail,E0277
+    /// # extern crate dynamics_runtime as robot_dynamics;
+    /// # use robot_dynamics::nalgebra::Vector6;
+    /// # use robot_dynamics::{Simulation, robot_dynamics};
+    /// # robot_dynamics! {
+    /// #     struct Cart;
+    /// #     convention: modified,
+    /// #     gravity: [0, -9.81, 0],
+    /// #     joints: [rail: prismatic { mass: 2 }],
+    /// #     functions: [default, forward_kinematics, jacobian],
+    /// # }
+    /// Simulation::new(&Cart).held_tool_force(|_, _, _| Vector6::zeros()).run();
+    /// ```
+    pub fn held_tool_force<F>(self, law: F) -> Simulation<'a, R, L, N, HeldToolForce<F>, S>
+    where
+        R: Kinematics<N>,
+        F: FnMut(f64, &Matrix4<f64>, &Vector6<f64>) -> Vector6<f64>,
+    {
+        let wrench = Vector6::zeros();
+        self.with_laws(|torque, _, asked| (torque, HeldToolForce { law, wrench }, asked))
     }
 }
 
@@ -253,25 +291,7 @@ impl<'a, R, L, W, const N: usize> Simulation<'a, R, L, N, W, Sampled> {
     where
         F: FnMut(f64, &SVector<f64, N>, &SVector<f64, N>) -> SVector<f64, N>,
     {
-        let asked = self.asked;
-        self.with_laws(|_, tool_force| (law, tool_force), asked)
-    }
-
-    /// The force of the surroundings on the tool, sampled with the torques: a wrench (fx fy fz nx ny nz), N and
-    /// N m, as a function of t in s, the tip's pose and its twist at a sample. It is held, in the axes of
-    /// `jacobian`, until the next sample. The law may have a memory.
-    ///
-    /// It is for disturbances, such as random pushes, and not for contact: a wall that pushes back is stiff,
-    /// and a force that is held feeds energy into the motion. Give a contact as a function of time and state, by
-    /// `tool_force` before [`sampled`](Simulation::sampled).
-    pub fn held_tool_force<F>(self, law: F) -> Simulation<'a, R, L, N, HeldToolForce<F>, Sampled>
-    where
-        R: Kinematics<N>,
-        F: FnMut(f64, &Matrix4<f64>, &Vector6<f64>) -> Vector6<f64>,
-    {
-        let asked = self.asked;
-        let wrench = Vector6::zeros();
-        self.with_laws(|torque, _| (torque, HeldToolForce { law, wrench }), asked)
+        self.with_laws(|_, tool_force, asked| (law, tool_force, asked))
     }
 }
 
@@ -279,10 +299,9 @@ impl<'a, R, L, W, S, const N: usize> Simulation<'a, R, L, N, W, S> {
     /// The same with other laws.
     fn with_laws<L2, W2, S2>(
         self,
-        change: impl FnOnce(L, W) -> (L2, W2),
-        asked: S2,
+        change: impl FnOnce(L, W, S) -> (L2, W2, S2),
     ) -> Simulation<'a, R, L2, N, W2, S2> {
-        let (torque, tool_force) = change(self.torque, self.tool_force);
+        let (torque, tool_force, asked) = change(self.torque, self.tool_force, self.asked);
         Simulation {
             robot: self.robot,
             torque,
@@ -334,8 +353,9 @@ impl<'a, R, L, W, S, const N: usize> Simulation<'a, R, L, N, W, S> {
     /// it. Structure-preserving methods preserve the structure between impacts.
     ///
     /// ```
-    /// use dynamics_runtime::nalgebra::SVector;
-    /// use dynamics_runtime::{Simulation, robot_dynamics};
+    /// # extern crate dynamics_runtime as robot_dynamics;
+    /// use robot_dynamics::nalgebra::SVector;
+    /// use robot_dynamics::{Simulation, robot_dynamics};
     ///
     /// robot_dynamics! {
     ///     /// A ball that falls along z.
@@ -414,7 +434,10 @@ where
     /// [`SimulationError`], with the time and the state reached and all samples up to there. Its [`Cause`] is an invalid
     /// setting; a singular mass matrix, a limit that is an error, or a torque, force, acceleration or state that is
     /// not finite, reached by the motion; or an error that cannot be held. Never panics, unless a law does.
-    pub fn run(&self) -> Result<Trajectory<N>, Box<SimulationError<N>>> {
+    pub fn run(&self) -> Result<Trajectory<N>, Box<SimulationError<N>>>
+    where
+        W: ContinuousForce,
+    {
         let laws = Laws {
             robot: self.robot,
             torque: &self.torque,

@@ -239,8 +239,9 @@ where
     /// step. A new series begins at each such time; between them steps are as long as without stops.
     ///
     /// ```
-    /// use dynamics_runtime::nalgebra::SVector;
-    /// use dynamics_runtime::{TaylorSimulation, robot_dynamics};
+    /// # extern crate dynamics_runtime as robot_dynamics;
+    /// use robot_dynamics::nalgebra::SVector;
+    /// use robot_dynamics::{TaylorSimulation, robot_dynamics};
     ///
     /// robot_dynamics! {
     ///     /// A ball that falls along z.

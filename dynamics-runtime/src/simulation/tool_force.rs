@@ -32,6 +32,18 @@ pub trait ToolForce<R, const N: usize> {
     }
 }
 
+/// A force at the tool that needs no period: none, or a function of time and state.
+#[diagnostic::on_unimplemented(
+    message = "a held force at the tool needs a period",
+    label = "a law of `held_tool_force`, which is called once each period",
+    note = "call `.sampled(period)` before `.run()`, or give the law by `.tool_force(..)` as a function of time and state"
+)]
+pub trait ContinuousForce {}
+
+impl ContinuousForce for NoToolForce {}
+
+impl<F> ContinuousForce for F where F: Fn(f64, &Matrix4<f64>, &Vector6<f64>) -> Vector6<f64> {}
+
 /// No force at the tool.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct NoToolForce;

@@ -61,6 +61,27 @@ fn swings(duration: f64, samples: usize) -> Vec<(String, Run<1>)> {
     runs
 }
 
+/// What `?` in `main` and `unwrap` print.
+#[test]
+fn an_error_with_many_samples_prints_one_sentence() {
+    let law = |t: f64, _: &Vector1<f64>, _: &Vector1<f64>| {
+        Vector1::new(if t > 0.9 { f64::NAN } else { 0.0 })
+    };
+    let swing = Simulation::new(&Pendulum).torque(law);
+    let error = swing.samples(1001).run().unwrap_err();
+    let samples = error.trajectory.len();
+    assert!(samples > 800);
+    let text = format!("{error:?}");
+    assert_eq!(
+        text,
+        format!("{error}; `trajectory` has {samples} samples up to there")
+    );
+    assert!(
+        text.len() < 300 && !format!("{error:#?}").contains('\n'),
+        "{text}"
+    );
+}
+
 #[test]
 fn a_time_shorter_than_its_rounding_can_be_is_refused() {
     for duration in [5e-324, 1e-310, 1e-300] {

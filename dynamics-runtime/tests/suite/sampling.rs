@@ -2,7 +2,7 @@
 
 use std::cell::Cell;
 
-use dynamics_runtime::nalgebra::{SVector, Vector1, Vector2, Vector6};
+use dynamics_runtime::nalgebra::{Matrix4, SVector, Vector1, Vector2, Vector6};
 use dynamics_runtime::{
     Cause, Dop853, DormandPrince, Friction, InvalidSetting, Method, Radau5, Simulation, Taylor,
     TaylorSimulation, robot_dynamics,
@@ -243,6 +243,54 @@ fn forces_at_the_tool_are_held_where_they_are_asked_to_be() {
         .unwrap_err();
     assert_eq!(error.cause, Cause::NonFiniteToolForce { component: 0 });
     assert_eq!(error.time, 0.5);
+}
+
+/// Runs the cart with its settings in each order, one after the other.
+macro_rules! in_order {
+    ($($setting:ident($value:expr)),*) => {
+        Simulation::new(&Cart)$(.$setting($value))*.run().unwrap()
+    };
+}
+
+#[test]
+fn the_laws_and_the_period_are_given_in_any_order() {
+    let pull = |t: f64, q: &Vector1<f64>, _: &Vector1<f64>| Vector1::new(t.cos() - q[0]);
+    let wall = |_: f64, pose: &Matrix4<f64>, twist: &Vector6<f64>| {
+        Vector6::new(
+            0.0,
+            0.0,
+            -800.0 * pose[(2, 3)].max(0.0) - 5.0 * twist[2],
+            0.0,
+            0.0,
+            0.0,
+        )
+    };
+    let p = 0.07;
+    let runs = [
+        in_order!(sampled(p), torque(pull), tool_force(wall)),
+        in_order!(sampled(p), tool_force(wall), torque(pull)),
+        in_order!(torque(pull), sampled(p), tool_force(wall)),
+        in_order!(torque(pull), tool_force(wall), sampled(p)),
+        in_order!(tool_force(wall), sampled(p), torque(pull)),
+        in_order!(tool_force(wall), torque(pull), sampled(p)),
+        in_order!(sampled(1.0), tool_force(wall), sampled(p), torque(pull)),
+    ];
+    assert!(runs[0].qd.iter().any(|qd| qd[0] < 0.0) && runs[0].q[100][0] != 0.0);
+    for run in &runs[1..] {
+        assert_eq!(*run, runs[0]);
+    }
+    let held = [
+        in_order!(sampled(p), torque(pull), held_tool_force(wall)),
+        in_order!(sampled(p), held_tool_force(wall), torque(pull)),
+        in_order!(torque(pull), sampled(p), held_tool_force(wall)),
+        in_order!(torque(pull), held_tool_force(wall), sampled(p)),
+        in_order!(held_tool_force(wall), sampled(p), torque(pull)),
+        in_order!(held_tool_force(wall), torque(pull), sampled(p)),
+    ];
+    assert_ne!(held[0].q, runs[0].q);
+    for run in &held[1..] {
+        assert_eq!(*run, held[0]);
+    }
 }
 
 #[test]
