@@ -15,8 +15,9 @@ use crate::singular::relative_pivot;
 /// best scaling).
 ///
 /// ```
-/// use dynamics_runtime::Conditioning;
-/// use dynamics_runtime::nalgebra::Matrix2;
+/// # extern crate dynamics_runtime as robot_dynamics;
+/// use robot_dynamics::Conditioning;
+/// use robot_dynamics::nalgebra::Matrix2;
 ///
 /// // Joints that differ by twelve orders of magnitude, and do not know of each other.
 /// let graded = Conditioning::of(&Matrix2::new(1.0, 0.0, 0.0, 1e-12));

@@ -14,9 +14,10 @@ use crate::{
 /// same q evaluates them once:
 ///
 /// ```
-/// # use dynamics_runtime::nalgebra::{SMatrix, SVector, Vector1};
-/// # use dynamics_runtime::{Convention, JointType, Row, Table};
-/// use dynamics_runtime::{Configuration, GravityVector, MassMatrix, Model, Scalar};
+/// # extern crate dynamics_runtime as robot_dynamics;
+/// # use robot_dynamics::nalgebra::{SMatrix, SVector, Vector1};
+/// # use robot_dynamics::{Convention, JointType, Row, Table};
+/// use robot_dynamics::{Configuration, GravityVector, MassMatrix, Model, Scalar};
 /// # struct Pendulum;
 /// # impl Model<1> for Pendulum {
 /// #     const JOINT_NAMES: [&'static str; 1] = ["swing"];

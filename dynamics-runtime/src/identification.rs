@@ -27,7 +27,8 @@ use crate::{Evaluate, NewtonEuler, State, Table};
 /// a joint follows another.
 ///
 /// ```
-/// use dynamics_runtime::{base_parameter_map, robot_dynamics};
+/// # extern crate dynamics_runtime as robot_dynamics;
+/// use robot_dynamics::{base_parameter_map, robot_dynamics};
 ///
 /// robot_dynamics! {
 ///     /// A rod: its torque shows the moment m c_x and the inertia J_zz with that of the motor.
@@ -46,7 +47,7 @@ use crate::{Evaluate, NewtonEuler, State, Table};
 /// let table = Rod.table();
 /// let mut x = table.standard_parameters()[0].as_slice().to_vec();
 /// x.push(table.rows[0].reflected_inertia());
-/// let b = map * dynamics_runtime::nalgebra::DVector::from(x);
+/// let b = map * robot_dynamics::nalgebra::DVector::from(x);
 /// assert!((b - Rod.base_parameters::<f64>()).amax() < 1e-12);
 /// ```
 ///

@@ -54,8 +54,9 @@ dynamics_macros::batch_methods! {
 /// core.
 ///
 /// ```
-/// use dynamics_runtime::nalgebra::{SVector, Vector1};
-/// use dynamics_runtime::{Batch, GravityVector, Scalar};
+/// # extern crate dynamics_runtime as robot_dynamics;
+/// use robot_dynamics::nalgebra::{SVector, Vector1};
+/// use robot_dynamics::{Batch, GravityVector, Scalar};
 ///
 /// struct Pendulum;
 ///
@@ -75,7 +76,7 @@ dynamics_macros::batch_methods! {
 /// let mut column = [0.0; 3];
 /// Pendulum.gravity_vector_batch([&[0.0, 0.5, 1.0][..]], [&mut column[..]])?;
 /// assert_eq!(column[1], torques[1][0]);
-/// # Ok::<(), dynamics_runtime::LengthMismatch>(())
+/// # Ok::<(), robot_dynamics::LengthMismatch>(())
 /// ```
 pub trait Batch {
     /// A batch in which every state has an arm of its own: `arms` has a struct for each state, which differ in

@@ -39,8 +39,9 @@ type Vector<F, const N: usize> = SVector<Certified<F>, N>;
 /// [`SingularMassMatrix`] where the plain method returns it. Never panics, never allocates.
 ///
 /// ```
-/// use dynamics_runtime::nalgebra::Vector2;
-/// use dynamics_runtime::{Certified, certified, robot_dynamics};
+/// # extern crate dynamics_runtime as robot_dynamics;
+/// use robot_dynamics::nalgebra::Vector2;
+/// use robot_dynamics::{Certified, certified, robot_dynamics};
 ///
 /// robot_dynamics! {
 ///     /// Two point masses at the ends of two links.
@@ -58,7 +59,7 @@ type Vector<F, const N: usize> = SVector<Certified<F>, N>;
 /// let qdd = certified::forward_dynamics(&Arm, &x, &xd, &force)?;
 /// assert_eq!(qdd.map(|x| x.value()), Arm.forward_dynamics(&q, &qd, &tau)?);
 /// assert!(qdd.iter().all(|x| x.bound() < 1e-12));
-/// # Ok::<(), dynamics_runtime::SingularMassMatrix>(())
+/// # Ok::<(), robot_dynamics::SingularMassMatrix>(())
 /// ```
 pub fn forward_dynamics<A, F, const N: usize>(
     arm: &A,

@@ -47,8 +47,9 @@ pub use rounded::Rounded;
 /// that takes over at angles beyond 1e5 rad; an exponential within one unit, as `libm` states.
 ///
 /// ```
-/// use dynamics_runtime::nalgebra::Vector2;
-/// use dynamics_runtime::{Certified, robot_dynamics};
+/// # extern crate dynamics_runtime as robot_dynamics;
+/// use robot_dynamics::nalgebra::Vector2;
+/// use robot_dynamics::{Certified, robot_dynamics};
 ///
 /// robot_dynamics! {
 ///     /// Two point masses at the ends of two links.

@@ -27,7 +27,8 @@ pub use report::{FunctionReport, Report};
 /// [`Check::new`]. The report also has proven bounds of the rounding errors ([`Check::certify`]).
 ///
 /// ```
-/// use dynamics_runtime::{check_against_rnea, robot_dynamics};
+/// # extern crate dynamics_runtime as robot_dynamics;
+/// use robot_dynamics::{check_against_rnea, robot_dynamics};
 ///
 /// robot_dynamics! {
 ///     /// A mass that hangs from a horizontal axis.
@@ -52,7 +53,8 @@ pub fn check_against_rnea<R: Evaluate<N>, const N: usize>(robot: &R) -> Report {
 /// velocities where that friction falls. Equal settings give equal states on every machine.
 ///
 /// ```
-/// # use dynamics_runtime::{Check, robot_dynamics};
+/// # extern crate dynamics_runtime as robot_dynamics;
+/// # use robot_dynamics::{Check, robot_dynamics};
 /// # robot_dynamics! {
 /// #     struct Pendulum;
 /// #     convention: modified,

@@ -25,7 +25,8 @@ use crate::Scalar;
 /// their second half.
 ///
 /// ```
-/// use dynamics_runtime::{DoubleDouble, Scalar};
+/// # extern crate dynamics_runtime as robot_dynamics;
+/// use robot_dynamics::{DoubleDouble, Scalar};
 ///
 /// let third = DoubleDouble::from(1.0) / DoubleDouble::from(3.0);
 /// assert_eq!(third.high(), 1.0 / 3.0);

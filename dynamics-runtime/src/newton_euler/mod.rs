@@ -59,7 +59,8 @@ pub use regressor::StandardParameters;
 /// references of 25 digits by `tests/suite/reference.rs`.
 ///
 /// ```
-/// use dynamics_runtime::{Convention, JointType, NewtonEuler, Row, Table, nalgebra::SVector};
+/// # extern crate dynamics_runtime as robot_dynamics;
+/// use robot_dynamics::{Convention, JointType, NewtonEuler, Row, Table, nalgebra::SVector};
 ///
 /// // A mass of 2 kg that hangs 3 m below a horizontal axis.
 /// let row = Row { mass: 2.0, com: [3.0, 0.0, 0.0], ..Row::new(JointType::Revolute) };
@@ -73,11 +74,12 @@ pub use regressor::StandardParameters;
 /// It can be simulated, so that a table moves too from which no code was generated:
 #[cfg_attr(feature = "std", doc = "```")]
 #[cfg_attr(not(feature = "std"), doc = "```ignore")]
-/// # use dynamics_runtime::{Convention, JointType, NewtonEuler, Row, Table, nalgebra::SVector};
+/// # extern crate dynamics_runtime as robot_dynamics;
+/// # use robot_dynamics::{Convention, JointType, NewtonEuler, Row, Table, nalgebra::SVector};
 /// # let row = Row { mass: 2.0, com: [3.0, 0.0, 0.0], ..Row::new(JointType::Revolute) };
 /// # let gravity = [9.81, 0.0, 0.0];
 /// # let pendulum = NewtonEuler::new(&Table::new(Convention::Modified, gravity, [row]));
-/// use dynamics_runtime::Simulation;
+/// use robot_dynamics::Simulation;
 ///
 /// let swing = Simulation::new(&pendulum).initial(SVector::from([0.1]), SVector::zeros()).run()?;
 /// assert!((swing.q[100][0] - 0.1 * f64::cos((9.81_f64 / 3.0).sqrt())).abs() < 1e-3);

@@ -78,7 +78,8 @@ struct Panel {
 /// Panels above one another, over one time axis.
 ///
 /// ```
-/// use dynamics_runtime::plot::{Curve, Figure};
+/// # extern crate dynamics_runtime as robot_dynamics;
+/// use robot_dynamics::plot::{Curve, Figure};
 ///
 /// let t: Vec<f64> = (0..101).map(|k| 0.1 * f64::from(k)).collect();
 /// let wave = Curve::new("wave", &t, t.iter().map(|t| t.sin()));

@@ -11,7 +11,8 @@ impl<const N: usize> Trajectory<N> {
     /// slide, each kind has panels of its own.
     ///
     /// ```no_run
-    /// use dynamics_runtime::{Simulation, nalgebra::SVector, robot_dynamics};
+    /// # extern crate dynamics_runtime as robot_dynamics;
+    /// use robot_dynamics::{Simulation, nalgebra::SVector, robot_dynamics};
     ///
     /// robot_dynamics! {
     ///     /// A rod of 2 m that swings.

@@ -25,13 +25,14 @@ use crate::float::{first_non_finite, sin_cos};
 /// cancel; `tests/suite/trajectories.rs` tests it.
 ///
 /// ```
-/// use dynamics_runtime::{Cycloidal, nalgebra::SVector};
+/// # extern crate dynamics_runtime as robot_dynamics;
+/// use robot_dynamics::{Cycloidal, nalgebra::SVector};
 ///
 /// let turn = Cycloidal::new(SVector::from([0.0]), SVector::from([2.0]), 4.0)?;
 /// let halfway = turn.at(2.0);
 /// assert_eq!((halfway.q[0], halfway.qd[0]), (1.0, 1.0));
 /// assert_eq!(turn.at(5.0).q[0], 2.0);
-/// # Ok::<(), dynamics_runtime::InvalidDuration>(())
+/// # Ok::<(), robot_dynamics::InvalidDuration>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cycloidal<const N: usize> {
