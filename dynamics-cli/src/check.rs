@@ -33,11 +33,12 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
     let mut text = format!("{report}\n");
     if !report.is_ok() {
         let differs = report.functions.iter().any(|function| !function.is_ok());
-        let message = match differs {
-            true => "the functions differ from Newton-Euler",
-            false => {
-                "none of the functions can be compared with Newton-Euler: ask for others besides"
-            }
+        let message = if differs {
+            "the functions differ from Newton-Euler"
+        } else if report.has_negative_inertia() {
+            "the mass matrix is not positive definite"
+        } else {
+            "none of the functions can be compared with Newton-Euler: ask for others besides"
         };
         return Err(Failure::after(text, message));
     }

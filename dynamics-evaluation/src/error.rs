@@ -52,6 +52,8 @@ impl core::error::Error for BuildError {}
 pub enum EvaluationError {
     /// The function of that name was not asked for when the robot was made.
     NotDerived(String),
+    /// The same of a function that a simulation needs.
+    NotSimulated(String),
     /// An argument, or the results, have another length than they must.
     Length {
         /// The argument by its name, or `results`.
@@ -88,6 +90,11 @@ impl fmt::Display for EvaluationError {
                     "`{function}` was not derived: ask for it when the robot is made"
                 )
             }
+            EvaluationError::NotSimulated(function) => write!(
+                f,
+                "a simulation needs `{function}`, which was not derived: make the robot by \
+                 `RuntimeRobot::for_simulation(robot)`, or ask for all of `RuntimeRobot::simulation_functions()`"
+            ),
             EvaluationError::Length {
                 argument,
                 found,

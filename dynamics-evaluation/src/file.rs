@@ -208,7 +208,10 @@ impl RuntimeRobot {
     /// gravity.
     ///
     /// ```no_run
-    /// use dynamics_evaluation::{Besides, RuntimeRobot};
+    /// # mod robot_dynamics {
+    /// # pub use dynamics_evaluation as evaluation;
+    /// # }
+    /// use robot_dynamics::evaluation::{Besides, RuntimeRobot};
     ///
     /// let besides = Besides {
     ///     entries: "gravity = [0, 0, -9.81]".to_owned(),
@@ -216,7 +219,7 @@ impl RuntimeRobot {
     ///     ..Besides::default()
     /// };
     /// let panda = RuntimeRobot::from_file_with("panda.urdf", &besides)?;
-    /// # Ok::<(), dynamics_evaluation::FileError>(())
+    /// # Ok::<(), robot_dynamics::evaluation::FileError>(())
     /// ```
     ///
     /// # Errors

@@ -2,23 +2,28 @@
 //!
 //! Torques show the base parameters b = K x of an arm alone, not all of the links' own parameters x. Of all
 //! sets of links with the identified b, those are taken that are nearest to the table's:
-//! `x = x0 + W (K W)^+ (b - K x0)`, with a weight in W that lets masses stay where first moments and tensors
-//! can make the difference.
+//! `x = x0 + W (K W)^+ (b - K x0)`, with a weight in W that lets masses and motors stay where first moments and tensors
+//! can make the difference. If no bodies have these x, the nearest that bodies have are searched for: see
+//! [`crate::possible`]. Base parameters are possible if there are any (C. D. Sousa, R. Cortesao, Int. J. Robotics Research
+//! 33 (2014), 931-944).
 
 use core::fmt;
+use core::ops::Range;
 
-use dynamics_runtime::nalgebra::{DMatrix, DVector};
+use dynamics_runtime::nalgebra::{DMatrix, DVector, Matrix3};
 use dynamics_runtime::{Convention, JointType, StandardParameters, Table, base_parameter_map};
-use dynamics_symbolic::robot::{Row, Value};
+use dynamics_symbolic::exact::SplitMix64;
+use dynamics_symbolic::robot::{Robot, Row, Value};
 
+use crate::possible::{OF_LINK, Part, Search};
 use crate::typed::Typed;
 use crate::{BuildError, EvaluationError, RuntimeRobot};
 
-/// Parameters of a link: its mass, first moments and tensor about the origin of its frame.
-const OF_LINK: usize = 10;
-
-/// How far a mass moves beside a first moment or an entry of a tensor.
+/// How far a mass or a motor moves beside a first moment or an entry of a tensor.
 const WEIGHT_OF_MASS: f64 = 1e-3;
+
+/// What rounding may take from a moment of inertia, relative to those about the origin.
+const ROUNDING: f64 = 1e-9;
 
 /// Why there is no robot with the base parameters that were identified.
 #[derive(Clone, Debug, PartialEq)]
@@ -32,16 +37,40 @@ pub enum IdentificationError {
     /// The columns of the regressor are dependent, as they may be for special values of fields, such as a factor
     /// of zero by which a joint follows another: no set of base parameters is the only one.
     Dependent,
-    /// The link of this joint needs a positive mass for its centre of mass, and would have another one: give it
-    /// a mass in the table.
-    Mass {
-        /// The joint's name.
-        joint: String,
-        /// The mass that it would have, kg.
-        mass: f64,
-    },
+    /// No bodies have these base parameters, however their masses are distributed, or they are too large for numbers:
+    /// the links that would be none of bodies if the table's were changed by the least.
+    /// [`Typed::nearest_possible`] has the nearest base parameters that bodies have.
+    Impossible(Vec<ImpossibleLink>),
+    /// A coefficient of friction of the joint of this name is negative or not finite.
+    Friction(String, f64),
     /// The robot could not be made.
     Build(BuildError),
+}
+
+/// A link that no body is: its mass is negative, or a principal moment of its inertia is negative or greater than the
+/// sum of the other two, so that its pseudo-inertia matrix is not positive semidefinite.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ImpossibleLink {
+    /// The name of the link's joint.
+    pub joint: String,
+    /// The mass, kg.
+    pub mass: f64,
+    /// The principal moments of inertia about the centre of mass, kg m^2, the least first.
+    pub moments: [f64; 3],
+}
+
+impl fmt::Display for ImpossibleLink {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (joint, [a, b, c]) = (&self.joint, self.moments);
+        write!(f, "the link of `{joint}` would have ")?;
+        match self.mass < 0.0 {
+            true => write!(f, "a mass of {:.3e} kg", self.mass),
+            false => write!(
+                f,
+                "principal moments of inertia of {a:.3e}, {b:.3e} and {c:.3e} kg m^2"
+            ),
+        }
+    }
 }
 
 impl fmt::Display for IdentificationError {
@@ -61,9 +90,18 @@ impl fmt::Display for IdentificationError {
                 f,
                 "the regressor's columns are dependent: no set of base parameters is the only one"
             ),
-            IdentificationError::Mass { joint, mass } => write!(
+            IdentificationError::Impossible(links) => {
+                let links: Vec<_> = links.iter().map(ImpossibleLink::to_string).collect();
+                write!(
+                    f,
+                    "no bodies have these base parameters: {} (masses are positive, and no principal moment is negative \
+                     or greater than the sum of the other two). `nearest_possible` has the nearest that bodies have",
+                    links.join("; ")
+                )
+            }
+            IdentificationError::Friction(joint, coefficient) => write!(
                 f,
-                "the link of `{joint}` would have a mass of {mass} kg: give it one in the table that is near the real one"
+                "the friction of `{joint}` has the coefficient {coefficient}: expected a finite number, 0 or above"
             ),
             IdentificationError::Build(error) => error.fmt(f),
         }
@@ -78,20 +116,137 @@ impl From<EvaluationError> for IdentificationError {
     }
 }
 
+/// The friction of a joint as it was identified: `viscous qd + coulomb sign(qd)`.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct JointFriction {
+    /// The viscous coefficient, N m s or N s/m.
+    pub viscous: f64,
+    /// Coulomb friction of positive velocities and of negative ones, N m or N, neither below zero.
+    pub coulomb: [f64; 2],
+}
+
+/// Base parameters that bodies have: see [`Typed::nearest_possible`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct NearestPossible {
+    /// The base parameters, in the order of `base_parameters`.
+    pub base_parameters: Vec<f64>,
+    /// Their distance from the given ones: the root mean square of the difference in torque, N m or N.
+    pub torque: f64,
+}
+
+/// The equations `K (p - own) = missing` for the parameters p of links and motors.
+struct Equations {
+    map: DMatrix<f64>,
+    /// The rows of the table of all links, and, in the same order, of all motors.
+    rows: Vec<usize>,
+    /// What the rows have: locked links and the tool, which are fixed to some, do not change.
+    own: DVector<f64>,
+    missing: DVector<f64>,
+}
+
 impl<const N: usize> Typed<'_, N> {
     /// The robot with these base parameters, as an identification finds them, in the order of
     /// `base_parameters`; its functions are those of this one, derived and proven anew, and its fields have
     /// their present values.
     ///
-    /// Links are changed by as little as that takes, masses least of all. What no torque shows stays as the table
-    /// has it, so that a link may well be none that a body can have, and yet move as the real one. Motors, springs
-    /// and friction stay as they are.
+    /// Links are changed by as little as that takes, masses and motors least of all. If one would be no body's, those
+    /// links and motors of bodies are taken that have these base parameters and are nearest to the table's, in the
+    /// entropic divergence of pseudo-inertia matrices (Lee, Wensing, Park 2020). A table with such links of its own is
+    /// changed by the least in any case. Springs and friction stay as they are.
     ///
     /// # Errors
     ///
     /// [`IdentificationError`]: `regressor` was not asked for, another number of values, a value or a field that is
-    /// not finite, or a link without mass that would need one.
+    /// not finite, or base parameters that no bodies have.
     pub fn identified(&self, base_parameters: &[f64]) -> Result<RuntimeRobot, IdentificationError> {
+        self.with_parameters(base_parameters, |_| Ok(()))
+    }
+
+    /// [`identified`](Typed::identified), with an identified friction in place of all friction of the table, that of
+    /// Stribeck and of joints that follow others, too.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`identified`](Typed::identified), and [`IdentificationError::Friction`] for a coefficient below zero,
+    /// which noise may make of a small one, or one that is not finite.
+    pub fn identified_with_friction(
+        &self,
+        base_parameters: &[f64],
+        friction: &[JointFriction; N],
+    ) -> Result<RuntimeRobot, IdentificationError> {
+        self.with_parameters(base_parameters, |robot| {
+            let mut given = friction.iter();
+            for row in robot.rows.iter_mut().filter(|row| row.locked.is_none()) {
+                let own = row.is_free().then(|| given.next()).flatten();
+                let JointFriction { viscous, coulomb } = own.copied().unwrap_or_default();
+                let value = |x: f64| {
+                    let value = Value::from_f64(x).filter(|_| x >= 0.0);
+                    value.ok_or_else(|| IdentificationError::Friction(row.name.clone(), x))
+                };
+                (row.viscous, row.stribeck) = (value(viscous)?, None);
+                row.coulomb = [value(coulomb[0])?, value(coulomb[1])?];
+            }
+            Ok(())
+        })
+    }
+
+    /// The base parameters nearest to these that bodies can have; these themselves where bodies can have them. Hand them
+    /// to [`identified`](Typed::identified).
+    ///
+    /// The distance is the root mean square of the difference in torque over all joints and 100 random states: positions
+    /// within pi, velocities within 3, accelerations within 10. It is within 1 % of the least one. By as much, at most,
+    /// the root mean square of the residual of a fit grows, if its motion is as fast as that.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`identified`](Typed::identified), but impossible base parameters are errors only where they are too
+    /// large for numbers.
+    pub fn nearest_possible(
+        &self,
+        base_parameters: &[f64],
+    ) -> Result<NearestPossible, IdentificationError> {
+        let equations = self.equations(base_parameters)?;
+        let (parameters, residual) = self.links(&equations, &equations.least_change())?;
+        let given = DVector::from_column_slice(base_parameters);
+        let moved = &equations.map * (parameters - &equations.own) - &equations.missing;
+        let torque = residual.norm();
+        let nearest = if torque > 0.0 { given + moved } else { given };
+        Ok(NearestPossible {
+            base_parameters: nearest.as_slice().to_vec(),
+            torque,
+        })
+    }
+
+    /// The robot with these base parameters and another change.
+    fn with_parameters(
+        &self,
+        base_parameters: &[f64],
+        change: impl FnOnce(&mut Robot) -> Result<(), IdentificationError>,
+    ) -> Result<RuntimeRobot, IdentificationError> {
+        let arm = self.arm;
+        let mut robot = arm.robot().clone();
+        let equations = self.equations(base_parameters)?;
+        let least = equations.least_change();
+        let (parameters, residual) = self.links(&equations, &least)?;
+        let impossible = || IdentificationError::Impossible(equations.impossible(&robot, &least));
+        if residual.amax() > 0.0 {
+            return Err(impossible());
+        }
+        let written = equations.written(&robot, arm.fields(), &parameters);
+        robot = written.ok_or_else(impossible)?;
+        change(&mut robot)?;
+        let requests = arm
+            .functions()
+            .iter()
+            .map(|function| function.request.clone());
+        let mut identified =
+            RuntimeRobot::new(robot, requests).map_err(IdentificationError::Build)?;
+        identified.set_fields(arm.fields())?;
+        Ok(identified)
+    }
+
+    /// The equations of these base parameters.
+    fn equations(&self, base_parameters: &[f64]) -> Result<Equations, IdentificationError> {
         let arm = self.arm;
         let expected = arm.entries("regressor")? / N;
         if base_parameters.len() != expected {
@@ -109,36 +264,185 @@ impl<const N: usize> Typed<'_, N> {
             return Err(IdentificationError::Field(name.clone()));
         }
         let map = base_parameter_map(self).ok_or(IdentificationError::Dependent)?;
-        let changes = changes(&map, &self.table, base_parameters);
-        let mut robot = arm.robot().clone();
-        let (joints, followers): (Vec<usize>, Vec<usize>) = (0..robot.rows.len())
-            .filter(|&row| robot.rows[row].locked.is_none())
-            .partition(|&row| robot.rows[row].is_free());
-        for (link, row) in joints.into_iter().chain(followers).enumerate() {
-            let change = changes.rows(OF_LINK * link, OF_LINK);
-            change_link(&mut robot.rows[row], arm.fields(), change.as_slice())?;
+        let of_robot = &arm.robot().rows;
+        let (mut rows, followers): (Vec<usize>, Vec<usize>) = (0..of_robot.len())
+            .filter(|&row| of_robot[row].locked.is_none())
+            .partition(|&row| of_robot[row].is_free());
+        rows.extend(followers);
+        let table = parameters_of_table(&self.table);
+        let missing = DVector::from_column_slice(base_parameters) - &map * &table;
+        let mut own = table;
+        for (k, &row) in rows.iter().enumerate() {
+            let number = |value: &Value| value.to_f64(arm.fields());
+            let Row {
+                mass, com, inertia, ..
+            } = &of_robot[row];
+            let link = parameters(
+                number(mass),
+                com.each_ref().map(number),
+                inertia.each_ref().map(number),
+            );
+            own.rows_mut(OF_LINK * k, OF_LINK).copy_from(&link);
         }
-        let requests = arm
-            .functions()
-            .iter()
-            .map(|function| function.request.clone());
-        let mut identified =
-            RuntimeRobot::new(robot, requests).map_err(IdentificationError::Build)?;
-        identified.set_fields(arm.fields())?;
-        Ok(identified)
+        Ok(Equations {
+            map,
+            rows,
+            own,
+            missing,
+        })
+    }
+
+    /// The links and motors, nearest to the table's, and by how much they miss the base parameters: `least` where these
+    /// are bodies, or where the table's are none.
+    fn links(
+        &self,
+        equations: &Equations,
+        least: &DVector<f64>,
+    ) -> Result<(DVector<f64>, DVector<f64>), IdentificationError> {
+        let impossible = |parameters| equations.impossible(self.arm.robot(), parameters);
+        if impossible(least).is_empty() || !impossible(&equations.own).is_empty() {
+            return Ok((least.clone(), DVector::zeros(1)));
+        }
+        let nearest = equations.nearest(&self.torques()?);
+        nearest.ok_or_else(|| IdentificationError::Impossible(impossible(least)))
+    }
+
+    /// The matrix R with `|R b|^2` the mean square of the torques `Y b` over random states and all joints.
+    fn torques(&self) -> Result<DMatrix<f64>, IdentificationError> {
+        const STATES: usize = 100;
+        let mut random = SplitMix64::new(1);
+        let [q, qd, qdd] = [core::f64::consts::PI, 3.0, 10.0].map(|largest| {
+            let numbers = (0..STATES * N).map(|_| largest * (2.0 * random.unit() - 1.0));
+            numbers.collect::<Vec<f64>>()
+        });
+        let entries = self.arm.entries("regressor")?;
+        let mut values = vec![0.0; STATES * entries];
+        self.arm.batch("regressor", &[&q, &qd, &qdd], &mut values)?;
+        let share = 1.0 / ((STATES * N) as f64).sqrt();
+        let y = DMatrix::from_fn(STATES * N, entries / N, |row, column| {
+            share * values[row / N * entries + column * N + row % N]
+        });
+        Ok(y.qr().r())
     }
 }
 
-/// What is added to the parameters of all links.
-fn changes<const N: usize>(
-    map: &DMatrix<f64>,
-    table: &Table<N>,
-    base_parameters: &[f64],
-) -> DVector<f64> {
+impl Equations {
+    /// The columns of each link, then of each motor.
+    fn columns(&self) -> impl Iterator<Item = Range<usize>> {
+        let links = self.rows.len();
+        let link = |k: usize| OF_LINK * k..OF_LINK * (k + 1);
+        let motor = move |k: usize| OF_LINK * links + k..OF_LINK * links + k + 1;
+        (0..links).map(link).chain((0..links).map(motor))
+    }
+
+    /// The links and motors with the base parameters by the least change of the table's.
+    fn least_change(&self) -> DVector<f64> {
+        let links = OF_LINK * self.rows.len();
+        let weights = DVector::from_fn(self.own.len(), |k, _| match k < links {
+            true if !k.is_multiple_of(OF_LINK) => 1.0,
+            // An arm without a motor gets none.
+            false if self.own[k] == 0.0 => 0.0,
+            _ => WEIGHT_OF_MASS,
+        });
+        let mut weighted = self.map.clone();
+        for (mut column, weight) in weighted.column_iter_mut().zip(&weights) {
+            column *= *weight;
+        }
+        let inverse = weighted.clone().pseudo_inverse(1e-12);
+        let steps = inverse.map_or_else(|_| &self.own * 0.0, |inverse| inverse * &self.missing);
+        let change = |k: usize| match weighted.column(k).amax() > 0.0 {
+            true => weights[k] * steps[k],
+            false => 0.0,
+        };
+        DVector::from_fn(self.own.len(), |k, _| self.own[k] + change(k))
+    }
+
+    /// The links that no bodies are.
+    fn impossible(&self, robot: &Robot, parameters: &DVector<f64>) -> Vec<ImpossibleLink> {
+        let links = self.rows.iter().zip(self.columns());
+        let links = links.filter_map(|(&row, columns)| {
+            let (mass, moments) = impossible(&parameters.as_slice()[columns])?;
+            let joint = robot.rows[row].name.clone();
+            Some(ImpossibleLink {
+                joint,
+                mass,
+                moments,
+            })
+        });
+        links.collect()
+    }
+
+    /// The links and motors of bodies with the base parameters, or nearest to them in torque, and the residual.
+    fn nearest(&self, torques: &DMatrix<f64>) -> Option<(DVector<f64>, DVector<f64>)> {
+        let own = self.own.as_slice();
+        let links = &own[..OF_LINK * self.rows.len()];
+        let sum = |k: usize| links.iter().skip(k).step_by(OF_LINK).sum::<f64>();
+        let (mass, second) = (sum(0), 0.5 * (sum(4) + sum(5) + sum(6)));
+        let typical = match mass > 0.0 && second > 0.0 {
+            true => (mass / self.rows.len() as f64, (second / mass).sqrt()),
+            false => (1.0, 0.1),
+        };
+        let is_shown = |columns: &Range<usize>| {
+            self.map.columns_range(columns.clone()).amax() > 0.0
+                && (columns.len() > 1 || own[columns.start] > 0.0)
+        };
+        let shown: Vec<_> = self.columns().filter(is_shown).collect();
+        let parts = shown
+            .iter()
+            .map(|columns| Part::new(&own[columns.clone()], typical));
+        let columns: Vec<usize> = shown.iter().cloned().flatten().collect();
+        let search = Search {
+            parts: parts.collect::<Option<_>>()?,
+            map: torques * self.map.select_columns(&columns),
+            start: self.own.select_rows(&columns),
+            missing: torques * &self.missing,
+        };
+        let (found, residual) = search.nearest()?;
+        let mut parameters = self.own.clone();
+        for (column, value) in columns.iter().zip(&found) {
+            parameters[*column] = *value;
+        }
+        Some((parameters, residual))
+    }
+
+    /// The robot with these links and motors, where their numbers are finite.
+    fn written(&self, robot: &Robot, fields: &[f64], parameters: &DVector<f64>) -> Option<Robot> {
+        let mut robot = robot.clone();
+        for (columns, &row) in self.columns().zip(self.rows.iter().chain(&self.rows)) {
+            let (p, row) = (
+                &parameters.as_slice()[columns.clone()],
+                &mut robot.rows[row],
+            );
+            if *p == self.own.as_slice()[columns] {
+                continue;
+            }
+            let value = |x: f64| Value::from_f64(x);
+            if let [reflected] = p {
+                let ratio = row.gear_ratio.to_f64(fields);
+                row.motor_inertia = value(reflected / (ratio * ratio))?;
+                continue;
+            }
+            let ([x, y, z], [a, b, c, d, e, f]) = about_center(p);
+            row.mass = value(p[0])?;
+            row.com = [value(x)?, value(y)?, value(z)?];
+            row.inertia = [
+                value(a)?,
+                value(b)?,
+                value(c)?,
+                value(d)?,
+                value(e)?,
+                value(f)?,
+            ];
+        }
+        Some(robot)
+    }
+}
+
+/// The parameters of the table: links, then motors, of joints and then of followers.
+fn parameters_of_table<const N: usize>(table: &Table<N>) -> DVector<f64> {
     let links = table.standard_parameters().into_iter();
     let links = links.chain(table.standard_parameters_of_followers());
     let mut x: Vec<f64> = links.flat_map(|link| link.as_slice().to_vec()).collect();
-    let of_links = x.len();
     x.extend(table.rows.iter().map(|row| row.reflected_inertia()));
     x.extend(
         table
@@ -146,69 +450,30 @@ fn changes<const N: usize>(
             .iter()
             .map(|follower| follower.row.reflected_inertia()),
     );
-    let missing = DVector::from_column_slice(base_parameters) - map * DVector::from(x);
-    let weight = |parameter: usize| match parameter % OF_LINK {
-        0 => WEIGHT_OF_MASS,
-        _ => 1.0,
-    };
-    let mut weighted = map.columns(0, of_links).into_owned();
-    for (parameter, mut column) in weighted.column_iter_mut().enumerate() {
-        column *= weight(parameter);
-    }
-    let shown: Vec<bool> = weighted
-        .column_iter()
-        .map(|column| column.amax() > 0.0)
-        .collect();
-    let inverse = weighted
-        .pseudo_inverse(1e-12)
-        .unwrap_or_else(|_| DMatrix::zeros(of_links, map.nrows()));
-    let steps = inverse * missing;
-    DVector::from_fn(of_links, |parameter, _| match shown[parameter] {
-        true => weight(parameter) * steps[parameter],
-        false => 0.0,
-    })
+    DVector::from(x)
 }
 
-/// Adds a change to the parameters of a row's link. The change has the tensor J about the origin of the link frame, the
-/// row has I about the centre of mass: `J = I + m (c.c 1 - c c^T)`.
-fn change_link(row: &mut Row, fields: &[f64], change: &[f64]) -> Result<(), IdentificationError> {
-    if change.iter().all(|&x| x == 0.0) {
-        return Ok(());
+/// The centre of mass of a link and the tensor I about it, from the tensor J about the origin of the link frame:
+/// `J = I + m (c.c 1 - c c^T)`.
+fn about_center(p: &[f64]) -> ([f64; 3], [f64; 6]) {
+    let com = [1, 2, 3].map(|k| if p[k] == 0.0 { 0.0 } else { p[k] / p[0] });
+    let of_point = parameters(p[0], com, [0.0; 6]);
+    (com, core::array::from_fn(|k| p[4 + k] - of_point[4 + k]))
+}
+
+/// The mass and the principal moments of a link that no body is.
+fn impossible(p: &[f64]) -> Option<(f64, [f64; 3])> {
+    let (_, [xx, yy, zz, xy, yz, xz]) = about_center(p);
+    let mut moments = [f64::NEG_INFINITY; 3];
+    if p[0] > 0.0 || p[1..4] == [0.0; 3] {
+        let tensor = Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz);
+        moments = tensor.symmetric_eigenvalues().into();
     }
-    let number = |value: &Value| value.to_f64(fields);
-    let old_mass = number(&row.mass);
-    let old_com = row.com.each_ref().map(number);
-    let mass = old_mass + change[0];
-    let moment = [0, 1, 2].map(|k| old_mass * old_com[k] + change[1 + k]);
-    let is_placed = moment.iter().any(|&h| h != 0.0);
-    if mass < 0.0 || (is_placed && mass == 0.0) {
-        let joint = row.name.clone();
-        return Err(IdentificationError::Mass { joint, mass });
-    }
-    let com = moment.map(|h| if is_placed { h / mass } else { 0.0 });
-    let old_inertia = row.inertia.each_ref().map(number);
-    let about_origin = parameters(old_mass, old_com, old_inertia);
-    let of_point = parameters(mass, com, [0.0; 6]);
-    let inertia: [f64; 6] =
-        core::array::from_fn(|k| about_origin[4 + k] + change[4 + k] - of_point[4 + k]);
-    let not_finite = || IdentificationError::Mass {
-        joint: row.name.clone(),
-        mass,
-    };
-    let value = |x: f64| Value::from_f64(x).ok_or_else(not_finite);
-    let [x, y, z] = com;
-    let com = [value(x)?, value(y)?, value(z)?];
-    let [a, b, c, d, e, f] = inertia;
-    let inertia = [
-        value(a)?,
-        value(b)?,
-        value(c)?,
-        value(d)?,
-        value(e)?,
-        value(f)?,
-    ];
-    (row.mass, row.com, row.inertia) = (value(mass)?, com, inertia);
-    Ok(())
+    moments.sort_by(f64::total_cmp);
+    let [a, b, c] = moments;
+    let rounding = ROUNDING * (p[4] + p[5] + p[6]).abs();
+    let is_possible = p[0] >= 0.0 && a.min(a + b - c) >= -rounding;
+    (!is_possible).then_some((p[0], moments))
 }
 
 /// The standard parameters of a link.
@@ -229,16 +494,27 @@ mod tests {
 
     #[test]
     fn a_moment_needs_a_mass() {
-        let mut row = arms::robot("one_link").rows.remove(0);
-        (row.mass, row.com) = (Value::zero(), [(); 3].map(|()| Value::zero()));
-        let mut change = [0.0; OF_LINK];
-        change[4] = 0.25;
-        assert_eq!(change_link(&mut row, &[], &change), Ok(()));
+        let mut link = [0.0; OF_LINK];
+        assert_eq!(impossible(&link), None);
+        (link[4], link[5], link[6]) = (0.25, 0.25, 0.25);
+        assert_eq!(impossible(&link), None);
         for mass in [0.0, -1.0] {
-            (change[0], change[1]) = (mass, 0.5);
-            let joint = row.name.clone();
-            let error = IdentificationError::Mass { joint, mass };
-            assert_eq!(change_link(&mut row, &[], &change), Err(error));
+            (link[0], link[1]) = (mass, 0.5);
+            assert_eq!(impossible(&link).expect("no body").0, mass);
+        }
+    }
+
+    #[test]
+    fn a_principal_moment_is_no_greater_than_the_sum_of_the_others() {
+        let link = |zz: f64| parameters(2.0, [0.3, -0.1, 0.2], [0.1, 0.2, zz, 0.0, 0.0, 0.0]);
+        for zz in [0.1, 0.2, 0.3] {
+            assert_eq!(impossible(link(zz).as_slice()), None, "{zz}");
+        }
+        for zz in [-0.01, 0.09, 0.31] {
+            let (mass, moments) = impossible(link(zz).as_slice()).expect("no body");
+            let mut expected = [0.1, 0.2, zz];
+            expected.sort_by(f64::total_cmp);
+            assert!(mass == 2.0 && (0..3).all(|k| (moments[k] - expected[k]).abs() < 1e-14));
         }
     }
 }

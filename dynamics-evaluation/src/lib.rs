@@ -2,7 +2,7 @@
 //!
 //! [`RuntimeRobot`] derives and proves the functions of a robot as the macro `robot_dynamics!` does, and
 //! evaluates their programs without a compiler: at one state, or at many in the lanes of vector
-//! registers. Checks and simulations take the result of [`RuntimeRobot::typed`].
+//! registers. Checks take the result of [`RuntimeRobot::typed`], simulations its [`dynamics`](Typed::dynamics).
 #![forbid(unsafe_code)]
 
 mod at;
@@ -14,6 +14,8 @@ mod file;
 mod identified;
 mod layout;
 mod methods;
+
+mod possible;
 mod read;
 mod record;
 mod robot;
@@ -31,7 +33,7 @@ pub use dynamics_symbolic;
 pub use error::{BuildError, EvaluationError, UnknownField, WrongJoints};
 #[cfg(feature = "files")]
 pub use file::{Besides, FileError, FileMistake, read_file, read_text};
-pub use identified::IdentificationError;
+pub use identified::{IdentificationError, ImpossibleLink, JointFriction, NearestPossible};
 pub use robot::RuntimeRobot;
 pub use typed::{Typed, TypedDynamics, TypedTip};
 pub use value::Value;

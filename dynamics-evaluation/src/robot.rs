@@ -23,9 +23,12 @@ use crate::value::Value;
 /// states, in the lanes of vector registers, and takes about as long as single calls of generated code.
 ///
 /// ```
-/// use dynamics_evaluation::RuntimeRobot;
-/// use dynamics_symbolic::Function;
-/// use dynamics_symbolic::robot::{Convention, JointType, Robot, Row, Value};
+/// # mod robot_dynamics {
+/// # pub use dynamics_evaluation as evaluation;
+/// # }
+/// use robot_dynamics::evaluation::RuntimeRobot;
+/// use robot_dynamics::evaluation::dynamics_symbolic::Function;
+/// use robot_dynamics::evaluation::dynamics_symbolic::robot::{Convention, JointType, Robot, Row, Value};
 ///
 /// let zero = Value::zero;
 /// // A mass that hangs from a horizontal axis: its mass is a field, its distance 1/2 m.

@@ -6,20 +6,23 @@ use dynamics_runtime::{
     Kinematics, MassMatrix, Model, Momenta, Scalar, SingularMassMatrix, State, Table,
 };
 use dynamics_symbolic::function::Argument;
+use dynamics_symbolic::robot::Robot;
 use dynamics_symbolic::{Function, Request};
 
 use crate::compiled::Compiled;
 use crate::record::record;
 use crate::table::table;
-use crate::{EvaluationError, RuntimeRobot, WrongJoints};
+use crate::{BuildError, EvaluationError, RuntimeRobot, WrongJoints};
 
 impl RuntimeRobot {
-    /// The robot as an arm of `N` joints, which [`Check`](dynamics_runtime::Check) takes.
+    /// The robot as an arm of `N` joints, which [`Check`](dynamics_runtime::Check) takes; simulations take its
+    /// [`dynamics`](Typed::dynamics).
     ///
     /// ```
     /// # use dynamics_evaluation::RuntimeRobot;
+    /// # use dynamics_runtime as robot_dynamics;
     /// # fn checked(arm: &RuntimeRobot) -> Result<(), Box<dyn std::error::Error>> {
-    /// let report = dynamics_runtime::check_against_rnea(&arm.typed::<6>()?);
+    /// let report = robot_dynamics::check_against_rnea(&arm.typed::<6>()?);
     /// assert!(report.is_ok());
     /// # Ok(())
     /// # }
@@ -68,15 +71,14 @@ pub struct TypedTip<'a, const N: usize> {
 }
 
 impl<'a, const N: usize> Typed<'a, N> {
-    /// The arm with its motion.
+    /// The arm with its motion, which [`Simulation`](dynamics_runtime::Simulation) takes.
     ///
     /// # Errors
     ///
-    /// [`EvaluationError::NotDerived`] unless all of these functions were asked for: `mass_matrix`,
-    /// `coriolis_vector`, `gravity_vector`, `inverse_dynamics`, `forward_dynamics`, `kinetic_energy`,
-    /// `potential_energy`.
+    /// [`EvaluationError::NotSimulated`] unless all [`simulation_functions`](RuntimeRobot::simulation_functions) but the
+    /// two of the tip were asked for, as [`for_simulation`](RuntimeRobot::for_simulation) does.
     pub fn dynamics(self) -> Result<TypedDynamics<'a, N>, EvaluationError> {
-        let function = |function: Function| self.arm.one(function);
+        let function = |function: Function| self.arm.simulated(function);
         Ok(TypedDynamics {
             typed: self,
             mass_matrix: function(Function::MassMatrix)?,
@@ -121,28 +123,75 @@ impl<'a, const N: usize> Typed<'a, N> {
 }
 
 impl<'a, const N: usize> TypedDynamics<'a, N> {
-    /// The arm with its tip.
+    /// The arm with its tip: its simulation may have a force at the tool.
     ///
     /// # Errors
     ///
-    /// [`EvaluationError::NotDerived`] where `forward_kinematics` or `jacobian` was not asked for.
+    /// [`EvaluationError::NotSimulated`] where `forward_kinematics` or `jacobian` was not asked for.
     pub fn with_tip(self) -> Result<TypedTip<'a, N>, EvaluationError> {
         Ok(TypedTip {
             dynamics: self,
-            forward_kinematics: self.typed.arm.one(Function::ForwardKinematics)?,
-            jacobian: self.typed.arm.one(Function::Jacobian)?,
+            forward_kinematics: self.typed.arm.simulated(Function::ForwardKinematics)?,
+            jacobian: self.typed.arm.simulated(Function::Jacobian)?,
         })
     }
 }
 
+/// What [`Typed::dynamics`] takes, then what [`TypedDynamics::with_tip`] takes.
+const OF_SIMULATIONS: [Function; 9] = [
+    Function::MassMatrix,
+    Function::CoriolisVector,
+    Function::GravityVector,
+    Function::InverseDynamics,
+    Function::ForwardDynamics,
+    Function::KineticEnergy,
+    Function::PotentialEnergy,
+    Function::ForwardKinematics,
+    Function::Jacobian,
+];
+
 impl RuntimeRobot {
-    /// The function by itself, not a method of several that has its name.
-    fn one(&self, function: Function) -> Result<&Compiled, EvaluationError> {
-        let found = self.function(function.name())?;
-        match found.request == Request::One(function) {
-            true => Ok(found),
-            false => Err(EvaluationError::NotDerived(function.name().to_owned())),
-        }
+    /// The robot with the [`simulation_functions`](RuntimeRobot::simulation_functions).
+    ///
+    /// ```
+    /// # mod robot_dynamics {
+    /// # pub use dynamics_runtime::*;
+    /// # pub use dynamics_evaluation as evaluation;
+    /// # }
+    /// # use robot_dynamics::evaluation::dynamics_symbolic::robot::Robot;
+    /// # fn simulated(robot: Robot) -> Result<(), Box<dyn std::error::Error>> {
+    /// use robot_dynamics::Simulation;
+    /// use robot_dynamics::evaluation::RuntimeRobot;
+    ///
+    /// let robot = RuntimeRobot::for_simulation(robot)?;
+    /// let arm = robot.typed::<6>()?.dynamics()?;
+    /// let motion = Simulation::new(&arm).duration(2.0).run()?;
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`BuildError`], as [`new`](RuntimeRobot::new).
+    pub fn for_simulation(robot: Robot) -> Result<Self, BuildError> {
+        RuntimeRobot::new(robot, RuntimeRobot::simulation_functions())
+    }
+
+    /// The functions that a simulation needs, for robots that have others as well:
+    /// `RuntimeRobot::new(robot, RuntimeRobot::simulation_functions().into_iter().chain([Function::Regressor]))`.
+    ///
+    /// Forward dynamics moves the arm; methods that work in momenta need the mass matrix and inverse dynamics, energies
+    /// are compared; the last two, `forward_kinematics` and `jacobian`, are those of a force at the tool.
+    pub fn simulation_functions() -> [Function; 9] {
+        OF_SIMULATIONS
+    }
+
+    /// A function by itself, not a method of several that has its name.
+    fn simulated(&self, function: Function) -> Result<&Compiled, EvaluationError> {
+        let mut known = self.functions().iter();
+        known
+            .find(|known| known.request == Request::One(function))
+            .ok_or_else(|| EvaluationError::NotSimulated(function.name().to_owned()))
     }
 }
 

@@ -1,11 +1,20 @@
 //! What was identified, back in a robot.
 
-use dynamics_evaluation::{EvaluationError, IdentificationError, RuntimeRobot};
+use dynamics_evaluation::dynamics_runtime::nalgebra::{DMatrix, DVector, Matrix3};
+use dynamics_evaluation::dynamics_runtime::{Friction, Simulation, check_against_rnea};
+use dynamics_evaluation::{EvaluationError, IdentificationError, JointFriction, RuntimeRobot};
 use dynamics_symbolic::Function;
-use dynamics_symbolic::robot::{Coupling, Robot, Value};
+use dynamics_symbolic::exact::SplitMix64;
+use dynamics_symbolic::robot::{Coupling, Robot, Row, Value};
 
-const FUNCTIONS: [Function; 4] = [
+const FUNCTIONS: [Function; 10] = [
+    Function::MassMatrix,
+    Function::CoriolisVector,
+    Function::GravityVector,
     Function::InverseDynamics,
+    Function::ForwardDynamics,
+    Function::KineticEnergy,
+    Function::PotentialEnergy,
     Function::FrictionVector,
     Function::Regressor,
     Function::BaseParameters,
@@ -137,5 +146,300 @@ fn what_is_no_identification_is_refused() {
             .expect_err("no regressor")
             .to_string()
             .contains("`regressor` was not derived")
+    );
+}
+
+/// The UR5e as Universal Robots publishes it: D-H parameters, masses, centres of mass and tensors.
+fn ur5e() -> Robot {
+    const HALF: f64 = std::f64::consts::FRAC_PI_2;
+    #[rustfmt::skip]
+    let links: [([f64; 3], f64, [f64; 3], [f64; 3]); 6] = [
+        ([0.0, HALF, 0.1625], 3.761, [0.0, -0.02561, 0.00193], [0.0084, 0.0064, 0.0084]),
+        ([-0.425, 0.0, 0.0], 8.058, [0.2125, 0.0, 0.11336], [0.0078, 0.21, 0.21]),
+        ([-0.3922, 0.0, 0.0], 2.846, [0.15, 0.0, 0.0265], [0.0016, 0.0462, 0.0462]),
+        ([0.0, HALF, 0.1333], 1.37, [0.0, -0.0018, 0.01634], [0.0016, 0.0016, 0.0009]),
+        ([0.0, -HALF, 0.0997], 1.3, [0.0, 0.0018, 0.01634], [0.0016, 0.0016, 0.0009]),
+        ([0.0, 0.0, 0.0996], 0.365, [0.0, 0.0, -0.001159], [0.0001, 0.0001, 0.0001]),
+    ];
+    let value = |x: f64| Value::from_f64(x).expect("finite");
+    let mut robot = arms::robot("ur5");
+    robot.name = "ur5e".to_owned();
+    for (row, ([a, alpha, d], mass, com, [xx, yy, zz])) in robot.rows.iter_mut().zip(links) {
+        let inertia = [xx, yy, zz, 0.0, 0.0, 0.0].map(value);
+        *row = Row {
+            a: value(a),
+            alpha: arms::decimal(alpha),
+            d: value(d),
+            mass: value(mass),
+            com: com.map(value),
+            inertia,
+            viscous: value(2.5),
+            coulomb: [value(3.0), value(2.0)],
+            ..Row::new(row.name.clone(), row.joint_type)
+        };
+    }
+    robot
+}
+
+/// A recorded motion: positions, velocities, accelerations and torques, one sample after the other.
+struct Recorded {
+    motion: [Vec<f64>; 3],
+    tau: DVector<f64>,
+}
+
+/// 8 s at 50 Hz of a sum of three sines for each joint, and torques with noise of the size `noise` of the mean torque of
+/// that joint.
+fn recorded(arm: &RuntimeRobot, noise: f64, seed: u64) -> Recorded {
+    const SAMPLES: usize = 400;
+    let mut random = SplitMix64::new(seed);
+    let sines: Vec<[f64; 3]> = (0..18)
+        .map(|k| {
+            let rate = 0.785 * (1 + k % 3) as f64;
+            [0.5 * random.unit() + 0.2, rate, 6.28 * random.unit()]
+        })
+        .collect();
+    let motion = [0, 1, 2].map(|derivative| {
+        let turned = f64::from(derivative) * std::f64::consts::FRAC_PI_2;
+        let at = |k: usize, i: usize| -> f64 {
+            let sines = sines[3 * i..3 * i + 3].iter();
+            let t = 0.02 * k as f64;
+            sines
+                .map(|[a, w, phase]| a * w.powi(derivative) * (w * t + phase + turned).sin())
+                .sum()
+        };
+        (0..SAMPLES * 6)
+            .map(|entry| at(entry / 6, entry % 6))
+            .collect::<Vec<f64>>()
+    });
+    let mut tau = values_at(arm, "inverse_dynamics", &motion, SAMPLES * 6);
+    let size =
+        |i: usize| tau.iter().skip(i).step_by(6).map(|x| x.abs()).sum::<f64>() / SAMPLES as f64;
+    let sizes = [0, 1, 2, 3, 4, 5].map(size);
+    for (entry, tau) in tau.iter_mut().enumerate() {
+        let gauss: f64 = (0..12).map(|_| random.unit()).sum::<f64>() - 6.0;
+        *tau += noise * sizes[entry % 6] * gauss;
+    }
+    Recorded {
+        motion,
+        tau: DVector::from(tau),
+    }
+}
+
+fn values_at(
+    arm: &RuntimeRobot,
+    function: &str,
+    motion: &[Vec<f64>; 3],
+    entries: usize,
+) -> Vec<f64> {
+    let mut found = vec![0.0; entries];
+    let motion: [&[f64]; 3] = motion.each_ref().map(Vec::as_slice);
+    arm.batch(function, &motion, &mut found).expect("a value");
+    found
+}
+
+/// The columns of the base parameters, then those of friction of each joint: qd, sign(qd) above zero and below.
+fn columns(arm: &RuntimeRobot, Recorded { motion, tau }: &Recorded) -> DMatrix<f64> {
+    let count = arm.entries("base_parameters").expect("derived");
+    let regressor = values_at(arm, "regressor", motion, tau.len() * count);
+    DMatrix::from_fn(tau.len(), count + 18, |row, column| {
+        let (qd, joint) = (motion[1][row], row % 6);
+        match column.checked_sub(count) {
+            None => regressor[row / 6 * 6 * count + column * 6 + joint],
+            Some(k) if k / 3 != joint => 0.0,
+            Some(k) => [qd, f64::from(qd > 0.0), -f64::from(qd < 0.0)][k % 3],
+        }
+    })
+}
+
+/// The least squares of a recorded motion: base parameters and friction.
+fn fitted(guess: &RuntimeRobot, run: &Recorded) -> (DVector<f64>, [JointFriction; 6]) {
+    let y = columns(guess, run);
+    let found = (y.tr_mul(&y).cholesky()).expect("the motion shows all of them");
+    let found = found.solve(&y.tr_mul(&run.tau));
+    let count = y.ncols() - 18;
+    let friction = [0, 1, 2, 3, 4, 5].map(|joint| {
+        let [viscous, positive, negative] = [0, 1, 2].map(|k| found[count + 3 * joint + k]);
+        JointFriction {
+            viscous,
+            coulomb: [positive, negative],
+        }
+    });
+    (found.rows(0, count).into_owned(), friction)
+}
+
+/// The root mean square of what an arm's torques miss of the recorded ones.
+fn residual(arm: &RuntimeRobot, Recorded { motion, tau }: &Recorded) -> f64 {
+    let found = DVector::from(values_at(arm, "inverse_dynamics", motion, tau.len()));
+    (found - tau).norm() / (tau.len() as f64).sqrt()
+}
+
+/// A table of masses that are wrong by up to a third, and centres of mass by 2 cm, without friction.
+fn wrong(robot: &Robot) -> Robot {
+    let mut wrong = robot.clone();
+    for (k, row) in wrong.rows.iter_mut().enumerate() {
+        let value = |x: f64| Value::from_f64(x).expect("finite");
+        let share = 1.0 + 0.33 * (3.0 * k as f64 + 1.0).sin();
+        row.mass = value(row.mass.to_f64(&[]) * share);
+        row.com[k % 3] = value(row.com[k % 3].to_f64(&[]) + 0.02 * (k as f64).cos());
+        row.viscous = Value::zero();
+        row.coulomb = [Value::zero(), Value::zero()];
+    }
+    wrong
+}
+
+/// Masses and principal moments about the centres of mass are those of bodies.
+fn assert_bodies(arm: &RuntimeRobot) {
+    for row in &arm.robot().rows {
+        let number = |value: &Value| value.to_f64(&[]);
+        let [xx, yy, zz, xy, yz, xz] = row.inertia.each_ref().map(number);
+        let tensor = Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz);
+        let moments = tensor.symmetric_eigenvalues();
+        let name = &row.name;
+        assert!(number(&row.mass) > 0.0, "{name}");
+        assert!(
+            moments.min() > 0.0 && moments.sum() > 2.0 * moments.max(),
+            "{name}: {moments}"
+        );
+    }
+}
+
+/// Torques with noise of a tenth of their size: the parameters of least squares are no arm's.
+#[test]
+fn the_nearest_possible_arm_fits_noisy_torques_nearly_as_well() {
+    let (real, guess) = (made(ur5e(), &[]), made(wrong(&ur5e()), &[]));
+    let run = recorded(&real, 0.1, 3);
+    let (b, friction) = fitted(&guess, &run);
+    let typed = guess.typed::<6>().expect("six joints");
+    let error = typed.identified(b.as_slice()).expect_err("no bodies");
+    let IdentificationError::Impossible(links) = &error else {
+        panic!("{error}")
+    };
+    assert!(links.len() > 1, "{error}");
+    let text = error.to_string();
+    assert!(
+        text.starts_with("no bodies have these base parameters: the link of `joint"),
+        "{text}"
+    );
+    assert!(
+        text.ends_with("`nearest_possible` has the nearest that bodies have"),
+        "{text}"
+    );
+
+    let nearest = typed
+        .nearest_possible(b.as_slice())
+        .expect("finite numbers");
+    let identified = typed.identified_with_friction(&nearest.base_parameters, &friction);
+    let identified = identified.expect("possible");
+    assert_bodies(&identified);
+    // The real arm is possible, and no nearer.
+    let of_real = DVector::from(values(&real, "base_parameters", &[]));
+    let [near, far] = [DVector::from(nearest.base_parameters), of_real].map(|other| {
+        let motion = [0, 1, 2].map(|k| {
+            let mut random = SplitMix64::new(7 + k);
+            let largest = [3.14, 3.0, 10.0][k as usize];
+            (0..1200)
+                .map(|_| largest * (2.0 * random.unit() - 1.0))
+                .collect::<Vec<f64>>()
+        });
+        let still = Recorded {
+            motion,
+            tau: DVector::zeros(1200),
+        };
+        let y = columns(&guess, &still);
+        (y.columns(0, b.len()) * (other - &b)).norm() / 1200_f64.sqrt()
+    });
+    println!("{near} {far} {}", nearest.torque);
+    assert!(
+        (near / nearest.torque - 1.0).abs() < 0.2 && near < far,
+        "{near}, {far}"
+    );
+    // The noise itself, and what the arms miss of the torques.
+    let [of_real, found] = [&real, &identified].map(|arm| residual(arm, &run));
+    println!("{of_real} {found}");
+    assert!(found < 1.1 * of_real, "{found} of {of_real}");
+
+    let six = identified.typed::<6>().expect("six joints");
+    let dynamics = six.dynamics().expect("derived");
+    let falling = Simulation::new(&dynamics).friction(Friction::Sticking);
+    let falling = falling.duration(0.2).samples(3).run();
+    assert_eq!(falling.expect("M is positive definite").len(), 3);
+}
+
+/// Exact torques of a real arm, beside a table that is far from it: links of bodies, with its base parameters.
+#[test]
+fn possible_base_parameters_give_links_of_bodies() {
+    let (real, guess) = (made(ur5e(), &[]), made(wrong(&ur5e()), &[]));
+    let b = values(&real, "base_parameters", &[]);
+    let typed = guess.typed::<6>().expect("six joints");
+    let nearest = typed.nearest_possible(&b).expect("possible");
+    assert_eq!((nearest.base_parameters, nearest.torque), (b.clone(), 0.0));
+    let found = typed.identified(&b).expect("possible");
+    assert_bodies(&found);
+    let again = values(&found, "base_parameters", &[]);
+    assert!(
+        b.iter().zip(&again).all(|(x, y)| (x - y).abs() < 1e-11),
+        "{b:?}, {again:?}"
+    );
+}
+
+#[test]
+fn friction_that_feeds_energy_is_refused_and_replaces_that_of_the_table() {
+    let mut guess = arms::robot("two_link_saha");
+    guess.rows[0].coulomb = [arms::decimal(1.0), arms::decimal(1.0)];
+    let guess = made(guess, &[]);
+    let b = values(&guess, "base_parameters", &[]);
+    let typed = guess.typed::<2>().expect("two joints");
+    let none = JointFriction::default();
+    let of_first = JointFriction {
+        viscous: 2.0,
+        coulomb: [0.5, 0.25],
+    };
+    let arm = typed
+        .identified_with_friction(&b, &[of_first, none])
+        .expect("possible");
+    assert_eq!(values(&arm, "friction_vector", &[&[3.0, 3.0]]), [6.5, 0.0]);
+    assert_eq!(
+        values(&arm, "friction_vector", &[&[-3.0, 3.0]]),
+        [-6.25, 0.0]
+    );
+    for wrong in [-0.1, f64::NAN, f64::INFINITY] {
+        let negative = JointFriction {
+            coulomb: [0.0, wrong],
+            ..none
+        };
+        let error = typed.identified_with_friction(&b, &[none, negative]);
+        let text = error.expect_err("no friction").to_string();
+        let expected = format!(
+            "the friction of `joint2` has the coefficient {wrong}: expected a finite number, 0 or above"
+        );
+        assert_eq!(text, expected);
+    }
+}
+
+/// A link of a negative inertia: checks and simulations say what is wrong.
+#[test]
+fn an_arm_without_a_positive_definite_mass_matrix_is_no_good_one() {
+    let mut robot = arms::robot("two_link_saha");
+    assert!(
+        made(robot.clone(), &[])
+            .typed::<2>()
+            .is_ok_and(|arm| check_against_rnea(&arm).is_ok())
+    );
+    robot.rows[1].inertia = [(); 6].map(|()| arms::decimal(-2.5));
+    let arm = made(robot, &[]);
+    let typed = arm.typed::<2>().expect("two joints");
+    let report = check_against_rnea(&typed);
+    assert!(!report.is_ok() && report.functions.iter().all(|function| function.is_ok()));
+    let text = report.to_string();
+    assert!(
+        text.contains("\nmass matrix: NOT positive definite, relative pivot -"),
+        "{text}"
+    );
+    let dynamics = typed.dynamics().expect("derived");
+    let error = Simulation::new(&dynamics).run().expect_err("no motion");
+    let text = format!("{error:?}");
+    assert!(
+        error.time == 0.0 && text.contains("check masses, inertia tensors and motors"),
+        "{text}"
     );
 }

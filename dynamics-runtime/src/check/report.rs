@@ -169,9 +169,18 @@ impl Report {
         &mut self.functions[index]
     }
 
-    /// Whether every error is within its tolerance, and there was something to compare.
+    /// Whether every error is within its tolerance, there was something to compare, and no pivot of the table's mass
+    /// matrix is negative: such an arm cannot be simulated, right as its functions are.
     pub fn is_ok(&self) -> bool {
-        !self.functions.is_empty() && self.functions.iter().all(FunctionReport::is_ok)
+        !self.functions.is_empty()
+            && self.functions.iter().all(FunctionReport::is_ok)
+            && !self.has_negative_inertia()
+    }
+
+    /// Whether the mass matrix has a pivot that is negative by more than rounding.
+    pub fn has_negative_inertia(&self) -> bool {
+        let nearest = self.nearest_to_singular.as_ref();
+        nearest.is_some_and(|(_, nearest)| nearest.relative_pivot < -NEGATIVE)
     }
 
     /// Panics with the printed report unless [`Report::is_ok`].
@@ -194,13 +203,23 @@ impl fmt::Display for Report {
             self.fmt_table(f)?;
         }
         if let Some((label, nearest)) = &self.nearest_to_singular {
+            let (pivot, joint) = (nearest.relative_pivot, &self.joint_names[nearest.joint]);
+            let (not, or, so) = match self.has_negative_inertia() {
+                true => (
+                    "NOT positive definite, ",
+                    "",
+                    "the inertia that the joint feels is negative: check masses, inertia tensors and motors for data that \
+                     no body can have"
+                        .to_owned(),
+                ),
+                false => {
+                    let lost = nearest.lost_digits();
+                    ("", " at least", format!("{lost:.1} digits of accelerations lost"))
+                }
+            };
             write!(
                 f,
-                "\nmass matrix: relative pivot {:.1e} at least, of joint {} in state {label:?}: {:.1} digits of \
-                 accelerations lost",
-                nearest.relative_pivot,
-                self.joint_names[nearest.joint],
-                nearest.lost_digits()
+                "\nmass matrix: {not}relative pivot {pivot:.1e}{or}, of joint {joint} in state {label:?}: {so}"
             )?;
         }
         for function in &self.not_compared {
@@ -226,6 +245,9 @@ fn reason(function: &str) -> &'static str {
         _ => "the mass matrix is singular",
     }
 }
+
+/// What rounding may take from a pivot, relative to its diagonal entry.
+const NEGATIVE: f64 = 1e-10;
 
 const COLUMNS: usize = 8;
 const HEADS: [&str; COLUMNS] = [
