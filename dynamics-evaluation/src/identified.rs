@@ -194,8 +194,8 @@ impl<const N: usize> Typed<'_, N> {
     /// to [`identified`](Typed::identified).
     ///
     /// The distance is the root mean square of the difference in torque over all joints and 100 random states: positions
-    /// within pi, velocities within 3, accelerations within 10. It is within 1 % of the least one. By as much, at most,
-    /// the root mean square of the residual of a fit grows, if its motion is as fast as that.
+    /// within pi, velocities within 3, accelerations within 10. It is within 5 % of the least one. The residual r of least
+    /// squares over a motion as fast as that grows to at most about `sqrt(r^2 + distance^2)`.
     ///
     /// # Errors
     ///

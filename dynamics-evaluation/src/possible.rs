@@ -18,10 +18,7 @@ pub(crate) const OF_LINK: usize = 10;
 const LEAST: f64 = 1e-4;
 
 /// By how much the square of a distance may lie above the least one, relative to it.
-const NEAR: f64 = 0.02;
-
-/// By how much the divergence could still fall where Newton's method ends.
-const CONVERGED: f64 = 1e-10;
+const NEAR: f64 = 0.1;
 
 /// How often the equations may be made ten times as hard, and the most steps of Newton's method for each.
 const STAGES: usize = 16;
@@ -123,7 +120,7 @@ struct Divergence {
 
 impl Search {
     /// The nearest possible parts that fulfil the equations, and zero; or, where none do, possible parts whose residual
-    /// is within 1 % of the least one, and that residual, `map (p - start) - missing`.
+    /// is within 5 % of the least one, and that residual, `map (p - start) - missing`.
     ///
     /// The minima of `divergence + |residual|^2 / (2 softness)` are followed as the softness falls. `None` where a matrix
     /// cannot be factored, because numbers are too large.
@@ -133,12 +130,13 @@ impl Search {
         let sizes: usize = self.parts.iter().map(|part| part.prior.nrows()).sum();
         let mut softness = self.missing.norm_squared();
         for _ in 0..STAGES {
-            p = self.minimum(p, softness)?;
-            let (there, residual) = (self.divergence(&p)?, self.residual(&p));
+            let there;
+            (p, there) = self.minimum(p, softness)?;
+            let residual = self.residual(&p);
             // The last step to the equations: where it ends at possible parts, these fulfil them.
-            let exact = &p + self.step(&there.hessian, &DVector::zeros(p.len()), &residual, 0.0)?;
-            if self.divergence(&exact).is_some() {
-                return Some((self.minimum(exact, 0.0)?, residual * 0.0));
+            let exact = &p + self.step(&there.hessian, &(&p * 0.0), &residual, 0.0)?;
+            if let Some((nearest, _)) = self.minimum(exact, 0.0) {
+                return Some((nearest, residual * 0.0));
             }
             // A convex function falls by no more than its slope times the way. Here the slope is that of the barrier,
             // and this is by how much the least squared residual may be below the present one.
@@ -157,28 +155,34 @@ impl Search {
     }
 
     /// The minimum at one softness, at zero that on the equations, by Newton's method with steps that are halved until
-    /// the value falls.
-    fn minimum(&self, mut p: DVector<f64>, softness: f64) -> Option<DVector<f64>> {
-        let weight = if softness > 0.0 { 1.0 / softness } else { 0.0 };
+    /// the value falls; `None` where it begins outside of what is possible.
+    fn minimum(&self, mut p: DVector<f64>, softness: f64) -> Option<(DVector<f64>, Divergence)> {
+        // The minima on the way need not be sharp.
+        let (weight, rest) = match softness > 0.0 {
+            true => (1.0 / softness, 1e-3),
+            false => (0.0, 1e-10),
+        };
         let penalty = |p: &DVector<f64>| 0.5 * weight * self.residual(p).norm_squared();
+        let mut here = self.divergence(&p)?;
         for _ in 0..STEPS {
-            let (here, residual) = (self.divergence(&p)?, self.residual(&p));
+            let residual = self.residual(&p);
             let step = self.step(&here.hessian, &here.gradient, &residual, softness)?;
             let slope = here.gradient.dot(&step) + weight * residual.dot(&(&self.map * &step));
             let value = here.value + penalty(&p);
             let next = (0..30).find_map(|halvings| {
                 let length = 0.5_f64.powi(halvings);
                 let next = &p + &step * length;
-                let found = self.divergence(&next)?.value + penalty(&next);
-                (found <= value + 0.1 * length * slope).then_some(next)
+                let there = self.divergence(&next)?;
+                let found = there.value + penalty(&next);
+                (found <= value + 0.1 * length * slope).then_some((next, there))
             });
             let Some(next) = next else { break };
-            p = next;
-            if slope > -CONVERGED {
+            (p, here) = next;
+            if slope > -rest {
                 break;
             }
         }
-        Some(p)
+        Some((p, here))
     }
 
     /// Newton's step s: `H s + map' w = -gradient`, `map s - softness w = -residual`.

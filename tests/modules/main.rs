@@ -6,6 +6,7 @@
 //! circle.
 
 mod circles;
+mod documentation;
 mod names;
 mod source;
 

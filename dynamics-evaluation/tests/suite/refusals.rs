@@ -1,5 +1,7 @@
 //! What is refused, and what is said of it.
 
+use dynamics_evaluation::dynamics_runtime::nalgebra::Vector6;
+use dynamics_evaluation::dynamics_runtime::{Friction, Simulation};
 use dynamics_evaluation::{BuildError, EvaluationError, RuntimeRobot};
 use dynamics_symbolic::Function;
 use dynamics_symbolic::robot::{Mount, Placement, Value};
@@ -23,6 +25,44 @@ fn what_was_not_asked_for_is_no_value() {
         .typed::<3>()
         .map(|typed| typed.dynamics().map(|_| ()).is_err());
     assert_eq!(typed, Ok(true));
+}
+
+#[test]
+fn a_simulation_says_which_function_it_lacks_and_what_to_write() {
+    let robot = arms::robot("elbow_3r");
+    let all = RuntimeRobot::simulation_functions();
+    for (k, missing) in all.iter().enumerate().step_by(4) {
+        let others = all.iter().filter(|function| *function != missing);
+        let arm = RuntimeRobot::new(robot.clone(), others.copied()).expect("an arm");
+        let typed = arm.typed::<3>().expect("three joints");
+        let error = match typed.dynamics() {
+            Err(error) => error,
+            Ok(dynamics) => {
+                assert!(k >= 7, "{missing:?}");
+                dynamics.with_tip().expect_err("no tip")
+            }
+        };
+        let name = missing.name();
+        assert_eq!(error, EvaluationError::NotSimulated(name.to_owned()));
+        let text = error.to_string();
+        assert!(
+            text.starts_with(&format!("a simulation needs `{name}`")),
+            "{text}"
+        );
+        assert!(
+            text.contains("`RuntimeRobot::for_simulation(robot)`"),
+            "{text}"
+        );
+    }
+    let arm = RuntimeRobot::for_simulation(robot).expect("an arm");
+    let typed = arm.typed::<3>().expect("three joints");
+    let tip = typed
+        .dynamics()
+        .and_then(|dynamics| dynamics.with_tip())
+        .expect("all");
+    let pushed = Simulation::new(&tip).friction(Friction::Sticking);
+    let pushed = pushed.tool_force(|_, _, _| Vector6::repeat(0.1));
+    assert_eq!(pushed.duration(0.1).run().expect("a motion").len(), 101);
 }
 
 #[test]
