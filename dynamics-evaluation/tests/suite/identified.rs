@@ -149,11 +149,13 @@ fn what_is_no_identification_is_refused() {
     );
 }
 
+type Triple = [f64; 3];
+
 /// The UR5e as Universal Robots publishes it: D-H parameters, masses, centres of mass and tensors.
 fn ur5e() -> Robot {
     const HALF: f64 = std::f64::consts::FRAC_PI_2;
     #[rustfmt::skip]
-    let links: [([f64; 3], f64, [f64; 3], [f64; 3]); 6] = [
+    let links: [(Triple, f64, Triple, Triple); 6] = [
         ([0.0, HALF, 0.1625], 3.761, [0.0, -0.02561, 0.00193], [0.0084, 0.0064, 0.0084]),
         ([-0.425, 0.0, 0.0], 8.058, [0.2125, 0.0, 0.11336], [0.0078, 0.21, 0.21]),
         ([-0.3922, 0.0, 0.0], 2.846, [0.15, 0.0, 0.0265], [0.0016, 0.0462, 0.0462]),
@@ -195,7 +197,11 @@ fn recorded(arm: &RuntimeRobot, noise: f64, seed: u64) -> Recorded {
     let sines: Vec<[f64; 3]> = (0..18)
         .map(|k| {
             let rate = 0.785 * (1 + k % 3) as f64;
-            [0.5 * random.unit() + 0.2, rate, 6.28 * random.unit()]
+            [
+                0.5 * random.unit() + 0.2,
+                rate,
+                std::f64::consts::TAU * random.unit(),
+            ]
         })
         .collect();
     let motion = [0, 1, 2].map(|derivative| {
@@ -366,7 +372,7 @@ fn the_nearest_possible_arm_fits_noisy_torques_nearly_as_well() {
     let [near, far] = [DVector::from(nearest.base_parameters), of_real].map(|other| {
         let motion = [0, 1, 2].map(|k| {
             let mut random = SplitMix64::new(7 + k);
-            let largest = [3.14, 3.0, 10.0][k as usize];
+            let largest = [std::f64::consts::PI, 3.0, 10.0][k as usize];
             (0..1200)
                 .map(|_| largest * (2.0 * random.unit() - 1.0))
                 .collect::<Vec<f64>>()
