@@ -111,6 +111,20 @@ fn fields_have_values() {
 }
 
 #[test]
+fn a_check_of_a_negative_inertia_fails() {
+    let table = "convention = 'modified'\ngravity = [0, -9.81, 0]\n[[joint]]\nname = 'pivot'\ntype = 'revolute'\n\
+                 mass = 1\ncom = [0.1, 0, 0]\ninertia = { zz = -0.5 }\nallow = ['unphysical_inertia']\n";
+    let call = ["check", &file("negative.toml", table)];
+    let message = errors(&call, 1);
+    assert!(message.contains("not positive definite"), "{message}");
+    let report = String::from_utf8_lossy(&run(&call).stdout).into_owned();
+    assert!(
+        report.contains("NOT positive definite, relative pivot -1.0e0, of joint pivot"),
+        "{report}"
+    );
+}
+
+#[test]
 fn check_compares_with_newton_euler_and_with_another_file() {
     let (one, same) = (file("check.toml", PENDULUM), file("same.toml", PENDULUM));
     let text = output(&["check", &one, "--against", &same]);
