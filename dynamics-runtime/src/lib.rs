@@ -118,8 +118,7 @@ pub use scalar::Scalar;
 pub use simulation::{
     Cause, Continuous, ContinuousForce, CsvError, CsvMistake, Dop853, DormandPrince, Friction,
     HeldToolForce, HeldTorque, InvalidSetting, JointSet, Method, NoToolForce, NoTorque, Radau5,
-    Sampled,
-    Simulation, SimulationError, Taylor, TaylorSimulation, ToolForce, Trajectory, Work,
+    Sampled, Simulation, SimulationError, Taylor, TaylorSimulation, ToolForce, Trajectory, Work,
 };
 #[doc(hidden)]
 pub use sine::{Part, sin_cos_column};

@@ -205,15 +205,11 @@ where
 }
 
 /// Computed accelerations, each with the smaller one of its bound and the bound by its residual.
-fn accelerations<A, F, const N: usize>(
+fn accelerations<A: InverseDynamics<N> + MassMatrix<N>, F: Rounded, const N: usize>(
     arm: &A,
     arguments: [&Vector<F, N>; 3],
     qdd: Vector<F, N>,
-) -> Vector<F, N>
-where
-    A: InverseDynamics<N> + MassMatrix<N>,
-    F: Rounded,
-{
+) -> Vector<F, N> {
     let [q, qd, tau] = arguments.map(widened);
     let Some(verification) = Verification::of(&arm.mass_matrix(&q)) else {
         return qdd;
@@ -245,15 +241,11 @@ pub(crate) fn accelerations_near<F: Rounded, const N: usize>(
 
 /// The exact accelerations: approximate ones, computed by M^-1 and improved once by their residual, with a bound of
 /// their error.
-fn enclosed<A, F, const N: usize>(
+fn enclosed<A: InverseDynamics<N>, F: Rounded, const N: usize>(
     arm: &A,
     verification: &Verification<F, N>,
     [q, qd, tau]: [&Vector<F, N>; 3],
-) -> Vector<F, N>
-where
-    A: InverseDynamics<N>,
-    F: Rounded,
-{
+) -> Vector<F, N> {
     let residual = |x: &SVector<F, N>| tau - arm.inverse_dynamics(q, qd, &x.map(Certified::exact));
     let mut qdd = SVector::repeat(F::ZERO);
     for _ in 0..2 {

@@ -110,10 +110,7 @@ impl<F: Rounded> Certified<F> {
 }
 
 /// `0.25 +- 3e-17`.
-impl<F> fmt::Display for Certified<F>
-where
-    F: Rounded<Magnitude: fmt::LowerExp> + fmt::Display,
-{
+impl<F: Rounded<Magnitude: fmt::LowerExp> + fmt::Display> fmt::Display for Certified<F> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{} +- {:.1e}", self.value, self.bound())
     }

@@ -19,10 +19,7 @@ pub(crate) trait Equations<const N: usize> {
     }
 }
 
-impl<F, E, const N: usize> Equations<N> for F
-where
-    F: Fn(f64, &Phase<N>) -> Result<SVector<f64, N>, E>,
-{
+impl<F: Fn(f64, &Phase<N>) -> Result<SVector<f64, N>, E>, E, const N: usize> Equations<N> for F {
     type Refusal = E;
 
     #[inline]

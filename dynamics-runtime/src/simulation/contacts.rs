@@ -12,14 +12,10 @@ use crate::integrate::Phase;
 
 /// What becomes of the joints as a motion begins: those that hit a stop are thrown back, those at rest
 /// stick or lean on a stop, if they are held. Returns the phase after that.
-pub(super) fn settle_at_start<R, L, const N: usize>(
+pub(super) fn settle_at_start<R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N: usize>(
     motion: &Motion<R, L, N>,
     phase: &Phase<N>,
-) -> Result<Phase<N>, Cause>
-where
-    R: EquationsOfMotion<N>,
-    L: TorqueLaw<N>,
-{
+) -> Result<Phase<N>, Cause> {
     motion.set_contacts(classified(motion, phase));
     let impact = thrown_back(motion, 0.0, phase)?;
     let phase = impact.map_or(*phase, |impact| impact.after);
@@ -29,14 +25,10 @@ where
 }
 
 /// What friction and stops do to joints in a phase, as far as they hold.
-pub(super) fn classified<R, L, const N: usize>(
+pub(super) fn classified<R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N: usize>(
     motion: &Motion<R, L, N>,
     phase: &Phase<N>,
-) -> [Contact; N]
-where
-    R: EquationsOfMotion<N>,
-    L: TorqueLaw<N>,
-{
+) -> [Contact; N] {
     core::array::from_fn(|i| {
         let moves = phase.qd[i] != 0.0;
         match leaning_place(motion, i, phase) {
@@ -61,15 +53,11 @@ fn leaning_place<R, L, const N: usize>(
 
 /// Lets go of joints that nothing holds, and that have somewhere to go; holds those at rest that would
 /// pass a stop.
-pub(super) fn settle<R, L, const N: usize>(
+pub(super) fn settle<R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N: usize>(
     motion: &Motion<R, L, N>,
     t: f64,
     phase: &Phase<N>,
-) -> Result<Held<N>, Cause>
-where
-    R: EquationsOfMotion<N>,
-    L: TorqueLaw<N>,
-{
+) -> Result<Held<N>, Cause> {
     let held = balance(motion, t, phase)?;
     match driven_back(motion, t, phase, &held)? {
         Some(joint) => Err(Cause::Chatter { joint }),
@@ -79,15 +67,11 @@ where
 
 /// The contacts of joints at rest, and the forces there. They stay as they are if they hold; else they are those of
 /// the one balance that there is.
-fn balance<R, L, const N: usize>(
+fn balance<R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N: usize>(
     motion: &Motion<R, L, N>,
     t: f64,
     phase: &Phase<N>,
-) -> Result<Held<N>, Cause>
-where
-    R: EquationsOfMotion<N>,
-    L: TorqueLaw<N>,
-{
+) -> Result<Held<N>, Cause> {
     let held = motion.held(t, phase)?;
     let contacts = motion.contacts();
     if (0..N).all(|i| is_balanced(motion, i, phase, &held)) {
@@ -141,16 +125,12 @@ fn is_balanced<R, L, const N: usize>(
 ///
 /// A stop has a force inwards of any size, and dry friction at rest one either way, up to its greatest value. The search
 /// begins at `start`, or between the bounds where that one is infinite.
-pub(super) fn balance_at_rest<R, L, const N: usize>(
+pub(super) fn balance_at_rest<R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N: usize>(
     motion: &Motion<R, L, N>,
     t: f64,
     phase: &Phase<N>,
     start: [Place; N],
-) -> Result<Balance<N>, Cause>
-where
-    R: EquationsOfMotion<N>,
-    L: TorqueLaw<N>,
-{
+) -> Result<Balance<N>, Cause> {
     let contacts = motion.contacts();
     let bounds = core::array::from_fn(|i| {
         let [negative, positive] = [-1.0, 1.0].map(|way| motion.breakaway(i, way));
@@ -226,16 +206,12 @@ pub(super) fn least_margin<R, L, const N: usize>(
 
 /// The joint at rest that is let go one way, and driven back as soon as it moves that way, by a
 /// torque law that jumps between the two: it neither stays nor goes.
-fn driven_back<R, L, const N: usize>(
+fn driven_back<R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N: usize>(
     motion: &Motion<R, L, N>,
     t: f64,
     phase: &Phase<N>,
     held: &Held<N>,
-) -> Result<Option<usize>, Cause>
-where
-    R: EquationsOfMotion<N>,
-    L: TorqueLaw<N>,
-{
+) -> Result<Option<usize>, Cause> {
     let contacts = motion.contacts();
     let way = |i: usize| match contacts[i] {
         Contact::Slides(way) if phase.qd[i] == 0.0 => way,
@@ -256,16 +232,12 @@ where
 
 /// The joint that would stop next, and chatter there. A step across that place fails by whatever is
 /// first to notice that there is no motion beyond it.
-pub(super) fn stops_and_chatters<R, L, const N: usize>(
+pub(super) fn stops_and_chatters<R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N: usize>(
     motion: &Motion<R, L, N>,
     t: f64,
     phase: &Phase<N>,
     within: f64,
-) -> Option<usize>
-where
-    R: EquationsOfMotion<N>,
-    L: TorqueLaw<N>,
-{
+) -> Option<usize> {
     let held = motion.held(t, phase).ok()?;
     let contacts = motion.contacts();
     let time_left = |i: usize| match contacts[i] {

@@ -15,17 +15,13 @@ use crate::integrate::{Failure, Stepper};
 ///
 /// The stepper is known at run time alone: a call for each step is nothing beside the step, and what is written
 /// here is compiled once for all methods.
-pub(super) fn drive<S, R, L, const N: usize>(
+pub(super) fn drive<S, R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N: usize>(
     motion: &Motion<R, L, N>,
     system: &S,
     stepper: &mut dyn Stepper<S, Cause, N>,
     recorder: &mut Recorder<N>,
     max_steps: usize,
-) -> Result<(), Cause>
-where
-    R: EquationsOfMotion<N>,
-    L: TorqueLaw<N>,
-{
+) -> Result<(), Cause> {
     if motion.has_events() {
         let duration = recorder.duration();
         let run = Eventful::<_, _, _, _, ByMargins, N>::start(motion, system, stepper, duration)?;
@@ -35,17 +31,13 @@ where
 }
 
 /// The same without events.
-pub(super) fn smooth<M, S, E, const N: usize>(
+pub(super) fn smooth<M: Followed<N>, S, E: Into<Cause>, const N: usize>(
     motion: &M,
     system: &S,
     stepper: &mut dyn Stepper<S, E, N>,
     recorder: &mut Recorder<N>,
     max_steps: usize,
-) -> Result<(), Cause>
-where
-    M: Followed<N>,
-    E: Into<Cause>,
-{
+) -> Result<(), Cause> {
     let mut instants = Instants::new(motion.period(), recorder.duration());
     let mut steps = 0;
     while recorder.next_sample().is_some() {

@@ -36,14 +36,10 @@ pub(super) trait Finder<S, R, L, K: ?Sized, const N: usize> {
 }
 
 /// The least margin where a stepper is, and the forces there.
-pub(super) fn here<S, R, L, const N: usize>(
+pub(super) fn here<S, R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N: usize>(
     motion: &Motion<R, L, N>,
     stepper: &(impl Stepper<S, Cause, N> + ?Sized),
-) -> Result<(f64, Held<N>), Cause>
-where
-    R: EquationsOfMotion<N>,
-    L: TorqueLaw<N>,
-{
+) -> Result<(f64, Held<N>), Cause> {
     let phase = stepper.phase();
     let held = motion.held(stepper.t(), phase)?;
     Ok((least_margin(motion, phase, &held), held))

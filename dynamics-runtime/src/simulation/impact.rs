@@ -49,15 +49,11 @@ pub(super) struct Impact<const N: usize> {
 ///
 /// A joint that leaves its stop may be driven back into it by the impact of another one: impacts follow
 /// each other until none is left. The contacts of the motion are those after the impacts.
-pub(super) fn thrown_back<R, L, const N: usize>(
+pub(super) fn thrown_back<R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N: usize>(
     motion: &Motion<R, L, N>,
     t: f64,
     before: &Phase<N>,
-) -> Result<Option<Impact<N>>, Cause>
-where
-    R: EquationsOfMotion<N>,
-    L: TorqueLaw<N>,
-{
+) -> Result<Option<Impact<N>>, Cause> {
     let AtLimit::Rebounds { restitution } = motion.limits().kind else {
         return Ok(None);
     };
@@ -133,17 +129,13 @@ fn rebounds<const N: usize>(
 const MOST_IMPACTS: usize = 10_000;
 
 /// The phase in which joints that bounce no more are at rest, those at their stops together.
-fn at_rest<R, L, const N: usize>(
+fn at_rest<R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N: usize>(
     motion: &Motion<R, L, N>,
     t: f64,
     mut phase: Phase<N>,
     ends: &Ends<N>,
     responses: &SMatrix<f64, N, N>,
-) -> Result<Option<Phase<N>>, Cause>
-where
-    R: EquationsOfMotion<N>,
-    L: TorqueLaw<N>,
-{
+) -> Result<Option<Phase<N>>, Cause> {
     loop {
         let rest = resting(motion, t, &phase, ends, responses)?;
         for i in (0..N).filter(|i| rest[*i]) {
@@ -175,17 +167,13 @@ where
 /// the acceleration f_i / m ([`inertia`](super::complementarity::Balance::inertia)) from a rise of `v^2 m / (2 f_i)`.
 /// The joint of the greatest energy v^2 / W_ii that rises by more, or that nothing holds, is left out, and the others
 /// are asked again.
-fn resting<R, L, const N: usize>(
+fn resting<R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N: usize>(
     motion: &Motion<R, L, N>,
     t: f64,
     phase: &Phase<N>,
     ends: &Ends<N>,
     responses: &SMatrix<f64, N, N>,
-) -> Result<[bool; N], Cause>
-where
-    R: EquationsOfMotion<N>,
-    L: TorqueLaw<N>,
-{
+) -> Result<[bool; N], Cause> {
     let mut rest = ends.map(|end| end.is_some());
     while (0..N).any(|i| rest[i] && phase.qd[i] != 0.0) {
         let mut still = *phase;

@@ -114,15 +114,11 @@ macro_rules! from_settings {
 from_settings! { DormandPrince Dop853 Radau5 }
 
 impl Method {
-    pub(super) fn integrate<R, L, const N: usize>(
+    pub(super) fn integrate<R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N: usize>(
         &self,
         motion: &Motion<R, L, N>,
         recorder: &mut Recorder<N>,
-    ) -> Result<(), Cause>
-    where
-        R: EquationsOfMotion<N>,
-        L: TorqueLaw<N>,
-    {
+    ) -> Result<(), Cause> {
         begin(motion, recorder)?;
         match self {
             Method::ExplicitEuler { step } => fixed(ExplicitEuler, *step, motion, motion, recorder),
@@ -175,14 +171,10 @@ impl Method {
 }
 
 /// Asks sampled laws, takes the first sample, and finds what friction and stops do to the joints.
-pub(super) fn begin<R, L, const N: usize>(
+pub(super) fn begin<R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N: usize>(
     motion: &Motion<R, L, N>,
     recorder: &mut Recorder<N>,
-) -> Result<(), Cause>
-where
-    R: EquationsOfMotion<N>,
-    L: TorqueLaw<N>,
-{
+) -> Result<(), Cause> {
     let initial = recorder.phase;
     let mut begun = motion.sample(0.0, &initial).map(|()| initial);
     if motion.has_events() {
@@ -193,59 +185,42 @@ where
     Ok(())
 }
 
-fn fixed<S, R, L, const N: usize>(
+fn fixed<S, R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N: usize>(
     method: impl OneStep<S, Cause, N>,
     step: f64,
     motion: &Motion<R, L, N>,
     system: &S,
     recorder: &mut Recorder<N>,
-) -> Result<(), Cause>
-where
-    R: EquationsOfMotion<N>,
-    L: TorqueLaw<N>,
-{
+) -> Result<(), Cause> {
     let mut run = FixedStep::start(method, recorder.grid(step), recorder.phase);
     drive(motion, system, &mut run, recorder, usize::MAX)
 }
 
-fn canonical<R, L, const STAGES: usize, const N: usize>(
+fn canonical<R: EquationsOfMotion<N>, L: TorqueLaw<N>, const STAGES: usize, const N: usize>(
     method: GaussLegendre<STAGES, N>,
     step: f64,
     motion: &Motion<R, L, N>,
     recorder: &mut Recorder<N>,
-) -> Result<(), Cause>
-where
-    R: EquationsOfMotion<N>,
-    L: TorqueLaw<N>,
-{
+) -> Result<(), Cause> {
     let system = InMomenta::new(motion).ok_or(InvalidSetting::NoMomenta)?;
     fixed(method, step, motion, &system, recorder)
 }
 
-fn adaptive<M, R, L, const N: usize>(
+fn adaptive<M: Embedded<N>, R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N: usize>(
     control: &ErrorControl,
     motion: &Motion<R, L, N>,
     recorder: &mut Recorder<N>,
-) -> Result<(), Cause>
-where
-    M: Embedded<N>,
-    R: EquationsOfMotion<N>,
-    L: TorqueLaw<N>,
-{
+) -> Result<(), Cause> {
     let range = control.range(recorder.duration());
     let mut run = Adaptive::<M, N>::start(motion, 0.0, recorder.phase, control.tolerance, range)?;
     drive(motion, motion, &mut run, recorder, control.max_steps).map_err(Cause::of_long_steps)
 }
 
-fn radau<R, L, const N: usize>(
+fn radau<R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N: usize>(
     control: &ErrorControl,
     motion: &Motion<R, L, N>,
     recorder: &mut Recorder<N>,
-) -> Result<(), Cause>
-where
-    R: EquationsOfMotion<N>,
-    L: TorqueLaw<N>,
-{
+) -> Result<(), Cause> {
     let range = control.range(recorder.duration());
     let mut run = Radau::start(motion, 0.0, recorder.phase, control.tolerance, range)?;
     drive(motion, motion, &mut run, recorder, control.max_steps).map_err(Cause::of_long_steps)

@@ -91,10 +91,7 @@ pub struct Simulation<'a, R, L, const N: usize, W = NoToolForce, S = Continuous>
     plan: Plan<N>,
 }
 
-impl<'a, R, const N: usize> Simulation<'a, R, NoTorque<N>, N>
-where
-    R: EquationsOfMotion<N>,
-{
+impl<'a, R: EquationsOfMotion<N>, const N: usize> Simulation<'a, R, NoTorque<N>, N> {
     /// Free motion of the arm.
     pub fn new(robot: &'a R) -> Self {
         Simulation {
@@ -117,10 +114,10 @@ impl<'a, R, L, W, const N: usize> Simulation<'a, R, L, N, W> {
     /// order, and in steps that are thrown away. Therefore it must be a function of its arguments alone, an
     /// `Fn`. A controller with a memory (an integrator, a filter, a log) is an `FnMut` and needs
     /// [`sampled`](Simulation::sampled) before it: `.sampled(1e-3).torque(law)`.
-    pub fn torque<F>(self, law: F) -> Simulation<'a, R, F, N, W>
-    where
-        F: Fn(f64, &SVector<f64, N>, &SVector<f64, N>) -> SVector<f64, N>,
-    {
+    pub fn torque<F: Fn(f64, &SVector<f64, N>, &SVector<f64, N>) -> SVector<f64, N>>(
+        self,
+        law: F,
+    ) -> Simulation<'a, R, F, N, W> {
         self.with_laws(|_, tool_force, asked| (law, tool_force, asked))
     }
 }
@@ -287,10 +284,10 @@ impl<'a, R, L, W, const N: usize> Simulation<'a, R, L, N, W, Sampled> {
     ///
     /// Nothing resets that memory: a second run of the same simulation begins with the memory that the first one
     /// left.
-    pub fn torque<F>(self, law: F) -> Simulation<'a, R, F, N, W, Sampled>
-    where
-        F: FnMut(f64, &SVector<f64, N>, &SVector<f64, N>) -> SVector<f64, N>,
-    {
+    pub fn torque<F: FnMut(f64, &SVector<f64, N>, &SVector<f64, N>) -> SVector<f64, N>>(
+        self,
+        law: F,
+    ) -> Simulation<'a, R, F, N, W, Sampled> {
         self.with_laws(|_, tool_force, asked| (law, tool_force, asked))
     }
 }

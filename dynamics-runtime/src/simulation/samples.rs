@@ -19,15 +19,12 @@ pub(super) trait Followed<const N: usize> {
 }
 
 /// Takes the samples that lie within the last step; whether there were any.
-pub(super) fn take_within<M, S, E, const N: usize>(
+pub(super) fn take_within<M: Followed<N>, S, E, const N: usize>(
     motion: &M,
     system: &S,
     stepper: &mut (impl Stepper<S, E, N> + ?Sized),
     recorder: &mut Recorder<N>,
-) -> Result<bool, Failure<E>>
-where
-    M: Followed<N>,
-{
+) -> Result<bool, Failure<E>> {
     let (end, mut taken) = (stepper.t(), false);
     while let Some(t) = recorder.next_sample().filter(|t| before(*t, end)) {
         let phase = stepper.at(system, t)?;

@@ -121,10 +121,7 @@ pub struct HeldTorque<F> {
     asked: Sampled,
 }
 
-impl<'a, R, const N: usize> TaylorSimulation<'a, R, N>
-where
-    R: TaylorDynamics<N>,
-{
+impl<'a, R: TaylorDynamics<N>, const N: usize> TaylorSimulation<'a, R, N> {
     /// Free motion of the arm.
     pub fn new(robot: &'a R) -> Self {
         TaylorSimulation {
@@ -165,16 +162,13 @@ where
     }
 }
 
-impl<'a, R, F, const N: usize> TaylorSimulation<'a, R, N, HeldTorque<F>>
-where
-    R: TaylorDynamics<N>,
-{
+impl<'a, R: TaylorDynamics<N>, F, const N: usize> TaylorSimulation<'a, R, N, HeldTorque<F>> {
     /// The joint torques, N m or N, as a function of t in s, q in rad or m, and qd at a sample. They are held
     /// until the next sample. The law may have a memory.
-    pub fn torque<G>(self, law: G) -> TaylorSimulation<'a, R, N, HeldTorque<G>>
-    where
-        G: FnMut(f64, &SVector<f64, N>, &SVector<f64, N>) -> SVector<f64, N>,
-    {
+    pub fn torque<G: FnMut(f64, &SVector<f64, N>, &SVector<f64, N>) -> SVector<f64, N>>(
+        self,
+        law: G,
+    ) -> TaylorSimulation<'a, R, N, HeldTorque<G>> {
         let asked = self.torque.asked;
         self.with_torque(HeldTorque { law, asked })
     }
@@ -203,10 +197,7 @@ where
     }
 }
 
-impl<'a, R, L, const N: usize> TaylorSimulation<'a, R, N, L>
-where
-    R: TaylorDynamics<N>,
-{
+impl<'a, R: TaylorDynamics<N>, L, const N: usize> TaylorSimulation<'a, R, N, L> {
     fn with_torque<M>(self, torque: M) -> TaylorSimulation<'a, R, N, M> {
         TaylorSimulation {
             robot: self.robot,
@@ -305,10 +296,11 @@ struct Setting<'a, R, const N: usize> {
 
 impl<R: TaylorDynamics<N>, const N: usize> Setting<'_, R, N> {
     /// A run under a law that is called at the start, and then once each period if there is one.
-    fn run<F>(&self, period: Option<f64>, law: F) -> Result<Trajectory<N>, Box<SimulationError<N>>>
-    where
-        F: FnMut(f64, &Phase<N>) -> Result<SVector<f64, N>, Cause>,
-    {
+    fn run<F: FnMut(f64, &Phase<N>) -> Result<SVector<f64, N>, Cause>>(
+        &self,
+        period: Option<f64>,
+        law: F,
+    ) -> Result<Trajectory<N>, Box<SimulationError<N>>> {
         let arm = BySteps(self.robot);
         let law = Held {
             tau: Cell::new(SVector::zeros()),
@@ -323,14 +315,11 @@ impl<R: TaylorDynamics<N>, const N: usize> Setting<'_, R, N> {
         recorder.finished(end, evaluations)
     }
 
-    fn record<F>(
+    fn record<F: FnMut(f64, &Phase<N>) -> Result<SVector<f64, N>, Cause>>(
         &self,
         motion: &Motion<BySteps<R>, Held<F, N>, N>,
         recorder: &mut Recorder<N>,
-    ) -> Result<(), Cause>
-    where
-        F: FnMut(f64, &Phase<N>) -> Result<SVector<f64, N>, Cause>,
-    {
+    ) -> Result<(), Cause> {
         self.validate()?;
         recorder.plan(&self.plan)?;
         begin(motion, recorder)?;

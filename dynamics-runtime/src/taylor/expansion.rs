@@ -27,11 +27,7 @@ where
     forces: TaylorCoefficients<T, N>,
 }
 
-impl<R, T, const N: usize> Expansion<R, T, N>
-where
-    R: TaylorDynamics<N>,
-    T: Scalar,
-{
+impl<R: TaylorDynamics<N>, T: Scalar, const N: usize> Expansion<R, T, N> {
     /// Room for a series; the numbers of `like` do not matter.
     // Not inlined: the zeros of the products are written to their place, and not to another one first.
     #[inline(never)]
@@ -181,11 +177,7 @@ where
 
 /// Sines and cosines of the positions that are read as angles.
 #[inline(always)]
-fn sines<R, T, const N: usize>(_: &R, q: &SVector<T, N>) -> [(T, T); N]
-where
-    R: TaylorDynamics<N>,
-    T: Scalar,
-{
+fn sines<R: TaylorDynamics<N>, T: Scalar, const N: usize>(_: &R, q: &SVector<T, N>) -> [(T, T); N] {
     let zero = q[0].constant(0.0);
     T::sin_cos_array(core::array::from_fn(|i| {
         if R::READS_ANGLE[i] { q[i] } else { zero }
@@ -194,10 +186,10 @@ where
 
 /// M(q)
 #[cfg(feature = "std")]
-pub(crate) fn mass_matrix<R, const N: usize>(robot: &R, q: &SVector<f64, N>) -> SMatrix<f64, N, N>
-where
-    R: TaylorDynamics<N>,
-{
+pub(crate) fn mass_matrix<R: TaylorDynamics<N>, const N: usize>(
+    robot: &R,
+    q: &SVector<f64, N>,
+) -> SMatrix<f64, N, N> {
     robot.leading_matrix(&Known(sines(robot, q)), q)
 }
 

@@ -24,10 +24,7 @@ where
     },
 }
 
-impl<R, const N: usize> Series<R, N>
-where
-    R: TaylorDynamics<N>,
-{
+impl<R: TaylorDynamics<N>, const N: usize> Series<R, N> {
     pub(super) fn new() -> Self {
         let zero = SVector::zeros();
         match is_worth_it() {

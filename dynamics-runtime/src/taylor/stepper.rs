@@ -62,10 +62,7 @@ where
 const GREATEST_DEFECT: f64 = 1e3;
 const GREATEST_RELATIVE_DEFECT: f64 = 1e-8;
 
-impl<R, const N: usize> SeriesStepper<R, N>
-where
-    R: TaylorDynamics<N>,
-{
+impl<R: TaylorDynamics<N>, const N: usize> SeriesStepper<R, N> {
     pub(crate) fn start(
         motion: &impl Steady<N, Arm = R>,
         phase: Phase<N>,

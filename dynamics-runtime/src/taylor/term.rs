@@ -173,10 +173,7 @@ where
     }
 }
 
-impl<P, T, const N: usize, const LEADING: bool> Term<'_, P, T, N, LEADING>
-where
-    T: Scalar,
-{
+impl<P, T: Scalar, const N: usize, const LEADING: bool> Term<'_, P, T, N, LEADING> {
     /// The accelerations where those of some joints are zero, and the forces f that hold these:
     /// `M qdd = lacking + f`. Rows and columns of these joints are those of the unit matrix in the
     /// factors.
