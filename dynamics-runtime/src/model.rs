@@ -2,6 +2,7 @@
 
 use nalgebra::{Matrix4, SMatrix, SVector};
 
+use crate::factorisation::solve;
 use crate::{Inputs, Scalar, SingularMassMatrix, Table};
 
 /// The operations of a function, sines included, where they have not been counted.
@@ -248,8 +249,13 @@ pub trait Kinematics<const N: usize> {
 /// C itself is not needed: since `dM/dt = C + C^T` and `V = C qd`, `dT/dq = (dM/dt) qd - V`, and dM/dt is the
 /// derivative of M(q) along qd, which dual numbers give.
 pub trait Momenta<const N: usize> {
+    /// M(q), kg m^2, kg m or kg.
+    fn inertia(&self, q: &SVector<f64, N>) -> SMatrix<f64, N, N>;
+
     /// p = M(q) qd, kg m^2/s or kg m/s.
-    fn momentum(&self, q: &SVector<f64, N>, qd: &SVector<f64, N>) -> SVector<f64, N>;
+    fn momentum(&self, q: &SVector<f64, N>, qd: &SVector<f64, N>) -> SVector<f64, N> {
+        self.inertia(q) * qd
+    }
 
     /// qd = M(q)^-1 p.
     ///
@@ -260,7 +266,9 @@ pub trait Momenta<const N: usize> {
         &self,
         q: &SVector<f64, N>,
         p: &SVector<f64, N>,
-    ) -> Result<SVector<f64, N>, SingularMassMatrix>;
+    ) -> Result<SVector<f64, N>, SingularMassMatrix> {
+        solve(self.inertia(q), p)
+    }
 
     /// The velocities of an arm some of whose joints stand still. Those joints have exactly zero; the velocities
     /// of the others solve M_ff qd_f = p_f, where M_ff has the rows and columns of the moving joints alone. The
@@ -274,7 +282,18 @@ pub trait Momenta<const N: usize> {
         still: &[bool; N],
         q: &SVector<f64, N>,
         p: &SVector<f64, N>,
-    ) -> Result<SVector<f64, N>, SingularMassMatrix>;
+    ) -> Result<SVector<f64, N>, SingularMassMatrix> {
+        let (mut m, mut p) = (self.inertia(q), *p);
+        // Their rows and columns are those of the unit matrix.
+        for i in (0..N).filter(|i| still[*i]) {
+            m.row_mut(i).fill(0.0);
+            m.column_mut(i).fill(0.0);
+            m[(i, i)] = 1.0;
+            p[i] = 0.0;
+        }
+        let qd = solve(m, &p)?;
+        Ok(SVector::from_fn(|i, _| if still[i] { 0.0 } else { qd[i] }))
+    }
 
     /// dp/dt = dT/dq - G - K - F + tau at the velocity `qd`, N m or N.
     fn force(

@@ -3,47 +3,11 @@
 use nalgebra::{SMatrix, SVector};
 
 use crate::dual::Dual;
-use crate::factorisation::solve;
-use crate::{InverseDynamics, MassMatrix, Momenta, NewtonEuler, SingularMassMatrix};
-
-/// M_ff qd_f = p_f, where the joints that stand still have no velocity.
-fn velocity_beside<const N: usize>(
-    mut m: SMatrix<f64, N, N>,
-    still: &[bool; N],
-    p: &SVector<f64, N>,
-) -> Result<SVector<f64, N>, SingularMassMatrix> {
-    let mut p = *p;
-    // Their rows and columns are those of the unit matrix.
-    for i in (0..N).filter(|i| still[*i]) {
-        m.row_mut(i).fill(0.0);
-        m.column_mut(i).fill(0.0);
-        m[(i, i)] = 1.0;
-        p[i] = 0.0;
-    }
-    let qd = solve(m, &p)?;
-    Ok(SVector::from_fn(|i, _| if still[i] { 0.0 } else { qd[i] }))
-}
+use crate::{InverseDynamics, MassMatrix, Momenta, NewtonEuler};
 
 impl<R: MassMatrix<N> + InverseDynamics<N>, const N: usize> Momenta<N> for R {
-    fn momentum(&self, q: &SVector<f64, N>, qd: &SVector<f64, N>) -> SVector<f64, N> {
-        self.mass_matrix(q) * qd
-    }
-
-    fn velocity(
-        &self,
-        q: &SVector<f64, N>,
-        p: &SVector<f64, N>,
-    ) -> Result<SVector<f64, N>, SingularMassMatrix> {
-        solve(self.mass_matrix(q), p)
-    }
-
-    fn velocity_beside(
-        &self,
-        still: &[bool; N],
-        q: &SVector<f64, N>,
-        p: &SVector<f64, N>,
-    ) -> Result<SVector<f64, N>, SingularMassMatrix> {
-        velocity_beside(self.mass_matrix(q), still, p)
+    fn inertia(&self, q: &SVector<f64, N>) -> SMatrix<f64, N, N> {
+        self.mass_matrix(q)
     }
 
     fn force(
@@ -60,25 +24,8 @@ impl<R: MassMatrix<N> + InverseDynamics<N>, const N: usize> Momenta<N> for R {
 }
 
 impl<const N: usize> Momenta<N> for NewtonEuler<N> {
-    fn momentum(&self, q: &SVector<f64, N>, qd: &SVector<f64, N>) -> SVector<f64, N> {
-        self.mass_matrix(q) * qd
-    }
-
-    fn velocity(
-        &self,
-        q: &SVector<f64, N>,
-        p: &SVector<f64, N>,
-    ) -> Result<SVector<f64, N>, SingularMassMatrix> {
-        solve(self.mass_matrix(q), p)
-    }
-
-    fn velocity_beside(
-        &self,
-        still: &[bool; N],
-        q: &SVector<f64, N>,
-        p: &SVector<f64, N>,
-    ) -> Result<SVector<f64, N>, SingularMassMatrix> {
-        velocity_beside(self.mass_matrix(q), still, p)
+    fn inertia(&self, q: &SVector<f64, N>) -> SMatrix<f64, N, N> {
+        self.mass_matrix(q)
     }
 
     /// With C of the Christoffel symbols, dT/dq = C' qd.

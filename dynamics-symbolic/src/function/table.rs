@@ -29,6 +29,23 @@ const OF_SMALL_ARMS: Option<Second> = Some(Second {
     trial: Trial::Whole,
 });
 
+/// What most functions do not have: a row says where its function differs.
+const USUAL: Row = Row {
+    name: "",
+    arguments: &[],
+    shape: VECTOR,
+    refuses: false,
+    description: "",
+    symbol: None,
+    set: Set::ByName,
+    provided: None,
+    second: None,
+    search: Search::Own,
+    growth: Growth::Moderate,
+    masses: Masses::Inertia,
+    compared_with: None,
+};
+
 /// Makes the enumeration, the list of its variants and the way to their rows out of the table.
 macro_rules! functions {
     ($($(#[$meaning:meta])* $function:ident: $row:expr,)*) => {
@@ -65,11 +82,10 @@ functions! {
         symbol: Some("M"),
         set: Set::Default,
         provided: Some("MassMatrix"),
-        second: None,
         search: Search::Own,
         growth: Growth::Moderate,
         masses: Masses::Inertia,
-        compared_with: None,
+        ..USUAL
     },
 
     /// V(q, qd), Coriolis and centrifugal terms.
@@ -87,7 +103,7 @@ functions! {
         search: Search::Own,
         growth: Growth::Moderate,
         masses: Masses::Inertia,
-        compared_with: None,
+        ..USUAL
     },
 
     /// G(q), the gradient of the potential energy of gravity.
@@ -105,7 +121,7 @@ functions! {
         search: Search::Own,
         growth: Growth::Moderate,
         masses: Masses::Inertia,
-        compared_with: None,
+        ..USUAL
     },
 
     /// F(qd), viscous and dry friction.
@@ -119,12 +135,10 @@ functions! {
             the table has one, else C.",
         symbol: Some("F"),
         set: Set::WithFriction,
-        provided: None,
-        second: None,
         search: Search::Own,
         growth: Growth::Moderate,
         masses: Masses::Unread,
-        compared_with: None,
+        ..USUAL
     },
 
     /// K(q), the forces of the springs.
@@ -136,13 +150,10 @@ functions! {
         description: "Spring vector K(q) = stiffness (q - rest), N m or N: the gradient of the energy in the springs at the \
             joints, zero where a joint has none.",
         symbol: Some("K"),
-        set: Set::ByName,
-        provided: None,
-        second: None,
         search: Search::None,
         growth: Growth::Moderate,
         masses: Masses::Unread,
-        compared_with: None,
+        ..USUAL
     },
 
     /// tau = M qdd + V + G + K + F.
@@ -160,7 +171,7 @@ functions! {
         search: Search::Own,
         growth: Growth::Moderate,
         masses: Masses::Inertia,
-        compared_with: None,
+        ..USUAL
     },
 
     /// qdd from tau.
@@ -171,14 +182,13 @@ functions! {
         refuses: true,
         description: "Forward dynamics: the accelerations qdd with M(q) qdd + V(q, qd) + G(q) + K(q) + F(qd) = tau, rad/s^2 \
             or m/s^2; K is of springs, F of friction.",
-        symbol: None,
         set: Set::Default,
         provided: Some("ForwardDynamics"),
         second: Some(Second { form: Form::Articulated, up_to: ANY, trial: Trial::Promising }),
         search: Search::Own,
         growth: Growth::Moderate,
         masses: Masses::Inertia,
-        compared_with: None,
+        ..USUAL
     },
 
     /// T(q, qd), with reflected inertias.
@@ -190,12 +200,10 @@ functions! {
         description: "Kinetic energy T(q, qd) = 1/2 qd^T M(q) qd, reflected motor inertias included, J.",
         symbol: Some("T"),
         set: Set::Default,
-        provided: None,
-        second: None,
         search: Search::Own,
         growth: Growth::Moderate,
         masses: Masses::Inertia,
-        compared_with: None,
+        ..USUAL
     },
 
     /// U(q), of gravity, zero at the origin of the world, and of springs.
@@ -208,12 +216,10 @@ functions! {
             1/2 stiffness (q - rest)^2, J.",
         symbol: Some("U"),
         set: Set::Default,
-        provided: None,
-        second: None,
         search: Search::Own,
         growth: Growth::Moderate,
         masses: Masses::Inertia,
-        compared_with: None,
+        ..USUAL
     },
 
     /// V + G + K + F.
@@ -224,14 +230,11 @@ functions! {
         refuses: false,
         description: "Bias force V(q, qd) + G(q) + K(q) + F(qd), N m or N: inverse dynamics without acceleration; K is of \
             springs, F of friction.",
-        symbol: None,
-        set: Set::ByName,
-        provided: None,
         second: OF_SMALL_ARMS,
         search: Search::Own,
         growth: Growth::Moderate,
         masses: Masses::Inertia,
-        compared_with: None,
+        ..USUAL
     },
 
     /// C(q, qd) from the Christoffel symbols of the first kind.
@@ -243,14 +246,12 @@ functions! {
         description: "Coriolis matrix C(q, qd), N x N, from the Christoffel symbols of the first kind: C qd = V, and \
             dM/dt - 2 C is skew-symmetric.",
         symbol: Some("C"),
-        set: Set::ByName,
-        provided: None,
         // All Christoffel symbols are shorter than a recursion for up to six joints.
         second: Some(Second { form: Form::Assembled, up_to: 8, trial: Trial::Promising }),
         search: Search::Own,
         growth: Growth::Steep,
         masses: Masses::Inertia,
-        compared_with: None,
+        ..USUAL
     },
 
     /// B(q) of the configuration-space form.
@@ -262,13 +263,10 @@ functions! {
         description: "Coriolis coefficients B(q), N x N(N-1)/2, columns in the order (1,2), (1,3), ..., (N-1,N), of the \
             configuration-space form tau = M qdd + B [qd qd] + C [qd^2] + G.",
         symbol: Some("B"),
-        set: Set::ByName,
-        provided: None,
-        second: None,
         search: Search::Own,
         growth: Growth::Steep,
         masses: Masses::Inertia,
-        compared_with: None,
+        ..USUAL
     },
 
     /// C(q) of the configuration-space form.
@@ -280,13 +278,10 @@ functions! {
         description: "Centrifugal coefficients C(q), N x N, of the configuration-space form \
             tau = M qdd + B [qd qd] + C [qd^2] + G.",
         symbol: Some("C"),
-        set: Set::ByName,
-        provided: None,
-        second: None,
         search: Search::Own,
         growth: Growth::Steep,
         masses: Masses::Inertia,
-        compared_with: None,
+        ..USUAL
     },
 
     /// Homogeneous transform of the tip in the world.
@@ -297,13 +292,10 @@ functions! {
         refuses: false,
         description: "Forward kinematics: the homogeneous transform of the {tip} in the {frame}, m.",
         symbol: Some("T"),
-        set: Set::ByName,
-        provided: None,
-        second: None,
         search: Search::Own,
         growth: Growth::Moderate,
         masses: Masses::Unread,
-        compared_with: None,
+        ..USUAL
     },
 
     /// Homogeneous transforms of every link frame in the world.
@@ -313,14 +305,10 @@ functions! {
         shape: Shape::Each(&POSE),
         refuses: false,
         description: "Homogeneous transforms in the {frame} of every link frame whose joint moves, from the base outwards, m.",
-        symbol: None,
-        set: Set::ByName,
-        provided: None,
-        second: None,
         search: Search::Own,
         growth: Growth::Moderate,
         masses: Masses::Unread,
-        compared_with: None,
+        ..USUAL
     },
 
     /// Geometric Jacobian of the tip's origin.
@@ -331,13 +319,10 @@ functions! {
         refuses: false,
         description: "Geometric Jacobian of the {tip}'s origin, 6 x N, rows vx vy vz wx wy wz, in the {frame}.",
         symbol: Some("J"),
-        set: Set::ByName,
-        provided: None,
-        second: None,
         search: Search::Own,
         growth: Growth::Moderate,
         masses: Masses::Unread,
-        compared_with: None,
+        ..USUAL
     },
 
     /// d tau/dq and d tau/dqd.
@@ -350,14 +335,11 @@ functions! {
             tau_i by joint j. d tau/dqdd is M(q). The stiffness of springs is on the diagonal of d tau/dq, viscous \
             friction on that of d tau/dqd; Coulomb friction counts as constant: its derivative is zero wherever it has \
             one.",
-        symbol: None,
-        set: Set::ByName,
-        provided: None,
         second: OF_SMALL_ARMS,
         search: Search::Own,
         growth: Growth::Steep,
         masses: Masses::Inertia,
-        compared_with: None,
+        ..USUAL
     },
 
     /// d qdd/dq, d qdd/dqd and M^-1.
@@ -370,14 +352,11 @@ functions! {
             (d qdd/dq, d qdd/dqd, d qdd/d tau), each N x N, entry (i, j) the derivative of qdd_i by joint j. \
             d qdd/d tau is the inverse of M(q). Coulomb friction counts as constant: its derivative is zero wherever \
             it has one.",
-        symbol: None,
-        set: Set::ByName,
-        provided: None,
         second: Some(Second { form: Form::Assembled, up_to: ANY, trial: Trial::Unsimplified }),
         search: Search::By(Function::InverseDynamicsDerivatives),
         growth: Growth::Steep,
         masses: Masses::Inertia,
-        compared_with: None,
+        ..USUAL
     },
 
     /// Y(q, qd, qdd), the coefficients of the base inertial parameters in tau - K - F.
@@ -388,14 +367,12 @@ functions! {
         refuses: false,
         description: "Regressor Y(q, qd, qdd), N x P, of the P base inertial parameters: \
             Y * base_parameters = tau - K - F, the joint forces without springs and friction.",
-        symbol: None,
-        set: Set::ByName,
-        provided: None,
         second: ASSEMBLED,
         search: Search::Own,
         growth: Growth::Steep,
         masses: Masses::Inertia,
         compared_with: Some(Function::BaseParameters),
+        ..USUAL
     },
 
     /// The base inertial parameters.
@@ -406,14 +383,11 @@ functions! {
         refuses: false,
         description: "The P base inertial parameters: the smallest set by which the joint forces of every motion are \
             determined, regressor * base_parameters = tau - K - F.",
-        symbol: None,
-        set: Set::ByName,
-        provided: None,
-        second: None,
         search: Search::None,
         growth: Growth::Moderate,
         masses: Masses::Inertia,
         compared_with: Some(Function::Regressor),
+        ..USUAL
     },
 
     /// qdd from tau by articulated bodies, without M: accurate where M is nearly singular.
@@ -425,14 +399,10 @@ functions! {
         description: "Forward dynamics by articulated bodies (Featherstone), without M(q): the accelerations qdd with \
             M(q) qdd + V(q, qd) + G(q) + K(q) + F(qd) = tau, rad/s^2 or m/s^2. Longer than `forward_dynamics`, and accurate \
             where M(q) is nearly singular: about as many digits are right as the data determine.",
-        symbol: None,
-        set: Set::ByName,
-        provided: None,
-        second: None,
         search: Search::Accuracy,
         growth: Growth::Moderate,
         masses: Masses::Inertia,
-        compared_with: None,
+        ..USUAL
     },
 
     /// The Taylor coefficients of a motion q(t), from the inverse dynamics over series.
@@ -444,14 +414,12 @@ functions! {
         description: "Taylor coefficients q_0, q_1, ... of the motion q(t) = sum q_k t^k that starts at t = 0 from `q` and `qd` \
             under the constant `tau`, up to `order` (2 to 30); zero beyond. Coulomb friction keeps the sign that it \
             has at the start: the series ends where a joint reverses.",
-        symbol: None,
-        set: Set::ByName,
         provided: Some("TaylorDynamics"),
         second: OF_SMALL_ARMS,
         search: Search::Own,
         growth: Growth::Moderate,
         masses: Masses::Inertia,
-        compared_with: None,
+        ..USUAL
     },
 
     /// J' w
@@ -461,14 +429,10 @@ functions! {
         shape: VECTOR,
         refuses: false,
         description: "Joint torques J(q)^T w of a wrench at the tip, N m or N, without J: M(q) qdd + V(q, qd) + G(q) + K(q) + F(qd) = tau + J(q)^T w.",
-        symbol: None,
-        set: Set::ByName,
-        provided: None,
-        second: None,
         search: Search::Own,
         growth: Growth::Moderate,
         masses: Masses::Unread,
-        compared_with: None,
+        ..USUAL
     },
 
     /// J qd
@@ -478,14 +442,10 @@ functions! {
         shape: TWIST,
         refuses: false,
         description: "Velocity of the tip J(q) qd, vx vy vz wx wy wz, in the {frame}, m/s and rad/s, without J.",
-        symbol: None,
-        set: Set::ByName,
-        provided: None,
-        second: None,
         search: Search::Own,
         growth: Growth::Moderate,
         masses: Masses::Unread,
-        compared_with: None,
+        ..USUAL
     },
 
     /// J qdd + Jdot qd
@@ -496,14 +456,10 @@ functions! {
         refuses: false,
         description: "Acceleration of the tip J(q) qdd + dJ/dt qd: of its origin and of its rotation, in the {frame}, m/s^2 and \
             rad/s^2, without J and its rate.",
-        symbol: None,
-        set: Set::ByName,
-        provided: None,
-        second: None,
         search: Search::Own,
         growth: Growth::Moderate,
         masses: Masses::Unread,
-        compared_with: None,
+        ..USUAL
     },
 
     /// dJ/dt
@@ -514,14 +470,10 @@ functions! {
         refuses: false,
         description: "Rate dJ/dt of the geometric Jacobian along a motion, 6 x N, rows as in `jacobian`: the acceleration of the \
             tip is J qdd + dJ/dt qd.",
-        symbol: None,
-        set: Set::ByName,
-        provided: None,
-        second: None,
         search: Search::None,
         growth: Growth::Moderate,
         masses: Masses::Unread,
-        compared_with: None,
+        ..USUAL
     },
 
     /// Geometric Jacobian of every link frame's origin.
@@ -532,14 +484,10 @@ functions! {
         refuses: false,
         description: "Geometric Jacobians of the origins of all link frames whose joint moves, from the base outwards, each 6 x N, \
             rows vx vy vz wx wy wz, in the {frame}. Columns of joints beyond a link are zero.",
-        symbol: None,
-        set: Set::ByName,
-        provided: None,
-        second: None,
         search: Search::None,
         growth: Growth::Moderate,
         masses: Masses::Unread,
-        compared_with: None,
+        ..USUAL
     },
 
     /// The centre of mass of all links.
@@ -551,13 +499,10 @@ functions! {
         description: "Centre of mass of the tool and of all links but those that are locked to the base, in the {frame}, m: that \
             of the complete arm where parameters are neglected.",
         symbol: Some("r"),
-        set: Set::ByName,
-        provided: None,
-        second: None,
         search: Search::Own,
         growth: Growth::Moderate,
         masses: Masses::Center,
-        compared_with: None,
+        ..USUAL
     },
 
     /// Its derivative by the joint positions.
@@ -567,14 +512,10 @@ functions! {
         shape: Shape::Matrix(Fixed(3), Joints),
         refuses: false,
         description: "Jacobian of `center_of_mass`, 3 x N, by rows x y z: its velocity in the {frame} is this times qd.",
-        symbol: None,
-        set: Set::ByName,
-        provided: None,
-        second: None,
         search: Search::Own,
         growth: Growth::Moderate,
         masses: Masses::Center,
-        compared_with: None,
+        ..USUAL
     },
 
     /// J M^-1 J'
@@ -586,14 +527,10 @@ functions! {
         description: "Inverse of the inertia that the tip has in task space, J(q) M(q)^-1 J(q)^T, 6 x 6, rows and columns as those of \
             `jacobian`: the acceleration of the tip by a wrench on it. It exists for every arm whose M is regular; where it is \
             regular itself, its inverse is the operational-space inertia (Khatib).",
-        symbol: None,
-        set: Set::ByName,
-        provided: None,
-        second: None,
         search: Search::By(Function::MassMatrix),
         growth: Growth::Moderate,
         masses: Masses::Inertia,
-        compared_with: None,
+        ..USUAL
     },
 
     /// M qd
@@ -604,13 +541,11 @@ functions! {
         refuses: false,
         description: "Generalized momentum p = M(q) qd = dT/dqd, N m s or N s, without M.",
         symbol: Some("p"),
-        set: Set::ByName,
-        provided: None,
         second: OF_SMALL_ARMS,
         search: Search::Own,
         growth: Growth::Moderate,
         masses: Masses::Inertia,
-        compared_with: None,
+        ..USUAL
     },
 
     /// C' qd - G - K - F
@@ -621,14 +556,11 @@ functions! {
         refuses: false,
         description: "Rate of the generalized momentum without applied forces, C(q, qd)^T qd - G(q) - K(q) - F(qd), N m or N, with C from the Christoffel symbols: \
             d/dt (M qd) = tau + J^T w + momentum_bias, by which a momentum observer finds the forces that nobody has told it of.",
-        symbol: None,
-        set: Set::ByName,
-        provided: None,
         second: OF_SMALL_ARMS,
         search: Search::Own,
         growth: Growth::Moderate,
         masses: Masses::Inertia,
-        compared_with: None,
+        ..USUAL
     },
 
     /// M qdd_r + C qd_r + G + K + F
@@ -639,14 +571,11 @@ functions! {
         refuses: false,
         description: "Torque of a passivity-based controller, M(q) qdd_r + C(q, qd) qd_r + G(q) + K(q) + F(qd), N m or N, with C from the \
             Christoffel symbols and without forming it. Also: the control of Slotine and Li.",
-        symbol: None,
-        set: Set::ByName,
-        provided: None,
         second: OF_SMALL_ARMS,
         search: Search::Own,
         growth: Growth::Moderate,
         masses: Masses::Inertia,
-        compared_with: None,
+        ..USUAL
     },
 
     /// Y_r(q, qd, qd_r, qdd_r), the coefficients of the base inertial parameters in it.
@@ -658,14 +587,11 @@ functions! {
         description: "Regressor Y_r(q, qd, qd_r, qdd_r), N x P, of the P base inertial parameters: \
             Y_r * base_parameters = M qdd_r + C qd_r + G, the `passivity_torque` without springs and friction, from which adaptive control \
             learns (Slotine and Li).",
-        symbol: None,
-        set: Set::ByName,
-        provided: None,
-        second: None,
         search: Search::By(Function::Regressor),
         growth: Growth::Steep,
         masses: Masses::Inertia,
         compared_with: Some(Function::BaseParameters),
+        ..USUAL
     },
 
     /// The coefficients of the base inertial parameters in T and U.
@@ -680,14 +606,11 @@ functions! {
         description: "Regressors of the energies, two vectors of P numbers, J for a unit of each of the P base inertial parameters: \
             the kinetic energy is the first one times base_parameters, the potential energy of gravity the second one up to a \
             constant.",
-        symbol: None,
-        set: Set::ByName,
-        provided: None,
-        second: None,
         search: Search::Own,
         growth: Growth::Moderate,
         masses: Masses::Inertia,
         compared_with: Some(Function::BaseParameters),
+        ..USUAL
     },
 
     /// The first and the second derivative of tau by time.
@@ -698,14 +621,11 @@ functions! {
         refuses: false,
         description: "First and second derivative by time of the inverse dynamics along a motion, (d tau/dt, d2 tau/dt2), N m/s and \
             N m/s^2 (N/s and N/s^2). Viscous friction counts; Coulomb friction counts as constant.",
-        symbol: None,
-        set: Set::ByName,
-        provided: None,
         second: OF_SMALL_ARMS,
         search: Search::Own,
         growth: Growth::Moderate,
         masses: Masses::Inertia,
-        compared_with: None,
+        ..USUAL
     },
 
     /// The second derivatives of tau, and dM/dq.
@@ -719,13 +639,10 @@ functions! {
             (column), and the derivative of M_ij by q_k, which is that of tau_i by qdd_j and q_k. The first two are symmetric in j and k, the \
             last one in i and j. Friction that falls with the velocity is in d2 tau/dqd dqd; that of other friction \
             and of springs is zero.",
-        symbol: None,
-        set: Set::ByName,
-        provided: None,
         second: OF_SMALL_ARMS,
         search: Search::By(Function::InverseDynamicsDerivatives),
         growth: Growth::Cubic,
         masses: Masses::Inertia,
-        compared_with: None,
+        ..USUAL
     },
 }
