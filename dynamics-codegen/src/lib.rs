@@ -188,7 +188,7 @@ fn items(
     let tracked = call.tracked.as_ref();
     let tracked = tracked.map(|path| {
         quote!(
-            const _: &[u8] = ::core::include_bytes!(#path);
+            const _: &[::core::primitive::u8] = ::core::include_bytes!(#path);
         )
     });
     quote!(#errors #tracked #items)

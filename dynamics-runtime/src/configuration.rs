@@ -65,9 +65,10 @@ impl<'a, R: Model<N>, T: Scalar, const N: usize> Configuration<'a, R, T, N> {
     }
 }
 
+// Each method is compiled once, however often it is called, as those of the arm are.
 impl<R, T: Scalar, const N: usize> Configuration<'_, R, T, N> {
     /// Mass matrix M(q), kg m^2, kg m or kg.
-    #[inline]
+    #[inline(never)]
     pub fn mass_matrix(&self) -> SMatrix<T, N, N>
     where
         R: MassMatrix<N>,
@@ -76,7 +77,7 @@ impl<R, T: Scalar, const N: usize> Configuration<'_, R, T, N> {
     }
 
     /// Coriolis and centrifugal vector V(q, qd), N m or N; `qd` per second.
-    #[inline]
+    #[inline(never)]
     pub fn coriolis_vector(&self, qd: &SVector<T, N>) -> SVector<T, N>
     where
         R: CoriolisVector<N>,
@@ -85,7 +86,7 @@ impl<R, T: Scalar, const N: usize> Configuration<'_, R, T, N> {
     }
 
     /// Gravity vector G(q), N m or N.
-    #[inline]
+    #[inline(never)]
     pub fn gravity_vector(&self) -> SVector<T, N>
     where
         R: GravityVector<N>,
@@ -95,7 +96,7 @@ impl<R, T: Scalar, const N: usize> Configuration<'_, R, T, N> {
 
     /// Inverse dynamics tau = M qdd + V + G + K + F, N m or N; `qd` per second, `qdd` per second
     /// squared.
-    #[inline]
+    #[inline(never)]
     pub fn inverse_dynamics(&self, qd: &SVector<T, N>, qdd: &SVector<T, N>) -> SVector<T, N>
     where
         R: InverseDynamics<N>,
@@ -109,7 +110,7 @@ impl<R, T: Scalar, const N: usize> Configuration<'_, R, T, N> {
     /// # Errors
     ///
     /// [`SingularMassMatrix`] where M(q) is not positive definite to working precision.
-    #[inline]
+    #[inline(never)]
     pub fn forward_dynamics(
         &self,
         qd: &SVector<T, N>,

@@ -61,12 +61,13 @@ each_in_both_precisions! {
     regressor(q, qd, qdd);
 }
 
-/// The names of the instructions of a function: which registers they read differs.
+/// The names of the instructions of a function and of the method that it calls: which registers they read differs.
 fn instructions(listing: &Listing) -> Vec<String> {
-    let name = "gravity_at_three_angles";
-    let reached = listing.reached_from(name);
-    let own = reached.iter().find(|(found, _)| found.contains(name));
-    let (_, lines) = own.expect("the function is in the listing");
+    let reached = listing.reached_from("gravity_at_three_angles");
+    let own = ["gravity_at_three_angles", "gravity_vector"].map(|name| {
+        let of_name = reached.iter().find(|(found, _)| found.contains(name));
+        of_name.expect("the function is in the listing").1
+    });
     let word = |line: &String| {
         line.split_whitespace()
             .next()
@@ -75,8 +76,8 @@ fn instructions(listing: &Listing) -> Vec<String> {
     };
     // What fills the space up to the next function is not carried out.
     let filling = |word: &String| word.starts_with("nop") || word == "int3" || word == "xchg";
-    lines
-        .iter()
+    own.into_iter()
+        .flatten()
         .map(word)
         .filter(|word| !filling(word))
         .collect()

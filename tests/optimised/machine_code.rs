@@ -93,6 +93,14 @@ impl Listing {
         reached
     }
 
+    /// What the function in whose name `name` is calls, in the order of the calls.
+    pub(crate) fn called_by(&self, name: &str) -> Vec<&str> {
+        let mut functions = self.0.iter().filter(|(other, _)| other.contains(name));
+        let (_, instructions) = functions.next().expect(name);
+        let calls = instructions.iter().filter(|line| line.starts_with("call"));
+        calls.filter_map(|line| target(line)).collect()
+    }
+
     /// That no instruction of a kind is in a function, nor in what it calls.
     #[track_caller]
     pub(crate) fn assert_free(&self, function: &str, is_of_kind: impl Fn(&str) -> bool) {
@@ -182,5 +190,6 @@ mod tests {
             .map(|(name, _)| name)
             .collect();
         assert_eq!(names, ["first", "second"]);
+        assert_eq!(listing.called_by("first"), ["second"]);
     }
 }

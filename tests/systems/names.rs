@@ -26,6 +26,72 @@ mod without_a_prelude {
     }
 }
 
+/// Types, traits, modules and macros with the names of primitive types, and of what preludes have.
+#[allow(
+    non_camel_case_types,
+    dead_code,
+    unused_macros,
+    reason = "the names are those of others, and nothing reads them"
+)]
+mod among_namesakes {
+    macro_rules! namesakes {
+        ($($kind:ident: $($name:ident)*;)*) => { $($(namesakes!(@$kind $name);)*)* };
+        (@structs $name:ident) => { struct $name; };
+        (@traits $name:ident) => {
+            trait $name {
+                fn none() {}
+            }
+        };
+        (@modules $name:ident) => { mod $name {} };
+        (@macros $name:ident) => {
+            macro_rules! $name { ($d:tt) => { a macro of another kind }; }
+        };
+    }
+    type f64 = ::core::primitive::f32;
+    namesakes! {
+        structs: f32 i8 i16 i32 i64 i128 isize u8 u16 u32 u64 u128 usize bool str char Option Some None
+            Result Ok Err Vec Box String Scalar Table Row Evaluation;
+        traits: Clone Copy Debug PartialEq Default From Into Iterator IntoIterator Fn FnMut FnOnce Send Sync
+            Sized ToOwned ToString Drop AsRef Function Model MassMatrix Inputs;
+        modules: core std alloc nalgebra functions robot_dynamics dynamics_runtime;
+        macros: vec format assert assert_eq panic unimplemented unreachable include_bytes matches;
+    }
+
+    /// Methods that every type has, of names that generated code calls.
+    trait Methods: ::core::marker::Sized {
+        fn mul_add(self) {}
+        fn rounded_once(self) {}
+        fn sin_cos(self) {}
+        fn at(self) {}
+        fn field(self) {}
+        fn map(self) {}
+        fn table(self) {}
+    }
+    impl<T> Methods for T {}
+
+    ::robots::every_function! {
+        pub(super) struct Arm { l: f64 }
+
+        convention: modified,
+        gravity: [0, -9.81, 0],
+        joints: [
+            a: revolute {
+                a: l, mass: 1, com: [-0.1, 0, 0.2], inertia: rod(1),
+                friction: { viscous: 0.1, coulomb: 0.2, stribeck: { static: 0.3, velocity: 0.1 } },
+            },
+            b: prismatic { a: 1, alpha: 0.3, mass: 1, com: [0, 0.1, 0], spring: { stiffness: l, rest: 0 } },
+        ],
+        tests: true,
+    }
+}
+
+#[test]
+fn all_functions_are_compared_among_namesakes() {
+    let report = robot_dynamics::check_against_rnea(&among_namesakes::Arm { l: 0.7 });
+    report.assert_ok();
+    assert!(report.not_compared.is_empty());
+}
+
 /// Constants and statics with the names of generated arguments and variables.
 #[allow(
     non_upper_case_globals,

@@ -198,9 +198,13 @@ fn requests_to_stub(entries: &[Entry]) -> Vec<Request> {
 }
 
 /// Of each joint, whether the sine and cosine of its position are read by one of the methods that can
-/// also be called with sines that were evaluated before: those of the runtime's traits of single functions.
+/// also be called with sines that were evaluated before: those of the runtime's traits of single functions. One of
+/// these traits, `ForwardDynamics`, may be by articulated bodies.
 fn angles(dof: usize, methods: &[Method]) -> Vec<bool> {
-    let told = methods.iter().filter(|method| method.provided.is_some());
+    let by_bodies = Some(Function::ForwardDynamicsAba);
+    let is_told =
+        |method: &&Method| method.provided.is_some() || method.request.function() == by_bodies;
+    let told = methods.iter().filter(is_told);
     let joints: Vec<usize> = told.flat_map(|method| method.angles.clone()).collect();
     (0..dof).map(|joint| joints.contains(&joint)).collect()
 }

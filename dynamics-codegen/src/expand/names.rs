@@ -9,8 +9,8 @@ pub(crate) const NAMES: [&str; 15] = [
     "x", "term", "forces",
 ];
 
-/// The items in a scope of their own, in which the names of arguments and local variables mean
-/// nothing else.
+/// The items in a scope of their own, in which primitive types, and the names of arguments and local variables,
+/// mean nothing else.
 ///
 /// A variable may not be named like a constant or a static in scope: the pattern would be that
 /// constant. It may be named like a function, and a function of that name in a nearer scope hides the
@@ -18,8 +18,9 @@ pub(crate) const NAMES: [&str; 15] = [
 pub(super) fn apart(items: &TokenStream) -> TokenStream {
     let names = NAMES.map(|name| Ident::new(name, Span::call_site()));
     quote! {
-        #[allow(dead_code)]
+        #[allow(dead_code, unused_imports)]
         const _: () = {
+            use ::core::primitive::{bool, f64, str, u32, usize};
             #(fn #names() {})*
             #items
         };

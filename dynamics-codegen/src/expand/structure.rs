@@ -2,8 +2,8 @@
 
 use std::collections::BTreeSet;
 
-use proc_macro2::TokenStream;
-use quote::quote;
+use proc_macro2::{Span, TokenStream, TokenTree};
+use quote::{quote, quote_spanned};
 
 use crate::call::{Field, Shape, Structure};
 
@@ -16,7 +16,18 @@ const PRIMITIVES: [&str; 15] = [
 /// The struct as it was written, with the usual derives where there is none, and more lines of
 /// documentation.
 pub(super) fn as_written(structure: &Structure, documentation: &[String]) -> TokenStream {
-    item(structure, documentation, &|field| field.written.clone())
+    item(structure, documentation, &|field| {
+        let mut written = field.written.clone().into_iter();
+        match (written.next(), written.next()) {
+            (Some(TokenTree::Ident(name)), None) if name == "f64" => double(name.span()),
+            _ => field.written.clone(),
+        }
+    })
+}
+
+/// `f64`, whatever has that name around the call.
+fn double(place: Span) -> TokenStream {
+    quote_spanned!(place=> ::core::primitive::f64)
 }
 
 /// The struct as it was meant: wrong fields are `f64`.
@@ -26,7 +37,7 @@ pub(super) fn repaired(structure: &Structure) -> TokenStream {
         &[],
         &|field| match PRIMITIVES.contains(&field.written.to_string().as_str()) {
             true => field.written.clone(),
-            false => quote!(f64),
+            false => double(Span::call_site()),
         },
     )
 }

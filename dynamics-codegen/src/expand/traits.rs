@@ -241,19 +241,31 @@ fn articulated_dynamics(target: &Target) -> TokenStream {
     let path = target.path;
     let (header, n) = header(target, quote!(ForwardDynamics));
     let vector = quote!(#path::nalgebra::SVector<T, #n>);
+    let result = quote!(::core::result::Result<#vector, #path::SingularMassMatrix>);
     quote! {
         #header {
-            #[inline(always)]
+            #[inline]
             fn forward_dynamics<T: #path::Scalar>(
                 &self,
                 q: &#vector,
                 qd: &#vector,
                 tau: &#vector,
-            ) -> ::core::result::Result<#vector, #path::SingularMassMatrix> {
+            ) -> #result {
+                Self::forward_dynamics_aba(self, q, qd, tau)
+            }
+
+            #[inline(always)]
+            fn forward_dynamics_at<T: #path::Scalar>(
+                &self,
+                sines: &impl #path::Inputs<T>,
+                q: &#vector,
+                qd: &#vector,
+                tau: &#vector,
+            ) -> #result {
                 <Self as #path::Function<#path::functions::ForwardDynamicsAba, #n>>::at(
                     self,
                     #path::functions::ForwardDynamicsAba,
-                    &#path::Evaluated,
+                    sines,
                     &(*q, *qd, *tau),
                 )
             }

@@ -72,12 +72,28 @@ pub fn taylor_series(
     }
 }
 
+/// A method of fewer operations, a sine and its cosine counted as forty, takes less time than a call of it.
+const LEAST_CALLED: u32 = 40;
+
+/// The attribute of a method: it is compiled once for each arithmetic, however often it is called.
+///
+/// rustc writes a short function into its callers, and this one is short: it hands on to a program that is inlined
+/// always. With a program at each of some hundred calls the caller takes minutes to compile.
+fn inlining(work: u32) -> TokenStream {
+    if work < LEAST_CALLED {
+        quote!(#[inline])
+    } else {
+        quote!(#[inline(never)])
+    }
+}
+
 /// The documented method of a function, or of several, with the rounded constants of its program; `index` is its
 /// number among the methods, `notes` and `formulas` stand in its documentation, `path` is the path of the runtime
 /// crate.
 ///
 /// The body stands in the implementation of a trait of the runtime, which calls it in lanes, too: it must
-/// be compiled into the loop over the lanes, for the instructions that are chosen there.
+/// be compiled into the loop over the lanes, for the instructions that are chosen there. The method is a call of
+/// it: see [`inlining`].
 pub fn method(
     robot: &Robot,
     (request, index): (&Request, usize),
@@ -112,10 +128,11 @@ pub fn method(
             )
         }
     };
+    let inlining = inlining(work);
     Emitted {
         inherent: quote! {
             #(#[doc = #documentation])*
-            #[inline]
+            #inlining
             #[allow(unused_variables, clippy::all)]
             pub #signature { #inherent }
         },

@@ -144,15 +144,16 @@ pub(super) fn provided(
     let n = number_of_joints(dof);
     let at = ident(&format!("{}_at", function.name()));
     let sines = ident("sines");
-    let (names, arguments) = (names(function), parameters_of(&request, &n, path));
+    let (name, names) = (method_name(&request), names(function));
+    let arguments = parameters_of(&request, &n, path);
     let output = output_type(&request, sizes, &n, path);
     let work = Literal::u32_unsuffixed(work);
     Some(quote! {
         const WORK: u32 = #work;
 
-        #[inline(always)]
+        #[inline]
         #signature {
-            Self::#at(self, &#path::Evaluated #(, #names)*)
+            Self::#name(self #(, #names)*)
         }
 
         #[inline(always)]
@@ -182,12 +183,16 @@ pub(super) fn leading_matrix(dof: usize, path: &TokenStream, body: &TokenStream)
     }
 }
 
-/// The call of the method of the runtime's trait.
+/// The call of the program in the runtime's trait.
 pub(super) fn call(function: Function, dof: usize, path: &TokenStream) -> TokenStream {
-    let n = number_of_joints(dof);
-    let [name, of] = [function.name(), function.trait_name().unwrap_or_default()].map(ident);
-    let names = names(function);
-    quote!(<Self as #path::#of<#n>>::#name(self #(, #names)*))
+    let (n, names) = (number_of_joints(dof), names(function));
+    let of = ident(function.trait_name().unwrap_or_default());
+    if *function.shape() == Shape::Series {
+        let name = ident(function.name());
+        return quote!(<Self as #path::#of<#n>>::#name(self #(, #names)*));
+    }
+    let at = ident(&format!("{}_at", function.name()));
+    quote!(<Self as #path::#of<#n>>::#at(self, &#path::Evaluated #(, #names)*))
 }
 
 /// The associated constants `BASE_PARAMETERS` and `BASE_PARAMETER_NAMES`, where one of the methods

@@ -26,7 +26,9 @@ impl Arm {
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 3>,
     ) -> ::robot_dynamics::nalgebra::SMatrix<T, 3, 3> {
-        <Self as ::robot_dynamics::MassMatrix<3>>::mass_matrix(self, q)
+        <Self as ::robot_dynamics::MassMatrix<
+            3,
+        >>::mass_matrix_at(self, &::robot_dynamics::Evaluated, q)
     }
     /// Coriolis and centrifugal vector V(q, qd), N m or N: inverse dynamics without gravity, springs, friction and acceleration.
     ///
@@ -50,7 +52,9 @@ impl Arm {
         q: &::robot_dynamics::nalgebra::SVector<T, 3>,
         qd: &::robot_dynamics::nalgebra::SVector<T, 3>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 3> {
-        <Self as ::robot_dynamics::CoriolisVector<3>>::coriolis_vector(self, q, qd)
+        <Self as ::robot_dynamics::CoriolisVector<
+            3,
+        >>::coriolis_vector_at(self, &::robot_dynamics::Evaluated, q, qd)
     }
     /// Gravity vector G(q), N m or N: the gradient of the potential energy of gravity, inverse dynamics at rest without springs.
     ///
@@ -73,7 +77,9 @@ impl Arm {
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 3>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 3> {
-        <Self as ::robot_dynamics::GravityVector<3>>::gravity_vector(self, q)
+        <Self as ::robot_dynamics::GravityVector<
+            3,
+        >>::gravity_vector_at(self, &::robot_dynamics::Evaluated, q)
     }
     /// Friction vector F(qd) = viscous qd + sign(qd) (C + (S - C) exp(-(qd/v)^2)), N m or N, with sign(0) = 0: C is the Coulomb friction of the direction, S static friction that falls to it over the velocity v, where the table has one, else C.
     ///
@@ -132,7 +138,7 @@ impl Arm {
     ) -> ::robot_dynamics::nalgebra::SVector<T, 3> {
         <Self as ::robot_dynamics::InverseDynamics<
             3,
-        >>::inverse_dynamics(self, q, qd, qdd)
+        >>::inverse_dynamics_at(self, &::robot_dynamics::Evaluated, q, qd, qdd)
     }
     /// Forward dynamics: the accelerations qdd with M(q) qdd + V(q, qd) + G(q) + K(q) + F(qd) = tau, rad/s^2 or m/s^2; K is of springs, F of friction.
     ///
@@ -158,7 +164,7 @@ impl Arm {
     > {
         <Self as ::robot_dynamics::ForwardDynamics<
             3,
-        >>::forward_dynamics(self, q, qd, tau)
+        >>::forward_dynamics_at(self, &::robot_dynamics::Evaluated, q, qd, tau)
     }
     /// Kinetic energy T(q, qd) = 1/2 qd^T M(q) qd, reflected motor inertias included, J.
     ///
@@ -220,12 +226,12 @@ impl Arm {
 }
 impl ::robot_dynamics::MassMatrix<3> for Arm {
     const WORK: u32 = 0;
-    #[inline(always)]
+    #[inline]
     fn mass_matrix<T: ::robot_dynamics::Scalar>(
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 3>,
     ) -> ::robot_dynamics::nalgebra::SMatrix<T, 3, 3> {
-        Self::mass_matrix_at(self, &::robot_dynamics::Evaluated, q)
+        Self::mass_matrix(self, q)
     }
     #[inline(always)]
     fn mass_matrix_at<T: ::robot_dynamics::Scalar>(
@@ -245,13 +251,13 @@ impl ::robot_dynamics::MassMatrix<3> for Arm {
 }
 impl ::robot_dynamics::CoriolisVector<3> for Arm {
     const WORK: u32 = 0;
-    #[inline(always)]
+    #[inline]
     fn coriolis_vector<T: ::robot_dynamics::Scalar>(
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 3>,
         qd: &::robot_dynamics::nalgebra::SVector<T, 3>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 3> {
-        Self::coriolis_vector_at(self, &::robot_dynamics::Evaluated, q, qd)
+        Self::coriolis_vector(self, q, qd)
     }
     #[inline(always)]
     fn coriolis_vector_at<T: ::robot_dynamics::Scalar>(
@@ -268,12 +274,12 @@ impl ::robot_dynamics::CoriolisVector<3> for Arm {
 }
 impl ::robot_dynamics::GravityVector<3> for Arm {
     const WORK: u32 = 0;
-    #[inline(always)]
+    #[inline]
     fn gravity_vector<T: ::robot_dynamics::Scalar>(
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 3>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 3> {
-        Self::gravity_vector_at(self, &::robot_dynamics::Evaluated, q)
+        Self::gravity_vector(self, q)
     }
     #[inline(always)]
     fn gravity_vector_at<T: ::robot_dynamics::Scalar>(
@@ -326,14 +332,14 @@ impl ::robot_dynamics::Function<::robot_dynamics::functions::FrictionVector, 3> 
 }
 impl ::robot_dynamics::InverseDynamics<3> for Arm {
     const WORK: u32 = 15;
-    #[inline(always)]
+    #[inline]
     fn inverse_dynamics<T: ::robot_dynamics::Scalar>(
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 3>,
         qd: &::robot_dynamics::nalgebra::SVector<T, 3>,
         qdd: &::robot_dynamics::nalgebra::SVector<T, 3>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 3> {
-        Self::inverse_dynamics_at(self, &::robot_dynamics::Evaluated, q, qd, qdd)
+        Self::inverse_dynamics(self, q, qd, qdd)
     }
     #[inline(always)]
     fn inverse_dynamics_at<T: ::robot_dynamics::Scalar>(
@@ -368,7 +374,7 @@ impl ::robot_dynamics::InverseDynamics<3> for Arm {
 }
 impl ::robot_dynamics::ForwardDynamics<3> for Arm {
     const WORK: u32 = 15;
-    #[inline(always)]
+    #[inline]
     fn forward_dynamics<T: ::robot_dynamics::Scalar>(
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 3>,
@@ -378,7 +384,7 @@ impl ::robot_dynamics::ForwardDynamics<3> for Arm {
         ::robot_dynamics::nalgebra::SVector<T, 3>,
         ::robot_dynamics::SingularMassMatrix,
     > {
-        Self::forward_dynamics_at(self, &::robot_dynamics::Evaluated, q, qd, tau)
+        Self::forward_dynamics(self, q, qd, tau)
     }
     #[inline(always)]
     fn forward_dynamics_at<T: ::robot_dynamics::Scalar>(

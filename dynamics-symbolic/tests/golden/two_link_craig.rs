@@ -16,13 +16,15 @@ impl Arm {
     /// ```
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
+    #[inline(never)]
     #[allow(unused_variables, clippy::all)]
     pub fn mass_matrix<T: ::robot_dynamics::Scalar>(
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SMatrix<T, 2, 2> {
-        <Self as ::robot_dynamics::MassMatrix<2>>::mass_matrix(self, q)
+        <Self as ::robot_dynamics::MassMatrix<
+            2,
+        >>::mass_matrix_at(self, &::robot_dynamics::Evaluated, q)
     }
     /// Coriolis and centrifugal vector V(q, qd), N m or N: inverse dynamics without gravity, springs, friction and acceleration.
     ///
@@ -39,14 +41,16 @@ impl Arm {
     /// ```
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
+    #[inline(never)]
     #[allow(unused_variables, clippy::all)]
     pub fn coriolis_vector<T: ::robot_dynamics::Scalar>(
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
         qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
-        <Self as ::robot_dynamics::CoriolisVector<2>>::coriolis_vector(self, q, qd)
+        <Self as ::robot_dynamics::CoriolisVector<
+            2,
+        >>::coriolis_vector_at(self, &::robot_dynamics::Evaluated, q, qd)
     }
     /// Gravity vector G(q), N m or N: the gradient of the potential energy of gravity, inverse dynamics at rest without springs.
     ///
@@ -63,13 +67,15 @@ impl Arm {
     /// ```
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
+    #[inline(never)]
     #[allow(unused_variables, clippy::all)]
     pub fn gravity_vector<T: ::robot_dynamics::Scalar>(
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
-        <Self as ::robot_dynamics::GravityVector<2>>::gravity_vector(self, q)
+        <Self as ::robot_dynamics::GravityVector<
+            2,
+        >>::gravity_vector_at(self, &::robot_dynamics::Evaluated, q)
     }
     /// Inverse dynamics tau = M(q) qdd + V(q, qd) + G(q) + K(q) + F(qd), N m or N, as one program; K is of springs, F of friction.
     ///
@@ -86,7 +92,7 @@ impl Arm {
     /// ```
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
+    #[inline(never)]
     #[allow(unused_variables, clippy::all)]
     pub fn inverse_dynamics<T: ::robot_dynamics::Scalar>(
         &self,
@@ -96,7 +102,7 @@ impl Arm {
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
         <Self as ::robot_dynamics::InverseDynamics<
             2,
-        >>::inverse_dynamics(self, q, qd, qdd)
+        >>::inverse_dynamics_at(self, &::robot_dynamics::Evaluated, q, qd, qdd)
     }
     /// Forward dynamics: the accelerations qdd with M(q) qdd + V(q, qd) + G(q) + K(q) + F(qd) = tau, rad/s^2 or m/s^2; K is of springs, F of friction.
     ///
@@ -109,7 +115,7 @@ impl Arm {
  `SingularMassMatrix` where M(q) is not positive definite to working precision, or not finite: it names the joint whose pivot failed.*/
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
+    #[inline(never)]
     #[allow(unused_variables, clippy::all)]
     pub fn forward_dynamics<T: ::robot_dynamics::Scalar>(
         &self,
@@ -122,7 +128,7 @@ impl Arm {
     > {
         <Self as ::robot_dynamics::ForwardDynamics<
             2,
-        >>::forward_dynamics(self, q, qd, tau)
+        >>::forward_dynamics_at(self, &::robot_dynamics::Evaluated, q, qd, tau)
     }
     /// Kinetic energy T(q, qd) = 1/2 qd^T M(q) qd, reflected motor inertias included, J.
     ///
@@ -136,7 +142,7 @@ impl Arm {
     /// ```
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
+    #[inline(never)]
     #[allow(unused_variables, clippy::all)]
     pub fn kinetic_energy<T: ::robot_dynamics::Scalar>(
         &self,
@@ -166,7 +172,7 @@ impl Arm {
     /// ```
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
+    #[inline(never)]
     #[allow(unused_variables, clippy::all)]
     pub fn potential_energy<T: ::robot_dynamics::Scalar>(
         &self,
@@ -186,12 +192,12 @@ impl Arm {
 }
 impl ::robot_dynamics::MassMatrix<2> for Arm {
     const WORK: u32 = 50;
-    #[inline(always)]
+    #[inline]
     fn mass_matrix<T: ::robot_dynamics::Scalar>(
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SMatrix<T, 2, 2> {
-        Self::mass_matrix_at(self, &::robot_dynamics::Evaluated, q)
+        Self::mass_matrix(self, q)
     }
     #[inline(always)]
     fn mass_matrix_at<T: ::robot_dynamics::Scalar>(
@@ -226,13 +232,13 @@ impl ::robot_dynamics::MassMatrix<2> for Arm {
 }
 impl ::robot_dynamics::CoriolisVector<2> for Arm {
     const WORK: u32 = 49;
-    #[inline(always)]
+    #[inline]
     fn coriolis_vector<T: ::robot_dynamics::Scalar>(
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
         qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
-        Self::coriolis_vector_at(self, &::robot_dynamics::Evaluated, q, qd)
+        Self::coriolis_vector(self, q, qd)
     }
     #[inline(always)]
     fn coriolis_vector_at<T: ::robot_dynamics::Scalar>(
@@ -268,12 +274,12 @@ impl ::robot_dynamics::CoriolisVector<2> for Arm {
 }
 impl ::robot_dynamics::GravityVector<2> for Arm {
     const WORK: u32 = 91;
-    #[inline(always)]
+    #[inline]
     fn gravity_vector<T: ::robot_dynamics::Scalar>(
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
-        Self::gravity_vector_at(self, &::robot_dynamics::Evaluated, q)
+        Self::gravity_vector(self, q)
     }
     #[inline(always)]
     fn gravity_vector_at<T: ::robot_dynamics::Scalar>(
@@ -307,14 +313,14 @@ impl ::robot_dynamics::GravityVector<2> for Arm {
 }
 impl ::robot_dynamics::InverseDynamics<2> for Arm {
     const WORK: u32 = 108;
-    #[inline(always)]
+    #[inline]
     fn inverse_dynamics<T: ::robot_dynamics::Scalar>(
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
         qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
         qdd: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
-        Self::inverse_dynamics_at(self, &::robot_dynamics::Evaluated, q, qd, qdd)
+        Self::inverse_dynamics(self, q, qd, qdd)
     }
     #[inline(always)]
     fn inverse_dynamics_at<T: ::robot_dynamics::Scalar>(
@@ -363,7 +369,7 @@ impl ::robot_dynamics::InverseDynamics<2> for Arm {
 }
 impl ::robot_dynamics::ForwardDynamics<2> for Arm {
     const WORK: u32 = 119;
-    #[inline(always)]
+    #[inline]
     fn forward_dynamics<T: ::robot_dynamics::Scalar>(
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
@@ -373,7 +379,7 @@ impl ::robot_dynamics::ForwardDynamics<2> for Arm {
         ::robot_dynamics::nalgebra::SVector<T, 2>,
         ::robot_dynamics::SingularMassMatrix,
     > {
-        Self::forward_dynamics_at(self, &::robot_dynamics::Evaluated, q, qd, tau)
+        Self::forward_dynamics(self, q, qd, tau)
     }
     #[inline(always)]
     fn forward_dynamics_at<T: ::robot_dynamics::Scalar>(

@@ -16,13 +16,15 @@ impl Arm {
     /// ```
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
+    #[inline(never)]
     #[allow(unused_variables, clippy::all)]
     pub fn mass_matrix<T: ::robot_dynamics::Scalar>(
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SMatrix<T, 2, 2> {
-        <Self as ::robot_dynamics::MassMatrix<2>>::mass_matrix(self, q)
+        <Self as ::robot_dynamics::MassMatrix<
+            2,
+        >>::mass_matrix_at(self, &::robot_dynamics::Evaluated, q)
     }
     /// Coriolis and centrifugal vector V(q, qd), N m or N: inverse dynamics without gravity, springs, friction and acceleration.
     ///
@@ -39,14 +41,16 @@ impl Arm {
     /// ```
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
+    #[inline(never)]
     #[allow(unused_variables, clippy::all)]
     pub fn coriolis_vector<T: ::robot_dynamics::Scalar>(
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
         qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
-        <Self as ::robot_dynamics::CoriolisVector<2>>::coriolis_vector(self, q, qd)
+        <Self as ::robot_dynamics::CoriolisVector<
+            2,
+        >>::coriolis_vector_at(self, &::robot_dynamics::Evaluated, q, qd)
     }
     /// Gravity vector G(q), N m or N: the gradient of the potential energy of gravity, inverse dynamics at rest without springs.
     ///
@@ -63,13 +67,15 @@ impl Arm {
     /// ```
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
+    #[inline(never)]
     #[allow(unused_variables, clippy::all)]
     pub fn gravity_vector<T: ::robot_dynamics::Scalar>(
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
-        <Self as ::robot_dynamics::GravityVector<2>>::gravity_vector(self, q)
+        <Self as ::robot_dynamics::GravityVector<
+            2,
+        >>::gravity_vector_at(self, &::robot_dynamics::Evaluated, q)
     }
     /// Friction vector F(qd) = viscous qd + sign(qd) (C + (S - C) exp(-(qd/v)^2)), N m or N, with sign(0) = 0: C is the Coulomb friction of the direction, S static friction that falls to it over the velocity v, where the table has one, else C.
     ///
@@ -148,7 +154,7 @@ impl Arm {
     /// ```
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
+    #[inline(never)]
     #[allow(unused_variables, clippy::all)]
     pub fn inverse_dynamics<T: ::robot_dynamics::Scalar>(
         &self,
@@ -158,7 +164,7 @@ impl Arm {
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
         <Self as ::robot_dynamics::InverseDynamics<
             2,
-        >>::inverse_dynamics(self, q, qd, qdd)
+        >>::inverse_dynamics_at(self, &::robot_dynamics::Evaluated, q, qd, qdd)
     }
     /// Forward dynamics: the accelerations qdd with M(q) qdd + V(q, qd) + G(q) + K(q) + F(qd) = tau, rad/s^2 or m/s^2; K is of springs, F of friction.
     ///
@@ -171,7 +177,7 @@ impl Arm {
  `SingularMassMatrix` where M(q) is not positive definite to working precision, or not finite: it names the joint whose pivot failed.*/
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
+    #[inline(never)]
     #[allow(unused_variables, clippy::all)]
     pub fn forward_dynamics<T: ::robot_dynamics::Scalar>(
         &self,
@@ -184,7 +190,7 @@ impl Arm {
     > {
         <Self as ::robot_dynamics::ForwardDynamics<
             2,
-        >>::forward_dynamics(self, q, qd, tau)
+        >>::forward_dynamics_at(self, &::robot_dynamics::Evaluated, q, qd, tau)
     }
     /// Kinetic energy T(q, qd) = 1/2 qd^T M(q) qd, reflected motor inertias included, J.
     ///
@@ -198,7 +204,7 @@ impl Arm {
     /// ```
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
+    #[inline(never)]
     #[allow(unused_variables, clippy::all)]
     pub fn kinetic_energy<T: ::robot_dynamics::Scalar>(
         &self,
@@ -228,7 +234,7 @@ impl Arm {
     /// ```
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
+    #[inline(never)]
     #[allow(unused_variables, clippy::all)]
     pub fn potential_energy<T: ::robot_dynamics::Scalar>(
         &self,
@@ -252,7 +258,7 @@ impl Arm {
     /// Operations: 8 multiplications, 5 additions, sines and cosines of 2 angles.
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
+    #[inline(never)]
     #[allow(unused_variables, clippy::all)]
     pub fn bias_force<T: ::robot_dynamics::Scalar>(
         &self,
@@ -287,7 +293,7 @@ impl Arm {
     /// ```
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
+    #[inline(never)]
     #[allow(unused_variables, clippy::all)]
     pub fn coriolis_matrix<T: ::robot_dynamics::Scalar>(
         &self,
@@ -320,7 +326,7 @@ impl Arm {
     /// ```
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
+    #[inline(never)]
     #[allow(unused_variables, clippy::all)]
     pub fn coriolis_coefficients<T: ::robot_dynamics::Scalar>(
         &self,
@@ -354,7 +360,7 @@ impl Arm {
     /// ```
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
+    #[inline(never)]
     #[allow(unused_variables, clippy::all)]
     pub fn centrifugal_coefficients<T: ::robot_dynamics::Scalar>(
         &self,
@@ -400,7 +406,7 @@ impl Arm {
     /// ```
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
+    #[inline(never)]
     #[allow(unused_variables, clippy::all)]
     pub fn forward_kinematics<T: ::robot_dynamics::Scalar>(
         &self,
@@ -424,7 +430,7 @@ impl Arm {
     /// Operations: 6 multiplications, 4 additions, sines and cosines of 2 angles.
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
+    #[inline(never)]
     #[allow(unused_variables, clippy::all)]
     pub fn link_poses<T: ::robot_dynamics::Scalar>(
         &self,
@@ -466,7 +472,7 @@ impl Arm {
     /// ```
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
+    #[inline(never)]
     #[allow(unused_variables, clippy::all)]
     pub fn jacobian<T: ::robot_dynamics::Scalar>(
         &self,
@@ -490,7 +496,7 @@ impl Arm {
     /// Operations: 16 multiplications, 10 additions, sines and cosines of 2 angles.
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
+    #[inline(never)]
     #[allow(unused_variables, clippy::all)]
     pub fn inverse_dynamics_derivatives<T: ::robot_dynamics::Scalar>(
         &self,
@@ -523,7 +529,7 @@ impl Arm {
  `SingularMassMatrix` where M(q) is not positive definite to working precision, or not finite: it names the joint whose pivot failed.*/
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
+    #[inline(never)]
     #[allow(unused_variables, clippy::all)]
     pub fn forward_dynamics_derivatives<T: ::robot_dynamics::Scalar>(
         &self,
@@ -568,7 +574,7 @@ impl Arm {
     /// Operations: 16 multiplications, 10 additions, sines and cosines of 2 angles.
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
+    #[inline(never)]
     #[allow(unused_variables, clippy::all)]
     pub fn regressor<T: ::robot_dynamics::Scalar>(
         &self,
@@ -632,7 +638,7 @@ impl Arm {
  `SingularMassMatrix` where M(q) is not positive definite to working precision, or not finite: it names the joint whose pivot failed.*/
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
+    #[inline(never)]
     #[allow(unused_variables, clippy::all)]
     pub fn forward_dynamics_aba<T: ::robot_dynamics::Scalar>(
         &self,
@@ -687,7 +693,7 @@ impl Arm {
     /// Operations: 7 multiplications, 5 additions, sines and cosines of 2 angles.
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
+    #[inline(never)]
     #[allow(unused_variables, clippy::all)]
     pub fn wrench_torques<T: ::robot_dynamics::Scalar>(
         &self,
@@ -712,7 +718,7 @@ impl Arm {
     /// Operations: 7 multiplications, 5 additions, sines and cosines of 2 angles.
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
+    #[inline(never)]
     #[allow(unused_variables, clippy::all)]
     pub fn tool_velocity<T: ::robot_dynamics::Scalar>(
         &self,
@@ -737,7 +743,7 @@ impl Arm {
     /// Operations: 16 multiplications, 14 additions, sines and cosines of 2 angles.
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
+    #[inline(never)]
     #[allow(unused_variables, clippy::all)]
     pub fn tool_acceleration<T: ::robot_dynamics::Scalar>(
         &self,
@@ -763,7 +769,7 @@ impl Arm {
     /// Operations: 10 multiplications, 5 additions, sines and cosines of 2 angles.
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
+    #[inline(never)]
     #[allow(unused_variables, clippy::all)]
     pub fn jacobian_rate<T: ::robot_dynamics::Scalar>(
         &self,
@@ -788,7 +794,7 @@ impl Arm {
     /// Operations: 6 multiplications, 4 additions, sines and cosines of 2 angles.
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
+    #[inline(never)]
     #[allow(unused_variables, clippy::all)]
     pub fn link_jacobians<T: ::robot_dynamics::Scalar>(
         &self,
@@ -821,7 +827,7 @@ impl Arm {
     /// ```
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
+    #[inline(never)]
     #[allow(unused_variables, clippy::all)]
     pub fn center_of_mass<T: ::robot_dynamics::Scalar>(
         &self,
@@ -845,7 +851,7 @@ impl Arm {
     /// Operations: 8 multiplications, 4 additions, sines and cosines of 2 angles.
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
+    #[inline(never)]
     #[allow(unused_variables, clippy::all)]
     pub fn center_of_mass_jacobian<T: ::robot_dynamics::Scalar>(
         &self,
@@ -873,7 +879,7 @@ impl Arm {
  `SingularMassMatrix` where M(q) is not positive definite to working precision, or not finite: it names the joint whose pivot failed.*/
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
+    #[inline(never)]
     #[allow(unused_variables, clippy::all)]
     pub fn operational_inertia_inverse<T: ::robot_dynamics::Scalar>(
         &self,
@@ -907,7 +913,7 @@ impl Arm {
     /// ```
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
+    #[inline(never)]
     #[allow(unused_variables, clippy::all)]
     pub fn generalized_momentum<T: ::robot_dynamics::Scalar>(
         &self,
@@ -932,7 +938,7 @@ impl Arm {
     /// Operations: 6 multiplications, 4 additions, sines and cosines of 2 angles.
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
+    #[inline(never)]
     #[allow(unused_variables, clippy::all)]
     pub fn momentum_bias<T: ::robot_dynamics::Scalar>(
         &self,
@@ -957,7 +963,7 @@ impl Arm {
     /// Operations: 12 multiplications, 11 additions, sines and cosines of 2 angles.
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
+    #[inline(never)]
     #[allow(unused_variables, clippy::all)]
     pub fn passivity_torque<T: ::robot_dynamics::Scalar>(
         &self,
@@ -997,7 +1003,7 @@ impl Arm {
     /// Operations: 16 multiplications, 11 additions, sines and cosines of 2 angles.
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
+    #[inline(never)]
     #[allow(unused_variables, clippy::all)]
     pub fn passivity_regressor<T: ::robot_dynamics::Scalar>(
         &self,
@@ -1037,7 +1043,7 @@ impl Arm {
     /// Operations: 14 multiplications, 3 additions, sines and cosines of 2 angles.
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
+    #[inline(never)]
     #[allow(unused_variables, clippy::all)]
     pub fn energy_regressors<T: ::robot_dynamics::Scalar>(
         &self,
@@ -1065,7 +1071,7 @@ impl Arm {
     /// Operations: 60 multiplications, 40 additions, sines and cosines of 2 angles.
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
+    #[inline(never)]
     #[allow(unused_variables, clippy::all)]
     pub fn inverse_dynamics_rates<T: ::robot_dynamics::Scalar>(
         &self,
@@ -1096,7 +1102,7 @@ impl Arm {
     /// Operations: 17 multiplications, 10 additions, sines and cosines of 2 angles.
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
+    #[inline(never)]
     #[allow(unused_variables, clippy::all)]
     pub fn inverse_dynamics_second_derivatives<T: ::robot_dynamics::Scalar>(
         &self,
@@ -1123,12 +1129,12 @@ impl Arm {
 }
 impl ::robot_dynamics::MassMatrix<2> for Arm {
     const WORK: u32 = 43;
-    #[inline(always)]
+    #[inline]
     fn mass_matrix<T: ::robot_dynamics::Scalar>(
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SMatrix<T, 2, 2> {
-        Self::mass_matrix_at(self, &::robot_dynamics::Evaluated, q)
+        Self::mass_matrix(self, q)
     }
     #[inline(always)]
     fn mass_matrix_at<T: ::robot_dynamics::Scalar>(
@@ -1156,13 +1162,13 @@ impl ::robot_dynamics::MassMatrix<2> for Arm {
 }
 impl ::robot_dynamics::CoriolisVector<2> for Arm {
     const WORK: u32 = 46;
-    #[inline(always)]
+    #[inline]
     fn coriolis_vector<T: ::robot_dynamics::Scalar>(
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
         qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
-        Self::coriolis_vector_at(self, &::robot_dynamics::Evaluated, q, qd)
+        Self::coriolis_vector(self, q, qd)
     }
     #[inline(always)]
     fn coriolis_vector_at<T: ::robot_dynamics::Scalar>(
@@ -1191,12 +1197,12 @@ impl ::robot_dynamics::CoriolisVector<2> for Arm {
 }
 impl ::robot_dynamics::GravityVector<2> for Arm {
     const WORK: u32 = 86;
-    #[inline(always)]
+    #[inline]
     fn gravity_vector<T: ::robot_dynamics::Scalar>(
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
-        Self::gravity_vector_at(self, &::robot_dynamics::Evaluated, q)
+        Self::gravity_vector(self, q)
     }
     #[inline(always)]
     fn gravity_vector_at<T: ::robot_dynamics::Scalar>(
@@ -1272,14 +1278,14 @@ impl ::robot_dynamics::Function<::robot_dynamics::functions::SpringVector, 2> fo
 }
 impl ::robot_dynamics::InverseDynamics<2> for Arm {
     const WORK: u32 = 101;
-    #[inline(always)]
+    #[inline]
     fn inverse_dynamics<T: ::robot_dynamics::Scalar>(
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
         qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
         qdd: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
-        Self::inverse_dynamics_at(self, &::robot_dynamics::Evaluated, q, qd, qdd)
+        Self::inverse_dynamics(self, q, qd, qdd)
     }
     #[inline(always)]
     fn inverse_dynamics_at<T: ::robot_dynamics::Scalar>(
@@ -1317,7 +1323,7 @@ impl ::robot_dynamics::InverseDynamics<2> for Arm {
 }
 impl ::robot_dynamics::ForwardDynamics<2> for Arm {
     const WORK: u32 = 108;
-    #[inline(always)]
+    #[inline]
     fn forward_dynamics<T: ::robot_dynamics::Scalar>(
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
@@ -1327,7 +1333,7 @@ impl ::robot_dynamics::ForwardDynamics<2> for Arm {
         ::robot_dynamics::nalgebra::SVector<T, 2>,
         ::robot_dynamics::SingularMassMatrix,
     > {
-        Self::forward_dynamics_at(self, &::robot_dynamics::Evaluated, q, qd, tau)
+        Self::forward_dynamics(self, q, qd, tau)
     }
     #[inline(always)]
     fn forward_dynamics_at<T: ::robot_dynamics::Scalar>(
