@@ -55,7 +55,7 @@ macro_rules! bench_robots {
                             wrench: &wrench,
                             order: 10,
                         };
-                        black_box(function(black_box(at)));
+                        black_box(&function(black_box(at)));
                     }
                 });
             }

@@ -56,22 +56,22 @@ macro_rules! compare_robots {
         compare(
             concat!(stringify!($robot), " control_terms"),
             |i| {
-                black_box($robot.control_terms(&q[i], &qd[i]));
+                black_box(&$robot.control_terms(&q[i], &qd[i]));
             },
             |i| {
-                black_box($robot.mass_matrix(&q[i]));
-                black_box($robot.coriolis_vector(&q[i], &qd[i]));
-                black_box($robot.gravity_vector(&q[i]));
+                black_box(&$robot.mass_matrix(&q[i]));
+                black_box(&$robot.coriolis_vector(&q[i], &qd[i]));
+                black_box(&$robot.gravity_vector(&q[i]));
             },
         );
         compare(
             concat!(stringify!($robot), " linearised"),
             |i| {
-                black_box($robot.linearised(&q[i], &qd[i], &qdd[i]));
+                black_box(&$robot.linearised(&q[i], &qd[i], &qdd[i]));
             },
             |i| {
-                black_box($robot.inverse_dynamics(&q[i], &qd[i], &qdd[i]));
-                black_box($robot.inverse_dynamics_derivatives(&q[i], &qd[i], &qdd[i]));
+                black_box(&$robot.inverse_dynamics(&q[i], &qd[i], &qdd[i]));
+                black_box(&$robot.inverse_dynamics_derivatives(&q[i], &qd[i], &qdd[i]));
             },
         );
     )*};

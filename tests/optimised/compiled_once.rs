@@ -130,7 +130,6 @@ fn compilation(configuration: &[&str], run: &str) -> Option<f64> {
         .args(configuration)
         // Another name each time: what was compiled in another run is not taken.
         .args(["--cfg", run])
-        .env("CARGO_INCREMENTAL", "0")
         .current_dir(env!("CARGO_MANIFEST_DIR"))
         .status();
     assert!(built.is_ok_and(|status| status.success()));

@@ -70,14 +70,14 @@ mod among_namesakes {
     impl<T> Methods for T {}
 
     ::robots::every_function! {
-        pub(super) struct Arm { l: f64 }
+        pub(super) struct Arm { pub(super) l: f64 }
 
         convention: modified,
         gravity: [0, -9.81, 0],
         joints: [
             a: revolute {
                 a: l, mass: 1, com: [-0.1, 0, 0.2], inertia: rod(1),
-                friction: { viscous: 0.1, coulomb: 0.2, stribeck: { static: 0.3, velocity: 0.1 } },
+                friction: { viscous: 0.1, coulomb: 0.2 },
             },
             b: prismatic { a: 1, alpha: 0.3, mass: 1, com: [0, 0.1, 0], spring: { stiffness: l, rest: 0 } },
         ],

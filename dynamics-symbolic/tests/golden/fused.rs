@@ -30,7 +30,7 @@ impl Arm {
     /// ```
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
+    #[inline(never)]
     #[allow(unused_variables, clippy::all)]
     pub fn control_terms<T: ::robot_dynamics::Scalar>(
         &self,
@@ -73,7 +73,7 @@ impl Arm {
  `SingularMassMatrix` where M(q) is not positive definite to working precision, or not finite: it names the joint whose pivot failed.*/
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
+    #[inline(never)]
     #[allow(unused_variables, clippy::all)]
     pub fn motion<T: ::robot_dynamics::Scalar>(
         &self,
@@ -115,7 +115,7 @@ impl Arm {
     /// ```
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
+    #[inline(never)]
     #[allow(unused_variables, clippy::all)]
     pub fn apart<T: ::robot_dynamics::Scalar>(
         &self,
