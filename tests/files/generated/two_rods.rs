@@ -252,13 +252,15 @@ impl TwoRods {
     /// ```
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
+    #[inline(never)]
     #[allow(unused_variables, clippy::all)]
     pub fn mass_matrix<T: ::robot_dynamics::Scalar>(
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SMatrix<T, 2, 2> {
-        <Self as ::robot_dynamics::MassMatrix<2>>::mass_matrix(self, q)
+        <Self as ::robot_dynamics::MassMatrix<
+            2,
+        >>::mass_matrix_at(self, &::robot_dynamics::Evaluated, q)
     }
 
     /// Coriolis and centrifugal vector V(q, qd), N m or N: inverse dynamics without gravity, springs, friction and acceleration.
@@ -276,14 +278,16 @@ impl TwoRods {
     /// ```
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
+    #[inline(never)]
     #[allow(unused_variables, clippy::all)]
     pub fn coriolis_vector<T: ::robot_dynamics::Scalar>(
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
         qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
-        <Self as ::robot_dynamics::CoriolisVector<2>>::coriolis_vector(self, q, qd)
+        <Self as ::robot_dynamics::CoriolisVector<
+            2,
+        >>::coriolis_vector_at(self, &::robot_dynamics::Evaluated, q, qd)
     }
 
     /// Gravity vector G(q), N m or N: the gradient of the potential energy of gravity, inverse dynamics at rest without springs.
@@ -301,13 +305,15 @@ impl TwoRods {
     /// ```
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
+    #[inline(never)]
     #[allow(unused_variables, clippy::all)]
     pub fn gravity_vector<T: ::robot_dynamics::Scalar>(
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
-        <Self as ::robot_dynamics::GravityVector<2>>::gravity_vector(self, q)
+        <Self as ::robot_dynamics::GravityVector<
+            2,
+        >>::gravity_vector_at(self, &::robot_dynamics::Evaluated, q)
     }
 
     /// Inverse dynamics tau = M(q) qdd + V(q, qd) + G(q) + K(q) + F(qd), N m or N, as one program; K is of springs, F of friction.
@@ -325,7 +331,7 @@ impl TwoRods {
     /// ```
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
+    #[inline(never)]
     #[allow(unused_variables, clippy::all)]
     pub fn inverse_dynamics<T: ::robot_dynamics::Scalar>(
         &self,
@@ -335,7 +341,7 @@ impl TwoRods {
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
         <Self as ::robot_dynamics::InverseDynamics<
             2,
-        >>::inverse_dynamics(self, q, qd, qdd)
+        >>::inverse_dynamics_at(self, &::robot_dynamics::Evaluated, q, qd, qdd)
     }
 
     /// Forward dynamics: the accelerations qdd with M(q) qdd + V(q, qd) + G(q) + K(q) + F(qd) = tau, rad/s^2 or m/s^2; K is of springs, F of friction.
@@ -350,7 +356,7 @@ impl TwoRods {
 
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
+    #[inline(never)]
     #[allow(unused_variables, clippy::all)]
     pub fn forward_dynamics<T: ::robot_dynamics::Scalar>(
         &self,
@@ -363,7 +369,7 @@ impl TwoRods {
     > {
         <Self as ::robot_dynamics::ForwardDynamics<
             2,
-        >>::forward_dynamics(self, q, qd, tau)
+        >>::forward_dynamics_at(self, &::robot_dynamics::Evaluated, q, qd, tau)
     }
 
     /// Kinetic energy T(q, qd) = 1/2 qd^T M(q) qd, reflected motor inertias included, J.
@@ -378,7 +384,7 @@ impl TwoRods {
     /// ```
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
+    #[inline(never)]
     #[allow(unused_variables, clippy::all)]
     pub fn kinetic_energy<T: ::robot_dynamics::Scalar>(
         &self,
@@ -409,7 +415,7 @@ impl TwoRods {
     /// ```
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
-    #[inline]
+    #[inline(never)]
     #[allow(unused_variables, clippy::all)]
     pub fn potential_energy<T: ::robot_dynamics::Scalar>(
         &self,
@@ -433,12 +439,12 @@ impl TwoRods {
 impl ::robot_dynamics::MassMatrix<2> for TwoRods {
     const WORK: u32 = 44;
 
-    #[inline(always)]
+    #[inline]
     fn mass_matrix<T: ::robot_dynamics::Scalar>(
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SMatrix<T, 2, 2> {
-        Self::mass_matrix_at(self, &::robot_dynamics::Evaluated, q)
+        Self::mass_matrix(self, q)
     }
 
     #[inline(always)]
@@ -469,13 +475,13 @@ impl ::robot_dynamics::MassMatrix<2> for TwoRods {
 impl ::robot_dynamics::CoriolisVector<2> for TwoRods {
     const WORK: u32 = 47;
 
-    #[inline(always)]
+    #[inline]
     fn coriolis_vector<T: ::robot_dynamics::Scalar>(
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
         qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
-        Self::coriolis_vector_at(self, &::robot_dynamics::Evaluated, q, qd)
+        Self::coriolis_vector(self, q, qd)
     }
 
     #[inline(always)]
@@ -511,12 +517,12 @@ impl ::robot_dynamics::CoriolisVector<2> for TwoRods {
 impl ::robot_dynamics::GravityVector<2> for TwoRods {
     const WORK: u32 = 86;
 
-    #[inline(always)]
+    #[inline]
     fn gravity_vector<T: ::robot_dynamics::Scalar>(
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
-        Self::gravity_vector_at(self, &::robot_dynamics::Evaluated, q)
+        Self::gravity_vector(self, q)
     }
 
     #[inline(always)]
@@ -545,14 +551,14 @@ impl ::robot_dynamics::GravityVector<2> for TwoRods {
 impl ::robot_dynamics::InverseDynamics<2> for TwoRods {
     const WORK: u32 = 103;
 
-    #[inline(always)]
+    #[inline]
     fn inverse_dynamics<T: ::robot_dynamics::Scalar>(
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
         qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
         qdd: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
-        Self::inverse_dynamics_at(self, &::robot_dynamics::Evaluated, q, qd, qdd)
+        Self::inverse_dynamics(self, q, qd, qdd)
     }
 
     #[inline(always)]
@@ -597,7 +603,7 @@ impl ::robot_dynamics::InverseDynamics<2> for TwoRods {
 impl ::robot_dynamics::ForwardDynamics<2> for TwoRods {
     const WORK: u32 = 110;
 
-    #[inline(always)]
+    #[inline]
     fn forward_dynamics<T: ::robot_dynamics::Scalar>(
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
@@ -607,7 +613,7 @@ impl ::robot_dynamics::ForwardDynamics<2> for TwoRods {
         ::robot_dynamics::nalgebra::SVector<T, 2>,
         ::robot_dynamics::SingularMassMatrix,
     > {
-        Self::forward_dynamics_at(self, &::robot_dynamics::Evaluated, q, qd, tau)
+        Self::forward_dynamics(self, q, qd, tau)
     }
 
     #[inline(always)]
