@@ -65,10 +65,9 @@ impl<'a, R: Model<N>, T: Scalar, const N: usize> Configuration<'a, R, T, N> {
     }
 }
 
-// Each method is compiled once, however often it is called, as those of the arm are.
 impl<R, T: Scalar, const N: usize> Configuration<'_, R, T, N> {
     /// Mass matrix M(q), kg m^2, kg m or kg.
-    #[inline(never)]
+    #[inline]
     pub fn mass_matrix(&self) -> SMatrix<T, N, N>
     where
         R: MassMatrix<N>,
@@ -77,7 +76,7 @@ impl<R, T: Scalar, const N: usize> Configuration<'_, R, T, N> {
     }
 
     /// Coriolis and centrifugal vector V(q, qd), N m or N; `qd` per second.
-    #[inline(never)]
+    #[inline]
     pub fn coriolis_vector(&self, qd: &SVector<T, N>) -> SVector<T, N>
     where
         R: CoriolisVector<N>,
@@ -86,7 +85,7 @@ impl<R, T: Scalar, const N: usize> Configuration<'_, R, T, N> {
     }
 
     /// Gravity vector G(q), N m or N.
-    #[inline(never)]
+    #[inline]
     pub fn gravity_vector(&self) -> SVector<T, N>
     where
         R: GravityVector<N>,
@@ -96,7 +95,7 @@ impl<R, T: Scalar, const N: usize> Configuration<'_, R, T, N> {
 
     /// Inverse dynamics tau = M qdd + V + G + K + F, N m or N; `qd` per second, `qdd` per second
     /// squared.
-    #[inline(never)]
+    #[inline]
     pub fn inverse_dynamics(&self, qd: &SVector<T, N>, qdd: &SVector<T, N>) -> SVector<T, N>
     where
         R: InverseDynamics<N>,
@@ -110,7 +109,7 @@ impl<R, T: Scalar, const N: usize> Configuration<'_, R, T, N> {
     /// # Errors
     ///
     /// [`SingularMassMatrix`] where M(q) is not positive definite to working precision.
-    #[inline(never)]
+    #[inline]
     pub fn forward_dynamics(
         &self,
         qd: &SVector<T, N>,

@@ -6,9 +6,7 @@ use std::hint::black_box;
 use std::process::Command;
 
 use robot_dynamics::nalgebra::{Matrix3, Vector3};
-use robot_dynamics::{
-    Configuration, CoriolisVector, ForwardDynamics, GravityVector, InverseDynamics, MassMatrix,
-};
+use robot_dynamics::{CoriolisVector, ForwardDynamics, GravityVector, InverseDynamics, MassMatrix};
 
 use crate::machine_code::Listing;
 use crate::three_joints::ThreeJoints;
@@ -73,33 +71,16 @@ where
     )
 }
 
-#[inline(never)]
-fn called_at_configurations(states: &States) -> (Matrix3<f64>, Vector) {
-    at_six_places!(
-        states,
-        |q, qd, x| Configuration::new(&ThreeJoints, q).mass_matrix(),
-        Configuration::new(&ThreeJoints, q).coriolis_vector(qd),
-        Configuration::new(&ThreeJoints, q).gravity_vector(),
-        Configuration::new(&ThreeJoints, q).inverse_dynamics(qd, x),
-        Configuration::new(&ThreeJoints, q).forward_dynamics(qd, x)
-    )
-}
-
 #[test]
 fn a_caller_has_calls_in_place_of_programs() {
     let states = black_box([[Vector::repeat(0.1); 3]; 6]);
     let sums = called_by_methods(&states);
     assert_eq!(sums, called_by_traits(&ThreeJoints, &states));
-    assert_eq!(sums, called_at_configurations(&states));
     let program = std::env::current_exe().expect("a program");
     let Some(listing) = Listing::of_program(&program) else {
         return;
     };
-    for caller in [
-        "called_by_methods",
-        "called_by_traits",
-        "called_at_configurations",
-    ] {
+    for caller in ["called_by_methods", "called_by_traits"] {
         let called = listing.called_by(caller);
         for method in METHODS {
             let calls = called.iter().filter(|name| name.contains(method));
