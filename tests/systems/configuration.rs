@@ -81,3 +81,43 @@ mod upright {
         assert_eq!(<Upright as Model<2>>::READS_ANGLE, [false, true]);
     }
 }
+
+/// `ForwardDynamics` of an arm whose only forward dynamics is by articulated bodies.
+mod by_articulated_bodies {
+    use robot_dynamics::nalgebra::Vector2;
+    use robot_dynamics::{Batch, Configuration, ForwardDynamics, robot_dynamics};
+
+    robot_dynamics! {
+        struct Arm { m: f64 }
+        convention: modified,
+        gravity: [0, -9.81, 0],
+        joints: [
+            a: revolute { mass: 1, com: [0.5, 0, 0], inertia: rod(1) },
+            b: revolute { a: 1, mass: m, com: [0.3, 0, 0], inertia: rod(1) },
+        ],
+        functions: [forward_dynamics_aba, mass_matrix],
+    }
+
+    #[test]
+    fn sines_and_fields_of_each_arm_are_read() {
+        let (light, heavy) = (Arm { m: 0.7 }, Arm { m: 1.7 });
+        let [q, qd, tau] = [[0.3, 0.4], [0.5, -0.6], [1.0, 2.0]].map(Vector2::<f64>::from);
+        let of_arm = |arm: Arm| {
+            arm.forward_dynamics_aba(&q, &qd, &tau)
+                .expect("M is regular")
+        };
+        let by_trait = ForwardDynamics::forward_dynamics(&light, &q, &qd, &tau);
+        assert_eq!(by_trait, Ok(of_arm(light)));
+        let here = Configuration::new(&light, &q);
+        assert_eq!(here.forward_dynamics(&qd, &tau), Ok(of_arm(light)));
+        let arms: [Arm; 20] = std::array::from_fn(|i| if i % 2 == 0 { light } else { heavy });
+        let mut found = [Vector2::zeros(); 20];
+        Batch::with_parameters(&arms)
+            .forward_dynamics_batch(&[q; 20], &[qd; 20], &[tau; 20], &mut found)
+            .expect("as many accelerations");
+        for (arm, qdd) in arms.into_iter().zip(found) {
+            let expected = of_arm(arm);
+            assert!((qdd - expected).norm() < 1e-13 * expected.norm(), "{qdd}");
+        }
+    }
+}
