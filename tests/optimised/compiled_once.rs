@@ -107,7 +107,7 @@ fn seconds_of_children() -> Option<f64> {
 fn compilation(configuration: &[&str], run: &str) -> Option<f64> {
     let before = seconds_of_children()?;
     let built = Command::new(env!("CARGO"))
-        .args(["rustc", "--quiet", "--bin", "places", "--"])
+        .args(["rustc", "--quiet", "--release", "--bin", "places", "--"])
         .args(configuration)
         // Another name each time: what was compiled in another run is not taken.
         .args(["--cfg", run])
