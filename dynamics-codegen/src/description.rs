@@ -433,49 +433,51 @@ pub struct Spring {
 /// `limits: [lower, upper]`
 pub type Limits = [Option<Expr>; 2];
 
-/// `allow: [unphysical_inertia]`: what is accepted, odd as it is.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Allow {
-    /// A tensor that no body has.
-    pub unphysical_inertia: bool,
-    /// An angle of more than a turn, or nearly a right one.
-    pub odd_angle: bool,
-    /// A centre of mass or a tensor without a mass.
-    pub odd_mass: bool,
-    /// A centre of mass far from everything.
-    pub odd_com: bool,
-    /// Gravity as it is nowhere.
-    pub odd_gravity: bool,
-    /// Limits of which the lower one is above the upper one, which are none then.
-    pub odd_limits: bool,
-    /// Links of a URDF file of which no inertia is said, and arms without any: they are massless.
-    pub no_inertia: bool,
+/// Makes the description of `allow` out of its words, each with its meaning.
+macro_rules! allowances {
+    ($($(#[$meaning:meta])* $word:ident,)*) => {
+        /// `allow: [unphysical_inertia]`: numbers that are accepted, odd as they are.
+        #[derive(Clone, Copy, Debug, Default)]
+        pub struct Allow {
+            $($(#[$meaning])* pub $word: bool,)*
+        }
+
+        impl Allow {
+            /// The words that `allow` of the whole table may hold.
+            pub const WORDS: [&'static str; [$(stringify!($word)),*].len()] =
+                [$(stringify!($word)),*];
+
+            /// All of it: what is meant to be allowed is not known.
+            pub const EVERYTHING: Allow = Allow { $($word: true,)* };
+
+            /// What this or the other one allows.
+            pub fn or(self, other: Allow) -> Allow {
+                Allow { $($word: self.$word || other.$word,)* }
+            }
+
+            /// Allows one of the words.
+            pub(crate) fn note(&mut self, word: &str) {
+                $(self.$word |= word == stringify!($word);)*
+            }
+        }
+    };
 }
 
-impl Allow {
-    /// All of it: what is meant to be allowed is not known.
-    pub const EVERYTHING: Allow = Allow {
-        unphysical_inertia: true,
-        odd_angle: true,
-        odd_mass: true,
-        odd_com: true,
-        odd_gravity: true,
-        odd_limits: true,
-        no_inertia: true,
-    };
-
-    /// What this or the other one allows.
-    pub fn or(self, other: Allow) -> Allow {
-        Allow {
-            unphysical_inertia: self.unphysical_inertia || other.unphysical_inertia,
-            odd_angle: self.odd_angle || other.odd_angle,
-            odd_mass: self.odd_mass || other.odd_mass,
-            odd_com: self.odd_com || other.odd_com,
-            odd_gravity: self.odd_gravity || other.odd_gravity,
-            odd_limits: self.odd_limits || other.odd_limits,
-            no_inertia: self.no_inertia || other.no_inertia,
-        }
-    }
+allowances! {
+    /// Links of a URDF file whose inertia is not given, and arms without any: they are massless.
+    no_inertia,
+    /// An angle of more than a turn, or nearly a right one.
+    odd_angle,
+    /// A centre of mass far from everything.
+    odd_com,
+    /// Gravity as it is nowhere.
+    odd_gravity,
+    /// Limits whose lower one is above the upper one: the joint has none then.
+    odd_limits,
+    /// A centre of mass or a tensor without a mass; an arm without any inertia, too.
+    odd_mass,
+    /// A tensor that no body has.
+    unphysical_inertia,
 }
 
 /// A constant expression.

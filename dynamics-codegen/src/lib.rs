@@ -35,7 +35,6 @@ mod validate;
 mod words;
 
 pub use audience::Audience;
-pub use parse::allow::OF_TABLE as ALLOWANCES;
 pub use validate::Model;
 pub use words::visible;
 

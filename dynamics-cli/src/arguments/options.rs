@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::builder::PossibleValuesParser;
 use clap::{Arg, ArgAction, Command, value_parser};
-use dynamics_codegen::ALLOWANCES;
+use dynamics_codegen::description::Allow;
 
 /// A subcommand about a robot file, with the options that say what the file does not.
 pub(super) fn of_a_file(name: &'static str, about: &'static str) -> Command {
@@ -45,7 +45,7 @@ pub(super) fn of_a_file(name: &'static str, about: &'static str) -> Command {
         .arg(
             words("allow", "WORD")
                 .action(ArgAction::Append)
-                .value_parser(PossibleValuesParser::new(ALLOWANCES))
+                .value_parser(PossibleValuesParser::new(Allow::WORDS))
                 .help("Accept what is refused otherwise, anywhere in the file"),
         )
         .next_help_heading(None::<&str>)

@@ -1,8 +1,8 @@
 //! What the macro's own reader says of a table that was written.
 
-use dynamics_codegen::description::Place;
+use dynamics_codegen::description::{Allow, Place};
 use dynamics_codegen::files::{Format, Request, table};
-use dynamics_codegen::{ALLOWANCES, Error, check};
+use dynamics_codegen::{Error, check};
 
 use super::document::Document;
 
@@ -28,7 +28,7 @@ pub(super) fn refused_words(
         _ => "[[joint]]",
     };
     let word_of = |error: &Error| {
-        let word = ALLOWANCES
+        let word = Allow::WORDS
             .into_iter()
             .find(|word| error.message.contains(word))?;
         let Place::File { line, .. } = error.place else {

@@ -12,17 +12,6 @@ use crate::mistake::{self, expected};
 /// What a row or the tool may allow.
 pub(crate) const OF_BODY: [&str; 4] = ["odd_angle", "odd_com", "odd_mass", "unphysical_inertia"];
 
-/// What `allow` of the whole table may hold.
-pub const OF_TABLE: [&str; 7] = [
-    "no_inertia",
-    "odd_angle",
-    "odd_com",
-    "odd_gravity",
-    "odd_limits",
-    "odd_mass",
-    "unphysical_inertia",
-];
-
 /// Reads `[odd_angle, ...]`, words of those known. A wrong word leaves it unknown what was to be allowed.
 pub(super) fn allow(cursor: &mut Cursor, known: &[&'static str]) -> Result<Allow, Reported> {
     let group = cursor.take_list(Delimiter::Bracket, expected::allowances(known))?;
@@ -35,9 +24,9 @@ pub(super) fn allow(cursor: &mut Cursor, known: &[&'static str]) -> Result<Allow
         };
         let word = ident.to_string();
         if known.contains(&word.as_str()) {
-            note(&mut allow, &word);
+            allow.note(&word);
         } else {
-            let mistake = match OF_TABLE.contains(&word.as_str()) {
+            let mistake = match Allow::WORDS.contains(&word.as_str()) {
                 true => mistake::entry::allowed_for_the_table(&word),
                 false => unknown("allowance", &word, known).mistake,
             };
@@ -46,17 +35,4 @@ pub(super) fn allow(cursor: &mut Cursor, known: &[&'static str]) -> Result<Allow
         Ok(format!("`{word}`"))
     });
     wrong.map_or(end.map(|()| allow), Err)
-}
-
-/// Notes a word of [`OF_TABLE`].
-pub(crate) fn note(allow: &mut Allow, word: &str) {
-    match word {
-        "no_inertia" => allow.no_inertia = true,
-        "odd_angle" => allow.odd_angle = true,
-        "odd_com" => allow.odd_com = true,
-        "odd_gravity" => allow.odd_gravity = true,
-        "odd_limits" => allow.odd_limits = true,
-        "odd_mass" => allow.odd_mass = true,
-        _ => allow.unphysical_inertia = true,
-    }
 }

@@ -3,7 +3,7 @@
 use dynamics_symbolic::robot::Convention;
 use proc_macro2::{Delimiter, Ident};
 
-use super::allow::{self, allow};
+use super::allow::allow;
 use super::assignments::{Texts, assignments};
 use super::cursor::Cursor;
 use super::expression::{expression, share};
@@ -14,7 +14,7 @@ use super::list::{Key, colon, end_item, key, skip_docs};
 use super::row::joints;
 use super::unknown::unknown;
 use super::vector::gravity;
-use crate::description::{Coupled, Entry, Joints, Locked, Name};
+use crate::description::{Allow, Coupled, Entry, Joints, Locked, Name};
 use crate::diagnose::Reported;
 use crate::mistake::{self, Mistake, expected};
 use crate::place::Place;
@@ -196,7 +196,7 @@ fn value(cursor: &mut Cursor, key: &Key) -> (Entry, Result<(), Reported>) {
         "couple" => split(colon.and_then(|()| couple(cursor)), Entry::Couple),
         "neglect" => split(colon.and_then(|()| share(cursor)), Entry::Neglect),
         "allow" => split(
-            colon.and_then(|()| allow(cursor, &allow::OF_TABLE)),
+            colon.and_then(|()| allow(cursor, &Allow::WORDS)),
             Entry::Allow,
         ),
         _ => split(colon.and_then(|()| truth(cursor)), |truth| {

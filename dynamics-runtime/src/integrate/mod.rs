@@ -1,4 +1,4 @@
-//! Methods of integration for equations of motion q'' = a(t, q, q'), one file each.
+//! Methods of integration for equations of motion q'' = a(t, q, q').
 //!
 //! They know nothing of robots: [`Equations`] are any function of time and phase that may refuse.
 //! Every method is a [`Stepper`]. A method of fixed step says what a step is ([`OneStep`]), and
@@ -9,14 +9,13 @@
 mod adaptive;
 mod canonical;
 mod compensated;
-mod craig_euler;
 mod dop853;
 mod dop853_tableau;
 mod dormand_prince;
 mod dormand_prince_tableau;
 mod embedded;
 mod equations;
-mod explicit_euler;
+mod euler;
 mod fixed_step;
 mod gauss_legendre;
 mod grid;
@@ -26,19 +25,17 @@ mod lu;
 mod phase;
 mod radau;
 mod rk4;
-mod semi_implicit_euler;
 mod step_control;
 mod stepper;
 mod tolerance;
 
 pub(crate) use adaptive::Adaptive;
 pub(crate) use canonical::{Canonical, Point};
-pub(crate) use craig_euler::CraigEuler;
 pub(crate) use dop853::Dop853Method;
 pub(crate) use dormand_prince::DormandPrince54;
 pub(crate) use embedded::Embedded;
 pub(crate) use equations::Equations;
-pub(crate) use explicit_euler::ExplicitEuler;
+pub(crate) use euler::Euler;
 pub(crate) use fixed_step::{FixedStep, OneStep};
 pub(crate) use gauss_legendre::GaussLegendre;
 pub(crate) use grid::{Grid, sample_time};
@@ -46,7 +43,6 @@ pub(crate) use lu::Lu;
 pub(crate) use phase::{Phase, first_non_finite};
 pub(crate) use radau::Radau;
 pub(crate) use rk4::Rk4;
-pub(crate) use semi_implicit_euler::SemiImplicitEuler;
 pub(crate) use stepper::{Failure, Stepper};
 pub(crate) use tolerance::{StepRange, Tolerance};
 

@@ -11,8 +11,8 @@ use super::recorder::Recorder;
 use super::torque::TorqueLaw;
 use crate::EquationsOfMotion;
 use crate::integrate::{
-    Adaptive, CraigEuler, Dop853Method, DormandPrince54, Embedded, ExplicitEuler, FixedStep,
-    GaussLegendre, OneStep, Radau, Rk4, SemiImplicitEuler,
+    Adaptive, Dop853Method, DormandPrince54, Embedded, Euler, FixedStep, GaussLegendre, OneStep,
+    Radau, Rk4,
 };
 
 /// A method of integration.
@@ -121,10 +121,12 @@ impl Method {
     ) -> Result<(), Cause> {
         begin(motion, recorder)?;
         match self {
-            Method::ExplicitEuler { step } => fixed(ExplicitEuler, *step, motion, motion, recorder),
-            Method::CraigEuler { step } => fixed(CraigEuler, *step, motion, motion, recorder),
+            Method::ExplicitEuler { step } => {
+                fixed(Euler::Explicit, *step, motion, motion, recorder)
+            }
+            Method::CraigEuler { step } => fixed(Euler::Craig, *step, motion, motion, recorder),
             Method::SemiImplicitEuler { step } => {
-                fixed(SemiImplicitEuler, *step, motion, motion, recorder)
+                fixed(Euler::SemiImplicit, *step, motion, motion, recorder)
             }
             Method::RungeKutta4 { step } => fixed(Rk4, *step, motion, motion, recorder),
             Method::ImplicitMidpoint { step } => {

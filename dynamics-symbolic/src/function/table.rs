@@ -76,14 +76,11 @@ functions! {
         name: "mass_matrix",
         arguments: &[Position],
         shape: SQUARE,
-        refuses: false,
         description: "Mass matrix M(q), N x N, both triangles, reflected motor inertias included \
             (kg m^2, kg m or kg). Also: joint-space inertia matrix, H (Featherstone), B (Siciliano), D (Spong).",
         symbol: Some("M"),
         set: Set::Default,
         provided: Some("MassMatrix"),
-        search: Search::Own,
-        growth: Growth::Moderate,
         masses: Masses::Inertia,
         ..USUAL
     },
@@ -93,15 +90,12 @@ functions! {
         name: "coriolis_vector",
         arguments: &[Position, Velocity],
         shape: VECTOR,
-        refuses: false,
         description: "Coriolis and centrifugal vector V(q, qd), N m or N: inverse dynamics without gravity, springs, \
             friction and acceleration.",
         symbol: Some("V"),
         set: Set::Default,
         provided: Some("CoriolisVector"),
         second: OF_SMALL_ARMS,
-        search: Search::Own,
-        growth: Growth::Moderate,
         masses: Masses::Inertia,
         ..USUAL
     },
@@ -111,15 +105,12 @@ functions! {
         name: "gravity_vector",
         arguments: &[Position],
         shape: VECTOR,
-        refuses: false,
         description: "Gravity vector G(q), N m or N: the gradient of the potential energy of gravity, inverse dynamics at \
             rest without springs.",
         symbol: Some("G"),
         set: Set::Default,
         provided: Some("GravityVector"),
         second: ASSEMBLED,
-        search: Search::Own,
-        growth: Growth::Moderate,
         masses: Masses::Inertia,
         ..USUAL
     },
@@ -129,14 +120,11 @@ functions! {
         name: "friction_vector",
         arguments: &[Velocity],
         shape: VECTOR,
-        refuses: false,
         description: "Friction vector F(qd) = viscous qd + sign(qd) (C + (S - C) exp(-(qd/v)^2)), N m or N, with sign(0) = 0: \
             C is the Coulomb friction of the direction, S static friction that falls to it over the velocity v, where \
             the table has one, else C.",
         symbol: Some("F"),
         set: Set::WithFriction,
-        search: Search::Own,
-        growth: Growth::Moderate,
         masses: Masses::Unread,
         ..USUAL
     },
@@ -146,12 +134,10 @@ functions! {
         name: "spring_vector",
         arguments: &[Position],
         shape: VECTOR,
-        refuses: false,
         description: "Spring vector K(q) = stiffness (q - rest), N m or N: the gradient of the energy in the springs at the \
             joints, zero where a joint has none.",
         symbol: Some("K"),
         search: Search::None,
-        growth: Growth::Moderate,
         masses: Masses::Unread,
         ..USUAL
     },
@@ -161,15 +147,12 @@ functions! {
         name: "inverse_dynamics",
         arguments: &[Position, Velocity, Acceleration],
         shape: VECTOR,
-        refuses: false,
         description: "Inverse dynamics tau = M(q) qdd + V(q, qd) + G(q) + K(q) + F(qd), N m or N, as one program; K is of \
             springs, F of friction.",
         symbol: Some("tau"),
         set: Set::Default,
         provided: Some("InverseDynamics"),
         second: OF_SMALL_ARMS,
-        search: Search::Own,
-        growth: Growth::Moderate,
         masses: Masses::Inertia,
         ..USUAL
     },
@@ -185,8 +168,6 @@ functions! {
         set: Set::Default,
         provided: Some("ForwardDynamics"),
         second: Some(Second { form: Form::Articulated, up_to: ANY, trial: Trial::Promising }),
-        search: Search::Own,
-        growth: Growth::Moderate,
         masses: Masses::Inertia,
         ..USUAL
     },
@@ -196,12 +177,9 @@ functions! {
         name: "kinetic_energy",
         arguments: &[Position, Velocity],
         shape: Shape::Number,
-        refuses: false,
         description: "Kinetic energy T(q, qd) = 1/2 qd^T M(q) qd, reflected motor inertias included, J.",
         symbol: Some("T"),
         set: Set::Default,
-        search: Search::Own,
-        growth: Growth::Moderate,
         masses: Masses::Inertia,
         ..USUAL
     },
@@ -211,13 +189,10 @@ functions! {
         name: "potential_energy",
         arguments: &[Position],
         shape: Shape::Number,
-        refuses: false,
         description: "Potential energy U(q) = -sum m g.c, zero at the origin of the {frame}, and that of springs, \
             1/2 stiffness (q - rest)^2, J.",
         symbol: Some("U"),
         set: Set::Default,
-        search: Search::Own,
-        growth: Growth::Moderate,
         masses: Masses::Inertia,
         ..USUAL
     },
@@ -227,12 +202,9 @@ functions! {
         name: "bias_force",
         arguments: &[Position, Velocity],
         shape: VECTOR,
-        refuses: false,
         description: "Bias force V(q, qd) + G(q) + K(q) + F(qd), N m or N: inverse dynamics without acceleration; K is of \
             springs, F of friction.",
         second: OF_SMALL_ARMS,
-        search: Search::Own,
-        growth: Growth::Moderate,
         masses: Masses::Inertia,
         ..USUAL
     },
@@ -242,13 +214,11 @@ functions! {
         name: "coriolis_matrix",
         arguments: &[Position, Velocity],
         shape: SQUARE,
-        refuses: false,
         description: "Coriolis matrix C(q, qd), N x N, from the Christoffel symbols of the first kind: C qd = V, and \
             dM/dt - 2 C is skew-symmetric.",
         symbol: Some("C"),
         // All Christoffel symbols are shorter than a recursion for up to six joints.
         second: Some(Second { form: Form::Assembled, up_to: 8, trial: Trial::Promising }),
-        search: Search::Own,
         growth: Growth::Steep,
         masses: Masses::Inertia,
         ..USUAL
@@ -259,11 +229,9 @@ functions! {
         name: "coriolis_coefficients",
         arguments: &[Position],
         shape: Shape::Matrix(Joints, Pairs),
-        refuses: false,
         description: "Coriolis coefficients B(q), N x N(N-1)/2, columns in the order (1,2), (1,3), ..., (N-1,N), of the \
             configuration-space form tau = M qdd + B [qd qd] + C [qd^2] + G.",
         symbol: Some("B"),
-        search: Search::Own,
         growth: Growth::Steep,
         masses: Masses::Inertia,
         ..USUAL
@@ -274,11 +242,9 @@ functions! {
         name: "centrifugal_coefficients",
         arguments: &[Position],
         shape: SQUARE,
-        refuses: false,
         description: "Centrifugal coefficients C(q), N x N, of the configuration-space form \
             tau = M qdd + B [qd qd] + C [qd^2] + G.",
         symbol: Some("C"),
-        search: Search::Own,
         growth: Growth::Steep,
         masses: Masses::Inertia,
         ..USUAL
@@ -289,11 +255,8 @@ functions! {
         name: "forward_kinematics",
         arguments: &[Position],
         shape: POSE,
-        refuses: false,
         description: "Forward kinematics: the homogeneous transform of the {tip} in the {frame}, m.",
         symbol: Some("T"),
-        search: Search::Own,
-        growth: Growth::Moderate,
         masses: Masses::Unread,
         ..USUAL
     },
@@ -303,10 +266,7 @@ functions! {
         name: "link_poses",
         arguments: &[Position],
         shape: Shape::Each(&POSE),
-        refuses: false,
         description: "Homogeneous transforms in the {frame} of every link frame whose joint moves, from the base outwards, m.",
-        search: Search::Own,
-        growth: Growth::Moderate,
         masses: Masses::Unread,
         ..USUAL
     },
@@ -316,11 +276,8 @@ functions! {
         name: "jacobian",
         arguments: &[Position],
         shape: Shape::Matrix(Fixed(6), Joints),
-        refuses: false,
         description: "Geometric Jacobian of the {tip}'s origin, 6 x N, rows vx vy vz wx wy wz, in the {frame}.",
         symbol: Some("J"),
-        search: Search::Own,
-        growth: Growth::Moderate,
         masses: Masses::Unread,
         ..USUAL
     },
@@ -330,13 +287,11 @@ functions! {
         name: "inverse_dynamics_derivatives",
         arguments: &[Position, Velocity, Acceleration],
         shape: Shape::Tuple(&[SQUARE, SQUARE]),
-        refuses: false,
         description: "Derivatives of the inverse dynamics, exact: (d tau/dq, d tau/dqd), each N x N, entry (i, j) the derivative of \
             tau_i by joint j. d tau/dqdd is M(q). The stiffness of springs is on the diagonal of d tau/dq, viscous \
             friction on that of d tau/dqd; Coulomb friction counts as constant: its derivative is zero wherever it has \
             one.",
         second: OF_SMALL_ARMS,
-        search: Search::Own,
         growth: Growth::Steep,
         masses: Masses::Inertia,
         ..USUAL
@@ -364,11 +319,9 @@ functions! {
         name: "regressor",
         arguments: &[Position, Velocity, Acceleration],
         shape: Shape::Matrix(Joints, Parameters),
-        refuses: false,
         description: "Regressor Y(q, qd, qdd), N x P, of the P base inertial parameters: \
             Y * base_parameters = tau - K - F, the joint forces without springs and friction.",
         second: ASSEMBLED,
-        search: Search::Own,
         growth: Growth::Steep,
         masses: Masses::Inertia,
         compared_with: Some(Function::BaseParameters),
@@ -380,11 +333,9 @@ functions! {
         name: "base_parameters",
         arguments: &[],
         shape: Shape::Matrix(Parameters, One),
-        refuses: false,
         description: "The P base inertial parameters: the smallest set by which the joint forces of every motion are \
             determined, regressor * base_parameters = tau - K - F.",
         search: Search::None,
-        growth: Growth::Moderate,
         masses: Masses::Inertia,
         compared_with: Some(Function::Regressor),
         ..USUAL
@@ -400,7 +351,6 @@ functions! {
             M(q) qdd + V(q, qd) + G(q) + K(q) + F(qd) = tau, rad/s^2 or m/s^2. Longer than `forward_dynamics`, and accurate \
             where M(q) is nearly singular: about as many digits are right as the data determine.",
         search: Search::Accuracy,
-        growth: Growth::Moderate,
         masses: Masses::Inertia,
         ..USUAL
     },
@@ -416,8 +366,6 @@ functions! {
             has at the start: the series ends where a joint reverses.",
         provided: Some("TaylorDynamics"),
         second: OF_SMALL_ARMS,
-        search: Search::Own,
-        growth: Growth::Moderate,
         masses: Masses::Inertia,
         ..USUAL
     },
@@ -427,10 +375,7 @@ functions! {
         name: "wrench_torques",
         arguments: &[Position, Wrench],
         shape: VECTOR,
-        refuses: false,
         description: "Joint torques J(q)^T w of a wrench at the tip, N m or N, without J: M(q) qdd + V(q, qd) + G(q) + K(q) + F(qd) = tau + J(q)^T w.",
-        search: Search::Own,
-        growth: Growth::Moderate,
         masses: Masses::Unread,
         ..USUAL
     },
@@ -440,10 +385,7 @@ functions! {
         name: "tool_velocity",
         arguments: &[Position, Velocity],
         shape: TWIST,
-        refuses: false,
         description: "Velocity of the tip J(q) qd, vx vy vz wx wy wz, in the {frame}, m/s and rad/s, without J.",
-        search: Search::Own,
-        growth: Growth::Moderate,
         masses: Masses::Unread,
         ..USUAL
     },
@@ -453,11 +395,8 @@ functions! {
         name: "tool_acceleration",
         arguments: &[Position, Velocity, Acceleration],
         shape: TWIST,
-        refuses: false,
         description: "Acceleration of the tip J(q) qdd + dJ/dt qd: of its origin and of its rotation, in the {frame}, m/s^2 and \
             rad/s^2, without J and its rate.",
-        search: Search::Own,
-        growth: Growth::Moderate,
         masses: Masses::Unread,
         ..USUAL
     },
@@ -467,11 +406,9 @@ functions! {
         name: "jacobian_rate",
         arguments: &[Position, Velocity],
         shape: Shape::Matrix(Fixed(6), Joints),
-        refuses: false,
         description: "Rate dJ/dt of the geometric Jacobian along a motion, 6 x N, rows as in `jacobian`: the acceleration of the \
             tip is J qdd + dJ/dt qd.",
         search: Search::None,
-        growth: Growth::Moderate,
         masses: Masses::Unread,
         ..USUAL
     },
@@ -481,11 +418,9 @@ functions! {
         name: "link_jacobians",
         arguments: &[Position],
         shape: Shape::Each(&Shape::Matrix(Fixed(6), Joints)),
-        refuses: false,
         description: "Geometric Jacobians of the origins of all link frames whose joint moves, from the base outwards, each 6 x N, \
             rows vx vy vz wx wy wz, in the {frame}. Columns of joints beyond a link are zero.",
         search: Search::None,
-        growth: Growth::Moderate,
         masses: Masses::Unread,
         ..USUAL
     },
@@ -495,12 +430,9 @@ functions! {
         name: "center_of_mass",
         arguments: &[Position],
         shape: Shape::Matrix(Fixed(3), One),
-        refuses: false,
         description: "Centre of mass of the tool and of all links but those that are locked to the base, in the {frame}, m: that \
             of the complete arm where parameters are neglected.",
         symbol: Some("r"),
-        search: Search::Own,
-        growth: Growth::Moderate,
         masses: Masses::Center,
         ..USUAL
     },
@@ -510,10 +442,7 @@ functions! {
         name: "center_of_mass_jacobian",
         arguments: &[Position],
         shape: Shape::Matrix(Fixed(3), Joints),
-        refuses: false,
         description: "Jacobian of `center_of_mass`, 3 x N, by rows x y z: its velocity in the {frame} is this times qd.",
-        search: Search::Own,
-        growth: Growth::Moderate,
         masses: Masses::Center,
         ..USUAL
     },
@@ -528,7 +457,6 @@ functions! {
             `jacobian`: the acceleration of the tip by a wrench on it. It exists for every arm whose M is regular; where it is \
             regular itself, its inverse is the operational-space inertia (Khatib).",
         search: Search::By(Function::MassMatrix),
-        growth: Growth::Moderate,
         masses: Masses::Inertia,
         ..USUAL
     },
@@ -538,12 +466,9 @@ functions! {
         name: "generalized_momentum",
         arguments: &[Position, Velocity],
         shape: VECTOR,
-        refuses: false,
         description: "Generalized momentum p = M(q) qd = dT/dqd, N m s or N s, without M.",
         symbol: Some("p"),
         second: OF_SMALL_ARMS,
-        search: Search::Own,
-        growth: Growth::Moderate,
         masses: Masses::Inertia,
         ..USUAL
     },
@@ -553,12 +478,9 @@ functions! {
         name: "momentum_bias",
         arguments: &[Position, Velocity],
         shape: VECTOR,
-        refuses: false,
         description: "Rate of the generalized momentum without applied forces, C(q, qd)^T qd - G(q) - K(q) - F(qd), N m or N, with C from the Christoffel symbols: \
             d/dt (M qd) = tau + J^T w + momentum_bias, by which a momentum observer finds the forces that nobody has told it of.",
         second: OF_SMALL_ARMS,
-        search: Search::Own,
-        growth: Growth::Moderate,
         masses: Masses::Inertia,
         ..USUAL
     },
@@ -568,12 +490,9 @@ functions! {
         name: "passivity_torque",
         arguments: &[Position, Velocity, ReferenceVelocity, ReferenceAcceleration],
         shape: VECTOR,
-        refuses: false,
         description: "Torque of a passivity-based controller, M(q) qdd_r + C(q, qd) qd_r + G(q) + K(q) + F(qd), N m or N, with C from the \
             Christoffel symbols and without forming it. Also: the control of Slotine and Li.",
         second: OF_SMALL_ARMS,
-        search: Search::Own,
-        growth: Growth::Moderate,
         masses: Masses::Inertia,
         ..USUAL
     },
@@ -583,7 +502,6 @@ functions! {
         name: "passivity_regressor",
         arguments: &[Position, Velocity, ReferenceVelocity, ReferenceAcceleration],
         shape: Shape::Matrix(Joints, Parameters),
-        refuses: false,
         description: "Regressor Y_r(q, qd, qd_r, qdd_r), N x P, of the P base inertial parameters: \
             Y_r * base_parameters = M qdd_r + C qd_r + G, the `passivity_torque` without springs and friction, from which adaptive control \
             learns (Slotine and Li).",
@@ -602,12 +520,9 @@ functions! {
             Shape::Matrix(Parameters, One),
             Shape::Matrix(Parameters, One),
         ]),
-        refuses: false,
         description: "Regressors of the energies, two vectors of P numbers, J for a unit of each of the P base inertial parameters: \
             the kinetic energy is the first one times base_parameters, the potential energy of gravity the second one up to a \
             constant.",
-        search: Search::Own,
-        growth: Growth::Moderate,
         masses: Masses::Inertia,
         compared_with: Some(Function::BaseParameters),
         ..USUAL
@@ -618,12 +533,9 @@ functions! {
         name: "inverse_dynamics_rates",
         arguments: &[Position, Velocity, Acceleration, Jerk, Snap],
         shape: Shape::Tuple(&[VECTOR, VECTOR]),
-        refuses: false,
         description: "First and second derivative by time of the inverse dynamics along a motion, (d tau/dt, d2 tau/dt2), N m/s and \
             N m/s^2 (N/s and N/s^2). Viscous friction counts; Coulomb friction counts as constant.",
         second: OF_SMALL_ARMS,
-        search: Search::Own,
-        growth: Growth::Moderate,
         masses: Masses::Inertia,
         ..USUAL
     },
@@ -633,7 +545,6 @@ functions! {
         name: "inverse_dynamics_second_derivatives",
         arguments: &[Position, Velocity, Acceleration],
         shape: Shape::Tuple(&[SQUARES, SQUARES, SQUARES, SQUARES]),
-        refuses: false,
         description: "Second derivatives of the inverse dynamics, exact: (d2 tau/dq dq, d2 tau/dqd dqd, d2 tau/dq dqd, dM/dq), each an \
             array of N matrices N x N. Entry `[i][(j, k)]` is that of tau_i by q_j and q_k, by qd_j and qd_k, by q_j (row) and qd_k \
             (column), and the derivative of M_ij by q_k, which is that of tau_i by qdd_j and q_k. The first two are symmetric in j and k, the \

@@ -6,7 +6,7 @@ use super::sample::Samples;
 use super::{STATES, sum};
 use crate::exact::Rational;
 use crate::function::{Argument, Function, spans};
-use crate::program::{Arithmetic, Program};
+use crate::program::{Arithmetic, Program, by_operators};
 use crate::robot::{Grouping, Robot, Symbol};
 use core::f64::consts::PI;
 
@@ -139,19 +139,5 @@ impl Arithmetic for Point {
         }
     }
 
-    fn neg(&mut self, a: f64) -> f64 {
-        -a
-    }
-
-    fn add(&mut self, a: f64, b: f64) -> f64 {
-        a + b
-    }
-
-    fn mul(&mut self, a: f64, b: f64) -> f64 {
-        a * b
-    }
-
-    fn div(&mut self, a: f64, b: f64) -> f64 {
-        a / b
-    }
+    by_operators!(f64);
 }

@@ -21,3 +21,22 @@ pub trait Arithmetic {
     /// a / b
     fn div(&mut self, a: Self::Number, b: Self::Number) -> Self::Number;
 }
+
+/// The operations of an arithmetic whose numbers have operators of their own.
+macro_rules! by_operators {
+    ($number:ty) => {
+        fn neg(&mut self, a: $number) -> $number {
+            -a
+        }
+        fn add(&mut self, a: $number, b: $number) -> $number {
+            a + b
+        }
+        fn mul(&mut self, a: $number, b: $number) -> $number {
+            a * b
+        }
+        fn div(&mut self, a: $number, b: $number) -> $number {
+            a / b
+        }
+    };
+}
+pub(crate) use by_operators;

@@ -55,7 +55,7 @@ impl Program {
 mod tests {
     use super::*;
     use crate::exact::Rational;
-    use crate::program::{Constant, ConstantPool, Output};
+    use crate::program::{Constant, ConstantPool, Output, by_operators};
     use crate::robot::Symbol;
 
     /// Exact numbers: the position of joint i is i + 2, pi is 3.
@@ -76,21 +76,7 @@ mod tests {
             }
         }
 
-        fn neg(&mut self, a: Rational) -> Rational {
-            -a
-        }
-
-        fn add(&mut self, a: Rational, b: Rational) -> Rational {
-            a + b
-        }
-
-        fn mul(&mut self, a: Rational, b: Rational) -> Rational {
-            a * b
-        }
-
-        fn div(&mut self, a: Rational, b: Rational) -> Rational {
-            a / b
-        }
+        by_operators!(Rational);
     }
 
     /// One instruction on the inputs 2 and 3, put out as it is and negated.

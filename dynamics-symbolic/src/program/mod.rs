@@ -15,6 +15,7 @@ mod signed;
 
 pub use angle::rounded_angle;
 pub use arithmetic::Arithmetic;
+pub(crate) use arithmetic::by_operators;
 pub use circle::sine_and_cosine;
 pub use constant::{Constant, ConstantId, ConstantPool};
 pub use count::Operations;

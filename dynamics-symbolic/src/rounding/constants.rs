@@ -2,7 +2,7 @@
 
 use super::{Bounded, UNIT};
 use crate::exact::{Rational, sin_cos};
-use crate::program::Arithmetic;
+use crate::program::{Arithmetic, by_operators};
 use crate::robot::{Symbol, Value};
 
 /// Constants in doubles, with the error of evaluating them so. Most are known well enough by that;
@@ -40,19 +40,5 @@ impl Arithmetic for Doubles {
         }
     }
 
-    fn neg(&mut self, a: Bounded) -> Bounded {
-        -a
-    }
-
-    fn add(&mut self, a: Bounded, b: Bounded) -> Bounded {
-        a + b
-    }
-
-    fn mul(&mut self, a: Bounded, b: Bounded) -> Bounded {
-        a * b
-    }
-
-    fn div(&mut self, a: Bounded, b: Bounded) -> Bounded {
-        a / b
-    }
+    by_operators!(Bounded);
 }

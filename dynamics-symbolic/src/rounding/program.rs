@@ -3,7 +3,7 @@
 use super::Bounded;
 use super::constants::{Doubles, certain};
 use crate::exact::Rational;
-use crate::program::{Arithmetic, Program};
+use crate::program::{Arithmetic, Program, by_operators};
 use crate::robot::Symbol;
 
 /// A program with its constants as they are emitted.
@@ -57,19 +57,5 @@ impl Arithmetic for At<'_> {
         (self.point)(symbol)
     }
 
-    fn neg(&mut self, a: Bounded) -> Bounded {
-        -a
-    }
-
-    fn add(&mut self, a: Bounded, b: Bounded) -> Bounded {
-        a + b
-    }
-
-    fn mul(&mut self, a: Bounded, b: Bounded) -> Bounded {
-        a * b
-    }
-
-    fn div(&mut self, a: Bounded, b: Bounded) -> Bounded {
-        a / b
-    }
+    by_operators!(Bounded);
 }

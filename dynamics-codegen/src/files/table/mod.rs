@@ -10,7 +10,7 @@ use dynamics_symbolic::robot::Convention;
 
 use super::Format;
 use super::tree::{Key, Kind, Node};
-use crate::description::{Asked, Coupled, Entry, Locked, Placement, Share, Table, Tool};
+use crate::description::{Allow, Asked, Coupled, Entry, Locked, Placement, Share, Table, Tool};
 use crate::diagnose::Diagnostics;
 use crate::mistake;
 use crate::parse::allow;
@@ -69,7 +69,7 @@ impl Reader<'_> {
             "couple" => Entry::Couple(self.couple(node).ok()),
             "neglect" => Entry::Neglect(self.share(node).ok()),
             "tests" => Entry::Tests(item.place, self.truth(node).ok()),
-            "allow" => Entry::Allow(self.allow(node, &allow::OF_TABLE).ok()),
+            "allow" => Entry::Allow(self.allow(node, &Allow::WORDS).ok()),
             _ => return self.lets(node, entries),
         });
     }

@@ -9,7 +9,6 @@ use crate::description::{Allow, Expr, Given, Name};
 use crate::diagnose::{Diagnostics, Reported};
 use crate::limits::MOST_LETTERS;
 use crate::mistake::{self, Mistake, file as wrong, size};
-use crate::parse::allow;
 use crate::parse::number;
 use crate::parse::text::{self, At};
 use crate::parse::unknown::{Wrong, unknown};
@@ -206,7 +205,7 @@ impl Reader<'_> {
         };
         let mut allow = Allow::default();
         for word in words {
-            allow::note(&mut allow, self.choice(word, "allowance", known)?);
+            allow.note(self.choice(word, "allowance", known)?);
         }
         Ok(allow)
     }

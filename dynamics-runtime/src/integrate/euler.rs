@@ -1,0 +1,73 @@
+//! Euler's method and two schemes beside it.
+
+use super::{Equations, Failure, OneStep, Phase};
+
+/// Schemes of first order with one acceleration a step, `qd+ = qd + qdd h`. They differ in the positions.
+pub(crate) enum Euler {
+    /// Euler's method (L. Euler, *Institutiones calculi integralis* I (1768), section 650): `q+ = q + qd h`.
+    ///
+    /// A swing without friction gains energy at every step, however short: its amplitude grows by
+    /// `sqrt(1 + (w h)^2)` at an angular frequency of w.
+    Explicit,
+    /// The scheme of Craig, *Introduction to Robotics*, (6.117): `q+ = q + qd h + qdd h^2 / 2` with the old velocity. The
+    /// error of qd, and through it the error of q, is proportional to h.
+    Craig,
+    /// The semi-implicit scheme: `q+ = q + qd+ h`.
+    ///
+    /// If the forces depend on positions alone and the mass matrix is constant, it is symplectic, and its energy error
+    /// stays bounded (E. Hairer, C. Lubich, G. Wanner, *Geometric Numerical Integration*, I.1.2).
+    SemiImplicit,
+}
+
+impl<S: Equations<N>, const N: usize> OneStep<S, S::Refusal, N> for Euler {
+    #[inline]
+    fn step(
+        &mut self,
+        system: &S,
+        t: f64,
+        phase: &Phase<N>,
+        h: f64,
+    ) -> Result<Phase<N>, Failure<S::Refusal>> {
+        let qdd = system.acceleration(t, phase)?;
+        let qd = phase.qd + qdd * h;
+        let q = match self {
+            Euler::Explicit => phase.q + phase.qd * h,
+            Euler::Craig => phase.q + phase.qd * h + qdd * (0.5 * h * h),
+            Euler::SemiImplicit => phase.q + qd * h,
+        };
+        Ok(Phase { q, qd })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Euler;
+    use crate::integrate::test_problems::{convergence_orders, vector};
+    use crate::integrate::{OneStep, Phase};
+
+    #[test]
+    fn positions_take_the_velocity_of_their_scheme() {
+        let start = Phase {
+            q: vector(1.0),
+            qd: vector(2.0),
+        };
+        let push = |_: f64, _: &Phase<1>| Ok::<_, ()>(vector(8.0));
+        for (mut scheme, way) in [
+            (Euler::Explicit, 1.0),
+            (Euler::Craig, 1.0 + 1.0),
+            (Euler::SemiImplicit, 3.0),
+        ] {
+            let next = scheme.step(&push, 0.0, &start, 0.5).unwrap();
+            assert_eq!((next.q[0], next.qd[0]), (1.0 + way, 6.0));
+        }
+    }
+
+    #[test]
+    fn all_are_of_first_order() {
+        for scheme in [Euler::Explicit, Euler::Craig, Euler::SemiImplicit] {
+            for order in convergence_orders(scheme, &[400, 800, 1600]) {
+                assert!((order - 1.0).abs() < 0.1, "order {order}");
+            }
+        }
+    }
+}
