@@ -2,14 +2,47 @@
 
 /// two_link_saha.
 pub(crate) struct TwoLinkSaha;
+impl TwoLinkSaha {
+    #[inline(never)]
+    #[allow(unused_variables, clippy::all)]
+    pub fn mass_matrix<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::robot_dynamics::nalgebra::SMatrix<T, 2, 2> {
+        <Self as ::robot_dynamics::MassMatrix<
+            2,
+        >>::mass_matrix_at(self, &::robot_dynamics::Evaluated, q)
+    }
+    #[inline(never)]
+    #[allow(unused_variables, clippy::all)]
+    pub fn coriolis_vector<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
+        <Self as ::robot_dynamics::CoriolisVector<
+            2,
+        >>::coriolis_vector_at(self, &::robot_dynamics::Evaluated, q, qd)
+    }
+    #[inline(never)]
+    #[allow(unused_variables, clippy::all)]
+    pub fn gravity_vector<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
+        <Self as ::robot_dynamics::GravityVector<
+            2,
+        >>::gravity_vector_at(self, &::robot_dynamics::Evaluated, q)
+    }
+}
 impl ::robot_dynamics::MassMatrix<2> for TwoLinkSaha {
     const WORK: u32 = 108;
-    #[inline(always)]
+    #[inline]
     fn mass_matrix<T: ::robot_dynamics::Scalar>(
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SMatrix<T, 2, 2> {
-        Self::mass_matrix_at(self, &::robot_dynamics::Evaluated, q)
+        Self::mass_matrix(self, q)
     }
     #[inline(always)]
     fn mass_matrix_at<T: ::robot_dynamics::Scalar>(
@@ -55,13 +88,13 @@ impl ::robot_dynamics::MassMatrix<2> for TwoLinkSaha {
 }
 impl ::robot_dynamics::CoriolisVector<2> for TwoLinkSaha {
     const WORK: u32 = 47;
-    #[inline(always)]
+    #[inline]
     fn coriolis_vector<T: ::robot_dynamics::Scalar>(
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
         qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
-        Self::coriolis_vector_at(self, &::robot_dynamics::Evaluated, q, qd)
+        Self::coriolis_vector(self, q, qd)
     }
     #[inline(always)]
     fn coriolis_vector_at<T: ::robot_dynamics::Scalar>(
@@ -91,12 +124,12 @@ impl ::robot_dynamics::CoriolisVector<2> for TwoLinkSaha {
 }
 impl ::robot_dynamics::GravityVector<2> for TwoLinkSaha {
     const WORK: u32 = 91;
-    #[inline(always)]
+    #[inline]
     fn gravity_vector<T: ::robot_dynamics::Scalar>(
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
-        Self::gravity_vector_at(self, &::robot_dynamics::Evaluated, q)
+        Self::gravity_vector(self, q)
     }
     #[inline(always)]
     fn gravity_vector_at<T: ::robot_dynamics::Scalar>(
@@ -122,14 +155,47 @@ impl ::robot_dynamics::GravityVector<2> for TwoLinkSaha {
 }
 /// two_link_craig.
 pub(crate) struct TwoLinkCraig;
+impl TwoLinkCraig {
+    #[inline(never)]
+    #[allow(unused_variables, clippy::all)]
+    pub fn mass_matrix<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::robot_dynamics::nalgebra::SMatrix<T, 2, 2> {
+        <Self as ::robot_dynamics::MassMatrix<
+            2,
+        >>::mass_matrix_at(self, &::robot_dynamics::Evaluated, q)
+    }
+    #[inline(never)]
+    #[allow(unused_variables, clippy::all)]
+    pub fn coriolis_vector<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
+        <Self as ::robot_dynamics::CoriolisVector<
+            2,
+        >>::coriolis_vector_at(self, &::robot_dynamics::Evaluated, q, qd)
+    }
+    #[inline(never)]
+    #[allow(unused_variables, clippy::all)]
+    pub fn gravity_vector<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
+        <Self as ::robot_dynamics::GravityVector<
+            2,
+        >>::gravity_vector_at(self, &::robot_dynamics::Evaluated, q)
+    }
+}
 impl ::robot_dynamics::MassMatrix<2> for TwoLinkCraig {
     const WORK: u32 = 112;
-    #[inline(always)]
+    #[inline]
     fn mass_matrix<T: ::robot_dynamics::Scalar>(
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SMatrix<T, 2, 2> {
-        Self::mass_matrix_at(self, &::robot_dynamics::Evaluated, q)
+        Self::mass_matrix(self, q)
     }
     #[inline(always)]
     fn mass_matrix_at<T: ::robot_dynamics::Scalar>(
@@ -175,13 +241,13 @@ impl ::robot_dynamics::MassMatrix<2> for TwoLinkCraig {
 }
 impl ::robot_dynamics::CoriolisVector<2> for TwoLinkCraig {
     const WORK: u32 = 107;
-    #[inline(always)]
+    #[inline]
     fn coriolis_vector<T: ::robot_dynamics::Scalar>(
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
         qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
-        Self::coriolis_vector_at(self, &::robot_dynamics::Evaluated, q, qd)
+        Self::coriolis_vector(self, q, qd)
     }
     #[inline(always)]
     fn coriolis_vector_at<T: ::robot_dynamics::Scalar>(
@@ -225,12 +291,12 @@ impl ::robot_dynamics::CoriolisVector<2> for TwoLinkCraig {
 }
 impl ::robot_dynamics::GravityVector<2> for TwoLinkCraig {
     const WORK: u32 = 90;
-    #[inline(always)]
+    #[inline]
     fn gravity_vector<T: ::robot_dynamics::Scalar>(
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
-        Self::gravity_vector_at(self, &::robot_dynamics::Evaluated, q)
+        Self::gravity_vector(self, q)
     }
     #[inline(always)]
     fn gravity_vector_at<T: ::robot_dynamics::Scalar>(
@@ -255,14 +321,47 @@ impl ::robot_dynamics::GravityVector<2> for TwoLinkCraig {
 }
 /// elbow_3r.
 pub(crate) struct Elbow3r;
+impl Elbow3r {
+    #[inline(never)]
+    #[allow(unused_variables, clippy::all)]
+    pub fn mass_matrix<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 3>,
+    ) -> ::robot_dynamics::nalgebra::SMatrix<T, 3, 3> {
+        <Self as ::robot_dynamics::MassMatrix<
+            3,
+        >>::mass_matrix_at(self, &::robot_dynamics::Evaluated, q)
+    }
+    #[inline(never)]
+    #[allow(unused_variables, clippy::all)]
+    pub fn coriolis_vector<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 3>,
+        qd: &::robot_dynamics::nalgebra::SVector<T, 3>,
+    ) -> ::robot_dynamics::nalgebra::SVector<T, 3> {
+        <Self as ::robot_dynamics::CoriolisVector<
+            3,
+        >>::coriolis_vector_at(self, &::robot_dynamics::Evaluated, q, qd)
+    }
+    #[inline(never)]
+    #[allow(unused_variables, clippy::all)]
+    pub fn gravity_vector<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 3>,
+    ) -> ::robot_dynamics::nalgebra::SVector<T, 3> {
+        <Self as ::robot_dynamics::GravityVector<
+            3,
+        >>::gravity_vector_at(self, &::robot_dynamics::Evaluated, q)
+    }
+}
 impl ::robot_dynamics::MassMatrix<3> for Elbow3r {
     const WORK: u32 = 322;
-    #[inline(always)]
+    #[inline]
     fn mass_matrix<T: ::robot_dynamics::Scalar>(
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 3>,
     ) -> ::robot_dynamics::nalgebra::SMatrix<T, 3, 3> {
-        Self::mass_matrix_at(self, &::robot_dynamics::Evaluated, q)
+        Self::mass_matrix(self, q)
     }
     #[inline(always)]
     fn mass_matrix_at<T: ::robot_dynamics::Scalar>(
@@ -432,13 +531,13 @@ impl ::robot_dynamics::MassMatrix<3> for Elbow3r {
 }
 impl ::robot_dynamics::CoriolisVector<3> for Elbow3r {
     const WORK: u32 = 348;
-    #[inline(always)]
+    #[inline]
     fn coriolis_vector<T: ::robot_dynamics::Scalar>(
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 3>,
         qd: &::robot_dynamics::nalgebra::SVector<T, 3>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 3> {
-        Self::coriolis_vector_at(self, &::robot_dynamics::Evaluated, q, qd)
+        Self::coriolis_vector(self, q, qd)
     }
     #[inline(always)]
     fn coriolis_vector_at<T: ::robot_dynamics::Scalar>(
@@ -621,12 +720,12 @@ impl ::robot_dynamics::CoriolisVector<3> for Elbow3r {
 }
 impl ::robot_dynamics::GravityVector<3> for Elbow3r {
     const WORK: u32 = 102;
-    #[inline(always)]
+    #[inline]
     fn gravity_vector<T: ::robot_dynamics::Scalar>(
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 3>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 3> {
-        Self::gravity_vector_at(self, &::robot_dynamics::Evaluated, q)
+        Self::gravity_vector(self, q)
     }
     #[inline(always)]
     fn gravity_vector_at<T: ::robot_dynamics::Scalar>(
@@ -659,14 +758,47 @@ impl ::robot_dynamics::GravityVector<3> for Elbow3r {
 }
 /// rrr_planar.
 pub(crate) struct RrrPlanar;
+impl RrrPlanar {
+    #[inline(never)]
+    #[allow(unused_variables, clippy::all)]
+    pub fn mass_matrix<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 3>,
+    ) -> ::robot_dynamics::nalgebra::SMatrix<T, 3, 3> {
+        <Self as ::robot_dynamics::MassMatrix<
+            3,
+        >>::mass_matrix_at(self, &::robot_dynamics::Evaluated, q)
+    }
+    #[inline(never)]
+    #[allow(unused_variables, clippy::all)]
+    pub fn coriolis_vector<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 3>,
+        qd: &::robot_dynamics::nalgebra::SVector<T, 3>,
+    ) -> ::robot_dynamics::nalgebra::SVector<T, 3> {
+        <Self as ::robot_dynamics::CoriolisVector<
+            3,
+        >>::coriolis_vector_at(self, &::robot_dynamics::Evaluated, q, qd)
+    }
+    #[inline(never)]
+    #[allow(unused_variables, clippy::all)]
+    pub fn gravity_vector<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 3>,
+    ) -> ::robot_dynamics::nalgebra::SVector<T, 3> {
+        <Self as ::robot_dynamics::GravityVector<
+            3,
+        >>::gravity_vector_at(self, &::robot_dynamics::Evaluated, q)
+    }
+}
 impl ::robot_dynamics::MassMatrix<3> for RrrPlanar {
     const WORK: u32 = 248;
-    #[inline(always)]
+    #[inline]
     fn mass_matrix<T: ::robot_dynamics::Scalar>(
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 3>,
     ) -> ::robot_dynamics::nalgebra::SMatrix<T, 3, 3> {
-        Self::mass_matrix_at(self, &::robot_dynamics::Evaluated, q)
+        Self::mass_matrix(self, q)
     }
     #[inline(always)]
     fn mass_matrix_at<T: ::robot_dynamics::Scalar>(
@@ -795,13 +927,13 @@ impl ::robot_dynamics::MassMatrix<3> for RrrPlanar {
 }
 impl ::robot_dynamics::CoriolisVector<3> for RrrPlanar {
     const WORK: u32 = 242;
-    #[inline(always)]
+    #[inline]
     fn coriolis_vector<T: ::robot_dynamics::Scalar>(
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 3>,
         qd: &::robot_dynamics::nalgebra::SVector<T, 3>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 3> {
-        Self::coriolis_vector_at(self, &::robot_dynamics::Evaluated, q, qd)
+        Self::coriolis_vector(self, q, qd)
     }
     #[inline(always)]
     fn coriolis_vector_at<T: ::robot_dynamics::Scalar>(
@@ -921,12 +1053,12 @@ impl ::robot_dynamics::CoriolisVector<3> for RrrPlanar {
 }
 impl ::robot_dynamics::GravityVector<3> for RrrPlanar {
     const WORK: u32 = 162;
-    #[inline(always)]
+    #[inline]
     fn gravity_vector<T: ::robot_dynamics::Scalar>(
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 3>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 3> {
-        Self::gravity_vector_at(self, &::robot_dynamics::Evaluated, q)
+        Self::gravity_vector(self, q)
     }
     #[inline(always)]
     fn gravity_vector_at<T: ::robot_dynamics::Scalar>(
@@ -970,14 +1102,47 @@ impl ::robot_dynamics::GravityVector<3> for RrrPlanar {
 }
 /// spherical_wrist.
 pub(crate) struct SphericalWrist;
+impl SphericalWrist {
+    #[inline(never)]
+    #[allow(unused_variables, clippy::all)]
+    pub fn mass_matrix<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 3>,
+    ) -> ::robot_dynamics::nalgebra::SMatrix<T, 3, 3> {
+        <Self as ::robot_dynamics::MassMatrix<
+            3,
+        >>::mass_matrix_at(self, &::robot_dynamics::Evaluated, q)
+    }
+    #[inline(never)]
+    #[allow(unused_variables, clippy::all)]
+    pub fn coriolis_vector<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 3>,
+        qd: &::robot_dynamics::nalgebra::SVector<T, 3>,
+    ) -> ::robot_dynamics::nalgebra::SVector<T, 3> {
+        <Self as ::robot_dynamics::CoriolisVector<
+            3,
+        >>::coriolis_vector_at(self, &::robot_dynamics::Evaluated, q, qd)
+    }
+    #[inline(never)]
+    #[allow(unused_variables, clippy::all)]
+    pub fn gravity_vector<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 3>,
+    ) -> ::robot_dynamics::nalgebra::SVector<T, 3> {
+        <Self as ::robot_dynamics::GravityVector<
+            3,
+        >>::gravity_vector_at(self, &::robot_dynamics::Evaluated, q)
+    }
+}
 impl ::robot_dynamics::MassMatrix<3> for SphericalWrist {
     const WORK: u32 = 357;
-    #[inline(always)]
+    #[inline]
     fn mass_matrix<T: ::robot_dynamics::Scalar>(
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 3>,
     ) -> ::robot_dynamics::nalgebra::SMatrix<T, 3, 3> {
-        Self::mass_matrix_at(self, &::robot_dynamics::Evaluated, q)
+        Self::mass_matrix(self, q)
     }
     #[inline(always)]
     fn mass_matrix_at<T: ::robot_dynamics::Scalar>(
@@ -1161,13 +1326,13 @@ impl ::robot_dynamics::MassMatrix<3> for SphericalWrist {
 }
 impl ::robot_dynamics::CoriolisVector<3> for SphericalWrist {
     const WORK: u32 = 509;
-    #[inline(always)]
+    #[inline]
     fn coriolis_vector<T: ::robot_dynamics::Scalar>(
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 3>,
         qd: &::robot_dynamics::nalgebra::SVector<T, 3>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 3> {
-        Self::coriolis_vector_at(self, &::robot_dynamics::Evaluated, q, qd)
+        Self::coriolis_vector(self, q, qd)
     }
     #[inline(always)]
     fn coriolis_vector_at<T: ::robot_dynamics::Scalar>(
@@ -1454,12 +1619,12 @@ impl ::robot_dynamics::CoriolisVector<3> for SphericalWrist {
 }
 impl ::robot_dynamics::GravityVector<3> for SphericalWrist {
     const WORK: u32 = 101;
-    #[inline(always)]
+    #[inline]
     fn gravity_vector<T: ::robot_dynamics::Scalar>(
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 3>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 3> {
-        Self::gravity_vector_at(self, &::robot_dynamics::Evaluated, q)
+        Self::gravity_vector(self, q)
     }
     #[inline(always)]
     fn gravity_vector_at<T: ::robot_dynamics::Scalar>(
