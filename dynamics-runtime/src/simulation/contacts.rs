@@ -3,26 +3,11 @@
 use super::complementarity::{Balance, Place, balanced};
 use super::error::{Cause, JointSet};
 use super::friction::Contact;
-use super::impact::thrown_back;
 use super::limits::AtLimit;
 use super::motion::{Held, Motion};
 use super::torque::TorqueLaw;
 use crate::EquationsOfMotion;
 use crate::integrate::Phase;
-
-/// What becomes of the joints as a motion begins: those that hit a stop are thrown back, those at rest
-/// stick or lean on a stop, if they are held. Returns the phase after that.
-pub(super) fn settle_at_start<R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N: usize>(
-    motion: &Motion<R, L, N>,
-    phase: &Phase<N>,
-) -> Result<Phase<N>, Cause> {
-    motion.set_contacts(classified(motion, phase));
-    let impact = thrown_back(motion, 0.0, phase)?;
-    let phase = impact.map_or(*phase, |impact| impact.after);
-    motion.set_contacts(classified(motion, &phase));
-    settle(motion, 0.0, &phase)?;
-    Ok(phase)
-}
 
 /// What friction and stops do to joints in a phase, as far as they hold.
 pub(super) fn classified<R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N: usize>(

@@ -26,7 +26,7 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::complementarity::{Place, balanced};
-use super::contacts::{balance_at_rest, classified};
+use super::contacts::{balance_at_rest, classified, settle};
 use super::error::{Cause, JointSet};
 use super::limits::{AtLimit, End};
 use super::motion::Motion;
@@ -43,6 +43,20 @@ pub(super) struct Impact<const N: usize> {
     pub(super) joints: JointSet,
     /// Whether one of them came from farther than the resolution of its position.
     pub(super) is_progress: bool,
+}
+
+/// Begins a motion: joints that hit a stop are thrown back, and joints at rest stick or lean on a stop, if they are
+/// held. Returns the phase after that.
+pub(super) fn settle_at_start<R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N: usize>(
+    motion: &Motion<R, L, N>,
+    phase: &Phase<N>,
+) -> Result<Phase<N>, Cause> {
+    motion.set_contacts(classified(motion, phase));
+    let impact = thrown_back(motion, 0.0, phase)?;
+    let phase = impact.map_or(*phase, |impact| impact.after);
+    motion.set_contacts(classified(motion, &phase));
+    settle(motion, 0.0, &phase)?;
+    Ok(phase)
 }
 
 /// The impacts of all joints that hit their stops; `None` where none does.

@@ -1,7 +1,7 @@
 //! The methods of integration.
 
-use super::contacts::settle_at_start;
 use super::drive::drive;
+use super::impact::settle_at_start;
 use super::motion::{InMomenta, Motion};
 use super::samples::Followed;
 use super::settings::{Dop853, DormandPrince, ErrorControl, Radau5, validate_step};
