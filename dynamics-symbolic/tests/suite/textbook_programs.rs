@@ -42,8 +42,12 @@ fn textbook(robot: &Robot, functions: &[Function]) -> Program {
     })
 }
 
-fn without_documentation(item: &mut syn::ImplItem) {
+/// A method without its documentation, and a public one visible in the program alone.
+fn of_this_program(item: &mut syn::ImplItem) {
     if let syn::ImplItem::Fn(method) = item {
+        if matches!(method.vis, syn::Visibility::Public(_)) {
+            method.vis = syn::parse_quote!(pub(crate));
+        }
         method
             .attrs
             .retain(|attribute| !attribute.path().is_ident("doc"));
@@ -83,10 +87,7 @@ fn the_example_measures_the_textbook_s_programs() {
     let mut file: syn::File = syn::parse2(quote!(#(#arms)*)).expect("Rust");
     for item in &mut file.items {
         if let syn::Item::Impl(implementation) = item {
-            implementation
-                .items
-                .iter_mut()
-                .for_each(without_documentation);
+            implementation.items.iter_mut().for_each(of_this_program);
         }
     }
     let text = format!(

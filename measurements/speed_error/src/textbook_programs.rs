@@ -5,7 +5,7 @@ pub(crate) struct TwoLinkSaha;
 impl TwoLinkSaha {
     #[inline(never)]
     #[allow(unused_variables, clippy::all)]
-    pub fn mass_matrix<T: ::robot_dynamics::Scalar>(
+    pub(crate) fn mass_matrix<T: ::robot_dynamics::Scalar>(
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SMatrix<T, 2, 2> {
@@ -15,7 +15,7 @@ impl TwoLinkSaha {
     }
     #[inline(never)]
     #[allow(unused_variables, clippy::all)]
-    pub fn coriolis_vector<T: ::robot_dynamics::Scalar>(
+    pub(crate) fn coriolis_vector<T: ::robot_dynamics::Scalar>(
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
         qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
@@ -26,7 +26,7 @@ impl TwoLinkSaha {
     }
     #[inline(never)]
     #[allow(unused_variables, clippy::all)]
-    pub fn gravity_vector<T: ::robot_dynamics::Scalar>(
+    pub(crate) fn gravity_vector<T: ::robot_dynamics::Scalar>(
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
@@ -158,7 +158,7 @@ pub(crate) struct TwoLinkCraig;
 impl TwoLinkCraig {
     #[inline(never)]
     #[allow(unused_variables, clippy::all)]
-    pub fn mass_matrix<T: ::robot_dynamics::Scalar>(
+    pub(crate) fn mass_matrix<T: ::robot_dynamics::Scalar>(
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SMatrix<T, 2, 2> {
@@ -168,7 +168,7 @@ impl TwoLinkCraig {
     }
     #[inline(never)]
     #[allow(unused_variables, clippy::all)]
-    pub fn coriolis_vector<T: ::robot_dynamics::Scalar>(
+    pub(crate) fn coriolis_vector<T: ::robot_dynamics::Scalar>(
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
         qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
@@ -179,7 +179,7 @@ impl TwoLinkCraig {
     }
     #[inline(never)]
     #[allow(unused_variables, clippy::all)]
-    pub fn gravity_vector<T: ::robot_dynamics::Scalar>(
+    pub(crate) fn gravity_vector<T: ::robot_dynamics::Scalar>(
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
@@ -324,7 +324,7 @@ pub(crate) struct Elbow3r;
 impl Elbow3r {
     #[inline(never)]
     #[allow(unused_variables, clippy::all)]
-    pub fn mass_matrix<T: ::robot_dynamics::Scalar>(
+    pub(crate) fn mass_matrix<T: ::robot_dynamics::Scalar>(
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 3>,
     ) -> ::robot_dynamics::nalgebra::SMatrix<T, 3, 3> {
@@ -334,7 +334,7 @@ impl Elbow3r {
     }
     #[inline(never)]
     #[allow(unused_variables, clippy::all)]
-    pub fn coriolis_vector<T: ::robot_dynamics::Scalar>(
+    pub(crate) fn coriolis_vector<T: ::robot_dynamics::Scalar>(
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 3>,
         qd: &::robot_dynamics::nalgebra::SVector<T, 3>,
@@ -345,7 +345,7 @@ impl Elbow3r {
     }
     #[inline(never)]
     #[allow(unused_variables, clippy::all)]
-    pub fn gravity_vector<T: ::robot_dynamics::Scalar>(
+    pub(crate) fn gravity_vector<T: ::robot_dynamics::Scalar>(
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 3>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 3> {
@@ -761,7 +761,7 @@ pub(crate) struct RrrPlanar;
 impl RrrPlanar {
     #[inline(never)]
     #[allow(unused_variables, clippy::all)]
-    pub fn mass_matrix<T: ::robot_dynamics::Scalar>(
+    pub(crate) fn mass_matrix<T: ::robot_dynamics::Scalar>(
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 3>,
     ) -> ::robot_dynamics::nalgebra::SMatrix<T, 3, 3> {
@@ -771,7 +771,7 @@ impl RrrPlanar {
     }
     #[inline(never)]
     #[allow(unused_variables, clippy::all)]
-    pub fn coriolis_vector<T: ::robot_dynamics::Scalar>(
+    pub(crate) fn coriolis_vector<T: ::robot_dynamics::Scalar>(
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 3>,
         qd: &::robot_dynamics::nalgebra::SVector<T, 3>,
@@ -782,7 +782,7 @@ impl RrrPlanar {
     }
     #[inline(never)]
     #[allow(unused_variables, clippy::all)]
-    pub fn gravity_vector<T: ::robot_dynamics::Scalar>(
+    pub(crate) fn gravity_vector<T: ::robot_dynamics::Scalar>(
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 3>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 3> {
@@ -1105,7 +1105,7 @@ pub(crate) struct SphericalWrist;
 impl SphericalWrist {
     #[inline(never)]
     #[allow(unused_variables, clippy::all)]
-    pub fn mass_matrix<T: ::robot_dynamics::Scalar>(
+    pub(crate) fn mass_matrix<T: ::robot_dynamics::Scalar>(
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 3>,
     ) -> ::robot_dynamics::nalgebra::SMatrix<T, 3, 3> {
@@ -1115,7 +1115,7 @@ impl SphericalWrist {
     }
     #[inline(never)]
     #[allow(unused_variables, clippy::all)]
-    pub fn coriolis_vector<T: ::robot_dynamics::Scalar>(
+    pub(crate) fn coriolis_vector<T: ::robot_dynamics::Scalar>(
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 3>,
         qd: &::robot_dynamics::nalgebra::SVector<T, 3>,
@@ -1126,7 +1126,7 @@ impl SphericalWrist {
     }
     #[inline(never)]
     #[allow(unused_variables, clippy::all)]
-    pub fn gravity_vector<T: ::robot_dynamics::Scalar>(
+    pub(crate) fn gravity_vector<T: ::robot_dynamics::Scalar>(
         &self,
         q: &::robot_dynamics::nalgebra::SVector<T, 3>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 3> {
