@@ -93,7 +93,7 @@ fn inlining(work: u32) -> TokenStream {
 ///
 /// The body stands in the implementation of a trait of the runtime, which calls it in lanes, too: it must
 /// be compiled into the loop over the lanes, for the instructions that are chosen there. The method is a call of
-/// it: see [`inlining`].
+/// it, which is compiled once (`inlining`).
 pub fn method(
     robot: &Robot,
     (request, index): (&Request, usize),
