@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 
 use dynamics_symbolic::exact::Rational;
 use dynamics_symbolic::robot::Value;
-use roxmltree::{Attribute, Document, Node};
+use roxmltree::{Attribute, Document, Error, Node};
 
 use super::prefixes::Declared;
 use super::rounding::Rounding;
@@ -100,8 +100,13 @@ type Read<T> = Result<T, Reported>;
 
 /// Reads a document; what is wrong in it is reported.
 pub(super) fn read(source: &str, request: &Request, diagnostics: &Diagnostics) -> Option<Tree> {
-    let declared = Declared::new(source);
-    let document = Document::parse(declared.text()).map_err(|error| {
+    let mut declared = Declared::as_written(source);
+    let mut document = Document::parse(source);
+    if let Err(Error::UnknownNamespace(..)) = document {
+        declared = Declared::with_prefixes(source);
+        document = Document::parse(declared.text());
+    }
+    let document = document.map_err(|error| {
         let place = declared.place_of(error.pos());
         diagnostics.error(place, text::syntax("XML", &reason(&error)))
     });

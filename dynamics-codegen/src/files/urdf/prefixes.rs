@@ -3,9 +3,10 @@
 //! XML refuses them, but what a prefix marks is not read. So a document is parsed with declarations of them in its first
 //! element, and places are those of the document as it was written.
 
+use std::borrow::Cow;
 use std::collections::BTreeSet;
 
-use roxmltree::{Document, Error, TextPos};
+use roxmltree::TextPos;
 
 use crate::files::tree::Lines;
 use crate::place::Place;
@@ -13,29 +14,36 @@ use crate::place::Place;
 /// More of them are in no file that somebody wrote.
 const MOST: usize = 64;
 
-/// A document in which every prefix is declared.
+/// A document, perhaps with declarations of the prefixes that it does not declare itself.
 pub(super) struct Declared<'t> {
     lines: Lines<'t>,
-    text: String,
+    text: Cow<'t, str>,
     /// Where the declarations begin, and how many bytes they are.
     start: usize,
     length: usize,
 }
 
 impl<'t> Declared<'t> {
-    /// Declares prefixes where an undeclared one keeps the text from being read.
-    pub(super) fn new(source: &'t str) -> Declared<'t> {
-        let start = after_first_name(source).unwrap_or(0);
-        let mut text = source.to_owned();
-        if let Err(Error::UnknownNamespace(..)) = Document::parse(source) {
-            let declare = |prefix: &str| format!(" xmlns:{prefix}=\"undeclared/{prefix}\"");
-            let declarations: String = undeclared(source, start).map(declare).collect();
-            text.insert_str(start, &declarations);
-        }
+    /// The document as it was written.
+    pub(super) fn as_written(source: &'t str) -> Declared<'t> {
         Declared {
             lines: Lines::new(source),
-            length: text.len() - source.len(),
-            text,
+            text: Cow::Borrowed(source),
+            start: 0,
+            length: 0,
+        }
+    }
+
+    /// The document with the declarations that it lacks.
+    pub(super) fn with_prefixes(source: &'t str) -> Declared<'t> {
+        let start = after_first_name(source).unwrap_or(0);
+        let declare = |prefix: &str| format!(" xmlns:{prefix}=\"undeclared/{prefix}\"");
+        let declarations: String = undeclared(source, start).map(declare).collect();
+        let (before, behind) = source.split_at(start);
+        Declared {
+            lines: Lines::new(source),
+            length: declarations.len(),
+            text: Cow::Owned([before, &declarations, behind].concat()),
             start,
         }
     }
@@ -93,13 +101,15 @@ fn after_first_name(source: &str) -> Option<usize> {
 
 #[cfg(test)]
 mod tests {
+    use roxmltree::Document;
+
     use super::*;
 
     #[test]
     fn places_are_those_of_the_document() {
         let source = "<?xml version=\"1.0\"?>\n<!-- <robot> -->\n<robot name=\"x\"><a:b\n c:d=\"1\"/><e/>\
                       <f xmlns:a=\"of f\"/></robot>";
-        let declared = Declared::new(source);
+        let declared = Declared::with_prefixes(source);
         let document = Document::parse(declared.text()).expect("a document");
         let element = |name: &str| {
             let mut elements = document.descendants();
@@ -129,7 +139,7 @@ mod tests {
             "<?",
             "<robot><a:b></robot>",
         ] {
-            let declared = Declared::new(source);
+            let declared = Declared::with_prefixes(source);
             if let Err(error) = Document::parse(declared.text()) {
                 let _ = declared.place_of(error.pos());
             }
