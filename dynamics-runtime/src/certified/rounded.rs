@@ -239,10 +239,8 @@ impl Rounded for DoubleDouble {
     }
 
     fn sine_error(self, _: Self) -> f64 {
-        match self.magnitude() < LARGEST_ANGLE {
-            true => SERIES,
-            false => f64::INFINITY,
-        }
+        let is_reduced = self.magnitude() < LARGEST_ANGLE;
+        if is_reduced { SERIES } else { f64::INFINITY }
     }
 
     fn to_f64(self) -> f64 {
