@@ -48,7 +48,6 @@ mod inputs;
 mod integrate;
 mod macros;
 mod model;
-mod momenta;
 mod newton_euler;
 mod operations;
 mod operators;

@@ -7,7 +7,6 @@
 
 mod newton;
 mod polynomial;
-mod stages;
 mod tableau;
 #[cfg(test)]
 mod tests;
@@ -15,9 +14,8 @@ mod tests;
 use super::initial_step::initial_step;
 use super::jacobian::{Jacobian, Shifted};
 use super::{Equations, Failure, Phase, StepRange, Stepper, Tolerance};
-use newton::{MOST_ITERATIONS, Matrices, Miss, Newton, Step};
+use newton::{MOST_ITERATIONS, Matrices, Miss, Newton, Step, combination};
 use polynomial::Polynomial;
-use stages::combination;
 use tableau::{C, ERROR};
 
 /// An integration under way, at the end of its last step.

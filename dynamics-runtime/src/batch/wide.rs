@@ -1,12 +1,11 @@
 //! Several numbers in the lanes of one vector register, as a [`Scalar`].
 
-mod precision;
-
 use core::any::Any;
 use core::fmt;
 
 use fearless_simd::{
-    Bytes, ExtractToken, Level, Select, Simd, SimdBase, SimdFloat, SimdMask, dispatch,
+    Bytes, ExtractToken, Level, Select, Simd, SimdBase, SimdFloat, SimdFloatElement, SimdMask,
+    dispatch,
 };
 
 use super::abreast;
@@ -14,7 +13,21 @@ use crate::Scalar;
 use crate::operators::impl_operators;
 use crate::sine::{self, Kernel, Lanes, Part};
 use crate::unrolled::for_each_index;
-pub use precision::Precision;
+
+/// The numbers of a batch: `f64`, or `f32` in twice as many lanes.
+#[diagnostic::on_unimplemented(message = "batches are of `f64` or `f32`, not of `{Self}`")]
+pub trait Precision: Scalar + SimdFloatElement + Send + Sync {
+    /// The number of lanes of the widest vectors.
+    #[doc(hidden)]
+    const MOST_LANES: usize;
+
+    /// Sines and cosines of angles in lanes, of which only these parts are read.
+    #[doc(hidden)]
+    fn sin_cos_of_lanes<S: Simd, const K: usize>(
+        angles: [Wide<S, Self>; K],
+        parts: [Part; K],
+    ) -> [(Wide<S, Self>, Wide<S, Self>); K];
+}
 
 /// As many numbers as a vector register of the instruction set `S` holds.
 ///
