@@ -52,15 +52,11 @@ pub(crate) fn stages(tape: &Tape) -> Vec<Stage> {
 
 /// A function at many states.
 pub(crate) struct Batch<'a> {
-    /// Its tape.
     pub(crate) tape: &'a Tape,
-    /// The stages of the tape.
     pub(crate) stages: &'a [Stage],
     /// The numbers that all states share.
     pub(crate) shared: &'a [f64],
-    /// What its outputs are.
     pub(crate) layout: &'a Layout,
-    /// The number of states.
     pub(crate) states: usize,
 }
 
