@@ -13,16 +13,16 @@ use core::ops::Range;
 use dynamics_runtime::nalgebra::{DMatrix, DVector, Matrix3};
 use dynamics_runtime::{Convention, JointType, StandardParameters, Table, base_parameter_map};
 use dynamics_symbolic::exact::SplitMix64;
-use dynamics_symbolic::robot::{Robot, Row, Value};
+use dynamics_symbolic::robot::{Robot, Value};
 
 use crate::possible::{OF_LINK, Part, Search};
 use crate::typed::Typed;
 use crate::{BuildError, EvaluationError, RuntimeRobot};
 
-/// How far a mass or a motor moves beside a first moment or an entry of a tensor.
+/// The distance that a mass or a motor moves beside a first moment or an entry of a tensor.
 const WEIGHT_OF_MASS: f64 = 1e-3;
 
-/// What rounding may take from a moment of inertia, relative to those about the origin.
+/// The rounding of a moment of inertia, relative to those about the origin.
 const ROUNDING: f64 = 1e-9;
 
 /// Why there is no robot with the base parameters that were identified.
@@ -63,13 +63,11 @@ impl fmt::Display for ImpossibleLink {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (joint, [a, b, c]) = (&self.joint, self.moments);
         write!(f, "the link of `{joint}` would have ")?;
-        match self.mass < 0.0 {
-            true => write!(f, "a mass of {:.3e} kg", self.mass),
-            false => write!(
-                f,
-                "principal moments of inertia of {a:.3e}, {b:.3e} and {c:.3e} kg m^2"
-            ),
+        if self.mass < 0.0 {
+            return write!(f, "a mass of {:.3e} kg", self.mass);
         }
+        let moments = "principal moments of inertia of";
+        write!(f, "{moments} {a:.3e}, {b:.3e} and {c:.3e} kg m^2")
     }
 }
 
@@ -139,7 +137,7 @@ struct Equations {
     map: DMatrix<f64>,
     /// The rows of the table of all links, and, in the same order, of all motors.
     rows: Vec<usize>,
-    /// What the rows have: locked links and the tool, which are fixed to some, do not change.
+    /// The parameters in the rows: locked links and the tool, which are fixed to some, do not change.
     own: DVector<f64>,
     missing: DVector<f64>,
 }
@@ -235,12 +233,10 @@ impl<const N: usize> Typed<'_, N> {
         let written = equations.written(&robot, arm.fields(), &parameters);
         robot = written.ok_or_else(impossible)?;
         change(&mut robot)?;
-        let requests = arm
-            .functions()
-            .iter()
-            .map(|function| function.request.clone());
-        let mut identified =
-            RuntimeRobot::new(robot, requests).map_err(IdentificationError::Build)?;
+        let functions = arm.functions().iter();
+        let requests = functions.map(|function| function.request.clone());
+        let identified = RuntimeRobot::new(robot, requests);
+        let mut identified = identified.map_err(IdentificationError::Build)?;
         identified.set_fields(arm.fields())?;
         Ok(identified)
     }
@@ -274,14 +270,9 @@ impl<const N: usize> Typed<'_, N> {
         let mut own = table;
         for (k, &row) in rows.iter().enumerate() {
             let number = |value: &Value| value.to_f64(arm.fields());
-            let Row {
-                mass, com, inertia, ..
-            } = &of_robot[row];
-            let link = parameters(
-                number(mass),
-                com.each_ref().map(number),
-                inertia.each_ref().map(number),
-            );
+            let row = &of_robot[row];
+            let com = row.com.each_ref().map(number);
+            let link = parameters(number(&row.mass), com, row.inertia.each_ref().map(number));
             own.rows_mut(OF_LINK * k, OF_LINK).copy_from(&link);
         }
         Ok(Equations {
@@ -350,9 +341,9 @@ impl Equations {
         }
         let inverse = weighted.clone().pseudo_inverse(1e-12);
         let steps = inverse.map_or_else(|_| &self.own * 0.0, |inverse| inverse * &self.missing);
-        let change = |k: usize| match weighted.column(k).amax() > 0.0 {
-            true => weights[k] * steps[k],
-            false => 0.0,
+        let change = |k: usize| {
+            let is_shown = weighted.column(k).amax() > 0.0;
+            if is_shown { weights[k] * steps[k] } else { 0.0 }
         };
         DVector::from_fn(self.own.len(), |k, _| self.own[k] + change(k))
     }
@@ -362,9 +353,8 @@ impl Equations {
         let links = self.rows.iter().zip(self.columns());
         let links = links.filter_map(|(&row, columns)| {
             let (mass, moments) = impossible(&parameters.as_slice()[columns])?;
-            let joint = robot.rows[row].name.clone();
             Some(ImpossibleLink {
-                joint,
+                joint: robot.rows[row].name.clone(),
                 mass,
                 moments,
             })
@@ -378,9 +368,10 @@ impl Equations {
         let links = &own[..OF_LINK * self.rows.len()];
         let sum = |k: usize| links.iter().skip(k).step_by(OF_LINK).sum::<f64>();
         let (mass, second) = (sum(0), 0.5 * (sum(4) + sum(5) + sum(6)));
-        let typical = match mass > 0.0 && second > 0.0 {
-            true => (mass / self.rows.len() as f64, (second / mass).sqrt()),
-            false => (1.0, 0.1),
+        let typical = if mass > 0.0 && second > 0.0 {
+            (mass / self.rows.len() as f64, (second / mass).sqrt())
+        } else {
+            (1.0, 0.1)
         };
         let is_shown = |columns: &Range<usize>| {
             self.map.columns_range(columns.clone()).amax() > 0.0
@@ -409,33 +400,28 @@ impl Equations {
     fn written(&self, robot: &Robot, fields: &[f64], parameters: &DVector<f64>) -> Option<Robot> {
         let mut robot = robot.clone();
         for (columns, &row) in self.columns().zip(self.rows.iter().chain(&self.rows)) {
-            let (p, row) = (
-                &parameters.as_slice()[columns.clone()],
-                &mut robot.rows[row],
-            );
+            let p = &parameters.as_slice()[columns.clone()];
+            let row = &mut robot.rows[row];
             if *p == self.own.as_slice()[columns] {
                 continue;
             }
-            let value = |x: f64| Value::from_f64(x);
             if let [reflected] = p {
                 let ratio = row.gear_ratio.to_f64(fields);
-                row.motor_inertia = value(reflected / (ratio * ratio))?;
+                row.motor_inertia = Value::from_f64(reflected / (ratio * ratio))?;
                 continue;
             }
-            let ([x, y, z], [a, b, c, d, e, f]) = about_center(p);
-            row.mass = value(p[0])?;
-            row.com = [value(x)?, value(y)?, value(z)?];
-            row.inertia = [
-                value(a)?,
-                value(b)?,
-                value(c)?,
-                value(d)?,
-                value(e)?,
-                value(f)?,
-            ];
+            let (com, inertia) = about_center(p);
+            row.mass = Value::from_f64(p[0])?;
+            row.com = values(com)?;
+            row.inertia = values(inertia)?;
         }
         Some(robot)
     }
+}
+
+fn values<const K: usize>(numbers: [f64; K]) -> Option<[Value; K]> {
+    let values: Option<Vec<Value>> = numbers.into_iter().map(Value::from_f64).collect();
+    values?.try_into().ok()
 }
 
 /// The parameters of the table: links, then motors, of joints and then of followers.
@@ -443,13 +429,9 @@ fn parameters_of_table<const N: usize>(table: &Table<N>) -> DVector<f64> {
     let links = table.standard_parameters().into_iter();
     let links = links.chain(table.standard_parameters_of_followers());
     let mut x: Vec<f64> = links.flat_map(|link| link.as_slice().to_vec()).collect();
-    x.extend(table.rows.iter().map(|row| row.reflected_inertia()));
-    x.extend(
-        table
-            .followers
-            .iter()
-            .map(|follower| follower.row.reflected_inertia()),
-    );
+    let followers = table.followers.iter().map(|follower| &follower.row);
+    let rows = table.rows.iter().chain(followers);
+    x.extend(rows.map(|row| row.reflected_inertia()));
     DVector::from(x)
 }
 

@@ -11,7 +11,7 @@
 
 use dynamics_runtime::nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
-/// How many parameters a link has; a motor has one, its reflected inertia, which is its matrix P.
+/// The number of parameters of a link; a motor has one, its reflected inertia, which is its matrix P.
 pub(crate) const OF_LINK: usize = 10;
 
 /// The least eigenvalue of P0 beside the greatest: the divergence is finite for positive definite P0 alone.
@@ -20,7 +20,7 @@ const LEAST: f64 = 1e-4;
 /// By how much the square of a distance may lie above the least one, relative to it.
 const NEAR: f64 = 0.1;
 
-/// How often the equations may be made ten times as hard, and the most steps of Newton's method for each.
+/// The stages, each of which makes the equations ten times as hard, and the most steps of Newton's method for each.
 const STAGES: usize = 16;
 const STEPS: usize = 60;
 
@@ -48,44 +48,26 @@ fn parameters(matrix: &DMatrix<f64>) -> Vec<f64> {
     if matrix.len() == 1 {
         return vec![matrix[0]];
     }
-    let p = |i: usize, j: usize| matrix[(i, j)];
-    let (x, y, z) = (p(0, 0), p(1, 1), p(2, 2));
-    let [xy, yz, xz] = [-p(0, 1), -p(1, 2), -p(0, 2)];
-    vec![
-        p(3, 3),
-        p(0, 3),
-        p(1, 3),
-        p(2, 3),
-        y + z,
-        z + x,
-        x + y,
-        xy,
-        yz,
-        xz,
-    ]
+    let [x, y, z] = [0, 1, 2].map(|i| matrix[(i, i)]);
+    let [mx, my, mz] = [0, 1, 2].map(|i| matrix[(i, 3)]);
+    let [xy, yz, xz] = [(0, 1), (1, 2), (0, 2)].map(|entry| -matrix[entry]);
+    let moments = [y + z, z + x, x + y, xy, yz, xz];
+    [&[matrix[(3, 3)], mx, my, mz][..], &moments].concat()
 }
 
 impl Part {
     /// A part with these parameters in the table, of an arm with links of about this mass, kg, and length, m.
     pub(crate) fn new(p: &[f64], (mass, length): (f64, f64)) -> Option<Self> {
-        let unit = |k: usize| {
-            (0..p.len())
-                .map(|i| f64::from(u8::from(i == k)))
-                .collect::<Vec<_>>()
-        };
-        let basis = (0..p.len()).map(|k| matrix(&unit(k))).collect();
+        let units = DMatrix::identity(p.len(), p.len());
+        let basis = units
+            .column_iter()
+            .map(|unit| matrix(unit.as_slice()))
+            .collect();
         let size = matrix(p).nrows();
         // Moments in units of mass, so that all entries have one unit.
         let scale = |x: f64| {
-            DMatrix::from_fn(size, size, |i, j| {
-                if i != j {
-                    0.0
-                } else if i < 3 && size > 1 {
-                    x
-                } else {
-                    1.0
-                }
-            })
+            let entry = |i: usize, _| if i < 3 && size > 1 { x } else { 1.0 };
+            DMatrix::from_diagonal(&DVector::from_fn(size, entry))
         };
         let mut eigen = (scale(1.0 / length) * matrix(p) * scale(1.0 / length)).symmetric_eigen();
         let largest = eigen.eigenvalues.max();
@@ -158,9 +140,11 @@ impl Search {
     /// the value falls; `None` where it begins outside of what is possible.
     fn minimum(&self, mut p: DVector<f64>, softness: f64) -> Option<(DVector<f64>, Divergence)> {
         // The minima on the way need not be sharp.
-        let (weight, rest) = match softness > 0.0 {
-            true => (1.0 / softness, 1e-3),
-            false => (0.0, 1e-10),
+        let is_soft = softness > 0.0;
+        let (weight, rest) = if is_soft {
+            (1.0 / softness, 1e-3)
+        } else {
+            (0.0, 1e-10)
         };
         let penalty = |p: &DVector<f64>| 0.5 * weight * self.residual(p).norm_squared();
         let mut here = self.divergence(&p)?;
@@ -193,10 +177,8 @@ impl Search {
         residual: &DVector<f64>,
         softness: f64,
     ) -> Option<DVector<f64>> {
-        let (of_equations, free) = (
-            hessian.solve(&self.map.transpose()),
-            hessian.solve(gradient),
-        );
+        let of_equations = hessian.solve(&self.map.transpose());
+        let free = hessian.solve(gradient);
         let mut schur = &self.map * &of_equations;
         (0..schur.nrows()).for_each(|k| schur[(k, k)] += softness);
         let multipliers = schur.cholesky()?.solve(&(residual - &self.map * &free));
@@ -207,12 +189,8 @@ impl Search {
     fn divergence(&self, p: &DVector<f64>) -> Option<Divergence> {
         let (mut value, mut traces, mut first) = (0.0, 0.0, 0);
         let (mut gradient, mut hessian) = (p * 0.0, DMatrix::zeros(p.len(), p.len()));
-        for Part {
-            basis,
-            inverse_prior,
-            ..
-        } in &self.parts
-        {
+        for part in &self.parts {
+            let (basis, inverse_prior) = (&part.basis, &part.inverse_prior);
             let matrix = matrix(&p.as_slice()[first..first + basis.len()]);
             let factor = matrix.clone().cholesky()?;
             let inverse = factor.inverse();
@@ -229,9 +207,8 @@ impl Search {
             }
             first += basis.len();
         }
-        let value = value + traces;
         Some(Divergence {
-            value,
+            value: value + traces,
             gradient,
             hessian: hessian.cholesky()?,
             traces,

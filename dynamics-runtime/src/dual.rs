@@ -1,8 +1,7 @@
 //! Numbers that carry a derivative.
 
-use core::ops::{Add, Div, Mul, Neg, Sub};
-
 use crate::Scalar;
+use crate::operators::impl_operators;
 
 /// A dual number, `value + slope e` with e^2 = 0: a function of `q + e v` has the derivative along v
 /// as its slope (W. K. Clifford 1873).
@@ -18,51 +17,16 @@ impl Dual {
     }
 }
 
-impl Add for Dual {
-    type Output = Self;
-
-    #[inline(always)]
-    fn add(self, other: Self) -> Self {
-        Dual::new(self.value + other.value, self.slope + other.slope)
-    }
-}
-
-impl Sub for Dual {
-    type Output = Self;
-
-    #[inline(always)]
-    fn sub(self, other: Self) -> Self {
-        Dual::new(self.value - other.value, self.slope - other.slope)
-    }
-}
-
-impl Mul for Dual {
-    type Output = Self;
-
-    #[inline(always)]
-    fn mul(self, other: Self) -> Self {
-        let slope = self.value * other.slope + self.slope * other.value;
-        Dual::new(self.value * other.value, slope)
-    }
-}
-
-impl Div for Dual {
-    type Output = Self;
-
-    #[inline(always)]
-    fn div(self, other: Self) -> Self {
-        let value = self.value / other.value;
-        Dual::new(value, (self.slope - value * other.slope) / other.value)
-    }
-}
-
-impl Neg for Dual {
-    type Output = Self;
-
-    #[inline(always)]
-    fn neg(self) -> Self {
-        Dual::new(-self.value, -self.slope)
-    }
+impl_operators! {
+    impl [] for Dual;
+    Add add |a, b| Dual::new(a.value + b.value, a.slope + b.slope);
+    Sub sub |a, b| Dual::new(a.value - b.value, a.slope - b.slope);
+    Mul mul |a, b| Dual::new(a.value * b.value, a.value * b.slope + a.slope * b.value);
+    Div div |a, b| {
+        let value = a.value / b.value;
+        Dual::new(value, (a.slope - value * b.slope) / b.value)
+    };
+    Neg neg |a| Dual::new(-a.value, -a.slope);
 }
 
 impl Scalar for Dual {
@@ -104,13 +68,11 @@ impl Scalar for Dual {
 
     #[inline(always)]
     fn mul_add(self, a: Self, b: Self) -> Self {
+        let fused = <f64 as Scalar>::mul_add;
+        let slope = fused(self.slope, a.value, b.slope);
         Dual::new(
-            Scalar::mul_add(self.value, a.value, b.value),
-            Scalar::mul_add(
-                self.value,
-                a.slope,
-                Scalar::mul_add(self.slope, a.value, b.slope),
-            ),
+            fused(self.value, a.value, b.value),
+            fused(self.value, a.slope, slope),
         )
     }
 

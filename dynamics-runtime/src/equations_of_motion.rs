@@ -1,12 +1,14 @@
-//! What a simulation asks of an arm.
+//! The equations of motion that a simulation solves: for accelerations, or in positions and momenta.
 
 use nalgebra::{SMatrix, SVector};
 
 use crate::dual::Dual;
 use crate::factorisation::Factors;
-use crate::{ForwardDynamics, Momenta, NewtonEuler, Scalar, SingularMassMatrix};
+use crate::{
+    ForwardDynamics, InverseDynamics, MassMatrix, Momenta, NewtonEuler, Scalar, SingularMassMatrix,
+};
 
-/// Accelerations, and what a unit torque at each of some joints adds to them: columns of M^-1.
+/// Accelerations, and their changes by a unit torque at each of some joints: columns of M^-1.
 pub type Responses<const N: usize> = (SVector<f64, N>, SMatrix<f64, N, N>);
 
 /// An arm that a [`Simulation`](crate::Simulation) can move: its equations of motion, solved for the
@@ -118,5 +120,41 @@ impl<const N: usize> EquationsOfMotion<N> for NewtonEuler<N> {
 
     fn in_momenta(&self) -> Option<&dyn Momenta<N>> {
         Some(self)
+    }
+}
+
+impl<R: MassMatrix<N> + InverseDynamics<N>, const N: usize> Momenta<N> for R {
+    fn inertia(&self, q: &SVector<f64, N>) -> SMatrix<f64, N, N> {
+        self.mass_matrix(q)
+    }
+
+    fn force(
+        &self,
+        q: &SVector<f64, N>,
+        qd: &SVector<f64, N>,
+        tau: &SVector<f64, N>,
+    ) -> SVector<f64, N> {
+        let along = SVector::from_fn(|i, _| Dual::new(q[i], qd[i]));
+        let mass_rate = self.mass_matrix(&along).map(|entry| entry.slope);
+        let bias = self.inverse_dynamics(q, qd, &SVector::zeros());
+        tau + mass_rate * qd - bias
+    }
+}
+
+impl<const N: usize> Momenta<N> for NewtonEuler<N> {
+    fn inertia(&self, q: &SVector<f64, N>) -> SMatrix<f64, N, N> {
+        self.mass_matrix(q)
+    }
+
+    /// With C of the Christoffel symbols, dT/dq = C' qd.
+    fn force(
+        &self,
+        q: &SVector<f64, N>,
+        qd: &SVector<f64, N>,
+        tau: &SVector<f64, N>,
+    ) -> SVector<f64, N> {
+        let of_kinetic_energy = self.coriolis_matrix(q, qd).tr_mul(qd);
+        let potential = self.gravity_vector(q) + self.spring_vector(q);
+        tau + of_kinetic_energy - potential - self.friction_vector(qd)
     }
 }

@@ -6,8 +6,7 @@ use crate::Table;
 use crate::table::MOST_FOLLOWERS;
 use crate::{Row, Scalar, Stribeck};
 
-/// What a joint feels beside viscous friction: Coulomb's, which may differ by direction, and static
-/// friction that falls to it.
+/// Friction beside the viscous one: Coulomb's, which may differ by direction, and static friction that falls to it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct DryFriction {
     coulomb: [f64; 2],
@@ -15,26 +14,12 @@ pub(crate) struct DryFriction {
 }
 
 impl DryFriction {
-    /// None.
-    #[cfg(feature = "std")]
-    pub(crate) const NONE: DryFriction = DryFriction {
-        coulomb: [0.0; 2],
-        stribeck: None,
-    };
-
-    /// That of a row.
+    /// The dry friction of a row.
     pub(crate) fn of(row: &Row) -> Self {
         DryFriction {
             coulomb: row.coulomb,
             stribeck: row.stribeck,
         }
-    }
-
-    /// Whether there is none at any velocity.
-    #[cfg(feature = "std")]
-    pub(crate) fn is_none(&self) -> bool {
-        let beyond = self.stribeck.map_or(0.0, |stribeck| stribeck.friction);
-        self.coulomb == [0.0; 2] && beyond == 0.0
     }
 
     /// C + (S - C) exp(-(qd/v)^2) of a motion one way: C is that of positive velocities where `way` is
@@ -80,20 +65,30 @@ impl DryFriction {
             way * self.beyond_coulomb(way, qd) * (slope * slope - 2.0 / v / v)
         })
     }
+}
+
+#[cfg(feature = "std")]
+impl DryFriction {
+    /// None.
+    pub(crate) const NONE: DryFriction = DryFriction {
+        coulomb: [0.0; 2],
+        stribeck: None,
+    };
+
+    /// Whether there is none at any velocity.
+    pub(crate) fn is_none(&self) -> bool {
+        let beyond = self.stribeck.map_or(0.0, |stribeck| stribeck.friction);
+        self.coulomb == [0.0; 2] && beyond == 0.0
+    }
 
     /// The greatest that it can be.
-    #[cfg(feature = "std")]
     pub(crate) fn greatest(&self) -> f64 {
-        let beyond = self
-            .stribeck
-            .map_or(0.0, |stribeck| stribeck.friction.abs());
-        self.coulomb
-            .iter()
-            .fold(beyond, |most, c| most.max(c.abs()))
+        let stribeck = self.stribeck.map_or(0.0, |stribeck| stribeck.friction);
+        let [positive, negative] = self.coulomb.map(f64::abs);
+        stribeck.abs().max(positive).max(negative)
     }
 
     /// The greatest that its slope can be: exp(-x^2) has a slope of at most sqrt(2/e) < 0.86.
-    #[cfg(feature = "std")]
     pub(crate) fn greatest_slope(&self) -> f64 {
         self.stribeck.map_or(0.0, |stribeck| {
             0.86 * self.greatest() / stribeck.velocity.abs()
@@ -101,7 +96,6 @@ impl DryFriction {
     }
 
     /// The greatest that its curvature can be.
-    #[cfg(feature = "std")]
     pub(crate) fn greatest_curvature(&self) -> f64 {
         self.stribeck.map_or(0.0, |stribeck| {
             2.0 * self.greatest() / (stribeck.velocity * stribeck.velocity)
@@ -133,14 +127,14 @@ impl JointFriction {
             .all(|(factor, dry)| factor == 0.0 || dry.is_none())
     }
 
-    /// What it is of a motion one way, as [`DryFriction::magnitude`].
+    /// The friction against a motion one way, as [`DryFriction::magnitude`].
     pub(crate) fn magnitude(&self, way: f64, qd: f64) -> f64 {
         self.parts()
             .map(|(factor, dry)| factor.abs() * dry.magnitude(factor * way, factor * qd))
             .sum()
     }
 
-    /// What holds the joint at rest against a motion that way.
+    /// The greatest force that holds the joint at rest against a motion that way.
     pub(crate) fn breakaway(&self, way: f64) -> f64 {
         self.magnitude(way, 0.0)
     }
@@ -160,7 +154,7 @@ impl JointFriction {
 
 #[cfg(feature = "std")]
 impl<const N: usize> Table<N> {
-    /// What holds and brakes joint i: its own dry friction, and that of the joints that follow it.
+    /// The dry friction of each joint: its own, and that of the joints that follow it.
     pub(crate) fn dry_friction(&self) -> [JointFriction; N] {
         let mut friction = self.rows.each_ref().map(|row| JointFriction {
             own: DryFriction::of(row),

@@ -48,7 +48,6 @@ mod inputs;
 mod integrate;
 mod macros;
 mod model;
-mod momenta;
 mod newton_euler;
 mod operations;
 mod operators;
@@ -79,7 +78,7 @@ pub use batch::on_all_cores;
 pub use batch::{Batch, BatchError, LengthMismatch, Precision, States, StatesMut, WithParameters};
 #[cfg(feature = "std")]
 #[doc(hidden)]
-pub use batch::{Each, Fields, Same, failing, on_one_core};
+pub use batch::{Fields, failing, on_one_core};
 pub use certified::{Certified, Rounded};
 #[cfg(feature = "std")]
 pub use check::{Check, FunctionReport, Report, check_against_rnea};

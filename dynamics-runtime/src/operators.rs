@@ -1,21 +1,34 @@
-//! Operators that follow from others.
+//! Operators of numbers that are copied.
 
-/// `a += b` and its like, of numbers that are copied.
-macro_rules! impl_assign {
-    (impl $generics:tt for $number:ty) => {
-        $crate::operators::impl_assign! {
-            impl $generics for $number;
-            AddAssign add_assign +;
-            SubAssign sub_assign -;
-            MulAssign mul_assign *;
-            DivAssign div_assign /;
-        }
-    };
-    (impl $generics:tt for $number:ty; $($assign:ident $method:ident $operator:tt;)*) => {$(
-        $crate::operators::impl_assign! {
-            @one impl $generics for $number; $assign $method $operator
+/// Operators by their values: `Add add |a, b| value;`.
+macro_rules! impl_operators {
+    (impl $generics:tt for $number:ty; $($operator:ident $method:ident |$a:ident $(, $b:ident)?| $value:expr;)*) => {$(
+        $crate::operators::impl_operators! {
+            @one impl $generics for $number; $operator $method |$a $(, $b)?| $value
         }
     )*};
+    (@one impl [$($generics:tt)*] for $number:ty; $operator:ident $method:ident |$a:ident $(, $b:ident)?| $value:expr) => {
+        impl<$($generics)*> core::ops::$operator for $number {
+            type Output = Self;
+
+            #[inline(always)]
+            fn $method(self $(, $b: Self)?) -> Self {
+                let $a = self;
+                $value
+            }
+        }
+    };
+}
+
+/// `a += b` and its like, 0 and 1, where `|x| number` makes a number of a double.
+macro_rules! impl_assign {
+    (impl $generics:tt for $number:ty; |$x:ident| $from:expr) => {
+        $crate::operators::impl_assign! { @one impl $generics for $number; AddAssign add_assign + }
+        $crate::operators::impl_assign! { @one impl $generics for $number; SubAssign sub_assign - }
+        $crate::operators::impl_assign! { @one impl $generics for $number; MulAssign mul_assign * }
+        $crate::operators::impl_assign! { @one impl $generics for $number; DivAssign div_assign / }
+        $crate::operators::impl_assign! { @units impl $generics for $number; |$x| $from }
+    };
     (@one impl [$($generics:tt)*] for $number:ty; $assign:ident $method:ident $operator:tt) => {
         impl<$($generics)*> core::ops::$assign for $number {
             #[inline]
@@ -24,6 +37,28 @@ macro_rules! impl_assign {
             }
         }
     };
+    (@units impl [$($generics:tt)*] for $number:ty; |$x:ident| $from:expr) => {
+        impl<$($generics)*> num_traits::Zero for $number {
+            #[inline]
+            fn zero() -> Self {
+                let $x = 0.0;
+                $from
+            }
+
+            #[inline]
+            fn is_zero(&self) -> bool {
+                *self == <Self as num_traits::Zero>::zero()
+            }
+        }
+
+        impl<$($generics)*> num_traits::One for $number {
+            #[inline]
+            fn one() -> Self {
+                let $x = 1.0;
+                $from
+            }
+        }
+    };
 }
 
-pub(crate) use impl_assign;
+pub(crate) use {impl_assign, impl_operators};

@@ -41,8 +41,7 @@ impl Angle {
         *self == Angle::ZERO
     }
 
-    /// Of an angle so near to a quarter turn, or several, that every reader takes it for that: the turns, and
-    /// what is left.
+    /// The quarter turns of an angle so near to them that every reader takes it for these, and the rest.
     pub(super) fn split(self) -> (Option<Angle>, Angle) {
         let Angle::Radians(angle) = &self else {
             return (None, self);
@@ -52,9 +51,11 @@ impl Angle {
         let exact = dynamics_codegen::geometry::number(&whole.value());
         let rest = angle - exact.unwrap_or(Rational::ZERO);
         // Readers compare in doubles: what is a little further off is left apart as well.
-        match count != 0.0 && is_below(&(&rest * Rational::from(9) / Rational::from(10)), 9) {
-            true => (Some(whole), Angle::Radians(rest)),
-            false => (None, self),
+        let is_near = is_below(&(&rest * Rational::from(9) / Rational::from(10)), 9);
+        if count != 0.0 && is_near {
+            (Some(whole), Angle::Radians(rest))
+        } else {
+            (None, self)
         }
     }
 
@@ -89,14 +90,9 @@ pub(super) fn roll_pitch_yaw(m: &Matrix) -> [Angle; 3] {
 /// Whether two frames are the same, but for digits that the feet of normals lose between axes that are
 /// nearly parallel.
 pub(super) fn is_same(one: &Transform, other: &Transform) -> bool {
-    let of = |frame: &Transform| {
-        let entries = frame.rotation.iter().flatten().chain(&frame.origin);
-        entries.cloned().collect::<Vec<_>>()
-    };
-    of(one)
-        .iter()
-        .zip(of(other))
-        .all(|(a, b)| is_below(&(a - b), 28))
+    let [one, other] =
+        [one, other].map(|frame| frame.rotation.iter().flatten().chain(&frame.origin));
+    one.zip(other).all(|(a, b)| is_below(&(a - b), 28))
 }
 
 #[cfg(test)]

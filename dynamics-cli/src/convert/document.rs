@@ -1,5 +1,5 @@
-//! What a table says, in the words of the macro: a tree that TOML and JSON write. It is a table that was found for an
-//! arm in space, or the one that was read.
+//! A table in the words of the macro, a tree that TOML and JSON write: one that was found for an arm in space, or the one
+//! that was read.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -13,8 +13,10 @@ use dynamics_symbolic::robot::{
 
 use super::angle::{Angle, roll_pitch_yaw};
 use super::number::decimal;
+use super::parameters::Parameters;
+use super::string::quoted;
 use super::table::{Row, Table};
-use super::written::{Binding, expression, sum};
+use super::written::{Binding, expression, sum, written};
 
 /// A value.
 #[derive(Clone)]
@@ -28,7 +30,52 @@ pub(super) enum Node {
     Table(Entries),
 }
 
-/// Words and what they say, in their order.
+impl Node {
+    /// Whether all of its numbers are zero, so that a cell need not be written.
+    fn is_zero(&self) -> bool {
+        match self {
+            Node::Number(x) => decimal(x) == "0",
+            Node::Written(value) => value.is_zero(),
+            Node::Angle(angle) => angle.is_zero(),
+            Node::List(nodes) => nodes.iter().all(Node::is_zero),
+            Node::Text(_) | Node::Table(_) => false,
+        }
+    }
+}
+
+/// The words and signs of a language in which values stand on one line.
+pub(super) struct Language {
+    pub(super) number: fn(&Rational) -> String,
+    pub(super) angle: fn(&Angle) -> String,
+    pub(super) key: fn(&str) -> String,
+    /// The sign between a key and its value.
+    pub(super) is: &'static str,
+}
+
+impl Language {
+    pub(super) fn value(&self, node: &Node) -> String {
+        match node {
+            Node::Number(x) => (self.number)(x),
+            Node::Written(value) => written(value),
+            Node::Angle(angle) => (self.angle)(angle),
+            Node::Text(text) => quoted(text),
+            Node::List(nodes) => {
+                let values: Vec<_> = nodes.iter().map(|node| self.value(node)).collect();
+                format!("[{}]", values.join(", "))
+            }
+            Node::Table(entries) => {
+                let entries: Vec<_> = entries.iter().map(|entry| self.entry(entry)).collect();
+                format!("{{ {} }}", entries.join(", "))
+            }
+        }
+    }
+
+    pub(super) fn entry(&self, (word, node): &(String, Node)) -> String {
+        format!("{}{}{}", (self.key)(word), self.is, self.value(node))
+    }
+}
+
+/// Words with their values, in their order.
 pub(super) type Entries = Vec<(String, Node)>;
 
 /// Words that accept what the reader refuses: of a joint by its name, of the whole table without one.
@@ -59,7 +106,7 @@ struct Line<'a> {
     joint: Option<&'a Joint>,
     /// Where the joint stands still.
     locked: Option<Node>,
-    /// Of the four parameters and the body those that are not zero.
+    /// The four parameters and the body, as far as they are not zero.
     cells: Entries,
 }
 
@@ -135,54 +182,69 @@ impl Document {
 
 /// A row that was found.
 fn found<'a>(row: &Row<'a>, name: String) -> Line<'a> {
-    let length =
-        |word, x: &Rational| (decimal(x) != "0").then(|| entry(word, Node::Number(x.clone())));
-    let angle = |word, x: &Angle| (!x.is_zero()).then(|| entry(word, Node::Angle(x.clone())));
-    let parameters = &row.parameters;
-    let cells = [
-        length("a", &parameters.a),
-        angle("alpha", &parameters.alpha),
-        length("d", &parameters.d),
-        angle("theta", &parameters.theta),
-    ];
+    let Parameters { a, alpha, d, theta } = row.parameters.clone();
+    let [a, d] = [a, d].map(Node::Number);
+    let [alpha, theta] = [alpha, theta].map(Node::Angle);
+    let Body { mass, com, inertia } = &row.body;
     let joint = row.joint.map(|joint| joint.row);
     Line {
         name,
         joint,
         locked: joint.is_none().then_some(Node::Number(Rational::ZERO)),
-        cells: cells.into_iter().flatten().chain(body(&row.body)).collect(),
+        cells: geometry(
+            [a, alpha, d, theta],
+            number(mass),
+            numbers(com),
+            inertia.each_ref().map(number),
+        ),
     }
 }
 
 /// A row that was read.
 fn line_as_written(row: &Joint) -> Line<'_> {
-    let parameters = [
-        ("a", &row.a),
-        ("alpha", &row.alpha),
-        ("d", &row.d),
-        ("theta", &row.theta),
-    ];
-    let is_given = |x: &Value| !x.is_zero();
-    let given = parameters.into_iter().filter(|(_, x)| is_given(x));
-    let mut cells: Entries = given.map(|(word, x)| entry(word, value(x))).collect();
-    let inertia = tensor_as_written(&row.inertia);
-    // A mass of zero is written where a tensor might be taken for one without its mass.
-    if is_given(&row.mass) || inertia.is_some() {
-        cells.push(entry("mass", value(&row.mass)));
-    }
-    if row.com.iter().any(is_given) {
-        cells.push(entry("com", values(&row.com)));
-    }
-    cells.extend(inertia);
+    let parameters = [&row.a, &row.alpha, &row.d, &row.theta].map(value);
+    let inertia = row.inertia.each_ref().map(value);
     Line {
         name: row.name.clone(),
         joint: Some(row),
         locked: row.locked.as_ref().map(value),
-        cells,
+        cells: geometry(parameters, value(&row.mass), values(&row.com), inertia),
     }
 }
 
-/// `xyz` and `rpy` of a frame that was read.
+/// The parameters and the body of a row, as far as they are not zero.
+fn geometry(parameters: [Node; 4], mass: Node, com: Node, inertia: [Node; 6]) -> Entries {
+    let words = ["a", "alpha", "d", "theta"].into_iter().zip(parameters);
+    let mut cells: Entries = words.filter_map(|(word, x)| unless_zero(word, x)).collect();
+    let inertia = tensor(inertia);
+    // A mass of zero is written where a tensor might be taken for one without its mass.
+    if !mass.is_zero() || inertia.is_some() {
+        cells.push(entry("mass", mass));
+    }
+    cells.extend(unless_zero("com", com));
+    cells.extend(inertia);
+    cells
+}
+
+/// The entries of a tensor that are not zero.
+fn tensor(inertia: [Node; 6]) -> Option<(String, Node)> {
+    let entries = TENSOR.into_iter().zip(inertia);
+    let entries = entries.filter_map(|(word, x)| unless_zero(word, x));
+    unless_empty("inertia", entries.collect())
+}
+
+pub(super) const TENSOR: [&str; 6] = ["xx", "yy", "zz", "xy", "yz", "xz"];
+
+/// A frame that was found.
+fn placement(frame: &Transform) -> Entries {
+    let rpy = roll_pitch_yaw(&frame.rotation).map(Node::Angle);
+    vec![
+        entry("xyz", numbers(&frame.origin)),
+        entry("rpy", Node::List(rpy.into())),
+    ]
+}
+
+/// A frame that was read.
 fn placement_as_written(frame: &Placement) -> Entries {
     vec![
         entry("xyz", values(&frame.xyz)),
@@ -190,26 +252,24 @@ fn placement_as_written(frame: &Placement) -> Entries {
     ]
 }
 
-/// The entries of a tensor that are not zero.
-fn tensor_as_written(inertia: &[Value; 6]) -> Option<(String, Node)> {
-    let entries = TENSOR.into_iter().zip(inertia);
-    let entries = entries.filter(|(_, x)| !x.is_zero());
-    let entries = entries.map(|(word, x)| entry(word, value(x)));
-    unless_empty("inertia", entries.collect())
-}
-
-const TENSOR: [&str; 6] = ["xx", "yy", "zz", "xy", "yz", "xz"];
-
 fn entry(word: &str, node: Node) -> (String, Node) {
     (word.to_owned(), node)
+}
+
+fn unless_zero(word: &str, node: Node) -> Option<(String, Node)> {
+    (!node.is_zero()).then(|| entry(word, node))
 }
 
 fn unless_empty(word: &str, entries: Entries) -> Option<(String, Node)> {
     (!entries.is_empty()).then(|| entry(word, Node::Table(entries)))
 }
 
+fn number(x: &Rational) -> Node {
+    Node::Number(x.clone())
+}
+
 fn numbers(values: &[Rational]) -> Node {
-    Node::List(values.iter().cloned().map(Node::Number).collect())
+    Node::List(values.iter().map(number).collect())
 }
 
 fn values(values: &[Value]) -> Node {
@@ -256,13 +316,12 @@ fn functions(model: &Model) -> Option<(String, Node)> {
 fn couplings(robot: &Robot) -> Entries {
     let coupling = |(row, coupling): (&Joint, &Coupling)| {
         let leader = &robot.rows[coupling.leader].name;
-        let multiple = format!(
-            "{} * {leader}",
-            expression(&coupling.factor, Binding::Product)
-        );
-        let text = match coupling.offset.is_zero() {
-            true => multiple,
-            false => sum(multiple, &coupling.offset),
+        let factor = expression(&coupling.factor, Binding::Product);
+        let multiple = format!("{factor} * {leader}");
+        let text = if coupling.offset.is_zero() {
+            multiple
+        } else {
+            sum(multiple, &coupling.offset)
         };
         (row.name.clone(), Node::Text(text))
     };
@@ -274,39 +333,22 @@ fn allow(words: Option<&BTreeSet<&'static str>>) -> Option<(String, Node)> {
     Some(entry("allow", Node::List(words.collect())))
 }
 
-/// `xyz` and `rpy` of a frame.
-fn placement(frame: &Transform) -> Entries {
-    let rpy = roll_pitch_yaw(&frame.rotation);
-    vec![
-        entry("xyz", numbers(&frame.origin)),
-        entry("rpy", Node::List(rpy.map(Node::Angle).to_vec())),
-    ]
-}
-
 /// The tool's frame, and its body as the file that was read has it.
 fn tool(mut entries: Entries, robot: &Robot) -> Option<(String, Node)> {
     if let Some(tool) = robot.tool.as_ref().filter(|tool| tool.has_body()) {
         entries.push(entry("mass", value(&tool.mass)));
         entries.push(entry("com", values(&tool.com)));
-        entries.extend(tensor_as_written(&tool.inertia));
+        entries.extend(tensor(tool.inertia.each_ref().map(value)));
     }
     unless_empty("tool", entries)
 }
 
-/// The entries of a tensor that are not zero.
-fn tensor(inertia: &[Rational; 6]) -> Option<(String, Node)> {
-    let entries = TENSOR.into_iter().zip(inertia);
-    let entries = entries.filter(|(_, x)| decimal(x) != "0");
-    let entries = entries.map(|(word, x)| entry(word, Node::Number(x.clone())));
-    unless_empty("inertia", entries.collect())
-}
-
 /// All cells of a row.
 fn cells(row: Line) -> Entries {
-    let is_slide = row
-        .joint
-        .is_some_and(|joint| joint.joint_type == JointType::Prismatic);
-    let joint_type = if is_slide { "prismatic" } else { "revolute" };
+    let joint_type = match row.joint.map(|joint| joint.joint_type) {
+        Some(JointType::Prismatic) => "prismatic",
+        _ => "revolute",
+    };
     let mut cells = vec![
         entry("name", Node::Text(row.name)),
         entry("type", Node::Text(joint_type.to_owned())),
@@ -316,23 +358,9 @@ fn cells(row: Line) -> Entries {
     cells
 }
 
-fn body(body: &Body) -> Entries {
-    let inertia = tensor(&body.inertia);
-    let mut cells = Vec::new();
-    // A mass of zero is written where a tensor might be taken for one without its mass.
-    if !body.mass.is_zero() || inertia.is_some() {
-        cells.push(entry("mass", Node::Number(body.mass.clone())));
-    }
-    if body.com.iter().any(|x| decimal(x) != "0") {
-        cells.push(entry("com", numbers(&body.com)));
-    }
-    cells.extend(inertia);
-    cells
-}
-
-/// What a row says of the joint itself: motor, friction, spring, limits.
+/// The motor, friction, spring and limits of a joint.
 fn of_joint(joint: &Joint) -> Entries {
-    let named = |word, x: &Value| (!x.is_zero()).then(|| entry(word, value(x)));
+    let named = |word, x: &Value| unless_zero(word, value(x));
     let mut cells = Vec::new();
     if joint.has_motor() {
         let motor = vec![

@@ -3,8 +3,8 @@
 //!
 //! `arm` puts the axes and bodies of a file in space, exactly where angles are quarter turns and in fifty
 //! digits where they are not; `table` finds rows for them, or `urdf` writes them as they are. A table that stays in
-//! its convention keeps its rows. `document` says a table in the macro's words, `toml` and `json` write it. What is written is read back by the macro's own
-//! reader before anybody else sees it.
+//! its convention keeps its rows. `document` says a table in the macro's words, `toml` and `json` write it, and the
+//! macro's own reader reads it back.
 
 mod angle;
 mod arm;
@@ -67,12 +67,13 @@ fn target(given: &ArgMatches, path: &Path) -> Format {
     of_option.or(of_name).unwrap_or(other)
 }
 
-/// What stands at the head of the file.
+/// The comments at the head of the file.
 fn remarks(path: &Path, is_rounded: bool, model_notes: &[String]) -> Vec<String> {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
-    let numbers = match is_rounded {
-        true => format!("Numbers are exact, but for those of {DIGITS} digits, which are rounded."),
-        false => "Numbers are exact.".to_owned(),
+    let numbers = if is_rounded {
+        format!("Numbers are exact, but for those of {DIGITS} digits, which are rounded.")
+    } else {
+        "Numbers are exact.".to_owned()
     };
     let mut remarks = vec![
         format!("Converted from {name} by `robot-dynamics convert`. SI units, radians."),
@@ -98,9 +99,10 @@ fn as_table(
     let impossible = || Failure::of_file(path, "no table was found that has the arm's geometry");
     let is_kept = convention == model.robot.convention
         && model.robot.rows.iter().all(|row| row.mount.is_none());
-    let table = match is_kept {
-        true => None,
-        false => Some(Table::of(arm, convention).ok_or_else(impossible)?),
+    let table = if is_kept {
+        None
+    } else {
+        Some(Table::of(arm, convention).ok_or_else(impossible)?)
     };
     let mut remarks = remarks(path, !is_kept, &model.notes);
     let mut rows = table.iter().flat_map(|table| &table.rows);

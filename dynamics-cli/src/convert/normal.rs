@@ -91,20 +91,26 @@ pub(super) fn common_normal(first: &Axis, second: &Axis, like: &Vector, near: &V
         let along = |direction: &Vector| tidy(dot(&cross(&way, direction), &across) / &square);
         let from = moved(near, &first.direction, &along(&second.direction));
         let to = moved(&second.point, &second.direction, &along(&first.direction));
-        let line = match dot(&way, &across) < Rational::ZERO {
-            true => opposite(across),
-            false => across,
-        };
-        (from, to, line)
+        let is_backwards = dot(&way, &across) < Rational::ZERO;
+        (
+            from,
+            to,
+            if is_backwards {
+                opposite(across)
+            } else {
+                across
+            },
+        )
     };
     // If the axes are one, any direction across it is normal to both.
     let direction = self::across(&line, &first.direction).unwrap_or_else(|| like.clone());
     let is_like = dot(&direction, like);
     let is_against = is_like < Rational::ZERO && !is_zero(&is_like);
     Normal {
-        direction: match is_against {
-            true => opposite(direction),
-            false => direction,
+        direction: if is_against {
+            opposite(direction)
+        } else {
+            direction
         },
         from,
         to,

@@ -7,7 +7,7 @@ use super::angle::Angle;
 /// Digits of a number that has more.
 pub(super) const DIGITS: usize = 25;
 
-/// Behind the point, what is found in fifty digits is zero after so many.
+/// Places behind the point that numbers found in fifty digits have; they are zero behind these.
 const PLACES: usize = 34;
 
 /// Letters of the longest fraction that is written as one.
@@ -17,24 +17,16 @@ const FRACTION: usize = 40;
 pub(super) fn decimal(x: &Rational) -> String {
     let scale = Rational::from(10).pow(PLACES as isize);
     let whole = (x * scale).round();
-    let text = whole.to_string();
-    let (sign, digits) = match text.strip_prefix('-') {
-        Some(digits) => ("-", digits),
-        None => ("", text.as_str()),
-    };
-    let (digits, exponent) = rounded(digits);
-    if digits.is_empty() {
-        return "0".to_owned();
-    }
-    format!("{sign}{}", placed(&digits, exponent))
+    scaled(&whole.to_string(), -(PLACES as isize), DIGITS)
 }
 
-/// The digits without zeros at the end, at most so many, and the power of ten that they are multiplied by.
-fn rounded(digits: &str) -> (String, isize) {
-    let mut exponent = -(PLACES as isize);
-    let mut digits = digits.to_owned();
-    if digits.len() > DIGITS {
-        let (kept, left) = digits.split_at(DIGITS);
+/// A whole number times a power of ten, rounded to at most so many digits, without zeros at the end.
+pub(super) fn scaled(whole: &str, mut exponent: isize, most_digits: usize) -> String {
+    let unsigned = whole.strip_prefix('-');
+    let sign = if unsigned.is_some() { "-" } else { "" };
+    let mut digits = unsigned.unwrap_or(whole).to_owned();
+    if digits.len() > most_digits {
+        let (kept, left) = digits.split_at(most_digits);
         exponent += left.len() as isize;
         let up = left.as_bytes()[0] >= b'5';
         digits = match (up, kept.parse::<u128>()) {
@@ -42,14 +34,16 @@ fn rounded(digits: &str) -> (String, isize) {
             _ => kept.to_owned(),
         };
     }
-    let kept = digits.trim_end_matches('0').len();
-    exponent += (digits.len() - kept) as isize;
-    digits.truncate(kept);
-    (digits, exponent)
+    let kept = digits.trim_end_matches('0');
+    exponent += (digits.len() - kept.len()) as isize;
+    if kept.is_empty() {
+        return "0".to_owned();
+    }
+    format!("{sign}{}", placed(kept, exponent))
 }
 
 /// A decimal with its point, or with an exponent where that is shorter to read.
-pub(super) fn placed(digits: &str, exponent: isize) -> String {
+fn placed(digits: &str, exponent: isize) -> String {
     let count = digits.len() as isize;
     // The place of the point, counted from the first digit.
     let point = count + exponent;
@@ -75,16 +69,9 @@ pub(super) fn placed(digits: &str, exponent: isize) -> String {
 
 /// A number that is no decimal, as a fraction, where that is short.
 pub(super) fn fraction(x: &Rational) -> Option<String> {
-    let mut rest = x.denominator().to_string();
-    let is_decimal = {
-        let scale = Rational::from(10).pow(PLACES as isize);
-        (x * scale).is_int()
-    };
-    if is_decimal || rest.len() > FRACTION {
-        return None;
-    }
-    rest = format!("{} / {rest}", x.numerator());
-    (rest.len() <= FRACTION).then_some(rest)
+    let is_decimal = (x * Rational::from(10).pow(PLACES as isize)).is_int();
+    let text = format!("{} / {}", x.numerator(), x.denominator());
+    (!is_decimal && text.len() <= FRACTION).then_some(text)
 }
 
 /// An angle as a decimal.

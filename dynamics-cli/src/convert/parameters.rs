@@ -16,7 +16,7 @@ pub(super) struct Parameters {
 }
 
 impl Parameters {
-    /// Those of a step from a frame to the next one.
+    /// The parameters of a step from a frame to the next one.
     pub(super) fn of(convention: Convention, step: &Transform) -> Parameters {
         let Transform {
             rotation: r,
@@ -50,13 +50,9 @@ impl Parameters {
             ..Parameters::none()
         });
         let (whole_theta, theta) = theta.split();
-        match (convention, whole_theta) {
-            // Rx(whole) Rx(rest) Tx Rz(theta + q) Tz
-            (Convention::Modified, None) => {
-                let moves = Parameters { a, alpha, d, theta };
-                in_order(whole_alpha, moves, None)
-            }
-            // Rx(whole) Rx(rest) Tx Rz(rest) Rz(whole + q) Tz
+        let (before, moves) = match (convention, whole_theta) {
+            (_, None) => (None, Parameters { a, alpha, d, theta }),
+            // Rx(rest) Tx Rz(rest) Rz(whole + q) Tz
             (Convention::Modified, Some(whole)) => {
                 let before = Parameters {
                     a,
@@ -69,31 +65,30 @@ impl Parameters {
                     theta: whole,
                     ..Parameters::none()
                 };
-                in_order(whole_alpha.into_iter().chain([before]), moves, None)
+                (Some(before), moves)
             }
-            // Rz(theta + q) Tz Tx Rx(rest) Rx(whole)
-            (Convention::Standard, None) => {
-                let moves = Parameters { a, alpha, d, theta };
-                in_order(None, moves, whole_alpha)
-            }
-            // Rz(rest) Rz(whole + q) Tz Tx Rx(rest) Rx(whole)
+            // Rz(rest) Rz(whole + q) Tz Tx Rx(rest)
             (Convention::Standard, Some(whole)) => {
                 let before = Parameters {
                     theta,
                     ..Parameters::none()
                 };
-                let moves = Parameters {
-                    a,
-                    alpha,
-                    d,
-                    theta: whole,
-                };
-                in_order([before], moves, whole_alpha)
+                let theta = whole;
+                (Some(before), Parameters { a, alpha, d, theta })
             }
-        }
+        };
+        // Rx(whole) comes first in a modified table, and last in a standard one.
+        let (first, last) = match convention {
+            Convention::Modified => (whole_alpha, None),
+            Convention::Standard => (None, whole_alpha),
+        };
+        let still = |parameters| (parameters, false);
+        let before = first.into_iter().chain(before).map(still);
+        let after = last.into_iter().map(still);
+        before.chain([(moves, true)]).chain(after).collect()
     }
 
-    /// Those of a step to the same frame.
+    /// The parameters of a step to the same frame.
     fn none() -> Self {
         Parameters {
             a: Rational::ZERO,
@@ -105,32 +100,14 @@ impl Parameters {
 
     /// The step that they are the parameters of.
     pub(super) fn step(&self, convention: Convention) -> Option<Transform> {
-        let zero = || Angle::ZERO.value();
-        let along = |x: &Rational, z: &Rational| [x.clone(), Rational::ZERO, z.clone()];
-        let nothing = Rational::ZERO;
-        let about_x = Transform::new(
-            &along(&self.a, &nothing),
-            &[self.alpha.value(), zero(), zero()],
-        )?;
-        let about_z = Transform::new(
-            &along(&nothing, &self.d),
-            &[zero(), zero(), self.theta.value()],
-        )?;
+        let (zero, nowhere) = (|| Angle::ZERO.value(), || Rational::ZERO);
+        let along_x = [self.a.clone(), nowhere(), nowhere()];
+        let about_x = Transform::new(&along_x, &[self.alpha.value(), zero(), zero()])?;
+        let along_z = [nowhere(), nowhere(), self.d.clone()];
+        let about_z = Transform::new(&along_z, &[zero(), zero(), self.theta.value()])?;
         Some(match convention {
             Convention::Standard => about_z.then(&about_x),
             Convention::Modified => about_x.then(&about_z),
         })
     }
-}
-
-/// Rows one after the other, of which the one that moves is marked.
-fn in_order(
-    before: impl IntoIterator<Item = Parameters>,
-    moves: Parameters,
-    after: impl IntoIterator<Item = Parameters>,
-) -> Vec<(Parameters, bool)> {
-    let still = |parameters| (parameters, false);
-    let before = before.into_iter().map(still);
-    let after = after.into_iter().map(still);
-    before.chain([(moves, true)]).chain(after).collect()
 }

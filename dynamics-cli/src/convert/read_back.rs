@@ -1,4 +1,4 @@
-//! What the macro's own reader says of a table that was written.
+//! The answer of the macro's own reader to a table that was written.
 
 use dynamics_codegen::description::{Allow, Place};
 use dynamics_codegen::files::{Format, Request, table};

@@ -23,7 +23,7 @@ use super::parameters::Parameters;
 /// A normal further away than so many times the length of the arm is not used.
 const FARTHEST: u8 = 10;
 
-/// A table.
+/// A Denavit-Hartenberg table that was found.
 pub(super) struct Table<'a> {
     pub(super) convention: Convention,
     /// Frame 0 in the world, where they are not the same.
@@ -71,9 +71,10 @@ impl<'a> Table<'a> {
             base: !is_sayable(table.base.as_ref()),
             tool: !is_sayable(table.tool.as_ref()),
         };
-        match ends.base || ends.tool {
-            true => Table::with(arm, convention, ends),
-            false => Some(table),
+        if ends.base || ends.tool {
+            Table::with(arm, convention, ends)
+        } else {
+            Some(table)
         }
     }
 
@@ -148,9 +149,10 @@ fn rows_between<'a>(
     let row = |(index, (parameters, moves))| Row {
         joint: joint.filter(|_| moves),
         parameters,
-        body: match index == last {
-            true => body.body(),
-            false => Mass::none().body(),
+        body: if index == last {
+            body.body()
+        } else {
+            Mass::none().body()
         },
     };
     Some(steps.into_iter().enumerate().map(row).collect())

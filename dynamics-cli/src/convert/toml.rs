@@ -1,9 +1,8 @@
 //! A table as TOML.
 
-use super::document::{Document, Entries, Node};
+use super::document::{Document, Entries, Language, Node};
 use super::number::{decimal, fraction, radians, turns};
 use super::string::quoted;
-use super::written::written;
 
 /// The text of a document.
 pub(super) fn text(document: &Document, remarks: &[String]) -> String {
@@ -13,8 +12,8 @@ pub(super) fn text(document: &Document, remarks: &[String]) -> String {
         .entries
         .iter()
         .partition(|(word, _)| matches!(word.as_str(), "base" | "tool"));
-    for (word, node) in lines {
-        text.push_str(&format!("{} = {}\n", key(word), value(node)));
+    for line in lines {
+        text.push_str(&format!("{}\n", TOML.entry(line)));
     }
     for (word, node) in tables {
         text.push_str(&format!("\n[{}]\n", key(word)));
@@ -29,37 +28,24 @@ pub(super) fn text(document: &Document, remarks: &[String]) -> String {
     text
 }
 
-fn each_on_a_line(entries: &Entries) -> String {
-    let line = |(word, node): &(String, Node)| format!("{} = {}\n", key(word), value(node));
-    entries.iter().map(line).collect()
-}
+const TOML: Language = Language {
+    number: |x| fraction(x).map_or_else(|| decimal(x), |fraction| quoted(&fraction)),
+    angle: |angle| turns(angle).map_or_else(|| radians(angle), quoted),
+    key,
+    is: " = ",
+};
 
-fn value(node: &Node) -> String {
-    match node {
-        Node::Number(x) => match fraction(x) {
-            Some(fraction) => quoted(&fraction),
-            None => decimal(x),
-        },
-        Node::Written(value) => written(value),
-        Node::Angle(angle) => turns(angle).map_or_else(|| radians(angle), quoted),
-        Node::Text(text) => quoted(text),
-        Node::List(values) => {
-            let values: Vec<_> = values.iter().map(value).collect();
-            format!("[{}]", values.join(", "))
-        }
-        Node::Table(entries) => {
-            let entry = |(word, node): &(String, Node)| format!("{} = {}", key(word), value(node));
-            let entries: Vec<_> = entries.iter().map(entry).collect();
-            format!("{{ {} }}", entries.join(", "))
-        }
-    }
+fn each_on_a_line(entries: &Entries) -> String {
+    let line = |entry| format!("{}\n", TOML.entry(entry));
+    entries.iter().map(line).collect()
 }
 
 /// A key, in quotes where it needs them.
 fn key(word: &str) -> String {
     let is_bare = |letter: char| letter.is_ascii_alphanumeric() || "_-".contains(letter);
-    match !word.is_empty() && word.chars().all(is_bare) {
-        true => word.to_owned(),
-        false => quoted(word),
+    if !word.is_empty() && word.chars().all(is_bare) {
+        word.to_owned()
+    } else {
+        quoted(word)
     }
 }

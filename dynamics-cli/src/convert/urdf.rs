@@ -13,10 +13,10 @@ use super::number::{decimal, radians};
 /// The first and the last link.
 pub(super) const CHAIN: [&str; 2] = ["base", "tip"];
 
-/// What URDF has no words for.
+/// The options for parts of an arm that URDF has no words for.
 pub(super) const WITHOUT: [&str; 3] = ["motor", "spring", "friction"];
 
-/// What the joints of an arm have of which URDF cannot tell: a word of [`WITHOUT`], and what it is.
+/// The parts of joints that URDF cannot tell of: a word of [`WITHOUT`], and a sentence.
 pub(super) fn untold(arm: &Arm) -> Vec<(&'static str, String)> {
     let mut untold = Vec::new();
     for joint in &arm.joints {
@@ -42,13 +42,10 @@ pub(super) fn untold(arm: &Arm) -> Vec<(&'static str, String)> {
 
 /// The text of an arm, without what is [`untold`].
 pub(super) fn text(name: &str, arm: &Arm, remarks: &[String]) -> String {
+    let names = arm.joints.iter().map(|joint| joint.row.name.clone());
     let mut writer = Writer {
         text: String::new(),
-        names: arm
-            .joints
-            .iter()
-            .map(|joint| joint.row.name.clone())
-            .collect(),
+        names: names.collect(),
     };
     writer.line(0, "<?xml version=\"1.0\"?>");
     for remark in remarks {
@@ -78,10 +75,7 @@ type Place = (Vector, [Angle; 3]);
 fn places(frame: &Transform) -> Vec<Place> {
     let [roll, pitch, yaw] = roll_pitch_yaw(&frame.rotation).map(Angle::split);
     let xyz = frame.origin.clone();
-    if [&roll, &pitch, &yaw]
-        .iter()
-        .all(|(whole, _)| whole.is_none())
-    {
+    if roll.0.is_none() && pitch.0.is_none() && yaw.0.is_none() {
         return vec![(xyz, [roll.1, pitch.1, yaw.1])];
     }
     // Rz(whole) Rz(rest) Ry(whole) Ry(rest) Rx(whole) Rx(rest), for Rz Ry Rx is one place.
@@ -103,8 +97,8 @@ struct Writer {
 
 impl Writer {
     fn line(&mut self, depth: usize, line: &str) {
-        self.text
-            .push_str(&format!("{}{line}\n", "  ".repeat(depth)));
+        let indent = "  ".repeat(depth);
+        self.text.push_str(&format!("{indent}{line}\n"));
     }
 
     /// A link with its body.
@@ -146,10 +140,8 @@ impl Writer {
             self.link(&link, None);
             parent = link;
         }
-        (
-            parent,
-            last.unwrap_or_else(|| (origin.origin.clone(), [0; 3].map(|_| Angle::ZERO))),
-        )
+        let nowhere = || (origin.origin.clone(), [0; 3].map(|_| Angle::ZERO));
+        (parent, last.unwrap_or_else(nowhere))
     }
 
     /// A joint that does not move; its name is free.
@@ -171,22 +163,17 @@ impl Writer {
             (JointType::Revolute, Some(_)) => "revolute",
             (JointType::Revolute, None) => "continuous",
         };
-        self.line(
-            1,
-            &format!("<joint name={} type=\"{kind}\">", quoted(&row.name)),
-        );
+        let name = quoted(&row.name);
+        self.line(1, &format!("<joint name={name} type=\"{kind}\">"));
         self.ends([&parent, child], &place);
         self.line(2, "<axis xyz=\"0 0 1\"/>");
         self.limit(row);
         self.dynamics(row);
         if let Some(coupling) = &row.follows {
-            let leader = &arm.robot.rows[coupling.leader].name;
-            let (factor, offset) = (shown(&coupling.factor), shown(&coupling.offset));
-            let leader = quoted(leader);
-            self.line(
-                2,
-                &format!("<mimic joint={leader} multiplier=\"{factor}\" offset=\"{offset}\"/>"),
-            );
+            let leader = quoted(&arm.robot.rows[coupling.leader].name);
+            let [factor, offset] = [&coupling.factor, &coupling.offset].map(shown);
+            let law = format!("multiplier=\"{factor}\" offset=\"{offset}\"");
+            self.line(2, &format!("<mimic joint={leader} {law}/>"));
         }
         self.line(1, "</joint>");
     }
@@ -200,25 +187,26 @@ impl Writer {
             (None, JointType::Prismatic) => [format!("-{NONE}"), NONE.to_owned()],
             (None, JointType::Revolute) => return,
         };
+        let bounds = format!("lower=\"{lower}\" upper=\"{upper}\"");
         self.line(
             2,
-            &format!(
-                "<limit lower=\"{lower}\" upper=\"{upper}\" effort=\"{NONE}\" velocity=\"{NONE}\"/>"
-            ),
+            &format!("<limit {bounds} effort=\"{NONE}\" velocity=\"{NONE}\"/>"),
         );
     }
 
     fn dynamics(&mut self, row: &Row) {
-        let [damping, friction] = [&row.viscous, &row.coulomb[0]].map(shown);
-        // Of what differs by direction nothing is told.
-        let friction = match row.coulomb[0] == row.coulomb[1] {
-            true => friction,
-            false => "0".to_owned(),
+        let [positive, negative] = &row.coulomb;
+        // Friction that differs by direction is left out.
+        let coulomb = if positive == negative {
+            shown(positive)
+        } else {
+            "0".to_owned()
         };
-        if damping != "0" || friction != "0" {
+        let damping = shown(&row.viscous);
+        if damping != "0" || coulomb != "0" {
             self.line(
                 2,
-                &format!("<dynamics damping=\"{damping}\" friction=\"{friction}\"/>"),
+                &format!("<dynamics damping=\"{damping}\" friction=\"{coulomb}\"/>"),
             );
         }
     }

@@ -3,7 +3,7 @@
 use dynamics_symbolic::exact::Rational;
 use dynamics_symbolic::robot::Value;
 
-use super::number::placed;
+use super::number::scaled;
 use super::string::quoted;
 
 /// How tightly an operation binds.
@@ -41,16 +41,7 @@ fn exact(x: &Rational) -> Option<String> {
         return None;
     }
     let text = (x * Rational::from(10).pow(places)).numerator().to_string();
-    let (sign, digits) = match text.strip_prefix('-') {
-        Some(digits) => ("-", digits),
-        None => ("", text.as_str()),
-    };
-    let kept = digits.trim_end_matches('0');
-    if kept.is_empty() {
-        return Some("0".to_owned());
-    }
-    let exponent = (digits.len() - kept.len()) as isize - places;
-    Some(format!("{sign}{}", placed(kept, exponent)))
+    Some(scaled(&text, -places, usize::MAX))
 }
 
 /// A value in the macro's words, between parentheses where what is around it binds tighter.
@@ -59,25 +50,26 @@ pub(super) fn expression(value: &Value, around: Binding) -> String {
         Value::Rational(x) => match exact(x) {
             Some(text) if text.starts_with('-') => (Binding::Product, text),
             Some(text) => (Binding::Factor, text),
-            None => (
-                Binding::Product,
-                format!("{} / {}", x.numerator(), x.denominator()),
-            ),
+            None => {
+                let fraction = format!("{} / {}", x.numerator(), x.denominator());
+                (Binding::Product, fraction)
+            }
         },
         Value::Pi => (Binding::Factor, "PI".to_owned()),
         // Arms with fields are not converted.
         Value::Field(index) => (Binding::Factor, format!("field_{index}")),
-        Value::Neg(a) => (
-            Binding::Product,
-            format!("-{}", expression(a, Binding::Factor)),
-        ),
+        Value::Neg(a) => {
+            let a = expression(a, Binding::Factor);
+            (Binding::Product, format!("-{a}"))
+        }
         Value::Add(a, b) => (Binding::Sum, sum(expression(a, Binding::Sum), b)),
         Value::Mul(a, b) => (Binding::Product, product(a, '*', b)),
         Value::Div(a, b) => (Binding::Product, product(a, '/', b)),
     };
-    match binding < around {
-        true => format!("({text})"),
-        false => text,
+    if binding < around {
+        format!("({text})")
+    } else {
+        text
     }
 }
 
@@ -91,11 +83,8 @@ pub(super) fn sum(a: String, b: &Value) -> String {
 }
 
 fn product(a: &Value, operator: char, b: &Value) -> String {
-    let (a, b) = (
-        expression(a, Binding::Product),
-        expression(b, Binding::Factor),
-    );
-    format!("{a} {operator} {b}")
+    let a = expression(a, Binding::Product);
+    format!("{a} {operator} {}", expression(b, Binding::Factor))
 }
 
 #[cfg(test)]

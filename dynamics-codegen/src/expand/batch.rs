@@ -191,8 +191,8 @@ impl Batch {
         };
         let generic = is_of_table.then(|| quote!(, const N: usize));
         let (arm, arms) = match self.receiver {
-            Receiver::Arm => (quote!(Self), quote!(#path::Same(self))),
-            Receiver::Each => (quote!(R), quote!(#path::Each(self.0))),
+            Receiver::Arm => (quote!(Self), quote!(self)),
+            Receiver::Each => (quote!(R), quote!(self.0)),
         };
         let arguments = self.arguments.iter().map(|argument| {
             let name = format_ident!("{}", argument.name());

@@ -11,7 +11,7 @@ use crate::tape::{Operation, Place};
 /// A number at each of the states that are computed together, in registers.
 type Registers<S, const GROUPS: usize> = [f64x8<S>; GROUPS];
 
-/// What a kernel reads.
+/// The numbers that a kernel reads.
 struct Sources<'a, S: Simd, const GROUPS: usize> {
     simd: S,
     shared: &'a [f64],
@@ -117,9 +117,7 @@ pub(super) fn carry_out<S: Simd, const GROUPS: usize>(
 }
 
 macro_rules! kernels {
-    ($($operation:ident = $value:expr => {
-        $($kernel:ident($($operand:ident: $kind:ident),*))*
-    })*) => {
+    ($($operation:ident $operands:tt = $value:expr => { $($kernel:ident $kinds:tt)* })*) => {
         /// An operation on operands of known kinds.
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         enum Kernel {
@@ -129,13 +127,8 @@ macro_rules! kernels {
         /// The kernel of an operation, and the numbers of its operands in their places.
         fn kernel_of(operation: Operation) -> (Kernel, [u16; 4]) {
             match operation {
-                $($(Operation::$operation($($operand @ Place::$kind { .. }),*) => {
-                    let mut operands = [0; 4];
-                    let places = [$($operand),*];
-                    for (operand, place) in operands.iter_mut().zip(places) {
-                        *operand = place.index();
-                    }
-                    (Kernel::$kernel, operands)
+                $($(kernels!(@pattern $operation $operands $kinds) => {
+                    (Kernel::$kernel, kernels!(@indices $operands))
                 })*)*
                 _ => unreachable!("no tape has {operation:?}"),
             }
@@ -150,128 +143,88 @@ macro_rules! kernels {
                 let mut result = sources.last;
                 match self.kernel {
                     $($(Kernel::$kernel => {
-                        let [$($operand,)* ..] = self.operands;
-                        $(let $operand = $kind::of(sources, $operand);)*
-                        for group in 0..GROUPS {
-                            $(let $operand = $operand.read(sources.simd, group);)*
-                            result[group] = $value;
-                        }
+                        kernels!(@compute result $value; self sources $operands $kinds);
                     })*)*
                 }
                 result
             }
         }
     };
+    (@pattern $operation:ident ($($operand:ident),*) ($($kind:ident),*)) => {
+        Operation::$operation($($operand @ Place::$kind { .. }),*)
+    };
+    (@indices ($($operand:ident),*)) => {{
+        let mut indices = [0; 4];
+        for (index, place) in indices.iter_mut().zip([$($operand),*]) {
+            *index = place.index();
+        }
+        indices
+    }};
+    (@compute $result:ident $value:expr; $bound:ident $sources:ident
+     ($($operand:ident),*) ($($kind:ident),*)) => {
+        let [$($operand,)* ..] = $bound.operands;
+        $(let $operand = $kind::of($sources, $operand);)*
+        for group in 0..GROUPS {
+            $(let $operand = $operand.read($sources.simd, group);)*
+            $result[group] = $value;
+        }
+    };
 }
 
 kernels! {
-    Add = a + b => {
-        AddLS(a: Last, b: Shared)
-        AddLV(a: Last, b: Slot)
-        AddSV(a: Shared, b: Slot)
-        AddVV(a: Slot, b: Slot)
+    Add(a, b) = a + b => {
+        AddLS(Last, Shared) AddLV(Last, Slot) AddSV(Shared, Slot) AddVV(Slot, Slot)
     }
-    Sub = a - b => {
-        SubLS(a: Last, b: Shared)
-        SubLV(a: Last, b: Slot)
-        SubSL(a: Shared, b: Last)
-        SubSV(a: Shared, b: Slot)
-        SubVL(a: Slot, b: Last)
-        SubVS(a: Slot, b: Shared)
-        SubVV(a: Slot, b: Slot)
+    Sub(a, b) = a - b => {
+        SubLS(Last, Shared) SubLV(Last, Slot) SubSL(Shared, Last) SubSV(Shared, Slot)
+        SubVL(Slot, Last) SubVS(Slot, Shared) SubVV(Slot, Slot)
     }
-    Mul = a * b => {
-        MulLS(a: Last, b: Shared)
-        MulLV(a: Last, b: Slot)
-        MulSV(a: Shared, b: Slot)
-        MulVV(a: Slot, b: Slot)
+    Mul(a, b) = a * b => {
+        MulLS(Last, Shared) MulLV(Last, Slot) MulSV(Shared, Slot) MulVV(Slot, Slot)
     }
-    Div = a / b => {
-        DivLS(a: Last, b: Shared)
-        DivLV(a: Last, b: Slot)
-        DivSL(a: Shared, b: Last)
-        DivSV(a: Shared, b: Slot)
-        DivVL(a: Slot, b: Last)
-        DivVS(a: Slot, b: Shared)
-        DivVV(a: Slot, b: Slot)
+    Div(a, b) = a / b => {
+        DivLS(Last, Shared) DivLV(Last, Slot) DivSL(Shared, Last) DivSV(Shared, Slot)
+        DivVL(Slot, Last) DivVS(Slot, Shared) DivVV(Slot, Slot)
     }
-    MulAdd = x.mul_add(y, c) => {
-        MulAddLSS(x: Last, y: Shared, c: Shared)
-        MulAddLSV(x: Last, y: Shared, c: Slot)
-        MulAddLVS(x: Last, y: Slot, c: Shared)
-        MulAddLVV(x: Last, y: Slot, c: Slot)
-        MulAddSSL(x: Shared, y: Shared, c: Last)
-        MulAddSSV(x: Shared, y: Shared, c: Slot)
-        MulAddSVL(x: Shared, y: Slot, c: Last)
-        MulAddSVS(x: Shared, y: Slot, c: Shared)
-        MulAddSVV(x: Shared, y: Slot, c: Slot)
-        MulAddVVL(x: Slot, y: Slot, c: Last)
-        MulAddVVS(x: Slot, y: Slot, c: Shared)
-        MulAddVVV(x: Slot, y: Slot, c: Slot)
+    MulAdd(x, y, c) = x.mul_add(y, c) => {
+        MulAddLSS(Last, Shared, Shared) MulAddLSV(Last, Shared, Slot) MulAddLVS(Last, Slot, Shared)
+        MulAddLVV(Last, Slot, Slot) MulAddSSL(Shared, Shared, Last) MulAddSSV(Shared, Shared, Slot)
+        MulAddSVL(Shared, Slot, Last) MulAddSVS(Shared, Slot, Shared) MulAddSVV(Shared, Slot, Slot)
+        MulAddVVL(Slot, Slot, Last) MulAddVVS(Slot, Slot, Shared) MulAddVVV(Slot, Slot, Slot)
     }
-    MulSub = x.mul_add(y, -c) => {
-        MulSubLSS(x: Last, y: Shared, c: Shared)
-        MulSubLSV(x: Last, y: Shared, c: Slot)
-        MulSubLVS(x: Last, y: Slot, c: Shared)
-        MulSubLVV(x: Last, y: Slot, c: Slot)
-        MulSubSSL(x: Shared, y: Shared, c: Last)
-        MulSubSSV(x: Shared, y: Shared, c: Slot)
-        MulSubSVL(x: Shared, y: Slot, c: Last)
-        MulSubSVS(x: Shared, y: Slot, c: Shared)
-        MulSubSVV(x: Shared, y: Slot, c: Slot)
-        MulSubVVL(x: Slot, y: Slot, c: Last)
-        MulSubVVS(x: Slot, y: Slot, c: Shared)
-        MulSubVVV(x: Slot, y: Slot, c: Slot)
+    MulSub(x, y, c) = x.mul_add(y, -c) => {
+        MulSubLSS(Last, Shared, Shared) MulSubLSV(Last, Shared, Slot) MulSubLVS(Last, Slot, Shared)
+        MulSubLVV(Last, Slot, Slot) MulSubSSL(Shared, Shared, Last) MulSubSSV(Shared, Shared, Slot)
+        MulSubSVL(Shared, Slot, Last) MulSubSVS(Shared, Slot, Shared) MulSubSVV(Shared, Slot, Slot)
+        MulSubVVL(Slot, Slot, Last) MulSubVVS(Slot, Slot, Shared) MulSubVVV(Slot, Slot, Slot)
     }
-    NegMulAdd = (-x).mul_add(y, c) => {
-        NegMulAddLSS(x: Last, y: Shared, c: Shared)
-        NegMulAddLSV(x: Last, y: Shared, c: Slot)
-        NegMulAddLVS(x: Last, y: Slot, c: Shared)
-        NegMulAddLVV(x: Last, y: Slot, c: Slot)
-        NegMulAddSSL(x: Shared, y: Shared, c: Last)
-        NegMulAddSSV(x: Shared, y: Shared, c: Slot)
-        NegMulAddSVL(x: Shared, y: Slot, c: Last)
-        NegMulAddSVS(x: Shared, y: Slot, c: Shared)
-        NegMulAddSVV(x: Shared, y: Slot, c: Slot)
-        NegMulAddVVL(x: Slot, y: Slot, c: Last)
-        NegMulAddVVS(x: Slot, y: Slot, c: Shared)
-        NegMulAddVVV(x: Slot, y: Slot, c: Slot)
+    NegMulAdd(x, y, c) = (-x).mul_add(y, c) => {
+        NegMulAddLSS(Last, Shared, Shared) NegMulAddLSV(Last, Shared, Slot)
+        NegMulAddLVS(Last, Slot, Shared) NegMulAddLVV(Last, Slot, Slot)
+        NegMulAddSSL(Shared, Shared, Last) NegMulAddSSV(Shared, Shared, Slot)
+        NegMulAddSVL(Shared, Slot, Last) NegMulAddSVS(Shared, Slot, Shared)
+        NegMulAddSVV(Shared, Slot, Slot) NegMulAddVVL(Slot, Slot, Last)
+        NegMulAddVVS(Slot, Slot, Shared) NegMulAddVVV(Slot, Slot, Slot)
     }
-    Sum = x.mul_add(y, a * b) => {
-        SumLSSV(x: Last, y: Shared, a: Shared, b: Slot)
-        SumLSVV(x: Last, y: Shared, a: Slot, b: Slot)
-        SumLVSV(x: Last, y: Slot, a: Shared, b: Slot)
-        SumLVVV(x: Last, y: Slot, a: Slot, b: Slot)
-        SumSSLS(x: Shared, y: Shared, a: Last, b: Shared)
-        SumSSLV(x: Shared, y: Shared, a: Last, b: Slot)
-        SumSSSV(x: Shared, y: Shared, a: Shared, b: Slot)
-        SumSSVV(x: Shared, y: Shared, a: Slot, b: Slot)
-        SumSVLS(x: Shared, y: Slot, a: Last, b: Shared)
-        SumSVLV(x: Shared, y: Slot, a: Last, b: Slot)
-        SumSVSV(x: Shared, y: Slot, a: Shared, b: Slot)
-        SumSVVV(x: Shared, y: Slot, a: Slot, b: Slot)
-        SumVVLS(x: Slot, y: Slot, a: Last, b: Shared)
-        SumVVLV(x: Slot, y: Slot, a: Last, b: Slot)
-        SumVVSV(x: Slot, y: Slot, a: Shared, b: Slot)
-        SumVVVV(x: Slot, y: Slot, a: Slot, b: Slot)
+    Sum(x, y, a, b) = x.mul_add(y, a * b) => {
+        SumLSSV(Last, Shared, Shared, Slot) SumLSVV(Last, Shared, Slot, Slot)
+        SumLVSV(Last, Slot, Shared, Slot) SumLVVV(Last, Slot, Slot, Slot)
+        SumSSLS(Shared, Shared, Last, Shared) SumSSLV(Shared, Shared, Last, Slot)
+        SumSSSV(Shared, Shared, Shared, Slot) SumSSVV(Shared, Shared, Slot, Slot)
+        SumSVLS(Shared, Slot, Last, Shared) SumSVLV(Shared, Slot, Last, Slot)
+        SumSVSV(Shared, Slot, Shared, Slot) SumSVVV(Shared, Slot, Slot, Slot)
+        SumVVLS(Slot, Slot, Last, Shared) SumVVLV(Slot, Slot, Last, Slot)
+        SumVVSV(Slot, Slot, Shared, Slot) SumVVVV(Slot, Slot, Slot, Slot)
     }
-    Difference = (-x).mul_add(y, a * b) => {
-        DifferenceLSSV(x: Last, y: Shared, a: Shared, b: Slot)
-        DifferenceLSVV(x: Last, y: Shared, a: Slot, b: Slot)
-        DifferenceLVSV(x: Last, y: Slot, a: Shared, b: Slot)
-        DifferenceLVVV(x: Last, y: Slot, a: Slot, b: Slot)
-        DifferenceSSLS(x: Shared, y: Shared, a: Last, b: Shared)
-        DifferenceSSLV(x: Shared, y: Shared, a: Last, b: Slot)
-        DifferenceSSSV(x: Shared, y: Shared, a: Shared, b: Slot)
-        DifferenceSSVV(x: Shared, y: Shared, a: Slot, b: Slot)
-        DifferenceSVLS(x: Shared, y: Slot, a: Last, b: Shared)
-        DifferenceSVLV(x: Shared, y: Slot, a: Last, b: Slot)
-        DifferenceSVSV(x: Shared, y: Slot, a: Shared, b: Slot)
-        DifferenceSVVV(x: Shared, y: Slot, a: Slot, b: Slot)
-        DifferenceVVLS(x: Slot, y: Slot, a: Last, b: Shared)
-        DifferenceVVLV(x: Slot, y: Slot, a: Last, b: Slot)
-        DifferenceVVSV(x: Slot, y: Slot, a: Shared, b: Slot)
-        DifferenceVVVV(x: Slot, y: Slot, a: Slot, b: Slot)
+    Difference(x, y, a, b) = (-x).mul_add(y, a * b) => {
+        DifferenceLSSV(Last, Shared, Shared, Slot) DifferenceLSVV(Last, Shared, Slot, Slot)
+        DifferenceLVSV(Last, Slot, Shared, Slot) DifferenceLVVV(Last, Slot, Slot, Slot)
+        DifferenceSSLS(Shared, Shared, Last, Shared) DifferenceSSLV(Shared, Shared, Last, Slot)
+        DifferenceSSSV(Shared, Shared, Shared, Slot) DifferenceSSVV(Shared, Shared, Slot, Slot)
+        DifferenceSVLS(Shared, Slot, Last, Shared) DifferenceSVLV(Shared, Slot, Last, Slot)
+        DifferenceSVSV(Shared, Slot, Shared, Slot) DifferenceSVVV(Shared, Slot, Slot, Slot)
+        DifferenceVVLS(Slot, Slot, Last, Shared) DifferenceVVLV(Slot, Slot, Last, Slot)
+        DifferenceVVSV(Slot, Slot, Shared, Slot) DifferenceVVVV(Slot, Slot, Slot, Slot)
     }
 }
 

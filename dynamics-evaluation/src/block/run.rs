@@ -10,7 +10,7 @@ use crate::layout::{Layout, Test};
 use crate::read::{Column, Reader, scatter};
 use crate::tape::{Output, Place, Step, Tape};
 
-/// What is done at the states of a block.
+/// A part of the work at the states of a block.
 #[derive(Clone, Debug)]
 pub(crate) enum Stage {
     /// Reads a symbol into a slot.
@@ -25,27 +25,25 @@ pub(crate) enum Stage {
 pub(crate) fn stages(tape: &Tape) -> Vec<Stage> {
     let mut stages = Vec::new();
     for step in &tape.steps {
-        match (*step, stages.last_mut()) {
-            (Step::Read { input, to }, _) => {
+        match *step {
+            Step::Read { input, to } => {
                 let symbol = tape.inputs[usize::from(input)].clone();
                 stages.push(Stage::Read(symbol, to));
             }
-            (
-                Step::SinCos {
-                    joint,
-                    sine,
-                    cosine,
-                },
-                _,
-            ) => {
+            Step::SinCos {
+                joint,
+                sine,
+                cosine,
+            } => {
                 let position = Symbol::Position(usize::from(joint));
                 stages.push(Stage::SinCos(position, [sine, cosine]));
             }
-            (Step::Compute { operation, to }, Some(Stage::Compute(operations))) => {
-                operations.push(Bound::new(operation, to));
-            }
-            (Step::Compute { operation, to }, _) => {
-                stages.push(Stage::Compute(vec![Bound::new(operation, to)]));
+            Step::Compute { operation, to } => {
+                let bound = Bound::new(operation, to);
+                match stages.last_mut() {
+                    Some(Stage::Compute(operations)) => operations.push(bound),
+                    _ => stages.push(Stage::Compute(vec![bound])),
+                }
             }
         }
     }
@@ -54,15 +52,11 @@ pub(crate) fn stages(tape: &Tape) -> Vec<Stage> {
 
 /// A function at many states.
 pub(crate) struct Batch<'a> {
-    /// Its tape.
     pub(crate) tape: &'a Tape,
-    /// The stages of the tape.
     pub(crate) stages: &'a [Stage],
     /// The numbers that all states share.
     pub(crate) shared: &'a [f64],
-    /// What its outputs are.
     pub(crate) layout: &'a Layout,
-    /// The number of states.
     pub(crate) states: usize,
 }
 
@@ -89,15 +83,16 @@ pub(crate) fn run(
     let mut first = 0;
     while first < batch.states {
         let rest = batch.states - first;
-        // What is left beyond two groups is computed as a whole block.
+        // A rest of more than two groups is computed as a whole block.
         let is_whole = rest > 2 * LANES;
         let count = rest.min(if is_whole { STATES } else { LANES });
         let entries = batch.layout.entries();
         let results = &mut results[first * entries..(first + count) * entries];
         let all_regular = dispatch!(level, simd => {
-            match is_whole {
-                true => steps::<_, GROUPS>(simd, level, batch, &columns, slots, (first, count)),
-                false => steps::<_, 1>(simd, level, batch, &columns, slots, (first, count)),
+            if is_whole {
+                steps::<_, GROUPS>(simd, level, batch, &columns, slots, (first, count));
+            } else {
+                steps::<_, 1>(simd, level, batch, &columns, slots, (first, count));
             }
             write(batch, slots, results);
             are_regular(simd, batch, slots, count)
@@ -165,9 +160,10 @@ fn write(batch: &Batch<'_>, slots: &[Block], results: &mut [f64]) {
             }
             (Place::Slot(slot), negative) => {
                 let lanes = slots[usize::from(slot)].0.as_flattened().iter();
-                match negative {
-                    true => scatter(lanes.map(|lane| -lane), results, entries, place),
-                    false => scatter(lanes.copied(), results, entries, place),
+                if negative {
+                    scatter(lanes.map(|lane| -lane), results, entries, place);
+                } else {
+                    scatter(lanes.copied(), results, entries, place);
                 }
             }
             (Place::Last, _) => unreachable!("{KEPT}"),
@@ -176,10 +172,7 @@ fn write(batch: &Batch<'_>, slots: &[Block], results: &mut [f64]) {
 }
 
 fn signed(value: f64, output: &Output) -> f64 {
-    match output.negative {
-        true => -value,
-        false => value,
-    }
+    if output.negative { -value } else { value }
 }
 
 /// Whether all tests of pivots pass at all states of a block.

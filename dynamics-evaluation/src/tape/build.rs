@@ -6,7 +6,7 @@ use dynamics_symbolic::robot::Symbol;
 
 use super::lines::{Lines, is_shared_symbol};
 use super::order::order;
-use super::places::{LastReaders, Slots, TooLong, last_readers};
+use super::places::{Slots, TooLong, last_readers};
 use super::{Operation, Output, Place, Step, Tape};
 
 impl Tape {
@@ -32,12 +32,12 @@ impl Tape {
 struct Builder<'p> {
     lines: &'p Lines<'p>,
     tape: Tape,
-    /// Where each constant of the program's pool, each input and each result is, once it is known.
+    /// Where each constant of the program's pool is, if a program reads it.
     constants: Vec<Option<Place>>,
-    inputs: Vec<Option<Place>>,
-    results: Vec<Option<Place>>,
+    /// Where each input and each result is, once it is known.
+    places: Vec<Option<Place>>,
     /// When each input and each result is read for the last time.
-    last: LastReaders,
+    last: Vec<usize>,
     slots: Slots,
 }
 
@@ -46,7 +46,7 @@ fn index(count: usize) -> Result<u16, TooLong> {
 }
 
 impl<'p> Builder<'p> {
-    fn new(proven: &'p Proven, lines: &'p Lines<'p>, last: LastReaders) -> Result<Self, TooLong> {
+    fn new(proven: &'p Proven, lines: &'p Lines<'p>, last: Vec<usize>) -> Result<Self, TooLong> {
         let program = &proven.program;
         let mut constants = vec![None; proven.constants.len()];
         let mut values = Vec::new();
@@ -56,9 +56,9 @@ impl<'p> Builder<'p> {
                 values.push(x);
             }
         }
-        let mut inputs = vec![None; program.inputs.len()];
+        let mut places = vec![None; lines.numbers()];
         let mut parameters = Vec::new();
-        for (place, symbol) in inputs.iter_mut().zip(&program.inputs) {
+        for (place, symbol) in places.iter_mut().zip(&program.inputs) {
             if is_shared_symbol(symbol) {
                 *place = Some(Place::Shared(index(values.len() + parameters.len())?));
                 parameters.push(symbol.clone());
@@ -77,8 +77,7 @@ impl<'p> Builder<'p> {
             lines,
             tape,
             constants,
-            inputs,
-            results: vec![None; program.instructions.len()],
+            places,
             last,
             slots: Slots::default(),
         })
@@ -86,10 +85,9 @@ impl<'p> Builder<'p> {
 
     /// Writes a line among what is computed for all states together.
     fn shared(&mut self, line: usize) -> Result<(), TooLong> {
-        let Some(operation) = self.operation(line, None)? else {
-            return Ok(());
-        };
-        self.results[line] = Some(self.shared_value(operation)?);
+        if let Some(operation) = self.operation(line, None)? {
+            self.places[self.lines.result(line)] = Some(self.shared_value(operation)?);
+        }
         Ok(())
     }
 
@@ -100,8 +98,8 @@ impl<'p> Builder<'p> {
         Ok(Place::Shared(index(count)?))
     }
 
-    /// Writes lines of which each reads the result of the one before. What they read of a state is read
-    /// before them, so that nothing comes in between.
+    /// Writes lines of which each reads the result of the one before. Their inputs are read before them, so that nothing
+    /// comes in between.
     fn chain(&mut self, chain: &[usize], start: usize) -> Result<(), TooLong> {
         for line in chain {
             for operand in self.lines.operands(*line) {
@@ -115,14 +113,15 @@ impl<'p> Builder<'p> {
             let Some(operation) = self.operation(line, before)? else {
                 continue;
             };
-            // A line may write where it has read: what is read for the last time is free before.
+            // A line may write where it has read: an operand that is read for the last time is free before.
             for operand in self.lines.operands(line) {
                 self.release(operand, time);
             }
-            let is_kept = time + 1 == start + chain.len() || self.last.of_results[line] > time + 1;
+            let result = self.lines.result(line);
+            let is_kept = time + 1 == start + chain.len() || self.last[result] > time + 1;
             let to = is_kept.then(|| self.slots.take()).transpose()?;
             self.tape.steps.push(Step::Compute { operation, to });
-            self.results[line] = to.map(Place::Slot);
+            self.places[result] = to.map(Place::Slot);
             before = Some(line);
         }
         Ok(())
@@ -140,10 +139,12 @@ impl<'p> Builder<'p> {
         let mut places = Vec::with_capacity(4);
         for operand in line.operands() {
             let is_last = before.is_some_and(|last| operand == Operand::Result(last as u32));
-            places.push(match is_last {
-                true => Place::Last,
-                false => self.place(operand)?,
-            });
+            let place = if is_last {
+                Place::Last
+            } else {
+                self.place(operand)?
+            };
+            places.push(place);
         }
         Ok(Some(match operation(line, &places) {
             // The product that is rounded by itself is a number that all states share.
@@ -161,17 +162,14 @@ impl<'p> Builder<'p> {
         let known = match operand {
             Operand::Constant(id) => self.constants[id.index()],
             Operand::Input(input) => Some(self.input(input as usize)?),
-            Operand::Result(result) => self.results[result as usize],
+            Operand::Result(line) => self.places[self.lines.result(line as usize)],
         };
         Ok(known.expect("constants are rounded, and results computed, before they are read"))
     }
 
     /// Where an input is, which is read unless it is known.
     fn input(&mut self, input: usize) -> Result<Place, TooLong> {
-        match self.inputs[input] {
-            Some(place) => Ok(place),
-            None => self.read(input),
-        }
+        self.places[input].map_or_else(|| self.read(input), Ok)
     }
 
     fn read(&mut self, input: usize) -> Result<Place, TooLong> {
@@ -179,22 +177,18 @@ impl<'p> Builder<'p> {
         let symbol = &self.lines.program.inputs[input];
         let step = match *symbol {
             Symbol::Sine(joint) | Symbol::Cosine(joint) => {
-                let is_sine = matches!(symbol, Symbol::Sine(_));
-                let other = match is_sine {
-                    true => Symbol::Cosine(joint),
-                    false => Symbol::Sine(joint),
-                };
                 let beside = self.slots.take()?;
+                let (other, sine, cosine) = match symbol {
+                    Symbol::Sine(_) => (Symbol::Cosine(joint), to, beside),
+                    _ => (Symbol::Sine(joint), beside, to),
+                };
                 let mut inputs = self.lines.program.inputs.iter();
-                let other = inputs.position(|symbol| *symbol == other);
-                match other {
-                    Some(other) => self.inputs[other] = Some(Place::Slot(beside)),
+                match inputs.position(|symbol| *symbol == other) {
+                    Some(other) => self.places[other] = Some(Place::Slot(beside)),
                     None => self.slots.give_back(beside),
                 }
-                let (sine, cosine) = if is_sine { (to, beside) } else { (beside, to) };
-                let joint = index(joint)?;
                 Step::SinCos {
-                    joint,
+                    joint: index(joint)?,
                     sine,
                     cosine,
                 }
@@ -206,18 +200,16 @@ impl<'p> Builder<'p> {
             }
         };
         self.tape.steps.push(step);
-        self.inputs[input] = Some(Place::Slot(to));
+        self.places[input] = Some(Place::Slot(to));
         Ok(Place::Slot(to))
     }
 
     /// Frees the slot of an operand that no later line reads.
     fn release(&mut self, operand: Operand, time: usize) {
-        let (place, last) = match operand {
-            Operand::Constant(_) => return,
-            Operand::Input(i) => (self.inputs[i as usize], self.last.of_inputs[i as usize]),
-            Operand::Result(i) => (self.results[i as usize], self.last.of_results[i as usize]),
-        };
-        if let (Some(Place::Slot(slot)), true) = (place, last == time) {
+        if let Some(number) = self.lines.number(operand)
+            && let Some(Place::Slot(slot)) = self.places[number]
+            && self.last[number] == time
+        {
             self.slots.give_back(slot);
         }
     }
@@ -263,9 +255,10 @@ fn operation(line: &Line, places: &[Place]) -> Operation {
                 (Rest::Minus(_), _, &[c]) => Operation::MulSub(x, y, c),
                 (Rest::Product(..), _, &[a, b]) => {
                     let (a, b) = sorted(a, b);
-                    match is_subtracted {
-                        false => Operation::Sum(x, y, a, b),
-                        true => Operation::Difference(x, y, a, b),
+                    if *is_subtracted {
+                        Operation::Difference(x, y, a, b)
+                    } else {
+                        Operation::Sum(x, y, a, b)
                     }
                 }
                 _ => unreachable!("a line has as many places as operands"),

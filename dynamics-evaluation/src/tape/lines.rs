@@ -37,9 +37,28 @@ impl<'p> Lines<'p> {
         lines
     }
 
-    /// How many places of lines there are.
+    /// The number of places of lines.
     pub(super) fn count(&self) -> usize {
         self.lines.len()
+    }
+
+    /// The number of inputs and results together.
+    pub(super) fn numbers(&self) -> usize {
+        self.result(self.count())
+    }
+
+    /// The number of the result of a line among inputs and results, the inputs first.
+    pub(super) fn result(&self, line: usize) -> usize {
+        self.program.inputs.len() + line
+    }
+
+    /// The number of an operand among inputs and results; constants have none.
+    pub(super) fn number(&self, operand: Operand) -> Option<usize> {
+        match operand {
+            Operand::Constant(_) => None,
+            Operand::Input(input) => Some(input as usize),
+            Operand::Result(line) => Some(self.result(line as usize)),
+        }
     }
 
     /// The line of that index, where there is one.
@@ -47,7 +66,7 @@ impl<'p> Lines<'p> {
         self.lines[index].as_ref()
     }
 
-    /// What the line of that index reads.
+    /// The operands of the line of that index.
     pub(super) fn operands(&self, index: usize) -> Vec<Operand> {
         self.line(index).map_or(Vec::new(), Line::operands)
     }

@@ -9,22 +9,21 @@ use dynamics_symbolic::robot::Symbol;
 
 /// A program as it is evaluated.
 ///
-/// What depends on constants and fields alone is a number that all states share. What depends on the
-/// state has a slot, which others take over after its last reader, or none where the next operation
-/// alone reads it. An operation reads the result of the one before without its slot.
+/// All states share the numbers that depend on constants and fields alone. A number of a state has a slot, which others
+/// take over after its last reader, or none where the next operation alone reads it.
 #[derive(Clone, Debug)]
 pub(crate) struct Tape {
     /// The constants that are read, the first of the shared numbers.
     pub(crate) constants: Vec<f64>,
     /// Fields, and sines and cosines of angles made of them: the next ones.
     pub(crate) parameters: Vec<Symbol>,
-    /// What is computed of these: the last ones, one for each operation.
+    /// Their results: the last ones, one for each operation.
     pub(crate) shared: Vec<Operation>,
-    /// What is read of a state.
+    /// The numbers that are read of a state.
     pub(crate) inputs: Vec<Symbol>,
-    /// What is done at each state.
+    /// The work at each state.
     pub(crate) steps: Vec<Step>,
-    /// How many slots that takes.
+    /// The number of slots.
     pub(crate) slots: usize,
     /// The outputs in the order of the program.
     pub(crate) outputs: Vec<Output>,
@@ -55,15 +54,9 @@ impl Place {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Step {
     /// Reads the input of that index into a slot.
-    Read {
-        /// The input.
-        input: u16,
-        /// The slot.
-        to: u16,
-    },
+    Read { input: u16, to: u16 },
     /// Sine and cosine of a joint's position.
     SinCos {
-        /// The joint.
         joint: u16,
         /// The slot of the sine.
         sine: u16,
@@ -72,7 +65,6 @@ pub(crate) enum Step {
     },
     /// An operation.
     Compute {
-        /// What is computed.
         operation: Operation,
         /// The slot of the result; none where the next step, an operation too, alone reads it.
         to: Option<u16>,
@@ -107,7 +99,6 @@ pub(crate) enum Operation {
 /// An output: where it is, and whether its sign is changed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Output {
-    /// The place.
     pub(crate) place: Place,
     /// Whether the output is minus the value there.
     pub(crate) negative: bool,

@@ -2,8 +2,6 @@
 
 use std::collections::BTreeSet;
 
-use dynamics_symbolic::program::Operand;
-
 use super::lines::Lines;
 
 /// Longer programs stay in the order that they have: the search looks at all lines that could be next.
@@ -30,67 +28,56 @@ pub(super) fn order(lines: &Lines<'_>) -> Vec<usize> {
 }
 
 struct State<'p> {
-    /// What each line reads that differs from state to state, without repetitions.
-    reads: Vec<Vec<Operand>>,
-    /// The lines that read each result.
+    lines: &'p Lines<'p>,
+    /// The numbers that each line reads of inputs and results that differ from state to state, without repetitions.
+    reads: Vec<Vec<usize>>,
+    /// The lines that read each number.
     readers: Vec<Vec<usize>>,
-    /// How many lines, and outputs, are still to read each input and each result.
-    input_uses: Vec<usize>,
-    result_uses: Vec<usize>,
+    /// How many lines, and outputs, are still to read each number.
+    uses: Vec<usize>,
+    /// Whether a number is in a slot once it is read: all but inputs that no line has read.
     is_loaded: Vec<bool>,
+    /// When each result was computed; 0 for inputs.
+    computed: Vec<usize>,
     /// How many results a line still waits for.
     waits_for: Vec<usize>,
     ready: BTreeSet<usize>,
-    /// When each result was computed.
-    computed: Vec<usize>,
-    lines: &'p Lines<'p>,
 }
 
 impl<'p> State<'p> {
     fn new(lines: &'p Lines<'p>) -> Self {
         let reads = |line: usize| {
-            let mut operands = lines.operands(line);
-            operands.retain(|operand| !lines.is_shared(*operand));
-            operands.sort();
-            operands.dedup();
-            operands
+            let operands = lines.operands(line).into_iter();
+            let varying = operands.filter(|operand| !lines.is_shared(*operand));
+            let mut numbers: Vec<usize> = varying.filter_map(|x| lines.number(x)).collect();
+            numbers.sort();
+            numbers.dedup();
+            numbers
         };
-        let count = lines.count();
+        let (count, numbers, inputs) = (lines.count(), lines.numbers(), lines.result(0));
         let mut state = State {
+            lines,
             reads: (0..count).map(reads).collect(),
-            readers: vec![Vec::new(); count],
-            input_uses: vec![0; lines.program.inputs.len()],
-            result_uses: vec![0; count],
-            is_loaded: vec![false; lines.program.inputs.len()],
+            readers: vec![Vec::new(); numbers],
+            uses: vec![0; numbers],
+            is_loaded: (0..numbers).map(|number| number >= inputs).collect(),
+            computed: vec![0; numbers],
             waits_for: vec![0; count],
             ready: BTreeSet::new(),
-            computed: vec![0; count],
-            lines,
         };
         for (line, reads) in state.reads.iter().enumerate() {
-            for operand in reads {
-                match *operand {
-                    Operand::Input(i) => state.input_uses[i as usize] += 1,
-                    Operand::Result(i) => {
-                        state.result_uses[i as usize] += 1;
-                        state.readers[i as usize].push(line);
-                        state.waits_for[line] += 1;
-                    }
-                    Operand::Constant(_) => {}
-                }
+            for &number in reads {
+                state.uses[number] += 1;
+                state.readers[number].push(line);
+                state.waits_for[line] += usize::from(number >= inputs);
             }
         }
-        for output in &lines.program.outputs {
-            match output.operand {
-                Operand::Input(i) => state.input_uses[i as usize] += 1,
-                Operand::Result(i) => state.result_uses[i as usize] += 1,
-                Operand::Constant(_) => {}
-            }
+        let outputs = lines.program.outputs.iter();
+        for number in outputs.filter_map(|output| lines.number(output.operand)) {
+            state.uses[number] += 1;
         }
-        state.ready = lines
-            .varying()
-            .filter(|line| state.waits_for[*line] == 0)
-            .collect();
+        let is_ready = |line: &usize| state.waits_for[*line] == 0;
+        state.ready = lines.varying().filter(is_ready).collect();
         state
     }
 
@@ -98,14 +85,13 @@ impl<'p> State<'p> {
     fn next(&self, last: Option<usize>) -> Option<usize> {
         let latest = |line: usize| {
             let reads = self.reads[line].iter();
-            let computed = reads.filter_map(|operand| match operand {
-                Operand::Result(i) => Some(self.computed[*i as usize]),
-                _ => None,
-            });
-            computed.max().unwrap_or(0)
+            reads
+                .map(|number| self.computed[*number])
+                .max()
+                .unwrap_or(0)
         };
         let reads_last = |line: usize| last.is_some_and(|last| self.lines.reads_once(line, last));
-        let has_one_reader = last.is_some_and(|last| self.result_uses[last] == 1);
+        let has_one_reader = last.is_some_and(|last| self.uses[self.lines.result(last)] == 1);
         let goes_on = |line: usize| has_one_reader && reads_last(line);
         let key = |line: &&usize| {
             let line = **line;
@@ -117,31 +103,21 @@ impl<'p> State<'p> {
 
     /// How many more numbers are kept after a line.
     fn growth(&self, line: usize) -> isize {
-        let of_operand = |operand: &Operand| match *operand {
-            Operand::Input(i) => {
-                let i = i as usize;
-                isize::from(!self.is_loaded[i]) - isize::from(self.input_uses[i] == 1)
-            }
-            Operand::Result(i) => -isize::from(self.result_uses[i as usize] == 1),
-            Operand::Constant(_) => 0,
+        let of_number = |number: &usize| {
+            isize::from(!self.is_loaded[*number]) - isize::from(self.uses[*number] == 1)
         };
-        1 + self.reads[line].iter().map(of_operand).sum::<isize>()
+        1 + self.reads[line].iter().map(of_number).sum::<isize>()
     }
 
     fn carry_out(&mut self, line: usize, time: usize) {
         self.ready.remove(&line);
-        self.computed[line] = time;
-        for operand in &self.reads[line] {
-            match *operand {
-                Operand::Input(i) => {
-                    self.is_loaded[i as usize] = true;
-                    self.input_uses[i as usize] -= 1;
-                }
-                Operand::Result(i) => self.result_uses[i as usize] -= 1,
-                Operand::Constant(_) => {}
-            }
+        for &number in &self.reads[line] {
+            self.is_loaded[number] = true;
+            self.uses[number] -= 1;
         }
-        for &reader in &self.readers[line] {
+        let result = self.lines.result(line);
+        self.computed[result] = time;
+        for &reader in &self.readers[result] {
             self.waits_for[reader] -= 1;
             if self.waits_for[reader] == 0 {
                 self.ready.insert(reader);

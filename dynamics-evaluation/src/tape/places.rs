@@ -1,4 +1,4 @@
-//! Which slots are free: so few that what is computed stays in the caches.
+//! Slots, few enough to stay in the caches.
 
 use std::collections::BTreeSet;
 
@@ -33,28 +33,19 @@ impl Slots {
         self.free.insert(slot);
     }
 
-    /// How many slots there are.
+    /// The number of slots.
     pub(super) fn count(&self) -> usize {
         self.count
     }
 }
 
-/// When each input and each result is read for the last time: the place of a line in the order.
-pub(super) struct LastReaders {
-    pub(super) of_inputs: Vec<usize>,
-    pub(super) of_results: Vec<usize>,
-}
-
-/// The last readers of lines in this order; outputs are read after all of them.
-pub(super) fn last_readers(lines: &Lines<'_>, order: &[usize]) -> LastReaders {
-    let mut last = LastReaders {
-        of_inputs: vec![0; lines.program.inputs.len()],
-        of_results: vec![0; lines.count()],
-    };
-    let mut note = |operand: Operand, time: usize| match operand {
-        Operand::Constant(_) => {}
-        Operand::Input(i) => last.of_inputs[i as usize] = time,
-        Operand::Result(i) => last.of_results[i as usize] = time,
+/// The place in this order of the line that reads each input and each result last; outputs are read after all lines.
+pub(super) fn last_readers(lines: &Lines<'_>, order: &[usize]) -> Vec<usize> {
+    let mut last = vec![0; lines.numbers()];
+    let mut note = |operand: Operand, time: usize| {
+        if let Some(number) = lines.number(operand) {
+            last[number] = time;
+        }
     };
     for (time, line) in order.iter().enumerate() {
         for operand in lines.operands(*line) {

@@ -1,7 +1,6 @@
 //! Sines of several angles, each of which is in lanes.
 
-use core::ops::{Add, Mul, Sub};
-
+use crate::operators::impl_operators;
 use crate::sine::{self, Lanes};
 use crate::unrolled::for_each_index;
 
@@ -56,23 +55,11 @@ impl<L: Lanes, const W: usize> Abreast<L, W> {
     }
 }
 
-macro_rules! impl_operator_abreast {
-    ($($operator:ident, $method:ident;)*) => {$(
-        impl<L: Lanes, const W: usize> $operator for Abreast<L, W> {
-            type Output = Self;
-
-            #[inline(always)]
-            fn $method(self, other: Self) -> Self {
-                self.zip(other, #[inline(always)] |a, b| $operator::$method(a, b))
-            }
-        }
-    )*};
-}
-
-impl_operator_abreast! {
-    Add, add;
-    Sub, sub;
-    Mul, mul;
+impl_operators! {
+    impl [L: Lanes, const W: usize] for Abreast<L, W>;
+    Add add |a, b| a.zip(b, #[inline(always)] |a, b| a + b);
+    Sub sub |a, b| a.zip(b, #[inline(always)] |a, b| a - b);
+    Mul mul |a, b| a.zip(b, #[inline(always)] |a, b| a * b);
 }
 
 impl<L: Lanes, const W: usize> Lanes for Abreast<L, W> {

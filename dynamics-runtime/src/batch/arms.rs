@@ -8,8 +8,7 @@ use crate::Scalar;
 use crate::inputs::{Evaluated, Inputs};
 use crate::sine::Part;
 
-/// The fields of an arm's struct, in their order: what differs from state to state where there is an arm for
-/// each.
+/// The fields of an arm's struct, in their order: they differ from state to state where each has an arm.
 #[doc(hidden)]
 #[diagnostic::on_unimplemented(
     message = "the fields of `{Self}` cannot be read in lanes",
@@ -22,34 +21,22 @@ pub trait Fields {
 
 /// The arms of a batch.
 pub trait Arms<R>: Copy {
-    /// The number of states, where that of the arms is it.
+    /// The number of arms, where each state has one.
     fn states(&self) -> Option<usize>;
 
-    /// Those of the first states, and of the others.
+    /// The arms of the first states, and of the others.
     #[cfg(feature = "rayon")]
     fn split(self, states: usize) -> (Self, Self);
 
     /// The arm of a state, the last one beyond the last state.
     fn arm(&self, state: usize) -> &R;
 
-    /// What the function reads in the lanes from a state on.
+    /// The inputs of the function in the lanes from a state on.
     fn inputs<S: Simd, E: Precision>(&self, first: usize) -> impl Inputs<Wide<S, E>>;
 }
 
 /// One arm for all states.
-#[doc(hidden)]
-#[derive(Debug)]
-pub struct Same<'a, R>(pub &'a R);
-
-impl<R> Clone for Same<'_, R> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-
-impl<R> Copy for Same<'_, R> {}
-
-impl<R> Arms<R> for Same<'_, R> {
+impl<R> Arms<R> for &R {
     fn states(&self) -> Option<usize> {
         None
     }
@@ -61,7 +48,7 @@ impl<R> Arms<R> for Same<'_, R> {
 
     #[inline(always)]
     fn arm(&self, _: usize) -> &R {
-        self.0
+        self
     }
 
     #[inline(always)]
@@ -71,43 +58,30 @@ impl<R> Arms<R> for Same<'_, R> {
 }
 
 /// One arm for each state.
-#[doc(hidden)]
-#[derive(Debug)]
-pub struct Each<'a, R>(pub &'a [R]);
-
-impl<R> Clone for Each<'_, R> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-
-impl<R> Copy for Each<'_, R> {}
-
-impl<R: Fields> Arms<R> for Each<'_, R> {
+impl<R: Fields> Arms<R> for &[R] {
     fn states(&self) -> Option<usize> {
-        Some(self.0.len())
+        Some(self.len())
     }
 
     #[cfg(feature = "rayon")]
     fn split(self, states: usize) -> (Self, Self) {
-        let (first, others) = self.0.split_at(states);
-        (Each(first), Each(others))
+        self.split_at(states)
     }
 
     #[inline(always)]
     fn arm(&self, state: usize) -> &R {
-        &self.0[state.min(self.0.len() - 1)]
+        &self[state.min(self.len() - 1)]
     }
 
     #[inline(always)]
     fn inputs<S: Simd, E: Precision>(&self, first: usize) -> impl Inputs<Wide<S, E>> {
-        FieldsOfEach { arms: *self, first }
+        FieldsOfEach { arms: self, first }
     }
 }
 
 /// Sines are evaluated, and a field is read of the arm of each lane.
 struct FieldsOfEach<'a, R> {
-    arms: Each<'a, R>,
+    arms: &'a [R],
     first: usize,
 }
 

@@ -21,10 +21,12 @@ use fearless_simd::Level;
 use crate::function::{Function, functions};
 use arguments::Arguments;
 use arms::Arms;
-pub use arms::{Each, Fields, Same};
+pub use arms::Fields;
 pub use error::{BatchError, LengthMismatch};
 use layout::Sink;
 pub use layout::{States, StatesMut};
+#[cfg(feature = "rayon")]
+pub use parallel::on_all_cores;
 use run::{Failure, Task};
 pub use wide::Precision;
 
@@ -138,34 +140,6 @@ where
 {
     let mut task = Task::<R, E, _, _, _, _, N>::new(function, arms, &arguments, &mut results)?;
     Ok(task.run(Level::new()))
-}
-
-/// A function at every state, on all cores.
-///
-/// # Errors
-///
-/// Where lengths differ.
-#[cfg(feature = "rayon")]
-#[doc(hidden)]
-pub fn on_all_cores<F, R, E, B, A, O, const N: usize>(
-    function: F,
-    arms: B,
-    arguments: A,
-    mut results: O,
-) -> Result<Failure, LengthMismatch>
-where
-    F: Copy + Send,
-    R: Function<F, N>,
-    E: Precision,
-    B: Arms<R> + Send,
-    A: Arguments<R::Arguments, E>,
-    O: Sink<R::Values, E>,
-{
-    let task = Task::<R, E, _, _, _, _, N>::new(function, arms, &arguments, &mut results)?;
-    let states = task.states;
-    let all =
-        parallel::Part::<R, E, _, _, _, _, N>::all(function, arms, arguments, results, states);
-    Ok(all.on_all_cores(Level::new()))
 }
 
 /// The first state without a value as an error.

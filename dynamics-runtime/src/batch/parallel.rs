@@ -8,6 +8,7 @@ use std::sync::{Mutex, PoisonError};
 use fearless_simd::Level;
 use rayon::Scope;
 
+use super::LengthMismatch;
 use super::arguments::Arguments;
 use super::arms::Arms;
 use super::layout::{MOST_LANES, Sink};
@@ -15,16 +16,48 @@ use super::run::{Failure, Task};
 use super::wide::Precision;
 use crate::function::Function;
 
-/// So many operations are done by one core at a time: some five microseconds of work, many times what it takes to
-/// fetch them.
+/// The operations that one core does at a time: some five microseconds of work, many times that of fetching them.
 const LEAST_WORK: usize = 40_000;
 
-/// So often a thread that has no work left looks whether the others are done, before it sleeps: some ten microseconds,
-/// in which they evaluate what they have, and less than it takes to wake up.
+/// How often a thread without work looks whether the others are done, before it sleeps: for some ten microseconds, less
+/// than it takes to wake up.
 const MOST_LOOKS: usize = 1_000;
 
+/// A function at every state, on all cores.
+///
+/// # Errors
+///
+/// Where lengths differ.
+#[doc(hidden)]
+pub fn on_all_cores<F, R, E, B, A, O, const N: usize>(
+    function: F,
+    arms: B,
+    arguments: A,
+    mut results: O,
+) -> Result<Failure, LengthMismatch>
+where
+    F: Copy + Send,
+    R: Function<F, N>,
+    E: Precision,
+    B: Arms<R> + Send,
+    A: Arguments<R::Arguments, E>,
+    O: Sink<R::Values, E>,
+{
+    let states = Task::<R, E, _, _, _, _, N>::new(function, arms, &arguments, &mut results)?.states;
+    let all = Part::<R, E, _, _, _, _, N> {
+        kind: PhantomData,
+        function,
+        arms,
+        arguments,
+        results,
+        first: 0,
+        states,
+    };
+    Ok(all.on_all_cores(Level::new()))
+}
+
 /// States that are evaluated together, with all that this takes.
-pub(super) struct Part<R, E, F, B, A, O, const N: usize> {
+struct Part<R, E, F, B, A, O, const N: usize> {
     kind: PhantomData<fn() -> (R, E)>,
     function: F,
     arms: B,
@@ -44,21 +77,8 @@ where
     A: Arguments<R::Arguments, E>,
     O: Sink<R::Values, E>,
 {
-    /// All states, which all parts of the task have.
-    pub(super) fn all(function: F, arms: B, arguments: A, results: O, states: usize) -> Self {
-        Part {
-            kind: PhantomData,
-            function,
-            arms,
-            arguments,
-            results,
-            first: 0,
-            states,
-        }
-    }
-
     /// The function at every state, on this core and on all that are free.
-    pub(super) fn on_all_cores(mut self, level: Level) -> Failure {
+    fn on_all_cores(mut self, level: Level) -> Failure {
         let least = (LEAST_WORK / (R::WORK as usize).max(1)).max(MOST_LANES);
         let threads = rayon::current_num_threads().min(self.states / (2 * least));
         if threads < 2 {
@@ -71,14 +91,15 @@ where
             threads,
             at_work: AtomicUsize::new(threads - 1),
         };
-        // Not `join`, which hands all of the work to other threads where this one is none of rayon's: this one
-        // begins at once, while others wake up.
+        // `join` would hand all of the work to other threads if this one is none of rayon's. It begins at once.
         rayon::in_place_scope(|scope| {
             shared.work(scope, threads - 1, level);
             shared.await_others();
         });
-        let failure = shared.failure.into_inner();
-        failure.unwrap_or_else(PoisonError::into_inner)
+        shared
+            .failure
+            .into_inner()
+            .unwrap_or_else(PoisonError::into_inner)
     }
 
     /// The function at every state, on this core; the first state where it fails, by its number among all.

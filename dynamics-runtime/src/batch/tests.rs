@@ -3,7 +3,6 @@
 use fearless_simd::{Level, Simd};
 use nalgebra::{Matrix3, SVector, Vector2, Vector3};
 
-use super::arms::Same;
 use super::layout::{States, StatesMut};
 use super::run::{Failure, Task};
 use crate::check::random::SplitMix64;
@@ -83,7 +82,7 @@ where
     let mut values = vec![SVector::repeat(7.0); a.len()];
     let arguments = (a.source(), b.source(), c.source());
     let mut results = StatesMut::<Entries<N, 1>>::sink(&mut values);
-    let task = Task::<R, f64, _, _, _, _, N>::new(function, Same(robot), &arguments, &mut results);
+    let task = Task::<R, f64, _, _, _, _, N>::new(function, robot, &arguments, &mut results);
     let failure = task.expect("all as long").run(level);
     (values, failure)
 }
@@ -253,19 +252,15 @@ fn matrices_come_in_either_layout() {
             let by_rows = ((&q).source(),);
             let task = Task::<Operations, f64, _, _, _, _, 3>::new(
                 M,
-                Same(&Operations),
+                &Operations,
                 &by_rows,
                 &mut rows_sink,
             );
             task.unwrap().run(level);
             let mut sink = StatesMut::<Entries<3, 3>>::sink(&mut entries);
             let by_columns = (views.source(),);
-            let task = Task::<Operations, f64, _, _, _, _, 3>::new(
-                M,
-                Same(&Operations),
-                &by_columns,
-                &mut sink,
-            );
+            let task =
+                Task::<Operations, f64, _, _, _, _, 3>::new(M, &Operations, &by_columns, &mut sink);
             task.unwrap().run(level);
             for (state, q) in q.iter().enumerate() {
                 let expected = Operations.mass_matrix(q);

@@ -6,18 +6,19 @@ use super::outward::Bound;
 use super::rounded::Magnitude;
 use super::solution::Verification;
 use super::{Certified, Rounded};
-use crate::function::{Entries, Function, functions};
+use crate::function::{Entries, Function, Of, functions};
 use crate::inputs::Evaluated;
 use crate::{
     AccelerationDerivatives, ForwardDynamics, InverseDynamics, MassMatrix, Scalar,
     SingularMassMatrix,
 };
 
-/// Entries of a vector for each joint.
+/// A vector for each joint, three of them, and a square matrix.
 type Joints<const N: usize> = Entries<N, 1>;
+type State<const N: usize> = (Joints<N>, Joints<N>, Joints<N>);
 type Square<const N: usize> = Entries<N, N>;
 
-/// What bounds are kept in.
+/// The numbers that bounds are kept in.
 type Size<F> = <F as Rounded>::Magnitude;
 
 /// A vector of numbers with their errors.
@@ -25,12 +26,11 @@ type Vector<F, const N: usize> = SVector<Certified<F>, N>;
 
 /// `forward_dynamics`, with bounds that are sharp for long arms too.
 ///
-/// The values are those of the plain method, bit for bit. The plain method on [`Certified`] numbers has bounds too, but
-/// they grow some threefold with each joint, because errors that cancel in an elimination are added up. This function
-/// returns the smaller one of that bound and of a bound by the residual: the residual tau - tau(q, qd, qdd) of the
-/// computed accelerations, by `inverse_dynamics`, times a proven bound of |M^-1| from `mass_matrix` (S. M. Rump,
-/// *Verification methods: rigorous results using floating-point arithmetic*, Acta Numerica 19 (2010), section 10). For
-/// single precision the residual is evaluated in double, and the bound is nearly the error itself.
+/// The values are those of the plain method, bit for bit. Its bounds on [`Certified`] numbers grow some threefold with
+/// each joint, because errors that cancel in an elimination are added up. This function returns the smaller one of that
+/// bound and of a bound by the residual tau - tau(q, qd, qdd) of the computed accelerations, by `inverse_dynamics`, times
+/// a proven bound of |M^-1| from `mass_matrix` (S. M. Rump, *Verification methods: rigorous results using floating-point
+/// arithmetic*, Acta Numerica 19 (2010), section 10). For single precision the residual is evaluated in double.
 ///
 /// Where M may be singular within its own errors, bounds are infinite.
 ///
@@ -87,18 +87,12 @@ pub fn forward_dynamics_aba<A, F, const N: usize>(
     tau: &SVector<Certified<F>, N>,
 ) -> Result<SVector<Certified<F>, N>, SingularMassMatrix>
 where
-    A: Function<
-            functions::ForwardDynamicsAba,
-            N,
-            Arguments = (Joints<N>, Joints<N>, Joints<N>),
-            Values = Joints<N>,
-        > + InverseDynamics<N>
+    A: Function<functions::ForwardDynamicsAba, N, Arguments = State<N>, Values = Joints<N>>
+        + InverseDynamics<N>
         + MassMatrix<N>,
     F: Rounded,
 {
-    let arguments = (*q, *qd, *tau);
-    let qdd = arm.at(functions::ForwardDynamicsAba, &Evaluated, &arguments);
-    let qdd = qdd.map_err(Into::into)?;
+    let qdd = value(arm, functions::ForwardDynamicsAba, (*q, *qd, *tau))?;
     Ok(accelerations(arm, [q, qd, tau], qdd))
 }
 
@@ -121,36 +115,26 @@ where
     A: Function<
             functions::ForwardDynamicsDerivatives,
             N,
-            Arguments = (Joints<N>, Joints<N>, Joints<N>),
+            Arguments = State<N>,
             Values = (Square<N>, Square<N>, Square<N>),
         > + Function<
             functions::InverseDynamicsDerivatives,
             N,
-            Arguments = (Joints<N>, Joints<N>, Joints<N>),
+            Arguments = State<N>,
             Values = (Square<N>, Square<N>),
         > + InverseDynamics<N>
         + MassMatrix<N>,
     F: Rounded,
 {
-    let arguments = (*q, *qd, *tau);
-    let found = arm.at(
-        functions::ForwardDynamicsDerivatives,
-        &Evaluated,
-        &arguments,
-    );
-    let found = found.map_err(Into::into)?;
+    let found = value(arm, functions::ForwardDynamicsDerivatives, (*q, *qd, *tau))?;
     let [q, qd, tau] = [q, qd, tau].map(widened);
     let matrix = arm.mass_matrix(&q);
     let Some(verification) = Verification::of(&matrix) else {
         return Ok(found);
     };
     let qdd = enclosed(arm, &verification, [&q, &qd, &tau]);
-    let forces = arm.at(
-        functions::InverseDynamicsDerivatives,
-        &Evaluated,
-        &(q, qd, qdd),
-    );
-    let (by_position, by_velocity) = forces.map_err(Into::<SingularMassMatrix>::into)?;
+    let forces = value(arm, functions::InverseDynamicsDerivatives, (q, qd, qdd))?;
+    let (by_position, by_velocity) = forces;
     let one =
         SMatrix::from_fn(|i, j| Certified::exact(F::Wide::from_f64(f64::from(u8::from(i == j)))));
     let sharpened = |found: SMatrix<Certified<F>, N, N>, b: SMatrix<Certified<F::Wide>, N, N>| {
@@ -186,15 +170,13 @@ where
         + MassMatrix<N>,
     F: Rounded,
 {
-    let found = arm.at(functions::OperationalInertiaInverse, &Evaluated, &(*q,));
-    let found = found.map_err(Into::into)?;
+    let found = value(arm, functions::OperationalInertiaInverse, (*q,))?;
     let q = widened(q);
     let matrix = arm.mass_matrix(&q);
     let Some(verification) = Verification::of(&matrix) else {
         return Ok(found);
     };
-    let jacobian = arm.at(functions::Jacobian, &Evaluated, &(q,));
-    let jacobian = jacobian.map_err(Into::<SingularMassMatrix>::into)?;
+    let jacobian = value(arm, functions::Jacobian, (q,))?;
     Ok(by_columns(found, |found, j| {
         let b = jacobian.row(j).transpose();
         let x = verification.approximate(&b);
@@ -202,6 +184,16 @@ where
         let solution = SVector::<_, N>::from_fn(|i, _| Certified::new(x[i], error[i]));
         (found - jacobian * solution).map(Certified::largest)
     }))
+}
+
+/// The value of a generated function.
+fn value<A: Function<F, N>, F, T: Scalar, const N: usize>(
+    arm: &A,
+    function: F,
+    arguments: Of<A::Arguments, T>,
+) -> Result<Of<A::Values, T>, SingularMassMatrix> {
+    let value = arm.at(function, &Evaluated, &arguments);
+    value.map_err(Into::into)
 }
 
 /// Computed accelerations, each with the smaller one of its bound and the bound by its residual.

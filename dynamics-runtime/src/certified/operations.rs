@@ -4,23 +4,16 @@
 //! pass on, and what the operation itself leaves out (Higham, *Accuracy and Stability of Numerical Algorithms*,
 //! 2nd ed., section 3.3).
 
-use core::ops::{Add, Div, Mul, Neg, Sub};
-
-use num_traits::{One, Zero};
+use core::ops::{Add, Div, Mul};
 
 use super::outward::Bound;
 use super::{Certified, Rounded};
-use crate::operators::impl_assign;
+use crate::operators::{impl_assign, impl_operators};
 
-impl<F: Rounded> Neg for Certified<F> {
-    type Output = Self;
-
-    fn neg(self) -> Self {
-        Certified {
-            value: -self.value,
-            ..self
-        }
-    }
+impl_operators! {
+    impl [F: Rounded] for Certified<F>;
+    Neg neg |a| Certified { value: -a.value, ..a };
+    Sub sub |a, b| a + -b;
 }
 
 impl<F: Rounded> Add for Certified<F> {
@@ -34,23 +27,13 @@ impl<F: Rounded> Add for Certified<F> {
     }
 }
 
-impl<F: Rounded> Sub for Certified<F> {
-    type Output = Self;
-
-    fn sub(self, b: Self) -> Self {
-        self + -b
-    }
-}
-
 impl<F: Rounded> Mul for Certified<F> {
     type Output = Self;
 
     fn mul(self, b: Self) -> Self {
         let value = self.value * b.value;
-        Certified::new(
-            value,
-            self.error_of_product(b) + self.rounding_of_product(b, value),
-        )
+        let rounding = Self::rounding(value, self.value == F::ZERO || b.value == F::ZERO);
+        Certified::new(value, self.error_of_product(b) + rounding)
     }
 }
 
@@ -63,10 +46,7 @@ impl<F: Rounded> Div for Certified<F> {
         let Some(least) = b.least_size().beyond(b.error) else {
             return Certified::new(value, Bound::UNKNOWN);
         };
-        let rounding = match self.value == F::ZERO {
-            true => Bound::NONE,
-            false => Bound::new(value.rounding()),
-        };
+        let rounding = Self::rounding(value, self.value == F::ZERO);
         let quotient = Bound::new(value.magnitude()) + rounding;
         let passed_on = (quotient * b.error + self.error) / least;
         Certified::new(value, passed_on + rounding)
@@ -79,11 +59,12 @@ impl<F: Rounded> Certified<F> {
         self.size() * b.error + b.size() * self.error + self.error * b.error
     }
 
-    /// What is left out of a product that is rounded to `value`: nothing of one by zero.
-    fn rounding_of_product(self, b: Self, value: F) -> Bound<F::Magnitude> {
-        match self.value == F::ZERO || b.value == F::ZERO {
-            true => Bound::NONE,
-            false => Bound::new(value.rounding()),
+    /// The bound of the rounding to `value`: zero where the operation is exact, as that by zero is.
+    pub(super) fn rounding(value: F, is_exact: bool) -> Bound<F::Magnitude> {
+        if is_exact {
+            Bound::NONE
+        } else {
+            Bound::new(value.rounding())
         }
     }
 
@@ -103,20 +84,4 @@ impl<F: Rounded> Certified<F> {
     }
 }
 
-impl_assign! { impl [F: Rounded] for Certified<F> }
-
-impl<F: Rounded> Zero for Certified<F> {
-    fn zero() -> Self {
-        Certified::exact(F::ZERO)
-    }
-
-    fn is_zero(&self) -> bool {
-        *self == Self::zero()
-    }
-}
-
-impl<F: Rounded> One for Certified<F> {
-    fn one() -> Self {
-        Certified::exact(F::from_f64(1.0))
-    }
-}
+impl_assign! { impl [F: Rounded] for Certified<F>; |x| Certified::exact(F::from_f64(x)) }

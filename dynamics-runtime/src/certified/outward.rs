@@ -48,12 +48,13 @@ impl<F: Magnitude> Bound<F> {
 
     /// `self - other` rounded down; `None` where that is not greater than zero.
     pub(super) fn beyond(self, other: Self) -> Option<Self> {
-        let rest = self.0 - other.0;
+        let difference = self.0 - other.0;
         // A difference with zero is exact.
-        let rest = if other == Bound::NONE {
-            rest
+        let is_exact = other == Bound::NONE;
+        let rest = if is_exact {
+            difference
         } else {
-            rest.below()
+            difference.below()
         };
         (rest > F::ZERO).then_some(Bound(rest))
     }
@@ -93,9 +94,10 @@ impl<F: Magnitude> Div for Bound<F> {
 
     /// By a number that is at least `other`, which is greater than zero.
     fn div(self, other: Self) -> Self {
-        match self == Bound::NONE || !self.is_known() {
-            true => self,
-            false => Bound::rounded_up(self.0 / other.0),
+        if self == Bound::NONE || !self.is_known() {
+            self
+        } else {
+            Bound::rounded_up(self.0 / other.0)
         }
     }
 }

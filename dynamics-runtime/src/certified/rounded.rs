@@ -18,16 +18,9 @@ pub trait Magnitude:
     + Div<Output = Self>
     + 'static
 {
-    /// 0.
     const ZERO: Self;
-
-    /// 1/2.
     const HALF: Self;
-
-    /// 1.
     const ONE: Self;
-
-    /// Infinity.
     const INFINITY: Self;
 
     /// The next larger number.
@@ -47,8 +40,6 @@ pub trait Magnitude:
 }
 
 /// A precision that [`Certified`](super::Certified) numbers have: `f64`, `f32`, or [`DoubleDouble`].
-///
-/// All that the bounds rest on stands here: what operations and sines round off at most.
 pub trait Rounded: Scalar + PartialOrd {
     /// What bounds of errors are kept in: the float itself, a double beside 31 digits.
     type Magnitude: Magnitude;
@@ -60,7 +51,6 @@ pub trait Rounded: Scalar + PartialOrd {
     #[doc(hidden)]
     const FUSED: bool;
 
-    /// 0.
     #[doc(hidden)]
     const ZERO: Self;
 
@@ -239,10 +229,8 @@ impl Rounded for DoubleDouble {
     }
 
     fn sine_error(self, _: Self) -> f64 {
-        match self.magnitude() < LARGEST_ANGLE {
-            true => SERIES,
-            false => f64::INFINITY,
-        }
+        let is_reduced = self.magnitude() < LARGEST_ANGLE;
+        if is_reduced { SERIES } else { f64::INFINITY }
     }
 
     fn to_f64(self) -> f64 {

@@ -8,15 +8,12 @@ use super::{Certified, Rounded};
 use crate::Scalar;
 
 impl<F: Rounded> Scalar for Certified<F> {
-    /// A constant: an exact number that was rounded to the double `x`, and that to the precision.
+    /// A constant: an exact number that was rounded to the double `x`, which is rounded to the precision.
     fn from_f64(x: f64) -> Self {
-        let read = Self::read(x);
+        let Certified { value, error } = Self::read(x);
         // A constant that is zero is written only where it is zero exactly.
-        let rounding = match x == 0.0 {
-            true => Bound::NONE,
-            false => Bound::new(F::Magnitude::at_least(x.rounding())),
-        };
-        Certified::new(read.value, read.error + rounding)
+        let rounding = if x == 0.0 { 0.0 } else { x.rounding() };
+        Certified::new(value, error + Bound::new(F::Magnitude::at_least(rounding)))
     }
 
     fn exact(self, x: f64) -> Self {
@@ -73,9 +70,9 @@ impl<F: Rounded> Scalar for Certified<F> {
         if self.error == Bound::NONE {
             return Certified::new(value, rounding);
         }
-        let least = self.least_size().beyond(self.error);
-        let least =
-            least.and_then(|least| Bound::new(least.get().root().below()).beyond(Bound::NONE));
+        let root = |least: Bound<F::Magnitude>| Bound::new(least.get().root().below());
+        let least_argument = self.least_size().beyond(self.error);
+        let least = least_argument.and_then(|least| root(least).beyond(Bound::NONE));
         let root = Bound::new(value.least_magnitude()).beyond(rounding);
         let (Some(root), Some(least)) = (root, least) else {
             return Certified::new(value, Bound::UNKNOWN);
@@ -93,14 +90,10 @@ impl<F: Rounded> Scalar for Certified<F> {
         if e == Bound::NONE {
             return Certified::new(value, kernel);
         }
-        let grown = match e.get() <= F::Magnitude::ONE {
-            true => e + e * e,
-            false => Bound::UNKNOWN,
-        };
-        Certified::new(
-            value,
-            kernel + (Bound::new(value.magnitude()) + kernel) * grown,
-        )
+        let is_small = e.get() <= F::Magnitude::ONE;
+        let grown = if is_small { e + e * e } else { Bound::UNKNOWN };
+        let largest = Bound::new(value.magnitude()) + kernel;
+        Certified::new(value, kernel + largest * grown)
     }
 
     fn mul_add(self, a: Self, b: Self) -> Self {
@@ -108,27 +101,22 @@ impl<F: Rounded> Scalar for Certified<F> {
             return self * a + b;
         }
         let value = self.value.mul_add(a.value, b.value);
-        let is_exact = self.value == F::ZERO || a.value == F::ZERO;
-        let rounding = if is_exact {
-            Bound::NONE
-        } else {
-            Bound::new(value.rounding())
-        };
+        let rounding = Self::rounding(value, self.value == F::ZERO || a.value == F::ZERO);
         Certified::new(value, self.error_of_product(a) + b.error + rounding)
     }
 
     /// Certain where the number cannot be zero, or is it exactly; else off by up to 1 + |sign a'|.
     fn sign(self) -> Self {
         let value = self.value.sign();
-        let is_certain =
-            self.error == Bound::NONE || self.least_size().beyond(self.error).is_some();
-        let error = match is_certain {
-            true => Bound::NONE,
-            false if value == F::ZERO => Bound::new(F::Magnitude::ONE),
-            false => Bound::new(F::Magnitude::ONE + F::Magnitude::ONE),
+        let one = F::Magnitude::ONE;
+        let error = if self.error == Bound::UNKNOWN {
+            Bound::UNKNOWN
+        } else if self.error == Bound::NONE || self.least_size().beyond(self.error).is_some() {
+            Bound::NONE
+        } else {
+            Bound::new(if value == F::ZERO { one } else { one + one })
         };
-        let is_known = self.error != Bound::UNKNOWN;
-        Certified::new(value, if is_known { error } else { Bound::UNKNOWN })
+        Certified::new(value, error)
     }
 
     /// Of the value: the same branches are taken as without bounds.

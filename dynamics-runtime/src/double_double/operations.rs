@@ -7,14 +7,12 @@
 //! Sums, products and quotients are calls: inlined, each has some forty instructions and a branch,
 //! and a program of some hundred operations would take the compiler minutes.
 
-use core::ops::{Add, Div, Mul, Neg, Sub};
-
-use num_traits::{One, Zero};
+use core::ops::{Add, Div, Mul};
 
 use super::DoubleDouble;
 use crate::exact;
 use crate::float::Float as _;
-use crate::operators::impl_assign;
+use crate::operators::{impl_assign, impl_operators};
 
 /// What is not finite keeps its value.
 impl DoubleDouble {
@@ -44,16 +42,10 @@ fn finite_low((high, low): (f64, f64)) -> DoubleDouble {
     DoubleDouble { high, low }
 }
 
-impl Neg for DoubleDouble {
-    type Output = Self;
-
-    #[inline]
-    fn neg(self) -> Self {
-        DoubleDouble {
-            high: -self.high,
-            low: -self.low,
-        }
-    }
+impl_operators! {
+    impl [] for DoubleDouble;
+    Neg neg |a| DoubleDouble { high: -a.high, low: -a.low };
+    Sub sub |a, b| a + -b;
 }
 
 impl Add for DoubleDouble {
@@ -65,15 +57,6 @@ impl Add for DoubleDouble {
         let t = DoubleDouble::sum(self.low, other.low);
         let v = DoubleDouble::fast_sum(s.high, s.low + t.high);
         DoubleDouble::fast_sum(v.high, t.low + v.low)
-    }
-}
-
-impl Sub for DoubleDouble {
-    type Output = Self;
-
-    #[inline]
-    fn sub(self, other: Self) -> Self {
-        self + -other
     }
 }
 
@@ -131,23 +114,4 @@ pub(super) fn sqrt(x: DoubleDouble) -> DoubleDouble {
     DoubleDouble::fast_sum(root, rest / (2.0 * root))
 }
 
-impl_assign! { impl [] for DoubleDouble }
-
-impl Zero for DoubleDouble {
-    #[inline]
-    fn zero() -> Self {
-        DoubleDouble::from(0.0)
-    }
-
-    #[inline]
-    fn is_zero(&self) -> bool {
-        self.high == 0.0
-    }
-}
-
-impl One for DoubleDouble {
-    #[inline]
-    fn one() -> Self {
-        DoubleDouble::from(1.0)
-    }
-}
+impl_assign! { impl [] for DoubleDouble; |x| DoubleDouble::from(x) }

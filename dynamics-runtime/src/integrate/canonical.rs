@@ -51,10 +51,7 @@ impl<const N: usize> Point<N> {
     }
 }
 
-/// Equations of motion with their velocities in the place of momenta.
-///
-/// They are Hamilton's only where the mass matrix does not depend on q: a symplectic method
-/// preserves nothing of an arm's structure in these coordinates.
+/// Equations of motion with velocities for momenta: Hamilton's only where the mass matrix does not depend on q.
 #[cfg(test)]
 pub(crate) struct InVelocities<'a, S>(pub(crate) &'a S);
 

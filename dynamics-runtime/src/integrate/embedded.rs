@@ -3,7 +3,7 @@
 use core::ops::{Index, IndexMut};
 
 use super::step_control::Constants;
-use super::{Equations, Phase};
+use super::{Equations, Phase, Start};
 
 /// An explicit Runge-Kutta method with an error estimate and dense output.
 pub(crate) trait Embedded<const N: usize> {
@@ -54,31 +54,46 @@ pub(crate) trait Embedded<const N: usize> {
     fn evaluate(polynomial: &Self::Polynomial, s: f64) -> Phase<N>;
 }
 
-/// Where a step starts, and its length.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Start<const N: usize> {
-    pub(super) t: f64,
-    pub(super) phase: Phase<N>,
-    pub(super) h: f64,
-}
-
 impl<const N: usize> Start<N> {
     /// The phase plus h times the stages' rates, each by its weight.
     #[inline(always)]
-    pub(super) fn plus(
+    pub(super) fn plus<const STAGES: usize>(
         &self,
         weights: &[f64],
-        rates: &impl Index<usize, Output = Phase<N>>,
+        rates: &[Phase<N>; STAGES],
     ) -> Phase<N> {
         self.phase.plus(self.h, &combination(weights, rates))
+    }
+
+    /// Evaluates stage `i` from those before it, and returns its phase; with `i` a constant the sum is unrolled.
+    #[inline(always)]
+    pub(super) fn stage<S: Equations<N>, const STAGES: usize>(
+        &self,
+        system: &S,
+        (a, c): (&[f64], f64),
+        rates: &mut [Phase<N>; STAGES],
+        i: usize,
+    ) -> Result<Phase<N>, S::Refusal> {
+        let phase = self.plus(&a[..i], rates);
+        rates[i] = system.rate(self.t + c * self.h, &phase)?;
+        Ok(phase)
+    }
+
+    /// The first coefficients of the polynomial through the step to `end`, those of third order, from the rates at both
+    /// ends.
+    pub(super) fn cubic(&self, end: &Phase<N>, rates: [&Phase<N>; 2]) -> [Phase<N>; 4] {
+        let change = end.minus(&self.phase);
+        let bend = rates[0].scaled(self.h).minus(&change);
+        let twist = change.minus(&rates[1].scaled(self.h)).minus(&bend);
+        [self.phase, change, bend, twist]
     }
 }
 
 /// Sum of the stages' rates, each by its weight.
 #[inline(always)]
-pub(super) fn combination<const N: usize>(
+pub(super) fn combination<const STAGES: usize, const N: usize>(
     weights: &[f64],
-    rates: &impl Index<usize, Output = Phase<N>>,
+    rates: &[Phase<N>; STAGES],
 ) -> Phase<N> {
     let mut sum = Phase::zeros();
     for (i, weight) in weights.iter().enumerate() {

@@ -1,17 +1,11 @@
 //! Integration by steps of equal length.
 
-use super::{Failure, Grid, Phase, Stepper};
+use super::{Failure, Grid, Phase, Start, Stepper};
 
 /// A method that needs nothing but the phase that a step starts from.
 pub(crate) trait OneStep<S, E, const N: usize> {
-    /// The phase after a step of length `h` from `phase` at `t`.
-    fn step(
-        &mut self,
-        system: &S,
-        t: f64,
-        phase: &Phase<N>,
-        h: f64,
-    ) -> Result<Phase<N>, Failure<E>>;
+    /// The phase after a step.
+    fn step(&mut self, system: &S, from: &Start<N>) -> Result<Phase<N>, Failure<E>>;
 
     /// The next step is under other equations: what one step hands on to the next is void.
     fn restart(&mut self) {}
@@ -25,20 +19,21 @@ pub(crate) struct FixedStep<M, const N: usize> {
     taken: u64,
     t: f64,
     phase: Phase<N>,
-    /// Where the last step started.
-    from: (f64, Phase<N>),
+    /// The last step.
+    last: Start<N>,
 }
 
 impl<M, const N: usize> FixedStep<M, N> {
     /// At the start.
     pub(crate) fn start(method: M, grid: Grid, phase: Phase<N>) -> Self {
+        let (t, h) = (0.0, 0.0);
         FixedStep {
             method,
             grid,
             taken: 0,
-            t: 0.0,
+            t,
             phase,
-            from: (0.0, phase),
+            last: Start { t, phase, h },
         }
     }
 }
@@ -60,30 +55,27 @@ impl<S, E, M: OneStep<S, E, N>, const N: usize> Stepper<S, E, N> for FixedStep<M
     #[inline]
     fn step(&mut self, system: &S, end: f64) -> Result<(), Failure<E>> {
         let next = self.grid.time(self.taken + 1);
-        let whole = same(end, next) || next < end;
+        let is_end_next = same(end, next);
         // An end that is the next point of the grid but for rounding is that point.
-        let to = if end < next || same(end, next) {
-            end
-        } else {
-            next
-        };
+        let to = if end < next || is_end_next { end } else { next };
         // From within the grid, after an event, to its next point.
         let h = if to == next && self.t == self.grid.time(self.taken) {
             self.grid.step()
         } else {
             to - self.t
         };
-        let phase = self.method.step(system, self.t, &self.phase, h)?;
-        self.from = (self.t, self.phase);
-        self.phase = phase;
-        self.taken += u64::from(whole);
+        let (t, phase) = (self.t, self.phase);
+        let from = Start { t, phase, h };
+        self.phase = self.method.step(system, &from)?;
+        self.last = from;
+        self.taken += u64::from(is_end_next || next < end);
         self.t = to;
         Ok(())
     }
 
     fn retake(&mut self, system: &S, end: f64) -> Result<(), Failure<E>> {
-        let (t, phase) = self.from;
-        self.phase = self.method.step(system, t, &phase, end - t)?;
+        let h = end - self.last.t;
+        self.phase = self.method.step(system, &Start { h, ..self.last })?;
         let beyond = |point: f64| point > end && !same(point, end);
         while self.taken > 0 && beyond(self.grid.time(self.taken)) {
             self.taken -= 1;

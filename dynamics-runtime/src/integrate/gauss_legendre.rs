@@ -8,7 +8,7 @@
 use nalgebra::SVector;
 
 use super::compensated::Compensated;
-use super::{Canonical, Failure, OneStep, Phase, Point};
+use super::{Canonical, Failure, OneStep, Phase, Point, Start};
 
 /// Collocation at the zeros of the Legendre polynomial of degree `STAGES`, of order 2 `STAGES`.
 pub(crate) struct GaussLegendre<const STAGES: usize, const N: usize> {
@@ -96,22 +96,17 @@ impl<const STAGES: usize, const N: usize> GaussLegendre<STAGES, N> {
     fn begin<S: Canonical<N>>(
         &self,
         system: &S,
-        t: f64,
-        phase: &Phase<N>,
-        h: f64,
+        Start { t, phase, h }: &Start<N>,
     ) -> Result<(Compensated<N>, [Point<N>; STAGES]), S::Refusal> {
         if let Some(before) = &self.carried
-            && (before.phase, before.h) == (*phase, h)
+            && (&before.phase, &before.h) == (phase, h)
         {
-            let guess = self
-                .tableau
-                .ahead
-                .map(|row| combination(&row, &before.rates));
-            return Ok((before.at, guess));
+            let ahead = self.tableau.ahead;
+            return Ok((before.at, ahead.map(|row| combination(&row, &before.rates))));
         }
         let p = system.momentum(phase)?;
         let at = Point { q: phase.q, p };
-        Ok((Compensated::new(at), [system.rate(t, &at)?; STAGES]))
+        Ok((Compensated::new(at), [system.rate(*t, &at)?; STAGES]))
     }
 
     /// The rates k of the stages, of which each is that at y + h sum_j a_ij k_j, by iteration.
@@ -147,15 +142,10 @@ impl<const STAGES: usize, const N: usize> GaussLegendre<STAGES, N> {
 impl<S: Canonical<N>, const STAGES: usize, const N: usize> OneStep<S, S::Refusal, N>
     for GaussLegendre<STAGES, N>
 {
-    fn step(
-        &mut self,
-        system: &S,
-        t: f64,
-        phase: &Phase<N>,
-        h: f64,
-    ) -> Result<Phase<N>, Failure<S::Refusal>> {
-        let (mut at, guess) = self.begin(system, t, phase, h)?;
-        let rates = self.stages(system, t, &at, h, guess)?;
+    fn step(&mut self, system: &S, from: &Start<N>) -> Result<Phase<N>, Failure<S::Refusal>> {
+        let (mut at, guess) = self.begin(system, from)?;
+        let h = from.h;
+        let rates = self.stages(system, from.t, &at, h, guess)?;
         at.add(h, &combination(&self.tableau.b, &rates));
         let phase = system.phase(&at.value)?;
         self.carried = Some(Carried {
@@ -201,10 +191,12 @@ fn change<const STAGES: usize, const N: usize>(
             moved[i] / size[i]
         }
     };
-    let all = if ratio(0) >= ratio(1) {
-        ratio(0)
+    let [of_q, of_p] = [0, 1].map(ratio);
+    // NaN where either is.
+    let all = if of_q >= of_p {
+        of_q
     } else {
-        ratio(1) + 0.0 * ratio(0)
+        of_p + 0.0 * of_q
     };
     let velocities = moved[0] / (size[0] + SLOW / h);
     Change { all, velocities }
@@ -220,10 +212,8 @@ fn combination<const STAGES: usize, const N: usize>(
     weights: &[f64; STAGES],
     rates: &[Point<N>; STAGES],
 ) -> Point<N> {
-    let terms = weights.iter().zip(rates);
-    terms.fold(Point::zeros(), |sum, (weight, rate)| {
-        sum.plus(*weight, rate)
-    })
+    let add = |sum: Point<N>, (weight, rate): (&f64, _)| sum.plus(*weight, rate);
+    weights.iter().zip(rates).fold(Point::zeros(), add)
 }
 
 #[cfg(test)]
@@ -232,7 +222,7 @@ mod tests {
     use crate::integrate::canonical::InVelocities;
     use crate::integrate::order_conditions::order;
     use crate::integrate::test_problems::{Acceleration, convergence_orders};
-    use crate::integrate::{Equations, Failure, OneStep, Phase};
+    use crate::integrate::{Equations, Failure, OneStep, Phase, Start};
 
     fn order_of<const STAGES: usize>(method: GaussLegendre<STAGES, 1>) -> usize {
         let a: Vec<Vec<f64>> = method.tableau.a.iter().map(|row| row.to_vec()).collect();
@@ -274,14 +264,8 @@ mod tests {
     where
         Acceleration: Equations<1, Refusal = E>,
     {
-        fn step(
-            &mut self,
-            system: &Acceleration,
-            t: f64,
-            phase: &Phase<1>,
-            h: f64,
-        ) -> Result<Phase<1>, Failure<E>> {
-            self.0.step(&InVelocities(system), t, phase, h)
+        fn step(&mut self, system: &Acceleration, from: &Start<1>) -> Result<Phase<1>, Failure<E>> {
+            self.0.step(&InVelocities(system), from)
         }
     }
 
@@ -301,11 +285,12 @@ mod tests {
     #[test]
     fn a_step_that_is_too_long_for_the_iteration_is_refused() {
         let stiff = |_: f64, phase: &Phase<1>| Ok::<_, ()>(-1e6 * phase.qd);
-        let start = Phase {
+        let phase = Phase {
             q: [0.0].into(),
             qd: [1.0].into(),
         };
-        let step = GaussLegendre::order_4().step(&InVelocities(&stiff), 0.0, &start, 1e-2);
+        let (t, h) = (0.0, 1e-2);
+        let step = GaussLegendre::order_4().step(&InVelocities(&stiff), &Start { t, phase, h });
         assert_eq!(step, Err(Failure::NoConvergence));
     }
 }

@@ -2,6 +2,8 @@
 
 use nalgebra::SVector;
 
+use crate::float::first_non_finite;
+
 /// Positions and velocities; or a rate of change of both.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Phase<const N: usize> {
@@ -53,4 +55,10 @@ impl<const N: usize> Phase<N> {
     }
 }
 
-pub(crate) use crate::float::first_non_finite;
+/// Where a step starts, and its length.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Start<const N: usize> {
+    pub(super) t: f64,
+    pub(super) phase: Phase<N>,
+    pub(super) h: f64,
+}

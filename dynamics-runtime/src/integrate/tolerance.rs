@@ -43,15 +43,13 @@ impl StepRange {
         wish.max(self.least).min(self.greatest)
     }
 
-    /// Why no step of the range was good, of which the shortest failed so, where the motion asked for steps of length
-    /// `wish` at its start.
-    ///
-    /// What was wrong with the equations is told where steps could be that short. Where none can, it was met at stages
-    /// far beyond what the motion reaches.
+    /// Why no step of the range was good, of which the shortest failed with `failure`, where the motion asked for steps of
+    /// length `wish` at its start. If none can be that short, the failure was met at stages far beyond the motion.
     pub(super) fn judge<E>(&self, failure: Failure<E>, wish: f64) -> Failure<E> {
-        match self.least > wish {
-            true => Failure::StepTooSmall,
-            false => failure,
+        if self.least > wish {
+            Failure::StepTooSmall
+        } else {
+            failure
         }
     }
 }

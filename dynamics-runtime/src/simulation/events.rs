@@ -3,10 +3,8 @@
 
 use core::marker::PhantomData;
 
-use super::contacts::{least_margin, let_in, margin, settle, stops_and_chatters, way_out};
 use super::error::{Cause, JointSet};
 use super::friction::Contact;
-use super::impact::thrown_back;
 use super::limits::AtLimit;
 use super::motion::{Held, Motion};
 use super::recorder::Recorder;
@@ -42,7 +40,7 @@ pub(super) fn here<S, R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N: usize>(
 ) -> Result<(f64, Held<N>), Cause> {
     let phase = stepper.phase();
     let held = motion.held(stepper.t(), phase)?;
-    Ok((least_margin(motion, phase, &held), held))
+    Ok((motion.least_margin(phase, &held), held))
 }
 
 /// An integration whose steps end at the events that `F` finds.
@@ -148,7 +146,7 @@ where
             self.motion.sample(t, &recorder.phase)?;
         }
         if event || begins {
-            self.held = settle(self.motion, t, &recorder.phase)?;
+            self.held = self.motion.settle(t, &recorder.phase)?;
             self.stepper.restart(self.system, recorder.phase)?;
         }
         Ok(())
@@ -183,10 +181,10 @@ where
             return cause;
         }
         let left = next - reached.t;
-        match stops_and_chatters(self.motion, reached.t, &reached.phase, left) {
-            Some(joint) => Cause::Chatter { joint },
-            None => cause,
-        }
+        let chatters = self
+            .motion
+            .stops_and_chatters(reached.t, &reached.phase, left);
+        chatters.map_or(cause, |joint| Cause::Chatter { joint })
     }
 
     /// Makes a step, up to the first event in it; whether there was one.
@@ -221,7 +219,7 @@ where
     /// one that nothing holds is let go.
     fn change(&mut self, phase: Phase<N>) -> Result<Phase<N>, Cause> {
         self.passes(&phase)?;
-        if let Some(impact) = thrown_back(self.motion, self.stepper.t(), &phase)? {
+        if let Some(impact) = self.motion.thrown_back(self.stepper.t(), &phase)? {
             if impact.is_progress {
                 self.progress();
             }
@@ -234,12 +232,12 @@ where
         }
         let (least, held) = here(self.motion, self.stepper)?;
         let contacts = self.motion.contacts();
-        let free = |i: usize| margin(self.motion, i, &phase, &held) <= least.max(0.0);
+        let free = |i: usize| self.motion.margin(i, &phase, &held) <= least.max(0.0);
         let next = core::array::from_fn(|i| match contacts[i] {
             Contact::Slides(way) if way != 0.0 && phase.qd[i] == 0.0 => Contact::Sticks,
             // It was held until now by all the friction that there is.
-            Contact::Sticks if free(i) => Contact::Slides(way_out(&held, i)),
-            Contact::Leans(inwards) if free(i) => let_in(self.motion, i, inwards),
+            Contact::Sticks if free(i) => Contact::Slides(held.way_out(i)),
+            Contact::Leans(inwards) if free(i) => self.motion.let_in(i, inwards),
             contact => contact,
         });
         self.count(&contacts, &next);

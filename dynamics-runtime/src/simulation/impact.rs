@@ -17,16 +17,13 @@
 //! Bounces that die out are infinitely many in a finite time. They end where no position would tell them from
 //! rest: with restitution 0, and for all joints at their stops together. One joint that is set to rest alone throws off
 //! those that lean, which come back and throw it off in turn, for ever. Joints are set to rest that would fall back from
-//! a rise below the resolution, under the forces of the other stops (`resting`). Impulses of either sign take
-//! their velocities, and no other joint passes its stop. The result has `v = 0` for these joints and `v >= 0` for others
-//! at their stops. Of all such velocities it is the nearest to those before, as measured by the kinetic energy. They
-//! form a cone, so that the energy does not rise. The accelerations then decide which joints lean and which leave
-//! ([`contacts`](super::contacts)).
+//! a rise below the resolution (`resting`). Impulses of either sign take their velocities, and no other joint passes its
+//! stop. The result is the nearest to the velocities before, as measured by the kinetic energy, of all velocities with
+//! `v = 0` for these joints and `v >= 0` for others at their stops. They form a cone, so that the energy does not rise.
 
 use nalgebra::{SMatrix, SVector};
 
 use super::complementarity::{Place, balanced};
-use super::contacts::{balance_at_rest, classified, settle};
 use super::error::{Cause, JointSet};
 use super::limits::{AtLimit, End};
 use super::motion::Motion;
@@ -45,58 +42,127 @@ pub(super) struct Impact<const N: usize> {
     pub(super) is_progress: bool,
 }
 
-/// Begins a motion: joints that hit a stop are thrown back, and joints at rest stick or lean on a stop, if they are
-/// held. Returns the phase after that.
-pub(super) fn settle_at_start<R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N: usize>(
-    motion: &Motion<R, L, N>,
-    phase: &Phase<N>,
-) -> Result<Phase<N>, Cause> {
-    motion.set_contacts(classified(motion, phase));
-    let impact = thrown_back(motion, 0.0, phase)?;
-    let phase = impact.map_or(*phase, |impact| impact.after);
-    motion.set_contacts(classified(motion, &phase));
-    settle(motion, 0.0, &phase)?;
-    Ok(phase)
-}
-
-/// The impacts of all joints that hit their stops; `None` where none does.
-///
-/// A joint that leaves its stop may be driven back into it by the impact of another one: impacts follow
-/// each other until none is left. The contacts of the motion are those after the impacts.
-pub(super) fn thrown_back<R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N: usize>(
-    motion: &Motion<R, L, N>,
-    t: f64,
-    before: &Phase<N>,
-) -> Result<Option<Impact<N>>, Cause> {
-    let AtLimit::Rebounds { restitution } = motion.limits().kind else {
-        return Ok(None);
-    };
-    let ends: Ends<N> = core::array::from_fn(|i| motion.limits().end(i, before.q[i]));
-    if (0..N).all(|i| !hits(&ends, &before.qd, i)) {
-        return Ok(None);
+impl<R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N: usize> Motion<'_, R, L, N> {
+    /// Begins a motion: joints that hit a stop are thrown back, and joints at rest stick or lean on a stop, if they are
+    /// held. Returns the phase after that.
+    pub(super) fn settle_at_start(&self, phase: &Phase<N>) -> Result<Phase<N>, Cause> {
+        self.set_contacts(self.classified(phase));
+        let impact = self.thrown_back(0.0, phase)?;
+        let phase = impact.map_or(*phase, |impact| impact.after);
+        self.set_contacts(self.classified(&phase));
+        self.settle(0.0, &phase)?;
+        Ok(phase)
     }
-    let mut phase = *before;
-    for i in 0..N {
-        // Joints that move inwards are on their way already.
-        if let Some(end) = ends[i].filter(|end| end.inwards * phase.qd[i] <= 0.0) {
-            phase.q[i] = end.at;
+
+    /// The impacts of all joints that hit their stops; `None` where none does.
+    ///
+    /// A joint that leaves its stop may be driven back into it by the impact of another one: impacts follow
+    /// each other until none is left. The contacts of the motion are those after the impacts.
+    pub(super) fn thrown_back(
+        &self,
+        t: f64,
+        before: &Phase<N>,
+    ) -> Result<Option<Impact<N>>, Cause> {
+        let AtLimit::Rebounds { restitution } = self.limits().kind else {
+            return Ok(None);
+        };
+        let ends: Ends<N> = core::array::from_fn(|i| self.limits().end(i, before.q[i]));
+        if (0..N).all(|i| !hits(&ends, &before.qd, i)) {
+            return Ok(None);
+        }
+        let mut phase = *before;
+        for i in 0..N {
+            // Joints that move inwards are on their way already.
+            if let Some(end) = ends[i].filter(|end| end.inwards * phase.qd[i] <= 0.0) {
+                phase.q[i] = end.at;
+            }
+        }
+        let tau = self.torques(t, &phase)?;
+        let (qdd, responses) = self.responses(&phase, &tau, &ends.map(|end| end.is_some()))?;
+        let is_progress = (0..N).any(|i| {
+            let fallen = |end: End| 0.5 * phase.qd[i].powi(2) > qdd[i].abs() * end.resolution();
+            hits(&ends, &phase.qd, i) && ends[i].is_some_and(fallen)
+        });
+        let mut joints = JointSet::default();
+        let rebound = rebounds(phase.qd, &ends, &responses, restitution, &mut joints);
+        phase.qd = rebound.ok_or(Cause::Impacts { joints })?;
+        let after = self.at_rest(t, phase, &ends, &responses)?;
+        Ok(Some(Impact {
+            after: after.ok_or(Cause::Impacts { joints })?,
+            joints,
+            is_progress,
+        }))
+    }
+
+    /// The phase in which joints that bounce no more are at rest, those at their stops together.
+    fn at_rest(
+        &self,
+        t: f64,
+        mut phase: Phase<N>,
+        ends: &Ends<N>,
+        responses: &SMatrix<f64, N, N>,
+    ) -> Result<Option<Phase<N>>, Cause> {
+        loop {
+            let rest = self.resting(t, &phase, ends, responses)?;
+            for i in (0..N).filter(|i| rest[*i]) {
+                phase.q[i] = ends[i].map_or(phase.q[i], |end| end.at);
+            }
+            // Joints at rest stay so: each time there are more of them.
+            if (0..N).all(|i| !rest[i] || phase.qd[i] == 0.0) {
+                self.set_contacts(self.classified(&phase));
+                return Ok(Some(phase));
+            }
+            let wanted = core::array::from_fn(|i| {
+                let least = Wanted::least(ends[i]?.inwards, 0.0);
+                Some(if rest[i] { Wanted::REST } else { least })
+            });
+            match after(&phase.qd, &wanted, responses) {
+                Some(qd) => phase.qd = qd,
+                None => return Ok(None),
+            }
         }
     }
-    let tau = motion.torques(t, &phase)?;
-    let (qdd, responses) = motion.responses(&phase, &tau, &ends.map(|end| end.is_some()))?;
-    let is_progress = (0..N).any(|i| {
-        let fallen = |end: End| 0.5 * phase.qd[i].powi(2) > qdd[i].abs() * end.resolution();
-        hits(&ends, &phase.qd, i) && ends[i].is_some_and(fallen)
-    });
-    let mut joints = JointSet::default();
-    let rebound = rebounds(phase.qd, &ends, &responses, restitution, &mut joints);
-    phase.qd = rebound.ok_or(Cause::Impacts { joints })?;
-    let after = at_rest(motion, t, phase, &ends, &responses)?.ok_or(Cause::Impacts { joints })?;
-    Ok(Some(Impact {
-        after,
-        joints,
-        is_progress,
-    }))
+
+    /// The joints at their stops that are at rest, or move inwards so slowly that they are set to rest.
+    ///
+    /// With all of them at rest, the stop and dry friction hold joint i with a force f_i, and it alone would fall back
+    /// with the acceleration f_i / m ([`inertia`](super::complementarity::Balance::inertia)) from a rise of
+    /// `v^2 m / (2 f_i)`. The joint of the greatest energy v^2 / W_ii that rises by more, or that nothing holds, is left
+    /// out, and the others are asked again.
+    fn resting(
+        &self,
+        t: f64,
+        phase: &Phase<N>,
+        ends: &Ends<N>,
+        responses: &SMatrix<f64, N, N>,
+    ) -> Result<[bool; N], Cause> {
+        let mut rest = ends.map(|end| end.is_some());
+        while (0..N).any(|i| rest[i] && phase.qd[i] != 0.0) {
+            let mut still = *phase;
+            for i in (0..N).filter(|i| rest[*i]) {
+                still.qd[i] = 0.0;
+                still.q[i] = ends[i].map_or(phase.q[i], |end| end.at);
+            }
+            self.set_contacts(self.classified(&still));
+            let balance = self.balance_at_rest(t, &still, [Place::Between; N])?;
+            let rises = |i: usize| {
+                let Some(end) = ends[i].filter(|_| balance.places[i] == Place::Between) else {
+                    return true;
+                };
+                let hold = end.inwards * balance.forces[i] + self.breakaway(i, end.inwards);
+                let mass = balance.inertia(i);
+                let least = self.limits().least_rise(&end, hold / mass);
+                0.5 * mass * phase.qd[i].powi(2) > hold * least
+            };
+            let energy = |i: usize| phase.qd[i].powi(2) / responses[(i, i)];
+            let moving = (0..N).filter(|i| rest[*i] && phase.qd[*i] != 0.0 && rises(*i));
+            match moving.max_by(|i, j| energy(*i).total_cmp(&energy(*j))) {
+                Some(i) => rest[i] = false,
+                None => break,
+            }
+        }
+        Ok(rest)
+    }
 }
 
 /// The ends of their ranges where joints are.
@@ -121,11 +187,8 @@ fn rebounds<const N: usize>(
             return None;
         }
         // Without restitution one impact is the last, but for rounding.
-        let e = if impacts < MOST_IMPACTS {
-            restitution
-        } else {
-            0.0
-        };
+        let is_elastic = impacts < MOST_IMPACTS;
+        let e = if is_elastic { restitution } else { 0.0 };
         let wanted = core::array::from_fn(|i| {
             let end = ends[i]?;
             let rebound = -e * end.inwards * qd[i];
@@ -139,82 +202,8 @@ fn rebounds<const N: usize>(
     Some(qd)
 }
 
-/// So many impacts at one time are made with restitution, and as many without.
+/// The most impacts at one time that are made with restitution, and without.
 const MOST_IMPACTS: usize = 10_000;
-
-/// The phase in which joints that bounce no more are at rest, those at their stops together.
-fn at_rest<R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N: usize>(
-    motion: &Motion<R, L, N>,
-    t: f64,
-    mut phase: Phase<N>,
-    ends: &Ends<N>,
-    responses: &SMatrix<f64, N, N>,
-) -> Result<Option<Phase<N>>, Cause> {
-    loop {
-        let rest = resting(motion, t, &phase, ends, responses)?;
-        for i in (0..N).filter(|i| rest[*i]) {
-            phase.q[i] = ends[i].map_or(phase.q[i], |end| end.at);
-        }
-        // Joints at rest stay so: each time there are more of them.
-        if (0..N).all(|i| !rest[i] || phase.qd[i] == 0.0) {
-            motion.set_contacts(classified(motion, &phase));
-            return Ok(Some(phase));
-        }
-        let wanted = core::array::from_fn(|i| {
-            let inwards = ends[i]?.inwards;
-            Some(if rest[i] {
-                Wanted::REST
-            } else {
-                Wanted::least(inwards, 0.0)
-            })
-        });
-        match after(&phase.qd, &wanted, responses) {
-            Some(qd) => phase.qd = qd,
-            None => return Ok(None),
-        }
-    }
-}
-
-/// The joints at their stops that are at rest, or move inwards so slowly that they are set to rest.
-///
-/// With all of them at rest, the stop and dry friction hold joint i with a force f_i, and it alone would fall back with
-/// the acceleration f_i / m ([`inertia`](super::complementarity::Balance::inertia)) from a rise of `v^2 m / (2 f_i)`.
-/// The joint of the greatest energy v^2 / W_ii that rises by more, or that nothing holds, is left out, and the others
-/// are asked again.
-fn resting<R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N: usize>(
-    motion: &Motion<R, L, N>,
-    t: f64,
-    phase: &Phase<N>,
-    ends: &Ends<N>,
-    responses: &SMatrix<f64, N, N>,
-) -> Result<[bool; N], Cause> {
-    let mut rest = ends.map(|end| end.is_some());
-    while (0..N).any(|i| rest[i] && phase.qd[i] != 0.0) {
-        let mut still = *phase;
-        for i in (0..N).filter(|i| rest[*i]) {
-            still.qd[i] = 0.0;
-            still.q[i] = ends[i].map_or(phase.q[i], |end| end.at);
-        }
-        motion.set_contacts(classified(motion, &still));
-        let balance = balance_at_rest(motion, t, &still, [Place::Between; N])?;
-        let rises = |i: usize| {
-            let Some(end) = ends[i].filter(|_| balance.places[i] == Place::Between) else {
-                return true;
-            };
-            let hold = end.inwards * balance.forces[i] + motion.breakaway(i, end.inwards);
-            let mass = balance.inertia(i);
-            let least = motion.limits().least_rise(&end, hold / mass);
-            0.5 * mass * phase.qd[i].powi(2) > hold * least
-        };
-        let energy = |i: usize| phase.qd[i].powi(2) / responses[(i, i)];
-        let moving = (0..N).filter(|i| rest[*i] && phase.qd[*i] != 0.0 && rises(*i));
-        match moving.max_by(|i, j| energy(*i).total_cmp(&energy(*j))) {
-            Some(i) => rest[i] = false,
-            None => break,
-        }
-    }
-    Ok(rest)
-}
 
 /// The demand of an impact on a joint at a stop.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -228,10 +217,11 @@ struct Wanted {
 impl Wanted {
     /// At least a velocity inwards, with an impulse inwards, where `inwards` is the way into the range, 1 or -1.
     fn least(inwards: f64, velocity: f64) -> Self {
+        let [low, high] = Wanted::REST.bounds;
         let bounds = if inwards > 0.0 {
-            [0.0, f64::INFINITY]
+            [0.0, high]
         } else {
-            [f64::NEG_INFINITY, 0.0]
+            [low, 0.0]
         };
         Wanted {
             velocity: inwards * velocity,

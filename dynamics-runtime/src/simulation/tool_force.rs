@@ -5,29 +5,22 @@ use nalgebra::{Matrix4, SVector, Vector6};
 use super::error::Cause;
 use crate::Kinematics;
 
+/// A time in s, positions in rad or m, and velocities.
+type At<'a, const N: usize> = (f64, &'a SVector<f64, N>, &'a SVector<f64, N>);
+
+/// Joint torques, N m or N.
+pub(super) type Torques<const N: usize> = Result<SVector<f64, N>, Cause>;
+
 /// The force at the tool in a [`Simulation`](crate::Simulation): none, or a law, which needs an arm with generated
 /// [`Kinematics`].
 pub trait ToolForce<R, const N: usize> {
     /// The joint torques `tau` with those of the force: tau + J^T w.
     #[doc(hidden)]
-    fn added_to(
-        &self,
-        tau: SVector<f64, N>,
-        robot: &R,
-        t: f64,
-        q: &SVector<f64, N>,
-        qd: &SVector<f64, N>,
-    ) -> Result<SVector<f64, N>, Cause>;
+    fn added_to(&self, tau: SVector<f64, N>, robot: &R, at: At<'_, N>) -> Torques<N>;
 
     /// Begins a period, where the law is sampled.
     #[doc(hidden)]
-    fn sample(
-        &mut self,
-        _robot: &R,
-        _t: f64,
-        _q: &SVector<f64, N>,
-        _qd: &SVector<f64, N>,
-    ) -> Result<(), Cause> {
+    fn sample(&mut self, _robot: &R, _at: At<'_, N>) -> Result<(), Cause> {
         Ok(())
     }
 }
@@ -50,14 +43,7 @@ pub struct NoToolForce;
 
 impl<R, const N: usize> ToolForce<R, N> for NoToolForce {
     #[inline]
-    fn added_to(
-        &self,
-        tau: SVector<f64, N>,
-        _robot: &R,
-        _t: f64,
-        _q: &SVector<f64, N>,
-        _qd: &SVector<f64, N>,
-    ) -> Result<SVector<f64, N>, Cause> {
+    fn added_to(&self, tau: SVector<f64, N>, _robot: &R, _at: At<'_, N>) -> Torques<N> {
         Ok(tau)
     }
 }
@@ -67,14 +53,7 @@ where
     R: Kinematics<N>,
     F: Fn(f64, &Matrix4<f64>, &Vector6<f64>) -> Vector6<f64>,
 {
-    fn added_to(
-        &self,
-        tau: SVector<f64, N>,
-        robot: &R,
-        t: f64,
-        q: &SVector<f64, N>,
-        qd: &SVector<f64, N>,
-    ) -> Result<SVector<f64, N>, Cause> {
+    fn added_to(&self, tau: SVector<f64, N>, robot: &R, (t, q, qd): At<'_, N>) -> Torques<N> {
         let pose = robot.forward_kinematics(q);
         let jacobian = robot.jacobian(q);
         let wrench = finite(self(t, &pose, &(jacobian * qd)))?;
@@ -95,24 +74,11 @@ where
     R: Kinematics<N>,
     F: FnMut(f64, &Matrix4<f64>, &Vector6<f64>) -> Vector6<f64>,
 {
-    fn added_to(
-        &self,
-        tau: SVector<f64, N>,
-        robot: &R,
-        _t: f64,
-        q: &SVector<f64, N>,
-        _qd: &SVector<f64, N>,
-    ) -> Result<SVector<f64, N>, Cause> {
+    fn added_to(&self, tau: SVector<f64, N>, robot: &R, (_, q, _): At<'_, N>) -> Torques<N> {
         Ok(tau + robot.jacobian(q).tr_mul(&self.wrench))
     }
 
-    fn sample(
-        &mut self,
-        robot: &R,
-        t: f64,
-        q: &SVector<f64, N>,
-        qd: &SVector<f64, N>,
-    ) -> Result<(), Cause> {
+    fn sample(&mut self, robot: &R, (t, q, qd): At<'_, N>) -> Result<(), Cause> {
         let pose = robot.forward_kinematics(q);
         let twist = robot.jacobian(q) * qd;
         self.wrench = finite((self.law)(t, &pose, &twist))?;

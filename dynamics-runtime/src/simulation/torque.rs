@@ -5,21 +5,16 @@ use core::cell::{Cell, RefCell};
 use nalgebra::SVector;
 
 use super::error::Cause;
-use super::tool_force::{NoToolForce, ToolForce};
+use super::tool_force::{NoToolForce, ToolForce, Torques};
 use crate::integrate::{Phase, first_non_finite};
 
-/// What acts on the joints from outside of the arm's own equations.
+/// The torques on the joints from outside of the arm's own equations.
 pub(super) trait TorqueLaw<const N: usize> {
     /// The torques of the motors at a time in a finite phase, N m or N. They may be infinite or NaN.
     fn motors(&self, t: f64, phase: &Phase<N>) -> SVector<f64, N>;
 
     /// Torques with those of the force at the tool.
-    fn with_tool(
-        &self,
-        tau: SVector<f64, N>,
-        t: f64,
-        phase: &Phase<N>,
-    ) -> Result<SVector<f64, N>, Cause>;
+    fn with_tool(&self, tau: SVector<f64, N>, t: f64, phase: &Phase<N>) -> Torques<N>;
 
     /// The period of laws that are sampled and held.
     fn period(&self) -> Option<f64> {
@@ -33,7 +28,7 @@ pub(super) trait TorqueLaw<const N: usize> {
 
     /// All of the torques.
     #[inline]
-    fn torque(&self, t: f64, phase: &Phase<N>) -> Result<SVector<f64, N>, Cause> {
+    fn torque(&self, t: f64, phase: &Phase<N>) -> Torques<N> {
         self.with_tool(finite(self.motors(t, phase))?, t, phase)
     }
 }
@@ -59,14 +54,9 @@ where
     }
 
     #[inline]
-    fn with_tool(
-        &self,
-        tau: SVector<f64, N>,
-        t: f64,
-        phase: &Phase<N>,
-    ) -> Result<SVector<f64, N>, Cause> {
-        self.tool_force
-            .added_to(tau, self.robot, t, &phase.q, &phase.qd)
+    fn with_tool(&self, tau: SVector<f64, N>, t: f64, phase: &Phase<N>) -> Torques<N> {
+        let at = (t, &phase.q, &phase.qd);
+        self.tool_force.added_to(tau, self.robot, at)
     }
 }
 
@@ -102,14 +92,9 @@ where
     }
 
     #[inline]
-    fn with_tool(
-        &self,
-        tau: SVector<f64, N>,
-        t: f64,
-        phase: &Phase<N>,
-    ) -> Result<SVector<f64, N>, Cause> {
-        let tool_force = self.tool_force.borrow();
-        tool_force.added_to(tau, self.robot, t, &phase.q, &phase.qd)
+    fn with_tool(&self, tau: SVector<f64, N>, t: f64, phase: &Phase<N>) -> Torques<N> {
+        let (tool_force, at) = (self.tool_force.borrow(), (t, &phase.q, &phase.qd));
+        tool_force.added_to(tau, self.robot, at)
     }
 
     fn period(&self) -> Option<f64> {
@@ -121,12 +106,12 @@ where
         self.held.set(tau);
         finite(tau)?;
         let mut tool_force = self.tool_force.borrow_mut();
-        tool_force.sample(self.robot, t, &phase.q, &phase.qd)
+        tool_force.sample(self.robot, (t, &phase.q, &phase.qd))
     }
 }
 
 /// Torques that a law returned, where they are numbers.
-pub(super) fn finite<const N: usize>(tau: SVector<f64, N>) -> Result<SVector<f64, N>, Cause> {
+pub(super) fn finite<const N: usize>(tau: SVector<f64, N>) -> Torques<N> {
     match first_non_finite(&tau) {
         Some(joint) => Err(Cause::NonFiniteTorque { joint }),
         None => Ok(tau),

@@ -1,9 +1,9 @@
 //! Sine and cosine of several angles at once.
 //!
-//! Sines are most of what a short program costs. The kernels here, one for each precision, have no branches,
-//! so that several angles are evaluated in the lanes of a vector register, as wide as the processor at hand
-//! has them, and no operation that rounds otherwise where it is fused: every processor and every number of
-//! lanes gives the same digits. Angles beyond [`Kernel::LARGEST`] are reduced exactly, one by one.
+//! Sines take most of the time of a short program. The kernels, one for each precision, have no branches, so that
+//! several angles are evaluated in the lanes of a vector register. No operation of theirs rounds otherwise where it is
+//! fused: every processor and every number of lanes gives the same digits. Angles beyond [`Kernel::LARGEST`] are
+//! reduced exactly, one by one.
 
 mod columns;
 mod double;
@@ -22,7 +22,7 @@ pub use part::Part;
 #[cfg(feature = "std")]
 pub(crate) use part::part_in_lanes;
 pub(crate) use vectors::level;
-use vectors::{Pair, eight, eight_singles, four, four_singles, two};
+use vectors::{Pair, eight, eight_singles, four, four_singles, two, two_singles};
 
 /// A precision whose sines of several angles are evaluated at once.
 pub(crate) trait Sines: Lanes<Number = Self> + Kernel {
@@ -52,68 +52,45 @@ pub(crate) trait Sines: Lanes<Number = Self> + Kernel {
 // Inlined always, as is all that takes angles or gives sines in arrays: a function that is called has its
 // arrays in memory, and the angles that the caller writes one by one would be read as one vector, which a
 // processor does only when all of them have arrived there.
-impl Sines for f64 {
-    #[inline(always)]
-    fn is_odd(self) -> bool {
-        self.to_bits() & 1 == 1
-    }
-
-    #[inline(always)]
-    fn of_array<const K: usize>(x: [f64; K]) -> [(f64, f64); K] {
-        let mut values = [(0.0, 1.0); K];
-        match K {
-            0 => {}
-            1 => values[0] = one(x[0]),
-            _ if Level::baseline().is_fallback() => each(&x, &mut values),
-            2 => store(two(level(), x[0], x[1]), &mut values),
-            3 => store(four(level(), x[0], x[1], x[2], 0.0), &mut values),
-            4 => store(four(level(), x[0], x[1], x[2], x[3]), &mut values),
-            5..=8 => {
-                let [a, b, c, d, e] = [x[0], x[1], x[2], x[3], x[4]];
-                let [f, g, h] = [at(&x, 5), at(&x, 6), at(&x, 7)];
-                store(eight(level(), a, b, c, d, e, f, g, h), &mut values);
+macro_rules! impl_sines {
+    ($($float:ident: $two:ident, $four:ident, $eight:ident;)*) => {$(
+        impl Sines for $float {
+            #[inline(always)]
+            fn is_odd(self) -> bool {
+                self.to_bits() & 1 == 1
             }
-            _ => {
-                for (x, values) in x.chunks(8).zip(values.chunks_mut(8)) {
-                    let [a, b, c, d, e, f, g, h] = filled(x);
-                    store(eight(level(), a, b, c, d, e, f, g, h), values);
+
+            #[inline(always)]
+            fn of_array<const K: usize>(x: [$float; K]) -> [($float, $float); K] {
+                let mut values = [(0.0, 1.0); K];
+                match K {
+                    0 => {}
+                    1 => values[0] = one(x[0]),
+                    _ if Level::baseline().is_fallback() => each(&x, &mut values),
+                    2 => store($two(level(), x[0], x[1]), &mut values),
+                    3 => store($four(level(), x[0], x[1], x[2], 0.0), &mut values),
+                    4 => store($four(level(), x[0], x[1], x[2], x[3]), &mut values),
+                    5..=8 => {
+                        let [a, b, c, d, e] = [x[0], x[1], x[2], x[3], x[4]];
+                        let [f, g, h] = [at(&x, 5), at(&x, 6), at(&x, 7)];
+                        store($eight(level(), a, b, c, d, e, f, g, h), &mut values);
+                    }
+                    _ => {
+                        for (x, values) in x.chunks(8).zip(values.chunks_mut(8)) {
+                            let [a, b, c, d, e, f, g, h] = filled(x);
+                            store($eight(level(), a, b, c, d, e, f, g, h), values);
+                        }
+                    }
                 }
+                values
             }
         }
-        values
-    }
+    )*};
 }
 
-impl Sines for f32 {
-    #[inline(always)]
-    fn is_odd(self) -> bool {
-        self.to_bits() & 1 == 1
-    }
-
-    #[inline(always)]
-    fn of_array<const K: usize>(x: [f32; K]) -> [(f32, f32); K] {
-        let mut values = [(0.0, 1.0); K];
-        match K {
-            0 => {}
-            1 => values[0] = one(x[0]),
-            _ if Level::baseline().is_fallback() => each(&x, &mut values),
-            2 => store(four_singles(level(), x[0], x[1], 0.0, 0.0), &mut values),
-            3 => store(four_singles(level(), x[0], x[1], x[2], 0.0), &mut values),
-            4 => store(four_singles(level(), x[0], x[1], x[2], x[3]), &mut values),
-            5..=8 => {
-                let [a, b, c, d, e] = [x[0], x[1], x[2], x[3], x[4]];
-                let [f, g, h] = [at(&x, 5), at(&x, 6), at(&x, 7)];
-                store(eight_singles(level(), a, b, c, d, e, f, g, h), &mut values);
-            }
-            _ => {
-                for (x, values) in x.chunks(8).zip(values.chunks_mut(8)) {
-                    let [a, b, c, d, e, f, g, h] = filled(x);
-                    store(eight_singles(level(), a, b, c, d, e, f, g, h), values);
-                }
-            }
-        }
-        values
-    }
+impl_sines! {
+    f64: two, four, eight;
+    f32: two_singles, four_singles, eight_singles;
 }
 
 /// An angle, or zero where there are fewer. The index is known to the compiler: the angles need no memory.

@@ -1,9 +1,9 @@
 //! The sine alone, or the cosine alone.
 
-use super::Sines;
 use super::lanes::Reduced;
 #[cfg(feature = "std")]
-use super::{Kernel as _, Lanes, sin_cos};
+use super::{Kernel as _, sin_cos};
+use super::{Lanes, Sines};
 
 /// What a generated function reads of the sine and the cosine of an angle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -16,27 +16,39 @@ pub enum Part {
     Cosine,
 }
 
+impl Part {
+    #[inline(always)]
+    fn of<L>(self, (sine, cosine): (L, L)) -> L {
+        if self == Part::Cosine { cosine } else { sine }
+    }
+
+    /// The value for the angle that is left of a quarter turn, with the sign that it has after n of them.
+    #[inline(always)]
+    fn signed<L: Lanes>(self, value: L, n: L) -> L {
+        match self {
+            Part::Cosine => value.turned_by_lowest_bits(n),
+            _ => value.turned_by_bit::<1>(n),
+        }
+    }
+}
+
 /// Sine or cosine of one angle, with the digits that it has beside the other.
 ///
 /// Which of the two polynomials it takes is a branch: an angle stays in its quarter turn for many calls of a
 /// controller, so that a processor knows the way, and the other polynomial is not evaluated.
 #[inline]
 pub(super) fn one<F: Sines>(x: F, part: Part) -> F {
-    let of = |(sine, cosine)| if part == Part::Cosine { cosine } else { sine };
     if !x.all_within(F::LARGEST) {
-        return of(x.sin_cos_of_large());
+        return part.of(x.sin_cos_of_large());
     }
     let Reduced { n, rest, excess } = F::reduce(x);
-    // In each branch what the other one needs is left out by the compiler.
+    // The compiler leaves out of each branch the polynomial of the other one.
     let value = if n.is_odd() == (part == Part::Cosine) {
         F::sin_cos_reduced(rest, excess).0
     } else {
         F::sin_cos_reduced(rest, excess).1
     };
-    match part {
-        Part::Cosine => value.turned_by_lowest_bits(n),
-        _ => value.turned_by_bit::<1>(n),
-    }
+    part.signed(value, n)
 }
 
 /// Sine or cosine of angles in the lanes of a batch, of magnitude up to [`Kernel::LARGEST`](super::Kernel::LARGEST),
@@ -50,8 +62,7 @@ pub(super) fn one<F: Sines>(x: F, part: Part) -> F {
 #[inline(always)]
 pub(crate) fn part_in_lanes<L: Lanes>(x: L, part: Part) -> L {
     if !x.fuses() {
-        let (sine, cosine) = sin_cos(x);
-        return if part == Part::Cosine { cosine } else { sine };
+        return part.of(sin_cos(x));
     }
     let (half, unit) = (x.constant(L::Number::HALF), x.constant(L::Number::ONE));
     let Reduced { n, rest, excess } = L::Number::reduce(x);
@@ -62,9 +73,5 @@ pub(crate) fn part_in_lanes<L: Lanes>(x: L, part: Part) -> L {
     };
     let share = choose(unit, half);
     let sine = L::Number::sine_reduced(rest * share, excess * share);
-    let value = choose(sine, sine.product_from(sine + sine, unit));
-    match part {
-        Part::Cosine => value.turned_by_lowest_bits(n),
-        _ => value.turned_by_bit::<1>(n),
-    }
+    part.signed(choose(sine, sine.product_from(sine + sine, unit)), n)
 }

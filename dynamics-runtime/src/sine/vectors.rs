@@ -54,6 +54,12 @@ in_lanes!(four_singles(a, b, c, d) of f32, 4: simd => whole(f32x4::simd_from(sim
 in_lanes!(eight_singles(a, b, c, d, e, f, g, h) of f32, 8:
     simd => whole(f32x8::simd_from(simd, [a, b, c, d, e, f, g, h])));
 
+/// Two angles in the lanes of four.
+#[inline(always)]
+pub(super) fn two_singles(level: Level, a: f32, b: f32) -> Pair<f32, 4> {
+    four_singles(level, a, b, 0.0, 0.0)
+}
+
 /// Whether eight doubles are in two vectors, and not in one of 512 bits.
 ///
 /// Intel's processors have two units that multiply doubles. While an instruction of 512 bits is under way, one of them

@@ -2,10 +2,9 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use super::TaylorDynamics;
-use super::coefficients::{MAX_TAYLOR_ORDER, TaylorCoefficients};
 use super::products::Products;
 use super::term::{Coefficients, Rest, Term};
+use super::{MAX_TAYLOR_ORDER, TaylorCoefficients, TaylorDynamics};
 use crate::factorisation::Factors;
 use crate::inputs::Known;
 use crate::{Scalar, SingularMassMatrix};

@@ -1,6 +1,6 @@
 //! Where a polynomial is zero for the first time.
 
-use super::coefficients::MAX_TAYLOR_ORDER;
+use super::MAX_TAYLOR_ORDER;
 
 /// Numbers for each order.
 const ORDERS: usize = MAX_TAYLOR_ORDER + 1;
@@ -43,10 +43,10 @@ impl Polynomial {
         // A polynomial that begins at the margin and rises has not passed it.
         if self.0[0] <= 0.0 {
             let next = self.0[1..].iter().find(|c| **c != 0.0)?;
-            match *next > 0.0 {
-                true => self.0[0] = f64::MIN_POSITIVE,
-                false => return Some(0.0),
+            if *next <= 0.0 || next.is_nan() {
+                return Some(0.0);
             }
+            self.0[0] = f64::MIN_POSITIVE;
         }
         let [constant, rest @ ..] = &self.0;
         let falls: f64 = rest.iter().map(|c| c.min(0.0)).sum();
@@ -86,9 +86,14 @@ impl Polynomial {
                 let (left, right) = halves(coefficients);
                 let middle = 0.5 * (a + b);
                 let in_left = self.first_of(&left, a, middle);
-                in_left.or_else(|| match right[0] > 0.0 {
-                    true => self.first_of(&right, middle, b),
-                    false => Some(middle),
+                let is_positive = right[0] > 0.0;
+                let in_right = || self.first_of(&right, middle, b);
+                in_left.or_else(|| {
+                    if is_positive {
+                        in_right()
+                    } else {
+                        Some(middle)
+                    }
                 })
             }
         }
@@ -100,15 +105,11 @@ impl Polynomial {
         let mut s = 0.5 * (a + b);
         for _ in 0..MOST_STEPS {
             let (value, slope) = self.at(s);
-            match value > 0.0 {
-                true => a = s,
-                false => b = s,
-            }
+            let end = if value > 0.0 { &mut a } else { &mut b };
+            *end = s;
             let newton = s - value / slope;
-            let next = match newton > a && newton < b {
-                true => newton,
-                false => 0.5 * (a + b),
-            };
+            let is_within = newton > a && newton < b;
+            let next = if is_within { newton } else { 0.5 * (a + b) };
             if next <= a || next >= b || (next - s).abs() <= f64::EPSILON * s {
                 return next.clamp(a, b);
             }
@@ -121,10 +122,8 @@ impl Polynomial {
     pub(crate) fn refined(&self, s: f64) -> f64 {
         let (value, slope) = self.at(s);
         let next = s - value / slope;
-        match slope < 0.0 && next > 0.0 && next <= 1.0 {
-            true => next,
-            false => s,
-        }
+        let is_nearer = slope < 0.0 && next > 0.0 && next <= 1.0;
+        if is_nearer { next } else { s }
     }
 }
 

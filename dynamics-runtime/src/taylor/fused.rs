@@ -1,10 +1,9 @@
 //! Doubles that multiply and add in one instruction.
 
-use core::ops::{Add, Div, Mul, Neg, Sub};
-
 use fearless_simd::{Simd, dispatch};
 
 use crate::Scalar;
+use crate::operators::impl_operators;
 use crate::sine::{Sines, level};
 
 /// A double whose [`mul_add`](Scalar::mul_add) is fused: for processors that have the instruction
@@ -23,33 +22,13 @@ pub(super) fn is_worth_it() -> bool {
     found && !built_in
 }
 
-macro_rules! operators {
-    ($($operator:ident $method:ident $symbol:tt;)*) => {$(
-        impl $operator for Fused {
-            type Output = Self;
-
-            #[inline(always)]
-            fn $method(self, other: Self) -> Self {
-                Fused(self.0 $symbol other.0)
-            }
-        }
-    )*};
-}
-
-operators! {
-    Add add +;
-    Sub sub -;
-    Mul mul *;
-    Div div /;
-}
-
-impl Neg for Fused {
-    type Output = Self;
-
-    #[inline(always)]
-    fn neg(self) -> Self {
-        Fused(-self.0)
-    }
+impl_operators! {
+    impl [] for Fused;
+    Add add |a, b| Fused(a.0 + b.0);
+    Sub sub |a, b| Fused(a.0 - b.0);
+    Mul mul |a, b| Fused(a.0 * b.0);
+    Div div |a, b| Fused(a.0 / b.0);
+    Neg neg |a| Fused(-a.0);
 }
 
 impl Scalar for Fused {

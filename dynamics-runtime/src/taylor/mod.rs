@@ -14,20 +14,16 @@
 //!
 //! A joint that follows another one by a factor turns by that multiple of q, at that multiple of qd.
 //!
-//! The equations of motion are taken as they are, tau = M(q) qdd + V + G + K + F, not solved for qdd.
-//! Their coefficient of order k is linear in the unknown qdd_k, with the matrix M(q_0) whatever k:
+//! The equations of motion are not solved for qdd: the coefficient of order k of tau = M(q) qdd + V + G + K + F is linear
+//! in the unknown qdd_k, with the matrix M(q_0) whatever k:
 //!
 //! ```text
 //! M(q_0) qdd_k = tau_k - (M qdd + V + G + K + F)_k  with qdd_k = 0 on the right.
 //! ```
 //!
-//! So M is factored once for all orders, and no series is divided: the inverse dynamics of the
-//! PUMA 560 has 119 products of two series, its forward dynamics 205 and four quotients.
-//!
-//! Inner sums depend on lower orders alone: those of all products are computed at once, in the
-//! lanes of vector registers ([`Block`]), before the straight-line code of an order runs.
+//! So M is factored once for all orders, and no series is divided. Inner sums depend on lower orders alone: those of all
+//! products are computed at once, in the lanes of vector registers ([`Block`]), before the straight-line code runs.
 
-mod coefficients;
 mod expansion;
 #[cfg(feature = "std")]
 mod first_root;
@@ -45,7 +41,6 @@ mod term;
 use nalgebra::{SMatrix, SVector};
 
 use crate::{Inputs, Model, Scalar, SingularMassMatrix};
-pub use coefficients::{MAX_TAYLOR_ORDER, TaylorCoefficients};
 use expansion::Expansion;
 #[cfg(feature = "std")]
 pub(crate) use expansion::mass_matrix;
@@ -57,6 +52,12 @@ pub(crate) use step_size::{FEWEST_ORDERS, order};
 #[cfg(feature = "std")]
 pub(crate) use stepper::{Refusal, SeriesStepper, Steady};
 pub use term::SeriesTerm;
+
+/// The highest order of a Taylor series.
+pub const MAX_TAYLOR_ORDER: usize = 30;
+
+/// The coefficients q_k of `q(t) = sum q_k t^k`, from q_0 on; zero beyond the order asked for.
+pub type TaylorCoefficients<T, const N: usize> = [SVector<T, N>; MAX_TAYLOR_ORDER + 1];
 
 /// An arm whose motion can be expanded in a Taylor series: `functions: [taylor_series]`.
 #[diagnostic::on_unimplemented(

@@ -2,10 +2,9 @@
 
 use nalgebra::SVector;
 
-use super::TaylorDynamics;
-use super::coefficients::{MAX_TAYLOR_ORDER, TaylorCoefficients};
 use super::expansion::Expansion;
 use super::fused::{Fused, is_worth_it, with_best_instructions};
+use super::{MAX_TAYLOR_ORDER, TaylorCoefficients, TaylorDynamics};
 use crate::SingularMassMatrix;
 use crate::integrate::Phase;
 
@@ -27,13 +26,14 @@ where
 impl<R: TaylorDynamics<N>, const N: usize> Series<R, N> {
     pub(super) fn new() -> Self {
         let zero = SVector::zeros();
-        match is_worth_it() {
-            false => Series::Plain(Box::new(Expansion::new(&zero))),
-            true => Series::Fused {
-                expansion: Box::new(Expansion::new(&zero.map(Fused))),
-                coefficients: Box::new([zero; MAX_TAYLOR_ORDER + 1]),
-                forces: Box::new([zero; MAX_TAYLOR_ORDER + 1]),
-            },
+        if !is_worth_it() {
+            return Series::Plain(Box::new(Expansion::new(&zero)));
+        }
+        let zeros = Box::new([zero; MAX_TAYLOR_ORDER + 1]);
+        Series::Fused {
+            expansion: Box::new(Expansion::new(&zero.map(Fused))),
+            coefficients: zeros.clone(),
+            forces: zeros,
         }
     }
 

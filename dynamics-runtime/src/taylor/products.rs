@@ -1,6 +1,6 @@
 //! The products of two series, all of them side by side.
 
-use super::coefficients::MAX_TAYLOR_ORDER;
+use super::MAX_TAYLOR_ORDER;
 use crate::Scalar;
 
 /// Products whose sums are computed together: the doubles of the widest vector registers.
@@ -121,18 +121,20 @@ impl<T: Scalar, const COMMON: usize, const SINGLE: usize, const MULTIPLES: usize
     #[inline(always)]
     fn store(&mut self, slot: usize, a: T, b: T) {
         let (block, lane) = (slot / LANES, slot % LANES);
-        match block < COMMON {
-            true => self.common[block].store(lane, a, b),
-            false => self.single[block - COMMON].store(lane, a, b),
+        if block < COMMON {
+            self.common[block].store(lane, a, b);
+        } else {
+            self.single[block - COMMON].store(lane, a, b);
         }
     }
 
     #[inline(always)]
     fn lead(&self, slot: usize) -> [T; 3] {
         let (block, lane) = (slot / LANES, slot % LANES);
-        match block < COMMON {
-            true => self.common[block].lead(lane),
-            false => self.single[block - COMMON].lead(lane),
+        if block < COMMON {
+            self.common[block].lead(lane)
+        } else {
+            self.single[block - COMMON].lead(lane)
         }
     }
 

@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 
-use super::coefficients::{MAX_TAYLOR_ORDER, TaylorCoefficients};
+use super::{MAX_TAYLOR_ORDER, TaylorCoefficients};
 use crate::integrate::Tolerance;
 
 /// Coefficients that the step is chosen from.

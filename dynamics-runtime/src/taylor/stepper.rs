@@ -2,11 +2,10 @@
 
 use nalgebra::SVector;
 
-use super::TaylorDynamics;
-use super::coefficients::TaylorCoefficients;
 use super::first_root::Polynomial;
 use super::numbers::Series;
 use super::step_size::step_size;
+use super::{TaylorCoefficients, TaylorDynamics};
 use crate::SingularMassMatrix;
 use crate::exact::{two_sum, two_sums};
 use crate::integrate::{Failure, Phase, StepRange, Stepper, Tolerance, first_non_finite};

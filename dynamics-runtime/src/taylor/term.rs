@@ -8,8 +8,8 @@ use crate::factorisation::Factors;
 
 /// Coefficients of order k: what the generated equations of motion read and write.
 ///
-/// What depends on the accelerations is computed twice: with accelerations of 0, up to
-/// [`solve`](SeriesTerm::solve), which makes them what they have to be, and again.
+/// Terms of the accelerations are computed twice: with accelerations of 0, up to [`solve`](SeriesTerm::solve), and with
+/// those found.
 #[doc(hidden)]
 pub trait SeriesTerm<T, const N: usize> {
     /// A number, for its arithmetic.
@@ -156,11 +156,11 @@ where
     fn turn_multiple(&mut self, index: usize, joint: usize, factor: T, slot: usize) {
         let (s, c) = self.products.multiples()[index];
         let rate = factor * self.motion.qd[joint];
-        let next = (
+        let (sine, cosine) = (
             self.product(slot, c, rate),
             -self.product(slot + 1, s, rate),
         );
-        self.products.multiples()[index] = next;
+        self.products.multiples()[index] = (sine, cosine);
     }
 
     #[inline(always)]
@@ -185,11 +185,13 @@ impl<P, T: Scalar, const N: usize, const LEADING: bool> Term<'_, P, T, N, LEADIN
             qdd[i] = zero;
         }
         self.motion.qdd = qdd;
-        self.holding = SVector::from_fn(|i, _| match held[i] {
-            true => (0..N).fold(-lacking[i], |force, j| {
-                self.rest.matrix[(i, j)].mul_add(qdd[j], force)
-            }),
-            false => zero,
+        self.holding = SVector::from_fn(|i, _| {
+            let add = |force: T, j: usize| self.rest.matrix[(i, j)].mul_add(qdd[j], force);
+            if held[i] {
+                (0..N).fold(-lacking[i], add)
+            } else {
+                zero
+            }
         });
     }
 }

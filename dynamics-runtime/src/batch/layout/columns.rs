@@ -5,7 +5,7 @@ use core::array::from_fn;
 use fearless_simd::{Simd, SimdBase};
 use nalgebra::{Const, Dyn, Matrix, SMatrix, SVector, VecStorage};
 
-use super::{MOST_LANES, Sink, Source, States, StatesMut, each_joint};
+use super::{MOST_LANES, Sink, Source, States, StatesMut, each_joint, lengths};
 use crate::batch::wide::Precision;
 use crate::batch::wide::{Wide, lanes};
 use crate::function::Entries;
@@ -25,9 +25,7 @@ impl<'a, E: Precision, const N: usize> Source<N, E> for Columns<'a, E, N> {
         Self: 'r;
 
     fn states(&self) -> (usize, Option<usize>) {
-        let states = self.0.first().map_or(0, |column| column.len());
-        let mut lengths = self.0.iter().map(|column| column.len());
-        (states, lengths.find(|&length| length != states))
+        lengths(self.0.iter().map(|column| (column.len(), None)))
     }
 
     #[cfg(feature = "rayon")]
@@ -80,9 +78,8 @@ impl<'a, E: Precision, const R: usize, const C: usize> Sink<Entries<R, C>, E>
         Self: 'r;
 
     fn states(&self) -> (usize, Option<usize>) {
-        let lengths = || self.0.iter().flatten().map(|column| column.len());
-        let states = lengths().next().unwrap_or(0);
-        (states, lengths().find(|&length| length != states))
+        let columns = self.0.iter().flatten();
+        lengths(columns.map(|column| (column.len(), None)))
     }
 
     #[cfg(feature = "rayon")]

@@ -131,7 +131,18 @@ pub trait Sink<A: Arrangement, E: Precision>: Send + Sized {
     fn store<S: Simd>(&mut self, first: usize, value: &Of<A, Wide<S, E>>);
 }
 
-/// The vector of what is there for each joint.
+/// The number of states of parts, and one that differs from it.
+fn lengths(parts: impl Iterator<Item = (usize, Option<usize>)>) -> (usize, Option<usize>) {
+    let mut whole = None;
+    let mut other = None;
+    for (states, differing) in parts {
+        let first = *whole.get_or_insert(states);
+        other = other.or(differing).or((states != first).then_some(states));
+    }
+    (whole.unwrap_or(0), other)
+}
+
+/// The vector of the lanes of each joint.
 #[inline(always)]
 fn each_joint<S: Simd, E: Precision, const N: usize>(
     lanes: impl Fn(usize) -> E::Native<S>,

@@ -2,21 +2,10 @@
 
 use fearless_simd::Simd;
 
-use super::{Sink, StatesMut};
+use super::{Sink, StatesMut, lengths};
 use crate::batch::wide::Precision;
 use crate::batch::wide::Wide;
 use crate::function::{Arrangement, Of, each_tuple};
-
-/// The number of states of parts, and one that differs from it.
-fn lengths(parts: impl Iterator<Item = (usize, Option<usize>)>) -> (usize, Option<usize>) {
-    let mut whole = None;
-    let mut other = None;
-    for (states, differing) in parts {
-        let first = *whole.get_or_insert(states);
-        other = other.or(differing).or((states != first).then_some(states));
-    }
-    (whole.unwrap_or(0), other)
-}
 
 /// A sink for each element of an array.
 pub struct Elements<X, const K: usize>([X; K]);

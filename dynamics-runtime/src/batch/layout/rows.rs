@@ -130,59 +130,34 @@ where
     }
 }
 
-impl<'a, E: Precision, const N: usize> States<N, E> for &'a [SVector<E, N>] {
-    type Source = Rows<'a, E, N>;
+macro_rules! impl_rows {
+    ($($vectors:ty, $values:ty $(, $length:ident)?;)*) => {$(
+        impl<'a, E: Precision, const N: usize $(, const $length: usize)?> States<N, E>
+            for &'a $vectors
+        {
+            type Source = Rows<'a, E, N>;
 
-    fn source(self) -> Rows<'a, E, N> {
-        Rows(self)
-    }
+            fn source(self) -> Self::Source {
+                Rows(self)
+            }
+        }
+
+        impl<'a, A: Arrangement, E: Precision $(, const $length: usize)?> StatesMut<A, E>
+            for &'a mut $values
+        where
+            Of<A, E>: Send,
+        {
+            type Sink = RowsMut<'a, A, E>;
+
+            fn sink(self) -> Self::Sink {
+                RowsMut(self)
+            }
+        }
+    )*};
 }
 
-impl<'a, E: Precision, const N: usize> States<N, E> for &'a Vec<SVector<E, N>> {
-    type Source = Rows<'a, E, N>;
-
-    fn source(self) -> Rows<'a, E, N> {
-        Rows(self)
-    }
-}
-
-impl<'a, E: Precision, const N: usize, const L: usize> States<N, E> for &'a [SVector<E, N>; L] {
-    type Source = Rows<'a, E, N>;
-
-    fn source(self) -> Rows<'a, E, N> {
-        Rows(self)
-    }
-}
-
-impl<'a, A: Arrangement, E: Precision> StatesMut<A, E> for &'a mut [Of<A, E>]
-where
-    Of<A, E>: Send,
-{
-    type Sink = RowsMut<'a, A, E>;
-
-    fn sink(self) -> RowsMut<'a, A, E> {
-        RowsMut(self)
-    }
-}
-
-impl<'a, A: Arrangement, E: Precision> StatesMut<A, E> for &'a mut Vec<Of<A, E>>
-where
-    Of<A, E>: Send,
-{
-    type Sink = RowsMut<'a, A, E>;
-
-    fn sink(self) -> RowsMut<'a, A, E> {
-        RowsMut(self)
-    }
-}
-
-impl<'a, A: Arrangement, E: Precision, const L: usize> StatesMut<A, E> for &'a mut [Of<A, E>; L]
-where
-    Of<A, E>: Send,
-{
-    type Sink = RowsMut<'a, A, E>;
-
-    fn sink(self) -> RowsMut<'a, A, E> {
-        RowsMut(self)
-    }
+impl_rows! {
+    [SVector<E, N>], [Of<A, E>];
+    Vec<SVector<E, N>>, Vec<Of<A, E>>;
+    [SVector<E, N>; L], [Of<A, E>; L], L;
 }

@@ -3,20 +3,18 @@
 #[cfg(test)]
 mod tests;
 
-use super::embedded::{Embedded, Start};
+use super::embedded::Embedded;
 use super::initial_step::initial_step;
 use super::step_control::StepControl;
-use super::{Equations, Failure, Phase, StepRange, Stepper, Tolerance};
+use super::{Equations, Failure, Phase, Start, StepRange, Stepper, Tolerance};
 
 /// An integration under way, at the end of its last step.
 pub(crate) struct Adaptive<M: Embedded<N>, const N: usize> {
-    t: f64,
-    phase: Phase<N>,
-    h: f64,
+    next: Start<N>,
+    last: Start<N>,
     /// The step that the motion asks for at its start.
     first: f64,
     rates: M::Rates,
-    last: Start<N>,
     fresh: bool,
     polynomial: Option<M::Polynomial>,
     tolerance: Tolerance,
@@ -37,12 +35,10 @@ impl<M: Embedded<N>, const N: usize> Adaptive<M, N> {
         let rate = system.rate(t, &phase)?;
         let first = initial_step(system, t, &phase, &rate, &tolerance, M::CONTROL.order);
         Ok(Adaptive {
-            t,
-            phase,
-            h: first,
+            next: Start { t, phase, h: first },
+            last: Start { t, phase, h: 0.0 },
             first,
             rates: M::rates(rate),
-            last: Start { t, phase, h: 0.0 },
             fresh: false,
             polynomial: None,
             tolerance,
@@ -55,41 +51,36 @@ impl<M: Embedded<N>, const N: usize> Adaptive<M, N> {
     /// A step from here: its end and its error, 1 at the tolerance.
     #[inline]
     fn trial<S: Equations<N>>(&mut self, system: &S) -> Result<(Phase<N>, f64), S::Refusal> {
-        let from = Start {
-            t: self.t,
-            phase: self.phase,
-            h: self.h,
-        };
-        let end = M::trial(system, &from, &mut self.rates)?;
-        let norm = |value: &Phase<N>| self.tolerance.norm(value, &self.phase, &end);
-        let error = M::error(self.h, &self.rates, norm);
+        let from = &self.next;
+        let end = M::trial(system, from, &mut self.rates)?;
+        let norm = |value: &Phase<N>| self.tolerance.norm(value, &from.phase, &end);
+        let error = M::error(from.h, &self.rates, norm);
         if error <= 1.0 {
-            M::finish(system, &from, &end, &mut self.rates)?;
+            M::finish(system, from, &end, &mut self.rates)?;
         }
         Ok((end, error))
     }
 
     fn accept(&mut self, phase: Phase<N>, error: f64, end: Option<f64>) {
-        self.last = Start {
-            t: self.t,
-            phase: self.phase,
-            h: self.h,
-        };
+        self.last = self.next;
         self.fresh = true;
         self.polynomial = None;
-        self.t = end.unwrap_or(self.t + self.h);
-        self.phase = phase;
-        self.h *= self.control.accept(error);
+        let Start { t, h, .. } = self.last;
+        self.next = Start {
+            t: end.unwrap_or(t + h),
+            phase,
+            h: h * self.control.accept(error),
+        };
     }
 }
 
 impl<M: Embedded<N>, S: Equations<N>, const N: usize> Stepper<S, S::Refusal, N> for Adaptive<M, N> {
     fn t(&self) -> f64 {
-        self.t
+        self.next.t
     }
 
     fn phase(&self) -> &Phase<N> {
-        &self.phase
+        &self.next.phase
     }
 
     /// Makes one step, as long as the tolerance permits.
@@ -103,12 +94,12 @@ impl<M: Embedded<N>, S: Equations<N>, const N: usize> Stepper<S, S::Refusal, N> 
             self.fresh = false;
         }
         loop {
-            let left = end - self.t;
-            self.h = self.range.within(self.h);
+            let left = end - self.next.t;
+            self.next.h = self.range.within(self.next.h);
             // Rather a step longer by a hundredth than a tiny one after it.
-            let last = 1.01 * self.h >= left;
+            let last = 1.01 * self.next.h >= left;
             if last {
-                self.h = left;
+                self.next.h = left;
             }
             let (error, failure) = match self.trial(system) {
                 Ok((phase, error)) => {
@@ -121,8 +112,8 @@ impl<M: Embedded<N>, S: Equations<N>, const N: usize> Stepper<S, S::Refusal, N> 
                 Err(refusal) => (f64::NAN, Failure::Refused(refusal)),
             };
             self.rejected += 1;
-            self.h *= self.control.reject(error);
-            if self.h < self.range.least {
+            self.next.h *= self.control.reject(error);
+            if self.next.h < self.range.least {
                 return Err(self.range.judge(failure, self.first));
             }
         }
@@ -130,12 +121,13 @@ impl<M: Embedded<N>, S: Equations<N>, const N: usize> Stepper<S, S::Refusal, N> 
 
     /// The phase at a time within the last step, by its polynomial.
     fn at(&mut self, system: &S, t: f64) -> Result<Phase<N>, Failure<S::Refusal>> {
-        if t >= self.t {
-            return Ok(self.phase);
+        let end = &self.next;
+        if t >= end.t {
+            return Ok(end.phase);
         }
         let polynomial = match self.polynomial {
             Some(polynomial) => polynomial,
-            None => M::polynomial(system, &self.last, &self.phase, &mut self.rates)?,
+            None => M::polynomial(system, &self.last, &end.phase, &mut self.rates)?,
         };
         self.polynomial = Some(polynomial);
         Ok(M::evaluate(&polynomial, (t - self.last.t) / self.last.h))
@@ -147,17 +139,17 @@ impl<M: Embedded<N>, S: Equations<N>, const N: usize> Stepper<S, S::Refusal, N> 
             ..self.last
         };
         // The first of the stages is still that of the step to be made again.
-        self.phase = M::trial(system, &from, &mut self.rates)?;
-        M::finish(system, &from, &self.phase, &mut self.rates)?;
-        self.t = end;
+        self.next.phase = M::trial(system, &from, &mut self.rates)?;
+        M::finish(system, &from, &self.next.phase, &mut self.rates)?;
+        self.next.t = end;
         self.last = from;
         self.polynomial = None;
         Ok(())
     }
 
     fn restart(&mut self, system: &S, phase: Phase<N>) -> Result<(), Failure<S::Refusal>> {
-        self.rates[0] = system.rate(self.t, &phase)?;
-        self.phase = phase;
+        self.rates[0] = system.rate(self.next.t, &phase)?;
+        self.next.phase = phase;
         self.fresh = false;
         Ok(())
     }

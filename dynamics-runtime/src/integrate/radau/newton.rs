@@ -2,15 +2,14 @@
 
 use nalgebra::Complex;
 
-use super::stages::transformed;
 use super::tableau::{C, COMPLEX, REAL, T, T_INVERSE};
 use crate::integrate::jacobian::{Jacobian, Shifted};
 use crate::integrate::{Equations, Phase, Tolerance};
 
-/// The iteration, and what it knows of its speed from one step to the next.
+/// The iteration, and its speed, which one step hands on to the next.
 pub(super) struct Newton {
     pub(super) tolerance: f64,
-    /// What is left of an error over the last correction.
+    /// The error that is left, over the last correction.
     left_over: f64,
     /// The ratio of the last two corrections.
     theta: f64,
@@ -47,15 +46,6 @@ impl<E> From<E> for Miss<E> {
 pub(super) const MOST_ITERATIONS: u32 = 7;
 /// An iteration that converges so fast keeps its Jacobian for the next step.
 const FAST: f64 = 1e-3;
-
-impl<const N: usize> Matrices<N> {
-    pub(super) fn new(jacobian: &Jacobian<N>, h: f64) -> Self {
-        Matrices {
-            real: Shifted::new(REAL / h, jacobian),
-            complex: Shifted::new(COMPLEX / h, jacobian),
-        }
-    }
-}
 
 impl<S: Equations<N>, const N: usize> Step<'_, S, N> {
     /// How the stages move whose changes are `z`.
@@ -126,7 +116,8 @@ impl Newton {
     /// Judges the iteration by the ratio of its last two corrections, and of the two before
     /// (IV.8.10, IV.8.11). Where it is too slow: by what factor the step is to be shorter.
     fn converges(&mut self, k: u32, size: f64, ratio: f64, before: f64) -> Result<(), f64> {
-        self.theta = if k == 1 {
+        let is_first = k == 1;
+        self.theta = if is_first {
             ratio
         } else {
             (ratio * before).sqrt()
@@ -147,7 +138,14 @@ impl Newton {
 }
 
 impl<const N: usize> Matrices<N> {
-    /// What the transformed changes `w` lack, where the stages move at `rates`.
+    pub(super) fn new(jacobian: &Jacobian<N>, h: f64) -> Self {
+        Matrices {
+            real: Shifted::new(REAL / h, jacobian),
+            complex: Shifted::new(COMPLEX / h, jacobian),
+        }
+    }
+
+    /// The corrections of the transformed changes `w`, where the stages move at `rates`.
     fn correction(&self, w: &[Phase<N>; 3], rates: &[Phase<N>; 3], h: f64) -> [Phase<N>; 3] {
         let (gamma, alpha, beta) = (REAL / h, COMPLEX.re / h, COMPLEX.im / h);
         let [f1, f2, f3] = transformed(&T_INVERSE, rates);
@@ -158,4 +156,15 @@ impl<const N: usize> Matrices<N> {
         );
         [d1, d2, d3]
     }
+}
+
+/// Sum of three phases, each by its weight.
+pub(super) fn combination<const N: usize>(weights: &[f64; 3], of: &[Phase<N>; 3]) -> Phase<N> {
+    let first = of[0].scaled(weights[0]);
+    first.plus(weights[1], &of[1]).plus(weights[2], &of[2])
+}
+
+/// Three such sums, by the rows of a matrix.
+fn transformed<const N: usize>(by: &[[f64; 3]; 3], of: &[Phase<N>; 3]) -> [Phase<N>; 3] {
+    by.map(|row| combination(&row, of))
 }

@@ -13,9 +13,9 @@ use core::cell::Cell;
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 use core::ops::{Add, Mul, Neg, Sub};
 
-use super::polynomial::{C, S, sin_cos_reduced};
+use super::{C, S};
 use crate::DoubleDouble;
-use crate::sine::lanes::Lanes;
+use crate::sine::lanes::{Kernel as _, Lanes};
 
 /// All numbers between two.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -279,7 +279,7 @@ fn polynomials_and_their_roundings_stay_below_one_unit() {
         let tail = 2.0_f64.powi(-60) + 2.0_f64.powi(-53) * high;
         ROUNDINGS.set(0);
         let (sine, cosine) =
-            sin_cos_reduced(Enclosed::exactly(low, high), Enclosed::exactly(-tail, tail));
+            f64::sin_cos_reduced(Enclosed::exactly(low, high), Enclosed::exactly(-tail, tail));
         // sin (x - d) = sin x - d cos x - ..., where the kernel has 1 - x^2/2 for cos x; the same of the cosine.
         let left_out = tail * high.powi(4) / 24.0 + tail * tail;
         let before = sine.before_the_last_rounding() + of_sine.largest(low, high) + left_out;

@@ -1,20 +1,33 @@
 //! Several numbers in the lanes of one vector register, as a [`Scalar`].
 
-mod precision;
-
 use core::any::Any;
 use core::fmt;
-use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use fearless_simd::{
-    Bytes, ExtractToken, Level, Select, Simd, SimdBase, SimdFloat, SimdMask, dispatch,
+    Bytes, ExtractToken, Level, Select, Simd, SimdBase, SimdFloat, SimdFloatElement, SimdMask,
+    dispatch,
 };
 
 use super::abreast;
 use crate::Scalar;
+use crate::operators::impl_operators;
 use crate::sine::{self, Kernel, Lanes, Part};
 use crate::unrolled::for_each_index;
-pub use precision::Precision;
+
+/// The numbers of a batch: `f64`, or `f32` in twice as many lanes.
+#[diagnostic::on_unimplemented(message = "batches are of `f64` or `f32`, not of `{Self}`")]
+pub trait Precision: Scalar + SimdFloatElement + Send + Sync {
+    /// The number of lanes of the widest vectors.
+    #[doc(hidden)]
+    const MOST_LANES: usize;
+
+    /// Sines and cosines of angles in lanes, of which only these parts are read.
+    #[doc(hidden)]
+    fn sin_cos_of_lanes<S: Simd, const K: usize>(
+        angles: [Wide<S, Self>; K],
+        parts: [Part; K],
+    ) -> [(Wide<S, Self>, Wide<S, Self>); K];
+}
 
 /// As many numbers as a vector register of the instruction set `S` holds.
 ///
@@ -36,33 +49,13 @@ impl<S: Simd, E: Precision> Wide<S, E> {
     }
 }
 
-macro_rules! impl_operator {
-    ($($operator:ident, $method:ident;)*) => {$(
-        impl<S: Simd, E: Precision> $operator for Wide<S, E> {
-            type Output = Self;
-
-            #[inline(always)]
-            fn $method(self, other: Self) -> Self {
-                Wide($operator::$method(self.0, other.0))
-            }
-        }
-    )*};
-}
-
-impl_operator! {
-    Add, add;
-    Sub, sub;
-    Mul, mul;
-    Div, div;
-}
-
-impl<S: Simd, E: Precision> Neg for Wide<S, E> {
-    type Output = Self;
-
-    #[inline(always)]
-    fn neg(self) -> Self {
-        Wide(-self.0)
-    }
+impl_operators! {
+    impl [S: Simd, E: Precision] for Wide<S, E>;
+    Add add |a, b| Wide(a.0 + b.0);
+    Sub sub |a, b| Wide(a.0 - b.0);
+    Mul mul |a, b| Wide(a.0 * b.0);
+    Div div |a, b| Wide(a.0 / b.0);
+    Neg neg |a| Wide(-a.0);
 }
 
 impl<S: Simd, E: Precision> PartialEq for Wide<S, E> {

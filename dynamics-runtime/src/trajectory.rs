@@ -1,4 +1,4 @@
-//! The cycloidal law.
+//! Trajectories for joints to follow: the cycloidal law.
 
 use core::f64::consts::{PI, TAU};
 use core::fmt;

@@ -1,5 +1,0 @@
-//! Trajectories for joints to follow.
-
-mod cycloidal;
-
-pub use cycloidal::{Cycloidal, InvalidDuration};
