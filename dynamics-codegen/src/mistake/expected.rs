@@ -142,30 +142,6 @@ pub(crate) fn cells(joint: &str) -> Expected {
     expected(format!("the cells of {joint}: `{{ ... }}`"))
 }
 
-pub(crate) fn motor() -> Expected {
-    expected("`{ inertia: ..., gear_ratio: ... }`")
-}
-
-pub(crate) fn base() -> Expected {
-    expected("`{ xyz: [x, y, z], rpy: [roll, pitch, yaw] }`")
-}
-
-pub(crate) fn tool() -> Expected {
-    expected("`{ xyz: [x, y, z], rpy: [roll, pitch, yaw], mass: ..., com: ..., inertia: ... }`")
-}
-
-pub(crate) fn friction() -> Expected {
-    expected("`{ viscous: ..., coulomb: ... }`")
-}
-
-pub(crate) fn stribeck() -> Expected {
-    expected("`{ static: ..., velocity: ... }`")
-}
-
-pub(crate) fn spring() -> Expected {
-    expected("`{ stiffness: ..., rest: ... }`")
-}
-
 /// What may be allowed.
 pub(crate) fn allowances(known: &[&str]) -> Expected {
     expected(format!("`[...]` with {}", either(known)))
@@ -178,12 +154,6 @@ pub(crate) fn inertia() -> Expected {
     )
 }
 
-pub(crate) fn inertia_at_origin() -> Expected {
-    expected(
-        "a tensor about the origin of the frame, of named entries: `{ xx, yy, zz, xy, yz, xz }`",
-    )
-}
-
 /// The axis along which a solid lies.
 pub(crate) fn axis() -> Expected {
     expected("`axis = x`, `axis = y` or `axis = z`")
@@ -192,6 +162,20 @@ pub(crate) fn axis() -> Expected {
 /// A solid with its arguments.
 pub(crate) fn solid(shown: &str) -> Expected {
     expected(format!("`{shown}`"))
+}
+
+/// A part of the table as a call writes it.
+pub(crate) fn shape(shape: &str) -> Expected {
+    expected(shape)
+}
+
+/// A part of the table as a file writes it.
+pub(crate) fn of_file(what: &str) -> Expected {
+    expected(what)
+}
+
+pub(crate) fn number() -> Expected {
+    expected("a number")
 }
 
 /// Values in brackets.

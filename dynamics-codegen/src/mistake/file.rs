@@ -3,7 +3,7 @@
 use std::fmt::Display;
 
 use super::Mistake;
-use crate::words::{either, shortened};
+use crate::words::shortened;
 
 /// A path at which nothing is.
 pub(crate) fn not_found(path: &str) -> Mistake {
@@ -49,19 +49,6 @@ pub(crate) fn syntax(format: &str, message: &str) -> Mistake {
 /// `[joint]` for the second time.
 pub(crate) fn single_brackets() -> Mistake {
     Mistake::new("each joint stands under a line `[[joint]]`, with two brackets")
-}
-
-/// Another kind of value than the one that was expected.
-pub(crate) fn other_kind(what: &str, found: &str) -> Mistake {
-    Mistake::new(format!("expected {what}, found {found}"))
-}
-
-/// A table with other words.
-pub(crate) fn no_table(name: &str, words: &[&str], found: &str) -> Mistake {
-    let words = either(words);
-    Mistake::new(format!(
-        "expected a table for {name}, of {words}, found {found}"
-    ))
 }
 
 pub(crate) fn no_name(what: &str, word: &str) -> Mistake {
