@@ -3,9 +3,9 @@
 use proc_macro2::{Delimiter, TokenTree};
 
 use super::cursor::Cursor;
-use super::list::{comma_separated, stray};
+use super::list::comma_separated;
 use super::structure::name;
-use super::value::{absent, list, pair, value};
+use super::value::{absent, list, pair, stray, value};
 use crate::description::Name;
 use crate::mistake::expected::{self, Expected};
 use crate::mistake::{Mistake, couple, entry, file};

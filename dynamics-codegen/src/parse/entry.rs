@@ -4,9 +4,9 @@ use proc_macro2::{Delimiter, Ident};
 
 use super::assigned::{COUPLE, LOCK, functions, joints};
 use super::cursor::Cursor;
-use super::list::{keyed, one, stray};
+use super::list::one;
 use super::row::rows;
-use super::value::{absent, value};
+use super::value::{absent, keyed, stray, value};
 use crate::keys::KEYS;
 use crate::mistake::{self, expected};
 use crate::tree::{Fault, Key, KeyKind, Kind, Node};

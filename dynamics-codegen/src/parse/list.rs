@@ -1,58 +1,12 @@
 //! Items between commas.
 
-use proc_macro2::{Ident, TokenTree};
+use proc_macro2::TokenTree;
 
 use super::cursor::Cursor;
-use super::value::{absent, value};
 use crate::diagnose::Reported;
 use crate::mistake::{self, expected};
 use crate::place::Place;
-use crate::tree::{Fault, Key, KeyKind, Node};
-
-/// Reads `key: value` items. A message calls each of them `kind` and its key.
-pub(super) fn table(cursor: Cursor, kind: &str) -> Vec<(Key, Node)> {
-    comma_separated(cursor, Cursor::at_key, |cursor| {
-        let (key, node) = keyed(cursor, |cursor, _| value(cursor));
-        let what = format!("{kind}`{}`", key.word);
-        ((key, node), what)
-    })
-}
-
-/// Reads `key: value`, by a reader that knows the key.
-pub(super) fn keyed<'t>(
-    cursor: &mut Cursor<'t>,
-    read: impl FnOnce(&mut Cursor<'t>, &str) -> Node,
-) -> (Key, Node) {
-    let Some(ident) = cursor.take_ident() else {
-        return stray(cursor, Vec::new());
-    };
-    let key = Key::from(&ident);
-    let node = match colon(cursor, &key.word) {
-        Ok(()) => read(cursor, &key.word),
-        Err(_) => absent(cursor),
-    };
-    (key, node)
-}
-
-impl From<&Ident> for Key {
-    fn from(ident: &Ident) -> Key {
-        Key::new(ident.to_string(), ident.into())
-    }
-}
-
-/// What stands in place of a key and its value.
-pub(super) fn stray(cursor: &Cursor, faults: Vec<Fault>) -> (Key, Node) {
-    let key = Key {
-        word: cursor.found().unwrap_or_default(),
-        place: cursor.here(),
-        kind: KeyKind::Stray,
-    };
-    let node = Node {
-        faults,
-        ..absent(cursor)
-    };
-    (key, node)
-}
+use crate::tree::{Key, Node};
 
 /// An item: a value, alone or with its key.
 pub(super) trait Item {

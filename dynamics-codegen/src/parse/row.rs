@@ -5,8 +5,8 @@ use std::cell::Cell;
 use proc_macro2::{Delimiter, Ident};
 
 use super::cursor::Cursor;
-use super::list::{colon, comma_separated, table};
-use super::value::absent;
+use super::list::{colon, comma_separated};
+use super::value::{absent, table};
 use crate::description::Name;
 use crate::diagnose::Reported;
 use crate::keys::JOINT_TYPES;
