@@ -87,7 +87,7 @@ impl Reader<'_> {
     /// `[let]` with a value for each name.
     fn lets(&mut self, node: &Node, entries: &mut Vec<Entry>) -> Read<()> {
         let Kind::Table(items) = &node.kind else {
-            let what = expected::of_file("a table of names and values");
+            let what = expected::thing("a table of names and values");
             return Err(self.instead_of(&what, node));
         };
         for (key, node) in items {

@@ -86,7 +86,7 @@ impl<'d> Reader<'d> {
         if self.is_call() {
             call
         } else {
-            expected::of_file(file)
+            expected::thing(file)
         }
     }
 
@@ -134,7 +134,7 @@ impl<'d> Reader<'d> {
     ) -> Read<bool> {
         let Kind::Table(items) = &node.kind else {
             let file = format!("a table for {}, of {}", part.name, words::either(part.keys));
-            let what = self.either(expected::shape(part.shape), &file);
+            let what = self.either(expected::thing(part.shape), &file);
             return Err(self.instead_of(&what, node));
         };
         let mut seen = BTreeSet::new();

@@ -124,7 +124,7 @@ impl Reader<'_> {
         if let Kind::Number(number) = &node.kind {
             return Err(self.error(node.place, wrong::number_as_name(number)));
         }
-        let word = self.word(node, &expected::of_file("the joint's name"))?;
+        let word = self.word(node, &expected::thing("the joint's name"))?;
         match word.trim().is_empty() || word == "_" {
             true => Err(self.error(node.place, wrong::nameless_joint())),
             false => self.name(word, node.place),
@@ -177,7 +177,7 @@ impl Reader<'_> {
         let known = SOLIDS.iter().find(|(solid, ..)| *solid == word);
         let Kind::List(values) = &arguments.kind else {
             return Err(match known {
-                Some(solid) => self.instead_of(&expected::solid(&shown(solid)), arguments),
+                Some(solid) => self.instead_of(&expected::array(&shown(solid)), arguments),
                 None => self.instead_of(&expected::inertia(), node),
             });
         };
