@@ -186,7 +186,7 @@ impl Coupled {
 }
 
 /// `1%`, or a number without `%`.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Share {
     /// The number in front of `%`, or the number.
     pub number: Expr,
@@ -481,7 +481,7 @@ allowances! {
 }
 
 /// A constant expression.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Expr {
     /// What it is made of.
     pub kind: ExprKind,
@@ -489,8 +489,41 @@ pub struct Expr {
     pub place: Place,
 }
 
+#[cfg(feature = "files")]
+impl Expr {
+    /// A number, its sign apart.
+    pub(crate) fn signed(value: Rational, place: Place) -> Expr {
+        let is_negative = value < Rational::ZERO;
+        let number = |value| Expr {
+            kind: ExprKind::Number(value),
+            place,
+        };
+        if is_negative {
+            let kind = ExprKind::Minus(Box::new(number(-value)));
+            Expr { kind, place }
+        } else {
+            number(value)
+        }
+    }
+
+    /// Puts all of it at one place.
+    pub(crate) fn put(&mut self, place: Place) {
+        self.place = place;
+        match &mut self.kind {
+            ExprKind::Number(_) | ExprKind::Name(_) => {}
+            ExprKind::Degrees(value) | ExprKind::Function(_, value) | ExprKind::Minus(value) => {
+                value.put(place);
+            }
+            ExprKind::Binary(_, left, right) => {
+                left.put(place);
+                right.put(place);
+            }
+        }
+    }
+}
+
 /// The kinds of constant expression.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub enum ExprKind {
     /// A number literal.
     Number(Rational),

@@ -1,6 +1,6 @@
 //! Errors of one macro call: collected, then reported all together.
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 
 use proc_macro2::TokenStream;
 use quote::quote_spanned;
@@ -23,6 +23,8 @@ pub(crate) struct Reported(());
 pub(crate) struct Diagnostics {
     errors: RefCell<Vec<(Place, Mistake)>>,
     file: RefCell<Option<(FileName, Audience)>>,
+    /// Errors that were taken out again.
+    taken: Cell<usize>,
 }
 
 impl Diagnostics {
@@ -52,7 +54,20 @@ impl Diagnostics {
 
     /// Whether no further error is shown.
     pub(crate) fn is_full(&self) -> bool {
-        self.errors.borrow().len() >= MOST_ERRORS
+        self.count() + self.taken.get() >= MOST_ERRORS
+    }
+
+    /// How many errors there are.
+    pub(crate) fn count(&self) -> usize {
+        self.errors.borrow().len()
+    }
+
+    /// Takes out the errors behind the first `count`, to report them later if they matter then. They count as shown
+    /// all the same: reading ends at the last that can be.
+    pub(crate) fn take_behind(&self, count: usize) -> Vec<(Place, Mistake)> {
+        let taken = self.errors.borrow_mut().split_off(count);
+        self.taken.set(self.taken.get() + taken.len());
+        taken
     }
 
     /// Drops what was reported: the same is said elsewhere.

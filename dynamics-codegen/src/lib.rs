@@ -3,9 +3,10 @@
 //!
 //! A call passes through these modules:
 //!
-//! 1. `parse` reads the tokens: the struct item (`call`) and the table ([`description`], plain data with
-//!    places);
-//! 2. `files` reads the file that the call names, where it names one, and puts what it says beside the rest;
+//! 1. `parse` reads the tokens: the struct item (`call`) and the entries, as a `tree` of words and values;
+//!    `files` makes such a tree of a file, where the call names one, and puts what it says beside the rest;
+//! 2. `read` knows what the words of a tree mean (`keys` lists them) and makes a [`description`] of it, plain data with
+//!    places;
 //! 3. `validate` makes a `dynamics_symbolic::robot::Robot` of the table, or reports every reason why
 //!    there is none. It knows no tokens: [`check`] does the same for a table that was read elsewhere;
 //! 4. `dynamics_symbolic` derives the functions and proves them;
@@ -27,10 +28,13 @@ mod expand;
 pub mod files;
 #[cfg(feature = "files")]
 pub mod geometry;
+mod keys;
 mod limits;
 mod mistake;
 mod parse;
 mod place;
+mod read;
+mod tree;
 mod validate;
 mod words;
 
@@ -44,6 +48,7 @@ use dynamics_symbolic::robot::Robot;
 use dynamics_symbolic::{Function, Method, expand_with};
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
+use tree::Language;
 
 /// The items of a call of the macro, and a `compile_error!` for each mistake in it.
 pub fn generate(call: TokenStream) -> TokenStream {
@@ -89,7 +94,12 @@ fn generate_by(call: TokenStream, derivation: &Derivation) -> TokenStream {
 
 /// A call and the file that it names.
 fn read(call: TokenStream, diagnostics: &Diagnostics) -> call::Call {
-    let mut call = parse::call(call, diagnostics);
+    let (mut call, root) = parse::call(call, diagnostics);
+    if let Some(root) = root {
+        let read = read::table(&root, Language::Call, diagnostics);
+        call.table.entries = read.entries;
+        call.table.keys = read.keys;
+    }
     files::load(&mut call, diagnostics);
     call
 }

@@ -32,6 +32,14 @@ impl Place {
         }
     }
 
+    /// The last token alone.
+    pub(crate) fn end(self) -> Place {
+        match self {
+            Place::Tokens { last, .. } => last.into(),
+            place => place,
+        }
+    }
+
     /// The tokens that the compiler is to show: for what stands in no token, those of the call.
     pub(crate) fn tokens(self) -> [Span; 2] {
         match self {

@@ -16,7 +16,6 @@ pub(crate) fn is_keyword(ident: &Ident) -> bool {
 }
 
 /// Whether a word of a file can be the name of something in Rust.
-#[cfg(feature = "files")]
 pub(crate) fn is_name(word: &str) -> bool {
     let mut letters = word.chars();
     letters

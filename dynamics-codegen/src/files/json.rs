@@ -8,12 +8,11 @@ use jsonc_parser::ast::{ObjectProp, Value};
 use jsonc_parser::common::Ranged;
 use jsonc_parser::{CollectOptions, ParseOptions, parse_to_ast};
 
-use super::table::KEYS;
-use super::tree::{Key, Kind, Lines, Node};
 use crate::diagnose::Diagnostics;
+use crate::keys::{KEYS_OF_FILES as KEYS, TENSOR};
 use crate::mistake::file as mistake;
-use crate::parse::TENSOR_ENTRIES;
 use crate::place::Place;
+use crate::tree::{Key, Kind, Lines, Node};
 use crate::words;
 
 /// JSON as RFC 8259 has it: without comments and the like.
@@ -37,10 +36,7 @@ pub(super) fn document(text: &str, diagnostics: &Diagnostics) -> Option<Node> {
         Ok(document) => {
             let mut root = match &document.value {
                 Some(value) => node(value, &lines),
-                None => Node {
-                    place: lines.place(0),
-                    kind: Kind::Other("nothing"),
-                },
+                None => Node::new(lines.place(0), Kind::Other("nothing")),
             };
             with_words_of_toml(&mut root);
             Some(root)
@@ -73,10 +69,7 @@ fn node(value: &Value, lines: &Lines) -> Node {
             Kind::Table(object.properties.iter().map(item).collect())
         }
     };
-    Node {
-        place: lines.place(value.range().start),
-        kind,
-    }
+    Node::new(lines.place(value.range().start), kind)
 }
 
 /// Puts what a published table says in the words of the macro.
@@ -144,29 +137,23 @@ fn body(cells: &mut Vec<(Key, Node)>, place: Place, is_published: bool) {
     for (key, value) in cells.iter_mut() {
         if let ("inertia" | "inertia_at_origin", Kind::List(entries)) =
             (key.word.as_str(), &mut value.kind)
-            && entries.len() == TENSOR_ENTRIES.len()
+            && entries.len() == TENSOR.keys.len()
         {
-            let entries = TENSOR_ENTRIES.into_iter().zip(entries.drain(..));
-            let entry = |(word, entry): (&str, Node)| (Key::new(word, entry.place), entry);
+            let entries = TENSOR.keys.iter().zip(entries.drain(..));
+            let entry = |(word, entry): (&&str, Node)| (Key::new(*word, entry.place), entry);
             value.kind = Kind::Table(entries.map(entry).collect());
         }
     }
     // Published tensors may be those of no body. Who names the source means them as they are.
     if is_published && !has(cells, "allow") {
         let allowed = text("unphysical_inertia".to_owned(), place);
-        let list = Node {
-            place,
-            kind: Kind::List(vec![allowed]),
-        };
+        let list = Node::new(place, Kind::List(vec![allowed]));
         cells.push((Key::new("allow", place), list));
     }
 }
 
 fn text(text: String, place: Place) -> Node {
-    Node {
-        place,
-        kind: Kind::Text(text),
-    }
+    Node::new(place, Kind::Text(text))
 }
 
 fn has(cells: &[(Key, Node)], word: &str) -> bool {
@@ -200,10 +187,7 @@ fn take(cells: &mut Vec<(Key, Node)>, words: &[(&str, &str)]) -> Vec<(Key, Node)
 fn put(cells: &mut Vec<(Key, Node)>, word: &str, parts: Vec<(Key, Node)>) {
     if let Some((first, _)) = parts.first() {
         let place = first.place;
-        let table = Node {
-            place,
-            kind: Kind::Table(parts),
-        };
+        let table = Node::new(place, Kind::Table(parts));
         cells.push((Key::new(word, place), table));
     }
 }

@@ -9,13 +9,7 @@ mod request;
 #[cfg(feature = "files")]
 mod json;
 #[cfg(feature = "files")]
-mod signed;
-#[cfg(feature = "files")]
-mod table;
-#[cfg(feature = "files")]
 mod toml;
-#[cfg(feature = "files")]
-mod tree;
 #[cfg(feature = "files")]
 mod urdf;
 
@@ -36,6 +30,8 @@ use crate::description::{Entry, Name, Place, Table};
 use crate::diagnose::Diagnostics;
 #[cfg(feature = "files")]
 use crate::mistake::{Mistake, file as mistake};
+#[cfg(feature = "files")]
+use crate::tree::Language;
 #[cfg(feature = "files")]
 use crate::{Error, Model};
 
@@ -335,10 +331,10 @@ fn read(
     used: &mut Vec<String>,
     diagnostics: &Diagnostics,
 ) -> Option<Table> {
-    let root = match format {
-        Format::Toml => toml::document(text, diagnostics),
-        Format::Json => json::document(text, diagnostics),
+    let (root, language) = match format {
+        Format::Toml => (toml::document(text, diagnostics), Language::Toml),
+        Format::Json => (json::document(text, diagnostics), Language::Json),
         Format::Urdf => return urdf::read(text, request, used, diagnostics),
     };
-    root.map(|root| table::table(&root, format, diagnostics))
+    root.map(|root| crate::read::table(&root, language, diagnostics))
 }

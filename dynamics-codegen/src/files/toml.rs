@@ -3,9 +3,9 @@
 use toml::Spanned;
 use toml::de::{DeString, DeTable, DeValue};
 
-use super::tree::{Key, Kind, Lines, Node};
 use crate::diagnose::Diagnostics;
 use crate::mistake::file as mistake;
+use crate::tree::{Key, Kind, Lines, Node};
 
 /// Reads a document; what is no TOML is reported. Errors behind the first one follow from it, most of them.
 pub(super) fn document(text: &str, diagnostics: &Diagnostics) -> Option<Node> {
@@ -20,10 +20,9 @@ pub(super) fn document(text: &str, diagnostics: &Diagnostics) -> Option<Node> {
         };
         diagnostics.error(lines.place(start), mistake);
     }
-    errors.is_empty().then(|| Node {
-        place: lines.place(0),
-        kind: table(document.get_ref(), &lines),
-    })
+    errors
+        .is_empty()
+        .then(|| Node::new(lines.place(0), table(document.get_ref(), &lines)))
 }
 
 /// Whether what begins behind so many bytes is the word of a line `[joint]`.
@@ -61,8 +60,5 @@ fn node(value: &Spanned<DeValue>, lines: &Lines) -> Node {
         }
         DeValue::Table(items) => table(items, lines),
     };
-    Node {
-        place: lines.place(value.span().start),
-        kind,
-    }
+    Node::new(lines.place(value.span().start), kind)
 }

@@ -7,6 +7,62 @@ use crate::audience::{AT_THE_END, Audience};
 use crate::description::Name;
 use crate::words::{either, number, shortened};
 
+mistakes! {
+    /// A word that is no convention.
+    unknown_convention(word: &str => shortened)
+        "unknown convention `{word}`: `standard` is Rz(theta) Tz(d) Tx(a) Rx(alpha), `modified` (Craig's) is \
+         Rx(alpha) Tx(a) Rz(theta) Tz(d)";
+    /// A word of `allow` that belongs to the whole table.
+    allowed_for_the_table(word: &str) [allow: allow(word, AT_THE_END)]
+        "`{word}` is about the whole table: write {allow}";
+    no_function() "no function is asked for: name one, or leave `functions` out for the default set";
+    function_twice(name: &str) "`{name}` is asked for twice";
+    /// `default` and one of its functions.
+    in_default_set(name: &str) "`{name}` is in the default set already";
+    /// `(a, b)` in the list of functions, as it is written.
+    tuple_without_name(shown: &str) "functions that are computed together have a name: write `name = {shown}`";
+    /// `name: (a, b)`
+    tuple_by_colon(name: &impl Display) "functions are put together by `=`: write `{name} = (...)`";
+    default_in_tuple() "`default` stands for several functions: a tuple names each of its own";
+    tuple_named_as_function(name: &str) "`{name}` is the name of a function: a tuple has another one";
+    /// `name = ()`
+    no_parts(name: &impl Display)
+        "`{name}` has no functions: write `{name} = (mass_matrix, gravity_vector)`, for example";
+    /// `name = (a)`
+    one_part(name: &impl Display, function: &str)
+        "`{name}` is one function alone, which is asked for by its own name: write `{function}`";
+    part_twice(name: &impl Display, function: &str) "`{function}` is in `{name}` twice";
+    /// A function whose program is its own.
+    never_a_part(function: &str) "`{function}` shares nothing with other functions: ask for it apart from the tuple";
+    /// A function that divides by the mass of all links.
+    no_mass(function: &str)
+        "`{function}` of an arm without mass: there is no centre of mass, write `mass` in a row that moves";
+    /// A model in which nothing resists a motion.
+    no_inertia() [functions: functions("forward_kinematics", "jacobian"), allow: allow("no_inertia", AT_THE_END)]
+        "no link of this arm has a mass, a tensor or a motor with inertia: write `mass` in its rows, or ask for \
+         functions of its geometry alone, {functions} ({allow} takes it as massless)";
+    /// Gravity, m/s^2, as it is nowhere.
+    odd_gravity(magnitude: f64 => number) [allow: allow("odd_gravity", AT_THE_END)]
+        "gravity of {magnitude} m/s^2: on Earth it is 9.81, and [0, 0, 0] is none ({allow} accepts it)";
+    no_lock() "no joint is locked: name one, `[joint = position]`, or leave `lock` out";
+    /// `joint: position`
+    lock_by_colon(name: &Name) "a joint is locked by `=`: write `{name} = position`";
+    locked_twice(name: &str) "`{name}` is locked twice";
+    all_locked() "all joints are locked: an arm has at least one that moves";
+    share_with_field() "a share is a number: it does not depend on a field";
+    share_of_nothing() "a share is above 0, `1%` for example";
+    neglect_and_tests()
+        "`tests: true` compares with the whole table, of which `neglect` leaves a part out: remove one of the two";
+    neglect_and_identification(function: &str)
+        "`{function}` is about all base parameters, some of which `neglect` leaves out: remove one of the two";
+    neglect_and_field(name: &impl Display)
+        "what may be neglected depends on numbers: the value of the field `{name}` is not known here";
+    neglect_without_limits(name: &impl Display)
+        "`neglect` needs to know how far `{name}` slides: write `limits: [lower, upper]`, in m";
+    tests_of_one_factor(function: &str, other: &str)
+        "`tests: true` has nothing to compare: `{function}` is tested together with `{other}`, ask for both";
+}
+
 /// In a call, or in a file, of either format.
 pub(crate) fn missing_convention(is_of_file: bool) -> Mistake {
     Mistake::new(match is_of_file {
@@ -36,130 +92,6 @@ pub(crate) fn missing_joints(is_of_file: bool) -> Mistake {
     })
 }
 
-/// A word that is no convention.
-pub(crate) fn unknown_convention(word: &str) -> Mistake {
-    Mistake::new(format!(
-        "unknown convention `{}`: `standard` is Rz(theta) Tz(d) Tx(a) Rx(alpha), \
-         `modified` (Craig's) is Rx(alpha) Tx(a) Rz(theta) Tz(d)",
-        shortened(word)
-    ))
-}
-
-/// A word of `allow` that belongs to the whole table.
-pub(crate) fn allowed_for_the_table(word: &str) -> Mistake {
-    Mistake::advice(|audience| {
-        let allow = audience.allow(word, AT_THE_END);
-        format!("`{word}` is about the whole table: write {allow}")
-    })
-}
-
-pub(crate) fn no_function() -> Mistake {
-    Mistake::new("no function is asked for: name one, or leave `functions` out for the default set")
-}
-
-pub(crate) fn function_twice(name: &str) -> Mistake {
-    Mistake::new(format!("`{name}` is asked for twice"))
-}
-
-/// `default` and one of its functions.
-pub(crate) fn in_default_set(name: &str) -> Mistake {
-    Mistake::new(format!("`{name}` is in the default set already"))
-}
-
-/// `(a, b)` in the list of functions, as it is written.
-pub(crate) fn tuple_without_name(shown: &str) -> Mistake {
-    Mistake::new(format!(
-        "functions that are computed together have a name: write `name = {shown}`"
-    ))
-}
-
-/// `name: (a, b)`
-pub(crate) fn tuple_by_colon(name: &impl Display) -> Mistake {
-    Mistake::new(format!(
-        "functions are put together by `=`: write `{name} = (...)`"
-    ))
-}
-
-pub(crate) fn default_in_tuple() -> Mistake {
-    Mistake::new("`default` stands for several functions: a tuple names each of its own")
-}
-
-pub(crate) fn tuple_named_as_function(name: &str) -> Mistake {
-    Mistake::new(format!(
-        "`{name}` is the name of a function: a tuple has another one"
-    ))
-}
-
-/// `name = ()`
-pub(crate) fn no_parts(name: &impl Display) -> Mistake {
-    Mistake::new(format!(
-        "`{name}` has no functions: write `{name} = (mass_matrix, gravity_vector)`, for example"
-    ))
-}
-
-/// `name = (a)`
-pub(crate) fn one_part(name: &impl Display, function: &str) -> Mistake {
-    Mistake::new(format!(
-        "`{name}` is one function alone, which is asked for by its own name: write `{function}`"
-    ))
-}
-
-pub(crate) fn part_twice(name: &impl Display, function: &str) -> Mistake {
-    Mistake::new(format!("`{function}` is in `{name}` twice"))
-}
-
-/// A function whose program is its own.
-pub(crate) fn never_a_part(function: &str) -> Mistake {
-    Mistake::new(format!(
-        "`{function}` shares nothing with other functions: ask for it apart from the tuple"
-    ))
-}
-
-/// A function that divides by the mass of all links.
-pub(crate) fn no_mass(function: &str) -> Mistake {
-    Mistake::new(format!(
-        "`{function}` of an arm without mass: there is no centre of mass, write `mass` in a row that moves"
-    ))
-}
-
-/// A model in which nothing resists a motion.
-pub(crate) fn no_inertia() -> Mistake {
-    Mistake::advice(|audience| {
-        let functions = audience.functions("forward_kinematics", "jacobian");
-        let allow = audience.allow("no_inertia", AT_THE_END);
-        format!(
-            "no link of this arm has a mass, a tensor or a motor with inertia: write `mass` in its rows, or ask for \
-             functions of its geometry alone, {functions} ({allow} takes it as massless)"
-        )
-    })
-}
-
-/// Gravity, m/s^2, as it is nowhere.
-pub(crate) fn odd_gravity(magnitude: f64) -> Mistake {
-    let magnitude = number(magnitude);
-    Mistake::advice(|audience| {
-        let allow = audience.allow("odd_gravity", AT_THE_END);
-        format!(
-            "gravity of {magnitude} m/s^2: on Earth it is 9.81, and [0, 0, 0] is none ({allow} accepts it)"
-        )
-    })
-}
-
-pub(crate) fn no_lock() -> Mistake {
-    Mistake::new("no joint is locked: name one, `[joint = position]`, or leave `lock` out")
-}
-
-/// `joint: position`
-pub(crate) fn lock_by_colon(name: &Name) -> Mistake {
-    Mistake::new(format!(
-        "a joint is locked by `=`: write `{name} = position`"
-    ))
-}
-
-pub(crate) fn locked_twice(name: &str) -> Mistake {
-    Mistake::new(format!("`{name}` is locked twice"))
-}
-
 /// A joint that the file and the entries beside it lock at different positions; one that is no number is none here.
 pub(crate) fn locked_at_two(name: &str, positions: [Option<f64>; 2]) -> Mistake {
     let shown =
@@ -168,10 +100,6 @@ pub(crate) fn locked_at_two(name: &str, positions: [Option<f64>; 2]) -> Mistake 
     Mistake::new(format!(
         "`{name}` is locked at {one} in one place and at {other} in another: remove one of the two"
     ))
-}
-
-pub(crate) fn all_locked() -> Mistake {
-    Mistake::new("all joints are locked: an arm has at least one that moves")
 }
 
 /// A name that no joint has.
@@ -190,14 +118,6 @@ pub(crate) fn locked_out_of_limits(value: f64, name: &str, [lower, upper]: [f64;
     ))
 }
 
-pub(crate) fn share_with_field() -> Mistake {
-    Mistake::new("a share is a number: it does not depend on a field")
-}
-
-pub(crate) fn share_of_nothing() -> Mistake {
-    Mistake::new("a share is above 0, `1%` for example")
-}
-
 /// 1 or more, in percent or not.
 pub(crate) fn share_of_more_than_all(size: f64, percent: bool) -> Mistake {
     Mistake::new(match percent {
@@ -207,35 +127,4 @@ pub(crate) fn share_of_more_than_all(size: f64, percent: bool) -> Mistake {
             number(size)
         ),
     })
-}
-
-pub(crate) fn neglect_and_tests() -> Mistake {
-    Mistake::new(
-        "`tests: true` compares with the whole table, of which `neglect` leaves a part out: \
-         remove one of the two",
-    )
-}
-
-pub(crate) fn neglect_and_identification(function: &str) -> Mistake {
-    Mistake::new(format!(
-        "`{function}` is about all base parameters, some of which `neglect` leaves out: remove one of the two"
-    ))
-}
-
-pub(crate) fn neglect_and_field(name: &impl Display) -> Mistake {
-    Mistake::new(format!(
-        "what may be neglected depends on numbers: the value of the field `{name}` is not known here"
-    ))
-}
-
-pub(crate) fn neglect_without_limits(name: &impl Display) -> Mistake {
-    Mistake::new(format!(
-        "`neglect` needs to know how far `{name}` slides: write `limits: [lower, upper]`, in m"
-    ))
-}
-
-pub(crate) fn tests_of_one_factor(function: &str, other: &str) -> Mistake {
-    Mistake::new(format!(
-        "`tests: true` has nothing to compare: `{function}` is tested together with `{other}`, ask for both"
-    ))
 }

@@ -5,7 +5,7 @@ use std::fmt;
 use crate::description::Name;
 use crate::words::either;
 
-/// What was expected, as it follows the word "expected".
+/// What was expected.
 pub(crate) struct Expected(String);
 
 impl fmt::Display for Expected {
@@ -14,223 +14,71 @@ impl fmt::Display for Expected {
     }
 }
 
-fn expected(what: impl Into<String>) -> Expected {
-    Expected(what.into())
+/// Makes a function of each thing that may be expected: its name, what it is told, and the text.
+macro_rules! expectations {
+    ($($(#[$about:meta])* $name:ident($($told:ident: $type:ty $(=> $shown:ident)?),*) $text:literal;)*) => {$(
+        $(#[$about])*
+        pub(crate) fn $name($($told: $type),*) -> Expected {
+            $($(let $told = $shown($told);)?)*
+            Expected(format!($text))
+        }
+    )*};
 }
 
-/// The struct item.
-pub(crate) fn structure() -> Expected {
-    expected("`struct Name;` or `struct Name { field: f64 }`, then the robot's table")
-}
-
-pub(crate) fn struct_name() -> Expected {
-    expected("the struct's name")
-}
-
-pub(crate) fn struct_body(name: &impl fmt::Display) -> Expected {
-    expected(format!("`;` or `{{ field: f64 }}` after `struct {name}`"))
-}
-
-pub(crate) fn field() -> Expected {
-    expected("a field: `name: f64`")
-}
-
-pub(crate) fn field_type(name: &impl fmt::Display) -> Expected {
-    expected(format!("`f64`, the type of the field `{name}`"))
-}
-
-pub(crate) fn comma_after_field(name: &impl fmt::Display) -> Expected {
-    expected(format!("`,` after the field `{name}`"))
-}
-
-pub(crate) fn attribute() -> Expected {
-    expected("an attribute after `#`")
-}
-
-/// The separator behind an item, which `what` names.
-pub(crate) fn separator(separator: char, what: &str) -> Expected {
-    expected(format!("`{separator}` after {what}"))
-}
-
-pub(crate) fn colon_after(name: &impl fmt::Display) -> Expected {
-    expected(format!("`:` after `{name}`"))
-}
-
-/// A key of that kind.
-pub(crate) fn key(what: &str, known: &[&str]) -> Expected {
-    expected(format!("a {what}: {}", either(known)))
-}
-
-/// One of some words.
-pub(crate) fn one_of(known: &[&str]) -> Expected {
-    expected(either(known))
-}
-
-pub(crate) fn let_in_front() -> Expected {
-    expected("`let` in front of a name that is bound")
-}
-
-pub(crate) fn name_of_constant() -> Expected {
-    expected("a name: `let name = value;`")
-}
-
-pub(crate) fn name_after_let() -> Expected {
-    expected("a name after `let`: `let name = value;`")
-}
-
-pub(crate) fn equals_after_let(name: &impl fmt::Display) -> Expected {
-    expected(format!("`=` after `let {name}`"))
-}
-
-pub(crate) fn rows() -> Expected {
-    expected("`[name: revolute { ... }, ...]`")
-}
-
-pub(crate) fn locks() -> Expected {
-    expected("`[joint = position, ...]`")
-}
-
-pub(crate) fn locked_joint() -> Expected {
-    expected("the name of a joint: `joint = position`")
-}
-
-pub(crate) fn position_after(name: &Name) -> Expected {
-    expected(format!("`=` and a position after `{name}`"))
-}
-
-pub(crate) fn couplings() -> Expected {
-    expected("`[follower = factor * leader + offset, ...]`")
-}
-
-pub(crate) fn follower() -> Expected {
-    expected("the name of a joint: `follower = factor * leader + offset`")
-}
-
-pub(crate) fn leader_after(name: &Name) -> Expected {
-    expected(format!(
-        "`=` and the joint that it follows after `{name}`: `{name} = factor * leader + offset`"
-    ))
-}
-
-pub(crate) fn functions() -> Expected {
-    expected("`[function, ...]`")
-}
-
-pub(crate) fn function() -> Expected {
-    expected("the name of a function")
-}
-
-pub(crate) fn name_of_tuple() -> Expected {
-    expected("a name for the tuple: `name = (function, function)`")
-}
-
-pub(crate) fn parts_of(name: &impl fmt::Display) -> Expected {
-    expected(format!(
-        "the functions of `{name}`: `{name} = (function, function)`"
-    ))
-}
-
-pub(crate) fn joint() -> Expected {
-    expected("a joint: `name: revolute { ... }` or `name: prismatic { ... }`")
-}
-
-pub(crate) fn joint_type(name: &impl fmt::Display, known: &[&str]) -> Expected {
-    expected(format!("the type of joint `{name}`: {}", either(known)))
-}
-
-pub(crate) fn cells(joint: &str) -> Expected {
-    expected(format!("the cells of {joint}: `{{ ... }}`"))
-}
-
-pub(crate) fn motor() -> Expected {
-    expected("`{ inertia: ..., gear_ratio: ... }`")
-}
-
-pub(crate) fn base() -> Expected {
-    expected("`{ xyz: [x, y, z], rpy: [roll, pitch, yaw] }`")
-}
-
-pub(crate) fn tool() -> Expected {
-    expected("`{ xyz: [x, y, z], rpy: [roll, pitch, yaw], mass: ..., com: ..., inertia: ... }`")
-}
-
-pub(crate) fn friction() -> Expected {
-    expected("`{ viscous: ..., coulomb: ... }`")
-}
-
-pub(crate) fn stribeck() -> Expected {
-    expected("`{ static: ..., velocity: ... }`")
-}
-
-pub(crate) fn spring() -> Expected {
-    expected("`{ stiffness: ..., rest: ... }`")
-}
-
-/// What may be allowed.
-pub(crate) fn allowances(known: &[&str]) -> Expected {
-    expected(format!("`[...]` with {}", either(known)))
-}
-
-pub(crate) fn inertia() -> Expected {
-    expected(
-        "a tensor of named entries, `{ xx, yy, zz, xy, yz, xz }`, or a solid: \
-         `cuboid(x, y, z)`, `cylinder(radius, length)`, `rod(length)` or `sphere(radius)`",
-    )
-}
-
-pub(crate) fn inertia_at_origin() -> Expected {
-    expected(
-        "a tensor about the origin of the frame, of named entries: `{ xx, yy, zz, xy, yz, xz }`",
-    )
-}
-
-/// The axis along which a solid lies.
-pub(crate) fn axis() -> Expected {
-    expected("`axis = x`, `axis = y` or `axis = z`")
-}
-
-/// A solid with its arguments.
-pub(crate) fn solid(shown: &str) -> Expected {
-    expected(format!("`{shown}`"))
-}
-
-/// Values in brackets.
-pub(crate) fn array(shown: &str) -> Expected {
-    expected(format!("`{shown}`"))
-}
-
-/// The acceleration of gravity.
-pub(crate) fn gravity(shown: &str) -> Expected {
-    expected(format!(
-        "`{shown}`, for example `[0, 0, -9.81]` where z points up"
-    ))
-}
-
-pub(crate) fn value() -> Expected {
-    expected("a value")
-}
-
-pub(crate) fn end_of_parentheses() -> Expected {
-    expected("one value and `)`")
-}
-
-#[cfg(feature = "files")]
-pub(crate) fn end_of_text() -> Expected {
-    expected("one value")
-}
-
-pub(crate) fn file_name() -> Expected {
-    expected("the path of a file, from the crate's Cargo.toml on: `\"robots/arm.urdf\"`")
-}
-
-pub(crate) fn chain() -> Expected {
-    expected("the first and the last link: `[\"base_link\", \"tool0\"]`")
-}
-
-pub(crate) fn ignored() -> Expected {
-    expected("`[joint, ...]`, or `rest`")
-}
-
-pub(crate) fn ignored_joint() -> Expected {
-    expected("the name of a joint")
+expectations! {
+    /// The struct item.
+    structure() "`struct Name;` or `struct Name {{ field: f64 }}`, then the robot's table";
+    struct_name() "the struct's name";
+    struct_body(name: &impl fmt::Display) "`;` or `{{ field: f64 }}` after `struct {name}`";
+    field() "a field: `name: f64`";
+    field_type(name: &impl fmt::Display) "`f64`, the type of the field `{name}`";
+    comma_after_field(name: &impl fmt::Display) "`,` after the field `{name}`";
+    attribute() "an attribute after `#`";
+    /// The separator behind an item, which `what` names.
+    separator(separator: char, what: &str) "`{separator}` after {what}";
+    colon_after(name: &impl fmt::Display) "`:` after `{name}`";
+    /// A key of that kind.
+    key(what: &str, known: &[&str] => either) "a {what}: {known}";
+    /// One of some words.
+    one_of(known: &[&str] => either) "{known}";
+    let_in_front() "`let` in front of a name that is bound";
+    name_of_constant() "a name: `let name = value;`";
+    name_after_let() "a name after `let`: `let name = value;`";
+    equals_after_let(name: &impl fmt::Display) "`=` after `let {name}`";
+    rows() "`[name: revolute {{ ... }}, ...]`";
+    locks() "`[joint = position, ...]`";
+    locked_joint() "the name of a joint: `joint = position`";
+    position_after(name: &Name) "`=` and a position after `{name}`";
+    couplings() "`[follower = factor * leader + offset, ...]`";
+    follower() "the name of a joint: `follower = factor * leader + offset`";
+    leader_after(name: &Name) "`=` and the joint that it follows after `{name}`: `{name} = factor * leader + offset`";
+    functions() "`[function, ...]`";
+    function() "the name of a function";
+    name_of_tuple() "a name for the tuple: `name = (function, function)`";
+    parts_of(name: &impl fmt::Display) "the functions of `{name}`: `{name} = (function, function)`";
+    joint() "a joint: `name: revolute {{ ... }}` or `name: prismatic {{ ... }}`";
+    joint_type(name: &impl fmt::Display, known: &[&str] => either) "the type of joint `{name}`: {known}";
+    cells(joint: &str) "the cells of {joint}: `{{ ... }}`";
+    /// What may be allowed.
+    allowances(known: &[&str] => either) "`[...]` with {known}";
+    inertia()
+        "a tensor of named entries, `{{ xx, yy, zz, xy, yz, xz }}`, or a solid: `cuboid(x, y, z)`, `cylinder(radius, \
+         length)`, `rod(length)` or `sphere(radius)`";
+    /// The axis along which a solid lies.
+    axis() "`axis = x`, `axis = y` or `axis = z`";
+    /// Another thing, as it follows the word "expected".
+    thing(what: &str) "{what}";
+    number() "a number";
+    /// Values in brackets, or a solid with its sizes.
+    array(shown: &str) "`{shown}`";
+    /// The acceleration of gravity.
+    gravity(shown: &str) "`{shown}`, for example `[0, 0, -9.81]` where z points up";
+    value() "a value";
+    end_of_parentheses() "one value and `)`";
+    #[cfg(feature = "files")]
+    end_of_text() "one value";
+    file_name() "the path of a file, from the crate's Cargo.toml on: `\"robots/arm.urdf\"`";
+    chain() "the first and the last link: `[\"base_link\", \"tool0\"]`";
+    ignored() "`[joint, ...]`, or `rest`";
+    ignored_joint() "the name of a joint";
 }

@@ -3,80 +3,44 @@
 use std::fmt::Display;
 
 use super::Mistake;
-use crate::words::{either, shortened};
+use crate::words::shortened;
 
-/// A path at which nothing is.
-pub(crate) fn not_found(path: &str) -> Mistake {
-    Mistake::new(format!(
-        "there is no file `{path}`: a path starts at the folder of the crate's Cargo.toml"
-    ))
-}
-
-/// A file that cannot be read.
-pub(crate) fn unreadable(path: &str, reason: &impl Display) -> Mistake {
-    Mistake::new(format!("cannot read `{path}`: {reason}"))
-}
-
-/// A byte that belongs to no letter.
-pub(crate) fn no_text(byte: u8) -> Mistake {
-    Mistake::new(format!(
-        "not UTF-8 text: the byte {byte:#04x} belongs to no letter: save the file as UTF-8"
-    ))
-}
-
-/// Letters of two bytes each.
-pub(crate) fn utf_16() -> Mistake {
-    Mistake::new("UTF-16 text, expected UTF-8: save the file as UTF-8")
-}
-
-pub(crate) fn unknown_format(path: &str) -> Mistake {
-    Mistake::new(format!(
-        "`{path}` has an unknown format: expected `.urdf`, `.toml` or `.json`"
-    ))
-}
-
-/// The crate was built without the readers.
-#[cfg(not(feature = "files"))]
-pub(crate) fn switched_off() -> Mistake {
-    Mistake::new("files are read where the feature `files` of the crate `robot-dynamics` is on")
-}
-
-/// No text of that format.
-pub(crate) fn syntax(format: &str, message: &str) -> Mistake {
-    Mistake::new(format!("not {format}: {message}"))
-}
-
-/// `[joint]` for the second time.
-pub(crate) fn single_brackets() -> Mistake {
-    Mistake::new("each joint stands under a line `[[joint]]`, with two brackets")
-}
-
-/// Another kind of value than the one that was expected.
-pub(crate) fn other_kind(what: &str, found: &str) -> Mistake {
-    Mistake::new(format!("expected {what}, found {found}"))
-}
-
-/// A table with other words.
-pub(crate) fn no_table(name: &str, words: &[&str], found: &str) -> Mistake {
-    let words = either(words);
-    Mistake::new(format!(
-        "expected a table for {name}, of {words}, found {found}"
-    ))
-}
-
-pub(crate) fn no_name(what: &str, word: &str) -> Mistake {
-    let word = shortened(word);
-    Mistake::new(format!(
-        "{what} is a word of letters, digits and `_`, found `{word}`"
-    ))
-}
-
-/// A number in place of a name.
-pub(crate) fn number_as_name(number: &str) -> Mistake {
-    let number = shortened(number);
-    Mistake::new(format!(
-        "expected a name, found `{number}`: a name that is no word stands in quotes, `\"{number}\"`"
-    ))
+mistakes! {
+    /// A path at which nothing is.
+    not_found(path: &str) "there is no file `{path}`: a path starts at the folder of the crate's Cargo.toml";
+    /// A file that cannot be read.
+    unreadable(path: &str, reason: &impl Display) "cannot read `{path}`: {reason}";
+    /// A byte that belongs to no letter.
+    no_text(byte: u8) "not UTF-8 text: the byte {byte:#04x} belongs to no letter: save the file as UTF-8";
+    /// Letters of two bytes each.
+    utf_16() "UTF-16 text, expected UTF-8: save the file as UTF-8";
+    unknown_format(path: &str) "`{path}` has an unknown format: expected `.urdf`, `.toml` or `.json`";
+    /// The crate was built without the readers.
+    #[cfg(not(feature = "files"))]
+    switched_off() "files are read where the feature `files` of the crate `robot-dynamics` is on";
+    /// No text of that format.
+    syntax(format: &str, message: &str) "not {format}: {message}";
+    /// `[joint]` for the second time.
+    single_brackets() "each joint stands under a line `[[joint]]`, with two brackets";
+    no_name(what: &str, word: &str => shortened) "{what} is a word of letters, digits and `_`, found `{word}`";
+    /// A number in place of a name.
+    number_as_name(number: &str => shortened)
+        "expected a name, found `{number}`: a name that is no word stands in quotes, `\"{number}\"`";
+    /// A name that would act on a terminal.
+    control_in_name(word: &str => shortened) "a name has no control characters, found `{word}`";
+    nameless_joint() "this joint has no name: write `name = \"shoulder\"`, for example";
+    /// A value that is written as text, and is none.
+    no_value(text: &str => shortened) "expected a value, found `{text}`";
+    /// An entry that the file has too.
+    in_file_too(word: &str, path: &str) "`{word}` stands in `{path}` too: remove one of the two";
+    /// An entry in place of which the file stands.
+    instead_of(word: &str, path: &str) "`{path}` stands in place of `{word}`: remove `{word}`";
+    /// An entry beside a file that no file leaves open.
+    beside_a_file(word: &str) "`{word}` beside a file, which says it itself: remove `{word}`";
+    /// `chain` and the like without a file, or beside a file of another format.
+    only_with_urdf(word: &str) "`{word}` is about a URDF file: write it beside `file: \"robots/arm.urdf\"`";
+    /// Another number of links.
+    two_links() "a chain has two names, those of its first and its last link: `[\"base_link\", \"tool0\"]`";
 }
 
 /// `joint_1.0 = 0` in TOML, where a dot leads into a table.
@@ -85,12 +49,6 @@ pub(crate) fn dotted_name(first: &str, second: &str) -> Mistake {
     Mistake::new(format!(
         "expected a joint and a position: a name with a dot stands in quotes, `\"{name}\"`"
     ))
-}
-
-/// A name that would act on a terminal.
-pub(crate) fn control_in_name(word: &str) -> Mistake {
-    let word = shortened(word);
-    Mistake::new(format!("a name has no control characters, found `{word}`"))
 }
 
 /// A key of the table in the row of a joint, behind whose line it stands.
@@ -102,10 +60,6 @@ pub(crate) fn of_the_whole_table(word: &str, is_json: bool) -> Mistake {
     Mistake::new(format!(
         "`{word}` belongs to the whole table and to no joint: write it {place}"
     ))
-}
-
-pub(crate) fn nameless_joint() -> Mistake {
-    Mistake::new("this joint has no name: write `name = \"shoulder\"`, for example")
 }
 
 pub(crate) fn typeless_joint(is_json: bool) -> Mistake {
@@ -126,44 +80,4 @@ pub(crate) fn joints(is_json: bool) -> &'static str {
         }
         false => "joints, each under a line `[[joint]]`",
     }
-}
-
-/// A value that is written as text, and is none.
-pub(crate) fn no_value(text: &str) -> Mistake {
-    Mistake::new(format!("expected a value, found `{}`", shortened(text)))
-}
-
-/// An entry that the file has too.
-pub(crate) fn in_file_too(word: &str, path: &str) -> Mistake {
-    Mistake::new(format!(
-        "`{word}` stands in `{path}` too: remove one of the two"
-    ))
-}
-
-/// An entry in place of which the file stands.
-pub(crate) fn instead_of(word: &str, path: &str) -> Mistake {
-    Mistake::new(format!(
-        "`{path}` stands in place of `{word}`: remove `{word}`"
-    ))
-}
-
-/// An entry beside a file that no file leaves open.
-pub(crate) fn beside_a_file(word: &str) -> Mistake {
-    Mistake::new(format!(
-        "`{word}` beside a file, which says it itself: remove `{word}`"
-    ))
-}
-
-/// `chain` and the like without a file, or beside a file of another format.
-pub(crate) fn only_with_urdf(word: &str) -> Mistake {
-    Mistake::new(format!(
-        "`{word}` is about a URDF file: write it beside `file: \"robots/arm.urdf\"`"
-    ))
-}
-
-/// Another number of links.
-pub(crate) fn two_links() -> Mistake {
-    Mistake::new(
-        "a chain has two names, those of its first and its last link: `[\"base_link\", \"tool0\"]`",
-    )
 }

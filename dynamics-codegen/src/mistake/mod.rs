@@ -3,6 +3,25 @@
 //!
 //! A [`Mistake`] can be made in this module alone, and nothing else can be reported.
 
+/// Makes a function of each mistake: its name, what it is told (`=> shown` shows a value by that function), in brackets
+/// the words of the audience that it gives advice in, and the text.
+macro_rules! mistakes {
+    ($(
+        $(#[$about:meta])*
+        $name:ident($($told:ident: $type:ty $(=> $shown:ident)?),*)
+            $([$($advice:ident: $say:ident($($word:expr),*)),*])? $text:literal;
+    )*) => {$(
+        $(#[$about])*
+        pub(crate) fn $name($($told: $type),*) -> Mistake {
+            $($(let $told = $shown($told);)?)*
+            Mistake::advice(|_audience| {
+                $($(let $advice = _audience.$say($($word),*);)*)?
+                format!($text)
+            })
+        }
+    )*};
+}
+
 pub(crate) mod couple;
 pub(crate) mod entry;
 pub(crate) mod expected;

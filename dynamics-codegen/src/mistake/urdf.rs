@@ -4,48 +4,55 @@ use super::Mistake;
 use crate::audience::Audience;
 use crate::words::{all, either, number, shortened};
 
-pub(crate) fn no_robot(found: &str) -> Mistake {
-    Mistake::new(format!(
-        "expected `<robot>`, found `<{}>` ({EXPANDED})",
-        shortened(found)
-    ))
+mistakes! {
+    no_robot(found: &str => shortened) "expected `<robot>`, found `<{found}>` ({EXPANDED})";
+    /// An element or a text of xacro, where a link, a joint or a number is read.
+    xacro(what: &str => shortened)
+        "`{what}` is left of xacro, in a place that is read: {EXPANDED}; if that leaves it there, remove it or write \
+         its value";
+    attribute_missing(element: &str, name: &str) "`<{element}>` has no `{name}`";
+    element_missing(element: &str, name: &str) "`<{element}>` has no `<{name}>`";
+    three_numbers(name: &str, count: usize) "`{name}` has three numbers, found {count}";
+    twice(what: &str, name: &str => shortened) "there is a {what} `{name}` already";
+    /// Roll, pitch or yaw of many turns.
+    in_degrees(radians: f64 => number) [allow: allow("odd_angle", "in the call")]
+        "`rpy` is in radians, and {radians} rad are more than two turns ({allow} accepts it)";
+    /// An element or attribute in whose place another one was meant.
+    misspelled(element: &str, what: &str, word: &str => shortened, right: &str)
+        "unknown {what} `{word}` of `<{element}>`: did you mean `{right}`?";
+    axis_of_no_length() "an axis has a direction: its length is zero here";
+    no_path(first: &str => shortened, last: &str => shortened, root: &str => shortened)
+        "no joints lead from `{first}` outwards to `{last}`: seen from there inwards the first link is `{root}`";
+    two_parents(link: &str => shortened) "the link `{link}` is the child of another joint already: a robot is a tree";
+    /// A chain that nothing moves.
+    nothing_moves(first: &str => shortened, last: &str => shortened)
+        "no joint between `{first}` and `{last}` moves: an arm has one at least";
+    unsupported(joint: &str => shortened, kind: &str)
+        "the joint `{joint}` is {kind}: an arm has revolute, continuous, prismatic and fixed joints";
+    /// Joints that follow one another and stand beside the chain.
+    circle(joint: &str => shortened)
+        "the joint `{joint}` follows itself, by way of others: one of them has to move by itself";
+    /// `rest` in both lists.
+    rest_twice() "`rest` is locked and ignored: remove one of the two";
+    ignored_on_chain(joint: &str => shortened) "`{joint}` is on the chain, and cannot be left out";
+    lock_with_names(joint: &str => shortened)
+        "`{joint}` is not on the chain: its position is a sum, product or quotient of numbers and `PI`, without \
+         fields and `let`";
+    negative_mass() "a mass cannot be negative";
+    no_body(reason: &str) [allow: allow("unphysical_inertia", "in the call")]
+        "no body has this inertia tensor: {reason} (published data can be like that: {allow} accepts it)";
+    round_angles() "expected an angle between 0 and 0.1 rad: `round_angles: 1e-4`, for example";
 }
 
 /// How a file in the language that URDF is written by becomes one in URDF.
 const EXPANDED: &str = "a file in xacro is expanded first: `xacro arm.urdf.xacro > arm.urdf`, \
                         after `pip install xacro` where there is no ROS";
 
-/// An element or a text of xacro, where a link, a joint or a number is read.
-pub(crate) fn xacro(what: &str) -> Mistake {
-    Mistake::new(format!(
-        "`{}` is left of xacro, in a place that is read: {EXPANDED}; if that leaves it there, remove it or write its \
-         value",
-        shortened(what)
-    ))
-}
-
 /// The second of two elements of which only one is read.
 pub(crate) fn repeated(element: &str, word: &str, (line, column): (usize, usize)) -> Mistake {
     Mistake::new(format!(
         "a second `<{word}>` in one `<{element}>`, the first stands in line {line}, column {column}: remove one of them"
     ))
-}
-
-pub(crate) fn attribute_missing(element: &str, name: &str) -> Mistake {
-    Mistake::new(format!("`<{element}>` has no `{name}`"))
-}
-
-pub(crate) fn element_missing(element: &str, name: &str) -> Mistake {
-    Mistake::new(format!("`<{element}>` has no `<{name}>`"))
-}
-
-pub(crate) fn three_numbers(name: &str, count: usize) -> Mistake {
-    Mistake::new(format!("`{name}` has three numbers, found {count}"))
-}
-
-pub(crate) fn twice(what: &str, name: &str) -> Mistake {
-    let name = shortened(name);
-    Mistake::new(format!("there is a {what} `{name}` already"))
 }
 
 /// A joint whose parent or child is no link.
@@ -56,29 +63,6 @@ pub(crate) fn unknown_link_of(joint: &str, link: &str, meant: Option<&str>) -> M
         shortened(joint),
         shortened(link)
     ))
-}
-
-/// Roll, pitch or yaw of many turns.
-pub(crate) fn in_degrees(radians: f64) -> Mistake {
-    let radians = number(radians);
-    Mistake::advice(|audience| {
-        let allow = audience.allow("odd_angle", "in the call");
-        format!(
-            "`rpy` is in radians, and {radians} rad are more than two turns ({allow} accepts it)"
-        )
-    })
-}
-
-/// An element or attribute in whose place another one was meant.
-pub(crate) fn misspelled(element: &str, what: &str, word: &str, right: &str) -> Mistake {
-    let word = shortened(word);
-    Mistake::new(format!(
-        "unknown {what} `{word}` of `<{element}>`: did you mean `{right}`?"
-    ))
-}
-
-pub(crate) fn axis_of_no_length() -> Mistake {
-    Mistake::new("an axis has a direction: its length is zero here")
 }
 
 /// `chain` left out.
@@ -105,38 +89,6 @@ pub(crate) fn unknown_link(word: &str, meant: Option<&str>, known: &[&str]) -> M
         None => format!("expected {}", either(known)),
     };
     Mistake::new(format!("unknown link `{}`: {hint}", shortened(word)))
-}
-
-pub(crate) fn no_path(first: &str, last: &str, root: &str) -> Mistake {
-    Mistake::new(format!(
-        "no joints lead from `{}` outwards to `{}`: seen from there inwards the first link is `{}`",
-        shortened(first),
-        shortened(last),
-        shortened(root)
-    ))
-}
-
-pub(crate) fn two_parents(link: &str) -> Mistake {
-    let link = shortened(link);
-    Mistake::new(format!(
-        "the link `{link}` is the child of another joint already: a robot is a tree"
-    ))
-}
-
-/// A chain that nothing moves.
-pub(crate) fn nothing_moves(first: &str, last: &str) -> Mistake {
-    Mistake::new(format!(
-        "no joint between `{}` and `{}` moves: an arm has one at least",
-        shortened(first),
-        shortened(last)
-    ))
-}
-
-pub(crate) fn unsupported(joint: &str, kind: &str) -> Mistake {
-    Mistake::new(format!(
-        "the joint `{}` is {kind}: an arm has revolute, continuous, prismatic and fixed joints",
-        shortened(joint)
-    ))
 }
 
 /// A joint that may be made to stand still.
@@ -181,14 +133,6 @@ pub(crate) fn no_leader(joint: Still, is_beside: bool, leader: &str, why: &str) 
             shortened(leader)
         )
     })
-}
-
-/// Joints that follow one another and stand beside the chain.
-pub(crate) fn circle(joint: &str) -> Mistake {
-    Mistake::new(format!(
-        "the joint `{}` follows itself, by way of others: one of them has to move by itself",
-        shortened(joint)
-    ))
 }
 
 /// A joint on the chain that follows one beside it, which moves.
@@ -253,23 +197,6 @@ pub(crate) fn still_out_of_limits(
     })
 }
 
-/// `rest` in both lists.
-pub(crate) fn rest_twice() -> Mistake {
-    Mistake::new("`rest` is locked and ignored: remove one of the two")
-}
-
-pub(crate) fn ignored_on_chain(joint: &str) -> Mistake {
-    let joint = shortened(joint);
-    Mistake::new(format!("`{joint}` is on the chain, and cannot be left out"))
-}
-
-pub(crate) fn lock_with_names(joint: &str) -> Mistake {
-    let joint = shortened(joint);
-    Mistake::new(format!(
-        "`{joint}` is not on the chain: its position is a sum, product or quotient of numbers and `PI`, without fields and `let`"
-    ))
-}
-
 /// A link of which functions have to know the mass. `joint` is that which moves it, where nothing beyond has a mass.
 pub(crate) fn no_inertial(link: &str, joint: Option<&str>) -> Mistake {
     Mistake::advice(|audience| {
@@ -287,21 +214,4 @@ pub(crate) fn no_inertial(link: &str, joint: Option<&str>) -> Mistake {
             audience.functions("forward_kinematics", "jacobian")
         )
     })
-}
-
-pub(crate) fn negative_mass() -> Mistake {
-    Mistake::new("a mass cannot be negative")
-}
-
-pub(crate) fn no_body(reason: &str) -> Mistake {
-    Mistake::advice(|audience| {
-        let allow = audience.allow("unphysical_inertia", "in the call");
-        format!(
-            "no body has this inertia tensor: {reason} (published data can be like that: {allow} accepts it)"
-        )
-    })
-}
-
-pub(crate) fn round_angles() -> Mistake {
-    Mistake::new("expected an angle between 0 and 0.1 rad: `round_angles: 1e-4`, for example")
 }

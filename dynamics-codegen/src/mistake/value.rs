@@ -7,34 +7,37 @@ use crate::audience::Audience;
 use crate::limits::MOST_LISTED;
 use crate::words::{either, shortened};
 
-/// What is no part of a value, a path or a method call for example.
-pub(crate) fn foreign(what: &str) -> Mistake {
-    Mistake::new(format!(
-        "{what} does not belong in a value, which is made of numbers, `PI`, `deg(x)`, `sqrt(x)`, `sin(x)`, \
-         `cos(x)`, fields, `let` names, `+ - * /` and parentheses"
-    ))
-}
-
-/// `base ** ...`
-pub(crate) fn power(base: &str) -> Mistake {
-    Mistake::new(format!(
-        "`**` does not belong in a value: a power is a product, `{base} * {base}`"
-    ))
-}
-
-pub(crate) fn with_self() -> Mistake {
-    Mistake::new("a field is written by its name alone, without `self`")
-}
-
-pub(crate) fn path_to_pi() -> Mistake {
-    Mistake::new("write `PI` alone, without a path")
-}
-
-/// A constant of Rust's standard library, which is written otherwise here.
-pub(crate) fn constant_of_std(name: &str, ours: &str) -> Mistake {
-    Mistake::new(format!(
-        "constants of Rust cannot be read here: write `{ours}` for `{name}`"
-    ))
+mistakes! {
+    /// What is no part of a value, a path or a method call for example.
+    foreign(what: &str)
+        "{what} does not belong in a value, which is made of numbers, `PI`, `deg(x)`, `sqrt(x)`, `sin(x)`, `cos(x)`, \
+         fields, `let` names, `+ - * /` and parentheses";
+    /// `base ** ...`
+    power(base: &str) "`**` does not belong in a value: a power is a product, `{base} * {base}`";
+    with_self() "a field is written by its name alone, without `self`";
+    path_to_pi() "write `PI` alone, without a path";
+    /// A constant of Rust's standard library, which is written otherwise here.
+    constant_of_std(name: &str, ours: &str) "constants of Rust cannot be read here: write `{ours}` for `{name}`";
+    /// A function of what depends on a field.
+    function_of_field(name: &str)
+        "`{name}` takes a number: a field has its value where the struct is built, and constants are exact here. \
+         Make the result a field";
+    /// `sqrt(PI)`
+    root_of_pi() "`sqrt` takes a number without `PI`: write its value in decimals";
+    root_of_negative() "`sqrt` of a negative number";
+    /// Of so huge an angle that nothing is known of its sine.
+    sine_unknown() "the sine of so large an angle is not known";
+    degrees_of_nothing() "`deg` takes an angle in degrees: `deg(90)`";
+    empty_parentheses() "expected a value between the parentheses";
+    division_by_zero() "division by zero";
+    too_large() "this value is larger than the largest `f64`";
+    /// A value that is read before its `let`.
+    bound_below(name: &str) "`{name}` is bound further down: move its `let` above this line";
+    /// A name that means something already, whatever it is to be given to.
+    reserved(what: &str, name: &str) "a {what} cannot be named `{name}`, which means something already";
+    field_twice(name: &str) "there is a field `{name}` already";
+    let_twice(name: &str) "there is a `let {name}` already";
+    let_mut() "no `mut` here: the value of a `let` does not change";
 }
 
 /// A path to a constant of that name.
@@ -59,36 +62,6 @@ pub(crate) fn other_function(name: &str) -> Mistake {
     ))
 }
 
-/// A function of what depends on a field.
-pub(crate) fn function_of_field(name: &str) -> Mistake {
-    Mistake::new(format!(
-        "`{name}` takes a number: a field has its value where the struct is built, and constants are exact \
-         here. Make the result a field"
-    ))
-}
-
-/// `sqrt(PI)`
-pub(crate) fn root_of_pi() -> Mistake {
-    Mistake::new("`sqrt` takes a number without `PI`: write its value in decimals")
-}
-
-pub(crate) fn root_of_negative() -> Mistake {
-    Mistake::new("`sqrt` of a negative number")
-}
-
-/// Of so huge an angle that nothing is known of its sine.
-pub(crate) fn sine_unknown() -> Mistake {
-    Mistake::new("the sine of so large an angle is not known")
-}
-
-pub(crate) fn degrees_of_nothing() -> Mistake {
-    Mistake::new("`deg` takes an angle in degrees: `deg(90)`")
-}
-
-pub(crate) fn empty_parentheses() -> Mistake {
-    Mistake::new("expected a value between the parentheses")
-}
-
 /// A list of the wrong length.
 pub(crate) fn other_count(shown: &str, found: usize) -> Mistake {
     let found = match found {
@@ -97,21 +70,6 @@ pub(crate) fn other_count(shown: &str, found: usize) -> Mistake {
         n => format!("{n} values"),
     };
     Mistake::new(format!("expected `{shown}`, found {found}"))
-}
-
-pub(crate) fn division_by_zero() -> Mistake {
-    Mistake::new("division by zero")
-}
-
-pub(crate) fn too_large() -> Mistake {
-    Mistake::new("this value is larger than the largest `f64`")
-}
-
-/// A value that is read before its `let`.
-pub(crate) fn bound_below(name: &str) -> Mistake {
-    Mistake::new(format!(
-        "`{name}` is bound further down: move its `let` above this line"
-    ))
 }
 
 /// A name that means nothing. `variable` is the cell to which the joint's own variable is added, which
@@ -166,29 +124,10 @@ fn is_constant(name: &str) -> bool {
     name.len() > 1 && name.chars().all(is_upper) && name.starts_with(|c| c != '_')
 }
 
-/// A name that means something already, whatever it is to be given to.
-pub(crate) fn reserved(what: &str, name: &str) -> Mistake {
-    Mistake::new(format!(
-        "a {what} cannot be named `{name}`, which means something already"
-    ))
-}
-
-pub(crate) fn field_twice(name: &str) -> Mistake {
-    Mistake::new(format!("there is a field `{name}` already"))
-}
-
-pub(crate) fn let_twice(name: &str) -> Mistake {
-    Mistake::new(format!("there is a `let {name}` already"))
-}
-
 /// A Rust constant in place of a `let`.
 pub(crate) fn constant(name: &impl Display, value: Option<&str>) -> Mistake {
     let value = value.unwrap_or("...");
     Mistake::new(format!(
         "a value is named by `let`: write `let {name} = {value};`"
     ))
-}
-
-pub(crate) fn let_mut() -> Mistake {
-    Mistake::new("no `mut` here: the value of a `let` does not change")
 }

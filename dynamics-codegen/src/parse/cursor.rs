@@ -1,12 +1,14 @@
 //! A position in the tokens of one group.
 
 use proc_macro2::{Delimiter, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
+use syn::Lit;
 use syn::buffer::{self, TokenBuffer};
 
 use crate::diagnose::{Diagnostics, Reported};
 use crate::mistake::expected::Expected;
 use crate::mistake::{self, Mistake};
 use crate::place::Place;
+use crate::tree::Fault;
 use crate::words::{LONGEST, shortened};
 
 /// A position in the tokens of one group.
@@ -77,13 +79,36 @@ impl<'t> Cursor<'t> {
         self.diagnostics.error(at, mistake)
     }
 
+    /// How many errors were reported.
+    pub(crate) fn errors(&self) -> usize {
+        self.diagnostics.count()
+    }
+
+    /// Takes out the errors behind so many.
+    pub(crate) fn take_errors(&self, behind: usize) -> Vec<Fault> {
+        self.diagnostics.take_behind(behind)
+    }
+
+    /// The same place, with errors reported elsewhere.
+    pub(crate) fn reporting_to(self, diagnostics: &'t Diagnostics) -> Cursor<'t> {
+        Cursor {
+            diagnostics,
+            ..self
+        }
+    }
+
     /// Reports that something else stands here, or that the tokens end.
     pub(crate) fn expected(&self, what: Expected) -> Reported {
-        let found = match self.at_path_separator() {
-            true => Some("`::`".to_owned()),
-            false => self.peek().map(|token| describe(&token)),
-        };
+        let found = self.found();
         self.error(self.here(), mistake::instead(&what, found.as_deref()))
+    }
+
+    /// What comes next, as a message shows it.
+    pub(crate) fn found(&self) -> Option<String> {
+        if self.at_path_separator() {
+            return Some("`::`".to_owned());
+        }
+        self.peek().map(|token| describe(&token))
     }
 
     /// The next token, or, at the end, the last one.
@@ -270,10 +295,26 @@ impl<'t> Cursor<'t> {
             return Ok(group);
         }
         let reported = self.expected(what);
-        let group = DELIMITERS
+        self.take_any_group().ok_or(reported)
+    }
+
+    /// Takes the next token where it is a group with delimiters.
+    pub(crate) fn take_any_group(&mut self) -> Option<Group<'t>> {
+        DELIMITERS
             .into_iter()
-            .find_map(|other| self.take_group(other));
-        group.ok_or(reported)
+            .find_map(|delimiter| self.take_group(delimiter))
+    }
+
+    /// Takes the next token where it is a string.
+    pub(crate) fn take_text(&mut self) -> Option<String> {
+        let TokenTree::Literal(literal) = self.peek()? else {
+            return None;
+        };
+        let Lit::Str(text) = Lit::new(literal) else {
+            return None;
+        };
+        self.take();
+        Some(text.value())
     }
 
     /// Whether `name:` comes next, the start of a keyed item.

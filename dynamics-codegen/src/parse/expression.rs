@@ -1,37 +1,22 @@
 //! Constant expressions.
 
-use proc_macro2::{Delimiter, Ident, Literal, TokenTree};
+use proc_macro2::{Delimiter, Ident, Literal, Span, TokenTree};
 
 use super::cursor::{Cursor, Group};
 use super::number::number;
-use crate::description::{Elementary, Expr, ExprKind, Operator, Share};
+use crate::description::{Elementary, Expr, ExprKind, Operator};
 use crate::diagnose::Reported;
 use crate::limits::{DEEPEST_VALUE, MOST_TERMS};
-use crate::mistake::{expected, number as mistake_of_number, size, value as mistake};
+use crate::mistake::{Mistake, expected, number as mistake_of_number, size, value as mistake};
 use crate::place::Place;
 use crate::words;
 
-/// Reads a value.
-pub(super) fn expression(cursor: &mut Cursor) -> Result<Expr, Reported> {
-    let expr = sum(cursor, &mut Limits::default())?;
-    no_other_operator(cursor)?;
-    Ok(expr)
-}
-
-/// Reads a share, `1%` or `0.01`.
-pub(super) fn share(cursor: &mut Cursor) -> Result<Share, Reported> {
-    let number = sum(cursor, &mut Limits::default())?;
+/// Reads a value, and the `%` behind it where one stands there.
+pub(super) fn expression(cursor: &mut Cursor) -> Result<(Expr, Option<Span>), Reported> {
+    let value = sum(cursor, &mut Limits::default())?;
     let percent = cursor.take_char('%');
     no_other_operator(cursor)?;
-    let place = match percent {
-        Some(sign) => number.place.to(sign),
-        None => number.place,
-    };
-    Ok(Share {
-        number,
-        percent: percent.is_some(),
-        place,
-    })
+    Ok((value, percent))
 }
 
 /// Whether a value may start here.
@@ -167,11 +152,8 @@ fn no_operand(cursor: &mut Cursor) -> Reported {
 fn name(cursor: &mut Cursor, ident: Ident, limits: &mut Limits) -> Result<Expr, Reported> {
     let word = ident.to_string();
     let place = Place::from(&ident);
-    if let Some(construct) = construct(&word) {
-        return Err(cursor.error(place, mistake::foreign(construct)));
-    }
-    if word == "self" {
-        return Err(cursor.error(place, mistake::with_self()));
+    if let Some(mistake) = never_a_value(&word) {
+        return Err(cursor.error(place, mistake));
     }
     if cursor.at_path_separator() {
         return Err(path(cursor, place));
@@ -182,12 +164,8 @@ fn name(cursor: &mut Cursor, ident: Ident, limits: &mut Limits) -> Result<Expr, 
         .then(|| cursor.take_group(Delimiter::Parenthesis))
         .flatten()
     {
-        let of: fn(Box<Expr>) -> ExprKind = match word.as_str() {
-            "deg" => ExprKind::Degrees,
-            "sqrt" => |x| ExprKind::Function(Elementary::Sqrt, x),
-            "sin" => |x| ExprKind::Function(Elementary::Sin, x),
-            "cos" => |x| ExprKind::Function(Elementary::Cos, x),
-            _ => return Err(cursor.error(place, mistake::other_function(&word))),
+        let Some(of) = function(&word) else {
+            return Err(cursor.error(place, mistake::other_function(&word)));
         };
         let argument = within(cursor, &arguments, limits)?;
         return Ok(Expr {
@@ -195,13 +173,40 @@ fn name(cursor: &mut Cursor, ident: Ident, limits: &mut Limits) -> Result<Expr, 
             place: place.to(arguments.span()),
         });
     }
+    word_alone(&word, place).map_err(|mistake| cursor.error(place, mistake))
+}
+
+/// The value of a word alone, where it can have one.
+pub(crate) fn word_alone(word: &str, place: Place) -> Result<Expr, Mistake> {
+    if let Some(mistake) = never_a_value(word) {
+        return Err(mistake);
+    }
     if word == "deg" {
-        return Err(cursor.error(place, mistake::degrees_of_nothing()));
+        return Err(mistake::degrees_of_nothing());
     }
     Ok(Expr {
-        kind: ExprKind::Name(word),
+        kind: ExprKind::Name(word.to_owned()),
         place,
     })
+}
+
+/// The function of numbers of that name.
+pub(super) fn function(word: &str) -> Option<fn(Box<Expr>) -> ExprKind> {
+    Some(match word {
+        "deg" => ExprKind::Degrees,
+        "sqrt" => |x| ExprKind::Function(Elementary::Sqrt, x),
+        "sin" => |x| ExprKind::Function(Elementary::Sin, x),
+        "cos" => |x| ExprKind::Function(Elementary::Cos, x),
+        _ => return None,
+    })
+}
+
+/// Why that word never starts a value, where it never does.
+fn never_a_value(word: &str) -> Option<Mistake> {
+    if word == "self" {
+        return Some(mistake::with_self());
+    }
+    construct(word).map(mistake::foreign)
 }
 
 /// What a keyword starts, where that is never a value.
@@ -265,27 +270,41 @@ fn within<'t>(
 
 /// Refuses what would make more of a value than the operators of this grammar do.
 fn no_other_operator(cursor: &mut Cursor) -> Result<(), Reported> {
-    if cursor.at_fragment() {
-        return Ok(());
+    match other_operator(cursor) {
+        Some(what) => Err(cursor.error(cursor.here(), mistake::foreign(what))),
+        None => Ok(()),
     }
-    let what = match cursor.peek() {
-        Some(TokenTree::Punct(punct)) => match punct.as_char() {
+}
+
+/// What would make more of a value than the operators of this grammar do.
+fn other_operator(cursor: &Cursor) -> Option<&'static str> {
+    if cursor.at_fragment() {
+        return None;
+    }
+    Some(match cursor.peek()? {
+        TokenTree::Punct(punct) => match punct.as_char() {
             '.' => "a method call",
             '<' | '>' | '=' | '!' => "a comparison",
             '^' => "`^` (a power is a product: `x * x`)",
             '%' => "`%`",
             '&' | '|' => "a logical operator",
             '?' => "`?`",
-            _ => return Ok(()),
+            _ => return None,
         },
-        Some(TokenTree::Group(group)) => match group.delimiter() {
+        TokenTree::Group(group) => match group.delimiter() {
             Delimiter::Bracket => "an array index",
             Delimiter::Brace => "a block",
             Delimiter::Parenthesis => "a call",
-            Delimiter::None => return Ok(()),
+            Delimiter::None => return None,
         },
-        Some(TokenTree::Ident(ident)) if ident == "as" => "a cast",
-        _ => return Ok(()),
-    };
-    Err(cursor.error(cursor.here(), mistake::foreign(what)))
+        TokenTree::Ident(ident) if ident == "as" => "a cast",
+        _ => return None,
+    })
+}
+
+/// Whether a word in front of this stands alone.
+pub(super) fn ends_word(cursor: &Cursor) -> bool {
+    let continues = ['+', '-', '*', '/'].into_iter().any(|c| cursor.at(c));
+    let is_path = cursor.at_path_separator();
+    cursor.at_fragment() || !(continues || is_path || other_operator(cursor).is_some())
 }

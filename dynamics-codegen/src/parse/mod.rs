@@ -1,26 +1,20 @@
-//! Tokens to a syntax tree.
+//! Tokens to a tree.
 //!
 //! Reading goes on behind every error: it skips to the next comma or to the next
 //! `name:`, so that an error in one cell hides no error in another.
 
-pub(crate) mod allow;
-mod assignments;
+mod assigned;
 mod cursor;
 mod entry;
-mod expression;
-mod files;
-pub(crate) mod frames;
-pub(crate) mod functions;
-pub(crate) mod inertia;
+pub(crate) mod expression;
 mod list;
 pub(crate) mod number;
-pub(crate) mod row;
+mod row;
 mod size;
 mod structure;
 #[cfg(feature = "files")]
 pub(crate) mod text;
-pub(crate) mod unknown;
-mod vector;
+mod value;
 
 use std::collections::BTreeSet;
 
@@ -31,20 +25,21 @@ use syn::buffer::TokenBuffer;
 use crate::call::{Call, Structure};
 use crate::description::{Entry, Name, Table};
 use crate::diagnose::Diagnostics;
+use crate::tree::Node;
 use cursor::Cursor;
 
-#[cfg(feature = "files")]
-pub(crate) use inertia::ENTRIES as TENSOR_ENTRIES;
-
-/// Reads a call of the macro: the struct item, then the entries of the table.
+/// Reads a call of the macro: the struct item, then the entries of the table, as a tree of which nothing is
+/// known yet. Of a call that is too long to be read there is no tree.
 ///
 /// In front of them `@[path]` may name the runtime crate, which the `macro_rules!`
 /// front of that crate writes as `@[$crate]`.
-pub(crate) fn call(input: TokenStream, diagnostics: &Diagnostics) -> Call {
+pub(crate) fn call(input: TokenStream, diagnostics: &Diagnostics) -> (Call, Option<Node>) {
     if let Err((readable, _)) = size::check(&input, diagnostics) {
-        return refused(input.into_iter().take(readable).collect());
+        return (refused(input.into_iter().take(readable).collect()), None);
     }
     let tokens = TokenBuffer::new2(input);
+    // The mistakes of the entries stand in their tree.
+    let of_entries = Diagnostics::new();
     let mut cursor = Cursor::new(&tokens, Span::call_site(), diagnostics);
     let path = path(&mut cursor);
     let structure = structure::structure(&mut cursor);
@@ -55,17 +50,18 @@ pub(crate) fn call(input: TokenStream, diagnostics: &Diagnostics) -> Call {
         entry::skip_to_entry(&mut cursor);
     }
     let mentions = names(cursor.rest());
-    let (entries, keys) = entry::entries(&mut cursor);
-    Call {
+    let root = entry::entries(&mut cursor.reporting_to(&of_entries));
+    let call = Call {
         path,
         table: Table {
-            keys,
-            ..table(structure.as_ref(), entries, mentions)
+            mentions,
+            ..table(structure.as_ref())
         },
         tracked: None,
         structure,
         is_refused: false,
-    }
+    };
+    (call, Some(root))
 }
 
 /// A call that is too long to be read, as far as its start tells what the user's code knows of it.
@@ -89,8 +85,8 @@ fn refused(start: TokenStream) -> Call {
     }
 }
 
-/// What the call says of the robot.
-fn table(structure: Option<&Structure>, entries: Vec<Entry>, mentions: BTreeSet<String>) -> Table {
+/// What the struct says of the robot.
+fn table(structure: Option<&Structure>) -> Table {
     let fields = structure.iter().flat_map(|structure| &structure.fields);
     Table {
         name: structure.map(|structure| Name::from(&structure.name)),
@@ -98,14 +94,12 @@ fn table(structure: Option<&Structure>, entries: Vec<Entry>, mentions: BTreeSet<
             .filter_map(|field| field.name.as_ref().map(Name::from))
             .collect(),
         has_all_fields: structure.is_some_and(|structure| structure.complete),
-        entries,
-        mentions,
         ..Table::default()
     }
 }
 
 /// The identifiers, at whatever depth.
-fn names(tokens: TokenStream) -> BTreeSet<String> {
+pub(crate) fn names(tokens: TokenStream) -> BTreeSet<String> {
     let mut names = BTreeSet::new();
     let mut streams = vec![tokens];
     while let Some(stream) = streams.pop() {

@@ -1,78 +1,42 @@
 //! Values that are written as text in a file, in the macro's own words.
 
-use std::collections::BTreeSet;
-
 use proc_macro2::{Span, TokenStream};
 use syn::buffer::TokenBuffer;
 
 use super::cursor::Cursor;
-use super::{expression, inertia, names, size};
-use crate::description::{Expr, ExprKind, Given, Inertia, InertiaKind, Share};
-use crate::diagnose::{Diagnostics, Reported};
+use super::size;
+use super::value::value;
+use crate::diagnose::Diagnostics;
 use crate::limits::{DEEPEST_DELIMITERS, MOST_TOKENS};
 use crate::mistake::{Mistake, expected, file as mistake, number};
 use crate::place::Place;
+use crate::tree::{Fault, Kind, Node};
 
-/// Reads a value such as `PI/2`, at `place` for whatever is said about it.
-pub(crate) fn value(text: &str, at: &mut At) -> Result<Expr, Reported> {
-    at.read(text, expression::expression)
-}
-
-/// Reads `sphere(0.1)` and the like.
-pub(crate) fn solid(text: &str, at: &mut At) -> Result<Inertia, Reported> {
-    at.read(text, inertia::inertia)
-}
-
-/// Reads `1%`.
-pub(crate) fn share(text: &str, at: &mut At) -> Result<Share, Reported> {
-    at.read(text, expression::share)
-}
-
-/// Where a text stands, who is told of its mistakes, and what it mentions.
-pub(crate) struct At<'a> {
-    pub(crate) place: Place,
-    pub(crate) diagnostics: &'a Diagnostics,
-    pub(crate) mentions: &'a mut BTreeSet<String>,
-}
-
-impl At<'_> {
-    fn read<T: Placed>(
-        &mut self,
-        text: &str,
-        read: impl FnOnce(&mut Cursor) -> Result<T, Reported>,
-    ) -> Result<T, Reported> {
-        let no_value = || {
-            let mistake = otherwise(text).unwrap_or_else(|| mistake::no_value(text));
-            self.diagnostics.error(self.place, mistake)
-        };
-        if otherwise(text).is_some() {
-            return Err(no_value());
-        }
-        if !lexes(text) {
-            return Err(no_value());
-        }
-        let tokens: TokenStream = text.parse().map_err(|_| no_value())?;
-        self.mentions.extend(names(tokens.clone()));
-        // The tokens have no place of their own: what is said about them is said of the text.
-        let found = Diagnostics::new();
-        let value = match size::check(&tokens, &found) {
-            Err((_, reported)) => Err(reported),
-            Ok(()) => {
-                let buffer = TokenBuffer::new2(tokens);
-                let mut cursor = Cursor::new(&buffer, Span::call_site(), &found);
-                read(&mut cursor).and_then(|value| match cursor.at_end() {
-                    true => Ok(value),
-                    false => Err(cursor.expected(expected::end_of_text())),
-                })
-            }
-        };
-        for (_, mistake) in found.into_errors() {
-            self.diagnostics.error(self.place, mistake);
-        }
-        let mut value = value?;
-        value.put(self.place);
-        Ok(value)
+/// The value that a text is, such as `PI/2`, `sphere(0.1)` or `1%`, at that place, and its tokens.
+pub(crate) fn read(text: &str, place: Place) -> Result<(Node, TokenStream), Fault> {
+    let no_value =
+        |mistake: Option<Mistake>| (place, mistake.unwrap_or_else(|| mistake::no_value(text)));
+    let otherwise = otherwise(text);
+    if otherwise.is_some() || !lexes(text) {
+        return Err(no_value(otherwise));
     }
+    let tokens: TokenStream = text.parse().map_err(|_| no_value(None))?;
+    let errors = Diagnostics::new();
+    let is_short = size::check(&tokens, &errors).is_ok();
+    let buffer = TokenBuffer::new2(tokens.clone());
+    let mut cursor = Cursor::new(&buffer, Span::call_site(), &errors);
+    let mut node = if is_short {
+        value(&mut cursor)
+    } else {
+        Node::new(place, Kind::Unreadable(errors.take_behind(0)))
+    };
+    if is_short && node.has_end() && !cursor.at_end() {
+        cursor.expected(expected::end_of_text());
+        node.behind = errors.take_behind(0);
+    }
+    // The tokens have no place of their own: what is said about them is said of the text.
+    node.put(place);
+    Ok((node, tokens))
 }
 
 /// What is wrong with a number that is written as it is elsewhere: `100mm`, `30°`, `0,5`.
@@ -94,55 +58,6 @@ fn otherwise(text: &str) -> Option<Mistake> {
         "deg" | "degrees" | "°" => Some(number::degrees(&format!("{sign}{}", &number[..end]))),
         "" | "e" | "E" => None,
         _ => Some(number::unit(unit)),
-    }
-}
-
-/// What has a place.
-trait Placed {
-    /// Gives it another one.
-    fn put(&mut self, place: Place);
-}
-
-impl Placed for Expr {
-    fn put(&mut self, place: Place) {
-        self.place = place;
-        match &mut self.kind {
-            ExprKind::Number(_) | ExprKind::Name(_) => {}
-            ExprKind::Degrees(value) | ExprKind::Function(_, value) | ExprKind::Minus(value) => {
-                value.put(place)
-            }
-            ExprKind::Binary(_, left, right) => {
-                left.put(place);
-                right.put(place);
-            }
-        }
-    }
-}
-
-impl Placed for Share {
-    fn put(&mut self, place: Place) {
-        self.place = place;
-        self.number.put(place);
-    }
-}
-
-impl Placed for Inertia {
-    fn put(&mut self, place: Place) {
-        self.place = place;
-        match &mut self.kind {
-            InertiaKind::Tensor(entries) => {
-                for entry in entries.iter_mut() {
-                    if let Given::As(entry) = entry {
-                        entry.put(place);
-                    }
-                }
-            }
-            InertiaKind::Solid(_, sizes) => {
-                for size in sizes.iter_mut().flatten() {
-                    size.put(place);
-                }
-            }
-        }
     }
 }
 
@@ -201,23 +116,19 @@ mod tests {
     use super::*;
 
     fn value(text: &str) -> Result<(), Vec<String>> {
-        let diagnostics = Diagnostics::new();
-        let mut at = At {
-            place: Place::File { line: 2, column: 3 },
-            diagnostics: &diagnostics,
-            mentions: &mut BTreeSet::new(),
+        let at = Place::File { line: 2, column: 3 };
+        let (node, _) = read(text, at).map_err(|(_, mistake)| vec![mistake.to_string()])?;
+        assert_eq!(node.place.position(), (2, 3));
+        let faults = match node.kind {
+            Kind::Value(_) | Kind::Word(_) => node.behind,
+            Kind::Unreadable(faults) | Kind::Solid(_, _, faults) => faults,
+            Kind::Table(_) | Kind::List(_) => vec![(at, mistake::no_value(text))],
+            kind => panic!("{kind:?}"),
         };
-        let value = super::value(text, &mut at);
-        let errors = diagnostics.into_errors();
-        assert_eq!(value.is_err(), !errors.is_empty());
-        let positions = errors.iter().map(|(place, _)| place.position());
-        assert!(positions.into_iter().all(|position| position == (2, 3)));
-        match value {
-            Ok(value) => {
-                assert_eq!(value.place.position(), (2, 3));
-                Ok(())
-            }
-            Err(_) => Err(errors.into_iter().map(|(_, m)| m.to_string()).collect()),
+        assert!(faults.iter().all(|(place, _)| place.position() == (2, 3)));
+        match faults.is_empty() {
+            true => Ok(()),
+            false => Err(faults.into_iter().map(|(_, m)| m.to_string()).collect()),
         }
     }
 

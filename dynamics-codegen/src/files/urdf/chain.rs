@@ -12,7 +12,6 @@ use crate::description::{
 };
 use crate::diagnose::Diagnostics;
 use crate::files::Request;
-use crate::files::signed::signed;
 use crate::geometry::{Mass, Transform, Vector, number, tidy};
 use crate::mistake::{Mistake, urdf as mistake};
 use crate::place::Place;
@@ -281,7 +280,7 @@ impl<'a> Chain<'a> {
                 is_known: body.is_known,
             }),
         }
-        let number = |x: Rational| signed(tidy(x), place);
+        let number = |x: Rational| Expr::signed(tidy(x), place);
         let whole = body.mass.body();
         row.mass = Given::As(number(whole.mass));
         row.com = Given::As(whole.com.map(|x| Some(number(x))));
@@ -374,7 +373,10 @@ fn origin(joint: &Joint) -> Transform {
 }
 
 fn placement(joint: &Joint) -> Placement {
-    let numbers = |v: &Vector| v.each_ref().map(|x| Some(signed(x.clone(), joint.place)));
+    let numbers = |v: &Vector| {
+        v.each_ref()
+            .map(|x| Some(Expr::signed(x.clone(), joint.place)))
+    };
     Placement {
         xyz: Given::As(numbers(&joint.xyz)),
         rpy: Given::As(
@@ -387,7 +389,7 @@ fn placement(joint: &Joint) -> Placement {
 }
 
 fn row(joint: &Joint, places: Vec<Placement>) -> Row {
-    let number = |(x, place): &(Rational, Place)| Given::As(signed(x.clone(), *place));
+    let number = |(x, place): &(Rational, Place)| Given::As(Expr::signed(x.clone(), *place));
     let friction = Friction {
         viscous: joint.damping.as_ref().map_or(Given::Absent, number),
         coulomb: match &joint.friction {
@@ -405,7 +407,11 @@ fn row(joint: &Joint, places: Vec<Placement>) -> Row {
         }),
         friction: Given::As(friction),
         limits: limits.map_or(Given::Absent, |(limits, place)| {
-            Given::As(limits.each_ref().map(|x| Some(signed(x.clone(), *place))))
+            Given::As(
+                limits
+                    .each_ref()
+                    .map(|x| Some(Expr::signed(x.clone(), *place))),
+            )
         }),
         mount: Some(Mount {
             places,
@@ -419,7 +425,7 @@ fn row(joint: &Joint, places: Vec<Placement>) -> Row {
 pub(super) fn expression(value: &Value, place: Place) -> Expr {
     let part = |value: &Value| Box::new(expression(value, place));
     let kind = match value {
-        Value::Rational(x) => return signed(x.clone(), place),
+        Value::Rational(x) => return Expr::signed(x.clone(), place),
         Value::Pi => ExprKind::Name("PI".to_owned()),
         Value::Field(index) => ExprKind::Name(index.to_string()),
         Value::Neg(a) => ExprKind::Minus(part(a)),

@@ -8,8 +8,7 @@ use dynamics_symbolic::robot::Value;
 
 use super::chain::{Chain, expression};
 use super::document::{Joint, Kind, Mimic};
-use crate::description::{Coupled, Locked, Name};
-use crate::files::signed::signed;
+use crate::description::{Coupled, Expr, Locked, Name};
 use crate::limits::MOST_BITS;
 use crate::mistake::size;
 use crate::mistake::urdf::{self as mistake, Still};
@@ -27,7 +26,7 @@ impl<'a> Chain<'a> {
         };
         let name = Name::new(&joint.name, mimic.place);
         if self.is_on_chain(leader) {
-            let factor = signed(mimic.multiplier.clone(), mimic.place);
+            let factor = Expr::signed(mimic.multiplier.clone(), mimic.place);
             let offset = expression(&mimic.offset, mimic.place);
             let leader = Name::new(&leader.name, mimic.place);
             self.coupled

@@ -8,8 +8,8 @@ use std::collections::BTreeSet;
 
 use roxmltree::TextPos;
 
-use crate::files::tree::Lines;
 use crate::place::Place;
+use crate::tree::Lines;
 
 /// More of them are in no file that somebody wrote.
 const MOST: usize = 64;

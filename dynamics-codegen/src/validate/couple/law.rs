@@ -178,7 +178,7 @@ impl Reader<'_, '_> {
                 Some((first, place, k + l))
             }
             (Some((first, ..)), Some((second, place, _))) => {
-                let mistake = mistake::two_leaders(self.follower, [&first, &second]);
+                let mistake = mistake::two_leaders(self.follower, &[&first, &second]);
                 self.scope.error(place, mistake);
                 return None;
             }

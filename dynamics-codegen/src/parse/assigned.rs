@@ -1,0 +1,147 @@
+//! Lists of names with something behind them: `lock: [joint = value, ...]`, `functions: [name = (function, ...), ...]`.
+
+use proc_macro2::{Delimiter, TokenTree};
+
+use super::cursor::Cursor;
+use super::list::comma_separated;
+use super::structure::name;
+use super::value::{absent, list, pair, stray, value};
+use crate::description::Name;
+use crate::mistake::expected::{self, Expected};
+use crate::mistake::{Mistake, couple, entry, file};
+use crate::tree::{Key, Kind, Node};
+
+/// What is said where a list of joints is wrong.
+pub(super) struct Texts {
+    list: fn() -> Expected,
+    /// A joint's name was expected.
+    joint: fn() -> Expected,
+    /// `=` and a value were expected behind that name.
+    value: fn(&Name) -> Expected,
+    /// `joint: value`
+    by_colon: fn(&Name) -> Mistake,
+}
+
+pub(super) const LOCK: Texts = Texts {
+    list: expected::locks,
+    joint: expected::locked_joint,
+    value: expected::position_after,
+    by_colon: entry::lock_by_colon,
+};
+
+pub(super) const COUPLE: Texts = Texts {
+    list: expected::couplings,
+    joint: expected::follower,
+    value: expected::leader_after,
+    by_colon: couple::by_colon,
+};
+
+/// Reads `[joint = value, ...]`, a table of joints.
+pub(super) fn joints(cursor: &mut Cursor, texts: &Texts) -> Node {
+    let start = absent(cursor);
+    let errors = cursor.errors();
+    let group = cursor.take_list(Delimiter::Bracket, (texts.list)());
+    let faults = cursor.take_errors(errors);
+    let Ok(group) = group else {
+        return Node { faults, ..start };
+    };
+    let items = comma_separated(cursor.inside(&group), at_name, |cursor| {
+        let Some(name) = take_name(cursor) else {
+            let faults = vec![(cursor.here(), no_name(cursor, (texts.joint)()))];
+            return (stray(cursor, faults), String::new());
+        };
+        let sign = cursor.here();
+        let node = if cursor.take_char('=').is_some() {
+            value(cursor)
+        } else {
+            if cursor.take_char(':').is_some() {
+                cursor.error(sign, (texts.by_colon)(&name));
+            } else {
+                cursor.expected((texts.value)(&name));
+            }
+            absent(cursor)
+        };
+        let key = Key::new(name.to_string(), (&name).into());
+        ((key, node), format!("`{name} = ...`"))
+    });
+    Node {
+        kind: Kind::Table(items),
+        faults,
+        ..start
+    }
+}
+
+/// The mistake of what is no name; of a number, that it stands in quotes where it is one.
+fn no_name(cursor: &Cursor, what: Expected) -> Mistake {
+    match cursor.peek() {
+        Some(TokenTree::Literal(number)) => file::number_as_name(&number.to_string()),
+        _ => crate::mistake::instead(&what, cursor.found().as_deref()),
+    }
+}
+
+/// Whether a name comes next, be it in quotes.
+fn at_name(cursor: &Cursor) -> bool {
+    take_name(&mut cursor.clone()).is_some()
+}
+
+/// Takes a name: names in files may have other letters than those of Rust, then it stands in quotes.
+fn take_name(cursor: &mut Cursor) -> Option<Name> {
+    let place = cursor.here();
+    match cursor.take_ident() {
+        Some(ident) => Some(Name::from(&ident)),
+        None => cursor.take_text().map(|text| Name::new(text, place)),
+    }
+}
+
+/// Reads `[jacobian, control_terms = (mass_matrix, gravity_vector)]`.
+pub(super) fn functions(cursor: &mut Cursor) -> Node {
+    let start = absent(cursor);
+    let Some(group) = cursor.take_group(Delimiter::Bracket) else {
+        return value(cursor);
+    };
+    let at_item = |cursor: &Cursor| cursor.peek_ident().is_some();
+    let items = comma_separated(cursor.inside(&group), at_item, |cursor| {
+        if let Some(TokenTree::Group(group)) = cursor.peek()
+            && group.delimiter() == Delimiter::Parenthesis
+        {
+            let shown = cursor.shown_until(&[',', ';']);
+            cursor.error(cursor.here(), entry::tuple_without_name(&shown));
+            return (absent(cursor), String::new());
+        }
+        if cursor.at_name_before('=') || cursor.at_key() {
+            return fused(cursor);
+        }
+        let node = value(cursor);
+        let what = format!("`{}`", node.word().unwrap_or_default());
+        (node, what)
+    });
+    Node {
+        kind: Kind::List(items),
+        ..start
+    }
+}
+
+/// Reads `name = (mass_matrix, gravity_vector)`.
+fn fused(cursor: &mut Cursor) -> (Node, String) {
+    let Ok(name) = name(cursor, expected::name_of_tuple()) else {
+        return (absent(cursor), String::new());
+    };
+    let sign = cursor.here();
+    if cursor.take_char(':').is_some() {
+        cursor.error(sign, entry::tuple_by_colon(&name));
+    }
+    let node = pair(cursor, &name, |cursor| {
+        let (start, errors) = (absent(cursor), cursor.errors());
+        let group = cursor.take_list(Delimiter::Parenthesis, expected::parts_of(&name));
+        let faults = cursor.take_errors(errors);
+        let kind = group.map_or(Kind::Absent, |group| {
+            Kind::List(list(cursor.inside(&group)))
+        });
+        Node {
+            kind,
+            faults,
+            ..start
+        }
+    });
+    (node, format!("`{name} = (...)`"))
+}

@@ -1,0 +1,337 @@
+//! The meaning of a tree: the words of a table, what may stand behind each of them, and the mistakes of it, whatever
+//! language it is written in.
+
+mod reader;
+mod row;
+
+use std::collections::BTreeSet;
+
+use dynamics_symbolic::Function;
+use dynamics_symbolic::robot::Convention;
+
+use crate::description::{
+    Allow, Asked, Coupled, Entry, Expr, FileName, Locked, Name, Placement, Share, Table, Tool,
+    Vector,
+};
+use crate::diagnose::Diagnostics;
+use crate::keys::{ALLOWANCES_OF_BODY, BASE, CALL, DEFAULT, FILE, TOOL};
+use crate::mistake::{self, expected};
+use crate::tree::{Key, KeyKind, Kind, Language, Node};
+use crate::words;
+use reader::{Item, Read, Reader, put, unknown};
+
+/// What a tree says of the robot, in the order in which it stands there.
+pub(crate) fn table(root: &Node, language: Language, diagnostics: &Diagnostics) -> Table {
+    let mut reader = Reader {
+        language,
+        diagnostics,
+        mentions: BTreeSet::new(),
+    };
+    let mut table = Table::default();
+    let part = if reader.is_call() { CALL } else { FILE };
+    let _ = reader.visit(root, |reader, root| {
+        reader.table(root, &part, |reader, item| {
+            if item.key.kind == KeyKind::Word {
+                table.keys.push((item.name, item.key.place));
+            }
+            reader.entry(item, &mut table.entries)
+        })
+    });
+    table.mentions = reader.mentions;
+    table
+}
+
+/// Adds an entry, which is without a value if that could not be read.
+fn add<T>(
+    entries: &mut Vec<Entry>,
+    entry: impl FnOnce(Option<T>) -> Entry,
+    value: Read<T>,
+) -> Read<()> {
+    let (value, outcome) = match value {
+        Ok(value) => (Some(value), Ok(())),
+        Err(reported) => (None, Err(reported)),
+    };
+    entries.push(entry(value));
+    outcome
+}
+
+impl Reader<'_> {
+    fn entry(&mut self, item: &Item, to: &mut Vec<Entry>) -> Read<()> {
+        let node = item.node;
+        let place = if self.is_call() {
+            node.place
+        } else {
+            item.key.place
+        };
+        match item.name {
+            "convention" => add(to, Entry::Convention, self.convention(node)),
+            "gravity" => add(to, Entry::Gravity, self.gravity(node)),
+            "base" => add(to, Entry::Base, self.base(node).map(Box::new)),
+            "joint" | "joints" => add(to, |rows| Entry::Joints(place, rows), self.joints(node)),
+            "tool" => add(to, Entry::Tool, self.tool(node).map(Box::new)),
+            "functions" => add(to, Entry::Functions, self.functions(node)),
+            "lock" => add(to, Entry::Lock, self.lock(node)),
+            "couple" => add(to, Entry::Couple, self.couple(node)),
+            "neglect" => add(to, Entry::Neglect, self.share(node)),
+            "tests" => add(to, |tests| Entry::Tests(place, tests), self.truth(node)),
+            "allow" => add(to, Entry::Allow, self.allow(node, &Allow::WORDS)),
+            "file" => add(to, Entry::File, self.file(node)),
+            "chain" => add(to, Entry::Chain, self.chain(node)),
+            "ignore" => add(to, Entry::Ignore, self.ignored(node)),
+            "round_angles" => add(to, Entry::RoundAngles, self.value(node)),
+            _ if item.key.kind == KeyKind::Let => self.binding(item.key, node, to),
+            _ => self.lets(node, to),
+        }
+    }
+
+    /// `[let]` with a value for each name.
+    fn lets(&mut self, node: &Node, entries: &mut Vec<Entry>) -> Read<()> {
+        let Kind::Table(items) = &node.kind else {
+            let what = expected::thing("a table of names and values");
+            return Err(self.instead_of(&what, node));
+        };
+        for (key, node) in items {
+            let _ = self.binding(key, node, entries);
+        }
+        Ok(())
+    }
+
+    fn binding(&mut self, key: &Key, node: &Node, entries: &mut Vec<Entry>) -> Read<()> {
+        let name = self.rust_name("a name", key)?;
+        add(entries, |value| Entry::Let(name, value), self.value(node))
+    }
+
+    fn convention(&self, node: &Node) -> Read<Convention> {
+        const KNOWN: [&str; 2] = ["standard", "modified"];
+        let word = self.choice_but(node, &KNOWN, |word| match words::meant(word, &KNOWN) {
+            None => mistake::entry::unknown_convention(word),
+            Some(_) => unknown("convention", word, &KNOWN).mistake,
+        })?;
+        Ok(match word {
+            "standard" => Convention::Standard,
+            _ => Convention::Modified,
+        })
+    }
+
+    fn gravity(&mut self, node: &Node) -> Read<Vector> {
+        self.vector(node, "[x, y, z]", &expected::gravity("[x, y, z]"))
+    }
+
+    /// `1%`, or a number.
+    fn share(&mut self, node: &Node) -> Read<Share> {
+        self.read_text(node, |reader, node| match &node.kind {
+            Kind::Share(share) => Ok(share.clone()),
+            _ => reader.value(node).map(|number| Share {
+                place: number.place,
+                number,
+                percent: false,
+            }),
+        })
+    }
+
+    fn file(&self, node: &Node) -> Read<FileName> {
+        match &node.kind {
+            Kind::Text(path) => Ok(FileName {
+                path: path.clone(),
+                place: node.place,
+            }),
+            _ => Err(self.instead_of(&expected::file_name(), node)),
+        }
+    }
+
+    /// `["base_link", "tool0"]`
+    fn chain(&mut self, node: &Node) -> Read<[Name; 2]> {
+        let names = self.list(node, &expected::chain(), |reader, node| {
+            reader.name_of(node, &expected::chain())
+        })?;
+        names
+            .try_into()
+            .map_err(|_| self.error(node.place, mistake::file::two_links()))
+    }
+
+    /// `[finger_1, "finger-2"]`, or `rest`.
+    fn ignored(&mut self, node: &Node) -> Read<Vec<Name>> {
+        if let Kind::Word(word) = &node.kind
+            && word.plain() == "rest"
+        {
+            return Ok(vec![word.clone()]);
+        }
+        self.list(node, &expected::ignored(), |reader, node| {
+            reader.name_of(node, &expected::ignored_joint())
+        })
+    }
+
+    /// A joint or a link, in quotes where its name is no word.
+    fn name_of(&self, node: &Node, what: &expected::Expected) -> Read<Name> {
+        let found = node.found.as_deref().unwrap_or_default().trim_matches('`');
+        match &node.kind {
+            Kind::Word(name) => Ok(name.clone()),
+            Kind::Text(text) => self.name(text, node.place),
+            Kind::Value(_) if found.starts_with(|c: char| c.is_ascii_digit()) => {
+                Err(self.error(node.place, mistake::file::number_as_name(found)))
+            }
+            _ => Err(self.instead_of(what, node)),
+        }
+    }
+
+    /// The joints of a table with a value for each. A value that cannot be read leaves its joint in it.
+    fn positions(
+        &mut self,
+        node: &Node,
+        what: &expected::Expected,
+        none: mistake::Mistake,
+    ) -> Read<Vec<(Name, Option<Expr>)>> {
+        let Kind::Table(items) = &node.kind else {
+            return Err(self.instead_of(what, node));
+        };
+        if items.is_empty() {
+            return Err(self.error(node.place, none));
+        }
+        let items = items.iter().map(|(key, node)| {
+            if key.kind == KeyKind::Stray {
+                return Err(self.instead_of(what, node));
+            }
+            if let (Kind::Table(parts), Language::Toml) = (&node.kind, self.language)
+                && let Some((part, _)) = parts.first()
+            {
+                let mistake = mistake::file::dotted_name(&key.word, &part.word);
+                return Err(self.error(key.place, mistake));
+            }
+            let name = self.name(&key.word, key.place)?;
+            Ok((name, self.visit(node, Reader::value).ok()))
+        });
+        let items: Vec<_> = items.collect();
+        items.into_iter().collect()
+    }
+
+    fn lock(&mut self, node: &Node) -> Read<Vec<Locked>> {
+        let what = self.either(expected::locks(), "a table of joints and positions");
+        let locked = self.positions(node, &what, mistake::entry::no_lock())?;
+        let locked = locked.into_iter();
+        Ok(locked
+            .map(|(name, position)| Locked { name, position })
+            .collect())
+    }
+
+    fn couple(&mut self, node: &Node) -> Read<Vec<Coupled>> {
+        let file = "a table of joints and those that they follow";
+        let what = self.either(expected::couplings(), file);
+        let coupled = self.positions(node, &what, mistake::couple::none())?;
+        let coupled = coupled.into_iter();
+        Ok(coupled
+            .map(|(follower, position)| Coupled { follower, position })
+            .collect())
+    }
+
+    fn functions(&mut self, node: &Node) -> Read<Vec<Asked>> {
+        let what = self.either(expected::functions(), "an array of names of functions");
+        let Kind::List(items) = &node.kind else {
+            return Err(self.instead_of(&what, node));
+        };
+        if items.is_empty() {
+            return Err(self.error(node.place, mistake::entry::no_function()));
+        }
+        let mut asked = Vec::new();
+        for item in self.until_full(items) {
+            let read = self.visit(item, |reader, item| match &item.kind {
+                Kind::Pair(key, parts) => Ok(vec![reader.fused(key, parts)?]),
+                Kind::Table(tuples) if !reader.is_call() => {
+                    let tuples = tuples.iter();
+                    let tuple = |(key, parts): &(Key, Node)| reader.fused(key, parts);
+                    let asked = tuples
+                        .map(tuple)
+                        .map(|tuple| tuple.unwrap_or(Asked::Unreadable));
+                    Ok(asked.collect())
+                }
+                _ => Ok(vec![reader.function(item)?]),
+            });
+            asked.extend(read.unwrap_or_else(|_| vec![Asked::Unreadable]));
+        }
+        Ok(asked)
+    }
+
+    /// A function, or the default set.
+    fn function(&self, node: &Node) -> Read<Asked> {
+        let known: Vec<_> = core::iter::once(DEFAULT).chain(function_names()).collect();
+        let word = self.word(node, &expected::function())?;
+        if word == DEFAULT {
+            return Ok(Asked::Default(node.place));
+        }
+        let function = self.function_of_name(word, node, &known)?;
+        Ok(Asked::One(function, node.place))
+    }
+
+    fn function_of_name(&self, word: &str, node: &Node, known: &[&'static str]) -> Read<Function> {
+        Function::from_name(word).ok_or_else(|| {
+            let unknown = unknown("function", word, known);
+            self.error(node.place, unknown.mistake)
+        })
+    }
+
+    /// `control_terms = (mass_matrix, gravity_vector)`
+    fn fused(&mut self, key: &Key, parts: &Node) -> Read<Asked> {
+        let name = self.rust_name("the name of a tuple", key)?;
+        let what = self.either(expected::parts_of(&name), "an array of names of functions");
+        let known: Vec<_> = function_names().collect();
+        let parts = self.visit(parts, |reader, parts| {
+            reader.list(parts, &what, |reader, node| {
+                let word = reader.word(node, &expected::function())?;
+                if word == DEFAULT {
+                    return Err(reader.error(node.place, mistake::entry::default_in_tuple()));
+                }
+                Ok((reader.function_of_name(word, node, &known)?, node.place))
+            })
+        });
+        Ok(Asked::Fused(name, parts?))
+    }
+
+    fn base(&mut self, node: &Node) -> Read<Placement> {
+        let mut base = Placement::default();
+        self.table(node, &BASE, |reader, item| {
+            reader.placement(item, &mut base)
+        })?;
+        Ok(base)
+    }
+
+    fn placement(&mut self, item: &Item, placement: &mut Placement) -> Read<()> {
+        match item.name {
+            "xyz" => put(&mut placement.xyz, self.xyz(item.node)),
+            _ => {
+                let shown = "[roll, pitch, yaw]";
+                let angles = self.vector(item.node, shown, &expected::array(shown));
+                put(&mut placement.rpy, angles)
+            }
+        }
+    }
+
+    fn xyz(&mut self, node: &Node) -> Read<Vector> {
+        self.vector(node, "[x, y, z]", &expected::array("[x, y, z]"))
+    }
+
+    fn tool(&mut self, node: &Node) -> Read<Tool> {
+        let mut tool = Tool::default();
+        let incomplete = self.table(node, &TOOL, |reader, item| {
+            let node = item.node;
+            match item.name {
+                "mass" => put(&mut tool.mass, reader.value(node)),
+                "com" => put(&mut tool.com, reader.xyz(node)),
+                "inertia" => put(&mut tool.inertia, reader.inertia(node)),
+                "inertia_at_origin" => {
+                    put(&mut tool.inertia_at_origin, reader.inertia_at_origin(node))
+                }
+                "allow" => put(&mut tool.allow, reader.allow(node, &ALLOWANCES_OF_BODY)),
+                _ => reader.placement(item, &mut tool.placement),
+            }
+        })?;
+        if incomplete {
+            tool.mass.doubt();
+            tool.com.doubt();
+        }
+        Ok(tool)
+    }
+}
+
+/// The names of all functions.
+fn function_names() -> impl Iterator<Item = &'static str> {
+    Function::ALL.into_iter().map(Function::name)
+}

@@ -1,0 +1,333 @@
+//! The rows of a table and their cells.
+
+use dynamics_symbolic::robot::JointType;
+
+use super::reader::{Item, Read, Reader, Unknown, put, unknown};
+use crate::description::{
+    Axis, Coulomb, Entries, Friction, Given, Inertia, InertiaKind, Joints, Motor, Name, Row, Solid,
+    Spring, Stribeck, Tensor,
+};
+use crate::keys::{
+    ALLOWANCES_OF_BODY, CELLS, DIRECTIONS, FRICTION, JOINT_TYPES, KEYS_OF_FILES, MOTOR, Part, ROW,
+    SPRING, STRIBECK, TENSOR,
+};
+use crate::mistake::{self, expected, file as wrong};
+use crate::tree::{Key, Kind, Language, Node};
+
+/// Cells of a published table that stand in parts of a row here.
+const PUBLISHED: [&str; 4] = ["motor_inertia", "gear_ratio", "viscous", "coulomb"];
+
+/// The solids and their arguments.
+const SOLIDS: [(&str, Solid, &[&str]); 4] = [
+    ("cuboid", Solid::Cuboid, &["x", "y", "z"]),
+    ("cylinder", Solid::Cylinder(Axis::Z), &["radius", "length"]),
+    ("rod", Solid::Rod(Axis::X), &["length"]),
+    ("sphere", Solid::Sphere, &["radius"]),
+];
+
+impl Reader<'_> {
+    fn is_json(&self) -> bool {
+        self.language == Language::Json
+    }
+
+    pub(super) fn joints(&mut self, node: &Node) -> Read<Joints> {
+        let (rows, mut complete) = match &node.kind {
+            Kind::Rows(rows, complete) => (rows, *complete),
+            Kind::List(rows) if !self.is_call() => (rows, true),
+            Kind::Unreadable(faults) => {
+                let reported = self.report(faults);
+                return Err(reported.unwrap_or_else(|| self.instead_of(&expected::rows(), node)));
+            }
+            _ => {
+                let what = self.either(expected::rows(), wrong::joints(self.is_json()));
+                return Err(self.instead_of(&what, node));
+            }
+        };
+        let mut read = Vec::new();
+        for row in self.until_full(rows) {
+            match self.visit(row, Reader::row) {
+                Ok(row) => read.push(row),
+                Err(_) => complete &= self.is_call(),
+            }
+        }
+        Ok(Joints {
+            rows: read,
+            complete,
+            tip: Vec::new(),
+        })
+    }
+
+    fn row(&mut self, node: &Node) -> Read<Row> {
+        let mut row = Row::default();
+        let (cells, part) = match &node.kind {
+            Kind::Row(name, joint_type, cells) => {
+                row.name.clone_from(name);
+                let read = |node: &Node| self.joint_type(node, name.as_ref()).ok();
+                row.joint_type = joint_type.as_deref().and_then(read);
+                if matches!(cells.kind, Kind::Absent) {
+                    return Ok(row);
+                }
+                (&**cells, CELLS)
+            }
+            _ => (node, ROW),
+        };
+        let language = self.language;
+        let unknown = |word: &str| unknown_cell(word, language);
+        let (mut has_name, mut has_type) = (self.is_call(), self.is_call());
+        let incomplete = self.table_but(cells, &part, unknown, |reader, item| {
+            has_name |= item.name == "name";
+            has_type |= item.name == "type";
+            reader.cell(item, &mut row)
+        })?;
+        if !has_name {
+            self.error(node.place, wrong::nameless_joint());
+        }
+        if !has_type {
+            self.error(node.place, wrong::typeless_joint(self.is_json()));
+        }
+        if incomplete {
+            row.mass.doubt();
+            row.com.doubt();
+        }
+        Ok(row)
+    }
+
+    fn cell(&mut self, item: &Item, row: &mut Row) -> Read<()> {
+        let node = item.node;
+        match item.name {
+            "name" => self.joint_name(node).map(|name| row.name = Some(name)),
+            "type" => {
+                let joint_type = self.joint_type(node, row.name.as_ref());
+                joint_type.map(|joint_type| row.joint_type = Some(joint_type))
+            }
+            "a" => put(&mut row.a, self.value(node)),
+            "alpha" => put(&mut row.alpha, self.value(node)),
+            "d" => put(&mut row.d, self.value(node)),
+            "theta" => put(&mut row.theta, self.value(node)),
+            "mass" => put(&mut row.mass, self.value(node)),
+            "com" => put(&mut row.com, self.xyz(node)),
+            "inertia" => put(&mut row.inertia, self.inertia(node)),
+            "inertia_at_origin" => put(&mut row.inertia_at_origin, self.inertia_at_origin(node)),
+            "motor" => put(&mut row.motor, self.motor(node)),
+            "friction" => put(&mut row.friction, self.friction(node)),
+            "spring" => put(&mut row.spring, self.spring(node)),
+            "limits" => {
+                let shown = "[lower, upper]";
+                let limits = self.vector(node, shown, &expected::array(shown));
+                put(&mut row.limits, limits)
+            }
+            _ => put(&mut row.allow, self.allow(node, &ALLOWANCES_OF_BODY)),
+        }
+    }
+
+    fn joint_name(&self, node: &Node) -> Read<Name> {
+        if let Kind::Number(number) = &node.kind {
+            return Err(self.error(node.place, wrong::number_as_name(number)));
+        }
+        let word = self.word(node, &expected::thing("the joint's name"))?;
+        match word.trim().is_empty() || word == "_" {
+            true => Err(self.error(node.place, wrong::nameless_joint())),
+            false => self.name(word, node.place),
+        }
+    }
+
+    fn joint_type(&self, node: &Node, joint: Option<&Name>) -> Read<JointType> {
+        if node.word() == Some("fixed") {
+            let joint = joint.map_or("joint", Name::plain);
+            return Err(self.error(node.place, mistake::joint::fixed(&joint)));
+        }
+        let word = self.choice(node, "joint type", &JOINT_TYPES)?;
+        Ok(match word {
+            "revolute" => JointType::Revolute,
+            _ => JointType::Prismatic,
+        })
+    }
+
+    /// A table of tensor entries, or a solid.
+    pub(super) fn inertia(&mut self, node: &Node) -> Read<Inertia> {
+        self.read_text(node, |reader, node| match &node.kind {
+            Kind::Table(_) => Ok(Inertia {
+                place: node.place,
+                kind: InertiaKind::Tensor(reader.tensor(node)?),
+            }),
+            Kind::Solid(name, arguments, _) => reader.solid(node, name.plain(), arguments),
+            Kind::List(entries) if reader.is_json() => {
+                let shown = "[xx, yy, zz, xy, yz, xz]";
+                let mistake = mistake::value::other_count(shown, entries.len());
+                Err(reader.error(node.place, mistake))
+            }
+            _ => Err(reader.instead_of(&expected::inertia(), node)),
+        })
+    }
+
+    /// A table of entries of a tensor about the origin of the frame.
+    pub(super) fn inertia_at_origin(&mut self, node: &Node) -> Read<Tensor> {
+        Ok(Tensor {
+            place: node.place,
+            entries: self.tensor(node)?,
+        })
+    }
+
+    fn tensor(&mut self, node: &Node) -> Read<Entries> {
+        self.values_but(node, &TENSOR, unknown_entry).map(Box::new)
+    }
+
+    /// `cuboid(x, y, z)` and the like.
+    fn solid(&mut self, node: &Node, word: &str, arguments: &Node) -> Read<Inertia> {
+        let known = SOLIDS.iter().find(|(solid, ..)| *solid == word);
+        let Kind::List(values) = &arguments.kind else {
+            return Err(match known {
+                Some(solid) => self.instead_of(&expected::array(&shown(solid)), arguments),
+                None => self.instead_of(&expected::inertia(), node),
+            });
+        };
+        let Some((name, solid, sizes)) = known else {
+            let unknown = unknown("solid", word, &SOLIDS.map(|(name, ..)| name));
+            return Err(self.error(node.place, unknown.mistake));
+        };
+        let mut solid = *solid;
+        let mut outcome = Ok(());
+        for value in values {
+            if let Kind::Pair(key, axis) = &value.kind {
+                let along = self.visit(value, |reader, _| reader.along(name, solid, key, axis));
+                solid = along.unwrap_or(solid);
+                outcome = along.map(|_| ()).and(outcome);
+            }
+        }
+        let is_size = |value: &&Node| !matches!(value.kind, Kind::Pair(..));
+        let written = values.iter().filter(is_size);
+        let shown = shown(&(name, solid, sizes));
+        if written.clone().count() != sizes.len() {
+            outcome?;
+        }
+        let values = self.values_between(written, sizes.len(), &shown, arguments.place)?;
+        Ok(Inertia {
+            place: node.place.to(arguments.place),
+            kind: InertiaKind::Solid(solid, values),
+        })
+    }
+
+    /// The solid along the axis that `axis = z` names.
+    fn along(&self, name: &str, solid: Solid, key: &Key, axis: &Node) -> Read<Solid> {
+        let along: fn(Axis) -> Solid = match solid {
+            _ if key.word != "axis" => {
+                let mistake = mistake::joint::named_size(name, &key.word);
+                return Err(self.error(key.place, mistake));
+            }
+            Solid::Cylinder(_) => Solid::Cylinder,
+            Solid::Rod(_) => Solid::Rod,
+            Solid::Cuboid | Solid::Sphere => {
+                return Err(self.error(key.place, mistake::joint::without_axis(name)));
+            }
+        };
+        match axis.word() {
+            Some("x") => Ok(along(Axis::X)),
+            Some("y") => Ok(along(Axis::Y)),
+            Some("z") => Ok(along(Axis::Z)),
+            _ => Err(self.instead_of(&expected::axis(), axis)),
+        }
+    }
+
+    fn motor(&mut self, node: &Node) -> Read<Motor> {
+        let [inertia, gear_ratio] = self.values(node, &MOTOR)?;
+        Ok(Motor {
+            place: node.place,
+            inertia,
+            gear_ratio,
+        })
+    }
+
+    fn friction(&mut self, node: &Node) -> Read<Friction> {
+        let mut friction = Friction::default();
+        // A coefficient that is left out is zero, whatever else could not be read.
+        self.table(node, &FRICTION, |reader, item| match item.name {
+            "viscous" => put(&mut friction.viscous, reader.value(item.node)),
+            "coulomb" => put(&mut friction.coulomb, reader.coulomb(item.node)),
+            _ => put(&mut friction.stribeck, reader.stribeck(item.node)),
+        })?;
+        Ok(friction)
+    }
+
+    /// A value, or `{ positive, negative }`.
+    fn coulomb(&mut self, node: &Node) -> Read<Coulomb> {
+        if !matches!(node.kind, Kind::Table(_)) {
+            let value = self.value(node);
+            return value.map(|value| Coulomb::Both(Given::As(value)));
+        }
+        let [positive, negative] = self.values(node, &DIRECTIONS)?;
+        Ok(Coulomb::ByDirection {
+            place: node.place,
+            positive,
+            negative,
+        })
+    }
+
+    fn stribeck(&mut self, node: &Node) -> Read<Stribeck> {
+        let [friction, velocity] = self.values(node, &STRIBECK)?;
+        Ok(Stribeck {
+            place: node.place,
+            friction,
+            velocity,
+        })
+    }
+
+    fn spring(&mut self, node: &Node) -> Read<Spring> {
+        let [stiffness, rest] = self.values(node, &SPRING)?;
+        Ok(Spring {
+            place: node.place,
+            stiffness,
+            rest,
+        })
+    }
+}
+
+/// A solid with its arguments, as a message shows it.
+fn shown((name, _, arguments): &(&str, Solid, &[&str])) -> String {
+    format!("{name}({})", arguments.join(", "))
+}
+
+/// The mistake of a key that is no cell of a row. Published tables have keys of their own.
+fn unknown_cell(word: &str, language: Language) -> Unknown {
+    let certain = |mistake| Unknown {
+        mistake,
+        meant: None,
+    };
+    let is_json = language == Language::Json;
+    if language != Language::Call && KEYS_OF_FILES.contains(&word) {
+        return certain(wrong::of_the_whole_table(word, is_json));
+    }
+    let published = unknown("cell", word, &PUBLISHED);
+    if is_json && published.meant.is_some() {
+        return certain(published.mistake);
+    }
+    let parts = [
+        ("motor", &MOTOR),
+        ("friction", &FRICTION),
+        ("spring", &SPRING),
+        ("inertia", &TENSOR),
+    ];
+    let is_home = |(_, part): &&(&str, &Part)| part.keys.contains(&word);
+    match parts.iter().find(is_home) {
+        Some((cell, _)) => certain(mistake::joint::cell_elsewhere(word, cell)),
+        None => unknown(CELLS.item, word, CELLS.keys),
+    }
+}
+
+/// The mistake of a word that is no entry of a tensor: `Ixx` and the like, below the diagonal, or a slip.
+fn unknown_entry(word: &str) -> Unknown {
+    let lower = word.to_lowercase();
+    let axes = lower.trim_start_matches('i').trim_start_matches('_');
+    let meant = |meant: &'static str, mistake| Unknown {
+        mistake,
+        meant: Some(meant),
+    };
+    if let Some(entry) = TENSOR.keys.iter().find(|entry| **entry == axes) {
+        let mistake = mistake::unknown(TENSOR.item, word, Some(entry), TENSOR.keys);
+        return meant(entry, mistake);
+    }
+    let mirrored = |entry: &&&str| entry.chars().rev().eq(axes.chars());
+    match TENSOR.keys.iter().find(mirrored) {
+        Some(entry) => meant(entry, mistake::joint::mirrored_entry(word, entry)),
+        None => unknown(TENSOR.item, word, TENSOR.keys),
+    }
+}
