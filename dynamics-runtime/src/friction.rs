@@ -16,7 +16,6 @@ pub(crate) struct DryFriction {
 
 impl DryFriction {
     /// None.
-    #[cfg(feature = "std")]
     pub(crate) const NONE: DryFriction = DryFriction {
         coulomb: [0.0; 2],
         stribeck: None,
