@@ -1,13 +1,13 @@
 //! The table of a robot in numbers, as a generated struct hands it out.
 
 use dynamics_runtime::{
-    Convention, Frame, JointMotion, JointType, Row, Spring, Stribeck, Table, Tool, turned,
+    Convention, Frame, JointMotion, JointType, Row, RuntimeTable, Spring, Stribeck, Tool, turned,
 };
 use dynamics_symbolic::program::rounded_angle;
 use dynamics_symbolic::robot::{self, Angle, Placement, Robot, Value};
 
-/// The table for these values of the fields; `None` where another number of joints moves.
-pub(crate) fn table<const N: usize>(robot: &Robot, fields: &[f64]) -> Option<Table<N>> {
+/// The table for these values of the fields.
+pub(crate) fn table(robot: &Robot, fields: &[f64]) -> RuntimeTable {
     let cells = Cells(fields);
     let convention = match robot.convention {
         robot::Convention::Standard => Convention::Standard,
@@ -15,26 +15,17 @@ pub(crate) fn table<const N: usize>(robot: &Robot, fields: &[f64]) -> Option<Tab
     };
     let gravity = robot.gravity.each_ref().map(|value| cells.number(value));
     let rows: Vec<Row> = robot.rows.iter().map(|row| cells.row(row)).collect();
-    let positions: Vec<_> = robot.rows.iter().map(|row| cells.locked(row)).collect();
     let motions: Vec<_> = robot.rows.iter().map(|row| cells.motion(row)).collect();
-    let arm = match <[Row; N]>::try_from(rows) {
-        Ok(rows) if positions.iter().all(Option::is_none) && !robot.is_coupled() => {
-            Table::new(convention, gravity, rows)
-        }
-        _ if robot.dof() != N => return None,
-        Ok(rows) if robot.is_coupled() => Table::couple_rows(convention, gravity, &rows, &motions),
-        Err(rows) if robot.is_coupled() => Table::couple_rows(convention, gravity, &rows, &motions),
-        Ok(rows) => Table::lock_rows(convention, gravity, &rows, &positions),
-        Err(rows) => Table::lock_rows(convention, gravity, &rows, &positions),
+    let mut arm = if motions.iter().all(|motion| *motion == JointMotion::Free) {
+        RuntimeTable::new(convention, gravity, rows)
+    } else {
+        RuntimeTable::couple(convention, gravity, &rows, &motions)
     };
-    Some(Table {
-        base: cells.frame(robot.base.as_ref()),
-        tool: robot
-            .tool
-            .as_ref()
-            .map_or(Tool::NONE, |tool| cells.tool(tool)),
-        ..arm
-    })
+    arm.base = cells.frame(robot.base.as_ref());
+    if let Some(tool) = &robot.tool {
+        arm.tool = cells.tool(tool);
+    }
+    arm
 }
 
 /// Cells of a table, over values of the fields.

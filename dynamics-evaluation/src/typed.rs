@@ -32,7 +32,7 @@ impl RuntimeRobot {
     ///
     /// [`WrongJoints`] where another number of joints moves.
     pub fn typed<const N: usize>(&self) -> Result<Typed<'_, N>, WrongJoints> {
-        let table = table(self.robot(), self.fields());
+        let table = table(self.robot(), self.fields()).of_joints();
         let table = table.ok_or(WrongJoints {
             found: self.dof(),
             expected: N,

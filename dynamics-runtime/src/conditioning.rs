@@ -1,5 +1,7 @@
 //! How near to singular a mass matrix is.
 
+use core::ops::IndexMut;
+
 use nalgebra::SMatrix;
 
 use crate::factorisation::eliminate;
@@ -41,12 +43,20 @@ pub struct Conditioning {
 impl Conditioning {
     /// Factors M(q), and stops at the first pivot that is not positive. Never fails, never allocates.
     pub fn of<const N: usize>(mass_matrix: &SMatrix<f64, N, N>) -> Self {
-        let mut m = *mass_matrix;
+        Conditioning::of_joints(N, mass_matrix)
+    }
+
+    /// The same of M(q) of an arm of any size.
+    pub(crate) fn of_joints<M>(joints: usize, mass_matrix: &M) -> Self
+    where
+        M: Clone + IndexMut<(usize, usize), Output = f64>,
+    {
+        let mut m = mass_matrix.clone();
         let mut least = Conditioning {
-            joint: N.saturating_sub(1),
+            joint: joints.saturating_sub(1),
             relative_pivot: 1.0,
         };
-        for k in (0..N).rev() {
+        for k in (0..joints).rev() {
             let pivot = m[(k, k)];
             let ratio = relative_pivot(pivot, mass_matrix[(k, k)]);
             if ratio.is_nan() || ratio < least.relative_pivot {

@@ -1,7 +1,10 @@
 //! The factorisation of a mass matrix.
 
+use core::ops::{Index, IndexMut};
+
 use nalgebra::{SMatrix, SVector};
 
+use crate::size::{JointMatrix, JointVector};
 use crate::{Scalar, SingularMassMatrix};
 
 /// M = U D U^T from the tip inwards, with ones on the diagonal of U (R. Featherstone, *Rigid Body
@@ -26,14 +29,8 @@ impl<T: Scalar, const N: usize> Factors<T, N> {
 
     #[inline(always)]
     pub(crate) fn new(mut m: SMatrix<T, N, N>) -> Result<Self, SingularMassMatrix> {
-        let diagonal = m.diagonal();
-        let mut inverse_pivots = diagonal;
-        for j in (0..N).rev() {
-            let pivot = m[(j, j)];
-            SingularMassMatrix::test(j, pivot, diagonal[j])?;
-            inverse_pivots[j] = pivot.constant(1.0) / pivot;
-            eliminate(&mut m, j, inverse_pivots[j]);
-        }
+        let mut inverse_pivots = m.diagonal();
+        factor(N, &mut m, &mut inverse_pivots)?;
         Ok(Factors {
             upper: m,
             inverse_pivots,
@@ -44,28 +41,55 @@ impl<T: Scalar, const N: usize> Factors<T, N> {
     #[inline(always)]
     pub(crate) fn solve(&self, b: &SVector<T, N>) -> SVector<T, N> {
         let mut x = *b;
-        for j in (0..N).rev() {
-            for i in 0..j {
-                x[i] = (-self.upper[(i, j)]).mul_add(x[j], x[i]);
-            }
-        }
-        for i in 0..N {
-            x[i] = x[i] * self.inverse_pivots[i];
-        }
-        for j in 0..N {
-            for i in j + 1..N {
-                x[i] = (-self.upper[(j, i)]).mul_add(x[j], x[i]);
-            }
-        }
+        substitute(N, &self.upper, &self.inverse_pivots, &mut x);
         x
+    }
+}
+
+/// Turns M of so many rows into U; `diagonal`, which is that of M, becomes the inverse of the pivots.
+#[inline(always)]
+fn factor<T: Scalar>(
+    size: usize,
+    m: &mut impl IndexMut<(usize, usize), Output = T>,
+    diagonal: &mut impl IndexMut<usize, Output = T>,
+) -> Result<(), SingularMassMatrix> {
+    for j in (0..size).rev() {
+        let pivot = m[(j, j)];
+        SingularMassMatrix::test(j, pivot, diagonal[j])?;
+        diagonal[j] = pivot.constant(1.0) / pivot;
+        eliminate(m, j, diagonal[j]);
+    }
+    Ok(())
+}
+
+/// Turns b into x with M x = b.
+#[inline(always)]
+fn substitute<T: Scalar>(
+    size: usize,
+    upper: &impl Index<(usize, usize), Output = T>,
+    inverse_pivots: &impl Index<usize, Output = T>,
+    x: &mut impl IndexMut<usize, Output = T>,
+) {
+    for j in (0..size).rev() {
+        for i in 0..j {
+            x[i] = (-upper[(i, j)]).mul_add(x[j], x[i]);
+        }
+    }
+    for i in 0..size {
+        x[i] = x[i] * inverse_pivots[i];
+    }
+    for j in 0..size {
+        for i in j + 1..size {
+            x[i] = (-upper[(j, i)]).mul_add(x[j], x[i]);
+        }
     }
 }
 
 /// What joint `j` takes part in leaves the matrix of the joints before it, of which the upper
 /// triangle is read; its own column becomes that of U.
 #[inline(always)]
-pub(crate) fn eliminate<T: Scalar, const N: usize>(
-    m: &mut SMatrix<T, N, N>,
+pub(crate) fn eliminate<T: Scalar>(
+    m: &mut impl IndexMut<(usize, usize), Output = T>,
     j: usize,
     inverse_pivot: T,
 ) {
@@ -78,13 +102,18 @@ pub(crate) fn eliminate<T: Scalar, const N: usize>(
     }
 }
 
-/// x with M x = b.
+/// x with M x = b, for an arm of any size.
 #[inline(always)]
-pub(crate) fn solve<const N: usize>(
-    m: SMatrix<f64, N, N>,
-    b: &SVector<f64, N>,
-) -> Result<SVector<f64, N>, SingularMassMatrix> {
-    Ok(Factors::new(m)?.solve(b))
+pub(crate) fn solve<M: JointMatrix>(
+    mut m: M,
+    b: &M::Vector,
+) -> Result<M::Vector, SingularMassMatrix> {
+    let size = b.entries().len();
+    let mut inverse_pivots = M::Vector::from_entries(size, |i| m[(i, i)]);
+    factor(size, &mut m, &mut inverse_pivots)?;
+    let mut x = b.clone();
+    substitute(size, &m, &inverse_pivots, &mut x);
+    Ok(x)
 }
 
 #[cfg(test)]

@@ -63,6 +63,7 @@ mod sequences;
 mod simulation;
 mod sine;
 mod singular;
+mod size;
 mod table;
 mod taylor;
 mod trajectory;
@@ -106,7 +107,7 @@ pub use model::{
 };
 #[doc(hidden)]
 pub use newton_euler::turned;
-pub use newton_euler::{NewtonEuler, StandardParameters};
+pub use newton_euler::{NewtonEuler, NumericArm, StandardParameters};
 pub use operations::Operations;
 pub use placement::Placement;
 #[cfg(feature = "std")]
@@ -122,6 +123,11 @@ pub use simulation::{
 #[doc(hidden)]
 pub use sine::{Part, sin_cos_column};
 pub use singular::SingularMassMatrix;
+pub use size::{JointMatrix, JointVector, Size, SizedSecondDerivatives};
+#[cfg(feature = "std")]
+pub use table::RuntimeTable;
+#[doc(hidden)]
+pub use table::{Arm, AsArm};
 pub use table::{
     Convention, Follower, Followers, JointMotion, JointType, Row, Spring, Stribeck, Table,
 };

@@ -7,7 +7,7 @@ use super::coefficients::{centrifugal_coefficients as numeric_centrifugal, corio
 use super::deviation::{Deviation, Entry, Measured, amax, entries, of};
 use super::kinematics::{in_space, jacobian_entries, pose_entries, tip_entries};
 use super::scale::Scale;
-use crate::table::Moving;
+use crate::table::{AsArm as _, Moving};
 use crate::{Evaluation, NewtonEuler, SecondDerivatives, State, Table};
 
 /// The deviation of every generated function, in the order of the documentation. `datum` is the constant
@@ -282,7 +282,7 @@ pub(super) fn gravity_energy<const N: usize>(
         let position = moving.factor * q[moving.joint] + moving.offset;
         moving.row.spring.energy(position)
     };
-    let springs: f64 = table.chain().map(energy).sum();
+    let springs: f64 = table.arm().chain().map(energy).sum();
     numeric.potential_energy(q) - springs
 }
 

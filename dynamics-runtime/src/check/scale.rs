@@ -3,7 +3,7 @@
 use nalgebra::{SMatrix, SVector};
 
 use crate::friction::DryFriction;
-use crate::table::Moving;
+use crate::table::{AsArm as _, Moving};
 use crate::{JointType, Spring, State, Table};
 
 /// Magnitudes that a quantity could have at a state of this size, whatever it cancels to there.
@@ -139,7 +139,7 @@ impl Springs {
             force: 0.0,
             energy: 0.0,
         };
-        table.chain().fold(none, |sum, moving| {
+        table.arm().chain().fold(none, |sum, moving| {
             let Spring { stiffness, rest } = moving.row.spring;
             let (stiffness, factor) = (stiffness.abs(), moving.factor.abs());
             let stretch = factor * q[moving.joint].abs() + moving.offset.abs() + rest.abs();
@@ -156,7 +156,7 @@ impl Springs {
 fn reach<const N: usize>(table: &Table<N>, q: &SVector<f64, N>) -> f64 {
     let mut origins = 0.0;
     let mut centre = 0.0_f64;
-    for moving in table.chain() {
+    for moving in table.arm().chain() {
         let row = moving.row;
         let d = match row.joint_type {
             JointType::Revolute => row.d,
@@ -172,6 +172,7 @@ fn reach<const N: usize>(table: &Table<N>, q: &SVector<f64, N>) -> f64 {
 /// What turns a weight into the force or torque of a joint: the reach, and 1 at a prismatic joint.
 fn lever_arm<const N: usize>(table: &Table<N>, reach: f64) -> f64 {
     let prismatic = table
+        .arm()
         .chain()
         .any(|moving| moving.row.joint_type == JointType::Prismatic);
     if prismatic { reach.max(1.0) } else { reach }
@@ -182,7 +183,7 @@ fn friction<const N: usize>(table: &Table<N>, qd: &SVector<f64, N>) -> f64 {
         let viscous = moving.row.viscous * moving.factor * qd[moving.joint];
         moving.factor.abs() * (viscous.abs() + DryFriction::of(moving.row).greatest())
     };
-    table.chain().map(of_joint).fold(0.0, f64::max)
+    table.arm().chain().map(of_joint).fold(0.0, f64::max)
 }
 
 fn slope_of_friction<const N: usize>(table: &Table<N>) -> f64 {
@@ -190,18 +191,18 @@ fn slope_of_friction<const N: usize>(table: &Table<N>) -> f64 {
         let own = moving.row.viscous.abs() + DryFriction::of(moving.row).greatest_slope();
         moving.factor * moving.factor * own
     };
-    table.chain().map(slope).fold(0.0, f64::max)
+    table.arm().chain().map(slope).fold(0.0, f64::max)
 }
 
 fn curvature_of_friction<const N: usize>(table: &Table<N>) -> f64 {
     let curvature = |moving: Moving<'_>| {
         moving.factor.abs().powi(3) * DryFriction::of(moving.row).greatest_curvature()
     };
-    table.chain().map(curvature).fold(0.0, f64::max)
+    table.arm().chain().map(curvature).fold(0.0, f64::max)
 }
 
 fn fastest<const N: usize>(table: &Table<N>) -> f64 {
-    let factors = table.chain().map(|moving| moving.factor.abs());
+    let factors = table.arm().chain().map(|moving| moving.factor.abs());
     factors.fold(1.0, f64::max)
 }
 

@@ -4,15 +4,16 @@
 //! Robotics Research 2 (1983), 13-30; *Rigid Body Dynamics Algorithms*, Springer 2008, table 7.1,
 //! here with accelerations of the frames' origins in place of spatial ones.
 
-use nalgebra::{Matrix3, SVector, Vector3};
+use nalgebra::{Matrix3, Vector3};
 
-use super::NewtonEuler;
+use super::NumericArm;
 use super::inertia::{Inertia, Wrench};
 use super::joint::Joint;
+use crate::size::Size;
 use crate::{JointType, SingularMassMatrix};
 
 /// Angular acceleration, and linear acceleration of a frame's origin.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 struct Acceleration {
     angular: Vector3<f64>,
     linear: Vector3<f64>,
@@ -20,15 +21,35 @@ struct Acceleration {
 
 /// The wrench that moves a body whose joints further out are free:
 /// `n = A angular + B linear`, `f = B^T angular + D linear`.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 struct Articulated {
     a: Matrix3<f64>,
     b: Matrix3<f64>,
     d: Matrix3<f64>,
 }
 
+/// What velocities add to a link's acceleration, beside that of the link before it, and the wrench that the link needs
+/// for them: `w x (w x h)` and `w x J w`.
+#[derive(Clone, Copy, Debug)]
+struct VelocityTerms {
+    angular_velocity: Vector3<f64>,
+    added: Acceleration,
+    needed: Wrench,
+}
+
+impl VelocityTerms {
+    const REST: VelocityTerms = VelocityTerms {
+        angular_velocity: Vector3::new(0.0, 0.0, 0.0),
+        added: Acceleration {
+            angular: Vector3::new(0.0, 0.0, 0.0),
+            linear: Vector3::new(0.0, 0.0, 0.0),
+        },
+        needed: Wrench::ZERO,
+    };
+}
+
 /// What the inward pass leaves for the outward one.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 struct Pass {
     /// The joint's acceleration where its link is held.
     free: f64,
@@ -125,7 +146,7 @@ impl Articulated {
     }
 }
 
-impl<const N: usize> NewtonEuler<N> {
+impl<D: Size> NumericArm<D> {
     /// Joint accelerations qdd of `M qdd + V + G + K + F = tau`, by articulated bodies: the time grows
     /// with the number of joints, and not with its cube. `tau` in N m or N.
     ///
@@ -135,111 +156,108 @@ impl<const N: usize> NewtonEuler<N> {
     /// NaN.
     pub fn forward_dynamics_aba(
         &self,
-        q: &SVector<f64, N>,
-        qd: &SVector<f64, N>,
-        tau: &SVector<f64, N>,
-    ) -> Result<SVector<f64, N>, SingularMassMatrix> {
-        if self.coupled.is_some() {
+        q: &D::Vector,
+        qd: &D::Vector,
+        tau: &D::Vector,
+    ) -> Result<D::Vector, SingularMassMatrix> {
+        if self.links().any(|(_, link)| link.is_follower) {
             // Articulated bodies are of joints that move by themselves.
             return self.forward_dynamics(q, qd, tau);
         }
         let joints = self.joints(q);
-        let (added, needed) = self.velocity_terms(&joints, qd);
-        let available = tau - self.joint_forces(q, qd);
-        let passes = self.inward_pass(&joints, &added, needed, &available)?;
+        let terms = self.velocity_terms(&joints, qd);
+        let available = tau.clone() - self.joint_forces(q, qd);
+        let passes = self.inward_pass(&joints, &terms, &available)?;
 
-        let mut qdd = SVector::zeros();
-        let mut motion = Acceleration {
+        let mut qdd = self.size.vector();
+        let base = Acceleration {
             angular: Vector3::zeros(),
             linear: -self.gravity,
         };
-        for (i, link) in self.links().iter().enumerate() {
-            motion = motion.outward(&joints[i]);
-            motion.angular += added[i].angular;
-            motion.linear += added[i].linear;
-            qdd[i] = passes[i].free - motion.dot(&passes[i].response);
-            motion = motion.plus(link.joint_type, qdd[i]);
-        }
+        self.outward(base, |k, link, motion| {
+            let mut motion = motion.outward(&joints[k]);
+            motion.angular += terms[k].added.angular;
+            motion.linear += terms[k].added.linear;
+            qdd[link.joint] = passes[k].free - motion.dot(&passes[k].response);
+            motion.plus(link.joint_type, qdd[link.joint])
+        });
         Ok(qdd)
     }
 
-    /// What velocities add to each link's acceleration, beside that of the link before it, and the
-    /// wrench that each link needs for them: `w x (w x h)` and `w x J w`.
-    fn velocity_terms(
-        &self,
-        joints: &[Joint; N],
-        qd: &SVector<f64, N>,
-    ) -> ([Acceleration; N], [Wrench; N]) {
-        let none = Acceleration {
-            angular: Vector3::zeros(),
-            linear: Vector3::zeros(),
-        };
-        let (mut added, mut needed) = ([none; N], [Wrench::ZERO; N]);
-        let mut w: Vector3<f64> = Vector3::zeros();
-        for (i, link) in self.links().iter().enumerate() {
-            let centripetal = w.cross(&w.cross(&joints[i].origin));
-            w = joints[i].outward(&w);
-            let mut linear = joints[i].outward(&centripetal);
-            let rate = Vector3::new(0.0, 0.0, qd[i]);
+    fn velocity_terms(&self, joints: &D::Links<Joint>, qd: &D::Vector) -> D::Links<VelocityTerms> {
+        self.outward(VelocityTerms::REST, |k, link, before| {
+            let w = &before.angular_velocity;
+            let centripetal = w.cross(&w.cross(&joints[k].origin));
+            let mut w = joints[k].outward(w);
+            let mut added = Acceleration {
+                angular: Vector3::zeros(),
+                linear: joints[k].outward(&centripetal),
+            };
+            let rate = Vector3::new(0.0, 0.0, link.of(qd));
             let turned = w.cross(&rate);
             match link.joint_type {
                 JointType::Revolute => {
-                    added[i].angular = turned;
+                    added.angular = turned;
                     w += rate;
                 }
-                JointType::Prismatic => linear += turned * 2.0,
+                JointType::Prismatic => added.linear += turned * 2.0,
             }
-            added[i].linear = linear;
             let body = Articulated::rigid(&link.inertia);
-            needed[i] = Wrench {
+            let needed = Wrench {
                 force: w.cross(&w.cross(&link.inertia.first_moment)),
                 moment: w.cross(&(body.a * w)),
             };
-        }
-        (added, needed)
+            VelocityTerms {
+                angular_velocity: w,
+                added,
+                needed,
+            }
+        })
     }
 
     /// From the tip inwards: the pivots are those of M's factorisation, and so is their scale.
     fn inward_pass(
         &self,
-        joints: &[Joint; N],
-        added: &[Acceleration; N],
-        mut needed: [Wrench; N],
-        available: &SVector<f64, N>,
-    ) -> Result<[Pass; N], SingularMassMatrix> {
-        let none = Pass {
+        joints: &D::Links<Joint>,
+        terms: &D::Links<VelocityTerms>,
+        available: &D::Vector,
+    ) -> Result<D::Links<Pass>, SingularMassMatrix> {
+        let mut passes = self.per_link(Pass {
             free: 0.0,
             response: Wrench::ZERO,
-        };
-        let mut passes = [none; N];
-        let mut beyond: Option<Articulated> = None;
-        let mut composite = Inertia::ZERO;
-        for (i, link) in self.links().iter().enumerate().rev() {
-            let rigid = Articulated::rigid(&link.inertia);
-            let body = beyond.map_or(rigid, |beyond| rigid.plus(&beyond));
-            composite = link.inertia + composite;
+        });
+        let mut bodies = self.per_link(Articulated::rigid(&Inertia::ZERO));
+        let mut composites = self.per_link(Inertia::ZERO);
+        let mut needed = self.per_link(Wrench::ZERO);
+        for (k, link) in self.links() {
+            bodies[k] = Articulated::rigid(&link.inertia);
+            composites[k] = link.inertia;
+            needed[k] = terms[k].needed;
+        }
+        for (k, link) in self.links().rev() {
+            let (body, composite, i) = (bodies[k], composites[k], link.joint);
             let inertia =
                 |wrench: Wrench| wrench.along_joint(link.joint_type) + link.reflected_inertia;
             let unit = body.unit_wrench(link.joint_type);
             let pivot = inertia(unit);
             SingularMassMatrix::test(i, pivot, inertia(composite.unit_wrench(link.joint_type)))?;
 
-            let free = (available[i] - needed[i].along_joint(link.joint_type)) / pivot;
+            let free = (available[i] - needed[k].along_joint(link.joint_type)) / pivot;
             let response = Wrench {
                 force: unit.force / pivot,
                 moment: unit.moment / pivot,
             };
-            passes[i] = Pass { free, response };
-            if i > 0 {
+            passes[k] = Pass { free, response };
+            if let Some(carrier) = link.carrier {
                 let freed = body.freed(&unit, &response);
-                let moved = freed.wrench(&added[i]);
+                let moved = freed.wrench(&terms[k].added);
                 let wrench = Wrench {
-                    force: needed[i].force + moved.force + unit.force * free,
-                    moment: needed[i].moment + moved.moment + unit.moment * free,
+                    force: needed[k].force + moved.force + unit.force * free,
+                    moment: needed[k].moment + moved.moment + unit.moment * free,
                 };
-                needed[i - 1] = needed[i - 1] + wrench.inward(&joints[i]);
-                beyond = Some(freed.inward(&joints[i]));
-                composite = joints[i].inertia_inward(&composite);
+                needed[carrier] = needed[carrier] + wrench.inward(&joints[k]);
+                bodies[carrier] = bodies[carrier].plus(&freed.inward(&joints[k]));
+                composites[carrier] = composites[carrier] + joints[k].inertia_inward(&composite);
             }
         }
         Ok(passes)

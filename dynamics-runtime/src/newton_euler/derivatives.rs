@@ -8,12 +8,11 @@
 use core::f64::consts::{FRAC_1_SQRT_2, SQRT_2};
 use core::ops::{Add, Mul, Sub};
 
-use nalgebra::{SMatrix, SVector};
-
-use super::NewtonEuler;
+use super::NumericArm;
 use super::angle::SinCos;
 use super::joint::Joint;
 use crate::JointType;
+use crate::size::Size;
 
 /// A turn by 45 degrees.
 const EIGHTH: SinCos = SinCos {
@@ -23,26 +22,25 @@ const EIGHTH: SinCos = SinCos {
 /// A turn by 90 degrees.
 const QUARTER: SinCos = SinCos { sin: 1.0, cos: 0.0 };
 
-impl<const N: usize> NewtonEuler<N> {
+impl<D: Size> NumericArm<D> {
     /// d tau/dq and d tau/dqd of the inverse dynamics; row i belongs to tau_i, column j to joint j.
     ///
     /// The stiffness of springs is on the diagonal of d tau/dq, viscous friction on that of d tau/dqd.
     /// Coulomb friction is taken as constant.
     pub fn inverse_dynamics_derivatives(
         &self,
-        q: &SVector<f64, N>,
-        qd: &SVector<f64, N>,
-        qdd: &SVector<f64, N>,
-    ) -> (SMatrix<f64, N, N>, SMatrix<f64, N, N>) {
-        if let Some(coupled) = &self.coupled {
-            return coupled.derivatives(q, qd, qdd);
-        }
-        let mut by_position = self.slopes(&self.joints(q), qd, qdd);
+        q: &D::Vector,
+        qd: &D::Vector,
+        qdd: &D::Vector,
+    ) -> (D::Matrix, D::Matrix) {
+        let joints = self.joints(q);
+        let mut by_position = self.slopes(&joints, qd, qdd);
         // C = 1/2 dV/dqd, for the symbols of Christoffel.
-        let mut by_velocity = self.coriolis_matrix(q, qd) * 2.0;
-        for (i, link) in self.links().iter().enumerate() {
-            by_position[(i, i)] += link.spring.stiffness;
-            by_velocity[(i, i)] += link.viscous + link.dry.slope(qd[i]);
+        let mut by_velocity = self.coriolis_matrix_of(&joints, qd) * 2.0;
+        for (_, link) in self.links() {
+            let (place, square) = ((link.joint, link.joint), link.factor * link.factor);
+            by_position[place] += square * link.spring.stiffness;
+            by_velocity[place] += square * (link.viscous + link.dry.slope(link.of(qd)));
         }
         (by_position, by_velocity)
     }
@@ -50,38 +48,41 @@ impl<const N: usize> NewtonEuler<N> {
     /// d tau/dq without springs, where the joints are so.
     pub(super) fn slopes(
         &self,
-        joints: &[Joint; N],
-        qd: &SVector<f64, N>,
-        qdd: &SVector<f64, N>,
-    ) -> SMatrix<f64, N, N> {
-        let mut slopes = SMatrix::<f64, N, N>::zeros();
-        for j in 0..self.rows() {
-            let tau = |joints: &[Joint; N]| self.recursion(joints, qd, qdd, &self.gravity);
-            slopes.set_column(j, &self.slope(joints, j, tau));
+        joints: &D::Links<Joint>,
+        qd: &D::Vector,
+        qdd: &D::Vector,
+    ) -> D::Matrix {
+        let mut slopes = self.size.matrix();
+        let tau = |joints: &D::Links<Joint>| self.recursion(joints, qd, qdd, &self.gravity);
+        for (k, link) in self.links() {
+            let column = self.slope(joints, k, tau);
+            for i in 0..self.dof() {
+                slopes[(i, link.joint)] += link.factor * column[i];
+            }
         }
         slopes
     }
 
-    /// The derivative by the position of joint j of what is such a polynomial of it.
+    /// The derivative by the position of link k's joint of what is such a polynomial of it.
     pub(super) fn slope<X>(
         &self,
-        joints: &[Joint; N],
-        j: usize,
-        value: impl Fn(&[Joint; N]) -> X,
+        joints: &D::Links<Joint>,
+        k: usize,
+        value: impl Fn(&D::Links<Joint>) -> X,
     ) -> X
     where
         X: Add<Output = X> + Sub<Output = X> + Mul<f64, Output = X>,
     {
-        // The value with joint j moved by a turn or by a distance, less that with it moved the other way.
+        // The value with the joint moved by a turn or by a distance, less that with it moved the other way.
         let difference = |turn: SinCos, distance: f64| {
             let moved = |turn, distance| {
-                let mut joints = *joints;
-                joints[j] = joints[j].moved(turn, distance);
+                let mut joints = joints.clone();
+                joints[k] = joints[k].moved(turn, distance);
                 value(&joints)
             };
             moved(turn, distance) - moved(turn.opposite(), -distance)
         };
-        match self.links[j].joint_type {
+        match self.links[k].joint_type {
             // With x' = a + 2 b for the terms of degree one and two, the differences are
             // 2 (sqrt(1/2) a + b) over 45 degrees and 2 a over 90 degrees.
             JointType::Revolute => {

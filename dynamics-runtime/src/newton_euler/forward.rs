@@ -1,12 +1,11 @@
 //! Forward dynamics: M by composite bodies, V + G + K + F by the recursion, and one factorisation.
 
-use nalgebra::SVector;
-
-use super::NewtonEuler;
+use super::NumericArm;
 use crate::factorisation::solve;
+use crate::size::Size;
 use crate::{Conditioning, SingularMassMatrix};
 
-impl<const N: usize> NewtonEuler<N> {
+impl<D: Size> NumericArm<D> {
     /// Joint accelerations qdd of `M qdd + V + G + K + F = tau`; `tau` in N m or N.
     ///
     /// # Errors
@@ -15,21 +14,18 @@ impl<const N: usize> NewtonEuler<N> {
     /// NaN.
     pub fn forward_dynamics(
         &self,
-        q: &SVector<f64, N>,
-        qd: &SVector<f64, N>,
-        tau: &SVector<f64, N>,
-    ) -> Result<SVector<f64, N>, SingularMassMatrix> {
-        if self.coupled.is_some() {
-            return solve(self.mass_matrix(q), &(tau - self.bias_force(q, qd)));
-        }
+        q: &D::Vector,
+        qd: &D::Vector,
+        tau: &D::Vector,
+    ) -> Result<D::Vector, SingularMassMatrix> {
         let joints = self.joints(q);
-        let bias = self.recursion(&joints, qd, &SVector::zeros(), &self.gravity);
-        let available = tau - bias - self.joint_forces(q, qd);
+        let bias = self.recursion(&joints, qd, &self.size.vector(), &self.gravity);
+        let available = tau.clone() - bias - self.joint_forces(q, qd);
         solve(self.composite_bodies(&joints), &available)
     }
 
     /// How near M(q) is to singular: which joint, and how many digits accelerations lose there.
-    pub fn conditioning(&self, q: &SVector<f64, N>) -> Conditioning {
-        Conditioning::of(&self.mass_matrix(q))
+    pub fn conditioning(&self, q: &D::Vector) -> Conditioning {
+        Conditioning::of_joints(self.dof(), &self.mass_matrix(q))
     }
 }

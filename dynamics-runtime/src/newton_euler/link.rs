@@ -1,5 +1,7 @@
 //! A link in the frame that the recursion works in: origin and z on the axis of its own joint.
 
+use core::ops::Index;
+
 use nalgebra::{Matrix3, Vector3};
 
 use super::angle::SinCos;
@@ -7,11 +9,12 @@ use super::inertia::{Inertia, tensor};
 use super::joint::Joint;
 use super::pose::Pose;
 use crate::friction::DryFriction;
-use crate::{JointType, Placement, Row, Spring};
+use crate::table::{Arm, Moving};
+use crate::{Convention, JointType, Placement, Row, Spring, Tool};
 
 /// A joint and the link that it moves, in Craig's frames: frame i has its z on the axis of joint i.
 #[derive(Clone, Debug)]
-pub(super) struct Link {
+pub struct Link {
     pub(super) joint_type: JointType,
     /// alpha_{i-1}.
     alpha: SinCos,
@@ -35,6 +38,13 @@ pub(super) struct Link {
     pub(super) table_frame: Pose,
     /// The tip in this frame, of the last link.
     pub(super) tip: Pose,
+    /// The link that carries this one; none for a link on the base.
+    pub(super) carrier: Option<usize>,
+    /// The joint of q with which this one moves, and how far for each unit of that joint.
+    pub(super) joint: usize,
+    pub(super) factor: f64,
+    /// Whether the joint follows another one.
+    pub(super) is_follower: bool,
 }
 
 /// Frame i in frame i-1 where nothing is known of it: `Rz(before) Rx(alpha) Rz(theta)` at a place.
@@ -45,8 +55,53 @@ struct Mount {
 }
 
 impl Link {
+    /// No link, whose place another one takes.
+    pub(super) const NONE: Link = Link {
+        joint_type: JointType::Prismatic,
+        alpha: SinCos::ZERO,
+        a: 0.0,
+        d: 0.0,
+        theta: SinCos::ZERO,
+        mount: None,
+        mass: 0.0,
+        com: Vector3::new(0.0, 0.0, 0.0),
+        tensor: Inertia::ZERO.second_moment,
+        inertia: Inertia::ZERO,
+        reflected_inertia: 0.0,
+        viscous: 0.0,
+        dry: DryFriction::NONE,
+        spring: Spring::NONE,
+        table_frame: Pose::IDENTITY,
+        tip: Pose::IDENTITY,
+        carrier: None,
+        joint: 0,
+        factor: 1.0,
+        is_follower: false,
+    };
+
+    /// The links of an arm from the base outwards, the tool a part of the last one. Standard rows are converted to
+    /// frames on the joints' own axes.
+    pub(super) fn all(arm: Arm<'_>) -> impl Iterator<Item = Link> {
+        let count = arm.chain().count();
+        let mut before: Option<Row> = None;
+        arm.chain().enumerate().map(move |(k, moving)| {
+            let is_last = k + 1 == count && *arm.tool != Tool::NONE;
+            let row = if is_last {
+                arm.tool.joined(moving.row)
+            } else {
+                *moving.row
+            };
+            let link = match arm.convention {
+                Convention::Modified => Link::modified(&row),
+                Convention::Standard => Link::standard(before.as_ref(), &row),
+            };
+            before = Some(row);
+            link.moving(k.checked_sub(1), &moving)
+        })
+    }
+
     /// A row of a modified table: it is in these frames as it stands.
-    pub(super) fn modified(row: &Row) -> Self {
+    fn modified(row: &Row) -> Self {
         let screw_x = Joint::along_x(SinCos::of_constant(row.alpha), row.a);
         let link_frame = Pose::from(&row.link_frame);
         Link::new(SinCos::of_constant(row.alpha), row.a, row, link_frame)
@@ -59,7 +114,7 @@ impl Link {
     /// rotation about z instead of after each rotation about x. So row i takes a and alpha from row
     /// i-1 (from the first on: none), and the table's link frame is `Tx(a_i) Rx(alpha_i)` in the
     /// frame of the joint.
-    pub(super) fn standard(before: Option<&Row>, row: &Row) -> Self {
+    fn standard(before: Option<&Row>, row: &Row) -> Self {
         let (alpha, a) = before.map_or((SinCos::ZERO, 0.0), |before| {
             (SinCos::of_constant(before.alpha), before.a)
         });
@@ -80,12 +135,13 @@ impl Link {
         let Pose { rotation, position } = place(&mount.into());
         let (x, y, z) = (rotation.m13, -rotation.m23, rotation.m33);
         let sine = libm::hypot(x, y);
-        let before = match sine == 0.0 {
-            true => SinCos::ZERO,
-            false => SinCos {
+        let before = if sine == 0.0 {
+            SinCos::ZERO
+        } else {
+            SinCos {
                 sin: x / sine,
                 cos: y / sine,
-            },
+            }
         };
         let alpha = SinCos { sin: sine, cos: z };
         let turned = Joint::new(alpha, 0.0, SinCos::ZERO, 0.0).behind(before);
@@ -128,7 +184,39 @@ impl Link {
             spring: row.spring,
             table_frame,
             tip: table_frame.then(&(&row.tip).into()),
+            carrier: None,
+            joint: 0,
+            factor: 1.0,
+            is_follower: false,
         }
+    }
+
+    /// The link with its joint's law of motion. The offset becomes a part of the link.
+    fn moving(self, carrier: Option<usize>, moving: &Moving<'_>) -> Self {
+        let (theta, d) = match self.joint_type {
+            JointType::Revolute => (self.theta.plus(SinCos::of_constant(moving.offset)), self.d),
+            JointType::Prismatic => (self.theta, self.d + moving.offset),
+        };
+        let rest = self.spring.rest - moving.offset;
+        Link {
+            theta,
+            d,
+            spring: Spring {
+                rest,
+                ..self.spring
+            },
+            carrier,
+            joint: moving.joint,
+            factor: moving.factor,
+            is_follower: moving.is_follower,
+            ..self
+        }
+    }
+
+    /// The position or rate of the joint, from those of the joints of q.
+    #[inline(always)]
+    pub(super) fn of(&self, joints: &impl Index<usize, Output = f64>) -> f64 {
+        self.factor * joints[self.joint]
     }
 
     /// The joint at position `q`, of which the sine and cosine are `turned`.

@@ -1,4 +1,4 @@
-//! Joints that are locked: a table without them.
+//! Joints that are locked or follow others: what a table says of the joints that are left.
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -6,7 +6,12 @@ use super::angle::SinCos;
 use super::inertia::tensor;
 use super::joint::Joint;
 use super::pose::Pose;
-use crate::{Convention, Frame, JointType, Placement, Row, Table, Tool};
+#[cfg(feature = "std")]
+use crate::RuntimeTable;
+use crate::table::MOST_FOLLOWERS;
+use crate::{
+    Convention, Follower, Followers, Frame, JointMotion, JointType, Placement, Row, Table, Tool,
+};
 
 impl<const N: usize> Table<N> {
     /// The table of an arm some of whose joints do not move. `positions` says for each of the L rows
@@ -22,22 +27,129 @@ impl<const N: usize> Table<N> {
         rows: [Row; L],
         positions: [Option<f64>; L],
     ) -> Self {
-        Self::lock_rows(convention, gravity, &rows, &positions)
+        let motions =
+            positions.map(|position| position.map_or(JointMotion::Free, JointMotion::Locked));
+        Self::couple(convention, gravity, rows, motions)
     }
 
-    /// [`Table::lock`] with a slice of rows.
+    /// The table of an arm some of whose joints follow others; joints may be locked too, as in
+    /// [`Table::lock`]. `motions` says for each of the L rows how its joint moves. N joints must move by
+    /// themselves, and at most 8 may follow one of those: otherwise this panics.
+    pub fn couple<const L: usize>(
+        convention: Convention,
+        gravity: [f64; 3],
+        rows: [Row; L],
+        motions: [JointMotion; L],
+    ) -> Self {
+        Self::couple_rows(convention, gravity, &rows, &motions)
+    }
+
+    /// [`Table::couple`] with a slice of rows.
     #[doc(hidden)]
-    pub fn lock_rows(
+    pub fn couple_rows(
         convention: Convention,
         gravity: [f64; 3],
         rows: &[Row],
-        positions: &[Option<f64>],
+        motions: &[JointMotion],
     ) -> Self {
-        let mut moving = [Row::new(JointType::Revolute); N];
-        let count = without_locked(convention, rows, positions.iter().copied(), &mut moving);
-        assert_eq!(count, N, "so many joints move");
-        Table::new(convention, gravity, moving)
+        let mut joints = [Row::new(JointType::Revolute); N];
+        let (mut followers, mut free) = (Followers::NONE, 0);
+        for_moving_rows(convention, rows, motions, |row| match row {
+            Read::Joint(row) => {
+                assert!(free < N, "{N} joints move by themselves");
+                joints[free] = row;
+                free += 1;
+            }
+            Read::Follower(follower) => {
+                let is_placed = followers.push(follower);
+                assert!(is_placed, "at most {MOST_FOLLOWERS} joints follow others");
+            }
+        });
+        assert_eq!(free, N, "so many joints move by themselves");
+        Table {
+            followers,
+            ..Table::new(convention, gravity, joints)
+        }
     }
+}
+
+#[cfg(feature = "std")]
+impl RuntimeTable {
+    /// The table of an arm some of whose joints are locked or follow others. `motions` says for each row how its joint
+    /// moves.
+    pub fn couple(
+        convention: Convention,
+        gravity: [f64; 3],
+        rows: &[Row],
+        motions: &[JointMotion],
+    ) -> Self {
+        let mut table = RuntimeTable::new(convention, gravity, Vec::new());
+        for_moving_rows(convention, rows, motions, |row| match row {
+            Read::Joint(row) => table.rows.push(row),
+            Read::Follower(follower) => table.followers.push(Some(follower)),
+        });
+        table
+    }
+}
+
+/// A row whose joint moves.
+enum Read {
+    Joint(Row),
+    Follower(Follower),
+}
+
+/// Calls `found` for each row whose joint moves, from the base outwards. What is fixed to the row's link, by joints that
+/// are locked, is a part of it.
+fn for_moving_rows(
+    convention: Convention,
+    rows: &[Row],
+    motions: &[JointMotion],
+    mut found: impl FnMut(Read),
+) {
+    let joint_of = |row: usize| {
+        let before = motions[..row].iter();
+        before
+            .filter(|motion| **motion == JointMotion::Free)
+            .count()
+    };
+    let mut joints = 0;
+    let mut close = |(row, motion): (Row, JointMotion)| match motion {
+        JointMotion::Follows {
+            leader,
+            factor,
+            offset,
+        } => found(Read::Follower(Follower {
+            row,
+            place: joints,
+            leader: joint_of(leader),
+            factor,
+            offset,
+        })),
+        _ => {
+            joints += 1;
+            found(Read::Joint(row));
+        }
+    };
+    // The last link that moves, and where the next row begins behind its joint.
+    let (mut link, mut start) = (None::<(Row, JointMotion)>, Pose::IDENTITY);
+    for (row, motion) in rows.iter().zip(motions) {
+        if let JointMotion::Locked(position) = *motion {
+            start = start.then(&transform(convention, row, position));
+            if let Some((link, _)) = &mut link {
+                let pose = in_link_frame(link, &start, row);
+                join(link, row, &pose);
+            }
+        } else {
+            let mount = start.placement();
+            link.replace((Row { mount, ..*row }, *motion))
+                .map(&mut close);
+            start = Pose::IDENTITY;
+        }
+        if let Some((link, _)) = &mut link {
+            link.tip = in_link_frame(link, &start, row).placement();
+        }
+    }
+    link.map(close);
 }
 
 /// The link frame of a row that begins at `start` behind the joint of another one, in that one's link frame.
@@ -45,39 +157,6 @@ impl<const N: usize> Table<N> {
 fn in_link_frame(link: &Row, start: &Pose, row: &Row) -> Pose {
     let back = Pose::from(&link.link_frame).inverse();
     back.then(start).then(&(&row.link_frame).into())
-}
-
-/// Writes the rows whose joints move to the start of `moving`, which has a place for each of them, and
-/// returns how many they are.
-pub(super) fn without_locked(
-    convention: Convention,
-    rows: &[Row],
-    positions: impl Iterator<Item = Option<f64>>,
-    moving: &mut [Row],
-) -> usize {
-    let mut count = 0;
-    let mut start = Pose::identity();
-    for (row, position) in rows.iter().zip(positions) {
-        match position {
-            None => {
-                moving[count] = *row;
-                moving[count].mount = start.placement();
-                count += 1;
-                start = Pose::identity();
-            }
-            Some(position) => {
-                start = start.then(&transform(convention, row, position));
-                if let Some(link) = count.checked_sub(1) {
-                    let pose = in_link_frame(&moving[link], &start, row);
-                    join(&mut moving[link], row, &pose);
-                }
-            }
-        }
-        if let Some(link) = count.checked_sub(1) {
-            moving[link].tip = in_link_frame(&moving[link], &start, row).placement();
-        }
-    }
-    count
 }
 
 /// The row's frame in the one before it, with the joint at that position.
@@ -99,7 +178,7 @@ impl Placement {
     /// The last of some frames, each given in the one before it, in the frame in which the first one is given.
     pub fn of_frames(frames: &[Frame]) -> Self {
         let places = frames.iter().map(Pose::from);
-        let last = places.fold(Pose::identity(), |pose, place| pose.then(&place));
+        let last = places.fold(Pose::IDENTITY, |pose, place| pose.then(&place));
         last.placement()
     }
 }

@@ -18,7 +18,6 @@
 mod angle;
 mod articulated;
 mod composite;
-mod couple;
 mod derivatives;
 mod energy;
 mod forward;
@@ -33,16 +32,15 @@ mod rates;
 mod recursion;
 mod regressor;
 mod second_derivatives;
-mod sum;
 mod terms;
+mod walk;
 
-use core::array;
+use nalgebra::{Const, SVector, Vector3};
 
-use nalgebra::{SVector, Vector3};
-
-use crate::{Convention, JointType, Model, Row, Table, Tool};
+use crate::size::Size;
+use crate::table::AsArm as _;
+use crate::{Model, Table};
 pub use angle::turned;
-use couple::{Coupled, MOST_ROWS};
 use link::Link;
 use pose::Pose;
 pub use regressor::StandardParameters;
@@ -85,72 +83,52 @@ pub use regressor::StandardParameters;
 /// assert!((swing.q[100][0] - 0.1 * f64::cos((9.81_f64 / 3.0).sqrt())).abs() < 1e-3);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
+pub type NewtonEuler<const N: usize> = NumericArm<Const<N>>;
+
+/// The numeric dynamics of an arm: [`NewtonEuler`] where the compiler knows the number of joints. Where it is known at
+/// run time alone, `NumericArm<Dyn>` has the same methods, over `DVector<f64>` and `DMatrix<f64>`, and is read from a
+/// `RuntimeTable`.
 #[derive(Clone, Debug)]
-pub struct NewtonEuler<const N: usize> {
-    table: Table<N>,
-    links: [Link; N],
-    /// How many of them are in use.
-    used: usize,
+pub struct NumericArm<D: Size> {
+    size: D,
+    table: D::Table,
+    /// From the base outwards. Those of joints that follow others are among them.
+    links: D::Links<Link>,
+    count: usize,
     /// In the axes of the base.
     gravity: Vector3<f64>,
     /// In the axes of the world.
     world_gravity: Vector3<f64>,
     /// In the world.
     base: Pose,
-    /// Where joints follow others: `links` are then those of the other joints alone.
-    coupled: Option<Coupled<N>>,
 }
 
-impl<const N: usize> NewtonEuler<N> {
-    /// Reads the table. Standard rows are converted to frames on the joints' own axes.
-    pub fn new(table: &Table<N>) -> Self {
-        Self::of_rows(table, N)
-    }
-
-    /// Reads so many of the rows.
-    #[inline(always)]
-    fn of_rows(table: &Table<N>, used: usize) -> Self {
-        let mut rows = table.rows;
-        let last = rows[..used].last_mut();
-        if let Some(last) = last.filter(|_| table.tool != Tool::NONE) {
-            *last = table.tool.joined(last);
+impl<D: Size> NumericArm<D> {
+    /// Reads the table.
+    pub fn new(table: &D::Table) -> Self {
+        let arm = table.arm();
+        let size = D::from_usize(arm.rows.len());
+        let count = arm.chain().count();
+        let mut links = size.links(count, Link::NONE);
+        for (k, link) in Link::all(arm).enumerate() {
+            links[k] = link;
         }
-        let none = (used < N).then(|| Link::modified(&Row::new(JointType::Prismatic)));
-        let links = array::from_fn(|i| match (&none, table.convention) {
-            (Some(none), _) if i >= used => none.clone(),
-            (_, Convention::Modified) => Link::modified(&rows[i]),
-            (_, Convention::Standard) => {
-                let before = i.checked_sub(1).map(|before| &rows[before]);
-                Link::standard(before, &rows[i])
-            }
-        });
-        let base = Pose::from(&table.base);
-        let world_gravity = Vector3::from(table.gravity);
-        NewtonEuler {
-            table: *table,
+        let base = Pose::from(arm.base);
+        let world_gravity = Vector3::from(arm.gravity);
+        NumericArm {
+            size,
+            table: table.clone(),
             links,
-            used,
+            count,
             gravity: base.rotation.tr_mul(&world_gravity),
             world_gravity,
             base,
-            coupled: Coupled::of(table),
         }
     }
 
-    /// How many rows are in use. All of them, and a constant to the compiler, but in the arm that stands for
-    /// one with followers, which has room for any.
-    #[inline(always)]
-    fn rows(&self) -> usize {
-        match N == MOST_ROWS {
-            true => self.used.min(N),
-            false => N,
-        }
-    }
-
-    /// The links in use.
-    #[inline(always)]
-    fn links(&self) -> &[Link] {
-        &self.links[..self.rows()]
+    /// The number of its joints.
+    pub fn dof(&self) -> usize {
+        self.size.value()
     }
 }
 

@@ -14,12 +14,10 @@ pub(super) struct Pose {
 
 impl Pose {
     /// A frame that is the other frame.
-    pub(super) fn identity() -> Self {
-        Pose {
-            rotation: Matrix3::identity(),
-            position: Vector3::zeros(),
-        }
-    }
+    pub(super) const IDENTITY: Self = Pose {
+        rotation: Matrix3::new(1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0),
+        position: Vector3::new(0.0, 0.0, 0.0),
+    };
 
     /// The frame that `next` describes in this one, in the frame that this one is described in.
     pub(super) fn then(&self, next: &Pose) -> Pose {

@@ -5,12 +5,13 @@
 
 use core::ops::{Add, Mul};
 
-use nalgebra::{Matrix3, SVector, Vector3};
+use nalgebra::{Matrix3, Vector3};
 
-use super::NewtonEuler;
+use super::NumericArm;
 use super::link::Link;
 use super::pose::Pose;
 use crate::JointType;
+use crate::size::Size;
 
 /// A value and its first two derivatives.
 type Jet<X> = [X; 3];
@@ -65,8 +66,8 @@ fn fixed(v: Vector3<f64>) -> Vector {
 }
 
 /// A frame and its motion, in the base frame.
-#[derive(Clone, Copy)]
-struct Moving {
+#[derive(Clone, Copy, Debug)]
+struct FrameJets {
     rotation: Jet<Matrix3<f64>>,
     position: Vector,
     velocity: Vector,
@@ -75,28 +76,16 @@ struct Moving {
     linear: Vector,
 }
 
-/// A link, and what its motion takes.
-struct Loaded {
-    axis: Vector,
-    origin: Vector,
+/// The force and the moment about its centre of mass that the motion of a link takes.
+struct Load {
     center: Vector,
     force: Vector,
     moment: Vector,
 }
 
-impl Loaded {
-    const NOTHING: Loaded = Loaded {
-        axis: REST,
-        origin: REST,
-        center: REST,
-        force: REST,
-        moment: REST,
-    };
-}
-
-impl Moving {
+impl FrameJets {
     /// The frame of the next link: `pose` is where it is in this one, `qd` and `qdd` how it moves.
-    fn next(&self, link: &Link, pose: &Pose, qd: Jet<f64>, qdd: Jet<f64>) -> Moving {
+    fn next(&self, link: &Link, pose: &Pose, qd: Jet<f64>, qdd: Jet<f64>) -> FrameJets {
         let spin = Vector3::z().cross_matrix();
         let along = pose.rotation.column(2).into_owned();
         let (turned, place) = match link.joint_type {
@@ -129,7 +118,7 @@ impl Moving {
                 (w, e, sum(carried, sum(times(axis, qdd), twice)))
             }
         };
-        Moving {
+        FrameJets {
             rotation,
             position: sum(self.position, arm),
             velocity,
@@ -139,16 +128,14 @@ impl Moving {
     }
 
     /// Newton and Euler for the link at its centre of mass.
-    fn loaded(&self, link: &Link) -> Loaded {
+    fn load(&self, link: &Link) -> Load {
         let lever = apply(self.rotation, fixed(link.com));
         let (w, e) = (self.velocity, self.acceleration);
         let of_center = sum(cross(e, lever), cross(w, cross(w, lever)));
         let still = [link.tensor, Matrix3::zeros(), Matrix3::zeros()];
         let transposed = self.rotation.map(|r| r.transpose());
         let tensor = chained(chained(self.rotation, still), transposed);
-        Loaded {
-            axis: self.rotation.map(|r| r.column(2).into_owned()),
-            origin: self.position,
+        Load {
             center: sum(self.position, lever),
             force: sum(self.linear, of_center).map(|a| a * link.mass),
             moment: sum(apply(tensor, e), cross(w, apply(tensor, w))),
@@ -156,66 +143,63 @@ impl Moving {
     }
 }
 
-impl<const N: usize> NewtonEuler<N> {
+impl<D: Size> NumericArm<D> {
     /// First and second derivative by time of the torques M qdd + V + G + K + F along a motion. Coulomb
     /// friction counts as constant.
     pub fn inverse_dynamics_rates(
         &self,
-        q: &SVector<f64, N>,
-        qd: &SVector<f64, N>,
-        qdd: &SVector<f64, N>,
-        jerk: &SVector<f64, N>,
-        snap: &SVector<f64, N>,
-    ) -> (SVector<f64, N>, SVector<f64, N>) {
-        if let Some(coupled) = &self.coupled {
-            return coupled.rates([q, qd, qdd], [jerk, snap]);
-        }
+        q: &D::Vector,
+        qd: &D::Vector,
+        qdd: &D::Vector,
+        jerk: &D::Vector,
+        snap: &D::Vector,
+    ) -> (D::Vector, D::Vector) {
         let joints = self.joints(q);
-        let mut frame = Moving {
+        let base = FrameJets {
             rotation: [Matrix3::identity(), Matrix3::zeros(), Matrix3::zeros()],
             position: REST,
             velocity: REST,
             acceleration: REST,
             linear: minus(fixed(self.gravity)),
         };
-        let rows = self.rows();
-        let links: [Loaded; N] = core::array::from_fn(|i| {
-            if i >= rows {
-                return Loaded::NOTHING;
-            }
-            let (qd, qdd) = ([qd[i], qdd[i], jerk[i]], [qdd[i], jerk[i], snap[i]]);
-            frame = frame.next(&self.links[i], &joints[i].pose(), qd, qdd);
-            frame.loaded(&self.links[i])
+        let frames = self.outward(base, |k, link, frame| {
+            let [v, a, jerk, snap] = [qd, qdd, jerk, snap].map(|rate| link.of(rate));
+            frame.next(link, &joints[k].pose(), [v, a, jerk], [a, jerk, snap])
         });
-        let torque = |i: usize| {
-            if i >= rows {
-                return [0.0; 2];
-            }
-            let joint = &links[i];
-            let link = &self.links[i];
-            let slope = link.viscous + link.dry.slope(qd[i]);
-            let curvature = link.dry.curvature(qd[i]);
-            let (inertia, stiffness) = (link.reflected_inertia, link.spring.stiffness);
-            let own = [
-                inertia * jerk[i] + stiffness * qd[i] + slope * qdd[i],
-                inertia * snap[i]
-                    + stiffness * qdd[i]
-                    + slope * jerk[i]
-                    + curvature * qdd[i] * qdd[i],
-            ];
-            links[i..rows].iter().fold(own, |sum_of, outer| {
-                let lever = sum(outer.center, minus(joint.origin));
-                let moment = sum(outer.moment, cross(lever, outer.force));
-                let felt = match link.joint_type {
-                    JointType::Revolute => dot(joint.axis, moment),
-                    JointType::Prismatic => dot(joint.axis, outer.force),
-                };
-                [sum_of[0] + felt[1], sum_of[1] + felt[2]]
-            })
+        let mut torques = (self.size.vector(), self.size.vector());
+        let mut add = |link: &Link, [first, second]: [f64; 2]| {
+            torques.0[link.joint] += link.factor * first;
+            torques.1[link.joint] += link.factor * second;
         };
-        let torques: [[f64; 2]; N] = core::array::from_fn(torque);
-        [0, 1]
-            .map(|k| SVector::from_fn(|i, _| torques[i][k]))
-            .into()
+        for (k, link) in self.links() {
+            let [v, a, jerk, snap] = [qd, qdd, jerk, snap].map(|rate| link.of(rate));
+            let slope = link.viscous + link.dry.slope(v);
+            let curvature = link.dry.curvature(v);
+            let (inertia, stiffness) = (link.reflected_inertia, link.spring.stiffness);
+            add(
+                link,
+                [
+                    inertia * jerk + stiffness * v + slope * a,
+                    inertia * snap + stiffness * a + slope * jerk + curvature * a * a,
+                ],
+            );
+            let Load {
+                center,
+                force,
+                moment,
+            } = frames[k].load(link);
+            for (i, carrier) in self.carriers(k) {
+                let axis = frames[i].rotation.map(|r| r.column(2).into_owned());
+                let torque = match carrier.joint_type {
+                    JointType::Revolute => {
+                        let lever = sum(center, minus(frames[i].position));
+                        dot(axis, sum(moment, cross(lever, force)))
+                    }
+                    JointType::Prismatic => dot(axis, force),
+                };
+                add(carrier, [torque[1], torque[2]]);
+            }
+        }
+        torques
     }
 }

@@ -1,21 +1,23 @@
 //! Inverse dynamics by the outward and the inward iteration.
 
-use nalgebra::{Matrix3, SVector, Vector3};
+use nalgebra::{Matrix3, Vector3};
 
-use super::NewtonEuler;
+use super::NumericArm;
 use super::inertia::Wrench;
 use super::joint::Joint;
 use super::linear::{cross, times};
 use crate::JointType;
+use crate::size::Size;
 
 /// Velocities and accelerations of a link frame, in that frame.
-#[derive(Clone, Copy)]
-struct FrameMotion {
+#[derive(Clone, Copy, Debug)]
+pub(super) struct FrameMotion {
     angular_velocity: Vector3<f64>,
     angular_acceleration: Vector3<f64>,
-    linear_acceleration: Vector3<f64>,
+    /// Of the frame's origin, gravity taken off.
+    pub(super) linear_acceleration: Vector3<f64>,
     /// U: a point r fixed in the frame has the acceleration `linear_acceleration + U r`.
-    spread: Matrix3<f64>,
+    pub(super) spread: Matrix3<f64>,
 }
 
 impl FrameMotion {
@@ -89,52 +91,46 @@ impl Wrench {
     }
 }
 
-impl<const N: usize> NewtonEuler<N> {
+impl<D: Size> NumericArm<D> {
     /// Joint torques of a motion under a gravity of any strength, without springs and friction.
     #[inline(always)]
     pub(super) fn recursion(
         &self,
-        joints: &[Joint; N],
-        qd: &SVector<f64, N>,
-        qdd: &SVector<f64, N>,
+        joints: &D::Links<Joint>,
+        qd: &D::Vector,
+        qdd: &D::Vector,
         gravity: &Vector3<f64>,
-    ) -> SVector<f64, N> {
-        let mut wrenches = [Wrench::ZERO; N];
-        let mut motion = FrameMotion::base(gravity);
-        for (i, link) in self.links().iter().enumerate() {
-            motion = motion.outward(link.joint_type, &joints[i], qd[i], qdd[i]);
-            wrenches[i] = link
+    ) -> D::Vector {
+        let motions = self.motions(joints, qd, qdd, gravity);
+        let mut wrenches = self.per_link(Wrench::ZERO);
+        for (k, link) in self.links() {
+            let motion = &motions[k];
+            wrenches[k] = link
                 .inertia
                 .wrench(&motion.linear_acceleration, &motion.spread);
         }
-
         // f_i = F_i + R f_{i+1}, n_i = N_i + R n_{i+1} + p_{i+1} x R f_{i+1}.
-        let mut tau = SVector::zeros();
-        let mut outer = Wrench::ZERO;
-        for (i, link) in self.links().iter().enumerate().rev() {
-            outer = match joints.get(i + 1) {
-                Some(joint) => wrenches[i] + outer.inward(joint),
-                None => wrenches[i],
-            };
-            tau[i] = outer.along_joint(link.joint_type) + link.reflected_inertia * qdd[i];
+        self.inward(&mut wrenches, |k, wrench| wrench.inward(&joints[k]));
+        let mut tau = self.size.vector();
+        for (k, link) in self.links() {
+            let own =
+                wrenches[k].along_joint(link.joint_type) + link.reflected_inertia * link.of(qdd);
+            tau[link.joint] += link.factor * own;
         }
         tau
     }
 
-    /// How the link frames move: the acceleration of each origin, gravity taken off, and U.
+    /// How the link frames move.
+    #[inline(always)]
     pub(super) fn motions(
         &self,
-        joints: &[Joint; N],
-        qd: &SVector<f64, N>,
-        qdd: &SVector<f64, N>,
+        joints: &D::Links<Joint>,
+        qd: &D::Vector,
+        qdd: &D::Vector,
         gravity: &Vector3<f64>,
-    ) -> [(Vector3<f64>, Matrix3<f64>); N] {
-        let mut motion = FrameMotion::base(gravity);
-        let mut motions = [(Vector3::zeros(), Matrix3::zeros()); N];
-        for (i, link) in self.links().iter().enumerate() {
-            motion = motion.outward(link.joint_type, &joints[i], qd[i], qdd[i]);
-            motions[i] = (motion.linear_acceleration, motion.spread);
-        }
-        motions
+    ) -> D::Links<FrameMotion> {
+        self.outward(FrameMotion::base(gravity), |k, link, motion| {
+            motion.outward(link.joint_type, &joints[k], link.of(qd), link.of(qdd))
+        })
     }
 }

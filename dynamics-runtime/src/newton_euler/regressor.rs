@@ -4,11 +4,15 @@
 //! loads and links*, Int. J. Robotics Research 5 (1986), 101-119: Newton-Euler is linear in a link's mass,
 //! its first moments and its inertia about the origin of its frame.
 
-use nalgebra::{Matrix3, SMatrix, SVector, Vector3};
+use nalgebra::{Matrix3, SVector, Vector3};
 
-use super::NewtonEuler;
+use super::NumericArm;
 use super::inertia::Inertia;
+use super::joint::Joint;
 use super::pose::Pose;
+use super::recursion::FrameMotion;
+use crate::size::Size;
+use crate::table::{Arm, AsArm as _};
 use crate::{Row, Table};
 
 /// The standard parameters of a link, in its frame of the table and about that frame's origin: mass m in kg,
@@ -22,26 +26,31 @@ impl<const N: usize> Table<N> {
     /// They do not include motors, springs and friction. The links of joints that follow others are in
     /// [`standard_parameters_of_followers`](Table::standard_parameters_of_followers).
     pub fn standard_parameters(&self) -> [StandardParameters; N] {
-        let mut rows = self.rows;
-        let is_last = self.followers.iter().all(|follower| follower.place < N);
-        if let Some(last) = rows.last_mut().filter(|_| is_last) {
-            *last = self.tool.joined(last);
-        }
-        rows.each_ref().map(parameters)
+        let mut own = standard_parameters(self.arm(), false);
+        core::array::from_fn(|_| own.next().expect("a row for each joint"))
     }
 
     /// The same of the links of the joints that follow others, in the order of [`Table::followers`].
     pub fn standard_parameters_of_followers(&self) -> impl Iterator<Item = StandardParameters> {
-        let count = self.followers.iter().count();
-        let followers = self.followers.iter().enumerate();
-        followers.map(move |(k, follower)| {
-            let is_last = k + 1 == count && follower.place == N;
-            match is_last {
-                true => parameters(&self.tool.joined(&follower.row)),
-                false => parameters(&follower.row),
-            }
-        })
+        standard_parameters(self.arm(), true)
     }
+}
+
+/// Those of the links of followers, or of the others.
+fn standard_parameters(
+    arm: Arm<'_>,
+    of_followers: bool,
+) -> impl Iterator<Item = StandardParameters> {
+    let last = arm.chain().count();
+    let rows = (1..=last).zip(arm.chain());
+    let rows = rows.filter(move |(_, moving)| moving.is_follower == of_followers);
+    rows.map(move |(k, moving)| {
+        if k == last {
+            parameters(&arm.tool.joined(moving.row))
+        } else {
+            parameters(moving.row)
+        }
+    })
 }
 
 /// The standard parameters of a row's link.
@@ -99,7 +108,7 @@ impl Inertia {
     }
 }
 
-impl<const N: usize> NewtonEuler<N> {
+impl<D: Size> NumericArm<D> {
     /// The standard regressor, a block of ten columns for each link: with the
     /// [standard parameters](Table::standard_parameters) x_k of the links,
     ///
@@ -112,45 +121,55 @@ impl<const N: usize> NewtonEuler<N> {
     /// which combinations a motion shows. Input that is not finite propagates; never panics, never allocates.
     ///
     /// Where joints follow others, the terms of their links belong to the sum too
-    /// ([`standard_regressor_of_followers`](NewtonEuler::standard_regressor_of_followers)), and the motor of a follower
+    /// ([`standard_regressor_of_followers`](NumericArm::standard_regressor_of_followers)), and the motor of a follower
     /// adds factor^2 times its reflected inertia to J of the joint that leads.
     pub fn standard_regressor(
         &self,
-        q: &SVector<f64, N>,
-        qd: &SVector<f64, N>,
-        qdd: &SVector<f64, N>,
-    ) -> [SMatrix<f64, N, 10>; N] {
-        if let Some(coupled) = &self.coupled {
-            return coupled.standard_regressor(q, qd, qdd).0;
-        }
+        q: &D::Vector,
+        qd: &D::Vector,
+        qdd: &D::Vector,
+    ) -> D::Each<D::Rows<10>> {
         let joints = self.joints(q);
         let motions = self.motions(&joints, qd, qdd, &self.gravity);
-        let mut blocks = [SMatrix::zeros(); N];
-        for (k, link) in self.links().iter().enumerate() {
-            for parameter in 0..10 {
-                let inertia = Inertia::unit(parameter).placed(&link.table_frame);
-                let (acceleration, spread) = &motions[k];
-                let mut wrench = inertia.wrench(acceleration, spread);
-                for i in (0..=k).rev() {
-                    blocks[k][(i, parameter)] = wrench.along_joint(self.links[i].joint_type);
-                    wrench = wrench.inward(&joints[i]);
-                }
-            }
-        }
-        blocks
+        self.per_joint(|k| self.block(k, &joints, &motions))
     }
 
     /// The blocks of the [standard regressor](Self::standard_regressor) for the links of joints that follow others, in
     /// the order of [their parameters](Table::standard_parameters_of_followers). Empty where nothing is coupled.
     pub fn standard_regressor_of_followers(
         &self,
-        q: &SVector<f64, N>,
-        qd: &SVector<f64, N>,
-        qdd: &SVector<f64, N>,
-    ) -> impl Iterator<Item = SMatrix<f64, N, 10>> + use<N> {
-        let coupled = self.coupled.as_ref();
-        let blocks = coupled.map(|coupled| coupled.standard_regressor(q, qd, qdd).1);
-        blocks.into_iter().flatten().flatten()
+        q: &D::Vector,
+        qd: &D::Vector,
+        qdd: &D::Vector,
+    ) -> impl Iterator<Item = D::Rows<10>> {
+        let joints = self.joints(q);
+        let motions = self.motions(&joints, qd, qdd, &self.gravity);
+        let followers = self.links().filter(|(_, link)| link.is_follower);
+        followers.map(move |(k, _)| self.block(k, &joints, &motions))
+    }
+
+    /// The columns of a link's parameters.
+    fn block(
+        &self,
+        k: usize,
+        joints: &D::Links<Joint>,
+        motions: &D::Links<FrameMotion>,
+    ) -> D::Rows<10> {
+        let mut block = self.size.rows();
+        for parameter in 0..10 {
+            let inertia = Inertia::unit(parameter).placed(&self.links[k].table_frame);
+            let FrameMotion {
+                linear_acceleration,
+                spread,
+                ..
+            } = &motions[k];
+            let mut wrench = inertia.wrench(linear_acceleration, spread);
+            for (i, link) in self.carriers(k) {
+                block[(link.joint, parameter)] += link.factor * wrench.along_joint(link.joint_type);
+                wrench = wrench.inward(&joints[i]);
+            }
+        }
+        block
     }
 }
 

@@ -2,14 +2,10 @@
 //!
 //! The derivatives of tau by positions are polynomials of the same degrees as tau itself, and so are M and C.
 
-use nalgebra::{SMatrix, SVector};
+use super::NumericArm;
+use crate::size::{Size, SizedSecondDerivatives};
 
-use super::NewtonEuler;
-use super::joint::Joint;
-use super::sum::Sum;
-use crate::SecondDerivatives;
-
-impl<const N: usize> NewtonEuler<N> {
+impl<D: Size> NumericArm<D> {
     /// d2 tau/dq dq, d2 tau/dqd dqd, d2 tau/dq dqd and dM/dq of the inverse dynamics. Entry `[i][(j, k)]` is
     /// the derivative of tau_i by q_j and q_k, by qd_j and qd_k, by q_j and qd_k, and that of M_ij by q_k.
     ///
@@ -17,42 +13,40 @@ impl<const N: usize> NewtonEuler<N> {
     /// and of springs is zero.
     pub fn inverse_dynamics_second_derivatives(
         &self,
-        q: &SVector<f64, N>,
-        qd: &SVector<f64, N>,
-        qdd: &SVector<f64, N>,
-    ) -> SecondDerivatives<f64, N> {
-        if let Some(coupled) = &self.coupled {
-            return coupled.second_derivatives(q, qd, qdd);
-        }
-        let joints = self.joints(q);
-        let mut all = Sum::default();
-        for k in 0..self.rows() {
-            all.add(k, 1.0, self.slopes_by(k, &joints, [qd, qdd]));
-            all.0.1[k][(k, k)] += self.links[k].dry.curvature(qd[k]);
-        }
-        all.0
-    }
-
-    /// By joint k: d2 tau/dq dq_k, d2 V/dqd dqd_k, d2 V/dqd dq_k and dM/dq_k.
-    pub(super) fn slopes_by(
-        &self,
-        k: usize,
-        joints: &[Joint; N],
-        [qd, qdd]: [&SVector<f64, N>; 2],
-    ) -> [SMatrix<f64, N, N>; 4] {
-        let mut unit = SVector::zeros();
-        unit[k] = 1.0;
+        q: &D::Vector,
+        qd: &D::Vector,
+        qdd: &D::Vector,
+    ) -> SizedSecondDerivatives<D> {
+        let (joints, dof) = (self.joints(q), self.dof());
+        let none = || self.size.each(|_| self.size.matrix());
+        let mut all = (none(), none(), none(), none());
         // C = 1/2 dV/dqd, and its entries at a unit velocity of one joint are the symbols of Christoffel.
-        [
-            self.slope(joints, k, |joints| self.slopes(joints, qd, qdd)),
-            self.coriolis_matrix_of(joints, &unit) * 2.0,
-            self.slope(joints, k, |joints| self.coriolis_matrix_of(joints, qd)) * 2.0,
-            self.slope(joints, k, |joints| self.composite_bodies(joints)),
-        ]
-    }
-
-    /// d2F/dqd2 of the joint of row k.
-    pub(super) fn curvature_of_friction(&self, k: usize, qd: f64) -> f64 {
-        self.links[k].dry.curvature(qd)
+        for (k, link) in self.links() {
+            let by_position = self.slope(&joints, k, |joints| self.slopes(joints, qd, qdd));
+            let by_both = self.slope(&joints, k, |joints| self.coriolis_matrix_of(joints, qd));
+            let of_inertia = self.slope(&joints, k, |joints| self.composite_bodies(joints));
+            for i in 0..dof {
+                for j in 0..dof {
+                    let (column, factor) = ((j, link.joint), link.factor);
+                    all.0.as_mut()[i][column] += factor * by_position[(i, j)];
+                    all.2.as_mut()[i][(link.joint, j)] += factor * 2.0 * by_both[(i, j)];
+                    all.3.as_mut()[i][column] += factor * of_inertia[(i, j)];
+                }
+            }
+            let cube = link.factor * link.factor * link.factor;
+            let by_velocity = &mut all.1.as_mut()[link.joint][(link.joint, link.joint)];
+            *by_velocity += cube * link.dry.curvature(link.of(qd));
+        }
+        for k in 0..dof {
+            let mut unit = self.size.vector();
+            unit[k] = 1.0;
+            let by_velocity = self.coriolis_matrix_of(&joints, &unit);
+            for i in 0..dof {
+                for j in 0..dof {
+                    all.1.as_mut()[i][(j, k)] += 2.0 * by_velocity[(i, j)];
+                }
+            }
+        }
+        all
     }
 }

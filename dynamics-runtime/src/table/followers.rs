@@ -1,6 +1,6 @@
 //! Joints that follow others: rows of the table that are none of its joints.
 
-use super::{Row, Table};
+use super::Row;
 
 /// How many joints of an arm may follow others.
 pub(crate) const MOST_FOLLOWERS: usize = 8;
@@ -26,7 +26,7 @@ pub struct Follower {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Followers {
-    list: [Option<Follower>; MOST_FOLLOWERS],
+    pub(super) list: [Option<Follower>; MOST_FOLLOWERS],
 }
 
 /// How the joint of a row moves, in a table with rows of every kind.
@@ -45,16 +45,6 @@ pub enum JointMotion {
         /// Where it is while that joint is at zero, rad or m.
         offset: f64,
     },
-}
-
-/// A row of the whole arm, and the joint by which it moves.
-pub(crate) struct Moving<'t> {
-    pub(crate) row: &'t Row,
-    pub(crate) joint: usize,
-    /// 1 and 0 of a joint that moves by itself.
-    pub(crate) factor: f64,
-    pub(crate) offset: f64,
-    pub(crate) is_follower: bool,
 }
 
 impl Followers {
@@ -77,35 +67,5 @@ impl Followers {
     pub(crate) fn push(&mut self, follower: Follower) -> bool {
         let place = self.list.iter_mut().find(|place| place.is_none());
         place.map(|place| *place = Some(follower)).is_some()
-    }
-}
-
-impl<const N: usize> Table<N> {
-    /// All rows from the base outwards, those of followers in their places.
-    pub(crate) fn chain(&self) -> impl Iterator<Item = Moving<'_>> {
-        let followers_at = |place: usize| {
-            let followers = self.followers.iter();
-            followers
-                .filter(move |follower| follower.place == place)
-                .map(|follower| Moving {
-                    row: &follower.row,
-                    joint: follower.leader,
-                    factor: follower.factor,
-                    offset: follower.offset,
-                    is_follower: true,
-                })
-        };
-        let joints = self.rows.iter().enumerate();
-        let with_followers = joints.flat_map(move |(joint, row)| {
-            let own = Moving {
-                row,
-                joint,
-                factor: 1.0,
-                offset: 0.0,
-                is_follower: false,
-            };
-            followers_at(joint).chain(core::iter::once(own))
-        });
-        with_followers.chain(followers_at(N))
     }
 }

@@ -1,11 +1,16 @@
 //! The Denavit-Hartenberg table as plain numbers: what the numeric algorithms read.
 
+mod arm;
 mod followers;
-
-pub(crate) use followers::MOST_FOLLOWERS;
 #[cfg(feature = "std")]
-pub(crate) use followers::Moving;
+mod runtime;
+
+pub(crate) use arm::Moving;
+pub use arm::{Arm, AsArm};
+pub(crate) use followers::MOST_FOLLOWERS;
 pub use followers::{Follower, Followers, JointMotion};
+#[cfg(feature = "std")]
+pub use runtime::RuntimeTable;
 
 use crate::frame::{Frame, Tool};
 use crate::placement::Placement;
@@ -192,6 +197,6 @@ impl<const N: usize> Table<N> {
 
     /// Mass of all links and of the tool, kg.
     pub fn total_mass(&self) -> f64 {
-        self.chain().map(|moving| moving.row.mass).sum::<f64>() + self.tool.mass
+        self.arm().total_mass()
     }
 }

@@ -1,0 +1,82 @@
+//! Tables of any number of joints, as the numeric algorithms read them.
+
+use super::{Convention, Follower, Row, Table};
+use crate::frame::{Frame, Tool};
+
+/// What a table says, whatever its size.
+#[derive(Clone, Copy, Debug)]
+pub struct Arm<'t> {
+    pub(crate) convention: Convention,
+    pub(crate) gravity: [f64; 3],
+    pub(crate) base: &'t Frame,
+    pub(crate) rows: &'t [Row],
+    pub(crate) followers: &'t [Option<Follower>],
+    pub(crate) tool: &'t Tool,
+}
+
+/// A row of the whole arm, and how its joint moves: at `factor * q + offset` with the position q of a joint that moves
+/// by itself.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Moving<'t> {
+    pub(crate) row: &'t Row,
+    pub(crate) joint: usize,
+    /// 1 and 0 of a joint that moves by itself.
+    pub(crate) factor: f64,
+    pub(crate) offset: f64,
+    pub(crate) is_follower: bool,
+}
+
+impl<'t> Arm<'t> {
+    /// All rows from the base outwards, those of followers in their places.
+    pub(crate) fn chain(self) -> impl Iterator<Item = Moving<'t>> + Clone {
+        let followers_at = move |place: usize| {
+            let followers = self.followers.iter().flatten();
+            followers
+                .filter(move |follower| follower.place == place)
+                .map(|follower| Moving {
+                    row: &follower.row,
+                    joint: follower.leader,
+                    factor: follower.factor,
+                    offset: follower.offset,
+                    is_follower: true,
+                })
+        };
+        let joints = self.rows.iter().enumerate();
+        let with_followers = joints.flat_map(move |(joint, row)| {
+            let own = Moving {
+                row,
+                joint,
+                factor: 1.0,
+                offset: 0.0,
+                is_follower: false,
+            };
+            followers_at(joint).chain(core::iter::once(own))
+        });
+        with_followers.chain(followers_at(self.rows.len()))
+    }
+
+    /// Mass of all links and of the tool, kg.
+    pub(crate) fn total_mass(self) -> f64 {
+        self.chain().map(|moving| moving.row.mass).sum::<f64>() + self.tool.mass
+    }
+}
+
+/// A table that the numeric algorithms read.
+pub trait AsArm {
+    /// What it says, whatever its size.
+    #[doc(hidden)]
+    fn arm(&self) -> Arm<'_>;
+}
+
+impl<const N: usize> AsArm for Table<N> {
+    fn arm(&self) -> Arm<'_> {
+        Arm {
+            convention: self.convention,
+            gravity: self.gravity,
+            base: &self.base,
+            rows: &self.rows,
+            followers: &self.followers.list,
+            tool: &self.tool,
+        }
+    }
+}

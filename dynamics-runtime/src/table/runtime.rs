@@ -1,0 +1,83 @@
+//! A table whose number of joints is known at run time alone.
+
+use super::{Arm, AsArm, Convention, Follower, Row, Table};
+use crate::frame::{Frame, Tool};
+
+/// The table of an arm whose number of joints is known at run time alone, as numbers. Nothing is validated.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct RuntimeTable {
+    /// Convention of the rows.
+    pub convention: Convention,
+    /// Acceleration of gravity in the axes of the world, m/s^2.
+    pub gravity: [f64; 3],
+    /// The base frame, frame 0, in the world.
+    pub base: Frame,
+    /// The rows of the joints, from the base outwards.
+    pub rows: Vec<Row>,
+    /// What is fixed to the last link of the table, whether its joint is locked or not.
+    pub tool: Tool,
+    /// Each of them is there.
+    pub(crate) followers: Vec<Option<Follower>>,
+}
+
+impl RuntimeTable {
+    /// An arm whose base frame is the world's, without a tool.
+    pub fn new(convention: Convention, gravity: [f64; 3], rows: Vec<Row>) -> Self {
+        RuntimeTable {
+            convention,
+            gravity,
+            base: Frame::IDENTITY,
+            rows,
+            tool: Tool::NONE,
+            followers: Vec::new(),
+        }
+    }
+
+    /// The rows of the joints that follow others.
+    pub fn followers(&self) -> impl Iterator<Item = &Follower> {
+        self.followers.iter().flatten()
+    }
+
+    /// The same table for an arm of `N` joints; `None` if it has another number of joints, or more followers than
+    /// [`Followers`](super::Followers) has room for.
+    pub fn of_joints<const N: usize>(&self) -> Option<Table<N>> {
+        let rows = <[Row; N]>::try_from(&self.rows[..]).ok()?;
+        let mut table = Table {
+            base: self.base,
+            tool: self.tool,
+            ..Table::new(self.convention, self.gravity, rows)
+        };
+        let mut followers = self.followers();
+        followers
+            .all(|follower| table.followers.push(*follower))
+            .then_some(table)
+    }
+}
+
+/// The same table, its number of joints forgotten.
+impl<const N: usize> From<&Table<N>> for RuntimeTable {
+    fn from(table: &Table<N>) -> Self {
+        RuntimeTable {
+            convention: table.convention,
+            gravity: table.gravity,
+            base: table.base,
+            rows: table.rows.to_vec(),
+            tool: table.tool,
+            followers: table.followers.iter().copied().map(Some).collect(),
+        }
+    }
+}
+
+impl AsArm for RuntimeTable {
+    fn arm(&self) -> Arm<'_> {
+        Arm {
+            convention: self.convention,
+            gravity: self.gravity,
+            base: &self.base,
+            rows: &self.rows,
+            followers: &self.followers,
+            tool: &self.tool,
+        }
+    }
+}
