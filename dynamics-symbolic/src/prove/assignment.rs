@@ -2,7 +2,7 @@
 
 use crate::exact::{Rational, Residue, SplitMix64, circle_point};
 use crate::function::Argument;
-use crate::program::Arithmetic;
+use crate::program::{Arithmetic, Instruction, Operand, Program};
 use crate::robot::{Interpretation, JointType, Robot, Symbol, Value};
 
 /// A number of the field in which programs are proven: 2^62 - 57 is prime.
@@ -27,7 +27,12 @@ pub struct JointPoint {
     pub stribeck: Number,
 }
 
-/// A value for every symbol of a robot's equations.
+/// Purposes of random numbers, which a seed of their own keeps apart.
+const ENTRIES: u64 = 1 << 32;
+const OTHER_JOINTS: u64 = 2 << 32;
+pub(super) const STATES: u64 = 3 << 32;
+
+/// A value for every symbol of a robot's equations, and a digest of what was read of it.
 pub struct Assignment {
     random: SplitMix64,
     pi: Number,
@@ -35,9 +40,9 @@ pub struct Assignment {
     angles: Vec<(Value, (Number, Number))>,
     /// Those of the joints that move by themselves, then those of the followers.
     joints: Vec<JointPoint>,
-    /// The seed of all other arguments.
-    entries: u64,
+    seed: u64,
     unfaithful: bool,
+    digest: u64,
 }
 
 impl Assignment {
@@ -57,9 +62,61 @@ impl Assignment {
             fields,
             angles: Vec::new(),
             joints,
-            entries: seed.rotate_left(32),
+            seed,
             unfaithful: false,
+            digest: 0,
         }
+    }
+
+    /// The seed of random numbers for a purpose of their own.
+    pub(super) fn seed_for(&self, purpose: u64) -> u64 {
+        SplitMix64::number(self.seed, purpose)
+    }
+
+    /// A cell of the table, noted in the digest.
+    pub(super) fn cell(&mut self, cell: &Value) -> Number {
+        let x = self.value(cell);
+        self.note([x.get()]);
+        x
+    }
+
+    /// Sine and cosine of a cell of the table, noted in the digest.
+    pub(super) fn angle(&mut self, cell: &Value) -> (Number, Number) {
+        let (s, c) = self.sin_cos(cell);
+        self.note([s, c].map(Number::get));
+        (s, c)
+    }
+
+    /// Adds words to the digest: each chooses a number of the sequence whose seed is the digest before it.
+    pub(super) fn note(&mut self, words: impl IntoIterator<Item = u64>) {
+        self.digest = words.into_iter().fold(self.digest, SplitMix64::number);
+    }
+
+    /// Adds a program to the digest. An input, as a constant, is known by its value at this point.
+    pub(super) fn note_program(&mut self, program: &Program) {
+        let constants = program.constants.evaluate(self);
+        self.note(constants.into_iter().map(word_of_value));
+        for symbol in &program.inputs {
+            let value = self.symbol(symbol);
+            self.note([word_of_value(value)]);
+        }
+        for instruction in &program.instructions {
+            let (a, b) = instruction.operands();
+            let operation = match instruction {
+                Instruction::Add(..) => 0,
+                Instruction::Sub(..) => 1,
+                Instruction::Mul(..) => 2,
+                Instruction::Div(..) => 3,
+            };
+            self.note([operation, word(a), word(b)]);
+        }
+        let outputs = program.outputs.iter();
+        self.note(outputs.flat_map(|output| [word(output.operand), output.negative.into()]));
+    }
+
+    /// A number that differs wherever something else was read or added.
+    pub(super) fn digest(&self) -> u64 {
+        self.digest
     }
 
     /// The variables of the joints that move by themselves, then those of the followers, of which the
@@ -72,10 +129,10 @@ impl Assignment {
     pub(super) fn with_joints_of<T>(
         &mut self,
         robot: &Robot,
-        seed: u64,
         read: impl FnOnce(&mut Self) -> T,
     ) -> T {
-        let others = joint_points(robot, &mut SplitMix64::new(seed));
+        let mut random = SplitMix64::new(self.seed_for(OTHER_JOINTS));
+        let others = joint_points(robot, &mut random);
         let own = core::mem::replace(&mut self.joints, others);
         let value = read(self);
         self.joints = own;
@@ -85,13 +142,28 @@ impl Assignment {
     /// An entry of another argument than q, qd, qdd and tau.
     pub fn entry(&self, argument: Argument, index: usize) -> Number {
         let place = argument as u64 * 0x0001_0000 + index as u64;
-        Number::random(&mut SplitMix64::new(self.entries ^ place))
+        Number::random(&mut SplitMix64::new(self.seed_for(ENTRIES) ^ place))
     }
 
     /// Whether a constant of the table had no image in the field: nothing is proven then.
     pub fn is_unfaithful(&self) -> bool {
         self.unfaithful
     }
+}
+
+/// A value as a word, where there is one: numbers of the field are smaller.
+fn word_of_value(value: Option<Number>) -> u64 {
+    value.map_or(u64::MAX, Number::get)
+}
+
+/// An operand as a word.
+fn word(operand: Operand) -> u64 {
+    let (kind, index) = match operand {
+        Operand::Constant(id) => (0, id.index() as u64),
+        Operand::Input(index) => (1, u64::from(index)),
+        Operand::Result(index) => (2, u64::from(index)),
+    };
+    index << 2 | kind
 }
 
 /// Random points of all joints. Where an angle is a whole multiple of another one, so is its point.

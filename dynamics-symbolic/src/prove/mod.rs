@@ -1,12 +1,11 @@
-//! The proof of an expansion: the program that is emitted, and the textbook
-//! definition read from the raw table, are evaluated at a random point of a
-//! prime field and must agree.
+//! The proof of an expansion: the program that is emitted, and the textbook definition read from the raw table,
+//! are evaluated at a pseudo-random point of a prime field and must agree.
 //!
-//! Sines and cosines are random points of the unit circle, constants are
-//! exact. Two different rational functions of degree d agree with probability
-//! below d/p, here about 10^3 / 2^62 (Schwartz 1980, Zippel 1979): one point
-//! decides. Nothing of the derivations, the graph or the simplifications is
-//! used on the textbook's side, and the prime is another than the graph's.
+//! Sines and cosines are points of the unit circle, constants are exact. The point is drawn from a hash of the
+//! table and the program. Two different rational functions of degree d agree at a random point with a
+//! probability of at most d/p (Schwartz 1980, Zippel 1979); `tests/suite/degrees.rs` counts the degrees. Nothing
+//! of the derivations, the graph or the simplifications is used on the textbook's side, and the prime is another
+//! than the graph's.
 
 mod assignment;
 mod definition;
@@ -15,43 +14,62 @@ mod dual;
 pub use assignment::{Assignment, Number};
 pub use definition::Definition;
 
+use crate::exact::SplitMix64;
 use crate::function::{Function, spans};
 use crate::program::Program;
 use crate::robot::Robot;
 use core::fmt;
 
-/// A program that is not equal to the textbook definition: a defect of the
-/// engine, which must not reach a user.
+/// How many points are drawn at most: another one where a division by zero leaves nothing to compare.
+pub const DRAWS: usize = 3;
+
+/// A program that is not shown to be equal to the textbook definition: a defect of the engine, which must not
+/// reach a user.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ProofFailure {
     /// The function.
     pub function: Function,
-    /// The first output that differs, counted from 0, or `None` where the count
-    /// of outputs is wrong, or a number of the table has no image in the field.
-    pub output: Option<usize>,
+    /// What is wrong.
+    pub cause: Cause,
+}
+
+/// Why a program is refused.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Cause {
+    /// The definition has another number of outputs.
+    Count,
+    /// The first output that differs, counted from 0.
+    Output(usize),
+    /// The program or the table divides by zero at each point that was drawn, or a number of the table has no
+    /// image in the field.
+    Undefined,
 }
 
 impl fmt::Display for ProofFailure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let name = self.function.name();
+        write!(f, "the program derived for `{name}` ")?;
+        let difference = match self.cause {
+            Cause::Count => "number of outputs".to_owned(),
+            Cause::Output(output) => format!("output {}", output + 1),
+            Cause::Undefined => {
+                return write!(
+                    f,
+                    "cannot be compared with the textbook Lagrangian, because one of them divides by zero at \
+                     {DRAWS} points: is a divisor in the table zero, or a number in it a multiple of 2^62 - 57? \
+                     Otherwise this is a defect of robot-dynamics, please report it with the table"
+                );
+            }
+        };
         write!(
             f,
-            "the program derived for `{}` is not equal to the textbook Lagrangian",
-            self.function.name()
-        )?;
-        if let Some(output) = self.output {
-            write!(f, " (output {})", output + 1)?;
-        }
-        write!(
-            f,
-            "; this is a defect of robot-dynamics, please report it with the table"
+            "is not equal to the textbook Lagrangian ({difference}); \
+             this is a defect of robot-dynamics, please report it with the table"
         )
     }
 }
 
 impl std::error::Error for ProofFailure {}
-
-/// The point at which programs are compared. Fixed: the same table gives the same expansion.
-const SEED: u64 = 0x0070_726f_6f66;
 
 /// Proves that a program computes its function.
 ///
@@ -74,10 +92,37 @@ pub fn prove_together(
     functions: &[Function],
     program: &Program,
 ) -> Result<(), ProofFailure> {
-    Proof::new(robot, functions).holds(program)
+    prove_at(robot, functions, program, seeds(robot, functions, program))
 }
 
-/// The proof of any number of programs of the same functions: their definitions are evaluated once.
+/// Compares at the first of these points at which nothing divides by zero.
+fn prove_at(
+    robot: &Robot,
+    functions: &[Function],
+    program: &Program,
+    seeds: [u64; DRAWS],
+) -> Result<(), ProofFailure> {
+    let compare = |seed: &u64| Proof::at(robot, functions, *seed).holds(program);
+    let [first, others @ ..] = &seeds;
+    others
+        .iter()
+        .fold(compare(first), |result, seed| match result {
+            Err(failure) if failure.cause == Cause::Undefined => compare(seed),
+            result => result,
+        })
+}
+
+/// The seeds of the points, from a hash of all that is compared: the cells of the table, each as its value at
+/// a fixed point of the field, the functions, and the constants and instructions of the program.
+fn seeds(robot: &Robot, functions: &[Function], program: &Program) -> [u64; DRAWS] {
+    let mut fixed = Assignment::new(robot, 0);
+    Definition::read(&mut fixed, robot);
+    fixed.note(functions.iter().map(|function| *function as u64));
+    fixed.note_program(program);
+    core::array::from_fn(|draw| SplitMix64::number(fixed.digest(), draw as u64))
+}
+
+/// The proof of any number of programs of the same functions at one point: their definitions are evaluated once.
 pub struct Proof {
     dof: usize,
     functions: Vec<Function>,
@@ -89,9 +134,13 @@ pub struct Proof {
 }
 
 impl Proof {
-    /// That of some functions of a robot.
-    pub fn new(robot: &Robot, functions: &[Function]) -> Self {
-        let mut point = Assignment::new(robot, SEED);
+    /// At the first point that is drawn for a program.
+    pub fn new(robot: &Robot, functions: &[Function], program: &Program) -> Self {
+        Proof::at(robot, functions, seeds(robot, functions, program)[0])
+    }
+
+    fn at(robot: &Robot, functions: &[Function], seed: u64) -> Self {
+        let mut point = Assignment::new(robot, seed);
         let definition = Definition::new(&mut point, robot);
         let expected = functions
             .iter()
@@ -116,9 +165,11 @@ impl Proof {
         let spans = spans(&self.functions, self.dof, computed.len());
         for (number, (&function, span)) in self.functions.iter().zip(spans).enumerate() {
             // The last one has to have all that is left.
-            let count = match number + 1 == self.functions.len() {
-                true => rest.len(),
-                false => span.len().min(rest.len()),
+            let is_last = number + 1 == self.functions.len();
+            let count = if is_last {
+                rest.len()
+            } else {
+                span.len().min(rest.len())
             };
             let (own, others) = rest.split_at(count);
             rest = others;
@@ -130,35 +181,32 @@ impl Proof {
                     &judged
                 }
             };
-            compare(function, own, expected.as_deref())?;
+            compare(own, expected.as_deref()).map_err(|cause| ProofFailure { function, cause })?;
         }
         Ok(())
     }
 }
 
 /// The outputs of one function beside what they must be: `None` where the table defines nothing.
-fn compare(
-    function: Function,
-    computed: &[Option<Number>],
-    expected: Option<&[Number]>,
-) -> Result<(), ProofFailure> {
-    let failure = |output| ProofFailure { function, output };
-    let expected = expected.ok_or_else(|| failure(None))?;
+fn compare(computed: &[Option<Number>], expected: Option<&[Number]>) -> Result<(), Cause> {
+    let expected = expected.ok_or(Cause::Undefined)?;
     if computed.len() != expected.len() {
-        return Err(failure(None));
+        return Err(Cause::Count);
+    }
+    if computed.contains(&None) {
+        return Err(Cause::Undefined);
     }
     let differs = |(computed, expected): (&Option<Number>, &Number)| *computed != Some(*expected);
-    match computed.iter().zip(expected).position(differs) {
-        Some(output) => Err(failure(Some(output))),
-        None => Ok(()),
-    }
+    let first = computed.iter().zip(expected).position(differs);
+    first.map_or(Ok(()), |output| Err(Cause::Output(output)))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::program::ConstantPool;
-    use crate::robot::{Convention, JointType, Row, Value};
+    use crate::exact::Rational;
+    use crate::program::{Constant, ConstantPool, Instruction, Operand, Output};
+    use crate::robot::{Convention, JointType, Row, Symbol, Value};
 
     fn one_joint(mass: Value) -> Robot {
         let zero = Value::zero;
@@ -180,12 +228,20 @@ mod tests {
         }
     }
 
-    fn empty_program() -> Program {
+    fn program(instructions: Vec<Instruction>, constants: &[u64], outputs: &[Operand]) -> Program {
+        let mut pool = ConstantPool::default();
+        for &x in constants {
+            pool.push(Constant::Rational(Rational::from(x)));
+        }
+        let output = |&operand: &Operand| Output {
+            operand,
+            negative: false,
+        };
         Program {
-            inputs: Vec::new(),
-            constants: ConstantPool::default(),
-            instructions: Vec::new(),
-            outputs: Vec::new(),
+            inputs: vec![Symbol::Position(0), Symbol::Velocity(0)],
+            constants: pool,
+            instructions,
+            outputs: outputs.iter().map(output).collect(),
             is_plain: false,
         }
     }
@@ -195,20 +251,102 @@ mod tests {
     fn a_function_without_outputs() {
         let function = Function::CoriolisCoefficients;
         let robot = one_joint(Value::integer(1));
-        assert_eq!(prove(&robot, function, &empty_program()), Ok(()));
+        let empty = program(Vec::new(), &[], &[]);
+        assert_eq!(prove(&robot, function, &empty), Ok(()));
     }
 
     #[test]
     fn nothing_is_proven_for_a_table_that_divides_by_zero() {
         let zero = Value::Pi * Value::Pi - Value::Pi * Value::Pi;
         let robot = one_joint(Value::integer(1).checked_div(zero).unwrap());
+        let empty = program(Vec::new(), &[], &[]);
         for function in Function::ALL {
-            let failure = ProofFailure {
-                function,
-                output: None,
-            };
-            assert_eq!(prove(&robot, function, &empty_program()), Err(failure));
+            let cause = Cause::Undefined;
+            let failure = ProofFailure { function, cause };
+            assert!(failure.to_string().contains("divides by zero at 3 points"));
+            assert_eq!(prove(&robot, function, &empty), Err(failure));
         }
+    }
+
+    /// M is 1, here computed as (q - k + shift)/(q - k), where k is the position at one of the points.
+    #[test]
+    fn another_point_is_drawn_where_a_program_divides_by_zero() {
+        let robot = Robot {
+            rows: vec![Row {
+                mass: Value::integer(1),
+                com: [1, 0, 0].map(Value::integer),
+                ..Row::new("joint", JointType::Revolute)
+            }],
+            ..one_joint(Value::zero())
+        };
+        let position = |seed| Assignment::new(&robot, seed).joints()[0].q;
+        let result = |k: Number, seeds, shift| {
+            let (q, zero) = (Operand::Input(0), Operand::Result(0));
+            let mut program = program(Vec::new(), &[], &[Operand::Result(2)]);
+            let mut constant = |x| {
+                let constant = Constant::Rational(Rational::from(x));
+                Operand::Constant(program.constants.push(constant))
+            };
+            let [k, shift] = [k.get(), shift].map(&mut constant);
+            program.instructions = vec![
+                Instruction::Sub(q, k),
+                Instruction::Add(zero, shift),
+                Instruction::Div(Operand::Result(1), zero),
+            ];
+            let result = prove_at(&robot, &[Function::MassMatrix], &program, seeds);
+            result.map_err(|failure| failure.cause)
+        };
+        assert_eq!(result(position(5), [5, 6, 7], 0), Ok(()));
+        assert_eq!(result(position(5), [5, 5, 7], 0), Ok(()));
+        assert_eq!(result(position(5), [5, 5, 5], 0), Err(Cause::Undefined));
+        assert_eq!(result(position(5), [5, 6, 7], 1), Err(Cause::Output(0)));
+        assert_eq!(result(position(5), [6, 5, 7], 1), Err(Cause::Output(0)));
+    }
+
+    /// The same seed everywhere and always, and another one if anything that is compared changes.
+    #[test]
+    fn the_point_is_drawn_from_table_and_program() {
+        let table = one_joint(Value::integer(1));
+        let functions = [Function::MassMatrix];
+        let [q, qd] = [0, 1].map(Operand::Input);
+        let sound = program(vec![Instruction::Add(q, qd)], &[3], &[Operand::Result(0)]);
+        let mut known = vec![seeds(&table, &functions, &sound)[0]];
+        assert_eq!(known, [13_890_609_451_872_510_354]);
+        let renamed = Robot {
+            name: "Rod".to_owned(),
+            ..table.clone()
+        };
+        assert_eq!(seeds(&renamed, &functions, &sound)[0], known[0]);
+        known.push(seeds(&table, &[Function::BiasForce], &sound)[0]);
+        let mut of_program = |change: fn(&mut Program)| {
+            let mut program = sound.clone();
+            change(&mut program);
+            known.push(seeds(&table, &functions, &program)[0]);
+        };
+        of_program(|p| p.instructions[0] = Instruction::Sub(Operand::Input(0), Operand::Input(1)));
+        of_program(|p| p.instructions[0] = Instruction::Add(Operand::Input(0), Operand::Input(0)));
+        of_program(|p| p.outputs[0].negative = true);
+        of_program(|p| p.outputs[0].operand = Operand::Input(0));
+        of_program(|p| p.inputs[1] = Symbol::Acceleration(0));
+        of_program(|p| {
+            p.constants.push(Constant::Symbol(Symbol::Pi));
+        });
+        let mut of_table = |change: fn(&mut Robot)| {
+            let mut robot = table.clone();
+            change(&mut robot);
+            known.push(seeds(&robot, &functions, &sound)[0]);
+        };
+        of_table(|robot| robot.convention = Convention::Modified);
+        of_table(|robot| robot.gravity[1] = Value::Pi);
+        of_table(|robot| robot.rows[0].joint_type = JointType::Prismatic);
+        of_table(|robot| robot.rows[0].mass = Value::integer(2));
+        of_table(|robot| robot.rows[0].theta = Value::integer(2));
+        of_table(|robot| robot.rows[0].alpha = Value::Pi);
+        of_table(|robot| robot.rows.push(Row::new("", JointType::Revolute)));
+        let count = known.len();
+        known.sort_unstable();
+        known.dedup();
+        assert_eq!(known.len(), count);
     }
 
     /// Inverses exist because 2^62 - 57 is prime. Fermat: b^(p-1) = 1.

@@ -5,7 +5,7 @@ use dynamics_symbolic::derive::derive_together;
 use dynamics_symbolic::function::{Fused, Request, spans};
 use dynamics_symbolic::neglect::neglect;
 use dynamics_symbolic::program::Instruction;
-use dynamics_symbolic::prove::prove_together;
+use dynamics_symbolic::prove::{Cause, prove_together};
 use dynamics_symbolic::robot::Robot;
 use dynamics_symbolic::{Function, expand};
 use expect_test::{expect, expect_file};
@@ -151,7 +151,10 @@ fn a_damaged_part_is_refused() {
         let mut program = sound.clone();
         program.outputs[span.end - 1].negative ^= true;
         let failure = prove_together(&robot, &CONTROL, &program).unwrap_err();
-        assert_eq!((failure.function, failure.output), (function, Some(2)));
+        assert_eq!(
+            (failure.function, failure.cause),
+            (function, Cause::Output(2))
+        );
     }
     // A part too many, one too few, and one in the place of another.
     let fails = |functions: &[Function]| prove_together(&robot, functions, &sound).is_err();

@@ -8,6 +8,7 @@ mod counts;
 mod coupled_parameters;
 mod damage;
 mod definite;
+mod degrees;
 mod emission;
 mod formulas;
 mod forward_dynamics;

@@ -8,7 +8,7 @@ use super::super::dual::Dual;
 use super::pose::{Lift, Position};
 use super::{Definition, Row, Vector};
 use crate::exact::{SplitMix64, circle_point, common_angles};
-use crate::robot::{self, Interpretation, JointType, Robot};
+use crate::robot::{self, JointType, Robot};
 
 /// One axis of the arm.
 #[derive(Clone, Copy)]
@@ -48,7 +48,7 @@ pub(super) fn axes(point: &mut Assignment, robot: &Robot) -> (Vec<Axis>, Vec<Pos
         }
         Some(coupling) => {
             let [factor, offset] =
-                [&coupling.factor, &coupling.offset].map(|value| point.value(value));
+                [&coupling.factor, &coupling.offset].map(|value| point.cell(value));
             let joint = robot.joint_of(coupling.leader);
             let own = point.joints()[followers.next().unwrap_or_default()];
             let q = factor * point.joints()[joint].q + offset;

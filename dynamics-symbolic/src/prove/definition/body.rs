@@ -3,7 +3,7 @@
 use super::super::assignment::{Assignment, Number};
 use super::pose::{Lift, Pose};
 use crate::linear::{Symmetric3, Vector3};
-use crate::robot::{Interpretation, Value};
+use crate::robot::Value;
 
 /// A rigid body in the axes of its frame.
 pub(super) struct Body {
@@ -20,10 +20,10 @@ impl Body {
         com: &[Value; 3],
         inertia: &[Value; 6],
     ) -> Self {
-        let inertia = inertia.each_ref().map(|entry| point.value(entry));
+        let inertia = inertia.each_ref().map(|entry| point.cell(entry));
         Body {
-            mass: point.value(mass),
-            com: Vector3(com.each_ref().map(|x| point.value(x))),
+            mass: point.cell(mass),
+            com: Vector3(com.each_ref().map(|x| point.cell(x))),
             inertia: Symmetric3::from_entries(inertia),
         }
     }

@@ -35,16 +35,16 @@ pub(super) struct Velocity<R> {
 
 impl Friction {
     pub(super) fn new(point: &mut Assignment, row: &robot::Row) -> Self {
-        let [positive, negative] = row.coulomb.each_ref().map(|cell| point.value(cell));
+        let [positive, negative] = row.coulomb.each_ref().map(|cell| point.cell(cell));
         let one = Interpretation::rational(point, &Rational::ONE);
         Friction {
-            viscous: point.value(&row.viscous),
+            viscous: point.cell(&row.viscous),
             positive,
             negative,
             stribeck: row.stribeck.as_ref().map(|stribeck| {
-                let v = point.value(&stribeck.velocity);
+                let v = point.cell(&stribeck.velocity);
                 Stribeck {
-                    friction: point.value(&stribeck.friction),
+                    friction: point.cell(&stribeck.friction),
                     inverse_square: point.quotient(one, v * v),
                 }
             }),

@@ -38,7 +38,7 @@ mod state;
 mod tip;
 mod twist;
 
-use super::assignment::{Assignment, JointPoint, Number};
+use super::assignment::{Assignment, JointPoint, Number, STATES};
 use crate::exact::Rational;
 use crate::function::{Argument, Function};
 use crate::linear::Vector3;
@@ -76,20 +76,39 @@ pub struct Definition {
     /// The complete arm in which nothing is coupled, where something is: the arm's base parameters are among
     /// those of this one.
     uncoupled: Option<Box<Definition>>,
+    /// The seed of the states at which base parameters are found.
+    states: u64,
     unfaithful: bool,
 }
-
-/// The point at which an arm's joints are where nothing is coupled.
-const SEED_OF_UNCOUPLED: u64 = 0x0066_7265_6564;
 
 /// The ten inertial parameters of a link in the frame on its joint's axis, and its motor's.
 type Parameters = [Number; 11];
 
 impl Definition {
-    /// Reads the raw table.
+    /// The definition at a point.
     pub fn new(point: &mut Assignment, robot: &Robot) -> Self {
+        let mut definition = Definition::read(point, robot);
+        if let Some(neglected) = &robot.neglected {
+            match definition.values_of(&neglected.columns) {
+                Some(values) => definition.neglected = values,
+                None => definition.unfaithful = true,
+            }
+        }
+        definition
+    }
+
+    /// Reads the raw table.
+    pub(super) fn read(point: &mut Assignment, robot: &Robot) -> Self {
+        point.note([robot.convention as u64]);
+        let neglected = robot
+            .neglected
+            .iter()
+            .flat_map(|neglected| &neglected.columns);
+        point.note(
+            neglected.flat_map(|(row, parameter)| [*row, parameter.index()].map(|x| x as u64)),
+        );
         let rows = robot.rows.iter().map(|row| Row::new(point, row)).collect();
-        let gravity = Vector3([0, 1, 2].map(|k| point.value(&robot.gravity[k])));
+        let gravity = Vector3([0, 1, 2].map(|k| point.cell(&robot.gravity[k])));
         let base = robot.base.as_ref();
         let base = base.map(|base| Placement::new(point, base));
         let tool = robot.tool.as_ref();
@@ -109,12 +128,12 @@ impl Definition {
                 neglected: None,
                 ..robot.uncoupled()
             };
-            let read = |point: &mut Assignment| Definition::new(point, &complete);
-            Box::new(point.with_joints_of(&complete, SEED_OF_UNCOUPLED, read))
+            let read = |point: &mut Assignment| Definition::read(point, &complete);
+            Box::new(point.with_joints_of(&complete, read))
         });
         let joints = &point.joints()[..dof];
         let all = |variable: fn(&JointPoint) -> Number| joints.iter().map(variable).collect();
-        let mut definition = Definition {
+        Definition {
             convention: robot.convention,
             gravity,
             base,
@@ -133,15 +152,9 @@ impl Definition {
             wrench,
             neglected: Vec::new(),
             uncoupled,
+            states: point.seed_for(STATES),
             unfaithful: point.is_unfaithful(),
-        };
-        if let Some(neglected) = &robot.neglected {
-            match definition.values_of(&neglected.columns) {
-                Some(values) => definition.neglected = values,
-                None => definition.unfaithful = true,
-            }
         }
-        definition
     }
 
     /// What the outputs of a function must be, or `None` where the table has a

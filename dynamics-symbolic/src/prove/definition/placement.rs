@@ -4,7 +4,7 @@ use super::super::assignment::{Assignment, Number};
 use super::body::Body;
 use super::pose::{Lift, Pose};
 use crate::linear::{Matrix3, Vector3};
-use crate::robot::{self, Interpretation};
+use crate::robot;
 
 /// A frame in another one.
 pub(super) struct Placement {
@@ -22,8 +22,8 @@ pub(super) struct Tool {
 impl Placement {
     pub(super) fn new(point: &mut Assignment, placement: &robot::Placement) -> Self {
         Placement {
-            xyz: Vector3(placement.xyz.each_ref().map(|x| point.value(x))),
-            rpy: placement.rpy.each_ref().map(|angle| point.sin_cos(angle)),
+            xyz: Vector3(placement.xyz.each_ref().map(|x| point.cell(x))),
+            rpy: placement.rpy.each_ref().map(|angle| point.angle(angle)),
         }
     }
 

@@ -73,7 +73,7 @@ impl Definition {
             return None;
         }
         let candidates = self.candidates()?;
-        let mut random = SplitMix64::new(0x0062_6173_6963);
+        let mut random = SplitMix64::new(self.states);
         let multiples = self.multiples();
         let mut equations = Equations::default();
         loop {

@@ -5,7 +5,7 @@ use super::body::Body;
 use super::friction::Friction;
 use super::placement::Placement;
 use super::pose::{Lift, Pose};
-use crate::robot::{self, Interpretation, JointType};
+use crate::robot::{self, JointType};
 
 /// A row of the table in the field.
 pub(super) struct Row {
@@ -51,7 +51,7 @@ impl Mount {
         Mount {
             places: places(&mount.places),
             frame: places(&mount.frame),
-            axis: mount.axis.each_ref().map(|angle| point.sin_cos(angle)),
+            axis: mount.axis.each_ref().map(|angle| point.angle(angle)),
         }
     }
 
@@ -86,35 +86,41 @@ impl Mount {
 
 impl Row {
     pub(super) fn new(point: &mut Assignment, row: &robot::Row) -> Self {
-        let ratio = point.value(&row.gear_ratio);
+        let leader = row
+            .follows
+            .as_ref()
+            .map_or(0, |coupling| coupling.leader + 1);
+        let kind = [row.joint_type as usize, leader, row.locked.is_some().into()];
+        point.note(kind.map(|word| word as u64));
+        let ratio = point.cell(&row.gear_ratio);
         let is_turned = row.joint_type == JointType::Revolute;
         let follows = row.follows.as_ref().filter(|_| is_turned);
         let offset = follows.map_or(robot::Value::zero(), |coupling| coupling.offset.clone());
         let (turn, offset) = match &row.mount {
             None => {
-                let turn = point.sin_cos(&(row.theta.clone() + offset));
+                let turn = point.angle(&(row.theta.clone() + offset));
                 (turn, (Number::ZERO, Number::ONE))
             }
             Some(_) => {
-                let [theta, offset] = [&row.theta, &offset].map(|angle| point.sin_cos(angle));
+                let [theta, offset] = [&row.theta, &offset].map(|angle| point.angle(angle));
                 (sum(theta, offset), offset)
             }
         };
         Row {
             joint_type: row.joint_type,
-            twist: point.sin_cos(&row.alpha),
+            twist: point.angle(&row.alpha),
             turn,
             offset,
-            a: point.value(&row.a),
-            d: point.value(&row.d),
+            a: point.cell(&row.a),
+            d: point.cell(&row.d),
             body: Body::new(point, &row.mass, &row.com, &row.inertia),
             has_motor: row.has_motor(),
-            reflected: ratio * ratio * point.value(&row.motor_inertia),
+            reflected: ratio * ratio * point.cell(&row.motor_inertia),
             friction: Friction::new(point, row),
             spring: row
                 .spring
                 .as_ref()
-                .map(|spring| (point.value(&spring.stiffness), point.value(&spring.rest))),
+                .map(|spring| (point.cell(&spring.stiffness), point.cell(&spring.rest))),
             locked: row
                 .locked
                 .as_ref()
@@ -137,7 +143,7 @@ fn locked(
     position: &robot::Value,
 ) -> ((Number, Number), Number) {
     match joint_type {
-        JointType::Revolute => (point.sin_cos(position), Number::ZERO),
-        JointType::Prismatic => ((Number::ZERO, Number::ONE), point.value(position)),
+        JointType::Revolute => (point.angle(position), Number::ZERO),
+        JointType::Prismatic => ((Number::ZERO, Number::ONE), point.cell(position)),
     }
 }
