@@ -26,7 +26,7 @@ pub(super) fn degree(
         Operand::Result(index) => results[index as usize],
     };
     for instruction in &program.instructions {
-        let (a, b) = instruction.operands();
+        let [a, b] = instruction.operands();
         let both = read(&results, a).zip(read(&results, b));
         results.push(both.and_then(|(a, b)| match instruction {
             Instruction::Add(..) | Instruction::Sub(..) => (a == b).then_some(a),

@@ -1,12 +1,12 @@
 //! The body of a method: straight-line assignments behind its inputs, and its outputs.
 
-use super::inputs::{constants_of, input_name, inputs, literal, reads_cells};
-use super::names::ident;
-use crate::function::{Function, Request, Shape, Sizes, sizes_of, spans};
-use crate::program::{ConstantId, Instruction, Line, Operand, Output, Program, Rest};
+use super::inputs::{constants_of, input_names, inputs, literal, reads_cells, real};
+use super::names::{ident, line_names, punct};
+use super::pivots::pivots;
+use crate::function::{Request, Shape, Sizes, sizes_of, spans};
+use crate::program::{ConstantId, Line, Operand, Output, Program, Rest};
 use crate::robot::Robot;
-use core::ops::Range;
-use proc_macro2::{Ident, Literal, Punct, Spacing, TokenStream, TokenTree};
+use proc_macro2::{Ident, Literal, TokenStream, TokenTree};
 use quote::{ToTokens, quote};
 
 /// Up to so many results are declared by a `let` each, as a person would write
@@ -59,29 +59,15 @@ pub(super) fn declared_in_groups(names: &[impl ToTokens]) -> TokenStream {
 impl<'p> Writer<'p> {
     fn new(robot: &Robot, program: &'p Program, constants: &'p [f64]) -> Self {
         let lines = program.lines();
-        let mut count = 0;
-        let names = lines
-            .iter()
-            .map(|line| {
-                line.map(|_| {
-                    count += 1;
-                    ident(&format!("t_{count}"))
-                })
-            })
-            .collect();
-        let angles = program.angles();
-        let inputs = program
-            .inputs
-            .iter()
-            .map(|symbol| ident(&input_name(robot, symbol, &angles)))
-            .collect();
+        let names = line_names(&lines).into_iter();
+        let inputs = input_names(robot, program).into_iter();
         Writer {
             program,
             lines,
             constants,
             singles: program.constants.singles(constants),
-            inputs,
-            names,
+            inputs: inputs.map(|name| ident(&name)).collect(),
+            names: names.map(|name| name.map(|name| ident(&name))).collect(),
         }
     }
 
@@ -138,14 +124,8 @@ impl<'p> Writer<'p> {
     fn write(&self, line: &Line, tokens: &mut Vec<TokenTree>) {
         match *line {
             Line::Single(instruction) => {
-                let (a, b) = instruction.operands();
-                let operator = match instruction {
-                    Instruction::Add(..) => '+',
-                    Instruction::Sub(..) => '-',
-                    Instruction::Mul(..) => '*',
-                    Instruction::Div(..) => '/',
-                };
-                self.write_operation(a, operator, b, tokens);
+                let [a, b] = instruction.operands();
+                self.write_operation(a, instruction.operator(), b, tokens);
             }
             Line::Fused {
                 product,
@@ -201,18 +181,17 @@ impl<'p> Writer<'p> {
 
     /// A constant times 1 or -1, as `real(0.1)`.
     fn constant(&self, id: ConstantId, sign: f64) -> TokenStream {
-        let (real, double) = (ident("real"), literal(sign * self.constants[id.index()]));
+        let double = real(sign * self.constants[id.index()]);
         match self.singles[id.index()] {
-            None => quote!(#real(#double)),
+            None => double,
             Some(single) => {
                 let single = literal(sign * f64::from(single));
-                quote!(#real(#double).rounded_once(#single))
+                quote!(#double.rounded_once(#single))
             }
         }
     }
 
-    fn output(&self, index: usize) -> TokenStream {
-        let output = self.program.outputs[index];
+    fn output(&self, output: Output) -> TokenStream {
         let mut tokens = Vec::new();
         if output.negative {
             tokens.push(punct('-'));
@@ -224,38 +203,42 @@ impl<'p> Writer<'p> {
     /// A matrix from outputs by rows; nalgebra takes columns.
     fn matrix(&self, first: usize, rows: usize, columns: usize, path: &TokenStream) -> TokenStream {
         let columns = (0..columns).map(|column| {
-            let entries = (0..rows).map(|row| self.output(first + row * columns + column));
+            let entries = (0..rows).map(|row| first + row * columns + column);
+            let entries = entries.map(|index| self.output(self.program.outputs[index]));
             quote!([#(#entries),*])
         });
         quote!(#path::nalgebra::SMatrix::from_data(#path::nalgebra::ArrayStorage([#(#columns),*])))
     }
 
     fn outputs(&self, robot: &Robot, request: &Request, path: &TokenStream) -> TokenStream {
-        let count = self.program.outputs.len();
-        let sizes = sizes_of(request.parts(), robot.dof(), count);
-        let spans = spans(request.parts(), robot.dof(), count);
-        let mut tests = PivotTests::default();
-        let of_part = |(part, span): (&Function, Range<usize>)| {
-            let mut next = span.start;
-            let values = self.values(part.shape(), sizes, &mut next, path);
-            if part.has_pivots() {
-                tests.add(self, robot, next, path);
-            }
-            values
-        };
-        let parts = request.parts().iter().zip(spans).map(of_part);
-        let parts: Vec<_> = parts.collect();
+        let (joints, count) = (robot.dof(), self.program.outputs.len());
+        let sizes = sizes_of(request.parts(), joints, count);
+        let parts = request.parts().iter();
+        let parts = parts.zip(spans(request.parts(), joints, count));
+        let values =
+            parts.map(|(part, mut span)| self.values(part.shape(), sizes, &mut span.start, path));
         let values = match request {
-            Request::One(_) => quote!(#(#parts)*),
-            Request::Fused(_) => quote!((#(#parts),*)),
+            Request::One(_) => values.collect(),
+            Request::Fused(_) => quote!((#(#values),*)),
         };
-        match request.parts().iter().any(|part| part.has_pivots()) {
-            true => {
-                let tests = tests.tokens;
-                quote!(#tests ::core::result::Result::Ok(#values))
-            }
-            false => values,
+        let tests = self.pivot_tests(robot, request, path);
+        if tests.is_empty() {
+            values
+        } else {
+            quote!(#tests ::core::result::Result::Ok(#values))
         }
+    }
+
+    /// The tests by which a method refuses a singular M.
+    fn pivot_tests(&self, robot: &Robot, request: &Request, path: &TokenStream) -> TokenStream {
+        let names: Vec<_> = robot.joints().map(|row| row.name.as_str()).collect();
+        let pivots = pivots(names.len(), request, self.program).into_iter();
+        let test = |(joint, outputs): (usize, [Output; 2])| {
+            let [pivot, diagonal] = outputs.map(|output| self.output(output));
+            let (name, joint) = (names[joint], Literal::usize_unsuffixed(joint));
+            quote!(#path::SingularMassMatrix::test_joint(#joint, #name, #pivot, #diagonal)?;)
+        };
+        pivots.map(test).collect()
     }
 
     /// Values in their arrangement, from output `next` on, which is moved behind them.
@@ -270,7 +253,7 @@ impl<'p> Writer<'p> {
         match shape {
             Shape::Number => {
                 *next += 1;
-                self.output(first)
+                self.output(self.program.outputs[first])
             }
             Shape::Matrix(rows, columns) => {
                 *next += shape.entries(sizes);
@@ -291,39 +274,4 @@ impl<'p> Writer<'p> {
             Shape::Series => TokenStream::new(),
         }
     }
-}
-
-/// The tests by which a method refuses a singular M.
-#[derive(Default)]
-struct PivotTests {
-    tokens: TokenStream,
-    /// The pivots that are tested, each with its diagonal entry: those of two functions may be the same.
-    tested: Vec<[Output; 2]>,
-}
-
-impl PivotTests {
-    /// A test of every pivot against its diagonal entry, from the tip inwards: the pivots from
-    /// output `first` on, and the diagonal after them.
-    fn add(&mut self, writer: &Writer, robot: &Robot, first: usize, path: &TokenStream) {
-        let joints: Vec<_> = robot.joints().collect();
-        let n = joints.len();
-        for joint in (0..n).rev() {
-            let places = [first + joint, first + n + joint];
-            let outputs = places.map(|place| writer.program.outputs[place]);
-            if self.tested.contains(&outputs) {
-                continue;
-            }
-            self.tested.push(outputs);
-            let [pivot, diagonal] = places.map(|place| writer.output(place));
-            let name = joints[joint].name.as_str();
-            let joint = Literal::usize_unsuffixed(joint);
-            self.tokens.extend(
-                quote!(#path::SingularMassMatrix::test_joint(#joint, #name, #pivot, #diagonal)?;),
-            );
-        }
-    }
-}
-
-fn punct(c: char) -> TokenTree {
-    Punct::new(c, Spacing::Alone).into()
 }

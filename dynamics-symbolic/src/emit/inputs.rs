@@ -1,6 +1,6 @@
 //! What a method reads before its first operation: arguments, fields, sines and cosines.
 
-use super::names::{field, ident, plain};
+use super::names::{field, ident, plain, punct};
 use crate::function::{Argument, Request};
 use crate::program::Program;
 use crate::robot::{Robot, Symbol, Value};
@@ -58,28 +58,29 @@ fn of_joint(cells: &Cells, argument: Argument, i: usize) -> TokenStream {
 /// The literal of a double, its sign apart.
 pub(super) fn literal(x: f64) -> TokenStream {
     let magnitude = Literal::f64_unsuffixed(x.abs());
-    if x.is_sign_negative() && x != 0.0 {
-        quote!(-#magnitude)
-    } else {
-        quote!(#magnitude)
-    }
+    let sign = (x.is_sign_negative() && x != 0.0).then(|| quote!(-));
+    quote!(#sign #magnitude)
+}
+
+/// The constant of a double, made by [`constants_of`].
+pub(super) fn real(x: f64) -> TokenStream {
+    let (real, x) = (ident("real"), literal(x));
+    quote!(#real(#x))
 }
 
 /// The variable of an input. Names end in `_i`: an identifier pattern that
 /// happens to be the name of a user's constant would be that constant.
 pub(super) fn input_name(robot: &Robot, symbol: &Symbol, angles: &[&Symbol]) -> String {
     let angle_number = |value: &Value| {
-        let same = |symbol: &&Symbol| match symbol {
-            Symbol::AngleSine(other) | Symbol::AngleCosine(other) => other == value,
-            _ => false,
-        };
-        angles
-            .iter()
-            .filter(|s| matches!(s, Symbol::AngleSine(_) | Symbol::AngleCosine(_)))
-            .position(same)
-            .unwrap_or(0)
-            + 1
+        let mut constant = angles.iter().filter_map(|symbol| match symbol {
+            Symbol::AngleSine(angle) | Symbol::AngleCosine(angle) => Some(angle),
+            _ => None,
+        });
+        1 + constant.position(|angle| angle == value).unwrap_or(0)
     };
+    if let Some((argument, i)) = symbol.entry() {
+        return format!("{}_{}", argument.name(), i + 1);
+    }
     match symbol {
         Symbol::Pi => "pi".to_owned(),
         Symbol::Field(i) => format!("p_{}", plain(&robot.fields[*i])),
@@ -87,14 +88,26 @@ pub(super) fn input_name(robot: &Robot, symbol: &Symbol, angles: &[&Symbol]) -> 
         Symbol::AngleCosine(angle) => format!("ca_{}", angle_number(angle)),
         Symbol::Sine(i) => format!("s_{}", i + 1),
         Symbol::Cosine(i) => format!("c_{}", i + 1),
-        Symbol::Position(i) => format!("q_{}", i + 1),
-        Symbol::Velocity(i) => format!("qd_{}", i + 1),
-        Symbol::Acceleration(i) => format!("qdd_{}", i + 1),
-        Symbol::Force(i) => format!("tau_{}", i + 1),
         Symbol::VelocitySign(i) => format!("sign_{}", i + 1),
         Symbol::Stribeck(i) => format!("stribeck_{}", i + 1),
-        Symbol::Entry(argument, i) => format!("{}_{}", argument.name(), i + 1),
+        _ => unreachable!("an entry of an argument"),
     }
+}
+
+/// The variables of a program's inputs.
+pub(super) fn input_names(robot: &Robot, program: &Program) -> Vec<String> {
+    let angles = program.angles();
+    let inputs = program.inputs.iter();
+    inputs
+        .map(|symbol| input_name(robot, symbol, &angles))
+        .collect()
+}
+
+/// The inputs in the order in which they are read, each with its index.
+pub(super) fn in_order(program: &Program) -> Vec<(usize, &Symbol)> {
+    let mut inputs: Vec<_> = program.inputs.iter().enumerate().collect();
+    inputs.sort_by_key(|(_, symbol)| place(symbol));
+    inputs
 }
 
 /// Reads what the program needs from the arguments and the fields, and nothing else.
@@ -104,29 +117,24 @@ pub(super) fn inputs(
     program: &Program,
     path: &TokenStream,
 ) -> TokenStream {
-    let angles = program.angles();
-    let name = |symbol: &Symbol| ident(&input_name(robot, symbol, &angles));
+    let names = input_names(robot, program);
     let like = request.arguments().first().map(|first| element(*first, 0));
     let cells = Cells { robot, path, like };
-    let mut lines = sines(&cells, true, &angles, program);
-    let mut symbols: Vec<_> = program.inputs.iter().collect();
-    symbols.sort_by_key(|symbol| place(symbol));
-    for symbol in symbols {
+    let mut lines = sines(&cells, true, &program.angles(), program);
+    for (index, symbol) in in_order(program) {
         let value = match symbol {
-            Symbol::Position(i) => element(Argument::Position, *i),
-            Symbol::Velocity(i) => element(Argument::Velocity, *i),
-            Symbol::Acceleration(i) => element(Argument::Acceleration, *i),
-            Symbol::Force(i) => element(Argument::Force, *i),
-            Symbol::Entry(argument, i) => element(*argument, *i),
             Symbol::VelocitySign(i) => {
                 let velocity = of_joint(&cells, Argument::Velocity, *i);
                 quote!(#path::Scalar::sign(#velocity))
             }
             Symbol::Stribeck(i) => stribeck(&cells, *i),
             Symbol::Field(i) => cells.value(&Value::Field(*i)),
-            _ => continue,
+            symbol => match symbol.entry() {
+                Some((argument, i)) => element(argument, i),
+                None => continue,
+            },
         };
-        let name = name(symbol);
+        let name = ident(&names[index]);
         lines.extend(quote!(let #name = #value;));
     }
     lines
@@ -135,19 +143,14 @@ pub(super) fn inputs(
 /// The inputs that no motion changes: fields, and sines and cosines of angles made of them. They
 /// expect `real` to be defined.
 pub(super) fn constant_inputs(robot: &Robot, program: &Program, path: &TokenStream) -> TokenStream {
-    let angles = program.angles();
-    let constant = |angle: &&Symbol| !matches!(angle, Symbol::Sine(_) | Symbol::Cosine(_));
-    let of_constants: Vec<_> = angles.iter().copied().filter(constant).collect();
-    let cells = Cells {
-        robot,
-        path,
-        like: None,
-    };
-    let mut lines = sines(&cells, false, &of_constants, program);
+    let mut angles = program.angles();
+    angles.retain(|angle| angle.argument().is_none());
+    let cells = Cells::constant(robot, path);
+    let mut lines = sines(&cells, false, &angles, program);
     for symbol in &program.inputs {
         if let Symbol::Field(i) = symbol {
             let name = ident(&input_name(robot, symbol, &angles));
-            let value = cells.value(&Value::Field(*i));
+            let value = cells.field(*i);
             lines.extend(quote!(let #name = #value;));
         }
     }
@@ -156,12 +159,7 @@ pub(super) fn constant_inputs(robot: &Robot, program: &Program, path: &TokenStre
 
 /// A cell that no motion changes, where `real` is defined.
 pub(super) fn constant_cell(robot: &Robot, value: &Value, path: &TokenStream) -> TokenStream {
-    let cells = Cells {
-        robot,
-        path,
-        like: None,
-    };
-    cells.value(value)
+    Cells::constant(robot, path).value(value)
 }
 
 /// The sines and cosines, all angles of a kind in one call, which evaluates them in the lanes of a
@@ -223,20 +221,17 @@ fn sines(cells: &Cells, are_asked_for: bool, angles: &[&Symbol], program: &Progr
     quote!(#asked_for #evaluated)
 }
 
-/// The variables of the sine and the cosine of an angle, of those that are read.
+/// The variables of the sine and of the cosine of an angle, where they are read.
 struct Pair(Option<Ident>, Option<Ident>);
 
 impl Pair {
-    /// What they are bound by.
     fn pattern(&self) -> TokenStream {
-        let [sine, cosine] = [&self.0, &self.1].map(|name| match name {
-            Some(name) => quote!(#name),
-            None => quote!(_),
-        });
+        let [sine, cosine] =
+            [&self.0, &self.1].map(|name| name.as_ref().map_or(quote!(_), |name| quote!(#name)));
         quote!((#sine, #cosine))
     }
 
-    /// Which of them are read, where that is not both of every angle.
+    /// The parts of each pair that are read, unless both are read of every pair.
     fn parts(pairs: &[Pair], path: &TokenStream) -> Option<TokenStream> {
         let parts = pairs.iter().map(|Pair(sine, cosine)| match (sine, cosine) {
             (Some(_), None) => quote!(#path::Part::Sine),
@@ -286,32 +281,26 @@ struct Cells<'a> {
     like: Option<TokenStream>,
 }
 
-impl Cells<'_> {
+impl<'a> Cells<'a> {
+    fn constant(robot: &'a Robot, path: &'a TokenStream) -> Self {
+        let like = None;
+        Cells { robot, path, like }
+    }
+
     fn value(&self, value: &Value) -> TokenStream {
-        let real = ident("real");
-        match value {
-            Value::Rational(_) | Value::Pi => {
-                let x = literal(value.to_f64(&[]));
-                quote!(#real(#x))
-            }
-            Value::Field(i) => self.field(*i),
+        let (a, operator, b) = match value {
+            Value::Rational(_) | Value::Pi => return real(value.to_f64(&[])),
+            Value::Field(i) => return self.field(*i),
             Value::Neg(a) => {
                 let a = self.value(a);
-                quote!((-#a))
+                return quote!((-#a));
             }
-            Value::Add(a, b) => {
-                let (a, b) = (self.value(a), self.value(b));
-                quote!((#a + #b))
-            }
-            Value::Mul(a, b) => {
-                let (a, b) = (self.value(a), self.value(b));
-                quote!((#a * #b))
-            }
-            Value::Div(a, b) => {
-                let (a, b) = (self.value(a), self.value(b));
-                quote!((#a / #b))
-            }
-        }
+            Value::Add(a, b) => (a, '+', b),
+            Value::Mul(a, b) => (a, '*', b),
+            Value::Div(a, b) => (a, '/', b),
+        };
+        let (a, operator, b) = (self.value(a), punct(operator), self.value(b));
+        quote!((#a #operator #b))
     }
 
     fn field(&self, index: usize) -> TokenStream {

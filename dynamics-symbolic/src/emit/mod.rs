@@ -11,6 +11,7 @@ mod languages;
 mod names;
 mod parameters;
 mod parts;
+mod pivots;
 mod polynomial;
 mod series;
 mod signature;
@@ -116,9 +117,10 @@ pub fn method(
     let (inherent, provided, function) = match of_trait {
         Some((call, item)) => (call, Some(item), None),
         None => {
-            let body = match request.refuses() {
-                true => body,
-                false => quote!(::core::result::Result::Ok({ #body })),
+            let body = if request.refuses() {
+                body
+            } else {
+                quote!(::core::result::Result::Ok({ #body }))
             };
             let items = function_items(request, index, sizes, path, &body, work);
             (

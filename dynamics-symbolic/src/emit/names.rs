@@ -1,11 +1,17 @@
 //! Identifiers in generated code, and the number of joints.
 
-use proc_macro2::{Ident, Literal, TokenStream};
+use crate::program::Line;
+use proc_macro2::{Ident, Literal, Punct, Spacing, TokenStream, TokenTree};
 use quote::{ToTokens, quote};
 
 /// A name of the generated code's own, which no name of the user's can meet.
 pub(super) fn ident(name: &str) -> Ident {
     Ident::new(name, proc_macro2::Span::mixed_site())
+}
+
+/// An operator of one letter.
+pub(super) fn punct(operator: char) -> TokenTree {
+    Punct::new(operator, Spacing::Alone).into()
 }
 
 /// A field's name without the `r#` of a raw identifier.
@@ -20,6 +26,18 @@ pub(super) fn field(name: &str) -> Ident {
         Some(raw) => Ident::new_raw(raw, span),
         None => Ident::new(name, span),
     }
+}
+
+/// The variables of the results that have a line.
+pub(super) fn line_names(lines: &[Option<Line>]) -> Vec<Option<String>> {
+    let mut count = 0;
+    let name = |line: &Option<Line>| {
+        line.map(|_| {
+            count += 1;
+            format!("t_{count}")
+        })
+    };
+    lines.iter().map(name).collect()
 }
 
 /// The number of joints as a token: a constant's name where `dof` is zero.

@@ -24,14 +24,15 @@ impl Writer<'_> {
         let parts: Vec<&[usize]> = results.chunks(PART).collect();
         let reads: Vec<BTreeSet<Operand>> =
             parts.iter().map(|part| self.reads_of_part(part)).collect();
-        let mut later = self.reads_of_outputs();
+        let mut later = BTreeSet::new();
+        for output in &self.program.outputs {
+            self.reads_of(output.operand, &mut later);
+        }
         let mut tokens = Vec::new();
         for (number, (part, reads)) in parts.iter().zip(&reads).enumerate().rev() {
-            let handed_on = part
-                .iter()
-                .filter(|i| later.contains(&Operand::Result(**i as u32)));
-            let handed_on: Vec<usize> = handed_on.copied().collect();
-            tokens.push(self.part(number + 1, part, reads, &handed_on, path));
+            let mut returned = part.to_vec();
+            returned.retain(|i| later.contains(&Operand::Result(*i as u32)));
+            tokens.push(self.part(number + 1, part, reads, &returned, path));
             later.extend(reads);
         }
         tokens.into_iter().rev().collect()
@@ -42,12 +43,12 @@ impl Writer<'_> {
         number: usize,
         results: &[usize],
         reads: &BTreeSet<Operand>,
-        handed_on: &[usize],
+        returned: &[usize],
         path: &TokenStream,
     ) -> TokenStream {
         let name = ident(&format!("part_{number}"));
         let arguments: Vec<_> = reads.iter().map(|read| self.operand(*read)).collect();
-        let values: Vec<_> = handed_on.iter().map(|i| &self.names[*i]).collect();
+        let values: Vec<_> = returned.iter().map(|i| &self.names[*i]).collect();
         let (m, n) = (arguments.len(), values.len());
         let real = arguments.first().map(|like| constants_like(like, path));
         let assignments = self.lets(results);
@@ -62,24 +63,14 @@ impl Writer<'_> {
         }
     }
 
-    /// What the results of a part read that are not of it.
+    /// The inputs, and the results of earlier parts, that a part reads.
     fn reads_of_part(&self, part: &[usize]) -> BTreeSet<Operand> {
         let mut reads = BTreeSet::new();
         for index in part {
-            let (a, b) = self.program.instructions[*index].operands();
-            self.reads_of(a, &mut reads);
-            self.reads_of(b, &mut reads);
+            self.add_reads(*index, &mut reads);
         }
         for index in part {
             reads.remove(&Operand::Result(*index as u32));
-        }
-        reads
-    }
-
-    fn reads_of_outputs(&self) -> BTreeSet<Operand> {
-        let mut reads = BTreeSet::new();
-        for output in &self.program.outputs {
-            self.reads_of(output.operand, &mut reads);
         }
         reads
     }
@@ -89,13 +80,18 @@ impl Writer<'_> {
         match operand {
             Operand::Constant(_) => {}
             Operand::Result(index) if self.names[index as usize].is_none() => {
-                let (a, b) = self.program.instructions[index as usize].operands();
-                self.reads_of(a, reads);
-                self.reads_of(b, reads);
+                self.add_reads(index as usize, reads);
             }
             Operand::Input(_) | Operand::Result(_) => {
                 reads.insert(operand);
             }
+        }
+    }
+
+    /// The variables that stand in the text of an instruction.
+    fn add_reads(&self, index: usize, reads: &mut BTreeSet<Operand>) {
+        for operand in self.program.instructions[index].operands() {
+            self.reads_of(operand, reads);
         }
     }
 }

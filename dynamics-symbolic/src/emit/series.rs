@@ -8,11 +8,12 @@
 
 use super::body::{MOST_LETS, declared_in_groups};
 use super::inputs;
-use super::names::{ident, number_of_joints};
+use super::names::{ident, number_of_joints, punct};
+use crate::function::Argument;
 use crate::program::{Instruction, Operand, Program, Readers};
 use crate::robot::{Robot, Symbol};
 use proc_macro2::{Ident, Literal, TokenStream};
-use quote::quote;
+use quote::{ToTokens, quote};
 
 /// Products in one block of the runtime's table.
 const LANES: usize = 8;
@@ -24,7 +25,7 @@ const FEWEST_COMMON: usize = 5;
 const STORED: &str = "product";
 const TRIAL: &str = "trial";
 
-/// What a quantity is along the motion.
+/// The dependence of a quantity on the motion.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Kind {
     /// A number: constants, and what is made of the struct's fields.
@@ -103,26 +104,27 @@ impl<'p> Series<'p> {
         constants: &'p [f64],
         path: &'p TokenStream,
     ) -> Self {
-        let angles = program.angles();
-        let name = |symbol: &Symbol| ident(&inputs::input_name(robot, symbol, &angles));
+        let count = program.instructions.len();
+        let mut turns = program.joint_angles();
+        turns.sort_unstable();
+        let inputs = inputs::input_names(robot, program).into_iter();
         let mut series = Series {
             robot,
             program,
             constants,
             path,
-            kinds: Vec::with_capacity(program.instructions.len()),
-            slots: Vec::with_capacity(program.instructions.len()),
-            swapped: vec![false; program.instructions.len()],
-            feeds_products: vec![false; program.instructions.len()],
-            inlined: vec![false; program.instructions.len()],
-            turns: program.joint_angles(),
+            kinds: Vec::with_capacity(count),
+            slots: Vec::with_capacity(count),
+            swapped: vec![false; count],
+            feeds_products: vec![false; count],
+            inlined: vec![false; count],
+            turns,
             turning: 0,
             blocks: [0; 2],
-            inputs: program.inputs.iter().map(name).collect(),
+            inputs: inputs.map(|name| ident(&name)).collect(),
         };
-        series.turns.sort_unstable();
         for instruction in &program.instructions {
-            let (a, b) = instruction.operands();
+            let [a, b] = instruction.operands();
             let (a, b) = (series.kind(a), series.kind(b));
             let is_product =
                 matches!(instruction, Instruction::Mul(..)) && a.min(b) != Kind::Constant;
@@ -143,20 +145,13 @@ impl<'p> Series<'p> {
         match operand {
             Operand::Constant(_) => Kind::Constant,
             Operand::Result(index) => self.kinds[index as usize],
-            Operand::Input(index) => match self.program.inputs[index as usize] {
-                Symbol::Pi
-                | Symbol::Field(_)
-                | Symbol::AngleSine(_)
-                | Symbol::AngleCosine(_)
-                | Symbol::Force(_)
-                | Symbol::Entry(..) => Kind::Constant,
-                Symbol::Sine(_)
-                | Symbol::Cosine(_)
-                | Symbol::Position(_)
-                | Symbol::Velocity(_)
-                | Symbol::VelocitySign(_) => Kind::Known,
-                Symbol::Acceleration(_) => Kind::Moved,
+            Operand::Input(index) => match &self.program.inputs[index as usize] {
                 Symbol::Stribeck(_) => unreachable!("has no series: see `Failure::NoSeries`"),
+                symbol => match symbol.argument() {
+                    Some((Argument::Position | Argument::Velocity, _)) => Kind::Known,
+                    Some((Argument::Acceleration, _)) => Kind::Moved,
+                    _ => Kind::Constant,
+                },
             },
         }
     }
@@ -166,10 +161,7 @@ impl<'p> Series<'p> {
     fn assign_slots(&mut self) {
         let products = (0..self.slots.len()).filter(|&i| self.slots[i].is_some());
         let mut left: Vec<usize> = products.collect();
-        let factors = |index: usize| {
-            let (a, b) = self.program.instructions[index].operands();
-            [a, b]
-        };
+        let factors = |index: usize| self.program.instructions[index].operands();
         let mut groups: Vec<Vec<usize>> = Vec::new();
         loop {
             let candidates = left.iter().flat_map(|&i| factors(i));
@@ -180,12 +172,8 @@ impl<'p> Series<'p> {
                 break;
             };
             let has_common = |i: &usize| factors(*i).contains(&common);
-            let group: Vec<usize> = left
-                .iter()
-                .copied()
-                .filter(has_common)
-                .take(LANES)
-                .collect();
+            let group = left.iter().copied().filter(has_common);
+            let group: Vec<usize> = group.take(LANES).collect();
             left.retain(|i| !group.contains(i));
             for &index in &group {
                 self.swapped[index] = factors(index)[0] != common;
@@ -199,8 +187,8 @@ impl<'p> Series<'p> {
             }
         }
         for (count, &index) in left.iter().enumerate() {
-            // What the accelerations do not change first: its part of the sum is the same before
-            // and after they are solved for.
+            // The factor that no acceleration changes comes first: its part of the sum is the same before and
+            // after the accelerations are solved for.
             let [a, b] = factors(index).map(|x| self.kind(x));
             self.swapped[index] = a > b;
             self.slots[index] = Some(common * LANES + count);
@@ -215,8 +203,7 @@ impl<'p> Series<'p> {
             if self.slots[index].is_none() && !self.feeds_products[index] {
                 continue;
             }
-            let (a, b) = instruction.operands();
-            for operand in [a, b] {
+            for operand in instruction.operands() {
                 if let Operand::Result(index) = operand {
                     self.feeds_products[index as usize] = true;
                 }
@@ -240,40 +227,37 @@ impl<'p> Series<'p> {
         let constants = inputs::constant_inputs(self.robot, self.program, path);
         let (known, moved): (Vec<_>, Vec<_>) =
             (0..self.program.instructions.len()).partition(|&i| self.kinds[i] != Kind::Moved);
-        let feeding = moved.iter().copied();
-        let feeding: Vec<_> = feeding
-            .filter(|&i| self.feeds_products[i] || self.slots[i].is_some())
-            .collect();
+        let mut feeding = moved.clone();
+        feeding.retain(|&i| self.feeds_products[i] || self.slots[i].is_some());
         let known_inputs = self.inputs_of(Kind::Known);
         let moved_inputs = self.inputs_of(Kind::Moved);
         let multiples = self.read_multiples();
         let known = self.lines(&known, STORED);
         let trial = self.lines(&moved, TRIAL);
         let stored = self.lines(&feeding, STORED);
-        let forces_name = ident("forces");
+        let forces = ident("forces");
         let turns = self.turns.iter().enumerate().map(|(count, &joint)| {
             let slot = Literal::usize_unsuffixed(self.turning + 2 * count);
             match self.followed(joint) {
                 Some((leader, factor)) => {
                     let index = self.index_of_multiple(joint);
-                    self.of_term("turn_multiple", quote!(#index, #leader, #factor, #slot))
+                    self.term_call("turn_multiple", quote!(#index, #leader, #factor, #slot))
                 }
                 None => {
                     let joint = Literal::usize_unsuffixed(joint);
-                    self.of_term("turn", quote!(#joint, #slot))
+                    self.term_call("turn", quote!(#joint, #slot))
                 }
             }
         });
-        let forces = self.program.outputs.iter().map(|output| {
-            let value = self.series(output.operand);
-            if output.negative {
-                quote!(-#value)
-            } else {
-                value
-            }
+        let values = self.program.outputs.iter().map(|output| {
+            let (sign, value) = (
+                output.negative.then(|| punct('-')),
+                self.series(output.operand),
+            );
+            quote!(#sign #value)
         });
-        let like = self.of_term("like", quote!());
-        let solve = self.of_term("solve", quote!(#forces_name));
+        let like = self.term_call("like", quote!());
+        let solve = self.term_call("solve", quote!(#forces));
         quote! {
             let #real = {
                 let #x = #like;
@@ -284,10 +268,10 @@ impl<'p> Series<'p> {
             #multiples
             #(#turns;)*
             #known
-            let #forces_name = {
+            let #forces = {
                 #moved_inputs
                 #trial
-                [#(#forces),*]
+                [#(#values),*]
             };
             #solve;
             #moved_inputs
@@ -320,20 +304,18 @@ impl<'p> Series<'p> {
             let number = self.index_of_multiple(index);
             let name = |symbol: Symbol| ident(&inputs::input_name(self.robot, &symbol, &[]));
             let (sine, cosine) = (name(Symbol::Sine(index)), name(Symbol::Cosine(index)));
-            let pair = self.of_term("multiple", quote!(#number, #leader, #factor));
+            let pair = self.term_call("multiple", quote!(#number, #leader, #factor));
             Some(quote!(let (#sine, #cosine) = #pair;))
         });
         lines.collect()
     }
 
     fn inputs_of(&self, kind: Kind) -> TokenStream {
-        let mut order: Vec<usize> = (0..self.inputs.len()).collect();
-        order.sort_by_key(|&index| inputs::place(&self.program.inputs[index]));
-        let lines = order.into_iter().filter_map(|index| {
+        let inputs = inputs::in_order(self.program).into_iter();
+        let lines = inputs.filter_map(|(index, symbol)| {
             if self.kind(Operand::Input(index as u32)) != kind {
                 return None;
             }
-            let symbol = &self.program.inputs[index];
             if self.robot.follower_of(symbol).is_some() {
                 return self.sign_of_follower(index, symbol);
             }
@@ -347,7 +329,7 @@ impl<'p> Series<'p> {
                 _ => return None,
             };
             let (name, joint) = (&self.inputs[index], Literal::usize_unsuffixed(joint));
-            let value = self.of_term(method, quote!(#joint));
+            let value = self.term_call(method, quote!(#joint));
             Some(quote!(let #name = #value;))
         });
         lines.collect()
@@ -360,23 +342,20 @@ impl<'p> Series<'p> {
         };
         let (leader, factor) = self.followed(*index)?;
         let (name, path) = (&self.inputs[input], self.path);
-        let sign = self.of_term("velocity_sign", quote!(#leader));
+        let sign = self.term_call("velocity_sign", quote!(#leader));
         Some(quote!(let #name = #path::Scalar::sign(#factor) * #sign;))
     }
 
     /// The assignments of some instructions.
     fn lines(&self, section: &[usize], product: &str) -> TokenStream {
-        let named = section
-            .iter()
-            .copied()
-            .filter(|&index| !self.inlined[index]);
-        let named: Vec<usize> = named.collect();
+        let mut named = section.to_vec();
+        named.retain(|&index| !self.inlined[index]);
         let names: Vec<_> = named.iter().map(|&index| name(index)).collect();
         let declares_each = names.len() <= MOST_LETS;
-        let mut lines = match declares_each {
-            true => TokenStream::new(),
-            false => declared_in_groups(&names),
-        };
+        let mut lines = TokenStream::new();
+        if !declares_each {
+            lines = declared_in_groups(&names);
+        }
         for (&index, name) in named.iter().zip(&names) {
             let value = self.value(index, product);
             let declaration = declares_each.then(|| quote!(let));
@@ -388,12 +367,12 @@ impl<'p> Series<'p> {
     /// The right-hand side of an instruction; `product` is the method for products of series.
     fn value(&self, index: usize, product: &str) -> TokenStream {
         let instruction = &self.program.instructions[index];
-        let (a, b) = instruction.operands();
+        let [a, b] = instruction.operands();
         if let Some(slot) = self.slots[index] {
             let slot = Literal::usize_unsuffixed(slot);
             let (a, b) = if self.swapped[index] { (b, a) } else { (a, b) };
             let (a, b) = (self.number(a), self.number(b));
-            return self.of_term(product, quote!(#slot, #a, #b));
+            return self.term_call(product, quote!(#slot, #a, #b));
         }
         // The operands of a sum of series are series, of any other operation numbers.
         let read = |operand| match (instruction, self.kinds[index]) {
@@ -405,13 +384,8 @@ impl<'p> Series<'p> {
         if let Some(fused) = self.fused(instruction) {
             return fused;
         }
-        let (a, b) = (read(a), read(b));
-        match instruction {
-            Instruction::Add(..) => quote!(#a + #b),
-            Instruction::Sub(..) => quote!(#a - #b),
-            Instruction::Mul(..) => quote!(#a * #b),
-            Instruction::Div(..) => quote!(#a / #b),
-        }
+        let (a, operator, b) = (read(a), punct(instruction.operator()), read(b));
+        quote!(#a #operator #b)
     }
 
     /// A sum in which a multiple of a series stands: a x + b as `a.mul_add(x, b)`.
@@ -421,18 +395,18 @@ impl<'p> Series<'p> {
             Instruction::Sub(a, b) => (a, b, true),
             _ => return None,
         };
-        if let Some((x, y)) = self.inlined_product(b) {
+        if let Some([x, y]) = self.inlined_product(b) {
             let (x, y, a) = (self.number(x), self.number(y), self.series(a));
             let x = if is_difference { quote!((-#x)) } else { x };
             return Some(quote!(#x.mul_add(#y, #a)));
         }
-        let (x, y) = self.inlined_product(a)?;
+        let [x, y] = self.inlined_product(a)?;
         let (x, y, b) = (self.number(x), self.number(y), self.series(b));
         let b = if is_difference { quote!(-#b) } else { b };
         Some(quote!(#x.mul_add(#y, #b)))
     }
 
-    fn inlined_product(&self, operand: Operand) -> Option<(Operand, Operand)> {
+    fn inlined_product(&self, operand: Operand) -> Option<[Operand; 2]> {
         let Operand::Result(index) = operand else {
             return None;
         };
@@ -442,7 +416,7 @@ impl<'p> Series<'p> {
 
     /// A call of a method of `SeriesTerm`, by its path: behind a point, a method of that name of any trait that is
     /// implemented for all types and in scope around the table would come first.
-    fn of_term(&self, method: &str, arguments: TokenStream) -> TokenStream {
+    fn term_call(&self, method: &str, arguments: TokenStream) -> TokenStream {
         let (path, method, term) = (self.path, ident(method), ident("term"));
         let comma = (!arguments.is_empty()).then(|| quote!(,));
         quote!(#path::SeriesTerm::#method(#term #comma #arguments))
@@ -451,22 +425,13 @@ impl<'p> Series<'p> {
     /// An operand as it is.
     fn number(&self, operand: Operand) -> TokenStream {
         match operand {
-            Operand::Constant(id) => {
-                let (real, x) = (ident("real"), inputs::literal(self.constants[id.index()]));
-                quote!(#real(#x))
-            }
-            Operand::Input(index) => {
-                let name = &self.inputs[index as usize];
-                quote!(#name)
-            }
+            Operand::Constant(id) => inputs::real(self.constants[id.index()]),
+            Operand::Input(index) => self.inputs[index as usize].to_token_stream(),
             Operand::Result(index) if self.inlined[index as usize] => {
                 let value = self.value(index as usize, STORED);
                 quote!((#value))
             }
-            Operand::Result(index) => {
-                let name = name(index as usize);
-                quote!(#name)
-            }
+            Operand::Result(index) => name(index as usize).to_token_stream(),
         }
     }
 
@@ -474,7 +439,7 @@ impl<'p> Series<'p> {
     fn series(&self, operand: Operand) -> TokenStream {
         let number = self.number(operand);
         match self.kind(operand) {
-            Kind::Constant => self.of_term("constant", number),
+            Kind::Constant => self.term_call("constant", number),
             _ => number,
         }
     }

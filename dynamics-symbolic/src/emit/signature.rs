@@ -7,105 +7,132 @@ use crate::robot::Robot;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, quote};
 
-/// The type of values in an arrangement: `n` is the number of joints as a token.
-fn type_of(shape: &Shape, n: &TokenStream, sizes: Sizes, path: &TokenStream) -> TokenStream {
-    let size = |size: Size| match size {
-        Size::Joints => n.clone(),
-        other => Literal::usize_unsuffixed(other.of(sizes)).into_token_stream(),
-    };
-    match shape {
-        Shape::Number => quote!(T),
-        Shape::Matrix(Size::Fixed(rows), Size::One) => {
-            let vector = ident(&format!("Vector{rows}"));
-            quote!(#path::nalgebra::#vector<T>)
-        }
-        Shape::Matrix(rows, Size::One) => {
-            let rows = size(*rows);
-            quote!(#path::nalgebra::SVector<T, #rows>)
-        }
-        Shape::Matrix(Size::Fixed(rows), Size::Fixed(columns)) if rows == columns => {
-            let square = ident(&format!("Matrix{rows}"));
-            quote!(#path::nalgebra::#square<T>)
-        }
-        Shape::Matrix(rows, columns) => {
-            let (rows, columns) = (size(*rows), size(*columns));
-            quote!(#path::nalgebra::SMatrix<T, #rows, #columns>)
-        }
-        Shape::Each(one) => {
-            let one = type_of(one, n, sizes, path);
-            quote!([#one; #n])
-        }
-        Shape::Tuple(parts) => {
-            let parts = parts.iter().map(|part| type_of(part, n, sizes, path));
-            quote!((#(#parts),*))
-        }
-        Shape::Series => quote!(#path::TaylorCoefficients<T, #n>),
-    }
-}
-
-/// The type of what a method returns. The number of joints is none where it could not be told.
-fn output_type(
-    request: &Request,
+/// The types of values in generated code: the number of joints as a token, the sizes, and the path of the runtime.
+struct Types<'a> {
+    n: TokenStream,
     sizes: Sizes,
-    n: &TokenStream,
-    path: &TokenStream,
-) -> TokenStream {
-    let of_part = |part: &Function| type_of(part.shape(), n, sizes, path);
-    let values = match request {
-        Request::One(function) => of_part(function),
-        Request::Fused(fused) => {
-            let parts = fused.parts.iter().map(of_part);
-            quote!((#(#parts),*))
-        }
-    };
-    match request.refuses() {
-        true => quote!(::core::result::Result<#values, #path::SingularMassMatrix>),
-        false => values,
-    }
+    path: &'a TokenStream,
 }
 
-/// The arguments with their types.
-fn parameters_of(request: &Request, n: &TokenStream, path: &TokenStream) -> Vec<TokenStream> {
-    let none = without_parameters(0);
-    let argument = |argument: &Argument| {
-        let name = ident(argument.name());
-        match argument.shape() {
-            Some(shape) => {
-                let values = type_of(&shape, n, none, path);
-                quote!(#name: &#values)
-            }
-            None => quote!(#name: usize),
+impl<'a> Types<'a> {
+    /// Without joints, which no robot is, types are generic over their number.
+    fn new(sizes: Sizes, path: &'a TokenStream) -> Self {
+        let n = number_of_joints(sizes.joints);
+        Types { n, sizes, path }
+    }
+
+    fn size(&self, size: Size) -> TokenStream {
+        match size {
+            Size::Joints => self.n.clone(),
+            other => Literal::usize_unsuffixed(other.of(self.sizes)).into_token_stream(),
         }
-    };
-    request.arguments().iter().map(argument).collect()
+    }
+
+    /// The type of values in an arrangement.
+    fn values(&self, shape: &Shape) -> TokenStream {
+        let Types { n, path, .. } = self;
+        match shape {
+            Shape::Number => quote!(T),
+            Shape::Matrix(Size::Fixed(rows), Size::One) => {
+                let vector = ident(&format!("Vector{rows}"));
+                quote!(#path::nalgebra::#vector<T>)
+            }
+            Shape::Matrix(rows, Size::One) => {
+                let rows = self.size(*rows);
+                quote!(#path::nalgebra::SVector<T, #rows>)
+            }
+            Shape::Matrix(Size::Fixed(rows), Size::Fixed(columns)) if rows == columns => {
+                let square = ident(&format!("Matrix{rows}"));
+                quote!(#path::nalgebra::#square<T>)
+            }
+            Shape::Matrix(rows, columns) => {
+                let (rows, columns) = (self.size(*rows), self.size(*columns));
+                quote!(#path::nalgebra::SMatrix<T, #rows, #columns>)
+            }
+            Shape::Each(one) => {
+                let one = self.values(one);
+                quote!([#one; #n])
+            }
+            Shape::Tuple(parts) => {
+                let parts = parts.iter().map(|part| self.values(part));
+                quote!((#(#parts),*))
+            }
+            Shape::Series => quote!(#path::TaylorCoefficients<T, #n>),
+        }
+    }
+
+    /// An arrangement of values as the runtime's trait `Arrangement` has it.
+    fn arrangement(&self, shape: &Shape) -> TokenStream {
+        let Types { n, path, .. } = self;
+        match shape {
+            Shape::Number => quote!(#path::Number),
+            Shape::Matrix(rows, columns) => {
+                let (rows, columns) = (self.size(*rows), self.size(*columns));
+                quote!(#path::Entries<#rows, #columns>)
+            }
+            Shape::Each(one) => {
+                let one = self.arrangement(one);
+                quote!([#one; #n])
+            }
+            Shape::Tuple(parts) => {
+                let parts = parts.iter().map(|part| self.arrangement(part));
+                quote!((#(#parts,)*))
+            }
+            // It has a trait of its own.
+            Shape::Series => quote!(()),
+        }
+    }
+
+    /// The type of the values that a method returns.
+    fn output(&self, request: &Request) -> TokenStream {
+        let path = self.path;
+        let parts = request.parts().iter().map(|part| self.values(part.shape()));
+        let values = match request {
+            Request::One(_) => parts.collect(),
+            Request::Fused(_) => quote!((#(#parts),*)),
+        };
+        if request.refuses() {
+            quote!(::core::result::Result<#values, #path::SingularMassMatrix>)
+        } else {
+            values
+        }
+    }
+
+    /// The arguments with their types.
+    fn arguments(&self, request: &Request) -> Vec<TokenStream> {
+        let argument = |argument: &Argument| {
+            let name = ident(argument.name());
+            match argument.shape() {
+                Some(shape) => {
+                    let values = self.values(&shape);
+                    quote!(#name: &#values)
+                }
+                None => quote!(#name: usize),
+            }
+        };
+        request.arguments().iter().map(argument).collect()
+    }
+
+    /// `fn name<T: Scalar>(&self, q: &SVector<T, N>, ...) -> ...`, without visibility.
+    fn signature(&self, request: &Request, generic: Option<TokenStream>) -> TokenStream {
+        let (name, path) = (method_name(request), self.path);
+        let (arguments, output) = (self.arguments(request), self.output(request));
+        quote! {
+            fn #name<T: #path::Scalar #generic>(&self #(, #arguments)*) -> #output
+        }
+    }
 }
 
 /// The names of the arguments.
-fn names(function: Function) -> Vec<Ident> {
-    let arguments = function.arguments().iter();
+fn names(request: &Request) -> Vec<Ident> {
+    let arguments = request.arguments().into_iter();
     arguments.map(|argument| ident(argument.name())).collect()
 }
 
-/// `fn name<T: Scalar>(&self, q: &SVector<T, N>, ...) -> ...`, without visibility. Without
-/// joints, which no robot is, it is generic over their number.
+/// The signature of a method, without visibility. Without joints, which no robot is, it is generic over their number.
 pub(super) fn signature(request: &Request, sizes: Sizes, path: &TokenStream) -> TokenStream {
     let generic = (sizes.joints == 0).then(|| quote!(, const N: usize));
-    signature_with(request, sizes, path, generic)
-}
-
-fn signature_with(
-    request: &Request,
-    sizes: Sizes,
-    path: &TokenStream,
-    generic: Option<TokenStream>,
-) -> TokenStream {
-    let name = method_name(request);
-    let n = number_of_joints(sizes.joints);
-    let arguments = parameters_of(request, &n, path);
-    let output = output_type(request, sizes, &n, path);
-    quote! {
-        fn #name<T: #path::Scalar #generic>(&self #(, #arguments)*) -> #output
-    }
+    Types::new(sizes, path).signature(request, generic)
 }
 
 /// The name of a method: that of several functions is the user's.
@@ -139,14 +166,12 @@ pub(super) fn provided(
         let matrix = leading_matrix(dof, path, body);
         return Some(quote!(#series #matrix));
     }
-    let (request, sizes) = (Request::One(function), without_parameters(dof));
-    let signature = signature_with(&request, sizes, path, None);
-    let n = number_of_joints(dof);
-    let at = ident(&format!("{}_at", function.name()));
-    let sines = ident("sines");
-    let (name, names) = (method_name(&request), names(function));
-    let arguments = parameters_of(&request, &n, path);
-    let output = output_type(&request, sizes, &n, path);
+    let request = Request::One(function);
+    let types = Types::new(without_parameters(dof), path);
+    let signature = types.signature(&request, None);
+    let (arguments, output) = (types.arguments(&request), types.output(&request));
+    let (name, names) = (method_name(&request), names(&request));
+    let [at, sines] = [&format!("{name}_at"), "sines"].map(ident);
     let work = Literal::u32_unsuffixed(work);
     Some(quote! {
         const WORK: u32 = #work;
@@ -185,14 +210,15 @@ pub(super) fn leading_matrix(dof: usize, path: &TokenStream, body: &TokenStream)
 
 /// The call of the program in the runtime's trait.
 pub(super) fn call(function: Function, dof: usize, path: &TokenStream) -> TokenStream {
-    let (n, names) = (number_of_joints(dof), names(function));
-    let of = ident(function.trait_name().unwrap_or_default());
+    let (n, names) = (number_of_joints(dof), names(&function.into()));
+    let provided = ident(function.trait_name().unwrap_or_default());
+    let name = function.name();
     if *function.shape() == Shape::Series {
-        let name = ident(function.name());
-        return quote!(<Self as #path::#of<#n>>::#name(self #(, #names)*));
+        let name = ident(name);
+        return quote!(<Self as #path::#provided<#n>>::#name(self #(, #names)*));
     }
-    let at = ident(&format!("{}_at", function.name()));
-    quote!(<Self as #path::#of<#n>>::#at(self, &#path::Evaluated #(, #names)*))
+    let at = ident(&format!("{name}_at"));
+    quote!(<Self as #path::#provided<#n>>::#at(self, &#path::Evaluated #(, #names)*))
 }
 
 /// The associated constants `BASE_PARAMETERS` and `BASE_PARAMETER_NAMES`, where one of the methods
@@ -250,31 +276,6 @@ pub fn function_type(request: &Request, index: usize, path: &TokenStream) -> Tok
     }
 }
 
-/// Values in an arrangement as the runtime's trait `Arrangement` has them.
-fn arrangement(shape: &Shape, n: &TokenStream, sizes: Sizes, path: &TokenStream) -> TokenStream {
-    let size = |size: Size| match size {
-        Size::Joints => n.clone(),
-        other => Literal::usize_unsuffixed(other.of(sizes)).into_token_stream(),
-    };
-    match shape {
-        Shape::Number => quote!(#path::Number),
-        Shape::Matrix(rows, columns) => {
-            let (rows, columns) = (size(*rows), size(*columns));
-            quote!(#path::Entries<#rows, #columns>)
-        }
-        Shape::Each(one) => {
-            let one = arrangement(one, n, sizes, path);
-            quote!([#one; #n])
-        }
-        Shape::Tuple(parts) => {
-            let parts = parts.iter().map(|part| arrangement(part, n, sizes, path));
-            quote!((#(#parts,)*))
-        }
-        // It has a trait of its own.
-        Shape::Series => quote!(()),
-    }
-}
-
 /// The items of the runtime's trait `Function` for what has no trait of its own.
 pub(super) fn function_items(
     request: &Request,
@@ -284,27 +285,24 @@ pub(super) fn function_items(
     body: &TokenStream,
     work: u32,
 ) -> TokenStream {
-    let n = number_of_joints(sizes.joints);
+    let types = Types::new(sizes, path);
     let function = function_type(request, index, path);
-    let arguments = request.arguments();
+    let (arguments, names) = (request.arguments(), names(request));
     let shapes = arguments.iter().filter_map(|argument| argument.shape());
-    let taken = shapes.map(|shape| arrangement(&shape, &n, sizes, path));
+    let taken = shapes.map(|shape| types.arrangement(&shape));
     let parts = request.parts().iter();
-    let mut values = parts.map(|part| arrangement(part.shape(), &n, sizes, path));
+    let values = parts.map(|part| types.arrangement(part.shape()));
     let values = match request {
-        Request::One(_) => values.next().unwrap_or_default(),
+        Request::One(_) => values.collect(),
         Request::Fused(_) => quote!((#(#values,)*)),
     };
-    let names: Vec<Ident> = arguments
-        .iter()
-        .map(|argument| ident(argument.name()))
-        .collect();
     let texts = arguments.iter().map(|argument| argument.name());
     let (result, work) = (request.result(), Literal::u32_unsuffixed(work));
     let in_lanes = !arguments.is_empty();
-    let error = match request.refuses() {
-        true => quote!(#path::SingularMassMatrix),
-        false => quote!(::core::convert::Infallible),
+    let error = if request.refuses() {
+        quote!(#path::SingularMassMatrix)
+    } else {
+        quote!(::core::convert::Infallible)
     };
     let sines = ident("sines");
     quote! {
@@ -329,17 +327,15 @@ pub(super) fn function_items(
     }
 }
 
-/// The call of that.
+/// The call of the program in the runtime's trait `Function`.
 pub(super) fn call_of_function(
     request: &Request,
     index: usize,
     sizes: Sizes,
     path: &TokenStream,
 ) -> TokenStream {
-    let (n, function) = (
-        number_of_joints(sizes.joints),
-        function_type(request, index, path),
-    );
+    let (n, names) = (number_of_joints(sizes.joints), names(request));
+    let function = function_type(request, index, path);
     let value = match request {
         Request::One(_) => function.clone(),
         Request::Fused(_) => {
@@ -347,17 +343,14 @@ pub(super) fn call_of_function(
             quote!(#path::functions::Fused::<#index>)
         }
     };
-    let names = request
-        .arguments()
-        .into_iter()
-        .map(|argument| ident(argument.name()));
     let call = quote! {
         <Self as #path::Function<#function, #n>>::at(self, #value, &#path::Evaluated, &(#(*#names,)*))
     };
     let values = ident("all_values");
-    match request.refuses() {
-        true => call,
-        false => quote!(let ::core::result::Result::Ok(#values) = #call; #values),
+    if request.refuses() {
+        call
+    } else {
+        quote!(let ::core::result::Result::Ok(#values) = #call; #values)
     }
 }
 
@@ -370,9 +363,7 @@ pub fn stub_of_function(
     path: &TokenStream,
 ) -> Option<TokenStream> {
     let body = quote!(::core::unimplemented!());
-    let has_trait = request
-        .function()
-        .is_some_and(|function| function.trait_name().is_some());
+    let has_trait = request.function().and_then(Function::trait_name).is_some();
     (!has_trait).then(|| function_items(request, index, without_parameters(dof), path, &body, 0))
 }
 
@@ -386,7 +377,7 @@ mod tests {
             joints: 4,
             parameters: 11,
         };
-        let tokens = type_of(shape, &quote!(4), sizes, &quote!(path));
+        let tokens = Types::new(sizes, &quote!(path)).values(shape);
         tokens.to_string().replace("path :: nalgebra :: ", "")
     }
 

@@ -162,7 +162,7 @@ fn list(variables: &BTreeSet<Variable>) -> String {
 fn variables(robot: &Robot, program: &Program) -> Vec<BTreeSet<Variable>> {
     let mut sets: Vec<BTreeSet<Variable>> = Vec::with_capacity(program.instructions.len());
     for instruction in &program.instructions {
-        let (a, b) = instruction.operands();
+        let [a, b] = instruction.operands();
         let of = |operand| match operand {
             Operand::Constant(_) => BTreeSet::new(),
             Operand::Input(i) => variable(robot, &program.inputs[i as usize])

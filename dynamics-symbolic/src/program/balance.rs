@@ -111,7 +111,7 @@ impl Balance<'_> {
     /// Where a result is in the new program; a term of one sum comes with that sum.
     fn place(&mut self, index: usize) -> Option<Scheduled> {
         let instruction = self.program.instructions[index];
-        let (a, b) = instruction.operands();
+        let [a, b] = instruction.operands();
         match instruction {
             Instruction::Div(..) => Some(self.quotient(a, b)),
             _ if self.is_term_of_one_sum(index) => None,
@@ -189,7 +189,7 @@ impl Balance<'_> {
         let mut terms = Vec::new();
         let mut stack = Vec::new();
         let open = |instruction: Instruction, negative: bool, stack: &mut Vec<_>| {
-            let (a, b) = instruction.operands();
+            let [a, b] = instruction.operands();
             let is_difference = matches!(instruction, Instruction::Sub(..));
             stack.extend([(b, negative != is_difference), (a, negative)]);
         };

@@ -27,7 +27,7 @@ impl Program {
             Operand::Result(index) => results[index as usize].clone(),
         };
         for instruction in &self.instructions {
-            let (a, b) = instruction.operands();
+            let [a, b] = instruction.operands();
             let (a, b) = (read(&results, a), read(&results, b));
             results.push(match instruction {
                 Instruction::Add(..) => arithmetic.add(a, b),

@@ -34,17 +34,15 @@ impl Line {
     /// What the line reads.
     pub fn operands(&self) -> Vec<Operand> {
         match *self {
-            Line::Single(instruction) => {
-                let (a, b) = instruction.operands();
-                vec![a, b]
-            }
-            Line::Fused { product, rest, .. } => {
-                let (x, y) = product;
-                match rest {
-                    Rest::Plus(a) | Rest::Minus(a) => vec![x, y, a],
-                    Rest::Product(a, b) => vec![x, y, a, b],
-                }
-            }
+            Line::Single(instruction) => instruction.operands().to_vec(),
+            Line::Fused {
+                product: (x, y),
+                rest,
+                ..
+            } => match rest {
+                Rest::Plus(a) | Rest::Minus(a) => vec![x, y, a],
+                Rest::Product(a, b) => vec![x, y, a, b],
+            },
         }
     }
 }
@@ -78,9 +76,10 @@ impl Program {
                 (Some(product), None) => Line::Fused {
                     product,
                     is_subtracted: false,
-                    rest: match is_difference {
-                        true => Rest::Minus(b),
-                        false => Rest::Plus(b),
+                    rest: if is_difference {
+                        Rest::Minus(b)
+                    } else {
+                        Rest::Plus(b)
                     },
                 },
                 (None, None) => Line::Single(*instruction),

@@ -52,12 +52,22 @@ pub enum Instruction {
 
 impl Instruction {
     /// The two operands.
-    pub fn operands(&self) -> (Operand, Operand) {
+    pub fn operands(&self) -> [Operand; 2] {
         match *self {
             Instruction::Add(a, b)
             | Instruction::Sub(a, b)
             | Instruction::Mul(a, b)
-            | Instruction::Div(a, b) => (a, b),
+            | Instruction::Div(a, b) => [a, b],
+        }
+    }
+
+    /// The sign of the operation, which all languages have in common.
+    pub fn operator(&self) -> char {
+        match self {
+            Instruction::Add(..) => '+',
+            Instruction::Sub(..) => '-',
+            Instruction::Mul(..) => '*',
+            Instruction::Div(..) => '/',
         }
     }
 }
@@ -99,11 +109,8 @@ impl Program {
 
     /// Which constants instructions and outputs read; others serve to define them.
     pub(crate) fn needed_constants(&self) -> Vec<bool> {
-        let instructions = self.instructions.iter().flat_map(|instruction| {
-            let (a, b) = instruction.operands();
-            [a, b]
-        });
-        let operands = instructions.chain(self.outputs.iter().map(|output| output.operand));
+        let read = self.instructions.iter().flat_map(Instruction::operands);
+        let operands = read.chain(self.outputs.iter().map(|output| output.operand));
         let mut needed = Vec::new();
         for operand in operands {
             if let Operand::Constant(id) = operand {

@@ -22,8 +22,7 @@ impl Program {
                 Instruction::Add(..) | Instruction::Sub(..) => Readers::OneSum,
                 Instruction::Mul(..) | Instruction::Div(..) => Readers::Others,
             };
-            let (a, b) = instruction.operands();
-            for operand in [a, b] {
+            for operand in instruction.operands() {
                 if let Operand::Result(index) = operand {
                     let readers = &mut readers[index as usize];
                     *readers = match readers {

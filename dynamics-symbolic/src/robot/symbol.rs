@@ -36,3 +36,27 @@ pub enum Symbol {
     /// An entry of another argument than q, qd, qdd and tau.
     Entry(Argument, usize),
 }
+
+impl Symbol {
+    /// The argument and the index of the entry that the symbol stands for, where it is one.
+    pub fn entry(&self) -> Option<(Argument, usize)> {
+        match *self {
+            Symbol::Position(i) => Some((Argument::Position, i)),
+            Symbol::Velocity(i) => Some((Argument::Velocity, i)),
+            Symbol::Acceleration(i) => Some((Argument::Acceleration, i)),
+            Symbol::Force(i) => Some((Argument::Force, i)),
+            Symbol::Entry(argument, i) => Some((argument, i)),
+            _ => None,
+        }
+    }
+
+    /// The argument, and the index of the joint or entry, on which the symbol depends; `None` of constants and
+    /// parameters.
+    pub fn argument(&self) -> Option<(Argument, usize)> {
+        match *self {
+            Symbol::Sine(i) | Symbol::Cosine(i) => Some((Argument::Position, i)),
+            Symbol::VelocitySign(i) | Symbol::Stribeck(i) => Some((Argument::Velocity, i)),
+            _ => self.entry(),
+        }
+    }
+}

@@ -46,7 +46,7 @@ fn dropped_factor(program: &mut Program, index: usize) {
 /// One unit in the twentieth digit.
 fn rounded_constant(program: &mut Program, index: usize) {
     let instruction = program.instructions[index];
-    let (a, b) = instruction.operands();
+    let [a, b] = instruction.operands();
     let Operand::Constant(id) = a else { return };
     let Constant::Rational(exact) = program.constants.get(id).clone() else {
         return;

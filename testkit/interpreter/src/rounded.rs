@@ -143,7 +143,7 @@ fn rests(program: &Program, doubles: &[f64]) -> Vec<f64> {
     let mut pool = program.constants.clone();
     let mut rests: Vec<Option<ConstantId>> = vec![None; doubles.len()];
     let operands = program.instructions.iter().flat_map(|instruction| {
-        let (a, b) = instruction.operands();
+        let [a, b] = instruction.operands();
         [a, b]
     });
     for operand in operands.chain(program.outputs.iter().map(|output| output.operand)) {

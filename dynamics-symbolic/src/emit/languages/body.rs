@@ -1,8 +1,8 @@
 //! The lines of a function, which C and JavaScript write alike.
 
-use super::{Language, input_name, place, plain};
+use super::{Language, in_order, input_names, line_names, pivots, plain};
 use crate::function::{Request, spans};
-use crate::program::{Instruction, Line, Operand, Program, Proven, Rest};
+use crate::program::{Line, Operand, Output, Program, Proven, Rest};
 use crate::robot::{Robot, Symbol, Value};
 
 /// A function that is being written.
@@ -17,15 +17,6 @@ pub(super) struct Body<'a> {
     inputs: Vec<String>,
 }
 
-/// A test of a pivot: the texts of the pivot and of the diagonal entry.
-#[derive(Clone, PartialEq)]
-pub(super) struct PivotTest {
-    /// The joint, counted from 0.
-    pub(super) joint: usize,
-    pub(super) pivot: String,
-    pub(super) diagonal: String,
-}
-
 /// A double that reads back as the same one.
 pub(super) fn number(x: f64) -> String {
     format!("{x:?}")
@@ -35,87 +26,47 @@ impl<'a> Body<'a> {
     pub(super) fn new(robot: &'a Robot, proven: &'a Proven, language: &'a Language) -> Self {
         let program = &proven.program;
         let lines = program.lines();
-        let mut count = 0;
-        let name = |line: &Option<Line>| {
-            line.map(|_| {
-                count += 1;
-                format!("t_{count}")
-            })
-        };
-        let names = lines.iter().map(name).collect();
-        let angles = program.angles();
-        let inputs = program.inputs.iter();
-        let inputs = inputs.map(|symbol| input_name(robot, symbol, &angles));
         Body {
             robot,
             program,
             constants: &proven.constants,
             language,
-            names,
-            inputs: inputs.collect(),
+            names: line_names(&lines),
+            inputs: input_names(robot, program),
             lines,
         }
     }
 
-    /// What is read, and then computed: one line of text for each, without indentation.
-    pub(super) fn statements(&self) -> Vec<String> {
-        let mut statements = Vec::new();
-        let mut inputs: Vec<_> = self.program.inputs.iter().zip(&self.inputs).collect();
-        inputs.sort_by_key(|(symbol, _)| place(symbol));
-        for (symbol, name) in inputs {
-            self.declare(name, &self.input(symbol), &mut statements);
-        }
-        for (line, name) in self.lines.iter().zip(&self.names) {
-            if let (Some(line), Some(name)) = (line, name) {
-                self.declare(name, &self.line(line), &mut statements);
-            }
-        }
-        statements
-    }
-
-    fn declare(&self, name: &str, value: &str, statements: &mut Vec<String>) {
+    /// One line of text for each input, each result and each pivot that is tested.
+    pub(super) fn statements(&self, request: &Request) -> Vec<String> {
         let declaration = self.language.declaration;
-        statements.push(format!("{declaration} {name} = {value};"));
+        let declare = |name: &String, value: String| format!("{declaration} {name} = {value};");
+        let inputs = in_order(self.program).into_iter();
+        let inputs = inputs.map(|(index, symbol)| declare(&self.inputs[index], self.input(symbol)));
+        let results = self.lines.iter().zip(&self.names);
+        let results = results
+            .filter_map(|(line, name)| Some(declare(name.as_ref()?, self.line(line.as_ref()?))));
+        let pivots = pivots(self.robot.dof(), request, self.program).into_iter();
+        let tests = pivots.map(|(joint, outputs)| {
+            let [pivot, diagonal] = outputs.map(|output| self.output(output));
+            (self.language.test_pivot)(joint, &pivot, &diagonal)
+        });
+        inputs.chain(results).chain(tests).collect()
     }
 
     /// The outputs of each part that are values, one part after the other.
     pub(super) fn values(&self, request: &Request) -> Vec<Vec<String>> {
-        let (joints, count) = (self.robot.dof(), self.program.outputs.len());
-        let spans = spans(request.parts(), joints, count);
-        let of_part = |(part, span): (&crate::Function, core::ops::Range<usize>)| {
-            let pivots = if part.has_pivots() { 2 * joints } else { 0 };
-            (span.start..span.end - pivots)
-                .map(|output| self.output(output))
-                .collect()
-        };
-        request.parts().iter().zip(spans).map(of_part).collect()
+        let joints = self.robot.dof();
+        let spans = spans(request.parts(), joints, self.program.outputs.len());
+        let parts = request.parts().iter().zip(spans);
+        let values = parts.map(|(part, span)| {
+            let outputs = &self.program.outputs[span.start..][..part.entries(joints, span.len())];
+            outputs.iter().map(|output| self.output(*output)).collect()
+        });
+        values.collect()
     }
 
-    /// The tests by which the function refuses, in the order in which they are made.
-    pub(super) fn pivot_tests(&self, request: &Request) -> Vec<PivotTest> {
-        let (joints, count) = (self.robot.dof(), self.program.outputs.len());
-        let spans = spans(request.parts(), joints, count);
-        let mut tests: Vec<PivotTest> = Vec::new();
-        for (part, span) in request.parts().iter().zip(spans) {
-            if !part.has_pivots() {
-                continue;
-            }
-            for joint in (0..joints).rev() {
-                let test = PivotTest {
-                    joint,
-                    pivot: self.output(span.end - 2 * joints + joint),
-                    diagonal: self.output(span.end - joints + joint),
-                };
-                if !tests.contains(&test) {
-                    tests.push(test);
-                }
-            }
-        }
-        tests
-    }
-
-    fn output(&self, index: usize) -> String {
-        let output = self.program.outputs[index];
+    fn output(&self, output: Output) -> String {
         let value = self.operand(output.operand);
         match (output.negative, value.strip_prefix('-')) {
             (false, _) => value,
@@ -125,30 +76,26 @@ impl<'a> Body<'a> {
     }
 
     fn line(&self, line: &Line) -> String {
-        let of = |operand: Operand| self.operand(operand);
+        let text = |operand: Operand| self.operand(operand);
         match *line {
             Line::Single(instruction) => {
-                let (a, b) = instruction.operands();
-                let operator = match instruction {
-                    Instruction::Add(..) => '+',
-                    Instruction::Sub(..) => '-',
-                    Instruction::Mul(..) => '*',
-                    Instruction::Div(..) => '/',
-                };
-                format!("{} {operator} {}", of(a), of(b))
+                let [a, b] = instruction.operands();
+                format!("{} {} {}", text(a), instruction.operator(), text(b))
             }
             Line::Fused {
                 product: (x, y),
                 is_subtracted,
                 rest,
             } => {
-                let product = format!("{} * {}", of(x), of(y));
+                let product = format!("{} * {}", text(x), text(y));
                 match (rest, is_subtracted) {
-                    (Rest::Plus(a), false) => format!("{product} + {}", of(a)),
-                    (Rest::Plus(a), true) => format!("{} - {product}", of(a)),
-                    (Rest::Minus(a), _) => format!("{product} - {}", of(a)),
-                    (Rest::Product(a, b), false) => format!("{} * {} + {product}", of(a), of(b)),
-                    (Rest::Product(a, b), true) => format!("{} * {} - {product}", of(a), of(b)),
+                    (Rest::Plus(a), false) => format!("{product} + {}", text(a)),
+                    (Rest::Plus(a), true) => format!("{} - {product}", text(a)),
+                    (Rest::Minus(a), _) => format!("{product} - {}", text(a)),
+                    (Rest::Product(a, b), _) => {
+                        let sign = if is_subtracted { '-' } else { '+' };
+                        format!("{} * {} {sign} {product}", text(a), text(b))
+                    }
                 }
             }
         }
@@ -164,7 +111,6 @@ impl<'a> Body<'a> {
 
     fn input(&self, symbol: &Symbol) -> String {
         let call = |function: &str, argument: String| format!("{function}({argument})");
-        let entry = |argument: &str, i: usize| format!("{argument}[{i}]");
         let Language {
             sine,
             cosine,
@@ -172,6 +118,9 @@ impl<'a> Body<'a> {
             sign,
             ..
         } = self.language;
+        if let Some((argument, i)) = symbol.entry() {
+            return format!("{}[{i}]", argument.name());
+        }
         match symbol {
             Symbol::Pi => number(core::f64::consts::PI),
             Symbol::Field(i) => self.cell(&Value::Field(*i)),
@@ -179,10 +128,6 @@ impl<'a> Body<'a> {
             Symbol::AngleCosine(angle) => call(cosine, self.cell(angle)),
             Symbol::Sine(i) => call(sine, self.of_joint("q", *i)),
             Symbol::Cosine(i) => call(cosine, self.of_joint("q", *i)),
-            Symbol::Position(i) => entry("q", *i),
-            Symbol::Velocity(i) => entry("qd", *i),
-            Symbol::Acceleration(i) => entry("qdd", *i),
-            Symbol::Force(i) => entry("tau", *i),
             Symbol::VelocitySign(i) => call(sign, self.of_joint("qd", *i)),
             Symbol::Stribeck(i) => {
                 let row = self.robot.row_of(*i);
@@ -191,7 +136,7 @@ impl<'a> Body<'a> {
                 let x = format!("({} / {v})", self.of_joint("qd", *i));
                 call(exponential, format!("-({x} * {x})"))
             }
-            Symbol::Entry(argument, i) => entry(argument.name(), *i),
+            _ => unreachable!("an entry of an argument"),
         }
     }
 

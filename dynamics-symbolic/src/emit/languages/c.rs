@@ -1,8 +1,8 @@
 //! C99, which is C++ and device code as well: a header and a source.
 
-use super::body::{Body, PivotTest};
+use super::body::Body;
 use super::comments::{comment, lines};
-use super::{Language, free_name, snake_case};
+use super::{Language, free_name, indented, snake_case};
 use crate::function::{Request, Shape, Sizes, sizes_of};
 use crate::program::Proven;
 use crate::robot::Robot;
@@ -22,109 +22,31 @@ pub struct CSource {
 
 const C: Language = Language {
     declaration: "const double",
-    field: |field| format!("arm->{}", free_name(field, &WORDS)),
+    field: |field| format!("arm->{}", free_name(field, WORDS)),
     sine: "ROBOT_DYNAMICS_SIN",
     cosine: "ROBOT_DYNAMICS_COS",
     exponential: "ROBOT_DYNAMICS_EXP",
     sign: "robot_dynamics_sign",
+    test_pivot: |joint, pivot, diagonal| {
+        let number = joint + 1;
+        format!("if (!robot_dynamics_is_pivot({pivot}, {diagonal})) return {number};")
+    },
+    own_functions: [
+        ("robot_dynamics_sign(", SIGN),
+        ("robot_dynamics_is_pivot(", IS_PIVOT),
+    ],
 };
 
 /// The keywords of C and of C++.
-const WORDS: [&str; 93] = [
-    "alignas",
-    "alignof",
-    "and",
-    "and_eq",
-    "asm",
-    "auto",
-    "bitand",
-    "bitor",
-    "bool",
-    "break",
-    "case",
-    "catch",
-    "char",
-    "class",
-    "compl",
-    "concept",
-    "const",
-    "const_cast",
-    "consteval",
-    "constexpr",
-    "constinit",
-    "continue",
-    "co_await",
-    "co_return",
-    "co_yield",
-    "decltype",
-    "default",
-    "delete",
-    "do",
-    "double",
-    "dynamic_cast",
-    "else",
-    "enum",
-    "explicit",
-    "export",
-    "extern",
-    "false",
-    "float",
-    "for",
-    "friend",
-    "goto",
-    "if",
-    "inline",
-    "int",
-    "long",
-    "mutable",
-    "namespace",
-    "new",
-    "noexcept",
-    "not",
-    "not_eq",
-    "nullptr",
-    "operator",
-    "or",
-    "or_eq",
-    "private",
-    "protected",
-    "public",
-    "register",
-    "reinterpret_cast",
-    "requires",
-    "restrict",
-    "return",
-    "short",
-    "signed",
-    "sizeof",
-    "static",
-    "static_assert",
-    "static_cast",
-    "struct",
-    "switch",
-    "template",
-    "this",
-    "thread_local",
-    "throw",
-    "true",
-    "try",
-    "typedef",
-    "typeid",
-    "typename",
-    "typeof",
-    "union",
-    "unsigned",
-    "using",
-    "virtual",
-    "void",
-    "volatile",
-    "wchar_t",
-    "while",
-    "xor",
-    "xor_eq",
-    "_Bool",
-    "_Complex",
-];
+const WORDS: &str = "
+alignas alignof and and_eq asm auto bitand bitor bool break case catch char class compl concept
+const const_cast consteval constexpr constinit continue co_await co_return co_yield decltype default
+delete do double dynamic_cast else enum explicit export extern false float for friend goto if inline
+int long mutable namespace new noexcept not not_eq nullptr operator or or_eq private protected
+public register reinterpret_cast requires restrict return short signed sizeof static static_assert
+static_cast struct switch template this thread_local throw true try typedef typeid typename typeof
+union unsigned using virtual void volatile wchar_t while xor xor_eq _Bool _Complex
+";
 
 /// Sine, cosine and exponential may be others than those of the C library.
 const FUNCTIONS: &str = "\
@@ -187,9 +109,7 @@ struct Written {
 impl Writer<'_> {
     fn header(&self, functions: &[(Request, Proven)]) -> String {
         let (name, upper) = (&self.name, self.name.to_uppercase());
-        let dof = self.robot.dof();
-        let joints: Vec<_> = self.robot.joints().map(|row| string(&row.name)).collect();
-        let mut text = comment(&[
+        let title = comment(&[
             format!("Equations of motion of `{}`, written by robot-dynamics.", self.robot.name),
             String::new(),
             "Each function is proven equal to the textbook Lagrangian. SI units, radians; matrices by rows."
@@ -197,98 +117,76 @@ impl Writer<'_> {
             "Nothing is allocated, no state is kept. What depends on an input that is not finite is not finite."
                 .to_owned(),
         ]);
-        let _ = write!(
-            text,
-            "#ifndef {upper}_H\n#define {upper}_H\n\n\
+        let joints: Vec<_> = self.robot.joints().map(|row| string(&row.name)).collect();
+        let fields = self.robot.fields.iter();
+        let fields = fields.map(|field| format!("double {};", free_name(field, WORDS)));
+        let fields = match &fields.collect::<Vec<_>>()[..] {
+            [] => String::new(),
+            fields => format!(
+                "\n/** The symbolic parameters of the table. */\ntypedef struct {{\n{}}} {name}_fields;\n",
+                indented(fields, 4)
+            ),
+        };
+        let declaration = |(request, proven): &(Request, Proven)| {
+            let documentation = comment(&lines(self.robot, request, proven, REFUSAL));
+            format!("\n{documentation}{};\n", self.signature(request, proven))
+        };
+        let declarations: String = functions.iter().map(declaration).collect();
+        format!(
+            "{title}#ifndef {upper}_H\n#define {upper}_H\n\n\
              /* What stands in front of every function: for device code it is compiled for both sides. */\n\
              #ifndef ROBOT_DYNAMICS_DEVICE\n\
              #if defined(__CUDACC__) || defined(__HIPCC__)\n\
              #define ROBOT_DYNAMICS_DEVICE __host__ __device__\n\
              #else\n#define ROBOT_DYNAMICS_DEVICE\n#endif\n#endif\n\n\
              /* Joints that move, and their names from the base outwards. */\n\
-             #define {upper}_DOF {dof}\n\
+             #define {upper}_DOF {}\n\
              #define {upper}_JOINT_NAMES {{{}}}\n\n\
-             #ifdef __cplusplus\nextern \"C\" {{\n#endif\n",
+             #ifdef __cplusplus\nextern \"C\" {{\n#endif\n\
+             {fields}{declarations}\
+             \n#ifdef __cplusplus\n}}\n#endif\n\n#endif\n",
+            joints.len(),
             joints.join(", ")
-        );
-        if !self.robot.fields.is_empty() {
-            text.push_str("\n/** The symbolic parameters of the table. */\ntypedef struct {\n");
-            for field in &self.robot.fields {
-                let _ = writeln!(text, "    double {};", free_name(field, &WORDS));
-            }
-            let _ = writeln!(text, "}} {name}_fields;");
-        }
-        for (request, proven) in functions {
-            text.push('\n');
-            text.push_str(&comment(&lines(self.robot, request, proven, REFUSAL)));
-            let _ = writeln!(text, "{};", self.signature(request, proven));
-        }
-        text.push_str("\n#ifdef __cplusplus\n}\n#endif\n\n#endif\n");
-        text
+        )
     }
 
     fn source(&self, functions: &[(Request, Proven)]) -> String {
-        let mut bodies = String::new();
-        for (request, proven) in functions {
-            bodies.push_str(&self.function(request, proven));
-        }
-        let mut text = format!(
-            "#include \"{}.h\"\n\n#include <math.h>\n\n{FUNCTIONS}",
-            self.name
-        );
-        for (helper, called) in [
-            (SIGN, "robot_dynamics_sign("),
-            (IS_PIVOT, "robot_dynamics_is_pivot("),
-        ] {
-            if bodies.contains(called) {
-                text.push_str(helper);
-            }
-        }
-        text.push_str(&bodies);
-        text
+        let functions = functions.iter();
+        let bodies: String = functions
+            .map(|(request, proven)| self.function(request, proven))
+            .collect();
+        let called = C.called(&bodies);
+        let name = &self.name;
+        format!("#include \"{name}.h\"\n\n#include <math.h>\n\n{FUNCTIONS}{called}{bodies}")
     }
 
     fn function(&self, request: &Request, proven: &Proven) -> String {
         let body = Body::new(self.robot, proven, &C);
-        let statements = body.statements();
-        let mut text = format!("\n{}\n{{\n", self.signature(request, proven));
-        let mut line = |statement: &str| {
-            let _ = writeln!(text, "    {statement}");
-        };
-        for argument in self.arguments(request) {
+        let statements = body.statements(request);
+        let is_unread = |argument: &&str| {
             let reads = [format!("{argument}["), format!("{argument}->")];
             let is_read = |statement: &String| reads.iter().any(|read| reads_name(statement, read));
-            if !statements.iter().any(is_read) {
-                line(&format!("(void){argument};"));
-            }
-        }
-        statements.iter().for_each(|statement| line(statement));
-        for PivotTest {
-            joint,
-            pivot,
-            diagonal,
-        } in body.pivot_tests(request)
-        {
-            line(&format!(
-                "if (!robot_dynamics_is_pivot({pivot}, {diagonal})) return {};",
-                joint + 1
-            ));
-        }
+            !statements.iter().any(is_read)
+        };
+        let unread = self.arguments(request).into_iter().filter(is_unread);
+        let mut lines: Vec<_> = unread
+            .map(|argument| format!("(void){argument};"))
+            .collect();
+        lines.extend(statements);
         let values = body.values(request);
         if is_number(request) {
-            line(&format!("return {};", values[0][0]));
+            lines.push(format!("return {};", values[0][0]));
         } else {
             let written = self.written(request, proven);
             let entries = written.iter().flat_map(Written::entries);
-            for (place, value) in entries.zip(values.iter().flatten()) {
-                line(&format!("{place} = {value};"));
-            }
+            let values = entries.zip(values.iter().flatten());
+            lines.extend(values.map(|(place, value)| format!("{place} = {value};")));
             if request.refuses() {
-                line("return 0;");
+                lines.push("return 0;".to_owned());
             }
         }
-        text.push_str("}\n");
-        text
+        let signature = self.signature(request, proven);
+        format!("\n{signature}\n{{\n{}}}\n", indented(&lines, 4))
     }
 
     /// The names of what is read.
@@ -330,11 +228,8 @@ impl Writer<'_> {
     }
 
     fn sizes(&self, request: &Request, proven: &Proven) -> Sizes {
-        sizes_of(
-            request.parts(),
-            self.robot.dof(),
-            proven.program.outputs.len(),
-        )
+        let outputs = proven.program.outputs.len();
+        sizes_of(request.parts(), self.robot.dof(), outputs)
     }
 
     /// What a function writes to: nothing for a value without entries, which no array of C is.

@@ -1,12 +1,11 @@
 //! JavaScript: an ES module.
 
-use super::body::{Body, PivotTest, number};
-use super::comments::{comment, lines};
-use super::{Language, free_name, plain};
+use super::body::{Body, number};
+use super::comments::{comment, lines as documentation};
+use super::{Language, free_name, indented, plain};
 use crate::function::{Request, Shape, Size, Sizes, sizes_of};
 use crate::program::Proven;
 use crate::robot::Robot;
-use core::fmt::Write as _;
 
 const JAVASCRIPT: Language = Language {
     declaration: "const",
@@ -15,60 +14,17 @@ const JAVASCRIPT: Language = Language {
     cosine: "Math.cos",
     exponential: "Math.exp",
     sign: "sign",
+    test_pivot: |joint, pivot, diagonal| format!("assertPivot({joint}, {pivot}, {diagonal});"),
+    own_functions: [(" sign(", SIGN), ("assertPivot(", IS_PIVOT)],
 };
 
 /// Words that no function may be named.
-const WORDS: [&str; 49] = [
-    "arguments",
-    "await",
-    "break",
-    "case",
-    "catch",
-    "class",
-    "const",
-    "continue",
-    "debugger",
-    "default",
-    "delete",
-    "do",
-    "else",
-    "enum",
-    "eval",
-    "export",
-    "extends",
-    "false",
-    "finally",
-    "for",
-    "function",
-    "if",
-    "implements",
-    "import",
-    "in",
-    "instanceof",
-    "interface",
-    "let",
-    "new",
-    "null",
-    "package",
-    "private",
-    "protected",
-    "public",
-    "return",
-    "static",
-    "super",
-    "switch",
-    "this",
-    "throw",
-    "true",
-    "try",
-    "typeof",
-    "var",
-    "void",
-    "while",
-    "with",
-    "yield",
-    "sign",
-];
+const WORDS: &str = "
+arguments await break case catch class const continue debugger default delete do else enum eval
+export extends false finally for function if implements import in instanceof interface let new null
+package private protected public return static super switch this throw true try typeof var void
+while with yield sign
+";
 
 const SIGN: &str = "
 /** The sign, 0 of zero; NaN of NaN. */
@@ -100,45 +56,43 @@ const REFUSAL: &str = "Throws `SingularMassMatrix` where M(q) is not positive de
 /// The functions of a robot as an ES module, each with its program. Vectors are arrays, matrices arrays
 /// of rows, tuples arrays of their values.
 pub fn javascript_module(robot: &Robot, functions: &[(Request, Proven)]) -> String {
-    let mut bodies = String::new();
-    for (request, proven) in functions {
-        bodies.push_str(&function(robot, request, proven));
-    }
-    let mut text = comment(&[
+    let functions = functions.iter();
+    let bodies: String = functions
+        .map(|(request, proven)| function(robot, request, proven))
+        .collect();
+    let title = comment(&[
         format!("Equations of motion of `{}`, written by robot-dynamics.", robot.name),
         String::new(),
         "Each function is proven equal to the textbook Lagrangian. SI units, radians; vectors are arrays,"
             .to_owned(),
         "matrices arrays of rows. What depends on an input that is not finite is not finite.".to_owned(),
     ]);
-    let names = |names: Vec<String>| format!("[{}]", names.join(", "));
     let joints = robot.joints().map(|row| format!("{:?}", row.name));
-    let _ = write!(
-        text,
-        "\n/** Number of joints that move. */\nexport const DOF = {};\n\n\
-         /** Names of the joints that move, from the base outwards. */\nexport const JOINT_NAMES = {};\n",
-        robot.dof(),
-        names(joints.collect())
-    );
-    if !robot.fields.is_empty() {
-        let fields = robot
-            .fields
-            .iter()
-            .map(|field| format!("{:?}", plain(field)));
-        let _ = write!(
-            text,
+    let fields = robot
+        .fields
+        .iter()
+        .map(|field| format!("{:?}", plain(field)));
+    let fields = if robot.fields.is_empty() {
+        String::new()
+    } else {
+        format!(
             "\n/** The symbolic parameters: properties of the first argument, `arm`, of every function. */\n\
              export const FIELD_NAMES = {};\n",
-            names(fields.collect())
-        );
-    }
-    for (helper, called) in [(SIGN, " sign("), (IS_PIVOT, "assertPivot(")] {
-        if bodies.contains(called) {
-            text.push_str(helper);
-        }
-    }
-    text.push_str(&bodies);
-    text
+            array(fields)
+        )
+    };
+    format!(
+        "{title}\n/** Number of joints that move. */\nexport const DOF = {};\n\n\
+         /** Names of the joints that move, from the base outwards. */\nexport const JOINT_NAMES = {};\n\
+         {fields}{}{bodies}",
+        robot.dof(),
+        array(joints),
+        JAVASCRIPT.called(&bodies)
+    )
+}
+
+fn array(entries: impl Iterator<Item = String>) -> String {
+    format!("[{}]", entries.collect::<Vec<_>>().join(", "))
 }
 
 fn function(robot: &Robot, request: &Request, proven: &Proven) -> String {
@@ -147,64 +101,38 @@ fn function(robot: &Robot, request: &Request, proven: &Proven) -> String {
     let arguments = request.arguments();
     let names = arguments.iter().map(|argument| argument.name());
     let parameters: Vec<_> = fields.into_iter().chain(names).collect();
-    let mut text = format!(
-        "\n{}export function {}({}) {{\n",
-        comment(&lines(robot, request, proven, REFUSAL)),
-        free_name(request.name(), &WORDS),
-        parameters.join(", ")
-    );
-    let mut line = |statement: &str| {
-        let _ = writeln!(text, "  {statement}");
-    };
-    body.statements()
-        .iter()
-        .for_each(|statement| line(statement));
-    for PivotTest {
-        joint,
-        pivot,
-        diagonal,
-    } in body.pivot_tests(request)
-    {
-        line(&format!("assertPivot({joint}, {pivot}, {diagonal});"));
-    }
     let sizes = sizes_of(request.parts(), robot.dof(), proven.program.outputs.len());
     let values = body.values(request);
     let parts = request.parts().iter().zip(&values);
-    let parts: Vec<_> = parts
-        .map(|(part, values)| value(part.shape(), sizes, &mut values.iter()))
-        .collect();
-    match request {
-        Request::One(_) => line(&format!("return {};", parts[0])),
-        Request::Fused(_) => line(&format!("return [{}];", parts.join(", "))),
-    }
-    text.push_str("}\n");
-    text
+    let mut values = parts.map(|(part, values)| value(part.shape(), sizes, &mut values.iter()));
+    let returned = match request {
+        Request::One(_) => values.collect(),
+        Request::Fused(_) => array(&mut values),
+    };
+    let mut lines = body.statements(request);
+    lines.push(format!("return {returned};"));
+    format!(
+        "\n{}export function {}({}) {{\n{}}}\n",
+        comment(&documentation(robot, request, proven, REFUSAL)),
+        free_name(request.name(), WORDS),
+        parameters.join(", "),
+        indented(&lines, 2)
+    )
 }
 
 /// Values in their arrangement.
 fn value<'v>(shape: &Shape, sizes: Sizes, values: &mut impl Iterator<Item = &'v String>) -> String {
-    let mut entry = || values.next().cloned().unwrap_or_else(|| number(0.0));
-    let array = |entries: Vec<String>| format!("[{}]", entries.join(", "));
+    let mut entry = |_| values.next().cloned().unwrap_or_else(|| number(0.0));
     match shape {
-        Shape::Number => entry(),
-        Shape::Matrix(rows, Size::One) => array((0..rows.of(sizes)).map(|_| entry()).collect()),
+        Shape::Number => entry(0),
+        Shape::Matrix(rows, Size::One) => array((0..rows.of(sizes)).map(entry)),
         Shape::Matrix(rows, columns) => {
             let (rows, columns) = (rows.of(sizes), columns.of(sizes));
-            let row = |_| array((0..columns).map(|_| entry()).collect());
-            array((0..rows).map(row).collect())
+            array((0..rows).map(|_| array((0..columns).map(&mut entry))))
         }
-        Shape::Each(one) => array(
-            (0..sizes.joints)
-                .map(|_| value(one, sizes, values))
-                .collect(),
-        ),
-        Shape::Tuple(parts) => array(
-            parts
-                .iter()
-                .map(|part| value(part, sizes, values))
-                .collect(),
-        ),
+        Shape::Each(one) => array((0..sizes.joints).map(|_| value(one, sizes, values))),
+        Shape::Tuple(parts) => array(parts.iter().map(|part| value(part, sizes, values))),
         // Never written: it is no program over numbers.
-        Shape::Series => array(Vec::new()),
+        Shape::Series => array([].into_iter()),
     }
 }

@@ -13,8 +13,9 @@ pub use c::{CSource, c_source};
 pub use comments::description;
 pub use javascript::javascript_module;
 
-use super::inputs::{input_name, place};
-use super::names::plain;
+use super::inputs::{in_order, input_names};
+use super::names::{line_names, plain};
+use super::pivots::pivots;
 use super::{documentation, parameters};
 
 /// How a language says what differs between C and JavaScript.
@@ -28,15 +29,37 @@ struct Language {
     cosine: &'static str,
     exponential: &'static str,
     sign: &'static str,
+    /// The statement that ends a function unless the pivot of a joint is good beside the diagonal entry.
+    test_pivot: fn(usize, &str, &str) -> String,
+    /// How a call of an own function begins, and the text of that function.
+    own_functions: [(&'static str, &'static str); 2],
 }
 
-/// The name, changed if it is a reserved word of the language.
-fn free_name(name: &str, words: &[&str]) -> String {
-    let name = plain(name);
-    match words.contains(&name) {
-        true => format!("{name}_"),
-        false => name.to_owned(),
+impl Language {
+    /// The own functions that some text calls.
+    fn called(&self, text: &str) -> String {
+        let own_functions = self.own_functions.iter();
+        let called = own_functions.filter(|(call, _)| text.contains(call));
+        called.map(|(_, function)| *function).collect()
     }
+}
+
+/// The name, changed if it is one of the words, which a language reserves.
+fn free_name(name: &str, words: &str) -> String {
+    let name = plain(name);
+    if words.split_whitespace().any(|word| word == name) {
+        format!("{name}_")
+    } else {
+        name.to_owned()
+    }
+}
+
+/// Lines of text behind so many spaces each.
+fn indented(lines: &[String], spaces: usize) -> String {
+    let lines = lines.iter();
+    lines
+        .map(|line| format!("{:spaces$}{line}\n", ""))
+        .collect()
 }
 
 /// A name in the letters of a variable and of a file: `TwoLink` as `two_link`.
@@ -48,15 +71,16 @@ pub fn snake_case(name: &str) -> String {
             snake.push('_');
         }
         after_lower = letter.is_lowercase() || letter.is_ascii_digit();
-        match letter.is_alphanumeric() || letter == '_' {
-            true => snake.extend(letter.to_lowercase()),
-            false => snake.push('_'),
+        if letter.is_alphanumeric() {
+            snake.extend(letter.to_lowercase());
+        } else {
+            snake.push('_');
         }
     }
-    match snake.starts_with(|letter: char| letter.is_ascii_digit()) || snake.is_empty() {
-        true => format!("_{snake}"),
-        false => snake,
+    if snake.starts_with(|letter: char| letter.is_ascii_digit()) || snake.is_empty() {
+        snake.insert(0, '_');
     }
+    snake
 }
 
 #[cfg(test)]
@@ -70,6 +94,6 @@ mod tests {
         assert_eq!(snake_case("UR5e"), "ur5e");
         assert_eq!(snake_case("my arm.2"), "my_arm_2");
         assert_eq!(snake_case("7bot"), "_7bot");
-        assert_eq!(free_name("r#double", &["double"]), "double_");
+        assert_eq!(free_name("r#double", "do double"), "double_");
     }
 }
