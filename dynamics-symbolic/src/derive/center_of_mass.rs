@@ -8,7 +8,7 @@
 
 use super::base::{LinkGeometry, bodies, geometry};
 use super::chain::Chain;
-use super::energy::{Moment, composite_moments, moment_about_base};
+use super::energy::{Moment, composite_moments};
 use super::kinematics::{Axes, base};
 use super::place::Placed;
 use super::symbols::Symbols;
@@ -38,7 +38,7 @@ pub(super) fn center<'g>(
     chain: &Chain<Expr<'g>>,
 ) -> Vec<Expr<'g>> {
     let moments = Moments::new(symbols, robot, chain);
-    let total = moment_about_base(chain, moments.of_base, &moments.of_links);
+    let total = moments.of_base + moments.of_joints;
     let center = Vector3(moments.divided(total.0, chain.one));
     let center = match &robot.base {
         Some(base) => {
@@ -58,19 +58,20 @@ pub(super) fn jacobian<'g>(
 ) -> Vec<Expr<'g>> {
     let zero = chain.zero;
     let moments = Moments::new(symbols, robot, chain);
-    let mut axes = Axes::new(&base(symbols, robot));
+    let base = Axes::new(&base(symbols, robot));
     let mut columns = Vec::with_capacity(chain.links.len());
-    for (link, (mass, h)) in chain.links.iter().zip(&moments.of_links) {
-        axes = axes.screw_z(zero, pair(link.joint.before));
-        axes = axes.screw_x(zero, pair(link.joint.twist));
+    chain.tree.outward(base, |i, before| {
+        let (joint, (mass, h)) = (chain.joint(i), moments.of_links[i]);
+        let axes = before.screw_z(zero, pair(joint.before));
+        let axes = axes.screw_x(zero, pair(joint.twist));
         // In the axes before the joint's own turn, which the moment takes on its way inwards anyway.
-        let (x, y) = link.joint.turn.leave(h[0], h[1]);
-        columns.push(match link.joint.joint_type {
+        let (x, y) = joint.turn.leave(h[0], h[1]);
+        columns.push(match joint.joint_type {
             JointType::Revolute => axes.y * x - axes.x * y,
-            JointType::Prismatic => axes.z * *mass,
+            JointType::Prismatic => axes.z * mass,
         });
-        axes = axes.screw_z(zero, pair(link.joint.turn));
-    }
+        axes.screw_z(zero, pair(joint.turn))
+    });
     let rows = (0..3).flat_map(|k| columns.iter().map(move |column| column[k]));
     let rows: Vec<_> = rows.collect();
     moments.divided(rows, chain.one)
@@ -84,8 +85,10 @@ fn pair<'g>(turn: Turn<Expr<'g>>) -> (Expr<'g>, Expr<'g>) {
 struct Moments<'g> {
     /// Of links i to n about the origin of frame i, as far as joint i feels them.
     of_links: Vec<Moment<'g>>,
-    /// The first moment of what no joint moves.
+    /// The first moment of what no joint moves, about the origin of frame 0.
     of_base: Vector3<Expr<'g>>,
+    /// That of what joints feel.
+    of_joints: Vector3<Expr<'g>>,
     /// The mass of all links, where it is still to be divided by.
     divisor: Option<Expr<'g>>,
 }
@@ -103,9 +106,12 @@ impl<'g> Moments<'g> {
         let placed: Vec<_> = links
             .map(|(link, body)| link.place(body, chain.zero))
             .collect();
+        let own = |i: usize| (placed[i].mass, placed[i].moment);
+        let (of_links, (_, of_joints)) = composite_moments(chain, own);
         Moments {
-            of_links: composite_moments(chain, |i| (placed[i].mass, placed[i].moment)),
+            of_links,
             of_base: base.moment,
+            of_joints,
             divisor: (!is_number).then_some(total),
         }
     }
@@ -130,29 +136,27 @@ fn grouped<'g>(
     factor: Expr<'g>,
 ) -> (Vec<Body<Expr<'g>>>, Body<Expr<'g>>) {
     let zero = symbols.graph().zero();
-    let links = geometry(symbols, robot);
+    let geometry = geometry(symbols, robot);
     let own = bodies(symbols, robot);
-    let mut carried = Body::splat(zero);
-    let mut kept = Vec::with_capacity(links.len());
-    for (i, (link, (body, _))) in links.iter().zip(own).enumerate().rev() {
+    let none = Body::splat(zero);
+    let mut kept = vec![none; own.len()];
+    let of_base = geometry.tree.inward(none, Body::joined, |i, outer| {
         let point = match i < robot.links_of_base() {
             // Parts of the base have no share, but what comes from beyond passes their frames.
-            true => Body::splat(zero),
+            true => none,
             false => Body {
                 inertia: Symmetric3::splat(zero),
-                ..body.times(factor)
+                ..own[i].0.times(factor)
             },
         };
-        let (rest, moving) = split(link, point.joined(carried), zero);
-        kept.push(rest);
-        carried = moving
-            .left_z(link.turn)
-            .left_x(link.twist)
-            .moved(link.offset(zero));
-        carried.inertia = Symmetric3::splat(zero);
-    }
-    kept.reverse();
-    (kept, carried)
+        let (rest, moving) = split(&geometry.links[i], point.joined(outer), zero);
+        kept[i] = rest;
+        Body {
+            inertia: Symmetric3::splat(zero),
+            ..geometry.leave(i, moving)
+        }
+    });
+    (kept, of_base)
 }
 
 /// What a joint moves of a mass and a first moment, and what it does not.

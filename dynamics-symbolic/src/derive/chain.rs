@@ -3,11 +3,13 @@
 
 use super::rows::{body, screws};
 use super::symbols::Symbols;
+use super::walk::Tree;
 use super::{base, place};
 use crate::expr::{Expr, Level};
 use crate::linear::{Ring, Symmetric3, Vector3};
 use crate::robot::{Interpretation, JointType, Robot};
-use crate::spatial::{Body, Joint, Keep, Motion, Turn, leave_x, leave_z};
+use crate::spatial::{Acceleration, Body, Force, Joint, Keep, Motion, Turn, leave_x, leave_z};
+use core::ops::Add;
 
 /// Where the origin of a joint's frame is on the axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -61,6 +63,8 @@ pub struct Chain<R> {
     pub base: Body<R>,
     /// The links.
     pub links: Vec<Link<R>>,
+    /// Which of them carries which.
+    pub(crate) tree: Tree,
     /// The joint about whose origin the moment of a wrench on the tip is told, where it is about one.
     pub pivot: Option<usize>,
 }
@@ -71,10 +75,12 @@ impl<'g> Chain<Expr<'g>> {
         let (zero, one) = (symbols.graph().zero(), symbols.graph().one());
         let none = Turn::none(zero, one);
         let screws = screws(symbols, robot);
-        let mut previous_shift = zero;
+        let tree = Tree::of(robot);
         let links_of_base = robot.links_of_base();
         let neglected = base::neglected(symbols, robot);
-        let links = robot.rows.iter().enumerate().map(|(i, row)| {
+        let mut links: Vec<Link<Expr<'g>>> = Vec::with_capacity(robot.rows.len());
+        for (i, row) in robot.rows.iter().enumerate() {
+            let shift_before = tree.parent(i).map_or(zero, |parent| links[parent].shift);
             let d = symbols.value(&row.d);
             // The origin is at d + shift along the axis.
             let shift = match origins[i] {
@@ -83,8 +89,7 @@ impl<'g> Chain<Expr<'g>> {
             };
             let screw = &screws[i];
             let along = leave_x(screw.turn, Vector3::new(zero, zero, d + shift));
-            let offset = along + Vector3::new(screw.a, zero, -previous_shift);
-            previous_shift = shift;
+            let offset = along + Vector3::new(screw.a, zero, -shift_before);
             let (s, c) = symbols.joint_sin_cos(i, row.joint_type, &row.theta);
             let slide = match row.joint_type {
                 JointType::Revolute => zero,
@@ -101,7 +106,7 @@ impl<'g> Chain<Expr<'g>> {
                 None => ratio * ratio * symbols.value(&row.motor_inertia) - neglected[i].1,
                 Some(_) => zero,
             };
-            Link {
+            links.push(Link {
                 joint: Joint {
                     joint_type: row.joint_type,
                     before: none,
@@ -115,9 +120,8 @@ impl<'g> Chain<Expr<'g>> {
                 behind: none,
                 body,
                 reflected,
-            }
-        });
-        let links = links.collect();
+            });
+        }
         let gravity = place::gravity(symbols, robot);
         Chain {
             zero,
@@ -127,27 +131,64 @@ impl<'g> Chain<Expr<'g>> {
             datum: place::datum(symbols, robot).unwrap_or(zero),
             base: Body::splat(zero),
             links,
+            tree,
             pivot: None,
         }
     }
 }
 
 impl<R: Ring> Chain<R> {
-    /// The joints from the base outwards.
-    pub fn joints(&self) -> impl DoubleEndedIterator<Item = &Joint<R>> + ExactSizeIterator {
-        self.links.iter().map(|link| &link.joint)
+    /// Joint i.
+    pub(super) fn joint(&self, i: usize) -> &Joint<R> {
+        &self.links[i].joint
     }
 
-    /// The axes of joints 0 to m in frame m, for every m.
-    pub(super) fn axes(&self) -> Vec<Vec<Motion<R>>> {
-        let mut axes: Vec<Vec<Motion<R>>> = Vec::with_capacity(self.links.len());
-        for joint in self.joints() {
-            let inner = axes.last().into_iter().flatten();
-            let mut row: Vec<_> = inner.map(|axis| axis.enter(joint)).collect();
-            row.push(Motion::axis(joint.joint_type, self.zero, self.one));
-            axes.push(row);
-        }
-        axes
+    /// The axis of joint i in its own frame.
+    pub(super) fn axis(&self, i: usize) -> Motion<R> {
+        Motion::axis(self.joint(i).joint_type, self.zero, self.one)
+    }
+
+    /// The joints that carry the tip, from its own link's inwards.
+    pub(super) fn carriers_of_tip(&self) -> impl Iterator<Item = usize> {
+        let last = self.links.len().checked_sub(1);
+        last.into_iter().flat_map(|last| self.tree.carriers(last))
+    }
+
+    /// For every link the axes of the joints that carry it, in its frame, each with the number of the joint.
+    pub(super) fn axes(&self) -> Vec<Vec<(usize, Motion<R>)>> {
+        let enter = |i: usize, axis: &Motion<R>| axis.enter(self.joint(i));
+        self.tree.of_carriers(|i| self.axis(i), enter)
+    }
+
+    /// How all links move, on a base that accelerates against gravity.
+    pub(super) fn accelerations(
+        &self,
+        gravity: Vector3<R>,
+        qd: &[R],
+        qdd: &[R],
+    ) -> Vec<Acceleration<R>> {
+        let base = Acceleration::of_base(self.zero, gravity);
+        self.tree
+            .outward(base, |i, before| before.enter(self.joint(i), qd[i], qdd[i]))
+    }
+
+    /// For every joint what it feels of a force on link i: all of it, if the joint carries the link.
+    pub(super) fn felt(&self, i: usize, force: Force<R>) -> Vec<R> {
+        let mut felt = vec![self.zero; self.links.len()];
+        let leave = |j: usize, force: Force<R>| force.leave(self.joint(j));
+        self.tree.along_carriers(i, force, leave, |j, force| {
+            felt[j] = force.along(self.joint(j).joint_type);
+        });
+        felt
+    }
+
+    /// From the tips inwards, forces: `step(i, outer)` makes of what reaches link i from the links outside it the
+    /// force that joint i supplies to it, which is handed on to the link before.
+    pub(super) fn forces_inward(&self, mut step: impl FnMut(usize, Force<R>) -> Force<R>) {
+        let none = Force::splat(self.zero);
+        self.tree.inward(none, Force::add, |i, outer| {
+            step(i, outer).leave(self.joint(i))
+        });
     }
 
     /// Moves to the previous link what a joint cannot tell apart: base inertial
@@ -157,32 +198,31 @@ impl<R: Ring> Chain<R> {
     /// axis. A prismatic joint: the whole inertia tensor, for both links turn alike. A joint that is
     /// locked: everything.
     pub fn group_parameters(&mut self, keep: &[Keep]) {
-        for i in (0..self.links.len()).rev() {
-            let link = self.links[i];
+        let (zero, links) = (self.zero, &mut self.links);
+        let none = Body::splat(zero);
+        self.base = self.tree.inward(none, Body::joined, |i, outer| {
+            let link = &mut links[i];
             let joint = &link.joint;
+            let whole = link.body.joined(outer);
             let (moving, rest) = match joint.joint_type {
-                _ if link.locked => (joint.leave_body(link.body), Body::splat(self.zero)),
+                _ if link.locked => (joint.leave_body(whole), none),
                 JointType::Revolute => {
-                    let (invariant, rest) = link.body.split_revolute(self.zero, keep[i]);
+                    let (invariant, rest) = whole.split_revolute(zero, keep[i]);
                     (invariant.left_x(joint.twist).moved(joint.offset), rest)
                 }
                 JointType::Prismatic => {
-                    let mut tensor = Body::splat(self.zero);
-                    tensor.inertia = link.body.inertia;
+                    let mut tensor = none;
+                    tensor.inertia = whole.inertia;
                     let rest = Body {
-                        inertia: Symmetric3::splat(self.zero),
-                        ..link.body
+                        inertia: Symmetric3::splat(zero),
+                        ..whole
                     };
                     (tensor.left_z(joint.turn).left_x(joint.twist), rest)
                 }
             };
-            self.links[i].body = rest;
-            let previous = match i {
-                0 => &mut self.base,
-                _ => &mut self.links[i - 1].body,
-            };
-            *previous = previous.joined(moving);
-        }
+            link.body = rest;
+            moving
+        });
     }
 }
 
@@ -193,26 +233,26 @@ impl Chain<Expr<'_>> {
     /// are all alike, and angles add up: sin and cos of q2 + q3 from those of
     /// q2 and q3.
     pub fn stay_behind(&mut self, stays: &[bool]) {
-        let none = Turn::none(self.zero, self.one);
-        let mut turned = none;
-        for (link, &stays) in self.links.iter_mut().zip(stays) {
+        let (one, links) = (self.one, &mut self.links);
+        let none = Turn::none(self.zero, one);
+        self.tree.outward(none, |i, &behind| {
+            let link = &mut links[i];
             let joint = &mut link.joint;
-            joint.offset = leave_z(turned, joint.offset);
-            let is_parallel = joint.twist.s.is_zero() && joint.twist.c == self.one;
-            if is_parallel {
-                // Rz(turned) Rz(turn): one turn about the common direction.
-                joint.turn = turned.plus(joint.turn);
-                turned = none;
-            }
-            joint.before = turned;
-            turned = none;
-            if stays && joint.joint_type == JointType::Revolute {
-                turned = joint.turn;
+            joint.offset = leave_z(behind, joint.offset);
+            let is_parallel = joint.twist.s.is_zero() && joint.twist.c == one;
+            (joint.before, joint.turn) = if is_parallel {
+                // Rz(behind) Rz(turn): one turn about the common direction.
+                (none, behind.plus(joint.turn))
+            } else {
+                (behind, joint.turn)
+            };
+            if stays[i] && joint.joint_type == JointType::Revolute {
+                link.behind = joint.turn;
                 joint.turn = none;
-                link.behind = turned;
-                link.body = link.body.left_z(turned);
+                link.body = link.body.left_z(link.behind);
             }
-        }
+            link.behind
+        });
     }
 }
 
@@ -223,4 +263,67 @@ fn strength<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> Expr<'g> {
     let components = robot.gravity.each_ref().map(|g| symbols.value(g));
     let number = components.into_iter().rev().find(is_number);
     number.unwrap_or(symbols.graph().one())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::exact::{Residue, SplitMix64, circle_point};
+
+    type Number = Residue<{ (1 << 61) - 1 }>;
+
+    fn vector(random: &mut SplitMix64) -> Vector3<Number> {
+        Vector3([(); 3].map(|()| Number::random(random)))
+    }
+
+    fn turn(random: &mut SplitMix64) -> Turn<Number> {
+        Turn::from(circle_point(random))
+    }
+
+    fn link(joint_type: JointType, random: &mut SplitMix64) -> Link<Number> {
+        Link {
+            joint: Joint {
+                joint_type,
+                before: turn(random),
+                twist: turn(random),
+                turn: turn(random),
+                offset: vector(random),
+                slide: Number::random(random),
+            },
+            locked: false,
+            shift: Number::ZERO,
+            behind: Turn::none(Number::ZERO, Number::ONE),
+            body: Body::splat(Number::ZERO),
+            reflected: Number::ZERO,
+        }
+    }
+
+    /// What a joint feels is the power of the force in a unit velocity of the joint: on a branch that does not carry
+    /// the link, nothing.
+    #[test]
+    fn joints_feel_the_power_of_a_force() {
+        use JointType::{Prismatic, Revolute};
+        let random = &mut SplitMix64::new(3);
+        let types = [Revolute, Prismatic, Prismatic, Revolute];
+        let chain = Chain {
+            zero: Number::ZERO,
+            one: Number::ONE,
+            gravity: vector(random),
+            strength: Number::ONE,
+            datum: Number::ZERO,
+            base: Body::splat(Number::ZERO),
+            links: types.map(|joint_type| link(joint_type, random)).into(),
+            tree: Tree::new(vec![None, Some(0), Some(0), Some(1)]),
+            pivot: None,
+        };
+        let force = Force {
+            n: vector(random),
+            f: vector(random),
+        };
+        let felt = chain.felt(3, force);
+        for (i, axis) in &chain.axes()[3] {
+            assert_eq!(felt[*i], axis.dot(force));
+        }
+        assert_eq!((felt[2], chain.axes()[3].len()), (Number::ZERO, 3));
+    }
 }

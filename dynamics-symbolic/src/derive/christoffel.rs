@@ -24,30 +24,30 @@ pub(super) fn christoffel<'g>(
     let half = graph.rational(&(Rational::ONE / Rational::from(2)));
     let axes = chain.axes();
     let mut symbols = vec![vec![vec![zero; n]; n]; n];
-    let mut composite = Body::splat(zero);
-    for m in (0..n).rev() {
-        composite = composite.joined(chain.links[m].body);
-        let axis = axes[m][m];
-        let axis_momentum = composite.momentum(axis);
-        for j in 0..=m {
-            let other = axes[m][j];
-            let d = difference(
-                composite.momentum(axis.cross(other)),
-                other.cross_force(axis_momentum),
-                axis.cross_force(composite.momentum(other)),
-            );
-            for (i, &s) in axes[m].iter().enumerate() {
-                let value = half * s.dot(d);
-                symbols[i][j][m] = -value;
-                symbols[i][m][j] = -value;
-                if j <= i && i < m {
-                    symbols[m][j][i] = value;
-                    symbols[m][i][j] = value;
+    chain
+        .tree
+        .inward(Body::splat(zero), Body::joined, |m, outer| {
+            let composite = outer.joined(chain.links[m].body);
+            let axis = chain.axis(m);
+            let axis_momentum = composite.momentum(axis);
+            for &(j, other) in &axes[m] {
+                let d = difference(
+                    composite.momentum(axis.cross(other)),
+                    other.cross_force(axis_momentum),
+                    axis.cross_force(composite.momentum(other)),
+                );
+                for &(i, s) in &axes[m] {
+                    let value = half * s.dot(d);
+                    symbols[i][j][m] = -value;
+                    symbols[i][m][j] = -value;
+                    if j <= i && i < m {
+                        symbols[m][j][i] = value;
+                        symbols[m][i][j] = value;
+                    }
                 }
             }
-        }
-        composite = chain.links[m].joint.leave_body(composite);
-    }
+            chain.joint(m).leave_body(composite)
+        });
     symbols
 }
 

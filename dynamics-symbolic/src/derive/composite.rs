@@ -23,52 +23,60 @@
 use super::chain::Chain;
 use crate::linear::{Ring, Vector3};
 use crate::robot::JointType;
-use crate::spatial::{Acceleration, Body, Force, Motion, accelerations, felt_inwards};
+use crate::spatial::{Acceleration, Body, Force};
 
 /// M(q) by rows, both triangles.
 pub(super) fn mass_matrix<R: Ring>(chain: &Chain<R>) -> Vec<Vec<R>> {
     let n = chain.links.len();
     let mut matrix = vec![vec![chain.zero; n]; n];
-    for (j, composite) in composites(chain) {
-        let column = felt_inwards(wrench(chain, j, &composite), chain.joints().take(j + 1));
-        for (i, along) in column.into_iter().enumerate() {
-            matrix[i][j] = along;
-            matrix[j][i] = along;
+    composites(chain, |j, composite| {
+        let column = chain.felt(j, composite.momentum(chain.axis(j)));
+        for i in chain.tree.carriers(j) {
+            matrix[i][j] = column[i];
+            matrix[j][i] = column[i];
         }
         matrix[j][j] = matrix[j][j] + chain.links[j].reflected;
-    }
+    });
     matrix
 }
 
 /// G(q) from the forces of M's columns.
 pub(super) fn gravity_vector<R: Ring>(chain: &Chain<R>) -> Vec<R> {
-    let g = chain.links[0].joint.enter(chain.gravity);
-    let felt = composites(chain).map(|(j, composite)| {
-        let inwards = chain.links[1..=j].iter().rev();
-        let on_first = inwards.fold(wrench(chain, j, &composite), |force, link| {
-            force.leave(&link.joint)
+    let leave = |i: usize, force: Force<R>| force.leave(chain.joint(i));
+    // Gravity in the axes of the links that the base carries.
+    let on_base = |i: usize| chain.joint(i).enter(chain.gravity);
+    let links = 0..chain.links.len();
+    let gravity: Vec<_> = links
+        .map(|i| chain.tree.parent(i).is_none().then(|| on_base(i)))
+        .collect();
+    let mut felt = vec![chain.zero; chain.links.len()];
+    composites(chain, |j, composite| {
+        let wrench = composite.momentum(chain.axis(j));
+        chain.tree.along_carriers(j, wrench, leave, |i, force| {
+            if let Some(g) = gravity[i] {
+                felt[j] = -g.dot(force.f);
+            }
         });
-        -g.dot(on_first.f)
     });
-    let mut felt: Vec<R> = felt.collect();
-    felt.reverse();
     felt
 }
 
 /// V, or V + G where `gravity` is the chain's.
 pub(super) fn bias_force<R: Ring>(chain: &Chain<R>, qd: &[R], gravity: Vector3<R>) -> Vec<R> {
-    let base = Acceleration::of_base(chain.zero, gravity);
     let still = vec![chain.zero; chain.links.len()];
-    let motions = accelerations(base, chain.joints(), qd, &still);
+    let motions = chain.accelerations(gravity, qd, &still);
     let mut forces = vec![chain.zero; chain.links.len()];
-    let mut outer = Force::splat(chain.zero);
-    for (j, composite) in composites(chain) {
-        let link = &chain.links[j];
-        let (joint_type, motion) = (link.joint.joint_type, &motions[j]);
-        forces[j] = motion.force(&composite).along(joint_type) + outer.along(joint_type);
-        let added = added(&composite, joint_type, motion, (qd[j], chain.zero));
-        outer = (outer + added).leave(&link.joint);
-    }
+    let none = (Body::splat(chain.zero), Force::splat(chain.zero));
+    let add = |a: (Body<R>, Force<R>), b: (Body<R>, Force<R>)| (a.0.joined(b.0), a.1 + b.1);
+    chain.tree.inward(none, add, |j, (bodies, outer)| {
+        let composite = bodies.joined(chain.links[j].body);
+        let (joint, motion) = (chain.joint(j), &motions[j]);
+        let own = motion.force(&composite).along(joint.joint_type);
+        forces[j] = own + outer.along(joint.joint_type);
+        let added = added(&composite, joint.joint_type, motion, (qd[j], chain.zero));
+        let force = (outer + added).leave(joint);
+        (carried(chain, j, &composite), force)
+    });
     forces
 }
 
@@ -106,21 +114,20 @@ fn added<R: Ring>(
     }
 }
 
-/// From the tip inwards, each link with all links outside it as one body.
-fn composites<R: Ring>(chain: &Chain<R>) -> impl Iterator<Item = (usize, Body<R>)> {
-    let mut outer: Option<Body<R>> = None;
-    (0..chain.links.len()).rev().map(move |j| {
-        let own = chain.links[j].body;
-        let composite = outer.map_or(own, |outer| {
-            chain.links[j + 1].joint.leave_body(outer).joined(own)
-        });
-        outer = Some(composite);
-        (j, composite)
-    })
+/// From the tips inwards, hands on each link with all links outside it as one body.
+fn composites<R: Ring>(chain: &Chain<R>, mut visit: impl FnMut(usize, &Body<R>)) {
+    let none = Body::splat(chain.zero);
+    chain.tree.inward(none, Body::joined, |j, outer| {
+        let composite = outer.joined(chain.links[j].body);
+        visit(j, &composite);
+        carried(chain, j, &composite)
+    });
 }
 
-/// What a unit acceleration of joint j takes.
-fn wrench<R: Ring>(chain: &Chain<R>, j: usize, composite: &Body<R>) -> Force<R> {
-    let joint_type = chain.links[j].joint.joint_type;
-    composite.momentum(Motion::axis(joint_type, chain.zero, chain.one))
+/// Links j to the tips as one body, for the link that carries joint j; the base needs nothing of them.
+fn carried<R: Ring>(chain: &Chain<R>, j: usize, composite: &Body<R>) -> Body<R> {
+    match chain.tree.parent(j) {
+        Some(_) => chain.joint(j).leave_body(*composite),
+        None => Body::splat(chain.zero),
+    }
 }

@@ -28,7 +28,7 @@ use super::symbols::Symbols;
 use crate::expr::{Direction, Expr};
 use crate::linear::{Ring, Vector3};
 use crate::robot::{JointType, Robot};
-use crate::spatial::{Acceleration, Body, Force, Joint, Motion, accelerations};
+use crate::spatial::{Acceleration, Body, Force, Joint, Motion};
 
 pub(super) type Matrix<R> = Vec<Vec<R>>;
 
@@ -58,6 +58,7 @@ pub(super) struct Moving<R> {
 }
 
 /// The links from some joint on, as one body.
+#[derive(Clone)]
 pub(super) struct Composite<R> {
     pub(super) body: Body<R>,
     pub(super) momentum: Momentum<R>,
@@ -92,11 +93,10 @@ impl<'g> ForceDerivatives<Expr<'g>> {
 
 impl<R: Ring> Moving<R> {
     pub(super) fn new(chain: &Chain<R>, qd: &[R], qdd: &[R]) -> Self {
-        let base = Acceleration::of_base(chain.zero, chain.gravity);
-        let accelerations = accelerations(base, chain.joints(), qd, qdd);
+        let accelerations = chain.accelerations(chain.gravity, qd, qdd);
         let velocities = velocities(chain, &accelerations, qd);
-        let links = chain.joints().zip(&accelerations).zip(&velocities);
-        let rates = links.map(|((joint, a), &v)| Rates::new(chain, joint, a, v));
+        let links = chain.links.iter().zip(&accelerations).zip(&velocities);
+        let rates = links.map(|((link, a), &v)| Rates::new(chain, &link.joint, a, v));
         Moving {
             rates: rates.collect(),
             accelerations,
@@ -104,14 +104,14 @@ impl<R: Ring> Moving<R> {
         }
     }
 
-    /// Hands on each joint, from the tip inwards, with the links outside it as one body in its frame.
-    pub(super) fn inwards(&self, chain: &Chain<R>, mut joint: impl FnMut(usize, &Composite<R>)) {
-        let mut composite = Composite::none(chain.zero);
-        for (i, link) in chain.links.iter().enumerate().rev() {
-            composite.join(link, &self.accelerations[i], self.velocities[i]);
-            joint(i, &composite);
-            composite = composite.leave(&link.joint);
-        }
+    /// Visits each joint, from the tips inwards, with the links outside it as one body in its frame.
+    pub(super) fn inwards(&self, chain: &Chain<R>, mut visit: impl FnMut(usize, &Composite<R>)) {
+        let none = Composite::none(chain.zero);
+        chain.tree.inward(none, Composite::joined, |i, outer| {
+            let composite = outer.with(&chain.links[i], &self.accelerations[i], self.velocities[i]);
+            visit(i, &composite);
+            composite.leave(chain.joint(i))
+        });
     }
 }
 
@@ -163,17 +163,16 @@ fn velocities<R: Ring>(
     qd: &[R],
 ) -> Vec<Vector3<R>> {
     let rest = Vector3::splat(chain.zero);
-    let (mut w, mut v) = (rest, rest);
-    let links = chain.joints().zip(accelerations).zip(qd);
-    let velocities = links.map(|((joint, acceleration), &qd)| {
-        v = joint.enter(v + w.cross(joint.position()));
-        if joint.joint_type == JointType::Prismatic {
-            v.0[2] = v[2] + qd;
+    chain.tree.outward(rest, |i, &before| {
+        let parent = chain.tree.parent(i);
+        let w = parent.map_or(rest, |parent| accelerations[parent].w);
+        let joint = chain.joint(i);
+        let v = joint.enter(before + w.cross(joint.position()));
+        match joint.joint_type {
+            JointType::Revolute => v,
+            JointType::Prismatic => v.plus_z(qd[i]),
         }
-        w = acceleration.w;
-        v
-    });
-    velocities.collect()
+    })
 }
 
 impl<R: Ring> Rates<R> {
@@ -218,11 +217,22 @@ impl<R: Ring> Composite<R> {
         }
     }
 
-    fn join(&mut self, link: &Link<R>, acceleration: &Acceleration<R>, v: Vector3<R>) {
-        self.body = self.body.joined(link.body);
+    fn with(self, link: &Link<R>, acceleration: &Acceleration<R>, v: Vector3<R>) -> Self {
+        let body = self.body.joined(link.body);
         let own = Momentum::of(&link.body, acceleration.w, v);
-        self.momentum = self.momentum.joined(own);
-        self.force = self.force + acceleration.force(&link.body);
+        Composite {
+            body,
+            momentum: self.momentum.joined(own),
+            force: self.force + acceleration.force(&link.body),
+        }
+    }
+
+    fn joined(self, other: Self) -> Self {
+        Composite {
+            body: self.body.joined(other.body),
+            momentum: self.momentum.joined(other.momentum),
+            force: self.force + other.force,
+        }
     }
 
     fn leave(&self, joint: &Joint<R>) -> Self {
@@ -247,6 +257,26 @@ impl<R: Ring> Composite<R> {
     }
 }
 
+/// What joint i leads to, in the frame of a link that is on the way to the base.
+struct Carried<R> {
+    /// Of the forces of the joints that carry link i, by its position and by its velocity.
+    columns: [Force<R>; 2],
+    /// S_i I_i
+    inertia_row: Force<R>,
+    /// S_i 2 B_i
+    coriolis_row: Vector3<R>,
+}
+
+impl<R: Ring> Carried<R> {
+    fn leave(self, joint: &Joint<R>) -> Self {
+        Carried {
+            columns: self.columns.map(|force| force.leave(joint)),
+            inertia_row: self.inertia_row.leave(joint),
+            coriolis_row: joint.leave(self.coriolis_row),
+        }
+    }
+}
+
 impl<R: Ring> ForceDerivatives<R> {
     /// Column i down to the diagonal, and row i up to it: carried inwards from frame i.
     fn column_and_row(
@@ -256,22 +286,26 @@ impl<R: Ring> ForceDerivatives<R> {
         composite: &Composite<R>,
         i: usize,
     ) {
-        let axis = |joint: &Joint<R>| Motion::axis(joint.joint_type, chain.zero, chain.one);
-        let own = axis(&chain.links[i].joint);
+        let own = chain.axis(i);
         let Rates {
             velocity,
             acceleration,
         } = rates[i];
-        let mut by_position =
+        let by_position =
             composite.apply(velocity.w, acceleration) + own.cross_force(composite.force);
-        let mut by_velocity = composite.apply(own.w, velocity + velocity);
-        let mut inertia_row = composite.body.momentum(own);
-        let mut coriolis_row = composite.coriolis_row(own, chain.links[i].joint.joint_type);
-        for j in (0..=i).rev() {
-            let joint = &chain.links[j].joint;
-            self.by_position[j][i] = by_position.along(joint.joint_type);
-            self.by_velocity[j][i] = by_velocity.along(joint.joint_type);
-            if j < i {
+        let carried = Carried {
+            columns: [by_position, composite.apply(own.w, velocity + velocity)],
+            inertia_row: composite.body.momentum(own),
+            coriolis_row: composite.coriolis_row(own, chain.joint(i).joint_type),
+        };
+        let leave = |j: usize, carried: Carried<R>| carried.leave(chain.joint(j));
+        chain.tree.along_carriers(i, carried, leave, |j, carried| {
+            let along = |force: &Force<R>| force.along(chain.joint(j).joint_type);
+            let [by_position, by_velocity] = &carried.columns;
+            self.by_position[j][i] = along(by_position);
+            self.by_velocity[j][i] = along(by_velocity);
+            if j != i {
+                let (inertia_row, coriolis_row) = (carried.inertia_row, carried.coriolis_row);
                 let Rates {
                     velocity,
                     acceleration,
@@ -279,16 +313,9 @@ impl<R: Ring> ForceDerivatives<R> {
                 self.by_position[i][j] =
                     coriolis_row.dot(velocity.w) + acceleration.dot(inertia_row);
                 self.by_velocity[i][j] =
-                    coriolis_row.dot(axis(joint).w) + (velocity + velocity).dot(inertia_row);
+                    coriolis_row.dot(chain.axis(j).w) + (velocity + velocity).dot(inertia_row);
             }
-            if j == 0 {
-                break;
-            }
-            by_position = by_position.leave(joint);
-            by_velocity = by_velocity.leave(joint);
-            inertia_row = inertia_row.leave(joint);
-            coriolis_row = joint.leave(coriolis_row);
-        }
+        });
     }
 }
 

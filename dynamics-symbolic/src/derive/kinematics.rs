@@ -2,9 +2,10 @@
 
 use super::place::Placed;
 use super::symbols::Symbols;
+use super::walk::Tree;
 use crate::expr::Expr;
 use crate::linear::{Matrix3, Vector3};
-use crate::robot::{Convention, Interpretation, JointType, Placement, Robot, Row};
+use crate::robot::{Convention, Interpretation, JointType, Placement, Robot};
 
 /// A frame in the world, which is the base frame where the table says nothing else.
 #[derive(Clone, Copy)]
@@ -56,7 +57,7 @@ impl<'g> Axes<'g> {
     }
 
     /// Tx(a) Rx(alpha)
-    pub(super) fn screw_x(self, a: Expr<'g>, (s, c): (Expr<'g>, Expr<'g>)) -> Self {
+    pub(super) fn screw_x(&self, a: Expr<'g>, (s, c): (Expr<'g>, Expr<'g>)) -> Self {
         Axes {
             x: self.x,
             y: self.y * c + self.z * s,
@@ -66,7 +67,7 @@ impl<'g> Axes<'g> {
     }
 
     /// Tz(d) Rz(theta)
-    pub(super) fn screw_z(self, d: Expr<'g>, (s, c): (Expr<'g>, Expr<'g>)) -> Self {
+    pub(super) fn screw_z(&self, d: Expr<'g>, (s, c): (Expr<'g>, Expr<'g>)) -> Self {
         Axes {
             x: self.x * c + self.y * s,
             y: self.y * c - self.x * s,
@@ -117,9 +118,10 @@ pub(super) fn tip<'g>(symbols: &mut Symbols<'g>, robot: &Robot, frames: &[Frame<
 
 /// Every link frame, from the base outwards.
 pub(super) fn frames<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> Vec<Frame<'g>> {
-    let mut axes = Axes::new(&base(symbols, robot));
+    let base = Axes::new(&base(symbols, robot));
     let mut frames = Vec::with_capacity(robot.rows.len());
-    for (i, row) in robot.rows.iter().enumerate() {
+    Tree::of(robot).outward(base, |i, before| {
+        let row = &robot.rows[i];
         let (a, twist) = (symbols.value(&row.a), symbols.sin_cos(&row.alpha));
         let turn = symbols.joint_sin_cos(i, row.joint_type, &row.theta);
         let d = symbols.value(&row.d);
@@ -127,16 +129,15 @@ pub(super) fn frames<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> Vec<Frame<
             JointType::Revolute => d,
             JointType::Prismatic => d + symbols.joint(i).q,
         };
-        let (axis, axis_origin);
-        axes = match robot.convention {
+        let (axes, axis, axis_origin) = match robot.convention {
             Convention::Standard => {
-                (axis, axis_origin) = (axes.z, axes.origin);
-                axes.screw_z(d, turn).screw_x(a, twist)
+                let axes = before.screw_z(d, turn).screw_x(a, twist);
+                (axes, before.z, before.origin)
             }
             Convention::Modified => {
-                let axes = axes.screw_x(a, twist).screw_z(d, turn);
-                (axis, axis_origin) = (axes.z, axes.origin);
-                axes
+                let axes = before.screw_x(a, twist).screw_z(d, turn);
+                let (axis, axis_origin) = (axes.z, axes.origin);
+                (axes, axis, axis_origin)
             }
         };
         let joint = axes.pose();
@@ -146,7 +147,8 @@ pub(super) fn frames<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> Vec<Frame<
             axis,
             axis_origin,
         });
-    }
+        axes
+    });
     frames
 }
 
@@ -169,23 +171,36 @@ pub(super) fn jacobian<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> Vec<Expr
     let zero = symbols.graph().zero();
     let frames = frames(symbols, robot);
     let tip = tip(symbols, robot, &frames).origin;
-    by_rows(&columns(&frames, robot, tip, zero))
+    by_rows(&columns(&frames, robot, link_of_tip(robot), (tip, zero)))
 }
 
-/// What each of the joints of some frames gives a point beyond them at unit speed: its velocity, and
-/// the angular velocity of its link.
+/// The link that carries the tip; `None` for the base.
+pub(super) fn link_of_tip(robot: &Robot) -> Option<usize> {
+    robot.rows.len().checked_sub(1)
+}
+
+/// What each joint gives a point of a link at unit speed: its velocity, and the angular velocity of the link.
 pub(super) fn columns<'g>(
     frames: &[Frame<'g>],
     robot: &Robot,
-    point: Vector3<Expr<'g>>,
-    zero: Expr<'g>,
+    link: Option<usize>,
+    (point, zero): (Vector3<Expr<'g>>, Expr<'g>),
 ) -> Vec<Column<'g>> {
-    let joints = frames.iter().zip(&robot.rows);
-    let column = |(frame, row): (&Frame<'g>, &Row)| match row.joint_type {
-        JointType::Revolute => (frame.axis.cross(point - frame.axis_origin), frame.axis),
-        JointType::Prismatic => (frame.axis, Vector3::splat(zero)),
-    };
-    joints.map(column).collect()
+    let none = Vector3::splat(zero);
+    let tree = Tree::of(robot);
+    let carriers: Vec<_> = link
+        .into_iter()
+        .flat_map(|link| tree.carriers(link))
+        .collect();
+    let mut columns = vec![(none, none); frames.len()];
+    for &i in carriers.iter().rev() {
+        let frame = &frames[i];
+        columns[i] = match robot.rows[i].joint_type {
+            JointType::Revolute => (frame.axis.cross(point - frame.axis_origin), frame.axis),
+            JointType::Prismatic => (frame.axis, none),
+        };
+    }
+    columns
 }
 
 /// The six rows of a Jacobian.

@@ -1,22 +1,24 @@
 //! Geometric Jacobians of all links, and the rate of the tip's, in the axes of the base.
 
-use super::kinematics::{Column, by_rows, columns, frames, tip};
+use super::kinematics::{by_rows, columns, frames, link_of_tip, tip};
 use super::symbols::Symbols;
+use super::walk::Tree;
 use crate::expr::Expr;
 use crate::linear::Vector3;
 use crate::robot::{JointType, Robot};
-
-type Vector<'g> = Vector3<Expr<'g>>;
+use core::ops::Add;
 
 /// The Jacobian of every link frame's origin, by rows. Joints beyond a link do not move it.
 pub(super) fn of_links<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> Vec<Expr<'g>> {
     let zero = symbols.graph().zero();
-    let none = (Vector3::splat(zero), Vector3::splat(zero));
     let frames = frames(symbols, robot);
     let of_link = |i: usize| {
-        let mut columns = columns(&frames[..=i], robot, frames[i].pose.origin, zero);
-        columns.resize(frames.len(), none);
-        by_rows(&columns)
+        by_rows(&columns(
+            &frames,
+            robot,
+            Some(i),
+            (frames[i].pose.origin, zero),
+        ))
     };
     (0..frames.len()).flat_map(of_link).collect()
 }
@@ -35,35 +37,23 @@ pub(super) fn rate<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> Vec<Expr<'g>
     let qd = symbols.all(|joint| joint.qd);
     let frames = frames(symbols, robot);
     let tip = tip(symbols, robot, &frames).origin;
-    let columns = columns(&frames, robot, tip, zero);
-    let velocities = outer_velocities(&columns, &qd, zero);
-    let mut w = Vector3::splat(zero);
+    let columns = columns(&frames, robot, link_of_tip(robot), (tip, zero));
+    let (tree, none) = (Tree::of(robot), Vector3::splat(zero));
+    // u_j: the velocity of the tip by joint j and those beyond.
+    let mut velocities = vec![none; columns.len()];
+    tree.inward(none, Vector3::add, |j, outer| {
+        velocities[j] = outer + columns[j].0 * qd[j];
+        velocities[j]
+    });
     let mut rates = Vec::with_capacity(columns.len());
-    for (j, &(linear, angular)) in columns.iter().enumerate() {
+    tree.outward(none, |j, &w| {
+        let (linear, angular) = columns[j];
         let turned = (w.cross(linear), w.cross(angular));
         rates.push(match robot.rows[j].joint_type {
             JointType::Revolute => (turned.0 + angular.cross(velocities[j]), turned.1),
             JointType::Prismatic => turned,
         });
-        w = w + angular * qd[j];
-    }
+        w + angular * qd[j]
+    });
     by_rows(&rates)
-}
-
-/// u_j: the velocity of the tip by joint j and those beyond.
-fn outer_velocities<'g>(
-    columns: &[Column<'g>],
-    qd: &[Expr<'g>],
-    zero: Expr<'g>,
-) -> Vec<Vector<'g>> {
-    let mut u = Vector3::splat(zero);
-    let joints = columns.iter().zip(qd).rev();
-    let mut velocities: Vec<_> = joints
-        .map(|(&(linear, _), &qd)| {
-            u = u + linear * qd;
-            u
-        })
-        .collect();
-    velocities.reverse();
-    velocities
 }

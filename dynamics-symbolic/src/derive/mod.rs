@@ -32,6 +32,7 @@ pub mod symbols;
 pub mod textbook;
 mod tip;
 pub mod units;
+pub(crate) mod walk;
 
 use crate::expr::{Edge, Graph};
 use crate::function::{Form, Function, Search, Trial};

@@ -27,35 +27,27 @@ pub(super) fn generalized_momentum<R: Ring>(chain: &Chain<R>, qd: &[R]) -> Vec<R
 pub(super) fn kinetic_gradient<R: Ring>(chain: &Chain<R>, qd: &[R]) -> Vec<R> {
     let velocities = velocities(chain, qd);
     let momenta = momenta(chain, &velocities);
-    let links = chain.joints().zip(velocities.iter().zip(&momenta));
-    let gradient = links.map(|(joint, (velocity, momentum))| {
-        let axis = Motion::axis(joint.joint_type, chain.zero, chain.one);
-        velocity.cross(axis).dot(*momentum)
-    });
+    let links = velocities.iter().zip(&momenta).enumerate();
+    let gradient =
+        links.map(|(i, (velocity, momentum))| velocity.cross(chain.axis(i)).dot(*momentum));
     gradient.collect()
 }
 
-/// The velocities of all links, from the base outwards.
+/// The velocities of all links.
 pub(super) fn velocities<R: Ring>(chain: &Chain<R>, qd: &[R]) -> Vec<Motion<R>> {
-    let mut velocity = Motion::splat(chain.zero);
-    let joints = chain.joints().zip(qd);
-    let entered = joints.map(|(joint, &qd)| {
-        velocity = velocity.enter(joint).with_joint(joint.joint_type, qd);
-        velocity
-    });
-    entered.collect()
+    let base = Motion::splat(chain.zero);
+    chain.tree.outward(base, |i, before| {
+        let joint = chain.joint(i);
+        before.enter(joint).with_joint(joint.joint_type, qd[i])
+    })
 }
 
 /// The momenta of links i to n about the origin of frame i, for every i.
 fn momenta<R: Ring>(chain: &Chain<R>, velocities: &[Motion<R>]) -> Vec<Force<R>> {
-    let mut outer = Force::splat(chain.zero);
-    let links = chain.links.iter().zip(velocities).rev();
-    let joined = links.map(|(link, &velocity)| {
-        let momentum = link.body.momentum(velocity) + outer;
-        outer = momentum.leave(&link.joint);
-        momentum
+    let mut momenta = vec![Force::splat(chain.zero); velocities.len()];
+    chain.forces_inward(|i, outer| {
+        momenta[i] = chain.links[i].body.momentum(velocities[i]) + outer;
+        momenta[i]
     });
-    let mut momenta: Vec<_> = joined.collect();
-    momenta.reverse();
     momenta
 }

@@ -19,7 +19,6 @@ use crate::robot::JointType;
 use crate::spatial::{Body, Force, Joint};
 
 /// How a link moves by two velocities.
-#[derive(Clone, Copy)]
 pub(super) struct Mixed<R> {
     w: Vector3<R>,
     w_r: Vector3<R>,
@@ -101,18 +100,15 @@ fn moment<R: Ring>(body: &Body<R>, u: &Matrix3<R>, half: R) -> Vector3<R> {
 /// The motions of all links, of a base that accelerates against gravity.
 pub(super) fn motions<R: Ring>(chain: &Chain<R>, rates: &[Rates<R>]) -> Vec<Mixed<R>> {
     let rest = Vector3::splat(chain.zero);
-    let mut motion = Mixed {
+    let base = Mixed {
         w: rest,
         w_r: rest,
         e: rest,
         a: -chain.gravity,
     };
-    let joints = chain.joints().zip(rates);
-    let entered = joints.map(|(joint, &rates)| {
-        motion = motion.enter(joint, rates);
-        motion
-    });
-    entered.collect()
+    chain
+        .tree
+        .outward(base, |i, before| before.enter(chain.joint(i), rates[i]))
 }
 
 /// M qdd_r + C(q, qd) qd_r + G.

@@ -250,15 +250,16 @@ fn note_sums(qd: &[Expr<'_>]) {
 }
 
 fn moving_links<'g>(chain: &Chain<Expr<'g>>, along: &Direction<'g>) -> Vec<Moving<'g>> {
+    let turning = |turn| Turning::new(turn, along, chain.zero);
+    let mut links = Vec::with_capacity(chain.links.len());
     // A frame that stays behind its link turns on it, and what is constant on the link turns in it.
-    let mut frame = Turning::new(Turn::none(chain.zero, chain.one), along, chain.zero);
-    let moving = |link: &Link<Expr<'g>>| {
-        let joint = &link.joint;
-        let turning = |turn| Turning::new(turn, along, chain.zero);
+    let base = turning(Turn::none(chain.zero, chain.one));
+    chain.tree.outward(base, |i, frame_before| {
+        let (link, joint) = (&chain.links[i], chain.joint(i));
         let before = turning(joint.before);
-        let offset = frame.spun(joint.offset);
-        frame = turning(link.behind);
-        Moving {
+        let offset = frame_before.spun(joint.offset);
+        let frame = turning(link.behind);
+        links.push(Moving {
             joint_type: joint.joint_type,
             before,
             twist: joint.twist,
@@ -266,9 +267,10 @@ fn moving_links<'g>(chain: &Chain<Expr<'g>>, along: &Direction<'g>) -> Vec<Movin
             position: offset + before.leave(slide(chain, link, along)),
             body: body(chain, link, &frame),
             reflected: link.reflected,
-        }
-    };
-    chain.links.iter().map(moving).collect()
+        });
+        frame
+    });
+    links
 }
 
 /// How far the joint has slid, in the axes behind the turn about x.
@@ -322,19 +324,21 @@ fn constant<'g>(chain: &Chain<Expr<'g>>, x: Expr<'g>) -> Jet<'g> {
 fn forces<'g>(chain: &Chain<Expr<'g>>, links: &[Moving<'g>], course: &Course<'g>) -> Vec<Jet<'g>> {
     let zero = constant(chain, chain.zero);
     let gravity = Vector3(chain.gravity.0.map(|g| constant(chain, g)));
-    let mut acceleration = Acceleration::of_base(zero, gravity);
+    let base = Acceleration::of_base(zero, gravity);
     let mut own = Vec::with_capacity(links.len());
-    for (i, link) in links.iter().enumerate() {
-        acceleration = link.accelerate(&acceleration, course.qd[i], course.qdd[i]);
-        own.push(acceleration.force(&link.body));
-    }
-    let mut outer = Force::splat(zero);
+    chain.tree.outward(base, |i, before| {
+        let acceleration = links[i].accelerate(before, course.qd[i], course.qdd[i]);
+        own.push(acceleration.force(&links[i].body));
+        acceleration
+    });
     let mut forces = vec![zero; links.len()];
-    for (i, link) in links.iter().enumerate().rev() {
-        let force = own[i] + outer;
-        let of_motor = constant(chain, link.reflected) * course.qdd[i];
-        forces[i] = force.along(link.joint_type) + of_motor;
-        outer = link.hand_on(force);
-    }
+    chain
+        .tree
+        .inward(Force::splat(zero), Force::add, |i, outer| {
+            let (link, force) = (&links[i], own[i] + outer);
+            let of_motor = constant(chain, link.reflected) * course.qdd[i];
+            forces[i] = force.along(link.joint_type) + of_motor;
+            link.hand_on(force)
+        });
     forces
 }

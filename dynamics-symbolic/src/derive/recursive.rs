@@ -1,8 +1,8 @@
-//! The equations of motion link by link: see [`Acceleration`].
+//! The equations of motion link by link: see [`Acceleration`](crate::spatial::Acceleration).
 
 use super::chain::Chain;
 use crate::linear::{Ring, Vector3};
-use crate::spatial::{Acceleration, Force, accelerations};
+use crate::spatial::Force;
 
 /// Joint forces of a motion: M qdd + V (+ G where `gravity` is the chain's), without springs and friction.
 pub(super) fn inverse_dynamics<R: Ring>(
@@ -11,21 +11,19 @@ pub(super) fn inverse_dynamics<R: Ring>(
     qdd: &[R],
     gravity: Vector3<R>,
 ) -> Vec<R> {
-    let base = Acceleration::of_base(chain.zero, gravity);
-    let accelerations = accelerations(base, chain.joints(), qd, qdd);
+    let accelerations = chain.accelerations(gravity, qd, qdd);
     let links = chain.links.iter().zip(&accelerations);
     let forces = links.map(|(link, acceleration)| acceleration.force(&link.body));
     inward(chain, &forces.collect::<Vec<_>>(), qdd)
 }
 
-/// Joint forces from those of the links, from the tip inwards.
+/// Joint forces from those of the links, from the tips inwards.
 pub(super) fn inward<R: Ring>(chain: &Chain<R>, own: &[Force<R>], qdd: &[R]) -> Vec<R> {
     let mut forces = vec![chain.zero; chain.links.len()];
-    let mut outer = Force::splat(chain.zero);
-    for (i, link) in chain.links.iter().enumerate().rev() {
-        let force = own[i] + outer;
+    chain.forces_inward(|i, outer| {
+        let (link, force) = (&chain.links[i], own[i] + outer);
         forces[i] = force.along(link.joint.joint_type) + link.reflected * qdd[i];
-        outer = force.leave(&link.joint);
-    }
+        force
+    });
     forces
 }

@@ -4,7 +4,7 @@
 //! The joint forces are linear in the inertial parameters (Khosla and Kanade 1985), so the column
 //! of a parameter is what the equations of motion give where that one is 1 and all others are 0.
 
-use super::base::{self, LinkGeometry, Observed};
+use super::base::{self, Geometry, Observed};
 use super::chain::Chain;
 use super::momenta;
 use super::passivity::{self, Rates};
@@ -13,7 +13,7 @@ use crate::exact::Rational;
 use crate::expr::Expr;
 use crate::linear::Vector3;
 use crate::robot::Robot;
-use crate::spatial::{Acceleration, Body, Force, Joint, accelerations, felt_inwards};
+use crate::spatial::{Body, Force};
 
 /// A column in the making.
 enum Column<'g> {
@@ -30,9 +30,7 @@ pub(super) fn by_recursion<'g>(
     chain: &Chain<Expr<'g>>,
 ) -> Vec<Expr<'g>> {
     let columns = columns_of_motion(symbols, robot, chain);
-    by_rows(chain, columns, |i, force| {
-        felt_inwards(force, chain.joints().take(i + 1))
-    })
+    by_rows(chain, columns, |i, force| chain.felt(i, force))
 }
 
 /// The power of each body's force in a unit velocity of each joint (Kane's partial velocities). By
@@ -45,7 +43,11 @@ pub(super) fn by_partial_velocities<'g>(
     let axes = chain.axes();
     let columns = columns_of_motion(symbols, robot, chain);
     by_rows(chain, columns, |i, force| {
-        axes[i].iter().map(|axis| axis.dot(force)).collect()
+        let mut felt = vec![chain.zero; axes.len()];
+        for (j, axis) in &axes[i] {
+            felt[*j] = axis.dot(force);
+        }
+        felt
     })
 }
 
@@ -63,9 +65,7 @@ pub(super) fn of_passivity<'g>(
         Some(body) => Column::OfBody(i, motions[i].force(&body, half)),
         None => Column::OfMotor(i, rates[i].qdd_r),
     });
-    by_rows(chain, columns.collect(), |i, force| {
-        felt_inwards(force, chain.joints().take(i + 1))
-    })
+    by_rows(chain, columns.collect(), |i, force| chain.felt(i, force))
 }
 
 /// The kinetic energy of a unit of every base parameter, then the potential energy, zero where frame 0
@@ -100,29 +100,28 @@ pub(super) fn half<'g>(symbols: &Symbols<'g>) -> Expr<'g> {
 
 /// Gravity in the axes of every frame, and g.p with p the frame's origin from that of frame 0.
 fn heights<'g>(chain: &Chain<Expr<'g>>) -> Vec<(Vector3<Expr<'g>>, Expr<'g>)> {
-    let (mut gravity, mut above) = (chain.gravity, chain.zero);
-    let height = |joint: &Joint<Expr<'g>>| {
-        above = above + gravity.dot(joint.position());
-        gravity = joint.enter(gravity);
-        (gravity, above)
-    };
-    chain.joints().map(height).collect()
+    let base = (chain.gravity, chain.zero);
+    chain.tree.outward(base, |i, &(gravity, above)| {
+        let joint = chain.joint(i);
+        let above = above + gravity.dot(joint.position());
+        (joint.enter(gravity), above)
+    })
 }
 
-/// A regressor by rows. `felt` says what the joints up to link i feel of a force on it.
+/// A regressor by rows. `felt` says what the joints feel of a force on link i.
 fn by_rows<'g>(
     chain: &Chain<Expr<'g>>,
     columns: Vec<Column<'g>>,
     felt: impl Fn(usize, Force<Expr<'g>>) -> Vec<Expr<'g>>,
 ) -> Vec<Expr<'g>> {
     let joints = chain.links.len();
-    let column = |column: Column<'g>| {
-        let mut forces = vec![chain.zero; joints];
-        match column {
-            Column::OfBody(i, force) => forces[..=i].copy_from_slice(&felt(i, force)),
-            Column::OfMotor(i, acceleration) => forces[i] = acceleration,
+    let column = |column: Column<'g>| match column {
+        Column::OfBody(i, force) => felt(i, force),
+        Column::OfMotor(i, acceleration) => {
+            let mut forces = vec![chain.zero; joints];
+            forces[i] = acceleration;
+            forces
         }
-        forces
     };
     let columns: Vec<_> = columns.into_iter().map(column).collect();
     let row = |i: usize| columns.iter().map(move |column| column[i]);
@@ -140,8 +139,7 @@ fn columns_of_motion<'g>(
         symbols.all(|joint| joint.qd),
         symbols.all(|joint| joint.qdd),
     );
-    let at_base = Acceleration::of_base(chain.zero, chain.gravity);
-    let accelerations = accelerations(at_base, chain.joints(), &qd, &qdd);
+    let accelerations = chain.accelerations(chain.gravity, &qd, &qdd);
     let column = |(i, body): (usize, Option<Body<Expr<'g>>>)| match body {
         Some(body) => Column::OfBody(i, accelerations[i].force(&body)),
         None => Column::OfMotor(i, qdd[i]),
@@ -152,7 +150,7 @@ fn columns_of_motion<'g>(
 /// The base parameters of an arm, a unit of each of them.
 struct Units<'g> {
     observed: Observed,
-    geometry: Vec<LinkGeometry<Expr<'g>>>,
+    geometry: Geometry<Expr<'g>>,
 }
 
 impl<'g> Units<'g> {
@@ -169,11 +167,10 @@ impl<'g> Units<'g> {
         &self,
         chain: &Chain<Expr<'g>>,
     ) -> impl Iterator<Item = (usize, Option<Body<Expr<'g>>>)> {
-        let constants = (chain.zero, chain.one);
         let grouping = &self.observed.grouping;
         let columns = self.observed.columns().into_iter();
         columns.map(move |(i, parameter)| {
-            let body = base::unit(grouping, &self.geometry, i, parameter, constants);
+            let body = base::unit(grouping, &self.geometry, i, parameter);
             (i, body.map(|body| chain.links[i].place(body, chain.zero)))
         })
     }

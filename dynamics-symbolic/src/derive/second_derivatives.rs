@@ -59,7 +59,6 @@ pub(super) struct SecondDerivatives<R> {
 }
 
 /// What joint k does to the links outside it, in the frame of one of them.
-#[derive(Clone, Copy)]
 struct Effect<R> {
     /// S
     axis: Motion<R>,
@@ -70,7 +69,6 @@ struct Effect<R> {
 
 /// The links from joint j on as one body, and what joint j changes of them.
 struct Slopes<R> {
-    j: usize,
     /// I', B'
     body: Body<R>,
     momentum: Momentum<R>,
@@ -99,9 +97,10 @@ pub(super) fn recursion<'g>(
     let effects = effects(chain, &moving.rates);
     let mut derivatives = SecondDerivatives::none(chain.zero, chain.links.len());
     moving.inwards(chain, |j, composite| {
-        let slopes = Slopes::new(chain, &effects[j], composite);
-        derivatives.outermost(&slopes, &effects[j], half);
-        derivatives.carried(chain, slopes, &effects);
+        let (_, own) = &effects[j][effects[j].len() - 1];
+        let slopes = Slopes::new(chain, j, own, composite);
+        derivatives.outermost(j, &slopes, &effects[j], half);
+        derivatives.carried(chain, j, slopes, &effects);
     });
     derivatives
 }
@@ -146,20 +145,20 @@ impl<'g> SecondDerivatives<Expr<'g>> {
     }
 }
 
-/// What the joints 0 to m do, in frame m, for every m.
-fn effects<R: Ring>(chain: &Chain<R>, rates: &[Rates<R>]) -> Vec<Vec<Effect<R>>> {
-    let mut effects: Vec<Vec<Effect<R>>> = Vec::with_capacity(rates.len());
-    for (joint, &rates) in chain.joints().zip(rates) {
-        let inner = effects.last().into_iter().flatten();
-        let mut row: Vec<_> = inner.map(|effect| effect.enter(joint)).collect();
-        row.push(Effect {
-            axis: Motion::axis(joint.joint_type, chain.zero, chain.one),
-            twice_velocity: rates.velocity + rates.velocity,
-            rates,
-        });
-        effects.push(row);
-    }
-    effects
+/// What the joints that carry a link do, in its frame, each with the number of the joint: see
+/// [`Tree::of_carriers`](super::walk::Tree::of_carriers).
+type Effects<R> = Vec<(usize, Effect<R>)>;
+
+/// The effects on every link.
+fn effects<R: Ring>(chain: &Chain<R>, rates: &[Rates<R>]) -> Vec<Effects<R>> {
+    let own = |i: usize| Effect {
+        axis: chain.axis(i),
+        twice_velocity: rates[i].velocity + rates[i].velocity,
+        rates: rates[i],
+    };
+    chain
+        .tree
+        .of_carriers(own, |i, effect: &Effect<R>| effect.enter(chain.joint(i)))
 }
 
 impl<R: Ring> Effect<R> {
@@ -177,22 +176,20 @@ impl<R: Ring> Effect<R> {
 }
 
 impl<R: Ring> Slopes<R> {
-    /// Of the last joint among those whose effects are given.
-    fn new(chain: &Chain<R>, effects: &[Effect<R>], composite: &Composite<R>) -> Self {
-        let j = effects.len() - 1;
-        let Effect {
+    /// Of joint j, which has that effect on its own link.
+    fn new(chain: &Chain<R>, j: usize, own: &Effect<R>, composite: &Composite<R>) -> Self {
+        let &Effect {
             axis,
             twice_velocity,
             rates,
-        } = effects[j];
-        let joint_type = chain.links[j].joint.joint_type;
+        } = own;
+        let joint_type = chain.joint(j).joint_type;
         let (zero, one) = (chain.zero, chain.one);
         let body = &composite.body;
         let turned = composite.momentum.displaced(joint_type, zero, one);
         let faster = Momentum::of(body, rates.velocity.w, rates.velocity.v);
         let own = composite.apply(rates.velocity.w, rates.acceleration);
         Slopes {
-            j,
             body: displaced(body, joint_type, zero, one),
             momentum: turned.joined(faster),
             force: axis.cross_force(composite.force) + own,
@@ -250,53 +247,49 @@ impl<R: Ring> SecondDerivatives<R> {
         }
     }
 
-    /// Sets what joints i and k up to j have to do with joint j, in its frame.
-    fn outermost(&mut self, slopes: &Slopes<R>, effects: &[Effect<R>], half: R) {
-        let j = slopes.j;
-        for (k, effect) in effects.iter().enumerate() {
-            let rates = &effect.rates;
+    /// Sets what the joints i and k that carry link j have to do with joint j, in its frame.
+    fn outermost(&mut self, j: usize, slopes: &Slopes<R>, effects: &Effects<R>, half: R) {
+        for (k, effect) in effects {
+            let (k, rates) = (*k, &effect.rates);
             let by_position = slopes.apply(rates.velocity.w, rates.acceleration);
             let by_both = slopes.apply(effect.axis.w, effect.twice_velocity);
             let by_velocity = slopes.momentum_of_axis.apply(effect.axis.w);
             let of_rate = slopes.momentum_of_axis.apply(rates.velocity.w);
-            for (i, Effect { axis, .. }) in effects.iter().enumerate() {
-                set(&mut self.by_position[i], [j, k], axis.dot(by_position));
-                set(&mut self.by_velocity[i], [j, k], axis.dot(by_velocity));
-                self.by_both[i][j][k] = axis.dot(by_both);
-                if k < j {
-                    self.by_both[i][k][j] = axis.dot(of_rate);
+            for (i, Effect { axis, .. }) in effects {
+                set(&mut self.by_position[*i], [j, k], axis.dot(by_position));
+                set(&mut self.by_velocity[*i], [j, k], axis.dot(by_velocity));
+                self.by_both[*i][j][k] = axis.dot(by_both);
+                if k != j {
+                    self.by_both[*i][k][j] = axis.dot(of_rate);
                 }
             }
         }
-        for a in 0..j {
-            self.reversed(slopes, effects, a);
-        }
-        self.inertia(j, half);
+        self.reversed(j, slopes, effects);
+        self.inertia(j, effects, half);
     }
 
     /// Sets what joint j feels of joints k <= a < j by the form that changes its sign.
-    fn reversed(&mut self, slopes: &Slopes<R>, effects: &[Effect<R>], a: usize) {
-        let j = slopes.j;
-        let row = slopes.momentum_of_axis.row(effects[a].rates.velocity);
-        for (k, effect) in effects[..=a].iter().enumerate() {
-            set(
-                &mut self.by_position[j],
-                [a, k],
-                -row.dot(effect.rates.velocity.w),
-            );
-            self.by_both[j][a][k] = -row.dot(effect.axis.w);
-            let x = -self.by_velocity[a][j][k];
-            set(&mut self.by_velocity[j], [a, k], x);
-            if k < a {
-                self.by_both[j][k][a] = -self.by_both[a][k][j];
+    fn reversed(&mut self, j: usize, slopes: &Slopes<R>, effects: &Effects<R>) {
+        for (a, outer) in effects.iter().filter(|(a, _)| *a != j) {
+            let row = slopes.momentum_of_axis.row(outer.rates.velocity);
+            for (k, effect) in effects.iter().filter(|(k, _)| k <= a) {
+                let (a, k, velocity) = (*a, *k, effect.rates.velocity);
+                set(&mut self.by_position[j], [a, k], -row.dot(velocity.w));
+                self.by_both[j][a][k] = -row.dot(effect.axis.w);
+                let x = -self.by_velocity[a][j][k];
+                set(&mut self.by_velocity[j], [a, k], x);
+                if k < a {
+                    self.by_both[j][k][a] = -self.by_both[a][k][j];
+                }
             }
         }
     }
 
-    /// Sets the derivatives of M by q_j, and those of its column j, of joints up to j.
-    fn inertia(&mut self, j: usize, half: R) {
-        for b in 0..=j {
-            for a in 0..=b {
+    /// Sets the derivatives of M by q_j, and those of its column j, of the joints that carry link j.
+    fn inertia(&mut self, j: usize, effects: &Effects<R>, half: R) {
+        let joints = || effects.iter().map(|(joint, _)| *joint);
+        for b in joints() {
+            for a in joints().filter(|a| *a <= b) {
                 let [x, y] = [self.by_velocity[a][j][b], self.by_velocity[b][j][a]];
                 let of_column = half * (x - y);
                 let by_outermost = half * (x + y);
@@ -311,47 +304,55 @@ impl<R: Ring> SecondDerivatives<R> {
     }
 
     /// Adds what is carried inwards from joint j.
-    fn carried(&mut self, chain: &Chain<R>, mut slopes: Slopes<R>, effects: &[Vec<Effect<R>>]) {
-        let j = slopes.j;
-        for (b, effects) in effects[..=j].iter().enumerate().rev() {
-            self.turned_forces(&slopes, effects);
-            if b < j {
-                self.rows(&slopes, effects);
+    fn carried(&mut self, chain: &Chain<R>, j: usize, slopes: Slopes<R>, effects: &[Effects<R>]) {
+        let leave = |b: usize, slopes: Slopes<R>| slopes.leave(chain.joint(b));
+        chain.tree.along_carriers(j, slopes, leave, |b, slopes| {
+            let effects = &effects[b];
+            let (_, own) = &effects[effects.len() - 1];
+            self.turned_forces([j, b], slopes, own.axis, effects);
+            if b != j {
+                self.rows([j, b], slopes, own.axis, effects);
             }
-            if b > 0 {
-                slopes = slopes.leave(&chain.links[b].joint);
-            }
-        }
+        });
     }
 
-    /// Adds S_i . (S_b x* f_j') and S_i . (S_b x* f_j^) for i < b, in the frame of joint b.
-    fn turned_forces(&mut self, slopes: &Slopes<R>, effects: &[Effect<R>]) {
-        let (j, b) = (slopes.j, effects.len() - 1);
-        let force = effects[b].axis.cross_force(slopes.force);
-        let by_velocity = effects[b].axis.cross_force(slopes.force_by_velocity);
-        for (i, Effect { axis, .. }) in effects[..b].iter().enumerate() {
-            add(&mut self.by_position[i], [j, b], axis.dot(force));
-            if b < j {
-                let entry = &mut self.by_both[i][b][j];
+    /// Adds S_i . (S_b x* f_j') and S_i . (S_b x* f_j^) for i < b, in the frame of joint b with the axis S_b.
+    fn turned_forces(
+        &mut self,
+        [j, b]: [usize; 2],
+        slopes: &Slopes<R>,
+        own: Motion<R>,
+        effects: &Effects<R>,
+    ) {
+        let force = own.cross_force(slopes.force);
+        let by_velocity = own.cross_force(slopes.force_by_velocity);
+        for (i, Effect { axis, .. }) in effects.iter().filter(|(i, _)| *i != b) {
+            add(&mut self.by_position[*i], [j, b], axis.dot(force));
+            if b != j {
+                let entry = &mut self.by_both[*i][b][j];
                 *entry = *entry + axis.dot(by_velocity);
             }
         }
     }
 
-    /// Adds what joint j feels of joints k <= b by its rows e and S B, in the frame of joint b.
-    fn rows(&mut self, slopes: &Slopes<R>, effects: &[Effect<R>]) {
-        let (j, b) = (slopes.j, effects.len() - 1);
-        let own = effects[b].axis;
+    /// Adds what joint j feels of joints k <= b by its rows e and S B, in the frame of joint b with the axis S_b.
+    fn rows(
+        &mut self,
+        [j, b]: [usize; 2],
+        slopes: &Slopes<R>,
+        own: Motion<R>,
+        effects: &Effects<R>,
+    ) {
         let inertia_row = own.cross_force(slopes.inertia_row);
         let coriolis_row = own.w.cross(slopes.coriolis_row);
-        for (k, effect) in effects.iter().enumerate() {
+        for (k, effect) in effects {
             let Rates {
                 velocity,
                 acceleration,
             } = effect.rates;
             let by_position = acceleration.dot(inertia_row) + velocity.w.dot(coriolis_row);
-            add(&mut self.by_position[j], [b, k], by_position);
-            let entry = &mut self.by_both[j][b][k];
+            add(&mut self.by_position[j], [b, *k], by_position);
+            let entry = &mut self.by_both[j][b][*k];
             *entry =
                 *entry + effect.twice_velocity.dot(inertia_row) + effect.axis.w.dot(coriolis_row);
         }

@@ -49,8 +49,8 @@ pub(super) fn velocity<'g>(
     let mut r = place(symbols, robot, chain);
     let none = Vector3::splat(chain.zero);
     let (mut u, mut w) = (none, none);
-    for (i, joint) in chain.joints().enumerate().rev() {
-        let qd = symbols.joint(i).qd;
+    for i in chain.carriers_of_tip() {
+        let (joint, qd) = (chain.joint(i), symbols.joint(i).qd);
         match joint.joint_type {
             JointType::Revolute => {
                 u = u + z_cross(chain, r, qd);
@@ -73,8 +73,9 @@ pub(super) fn acceleration<'g>(
     let mut r = place(symbols, robot, chain);
     let none = Vector3::splat(chain.zero);
     let (mut u, mut a, mut w, mut e) = (none, none, none, none);
-    for (i, joint) in chain.joints().enumerate().rev() {
-        let (qd, qdd) = (symbols.joint(i).qd, symbols.joint(i).qdd);
+    for i in chain.carriers_of_tip() {
+        let (joint, of_joint) = (chain.joint(i), symbols.joint(i));
+        let (qd, qdd) = (of_joint.qd, of_joint.qdd);
         match joint.joint_type {
             JointType::Revolute => {
                 let before = u;
@@ -107,40 +108,58 @@ pub(super) fn wrench_torques<'g>(
     if let Some(pivot) = chain.pivot {
         wrench.about(chain, pivot, &mut felt);
     }
-    let joints = chain.joints().enumerate().zip(felt);
-    let felt = joints.map(|((i, joint), felt)| felt.unwrap_or_else(|| wrench.felt_by(i, joint)));
+    let carriers: Vec<_> = chain.carriers_of_tip().collect();
+    for &i in carriers.iter().rev() {
+        felt[i] = felt[i].or_else(|| Some(wrench.felt_by(i, chain.joint(i))));
+    }
+    let felt = felt.into_iter().map(|felt| felt.unwrap_or(chain.zero));
     felt.collect()
 }
 
-/// A wrench on the tip, in frame 0 and the frames of all links.
-struct Wrench<'g> {
-    /// Force and moment.
-    wrenches: Vec<[Vector<'g>; 2]>,
+/// A wrench on the tip as it is in a frame.
+#[derive(Clone, Copy)]
+struct Told<'g> {
+    force: Vector<'g>,
+    moment: Vector<'g>,
     /// Where the tip is.
-    levers: Vec<Vector<'g>>,
+    lever: Vector<'g>,
+}
+
+/// A wrench on the tip, in frame 0 and the frames of the links that carry the tip.
+struct Wrench<'g> {
+    in_base: Told<'g>,
+    in_links: Vec<Told<'g>>,
 }
 
 impl<'g> Wrench<'g> {
     fn new(symbols: &mut Symbols<'g>, robot: &Robot, chain: &Chain<Expr<'g>>) -> Self {
         let mut lever = place(symbols, robot, chain);
-        let mut levers = vec![lever];
-        for joint in chain.joints().rev() {
-            lever = inward(joint, lever);
-            levers.push(lever);
+        let mut levers = vec![lever; chain.links.len()];
+        for i in chain.carriers_of_tip() {
+            levers[i] = lever;
+            lever = inward(chain.joint(i), lever);
         }
-        levers.reverse();
-        let mut wrench = wrench(symbols, robot);
-        let mut wrenches = vec![wrench];
-        for joint in chain.joints() {
-            wrench = wrench.map(|v| joint.enter(v));
-            wrenches.push(wrench);
-        }
-        Wrench { wrenches, levers }
+        let [force, moment] = wrench(symbols, robot);
+        let in_base = Told {
+            force,
+            moment,
+            lever,
+        };
+        let in_links = chain.tree.outward(in_base, |i, before| Told {
+            force: chain.joint(i).enter(before.force),
+            moment: chain.joint(i).enter(before.moment),
+            lever: levers[i],
+        });
+        Wrench { in_base, in_links }
     }
 
     /// z.(n + r x f)
     fn felt_by(&self, i: usize, joint: &Joint<Expr<'g>>) -> Expr<'g> {
-        let ([f, n], r) = (self.wrenches[i + 1], self.levers[i + 1]);
+        let Told {
+            force: f,
+            moment: n,
+            lever: r,
+        } = self.in_links[i];
         match joint.joint_type {
             JointType::Revolute => n[2] + (r[0] * f[1] - r[1] * f[0]),
             JointType::Prismatic => f[2],
@@ -148,30 +167,34 @@ impl<'g> Wrench<'g> {
     }
 
     /// What the joints feel of the moment m about the origin of one of them, told in the frame before it:
-    /// outwards those whose axes meet there, inwards all, with joint i+1 at p in frame i,
+    /// outwards those whose axes meet there, inwards all, with joint k outside joint i at p in frame i,
     ///
-    ///   m_i = R (m_i+1 + slide z x f_i+1) + p x f_i.
+    ///   m_i = R (m_k + slide z x f_k) + p x f_i.
     fn about(&self, chain: &Chain<Expr<'g>>, pivot: usize, felt: &mut [Option<Expr<'g>>]) {
-        let joints: Vec<_> = chain.joints().collect();
-        let ([f, n], lever) = (self.wrenches[pivot], self.levers[pivot]);
-        let about = n + (lever - joints[pivot].offset).cross(f);
+        let parent = chain.tree.parent(pivot);
+        let told = parent.map_or(&self.in_base, |parent| &self.in_links[parent]);
+        let place = chain.joint(pivot).offset;
+        let about = told.moment + (told.lever - place).cross(told.force);
         let is_at_pivot = |joint: &Joint<Expr<'g>>| joint.offset.0.iter().all(|x| x.is_zero());
+        let mut outer: Vec<usize> = chain.carriers_of_tip().collect();
+        let inner = outer.split_off(outer.iter().take_while(|i| **i != pivot).count());
         let mut m = about;
-        for (i, joint) in joints.iter().enumerate().skip(pivot) {
-            if joint.joint_type == JointType::Prismatic || (i > pivot && !is_at_pivot(joint)) {
+        for i in inner.iter().take(1).chain(outer.iter().rev()).copied() {
+            let joint = chain.joint(i);
+            if joint.joint_type == JointType::Prismatic || (i != pivot && !is_at_pivot(joint)) {
                 break;
             }
             m = joint.enter(m);
             felt[i] = Some(m[2]);
         }
         m = about;
-        for i in (0..pivot).rev() {
-            let ([f, _], slide) = (self.wrenches[i + 1], joints[i].slide);
-            m = m + joints[i + 1].offset.cross(f);
-            if joints[i].joint_type == JointType::Revolute {
+        for (&i, &outside) in inner.iter().skip(1).zip(&inner) {
+            let (f, joint) = (self.in_links[i].force, chain.joint(i));
+            m = m + chain.joint(outside).offset.cross(f);
+            if joint.joint_type == JointType::Revolute {
                 felt[i] = Some(m[2]);
             }
-            m = joints[i].leave(m + z_cross(chain, f, slide));
+            m = joint.leave(m + z_cross(chain, f, joint.slide));
         }
     }
 }

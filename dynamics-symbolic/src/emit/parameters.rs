@@ -1,7 +1,7 @@
 //! What each base parameter is, as a formula in the standard parameters of the links.
 
 use super::polynomial::{Polynomial, Polynomials};
-use crate::derive::base::{LinkGeometry, Observed, dependent, geometry, group};
+use crate::derive::base::{Geometry, LinkGeometry, Observed, dependent, geometry, group};
 use crate::derive::symbols::Symbols;
 use crate::exact::bit_length;
 use crate::expr::{Expr, Graph};
@@ -137,16 +137,16 @@ fn columns<'p>(
     grouping: &Grouping,
     in_steps: bool,
 ) -> (Vec<Polynomial<'p>>, Vec<Step<'p>>) {
-    let (zero, one) = (all.number(0), all.number(1));
-    let links = named_geometry(all, robot);
-    let own: Vec<[Polynomial<'p>; 11]> = (1..=links.len())
+    let geometry = named_geometry(all, robot);
+    let links = geometry.tree.len();
+    let own: Vec<[Polynomial<'p>; 11]> = (1..=links)
         .map(|i| Parameter::ALL.map(|parameter| all.variable(parameter.name(i))))
         .collect();
-    let (mut columns, mut steps) = (Vec::new(), Vec::new());
-    let mut carried = Body::splat(zero);
-    for i in (0..links.len()).rev() {
+    let (mut columns, mut steps) = (vec![Vec::new(); links], Vec::new());
+    let none = Body::splat(geometry.zero);
+    geometry.tree.inward(none, Body::joined, |i, outer| {
         let mut whole = own[i];
-        for (k, &moved) in carried.parameters().iter().enumerate() {
+        for (k, &moved) in outer.parameters().iter().enumerate() {
             if moved.is_zero() {
                 continue;
             }
@@ -159,11 +159,10 @@ fn columns<'p>(
         }
         let [body @ .., motor] = whole;
         let whole = (Body::from_parameters(body), motor);
-        let moved = group(grouping, &links, i, whole, (zero, one));
-        columns.push(moved.kept);
-        carried = moved.inward;
-    }
-    columns.reverse();
+        let moved = group(grouping, &geometry, i, whole);
+        columns[i] = moved.kept;
+        moved.inward
+    });
     (columns.concat(), steps)
 }
 
@@ -261,7 +260,7 @@ impl<'p, 'g> Coefficients<'p, 'g> {
 }
 
 /// The geometry with the names of cells in place of their numbers, and 0 and +-1 as they are.
-fn named_geometry<'p>(all: &'p Polynomials, robot: &Robot) -> Vec<LinkGeometry<Polynomial<'p>>> {
+fn named_geometry<'p>(all: &'p Polynomials, robot: &Robot) -> Geometry<Polynomial<'p>> {
     let graph = Graph::new();
     let mut symbols = Symbols::new(&graph, robot);
     let cell = |value: Expr<'_>, name: String| match value.is_zero() {
@@ -282,28 +281,32 @@ fn named_geometry<'p>(all: &'p Polynomials, robot: &Robot) -> Vec<LinkGeometry<P
             c: known(turn.c, c),
         }
     };
-    let links = geometry(&mut symbols, robot).into_iter().enumerate();
-    links
-        .map(|(i, link)| {
-            // The row that has the a and the alpha between the axes of joints i and i + 1.
-            let row = match robot.convention {
-                Convention::Standard => i,
-                Convention::Modified => i + 1,
-            };
-            LinkGeometry {
-                joint_type: link.joint_type,
-                locked: link.locked,
-                a: cell(link.a, format!("a{row}")),
-                d: cell(link.d, format!("d{}", i + 1)),
-                twist: turn(link.twist, "a", row),
-                turn: match link.joint_type {
-                    JointType::Revolute if !link.locked => Turn {
-                        s: all.number(0),
-                        c: all.number(1),
-                    },
-                    _ => turn(link.turn, "t", i + 1),
+    let cells = geometry(&mut symbols, robot);
+    let links = cells.links.into_iter().enumerate().map(|(i, link)| {
+        // The row that has the a and the alpha between the axes of joints i and i + 1.
+        let row = match robot.convention {
+            Convention::Standard => i,
+            Convention::Modified => i + 1,
+        };
+        LinkGeometry {
+            joint_type: link.joint_type,
+            locked: link.locked,
+            a: cell(link.a, format!("a{row}")),
+            d: cell(link.d, format!("d{}", i + 1)),
+            twist: turn(link.twist, "a", row),
+            turn: match link.joint_type {
+                JointType::Revolute if !link.locked => Turn {
+                    s: all.number(0),
+                    c: all.number(1),
                 },
-            }
-        })
-        .collect()
+                _ => turn(link.turn, "t", i + 1),
+            },
+        }
+    });
+    Geometry {
+        zero: all.number(0),
+        one: all.number(1),
+        links: links.collect(),
+        tree: cells.tree,
+    }
 }

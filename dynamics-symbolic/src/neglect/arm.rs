@@ -1,11 +1,11 @@
 //! What each base parameter adds to the joint forces of a motion, in numbers.
 
 use super::reals::{Reals, sin_cos};
-use crate::derive::base::{LinkGeometry, base_parameters, columns, geometry, unit};
+use crate::derive::base::{Geometry, base_parameters, columns, geometry, unit};
 use crate::derive::place;
 use crate::linear::Vector3;
 use crate::robot::{Grouping, Interpretation, JointType, Parameter, Robot};
-use crate::spatial::{Acceleration, Body, Joint, Turn, accelerations, felt_inwards};
+use crate::spatial::{Acceleration, Body, Force, Joint, Turn};
 
 /// The force of each joint that moves.
 pub(super) type Forces = Vec<f64>;
@@ -13,6 +13,7 @@ pub(super) type Forces = Vec<f64>;
 /// An arm as its base parameters.
 pub(super) struct Arm {
     dof: usize,
+    geometry: Geometry<f64>,
     links: Vec<Link>,
     gravity: Vector3<f64>,
     /// Row and name of each base parameter.
@@ -22,7 +23,6 @@ pub(super) struct Arm {
 }
 
 struct Link {
-    geometry: LinkGeometry<f64>,
     /// Of the joint variable's cell, where the joint turns.
     theta: Turn<f64>,
     motion: Option<Motion>,
@@ -61,21 +61,18 @@ impl Arm {
         let values = base_parameters(cells, robot, grouping);
         let columns = columns(grouping);
         let part = |(&(i, parameter), &value): (&(usize, Parameter), &f64)| {
-            let unit = unit(grouping, &geometry, i, parameter, (0.0, 1.0));
+            let unit = unit(grouping, &geometry, i, parameter);
             unit.map(|unit| unit.times(value)).ok_or(value)
         };
         let parts = columns.iter().zip(&values).map(part).collect();
-        let links = geometry.iter().enumerate().map(|(i, geometry)| {
-            let (s, c) = cells.sin_cos(&robot.rows[i].theta);
-            Link {
-                geometry: *geometry,
-                theta: Turn { s, c },
-                motion: Motion::of(robot, i),
-            }
+        let links = robot.rows.iter().enumerate().map(|(i, row)| Link {
+            theta: cells.sin_cos(&row.theta).into(),
+            motion: Motion::of(robot, i),
         });
         Arm {
             dof: robot.dof(),
             links: links.collect(),
+            geometry,
             gravity: place::gravity(cells, robot),
             columns,
             parts,
@@ -104,7 +101,8 @@ impl Arm {
 
     /// The joint forces that each parameter adds to those of a motion, with gravity or without.
     pub(super) fn forces(&self, q: &[f64], qd: &[f64], qdd: &[f64], gravity: bool) -> Vec<Forces> {
-        let joints: Vec<_> = self.links.iter().map(|link| link.joint(q)).collect();
+        let tree = &self.geometry.tree;
+        let joints: Vec<_> = (0..tree.len()).map(|i| self.joint(i, q)).collect();
         let gravity = if gravity {
             self.gravity
         } else {
@@ -112,17 +110,20 @@ impl Arm {
         };
         let base = Acceleration::of_base(0.0, gravity);
         let (qd, qdd) = (self.of_rows(qd), self.of_rows(qdd));
-        let accelerations = accelerations(base, joints.iter(), &qd, &qdd);
-        let part = |(&(i, _), part): (&(usize, Parameter), &Result<Body<f64>, f64>)| match part {
-            Ok(body) => {
-                let force = accelerations[i].force(body);
-                self.of_joints(felt_inwards(force, joints[..=i].iter()))
+        let accelerations = tree.outward(base, |i, before| before.enter(&joints[i], qd[i], qdd[i]));
+        let leave = |j: usize, force: Force<f64>| force.leave(&joints[j]);
+        let part = |(&(i, _), part): (&(usize, Parameter), &Result<Body<f64>, f64>)| {
+            let mut forces = vec![0.0; joints.len()];
+            match part {
+                Ok(body) => {
+                    let force = accelerations[i].force(body);
+                    tree.along_carriers(i, force, leave, |j, force| {
+                        forces[j] = force.along(joints[j].joint_type);
+                    });
+                }
+                Err(motor) => forces[i] = motor * qdd[i],
             }
-            Err(motor) => {
-                let mut forces = vec![0.0; joints.len()];
-                forces[i] = motor * qdd[i];
-                self.of_joints(forces)
-            }
+            self.of_joints(forces)
         };
         self.columns.iter().zip(&self.parts).map(part).collect()
     }
@@ -134,8 +135,7 @@ impl Arm {
         links.map(|link| link.motion.map_or(0.0, value)).collect()
     }
 
-    /// For the joints that move by themselves, what those that follow them feel included; 0 for those
-    /// behind the last row that is given.
+    /// For the joints that move by themselves, what those that follow them feel included.
     fn of_joints(&self, of_rows: Vec<f64>) -> Forces {
         let mut forces = vec![0.0; self.dof()];
         for (link, force) in self.links.iter().zip(of_rows) {
@@ -147,17 +147,17 @@ impl Arm {
     }
 }
 
-impl Link {
-    fn joint(&self, q: &[f64]) -> Joint<f64> {
-        let still = self.geometry.joint(0.0, 1.0);
-        let Some(motion) = self.motion else {
+impl Arm {
+    fn joint(&self, i: usize, q: &[f64]) -> Joint<f64> {
+        let (still, link) = (self.geometry.joint(i), &self.links[i]);
+        let Some(motion) = link.motion else {
             return still;
         };
         let q = motion.factor * q[motion.joint] + motion.offset;
         match still.joint_type {
             JointType::Revolute => {
                 let (s, c) = sin_cos(q);
-                let turn = self.theta.plus(Turn { s, c });
+                let turn = link.theta.plus(Turn { s, c });
                 Joint { turn, ..still }
             }
             JointType::Prismatic => Joint { slide: q, ..still },

@@ -19,10 +19,10 @@ pub(super) fn indefinite(
     robot: &Robot,
     arm: &Arm,
     samples: &Samples,
-    is_left: &[bool],
+    is_kept: &[bool],
 ) -> Option<Vec<f64>> {
     let ranges: Vec<[f64; 2]> = robot.joints().map(range).collect();
-    let least = |q: &[f64]| least_relative_pivot(sum_of(&arm.mass_matrix(q), is_left));
+    let least = |q: &[f64]| least_relative_pivot(sum_of(&arm.mass_matrix(q), is_kept));
     let starts = samples.q.iter().map(|q| (least(q), q.clone()));
     let mut starts: Vec<_> = starts.collect();
     starts.sort_by(|(a, _), (b, _)| a.total_cmp(b));

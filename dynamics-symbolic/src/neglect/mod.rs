@@ -78,10 +78,10 @@ pub fn neglect(robot: &Robot, share: f64) -> Result<Robot, NotPositiveDefinite> 
     // What has no effect at all costs nothing as it is.
     let is_small = |x: &f64| *x > 0.0 && *x < share;
     let small: Vec<bool> = effects.shares().iter().map(is_small).collect();
-    let is_left: Vec<bool> = small.iter().map(|small| !small).collect();
+    let is_kept: Vec<bool> = small.iter().map(|small| !small).collect();
     let count = small.iter().filter(|small| **small).count();
     let refused = |q| Err(NotPositiveDefinite { q, count });
-    if let Some(q) = effects.indefinite(&samples, &is_left) {
+    if let Some(q) = effects.indefinite(&samples, &is_kept) {
         return refused(Some(q));
     }
     let free = robot.is_coupled().then(|| followers_free(robot));
@@ -90,11 +90,11 @@ pub fn neglect(robot: &Robot, share: f64) -> Result<Robot, NotPositiveDefinite> 
         None => effects.sizes(),
     };
     let free = free.as_ref().unwrap_or(robot);
-    let shown = |is_left: &[bool]| definite::is_positive_definite(free, &grouping, is_left, &sizes);
-    let is_definite = shown(&is_left);
+    let shown = |is_kept: &[bool]| definite::is_positive_definite(free, &grouping, is_kept, &sizes);
+    let is_definite = shown(&is_kept);
     // Of a coupled arm the free one may lose its definiteness alone.
     if !is_definite && !robot.is_coupled() && shown(&vec![true; small.len()]) {
-        return refused(descent::indefinite(robot, &arm, &samples, &is_left));
+        return refused(descent::indefinite(robot, &arm, &samples, &is_kept));
     }
     let columns = arm.columns.iter().zip(&small);
     let columns = columns.filter(|(_, small)| **small);
@@ -211,14 +211,14 @@ impl Effects {
     }
 
     /// A sample at which the whole M is positive definite, but not what is left of it.
-    fn indefinite(&self, samples: &Samples, is_left: &[bool]) -> Option<Vec<f64>> {
-        let all = vec![true; is_left.len()];
-        let is_definite = |parts: &[Vec<Forces>], is_left: &[bool]| {
-            least_relative_pivot(sum_of(parts, is_left)) > SMALLEST_PIVOT
+    fn indefinite(&self, samples: &Samples, is_kept: &[bool]) -> Option<Vec<f64>> {
+        let all = vec![true; is_kept.len()];
+        let is_definite = |parts: &[Vec<Forces>], is_kept: &[bool]| {
+            least_relative_pivot(sum_of(parts, is_kept)) > SMALLEST_PIVOT
         };
         let mut states = samples.q.iter().zip(&self.mass_matrix);
         let found =
-            states.find(|(_, parts)| is_definite(parts, &all) && !is_definite(parts, is_left));
+            states.find(|(_, parts)| is_definite(parts, &all) && !is_definite(parts, is_kept));
         found.map(|(q, _)| q.clone())
     }
 }
@@ -231,10 +231,10 @@ fn sizes(arm: &Arm, samples: &Samples) -> Vec<f64> {
 }
 
 /// M of some of the parameters.
-fn sum_of(parts: &[Vec<Forces>], is_left: &[bool]) -> Vec<Vec<f64>> {
+fn sum_of(parts: &[Vec<Forces>], is_kept: &[bool]) -> Vec<Vec<f64>> {
     let dof = parts.first().map_or(0, Vec::len);
     let mut matrix = vec![vec![0.0; dof]; dof];
-    for (part, _) in parts.iter().zip(is_left).filter(|(_, is_left)| **is_left) {
+    for (part, _) in parts.iter().zip(is_kept).filter(|(_, is_kept)| **is_kept) {
         for (column, part) in matrix.iter_mut().zip(part) {
             for (x, part) in column.iter_mut().zip(part) {
                 *x += part;

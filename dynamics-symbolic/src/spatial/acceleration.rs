@@ -119,21 +119,6 @@ impl<R: Ring> Acceleration<R> {
     }
 }
 
-/// The accelerations of all links, from the base outwards.
-pub fn accelerations<'a, R: Ring + 'a>(
-    base: Acceleration<R>,
-    joints: impl Iterator<Item = &'a Joint<R>>,
-    qd: &[R],
-    qdd: &[R],
-) -> Vec<Acceleration<R>> {
-    let mut previous = base;
-    let moved = joints.zip(qd.iter().zip(qdd)).map(|(joint, (&qd, &qdd))| {
-        previous = previous.enter(joint, qd, qdd);
-        previous
-    });
-    moved.collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

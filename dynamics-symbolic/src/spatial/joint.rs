@@ -71,23 +71,6 @@ impl<R: Ring> Force<R> {
     }
 }
 
-/// What the joints feel of a force that acts on the last link, each of them supplying all of it: the
-/// force is handed on from link to link to the base.
-pub fn felt_inwards<'a, R: Ring + 'a>(
-    mut force: Force<R>,
-    joints: impl DoubleEndedIterator<Item = &'a Joint<R>>,
-) -> Vec<R> {
-    let mut outer: Option<&Joint<R>> = None;
-    let along = joints.rev().map(|joint| {
-        force = outer.map_or(force, |outer| force.leave(outer));
-        outer = Some(joint);
-        force.along(joint.joint_type)
-    });
-    let mut felt: Vec<R> = along.collect();
-    felt.reverse();
-    felt
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -160,24 +143,5 @@ mod tests {
         let outside = motion.enter(&joint);
         let energy = outside.dot(body.momentum(outside));
         assert_eq!(energy, motion.dot(joint.leave_body(body).momentum(motion)));
-    }
-
-    /// What a joint feels is the power of the force in a unit velocity of the joint.
-    #[test]
-    fn joints_feel_the_power_of_a_force() {
-        let random = &mut SplitMix64::new(3);
-        let types = [
-            JointType::Revolute,
-            JointType::Prismatic,
-            JointType::Revolute,
-        ];
-        let joints = types.map(|joint_type| joint(joint_type, random));
-        let force = force(random);
-        let felt = felt_inwards(force, joints.iter());
-        for (i, felt) in felt.into_iter().enumerate() {
-            let axis = Motion::axis(types[i], Number::ZERO, Number::ONE);
-            let at_tip = joints[i + 1..].iter().fold(axis, |axis, j| axis.enter(j));
-            assert_eq!(felt, at_tip.dot(force));
-        }
     }
 }

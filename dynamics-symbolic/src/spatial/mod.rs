@@ -11,9 +11,9 @@ mod joint;
 mod turn;
 mod vectors;
 
-pub use acceleration::{Acceleration, accelerations};
+pub use acceleration::Acceleration;
 pub use body::{Body, Central, Keep};
-pub use joint::{Joint, felt_inwards};
+pub use joint::Joint;
 pub use turn::{
     Turn, enter_x, enter_y, enter_z, leave_x, leave_y, leave_z, tensor_leave_x, tensor_leave_y,
     tensor_leave_z,

@@ -22,7 +22,7 @@ use super::chain::{Chain, Link};
 use crate::expr::Expr;
 use crate::linear::{Matrix3, Symmetric3, Vector3};
 use crate::robot::JointType;
-use crate::spatial::{Force, Joint, Motion};
+use crate::spatial::{Body, Force, Joint, Motion};
 use inertia::Articulated;
 pub(super) use moving::forward_dynamics;
 
@@ -78,23 +78,49 @@ fn passed<'g>(
 
 /// Articulated inertias and bias forces, from the tip inwards.
 fn inward<'g>(chain: &Chain<Expr<'g>>, net: &[Expr<'g>]) -> Vec<Eliminated<'g>> {
-    let zero = chain.zero;
     let mut joints = Vec::with_capacity(net.len());
-    let mut outer: Option<Articulated<Expr<'g>>> = None;
-    let mut bias = Force::splat(zero);
-    for (i, link) in chain.links.iter().enumerate().rev() {
-        let own = Articulated::rigid(&link.body, zero);
-        let inertia = outer.map_or(own, |outer| own.joined(&outer));
-        let force = net[i] - bias.along(link.joint.joint_type);
-        let (joint, free) = passed(chain, link, &inertia, force);
-        joints.push(joint);
-        if i > 0 {
-            outer = Some(carry(&link.joint, &free));
-            bias = (bias + joint.k * force).leave(&link.joint);
-        }
-    }
+    chain
+        .tree
+        .inward(Outer::none(chain.zero), Outer::joined, |i, outer| {
+            let (link, bias) = (&chain.links[i], outer.bias);
+            let inertia = Articulated::rigid(&link.body, chain.zero).joined(&outer.inertia);
+            let force = net[i] - bias.along(link.joint.joint_type);
+            let (joint, free) = passed(chain, link, &inertia, force);
+            joints.push(joint);
+            match chain.tree.parent(i) {
+                Some(_) => Outer {
+                    inertia: carry(&link.joint, &free),
+                    bias: (bias + joint.k * force).leave(&link.joint),
+                },
+                None => outer,
+            }
+        });
     joints.reverse();
     joints
+}
+
+/// What the links outside a link are to it.
+#[derive(Clone, Copy)]
+struct Outer<'g> {
+    inertia: Articulated<Expr<'g>>,
+    /// The wrench that they need besides.
+    bias: Force<Expr<'g>>,
+}
+
+impl<'g> Outer<'g> {
+    fn none(zero: Expr<'g>) -> Self {
+        Outer {
+            inertia: Articulated::rigid(&Body::splat(zero), zero),
+            bias: Force::splat(zero),
+        }
+    }
+
+    fn joined(self, other: Self) -> Self {
+        Outer {
+            inertia: self.inertia.joined(&other.inertia),
+            bias: self.bias + other.bias,
+        }
+    }
 }
 
 fn eliminate<'g>(
@@ -171,14 +197,14 @@ fn carry<'g>(joint: &Joint<Expr<'g>>, inertia: &Articulated<Expr<'g>>) -> Articu
 
 /// Accelerations of the joints, from the base outwards.
 fn outward<'g>(chain: &Chain<Expr<'g>>, joints: &[Eliminated<'g>]) -> Vec<Expr<'g>> {
-    let mut a = Motion::splat(chain.zero);
     let mut qdd = Vec::with_capacity(joints.len());
-    for (joint, eliminated) in chain.joints().zip(joints) {
-        a = a.enter(joint);
-        let x = acceleration(joint.joint_type, eliminated, &a);
-        a = a.with_joint(joint.joint_type, x);
+    chain.tree.outward(Motion::splat(chain.zero), |i, before| {
+        let joint = chain.joint(i);
+        let a = before.enter(joint);
+        let x = acceleration(joint.joint_type, &joints[i], &a);
         qdd.push(x);
-    }
+        a.with_joint(joint.joint_type, x)
+    });
     qdd
 }
 

@@ -14,7 +14,7 @@
 //! loses eight digits, and this none. So the links keep their own frames and their own parameters.
 
 use super::inertia::Articulated;
-use super::{Eliminated, acceleration, passed};
+use super::{Eliminated, Outer, acceleration, passed};
 use crate::derive::chain::Chain;
 use crate::expr::Expr;
 use crate::linear::Vector3;
@@ -42,37 +42,41 @@ struct Owed<'g> {
 }
 
 fn owed<'g>(chain: &Chain<Expr<'g>>, qd: &[Expr<'g>]) -> Vec<Owed<'g>> {
-    let mut turning = Acceleration::turning(chain.zero, Vector3::splat(chain.zero));
-    let links = chain.links.iter().zip(qd);
-    let owed = links.map(|(link, &qd)| {
-        let Acceleration { w, wd, a } = turning.enter(&link.joint, qd, chain.zero);
-        turning = Acceleration::turning(chain.zero, w);
-        Owed {
+    let base = Acceleration::turning(chain.zero, Vector3::splat(chain.zero));
+    let mut owed = Vec::with_capacity(qd.len());
+    chain.tree.outward(base, |i, before| {
+        let Acceleration { w, wd, a } = before.enter(chain.joint(i), qd[i], chain.zero);
+        let turning = Acceleration::turning(chain.zero, w);
+        owed.push(Owed {
             acceleration: Motion { w: wd, v: a },
-            force: turning.force(&link.body),
-        }
+            force: turning.force(&chain.links[i].body),
+        });
+        turning
     });
-    owed.collect()
+    owed
 }
 
 /// Articulated inertias and bias forces, from the tip inwards.
 fn inward<'g>(chain: &Chain<Expr<'g>>, owed: &[Owed<'g>], net: &[Expr<'g>]) -> Vec<Eliminated<'g>> {
     let mut joints = Vec::with_capacity(net.len());
-    let mut outer: Option<Articulated<Expr<'g>>> = None;
-    let mut outer_bias = Force::splat(chain.zero);
-    for (i, link) in chain.links.iter().enumerate().rev() {
-        let own = Articulated::rigid(&link.body, chain.zero);
-        let inertia = outer.map_or(own, |outer| own.joined(&outer));
-        let bias = owed[i].force + outer_bias;
-        let force = net[i] - bias.along(link.joint.joint_type);
-        let (joint, free) = passed(chain, link, &inertia, force);
-        joints.push(joint);
-        if i > 0 {
+    chain
+        .tree
+        .inward(Outer::none(chain.zero), Outer::joined, |i, outer| {
+            let link = &chain.links[i];
+            let inertia = Articulated::rigid(&link.body, chain.zero).joined(&outer.inertia);
+            let bias = owed[i].force + outer.bias;
+            let force = net[i] - bias.along(link.joint.joint_type);
+            let (joint, free) = passed(chain, link, &inertia, force);
+            joints.push(joint);
+            if chain.tree.parent(i).is_none() {
+                return outer;
+            }
             let passed = bias + free.force(owed[i].acceleration);
-            outer_bias = (passed + joint.k * force).leave(&link.joint);
-            outer = Some(carry(&link.joint, &free));
-        }
-    }
+            Outer {
+                bias: (passed + joint.k * force).leave(&link.joint),
+                inertia: carry(&link.joint, &free),
+            }
+        });
     joints.reverse();
     joints
 }
@@ -90,16 +94,17 @@ fn outward<'g>(
     owed: &[Owed<'g>],
     joints: &[Eliminated<'g>],
 ) -> Vec<Expr<'g>> {
-    let mut a = Motion {
+    let base = Motion {
         w: Vector3::splat(chain.zero),
         v: -chain.gravity,
     };
     let mut qdd = Vec::with_capacity(joints.len());
-    for ((joint, owed), eliminated) in chain.joints().zip(owed).zip(joints) {
-        a = a.enter(joint) + owed.acceleration;
-        let x = acceleration(joint.joint_type, eliminated, &a);
-        a = a.with_joint(joint.joint_type, x);
+    chain.tree.outward(base, |i, before| {
+        let joint = chain.joint(i);
+        let a = before.enter(joint) + owed[i].acceleration;
+        let x = acceleration(joint.joint_type, &joints[i], &a);
         qdd.push(x);
-    }
+        a.with_joint(joint.joint_type, x)
+    });
     qdd
 }

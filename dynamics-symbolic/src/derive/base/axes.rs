@@ -1,31 +1,30 @@
 //! The axes in which a sliding link's first moments are written.
 
-use super::geometry::LinkGeometry;
+use super::geometry::Geometry;
 use crate::linear::{Matrix3, Ring, Vector3};
 use crate::robot::JointType;
 use crate::spatial::{leave_x, leave_z};
 
-/// The last revolute joint before a prismatic one: the links between do not turn against each other.
-pub(super) fn last_revolute<R>(links: &[LinkGeometry<R>], i: usize) -> Option<usize> {
-    (0..i)
-        .rev()
-        .find(|&j| links[j].joint_type == JointType::Revolute && !links[j].locked)
-}
+impl<R: Ring> Geometry<R> {
+    /// The last revolute joint before joint i, a prismatic one: the links between do not turn against each other.
+    pub(super) fn last_revolute(&self, i: usize) -> Option<usize> {
+        let turns = |&j: &usize| {
+            let link = &self.links[j];
+            link.joint_type == JointType::Revolute && !link.locked
+        };
+        self.tree.carriers(i).skip(1).find(turns)
+    }
 
-/// The constant rotation from link i's axes to those of link `to`, with prismatic joints only
-/// after link `to`.
-pub(super) fn rotation<R: Ring>(
-    links: &[LinkGeometry<R>],
-    i: usize,
-    to: usize,
-    (zero, one): (R, R),
-) -> Matrix3<R> {
-    let image = |mut v: Vector3<R>| {
-        for link in links[to + 1..=i].iter().rev() {
-            v = leave_x(link.twist, leave_z(link.turn, v));
-        }
-        v.0
-    };
-    let axes = [[one, zero, zero], [zero, one, zero], [zero, zero, one]];
-    Matrix3(axes.map(|axis| image(Vector3(axis)))).transpose()
+    /// The constant rotation from link i's axes to those of link `to`, with prismatic joints only
+    /// after link `to`.
+    pub(super) fn rotation(&self, i: usize, to: usize) -> Matrix3<R> {
+        let image = |axis: [R; 3]| {
+            let between = self.tree.carriers(i).take_while(|j| *j != to);
+            let leave = |v, j: usize| leave_x(self.links[j].twist, leave_z(self.links[j].turn, v));
+            between.fold(Vector3(axis), leave).0
+        };
+        let (zero, one) = (self.zero, self.one);
+        let axes = [[one, zero, zero], [zero, one, zero], [zero, zero, one]];
+        Matrix3(axes.map(image)).transpose()
+    }
 }

@@ -1,10 +1,11 @@
 //! The constant geometry between the axes of an arm.
 
 use crate::derive::rows::screws;
+use crate::derive::walk::Tree;
 use crate::exact::Rational;
 use crate::linear::{Ring, Vector3};
 use crate::robot::{Interpretation, JointType, Robot};
-use crate::spatial::{Joint, Turn, leave_x};
+use crate::spatial::{Body, Joint, Turn, leave_x};
 
 /// The constant geometry between the frames of two links.
 #[derive(Clone, Copy, Debug)]
@@ -22,35 +23,72 @@ pub(crate) struct LinkGeometry<R> {
     pub(crate) turn: Turn<R>,
 }
 
-impl<R: Ring> LinkGeometry<R> {
-    /// The joint where its variable is zero.
-    pub(crate) fn joint(&self, zero: R, one: R) -> Joint<R> {
+/// The constant geometry of an arm.
+#[derive(Clone, Debug)]
+pub(crate) struct Geometry<R> {
+    pub(crate) zero: R,
+    pub(crate) one: R,
+    pub(crate) tree: Tree,
+    pub(crate) links: Vec<LinkGeometry<R>>,
+}
+
+impl<R: Ring> Geometry<R> {
+    /// Joint i where its variable is zero.
+    pub(crate) fn joint(&self, i: usize) -> Joint<R> {
+        let link = &self.links[i];
         Joint {
-            joint_type: self.joint_type,
-            before: Turn::none(zero, one),
-            twist: self.twist,
-            turn: self.turn,
-            offset: self.offset(zero),
-            slide: zero,
+            joint_type: link.joint_type,
+            before: Turn::none(self.zero, self.one),
+            twist: link.twist,
+            turn: link.turn,
+            offset: self.offset(i),
+            slide: self.zero,
         }
     }
 
-    /// Where the origin is in the previous frame, at q = 0 for a prismatic joint.
-    pub(crate) fn offset(&self, zero: R) -> Vector3<R> {
-        leave_x(self.twist, Vector3::new(zero, zero, self.d)) + Vector3::new(self.a, zero, zero)
+    /// Where the origin of link i is in the frame of the link before, at q = 0 for a prismatic joint.
+    pub(crate) fn offset(&self, i: usize) -> Vector3<R> {
+        let (link, zero) = (&self.links[i], self.zero);
+        leave_x(link.twist, Vector3::new(zero, zero, link.d)) + Vector3::new(link.a, zero, zero)
+    }
+
+    /// A body of link i as a part of the link before, where the joint's variable is zero.
+    pub(crate) fn leave(&self, i: usize, body: Body<R>) -> Body<R> {
+        let link = &self.links[i];
+        let turned = body.left_z(link.turn).left_x(link.twist);
+        turned.moved(self.offset(i))
+    }
+
+    /// The same in other numbers.
+    pub(crate) fn map<S>(&self, number: impl Fn(R) -> S) -> Geometry<S> {
+        let turn = |turn: Turn<R>| Turn {
+            s: number(turn.s),
+            c: number(turn.c),
+        };
+        let links = self.links.iter().map(|link| LinkGeometry {
+            joint_type: link.joint_type,
+            locked: link.locked,
+            a: number(link.a),
+            d: number(link.d),
+            twist: turn(link.twist),
+            turn: turn(link.turn),
+        });
+        Geometry {
+            zero: number(self.zero),
+            one: number(self.one),
+            tree: self.tree.clone(),
+            links: links.collect(),
+        }
     }
 }
 
-/// The constant geometry of every link.
-pub(crate) fn geometry<I: Interpretation>(
-    cells: &mut I,
-    robot: &Robot,
-) -> Vec<LinkGeometry<I::Number>> {
+/// The constant geometry of an arm.
+pub(crate) fn geometry<I: Interpretation>(cells: &mut I, robot: &Robot) -> Geometry<I::Number> {
     let zero = cells.rational(&Rational::ZERO);
     let one = cells.rational(&Rational::ONE);
     let screws = screws(cells, robot);
     let rows = robot.rows.iter().zip(&screws);
-    rows.map(|(row, screw)| {
+    let links = rows.map(|(row, screw)| {
         let mut d = cells.value(&row.d);
         let (s, c) = match (row.joint_type, &row.locked) {
             (JointType::Revolute, None) => (zero, one),
@@ -74,6 +112,11 @@ pub(crate) fn geometry<I: Interpretation>(
             twist: screw.turn,
             turn: Turn { s, c },
         }
-    })
-    .collect()
+    });
+    Geometry {
+        zero,
+        one,
+        links: links.collect(),
+        tree: Tree::of(robot),
+    }
 }

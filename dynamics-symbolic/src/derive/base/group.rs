@@ -1,7 +1,6 @@
 //! The parameters of a link: what it keeps, and what moves to the link before it.
 
-use super::axes;
-use super::geometry::LinkGeometry;
+use super::geometry::Geometry;
 use crate::linear::{Matrix3, Ring, Vector3};
 use crate::robot::{Coefficient, Grouping, Parameter, Sense};
 use crate::spatial::Body;
@@ -41,14 +40,12 @@ impl<R: Ring> Body<R> {
 /// Groups the parameters of link i: those of its own and what came from beyond, with the motor's.
 pub(crate) fn group<R: Ring>(
     grouping: &Grouping,
-    links: &[LinkGeometry<R>],
+    geometry: &Geometry<R>,
     i: usize,
     (body, motor): (Body<R>, R),
-    (zero, one): (R, R),
 ) -> Moved<R> {
     let link = &grouping.links[i];
-    let geometry = &links[i];
-    let rotation = rotation_of_moments(grouping, links, i, (zero, one));
+    let rotation = geometry.rotation_of_moments(i, link.axes);
     let turned = |body: Body<R>, rotation: &Matrix3<R>| Body {
         moment: rotation.apply(body.moment),
         ..body
@@ -56,7 +53,7 @@ pub(crate) fn group<R: Ring>(
     let body = rotation.as_ref().map_or(body, |r| turned(body, r));
     let mut values = body.parameters().to_vec();
     values.push(motor);
-    let mut inward = [zero; 10];
+    let mut inward = [geometry.zero; 10];
     for &parameter in Parameter::of_link(false) {
         if !link.kept.contains(&parameter) {
             inward[parameter.index()] = values[parameter.index()];
@@ -67,7 +64,7 @@ pub(crate) fn group<R: Ring>(
         let (from, to) = (tie.dropped.index(), tie.kept.index());
         let part = match tie.coefficient {
             Coefficient::One => values[from],
-            Coefficient::Height => height(grouping, links, i) * values[from],
+            Coefficient::Height => height(grouping, geometry, i) * values[from],
         };
         let part = if tie.negative { -part } else { part };
         kept[to] = kept[to] + part;
@@ -82,47 +79,44 @@ pub(crate) fn group<R: Ring>(
     let inward = rotation.map_or(inward, |r| turned(inward, &r.transpose()));
     Moved {
         kept: link.kept.iter().map(|k| kept[k.index()]).collect(),
-        inward: inward
-            .left_z(geometry.turn)
-            .left_x(geometry.twist)
-            .moved(geometry.offset(zero)),
+        inward: geometry.leave(i, inward),
     }
 }
 
 /// The body of unit `parameter` of link i, in the link's own axes; none for a motor.
 pub(crate) fn unit<R: Ring>(
     grouping: &Grouping,
-    links: &[LinkGeometry<R>],
+    geometry: &Geometry<R>,
     i: usize,
     parameter: Parameter,
-    (zero, one): (R, R),
 ) -> Option<Body<R>> {
-    let mut values = [zero; 10];
-    *values.get_mut(parameter.index())? = one;
+    let mut values = [geometry.zero; 10];
+    *values.get_mut(parameter.index())? = geometry.one;
     let mut body = Body::from_parameters(values);
-    if let Some(rotation) = rotation_of_moments(grouping, links, i, (zero, one)) {
+    if let Some(rotation) = geometry.rotation_of_moments(i, grouping.links[i].axes) {
         body.moment = rotation.transpose().apply(body.moment);
     }
     Some(body)
 }
 
-/// From link i's axes to those in which its first moments are written, where these are others.
-fn rotation_of_moments<R: Ring>(
-    grouping: &Grouping,
-    links: &[LinkGeometry<R>],
-    i: usize,
-    constants: (R, R),
-) -> Option<Matrix3<R>> {
-    let to = grouping.links[i].axes;
-    (to != i).then(|| axes::rotation(links, i, to, constants))
+impl<R: Ring> Geometry<R> {
+    /// From link i's axes to those of link `to`, in which its first moments are written; `None` where these are its own.
+    pub(super) fn rotation_of_moments(&self, i: usize, to: usize) -> Option<Matrix3<R>> {
+        (to != i).then(|| self.rotation(i, to))
+    }
 }
 
 /// How far along the axis the origin is from where the axis meets the one before it; axes that
 /// coincide count as one.
-pub(super) fn height<R: Ring>(grouping: &Grouping, links: &[LinkGeometry<R>], i: usize) -> R {
-    match grouping.links[i].coincides {
-        None => links[i].d,
-        Some(Sense::Same) => links[i].d + height(grouping, links, i - 1),
-        Some(Sense::Opposite) => links[i].d - height(grouping, links, i - 1),
+pub(super) fn height<R: Ring>(grouping: &Grouping, geometry: &Geometry<R>, i: usize) -> R {
+    let d = geometry.links[i].d;
+    let coincides = grouping.links[i].coincides.zip(geometry.tree.parent(i));
+    let Some((sense, before)) = coincides else {
+        return d;
+    };
+    let before = height(grouping, geometry, before);
+    match sense {
+        Sense::Same => d + before,
+        Sense::Opposite => d - before,
     }
 }

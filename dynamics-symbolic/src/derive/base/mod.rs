@@ -26,22 +26,14 @@ mod group;
 mod observe;
 
 pub(crate) use couple::dependent;
-pub(crate) use geometry::{LinkGeometry, geometry};
+pub(crate) use geometry::{Geometry, LinkGeometry, geometry};
 pub(crate) use group::{group, unit};
 
 use super::rows::{body, screws};
 use super::symbols::Symbols;
-use crate::exact::Rational;
 use crate::expr::{Expr, Graph};
 use crate::robot::{Grouping, Interpretation, Parameter, Robot};
 use crate::spatial::Body;
-
-fn constants<I: Interpretation>(cells: &mut I) -> (I::Number, I::Number) {
-    (
-        cells.rational(&Rational::ZERO),
-        cells.rational(&Rational::ONE),
-    )
-}
 
 /// The standard inertial parameters of every link; those of the tool count to the last one's.
 pub(super) fn bodies<I: Interpretation>(
@@ -64,17 +56,16 @@ pub(crate) fn base_parameters<I: Interpretation>(
     robot: &Robot,
     grouping: &Grouping,
 ) -> Vec<I::Number> {
-    let (zero, one) = constants(cells);
     let geometry = geometry(cells, robot);
-    let mut carried = Body::splat(zero);
-    let mut columns = Vec::new();
-    for (i, (body, reflected)) in bodies(cells, robot).into_iter().enumerate().rev() {
-        let whole = (body.joined(carried), reflected);
-        let moved = group(grouping, &geometry, i, whole, (zero, one));
-        columns.push(moved.kept);
-        carried = moved.inward;
-    }
-    columns.reverse();
+    let bodies = bodies(cells, robot);
+    let mut columns = vec![Vec::new(); bodies.len()];
+    let none = Body::splat(geometry.zero);
+    geometry.tree.inward(none, Body::joined, |i, outer| {
+        let (body, reflected) = bodies[i];
+        let moved = group(grouping, &geometry, i, (body.joined(outer), reflected));
+        columns[i] = moved.kept;
+        moved.inward
+    });
     columns.concat()
 }
 
@@ -84,7 +75,7 @@ pub(super) fn neglected<'g>(
     symbols: &mut Symbols<'g>,
     robot: &Robot,
 ) -> Vec<(Body<Expr<'g>>, Expr<'g>)> {
-    let (zero, one) = (symbols.graph().zero(), symbols.graph().one());
+    let zero = symbols.graph().zero();
     let mut parts = vec![(Body::splat(zero), zero); robot.rows.len()];
     let Some(neglected) = &robot.neglected else {
         return parts;
@@ -98,7 +89,7 @@ pub(super) fn neglected<'g>(
         }
         let (i, parameter) = column;
         let (body, motor) = parts[i];
-        parts[i] = match unit(grouping, &links, i, parameter, (zero, one)) {
+        parts[i] = match unit(grouping, &links, i, parameter) {
             Some(unit) => (body.joined(unit.times(value)), motor),
             None => (body, motor + value),
         };

@@ -4,8 +4,7 @@
 //! parameters, less the same at q_i = 0, qd_i = 0. A combination of columns that vanishes in
 //! enough rows vanishes for all states (Schwartz 1980, Zippel 1979): it is in A_i.
 
-use super::axes;
-use super::geometry::{LinkGeometry, geometry};
+use super::geometry::{Geometry, geometry};
 use super::group::height;
 use crate::derive::place;
 use crate::derive::symbols::Symbols;
@@ -26,12 +25,12 @@ impl Grouping {
         let graph = Graph::new();
         let mut symbols = Symbols::new(&graph, robot);
         let exprs = geometry(&mut symbols, robot);
-        let links: Vec<_> = exprs.iter().map(value_of).collect();
+        let links = exprs.map(|x| x.fingerprint());
         let gravity = place::gravity(&mut symbols, robot);
         let gravity = Vector3(gravity.0.map(|g| g.fingerprint()));
-        let n = robot.rows.len();
-        let axes: Vec<_> = (0..n).map(|i| moment_axes(&links, i)).collect();
-        let mut rows = vec![Vec::new(); n];
+        let axes = (0..links.tree.len()).map(|i| moment_axes(&links, i));
+        let axes: Vec<_> = axes.collect();
+        let mut rows = vec![Vec::new(); axes.len()];
         let mut random = SplitMix64::new(0x6261_7365);
         for _ in 0..SAMPLES {
             for (i, row) in energies(&links, &axes, gravity, &mut random)
@@ -58,42 +57,29 @@ impl Grouping {
     }
 }
 
-/// The geometry at the graph's random point.
-pub(super) fn value_of(link: &LinkGeometry<Expr<'_>>) -> LinkGeometry<Fingerprint> {
-    let turn = |turn: &Turn<Expr<'_>>| Turn {
-        s: turn.s.fingerprint(),
-        c: turn.c.fingerprint(),
-    };
-    LinkGeometry {
-        joint_type: link.joint_type,
-        locked: link.locked,
-        a: link.a.fingerprint(),
-        d: link.d.fingerprint(),
-        twist: turn(&link.twist),
-        turn: turn(&link.turn),
-    }
-}
-
-fn coincides(links: &[LinkGeometry<Expr<'_>>], i: usize) -> Option<Sense> {
-    let link = &links[i];
-    if i == 0 || !link.a.is_zero() || !link.twist.s.is_zero() {
+fn coincides(geometry: &Geometry<Expr<'_>>, i: usize) -> Option<Sense> {
+    let link = &geometry.links[i];
+    geometry.tree.parent(i)?;
+    if !link.a.is_zero() || !link.twist.s.is_zero() {
         return None;
     }
-    match link.twist.c.fingerprint() == Fingerprint::ONE {
-        true => Some(Sense::Same),
-        false => Some(Sense::Opposite),
-    }
+    let is_same = link.twist.c.fingerprint() == Fingerprint::ONE;
+    Some(if is_same {
+        Sense::Same
+    } else {
+        Sense::Opposite
+    })
 }
 
 /// See [`LinkGrouping::axes`].
-fn moment_axes(links: &[LinkGeometry<Fingerprint>], i: usize) -> usize {
-    let prismatic = links[i].joint_type == JointType::Prismatic;
-    let Some(to) = axes::last_revolute(links, i).filter(|_| prismatic) else {
+fn moment_axes(geometry: &Geometry<Fingerprint>, i: usize) -> usize {
+    let is_prismatic = geometry.links[i].joint_type == JointType::Prismatic;
+    let Some(to) = geometry.last_revolute(i).filter(|_| is_prismatic) else {
         return i;
     };
-    let rotation = axes::rotation(links, i, to, (Fingerprint::ZERO, Fingerprint::ONE));
-    let oblique = rotation.0[2].iter().filter(|x| !x.is_zero()).count() > 1;
-    if oblique { to } else { i }
+    let along = geometry.rotation(i, to).0[2];
+    let is_oblique = along.iter().filter(|x| !x.is_zero()).count() > 1;
+    if is_oblique { to } else { i }
 }
 
 /// Twice the kinetic energy, and the potential energy, of the unit parameters of one link.
@@ -154,38 +140,41 @@ fn anywhere(joint_type: JointType, random: &mut SplitMix64) -> Joint<Fingerprint
 
 /// The rows of every link at one random state.
 fn energies(
-    links: &[LinkGeometry<Fingerprint>],
+    geometry: &Geometry<Fingerprint>,
     axes: &[usize],
     gravity: Vector,
     random: &mut SplitMix64,
 ) -> Vec<[Vec<Fingerprint>; 2]> {
-    let (zero, one) = (Fingerprint::ZERO, Fingerprint::ONE);
-    let (mut motion, mut g) = (Motion::splat(zero), gravity);
-    let mut rows = Vec::with_capacity(links.len());
-    for (i, link) in links.iter().enumerate() {
-        let still = link.joint(zero, one);
-        (motion, g) = (motion.enter(&still), still.enter(g));
-        let before = unit_energies(motion, zero, g, zero, zero);
-        let (mut qd, mut weight) = (zero, zero);
-        if !link.locked {
-            qd = Fingerprint::random(random);
-            let moved = anywhere(link.joint_type, random);
-            motion = motion.enter(&moved).with_joint(link.joint_type, qd);
-            g = moved.enter(g);
-            weight = g[2] * moved.slide;
-        }
-        let after = unit_energies(motion, qd, g, weight, zero);
-        let rotation = (axes[i] != i).then(|| axes::rotation(links, i, axes[i], (zero, one)));
-        let row = |after: [Fingerprint; 11], before: [Fingerprint; 11]| {
-            let mut row: [_; 11] = core::array::from_fn(|k| after[k] - before[k]);
-            rotate_moments(&mut row, rotation.as_ref());
-            row.to_vec()
-        };
-        rows.push([
-            row(after.kinetic, before.kinetic),
-            row(after.potential, before.potential),
-        ]);
-    }
+    let zero = Fingerprint::ZERO;
+    let mut rows = Vec::with_capacity(axes.len());
+    geometry
+        .tree
+        .outward((Motion::splat(zero), gravity), |i, (motion, g)| {
+            let link = &geometry.links[i];
+            let still = geometry.joint(i);
+            let (mut motion, mut g) = (motion.enter(&still), still.enter(*g));
+            let before = unit_energies(motion, zero, g, zero, zero);
+            let (mut qd, mut weight) = (zero, zero);
+            if !link.locked {
+                qd = Fingerprint::random(random);
+                let moved = anywhere(link.joint_type, random);
+                motion = motion.enter(&moved).with_joint(link.joint_type, qd);
+                g = moved.enter(g);
+                weight = g[2] * moved.slide;
+            }
+            let after = unit_energies(motion, qd, g, weight, zero);
+            let rotation = geometry.rotation_of_moments(i, axes[i]);
+            let row = |after: [Fingerprint; 11], before: [Fingerprint; 11]| {
+                let mut row: [_; 11] = core::array::from_fn(|k| after[k] - before[k]);
+                rotate_moments(&mut row, rotation.as_ref());
+                row.to_vec()
+            };
+            rows.push([
+                row(after.kinetic, before.kinetic),
+                row(after.potential, before.potential),
+            ]);
+            (motion, g)
+        });
     rows
 }
 

@@ -1,10 +1,10 @@
 //! Kinetic energy, joint by joint.
 
 use super::matrix::{Matrix, identity, product, transpose};
-use crate::derive::base::{LinkGeometry, base_parameters, columns, geometry, unit};
-use crate::exact::Rational;
+use crate::derive::base::{Geometry, base_parameters, columns, geometry, unit};
+use crate::derive::walk::Tree;
 use crate::linear::{Matrix3, Ring, Vector3};
-use crate::robot::{Grouping, Interpretation, JointType, Parameter, Robot};
+use crate::robot::{Grouping, Interpretation, JointType, Robot};
 use crate::spatial::{Body, Motion, enter_x, enter_z};
 
 /// A joint that moves, and the link behind it. Motions are (w, v), of a frame's origin.
@@ -21,41 +21,45 @@ pub(super) struct MovingJoint<R> {
     pub(super) reflected: R,
 }
 
-/// The joints that move, of an arm without the base parameters that are left out.
+/// The joints that move.
+pub(super) struct MovingJoints<R> {
+    /// From the base outwards.
+    pub(super) joints: Vec<MovingJoint<R>>,
+    /// Which of them stands on the link of which, or on a link that is fixed to that one.
+    pub(super) tree: Tree,
+}
+
+/// The joints that move of an arm that keeps those of its base parameters for which `is_kept` is true.
 pub(super) fn joints<I: Interpretation>(
     cells: &mut I,
     robot: &Robot,
     grouping: &Grouping,
-    is_left: &[bool],
-) -> Vec<MovingJoint<I::Number>> {
-    let zero = cells.rational(&Rational::ZERO);
-    let one = cells.rational(&Rational::ONE);
-    let links = geometry(cells, robot);
+    is_kept: &[bool],
+) -> MovingJoints<I::Number> {
+    let geometry = geometry(cells, robot);
+    let (zero, one) = (geometry.zero, geometry.one);
     let values = base_parameters(cells, robot, grouping);
-    let mut parts = vec![(Body::splat(zero), zero); links.len()];
-    let left = columns(grouping).into_iter().zip(values).zip(is_left);
-    for (((i, parameter), value), _) in left.filter(|(_, is_left)| **is_left) {
-        add(
-            &mut parts[i],
-            grouping,
-            &links,
-            (i, parameter),
-            value,
-            (zero, one),
-        );
+    let mut parts = vec![(Body::splat(zero), zero); geometry.tree.len()];
+    let columns = columns(grouping).into_iter().zip(values).zip(is_kept);
+    for (((i, parameter), value), _) in columns.filter(|(_, is_kept)| **is_kept) {
+        let (body, reflected) = &mut parts[i];
+        match unit(grouping, &geometry, i, parameter) {
+            Some(unit) => *body = body.joined(unit.times(value)),
+            None => *reflected = *reflected + value,
+        }
     }
-    let mut joints = Vec::new();
-    let mut fixed = identity(6, zero, one);
-    for (i, row) in robot.rows.iter().enumerate() {
+    let (mut joints, mut parents) = (Vec::new(), Vec::new());
+    let base = (None, identity(6, zero, one));
+    geometry.tree.outward(base, |i, (carrier, fixed)| {
+        let row = &robot.rows[i];
         let changes = Changes {
-            zero,
-            link: &links[i],
+            geometry: &geometry,
+            i,
         };
-        fixed = product(&changes.before(one), &fixed);
+        let fixed = product(&changes.before(), fixed);
         if row.locked.is_some() {
             // Its parameters are those of the link before.
-            fixed = product(&changes.turned(one), &fixed);
-            continue;
+            return (*carrier, product(&changes.turned(), &fixed));
         }
         let ends = match row.joint_type {
             JointType::Revolute => vec![identity(6, zero, one)],
@@ -64,7 +68,7 @@ pub(super) fn joints<I: Interpretation>(
                     Some(limits) => limits.each_ref().map(|limit| cells.value(limit)),
                     None => [-one, one],
                 };
-                let slid = |q| product(&changes.turned(one), &changes.slid(q, one));
+                let slid = |q| product(&changes.turned(), &changes.slid(q));
                 ends.map(slid).to_vec()
             }
         };
@@ -75,22 +79,12 @@ pub(super) fn joints<I: Interpretation>(
             inertia: form(&parts[i].0, zero),
             reflected: parts[i].1,
         });
-        fixed = identity(6, zero, one);
-    }
-    joints
-}
-
-fn add<R: Ring>(
-    (body, reflected): &mut (Body<R>, R),
-    grouping: &Grouping,
-    links: &[LinkGeometry<R>],
-    (i, parameter): (usize, Parameter),
-    value: R,
-    constants: (R, R),
-) {
-    match unit(grouping, links, i, parameter, constants) {
-        Some(unit) => *body = body.joined(unit.times(value)),
-        None => *reflected = *reflected + value,
+        parents.push(*carrier);
+        (Some(joints.len() - 1), identity(6, zero, one))
+    });
+    MovingJoints {
+        joints,
+        tree: Tree::new(parents),
     }
 }
 
@@ -111,36 +105,38 @@ fn form<R: Ring>(body: &Body<R>, zero: R) -> Matrix<R> {
         .collect()
 }
 
-/// Changes of motions between the frames of two links.
+/// Changes of motions between the frames of link i and the link before.
 struct Changes<'a, R> {
-    zero: R,
-    link: &'a LinkGeometry<R>,
+    geometry: &'a Geometry<R>,
+    i: usize,
 }
 
 impl<R: Ring> Changes<'_, R> {
     /// To the joint's axes and origin.
-    fn before(&self, one: R) -> Matrix<R> {
-        let (r, twist) = (self.link.offset(self.zero), self.link.twist);
-        self.motions(one, |motion| motion.at(r).turned(|v| enter_x(twist, v)))
+    fn before(&self) -> Matrix<R> {
+        let r = self.geometry.offset(self.i);
+        let twist = self.geometry.links[self.i].twist;
+        self.motions(|motion| motion.at(r).turned(|v| enter_x(twist, v)))
     }
 
     /// Along the joint's axis by q.
-    fn slid(&self, q: R, one: R) -> Matrix<R> {
-        let r = Vector3::new(self.zero, self.zero, q);
-        self.motions(one, |motion| motion.at(r))
+    fn slid(&self, q: R) -> Matrix<R> {
+        let zero = self.geometry.zero;
+        let r = Vector3::new(zero, zero, q);
+        self.motions(|motion| motion.at(r))
     }
 
-    /// The constant turn of the row.
-    fn turned(&self, one: R) -> Matrix<R> {
-        let turn = self.link.turn;
-        self.motions(one, |motion| motion.turned(|v| enter_z(turn, v)))
+    /// The constant turn about the joint's axis.
+    fn turned(&self) -> Matrix<R> {
+        let turn = self.geometry.links[self.i].turn;
+        self.motions(|motion| motion.turned(|v| enter_z(turn, v)))
     }
 
     /// The matrix of a linear map of motions.
-    fn motions(&self, one: R, map: impl Fn(Motion<R>) -> Motion<R>) -> Matrix<R> {
+    fn motions(&self, map: impl Fn(Motion<R>) -> Motion<R>) -> Matrix<R> {
         let column = |k: usize| {
-            let mut unit = [[self.zero; 3]; 2];
-            unit[k / 3][k % 3] = one;
+            let mut unit = [[self.geometry.zero; 3]; 2];
+            unit[k / 3][k % 3] = self.geometry.one;
             let [w, v] = unit.map(Vector3);
             let Motion { w, v } = map(Motion { w, v });
             [w.0, v.0].concat()

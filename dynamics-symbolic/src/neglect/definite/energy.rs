@@ -1,6 +1,6 @@
 //! The forms whose signs make M positive definite.
 
-use super::chain::MovingJoint;
+use super::chain::MovingJoints;
 use super::matrix::{Matrix, combined, congruent};
 use crate::linear::Ring;
 use crate::robot::JointType;
@@ -44,46 +44,45 @@ pub(super) fn handed_on<R: Ring>(joint_type: JointType, x: &[R], zero: R) -> Mat
 }
 
 /// Forms that are positive definite for some `x` where M is at all positions: see the module.
-pub(super) fn forms<R: Ring>(
-    joints: &[MovingJoint<R>],
-    x: &[R],
-    zero: R,
-    one: R,
-) -> Vec<Matrix<R>> {
+pub(super) fn forms<R: Ring>(moving: &MovingJoints<R>, x: &[R], zero: R, one: R) -> Vec<Matrix<R>> {
     let mut forms = Vec::new();
-    // What the joint behind hands on, in the axes of this link.
-    let mut outer: Option<Matrix<R>> = None;
     let mut rest = x;
-    for (j, joint) in joints.iter().enumerate().rev() {
-        let inertia = match &outer {
-            Some(outer) => combined(joint.inertia.clone(), outer, |a, b| a + b),
-            None => joint.inertia.clone(),
-        };
-        let axis = match joint.joint_type {
-            JointType::Revolute => 2,
-            JointType::Prismatic => 5,
-        };
-        if j == 0 {
-            forms.push(vec![vec![inertia[axis][axis] + joint.reflected]]);
-            break;
-        }
-        let (own, others) = rest.split_at(unknowns(joint.joint_type));
-        rest = others;
-        let handed = handed_on(joint.joint_type, own, zero);
-        for end in &joint.ends {
-            let moved = |(i, row): (usize, &Vec<R>)| {
-                let along = if i == axis { one } else { zero };
-                row.iter().copied().chain([along]).collect()
+    let add = |a: Matrix<R>, b: &Matrix<R>| combined(a, b, |a, b| a + b);
+    let add_both = |a: Option<Matrix<R>>, b: Option<Matrix<R>>| Some(add(a?, &b?));
+    // What the joints outside hand on is in the axes of this link.
+    moving
+        .tree
+        .inward(None, add_both, |j, outer: Option<Matrix<R>>| {
+            let joint = &moving.joints[j];
+            let inertia = match &outer {
+                Some(outer) => add(joint.inertia.clone(), outer),
+                None => joint.inertia.clone(),
             };
-            let moved = end.iter().enumerate().map(moved).collect();
-            let mut form = congruent(&inertia, &moved);
-            form[6][6] = form[6][6] + joint.reflected;
-            forms.push(combined(form, &handed, |a, b| a - b));
-        }
-        if joint.joint_type == JointType::Prismatic {
-            forms.push([3, 4].map(|i| handed[i][3..5].to_vec()).to_vec());
-        }
-        outer = Some(congruent(&handed, &joint.enter));
-    }
+            let axis = match joint.joint_type {
+                JointType::Revolute => 2,
+                JointType::Prismatic => 5,
+            };
+            if moving.tree.parent(j).is_none() {
+                forms.push(vec![vec![inertia[axis][axis] + joint.reflected]]);
+                return None;
+            }
+            let (own, others) = rest.split_at(unknowns(joint.joint_type));
+            rest = others;
+            let handed = handed_on(joint.joint_type, own, zero);
+            for end in &joint.ends {
+                let moved = |(i, row): (usize, &Vec<R>)| {
+                    let along = if i == axis { one } else { zero };
+                    row.iter().copied().chain([along]).collect()
+                };
+                let moved = end.iter().enumerate().map(moved).collect();
+                let mut form = congruent(&inertia, &moved);
+                form[6][6] = form[6][6] + joint.reflected;
+                forms.push(combined(form, &handed, |a, b| a - b));
+            }
+            if joint.joint_type == JointType::Prismatic {
+                forms.push([3, 4].map(|i| handed[i][3..5].to_vec()).to_vec());
+            }
+            Some(congruent(&handed, &joint.enter))
+        });
     forms
 }

@@ -31,7 +31,7 @@ use super::reals::Reals;
 use crate::interval::{Interval, Intervals};
 use crate::linear::eliminate;
 use crate::robot::{Grouping, JointType, Robot};
-use chain::{MovingJoint, joints};
+use chain::{MovingJoints, joints};
 use energy::{forms, handed_on, unknowns};
 use matrix::Matrix;
 use search::{Affine, search};
@@ -41,11 +41,11 @@ use search::{Affine, search};
 pub(super) fn is_positive_definite(
     robot: &Robot,
     grouping: &Grouping,
-    is_left: &[bool],
+    is_kept: &[bool],
     sizes: &[f64],
 ) -> bool {
-    let real = joints(&mut Reals, robot, grouping, is_left);
-    let exact = joints(&mut Intervals, robot, grouping, is_left);
+    let real = joints(&mut Reals, robot, grouping, is_kept);
+    let exact = joints(&mut Intervals, robot, grouping, is_kept);
     let scales = Scales::new(robot, &real, sizes);
     let shown = |y: &[f64]| {
         let x = y
@@ -68,7 +68,7 @@ struct Scales {
 }
 
 impl Scales {
-    fn new(robot: &Robot, joints: &[MovingJoint<f64>], sizes: &[f64]) -> Self {
+    fn new(robot: &Robot, moving: &MovingJoints<f64>, sizes: &[f64]) -> Self {
         let masses = robot.rows.iter().map(|row| &row.mass);
         let masses = masses.chain(robot.tool.as_ref().map(|tool| &tool.mass));
         let mass: f64 = masses.map(|mass| mass.to_f64(&[])).sum();
@@ -76,10 +76,10 @@ impl Scales {
             unknowns: Vec::new(),
             forms: Vec::new(),
         };
-        for (j, (joint, &size)) in joints.iter().zip(sizes).enumerate().rev() {
-            if j == 0 {
+        for (j, (joint, &size)) in moving.joints.iter().zip(sizes).enumerate().rev() {
+            if moving.tree.parent(j).is_none() {
                 scales.forms.push(vec![size.sqrt()]);
-                break;
+                continue;
             }
             let mass = if mass > 0.0 { mass } else { size };
             let (angular, linear) = match joint.joint_type {
@@ -106,10 +106,10 @@ impl Scales {
     }
 
     /// The forms and their rates in the unknowns, all in proportion to their scales.
-    fn affine(&self, joints: &[MovingJoint<f64>]) -> Vec<Affine> {
+    fn affine(&self, moving: &MovingJoints<f64>) -> Vec<Affine> {
         let n = self.unknowns.len();
         let at = |x: &[f64]| {
-            let mut forms = forms(joints, x, 0.0, 1.0);
+            let mut forms = forms(moving, x, 0.0, 1.0);
             for (form, scales) in forms.iter_mut().zip(&self.forms) {
                 for (row, a) in form.iter_mut().zip(scales) {
                     for (x, b) in row.iter_mut().zip(scales) {

@@ -1,8 +1,7 @@
 //! An arm as its couplings move it, and the energies of its base parameters.
 
-use crate::derive::base::axes;
-use crate::derive::base::geometry::{LinkGeometry, geometry};
-use crate::derive::base::observe::{Energies, rotate_moments, unit_energies, value_of};
+use crate::derive::base::geometry::{Geometry, geometry};
+use crate::derive::base::observe::{Energies, rotate_moments, unit_energies};
 use crate::derive::place;
 use crate::derive::symbols::Symbols;
 use crate::exact::{SplitMix64, circle_point, common_angles};
@@ -13,8 +12,7 @@ use crate::spatial::{Joint, Motion, Turn};
 
 /// An arm and its base parameters without couplings.
 pub(super) struct Arm<R> {
-    zero: R,
-    one: R,
+    geometry: Geometry<R>,
     gravity: Vector3<R>,
     links: Vec<Link<R>>,
     pub(super) columns: Vec<(usize, Parameter)>,
@@ -24,7 +22,6 @@ pub(super) struct Arm<R> {
 }
 
 struct Link<R> {
-    geometry: LinkGeometry<R>,
     /// From the link's axes to those in which its first moments are written, where these are others.
     moments: Option<Matrix3<R>>,
     movement: Option<Movement<R>>,
@@ -50,7 +47,6 @@ impl<'g> Arm<Expr<'g>> {
         grouping: &Grouping,
         columns: Vec<(usize, Parameter)>,
     ) -> Self {
-        let (zero, one) = (symbols.graph().zero(), symbols.graph().one());
         let geometry = geometry(symbols, robot);
         let mut movements: Vec<_> = (0..robot.rows.len())
             .map(|i| movement(symbols, robot, i))
@@ -58,19 +54,12 @@ impl<'g> Arm<Expr<'g>> {
         let angles = number_angles(robot, &mut movements);
         let moments = grouping.links.iter().enumerate();
         let moments: Vec<_> = moments
-            .map(|(i, link)| {
-                (link.axes != i).then(|| axes::rotation(&geometry, i, link.axes, (zero, one)))
-            })
+            .map(|(i, link)| geometry.rotation_of_moments(i, link.axes))
             .collect();
-        let parts = geometry.into_iter().zip(moments).zip(movements);
-        let links = parts.map(|((geometry, moments), movement)| Link {
-            geometry,
-            moments,
-            movement,
-        });
+        let parts = moments.into_iter().zip(movements);
+        let links = parts.map(|(moments, movement)| Link { moments, movement });
         Arm {
-            zero,
-            one,
+            geometry,
             gravity: place::gravity(symbols, robot),
             links: links.collect(),
             columns,
@@ -83,7 +72,6 @@ impl<'g> Arm<Expr<'g>> {
     pub(super) fn values(&self) -> Arm<Fingerprint> {
         let value = |x: Expr<'g>| x.fingerprint();
         let links = self.links.iter().map(|link| Link {
-            geometry: value_of(&link.geometry),
             moments: link
                 .moments
                 .as_ref()
@@ -100,8 +88,7 @@ impl<'g> Arm<Expr<'g>> {
             }),
         });
         Arm {
-            zero: Fingerprint::ZERO,
-            one: Fingerprint::ONE,
+            geometry: self.geometry.map(value),
             gravity: Vector3(self.gravity.0.map(value)),
             links: links.collect(),
             columns: self.columns.clone(),
@@ -185,23 +172,26 @@ impl State<Fingerprint> {
 impl<R: Ring> Arm<R> {
     /// 2 T and U of a unit of each base parameter.
     pub(super) fn energies(&self, state: &State<R>) -> [Vec<R>; 2] {
-        let (mut motion, mut g, mut above) = (Motion::splat(self.zero), self.gravity, self.zero);
+        let zero = self.geometry.zero;
+        let base = (Motion::splat(zero), self.gravity, zero);
         let mut of_links = Vec::with_capacity(self.links.len());
-        for link in &self.links {
-            let joint = self.joint(link, state);
-            above = above + g.dot(joint.position());
-            g = joint.enter(g);
+        let tree = &self.geometry.tree;
+        tree.outward(base, |i, &(motion, g, above)| {
+            let (link, joint) = (&self.links[i], self.joint(i, state));
+            let above = above + g.dot(joint.position());
+            let g = joint.enter(g);
             let movement = link.movement.as_ref();
-            let qd = movement.map_or(self.zero, |m| m.factor * state.qd[m.joint]);
-            motion = motion.enter(&joint).with_joint(joint.joint_type, qd);
+            let qd = movement.map_or(zero, |m| m.factor * state.qd[m.joint]);
+            let motion = motion.enter(&joint).with_joint(joint.joint_type, qd);
             let Energies {
                 mut kinetic,
                 mut potential,
-            } = unit_energies(motion, qd, g, above, self.zero);
+            } = unit_energies(motion, qd, g, above, zero);
             rotate_moments(&mut kinetic, link.moments.as_ref());
             rotate_moments(&mut potential, link.moments.as_ref());
             of_links.push([kinetic, potential]);
-        }
+            (motion, g, above)
+        });
         let pick = |kind: usize| {
             let columns = self.columns.iter();
             columns
@@ -211,9 +201,9 @@ impl<R: Ring> Arm<R> {
         [pick(0), pick(1)]
     }
 
-    fn joint(&self, link: &Link<R>, state: &State<R>) -> Joint<R> {
-        let still = link.geometry.joint(self.zero, self.one);
-        let Some(movement) = &link.movement else {
+    fn joint(&self, i: usize, state: &State<R>) -> Joint<R> {
+        let still = self.geometry.joint(i);
+        let Some(movement) = &self.links[i].movement else {
             return still;
         };
         match still.joint_type {
@@ -235,7 +225,7 @@ impl<R: Ring> Arm<R> {
 
     /// A turn several times, or backwards.
     fn times(&self, turn: Turn<R>, n: i64) -> Turn<R> {
-        let mut power = Turn::none(self.zero, self.one);
+        let mut power = Turn::none(self.geometry.zero, self.geometry.one);
         for bit in (0..64 - n.unsigned_abs().leading_zeros()).rev() {
             power = power.plus(power);
             if n.unsigned_abs() >> bit & 1 == 1 {
