@@ -14,12 +14,6 @@ pub(crate) struct DryFriction {
 }
 
 impl DryFriction {
-    /// None.
-    pub(crate) const NONE: DryFriction = DryFriction {
-        coulomb: [0.0; 2],
-        stribeck: None,
-    };
-
     /// The dry friction of a row.
     pub(crate) fn of(row: &Row) -> Self {
         DryFriction {

@@ -101,7 +101,7 @@ impl Assignment {
             self.note([word_of_value(value)]);
         }
         for instruction in &program.instructions {
-            let (a, b) = instruction.operands();
+            let [a, b] = instruction.operands();
             let operation = match instruction {
                 Instruction::Add(..) => 0,
                 Instruction::Sub(..) => 1,
