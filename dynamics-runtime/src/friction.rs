@@ -14,6 +14,12 @@ pub(crate) struct DryFriction {
 }
 
 impl DryFriction {
+    /// None.
+    pub(crate) const NONE: DryFriction = DryFriction {
+        coulomb: [0.0; 2],
+        stribeck: None,
+    };
+
     /// The dry friction of a row.
     pub(crate) fn of(row: &Row) -> Self {
         DryFriction {
@@ -69,12 +75,6 @@ impl DryFriction {
 
 #[cfg(feature = "std")]
 impl DryFriction {
-    /// None.
-    pub(crate) const NONE: DryFriction = DryFriction {
-        coulomb: [0.0; 2],
-        stribeck: None,
-    };
-
     /// Whether there is none at any velocity.
     pub(crate) fn is_none(&self) -> bool {
         let beyond = self.stribeck.map_or(0.0, |stribeck| stribeck.friction);
