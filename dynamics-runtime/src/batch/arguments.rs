@@ -6,35 +6,22 @@ use super::layout::Source;
 use super::wide::{Precision, Wide};
 use crate::function::{Arrangement, Entries, Of, each_tuple};
 
-/// The arguments of a function, whose arrangement is a tuple of vectors: see [`Source`].
+/// The arguments of a function, whose arrangement is a tuple of vectors, with the methods of [`Source`] for all of them.
 pub trait Arguments<A: Arrangement, E: Precision>: Copy + Send {
-    /// Room for as many states as there are lanes.
     type Room;
-
-    /// The arguments that are read there.
     type Copied<'r>: Arguments<A, E>
     where
         Self: 'r;
 
     /// Tells of each argument the number of states, and one that differs from it, if there is one.
     fn states(&self, tell: &mut dyn FnMut(usize, Option<usize>));
-
-    /// See [`Source::split`].
     #[cfg(feature = "rayon")]
     fn split(self, states: usize) -> (Self, Self);
-
-    /// See [`Source::state`].
     fn state(&self, state: usize) -> Of<A, E>;
-
-    /// See [`Source::room`].
     fn room() -> Self::Room;
-
-    /// See [`Source::padded`].
     fn padded<'r>(&self, states: usize, room: &'r mut Self::Room) -> Self::Copied<'r>
     where
         Self: 'r;
-
-    /// See [`Source::load`].
     fn load<S: Simd>(&self, simd: S, first: usize) -> Of<A, Wide<S, E>>;
 }
 

@@ -1,4 +1,4 @@
-//! What can be wrong with a batch.
+//! Errors of batches.
 
 use core::fmt;
 

@@ -1,4 +1,4 @@
-//! What generated functions ask of a number.
+//! The operations of generated functions.
 
 use num_traits::Zero;
 

@@ -19,7 +19,7 @@ use super::rounded::Magnitude;
 use super::{Certified, Rounded};
 use crate::factorisation::Factors;
 
-/// What solutions with a matrix M are judged by.
+/// The bounds by which solutions with a matrix M are judged.
 pub(super) struct Verification<F: Rounded, const N: usize> {
     /// R.
     inverse: SMatrix<F, N, N>,

@@ -18,8 +18,7 @@ const TITLE_HEIGHT: u32 = 44 * PIXEL;
 /// Beside the curves and never on them.
 const LEGEND_WIDTH: u32 = 170 * PIXEL;
 
-/// Colours that stay apart for colour-blind readers: Okabe and Ito, Color Universal Design (2008), and
-/// some more where seven are too few.
+/// Colours that stay apart for colour-blind readers (Okabe and Ito, Color Universal Design, 2008), and some more.
 pub const COLOURS: [RGBColor; 12] = [
     RGBColor(0, 114, 178),
     RGBColor(213, 94, 0),
@@ -119,8 +118,8 @@ impl Figure {
         self
     }
 
-    /// Writes the drawing into a file, in a folder that is made where it is missing. A file that is there is replaced when
-    /// the drawing is complete, and stays as it was if it cannot be.
+    /// Writes the drawing into a file, whose folder is made where it is missing. An old file is replaced when the drawing
+    /// is complete.
     ///
     /// # Errors
     ///

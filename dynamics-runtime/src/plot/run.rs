@@ -6,9 +6,8 @@ use super::{Curve, Figure, Outcome, joints};
 use crate::{JointType, Model, Trajectory};
 
 impl<const N: usize> Trajectory<N> {
-    /// Draws the run into the file, as SVG: panels of positions, velocities, accelerations, torques and, where
-    /// the robot knows them ([`Model::energies`]), energies, over one time axis. Where joints turn and others
-    /// slide, each kind has panels of its own.
+    /// Draws the run into the file, as SVG: panels of positions, velocities, accelerations, torques and, where the robot
+    /// knows them ([`Model::energies`]), energies. Joints that turn and joints that slide have panels of their own.
     ///
     /// ```no_run
     /// # extern crate dynamics_runtime as robot_dynamics;
