@@ -76,7 +76,7 @@ impl<F: Magnitude> Add for Bound<F> {
 impl<F: Magnitude> Mul for Bound<F> {
     type Output = Self;
 
-    /// What is not known stays so, times zero too.
+    /// An unknown bound stays unknown, times zero too.
     fn mul(self, other: Self) -> Self {
         if !(self.is_known() && other.is_known()) {
             Bound::UNKNOWN

@@ -62,7 +62,7 @@ impl<F: Rounded, const N: usize> Verification<F, N> {
         SVector::from_fn(|i, _| product(&self.inverse, i, b).value())
     }
 
-    /// How far a vector with this residual is from the solution, at most.
+    /// The greatest distance of a vector with this residual from the solution.
     pub(super) fn error(
         &self,
         residual: &SVector<Certified<F>, N>,

@@ -13,7 +13,7 @@ use crate::exact;
 use crate::float::Float as _;
 use crate::operators::{impl_assign, impl_operators};
 
-/// What is not finite keeps its value.
+/// Results that are not finite keep their value.
 impl DoubleDouble {
     /// `a + b` without rounding.
     #[inline]

@@ -92,7 +92,7 @@ pub(crate) struct Reduced<L> {
     pub(super) n: L,
     /// The rest.
     pub(super) rest: L,
-    /// By how much `rest` is too large.
+    /// The excess of `rest`.
     pub(super) excess: L,
 }
 
