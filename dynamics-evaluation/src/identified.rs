@@ -1,11 +1,9 @@
 //! From identified base parameters to a robot that has them.
 //!
-//! Torques show the base parameters b = K x of an arm alone, not all of the links' own parameters x. Of all
-//! sets of links with the identified b, those are taken that are nearest to the table's:
-//! `x = x0 + W (K W)^+ (b - K x0)`, with a weight in W that lets masses and motors stay where first moments and tensors
-//! can make the difference. If no bodies have these x, the nearest that bodies have are searched for: see
-//! [`crate::possible`]. Base parameters are possible if there are any (C. D. Sousa, R. Cortesao, Int. J. Robotics Research
-//! 33 (2014), 931-944).
+//! Torques show the base parameters b = K x of an arm alone, not all of the links' own parameters x. The links with the
+//! identified b that are nearest to the table's are `x = x0 + W (K W)^+ (b - K x0)`, with weights W by which first moments
+//! and tensors change rather than masses and motors. If no bodies have these x, the nearest that bodies have are searched
+//! for ([`crate::possible`]; C. D. Sousa, R. Cortesao, Int. J. Robotics Research 33 (2014), 931-944).
 
 use core::fmt;
 use core::ops::Range;

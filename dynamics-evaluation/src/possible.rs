@@ -17,7 +17,7 @@ pub(crate) const OF_LINK: usize = 10;
 /// The least eigenvalue of P0 beside the greatest: the divergence is finite for positive definite P0 alone.
 const LEAST: f64 = 1e-4;
 
-/// By how much the square of a distance may lie above the least one, relative to it.
+/// The excess of the square of a distance over the least one that is small enough, relative to it.
 const NEAR: f64 = 0.1;
 
 /// The stages, each of which makes the equations ten times as hard, and the most steps of Newton's method for each.

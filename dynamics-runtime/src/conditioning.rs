@@ -9,12 +9,10 @@ use crate::singular::relative_pivot;
 
 /// How near to singular a mass matrix is: the least pivot relative to its diagonal entry.
 ///
-/// In M = U D U^T, factored from the tip inwards, the pivot d_i is the inertia that joint i feels while the
-/// joints beyond it are free; M_ii is what it feels while they are locked. A solution of M x = b loses about
-/// `-log10(min d_i / M_ii)` digits. Unlike the condition number, this ratio does not change
-/// with the units of the joints, nor with small masses at the end of a large arm, which cost no
-/// digits (van der Sluis 1969: scaling a positive definite matrix by its diagonal is nearly the
-/// best scaling).
+/// In M = U D U^T, factored from the tip inwards, the pivot d_i is the inertia that joint i feels while the joints
+/// beyond it are free; M_ii is that with these locked. A solution of M x = b loses about `-log10(min d_i / M_ii)` digits.
+/// Unlike the condition number, this ratio does not change with the units of the joints, nor with small masses at the
+/// end of a large arm (van der Sluis 1969: scaling a positive definite matrix by its diagonal is nearly the best).
 ///
 /// ```
 /// # extern crate dynamics_runtime as robot_dynamics;
@@ -60,10 +58,7 @@ impl Conditioning {
             let pivot = m[(k, k)];
             let ratio = relative_pivot(pivot, mass_matrix[(k, k)]);
             if ratio.is_nan() || ratio < least.relative_pivot {
-                least = Conditioning {
-                    joint: k,
-                    relative_pivot: ratio,
-                };
+                (least.joint, least.relative_pivot) = (k, ratio);
             }
             if pivot.is_nan() || pivot <= 0.0 {
                 break;

@@ -18,7 +18,7 @@ pub(crate) struct Factors<T, const N: usize> {
 }
 
 impl<T: Scalar, const N: usize> Factors<T, N> {
-    /// Those of the unit matrix.
+    /// The factors of the unit matrix.
     #[inline]
     pub(crate) fn unit(like: T) -> Self {
         Factors {
@@ -85,8 +85,7 @@ fn substitute<T: Scalar>(
     }
 }
 
-/// What joint `j` takes part in leaves the matrix of the joints before it, of which the upper
-/// triangle is read; its own column becomes that of U.
+/// Eliminates joint `j` from the upper triangle of the matrix of the joints before it; its column becomes that of U.
 #[inline(always)]
 pub(crate) fn eliminate<T: Scalar>(
     m: &mut impl IndexMut<(usize, usize), Output = T>,

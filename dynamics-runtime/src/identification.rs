@@ -12,19 +12,15 @@ use crate::{Evaluate, NewtonEuler, State, Table};
 ///
 /// - the ten [standard parameters](crate::Table::standard_parameters) of each joint's link, from the base outwards;
 /// - [those of the followers' links](crate::Table::standard_parameters_of_followers);
-/// - the reflected inertia `gear_ratio^2 inertia` of each joint's motor;
-/// - those of the followers' motors.
+/// - the reflected inertia `gear_ratio^2 inertia` of each joint's motor, and of each follower's.
 ///
-/// K depends on the geometry alone. Two sets of links with the same K x need the same torques for every motion, so
-/// that torques cannot tell them apart.
+/// K depends on the geometry alone. Torques cannot tell two sets of links with the same K x apart.
 ///
 /// K is the least-squares solution of Y_b K = Y_x over random states, where Y_b is the generated regressor and Y_x the
-/// numeric one of the table. The error of an entry is some 1e-13 of the largest one; entries below 1e-11 of the largest
-/// are set to zero.
+/// numeric one of the table. The error of an entry is some 1e-13 of the largest one; entries below 1e-11 of it are zero.
 ///
-/// `None` where `regressor` was not generated, and where its columns are dependent, so that more than one K fits. The
-/// latter happens where the values of the struct's fields make the arm a special one, such as a factor of zero by which
-/// a joint follows another.
+/// `None` where `regressor` was not generated, and where its columns are dependent, so that more than one K fits, as for
+/// fields that make the arm a special one: a factor of zero by which a joint follows another.
 ///
 /// ```
 /// # extern crate dynamics_runtime as robot_dynamics;
@@ -97,14 +93,16 @@ pub fn base_parameter_map<R: Evaluate<N>, const N: usize>(robot: &R) -> Option<D
         return None;
     }
     let mut map = triangle.solve_upper_triangular(&right)?;
-    let nothing = 1e-11 * map.amax();
-    map.iter_mut()
-        .filter(|entry| entry.abs() < nothing)
-        .for_each(|entry| *entry = 0.0);
+    let least = 1e-11 * map.amax();
+    map.apply(|entry| {
+        if entry.abs() < least {
+            *entry = 0.0;
+        }
+    });
     Some(map)
 }
 
-/// Of the motor of each joint, then of each follower, the joint that feels it and by which factor.
+/// The joint that feels the motor of each joint, then of each follower, and the factor.
 fn motors<const N: usize>(table: &Table<N>) -> impl Iterator<Item = (usize, f64)> {
     let followers = table.followers.iter();
     let followers = followers.map(|follower| (follower.leader, follower.factor));

@@ -1,7 +1,5 @@
-//! Files that are replaced as a whole, or not at all.
-//!
-//! A text is written into a new file beside the one that it replaces, which is renamed when it is complete. A full disk
-//! therefore leaves the old file as it was.
+//! Files that are replaced as a whole, or not at all: a text is written into a new file beside the old one, which is
+//! renamed when it is complete. A full disk leaves the old file as it was.
 
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, ErrorKind, Write as _};

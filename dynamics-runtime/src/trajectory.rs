@@ -16,13 +16,11 @@ use crate::float::{first_non_finite, sin_cos};
 /// - `qd = (q_T - q_0) (1 - cos x) / T`,
 /// - `qdd = (q_T - q_0) 2 pi sin x / T^2`.
 ///
-/// Velocity and acceleration are zero at both ends. Before t = 0 and after t = T the joints rest at
-/// the ends. Source: S. K. Saha, *Introduction to Robotics*, the trajectory of the examples of
-/// inverse dynamics.
+/// Velocity and acceleration are zero at both ends. Before t = 0 and after t = T the joints rest at the ends. Source:
+/// S. K. Saha, *Introduction to Robotics*, the trajectory of the examples of inverse dynamics.
 ///
-/// The distances from the start and to the end, the velocity and the acceleration are accurate to a
-/// few units in the last place at all times, also near their zeros, where the formulas above would
-/// cancel; `tests/suite/trajectories.rs` tests it.
+/// The distances from both ends, the velocity and the acceleration are accurate to a few units in the last place at all
+/// times, also near their zeros, where the formulas above would cancel; `tests/suite/trajectories.rs` tests it.
 ///
 /// ```
 /// # extern crate dynamics_runtime as robot_dynamics;

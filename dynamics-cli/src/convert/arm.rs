@@ -59,7 +59,7 @@ impl Arm<'_> {
                     body: Mass::none(),
                 });
             }
-            // What comes before the first joint stands still.
+            // Links before the first joint stand still.
             if let Some(joint) = joints.last_mut() {
                 let link = joint.frame.inverse().then(&link);
                 joint

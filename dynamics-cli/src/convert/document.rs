@@ -102,7 +102,7 @@ struct Geometry<'a> {
 /// A row.
 struct Line<'a> {
     name: String,
-    /// What the row says of the joint itself; nothing where it is only there to stand still.
+    /// The row of the joint; none where a row is only there to stand still.
     joint: Option<&'a Joint>,
     /// Where the joint stands still.
     locked: Option<Node>,

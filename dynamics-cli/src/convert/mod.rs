@@ -35,7 +35,7 @@ use number::DIGITS;
 use read_back::{refusals, refused_words};
 use table::Table;
 
-/// What joints have that URDF has no words for, as the option `--without` names it.
+/// The parts of joints that URDF has no words for, as the option `--without` names them.
 pub(crate) const WITHOUT: [&str; 3] = urdf::WITHOUT;
 
 /// The text of the other file.
@@ -127,7 +127,7 @@ fn as_table(
         let Some(first) = refusals.first() else {
             return Ok(text);
         };
-        // What the file that was read has, odd as it is, is meant.
+        // The oddities of the file that was read are meant.
         let mut is_new = false;
         for (joint, word) in refused_words(&text, format, &document, &refusals) {
             is_new |= allowed.entry(joint).or_default().insert(word);

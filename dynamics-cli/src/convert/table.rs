@@ -1,15 +1,13 @@
 //! The Denavit-Hartenberg table of an arm in space.
 //!
-//! The z axes of a table's frames are the axes of the joints, each in the direction in which its position
-//! counts, so that positions keep their signs and their zeros; the x axes are along the common normals of
-//! neighbours. Both conventions have the same normals: a modified table puts frame i at the foot of the
-//! normal on axis i, a standard table at the foot on axis i + 1. Four numbers take a frame to the next one
-//! where x is across the next axis and meets it, which common normals are and do. What the first link and
-//! the tip have beyond that is left to `base` and `tool`.
+//! The z axes of a table's frames are the axes of the joints, in their directions, so that positions keep their signs and
+//! zeros; the x axes are along the common normals of neighbours. A modified table puts frame i at the foot of the normal
+//! on axis i, a standard table at the foot on axis i + 1. Four numbers take a frame to the next one, because x is across
+//! the next axis and meets it. `base` and `tool` have the rest of the first link and of the tip.
 //!
-//! Where two axes are nearly parallel, their normal is far away, and numbers that describe the arm by it lose
-//! as many digits. A row that stands still leads from the one axis to the other then: its own axis meets both.
-//! So does one where an angle is within 1e-9 of a quarter turn, which no single cell can say.
+//! The normal of two axes that are nearly parallel is far away, and numbers that describe the arm by it lose as many
+//! digits. A row that stands still leads from the one axis to the other then: its own axis meets both. So does one where
+//! an angle is within 1e-9 of a quarter turn, which no single cell can say.
 
 use dynamics_codegen::geometry::{Body, Mass, Matrix, Transform, Vector, cross, dot, tidy};
 use dynamics_symbolic::exact::Rational;

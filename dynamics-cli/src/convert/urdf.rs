@@ -237,15 +237,6 @@ fn all(numbers: &[Rational]) -> String {
 }
 
 fn quoted(text: &str) -> String {
-    let mut quoted = "\"".to_owned();
-    for letter in text.chars() {
-        match letter {
-            '"' => quoted.push_str("&quot;"),
-            '&' => quoted.push_str("&amp;"),
-            '<' => quoted.push_str("&lt;"),
-            letter => quoted.push(letter),
-        }
-    }
-    quoted.push('"');
-    quoted
+    let escaped = text.replace('&', "&amp;").replace('"', "&quot;");
+    format!("\"{}\"", escaped.replace('<', "&lt;"))
 }

@@ -1,7 +1,7 @@
 //! The operations of a tape on blocks.
 //!
-//! Each is a kernel for what its operands are: a number at each state, one that all states share, or the
-//! result of the operation before, which is still in registers.
+//! Operands are of three kinds: a number at each state, one that all states share, or the result of the operation
+//! before, which is still in registers.
 
 use fearless_simd::{Simd, SimdBase, SimdFloat, SimdFrom, f64x8};
 

@@ -1,7 +1,5 @@
-//! Many states at once: each step for a block of states, in the lanes of vector registers.
-//!
-//! One dispatch of a step serves all states of a block, and the slots of a block are few enough to stay
-//! in the caches next to the processor.
+//! Many states at once: each step for a block of states, in the lanes of vector registers. The slots of a block are few
+//! enough to stay in the caches next to the processor.
 
 mod kernel;
 mod run;
@@ -11,8 +9,7 @@ pub(crate) use run::{Batch, Stage, run, stages};
 /// Lanes that are computed together: a register of AVX-512, two of AVX2.
 pub(crate) const LANES: usize = 8;
 
-/// Groups of lanes in a block: 32 states. A number at all of them fits into eight registers of AVX2 or
-/// four of AVX-512, and the slots of a long program into the first cache.
+/// Groups of lanes in a block: a number at all 32 states fits into eight registers of AVX2 or four of AVX-512.
 pub(crate) const GROUPS: usize = 4;
 
 /// States in a block.
@@ -24,6 +21,5 @@ pub(crate) const STATES: usize = GROUPS * LANES;
 pub(crate) struct Block(pub(crate) [[f64; LANES]; GROUPS]);
 
 impl Block {
-    /// Zeros.
     pub(crate) const ZERO: Block = Block([[0.0; LANES]; GROUPS]);
 }

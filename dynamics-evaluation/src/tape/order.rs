@@ -1,4 +1,4 @@
-//! The order of the lines: such that few numbers are kept at once, and results are read at once.
+//! An order of the lines in which few numbers are kept at once, and results are read at once.
 
 use std::collections::BTreeSet;
 
@@ -9,10 +9,10 @@ const LONGEST: usize = 20_000;
 
 /// The lines whose values differ from state to state, in an order in which each reads earlier ones alone.
 ///
-/// Of the lines that could be next it is one that alone reads the result of the line before, for that
-/// needs no slot; then the one after which the fewest numbers are kept (its own result, inputs that it
-/// is the first to read, less what nothing else reads), where one that reads the result of the line
-/// before counts for one less; among equals the one that reads what was computed last.
+/// The next line is one that alone reads the result of the line before, because that needs no slot; then the one after
+/// which the fewest numbers are kept (its own result, inputs that it is the first to read, less the numbers that no
+/// other reads), where one that reads the result of the line before counts for one less; among equals the one that reads
+/// the latest result.
 pub(super) fn order(lines: &Lines<'_>) -> Vec<usize> {
     let count = lines.varying().count();
     if count > LONGEST {

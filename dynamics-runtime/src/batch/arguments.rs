@@ -3,47 +3,33 @@
 use fearless_simd::Simd;
 
 use super::layout::Source;
-use super::wide::Precision;
-use super::wide::Wide;
-use crate::function::{Arrangement, Entries, Of};
+use super::wide::{Precision, Wide};
+use crate::function::{Arrangement, Entries, Of, each_tuple};
 
-/// The arguments of a function, whose arrangement is a tuple of vectors: see [`Source`].
+/// The arguments of a function, whose arrangement is a tuple of vectors, with the methods of [`Source`] for all of them.
 pub trait Arguments<A: Arrangement, E: Precision>: Copy + Send {
-    /// Room for as many states as there are lanes.
     type Room;
-
-    /// The arguments that are read there.
     type Copied<'r>: Arguments<A, E>
     where
         Self: 'r;
 
     /// Tells of each argument the number of states, and one that differs from it, if there is one.
     fn states(&self, tell: &mut dyn FnMut(usize, Option<usize>));
-
-    /// See [`Source::split`].
     #[cfg(feature = "rayon")]
     fn split(self, states: usize) -> (Self, Self);
-
-    /// See [`Source::state`].
     fn state(&self, state: usize) -> Of<A, E>;
-
-    /// See [`Source::room`].
     fn room() -> Self::Room;
-
-    /// See [`Source::padded`].
     fn padded<'r>(&self, states: usize, room: &'r mut Self::Room) -> Self::Copied<'r>
     where
         Self: 'r;
-
-    /// See [`Source::load`].
     fn load<S: Simd>(&self, simd: S, first: usize) -> Of<A, Wide<S, E>>;
 }
 
 macro_rules! impl_arguments {
     ($($source:ident $size:ident $x:ident $y:ident),*) => {
         #[allow(unused_variables, unused_mut, clippy::unused_unit, reason = "there may be no argument")]
-        impl<Z: Precision, $($source: Source<$size, Z>,)* $(const $size: usize),*>
-            Arguments<($(Entries<$size, 1>,)*), Z> for ($($source,)*)
+        impl<E: Precision, $($source: Source<$size, E>,)* $(const $size: usize),*>
+            Arguments<($(Entries<$size, 1>,)*), E> for ($($source,)*)
         {
             type Room = ($($source::Room,)*);
             type Copied<'r> = ($($source::Copied<'r>,)*) where Self: 'r;
@@ -64,7 +50,7 @@ macro_rules! impl_arguments {
             }
 
             #[inline]
-            fn state(&self, state: usize) -> Of<($(Entries<$size, 1>,)*), Z> {
+            fn state(&self, state: usize) -> Of<($(Entries<$size, 1>,)*), E> {
                 let ($($x,)*) = self;
                 ($($x.state(state),)*)
             }
@@ -82,7 +68,7 @@ macro_rules! impl_arguments {
             }
 
             #[inline(always)]
-            fn load<S: Simd>(&self, simd: S, first: usize) -> Of<($(Entries<$size, 1>,)*), Wide<S, Z>> {
+            fn load<S: Simd>(&self, simd: S, first: usize) -> Of<($(Entries<$size, 1>,)*), Wide<S, E>> {
                 let ($($x,)*) = self;
                 ($($x.load(simd, first),)*)
             }
@@ -90,13 +76,4 @@ macro_rules! impl_arguments {
     };
 }
 
-impl_arguments!();
-impl_arguments!(A N1 a1 b1);
-impl_arguments!(A N1 a1 b1, B N2 a2 b2);
-impl_arguments!(A N1 a1 b1, B N2 a2 b2, C N3 a3 b3);
-impl_arguments!(A N1 a1 b1, B N2 a2 b2, C N3 a3 b3, D N4 a4 b4);
-impl_arguments!(A N1 a1 b1, B N2 a2 b2, C N3 a3 b3, D N4 a4 b4, E N5 a5 b5);
-impl_arguments!(A N1 a1 b1, B N2 a2 b2, C N3 a3 b3, D N4 a4 b4, E N5 a5 b5, F N6 a6 b6);
-impl_arguments!(A N1 a1 b1, B N2 a2 b2, C N3 a3 b3, D N4 a4 b4, E N5 a5 b5, F N6 a6 b6, G N7 a7 b7);
-impl_arguments!(A N1 a1 b1, B N2 a2 b2, C N3 a3 b3, D N4 a4 b4, E N5 a5 b5, F N6 a6 b6, G N7 a7 b7, H N8 a8 b8);
-impl_arguments!(A N1 a1 b1, B N2 a2 b2, C N3 a3 b3, D N4 a4 b4, E N5 a5 b5, F N6 a6 b6, G N7 a7 b7, H N8 a8 b8, I N9 a9 b9);
+each_tuple!(impl_arguments);

@@ -2,8 +2,7 @@
 
 use fearless_simd::{ExtractToken, Simd, SimdBase};
 
-use super::wide::Precision;
-use super::wide::Wide;
+use super::wide::{Precision, Wide};
 use crate::Scalar;
 use crate::inputs::{Evaluated, Inputs};
 use crate::sine::Part;

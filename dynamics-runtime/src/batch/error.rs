@@ -1,4 +1,4 @@
-//! What can be wrong with a batch.
+//! Errors of batches.
 
 use core::fmt;
 
@@ -45,7 +45,7 @@ pub enum BatchError {
     Singular {
         /// The first such state, counted from 0.
         state: usize,
-        /// What `forward_dynamics` returns at that state.
+        /// The error of `forward_dynamics` at that state.
         error: SingularMassMatrix,
     },
 }

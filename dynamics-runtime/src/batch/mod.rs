@@ -1,8 +1,7 @@
 //! Generated functions at many states at once, in the lanes of vector registers.
 //!
-//! The program of a function is generic over its numbers; here it runs on [`wide::Wide`], as many
-//! numbers as the processor's vectors hold. Which those are is asked at run time: the loop over the
-//! states is compiled once for each instruction set, with the program inlined into it.
+//! The program of a function is generic over its numbers; here it runs on [`wide::Wide`], as many numbers as the
+//! processor's vectors hold. The loop over the states is compiled once for each instruction set, with the program in it.
 
 mod abreast;
 mod arguments;
@@ -33,27 +32,22 @@ pub use wide::Precision;
 dynamics_macros::batch_methods! {
 /// The generated functions at many states at once, each under its name with `_batch` behind it.
 ///
-/// Every robot whose table generates a function has its batch: `use robot_dynamics::Batch`. What is not
-/// called is not compiled.
+/// Every robot whose table generates a function has its batch: `use robot_dynamics::Batch`. Methods that are not called
+/// are not compiled.
 ///
-/// The states of a batch are evaluated in the lanes of vector registers, as wide as the processor
-/// at hand has them (AVX-512, AVX2 with FMA, SSE2; NEON; WebAssembly's), which is asked at run time.
-/// On one core this takes half to a fifth of the time of single calls: vectors of eight doubles
-/// take a quarter for inverse and forward dynamics (`cargo bench -p benches --bench batch`). Numbers are `f64`,
-/// or `f32` in twice as many lanes. Taylor series and base parameters are evaluated state by state. Columns of numbers
-/// take less time than a vector or a matrix for each state ([`States`], [`StatesMut`]). With the
-/// feature `rayon` each method has a twin, with `par_` before its name, that uses all cores.
+/// The states of a batch are evaluated in the lanes of vector registers, as wide as the processor at hand has them
+/// (AVX-512, AVX2 with FMA, SSE2; NEON; WebAssembly's). On one core this takes half to a fifth of the time of single
+/// calls: vectors of eight doubles take a quarter for inverse and forward dynamics (`cargo bench -p benches --bench
+/// batch`). Numbers are `f64`, or `f32` in twice as many lanes. Taylor series and base parameters are evaluated state by
+/// state. With the feature `rayon` each method has a twin, with `par_` before its name, that uses all cores.
 ///
-/// The values are those of the single function to the last few units in the last place of the
-/// largest terms: sums of products are fused where the processor can, whatever the build allows. A
-/// state's values do not depend on the other states, nor on their number, but for values
-/// beside a state that has none, or beside an angle beyond 1e5 rad (1e4 rad in `f32`), which differ by as
-/// little.
+/// The values are those of the single function to the last few units in the last place of the largest terms: sums of
+/// products are fused where the processor can. They do not depend on other states, nor on their number. Values beside a
+/// state that has none, or beside an angle beyond 1e5 rad (1e4 rad in `f32`), differ by as little.
 ///
-/// Arguments come as a vector for each state or as a column for each joint: see [`States`] and
-/// [`StatesMut`]. Any number of states will do, none included; arguments of different lengths are
-/// an error, and nothing is written. No method panics, and none allocates but those of all cores, a few bytes for each
-/// core.
+/// Arguments come as a vector for each state or as a column for each joint, which takes less time: see [`States`] and
+/// [`StatesMut`]. Any number of states will do, none included; arguments of different lengths are an error, and nothing
+/// is written. No method panics, and none allocates but those of all cores, a few bytes for each core.
 ///
 /// ```
 /// # extern crate dynamics_runtime as robot_dynamics;
@@ -84,10 +78,8 @@ pub trait Batch {
     /// A batch in which every state has an arm of its own: `arms` has a struct for each state, which differ in
     /// their fields. Masses that are estimated, tools that are tried out, gravity on a slope.
     ///
-    /// The methods are those of this trait, on what is returned. They take the time of one arm's and what it
-    /// takes to read the fields.
-    ///
-    /// `Batch::with_parameters(&arms).inverse_dynamics_batch(&q, &qd, &qdd, &mut tau)`, for instance.
+    /// It has the methods of this trait: `Batch::with_parameters(&arms).gravity_vector_batch(&q, &mut tau)`, for
+    /// instance. They take the time of one arm's and that of reading the fields.
     fn with_parameters(arms: &[Self]) -> WithParameters<'_, Self>
     where
         Self: Sized,

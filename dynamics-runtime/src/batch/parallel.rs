@@ -138,13 +138,13 @@ where
 
 /// States that several threads evaluate, each of which takes some whenever it has none.
 struct Shared<R, E, F, B, A, O, const N: usize> {
-    /// What nobody has taken yet.
+    /// The states that no thread has taken yet.
     rest: Mutex<Part<R, E, F, B, A, O, N>>,
     failure: Mutex<Failure>,
-    /// So many states at a time, at least.
+    /// The fewest states that a thread takes at a time.
     least: usize,
     threads: usize,
-    /// How many of the others have not come to the end.
+    /// The number of other threads that have not come to the end.
     at_work: AtomicUsize,
 }
 

@@ -8,8 +8,7 @@ use super::LengthMismatch;
 use super::arguments::Arguments;
 use super::arms::Arms;
 use super::layout::Sink;
-use super::wide::Precision;
-use super::wide::{Wide, lanes};
+use super::wide::{Precision, Wide, lanes};
 use crate::function::{Arrangement, Function, Of};
 use crate::inputs::Evaluated;
 use crate::{Scalar, SingularMassMatrix};
@@ -31,7 +30,7 @@ pub(super) struct Task<'t, R, E, F, B, A, O, const N: usize> {
     pub(super) states: usize,
 }
 
-/// What a function puts out, in an arithmetic.
+/// The values of a function, in an arithmetic.
 type Value<R, F, const N: usize, T> = Of<<R as Function<F, N>>::Values, T>;
 
 impl<'t, R, E, F, B, A, O, const N: usize> Task<'t, R, E, F, B, A, O, N>
@@ -46,8 +45,8 @@ where
     /// The task, if all arguments, the arms and the results agree on the number of states: that of the
     /// first of them.
     ///
-    /// Inlined into what is called for a batch, so that the slices go to memory one number at a time: a processor
-    /// reads nothing for some ten nanoseconds of what was just written in smaller parts.
+    /// Inlined into the method of a batch, so that the slices go to memory one number at a time: a processor waits some
+    /// ten nanoseconds before it reads a vector that was just written in parts.
     #[inline(always)]
     pub(super) fn new(
         function: F,
@@ -140,7 +139,7 @@ where
         failure
     }
 
-    /// State by state: what has no lanes.
+    /// State by state, for functions without lanes.
     fn in_turn(&mut self) -> Failure {
         let mut failure = None;
         for state in 0..self.states {

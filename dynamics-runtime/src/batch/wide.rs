@@ -36,7 +36,7 @@ pub trait Precision: Scalar + SimdFloatElement + Send + Sync {
 #[derive(Clone, Copy)]
 pub struct Wide<S: Simd, E: Precision>(pub(super) E::Native<S>);
 
-/// How many they are.
+/// The number of lanes.
 pub(super) const fn lanes<S: Simd, E: Precision>() -> usize {
     <E::Native<S> as SimdBase<S>>::LEN
 }
@@ -163,22 +163,16 @@ impl<S: Simd, E: Precision> Scalar for Wide<S, E> {
 }
 
 /// Sines and cosines of angles in lanes, of which only these parts are read.
-#[cfg(not(debug_assertions))]
-#[inline(always)]
+///
+/// A call in a build without optimisation, where every function of a batch would hold 200 KB of sines.
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn sin_cos_of_lanes<S: Simd, E: Precision, const K: usize>(
     angles: [Wide<S, E>; K],
     parts: [Part; K],
 ) -> [(Wide<S, E>, Wide<S, E>); K] {
-    E::sin_cos_of_lanes(angles, parts)
-}
-
-/// The same in a function that is called: a build without optimisation would hold 200 KB of sines in every function
-/// of a batch.
-#[cfg(debug_assertions)]
-fn sin_cos_of_lanes<S: Simd, E: Precision, const K: usize>(
-    angles: [Wide<S, E>; K],
-    parts: [Part; K],
-) -> [(Wide<S, E>, Wide<S, E>); K] {
+    #[cfg(not(debug_assertions))]
+    return E::sin_cos_of_lanes(angles, parts);
+    #[cfg(debug_assertions)]
     match angles.first() {
         Some(first) => first.0.token().vectorize(
             #[inline(always)]
@@ -241,7 +235,7 @@ macro_rules! impl_precision {
                 let mut values = [(first, first); K];
                 if within.all_true() {
                     abreast::sin_cos_of_each(&angles, &mut values);
-                    // What of these the program does not read is not computed.
+                    // Parts that the program does not read are not computed.
                     for_each_index!(K, i => {
                         if parts[i] != Part::Both {
                             let value = sine::part_in_lanes(angles[i], parts[i]);

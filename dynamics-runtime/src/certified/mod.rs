@@ -1,8 +1,7 @@
 //! Numbers that carry a proven bound of their error, and functions that solve with M on them.
 //!
-//! Any generated method runs on [`Certified`] numbers. For the methods that solve with M, the functions of this module
-//! return the same values with sharper bounds: a bound that follows one operation after the other grows much faster
-//! than the error of an elimination does.
+//! Any generated method runs on [`Certified`] numbers. For methods that solve with M, the functions of this module return
+//! the same values with sharper bounds: those of one operation after the other grow faster than the error.
 
 mod dynamics;
 mod operations;
@@ -28,10 +27,9 @@ pub use rounded::Rounded;
 /// A number as a processor computes it, and a proven bound of its distance from the exact one.
 ///
 /// Every generated function runs on it. The values are those of the plain float, bit for bit; the bounds hold
-/// at the state at hand, however near it is to a singular one. The bound of each operation is what the errors of its
-/// operands make of it, plus its own rounding (a running error analysis), and bounds are rounded upwards, so that
-/// nothing is left out. The exact number, from which the bound is counted, is what the equations of the table give for
-/// the arguments:
+/// at the state at hand, however near it is to a singular one. The bound of each operation follows from the errors of
+/// its operands and its own rounding (a running error analysis), and is rounded upwards. The exact number, from which
+/// the bound is counted, follows from the equations of the table:
 ///
 /// - a constant of a function stands for an exact number that was rounded once, so that it counts as wrong by half a
 ///   unit in its last place;
@@ -42,9 +40,9 @@ pub use rounded::Rounded;
 /// zero, the root of one that may be negative, and all that is computed from them. The sign of a velocity that
 /// may be zero is uncertain, and with it the dry friction.
 ///
-/// What the proof assumes: arithmetic of IEEE 754, rounded to nearest; a sine and a cosine within one unit in
-/// the last place of the exact one, which is proven for the kernels of this crate and assumed of the crate `libm`
-/// that takes over at angles beyond 1e5 rad; an exponential within one unit, as `libm` states.
+/// The proof assumes arithmetic of IEEE 754, rounded to nearest, and sines, cosines and exponentials within one unit in
+/// the last place. That is proven for the sines of this crate, and assumed of the crate `libm` for exponentials and
+/// angles beyond 1e5 rad.
 ///
 /// ```
 /// # extern crate dynamics_runtime as robot_dynamics;
@@ -90,12 +88,12 @@ impl<F: Rounded> Certified<F> {
         Certified::new(value, Bound::new(error))
     }
 
-    /// What is computed: the same digits as without a bound.
+    /// The computed number: the same digits as without a bound.
     pub fn value(self) -> F {
         self.value
     }
 
-    /// How far the exact number may be from the value: infinite where nothing is proven.
+    /// The greatest distance of the exact number from the value: infinite where nothing is proven.
     pub fn bound(self) -> F::Magnitude {
         self.error.get()
     }

@@ -1,8 +1,7 @@
 //! The rule of each operation.
 //!
-//! With a' = a + e_a, what is known of a: |a' - a| is at most the bound of a. The result is what the operands
-//! pass on, and what the operation itself leaves out (Higham, *Accuracy and Stability of Numerical Algorithms*,
-//! 2nd ed., section 3.3).
+//! With a' = a + e_a, |e_a| is at most the bound of a. The error of a result is that which the operands pass on and the
+//! rounding of the operation (Higham, *Accuracy and Stability of Numerical Algorithms*, 2nd ed., section 3.3).
 
 use core::ops::{Add, Div, Mul};
 

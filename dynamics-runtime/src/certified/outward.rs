@@ -1,13 +1,12 @@
 //! Arithmetic of bounds, every result rounded up.
 //!
-//! The sum of two bounds in doubles may be less than the bounds together. What is computed is off by half a
-//! unit in the last place at most, so that the next larger number is a bound again.
+//! A computed result is off by half a unit in the last place at most, so that the next larger number is a bound.
 
 use core::ops::{Add, Div, Mul};
 
 use super::rounded::Magnitude;
 
-/// What an error is at most: zero or more; infinite where nothing is known. Never NaN.
+/// The greatest size of an error: zero or more; infinite where nothing is known. Never NaN.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 pub(super) struct Bound<F>(F);
 
@@ -77,7 +76,7 @@ impl<F: Magnitude> Add for Bound<F> {
 impl<F: Magnitude> Mul for Bound<F> {
     type Output = Self;
 
-    /// What is not known stays so, times zero too.
+    /// An unknown bound stays unknown, times zero too.
     fn mul(self, other: Self) -> Self {
         if !(self.is_known() && other.is_known()) {
             Bound::UNKNOWN

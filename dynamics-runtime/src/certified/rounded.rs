@@ -41,7 +41,7 @@ pub trait Magnitude:
 
 /// A precision that [`Certified`](super::Certified) numbers have: `f64`, `f32`, or [`DoubleDouble`].
 pub trait Rounded: Scalar + PartialOrd {
-    /// What bounds of errors are kept in: the float itself, a double beside 31 digits.
+    /// The numbers of bounds: the float itself, a double beside 31 digits.
     type Magnitude: Magnitude;
 
     /// The precision in which residuals are evaluated: double of single, 31 digits of double.
@@ -62,19 +62,19 @@ pub trait Rounded: Scalar + PartialOrd {
     #[doc(hidden)]
     fn least_magnitude(self) -> Self::Magnitude;
 
-    /// How far a product, a quotient or a root may be from this number, to which it was rounded.
+    /// The greatest distance of a product, a quotient or a root from this number, to which it was rounded.
     #[doc(hidden)]
     fn rounding(self) -> Self::Magnitude;
 
-    /// What the rounding of a sum left out, at most.
+    /// The greatest rounding of a sum.
     #[doc(hidden)]
     fn left_out(a: Self, b: Self, sum: Self) -> Self::Magnitude;
 
-    /// How far an exponential may be from this number, which was computed.
+    /// The greatest distance of an exponential from this number, which was computed.
     #[doc(hidden)]
     fn kernel_error(self) -> Self::Magnitude;
 
-    /// How far the sine or cosine of this angle may be from the number that was computed.
+    /// The greatest distance of the sine or cosine of this angle from the computed number.
     #[doc(hidden)]
     fn sine_error(self, sine: Self) -> Self::Magnitude;
 

@@ -1,4 +1,4 @@
-//! What generated functions ask of a number.
+//! The operations of generated functions.
 
 use num_traits::Zero;
 
@@ -119,7 +119,7 @@ impl<F: Rounded> Scalar for Certified<F> {
         Certified::new(value, error)
     }
 
-    /// Of the value: the same branches are taken as without bounds.
+    /// The answer for the value: the same branches are taken as without bounds.
     fn is_positive(self) -> bool {
         self.value.is_positive()
     }

@@ -19,7 +19,7 @@ use super::rounded::Magnitude;
 use super::{Certified, Rounded};
 use crate::factorisation::Factors;
 
-/// What solutions with a matrix M are judged by.
+/// The bounds by which solutions with a matrix M are judged.
 pub(super) struct Verification<F: Rounded, const N: usize> {
     /// R.
     inverse: SMatrix<F, N, N>,
@@ -62,7 +62,7 @@ impl<F: Rounded, const N: usize> Verification<F, N> {
         SVector::from_fn(|i, _| product(&self.inverse, i, b).value())
     }
 
-    /// How far a vector with this residual is from the solution, at most.
+    /// The greatest distance of a vector with this residual from the solution.
     pub(super) fn error(
         &self,
         residual: &SVector<Certified<F>, N>,

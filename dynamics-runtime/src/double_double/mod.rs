@@ -10,19 +10,16 @@ use crate::Scalar;
 
 /// A number of about 31 digits: the unevaluated sum of two doubles (Dekker 1971).
 ///
-/// Generated functions run on it as they do on `f64`, and take 60 to 80 times as long. It tells how far a
-/// result in `f64` is from the value that the same function has at the same numbers, and carries
-/// differences and long integrations that `f64` has too few digits for.
+/// Generated functions run on it as they do on `f64`, and take 60 to 80 times as long. It tells the error of a result in
+/// `f64`, and carries differences and long integrations that `f64` has too few digits for.
 ///
-/// The constants of a generated function are the doubles that stand in its text, each the
-/// exact value rounded once: a value in `DoubleDouble` is the exact value of *that* function. Cells
-/// that are fields of the struct are the doubles that the fields hold.
+/// The constants of a generated function are the doubles in its text, each the exact value rounded once: a value in
+/// `DoubleDouble` is the exact value of *that* function. Cells that are fields are the doubles that the fields hold.
 ///
-/// Relative errors, with u = 2^-53: sums and differences below 3 u^2, products 5 u^2, quotients
-/// 10 u^2, roots 4 u^2 (u^2 = 1.2e-32; Joldes, Muller and Popescu 2017; Lefevre, Louvet,
-/// Muller, Picot and Rideau 2023). Sines and cosines are within 1e-31 up to angles of
-/// 7e15 rad, and NaN beyond; exponentials within 5e-31. The range is that of `f64`, but products below 1e-291 lose digits of
-/// their second half.
+/// Relative errors, with u = 2^-53: sums and differences below 3 u^2, products 5 u^2, quotients 10 u^2, roots 4 u^2
+/// (u^2 = 1.2e-32; Joldes, Muller and Popescu 2017; Lefevre, Louvet, Muller, Picot and Rideau 2023). Sines and cosines
+/// are within 1e-31 up to angles of 7e15 rad, and NaN beyond; exponentials within 5e-31. The range is that of `f64`, but
+/// products below 1e-291 lose digits of their second half.
 ///
 /// ```
 /// # extern crate dynamics_runtime as robot_dynamics;
@@ -55,7 +52,7 @@ impl DoubleDouble {
         self.high
     }
 
-    /// What the nearest double leaves.
+    /// The rest beside the nearest double.
     #[inline]
     pub const fn low(self) -> f64 {
         self.low

@@ -1,11 +1,10 @@
 //! The operations of double-double arithmetic.
 //!
-//! M. Joldes, J.-M. Muller, V. Popescu, *Tight and rigorous error bounds for basic building blocks
-//! of double-word arithmetic*, ACM Trans. Math. Software 44 (2017), article 15, whose algorithms
-//! the names in brackets are.
+//! Names in brackets are those of algorithms in M. Joldes, J.-M. Muller, V. Popescu, *Tight and rigorous error bounds for
+//! basic building blocks of double-word arithmetic*, ACM Trans. Math. Software 44 (2017), article 15.
 //!
-//! Sums, products and quotients are calls: inlined, each has some forty instructions and a branch,
-//! and a program of some hundred operations would take the compiler minutes.
+//! Sums, products and quotients are calls: inlined, a program of some hundred operations would take the compiler
+//! minutes.
 
 use core::ops::{Add, Div, Mul};
 
@@ -14,7 +13,7 @@ use crate::exact;
 use crate::float::Float as _;
 use crate::operators::{impl_assign, impl_operators};
 
-/// What is not finite keeps its value.
+/// Results that are not finite keep their value.
 impl DoubleDouble {
     /// `a + b` without rounding.
     #[inline]

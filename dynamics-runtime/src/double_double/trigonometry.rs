@@ -45,7 +45,7 @@ fn reduced(x: DoubleDouble, n: f64) -> DoubleDouble {
 /// 1 - z/((k+1)(k+2)) (1 - z/((k+3)(k+4)) (1 - ...)), of which sin x / x is the case k = 1, cos x
 /// the case k = 0, with z = x^2: for z below 0.62 the first term left out is below 1e-37.
 ///
-/// What the inner brackets weigh in the sum is below 3e-18: doubles are enough for them.
+/// The weight of the inner brackets in the sum is below 3e-18: doubles are enough for them.
 fn series(z: DoubleDouble, k: f64) -> DoubleDouble {
     let divisor = |i: i32| (k + f64::from(2 * i + 1)) * (k + f64::from(2 * i + 2));
     let inner = (9..16)

@@ -13,12 +13,12 @@ pub(crate) struct Dop853Method;
 impl<const N: usize> Embedded<N> for Dop853Method {
     type Rates = [Phase<N>; STAGES];
 
-    /// Of seventh degree (section II.6, in the form of the program DOP853).
+    /// A polynomial of seventh degree (section II.6, in the form of the program DOP853).
     type Polynomial = [Phase<N>; 8];
 
     const LAST: usize = LAST;
 
-    /// Those of the program DOP853.
+    /// The constants of the program DOP853.
     const CONTROL: Constants = Constants {
         order: 8.0,
         beta: 0.0,

@@ -1,8 +1,7 @@
 //! Coefficients of the method of order 8(5,3) of Dormand and Prince, DOP853.
 //!
-//! E. Hairer, S. P. Nørsett, G. Wanner, *Solving Ordinary Differential Equations I*, 2nd edition,
-//! section II.5 (the method, after P. J. Prince and J. R. Dormand 1981), section II.6 (dense output
-//! of order 7), and their program DOP853, whose digits these are, rounded to doubles.
+//! E. Hairer, S. P. Nørsett, G. Wanner, *Solving Ordinary Differential Equations I*, 2nd edition, section II.5 (after
+//! P. J. Prince and J. R. Dormand 1981) and II.6 (dense output of order 7); the digits of their program DOP853 in doubles.
 
 /// Number of stages; twelve make the result, the thirteenth is the first of the next step, three more
 /// the dense output.

@@ -14,13 +14,12 @@ pub(crate) struct DormandPrince54;
 impl<const N: usize> Embedded<N> for DormandPrince54 {
     type Rates = [Phase<N>; STAGES];
 
-    /// Of fourth degree (Hairer, Nørsett, Wanner I, section II.6, in the form of their program
-    /// DOPRI5).
+    /// A polynomial of fourth degree (Hairer, Nørsett, Wanner I, section II.6, in the form of their program DOPRI5).
     type Polynomial = [Phase<N>; 5];
 
     const LAST: usize = STAGES - 1;
 
-    /// Those of the program DOPRI5.
+    /// The constants of the program DOPRI5.
     const CONTROL: Constants = Constants {
         order: 5.0,
         beta: 0.04,

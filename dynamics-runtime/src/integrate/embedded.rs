@@ -1,4 +1,4 @@
-//! What an explicit method with error control and dense output has to say of itself.
+//! Explicit methods with error control and dense output.
 
 use core::ops::{Index, IndexMut};
 

@@ -1,4 +1,4 @@
-//! What a method of integration asks of the motion that it follows.
+//! The motions that methods of integration follow.
 
 use nalgebra::SVector;
 
@@ -12,7 +12,7 @@ pub(crate) trait Equations<const N: usize> {
     /// The acceleration at a time in a phase.
     fn acceleration(&self, t: f64, phase: &Phase<N>) -> Result<SVector<f64, N>, Self::Refusal>;
 
-    /// How the phase moves.
+    /// The rate of change of the phase.
     #[inline]
     fn rate(&self, t: f64, phase: &Phase<N>) -> Result<Phase<N>, Self::Refusal> {
         Ok(phase.rate(self.acceleration(t, phase)?))

@@ -25,7 +25,7 @@ struct Tableau<const STAGES: usize> {
     ahead: [[f64; STAGES]; STAGES],
 }
 
-/// What a step hands on to the next one, besides the phase that it returned.
+/// The results of a step for the next one, besides the phase that it returned.
 struct Carried<const STAGES: usize, const N: usize> {
     phase: Phase<N>,
     h: f64,
@@ -34,14 +34,14 @@ struct Carried<const STAGES: usize, const N: usize> {
 }
 
 impl<const N: usize> GaussLegendre<1, N> {
-    /// Of order 2: the implicit midpoint rule.
+    /// The method of order 2: the implicit midpoint rule.
     pub(crate) fn order_2() -> Self {
         Self::new([[0.5]], [1.0], [0.5])
     }
 }
 
 impl<const N: usize> GaussLegendre<2, N> {
-    /// Of order 4.
+    /// The method of order 4.
     pub(crate) fn order_4() -> Self {
         let r = 3.0_f64.sqrt() / 6.0;
         let a = [[0.25, 0.25 - r], [0.25 + r, 0.25]];
@@ -50,7 +50,7 @@ impl<const N: usize> GaussLegendre<2, N> {
 }
 
 impl<const N: usize> GaussLegendre<3, N> {
-    /// Of order 6.
+    /// The method of order 6.
     pub(crate) fn order_6() -> Self {
         let r = 15.0_f64.sqrt();
         let (outer, inner) = (5.0 / 36.0, 2.0 / 9.0);
@@ -162,12 +162,11 @@ impl<S: Canonical<N>, const STAGES: usize, const N: usize> OneStep<S, S::Refusal
     }
 }
 
-/// How much an iteration changed the rates of the stages. NaN where a rate is.
+/// The relative change of the rates of the stages by an iteration. NaN where a rate is.
 struct Change {
-    /// Of positions or of momenta, whichever is more beside what it changed.
+    /// The greater one of those of positions and of momenta.
     all: f64,
-    /// Of positions, beside what it changed and [`SLOW`] a step. In an arm at rest the others are
-    /// rounding beside rounding.
+    /// The change of positions relative to them and [`SLOW`] a step. In an arm at rest others are rounding over rounding.
     velocities: f64,
 }
 

@@ -5,11 +5,8 @@ use nalgebra::{ComplexField, SMatrix, SVector};
 /// A matrix as the product of a lower and an upper triangle, with rows exchanged so that each pivot
 /// is the largest of its column (Golub and Van Loan, *Matrix Computations*, algorithm 3.4.1).
 ///
-/// Where a pivot is 0 the solutions are not finite.
-///
-/// It is not nalgebra's, whose factorisations of an N x N matrix ask that N be one of the numbers
-/// that it has types for (`Const<N>: DimMin<Const<N>>`): the bound would stand in the signature of
-/// everything that is generic over the number of joints, up to the simulation's `run`.
+/// Where a pivot is 0 the solutions are not finite. It is not nalgebra's, whose bound `Const<N>: DimMin<Const<N>>` would
+/// stand in the signature of everything that is generic over the number of joints.
 #[derive(Clone, Copy)]
 pub(crate) struct Lu<T, const N: usize> {
     factors: SMatrix<T, N, N>,

@@ -19,7 +19,7 @@ impl<const N: usize> Phase<N> {
         }
     }
 
-    /// How this point moves under an acceleration.
+    /// The rate of change of this point under an acceleration.
     pub(super) fn rate(&self, qdd: SVector<f64, N>) -> Self {
         Phase {
             q: self.qd,

@@ -53,11 +53,8 @@ impl StepControl {
         let (least, _) = self.constants.factors;
         self.rejected = true;
         let wish = SAFETY * error.powf(-self.alpha());
-        if wish.is_finite() {
-            wish.clamp(least, 1.0)
-        } else {
-            least
-        }
+        let factor = if wish.is_finite() { wish } else { least };
+        factor.clamp(least, 1.0)
     }
 }
 

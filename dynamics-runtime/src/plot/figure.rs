@@ -18,8 +18,7 @@ const TITLE_HEIGHT: u32 = 44 * PIXEL;
 /// Beside the curves and never on them.
 const LEGEND_WIDTH: u32 = 170 * PIXEL;
 
-/// Colours that stay apart for colour-blind readers: Okabe and Ito, Color Universal Design (2008), and
-/// some more where seven are too few.
+/// Colours that stay apart for colour-blind readers (Okabe and Ito, Color Universal Design, 2008), and some more.
 pub const COLOURS: [RGBColor; 12] = [
     RGBColor(0, 114, 178),
     RGBColor(213, 94, 0),
@@ -38,7 +37,7 @@ pub const COLOURS: [RGBColor; 12] = [
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 type Chart<'a, 'b> = ChartContext<'a, SVGBackend<'b>, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
 
-/// One named curve. What is not finite has no place in it.
+/// One named curve. Numbers that are not finite have no place in it.
 #[derive(Clone, Debug)]
 pub struct Curve {
     name: String,
@@ -48,13 +47,10 @@ pub struct Curve {
 impl Curve {
     /// The values `y` at the times `t`, s.
     pub fn new(name: impl Into<String>, t: &[f64], y: impl IntoIterator<Item = f64>) -> Self {
-        let points = t.iter().copied().zip(y);
-        let points = points
-            .filter(|(t, y)| t.is_finite() && y.is_finite())
-            .collect();
+        let is_finite = |(t, y): &(f64, f64)| t.is_finite() && y.is_finite();
         Self {
             name: name.into(),
-            points,
+            points: t.iter().copied().zip(y).filter(is_finite).collect(),
         }
     }
 }
@@ -115,16 +111,15 @@ impl Figure {
         y_label: impl Into<String>,
         curves: impl IntoIterator<Item = Curve>,
     ) -> Self {
-        let curves = curves.into_iter().collect();
         self.panels.push(Panel {
             y_label: y_label.into(),
-            curves,
+            curves: curves.into_iter().collect(),
         });
         self
     }
 
-    /// Writes the drawing into a file, in a folder that is made where it is missing. A file that is there is replaced when
-    /// the drawing is complete, and stays as it was if it cannot be.
+    /// Writes the drawing into a file, whose folder is made where it is missing. An old file is replaced when the drawing
+    /// is complete.
     ///
     /// # Errors
     ///
@@ -230,11 +225,7 @@ impl Panel {
 
     fn time_range(&self) -> Range<f64> {
         let (low, high) = extent(self.curves.iter().flat_map(|c| &c.points).map(|p| p.0));
-        if low < high {
-            low..high
-        } else {
-            low..low + 1.0
-        }
+        low..if low < high { high } else { low + 1.0 }
     }
 
     /// The values' range with a margin, and a range of its own for a constant.
@@ -256,14 +247,9 @@ fn font(size: u32) -> (&'static str, u32) {
 
 /// The least and the greatest of some values; of none, 0 and 1.
 fn extent(values: impl Iterator<Item = f64>) -> (f64, f64) {
-    let extent = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| {
-        (low.min(v), high.max(v))
-    });
-    if extent.0 <= extent.1 {
-        extent
-    } else {
-        (0.0, 1.0)
-    }
+    let widened = |(low, high): (f64, f64), v| (low.min(v), high.max(v));
+    let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), widened);
+    if low <= high { (low, high) } else { (0.0, 1.0) }
 }
 
 /// A label with the digits that ticks need on an axis whose largest value is `largest`.

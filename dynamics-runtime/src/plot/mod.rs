@@ -11,7 +11,7 @@ use std::error::Error;
 pub use figure::COLOURS;
 pub use figure::{Curve, Figure, joints};
 
-/// What drawing returns: it ends in an error where a file cannot be written.
+/// The result of drawing: an error where a file cannot be written.
 pub type Outcome<T = ()> = Result<T, Box<dyn Error>>;
 
 #[cfg(doc)]

@@ -6,9 +6,8 @@ use super::{Curve, Figure, Outcome, joints};
 use crate::{JointType, Model, Trajectory};
 
 impl<const N: usize> Trajectory<N> {
-    /// Draws the run into the file, as SVG: panels of positions, velocities, accelerations, torques and, where
-    /// the robot knows them ([`Model::energies`]), energies, over one time axis. Where joints turn and others
-    /// slide, each kind has panels of its own.
+    /// Draws the run into the file, as SVG: panels of positions, velocities, accelerations, torques and, where the robot
+    /// knows them ([`Model::energies`]), energies. Joints that turn and joints that slide have panels of their own.
     ///
     /// ```no_run
     /// # extern crate dynamics_runtime as robot_dynamics;
@@ -40,16 +39,16 @@ impl<const N: usize> Trajectory<N> {
         let turns: [bool; N] = core::array::from_fn(|i| rows[i].joint_type == JointType::Revolute);
         let mut figure = Figure::new(String::new());
         let quantities = [
-            ("position", [", rad", ", m"], &self.q),
-            ("velocity", [", rad/s", ", m/s"], &self.qd),
-            ("acceleration", [", rad/s²", ", m/s²"], &self.qdd),
-            ("torque", [", N m", ", N"], &self.tau),
+            (["position, rad", "position, m"], &self.q),
+            (["velocity, rad/s", "velocity, m/s"], &self.qd),
+            (["acceleration, rad/s²", "acceleration, m/s²"], &self.qdd),
+            (["torque, N m", "force, N"], &self.tau),
         ];
-        for (name, units, values) in quantities {
+        for (labels, values) in quantities {
             if values.len() != self.len() {
                 continue;
             }
-            for (kind, unit) in [true, false].into_iter().zip(units) {
+            for (kind, label) in [true, false].into_iter().zip(labels) {
                 let curves = joints(robot.joint_names(), &self.t, values.iter().copied());
                 let of_kind = curves
                     .into_iter()
@@ -57,12 +56,7 @@ impl<const N: usize> Trajectory<N> {
                     .filter(|(_, turns)| *turns == kind);
                 let curves: Vec<Curve> = of_kind.map(|(curve, _)| curve).collect();
                 if !curves.is_empty() {
-                    let name = if name == "torque" && !kind {
-                        "force"
-                    } else {
-                        name
-                    };
-                    figure = figure.panel(format!("{name}{unit}"), curves);
+                    figure = figure.panel(label, curves);
                 }
             }
         }

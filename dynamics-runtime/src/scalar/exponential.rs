@@ -1,8 +1,7 @@
 //! The exponential function in any arithmetic.
 //!
-//! `f64` and `f32` have those of the crate `libm` (after FreeBSD's `e_exp.c` and `e_expf.c`) on every platform,
-//! with the standard library or without: less than one unit in the last place off, the same digits everywhere,
-//! and each in its own precision.
+//! `f64` and `f32` have those of the crate `libm` (after FreeBSD's `e_exp.c` and `e_expf.c`) on every platform: less than
+//! one unit in the last place off, each in its own precision.
 
 use crate::Scalar;
 

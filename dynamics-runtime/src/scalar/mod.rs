@@ -41,11 +41,11 @@ pub trait Scalar:
     /// The number nearest to `x`.
     fn from_f64(x: f64) -> Self;
 
-    /// The number nearest to `x`, in the arithmetic of `self`, whose value does not matter.
+    /// The number nearest to `x`, in the arithmetic of `self`, whose value does not matter: a constant of a generated
+    /// function.
     ///
-    /// Generated functions make their constants with it. It equals [`from_f64`](Scalar::from_f64), except for types
-    /// whose values carry the arithmetic to use, such as lanes of an instruction set that is chosen at run time, or
-    /// numbers of a precision that is.
+    /// It equals [`from_f64`](Scalar::from_f64), except for types whose values carry an arithmetic that is chosen at run
+    /// time: the lanes of an instruction set, or a precision.
     #[inline(always)]
     fn constant(self, x: f64) -> Self {
         Self::from_f64(x)
@@ -62,8 +62,8 @@ pub trait Scalar:
 
     /// `self`, a constant of a generated function, or the `f32` nearest to it in single precision.
     ///
-    /// Generated functions write their constants as doubles. A constant that lies so close to the middle of two
-    /// neighbouring `f32` that its double would be rounded to the wrong one is written with both.
+    /// A constant so close to the middle of two neighbouring `f32` that its double would be rounded to the wrong one is
+    /// written with both.
     #[doc(hidden)]
     #[inline(always)]
     fn rounded_once(self, single: f32) -> Self {
@@ -109,13 +109,10 @@ pub trait Scalar:
         exponential::by_reduction(self)
     }
 
-    /// `self * a + b`: rounded once where the target has a fused instruction for it, else a
-    /// product and a sum.
+    /// `self * a + b`: rounded once where the target has a fused instruction for it, else a product and a sum.
     ///
-    /// A fused operation in software is many times slower than the two operations that it
-    /// replaces, so it is used only where the compiler may emit the instruction: always on
-    /// `aarch64`, and on x86 where the target feature `fma` is switched on; never without the feature
-    /// `std`.
+    /// The compiler may emit the instruction on `aarch64`, and on x86 where the target feature `fma` is switched on; never
+    /// without the feature `std`. In software it would be many times slower than the two operations.
     fn mul_add(self, a: Self, b: Self) -> Self;
 
     /// The sign as a number: -1, 0 or 1. Zero of either sign gives 0, NaN gives NaN.

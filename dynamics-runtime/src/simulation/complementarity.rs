@@ -39,8 +39,8 @@ pub(super) struct Balance<const N: usize> {
 /// The worst case of ten joints, 3^10. A search takes about as many pivots as there are contacts.
 const MOST_PIVOTS: usize = 60_000;
 
-/// A force or a rate within this share of its terms of the bound is at the bound. Without that, rounding could turn a
-/// pivot back and forth.
+/// The distance from a bound, over its terms, at which a force or a rate is at the bound, so that rounding turns no pivot
+/// back and forth.
 const ROUNDING: f64 = 1e-13;
 
 /// The balance of the contacts that have bounds `[low, high]`, searched from `start`, whose forces are finite. `None` if

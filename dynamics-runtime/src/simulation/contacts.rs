@@ -172,7 +172,7 @@ impl<R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N: usize> Motion<'_, R, L, 
         if (0..N).all(|i| way(i) == 0.0) {
             return Ok(None);
         }
-        // So slow that a law without a jump at rest has the same digits there.
+        // A law without a jump at rest has the same digits at a velocity as low as that.
         let mut moves = *phase;
         for i in 0..N {
             moves.qd[i] += way(i) * f64::MIN_POSITIVE;

@@ -141,8 +141,7 @@ impl fmt::Display for JointSet {
 }
 
 impl Cause {
-    /// The cause under error control, where no state is reached that is not finite: the stage that
-    /// asks for one belongs to a step that is too long, the shortest that there is.
+    /// The cause under error control, where a state that is not finite is that of a stage of a step that is too long.
     pub(super) fn of_long_steps(self) -> Self {
         match self {
             Cause::NonFiniteState { .. } => Cause::StepTooSmall,

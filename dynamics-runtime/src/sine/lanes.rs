@@ -1,4 +1,4 @@
-//! What the kernels need of a number, or of several in the lanes of a vector.
+//! The operations of the kernels on a number, or on several in the lanes of a vector.
 
 use core::ops::{Add, Mul, Sub};
 use fearless_simd::{
@@ -10,8 +10,7 @@ use crate::unrolled::for_each_index;
 
 /// A float, or several in lanes.
 ///
-/// But for products that are fused with sums, no operation rounds otherwise in one lane than in eight, nor on
-/// one processor than on another: every width and every target gives the same digits.
+/// But for products that are fused with sums, every width and every target rounds alike and gives the same digits.
 pub(crate) trait Lanes:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self>
 {
@@ -93,7 +92,7 @@ pub(crate) struct Reduced<L> {
     pub(super) n: L,
     /// The rest.
     pub(super) rest: L,
-    /// By how much `rest` is too large.
+    /// The excess of `rest`.
     pub(super) excess: L,
 }
 

@@ -34,7 +34,7 @@ pub(crate) trait Sines: Lanes<Number = Self> + Kernel {
     /// Whether the lowest bit is set.
     fn is_odd(self) -> bool;
 
-    /// What is read of the sine and the cosine of every angle, with the digits of [`of_array`](Sines::of_array);
+    /// The parts of the sine and the cosine of every angle, with the digits of [`of_array`](Sines::of_array);
     /// the rest is any number.
     #[inline(always)]
     fn parts_of_array<const K: usize>(x: [Self; K], parts: [Part; K]) -> [(Self, Self); K] {

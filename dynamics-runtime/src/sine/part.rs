@@ -5,7 +5,7 @@ use super::lanes::Reduced;
 use super::{Kernel as _, sin_cos};
 use super::{Lanes, Sines};
 
-/// What a generated function reads of the sine and the cosine of an angle.
+/// The part of the sine and the cosine of an angle that a generated function reads.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Part {
     /// Both of them.

@@ -62,10 +62,9 @@ pub(super) fn two_singles(level: Level, a: f32, b: f32) -> Pair<f32, 4> {
 
 /// Whether eight doubles are in two vectors, and not in one of 512 bits.
 ///
-/// Intel's processors have two units that multiply doubles. While an instruction of 512 bits is under way, one of them
-/// is a half of a larger one, and what follows the sines takes up to twice as long (PERFORMANCE.md). AMD's
-/// processors, which alone have SSE4a, lose nothing, and gain by one vector. Where the build leaves the instructions
-/// to the processor at hand, sines are called for, and are over before the rest begins.
+/// On Intel's processors an instruction of 512 bits takes both units that multiply doubles, and the operations behind the
+/// sines take up to twice as long (PERFORMANCE.md). AMD's, which alone have SSE4a, gain by one vector. Where the build
+/// leaves the instructions to the processor at hand, sines are calls, and are over before the rest begins.
 const IS_HALVED: bool = cfg!(all(
     target_feature = "avx512f",
     not(target_feature = "sse4a")
@@ -105,9 +104,8 @@ fn side_by_side(low: [f64; 4], high: [f64; 4]) -> [f64; 8] {
 
 /// Angles among which there is a large one, or no number.
 ///
-/// The angles are an array of their own here, for what has an address stays out of the registers. So are the sines,
-/// and the cosines: where all of them lie side by side, the compiler joins them on the usual way too, in one vector of
-/// twice the width.
+/// The angles are an array of their own here, because an array with an address stays out of the registers. So are sines
+/// and cosines: side by side, the compiler would join them on the usual way too, in one vector of twice the width.
 #[inline(always)]
 fn rarely<F: Sines + Default, const W: usize>(x: [F; W]) -> Pair<F, W> {
     let (mut sines, mut cosines) = ([F::default(); W], [F::default(); W]);

@@ -34,10 +34,9 @@ impl Polynomial {
     /// The least s from 0 to 1 at which the polynomial passes from above `-margin` to below it; `None`
     /// where it does not, or is not a number.
     ///
-    /// In the basis of Bernstein a polynomial lies between its least and its greatest coefficient, and has
-    /// no more zeros in an interval than its coefficients have changes of sign (G. Farin, *Curves and
-    /// Surfaces for CAGD*, chapter 6): intervals are halved, the earlier half first, until one of the
-    /// two says whether there is a zero.
+    /// In the basis of Bernstein a polynomial lies between its least and its greatest coefficient, and has no more zeros
+    /// in an interval than its coefficients have changes of sign (G. Farin, *Curves and Surfaces for CAGD*, chapter 6):
+    /// intervals are halved, the earlier half first, until these settle it.
     pub(crate) fn first_passage(mut self, margin: f64) -> Option<f64> {
         self.0[0] += margin;
         // A polynomial that begins at the margin and rises has not passed it.

@@ -6,9 +6,8 @@ use crate::Scalar;
 use crate::operators::impl_operators;
 use crate::sine::{Sines, level};
 
-/// A double whose [`mul_add`](Scalar::mul_add) is fused: for processors that have the instruction
-/// although the build may not count on it. A series is a long chain of products that are added:
-/// the wider vectors of such a processor and the fused products save a fifth of the PUMA 560's time.
+/// A double whose [`mul_add`](Scalar::mul_add) is fused, for processors that have the instruction although the build may
+/// not count on it: wider vectors and fused products save a fifth of the PUMA 560's time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Fused(pub(super) f64);
 

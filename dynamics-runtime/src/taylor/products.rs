@@ -71,7 +71,7 @@ pub struct Block<T, L> {
     lead_left: L,
     /// The inner sums of the order at hand.
     sum: Lanes<T>,
-    /// What the orders of a group have in common: see [`advance`].
+    /// The sums that the orders of a group have in common: see [`advance`].
     begun: [Lanes<T>; GROUP],
     /// All orders before.
     right: [Lanes<T>; MAX_TAYLOR_ORDER],

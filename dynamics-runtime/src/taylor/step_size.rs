@@ -7,16 +7,14 @@ use crate::integrate::Tolerance;
 
 /// Coefficients that the step is chosen from.
 ///
-/// At rest, and where a motion is symmetric in time, coefficients vanish by turns, up to three of
-/// four in a row: a link that starts horizontally has q_2, q_6, q_10, ... alone. A step chosen from
-/// the last two would have no bound.
+/// At rest, and where a motion is symmetric in time, up to three of four coefficients vanish: a link that starts
+/// horizontally has q_2, q_6, q_10, ... alone. A step chosen from the last two would have no bound.
 const WINDOW: usize = 6;
 
 /// The order that a tolerance takes the least work with, `1 - 2/3 ln(tolerance)`.
 ///
-/// Where the work of a step grows with the square of the order it is `1 - ln(tolerance) / 2` (Jorba
-/// and Zou 2005, section 3.1), where it is proportional to it, twice that. Here it is in between: most
-/// of the work is that of the equations at each order, not that of the inner sums.
+/// Where the work of a step grows with the square of the order it is `1 - ln(tolerance) / 2` (Jorba and Zou 2005, section
+/// 3.1), where it is proportional to the order, twice that. Here it is in between.
 pub(crate) fn order(tolerance: f64) -> usize {
     let order = (1.0 - tolerance.ln() / 1.5).ceil();
     (order as usize).clamp(FEWEST_ORDERS, MAX_TAYLOR_ORDER)
@@ -27,9 +25,8 @@ pub(crate) const FEWEST_ORDERS: usize = WINDOW + 2;
 
 /// The step in which the terms of order `p` reach the tolerance.
 ///
-/// With errors in units of the tolerance, the term of order p is `r^p / tolerance` where r is the
-/// step over the radius of convergence. Each of the last coefficients gives an estimate of that
-/// radius, by its root; the least of them counts:
+/// With errors in units of the tolerance, the term of order p is `r^p / tolerance` where r is the step over the radius of
+/// convergence. Each of the last coefficients gives an estimate of that radius by its root; the least counts:
 ///
 /// `h = min_k (scale / |q_k|)^(1/k) tolerance^(1/p)`, and the same of the velocities, of order p - 1.
 pub(crate) fn step_size<const N: usize>(

@@ -10,8 +10,7 @@ use crate::SingularMassMatrix;
 use crate::exact::{two_sum, two_sums};
 use crate::integrate::{Failure, Phase, StepRange, Stepper, Tolerance, first_non_finite};
 
-/// An arm whose torques are constant, and of which some joints are held where they are, until a stepper is
-/// told to begin again.
+/// An arm under constant torques, some of whose joints are held, until a stepper is told to begin again.
 pub(crate) trait Steady<const N: usize> {
     /// The arm.
     type Arm: TaylorDynamics<N>;
@@ -49,8 +48,8 @@ where
     start: f64,
     t: f64,
     phase: Phase<N>,
-    /// What the roundings of time and phase have lost: the sums of steps are compensated (W. Kahan
-    /// 1965; E. Hairer, C. Lubich, G. Wanner, *Geometric Numerical Integration*, VIII.5).
+    /// The lost roundings of time and phase: the sums of steps are compensated (W. Kahan 1965; E. Hairer, C. Lubich,
+    /// G. Wanner, *Geometric Numerical Integration*, VIII.5).
     lost_time: f64,
     lost: Phase<N>,
     rejected: u64,
@@ -146,8 +145,8 @@ impl<R: TaylorDynamics<N>, const N: usize> SeriesStepper<R, N> {
         ((position + q[1]) * h, velocity)
     }
 
-    /// Whether the accelerations at the end of a step, which the next series has begun with, are
-    /// those of its series: what guards against a series that does not converge there.
+    /// Whether the accelerations at the end of a step, with which the next series has begun, are those of its series: it
+    /// may not converge there.
     fn fits(&self, h: f64) -> bool {
         let q = self.series.coefficients();
         let mut series = SVector::<f64, N>::zeros();

@@ -6,8 +6,7 @@ use fearless_simd::{Simd, SimdBase};
 use nalgebra::{Const, Dyn, Matrix, SMatrix, SVector, VecStorage};
 
 use super::{MOST_LANES, Sink, Source, States, StatesMut, each_joint, lengths};
-use crate::batch::wide::Precision;
-use crate::batch::wide::{Wide, lanes};
+use crate::batch::wide::{Precision, Wide, lanes};
 use crate::function::Entries;
 
 /// A column for each joint.
@@ -130,47 +129,8 @@ impl<'a, E: Precision, const R: usize, const C: usize> Sink<Entries<R, C>, E>
     }
 }
 
-impl<'a, E: Precision, const N: usize> States<N, E> for [&'a [E]; N] {
-    type Source = Columns<'a, E, N>;
-
-    fn source(self) -> Columns<'a, E, N> {
-        Columns(self)
-    }
-}
-
-impl<'a, E: Precision, const N: usize> States<N, E> for &'a [Vec<E>; N] {
-    type Source = Columns<'a, E, N>;
-
-    fn source(self) -> Columns<'a, E, N> {
-        let mut columns = Columns([&[]; N]);
-        for (column, vector) in columns.0.iter_mut().zip(self) {
-            *column = vector;
-        }
-        columns
-    }
-}
-
 /// The matrices of a column for each joint.
 type ByColumns<E, const N: usize> = Matrix<E, Dyn, Const<N>, VecStorage<E, Dyn, Const<N>>>;
-
-impl<'a, E: Precision, const N: usize> States<N, E> for &'a ByColumns<E, N> {
-    type Source = Columns<'a, E, N>;
-
-    fn source(self) -> Columns<'a, E, N> {
-        let mut columns = self.as_slice().chunks_exact(self.nrows().max(1));
-        Columns(core::array::from_fn(|_| columns.next().unwrap_or_default()))
-    }
-}
-
-impl<'a, E: Precision, const R: usize, const C: usize> StatesMut<Entries<R, C>, E>
-    for [[&'a mut [E]; R]; C]
-{
-    type Sink = ColumnsMut<'a, E, R, C>;
-
-    fn sink(self) -> ColumnsMut<'a, E, R, C> {
-        ColumnsMut(self)
-    }
-}
 
 /// The vectors as slices.
 ///
@@ -189,38 +149,52 @@ fn slices<E: Precision, const R: usize, const C: usize>(
     slices
 }
 
-impl<'a, E: Precision, const R: usize, const C: usize> StatesMut<Entries<R, C>, E>
-    for &'a mut [[Vec<E>; R]; C]
-{
-    type Sink = ColumnsMut<'a, E, R, C>;
+macro_rules! impl_columns {
+    ($(States<$n:ident> for $states:ty, |$self:ident| $source:expr;)*) => {$(
+        impl<'a, E: Precision, const $n: usize> States<$n, E> for $states {
+            type Source = Columns<'a, E, $n>;
 
-    fn sink(self) -> ColumnsMut<'a, E, R, C> {
-        slices(self)
-    }
+            fn source($self) -> Columns<'a, E, $n> {
+                $source
+            }
+        }
+    )*};
+    ($(StatesMut<$r:ident, $c:tt $(of $columns:ident)?> for $states:ty, |$self:ident| $sink:expr;)*) => {$(
+        impl<'a, E: Precision, const $r: usize $(, const $columns: usize)?>
+            StatesMut<Entries<$r, $c>, E> for $states
+        {
+            type Sink = ColumnsMut<'a, E, $r, $c>;
+
+            fn sink($self) -> ColumnsMut<'a, E, $r, $c> {
+                $sink
+            }
+        }
+    )*};
 }
 
-impl<'a, E: Precision, const R: usize> StatesMut<Entries<R, 1>, E> for [&'a mut [E]; R] {
-    type Sink = ColumnsMut<'a, E, R, 1>;
-
-    fn sink(self) -> ColumnsMut<'a, E, R, 1> {
-        ColumnsMut([self])
-    }
+impl_columns! {
+    States<N> for [&'a [E]; N], |self| Columns(self);
+    States<N> for &'a [Vec<E>; N], |self| {
+        let mut columns = Columns([&[]; N]);
+        for (column, vector) in columns.0.iter_mut().zip(self) {
+            *column = vector;
+        }
+        columns
+    };
+    States<N> for &'a ByColumns<E, N>, |self| {
+        let mut columns = self.as_slice().chunks_exact(self.nrows().max(1));
+        Columns(from_fn(|_| columns.next().unwrap_or_default()))
+    };
 }
 
-impl<'a, E: Precision, const R: usize> StatesMut<Entries<R, 1>, E> for &'a mut [Vec<E>; R] {
-    type Sink = ColumnsMut<'a, E, R, 1>;
-
-    fn sink(self) -> ColumnsMut<'a, E, R, 1> {
-        slices(core::array::from_mut(self))
-    }
-}
-
-impl<'a, E: Precision, const R: usize> StatesMut<Entries<R, 1>, E> for &'a mut ByColumns<E, R> {
-    type Sink = ColumnsMut<'a, E, R, 1>;
-
-    fn sink(self) -> ColumnsMut<'a, E, R, 1> {
+impl_columns! {
+    StatesMut<R, C of C> for [[&'a mut [E]; R]; C], |self| ColumnsMut(self);
+    StatesMut<R, C of C> for &'a mut [[Vec<E>; R]; C], |self| slices(self);
+    StatesMut<R, 1> for [&'a mut [E]; R], |self| ColumnsMut([self]);
+    StatesMut<R, 1> for &'a mut [Vec<E>; R], |self| slices(core::array::from_mut(self));
+    StatesMut<R, 1> for &'a mut ByColumns<E, R>, |self| {
         let states = self.nrows().max(1);
         let mut columns = self.as_mut_slice().chunks_exact_mut(states);
-        ColumnsMut([core::array::from_fn(|_| columns.next().unwrap_or_default())])
-    }
+        ColumnsMut([from_fn(|_| columns.next().unwrap_or_default())])
+    };
 }

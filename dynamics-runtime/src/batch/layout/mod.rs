@@ -8,8 +8,7 @@ mod transposition;
 use fearless_simd::Simd;
 use nalgebra::{ArrayStorage, SVector};
 
-use crate::batch::wide::Precision;
-use crate::batch::wide::Wide;
+use crate::batch::wide::{Precision, Wide};
 use crate::function::{Arrangement, Of};
 
 /// `N` numbers for each of many states: an argument of a batch. `T` is `f64` or `f32`.

@@ -3,8 +3,7 @@
 use fearless_simd::Simd;
 
 use super::{Sink, StatesMut, lengths};
-use crate::batch::wide::Precision;
-use crate::batch::wide::Wide;
+use crate::batch::wide::{Precision, Wide};
 use crate::function::{Arrangement, Of, each_tuple};
 
 /// A sink for each element of an array.

@@ -5,8 +5,7 @@ use nalgebra::SVector;
 
 use super::transposition::transposed;
 use super::{MOST_LANES, Sink, Source, States, StatesMut, each_joint};
-use crate::batch::wide::Precision;
-use crate::batch::wide::{Wide, lanes};
+use crate::batch::wide::{Precision, Wide, lanes};
 use crate::function::{Arrangement, Of};
 
 /// A vector for each state.

@@ -5,12 +5,11 @@ use fearless_simd::{Simd, SimdBase};
 use super::MOST_LANES;
 use crate::batch::wide::{Precision, Wide, lanes};
 
-/// As many numbers as there are lanes, for as many states: number `i` of state `j`, which is in lane `j` of
-/// `numbers[i]`, is in lane `i` of the vector `j` of what is returned. What is behind these is of no use.
+/// The first vectors, as many as there are lanes, as a matrix that is transposed: lane `j` of `numbers[i]` becomes lane
+/// `i` of vector `j`. The other vectors are of no use.
 ///
-/// Shuffling the two halves of a deck of 2^k cards, first with last, turns the k digits of each place by one: the
-/// numbers of all vectors, one behind the other, are a deck whose places have the digits of i and then those of j, and
-/// after as many shuffles as i has digits those of j are first.
+/// Shuffling the two halves of a deck of 2^k cards turns the k digits of each place by one. The places of all numbers
+/// have the digits of i and then those of j: after as many shuffles as i has digits, those of j are first.
 #[inline(always)]
 pub(super) fn transposed<S: Simd, E: Precision>(
     numbers: &[Wide<S, E>],

@@ -48,7 +48,7 @@ pub(super) const MOST_ITERATIONS: u32 = 7;
 const FAST: f64 = 1e-3;
 
 impl<S: Equations<N>, const N: usize> Step<'_, S, N> {
-    /// How the stages move whose changes are `z`.
+    /// The rates of the stages whose changes are `z`.
     fn rates(&self, z: &[Phase<N>; 3]) -> Result<[Phase<N>; 3], S::Refusal> {
         let mut rates = *z;
         for i in 0..3 {
