@@ -4,8 +4,7 @@ use dynamics_symbolic::robot::JointType;
 
 use super::reader::{Item, Read, Reader, Unknown, put, unknown};
 use crate::description::{
-    Axis, Coulomb, Entries, Friction, Given, Inertia, InertiaKind, Joints, Motor, Name, Row, Solid,
-    Spring, Stribeck, Tensor,
+    Axis, Coulomb, Friction, Given, Inertia, Joints, Name, Row, Solid, Tensor,
 };
 use crate::keys::{
     ALLOWANCES_OF_BODY, CELLS, DIRECTIONS, FRICTION, JOINT_TYPES, KEYS_OF_FILES, MOTOR, Part, ROW,
@@ -107,10 +106,10 @@ impl Reader<'_> {
             "mass" => put(&mut row.mass, self.value(node)),
             "com" => put(&mut row.com, self.xyz(node)),
             "inertia" => put(&mut row.inertia, self.inertia(node)),
-            "inertia_at_origin" => put(&mut row.inertia_at_origin, self.inertia_at_origin(node)),
-            "motor" => put(&mut row.motor, self.motor(node)),
+            "inertia_at_origin" => put(&mut row.inertia_at_origin, self.tensor(node)),
+            "motor" => put(&mut row.motor, self.values(node, &MOTOR)),
             "friction" => put(&mut row.friction, self.friction(node)),
-            "spring" => put(&mut row.spring, self.spring(node)),
+            "spring" => put(&mut row.spring, self.values(node, &SPRING)),
             "limits" => {
                 let shown = "[lower, upper]";
                 let limits = self.vector(node, shown, &expected::array(shown));
@@ -146,10 +145,7 @@ impl Reader<'_> {
     /// A table of tensor entries, or a solid.
     pub(super) fn inertia(&mut self, node: &Node) -> Read<Inertia> {
         self.read_text(node, |reader, node| match &node.kind {
-            Kind::Table(_) => Ok(Inertia {
-                place: node.place,
-                kind: InertiaKind::Tensor(reader.tensor(node)?),
-            }),
+            Kind::Table(_) => reader.tensor(node).map(Inertia::Tensor),
             Kind::Solid(name, arguments, _) => reader.solid(node, name.plain(), arguments),
             Kind::List(entries) if reader.is_json() => {
                 let shown = "[xx, yy, zz, xy, yz, xz]";
@@ -160,15 +156,8 @@ impl Reader<'_> {
         })
     }
 
-    /// A table of entries of a tensor about the origin of the frame.
-    pub(super) fn inertia_at_origin(&mut self, node: &Node) -> Read<Tensor> {
-        Ok(Tensor {
-            place: node.place,
-            entries: self.tensor(node)?,
-        })
-    }
-
-    fn tensor(&mut self, node: &Node) -> Read<Entries> {
+    /// A table of entries of a tensor.
+    pub(super) fn tensor(&mut self, node: &Node) -> Read<Tensor> {
         self.values_but(node, &TENSOR, unknown_entry).map(Box::new)
     }
 
@@ -201,10 +190,8 @@ impl Reader<'_> {
             outcome?;
         }
         let values = self.values_between(written, sizes.len(), &shown, arguments.place)?;
-        Ok(Inertia {
-            place: node.place.to(arguments.place),
-            kind: InertiaKind::Solid(solid, values),
-        })
+        let place = node.place.to(arguments.place);
+        Ok(Inertia::Solid(place, solid, values))
     }
 
     /// The solid along the axis that `axis = z` names.
@@ -228,22 +215,13 @@ impl Reader<'_> {
         }
     }
 
-    fn motor(&mut self, node: &Node) -> Read<Motor> {
-        let [inertia, gear_ratio] = self.values(node, &MOTOR)?;
-        Ok(Motor {
-            place: node.place,
-            inertia,
-            gear_ratio,
-        })
-    }
-
     fn friction(&mut self, node: &Node) -> Read<Friction> {
         let mut friction = Friction::default();
         // A coefficient that is left out is zero, whatever else could not be read.
         self.table(node, &FRICTION, |reader, item| match item.name {
             "viscous" => put(&mut friction.viscous, reader.value(item.node)),
             "coulomb" => put(&mut friction.coulomb, reader.coulomb(item.node)),
-            _ => put(&mut friction.stribeck, reader.stribeck(item.node)),
+            _ => put(&mut friction.stribeck, reader.values(item.node, &STRIBECK)),
         })?;
         Ok(friction)
     }
@@ -254,30 +232,7 @@ impl Reader<'_> {
             let value = self.value(node);
             return value.map(|value| Coulomb::Both(Given::As(value)));
         }
-        let [positive, negative] = self.values(node, &DIRECTIONS)?;
-        Ok(Coulomb::ByDirection {
-            place: node.place,
-            positive,
-            negative,
-        })
-    }
-
-    fn stribeck(&mut self, node: &Node) -> Read<Stribeck> {
-        let [friction, velocity] = self.values(node, &STRIBECK)?;
-        Ok(Stribeck {
-            place: node.place,
-            friction,
-            velocity,
-        })
-    }
-
-    fn spring(&mut self, node: &Node) -> Read<Spring> {
-        let [stiffness, rest] = self.values(node, &SPRING)?;
-        Ok(Spring {
-            place: node.place,
-            stiffness,
-            rest,
-        })
+        self.values(node, &DIRECTIONS).map(Coulomb::ByDirection)
     }
 }
 
