@@ -115,7 +115,7 @@ impl Reader<'_> {
                 let limits = self.vector(node, shown, &expected::array(shown));
                 put(&mut row.limits, limits)
             }
-            _ => put(&mut row.allow, self.allow(node, &ALLOWANCES_OF_BODY)),
+            _ => put(&mut row.allow, self.allow(node, ALLOWANCES_OF_BODY)),
         }
     }
 
@@ -135,7 +135,7 @@ impl Reader<'_> {
             let joint = joint.map_or("joint", Name::plain);
             return Err(self.error(node.place, mistake::joint::fixed(&joint)));
         }
-        let word = self.choice(node, "joint type", &JOINT_TYPES)?;
+        let word = self.choice(node, "joint type", JOINT_TYPES)?;
         Ok(match word {
             "revolute" => JointType::Revolute,
             _ => JointType::Prismatic,
