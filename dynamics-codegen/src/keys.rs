@@ -36,24 +36,6 @@ pub(crate) const FILE: Part = Part {
     ..CALL
 };
 
-/// The cells of a row in a call, behind its name and type.
-pub(crate) const CELLS: Part = Part {
-    name: "a joint",
-    item: "cell",
-    keys: KEYS_OF_ROW.split_at(2).1,
-    shape: "`{ ... }`",
-};
-
-/// A row of a file.
-pub(crate) const ROW: Part = Part {
-    keys: KEYS_OF_ROW,
-    ..CELLS
-};
-
-const KEYS_OF_ROW: &[&str] = words![
-    name type a alpha d theta mass com inertia inertia_at_origin motor friction spring limits allow
-];
-
 /// A tensor, its entries in the engine's order.
 pub(crate) const TENSOR: Part = Part {
     name: "an inertia",

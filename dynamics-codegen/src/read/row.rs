@@ -4,11 +4,11 @@ use dynamics_symbolic::robot::JointType;
 
 use super::reader::{Item, Read, Reader, Unknown, put, unknown};
 use crate::description::{
-    Axis, Coulomb, Friction, Given, Inertia, Joints, Name, Row, Solid, Tensor,
+    Axis, Coulomb, Friction, Given, Inertia, Joints, Limits, Name, Row, Solid, Tensor,
 };
 use crate::keys::{
-    ALLOWANCES_OF_BODY, CELLS, DIRECTIONS, FRICTION, JOINT_TYPES, KEYS_OF_FILES, MOTOR, Part, ROW,
-    SPRING, STRIBECK, TENSOR,
+    ALLOWANCES_OF_BODY, DIRECTIONS, FRICTION, JOINT_TYPES, KEYS_OF_FILES, MOTOR, Part, SPRING,
+    STRIBECK, TENSOR,
 };
 use crate::mistake::{self, expected, file as wrong};
 use crate::tree::{Key, Kind, Language, Node};
@@ -23,6 +23,54 @@ const SOLIDS: [(&str, Solid, &[&str]); 4] = [
     ("rod", Solid::Rod(Axis::X), &["length"]),
     ("sphere", Solid::Sphere, &["radius"]),
 ];
+
+/// Makes the words of a row and the reader of a cell, of what reads each of them. The compiler names a cell of the
+/// description that is not listed.
+macro_rules! cells {
+    ($($cell:ident: $read:ident($($told:expr),*)),* $(,)?) => {
+        const WORDS: &[&str] = words![name type $($cell)*];
+
+        impl Reader<'_> {
+            fn cell(&mut self, item: &Item, row: &mut Row) -> Read<()> {
+                let Row { name: _, joint_type: _, mount: _, $($cell),* } = row;
+                match item.name {
+                    $(stringify!($cell) => put($cell, self.$read(item.node, $($told),*)),)*
+                    _ => Ok(()),
+                }
+            }
+        }
+    };
+}
+
+cells! {
+    a: value(),
+    alpha: value(),
+    d: value(),
+    theta: value(),
+    mass: value(),
+    com: xyz(),
+    inertia: inertia(),
+    inertia_at_origin: tensor(),
+    motor: values(&MOTOR),
+    friction: friction(),
+    spring: values(&SPRING),
+    limits: range(),
+    allow: allow(ALLOWANCES_OF_BODY),
+}
+
+/// A row of a file.
+const ROW: Part = Part {
+    name: "a joint",
+    item: "cell",
+    keys: WORDS,
+    shape: "`{ ... }`",
+};
+
+/// The cells of a row in a call, behind its name and type.
+const CELLS: Part = Part {
+    keys: WORDS.split_at(2).1,
+    ..ROW
+};
 
 impl Reader<'_> {
     fn is_json(&self) -> bool {
@@ -76,7 +124,16 @@ impl Reader<'_> {
         let incomplete = self.table_but(cells, &part, unknown, |reader, item| {
             has_name |= item.name == "name";
             has_type |= item.name == "type";
-            reader.cell(item, &mut row)
+            match item.name {
+                "name" => reader
+                    .joint_name(item.node)
+                    .map(|name| row.name = Some(name)),
+                "type" => {
+                    let joint_type = reader.joint_type(item.node, row.name.as_ref());
+                    joint_type.map(|joint_type| row.joint_type = Some(joint_type))
+                }
+                _ => reader.cell(item, &mut row),
+            }
         })?;
         if !has_name {
             self.error(node.place, wrong::nameless_joint());
@@ -91,32 +148,10 @@ impl Reader<'_> {
         Ok(row)
     }
 
-    fn cell(&mut self, item: &Item, row: &mut Row) -> Read<()> {
-        let node = item.node;
-        match item.name {
-            "name" => self.joint_name(node).map(|name| row.name = Some(name)),
-            "type" => {
-                let joint_type = self.joint_type(node, row.name.as_ref());
-                joint_type.map(|joint_type| row.joint_type = Some(joint_type))
-            }
-            "a" => put(&mut row.a, self.value(node)),
-            "alpha" => put(&mut row.alpha, self.value(node)),
-            "d" => put(&mut row.d, self.value(node)),
-            "theta" => put(&mut row.theta, self.value(node)),
-            "mass" => put(&mut row.mass, self.value(node)),
-            "com" => put(&mut row.com, self.xyz(node)),
-            "inertia" => put(&mut row.inertia, self.inertia(node)),
-            "inertia_at_origin" => put(&mut row.inertia_at_origin, self.tensor(node)),
-            "motor" => put(&mut row.motor, self.values(node, &MOTOR)),
-            "friction" => put(&mut row.friction, self.friction(node)),
-            "spring" => put(&mut row.spring, self.values(node, &SPRING)),
-            "limits" => {
-                let shown = "[lower, upper]";
-                let limits = self.vector(node, shown, &expected::array(shown));
-                put(&mut row.limits, limits)
-            }
-            _ => put(&mut row.allow, self.allow(node, ALLOWANCES_OF_BODY)),
-        }
+    /// `[lower, upper]`
+    fn range(&mut self, node: &Node) -> Read<Limits> {
+        let shown = "[lower, upper]";
+        self.vector(node, shown, &expected::array(shown))
     }
 
     fn joint_name(&self, node: &Node) -> Read<Name> {
