@@ -293,12 +293,12 @@ pub struct Row {
     pub inertia: Given<Inertia>,
     /// The same about the frame's origin, in place of `inertia`.
     pub inertia_at_origin: Given<Tensor>,
-    /// What turns with the joint.
-    pub motor: Given<Motor>,
+    /// What turns with the joint: inertia of the rotor, kg m^2, and its speed over that of the joint.
+    pub motor: Given<Part<2>>,
     /// Friction of the joint.
     pub friction: Given<Friction>,
-    /// The spring at the joint.
-    pub spring: Given<Spring>,
+    /// The spring at the joint: its stiffness, and the position at which it is slack.
+    pub spring: Given<Part<2>>,
     /// The range of the joint.
     pub limits: Given<Limits>,
     /// What is accepted all the same.
@@ -316,34 +316,25 @@ pub struct Mount {
     pub axis: [Expr; 2],
 }
 
+/// Values for some words: `{ stiffness: 200, rest: 0.1 }`.
+#[derive(Debug)]
+pub struct Part<const N: usize> {
+    /// Where they stand.
+    pub place: Place,
+    /// The values, in the order in which messages list their words.
+    pub values: [Given<Expr>; N],
+}
+
+/// The entries xx, yy, zz, xy, yz, xz of a tensor.
+pub type Tensor = Box<Part<6>>;
+
 /// The value of the cell `inertia`.
 #[derive(Debug)]
-pub struct Inertia {
-    /// Where it stands.
-    pub place: Place,
-    /// How it is written.
-    pub kind: InertiaKind,
-}
-
-/// How an inertia is written.
-#[derive(Debug)]
-pub enum InertiaKind {
+pub enum Inertia {
     /// `{ xx, yy, zz, xy, yz, xz }`
-    Tensor(Entries),
-    /// `cuboid(x, y, z)` and the like.
-    Solid(Solid, Vec<Option<Expr>>),
-}
-
-/// The entries xx, yy, zz, xy, yz, xz of a tensor, in this order.
-pub type Entries = Box<[Given<Expr>; 6]>;
-
-/// The value of the cell `inertia_at_origin`.
-#[derive(Debug)]
-pub struct Tensor {
-    /// Where it stands.
-    pub place: Place,
-    /// Its entries.
-    pub entries: Entries,
+    Tensor(Tensor),
+    /// `cuboid(x, y, z)` and the like, and where it stands.
+    Solid(Place, Solid, Vec<Option<Expr>>),
 }
 
 /// A homogeneous solid.
@@ -370,17 +361,6 @@ pub enum Axis {
     Z,
 }
 
-/// `motor: { inertia, gear_ratio }`
-#[derive(Debug)]
-pub struct Motor {
-    /// Where it stands.
-    pub place: Place,
-    /// Inertia of the rotor, kg m^2.
-    pub inertia: Given<Expr>,
-    /// Speed of the motor over that of the joint.
-    pub gear_ratio: Given<Expr>,
-}
-
 /// `friction: { viscous, coulomb, stribeck }`
 #[derive(Debug, Default)]
 pub struct Friction {
@@ -388,8 +368,8 @@ pub struct Friction {
     pub viscous: Given<Expr>,
     /// Force or torque against the motion, whatever its speed.
     pub coulomb: Given<Coulomb>,
-    /// How static friction falls to it.
-    pub stribeck: Given<Stribeck>,
+    /// Static friction, and the velocity over which it falls to Coulomb's.
+    pub stribeck: Given<Part<2>>,
 }
 
 /// A value, or `{ positive, negative }`.
@@ -397,37 +377,8 @@ pub struct Friction {
 pub enum Coulomb {
     /// The same in both directions.
     Both(Given<Expr>),
-    /// By the direction of motion.
-    ByDirection {
-        /// Where it stands.
-        place: Place,
-        /// Of positive velocities.
-        positive: Given<Expr>,
-        /// Of negative ones.
-        negative: Given<Expr>,
-    },
-}
-
-/// `stribeck: { static, velocity }`
-#[derive(Debug)]
-pub struct Stribeck {
-    /// Where it stands.
-    pub place: Place,
-    /// Static friction.
-    pub friction: Given<Expr>,
-    /// The velocity over which it falls to Coulomb's.
-    pub velocity: Given<Expr>,
-}
-
-/// `spring: { stiffness, rest }`
-#[derive(Debug)]
-pub struct Spring {
-    /// Where it stands.
-    pub place: Place,
-    /// Force or torque for each unit of displacement.
-    pub stiffness: Given<Expr>,
-    /// The position of the joint at which it is slack.
-    pub rest: Given<Expr>,
+    /// Of positive velocities and of negative ones.
+    ByDirection(Part<2>),
 }
 
 /// `limits: [lower, upper]`

@@ -13,104 +13,48 @@ pub(crate) struct Part {
 }
 
 /// The keys of a call.
-pub(crate) const KEYS: [&str; 15] = [
-    "file",
-    "chain",
-    "ignore",
-    "round_angles",
-    "convention",
-    "gravity",
-    "base",
-    "joints",
-    "couple",
-    "tool",
-    "functions",
-    "lock",
-    "neglect",
-    "tests",
-    "allow",
+pub(crate) const KEYS: &[&str] = words![
+    file chain ignore round_angles convention gravity base joints couple tool functions lock neglect tests
+    allow
 ];
 
 /// The keys of a file.
 #[cfg_attr(not(feature = "files"), allow(dead_code))]
-pub(crate) const KEYS_OF_FILES: [&str; 12] = [
-    "convention",
-    "gravity",
-    "base",
-    "joint",
-    "couple",
-    "tool",
-    "functions",
-    "lock",
-    "neglect",
-    "tests",
-    "allow",
-    "let",
+pub(crate) const KEYS_OF_FILES: &[&str] = words![
+    convention gravity base joint couple tool functions lock neglect tests allow let
 ];
 
 pub(crate) const CALL: Part = Part {
     name: "a robot",
     item: "key",
-    keys: &KEYS,
+    keys: KEYS,
     shape: "`key: value, ...`",
 };
 
 pub(crate) const FILE: Part = Part {
-    keys: &KEYS_OF_FILES,
+    keys: KEYS_OF_FILES,
     ..CALL
 };
-
-/// The cells of a row in a call, behind its name and type.
-pub(crate) const CELLS: Part = Part {
-    name: "a joint",
-    item: "cell",
-    keys: KEYS_OF_ROW.split_at(2).1,
-    shape: "`{ ... }`",
-};
-
-/// A row of a file.
-pub(crate) const ROW: Part = Part {
-    keys: KEYS_OF_ROW,
-    ..CELLS
-};
-
-const KEYS_OF_ROW: &[&str] = &[
-    "name",
-    "type",
-    "a",
-    "alpha",
-    "d",
-    "theta",
-    "mass",
-    "com",
-    "inertia",
-    "inertia_at_origin",
-    "motor",
-    "friction",
-    "spring",
-    "limits",
-    "allow",
-];
 
 /// A tensor, its entries in the engine's order.
 pub(crate) const TENSOR: Part = Part {
     name: "an inertia",
     item: "tensor entry",
-    keys: &["xx", "yy", "zz", "xy", "yz", "xz"],
+    keys: words![xx yy zz xy yz xz],
     shape: "a tensor about the origin of the frame, of named entries: `{ xx, yy, zz, xy, yz, xz }`",
 };
 
 pub(crate) const MOTOR: Part = Part {
     name: "`motor`",
     item: "motor entry",
-    keys: &["inertia", "gear_ratio"],
+    keys: words![inertia gear_ratio],
     shape: "`{ inertia: ..., gear_ratio: ... }`",
 };
 
 pub(crate) const FRICTION: Part = Part {
     name: "`friction`",
     item: "friction entry",
-    keys: &["viscous", "coulomb", "stribeck"],
+    keys: words![viscous coulomb stribeck],
     shape: "`{ viscous: ..., coulomb: ... }`",
 };
 
@@ -118,51 +62,43 @@ pub(crate) const FRICTION: Part = Part {
 pub(crate) const DIRECTIONS: Part = Part {
     name: "`coulomb`",
     item: "direction",
-    keys: &["positive", "negative"],
+    keys: words![positive negative],
     shape: "`{ positive: ..., negative: ... }`",
 };
 
 pub(crate) const STRIBECK: Part = Part {
     name: "`stribeck`",
     item: "stribeck entry",
-    keys: &["static", "velocity"],
+    keys: words![static velocity],
     shape: "`{ static: ..., velocity: ... }`",
 };
 
 pub(crate) const SPRING: Part = Part {
     name: "`spring`",
     item: "spring entry",
-    keys: &["stiffness", "rest"],
+    keys: words![stiffness rest],
     shape: "`{ stiffness: ..., rest: ... }`",
 };
 
 pub(crate) const BASE: Part = Part {
     name: "`base`",
     item: "base entry",
-    keys: &["xyz", "rpy"],
+    keys: words![xyz rpy],
     shape: "`{ xyz: [x, y, z], rpy: [roll, pitch, yaw] }`",
 };
 
 pub(crate) const TOOL: Part = Part {
     name: "`tool`",
     item: "tool entry",
-    keys: &[
-        "xyz",
-        "rpy",
-        "mass",
-        "com",
-        "inertia",
-        "inertia_at_origin",
-        "allow",
-    ],
+    keys: words![xyz rpy mass com inertia inertia_at_origin allow],
     shape: "`{ xyz: [x, y, z], rpy: [roll, pitch, yaw], mass: ..., com: ..., inertia: ... }`",
 };
 
-pub(crate) const JOINT_TYPES: [&str; 2] = ["revolute", "prismatic"];
+pub(crate) const JOINT_TYPES: &[&str] = words![revolute prismatic];
 
 /// What a row or the tool may allow.
-pub(crate) const ALLOWANCES_OF_BODY: [&str; 4] =
-    ["odd_angle", "odd_com", "odd_mass", "unphysical_inertia"];
+pub(crate) const ALLOWANCES_OF_BODY: &[&str] =
+    words![odd_angle odd_com odd_mass unphysical_inertia];
 
 /// The word for the default set of functions.
 pub(crate) const DEFAULT: &str = "default";

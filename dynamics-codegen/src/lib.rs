@@ -20,6 +20,11 @@
 
 extern crate proc_macro;
 
+/// Words in a list.
+macro_rules! words {
+    ($($word:ident)*) => { &[$(stringify!($word)),*] };
+}
+
 mod audience;
 mod call;
 pub mod description;

@@ -117,9 +117,12 @@ fn begun<'a>(word: &str, known: &[&'a str]) -> Option<&'a str> {
 
 /// The known word for what other books and programs call `word`.
 fn elsewhere<'a>(word: &str, known: &[&'a str]) -> Option<&'a str> {
-    let synonyms = ELSEWHERE.iter().filter(|(other, _)| *other == word);
-    let mut ours = synonyms.filter_map(|(_, ours)| known.iter().find(|right| *right == ours));
-    ours.next().copied()
+    let ours = ELSEWHERE
+        .iter()
+        .filter(|(_, others)| others.contains(&word));
+    ours.filter_map(|(ours, _)| known.iter().find(|right| *right == ours))
+        .next()
+        .copied()
 }
 
 /// How a constant of Rust's standard library is written here.
@@ -138,77 +141,47 @@ const OF_STD: [(&str, &str); 6] = [
     ("TAU", "2*PI"),
 ];
 
-/// Words of other books and programs, and ours.
-const ELSEWHERE: [(&str, &str); 69] = [
-    ("twist", "alpha"),
-    ("length", "a"),
-    ("offset", "d"),
-    ("angle", "theta"),
-    ("m", "mass"),
-    ("weight", "mass"),
-    ("cog", "com"),
-    ("center_of_mass", "com"),
-    ("centre_of_mass", "com"),
-    ("tensor", "inertia"),
-    ("inertia_about_origin", "inertia_at_origin"),
-    ("actuator", "motor"),
-    ("damping", "friction"),
-    ("damping", "viscous"),
-    ("ratio", "gear_ratio"),
-    ("elasticity", "spring"),
-    ("k", "stiffness"),
-    ("neutral", "rest"),
-    ("K", "spring_vector"),
-    ("R", "revolute"),
-    ("hinge", "revolute"),
-    ("rotary", "revolute"),
-    ("rotational", "revolute"),
-    ("continuous", "revolute"),
-    ("P", "prismatic"),
-    ("linear", "prismatic"),
-    ("sliding", "prismatic"),
-    ("classic", "standard"),
-    ("classical", "standard"),
-    ("sdh", "standard"),
-    ("paul", "standard"),
-    ("spong", "standard"),
-    ("distal", "standard"),
-    ("craig", "modified"),
-    ("mdh", "modified"),
-    ("khalil", "modified"),
-    ("proximal", "modified"),
-    ("links", "joints"),
-    ("rows", "joints"),
-    ("table", "joints"),
-    ("M", "mass_matrix"),
-    ("inertia_matrix", "mass_matrix"),
-    ("crba", "mass_matrix"),
-    ("V", "coriolis_vector"),
-    ("C", "coriolis_matrix"),
-    ("G", "gravity_vector"),
-    ("tau", "inverse_dynamics"),
-    ("rnea", "inverse_dynamics"),
-    ("qdd", "forward_dynamics"),
-    ("aba", "forward_dynamics"),
-    ("fk", "forward_kinematics"),
-    ("J", "jacobian"),
-    ("jacobian_dot", "jacobian_rate"),
-    ("jacobian_derivative", "jacobian_rate"),
-    ("operational_space_inertia", "operational_inertia_inverse"),
-    ("task_space_inertia", "operational_inertia_inverse"),
-    ("box", "cuboid"),
-    ("mount", "base"),
-    ("mounting", "base"),
-    ("world", "base"),
-    ("end_effector", "tool"),
-    ("gripper", "tool"),
-    ("payload", "tool"),
-    ("load", "tool"),
-    ("position", "xyz"),
-    ("translation", "xyz"),
-    ("orientation", "rpy"),
-    ("rotation", "rpy"),
-    ("euler", "rpy"),
+/// Our words, and those of other books and programs for the same.
+const ELSEWHERE: &[(&str, &[&str])] = &[
+    ("alpha", words![twist]),
+    ("a", words![length]),
+    ("d", words![offset]),
+    ("theta", words![angle]),
+    ("mass", words![m weight]),
+    ("com", words![cog center_of_mass centre_of_mass]),
+    ("inertia", words![tensor]),
+    ("inertia_at_origin", words![inertia_about_origin]),
+    ("motor", words![actuator]),
+    ("friction", words![damping]),
+    ("viscous", words![damping]),
+    ("gear_ratio", words![ratio]),
+    ("spring", words![elasticity]),
+    ("stiffness", words![k]),
+    ("rest", words![neutral]),
+    ("spring_vector", words![K]),
+    ("revolute", words![R hinge rotary rotational continuous]),
+    ("prismatic", words![P linear sliding]),
+    ("standard", words![classic classical sdh paul spong distal]),
+    ("modified", words![craig mdh khalil proximal]),
+    ("joints", words![links rows table]),
+    ("mass_matrix", words![M inertia_matrix crba]),
+    ("coriolis_vector", words![V]),
+    ("coriolis_matrix", words![C]),
+    ("gravity_vector", words![G]),
+    ("inverse_dynamics", words![tau rnea]),
+    ("forward_dynamics", words![qdd aba]),
+    ("forward_kinematics", words![fk]),
+    ("jacobian", words![J]),
+    ("jacobian_rate", words![jacobian_dot jacobian_derivative]),
+    (
+        "operational_inertia_inverse",
+        words![operational_space_inertia task_space_inertia],
+    ),
+    ("cuboid", words![box]),
+    ("base", words![mount mounting world]),
+    ("tool", words![end_effector gripper payload load]),
+    ("xyz", words![position translation]),
+    ("rpy", words![orientation rotation euler]),
 ];
 
 /// Edits within which two words count as near, the shorter having `length` letters.

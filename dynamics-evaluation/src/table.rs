@@ -4,7 +4,7 @@ use dynamics_runtime::{
     Convention, Frame, JointMotion, JointType, Row, RuntimeTable, Spring, Stribeck, Tool, turned,
 };
 use dynamics_symbolic::program::rounded_angle;
-use dynamics_symbolic::robot::{self, Angle, Placement, Robot, Value};
+use dynamics_symbolic::robot::{self, Angle, Placement, Quantity, Robot, Value};
 
 /// The table for these values of the fields.
 pub(crate) fn table(robot: &Robot, fields: &[f64]) -> RuntimeTable {
@@ -36,10 +36,6 @@ impl Cells<'_> {
         value.to_f64(self.0)
     }
 
-    fn numbers<const K: usize>(&self, values: &[Value; K]) -> [f64; K] {
-        values.each_ref().map(|value| self.number(value))
-    }
-
     /// An angle, from the same parts as the engine's sine and cosine of it.
     fn angle(&self, value: &Value) -> f64 {
         if value.is_number() {
@@ -53,81 +49,90 @@ impl Cells<'_> {
         }
     }
 
+    /// The number of a cell.
+    fn cell(&self) -> impl FnMut(&Value, Quantity) -> f64 {
+        |value, quantity| match quantity {
+            Quantity::Angle => self.angle(value),
+            Quantity::Number => self.number(value),
+        }
+    }
+
     fn frame(&self, placement: Option<&Placement>) -> Frame {
-        placement.map_or(Frame::IDENTITY, |placement| Frame {
-            xyz: self.numbers(&placement.xyz),
-            rpy: placement.rpy.each_ref().map(|angle| self.angle(angle)),
+        placement.map_or(Frame::IDENTITY, |placement| {
+            frame(placement.map(&mut self.cell()))
         })
     }
 
     fn tool(&self, tool: &robot::Tool) -> Tool {
+        let tool = tool.map(&mut self.cell());
         Tool {
-            frame: self.frame(Some(&tool.placement)),
-            mass: self.number(&tool.mass),
-            com: self.numbers(&tool.com),
-            inertia: self.numbers(&tool.inertia),
+            frame: frame(tool.placement),
+            mass: tool.mass,
+            com: tool.com,
+            inertia: tool.inertia,
         }
     }
 
     /// Where the joint of a row is locked.
     fn locked(&self, row: &robot::Row) -> Option<f64> {
-        row.locked.as_ref().map(|position| match row.joint_type {
-            robot::JointType::Revolute => self.angle(position),
-            robot::JointType::Prismatic => self.number(position),
-        })
-    }
-
-    /// Where the link frame is behind the joint.
-    fn link_frame(&self, row: &robot::Row) -> dynamics_runtime::Placement {
-        let places = row.mount.iter().flat_map(|mount| &mount.frame);
-        let frames: Vec<Frame> = places.map(|place| self.frame(Some(place))).collect();
-        dynamics_runtime::Placement::of_frames(&frames)
+        row.map(&mut self.cell()).locked
     }
 
     /// How the joint of a row moves.
     fn motion(&self, row: &robot::Row) -> JointMotion {
-        match (&row.follows, self.locked(row)) {
+        let row = row.map(&mut self.cell());
+        match (row.follows, row.locked) {
             (None, None) => JointMotion::Free,
             (_, Some(position)) => JointMotion::Locked(position),
             (Some(coupling), None) => JointMotion::Follows {
                 leader: coupling.leader,
-                factor: self.number(&coupling.factor),
-                offset: match row.joint_type {
-                    robot::JointType::Revolute => self.angle(&coupling.offset),
-                    robot::JointType::Prismatic => self.number(&coupling.offset),
-                },
+                factor: coupling.factor,
+                offset: coupling.offset,
             },
         }
     }
 
+    /// The row of the runtime; how its joint moves is said apart from it.
     fn row(&self, row: &robot::Row) -> Row {
-        let joint_type = match row.joint_type {
-            robot::JointType::Revolute => JointType::Revolute,
-            robot::JointType::Prismatic => JointType::Prismatic,
-        };
+        let row = row.map(&mut self.cell());
+        let link_frame = row.mount.map_or(Vec::new(), |mount| mount.frame);
+        let link_frame: Vec<Frame> = link_frame.into_iter().map(frame).collect();
+        // All fields are written out, so that the compiler names a new one here.
         Row {
-            a: self.number(&row.a),
-            alpha: self.angle(&row.alpha),
-            d: self.number(&row.d),
-            theta: self.angle(&row.theta),
-            mass: self.number(&row.mass),
-            com: self.numbers(&row.com),
-            inertia: self.numbers(&row.inertia),
-            motor_inertia: self.number(&row.motor_inertia),
-            gear_ratio: self.number(&row.gear_ratio),
-            viscous: self.number(&row.viscous),
-            coulomb: self.numbers(&row.coulomb),
-            stribeck: row.stribeck.as_ref().map(|stribeck| Stribeck {
-                friction: self.number(&stribeck.friction),
-                velocity: self.number(&stribeck.velocity),
+            joint_type: match row.joint_type {
+                robot::JointType::Revolute => JointType::Revolute,
+                robot::JointType::Prismatic => JointType::Prismatic,
+            },
+            a: row.a,
+            alpha: row.alpha,
+            d: row.d,
+            theta: row.theta,
+            mass: row.mass,
+            com: row.com,
+            inertia: row.inertia,
+            motor_inertia: row.motor_inertia,
+            gear_ratio: row.gear_ratio,
+            viscous: row.viscous,
+            coulomb: row.coulomb,
+            stribeck: row.stribeck.map(|of| Stribeck {
+                friction: of.friction,
+                velocity: of.velocity,
             }),
-            spring: row.spring.as_ref().map_or(Spring::NONE, |spring| Spring {
-                stiffness: self.number(&spring.stiffness),
-                rest: self.number(&spring.rest),
+            spring: row.spring.map_or(Spring::NONE, |of| Spring {
+                stiffness: of.stiffness,
+                rest: of.rest,
             }),
-            limits: row.limits.as_ref().map(|limits| self.numbers(limits)),
-            link_frame: self.link_frame(row),
-            ..Row::new(joint_type)
+            limits: row.limits,
+            mount: dynamics_runtime::Placement::IDENTITY,
+            link_frame: dynamics_runtime::Placement::of_frames(&link_frame),
+            tip: dynamics_runtime::Placement::IDENTITY,
         }
+    }
+}
+
+fn frame(placement: Placement<f64>) -> Frame {
+    Frame {
+        xyz: placement.xyz,
+        rpy: placement.rpy,
     }
 }

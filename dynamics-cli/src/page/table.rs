@@ -92,9 +92,20 @@ impl Writer<'_> {
     }
 
     fn row(&self, index: usize, row: &Row) -> String {
-        let entries = self.joint(index, row).into_iter();
-        let entries = entries.chain(self.parameters(row)).chain(self.body(row));
-        object(entries.chain(self.forces(row)))
+        let cells = row.cells().map(|(name, values)| {
+            let value = match values {
+                [value] => self.cell(value),
+                values => self.vector(values),
+            };
+            let name = match name {
+                "motor_inertia" => "motorInertia",
+                "gear_ratio" => "gearRatio",
+                name => name,
+            };
+            (name, value)
+        });
+        let entries = self.joint(index, row).into_iter().chain(cells);
+        object(entries.chain(self.curves(row)))
     }
 
     /// What the row's joint is, how it moves and where it stands.
@@ -133,17 +144,8 @@ impl Writer<'_> {
         ]
     }
 
-    /// The row's link.
-    fn body(&self, row: &Row) -> [(&'static str, String); 3] {
-        [
-            ("mass", self.cell(&row.mass)),
-            ("com", self.vector(&row.com)),
-            ("inertia", self.vector(&row.inertia)),
-        ]
-    }
-
-    /// What acts at the joint itself: motor, friction and spring.
-    fn forces(&self, row: &Row) -> [(&'static str, String); 6] {
+    /// Static friction that falls, the spring, and as text those of the first cells that have fields in them.
+    fn curves(&self, row: &Row) -> [(&'static str, String); 3] {
         let stribeck = row.stribeck.as_ref().map(|stribeck| {
             object([
                 ("friction", self.cell(&stribeck.friction)),
@@ -156,28 +158,14 @@ impl Writer<'_> {
                 ("rest", self.cell(&spring.rest)),
             ])
         });
+        let shown = ["a", "alpha", "d", "theta", "mass"];
+        let texts = row.cells().filter(|(name, _)| shown.contains(name));
+        let texts =
+            texts.filter_map(|(name, values)| Some((name, string(&text(self.0, &values[0])?))));
         [
-            ("motorInertia", self.cell(&row.motor_inertia)),
-            ("gearRatio", self.cell(&row.gear_ratio)),
-            ("viscous", self.cell(&row.viscous)),
-            ("coulomb", self.vector(&row.coulomb)),
             ("stribeck", option(stribeck)),
             ("spring", option(spring)),
+            ("text", object(texts)),
         ]
-    }
-
-    /// The Denavit-Hartenberg parameters as numbers, and as text those cells, with the mass, that have fields in them.
-    fn parameters(&self, row: &Row) -> [(&'static str, String); 5] {
-        let cells = [
-            ("a", &row.a),
-            ("alpha", &row.alpha),
-            ("d", &row.d),
-            ("theta", &row.theta),
-        ];
-        let texts = cells.into_iter().chain([("mass", &row.mass)]);
-        let texts =
-            texts.filter_map(|(name, value)| text(self.0, value).map(|text| (name, string(&text))));
-        let [a, alpha, d, theta] = cells.map(|(name, value)| (name, self.cell(value)));
-        [a, alpha, d, theta, ("text", object(texts))]
     }
 }

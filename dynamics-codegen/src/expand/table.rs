@@ -1,8 +1,11 @@
 //! The table in numbers, which the runtime's checks read.
 
 use dynamics_symbolic::program::rounded_angle;
-use dynamics_symbolic::robot::{Angle, Convention, JointType, Placement, Robot, Row, Tool, Value};
-use proc_macro2::{Ident, Literal, TokenStream};
+use dynamics_symbolic::robot::{
+    Angle, Convention, Coupling, JointType, Placement, Quantity, Robot, Row, Spring, Stribeck,
+    Tool, Value,
+};
+use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
 
 use crate::call::Structure;
@@ -19,39 +22,41 @@ pub(super) fn table(structure: &Structure, robot: &Robot, path: &TokenStream) ->
         Convention::Modified => quote!(#path::Convention::Modified),
     };
     let gravity = robot.gravity.iter().map(|value| number(value, &fields));
-    let rows = robot.rows.iter().map(|row| self::row(row, &fields, path));
-    let is_locked = |row: &Row| row.locked.is_some();
-    let arm = match robot.rows.iter().any(is_locked) {
-        _ if robot.is_coupled() => {
-            let motions = motions(robot, &fields, path);
-            quote! {
-                #path::Table::couple(
-                    #convention,
-                    [#(#gravity),*],
-                    [#(#rows),*],
-                    [#(#motions),*],
-                )
-            }
+    let mut cell = |value: &Value, quantity| match quantity {
+        Quantity::Angle => angle(value, &fields, path),
+        Quantity::Number => number(value, &fields),
+    };
+    let cells: Vec<_> = robot.rows.iter().map(|row| row.map(&mut cell)).collect();
+    let rows = cells.iter().map(|cells| row(cells, path));
+    let arm = if robot.is_coupled() {
+        let motions = cells.iter().map(|row| motion(row, path));
+        quote! {
+            #path::Table::couple(
+                #convention,
+                [#(#gravity),*],
+                [#(#rows),*],
+                [#(#motions),*],
+            )
         }
-        true => {
-            let positions = positions(robot, &fields, path);
-            quote! {
-                #path::Table::lock(
-                    #convention,
-                    [#(#gravity),*],
-                    [#(#rows),*],
-                    [#(#positions),*],
-                )
-            }
+    } else if robot.rows.iter().any(|row| row.locked.is_some()) {
+        let positions = cells.iter().map(position);
+        quote! {
+            #path::Table::lock(
+                #convention,
+                [#(#gravity),*],
+                [#(#rows),*],
+                [#(#positions),*],
+            )
         }
-        false => quote!(#path::Table::new(#convention, [#(#gravity),*], [#(#rows),*])),
+    } else {
+        quote!(#path::Table::new(#convention, [#(#gravity),*], [#(#rows),*]))
     };
     let base = robot.base.as_ref().map(|base| {
-        let frame = frame(base, &fields, path);
+        let frame = frame(&base.map(&mut cell), path);
         quote!(base: #frame,)
     });
     let tool = robot.tool.as_ref().map(|tool| {
-        let tool = self::tool(tool, &fields, path);
+        let tool = self::tool(&tool.map(&mut cell), path);
         quote!(tool: #tool,)
     });
     match base.is_none() && tool.is_none() {
@@ -60,57 +65,47 @@ pub(super) fn table(structure: &Structure, robot: &Robot, path: &TokenStream) ->
     }
 }
 
-/// Where the joints of all rows are locked.
-fn positions(robot: &Robot, fields: &[&Ident], path: &TokenStream) -> Vec<TokenStream> {
-    let position = |row: &Row| match (&row.locked, row.joint_type) {
-        (Some(position), JointType::Revolute) => {
-            let position = angle(position, fields, path);
-            quote!(::core::option::Option::Some(#position))
-        }
-        (Some(position), JointType::Prismatic) => {
-            let position = number(position, fields);
-            quote!(::core::option::Option::Some(#position))
-        }
-        (None, _) => quote!(::core::option::Option::None),
-    };
-    robot.rows.iter().map(position).collect()
+/// Where the joint of a row is locked.
+fn position(row: &Row<TokenStream>) -> TokenStream {
+    match &row.locked {
+        Some(position) => quote!(::core::option::Option::Some(#position)),
+        None => quote!(::core::option::Option::None),
+    }
 }
 
-/// How the joints of all rows move.
-fn motions(robot: &Robot, fields: &[&Ident], path: &TokenStream) -> Vec<TokenStream> {
-    let position = |value: &Value, joint_type| match joint_type {
-        JointType::Revolute => angle(value, fields, path),
-        JointType::Prismatic => number(value, fields),
-    };
-    let motion = |row: &Row| match (&row.locked, &row.follows) {
-        (Some(locked), _) => {
-            let position = position(locked, row.joint_type);
-            quote!(#path::JointMotion::Locked(#position))
-        }
-        (None, Some(coupling)) => {
-            let leader = Literal::usize_unsuffixed(coupling.leader);
-            let factor = number(&coupling.factor, fields);
-            let offset = position(&coupling.offset, row.joint_type);
+/// How the joint of a row moves.
+fn motion(row: &Row<TokenStream>, path: &TokenStream) -> TokenStream {
+    match (&row.locked, &row.follows) {
+        (Some(position), _) => quote!(#path::JointMotion::Locked(#position)),
+        (
+            None,
+            Some(Coupling {
+                leader,
+                factor,
+                offset,
+            }),
+        ) => {
+            let leader = Literal::usize_unsuffixed(*leader);
             quote! {
                 #path::JointMotion::Follows { leader: #leader, factor: #factor, offset: #offset }
             }
         }
         (None, None) => quote!(#path::JointMotion::Free),
-    };
-    robot.rows.iter().map(motion).collect()
+    }
 }
 
-fn frame(placement: &Placement, fields: &[&Ident], path: &TokenStream) -> TokenStream {
-    let xyz = placement.xyz.iter().map(|value| number(value, fields));
-    let rpy = placement.rpy.iter().map(|value| angle(value, fields, path));
+fn frame(Placement { xyz, rpy }: &Placement<TokenStream>, path: &TokenStream) -> TokenStream {
     quote!(#path::Frame { xyz: [#(#xyz),*], rpy: [#(#rpy),*] })
 }
 
-fn tool(tool: &Tool, fields: &[&Ident], path: &TokenStream) -> TokenStream {
-    let frame = frame(&tool.placement, fields, path);
-    let mass = number(&tool.mass, fields);
-    let com = tool.com.iter().map(|value| number(value, fields));
-    let inertia = tool.inertia.iter().map(|value| number(value, fields));
+fn tool(tool: &Tool<TokenStream>, path: &TokenStream) -> TokenStream {
+    let frame = frame(&tool.placement, path);
+    let Tool {
+        placement: _,
+        mass,
+        com,
+        inertia,
+    } = tool;
     quote! {
         #path::Tool {
             frame: #frame,
@@ -121,23 +116,21 @@ fn tool(tool: &Tool, fields: &[&Ident], path: &TokenStream) -> TokenStream {
     }
 }
 
-fn row(row: &Row, fields: &[&Ident], path: &TokenStream) -> TokenStream {
+/// The row of the runtime; how its joint moves is said apart from it.
+fn row(row: &Row<TokenStream>, path: &TokenStream) -> TokenStream {
     let joint_type = match row.joint_type {
         JointType::Revolute => quote!(#path::JointType::Revolute),
         JointType::Prismatic => quote!(#path::JointType::Prismatic),
     };
-    let [a, d] = [&row.a, &row.d].map(|value| number(value, fields));
-    let [alpha, theta] = [&row.alpha, &row.theta].map(|value| angle(value, fields, path));
-    let mass = number(&row.mass, fields);
-    let com = row.com.iter().map(|value| number(value, fields));
-    let inertia = row.inertia.iter().map(|value| number(value, fields));
-    let [motor_inertia, gear_ratio] =
-        [&row.motor_inertia, &row.gear_ratio].map(|value| number(value, fields));
-    let viscous = number(&row.viscous, fields);
-    let coulomb = row.coulomb.iter().map(|value| number(value, fields));
-    let stribeck = row.stribeck.as_ref().map(|stribeck| {
-        let [friction, velocity] =
-            [&stribeck.friction, &stribeck.velocity].map(|value| number(value, fields));
+    let cells = row.cells().map(|(name, values)| {
+        let name = Ident::new(name, Span::call_site());
+        match values {
+            [value] => quote!(#name: #value,),
+            values => quote!(#name: [#(#values),*],),
+        }
+    });
+    let stribeck = row.stribeck.as_ref();
+    let stribeck = stribeck.map(|Stribeck { friction, velocity }| {
         quote! {
             stribeck: ::core::option::Option::Some(#path::Stribeck {
                 friction: #friction,
@@ -145,29 +138,18 @@ fn row(row: &Row, fields: &[&Ident], path: &TokenStream) -> TokenStream {
             }),
         }
     });
-    let spring = row.spring.as_ref().map(|spring| {
-        let [stiffness, rest] =
-            [&spring.stiffness, &spring.rest].map(|value| number(value, fields));
+    let spring = row.spring.as_ref();
+    let spring = spring.map(|Spring { stiffness, rest }| {
         quote!(spring: #path::Spring { stiffness: #stiffness, rest: #rest },)
     });
-    let limits = self::limits(row);
+    let limits = range(row.limits.as_ref());
     let places = row.mount.iter().flat_map(|mount| &mount.frame);
-    let places: Vec<_> = places.map(|place| frame(place, fields, path)).collect();
+    let places: Vec<_> = places.map(|place| frame(place, path)).collect();
     let link_frame = (!places.is_empty())
         .then(|| quote!(link_frame: #path::Placement::of_frames(&[#(#places),*]),));
     quote! {
         #path::Row {
-            a: #a,
-            alpha: #alpha,
-            d: #d,
-            theta: #theta,
-            mass: #mass,
-            com: [#(#com),*],
-            inertia: [#(#inertia),*],
-            motor_inertia: #motor_inertia,
-            gear_ratio: #gear_ratio,
-            viscous: #viscous,
-            coulomb: [#(#coulomb),*],
+            #(#cells)*
             #stribeck
             #spring
             limits: #limits,
@@ -179,11 +161,13 @@ fn row(row: &Row, fields: &[&Ident], path: &TokenStream) -> TokenStream {
 
 /// The range of a joint: numbers, for no field may stand there.
 pub(super) fn limits(row: &Row) -> TokenStream {
-    match &row.limits {
-        Some(limits) => {
-            let limits = limits.iter().map(|value| number(value, &[]));
-            quote!(::core::option::Option::Some([#(#limits),*]))
-        }
+    let numbers = |limits: &[Value; 2]| limits.each_ref().map(|value| number(value, &[]));
+    range(row.limits.as_ref().map(numbers).as_ref())
+}
+
+fn range(limits: Option<&[TokenStream; 2]>) -> TokenStream {
+    match limits {
+        Some([lower, upper]) => quote!(::core::option::Option::Some([#lower, #upper])),
         None => quote!(::core::option::Option::None),
     }
 }

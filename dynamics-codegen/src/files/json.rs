@@ -97,7 +97,7 @@ fn with_words_of_toml(root: &mut Node) {
 
 /// Whether the key is a remark, which says nothing about the robot: it is not a known key, nor similar to one.
 fn is_note(word: &str) -> bool {
-    word != "joints" && !KEYS.contains(&word) && words::nearest(word, &KEYS).is_none()
+    word != "joints" && !KEYS.contains(&word) && words::nearest(word, KEYS).is_none()
 }
 
 fn joint(row: &mut Node, index: usize, is_published: bool) {

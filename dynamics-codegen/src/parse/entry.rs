@@ -51,7 +51,7 @@ fn entry(cursor: &mut Cursor) -> ((Key, Node), char, String) {
 
 /// Reads the value of that key.
 fn value_of(cursor: &mut Cursor, key: &str) -> Node {
-    match words::meant(key, &KEYS).unwrap_or(key) {
+    match words::meant(key, KEYS).unwrap_or(key) {
         "joints" => rows(cursor),
         "functions" => functions(cursor),
         "lock" => joints(cursor, &LOCK),
@@ -86,7 +86,7 @@ pub(super) fn skip_to_entry(cursor: &mut Cursor) {
 
 /// Whether `name = ` comes next, where the name is not one of the keys.
 fn at_bare_binding(cursor: &Cursor) -> bool {
-    let is_key = |word: Ident| words::nearest(&word.to_string(), &KEYS).is_some();
+    let is_key = |word: Ident| words::nearest(&word.to_string(), KEYS).is_some();
     cursor.at_name_before('=') && !cursor.peek_ident().is_some_and(is_key)
 }
 

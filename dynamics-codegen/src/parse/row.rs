@@ -109,7 +109,7 @@ impl Row {
                 self.joint_type = Some(Node { kind, ..start });
             }
             None => {
-                cursor.expected(expected::joint_type(name, &JOINT_TYPES));
+                cursor.expected(expected::joint_type(name, JOINT_TYPES));
             }
         }
     }

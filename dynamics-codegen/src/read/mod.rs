@@ -316,10 +316,8 @@ impl Reader<'_> {
                 "mass" => put(&mut tool.mass, reader.value(node)),
                 "com" => put(&mut tool.com, reader.xyz(node)),
                 "inertia" => put(&mut tool.inertia, reader.inertia(node)),
-                "inertia_at_origin" => {
-                    put(&mut tool.inertia_at_origin, reader.inertia_at_origin(node))
-                }
-                "allow" => put(&mut tool.allow, reader.allow(node, &ALLOWANCES_OF_BODY)),
+                "inertia_at_origin" => put(&mut tool.inertia_at_origin, reader.tensor(node)),
+                "allow" => put(&mut tool.allow, reader.allow(node, ALLOWANCES_OF_BODY)),
                 _ => reader.placement(item, &mut tool.placement),
             }
         })?;

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::description::{Allow, Expr, Given, Name};
+use crate::description::{Allow, Expr, Given, Name, Part as Values};
 use crate::diagnose::{Diagnostics, Reported};
 use crate::keys::Part;
 use crate::limits::MOST_LETTERS;
@@ -190,11 +190,7 @@ impl<'d> Reader<'d> {
     }
 
     /// The values for the keys of a part, in their order.
-    pub(super) fn values<const N: usize>(
-        &mut self,
-        node: &Node,
-        part: &Part,
-    ) -> Read<[Given<Expr>; N]> {
+    pub(super) fn values<const N: usize>(&mut self, node: &Node, part: &Part) -> Read<Values<N>> {
         self.values_but(node, part, |word| unknown(part.item, word, part.keys))
     }
 
@@ -204,7 +200,7 @@ impl<'d> Reader<'d> {
         node: &Node,
         part: &Part,
         unknown: impl Fn(&str) -> Unknown,
-    ) -> Read<[Given<Expr>; N]> {
+    ) -> Read<Values<N>> {
         let mut values = [(); N].map(|()| Given::Absent);
         let incomplete = self.table_but(node, part, unknown, |reader, item| {
             let index = part.keys.iter().position(|key| *key == item.name);
@@ -213,7 +209,10 @@ impl<'d> Reader<'d> {
         if incomplete {
             values.iter_mut().for_each(Given::doubt);
         }
-        Ok(values)
+        Ok(Values {
+            place: node.place,
+            values,
+        })
     }
 
     /// A name that expressions or generated code have.

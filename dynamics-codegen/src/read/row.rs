@@ -4,12 +4,11 @@ use dynamics_symbolic::robot::JointType;
 
 use super::reader::{Item, Read, Reader, Unknown, put, unknown};
 use crate::description::{
-    Axis, Coulomb, Entries, Friction, Given, Inertia, InertiaKind, Joints, Motor, Name, Row, Solid,
-    Spring, Stribeck, Tensor,
+    Axis, Coulomb, Friction, Given, Inertia, Joints, Limits, Name, Row, Solid, Tensor,
 };
 use crate::keys::{
-    ALLOWANCES_OF_BODY, CELLS, DIRECTIONS, FRICTION, JOINT_TYPES, KEYS_OF_FILES, MOTOR, Part, ROW,
-    SPRING, STRIBECK, TENSOR,
+    ALLOWANCES_OF_BODY, DIRECTIONS, FRICTION, JOINT_TYPES, KEYS_OF_FILES, MOTOR, Part, SPRING,
+    STRIBECK, TENSOR,
 };
 use crate::mistake::{self, expected, file as wrong};
 use crate::tree::{Key, Kind, Language, Node};
@@ -24,6 +23,54 @@ const SOLIDS: [(&str, Solid, &[&str]); 4] = [
     ("rod", Solid::Rod(Axis::X), &["length"]),
     ("sphere", Solid::Sphere, &["radius"]),
 ];
+
+/// Makes the words of a row and the reader of a cell, of what reads each of them. The compiler names a cell of the
+/// description that is not listed.
+macro_rules! cells {
+    ($($cell:ident: $read:ident($($told:expr),*)),* $(,)?) => {
+        const WORDS: &[&str] = words![name type $($cell)*];
+
+        impl Reader<'_> {
+            fn cell(&mut self, item: &Item, row: &mut Row) -> Read<()> {
+                let Row { name: _, joint_type: _, mount: _, $($cell),* } = row;
+                match item.name {
+                    $(stringify!($cell) => put($cell, self.$read(item.node, $($told),*)),)*
+                    _ => Ok(()),
+                }
+            }
+        }
+    };
+}
+
+cells! {
+    a: value(),
+    alpha: value(),
+    d: value(),
+    theta: value(),
+    mass: value(),
+    com: xyz(),
+    inertia: inertia(),
+    inertia_at_origin: tensor(),
+    motor: values(&MOTOR),
+    friction: friction(),
+    spring: values(&SPRING),
+    limits: range(),
+    allow: allow(ALLOWANCES_OF_BODY),
+}
+
+/// A row of a file.
+const ROW: Part = Part {
+    name: "a joint",
+    item: "cell",
+    keys: WORDS,
+    shape: "`{ ... }`",
+};
+
+/// The cells of a row in a call, behind its name and type.
+const CELLS: Part = Part {
+    keys: WORDS.split_at(2).1,
+    ..ROW
+};
 
 impl Reader<'_> {
     fn is_json(&self) -> bool {
@@ -77,7 +124,16 @@ impl Reader<'_> {
         let incomplete = self.table_but(cells, &part, unknown, |reader, item| {
             has_name |= item.name == "name";
             has_type |= item.name == "type";
-            reader.cell(item, &mut row)
+            match item.name {
+                "name" => reader
+                    .joint_name(item.node)
+                    .map(|name| row.name = Some(name)),
+                "type" => {
+                    let joint_type = reader.joint_type(item.node, row.name.as_ref());
+                    joint_type.map(|joint_type| row.joint_type = Some(joint_type))
+                }
+                _ => reader.cell(item, &mut row),
+            }
         })?;
         if !has_name {
             self.error(node.place, wrong::nameless_joint());
@@ -92,32 +148,10 @@ impl Reader<'_> {
         Ok(row)
     }
 
-    fn cell(&mut self, item: &Item, row: &mut Row) -> Read<()> {
-        let node = item.node;
-        match item.name {
-            "name" => self.joint_name(node).map(|name| row.name = Some(name)),
-            "type" => {
-                let joint_type = self.joint_type(node, row.name.as_ref());
-                joint_type.map(|joint_type| row.joint_type = Some(joint_type))
-            }
-            "a" => put(&mut row.a, self.value(node)),
-            "alpha" => put(&mut row.alpha, self.value(node)),
-            "d" => put(&mut row.d, self.value(node)),
-            "theta" => put(&mut row.theta, self.value(node)),
-            "mass" => put(&mut row.mass, self.value(node)),
-            "com" => put(&mut row.com, self.xyz(node)),
-            "inertia" => put(&mut row.inertia, self.inertia(node)),
-            "inertia_at_origin" => put(&mut row.inertia_at_origin, self.inertia_at_origin(node)),
-            "motor" => put(&mut row.motor, self.motor(node)),
-            "friction" => put(&mut row.friction, self.friction(node)),
-            "spring" => put(&mut row.spring, self.spring(node)),
-            "limits" => {
-                let shown = "[lower, upper]";
-                let limits = self.vector(node, shown, &expected::array(shown));
-                put(&mut row.limits, limits)
-            }
-            _ => put(&mut row.allow, self.allow(node, &ALLOWANCES_OF_BODY)),
-        }
+    /// `[lower, upper]`
+    fn range(&mut self, node: &Node) -> Read<Limits> {
+        let shown = "[lower, upper]";
+        self.vector(node, shown, &expected::array(shown))
     }
 
     fn joint_name(&self, node: &Node) -> Read<Name> {
@@ -136,7 +170,7 @@ impl Reader<'_> {
             let joint = joint.map_or("joint", Name::plain);
             return Err(self.error(node.place, mistake::joint::fixed(&joint)));
         }
-        let word = self.choice(node, "joint type", &JOINT_TYPES)?;
+        let word = self.choice(node, "joint type", JOINT_TYPES)?;
         Ok(match word {
             "revolute" => JointType::Revolute,
             _ => JointType::Prismatic,
@@ -146,10 +180,7 @@ impl Reader<'_> {
     /// A table of tensor entries, or a solid.
     pub(super) fn inertia(&mut self, node: &Node) -> Read<Inertia> {
         self.read_text(node, |reader, node| match &node.kind {
-            Kind::Table(_) => Ok(Inertia {
-                place: node.place,
-                kind: InertiaKind::Tensor(reader.tensor(node)?),
-            }),
+            Kind::Table(_) => reader.tensor(node).map(Inertia::Tensor),
             Kind::Solid(name, arguments, _) => reader.solid(node, name.plain(), arguments),
             Kind::List(entries) if reader.is_json() => {
                 let shown = "[xx, yy, zz, xy, yz, xz]";
@@ -160,15 +191,8 @@ impl Reader<'_> {
         })
     }
 
-    /// A table of entries of a tensor about the origin of the frame.
-    pub(super) fn inertia_at_origin(&mut self, node: &Node) -> Read<Tensor> {
-        Ok(Tensor {
-            place: node.place,
-            entries: self.tensor(node)?,
-        })
-    }
-
-    fn tensor(&mut self, node: &Node) -> Read<Entries> {
+    /// A table of entries of a tensor.
+    pub(super) fn tensor(&mut self, node: &Node) -> Read<Tensor> {
         self.values_but(node, &TENSOR, unknown_entry).map(Box::new)
     }
 
@@ -201,10 +225,8 @@ impl Reader<'_> {
             outcome?;
         }
         let values = self.values_between(written, sizes.len(), &shown, arguments.place)?;
-        Ok(Inertia {
-            place: node.place.to(arguments.place),
-            kind: InertiaKind::Solid(solid, values),
-        })
+        let place = node.place.to(arguments.place);
+        Ok(Inertia::Solid(place, solid, values))
     }
 
     /// The solid along the axis that `axis = z` names.
@@ -228,22 +250,13 @@ impl Reader<'_> {
         }
     }
 
-    fn motor(&mut self, node: &Node) -> Read<Motor> {
-        let [inertia, gear_ratio] = self.values(node, &MOTOR)?;
-        Ok(Motor {
-            place: node.place,
-            inertia,
-            gear_ratio,
-        })
-    }
-
     fn friction(&mut self, node: &Node) -> Read<Friction> {
         let mut friction = Friction::default();
         // A coefficient that is left out is zero, whatever else could not be read.
         self.table(node, &FRICTION, |reader, item| match item.name {
             "viscous" => put(&mut friction.viscous, reader.value(item.node)),
             "coulomb" => put(&mut friction.coulomb, reader.coulomb(item.node)),
-            _ => put(&mut friction.stribeck, reader.stribeck(item.node)),
+            _ => put(&mut friction.stribeck, reader.values(item.node, &STRIBECK)),
         })?;
         Ok(friction)
     }
@@ -254,30 +267,7 @@ impl Reader<'_> {
             let value = self.value(node);
             return value.map(|value| Coulomb::Both(Given::As(value)));
         }
-        let [positive, negative] = self.values(node, &DIRECTIONS)?;
-        Ok(Coulomb::ByDirection {
-            place: node.place,
-            positive,
-            negative,
-        })
-    }
-
-    fn stribeck(&mut self, node: &Node) -> Read<Stribeck> {
-        let [friction, velocity] = self.values(node, &STRIBECK)?;
-        Ok(Stribeck {
-            place: node.place,
-            friction,
-            velocity,
-        })
-    }
-
-    fn spring(&mut self, node: &Node) -> Read<Spring> {
-        let [stiffness, rest] = self.values(node, &SPRING)?;
-        Ok(Spring {
-            place: node.place,
-            stiffness,
-            rest,
-        })
+        self.values(node, &DIRECTIONS).map(Coulomb::ByDirection)
     }
 }
 

@@ -5,7 +5,7 @@ use dynamics_symbolic::robot::Value;
 
 use super::scope::{Scope, all};
 use super::solid;
-use crate::description::{Expr, Given, Inertia, InertiaKind, Solid, Tensor, Vector};
+use crate::description::{Expr, Given, Inertia, Solid, Tensor, Vector};
 use crate::mistake::joint as mistake;
 use crate::place::Place;
 
@@ -55,11 +55,10 @@ fn report_massless(body: &Body, com: Option<&[Value; 3]>, scope: &Scope) {
         scope.error(place, mistake::com_without_mass(body.place));
         return;
     }
-    if let Given::As(inertia) = body.inertia
-        && let InertiaKind::Tensor(entries) = &inertia.kind
-        && entries.iter().filter_map(Given::value).count() > 1
+    if let Given::As(Inertia::Tensor(tensor)) = body.inertia
+        && tensor.values.iter().filter_map(Given::value).count() > 1
     {
-        scope.error(inertia.place, mistake::tensor_without_mass(body.place));
+        scope.error(tensor.place, mistake::tensor_without_mass(body.place));
     }
 }
 
@@ -70,21 +69,19 @@ fn inertia_about_com(
     mass: Option<&Value>,
     scope: &mut Scope,
 ) -> Option<[Value; 6]> {
-    let inertia = match inertia {
-        Given::Absent => return Some([0; 6].map(Value::integer)),
-        Given::Unreadable => return None,
-        Given::As(inertia) => inertia,
-    };
-    match &inertia.kind {
-        InertiaKind::Solid(solid, sizes) => {
+    match inertia {
+        Given::Absent => Some([0; 6].map(Value::integer)),
+        Given::Unreadable => None,
+        Given::As(Inertia::Solid(place, solid, sizes)) => {
             if body.mass.is_absent() {
-                scope.error(inertia.place, mistake::solid_without_mass(body.place));
+                scope.error(*place, mistake::solid_without_mass(body.place));
             }
             self::solid(*solid, sizes, mass, scope)
         }
-        InertiaKind::Tensor(entries) => {
+        Given::As(Inertia::Tensor(tensor)) => {
+            let entries = &tensor.values;
             let values = all(entries.each_ref().map(|entry| scope.given(entry)))?;
-            possible(known(entries, &values), inertia.place, body, scope)?;
+            possible(known(entries, &values), tensor.place, body, scope)?;
             Some(values)
         }
     }
@@ -106,7 +103,7 @@ fn moved(
             return None;
         }
     }
-    let values = all(tensor.entries.each_ref().map(|entry| scope.given(entry)))?;
+    let values = all(tensor.values.each_ref().map(|entry| scope.given(entry)))?;
     let (mass, com) = place?;
     let values = about_center_of_mass(values, mass, com);
     possible(values.each_ref().map(number), tensor.place, body, scope)?;

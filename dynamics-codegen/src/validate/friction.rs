@@ -4,7 +4,7 @@ use dynamics_symbolic::robot::{Stribeck, Value};
 
 use super::all;
 use super::scope::{Scope, number};
-use crate::description::{self, Coulomb, Given};
+use crate::description::{self, Coulomb, Given, Part};
 use crate::mistake::joint as mistake;
 
 /// What a cell says of friction; outer `None`s: in error.
@@ -49,15 +49,12 @@ fn coulomb(cell: &Given<Coulomb>, scope: &mut Scope) -> Option<[Value; 2]> {
             let value = scope.not_negative(value, DRY)?;
             Some([value.clone(), value])
         }
-        Given::As(Coulomb::ByDirection {
-            place,
-            positive,
-            negative,
-        }) => {
+        Given::As(Coulomb::ByDirection(part)) => {
+            let [positive, negative] = &part.values;
             let directions = [("positive", positive), ("negative", negative)];
             all(directions.map(|(word, cell)| {
                 if cell.is_absent() {
-                    scope.error(*place, mistake::direction_missing(word));
+                    scope.error(part.place, mistake::direction_missing(word));
                 }
                 scope.not_negative(cell, DRY)
             }))
@@ -66,29 +63,30 @@ fn coulomb(cell: &Given<Coulomb>, scope: &mut Scope) -> Option<[Value; 2]> {
 }
 
 fn stribeck(
-    cell: &Given<description::Stribeck>,
+    cell: &Given<Part<2>>,
     coulomb: Option<&[Value; 2]>,
     scope: &mut Scope,
 ) -> Option<Option<Stribeck>> {
-    let stribeck = match cell {
+    let part = match cell {
         Given::Absent => return Some(None),
         Given::Unreadable => return None,
-        Given::As(stribeck) => stribeck,
+        Given::As(part) => part,
     };
-    if stribeck.friction.is_absent() {
-        scope.error(stribeck.place, mistake::static_missing());
+    let [of_rest, falling] = &part.values;
+    if of_rest.is_absent() {
+        scope.error(part.place, mistake::static_missing());
     }
-    if stribeck.velocity.is_absent() {
-        scope.error(stribeck.place, mistake::stribeck_velocity_missing());
+    if falling.is_absent() {
+        scope.error(part.place, mistake::stribeck_velocity_missing());
     }
-    let friction = scope.not_negative(&stribeck.friction, DRY);
-    let velocity = scope.given(&stribeck.velocity);
-    if let (Some(value), Some(expr)) = (&velocity, stribeck.velocity.value())
+    let friction = scope.not_negative(of_rest, DRY);
+    let velocity = scope.given(falling);
+    if let (Some(value), Some(expr)) = (&velocity, falling.value())
         && number(value).is_some_and(|v| v <= 0.0)
     {
         scope.error(expr.place, mistake::stribeck_velocity_not_positive());
     }
-    if let (Some(value), Some(expr)) = (&friction, stribeck.friction.value()) {
+    if let (Some(value), Some(expr)) = (&friction, of_rest.value()) {
         let coulomb = coulomb.into_iter().flatten().filter_map(number);
         let greatest = coulomb.fold(0.0, f64::max);
         if number(value).is_some_and(|s| s < greatest) {

@@ -7,7 +7,7 @@ use dynamics_symbolic::robot::{JointType, Mount, Row, Spring, Value};
 use super::body::Body;
 use super::scope::Scope;
 use super::{body, frames, friction, limits};
-use crate::description::{self, Given};
+use crate::description::{self, Given, Part};
 use crate::mistake::joint as mistake;
 
 /// The meaning of each row; `None` where it is in error.
@@ -109,12 +109,13 @@ fn spring(row: &description::Row, scope: &mut Scope) -> Option<Option<Spring>> {
         Given::Unreadable => return None,
         Given::As(spring) => spring,
     };
-    if spring.stiffness.is_absent() {
+    let [stiffness, slack] = &spring.values;
+    if stiffness.is_absent() {
         scope.error(spring.place, mistake::stiffness_missing());
     }
-    let stiffness = scope.not_negative(&spring.stiffness, "a spring's stiffness");
-    let rest = scope.given(&spring.rest);
-    if let (Given::As(written), Some(rest)) = (&spring.rest, &rest)
+    let stiffness = scope.not_negative(stiffness, "a spring's stiffness");
+    let rest = scope.given(slack);
+    if let (Given::As(written), Some(rest)) = (slack, &rest)
         && let Some(mistake) = limits::many_turns(rest, row)
     {
         scope.error(written.place, mistake);
@@ -126,24 +127,21 @@ fn spring(row: &description::Row, scope: &mut Scope) -> Option<Option<Spring>> {
 }
 
 /// The motor's inertia and its gear ratio.
-fn motor(cell: &Given<description::Motor>, scope: &mut Scope) -> (Option<Value>, Option<Value>) {
+fn motor(cell: &Given<Part<2>>, scope: &mut Scope) -> (Option<Value>, Option<Value>) {
     let motor = match cell {
         Given::Absent => return (Some(Value::zero()), Some(Value::zero())),
         Given::Unreadable => return (None, None),
         Given::As(motor) => motor,
     };
-    let inertia = scope.not_negative(&motor.inertia, "a motor's inertia");
-    let gear_ratio = scope.given(&motor.gear_ratio);
+    let [inertia, written] = &motor.values;
+    let inertia = scope.not_negative(inertia, "a motor's inertia");
+    let gear_ratio = scope.given(written);
     let stands_still = gear_ratio.as_ref().is_some_and(Value::is_zero);
     if stands_still && inertia.as_ref().is_some_and(|value| !value.is_zero()) {
-        report_gear_ratio(motor, scope);
+        match written.value() {
+            Some(expr) => scope.error(expr.place, mistake::gear_ratio_zero()),
+            None => scope.error(motor.place, mistake::gear_ratio_missing()),
+        }
     }
     (inertia, gear_ratio)
-}
-
-fn report_gear_ratio(motor: &description::Motor, scope: &Scope) {
-    match motor.gear_ratio.value() {
-        Some(expr) => scope.error(expr.place, mistake::gear_ratio_zero()),
-        None => scope.error(motor.place, mistake::gear_ratio_missing()),
-    }
 }

@@ -8,6 +8,7 @@ mod coupling;
 mod friction;
 mod grouping;
 mod interpretation;
+mod map;
 mod mount;
 mod parameter;
 mod placement;
@@ -20,6 +21,7 @@ pub use coupling::Coupling;
 pub use friction::Stribeck;
 pub use grouping::{Coefficient, Grouping, LinkGrouping, Sense, Tie};
 pub use interpretation::Interpretation;
+pub use map::Quantity;
 pub use mount::{Mount, mounted};
 pub use parameter::Parameter;
 pub use placement::{Placement, Tool};
@@ -45,82 +47,57 @@ pub enum JointType {
     Prismatic,
 }
 
-/// One row of the table: a joint and the link that it moves. SI units, radians.
+/// One row of the table: a joint and the link that it moves. SI units, radians. Its cells are values of the table, or what
+/// [`map`](Row::map) makes of them.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Row {
+pub struct Row<C = Value> {
     /// The joint's name.
     pub name: String,
     /// Revolute or prismatic.
     pub joint_type: JointType,
     /// Link length, m.
-    pub a: Value,
+    pub a: C,
     /// Link twist, rad.
-    pub alpha: Value,
+    pub alpha: C,
     /// Link offset, m.
-    pub d: Value,
+    pub d: C,
     /// Joint angle (its constant part where the joint is revolute), rad.
-    pub theta: Value,
+    pub theta: C,
     /// Mass of the link, kg.
-    pub mass: Value,
+    pub mass: C,
     /// Centre of mass in the link frame, m.
-    pub com: [Value; 3],
+    pub com: [C; 3],
     /// Inertia tensor about the centre of mass, axes parallel to the link
     /// frame: entries xx, yy, zz, xy, yz, xz of the tensor, kg m^2.
-    pub inertia: [Value; 6],
+    pub inertia: [C; 6],
     /// Rotor inertia of the motor, kg m^2.
-    pub motor_inertia: Value,
+    pub motor_inertia: C,
     /// Gear ratio, motor speed over joint speed; the number zero where the row has no motor.
-    pub gear_ratio: Value,
+    pub gear_ratio: C,
     /// Viscous friction at the joint, N m s (or N s/m).
-    pub viscous: Value,
+    pub viscous: C,
     /// Coulomb friction at the joint, N m (or N): of positive velocities, and of negative ones.
-    pub coulomb: [Value; 2],
+    pub coulomb: [C; 2],
     /// How static friction falls to Coulomb's, where it is greater.
-    pub stribeck: Option<Stribeck>,
+    pub stribeck: Option<Stribeck<C>>,
     /// The spring at the joint, where there is one.
-    pub spring: Option<Spring>,
+    pub spring: Option<Spring<C>>,
     /// The range of the joint's position, lower end first, rad or m, where it is known.
-    pub limits: Option<[Value; 2]>,
+    pub limits: Option<[C; 2]>,
     /// The position at which the joint is locked, rad or m; `None` where it moves. A locked joint is not a degree of
     /// freedom of the arm, its link is a part of the link before it, and its motor, friction and spring do
     /// nothing.
-    pub locked: Option<Value>,
+    pub locked: Option<C>,
     /// Where the joint and the link frame are, if a file says so in place of a row. The cells a, alpha, d and
     /// theta then follow from it ([`mounted`]), and the body refers to the link frame of the mount. Only rows of
     /// a modified table have it.
-    pub mount: Option<Mount>,
+    pub mount: Option<Mount<C>>,
     /// The joint that this one follows, if it does. A follower is not a degree of freedom of the arm; its link,
     /// motor, friction and spring act on the joint that leads.
-    pub follows: Option<Coupling>,
+    pub follows: Option<Coupling<C>>,
 }
 
 impl Row {
-    /// A row of zeros: a link without mass in the place of the one before it.
-    pub fn new(name: impl Into<String>, joint_type: JointType) -> Self {
-        let zero = Value::zero;
-        Row {
-            name: name.into(),
-            joint_type,
-            a: zero(),
-            alpha: zero(),
-            d: zero(),
-            theta: zero(),
-            mass: zero(),
-            com: [(); 3].map(|()| zero()),
-            inertia: [(); 6].map(|()| zero()),
-            motor_inertia: zero(),
-            gear_ratio: zero(),
-            viscous: zero(),
-            coulomb: [zero(), zero()],
-            stribeck: None,
-            spring: None,
-            limits: None,
-            locked: None,
-            mount: None,
-            follows: None,
-        }
-    }
-
     /// Whether the joint is one of the arm's degrees of freedom: it moves, and follows no other.
     pub fn is_free(&self) -> bool {
         self.locked.is_none() && self.follows.is_none()

@@ -15,13 +15,13 @@ use crate::exact::Rational;
 /// L' `places` S Rz(q) S^-1 (Tz(q) for a prismatic joint), S = Rz(azimuth) Ry(polar): the joint turns about
 /// the direction of those angles in the last of the places.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Mount {
+pub struct Mount<C = Value> {
     /// The joint's frame in the link frame before, each place in the one before it.
-    pub places: Vec<Placement>,
+    pub places: Vec<Placement<C>>,
     /// Azimuth and polar angle of the joint's axis, rad.
-    pub axis: [Value; 2],
+    pub axis: [C; 2],
     /// The link frame in the frame that the row's cells describe, each place in the one before it.
-    pub frame: Vec<Placement>,
+    pub frame: Vec<Placement<C>>,
 }
 
 /// The rows of a modified table for rows whose cells a, alpha, d and theta are zero and that have mounts,

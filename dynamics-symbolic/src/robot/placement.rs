@@ -4,25 +4,25 @@ use super::Value;
 
 /// The place of a frame in another one, `T(xyz) Rz(yaw) Ry(pitch) Rx(roll)`, as in URDF.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Placement {
+pub struct Placement<C = Value> {
     /// The frame's origin, m.
-    pub xyz: [Value; 3],
+    pub xyz: [C; 3],
     /// Roll, pitch and yaw, rad.
-    pub rpy: [Value; 3],
+    pub rpy: [C; 3],
 }
 
 /// A frame and a body that are fixed to the last link.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Tool {
+pub struct Tool<C = Value> {
     /// The tool frame in the last link frame of the table.
-    pub placement: Placement,
+    pub placement: Placement<C>,
     /// Mass of the body, kg.
-    pub mass: Value,
+    pub mass: C,
     /// Its centre of mass in the tool frame, m.
-    pub com: [Value; 3],
+    pub com: [C; 3],
     /// Its inertia tensor about the centre of mass, axes parallel to the tool frame: entries xx, yy,
     /// zz, xy, yz, xz of the tensor, kg m^2.
-    pub inertia: [Value; 6],
+    pub inertia: [C; 6],
 }
 
 impl Tool {

@@ -7,8 +7,8 @@ use dynamics_symbolic::robot::{Convention, JointType, Value};
 
 use super::document::{Inertial, Joint, Kind, Link, Tree};
 use crate::description::{
-    Allow, Coulomb, Coupled, Entry, Expr, ExprKind, Friction, Given, Inertia, InertiaKind, Joints,
-    Locked, Mount, Name, Operator, Placement, Row,
+    Allow, Coulomb, Coupled, Entry, Expr, ExprKind, Friction, Given, Inertia, Joints, Locked,
+    Mount, Name, Operator, Part, Placement, Row,
 };
 use crate::diagnose::Diagnostics;
 use crate::files::Request;
@@ -284,10 +284,8 @@ impl<'a> Chain<'a> {
         let whole = body.mass.body();
         row.mass = Given::As(number(whole.mass));
         row.com = Given::As(whole.com.map(|x| Some(number(x))));
-        row.inertia = Given::As(Inertia {
-            place,
-            kind: InertiaKind::Tensor(Box::new(whole.inertia.map(|x| Given::As(number(x))))),
-        });
+        let values = whole.inertia.map(|x| Given::As(number(x)));
+        row.inertia = Given::As(Inertia::Tensor(Box::new(Part { place, values })));
         // Each of the bodies was judged where it stands, and angles are taken as they were written.
         row.allow = Given::As(Allow {
             odd_limits: false,
