@@ -16,6 +16,7 @@ pub mod formula;
 pub mod function;
 mod interval;
 pub mod linear;
+pub mod mechanism;
 mod methods;
 pub mod neglect;
 mod polynomial;

@@ -5,10 +5,11 @@ use crate::derive::derive_together;
 use crate::emit;
 use crate::formula::{Budget, Equation, Formulas, MOST_TERMS};
 use crate::function::{Function, Fused, Masses, Request};
+use crate::mechanism::Mechanism;
 use crate::neglect::{STATES, largest_error};
 use crate::program::{Operations, Program, Proven};
 use crate::prove::{ProofFailure, prove, prove_together};
-use crate::robot::{Robot, Row};
+use crate::robot::Robot;
 use core::fmt;
 use proc_macro2::TokenStream;
 
@@ -292,10 +293,10 @@ fn taylor_series(
     path: &TokenStream,
     derive: &Derivation,
 ) -> Result<Method, Reason> {
-    let moving = |row: &&Row| row.locked.is_none();
-    let mut rows = robot.rows.iter().filter(moving);
-    if let Some(row) = rows.find(|row| row.stribeck.is_some()) {
-        let joint = row.name.clone();
+    let arm = Mechanism::from(robot);
+    let mut joints = arm.joints.iter();
+    if let Some(joint) = joints.find(|joint| joint.forces.stribeck.is_some()) {
+        let joint = joint.name.clone();
         return Err(Reason::NoSeries { joint });
     }
     let function = Function::TaylorSeries;

@@ -2,21 +2,22 @@
 
 use crate::exact::Rational;
 use crate::interval::{Interval, Intervals};
-use crate::robot::{Interpretation, Robot, Symbol, Value};
+use crate::mechanism::{Joint, Law, Mechanism};
+use crate::robot::{Interpretation, Symbol, Value};
 use crate::rounding::Ranged;
 
 /// An input, as generated code has it; with an infinite error where nothing is known.
-pub(super) fn input(robot: &Robot, symbol: &Symbol) -> Ranged {
+pub(super) fn input(arm: &Mechanism, symbol: &Symbol) -> Ranged {
     let one = || Interval::symmetric(1.0);
     match symbol {
-        Symbol::Sine(i) => circle(position(robot, *i), |(sine, _)| sine),
-        Symbol::Cosine(i) => circle(position(robot, *i), |(_, cosine)| cosine),
-        Symbol::Position(i) => position(robot, *i),
-        Symbol::Velocity(i) => moved(robot, *i, |_| one()),
+        Symbol::Sine(i) => circle(position(arm, *i), |(sine, _)| sine),
+        Symbol::Cosine(i) => circle(position(arm, *i), |(_, cosine)| cosine),
+        Symbol::Position(i) => position(arm, *i),
+        Symbol::Velocity(i) => moved(arm, *i, |_| one()),
         Symbol::Acceleration(_) | Symbol::Force(_) | Symbol::Entry(..) => Ranged::exact(one()),
         // That of a follower's velocity, too, up to underflow.
         Symbol::VelocitySign(_) => Ranged::exact(one()),
-        Symbol::Stribeck(i) => stribeck(robot, *i),
+        Symbol::Stribeck(i) => stribeck(arm, *i),
         Symbol::Pi | Symbol::Field(_) | Symbol::AngleSine(_) | Symbol::AngleCosine(_) => unknown(),
     }
 }
@@ -26,21 +27,25 @@ fn unknown() -> Ranged {
 }
 
 /// Of a follower, what the factor makes of its leader's position or velocity.
-fn moved(robot: &Robot, index: usize, of_joint: impl Fn(usize) -> Interval) -> Ranged {
-    match robot.followed(index) {
-        None => Ranged::exact(of_joint(index)),
-        Some((leader, factor)) => cell(factor) * Ranged::exact(of_joint(leader)),
+fn moved(arm: &Mechanism, index: usize, of_free: impl Fn(&Joint) -> Interval) -> Ranged {
+    let joint = arm.joint_of_symbol(index);
+    match &joint.law {
+        Law::Following { coupling, .. } => {
+            let leader = &arm.joints[coupling.leader];
+            cell(&coupling.factor) * Ranged::exact(of_free(leader))
+        }
+        Law::Free { .. } | Law::Standing { .. } => Ranged::exact(of_free(joint)),
     }
 }
 
 /// A position: of a joint without limits, anywhere.
-fn position(robot: &Robot, index: usize) -> Ranged {
-    moved(robot, index, |joint| {
-        let limits = robot.row_of(joint).and_then(|row| row.limits.as_ref());
-        match limits.map(|limits| limits.each_ref().map(|limit| Intervals.value(limit))) {
-            Some([lower, upper]) => lower.hull(upper),
-            None => Interval::symmetric(f64::INFINITY),
+fn position(arm: &Mechanism, index: usize) -> Ranged {
+    moved(arm, index, |joint| match &joint.limits {
+        Some(limits) => {
+            let [lower, upper] = limits.each_ref().map(|limit| Intervals.value(limit));
+            lower.hull(upper)
         }
+        None => Interval::symmetric(f64::INFINITY),
     })
 }
 
@@ -57,16 +62,12 @@ fn circle(angle: Ranged, pick: impl Fn((Interval, Interval)) -> Interval) -> Ran
 ///
 /// With y' = y (1 + r) in place of y, |exp(-y') - exp(-y)| <= |r| y exp(-y (1 - |r|)), which is at most
 /// |r| / (e (1 - |r|)), and less than |r| for small r.
-fn stribeck(robot: &Robot, index: usize) -> Ranged {
+fn stribeck(arm: &Mechanism, index: usize) -> Ranged {
     let range = Interval::new(0.0, 1.0);
-    let stribeck = robot.row_of(index).and_then(|row| row.stribeck.as_ref());
-    let Some(stribeck) = stribeck else {
+    let Some(stribeck) = &arm.joint_of_symbol(index).forces.stribeck else {
         return unknown();
     };
-    let velocity = match robot.followed(index) {
-        None => relative(Ranged::exact(Interval::exact(1.0))),
-        Some((_, factor)) => relative(cell(factor) * Ranged::exact(Interval::exact(1.0))),
-    };
+    let velocity = relative(moved(arm, index, |_| Interval::exact(1.0)));
     let ratio = velocity / relative(cell(&stribeck.velocity));
     let r = (ratio * ratio).error;
     match r < 0.5 {

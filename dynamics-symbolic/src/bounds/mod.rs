@@ -12,6 +12,7 @@ mod note;
 
 pub(crate) use note::note;
 
+use crate::mechanism::Mechanism;
 use crate::program::Program;
 use crate::robot::{Robot, Symbol};
 use crate::rounding::outputs_over;
@@ -23,11 +24,12 @@ use inputs::input;
 ///
 /// `None` where there is nothing to say: no joint has limits, or nothing is read that changes.
 pub fn over_limits(robot: &Robot, program: &Program, constants: &[f64]) -> Option<Vec<f64>> {
-    let has_limits = robot.joints().any(|row| row.limits.is_some());
+    let arm = Mechanism::from(robot);
+    let has_limits = arm.free().any(|i| arm.joints[i].limits.is_some());
     if !(has_limits && program.inputs.iter().any(is_of_state)) {
         return None;
     }
-    let inputs = program.inputs.iter().map(|symbol| input(robot, symbol));
+    let inputs = program.inputs.iter().map(|symbol| input(&arm, symbol));
     let inputs: Vec<_> = inputs.collect();
     let outputs = outputs_over(program, constants, &inputs);
     Some(outputs.into_iter().map(|output| output.error).collect())

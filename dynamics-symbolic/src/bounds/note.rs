@@ -77,7 +77,7 @@ fn useful(errors: &[f64], sizes: &[f64]) -> Option<f64> {
 fn sizes(robot: &Robot, program: &Program, constants: &[f64]) -> Vec<f64> {
     let rounded = Rounded::with_constants(program, constants);
     let mut sizes = vec![0.0_f64; program.outputs.len()];
-    for state in states(robot, SEED, PAIRS).iter().flatten() {
+    for state in states(&robot.into(), SEED, PAIRS).iter().flatten() {
         let outputs = rounded.outputs(&|symbol| state.symbol(symbol));
         for (size, output) in sizes.iter_mut().zip(outputs) {
             *size = size.max(output.value.abs());

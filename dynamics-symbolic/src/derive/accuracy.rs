@@ -9,8 +9,8 @@ use super::states::{State, states};
 use super::symbols::Symbols;
 use super::units::groups;
 use super::{plain_recursion, unsimplified};
+use crate::mechanism::Mechanism;
 use crate::program::Program;
-use crate::robot::Robot;
 use crate::rounding::{POINTS, Rounded, Running};
 use crate::simplify::{Judge, Network};
 
@@ -48,10 +48,10 @@ struct Own {
 
 impl Recursion {
     /// The recursions beside which the programs of some parts are measured.
-    pub(super) fn of(robot: &Robot, parts: &[Part]) -> Self {
-        let joints: Vec<_> = robot.joints().map(|row| row.joint_type).collect();
+    pub(super) fn of(arm: &Mechanism, parts: &[Part]) -> Self {
+        let joints: Vec<_> = arm.free().map(|i| arm.joints[i].joint_type).collect();
         let own = |part: &Part| {
-            let program = unsimplified(robot, &[plain_recursion(robot, &[*part])]);
+            let program = unsimplified(arm, &[plain_recursion(arm, &[*part])]);
             Own {
                 groups: groups(&joints, part.function, program.outputs.len()),
                 program,
@@ -65,11 +65,11 @@ impl Recursion {
     /// The judge of another network of the functions.
     pub(super) fn judge<'g>(
         &self,
-        robot: &Robot,
+        arm: &Mechanism,
         symbols: &Symbols<'g>,
         network: &Network<'g>,
     ) -> Judge<'g> {
-        let states = states(robot, SEED, POINTS / 2);
+        let states = states(arm, SEED, POINTS / 2);
         let plain = self.natural_errors(&states);
         let of_output = |output: usize| core::array::from_fn(|k| ALLOWED * plain[k][output]);
         let outputs = self.parts.iter().map(|own| own.groups.len()).sum();
@@ -83,8 +83,8 @@ impl Recursion {
 
     /// Whether the errors of a program at states of its own are those of the plain recursions but for a
     /// small factor.
-    pub(super) fn accepts(&self, robot: &Robot, program: &Program) -> bool {
-        let states = states(robot, SEED_OF_MEASURE, PAIRS_OF_MEASURE);
+    pub(super) fn accepts(&self, arm: &Mechanism, program: &Program) -> bool {
+        let states = states(arm, SEED_OF_MEASURE, PAIRS_OF_MEASURE);
         let natural = self.natural_errors(&states);
         let rounded = Rounded::new(program);
         states

@@ -3,7 +3,7 @@
 //! Both come from masses and first moments, joined from the tip inwards as for gravity. With m and h
 //! those of links i to n about the origin of frame i, and M the mass of all, the centre is h / M of the
 //! whole arm, and moves by z x h / M where revolute joint i does, by m z / M where prismatic joint i
-//! does. Links that are locked count, but for those before the first joint that moves: they are parts of
+//! does. Links whose joints stand still count, but for those that no moving joint carries: they are parts of
 //! the base. Nothing is neglected: these are no terms of the equations of motion.
 
 use super::base::{LinkGeometry, bodies, geometry};
@@ -14,33 +14,31 @@ use super::place::Placed;
 use super::symbols::Symbols;
 use crate::expr::{Expr, Graph, Level};
 use crate::linear::{Symmetric3, Vector3};
+use crate::mechanism::Mechanism;
 use crate::robot::{Interpretation, JointType, Robot};
 use crate::spatial::{Body, Turn};
 
 /// Whether an arm has no mass at all, whatever its fields are: then it has no centre of mass.
 pub fn is_massless(robot: &Robot) -> bool {
-    let graph = Graph::new();
-    total_mass(&mut Symbols::new(&graph, robot), robot).is_zero()
+    let (graph, arm) = (Graph::new(), Mechanism::from(robot));
+    total_mass(&mut Symbols::new(&graph, &arm)).is_zero()
 }
 
-fn total_mass<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> Expr<'g> {
-    let zero = symbols.graph().zero();
-    let links = robot.rows.iter().skip(robot.links_of_base());
-    let masses = links.map(|row| &row.mass);
-    let masses = masses.chain(robot.tool.iter().map(|tool| &tool.mass));
+fn total_mass<'g>(symbols: &mut Symbols<'g>) -> Expr<'g> {
+    let (zero, arm) = (symbols.graph().zero(), symbols.arm());
+    let links = arm.joints.iter().enumerate();
+    let links = links.filter(|(i, _)| !arm.is_of_base(*i));
+    let masses = links.map(|(_, joint)| &joint.mass);
+    let masses = masses.chain(arm.tool.iter().map(|tool| &tool.mass));
     masses.fold(zero, |sum, mass| sum + symbols.value(mass))
 }
 
 /// The centre of mass.
-pub(super) fn center<'g>(
-    symbols: &mut Symbols<'g>,
-    robot: &Robot,
-    chain: &Chain<Expr<'g>>,
-) -> Vec<Expr<'g>> {
-    let moments = Moments::new(symbols, robot, chain);
+pub(super) fn center<'g>(symbols: &mut Symbols<'g>, chain: &Chain<Expr<'g>>) -> Vec<Expr<'g>> {
+    let moments = Moments::new(symbols, chain);
     let total = moments.of_base + moments.of_joints;
     let center = Vector3(moments.divided(total.0, chain.one));
-    let center = match &robot.base {
+    let center = match &symbols.arm().base {
         Some(base) => {
             let base = Placed::new(symbols, base);
             base.origin + base.leave(center)
@@ -51,14 +49,10 @@ pub(super) fn center<'g>(
 }
 
 /// Its Jacobian by rows.
-pub(super) fn jacobian<'g>(
-    symbols: &mut Symbols<'g>,
-    robot: &Robot,
-    chain: &Chain<Expr<'g>>,
-) -> Vec<Expr<'g>> {
+pub(super) fn jacobian<'g>(symbols: &mut Symbols<'g>, chain: &Chain<Expr<'g>>) -> Vec<Expr<'g>> {
     let zero = chain.zero;
-    let moments = Moments::new(symbols, robot, chain);
-    let base = Axes::new(&base(symbols, robot));
+    let moments = Moments::new(symbols, chain);
+    let base = Axes::new(&base(symbols));
     let mut columns = Vec::with_capacity(chain.links.len());
     chain.tree.outward(base, |i, before| {
         let (joint, (mass, h)) = (chain.joint(i), moments.of_links[i]);
@@ -94,14 +88,14 @@ struct Moments<'g> {
 }
 
 impl<'g> Moments<'g> {
-    fn new(symbols: &mut Symbols<'g>, robot: &Robot, chain: &Chain<Expr<'g>>) -> Self {
-        let total = total_mass(symbols, robot);
+    fn new(symbols: &mut Symbols<'g>, chain: &Chain<Expr<'g>>) -> Self {
+        let total = total_mass(symbols);
         let is_number = total.level() == Level::Constant && !total.is_zero();
         let scale = match is_number {
             true => chain.one / total,
             false => chain.one,
         };
-        let (bodies, base) = grouped(symbols, robot, scale);
+        let (bodies, base) = grouped(symbols, scale);
         let links = chain.links.iter().zip(bodies);
         let placed: Vec<_> = links
             .map(|(link, body)| link.place(body, chain.zero))
@@ -132,22 +126,22 @@ impl<'g> Moments<'g> {
 /// is a part of the link before it, so that it is added to constants.
 fn grouped<'g>(
     symbols: &mut Symbols<'g>,
-    robot: &Robot,
     factor: Expr<'g>,
 ) -> (Vec<Body<Expr<'g>>>, Body<Expr<'g>>) {
-    let zero = symbols.graph().zero();
-    let geometry = geometry(symbols, robot);
-    let own = bodies(symbols, robot);
+    let (zero, arm) = (symbols.graph().zero(), symbols.arm());
+    let geometry = geometry(symbols, arm);
+    let own = bodies(symbols, arm);
     let none = Body::splat(zero);
     let mut kept = vec![none; own.len()];
     let of_base = geometry.tree.inward(none, Body::joined, |i, outer| {
-        let point = match i < robot.links_of_base() {
-            // Parts of the base have no share, but what comes from beyond passes their frames.
-            true => none,
-            false => Body {
+        // Parts of the base have no share, but what comes from beyond passes their frames.
+        let point = if arm.is_of_base(i) {
+            none
+        } else {
+            Body {
                 inertia: Symmetric3::splat(zero),
                 ..own[i].0.times(factor)
-            },
+            }
         };
         let (rest, moving) = split(&geometry.links[i], point.joined(outer), zero);
         kept[i] = rest;
@@ -173,7 +167,7 @@ fn split<'g>(
         ..none
     };
     match link.joint_type {
-        _ if link.locked => (none, body),
+        _ if link.stands => (none, body),
         JointType::Revolute => (of(zero, x, y, zero), of(body.mass, zero, zero, z)),
         JointType::Prismatic => (of(body.mass, zero, zero, zero), of(zero, x, y, z)),
     }

@@ -1,33 +1,24 @@
 //! The chain in proximal frames: every frame has its origin and its z axis on
 //! the axis of its own joint, whatever the convention of the table.
 
-use super::rows::{body, screws};
+use super::rows::Screws;
 use super::symbols::Symbols;
-use super::walk::Tree;
 use super::{base, place};
 use crate::expr::{Expr, Level};
 use crate::linear::{Ring, Symmetric3, Vector3};
-use crate::robot::{Interpretation, JointType, Robot};
+use crate::mechanism::{Origin, Tree};
+use crate::robot::{Interpretation, JointType};
 use crate::spatial::{Acceleration, Body, Force, Joint, Keep, Motion, Turn, leave_x, leave_z};
 use core::ops::Add;
-
-/// Where the origin of a joint's frame is on the axis.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Origin {
-    /// After the offset d: at the common normal with the next axis.
-    AfterOffset,
-    /// Before the offset d: at the common normal with the previous axis.
-    BeforeOffset,
-}
 
 /// A link in its proximal frame.
 #[derive(Clone, Copy, Debug)]
 pub struct Link<R> {
     /// The joint that moves it.
     pub joint: Joint<R>,
-    /// Whether that joint is locked: then the link is a part of the one before, and the turn or the
+    /// Whether that joint stands still: then the link is a part of the one before, and the turn or the
     /// slide is constant.
-    pub locked: bool,
+    pub stands: bool,
     /// Where the origin is on the axis, from the place after the offset d.
     pub shift: R,
     /// Turn about z from this frame to the link, where the frame stays behind the joint.
@@ -65,74 +56,94 @@ pub struct Chain<R> {
     pub links: Vec<Link<R>>,
     /// Which of them carries which.
     pub(crate) tree: Tree,
+    /// Which of them carries the tip; `None` for the base.
+    pub(crate) tip: Option<usize>,
     /// The joint about whose origin the moment of a wrench on the tip is told, where it is about one.
     pub pivot: Option<usize>,
 }
 
 impl<'g> Chain<Expr<'g>> {
-    /// The chain of a robot, each frame's origin where `origins` says.
-    pub fn new(symbols: &mut Symbols<'g>, robot: &Robot, origins: &[Origin]) -> Self {
-        let (zero, one) = (symbols.graph().zero(), symbols.graph().one());
-        let none = Turn::none(zero, one);
-        let screws = screws(symbols, robot);
-        let tree = Tree::of(robot);
-        let links_of_base = robot.links_of_base();
-        let neglected = base::neglected(symbols, robot);
-        let mut links: Vec<Link<Expr<'g>>> = Vec::with_capacity(robot.rows.len());
-        for (i, row) in robot.rows.iter().enumerate() {
-            let shift_before = tree.parent(i).map_or(zero, |parent| links[parent].shift);
-            let d = symbols.value(&row.d);
-            // The origin is at d + shift along the axis.
-            let shift = match origins[i] {
-                Origin::AfterOffset => zero,
-                Origin::BeforeOffset => -d,
-            };
-            let screw = &screws[i];
-            let along = leave_x(screw.turn, Vector3::new(zero, zero, d + shift));
-            let offset = along + Vector3::new(screw.a, zero, -shift_before);
-            let (s, c) = symbols.joint_sin_cos(i, row.joint_type, &row.theta);
-            let slide = match row.joint_type {
-                JointType::Revolute => zero,
-                JointType::Prismatic => symbols.joint(i).q,
-            };
-            let body = match i < links_of_base {
-                true => Body::splat(zero),
-                false => body(symbols, robot, i, &screws[i + 1])
-                    .less(neglected[i].0)
-                    .moved(Vector3::new(zero, zero, -shift)),
-            };
-            let ratio = symbols.value(&row.gear_ratio);
-            let reflected = match row.locked {
-                None => ratio * ratio * symbols.value(&row.motor_inertia) - neglected[i].1,
-                Some(_) => zero,
-            };
-            links.push(Link {
-                joint: Joint {
-                    joint_type: row.joint_type,
-                    before: none,
-                    twist: screw.turn,
-                    turn: Turn { s, c },
-                    offset,
-                    slide,
-                },
-                locked: row.locked.is_some(),
-                shift,
-                behind: none,
-                body,
-                reflected,
-            });
+    /// The chain of an arm, each frame's origin where `origins` says.
+    pub fn new(symbols: &mut Symbols<'g>, origins: &[Origin]) -> Self {
+        let (graph, arm) = (symbols.graph(), symbols.arm());
+        let (zero, one) = (graph.zero(), graph.one());
+        let screws = Screws::new(symbols, arm);
+        let neglected = base::neglected(symbols);
+        let mut links: Vec<Link<Expr<'g>>> = Vec::with_capacity(arm.joints.len());
+        for i in 0..arm.joints.len() {
+            let parent = arm.tree.parent(i);
+            let shift_before = parent.map_or(zero, |parent| links[parent].shift);
+            let link = Link::new(
+                symbols,
+                &screws,
+                (i, origins[i]),
+                shift_before,
+                neglected[i],
+            );
+            links.push(link);
         }
-        let gravity = place::gravity(symbols, robot);
+        let gravity = place::gravity(symbols, arm);
         Chain {
             zero,
             one,
             gravity,
-            strength: strength(symbols, robot),
-            datum: place::datum(symbols, robot).unwrap_or(zero),
+            strength: strength(symbols),
+            datum: place::datum(symbols, arm).unwrap_or(zero),
             base: Body::splat(zero),
             links,
-            tree,
+            tree: arm.tree.clone(),
+            tip: arm.tip,
             pivot: None,
+        }
+    }
+}
+
+impl<'g> Link<Expr<'g>> {
+    /// Link i, on a link whose origin is at `shift_before`, without the parameters that are neglected of its body and
+    /// of its motor.
+    fn new(
+        symbols: &mut Symbols<'g>,
+        screws: &Screws<Expr<'g>>,
+        (i, origin): (usize, Origin),
+        shift_before: Expr<'g>,
+        (neglected, of_motor): (Body<Expr<'g>>, Expr<'g>),
+    ) -> Self {
+        let (graph, arm) = (symbols.graph(), symbols.arm());
+        let (joint, screw, zero) = (&arm.joints[i], screws.before[i], graph.zero());
+        let d = symbols.value(&joint.d);
+        // The origin is at d + shift along the axis.
+        let shift = match origin {
+            Origin::AfterOffset => zero,
+            Origin::BeforeOffset => -d,
+        };
+        let along = leave_x(screw.turn, Vector3::new(zero, zero, d + shift));
+        let offset = along + Vector3::new(screw.a, zero, -shift_before);
+        let turn = symbols.turn(i);
+        let slide = match joint.joint_type {
+            JointType::Revolute => zero,
+            JointType::Prismatic => symbols.joint(i).q,
+        };
+        let body = if arm.is_of_base(i) {
+            Body::splat(zero)
+        } else {
+            let body = screws.body(symbols, arm, i).less(neglected);
+            body.moved(Vector3::new(zero, zero, -shift))
+        };
+        let none = Turn::none(zero, graph.one());
+        Link {
+            joint: Joint {
+                joint_type: joint.joint_type,
+                before: none,
+                twist: screw.turn,
+                turn,
+                offset,
+                slide,
+            },
+            stands: joint.stands(),
+            shift,
+            behind: none,
+            body,
+            reflected: base::reflected(symbols, joint) - of_motor,
         }
     }
 }
@@ -150,8 +161,7 @@ impl<R: Ring> Chain<R> {
 
     /// The joints that carry the tip, from its own link's inwards.
     pub(super) fn carriers_of_tip(&self) -> impl Iterator<Item = usize> {
-        let last = self.links.len().checked_sub(1);
-        last.into_iter().flat_map(|last| self.tree.carriers(last))
+        self.tree.carriers_of(self.tip)
     }
 
     /// For every link the axes of the joints that carry it, in its frame, each with the number of the joint.
@@ -195,8 +205,8 @@ impl<R: Ring> Chain<R> {
     /// parameters by the rules of Gautier and Khalil (1990).
     ///
     /// A revolute joint: the part that is invariant under rotation about its
-    /// axis. A prismatic joint: the whole inertia tensor, for both links turn alike. A joint that is
-    /// locked: everything.
+    /// axis. A prismatic joint: the whole inertia tensor, for both links turn alike. A joint that
+    /// stands still: everything.
     pub fn group_parameters(&mut self, keep: &[Keep]) {
         let (zero, links) = (self.zero, &mut self.links);
         let none = Body::splat(zero);
@@ -205,7 +215,7 @@ impl<R: Ring> Chain<R> {
             let joint = &link.joint;
             let whole = link.body.joined(outer);
             let (moving, rest) = match joint.joint_type {
-                _ if link.locked => (joint.leave_body(whole), none),
+                _ if link.stands => (joint.leave_body(whole), none),
                 JointType::Revolute => {
                     let (invariant, rest) = whole.split_revolute(zero, keep[i]);
                     (invariant.left_x(joint.twist).moved(joint.offset), rest)
@@ -258,9 +268,10 @@ impl Chain<Expr<'_>> {
 
 /// See [`Chain::strength`]. Seen from a base that is turned, a component may be a number that happens
 /// to be zero, such as sin 30 deg - 1/2: no quotient is made of it.
-fn strength<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> Expr<'g> {
+fn strength<'g>(symbols: &mut Symbols<'g>) -> Expr<'g> {
+    let arm = symbols.arm();
     let is_number = |g: &Expr<'g>| g.level() == Level::Constant && !g.is_zero();
-    let components = robot.gravity.each_ref().map(|g| symbols.value(g));
+    let components = arm.gravity.each_ref().map(|g| symbols.value(g));
     let number = components.into_iter().rev().find(is_number);
     number.unwrap_or(symbols.graph().one())
 }
@@ -290,7 +301,7 @@ mod tests {
                 offset: vector(random),
                 slide: Number::random(random),
             },
-            locked: false,
+            stands: false,
             shift: Number::ZERO,
             behind: Turn::none(Number::ZERO, Number::ONE),
             body: Body::splat(Number::ZERO),
@@ -314,6 +325,7 @@ mod tests {
             base: Body::splat(Number::ZERO),
             links: types.map(|joint_type| link(joint_type, random)).into(),
             tree: Tree::new(vec![None, Some(0), Some(0), Some(1)]),
+            tip: Some(3),
             pivot: None,
         };
         let force = Force {

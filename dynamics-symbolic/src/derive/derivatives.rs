@@ -27,7 +27,7 @@ use super::recursive;
 use super::symbols::Symbols;
 use crate::expr::{Direction, Expr};
 use crate::linear::{Ring, Vector3};
-use crate::robot::{JointType, Robot};
+use crate::robot::JointType;
 use crate::spatial::{Acceleration, Body, Force, Joint, Motion};
 
 pub(super) type Matrix<R> = Vec<Vec<R>>;
@@ -82,8 +82,8 @@ pub(super) fn recursion<R: Ring>(chain: &Chain<R>, qd: &[R], qdd: &[R]) -> Force
 
 impl<'g> ForceDerivatives<Expr<'g>> {
     /// Those of the joints that move by themselves, from those of all rows.
-    pub(super) fn of_joints(self, symbols: &Symbols<'g>, robot: &Robot) -> Self {
-        let joints = Joints::of(symbols, robot);
+    pub(super) fn of_joints(self, symbols: &Symbols<'g>) -> Self {
+        let joints = Joints::of(symbols);
         ForceDerivatives {
             by_position: joints.block(self.by_position),
             by_velocity: joints.block(self.by_velocity),
@@ -119,17 +119,16 @@ impl<R: Ring> Moving<R> {
 /// by themselves.
 pub(super) fn differentiated<'g>(
     symbols: &Symbols<'g>,
-    robot: &Robot,
     chain: &Chain<Expr<'g>>,
     [qd, qdd]: [&[Expr<'g>]; 2],
 ) -> ForceDerivatives<Expr<'g>> {
     let forces = recursive::inverse_dynamics(chain, qd, qdd, chain.gravity);
-    let forces = Joints::of(symbols, robot).entries(forces);
+    let forces = Joints::of(symbols).entries(forces);
     let along = |directions: Vec<Direction<'g>>| -> Matrix<Expr<'g>> {
         let row = |force: &Expr<'g>| directions.iter().map(|d| force.derivative(d)).collect();
         forces.iter().map(row).collect()
     };
-    let joints = robot.moving();
+    let joints: Vec<_> = symbols.arm().free().collect();
     ForceDerivatives {
         by_position: along(along_positions(symbols, &joints, chain.one)),
         by_velocity: along(along_velocities(qd, &joints, chain.one)),

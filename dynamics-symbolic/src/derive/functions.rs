@@ -17,7 +17,6 @@ use crate::expr::{Expr, Graph};
 pub use crate::function::Form;
 use crate::function::{Argument, Function};
 use crate::linear::Vector3;
-use crate::robot::Robot;
 
 /// A function, and how it is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -32,15 +31,14 @@ pub struct Part {
 /// For forward dynamics and its derivatives: the values, the pivots, and M's diagonal.
 pub fn outputs<'g>(
     symbols: &mut Symbols<'g>,
-    robot: &Robot,
     chain: &Chain<Expr<'g>>,
     function: Function,
     form: Form,
 ) -> Vec<Expr<'g>> {
-    let of_rows = of_rows(symbols, robot, chain, function, form);
+    let of_rows = of_rows(symbols, chain, function, form);
     match is_of_joints(function) {
         true => of_rows,
-        false => Joints::of(symbols, robot).outputs(function.shape(), of_rows),
+        false => Joints::of(symbols).outputs(function.shape(), of_rows),
     }
 }
 
@@ -62,19 +60,18 @@ fn is_of_joints(function: Function) -> bool {
 /// still, at a constant position, a follower one that moves as it has to. See [`is_of_joints`].
 fn of_rows<'g>(
     symbols: &mut Symbols<'g>,
-    robot: &Robot,
     chain: &Chain<Expr<'g>>,
     function: Function,
     form: Form,
 ) -> Vec<Expr<'g>> {
     match form {
-        Form::Assembled => return assembled(symbols, robot, chain, function),
-        Form::Columns => return columns(symbols, robot, chain, function),
+        Form::Assembled => return assembled(symbols, chain, function),
+        Form::Columns => return columns(symbols, chain, function),
         Form::Recursive | Form::Articulated => {}
     }
     let graph = symbols.graph();
     let (zero, one) = (graph.zero(), graph.one());
-    let still = vec![zero; robot.rows.len()];
+    let still = vec![zero; chain.links.len()];
     let weightless = Vector3::splat(zero);
     let qd = symbols.all(|joint| joint.qd);
     let qdd = symbols.all(|joint| joint.qdd);
@@ -82,80 +79,80 @@ fn of_rows<'g>(
         Function::MassMatrix => composite::mass_matrix(chain).concat(),
         Function::CoriolisVector => recursive::inverse_dynamics(chain, &qd, &still, weightless),
         Function::GravityVector => energy::gravity_vector(chain),
-        Function::FrictionVector => joint_forces::friction(symbols, robot),
-        Function::SpringVector => joint_forces::springs(symbols, robot),
+        Function::FrictionVector => joint_forces::friction(symbols),
+        Function::SpringVector => joint_forces::springs(symbols),
         // Series of the equations of motion as they are, not solved for the accelerations.
         Function::InverseDynamics | Function::TaylorSeries => {
             let forces = recursive::inverse_dynamics(chain, &qd, &qdd, chain.gravity);
-            sum(forces, &joint_forces::both(symbols, robot))
+            sum(forces, &joint_forces::both(symbols))
         }
         Function::BiasForce => {
             let forces = recursive::inverse_dynamics(chain, &qd, &still, chain.gravity);
-            sum(forces, &joint_forces::both(symbols, robot))
+            sum(forces, &joint_forces::both(symbols))
         }
-        Function::ForwardDynamics => forward_dynamics(symbols, robot, chain, form),
+        Function::ForwardDynamics => forward_dynamics(symbols, chain, form),
         Function::KineticEnergy => vec![energy::kinetic_energy(graph, chain, &qd)],
         Function::PotentialEnergy => {
-            let of_springs = joint_forces::energy_of_springs(symbols, robot);
+            let of_springs = joint_forces::energy_of_springs(symbols);
             vec![energy::potential_energy(chain) + of_springs]
         }
         Function::CoriolisMatrix => coriolis_matrix(graph, chain, &qd),
-        Function::CoriolisCoefficients => coriolis_coefficients(symbols, robot, chain),
-        Function::CentrifugalCoefficients => centrifugal_coefficients(symbols, robot, chain),
+        Function::CoriolisCoefficients => coriolis_coefficients(symbols, chain),
+        Function::CentrifugalCoefficients => centrifugal_coefficients(symbols, chain),
         Function::ForwardKinematics => {
-            let frames = kinematics::frames(symbols, robot);
-            kinematics::tip(symbols, robot, &frames).homogeneous(zero, one)
+            let frames = kinematics::frames(symbols);
+            kinematics::tip(symbols, &frames).homogeneous(zero, one)
         }
         Function::LinkPoses => {
-            let frames = kinematics::frames(symbols, robot);
+            let frames = kinematics::frames(symbols);
             frames
                 .iter()
                 .flat_map(|frame| frame.pose.homogeneous(zero, one))
                 .collect()
         }
-        Function::Jacobian => kinematics::jacobian(symbols, robot),
+        Function::Jacobian => kinematics::jacobian(symbols),
         Function::InverseDynamicsDerivatives => {
             let of_links = derivatives::recursion(chain, &qd, &qdd);
-            force_derivatives(symbols, robot, of_links.of_joints(symbols, robot))
+            force_derivatives(symbols, of_links.of_joints(symbols))
         }
         Function::ForwardDynamicsDerivatives => {
-            acceleration_derivatives(symbols, robot, chain, |factors, b| factors.solve(b))
+            acceleration_derivatives(symbols, chain, |factors, b| factors.solve(b))
         }
-        Function::Regressor => regressor::by_recursion(symbols, robot, chain),
-        Function::BaseParameters => base::observed_parameters(symbols, robot),
+        Function::Regressor => regressor::by_recursion(symbols, chain),
+        Function::BaseParameters => base::observed_parameters(symbols),
         // Articulated bodies are of joints that move by themselves.
-        Function::ForwardDynamicsAba if robot.is_coupled() => {
-            forward_dynamics(symbols, robot, chain, Form::Recursive)
+        Function::ForwardDynamicsAba if symbols.arm().is_coupled() => {
+            forward_dynamics(symbols, chain, Form::Recursive)
         }
-        Function::ForwardDynamicsAba => articulated_dynamics(symbols, robot, chain, &qd),
-        Function::WrenchTorques => tip::wrench_torques(symbols, robot, chain),
-        Function::ToolVelocity => tip::velocity(symbols, robot, chain),
-        Function::ToolAcceleration => tip::acceleration(symbols, robot, chain),
-        Function::JacobianRate => link_jacobians::rate(symbols, robot),
-        Function::LinkJacobians => link_jacobians::of_links(symbols, robot),
-        Function::CenterOfMass => center_of_mass::center(symbols, robot, chain),
-        Function::CenterOfMassJacobian => center_of_mass::jacobian(symbols, robot, chain),
-        Function::OperationalInertiaInverse => operational_inertia_inverse(symbols, robot, chain),
+        Function::ForwardDynamicsAba => articulated_dynamics(symbols, chain, &qd),
+        Function::WrenchTorques => tip::wrench_torques(symbols, chain),
+        Function::ToolVelocity => tip::velocity(symbols, chain),
+        Function::ToolAcceleration => tip::acceleration(symbols, chain),
+        Function::JacobianRate => link_jacobians::rate(symbols),
+        Function::LinkJacobians => link_jacobians::of_links(symbols),
+        Function::CenterOfMass => center_of_mass::center(symbols, chain),
+        Function::CenterOfMassJacobian => center_of_mass::jacobian(symbols, chain),
+        Function::OperationalInertiaInverse => operational_inertia_inverse(symbols, chain),
         Function::GeneralizedMomentum => momenta::generalized_momentum(chain, &qd),
         Function::MomentumBias => {
             let gradient = momenta::kinetic_gradient(chain, &qd);
-            momentum_bias(symbols, robot, chain, gradient)
+            momentum_bias(symbols, chain, gradient)
         }
         Function::PassivityTorque => {
-            let rates = passivity_rates(symbols, robot);
+            let rates = passivity_rates(symbols);
             let forces = passivity::torque(chain, &rates, regressor::half(symbols));
-            sum(forces, &joint_forces::both(symbols, robot))
+            sum(forces, &joint_forces::both(symbols))
         }
         Function::PassivityRegressor => {
-            let rates = passivity_rates(symbols, robot);
-            regressor::of_passivity(symbols, robot, chain, &rates)
+            let rates = passivity_rates(symbols);
+            regressor::of_passivity(symbols, chain, &rates)
         }
-        Function::EnergyRegressors => regressor::of_energies(symbols, robot, chain),
-        Function::InverseDynamicsRates => force_rates(symbols, robot, chain),
+        Function::EnergyRegressors => regressor::of_energies(symbols, chain),
+        Function::InverseDynamicsRates => force_rates(symbols, chain),
         Function::InverseDynamicsSecondDerivatives => {
             let of_links = second_derivatives::recursion(symbols, chain, &qd, &qdd);
-            let of_joints = of_links.of_joints(symbols, robot);
-            second_force_derivatives(symbols, robot, of_joints)
+            let of_joints = of_links.of_joints(symbols);
+            second_force_derivatives(symbols, of_joints)
         }
     }
 }
@@ -174,17 +171,13 @@ fn coriolis_matrix<'g>(
 }
 
 /// The Christoffel symbols of each pair of different joints, both orders of it added up.
-fn coriolis_coefficients<'g>(
-    symbols: &mut Symbols<'g>,
-    robot: &Robot,
-    chain: &Chain<Expr<'g>>,
-) -> Vec<Expr<'g>> {
-    let n = robot.dof();
+fn coriolis_coefficients<'g>(symbols: &mut Symbols<'g>, chain: &Chain<Expr<'g>>) -> Vec<Expr<'g>> {
+    let n = symbols.arm().dof();
     let pairs: Vec<_> = (0..n)
         .flat_map(|j| (j + 1..n).map(move |k| (j, k)))
         .collect();
     let of_rows = christoffel::christoffel(symbols.graph(), chain);
-    Joints::of(symbols, robot)
+    Joints::of(symbols)
         .cube(of_rows)
         .iter()
         .flat_map(|c| pairs.iter().map(|&(j, k)| c[j][k] + c[k][j]))
@@ -194,11 +187,10 @@ fn coriolis_coefficients<'g>(
 /// The Christoffel symbols of each joint with itself.
 fn centrifugal_coefficients<'g>(
     symbols: &mut Symbols<'g>,
-    robot: &Robot,
     chain: &Chain<Expr<'g>>,
 ) -> Vec<Expr<'g>> {
     let of_rows = christoffel::christoffel(symbols.graph(), chain);
-    Joints::of(symbols, robot)
+    Joints::of(symbols)
         .cube(of_rows)
         .iter()
         .flat_map(|c| (0..c.len()).map(|j| c[j][j]))
@@ -208,7 +200,6 @@ fn centrifugal_coefficients<'g>(
 /// C' qd - G - K - F, from the first term.
 fn momentum_bias<'g>(
     symbols: &mut Symbols<'g>,
-    robot: &Robot,
     chain: &Chain<Expr<'g>>,
     gradient: Vec<Expr<'g>>,
 ) -> Vec<Expr<'g>> {
@@ -216,13 +207,13 @@ fn momentum_bias<'g>(
         a.into_iter().zip(b).map(|(a, b)| a - b).collect()
     };
     let conservative = less(gradient, energy::gravity_vector(chain));
-    less(conservative, joint_forces::both(symbols, robot))
+    less(conservative, joint_forces::both(symbols))
 }
 
 /// The velocities and the reference motion of the joint of every row.
-fn passivity_rates<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> Vec<Rates<Expr<'g>>> {
-    let qd_r = symbols.entries(Argument::ReferenceVelocity, robot);
-    let qdd_r = symbols.entries(Argument::ReferenceAcceleration, robot);
+fn passivity_rates<'g>(symbols: &mut Symbols<'g>) -> Vec<Rates<Expr<'g>>> {
+    let qd_r = symbols.entries(Argument::ReferenceVelocity);
+    let qdd_r = symbols.entries(Argument::ReferenceAcceleration);
     let joints = qd_r.into_iter().zip(qdd_r).enumerate();
     let rates = joints.map(|(i, (qd_r, qdd_r))| Rates {
         qd: symbols.joint(i).qd,
@@ -232,20 +223,16 @@ fn passivity_rates<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> Vec<Rates<Ex
     rates.collect()
 }
 
-fn jerk_and_snap<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> [Vec<Expr<'g>>; 2] {
-    [Argument::Jerk, Argument::Snap].map(|argument| symbols.entries(argument, robot))
+fn jerk_and_snap<'g>(symbols: &mut Symbols<'g>) -> [Vec<Expr<'g>>; 2] {
+    [Argument::Jerk, Argument::Snap].map(|argument| symbols.entries(argument))
 }
 
 /// The first derivatives of the joint forces along a motion, then the second ones.
-fn force_rates<'g>(
-    symbols: &mut Symbols<'g>,
-    robot: &Robot,
-    chain: &Chain<Expr<'g>>,
-) -> Vec<Expr<'g>> {
-    let [jerk, snap] = jerk_and_snap(symbols, robot);
-    let of_links = rates::recursion(symbols, robot, chain, [&jerk, &snap]);
-    let own = joint_forces::both(symbols, robot);
-    let of_joints = rates::differentiated(symbols, robot, &own, [&jerk, &snap]);
+fn force_rates<'g>(symbols: &mut Symbols<'g>, chain: &Chain<Expr<'g>>) -> Vec<Expr<'g>> {
+    let [jerk, snap] = jerk_and_snap(symbols);
+    let of_links = rates::recursion(symbols, chain, [&jerk, &snap]);
+    let own = joint_forces::both(symbols);
+    let of_joints = rates::differentiated(symbols, &own, [&jerk, &snap]);
     let orders = of_links.into_iter().zip(&of_joints);
     orders.flat_map(|(forces, own)| sum(forces, own)).collect()
 }
@@ -253,15 +240,14 @@ fn force_rates<'g>(
 /// J M^-1 J^T by rows, the pivots, and the diagonal of M.
 fn operational_inertia_inverse<'g>(
     symbols: &mut Symbols<'g>,
-    robot: &Robot,
     chain: &Chain<Expr<'g>>,
 ) -> Vec<Expr<'g>> {
-    let joints = Joints::of(symbols, robot);
+    let joints = Joints::of(symbols);
     let matrix = joints.block(composite::mass_matrix(chain));
     let nothing = vec![chain.zero; matrix.len()];
     let (factors, _) = Factors::new(symbols.graph(), matrix.clone(), nothing);
-    let jacobian = kinematics::jacobian(symbols, robot);
-    let rows = jacobian.chunks(robot.rows.len());
+    let jacobian = kinematics::jacobian(symbols);
+    let rows = jacobian.chunks(chain.links.len());
     let rows: Vec<_> = rows.map(|row| joints.entries(row.to_vec())).collect();
     [
         factors.congruence(&rows).concat(),
@@ -273,12 +259,11 @@ fn operational_inertia_inverse<'g>(
 /// Accelerations, pivots, and the diagonal of M.
 fn forward_dynamics<'g>(
     symbols: &mut Symbols<'g>,
-    robot: &Robot,
     chain: &Chain<Expr<'g>>,
     form: Form,
 ) -> Vec<Expr<'g>> {
-    let net = net_force(symbols, robot, chain);
-    let joints = Joints::of(symbols, robot);
+    let net = net_force(symbols, chain);
+    let joints = Joints::of(symbols);
     let matrix = joints.block(composite::mass_matrix(chain));
     let diagonal = (0..matrix.len()).map(|i| matrix[i][i]).collect();
     let (qdd, pivots) = match form {
@@ -298,17 +283,16 @@ fn forward_dynamics<'g>(
 /// written by articulated bodies before.
 fn articulated_dynamics<'g>(
     symbols: &mut Symbols<'g>,
-    robot: &Robot,
     chain: &Chain<Expr<'g>>,
     qd: &[Expr<'g>],
 ) -> Vec<Expr<'g>> {
     let applied = symbols.all(|joint| joint.tau).into_iter();
-    let own = joint_forces::both(symbols, robot);
+    let own = joint_forces::both(symbols);
     let net: Vec<_> = applied.zip(own).map(|(tau, f)| tau - f).collect();
     let (qdd, pivots) = articulated::forward_dynamics(chain, qd, &net);
     let matrix = composite::mass_matrix(chain);
     let diagonal = (0..matrix.len()).map(|i| matrix[i][i]).collect();
-    let joints = Joints::of(symbols, robot);
+    let joints = Joints::of(symbols);
     [qdd, pivots, diagonal]
         .map(|of_rows| joints.entries(of_rows))
         .concat()
@@ -317,7 +301,6 @@ fn articulated_dynamics<'g>(
 /// The functions that have a second form.
 fn assembled<'g>(
     symbols: &mut Symbols<'g>,
-    robot: &Robot,
     chain: &Chain<Expr<'g>>,
     function: Function,
 ) -> Vec<Expr<'g>> {
@@ -344,9 +327,9 @@ fn assembled<'g>(
                 .collect()
         }
         Function::BiasForce => {
-            let motion = assembled(symbols, robot, chain, Function::CoriolisVector);
+            let motion = assembled(symbols, chain, Function::CoriolisVector);
             let gravity = energy::gravity_vector(chain);
-            sum(sum(motion, &gravity), &joint_forces::both(symbols, robot))
+            sum(sum(motion, &gravity), &joint_forces::both(symbols))
         }
         Function::InverseDynamics | Function::TaylorSeries => {
             let qdd = symbols.all(|joint| joint.qdd);
@@ -354,34 +337,31 @@ fn assembled<'g>(
                 .iter()
                 .map(|row| dot(zero, row, &qdd))
                 .collect();
-            sum(
-                inertial,
-                &assembled(symbols, robot, chain, Function::BiasForce),
-            )
+            sum(inertial, &assembled(symbols, chain, Function::BiasForce))
         }
         Function::GravityVector => {
-            let still = vec![zero; robot.rows.len()];
+            let still = vec![zero; chain.links.len()];
             recursive::inverse_dynamics(chain, &still, &still, chain.gravity)
         }
         Function::InverseDynamicsDerivatives => {
             let qdd = symbols.all(|joint| joint.qdd);
-            let of_links = derivatives::differentiated(symbols, robot, chain, [&qd, &qdd]);
-            force_derivatives(symbols, robot, of_links)
+            let of_links = derivatives::differentiated(symbols, chain, [&qd, &qdd]);
+            force_derivatives(symbols, of_links)
         }
         Function::ForwardDynamicsDerivatives => {
-            acceleration_derivatives(symbols, robot, chain, |factors, b| {
+            acceleration_derivatives(symbols, chain, |factors, b| {
                 let inverse = factors.inverse();
                 inverse.iter().map(|row| dot(zero, row, &b)).collect()
             })
         }
-        Function::Regressor => regressor::by_partial_velocities(symbols, robot, chain),
+        Function::Regressor => regressor::by_partial_velocities(symbols, chain),
         Function::GeneralizedMomentum => times(zero, &composite::mass_matrix(chain), &qd),
         Function::MomentumBias => {
             let gradient = gradient(zero, &christoffel::christoffel(graph, chain), &qd);
-            momentum_bias(symbols, robot, chain, gradient)
+            momentum_bias(symbols, chain, gradient)
         }
         Function::PassivityTorque => {
-            let rates = passivity_rates(symbols, robot);
+            let rates = passivity_rates(symbols);
             let [qd_r, qdd_r] = [|r: &Rates<Expr<'g>>| r.qd_r, |r: &Rates<Expr<'g>>| r.qdd_r]
                 .map(|of| rates.iter().map(of).collect::<Vec<_>>());
             let velocity_terms = christoffel::christoffel(graph, chain);
@@ -392,26 +372,25 @@ fn assembled<'g>(
             let inertial = times(zero, &composite::mass_matrix(chain), &qdd_r);
             let forces = sum(inertial, &velocity_terms.collect::<Vec<_>>());
             let forces = sum(forces, &energy::gravity_vector(chain));
-            sum(forces, &joint_forces::both(symbols, robot))
+            sum(forces, &joint_forces::both(symbols))
         }
         Function::InverseDynamicsRates => {
-            let forces = assembled(symbols, robot, chain, Function::InverseDynamics);
-            let [jerk, snap] = jerk_and_snap(symbols, robot);
-            rates::differentiated(symbols, robot, &forces, [&jerk, &snap]).concat()
+            let forces = assembled(symbols, chain, Function::InverseDynamics);
+            let [jerk, snap] = jerk_and_snap(symbols);
+            rates::differentiated(symbols, &forces, [&jerk, &snap]).concat()
         }
         Function::InverseDynamicsSecondDerivatives => {
             let qdd = symbols.all(|joint| joint.qdd);
-            let of_links = second_derivatives::differentiated(symbols, robot, chain, &qd, &qdd);
-            second_force_derivatives(symbols, robot, of_links)
+            let of_links = second_derivatives::differentiated(symbols, chain, &qd, &qdd);
+            second_force_derivatives(symbols, of_links)
         }
-        _ => of_rows(symbols, robot, chain, function, Form::Recursive),
+        _ => of_rows(symbols, chain, function, Form::Recursive),
     }
 }
 
 /// The functions that are written by the composite bodies of M, beside that.
 fn columns<'g>(
     symbols: &mut Symbols<'g>,
-    robot: &Robot,
     chain: &Chain<Expr<'g>>,
     function: Function,
 ) -> Vec<Expr<'g>> {
@@ -421,19 +400,15 @@ fn columns<'g>(
         Function::CoriolisVector => composite::bias_force(chain, &qd, Vector3::splat(chain.zero)),
         Function::BiasForce => {
             let forces = composite::bias_force(chain, &qd, chain.gravity);
-            sum(forces, &joint_forces::both(symbols, robot))
+            sum(forces, &joint_forces::both(symbols))
         }
-        _ => of_rows(symbols, robot, chain, function, Form::Recursive),
+        _ => of_rows(symbols, chain, function, Form::Recursive),
     }
 }
 
 /// tau - V - G - K - F, for the joint of every row.
-fn net_force<'g>(
-    symbols: &mut Symbols<'g>,
-    robot: &Robot,
-    chain: &Chain<Expr<'g>>,
-) -> Vec<Expr<'g>> {
-    let bias = of_rows(symbols, robot, chain, Function::BiasForce, Form::Recursive);
+fn net_force<'g>(symbols: &mut Symbols<'g>, chain: &Chain<Expr<'g>>) -> Vec<Expr<'g>> {
+    let bias = of_rows(symbols, chain, Function::BiasForce, Form::Recursive);
     let applied = symbols.all(|joint| joint.tau).into_iter();
     applied.zip(bias).map(|(tau, bias)| tau - bias).collect()
 }
@@ -447,10 +422,9 @@ fn pivots<'g>(factors: &Factors<'g>, matrix: &[Vec<Expr<'g>>]) -> Vec<Expr<'g>> 
 /// d tau/dq and d tau/dqd, from those of M qdd + V + G, of the joints that move by themselves.
 fn force_derivatives<'g>(
     symbols: &mut Symbols<'g>,
-    robot: &Robot,
     mut derivatives: ForceDerivatives<Expr<'g>>,
 ) -> Vec<Expr<'g>> {
-    joint_forces::add_slopes(symbols, robot, &mut derivatives);
+    joint_forces::add_slopes(symbols, &mut derivatives);
     [derivatives.by_position, derivatives.by_velocity]
         .concat()
         .concat()
@@ -459,10 +433,9 @@ fn force_derivatives<'g>(
 /// d2 tau/dq dq, d2 tau/dqd dqd, d2 tau/dq dqd and dM/dq, from those of M qdd + V + G.
 fn second_force_derivatives<'g>(
     symbols: &mut Symbols<'g>,
-    robot: &Robot,
     mut derivatives: SecondDerivatives<Expr<'g>>,
 ) -> Vec<Expr<'g>> {
-    joint_forces::add_curvatures(symbols, robot, &mut derivatives);
+    joint_forces::add_curvatures(symbols, &mut derivatives);
     let SecondDerivatives {
         by_position,
         by_velocity,
@@ -480,19 +453,18 @@ fn second_force_derivatives<'g>(
 /// `solve` solves M x = b.
 fn acceleration_derivatives<'g>(
     symbols: &mut Symbols<'g>,
-    robot: &Robot,
     chain: &Chain<Expr<'g>>,
     solve: impl Fn(&Factors<'g>, Vec<Expr<'g>>) -> Vec<Expr<'g>>,
 ) -> Vec<Expr<'g>> {
-    let joints = Joints::of(symbols, robot);
-    let n = robot.dof();
+    let joints = Joints::of(symbols);
+    let n = symbols.arm().dof();
     let matrix = joints.block(composite::mass_matrix(chain));
-    let net = joints.entries(net_force(symbols, robot, chain));
+    let net = joints.entries(net_force(symbols, chain));
     let (factors, qdd) = Factors::new(symbols.graph(), matrix.clone(), net);
     let qd = symbols.all(|joint| joint.qd);
-    let qdd = symbols.of_rows(robot, &qdd);
-    let of_links = derivatives::recursion(chain, &qd, &qdd).of_joints(symbols, robot);
-    let forces = force_derivatives(symbols, robot, of_links);
+    let qdd = symbols.of_all(&qdd);
+    let of_links = derivatives::recursion(chain, &qd, &qdd).of_joints(symbols);
+    let forces = force_derivatives(symbols, of_links);
     let mut values = forces.clone();
     for (b, x) in forces.chunks(n * n).zip(values.chunks_mut(n * n)) {
         for column in 0..n {

@@ -8,17 +8,17 @@ use super::functions::Part;
 use super::gauge::Gauge;
 use super::{Written, accurate};
 use crate::function::{Form, Function};
+use crate::mechanism::Mechanism;
 use crate::program::Program;
-use crate::robot::Robot;
 
 /// The program of some functions: the outputs of one after those of the other.
-pub(super) fn derive(robot: &Robot, functions: &[Function]) -> Program {
-    let parts = together(robot, functions);
-    let gauge = Gauge::search(robot, &parts);
-    let in_one = accurate(robot, &[Written::new(&parts, gauge)]);
-    let own = |part: &Part| Written::new(&[*part], Gauge::search(robot, &[*part]));
+pub(super) fn derive(arm: &Mechanism, functions: &[Function]) -> Program {
+    let parts = together(arm, functions);
+    let gauge = Gauge::search(arm, &parts);
+    let in_one = accurate(arm, &[Written::new(&parts, gauge)]);
+    let own = |part: &Part| Written::new(&[*part], Gauge::search(arm, &[*part]));
     let apart: Vec<_> = parts.iter().map(own).collect();
-    let in_own = accurate(robot, &apart);
+    let in_own = accurate(arm, &apart);
     match in_own.operations().total() < in_one.operations().total() {
         true => in_own,
         false => in_one,
@@ -27,19 +27,19 @@ pub(super) fn derive(robot: &Robot, functions: &[Function]) -> Program {
 
 /// The forms in which the functions are shortest together: each in turn takes another one where that
 /// makes all of them shorter, in the plain gauge.
-fn together(robot: &Robot, functions: &[Function]) -> Vec<Part> {
-    let plain = Gauge::plain(robot.rows.len());
+fn together(arm: &Mechanism, functions: &[Function]) -> Vec<Part> {
+    let plain = Gauge::plain(arm.joints.len());
     let recursive = |&function: &Function| Part {
         function,
         form: Form::Recursive,
     };
     let mut parts: Vec<_> = functions.iter().map(recursive).collect();
-    let mut cost = plain.length(robot, &parts);
+    let mut cost = plain.length(arm, &parts);
     for index in 0..parts.len() {
-        for form in forms(robot, parts[index].function) {
+        for form in forms(arm, parts[index].function) {
             let before = parts[index];
             parts[index].form = form;
-            let trial = plain.length(robot, &parts);
+            let trial = plain.length(arm, &parts);
             match trial < cost {
                 true => cost = trial,
                 false => parts[index] = before,
@@ -50,8 +50,8 @@ fn together(robot: &Robot, functions: &[Function]) -> Vec<Part> {
 }
 
 /// The forms that a function may have beside others.
-fn forms(robot: &Robot, function: Function) -> Vec<Form> {
-    let mut forms = super::forms(robot, function);
+fn forms(arm: &Mechanism, function: Function) -> Vec<Form> {
+    let mut forms = super::forms(arm, function);
     let by_bodies = [
         Function::GravityVector,
         Function::CoriolisVector,

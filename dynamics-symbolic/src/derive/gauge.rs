@@ -4,12 +4,12 @@
 
 use std::collections::HashMap;
 
-use super::chain::{Chain, Origin};
+use super::chain::Chain;
 use super::functions::{Part, outputs};
 use super::symbols::Symbols;
 use crate::expr::{Edge, Expr, Graph};
 use crate::function::{Form, Function, Search};
-use crate::robot::Robot;
+use crate::mechanism::{Mechanism, Origin};
 use crate::simplify::Network;
 use crate::spatial::Keep;
 
@@ -55,8 +55,8 @@ impl Gauge {
     }
 
     /// The chain of a robot in this gauge.
-    pub fn chain<'g>(&self, symbols: &mut Symbols<'g>, robot: &Robot) -> Chain<Expr<'g>> {
-        let mut chain = Chain::new(symbols, robot, &self.origins);
+    pub fn chain<'g>(&self, symbols: &mut Symbols<'g>) -> Chain<Expr<'g>> {
+        let mut chain = Chain::new(symbols, &self.origins);
         if self.grouped {
             chain.group_parameters(&self.keep);
         }
@@ -68,8 +68,8 @@ impl Gauge {
     /// The gauge for the shortest program of some functions that a descent finds:
     /// single choices and neighbouring pairs are reversed for as long as the
     /// work of the operations falls.
-    pub fn search(robot: &Robot, parts: &[Part]) -> Self {
-        let dof = robot.rows.len();
+    pub fn search(arm: &Mechanism, parts: &[Part]) -> Self {
+        let dof = arm.joints.len();
         let mut gauge = Gauge::plain(dof);
         if let [part] = parts
             && part.function.row().search == Search::Accuracy
@@ -81,7 +81,7 @@ impl Gauge {
             return gauge;
         }
         let most = MOST_NODES * parts.len();
-        let mut trials = Trials::new(robot, &parts);
+        let mut trials = Trials::new(arm, &parts);
         let mut cost = trials.cost(&gauge);
         let has_pivot = |part: &Part| part.function == Function::WrenchTorques;
         let pivots = if parts.iter().any(has_pivot) { dof } else { 0 };
@@ -115,27 +115,22 @@ impl Gauge {
     }
 
     /// The work of some functions in this gauge, before any simplification.
-    pub fn length(&self, robot: &Robot, parts: &[Part]) -> usize {
-        self.tried(robot, parts).work
+    pub fn length(&self, arm: &Mechanism, parts: &[Part]) -> usize {
+        self.tried(arm, parts).work
     }
 
     /// The outputs of some functions in this gauge, one function after the other.
-    pub fn outputs<'g>(
-        &self,
-        symbols: &mut Symbols<'g>,
-        robot: &Robot,
-        parts: &[Part],
-    ) -> Vec<Edge> {
-        let chain = self.chain(symbols, robot);
-        let of_part = |part: &Part| outputs(symbols, robot, &chain, part.function, part.form);
+    pub fn outputs<'g>(&self, symbols: &mut Symbols<'g>, parts: &[Part]) -> Vec<Edge> {
+        let chain = self.chain(symbols);
+        let of_part = |part: &Part| outputs(symbols, &chain, part.function, part.form);
         let outputs = parts.iter().flat_map(of_part);
         outputs.map(|e| e.edge()).collect()
     }
 
-    fn tried(&self, robot: &Robot, parts: &[Part]) -> Tried {
+    fn tried(&self, arm: &Mechanism, parts: &[Part]) -> Tried {
         let graph = Graph::new();
-        let mut symbols = Symbols::new(&graph, robot);
-        let outputs = self.outputs(&mut symbols, robot, parts);
+        let mut symbols = Symbols::new(&graph, arm);
+        let outputs = self.outputs(&mut symbols, parts);
         Tried {
             work: Network::new(&graph, &outputs).work(),
             nodes: graph.len(),
@@ -175,7 +170,7 @@ struct Tried {
 /// The trials of a search. The last round of a descent comes back to gauges of the round before it: each
 /// is tried once, and counted as often as it is asked for.
 struct Trials<'a> {
-    robot: &'a Robot,
+    arm: &'a Mechanism,
     parts: &'a [Part],
     known: HashMap<Gauge, Tried>,
     /// The nodes of all trial graphs.
@@ -183,9 +178,9 @@ struct Trials<'a> {
 }
 
 impl<'a> Trials<'a> {
-    fn new(robot: &'a Robot, parts: &'a [Part]) -> Self {
+    fn new(arm: &'a Mechanism, parts: &'a [Part]) -> Self {
         Trials {
-            robot,
+            arm,
             parts,
             known: HashMap::new(),
             nodes: 0,
@@ -197,7 +192,7 @@ impl<'a> Trials<'a> {
         let trial = match self.known.get(gauge) {
             Some(known) => *known,
             None => {
-                let trial = gauge.tried(self.robot, self.parts);
+                let trial = gauge.tried(self.arm, self.parts);
                 self.known.insert(gauge.clone(), trial);
                 trial
             }

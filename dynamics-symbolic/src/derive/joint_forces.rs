@@ -6,7 +6,7 @@
 //! with C the Coulomb friction of the direction, and S and v of Stribeck's curve, where the joint has one.
 //!
 //! Motors have to overcome both, M qdd + V + G + K + F = tau. What is said of them in the equations of
-//! motion is said here alone. A joint that is locked has neither.
+//! motion is said here alone.
 
 use super::derivatives::ForceDerivatives;
 use super::joints::Joints;
@@ -14,28 +14,30 @@ use super::second_derivatives::SecondDerivatives;
 use super::symbols::{JointSymbols, Symbols};
 use crate::exact::Rational;
 use crate::expr::Expr;
-use crate::robot::{Interpretation, Robot, Row};
+use crate::mechanism::{Forces, Joint};
+use crate::robot::Interpretation;
 
-/// K + F, for the joint of every row.
-pub(super) fn both<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> Vec<Expr<'g>> {
-    let springs = springs(symbols, robot).into_iter();
-    let friction = friction(symbols, robot);
+/// K + F, for every joint.
+pub(super) fn both<'g>(symbols: &mut Symbols<'g>) -> Vec<Expr<'g>> {
+    let springs = springs(symbols).into_iter();
+    let friction = friction(symbols);
     springs.zip(friction).map(|(k, f)| k + f).collect()
 }
 
-/// F, for the joint of every row.
-pub(super) fn friction<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> Vec<Expr<'g>> {
-    let force = |(i, row): (usize, &Row)| {
-        let joint = *symbols.joint(i);
-        symbols.value(&row.viscous) * joint.qd + dry_friction(symbols, row, &joint)
+/// F, for every joint.
+pub(super) fn friction<'g>(symbols: &mut Symbols<'g>) -> Vec<Expr<'g>> {
+    let joints = symbols.arm().joints.iter().enumerate();
+    let force = |(i, joint): (usize, &Joint)| {
+        let (own, joint) = (&joint.forces, *symbols.joint(i));
+        symbols.value(&own.viscous) * joint.qd + dry_friction(symbols, own, &joint)
     };
-    robot.rows.iter().enumerate().map(force).collect()
+    joints.map(force).collect()
 }
 
 /// sign(qd) (C + (S - C) exp(-(qd/v)^2))
-fn dry_friction<'g>(symbols: &mut Symbols<'g>, row: &Row, joint: &JointSymbols<'g>) -> Expr<'g> {
-    let coulomb = coulomb(symbols, row, joint);
-    match beyond_coulomb(symbols, row, joint) {
+fn dry_friction<'g>(symbols: &mut Symbols<'g>, own: &Forces, joint: &JointSymbols<'g>) -> Expr<'g> {
+    let coulomb = coulomb(symbols, own, joint);
+    match beyond_coulomb(symbols, own, joint) {
         Some(beyond) => (coulomb + beyond) * joint.sign,
         None => coulomb * joint.sign,
     }
@@ -43,8 +45,8 @@ fn dry_friction<'g>(symbols: &mut Symbols<'g>, row: &Row, joint: &JointSymbols<'
 
 /// C of the direction. With the sign s it is (C+ + C-)/2 + s (C+ - C-)/2, and anything at rest, where s
 /// C is zero.
-fn coulomb<'g>(symbols: &mut Symbols<'g>, row: &Row, joint: &JointSymbols<'g>) -> Expr<'g> {
-    let [positive, negative] = &row.coulomb;
+fn coulomb<'g>(symbols: &mut Symbols<'g>, own: &Forces, joint: &JointSymbols<'g>) -> Expr<'g> {
+    let [positive, negative] = &own.coulomb;
     if positive == negative {
         return symbols.value(positive);
     }
@@ -56,23 +58,23 @@ fn coulomb<'g>(symbols: &mut Symbols<'g>, row: &Row, joint: &JointSymbols<'g>) -
 /// (S - C) exp(-(qd/v)^2), where friction falls with the velocity.
 fn beyond_coulomb<'g>(
     symbols: &mut Symbols<'g>,
-    row: &Row,
+    own: &Forces,
     joint: &JointSymbols<'g>,
 ) -> Option<Expr<'g>> {
-    let (stribeck, left) = (row.stribeck.as_ref()?, joint.stribeck?);
-    let coulomb = coulomb(symbols, row, joint);
+    let (stribeck, left) = (own.stribeck.as_ref()?, joint.stribeck?);
+    let coulomb = coulomb(symbols, own, joint);
     Some((symbols.value(&stribeck.friction) - coulomb) * left)
 }
 
 /// dF/dqd = viscous - 2 qd/v^2 sign(qd) (S - C) exp(-(qd/v)^2). Coulomb friction is constant.
 fn slope_of_friction<'g>(
     symbols: &mut Symbols<'g>,
-    row: &Row,
+    own: &Forces,
     joint: &JointSymbols<'g>,
 ) -> Expr<'g> {
-    let viscous = symbols.value(&row.viscous);
-    let beyond = beyond_coulomb(symbols, row, joint);
-    let (Some(stribeck), Some(beyond)) = (&row.stribeck, beyond) else {
+    let viscous = symbols.value(&own.viscous);
+    let beyond = beyond_coulomb(symbols, own, joint);
+    let (Some(stribeck), Some(beyond)) = (&own.stribeck, beyond) else {
         return viscous;
     };
     let v = symbols.value(&stribeck.velocity);
@@ -83,31 +85,30 @@ fn slope_of_friction<'g>(
 /// d2F/dqd2 = -2/v^2 sign(qd) (S - C) exp(-(qd/v)^2) (1 - 2 qd^2/v^2); `None` where there is none.
 fn curvature_of_friction<'g>(
     symbols: &mut Symbols<'g>,
-    row: &Row,
+    own: &Forces,
     joint: &JointSymbols<'g>,
 ) -> Option<Expr<'g>> {
-    let beyond = beyond_coulomb(symbols, row, joint)?;
-    let v = symbols.value(&row.stribeck.as_ref()?.velocity);
+    let beyond = beyond_coulomb(symbols, own, joint)?;
+    let v = symbols.value(&own.stribeck.as_ref()?.velocity);
     let one = symbols.graph().one();
     let falls = symbols.rational(&Rational::from(2)) / (v * v);
     Some(beyond * joint.sign * falls * (falls * joint.qd * joint.qd - one))
 }
 
-/// K, for the joint of every row.
-pub(super) fn springs<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> Vec<Expr<'g>> {
-    let force = |i: usize| {
-        let (stiffness, stretch) = spring(symbols, robot, i);
-        stiffness * stretch
-    };
-    (0..robot.rows.len()).map(force).collect()
+/// K, for every joint.
+pub(super) fn springs<'g>(symbols: &mut Symbols<'g>) -> Vec<Expr<'g>> {
+    let springs = all_springs(symbols).into_iter();
+    springs
+        .map(|(stiffness, stretch)| stiffness * stretch)
+        .collect()
 }
 
 /// The energy in all springs.
-pub(super) fn energy_of_springs<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> Expr<'g> {
+pub(super) fn energy_of_springs<'g>(symbols: &mut Symbols<'g>) -> Expr<'g> {
     let graph = symbols.graph();
     let half = graph.rational(&(Rational::ONE / Rational::from(2)));
-    let twice = (0..robot.rows.len()).fold(graph.zero(), |sum, i| {
-        let (stiffness, stretch) = spring(symbols, robot, i);
+    let springs = all_springs(symbols).into_iter();
+    let twice = springs.fold(graph.zero(), |sum, (stiffness, stretch)| {
         sum + stiffness * (stretch * stretch)
     });
     half * twice
@@ -116,16 +117,19 @@ pub(super) fn energy_of_springs<'g>(symbols: &mut Symbols<'g>, robot: &Robot) ->
 /// Adds dK/dq and dF/dqd to the derivatives of M qdd + V + G, of the joints that move by themselves.
 pub(super) fn add_slopes<'g>(
     symbols: &mut Symbols<'g>,
-    robot: &Robot,
     derivatives: &mut ForceDerivatives<Expr<'g>>,
 ) {
-    let slopes = robot.rows.iter().enumerate().map(|(i, row)| {
-        let (stiffness, _) = spring(symbols, robot, i);
-        let joint = *symbols.joint(i);
-        (stiffness, slope_of_friction(symbols, row, &joint))
+    let joints = symbols.arm().joints.iter().enumerate();
+    let slopes = joints.map(|(i, joint)| {
+        let (stiffness, _) = spring(symbols, i);
+        let variables = *symbols.joint(i);
+        (
+            stiffness,
+            slope_of_friction(symbols, &joint.forces, &variables),
+        )
     });
     let (stiffnesses, slopes): (Vec<_>, Vec<_>) = slopes.unzip();
-    let joints = Joints::of(symbols, robot);
+    let joints = Joints::of(symbols);
     let diagonals = [joints.diagonal(&stiffnesses), joints.diagonal(&slopes)];
     for (i, (stiffness, slope)) in diagonals[0].iter().zip(&diagonals[1]).enumerate() {
         let [by_position, by_velocity] = [
@@ -141,38 +145,38 @@ pub(super) fn add_slopes<'g>(
 /// have none.
 pub(super) fn add_curvatures<'g>(
     symbols: &mut Symbols<'g>,
-    robot: &Robot,
     derivatives: &mut SecondDerivatives<Expr<'g>>,
 ) {
     let zero = symbols.graph().zero();
-    let rows = robot.rows.iter().enumerate().map(|(i, row)| {
-        let joint = *symbols.joint(i);
-        let curvature = curvature_of_friction(symbols, row, &joint).unwrap_or(zero);
+    let joints = symbols.arm().joints.iter().enumerate();
+    let curvatures = joints.map(|(i, joint)| {
+        let variables = *symbols.joint(i);
+        let curvature = curvature_of_friction(symbols, &joint.forces, &variables);
         // A follower's counts by the cube of its factor, two of which the diagonal has.
-        match symbols.followed(i) {
-            Some((_, factor)) => factor * curvature,
-            None => curvature,
-        }
+        variables.factor * curvature.unwrap_or(zero)
     });
-    let rows: Vec<_> = rows.collect();
-    let curvatures = Joints::of(symbols, robot).diagonal(&rows);
+    let curvatures: Vec<_> = curvatures.collect();
+    let curvatures = Joints::of(symbols).diagonal(&curvatures);
     for (i, curvature) in curvatures.into_iter().enumerate() {
         let entry = &mut derivatives.by_velocity[i][i][i];
         *entry = *entry + curvature;
     }
 }
 
-/// The stiffness of the spring at the joint of row i, and how far it is stretched; zero and zero where
-/// there is none.
-fn spring<'g>(symbols: &mut Symbols<'g>, robot: &Robot, i: usize) -> (Expr<'g>, Expr<'g>) {
+fn all_springs<'g>(symbols: &mut Symbols<'g>) -> Vec<(Expr<'g>, Expr<'g>)> {
+    let joints = 0..symbols.arm().joints.len();
+    joints.map(|i| spring(symbols, i)).collect()
+}
+
+/// The stiffness of the spring at joint i, and how far it is stretched; zero and zero if there is none.
+fn spring<'g>(symbols: &mut Symbols<'g>, i: usize) -> (Expr<'g>, Expr<'g>) {
     let zero = symbols.graph().zero();
-    let row = &robot.rows[i];
-    match &row.spring {
-        Some(spring) if row.locked.is_none() => {
+    match &symbols.arm().joints[i].forces.spring {
+        Some(spring) => {
             let rest = symbols.value(&spring.rest);
             let stretch = symbols.joint(i).q - rest;
             (symbols.value(&spring.stiffness), stretch)
         }
-        _ => (zero, zero),
+        None => (zero, zero),
     }
 }

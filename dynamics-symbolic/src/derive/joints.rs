@@ -17,70 +17,68 @@ use super::symbols::Symbols;
 use crate::expr::Expr;
 use crate::function::{Shape, Size, Sizes};
 use crate::linear::Ring;
-use crate::robot::Robot;
 
-/// Which rows of the table have a joint that moves by itself, and which follow these: S.
+/// Which joints move by themselves, and which follow these: S.
 pub(super) struct Joints<R> {
-    moving: Vec<usize>,
-    /// Row, joint and factor of each follower.
+    free: Vec<usize>,
+    /// Each follower, the number of the free joint that leads it, and the factor.
     followers: Vec<(usize, usize, R)>,
-    rows: usize,
+    /// How many joints there are.
+    count: usize,
 }
 
 impl<'g> Joints<Expr<'g>> {
-    /// Those of a robot.
-    pub(super) fn of(symbols: &Symbols<'g>, robot: &Robot) -> Self {
-        let follower = |i: usize| {
-            let (leader, factor) = symbols.followed(i)?;
-            Some((i, robot.joint_of(leader), factor))
-        };
+    /// Those of an arm.
+    pub(super) fn of(symbols: &Symbols<'g>) -> Self {
+        let arm = symbols.arm();
+        let follower = |i: usize| Some((i, arm.moved_by(i)?.0, symbols.joint(i).factor));
         Joints {
-            moving: robot.moving(),
-            followers: (0..robot.rows.len()).filter_map(follower).collect(),
-            rows: robot.rows.len(),
+            free: arm.free().collect(),
+            followers: arm.following().filter_map(follower).collect(),
+            count: arm.joints.len(),
         }
     }
 }
 
 impl<R: Ring> Joints<R> {
     /// S' x
-    pub(super) fn entries(&self, of_rows: Vec<R>) -> Vec<R> {
-        let mut entries: Vec<R> = self.moving.iter().map(|&i| of_rows[i]).collect();
+    pub(super) fn entries(&self, of_all: Vec<R>) -> Vec<R> {
+        let mut entries: Vec<R> = self.free.iter().map(|&i| of_all[i]).collect();
         for &(i, joint, factor) in &self.followers {
-            entries[joint] = entries[joint] + factor * of_rows[i];
+            entries[joint] = entries[joint] + factor * of_all[i];
         }
         entries
     }
 
     /// S' A S
-    pub(super) fn block(&self, of_rows: Vec<Vec<R>>) -> Vec<Vec<R>> {
-        let columns = of_rows.into_iter().map(|row| self.entries(row));
+    pub(super) fn block(&self, of_all: Vec<Vec<R>>) -> Vec<Vec<R>> {
+        let columns = of_all.into_iter().map(|row| self.entries(row));
         self.rows_of_matrix(columns.collect())
     }
 
     /// S' A
-    pub(super) fn rows_of_matrix(&self, of_rows: Vec<Vec<R>>) -> Vec<Vec<R>> {
-        let mut rows: Vec<Vec<R>> = self.moving.iter().map(|&i| of_rows[i].clone()).collect();
+    pub(super) fn rows_of_matrix(&self, of_all: Vec<Vec<R>>) -> Vec<Vec<R>> {
+        let mut rows: Vec<Vec<R>> = self.free.iter().map(|&i| of_all[i].clone()).collect();
         for &(i, joint, factor) in &self.followers {
-            let terms = rows[joint].iter_mut().zip(&of_rows[i]);
+            let terms = rows[joint].iter_mut().zip(&of_all[i]);
             terms.for_each(|(entry, &x)| *entry = *entry + factor * x);
         }
         rows
     }
 
     /// S' A S for a diagonal matrix, which is diagonal too, for each follower follows one joint.
-    pub(super) fn diagonal(&self, of_rows: &[R]) -> Vec<R> {
-        let mut entries: Vec<R> = self.moving.iter().map(|&i| of_rows[i]).collect();
+    pub(super) fn diagonal(&self, of_all: &[R]) -> Vec<R> {
+        let mut entries: Vec<R> = self.free.iter().map(|&i| of_all[i]).collect();
         for &(i, joint, factor) in &self.followers {
-            entries[joint] = entries[joint] + factor * factor * of_rows[i];
+            entries[joint] = entries[joint] + factor * factor * of_all[i];
         }
         entries
     }
 
     /// The symbols c_ijk of the joints from those of all rows.
-    pub(super) fn cube(&self, of_rows: Vec<Vec<Vec<R>>>) -> Vec<Vec<Vec<R>>> {
-        let blocks: Vec<_> = of_rows.into_iter().map(|c| self.block(c)).collect();
-        let mut cube: Vec<_> = self.moving.iter().map(|&i| blocks[i].clone()).collect();
+    pub(super) fn cube(&self, of_all: Vec<Vec<Vec<R>>>) -> Vec<Vec<Vec<R>>> {
+        let blocks: Vec<_> = of_all.into_iter().map(|c| self.block(c)).collect();
+        let mut cube: Vec<_> = self.free.iter().map(|&i| blocks[i].clone()).collect();
         for &(i, joint, factor) in &self.followers {
             let entries = cube[joint].iter_mut().flatten();
             let terms = entries.zip(blocks[i].iter().flatten());
@@ -91,35 +89,35 @@ impl<R: Ring> Joints<R> {
 
     /// Of values for the joint of every row, in that arrangement, those of the joints that move by
     /// themselves. An array has the values of each joint's own link.
-    pub(super) fn outputs(&self, shape: &Shape, of_rows: Vec<R>) -> Vec<R> {
-        if self.moving.len() == self.rows {
-            return of_rows;
+    pub(super) fn outputs(&self, shape: &Shape, of_all: Vec<R>) -> Vec<R> {
+        if self.free.len() == self.count {
+            return of_all;
         }
-        self.of_shape(shape, self.sizes(shape, of_rows.len()), &of_rows)
+        self.of_shape(shape, self.sizes(shape, of_all.len()), &of_all)
     }
 
     /// The sizes for the joint of every row.
     fn sizes(&self, shape: &Shape, entries: usize) -> Sizes {
         Sizes {
-            joints: self.rows,
-            parameters: shape.parameters(self.rows, entries),
+            joints: self.count,
+            parameters: shape.parameters(self.count, entries),
         }
     }
 
-    fn of_shape(&self, shape: &Shape, sizes: Sizes, of_rows: &[R]) -> Vec<R> {
+    fn of_shape(&self, shape: &Shape, sizes: Sizes, of_all: &[R]) -> Vec<R> {
         match shape {
-            Shape::Number => of_rows.to_vec(),
-            Shape::Matrix(rows, columns) => self.of_matrix(*rows, *columns, sizes, of_rows),
+            Shape::Number => of_all.to_vec(),
+            Shape::Matrix(rows, columns) => self.of_matrix(*rows, *columns, sizes, of_all),
             Shape::Each(one) => {
                 let entries = one.entries(sizes);
-                let of_joint = |&i: &usize| &of_rows[i * entries..(i + 1) * entries];
-                let moving = self.moving.iter().map(of_joint);
+                let of_joint = |&i: &usize| &of_all[i * entries..(i + 1) * entries];
+                let moving = self.free.iter().map(of_joint);
                 moving
                     .flat_map(|part| self.of_shape(one, sizes, part))
                     .collect()
             }
             Shape::Tuple(parts) => {
-                let mut rest = of_rows;
+                let mut rest = of_all;
                 let mut picked = Vec::new();
                 for part in *parts {
                     let (values, others) = rest.split_at(part.entries(sizes));
@@ -128,16 +126,16 @@ impl<R: Ring> Joints<R> {
                 }
                 picked
             }
-            Shape::Series => self.entries(of_rows.to_vec()),
+            Shape::Series => self.entries(of_all.to_vec()),
         }
     }
 
-    fn of_matrix(&self, rows: Size, columns: Size, sizes: Sizes, of_rows: &[R]) -> Vec<R> {
+    fn of_matrix(&self, rows: Size, columns: Size, sizes: Sizes, of_all: &[R]) -> Vec<R> {
         let width = columns.of(sizes);
         if width == 0 {
             return Vec::new();
         }
-        let mut matrix: Vec<Vec<R>> = of_rows.chunks(width).map(<[R]>::to_vec).collect();
+        let mut matrix: Vec<Vec<R>> = of_all.chunks(width).map(<[R]>::to_vec).collect();
         if columns == Size::Joints {
             matrix = matrix.into_iter().map(|row| self.entries(row)).collect();
         }
@@ -152,11 +150,11 @@ impl<R: Ring> Joints<R> {
 mod tests {
     use super::*;
 
-    fn joints(moving: &[usize], followers: &[(usize, usize, i64)], rows: usize) -> Joints<i64> {
+    fn joints(moving: &[usize], followers: &[(usize, usize, i64)], count: usize) -> Joints<i64> {
         Joints {
-            moving: moving.to_vec(),
+            free: moving.to_vec(),
             followers: followers.to_vec(),
-            rows,
+            count,
         }
     }
 

@@ -2,10 +2,11 @@
 
 use super::place::Placed;
 use super::symbols::Symbols;
-use super::walk::Tree;
 use crate::expr::Expr;
 use crate::linear::{Matrix3, Vector3};
-use crate::robot::{Convention, Interpretation, JointType, Placement, Robot};
+use crate::mechanism::{LinkFrame, Mechanism, Origin, Screw};
+use crate::robot::{Interpretation, JointType, Placement};
+use crate::spatial::Turn;
 
 /// A frame in the world, which is the base frame where the table says nothing else.
 #[derive(Clone, Copy)]
@@ -78,13 +79,13 @@ impl<'g> Axes<'g> {
 }
 
 /// Frame 0.
-pub(super) fn base<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> Pose<'g> {
+pub(super) fn base<'g>(symbols: &mut Symbols<'g>) -> Pose<'g> {
     let (zero, one) = (symbols.graph().zero(), symbols.graph().one());
     let world = Pose {
         rotation: Matrix3([[one, zero, zero], [zero, one, zero], [zero, zero, one]]),
         origin: Vector3::splat(zero),
     };
-    match &robot.base {
+    match &symbols.arm().base {
         Some(base) => placed(symbols, &world, base),
         None => world,
     }
@@ -105,46 +106,55 @@ fn placed<'g>(symbols: &mut Symbols<'g>, frame: &Pose<'g>, placement: &Placement
 
 /// The frame whose motion is that of the tip: the tool's, or else the last one of `frames`, which are
 /// those of all links.
-pub(super) fn tip<'g>(symbols: &mut Symbols<'g>, robot: &Robot, frames: &[Frame<'g>]) -> Pose<'g> {
-    let last = match frames.last() {
-        Some(frame) => frame.pose,
-        None => base(symbols, robot),
+pub(super) fn tip<'g>(symbols: &mut Symbols<'g>, frames: &[Frame<'g>]) -> Pose<'g> {
+    let last = match symbols.arm().tip {
+        Some(link) => frames[link].pose,
+        None => base(symbols),
     };
-    match &robot.tool {
+    match &symbols.arm().tool {
         Some(tool) => placed(symbols, &last, &tool.placement),
         None => last,
     }
 }
 
-/// Every link frame, from the base outwards.
-pub(super) fn frames<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> Vec<Frame<'g>> {
-    let base = Axes::new(&base(symbols, robot));
-    let mut frames = Vec::with_capacity(robot.rows.len());
-    Tree::of(robot).outward(base, |i, before| {
-        let row = &robot.rows[i];
-        let (a, twist) = (symbols.value(&row.a), symbols.sin_cos(&row.alpha));
-        let turn = symbols.joint_sin_cos(i, row.joint_type, &row.theta);
-        let d = symbols.value(&row.d);
-        let d = match row.joint_type {
+/// Every link frame.
+pub(super) fn frames<'g>(symbols: &mut Symbols<'g>) -> Vec<Frame<'g>> {
+    let arm = symbols.arm();
+    let base = Axes::new(&base(symbols));
+    let mut frames = Vec::with_capacity(arm.joints.len());
+    arm.tree.outward(base, |i, before| {
+        let joint = &arm.joints[i];
+        let mut screw = |screw: &Screw| (symbols.value(&screw.a), symbols.sin_cos(&screw.alpha));
+        // The cells in the order of the table.
+        let behind = match &joint.link_frame {
+            LinkFrame::Screw(behind) => Some(screw(behind)),
+            LinkFrame::Places(_) => None,
+        };
+        let (a, twist) = screw(&joint.before);
+        let Turn { s, c } = symbols.turn(i);
+        let d = symbols.value(&joint.d);
+        let d = match joint.joint_type {
             JointType::Revolute => d,
             JointType::Prismatic => d + symbols.joint(i).q,
         };
-        let (axes, axis, axis_origin) = match robot.convention {
-            Convention::Standard => {
-                let axes = before.screw_z(d, turn).screw_x(a, twist);
-                (axes, before.z, before.origin)
+        let foot = before.screw_x(a, twist);
+        let axes = foot.screw_z(d, (s, c));
+        let axis_origin = match joint.origin {
+            Origin::BeforeOffset => foot.origin,
+            Origin::AfterOffset => axes.origin,
+        };
+        let pose = match &joint.link_frame {
+            LinkFrame::Screw(_) => {
+                behind.map_or(axes.pose(), |(a, twist)| axes.screw_x(a, twist).pose())
             }
-            Convention::Modified => {
-                let axes = before.screw_x(a, twist).screw_z(d, turn);
-                let (axis, axis_origin) = (axes.z, axes.origin);
-                (axes, axis, axis_origin)
+            LinkFrame::Places(places) => {
+                let places = places.iter();
+                places.fold(axes.pose(), |pose, place| placed(symbols, &pose, place))
             }
         };
-        let joint = axes.pose();
-        let places = row.mount.iter().flat_map(|mount| &mount.frame);
         frames.push(Frame {
-            pose: places.fold(joint, |pose, place| placed(symbols, &pose, place)),
-            axis,
+            pose,
+            axis: axes.z,
             axis_origin,
         });
         axes
@@ -167,35 +177,31 @@ impl<'g> Pose<'g> {
 /// The geometric Jacobian of the tip's origin by rows: vx vy vz wx wy wz.
 ///
 /// Columns (z x (p - o), z) for a revolute joint, (z, 0) for a prismatic one.
-pub(super) fn jacobian<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> Vec<Expr<'g>> {
+pub(super) fn jacobian<'g>(symbols: &mut Symbols<'g>) -> Vec<Expr<'g>> {
     let zero = symbols.graph().zero();
-    let frames = frames(symbols, robot);
-    let tip = tip(symbols, robot, &frames).origin;
-    by_rows(&columns(&frames, robot, link_of_tip(robot), (tip, zero)))
-}
-
-/// The link that carries the tip; `None` for the base.
-pub(super) fn link_of_tip(robot: &Robot) -> Option<usize> {
-    robot.rows.len().checked_sub(1)
+    let frames = frames(symbols);
+    let tip = tip(symbols, &frames).origin;
+    by_rows(&columns(
+        symbols.arm(),
+        &frames,
+        symbols.arm().tip,
+        (tip, zero),
+    ))
 }
 
 /// What each joint gives a point of a link at unit speed: its velocity, and the angular velocity of the link.
 pub(super) fn columns<'g>(
+    arm: &Mechanism,
     frames: &[Frame<'g>],
-    robot: &Robot,
     link: Option<usize>,
     (point, zero): (Vector3<Expr<'g>>, Expr<'g>),
 ) -> Vec<Column<'g>> {
     let none = Vector3::splat(zero);
-    let tree = Tree::of(robot);
-    let carriers: Vec<_> = link
-        .into_iter()
-        .flat_map(|link| tree.carriers(link))
-        .collect();
+    let carriers: Vec<_> = arm.tree.carriers_of(link).collect();
     let mut columns = vec![(none, none); frames.len()];
     for &i in carriers.iter().rev() {
         let frame = &frames[i];
-        columns[i] = match robot.rows[i].joint_type {
+        columns[i] = match arm.joints[i].joint_type {
             JointType::Revolute => (frame.axis.cross(point - frame.axis_origin), frame.axis),
             JointType::Prismatic => (frame.axis, none),
         };

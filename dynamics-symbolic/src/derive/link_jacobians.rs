@@ -1,24 +1,19 @@
 //! Geometric Jacobians of all links, and the rate of the tip's, in the axes of the base.
 
-use super::kinematics::{by_rows, columns, frames, link_of_tip, tip};
+use super::kinematics::{by_rows, columns, frames, tip};
 use super::symbols::Symbols;
-use super::walk::Tree;
 use crate::expr::Expr;
 use crate::linear::Vector3;
-use crate::robot::{JointType, Robot};
+use crate::robot::JointType;
 use core::ops::Add;
 
 /// The Jacobian of every link frame's origin, by rows. Joints beyond a link do not move it.
-pub(super) fn of_links<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> Vec<Expr<'g>> {
-    let zero = symbols.graph().zero();
-    let frames = frames(symbols, robot);
+pub(super) fn of_links<'g>(symbols: &mut Symbols<'g>) -> Vec<Expr<'g>> {
+    let (zero, arm) = (symbols.graph().zero(), symbols.arm());
+    let frames = frames(symbols);
     let of_link = |i: usize| {
-        by_rows(&columns(
-            &frames,
-            robot,
-            Some(i),
-            (frames[i].pose.origin, zero),
-        ))
+        let point = frames[i].pose.origin;
+        by_rows(&columns(arm, &frames, Some(i), (point, zero)))
     };
     (0..frames.len()).flat_map(of_link).collect()
 }
@@ -32,24 +27,24 @@ pub(super) fn of_links<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> Vec<Expr
 ///   dL_j/dt = w x L_j + z_j x u_j,   dA_j/dt = w x A_j,
 ///
 /// and of a prismatic joint dL_j/dt = w x L_j.
-pub(super) fn rate<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> Vec<Expr<'g>> {
-    let zero = symbols.graph().zero();
+pub(super) fn rate<'g>(symbols: &mut Symbols<'g>) -> Vec<Expr<'g>> {
+    let (zero, arm) = (symbols.graph().zero(), symbols.arm());
     let qd = symbols.all(|joint| joint.qd);
-    let frames = frames(symbols, robot);
-    let tip = tip(symbols, robot, &frames).origin;
-    let columns = columns(&frames, robot, link_of_tip(robot), (tip, zero));
-    let (tree, none) = (Tree::of(robot), Vector3::splat(zero));
+    let frames = frames(symbols);
+    let tip = tip(symbols, &frames).origin;
+    let columns = columns(arm, &frames, arm.tip, (tip, zero));
+    let none = Vector3::splat(zero);
     // u_j: the velocity of the tip by joint j and those beyond.
     let mut velocities = vec![none; columns.len()];
-    tree.inward(none, Vector3::add, |j, outer| {
+    arm.tree.inward(none, Vector3::add, |j, outer| {
         velocities[j] = outer + columns[j].0 * qd[j];
         velocities[j]
     });
     let mut rates = Vec::with_capacity(columns.len());
-    tree.outward(none, |j, &w| {
+    arm.tree.outward(none, |j, &w| {
         let (linear, angular) = columns[j];
         let turned = (w.cross(linear), w.cross(angular));
-        rates.push(match robot.rows[j].joint_type {
+        rates.push(match arm.joints[j].joint_type {
             JointType::Revolute => (turned.0 + angular.cross(velocities[j]), turned.1),
             JointType::Prismatic => turned,
         });

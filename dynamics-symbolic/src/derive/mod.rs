@@ -24,7 +24,7 @@ pub(crate) mod place;
 mod rates;
 mod recursive;
 mod regressor;
-mod rows;
+pub(crate) mod rows;
 mod second_derivatives;
 mod solve;
 pub(crate) mod states;
@@ -32,10 +32,10 @@ pub mod symbols;
 pub mod textbook;
 mod tip;
 pub mod units;
-pub(crate) mod walk;
 
 use crate::expr::{Edge, Graph};
 use crate::function::{Form, Function, Search, Trial};
+use crate::mechanism::Mechanism;
 use crate::program::Program;
 use crate::robot::Robot;
 use crate::simplify::{Effort, Network, simplify};
@@ -47,19 +47,23 @@ use symbols::Symbols;
 /// The program of a function: the shortest that its forms, the gauges and the
 /// simplifications lead to, as far as they keep its digits.
 pub fn derive(robot: &Robot, function: Function) -> Program {
-    let parts = promising_forms(robot, function);
+    shortest(&robot.into(), function)
+}
+
+fn shortest(arm: &Mechanism, function: Function) -> Program {
+    let parts = promising_forms(arm, function);
     if is_tried_by(Trial::Unsimplified, function) {
         let recursive = Part {
             function,
             form: Form::Recursive,
         };
-        let gauge = Gauge::search(robot, &[recursive]);
-        let length = |part: &Part| gauge.length(robot, &[*part]);
+        let gauge = Gauge::search(arm, &[recursive]);
+        let length = |part: &Part| gauge.length(arm, &[*part]);
         let part = parts.into_iter().min_by_key(length);
         let part = part.expect("every function has a form");
-        return accurate(robot, &[Written::new(&[part], gauge)]);
+        return accurate(arm, &[Written::new(&[part], gauge)]);
     }
-    let programs = parts.into_iter().map(|part| derive_part(robot, part));
+    let programs = parts.into_iter().map(|part| derive_part(arm, part));
     programs
         .min_by_key(|program| program.operations().total())
         .expect("every function has a form")
@@ -67,9 +71,10 @@ pub fn derive(robot: &Robot, function: Function) -> Program {
 
 /// The program of several functions, whose outputs follow one another, or of one.
 pub fn derive_together(robot: &Robot, functions: &[Function]) -> Program {
+    let arm = robot.into();
     match functions {
-        [function] => derive(robot, *function),
-        _ => fused::derive(robot, functions),
+        [function] => shortest(&arm, *function),
+        _ => fused::derive(&arm, functions),
     }
 }
 
@@ -81,14 +86,14 @@ fn is_tried_by(trial: Trial, function: Function) -> bool {
 /// The forms that are tried. Where they differ by the number of joints, how they compare shows
 /// before any search: a form that takes over a tenth more than another in the plain gauge is
 /// not tried.
-fn promising_forms(robot: &Robot, function: Function) -> Vec<Part> {
-    let forms = forms(robot, function).into_iter();
+fn promising_forms(arm: &Mechanism, function: Function) -> Vec<Part> {
+    let forms = forms(arm, function).into_iter();
     let parts: Vec<_> = forms.map(|form| Part { function, form }).collect();
     if !is_tried_by(Trial::Promising, function) {
         return parts;
     }
-    let plain = Gauge::plain(robot.rows.len());
-    let cost = |part: &Part| plain.length(robot, &[*part]);
+    let plain = Gauge::plain(arm.joints.len());
+    let cost = |part: &Part| plain.length(arm, &[*part]);
     let costs: Vec<_> = parts.iter().map(cost).collect();
     let least = costs.iter().copied().min().unwrap_or(0);
     let parts = parts.into_iter().zip(costs);
@@ -97,21 +102,21 @@ fn promising_forms(robot: &Robot, function: Function) -> Vec<Part> {
 }
 
 /// The forms that may be the shortest. Articulated bodies are of joints that move by themselves.
-fn forms(robot: &Robot, function: Function) -> Vec<Form> {
-    let mut forms = function.forms(robot.dof());
-    forms.retain(|form| *form != Form::Articulated || !robot.is_coupled());
+fn forms(arm: &Mechanism, function: Function) -> Vec<Form> {
+    let mut forms = function.forms(arm.dof());
+    forms.retain(|form| *form != Form::Articulated || !arm.is_coupled());
     forms
 }
 
 /// The program of a function written in one form: the shortest that the gauges and the
 /// simplifications lead to, as far as they keep its digits.
 pub fn derive_form(robot: &Robot, function: Function, form: Form) -> Program {
-    derive_part(robot, Part { function, form })
+    derive_part(&robot.into(), Part { function, form })
 }
 
-fn derive_part(robot: &Robot, part: Part) -> Program {
-    let gauge = Gauge::search(robot, &[part]);
-    accurate(robot, &[Written::new(&[part], gauge)])
+fn derive_part(arm: &Mechanism, part: Part) -> Program {
+    let gauge = Gauge::search(arm, &[part]);
+    accurate(arm, &[Written::new(&[part], gauge)])
 }
 
 /// Functions that are written in one gauge.
@@ -131,44 +136,45 @@ impl Written {
 
 /// The program of what is written, shortened. Where that costs digits the gauge
 /// is the plain one, and where that is not enough nothing is simplified.
-fn accurate(robot: &Robot, written: &[Written]) -> Program {
+fn accurate(arm: &Mechanism, written: &[Written]) -> Program {
     let parts: Vec<_> = written.iter().flat_map(|w| w.parts.clone()).collect();
     if let [part] = parts[..]
         && part.function.row().search == Search::Accuracy
     {
         // Another way to write a number may be a difference of larger ones.
-        return unsimplified(robot, written).balanced();
+        return unsimplified(arm, written).balanced();
     }
-    let recursion = Recursion::of(robot, &parts);
-    let plain = [Written::new(&parts, Gauge::plain(robot.rows.len()))];
+    let recursion = Recursion::of(arm, &parts);
+    let plain = [Written::new(&parts, Gauge::plain(arm.joints.len()))];
     let mut programs = [written, &plain]
         .into_iter()
-        .map(|written| simplified(robot, written, &recursion));
-    let accurate = programs.find(|program| recursion.accepts(robot, program));
+        .map(|written| simplified(arm, written, &recursion));
+    let accurate = programs.find(|program| recursion.accepts(arm, program));
     accurate.unwrap_or_else(|| Program {
         is_plain: true,
-        ..unsimplified(robot, &[plain_recursion(robot, &parts)])
+        ..unsimplified(arm, &[plain_recursion(arm, &parts)])
     })
 }
 
 /// The program of a function in the plain gauge, as its recursion is written: long, and accurate. The rounding of
 /// other programs is compared with it, and it is the result where every shorter program loses digits.
 pub fn derive_plain(robot: &Robot, function: Function) -> Program {
+    let arm = &Mechanism::from(robot);
     let gauge = match function.row().search {
         // Its recursion is written in this gauge in any case.
-        Search::Accuracy => Gauge::physical(robot.rows.len()),
-        _ => Gauge::plain(robot.rows.len()),
+        Search::Accuracy => Gauge::physical(arm.joints.len()),
+        _ => Gauge::plain(arm.joints.len()),
     };
     let part = Part {
         function,
         form: Form::Recursive,
     };
-    unsimplified(robot, &[Written::new(&[part], gauge)])
+    unsimplified(arm, &[Written::new(&[part], gauge)])
 }
 
 /// Functions as the recursions that are made for them, in the plain gauge. Bounds on the errors of
 /// quotients of quotients say little: articulated bodies are measured by themselves.
-fn plain_recursion(robot: &Robot, parts: &[Part]) -> Written {
+fn plain_recursion(arm: &Mechanism, parts: &[Part]) -> Written {
     let recursion = |part: &Part| Part {
         form: match part.form {
             Form::Articulated => Form::Articulated,
@@ -177,32 +183,32 @@ fn plain_recursion(robot: &Robot, parts: &[Part]) -> Written {
         ..*part
     };
     let parts: Vec<_> = parts.iter().map(recursion).collect();
-    Written::new(&parts, Gauge::plain(robot.rows.len()))
+    Written::new(&parts, Gauge::plain(arm.joints.len()))
 }
 
 /// The outputs of what is written, in that order.
-fn outputs(symbols: &mut Symbols<'_>, robot: &Robot, written: &[Written]) -> Vec<Edge> {
+fn outputs(symbols: &mut Symbols<'_>, written: &[Written]) -> Vec<Edge> {
     let written = written.iter();
     written
-        .flat_map(|written| written.gauge.outputs(symbols, robot, &written.parts))
+        .flat_map(|written| written.gauge.outputs(symbols, &written.parts))
         .collect()
 }
 
 /// The program of what is written, as the derivation writes it.
-fn unsimplified(robot: &Robot, written: &[Written]) -> Program {
+fn unsimplified(arm: &Mechanism, written: &[Written]) -> Program {
     let graph = Graph::new();
-    let mut symbols = Symbols::new(&graph, robot);
-    let outputs = outputs(&mut symbols, robot, written);
+    let mut symbols = Symbols::new(&graph, arm);
+    let outputs = outputs(&mut symbols, written);
     Network::new(&graph, &outputs).program(symbols.meanings())
 }
 
 /// The program of what is written, shortened.
-fn simplified(robot: &Robot, written: &[Written], recursion: &Recursion) -> Program {
+fn simplified(arm: &Mechanism, written: &[Written], recursion: &Recursion) -> Program {
     let graph = Graph::new();
-    let mut symbols = Symbols::new(&graph, robot);
-    let outputs = outputs(&mut symbols, robot, written);
+    let mut symbols = Symbols::new(&graph, arm);
+    let outputs = outputs(&mut symbols, written);
     let mut network = Network::new(&graph, &outputs);
-    let mut judge = recursion.judge(robot, &symbols, &network);
+    let mut judge = recursion.judge(arm, &symbols, &network);
     simplify(&mut network, &mut judge, effort(written));
     network.program(symbols.meanings()).balanced()
 }

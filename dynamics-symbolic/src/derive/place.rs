@@ -3,7 +3,8 @@
 //! T(xyz) Rz(yaw) Ry(pitch) Rx(roll), the order of URDF.
 
 use crate::linear::{Ring, Symmetric3, Vector3};
-use crate::robot::{Interpretation, Placement, Robot, Row, Tool, Value};
+use crate::mechanism::{LinkFrame, Mechanism};
+use crate::robot::{Interpretation, Placement, Tool, Value};
 use crate::spatial::{
     Central, Turn, enter_x, enter_y, enter_z, leave_x, leave_y, leave_z, tensor_leave_x,
     tensor_leave_y, tensor_leave_z,
@@ -52,7 +53,7 @@ impl<R: Ring> Placed<R> {
     }
 
     /// A body of the placed frame, in the outer one.
-    fn leave_body(&self, body: Central<R>) -> Central<R> {
+    pub(super) fn leave_body(&self, body: Central<R>) -> Central<R> {
         let about_y = tensor_leave_y(self.pitch, tensor_leave_x(self.roll, body.inertia));
         Central {
             mass: body.mass,
@@ -63,9 +64,9 @@ impl<R: Ring> Placed<R> {
 }
 
 /// The acceleration of gravity in the axes of frame 0.
-pub(crate) fn gravity<I: Interpretation>(cells: &mut I, robot: &Robot) -> Vector3<I::Number> {
-    let gravity = vector(cells, &robot.gravity);
-    match &robot.base {
+pub(crate) fn gravity<I: Interpretation>(cells: &mut I, arm: &Mechanism) -> Vector3<I::Number> {
+    let gravity = vector(cells, &arm.gravity);
+    match &arm.base {
         Some(base) => Placed::new(cells, base).enter(gravity),
         None => gravity,
     }
@@ -73,9 +74,9 @@ pub(crate) fn gravity<I: Interpretation>(cells: &mut I, robot: &Robot) -> Vector
 
 /// g.p with p the origin of frame 0 in the world: what a mass there has of potential energy, times -1
 /// and over the mass. `None` where the two origins are one.
-pub(super) fn datum<I: Interpretation>(cells: &mut I, robot: &Robot) -> Option<I::Number> {
-    let base = robot.base.as_ref()?;
-    let gravity = vector(cells, &robot.gravity);
+pub(super) fn datum<I: Interpretation>(cells: &mut I, arm: &Mechanism) -> Option<I::Number> {
+    let base = arm.base.as_ref()?;
+    let gravity = vector(cells, &arm.gravity);
     Some(gravity.dot(vector(cells, &base.xyz)))
 }
 
@@ -85,20 +86,18 @@ pub(super) fn body<I: Interpretation>(cells: &mut I, tool: &Tool) -> Central<I::
     Placed::new(cells, &tool.placement).leave_body(body)
 }
 
-/// The places of the link frame behind a joint, from the outermost on.
-pub(super) fn link_frame<I: Interpretation>(cells: &mut I, row: &Row) -> Vec<Placed<I::Number>> {
-    let places = row.mount.iter().flat_map(|mount| &mount.frame);
-    places.map(|place| Placed::new(cells, place)).collect()
-}
-
-/// A body of the link frame, in the frame that the row's cells describe.
-pub(super) fn in_joint_frame<I: Interpretation>(
+/// The places of a link frame, from the outermost on; none where a screw says where it is.
+pub(super) fn link_frame<I: Interpretation>(
     cells: &mut I,
-    row: &Row,
-    body: Central<I::Number>,
-) -> Central<I::Number> {
-    let places = link_frame(cells, row).into_iter().rev();
-    places.fold(body, |body, place| place.leave_body(body))
+    link_frame: &LinkFrame,
+) -> Vec<Placed<I::Number>> {
+    match link_frame {
+        LinkFrame::Screw(_) => Vec::new(),
+        LinkFrame::Places(places) => places
+            .iter()
+            .map(|place| Placed::new(cells, place))
+            .collect(),
+    }
 }
 
 /// A rigid body, from its cells.

@@ -12,7 +12,7 @@ use super::chain::{Chain, Link};
 use super::symbols::Symbols;
 use crate::expr::{Direction, Expr};
 use crate::linear::{Symmetric3, Vector3};
-use crate::robot::{Interpretation, JointType, Robot};
+use crate::robot::{Interpretation, JointType};
 use crate::spatial::{Acceleration, Body, Force, Turn, enter_x, enter_z, leave_x, leave_z};
 use core::ops::{Add, Mul, Neg, Sub};
 
@@ -176,7 +176,6 @@ struct Course<'g> {
 /// The first derivatives of all joint forces along the motion, then the second ones, without friction.
 pub(super) fn recursion<'g>(
     symbols: &mut Symbols<'g>,
-    robot: &Robot,
     chain: &Chain<Expr<'g>>,
     [jerk, snap]: [&[Expr<'g>]; 2],
 ) -> [Vec<Expr<'g>>; 2] {
@@ -185,7 +184,7 @@ pub(super) fn recursion<'g>(
         symbols.all(|joint| joint.qdd),
     );
     let course = Course {
-        along: along_motion(symbols, robot, [jerk, snap]),
+        along: along_motion(symbols, [jerk, snap]),
         qd: (0..qd.len())
             .map(|i| Jet([qd[i], qdd[i], jerk[i]]))
             .collect(),
@@ -202,11 +201,10 @@ pub(super) fn recursion<'g>(
 /// Forces that are given as expressions, differentiated on the graph.
 pub(super) fn differentiated<'g>(
     symbols: &mut Symbols<'g>,
-    robot: &Robot,
     forces: &[Expr<'g>],
     rates: [&[Expr<'g>]; 2],
 ) -> [Vec<Expr<'g>>; 2] {
-    let along = along_motion(symbols, robot, rates);
+    let along = along_motion(symbols, rates);
     let derivatives =
         |of: &[Expr<'g>]| -> Vec<_> { of.iter().map(|force| force.derivative(&along)).collect() };
     let first = derivatives(forces);
@@ -215,14 +213,10 @@ pub(super) fn differentiated<'g>(
 }
 
 /// The motion as a direction: how q, qd, qdd and the jerk change.
-fn along_motion<'g>(
-    symbols: &mut Symbols<'g>,
-    robot: &Robot,
-    [jerk, snap]: [&[Expr<'g>]; 2],
-) -> Direction<'g> {
+fn along_motion<'g>(symbols: &mut Symbols<'g>, [jerk, snap]: [&[Expr<'g>]; 2]) -> Direction<'g> {
     let mut along = Direction::new();
     for (i, (&jerk, &snap)) in jerk.iter().zip(snap).enumerate() {
-        let joint = *symbols.joint(i);
+        let (joint, own) = (*symbols.joint(i), &symbols.arm().joints[i].forces);
         if joint.qd.is_zero() {
             continue;
         }
@@ -231,7 +225,7 @@ fn along_motion<'g>(
             .with(joint.qd, joint.qdd)
             .with(joint.qdd, jerk)
             .with(jerk, snap);
-        if let (Some(stribeck), Some(left)) = (&robot.rows[i].stribeck, joint.stribeck) {
+        if let (Some(stribeck), Some(left)) = (&own.stribeck, joint.stribeck) {
             // exp(-(qd/v)^2)' = -2 qd qdd/v^2 exp(-(qd/v)^2)
             let v = symbols.value(&stribeck.velocity);
             let slope = (joint.qd + joint.qd) / (v * v);

@@ -12,7 +12,6 @@ use super::symbols::Symbols;
 use crate::exact::Rational;
 use crate::expr::Expr;
 use crate::linear::Vector3;
-use crate::robot::Robot;
 use crate::spatial::{Body, Force};
 
 /// A column in the making.
@@ -26,10 +25,9 @@ enum Column<'g> {
 /// Each body's force handed on from link to link, to the base. By rows.
 pub(super) fn by_recursion<'g>(
     symbols: &mut Symbols<'g>,
-    robot: &Robot,
     chain: &Chain<Expr<'g>>,
 ) -> Vec<Expr<'g>> {
-    let columns = columns_of_motion(symbols, robot, chain);
+    let columns = columns_of_motion(symbols, chain);
     by_rows(chain, columns, |i, force| chain.felt(i, force))
 }
 
@@ -37,11 +35,10 @@ pub(super) fn by_recursion<'g>(
 /// rows.
 pub(super) fn by_partial_velocities<'g>(
     symbols: &mut Symbols<'g>,
-    robot: &Robot,
     chain: &Chain<Expr<'g>>,
 ) -> Vec<Expr<'g>> {
     let axes = chain.axes();
-    let columns = columns_of_motion(symbols, robot, chain);
+    let columns = columns_of_motion(symbols, chain);
     by_rows(chain, columns, |i, force| {
         let mut felt = vec![chain.zero; axes.len()];
         for (j, axis) in &axes[i] {
@@ -54,12 +51,11 @@ pub(super) fn by_partial_velocities<'g>(
 /// The regressor of M qdd_r + C(q, qd) qd_r + G, by rows.
 pub(super) fn of_passivity<'g>(
     symbols: &mut Symbols<'g>,
-    robot: &Robot,
     chain: &Chain<Expr<'g>>,
     rates: &[Rates<Expr<'g>>],
 ) -> Vec<Expr<'g>> {
     let half = half(symbols);
-    let units = Units::new(symbols, robot);
+    let units = Units::new(symbols);
     let motions = passivity::motions(chain, rates);
     let columns = units.bodies(chain).map(|(i, body)| match body {
         Some(body) => Column::OfBody(i, motions[i].force(&body, half)),
@@ -70,14 +66,10 @@ pub(super) fn of_passivity<'g>(
 
 /// The kinetic energy of a unit of every base parameter, then the potential energy, zero where frame 0
 /// has its origin.
-pub(super) fn of_energies<'g>(
-    symbols: &mut Symbols<'g>,
-    robot: &Robot,
-    chain: &Chain<Expr<'g>>,
-) -> Vec<Expr<'g>> {
+pub(super) fn of_energies<'g>(symbols: &mut Symbols<'g>, chain: &Chain<Expr<'g>>) -> Vec<Expr<'g>> {
     let half = half(symbols);
     let qd = symbols.all(|joint| joint.qd);
-    let units = Units::new(symbols, robot);
+    let units = Units::new(symbols);
     let velocities = momenta::velocities(chain, &qd);
     let heights = heights(chain);
     let energies = units.bodies(chain).map(|(i, body)| match body {
@@ -129,12 +121,8 @@ fn by_rows<'g>(
 }
 
 /// The columns of the equations of motion.
-fn columns_of_motion<'g>(
-    symbols: &mut Symbols<'g>,
-    robot: &Robot,
-    chain: &Chain<Expr<'g>>,
-) -> Vec<Column<'g>> {
-    let units = Units::new(symbols, robot);
+fn columns_of_motion<'g>(symbols: &mut Symbols<'g>, chain: &Chain<Expr<'g>>) -> Vec<Column<'g>> {
+    let units = Units::new(symbols);
     let (qd, qdd) = (
         symbols.all(|joint| joint.qd),
         symbols.all(|joint| joint.qdd),
@@ -154,10 +142,10 @@ struct Units<'g> {
 }
 
 impl<'g> Units<'g> {
-    fn new(symbols: &mut Symbols<'g>, robot: &Robot) -> Self {
+    fn new(symbols: &mut Symbols<'g>) -> Self {
         Units {
-            observed: Observed::of(robot),
-            geometry: base::geometry(symbols, robot),
+            observed: Observed::of(symbols.arm()),
+            geometry: base::geometry(symbols, symbols.arm()),
         }
     }
 

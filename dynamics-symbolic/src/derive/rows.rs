@@ -1,81 +1,132 @@
-//! The rows of a table: the geometry between axes, and the links' bodies.
+//! The constant geometry of a mechanism in any ring: between the axes of joints, and from these to link frames.
 
-use super::place;
+use super::place::{self, Placed};
 use crate::exact::Rational;
-use crate::linear::Vector3;
-use crate::robot::{Convention, Interpretation, Robot, Row, Value};
+use crate::linear::{Ring, Vector3};
+use crate::mechanism::{self, Joint, LinkFrame, Mechanism};
+use crate::robot::Interpretation;
 use crate::spatial::{Body, Central, Turn, leave_x, tensor_leave_x};
 
-/// The two cells of a row between one z axis and the next: a step along x and a turn about it.
+/// A step along x and a turn about it.
+#[derive(Clone, Copy)]
 pub(super) struct Screw<R> {
     pub(super) a: R,
     pub(super) turn: Turn<R>,
 }
 
-/// The screw before each joint, and the one after the last.
-pub(super) fn screws<I: Interpretation>(cells: &mut I, robot: &Robot) -> Vec<Screw<I::Number>> {
-    let none = Value::zero();
-    let screws = robot.rows.iter().map(|row| (&row.a, &row.alpha));
-    let screws: Vec<_> = match robot.convention {
-        Convention::Standard => core::iter::once((&none, &none)).chain(screws).collect(),
-        Convention::Modified => screws.chain(core::iter::once((&none, &none))).collect(),
-    };
-    let screw = |(a, alpha): (&Value, &Value)| {
-        let turn = Turn::from(cells.sin_cos(alpha));
-        Screw {
-            a: cells.value(a),
-            turn,
-        }
-    };
-    screws.into_iter().map(screw).collect()
+/// The screws of an arm.
+pub(super) struct Screws<R> {
+    /// Those before the joints.
+    pub(super) before: Vec<Screw<R>>,
+    /// Those from the joints to the link frames, where these are placed so.
+    behind: Vec<Option<Screw<R>>>,
 }
 
-/// The parameters of link i and of what is fixed to it, in the frame on its joint's axis, after the
-/// offset d.
-pub(super) fn body<I: Interpretation>(
-    cells: &mut I,
-    robot: &Robot,
-    i: usize,
-    next: &Screw<I::Number>,
-) -> Body<I::Number> {
-    let row = &robot.rows[i];
-    let own = place::central(cells, &row.mass, &row.com, &row.inertia);
-    let own = behind_joint(cells, robot.convention, row, own, next);
-    let is_last = i + 1 == robot.rows.len();
-    match robot
-        .tool
-        .as_ref()
-        .filter(|tool| is_last && tool.has_body())
-    {
-        Some(tool) => {
-            let tool = place::body(cells, tool);
-            own.joined(behind_joint(cells, robot.convention, row, tool, next))
+impl<R: Ring> Screws<R> {
+    /// Reads them.
+    pub(super) fn new<I: Interpretation<Number = R>>(cells: &mut I, arm: &Mechanism) -> Self {
+        let mut screw = |screw: &mechanism::Screw| {
+            let turn = Turn::from(cells.sin_cos(&screw.alpha));
+            Screw {
+                a: cells.value(&screw.a),
+                turn,
+            }
+        };
+        Screws {
+            before: arm
+                .joints
+                .iter()
+                .map(|joint| screw(&joint.before))
+                .collect(),
+            behind: (arm.joints.iter())
+                .map(|joint| match &joint.link_frame {
+                    LinkFrame::Screw(behind) => Some(screw(behind)),
+                    LinkFrame::Places(_) => None,
+                })
+                .collect(),
         }
-        None => own,
+    }
+
+    /// A point of link frame i, in the frame of joint i.
+    pub(super) fn leave_point<I: Interpretation<Number = R>>(
+        &self,
+        cells: &mut I,
+        arm: &Mechanism,
+        i: usize,
+        point: Vector3<R>,
+    ) -> Vector3<R> {
+        let places = place::link_frame(cells, &arm.joints[i].link_frame)
+            .into_iter()
+            .rev();
+        let point = places.fold(point, |point, place| place.leave_point(point));
+        match self.behind[i] {
+            Some(screw) => along_x(cells, screw.a) + leave_x(screw.turn, point),
+            None => point,
+        }
+    }
+
+    /// A body of link frame i, in the frame of joint i.
+    fn leave_body<I: Interpretation<Number = R>>(
+        &self,
+        cells: &mut I,
+        arm: &Mechanism,
+        i: usize,
+        body: Central<R>,
+    ) -> Body<R> {
+        let places = place::link_frame(cells, &arm.joints[i].link_frame)
+            .into_iter()
+            .rev();
+        let body = places.fold(body, |body: Central<R>, place: Placed<R>| {
+            place.leave_body(body)
+        });
+        Body::new(match self.behind[i] {
+            Some(screw) => {
+                let inertia = tensor_leave_x(screw.turn, body.inertia);
+                let com = leave_x(screw.turn, body.com) + along_x(cells, screw.a);
+                Central {
+                    inertia,
+                    com,
+                    ..body
+                }
+            }
+            None => body,
+        })
+    }
+
+    /// The parameters of link i and of what is fixed to it, in the frame of joint i.
+    pub(super) fn body<I: Interpretation<Number = R>>(
+        &self,
+        cells: &mut I,
+        arm: &Mechanism,
+        i: usize,
+    ) -> Body<R> {
+        let joint = &arm.joints[i];
+        let own = place::central(cells, &joint.mass, &joint.com, &joint.inertia);
+        let own = self.leave_body(cells, arm, i, own);
+        let tool = arm
+            .tool
+            .as_ref()
+            .filter(|tool| arm.tip == Some(i) && tool.has_body());
+        match tool {
+            Some(tool) => {
+                let tool = place::body(cells, tool);
+                own.joined(self.leave_body(cells, arm, i, tool))
+            }
+            None => own,
+        }
     }
 }
 
-/// A body of the link frame, in the frame on the joint's axis.
-/// A standard link frame comes after the row's a and alpha, a modified one before the next row's; one of a
-/// [`Mount`](crate::robot::Mount) where that says.
-fn behind_joint<I: Interpretation>(
-    cells: &mut I,
-    convention: Convention,
-    row: &Row,
-    body: Central<I::Number>,
-    next: &Screw<I::Number>,
-) -> Body<I::Number> {
-    match convention {
-        Convention::Modified => Body::new(place::in_joint_frame(cells, row, body)),
-        Convention::Standard => {
-            let zero = cells.rational(&Rational::ZERO);
-            let inertia = tensor_leave_x(next.turn, body.inertia);
-            let com = leave_x(next.turn, body.com) + Vector3::new(next.a, zero, zero);
-            Body::new(Central {
-                mass: body.mass,
-                com,
-                inertia,
-            })
-        }
-    }
+/// The constant turn about a joint's axis.
+pub(crate) fn constant_turn<I: Interpretation>(cells: &mut I, joint: &Joint) -> Turn<I::Number> {
+    let angles = joint
+        .turn
+        .iter()
+        .map(|angle| Turn::from(cells.sin_cos(angle)));
+    angles.reduce(Turn::plus).expect("theta is one of them")
+}
+
+fn along_x<I: Interpretation>(cells: &mut I, a: I::Number) -> Vector3<I::Number> {
+    let zero = cells.rational(&Rational::ZERO);
+    Vector3::new(a, zero, zero)
 }

@@ -39,7 +39,7 @@ use super::{composite, derivatives};
 use crate::exact::Rational;
 use crate::expr::Expr;
 use crate::linear::{Ring, Symmetric3, Vector3};
-use crate::robot::{JointType, Robot};
+use crate::robot::JointType;
 use crate::spatial::{Body, Force, Joint, Motion};
 
 /// A matrix for each joint force.
@@ -109,16 +109,15 @@ pub(super) fn recursion<'g>(
 /// that move by themselves.
 pub(super) fn differentiated<'g>(
     symbols: &Symbols<'g>,
-    robot: &Robot,
     chain: &Chain<Expr<'g>>,
     qd: &[Expr<'g>],
     qdd: &[Expr<'g>],
 ) -> SecondDerivatives<Expr<'g>> {
-    let first = derivatives::differentiated(symbols, robot, chain, [qd, qdd]);
-    let joints = robot.moving();
+    let first = derivatives::differentiated(symbols, chain, [qd, qdd]);
+    let joints: Vec<_> = symbols.arm().free().collect();
     let positions = derivatives::along_positions(symbols, &joints, chain.one);
     let velocities = derivatives::along_velocities(qd, &joints, chain.one);
-    let inertia = Joints::of(symbols, robot).block(composite::mass_matrix(chain));
+    let inertia = Joints::of(symbols).block(composite::mass_matrix(chain));
     let along = |matrix: &Matrix<Expr<'g>>, directions: &[_]| -> Matrices<Expr<'g>> {
         let entries = |x: &Expr<'g>| directions.iter().map(|d| x.derivative(d)).collect();
         let rows = matrix.iter();
@@ -134,8 +133,8 @@ pub(super) fn differentiated<'g>(
 
 impl<'g> SecondDerivatives<Expr<'g>> {
     /// Those of the joints that move by themselves, from those of all rows.
-    pub(super) fn of_joints(self, symbols: &Symbols<'g>, robot: &Robot) -> Self {
-        let joints = Joints::of(symbols, robot);
+    pub(super) fn of_joints(self, symbols: &Symbols<'g>) -> Self {
+        let joints = Joints::of(symbols);
         SecondDerivatives {
             by_position: joints.cube(self.by_position),
             by_velocity: joints.cube(self.by_velocity),
@@ -146,7 +145,7 @@ impl<'g> SecondDerivatives<Expr<'g>> {
 }
 
 /// What the joints that carry a link do, in its frame, each with the number of the joint: see
-/// [`Tree::of_carriers`](super::walk::Tree::of_carriers).
+/// [`Tree::of_carriers`](crate::mechanism::Tree::of_carriers).
 type Effects<R> = Vec<(usize, Effect<R>)>;
 
 /// The effects on every link.

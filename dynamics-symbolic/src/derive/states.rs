@@ -2,11 +2,12 @@
 
 use crate::exact::{SplitMix64, sin_cos};
 use crate::function::Argument;
-use crate::robot::{JointType, Robot, Row, Symbol, Value};
+use crate::mechanism::Mechanism;
+use crate::robot::{Symbol, Value};
 use crate::rounding::Bounded;
 use core::f64::consts::{FRAC_PI_2, PI};
 
-/// What the symbols of a robot are at one state. Positions and velocities of the joints are followed by
+/// What the symbols of an arm are at one state. Positions and velocities of the joints are followed by
 /// those of the followers, less their offsets.
 pub(crate) struct State {
     q: Vec<f64>,
@@ -18,16 +19,16 @@ pub(crate) struct State {
     fields: Fields,
 }
 
-/// States of a robot: positions over the joints' ranges, the rest from -1 to 1.
+/// States of an arm: positions over the joints' ranges, the rest from -1 to 1.
 ///
 /// Two states each have the same values of the fields. Those of every other pair are ordinary, those of
 /// the pairs between unlucky: magnitudes that differ by up to nine powers of ten, and angles that
 /// nearly vanish or are nearly right.
-pub(crate) fn states(robot: &Robot, seed: u64, pairs: usize) -> Vec<[State; 2]> {
+pub(crate) fn states(arm: &Mechanism, seed: u64, pairs: usize) -> Vec<[State; 2]> {
     let mut random = SplitMix64::new(seed);
     let pair = |number| {
-        let fields = Fields::new(robot, &mut random, number % 2 == 1);
-        [(); 2].map(|()| State::new(robot, &mut random, fields.clone()))
+        let fields = Fields::new(arm, &mut random, number % 2 == 1);
+        [(); 2].map(|()| State::new(arm, &mut random, fields.clone()))
     };
     (0..pairs).map(pair).collect()
 }
@@ -41,8 +42,8 @@ struct Fields {
 }
 
 impl Fields {
-    fn new(robot: &Robot, random: &mut SplitMix64, unlucky: bool) -> Self {
-        let values = robot.fields.iter().map(|_| match unlucky {
+    fn new(arm: &Mechanism, random: &mut SplitMix64, unlucky: bool) -> Self {
+        let values = (0..arm.fields).map(|_| match unlucky {
             true => graded(random, -4, 4),
             false => 0.5 + 1.5 * random.unit(),
         });
@@ -68,20 +69,20 @@ impl Fields {
 }
 
 impl State {
-    fn new(robot: &Robot, random: &mut SplitMix64, fields: Fields) -> Self {
-        let along = |row: &Row| {
-            let [lower, upper] = range(row, &fields.values);
+    fn new(arm: &Mechanism, random: &mut SplitMix64, fields: Fields) -> Self {
+        let along = |i: usize| {
+            let [lower, upper] = arm.joints[i].range(&fields.values);
             lower + random.unit() * (upper - lower)
         };
-        let q: Vec<f64> = robot.joints().map(along).collect();
+        let q: Vec<f64> = arm.free().map(along).collect();
         let mut symmetric = || q.iter().map(|_| 2.0 * random.unit() - 1.0).collect();
         let (qd, qdd, tau): (Vec<f64>, _, _) = (symmetric(), symmetric(), symmetric());
         State {
-            qd: robot.with_followers(&qd, &fields.values),
+            qd: arm.with_followers(&qd, &fields.values),
             qdd,
             tau,
             entries: q.first().map_or(0, |q| q.to_bits()),
-            q: robot.with_followers(&q, &fields.values),
+            q: arm.with_followers(&q, &fields.values),
             fields,
         }
     }
@@ -112,15 +113,6 @@ impl State {
             Symbol::Stribeck(i) => Bounded::rounded(1.0 / (1.0 + self.qd[*i] * self.qd[*i])),
             Symbol::Entry(argument, i) => Bounded::exact(self.entry(*argument, *i)),
         }
-    }
-}
-
-/// Revolute joints without limits turn once around, prismatic ones slide by a metre.
-fn range(row: &Row, fields: &[f64]) -> [f64; 2] {
-    match (&row.limits, row.joint_type) {
-        (Some(limits), _) => limits.each_ref().map(|limit| limit.to_f64(fields)),
-        (None, JointType::Revolute) => [-PI, PI],
-        (None, JointType::Prismatic) => [-1.0, 1.0],
     }
 }
 

@@ -1,19 +1,25 @@
-//! The symbols of a robot's equations on a graph.
+//! The symbols of an arm's equations on a graph.
 
+use super::rows::constant_turn;
 use crate::exact::Rational;
 use crate::expr::{Direction, Expr, Graph, Level};
 use crate::function::Argument;
-use crate::robot::{Coupling, Interpretation, JointType, Robot, Row, Symbol, Value};
+use crate::mechanism::{Joint, Law, Mechanism};
+use crate::robot::{Coupling, Interpretation, JointType, Symbol, Value};
+use crate::spatial::Turn;
 
 /// The variables of one joint.
 #[derive(Clone, Copy, Debug)]
 pub struct JointSymbols<'g> {
     /// Sine and cosine of the position (revolute joints); of a follower, of the position less its offset.
     pub sin_cos: (Expr<'g>, Expr<'g>),
-    /// Position; the cell where the joint is locked, with no velocity, acceleration or force. A follower's
+    /// Position; the constant one if the joint stands still, with no velocity, acceleration or force. A follower's
     /// position, velocity and acceleration are those of the joint it follows times the factor, and no
     /// force is applied to it.
     pub q: Expr<'g>,
+    /// How far the joint moves for each unit of the free joint by which it moves: 1 for that one itself, 0 for a joint
+    /// that stands still.
+    pub factor: Expr<'g>,
     /// Velocity.
     pub qd: Expr<'g>,
     /// Acceleration.
@@ -26,30 +32,19 @@ pub struct JointSymbols<'g> {
     pub stribeck: Option<Expr<'g>>,
 }
 
-/// The symbols of a robot on a graph.
+/// The symbols of an arm on a graph.
 pub struct Symbols<'g> {
     graph: &'g Graph,
+    arm: &'g Mechanism,
     meanings: Vec<Symbol>,
     pi: Expr<'g>,
     fields: Vec<Expr<'g>>,
     angles: Vec<(Value, Expr<'g>, Expr<'g>)>,
     joints: Vec<JointSymbols<'g>>,
-    /// What each row follows.
-    follows: Vec<Option<Follows<'g>>>,
     entries: Vec<((Argument, usize), Expr<'g>)>,
 }
 
 type Circle<'g> = (Expr<'g>, Expr<'g>);
-
-/// What a row follows.
-struct Follows<'g> {
-    /// The row of the joint that leads.
-    leader: usize,
-    factor: Expr<'g>,
-    offset: Value,
-    /// Whether the row has a mount: its offset is then a turn of its own among the places of the mount.
-    is_mounted: bool,
-}
 
 /// Whole factors up to this one have no sine of their own: that of a multiple of an angle is a polynomial
 /// in sine and cosine of the angle, four products and two sums for each step, and what it cancels with is
@@ -57,11 +52,11 @@ struct Follows<'g> {
 const LARGEST_MULTIPLE: i64 = 3;
 
 impl<'g> Symbols<'g> {
-    /// Makes the symbols of a robot.
-    pub fn new(graph: &'g Graph, robot: &Robot) -> Self {
+    /// Makes the symbols of an arm.
+    pub fn new(graph: &'g Graph, arm: &'g Mechanism) -> Self {
         let mut meanings = vec![Symbol::Pi];
         let pi = graph.symbol(Level::Constant);
-        let fields = (0..robot.fields.len())
+        let fields = (0..arm.fields)
             .map(|i| {
                 meanings.push(Symbol::Field(i));
                 graph.symbol(Level::Parameter)
@@ -69,77 +64,66 @@ impl<'g> Symbols<'g> {
             .collect();
         let mut symbols = Symbols {
             graph,
+            arm,
             meanings,
             pi,
             fields,
             angles: Vec::new(),
-            joints: Vec::with_capacity(robot.rows.len()),
-            follows: Vec::with_capacity(robot.rows.len()),
+            joints: Vec::with_capacity(arm.joints.len()),
             entries: Vec::new(),
         };
-        let mut moving = 0..;
-        for row in &robot.rows {
-            let joint = match (&row.locked, &row.follows) {
-                (Some(position), _) => symbols.locked_joint(row.joint_type, position),
-                (None, None) => symbols.moving_joint(moving.next().unwrap_or_default(), row),
+        for joint in &arm.joints {
+            let variables = match &joint.law {
+                Law::Free { number } => symbols.free_joint(*number, joint),
+                Law::Standing { at } => symbols.standing_joint(joint.joint_type, at),
                 // Filled in below: the joint that leads may come later.
-                (None, Some(_)) => symbols.locked_joint(row.joint_type, &Value::zero()),
+                Law::Following { .. } => symbols.standing_joint(joint.joint_type, &Value::zero()),
             };
-            symbols.joints.push(joint);
-            symbols.follows.push(None);
+            symbols.joints.push(variables);
         }
-        symbols.couple(robot);
+        for (i, joint) in arm.joints.iter().enumerate() {
+            if let Law::Following { number, coupling } = &joint.law {
+                symbols.joints[i] = symbols.following_joint(joint, *number, coupling);
+            }
+        }
         symbols
     }
 
-    /// The variables of the joints that follow others, from those of the joints that lead.
-    fn couple(&mut self, robot: &Robot) {
-        let rows = robot.rows.iter().enumerate();
-        let followers = rows.filter_map(|(i, row)| Some((i, row, row.follows.as_ref()?)));
-        for (index, (i, row, coupling)) in (robot.dof()..).zip(followers) {
-            let factor = self.value(&coupling.factor);
-            self.joints[i] = self.following_joint(robot, index, row, coupling, factor);
-            self.follows[i] = Some(Follows {
-                leader: coupling.leader,
-                factor,
-                offset: coupling.offset.clone(),
-                is_mounted: row.mount.is_some(),
-            });
-        }
-    }
-
-    /// The variables of a follower, which has symbols of that index.
+    /// The variables of a joint that follows another one, with symbols of that number.
     fn following_joint(
         &mut self,
-        robot: &Robot,
-        index: usize,
-        row: &Row,
+        joint: &Joint,
+        number: usize,
         coupling: &Coupling,
-        factor: Expr<'g>,
     ) -> JointSymbols<'g> {
+        let factor = self.value(&coupling.factor);
         let leader = self.joints[coupling.leader];
-        let sin_cos = match (row.joint_type, robot.rows[coupling.leader].joint_type) {
+        let sin_cos = match (
+            joint.joint_type,
+            self.arm.joints[coupling.leader].joint_type,
+        ) {
             (JointType::Prismatic, _) => (self.graph.zero(), self.graph.one()),
             (JointType::Revolute, JointType::Revolute) => {
                 let known = whole(&coupling.factor).map(|n| multiple(leader.sin_cos, n));
-                known.unwrap_or_else(|| self.circle_of(index))
+                known.unwrap_or_else(|| self.circle_of(number))
             }
-            (JointType::Revolute, JointType::Prismatic) => self.circle_of(index),
+            (JointType::Revolute, JointType::Prismatic) => self.circle_of(number),
         };
         let sign = match coupling.sign() {
             Some(1) => leader.sign,
             Some(_) => -leader.sign,
-            None => self.variable(Symbol::VelocitySign(index)),
+            None => self.variable(Symbol::VelocitySign(number)),
         };
-        let stribeck = row.stribeck.as_ref();
+        let stribeck = joint.forces.stribeck.as_ref();
         JointSymbols {
             sin_cos,
             q: factor * leader.q + self.value(&coupling.offset),
+            factor,
             qd: factor * leader.qd,
             qdd: factor * leader.qdd,
             tau: self.graph.zero(),
             sign,
-            stribeck: stribeck.map(|_| self.variable(Symbol::Stribeck(index))),
+            stribeck: stribeck.map(|_| self.variable(Symbol::Stribeck(number))),
         }
     }
 
@@ -155,32 +139,32 @@ impl<'g> Symbols<'g> {
         self.graph.symbol(Level::Variable)
     }
 
-    /// The variables of joint i of those that move.
-    fn moving_joint(&mut self, i: usize, row: &Row) -> JointSymbols<'g> {
+    /// The variables of a joint that moves by itself, of that number among those that do.
+    fn free_joint(&mut self, number: usize, joint: &Joint) -> JointSymbols<'g> {
+        let stribeck = joint.forces.stribeck.as_ref();
         JointSymbols {
-            sin_cos: self.circle_of(i),
-            q: self.variable(Symbol::Position(i)),
-            qd: self.variable(Symbol::Velocity(i)),
-            qdd: self.variable(Symbol::Acceleration(i)),
-            tau: self.variable(Symbol::Force(i)),
-            sign: self.variable(Symbol::VelocitySign(i)),
-            stribeck: row
-                .stribeck
-                .is_some()
-                .then(|| self.variable(Symbol::Stribeck(i))),
+            sin_cos: self.circle_of(number),
+            q: self.variable(Symbol::Position(number)),
+            factor: self.graph.one(),
+            qd: self.variable(Symbol::Velocity(number)),
+            qdd: self.variable(Symbol::Acceleration(number)),
+            tau: self.variable(Symbol::Force(number)),
+            sign: self.variable(Symbol::VelocitySign(number)),
+            stribeck: stribeck.map(|_| self.variable(Symbol::Stribeck(number))),
         }
     }
 
-    /// A joint that is locked: everything about it is constant.
-    fn locked_joint(&mut self, joint_type: JointType, position: &Value) -> JointSymbols<'g> {
+    /// A joint that stands still: everything about it is constant.
+    fn standing_joint(&mut self, joint_type: JointType, at: &Value) -> JointSymbols<'g> {
         let zero = self.graph.zero();
         let angle = match joint_type {
-            JointType::Revolute => position,
+            JointType::Revolute => at,
             JointType::Prismatic => &Value::zero(),
         };
         JointSymbols {
             sin_cos: self.sin_cos(angle),
-            q: self.value(position),
+            q: self.value(at),
+            factor: zero,
             qd: zero,
             qdd: zero,
             tau: zero,
@@ -194,17 +178,22 @@ impl<'g> Symbols<'g> {
         self.graph
     }
 
+    /// The arm.
+    pub(crate) fn arm(&self) -> &'g Mechanism {
+        self.arm
+    }
+
     /// What each symbol of the graph stands for, in the order of the graph's symbols.
     pub fn meanings(&self) -> &[Symbol] {
         &self.meanings
     }
 
-    /// The variables of the joint of row i.
+    /// The variables of joint i.
     pub fn joint(&self, i: usize) -> &JointSymbols<'g> {
         &self.joints[i]
     }
 
-    /// One variable of the joint of every row.
+    /// One variable of every joint.
     pub fn all(&self, variable: impl Fn(&JointSymbols<'g>) -> Expr<'g>) -> Vec<Expr<'g>> {
         self.joints.iter().map(variable).collect()
     }
@@ -222,83 +211,60 @@ impl<'g> Symbols<'g> {
         symbol
     }
 
-    /// Such an argument with an entry for the joint of every row, zero where the joint is locked; that of a
-    /// follower is its leader's times the factor.
-    pub fn entries(&mut self, argument: Argument, robot: &Robot) -> Vec<Expr<'g>> {
-        let of_joints: Vec<_> = (0..robot.dof()).map(|i| self.entry(argument, i)).collect();
-        self.of_rows(robot, &of_joints)
+    /// Such an argument with an entry for every joint, as [`Symbols::of_all`] has it.
+    pub fn entries(&mut self, argument: Argument) -> Vec<Expr<'g>> {
+        let of_free: Vec<_> = (0..self.arm.dof())
+            .map(|i| self.entry(argument, i))
+            .collect();
+        self.of_all(&of_free)
     }
 
-    /// For the joint of every row, of what is given for the joints that move by themselves: the same times
-    /// the factor of a follower, zero where a joint is locked.
-    pub fn of_rows(&self, robot: &Robot, of_joints: &[Expr<'g>]) -> Vec<Expr<'g>> {
-        let of_row = |i: usize| match &self.follows[i] {
-            Some(follows) => follows.factor * of_joints[robot.joint_of(follows.leader)],
-            None if robot.rows[i].locked.is_some() => self.graph.zero(),
-            None => of_joints[robot.joint_of(i)],
+    /// For every joint, of what is given for the free joints: the same times the factor of a follower, zero where
+    /// a joint stands still.
+    pub fn of_all(&self, of_free: &[Expr<'g>]) -> Vec<Expr<'g>> {
+        let of_joint = |(i, joint): (usize, &JointSymbols<'g>)| match self.arm.moved_by(i) {
+            Some((number, _)) => joint.factor * of_free[number],
+            None => self.graph.zero(),
         };
-        (0..robot.rows.len()).map(of_row).collect()
+        self.joints.iter().enumerate().map(of_joint).collect()
     }
 
-    /// The leader's row of a follower, and its factor.
-    pub fn followed(&self, i: usize) -> Option<(usize, Expr<'g>)> {
-        let follows = self.follows[i].as_ref()?;
-        Some((follows.leader, follows.factor))
-    }
-
-    /// A direction in which, besides, the position of row i's joint changes at a rate: s' = c q',
-    /// c' = -s q'. A joint that is locked does not move, and one that follows another moves with that one.
+    /// A direction in which, besides, the position of joint i changes at a rate: s' = c q', c' = -s q'. A joint that
+    /// stands still does not move, and one that follows another moves with that one.
     pub fn along_position(
         &self,
         direction: Direction<'g>,
         i: usize,
         rate: Expr<'g>,
     ) -> Direction<'g> {
-        let joint = self.joint(i);
-        if joint.qd.is_zero() || self.follows[i].is_some() {
+        let Law::Free { number } = self.arm.joints[i].law else {
             return direction;
-        }
+        };
+        let joint = self.joints[i];
         let direction = turning(direction, joint.sin_cos, rate).with(joint.q, rate);
         // Where a follower has a sine of its own, that changes too: rates of anything else than symbols
         // are never asked for.
-        let follows = self.follows.iter().zip(&self.joints);
-        let followers = follows.filter_map(|(follows, joint)| Some((follows.as_ref()?, joint)));
-        let own = followers.filter(|(follows, _)| follows.leader == i);
-        own.fold(direction, |direction, (follows, joint)| {
-            turning(direction, joint.sin_cos, follows.factor * rate)
+        let leader = |i: usize| self.arm.moved_by(i).map(|(leader, _)| leader);
+        let own = self.arm.following().filter(|&i| leader(i) == Some(number));
+        own.fold(direction, |direction, i| {
+            let follower = &self.joints[i];
+            turning(direction, follower.sin_cos, follower.factor * rate)
         })
     }
 
-    /// Sine and cosine of q_i + theta (revolute) or of theta (prismatic). The
-    /// constant, a follower's offset with it, rotates the sine and cosine of q: added to q it would cost
-    /// digits where q is large.
-    pub fn joint_sin_cos(
-        &mut self,
-        i: usize,
-        joint_type: JointType,
-        theta: &Value,
-    ) -> (Expr<'g>, Expr<'g>) {
-        let constant = self.constant_sin_cos(i, joint_type, theta);
-        match joint_type {
+    /// Sine and cosine of the turn about the axis of joint i, q_i and the constant turn (revolute) or the latter
+    /// (prismatic). The constant rotates the sine and cosine of q: added to q it would cost digits where q is large.
+    pub(crate) fn turn(&mut self, i: usize) -> Turn<Expr<'g>> {
+        let constant = self.constant_turn(i);
+        match self.arm.joints[i].joint_type {
             JointType::Prismatic => constant,
-            JointType::Revolute => turned(self.joints[i].sin_cos, constant),
+            JointType::Revolute => turned(self.joints[i].sin_cos, (constant.s, constant.c)).into(),
         }
     }
 
-    /// Of the angle of row i what is constant: theta, and the offset of an angle that follows another.
-    pub fn constant_sin_cos(
-        &mut self,
-        i: usize,
-        joint_type: JointType,
-        theta: &Value,
-    ) -> (Expr<'g>, Expr<'g>) {
-        let follows = self.follows[i].as_ref();
-        let offset = follows.map(|follows| (follows.offset.clone(), follows.is_mounted));
-        match (joint_type, offset) {
-            (JointType::Prismatic, _) | (_, None) => self.sin_cos(theta),
-            (_, Some((offset, false))) => self.sin_cos(&(theta.clone() + offset)),
-            (_, Some((offset, true))) => turned(self.sin_cos(theta), self.sin_cos(&offset)),
-        }
+    /// The constant turn about the axis of joint i.
+    pub(crate) fn constant_turn(&mut self, i: usize) -> Turn<Expr<'g>> {
+        constant_turn(self, &self.arm.joints[i])
     }
 }
 

@@ -6,12 +6,13 @@
 //! G_i = dU/dq_i. Springs and friction act at the joints themselves, and are not in here. Long beyond three joints, and therefore no way to a program;
 //! the shorter derivations are compared with it.
 
+use super::base::reflected;
 use super::kinematics::{Pose, frames, tip};
 use super::symbols::Symbols;
 use crate::exact::Rational;
 use crate::expr::{Direction, Expr};
 use crate::linear::{Symmetric3, Vector3};
-use crate::robot::{Interpretation, Robot, Value};
+use crate::robot::{Interpretation, Value};
 
 /// The equations of motion of the joints that move by themselves, by the textbook.
 pub struct Textbook<'g> {
@@ -28,15 +29,15 @@ pub struct Textbook<'g> {
 }
 
 impl<'g> Textbook<'g> {
-    /// Derives the equations from the raw table.
-    pub fn new(symbols: &mut Symbols<'g>, robot: &Robot) -> Self {
-        let joints = robot.moving();
+    /// Derives the equations from the mechanism.
+    pub fn new(symbols: &mut Symbols<'g>) -> Self {
+        let joints: Vec<_> = symbols.arm().free().collect();
         let n = joints.len();
         let half = symbols
             .graph()
             .rational(&(Rational::ONE / Rational::from(2)));
-        let kinetic_energy = kinetic_energy(symbols, robot, half);
-        let potential_energy = potential_energy(symbols, robot);
+        let kinetic_energy = kinetic_energy(symbols, half);
+        let potential_energy = potential_energy(symbols);
         let one = symbols.graph().one();
         let along_qd: Vec<_> = joints
             .iter()
@@ -81,14 +82,14 @@ impl<'g> Textbook<'g> {
 }
 
 /// A body of the table, and its frame.
-struct Body<'r, 'g> {
-    mass: &'r Value,
-    com: &'r [Value; 3],
-    inertia: &'r [Value; 6],
+struct Body<'g> {
+    mass: &'g Value,
+    com: &'g [Value; 3],
+    inertia: &'g [Value; 6],
     pose: Pose<'g>,
 }
 
-impl<'g> Body<'_, 'g> {
+impl<'g> Body<'g> {
     /// The centre of mass in the world.
     fn center(&self, symbols: &mut Symbols<'g>) -> Vector3<Expr<'g>> {
         let com = Vector3(self.com.each_ref().map(|x| symbols.value(x)));
@@ -111,38 +112,36 @@ impl<'g> Body<'_, 'g> {
 }
 
 /// The links' bodies, and the tool's.
-fn bodies<'r, 'g>(symbols: &mut Symbols<'g>, robot: &'r Robot) -> Vec<Body<'r, 'g>> {
-    let frames = frames(symbols, robot);
-    let links = robot.rows.iter().zip(&frames).map(|(row, frame)| Body {
-        mass: &row.mass,
-        com: &row.com,
-        inertia: &row.inertia,
+fn bodies<'g>(symbols: &mut Symbols<'g>) -> Vec<Body<'g>> {
+    let frames = frames(symbols);
+    let arm = symbols.arm();
+    let links = arm.joints.iter().zip(&frames).map(|(joint, frame)| Body {
+        mass: &joint.mass,
+        com: &joint.com,
+        inertia: &joint.inertia,
         pose: frame.pose,
     });
-    let tool = robot.tool.iter().map(|tool| Body {
+    let tool = arm.tool.iter().map(|tool| Body {
         mass: &tool.mass,
         com: &tool.com,
         inertia: &tool.inertia,
-        pose: tip(symbols, robot, &frames),
+        pose: tip(symbols, &frames),
     });
     links.chain(tool).collect()
 }
 
-fn kinetic_energy<'g>(symbols: &mut Symbols<'g>, robot: &Robot, half: Expr<'g>) -> Expr<'g> {
-    let motion = (0..robot.rows.len()).fold(Direction::new(), |direction, i| {
+fn kinetic_energy<'g>(symbols: &mut Symbols<'g>, half: Expr<'g>) -> Expr<'g> {
+    let motion = (0..symbols.arm().joints.len()).fold(Direction::new(), |direction, i| {
         let qd = symbols.joint(i).qd;
         symbols.along_position(direction, i, qd)
     });
     let mut twice = symbols.graph().zero();
-    for (i, body) in bodies(symbols, robot).iter().enumerate() {
+    for (i, body) in bodies(symbols).iter().enumerate() {
         let velocity = Vector3(body.center(symbols).0.map(|x| x.derivative(&motion)));
         let w = body.angular_velocity(&motion);
         let inertia = body.tensor(symbols);
-        let motor = robot.rows.get(i).map(|row| {
-            let ratio = symbols.value(&row.gear_ratio);
-            let reflected = ratio * ratio * symbols.value(&row.motor_inertia);
-            (reflected, symbols.joint(i).qd)
-        });
+        let motor = symbols.arm().joints.get(i);
+        let motor = motor.map(|joint| (reflected(symbols, joint), symbols.joint(i).qd));
         let linear = symbols.value(body.mass) * velocity.dot(velocity);
         twice = twice + linear + w.dot(inertia.apply(w));
         if let Some((reflected, qd)) = motor {
@@ -152,10 +151,10 @@ fn kinetic_energy<'g>(symbols: &mut Symbols<'g>, robot: &Robot, half: Expr<'g>) 
     half * twice
 }
 
-fn potential_energy<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> Expr<'g> {
-    let gravity = Vector3([0, 1, 2].map(|k| symbols.value(&robot.gravity[k])));
+fn potential_energy<'g>(symbols: &mut Symbols<'g>) -> Expr<'g> {
+    let gravity = Vector3([0, 1, 2].map(|k| symbols.value(&symbols.arm().gravity[k])));
     let mut energy = symbols.graph().zero();
-    for body in bodies(symbols, robot) {
+    for body in bodies(symbols) {
         let center = body.center(symbols);
         energy = energy - symbols.value(body.mass) * gravity.dot(center);
     }

@@ -11,42 +11,34 @@
 //! to be turned back.
 
 use super::chain::Chain;
-use super::place::{Placed, link_frame};
-use super::rows::screws;
+use super::place::Placed;
+use super::rows::Screws;
 use super::symbols::Symbols;
 use crate::expr::Expr;
 use crate::function::Argument;
 use crate::linear::Vector3;
-use crate::robot::{JointType, Robot};
-use crate::spatial::{Joint, leave_x, leave_z};
+use crate::robot::JointType;
+use crate::spatial::{Joint, leave_z};
 
 type Vector<'g> = Vector3<Expr<'g>>;
 
-/// Where the tip is in the frame of the last link.
-fn place<'g>(symbols: &mut Symbols<'g>, robot: &Robot, chain: &Chain<Expr<'g>>) -> Vector<'g> {
-    let none = Vector3::splat(chain.zero);
-    let tool = robot.tool.as_ref();
+/// Where the tip is in the frame of the link that carries it.
+fn place<'g>(symbols: &mut Symbols<'g>, chain: &Chain<Expr<'g>>) -> Vector<'g> {
+    let (none, arm) = (Vector3::splat(chain.zero), symbols.arm());
+    let tool = arm.tool.as_ref();
     let of_tool = tool.map_or(none, |tool| Placed::new(symbols, &tool.placement).origin);
-    let screws = screws(symbols, robot);
-    let (Some(link), Some(screw)) = (chain.links.last(), screws.last()) else {
+    let screws = Screws::new(symbols, arm);
+    let Some(tip) = arm.tip else {
         return of_tool;
     };
-    let row = robot.rows.last().map(|row| link_frame(symbols, row));
-    let places = row.into_iter().flatten().rev();
-    let of_tool = places.fold(of_tool, |p, place| place.leave_point(p));
-    // A standard link frame comes after the row's a and alpha, a modified one before the next row's.
-    let along_x = Vector3::new(screw.a, chain.zero, chain.zero);
-    let last = along_x + leave_x(screw.turn, of_tool);
-    leave_z(link.behind, last.plus_z(-link.shift))
+    let on_axis = screws.leave_point(symbols, arm, tip, of_tool);
+    let link = &chain.links[tip];
+    leave_z(link.behind, on_axis.plus_z(-link.shift))
 }
 
 /// J qd: velocity of the tip's origin, angular velocity.
-pub(super) fn velocity<'g>(
-    symbols: &mut Symbols<'g>,
-    robot: &Robot,
-    chain: &Chain<Expr<'g>>,
-) -> Vec<Expr<'g>> {
-    let mut r = place(symbols, robot, chain);
+pub(super) fn velocity<'g>(symbols: &mut Symbols<'g>, chain: &Chain<Expr<'g>>) -> Vec<Expr<'g>> {
+    let mut r = place(symbols, chain);
     let none = Vector3::splat(chain.zero);
     let (mut u, mut w) = (none, none);
     for i in chain.carriers_of_tip() {
@@ -61,16 +53,15 @@ pub(super) fn velocity<'g>(
         (u, w) = (joint.leave(u), joint.leave(w));
         r = inward(joint, r);
     }
-    in_world(symbols, robot, [u, w])
+    in_world(symbols, [u, w])
 }
 
 /// J qdd + Jdot qd: acceleration of the tip's origin, angular acceleration.
 pub(super) fn acceleration<'g>(
     symbols: &mut Symbols<'g>,
-    robot: &Robot,
     chain: &Chain<Expr<'g>>,
 ) -> Vec<Expr<'g>> {
-    let mut r = place(symbols, robot, chain);
+    let mut r = place(symbols, chain);
     let none = Vector3::splat(chain.zero);
     let (mut u, mut a, mut w, mut e) = (none, none, none, none);
     for i in chain.carriers_of_tip() {
@@ -92,7 +83,7 @@ pub(super) fn acceleration<'g>(
         [u, a, w, e] = [u, a, w, e].map(|v| joint.leave(v));
         r = inward(joint, r);
     }
-    in_world(symbols, robot, [a, e])
+    in_world(symbols, [a, e])
 }
 
 /// J' w, the force f and the moment n handed on outwards as they are: with the tip at r from the origin
@@ -100,10 +91,9 @@ pub(super) fn acceleration<'g>(
 /// of that joint, and handed on from there ([`Wrench::about`]).
 pub(super) fn wrench_torques<'g>(
     symbols: &mut Symbols<'g>,
-    robot: &Robot,
     chain: &Chain<Expr<'g>>,
 ) -> Vec<Expr<'g>> {
-    let wrench = Wrench::new(symbols, robot, chain);
+    let wrench = Wrench::new(symbols, chain);
     let mut felt = vec![None; chain.links.len()];
     if let Some(pivot) = chain.pivot {
         wrench.about(chain, pivot, &mut felt);
@@ -132,14 +122,14 @@ struct Wrench<'g> {
 }
 
 impl<'g> Wrench<'g> {
-    fn new(symbols: &mut Symbols<'g>, robot: &Robot, chain: &Chain<Expr<'g>>) -> Self {
-        let mut lever = place(symbols, robot, chain);
+    fn new(symbols: &mut Symbols<'g>, chain: &Chain<Expr<'g>>) -> Self {
+        let mut lever = place(symbols, chain);
         let mut levers = vec![lever; chain.links.len()];
         for i in chain.carriers_of_tip() {
             levers[i] = lever;
             lever = inward(chain.joint(i), lever);
         }
-        let [force, moment] = wrench(symbols, robot);
+        let [force, moment] = wrench(symbols);
         let in_base = Told {
             force,
             moment,
@@ -200,11 +190,11 @@ impl<'g> Wrench<'g> {
 }
 
 /// Force and moment at the tip, in the axes of frame 0.
-fn wrench<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> [Vector<'g>; 2] {
+fn wrench<'g>(symbols: &mut Symbols<'g>) -> [Vector<'g>; 2] {
     let mut vector =
         |first: usize| Vector3([0, 1, 2].map(|k| symbols.entry(Argument::Wrench, first + k)));
     let wrench = [vector(0), vector(3)];
-    match &robot.base {
+    match &symbols.arm().base {
         Some(base) => {
             let base = Placed::new(symbols, base);
             wrench.map(|v| base.enter(v))
@@ -214,12 +204,8 @@ fn wrench<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> [Vector<'g>; 2] {
 }
 
 /// Two vectors of frame 0 in the axes of the world, one after the other.
-fn in_world<'g>(
-    symbols: &mut Symbols<'g>,
-    robot: &Robot,
-    vectors: [Vector<'g>; 2],
-) -> Vec<Expr<'g>> {
-    let vectors = match &robot.base {
+fn in_world<'g>(symbols: &mut Symbols<'g>, vectors: [Vector<'g>; 2]) -> Vec<Expr<'g>> {
+    let vectors = match &symbols.arm().base {
         Some(base) => {
             let base = Placed::new(symbols, base);
             vectors.map(|v| base.leave(v))

@@ -5,6 +5,7 @@ use crate::derive::base::{Geometry, LinkGeometry, Observed, dependent, geometry,
 use crate::derive::symbols::Symbols;
 use crate::exact::bit_length;
 use crate::expr::{Expr, Graph};
+use crate::mechanism::Mechanism;
 use crate::program::{Operand, Output};
 use crate::robot::{Convention, Grouping, JointType, Parameter, Robot, Symbol};
 use crate::simplify::Network;
@@ -18,7 +19,7 @@ const MOST_BITS_READ: usize = 128;
 
 /// The formulas of the base parameters, and what the names in them mean: lines of documentation.
 pub(super) fn lines(robot: &Robot) -> Vec<String> {
-    let observed = Observed::of(robot);
+    let observed = Observed::of(&robot.into());
     let formulas = Formulas::expanded(robot, &observed)
         .unwrap_or_else(|| Formulas::in_steps(robot, &observed));
     let mut lines = vec![" The base parameters:".to_owned(), String::new()];
@@ -185,12 +186,13 @@ impl<'p> Couplings<'p> {
             };
         }
         let graph = Graph::new();
-        let mut symbols = Symbols::new(&graph, robot);
+        let arm = Mechanism::from(robot);
+        let mut symbols = Symbols::new(&graph, &arm);
         let mut coefficients = Coefficients {
             all,
             known: Vec::new(),
         };
-        for dependent in dependent(&mut symbols, robot, &observed.grouping) {
+        for dependent in dependent(&mut symbols, &observed.grouping) {
             for (column, coefficient) in dependent.terms {
                 let coefficient = coefficients.name(coefficient);
                 terms.push((dependent.column, column, coefficient));
@@ -262,7 +264,8 @@ impl<'p, 'g> Coefficients<'p, 'g> {
 /// The geometry with the names of cells in place of their numbers, and 0 and +-1 as they are.
 fn named_geometry<'p>(all: &'p Polynomials, robot: &Robot) -> Geometry<Polynomial<'p>> {
     let graph = Graph::new();
-    let mut symbols = Symbols::new(&graph, robot);
+    let arm = Mechanism::from(robot);
+    let mut symbols = Symbols::new(&graph, &arm);
     let cell = |value: Expr<'_>, name: String| match value.is_zero() {
         true => all.number(0),
         false => all.variable(name),
@@ -281,7 +284,7 @@ fn named_geometry<'p>(all: &'p Polynomials, robot: &Robot) -> Geometry<Polynomia
             c: known(turn.c, c),
         }
     };
-    let cells = geometry(&mut symbols, robot);
+    let cells = geometry(&mut symbols, &arm);
     let links = cells.links.into_iter().enumerate().map(|(i, link)| {
         // The row that has the a and the alpha between the axes of joints i and i + 1.
         let row = match robot.convention {
@@ -290,12 +293,12 @@ fn named_geometry<'p>(all: &'p Polynomials, robot: &Robot) -> Geometry<Polynomia
         };
         LinkGeometry {
             joint_type: link.joint_type,
-            locked: link.locked,
+            stands: link.stands,
             a: cell(link.a, format!("a{row}")),
             d: cell(link.d, format!("d{}", i + 1)),
             twist: turn(link.twist, "a", row),
             turn: match link.joint_type {
-                JointType::Revolute if !link.locked => Turn {
+                JointType::Revolute if !link.stands => Turn {
                     s: all.number(0),
                     c: all.number(1),
                 },

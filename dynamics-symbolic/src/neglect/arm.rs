@@ -3,8 +3,10 @@
 use super::reals::{Reals, sin_cos};
 use crate::derive::base::{Geometry, base_parameters, columns, geometry, unit};
 use crate::derive::place;
+use crate::derive::rows::constant_turn;
 use crate::linear::Vector3;
-use crate::robot::{Grouping, Interpretation, JointType, Parameter, Robot};
+use crate::mechanism::Mechanism;
+use crate::robot::{Grouping, JointType, Parameter};
 use crate::spatial::{Acceleration, Body, Force, Joint, Turn};
 
 /// The force of each joint that moves.
@@ -14,66 +16,56 @@ pub(super) type Forces = Vec<f64>;
 pub(super) struct Arm {
     dof: usize,
     geometry: Geometry<f64>,
-    links: Vec<Link>,
+    /// How the joints move; `None` of one that stands still.
+    motions: Vec<Option<Motion>>,
     gravity: Vector3<f64>,
-    /// Row and name of each base parameter.
+    /// Link and name of each base parameter.
     pub(super) columns: Vec<(usize, Parameter)>,
     /// The body that it is, or the inertia of the motor.
     parts: Vec<Result<Body<f64>, f64>>,
 }
 
-struct Link {
-    /// Of the joint variable's cell, where the joint turns.
-    theta: Turn<f64>,
-    motion: Option<Motion>,
-}
-
 /// How the joint of a link moves: one that moves by itself has the factor 1, and no offset.
 #[derive(Clone, Copy)]
 struct Motion {
-    /// The joint by which it moves, of those that move by themselves.
+    /// The number of the free joint by which it moves.
     joint: usize,
     factor: f64,
+    /// Of a joint that slides: where it is while that joint is at zero.
     offset: f64,
+    /// The constant turn of a joint that turns.
+    turn: Turn<f64>,
 }
 
 impl Motion {
-    fn of(robot: &Robot, i: usize) -> Option<Self> {
-        match &robot.rows[i].follows {
-            Some(coupling) => Some(Motion {
-                joint: robot.joint_of(coupling.leader),
-                factor: coupling.factor.to_f64(&[]),
-                offset: coupling.offset.to_f64(&[]),
-            }),
-            None => robot.rows[i].is_free().then(|| Motion {
-                joint: robot.joint_of(i),
-                factor: 1.0,
-                offset: 0.0,
-            }),
-        }
+    fn of(arm: &Mechanism, i: usize) -> Option<Self> {
+        let (joint, coupling) = arm.moved_by(i)?;
+        Some(Motion {
+            joint,
+            factor: coupling.map_or(1.0, |coupling| coupling.factor.to_f64(&[])),
+            offset: coupling.map_or(0.0, |coupling| coupling.offset.to_f64(&[])),
+            turn: constant_turn(&mut Reals, &arm.joints[i]),
+        })
     }
 }
 
 impl Arm {
-    pub(super) fn new(robot: &Robot, grouping: &Grouping) -> Self {
+    pub(super) fn new(arm: &Mechanism, grouping: &Grouping) -> Self {
         let cells = &mut Reals;
-        let geometry = geometry(cells, robot);
-        let values = base_parameters(cells, robot, grouping);
+        let geometry = geometry(cells, arm);
+        let values = base_parameters(cells, arm, grouping);
         let columns = columns(grouping);
         let part = |(&(i, parameter), &value): (&(usize, Parameter), &f64)| {
             let unit = unit(grouping, &geometry, i, parameter);
             unit.map(|unit| unit.times(value)).ok_or(value)
         };
         let parts = columns.iter().zip(&values).map(part).collect();
-        let links = robot.rows.iter().enumerate().map(|(i, row)| Link {
-            theta: cells.sin_cos(&row.theta).into(),
-            motion: Motion::of(robot, i),
-        });
+        let motions = (0..arm.joints.len()).map(|i| Motion::of(arm, i));
         Arm {
-            dof: robot.dof(),
-            links: links.collect(),
+            dof: arm.dof(),
+            motions: motions.collect(),
             geometry,
-            gravity: place::gravity(cells, robot),
+            gravity: place::gravity(cells, arm),
             columns,
             parts,
         }
@@ -109,7 +101,7 @@ impl Arm {
             Vector3::splat(0.0)
         };
         let base = Acceleration::of_base(0.0, gravity);
-        let (qd, qdd) = (self.of_rows(qd), self.of_rows(qdd));
+        let (qd, qdd) = (self.of_all(qd), self.of_all(qdd));
         let accelerations = tree.outward(base, |i, before| before.enter(&joints[i], qd[i], qdd[i]));
         let leave = |j: usize, force: Force<f64>| force.leave(&joints[j]);
         let part = |(&(i, _), part): (&(usize, Parameter), &Result<Body<f64>, f64>)| {
@@ -123,44 +115,44 @@ impl Arm {
                 }
                 Err(motor) => forces[i] = motor * qdd[i],
             }
-            self.of_joints(forces)
+            self.of_free(forces)
         };
         self.columns.iter().zip(&self.parts).map(part).collect()
     }
 
-    /// For the joint of every row, 0 where it is locked.
-    fn of_rows(&self, of_joints: &[f64]) -> Vec<f64> {
-        let value = |motion: Motion| motion.factor * of_joints[motion.joint];
-        let links = self.links.iter();
-        links.map(|link| link.motion.map_or(0.0, value)).collect()
+    /// For every joint; 0 for one that stands still.
+    fn of_all(&self, of_free: &[f64]) -> Vec<f64> {
+        let value = |motion: Motion| motion.factor * of_free[motion.joint];
+        let motions = self.motions.iter();
+        motions.map(|motion| motion.map_or(0.0, value)).collect()
     }
 
     /// For the joints that move by themselves, what those that follow them feel included.
-    fn of_joints(&self, of_rows: Vec<f64>) -> Forces {
+    fn of_free(&self, of_all: Vec<f64>) -> Forces {
         let mut forces = vec![0.0; self.dof()];
-        for (link, force) in self.links.iter().zip(of_rows) {
-            if let Some(Motion { joint, factor, .. }) = link.motion {
-                forces[joint] += factor * force;
+        for (motion, force) in self.motions.iter().zip(of_all) {
+            if let Some(Motion { joint, factor, .. }) = motion {
+                forces[*joint] += factor * force;
             }
         }
         forces
     }
-}
 
-impl Arm {
     fn joint(&self, i: usize, q: &[f64]) -> Joint<f64> {
-        let (still, link) = (self.geometry.joint(i), &self.links[i]);
-        let Some(motion) = link.motion else {
+        let still = self.geometry.joint(i);
+        let Some(motion) = self.motions[i] else {
             return still;
         };
-        let q = motion.factor * q[motion.joint] + motion.offset;
+        let q = motion.factor * q[motion.joint];
         match still.joint_type {
-            JointType::Revolute => {
-                let (s, c) = sin_cos(q);
-                let turn = link.theta.plus(Turn { s, c });
-                Joint { turn, ..still }
-            }
-            JointType::Prismatic => Joint { slide: q, ..still },
+            JointType::Revolute => Joint {
+                turn: motion.turn.plus(Turn::from(sin_cos(q))),
+                ..still
+            },
+            JointType::Prismatic => Joint {
+                slide: q + motion.offset,
+                ..still
+            },
         }
     }
 }

@@ -1,9 +1,9 @@
 //! The search for positions at which what is left of M is not positive definite.
 
 use super::arm::Arm;
-use super::sample::{Samples, range};
+use super::sample::{Samples, ranges};
 use super::{SMALLEST_PIVOT, least_relative_pivot, sum_of};
-use crate::robot::Robot;
+use crate::mechanism::Mechanism;
 
 /// Samples to start from: the worst ones.
 const STARTS: usize = 8;
@@ -16,12 +16,12 @@ const HALVINGS: usize = 12;
 
 /// Positions found by stepping along one joint after the other, to where the least pivot falls.
 pub(super) fn indefinite(
-    robot: &Robot,
+    mechanism: &Mechanism,
     arm: &Arm,
     samples: &Samples,
     is_kept: &[bool],
 ) -> Option<Vec<f64>> {
-    let ranges: Vec<[f64; 2]> = robot.joints().map(range).collect();
+    let ranges = ranges(mechanism);
     let least = |q: &[f64]| least_relative_pivot(sum_of(&arm.mass_matrix(q), is_kept));
     let starts = samples.q.iter().map(|q| (least(q), q.clone()));
     let mut starts: Vec<_> = starts.collect();

@@ -6,6 +6,7 @@ use super::sample::Samples;
 use super::{STATES, sum};
 use crate::exact::Rational;
 use crate::function::{Argument, Function, spans};
+use crate::mechanism::Mechanism;
 use crate::program::{Arithmetic, Program, by_operators};
 use crate::robot::{Grouping, Robot, Symbol};
 use core::f64::consts::PI;
@@ -44,7 +45,7 @@ pub fn largest_error(
         span.start..span.start + count
     });
     let mut errors: Vec<_> = values.map(|span| (span, 0.0_f64, 0.0_f64)).collect();
-    for mut point in points(robot) {
+    for mut point in points(&robot.into()) {
         let whole = complete.evaluate(&mut point);
         let left = pruned.evaluate(&mut point);
         for (span, difference, size) in &mut errors {
@@ -74,17 +75,17 @@ struct Point {
 }
 
 /// The sampled states; the joint forces are those of the complete arm, friction apart.
-fn points(robot: &Robot) -> Vec<Point> {
-    let arm = Arm::new(robot, &Grouping::of(robot));
-    let samples = Samples::new(robot, STATES);
+fn points(mechanism: &Mechanism) -> Vec<Point> {
+    let arm = Arm::new(mechanism, &Grouping::of_mechanism(mechanism));
+    let samples = Samples::new(mechanism, STATES);
     let states = samples.q.iter().zip(&samples.u).zip(&samples.ud);
     let point = |((q, u), ud): ((&Vec<f64>, &Vec<f64>), &Vec<f64>)| {
         let qd: Vec<f64> = u.iter().map(|u| VELOCITY * u).collect();
         let qdd: Vec<f64> = ud.iter().map(|u| ACCELERATION * u).collect();
         let tau = sum(&arm.forces(q, &qd, &qdd, true));
         Point {
-            q: robot.with_followers(q, &[]),
-            qd: robot.with_followers(&qd, &[]),
+            q: mechanism.with_followers(q, &[]),
+            qd: mechanism.with_followers(&qd, &[]),
             qdd,
             tau,
         }

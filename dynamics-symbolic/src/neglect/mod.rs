@@ -22,7 +22,8 @@ mod sample;
 pub use error::{LargestError, largest_error};
 
 use crate::linear::eliminate;
-use crate::robot::{Grouping, Neglected, Robot, Value};
+use crate::mechanism::Mechanism;
+use crate::robot::{Grouping, Neglected, Robot};
 use arm::{Arm, Forces};
 use core::fmt;
 use sample::Samples;
@@ -71,9 +72,10 @@ impl std::error::Error for NotPositiveDefinite {}
 /// Where M is not positive definite any more at some state, though it was, or where it cannot be shown
 /// that it is at all positions, though the complete one's is.
 pub fn neglect(robot: &Robot, share: f64) -> Result<Robot, NotPositiveDefinite> {
-    let grouping = Grouping::of(robot);
-    let arm = Arm::new(robot, &grouping);
-    let samples = Samples::new(robot, STATES);
+    let mechanism = Mechanism::from(robot);
+    let grouping = Grouping::of_mechanism(&mechanism);
+    let arm = Arm::new(&mechanism, &grouping);
+    let samples = Samples::new(&mechanism, STATES);
     let effects = Effects::new(&arm, &samples);
     // What has no effect at all costs nothing as it is.
     let is_small = |x: &f64| *x > 0.0 && *x < share;
@@ -84,17 +86,18 @@ pub fn neglect(robot: &Robot, share: f64) -> Result<Robot, NotPositiveDefinite> 
     if let Some(q) = effects.indefinite(&samples, &is_kept) {
         return refused(Some(q));
     }
-    let free = robot.is_coupled().then(|| followers_free(robot));
+    let is_coupled = mechanism.is_coupled();
+    let free = is_coupled.then(|| mechanism.uncoupled());
     let sizes = match &free {
         Some(free) => sizes(&Arm::new(free, &grouping), &Samples::new(free, STATES)),
         None => effects.sizes(),
     };
-    let free = free.as_ref().unwrap_or(robot);
+    let free = free.as_ref().unwrap_or(&mechanism);
     let shown = |is_kept: &[bool]| definite::is_positive_definite(free, &grouping, is_kept, &sizes);
     let is_definite = shown(&is_kept);
     // Of a coupled arm the free one may lose its definiteness alone.
-    if !is_definite && !robot.is_coupled() && shown(&vec![true; small.len()]) {
-        return refused(descent::indefinite(robot, &arm, &samples, &is_kept));
+    if !is_definite && !is_coupled && shown(&vec![true; small.len()]) {
+        return refused(descent::indefinite(&mechanism, &arm, &samples, &is_kept));
     }
     let columns = arm.columns.iter().zip(&small);
     let columns = columns.filter(|(_, small)| **small);
@@ -106,30 +109,6 @@ pub fn neglect(robot: &Robot, share: f64) -> Result<Robot, NotPositiveDefinite> 
         is_definite,
     });
     Ok(pruned)
-}
-
-/// The arm in which joints that follow others move by themselves, over the ranges in which they follow.
-///
-/// M of the coupled arm is S' M S of that one. The columns of S are independent, so that it is positive definite
-/// where that one is.
-fn followers_free(robot: &Robot) -> Robot {
-    let mut free = robot.uncoupled();
-    let follows = robot.rows.iter().map(|row| row.follows.as_ref());
-    for (row, coupling) in free.rows.iter_mut().zip(follows) {
-        let Some(coupling) = coupling else {
-            continue;
-        };
-        let ends = sample::range(&robot.rows[coupling.leader]).map(|end| {
-            let end = Value::from_f64(end).unwrap_or(Value::zero());
-            coupling.factor.clone() * end + coupling.offset.clone()
-        });
-        let [first, last] = ends;
-        row.limits = Some(match coupling.factor.is_negative() {
-            true => [last, first],
-            false => [first, last],
-        });
-    }
-    free
 }
 
 /// What each base parameter adds to M, V and G at the samples.

@@ -1,8 +1,7 @@
 //! The states at which terms are weighed.
 
 use crate::exact::SplitMix64;
-use crate::robot::{JointType, Robot};
-use core::f64::consts::PI;
+use crate::mechanism::Mechanism;
 
 /// Positions, and numbers from -1 to 1 for velocities and accelerations.
 pub(super) struct Samples {
@@ -14,9 +13,9 @@ pub(super) struct Samples {
 impl Samples {
     /// The first half uniform over the ranges, the others with joints at the ends, in the middle or
     /// at the quarters of theirs. Equal tables give equal samples.
-    pub(super) fn new(robot: &Robot, count: usize) -> Self {
+    pub(super) fn new(arm: &Mechanism, count: usize) -> Self {
         let mut random = SplitMix64::new(0x006e_6567_6c65_6374);
-        let ranges: Vec<[f64; 2]> = robot.joints().map(range).collect();
+        let ranges = ranges(arm);
         let mut samples = Samples {
             q: Vec::new(),
             u: Vec::new(),
@@ -37,11 +36,7 @@ impl Samples {
     }
 }
 
-/// The range over which a joint is sampled.
-pub(super) fn range(row: &crate::robot::Row) -> [f64; 2] {
-    match (&row.limits, row.joint_type) {
-        (Some(limits), _) => limits.each_ref().map(|limit| limit.to_f64(&[])),
-        (None, JointType::Revolute) => [-PI, PI],
-        (None, JointType::Prismatic) => [-1.0, 1.0],
-    }
+/// The ranges over which the free joints are sampled.
+pub(super) fn ranges(arm: &Mechanism) -> Vec<[f64; 2]> {
+    arm.free().map(|i| arm.joints[i].range(&[])).collect()
 }

@@ -6,6 +6,7 @@ use dynamics_symbolic::Function;
 use dynamics_symbolic::derive::functions::{Form, outputs};
 use dynamics_symbolic::derive::gauge::Gauge;
 use dynamics_symbolic::derive::symbols::Symbols;
+use dynamics_symbolic::mechanism::Mechanism;
 use dynamics_symbolic::derive::textbook::Textbook;
 use dynamics_symbolic::exact::Rational;
 use dynamics_symbolic::expr::{Direction, Expr, Graph};
@@ -39,8 +40,9 @@ fn recursions_equal_the_textbook_expression_by_expression() {
     for robot in plain.into_iter().chain(mounted).chain(coupled) {
         let name = &robot.name;
         let graph = Graph::new();
-        let mut symbols = Symbols::new(&graph, &robot);
-        let textbook = Textbook::new(&mut symbols, &robot);
+        let arm = Mechanism::from(&robot);
+        let mut symbols = Symbols::new(&graph, &arm);
+        let textbook = Textbook::new(&mut symbols);
         let expected = [
             (Function::MassMatrix, textbook.mass_matrix.concat()),
             (Function::CoriolisVector, textbook.coriolis_vector),
@@ -48,10 +50,10 @@ fn recursions_equal_the_textbook_expression_by_expression() {
             (Function::KineticEnergy, vec![textbook.kinetic_energy]),
             (Function::PotentialEnergy, vec![textbook.potential_energy]),
         ];
-        let chain = Gauge::plain(robot.rows.len()).chain(&mut symbols, &robot);
+        let chain = Gauge::plain(robot.rows.len()).chain(&mut symbols);
         for (function, expected) in expected {
             for form in function.forms(robot.dof()) {
-                let short = outputs(&mut symbols, &robot, &chain, function, form);
+                let short = outputs(&mut symbols, &chain, function, form);
                 assert_eq!(short, expected, "{name} {} {form:?}", function.name());
             }
         }
@@ -75,8 +77,9 @@ fn derivatives_are_those_of_the_textbook_s_torques() {
             row.viscous = Value::zero();
         }
         let graph = Graph::new();
-        let mut symbols = Symbols::new(&graph, &robot);
-        let textbook = Textbook::new(&mut symbols, &robot);
+        let arm = Mechanism::from(&robot);
+        let mut symbols = Symbols::new(&graph, &arm);
+        let textbook = Textbook::new(&mut symbols);
         let n = robot.rows.len();
         let forces: Vec<_> = (0..n)
             .map(|i| {
@@ -97,10 +100,10 @@ fn derivatives_are_those_of_the_textbook_s_torques() {
                 expected.extend(directions.iter().map(|d| force.derivative(d)));
             }
         }
-        let chain = Gauge::plain(n).chain(&mut symbols, &robot);
+        let chain = Gauge::plain(n).chain(&mut symbols);
         let function = Function::InverseDynamicsDerivatives;
         for form in [Form::Recursive, Form::Assembled] {
-            let short = outputs(&mut symbols, &robot, &chain, function, form);
+            let short = outputs(&mut symbols, &chain, function, form);
             assert_eq!(short, expected, "{name} {form:?}");
         }
         // d2 tau/dq dq, d2 tau/dqd dqd and d2 tau/dq dqd from the first ones, dM/dq from M.
@@ -120,7 +123,7 @@ fn derivatives_are_those_of_the_textbook_s_torques() {
         }
         let function = Function::InverseDynamicsSecondDerivatives;
         for form in [Form::Recursive, Form::Assembled] {
-            let short = outputs(&mut symbols, &robot, &chain, function, form);
+            let short = outputs(&mut symbols, &chain, function, form);
             assert_eq!(short, expected, "{name} {form:?}");
         }
     }
@@ -200,7 +203,8 @@ fn two_link_arm_of_craig_as_printed() {
         let gravity = [Value::zero(), -g.clone(), Value::zero()];
         let robot = planar_robot(convention, &["m1", "m2", "l1", "l2", "g"], gravity, rows);
         let graph = Graph::new();
-        let mut symbols = Symbols::new(&graph, &robot);
+        let arm = Mechanism::from(&robot);
+        let mut symbols = Symbols::new(&graph, &arm);
         let [m1, m2, l1, l2, g] = [0, 1, 2, 3, 4].map(|i| symbols.field(i));
         let two = graph.rational(&Rational::from(2));
         let (s1, c1) = symbols.joint(0).sin_cos;
@@ -225,9 +229,9 @@ fn two_link_arm_of_craig_as_printed() {
         let b = -(two * m2 * l1 * l2 * s2);
         let c = m2 * l1 * l2 * s2;
         let zero = graph.zero();
-        let chain = Gauge::plain(2).chain(&mut symbols, &robot);
+        let chain = Gauge::plain(2).chain(&mut symbols);
         let mut check = |function, expected: &[Expr<'_>]| {
-            let computed = outputs(&mut symbols, &robot, &chain, function, Form::Recursive);
+            let computed = outputs(&mut symbols, &chain, function, Form::Recursive);
             assert_eq!(computed, expected, "{convention:?} {}", function.name());
         };
         check(Function::MassMatrix, &mass_matrix);
@@ -258,7 +262,8 @@ fn two_link_arm_with_slender_rods() {
         rows,
     );
     let graph = Graph::new();
-    let mut symbols = Symbols::new(&graph, &robot);
+    let arm = Mechanism::from(&robot);
+    let mut symbols = Symbols::new(&graph, &arm);
     let [m1, m2, a1, a2, g] = [0, 1, 2, 3, 4].map(|i| symbols.field(i));
     let constant = |n, d| graph.rational(&number(n, d));
     let (half, quarter, twelfth) = (constant(1, 2), constant(1, 4), constant(1, 12));
@@ -275,9 +280,9 @@ fn two_link_arm_with_slender_rods() {
     let h2 = half * m2 * a1 * a2 * s2 * qd1 * qd1;
     let gamma1 = half * m1 * g * a1 * c1 + m2 * g * (a1 * c1 + half * a2 * c12);
     let gamma2 = half * m2 * g * a2 * c12;
-    let chain = Gauge::plain(2).chain(&mut symbols, &robot);
+    let chain = Gauge::plain(2).chain(&mut symbols);
     let mut check = |function, expected: &[Expr<'_>]| {
-        let computed = outputs(&mut symbols, &robot, &chain, function, Form::Recursive);
+        let computed = outputs(&mut symbols, &chain, function, Form::Recursive);
         assert_eq!(computed, expected, "{}", function.name());
     };
     check(Function::MassMatrix, &[i11, i12, i12, i22]);

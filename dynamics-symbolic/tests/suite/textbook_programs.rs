@@ -2,6 +2,7 @@
 //! `speed_error` measures beside the short ones.
 
 use dynamics_symbolic::derive::symbols::Symbols;
+use dynamics_symbolic::mechanism::Mechanism;
 use dynamics_symbolic::derive::textbook::Textbook;
 use dynamics_symbolic::expr::Graph;
 use dynamics_symbolic::program::Program;
@@ -28,8 +29,9 @@ const FUNCTIONS: [Function; 3] = [
 /// What the graph makes of the formulas: equal expressions are one, and nothing else is done.
 fn textbook(robot: &Robot, functions: &[Function]) -> Program {
     let graph = Graph::new();
-    let mut symbols = Symbols::new(&graph, robot);
-    let textbook = Textbook::new(&mut symbols, robot);
+    let arm = Mechanism::from(robot);
+    let mut symbols = Symbols::new(&graph, &arm);
+    let textbook = Textbook::new(&mut symbols);
     let outputs = match functions[0] {
         Function::MassMatrix => textbook.mass_matrix.concat(),
         Function::CoriolisVector => textbook.coriolis_vector,

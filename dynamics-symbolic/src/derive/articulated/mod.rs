@@ -61,7 +61,7 @@ fn passed<'g>(
     inertia: &Articulated<Expr<'g>>,
     force: Expr<'g>,
 ) -> (Eliminated<'g>, Articulated<Expr<'g>>) {
-    if link.locked {
+    if link.stands {
         let none = Eliminated {
             pivot: chain.one,
             reciprocal: chain.one,

@@ -1,25 +1,25 @@
 //! The constant geometry between the axes of an arm.
 
-use crate::derive::rows::screws;
-use crate::derive::walk::Tree;
+use crate::derive::rows::{Screws, constant_turn};
 use crate::exact::Rational;
 use crate::linear::{Ring, Vector3};
-use crate::robot::{Interpretation, JointType, Robot};
+use crate::mechanism::{Law, Mechanism, Tree};
+use crate::robot::{Interpretation, JointType};
 use crate::spatial::{Body, Joint, Turn, leave_x};
 
 /// The constant geometry between the frames of two links.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LinkGeometry<R> {
     pub(crate) joint_type: JointType,
-    /// Whether the joint is locked: all parameters of the link then move to the link before it.
-    pub(crate) locked: bool,
+    /// Whether the joint stands still: all parameters of the link then move to the link before it.
+    pub(crate) stands: bool,
     /// Distance of the joint's axis from the previous one.
     pub(crate) a: R,
-    /// Offset along the joint's axis (its constant part, where the joint is prismatic and moves).
+    /// Offset along the joint's axis (its constant part, if the joint is prismatic and moves).
     pub(crate) d: R,
     /// Turn about x from the previous axis to this one.
     pub(crate) twist: Turn<R>,
-    /// Turn about z that is constant: of a prismatic or a locked joint, else none.
+    /// Turn about z that is constant: of a prismatic joint or one that stands still, else none.
     pub(crate) turn: Turn<R>,
 }
 
@@ -67,7 +67,7 @@ impl<R: Ring> Geometry<R> {
         };
         let links = self.links.iter().map(|link| LinkGeometry {
             joint_type: link.joint_type,
-            locked: link.locked,
+            stands: link.stands,
             a: number(link.a),
             d: number(link.d),
             twist: turn(link.twist),
@@ -83,40 +83,39 @@ impl<R: Ring> Geometry<R> {
 }
 
 /// The constant geometry of an arm.
-pub(crate) fn geometry<I: Interpretation>(cells: &mut I, robot: &Robot) -> Geometry<I::Number> {
+pub(crate) fn geometry<I: Interpretation>(cells: &mut I, arm: &Mechanism) -> Geometry<I::Number> {
     let zero = cells.rational(&Rational::ZERO);
     let one = cells.rational(&Rational::ONE);
-    let screws = screws(cells, robot);
-    let rows = robot.rows.iter().zip(&screws);
-    let links = rows.map(|(row, screw)| {
-        let mut d = cells.value(&row.d);
-        let (s, c) = match (row.joint_type, &row.locked) {
-            (JointType::Revolute, None) => (zero, one),
-            (JointType::Revolute, Some(position)) => {
-                let turned = Turn::from(cells.sin_cos(position));
-                let theta = Turn::from(cells.sin_cos(&row.theta)).plus(turned);
-                (theta.s, theta.c)
+    let screws = Screws::new(cells, arm).before;
+    let joints = arm.joints.iter().zip(&screws);
+    let links = joints.map(|(joint, screw)| {
+        let mut d = cells.value(&joint.d);
+        let turn = match (joint.joint_type, &joint.law) {
+            (JointType::Revolute, Law::Standing { at }) => {
+                let at = Turn::from(cells.sin_cos(at));
+                constant_turn(cells, joint).plus(at)
             }
-            (JointType::Prismatic, locked) => {
-                if let Some(position) = locked {
-                    d = d + cells.value(position);
+            (JointType::Revolute, _) => Turn::none(zero, one),
+            (JointType::Prismatic, law) => {
+                if let Law::Standing { at } = law {
+                    d = d + cells.value(at);
                 }
-                cells.sin_cos(&row.theta)
+                constant_turn(cells, joint)
             }
         };
         LinkGeometry {
-            joint_type: row.joint_type,
-            locked: row.locked.is_some(),
+            joint_type: joint.joint_type,
+            stands: joint.stands(),
             a: screw.a,
             d,
             twist: screw.turn,
-            turn: Turn { s, c },
+            turn,
         }
     });
     Geometry {
         zero,
         one,
         links: links.collect(),
-        tree: Tree::of(robot),
+        tree: arm.tree.clone(),
     }
 }

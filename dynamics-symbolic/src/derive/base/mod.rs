@@ -29,35 +29,41 @@ pub(crate) use couple::dependent;
 pub(crate) use geometry::{Geometry, LinkGeometry, geometry};
 pub(crate) use group::{group, unit};
 
-use super::rows::{body, screws};
+use super::rows::Screws;
 use super::symbols::Symbols;
 use crate::expr::{Expr, Graph};
+use crate::mechanism::{Joint, Mechanism};
 use crate::robot::{Grouping, Interpretation, Parameter, Robot};
 use crate::spatial::Body;
 
-/// The standard inertial parameters of every link; those of the tool count to the last one's.
-pub(super) fn bodies<I: Interpretation>(
-    cells: &mut I,
-    robot: &Robot,
-) -> Vec<(Body<I::Number>, I::Number)> {
-    let screws = screws(cells, robot);
-    let rows = robot.rows.iter().zip(&screws[1..]).enumerate();
-    rows.map(|(i, (row, next))| {
-        let ratio = cells.value(&row.gear_ratio);
-        let reflected = ratio * ratio * cells.value(&row.motor_inertia);
-        (body(cells, robot, i, next), reflected)
-    })
-    .collect()
+/// gear_ratio^2 * motor_inertia
+pub(super) fn reflected<I: Interpretation>(cells: &mut I, joint: &Joint) -> I::Number {
+    let ratio = cells.value(&joint.forces.gear_ratio);
+    ratio * ratio * cells.value(&joint.forces.motor_inertia)
 }
 
-/// The base parameters of a robot without its couplings, in the order of [`columns`].
+/// The standard inertial parameters of every link; those of the tool count to its link.
+pub(super) fn bodies<I: Interpretation>(
+    cells: &mut I,
+    arm: &Mechanism,
+) -> Vec<(Body<I::Number>, I::Number)> {
+    let screws = Screws::new(cells, arm);
+    let joints = arm.joints.iter().enumerate();
+    let body = |(i, joint): (usize, &Joint)| {
+        let reflected = reflected(cells, joint);
+        (screws.body(cells, arm, i), reflected)
+    };
+    joints.map(body).collect()
+}
+
+/// The base parameters of an arm without its couplings, in the order of [`columns`].
 pub(crate) fn base_parameters<I: Interpretation>(
     cells: &mut I,
-    robot: &Robot,
+    arm: &Mechanism,
     grouping: &Grouping,
 ) -> Vec<I::Number> {
-    let geometry = geometry(cells, robot);
-    let bodies = bodies(cells, robot);
+    let geometry = geometry(cells, arm);
+    let bodies = bodies(cells, arm);
     let mut columns = vec![Vec::new(); bodies.len()];
     let none = Body::splat(geometry.zero);
     geometry.tree.inward(none, Body::joined, |i, outer| {
@@ -71,18 +77,15 @@ pub(crate) fn base_parameters<I: Interpretation>(
 
 /// What is taken off each link's body and its motor's reflected inertia, for the base parameters
 /// that are neglected: their values, where the parameters are written.
-pub(super) fn neglected<'g>(
-    symbols: &mut Symbols<'g>,
-    robot: &Robot,
-) -> Vec<(Body<Expr<'g>>, Expr<'g>)> {
-    let zero = symbols.graph().zero();
-    let mut parts = vec![(Body::splat(zero), zero); robot.rows.len()];
-    let Some(neglected) = &robot.neglected else {
+pub(super) fn neglected<'g>(symbols: &mut Symbols<'g>) -> Vec<(Body<Expr<'g>>, Expr<'g>)> {
+    let (zero, arm) = (symbols.graph().zero(), symbols.arm());
+    let mut parts = vec![(Body::splat(zero), zero); arm.joints.len()];
+    let Some(neglected) = &arm.neglected else {
         return parts;
     };
     let grouping = &neglected.grouping;
-    let links = geometry(symbols, robot);
-    let values = base_parameters(symbols, robot, grouping);
+    let links = geometry(symbols, arm);
+    let values = base_parameters(symbols, arm, grouping);
     for (column, value) in columns(grouping).into_iter().zip(values) {
         if !neglected.columns.contains(&column) {
             continue;
@@ -107,15 +110,13 @@ pub(crate) struct Observed {
 }
 
 impl Observed {
-    /// Those of a robot.
-    pub(crate) fn of(robot: &Robot) -> Self {
-        let grouping = Grouping::of(robot);
-        let kept = match robot.is_coupled() {
-            true => {
-                let graph = Graph::new();
-                couple::independent(&mut Symbols::new(&graph, robot), robot, &grouping)
-            }
-            false => (0..grouping.count()).collect(),
+    /// Those of an arm.
+    pub(crate) fn of(arm: &Mechanism) -> Self {
+        let grouping = Grouping::of_mechanism(arm);
+        let kept = if arm.is_coupled() {
+            couple::independent(&mut Symbols::new(&Graph::new(), arm), &grouping)
+        } else {
+            (0..grouping.count()).collect()
         };
         Observed { grouping, kept }
     }
@@ -129,15 +130,16 @@ impl Observed {
 
 /// Link and parameter of every column of a robot's regressor.
 pub fn observed(robot: &Robot) -> Vec<(usize, Parameter)> {
-    Observed::of(robot).columns()
+    Observed::of(&Mechanism::from(robot)).columns()
 }
 
-/// The base parameters of a robot, in the order of the regressor's columns.
-pub(super) fn observed_parameters<'g>(symbols: &mut Symbols<'g>, robot: &Robot) -> Vec<Expr<'g>> {
-    let Observed { grouping, kept } = Observed::of(robot);
-    let mut values = base_parameters(symbols, robot, &grouping);
-    if robot.is_coupled() {
-        for dependent in dependent(symbols, robot, &grouping) {
+/// The base parameters of an arm, in the order of the regressor's columns.
+pub(super) fn observed_parameters<'g>(symbols: &mut Symbols<'g>) -> Vec<Expr<'g>> {
+    let arm = symbols.arm();
+    let Observed { grouping, kept } = Observed::of(arm);
+    let mut values = base_parameters(symbols, arm, &grouping);
+    if arm.is_coupled() {
+        for dependent in dependent(symbols, &grouping) {
             let value = values[dependent.column];
             for (column, coefficient) in dependent.terms {
                 values[column] = values[column] + coefficient * value;

@@ -11,6 +11,7 @@ use crate::derive::symbols::Symbols;
 use crate::exact::{SplitMix64, circle_point};
 use crate::expr::{Expr, Fingerprint, Graph};
 use crate::linear::{Matrix3, Ring, Vector3};
+use crate::mechanism::Mechanism;
 use crate::robot::{Coefficient, Grouping, JointType, LinkGrouping, Parameter, Robot, Sense, Tie};
 use crate::spatial::{Joint, Motion, Turn};
 
@@ -22,11 +23,16 @@ const SAMPLES: usize = 14;
 impl Grouping {
     /// The grouping that an arm's geometry, joint types, gravity and motors lead to.
     pub fn of(robot: &Robot) -> Self {
+        Grouping::of_mechanism(&Mechanism::from(robot))
+    }
+
+    /// The same of a mechanism.
+    pub(crate) fn of_mechanism(arm: &Mechanism) -> Self {
         let graph = Graph::new();
-        let mut symbols = Symbols::new(&graph, robot);
-        let exprs = geometry(&mut symbols, robot);
+        let mut symbols = Symbols::new(&graph, arm);
+        let exprs = geometry(&mut symbols, arm);
         let links = exprs.map(|x| x.fingerprint());
-        let gravity = place::gravity(&mut symbols, robot);
+        let gravity = place::gravity(&mut symbols, arm);
         let gravity = Vector3(gravity.0.map(|g| g.fingerprint()));
         let axes = (0..links.tree.len()).map(|i| moment_axes(&links, i));
         let axes: Vec<_> = axes.collect();
@@ -41,7 +47,7 @@ impl Grouping {
             }
         }
         let mut grouping = Grouping { links: Vec::new() };
-        for (i, row) in robot.rows.iter().enumerate() {
+        for (i, joint) in arm.joints.iter().enumerate() {
             grouping.links.push(LinkGrouping {
                 axes: axes[i],
                 kept: Vec::new(),
@@ -49,7 +55,8 @@ impl Grouping {
                 coincides: coincides(&exprs, i),
             });
             let height = height(&grouping, &links, i);
-            let (kept, ties) = combinations(&rows[i], Parameter::of_link(row.has_motor()), height);
+            let (kept, ties) =
+                combinations(&rows[i], Parameter::of_link(joint.has_motor()), height);
             let link = &mut grouping.links[i];
             (link.kept, link.ties) = (kept, ties);
         }
@@ -155,7 +162,7 @@ fn energies(
             let (mut motion, mut g) = (motion.enter(&still), still.enter(*g));
             let before = unit_energies(motion, zero, g, zero, zero);
             let (mut qd, mut weight) = (zero, zero);
-            if !link.locked {
+            if !link.stands {
                 qd = Fingerprint::random(random);
                 let moved = anywhere(link.joint_type, random);
                 motion = motion.enter(&moved).with_joint(link.joint_type, qd);

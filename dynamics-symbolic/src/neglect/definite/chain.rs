@@ -2,9 +2,9 @@
 
 use super::matrix::{Matrix, identity, product, transpose};
 use crate::derive::base::{Geometry, base_parameters, columns, geometry, unit};
-use crate::derive::walk::Tree;
 use crate::linear::{Matrix3, Ring, Vector3};
-use crate::robot::{Grouping, Interpretation, JointType, Robot};
+use crate::mechanism::{Mechanism, Tree};
+use crate::robot::{Grouping, Interpretation, JointType};
 use crate::spatial::{Body, Motion, enter_x, enter_z};
 
 /// A joint that moves, and the link behind it. Motions are (w, v), of a frame's origin.
@@ -32,13 +32,13 @@ pub(super) struct MovingJoints<R> {
 /// The joints that move of an arm that keeps those of its base parameters for which `is_kept` is true.
 pub(super) fn joints<I: Interpretation>(
     cells: &mut I,
-    robot: &Robot,
+    arm: &Mechanism,
     grouping: &Grouping,
     is_kept: &[bool],
 ) -> MovingJoints<I::Number> {
-    let geometry = geometry(cells, robot);
+    let geometry = geometry(cells, arm);
     let (zero, one) = (geometry.zero, geometry.one);
-    let values = base_parameters(cells, robot, grouping);
+    let values = base_parameters(cells, arm, grouping);
     let mut parts = vec![(Body::splat(zero), zero); geometry.tree.len()];
     let columns = columns(grouping).into_iter().zip(values).zip(is_kept);
     for (((i, parameter), value), _) in columns.filter(|(_, is_kept)| **is_kept) {
@@ -51,20 +51,20 @@ pub(super) fn joints<I: Interpretation>(
     let (mut joints, mut parents) = (Vec::new(), Vec::new());
     let base = (None, identity(6, zero, one));
     geometry.tree.outward(base, |i, (carrier, fixed)| {
-        let row = &robot.rows[i];
+        let joint = &arm.joints[i];
         let changes = Changes {
             geometry: &geometry,
             i,
         };
         let fixed = product(&changes.before(), fixed);
-        if row.locked.is_some() {
+        if joint.stands() {
             // Its parameters are those of the link before.
             return (*carrier, product(&changes.turned(), &fixed));
         }
-        let ends = match row.joint_type {
+        let ends = match joint.joint_type {
             JointType::Revolute => vec![identity(6, zero, one)],
             JointType::Prismatic => {
-                let ends = match &row.limits {
+                let ends = match &joint.limits {
                     Some(limits) => limits.each_ref().map(|limit| cells.value(limit)),
                     None => [-one, one],
                 };
@@ -73,7 +73,7 @@ pub(super) fn joints<I: Interpretation>(
             }
         };
         joints.push(MovingJoint {
-            joint_type: row.joint_type,
+            joint_type: joint.joint_type,
             enter: fixed,
             ends,
             inertia: form(&parts[i].0, zero),

@@ -30,7 +30,8 @@ mod search;
 use super::reals::Reals;
 use crate::interval::{Interval, Intervals};
 use crate::linear::eliminate;
-use crate::robot::{Grouping, JointType, Robot};
+use crate::mechanism::Mechanism;
+use crate::robot::{Grouping, JointType};
 use chain::{MovingJoints, joints};
 use energy::{forms, handed_on, unknowns};
 use matrix::Matrix;
@@ -39,14 +40,14 @@ use search::{Affine, search};
 /// Shows that M of an arm with some of its base parameters is positive definite, revolute joints at any
 /// angle and prismatic ones within their ranges. `sizes` are those of the diagonal entries of M.
 pub(super) fn is_positive_definite(
-    robot: &Robot,
+    arm: &Mechanism,
     grouping: &Grouping,
     is_kept: &[bool],
     sizes: &[f64],
 ) -> bool {
-    let real = joints(&mut Reals, robot, grouping, is_kept);
-    let exact = joints(&mut Intervals, robot, grouping, is_kept);
-    let scales = Scales::new(robot, &real, sizes);
+    let real = joints(&mut Reals, arm, grouping, is_kept);
+    let exact = joints(&mut Intervals, arm, grouping, is_kept);
+    let scales = Scales::new(arm, &real, sizes);
     let shown = |y: &[f64]| {
         let x = y
             .iter()
@@ -68,9 +69,9 @@ struct Scales {
 }
 
 impl Scales {
-    fn new(robot: &Robot, moving: &MovingJoints<f64>, sizes: &[f64]) -> Self {
-        let masses = robot.rows.iter().map(|row| &row.mass);
-        let masses = masses.chain(robot.tool.as_ref().map(|tool| &tool.mass));
+    fn new(arm: &Mechanism, moving: &MovingJoints<f64>, sizes: &[f64]) -> Self {
+        let masses = arm.joints.iter().map(|joint| &joint.mass);
+        let masses = masses.chain(arm.tool.as_ref().map(|tool| &tool.mass));
         let mass: f64 = masses.map(|mass| mass.to_f64(&[])).sum();
         let mut scales = Scales {
             unknowns: Vec::new(),

@@ -15,6 +15,7 @@ use dynamics_symbolic::derive::functions::Form;
 use dynamics_symbolic::derive::functions::Part;
 use dynamics_symbolic::derive::gauge::Gauge;
 use dynamics_symbolic::derive::symbols::Symbols;
+use dynamics_symbolic::mechanism::Mechanism;
 use dynamics_symbolic::exact::{Rational, SplitMix64};
 use dynamics_symbolic::expr::Graph;
 use dynamics_symbolic::program::{Arithmetic, Program};
@@ -110,10 +111,11 @@ fn number(x: &Float) -> f64 {
 /// Forward dynamics by the factors of M, each result as the derivation defines it.
 fn as_derived(robot: &Robot) -> Program {
     let (function, form) = (Function::ForwardDynamics, Form::Recursive);
-    let gauge = Gauge::search(robot, &[Part { function, form }]);
+    let gauge = Gauge::search(&robot.into(), &[Part { function, form }]);
     let graph = Graph::new();
-    let mut symbols = Symbols::new(&graph, robot);
-    let outputs = gauge.outputs(&mut symbols, robot, &[Part { function, form }]);
+    let arm = Mechanism::from(robot);
+    let mut symbols = Symbols::new(&graph, &arm);
+    let outputs = gauge.outputs(&mut symbols, &[Part { function, form }]);
     Program::new(&graph, symbols.meanings(), &outputs, &|id| {
         graph.operation(id)
     })

@@ -7,7 +7,8 @@ use crate::derive::symbols::Symbols;
 use crate::exact::{SplitMix64, circle_point, common_angles};
 use crate::expr::{Expr, Fingerprint};
 use crate::linear::{Matrix3, Ring, Vector3};
-use crate::robot::{Grouping, Interpretation, JointType, Parameter, Robot};
+use crate::mechanism::Mechanism;
+use crate::robot::{Grouping, Interpretation, JointType, Parameter};
 use crate::spatial::{Joint, Motion, Turn};
 
 /// An arm and its base parameters without couplings.
@@ -43,15 +44,15 @@ struct Movement<R> {
 impl<'g> Arm<Expr<'g>> {
     pub(super) fn of(
         symbols: &mut Symbols<'g>,
-        robot: &Robot,
         grouping: &Grouping,
         columns: Vec<(usize, Parameter)>,
     ) -> Self {
-        let geometry = geometry(symbols, robot);
-        let mut movements: Vec<_> = (0..robot.rows.len())
-            .map(|i| movement(symbols, robot, i))
+        let arm = symbols.arm();
+        let geometry = geometry(symbols, arm);
+        let mut movements: Vec<_> = (0..arm.joints.len())
+            .map(|i| movement(symbols, i))
             .collect();
-        let angles = number_angles(robot, &mut movements);
+        let angles = number_angles(arm, &mut movements);
         let moments = grouping.links.iter().enumerate();
         let moments: Vec<_> = moments
             .map(|(i, link)| geometry.rotation_of_moments(i, link.axes))
@@ -60,10 +61,10 @@ impl<'g> Arm<Expr<'g>> {
         let links = parts.map(|(moments, movement)| Link { moments, movement });
         Arm {
             geometry,
-            gravity: place::gravity(symbols, robot),
+            gravity: place::gravity(symbols, arm),
             links: links.collect(),
             columns,
-            joints: robot.dof(),
+            joints: arm.dof(),
             angles,
         }
     }
@@ -98,36 +99,26 @@ impl<'g> Arm<Expr<'g>> {
     }
 }
 
-/// How the joint of row i moves, where it does. Its angles have no numbers.
-fn movement<'g>(symbols: &mut Symbols<'g>, robot: &Robot, i: usize) -> Option<Movement<Expr<'g>>> {
-    let row = &robot.rows[i];
-    if row.locked.is_some() {
-        return None;
-    }
-    let turn = Turn::from(symbols.constant_sin_cos(i, row.joint_type, &row.theta));
-    let (leader, factor, offset) = match &row.follows {
-        None => (i, symbols.graph().one(), symbols.graph().zero()),
-        Some(coupling) => {
-            let [factor, offset] =
-                [&coupling.factor, &coupling.offset].map(|value| symbols.value(value));
-            (coupling.leader, factor, offset)
-        }
-    };
+/// How joint i moves, if it does. Its angles have no numbers.
+fn movement<'g>(symbols: &mut Symbols<'g>, i: usize) -> Option<Movement<Expr<'g>>> {
+    let (joint, coupling) = symbols.arm().moved_by(i)?;
+    let turn = symbols.constant_turn(i);
+    let offset = coupling.map(|coupling| symbols.value(&coupling.offset));
     Some(Movement {
-        joint: robot.joint_of(leader),
-        factor,
-        offset,
+        joint,
+        factor: symbols.joint(i).factor,
+        offset: offset.unwrap_or(symbols.graph().zero()),
         turn,
         angles: Vec::new(),
     })
 }
 
 /// Finds the angles that the joints that turn have in common, joint by joint, and says how many they are.
-fn number_angles(robot: &Robot, movements: &mut [Option<Movement<Expr<'_>>>]) -> usize {
+fn number_angles(arm: &Mechanism, movements: &mut [Option<Movement<Expr<'_>>>]) -> usize {
     let mut angles = 0;
-    for joint in 0..robot.dof() {
-        let rows = robot.rows.iter().zip(movements.iter_mut());
-        let turning = rows.filter(|(row, _)| row.joint_type == JointType::Revolute);
+    for joint in 0..arm.dof() {
+        let joints = arm.joints.iter().zip(movements.iter_mut());
+        let turning = joints.filter(|(joint, _)| joint.joint_type == JointType::Revolute);
         let mut turning: Vec<_> = turning
             .filter_map(|(_, movement)| movement.as_mut())
             .filter(|movement| movement.joint == joint)

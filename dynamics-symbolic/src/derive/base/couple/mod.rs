@@ -25,7 +25,8 @@ use super::columns;
 use crate::derive::symbols::Symbols;
 use crate::exact::Rational;
 use crate::expr::{Expr, Level};
-use crate::robot::{Grouping, Parameter, Robot};
+use crate::mechanism::{Law, Mechanism};
+use crate::robot::{Grouping, Parameter};
 use arm::{Arm, less};
 use echelon::Echelon;
 use equations::{Equations, Simple};
@@ -39,26 +40,18 @@ pub(crate) struct Dependent<'g> {
 }
 
 /// The columns, among those of the arm without couplings, that the coupled arm keeps.
-pub(super) fn independent(
-    symbols: &mut Symbols<'_>,
-    robot: &Robot,
-    grouping: &Grouping,
-) -> Vec<usize> {
-    let arm = Arm::of(symbols, robot, grouping, columns(grouping)).values();
-    let mut kept = Echelon::of(&arm, order(robot, &arm.columns)).pivots();
+pub(super) fn independent(symbols: &mut Symbols<'_>, grouping: &Grouping) -> Vec<usize> {
+    let arm = Arm::of(symbols, grouping, columns(grouping)).values();
+    let mut kept = Echelon::of(&arm, order(symbols.arm(), &arm.columns)).pivots();
     kept.sort_unstable();
     kept
 }
 
 /// The columns that it does not keep.
-pub(crate) fn dependent<'g>(
-    symbols: &mut Symbols<'g>,
-    robot: &Robot,
-    grouping: &Grouping,
-) -> Vec<Dependent<'g>> {
-    let arm = Arm::of(symbols, robot, grouping, columns(grouping));
+pub(crate) fn dependent<'g>(symbols: &mut Symbols<'g>, grouping: &Grouping) -> Vec<Dependent<'g>> {
+    let arm = Arm::of(symbols, grouping, columns(grouping));
     let values = arm.values();
-    let echelon = Echelon::of(&values, order(robot, &arm.columns));
+    let echelon = Echelon::of(&values, order(symbols.arm(), &arm.columns));
     let kept = echelon.pivots();
     let equations = Equations::of(&values, &kept);
     let graph = symbols.graph();
@@ -88,9 +81,9 @@ pub(crate) fn dependent<'g>(
 }
 
 /// The order in which columns are chosen: those of joints that move by themselves, then of followers.
-fn order(robot: &Robot, columns: &[(usize, Parameter)]) -> Vec<usize> {
+fn order(arm: &Mechanism, columns: &[(usize, Parameter)]) -> Vec<usize> {
     let mut order: Vec<usize> = (0..columns.len()).collect();
-    order.sort_by_key(|&k| robot.rows[columns[k].0].follows.is_some());
+    order.sort_by_key(|&k| matches!(arm.joints[columns[k].0].law, Law::Following { .. }));
     order
 }
 

@@ -3,8 +3,6 @@
 //! A recursion hands its step to one of these walks, which know which link carries which joint. A serial arm is the
 //! case in which every joint stands on the link before it.
 
-use crate::robot::Robot;
-
 /// Which link carries each joint, and with it the link that the joint moves. A link stands after the one that
 /// carries it.
 #[derive(Clone, Debug)]
@@ -19,11 +17,6 @@ impl Tree {
         let mut links = parents.iter().enumerate();
         debug_assert!(links.all(|(i, parent)| parent.is_none_or(|parent| parent < i)));
         Tree { parents }
-    }
-
-    /// That of a robot.
-    pub(crate) fn of(robot: &Robot) -> Self {
-        Tree::new((0..robot.rows.len()).map(|i| i.checked_sub(1)).collect())
     }
 
     /// How many links there are.
@@ -73,6 +66,11 @@ impl Tree {
     /// The joints that carry link i, from its own inwards.
     pub(crate) fn carriers(&self, i: usize) -> impl Iterator<Item = usize> {
         core::iter::successors(Some(i), |&joint| self.parents[joint])
+    }
+
+    /// The joints that carry a link or, where there is none, the base.
+    pub(crate) fn carriers_of(&self, link: Option<usize>) -> impl Iterator<Item = usize> {
+        link.into_iter().flat_map(|link| self.carriers(link))
     }
 
     /// A value of link i, handed on from link to link along the joints that carry it: `visit(j, value)` sees it in

@@ -1,0 +1,227 @@
+//! The mechanism that a table or a file describes: joints that stand on links, and the links that they move.
+//!
+//! Rows of both conventions, mounts of files, locked joints and couplings are read into it ([`read`]). The derivations
+//! know nothing else of an arm. The proof reads the table by itself.
+
+mod read;
+mod walk;
+
+pub(crate) use walk::Tree;
+
+use crate::robot::{Coupling, JointType, Neglected, Placement, Spring, Stribeck, Tool, Value};
+
+/// An arm as the derivations know it. Joints and the links that they move are counted from the base outwards.
+#[derive(Clone, Debug)]
+pub struct Mechanism {
+    /// How many symbolic parameters there are.
+    pub(crate) fields: usize,
+    /// Acceleration of gravity in the axes of the world.
+    pub(crate) gravity: [Value; 3],
+    /// Frame 0 in the world, where they are not the same.
+    pub(crate) base: Option<Placement>,
+    /// The joints, each with the link that it moves.
+    pub(crate) joints: Vec<Joint>,
+    /// Which link carries which joint.
+    pub(crate) tree: Tree,
+    /// The link that carries the tip; `None` for the base.
+    pub(crate) tip: Option<usize>,
+    /// What is fixed to that link.
+    pub(crate) tool: Option<Tool>,
+    /// The base inertial parameters that are left out of the Lagrangian.
+    pub(crate) neglected: Option<Neglected>,
+}
+
+/// A joint and the link that it moves.
+///
+/// The joint's frame has its z axis on the joint's axis. In the joint's frame of the link that carries it, or in frame 0,
+/// it is at Tx(a) Rx(alpha) Rz(turn) Tz(d), and a position of the joint turns it about z or slides it along z.
+#[derive(Clone, Debug)]
+pub(crate) struct Joint {
+    pub(crate) name: String,
+    pub(crate) joint_type: JointType,
+    /// The step to the axis from that of the joint before.
+    pub(crate) before: Screw,
+    /// The constant angle about the axis, as the sum of these: each has a sine of its own. The offset of an angle that
+    /// follows another is among them.
+    pub(crate) turn: Vec<Value>,
+    /// The constant step along the axis.
+    pub(crate) d: Value,
+    /// The point of the axis to which Jacobians refer.
+    pub(crate) origin: Origin,
+    /// How the joint moves.
+    pub(crate) law: Law,
+    /// Where the link frame is in the joint's frame.
+    pub(crate) link_frame: LinkFrame,
+    /// Mass of the link.
+    pub(crate) mass: Value,
+    /// Its centre of mass in the link frame.
+    pub(crate) com: [Value; 3],
+    /// Its inertia tensor about the centre of mass: xx, yy, zz, xy, yz, xz.
+    pub(crate) inertia: [Value; 6],
+    /// What acts at the joint itself: nothing at a joint that stands still.
+    pub(crate) forces: Forces,
+    /// The range of positions, where it is known.
+    pub(crate) limits: Option<[Value; 2]>,
+}
+
+/// A step along x and a turn about x.
+#[derive(Clone, Debug)]
+pub(crate) struct Screw {
+    pub(crate) a: Value,
+    pub(crate) alpha: Value,
+}
+
+/// Where the origin of a joint's frame is on the axis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Origin {
+    /// After the offset d: at the common normal with the next axis.
+    AfterOffset,
+    /// Before the offset d: at the common normal with the previous axis.
+    BeforeOffset,
+}
+
+/// How a joint moves.
+#[derive(Clone, Debug)]
+pub(crate) enum Law {
+    /// By itself: the joint of that number among those that do.
+    Free { number: usize },
+    /// It stands still at a position: its link is a part of the link before.
+    Standing { at: Value },
+    /// q = factor * q of another joint + offset. The number of its symbols comes after those of all free joints.
+    Following { number: usize, coupling: Coupling },
+}
+
+/// Where a link frame is in the frame of its joint.
+#[derive(Clone, Debug)]
+pub(crate) enum LinkFrame {
+    Screw(Screw),
+    /// Each place in the one before it.
+    Places(Vec<Placement>),
+}
+
+/// What acts at a joint itself.
+#[derive(Clone, Debug)]
+pub(crate) struct Forces {
+    pub(crate) motor_inertia: Value,
+    /// The number zero where there is no motor.
+    pub(crate) gear_ratio: Value,
+    pub(crate) viscous: Value,
+    /// Of positive velocities, and of negative ones.
+    pub(crate) coulomb: [Value; 2],
+    pub(crate) stribeck: Option<Stribeck>,
+    pub(crate) spring: Option<Spring>,
+}
+
+impl Mechanism {
+    /// The number of joints that move by themselves.
+    pub(crate) fn dof(&self) -> usize {
+        self.free().count()
+    }
+
+    /// The joints that move by themselves.
+    pub(crate) fn free(&self) -> impl Iterator<Item = usize> {
+        let is_free = |&i: &usize| matches!(self.joints[i].law, Law::Free { .. });
+        (0..self.joints.len()).filter(is_free)
+    }
+
+    /// The joints that follow others.
+    pub(crate) fn following(&self) -> impl Iterator<Item = usize> {
+        let follows = |&i: &usize| matches!(self.joints[i].law, Law::Following { .. });
+        (0..self.joints.len()).filter(follows)
+    }
+
+    /// Whether a joint follows another one.
+    pub(crate) fn is_coupled(&self) -> bool {
+        self.following().next().is_some()
+    }
+
+    /// Whether link i is a part of the base: all joints that carry it stand still.
+    pub(crate) fn is_of_base(&self, i: usize) -> bool {
+        self.tree.carriers(i).all(|i| self.joints[i].stands())
+    }
+
+    /// The number of the free joint by which joint i moves, and how it follows that one, if it does; `None` if it
+    /// stands still.
+    pub(crate) fn moved_by(&self, i: usize) -> Option<(usize, Option<&Coupling>)> {
+        match &self.joints[i].law {
+            Law::Free { number } => Some((*number, None)),
+            Law::Standing { .. } => None,
+            Law::Following { coupling, .. } => {
+                let (number, _) = self.moved_by(coupling.leader)?;
+                Some((number, Some(coupling)))
+            }
+        }
+    }
+
+    /// The arm in which joints that follow others move by themselves, over the ranges in which they follow. It must be
+    /// known in numbers.
+    ///
+    /// M of the coupled arm is S' M S of that one. The columns of S are independent, so that it is positive definite
+    /// where that one is.
+    pub(crate) fn uncoupled(&self) -> Mechanism {
+        let mut free = self.clone();
+        let moving = free.joints.iter_mut().filter(|joint| !joint.stands());
+        for (number, joint) in moving.enumerate() {
+            if let Law::Following { coupling, .. } = &joint.law {
+                let leader = self.joints[coupling.leader].range(&[]);
+                joint.limits = Some(joint.range_of_follower(coupling, leader));
+            }
+            joint.law = Law::Free { number };
+        }
+        free
+    }
+
+    /// The joint behind the index of a [`Symbol`](crate::robot::Symbol).
+    pub(crate) fn joint_of_symbol(&self, index: usize) -> &Joint {
+        let mut joints = self.free().chain(self.following());
+        &self.joints[joints.nth(index).expect("symbols are those of joints")]
+    }
+
+    /// Positions or velocities of the free joints, then those of the followers by their factors alone, in the
+    /// order of the indices of [`Symbol`](crate::robot::Symbol); `fields` are the parameters' values.
+    pub fn with_followers(&self, of_free: &[f64], fields: &[f64]) -> Vec<f64> {
+        let followers = self.following().filter_map(|i| {
+            let (number, coupling) = self.moved_by(i)?;
+            Some(coupling?.factor.to_f64(fields) * of_free[number])
+        });
+        of_free.iter().copied().chain(followers).collect()
+    }
+}
+
+impl Joint {
+    pub(crate) fn stands(&self) -> bool {
+        matches!(self.law, Law::Standing { .. })
+    }
+
+    /// Whether there is a motor: its reflected inertia is then a parameter of the arm, even where it is zero.
+    pub(crate) fn has_motor(&self) -> bool {
+        !self.forces.gear_ratio.is_zero()
+    }
+
+    /// The positions of a follower, less the offset that a joint that turns has among its constant turns.
+    fn range_of_follower(&self, coupling: &Coupling, leader: [f64; 2]) -> [Value; 2] {
+        let [first, last] = leader.map(|end| {
+            let end = Value::from_f64(end).unwrap_or(Value::zero());
+            let moved = coupling.factor.clone() * end;
+            match self.joint_type {
+                JointType::Revolute => moved,
+                JointType::Prismatic => moved + coupling.offset.clone(),
+            }
+        });
+        if coupling.factor.is_negative() {
+            [last, first]
+        } else {
+            [first, last]
+        }
+    }
+
+    /// The range over which the joint is sampled: revolute joints without limits turn once around, prismatic ones
+    /// slide by a metre either way.
+    pub(crate) fn range(&self, fields: &[f64]) -> [f64; 2] {
+        match (&self.limits, self.joint_type) {
+            (Some(limits), _) => limits.each_ref().map(|limit| limit.to_f64(fields)),
+            (None, JointType::Revolute) => [-core::f64::consts::PI, core::f64::consts::PI],
+            (None, JointType::Prismatic) => [-1.0, 1.0],
+        }
+    }
+}

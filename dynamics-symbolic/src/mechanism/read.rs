@@ -1,0 +1,121 @@
+//! From the rows of a table to a mechanism.
+
+use super::{Forces, Joint, Law, LinkFrame, Mechanism, Origin, Screw, Tree};
+use crate::robot::{Convention, JointType, Robot, Row, Value};
+
+impl From<&Robot> for Mechanism {
+    /// A serial arm: each joint stands on the link of the row above.
+    fn from(robot: &Robot) -> Self {
+        let rows = 0..robot.rows.len();
+        let (mut free, mut following) = (0.., robot.dof()..);
+        let joints = rows.clone().map(|i| {
+            let numbers = if robot.rows[i].is_free() {
+                &mut free
+            } else {
+                &mut following
+            };
+            joint(robot, i, numbers)
+        });
+        Mechanism {
+            fields: robot.fields.len(),
+            gravity: robot.gravity.clone(),
+            base: robot.base.clone(),
+            joints: joints.collect(),
+            tree: Tree::new(rows.clone().map(|i| i.checked_sub(1)).collect()),
+            tip: rows.last(),
+            tool: robot.tool.clone(),
+            neglected: robot.neglected.clone(),
+        }
+    }
+}
+
+/// The joint of row i, with the next of the numbers if it moves.
+fn joint(robot: &Robot, i: usize, numbers: &mut impl Iterator<Item = usize>) -> Joint {
+    let row = &robot.rows[i];
+    let own = screw(row);
+    let (before, link_frame, origin) = match robot.convention {
+        // The a and the alpha of a row are behind its joint.
+        Convention::Standard => {
+            let before = robot.rows[..i].last().map_or(Screw::none(), screw);
+            (before, LinkFrame::Screw(own), Origin::BeforeOffset)
+        }
+        Convention::Modified => {
+            let frame = row.mount.as_ref().map(|mount| mount.frame.clone());
+            let frame = LinkFrame::Places(frame.unwrap_or_default());
+            (own, frame, Origin::AfterOffset)
+        }
+    };
+    let law = law(row, numbers);
+    Joint {
+        name: row.name.clone(),
+        joint_type: row.joint_type,
+        before,
+        turn: constant_turn(row),
+        d: row.d.clone(),
+        origin,
+        link_frame,
+        mass: row.mass.clone(),
+        com: row.com.clone(),
+        inertia: row.inertia.clone(),
+        forces: match law {
+            Law::Standing { .. } => forces(&Row::new("", row.joint_type)),
+            Law::Free { .. } | Law::Following { .. } => forces(row),
+        },
+        law,
+        limits: row.limits.clone(),
+    }
+}
+
+impl Screw {
+    fn none() -> Self {
+        Screw {
+            a: Value::zero(),
+            alpha: Value::zero(),
+        }
+    }
+}
+
+fn screw(row: &Row) -> Screw {
+    Screw {
+        a: row.a.clone(),
+        alpha: row.alpha.clone(),
+    }
+}
+
+/// A joint that is locked stands still, whatever it follows.
+fn law(row: &Row, numbers: &mut impl Iterator<Item = usize>) -> Law {
+    let mut number = || numbers.next().unwrap_or_default();
+    match (&row.locked, &row.follows) {
+        (Some(position), _) => Law::Standing {
+            at: position.clone(),
+        },
+        (None, None) => Law::Free { number: number() },
+        (None, Some(coupling)) => Law::Following {
+            number: number(),
+            coupling: coupling.clone(),
+        },
+    }
+}
+
+/// Theta, and the offset of an angle that follows another: among the places of a mount a turn of its own, as it
+/// was written, else a part of the cell.
+fn constant_turn(row: &Row) -> Vec<Value> {
+    let theta = row.theta.clone();
+    let offset = row.follows.as_ref().map(|coupling| coupling.offset.clone());
+    match offset.filter(|_| row.joint_type == JointType::Revolute && row.locked.is_none()) {
+        None => vec![theta],
+        Some(offset) if row.mount.is_none() => vec![theta + offset],
+        Some(offset) => vec![theta, offset],
+    }
+}
+
+fn forces(row: &Row) -> Forces {
+    Forces {
+        motor_inertia: row.motor_inertia.clone(),
+        gear_ratio: row.gear_ratio.clone(),
+        viscous: row.viscous.clone(),
+        coulomb: row.coulomb.clone(),
+        stribeck: row.stribeck.clone(),
+        spring: row.spring.clone(),
+    }
+}
