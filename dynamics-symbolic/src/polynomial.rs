@@ -84,6 +84,41 @@ impl<V: Copy + Ord> Polynomial<V> {
     }
 }
 
+/// Adds a term without squares of sines: sin^2 = 1 - cos^2. `cosine` gives the cosine that belongs to a sine. Returns
+/// how many terms it became.
+pub(crate) fn add_reduced<V: Copy + Ord>(
+    sum: &mut Polynomial<V>,
+    monomial: Monomial<V>,
+    coefficient: &Rational,
+    cosine: &impl Fn(V) -> Option<V>,
+) -> usize {
+    let squares = monomial.iter().filter(|(_, power)| *power > 1);
+    let mut squares = squares.filter_map(|(sine, _)| Some((*sine, cosine(*sine)?)));
+    let Some((sine, cosine_of_sine)) = squares.next() else {
+        sum.add_term(monomial, coefficient);
+        return 1;
+    };
+    let rest = product(&monomial, &[(sine, -2)]);
+    let with_cosine = product(&rest, &[(cosine_of_sine, 2)]);
+    add_reduced(sum, with_cosine, &-coefficient.clone(), cosine)
+        + add_reduced(sum, rest, coefficient, cosine)
+}
+
+/// The product of two polynomials without squares of sines.
+pub(crate) fn times<V: Copy + Ord>(
+    a: &Polynomial<V>,
+    b: &Polynomial<V>,
+    cosine: &impl Fn(V) -> Option<V>,
+) -> Polynomial<V> {
+    let mut sum = Polynomial::zero();
+    for (left, x) in a.terms() {
+        for (right, y) in b.terms() {
+            add_reduced(&mut sum, product(left, right), &(x * y), cosine);
+        }
+    }
+    sum
+}
+
 /// The product of two monomials.
 pub(crate) fn product<V: Copy + Ord>(a: &[(V, i32)], b: &[(V, i32)]) -> Monomial<V> {
     let mut powers: Monomial<V> = Vec::with_capacity(a.len() + b.len());

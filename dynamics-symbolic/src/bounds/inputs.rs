@@ -1,6 +1,5 @@
 //! The ranges of what a program reads, and the errors with which it is there.
 
-use crate::exact::Rational;
 use crate::interval::{Interval, Intervals};
 use crate::mechanism::{Joint, Law, Mechanism};
 use crate::robot::{Interpretation, Symbol, Value};
@@ -70,31 +69,26 @@ fn stribeck(arm: &Mechanism, index: usize) -> Ranged {
     let velocity = relative(moved(arm, index, |_| Interval::exact(1.0)));
     let ratio = velocity / relative(cell(&stribeck.velocity));
     let r = (ratio * ratio).error;
-    match r < 0.5 {
-        true => Ranged::with_error(range, (r + f64::EPSILON).next_up()),
-        false => unknown(),
+    if r < 0.5 {
+        Ranged::with_error(range, (r + f64::EPSILON).next_up())
+    } else {
+        unknown()
     }
 }
 
 /// The number over its exact value.
 fn relative(x: Ranged) -> Ranged {
-    let error = match x.error == 0.0 {
-        true => 0.0,
-        false => (x.error / x.range.least_size()).next_up(),
-    };
+    let mut error = 0.0;
+    if x.error != 0.0 {
+        error = (x.error / x.range.least_size()).next_up();
+    }
     Ranged::with_error(Interval::exact(1.0), error)
 }
 
 /// A cell of the table as generated code evaluates it: its numbers rounded, and each operation.
 fn cell(value: &Value) -> Ranged {
     match value {
-        Value::Rational(x) => {
-            let double = x.to_f64().value();
-            match Rational::try_from(double).is_ok_and(|double| double == *x) {
-                true => Ranged::exact(Interval::exact(double)),
-                false => Ranged::rounded(double),
-            }
-        }
+        Value::Rational(x) => Ranged::rational(x, x.to_f64().value()),
         Value::Pi => Ranged::rounded(core::f64::consts::PI),
         Value::Field(_) => unknown(),
         Value::Neg(a) => -cell(a),

@@ -26,19 +26,12 @@ use inputs::input;
 pub fn over_limits(robot: &Robot, program: &Program, constants: &[f64]) -> Option<Vec<f64>> {
     let arm = Mechanism::from(robot);
     let has_limits = arm.free().any(|i| arm.joints[i].limits.is_some());
-    if !(has_limits && program.inputs.iter().any(is_of_state)) {
+    let mut arguments = program.inputs.iter().filter_map(Symbol::argument);
+    if !has_limits || arguments.next().is_none() {
         return None;
     }
     let inputs = program.inputs.iter().map(|symbol| input(&arm, symbol));
     let inputs: Vec<_> = inputs.collect();
     let outputs = outputs_over(program, constants, &inputs);
     Some(outputs.into_iter().map(|output| output.error).collect())
-}
-
-/// Whether a symbol is an argument's, or made of one.
-fn is_of_state(symbol: &Symbol) -> bool {
-    !matches!(
-        symbol,
-        Symbol::Pi | Symbol::Field(_) | Symbol::AngleSine(_) | Symbol::AngleCosine(_)
-    )
 }

@@ -103,18 +103,9 @@ fn at_most(bound: Option<f64>) -> String {
     }
 }
 
-/// The argument of which a symbol is an entry, or is made of one.
+/// The argument on which a symbol depends.
 fn argument(symbol: &Symbol) -> Option<Argument> {
-    match symbol {
-        Symbol::Sine(_) | Symbol::Cosine(_) | Symbol::Position(_) => Some(Argument::Position),
-        Symbol::Velocity(_) | Symbol::VelocitySign(_) | Symbol::Stribeck(_) => {
-            Some(Argument::Velocity)
-        }
-        Symbol::Acceleration(_) => Some(Argument::Acceleration),
-        Symbol::Force(_) => Some(Argument::Force),
-        Symbol::Entry(argument, _) => Some(*argument),
-        Symbol::Pi | Symbol::Field(_) | Symbol::AngleSine(_) | Symbol::AngleCosine(_) => None,
-    }
+    symbol.argument().map(|(argument, _)| argument)
 }
 
 /// The arguments that a program reads, in order.
@@ -136,9 +127,10 @@ fn conditions(program: &Program) -> String {
         [name] => name.clone(),
         [names @ .., last] => format!("{} and {last}", names.join(", ")),
     };
-    match arguments.contains(&Argument::Position) {
-        true => format!("{limits} and entries of {entries} up to 1"),
-        false => format!("entries of {entries} up to 1"),
+    if arguments.contains(&Argument::Position) {
+        format!("{limits} and entries of {entries} up to 1")
+    } else {
+        format!("entries of {entries} up to 1")
     }
 }
 

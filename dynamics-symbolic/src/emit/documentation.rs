@@ -14,30 +14,12 @@ pub(super) fn documentation(
     formulas: Option<&Formulas>,
     notes: &[String],
 ) -> Vec<String> {
-    let mut lines = quantities(robot, request);
-    lines.push(String::new());
-    if !request.arguments().is_empty() {
-        lines.push(format!(" {}", units(robot, request)));
-        lines.push(String::new());
-    }
-    if request.is_about_base_parameters() {
-        lines.extend(super::parameters::lines(robot));
-    }
-    for note in notes {
-        lines.extend([note.clone(), String::new()]);
-    }
-    let each = match request.function().map(Function::shape) {
-        Some(Shape::Series) => {
-            " of the equations of motion at each order, inner sums of products apart"
-        }
-        _ => "",
-    };
-    lines.push(format!(" Operations{each}: {}.", program.operations()));
-    lines.extend(structures(robot, request, program));
-    match formulas {
-        Some(formulas) => lines.extend(short_formula_lines(formulas)),
-        None => lines.extend(formulas_elsewhere(robot, request)),
-    }
+    let notes = notes.iter().flat_map(|note| [note.clone(), String::new()]);
+    let mut lines = facts(robot, request, program, notes.collect());
+    lines.extend(match formulas {
+        Some(formulas) => short_formula_lines(formulas),
+        None => formulas_elsewhere(robot, request),
+    });
     lines.push(String::new());
     if request.refuses() {
         lines.push(errors(&unresisted(robot, request, program, constants)));
@@ -50,40 +32,60 @@ pub(super) fn documentation(
     lines
 }
 
-/// What the function is, in the names of this arm's frames.
+/// The quantities, the units of the arguments, the base parameters, some notes, the operations, and the structure of
+/// the values: the lines that stand above formulas and errors in every language.
+pub(super) fn facts(
+    robot: &Robot,
+    request: &Request,
+    program: &Program,
+    notes: Vec<String>,
+) -> Vec<String> {
+    let mut lines = quantities(robot, request);
+    lines.push(String::new());
+    if !request.arguments().is_empty() {
+        lines.extend([units(robot, request), String::new()]);
+    }
+    if request.is_about_base_parameters() {
+        lines.extend(super::parameters::lines(robot));
+    }
+    lines.extend(notes);
+    let each = match request.function().map(Function::shape) {
+        Some(Shape::Series) => {
+            " of the equations of motion at each order, inner sums of products apart"
+        }
+        _ => "",
+    };
+    lines.push(format!(" Operations{each}: {}.", program.operations()));
+    lines.extend(structures(robot, request, program));
+    lines
+}
+
+/// The description of the function, in the names of this arm's frames.
 fn description(robot: &Robot, function: Function) -> String {
-    let frame = match robot.base {
-        Some(_) => "world",
-        None => "base frame",
-    };
-    let tip = match robot.tool {
-        Some(_) => "tool frame",
-        None => "last link frame",
-    };
+    let frame = robot.base.as_ref().map_or("base frame", |_| "world");
+    let tip = robot
+        .tool
+        .as_ref()
+        .map_or("last link frame", |_| "tool frame");
     let text = function.row().description;
     text.replace("{frame}", frame).replace("{tip}", tip)
 }
 
-/// What is returned: each quantity of a tuple, in order.
-pub(super) fn quantities(robot: &Robot, request: &Request) -> Vec<String> {
+/// The quantity that is returned, or each quantity of a tuple, in order.
+fn quantities(robot: &Robot, request: &Request) -> Vec<String> {
     let fused = match request {
         Request::One(function) => return vec![format!(" {}", description(robot, *function))],
         Request::Fused(fused) => fused,
     };
-    let quoted: Vec<_> = fused
-        .parts
-        .iter()
-        .map(|f| format!("`{}`", f.name()))
-        .collect();
-    let mut lines = vec![
-        format!(" ({}) at one state, as one program.", quoted.join(", ")),
+    let quoted = fused.parts.iter().map(|part| format!("`{}`", part.name()));
+    let quoted = quoted.collect::<Vec<_>>().join(", ");
+    let title = [
+        format!(" ({quoted}) at one state, as one program."),
         String::new(),
     ];
     let parts = fused.parts.iter().enumerate();
-    lines.extend(
-        parts.map(|(number, part)| format!(" - `{number}`: {}", description(robot, *part))),
-    );
-    lines
+    let parts = parts.map(|(number, part)| format!(" - `{number}`: {}", description(robot, *part)));
+    title.into_iter().chain(parts).collect()
 }
 
 /// When a function that solves with M fails.
@@ -125,7 +127,7 @@ pub(super) fn unresisted<'r>(
 }
 
 /// The units of the arguments.
-pub(super) fn units(robot: &Robot, request: &Request) -> String {
+fn units(robot: &Robot, request: &Request) -> String {
     let is = |joint_type| robot.joints().all(|row| row.joint_type == joint_type);
     let (position, force) = match (is(JointType::Revolute), is(JointType::Prismatic)) {
         (true, _) => ("rad", "N m"),
@@ -137,38 +139,31 @@ pub(super) fn units(robot: &Robot, request: &Request) -> String {
         Some(format!("`{}`: {meaning}", argument.name()))
     };
     let units: Vec<_> = request.arguments().iter().filter_map(unit).collect();
-    format!("{}.", units.join("; "))
+    format!(" {}.", units.join("; "))
 }
 
 /// Which values are zero or constant, and what the others depend on.
-pub(super) fn structures(robot: &Robot, request: &Request, program: &Program) -> Vec<String> {
+fn structures(robot: &Robot, request: &Request, program: &Program) -> Vec<String> {
     let parts = request.parts();
     let spans = spans(parts, robot.dof(), program.outputs.len());
     let structure = |(part, span): (&Function, _)| {
         let structure = Structure::of(robot, *part, program, span)?;
         Some([String::new(), format!(" {}", structure.sentence())])
     };
-    parts
-        .iter()
-        .zip(spans)
-        .filter_map(structure)
-        .flatten()
-        .collect()
+    let structures = parts.iter().zip(spans).filter_map(structure);
+    structures.flatten().collect()
 }
 
 /// Where there are formulas of a longer arm, whose values have names.
 fn formulas_elsewhere(robot: &Robot, request: &Request) -> Vec<String> {
     let has_symbol = |part: &Function| part.row().symbol.is_some();
     let is_longer = robot.dof() > MOST_JOINTS && robot.followers().next().is_none();
-    match is_longer && request.parts().iter().any(has_symbol) {
-        true => vec![
-            String::new(),
-            format!(
-                " Formulas of arms of more than {MOST_JOINTS} joints: `robot-dynamics show`, with `--format text`."
-            ),
-        ],
-        false => Vec::new(),
+    if !(is_longer && request.parts().iter().any(has_symbol)) {
+        return Vec::new();
     }
+    let elsewhere = "`robot-dynamics show`, with `--format text`";
+    let line = format!(" Formulas of arms of more than {MOST_JOINTS} joints: {elsewhere}.");
+    vec![String::new(), line]
 }
 
 /// The formulas that are short enough to read at a method.

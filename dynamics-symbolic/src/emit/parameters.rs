@@ -1,9 +1,9 @@
-//! What each base parameter is, as a formula in the standard parameters of the links.
+//! The base parameters as formulas in the standard parameters of the links.
 
 use super::polynomial::{Polynomial, Polynomials};
 use crate::derive::base::{Geometry, LinkGeometry, Observed, dependent, geometry, group};
 use crate::derive::symbols::Symbols;
-use crate::exact::bit_length;
+use crate::exact::{bit_length, negate_if};
 use crate::expr::{Expr, Graph};
 use crate::mechanism::Mechanism;
 use crate::program::{Operand, Output};
@@ -20,24 +20,22 @@ const MOST_BITS_READ: usize = 128;
 /// The formulas of the base parameters, and what the names in them mean: lines of documentation.
 pub(super) fn lines(robot: &Robot) -> Vec<String> {
     let observed = Observed::of(&robot.into());
-    let formulas = Formulas::expanded(robot, &observed)
-        .unwrap_or_else(|| Formulas::in_steps(robot, &observed));
-    let mut lines = vec![" The base parameters:".to_owned(), String::new()];
-    lines.push(" ```text".to_owned());
+    let expanded = Formulas::new(robot, &observed, false);
+    let formulas = expanded.or_else(|| Formulas::new(robot, &observed, true));
+    let formulas = formulas.expect("steps are never too long");
+    let mut lines = [" The base parameters:", "", " ```text"]
+        .map(str::to_owned)
+        .to_vec();
     let columns = formulas.columns.iter().enumerate();
     lines.extend(columns.map(|(k, formula)| format!(" {:3}  {formula}", k + 1)));
     let steps = formulas.steps.into_iter().chain(formulas.coefficients);
-    let steps: Vec<_> = steps
-        .map(|(name, formula)| format!("      {name} = {formula}"))
-        .collect();
-    if !steps.is_empty() {
-        lines.push(" where".to_owned());
+    let mut steps = steps.map(|(name, formula)| format!("      {name} = {formula}"));
+    if let Some(first) = steps.next() {
+        lines.extend([" where".to_owned(), first]);
         lines.extend(steps);
     }
-    lines.push(" ```".to_owned());
-    lines.push(String::new());
-    lines.push(format!(" {}", legend(robot)));
-    lines.push(String::new());
+    lines.extend([" ```".to_owned(), String::new()]);
+    lines.extend([format!(" {}", legend(robot)), String::new()]);
     lines
 }
 
@@ -89,26 +87,12 @@ struct Formulas {
 }
 
 impl Formulas {
-    /// In the links' own parameters alone; `None` where that is too long to read.
-    fn expanded(robot: &Robot, observed: &Observed) -> Option<Self> {
+    /// In the links' own parameters alone, which is `None` if that is too long to read; or in parameters with an
+    /// apostrophe.
+    fn new(robot: &Robot, observed: &Observed, in_steps: bool) -> Option<Self> {
         let all = Polynomials::default();
-        let couplings = Couplings::of(&all, robot, observed);
-        let (columns, _) = columns(&all, robot, &observed.grouping, false);
-        let (columns, coefficients) = couplings.applied(observed, columns);
-        let columns: Vec<_> = columns.iter().map(|column| column.text()).collect();
-        let is_readable = columns.iter().all(|text| text.len() <= LONGEST);
-        (is_readable && !all.overflow()).then_some(Formulas {
-            columns,
-            steps: Vec::new(),
-            coefficients,
-        })
-    }
-
-    /// In parameters with an apostrophe.
-    fn in_steps(robot: &Robot, observed: &Observed) -> Self {
-        let all = Polynomials::default();
-        let couplings = Couplings::of(&all, robot, observed);
-        let (columns, steps) = columns(&all, robot, &observed.grouping, true);
+        let couplings = Couplings::new(&all, robot, observed);
+        let (columns, steps) = columns(&all, robot, &observed.grouping, in_steps);
         let (columns, coefficients) = couplings.applied(observed, columns);
         let mut used: Vec<_> = columns
             .iter()
@@ -121,11 +105,13 @@ impl Formulas {
                 needed.push((name, formula.text()));
             }
         }
-        Formulas {
-            columns: columns.iter().map(|column| column.text()).collect(),
+        let columns: Vec<_> = columns.iter().map(|column| column.text()).collect();
+        let is_short = || columns.iter().all(|text| text.len() <= LONGEST) && !all.overflow();
+        (in_steps || is_short()).then_some(Formulas {
+            columns,
             steps: needed,
             coefficients,
-        }
+        })
     }
 }
 
@@ -167,7 +153,7 @@ fn columns<'p>(
     (columns.concat(), steps)
 }
 
-/// What joints that follow others make of the base parameters.
+/// The combinations of base parameters that joints lead to because they follow others.
 struct Couplings<'p> {
     /// A column, and how much of it is added to another one.
     terms: Vec<(usize, usize, Polynomial<'p>)>,
@@ -176,14 +162,13 @@ struct Couplings<'p> {
 }
 
 impl<'p> Couplings<'p> {
-    fn of(all: &'p Polynomials, robot: &Robot, observed: &Observed) -> Self {
-        let mut terms = Vec::new();
+    fn new(all: &'p Polynomials, robot: &Robot, observed: &Observed) -> Self {
+        let mut couplings = Couplings {
+            terms: Vec::new(),
+            coefficients: Vec::new(),
+        };
         if !robot.is_coupled() {
-            let coefficients = Vec::new();
-            return Couplings {
-                terms,
-                coefficients,
-            };
+            return couplings;
         }
         let graph = Graph::new();
         let arm = Mechanism::from(robot);
@@ -195,16 +180,15 @@ impl<'p> Couplings<'p> {
         for dependent in dependent(&mut symbols, &observed.grouping) {
             for (column, coefficient) in dependent.terms {
                 let coefficient = coefficients.name(coefficient);
-                terms.push((dependent.column, column, coefficient));
+                let term = (dependent.column, column, coefficient);
+                couplings.terms.push(term);
             }
         }
-        Couplings {
-            terms,
-            coefficients: coefficients.values(symbols.meanings()),
-        }
+        couplings.coefficients = coefficients.values(symbols.meanings());
+        couplings
     }
 
-    /// The columns that are left, and what the numbers in them are.
+    /// The columns that remain, and the values of the numbers in them.
     fn applied(
         self,
         observed: &Observed,
@@ -243,7 +227,7 @@ impl<'p, 'g> Coefficients<'p, 'g> {
         name
     }
 
-    /// The names and values: of those that depend on fields that they do.
+    /// The names and values; a number that depends on fields has no value.
     fn values(&self, meanings: &[Symbol]) -> Vec<(String, String)> {
         let Some((first, _)) = self.known.first() else {
             return Vec::new();
@@ -252,8 +236,7 @@ impl<'p, 'g> Coefficients<'p, 'g> {
         let program = Network::new(first.graph, &outputs).program(meanings);
         let constants = program.rounded_constants();
         let value = |output: &Output| match output.operand {
-            Operand::Constant(id) if output.negative => (-constants[id.index()]).to_string(),
-            Operand::Constant(id) => constants[id.index()].to_string(),
+            Operand::Constant(id) => negate_if(constants[id.index()], output.negative).to_string(),
             _ => "a number that depends on the fields".to_owned(),
         };
         let names = (1..).map(|number| format!("k{number}"));

@@ -1,7 +1,8 @@
 //! Polynomials over named variables, to be read: the formulas of the base parameters.
 
-use crate::exact::Rational;
-use crate::polynomial::{self, product};
+use crate::exact::{Rational, negate_if};
+use crate::formula::signed_sum;
+use crate::polynomial::{self, times};
 use core::cell::{Cell, RefCell};
 use core::ops::{Add, Mul, Neg, Sub};
 
@@ -75,23 +76,6 @@ impl Polynomials {
             index: all.len() - 1,
         }
     }
-
-    /// Adds a term, with squares of sines written by cosines.
-    fn add_term(&self, terms: &mut Terms, monomial: Monomial, coefficient: &Rational) {
-        let circles = self.circles.borrow();
-        let square = circles.iter().find(|(sine, _)| {
-            let is_square = |&(v, power): &(usize, i32)| v == *sine && power > 1;
-            monomial.iter().any(is_square)
-        });
-        let Some(&(sine, cosine)) = square else {
-            return terms.add_term(monomial, coefficient);
-        };
-        drop(circles);
-        let rest = product(&monomial, &[(sine, -2)]);
-        let with_cosine = product(&rest, &[(cosine, 2)]);
-        self.add_term(terms, rest, coefficient);
-        self.add_term(terms, with_cosine, &-coefficient.clone());
-    }
 }
 
 impl Polynomial<'_> {
@@ -113,21 +97,13 @@ impl Polynomial<'_> {
 
     /// The sum as text, short terms first: `J1zz + J2yy + a2^2 (m2 + m3)`.
     pub(super) fn text(self) -> String {
-        let mut text = String::new();
-        for group in self.groups() {
-            let is_negative = group.members[0].1;
-            text += match (text.is_empty(), is_negative) {
-                (true, false) => "",
-                (true, true) => "-",
-                (false, false) => " + ",
-                (false, true) => " - ",
-            };
-            text += &self.group_text(&group);
-        }
-        if text.is_empty() {
-            "0".to_owned()
-        } else {
-            text
+        let groups = self.groups();
+        let terms = groups
+            .iter()
+            .map(|group| (group.members[0].1, self.group_text(group)));
+        match &terms.collect::<Vec<_>>()[..] {
+            [] => "0".to_owned(),
+            terms => signed_sum(terms, [" + ", " - ", "-"]),
         }
     }
 
@@ -144,11 +120,7 @@ impl Polynomial<'_> {
         for (mut common, coefficient) in terms {
             let last = common.pop();
             let is_negative = coefficient < Rational::ZERO;
-            let size = if is_negative {
-                -coefficient
-            } else {
-                coefficient
-            };
+            let size = negate_if(coefficient, is_negative);
             let same = |group: &&mut Group| group.common == common && group.size == size;
             let is_plain = common.is_empty() || last.is_none_or(|(_, power)| power > 1);
             match groups.iter_mut().find(same).filter(|_| !is_plain) {
@@ -182,10 +154,11 @@ impl Polynomial<'_> {
             let member: String = member.iter().map(factor).collect();
             sum = format!("{sum} {sign} {member}");
         }
-        match others.is_empty() {
-            true if sum.is_empty() => {}
-            true => factors.push(sum),
-            false => factors.push(format!("({sum})")),
+        if !others.is_empty() {
+            sum = format!("({sum})");
+        }
+        if !sum.is_empty() {
+            factors.push(sum);
         }
         factors.join(" ")
     }
@@ -231,14 +204,13 @@ impl Mul for Polynomial<'_> {
     type Output = Self;
 
     fn mul(self, other: Self) -> Self {
-        let mut terms = Terms::zero();
-        let (left, right) = (self.terms(), other.terms());
-        for (a, x) in left.terms() {
-            for (b, y) in right.terms() {
-                self.arena.add_term(&mut terms, product(a, b), &(x * y));
-            }
-        }
-        self.arena.push(terms)
+        let circles = self.arena.circles.borrow();
+        let cosine = |variable| {
+            let circle = circles.iter().find(|(sine, _)| *sine == variable);
+            circle.map(|(_, cosine)| *cosine)
+        };
+        self.arena
+            .push(times(&self.terms(), &other.terms(), &cosine))
     }
 }
 

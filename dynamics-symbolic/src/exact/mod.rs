@@ -22,6 +22,11 @@ pub use sine::{SINE_ERROR, sin_cos};
 /// then known modulo a prime, and to as many digits as a rounding needs.
 pub const MOST_BITS: usize = 4_000;
 
+/// The number, or minus the number where `negate` holds.
+pub(crate) fn negate_if<T: core::ops::Neg<Output = T>>(x: T, negate: bool) -> T {
+    if negate { -x } else { x }
+}
+
 /// Whether the sum, the difference, the product and the quotient of two numbers have at most [`MOST_BITS`], but for
 /// a bit that a sum may carry.
 pub fn is_short(x: &Rational, y: &Rational) -> bool {

@@ -3,7 +3,7 @@
 use super::Operation;
 use super::fingerprint::{Fingerprint, FingerprintMap};
 use super::node::{Edge, Level, NodeId};
-use crate::exact::{Rational, SplitMix64, circle_point, is_short};
+use crate::exact::{Rational, SplitMix64, circle_point, is_short, negate_if};
 use core::cell::RefCell;
 
 /// A node: what it is, how deep its dependencies go, its fingerprint, and whether its definition is
@@ -54,11 +54,7 @@ impl Graph {
         let operation = Operation::Symbol(arena.symbols);
         arena.symbols += 1;
         // A node is the symbol itself, not minus it; circles are symmetric to both axes.
-        let value = if value.get() > (-value).get() {
-            -value
-        } else {
-            value
-        };
+        let value = negate_if(value, value.get() > (-value).get());
         arena.intern(operation, level, value)
     }
 
@@ -150,6 +146,39 @@ impl Graph {
         }
     }
 
+    /// Calls `visit` with a node and those that it is made of, operands first, except for known ones. `visit` must make
+    /// its node known. The stack is explicit, because chains are long.
+    pub(crate) fn visit_operands_first<S>(
+        &self,
+        state: &mut S,
+        root: NodeId,
+        is_known: impl Fn(&S, NodeId) -> bool,
+        mut visit: impl FnMut(&mut S, NodeId, Operation),
+    ) {
+        let mut stack = vec![root];
+        while let Some(&id) = stack.last() {
+            if is_known(state, id) {
+                stack.pop();
+                continue;
+            }
+            let operation = self.operation(id);
+            let depth = stack.len();
+            stack.extend(operation.operands().filter(|id| !is_known(state, *id)));
+            if stack.len() == depth {
+                visit(state, id, operation);
+                stack.pop();
+            }
+        }
+    }
+
+    pub(super) fn value(&self, edge: Edge) -> Fingerprint {
+        self.arena.borrow().value(edge)
+    }
+
+    pub(super) fn as_rational(&self, edge: Edge) -> Option<Rational> {
+        self.arena.borrow().as_rational(edge)
+    }
+
     /// The exact number of a [`Operation::Rational`] node.
     pub fn rational_of(&self, index: u32) -> Rational {
         self.arena.borrow().rationals[index as usize].clone()
@@ -163,7 +192,7 @@ impl Arena {
 
     fn value(&self, edge: Edge) -> Fingerprint {
         let value = self.node(edge).value;
-        if edge.is_negative() { -value } else { value }
+        negate_if(value, edge.is_negative())
     }
 
     fn level(&self, edge: Edge) -> Level {
@@ -184,7 +213,7 @@ impl Arena {
         value: Fingerprint,
     ) -> (Edge, Operation) {
         let negative = value.get() > (-value).get();
-        let value = if negative { -value } else { value };
+        let value = negate_if(value, negative);
         let operation = match operation {
             Operation::Add(a, b) => {
                 let (a, b) = (a.negate_if(negative), b.negate_if(negative));
@@ -219,30 +248,36 @@ impl Arena {
     }
 
     fn write_sum(&mut self, a: Edge, b: Edge) -> (Edge, Operation) {
-        let level = self.level(a).max(self.level(b));
         let value = self.value(a) + self.value(b);
-        self.write(Operation::Add(a, b), level, value)
+        self.write(Operation::Add(a, b), self.level_of_both(a, b), value)
     }
 
     fn write_product(&mut self, a: Edge, b: Edge) -> (Edge, Operation) {
-        let level = self.level(a).max(self.level(b));
         let value = self.node(a).value * self.node(b).value;
-        let (edge, operation) = self.write(Operation::Mul(a.node(), b.node()), level, value);
-        (
-            edge.negate_if(a.is_negative() != b.is_negative()),
-            operation,
-        )
+        self.write_with_signs(a, b, Operation::Mul(a.node(), b.node()), value)
     }
 
     fn write_quotient(&mut self, a: Edge, b: Edge) -> (Edge, Operation) {
-        let level = self.level(a).max(self.level(b));
         let inverse = self.node(b).value.inverse().unwrap_or(Fingerprint::ZERO);
         let value = self.node(a).value * inverse;
-        let (edge, operation) = self.write(Operation::Div(a.node(), b.node()), level, value);
-        (
-            edge.negate_if(a.is_negative() != b.is_negative()),
-            operation,
-        )
+        self.write_with_signs(a, b, Operation::Div(a.node(), b.node()), value)
+    }
+
+    /// A product or quotient of two nodes: both take the signs of the edges.
+    fn write_with_signs(
+        &mut self,
+        a: Edge,
+        b: Edge,
+        operation: Operation,
+        value: Fingerprint,
+    ) -> (Edge, Operation) {
+        let (edge, operation) = self.write(operation, self.level_of_both(a, b), value);
+        let is_negative = a.is_negative() != b.is_negative();
+        (edge.negate_if(is_negative), operation)
+    }
+
+    fn level_of_both(&self, a: Edge, b: Edge) -> Level {
+        self.level(a).max(self.level(b))
     }
 
     fn rational(&mut self, x: &Rational) -> Edge {
@@ -260,7 +295,7 @@ impl Arena {
         let edge = self.intern(Operation::Rational(index), Level::Constant, value);
         if self.node(edge).operation == Operation::Rational(index) {
             let x = exact(self);
-            self.rationals.push(if edge.is_negative() { -x } else { x });
+            self.rationals.push(negate_if(x, edge.is_negative()));
         }
         edge
     }
@@ -282,8 +317,7 @@ impl Arena {
     }
 
     fn exact(&self, (index, negative): (u32, bool)) -> Rational {
-        let x = self.rationals[index as usize].clone();
-        if negative { -x } else { x }
+        negate_if(self.rationals[index as usize].clone(), negative)
     }
 
     fn as_rational(&self, edge: Edge) -> Option<Rational> {
@@ -318,11 +352,9 @@ impl Arena {
                 value => self.number(value, sum),
             };
         }
-        if let Some(folded) = self
-            .fold_constant_term(a, b)
-            .or_else(|| self.fold_constant_term(b, a))
-        {
-            return folded;
+        let folded = self.fold_constant_term(a, b);
+        if let Some(sum) = folded.or_else(|| self.fold_constant_term(b, a)) {
+            return sum;
         }
         if (self.value(a) + self.value(b)).is_zero() {
             return NodeId::ZERO.edge(false);
@@ -338,10 +370,7 @@ impl Arena {
         let Operation::Add(a, b) = self.node(sum).operation else {
             return None;
         };
-        let (a, b) = (
-            a.negate_if(sum.is_negative()),
-            b.negate_if(sum.is_negative()),
-        );
+        let [a, b] = [a, b].map(|edge| edge.negate_if(sum.is_negative()));
         let (inner, rest) = match (self.is_constant(a), self.is_constant(b)) {
             (true, false) => (a, b),
             (false, true) => (b, a),
@@ -365,11 +394,9 @@ impl Arena {
             let product = |arena: &Self| arena.exact(x) * arena.exact(y);
             return self.number(self.value(a) * self.value(b), product);
         }
-        if let Some(folded) = self
-            .fold_constant_factor(a, b)
-            .or_else(|| self.fold_constant_factor(b, a))
-        {
-            return folded;
+        let folded = self.fold_constant_factor(a, b);
+        if let Some(product) = folded.or_else(|| self.fold_constant_factor(b, a)) {
+            return product;
         }
         self.write_product(a, b).0
     }

@@ -1,6 +1,7 @@
 //! Derivatives.
 
 use super::{Edge, Expr, Graph, NodeId, Operation};
+use crate::exact::negate_if;
 use std::collections::HashMap;
 
 /// A direction: the rates at which symbols change. Symbols that have none are constant.
@@ -18,8 +19,7 @@ impl<'g> Direction<'g> {
     /// The direction in which, besides, `symbol` changes at a rate.
     pub fn with(mut self, symbol: Expr<'g>, rate: Expr<'g>) -> Self {
         let edge = symbol.edge();
-        self.rates
-            .insert(edge.node(), if edge.is_negative() { -rate } else { rate });
+        self.rates.insert(edge.node(), signed(rate, edge));
         self
     }
 }
@@ -28,38 +28,22 @@ impl<'g> Expr<'g> {
     /// The derivative in a direction:
     /// (a + b)' = a' + b', (a b)' = a' b + a b', (a / b)' = (a' - (a / b) b') / b.
     pub fn derivative(self, direction: &Direction<'g>) -> Expr<'g> {
-        let mut known = HashMap::new();
-        self.derivative_with(direction, &mut known)
-    }
-
-    /// The derivative, with derivatives of nodes that are known already and become known.
-    fn derivative_with(
-        self,
-        direction: &Direction<'g>,
-        known: &mut HashMap<NodeId, Expr<'g>>,
-    ) -> Expr<'g> {
-        let graph = self.graph;
-        let mut stack = vec![self.edge.node()];
-        while let Some(&id) = stack.last() {
-            let operation = graph.operation(id);
-            let missing: Vec<_> = operation
-                .operands()
-                .filter(|operand| !known.contains_key(operand))
-                .collect();
-            if missing.is_empty() {
-                let rate = rate(graph, id, operation, direction, known);
+        let mut known: HashMap<NodeId, Expr<'g>> = HashMap::new();
+        self.graph.visit_operands_first(
+            &mut known,
+            self.edge.node(),
+            |known, id| known.contains_key(&id),
+            |known, id, operation| {
+                let rate = rate(self.graph, id, operation, direction, known);
                 known.insert(id, rate);
-                stack.pop();
-            } else {
-                stack.extend(missing);
-            }
-        }
+            },
+        );
         signed(known[&self.edge.node()], self.edge)
     }
 }
 
 fn signed<'g>(expr: Expr<'g>, edge: Edge) -> Expr<'g> {
-    if edge.is_negative() { -expr } else { expr }
+    negate_if(expr, edge.is_negative())
 }
 
 /// The derivative of one node, from those of its operands.
@@ -79,16 +63,12 @@ fn rate<'g>(
         Operation::Mul(a, b) => {
             let rate = known[&a] * expr(b) + expr(a) * known[&b];
             // The node is the product up to sign.
-            if expr(a) * expr(b) == node {
-                rate
-            } else {
-                -rate
-            }
+            negate_if(rate, expr(a) * expr(b) != node)
         }
         Operation::Div(a, b) => {
             let quotient = expr(a) / expr(b);
             let rate = (known[&a] - quotient * known[&b]) / expr(b);
-            if quotient == node { rate } else { -rate }
+            negate_if(rate, quotient != node)
         }
     }
 }

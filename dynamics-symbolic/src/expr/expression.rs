@@ -1,6 +1,6 @@
 //! Handles of expressions, with the operators of arithmetic.
 
-use super::{Edge, Fingerprint, Graph, Level, NodeId, Operation};
+use super::{Edge, Fingerprint, Graph, Level, NodeId};
 use crate::exact::Rational;
 use core::fmt;
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -53,7 +53,7 @@ impl<'g> Expr<'g> {
 
     /// Whether the expression is identically zero.
     pub fn is_zero(self) -> bool {
-        self.edge.node() == self.graph.zero().edge.node()
+        self.edge.node() == NodeId::ZERO
     }
 
     /// What the expression depends on.
@@ -63,25 +63,12 @@ impl<'g> Expr<'g> {
 
     /// The exact number that the expression is, where it is one.
     pub(crate) fn as_rational(self) -> Option<Rational> {
-        let Operation::Rational(index) = self.graph.operation(self.edge.node()) else {
-            return None;
-        };
-        let magnitude = self.graph.rational_of(index);
-        Some(if self.edge.is_negative() {
-            -magnitude
-        } else {
-            magnitude
-        })
+        self.graph.as_rational(self.edge)
     }
 
     /// The value at the graph's random point.
     pub(crate) fn fingerprint(self) -> Fingerprint {
-        let value = self.graph.node(self.edge.node()).value;
-        if self.edge.is_negative() {
-            -value
-        } else {
-            value
-        }
+        self.graph.value(self.edge)
     }
 
     fn with(self, edge: Edge) -> Self {

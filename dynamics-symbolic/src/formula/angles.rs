@@ -7,9 +7,8 @@
 
 use super::atom::{Atom, Run};
 use super::groups::{Groups, Member};
-use super::reduce::add_reduced;
-use crate::exact::Rational;
-use crate::polynomial::{Monomial, Polynomial, product};
+use crate::exact::{Rational, negate_if};
+use crate::polynomial::{self, Monomial, Polynomial, product};
 use std::collections::BTreeMap;
 
 /// A polynomial in sines and cosines of sums of angles.
@@ -30,19 +29,18 @@ type Multiples = Vec<i32>;
 /// angles are counted about the first axis of the group.
 type Waves = BTreeMap<Multiples, [Rational; 2]>;
 
+const NONE: [Rational; 2] = [Rational::ZERO, Rational::ZERO];
+
 fn merged_in(polynomial: &Polynomial<Atom>, group: usize, members: &[Member]) -> Polynomial<Atom> {
     let mut by_rest: BTreeMap<Monomial<Atom>, Waves> = BTreeMap::new();
     for (monomial, coefficient) in polynomial.terms() {
-        let turns = |(atom, power): &(Atom, i32)| match atom {
+        let turns = |(atom, power): &&(Atom, i32)| match atom {
             Atom::Cosine(run) | Atom::Sine(run) => run.group == group && *power > 0,
             _ => false,
         };
-        let (turning, rest): (Monomial<Atom>, Monomial<Atom>) =
-            monomial.iter().partition(|factor| turns(factor));
-        add_waves(
-            by_rest.entry(rest).or_default(),
-            waves_of(&turning, members, coefficient),
-        );
+        let (turning, rest): (Monomial<Atom>, _) = monomial.iter().partition(turns);
+        let waves = waves_of(&turning, members, coefficient);
+        add_waves(by_rest.entry(rest).or_default(), waves);
     }
     let mut sum = Polynomial::zero();
     for (rest, waves) in by_rest {
@@ -73,19 +71,14 @@ fn waves_of(
                     let mut key = multiples.clone();
                     key[run.first] += step;
                     let half = |x: &Rational| x / Rational::from(2);
-                    let sine_sign = step
-                        * if members[run.first].is_reversed {
-                            -1
-                        } else {
-                            1
-                        };
-                    let [x, y] = match (atom, sine_sign) {
-                        (Atom::Cosine(_), _) => [half(&re), half(&im)],
+                    let is_positive = (step == 1) != members[run.first].is_reversed;
+                    let [x, y] = match atom {
+                        Atom::Cosine(_) => [half(&re), half(&im)],
                         // (re + i im) / 2i
-                        (_, 1) => [half(&im), -half(&re)],
+                        _ if is_positive => [half(&im), -half(&re)],
                         _ => [-half(&im), half(&re)],
                     };
-                    let sum = next.entry(key).or_insert([Rational::ZERO, Rational::ZERO]);
+                    let sum = next.entry(key).or_insert(NONE);
                     sum[0] += x;
                     sum[1] += y;
                 }
@@ -104,9 +97,7 @@ fn add_waves(sum: &mut Waves, exponentials: BTreeMap<Multiples, [Rational; 2]>) 
             Some(n) if *n > 0 => 2,
             Some(_) => continue,
         };
-        let [cosine, sine] = sum
-            .entry(multiples)
-            .or_insert([Rational::ZERO, Rational::ZERO]);
+        let [cosine, sine] = sum.entry(multiples).or_insert(NONE);
         *cosine += re * Rational::from(factor);
         *sine -= im * Rational::from(factor);
     }
@@ -128,41 +119,45 @@ fn in_products(mut waves: Waves, group: usize, members: &[Member]) -> Polynomial
         let [c2, s2] = turn(&second, group, members);
         let difference: Multiples = first.iter().zip(&second).map(|(a, b)| a - b).collect();
         let is_backwards = difference.iter().find(|&&n| n != 0).is_some_and(|n| *n < 0);
-        let key = match is_backwards {
-            true => difference.iter().map(|n| -n).collect(),
-            false => difference,
-        };
-        let mut none = [Rational::ZERO, Rational::ZERO];
-        let partner = waves.get_mut(&key).unwrap_or(&mut none);
-        // cos(a + b) + cos(a - b) = 2 cos a cos b, cos(a + b) - cos(a - b) = -2 sin a sin b.
-        let twice = |x: &Rational| x * Rational::from(2);
-        if partner[0] == cosine {
-            partner[0] = Rational::ZERO;
-            sum.add_multiple(&times(&c1, &c2), &twice(&cosine));
-        } else if partner[0] == -cosine.clone() {
-            partner[0] = Rational::ZERO;
-            sum.add_multiple(&times(&s1, &s2), &-twice(&cosine));
-        } else {
-            sum.add_multiple(&times(&c1, &c2), &cosine);
-            sum.add_multiple(&times(&s1, &s2), &-cosine);
-        }
-        // sin(a + b) + sin(a - b) = 2 sin a cos b, sin(a + b) - sin(a - b) = 2 cos a sin b.
-        let of_difference = match is_backwards {
-            true => -partner[1].clone(),
-            false => partner[1].clone(),
-        };
-        if of_difference == sine {
-            partner[1] = Rational::ZERO;
-            sum.add_multiple(&times(&s1, &c2), &twice(&sine));
-        } else if of_difference == -sine.clone() {
-            partner[1] = Rational::ZERO;
-            sum.add_multiple(&times(&c1, &s2), &twice(&sine));
-        } else {
-            sum.add_multiple(&times(&s1, &c2), &sine);
-            sum.add_multiple(&times(&c1, &s2), &sine);
-        }
+        let key: Multiples = difference
+            .iter()
+            .map(|n| negate_if(*n, is_backwards))
+            .collect();
+        let mut none = NONE;
+        let [by_cosine, by_sine] = waves.get_mut(&key).unwrap_or(&mut none);
+        // cos(a + b) = cos a cos b - sin a sin b
+        let products = [times(&c1, &c2), times(&s1, &s2)];
+        add_wave(&mut sum, cosine, true, products, by_cosine, false);
+        // sin(a + b) = sin a cos b + cos a sin b
+        let products = [times(&s1, &c2), times(&c1, &s2)];
+        add_wave(&mut sum, sine, false, products, by_sine, is_backwards);
     }
     sum
+}
+
+/// Adds the wave of a sum of angles, x (A + B) or x (A - B). The wave of the difference of the angles has the other sign
+/// between its products: if its amplitude is x or -x, both waves are 2 x A, or 2 x times the other one, and it is taken.
+fn add_wave(
+    sum: &mut Polynomial<Atom>,
+    x: Rational,
+    is_difference: bool,
+    [a, b]: [Polynomial<Atom>; 2],
+    partner: &mut Rational,
+    is_opposite: bool,
+) {
+    let y = negate_if(partner.clone(), is_opposite);
+    let second = negate_if(x.clone(), is_difference);
+    let twice = Rational::from(2);
+    if y == x {
+        sum.add_multiple(&a, &(x * twice));
+    } else if y == -x.clone() {
+        sum.add_multiple(&b, &(second * twice));
+    } else {
+        sum.add_multiple(&a, &x);
+        sum.add_multiple(&b, &second);
+        return;
+    }
+    *partner = Rational::ZERO;
 }
 
 /// Multiples that are not those of one run as a sum: the first run, and what is left.
@@ -202,13 +197,7 @@ fn turn(multiples: &Multiples, group: usize, members: &[Member]) -> [Polynomial<
 }
 
 fn times(a: &Polynomial<Atom>, b: &Polynomial<Atom>) -> Polynomial<Atom> {
-    let mut sum = Polynomial::zero();
-    for (left, x) in a.terms() {
-        for (right, y) in b.terms() {
-            add_reduced(&mut sum, product(left, right), &(x * y));
-        }
-    }
-    sum
+    polynomial::times(a, b, &Atom::cosine)
 }
 
 /// X - X c^2 is X s^2.

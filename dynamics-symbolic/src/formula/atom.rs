@@ -54,6 +54,15 @@ impl Atom {
         self < Atom::Position(0)
     }
 
+    /// The cosine that belongs to a sine.
+    pub(super) fn cosine(self) -> Option<Atom> {
+        match self {
+            Atom::Sine(run) => Some(Atom::Cosine(run)),
+            Atom::AngleSine(index) => Some(Atom::AngleCosine(index)),
+            _ => None,
+        }
+    }
+
     /// Whether this belongs to the motion: velocities, accelerations, forces.
     pub(super) fn is_motion(self) -> bool {
         self >= Atom::Entry(Argument::Position, 0)

@@ -22,41 +22,44 @@ struct Single {
 pub(super) fn collected(atoms: &Atoms, polynomial: &Polynomial<Atom>) -> Expression {
     let mut by_motion: BTreeMap<Key, BTreeMap<Key, Vec<Single>>> = BTreeMap::new();
     for single in numbered(atoms, polynomial) {
-        let (parameters, rest): (Monomial<Atom>, Monomial<Atom>) = single
-            .monomial
-            .iter()
-            .partition(|(atom, _)| atom.is_parameter());
-        let (motion, position): (Monomial<Atom>, Monomial<Atom>) =
-            rest.into_iter().partition(|(atom, _)| atom.is_motion());
-        let parameters = Single {
-            monomial: parameters,
-            ..single
-        };
-        let of_motion = by_motion.entry(Key::of(motion)).or_default();
-        of_motion
-            .entry(Key::of(position))
+        let [parameters, rest] = parted(&single.monomial, Atom::is_parameter);
+        let [motion, position] = parted(&rest, Atom::is_motion);
+        let same_motion = by_motion.entry(Key::new(&motion)).or_default();
+        same_motion
+            .entry(Key::new(&position))
             .or_default()
-            .push(parameters);
+            .push(Single {
+                monomial: parameters,
+                ..single
+            });
     }
     let terms = by_motion.into_iter().flat_map(|(motion, by_position)| {
-        let terms: Vec<Term> = by_position.into_iter().flat_map(of_position).collect();
-        match (motion.monomial().is_empty(), terms.len()) {
-            (true, _) => terms,
-            (false, 1) => terms
-                .into_iter()
-                .map(|term| times(term, &motion.monomial()))
-                .collect(),
-            (false, _) => vec![times(in_parentheses(terms), &motion.monomial())],
+        let motion = motion.monomial();
+        let mut terms: Vec<Term> = by_position.into_iter().flat_map(with_position).collect();
+        if !motion.is_empty() {
+            if terms.len() > 1 {
+                terms = vec![in_parentheses(terms)];
+            }
+            terms = terms.into_iter().map(|term| times(term, &motion)).collect();
         }
+        terms
     });
     Expression(terms.collect())
 }
 
-/// What is multiplied by the same sines and positions.
-fn of_position((position, sum): (Key, Vec<Single>)) -> Vec<Term> {
-    match position.monomial().is_empty() {
-        true => buckets(sum),
-        false => vec![times(factored(sum), &position.monomial())],
+/// The factors that some atoms are, and the others.
+fn parted(monomial: &Monomial<Atom>, is_first: impl Fn(Atom) -> bool) -> [Monomial<Atom>; 2] {
+    let (first, others) = monomial.iter().partition(|(atom, _)| is_first(*atom));
+    [first, others]
+}
+
+/// The terms that are multiplied by the same sines and positions.
+fn with_position((position, sum): (Key, Vec<Single>)) -> Vec<Term> {
+    let position = position.monomial();
+    if position.is_empty() {
+        buckets(sum)
+    } else {
+        vec![times(factored(sum), &position)]
     }
 }
 
@@ -65,8 +68,8 @@ fn of_position((position, sum): (Key, Vec<Single>)) -> Vec<Term> {
 struct Key(Monomial<Atom>);
 
 impl Key {
-    fn of(monomial: Monomial<Atom>) -> Self {
-        Key(inverse(&monomial))
+    fn new(monomial: &Monomial<Atom>) -> Self {
+        Key(inverse(monomial))
     }
 
     fn monomial(&self) -> Monomial<Atom> {
@@ -85,12 +88,8 @@ fn in_parentheses(mut terms: Vec<Term>) -> Term {
             term.number = Number::ONE;
         }
     }
-    Term {
-        is_negative,
-        number: if is_multiple { first } else { Number::ONE },
-        factors: vec![Factor::sum(Expression(terms))],
-        divisors: Vec::new(),
-    }
+    let number = if is_multiple { first } else { Number::ONE };
+    Term::new(is_negative, number, vec![Factor::sum(Expression(terms))])
 }
 
 /// A sum of terms as one term: what all have in common in front of the rest.
@@ -123,18 +122,16 @@ fn common_factor(sum: &[Single]) -> Monomial<Atom> {
 fn buckets(mut sum: Vec<Single>) -> Vec<Term> {
     let mut terms = Vec::new();
     while let Some(first) = sum.first() {
-        let largest = contexts(first)
-            .filter(|(_, context)| !context.is_empty())
-            .map(|(_, context)| {
-                let members = sum
-                    .iter()
-                    .filter(|single| member(single, &context).is_some());
-                (members.count(), context)
-            })
-            .reduce(|best, next| if next.0 > best.0 { next } else { best });
+        let contexts = contexts(first).filter(|(_, context)| !context.is_empty());
+        let counted = contexts.map(|(_, context)| {
+            let is_member = |single: &&Single| member(single, &context).is_some();
+            (sum.iter().filter(is_member).count(), context)
+        });
+        let largest = counted.reduce(|best, next| if next.0 > best.0 { next } else { best });
         let Some((2.., context)) = largest else {
             let single = sum.remove(0);
-            terms.push(times(number(&single), &single.monomial));
+            let number = Term::new(single.is_negative, single.number, Vec::new());
+            terms.push(times(number, &single.monomial));
             continue;
         };
         let is_member = |single: &Single| member(single, &context).is_some();
@@ -145,13 +142,13 @@ fn buckets(mut sum: Vec<Single>) -> Vec<Term> {
     terms
 }
 
-/// What is left of a term without one of its parameters, for each of them that is not a power.
+/// The rest of a term without one of its parameters, for each of them that is not a power.
 fn contexts(single: &Single) -> impl Iterator<Item = (Atom, Monomial<Atom>)> {
     let plain = single.monomial.iter().filter(|(_, power)| *power == 1);
     plain.map(|&(atom, _)| (atom, product(&single.monomial, &[(atom, -1)])))
 }
 
-/// What a term is more than the context: a parameter, or nothing but its number.
+/// The factor of a term beside the context: a parameter, or nothing but its number.
 fn member(single: &Single, context: &Monomial<Atom>) -> Option<Option<Atom>> {
     if single.monomial == *context {
         return Some(None);
@@ -161,27 +158,12 @@ fn member(single: &Single, context: &Monomial<Atom>) -> Option<Option<Atom>> {
 
 /// Members of one context as one term: the context in front of their sum.
 fn together(members: &[Single], context: &Monomial<Atom>) -> Term {
-    let of_sum = |single: &Single| Term {
-        factors: member(single, context)
-            .flatten()
-            .map(Factor::atom)
-            .into_iter()
-            .collect(),
-        ..number(single)
+    let term = |single: &Single| {
+        let factor = member(single, context).flatten().map(Factor::atom);
+        let number = single.number.clone();
+        Term::new(single.is_negative, number, factor.into_iter().collect())
     };
-    in_front(
-        context,
-        in_parentheses(members.iter().map(of_sum).collect()),
-    )
-}
-
-fn number(single: &Single) -> Term {
-    Term {
-        is_negative: single.is_negative,
-        number: single.number.clone(),
-        factors: Vec::new(),
-        divisors: Vec::new(),
-    }
+    in_front(context, in_parentheses(members.iter().map(term).collect()))
 }
 
 /// A term times a monomial, which is written behind it.
@@ -205,21 +187,16 @@ fn powers(monomial: &Monomial<Atom>) -> (Vec<Factor>, Vec<Factor>) {
         base: Base::Atom(atom),
         exponent: power.unsigned_abs(),
     };
-    let (above, below): (Monomial<Atom>, Monomial<Atom>) =
-        monomial.iter().partition(|(_, power)| *power > 0);
-    (
-        above.iter().map(factor).collect(),
-        below.iter().map(factor).collect(),
-    )
+    let (above, below): (Vec<_>, Vec<_>) = monomial.iter().partition(|(_, power)| *power > 0);
+    let factors = |powers: Vec<_>| powers.into_iter().map(factor).collect();
+    (factors(above), factors(below))
 }
 
 /// The terms of a polynomial, pi and constant angles made part of the number before the rest.
 fn numbered(atoms: &Atoms, polynomial: &Polynomial<Atom>) -> Vec<Single> {
     let mut by_rest: BTreeMap<Monomial<Atom>, Polynomial<Atom>> = BTreeMap::new();
     for (monomial, coefficient) in polynomial.terms() {
-        let (constant, rest): (Monomial<Atom>, Monomial<Atom>) = monomial
-            .iter()
-            .partition(|(atom, _)| is_constant(atoms, *atom));
+        let [constant, rest] = parted(monomial, |atom| is_constant(atoms, atom));
         let sum = by_rest.entry(rest).or_insert_with(Polynomial::zero);
         sum.add_term(constant, coefficient);
     }
@@ -257,15 +234,13 @@ fn rounded<'a>(
         constants: ConstantPool::default(),
         factors: BTreeMap::new(),
     };
-    let of_pool = |constant: &Polynomial<Atom>| match as_rational(constant) {
+    let constants = constants.map(|constant| match as_rational(constant) {
         Some(x) => Ok(x.clone()),
         None => Err(pool.sum(constant)),
-    };
-    let constants: Vec<_> = constants.map(of_pool).collect();
-    let sums: Vec<ConstantId> = constants
-        .iter()
-        .filter_map(|x| x.as_ref().err().copied())
-        .collect();
+    });
+    let constants: Vec<Result<_, _>> = constants.collect();
+    let sums = constants.iter().filter_map(|x| x.as_ref().err().copied());
+    let sums: Vec<ConstantId> = sums.collect();
     let values = pool.constants.round(|id| sums.binary_search(&id).is_ok());
     let number = |constant: Result<Rational, ConstantId>| match constant {
         Ok(x) if x < Rational::ZERO => (true, Number::Exact(-x)),
@@ -299,9 +274,10 @@ impl Pool<'_> {
             for &(atom, power) in monomial {
                 let factor = self.factor(atom);
                 for _ in 0..power.unsigned_abs() {
-                    product = self.constants.push(match power > 0 {
-                        true => Constant::Mul(product, factor),
-                        false => Constant::Div(product, factor),
+                    product = self.constants.push(if power > 0 {
+                        Constant::Mul(product, factor)
+                    } else {
+                        Constant::Div(product, factor)
                     });
                 }
             }

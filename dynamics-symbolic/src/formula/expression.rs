@@ -1,7 +1,7 @@
 //! A formula as it is written: sums of products of powers, with common factors in front of sums.
 
 use super::atom::Atom;
-use crate::exact::Rational;
+use crate::exact::{Rational, negate_if};
 use crate::robot::Value;
 
 /// A sum; an empty one is zero.
@@ -63,25 +63,25 @@ impl Factor {
 }
 
 impl Term {
-    /// A number.
-    fn number(x: &Rational) -> Self {
-        let is_negative = *x < Rational::ZERO;
-        let size = if is_negative { -x.clone() } else { x.clone() };
+    /// A number with its sign, times factors.
+    pub(super) fn new(is_negative: bool, number: Number, factors: Vec<Factor>) -> Self {
         Term {
             is_negative,
-            number: Number::Exact(size),
-            factors: Vec::new(),
+            number,
+            factors,
             divisors: Vec::new(),
         }
     }
 
-    /// A factor.
     fn factor(factor: Factor) -> Self {
-        Term {
-            is_negative: false,
-            number: Number::ONE,
-            factors: vec![factor],
-            divisors: Vec::new(),
+        Term::new(false, Number::ONE, vec![factor])
+    }
+
+    /// The product of the numbers, both with their signs: those of cells are exact.
+    fn times(&mut self, is_negative: bool, number: Number) {
+        self.is_negative ^= is_negative;
+        if let (Number::Exact(a), Number::Exact(b)) = (&self.number, number) {
+            self.number = Number::Exact(a * b);
         }
     }
 }
@@ -89,30 +89,36 @@ impl Term {
 impl Expression {
     /// A cell of the table, as it was written.
     pub(super) fn of_value(value: &Value) -> Self {
-        let of = Expression::of_value;
+        let terms = |value| Expression::of_value(value).0;
+        let single = |value| Expression::of_value(value).single();
+        let factor = |atom| Expression(vec![Term::factor(Factor::atom(atom))]);
         match value {
             Value::Rational(x) if x.is_zero() => Expression(Vec::new()),
-            Value::Rational(x) => Expression(vec![Term::number(x)]),
-            Value::Pi => Expression(vec![Term::factor(Factor::atom(Atom::Pi))]),
-            Value::Field(i) => Expression(vec![Term::factor(Factor::atom(Atom::Field(*i)))]),
-            Value::Neg(a) => Expression(of(a).0.into_iter().map(negated).collect()),
-            Value::Add(a, b) => Expression([of(a).0, of(b).0].concat()),
+            Value::Rational(x) => {
+                let is_negative = *x < Rational::ZERO;
+                let size = Number::Exact(negate_if(x.clone(), is_negative));
+                Expression(vec![Term::new(is_negative, size, Vec::new())])
+            }
+            Value::Pi => factor(Atom::Pi),
+            Value::Field(i) => factor(Atom::Field(*i)),
+            Value::Neg(a) => Expression(terms(a).into_iter().map(negated).collect()),
+            Value::Add(a, b) => Expression([terms(a), terms(b)].concat()),
             Value::Mul(a, b) => {
-                let (mut a, b) = (of(a).single(), of(b).single());
-                a.is_negative ^= b.is_negative;
+                let (mut a, b) = (single(a), single(b));
                 a.factors.extend(b.factors);
                 a.divisors.extend(b.divisors);
-                a.times(b.number);
+                a.times(b.is_negative, b.number);
                 Expression(vec![a])
             }
             Value::Div(a, b) => {
-                let (mut a, b) = (of(a).single(), of(b).single());
-                a.is_negative ^= b.is_negative;
+                let (mut a, b) = (single(a), single(b));
                 a.factors.extend(b.divisors);
                 a.divisors.extend(b.factors);
-                if let Number::Exact(x) = b.number {
-                    a.times(Number::Exact(Rational::ONE / x));
-                }
+                let inverse = match b.number {
+                    Number::Exact(x) => Number::Exact(Rational::ONE / x),
+                    rounded => rounded,
+                };
+                a.times(b.is_negative, inverse);
                 Expression(vec![a])
             }
         }
@@ -123,15 +129,6 @@ impl Expression {
         match self.0.len() {
             1 => self.0.remove(0),
             _ => Term::factor(Factor::sum(self)),
-        }
-    }
-}
-
-impl Term {
-    /// The numbers of cells are exact.
-    fn times(&mut self, number: Number) {
-        if let (Number::Exact(a), Number::Exact(b)) = (&self.number, number) {
-            self.number = Number::Exact(a * b);
         }
     }
 }

@@ -13,7 +13,6 @@ mod expression;
 mod groups;
 mod multiply_out;
 mod names;
-mod reduce;
 mod structure;
 mod too_long;
 mod write;
@@ -22,6 +21,7 @@ pub use multiply_out::Budget;
 pub use structure::Structure;
 pub use too_long::TooLong;
 pub use write::Format;
+pub(crate) use write::signed_sum;
 
 use crate::function::{Function, spans};
 use crate::program::Program;
@@ -164,9 +164,9 @@ impl Formulas {
     /// What the short names of sines and cosines in the formulas of at most `most_terms` terms mean:
     /// `c12 = cos(q1 + q2)`.
     pub fn legend(&self, most_terms: usize) -> Vec<String> {
-        let readable = |entry: &'_ Entry| entry.readable(most_terms).ok().cloned();
-        let formulas: Vec<Expression> = self.entries.iter().filter_map(readable).collect();
-        self.names.legend(formulas.iter())
+        let entries = self.entries.iter();
+        let formulas = entries.filter_map(|entry| entry.readable(most_terms).ok());
+        write::legend(&self.names, formulas)
     }
 }
 

@@ -2,10 +2,9 @@
 
 use super::atom::Atom;
 use super::groups::Groups;
-use super::reduce::add_reduced;
 use super::too_long::TooLong;
-use crate::exact::{MOST_BITS, Rational, bit_length};
-use crate::polynomial::{Monomial, Polynomial, inverse, product};
+use crate::exact::{MOST_BITS, Rational, bit_length, negate_if};
+use crate::polynomial::{Monomial, Polynomial, add_reduced, inverse, product};
 use crate::program::{Arithmetic, Program};
 use crate::robot::{Symbol, Value};
 use std::rc::Rc;
@@ -31,7 +30,7 @@ impl Budget {
     };
 }
 
-/// What the atoms stand for that are numbered as they come.
+/// The meanings of the atoms that are numbered as they come.
 #[derive(Default)]
 pub(super) struct Atoms {
     /// Constant and parametric angles.
@@ -99,7 +98,7 @@ impl Expansion<'_> {
             for (right, y) in b.terms() {
                 let number = x * y;
                 let size = 1 + bit_length(&number) / BITS_OF_ONE_MORE;
-                let terms = add_reduced(&mut sum, product(left, right), &number);
+                let terms = add_reduced(&mut sum, product(left, right), &number, &Atom::cosine);
                 self.budget.products = self.budget.products.checked_sub(terms * size)?;
             }
         }
@@ -121,15 +120,9 @@ impl Arithmetic for Expansion<'_> {
             Symbol::AngleCosine(angle) => Atom::AngleCosine(self.angle(angle).0),
             Symbol::AngleSine(angle) => {
                 let (index, is_opposite) = self.angle(angle);
-                let sine = Polynomial::variable(Atom::AngleSine(index));
-                let sign = if is_opposite {
-                    -Rational::ONE
-                } else {
-                    Rational::ONE
-                };
-                let mut signed = Polynomial::zero();
-                signed.add_multiple(&sine, &sign);
-                return Some(Rc::new(signed));
+                let sign = negate_if(Rational::ONE, is_opposite);
+                let sine = vec![(Atom::AngleSine(index), 1)];
+                return Some(Rc::new(Polynomial::term(sine, sign)));
             }
             Symbol::Sine(i) => Atom::Sine(self.groups.run_of(*i)?),
             Symbol::Cosine(i) => Atom::Cosine(self.groups.run_of(*i)?),
@@ -187,8 +180,5 @@ impl Arithmetic for Expansion<'_> {
 }
 
 fn has_sine(monomial: &Monomial<Atom>) -> bool {
-    let is_sine = |(atom, power): &(Atom, i32)| {
-        *power != 0 && matches!(atom, Atom::Sine(_) | Atom::AngleSine(_))
-    };
-    monomial.iter().any(is_sine)
+    monomial.iter().any(|(atom, _)| atom.cosine().is_some())
 }

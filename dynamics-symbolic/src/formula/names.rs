@@ -1,4 +1,4 @@
-//! What the variables of formulas are called.
+//! The names of the variables of formulas.
 
 use super::atom::{Atom, Run};
 use super::expression::{Base, Expression, Factor};
@@ -48,22 +48,23 @@ impl Names {
         (self.is_short && is_sum).then(|| digits.collect())
     }
 
-    /// The sum of a run: `q1 + q2`.
-    pub(super) fn sum(&self, run: Run, position: impl Fn(usize) -> String) -> String {
-        let mut sum = String::new();
-        for member in self.groups.members(run) {
-            sum += match (sum.is_empty(), member.is_reversed) {
-                (true, _) => "",
-                (false, false) => " + ",
-                (false, true) => " - ",
-            };
-            sum += &position(member.joint);
-        }
-        sum
+    /// The positions of a run, each with whether it is subtracted.
+    pub(super) fn terms(
+        &self,
+        run: Run,
+        position: impl Fn(usize) -> String,
+    ) -> Vec<(bool, String)> {
+        let members = self.groups.members(run);
+        members
+            .map(|member| (member.is_reversed, position(member.joint)))
+            .collect()
     }
 
-    /// What the short names in formulas mean.
-    pub(super) fn legend<'e>(&self, formulas: impl Iterator<Item = &'e Expression>) -> Vec<String> {
+    /// The sines and cosines in formulas, in order.
+    pub(super) fn runs<'e>(
+        &self,
+        formulas: impl Iterator<Item = &'e Expression>,
+    ) -> BTreeSet<(Run, Atom)> {
         let mut turning = BTreeSet::new();
         for formula in formulas {
             self.visit(formula, &mut |atom| match atom {
@@ -71,16 +72,7 @@ impl Names {
                 _ => {}
             });
         }
-        let line = |(run, atom): (Run, Atom)| {
-            let (letter, function) = match atom {
-                Atom::Sine(_) => ("s", "sin"),
-                _ => ("c", "cos"),
-            };
-            let digits = self.digits(run)?;
-            let sum = self.sum(run, |joint| format!("q{}", joint + 1));
-            Some(format!("{letter}{digits} = {function}({sum})"))
-        };
-        turning.into_iter().filter_map(line).collect()
+        turning
     }
 
     fn visit(&self, formula: &Expression, found: &mut impl FnMut(Atom)) {

@@ -1,6 +1,6 @@
 //! What can be said of the values of a function, however long their formulas are.
 
-use crate::function::{Function, Shape, Size};
+use crate::function::{Argument, Function, Shape, Size};
 use crate::program::{Constant, Operand, Output, Program};
 use crate::robot::{Robot, Symbol};
 use core::ops::Range;
@@ -18,30 +18,8 @@ pub struct Structure {
     variable: BTreeMap<BTreeSet<Variable>, Vec<String>>,
 }
 
-/// A variable of one joint: the letter and the index of the joint.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-struct Variable(Letter, usize);
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-enum Letter {
-    Position,
-    Velocity,
-    Acceleration,
-    Force,
-    Other(crate::function::Argument),
-}
-
-impl Letter {
-    fn name(self) -> &'static str {
-        match self {
-            Letter::Position => "q",
-            Letter::Velocity => "qd",
-            Letter::Acceleration => "qdd",
-            Letter::Force => "tau",
-            Letter::Other(argument) => argument.name(),
-        }
-    }
-}
+/// An entry of an argument, such as the position of one joint.
+type Variable = (Argument, usize);
 
 impl Structure {
     /// That of the outputs in a span of a program, which are the values of a function. `None` where
@@ -58,7 +36,7 @@ impl Structure {
         if outputs.len() < 2 {
             return None;
         }
-        let read = variables(robot, program);
+        let results = variables(robot, program);
         let is_symmetric = is_symmetric(outputs, &indices);
         let mut structure = Structure {
             values: outputs.len(),
@@ -72,82 +50,61 @@ impl Structure {
             }
             let digits: String = index.iter().map(usize::to_string).collect();
             let name = format!("{symbol}{digits}");
-            let depends_on = match output.operand {
-                Operand::Constant(id) => {
-                    match program.constants.get(id) {
-                        Constant::Rational(x) if x.is_zero() => structure.zero.push(name),
-                        _ => structure.constant.push(name),
-                    }
-                    continue;
-                }
-                Operand::Input(i) => variable(robot, &program.inputs[i as usize])
-                    .into_iter()
-                    .collect(),
-                Operand::Result(i) => read[i as usize].clone(),
+            let is_zero =
+                |id| matches!(program.constants.get(id), Constant::Rational(x) if x.is_zero());
+            let depends_on = read(robot, program, &results, output.operand);
+            let names = match output.operand {
+                Operand::Constant(id) if is_zero(id) => &mut structure.zero,
+                _ if depends_on.is_empty() => &mut structure.constant,
+                _ => structure.variable.entry(depends_on).or_default(),
             };
-            match depends_on.is_empty() {
-                true => structure.constant.push(name),
-                false => structure.variable.entry(depends_on).or_default().push(name),
-            }
+            names.push(name);
         }
         Some(structure)
     }
 
     /// A sentence: `M13 is zero; M33 is constant; M11 depends on q2, q3.`
     pub fn sentence(&self) -> String {
+        let is_counted = self.values > MOST_LISTED;
         let mut clauses = Vec::new();
-        let is = |names: &[String]| if names.len() == 1 { "is" } else { "are" };
-        if self.values > MOST_LISTED {
-            let count = |names: &[String], what: &str| match names.len() {
-                0 => None,
-                count => Some(format!("{count} {} {what}", is(names))),
+        for (names, kind) in [(&self.zero, "zero"), (&self.constant, "constant")] {
+            let subject = if is_counted {
+                names.len().to_string()
+            } else {
+                names.join(", ")
             };
-            clauses.extend(count(&self.zero, "zero"));
-            clauses.extend(count(&self.constant, "constant"));
-            let all = self.variable.keys().flatten().copied().collect();
-            clauses.push(format!(
-                "of {} values all depend on {} at most",
-                self.values,
-                list(&all)
-            ));
-            return sentence(&clauses);
-        }
-        for (names, what) in [(&self.zero, "zero"), (&self.constant, "constant")] {
-            if !names.is_empty() {
-                clauses.push(format!("{} {} {what}", names.join(", "), is(names)));
+            match names.len() {
+                0 => {}
+                1 => clauses.push(format!("{subject} is {kind}")),
+                _ => clauses.push(format!("{subject} are {kind}")),
             }
         }
-        for (variables, names) in &self.variable {
-            let depend = if names.len() == 1 {
-                "depends"
-            } else {
-                "depend"
-            };
-            clauses.push(format!(
-                "{} {depend} on {}",
-                names.join(", "),
-                list(variables)
-            ));
+        if is_counted {
+            let all = list(&self.variable.keys().flatten().copied().collect());
+            let count = self.values;
+            clauses.push(format!("of {count} values all depend on {all} at most"));
+        } else {
+            for (variables, names) in &self.variable {
+                let (subject, variables) = (names.join(", "), list(variables));
+                let ending = if names.len() == 1 { "s" } else { "" };
+                clauses.push(format!("{subject} depend{ending} on {variables}"));
+            }
         }
-        sentence(&clauses)
+        format!("{}.", clauses.join("; "))
     }
-}
-
-fn sentence(clauses: &[String]) -> String {
-    format!("{}.", clauses.join("; "))
 }
 
 /// `q2 to q5, qd1`.
 fn list(variables: &BTreeSet<Variable>) -> String {
     let mut runs: Vec<(Variable, usize)> = Vec::new();
-    for &Variable(letter, index) in variables {
+    for &(argument, index) in variables {
         match runs.last_mut() {
-            Some((Variable(last, _), end)) if *last == letter && *end + 1 == index => *end = index,
-            _ => runs.push((Variable(letter, index), index)),
+            Some(((last, _), end)) if *last == argument && *end + 1 == index => *end = index,
+            _ => runs.push(((argument, index), index)),
         }
     }
-    let name = |(Variable(letter, start), end): &(Variable, usize)| {
-        let letter = letter.name();
+    let name = |((argument, start), end): &(Variable, usize)| {
+        let letter = argument.name();
         match end - start {
             0 => format!("{letter}{}", start + 1),
             1 => format!("{letter}{}, {letter}{}", start + 1, end + 1),
@@ -163,38 +120,35 @@ fn variables(robot: &Robot, program: &Program) -> Vec<BTreeSet<Variable>> {
     let mut sets: Vec<BTreeSet<Variable>> = Vec::with_capacity(program.instructions.len());
     for instruction in &program.instructions {
         let [a, b] = instruction.operands();
-        let of = |operand| match operand {
-            Operand::Constant(_) => BTreeSet::new(),
-            Operand::Input(i) => variable(robot, &program.inputs[i as usize])
-                .into_iter()
-                .collect(),
-            Operand::Result(i) => sets[i as usize].clone(),
-        };
-        let mut both: BTreeSet<Variable> = of(a);
-        both.extend(of(b));
+        let mut both = read(robot, program, &sets, a);
+        both.extend(read(robot, program, &sets, b));
         sets.push(both);
     }
     sets
 }
 
+/// The variables that an operand depends on; `results` has those of the instructions so far.
+fn read(
+    robot: &Robot,
+    program: &Program,
+    results: &[BTreeSet<Variable>],
+    operand: Operand,
+) -> BTreeSet<Variable> {
+    match operand {
+        Operand::Constant(_) => BTreeSet::new(),
+        Operand::Input(i) => variable(robot, &program.inputs[i as usize])
+            .into_iter()
+            .collect(),
+        Operand::Result(i) => results[i as usize].clone(),
+    }
+}
+
+/// The variable that a symbol depends on; a follower's symbols depend on the joint that it follows.
 fn variable(robot: &Robot, symbol: &Symbol) -> Option<Variable> {
-    let (letter, index) = match symbol {
-        Symbol::Pi | Symbol::Field(_) | Symbol::AngleSine(_) | Symbol::AngleCosine(_) => {
-            return None;
-        }
-        Symbol::Sine(i) | Symbol::Cosine(i) | Symbol::Position(i) => (Letter::Position, i),
-        Symbol::Velocity(i) | Symbol::VelocitySign(i) | Symbol::Stribeck(i) => {
-            (Letter::Velocity, i)
-        }
-        Symbol::Acceleration(i) => (Letter::Acceleration, i),
-        Symbol::Force(i) => (Letter::Force, i),
-        Symbol::Entry(argument, i) => (Letter::Other(*argument), i),
-    };
-    // What a follower does depends on the joint that it follows.
-    let followed = robot.followed(*index);
-    let is_followed = robot.follower_of(symbol).is_some();
-    let leader = followed.filter(|_| is_followed).map(|(leader, _)| leader);
-    Some(Variable(letter, leader.unwrap_or(*index)))
+    let (argument, index) = symbol.argument()?;
+    let follower = robot.follower_of(symbol);
+    let leader = follower.and_then(|_| robot.followed(index));
+    Some((argument, leader.map_or(index, |(leader, _)| leader)))
 }
 
 /// The indices of the values of a function that are numbers, vectors or matrices, counted from 1.
@@ -217,11 +171,9 @@ fn is_symmetric(outputs: &[Output], indices: &[Vec<usize>]) -> bool {
         let place = indices.iter().position(|index| *index == [i, j]);
         place.map(|place| outputs[place])
     };
-    indices
-        .iter()
-        .enumerate()
-        .all(|(k, index)| match index.as_slice() {
-            [i, j] => at(*j, *i) == Some(outputs[k]),
-            _ => false,
-        })
+    let mut values = indices.iter().zip(outputs);
+    values.all(|(index, output)| match index.as_slice() {
+        [i, j] => at(*j, *i) == Some(*output),
+        _ => false,
+    })
 }

@@ -89,11 +89,7 @@ impl Function {
     /// How many outputs a program has: the values, and the pivots and the diagonal of M where these
     /// follow.
     pub fn outputs(self, sizes: Sizes) -> usize {
-        let pivots = if self.has_pivots() {
-            2 * sizes.joints
-        } else {
-            0
-        };
+        let pivots = usize::from(self.has_pivots()) * 2 * sizes.joints;
         self.shape().entries(sizes) + pivots
     }
 

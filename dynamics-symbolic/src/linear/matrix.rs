@@ -70,10 +70,19 @@ impl<R: Ring> Symmetric3<R> {
         }
     }
 
+    fn entries(&self) -> [R; 6] {
+        [self.xx, self.yy, self.zz, self.xy, self.yz, self.xz]
+    }
+
     /// The matrix whose entries are those of this one, mapped by `f`.
     pub fn map<S: Ring>(&self, f: impl Fn(R) -> S) -> Symmetric3<S> {
-        let entries = [self.xx, self.yy, self.zz, self.xy, self.yz, self.xz];
-        Symmetric3::from_entries(entries.map(f))
+        Symmetric3::from_entries(self.entries().map(f))
+    }
+
+    /// The matrix of the results of an operation on the entries of two.
+    fn zip(&self, other: &Self, operation: impl Fn(R, R) -> R) -> Self {
+        let (a, b) = (self.entries(), other.entries());
+        Symmetric3::from_entries(core::array::from_fn(|i| operation(a[i], b[i])))
     }
 
     /// The same entry everywhere.
@@ -102,24 +111,14 @@ impl<R: Ring> Symmetric3<R> {
 
     /// The upper triangle of a matrix that is symmetric.
     pub fn from_upper(m: &Matrix3<R>) -> Self {
-        let m = &m.0;
-        Symmetric3 {
-            xx: m[0][0],
-            yy: m[1][1],
-            zz: m[2][2],
-            xy: m[0][1],
-            yz: m[1][2],
-            xz: m[0][2],
-        }
+        let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = m.0;
+        Symmetric3::from_entries([xx, yy, zz, xy, yz, xz])
     }
 
     /// R J R^T
     pub fn rotated(&self, rotation: &Matrix3<R>) -> Self {
-        Symmetric3::from_upper(
-            &rotation
-                .product(&self.full())
-                .product(&rotation.transpose()),
-        )
+        let turned = rotation.product(&self.full());
+        Symmetric3::from_upper(&turned.product(&rotation.transpose()))
     }
 
     /// `[z]x J - J [z]x`: the derivative, by the angle, of a tensor J that turns about z.
@@ -167,14 +166,7 @@ impl<R: Ring> Add for Symmetric3<R> {
     type Output = Self;
 
     fn add(self, o: Self) -> Self {
-        Symmetric3 {
-            xx: self.xx + o.xx,
-            yy: self.yy + o.yy,
-            zz: self.zz + o.zz,
-            xy: self.xy + o.xy,
-            yz: self.yz + o.yz,
-            xz: self.xz + o.xz,
-        }
+        self.zip(&o, |a, b| a + b)
     }
 }
 
@@ -182,14 +174,7 @@ impl<R: Ring> Sub for Symmetric3<R> {
     type Output = Self;
 
     fn sub(self, o: Self) -> Self {
-        Symmetric3 {
-            xx: self.xx - o.xx,
-            yy: self.yy - o.yy,
-            zz: self.zz - o.zz,
-            xy: self.xy - o.xy,
-            yz: self.yz - o.yz,
-            xz: self.xz - o.xz,
-        }
+        self.zip(&o, |a, b| a - b)
     }
 }
 

@@ -134,10 +134,10 @@ impl Builder<'_> {
         let (_, negative) = UpToSign::product(a, b);
         if let Operand::Constant(constant) = a.operand
             && (negative != flipped) != self.preferred_negative[id.index()]
-            && self.is_output(id)
+            && self.preferred_negative[id.index()]
         {
             a = UpToSign {
-                operand: Operand::Constant(self.negated(constant)),
+                operand: Operand::Constant(self.negate_if(constant, true)),
                 negative: !a.negative,
             };
         }
@@ -150,20 +150,16 @@ impl Builder<'_> {
         self.push(UpToSign::quotient(a, b)).negate_if(flipped)
     }
 
-    fn is_output(&self, id: NodeId) -> bool {
-        self.preferred_negative[id.index()]
-    }
-
     fn constant_operand(&mut self, edge: Edge) -> Operand {
         let id = self.constant(edge.node());
-        Operand::Constant(if edge.is_negative() {
-            self.negated(id)
-        } else {
-            id
-        })
+        Operand::Constant(self.negate_if(id, edge.is_negative()))
     }
 
-    fn negated(&mut self, id: ConstantId) -> ConstantId {
+    /// The constant, or minus the constant where `negate` holds.
+    fn negate_if(&mut self, id: ConstantId, negate: bool) -> ConstantId {
+        if !negate {
+            return id;
+        }
         match self.program.constants.get(id).clone() {
             Constant::Neg(inner) => inner,
             Constant::Rational(x) => self.program.constants.push(Constant::Rational(-x)),
@@ -171,28 +167,17 @@ impl Builder<'_> {
         }
     }
 
-    /// The pool's entry of a constant node; on an explicit stack, for constants are nested deeply.
+    /// The pool's entry of a constant node.
     fn constant(&mut self, root: NodeId) -> ConstantId {
-        let mut stack = vec![root];
-        while let Some(&id) = stack.last() {
-            if self.constants[id.index()].is_some() {
-                stack.pop();
-                continue;
-            }
-            let operation = self.graph.operation(id);
-            let missing: Vec<_> = operation
-                .operands()
-                .filter(|id| self.constants[id.index()].is_none())
-                .collect();
-            if missing.is_empty() {
-                let constant = self.define_constant(id, operation);
-                self.constants[id.index()] = Some(constant);
-                stack.pop();
-            } else {
-                stack.extend(missing);
-            }
-        }
-        self.constants[root.index()].expect("the constant was defined")
+        self.graph.visit_operands_first(
+            self,
+            root,
+            |this, id| this.constants[id.index()].is_some(),
+            |this, id, operation| {
+                this.constants[id.index()] = Some(this.define_constant(id, operation));
+            },
+        );
+        self.known(root)
     }
 
     /// The node as a constant: its operation, negated where that is minus the node.
@@ -201,25 +186,15 @@ impl Builder<'_> {
             Operation::Rational(index) => Constant::Rational(self.graph.rational_of(index)),
             Operation::Symbol(index) => Constant::Symbol(self.meanings[index as usize].clone()),
             Operation::Add(a, b) => {
-                let [a, b] = [a, b].map(|edge| {
-                    let id = self.known(edge.node());
-                    if edge.is_negative() {
-                        self.negated(id)
-                    } else {
-                        id
-                    }
-                });
+                let [a, b] =
+                    [a, b].map(|edge| self.negate_if(self.known(edge.node()), edge.is_negative()));
                 Constant::Add(a, b)
             }
             Operation::Mul(a, b) => Constant::Mul(self.known(a), self.known(b)),
             Operation::Div(a, b) => Constant::Div(self.known(a), self.known(b)),
         };
         let constant = self.program.constants.push(constant);
-        if self.graph.is_flipped(id, operation) {
-            self.negated(constant)
-        } else {
-            constant
-        }
+        self.negate_if(constant, self.graph.is_flipped(id, operation))
     }
 
     /// The entry of a constant that was defined before.

@@ -42,9 +42,10 @@ fn halved(x: Rational) -> Rational {
     let half = Rational::from((&x * Rational::from(2)).round()) / Rational::from(2);
     let difference = &x - &half;
     let nothing = Rational::ONE / Rational::from(2).pow(BITS as isize);
-    match -&nothing < difference && difference < nothing {
-        true => half,
-        false => x,
+    if -&nothing < difference && difference < nothing {
+        half
+    } else {
+        x
     }
 }
 

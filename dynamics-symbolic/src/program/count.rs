@@ -1,7 +1,7 @@
 //! Counting operations.
 
 use super::{Instruction, Program};
-use crate::robot::Symbol;
+use crate::robot::{Symbol, Value};
 use core::fmt;
 
 /// The operations of a program. Negation is free; sines and cosines come in pairs.
@@ -54,6 +54,15 @@ impl fmt::Display for Operations {
     }
 }
 
+/// The joint, or the constant angle, whose sine or cosine a symbol is.
+fn angle(symbol: &Symbol) -> (Option<usize>, Option<&Value>) {
+    match symbol {
+        Symbol::Sine(i) | Symbol::Cosine(i) => (Some(*i), None),
+        Symbol::AngleSine(angle) | Symbol::AngleCosine(angle) => (None, Some(angle)),
+        _ => (None, None),
+    }
+}
+
 impl Program {
     /// What the program costs.
     pub fn operations(&self) -> Operations {
@@ -74,32 +83,16 @@ impl Program {
 
     /// The joints whose position's sine or cosine the program reads.
     pub fn joint_angles(&self) -> Vec<usize> {
-        let joint = |symbol: &&Symbol| match symbol {
-            Symbol::Sine(i) | Symbol::Cosine(i) => Some(*i),
-            _ => None,
-        };
-        self.angles().iter().filter_map(joint).collect()
+        let angles = self.angles().into_iter();
+        angles.filter_map(|symbol| angle(symbol).0).collect()
     }
 
     /// The symbols whose sine or cosine the program reads, one for each angle.
     pub fn angles(&self) -> Vec<&Symbol> {
         let mut angles: Vec<&Symbol> = Vec::new();
         for input in &self.inputs {
-            let same = |other: &&Symbol| match (input, other) {
-                (Symbol::Sine(i) | Symbol::Cosine(i), Symbol::Sine(j) | Symbol::Cosine(j)) => {
-                    i == j
-                }
-                (
-                    Symbol::AngleSine(a) | Symbol::AngleCosine(a),
-                    Symbol::AngleSine(b) | Symbol::AngleCosine(b),
-                ) => a == b,
-                _ => false,
-            };
-            let is_angle = matches!(
-                input,
-                Symbol::Sine(_) | Symbol::Cosine(_) | Symbol::AngleSine(_) | Symbol::AngleCosine(_)
-            );
-            if is_angle && !angles.iter().any(same) {
+            let own = angle(input);
+            if own != (None, None) && angles.iter().all(|other| angle(other) != own) {
                 angles.push(input);
             }
         }

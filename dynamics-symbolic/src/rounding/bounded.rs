@@ -1,10 +1,12 @@
 //! Numbers with a bound on their error, and the rule of each operation.
 //!
-//! What a processor computes for `a + b` is the sum of the operands that it has, times `1 + d` with
-//! |d| <= u. So the distance from the exact result is at most what the operands were wrong by, passed
-//! on by the operation, and u times the result (Higham, Accuracy and Stability of Numerical
-//! Algorithms, 2002, section 3.3). The rules stand here and nowhere else, and know nothing but
-//! doubles. The roundings of the bound itself, some 1e-16 of it, are left out.
+//! A processor computes `a + b` as the sum of the operands that it has, times `1 + d` with |d| <= u. The result is
+//! therefore wrong by the errors of the operands, passed on by the operation, and by u times its own size at most
+//! (Higham, Accuracy and Stability of Numerical Algorithms, 2002, section 3.3).
+//!
+//! These rules are for doubles at one point. The roundings of the bound itself, some 1e-16 of it, are left out. They
+//! are counted in the two other statements of the rules: `ranged`, over a box of points, and
+//! [`Real`](crate::program::Real), in high precision.
 
 use core::ops::{Add, Div, Mul, Neg};
 

@@ -2,7 +2,7 @@
 
 use super::pairs::{Length, Pairs, SumOfProducts, turned};
 use super::ranged::{Ranged, norm, plus, rounding};
-use crate::exact::Rational;
+use crate::exact::negate_if;
 use crate::interval::Interval;
 use crate::program::{Constant, ConstantPool, Instruction, Operand, Program};
 use crate::robot::Symbol;
@@ -24,23 +24,17 @@ pub(crate) fn outputs_over(program: &Program, constants: &[f64], inputs: &[Range
     }
     let outputs = program.outputs.iter();
     outputs
-        .map(|output| match output.negative {
-            true => -walk.read(output.operand),
-            false => walk.read(output.operand),
-        })
+        .map(|output| negate_if(walk.read(output.operand), output.negative))
         .collect()
 }
 
 /// The constants of a program, each an exact number that was rounded to a double. Those that doubles have are exact.
 fn ranged(constants: &ConstantPool, doubles: &[f64]) -> Vec<Ranged> {
-    let is_exact = |constant: &Constant, double: f64| match constant {
-        Constant::Rational(x) => Rational::try_from(double).is_ok_and(|double| double == *x),
+    let ranged = |(constant, &double): (&Constant, &f64)| match constant {
+        Constant::Rational(x) => Ranged::rational(x, double),
         // One that is zero is written only where it is zero exactly.
-        _ => double == 0.0,
-    };
-    let ranged = |(constant, &double)| match is_exact(constant, double) {
-        true => Ranged::exact(Interval::exact(double)),
-        false => Ranged::rounded(double),
+        _ if double == 0.0 => Ranged::exact(Interval::exact(double)),
+        _ => Ranged::rounded(double),
     };
     constants.iter().zip(doubles).map(ranged).collect()
 }
@@ -66,10 +60,10 @@ impl Walk<'_> {
     fn circles(&mut self) {
         let inputs = self.program.inputs.iter().zip(0..);
         for (symbol, sine) in inputs {
-            let cosine = match symbol {
-                Symbol::Sine(i) => Symbol::Cosine(*i),
-                _ => continue,
+            let Symbol::Sine(i) = symbol else {
+                continue;
             };
+            let cosine = Symbol::Cosine(*i);
             let mut others = self.program.inputs.iter().zip(0..);
             if let Some((_, cosine)) = others.find(|(other, _)| **other == cosine) {
                 let [sine, cosine] = [sine, cosine].map(Operand::Input);
@@ -96,12 +90,9 @@ impl Walk<'_> {
     fn product(&mut self, a: Operand, b: Operand) -> Ranged {
         let product = self.read(a) * self.read(b);
         let rounded = rounding(product.computed());
-        let lengths = [a, b].map(|operand| {
-            let Ranged { range, error } = self.read(operand);
-            Length {
-                size: range.size(),
-                error,
-            }
+        let lengths = [a, b].map(|operand| Length {
+            size: self.read(operand).range.size(),
+            error: self.read(operand).error,
         });
         let next = self.next();
         self.pairs.product([a, b], lengths, next, rounded);
@@ -110,7 +101,7 @@ impl Walk<'_> {
 
     fn sum(&mut self, a: Operand, b: Operand, is_difference: bool) -> Ranged {
         let (x, y) = (self.read(a), self.read(b));
-        let sum = x + if is_difference { -y } else { y };
+        let sum = x + negate_if(y, is_difference);
         let (Some(first), Some(second)) = (self.factors(a), self.factors(b)) else {
             return sum;
         };

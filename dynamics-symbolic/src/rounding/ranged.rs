@@ -5,6 +5,7 @@
 //! what may underflow is counted.
 
 use super::UNIT;
+use crate::exact::Rational;
 use crate::interval::Interval;
 use core::ops::{Add, Div, Mul, Neg};
 
@@ -27,9 +28,10 @@ pub(super) fn up(x: f64) -> f64 {
 
 /// a + b, rounded upwards.
 pub(super) fn plus(a: f64, b: f64) -> f64 {
-    match a == 0.0 || b == 0.0 {
-        true => a + b,
-        false => up(a + b),
+    if a == 0.0 || b == 0.0 {
+        a + b
+    } else {
+        up(a + b)
     }
 }
 
@@ -71,6 +73,15 @@ impl Ranged {
     pub(crate) fn rounded(x: f64) -> Self {
         let range = Interval::new(x.next_down(), x.next_up());
         Ranged::with_error(range, rounding(x.abs()))
+    }
+
+    /// A rational number, exact where the double `x` is the number, else rounded to that double.
+    pub(crate) fn rational(exact: &Rational, x: f64) -> Self {
+        if Rational::try_from(x).is_ok_and(|x| x == *exact) {
+            Ranged::exact(Interval::exact(x))
+        } else {
+            Ranged::rounded(x)
+        }
     }
 
     /// The largest size of what is computed.

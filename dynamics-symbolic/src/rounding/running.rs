@@ -2,8 +2,9 @@
 
 use super::constants::{Doubles, certain};
 use super::{Bounded, POINTS};
+use crate::exact::negate_if;
 use crate::expr::{Edge, Graph, Level, NodeId, Operation};
-use crate::program::{Arithmetic, Operand, Output, Program};
+use crate::program::{Arithmetic, Operand, Program};
 use crate::robot::Symbol;
 
 /// A node at all points.
@@ -44,23 +45,12 @@ impl<'g> Running<'g> {
             return known;
         }
         self.nodes.resize(self.graph.len(), None);
-        let mut stack = vec![root];
-        while let Some(&id) = stack.last() {
-            if self.nodes[id.index()].is_some() {
-                stack.pop();
-                continue;
-            }
-            let operation = self.graph.operation(id);
-            let depth = stack.len();
-            if self.graph.level_of(id) > Level::Constant {
-                let unknown = |id: &NodeId| self.nodes[id.index()].is_none();
-                stack.extend(operation.operands().filter(unknown));
-            }
-            if stack.len() == depth {
-                self.nodes[id.index()] = Some(self.evaluate(id, operation));
-                stack.pop();
-            }
-        }
+        self.graph.visit_operands_first(
+            self,
+            root,
+            |this, id| this.nodes[id.index()].is_some(),
+            |this, id, operation| this.nodes[id.index()] = Some(this.evaluate(id, operation)),
+        );
         self.nodes[root.index()].expect("the root was evaluated")
     }
 
@@ -71,12 +61,8 @@ impl<'g> Running<'g> {
         if let Operation::Symbol(index) = operation {
             return self.symbols[index as usize];
         }
-        let result = self.result(operation);
-        if self.graph.is_flipped(id, operation) {
-            result.map(|x| -x)
-        } else {
-            result
-        }
+        let is_flipped = self.graph.is_flipped(id, operation);
+        self.result(operation).map(|x| negate_if(x, is_flipped))
     }
 
     /// The result of an operation on nodes, as it is computed.
@@ -96,11 +82,7 @@ impl<'g> Running<'g> {
 
     fn edge(&mut self, edge: Edge) -> Point {
         let node = self.node(edge.node());
-        if edge.is_negative() {
-            node.map(|x| -x)
-        } else {
-            node
-        }
+        node.map(|x| negate_if(x, edge.is_negative()))
     }
 
     /// The bounds on the errors of a node if an operation defines it.
@@ -122,30 +104,20 @@ impl<'g> Running<'g> {
     /// The double that a constant is rounded to, or one that is near enough to count with.
     pub fn constant(&mut self, root: NodeId) -> f64 {
         self.constants.resize(self.graph.len(), None);
-        let mut stack = vec![root];
-        while let Some(&id) = stack.last() {
-            if self.constants[id.index()].is_some() {
-                stack.pop();
-                continue;
-            }
-            let operation = self.graph.operation(id);
-            let depth = stack.len();
-            let unknown = |id: &NodeId| self.constants[id.index()].is_none();
-            stack.extend(operation.operands().filter(unknown));
-            if stack.len() == depth {
-                self.constants[id.index()] = Some(self.evaluate_constant(id, operation));
-                stack.pop();
-            }
-        }
+        self.graph.visit_operands_first(
+            self,
+            root,
+            |this, id| this.constants[id.index()].is_some(),
+            |this, id, operation| {
+                this.constants[id.index()] = Some(this.evaluate_constant(id, operation));
+            },
+        );
         self.constants[root.index()].map_or(f64::NAN, |constant| constant.value)
     }
 
     fn evaluate_constant(&self, id: NodeId, operation: Operation) -> Bounded {
         let known = |id: NodeId| self.constants[id.index()].expect("operands come first");
-        let signed = |edge: Edge| match edge.is_negative() {
-            true => -known(edge.node()),
-            false => known(edge.node()),
-        };
+        let signed = |edge: Edge| negate_if(known(edge.node()), edge.is_negative());
         let evaluated = match operation {
             Operation::Rational(index) => Doubles.rational(&self.graph.rational_of(index)),
             Operation::Symbol(index) => Doubles.symbol(&self.meanings[index as usize]),
@@ -153,10 +125,7 @@ impl<'g> Running<'g> {
             Operation::Mul(a, b) => known(a) * known(b),
             Operation::Div(a, b) => known(a) / known(b),
         };
-        let evaluated = match self.graph.is_flipped(id, operation) {
-            true => -evaluated,
-            false => evaluated,
-        };
+        let evaluated = negate_if(evaluated, self.graph.is_flipped(id, operation));
         match certain(evaluated) {
             Some(_) => evaluated,
             None => Bounded::rounded(self.in_high_precision(id)),
@@ -169,10 +138,8 @@ impl<'g> Running<'g> {
         let definition = |id| self.graph.operation(id);
         let program = Program::new(self.graph, &self.meanings, &outputs, &definition);
         let rounded = program.rounded_constants();
-        let Output { operand, negative } = program.outputs[0];
-        match operand {
-            Operand::Constant(id) if negative => -rounded[id.index()],
-            Operand::Constant(id) => rounded[id.index()],
+        match program.outputs[0].operand {
+            Operand::Constant(id) => negate_if(rounded[id.index()], program.outputs[0].negative),
             _ => unreachable!("a constant takes no operation"),
         }
     }

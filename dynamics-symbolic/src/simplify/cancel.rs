@@ -6,8 +6,8 @@
 //! any value, zero among them.
 
 use super::{Judge, Network, Writer};
-use crate::exact::SplitMix64;
-use crate::expr::{Edge, Fingerprint, NodeId, Operation};
+use crate::exact::{SplitMix64, negate_if};
+use crate::expr::{Fingerprint, NodeId, Operation};
 
 /// Leaves out what cancels, as far as the errors of the outputs allow it.
 pub(super) fn cancel<'g>(network: &mut Network<'g>, judge: &mut Judge<'g>) {
@@ -30,9 +30,10 @@ fn without_what_cancels<'g>(network: &Network<'g>) -> Option<Network<'g>> {
     }
     let mut writer = Writer::new(network.graph());
     for &id in &order {
-        writer.stored[id.index()] = Some(match cancels(id) {
-            true => NodeId::ZERO.edge(false),
-            false => rewritten(network, &mut writer, id),
+        writer.stored[id.index()] = Some(if cancels(id) {
+            NodeId::ZERO.edge(false)
+        } else {
+            writer.rewritten(id, network.definition(id))
         });
     }
     let mut outputs = network.outputs().iter().map(|output| output.node());
@@ -51,79 +52,35 @@ fn adjoints(network: &Network<'_>, order: &[NodeId]) -> Vec<Fingerprint> {
         adjoints[id.index()] = adjoints[id.index()] + x;
     };
     for output in network.outputs() {
-        add(
-            &mut adjoints,
-            output.node(),
-            Fingerprint::random(&mut random),
-        );
+        let random = Fingerprint::random(&mut random);
+        add(&mut adjoints, output.node(), random);
     }
     for &id in order.iter().rev() {
         let own = adjoints[id.index()];
-        match network.definition(id) {
+        let operation = network.definition(id);
+        let signed = negate_if(own, network.graph().is_flipped(id, operation));
+        match operation {
             Operation::Rational(_) | Operation::Symbol(_) => {}
             Operation::Add(a, b) => {
                 for edge in [a, b] {
-                    let share = if edge.is_negative() { -own } else { own };
-                    add(&mut adjoints, edge.node(), share);
+                    add(
+                        &mut adjoints,
+                        edge.node(),
+                        negate_if(own, edge.is_negative()),
+                    );
                 }
             }
             Operation::Mul(a, b) => {
-                let own = if network.is_flipped(id, a, b) {
-                    -own
-                } else {
-                    own
-                };
-                add(&mut adjoints, a, own * network.value(b));
-                add(&mut adjoints, b, own * network.value(a));
+                add(&mut adjoints, a, signed * network.value(b));
+                add(&mut adjoints, b, signed * network.value(a));
             }
             // y = +-a / b: dy/da = +-1 / b, dy/db = -y / b
             Operation::Div(a, b) => {
                 let inverse = network.inverse(b).unwrap_or(Fingerprint::ONE);
-                let by_divisor = own * network.value(id) * inverse;
-                let own = if network.is_flipped_quotient(id, a, b) {
-                    -own
-                } else {
-                    own
-                };
-                add(&mut adjoints, a, own * inverse);
-                add(&mut adjoints, b, -by_divisor);
+                add(&mut adjoints, a, signed * inverse);
+                add(&mut adjoints, b, -(own * network.value(id) * inverse));
             }
         }
     }
     adjoints
-}
-
-/// A node on what is computed in the place of those that it reads.
-fn rewritten(network: &Network<'_>, writer: &mut Writer<'_>, id: NodeId) -> Edge {
-    let zero = NodeId::ZERO;
-    match network.definition(id) {
-        Operation::Add(a, b) => {
-            let [a, b] = [a, b].map(|edge| {
-                let stored = writer.stored(edge.node());
-                stored.negate_if(edge.is_negative())
-            });
-            match (a.node() == zero, b.node() == zero) {
-                (true, _) => b,
-                (_, true) => a,
-                _ => writer.add(a, b),
-            }
-        }
-        Operation::Mul(a, b) => {
-            let flipped = network.is_flipped(id, a, b);
-            let [a, b] = [a, b].map(|id| writer.stored(id));
-            match a.node() == zero || b.node() == zero {
-                true => zero.edge(false),
-                false => writer.mul(a, b).negate_if(flipped),
-            }
-        }
-        Operation::Div(a, b) => {
-            let flipped = network.is_flipped_quotient(id, a, b);
-            let [a, b] = [a, b].map(|id| writer.stored(id));
-            match a.node() == zero {
-                true => zero.edge(false),
-                false => writer.div(a, b).negate_if(flipped),
-            }
-        }
-        Operation::Rational(_) | Operation::Symbol(_) => id.edge(false),
-    }
 }

@@ -62,10 +62,8 @@ impl<'g> Judge<'g> {
         is_changed[id.index()] = true;
         for &reader in survey.readers_after(id) {
             let operation = network.definition(reader);
-            if operation
-                .operands()
-                .any(|operand| is_changed[operand.index()])
-            {
+            let mut operands = operation.operands();
+            if operands.any(|operand| is_changed[operand.index()]) {
                 let new = self.running.errors(operation);
                 old.push((reader, self.running.set_errors(reader, new)));
                 is_changed[reader.index()] = true;
@@ -110,8 +108,6 @@ impl<'g> Judge<'g> {
 }
 
 fn is_within(errors: &[f64; POINTS], allowed: &[f64; POINTS]) -> bool {
-    errors
-        .iter()
-        .zip(allowed)
-        .all(|(error, allowed)| error <= allowed)
+    let mut errors = errors.iter().zip(allowed);
+    errors.all(|(error, allowed)| error <= allowed)
 }

@@ -75,16 +75,6 @@ impl<'g> Network<'g> {
         })
     }
 
-    /// Whether a node is minus the product of two others.
-    pub(super) fn is_flipped(&self, id: NodeId, a: NodeId, b: NodeId) -> bool {
-        self.value(id) != self.value(a) * self.value(b)
-    }
-
-    /// Whether a node is minus the quotient of two others.
-    pub(super) fn is_flipped_quotient(&self, id: NodeId, a: NodeId, b: NodeId) -> bool {
-        self.value(id) * self.value(b) != self.value(a)
-    }
-
     /// How many nodes and outputs read a node.
     pub(super) fn readers(&self, id: NodeId) -> u32 {
         self.readers[id.index()]
@@ -94,10 +84,7 @@ impl<'g> Network<'g> {
     pub(super) fn grow(&mut self) {
         for index in self.definitions.len()..self.graph.len() {
             let node = self.graph.node(NodeId::from_index(index));
-            let is_leaf = matches!(
-                node.operation,
-                Operation::Symbol(_) | Operation::Rational(_)
-            );
+            let is_leaf = node.operation.operands().next().is_none();
             self.definitions.push(node.operation);
             self.values.push(node.value);
             self.inverses.push(Cell::new(None));
@@ -224,12 +211,8 @@ impl<'g> Network<'g> {
     pub(super) fn order(&self) -> Vec<NodeId> {
         let mut order = Vec::with_capacity(self.cost);
         let mut done = vec![false; self.definitions.len()];
-        let mut stack: Vec<_> = self
-            .outputs
-            .iter()
-            .rev()
-            .map(|edge| (edge.node(), false))
-            .collect();
+        let outputs = self.outputs.iter().rev();
+        let mut stack: Vec<_> = outputs.map(|edge| (edge.node(), false)).collect();
         while let Some((id, operands_done)) = stack.pop() {
             if done[id.index()] || self.free[id.index()] {
                 continue;
@@ -262,10 +245,9 @@ impl<'g> Network<'g> {
 
     /// Active nodes that are free.
     pub(super) fn leaves(&self) -> Vec<NodeId> {
-        (0..self.definitions.len())
-            .map(NodeId::from_index)
-            .filter(|&id| self.is_free(id) && self.is_active(id))
-            .collect()
+        let nodes = (0..self.len()).map(NodeId::from_index);
+        let leaves = nodes.filter(|&id| self.is_free(id) && self.is_active(id));
+        leaves.collect()
     }
 
     /// How many nodes the graph has.

@@ -38,9 +38,8 @@ impl Pairs {
     /// The pair of a value, and the sign that gives the value.
     fn find(&self, value: Fingerprint) -> Option<(Operation, bool)> {
         let (canonical, negative) = canonical(value);
-        self.0
-            .get(&canonical.get())
-            .map(|&operation| (operation, negative))
+        let operation = self.0.get(&canonical.get())?;
+        Some((*operation, negative))
     }
 }
 
@@ -72,12 +71,8 @@ pub(super) fn resubstitute_pairs<'g>(
     }
 }
 
-/// A definition of two operations: the outer one reads the inner one's node.
-struct Replacement {
-    outer: Operation,
-    inner: NodeId,
-    inner_operation: Operation,
-}
+/// A definition of two operations: that of a node, which reads an inner node, and the inner node with its own.
+type Replacement = (Operation, (NodeId, Operation));
 
 /// Whether the node was redefined.
 fn replace<'g>(
@@ -112,12 +107,8 @@ fn replace<'g>(
                 Some(sign) => Operation::Add(x.edge(sign), inner.edge(negative)),
                 None => Operation::Mul(x, inner),
             };
-            let replacement = Replacement {
-                outer,
-                inner,
-                inner_operation,
-            };
-            if try_replacement(network, judge, survey, id, &replacement) {
+            let replacement = (outer, (inner, inner_operation));
+            if try_replacement(network, judge, survey, id, replacement) {
                 return true;
             }
         }
@@ -131,20 +122,19 @@ fn try_replacement<'g>(
     judge: &mut Judge<'g>,
     survey: &Survey,
     id: NodeId,
-    replacement: &Replacement,
+    (outer, (inner, operation)): Replacement,
 ) -> bool {
     let before = network.cost();
-    let old = network.definition(id);
-    let old_inner = network.definition(replacement.inner);
-    network.define_inactive(replacement.inner, replacement.inner_operation);
-    network.redefine(id, replacement.outer);
+    let [old, old_inner] = [id, inner].map(|id| network.definition(id));
+    network.define_inactive(inner, operation);
+    network.redefine(id, outer);
     let is_shorter = network.cost() < before;
-    if !is_shorter || !judge.accepts(network, survey, &[replacement.inner, id]) {
+    let is_taken = is_shorter && judge.accepts(network, survey, &[inner, id]);
+    if !is_taken {
         network.redefine(id, old);
-        network.define_inactive(replacement.inner, old_inner);
-        return false;
+        network.define_inactive(inner, old_inner);
     }
-    true
+    is_taken
 }
 
 impl Network<'_> {

@@ -2,6 +2,7 @@
 
 use super::survey::{Dependents, Survey};
 use super::{Judge, Network};
+use crate::exact::negate_if;
 use crate::expr::{NodeId, Operation};
 
 /// Redefines every node that one operation on other active nodes can replace
@@ -61,11 +62,7 @@ fn single_operations(
     for &a in candidates {
         let value = network.value(a);
         for negative in [false, true] {
-            let rest = if negative {
-                target + value
-            } else {
-                target - value
-            };
+            let rest = target - negate_if(value, negative);
             if let Some((b, sign)) = survey.find(rest)
                 && is_available(b)
             {

@@ -1,6 +1,7 @@
 //! The active nodes of a network in their order, and by value.
 
 use super::Network;
+use crate::exact::negate_if;
 use crate::expr::{Fingerprint, FingerprintMap, NodeId};
 use core::cell::RefCell;
 
@@ -85,9 +86,8 @@ impl Survey {
     }
 
     fn position(&self, id: NodeId) -> usize {
-        self.positions
-            .get(id.index())
-            .map_or(0, |&position| position as usize)
+        let position = self.positions.get(id.index());
+        position.map_or(0, |&position| position as usize)
     }
 
     /// Whether a definition of the node of some dependents may read a node.
@@ -126,12 +126,8 @@ pub(super) struct Dependents {
 
 /// The smaller of the representatives of a value and its opposite, and whether that is the opposite.
 pub(super) fn canonical(value: Fingerprint) -> (Fingerprint, bool) {
-    let opposite = -value;
-    if opposite.get() < value.get() {
-        (opposite, true)
-    } else {
-        (value, false)
-    }
+    let is_opposite = (-value).get() < value.get();
+    (negate_if(value, is_opposite), is_opposite)
 }
 
 /// Nodes by value. Nine of ten values that are looked up belong to no node; most of these are recognised by
@@ -158,9 +154,10 @@ impl ByValue {
 
     fn find(&self, value: Fingerprint) -> Option<NodeId> {
         let value = value.get();
-        match self.last_bits[value as usize & (self.last_bits.len() - 1)] {
-            true => self.nodes.get(&value).copied(),
-            false => None,
+        if self.last_bits[value as usize & (self.last_bits.len() - 1)] {
+            self.nodes.get(&value).copied()
+        } else {
+            None
         }
     }
 }

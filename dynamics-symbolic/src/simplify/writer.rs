@@ -39,17 +39,37 @@ impl<'g> Writer<'g> {
     }
 
     pub(super) fn add(&mut self, a: Edge, b: Edge) -> Edge {
-        let written = self.graph.write_sum(a, b);
-        self.keep(written)
+        self.keep(self.graph.write_sum(a, b))
     }
 
-    pub(super) fn mul(&mut self, a: Edge, b: Edge) -> Edge {
-        let written = self.graph.write_product(a, b);
-        self.keep(written)
+    fn mul(&mut self, a: Edge, b: Edge) -> Edge {
+        self.keep(self.graph.write_product(a, b))
     }
 
-    pub(super) fn div(&mut self, a: Edge, b: Edge) -> Edge {
-        let written = self.graph.write_quotient(a, b);
-        self.keep(written)
+    /// The operation of a node on what is computed in the place of its operands, some of which may be zero.
+    pub(super) fn rewritten(&mut self, id: NodeId, operation: Operation) -> Edge {
+        let is_zero = |edge: Edge| edge.node() == NodeId::ZERO;
+        let flipped = self.graph.is_flipped(id, operation);
+        match operation {
+            Operation::Add(a, b) => {
+                let signed = |edge: Edge| self.stored(edge.node()).negate_if(edge.is_negative());
+                match [a, b].map(signed) {
+                    [a, b] if is_zero(a) => b,
+                    [a, b] if is_zero(b) => a,
+                    [a, b] => self.add(a, b),
+                }
+            }
+            Operation::Mul(a, b) => match [a, b].map(|id| self.stored(id)) {
+                [a, b] if is_zero(a) || is_zero(b) => NodeId::ZERO.edge(false),
+                [a, b] => self.mul(a, b).negate_if(flipped),
+            },
+            Operation::Div(a, b) => match [a, b].map(|id| self.stored(id)) {
+                [a, _] if is_zero(a) => a,
+                [a, b] => self
+                    .keep(self.graph.write_quotient(a, b))
+                    .negate_if(flipped),
+            },
+            Operation::Rational(_) | Operation::Symbol(_) => id.edge(false),
+        }
     }
 }

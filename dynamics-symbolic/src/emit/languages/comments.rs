@@ -1,14 +1,13 @@
-//! What is said of a function.
+//! The description of a function as a comment.
 
 use super::documentation::{self, formula_lines, short_formula_lines};
-use super::parameters;
 use crate::formula::{Budget, Formulas, TooLong};
 use crate::function::Request;
 use crate::program::Proven;
 use crate::robot::Robot;
 
-/// What a function is, its units, what it costs, and the formulas of a short arm, of as many terms as the
-/// budget has: lines of text. `longer` gives the line of a value whose formula has more, if there is one.
+/// The quantity, its units, its operations, and the formulas of a short arm within a budget: lines of text. `longer`
+/// gives the line of a value whose formula has more terms, if there is one.
 pub fn description(
     robot: &Robot,
     request: &Request,
@@ -20,11 +19,10 @@ pub fn description(
         "Refused where M(q) is not positive definite to working precision, or not finite.";
     let formulas = Formulas::of_short_arm(robot, request.parts(), &proven.program, budget);
     let formulas = formulas.map(|formulas| formula_lines(&formulas, budget.terms, longer));
-    of_function(robot, request, proven, refusal, formulas)
+    function_lines(robot, request, proven, refusal, formulas)
 }
 
-/// The quantity, shapes and units, what it costs, and the formulas where they are short; `refusal` says what
-/// happens where M is singular.
+/// The same with formulas that are short; `refusal` says what the function does if M is singular.
 pub(super) fn lines(
     robot: &Robot,
     request: &Request,
@@ -34,10 +32,10 @@ pub(super) fn lines(
     let program = &proven.program;
     let formulas = Formulas::of_short_arm(robot, request.parts(), program, Budget::UNASKED);
     let formulas = formulas.map(|formulas| short_formula_lines(&formulas));
-    of_function(robot, request, proven, refusal, formulas)
+    function_lines(robot, request, proven, refusal, formulas)
 }
 
-fn of_function(
+fn function_lines(
     robot: &Robot,
     request: &Request,
     proven: &Proven,
@@ -45,19 +43,9 @@ fn of_function(
     formulas: Option<Vec<String>>,
 ) -> Vec<String> {
     let Proven { program, constants } = proven;
-    let mut lines = documentation::quantities(robot, request);
-    lines.push(String::new());
-    if !request.arguments().is_empty() {
-        lines.extend([documentation::units(robot, request), String::new()]);
-    }
-    if request.is_about_base_parameters() {
-        lines.extend(parameters::lines(robot));
-    }
-    if program.is_plain {
-        lines.push("Written as the recursion of the equations of motion is.".to_owned());
-    }
-    lines.push(format!("Operations: {}.", program.operations()));
-    lines.extend(documentation::structures(robot, request, program));
+    let recursion = || "Written as the recursion of the equations of motion is.".to_owned();
+    let notes = program.is_plain.then(recursion).into_iter().collect();
+    let mut lines = documentation::facts(robot, request, program, notes);
     lines.extend(formulas.into_iter().flatten());
     if request.refuses() {
         lines.extend([String::new(), refusal.to_owned()]);

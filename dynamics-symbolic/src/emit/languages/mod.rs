@@ -13,10 +13,10 @@ pub use c::{CSource, c_source};
 pub use comments::description;
 pub use javascript::javascript_module;
 
+use super::documentation;
 use super::inputs::{in_order, input_names};
 use super::names::{line_names, plain};
 use super::pivots::pivots;
-use super::{documentation, parameters};
 
 /// How a language says what differs between C and JavaScript.
 struct Language {

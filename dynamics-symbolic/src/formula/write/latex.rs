@@ -1,6 +1,6 @@
 //! LaTeX for math mode, with the commands of amsmath.
 
-use super::notation::{GREEK, Notation};
+use super::notation::{Notation, greek};
 use super::number::Written;
 use super::text::Text;
 
@@ -9,7 +9,7 @@ pub(super) struct Latex;
 impl Notation for Latex {
     fn letter(&self, _text: &str, base: &str, dots: usize, subscript: &str) -> String {
         let base = match base {
-            greek if GREEK.iter().any(|(name, _)| *name == greek) => format!("\\{greek}"),
+            name if greek(name).is_some() => format!("\\{name}"),
             word if word.chars().count() > 1 => format!("\\mathrm{{{word}}}"),
             letter => letter.to_owned(),
         };

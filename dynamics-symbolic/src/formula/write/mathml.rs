@@ -1,14 +1,9 @@
 //! MathML Core, which browsers show as it is.
 
-use super::notation::{GREEK, Notation};
+use super::notation::{Notation, greek, signed_sum};
 use super::number::Written;
 
 pub(super) struct MathMl;
-
-/// A `math` element.
-pub(super) fn element(inner: &str) -> String {
-    format!("<math xmlns=\"http://www.w3.org/1998/Math/MathML\"><mrow>{inner}</mrow></math>")
-}
 
 /// Between factors: a product without a sign.
 const INVISIBLE_TIMES: &str = "<mo>&#x2062;</mo>";
@@ -18,21 +13,18 @@ const APPLY: &str = "<mo>&#x2061;</mo>";
 
 impl Notation for MathMl {
     fn letter(&self, _text: &str, base: &str, dots: usize, subscript: &str) -> String {
-        let greek = GREEK.iter().find(|(name, _)| *name == base);
-        let base = format!("<mi>{}</mi>", greek.map_or(base, |(_, letter)| letter));
+        let base = format!("<mi>{}</mi>", greek(base).unwrap_or(base));
         let accent = ["", "&#x2D9;", "&#xA8;", "&#x20DB;", "&#x20DC;"][dots];
         let accented = match dots {
             0 => base,
             _ => format!("<mover accent=\"true\">{base}<mo>{accent}</mo></mover>"),
         };
-        match subscript.is_empty() {
-            true => accented,
-            false => {
-                let is_number = subscript.bytes().all(|byte| byte.is_ascii_digit());
-                let tag = if is_number { "mn" } else { "mtext" };
-                format!("<msub>{accented}<{tag}>{subscript}</{tag}></msub>")
-            }
+        if subscript.is_empty() {
+            return accented;
         }
+        let is_number = subscript.bytes().all(|byte| byte.is_ascii_digit());
+        let tag = if is_number { "mn" } else { "mtext" };
+        format!("<msub>{accented}<{tag}>{subscript}</{tag}></msub>")
     }
 
     fn number(&self, number: &Written) -> String {
@@ -61,16 +53,8 @@ impl Notation for MathMl {
     }
 
     fn sum(&self, terms: &[(bool, String)]) -> String {
-        let mut sum = String::new();
-        for (is_negative, term) in terms {
-            sum += match (sum.is_empty(), is_negative) {
-                (true, false) => "",
-                (_, true) => "<mo>&#x2212;</mo>",
-                (false, false) => "<mo>+</mo>",
-            };
-            sum += term;
-        }
-        sum
+        let minus = "<mo>&#x2212;</mo>";
+        signed_sum(terms, ["<mo>+</mo>", minus, minus])
     }
 
     fn parentheses(&self, inner: &str) -> String {
@@ -79,5 +63,13 @@ impl Notation for MathMl {
 
     fn call(&self, function: &str, argument: &str) -> String {
         format!("<mi>{function}</mi>{APPLY}{}", self.parentheses(argument))
+    }
+
+    fn equals(&self) -> &'static str {
+        "<mo>=</mo>"
+    }
+
+    fn element(&self, inner: String) -> String {
+        format!("<math xmlns=\"http://www.w3.org/1998/Math/MathML\"><mrow>{inner}</mrow></math>")
     }
 }

@@ -14,6 +14,8 @@ use crate::robot::Value;
 use latex::Latex;
 use mathml::MathMl;
 use notation::Notation;
+pub(crate) use notation::signed_sum;
+use number::Written;
 use text::Text;
 
 /// How formulas are written.
@@ -27,22 +29,26 @@ pub enum Format {
     MathMl,
 }
 
+impl Format {
+    fn notation(self) -> &'static dyn Notation {
+        match self {
+            Format::Text => &Text,
+            Format::Latex => &Latex,
+            Format::MathMl => &MathMl,
+        }
+    }
+}
+
 /// A formula in a format.
 pub(super) fn written(format: Format, names: &Names, formula: &Expression) -> String {
-    match format {
-        Format::Text => expression(&Text, names, formula),
-        Format::Latex => expression(&Latex, names, formula),
-        Format::MathMl => mathml::element(&expression(&MathMl, names, formula)),
-    }
+    let to = format.notation();
+    to.element(expression(to, names, formula))
 }
 
 /// The name of a value of a function: its letter and its indices.
 pub(super) fn entry_name(format: Format, title: (&str, &[usize])) -> String {
-    match format {
-        Format::Text => entry(&Text, title),
-        Format::Latex => entry(&Latex, title),
-        Format::MathMl => mathml::element(&entry(&MathMl, title)),
-    }
+    let to = format.notation();
+    to.element(entry(to, title))
 }
 
 /// A value of a function and its formula as an equation.
@@ -52,12 +58,26 @@ pub(super) fn equation(
     title: (&str, &[usize]),
     formula: &Expression,
 ) -> String {
-    let sides = |to: &dyn Notation| [entry(to, title), expression(to, names, formula)];
-    match format {
-        Format::Text => sides(&Text).join(" = "),
-        Format::Latex => sides(&Latex).join(" = "),
-        Format::MathMl => mathml::element(&sides(&MathMl).join("<mo>=</mo>")),
-    }
+    let to = format.notation();
+    let sides = [entry(to, title), expression(to, names, formula)];
+    to.element(sides.join(to.equals()))
+}
+
+/// The meaning of the short names of sines and cosines in some formulas.
+pub(super) fn legend<'e>(
+    names: &Names,
+    formulas: impl Iterator<Item = &'e Expression>,
+) -> Vec<String> {
+    let line = |(run, atom): (Run, Atom)| {
+        let (letter, function) = match atom {
+            Atom::Sine(_) => ("s", "sin"),
+            _ => ("c", "cos"),
+        };
+        let digits = names.digits(run)?;
+        let sum = Text.sum(&names.terms(run, |joint| format!("q{}", joint + 1)));
+        Some(format!("{letter}{digits} = {function}({sum})"))
+    };
+    names.runs(formulas).into_iter().filter_map(line).collect()
 }
 
 fn entry(to: &dyn Notation, (symbol, indices): (&str, &[usize])) -> String {
@@ -66,14 +86,11 @@ fn entry(to: &dyn Notation, (symbol, indices): (&str, &[usize])) -> String {
 }
 
 fn expression(to: &dyn Notation, names: &Names, sum: &Expression) -> String {
-    let terms: Vec<(bool, String)> = sum
-        .0
-        .iter()
-        .map(|summand| (summand.is_negative, term(to, names, summand)))
-        .collect();
-    match terms.is_empty() {
-        true => to.number(&number::Written::integer(0)),
-        false => to.sum(&terms),
+    let terms = sum.0.iter();
+    let terms = terms.map(|summand| (summand.is_negative, term(to, names, summand)));
+    match &terms.collect::<Vec<_>>()[..] {
+        [] => to.number(&Written::integer(0)),
+        terms => to.sum(terms),
     }
 }
 
@@ -84,23 +101,20 @@ fn term(to: &dyn Notation, names: &Names, term: &Term) -> String {
     };
     let mut factors = write(&term.factors);
     if term.number != Number::ONE || factors.is_empty() {
-        factors.insert(0, to.number(&number::Written::of(&term.number)));
+        factors.insert(0, to.number(&Written::of(&term.number)));
     }
     let divisors = write(&term.divisors);
-    match divisors.is_empty() {
-        true => to.product(&factors),
-        false => to.quotient(
-            &to.product(&factors),
-            &to.product(&divisors),
-            divisors.len() == 1,
-        ),
+    let dividend = to.product(&factors);
+    match divisors.len() {
+        0 => dividend,
+        count => to.quotient(&dividend, &to.product(&divisors), count == 1),
     }
 }
 
 fn factor(to: &dyn Notation, names: &Names, factor: &Factor) -> String {
     let base = match &factor.base {
         Base::Atom(Atom::Divisor(i)) => to.parentheses(&expression(to, names, &names.divisors[*i])),
-        Base::Atom(of) => atom(to, names, *of),
+        Base::Atom(variable) => atom(to, names, *variable),
         Base::Sum(sum) => to.parentheses(&expression(to, names, sum)),
     };
     match factor.exponent {
@@ -132,15 +146,8 @@ fn turn(to: &dyn Notation, names: &Names, letter: &str, function: &str, run: Run
     match names.digits(run) {
         Some(digits) => to.letter(&format!("{letter}{digits}"), letter, 0, &digits),
         None => {
-            let members: Vec<(bool, String)> = names
-                .groups
-                .members(run)
-                .map(|member| {
-                    let position = joint(to, Argument::Position, member.joint);
-                    (member.is_reversed, position)
-                })
-                .collect();
-            to.call(function, &to.sum(&members))
+            let terms = names.terms(run, |index| joint(to, Argument::Position, index));
+            to.call(function, &to.sum(&terms))
         }
     }
 }
@@ -149,7 +156,7 @@ fn turn(to: &dyn Notation, names: &Names, letter: &str, function: &str, run: Run
 fn stribeck(to: &dyn Notation, names: &Names, index: usize) -> String {
     let velocity = match &names.stribeck[index] {
         Some(velocity) => value(to, names, velocity),
-        None => to.number(&number::Written::integer(1)),
+        None => to.number(&Written::integer(1)),
     };
     let velocity = to.parentheses(&velocity);
     let ratio = to.quotient(&joint(to, Argument::Velocity, index), &velocity, true);

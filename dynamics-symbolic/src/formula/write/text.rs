@@ -1,6 +1,6 @@
 //! Plain text: `2 m2 l1 l2 c2 qd1 qd2`.
 
-use super::notation::Notation;
+use super::notation::{Notation, signed_sum};
 use super::number::Written;
 
 pub(super) struct Text;
@@ -27,24 +27,15 @@ impl Notation for Text {
     }
 
     fn quotient(&self, dividend: &str, divisor: &str, is_single: bool) -> String {
-        match is_single {
-            true => format!("{dividend} / {divisor}"),
-            false => format!("{dividend} / ({divisor})"),
+        if is_single {
+            format!("{dividend} / {divisor}")
+        } else {
+            format!("{dividend} / ({divisor})")
         }
     }
 
     fn sum(&self, terms: &[(bool, String)]) -> String {
-        let mut sum = String::new();
-        for (is_negative, term) in terms {
-            sum += match (sum.is_empty(), is_negative) {
-                (true, false) => "",
-                (true, true) => "-",
-                (false, false) => " + ",
-                (false, true) => " - ",
-            };
-            sum += term;
-        }
-        sum
+        signed_sum(terms, [" + ", " - ", "-"])
     }
 
     fn parentheses(&self, inner: &str) -> String {

@@ -1,7 +1,7 @@
 //! What the multiples cost: multiplications by constants.
 
 use super::Scaling;
-use super::multiple::Ratio;
+use super::multiple::{Ratio, Scale};
 use super::terms::{Factor, TermId};
 use crate::expr::Fingerprint;
 
@@ -29,14 +29,10 @@ impl Scaling<'_, '_> {
             others: Vec::new(),
             other_products: Vec::new(),
         };
-        for (term, _) in this
-            .terms
-            .iter()
-            .enumerate()
-            .filter(|(_, term)| term.node.is_some())
-        {
+        let terms = this.terms.iter().enumerate();
+        for (term, _) in terms.filter(|(_, term)| term.node.is_some()) {
             // The coefficient over x.
-            let ratio = self.coefficient_ratio(TermId { sum, term });
+            let ratio: Ratio = self.coefficient(TermId { sum, term });
             tally.units.push(magnitude(ratio.value));
         }
         if this.is_output {
@@ -45,7 +41,7 @@ impl Scaling<'_, '_> {
         for &place in &this.readers {
             let (reader, x) = (&self.sums[place.sum], this.multiple.ratio);
             let term = &reader.terms[place.term];
-            let coefficient = || self.coefficient_ratio(place).over(reader.multiple.ratio);
+            let coefficient = || self.coefficient::<Ratio>(place).over(reader.multiple.ratio);
             match power(&term.factors, sum) {
                 1 => tally.units.push(magnitude(x.over(coefficient()).value)),
                 -1 => tally.units.push(magnitude(x.times(coefficient()).value)),
@@ -53,7 +49,8 @@ impl Scaling<'_, '_> {
             }
         }
         for &index in &this.products {
-            let (product, x) = (self.product(&self.products[index]), this.multiple.ratio);
+            let product: Ratio = self.product(&self.products[index]);
+            let x = this.multiple.ratio;
             match power(&self.products[index], sum) {
                 1 => tally.units.push(magnitude(x.over(product).value)),
                 -1 => tally.units.push(magnitude(x.times(product).value)),
@@ -68,16 +65,12 @@ impl Scaling<'_, '_> {
     pub(super) fn local_cost(&mut self, tally: &Tally, x: Ratio) -> usize {
         let unit = magnitude(x.value);
         let first = tally.units.partition_point(|&other| other < unit);
-        let saved = tally.units[first..]
-            .iter()
-            .take_while(|&&other| other == unit)
-            .count();
+        let same = tally.units[first..].iter();
+        let saved = same.take_while(|&&other| other == unit).count();
         let ratio = &mut self.sums[tally.sum].multiple.ratio;
         let old = std::mem::replace(ratio, x);
-        let others = tally
-            .others
-            .iter()
-            .filter(|&&place| self.is_multiplied(place));
+        let others = tally.others.iter();
+        let others = others.filter(|&&place| self.is_multiplied(place));
         let products = tally.other_products.iter();
         let products = products.filter(|&&index| self.is_product_multiplied(index));
         let cost = tally.units.len() - saved + others.count() + products.count();
@@ -87,23 +80,19 @@ impl Scaling<'_, '_> {
 
     /// All multiplications by constants.
     pub(super) fn total_cost(&self) -> usize {
+        let sums = (0..self.sums.len()).map(|sum| self.own_cost(sum));
         let products = 0..self.products.len();
-        (0..self.sums.len())
-            .map(|sum| self.own_cost(sum))
-            .sum::<usize>()
-            + products
-                .filter(|&index| self.is_product_multiplied(index))
-                .count()
+        let products = products.filter(|&index| self.is_product_multiplied(index));
+        sums.sum::<usize>() + products.count()
     }
 
     /// Multiplications in the terms of a sum, and at the output that it may be.
     fn own_cost(&self, sum: usize) -> usize {
-        let terms = (0..self.sums[sum].terms.len())
-            .filter(|&term| self.is_multiplied(TermId { sum, term }))
-            .count();
-        let is_corrected =
-            self.sums[sum].is_output && !is_unit(self.sums[sum].multiple.ratio.value);
-        terms + usize::from(is_corrected)
+        let this = &self.sums[sum];
+        let terms = 0..this.terms.len();
+        let terms = terms.filter(|&term| self.is_multiplied(TermId { sum, term }));
+        let is_corrected = this.is_output && !is_unit(this.multiple.ratio.value);
+        terms.count() + usize::from(is_corrected)
     }
 
     fn is_multiplied(&self, place: TermId) -> bool {
@@ -121,13 +110,8 @@ impl Scaling<'_, '_> {
     /// [`Scaling::product`] gives, without the inverse, for this is asked most.
     fn value(&self, factors: &[Factor]) -> Fingerprint {
         factors.iter().fold(Fingerprint::ONE, |product, factor| {
-            let ratio = self.sums[factor.sum].multiple.ratio;
-            product
-                * if factor.inverted {
-                    ratio.inverse
-                } else {
-                    ratio.value
-                }
+            let Ratio { value, inverse, .. } = self.sums[factor.sum].multiple.ratio;
+            product * if factor.inverted { inverse } else { value }
         })
     }
 }

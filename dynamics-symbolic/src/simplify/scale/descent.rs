@@ -1,7 +1,7 @@
 //! The search for multiples that cost less.
 
 use super::Scaling;
-use super::multiple::{Multiple, Ratio};
+use super::multiple::{Multiple, Ratio, Scale};
 use super::terms::{Factor, TermId};
 
 /// A multiple to try.
@@ -40,8 +40,9 @@ impl<'g> Scaling<'_, 'g> {
         for sum in 0..self.sums.len() {
             let is_short = self.sums[sum].terms.len() <= longest;
             let first = self.candidates(sum)[0];
-            self.sums[sum].multiple = if is_short && self.ratio(sum, first).is_moderate() {
-                self.exact(sum, first)
+            let is_moderate = self.multiple::<Ratio>(sum, first).is_moderate();
+            self.sums[sum].multiple = if is_short && is_moderate {
+                self.multiple(sum, first)
             } else {
                 self.one
             };
@@ -82,10 +83,8 @@ impl<'g> Scaling<'_, 'g> {
         for place in &this.readers {
             self.settled[place.sum] = false;
         }
-        let reading = this
-            .readers
-            .iter()
-            .map(|place| &self.sums[place.sum].terms[place.term]);
+        let readers = this.readers.iter();
+        let reading = readers.map(|place| &self.sums[place.sum].terms[place.term]);
         let terms = this.terms.iter().chain(reading).map(|term| &term.factors);
         let products = this.products.iter().map(|&index| &self.products[index]);
         for factor in terms.chain(products).flatten() {
@@ -100,7 +99,7 @@ impl<'g> Scaling<'_, 'g> {
         let tally = self.tally(sum);
         let mut best = (self.local_cost(&tally, old.ratio), None);
         for candidate in self.candidates(sum) {
-            let ratio = self.ratio(sum, candidate);
+            let ratio: Ratio = self.multiple(sum, candidate);
             if ratio.value == old.ratio.value || !ratio.is_moderate() {
                 continue;
             }
@@ -110,7 +109,7 @@ impl<'g> Scaling<'_, 'g> {
             }
         }
         if let Some(candidate) = best.1 {
-            self.choose(sum, self.exact(sum, candidate));
+            self.choose(sum, self.multiple(sum, candidate));
         }
     }
 
@@ -135,17 +134,14 @@ impl<'g> Scaling<'_, 'g> {
         powers.next() == Some(&Factor { sum, inverted }) && powers.next().is_none()
     }
 
-    /// The multiple that a candidate stands for, as a fingerprint.
-    fn ratio(&self, sum: usize, candidate: Candidate) -> Ratio {
+    /// The multiple that a candidate stands for.
+    fn multiple<M: Scale<'g>>(&self, sum: usize, candidate: Candidate) -> M {
         match candidate {
-            Candidate::One => Ratio::ONE,
-            Candidate::Own(term) => self.coefficient_ratio(TermId { sum, term }),
+            Candidate::One => M::new(self.one),
+            Candidate::Own(term) => self.coefficient(TermId { sum, term }),
             Candidate::Reader(place) => {
-                let (sum, reader) = (&self.sums[sum], &self.sums[place.sum]);
-                sum.multiple
-                    .ratio
-                    .times(reader.multiple.ratio)
-                    .over(self.coefficient_ratio(place))
+                let [sum, reader] = [sum, place.sum].map(|sum| M::new(self.sums[sum].multiple));
+                sum.times(reader).over(self.coefficient(place))
             }
         }
     }
@@ -155,51 +151,21 @@ impl<'g> Scaling<'_, 'g> {
     pub(super) fn ratios(&self, sum: usize) -> Vec<Ratio> {
         let candidates = self.candidates(sum).into_iter();
         candidates
-            .map(|candidate| self.ratio(sum, candidate))
+            .map(|candidate| self.multiple(sum, candidate))
             .collect()
     }
 
-    /// The multiple that a candidate stands for.
-    fn exact(&self, sum: usize, candidate: Candidate) -> Multiple<'g> {
-        match candidate {
-            Candidate::One => self.one,
-            Candidate::Own(term) => self.exact_coefficient(TermId { sum, term }),
-            Candidate::Reader(place) => {
-                let coefficient = self.exact_coefficient(place);
-                let (sum, reader) = (&self.sums[sum], &self.sums[place.sum]);
-                sum.multiple.times(reader.multiple).over(coefficient)
-            }
-        }
-    }
-
     /// The coefficient of a term in the sum itself, not in the multiple of it.
-    pub(super) fn coefficient_ratio(&self, place: TermId) -> Ratio {
+    pub(super) fn coefficient<M: Scale<'g>>(&self, place: TermId) -> M {
         let term = &self.sums[place.sum].terms[place.term];
-        term.coefficient.ratio.times(self.product(&term.factors))
+        M::new(term.coefficient).times(self.product(&term.factors))
     }
 
-    /// The multiple that a product of sums carries, as a fingerprint.
-    pub(super) fn product(&self, factors: &[Factor]) -> Ratio {
-        factors.iter().fold(Ratio::ONE, |product, factor| {
-            let ratio = self.sums[factor.sum].multiple.ratio;
-            if factor.inverted {
-                product.over(ratio)
-            } else {
-                product.times(ratio)
-            }
-        })
-    }
-
-    /// As [`Scaling::coefficient_ratio`], exact.
-    pub(super) fn exact_coefficient(&self, place: TermId) -> Multiple<'g> {
-        let term = &self.sums[place.sum].terms[place.term];
-        term.coefficient.times(self.exact_product(&term.factors))
-    }
-
-    /// The multiple that a product of sums carries, exact.
-    pub(super) fn exact_product(&self, factors: &[Factor]) -> Multiple<'g> {
-        factors.iter().fold(self.one, |product, factor| {
-            let multiple = self.sums[factor.sum].multiple;
+    /// The multiple that a product of sums carries.
+    pub(super) fn product<M: Scale<'g>>(&self, factors: &[Factor]) -> M {
+        let one = M::new(self.one);
+        factors.iter().fold(one, |product, factor| {
+            let multiple = M::new(self.sums[factor.sum].multiple);
             if factor.inverted {
                 product.over(multiple)
             } else {

@@ -14,32 +14,6 @@ pub(super) struct Ratio {
 const LARGEST: f64 = (1_u64 << 30) as f64;
 
 impl Ratio {
-    pub(super) const ONE: Ratio = Ratio {
-        value: Fingerprint::ONE,
-        inverse: Fingerprint::ONE,
-        number: 1.0,
-    };
-
-    pub(super) fn inverted(self) -> Self {
-        Ratio {
-            value: self.inverse,
-            inverse: self.value,
-            number: 1.0 / self.number,
-        }
-    }
-
-    pub(super) fn times(self, o: Self) -> Self {
-        Ratio {
-            value: self.value * o.value,
-            inverse: self.inverse * o.inverse,
-            number: self.number * o.number,
-        }
-    }
-
-    pub(super) fn over(self, o: Self) -> Self {
-        self.times(o.inverted())
-    }
-
     /// Whether a sum may be computed as this multiple of itself. A multiple loses no digits by itself,
     /// but those of multiples are multiplied, and overflow in the end.
     pub(super) fn is_moderate(self) -> bool {
@@ -56,6 +30,55 @@ pub(super) struct Multiple<'g> {
     pub(super) ratio: Ratio,
 }
 
+/// A multiple, exact or as the ratio that stands for it.
+pub(super) trait Scale<'g>: Copy {
+    fn new(multiple: Multiple<'g>) -> Self;
+    fn times(self, o: Self) -> Self;
+    fn over(self, o: Self) -> Self;
+}
+
+impl<'g> Scale<'g> for Ratio {
+    fn new(multiple: Multiple<'g>) -> Self {
+        multiple.ratio
+    }
+
+    fn times(self, o: Self) -> Self {
+        Ratio {
+            value: self.value * o.value,
+            inverse: self.inverse * o.inverse,
+            number: self.number * o.number,
+        }
+    }
+
+    fn over(self, o: Self) -> Self {
+        self.times(Ratio {
+            value: o.inverse,
+            inverse: o.value,
+            number: 1.0 / o.number,
+        })
+    }
+}
+
+impl<'g> Scale<'g> for Multiple<'g> {
+    fn new(multiple: Multiple<'g>) -> Self {
+        multiple
+    }
+
+    fn times(self, o: Self) -> Self {
+        Multiple {
+            exact: self.exact * o.exact,
+            ratio: self.ratio.times(o.ratio),
+        }
+    }
+
+    fn over(self, o: Self) -> Self {
+        Multiple {
+            exact: self.exact / o.exact,
+            ratio: self.ratio.over(o.ratio),
+        }
+    }
+}
+
 impl<'g> Multiple<'g> {
     /// A constant that is about `number`. `None` where it has no inverse fingerprint.
     pub(super) fn new(exact: Expr<'g>, number: f64) -> Option<Self> {
@@ -69,20 +92,6 @@ impl<'g> Multiple<'g> {
                 number,
             },
         })
-    }
-
-    pub(super) fn times(self, o: Self) -> Self {
-        Multiple {
-            exact: self.exact * o.exact,
-            ratio: self.ratio.times(o.ratio),
-        }
-    }
-
-    pub(super) fn over(self, o: Self) -> Self {
-        Multiple {
-            exact: self.exact / o.exact,
-            ratio: self.ratio.over(o.ratio),
-        }
     }
 
     pub(super) fn negate_if(self, negate: bool) -> Self {

@@ -1,7 +1,8 @@
 //! The network with the multiples that were chosen.
 
 use super::Scaling;
-use super::terms::TermId;
+use super::multiple::{Multiple, Scale};
+use super::terms::{TermId, is_linear};
 use crate::expr::{Edge, NodeId, Operation};
 use crate::simplify::Writer;
 
@@ -28,39 +29,21 @@ impl<'g> Scaling<'_, 'g> {
         if let Some(sum) = self.sum_of[id.index()] {
             return Some(self.write_sum(writer, sum));
         }
-        match self.network.definition(id) {
-            Operation::Mul(a, b)
-                if !self.network.is_constant(a) && !self.network.is_constant(b) =>
-            {
-                let flipped = self.network.is_flipped(id, a, b);
-                let (a, b) = (writer.stored(a), writer.stored(b));
-                Some(writer.mul(a, b).negate_if(flipped))
-            }
-            Operation::Div(a, b) => {
-                let flipped = self.network.is_flipped_quotient(id, a, b);
-                let (a, b) = (writer.stored(a), writer.stored(b));
-                Some(writer.div(a, b).negate_if(flipped))
-            }
-            _ => None,
-        }
+        let operation = self.network.definition(id);
+        let is_absorbed = is_linear(self.network, id);
+        (!is_absorbed).then(|| writer.rewritten(id, operation))
     }
 
     fn write_sum(&self, writer: &mut Writer<'g>, sum: usize) -> Edge {
         let mut total: Option<Edge> = None;
         for (index, term) in self.sums[sum].terms.iter().enumerate() {
-            let coefficient = self
-                .exact_coefficient(TermId { sum, term: index })
-                .over(self.sums[sum].multiple)
-                .exact
-                .edge();
+            let coefficient: Multiple<'g> = self.coefficient(TermId { sum, term: index });
+            let coefficient = coefficient.over(self.sums[sum].multiple).exact.edge();
             let term = match term.node {
                 None => coefficient,
                 Some(node) => writer.scaled(coefficient, writer.stored(node)),
             };
-            total = Some(match total {
-                None => term,
-                Some(total) => writer.add(total, term),
-            });
+            total = Some(total.map_or(term, |total| writer.add(total, term)));
         }
         total.expect("a sum is not zero: a term remains")
     }
@@ -69,7 +52,7 @@ impl<'g> Scaling<'_, 'g> {
     fn correct(&self, writer: &mut Writer<'g>, output: NodeId) {
         let multiple = match self.sum_of[output.index()] {
             Some(sum) => self.sums[sum].multiple,
-            None => self.exact_product(&self.factors(output)),
+            None => self.product(&self.factors(output)),
         };
         if !self.network.is_free(output) {
             writer.scaled(multiple.exact.edge(), writer.stored(output));

@@ -1,6 +1,6 @@
 //! The sums of a network as lists of terms.
 
-use super::multiple::Multiple;
+use super::multiple::{Multiple, Scale};
 use super::{Network, Scaling};
 use crate::expr::{Edge, NodeId, Operation};
 
@@ -95,16 +95,14 @@ impl<'g> Scaling<'_, 'g> {
         coefficient: Multiple<'g>,
         stack: &mut Vec<(Edge, Multiple<'g>)>,
     ) -> Option<()> {
-        match self.network.definition(node) {
+        let operation = self.network.definition(node);
+        match operation {
             Operation::Add(a, b) => stack.extend([(b, coefficient), (a, coefficient)]),
             Operation::Mul(a, b) => {
-                let (constant, other) = if self.network.is_constant(a) {
-                    (a, b)
-                } else {
-                    (b, a)
-                };
+                let is_first = self.network.is_constant(a);
+                let (constant, other) = if is_first { (a, b) } else { (b, a) };
                 let coefficient = coefficient.times(self.constant(constant)?);
-                let flipped = self.network.is_flipped(node, a, b);
+                let flipped = self.network.graph().is_flipped(node, operation);
                 stack.push((other.edge(flipped), coefficient));
             }
             _ => return None,
@@ -185,7 +183,7 @@ fn merge(terms: Vec<Term<'_>>) -> Option<Vec<Term<'_>>> {
 }
 
 /// Whether a node is a sum, or a constant multiple.
-fn is_linear(network: &Network<'_>, id: NodeId) -> bool {
+pub(super) fn is_linear(network: &Network<'_>, id: NodeId) -> bool {
     match network.definition(id) {
         Operation::Add(..) => true,
         Operation::Mul(a, b) => network.is_constant(a) || network.is_constant(b),
