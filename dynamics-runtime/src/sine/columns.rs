@@ -9,8 +9,10 @@ const LANES: usize = 8;
 
 /// Sine and cosine of every angle of a column, rad; of as many angles as all three columns hold.
 ///
-/// The digits are those of [`Scalar::sin_cos`](crate::Scalar::sin_cos).
+/// The digits are those of [`Scalar::sin_cos`](crate::Scalar::sin_cos). It is inlined so that it is compiled where
+/// columns are evaluated, and not in every build of this crate.
 #[doc(hidden)]
+#[inline]
 pub fn sin_cos_column(
     level: Level,
     angles: &[[f64; LANES]],
