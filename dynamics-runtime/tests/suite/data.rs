@@ -1,4 +1,4 @@
-//! Robots and reference values from the JSON files of `tests/data`.
+//! Robots and reference values from the JSON files of `tests/data` of the workspace.
 
 use dynamics_runtime::nalgebra::{SMatrix, SVector};
 use dynamics_runtime::{Convention, JointType, Row, Table};
@@ -6,7 +6,7 @@ use serde_json::Value;
 
 /// The file's content.
 pub(crate) fn load(path: &str) -> Value {
-    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/");
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../tests/data/");
     let text = std::fs::read_to_string(format!("{folder}{path}.json")).expect(path);
     serde_json::from_str(&text).expect(path)
 }

@@ -25,7 +25,6 @@ mod residuals;
 mod rounding;
 mod second_set;
 mod textbook;
-mod textbook_programs;
 mod units;
 
 use std::collections::HashMap;
