@@ -1,8 +1,9 @@
 //! What a generated robot is to generic code.
 
-use nalgebra::{Matrix4, SMatrix, SVector};
+use nalgebra::{Const, Matrix4, SMatrix, SVector};
 
 use crate::factorisation::solve;
+use crate::size::{JointMatrix as _, Size};
 use crate::{Inputs, Scalar, SingularMassMatrix, Table};
 
 /// The operations of a function, sines included, where they have not been counted.
@@ -238,6 +239,29 @@ pub trait Kinematics<const N: usize> {
     fn jacobian<T: Scalar>(&self, q: &SVector<T, N>) -> SMatrix<T, 6, N>;
 }
 
+/// The tip of an arm of any size, in doubles. Every arm with [`Kinematics`] has it.
+#[diagnostic::on_unimplemented(
+    message = "the tip of `{Self}` is not known: `forward_kinematics` and `jacobian` were not asked for",
+    note = "ask for them: `functions: [default, forward_kinematics, jacobian]`"
+)]
+pub trait SizedKinematics<D: Size> {
+    /// As [`Kinematics::forward_kinematics`].
+    fn tip_pose(&self, q: &D::Vector) -> Matrix4<f64>;
+
+    /// As [`Kinematics::jacobian`].
+    fn tip_jacobian(&self, q: &D::Vector) -> D::Columns<6>;
+}
+
+impl<R: Kinematics<N>, const N: usize> SizedKinematics<Const<N>> for R {
+    fn tip_pose(&self, q: &SVector<f64, N>) -> Matrix4<f64> {
+        self.forward_kinematics(q)
+    }
+
+    fn tip_jacobian(&self, q: &SVector<f64, N>) -> SMatrix<f64, 6, N> {
+        self.jacobian(q)
+    }
+}
+
 /// Hamilton's equations of an arm, in positions q and momenta p = M(q) qd. The structure-preserving
 /// methods of a [`Simulation`](crate::Simulation) integrate them.
 ///
@@ -248,13 +272,13 @@ pub trait Kinematics<const N: usize> {
 ///
 /// C itself is not needed: since `dM/dt = C + C^T` and `V = C qd`, `dT/dq = (dM/dt) qd - V`, and dM/dt is the
 /// derivative of M(q) along qd, which dual numbers give.
-pub trait Momenta<const N: usize> {
+pub trait SizedMomenta<D: Size> {
     /// M(q), kg m^2, kg m or kg.
-    fn inertia(&self, q: &SVector<f64, N>) -> SMatrix<f64, N, N>;
+    fn inertia(&self, q: &D::Vector) -> D::Matrix;
 
     /// p = M(q) qd, kg m^2/s or kg m/s.
-    fn momentum(&self, q: &SVector<f64, N>, qd: &SVector<f64, N>) -> SVector<f64, N> {
-        self.inertia(q) * qd
+    fn momentum(&self, q: &D::Vector, qd: &D::Vector) -> D::Vector {
+        self.inertia(q).times(qd)
     }
 
     /// qd = M(q)^-1 p.
@@ -262,11 +286,7 @@ pub trait Momenta<const N: usize> {
     /// # Errors
     ///
     /// [`SingularMassMatrix`] where M(q) is not positive definite to working precision.
-    fn velocity(
-        &self,
-        q: &SVector<f64, N>,
-        p: &SVector<f64, N>,
-    ) -> Result<SVector<f64, N>, SingularMassMatrix> {
+    fn velocity(&self, q: &D::Vector, p: &D::Vector) -> Result<D::Vector, SingularMassMatrix> {
         solve(self.inertia(q), p)
     }
 
@@ -279,27 +299,28 @@ pub trait Momenta<const N: usize> {
     /// [`SingularMassMatrix`] where M_ff is not positive definite to working precision.
     fn velocity_beside(
         &self,
-        still: &[bool; N],
-        q: &SVector<f64, N>,
-        p: &SVector<f64, N>,
-    ) -> Result<SVector<f64, N>, SingularMassMatrix> {
-        let (mut m, mut p) = (self.inertia(q), *p);
+        still: &D::Each<bool>,
+        q: &D::Vector,
+        p: &D::Vector,
+    ) -> Result<D::Vector, SingularMassMatrix> {
+        let (mut m, mut p, size) = (self.inertia(q), p.clone(), D::of(q));
         // Their rows and columns are those of the unit matrix.
-        for i in (0..N).filter(|i| still[*i]) {
-            m.row_mut(i).fill(0.0);
-            m.column_mut(i).fill(0.0);
+        for i in size.joints().filter(|i| still[*i]) {
+            for j in size.joints() {
+                (m[(i, j)], m[(j, i)]) = (0.0, 0.0);
+            }
             m[(i, i)] = 1.0;
             p[i] = 0.0;
         }
         let qd = solve(m, &p)?;
-        Ok(SVector::from_fn(|i, _| if still[i] { 0.0 } else { qd[i] }))
+        Ok(size.vector_of(|i| if still[i] { 0.0 } else { qd[i] }))
     }
 
     /// dp/dt = dT/dq - G - K - F + tau at the velocity `qd`, N m or N.
-    fn force(
-        &self,
-        q: &SVector<f64, N>,
-        qd: &SVector<f64, N>,
-        tau: &SVector<f64, N>,
-    ) -> SVector<f64, N>;
+    fn force(&self, q: &D::Vector, qd: &D::Vector, tau: &D::Vector) -> D::Vector;
 }
+
+/// [`SizedMomenta`] of an arm whose number of joints the compiler knows.
+pub trait Momenta<const N: usize>: SizedMomenta<Const<N>> {}
+
+impl<R: SizedMomenta<Const<N>> + ?Sized, const N: usize> Momenta<N> for R {}

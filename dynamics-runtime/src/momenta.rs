@@ -1,11 +1,12 @@
 //! Arms in positions and momenta, from their mass matrix and inverse dynamics.
 
-use nalgebra::{SMatrix, SVector};
+use nalgebra::{Const, SMatrix, SVector};
 
 use crate::dual::Dual;
-use crate::{InverseDynamics, MassMatrix, Momenta, NewtonEuler};
+use crate::size::{JointVector as _, Size};
+use crate::{InverseDynamics, MassMatrix, NumericArm, SizedMomenta};
 
-impl<R: MassMatrix<N> + InverseDynamics<N>, const N: usize> Momenta<N> for R {
+impl<R: MassMatrix<N> + InverseDynamics<N>, const N: usize> SizedMomenta<Const<N>> for R {
     fn inertia(&self, q: &SVector<f64, N>) -> SMatrix<f64, N, N> {
         self.mass_matrix(q)
     }
@@ -23,20 +24,17 @@ impl<R: MassMatrix<N> + InverseDynamics<N>, const N: usize> Momenta<N> for R {
     }
 }
 
-impl<const N: usize> Momenta<N> for NewtonEuler<N> {
-    fn inertia(&self, q: &SVector<f64, N>) -> SMatrix<f64, N, N> {
+impl<D: Size> SizedMomenta<D> for NumericArm<D> {
+    fn inertia(&self, q: &D::Vector) -> D::Matrix {
         self.mass_matrix(q)
     }
 
     /// With C of the Christoffel symbols, dT/dq = C' qd.
-    fn force(
-        &self,
-        q: &SVector<f64, N>,
-        qd: &SVector<f64, N>,
-        tau: &SVector<f64, N>,
-    ) -> SVector<f64, N> {
-        let of_kinetic_energy = self.coriolis_matrix(q, qd).tr_mul(qd);
+    fn force(&self, q: &D::Vector, qd: &D::Vector, tau: &D::Vector) -> D::Vector {
+        let (coriolis, size) = (self.coriolis_matrix(q, qd), D::of(q));
+        let of_kinetic_energy =
+            size.vector_of(|j| size.joints().map(|i| coriolis[(i, j)] * qd[i]).sum());
         let potential = self.gravity_vector(q) + self.spring_vector(q);
-        tau + of_kinetic_energy - potential - self.friction_vector(qd)
+        tau.plus(1.0, &of_kinetic_energy) - potential - self.friction_vector(qd)
     }
 }

@@ -2,11 +2,11 @@
 
 use core::convert::Infallible;
 
-use nalgebra::{SVector, Vector1};
+use nalgebra::{Const, SVector, Vector1};
 
 use super::{OneStep, Phase};
 
-pub(super) type Acceleration = fn(f64, &Phase<1>) -> Result<SVector<f64, 1>, Infallible>;
+pub(super) type Acceleration = fn(f64, &Phase<Const<1>>) -> Result<SVector<f64, 1>, Infallible>;
 
 pub(super) fn vector(x: f64) -> SVector<f64, 1> {
     Vector1::new(x)
@@ -20,7 +20,7 @@ pub(super) const ACCELERATION: Acceleration = |t, phase| {
     ))
 };
 
-pub(super) fn solution(t: f64) -> Phase<1> {
+pub(super) fn solution(t: f64) -> Phase<Const<1>> {
     let (sin, cos) = (2.0 * t).sin_cos();
     let decay = (-t).exp();
     Phase {
@@ -29,13 +29,13 @@ pub(super) fn solution(t: f64) -> Phase<1> {
     }
 }
 
-pub(super) fn distance(a: &Phase<1>, b: &Phase<1>) -> f64 {
+pub(super) fn distance(a: &Phase<Const<1>>, b: &Phase<Const<1>>) -> f64 {
     (a.q - b.q).norm().max((a.qd - b.qd).norm())
 }
 
 /// Orders observed between successive numbers of steps over two seconds.
 pub(super) fn convergence_orders(
-    mut method: impl OneStep<Acceleration, Infallible, 1>,
+    mut method: impl OneStep<Acceleration, Infallible, Const<1>>,
     steps: &[usize],
 ) -> Vec<f64> {
     let mut error = |steps: usize| {

@@ -1,6 +1,7 @@
 //! How large an error and a step may be.
 
 use super::{Failure, Phase};
+use crate::size::Size;
 
 /// Error bounds: a step's error in an entry y may be `absolute + relative |y|`.
 #[derive(Clone, Copy, Debug)]
@@ -12,18 +13,13 @@ pub(crate) struct Tolerance {
 impl Tolerance {
     /// Root mean square of the entries, each over its bound at the larger of two phases (Hairer,
     /// Nørsett, Wanner I, (II.4.11)).
-    pub(super) fn norm<const N: usize>(
-        &self,
-        error: &Phase<N>,
-        from: &Phase<N>,
-        to: &Phase<N>,
-    ) -> f64 {
+    pub(super) fn norm<D: Size>(&self, error: &Phase<D>, from: &Phase<D>, to: &Phase<D>) -> f64 {
         let entries = error.entries().zip(from.entries().zip(to.entries()));
         let squares = entries.map(|(error, (from, to))| {
             let bound = self.absolute + self.relative * from.abs().max(to.abs());
             (error / bound).powi(2)
         });
-        (squares.sum::<f64>() / (2 * N) as f64).sqrt()
+        (squares.sum::<f64>() / (2 * error.size().value()) as f64).sqrt()
     }
 }
 

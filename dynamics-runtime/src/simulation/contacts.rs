@@ -8,13 +8,14 @@ use super::motion::{Held, Motion};
 use super::torque::TorqueLaw;
 use crate::EquationsOfMotion;
 use crate::integrate::Phase;
+use crate::size::Size;
 
 /// What friction and stops do to joints in a phase, as far as they hold.
-pub(super) fn classified<R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N: usize>(
-    motion: &Motion<R, L, N>,
-    phase: &Phase<N>,
-) -> [Contact; N] {
-    core::array::from_fn(|i| {
+pub(super) fn classified<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size>(
+    motion: &Motion<R, L, D>,
+    phase: &Phase<D>,
+) -> D::Each<Contact> {
+    motion.each(|i| {
         let moves = phase.qd[i] != 0.0;
         match leaning_place(motion, i, phase) {
             Some(inwards) => Contact::Leans(inwards),
@@ -26,10 +27,10 @@ pub(super) fn classified<R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N: usiz
 }
 
 /// The way into its range of joint `i`, where it is at rest at a stop.
-fn leaning_place<R, L, const N: usize>(
-    motion: &Motion<R, L, N>,
+fn leaning_place<R, L, D: Size>(
+    motion: &Motion<R, L, D>,
     i: usize,
-    phase: &Phase<N>,
+    phase: &Phase<D>,
 ) -> Option<f64> {
     let rebounds = matches!(motion.limits().kind, AtLimit::Rebounds { .. });
     let end = motion.limits().end(i, phase.q[i])?;
@@ -38,11 +39,11 @@ fn leaning_place<R, L, const N: usize>(
 
 /// Lets go of joints that nothing holds, and that have somewhere to go; holds those at rest that would
 /// pass a stop.
-pub(super) fn settle<R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N: usize>(
-    motion: &Motion<R, L, N>,
+pub(super) fn settle<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size>(
+    motion: &Motion<R, L, D>,
     t: f64,
-    phase: &Phase<N>,
-) -> Result<Held<N>, Cause> {
+    phase: &Phase<D>,
+) -> Result<Held<D>, Cause> {
     let held = balance(motion, t, phase)?;
     match driven_back(motion, t, phase, &held)? {
         Some(joint) => Err(Cause::Chatter { joint }),
@@ -52,50 +53,51 @@ pub(super) fn settle<R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N: usize>(
 
 /// The contacts of joints at rest, and the forces there. They stay as they are if they hold; else they are those of
 /// the one balance that there is.
-fn balance<R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N: usize>(
-    motion: &Motion<R, L, N>,
+fn balance<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size>(
+    motion: &Motion<R, L, D>,
     t: f64,
-    phase: &Phase<N>,
-) -> Result<Held<N>, Cause> {
+    phase: &Phase<D>,
+) -> Result<Held<D>, Cause> {
     let held = motion.held(t, phase)?;
     let contacts = motion.contacts();
-    if (0..N).all(|i| is_balanced(motion, i, phase, &held)) {
+    if motion
+        .joints()
+        .all(|i| is_balanced(motion, i, phase, &held))
+    {
         return Ok(held);
     }
-    let start = contacts.map(|contact| match contact {
+    let start = motion.each(|i| match contacts[i] {
         Contact::Slides(way) if way > 0.0 => Place::Low,
         Contact::Slides(way) if way < 0.0 => Place::High,
         _ => Place::Between,
     });
     let at_rest = classified(motion, phase);
-    let before: [Contact; N] = core::array::from_fn(|i| {
+    let before = motion.each(|i| {
         if phase.qd[i] == 0.0 {
             at_rest[i]
         } else {
             contacts[i]
         }
     });
-    motion.set_contacts(before);
+    motion.set_contacts(before.clone());
     let balance = balance_at_rest(motion, t, phase, start)?;
-    motion.set_contacts(core::array::from_fn(|i| {
-        match (before[i], balance.places[i]) {
-            (contact @ Contact::Slides(_), _) | (contact, Place::Between) => contact,
-            (Contact::Leans(inwards), _) => let_in(motion, i, inwards),
-            (Contact::Sticks, Place::Low) => Contact::Slides(1.0),
-            (Contact::Sticks, Place::High) => Contact::Slides(-1.0),
-        }
+    motion.set_contacts(motion.each(|i| match (before[i], balance.places[i]) {
+        (contact @ Contact::Slides(_), _) | (contact, Place::Between) => contact,
+        (Contact::Leans(inwards), _) => let_in(motion, i, inwards),
+        (Contact::Sticks, Place::Low) => Contact::Slides(1.0),
+        (Contact::Sticks, Place::High) => Contact::Slides(-1.0),
     }));
     motion.held(t, phase)
 }
 
 /// Whether joint `i` does what its contact says: the force that holds it is possible, or it moves that way.
-fn is_balanced<R, L, const N: usize>(
-    motion: &Motion<R, L, N>,
+fn is_balanced<R, L, D: Size>(
+    motion: &Motion<R, L, D>,
     i: usize,
-    phase: &Phase<N>,
-    held: &Held<N>,
+    phase: &Phase<D>,
+    held: &Held<D>,
 ) -> bool {
-    match motion.contacts()[i] {
+    match motion.contact(i) {
         Contact::Leans(inwards) => hold_of_stop(motion, i, inwards, held) >= 0.0,
         Contact::Sticks => held.forces[i].abs() <= motion.breakaway(i, way_out(held, i)),
         Contact::Slides(_) if phase.qd[i] != 0.0 => true,
@@ -110,14 +112,14 @@ fn is_balanced<R, L, const N: usize>(
 ///
 /// A stop has a force inwards of any size, and dry friction at rest one either way, up to its greatest value. The search
 /// begins at `start`, or between the bounds where that one is infinite.
-pub(super) fn balance_at_rest<R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N: usize>(
-    motion: &Motion<R, L, N>,
+pub(super) fn balance_at_rest<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size>(
+    motion: &Motion<R, L, D>,
     t: f64,
-    phase: &Phase<N>,
-    start: [Place; N],
-) -> Result<Balance<N>, Cause> {
+    phase: &Phase<D>,
+    start: D::Each<Place>,
+) -> Result<Balance<D>, Cause> {
     let contacts = motion.contacts();
-    let bounds = core::array::from_fn(|i| {
+    let bounds = motion.each(|i| {
         let [negative, positive] = [-1.0, 1.0].map(|way| motion.breakaway(i, way));
         match contacts[i] {
             Contact::Slides(_) => None,
@@ -126,53 +128,49 @@ pub(super) fn balance_at_rest<R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N:
             Contact::Leans(_) => Some([f64::NEG_INFINITY, negative]),
         }
     });
-    let start = core::array::from_fn(|i| match (bounds[i], start[i]) {
+    let start = motion.each(|i| match (bounds[i], start[i]) {
         (Some([low, _]), Place::Low) if low.is_finite() => Place::Low,
         (Some([_, high]), Place::High) if high.is_finite() => Place::High,
         _ => Place::Between,
     });
-    let held = contacts.map(Contact::holds);
+    let held = motion.each(|i| contacts[i].holds());
     let (qdd, responses) = motion.responses(phase, &motion.torques(t, phase)?, &held)?;
-    let joints = (0..N).filter(|i| held[*i]).collect::<JointSet>();
-    balanced(&qdd, &responses, &bounds, start).ok_or(Cause::Impacts { joints })
+    let joints = motion.joints().filter(|i| held[*i]).collect::<JointSet>();
+    balanced::<D>(&qdd, &responses, &bounds, start).ok_or(Cause::Impacts { joints })
 }
 
 /// A joint that leaves its stop.
-pub(super) fn let_in<R, L, const N: usize>(
-    motion: &Motion<R, L, N>,
-    i: usize,
-    inwards: f64,
-) -> Contact {
+pub(super) fn let_in<R, L, D: Size>(motion: &Motion<R, L, D>, i: usize, inwards: f64) -> Contact {
     Contact::Slides(if motion.may_stick(i) { inwards } else { 0.0 })
 }
 
 /// How much the force of the stop that joint `i` leans on, and the friction there, are beyond what lets it
 /// go.
-fn hold_of_stop<R, L, const N: usize>(
-    motion: &Motion<R, L, N>,
+fn hold_of_stop<R, L, D: Size>(
+    motion: &Motion<R, L, D>,
     i: usize,
     inwards: f64,
-    held: &Held<N>,
+    held: &Held<D>,
 ) -> f64 {
     inwards * held.forces[i] + motion.breakaway(i, inwards)
 }
 
 /// The way that joint `i` goes where it is let go: against the force that holds it.
-pub(super) fn way_out<const N: usize>(held: &Held<N>, i: usize) -> f64 {
+pub(super) fn way_out<D: Size>(held: &Held<D>, i: usize) -> f64 {
     -held.forces[i].signum()
 }
 
 /// How far joint `i` is from its next event: the velocity of one that slides, and its way to a limit; the
 /// friction left of one that sticks; the force on the stop of one that leans on it.
-pub(super) fn margin<R, L, const N: usize>(
-    motion: &Motion<R, L, N>,
+pub(super) fn margin<R, L, D: Size>(
+    motion: &Motion<R, L, D>,
     i: usize,
-    phase: &Phase<N>,
-    held: &Held<N>,
+    phase: &Phase<D>,
+    held: &Held<D>,
 ) -> f64 {
     let limits = motion.limits();
     let to_ends = limits.ends(i).map(|end| limits.margin(&end, phase.q[i]));
-    match motion.contacts()[i] {
+    match motion.contact(i) {
         Contact::Slides(0.0) => to_ends.fold(f64::INFINITY, f64::min),
         Contact::Slides(way) => to_ends.fold(way * phase.qd[i], f64::min),
         Contact::Sticks => motion.breakaway(i, way_out(held, i)) - held.forces[i].abs(),
@@ -180,47 +178,49 @@ pub(super) fn margin<R, L, const N: usize>(
     }
 }
 
-pub(super) fn least_margin<R, L, const N: usize>(
-    motion: &Motion<R, L, N>,
-    phase: &Phase<N>,
-    held: &Held<N>,
+pub(super) fn least_margin<R, L, D: Size>(
+    motion: &Motion<R, L, D>,
+    phase: &Phase<D>,
+    held: &Held<D>,
 ) -> f64 {
-    let margins = (0..N).map(|i| margin(motion, i, phase, held));
+    let margins = motion.joints().map(|i| margin(motion, i, phase, held));
     margins.fold(f64::INFINITY, f64::min)
 }
 
 /// The joint at rest that is let go one way, and driven back as soon as it moves that way, by a
 /// torque law that jumps between the two: it neither stays nor goes.
-fn driven_back<R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N: usize>(
-    motion: &Motion<R, L, N>,
+fn driven_back<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size>(
+    motion: &Motion<R, L, D>,
     t: f64,
-    phase: &Phase<N>,
-    held: &Held<N>,
+    phase: &Phase<D>,
+    held: &Held<D>,
 ) -> Result<Option<usize>, Cause> {
     let contacts = motion.contacts();
     let way = |i: usize| match contacts[i] {
         Contact::Slides(way) if phase.qd[i] == 0.0 => way,
         _ => 0.0,
     };
-    if (0..N).all(|i| way(i) == 0.0) {
+    if motion.joints().all(|i| way(i) == 0.0) {
         return Ok(None);
     }
     // So slow that a law without a jump at rest has the same digits there.
-    let mut moves = *phase;
-    for i in 0..N {
+    let mut moves = phase.clone();
+    for i in motion.joints() {
         moves.qd[i] += way(i) * f64::MIN_POSITIVE;
     }
     let after = motion.held(t, &moves)?;
-    let back = (0..N).find(|i| way(*i) * held.qdd[*i] >= 0.0 && way(*i) * after.qdd[*i] < 0.0);
+    let back = motion
+        .joints()
+        .find(|i| way(*i) * held.qdd[*i] >= 0.0 && way(*i) * after.qdd[*i] < 0.0);
     Ok(back.filter(|_| motion.law(t, phase) != motion.law(t, &moves)))
 }
 
 /// The joint that would stop next, and chatter there. A step across that place fails by whatever is
 /// first to notice that there is no motion beyond it.
-pub(super) fn stops_and_chatters<R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N: usize>(
-    motion: &Motion<R, L, N>,
+pub(super) fn stops_and_chatters<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size>(
+    motion: &Motion<R, L, D>,
     t: f64,
-    phase: &Phase<N>,
+    phase: &Phase<D>,
     within: f64,
 ) -> Option<usize> {
     let held = motion.held(t, phase).ok()?;
@@ -229,13 +229,15 @@ pub(super) fn stops_and_chatters<R: EquationsOfMotion<N>, L: TorqueLaw<N>, const
         Contact::Slides(way) if way * held.qdd[i] < 0.0 => -phase.qd[i] / held.qdd[i],
         _ => f64::INFINITY,
     };
-    let next = (0..N).min_by(|i, j| time_left(*i).total_cmp(&time_left(*j)))?;
+    let next = motion
+        .joints()
+        .min_by(|i, j| time_left(*i).total_cmp(&time_left(*j)))?;
     if time_left(next) > within {
         return None;
     }
-    let mut stopped = *phase;
+    let mut stopped = phase.clone();
     stopped.qd[next] = 0.0;
-    let mut then = contacts;
+    let mut then = contacts.clone();
     then[next] = Contact::Sticks;
     motion.set_contacts(then);
     let settled = settle(motion, t, &stopped);

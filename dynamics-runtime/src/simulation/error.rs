@@ -2,28 +2,35 @@
 
 use core::fmt;
 
-use nalgebra::SVector;
+use nalgebra::Const;
 
-use super::trajectory::Trajectory;
+use super::trajectory::SizedTrajectory;
 use crate::SingularMassMatrix;
+use crate::size::{JointVector as _, Size};
 use crate::taylor::Refusal;
 
 /// A simulation that could not reach its end, with everything that it computed before.
 ///
 /// `{:?}`, which `unwrap` and an error of `main` print, is the sentence of `{}` and the number of samples.
 #[derive(Clone, PartialEq)]
-pub struct SimulationError<const N: usize> {
+pub struct SizedSimulationError<D: Size> {
     /// The time reached, s.
     pub time: f64,
     /// The joint positions reached, rad or m.
-    pub q: SVector<f64, N>,
+    pub q: D::Vector,
     /// The joint velocities reached, rad/s or m/s.
-    pub qd: SVector<f64, N>,
+    pub qd: D::Vector,
     /// Why the motion does not go on from there.
     pub cause: Cause,
     /// The samples up to there.
-    pub trajectory: Trajectory<N>,
+    pub trajectory: SizedTrajectory<D>,
 }
+
+/// A simulation of an arm of `N` joints that could not reach its end.
+pub type SimulationError<const N: usize> = SizedSimulationError<Const<N>>;
+
+/// What a simulation returns.
+pub(super) type Outcome<D> = Result<SizedTrajectory<D>, Box<SizedSimulationError<D>>>;
 
 /// Why a simulation ended early.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -203,27 +210,27 @@ pub enum InvalidSetting {
     NoMomenta,
 }
 
-impl<const N: usize> fmt::Display for SimulationError<N> {
+impl<D: Size> fmt::Display for SizedSimulationError<D> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(
             f,
             "the simulation ended at t = {:?} s: {} (q = {:?}, qd = {:?})",
             self.time,
             self.cause,
-            self.q.as_slice(),
-            self.qd.as_slice()
+            self.q.entries(),
+            self.qd.entries()
         )
     }
 }
 
-impl<const N: usize> fmt::Debug for SimulationError<N> {
+impl<D: Size> fmt::Debug for SizedSimulationError<D> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let samples = self.trajectory.len();
         write!(f, "{self}; `trajectory` has {samples} samples up to there")
     }
 }
 
-impl<const N: usize> core::error::Error for SimulationError<N> {
+impl<D: Size> core::error::Error for SizedSimulationError<D> {
     fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
         match &self.cause {
             Cause::SingularMassMatrix(source) => Some(source),

@@ -23,8 +23,6 @@
 //! form a cone, so that the energy does not rise. The accelerations then decide which joints lean and which leave
 //! ([`contacts`](super::contacts)).
 
-use nalgebra::{SMatrix, SVector};
-
 use super::complementarity::{Place, balanced};
 use super::contacts::{balance_at_rest, classified, settle};
 use super::error::{Cause, JointSet};
@@ -33,12 +31,13 @@ use super::motion::Motion;
 use super::torque::TorqueLaw;
 use crate::EquationsOfMotion;
 use crate::integrate::Phase;
+use crate::size::{JointMatrix as _, JointVector as _, Size};
 
 /// Impacts of joints on their stops, and their result.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Impact<const N: usize> {
+#[derive(Clone, Debug)]
+pub(super) struct Impact<D: Size> {
     /// The phase after it.
-    pub(super) after: Phase<N>,
+    pub(super) after: Phase<D>,
     /// The joints that hit.
     pub(super) joints: JointSet,
     /// Whether one of them came from farther than the resolution of its position.
@@ -47,13 +46,13 @@ pub(super) struct Impact<const N: usize> {
 
 /// Begins a motion: joints that hit a stop are thrown back, and joints at rest stick or lean on a stop, if they are
 /// held. Returns the phase after that.
-pub(super) fn settle_at_start<R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N: usize>(
-    motion: &Motion<R, L, N>,
-    phase: &Phase<N>,
-) -> Result<Phase<N>, Cause> {
+pub(super) fn settle_at_start<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size>(
+    motion: &Motion<R, L, D>,
+    phase: &Phase<D>,
+) -> Result<Phase<D>, Cause> {
     motion.set_contacts(classified(motion, phase));
     let impact = thrown_back(motion, 0.0, phase)?;
-    let phase = impact.map_or(*phase, |impact| impact.after);
+    let phase = impact.map_or_else(|| phase.clone(), |impact| impact.after);
     motion.set_contacts(classified(motion, &phase));
     settle(motion, 0.0, &phase)?;
     Ok(phase)
@@ -63,33 +62,33 @@ pub(super) fn settle_at_start<R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N:
 ///
 /// A joint that leaves its stop may be driven back into it by the impact of another one: impacts follow
 /// each other until none is left. The contacts of the motion are those after the impacts.
-pub(super) fn thrown_back<R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N: usize>(
-    motion: &Motion<R, L, N>,
+pub(super) fn thrown_back<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size>(
+    motion: &Motion<R, L, D>,
     t: f64,
-    before: &Phase<N>,
-) -> Result<Option<Impact<N>>, Cause> {
+    before: &Phase<D>,
+) -> Result<Option<Impact<D>>, Cause> {
     let AtLimit::Rebounds { restitution } = motion.limits().kind else {
         return Ok(None);
     };
-    let ends: Ends<N> = core::array::from_fn(|i| motion.limits().end(i, before.q[i]));
-    if (0..N).all(|i| !hits(&ends, &before.qd, i)) {
+    let ends: Ends<D> = motion.each(|i| motion.limits().end(i, before.q[i]));
+    if motion.joints().all(|i| !hits::<D>(&ends, &before.qd, i)) {
         return Ok(None);
     }
-    let mut phase = *before;
-    for i in 0..N {
+    let mut phase = before.clone();
+    for i in motion.joints() {
         // Joints that move inwards are on their way already.
         if let Some(end) = ends[i].filter(|end| end.inwards * phase.qd[i] <= 0.0) {
             phase.q[i] = end.at;
         }
     }
     let tau = motion.torques(t, &phase)?;
-    let (qdd, responses) = motion.responses(&phase, &tau, &ends.map(|end| end.is_some()))?;
-    let is_progress = (0..N).any(|i| {
+    let (qdd, responses) = motion.responses(&phase, &tau, &motion.each(|i| ends[i].is_some()))?;
+    let is_progress = motion.joints().any(|i| {
         let fallen = |end: End| 0.5 * phase.qd[i].powi(2) > qdd[i].abs() * end.resolution();
-        hits(&ends, &phase.qd, i) && ends[i].is_some_and(fallen)
+        hits::<D>(&ends, &phase.qd, i) && ends[i].is_some_and(fallen)
     });
     let mut joints = JointSet::default();
-    let rebound = rebounds(phase.qd, &ends, &responses, restitution, &mut joints);
+    let rebound = rebounds::<D>(phase.qd, &ends, &responses, restitution, &mut joints);
     phase.qd = rebound.ok_or(Cause::Impacts { joints })?;
     let after = at_rest(motion, t, phase, &ends, &responses)?.ok_or(Cause::Impacts { joints })?;
     Ok(Some(Impact {
@@ -100,23 +99,23 @@ pub(super) fn thrown_back<R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N: usi
 }
 
 /// The ends of their ranges where joints are.
-type Ends<const N: usize> = [Option<End>; N];
+type Ends<D> = <D as Size>::Each<Option<End>>;
 
-fn hits<const N: usize>(ends: &Ends<N>, qd: &SVector<f64, N>, i: usize) -> bool {
+fn hits<D: Size>(ends: &Ends<D>, qd: &D::Vector, i: usize) -> bool {
     ends[i].is_some_and(|end| end.inwards * qd[i] < 0.0)
 }
 
 /// The velocities after the impacts that follow each other at one time. `joints` gets those that hit.
-fn rebounds<const N: usize>(
-    mut qd: SVector<f64, N>,
-    ends: &Ends<N>,
-    responses: &SMatrix<f64, N, N>,
+fn rebounds<D: Size>(
+    mut qd: D::Vector,
+    ends: &Ends<D>,
+    responses: &D::Matrix,
     restitution: f64,
     joints: &mut JointSet,
-) -> Option<SVector<f64, N>> {
-    let mut impacts = 0;
-    while (0..N).any(|i| hits(ends, &qd, i)) {
-        joints.extend((0..N).filter(|i| hits(ends, &qd, *i)));
+) -> Option<D::Vector> {
+    let (mut impacts, size) = (0, D::of(&qd));
+    while size.joints().any(|i| hits::<D>(ends, &qd, i)) {
+        joints.extend(size.joints().filter(|i| hits::<D>(ends, &qd, *i)));
         if impacts == 2 * MOST_IMPACTS {
             return None;
         }
@@ -126,14 +125,14 @@ fn rebounds<const N: usize>(
         } else {
             0.0
         };
-        let wanted = core::array::from_fn(|i| {
+        let wanted = size.each(|i| {
             let end = ends[i]?;
             let rebound = -e * end.inwards * qd[i];
             // Without the sign of a zero.
             let wanted = Wanted::least(end.inwards, rebound + 0.0);
             (rebound >= 0.0 || e == 0.0).then_some(wanted)
         });
-        qd = after(&qd, &wanted, responses)?;
+        qd = after::<D>(&qd, &wanted, responses)?;
         impacts += 1;
     }
     Some(qd)
@@ -143,24 +142,24 @@ fn rebounds<const N: usize>(
 const MOST_IMPACTS: usize = 10_000;
 
 /// The phase in which joints that bounce no more are at rest, those at their stops together.
-fn at_rest<R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N: usize>(
-    motion: &Motion<R, L, N>,
+fn at_rest<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size>(
+    motion: &Motion<R, L, D>,
     t: f64,
-    mut phase: Phase<N>,
-    ends: &Ends<N>,
-    responses: &SMatrix<f64, N, N>,
-) -> Result<Option<Phase<N>>, Cause> {
+    mut phase: Phase<D>,
+    ends: &Ends<D>,
+    responses: &D::Matrix,
+) -> Result<Option<Phase<D>>, Cause> {
     loop {
         let rest = resting(motion, t, &phase, ends, responses)?;
-        for i in (0..N).filter(|i| rest[*i]) {
+        for i in motion.joints().filter(|i| rest[*i]) {
             phase.q[i] = ends[i].map_or(phase.q[i], |end| end.at);
         }
         // Joints at rest stay so: each time there are more of them.
-        if (0..N).all(|i| !rest[i] || phase.qd[i] == 0.0) {
+        if motion.joints().all(|i| !rest[i] || phase.qd[i] == 0.0) {
             motion.set_contacts(classified(motion, &phase));
             return Ok(Some(phase));
         }
-        let wanted = core::array::from_fn(|i| {
+        let wanted = motion.each(|i| {
             let inwards = ends[i]?.inwards;
             Some(if rest[i] {
                 Wanted::REST
@@ -168,7 +167,7 @@ fn at_rest<R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N: usize>(
                 Wanted::least(inwards, 0.0)
             })
         });
-        match after(&phase.qd, &wanted, responses) {
+        match after::<D>(&phase.qd, &wanted, responses) {
             Some(qd) => phase.qd = qd,
             None => return Ok(None),
         }
@@ -181,22 +180,22 @@ fn at_rest<R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N: usize>(
 /// the acceleration f_i / m ([`inertia`](super::complementarity::Balance::inertia)) from a rise of `v^2 m / (2 f_i)`.
 /// The joint of the greatest energy v^2 / W_ii that rises by more, or that nothing holds, is left out, and the others
 /// are asked again.
-fn resting<R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N: usize>(
-    motion: &Motion<R, L, N>,
+fn resting<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size>(
+    motion: &Motion<R, L, D>,
     t: f64,
-    phase: &Phase<N>,
-    ends: &Ends<N>,
-    responses: &SMatrix<f64, N, N>,
-) -> Result<[bool; N], Cause> {
-    let mut rest = ends.map(|end| end.is_some());
-    while (0..N).any(|i| rest[i] && phase.qd[i] != 0.0) {
-        let mut still = *phase;
-        for i in (0..N).filter(|i| rest[*i]) {
+    phase: &Phase<D>,
+    ends: &Ends<D>,
+    responses: &D::Matrix,
+) -> Result<D::Each<bool>, Cause> {
+    let mut rest = motion.each(|i| ends[i].is_some());
+    while motion.joints().any(|i| rest[i] && phase.qd[i] != 0.0) {
+        let mut still = phase.clone();
+        for i in motion.joints().filter(|i| rest[*i]) {
             still.qd[i] = 0.0;
             still.q[i] = ends[i].map_or(phase.q[i], |end| end.at);
         }
         motion.set_contacts(classified(motion, &still));
-        let balance = balance_at_rest(motion, t, &still, [Place::Between; N])?;
+        let balance = balance_at_rest(motion, t, &still, motion.each(|_| Place::Between))?;
         let rises = |i: usize| {
             let Some(end) = ends[i].filter(|_| balance.places[i] == Place::Between) else {
                 return true;
@@ -207,7 +206,9 @@ fn resting<R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N: usize>(
             0.5 * mass * phase.qd[i].powi(2) > hold * least
         };
         let energy = |i: usize| phase.qd[i].powi(2) / responses[(i, i)];
-        let moving = (0..N).filter(|i| rest[*i] && phase.qd[*i] != 0.0 && rises(*i));
+        let moving = motion
+            .joints()
+            .filter(|i| rest[*i] && phase.qd[*i] != 0.0 && rises(*i));
         match moving.max_by(|i, j| energy(*i).total_cmp(&energy(*j))) {
             Some(i) => rest[i] = false,
             None => break,
@@ -257,30 +258,29 @@ impl Wanted {
 
 /// The velocities after impulses that let each of the joints at a stop have at least its wanted velocity,
 /// where `responses` holds their columns of M^-1. `None` where rounding keeps them from being found.
-fn after<const N: usize>(
-    qd: &SVector<f64, N>,
-    wanted: &[Option<Wanted>; N],
-    responses: &SMatrix<f64, N, N>,
-) -> Option<SVector<f64, N>> {
-    let missing = SVector::from_fn(|i, _| qd[i] - wanted[i].map_or(0.0, |at| at.velocity));
-    let start = wanted.map(|at| at.map_or(Place::Low, |at| at.start()));
-    let bounds = wanted.map(|at| at.map(|at| at.bounds));
-    let balance = balanced(&missing, responses, &bounds, start)?;
-    let changed = qd + responses * balance.forces;
-    Some(SVector::from_fn(|i, _| {
-        match (wanted[i], balance.places[i]) {
-            (None, _) => changed[i],
-            // Without the rounding of the velocities that are known.
-            (Some(at), Place::Between) => at.velocity,
-            (Some(at), Place::Low) => changed[i].max(at.velocity),
-            (Some(at), Place::High) => changed[i].min(at.velocity),
-        }
+fn after<D: Size>(
+    qd: &D::Vector,
+    wanted: &D::Each<Option<Wanted>>,
+    responses: &D::Matrix,
+) -> Option<D::Vector> {
+    let size = D::of(qd);
+    let missing = size.vector_of(|i| qd[i] - wanted[i].map_or(0.0, |at| at.velocity));
+    let start = size.each(|i| wanted[i].map_or(Place::Low, |at| at.start()));
+    let bounds = size.each(|i| wanted[i].map(|at| at.bounds));
+    let balance = balanced::<D>(&missing, responses, &bounds, start)?;
+    let changed = qd.plus(1.0, &responses.times(&balance.forces));
+    Some(size.vector_of(|i| match (wanted[i], balance.places[i]) {
+        (None, _) => changed[i],
+        // Without the rounding of the velocities that are known.
+        (Some(at), Place::Between) => at.velocity,
+        (Some(at), Place::Low) => changed[i].max(at.velocity),
+        (Some(at), Place::High) => changed[i].min(at.velocity),
     }))
 }
 
 #[cfg(test)]
 mod tests {
-    use nalgebra::{Matrix3, Vector3};
+    use nalgebra::{Const, Matrix3, Vector3};
 
     use super::{Wanted, after};
 
@@ -299,7 +299,7 @@ mod tests {
     fn one_joint_hits_by_the_formula() {
         let qd = Vector3::new(-2.0, 0.5, 1.0);
         let e = 0.7;
-        let found = after(&qd, &[lower(2.0 * e), None, None], &INVERSE).unwrap();
+        let found = after::<Const<3>>(&qd, &[lower(2.0 * e), None, None], &INVERSE).unwrap();
         let column: Vector3<f64> = INVERSE.column(0).into();
         let expected = qd - column * ((1.0 + e) * qd[0] / INVERSE[(0, 0)]);
         assert!((found - expected).amax() < 1e-15, "{found}");
@@ -309,10 +309,10 @@ mod tests {
     #[test]
     fn a_joint_that_leans_on_its_stop_feels_the_blow() {
         let qd = Vector3::new(-2.0, 0.0, 1.0);
-        let held = after(&qd, &[lower(1.0), lower(0.0), None], &INVERSE).unwrap();
+        let held = after::<Const<3>>(&qd, &[lower(1.0), lower(0.0), None], &INVERSE).unwrap();
         assert_eq!((held[0], held[1]), (1.0, 0.0));
         let upper = Some(Wanted::least(-1.0, 0.0));
-        let leaves = after(&qd, &[lower(1.0), upper, None], &INVERSE).unwrap();
+        let leaves = after::<Const<3>>(&qd, &[lower(1.0), upper, None], &INVERSE).unwrap();
         assert!(leaves[0] == 1.0 && leaves[1] < -1.0, "{leaves}");
     }
 
@@ -323,7 +323,7 @@ mod tests {
             let qd = Vector3::from_fn(|i, _| at(i));
             for e in [0.0, 0.4, 1.0] {
                 let wanted = [0, 1, 2].map(|i| lower(-e * qd[i]).filter(|_| qd[i] <= 0.0));
-                let found = after(&qd, &wanted, &INVERSE).unwrap();
+                let found = after::<Const<3>>(&qd, &wanted, &INVERSE).unwrap();
                 let change = energy(&found) - energy(&qd);
                 match e {
                     1.0 => assert!(change.abs() < 1e-14, "{k}: {change:e}"),

@@ -7,16 +7,17 @@ use super::embedded::{Embedded, Start};
 use super::initial_step::initial_step;
 use super::step_control::StepControl;
 use super::{Equations, Failure, Phase, StepRange, Stepper, Tolerance};
+use crate::size::Size;
 
 /// An integration under way, at the end of its last step.
-pub(crate) struct Adaptive<M: Embedded<N>, const N: usize> {
+pub(crate) struct Adaptive<M: Embedded<D>, D: Size> {
     t: f64,
-    phase: Phase<N>,
+    phase: Phase<D>,
     h: f64,
     /// The step that the motion asks for at its start.
     first: f64,
     rates: M::Rates,
-    last: Start<N>,
+    last: Start<D>,
     fresh: bool,
     polynomial: Option<M::Polynomial>,
     tolerance: Tolerance,
@@ -25,12 +26,12 @@ pub(crate) struct Adaptive<M: Embedded<N>, const N: usize> {
     rejected: u64,
 }
 
-impl<M: Embedded<N>, const N: usize> Adaptive<M, N> {
+impl<M: Embedded<D>, D: Size> Adaptive<M, D> {
     /// At the start, with a first guess of the step size.
-    pub(crate) fn start<S: Equations<N>>(
+    pub(crate) fn start<S: Equations<D>>(
         system: &S,
         t: f64,
-        phase: Phase<N>,
+        phase: Phase<D>,
         tolerance: Tolerance,
         range: StepRange,
     ) -> Result<Self, S::Refusal> {
@@ -38,11 +39,15 @@ impl<M: Embedded<N>, const N: usize> Adaptive<M, N> {
         let first = initial_step(system, t, &phase, &rate, &tolerance, M::CONTROL.order);
         Ok(Adaptive {
             t,
-            phase,
             h: first,
             first,
             rates: M::rates(rate),
-            last: Start { t, phase, h: 0.0 },
+            last: Start {
+                t,
+                phase: phase.clone(),
+                h: 0.0,
+            },
+            phase,
             fresh: false,
             polynomial: None,
             tolerance,
@@ -54,14 +59,14 @@ impl<M: Embedded<N>, const N: usize> Adaptive<M, N> {
 
     /// A step from here: its end and its error, 1 at the tolerance.
     #[inline]
-    fn trial<S: Equations<N>>(&mut self, system: &S) -> Result<(Phase<N>, f64), S::Refusal> {
+    fn trial<S: Equations<D>>(&mut self, system: &S) -> Result<(Phase<D>, f64), S::Refusal> {
         let from = Start {
             t: self.t,
-            phase: self.phase,
+            phase: self.phase.clone(),
             h: self.h,
         };
         let end = M::trial(system, &from, &mut self.rates)?;
-        let norm = |value: &Phase<N>| self.tolerance.norm(value, &self.phase, &end);
+        let norm = |value: &Phase<D>| self.tolerance.norm(value, &self.phase, &end);
         let error = M::error(self.h, &self.rates, norm);
         if error <= 1.0 {
             M::finish(system, &from, &end, &mut self.rates)?;
@@ -69,26 +74,25 @@ impl<M: Embedded<N>, const N: usize> Adaptive<M, N> {
         Ok((end, error))
     }
 
-    fn accept(&mut self, phase: Phase<N>, error: f64, end: Option<f64>) {
+    fn accept(&mut self, phase: Phase<D>, error: f64, end: Option<f64>) {
         self.last = Start {
             t: self.t,
-            phase: self.phase,
+            phase: core::mem::replace(&mut self.phase, phase),
             h: self.h,
         };
         self.fresh = true;
         self.polynomial = None;
         self.t = end.unwrap_or(self.t + self.h);
-        self.phase = phase;
         self.h *= self.control.accept(error);
     }
 }
 
-impl<M: Embedded<N>, S: Equations<N>, const N: usize> Stepper<S, S::Refusal, N> for Adaptive<M, N> {
+impl<M: Embedded<D>, S: Equations<D>, D: Size> Stepper<S, S::Refusal, D> for Adaptive<M, D> {
     fn t(&self) -> f64 {
         self.t
     }
 
-    fn phase(&self) -> &Phase<N> {
+    fn phase(&self) -> &Phase<D> {
         &self.phase
     }
 
@@ -99,7 +103,7 @@ impl<M: Embedded<N>, S: Equations<N>, const N: usize> Stepper<S, S::Refusal, N> 
     fn step(&mut self, system: &S, end: f64) -> Result<(), Failure<S::Refusal>> {
         // The stages of the last step are kept until here for its polynomial.
         if self.fresh {
-            self.rates[0] = self.rates[M::LAST];
+            self.rates[0] = self.rates[M::LAST].clone();
             self.fresh = false;
         }
         loop {
@@ -129,22 +133,22 @@ impl<M: Embedded<N>, S: Equations<N>, const N: usize> Stepper<S, S::Refusal, N> 
     }
 
     /// The phase at a time within the last step, by its polynomial.
-    fn at(&mut self, system: &S, t: f64) -> Result<Phase<N>, Failure<S::Refusal>> {
+    fn at(&mut self, system: &S, t: f64) -> Result<Phase<D>, Failure<S::Refusal>> {
         if t >= self.t {
-            return Ok(self.phase);
+            return Ok(self.phase.clone());
         }
-        let polynomial = match self.polynomial {
+        let polynomial = match self.polynomial.take() {
             Some(polynomial) => polynomial,
             None => M::polynomial(system, &self.last, &self.phase, &mut self.rates)?,
         };
-        self.polynomial = Some(polynomial);
-        Ok(M::evaluate(&polynomial, (t - self.last.t) / self.last.h))
+        let polynomial = self.polynomial.insert(polynomial);
+        Ok(M::evaluate(polynomial, (t - self.last.t) / self.last.h))
     }
 
     fn retake(&mut self, system: &S, end: f64) -> Result<(), Failure<S::Refusal>> {
         let from = Start {
             h: end - self.last.t,
-            ..self.last
+            ..self.last.clone()
         };
         // The first of the stages is still that of the step to be made again.
         self.phase = M::trial(system, &from, &mut self.rates)?;
@@ -155,7 +159,7 @@ impl<M: Embedded<N>, S: Equations<N>, const N: usize> Stepper<S, S::Refusal, N> 
         Ok(())
     }
 
-    fn restart(&mut self, system: &S, phase: Phase<N>) -> Result<(), Failure<S::Refusal>> {
+    fn restart(&mut self, system: &S, phase: Phase<D>) -> Result<(), Failure<S::Refusal>> {
         self.rates[0] = system.rate(self.t, &phase)?;
         self.phase = phase;
         self.fresh = false;

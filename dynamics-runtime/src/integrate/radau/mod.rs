@@ -15,24 +15,25 @@ mod tests;
 use super::initial_step::initial_step;
 use super::jacobian::{Jacobian, Shifted};
 use super::{Equations, Failure, Phase, StepRange, Stepper, Tolerance};
+use crate::size::Size;
 use newton::{MOST_ITERATIONS, Matrices, Miss, Newton, Step};
 use polynomial::Polynomial;
 use stages::combination;
 use tableau::{C, ERROR};
 
 /// An integration under way, at the end of its last step.
-pub(crate) struct Radau<const N: usize> {
+pub(crate) struct Radau<D: Size> {
     t: f64,
-    phase: Phase<N>,
-    rate: Phase<N>,
+    phase: Phase<D>,
+    rate: Phase<D>,
     /// Where the last step started.
-    from: Beginning<N>,
+    from: Beginning<D>,
     h: f64,
     /// The step that the motion asks for at its start.
     first: f64,
-    jacobian: Jacobian<N>,
+    jacobian: Jacobian<D>,
     jacobian_is: Age,
-    polynomial: Option<Polynomial<N>>,
+    polynomial: Option<Polynomial<D>>,
     before: Option<Accepted>,
     tolerance: Tolerance,
     newton: Newton,
@@ -42,11 +43,11 @@ pub(crate) struct Radau<const N: usize> {
 }
 
 /// Where a step starts: a time, the phase then, and how it moves.
-#[derive(Clone, Copy)]
-struct Beginning<const N: usize> {
+#[derive(Clone)]
+struct Beginning<D: Size> {
     t: f64,
-    phase: Phase<N>,
-    rate: Phase<N>,
+    phase: Phase<D>,
+    rate: Phase<D>,
 }
 
 /// Whether the Jacobian is that of the phase reached.
@@ -65,9 +66,9 @@ struct Accepted {
 }
 
 /// A step that was tried.
-struct Trial<const N: usize> {
+struct Trial<D: Size> {
     /// Changes of the phase from the start to the stages.
-    changes: [Phase<N>; 3],
+    changes: [Phase<D>; 3],
     error: f64,
     iterations: u32,
 }
@@ -76,12 +77,12 @@ const SAFETY: f64 = 0.9;
 /// Bounds of the old step over the new one.
 const QUOTIENTS: (f64, f64) = (1.0 / 8.0, 5.0);
 
-impl<const N: usize> Radau<N> {
+impl<D: Size> Radau<D> {
     /// At the start, with a first guess of the step size.
-    pub(crate) fn start<S: Equations<N>>(
+    pub(crate) fn start<S: Equations<D>>(
         system: &S,
         t: f64,
-        phase: Phase<N>,
+        phase: Phase<D>,
         wanted: Tolerance,
         range: StepRange,
     ) -> Result<Self, S::Refusal> {
@@ -96,12 +97,16 @@ impl<const N: usize> Radau<N> {
         let first = initial_step(system, t, &phase, &rate, &wanted, 4.0);
         Ok(Radau {
             t,
-            phase,
-            rate,
-            from: Beginning { t, phase, rate },
+            from: Beginning {
+                t,
+                phase: phase.clone(),
+                rate: rate.clone(),
+            },
             h: first,
             first,
-            jacobian: Jacobian::zeros(),
+            jacobian: Jacobian::zeros(phase.size()),
+            phase,
+            rate,
             jacobian_is: Age::Useless,
             polynomial: None,
             before: None,
@@ -114,13 +119,13 @@ impl<const N: usize> Radau<N> {
     }
 
     /// The stages of a step of length `h` and its error.
-    fn trial<S: Equations<N>>(&mut self, system: &S) -> Result<Trial<N>, Miss<S::Refusal>> {
+    fn trial<S: Equations<D>>(&mut self, system: &S) -> Result<Trial<D>, Miss<S::Refusal>> {
         if self.jacobian_is == Age::Useless {
             self.jacobian = Jacobian::at(system, self.t, &self.phase, &self.rate.qd)?;
             self.jacobian_is = Age::Fresh;
         }
         let guess = self.predicted();
-        let matrices = Matrices::new(&self.jacobian, self.h);
+        let matrices = Matrices::new(self.phase.size(), &self.jacobian, self.h);
         let step = Step {
             system,
             t: self.t,
@@ -138,24 +143,25 @@ impl<const N: usize> Radau<N> {
     }
 
     /// The stages' changes that the polynomial of the step before predicts.
-    fn predicted(&self) -> [Phase<N>; 3] {
-        let Some(polynomial) = self.polynomial.filter(|_| !self.just_rejected) else {
-            return [Phase::zeros(); 3];
-        };
-        C.map(|c| polynomial.at(self.t + c * self.h).minus(&self.phase))
+    fn predicted(&self) -> [Phase<D>; 3] {
+        let polynomial = self.polynomial.as_ref().filter(|_| !self.just_rejected);
+        C.map(|c| match polynomial {
+            Some(polynomial) => polynomial.at(self.t + c * self.h).minus(&self.phase),
+            None => Phase::zeros(self.phase.size()),
+        })
     }
 
-    fn norm(&self, value: &Phase<N>) -> f64 {
+    fn norm(&self, value: &Phase<D>) -> f64 {
         self.tolerance.norm(value, &self.phase, &self.phase)
     }
 
     /// (IV.8.19) and (IV.8.20): `(gamma / h - J)^-1 (f(y) + e.z / h)`, and once more from there at the
     /// start and after a rejected step, where the estimate of a very stiff component is too large.
-    fn error<S: Equations<N>>(
+    fn error<S: Equations<D>>(
         &self,
         system: &S,
-        changes: &[Phase<N>; 3],
-        real: &Shifted<f64, N>,
+        changes: &[Phase<D>; 3],
+        real: &Shifted<f64, D>,
     ) -> Result<f64, S::Refusal> {
         let weighted = combination(&ERROR, changes).scaled(1.0 / self.h);
         let estimate = real.solve(&weighted.plus(1.0, &self.rate));
@@ -171,7 +177,7 @@ impl<const N: usize> Radau<N> {
 
     /// The old step over the one that the error asks for, the fewer iterations the longer; after
     /// Gustafsson (1994) from the errors of two steps.
-    fn quotient(&self, trial: &Trial<N>) -> f64 {
+    fn quotient(&self, trial: &Trial<D>) -> f64 {
         let (least, greatest) = QUOTIENTS;
         let patience = f64::from(1 + 2 * MOST_ITERATIONS);
         let taken = f64::from(trial.iterations + 2 * MOST_ITERATIONS);
@@ -187,10 +193,10 @@ impl<const N: usize> Radau<N> {
         }
     }
 
-    fn accept<S: Equations<N>>(
+    fn accept<S: Equations<D>>(
         &mut self,
         system: &S,
-        trial: &Trial<N>,
+        trial: &Trial<D>,
         end: f64,
     ) -> Result<(), S::Refusal> {
         let phase = self.phase.plus(1.0, &trial.changes[2]);
@@ -203,10 +209,10 @@ impl<const N: usize> Radau<N> {
         });
         self.from = Beginning {
             t: self.t,
-            phase: self.phase,
-            rate: self.rate,
+            phase: core::mem::replace(&mut self.phase, phase),
+            rate: core::mem::replace(&mut self.rate, rate),
         };
-        (self.t, self.phase, self.rate) = (end, phase, rate);
+        self.t = end;
         // A step that just failed is not followed by a longer one.
         self.h /= if self.just_rejected {
             quotient.max(1.0)
@@ -233,12 +239,12 @@ impl<const N: usize> Radau<N> {
     }
 }
 
-impl<S: Equations<N>, const N: usize> Stepper<S, S::Refusal, N> for Radau<N> {
+impl<S: Equations<D>, D: Size> Stepper<S, S::Refusal, D> for Radau<D> {
     fn t(&self) -> f64 {
         self.t
     }
 
-    fn phase(&self) -> &Phase<N> {
+    fn phase(&self) -> &Phase<D> {
         &self.phase
     }
 
@@ -285,15 +291,15 @@ impl<S: Equations<N>, const N: usize> Stepper<S, S::Refusal, N> for Radau<N> {
         }
     }
 
-    fn at(&mut self, _: &S, t: f64) -> Result<Phase<N>, Failure<S::Refusal>> {
-        Ok(match self.polynomial {
+    fn at(&mut self, _: &S, t: f64) -> Result<Phase<D>, Failure<S::Refusal>> {
+        Ok(match &self.polynomial {
             Some(polynomial) if t < self.t => polynomial.at(t),
-            _ => self.phase,
+            _ => self.phase.clone(),
         })
     }
 
     fn retake(&mut self, system: &S, end: f64) -> Result<(), Failure<S::Refusal>> {
-        let Beginning { t, phase, rate } = self.from;
+        let Beginning { t, phase, rate } = self.from.clone();
         (self.t, self.phase, self.rate) = (t, phase, rate);
         let next = self.h;
         self.h = end - t;
@@ -308,7 +314,7 @@ impl<S: Equations<N>, const N: usize> Stepper<S, S::Refusal, N> for Radau<N> {
         Ok(())
     }
 
-    fn restart(&mut self, system: &S, phase: Phase<N>) -> Result<(), Failure<S::Refusal>> {
+    fn restart(&mut self, system: &S, phase: Phase<D>) -> Result<(), Failure<S::Refusal>> {
         self.rate = system.rate(self.t, &phase)?;
         self.phase = phase;
         self.polynomial = None;

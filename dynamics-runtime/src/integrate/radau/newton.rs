@@ -6,6 +6,7 @@ use super::stages::transformed;
 use super::tableau::{C, COMPLEX, REAL, T, T_INVERSE};
 use crate::integrate::jacobian::{Jacobian, Shifted};
 use crate::integrate::{Equations, Phase, Tolerance};
+use crate::size::Size;
 
 /// The iteration, and what it knows of its speed from one step to the next.
 pub(super) struct Newton {
@@ -17,18 +18,18 @@ pub(super) struct Newton {
 }
 
 /// The equations of a step of length `h`, and how its corrections are measured.
-pub(super) struct Step<'a, S, const N: usize> {
+pub(super) struct Step<'a, S, D: Size> {
     pub(super) system: &'a S,
     pub(super) t: f64,
-    pub(super) phase: &'a Phase<N>,
+    pub(super) phase: &'a Phase<D>,
     pub(super) h: f64,
     pub(super) tolerance: &'a Tolerance,
 }
 
 /// The two systems of linear equations that the transformed stages come apart into.
-pub(super) struct Matrices<const N: usize> {
-    pub(super) real: Shifted<f64, N>,
-    complex: Shifted<Complex<f64>, N>,
+pub(super) struct Matrices<D: Size> {
+    pub(super) real: Shifted<f64, D>,
+    complex: Shifted<Complex<f64>, D>,
 }
 
 /// Why a trial gave no step.
@@ -48,19 +49,19 @@ pub(super) const MOST_ITERATIONS: u32 = 7;
 /// An iteration that converges so fast keeps its Jacobian for the next step.
 const FAST: f64 = 1e-3;
 
-impl<const N: usize> Matrices<N> {
-    pub(super) fn new(jacobian: &Jacobian<N>, h: f64) -> Self {
+impl<D: Size> Matrices<D> {
+    pub(super) fn new(size: D, jacobian: &Jacobian<D>, h: f64) -> Self {
         Matrices {
-            real: Shifted::new(REAL / h, jacobian),
-            complex: Shifted::new(COMPLEX / h, jacobian),
+            real: Shifted::new(size, REAL / h, jacobian),
+            complex: Shifted::new(size, COMPLEX / h, jacobian),
         }
     }
 }
 
-impl<S: Equations<N>, const N: usize> Step<'_, S, N> {
+impl<S: Equations<D>, D: Size> Step<'_, S, D> {
     /// How the stages move whose changes are `z`.
-    fn rates(&self, z: &[Phase<N>; 3]) -> Result<[Phase<N>; 3], S::Refusal> {
-        let mut rates = *z;
+    fn rates(&self, z: &[Phase<D>; 3]) -> Result<[Phase<D>; 3], S::Refusal> {
+        let mut rates = z.clone();
         for i in 0..3 {
             let phase = self.phase.plus(1.0, &z[i]);
             rates[i] = self.system.rate(self.t + C[i] * self.h, &phase)?;
@@ -69,7 +70,7 @@ impl<S: Equations<N>, const N: usize> Step<'_, S, N> {
     }
 
     /// Root mean square over all stages, each entry over its tolerance.
-    fn size(&self, stages: &[Phase<N>; 3]) -> f64 {
+    fn size(&self, stages: &[Phase<D>; 3]) -> f64 {
         let norm = |stage| self.tolerance.norm(stage, self.phase, self.phase);
         let squares = stages.iter().map(|stage| norm(stage).powi(2));
         (squares.sum::<f64>() / 3.0).sqrt()
@@ -93,12 +94,12 @@ impl Newton {
     /// Solves `z = h A f(y + z)` for the stages' changes z, from a guess on, by the transformed
     /// equations, in which the stages come apart: `D / h w = T^-1 f(y + T w)`. Also the number of
     /// iterations.
-    pub(super) fn solve<S: Equations<N>, const N: usize>(
+    pub(super) fn solve<S: Equations<D>, D: Size>(
         &mut self,
-        step: &Step<S, N>,
-        matrices: &Matrices<N>,
-        guess: [Phase<N>; 3],
-    ) -> Result<([Phase<N>; 3], u32), Miss<S::Refusal>> {
+        step: &Step<S, D>,
+        matrices: &Matrices<D>,
+        guess: [Phase<D>; 3],
+    ) -> Result<([Phase<D>; 3], u32), Miss<S::Refusal>> {
         let mut z = guess;
         let mut w = transformed(&T_INVERSE, &z);
         self.left_over = self.left_over.max(f64::EPSILON).powf(0.8);
@@ -146,9 +147,9 @@ impl Newton {
     }
 }
 
-impl<const N: usize> Matrices<N> {
+impl<D: Size> Matrices<D> {
     /// What the transformed changes `w` lack, where the stages move at `rates`.
-    fn correction(&self, w: &[Phase<N>; 3], rates: &[Phase<N>; 3], h: f64) -> [Phase<N>; 3] {
+    fn correction(&self, w: &[Phase<D>; 3], rates: &[Phase<D>; 3], h: f64) -> [Phase<D>; 3] {
         let (gamma, alpha, beta) = (REAL / h, COMPLEX.re / h, COMPLEX.im / h);
         let [f1, f2, f3] = transformed(&T_INVERSE, rates);
         let d1 = self.real.solve(&f1.plus(-gamma, &w[0]));

@@ -1,9 +1,10 @@
 //! Linear combinations of what the three stages have.
 
 use crate::integrate::Phase;
+use crate::size::Size;
 
 /// Sum of three phases, each by its weight.
-pub(super) fn combination<const N: usize>(weights: &[f64; 3], of: &[Phase<N>; 3]) -> Phase<N> {
+pub(super) fn combination<D: Size>(weights: &[f64; 3], of: &[Phase<D>; 3]) -> Phase<D> {
     of[0]
         .scaled(weights[0])
         .plus(weights[1], &of[1])
@@ -11,6 +12,6 @@ pub(super) fn combination<const N: usize>(weights: &[f64; 3], of: &[Phase<N>; 3]
 }
 
 /// Three such sums, by the rows of a matrix.
-pub(super) fn transformed<const N: usize>(by: &[[f64; 3]; 3], of: &[Phase<N>; 3]) -> [Phase<N>; 3] {
+pub(super) fn transformed<D: Size>(by: &[[f64; 3]; 3], of: &[Phase<D>; 3]) -> [Phase<D>; 3] {
     by.map(|row| combination(&row, of))
 }

@@ -3,6 +3,8 @@
 use core::cell::Cell;
 use core::convert::Infallible;
 
+use nalgebra::Const;
+
 use super::Radau;
 use crate::integrate::test_problems::{ACCELERATION, distance, solution, vector};
 use crate::integrate::{Failure, Phase, StepRange, Stepper, Tolerance};
@@ -56,8 +58,8 @@ fn output_meets_the_ends_of_the_step() {
     let Ok(mut run) = Radau::start(&ACCELERATION, 0.0, solution(0.0), tolerance(1e-6), RANGE);
     run.step(&ACCELERATION, 2.0).unwrap();
     let (start, end) = (
-        run.polynomial.unwrap().at(0.0),
-        run.polynomial.unwrap().at(run.t),
+        run.polynomial.as_ref().unwrap().at(0.0),
+        run.polynomial.as_ref().unwrap().at(run.t),
     );
     assert!(distance(&start, &solution(0.0)) < 1e-15);
     assert!(distance(&end, &run.phase) < 1e-15);
@@ -81,7 +83,7 @@ fn error_follows_the_tolerance() {
 #[test]
 fn stiff_friction_takes_few_evaluations() {
     let count = Cell::new(0);
-    let law = |_: f64, p: &Phase<1>| {
+    let law = |_: f64, p: &Phase<Const<1>>| {
         count.set(count.get() + 1);
         Ok::<_, Infallible>(vector(-1e6 * p.qd[0] - 1e3 * p.q[0].sin()))
     };
@@ -101,8 +103,8 @@ fn stiff_friction_takes_few_evaluations() {
 
 #[test]
 fn a_wall_is_reached_and_not_crossed() {
-    let wall = |t: f64, _: &Phase<1>| if t < 1.0 { Ok(vector(t)) } else { Err("wall") };
-    let mut run = Radau::start(&wall, 0.0, Phase::zeros(), tolerance(1e-6), RANGE).unwrap();
+    let wall = |t: f64, _: &Phase<Const<1>>| if t < 1.0 { Ok(vector(t)) } else { Err("wall") };
+    let mut run = Radau::start(&wall, 0.0, Phase::zeros(Const), tolerance(1e-6), RANGE).unwrap();
     let failure = loop {
         if let Err(failure) = run.step(&wall, 2.0) {
             break failure;
