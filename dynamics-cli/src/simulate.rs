@@ -2,14 +2,16 @@
 
 use clap::ArgMatches;
 use dynamics_evaluation::RuntimeRobot;
-use dynamics_runtime::nalgebra::SVector;
-use dynamics_runtime::{Cause, DormandPrince, Energy as _, Friction, Simulation, SimulationError};
+use dynamics_runtime::nalgebra::{DVector, Dyn};
+use dynamics_runtime::{
+    Cause, DormandPrince, Friction, Simulation, SizedModel as _, SizedSimulationError,
+};
 use dynamics_symbolic::Function;
 use dynamics_symbolic::robot::Robot;
 
 use crate::csv::{Csv, numbers, shortest};
 use crate::failure::Failure;
-use crate::joints::{note_degrees, with_joints};
+use crate::joints::note_degrees;
 use crate::load::{arm_with, count};
 use crate::progress::Progress;
 
@@ -17,8 +19,7 @@ use crate::progress::Progress;
 pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
     let arm = arm_with(given, Function::default_set(false))?;
     let start = Start::of(given, arm.robot())?;
-    let csv = with_joints!(arm.dof(), N => motion::<N>(&arm, &start, given))?;
-    Ok(csv.text())
+    Ok(motion(&arm, &start, given)?.text())
 }
 
 /// Where a motion starts, and what drives it.
@@ -41,22 +42,18 @@ impl Start {
 /// Steps in which progress is shown.
 const STEPS: usize = 1000;
 
-fn motion<const N: usize>(
-    arm: &RuntimeRobot,
-    start: &Start,
-    given: &ArgMatches,
-) -> Result<Csv, Failure> {
+fn motion(arm: &RuntimeRobot, start: &Start, given: &ArgMatches) -> Result<Csv, Failure> {
     let number = |name: &str| given.get_one::<f64>(name).copied().unwrap_or(1.0);
     let [q, qd, torque] =
-        [&start.q, &start.qd, &start.torque].map(|entries| SVector::from_column_slice(entries));
-    let typed = arm.typed::<N>()?.dynamics()?;
+        [&start.q, &start.qd, &start.torque].map(|entries| DVector::from_column_slice(entries));
+    let arm_in_motion = arm.dynamics()?;
     let method = DormandPrince::with_tolerance(number("tolerance"));
     let duration = number("duration");
     let progress = Progress::new(STEPS);
-    let motion = Simulation::new(&typed)
+    let motion = Simulation::new(&arm_in_motion)
         .torque(|t, _q, _qd| {
             progress.done((t / duration * STEPS as f64) as usize);
-            torque
+            torque.clone()
         })
         .method(method)
         .friction(Friction::Sticking)
@@ -67,15 +64,16 @@ fn motion<const N: usize>(
         .map_err(|error| Failure::after(String::new(), told(&error, duration)))?;
     let mut csv = Csv::new("t", &["q", "qd"], arm.joint_names()).with("energy");
     for ((t, q), qd) in motion.t.iter().zip(&motion.q).zip(&motion.qd) {
-        let energy = typed.kinetic_energy(q, qd) + typed.potential_energy(q);
+        let energies = arm_in_motion.sized_energies(q, qd);
+        let energy = energies.map(|[kinetic, potential]| kinetic + potential);
         let entries = q.iter().chain(qd).copied();
-        csv.row([*t].into_iter().chain(entries).chain([energy]))?;
+        csv.row([*t].into_iter().chain(entries).chain(energy))?;
     }
     Ok(csv)
 }
 
 /// Why a motion of so many seconds was not followed to its end, and which option is to blame.
-fn told<const N: usize>(error: &SimulationError<N>, duration: f64) -> String {
+fn told(error: &SizedSimulationError<Dyn>, duration: f64) -> String {
     let lost = 16.0 * f64::EPSILON * duration;
     let reached = error.trajectory.t.last().copied().unwrap_or(0.0);
     match error.cause {

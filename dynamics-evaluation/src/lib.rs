@@ -2,7 +2,7 @@
 //!
 //! [`RuntimeRobot`] derives and proves the functions of a robot as the macro `robot_dynamics!` does, and
 //! evaluates their programs without a compiler: at one state, or at many in the lanes of vector
-//! registers. Checks take the result of [`RuntimeRobot::typed`], simulations its [`dynamics`](Typed::dynamics).
+//! registers. Simulations take [`RuntimeRobot::dynamics`], checks the result of [`RuntimeRobot::typed`].
 #![forbid(unsafe_code)]
 
 mod at;
@@ -19,6 +19,7 @@ mod possible;
 mod read;
 mod record;
 mod robot;
+mod simulated;
 mod table;
 mod tape;
 mod typed;
@@ -35,5 +36,6 @@ pub use error::{BuildError, EvaluationError, UnknownField, WrongJoints};
 pub use file::{Besides, FileError, FileMistake, read_file, read_text};
 pub use identified::{IdentificationError, ImpossibleLink, JointFriction, NearestPossible};
 pub use robot::RuntimeRobot;
+pub use simulated::{RuntimeDynamics, Tip};
 pub use typed::{Typed, TypedDynamics, TypedTip};
 pub use value::Value;

@@ -187,7 +187,7 @@ impl RuntimeRobot {
     }
 
     /// A function by itself, not a method of several that has its name.
-    fn simulated(&self, function: Function) -> Result<&Compiled, EvaluationError> {
+    pub(crate) fn simulated(&self, function: Function) -> Result<&Compiled, EvaluationError> {
         let mut known = self.functions().iter();
         known
             .find(|known| known.request == Request::One(function))

@@ -6,13 +6,16 @@ use crate::operators::impl_operators;
 /// A dual number, `value + slope e` with e^2 = 0: a function of `q + e v` has the derivative along v
 /// as its slope (W. K. Clifford 1873).
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Dual {
-    pub(crate) value: f64,
-    pub(crate) slope: f64,
+pub struct Dual {
+    /// The number.
+    pub value: f64,
+    /// Its derivative.
+    pub slope: f64,
 }
 
 impl Dual {
-    pub(crate) fn new(value: f64, slope: f64) -> Self {
+    /// A number with its derivative.
+    pub fn new(value: f64, slope: f64) -> Self {
         Dual { value, slope }
     }
 }

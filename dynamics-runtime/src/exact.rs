@@ -1,9 +1,8 @@
 //! Sums and products of doubles, and what their rounding leaves out, exactly.
 
-#[cfg(feature = "std")]
-use nalgebra::SVector;
-
 use crate::float::{FUSED, Float as _};
+#[cfg(feature = "std")]
+use crate::size::JointVector;
 
 /// `a + b` rounded, and what the rounding has left out (2Sum: D. E. Knuth, *The Art of Computer
 /// Programming* 2, theorem 4.2.2 B).
@@ -17,12 +16,10 @@ pub(crate) fn two_sum(a: f64, b: f64) -> (f64, f64) {
 /// The same of every entry.
 #[cfg(feature = "std")]
 #[inline(always)]
-pub(crate) fn two_sums<const N: usize>(
-    a: &SVector<f64, N>,
-    b: &SVector<f64, N>,
-) -> (SVector<f64, N>, SVector<f64, N>) {
-    let sum = a.zip_map(b, |a, b| two_sum(a, b).0);
-    (sum, a.zip_map(b, |a, b| two_sum(a, b).1))
+pub(crate) fn two_sums<V: JointVector>(a: &V, b: &V) -> (V, V) {
+    let size = a.entries().len();
+    let sums = |part: fn((f64, f64)) -> f64| V::from_entries(size, |i| part(two_sum(a[i], b[i])));
+    (sums(|(sum, _)| sum), sums(|(_, rest)| rest))
 }
 
 /// The same where |a| >= |b| or a = 0 (Fast2Sum; Dekker 1971).

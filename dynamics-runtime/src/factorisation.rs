@@ -101,18 +101,37 @@ pub(crate) fn eliminate<T: Scalar>(
     }
 }
 
-/// x with M x = b, for an arm of any size.
+/// The same for an arm of any size, in doubles.
+pub(crate) struct JointFactors<M: JointMatrix> {
+    upper: M,
+    inverse_pivots: M::Vector,
+}
+
+impl<M: JointMatrix> JointFactors<M> {
+    /// Factors M of so many joints.
+    #[inline(always)]
+    pub(crate) fn new(size: usize, mut m: M) -> Result<Self, SingularMassMatrix> {
+        let mut inverse_pivots = M::Vector::from_entries(size, |i| m[(i, i)]);
+        factor(size, &mut m, &mut inverse_pivots)?;
+        Ok(JointFactors {
+            upper: m,
+            inverse_pivots,
+        })
+    }
+
+    /// x with M x = b.
+    #[inline(always)]
+    pub(crate) fn solve(&self, b: &M::Vector) -> M::Vector {
+        let (mut x, size) = (b.clone(), b.entries().len());
+        substitute(size, &self.upper, &self.inverse_pivots, &mut x);
+        x
+    }
+}
+
+/// x with M x = b.
 #[inline(always)]
-pub(crate) fn solve<M: JointMatrix>(
-    mut m: M,
-    b: &M::Vector,
-) -> Result<M::Vector, SingularMassMatrix> {
-    let size = b.entries().len();
-    let mut inverse_pivots = M::Vector::from_entries(size, |i| m[(i, i)]);
-    factor(size, &mut m, &mut inverse_pivots)?;
-    let mut x = b.clone();
-    substitute(size, &m, &inverse_pivots, &mut x);
-    Ok(x)
+pub(crate) fn solve<M: JointMatrix>(m: M, b: &M::Vector) -> Result<M::Vector, SingularMassMatrix> {
+    Ok(JointFactors::new(b.entries().len(), m)?.solve(b))
 }
 
 #[cfg(test)]

@@ -2,8 +2,6 @@
 
 use core::ops::{Add, Mul};
 
-use nalgebra::SVector;
-
 /// Whether the target multiplies and adds in one instruction.
 pub(crate) const FUSED: bool = cfg!(all(
     feature = "std",
@@ -72,6 +70,6 @@ pub(crate) fn sin_cos(x: f64) -> (f64, f64) {
 }
 
 /// Index of the first entry that is not finite.
-pub(crate) fn first_non_finite<const N: usize>(vector: &SVector<f64, N>) -> Option<usize> {
-    vector.iter().position(|x| !x.is_finite())
+pub(crate) fn first_non_finite(entries: &[f64]) -> Option<usize> {
+    entries.iter().position(|x| !x.is_finite())
 }

@@ -1,9 +1,9 @@
 //! Dry friction of a joint, from its row.
 
 #[cfg(feature = "std")]
-use crate::Table;
+use crate::size::Size;
 #[cfg(feature = "std")]
-use crate::table::MOST_FOLLOWERS;
+use crate::table::Arm;
 use crate::{Row, Scalar, Stribeck};
 
 /// Friction beside the viscous one: Coulomb's, which may differ by direction, and static friction that falls to it.
@@ -107,10 +107,10 @@ impl DryFriction {
 ///
 /// A follower moves at k qd, and a force f on it is k f to the joint that it follows.
 #[cfg(feature = "std")]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct JointFriction {
     own: DryFriction,
-    followers: [Option<(f64, DryFriction)>; MOST_FOLLOWERS],
+    followers: Vec<(f64, DryFriction)>,
 }
 
 #[cfg(feature = "std")]
@@ -118,7 +118,7 @@ impl JointFriction {
     /// None.
     pub(crate) const NONE: JointFriction = JointFriction {
         own: DryFriction::NONE,
-        followers: [None; MOST_FOLLOWERS],
+        followers: Vec::new(),
     };
 
     /// Whether there is none at any velocity.
@@ -147,32 +147,37 @@ impl JointFriction {
     }
 
     fn parts(&self) -> impl Iterator<Item = (f64, DryFriction)> {
-        let followers = self.followers.iter().flatten().copied();
+        let followers = self.followers.iter().copied();
         core::iter::once((1.0, self.own)).chain(followers)
     }
 }
 
 #[cfg(feature = "std")]
-impl<const N: usize> Table<N> {
-    /// The dry friction of each joint: its own, and that of the joints that follow it.
-    pub(crate) fn dry_friction(&self) -> [JointFriction; N] {
-        let mut friction = self.rows.each_ref().map(|row| JointFriction {
-            own: DryFriction::of(row),
-            followers: [None; MOST_FOLLOWERS],
-        });
-        for (slot, follower) in self.followers.iter().enumerate() {
-            let dry = DryFriction::of(&follower.row);
-            friction[follower.leader].followers[slot] = Some((follower.factor, dry));
-        }
-        friction
+impl Arm<'_> {
+    /// What holds and brakes the joints: their own dry friction, and that of the joints that follow them.
+    pub(crate) fn dry_friction<D: Size>(self) -> D::Each<JointFriction> {
+        let size = D::from_usize(self.rows.len());
+        let of_joint = |joint: usize| {
+            let followers = self.followers.iter().flatten();
+            let followers = followers.filter(|follower| follower.leader == joint);
+            JointFriction {
+                own: DryFriction::of(&self.rows[joint]),
+                followers: followers
+                    .map(|follower| (follower.factor, DryFriction::of(&follower.row)))
+                    .collect(),
+            }
+        };
+        size.each(of_joint)
     }
 }
 
 #[cfg(test)]
 mod tests {
     use approx::assert_relative_eq;
+    use nalgebra::Const;
 
     use super::DryFriction;
+    use crate::table::AsArm as _;
     use crate::{Convention, Follower, JointType, Row, Stribeck, Table};
 
     fn joint() -> DryFriction {
@@ -230,7 +235,7 @@ mod tests {
             }],
         );
         assert!(table.followers.push(follower));
-        let [joint] = table.dry_friction();
+        let [joint] = table.arm().dry_friction::<Const<1>>();
         assert!(!joint.is_none());
         assert_relative_eq!(joint.force(2.0), 0.5 + 0.5 * 0.2);
         assert_relative_eq!(joint.force(-2.0), -0.4 - 0.5 * 0.3);

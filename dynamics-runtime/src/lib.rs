@@ -48,6 +48,7 @@ mod inputs;
 mod integrate;
 mod macros;
 mod model;
+mod momenta;
 mod newton_euler;
 mod operations;
 mod operators;
@@ -86,6 +87,10 @@ pub use check::{Check, FunctionReport, Report, check_against_rnea};
 pub use conditioning::Conditioning;
 pub use configuration::Configuration;
 pub use double_double::DoubleDouble;
+#[doc(hidden)]
+pub use dual::Dual;
+#[cfg(feature = "std")]
+pub use equations_of_motion::SizedModel;
 pub use equations_of_motion::{EquationsOfMotion, Responses};
 pub use evaluation::{AccelerationDerivatives, SecondDerivatives, State};
 #[cfg(feature = "std")]
@@ -103,7 +108,7 @@ pub use identification::base_parameter_map;
 pub use inputs::{Evaluated, Inputs};
 pub use model::{
     CoriolisVector, Energy, ForwardDynamics, GravityVector, InverseDynamics, Kinematics,
-    MassMatrix, Model, Momenta,
+    MassMatrix, Model, Momenta, SizedKinematics, SizedMomenta,
 };
 #[doc(hidden)]
 pub use newton_euler::turned;
@@ -118,7 +123,8 @@ pub use scalar::Scalar;
 pub use simulation::{
     Cause, Continuous, ContinuousForce, CsvError, CsvMistake, Dop853, DormandPrince, Friction,
     HeldToolForce, HeldTorque, InvalidSetting, JointSet, Method, NoToolForce, NoTorque, Radau5,
-    Sampled, Simulation, SimulationError, Taylor, TaylorSimulation, ToolForce, Trajectory, Work,
+    Sampled, Simulation, SimulationError, SizedSimulationError, SizedTrajectory, Taylor,
+    TaylorSimulation, ToolForce, Trajectory, Work,
 };
 #[doc(hidden)]
 pub use sine::{Part, sin_cos_column};

@@ -1,8 +1,9 @@
 //! What a generated robot is to generic code.
 
-use nalgebra::{Matrix4, SMatrix, SVector};
+use nalgebra::{Const, Matrix4, SMatrix, SVector};
 
 use crate::factorisation::solve;
+use crate::size::{JointMatrix as _, Size};
 use crate::{Inputs, Scalar, SingularMassMatrix, Table};
 
 /// The operations of a function, sines included, where they have not been counted.
@@ -13,7 +14,7 @@ pub(crate) const UNKNOWN_WORK: u32 = 200;
     message = "`{Self}` is no robot",
     note = "`robot_dynamics!` makes robots, from Denavit-Hartenberg tables"
 )]
-pub trait Model<const N: usize> {
+pub trait Model<const N: usize, const V: usize = N> {
     /// Names of the joints, from the base outwards.
     const JOINT_NAMES: [&'static str; N];
 
@@ -31,18 +32,20 @@ pub trait Model<const N: usize> {
 
     /// Kinetic and potential energy, J; `None` for an arm without both functions. A generated arm has them if its
     /// functions include `kinetic_energy` and `potential_energy`.
-    fn energies(&self, q: &SVector<f64, N>, qd: &SVector<f64, N>) -> Option<[f64; 2]> {
+    fn energies(&self, q: &SVector<f64, N>, qd: &SVector<f64, V>) -> Option<[f64; 2]> {
         let _ = (q, qd);
         None
     }
 }
 
 /// An arm whose joint accelerations can be computed: what a simulation needs.
+///
+/// Positions are `N` numbers, and velocities `V`: as many, unless the base moves.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no forward dynamics: `forward_dynamics` was not asked for",
     note = "add it to its `functions:`, or write `functions: [default, ...]`, which holds it"
 )]
-pub trait ForwardDynamics<const N: usize> {
+pub trait ForwardDynamics<const N: usize, const V: usize = N> {
     /// Roughly the number of operations of one call, sines included: it tells a batch how many states are worth
     /// another core.
     #[doc(hidden)]
@@ -59,9 +62,9 @@ pub trait ForwardDynamics<const N: usize> {
     fn forward_dynamics<T: Scalar>(
         &self,
         q: &SVector<T, N>,
-        qd: &SVector<T, N>,
-        tau: &SVector<T, N>,
-    ) -> Result<SVector<T, N>, SingularMassMatrix>;
+        qd: &SVector<T, V>,
+        tau: &SVector<T, V>,
+    ) -> Result<SVector<T, V>, SingularMassMatrix>;
     /// The same, with the sines of the joint positions from `sines`: see
     /// [`Configuration`](crate::Configuration).
     #[doc(hidden)]
@@ -70,9 +73,9 @@ pub trait ForwardDynamics<const N: usize> {
         &self,
         sines: &impl Inputs<T>,
         q: &SVector<T, N>,
-        qd: &SVector<T, N>,
-        tau: &SVector<T, N>,
-    ) -> Result<SVector<T, N>, SingularMassMatrix> {
+        qd: &SVector<T, V>,
+        tau: &SVector<T, V>,
+    ) -> Result<SVector<T, V>, SingularMassMatrix> {
         let _ = sines;
         self.forward_dynamics(q, qd, tau)
     }
@@ -92,7 +95,7 @@ pub trait ForwardDynamics<const N: usize> {
     message = "`{Self}` has no mass matrix: `mass_matrix` was not asked for",
     note = "add it to its `functions:`, or write `functions: [default, ...]`, which holds it"
 )]
-pub trait MassMatrix<const N: usize> {
+pub trait MassMatrix<const N: usize, const V: usize = N> {
     /// Roughly the number of operations of one call, sines included: it tells a batch how many states are worth
     /// another core.
     #[doc(hidden)]
@@ -101,7 +104,7 @@ pub trait MassMatrix<const N: usize> {
     /// Mass matrix M(q), both triangles, reflected motor inertias included; kg m^2, kg m or kg.
     ///
     /// `q` in rad or m. Where a joint position is not finite, the entries that depend on it are not.
-    fn mass_matrix<T: Scalar>(&self, q: &SVector<T, N>) -> SMatrix<T, N, N>;
+    fn mass_matrix<T: Scalar>(&self, q: &SVector<T, N>) -> SMatrix<T, V, V>;
     /// The same, with the sines of the joint positions from `sines`: see
     /// [`Configuration`](crate::Configuration).
     #[doc(hidden)]
@@ -110,7 +113,7 @@ pub trait MassMatrix<const N: usize> {
         &self,
         sines: &impl Inputs<T>,
         q: &SVector<T, N>,
-    ) -> SMatrix<T, N, N> {
+    ) -> SMatrix<T, V, V> {
         let _ = sines;
         self.mass_matrix(q)
     }
@@ -121,7 +124,7 @@ pub trait MassMatrix<const N: usize> {
     message = "`{Self}` has no Coriolis vector: `coriolis_vector` was not asked for",
     note = "add it to its `functions:`, or write `functions: [default, ...]`, which holds it"
 )]
-pub trait CoriolisVector<const N: usize> {
+pub trait CoriolisVector<const N: usize, const V: usize = N> {
     /// Roughly the number of operations of one call, sines included: it tells a batch how many states are worth
     /// another core.
     #[doc(hidden)]
@@ -130,7 +133,7 @@ pub trait CoriolisVector<const N: usize> {
     /// Coriolis and centrifugal vector V(q, qd), N m or N.
     ///
     /// `q` in rad or m, `qd` per second.
-    fn coriolis_vector<T: Scalar>(&self, q: &SVector<T, N>, qd: &SVector<T, N>) -> SVector<T, N>;
+    fn coriolis_vector<T: Scalar>(&self, q: &SVector<T, N>, qd: &SVector<T, V>) -> SVector<T, V>;
     /// The same, with the sines of the joint positions from `sines`: see
     /// [`Configuration`](crate::Configuration).
     #[doc(hidden)]
@@ -139,8 +142,8 @@ pub trait CoriolisVector<const N: usize> {
         &self,
         sines: &impl Inputs<T>,
         q: &SVector<T, N>,
-        qd: &SVector<T, N>,
-    ) -> SVector<T, N> {
+        qd: &SVector<T, V>,
+    ) -> SVector<T, V> {
         let _ = sines;
         self.coriolis_vector(q, qd)
     }
@@ -151,7 +154,7 @@ pub trait CoriolisVector<const N: usize> {
     message = "`{Self}` has no gravity vector: `gravity_vector` was not asked for",
     note = "add it to its `functions:`, or write `functions: [default, ...]`, which holds it"
 )]
-pub trait GravityVector<const N: usize> {
+pub trait GravityVector<const N: usize, const V: usize = N> {
     /// Roughly the number of operations of one call, sines included: it tells a batch how many states are worth
     /// another core.
     #[doc(hidden)]
@@ -160,7 +163,7 @@ pub trait GravityVector<const N: usize> {
     /// Gravity vector G(q) = dU/dq, N m or N.
     ///
     /// `q` in rad or m.
-    fn gravity_vector<T: Scalar>(&self, q: &SVector<T, N>) -> SVector<T, N>;
+    fn gravity_vector<T: Scalar>(&self, q: &SVector<T, N>) -> SVector<T, V>;
     /// The same, with the sines of the joint positions from `sines`: see
     /// [`Configuration`](crate::Configuration).
     #[doc(hidden)]
@@ -169,7 +172,7 @@ pub trait GravityVector<const N: usize> {
         &self,
         sines: &impl Inputs<T>,
         q: &SVector<T, N>,
-    ) -> SVector<T, N> {
+    ) -> SVector<T, V> {
         let _ = sines;
         self.gravity_vector(q)
     }
@@ -180,7 +183,7 @@ pub trait GravityVector<const N: usize> {
     message = "`{Self}` has no inverse dynamics: `inverse_dynamics` was not asked for",
     note = "add it to its `functions:`, or write `functions: [default, ...]`, which holds it"
 )]
-pub trait InverseDynamics<const N: usize> {
+pub trait InverseDynamics<const N: usize, const V: usize = N> {
     /// Roughly the number of operations of one call, sines included: it tells a batch how many states are worth
     /// another core.
     #[doc(hidden)]
@@ -192,9 +195,9 @@ pub trait InverseDynamics<const N: usize> {
     fn inverse_dynamics<T: Scalar>(
         &self,
         q: &SVector<T, N>,
-        qd: &SVector<T, N>,
-        qdd: &SVector<T, N>,
-    ) -> SVector<T, N>;
+        qd: &SVector<T, V>,
+        qdd: &SVector<T, V>,
+    ) -> SVector<T, V>;
     /// The same, with the sines of the joint positions from `sines`: see
     /// [`Configuration`](crate::Configuration).
     #[doc(hidden)]
@@ -203,9 +206,9 @@ pub trait InverseDynamics<const N: usize> {
         &self,
         sines: &impl Inputs<T>,
         q: &SVector<T, N>,
-        qd: &SVector<T, N>,
-        qdd: &SVector<T, N>,
-    ) -> SVector<T, N> {
+        qd: &SVector<T, V>,
+        qdd: &SVector<T, V>,
+    ) -> SVector<T, V> {
         let _ = sines;
         self.inverse_dynamics(q, qd, qdd)
     }
@@ -216,9 +219,9 @@ pub trait InverseDynamics<const N: usize> {
     message = "`{Self}` has no energies: `kinetic_energy` and `potential_energy` were not asked for",
     note = "add them to its `functions:`, or write `functions: [default, ...]`, which holds them"
 )]
-pub trait Energy<const N: usize> {
+pub trait Energy<const N: usize, const V: usize = N> {
     /// Kinetic energy 1/2 qd^T M(q) qd with the motors' reflected inertias, J.
-    fn kinetic_energy<T: Scalar>(&self, q: &SVector<T, N>, qd: &SVector<T, N>) -> T;
+    fn kinetic_energy<T: Scalar>(&self, q: &SVector<T, N>, qd: &SVector<T, V>) -> T;
 
     /// Potential energy U = -sum m g.c, zero where all centres of mass are at the base's origin, J.
     fn potential_energy<T: Scalar>(&self, q: &SVector<T, N>) -> T;
@@ -229,13 +232,36 @@ pub trait Energy<const N: usize> {
     message = "the tip of `{Self}` is not known: `forward_kinematics` and `jacobian` were not asked for",
     note = "ask for them: `functions: [default, forward_kinematics, jacobian]`"
 )]
-pub trait Kinematics<const N: usize> {
+pub trait Kinematics<const N: usize, const V: usize = N> {
     /// The tip's homogeneous transform, m.
     fn forward_kinematics<T: Scalar>(&self, q: &SVector<T, N>) -> Matrix4<T>;
 
     /// Geometric Jacobian of the tip's origin, rows vx vy vz wx wy wz, in the axes of
     /// [`forward_kinematics`](Kinematics::forward_kinematics).
-    fn jacobian<T: Scalar>(&self, q: &SVector<T, N>) -> SMatrix<T, 6, N>;
+    fn jacobian<T: Scalar>(&self, q: &SVector<T, N>) -> SMatrix<T, 6, V>;
+}
+
+/// The tip of an arm of any size, in doubles. Every arm with [`Kinematics`] has it.
+#[diagnostic::on_unimplemented(
+    message = "the tip of `{Self}` is not known: `forward_kinematics` and `jacobian` were not asked for",
+    note = "ask for them: `functions: [default, forward_kinematics, jacobian]`"
+)]
+pub trait SizedKinematics<D: Size> {
+    /// As [`Kinematics::forward_kinematics`].
+    fn tip_pose(&self, q: &D::Vector) -> Matrix4<f64>;
+
+    /// As [`Kinematics::jacobian`].
+    fn tip_jacobian(&self, q: &D::Vector) -> D::Columns<6>;
+}
+
+impl<R: Kinematics<N>, const N: usize> SizedKinematics<Const<N>> for R {
+    fn tip_pose(&self, q: &SVector<f64, N>) -> Matrix4<f64> {
+        self.forward_kinematics(q)
+    }
+
+    fn tip_jacobian(&self, q: &SVector<f64, N>) -> SMatrix<f64, 6, N> {
+        self.jacobian(q)
+    }
 }
 
 /// Hamilton's equations of an arm, in positions q and momenta p = M(q) qd. The structure-preserving
@@ -248,13 +274,13 @@ pub trait Kinematics<const N: usize> {
 ///
 /// C itself is not needed: since `dM/dt = C + C^T` and `V = C qd`, `dT/dq = (dM/dt) qd - V`, and dM/dt is the
 /// derivative of M(q) along qd, which dual numbers give.
-pub trait Momenta<const N: usize> {
+pub trait SizedMomenta<D: Size> {
     /// M(q), kg m^2, kg m or kg.
-    fn inertia(&self, q: &SVector<f64, N>) -> SMatrix<f64, N, N>;
+    fn inertia(&self, q: &D::Vector) -> D::Matrix;
 
     /// p = M(q) qd, kg m^2/s or kg m/s.
-    fn momentum(&self, q: &SVector<f64, N>, qd: &SVector<f64, N>) -> SVector<f64, N> {
-        self.inertia(q) * qd
+    fn momentum(&self, q: &D::Vector, qd: &D::Vector) -> D::Vector {
+        self.inertia(q).times(qd)
     }
 
     /// qd = M(q)^-1 p.
@@ -262,11 +288,7 @@ pub trait Momenta<const N: usize> {
     /// # Errors
     ///
     /// [`SingularMassMatrix`] where M(q) is not positive definite to working precision.
-    fn velocity(
-        &self,
-        q: &SVector<f64, N>,
-        p: &SVector<f64, N>,
-    ) -> Result<SVector<f64, N>, SingularMassMatrix> {
+    fn velocity(&self, q: &D::Vector, p: &D::Vector) -> Result<D::Vector, SingularMassMatrix> {
         solve(self.inertia(q), p)
     }
 
@@ -279,27 +301,28 @@ pub trait Momenta<const N: usize> {
     /// [`SingularMassMatrix`] where M_ff is not positive definite to working precision.
     fn velocity_beside(
         &self,
-        still: &[bool; N],
-        q: &SVector<f64, N>,
-        p: &SVector<f64, N>,
-    ) -> Result<SVector<f64, N>, SingularMassMatrix> {
-        let (mut m, mut p) = (self.inertia(q), *p);
+        still: &D::Each<bool>,
+        q: &D::Vector,
+        p: &D::Vector,
+    ) -> Result<D::Vector, SingularMassMatrix> {
+        let (mut m, mut p, size) = (self.inertia(q), p.clone(), D::of(q));
         // Their rows and columns are those of the unit matrix.
-        for i in (0..N).filter(|i| still[*i]) {
-            m.row_mut(i).fill(0.0);
-            m.column_mut(i).fill(0.0);
+        for i in size.joints().filter(|i| still[*i]) {
+            for j in size.joints() {
+                (m[(i, j)], m[(j, i)]) = (0.0, 0.0);
+            }
             m[(i, i)] = 1.0;
             p[i] = 0.0;
         }
         let qd = solve(m, &p)?;
-        Ok(SVector::from_fn(|i, _| if still[i] { 0.0 } else { qd[i] }))
+        Ok(size.vector_of(|i| if still[i] { 0.0 } else { qd[i] }))
     }
 
     /// dp/dt = dT/dq - G - K - F + tau at the velocity `qd`, N m or N.
-    fn force(
-        &self,
-        q: &SVector<f64, N>,
-        qd: &SVector<f64, N>,
-        tau: &SVector<f64, N>,
-    ) -> SVector<f64, N>;
+    fn force(&self, q: &D::Vector, qd: &D::Vector, tau: &D::Vector) -> D::Vector;
 }
+
+/// [`SizedMomenta`] of an arm whose number of joints the compiler knows.
+pub trait Momenta<const N: usize>: SizedMomenta<Const<N>> {}
+
+impl<R: SizedMomenta<Const<N>> + ?Sized, const N: usize> Momenta<N> for R {}

@@ -3,9 +3,10 @@
 use core::fmt;
 use core::marker::PhantomData;
 
-use nalgebra::SVector;
 use serde::de::{Deserialize, Deserializer, Error, SeqAccess, Visitor};
 use serde::ser::{Serialize, SerializeTuple, Serializer};
+
+use crate::size::JointVector;
 
 /// For `#[serde(with = "sequences::array")]` on a `[T; N]`.
 pub(crate) mod array {
@@ -33,27 +34,68 @@ pub(crate) mod array {
 pub(crate) mod vectors {
     use super::*;
 
-    pub(crate) fn serialize<S: Serializer, const N: usize>(
-        vectors: &[SVector<f64, N>],
+    pub(crate) fn serialize<S: Serializer, V: JointVector>(
+        vectors: &[V],
         serializer: S,
     ) -> Result<S::Ok, S::Error> {
-        serializer.collect_seq(vectors.iter().map(|vector| Entry((*vector).into())))
+        serializer.collect_seq(vectors.iter().map(Entry))
     }
 
-    pub(crate) fn deserialize<'de, D: Deserializer<'de>, const N: usize>(
+    pub(crate) fn deserialize<'de, D: Deserializer<'de>, V: JointVector>(
         deserializer: D,
-    ) -> Result<Vec<SVector<f64, N>>, D::Error> {
-        let entries = Vec::<Entry<N>>::deserialize(deserializer)?;
-        Ok(entries
-            .into_iter()
-            .map(|Entry(entry)| entry.into())
-            .collect())
+    ) -> Result<Vec<V>, D::Error> {
+        let entries = Vec::<Entry<V>>::deserialize(deserializer)?;
+        Ok(entries.into_iter().map(|Entry(vector)| vector).collect())
     }
 
-    #[derive(serde::Serialize, serde::Deserialize)]
-    struct Entry<const N: usize>(#[serde(with = "array")] [f64; N]);
+    /// A vector, whose number of entries stands with it where its type does not tell.
+    struct Entry<V>(V);
 
-    use super::array;
+    impl<V: JointVector> Serialize for Entry<&V> {
+        fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+            let entries = self.0.entries();
+            if V::SIZE.is_none() {
+                return serializer.collect_seq(entries);
+            }
+            let mut sequence = serializer.serialize_tuple(entries.len())?;
+            for entry in entries {
+                sequence.serialize_element(entry)?;
+            }
+            sequence.end()
+        }
+    }
+
+    impl<'de, V: JointVector> Deserialize<'de> for Entry<V> {
+        fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+            let entries = match V::SIZE {
+                Some(size) => deserializer.deserialize_tuple(size, Numbers(V::SIZE))?,
+                None => Vec::<f64>::deserialize(deserializer)?,
+            };
+            Ok(Entry(V::from_entries(entries.len(), |i| entries[i])))
+        }
+    }
+
+    /// Reads so many numbers.
+    struct Numbers(Option<usize>);
+
+    impl<'de> Visitor<'de> for Numbers {
+        type Value = Vec<f64>;
+
+        fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+            write!(f, "a sequence of {}", self.0.unwrap_or_default())
+        }
+
+        fn visit_seq<A: SeqAccess<'de>>(self, mut sequence: A) -> Result<Vec<f64>, A::Error> {
+            let mut entries = Vec::new();
+            while let Some(entry) = sequence.next_element()? {
+                entries.push(entry);
+            }
+            if self.0.is_some_and(|size| size != entries.len()) {
+                return Err(Error::invalid_length(entries.len(), &self));
+            }
+            Ok(entries)
+        }
+    }
 }
 
 /// Reads as many entries as an array has.

@@ -1,12 +1,13 @@
 //! How many joints an arm has: known to the compiler, or at run time alone.
 
 use core::fmt::Debug;
-use core::ops::{Add, Index, IndexMut, Mul, Neg, Sub};
+use core::ops::{Add, Index, IndexMut, Mul, Neg, Range, Sub};
 
 use nalgebra::{Const, Dim, SMatrix, SVector};
 #[cfg(feature = "std")]
 use nalgebra::{DMatrix, DVector, Dyn, OMatrix};
 
+use crate::Scalar;
 #[cfg(feature = "std")]
 use crate::table::RuntimeTable;
 use crate::table::{AsArm, MOST_FOLLOWERS, Table};
@@ -34,15 +35,38 @@ pub trait Size: Dim + sealed::Sealed {
     /// A row of `C` numbers for each joint.
     type Rows<const C: usize>: Clone + Debug + PartialEq + IndexMut<(usize, usize), Output = f64>;
     /// A list with an entry for each joint.
-    type Each<X: Clone + Debug>: Clone + Debug + AsRef<[X]> + AsMut<[X]>;
+    type Each<X: Clone + Debug>: Clone
+        + Debug
+        + AsRef<[X]>
+        + AsMut<[X]>
+        + IndexMut<usize, Output = X>;
     /// A list with an entry for each link: those of joints that follow others are links too.
-    type Links<X: Clone + Debug>: Clone + Debug + IndexMut<usize, Output = X>;
+    type Links<X: Copy + Debug>: Clone + Debug + IndexMut<usize, Output = X>;
     /// The table of such an arm.
     type Table: AsArm + Clone + Debug;
 
+    /// The number of joints of a vector.
+    #[inline(always)]
+    fn of(vector: &Self::Vector) -> Self {
+        Self::from_usize(vector.entries().len())
+    }
+
+    /// The joints, counted from 0.
+    #[inline(always)]
+    fn joints(self) -> Range<usize> {
+        0..self.value()
+    }
+
+    /// The vector with these entries.
+    #[inline(always)]
+    fn vector_of(self, entry: impl FnMut(usize) -> f64) -> Self::Vector {
+        Self::Vector::from_entries(self.value(), entry)
+    }
+
     /// Zeros.
+    #[inline(always)]
     fn vector(self) -> Self::Vector {
-        Self::Vector::from_entries(self.value(), |_| 0.0)
+        self.vector_of(|_| 0.0)
     }
 
     /// Zeros.
@@ -57,8 +81,11 @@ pub trait Size: Dim + sealed::Sealed {
     /// An entry for each joint.
     fn each<X: Clone + Debug>(self, entry: impl FnMut(usize) -> X) -> Self::Each<X>;
 
+    /// Sines and cosines of angles.
+    fn sin_cos(angles: &Self::Vector) -> Self::Each<(f64, f64)>;
+
     /// The same entry for each of so many links.
-    fn links<X: Clone + Debug>(self, count: usize, entry: X) -> Self::Links<X>;
+    fn links<X: Copy + Debug>(self, count: usize, entry: X) -> Self::Links<X>;
 }
 
 /// A number for each joint: `SVector<f64, N>` or `DVector<f64>`.
@@ -72,6 +99,9 @@ pub trait JointVector:
     + Mul<f64, Output = Self>
     + Neg<Output = Self>
 {
+    /// The number of entries, where the compiler knows it.
+    const SIZE: Option<usize>;
+
     /// The vector with these entries.
     fn from_entries(size: usize, entry: impl FnMut(usize) -> f64) -> Self;
 
@@ -83,6 +113,12 @@ pub trait JointVector:
 
     /// The largest magnitude of an entry; NaN if one is.
     fn largest(&self) -> f64;
+
+    /// `self + factor * other`.
+    #[inline(always)]
+    fn plus(&self, factor: f64, other: &Self) -> Self {
+        Self::from_entries(self.entries().len(), |i| self[i] + other[i] * factor)
+    }
 }
 
 /// A number for each pair of joints: `SMatrix<f64, N, N>` or `DMatrix<f64>`.
@@ -116,7 +152,7 @@ impl<const N: usize> Size for Const<N> {
     type Columns<const R: usize> = SMatrix<f64, R, N>;
     type Rows<const C: usize> = SMatrix<f64, N, C>;
     type Each<X: Clone + Debug> = [X; N];
-    type Links<X: Clone + Debug> = Inline<X, N>;
+    type Links<X: Copy + Debug> = Inline<X, N>;
     type Table = Table<N>;
 
     #[inline(always)]
@@ -140,15 +176,27 @@ impl<const N: usize> Size for Const<N> {
     }
 
     #[inline(always)]
-    fn links<X: Clone + Debug>(self, count: usize, entry: X) -> Self::Links<X> {
-        Inline {
-            more: (count > N).then(|| core::array::from_fn(|_| entry.clone())),
-            first: core::array::from_fn(|_| entry.clone()),
+    fn sin_cos(angles: &Self::Vector) -> Self::Each<(f64, f64)> {
+        let [angles] = angles.data.0;
+        f64::sin_cos_array(angles)
+    }
+
+    #[inline(always)]
+    fn links<X: Copy + Debug>(self, count: usize, entry: X) -> Self::Links<X> {
+        let mut links = Inline {
+            first: [entry; N],
+            more: None,
+        };
+        if count > N {
+            links.more = Some([entry; MOST_FOLLOWERS]);
         }
+        links
     }
 }
 
 impl<const N: usize> JointVector for SVector<f64, N> {
+    const SIZE: Option<usize> = Some(N);
+
     #[inline(always)]
     fn from_entries(_: usize, mut entry: impl FnMut(usize) -> f64) -> Self {
         SVector::from_fn(|i, _| entry(i))
@@ -215,7 +263,7 @@ impl Size for Dyn {
     type Columns<const R: usize> = OMatrix<f64, Const<R>, Dyn>;
     type Rows<const C: usize> = OMatrix<f64, Dyn, Const<C>>;
     type Each<X: Clone + Debug> = Vec<X>;
-    type Links<X: Clone + Debug> = Vec<X>;
+    type Links<X: Copy + Debug> = Vec<X>;
     type Table = RuntimeTable;
 
     fn matrix(self) -> Self::Matrix {
@@ -234,13 +282,24 @@ impl Size for Dyn {
         (0..self.0).map(entry).collect()
     }
 
-    fn links<X: Clone + Debug>(self, count: usize, entry: X) -> Self::Links<X> {
+    fn sin_cos(angles: &Self::Vector) -> Self::Each<(f64, f64)> {
+        let four = |angles: &[f64]| {
+            let angles = core::array::from_fn(|i| angles.get(i).copied().unwrap_or(0.0));
+            <f64 as Scalar>::sin_cos_array::<4>(angles)
+        };
+        let pairs = angles.as_slice().chunks(4).flat_map(four);
+        pairs.take(angles.len()).collect()
+    }
+
+    fn links<X: Copy + Debug>(self, count: usize, entry: X) -> Self::Links<X> {
         vec![entry; count]
     }
 }
 
 #[cfg(feature = "std")]
 impl JointVector for DVector<f64> {
+    const SIZE: Option<usize> = None;
+
     fn from_entries(size: usize, mut entry: impl FnMut(usize) -> f64) -> Self {
         DVector::from_fn(size, |i, _| entry(i))
     }

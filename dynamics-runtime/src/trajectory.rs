@@ -88,7 +88,7 @@ impl<const N: usize> Cycloidal<N> {
         };
         // It is not finite where the distance or the greatest velocity is not.
         let greatest_acceleration = law.acceleration(1.0);
-        match first_non_finite(&greatest_acceleration) {
+        match first_non_finite(greatest_acceleration.as_slice()) {
             Some(joint) => refused(Some(joint)),
             None => Ok(law),
         }

@@ -1,77 +1,84 @@
 //! Equations of motion in positions and momenta.
 
-use nalgebra::SVector;
-
 #[cfg(test)]
 use super::Equations;
 use super::{Phase, first_non_finite};
+use crate::size::{JointVector as _, Size};
 
 /// Hamilton's equations, with the forces that have no potential: q' and p' as functions of t, q, p.
-pub(crate) trait Canonical<const N: usize> {
+pub(crate) trait Canonical<D: Size> {
     /// Why there is no rate.
     type Refusal;
 
     /// The momenta p of a phase.
-    fn momentum(&self, phase: &Phase<N>) -> Result<SVector<f64, N>, Self::Refusal>;
+    fn momentum(&self, phase: &Phase<D>) -> Result<D::Vector, Self::Refusal>;
 
     /// The phase of positions and momenta.
-    fn phase(&self, at: &Point<N>) -> Result<Phase<N>, Self::Refusal>;
+    fn phase(&self, at: &Point<D>) -> Result<Phase<D>, Self::Refusal>;
 
     /// q' and p'.
-    fn rate(&self, t: f64, at: &Point<N>) -> Result<Point<N>, Self::Refusal>;
+    fn rate(&self, t: f64, at: &Point<D>) -> Result<Point<D>, Self::Refusal>;
 }
 
 /// Positions and momenta; or a rate of change of both.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Point<const N: usize> {
-    pub(crate) q: SVector<f64, N>,
-    pub(crate) p: SVector<f64, N>,
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Point<D: Size> {
+    pub(crate) q: D::Vector,
+    pub(crate) p: D::Vector,
 }
 
-impl<const N: usize> Point<N> {
-    pub(super) fn zeros() -> Self {
+impl<D: Size> Point<D> {
+    #[inline(always)]
+    pub(super) fn zeros(size: D) -> Self {
         Point {
-            q: SVector::zeros(),
-            p: SVector::zeros(),
+            q: size.vector(),
+            p: size.vector(),
         }
     }
 
     /// The joint of the first entry that is not finite.
     pub(crate) fn first_non_finite(&self) -> Option<usize> {
-        first_non_finite(&self.q).or_else(|| first_non_finite(&self.p))
+        let [q, p] = [&self.q, &self.p].map(|vector| first_non_finite(vector.entries()));
+        q.or(p)
     }
 
     /// `self + factor * other`.
     #[inline(always)]
     pub(super) fn plus(&self, factor: f64, other: &Self) -> Self {
         Point {
-            q: self.q + other.q * factor,
-            p: self.p + other.p * factor,
+            q: self.q.plus(factor, &other.q),
+            p: self.p.plus(factor, &other.p),
         }
     }
 }
 
-/// Equations of motion with velocities for momenta: Hamilton's only where the mass matrix does not depend on q.
+/// Equations of motion with their velocities in the place of momenta.
+///
+/// They are Hamilton's only where the mass matrix does not depend on q: a symplectic method
+/// preserves nothing of an arm's structure in these coordinates.
 #[cfg(test)]
 pub(crate) struct InVelocities<'a, S>(pub(crate) &'a S);
 
 #[cfg(test)]
-impl<S: Equations<N>, const N: usize> Canonical<N> for InVelocities<'_, S> {
+impl<S: Equations<D>, D: Size> Canonical<D> for InVelocities<'_, S> {
     type Refusal = S::Refusal;
 
-    fn momentum(&self, phase: &Phase<N>) -> Result<SVector<f64, N>, S::Refusal> {
-        Ok(phase.qd)
+    fn momentum(&self, phase: &Phase<D>) -> Result<D::Vector, S::Refusal> {
+        Ok(phase.qd.clone())
     }
 
-    fn phase(&self, at: &Point<N>) -> Result<Phase<N>, S::Refusal> {
-        Ok(Phase { q: at.q, qd: at.p })
+    fn phase(&self, at: &Point<D>) -> Result<Phase<D>, S::Refusal> {
+        Ok(Phase {
+            q: at.q.clone(),
+            qd: at.p.clone(),
+        })
     }
 
-    fn rate(&self, t: f64, at: &Point<N>) -> Result<Point<N>, S::Refusal> {
-        let phase = Phase { q: at.q, qd: at.p };
+    fn rate(&self, t: f64, at: &Point<D>) -> Result<Point<D>, S::Refusal> {
+        let phase = self.phase(at)?;
         Ok(Point {
-            q: at.p,
             p: self.0.acceleration(t, &phase)?,
+            q: phase.qd,
         })
     }
 }

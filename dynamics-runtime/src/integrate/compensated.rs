@@ -2,31 +2,30 @@
 
 use super::Point;
 use crate::exact::two_sums;
+use crate::size::Size;
 
 /// Positions and momenta, and what the rounding of their sums has left out of them (W. Kahan 1965;
 /// D. E. Knuth, *The Art of Computer Programming* 2, theorem 4.2.2 B).
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Compensated<const N: usize> {
-    pub(super) value: Point<N>,
-    remainder: Point<N>,
+#[derive(Clone, Debug)]
+pub(super) struct Compensated<D: Size> {
+    pub(super) value: Point<D>,
+    remainder: Point<D>,
 }
 
-impl<const N: usize> Compensated<N> {
-    pub(super) fn new(value: Point<N>) -> Self {
-        Compensated {
-            value,
-            remainder: Point::zeros(),
-        }
+impl<D: Size> Compensated<D> {
+    pub(super) fn new(value: Point<D>) -> Self {
+        let remainder = Point::zeros(D::of(&value.q));
+        Compensated { value, remainder }
     }
 
     /// `self + factor * rate`, rounded.
     #[inline(always)]
-    pub(super) fn plus(&self, factor: f64, rate: &Point<N>) -> Point<N> {
+    pub(super) fn plus(&self, factor: f64, rate: &Point<D>) -> Point<D> {
         self.value.plus(1.0, &self.remainder.plus(factor, rate))
     }
 
     /// Adds `factor * rate`.
-    pub(super) fn add(&mut self, factor: f64, rate: &Point<N>) {
+    pub(super) fn add(&mut self, factor: f64, rate: &Point<D>) {
         let step = self.remainder.plus(factor, rate);
         (self.value.q, self.remainder.q) = two_sums(&self.value.q, &step.q);
         (self.value.p, self.remainder.p) = two_sums(&self.value.p, &step.p);
@@ -35,7 +34,7 @@ impl<const N: usize> Compensated<N> {
 
 #[cfg(test)]
 mod tests {
-    use nalgebra::Vector1;
+    use nalgebra::{Const, Vector1};
 
     use super::Compensated;
     use crate::integrate::Point;
@@ -43,7 +42,7 @@ mod tests {
     #[test]
     fn small_steps_are_not_lost() {
         let vector = |x: f64| Vector1::new(x);
-        let start = Point {
+        let start = Point::<Const<1>> {
             q: vector(1.0),
             p: vector(-1e6),
         };

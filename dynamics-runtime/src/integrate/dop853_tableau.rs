@@ -1,7 +1,8 @@
 //! Coefficients of the method of order 8(5,3) of Dormand and Prince, DOP853.
 //!
-//! E. Hairer, S. P. Nørsett, G. Wanner, *Solving Ordinary Differential Equations I*, 2nd edition, section II.5 (after
-//! P. J. Prince and J. R. Dormand 1981) and II.6 (dense output of order 7); the digits of their program DOP853 in doubles.
+//! E. Hairer, S. P. Nørsett, G. Wanner, *Solving Ordinary Differential Equations I*, 2nd edition,
+//! section II.5 (the method, after P. J. Prince and J. R. Dormand 1981), section II.6 (dense output
+//! of order 7), and their program DOP853, whose digits these are, rounded to doubles.
 
 /// Number of stages; twelve make the result, the thirteenth is the first of the next step, three more
 /// the dense output.
@@ -11,11 +12,23 @@ pub(super) const STAGES: usize = 16;
 pub(super) const LAST: usize = 12;
 
 /// Times of the stages.
-#[rustfmt::skip]
 pub(super) const C: [f64; STAGES] = [
-    0.0, 0.05260015195876773, 0.0789002279381516, 0.1183503419072274, 0.2816496580927726,
-    0.3333333333333333, 0.25, 0.3076923076923077, 0.6512820512820513, 0.6, 0.8571428571428571,
-    1.0, 1.0, 0.1, 0.2, 0.7777777777777778,
+    0.0,
+    0.05260015195876773,
+    0.0789002279381516,
+    0.1183503419072274,
+    0.2816496580927726,
+    0.3333333333333333,
+    0.25,
+    0.3076923076923077,
+    0.6512820512820513,
+    0.6,
+    0.8571428571428571,
+    1.0,
+    1.0,
+    0.1,
+    0.2,
+    0.7777777777777778,
 ];
 
 /// Weights of the stages before in each stage. Row [`LAST`] is the result of order 8.
@@ -91,10 +104,18 @@ pub(super) const A: [[f64; STAGES - 1]; STAGES] = [
 ];
 
 /// Result of order 8 minus the embedded result of order 5, without the factor h.
-#[rustfmt::skip]
 pub(super) const ERROR_5: [f64; LAST] = [
-    0.01312004499419488, 0.0, 0.0, 0.0, 0.0, -1.2251564463762044, -0.4957589496572502,
-    1.6643771824549864, -0.35032884874997366, 0.3341791187130175, 0.08192320648511571,
+    0.01312004499419488,
+    0.0,
+    0.0,
+    0.0,
+    0.0,
+    -1.2251564463762044,
+    -0.4957589496572502,
+    1.6643771824549864,
+    -0.35032884874997366,
+    0.3341791187130175,
+    0.08192320648511571,
     -0.022355307863886294,
 ];
 

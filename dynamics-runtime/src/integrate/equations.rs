@@ -1,29 +1,28 @@
-//! The motions that methods of integration follow.
-
-use nalgebra::SVector;
+//! What a method of integration asks of the motion that it follows.
 
 use super::Phase;
+use crate::size::Size;
 
 /// Equations of motion q'' = a(t, q, q').
-pub(crate) trait Equations<const N: usize> {
+pub(crate) trait Equations<D: Size> {
     /// Why there is no acceleration.
     type Refusal;
 
     /// The acceleration at a time in a phase.
-    fn acceleration(&self, t: f64, phase: &Phase<N>) -> Result<SVector<f64, N>, Self::Refusal>;
+    fn acceleration(&self, t: f64, phase: &Phase<D>) -> Result<D::Vector, Self::Refusal>;
 
-    /// The rate of change of the phase.
+    /// How the phase moves.
     #[inline]
-    fn rate(&self, t: f64, phase: &Phase<N>) -> Result<Phase<N>, Self::Refusal> {
+    fn rate(&self, t: f64, phase: &Phase<D>) -> Result<Phase<D>, Self::Refusal> {
         Ok(phase.rate(self.acceleration(t, phase)?))
     }
 }
 
-impl<F: Fn(f64, &Phase<N>) -> Result<SVector<f64, N>, E>, E, const N: usize> Equations<N> for F {
+impl<F: Fn(f64, &Phase<D>) -> Result<D::Vector, E>, E, D: Size> Equations<D> for F {
     type Refusal = E;
 
     #[inline]
-    fn acceleration(&self, t: f64, phase: &Phase<N>) -> Result<SVector<f64, N>, E> {
+    fn acceleration(&self, t: f64, phase: &Phase<D>) -> Result<D::Vector, E> {
         self(t, phase)
     }
 }

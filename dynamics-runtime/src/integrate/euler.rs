@@ -1,6 +1,7 @@
 //! Euler's method and two schemes beside it.
 
-use super::{Equations, Failure, OneStep, Phase, Start};
+use super::{Equations, Failure, OneStep, Phase};
+use crate::size::{JointVector as _, Size};
 
 /// Schemes of first order with one acceleration a step, `qd+ = qd + qdd h`. They differ in the positions.
 pub(crate) enum Euler {
@@ -19,16 +20,21 @@ pub(crate) enum Euler {
     SemiImplicit,
 }
 
-impl<S: Equations<N>, const N: usize> OneStep<S, S::Refusal, N> for Euler {
+impl<S: Equations<D>, D: Size> OneStep<S, S::Refusal, D> for Euler {
     #[inline]
-    fn step(&mut self, system: &S, from: &Start<N>) -> Result<Phase<N>, Failure<S::Refusal>> {
-        let Start { t, ref phase, h } = *from;
+    fn step(
+        &mut self,
+        system: &S,
+        t: f64,
+        phase: &Phase<D>,
+        h: f64,
+    ) -> Result<Phase<D>, Failure<S::Refusal>> {
         let qdd = system.acceleration(t, phase)?;
-        let qd = phase.qd + qdd * h;
+        let qd = phase.qd.plus(h, &qdd);
         let q = match self {
-            Euler::Explicit => phase.q + phase.qd * h,
-            Euler::Craig => phase.q + phase.qd * h + qdd * (0.5 * h * h),
-            Euler::SemiImplicit => phase.q + qd * h,
+            Euler::Explicit => phase.q.plus(h, &phase.qd),
+            Euler::Craig => phase.q.plus(h, &phase.qd).plus(0.5 * h * h, &qdd),
+            Euler::SemiImplicit => phase.q.plus(h, &qd),
         };
         Ok(Phase { q, qd })
     }
@@ -36,24 +42,25 @@ impl<S: Equations<N>, const N: usize> OneStep<S, S::Refusal, N> for Euler {
 
 #[cfg(test)]
 mod tests {
+    use nalgebra::Const;
+
     use super::Euler;
     use crate::integrate::test_problems::{convergence_orders, vector};
-    use crate::integrate::{OneStep, Phase, Start};
+    use crate::integrate::{OneStep, Phase};
 
     #[test]
     fn positions_take_the_velocity_of_their_scheme() {
-        let phase = Phase {
+        let start = Phase {
             q: vector(1.0),
             qd: vector(2.0),
         };
-        let (t, h) = (0.0, 0.5);
-        let push = |_: f64, _: &Phase<1>| Ok::<_, ()>(vector(8.0));
+        let push = |_: f64, _: &Phase<Const<1>>| Ok::<_, ()>(vector(8.0));
         for (mut scheme, way) in [
             (Euler::Explicit, 1.0),
             (Euler::Craig, 1.0 + 1.0),
             (Euler::SemiImplicit, 3.0),
         ] {
-            let next = scheme.step(&push, &Start { t, phase, h }).unwrap();
+            let next = scheme.step(&push, 0.0, &start, 0.5).unwrap();
             assert_eq!((next.q[0], next.qd[0]), (1.0 + way, 6.0));
         }
     }

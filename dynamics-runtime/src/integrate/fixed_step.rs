@@ -1,39 +1,45 @@
 //! Integration by steps of equal length.
 
-use super::{Failure, Grid, Phase, Start, Stepper};
+use super::{Failure, Grid, Phase, Stepper};
+use crate::size::Size;
 
 /// A method that needs nothing but the phase that a step starts from.
-pub(crate) trait OneStep<S, E, const N: usize> {
-    /// The phase after a step.
-    fn step(&mut self, system: &S, from: &Start<N>) -> Result<Phase<N>, Failure<E>>;
+pub(crate) trait OneStep<S, E, D: Size> {
+    /// The phase after a step of length `h` from `phase` at `t`.
+    fn step(
+        &mut self,
+        system: &S,
+        t: f64,
+        phase: &Phase<D>,
+        h: f64,
+    ) -> Result<Phase<D>, Failure<E>>;
 
     /// The next step is under other equations: what one step hands on to the next is void.
     fn restart(&mut self) {}
 }
 
 /// An integration by steps of equal length.
-pub(crate) struct FixedStep<M, const N: usize> {
+pub(crate) struct FixedStep<M, D: Size> {
     method: M,
     grid: Grid,
     /// Steps of the grid that have ended.
     taken: u64,
     t: f64,
-    phase: Phase<N>,
-    /// The last step.
-    last: Start<N>,
+    phase: Phase<D>,
+    /// Where the last step started.
+    from: (f64, Phase<D>),
 }
 
-impl<M, const N: usize> FixedStep<M, N> {
+impl<M, D: Size> FixedStep<M, D> {
     /// At the start.
-    pub(crate) fn start(method: M, grid: Grid, phase: Phase<N>) -> Self {
-        let (t, h) = (0.0, 0.0);
+    pub(crate) fn start(method: M, grid: Grid, phase: Phase<D>) -> Self {
         FixedStep {
             method,
             grid,
             taken: 0,
-            t,
+            t: 0.0,
+            from: (0.0, phase.clone()),
             phase,
-            last: Start { t, phase, h },
         }
     }
 }
@@ -43,39 +49,41 @@ fn same(t: f64, other: f64) -> bool {
     (t - other).abs() <= 4.0 * f64::EPSILON * other.abs()
 }
 
-impl<S, E, M: OneStep<S, E, N>, const N: usize> Stepper<S, E, N> for FixedStep<M, N> {
+impl<S, E, M: OneStep<S, E, D>, D: Size> Stepper<S, E, D> for FixedStep<M, D> {
     fn t(&self) -> f64 {
         self.t
     }
 
-    fn phase(&self) -> &Phase<N> {
+    fn phase(&self) -> &Phase<D> {
         &self.phase
     }
 
     #[inline]
     fn step(&mut self, system: &S, end: f64) -> Result<(), Failure<E>> {
         let next = self.grid.time(self.taken + 1);
-        let is_end_next = same(end, next);
+        let whole = same(end, next) || next < end;
         // An end that is the next point of the grid but for rounding is that point.
-        let to = if end < next || is_end_next { end } else { next };
+        let to = if end < next || same(end, next) {
+            end
+        } else {
+            next
+        };
         // From within the grid, after an event, to its next point.
         let h = if to == next && self.t == self.grid.time(self.taken) {
             self.grid.step()
         } else {
             to - self.t
         };
-        let (t, phase) = (self.t, self.phase);
-        let from = Start { t, phase, h };
-        self.phase = self.method.step(system, &from)?;
-        self.last = from;
-        self.taken += u64::from(is_end_next || next < end);
+        let phase = self.method.step(system, self.t, &self.phase, h)?;
+        self.from = (self.t, core::mem::replace(&mut self.phase, phase));
+        self.taken += u64::from(whole);
         self.t = to;
         Ok(())
     }
 
     fn retake(&mut self, system: &S, end: f64) -> Result<(), Failure<E>> {
-        let h = end - self.last.t;
-        self.phase = self.method.step(system, &Start { h, ..self.last })?;
+        let (t, phase) = &self.from;
+        self.phase = self.method.step(system, *t, phase, end - t)?;
         let beyond = |point: f64| point > end && !same(point, end);
         while self.taken > 0 && beyond(self.grid.time(self.taken)) {
             self.taken -= 1;
@@ -84,16 +92,16 @@ impl<S, E, M: OneStep<S, E, N>, const N: usize> Stepper<S, E, N> for FixedStep<M
         Ok(())
     }
 
-    fn restart(&mut self, _: &S, phase: Phase<N>) -> Result<(), Failure<E>> {
+    fn restart(&mut self, _: &S, phase: Phase<D>) -> Result<(), Failure<E>> {
         self.method.restart();
         self.phase = phase;
         Ok(())
     }
 
     /// Samples are ends of steps.
-    fn at(&mut self, _: &S, t: f64) -> Result<Phase<N>, Failure<E>> {
+    fn at(&mut self, _: &S, t: f64) -> Result<Phase<D>, Failure<E>> {
         debug_assert!(same(t, self.t), "{t} {}", self.t);
-        Ok(self.phase)
+        Ok(self.phase.clone())
     }
 
     fn rejected(&self) -> u64 {

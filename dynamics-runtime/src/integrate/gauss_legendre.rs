@@ -5,15 +5,14 @@
 //! rounding and compensated summation as in E. Hairer, R. I. McLachlan, A. Razakarivony,
 //! *Achieving Brouwer's law with implicit Runge-Kutta methods*, BIT 48 (2008).
 
-use nalgebra::SVector;
-
 use super::compensated::Compensated;
-use super::{Canonical, Failure, OneStep, Phase, Point, Start};
+use super::{Canonical, Failure, OneStep, Phase, Point};
+use crate::size::{JointVector as _, Size};
 
 /// Collocation at the zeros of the Legendre polynomial of degree `STAGES`, of order 2 `STAGES`.
-pub(crate) struct GaussLegendre<const STAGES: usize, const N: usize> {
+pub(crate) struct GaussLegendre<const STAGES: usize, D: Size> {
     tableau: Tableau<STAGES>,
-    carried: Option<Carried<STAGES, N>>,
+    carried: Option<Carried<STAGES, D>>,
 }
 
 /// Coefficients of a collocation method.
@@ -25,23 +24,23 @@ struct Tableau<const STAGES: usize> {
     ahead: [[f64; STAGES]; STAGES],
 }
 
-/// The results of a step for the next one, besides the phase that it returned.
-struct Carried<const STAGES: usize, const N: usize> {
-    phase: Phase<N>,
+/// What a step hands on to the next one, besides the phase that it returned.
+struct Carried<const STAGES: usize, D: Size> {
+    phase: Phase<D>,
     h: f64,
-    at: Compensated<N>,
-    rates: [Point<N>; STAGES],
+    at: Compensated<D>,
+    rates: [Point<D>; STAGES],
 }
 
-impl<const N: usize> GaussLegendre<1, N> {
-    /// The method of order 2: the implicit midpoint rule.
+impl<D: Size> GaussLegendre<1, D> {
+    /// Of order 2: the implicit midpoint rule.
     pub(crate) fn order_2() -> Self {
         Self::new([[0.5]], [1.0], [0.5])
     }
 }
 
-impl<const N: usize> GaussLegendre<2, N> {
-    /// The method of order 4.
+impl<D: Size> GaussLegendre<2, D> {
+    /// Of order 4.
     pub(crate) fn order_4() -> Self {
         let r = 3.0_f64.sqrt() / 6.0;
         let a = [[0.25, 0.25 - r], [0.25 + r, 0.25]];
@@ -49,8 +48,8 @@ impl<const N: usize> GaussLegendre<2, N> {
     }
 }
 
-impl<const N: usize> GaussLegendre<3, N> {
-    /// The method of order 6.
+impl<D: Size> GaussLegendre<3, D> {
+    /// Of order 6.
     pub(crate) fn order_6() -> Self {
         let r = 15.0_f64.sqrt();
         let (outer, inner) = (5.0 / 36.0, 2.0 / 9.0);
@@ -77,7 +76,7 @@ const MOST_ITERATIONS: usize = 100;
 /// An iteration that has not come near by then moves away.
 const PATIENCE: usize = 10;
 
-impl<const STAGES: usize, const N: usize> GaussLegendre<STAGES, N> {
+impl<const STAGES: usize, D: Size> GaussLegendre<STAGES, D> {
     fn new(a: [[f64; STAGES]; STAGES], b: [f64; STAGES], c: [f64; STAGES]) -> Self {
         let lagrange = |x: f64, j: usize| {
             let factor = |k: usize| (x - c[k]) / (c[j] - c[k]);
@@ -93,35 +92,46 @@ impl<const STAGES: usize, const N: usize> GaussLegendre<STAGES, N> {
 
     /// Positions and momenta at the start of a step, and a first guess of the stages' rates: those
     /// of the step before, extrapolated.
-    fn begin<S: Canonical<N>>(
-        &self,
-        system: &S,
-        Start { t, phase, h }: &Start<N>,
-    ) -> Result<(Compensated<N>, [Point<N>; STAGES]), S::Refusal> {
-        if let Some(before) = &self.carried
-            && (&before.phase, &before.h) == (phase, h)
-        {
-            let ahead = self.tableau.ahead;
-            return Ok((before.at, ahead.map(|row| combination(&row, &before.rates))));
-        }
-        let p = system.momentum(phase)?;
-        let at = Point { q: phase.q, p };
-        Ok((Compensated::new(at), [system.rate(*t, &at)?; STAGES]))
-    }
-
-    /// The rates k of the stages, of which each is that at y + h sum_j a_ij k_j, by iteration.
-    fn stages<S: Canonical<N>>(
+    fn begin<S: Canonical<D>>(
         &self,
         system: &S,
         t: f64,
-        from: &Compensated<N>,
+        phase: &Phase<D>,
         h: f64,
-        mut rates: [Point<N>; STAGES],
-    ) -> Result<[Point<N>; STAGES], Failure<S::Refusal>> {
+    ) -> Result<(Compensated<D>, [Point<D>; STAGES]), S::Refusal> {
+        if let Some(before) = &self.carried
+            && before.phase == *phase
+            && before.h == h
+        {
+            let guess = self
+                .tableau
+                .ahead
+                .map(|row| combination(&row, &before.rates));
+            return Ok((before.at.clone(), guess));
+        }
+        let p = system.momentum(phase)?;
+        let at = Point {
+            q: phase.q.clone(),
+            p,
+        };
+        let rate = system.rate(t, &at)?;
+        let guess = core::array::from_fn(|_| rate.clone());
+        Ok((Compensated::new(at), guess))
+    }
+
+    /// The rates k of the stages, of which each is that at y + h sum_j a_ij k_j, by iteration.
+    fn stages<S: Canonical<D>>(
+        &self,
+        system: &S,
+        t: f64,
+        from: &Compensated<D>,
+        h: f64,
+        mut rates: [Point<D>; STAGES],
+    ) -> Result<[Point<D>; STAGES], Failure<S::Refusal>> {
         let Tableau { a, c, .. } = &self.tableau;
         let mut before = f64::INFINITY;
         for k in 0..MOST_ITERATIONS {
-            let old = rates;
+            let old = rates.clone();
             for i in 0..STAGES {
                 let at = from.plus(h, &combination(&a[i], &old));
                 rates[i] = system.rate(t + c[i] * h, &at)?;
@@ -139,17 +149,22 @@ impl<const STAGES: usize, const N: usize> GaussLegendre<STAGES, N> {
     }
 }
 
-impl<S: Canonical<N>, const STAGES: usize, const N: usize> OneStep<S, S::Refusal, N>
-    for GaussLegendre<STAGES, N>
+impl<S: Canonical<D>, const STAGES: usize, D: Size> OneStep<S, S::Refusal, D>
+    for GaussLegendre<STAGES, D>
 {
-    fn step(&mut self, system: &S, from: &Start<N>) -> Result<Phase<N>, Failure<S::Refusal>> {
-        let (mut at, guess) = self.begin(system, from)?;
-        let h = from.h;
-        let rates = self.stages(system, from.t, &at, h, guess)?;
+    fn step(
+        &mut self,
+        system: &S,
+        t: f64,
+        phase: &Phase<D>,
+        h: f64,
+    ) -> Result<Phase<D>, Failure<S::Refusal>> {
+        let (mut at, guess) = self.begin(system, t, phase, h)?;
+        let rates = self.stages(system, t, &at, h, guess)?;
         at.add(h, &combination(&self.tableau.b, &rates));
         let phase = system.phase(&at.value)?;
         self.carried = Some(Carried {
-            phase,
+            phase: phase.clone(),
             h,
             at,
             rates,
@@ -162,26 +177,29 @@ impl<S: Canonical<N>, const STAGES: usize, const N: usize> OneStep<S, S::Refusal
     }
 }
 
-/// The relative change of the rates of the stages by an iteration. NaN where a rate is.
+/// How much an iteration changed the rates of the stages. NaN where a rate is.
 struct Change {
-    /// The greater one of those of positions and of momenta.
+    /// Of positions or of momenta, whichever is more beside what it changed.
     all: f64,
-    /// The change of positions relative to them and [`SLOW`] a step. In an arm at rest others are rounding over rounding.
+    /// Of positions, beside what it changed and [`SLOW`] a step. In an arm at rest the others are
+    /// rounding beside rounding.
     velocities: f64,
 }
 
 #[inline(always)]
-fn change<const STAGES: usize, const N: usize>(
-    old: &[Point<N>; STAGES],
-    new: &[Point<N>; STAGES],
+fn change<const STAGES: usize, D: Size>(
+    old: &[Point<D>; STAGES],
+    new: &[Point<D>; STAGES],
     h: f64,
 ) -> Change {
     let (mut moved, mut size) = ([0.0; 2], [0.0; 2]);
     for (old, new) in old.iter().zip(new) {
         let difference = new.plus(-1.0, old);
         // Sums, for a maximum drops what is not a number.
-        moved = [moved[0] + sum(&difference.q), moved[1] + sum(&difference.p)];
-        size = [size[0] + sum(&new.q), size[1] + sum(&new.p)];
+        let [q, p] = [&difference.q, &difference.p].map(|vector| sum(vector.entries()));
+        moved = [moved[0] + q, moved[1] + p];
+        let [q, p] = [&new.q, &new.p].map(|vector| sum(vector.entries()));
+        size = [size[0] + q, size[1] + p];
     }
     let ratio = |i: usize| {
         if moved[i] == 0.0 {
@@ -190,40 +208,41 @@ fn change<const STAGES: usize, const N: usize>(
             moved[i] / size[i]
         }
     };
-    let [of_q, of_p] = [0, 1].map(ratio);
-    // NaN where either is.
-    let all = if of_q >= of_p {
-        of_q
+    let all = if ratio(0) >= ratio(1) {
+        ratio(0)
     } else {
-        of_p + 0.0 * of_q
+        ratio(1) + 0.0 * ratio(0)
     };
     let velocities = moved[0] / (size[0] + SLOW / h);
     Change { all, velocities }
 }
 
 #[inline(always)]
-fn sum<const N: usize>(vector: &SVector<f64, N>) -> f64 {
-    vector.iter().map(|entry| entry.abs()).sum()
+fn sum(entries: &[f64]) -> f64 {
+    entries.iter().map(|entry| entry.abs()).sum()
 }
 
 #[inline(always)]
-fn combination<const STAGES: usize, const N: usize>(
+fn combination<const STAGES: usize, D: Size>(
     weights: &[f64; STAGES],
-    rates: &[Point<N>; STAGES],
-) -> Point<N> {
-    let add = |sum: Point<N>, (weight, rate): (&f64, _)| sum.plus(*weight, rate);
-    weights.iter().zip(rates).fold(Point::zeros(), add)
+    rates: &[Point<D>; STAGES],
+) -> Point<D> {
+    let terms = weights.iter().zip(rates);
+    let none = Point::zeros(D::of(&rates[0].q));
+    terms.fold(none, |sum, (weight, rate)| sum.plus(*weight, rate))
 }
 
 #[cfg(test)]
 mod tests {
+    use nalgebra::Const;
+
     use super::GaussLegendre;
     use crate::integrate::canonical::InVelocities;
     use crate::integrate::order_conditions::order;
     use crate::integrate::test_problems::{Acceleration, convergence_orders};
-    use crate::integrate::{Equations, Failure, OneStep, Phase, Start};
+    use crate::integrate::{Equations, Failure, OneStep, Phase};
 
-    fn order_of<const STAGES: usize>(method: GaussLegendre<STAGES, 1>) -> usize {
+    fn order_of<const STAGES: usize>(method: GaussLegendre<STAGES, Const<1>>) -> usize {
         let a: Vec<Vec<f64>> = method.tableau.a.iter().map(|row| row.to_vec()).collect();
         for (row, c) in a.iter().zip(method.tableau.c) {
             assert!((row.iter().sum::<f64>() - c).abs() < 1e-15);
@@ -239,7 +258,7 @@ mod tests {
     }
 
     /// `b_i a_ij + b_j a_ji = b_i b_j`, which makes a method symplectic (J. M. Sanz-Serna 1988).
-    fn check_symplectic<const STAGES: usize>(method: GaussLegendre<STAGES, 1>) {
+    fn check_symplectic<const STAGES: usize>(method: GaussLegendre<STAGES, Const<1>>) {
         let (a, b) = (&method.tableau.a, &method.tableau.b);
         for i in 0..STAGES {
             for j in 0..STAGES {
@@ -257,14 +276,20 @@ mod tests {
     }
 
     /// The method on the test problem, which has the velocity for its momentum.
-    struct OnVelocities<const STAGES: usize>(GaussLegendre<STAGES, 1>);
+    struct OnVelocities<const STAGES: usize>(GaussLegendre<STAGES, Const<1>>);
 
-    impl<const STAGES: usize, E> OneStep<Acceleration, E, 1> for OnVelocities<STAGES>
+    impl<const STAGES: usize, E> OneStep<Acceleration, E, Const<1>> for OnVelocities<STAGES>
     where
-        Acceleration: Equations<1, Refusal = E>,
+        Acceleration: Equations<Const<1>, Refusal = E>,
     {
-        fn step(&mut self, system: &Acceleration, from: &Start<1>) -> Result<Phase<1>, Failure<E>> {
-            self.0.step(&InVelocities(system), from)
+        fn step(
+            &mut self,
+            system: &Acceleration,
+            t: f64,
+            phase: &Phase<Const<1>>,
+            h: f64,
+        ) -> Result<Phase<Const<1>>, Failure<E>> {
+            self.0.step(&InVelocities(system), t, phase, h)
         }
     }
 
@@ -283,13 +308,12 @@ mod tests {
 
     #[test]
     fn a_step_that_is_too_long_for_the_iteration_is_refused() {
-        let stiff = |_: f64, phase: &Phase<1>| Ok::<_, ()>(-1e6 * phase.qd);
-        let phase = Phase {
+        let stiff = |_: f64, phase: &Phase<Const<1>>| Ok::<_, ()>(-1e6 * phase.qd);
+        let start = Phase {
             q: [0.0].into(),
             qd: [1.0].into(),
         };
-        let (t, h) = (0.0, 1e-2);
-        let step = GaussLegendre::order_4().step(&InVelocities(&stiff), &Start { t, phase, h });
+        let step = GaussLegendre::order_4().step(&InVelocities(&stiff), 0.0, &start, 1e-2);
         assert_eq!(step, Err(Failure::NoConvergence));
     }
 }

@@ -45,8 +45,11 @@ pub(crate) fn sample_time(duration: f64, intervals: u64, k: u64) -> f64 {
 fn steps_per_interval(interval: f64, longest: f64) -> u64 {
     let quotient = interval / longest;
     let whole = quotient.round();
-    let is_whole = (quotient - whole).abs() <= 1e-9 * whole;
-    let steps = if is_whole { whole } else { quotient.ceil() };
+    let steps = if (quotient - whole).abs() <= 1e-9 * whole {
+        whole
+    } else {
+        quotient.ceil()
+    };
     steps.max(1.0) as u64
 }
 

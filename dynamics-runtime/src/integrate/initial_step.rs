@@ -1,18 +1,19 @@
 //! The first step of a run.
 
 use super::{Equations, Phase, Tolerance};
+use crate::size::Size;
 
 /// A step size at which an Euler step is about as good as the tolerance asks (Hairer, Nørsett,
 /// Wanner I, section II.4, "starting step size").
-pub(super) fn initial_step<S: Equations<N>, const N: usize>(
+pub(super) fn initial_step<S: Equations<D>, D: Size>(
     system: &S,
     t: f64,
-    phase: &Phase<N>,
-    rate: &Phase<N>,
+    phase: &Phase<D>,
+    rate: &Phase<D>,
     tolerance: &Tolerance,
     order: f64,
 ) -> f64 {
-    let norm = |value: &Phase<N>| tolerance.norm(value, phase, phase);
+    let norm = |value: &Phase<D>| tolerance.norm(value, phase, phase);
     let (size, speed) = (norm(phase), norm(rate));
     let small = size < 1e-5 || speed < 1e-5;
     let first = if small { 1e-6 } else { 0.01 * size / speed };

@@ -1,103 +1,127 @@
 //! The derivatives of an acceleration.
 
-use nalgebra::{Complex, ComplexField, SMatrix, SVector};
+use nalgebra::{Complex, ComplexField};
 
 use super::lu::Lu;
 use super::{Equations, Phase};
+use crate::size::Size;
 
 /// dq''/dq and dq''/dq'.
-#[derive(Clone, Copy)]
-pub(super) struct Jacobian<const N: usize> {
-    by_q: SMatrix<f64, N, N>,
-    by_qd: SMatrix<f64, N, N>,
+#[derive(Clone)]
+pub(super) struct Jacobian<D: Size> {
+    by_q: D::Matrix,
+    by_qd: D::Matrix,
 }
 
-impl<const N: usize> Jacobian<N> {
-    pub(super) fn zeros() -> Self {
+impl<D: Size> Jacobian<D> {
+    pub(super) fn zeros(size: D) -> Self {
         Jacobian {
-            by_q: SMatrix::zeros(),
-            by_qd: SMatrix::zeros(),
+            by_q: size.matrix(),
+            by_qd: size.matrix(),
         }
     }
 
     /// By differences over the square root of the rounding, 2 N evaluations: enough for a simplified
     /// Newton iteration, and they see whatever a torque law does.
-    pub(super) fn at<S: Equations<N>>(
+    pub(super) fn at<S: Equations<D>>(
         system: &S,
         t: f64,
-        phase: &Phase<N>,
-        acceleration: &SVector<f64, N>,
+        phase: &Phase<D>,
+        acceleration: &D::Vector,
     ) -> Result<Self, S::Refusal> {
-        let derivatives = |part: fn(&mut Phase<N>) -> &mut SVector<f64, N>| {
-            let mut matrix = SMatrix::<f64, N, N>::zeros();
-            for j in 0..N {
-                let mut moved = *phase;
+        let mut jacobian = Self::zeros(phase.size());
+        let differences = |matrix: &mut D::Matrix, part: fn(&mut Phase<D>) -> &mut D::Vector| {
+            for j in phase.size().joints() {
+                let mut moved = phase.clone();
                 let entry = &mut part(&mut moved)[j];
-                // As in the program RADAU5 of Hairer and Wanner.
-                let distance = (f64::EPSILON * entry.abs().max(1e-5)).sqrt();
+                let distance = distance(*entry);
                 *entry += distance;
-                let change = system.acceleration(t, &moved)? - acceleration;
-                matrix.set_column(j, &(change / distance));
+                let change = system.acceleration(t, &moved)? - acceleration.clone();
+                for i in phase.size().joints() {
+                    matrix[(i, j)] = change[i] / distance;
+                }
             }
-            Ok(matrix)
+            Ok(())
         };
-        Ok(Jacobian {
-            by_q: derivatives(|phase| &mut phase.q)?,
-            by_qd: derivatives(|phase| &mut phase.qd)?,
-        })
+        differences(&mut jacobian.by_q, |phase| &mut phase.q)?;
+        differences(&mut jacobian.by_qd, |phase| &mut phase.qd)?;
+        Ok(jacobian)
     }
+}
+
+/// The distance of a difference (Hairer and Wanner's program RADAU5).
+fn distance(x: f64) -> f64 {
+    (f64::EPSILON * x.abs().max(1e-5)).sqrt()
 }
 
 /// The equations `(mu - J) (x, v) = (r, s)` with `J = (0, 1; A, B)`, A and B the derivatives by q and
 /// q': `x = (r + v) / mu` leaves `(mu - B - A / mu) v = s + A r / mu`, half as many.
-#[derive(Clone, Copy)]
-pub(super) struct Shifted<T, const N: usize> {
+#[derive(Clone)]
+pub(super) struct Shifted<T: ComplexField<RealField = f64> + Copy, D: Size> {
     mu: T,
-    by_q: SMatrix<f64, N, N>,
-    factors: Lu<T, N>,
+    by_q: D::Matrix,
+    factors: Lu<T, D>,
 }
 
-impl<T, const N: usize> Shifted<T, N>
+impl<T, D: Size> Shifted<T, D>
 where
     T: ComplexField<RealField = f64> + Copy,
 {
-    pub(super) fn new(mu: T, jacobian: &Jacobian<N>) -> Self {
+    pub(super) fn new(size: D, mu: T, jacobian: &Jacobian<D>) -> Self {
         let Jacobian { by_q, by_qd } = jacobian;
-        let matrix = SMatrix::from_fn(|i, j| {
+        let entry = |i, j| {
             let unit = if i == j { mu } else { T::zero() };
             unit - T::from_real(by_qd[(i, j)]) - T::from_real(by_q[(i, j)]) / mu
-        });
+        };
         Shifted {
             mu,
-            by_q: *by_q,
-            factors: Lu::new(matrix),
+            by_q: by_q.clone(),
+            factors: Lu::new(size, entry),
         }
     }
 
-    fn solve_parts(&self, r: SVector<T, N>, s: SVector<T, N>) -> (SVector<T, N>, SVector<T, N>) {
-        let pull = self.by_q.map(T::from_real) * r / self.mu;
-        let v = self.factors.solve(s + pull);
-        ((r + v) / self.mu, v)
+    /// The solution for right sides of which some phases are the real and the imaginary parts.
+    fn solve_parts(
+        &self,
+        size: D,
+        right: impl Fn(fn(&Phase<D>) -> &D::Vector, usize) -> T,
+    ) -> [D::Each<T>; 2] {
+        let r = size.each(|i| right(|phase| &phase.q, i));
+        let pulled = size.each(|i| {
+            let terms = size
+                .joints()
+                .map(|j| T::from_real(self.by_q[(i, j)]) * r[j]);
+            right(|phase| &phase.qd, i) + terms.fold(T::zero(), |sum, term| sum + term) / self.mu
+        });
+        let v = self.factors.solve(pulled);
+        [size.each(|i| (r[i] + v[i]) / self.mu), v]
     }
 }
 
-impl<const N: usize> Shifted<f64, N> {
-    pub(super) fn solve(&self, right: &Phase<N>) -> Phase<N> {
-        let (q, qd) = self.solve_parts(right.q, right.qd);
-        Phase { q, qd }
+impl<D: Size> Shifted<f64, D> {
+    pub(super) fn solve(&self, right: &Phase<D>) -> Phase<D> {
+        let size = right.size();
+        let [q, qd] = self.solve_parts(size, |part, i| part(right)[i]);
+        Phase {
+            q: size.vector_of(|i| q[i]),
+            qd: size.vector_of(|i| qd[i]),
+        }
     }
 }
 
-impl<const N: usize> Shifted<Complex<f64>, N> {
+impl<D: Size> Shifted<Complex<f64>, D> {
     /// With real and imaginary parts apart.
-    pub(super) fn solve(&self, real: &Phase<N>, imaginary: &Phase<N>) -> (Phase<N>, Phase<N>) {
-        let join = |re: &SVector<f64, N>, im: &SVector<f64, N>| re.zip_map(im, Complex::new);
-        let (q, qd) = self.solve_parts(join(&real.q, &imaginary.q), join(&real.qd, &imaginary.qd));
-        let part = |of: fn(Complex<f64>) -> f64| Phase {
-            q: q.map(of),
-            qd: qd.map(of),
+    pub(super) fn solve(&self, real: &Phase<D>, imaginary: &Phase<D>) -> (Phase<D>, Phase<D>) {
+        let size = real.size();
+        let joined = |part: fn(&Phase<D>) -> &D::Vector, i: usize| {
+            Complex::new(part(real)[i], part(imaginary)[i])
         };
-        (part(|z| z.re), part(|z| z.im))
+        let [q, qd] = self.solve_parts(size, joined);
+        let phase = |part: fn(&Complex<f64>) -> f64| Phase {
+            q: size.vector_of(|i| part(&q[i])),
+            qd: size.vector_of(|i| part(&qd[i])),
+        };
+        (phase(|z| z.re), phase(|z| z.im))
     }
 }
 
@@ -105,7 +129,7 @@ impl<const N: usize> Shifted<Complex<f64>, N> {
 mod tests {
     use core::convert::Infallible;
 
-    use nalgebra::{Complex, Matrix2, Vector2};
+    use nalgebra::{Complex, Const, Matrix2, Vector2};
 
     use super::{Jacobian, Shifted};
     use crate::integrate::Phase;
@@ -115,7 +139,7 @@ mod tests {
 
     #[test]
     fn differences_are_derivatives() {
-        let law = |t: f64, p: &Phase<2>| {
+        let law = |t: f64, p: &Phase<Const<2>>| {
             Ok::<_, Infallible>(A * p.q.map(f64::sin) + B * p.qd + Vector2::repeat(t))
         };
         let phase = Phase {
@@ -133,7 +157,7 @@ mod tests {
     #[test]
     fn shifted_systems_are_solved() {
         let jacobian = Jacobian { by_q: A, by_qd: B };
-        let times = |p: &Phase<2>| Phase {
+        let times = |p: &Phase<Const<2>>| Phase {
             q: p.qd,
             qd: A * p.q + B * p.qd,
         };
@@ -142,14 +166,14 @@ mod tests {
             qd: Vector2::new(0.5, 3.0),
         };
         let right = x.scaled(7.0).minus(&times(&x));
-        let found = Shifted::<f64, 2>::new(7.0, &jacobian).solve(&right);
+        let found = Shifted::new(Const::<2>, 7.0, &jacobian).solve(&right);
         assert!(found.minus(&x).entries().all(|e| e.abs() < 1e-14));
 
         let y = Phase { q: x.qd, qd: x.q };
         let (re, im) = (2.0, 5.0);
         let real = x.scaled(re).plus(-im, &y).minus(&times(&x));
         let imaginary = y.scaled(re).plus(im, &x).minus(&times(&y));
-        let shifted = Shifted::<Complex<f64>, 2>::new(Complex::new(re, im), &jacobian);
+        let shifted = Shifted::new(Const::<2>, Complex::new(re, im), &jacobian);
         let (found_x, found_y) = shifted.solve(&real, &imaginary);
         assert!(found_x.minus(&x).entries().all(|e| e.abs() < 1e-14));
         assert!(found_y.minus(&y).entries().all(|e| e.abs() < 1e-14));

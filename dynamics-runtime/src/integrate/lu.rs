@@ -1,69 +1,87 @@
 //! Small systems of linear equations, real or complex.
 
-use nalgebra::{ComplexField, SMatrix, SVector};
+use nalgebra::ComplexField;
+
+use crate::size::Size;
 
 /// A matrix as the product of a lower and an upper triangle, with rows exchanged so that each pivot
 /// is the largest of its column (Golub and Van Loan, *Matrix Computations*, algorithm 3.4.1).
 ///
-/// Where a pivot is 0 the solutions are not finite. It is not nalgebra's, whose bound `Const<N>: DimMin<Const<N>>` would
-/// stand in the signature of everything that is generic over the number of joints.
-#[derive(Clone, Copy)]
-pub(crate) struct Lu<T, const N: usize> {
-    factors: SMatrix<T, N, N>,
-    rows: [usize; N],
+/// Where a pivot is 0 the solutions are not finite.
+///
+/// It is not nalgebra's, whose factorisations ask for bounds on the number of joints that would stand in the signature of
+/// everything that is generic over it, up to the simulation's `run`.
+#[derive(Clone)]
+pub(crate) struct Lu<T: ComplexField + Copy, D: Size> {
+    factors: D::Each<D::Each<T>>,
+    rows: D::Each<usize>,
 }
 
-impl<T: ComplexField + Copy, const N: usize> Lu<T, N> {
-    pub(crate) fn new(mut matrix: SMatrix<T, N, N>) -> Self {
-        let mut rows = [0; N];
-        for k in 0..N {
-            rows[k] = pivot_row(&matrix, k);
-            matrix.swap_rows(k, rows[k]);
-            for i in k + 1..N {
-                let factor = matrix[(i, k)] / matrix[(k, k)];
-                matrix[(i, k)] = factor;
-                for j in k + 1..N {
-                    let above = matrix[(k, j)];
-                    matrix[(i, j)] -= factor * above;
+impl<T: ComplexField + Copy, D: Size> Lu<T, D> {
+    /// Factors the matrix with these entries.
+    pub(crate) fn new(size: D, entry: impl Fn(usize, usize) -> T) -> Self {
+        let mut factors = size.each(|i| size.each(|j| entry(i, j)));
+        let rows = size.each(|k| {
+            let row = size.joints().skip(k + 1).fold(k, |best, i| {
+                pivot(&factors[best][k], &factors[i][k], best, i)
+            });
+            factors.as_mut().swap(k, row);
+            for i in k + 1..size.value() {
+                let factor = factors[i][k] / factors[k][k];
+                factors[i][k] = factor;
+                for j in k + 1..size.value() {
+                    let above = factors[k][j];
+                    factors[i][j] -= factor * above;
                 }
             }
-        }
-        Lu {
-            factors: matrix,
-            rows,
-        }
+            row
+        });
+        Lu { factors, rows }
     }
 
-    pub(crate) fn solve(&self, mut x: SVector<T, N>) -> SVector<T, N> {
-        for (k, row) in self.rows.iter().enumerate() {
-            x.swap_rows(k, *row);
+    pub(crate) fn solve(&self, mut x: D::Each<T>) -> D::Each<T> {
+        let size = self.rows.as_ref().len();
+        for (k, row) in self.rows.as_ref().iter().enumerate() {
+            x.as_mut().swap(k, *row);
         }
-        for i in 0..N {
+        for i in 0..size {
             for j in 0..i {
                 let known = x[j];
-                x[i] -= self.factors[(i, j)] * known;
+                x[i] -= self.factors[i][j] * known;
             }
         }
-        for i in (0..N).rev() {
-            for j in i + 1..N {
+        for i in (0..size).rev() {
+            for j in i + 1..size {
                 let known = x[j];
-                x[i] -= self.factors[(i, j)] * known;
+                x[i] -= self.factors[i][j] * known;
             }
-            x[i] /= self.factors[(i, i)];
+            x[i] /= self.factors[i][i];
         }
         x
     }
 }
 
-/// The row of the largest entry of column `k` that is not yet eliminated.
-fn pivot_row<T: ComplexField, const N: usize>(matrix: &SMatrix<T, N, N>, k: usize) -> usize {
-    let size = |i: usize| matrix[(i, k)].clone().norm1();
-    (k + 1..N).fold(k, |best, i| if size(i) > size(best) { i } else { best })
+impl<D: Size> Lu<f64, D> {
+    /// The solution for a vector of the joints.
+    pub(crate) fn solve_vector(&self, b: &D::Vector) -> D::Vector {
+        let size = D::of(b);
+        let x = self.solve(size.each(|i| b[i]));
+        size.vector_of(|i| x[i])
+    }
+}
+
+/// The row of the greater of two entries.
+fn pivot<T: ComplexField>(best: &T, other: &T, row: usize, other_row: usize) -> usize {
+    if other.clone().norm1() > best.clone().norm1() {
+        other_row
+    } else {
+        row
+    }
 }
 
 #[cfg(test)]
 mod tests {
-    use nalgebra::{Complex, Matrix3, Vector3};
+    use nalgebra::{Complex, Const, Matrix3, Vector3};
 
     use super::Lu;
 
@@ -72,10 +90,13 @@ mod tests {
         // The first pivot is 0.
         let a = Matrix3::new(0.0, 2.0, 1.0, -1.0, 3.0, 0.5, 4.0, 1.0, -2.0);
         let x = Vector3::new(1.0, -2.0, 3.0);
-        assert!((Lu::new(a).solve(a * x) - x).amax() < 1e-15);
+        let lu = Lu::new(Const::<3>, |i, j| a[(i, j)]);
+        assert!((lu.solve_vector(&(a * x)) - x).amax() < 1e-15);
         let i = Complex::new(0.0, 1.0);
         let a = a.map(|entry| i * entry + 0.25);
         let x = x.map(|entry| Complex::new(entry, 1.0));
-        assert!((Lu::new(a).solve(a * x) - x).map(|e| e.norm()).amax() < 1e-14);
+        let lu = Lu::new(Const::<3>, |i, j| a[(i, j)]);
+        let solved = Vector3::from(lu.solve((a * x).into()));
+        assert!((solved - x).map(|e| e.norm()).amax() < 1e-14);
     }
 }

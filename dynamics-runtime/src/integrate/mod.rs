@@ -1,9 +1,10 @@
 //! Methods of integration for equations of motion q'' = a(t, q, q').
 //!
-//! They know nothing of robots: [`Equations`] are any function of time and phase that may refuse. Every method is a
-//! [`Stepper`]. Methods of fixed step are [`OneStep`], which [`FixedStep`] makes; those that preserve the structure of a
-//! motion ask for positions and momenta ([`Canonical`]). Methods with an embedded error estimate are [`Embedded`], whose
-//! steps [`Adaptive`] chooses.
+//! They know nothing of robots: [`Equations`] are any function of time and phase that may refuse.
+//! Every method is a [`Stepper`]. A method of fixed step says what a step is ([`OneStep`]), and
+//! [`FixedStep`] makes them; where it preserves the structure of a motion, it asks for the equations in
+//! positions and momenta ([`Canonical`]); a method with an embedded error estimate says what its stages are
+//! ([`Embedded`]), and [`Adaptive`] chooses the steps.
 
 mod adaptive;
 mod canonical;
@@ -28,7 +29,6 @@ mod step_control;
 mod stepper;
 mod tolerance;
 
-pub(crate) use crate::float::first_non_finite;
 pub(crate) use adaptive::Adaptive;
 pub(crate) use canonical::{Canonical, Point};
 pub(crate) use dop853::Dop853Method;
@@ -40,7 +40,7 @@ pub(crate) use fixed_step::{FixedStep, OneStep};
 pub(crate) use gauss_legendre::GaussLegendre;
 pub(crate) use grid::{Grid, sample_time};
 pub(crate) use lu::Lu;
-pub(crate) use phase::{Phase, Start};
+pub(crate) use phase::{Phase, first_non_finite};
 pub(crate) use radau::Radau;
 pub(crate) use rk4::Rk4;
 pub(crate) use stepper::{Failure, Stepper};

@@ -1,64 +1,69 @@
 //! A point of the phase space.
 
-use nalgebra::SVector;
-
-use crate::float::first_non_finite;
+use crate::size::{JointVector as _, Size};
 
 /// Positions and velocities; or a rate of change of both.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Phase<const N: usize> {
-    pub(crate) q: SVector<f64, N>,
-    pub(crate) qd: SVector<f64, N>,
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Phase<D: Size> {
+    pub(crate) q: D::Vector,
+    pub(crate) qd: D::Vector,
 }
 
-impl<const N: usize> Phase<N> {
-    pub(crate) fn zeros() -> Self {
+impl<D: Size> Phase<D> {
+    #[inline(always)]
+    pub(crate) fn zeros(size: D) -> Self {
         Phase {
-            q: SVector::zeros(),
-            qd: SVector::zeros(),
+            q: size.vector(),
+            qd: size.vector(),
         }
     }
 
-    /// The rate of change of this point under an acceleration.
-    pub(super) fn rate(&self, qdd: SVector<f64, N>) -> Self {
+    /// The number of joints.
+    #[inline(always)]
+    pub(crate) fn size(&self) -> D {
+        D::of(&self.q)
+    }
+
+    /// How this point moves under an acceleration.
+    #[inline(always)]
+    pub(super) fn rate(&self, qdd: D::Vector) -> Self {
         Phase {
-            q: self.qd,
+            q: self.qd.clone(),
             qd: qdd,
         }
     }
 
     /// `self + factor * other`.
+    #[inline(always)]
     pub(super) fn plus(&self, factor: f64, other: &Self) -> Self {
         Phase {
-            q: self.q + other.q * factor,
-            qd: self.qd + other.qd * factor,
+            q: self.q.plus(factor, &other.q),
+            qd: self.qd.plus(factor, &other.qd),
         }
     }
 
     /// `factor * self`.
+    #[inline(always)]
     pub(super) fn scaled(&self, factor: f64) -> Self {
-        Phase::zeros().plus(factor, self)
+        Phase::zeros(self.size()).plus(factor, self)
     }
 
     /// `self - other`.
+    #[inline(always)]
     pub(crate) fn minus(&self, other: &Self) -> Self {
         self.plus(-1.0, other)
     }
 
     /// The joint of the first entry that is not finite.
     pub(crate) fn first_non_finite(&self) -> Option<usize> {
-        first_non_finite(&self.q).or_else(|| first_non_finite(&self.qd))
+        let [q, qd] = [&self.q, &self.qd].map(|vector| first_non_finite(vector.entries()));
+        q.or(qd)
     }
 
     pub(crate) fn entries(&self) -> impl Iterator<Item = f64> {
-        self.q.iter().chain(self.qd.iter()).copied()
+        let entries = self.q.entries().iter().chain(self.qd.entries());
+        entries.copied()
     }
 }
 
-/// Where a step starts, and its length.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Start<const N: usize> {
-    pub(super) t: f64,
-    pub(super) phase: Phase<N>,
-    pub(super) h: f64,
-}
+pub(crate) use crate::float::first_non_finite;

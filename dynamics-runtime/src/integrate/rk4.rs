@@ -1,15 +1,21 @@
 //! The classical Runge-Kutta method.
 
-use super::{Equations, Failure, OneStep, Phase, Start};
+use super::{Equations, Failure, OneStep, Phase};
+use crate::size::Size;
 
 /// The classical Runge-Kutta method of fourth order (W. Kutta, *Beitrag zur näherungsweisen
 /// Integration totaler Differentialgleichungen*, Z. Math. Phys. 46 (1901)).
 pub(crate) struct Rk4;
 
-impl<S: Equations<N>, const N: usize> OneStep<S, S::Refusal, N> for Rk4 {
+impl<S: Equations<D>, D: Size> OneStep<S, S::Refusal, D> for Rk4 {
     #[inline]
-    fn step(&mut self, system: &S, from: &Start<N>) -> Result<Phase<N>, Failure<S::Refusal>> {
-        let Start { t, ref phase, h } = *from;
+    fn step(
+        &mut self,
+        system: &S,
+        t: f64,
+        phase: &Phase<D>,
+        h: f64,
+    ) -> Result<Phase<D>, Failure<S::Refusal>> {
         let k1 = system.rate(t, phase)?;
         let k2 = system.rate(t + 0.5 * h, &phase.plus(0.5 * h, &k1))?;
         let k3 = system.rate(t + 0.5 * h, &phase.plus(0.5 * h, &k2))?;

@@ -53,8 +53,11 @@ impl StepControl {
         let (least, _) = self.constants.factors;
         self.rejected = true;
         let wish = SAFETY * error.powf(-self.alpha());
-        let factor = if wish.is_finite() { wish } else { least };
-        factor.clamp(least, 1.0)
+        if wish.is_finite() {
+            wish.clamp(least, 1.0)
+        } else {
+            least
+        }
     }
 }
 

@@ -1,30 +1,31 @@
 //! The one interface of all methods.
 
 use super::Phase;
+use crate::size::Size;
 
 /// An integration under way, at the end of its last step.
 ///
 /// `S` are the equations that the method needs, and gives the reasons for which they may refuse
 /// an evaluation.
-pub(crate) trait Stepper<S, E, const N: usize> {
+pub(crate) trait Stepper<S, E, D: Size> {
     /// The time reached.
     fn t(&self) -> f64;
 
     /// The phase reached.
-    fn phase(&self) -> &Phase<N>;
+    fn phase(&self) -> &Phase<D>;
 
     /// Makes one step, which ends at `end` at the latest.
     fn step(&mut self, system: &S, end: f64) -> Result<(), Failure<E>>;
 
     /// The phase at a time within the last step.
-    fn at(&mut self, system: &S, t: f64) -> Result<Phase<N>, Failure<E>>;
+    fn at(&mut self, system: &S, t: f64) -> Result<Phase<D>, Failure<E>>;
 
     /// Makes the last step again from where it started, so that it ends at an earlier time. It is
     /// not judged: it is shorter than a step that was good enough.
     fn retake(&mut self, system: &S, end: f64) -> Result<(), Failure<E>>;
 
     /// Goes on from another phase, or under other equations, at the time reached.
-    fn restart(&mut self, system: &S, phase: Phase<N>) -> Result<(), Failure<E>>;
+    fn restart(&mut self, system: &S, phase: Phase<D>) -> Result<(), Failure<E>>;
 
     /// The number of steps that were tried and thrown away.
     fn rejected(&self) -> u64;

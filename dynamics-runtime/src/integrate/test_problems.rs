@@ -2,11 +2,11 @@
 
 use core::convert::Infallible;
 
-use nalgebra::{SVector, Vector1};
+use nalgebra::{Const, SVector, Vector1};
 
-use super::{OneStep, Phase, Start};
+use super::{OneStep, Phase};
 
-pub(super) type Acceleration = fn(f64, &Phase<1>) -> Result<SVector<f64, 1>, Infallible>;
+pub(super) type Acceleration = fn(f64, &Phase<Const<1>>) -> Result<SVector<f64, 1>, Infallible>;
 
 pub(super) fn vector(x: f64) -> SVector<f64, 1> {
     Vector1::new(x)
@@ -20,7 +20,7 @@ pub(super) const ACCELERATION: Acceleration = |t, phase| {
     ))
 };
 
-pub(super) fn solution(t: f64) -> Phase<1> {
+pub(super) fn solution(t: f64) -> Phase<Const<1>> {
     let (sin, cos) = (2.0 * t).sin_cos();
     let decay = (-t).exp();
     Phase {
@@ -29,20 +29,19 @@ pub(super) fn solution(t: f64) -> Phase<1> {
     }
 }
 
-pub(super) fn distance(a: &Phase<1>, b: &Phase<1>) -> f64 {
+pub(super) fn distance(a: &Phase<Const<1>>, b: &Phase<Const<1>>) -> f64 {
     (a.q - b.q).norm().max((a.qd - b.qd).norm())
 }
 
 /// Orders observed between successive numbers of steps over two seconds.
 pub(super) fn convergence_orders(
-    mut method: impl OneStep<Acceleration, Infallible, 1>,
+    mut method: impl OneStep<Acceleration, Infallible, Const<1>>,
     steps: &[usize],
 ) -> Vec<f64> {
     let mut error = |steps: usize| {
         let h = 2.0 / steps as f64;
         let end = (0..steps).fold(solution(0.0), |phase, i| {
-            let t = i as f64 * h;
-            let step = method.step(&ACCELERATION, &Start { t, phase, h });
+            let step = method.step(&ACCELERATION, i as f64 * h, &phase, h);
             step.unwrap()
         });
         distance(&end, &solution(2.0)).log2()

@@ -1,6 +1,7 @@
 //! How large an error and a step may be.
 
 use super::{Failure, Phase};
+use crate::size::Size;
 
 /// Error bounds: a step's error in an entry y may be `absolute + relative |y|`.
 #[derive(Clone, Copy, Debug)]
@@ -12,18 +13,13 @@ pub(crate) struct Tolerance {
 impl Tolerance {
     /// Root mean square of the entries, each over its bound at the larger of two phases (Hairer,
     /// Nørsett, Wanner I, (II.4.11)).
-    pub(super) fn norm<const N: usize>(
-        &self,
-        error: &Phase<N>,
-        from: &Phase<N>,
-        to: &Phase<N>,
-    ) -> f64 {
+    pub(super) fn norm<D: Size>(&self, error: &Phase<D>, from: &Phase<D>, to: &Phase<D>) -> f64 {
         let entries = error.entries().zip(from.entries().zip(to.entries()));
         let squares = entries.map(|(error, (from, to))| {
             let bound = self.absolute + self.relative * from.abs().max(to.abs());
             (error / bound).powi(2)
         });
-        (squares.sum::<f64>() / (2 * N) as f64).sqrt()
+        (squares.sum::<f64>() / (2 * error.size().value()) as f64).sqrt()
     }
 }
 
@@ -43,13 +39,15 @@ impl StepRange {
         wish.max(self.least).min(self.greatest)
     }
 
-    /// Why no step of the range was good, of which the shortest failed with `failure`, where the motion asked for steps of
-    /// length `wish` at its start. If none can be that short, the failure was met at stages far beyond the motion.
+    /// Why no step of the range was good, of which the shortest failed so, where the motion asked for steps of length
+    /// `wish` at its start.
+    ///
+    /// What was wrong with the equations is told where steps could be that short. Where none can, it was met at stages
+    /// far beyond what the motion reaches.
     pub(super) fn judge<E>(&self, failure: Failure<E>, wish: f64) -> Failure<E> {
-        if self.least > wish {
-            Failure::StepTooSmall
-        } else {
-            failure
+        match self.least > wish {
+            true => Failure::StepTooSmall,
+            false => failure,
         }
     }
 }

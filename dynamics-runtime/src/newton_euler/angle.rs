@@ -23,10 +23,10 @@ impl SinCos {
     /// The angle zero.
     pub(super) const ZERO: SinCos = SinCos { sin: 0.0, cos: 1.0 };
 
-    /// The angles of joints.
-    #[inline(always)]
-    pub(super) fn of_joints<const N: usize>(angles: [f64; N]) -> [Self; N] {
-        f64::sin_cos_array(angles).map(|(sin, cos)| SinCos { sin, cos })
+    /// The angle of a joint.
+    pub(super) fn of_joint(angle: f64) -> Self {
+        let [(sin, cos)] = f64::sin_cos_array([angle]);
+        SinCos { sin, cos }
     }
 
     /// A constant angle of the table: at multiples of pi/2 the values are 0 and +-1 exactly.
@@ -132,7 +132,7 @@ mod tests {
     #[test]
     #[cfg_attr(miri, ignore = "the standard library's sines vary there on purpose")]
     fn a_constant_offset_does_not_round_the_joint_angle() {
-        let [joint] = SinCos::of_joints([1e6]);
+        let joint = SinCos::of_joint(1e6);
         let sum = joint.plus(SinCos::of_constant(FRAC_PI_2));
         assert_eq!((sum.sin, sum.cos), (1e6_f64.cos(), -1e6_f64.sin()));
     }

@@ -9,6 +9,7 @@ use nalgebra::{Matrix3, Vector3};
 use super::NumericArm;
 use super::inertia::{Inertia, Wrench};
 use super::joint::Joint;
+use super::walk::Place;
 use crate::size::Size;
 use crate::{JointType, SingularMassMatrix};
 
@@ -160,7 +161,7 @@ impl<D: Size> NumericArm<D> {
         qd: &D::Vector,
         tau: &D::Vector,
     ) -> Result<D::Vector, SingularMassMatrix> {
-        if self.links().any(|(_, link)| link.is_follower) {
+        if self.count > self.dof() {
             // Articulated bodies are of joints that move by themselves.
             return self.forward_dynamics(q, qd, tau);
         }
@@ -174,18 +175,26 @@ impl<D: Size> NumericArm<D> {
             angular: Vector3::zeros(),
             linear: -self.gravity,
         };
-        self.outward(base, |k, link, motion| {
-            let mut motion = motion.outward(&joints[k]);
-            motion.angular += terms[k].added.angular;
-            motion.linear += terms[k].added.linear;
-            qdd[link.joint] = passes[k].free - motion.dot(&passes[k].response);
-            motion.plus(link.joint_type, qdd[link.joint])
-        });
+        let mut motions = self.per_link(base);
+        self.outward(
+            base,
+            &mut motions,
+            |Place { k, link, joint, .. }, motion| {
+                let mut motion = motion.outward(&joints[k]);
+                motion.angular += terms[k].added.angular;
+                motion.linear += terms[k].added.linear;
+                qdd[joint] = passes[k].free - motion.dot(&passes[k].response);
+                motion.plus(link.joint_type, qdd[joint])
+            },
+        );
         Ok(qdd)
     }
 
     fn velocity_terms(&self, joints: &D::Links<Joint>, qd: &D::Vector) -> D::Links<VelocityTerms> {
-        self.outward(VelocityTerms::REST, |k, link, before| {
+        let rest = VelocityTerms::REST;
+        let mut terms = self.per_link(rest);
+        self.outward(rest, &mut terms, |place, before| {
+            let Place { k, link, .. } = place;
             let w = &before.angular_velocity;
             let centripetal = w.cross(&w.cross(&joints[k].origin));
             let mut w = joints[k].outward(w);
@@ -193,7 +202,7 @@ impl<D: Size> NumericArm<D> {
                 angular: Vector3::zeros(),
                 linear: joints[k].outward(&centripetal),
             };
-            let rate = Vector3::new(0.0, 0.0, link.of(qd));
+            let rate = Vector3::new(0.0, 0.0, place.of(qd));
             let turned = w.cross(&rate);
             match link.joint_type {
                 JointType::Revolute => {
@@ -212,7 +221,8 @@ impl<D: Size> NumericArm<D> {
                 added,
                 needed,
             }
-        })
+        });
+        terms
     }
 
     /// From the tip inwards: the pivots are those of M's factorisation, and so is their scale.
@@ -229,26 +239,32 @@ impl<D: Size> NumericArm<D> {
         let mut bodies = self.per_link(Articulated::rigid(&Inertia::ZERO));
         let mut composites = self.per_link(Inertia::ZERO);
         let mut needed = self.per_link(Wrench::ZERO);
-        for (k, link) in self.links() {
+        self.walk_outward(|Place { k, link, .. }| {
             bodies[k] = Articulated::rigid(&link.inertia);
             composites[k] = link.inertia;
             needed[k] = terms[k].needed;
-        }
-        for (k, link) in self.links().rev() {
-            let (body, composite, i) = (bodies[k], composites[k], link.joint);
+        });
+        let mut singular = Ok(());
+        self.walk_inward(|place| {
+            if singular.is_err() {
+                return;
+            }
+            let Place { k, link, joint, .. } = place;
+            let (body, composite) = (bodies[k], composites[k]);
             let inertia =
                 |wrench: Wrench| wrench.along_joint(link.joint_type) + link.reflected_inertia;
             let unit = body.unit_wrench(link.joint_type);
             let pivot = inertia(unit);
-            SingularMassMatrix::test(i, pivot, inertia(composite.unit_wrench(link.joint_type)))?;
+            let rigid = inertia(composite.unit_wrench(link.joint_type));
+            singular = SingularMassMatrix::test(joint, pivot, rigid);
 
-            let free = (available[i] - needed[k].along_joint(link.joint_type)) / pivot;
+            let free = (available[joint] - needed[k].along_joint(link.joint_type)) / pivot;
             let response = Wrench {
                 force: unit.force / pivot,
                 moment: unit.moment / pivot,
             };
             passes[k] = Pass { free, response };
-            if let Some(carrier) = link.carrier {
+            if let Some(carrier) = place.carrier {
                 let freed = body.freed(&unit, &response);
                 let moved = freed.wrench(&terms[k].added);
                 let wrench = Wrench {
@@ -259,7 +275,7 @@ impl<D: Size> NumericArm<D> {
                 bodies[carrier] = bodies[carrier].plus(&freed.inward(&joints[k]));
                 composites[carrier] = composites[carrier] + joints[k].inertia_inward(&composite);
             }
-        }
-        Ok(passes)
+        });
+        singular.map(|()| passes)
     }
 }

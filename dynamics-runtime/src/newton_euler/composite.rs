@@ -9,6 +9,7 @@ use nalgebra::Vector3;
 use super::NumericArm;
 use super::inertia::{Inertia, Wrench};
 use super::joint::Joint;
+use super::walk::Place;
 use crate::JointType;
 use crate::size::Size;
 
@@ -36,24 +37,27 @@ impl<D: Size> NumericArm<D> {
     #[inline(always)]
     pub(super) fn composite_bodies(&self, joints: &D::Links<Joint>) -> D::Matrix {
         let mut composites = self.per_link(Inertia::ZERO);
-        for (k, link) in self.links() {
-            composites[k] = link.inertia;
-        }
-        self.inward(&mut composites, |k, body| joints[k].inertia_inward(&body));
+        self.walk_outward(|Place { k, link, .. }| composites[k] = link.inertia);
         let mut mass_matrix = self.size.matrix();
-        for (k, link) in self.links() {
-            let mut wrench = composites[k].unit_wrench(link.joint_type);
-            let own = wrench.along_joint(link.joint_type) + link.reflected_inertia;
-            mass_matrix[(link.joint, link.joint)] += link.factor * link.factor * own;
-            let mut from = k;
-            for (j, carrier) in self.carriers(k).skip(1) {
-                wrench = wrench.inward(&joints[from]);
-                from = j;
-                let entry = link.factor * carrier.factor * wrench.along_joint(carrier.joint_type);
-                mass_matrix[(link.joint, carrier.joint)] += entry;
-                mass_matrix[(carrier.joint, link.joint)] += entry;
-            }
-        }
+        self.inward(
+            &mut composites,
+            |k, body| joints[k].inertia_inward(&body),
+            |place, body| {
+                let Place { joint, factor, .. } = place;
+                let mut wrench = body.unit_wrench(place.link.joint_type);
+                let own = wrench.along_joint(place.link.joint_type) + place.link.reflected_inertia;
+                mass_matrix[(joint, joint)] += factor * factor * own;
+                let mut from = place.k;
+                self.walk_carriers(place.k, |carrier| {
+                    wrench = wrench.inward(&joints[from]);
+                    from = carrier.k;
+                    let along = wrench.along_joint(carrier.link.joint_type);
+                    let entry = factor * carrier.factor * along;
+                    mass_matrix[(joint, carrier.joint)] += entry;
+                    mass_matrix[(carrier.joint, joint)] += entry;
+                });
+            },
+        );
         mass_matrix
     }
 
@@ -61,27 +65,33 @@ impl<D: Size> NumericArm<D> {
     /// centre of mass, so that joint i carries `-(h x g)_z` (revolute) or `-m g_z` (prismatic).
     #[inline(always)]
     pub(super) fn weights(&self, joints: &D::Links<Joint>) -> D::Vector {
-        let gravity = self.outward(self.gravity, |k, _, gravity| joints[k].outward(gravity));
+        let mut gravity = self.per_link(self.gravity);
+        self.outward(self.gravity, &mut gravity, |Place { k, .. }, gravity| {
+            joints[k].outward(gravity)
+        });
         let mut moments = self.per_link(Moments::NONE);
-        for (k, link) in self.links() {
+        self.walk_outward(|Place { k, link, .. }| {
             moments[k] = Moments {
                 mass: link.inertia.mass,
                 first: link.inertia.first_moment,
             };
-        }
-        self.inward(&mut moments, |k, Moments { mass, first }| Moments {
-            mass,
-            first: joints[k].inward(&first) + joints[k].origin * mass,
         });
         let mut torques = self.size.vector();
-        for (k, link) in self.links() {
-            let (Moments { mass, first: h }, g) = (moments[k], gravity[k]);
-            let own = match link.joint_type {
-                JointType::Revolute => h.y * g.x - h.x * g.y,
-                JointType::Prismatic => -mass * g.z,
-            };
-            torques[link.joint] += link.factor * own;
-        }
+        self.inward(
+            &mut moments,
+            |k, Moments { mass, first }| Moments {
+                mass,
+                first: joints[k].inward(&first) + joints[k].origin * mass,
+            },
+            |place, Moments { mass, first: h }| {
+                let g = &gravity[place.k];
+                let own = match place.link.joint_type {
+                    JointType::Revolute => h.y * g.x - h.x * g.y,
+                    JointType::Prismatic => -mass * g.z,
+                };
+                place.add(&mut torques, own);
+            },
+        );
         torques
     }
 }

@@ -37,11 +37,12 @@ impl<D: Size> NumericArm<D> {
         let mut by_position = self.slopes(&joints, qd, qdd);
         // C = 1/2 dV/dqd, for the symbols of Christoffel.
         let mut by_velocity = self.coriolis_matrix_of(&joints, qd) * 2.0;
-        for (_, link) in self.links() {
-            let (place, square) = ((link.joint, link.joint), link.factor * link.factor);
-            by_position[place] += square * link.spring.stiffness;
-            by_velocity[place] += square * (link.viscous + link.dry.slope(link.of(qd)));
-        }
+        self.walk_outward(|place| {
+            let (link, square) = (place.link, place.factor * place.factor);
+            let diagonal = (place.joint, place.joint);
+            by_position[diagonal] += square * link.spring.stiffness;
+            by_velocity[diagonal] += square * (link.viscous + link.dry.slope(place.of(qd)));
+        });
         (by_position, by_velocity)
     }
 
@@ -54,12 +55,10 @@ impl<D: Size> NumericArm<D> {
     ) -> D::Matrix {
         let mut slopes = self.size.matrix();
         let tau = |joints: &D::Links<Joint>| self.recursion(joints, qd, qdd, &self.gravity);
-        for (k, link) in self.links() {
-            let column = self.slope(joints, k, tau);
-            for i in 0..self.dof() {
-                slopes[(i, link.joint)] += link.factor * column[i];
-            }
-        }
+        self.walk_outward(|place| {
+            let column = self.slope(joints, place.k, tau);
+            place.add_column(&mut slopes, self.dof(), |i| column[i]);
+        });
         slopes
     }
 

@@ -3,7 +3,6 @@
 use nalgebra::Vector3;
 
 use super::NumericArm;
-use super::link::Link;
 use crate::JointType;
 use crate::size::Size;
 
@@ -17,34 +16,39 @@ impl<D: Size> NumericArm<D> {
     pub fn kinetic_energy(&self, q: &D::Vector, qd: &D::Vector) -> f64 {
         let joints = self.joints(q);
         let rest = [Vector3::zeros(); 2];
-        let velocities = self.outward(rest, |k, link, [angular, linear]| {
-            let moved: Vector3<f64> = linear + angular.cross(&joints[k].origin);
-            let mut linear = joints[k].outward(&moved);
-            let mut angular = joints[k].outward(angular);
-            match link.joint_type {
-                JointType::Revolute => angular.z += link.of(qd),
-                JointType::Prismatic => linear.z += link.of(qd),
+        let mut velocities = self.per_link(rest);
+        self.outward(rest, &mut velocities, |place, [angular, linear]| {
+            let (joint, rate) = (&joints[place.k], place.of(qd));
+            let moved: Vector3<f64> = linear + angular.cross(&joint.origin);
+            let (mut linear, mut angular) = (joint.outward(&moved), joint.outward(angular));
+            match place.link.joint_type {
+                JointType::Revolute => angular.z += rate,
+                JointType::Prismatic => linear.z += rate,
             }
             [angular, linear]
         });
-        let energy = |(k, link): (usize, &Link)| {
-            let ([angular, linear], rate) = (velocities[k], link.of(qd));
+        let mut energy = 0.0;
+        self.walk_outward(|place| {
+            let ([angular, linear], rate) = (velocities[place.k], place.of(qd));
+            let link = place.link;
             let centre: Vector3<f64> = linear + angular.cross(&link.com);
-            link.mass * centre.norm_squared()
+            energy += link.mass * centre.norm_squared()
                 + angular.dot(&(link.tensor * angular))
-                + link.reflected_inertia * rate * rate
-        };
-        0.5 * self.links().map(energy).sum::<f64>()
+                + link.reflected_inertia * rate * rate;
+        });
+        0.5 * energy
     }
 
     /// Potential energy of gravity and springs, U = -sum m g.c + sum 1/2 stiffness (q - rest)^2. That of gravity is
     /// zero if all centres of mass are at the world's origin.
     pub fn potential_energy(&self, q: &D::Vector) -> f64 {
         let poses = self.poses_in_world(q);
-        let energy = |(k, link): (usize, &Link)| {
-            let centre = poses[k].rotation * link.com + poses[k].position;
-            link.spring.energy(link.of(q)) - link.mass * self.world_gravity.dot(&centre)
-        };
-        self.links().map(energy).sum()
+        let mut energy = 0.0;
+        self.walk_outward(|place| {
+            let (link, pose) = (place.link, &poses[place.k]);
+            let centre = pose.rotation * link.com + pose.position;
+            energy += link.spring.energy(place.of(q)) - link.mass * self.world_gravity.dot(&centre);
+        });
+        energy
     }
 }

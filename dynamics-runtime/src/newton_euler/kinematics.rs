@@ -7,27 +7,26 @@ use super::angle::SinCos;
 use super::joint::Joint;
 use super::link::Link;
 use super::pose::Pose;
+use super::walk::Place;
 use crate::JointType;
 use crate::size::Size;
-
-/// How many sines are evaluated at once.
-const AT_ONCE: usize = 4;
 
 impl<D: Size> NumericArm<D> {
     /// The joints at their positions.
     #[inline(always)]
     pub(super) fn joints(&self, q: &D::Vector) -> D::Links<Joint> {
         let mut joints = self.per_link(Joint::new(SinCos::ZERO, 0.0, SinCos::ZERO, 0.0));
-        for first in (0..self.count).step_by(AT_ONCE) {
-            let last = self.count.min(first + AT_ONCE);
-            let mut positions = [0.0; AT_ONCE];
-            for k in first..last {
-                positions[k - first] = self.links[k].of(q);
+        if self.count == self.dof() {
+            let turned = D::sin_cos(q);
+            for k in 0..self.dof() {
+                let (sin, cos) = turned[k];
+                joints[k] = self.links[k].joint(q[k], SinCos { sin, cos });
             }
-            let turned = SinCos::of_joints(positions);
-            for k in first..last {
-                joints[k] = self.links[k].joint(positions[k - first], turned[k - first]);
-            }
+        } else {
+            self.walk_outward(|place| {
+                let position = place.of(q);
+                joints[place.k] = place.link.joint(position, SinCos::of_joint(position));
+            });
         }
         joints
     }
@@ -35,7 +34,10 @@ impl<D: Size> NumericArm<D> {
     /// The joints' frames in the world.
     pub(super) fn poses_in_world(&self, q: &D::Vector) -> D::Links<Pose> {
         let joints = self.joints(q);
-        self.outward(self.base, |k, _, pose| pose.then(&joints[k].pose()))
+        let mut poses = self.per_link(self.base);
+        let next = |place: Place<'_>, pose: &Pose| pose.then(&joints[place.k].pose());
+        self.outward(self.base, &mut poses, next);
+        poses
     }
 
     /// The table's link frame of a link whose joint's frame is one of these.
@@ -85,13 +87,13 @@ impl<D: Size> NumericArm<D> {
             return rate;
         };
         let velocity_of_tip = self.velocity(Some(last), &tip.position, &poses, qd)[0];
-        for (k, link) in self.carriers(last) {
-            let axis = poses[k].rotation.column(2).into_owned();
-            let place = poses[k].position;
+        self.walk_to_base(last, |joint| {
+            let axis = poses[joint.k].rotation.column(2).into_owned();
+            let place = poses[joint.k].position;
             // Of the axis and of its point, by the joints before it.
-            let [v, w] = self.velocity(link.carrier, &place, &poses, qd);
+            let [v, w] = self.velocity(joint.carrier, &place, &poses, qd);
             let turning = w.cross(&axis);
-            let column = match link.joint_type {
+            let column = match joint.link.joint_type {
                 JointType::Revolute => {
                     let arm = tip.position - place;
                     let linear = turning.cross(&arm) + axis.cross(&(velocity_of_tip - v));
@@ -99,10 +101,8 @@ impl<D: Size> NumericArm<D> {
                 }
                 JointType::Prismatic => joined(&turning, &Vector3::zeros()),
             };
-            for row in 0..6 {
-                rate[(row, link.joint)] += link.factor * column[row];
-            }
-        }
+            joint.add_column(&mut rate, 6, |row| column[row]);
+        });
         rate
     }
 
@@ -115,8 +115,10 @@ impl<D: Size> NumericArm<D> {
         qd: &D::Vector,
     ) -> [Vector3<f64>; 2] {
         let mut velocity = Vector6::zeros();
-        for (k, link) in link.into_iter().flat_map(|link| self.carriers(link)) {
-            velocity += column(link, &poses[k], point) * link.of(qd);
+        if let Some(link) = link {
+            self.walk_to_base(link, |place| {
+                velocity += column(place.link, &poses[place.k], point) * place.of(qd);
+            });
         }
         [0, 3].map(|first| velocity.fixed_rows::<3>(first).into_owned())
     }
@@ -139,20 +141,19 @@ impl<D: Size> NumericArm<D> {
         poses: &D::Links<Pose>,
     ) -> D::Columns<6> {
         let mut jacobian = self.size.columns();
-        for (i, link) in self.carriers(k) {
-            let column = column(link, &poses[i], point);
-            for row in 0..6 {
-                jacobian[(row, link.joint)] += link.factor * column[row];
-            }
-        }
+        self.walk_to_base(k, |place| {
+            let column = column(place.link, &poses[place.k], point);
+            place.add_column(&mut jacobian, 6, |row| column[row]);
+        });
         jacobian
     }
 
     /// Centre of mass of all links and of the tool in the world, `sum m c / sum m`.
     pub fn center_of_mass(&self, q: &D::Vector) -> Vector3<f64> {
         let poses = self.poses_in_world(q);
-        let moment = |(k, link): (usize, &Link)| center(link, &poses[k]) * link.mass;
-        self.links().map(moment).sum::<Vector3<f64>>() / self.total_mass()
+        let mut moment = Vector3::zeros();
+        self.walk_outward(|Place { k, link, .. }| moment += center(link, &poses[k]) * link.mass);
+        moment / self.total_mass()
     }
 
     /// Jacobian of the centre of mass: column i is the sum of what joint i gives the centres of the
@@ -160,20 +161,20 @@ impl<D: Size> NumericArm<D> {
     pub fn center_of_mass_jacobian(&self, q: &D::Vector) -> D::Columns<3> {
         let (poses, total) = (self.poses_in_world(q), self.total_mass());
         let mut jacobian = self.size.columns();
-        for (k, body) in self.links() {
-            let center = center(body, &poses[k]);
-            for (i, link) in self.carriers(k) {
-                let column = column(link, &poses[i], &center);
-                for row in 0..3 {
-                    jacobian[(row, link.joint)] += link.factor * column[row] * body.mass / total;
-                }
-            }
-        }
+        self.walk_outward(|body| {
+            let center = center(body.link, &poses[body.k]);
+            self.walk_to_base(body.k, |place| {
+                let column = column(place.link, &poses[place.k], &center);
+                place.add_column(&mut jacobian, 3, |row| column[row] * body.link.mass / total);
+            });
+        });
         jacobian
     }
 
     fn total_mass(&self) -> f64 {
-        self.links().map(|(_, link)| link.mass).sum()
+        let mut mass = 0.0;
+        self.walk_outward(|place| mass += place.link.mass);
+        mass
     }
 }
 

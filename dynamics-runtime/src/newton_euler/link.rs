@@ -1,7 +1,5 @@
 //! A link in the frame that the recursion works in: origin and z on the axis of its own joint.
 
-use core::ops::Index;
-
 use nalgebra::{Matrix3, Vector3};
 
 use super::angle::SinCos;
@@ -13,7 +11,7 @@ use crate::table::{Arm, Moving};
 use crate::{Convention, JointType, Placement, Row, Spring, Tool};
 
 /// A joint and the link that it moves, in Craig's frames: frame i has its z on the axis of joint i.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct Link {
     pub(super) joint_type: JointType,
     /// alpha_{i-1}.
@@ -211,12 +209,6 @@ impl Link {
             is_follower: moving.is_follower,
             ..self
         }
-    }
-
-    /// The position or rate of the joint, from those of the joints of q.
-    #[inline(always)]
-    pub(super) fn of(&self, joints: &impl Index<usize, Output = f64>) -> f64 {
-        self.factor * joints[self.joint]
     }
 
     /// The joint at position `q`, of which the sine and cosine are `turned`.

@@ -10,6 +10,7 @@ use nalgebra::{Matrix3, Vector3};
 use super::NumericArm;
 use super::link::Link;
 use super::pose::Pose;
+use super::walk::Place;
 use crate::JointType;
 use crate::size::Size;
 
@@ -162,22 +163,25 @@ impl<D: Size> NumericArm<D> {
             acceleration: REST,
             linear: minus(fixed(self.gravity)),
         };
-        let frames = self.outward(base, |k, link, frame| {
-            let [v, a, jerk, snap] = [qd, qdd, jerk, snap].map(|rate| link.of(rate));
-            frame.next(link, &joints[k].pose(), [v, a, jerk], [a, jerk, snap])
+        let mut frames = self.per_link(base);
+        self.outward(base, &mut frames, |place, frame| {
+            let [v, a, jerk, snap] = [qd, qdd, jerk, snap].map(|rate| place.of(rate));
+            let pose = joints[place.k].pose();
+            frame.next(place.link, &pose, [v, a, jerk], [a, jerk, snap])
         });
         let mut torques = (self.size.vector(), self.size.vector());
-        let mut add = |link: &Link, [first, second]: [f64; 2]| {
-            torques.0[link.joint] += link.factor * first;
-            torques.1[link.joint] += link.factor * second;
+        let mut add = |place: Place<'_>, [first, second]: [f64; 2]| {
+            place.add(&mut torques.0, first);
+            place.add(&mut torques.1, second);
         };
-        for (k, link) in self.links() {
-            let [v, a, jerk, snap] = [qd, qdd, jerk, snap].map(|rate| link.of(rate));
+        self.walk_outward(|place| {
+            let link = place.link;
+            let [v, a, jerk, snap] = [qd, qdd, jerk, snap].map(|rate| place.of(rate));
             let slope = link.viscous + link.dry.slope(v);
             let curvature = link.dry.curvature(v);
             let (inertia, stiffness) = (link.reflected_inertia, link.spring.stiffness);
             add(
-                link,
+                place,
                 [
                     inertia * jerk + stiffness * v + slope * a,
                     inertia * snap + stiffness * a + slope * jerk + curvature * a * a,
@@ -187,19 +191,20 @@ impl<D: Size> NumericArm<D> {
                 center,
                 force,
                 moment,
-            } = frames[k].load(link);
-            for (i, carrier) in self.carriers(k) {
-                let axis = frames[i].rotation.map(|r| r.column(2).into_owned());
-                let torque = match carrier.joint_type {
+            } = frames[place.k].load(link);
+            self.walk_to_base(place.k, |carrier| {
+                let frame = &frames[carrier.k];
+                let axis = frame.rotation.map(|r| r.column(2).into_owned());
+                let torque = match carrier.link.joint_type {
                     JointType::Revolute => {
-                        let lever = sum(center, minus(frames[i].position));
+                        let lever = sum(center, minus(frame.position));
                         dot(axis, sum(moment, cross(lever, force)))
                     }
                     JointType::Prismatic => dot(axis, force),
                 };
                 add(carrier, [torque[1], torque[2]]);
-            }
-        }
+            });
+        });
         torques
     }
 }

@@ -6,6 +6,7 @@ use super::NumericArm;
 use super::inertia::Wrench;
 use super::joint::Joint;
 use super::linear::{cross, times};
+use super::walk::Place;
 use crate::JointType;
 use crate::size::Size;
 
@@ -22,7 +23,7 @@ pub(super) struct FrameMotion {
 
 impl FrameMotion {
     /// A base at rest. Gravity acts on the links as an acceleration of the base against it.
-    fn base(gravity: &Vector3<f64>) -> Self {
+    pub(super) fn base(gravity: &Vector3<f64>) -> Self {
         FrameMotion {
             angular_velocity: Vector3::zeros(),
             angular_acceleration: Vector3::zeros(),
@@ -101,36 +102,40 @@ impl<D: Size> NumericArm<D> {
         qdd: &D::Vector,
         gravity: &Vector3<f64>,
     ) -> D::Vector {
-        let motions = self.motions(joints, qd, qdd, gravity);
+        let mut motions = self.per_link(FrameMotion::base(gravity));
+        self.move_frames(joints, [qd, qdd], gravity, &mut motions);
         let mut wrenches = self.per_link(Wrench::ZERO);
-        for (k, link) in self.links() {
+        self.walk_outward(|Place { k, link, .. }| {
             let motion = &motions[k];
-            wrenches[k] = link
-                .inertia
-                .wrench(&motion.linear_acceleration, &motion.spread);
-        }
+            let inertia = &link.inertia;
+            wrenches[k] = inertia.wrench(&motion.linear_acceleration, &motion.spread);
+        });
         // f_i = F_i + R f_{i+1}, n_i = N_i + R n_{i+1} + p_{i+1} x R f_{i+1}.
-        self.inward(&mut wrenches, |k, wrench| wrench.inward(&joints[k]));
         let mut tau = self.size.vector();
-        for (k, link) in self.links() {
-            let own =
-                wrenches[k].along_joint(link.joint_type) + link.reflected_inertia * link.of(qdd);
-            tau[link.joint] += link.factor * own;
-        }
+        self.inward(
+            &mut wrenches,
+            |k, wrench| wrench.inward(&joints[k]),
+            |place, wrench| {
+                let link = place.link;
+                let motor = link.reflected_inertia * place.of(qdd);
+                place.add(&mut tau, wrench.along_joint(link.joint_type) + motor);
+            },
+        );
         tau
     }
 
     /// How the link frames move.
     #[inline(always)]
-    pub(super) fn motions(
+    pub(super) fn move_frames(
         &self,
         joints: &D::Links<Joint>,
-        qd: &D::Vector,
-        qdd: &D::Vector,
+        [qd, qdd]: [&D::Vector; 2],
         gravity: &Vector3<f64>,
-    ) -> D::Links<FrameMotion> {
-        self.outward(FrameMotion::base(gravity), |k, link, motion| {
-            motion.outward(link.joint_type, &joints[k], link.of(qd), link.of(qdd))
-        })
+        motions: &mut D::Links<FrameMotion>,
+    ) {
+        self.outward(FrameMotion::base(gravity), motions, |place, motion| {
+            let (qd, qdd) = (place.of(qd), place.of(qdd));
+            motion.outward(place.link.joint_type, &joints[place.k], qd, qdd)
+        });
     }
 }

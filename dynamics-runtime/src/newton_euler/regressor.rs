@@ -130,7 +130,8 @@ impl<D: Size> NumericArm<D> {
         qdd: &D::Vector,
     ) -> D::Each<D::Rows<10>> {
         let joints = self.joints(q);
-        let motions = self.motions(&joints, qd, qdd, &self.gravity);
+        let mut motions = self.per_link(FrameMotion::base(&self.gravity));
+        self.move_frames(&joints, [qd, qdd], &self.gravity, &mut motions);
         self.per_joint(|k| self.block(k, &joints, &motions))
     }
 
@@ -143,9 +144,10 @@ impl<D: Size> NumericArm<D> {
         qdd: &D::Vector,
     ) -> impl Iterator<Item = D::Rows<10>> {
         let joints = self.joints(q);
-        let motions = self.motions(&joints, qd, qdd, &self.gravity);
-        let followers = self.links().filter(|(_, link)| link.is_follower);
-        followers.map(move |(k, _)| self.block(k, &joints, &motions))
+        let mut motions = self.per_link(FrameMotion::base(&self.gravity));
+        self.move_frames(&joints, [qd, qdd], &self.gravity, &mut motions);
+        let followers = (0..self.count).filter(|k| self.links[*k].is_follower);
+        followers.map(move |k| self.block(k, &joints, &motions))
     }
 
     /// The columns of a link's parameters.
@@ -164,10 +166,11 @@ impl<D: Size> NumericArm<D> {
                 ..
             } = &motions[k];
             let mut wrench = inertia.wrench(linear_acceleration, spread);
-            for (i, link) in self.carriers(k) {
-                block[(link.joint, parameter)] += link.factor * wrench.along_joint(link.joint_type);
-                wrench = wrench.inward(&joints[i]);
-            }
+            self.walk_to_base(k, |place| {
+                let along = wrench.along_joint(place.link.joint_type);
+                block[(place.joint, parameter)] += place.factor * along;
+                wrench = wrench.inward(&joints[place.k]);
+            });
         }
         block
     }

@@ -21,29 +21,28 @@ impl<D: Size> NumericArm<D> {
         let none = || self.size.each(|_| self.size.matrix());
         let mut all = (none(), none(), none(), none());
         // C = 1/2 dV/dqd, and its entries at a unit velocity of one joint are the symbols of Christoffel.
-        for (k, link) in self.links() {
+        self.walk_outward(|place| {
+            let (k, joint, factor) = (place.k, place.joint, place.factor);
             let by_position = self.slope(&joints, k, |joints| self.slopes(joints, qd, qdd));
             let by_both = self.slope(&joints, k, |joints| self.coriolis_matrix_of(joints, qd));
             let of_inertia = self.slope(&joints, k, |joints| self.composite_bodies(joints));
             for i in 0..dof {
                 for j in 0..dof {
-                    let (column, factor) = ((j, link.joint), link.factor);
-                    all.0.as_mut()[i][column] += factor * by_position[(i, j)];
-                    all.2.as_mut()[i][(link.joint, j)] += factor * 2.0 * by_both[(i, j)];
-                    all.3.as_mut()[i][column] += factor * of_inertia[(i, j)];
+                    all.0[i][(j, joint)] += factor * by_position[(i, j)];
+                    all.2[i][(joint, j)] += factor * 2.0 * by_both[(i, j)];
+                    all.3[i][(j, joint)] += factor * of_inertia[(i, j)];
                 }
             }
-            let cube = link.factor * link.factor * link.factor;
-            let by_velocity = &mut all.1.as_mut()[link.joint][(link.joint, link.joint)];
-            *by_velocity += cube * link.dry.curvature(link.of(qd));
-        }
+            let curvature = factor * factor * factor * place.link.dry.curvature(place.of(qd));
+            all.1[joint][(joint, joint)] += curvature;
+        });
         for k in 0..dof {
             let mut unit = self.size.vector();
             unit[k] = 1.0;
             let by_velocity = self.coriolis_matrix_of(&joints, &unit);
             for i in 0..dof {
                 for j in 0..dof {
-                    all.1.as_mut()[i][(j, k)] += 2.0 * by_velocity[(i, j)];
+                    all.1[i][(j, k)] += 2.0 * by_velocity[(i, j)];
                 }
             }
         }

@@ -27,12 +27,12 @@ impl<D: Size> NumericArm<D> {
     /// Friction torques F(qd) = viscous qd + sign(qd) (C + (S - C) exp(-(qd/v)^2)), sign(0) = 0, with C
     /// that of the direction.
     pub fn friction_vector(&self, qd: &D::Vector) -> D::Vector {
-        self.gathered(|link| link.viscous * link.of(qd) + link.dry.force(link.of(qd)))
+        self.gathered(qd, |link, qd| link.viscous * qd + link.dry.force(qd))
     }
 
     /// Spring torques K(q) = stiffness (q - rest).
     pub fn spring_vector(&self, q: &D::Vector) -> D::Vector {
-        self.gathered(|link| link.spring.force(link.of(q)))
+        self.gathered(q, |link, q| link.spring.force(q))
     }
 
     /// K + F, what acts at the joints themselves.
@@ -42,11 +42,9 @@ impl<D: Size> NumericArm<D> {
 
     /// Forces at the joints of all links, as the joints of q feel them: a force f on a follower that moves k times as
     /// far as its leader is k f to the leader.
-    fn gathered(&self, force: impl Fn(&Link) -> f64) -> D::Vector {
+    fn gathered(&self, at: &D::Vector, force: impl Fn(&Link, f64) -> f64) -> D::Vector {
         let mut sum = self.size.vector();
-        for (_, link) in self.links() {
-            sum[link.joint] += link.factor * force(link);
-        }
+        self.walk_outward(|place| place.add(&mut sum, force(place.link, place.of(at))));
         sum
     }
 

@@ -3,79 +3,154 @@
 //! A link knows the link that carries it. Of a serial arm that is the one before it.
 
 use core::fmt::Debug;
-use core::ops::Add;
+use core::ops::{Add, Index, IndexMut};
 
 use super::NumericArm;
 use super::link::Link;
 use crate::size::Size;
 
-impl<D: Size> NumericArm<D> {
-    /// The links from the base outwards, each behind the one that carries it.
+/// A link on the way, and how its joint moves: at so many times the position of a joint of q.
+#[derive(Clone, Copy)]
+pub(super) struct Place<'a> {
+    /// Links are counted from 0, each behind the one that carries it.
+    pub(super) k: usize,
+    pub(super) link: &'a Link,
+    /// The link that carries it; none for a link on the base.
+    pub(super) carrier: Option<usize>,
+    pub(super) joint: usize,
+    pub(super) factor: f64,
+}
+
+impl Place<'_> {
+    /// The position or rate of the joint, from those of the joints of q.
     #[inline(always)]
-    pub(super) fn links(&self) -> impl DoubleEndedIterator<Item = (usize, &Link)> {
-        (0..self.count).map(|k| (k, &self.links[k]))
+    pub(super) fn of(&self, joints: &impl Index<usize, Output = f64>) -> f64 {
+        self.factor * joints[self.joint]
+    }
+
+    /// Adds a force at this joint to those at the joints of q, which feel it as many times as this joint moves.
+    #[inline(always)]
+    pub(super) fn add(&self, forces: &mut impl IndexMut<usize, Output = f64>, force: f64) {
+        forces[self.joint] += self.factor * force;
+    }
+
+    /// Adds a column that belongs to this joint to those of the joints of q.
+    #[inline(always)]
+    pub(super) fn add_column(
+        &self,
+        columns: &mut impl IndexMut<(usize, usize), Output = f64>,
+        rows: usize,
+        entry: impl Fn(usize) -> f64,
+    ) {
+        for row in 0..rows {
+            columns[(row, self.joint)] += self.factor * entry(row);
+        }
+    }
+}
+
+impl<D: Size> NumericArm<D> {
+    #[inline(always)]
+    pub(super) fn place(&self, k: usize) -> Place<'_> {
+        let link = &self.links[k];
+        Place {
+            k,
+            link,
+            carrier: link.carrier,
+            joint: link.joint,
+            factor: link.factor,
+        }
+    }
+
+    /// From the base outwards: each link behind the one that carries it.
+    #[inline(always)]
+    pub(super) fn walk_outward(&self, mut visit: impl FnMut(Place<'_>)) {
+        for k in 0..self.count {
+            visit(self.place(k));
+        }
+    }
+
+    /// From the tips inwards: each link before the one that carries it.
+    #[inline(always)]
+    pub(super) fn walk_inward(&self, mut visit: impl FnMut(Place<'_>)) {
+        for k in (0..self.count).rev() {
+            visit(self.place(k));
+        }
+    }
+
+    /// Over the links that carry link k, from there to the base. Link k itself is none of them.
+    #[inline(always)]
+    pub(super) fn walk_carriers(&self, k: usize, visit: impl FnMut(Place<'_>)) {
+        self.walk_from(self.links[k].carrier, visit);
+    }
+
+    /// As [`walk_carriers`](Self::walk_carriers), beginning with link k.
+    #[inline(always)]
+    pub(super) fn walk_to_base(&self, k: usize, visit: impl FnMut(Place<'_>)) {
+        self.walk_from(Some(k), visit);
+    }
+
+    #[inline(always)]
+    fn walk_from(&self, mut here: Option<usize>, mut visit: impl FnMut(Place<'_>)) {
+        while let Some(k) = here {
+            let place = self.place(k);
+            visit(place);
+            here = place.carrier;
+        }
     }
 
     /// A value for each link, which begin as the same.
     #[inline(always)]
-    pub(super) fn per_link<X: Clone + Debug>(&self, value: X) -> D::Links<X> {
+    pub(super) fn per_link<X: Copy + Debug>(&self, value: X) -> D::Links<X> {
         self.size.links(self.count, value)
     }
 
     /// A value for each joint of q, made of its own link.
-    pub(super) fn per_joint<X: Clone + Debug>(&self, value: impl FnMut(usize) -> X) -> D::Each<X> {
+    pub(super) fn per_joint<X: Clone + Debug>(
+        &self,
+        mut value: impl FnMut(usize) -> X,
+    ) -> D::Each<X> {
         let mut own = self.size.each(|_| 0);
-        for (k, link) in self.links().filter(|(_, link)| !link.is_follower) {
-            own.as_mut()[link.joint] = k;
-        }
-        let mut value = value;
-        self.size.each(|joint| value(own.as_ref()[joint]))
+        self.walk_outward(|place| {
+            if !place.link.is_follower {
+                own[place.joint] = place.k;
+            }
+        });
+        self.size.each(|joint| value(own[joint]))
     }
 
-    /// From the base outwards: a value for each link, which `step` makes of that of the link that carries it.
+    /// From the base outwards: each link gets what `step` makes of the value of the link that carries it.
     #[inline(always)]
-    pub(super) fn outward<X: Clone + Debug>(
+    pub(super) fn outward<X: Copy + Debug>(
         &self,
         base: X,
-        mut step: impl FnMut(usize, &Link, &X) -> X,
-    ) -> D::Links<X> {
-        let mut values = self.per_link(base.clone());
-        for (k, link) in self.links() {
-            let value = match link.carrier {
-                Some(carrier) => step(k, link, &values[carrier]),
-                None => step(k, link, &base),
+        values: &mut D::Links<X>,
+        mut step: impl FnMut(Place<'_>, &X) -> X,
+    ) {
+        self.walk_outward(|place| {
+            let before = match place.carrier {
+                Some(carrier) => &values[carrier],
+                None => &base,
             };
-            values[k] = value;
-        }
-        values
+            let value = step(place, before);
+            values[place.k] = value;
+        });
     }
 
-    /// From the tips inwards: `carry` makes of the sum that a link carries what the link that carries it gets besides
-    /// its own value. The values become the sums.
+    /// From the tips inwards: a link hands on to the one that carries it what `carry` makes of the sum that it carries
+    /// itself. `visit` is shown these sums.
     #[inline(always)]
-    pub(super) fn inward<X: Copy + Add<Output = X>>(
+    pub(super) fn inward<X: Copy + Debug + Add<Output = X>>(
         &self,
         values: &mut D::Links<X>,
         carry: impl Fn(usize, X) -> X,
-    ) where
-        X: Debug,
-    {
-        for (k, link) in self.links().rev() {
-            if let Some(carrier) = link.carrier {
-                values[carrier] = values[carrier] + carry(k, values[k]);
+        mut visit: impl FnMut(Place<'_>, &X),
+    ) {
+        self.walk_inward(|place| {
+            let sum = values[place.k];
+            if let Some(carrier) = place.carrier {
+                values[carrier] = values[carrier] + carry(place.k, sum);
             }
-        }
-    }
-
-    /// A link and those that carry it, from the link to the base.
-    #[inline(always)]
-    pub(super) fn carriers(&self, k: usize) -> impl Iterator<Item = (usize, &Link)> {
-        let next = |(_, link): &(usize, &Link)| link.carrier;
-        let mut here = Some((k, &self.links[k]));
-        core::iter::from_fn(move || {
-            let found = here?;
-            here = next(&found).map(|carrier| (carrier, &self.links[carrier]));
-            Some(found)
-        })
+            visit(place, &sum);
+        });
     }
 }

@@ -1,6 +1,7 @@
 //! Events of a method that is known at the times at which its steps end: where the least margin of all joints
 //! passes zero.
 
+use super::contacts::least_margin;
 use super::error::Cause;
 use super::events::{Finder, Start, here};
 use super::friction::Contact;
@@ -8,22 +9,23 @@ use super::motion::{Held, Motion};
 use super::torque::TorqueLaw;
 use crate::EquationsOfMotion;
 use crate::integrate::Stepper;
+use crate::size::Size;
 
 /// Margins at the ends of steps, and a step that is taken again.
 pub(super) struct ByMargins;
 
-impl<S, R, L, K: ?Sized, const N: usize> Finder<S, R, L, K, N> for ByMargins
+impl<S, R, L, K: ?Sized, D: Size> Finder<S, R, L, K, D> for ByMargins
 where
-    R: EquationsOfMotion<N>,
-    L: TorqueLaw<N>,
-    K: Stepper<S, Cause, N>,
+    R: EquationsOfMotion<D>,
+    L: TorqueLaw<D>,
+    K: Stepper<S, Cause, D>,
 {
     fn first_event(
-        motion: &Motion<R, L, N>,
+        motion: &Motion<R, L, D>,
         system: &S,
         stepper: &mut K,
-        start: &Start<N>,
-    ) -> Result<Option<Held<N>>, Cause> {
+        start: &Start<D>,
+    ) -> Result<Option<Held<D>>, Cause> {
         let mut search = Search {
             motion,
             system,
@@ -33,26 +35,26 @@ where
         if margin >= 0.0 && !search.dips(start, &after)? {
             return Ok(Some(after));
         }
-        search.locate(start.t, motion.least_margin(&start.phase, &start.held))?;
+        search.locate(start.t, least_margin(motion, &start.phase, &start.held))?;
         Ok(None)
     }
 }
 
-struct Search<'a, 'm, S, R, L, K: ?Sized, const N: usize> {
-    motion: &'a Motion<'m, R, L, N>,
+struct Search<'a, 'm, S, R, L, K: ?Sized, D: Size> {
+    motion: &'a Motion<'m, R, L, D>,
     system: &'a S,
     stepper: &'a mut K,
 }
 
-impl<S, R, L, K: ?Sized, const N: usize> Search<'_, '_, S, R, L, K, N>
+impl<S, R, L, K: ?Sized, D: Size> Search<'_, '_, S, R, L, K, D>
 where
-    R: EquationsOfMotion<N>,
-    L: TorqueLaw<N>,
-    K: Stepper<S, Cause, N>,
+    R: EquationsOfMotion<D>,
+    L: TorqueLaw<D>,
+    K: Stepper<S, Cause, D>,
 {
     /// Whether a velocity, or the way to a limit, dips below zero within a step that ends well; the
     /// stepper then is there.
-    fn dips(&mut self, start: &Start<N>, after: &Held<N>) -> Result<bool, Cause> {
+    fn dips(&mut self, start: &Start<D>, after: &Held<D>) -> Result<bool, Cause> {
         let late = self.stepper.t();
         let dip = self.dip(start, after);
         let Some(dip) = dip.filter(|dip| start.t < *dip && *dip < late) else {
@@ -69,7 +71,7 @@ where
     /// The time at which a velocity that keeps its sign from one end of the step to the other dips
     /// below zero, or a position passes a limit and comes back, by the cubic through values and slopes at
     /// the ends.
-    fn dip(&self, start: &Start<N>, after: &Held<N>) -> Option<f64> {
+    fn dip(&self, start: &Start<D>, after: &Held<D>) -> Option<f64> {
         let Start {
             t,
             phase: from,
@@ -77,7 +79,7 @@ where
         } = start;
         let to = self.stepper.phase();
         let h = self.stepper.t() - t;
-        let of_velocity = |i: usize| match self.motion.contacts()[i] {
+        let of_velocity = |i: usize| match self.motion.contact(i) {
             Contact::Slides(way) => lowest(
                 [way * from.qd[i], way * to.qd[i]],
                 [way * before.qdd[i] * h, way * after.qdd[i] * h],
@@ -94,7 +96,10 @@ where
             });
             ends.reduce(f64::min)
         };
-        let dips = (0..N).flat_map(|i| [of_velocity(i), of_position(i)]);
+        let dips = self
+            .motion
+            .joints()
+            .flat_map(|i| [of_velocity(i), of_position(i)]);
         dips.flatten().reduce(f64::min).map(|s| t + s * h)
     }
 

@@ -1,5 +1,7 @@
 //! Events of a motion whose series are known: zeros of polynomials.
 
+use nalgebra::Const;
+
 use super::error::Cause;
 use super::events::{Finder, Start};
 use super::friction::Contact;
@@ -16,21 +18,21 @@ pub(super) struct BySeries;
 /// A force on a stop that is less than so many roundings of its greatest term is none.
 const ROUNDINGS_OF_FORCE: f64 = 16.0;
 
-impl<'m, R, A, L, const N: usize> Finder<Motion<'m, R, L, N>, R, L, SeriesStepper<A, N>, N>
-    for BySeries
+impl<'m, R, A, L, const N: usize>
+    Finder<Motion<'m, R, L, Const<N>>, R, L, SeriesStepper<A, N>, Const<N>> for BySeries
 where
-    R: EquationsOfMotion<N>,
+    R: EquationsOfMotion<Const<N>>,
     A: TaylorDynamics<N>,
-    Motion<'m, R, L, N>: Steady<N, Arm = A>,
+    Motion<'m, R, L, Const<N>>: Steady<N, Arm = A>,
 {
     fn first_event(
-        motion: &Motion<'_, R, L, N>,
-        system: &Motion<'m, R, L, N>,
+        motion: &Motion<'_, R, L, Const<N>>,
+        system: &Motion<'m, R, L, Const<N>>,
         stepper: &mut SeriesStepper<A, N>,
-        start: &Start<N>,
-    ) -> Result<Option<Held<N>>, Cause> {
+        start: &Start<Const<N>>,
+    ) -> Result<Option<Held<Const<N>>>, Cause> {
         let limits = motion.limits();
-        let of_joint = |i: usize| match motion.contacts()[i] {
+        let of_joint = |i: usize| match motion.contact(i) {
             Contact::Leans(inwards) => {
                 let force = stepper.holding_force(i).less(0.0, inwards);
                 force.first_passage(ROUNDINGS_OF_FORCE * f64::EPSILON * force.size())
@@ -43,10 +45,10 @@ where
             }
         };
         let Some(share) = (0..N).filter_map(of_joint).reduce(f64::min) else {
-            return Ok(Some(start.held));
+            return Ok(Some(start.held.clone()));
         };
         let t = stepper.time_at(share).max(start.t.next_up());
-        Stepper::<_, Cause, N>::retake(stepper, system, t)?;
+        Stepper::<_, Cause, Const<N>>::retake(stepper, system, t)?;
         Ok(None)
     }
 }

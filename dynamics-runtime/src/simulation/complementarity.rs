@@ -14,9 +14,8 @@
 //! F. M. Pires, *Basic-set algorithm for a generalized linear complementarity problem*, J. Optim. Theory Appl. 74
 //! (1992)).
 
-use nalgebra::{SMatrix, SVector};
-
 use crate::integrate::Lu;
+use crate::size::{JointMatrix as _, JointVector as _, Size};
 
 /// Where the force of a contact is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,37 +26,37 @@ pub(super) enum Place {
 }
 
 /// The forces of contacts and the rates under them.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Balance<const N: usize> {
-    pub(super) places: [Place; N],
-    pub(super) forces: SVector<f64, N>,
-    pub(super) rates: SVector<f64, N>,
-    responses: SMatrix<f64, N, N>,
-    between: [bool; N],
+#[derive(Clone, Debug)]
+pub(super) struct Balance<D: Size> {
+    pub(super) places: D::Each<Place>,
+    pub(super) forces: D::Vector,
+    pub(super) rates: D::Vector,
+    responses: D::Matrix,
+    between: D::Each<bool>,
 }
 
 /// The worst case of ten joints, 3^10. A search takes about as many pivots as there are contacts.
 const MOST_PIVOTS: usize = 60_000;
 
-/// The distance from a bound, over its terms, at which a force or a rate is at the bound, so that rounding turns no pivot
-/// back and forth.
+/// A force or a rate within this share of its terms of the bound is at the bound. Without that, rounding could turn a
+/// pivot back and forth.
 const ROUNDING: f64 = 1e-13;
 
 /// The balance of the contacts that have bounds `[low, high]`, searched from `start`, whose forces are finite. `None` if
 /// rounding keeps the pivots from ending.
 ///
 /// `rates` are those without forces of contacts; `responses` holds the columns of W of the joints with bounds.
-pub(super) fn balanced<const N: usize>(
-    rates: &SVector<f64, N>,
-    responses: &SMatrix<f64, N, N>,
-    bounds: &[Option<[f64; 2]>; N],
-    start: [Place; N],
-) -> Option<Balance<N>> {
+pub(super) fn balanced<D: Size>(
+    rates: &D::Vector,
+    responses: &D::Matrix,
+    bounds: &D::Each<Option<[f64; 2]>>,
+    start: D::Each<Place>,
+) -> Option<Balance<D>> {
     let mut places = start;
     for _ in 0..MOST_PIVOTS {
-        let balance = Balance::new(rates, responses, bounds, places);
+        let balance = Balance::new(rates, responses, bounds, places.clone());
         let turned = |i: usize| balance.turned(i, rates[i], bounds[i]?);
-        match (0..N).find_map(|i| Some((i, turned(i)?))) {
+        match D::of(rates).joints().find_map(|i| Some((i, turned(i)?))) {
             Some((i, place)) => places[i] = place,
             None => return Some(balance),
         }
@@ -65,39 +64,41 @@ pub(super) fn balanced<const N: usize>(
     None
 }
 
-impl<const N: usize> Balance<N> {
+impl<D: Size> Balance<D> {
     /// Forces at their bounds, and between them those that leave no rates.
     fn new(
-        free: &SVector<f64, N>,
-        responses: &SMatrix<f64, N, N>,
-        bounds: &[Option<[f64; 2]>; N],
-        places: [Place; N],
+        free: &D::Vector,
+        responses: &D::Matrix,
+        bounds: &D::Each<Option<[f64; 2]>>,
+        places: D::Each<Place>,
     ) -> Self {
-        let between = core::array::from_fn(|i| bounds[i].is_some() && places[i] == Place::Between);
-        let at_bounds = SVector::from_fn(|i, _| match (bounds[i], places[i]) {
+        let size = D::of(free);
+        let between = size.each(|i| bounds[i].is_some() && places[i] == Place::Between);
+        let at_bounds = size.vector_of(|i| match (bounds[i], places[i]) {
             (Some([low, _]), Place::Low) => low,
             (Some([_, high]), Place::High) => high,
             _ => 0.0,
         });
-        let rates = free + responses * at_bounds;
-        let wanted = SVector::from_fn(|i, _| if between[i] { -rates[i] } else { 0.0 });
-        let forces = at_bounds + Lu::new(block(responses, &between)).solve(wanted);
-        let mut rates = free + responses * forces;
-        for i in (0..N).filter(|i| between[*i]) {
+        let rates = free.plus(1.0, &responses.times(&at_bounds));
+        let wanted = size.vector_of(|i| if between[i] { -rates[i] } else { 0.0 });
+        let forces = at_bounds + block(size, responses, &between).solve_vector(&wanted);
+        let mut rates = free.plus(1.0, &responses.times(&forces));
+        for i in size.joints().filter(|i| between[*i]) {
             rates[i] = 0.0;
         }
         Balance {
             places,
             forces,
             rates,
-            responses: *responses,
+            responses: responses.clone(),
             between,
         }
     }
 
     /// Another place for the force of joint `i`, where it is wrong at its own.
     fn turned(&self, i: usize, free: f64, [low, high]: [f64; 2]) -> Option<Place> {
-        let terms = (0..N).map(|j| (self.responses[(i, j)] * self.forces[j]).abs());
+        let joints = D::of(&self.forces).joints();
+        let terms = joints.map(|j| (self.responses[(i, j)] * self.forces[j]).abs());
         let rounding = ROUNDING * (free.abs() + terms.sum::<f64>());
         let of_force = rounding / self.responses[(i, i)];
         match self.places[i] {
@@ -112,17 +113,15 @@ impl<const N: usize> Balance<N> {
     /// The inertia of joint `i`, whose force is between its bounds, if it alone is let go: one over
     /// `(W_bb^-1)_ii`, with b the joints whose forces are between their bounds, is what a force does to it.
     pub(super) fn inertia(&self, i: usize) -> f64 {
-        let unit = SVector::from_fn(|j, _| f64::from(u8::from(i == j)));
-        Lu::new(block(&self.responses, &self.between)).solve(unit)[i]
+        let size = D::of(&self.forces);
+        let unit = size.vector_of(|j| f64::from(u8::from(i == j)));
+        block(size, &self.responses, &self.between).solve_vector(&unit)[i]
     }
 }
 
-/// The rows and columns of some joints; those of the others are the unit matrix's.
-pub(super) fn block<const N: usize>(
-    matrix: &SMatrix<f64, N, N>,
-    joints: &[bool; N],
-) -> SMatrix<f64, N, N> {
-    SMatrix::from_fn(|i, j| {
+/// The factors of the rows and columns of some joints; those of the others are the unit matrix's.
+pub(super) fn block<D: Size>(size: D, matrix: &D::Matrix, joints: &D::Each<bool>) -> Lu<f64, D> {
+    Lu::new(size, |i, j| {
         if joints[i] && joints[j] {
             matrix[(i, j)]
         } else {
@@ -133,7 +132,7 @@ pub(super) fn block<const N: usize>(
 
 #[cfg(test)]
 mod tests {
-    use nalgebra::{Matrix3, Vector3};
+    use nalgebra::{Const, Matrix3, Vector3};
 
     use super::{Balance, Place, balanced};
 
@@ -147,7 +146,7 @@ mod tests {
         Some([f64::NEG_INFINITY, 0.0]),
     ];
 
-    fn is_solution(balance: &Balance<3>) -> bool {
+    fn is_solution(balance: &Balance<Const<3>>) -> bool {
         let is_right = |i: usize| {
             let [low, high] = BOUNDS[i].unwrap();
             let (force, rate) = (balance.forces[i], balance.rates[i]);
@@ -167,7 +166,7 @@ mod tests {
         let mut found = [0; 3];
         for k in 0..300 {
             let free = Vector3::from_fn(|i, _| 3.0 * (f64::from(k) * 1.7 + i as f64 * 2.3).sin());
-            let begun = |start| balanced(&free, &W, &BOUNDS, start).unwrap();
+            let begun = |start| balanced::<Const<3>>(&free, &W, &BOUNDS, start).unwrap();
             let first = begun([Between; 3]);
             assert!(is_solution(&first), "{k}: {first:?}");
             for start in [
@@ -197,11 +196,11 @@ mod tests {
         let free = Vector3::new(-1.0, 0.2, 1.5);
         let held = [Some([f64::NEG_INFINITY, f64::INFINITY]); 3];
         let start = [Place::Between; 3];
-        let all = balanced(&free, &W, &held, start).unwrap();
+        let all = balanced::<Const<3>>(&free, &W, &held, start).unwrap();
         for i in 0..3 {
             let mut others = held;
             others[i] = None;
-            let let_go = balanced(&free, &W, &others, start).unwrap();
+            let let_go = balanced::<Const<3>>(&free, &W, &others, start).unwrap();
             let expected = -all.forces[i] / all.inertia(i);
             assert!((let_go.rates[i] - expected).abs() < 1e-14, "{i}");
         }

@@ -5,8 +5,10 @@ use std::io::{self, BufRead, BufReader, Read, Write};
 
 use nalgebra::SVector;
 
-use super::trajectory::Trajectory;
-use crate::{JointType, Model};
+use super::trajectory::{SizedTrajectory, Trajectory};
+use crate::size::{JointVector as _, Size};
+use crate::table::AsArm as _;
+use crate::{JointType, SizedModel};
 
 /// What stands in the columns of a joint: the symbol, and the unit of a revolute and of a prismatic one.
 const QUANTITIES: [(&str, [&str; 2]); 4] = [
@@ -16,12 +18,12 @@ const QUANTITIES: [(&str, [&str; 2]); 4] = [
     ("tau", ["N m", "N"]),
 ];
 
-impl<const N: usize> Trajectory<N> {
+impl<D: Size> SizedTrajectory<D> {
     /// Writes the samples as comma-separated values: a header, then a line for each sample.
     ///
     /// The columns are `t [s]`; `q.NAME [rad]` of each joint, in m where it is prismatic; `qd.NAME`,
     /// `qdd.NAME` and `tau.NAME` with their units; and `kinetic energy [J]`, `potential energy [J]` where
-    /// the robot knows them ([`Model::energies`]). Numbers have as many digits as it takes to read the same
+    /// the robot knows them ([`Model::energies`](crate::Model::energies)). Numbers have as many digits as it takes to read the same
     /// ones back, with a decimal point whatever the language; a number that is not finite is `NaN`, `inf` or `-inf`.
     /// Accelerations or torques have no columns where the trajectory does not have one for each time.
     ///
@@ -54,25 +56,29 @@ impl<const N: usize> Trajectory<N> {
     /// # Errors
     ///
     /// Those of the writer. Writes in small pieces: hand over a buffered one.
-    pub fn write_csv<R: Model<N>>(&self, robot: &R, mut out: impl Write) -> io::Result<()> {
-        let joints: [(&str, JointType); N] = {
-            let (names, rows) = (robot.joint_names(), robot.table().rows);
-            core::array::from_fn(|i| (names[i], rows[i].joint_type))
-        };
-        let rest = SVector::zeros();
-        let has_energies = robot.energies(&rest, &rest).is_some();
+    pub fn write_csv<R: SizedModel<D>>(&self, robot: &R, mut out: impl Write) -> io::Result<()> {
+        let (names, table) = (robot.names(), robot.sized_table());
+        let kinds = table.arm().rows.iter().map(|row| row.joint_type);
+        let joints: Vec<_> = names
+            .as_ref()
+            .iter()
+            .map(String::as_str)
+            .zip(kinds)
+            .collect();
+        let rest = D::from_usize(joints.len()).vector();
+        let has_energies = robot.sized_energies(&rest, &rest).is_some();
         let lists = [&self.q, &self.qd, &self.qdd, &self.tau];
-        let has = |list: &&&Vec<SVector<f64, N>>| list.len() == self.len();
+        let has = |list: &&&Vec<D::Vector>| list.len() == self.len();
         let quantities = lists.each_ref().map(|list| has(&list));
         self.write_header(&joints, &quantities, has_energies, &mut out)?;
         for k in 0..self.len() {
             write!(out, "{}", self.t[k])?;
             for vector in lists.iter().filter(has).map(|list| &list[k]) {
-                for entry in vector.iter() {
+                for entry in vector.entries() {
                     write!(out, ",{entry}")?;
                 }
             }
-            if let Some(energies) = robot.energies(&self.q[k], &self.qd[k]) {
+            if let Some(energies) = robot.sized_energies(&self.q[k], &self.qd[k]) {
                 write!(out, ",{},{}", energies[0], energies[1])?;
             }
             writeln!(out)?;
@@ -82,7 +88,7 @@ impl<const N: usize> Trajectory<N> {
 
     fn write_header(
         &self,
-        joints: &[(&str, JointType); N],
+        joints: &[(&str, JointType)],
         quantities: &[bool; 4],
         has_energies: bool,
         out: &mut impl Write,
@@ -106,8 +112,10 @@ impl<const N: usize> Trajectory<N> {
         }
         writeln!(out)
     }
+}
 
-    /// Reads what [`write_csv`](Trajectory::write_csv) writes: `t`, then `q`, `qd`, and, where the header has
+impl<const N: usize> Trajectory<N> {
+    /// Reads what [`write_csv`](SizedTrajectory::write_csv) writes: `t`, then `q`, `qd`, and, where the header has
     /// them, `qdd` and `tau` of `N` joints. Columns after these are passed over, and so are empty lines. The
     /// work of the run is not in the table.
     ///

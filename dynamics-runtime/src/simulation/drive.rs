@@ -10,32 +10,33 @@ use super::sampling::Instants;
 use super::torque::TorqueLaw;
 use crate::EquationsOfMotion;
 use crate::integrate::{Failure, Stepper};
+use crate::size::Size;
 
 /// Makes steps to the end of the recorder's plan, at most `max_steps` between two samples.
 ///
 /// The stepper is known at run time alone: a call for each step is nothing beside the step, and what is written
 /// here is compiled once for all methods.
-pub(super) fn drive<S, R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N: usize>(
-    motion: &Motion<R, L, N>,
+pub(super) fn drive<S, R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size>(
+    motion: &Motion<R, L, D>,
     system: &S,
-    stepper: &mut dyn Stepper<S, Cause, N>,
-    recorder: &mut Recorder<N>,
+    stepper: &mut dyn Stepper<S, Cause, D>,
+    recorder: &mut Recorder<D>,
     max_steps: usize,
 ) -> Result<(), Cause> {
     if motion.has_events() {
         let duration = recorder.duration();
-        let run = Eventful::<_, _, _, _, ByMargins, N>::start(motion, system, stepper, duration)?;
+        let run = Eventful::<_, _, _, _, ByMargins, D>::start(motion, system, stepper, duration)?;
         return run.drive(recorder, max_steps);
     }
     smooth(motion, system, stepper, recorder, max_steps)
 }
 
 /// The same without events.
-pub(super) fn smooth<M: Followed<N>, S, E: Into<Cause>, const N: usize>(
+pub(super) fn smooth<M: Followed<D>, S, E: Into<Cause>, D: Size>(
     motion: &M,
     system: &S,
-    stepper: &mut dyn Stepper<S, E, N>,
-    recorder: &mut Recorder<N>,
+    stepper: &mut dyn Stepper<S, E, D>,
+    recorder: &mut Recorder<D>,
     max_steps: usize,
 ) -> Result<(), Cause> {
     let mut instants = Instants::new(motion.period(), recorder.duration());
@@ -47,8 +48,8 @@ pub(super) fn smooth<M: Followed<N>, S, E: Into<Cause>, const N: usize>(
         let made = stepper.step(system, instants.next());
         recorder.work.rejected = stepper.rejected();
         made?;
-        let (t, phase) = (stepper.t(), *stepper.phase());
-        recorder.reach(t, phase)?;
+        let (t, phase) = (stepper.t(), stepper.phase().clone());
+        recorder.reach(t, phase.clone())?;
         steps += 1;
         let mut taken = take_within(motion, system, stepper, recorder)?;
         if instants.begin(t) {
@@ -77,7 +78,7 @@ impl<E: Into<Cause>> From<Failure<E>> for Cause {
 mod tests {
     use core::cell::Cell;
 
-    use nalgebra::Vector1;
+    use nalgebra::{Const, Vector1};
 
     use super::smooth;
     use crate::integrate::{Failure, Phase, Stepper};
@@ -88,14 +89,14 @@ mod tests {
     use crate::simulation::trajectory::Forces;
 
     /// A stepper without motion, whose steps end at the given time.
-    struct Clock(f64, Phase<1>);
+    struct Clock(f64, Phase<Const<1>>);
 
-    impl Stepper<(), Cause, 1> for Clock {
+    impl Stepper<(), Cause, Const<1>> for Clock {
         fn t(&self) -> f64 {
             self.0
         }
 
-        fn phase(&self) -> &Phase<1> {
+        fn phase(&self) -> &Phase<Const<1>> {
             &self.1
         }
 
@@ -105,15 +106,15 @@ mod tests {
             Ok(())
         }
 
-        fn at(&mut self, _: &(), _: f64) -> Result<Phase<1>, Failure<Cause>> {
-            Ok(self.1)
+        fn at(&mut self, _: &(), _: f64) -> Result<Phase<Const<1>>, Failure<Cause>> {
+            Ok(self.1.clone())
         }
 
         fn retake(&mut self, _: &(), _: f64) -> Result<(), Failure<Cause>> {
             Ok(())
         }
 
-        fn restart(&mut self, _: &(), _: Phase<1>) -> Result<(), Failure<Cause>> {
+        fn restart(&mut self, _: &(), _: Phase<Const<1>>) -> Result<(), Failure<Cause>> {
             Ok(())
         }
 
@@ -125,8 +126,8 @@ mod tests {
     /// A law that knows when it is to be asked.
     struct Asked(f64, Cell<u64>);
 
-    impl Followed<1> for Asked {
-        fn forces(&self, _: f64, _: &Phase<1>) -> Forces<1> {
+    impl Followed<Const<1>> for Asked {
+        fn forces(&self, _: f64, _: &Phase<Const<1>>) -> Forces<Const<1>> {
             Forces {
                 qdd: Vector1::zeros(),
                 tau: Vector1::zeros(),
@@ -137,7 +138,7 @@ mod tests {
             Some(self.0)
         }
 
-        fn sample(&self, t: f64, _: &Phase<1>) -> Result<(), Cause> {
+        fn sample(&self, t: f64, _: &Phase<Const<1>>) -> Result<(), Cause> {
             self.1.set(self.1.get() + 1);
             assert_eq!(t, self.1.get() as f64 * self.0);
             Ok(())
@@ -150,20 +151,20 @@ mod tests {
     fn a_million_periods_do_not_drift() {
         let period = 1e-3;
         for samples in [2, 1_001, 1_000_001] {
-            let mut plan = Plan::<1>::new();
+            let mut plan = Plan::<Const<1>>::new(Const);
             (plan.duration, plan.samples) = (1e3, samples);
-            let mut recorder = Recorder::new(plan.initial);
+            let mut recorder = Recorder::new(plan.initial.clone());
             recorder.plan(&plan).unwrap();
             recorder.push(
                 0.0,
-                plan.initial,
+                plan.initial.clone(),
                 Asked(0.0, Cell::new(0)).forces(0.0, &plan.initial),
             );
             let asked = Asked(period, Cell::new(0));
             smooth(
                 &asked,
                 &(),
-                &mut Clock(0.0, plan.initial),
+                &mut Clock(0.0, plan.initial.clone()),
                 &mut recorder,
                 1_000_000,
             )

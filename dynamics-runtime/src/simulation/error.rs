@@ -2,28 +2,35 @@
 
 use core::fmt;
 
-use nalgebra::SVector;
+use nalgebra::Const;
 
-use super::trajectory::Trajectory;
+use super::trajectory::SizedTrajectory;
 use crate::SingularMassMatrix;
+use crate::size::{JointVector as _, Size};
 use crate::taylor::Refusal;
 
 /// A simulation that could not reach its end, with everything that it computed before.
 ///
 /// `{:?}`, which `unwrap` and an error of `main` print, is the sentence of `{}` and the number of samples.
 #[derive(Clone, PartialEq)]
-pub struct SimulationError<const N: usize> {
+pub struct SizedSimulationError<D: Size> {
     /// The time reached, s.
     pub time: f64,
     /// The joint positions reached, rad or m.
-    pub q: SVector<f64, N>,
+    pub q: D::Vector,
     /// The joint velocities reached, rad/s or m/s.
-    pub qd: SVector<f64, N>,
+    pub qd: D::Vector,
     /// Why the motion does not go on from there.
     pub cause: Cause,
     /// The samples up to there.
-    pub trajectory: Trajectory<N>,
+    pub trajectory: SizedTrajectory<D>,
 }
+
+/// A simulation of an arm of `N` joints that could not reach its end.
+pub type SimulationError<const N: usize> = SizedSimulationError<Const<N>>;
+
+/// What a simulation returns.
+pub(super) type Outcome<D> = Result<SizedTrajectory<D>, Box<SizedSimulationError<D>>>;
 
 /// Why a simulation ended early.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -141,7 +148,8 @@ impl fmt::Display for JointSet {
 }
 
 impl Cause {
-    /// The cause under error control, where a state that is not finite is that of a stage of a step that is too long.
+    /// The cause under error control, where no state is reached that is not finite: the stage that
+    /// asks for one belongs to a step that is too long, the shortest that there is.
     pub(super) fn of_long_steps(self) -> Self {
         match self {
             Cause::NonFiniteState { .. } => Cause::StepTooSmall,
@@ -202,27 +210,27 @@ pub enum InvalidSetting {
     NoMomenta,
 }
 
-impl<const N: usize> fmt::Display for SimulationError<N> {
+impl<D: Size> fmt::Display for SizedSimulationError<D> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(
             f,
             "the simulation ended at t = {:?} s: {} (q = {:?}, qd = {:?})",
             self.time,
             self.cause,
-            self.q.as_slice(),
-            self.qd.as_slice()
+            self.q.entries(),
+            self.qd.entries()
         )
     }
 }
 
-impl<const N: usize> fmt::Debug for SimulationError<N> {
+impl<D: Size> fmt::Debug for SizedSimulationError<D> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let samples = self.trajectory.len();
         write!(f, "{self}; `trajectory` has {samples} samples up to there")
     }
 }
 
-impl<const N: usize> core::error::Error for SimulationError<N> {
+impl<D: Size> core::error::Error for SizedSimulationError<D> {
     fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
         match &self.cause {
             Cause::SingularMassMatrix(source) => Some(source),
@@ -234,24 +242,32 @@ impl<const N: usize> core::error::Error for SimulationError<N> {
 
 impl fmt::Display for Cause {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let mut not_finite = |what: &str, joint: &usize| {
-            write!(f, "the {what} of joint {} is not finite", joint + 1)
-        };
         match self {
             Cause::InvalidSetting(setting) => setting.fmt(f),
             Cause::SingularMassMatrix(error) => error.fmt(f),
-            Cause::NonFiniteTorque { joint } => not_finite("torque", joint),
-            Cause::NonFiniteAcceleration { joint } => not_finite("acceleration", joint),
-            Cause::NonFiniteState { joint } => not_finite("state", joint),
-            Cause::NonFiniteToolForce { component } => {
-                let name = ["fx", "fy", "fz", "nx", "ny", "nz"][component % 6];
-                write!(f, "{name} of the force at the tool is not finite")
+            Cause::NonFiniteTorque { joint } => {
+                write!(f, "the torque of joint {} is not finite", joint + 1)
             }
-            Cause::StepTooSmall => f.write_str(
-                "no step is short enough for the tolerance: shorter ones are lost in the rounding of the time",
+            Cause::NonFiniteToolForce { component } => {
+                let names = ["fx", "fy", "fz", "nx", "ny", "nz"];
+                write!(
+                    f,
+                    "{} of the force at the tool is not finite",
+                    names[*component % 6]
+                )
+            }
+            Cause::NonFiniteAcceleration { joint } => {
+                write!(f, "the acceleration of joint {} is not finite", joint + 1)
+            }
+            Cause::NonFiniteState { joint } => {
+                write!(f, "the state of joint {} is not finite", joint + 1)
+            }
+            Cause::StepTooSmall => write!(
+                f,
+                "no step is short enough for the tolerance: shorter ones are lost in the rounding of the time"
             ),
-            Cause::NoConvergence => f.write_str("the step is too long for an implicit method"),
-            Cause::TooManySteps => f.write_str("more steps between two samples than `max_steps`"),
+            Cause::NoConvergence => write!(f, "the step is too long for an implicit method"),
+            Cause::TooManySteps => write!(f, "more steps between two samples than `max_steps`"),
             Cause::JointLimit { joint, limit } => {
                 write!(f, "joint {} passes its limit {limit:?}", joint + 1)
             }
@@ -270,26 +286,25 @@ impl fmt::Display for Cause {
 
 impl fmt::Display for InvalidSetting {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        const TIME: &str = "a finite time that is not lost in the rounding of the duration";
-        let mut impossible = |given: fmt::Arguments<'_>, expected: &str| {
-            write!(f, "{given} is not possible: expected {expected}")
-        };
         match self {
-            InvalidSetting::Duration(duration) => impossible(
-                format_args!("a duration of {duration:?} s"),
-                "a finite time above 1e-292 s",
-            ),
-            InvalidSetting::Step(step) => impossible(format_args!("a step of {step:?} s"), TIME),
-            InvalidSetting::Period(period) => {
-                impossible(format_args!("a period of {period:?} s"), TIME)
+            InvalidSetting::Duration(duration) => {
+                write!(
+                    f,
+                    "a duration of {duration:?} s is not possible: expected a finite time above 1e-292 s"
+                )
             }
-            InvalidSetting::Tolerance(tolerance) => impossible(
-                format_args!("a tolerance of {tolerance:?}"),
-                "a finite number above zero",
-            ),
             InvalidSetting::Samples(samples) => write!(
                 f,
                 "{samples} samples are not possible: expected two at least, and no more than memory holds"
+            ),
+            InvalidSetting::Step(step) => write!(
+                f,
+                "a step of {step:?} s is not possible: expected a finite time that is not lost in the rounding of the \
+                 duration"
+            ),
+            InvalidSetting::Tolerance(tolerance) => write!(
+                f,
+                "a tolerance of {tolerance:?} is not possible: expected a finite number above zero"
             ),
             InvalidSetting::Order(order) => write!(f, "series of order {order} are not possible"),
             InvalidSetting::CoulombFriction { joint } => write!(
@@ -301,12 +316,24 @@ impl fmt::Display for InvalidSetting {
                 write!(f, "the initial state of joint {} is not finite", joint + 1)
             }
             InvalidSetting::FrictionSpeed(speed) => {
-                write!(f, "friction cannot be regularised over a speed of {speed:?}")
+                write!(
+                    f,
+                    "friction cannot be regularised over a speed of {speed:?}"
+                )
             }
-            InvalidSetting::Restitution(restitution) => write!(
-                f,
-                "a restitution of {restitution:?} is not possible: it lies between 0 and 1"
-            ),
+            InvalidSetting::Period(period) => {
+                write!(
+                    f,
+                    "a period of {period:?} s is not possible: expected a finite time that is not lost in the \
+                     rounding of the duration"
+                )
+            }
+            InvalidSetting::Restitution(restitution) => {
+                write!(
+                    f,
+                    "a restitution of {restitution:?} is not possible: it lies between 0 and 1"
+                )
+            }
             InvalidSetting::Limits { joint } => write!(
                 f,
                 "the limits of joint {} are no range: the lower one first, both numbers",
@@ -321,8 +348,9 @@ impl fmt::Display for InvalidSetting {
                 "joint {} begins at {q:?}, outside of its limits {lower:?} to {upper:?}",
                 joint + 1
             ),
-            InvalidSetting::NoMomenta => f.write_str(
-                "the method works in momenta, for which the arm lacks mass_matrix or inverse_dynamics",
+            InvalidSetting::NoMomenta => write!(
+                f,
+                "the method works in momenta, for which the arm lacks mass_matrix or inverse_dynamics"
             ),
         }
     }

@@ -3,8 +3,10 @@
 
 use core::marker::PhantomData;
 
+use super::contacts::{least_margin, let_in, margin, settle, stops_and_chatters, way_out};
 use super::error::{Cause, JointSet};
 use super::friction::Contact;
+use super::impact::thrown_back;
 use super::limits::AtLimit;
 use super::motion::{Held, Motion};
 use super::recorder::Recorder;
@@ -13,43 +15,44 @@ use super::sampling::Instants;
 use super::torque::TorqueLaw;
 use crate::EquationsOfMotion;
 use crate::integrate::{Phase, Stepper};
+use crate::size::Size;
 
 /// Where a step begins.
-pub(super) struct Start<const N: usize> {
+pub(super) struct Start<D: Size> {
     pub(super) t: f64,
-    pub(super) phase: Phase<N>,
-    pub(super) held: Held<N>,
+    pub(super) phase: Phase<D>,
+    pub(super) held: Held<D>,
 }
 
 /// How the first event within a step is found.
-pub(super) trait Finder<S, R, L, K: ?Sized, const N: usize> {
+pub(super) trait Finder<S, R, L, K: ?Sized, D: Size> {
     /// Has the last step of the stepper end at the first event in it. Where there is none, the
     /// forces at its end.
     fn first_event(
-        motion: &Motion<R, L, N>,
+        motion: &Motion<R, L, D>,
         system: &S,
         stepper: &mut K,
-        start: &Start<N>,
-    ) -> Result<Option<Held<N>>, Cause>;
+        start: &Start<D>,
+    ) -> Result<Option<Held<D>>, Cause>;
 }
 
 /// The least margin where a stepper is, and the forces there.
-pub(super) fn here<S, R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N: usize>(
-    motion: &Motion<R, L, N>,
-    stepper: &(impl Stepper<S, Cause, N> + ?Sized),
-) -> Result<(f64, Held<N>), Cause> {
+pub(super) fn here<S, R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size>(
+    motion: &Motion<R, L, D>,
+    stepper: &(impl Stepper<S, Cause, D> + ?Sized),
+) -> Result<(f64, Held<D>), Cause> {
     let phase = stepper.phase();
     let held = motion.held(stepper.t(), phase)?;
-    Ok((motion.least_margin(phase, &held), held))
+    Ok((least_margin(motion, phase, &held), held))
 }
 
 /// An integration whose steps end at the events that `F` finds.
-pub(super) struct Eventful<'a, S, R, L, K: ?Sized, F, const N: usize> {
-    motion: &'a Motion<'a, R, L, N>,
+pub(super) struct Eventful<'a, S, R, L, K: ?Sized, F, D: Size> {
+    motion: &'a Motion<'a, R, L, D>,
     system: &'a S,
     stepper: &'a mut K,
     instants: Instants,
-    held: Held<N>,
+    held: Held<D>,
     /// Events since the last progress: a step without one, or an impact of a joint that came from farther than
     /// positions resolve.
     in_a_row: usize,
@@ -70,16 +73,16 @@ const MOST_IN_A_ROW: usize = 1_000;
 /// elastic bounces that go on for ever.
 const MOST_BETWEEN_SAMPLES: usize = 100_000;
 
-impl<'a, S, R, L, K: ?Sized, F, const N: usize> Eventful<'a, S, R, L, K, F, N>
+impl<'a, S, R, L, K: ?Sized, F, D: Size> Eventful<'a, S, R, L, K, F, D>
 where
-    R: EquationsOfMotion<N>,
-    L: TorqueLaw<N>,
-    K: Stepper<S, Cause, N>,
-    F: Finder<S, R, L, K, N>,
+    R: EquationsOfMotion<D>,
+    L: TorqueLaw<D>,
+    K: Stepper<S, Cause, D>,
+    F: Finder<S, R, L, K, D>,
 {
     /// From where the stepper is.
     pub(super) fn start(
-        motion: &'a Motion<'a, R, L, N>,
+        motion: &'a Motion<'a, R, L, D>,
         system: &'a S,
         stepper: &'a mut K,
         duration: f64,
@@ -102,7 +105,7 @@ where
     /// Makes steps to the end of the recorder's plan, at most `max_steps` between two samples.
     pub(super) fn drive(
         mut self,
-        recorder: &mut Recorder<N>,
+        recorder: &mut Recorder<D>,
         max_steps: usize,
     ) -> Result<(), Cause> {
         let mut steps = 0;
@@ -134,10 +137,10 @@ where
     }
 
     /// Goes on after a step: after an event in it, and from where the laws are asked again.
-    fn turn(&mut self, event: bool, recorder: &mut Recorder<N>) -> Result<(), Cause> {
+    fn turn(&mut self, event: bool, recorder: &mut Recorder<D>) -> Result<(), Cause> {
         let t = self.stepper.t();
         if event {
-            recorder.phase = self.change(recorder.phase)?;
+            recorder.phase = self.change(recorder.phase.clone())?;
         } else {
             self.progress();
         }
@@ -146,8 +149,8 @@ where
             self.motion.sample(t, &recorder.phase)?;
         }
         if event || begins {
-            self.held = self.motion.settle(t, &recorder.phase)?;
-            self.stepper.restart(self.system, recorder.phase)?;
+            self.held = settle(self.motion, t, &recorder.phase)?;
+            self.stepper.restart(self.system, recorder.phase.clone())?;
         }
         Ok(())
     }
@@ -176,34 +179,37 @@ where
 
     /// What makes a step fail for which the method has no better reason than that it fails: a joint
     /// that would stop before the next sample, and chatter.
-    fn blamed(&self, cause: Cause, reached: &Recorder<N>, next: f64) -> Cause {
+    fn blamed(&self, cause: Cause, reached: &Recorder<D>, next: f64) -> Cause {
         if !matches!(cause, Cause::NoConvergence | Cause::StepTooSmall) {
             return cause;
         }
         let left = next - reached.t;
-        let chatters = self
-            .motion
-            .stops_and_chatters(reached.t, &reached.phase, left);
-        chatters.map_or(cause, |joint| Cause::Chatter { joint })
+        match stops_and_chatters(self.motion, reached.t, &reached.phase, left) {
+            Some(joint) => Cause::Chatter { joint },
+            None => cause,
+        }
     }
 
     /// Makes a step, up to the first event in it; whether there was one.
     fn advance(&mut self, end: f64) -> Result<bool, Cause> {
         let start = Start {
             t: self.stepper.t(),
-            phase: *self.stepper.phase(),
-            held: self.held,
+            phase: self.stepper.phase().clone(),
+            held: self.held.clone(),
         };
         self.stepper.step(self.system, end)?;
         let without = F::first_event(self.motion, self.system, self.stepper, &start)?;
-        self.held = without.unwrap_or(self.held);
-        Ok(without.is_none())
+        let is_event = without.is_none();
+        if let Some(held) = without {
+            self.held = held;
+        }
+        Ok(is_event)
     }
 
     /// The phase reached, in which joints that an event stopped stand still.
-    fn stopped(&self, event: bool) -> Phase<N> {
-        let mut phase = *self.stepper.phase();
-        for (i, contact) in self.motion.contacts().iter().enumerate() {
+    fn stopped(&self, event: bool) -> Phase<D> {
+        let mut phase = self.stepper.phase().clone();
+        for (i, contact) in self.motion.contacts().as_ref().iter().enumerate() {
             let stops = match contact {
                 Contact::Slides(way) => event && *way != 0.0 && way * phase.qd[i] <= 0.0,
                 Contact::Sticks | Contact::Leans(_) => true,
@@ -217,9 +223,9 @@ where
 
     /// The phase after an event: joints that hit a stop are thrown back; else one that stopped sticks, and
     /// one that nothing holds is let go.
-    fn change(&mut self, phase: Phase<N>) -> Result<Phase<N>, Cause> {
+    fn change(&mut self, phase: Phase<D>) -> Result<Phase<D>, Cause> {
         self.passes(&phase)?;
-        if let Some(impact) = self.motion.thrown_back(self.stepper.t(), &phase)? {
+        if let Some(impact) = thrown_back(self.motion, self.stepper.t(), &phase)? {
             if impact.is_progress {
                 self.progress();
             }
@@ -232,12 +238,12 @@ where
         }
         let (least, held) = here(self.motion, self.stepper)?;
         let contacts = self.motion.contacts();
-        let free = |i: usize| self.motion.margin(i, &phase, &held) <= least.max(0.0);
-        let next = core::array::from_fn(|i| match contacts[i] {
+        let free = |i: usize| margin(self.motion, i, &phase, &held) <= least.max(0.0);
+        let next = self.motion.each(|i| match contacts[i] {
             Contact::Slides(way) if way != 0.0 && phase.qd[i] == 0.0 => Contact::Sticks,
             // It was held until now by all the friction that there is.
-            Contact::Sticks if free(i) => Contact::Slides(held.way_out(i)),
-            Contact::Leans(inwards) if free(i) => self.motion.let_in(i, inwards),
+            Contact::Sticks if free(i) => Contact::Slides(way_out(&held, i)),
+            Contact::Leans(inwards) if free(i) => let_in(self.motion, i, inwards),
             contact => contact,
         });
         self.count(&contacts, &next);
@@ -246,7 +252,7 @@ where
     }
 
     /// Passing a limit, where that is an error.
-    fn passes(&self, phase: &Phase<N>) -> Result<(), Cause> {
+    fn passes(&self, phase: &Phase<D>) -> Result<(), Cause> {
         let limits = self.motion.limits();
         if limits.kind != AtLimit::Ends {
             return Ok(());
@@ -257,16 +263,16 @@ where
                 .filter(|end| end.inwards * phase.qd[i] < 0.0 && end.gap(phase.q[i]) <= 0.0);
             ends.map(|end| end.at).next()
         };
-        match (0..N).find_map(|i| Some((i, beyond(i)?))) {
+        match self.motion.joints().find_map(|i| Some((i, beyond(i)?))) {
             Some((joint, limit)) => Err(Cause::JointLimit { joint, limit }),
             None => Ok(()),
         }
     }
 
-    fn count(&mut self, before: &[Contact; N], after: &[Contact; N]) {
+    fn count(&mut self, before: &D::Each<Contact>, after: &D::Each<Contact>) {
         self.in_a_row += 1;
         self.events += 1;
-        let changed = (0..N).find(|i| before[*i] != after[*i]);
+        let changed = self.motion.joints().find(|i| before[*i] != after[*i]);
         self.joint = changed.unwrap_or(self.joint);
     }
 }

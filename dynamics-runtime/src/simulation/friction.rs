@@ -2,6 +2,7 @@
 
 use super::error::InvalidSetting;
 use crate::friction::JointFriction;
+use crate::size::Size;
 
 /// How a [`Simulation`](crate::Simulation) treats dry friction: Coulomb's, and static friction that falls to
 /// it.
@@ -61,17 +62,17 @@ impl Contact {
 }
 
 /// Friction of an arm.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Law<const N: usize> {
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Law<D: Size> {
     pub(super) kind: Friction,
-    pub(super) dry: [JointFriction; N],
+    pub(super) dry: D::Each<JointFriction>,
 }
 
-impl<const N: usize> Law<N> {
-    pub(super) fn sign() -> Self {
+impl<D: Size> Law<D> {
+    pub(super) fn sign(size: D) -> Self {
         Law {
             kind: Friction::Sign,
-            dry: [JointFriction::NONE; N],
+            dry: size.each(|_| JointFriction::NONE),
         }
     }
 

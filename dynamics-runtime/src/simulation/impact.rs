@@ -17,193 +17,205 @@
 //! Bounces that die out are infinitely many in a finite time. They end where no position would tell them from
 //! rest: with restitution 0, and for all joints at their stops together. One joint that is set to rest alone throws off
 //! those that lean, which come back and throw it off in turn, for ever. Joints are set to rest that would fall back from
-//! a rise below the resolution (`resting`). Impulses of either sign take their velocities, and no other joint passes its
-//! stop. The result is the nearest to the velocities before, as measured by the kinetic energy, of all velocities with
-//! `v = 0` for these joints and `v >= 0` for others at their stops. They form a cone, so that the energy does not rise.
-
-use nalgebra::{SMatrix, SVector};
+//! a rise below the resolution, under the forces of the other stops (`resting`). Impulses of either sign take
+//! their velocities, and no other joint passes its stop. The result has `v = 0` for these joints and `v >= 0` for others
+//! at their stops. Of all such velocities it is the nearest to those before, as measured by the kinetic energy. They
+//! form a cone, so that the energy does not rise. The accelerations then decide which joints lean and which leave
+//! ([`contacts`](super::contacts)).
 
 use super::complementarity::{Place, balanced};
+use super::contacts::{balance_at_rest, classified, settle};
 use super::error::{Cause, JointSet};
 use super::limits::{AtLimit, End};
 use super::motion::Motion;
 use super::torque::TorqueLaw;
 use crate::EquationsOfMotion;
 use crate::integrate::Phase;
+use crate::size::{JointMatrix as _, JointVector as _, Size};
 
 /// Impacts of joints on their stops, and their result.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Impact<const N: usize> {
+#[derive(Clone, Debug)]
+pub(super) struct Impact<D: Size> {
     /// The phase after it.
-    pub(super) after: Phase<N>,
+    pub(super) after: Phase<D>,
     /// The joints that hit.
     pub(super) joints: JointSet,
     /// Whether one of them came from farther than the resolution of its position.
     pub(super) is_progress: bool,
 }
 
-impl<R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N: usize> Motion<'_, R, L, N> {
-    /// Begins a motion: joints that hit a stop are thrown back, and joints at rest stick or lean on a stop, if they are
-    /// held. Returns the phase after that.
-    pub(super) fn settle_at_start(&self, phase: &Phase<N>) -> Result<Phase<N>, Cause> {
-        self.set_contacts(self.classified(phase));
-        let impact = self.thrown_back(0.0, phase)?;
-        let phase = impact.map_or(*phase, |impact| impact.after);
-        self.set_contacts(self.classified(&phase));
-        self.settle(0.0, &phase)?;
-        Ok(phase)
-    }
+/// Begins a motion: joints that hit a stop are thrown back, and joints at rest stick or lean on a stop, if they are
+/// held. Returns the phase after that.
+pub(super) fn settle_at_start<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size>(
+    motion: &Motion<R, L, D>,
+    phase: &Phase<D>,
+) -> Result<Phase<D>, Cause> {
+    motion.set_contacts(classified(motion, phase));
+    let impact = thrown_back(motion, 0.0, phase)?;
+    let phase = impact.map_or_else(|| phase.clone(), |impact| impact.after);
+    motion.set_contacts(classified(motion, &phase));
+    settle(motion, 0.0, &phase)?;
+    Ok(phase)
+}
 
-    /// The impacts of all joints that hit their stops; `None` where none does.
-    ///
-    /// A joint that leaves its stop may be driven back into it by the impact of another one: impacts follow
-    /// each other until none is left. The contacts of the motion are those after the impacts.
-    pub(super) fn thrown_back(
-        &self,
-        t: f64,
-        before: &Phase<N>,
-    ) -> Result<Option<Impact<N>>, Cause> {
-        let AtLimit::Rebounds { restitution } = self.limits().kind else {
-            return Ok(None);
-        };
-        let ends: Ends<N> = core::array::from_fn(|i| self.limits().end(i, before.q[i]));
-        if (0..N).all(|i| !hits(&ends, &before.qd, i)) {
-            return Ok(None);
-        }
-        let mut phase = *before;
-        for i in 0..N {
-            // Joints that move inwards are on their way already.
-            if let Some(end) = ends[i].filter(|end| end.inwards * phase.qd[i] <= 0.0) {
-                phase.q[i] = end.at;
-            }
-        }
-        let tau = self.torques(t, &phase)?;
-        let (qdd, responses) = self.responses(&phase, &tau, &ends.map(|end| end.is_some()))?;
-        let is_progress = (0..N).any(|i| {
-            let fallen = |end: End| 0.5 * phase.qd[i].powi(2) > qdd[i].abs() * end.resolution();
-            hits(&ends, &phase.qd, i) && ends[i].is_some_and(fallen)
-        });
-        let mut joints = JointSet::default();
-        let rebound = rebounds(phase.qd, &ends, &responses, restitution, &mut joints);
-        phase.qd = rebound.ok_or(Cause::Impacts { joints })?;
-        let after = self.at_rest(t, phase, &ends, &responses)?;
-        Ok(Some(Impact {
-            after: after.ok_or(Cause::Impacts { joints })?,
-            joints,
-            is_progress,
-        }))
+/// The impacts of all joints that hit their stops; `None` where none does.
+///
+/// A joint that leaves its stop may be driven back into it by the impact of another one: impacts follow
+/// each other until none is left. The contacts of the motion are those after the impacts.
+pub(super) fn thrown_back<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size>(
+    motion: &Motion<R, L, D>,
+    t: f64,
+    before: &Phase<D>,
+) -> Result<Option<Impact<D>>, Cause> {
+    let AtLimit::Rebounds { restitution } = motion.limits().kind else {
+        return Ok(None);
+    };
+    let ends: Ends<D> = motion.each(|i| motion.limits().end(i, before.q[i]));
+    if motion.joints().all(|i| !hits::<D>(&ends, &before.qd, i)) {
+        return Ok(None);
     }
-
-    /// The phase in which joints that bounce no more are at rest, those at their stops together.
-    fn at_rest(
-        &self,
-        t: f64,
-        mut phase: Phase<N>,
-        ends: &Ends<N>,
-        responses: &SMatrix<f64, N, N>,
-    ) -> Result<Option<Phase<N>>, Cause> {
-        loop {
-            let rest = self.resting(t, &phase, ends, responses)?;
-            for i in (0..N).filter(|i| rest[*i]) {
-                phase.q[i] = ends[i].map_or(phase.q[i], |end| end.at);
-            }
-            // Joints at rest stay so: each time there are more of them.
-            if (0..N).all(|i| !rest[i] || phase.qd[i] == 0.0) {
-                self.set_contacts(self.classified(&phase));
-                return Ok(Some(phase));
-            }
-            let wanted = core::array::from_fn(|i| {
-                let least = Wanted::least(ends[i]?.inwards, 0.0);
-                Some(if rest[i] { Wanted::REST } else { least })
-            });
-            match after(&phase.qd, &wanted, responses) {
-                Some(qd) => phase.qd = qd,
-                None => return Ok(None),
-            }
+    let mut phase = before.clone();
+    for i in motion.joints() {
+        // Joints that move inwards are on their way already.
+        if let Some(end) = ends[i].filter(|end| end.inwards * phase.qd[i] <= 0.0) {
+            phase.q[i] = end.at;
         }
     }
-
-    /// The joints at their stops that are at rest, or move inwards so slowly that they are set to rest.
-    ///
-    /// With all of them at rest, the stop and dry friction hold joint i with a force f_i, and it alone would fall back
-    /// with the acceleration f_i / m ([`inertia`](super::complementarity::Balance::inertia)) from a rise of
-    /// `v^2 m / (2 f_i)`. The joint of the greatest energy v^2 / W_ii that rises by more, or that nothing holds, is left
-    /// out, and the others are asked again.
-    fn resting(
-        &self,
-        t: f64,
-        phase: &Phase<N>,
-        ends: &Ends<N>,
-        responses: &SMatrix<f64, N, N>,
-    ) -> Result<[bool; N], Cause> {
-        let mut rest = ends.map(|end| end.is_some());
-        while (0..N).any(|i| rest[i] && phase.qd[i] != 0.0) {
-            let mut still = *phase;
-            for i in (0..N).filter(|i| rest[*i]) {
-                still.qd[i] = 0.0;
-                still.q[i] = ends[i].map_or(phase.q[i], |end| end.at);
-            }
-            self.set_contacts(self.classified(&still));
-            let balance = self.balance_at_rest(t, &still, [Place::Between; N])?;
-            let rises = |i: usize| {
-                let Some(end) = ends[i].filter(|_| balance.places[i] == Place::Between) else {
-                    return true;
-                };
-                let hold = end.inwards * balance.forces[i] + self.breakaway(i, end.inwards);
-                let mass = balance.inertia(i);
-                let least = self.limits().least_rise(&end, hold / mass);
-                0.5 * mass * phase.qd[i].powi(2) > hold * least
-            };
-            let energy = |i: usize| phase.qd[i].powi(2) / responses[(i, i)];
-            let moving = (0..N).filter(|i| rest[*i] && phase.qd[*i] != 0.0 && rises(*i));
-            match moving.max_by(|i, j| energy(*i).total_cmp(&energy(*j))) {
-                Some(i) => rest[i] = false,
-                None => break,
-            }
-        }
-        Ok(rest)
-    }
+    let tau = motion.torques(t, &phase)?;
+    let (qdd, responses) = motion.responses(&phase, &tau, &motion.each(|i| ends[i].is_some()))?;
+    let is_progress = motion.joints().any(|i| {
+        let fallen = |end: End| 0.5 * phase.qd[i].powi(2) > qdd[i].abs() * end.resolution();
+        hits::<D>(&ends, &phase.qd, i) && ends[i].is_some_and(fallen)
+    });
+    let mut joints = JointSet::default();
+    let rebound = rebounds::<D>(phase.qd, &ends, &responses, restitution, &mut joints);
+    phase.qd = rebound.ok_or(Cause::Impacts { joints })?;
+    let after = at_rest(motion, t, phase, &ends, &responses)?.ok_or(Cause::Impacts { joints })?;
+    Ok(Some(Impact {
+        after,
+        joints,
+        is_progress,
+    }))
 }
 
 /// The ends of their ranges where joints are.
-type Ends<const N: usize> = [Option<End>; N];
+type Ends<D> = <D as Size>::Each<Option<End>>;
 
-fn hits<const N: usize>(ends: &Ends<N>, qd: &SVector<f64, N>, i: usize) -> bool {
+fn hits<D: Size>(ends: &Ends<D>, qd: &D::Vector, i: usize) -> bool {
     ends[i].is_some_and(|end| end.inwards * qd[i] < 0.0)
 }
 
 /// The velocities after the impacts that follow each other at one time. `joints` gets those that hit.
-fn rebounds<const N: usize>(
-    mut qd: SVector<f64, N>,
-    ends: &Ends<N>,
-    responses: &SMatrix<f64, N, N>,
+fn rebounds<D: Size>(
+    mut qd: D::Vector,
+    ends: &Ends<D>,
+    responses: &D::Matrix,
     restitution: f64,
     joints: &mut JointSet,
-) -> Option<SVector<f64, N>> {
-    let mut impacts = 0;
-    while (0..N).any(|i| hits(ends, &qd, i)) {
-        joints.extend((0..N).filter(|i| hits(ends, &qd, *i)));
+) -> Option<D::Vector> {
+    let (mut impacts, size) = (0, D::of(&qd));
+    while size.joints().any(|i| hits::<D>(ends, &qd, i)) {
+        joints.extend(size.joints().filter(|i| hits::<D>(ends, &qd, *i)));
         if impacts == 2 * MOST_IMPACTS {
             return None;
         }
         // Without restitution one impact is the last, but for rounding.
-        let is_elastic = impacts < MOST_IMPACTS;
-        let e = if is_elastic { restitution } else { 0.0 };
-        let wanted = core::array::from_fn(|i| {
+        let e = if impacts < MOST_IMPACTS {
+            restitution
+        } else {
+            0.0
+        };
+        let wanted = size.each(|i| {
             let end = ends[i]?;
             let rebound = -e * end.inwards * qd[i];
             // Without the sign of a zero.
             let wanted = Wanted::least(end.inwards, rebound + 0.0);
             (rebound >= 0.0 || e == 0.0).then_some(wanted)
         });
-        qd = after(&qd, &wanted, responses)?;
+        qd = after::<D>(&qd, &wanted, responses)?;
         impacts += 1;
     }
     Some(qd)
 }
 
-/// The most impacts at one time that are made with restitution, and without.
+/// So many impacts at one time are made with restitution, and as many without.
 const MOST_IMPACTS: usize = 10_000;
+
+/// The phase in which joints that bounce no more are at rest, those at their stops together.
+fn at_rest<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size>(
+    motion: &Motion<R, L, D>,
+    t: f64,
+    mut phase: Phase<D>,
+    ends: &Ends<D>,
+    responses: &D::Matrix,
+) -> Result<Option<Phase<D>>, Cause> {
+    loop {
+        let rest = resting(motion, t, &phase, ends, responses)?;
+        for i in motion.joints().filter(|i| rest[*i]) {
+            phase.q[i] = ends[i].map_or(phase.q[i], |end| end.at);
+        }
+        // Joints at rest stay so: each time there are more of them.
+        if motion.joints().all(|i| !rest[i] || phase.qd[i] == 0.0) {
+            motion.set_contacts(classified(motion, &phase));
+            return Ok(Some(phase));
+        }
+        let wanted = motion.each(|i| {
+            let inwards = ends[i]?.inwards;
+            Some(if rest[i] {
+                Wanted::REST
+            } else {
+                Wanted::least(inwards, 0.0)
+            })
+        });
+        match after::<D>(&phase.qd, &wanted, responses) {
+            Some(qd) => phase.qd = qd,
+            None => return Ok(None),
+        }
+    }
+}
+
+/// The joints at their stops that are at rest, or move inwards so slowly that they are set to rest.
+///
+/// With all of them at rest, the stop and dry friction hold joint i with a force f_i, and it alone would fall back with
+/// the acceleration f_i / m ([`inertia`](super::complementarity::Balance::inertia)) from a rise of `v^2 m / (2 f_i)`.
+/// The joint of the greatest energy v^2 / W_ii that rises by more, or that nothing holds, is left out, and the others
+/// are asked again.
+fn resting<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size>(
+    motion: &Motion<R, L, D>,
+    t: f64,
+    phase: &Phase<D>,
+    ends: &Ends<D>,
+    responses: &D::Matrix,
+) -> Result<D::Each<bool>, Cause> {
+    let mut rest = motion.each(|i| ends[i].is_some());
+    while motion.joints().any(|i| rest[i] && phase.qd[i] != 0.0) {
+        let mut still = phase.clone();
+        for i in motion.joints().filter(|i| rest[*i]) {
+            still.qd[i] = 0.0;
+            still.q[i] = ends[i].map_or(phase.q[i], |end| end.at);
+        }
+        motion.set_contacts(classified(motion, &still));
+        let balance = balance_at_rest(motion, t, &still, motion.each(|_| Place::Between))?;
+        let rises = |i: usize| {
+            let Some(end) = ends[i].filter(|_| balance.places[i] == Place::Between) else {
+                return true;
+            };
+            let hold = end.inwards * balance.forces[i] + motion.breakaway(i, end.inwards);
+            let mass = balance.inertia(i);
+            let least = motion.limits().least_rise(&end, hold / mass);
+            0.5 * mass * phase.qd[i].powi(2) > hold * least
+        };
+        let energy = |i: usize| phase.qd[i].powi(2) / responses[(i, i)];
+        let moving = motion
+            .joints()
+            .filter(|i| rest[*i] && phase.qd[*i] != 0.0 && rises(*i));
+        match moving.max_by(|i, j| energy(*i).total_cmp(&energy(*j))) {
+            Some(i) => rest[i] = false,
+            None => break,
+        }
+    }
+    Ok(rest)
+}
 
 /// The demand of an impact on a joint at a stop.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -217,11 +229,10 @@ struct Wanted {
 impl Wanted {
     /// At least a velocity inwards, with an impulse inwards, where `inwards` is the way into the range, 1 or -1.
     fn least(inwards: f64, velocity: f64) -> Self {
-        let [low, high] = Wanted::REST.bounds;
         let bounds = if inwards > 0.0 {
-            [0.0, high]
+            [0.0, f64::INFINITY]
         } else {
-            [low, 0.0]
+            [f64::NEG_INFINITY, 0.0]
         };
         Wanted {
             velocity: inwards * velocity,
@@ -247,30 +258,29 @@ impl Wanted {
 
 /// The velocities after impulses that let each of the joints at a stop have at least its wanted velocity,
 /// where `responses` holds their columns of M^-1. `None` where rounding keeps them from being found.
-fn after<const N: usize>(
-    qd: &SVector<f64, N>,
-    wanted: &[Option<Wanted>; N],
-    responses: &SMatrix<f64, N, N>,
-) -> Option<SVector<f64, N>> {
-    let missing = SVector::from_fn(|i, _| qd[i] - wanted[i].map_or(0.0, |at| at.velocity));
-    let start = wanted.map(|at| at.map_or(Place::Low, |at| at.start()));
-    let bounds = wanted.map(|at| at.map(|at| at.bounds));
-    let balance = balanced(&missing, responses, &bounds, start)?;
-    let changed = qd + responses * balance.forces;
-    Some(SVector::from_fn(|i, _| {
-        match (wanted[i], balance.places[i]) {
-            (None, _) => changed[i],
-            // Without the rounding of the velocities that are known.
-            (Some(at), Place::Between) => at.velocity,
-            (Some(at), Place::Low) => changed[i].max(at.velocity),
-            (Some(at), Place::High) => changed[i].min(at.velocity),
-        }
+fn after<D: Size>(
+    qd: &D::Vector,
+    wanted: &D::Each<Option<Wanted>>,
+    responses: &D::Matrix,
+) -> Option<D::Vector> {
+    let size = D::of(qd);
+    let missing = size.vector_of(|i| qd[i] - wanted[i].map_or(0.0, |at| at.velocity));
+    let start = size.each(|i| wanted[i].map_or(Place::Low, |at| at.start()));
+    let bounds = size.each(|i| wanted[i].map(|at| at.bounds));
+    let balance = balanced::<D>(&missing, responses, &bounds, start)?;
+    let changed = qd.plus(1.0, &responses.times(&balance.forces));
+    Some(size.vector_of(|i| match (wanted[i], balance.places[i]) {
+        (None, _) => changed[i],
+        // Without the rounding of the velocities that are known.
+        (Some(at), Place::Between) => at.velocity,
+        (Some(at), Place::Low) => changed[i].max(at.velocity),
+        (Some(at), Place::High) => changed[i].min(at.velocity),
     }))
 }
 
 #[cfg(test)]
 mod tests {
-    use nalgebra::{Matrix3, Vector3};
+    use nalgebra::{Const, Matrix3, Vector3};
 
     use super::{Wanted, after};
 
@@ -289,7 +299,7 @@ mod tests {
     fn one_joint_hits_by_the_formula() {
         let qd = Vector3::new(-2.0, 0.5, 1.0);
         let e = 0.7;
-        let found = after(&qd, &[lower(2.0 * e), None, None], &INVERSE).unwrap();
+        let found = after::<Const<3>>(&qd, &[lower(2.0 * e), None, None], &INVERSE).unwrap();
         let column: Vector3<f64> = INVERSE.column(0).into();
         let expected = qd - column * ((1.0 + e) * qd[0] / INVERSE[(0, 0)]);
         assert!((found - expected).amax() < 1e-15, "{found}");
@@ -299,10 +309,10 @@ mod tests {
     #[test]
     fn a_joint_that_leans_on_its_stop_feels_the_blow() {
         let qd = Vector3::new(-2.0, 0.0, 1.0);
-        let held = after(&qd, &[lower(1.0), lower(0.0), None], &INVERSE).unwrap();
+        let held = after::<Const<3>>(&qd, &[lower(1.0), lower(0.0), None], &INVERSE).unwrap();
         assert_eq!((held[0], held[1]), (1.0, 0.0));
         let upper = Some(Wanted::least(-1.0, 0.0));
-        let leaves = after(&qd, &[lower(1.0), upper, None], &INVERSE).unwrap();
+        let leaves = after::<Const<3>>(&qd, &[lower(1.0), upper, None], &INVERSE).unwrap();
         assert!(leaves[0] == 1.0 && leaves[1] < -1.0, "{leaves}");
     }
 
@@ -313,7 +323,7 @@ mod tests {
             let qd = Vector3::from_fn(|i, _| at(i));
             for e in [0.0, 0.4, 1.0] {
                 let wanted = [0, 1, 2].map(|i| lower(-e * qd[i]).filter(|_| qd[i] <= 0.0));
-                let found = after(&qd, &wanted, &INVERSE).unwrap();
+                let found = after::<Const<3>>(&qd, &wanted, &INVERSE).unwrap();
                 let change = energy(&found) - energy(&qd);
                 match e {
                     1.0 => assert!(change.abs() < 1e-14, "{k}: {change:e}"),

@@ -1,8 +1,9 @@
 //! The ends of the joints' ranges, as a simulation has them.
 
 use super::error::InvalidSetting;
-use crate::Table;
 use crate::integrate::Phase;
+use crate::size::Size;
+use crate::table::Arm;
 
 /// What becomes of a joint that reaches an end of its range.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,10 +20,10 @@ pub(super) enum AtLimit {
 }
 
 /// The ranges of the joints, infinite where the table has none, and what happens at their ends.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Limits<const N: usize> {
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Limits<D: Size> {
     pub(super) kind: AtLimit,
-    pub(super) ranges: [[f64; 2]; N],
+    pub(super) ranges: D::Each<[f64; 2]>,
     /// The step of a method whose positions are straight lines within a step, s; 0 of the other methods.
     pub(super) straight: f64,
 }
@@ -51,25 +52,26 @@ impl End {
     }
 }
 
-impl<const N: usize> Limits<N> {
+/// The range of a joint without ends.
+const ENDLESS: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
+
+impl<D: Size> Limits<D> {
     /// Joints without ends.
-    pub(super) fn none() -> Self {
+    pub(super) fn none(size: D) -> Self {
         Limits {
             kind: AtLimit::Passes,
-            ranges: [[f64::NEG_INFINITY, f64::INFINITY]; N],
+            ranges: size.each(|_| ENDLESS),
             straight: 0.0,
         }
     }
 
     /// Those of a table.
-    pub(super) fn of(table: &Table<N>, kind: AtLimit) -> Self {
-        let endless = [f64::NEG_INFINITY, f64::INFINITY];
-        let ranges = table.joint_limits().map(|limits| limits.unwrap_or(endless));
-        let straight = 0.0;
+    pub(super) fn of(arm: Arm<'_>, kind: AtLimit) -> Self {
+        let size = D::from_usize(arm.rows.len());
         Limits {
             kind,
-            ranges,
-            straight,
+            ranges: size.each(|i| arm.rows[i].limits.unwrap_or(ENDLESS)),
+            straight: 0.0,
         }
     }
 
@@ -107,7 +109,7 @@ impl<const N: usize> Limits<N> {
         end.resolution() + 0.5 * acceleration * self.straight.powi(2)
     }
 
-    pub(super) fn validate(&self, initial: &Phase<N>) -> Result<(), InvalidSetting> {
+    pub(super) fn validate(&self, initial: &Phase<D>) -> Result<(), InvalidSetting> {
         if !self.matter() {
             return Ok(());
         }
@@ -116,7 +118,7 @@ impl<const N: usize> Limits<N> {
         {
             return Err(InvalidSetting::Restitution(restitution));
         }
-        for (joint, [lower, upper]) in self.ranges.into_iter().enumerate() {
+        for (joint, [lower, upper]) in self.ranges.as_ref().iter().copied().enumerate() {
             // False also where one is not a number.
             let is_range = lower < upper && lower < f64::INFINITY && upper > f64::NEG_INFINITY;
             if !is_range {
@@ -134,14 +136,14 @@ impl<const N: usize> Limits<N> {
 
 #[cfg(test)]
 mod tests {
-    use nalgebra::Vector2;
+    use nalgebra::{Const, Vector2};
 
     use super::{AtLimit, Limits};
     use crate::InvalidSetting;
     use crate::integrate::Phase;
 
     fn verdict(range: [f64; 2], q: f64) -> Result<(), InvalidSetting> {
-        let limits = Limits {
+        let limits = Limits::<Const<2>> {
             kind: AtLimit::Ends,
             ranges: [[-1.0, 1.0], range],
             straight: 0.0,

@@ -1,6 +1,7 @@
 //! The methods of integration.
 
 use super::drive::drive;
+use super::impact::settle_at_start;
 use super::motion::{InMomenta, Motion};
 use super::samples::Followed;
 use super::settings::{Dop853, DormandPrince, ErrorControl, Radau5, validate_step};
@@ -13,6 +14,7 @@ use crate::integrate::{
     Adaptive, Dop853Method, DormandPrince54, Embedded, Euler, FixedStep, GaussLegendre, OneStep,
     Radau, Rk4,
 };
+use crate::size::Size;
 
 /// A method of integration.
 ///
@@ -113,10 +115,10 @@ macro_rules! from_settings {
 from_settings! { DormandPrince Dop853 Radau5 }
 
 impl Method {
-    pub(super) fn integrate<R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N: usize>(
+    pub(super) fn integrate<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size>(
         &self,
-        motion: &Motion<R, L, N>,
-        recorder: &mut Recorder<N>,
+        motion: &Motion<R, L, D>,
+        recorder: &mut Recorder<D>,
     ) -> Result<(), Cause> {
         begin(motion, recorder)?;
         match self {
@@ -138,11 +140,11 @@ impl Method {
                 canonical(GaussLegendre::order_6(), *step, motion, recorder)
             }
             Method::DormandPrince(settings) => {
-                adaptive::<DormandPrince54, _, _, N>(&settings.control(), motion, recorder)
+                adaptive::<DormandPrince54, _, _, D>(&settings.control(), motion, recorder)
             }
             Method::Radau5(settings) => radau(&settings.control(), motion, recorder),
             Method::Dop853(settings) => {
-                adaptive::<Dop853Method, _, _, N>(&settings.control(), motion, recorder)
+                adaptive::<Dop853Method, _, _, D>(&settings.control(), motion, recorder)
             }
         }
     }
@@ -172,57 +174,70 @@ impl Method {
 }
 
 /// Asks sampled laws, takes the first sample, and finds what friction and stops do to the joints.
-pub(super) fn begin<R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N: usize>(
-    motion: &Motion<R, L, N>,
-    recorder: &mut Recorder<N>,
+pub(super) fn begin<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size>(
+    motion: &Motion<R, L, D>,
+    recorder: &mut Recorder<D>,
 ) -> Result<(), Cause> {
-    let initial = recorder.phase;
-    let mut begun = motion.sample(0.0, &initial).map(|()| initial);
+    let initial = recorder.phase.clone();
+    let mut begun = motion.sample(0.0, &initial).map(|()| initial.clone());
     if motion.has_events() {
-        begun = begun.and_then(|phase| motion.settle_at_start(&phase));
+        begun = begun.and_then(|phase| settle_at_start(motion, &phase));
     }
-    recorder.push(0.0, initial, motion.forces(0.0, &initial));
+    let forces = motion.forces(0.0, &initial);
+    recorder.push(0.0, initial, forces);
     recorder.phase = begun?;
     Ok(())
 }
 
-fn fixed<S, R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N: usize>(
-    method: impl OneStep<S, Cause, N>,
+fn fixed<S, R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size>(
+    method: impl OneStep<S, Cause, D>,
     step: f64,
-    motion: &Motion<R, L, N>,
+    motion: &Motion<R, L, D>,
     system: &S,
-    recorder: &mut Recorder<N>,
+    recorder: &mut Recorder<D>,
 ) -> Result<(), Cause> {
-    let mut run = FixedStep::start(method, recorder.grid(step), recorder.phase);
+    let mut run = FixedStep::start(method, recorder.grid(step), recorder.phase.clone());
     drive(motion, system, &mut run, recorder, usize::MAX)
 }
 
-fn canonical<R: EquationsOfMotion<N>, L: TorqueLaw<N>, const STAGES: usize, const N: usize>(
-    method: GaussLegendre<STAGES, N>,
+fn canonical<R: EquationsOfMotion<D>, L: TorqueLaw<D>, const STAGES: usize, D: Size>(
+    method: GaussLegendre<STAGES, D>,
     step: f64,
-    motion: &Motion<R, L, N>,
-    recorder: &mut Recorder<N>,
+    motion: &Motion<R, L, D>,
+    recorder: &mut Recorder<D>,
 ) -> Result<(), Cause> {
     let system = InMomenta::new(motion).ok_or(InvalidSetting::NoMomenta)?;
     fixed(method, step, motion, &system, recorder)
 }
 
-fn adaptive<M: Embedded<N>, R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N: usize>(
+fn adaptive<M: Embedded<D>, R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size>(
     control: &ErrorControl,
-    motion: &Motion<R, L, N>,
-    recorder: &mut Recorder<N>,
+    motion: &Motion<R, L, D>,
+    recorder: &mut Recorder<D>,
 ) -> Result<(), Cause> {
     let range = control.range(recorder.duration());
-    let mut run = Adaptive::<M, N>::start(motion, 0.0, recorder.phase, control.tolerance, range)?;
+    let mut run = Adaptive::<M, D>::start(
+        motion,
+        0.0,
+        recorder.phase.clone(),
+        control.tolerance,
+        range,
+    )?;
     drive(motion, motion, &mut run, recorder, control.max_steps).map_err(Cause::of_long_steps)
 }
 
-fn radau<R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N: usize>(
+fn radau<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size>(
     control: &ErrorControl,
-    motion: &Motion<R, L, N>,
-    recorder: &mut Recorder<N>,
+    motion: &Motion<R, L, D>,
+    recorder: &mut Recorder<D>,
 ) -> Result<(), Cause> {
     let range = control.range(recorder.duration());
-    let mut run = Radau::start(motion, 0.0, recorder.phase, control.tolerance, range)?;
+    let mut run = Radau::start(
+        motion,
+        0.0,
+        recorder.phase.clone(),
+        control.tolerance,
+        range,
+    )?;
     drive(motion, motion, &mut run, recorder, control.max_steps).map_err(Cause::of_long_steps)
 }

@@ -23,10 +23,12 @@ mod tool_force;
 mod torque;
 mod trajectory;
 
-use nalgebra::{Matrix4, SVector, Vector6};
+use nalgebra::{Matrix4, Vector6};
 
 use crate::integrate::Phase;
-use crate::{EquationsOfMotion, Kinematics, Model};
+use crate::size::Size;
+use crate::table::AsArm as _;
+use crate::{EquationsOfMotion, SizedKinematics, SizedModel};
 use friction::Law;
 use limits::{AtLimit, Limits};
 use motion::Motion;
@@ -35,7 +37,7 @@ use recorder::Recorder;
 use torque::{Laws, SampledLaws, TorqueLaw};
 
 pub use csv::{CsvError, CsvMistake};
-pub use error::{Cause, InvalidSetting, JointSet, SimulationError};
+pub use error::{Cause, InvalidSetting, JointSet, SimulationError, SizedSimulationError};
 pub use friction::Friction;
 pub use method::Method;
 pub use sampling::{Continuous, Sampled};
@@ -43,7 +45,7 @@ pub use settings::{Dop853, DormandPrince, Radau5};
 pub use taylor::{HeldTorque, Taylor, TaylorSimulation};
 pub use tool_force::{ContinuousForce, HeldToolForce, NoToolForce, ToolForce};
 pub use torque::NoTorque;
-pub use trajectory::{Trajectory, Work};
+pub use trajectory::{SizedTrajectory, Trajectory, Work};
 
 /// A simulation of an arm: set it up, then [`run`](Simulation::run) it.
 ///
@@ -80,49 +82,50 @@ pub use trajectory::{Trajectory, Work};
 /// ```
 #[derive(Clone, Debug)]
 #[must_use]
-pub struct Simulation<'a, R, L, const N: usize, W = NoToolForce, S = Continuous> {
+pub struct Simulation<'a, R, L, D: Size, W = NoToolForce, S = Continuous> {
     robot: &'a R,
     torque: L,
     tool_force: W,
     asked: S,
     method: Method,
-    friction: Law<N>,
-    limits: Limits<N>,
-    plan: Plan<N>,
+    friction: Law<D>,
+    limits: Limits<D>,
+    plan: Plan<D>,
 }
 
-impl<'a, R: EquationsOfMotion<N>, const N: usize> Simulation<'a, R, NoTorque<N>, N> {
+impl<'a, R: EquationsOfMotion<D>, D: Size> Simulation<'a, R, NoTorque<D>, D> {
     /// Free motion of the arm.
     pub fn new(robot: &'a R) -> Self {
+        let size = robot.size();
         Simulation {
             robot,
-            torque: |_, _, _| SVector::zeros(),
+            torque: |_, q, _| D::of(q).vector(),
             tool_force: NoToolForce,
             asked: Continuous,
             method: Method::default(),
-            friction: Law::sign(),
-            limits: Limits::none(),
-            plan: Plan::new(),
+            friction: Law::sign(size),
+            limits: Limits::none(size),
+            plan: Plan::new(size),
         }
     }
 }
 
-impl<'a, R, L, W, const N: usize> Simulation<'a, R, L, N, W> {
+impl<'a, R, L, W, D: Size> Simulation<'a, R, L, D, W> {
     /// The joint torques as a function of t in s, q in rad or m, and qd; in N m or N.
     ///
     /// It is called wherever the integration evaluates the equations of motion: at trial stages, out of
     /// order, and in steps that are thrown away. Therefore it must be a function of its arguments alone, an
     /// `Fn`. A controller with a memory (an integrator, a filter, a log) is an `FnMut` and needs
     /// [`sampled`](Simulation::sampled) before it: `.sampled(1e-3).torque(law)`.
-    pub fn torque<F: Fn(f64, &SVector<f64, N>, &SVector<f64, N>) -> SVector<f64, N>>(
+    pub fn torque<F: Fn(f64, &D::Vector, &D::Vector) -> D::Vector>(
         self,
         law: F,
-    ) -> Simulation<'a, R, F, N, W> {
+    ) -> Simulation<'a, R, F, D, W> {
         self.with_laws(|_, tool_force, asked| (law, tool_force, asked))
     }
 }
 
-impl<'a, R, L, W, S, const N: usize> Simulation<'a, R, L, N, W, S> {
+impl<'a, R, L, W, S, D: Size> Simulation<'a, R, L, D, W, S> {
     /// Sample and hold, as a digital controller works: with the period p in s, the torque law is called at the times
     /// 0, p, 2 p, ... before the end of the run, once each and in order, and its torque is held until the next
     /// of them.
@@ -182,7 +185,7 @@ impl<'a, R, L, W, S, const N: usize> Simulation<'a, R, L, N, W, S> {
     ///     -q
     /// });
     /// ```
-    pub fn sampled(self, period: f64) -> Simulation<'a, R, L, N, W, Sampled> {
+    pub fn sampled(self, period: f64) -> Simulation<'a, R, L, D, W, Sampled> {
         self.with_laws(|torque, tool_force, _| (torque, tool_force, Sampled { period }))
     }
 
@@ -236,9 +239,9 @@ impl<'a, R, L, W, S, const N: usize> Simulation<'a, R, L, N, W, S> {
     ///
     /// Simulation::new(&Cart).tool_force(|_, _, _| Vector6::zeros()).run();
     /// ```
-    pub fn tool_force<F>(self, law: F) -> Simulation<'a, R, L, N, F, S>
+    pub fn tool_force<F>(self, law: F) -> Simulation<'a, R, L, D, F, S>
     where
-        R: Kinematics<N>,
+        R: SizedKinematics<D>,
         F: Fn(f64, &Matrix4<f64>, &Vector6<f64>) -> Vector6<f64>,
     {
         self.with_laws(|torque, _, asked| (torque, law, asked))
@@ -268,9 +271,9 @@ impl<'a, R, L, W, S, const N: usize> Simulation<'a, R, L, N, W, S> {
     /// # }
     /// Simulation::new(&Cart).held_tool_force(|_, _, _| Vector6::zeros()).run();
     /// ```
-    pub fn held_tool_force<F>(self, law: F) -> Simulation<'a, R, L, N, HeldToolForce<F>, S>
+    pub fn held_tool_force<F>(self, law: F) -> Simulation<'a, R, L, D, HeldToolForce<F>, S>
     where
-        R: Kinematics<N>,
+        R: SizedKinematics<D>,
         F: FnMut(f64, &Matrix4<f64>, &Vector6<f64>) -> Vector6<f64>,
     {
         let wrench = Vector6::zeros();
@@ -278,26 +281,26 @@ impl<'a, R, L, W, S, const N: usize> Simulation<'a, R, L, N, W, S> {
     }
 }
 
-impl<'a, R, L, W, const N: usize> Simulation<'a, R, L, N, W, Sampled> {
+impl<'a, R, L, W, D: Size> Simulation<'a, R, L, D, W, Sampled> {
     /// The joint torques, N m or N, as a function of t in s, q in rad or m, and qd at a sample. They are held
     /// until the next sample. The law may have a memory: it is called once each period, in order.
     ///
     /// Nothing resets that memory: a second run of the same simulation begins with the memory that the first one
     /// left.
-    pub fn torque<F: FnMut(f64, &SVector<f64, N>, &SVector<f64, N>) -> SVector<f64, N>>(
+    pub fn torque<F: FnMut(f64, &D::Vector, &D::Vector) -> D::Vector>(
         self,
         law: F,
-    ) -> Simulation<'a, R, F, N, W, Sampled> {
+    ) -> Simulation<'a, R, F, D, W, Sampled> {
         self.with_laws(|_, tool_force, asked| (law, tool_force, asked))
     }
 }
 
-impl<'a, R, L, W, S, const N: usize> Simulation<'a, R, L, N, W, S> {
+impl<'a, R, L, W, S, D: Size> Simulation<'a, R, L, D, W, S> {
     /// The same with other laws.
     fn with_laws<L2, W2, S2>(
         self,
         change: impl FnOnce(L, W, S) -> (L2, W2, S2),
-    ) -> Simulation<'a, R, L2, N, W2, S2> {
+    ) -> Simulation<'a, R, L2, D, W2, S2> {
         let (torque, tool_force, asked) = change(self.torque, self.tool_force, self.asked);
         Simulation {
             robot: self.robot,
@@ -322,9 +325,9 @@ impl<'a, R, L, W, S, const N: usize> Simulation<'a, R, L, N, W, S> {
     /// How the dry friction of the arm's table is treated; by default, [`Friction::Sign`].
     pub fn friction(mut self, kind: Friction) -> Self
     where
-        R: Model<N>,
+        R: SizedModel<D>,
     {
-        self.friction.dry = self.robot.table().dry_friction();
+        self.friction.dry = self.robot.sized_table().arm().dry_friction::<D>();
         self.friction.kind = kind;
         self
     }
@@ -373,7 +376,7 @@ impl<'a, R, L, W, S, const N: usize> Simulation<'a, R, L, N, W, S> {
     /// ```
     pub fn stops(self, restitution: f64) -> Self
     where
-        R: Model<N>,
+        R: SizedModel<D>,
     {
         self.at_limits(AtLimit::Rebounds { restitution })
     }
@@ -384,23 +387,23 @@ impl<'a, R, L, W, S, const N: usize> Simulation<'a, R, L, N, W, S> {
     /// The time is found to rounding, on steps of the method itself. A joint may rest at a limit.
     pub fn limits_are_errors(self) -> Self
     where
-        R: Model<N>,
+        R: SizedModel<D>,
     {
         self.at_limits(AtLimit::Ends)
     }
 
     fn at_limits(mut self, kind: AtLimit) -> Self
     where
-        R: Model<N>,
+        R: SizedModel<D>,
     {
-        let table = self.robot.table();
-        self.friction.dry = table.dry_friction();
-        self.limits = Limits::of(&table, kind);
+        let table = self.robot.sized_table();
+        self.friction.dry = table.arm().dry_friction::<D>();
+        self.limits = Limits::of(table.arm(), kind);
         self
     }
 
     /// Positions and velocities at t = 0.
-    pub fn initial(mut self, q: SVector<f64, N>, qd: SVector<f64, N>) -> Self {
+    pub fn initial(mut self, q: D::Vector, qd: D::Vector) -> Self {
         self.plan.initial = Phase { q, qd };
         self
     }
@@ -418,11 +421,11 @@ impl<'a, R, L, W, S, const N: usize> Simulation<'a, R, L, N, W, S> {
     }
 }
 
-impl<R, L, W, const N: usize> Simulation<'_, R, L, N, W>
+impl<R, L, W, D: Size> Simulation<'_, R, L, D, W>
 where
-    R: EquationsOfMotion<N>,
-    L: Fn(f64, &SVector<f64, N>, &SVector<f64, N>) -> SVector<f64, N>,
-    W: ToolForce<R, N>,
+    R: EquationsOfMotion<D>,
+    L: Fn(f64, &D::Vector, &D::Vector) -> D::Vector,
+    W: ToolForce<R, D>,
 {
     /// Runs the simulation. It allocates the samples at the start and nothing later.
     ///
@@ -431,7 +434,7 @@ where
     /// [`SimulationError`], with the time and the state reached and all samples up to there. Its [`Cause`] is an invalid
     /// setting; a singular mass matrix, a limit that is an error, or a torque, force, acceleration or state that is
     /// not finite, reached by the motion; or an error that cannot be held. Never panics, unless a law does.
-    pub fn run(&self) -> Result<Trajectory<N>, Box<SimulationError<N>>>
+    pub fn run(&self) -> Result<SizedTrajectory<D>, Box<SizedSimulationError<D>>>
     where
         W: ContinuousForce,
     {
@@ -444,11 +447,11 @@ where
     }
 }
 
-impl<R, L, W, const N: usize> Simulation<'_, R, L, N, W, Sampled>
+impl<R, L, W, D: Size> Simulation<'_, R, L, D, W, Sampled>
 where
-    R: EquationsOfMotion<N>,
-    L: FnMut(f64, &SVector<f64, N>, &SVector<f64, N>) -> SVector<f64, N>,
-    W: ToolForce<R, N>,
+    R: EquationsOfMotion<D>,
+    L: FnMut(f64, &D::Vector, &D::Vector) -> D::Vector,
+    W: ToolForce<R, D>,
 {
     /// Runs the simulation. It allocates the samples at the start and nothing later.
     ///
@@ -457,13 +460,14 @@ where
     /// [`SimulationError`], with the time and the state reached and all samples up to there. Its [`Cause`] is an invalid
     /// setting; a singular mass matrix, a limit that is an error, or a torque, force, acceleration or state that is
     /// not finite, reached by the motion; or an error that cannot be held. Never panics, unless a law does.
-    pub fn run(&mut self) -> Result<Trajectory<N>, Box<SimulationError<N>>> {
+    pub fn run(&mut self) -> Result<SizedTrajectory<D>, Box<SizedSimulationError<D>>> {
         let (setting, period) = (self.setting(), self.asked);
         if let Err(setting) = period.validate(self.plan.duration) {
-            let recorder = Recorder::new(self.plan.initial);
+            let recorder = Recorder::new(self.plan.initial.clone());
             return recorder.finished(Err(setting.into()), 0);
         }
         let laws = SampledLaws::new(
+            self.plan.initial.size(),
             self.robot,
             period.period,
             &mut self.torque,
@@ -473,44 +477,44 @@ where
     }
 }
 
-impl<R, L, W, S, const N: usize> Simulation<'_, R, L, N, W, S> {
-    fn setting(&self) -> Setting<N> {
+impl<R, L, W, S, D: Size> Simulation<'_, R, L, D, W, S> {
+    fn setting(&self) -> Setting<D> {
         Setting {
             method: self.method,
-            friction: self.friction,
-            limits: self.limits,
-            plan: self.plan,
+            friction: self.friction.clone(),
+            limits: self.limits.clone(),
+            plan: self.plan.clone(),
         }
     }
 }
 
 /// What a run is asked for, whatever moves the arm.
-struct Setting<const N: usize> {
+struct Setting<D: Size> {
     method: Method,
-    friction: Law<N>,
-    limits: Limits<N>,
-    plan: Plan<N>,
+    friction: Law<D>,
+    limits: Limits<D>,
+    plan: Plan<D>,
 }
 
-impl<const N: usize> Setting<N> {
-    fn run<R: EquationsOfMotion<N>>(
+impl<D: Size> Setting<D> {
+    fn run<R: EquationsOfMotion<D>>(
         &self,
         robot: &R,
-        laws: &impl TorqueLaw<N>,
-    ) -> Result<Trajectory<N>, Box<SimulationError<N>>> {
-        let mut recorder = Recorder::new(self.plan.initial);
-        let mut limits = self.limits;
+        laws: &impl TorqueLaw<D>,
+    ) -> Result<SizedTrajectory<D>, Box<SizedSimulationError<D>>> {
+        let mut recorder = Recorder::new(self.plan.initial.clone());
+        let mut limits = self.limits.clone();
         let interval = self.plan.duration / (self.plan.samples as f64 - 1.0);
         limits.straight = self.method.straight_step().min(interval);
-        let motion = Motion::new(robot, laws, self.friction, limits);
+        let motion = Motion::new(robot, laws, self.friction.clone(), limits);
         let end = self.record(&motion, &mut recorder);
         recorder.finished(end, motion.evaluations())
     }
 
-    fn record<R: EquationsOfMotion<N>, L: TorqueLaw<N>>(
+    fn record<R: EquationsOfMotion<D>, L: TorqueLaw<D>>(
         &self,
-        motion: &Motion<R, L, N>,
-        recorder: &mut Recorder<N>,
+        motion: &Motion<R, L, D>,
+        recorder: &mut Recorder<D>,
     ) -> Result<(), Cause> {
         self.plan.validate()?;
         self.friction.validate()?;

@@ -1,8 +1,8 @@
 //! An arm and its torque law as one equation of motion.
 
-use core::cell::Cell;
-
-use nalgebra::{SMatrix, SVector};
+use core::cell::{Cell, RefCell};
+use core::fmt::Debug;
+use core::ops::Range;
 
 use super::complementarity::block;
 use super::error::Cause;
@@ -11,37 +11,51 @@ use super::limits::Limits;
 use super::samples::Followed;
 use super::torque::{self, TorqueLaw};
 use super::trajectory::Forces;
-use crate::integrate::{Canonical, Equations, Lu, Phase, Point, first_non_finite};
-use crate::{EquationsOfMotion, Momenta, Scalar, SingularMassMatrix};
+use crate::integrate::{Canonical, Equations, Phase, Point, first_non_finite};
+use crate::size::{JointVector, Size};
+use crate::{EquationsOfMotion, Scalar, SingularMassMatrix, SizedMomenta};
 
-pub(super) struct Motion<'a, R, L, const N: usize> {
+pub(super) struct Motion<'a, R, L, D: Size> {
+    size: D,
     robot: &'a R,
     torque: &'a L,
-    friction: Law<N>,
-    limits: Limits<N>,
+    friction: Law<D>,
+    limits: Limits<D>,
     /// What friction and stops do to each joint; without meaning in a motion without events.
-    contacts: Cell<[Contact; N]>,
+    contacts: RefCell<D::Each<Contact>>,
     /// How often the equations of motion were evaluated.
     evaluations: Cell<u64>,
 }
 
 /// Accelerations, and the forces that hold the joints that stick or lean on a stop.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Held<const N: usize> {
-    pub(super) qdd: SVector<f64, N>,
-    pub(super) forces: SVector<f64, N>,
+#[derive(Clone, Debug)]
+pub(super) struct Held<D: Size> {
+    pub(super) qdd: D::Vector,
+    pub(super) forces: D::Vector,
 }
 
-impl<'a, R, L, const N: usize> Motion<'a, R, L, N> {
-    pub(super) fn new(robot: &'a R, torque: &'a L, friction: Law<N>, limits: Limits<N>) -> Self {
+impl<'a, R, L, D: Size> Motion<'a, R, L, D> {
+    pub(super) fn new(robot: &'a R, torque: &'a L, friction: Law<D>, limits: Limits<D>) -> Self {
+        let size = D::from_usize(limits.ranges.as_ref().len());
         Motion {
+            size,
             robot,
             torque,
             friction,
             limits,
-            contacts: Cell::new([Contact::Slides(0.0); N]),
+            contacts: RefCell::new(size.each(|_| Contact::Slides(0.0))),
             evaluations: Cell::new(0),
         }
+    }
+
+    /// The joints, counted from 0.
+    pub(super) fn joints(&self) -> Range<usize> {
+        self.size.joints()
+    }
+
+    /// A list with an entry for each joint.
+    pub(super) fn each<X: Clone + Debug>(&self, entry: impl FnMut(usize) -> X) -> D::Each<X> {
+        self.size.each(entry)
     }
 
     pub(super) fn robot(&self) -> &R {
@@ -60,7 +74,7 @@ impl<'a, R, L, const N: usize> Motion<'a, R, L, N> {
         self.evaluations.set(self.evaluations.get() + 1);
     }
 
-    pub(super) fn limits(&self) -> &Limits<N> {
+    pub(super) fn limits(&self) -> &Limits<D> {
         &self.limits
     }
 
@@ -87,33 +101,39 @@ impl<'a, R, L, const N: usize> Motion<'a, R, L, N> {
         }
     }
 
-    pub(super) fn contacts(&self) -> [Contact; N] {
-        self.contacts.get()
+    pub(super) fn contacts(&self) -> D::Each<Contact> {
+        self.contacts.borrow().clone()
     }
 
-    pub(super) fn set_contacts(&self, contacts: [Contact; N]) {
-        self.contacts.set(contacts);
+    /// What friction and stops do to joint `i`.
+    pub(super) fn contact(&self, i: usize) -> Contact {
+        self.contacts.borrow()[i]
+    }
+
+    pub(super) fn set_contacts(&self, contacts: D::Each<Contact>) {
+        *self.contacts.borrow_mut() = contacts;
     }
 
     /// Which joints are held where they are, where any is.
-    pub(super) fn still(&self) -> Option<[bool; N]> {
+    pub(super) fn still(&self) -> Option<D::Each<bool>> {
         if !self.has_events() {
             return None;
         }
-        let still = self.contacts.get().map(Contact::holds);
-        still.contains(&true).then_some(still)
+        let contacts = self.contacts.borrow();
+        let still = self.each(|i| contacts[i].holds());
+        still.as_ref().contains(&true).then_some(still)
     }
 }
 
-impl<R, L: TorqueLaw<N>, const N: usize> Motion<'_, R, L, N> {
+impl<R, L: TorqueLaw<D>, D: Size> Motion<'_, R, L, D> {
     /// What the laws say.
-    pub(super) fn law(&self, t: f64, phase: &Phase<N>) -> Result<SVector<f64, N>, Cause> {
+    pub(super) fn law(&self, t: f64, phase: &Phase<D>) -> Result<D::Vector, Cause> {
         self.torque.torque(t, phase)
     }
 
     /// The torques at a time in a phase, where both are finite. In place of the friction that the
     /// forward dynamics takes off, a multiple of sign(qd), they have that of the simulation.
-    pub(super) fn torques(&self, t: f64, phase: &Phase<N>) -> Result<SVector<f64, N>, Cause> {
+    pub(super) fn torques(&self, t: f64, phase: &Phase<D>) -> Result<D::Vector, Cause> {
         if let Some(joint) = phase.first_non_finite() {
             return Err(Cause::NonFiniteState { joint });
         }
@@ -121,7 +141,7 @@ impl<R, L: TorqueLaw<N>, const N: usize> Motion<'_, R, L, N> {
     }
 
     #[inline]
-    fn with_friction(&self, phase: &Phase<N>, tau: SVector<f64, N>) -> SVector<f64, N> {
+    fn with_friction(&self, phase: &Phase<D>, tau: D::Vector) -> D::Vector {
         match self.friction.kind {
             Friction::Sign => tau,
             _ => tau + self.instead_of_sign(&phase.qd),
@@ -133,39 +153,38 @@ impl<R, L: TorqueLaw<N>, const N: usize> Motion<'_, R, L, N> {
     // Apart from the path of those who have none of it, which is to be inlined in every stage.
     #[cold]
     #[inline(never)]
-    fn instead_of_sign(&self, qd: &SVector<f64, N>) -> SVector<f64, N> {
-        let contacts = self.contacts.get();
-        let law = |i: usize| match (self.friction.kind, contacts[i]) {
+    fn instead_of_sign(&self, qd: &D::Vector) -> D::Vector {
+        let law = |i: usize| match (self.friction.kind, self.contact(i)) {
             (Friction::Sign, _) => Scalar::sign(qd[i]),
             (Friction::Regularised { speed }, _) => (qd[i] / speed).tanh(),
             (Friction::Sticking, Contact::Slides(way)) => way,
             (Friction::Sticking, Contact::Sticks | Contact::Leans(_)) => 0.0,
         };
-        SVector::from_fn(|i, _| {
+        self.size.vector_of(|i| {
             let (dry, law) = (&self.friction.dry[i], law(i));
             dry.force(qd[i]) - law * dry.magnitude(law, qd[i])
         })
     }
 }
 
-impl<R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N: usize> Motion<'_, R, L, N> {
+impl<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size> Motion<'_, R, L, D> {
     /// The accelerations, and the forces that keep those of the joints that are held at zero.
-    pub(super) fn held(&self, t: f64, phase: &Phase<N>) -> Result<Held<N>, Cause> {
+    pub(super) fn held(&self, t: f64, phase: &Phase<D>) -> Result<Held<D>, Cause> {
         self.held_under(phase, &self.torques(t, phase)?)
     }
 
-    fn held_under(&self, phase: &Phase<N>, tau: &SVector<f64, N>) -> Result<Held<N>, Cause> {
+    fn held_under(&self, phase: &Phase<D>, tau: &D::Vector) -> Result<Held<D>, Cause> {
         match self.still() {
             Some(still) => self.hold(phase, tau, &still),
             None => Ok(Held {
                 qdd: self.free(phase, tau)?,
-                forces: SVector::zeros(),
+                forces: self.size.vector(),
             }),
         }
     }
 
     #[inline]
-    fn free(&self, phase: &Phase<N>, tau: &SVector<f64, N>) -> Result<SVector<f64, N>, Cause> {
+    fn free(&self, phase: &Phase<D>, tau: &D::Vector) -> Result<D::Vector, Cause> {
         self.count();
         let qdd = self.robot.accelerations(&phase.q, &phase.qd, tau)?;
         finite(qdd)
@@ -177,15 +196,22 @@ impl<R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N: usize> Motion<'_, R, L, 
     #[inline(never)]
     fn hold(
         &self,
-        phase: &Phase<N>,
-        tau: &SVector<f64, N>,
-        still: &[bool; N],
-    ) -> Result<Held<N>, Cause> {
+        phase: &Phase<D>,
+        tau: &D::Vector,
+        still: &D::Each<bool>,
+    ) -> Result<Held<D>, Cause> {
         let (free, columns) = self.responses(phase, tau, still)?;
-        let wanted = SVector::from_fn(|i, _| if still[i] { -free[i] } else { 0.0 });
-        let forces = Lu::new(block(&columns, still)).solve(wanted);
-        let mut qdd = (0..N).fold(free, |qdd, j| qdd + columns.column(j) * forces[j]);
-        for i in (0..N).filter(|i| still[*i]) {
+        let wanted = self
+            .size
+            .vector_of(|i| if still[i] { -free[i] } else { 0.0 });
+        let forces = block(self.size, &columns, still).solve_vector(&wanted);
+        let mut qdd = free;
+        for j in self.joints() {
+            for i in self.joints() {
+                qdd[i] += columns[(i, j)] * forces[j];
+            }
+        }
+        for i in self.joints().filter(|i| still[*i]) {
             qdd[i] = 0.0;
         }
         Ok(Held {
@@ -197,11 +223,16 @@ impl<R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N: usize> Motion<'_, R, L, 
     /// The accelerations under some torques, and the columns of M^-1 that belong to some joints.
     pub(super) fn responses(
         &self,
-        phase: &Phase<N>,
-        tau: &SVector<f64, N>,
-        joints: &[bool; N],
-    ) -> Result<(SVector<f64, N>, SMatrix<f64, N, N>), Cause> {
-        let evaluations = joints.iter().filter(|joint| **joint).count().max(1);
+        phase: &Phase<D>,
+        tau: &D::Vector,
+        joints: &D::Each<bool>,
+    ) -> Result<(D::Vector, D::Matrix), Cause> {
+        let evaluations = joints
+            .as_ref()
+            .iter()
+            .filter(|joint| **joint)
+            .count()
+            .max(1);
         (0..evaluations).for_each(|_| self.count());
         let Phase { q, qd } = phase;
         let (qdd, columns) = self.robot.accelerations_and_responses(q, qd, tau, joints)?;
@@ -209,15 +240,15 @@ impl<R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N: usize> Motion<'_, R, L, 
     }
 }
 
-impl<R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N: usize> Followed<N> for Motion<'_, R, L, N> {
+impl<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size> Followed<D> for Motion<'_, R, L, D> {
     /// Not a number where the laws or the equations refuse: what is recorded ends no run.
-    fn forces(&self, t: f64, phase: &Phase<N>) -> Forces<N> {
+    fn forces(&self, t: f64, phase: &Phase<D>) -> Forces<D> {
         let (evaluations, tau) = (self.evaluations.get(), self.torque.motors(t, phase));
-        let law = torque::finite(tau).and_then(|tau| self.torque.with_tool(tau, t, phase));
+        let law = torque::finite(tau.clone()).and_then(|tau| self.torque.with_tool(tau, t, phase));
         let held = law.and_then(|tau| self.held_under(phase, &self.with_friction(phase, tau)));
         self.evaluations.set(evaluations);
         Forces {
-            qdd: held.map_or(SVector::repeat(f64::NAN), |held| held.qdd),
+            qdd: held.map_or_else(|_| self.size.vector_of(|_| f64::NAN), |held| held.qdd),
             tau,
         }
     }
@@ -226,22 +257,22 @@ impl<R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N: usize> Followed<N> for M
         self.torque.period()
     }
 
-    fn sample(&self, t: f64, phase: &Phase<N>) -> Result<(), Cause> {
+    fn sample(&self, t: f64, phase: &Phase<D>) -> Result<(), Cause> {
         self.torque.sample(t, phase)
     }
 }
 
-fn finite<const N: usize>(qdd: SVector<f64, N>) -> Result<SVector<f64, N>, Cause> {
-    match first_non_finite(&qdd) {
+fn finite<V: JointVector>(qdd: V) -> Result<V, Cause> {
+    match first_non_finite(qdd.entries()) {
         Some(joint) => Err(Cause::NonFiniteAcceleration { joint }),
         None => Ok(qdd),
     }
 }
 
-impl<R, L, const N: usize> Equations<N> for Motion<'_, R, L, N>
+impl<R, L, D: Size> Equations<D> for Motion<'_, R, L, D>
 where
-    R: EquationsOfMotion<N>,
-    L: TorqueLaw<N>,
+    R: EquationsOfMotion<D>,
+    L: TorqueLaw<D>,
 {
     type Refusal = Cause;
 
@@ -249,7 +280,7 @@ where
     // One copy for all stages of all methods: inlined, the code of a program of forward dynamics
     // stands there some forty times, and whether it runs faster or slower for it is chance.
     #[inline(never)]
-    fn acceleration(&self, t: f64, phase: &Phase<N>) -> Result<SVector<f64, N>, Cause> {
+    fn acceleration(&self, t: f64, phase: &Phase<D>) -> Result<D::Vector, Cause> {
         let tau = self.torques(t, phase)?;
         match self.still() {
             Some(still) => Ok(self.hold(phase, &tau, &still)?.qdd),
@@ -259,14 +290,14 @@ where
 }
 
 /// A motion in positions and momenta.
-pub(super) struct InMomenta<'a, R, L, const N: usize> {
-    motion: &'a Motion<'a, R, L, N>,
-    arm: &'a dyn Momenta<N>,
+pub(super) struct InMomenta<'a, R, L, D: Size> {
+    motion: &'a Motion<'a, R, L, D>,
+    arm: &'a dyn SizedMomenta<D>,
 }
 
-impl<'a, R: EquationsOfMotion<N>, L, const N: usize> InMomenta<'a, R, L, N> {
+impl<'a, R: EquationsOfMotion<D>, L, D: Size> InMomenta<'a, R, L, D> {
     /// `None` where the arm is not known in momenta.
-    pub(super) fn new(motion: &'a Motion<'a, R, L, N>) -> Option<Self> {
+    pub(super) fn new(motion: &'a Motion<'a, R, L, D>) -> Option<Self> {
         let arm = motion.robot.in_momenta()?;
         Some(InMomenta { motion, arm })
     }
@@ -274,22 +305,29 @@ impl<'a, R: EquationsOfMotion<N>, L, const N: usize> InMomenta<'a, R, L, N> {
     /// Joints that are held have no velocity, whatever their momenta: those of the others are the
     /// momenta of the arm that is left.
     #[inline]
-    fn phase_beside(&self, still: Option<[bool; N]>, at: &Point<N>) -> Result<Phase<N>, Cause> {
+    fn phase_beside(
+        &self,
+        still: Option<&D::Each<bool>>,
+        at: &Point<D>,
+    ) -> Result<Phase<D>, Cause> {
         if let Some(joint) = at.first_non_finite() {
             return Err(Cause::NonFiniteState { joint });
         }
         let qd = match still {
             None => self.arm.velocity(&at.q, &at.p),
-            Some(still) => self.arm.velocity_beside(&still, &at.q, &at.p),
+            Some(still) => self.arm.velocity_beside(still, &at.q, &at.p),
         };
         let qd = qd.map_err(|error| self.named(error, &at.q))?;
-        Ok(Phase { q: at.q, qd })
+        Ok(Phase {
+            q: at.q.clone(),
+            qd,
+        })
     }
 
     /// The error as the forward dynamics of the arm has it, which knows the names of the joints.
     #[cold]
-    fn named(&self, error: SingularMassMatrix, q: &SVector<f64, N>) -> SingularMassMatrix {
-        let rest = SVector::zeros();
+    fn named(&self, error: SingularMassMatrix, q: &D::Vector) -> SingularMassMatrix {
+        let rest = self.motion.size.vector();
         match self.motion.robot.accelerations(q, &rest, &rest) {
             Err(named) if named.joint == error.joint => named,
             _ => error,
@@ -297,29 +335,29 @@ impl<'a, R: EquationsOfMotion<N>, L, const N: usize> InMomenta<'a, R, L, N> {
     }
 }
 
-impl<R, L, const N: usize> Canonical<N> for InMomenta<'_, R, L, N>
+impl<R, L, D: Size> Canonical<D> for InMomenta<'_, R, L, D>
 where
-    R: EquationsOfMotion<N>,
-    L: TorqueLaw<N>,
+    R: EquationsOfMotion<D>,
+    L: TorqueLaw<D>,
 {
     type Refusal = Cause;
 
-    fn momentum(&self, phase: &Phase<N>) -> Result<SVector<f64, N>, Cause> {
+    fn momentum(&self, phase: &Phase<D>) -> Result<D::Vector, Cause> {
         Ok(self.arm.momentum(&phase.q, &phase.qd))
     }
 
-    fn phase(&self, at: &Point<N>) -> Result<Phase<N>, Cause> {
-        self.phase_beside(self.motion.still(), at)
+    fn phase(&self, at: &Point<D>) -> Result<Phase<D>, Cause> {
+        self.phase_beside(self.motion.still().as_ref(), at)
     }
 
-    fn rate(&self, t: f64, at: &Point<N>) -> Result<Point<N>, Cause> {
+    fn rate(&self, t: f64, at: &Point<D>) -> Result<Point<D>, Cause> {
         let still = self.motion.still();
-        let phase = self.phase_beside(still, at)?;
+        let phase = self.phase_beside(still.as_ref(), at)?;
         let tau = self.motion.torques(t, &phase)?;
         self.motion.count();
         let mut p = finite(self.arm.force(&phase.q, &phase.qd, &tau))?;
         // The forces that hold a joint act on its momentum alone, which nothing reads.
-        for (i, still) in still.iter().flatten().enumerate() {
+        for (i, still) in still.iter().flat_map(AsRef::as_ref).enumerate() {
             if *still {
                 p[i] = 0.0;
             }

@@ -2,11 +2,12 @@
 
 use super::error::InvalidSetting;
 use crate::integrate::Phase;
+use crate::size::Size;
 
 /// The start of a run, its length, and its samples at equal intervals.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Plan<const N: usize> {
-    pub(super) initial: Phase<N>,
+#[derive(Clone, Debug)]
+pub(super) struct Plan<D: Size> {
+    pub(super) initial: Phase<D>,
     pub(super) duration: f64,
     pub(super) samples: usize,
 }
@@ -14,11 +15,11 @@ pub(super) struct Plan<const N: usize> {
 /// In a shorter run the rounding of the time would be less than any number of full precision.
 const SHORTEST: f64 = f64::MIN_POSITIVE / f64::EPSILON;
 
-impl<const N: usize> Plan<N> {
+impl<D: Size> Plan<D> {
     /// From rest at q = 0, for 1 s, with 101 samples.
-    pub(super) fn new() -> Self {
+    pub(super) fn new(size: D) -> Self {
         Plan {
-            initial: Phase::zeros(),
+            initial: Phase::zeros(size),
             duration: 1.0,
             samples: 101,
         }

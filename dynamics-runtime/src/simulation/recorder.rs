@@ -1,44 +1,41 @@
 //! A run as it goes on.
 
-use super::error::{Cause, InvalidSetting, SimulationError};
+use super::error::{Cause, InvalidSetting, Outcome, SizedSimulationError};
 use super::plan::Plan;
-use super::trajectory::{Forces, Trajectory, Work};
+use super::trajectory::{Forces, SizedTrajectory, Work};
 use crate::integrate::{Grid, Phase, sample_time};
+use crate::size::Size;
 
 /// A run as it is recorded: the plan of its samples, the samples taken, the phase reached.
-pub(super) struct Recorder<const N: usize> {
+pub(super) struct Recorder<D: Size> {
     pub(super) t: f64,
-    pub(super) phase: Phase<N>,
+    pub(super) phase: Phase<D>,
     pub(super) work: Work,
-    trajectory: Trajectory<N>,
+    trajectory: SizedTrajectory<D>,
     duration: f64,
     samples: usize,
 }
 
-impl<const N: usize> Recorder<N> {
+impl<D: Size> Recorder<D> {
     /// At the start, with nothing planned.
-    pub(super) fn new(phase: Phase<N>) -> Self {
+    pub(super) fn new(phase: Phase<D>) -> Self {
         Recorder {
             t: 0.0,
             phase,
             work: Work::default(),
-            trajectory: Trajectory::default(),
+            trajectory: SizedTrajectory::default(),
             duration: 0.0,
             samples: 0,
         }
     }
 
     /// The run as it ended, of which `evaluations` were a part of the work.
-    pub(super) fn finished(
-        self,
-        end: Result<(), Cause>,
-        evaluations: u64,
-    ) -> Result<Trajectory<N>, Box<SimulationError<N>>> {
-        let (time, Phase { q, qd }) = (self.t, self.phase);
+    pub(super) fn finished(self, end: Result<(), Cause>, evaluations: u64) -> Outcome<D> {
+        let (time, Phase { q, qd }) = (self.t, self.phase.clone());
         let trajectory = self.into_trajectory(evaluations);
         match end {
             Ok(()) => Ok(trajectory),
-            Err(cause) => Err(Box::new(SimulationError {
+            Err(cause) => Err(Box::new(SizedSimulationError {
                 time,
                 q,
                 qd,
@@ -49,11 +46,11 @@ impl<const N: usize> Recorder<N> {
     }
 
     /// Makes room for all samples of a valid plan.
-    pub(super) fn plan(&mut self, plan: &Plan<N>) -> Result<(), InvalidSetting> {
+    pub(super) fn plan(&mut self, plan: &Plan<D>) -> Result<(), InvalidSetting> {
         let samples = plan.samples;
         self.duration = plan.duration;
         self.samples = samples;
-        let Trajectory {
+        let SizedTrajectory {
             t, q, qd, qdd, tau, ..
         } = &mut self.trajectory;
         let mut vectors = [q, qd, qdd, tau].into_iter();
@@ -82,7 +79,7 @@ impl<const N: usize> Recorder<N> {
     }
 
     /// Moves to the end of a step, if that is a finite place.
-    pub(super) fn reach(&mut self, t: f64, phase: Phase<N>) -> Result<(), Cause> {
+    pub(super) fn reach(&mut self, t: f64, phase: Phase<D>) -> Result<(), Cause> {
         if let Some(joint) = phase.first_non_finite() {
             return Err(Cause::NonFiniteState { joint });
         }
@@ -93,19 +90,19 @@ impl<const N: usize> Recorder<N> {
     }
 
     /// The samples taken, and the work of which `evaluations` were a part.
-    fn into_trajectory(self, evaluations: u64) -> Trajectory<N> {
+    fn into_trajectory(self, evaluations: u64) -> SizedTrajectory<D> {
         let work = Work {
             evaluations,
             ..self.work
         };
-        Trajectory {
+        SizedTrajectory {
             work,
             ..self.trajectory
         }
     }
 
     /// Takes a sample.
-    pub(super) fn push(&mut self, t: f64, phase: Phase<N>, forces: Forces<N>) {
+    pub(super) fn push(&mut self, t: f64, phase: Phase<D>, forces: Forces<D>) {
         self.trajectory.t.push(t);
         self.trajectory.q.push(phase.q);
         self.trajectory.qd.push(phase.qd);

@@ -2,7 +2,7 @@
 
 use core::cell::{Cell, RefCell};
 
-use nalgebra::{SMatrix, SVector};
+use nalgebra::{Const, SVector};
 
 use super::by_series::BySeries;
 use super::drive::smooth;
@@ -18,10 +18,12 @@ use super::sampling::Sampled;
 use super::settings::ErrorControl;
 use super::torque::{NoTorque, TorqueLaw, finite};
 use super::trajectory::Trajectory;
-use crate::factorisation::Factors;
+use crate::equations_of_motion::inverse_columns;
+use crate::factorisation::JointFactors;
 use crate::integrate::{Phase, Tolerance};
+use crate::table::AsArm as _;
 use crate::taylor::{FEWEST_ORDERS, SeriesStepper, Steady, mass_matrix, order};
-use crate::{EquationsOfMotion, Momenta, Responses, SingularMassMatrix, TaylorDynamics};
+use crate::{EquationsOfMotion, Responses, SingularMassMatrix, SizedMomenta, TaylorDynamics};
 
 /// Settings of the Taylor method.
 ///
@@ -110,8 +112,8 @@ pub struct TaylorSimulation<'a, R, const N: usize, L = SVector<f64, N>> {
     robot: &'a R,
     torque: L,
     settings: Taylor,
-    limits: Limits<N>,
-    plan: Plan<N>,
+    limits: Limits<Const<N>>,
+    plan: Plan<Const<N>>,
 }
 
 /// A torque law that is called once each period, and whose torque is held until the next call.
@@ -128,8 +130,8 @@ impl<'a, R: TaylorDynamics<N>, const N: usize> TaylorSimulation<'a, R, N> {
             robot,
             torque: SVector::zeros(),
             settings: Taylor::default(),
-            limits: Limits::none(),
-            plan: Plan::new(),
+            limits: Limits::none(Const),
+            plan: Plan::new(Const),
         }
     }
 
@@ -143,8 +145,11 @@ impl<'a, R: TaylorDynamics<N>, const N: usize> TaylorSimulation<'a, R, N> {
 
     /// Sample and hold, as [`Simulation::sampled`](crate::Simulation::sampled): the torque law that is given next
     /// is called at multiples of `period` in s, and a new series begins there.
-    pub fn sampled(self, period: f64) -> TaylorSimulation<'a, R, N, HeldTorque<NoTorque<N>>> {
-        let law: NoTorque<N> = |_, _, _| SVector::zeros();
+    pub fn sampled(
+        self,
+        period: f64,
+    ) -> TaylorSimulation<'a, R, N, HeldTorque<NoTorque<Const<N>>>> {
+        let law: NoTorque<Const<N>> = |_, _, _| SVector::zeros();
         let asked = Sampled { period };
         self.with_torque(HeldTorque { law, asked })
     }
@@ -188,7 +193,7 @@ impl<'a, R: TaylorDynamics<N>, F, const N: usize> TaylorSimulation<'a, R, N, Hel
         let setting = self.setting();
         let HeldTorque { law, asked } = &mut self.torque;
         if let Err(setting) = asked.validate(self.plan.duration) {
-            let recorder = Recorder::new(self.plan.initial);
+            let recorder = Recorder::new(self.plan.initial.clone());
             return recorder.finished(Err(setting.into()), 0);
         }
         setting.run(Some(asked.period), |t, phase| {
@@ -212,8 +217,8 @@ impl<'a, R: TaylorDynamics<N>, L, const N: usize> TaylorSimulation<'a, R, N, L> 
         Setting {
             robot: self.robot,
             settings: self.settings,
-            limits: self.limits,
-            plan: self.plan,
+            limits: self.limits.clone(),
+            plan: self.plan.clone(),
         }
     }
 
@@ -263,7 +268,7 @@ impl<'a, R: TaylorDynamics<N>, L, const N: usize> TaylorSimulation<'a, R, N, L> 
     }
 
     fn at_limits(mut self, kind: AtLimit) -> Self {
-        self.limits = Limits::of(&self.robot.table(), kind);
+        self.limits = Limits::of(self.robot.table().arm(), kind);
         self
     }
 
@@ -290,13 +295,13 @@ impl<'a, R: TaylorDynamics<N>, L, const N: usize> TaylorSimulation<'a, R, N, L> 
 struct Setting<'a, R, const N: usize> {
     robot: &'a R,
     settings: Taylor,
-    limits: Limits<N>,
-    plan: Plan<N>,
+    limits: Limits<Const<N>>,
+    plan: Plan<Const<N>>,
 }
 
 impl<R: TaylorDynamics<N>, const N: usize> Setting<'_, R, N> {
     /// A run under a law that is called at the start, and then once each period if there is one.
-    fn run<F: FnMut(f64, &Phase<N>) -> Result<SVector<f64, N>, Cause>>(
+    fn run<F: FnMut(f64, &Phase<Const<N>>) -> Result<SVector<f64, N>, Cause>>(
         &self,
         period: Option<f64>,
         law: F,
@@ -307,38 +312,40 @@ impl<R: TaylorDynamics<N>, const N: usize> Setting<'_, R, N> {
             period,
             law: RefCell::new(law),
         };
-        let motion = Motion::new(&arm, &law, Law::sign(), self.limits);
-        let mut recorder = Recorder::new(self.plan.initial);
+        let motion = Motion::new(&arm, &law, Law::sign(Const), self.limits.clone());
+        let mut recorder = Recorder::new(self.plan.initial.clone());
         let end = self.record(&motion, &mut recorder);
         // One series for each step; impacts evaluate the equations besides.
         let evaluations = recorder.work.steps + motion.evaluations();
         recorder.finished(end, evaluations)
     }
 
-    fn record<F: FnMut(f64, &Phase<N>) -> Result<SVector<f64, N>, Cause>>(
+    fn record<F: FnMut(f64, &Phase<Const<N>>) -> Result<SVector<f64, N>, Cause>>(
         &self,
-        motion: &Motion<BySteps<R>, Held<F, N>, N>,
-        recorder: &mut Recorder<N>,
+        motion: &Motion<BySteps<R>, Held<F, N>, Const<N>>,
+        recorder: &mut Recorder<Const<N>>,
     ) -> Result<(), Cause> {
         self.validate()?;
         recorder.plan(&self.plan)?;
         begin(motion, recorder)?;
         let control = self.settings.control();
         let range = control.range(self.plan.duration);
-        let (start, order) = (recorder.phase, self.settings.order());
+        let (start, order) = (recorder.phase.clone(), self.settings.order());
         let mut run = SeriesStepper::start(motion, start, order, control.tolerance, range)?;
         let (steps, duration) = (control.max_steps, recorder.duration());
         let run = match motion.has_events() {
-            true => Eventful::<_, _, _, _, BySeries, N>::start(motion, motion, &mut run, duration)
-                .and_then(|run| run.drive(recorder, steps)),
-            false => smooth::<_, _, Cause, N>(motion, motion, &mut run, recorder, steps),
+            true => Eventful::<_, _, _, _, BySeries, Const<N>>::start(
+                motion, motion, &mut run, duration,
+            )
+            .and_then(|run| run.drive(recorder, steps)),
+            false => smooth::<_, _, Cause, Const<N>>(motion, motion, &mut run, recorder, steps),
         };
         run.map_err(Cause::of_long_steps)
     }
 
     fn validate(&self) -> Result<(), Cause> {
         self.plan.validate()?;
-        let dry = self.robot.table().dry_friction();
+        let dry = self.robot.table().arm().dry_friction::<Const<N>>();
         if let Some(joint) = dry.iter().position(|friction| !friction.is_none()) {
             return Err(InvalidSetting::CoulombFriction { joint }.into());
         }
@@ -350,7 +357,11 @@ impl<R: TaylorDynamics<N>, const N: usize> Setting<'_, R, N> {
 /// An arm that is known by its series.
 struct BySteps<'a, R>(&'a R);
 
-impl<R: TaylorDynamics<N>, const N: usize> EquationsOfMotion<N> for BySteps<'_, R> {
+impl<R: TaylorDynamics<N>, const N: usize> EquationsOfMotion<Const<N>> for BySteps<'_, R> {
+    fn size(&self) -> Const<N> {
+        Const
+    }
+
     fn accelerations(
         &self,
         q: &SVector<f64, N>,
@@ -366,18 +377,14 @@ impl<R: TaylorDynamics<N>, const N: usize> EquationsOfMotion<N> for BySteps<'_, 
         qd: &SVector<f64, N>,
         tau: &SVector<f64, N>,
         joints: &[bool; N],
-    ) -> Result<Responses<N>, SingularMassMatrix> {
+    ) -> Result<Responses<Const<N>>, SingularMassMatrix> {
         let qdd = self.accelerations(q, qd, tau)?;
-        let factors = Factors::new(mass_matrix(self.0, q))?;
-        let mut columns = SMatrix::<f64, N, N>::zeros();
-        for j in (0..N).filter(|j| joints[*j]) {
-            let unit = SVector::from_fn(|i, _| f64::from(u8::from(i == j)));
-            columns.set_column(j, &factors.solve(&unit));
-        }
+        let factors = JointFactors::new(N, mass_matrix(self.0, q))?;
+        let columns = inverse_columns(Const, &factors, joints);
         Ok((qdd, columns))
     }
 
-    fn in_momenta(&self) -> Option<&dyn Momenta<N>> {
+    fn in_momenta(&self) -> Option<&dyn SizedMomenta<Const<N>>> {
         None
     }
 }
@@ -389,11 +396,11 @@ struct Held<F, const N: usize> {
     law: RefCell<F>,
 }
 
-impl<F, const N: usize> TorqueLaw<N> for Held<F, N>
+impl<F, const N: usize> TorqueLaw<Const<N>> for Held<F, N>
 where
-    F: FnMut(f64, &Phase<N>) -> Result<SVector<f64, N>, Cause>,
+    F: FnMut(f64, &Phase<Const<N>>) -> Result<SVector<f64, N>, Cause>,
 {
-    fn motors(&self, _t: f64, _phase: &Phase<N>) -> SVector<f64, N> {
+    fn motors(&self, _t: f64, _phase: &Phase<Const<N>>) -> SVector<f64, N> {
         self.tau.get()
     }
 
@@ -401,7 +408,7 @@ where
         &self,
         tau: SVector<f64, N>,
         _t: f64,
-        _phase: &Phase<N>,
+        _phase: &Phase<Const<N>>,
     ) -> Result<SVector<f64, N>, Cause> {
         Ok(tau)
     }
@@ -410,13 +417,13 @@ where
         self.period
     }
 
-    fn sample(&self, t: f64, phase: &Phase<N>) -> Result<(), Cause> {
+    fn sample(&self, t: f64, phase: &Phase<Const<N>>) -> Result<(), Cause> {
         self.tau.set((self.law.borrow_mut())(t, phase)?);
         Ok(())
     }
 }
 
-impl<R, F, const N: usize> Steady<N> for Motion<'_, BySteps<'_, R>, Held<F, N>, N>
+impl<R, F, const N: usize> Steady<N> for Motion<'_, BySteps<'_, R>, Held<F, N>, Const<N>>
 where
     R: TaylorDynamics<N>,
 {

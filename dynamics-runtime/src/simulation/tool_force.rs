@@ -1,26 +1,34 @@
 //! A force at the tool: what the surroundings do to the arm.
 
-use nalgebra::{Matrix4, SVector, Vector6};
+use nalgebra::{Matrix4, Vector6};
 
 use super::error::Cause;
-use crate::Kinematics;
-
-/// A time in s, positions in rad or m, and velocities.
-type At<'a, const N: usize> = (f64, &'a SVector<f64, N>, &'a SVector<f64, N>);
-
-/// Joint torques, N m or N.
-pub(super) type Torques<const N: usize> = Result<SVector<f64, N>, Cause>;
+use crate::SizedKinematics;
+use crate::size::Size;
 
 /// The force at the tool in a [`Simulation`](crate::Simulation): none, or a law, which needs an arm with generated
 /// [`Kinematics`].
-pub trait ToolForce<R, const N: usize> {
+pub trait ToolForce<R, D: Size> {
     /// The joint torques `tau` with those of the force: tau + J^T w.
     #[doc(hidden)]
-    fn added_to(&self, tau: SVector<f64, N>, robot: &R, at: At<'_, N>) -> Torques<N>;
+    fn added_to(
+        &self,
+        tau: D::Vector,
+        robot: &R,
+        t: f64,
+        q: &D::Vector,
+        qd: &D::Vector,
+    ) -> Result<D::Vector, Cause>;
 
     /// Begins a period, where the law is sampled.
     #[doc(hidden)]
-    fn sample(&mut self, _robot: &R, _at: At<'_, N>) -> Result<(), Cause> {
+    fn sample(
+        &mut self,
+        _robot: &R,
+        _t: f64,
+        _q: &D::Vector,
+        _qd: &D::Vector,
+    ) -> Result<(), Cause> {
         Ok(())
     }
 }
@@ -41,23 +49,36 @@ impl<F> ContinuousForce for F where F: Fn(f64, &Matrix4<f64>, &Vector6<f64>) -> 
 #[derive(Clone, Copy, Debug, Default)]
 pub struct NoToolForce;
 
-impl<R, const N: usize> ToolForce<R, N> for NoToolForce {
+impl<R, D: Size> ToolForce<R, D> for NoToolForce {
     #[inline]
-    fn added_to(&self, tau: SVector<f64, N>, _robot: &R, _at: At<'_, N>) -> Torques<N> {
+    fn added_to(
+        &self,
+        tau: D::Vector,
+        _robot: &R,
+        _t: f64,
+        _q: &D::Vector,
+        _qd: &D::Vector,
+    ) -> Result<D::Vector, Cause> {
         Ok(tau)
     }
 }
 
-impl<R, F, const N: usize> ToolForce<R, N> for F
+impl<R, F, D: Size> ToolForce<R, D> for F
 where
-    R: Kinematics<N>,
+    R: SizedKinematics<D>,
     F: Fn(f64, &Matrix4<f64>, &Vector6<f64>) -> Vector6<f64>,
 {
-    fn added_to(&self, tau: SVector<f64, N>, robot: &R, (t, q, qd): At<'_, N>) -> Torques<N> {
-        let pose = robot.forward_kinematics(q);
-        let jacobian = robot.jacobian(q);
-        let wrench = finite(self(t, &pose, &(jacobian * qd)))?;
-        Ok(tau + jacobian.tr_mul(&wrench))
+    fn added_to(
+        &self,
+        tau: D::Vector,
+        robot: &R,
+        t: f64,
+        q: &D::Vector,
+        qd: &D::Vector,
+    ) -> Result<D::Vector, Cause> {
+        let (pose, jacobian) = (robot.tip_pose(q), robot.tip_jacobian(q));
+        let wrench = finite(self(t, &pose, &twist::<D>(&jacobian, qd)))?;
+        Ok(tau + torques::<D>(&jacobian, &wrench, q))
     }
 }
 
@@ -69,21 +90,38 @@ pub struct HeldToolForce<F> {
     pub(super) wrench: Vector6<f64>,
 }
 
-impl<R, F, const N: usize> ToolForce<R, N> for HeldToolForce<F>
+impl<R, F, D: Size> ToolForce<R, D> for HeldToolForce<F>
 where
-    R: Kinematics<N>,
+    R: SizedKinematics<D>,
     F: FnMut(f64, &Matrix4<f64>, &Vector6<f64>) -> Vector6<f64>,
 {
-    fn added_to(&self, tau: SVector<f64, N>, robot: &R, (_, q, _): At<'_, N>) -> Torques<N> {
-        Ok(tau + robot.jacobian(q).tr_mul(&self.wrench))
+    fn added_to(
+        &self,
+        tau: D::Vector,
+        robot: &R,
+        _t: f64,
+        q: &D::Vector,
+        _qd: &D::Vector,
+    ) -> Result<D::Vector, Cause> {
+        Ok(tau + torques::<D>(&robot.tip_jacobian(q), &self.wrench, q))
     }
 
-    fn sample(&mut self, robot: &R, (t, q, qd): At<'_, N>) -> Result<(), Cause> {
-        let pose = robot.forward_kinematics(q);
-        let twist = robot.jacobian(q) * qd;
-        self.wrench = finite((self.law)(t, &pose, &twist))?;
+    fn sample(&mut self, robot: &R, t: f64, q: &D::Vector, qd: &D::Vector) -> Result<(), Cause> {
+        let twist = twist::<D>(&robot.tip_jacobian(q), qd);
+        self.wrench = finite((self.law)(t, &robot.tip_pose(q), &twist))?;
         Ok(())
     }
+}
+
+/// J qd.
+fn twist<D: Size>(jacobian: &D::Columns<6>, qd: &D::Vector) -> Vector6<f64> {
+    let entry = |i| D::of(qd).joints().map(|j| jacobian[(i, j)] * qd[j]).sum();
+    Vector6::from_fn(|i, _| entry(i))
+}
+
+/// J^T w, for an arm whose positions are `q`.
+fn torques<D: Size>(jacobian: &D::Columns<6>, wrench: &Vector6<f64>, q: &D::Vector) -> D::Vector {
+    D::of(q).vector_of(|j| (0..6).map(|i| jacobian[(i, j)] * wrench[i]).sum())
 }
 
 fn finite(wrench: Vector6<f64>) -> Result<Vector6<f64>, Cause> {

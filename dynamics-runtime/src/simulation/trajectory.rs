@@ -1,8 +1,9 @@
 //! What a run returns.
 
-use nalgebra::SVector;
+use nalgebra::Const;
 
 use crate::Energy;
+use crate::size::Size;
 
 /// A sampled motion: sample k is `(t[k], q[k], qd[k])`, with the accelerations `qdd[k]` and the torques
 /// `tau[k]` there.
@@ -10,36 +11,58 @@ use crate::Energy;
 /// Where velocities, accelerations or torques jump at the time of a sample, at an impact or where a
 /// controller begins a period, they are those after it; the first sample is the initial state as it was
 /// given.
-#[derive(Clone, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct Trajectory<const N: usize> {
+///
+/// [`Trajectory`] is that of an arm whose number of joints the compiler knows.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(bound = "")
+)]
+pub struct SizedTrajectory<D: Size> {
     /// Times, s.
     pub t: Vec<f64>,
     /// Joint positions, rad or m.
     #[cfg_attr(feature = "serde", serde(with = "crate::sequences::vectors"))]
-    pub q: Vec<SVector<f64, N>>,
+    pub q: Vec<D::Vector>,
     /// Joint velocities, rad/s or m/s.
     #[cfg_attr(feature = "serde", serde(with = "crate::sequences::vectors"))]
-    pub qd: Vec<SVector<f64, N>>,
+    pub qd: Vec<D::Vector>,
     /// Joint accelerations under all forces that act on the arm, rad/s^2 or m/s^2; NaN where they could not be
-    /// computed. Computing them does not count in [`work`](Trajectory::work).
+    /// computed. Computing them does not count in [`work`](SizedTrajectory::work).
     #[cfg_attr(feature = "serde", serde(with = "crate::sequences::vectors"))]
-    pub qdd: Vec<SVector<f64, N>>,
+    pub qdd: Vec<D::Vector>,
     /// Torques of the motors, as the torque law returns them, N m or N; those of a sampled law are held between its
     /// samples. They do not include the force at the tool.
     #[cfg_attr(feature = "serde", serde(with = "crate::sequences::vectors"))]
-    pub tau: Vec<SVector<f64, N>>,
+    pub tau: Vec<D::Vector>,
     /// What the run took.
     pub work: Work,
 }
 
+/// The sampled motion of an arm of `N` joints.
+pub type Trajectory<const N: usize> = SizedTrajectory<Const<N>>;
+
+impl<D: Size> Default for SizedTrajectory<D> {
+    fn default() -> Self {
+        SizedTrajectory {
+            t: Vec::new(),
+            q: Vec::new(),
+            qd: Vec::new(),
+            qdd: Vec::new(),
+            tau: Vec::new(),
+            work: Work::default(),
+        }
+    }
+}
+
 /// What is recorded of a motion beside its phase.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Forces<const N: usize> {
+#[derive(Clone, Debug)]
+pub(super) struct Forces<D: Size> {
     /// Accelerations.
-    pub(super) qdd: SVector<f64, N>,
+    pub(super) qdd: D::Vector,
     /// Torques of the motors.
-    pub(super) tau: SVector<f64, N>,
+    pub(super) tau: D::Vector,
 }
 
 /// The work of a run, for comparing methods.
@@ -57,7 +80,7 @@ pub struct Work {
     pub rejected: u64,
 }
 
-impl<const N: usize> Trajectory<N> {
+impl<D: Size> SizedTrajectory<D> {
     /// The number of samples.
     pub fn len(&self) -> usize {
         self.t.len()
@@ -67,7 +90,9 @@ impl<const N: usize> Trajectory<N> {
     pub fn is_empty(&self) -> bool {
         self.t.is_empty()
     }
+}
 
+impl<const N: usize> Trajectory<N> {
     /// Kinetic plus potential energy at every sample, J.
     pub fn energies<R: Energy<N>>(&self, robot: &R) -> Vec<f64> {
         let states = self.q.iter().zip(&self.qd);

@@ -1,6 +1,6 @@
 //! The series of a step, in the numbers that the processor computes it with fastest.
 
-use nalgebra::SVector;
+use nalgebra::{Const, SVector};
 
 use super::expansion::Expansion;
 use super::fused::{Fused, is_worth_it, with_best_instructions};
@@ -48,7 +48,7 @@ impl<R: TaylorDynamics<N>, const N: usize> Series<R, N> {
     pub(super) fn begin(
         &mut self,
         robot: &R,
-        Phase { q, qd }: &Phase<N>,
+        Phase { q, qd }: &Phase<Const<N>>,
         tau: &SVector<f64, N>,
     ) -> Result<(), SingularMassMatrix> {
         match self {

@@ -1,16 +1,18 @@
 //! Steps by Taylor series.
 
-use nalgebra::SVector;
+use nalgebra::{Const, SVector};
 
+use super::TaylorDynamics;
+use super::coefficients::TaylorCoefficients;
 use super::first_root::Polynomial;
 use super::numbers::Series;
 use super::step_size::step_size;
-use super::{TaylorCoefficients, TaylorDynamics};
 use crate::SingularMassMatrix;
 use crate::exact::{two_sum, two_sums};
 use crate::integrate::{Failure, Phase, StepRange, Stepper, Tolerance, first_non_finite};
 
-/// An arm under constant torques, some of whose joints are held, until a stepper is told to begin again.
+/// An arm whose torques are constant, and of which some joints are held where they are, until a stepper is
+/// told to begin again.
 pub(crate) trait Steady<const N: usize> {
     /// The arm.
     type Arm: TaylorDynamics<N>;
@@ -47,11 +49,11 @@ where
     /// Where the series of the last step starts.
     start: f64,
     t: f64,
-    phase: Phase<N>,
-    /// The lost roundings of time and phase: the sums of steps are compensated (W. Kahan 1965; E. Hairer, C. Lubich,
-    /// G. Wanner, *Geometric Numerical Integration*, VIII.5).
+    phase: Phase<Const<N>>,
+    /// What the roundings of time and phase have lost: the sums of steps are compensated (W. Kahan
+    /// 1965; E. Hairer, C. Lubich, G. Wanner, *Geometric Numerical Integration*, VIII.5).
     lost_time: f64,
-    lost: Phase<N>,
+    lost: Phase<Const<N>>,
     rejected: u64,
 }
 
@@ -63,7 +65,7 @@ const GREATEST_RELATIVE_DEFECT: f64 = 1e-8;
 impl<R: TaylorDynamics<N>, const N: usize> SeriesStepper<R, N> {
     pub(crate) fn start(
         motion: &impl Steady<N, Arm = R>,
-        phase: Phase<N>,
+        phase: Phase<Const<N>>,
         order: usize,
         tolerance: Tolerance,
         range: StepRange,
@@ -75,9 +77,9 @@ impl<R: TaylorDynamics<N>, const N: usize> SeriesStepper<R, N> {
             series: Series::new(),
             start: 0.0,
             t: 0.0,
-            phase,
+            phase: phase.clone(),
             lost_time: 0.0,
-            lost: Phase::zeros(),
+            lost: Phase::zeros(Const),
             rejected: 0,
         };
         stepper.begin(motion, &phase)?;
@@ -85,9 +87,9 @@ impl<R: TaylorDynamics<N>, const N: usize> SeriesStepper<R, N> {
     }
 
     /// The phase at a time within the last step.
-    fn within(&self, t: f64) -> Phase<N> {
+    fn within(&self, t: f64) -> Phase<Const<N>> {
         if t == self.t {
-            return self.phase;
+            return self.phase.clone();
         }
         let (position, velocity) = self.increments(t - self.start);
         let q = self.series.coefficients();
@@ -123,7 +125,7 @@ impl<R: TaylorDynamics<N>, const N: usize> SeriesStepper<R, N> {
     }
 
     /// The phase after a step, and what its rounding has lost.
-    fn after(&self, h: f64) -> (Phase<N>, Phase<N>) {
+    fn after(&self, h: f64) -> (Phase<Const<N>>, Phase<Const<N>>) {
         let (position, velocity) = self.increments(h);
         let (q, lost_q) = two_sums(&self.phase.q, &(position + self.lost.q));
         let (qd, lost_qd) = two_sums(&self.phase.qd, &(velocity + self.lost.qd));
@@ -145,8 +147,8 @@ impl<R: TaylorDynamics<N>, const N: usize> SeriesStepper<R, N> {
         ((position + q[1]) * h, velocity)
     }
 
-    /// Whether the accelerations at the end of a step, with which the next series has begun, are those of its series: it
-    /// may not converge there.
+    /// Whether the accelerations at the end of a step, which the next series has begun with, are
+    /// those of its series: what guards against a series that does not converge there.
     fn fits(&self, h: f64) -> bool {
         let q = self.series.coefficients();
         let mut series = SVector::<f64, N>::zeros();
@@ -165,21 +167,25 @@ impl<R: TaylorDynamics<N>, const N: usize> SeriesStepper<R, N> {
     }
 
     /// Begins the series at a phase.
-    fn begin(&mut self, motion: &impl Steady<N, Arm = R>, phase: &Phase<N>) -> Result<(), Refusal> {
+    fn begin(
+        &mut self,
+        motion: &impl Steady<N, Arm = R>,
+        phase: &Phase<Const<N>>,
+    ) -> Result<(), Refusal> {
         if let Some(joint) = phase.first_non_finite() {
             return Err(Refusal::State { joint });
         }
         self.series.hold(motion.held());
         let begun = self.series.begin(motion.arm(), phase, &motion.torque());
         begun.map_err(Refusal::Singular)?;
-        match first_non_finite(&self.series.acceleration()) {
+        match first_non_finite(self.series.acceleration().as_slice()) {
             Some(joint) => Err(Refusal::Acceleration { joint }),
             None => Ok(()),
         }
     }
 }
 
-impl<M, E, R, const N: usize> Stepper<M, E, N> for SeriesStepper<R, N>
+impl<M, E, R, const N: usize> Stepper<M, E, Const<N>> for SeriesStepper<R, N>
 where
     M: Steady<N, Arm = R>,
     E: From<Refusal>,
@@ -189,7 +195,7 @@ where
         self.t
     }
 
-    fn phase(&self) -> &Phase<N> {
+    fn phase(&self) -> &Phase<Const<N>> {
         &self.phase
     }
 
@@ -233,7 +239,7 @@ where
     }
 
     /// On the series of the last step.
-    fn at(&mut self, _: &M, t: f64) -> Result<Phase<N>, Failure<E>> {
+    fn at(&mut self, _: &M, t: f64) -> Result<Phase<Const<N>>, Failure<E>> {
         Ok(self.within(t))
     }
 
@@ -243,8 +249,8 @@ where
         self.restart(motion, phase)
     }
 
-    fn restart(&mut self, motion: &M, phase: Phase<N>) -> Result<(), Failure<E>> {
-        (self.phase, self.lost) = (phase, Phase::zeros());
+    fn restart(&mut self, motion: &M, phase: Phase<Const<N>>) -> Result<(), Failure<E>> {
+        (self.phase, self.lost) = (phase.clone(), Phase::zeros(Const));
         self.begin(motion, &phase)
             .map_err(|refusal| Failure::Refused(refusal.into()))
     }
@@ -256,7 +262,7 @@ where
 
 #[cfg(test)]
 mod tests {
-    use nalgebra::{SMatrix, SVector, Vector1};
+    use nalgebra::{Const, SMatrix, SVector, Vector1};
 
     use super::{Refusal, SeriesStepper, Steady};
     use crate::integrate::{Phase, StepRange, Stepper, Tolerance};
@@ -316,14 +322,14 @@ mod tests {
     const FREE: Under = Under { holds: false };
 
     fn step(run: &mut SeriesStepper<Swing, 1>, end: f64) {
-        Stepper::<_, Refusal, 1>::step(run, &FREE, end).unwrap();
+        Stepper::<_, Refusal, Const<1>>::step(run, &FREE, end).unwrap();
     }
 
-    fn restart(run: &mut SeriesStepper<Swing, 1>, motion: &Under, phase: Phase<1>) {
-        Stepper::<_, Refusal, 1>::restart(run, motion, phase).unwrap();
+    fn restart(run: &mut SeriesStepper<Swing, 1>, motion: &Under, phase: Phase<Const<1>>) {
+        Stepper::<_, Refusal, Const<1>>::restart(run, motion, phase).unwrap();
     }
 
-    fn start(t: f64, phase: Phase<1>) -> SeriesStepper<Swing, 1> {
+    fn start(t: f64, phase: Phase<Const<1>>) -> SeriesStepper<Swing, 1> {
         let tolerance = Tolerance {
             relative: 1e-13,
             absolute: 1e-13,
@@ -337,26 +343,27 @@ mod tests {
         run
     }
 
-    fn phase(q: f64, qd: f64) -> Phase<1> {
+    fn phase(q: f64, qd: f64) -> Phase<Const<1>> {
         Phase {
             q: Vector1::new(q),
             qd: Vector1::new(qd),
         }
     }
 
-    fn reach(run: &mut SeriesStepper<Swing, 1>, end: f64) -> Phase<1> {
+    fn reach(run: &mut SeriesStepper<Swing, 1>, end: f64) -> Phase<Const<1>> {
         while run.t < end {
             step(run, end);
         }
-        run.phase
+        run.phase.clone()
     }
 
     /// E = qd^2 / 2 - cos q - tau q.
     #[test]
     fn a_swing_keeps_its_energy() {
-        let energy = |Phase { q, qd }: Phase<1>| 0.5 * qd[0] * qd[0] - q[0].cos() - 0.25 * q[0];
+        let energy =
+            |Phase { q, qd }: Phase<Const<1>>| 0.5 * qd[0] * qd[0] - q[0].cos() - 0.25 * q[0];
         let from = phase(2.0, -0.5);
-        let end = reach(&mut start(0.0, from), 10.0);
+        let end = reach(&mut start(0.0, from.clone()), 10.0);
         assert!((energy(end) - energy(from)).abs() < 1e-12);
     }
 
@@ -368,8 +375,8 @@ mod tests {
         let (from, to) = (run.start, run.t);
         let middle = 0.4 * from + 0.6 * to;
         let expected = run.within(middle);
-        Stepper::<_, Refusal, 1>::retake(&mut run, &FREE, middle).unwrap();
-        assert_eq!((run.t, run.phase), (middle, expected));
+        Stepper::<_, Refusal, Const<1>>::retake(&mut run, &FREE, middle).unwrap();
+        assert_eq!((run.t, &run.phase), (middle, &expected));
         let whole = reach(&mut start(0.0, phase(2.0, -0.5)), 5.0);
         assert!(
             reach(&mut run, 5.0)
@@ -385,8 +392,8 @@ mod tests {
         let mut run = start(0.0, phase(0.5, 0.0));
         let held = Under { holds: true };
         restart(&mut run, &held, phase(0.5, 0.0));
-        Stepper::<_, Refusal, 1>::step(&mut run, &held, 0.5).unwrap();
-        assert_eq!((run.t, run.phase), (0.5, phase(0.5, 0.0)));
+        Stepper::<_, Refusal, Const<1>>::step(&mut run, &held, 0.5).unwrap();
+        assert_eq!((run.t, &run.phase), (0.5, &phase(0.5, 0.0)));
         let force = run.holding_force(0);
         let expected = 0.5_f64.sin() - 0.25;
         assert!((force.0[0] - expected).abs() < 1e-15);
@@ -401,7 +408,7 @@ mod tests {
         let other = phase(-1.0, 0.3);
         let mut run = start(0.0, phase(2.0, -0.5));
         reach(&mut run, 1.0);
-        restart(&mut run, &FREE, other);
+        restart(&mut run, &FREE, other.clone());
         let expected = reach(&mut start(1.0, other), 2.0);
         assert_eq!(reach(&mut run, 2.0), expected);
     }

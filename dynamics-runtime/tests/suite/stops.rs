@@ -2,7 +2,7 @@
 
 use std::cell::Cell;
 
-use dynamics_runtime::nalgebra::{SMatrix, SVector, Vector1, Vector2, Vector3};
+use dynamics_runtime::nalgebra::{Const, SMatrix, SVector, Vector1, Vector2, Vector3};
 use dynamics_runtime::{
     Cause, Convention, Dop853, DormandPrince, EquationsOfMotion, Friction, InvalidSetting,
     JointType, Method, Model, NewtonEuler, Radau5, Row, Simulation, Table, Taylor,
@@ -526,7 +526,7 @@ fn newton_euler_moves_as_the_generated_arm() {
     let numeric = NewtonEuler::new(&Rods.table());
     assert_eq!(NewtonEuler::<2>::JOINT_NAMES, ["joint_1", "joint_2"]);
     assert_eq!(numeric.table(), Rods.table());
-    fn run(arm: &(impl EquationsOfMotion<2> + Model<2>), method: Method) -> Trajectory<2> {
+    fn run(arm: &(impl EquationsOfMotion<Const<2>> + Model<2>), method: Method) -> Trajectory<2> {
         Simulation::new(arm)
             .initial(Vector2::new(-0.3, 0.2), Vector2::new(1.0, -2.0))
             .stops(0.7)

@@ -2,7 +2,7 @@
 
 use std::cell::Cell;
 
-use robot_dynamics::nalgebra::{SVector, Vector1};
+use robot_dynamics::nalgebra::{Const, SVector, Vector1};
 use robot_dynamics::{
     Cause, Dop853, DormandPrince, Energy, EquationsOfMotion, Friction, Method, Model, Radau5,
     Simulation, SimulationError, Taylor, TaylorSimulation, Trajectory, robot_dynamics,
@@ -149,7 +149,7 @@ type Run<const N: usize> = Result<Trajectory<N>, Box<SimulationError<N>>>;
 
 /// The run, and how often the torques were asked for.
 fn run<const N: usize>(
-    arm: &(impl EquationsOfMotion<N> + Model<N>),
+    arm: &(impl EquationsOfMotion<Const<N>> + Model<N>),
     start: &Start<N>,
     friction: Friction,
     method: Method,
@@ -229,7 +229,7 @@ fn verdict<const N: usize>(
 
 /// Runs of one arm, one method after the other. Returns the defects, and the most calls of a run.
 fn survey<const N: usize>(
-    arm: &(impl EquationsOfMotion<N> + Model<N> + Energy<N>),
+    arm: &(impl EquationsOfMotion<Const<N>> + Model<N> + Energy<N>),
     frictions: [Friction; 2],
     starts: usize,
 ) -> (Vec<String>, u64) {

@@ -7,6 +7,7 @@
 
 mod newton;
 mod polynomial;
+mod stages;
 mod tableau;
 #[cfg(test)]
 mod tests;
@@ -14,21 +15,25 @@ mod tests;
 use super::initial_step::initial_step;
 use super::jacobian::{Jacobian, Shifted};
 use super::{Equations, Failure, Phase, StepRange, Stepper, Tolerance};
-use newton::{MOST_ITERATIONS, Matrices, Miss, Newton, Step, combination};
+use crate::size::Size;
+use newton::{MOST_ITERATIONS, Matrices, Miss, Newton, Step};
 use polynomial::Polynomial;
+use stages::combination;
 use tableau::{C, ERROR};
 
 /// An integration under way, at the end of its last step.
-pub(crate) struct Radau<const N: usize> {
-    here: Place<N>,
-    /// The start of the last step.
-    from: Place<N>,
+pub(crate) struct Radau<D: Size> {
+    t: f64,
+    phase: Phase<D>,
+    rate: Phase<D>,
+    /// Where the last step started.
+    from: Beginning<D>,
     h: f64,
     /// The step that the motion asks for at its start.
     first: f64,
-    jacobian: Jacobian<N>,
+    jacobian: Jacobian<D>,
     jacobian_is: Age,
-    polynomial: Option<Polynomial<N>>,
+    polynomial: Option<Polynomial<D>>,
     before: Option<Accepted>,
     tolerance: Tolerance,
     newton: Newton,
@@ -37,12 +42,12 @@ pub(crate) struct Radau<const N: usize> {
     just_rejected: bool,
 }
 
-/// A time, the phase then, and how it moves.
-#[derive(Clone, Copy)]
-struct Place<const N: usize> {
+/// Where a step starts: a time, the phase then, and how it moves.
+#[derive(Clone)]
+struct Beginning<D: Size> {
     t: f64,
-    phase: Phase<N>,
-    rate: Phase<N>,
+    phase: Phase<D>,
+    rate: Phase<D>,
 }
 
 /// Whether the Jacobian is that of the phase reached.
@@ -61,9 +66,9 @@ struct Accepted {
 }
 
 /// A step that was tried.
-struct Trial<const N: usize> {
+struct Trial<D: Size> {
     /// Changes of the phase from the start to the stages.
-    changes: [Phase<N>; 3],
+    changes: [Phase<D>; 3],
     error: f64,
     iterations: u32,
 }
@@ -72,12 +77,12 @@ const SAFETY: f64 = 0.9;
 /// Bounds of the old step over the new one.
 const QUOTIENTS: (f64, f64) = (1.0 / 8.0, 5.0);
 
-impl<const N: usize> Radau<N> {
+impl<D: Size> Radau<D> {
     /// At the start, with a first guess of the step size.
-    pub(crate) fn start<S: Equations<N>>(
+    pub(crate) fn start<S: Equations<D>>(
         system: &S,
         t: f64,
-        phase: Phase<N>,
+        phase: Phase<D>,
         wanted: Tolerance,
         range: StepRange,
     ) -> Result<Self, S::Refusal> {
@@ -90,13 +95,18 @@ impl<const N: usize> Radau<N> {
         };
         let least = 10.0 * f64::EPSILON / relative;
         let first = initial_step(system, t, &phase, &rate, &wanted, 4.0);
-        let here = Place { t, phase, rate };
         Ok(Radau {
-            here,
-            from: here,
+            t,
+            from: Beginning {
+                t,
+                phase: phase.clone(),
+                rate: rate.clone(),
+            },
             h: first,
             first,
-            jacobian: Jacobian::zeros(),
+            jacobian: Jacobian::zeros(phase.size()),
+            phase,
+            rate,
             jacobian_is: Age::Useless,
             polynomial: None,
             before: None,
@@ -109,18 +119,17 @@ impl<const N: usize> Radau<N> {
     }
 
     /// The stages of a step of length `h` and its error.
-    fn trial<S: Equations<N>>(&mut self, system: &S) -> Result<Trial<N>, Miss<S::Refusal>> {
+    fn trial<S: Equations<D>>(&mut self, system: &S) -> Result<Trial<D>, Miss<S::Refusal>> {
         if self.jacobian_is == Age::Useless {
-            let Place { t, phase, rate } = &self.here;
-            self.jacobian = Jacobian::at(system, *t, phase, &rate.qd)?;
+            self.jacobian = Jacobian::at(system, self.t, &self.phase, &self.rate.qd)?;
             self.jacobian_is = Age::Fresh;
         }
         let guess = self.predicted();
-        let matrices = Matrices::new(&self.jacobian, self.h);
+        let matrices = Matrices::new(self.phase.size(), &self.jacobian, self.h);
         let step = Step {
             system,
-            t: self.here.t,
-            phase: &self.here.phase,
+            t: self.t,
+            phase: &self.phase,
             h: self.h,
             tolerance: &self.tolerance,
         };
@@ -134,42 +143,41 @@ impl<const N: usize> Radau<N> {
     }
 
     /// The stages' changes that the polynomial of the step before predicts.
-    fn predicted(&self) -> [Phase<N>; 3] {
-        let Some(polynomial) = self.polynomial.filter(|_| !self.just_rejected) else {
-            return [Phase::zeros(); 3];
-        };
-        let Place { t, phase, .. } = &self.here;
-        C.map(|c| polynomial.at(t + c * self.h).minus(phase))
+    fn predicted(&self) -> [Phase<D>; 3] {
+        let polynomial = self.polynomial.as_ref().filter(|_| !self.just_rejected);
+        C.map(|c| match polynomial {
+            Some(polynomial) => polynomial.at(self.t + c * self.h).minus(&self.phase),
+            None => Phase::zeros(self.phase.size()),
+        })
     }
 
-    fn norm(&self, value: &Phase<N>) -> f64 {
-        let phase = &self.here.phase;
-        self.tolerance.norm(value, phase, phase)
+    fn norm(&self, value: &Phase<D>) -> f64 {
+        self.tolerance.norm(value, &self.phase, &self.phase)
     }
 
     /// (IV.8.19) and (IV.8.20): `(gamma / h - J)^-1 (f(y) + e.z / h)`, and once more from there at the
     /// start and after a rejected step, where the estimate of a very stiff component is too large.
-    fn error<S: Equations<N>>(
+    fn error<S: Equations<D>>(
         &self,
         system: &S,
-        changes: &[Phase<N>; 3],
-        real: &Shifted<f64, N>,
+        changes: &[Phase<D>; 3],
+        real: &Shifted<f64, D>,
     ) -> Result<f64, S::Refusal> {
-        let Place { t, phase, rate } = &self.here;
         let weighted = combination(&ERROR, changes).scaled(1.0 / self.h);
-        let estimate = real.solve(&weighted.plus(1.0, rate));
+        let estimate = real.solve(&weighted.plus(1.0, &self.rate));
         let error = self.norm(&estimate).max(1e-10);
         if error < 1.0 || !(self.before.is_none() || self.just_rejected) {
             return Ok(error);
         }
-        let rate = system.rate(*t, &phase.plus(1.0, &estimate))?;
+        let ahead = self.phase.plus(1.0, &estimate);
+        let rate = system.rate(self.t, &ahead)?;
         let estimate = real.solve(&weighted.plus(1.0, &rate));
         Ok(self.norm(&estimate).max(1e-10))
     }
 
     /// The old step over the one that the error asks for, the fewer iterations the longer; after
     /// Gustafsson (1994) from the errors of two steps.
-    fn quotient(&self, trial: &Trial<N>) -> f64 {
+    fn quotient(&self, trial: &Trial<D>) -> f64 {
         let (least, greatest) = QUOTIENTS;
         let patience = f64::from(1 + 2 * MOST_ITERATIONS);
         let taken = f64::from(trial.iterations + 2 * MOST_ITERATIONS);
@@ -185,28 +193,38 @@ impl<const N: usize> Radau<N> {
         }
     }
 
-    fn accept<S: Equations<N>>(
+    fn accept<S: Equations<D>>(
         &mut self,
         system: &S,
-        trial: &Trial<N>,
+        trial: &Trial<D>,
         end: f64,
     ) -> Result<(), S::Refusal> {
-        let (t, phase) = (end, self.here.phase.plus(1.0, &trial.changes[2]));
-        let rate = system.rate(t, &phase)?;
+        let phase = self.phase.plus(1.0, &trial.changes[2]);
+        let rate = system.rate(end, &phase)?;
         let quotient = self.quotient(trial);
         self.polynomial = Some(Polynomial::new(end, self.h, &phase, &trial.changes));
         self.before = Some(Accepted {
             h: self.h,
             error: trial.error.max(1e-2),
         });
-        self.from = self.here;
-        self.here = Place { t, phase, rate };
+        self.from = Beginning {
+            t: self.t,
+            phase: core::mem::replace(&mut self.phase, phase),
+            rate: core::mem::replace(&mut self.rate, rate),
+        };
+        self.t = end;
         // A step that just failed is not followed by a longer one.
-        let least = if self.just_rejected { 1.0 } else { QUOTIENTS.0 };
-        self.h /= quotient.max(least);
+        self.h /= if self.just_rejected {
+            quotient.max(1.0)
+        } else {
+            quotient
+        };
         self.just_rejected = false;
-        let keeps = self.newton.was_fast();
-        self.jacobian_is = if keeps { Age::Old } else { Age::Useless };
+        self.jacobian_is = if self.newton.was_fast() {
+            Age::Old
+        } else {
+            Age::Useless
+        };
         Ok(())
     }
 
@@ -221,24 +239,24 @@ impl<const N: usize> Radau<N> {
     }
 }
 
-impl<S: Equations<N>, const N: usize> Stepper<S, S::Refusal, N> for Radau<N> {
+impl<S: Equations<D>, D: Size> Stepper<S, S::Refusal, D> for Radau<D> {
     fn t(&self) -> f64 {
-        self.here.t
+        self.t
     }
 
-    fn phase(&self) -> &Phase<N> {
-        &self.here.phase
+    fn phase(&self) -> &Phase<D> {
+        &self.phase
     }
 
     fn step(&mut self, system: &S, end: f64) -> Result<(), Failure<S::Refusal>> {
         loop {
-            let left = end - self.here.t;
+            let left = end - self.t;
             self.h = self.range.within(self.h);
             let last = 1.01 * self.h >= left;
             if last {
                 self.h = left;
             }
-            let step_end = if last { end } else { self.here.t + self.h };
+            let step_end = if last { end } else { self.t + self.h };
             let failure = match self.trial(system) {
                 Ok(trial) if trial.error < 1.0 => match self.accept(system, &trial, step_end) {
                     Ok(()) => return Ok(()),
@@ -248,8 +266,12 @@ impl<S: Equations<N>, const N: usize> Stepper<S, S::Refusal, N> for Radau<N> {
                     }
                 },
                 Ok(trial) => {
-                    let quotient = self.before.map(|_| self.quotient(&trial));
-                    let factor = quotient.map_or(0.1, |quotient| 1.0 / quotient);
+                    let first = self.before.is_none();
+                    let factor = if first {
+                        0.1
+                    } else {
+                        1.0 / self.quotient(&trial)
+                    };
                     // An error that is not a number makes none.
                     self.shorten(if factor < 1.0 { factor } else { 0.2 });
                     Failure::StepTooSmall
@@ -269,17 +291,18 @@ impl<S: Equations<N>, const N: usize> Stepper<S, S::Refusal, N> for Radau<N> {
         }
     }
 
-    fn at(&mut self, _: &S, t: f64) -> Result<Phase<N>, Failure<S::Refusal>> {
-        Ok(match self.polynomial {
-            Some(polynomial) if t < self.here.t => polynomial.at(t),
-            _ => self.here.phase,
+    fn at(&mut self, _: &S, t: f64) -> Result<Phase<D>, Failure<S::Refusal>> {
+        Ok(match &self.polynomial {
+            Some(polynomial) if t < self.t => polynomial.at(t),
+            _ => self.phase.clone(),
         })
     }
 
     fn retake(&mut self, system: &S, end: f64) -> Result<(), Failure<S::Refusal>> {
-        self.here = self.from;
+        let Beginning { t, phase, rate } = self.from.clone();
+        (self.t, self.phase, self.rate) = (t, phase, rate);
         let next = self.h;
-        self.h = end - self.here.t;
+        self.h = end - t;
         self.polynomial = None;
         self.jacobian_is = Age::Useless;
         match self.trial(system) {
@@ -291,9 +314,9 @@ impl<S: Equations<N>, const N: usize> Stepper<S, S::Refusal, N> for Radau<N> {
         Ok(())
     }
 
-    fn restart(&mut self, system: &S, phase: Phase<N>) -> Result<(), Failure<S::Refusal>> {
-        self.here.rate = system.rate(self.here.t, &phase)?;
-        self.here.phase = phase;
+    fn restart(&mut self, system: &S, phase: Phase<D>) -> Result<(), Failure<S::Refusal>> {
+        self.rate = system.rate(self.t, &phase)?;
+        self.phase = phase;
         self.polynomial = None;
         self.before = None;
         self.jacobian_is = Age::Useless;

@@ -2,32 +2,34 @@
 
 use nalgebra::Complex;
 
+use super::stages::transformed;
 use super::tableau::{C, COMPLEX, REAL, T, T_INVERSE};
 use crate::integrate::jacobian::{Jacobian, Shifted};
 use crate::integrate::{Equations, Phase, Tolerance};
+use crate::size::Size;
 
-/// The iteration, and its speed, which one step hands on to the next.
+/// The iteration, and what it knows of its speed from one step to the next.
 pub(super) struct Newton {
     pub(super) tolerance: f64,
-    /// The error that is left, over the last correction.
+    /// What is left of an error over the last correction.
     left_over: f64,
     /// The ratio of the last two corrections.
     theta: f64,
 }
 
 /// The equations of a step of length `h`, and how its corrections are measured.
-pub(super) struct Step<'a, S, const N: usize> {
+pub(super) struct Step<'a, S, D: Size> {
     pub(super) system: &'a S,
     pub(super) t: f64,
-    pub(super) phase: &'a Phase<N>,
+    pub(super) phase: &'a Phase<D>,
     pub(super) h: f64,
     pub(super) tolerance: &'a Tolerance,
 }
 
 /// The two systems of linear equations that the transformed stages come apart into.
-pub(super) struct Matrices<const N: usize> {
-    pub(super) real: Shifted<f64, N>,
-    complex: Shifted<Complex<f64>, N>,
+pub(super) struct Matrices<D: Size> {
+    pub(super) real: Shifted<f64, D>,
+    complex: Shifted<Complex<f64>, D>,
 }
 
 /// Why a trial gave no step.
@@ -47,10 +49,19 @@ pub(super) const MOST_ITERATIONS: u32 = 7;
 /// An iteration that converges so fast keeps its Jacobian for the next step.
 const FAST: f64 = 1e-3;
 
-impl<S: Equations<N>, const N: usize> Step<'_, S, N> {
-    /// The rates of the stages whose changes are `z`.
-    fn rates(&self, z: &[Phase<N>; 3]) -> Result<[Phase<N>; 3], S::Refusal> {
-        let mut rates = *z;
+impl<D: Size> Matrices<D> {
+    pub(super) fn new(size: D, jacobian: &Jacobian<D>, h: f64) -> Self {
+        Matrices {
+            real: Shifted::new(size, REAL / h, jacobian),
+            complex: Shifted::new(size, COMPLEX / h, jacobian),
+        }
+    }
+}
+
+impl<S: Equations<D>, D: Size> Step<'_, S, D> {
+    /// How the stages move whose changes are `z`.
+    fn rates(&self, z: &[Phase<D>; 3]) -> Result<[Phase<D>; 3], S::Refusal> {
+        let mut rates = z.clone();
         for i in 0..3 {
             let phase = self.phase.plus(1.0, &z[i]);
             rates[i] = self.system.rate(self.t + C[i] * self.h, &phase)?;
@@ -59,7 +70,7 @@ impl<S: Equations<N>, const N: usize> Step<'_, S, N> {
     }
 
     /// Root mean square over all stages, each entry over its tolerance.
-    fn size(&self, stages: &[Phase<N>; 3]) -> f64 {
+    fn size(&self, stages: &[Phase<D>; 3]) -> f64 {
         let norm = |stage| self.tolerance.norm(stage, self.phase, self.phase);
         let squares = stages.iter().map(|stage| norm(stage).powi(2));
         (squares.sum::<f64>() / 3.0).sqrt()
@@ -83,12 +94,12 @@ impl Newton {
     /// Solves `z = h A f(y + z)` for the stages' changes z, from a guess on, by the transformed
     /// equations, in which the stages come apart: `D / h w = T^-1 f(y + T w)`. Also the number of
     /// iterations.
-    pub(super) fn solve<S: Equations<N>, const N: usize>(
+    pub(super) fn solve<S: Equations<D>, D: Size>(
         &mut self,
-        step: &Step<S, N>,
-        matrices: &Matrices<N>,
-        guess: [Phase<N>; 3],
-    ) -> Result<([Phase<N>; 3], u32), Miss<S::Refusal>> {
+        step: &Step<S, D>,
+        matrices: &Matrices<D>,
+        guess: [Phase<D>; 3],
+    ) -> Result<([Phase<D>; 3], u32), Miss<S::Refusal>> {
         let mut z = guess;
         let mut w = transformed(&T_INVERSE, &z);
         self.left_over = self.left_over.max(f64::EPSILON).powf(0.8);
@@ -116,8 +127,7 @@ impl Newton {
     /// Judges the iteration by the ratio of its last two corrections, and of the two before
     /// (IV.8.10, IV.8.11). Where it is too slow: by what factor the step is to be shorter.
     fn converges(&mut self, k: u32, size: f64, ratio: f64, before: f64) -> Result<(), f64> {
-        let is_first = k == 1;
-        self.theta = if is_first {
+        self.theta = if k == 1 {
             ratio
         } else {
             (ratio * before).sqrt()
@@ -137,16 +147,9 @@ impl Newton {
     }
 }
 
-impl<const N: usize> Matrices<N> {
-    pub(super) fn new(jacobian: &Jacobian<N>, h: f64) -> Self {
-        Matrices {
-            real: Shifted::new(REAL / h, jacobian),
-            complex: Shifted::new(COMPLEX / h, jacobian),
-        }
-    }
-
-    /// The corrections of the transformed changes `w`, where the stages move at `rates`.
-    fn correction(&self, w: &[Phase<N>; 3], rates: &[Phase<N>; 3], h: f64) -> [Phase<N>; 3] {
+impl<D: Size> Matrices<D> {
+    /// What the transformed changes `w` lack, where the stages move at `rates`.
+    fn correction(&self, w: &[Phase<D>; 3], rates: &[Phase<D>; 3], h: f64) -> [Phase<D>; 3] {
         let (gamma, alpha, beta) = (REAL / h, COMPLEX.re / h, COMPLEX.im / h);
         let [f1, f2, f3] = transformed(&T_INVERSE, rates);
         let d1 = self.real.solve(&f1.plus(-gamma, &w[0]));
@@ -156,15 +159,4 @@ impl<const N: usize> Matrices<N> {
         );
         [d1, d2, d3]
     }
-}
-
-/// Sum of three phases, each by its weight.
-pub(super) fn combination<const N: usize>(weights: &[f64; 3], of: &[Phase<N>; 3]) -> Phase<N> {
-    let first = of[0].scaled(weights[0]);
-    first.plus(weights[1], &of[1]).plus(weights[2], &of[2])
-}
-
-/// Three such sums, by the rows of a matrix.
-fn transformed<const N: usize>(by: &[[f64; 3]; 3], of: &[Phase<N>; 3]) -> [Phase<N>; 3] {
-    by.map(|row| combination(&row, of))
 }

@@ -2,18 +2,19 @@
 
 use super::tableau::C;
 use crate::integrate::Phase;
+use crate::size::Size;
 
 /// The polynomial through the stages of a step that ends at `end`.
-#[derive(Clone, Copy)]
-pub(super) struct Polynomial<const N: usize> {
+#[derive(Clone)]
+pub(super) struct Polynomial<D: Size> {
     end: f64,
     h: f64,
-    coefficients: [Phase<N>; 4],
+    coefficients: [Phase<D>; 4],
 }
 
-impl<const N: usize> Polynomial<N> {
+impl<D: Size> Polynomial<D> {
     /// Newton's interpolation through the start and the stages, from the end backwards.
-    pub(super) fn new(end: f64, h: f64, phase: &Phase<N>, [z1, z2, z3]: &[Phase<N>; 3]) -> Self {
+    pub(super) fn new(end: f64, h: f64, phase: &Phase<D>, [z1, z2, z3]: &[Phase<D>; 3]) -> Self {
         let [c1, c2, _] = C;
         let third = z2.minus(z3).scaled(1.0 / (c2 - 1.0));
         let second = z1.minus(z2).scaled(1.0 / (c1 - c2));
@@ -22,12 +23,12 @@ impl<const N: usize> Polynomial<N> {
         Polynomial {
             end,
             h,
-            coefficients: [*phase, third, bend, bend.minus(&first)],
+            coefficients: [phase.clone(), third, bend.clone(), bend.minus(&first)],
         }
     }
 
     /// y = r1 + s (r2 + (s + 1 - c2) (r3 + (s + 1 - c1) r4)), s from -1 to 0 over the step.
-    pub(super) fn at(&self, t: f64) -> Phase<N> {
+    pub(super) fn at(&self, t: f64) -> Phase<D> {
         let s = (t - self.end) / self.h;
         let [r1, r2, r3, r4] = &self.coefficients;
         let inner = r3.plus(s + 1.0 - C[0], r4);

@@ -1,7 +1,8 @@
 //! Coefficients of the Radau IIA method of order 5.
 //!
-//! E. Hairer, G. Wanner, *Solving Ordinary Differential Equations II*, 2nd edition, section IV.5 (the method) and IV.8
-//! (its implementation); the digits of T and its inverse are those of their program RADAU5.
+//! E. Hairer, G. Wanner, *Solving Ordinary Differential Equations II*, 2nd edition, section IV.5
+//! (the method) and IV.8 (its implementation), and their program RADAU5, whose digits T and its
+//! inverse have here.
 
 use nalgebra::Complex;
 
