@@ -31,6 +31,7 @@ mod dual;
 #[cfg(feature = "num-dual")]
 mod dual_scalars;
 mod equations_of_motion;
+#[cfg(feature = "std")]
 mod evaluation;
 mod exact;
 mod factorisation;
@@ -39,8 +40,6 @@ mod formula;
 mod frame;
 mod friction;
 mod function;
-#[doc(hidden)]
-pub mod functions_by_name;
 #[cfg(feature = "std")]
 mod identification;
 mod inputs;
@@ -64,6 +63,7 @@ mod sequences;
 mod simulation;
 mod sine;
 mod singular;
+mod state;
 mod table;
 mod taylor;
 mod trajectory;
@@ -87,12 +87,11 @@ pub use conditioning::Conditioning;
 pub use configuration::Configuration;
 pub use double_double::DoubleDouble;
 pub use equations_of_motion::{EquationsOfMotion, Responses};
-pub use evaluation::{AccelerationDerivatives, SecondDerivatives, State};
-#[cfg(feature = "std")]
-pub use evaluation::{Evaluate, Evaluation};
 #[cfg(feature = "std")]
 #[doc(hidden)]
-pub use evaluation::{boxed, columns, vectors};
+pub use evaluation::Arguments;
+#[cfg(feature = "std")]
+pub use evaluation::{Evaluate, Evaluation, FunctionValue};
 pub use formula::Formula;
 pub use frame::{Frame, Tool};
 #[doc(hidden)]
@@ -123,6 +122,7 @@ pub use simulation::{
 #[doc(hidden)]
 pub use sine::{Part, sin_cos_column};
 pub use singular::SingularMassMatrix;
+pub use state::{AccelerationDerivatives, SecondDerivatives, State};
 pub use table::{
     Convention, Follower, Followers, JointMotion, JointType, Row, Spring, Stribeck, Table,
 };
