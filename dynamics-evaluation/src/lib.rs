@@ -17,7 +17,6 @@ mod methods;
 
 mod possible;
 mod read;
-mod record;
 mod robot;
 mod simulated;
 mod table;

@@ -10,7 +10,6 @@ use dynamics_symbolic::robot::Robot;
 use dynamics_symbolic::{Function, Request};
 
 use crate::compiled::Compiled;
-use crate::record::record;
 use crate::table::table;
 use crate::{BuildError, EvaluationError, RuntimeRobot, WrongJoints};
 
@@ -217,7 +216,7 @@ macro_rules! impl_model {
         }
 
         impl<const N: usize> Evaluate<N> for $typed<'_, N> {
-            fn evaluate(&self, state: &State<N>, tau: &SVector<f64, N>) -> Evaluation<N> {
+            fn evaluate(&self, state: &State<N>, tau: &SVector<f64, N>) -> Evaluation {
                 self.$($path.)*arm.evaluation(state, tau, |x| x)
             }
 
@@ -226,7 +225,7 @@ macro_rules! impl_model {
                 state: &State<N>,
                 tau: &SVector<f64, N>,
                 real: fn(f64) -> T,
-            ) -> Evaluation<N, T> {
+            ) -> Evaluation<T> {
                 self.$($path.)*arm.evaluation(state, tau, real)
             }
 
@@ -234,7 +233,7 @@ macro_rules! impl_model {
                 &self,
                 state: &State<N>,
                 tau: &SVector<f64, N>,
-                found: &mut dyn FnMut(&str, Evaluation<N>),
+                found: &mut dyn FnMut(&str, Evaluation),
             ) {
                 self.$($path.)*arm.evaluate_parts(state, tau, found);
             }
@@ -255,18 +254,21 @@ impl RuntimeRobot {
         state: &State<N>,
         tau: &SVector<f64, N>,
         real: fn(f64) -> T,
-    ) -> Evaluation<N, T> {
+    ) -> Evaluation<T> {
         let double = arguments(state, tau);
         let argument = |of, i| real(double(of, i));
         let mut evaluation = Evaluation::default();
         for function in self.functions() {
-            if let Request::One(name) = function.request {
+            // A Taylor series is no program over numbers.
+            if let Request::One(one) = function.request
+                && one != Function::TaylorSeries
+            {
                 let shared = self.shared(function, &T::from_f64);
                 let values = self.values(function, &shared, &argument, &T::from_f64);
-                record(&mut evaluation, name, values);
+                evaluation.set(one.name(), values);
             }
         }
-        evaluation.combined(&state.qd.map(real))
+        evaluation.combined(state.qd.map(real).as_slice())
     }
 
     /// The parts of the methods that return several functions, each method by its own program.
@@ -274,7 +276,7 @@ impl RuntimeRobot {
         &self,
         state: &State<N>,
         tau: &SVector<f64, N>,
-        found: &mut dyn FnMut(&str, Evaluation<N>),
+        found: &mut dyn FnMut(&str, Evaluation),
     ) {
         let argument = arguments(state, tau);
         for function in self.functions() {
@@ -287,10 +289,21 @@ impl RuntimeRobot {
             let mut evaluation = Evaluation::default();
             for &part in &fused.parts {
                 let entries = part.shape().entries(function.layout.sizes);
-                let of_part = values.as_mut().map(|values| values.take(entries).collect());
-                record(&mut evaluation, part, of_part.map_err(|error| *error));
+                match &mut values {
+                    Ok(values) => {
+                        let of_part: Vec<f64> = values.take(entries).collect();
+                        evaluation.set(part.name(), of_part);
+                    }
+                    Err(error) if part.row().refuses => {
+                        evaluation.set(part.name(), Err::<f64, _>(*error));
+                    }
+                    Err(_) => {}
+                }
             }
-            found(function.request.name(), evaluation.combined(&state.qd));
+            found(
+                function.request.name(),
+                evaluation.combined(state.qd.as_slice()),
+            );
         }
     }
 }

@@ -31,6 +31,7 @@ mod dual;
 #[cfg(feature = "num-dual")]
 mod dual_scalars;
 mod equations_of_motion;
+#[cfg(feature = "std")]
 mod evaluation;
 mod exact;
 mod factorisation;
@@ -39,8 +40,6 @@ mod formula;
 mod frame;
 mod friction;
 mod function;
-#[doc(hidden)]
-pub mod functions_by_name;
 #[cfg(feature = "std")]
 mod identification;
 mod inputs;
@@ -65,6 +64,7 @@ mod simulation;
 mod sine;
 mod singular;
 mod size;
+mod state;
 mod table;
 mod taylor;
 mod trajectory;
@@ -92,12 +92,11 @@ pub use dual::Dual;
 #[cfg(feature = "std")]
 pub use equations_of_motion::SizedModel;
 pub use equations_of_motion::{EquationsOfMotion, Responses};
-pub use evaluation::{AccelerationDerivatives, SecondDerivatives, State};
-#[cfg(feature = "std")]
-pub use evaluation::{Evaluate, Evaluation};
 #[cfg(feature = "std")]
 #[doc(hidden)]
-pub use evaluation::{boxed, columns, vectors};
+pub use evaluation::Arguments;
+#[cfg(feature = "std")]
+pub use evaluation::{Evaluate, Evaluation, FunctionValue};
 pub use formula::Formula;
 pub use frame::{Frame, Tool};
 #[doc(hidden)]
@@ -130,6 +129,7 @@ pub use simulation::{
 pub use sine::{Part, sin_cos_column};
 pub use singular::SingularMassMatrix;
 pub use size::{JointMatrix, JointVector, Size, SizedSecondDerivatives};
+pub use state::{AccelerationDerivatives, SecondDerivatives, State};
 #[cfg(feature = "std")]
 pub use table::RuntimeTable;
 #[doc(hidden)]

@@ -99,14 +99,6 @@ impl Entry {
         }
     }
 
-    /// The same entry, of a joint.
-    pub(super) fn of_joint(self, joint: usize) -> Self {
-        Entry {
-            joint: Some(joint),
-            ..self
-        }
-    }
-
     /// Where the scale is zero nothing but an exact agreement will do.
     fn relative(&self, size: f64) -> f64 {
         if size == 0.0 {
@@ -139,21 +131,13 @@ impl Deviation {
         }
     }
 
-    /// Row i belongs to joint i.
-    pub(super) fn of_matrix<T: Measured, const R: usize, const C: usize>(
-        function: &'static str,
-        difference: &SMatrix<T, R, C>,
-        scale: f64,
-    ) -> Self {
-        Deviation::worst(function, entries(*difference, scale))
-    }
-
-    pub(super) fn of_number<T: Measured>(
-        function: &'static str,
-        difference: T,
-        scale: f64,
-    ) -> Self {
-        let entry = Entry::new(None, difference, scale);
-        Deviation::worst(function, core::iter::once(entry))
+    /// Of a value that there is nothing to compare with.
+    pub(super) fn not_compared(function: &'static str) -> Self {
+        Deviation {
+            function,
+            error: None,
+            rounding: 0.0,
+            joint: None,
+        }
     }
 }

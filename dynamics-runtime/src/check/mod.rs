@@ -1,10 +1,9 @@
 //! Comparison of a generated model with the numeric recursive Newton-Euler algorithm.
 
 mod accelerations;
-mod coefficients;
+mod at;
 mod deviation;
 mod functions;
-mod kinematics;
 pub(crate) mod random;
 mod report;
 mod scale;
@@ -14,12 +13,13 @@ use core::f64::consts::PI;
 use core::ops::RangeInclusive;
 use std::collections::BTreeMap;
 
-use nalgebra::SVector;
+use nalgebra::{SMatrix, SVector};
 
 use crate::certified::accelerations_near;
-use crate::{Certified, Evaluate, Evaluation, NewtonEuler, State, Table};
+use crate::{Certified, Evaluate, Evaluation, NewtonEuler};
+use at::At;
 use deviation::Deviation;
-use functions::{deviations, gravity_energy};
+use functions::deviations;
 
 pub use report::{FunctionReport, Report};
 
@@ -130,7 +130,7 @@ impl Check {
 
     /// Compares every generated function of the robot at all states.
     pub fn run<R: Evaluate<N>, const N: usize>(&self, robot: &R) -> Report {
-        self.report(robot, |_, _, _| Vec::new())
+        self.report(robot, |_| Vec::new())
     }
 
     /// The same, and beside the largest error of each function the largest proven bound of its rounding errors. For the
@@ -141,10 +141,9 @@ impl Check {
     /// There are no bounds for arms that were not generated, nor for the parts of a method that returns several
     /// functions.
     pub fn certify<R: Evaluate<N>, const N: usize>(&self, robot: &R) -> Report {
-        self.report(robot, |numeric, table, (state, tau)| {
-            let evaluation = robot.evaluate_in(state, tau, Certified::exact);
-            let evaluation = by_residuals(evaluation, state, tau);
-            deviations(&evaluation, numeric, table, (state, tau), 0.0)
+        self.report(robot, |at| {
+            let evaluation = robot.evaluate_in(at.state, at.tau, Certified::exact);
+            deviations(&by_residuals(evaluation, at), at)
         })
     }
 
@@ -152,7 +151,7 @@ impl Check {
     fn report<R: Evaluate<N>, const N: usize>(
         &self,
         robot: &R,
-        rounding: impl Fn(&NewtonEuler<N>, &Table<N>, (&State<N>, &SVector<f64, N>)) -> Vec<Deviation>,
+        rounding: impl Fn(&At<N>) -> Vec<Deviation>,
     ) -> Report {
         let table = robot.table();
         let numeric = NewtonEuler::new(&table);
@@ -170,14 +169,14 @@ impl Check {
         for (label, state) in &states {
             report.note_conditioning(label, numeric.conditioning(&state.q));
             let tau = numeric.inverse_dynamics(&state.q, &state.qd, &state.qdd);
-            let mut compare = |method: Option<&str>, evaluation: Evaluation<N>| {
+            let mut at = At::new(&numeric, &table, state, &tau);
+            let mut compare = |method: Option<&str>, evaluation: Evaluation| {
                 let open = || {
-                    let (_, potential) = evaluation.energies_of_parameters.unwrap_or_default();
-                    potential - gravity_energy(&numeric, &table, &state.q)
+                    let energies: Option<(f64, f64)> = evaluation.get("energies_form");
+                    energies.unwrap_or_default().1 - at.gravity_energy()
                 };
-                let datum = *data.entry(method.map(String::from)).or_insert_with(open);
-                let found = deviations(&evaluation, &numeric, &table, (state, &tau), datum);
-                for deviation in found {
+                at.datum = *data.entry(method.map(String::from)).or_insert_with(open);
+                for deviation in deviations(&evaluation, &at) {
                     let tolerance = self.tolerance * N as f64;
                     report.record(method, &deviation, tolerance, label, state);
                 }
@@ -186,7 +185,7 @@ impl Check {
             robot.evaluate_parts(state, &tau, &mut |method, parts| {
                 compare(Some(method), parts)
             });
-            for deviation in rounding(&numeric, &table, (state, &tau)) {
+            for deviation in rounding(&at) {
                 report.note_rounding(&deviation);
             }
         }
@@ -196,20 +195,21 @@ impl Check {
 
 /// Bounds of accelerations by their residuals in the equations of motion.
 fn by_residuals<const N: usize>(
-    found: Evaluation<N, Certified>,
-    state: &State<N>,
-    tau: &SVector<f64, N>,
-) -> Evaluation<N, Certified> {
-    let (Some(mass_matrix), Some(torques)) = (found.mass_matrix, found.inverse_dynamics) else {
+    mut found: Evaluation<Certified>,
+    at: &At<N>,
+) -> Evaluation<Certified> {
+    let mass_matrix: Option<SMatrix<Certified, N, N>> = found.get("mass_matrix");
+    let torques: Option<SVector<Certified, N>> = found.get("inverse_dynamics");
+    let (Some(mass_matrix), Some(torques)) = (mass_matrix, torques) else {
         return found;
     };
-    let left = tau.map(Certified::exact) - torques;
-    let sharpened = |qdd: SVector<_, N>| accelerations_near((&state.qdd, &left), &mass_matrix, qdd);
-    Evaluation {
-        forward_dynamics: found.forward_dynamics.map(|qdd| qdd.map(sharpened)),
-        forward_dynamics_aba: found.forward_dynamics_aba.map(|qdd| qdd.map(sharpened)),
-        ..found
+    let left = at.tau.map(Certified::exact) - torques;
+    for name in ["forward_dynamics", "forward_dynamics_aba"] {
+        if let Some(qdd) = found.get(name) {
+            found.set(name, accelerations_near((at.qdd, &left), &mass_matrix, qdd));
+        }
     }
+    found
 }
 
 impl Default for Check {
@@ -218,7 +218,5 @@ impl Default for Check {
     }
 }
 
-#[cfg(test)]
-mod controller_tests;
 #[cfg(test)]
 mod tests;

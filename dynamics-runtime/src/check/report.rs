@@ -5,6 +5,7 @@ use core::fmt;
 use nalgebra::SVector;
 
 use super::deviation::Deviation;
+use super::functions::reason;
 use crate::{Conditioning, State};
 
 /// The largest error of every generated function, and where it occurs.
@@ -232,17 +233,6 @@ impl fmt::Display for Report {
             }
         }
         Ok(())
-    }
-}
-
-/// Why a function could be compared at no state.
-fn reason(function: &str) -> &'static str {
-    match function {
-        "regressor" | "energy_regressors" | "passivity_regressor" => {
-            "that takes `base_parameters` too"
-        }
-        "base_parameters" => "that takes `regressor` too",
-        _ => "the mass matrix is singular",
     }
 }
 

@@ -2,8 +2,8 @@
 
 use nalgebra::{Const, SVector};
 
+use super::TaylorCoefficients;
 use super::TaylorDynamics;
-use super::coefficients::TaylorCoefficients;
 use super::first_root::Polynomial;
 use super::numbers::Series;
 use super::step_size::step_size;

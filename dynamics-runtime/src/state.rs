@@ -1,0 +1,62 @@
+//! A state of an arm, and types of the values of functions there.
+
+use nalgebra::{SMatrix, SVector, Vector6};
+
+/// Position, velocity and acceleration of all joints.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct State<const N: usize> {
+    /// Joint positions, rad or m.
+    pub q: SVector<f64, N>,
+    /// Joint velocities, rad/s or m/s.
+    pub qd: SVector<f64, N>,
+    /// Joint accelerations, rad/s^2 or m/s^2.
+    pub qdd: SVector<f64, N>,
+}
+
+/// Some functions have arguments that a state does not hold. Checks make them of the state, so that the state is all
+/// that they choose: these arguments are as fast as the state, and none is a multiple of another argument of the same
+/// function.
+impl<const N: usize> State<N> {
+    /// qd_r, a reference velocity.
+    #[doc(hidden)]
+    pub fn reference_velocity(&self) -> SVector<f64, N> {
+        self.qdd * 0.25
+    }
+
+    /// qdd_r, a reference acceleration.
+    #[doc(hidden)]
+    pub fn reference_acceleration(&self) -> SVector<f64, N> {
+        self.qd * 4.0 - self.qdd * 0.5
+    }
+
+    /// The rates of the accelerations.
+    #[doc(hidden)]
+    pub fn jerk(&self) -> SVector<f64, N> {
+        self.qdd * -2.0 + self.qd * 8.0
+    }
+
+    /// The rates of the jerk.
+    #[doc(hidden)]
+    pub fn snap(&self) -> SVector<f64, N> {
+        self.qdd * 8.0 - self.qd * 4.0
+    }
+
+    /// A force on the tip and a moment about its origin: the same at every state.
+    #[doc(hidden)]
+    pub fn wrench() -> Vector6<f64> {
+        Vector6::new(5.0, -3.0, 8.0, 2.0, -1.0, 0.5)
+    }
+}
+
+/// d2 tau/dq dq, d2 tau/dqd dqd, d2 tau/dq dqd and dM/dq, each a matrix for every joint force: entry
+/// `[i][(j, k)]` is that of tau_i by q_j and q_k, by qd_j and qd_k, by q_j and qd_k, and dM_ij/dq_k.
+pub type SecondDerivatives<T, const N: usize> = (
+    [SMatrix<T, N, N>; N],
+    [SMatrix<T, N, N>; N],
+    [SMatrix<T, N, N>; N],
+    [SMatrix<T, N, N>; N],
+);
+
+/// d qdd/dq, d qdd/dqd and d qdd/d tau, the inverse of M.
+pub type AccelerationDerivatives<T, const N: usize> =
+    (SMatrix<T, N, N>, SMatrix<T, N, N>, SMatrix<T, N, N>);
