@@ -330,6 +330,9 @@ fn body(body: &Body) -> Entries {
     cells
 }
 
+// Each cell is written by `line_as_written` or by `of_joint`.
+const _: () = assert!(Joint::CELLS == 11);
+
 /// What a row says of the joint itself: motor, friction, spring, limits.
 fn of_joint(joint: &Joint) -> Entries {
     let named = |word, x: &Value| (!x.is_zero()).then(|| entry(word, value(x)));
