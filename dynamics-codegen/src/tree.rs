@@ -1,11 +1,12 @@
 //! The tree that a call or a file becomes before anybody knows what its words mean: words, values and groups of them, and
 //! where each stands.
 
-use std::borrow::Cow;
+use proc_macro2::TokenTree;
 
 use crate::description::{Expr, Name, Share};
 use crate::mistake::Mistake;
 use crate::place::Place;
+use crate::words::shortened;
 
 /// A language in which robots are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,12 +26,33 @@ pub(crate) type Fault = (Place, Mistake);
 pub(crate) struct Node {
     pub(crate) place: Place,
     pub(crate) kind: Kind,
-    /// Its first word or sign, or its kind, as a message shows it; none where the tokens of a call end.
-    pub(crate) found: Option<Cow<'static, str>>,
+    pub(crate) found: Found,
     /// Mistakes in front of it and in its delimiters.
     pub(crate) faults: Vec<Fault>,
     /// Mistakes between it and the next item. A value that cannot be read is mistake enough.
     pub(crate) behind: Vec<Fault>,
+}
+
+/// What a message says is there.
+#[derive(Clone, Debug)]
+pub(crate) enum Found {
+    /// The first word or number of a value in a call.
+    Token(TokenTree),
+    /// The first sign, or the kind of a value in a file.
+    Sign(&'static str),
+    /// Nothing: the tokens of a call end.
+    Nothing,
+}
+
+impl Found {
+    /// As a message shows it.
+    pub(crate) fn shown(&self) -> Option<String> {
+        match self {
+            Found::Token(token) => Some(format!("`{}`", shortened(&token.to_string()))),
+            Found::Sign(sign) => Some((*sign).to_owned()),
+            Found::Nothing => None,
+        }
+    }
 }
 
 /// The kinds of value.
@@ -113,7 +135,7 @@ impl Node {
         Node {
             place,
             kind,
-            found: Some(found.into()),
+            found: Found::Sign(found),
             faults: Vec::new(),
             behind: Vec::new(),
         }

@@ -358,6 +358,9 @@ fn cells(row: Line) -> Entries {
     cells
 }
 
+// Each cell is written by `line_as_written` or by `of_joint`.
+const _: () = assert!(Joint::CELLS == 11);
+
 /// The motor, friction, spring and limits of a joint.
 fn of_joint(joint: &Joint) -> Entries {
     let named = |word, x: &Value| unless_zero(word, value(x));

@@ -8,7 +8,7 @@ use crate::diagnose::{Diagnostics, Reported};
 use crate::mistake::expected::Expected;
 use crate::mistake::{self, Mistake};
 use crate::place::Place;
-use crate::tree::Fault;
+use crate::tree::{Fault, Found};
 use crate::words::{LONGEST, shortened};
 
 /// A position in the tokens of one group.
@@ -105,15 +105,31 @@ impl<'t> Cursor<'t> {
 
     /// What comes next, as a message shows it.
     pub(crate) fn found(&self) -> Option<String> {
-        if self.at_path_separator() {
-            return Some("`::`".to_owned());
+        self.start().1.shown()
+    }
+
+    /// Where the next token is, or at the end the last one, and how a message shows it.
+    pub(crate) fn start(&self) -> (Place, Found) {
+        // A group as a token would be a copy of all that is in it.
+        let mut delimiters = DELIMITERS.into_iter();
+        let group = delimiters.find_map(|delimiter| Some((delimiter, self.rest.group(delimiter)?)));
+        if let Some((delimiter, (_, span, _))) = group.filter(|_| !self.diagnostics.is_full()) {
+            return (span.join().into(), Found::Sign(opening(delimiter)));
         }
-        self.peek().map(|token| describe(&token))
+        let Some(token) = self.peek() else {
+            return (self.last, Found::Nothing);
+        };
+        let place = token.span().into();
+        let is_colon = matches!(&token, TokenTree::Punct(punct) if punct.as_char() == ':');
+        if is_colon && self.at_path_separator() {
+            return (place, Found::Sign("`::`"));
+        }
+        (place, Found::Token(token))
     }
 
     /// The next token, or, at the end, the last one.
     pub(crate) fn here(&self) -> Place {
-        self.peek().map_or(self.last, |token| token.span().into())
+        self.start().0
     }
 
     /// The token that was read last.
@@ -417,15 +433,12 @@ fn is_digits(literal: &Literal) -> bool {
     literal.to_string().chars().all(|c| c.is_ascii_digit())
 }
 
-/// The token as a message shows it.
-fn describe(token: &TokenTree) -> String {
-    match token {
-        TokenTree::Group(group) => match group.delimiter() {
-            Delimiter::Parenthesis => "`(`".to_owned(),
-            Delimiter::Brace => "`{`".to_owned(),
-            Delimiter::Bracket => "`[`".to_owned(),
-            Delimiter::None => "nothing".to_owned(),
-        },
-        token => format!("`{}`", shortened(&token.to_string())),
+/// The start of a group, as a message shows it.
+fn opening(delimiter: Delimiter) -> &'static str {
+    match delimiter {
+        Delimiter::Parenthesis => "`(`",
+        Delimiter::Brace => "`{`",
+        Delimiter::Bracket => "`[`",
+        Delimiter::None => "nothing",
     }
 }

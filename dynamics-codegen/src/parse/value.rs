@@ -6,7 +6,7 @@ use super::cursor::Cursor;
 use super::expression::{at_value, ends_word, expression, function};
 use super::list::{colon, comma_separated};
 use crate::description::{Name, Share};
-use crate::tree::{Fault, Key, KeyKind, Kind, Node};
+use crate::tree::{Fault, Found, Key, KeyKind, Kind, Node};
 
 /// Reads a value.
 pub(super) fn value(cursor: &mut Cursor) -> Node {
@@ -17,10 +17,11 @@ pub(super) fn value(cursor: &mut Cursor) -> Node {
 
 /// The node of a value that is not there: something else is, or nothing.
 pub(super) fn absent(cursor: &Cursor) -> Node {
+    let (place, found) = cursor.start();
     Node {
-        place: cursor.here(),
+        place,
         kind: Kind::Absent,
-        found: cursor.found().map(Into::into),
+        found,
         faults: Vec::new(),
         behind: Vec::new(),
     }
@@ -32,9 +33,6 @@ fn kind(cursor: &mut Cursor) -> Kind {
     }
     if let Some(group) = cursor.take_group(Delimiter::Bracket) {
         return Kind::List(list(cursor.inside(&group)));
-    }
-    if let Some(text) = cursor.take_text() {
-        return Kind::Text(text);
     }
     let mut behind = cursor.clone();
     if let Some(word) = behind.take_ident() {
@@ -54,9 +52,10 @@ fn kind(cursor: &mut Cursor) -> Kind {
     number(cursor)
 }
 
-/// An expression, or a share.
+/// An expression, a share or a text.
 fn number(cursor: &mut Cursor) -> Kind {
     let errors = cursor.errors();
+    let mut start = cursor.clone();
     match expression(cursor) {
         Ok((value, None)) => Kind::Value(value),
         Ok((number, Some(sign))) => Kind::Share(Share {
@@ -64,7 +63,14 @@ fn number(cursor: &mut Cursor) -> Kind {
             number,
             percent: true,
         }),
-        Err(_) => Kind::Unreadable(cursor.take_errors(errors)),
+        Err(_) => {
+            let faults = cursor.take_errors(errors);
+            let Some(text) = start.take_text() else {
+                return Kind::Unreadable(faults);
+            };
+            *cursor = start;
+            Kind::Text(text)
+        }
     }
 }
 
@@ -110,7 +116,7 @@ pub(super) fn pair<'t>(
     let value = read(cursor);
     Node {
         place: name.span().into(),
-        found: Some(format!("`{name} = ...`").into()),
+        found: Found::Token(name.clone().into()),
         kind: Kind::Pair(Key::from(name), Box::new(value)),
         faults: Vec::new(),
         behind: Vec::new(),

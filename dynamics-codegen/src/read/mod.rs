@@ -163,7 +163,8 @@ impl Reader<'_> {
 
     /// A joint or a link, in quotes where its name is no word.
     fn name_of(&self, node: &Node, what: &expected::Expected) -> Read<Name> {
-        let found = node.found.as_deref().unwrap_or_default().trim_matches('`');
+        let found = node.found.shown().unwrap_or_default();
+        let found = found.trim_matches('`');
         match &node.kind {
             Kind::Word(name) => Ok(name.clone()),
             Kind::Text(text) => self.name(text, node.place),

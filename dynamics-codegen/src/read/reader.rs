@@ -75,7 +75,12 @@ impl<'d> Reader<'d> {
 
     /// Reports that something else stands there; of what could not be told apart at all, why.
     pub(super) fn instead_of(&self, what: &Expected, node: &Node) -> Reported {
-        let otherwise = || self.error(node.place, mistake::instead(what, node.found.as_deref()));
+        let otherwise = || {
+            self.error(
+                node.place,
+                mistake::instead(what, node.found.shown().as_deref()),
+            )
+        };
         let is_absent = matches!(node.kind, Kind::Absent);
         let known = is_absent.then(|| self.report(&node.faults)).flatten();
         known.unwrap_or_else(otherwise)

@@ -18,6 +18,10 @@ use Quantity::{Angle, Number};
 macro_rules! cells {
     ($($name:ident: $quantity:tt),*) => {
         impl Row {
+            /// How many cells every row has. A program that writes out each of them asserts the number: the compiler then
+            /// names it when there is another cell.
+            pub const CELLS: usize = [$(stringify!($name)),*].len();
+
             /// A row of zeros: a link without mass in the place of the one before it.
             pub fn new(name: impl Into<String>, joint_type: JointType) -> Self {
                 Row {
