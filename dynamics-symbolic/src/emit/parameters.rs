@@ -91,7 +91,7 @@ impl Formulas {
     /// In the links' own parameters alone; `None` where that is too long to read.
     fn expanded(robot: &Robot, observed: &Observed) -> Option<Self> {
         let all = Polynomials::default();
-        let couplings = Couplings::of(&all, robot, observed);
+        let couplings = Couplings::new(&all, robot, observed);
         let (columns, _) = columns(&all, robot, &observed.grouping, false);
         let (columns, coefficients) = couplings.applied(observed, columns);
         let columns: Vec<_> = columns.iter().map(|column| column.text()).collect();
@@ -106,7 +106,7 @@ impl Formulas {
     /// In parameters with an apostrophe.
     fn in_steps(robot: &Robot, observed: &Observed) -> Self {
         let all = Polynomials::default();
-        let couplings = Couplings::of(&all, robot, observed);
+        let couplings = Couplings::new(&all, robot, observed);
         let (columns, steps) = columns(&all, robot, &observed.grouping, true);
         let (columns, coefficients) = couplings.applied(observed, columns);
         let mut used: Vec<_> = columns
@@ -176,7 +176,7 @@ struct Couplings<'p> {
 }
 
 impl<'p> Couplings<'p> {
-    fn of(all: &'p Polynomials, robot: &Robot, observed: &Observed) -> Self {
+    fn new(all: &'p Polynomials, robot: &Robot, observed: &Observed) -> Self {
         let mut terms = Vec::new();
         if !robot.is_coupled() {
             let coefficients = Vec::new();

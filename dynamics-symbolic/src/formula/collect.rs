@@ -32,9 +32,9 @@ pub(super) fn collected(atoms: &Atoms, polynomial: &Polynomial<Atom>) -> Express
             monomial: parameters,
             ..single
         };
-        let of_motion = by_motion.entry(Key::of(motion)).or_default();
+        let of_motion = by_motion.entry(Key::new(motion)).or_default();
         of_motion
-            .entry(Key::of(position))
+            .entry(Key::new(position))
             .or_default()
             .push(parameters);
     }
@@ -65,7 +65,7 @@ fn of_position((position, sum): (Key, Vec<Single>)) -> Vec<Term> {
 struct Key(Monomial<Atom>);
 
 impl Key {
-    fn of(monomial: Monomial<Atom>) -> Self {
+    fn new(monomial: Monomial<Atom>) -> Self {
         Key(inverse(&monomial))
     }
 

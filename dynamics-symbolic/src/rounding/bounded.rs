@@ -1,10 +1,10 @@
 //! Numbers with a bound on their error, and the rule of each operation.
 //!
-//! What a processor computes for `a + b` is the sum of the operands that it has, times `1 + d` with
-//! |d| <= u. So the distance from the exact result is at most what the operands were wrong by, passed
-//! on by the operation, and u times the result (Higham, Accuracy and Stability of Numerical
-//! Algorithms, 2002, section 3.3). The rules stand here and nowhere else, and know nothing but
-//! doubles. The roundings of the bound itself, some 1e-16 of it, are left out.
+//! A processor computes for `a + b` the sum of the operands that it has, times `1 + d` with |d| <= u. So the distance
+//! from the exact result is at most the error that the operands pass on, and u times the result (Higham, Accuracy and
+//! Stability of Numerical Algorithms, 2002, section 3.3). `Ranged` has the same rules for intervals, and the runtime's
+//! `Certified` for values at run time; both round every bound upwards. Here the roundings of the bound itself, some
+//! 1e-16 of it, are left out.
 
 use core::ops::{Add, Div, Mul, Neg};
 

@@ -84,7 +84,7 @@ fn term(to: &dyn Notation, names: &Names, term: &Term) -> String {
     };
     let mut factors = write(&term.factors);
     if term.number != Number::ONE || factors.is_empty() {
-        factors.insert(0, to.number(&number::Written::of(&term.number)));
+        factors.insert(0, to.number(&number::Written::new(&term.number)));
     }
     let divisors = write(&term.divisors);
     match divisors.is_empty() {
