@@ -147,7 +147,7 @@ fn structures(robot: &Robot, request: &Request, program: &Program) -> Vec<String
     let parts = request.parts();
     let spans = spans(parts, robot.dof(), program.outputs.len());
     let structure = |(part, span): (&Function, _)| {
-        let structure = Structure::of(robot, *part, program, span)?;
+        let structure = Structure::new(robot, *part, program, span)?;
         Some([String::new(), format!(" {}", structure.sentence())])
     };
     let structures = parts.iter().zip(spans).filter_map(structure);

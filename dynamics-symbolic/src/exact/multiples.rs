@@ -129,15 +129,15 @@ mod tests {
         Number::from_rational(&x).unwrap()
     }
 
-    fn of<const N: usize>(factors: [(i64, u64); N]) -> Vec<Vec<i64>> {
+    fn found<const N: usize>(factors: [(i64, u64); N]) -> Vec<Vec<i64>> {
         common_angles(&factors.map(|(n, d)| fraction(n, d)))
     }
 
     #[test]
     fn fractions_have_a_common_angle() {
-        let angles = of([(1, 1), (-1, 2), (2, 1), (5, 3), (0, 1)]);
+        let angles = found([(1, 1), (-1, 2), (2, 1), (5, 3), (0, 1)]);
         assert_eq!(angles, [[6], [-3], [12], [10], [0]]);
-        assert_eq!(of([(0, 1)]), [[0; 0]]);
+        assert_eq!(found([(0, 1)]), [[0; 0]]);
     }
 
     #[test]
@@ -149,26 +149,26 @@ mod tests {
 
     #[test]
     fn decimals_have_angles_of_their_own_but_for_their_short_relations() {
-        assert_eq!(of([(1, 1), (-997, 1000)]), [[1, 0], [0, 1]]);
-        assert_eq!(of([(1, 1), (1, 5)]), [[1, 0], [0, 1]]);
+        assert_eq!(found([(1, 1), (-997, 1000)]), [[1, 0], [0, 1]]);
+        assert_eq!(found([(1, 1), (1, 5)]), [[1, 0], [0, 1]]);
         // 1/3 + 2/3 in four decimals, and four times one less three times the other.
-        let angles = of([(1, 1), (3_333, 10_000), (6_667, 10_000)]);
+        let angles = found([(1, 1), (3_333, 10_000), (6_667, 10_000)]);
         assert_eq!(angles, [[1, 0], [0, 1], [1, -1]]);
-        let angles = of([(1, 1), (123_457, 1_000_000), (493_828, 3_000_000)]);
+        let angles = found([(1, 1), (123_457, 1_000_000), (493_828, 3_000_000)]);
         assert_eq!(angles, [[1, 0], [0, 3], [0, 4]]);
     }
 
     #[test]
     fn multiples_are_bounded() {
         let powers = [0, 1, 2, 3, 4, 5].map(|k| (4_i64.pow(k), 1));
-        let angles = of(powers);
+        let angles = found(powers);
         assert!(angles.iter().flatten().all(|n| (0..=64).contains(n)));
         assert_eq!(angles[0].len(), 2);
     }
 
     #[test]
     fn more_factors_than_relations_are_looked_for() {
-        let angles = of([(1, 1); 12]);
+        let angles = found([(1, 1); 12]);
         assert_eq!(angles[..9], [[1, 0]; 9]);
         assert_eq!(angles[9..], [[0, 1]; 3]);
     }

@@ -26,7 +26,7 @@ impl<const P: u64> Residue<P> {
     pub const ONE: Self = Residue(1);
 
     /// The residue of an integer.
-    pub fn new(n: u64) -> Self {
+    pub const fn new(n: u64) -> Self {
         Residue(n % P)
     }
 

@@ -18,7 +18,7 @@ pub(super) struct Member {
 
 impl Groups {
     /// The groups of an arm.
-    pub(super) fn of(robot: &Robot) -> Self {
+    pub(super) fn new(robot: &Robot) -> Self {
         let mut groups: Vec<Vec<Member>> = Vec::new();
         let mut is_parallel = false;
         let mut is_reversed = false;

@@ -22,9 +22,9 @@ pub struct Structure {
 type Variable = (Argument, usize);
 
 impl Structure {
-    /// That of the outputs in a span of a program, which are the values of a function. `None` where
+    /// The structure of the outputs in a span of a program, which are the values of a function. `None` where
     /// the values have no letter, and where there is only one.
-    pub fn of(
+    pub fn new(
         robot: &Robot,
         function: Function,
         program: &Program,

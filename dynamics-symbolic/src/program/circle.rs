@@ -53,7 +53,7 @@ fn halved(x: Rational) -> Rational {
 mod tests {
     use super::*;
 
-    fn of(angle: Value) -> [Rational; 2] {
+    fn known(angle: Value) -> [Rational; 2] {
         sine_and_cosine(&angle).expect("it is known")
     }
 
@@ -61,18 +61,18 @@ mod tests {
     fn rational_sines_are_exact() {
         let twelfth = |n: i64| Value::Pi * Value::Rational(Rational::from(n) / Rational::from(6));
         let half = || Rational::ONE / Rational::from(2);
-        assert_eq!(of(twelfth(1))[0], half());
-        assert_eq!(of(twelfth(2))[1], half());
-        assert_eq!(of(twelfth(-1))[0], -half());
-        assert_eq!(of(twelfth(7))[0], -half());
-        assert_eq!(of(twelfth(3)), [Rational::ONE, Rational::ZERO]);
-        assert_eq!(of(twelfth(6)), [Rational::ZERO, -Rational::ONE]);
+        assert_eq!(known(twelfth(1))[0], half());
+        assert_eq!(known(twelfth(2))[1], half());
+        assert_eq!(known(twelfth(-1))[0], -half());
+        assert_eq!(known(twelfth(7))[0], -half());
+        assert_eq!(known(twelfth(3)), [Rational::ONE, Rational::ZERO]);
+        assert_eq!(known(twelfth(6)), [Rational::ZERO, -Rational::ONE]);
     }
 
     #[test]
     fn other_sines_are_near() {
         for angle in [0.3_f64, -1.7, 2.5, 4.0, 1e-9, 100.0] {
-            let [s, c] = of(Value::from_f64(angle).unwrap());
+            let [s, c] = known(Value::from_f64(angle).unwrap());
             assert!((s.to_f64().value() - angle.sin()).abs() < 1e-15);
             assert!((c.to_f64().value() - angle.cos()).abs() < 1e-15);
             let error = &s * &s + &c * &c - Rational::ONE;

@@ -8,6 +8,9 @@ use crate::robot::{Interpretation, JointType, Robot, Symbol, Value};
 /// A number of the field in which programs are proven: 2^62 - 57 is prime.
 pub type Number = Residue<{ (1 << 62) - 57 }>;
 
+/// 1/2, because 2 (2^61 - 28) = 2^62 - 56.
+pub(super) const HALF: Number = Number::new((1 << 61) - 28);
+
 /// The variables of one joint at the random point.
 #[derive(Clone, Copy, Debug)]
 pub struct JointPoint {
@@ -38,7 +41,7 @@ pub struct Assignment {
     pi: Number,
     fields: Vec<Number>,
     angles: Vec<(Value, (Number, Number))>,
-    /// Those of the joints that move by themselves, then those of the followers.
+    /// The joints that move by themselves, then the followers.
     joints: Vec<JointPoint>,
     seed: u64,
     unfaithful: bool,
@@ -125,7 +128,7 @@ impl Assignment {
         &self.joints
     }
 
-    /// What is read at this point, but for the joints, which are at a point of another arm.
+    /// Reads at this point, with joints at a point of another arm.
     pub(super) fn with_joints_of<T>(
         &mut self,
         robot: &Robot,

@@ -236,7 +236,7 @@ fn structure_of_short_and_long_arms() {
         let robot = arms::robot(name);
         let program = derive(&robot, function);
         let span = 0..program.outputs.len();
-        Structure::of(&robot, function, &program, span).map(|structure| structure.sentence())
+        Structure::new(&robot, function, &program, span).map(|structure| structure.sentence())
     };
     let of_mass = sentence("two_link_craig", Function::MassMatrix);
     let expected = "M22 is constant; M11, M12 depend on q2.";

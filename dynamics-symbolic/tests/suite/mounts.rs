@@ -123,6 +123,26 @@ impl Random {
     }
 }
 
+/// The arm without the rows that [`mounted`] adds: the proof reads the mounts as they were written.
+fn without_places(robot: &Robot) -> Robot {
+    let is_written = |row: &Row| row.mount.is_some();
+    let index = |row: usize| {
+        robot.rows[..row]
+            .iter()
+            .filter(|row| is_written(row))
+            .count()
+    };
+    let mut rows = robot.rows.clone();
+    for coupling in rows.iter_mut().filter_map(|row| row.follows.as_mut()) {
+        coupling.leader = index(coupling.leader);
+    }
+    rows.retain(is_written);
+    Robot {
+        rows,
+        ..robot.clone()
+    }
+}
+
 #[test]
 fn functions_of_mounted_joints_are_proven() {
     let functions = [
@@ -145,9 +165,11 @@ fn functions_of_mounted_joints_are_proven() {
         let robot = Random { random, slanted }.robot();
         for function in functions {
             let program = derive_plain(&robot, function);
-            prove(&robot, function, &program).unwrap_or_else(|failure| {
-                panic!("seed {seed}: {failure}");
-            });
+            for robot in [&robot, &without_places(&robot)] {
+                prove(robot, function, &program).unwrap_or_else(|failure| {
+                    panic!("seed {seed}: {failure}");
+                });
+            }
         }
     }
 }

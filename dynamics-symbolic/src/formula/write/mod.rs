@@ -101,7 +101,7 @@ fn term(to: &dyn Notation, names: &Names, term: &Term) -> String {
     };
     let mut factors = write(&term.factors);
     if term.number != Number::ONE || factors.is_empty() {
-        factors.insert(0, to.number(&Written::of(&term.number)));
+        factors.insert(0, to.number(&Written::new(&term.number)));
     }
     let divisors = write(&term.divisors);
     let dividend = to.product(&factors);

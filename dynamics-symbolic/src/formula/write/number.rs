@@ -21,7 +21,7 @@ impl Written {
 
     /// Halves, quarters and eighths are fractions, and so is what has no finite decimals; others are
     /// decimals: 1/2 and 1/12, but 0.35.
-    pub(super) fn of(number: &Number) -> Self {
+    pub(super) fn new(number: &Number) -> Self {
         let exact = match number {
             Number::Rounded(x) => return double(*x),
             Number::Exact(exact) => exact,
@@ -97,7 +97,7 @@ mod tests {
 
     fn text(numerator: i64, denominator: u64) -> String {
         let exact = Rational::from_parts(numerator.into(), denominator.into());
-        shown(&Written::of(&Number::Exact(exact)))
+        shown(&Written::new(&Number::Exact(exact)))
     }
 
     fn shown(written: &Written) -> String {

@@ -37,4 +37,26 @@ impl Body {
     pub(super) fn tensor<R: Lift>(&self) -> Symmetric3<R> {
         self.inertia.map(R::lift)
     }
+
+    /// The parameters, without a motor, about the origin of the frame in which the body's own frame is at `pose`:
+    /// J = I + m (c.c 1 - c c^T), h = m c.
+    pub(super) fn parameters(&self, pose: &Pose<Number>) -> [Number; 11] {
+        let (m, center) = (self.mass, self.center(pose));
+        let [x, y, z] = center.0;
+        let [hx, hy, hz] = (center * m).0;
+        let own = self.inertia.rotated(&pose.rotation);
+        [
+            own.xx + hy * y + hz * z,
+            own.xy - hx * y,
+            own.xz - hx * z,
+            own.yy + hx * x + hz * z,
+            own.yz - hy * z,
+            own.zz + hx * x + hy * y,
+            hx,
+            hy,
+            hz,
+            m,
+            Number::ZERO,
+        ]
+    }
 }

@@ -2,38 +2,15 @@
 
 use super::super::assignment::Number;
 use super::super::dual::Dual;
-use super::elimination::{pivots, solve};
-use super::equations::sum;
-use super::pose::{Lift, Position};
-use super::state::State;
+use super::elimination::{solve, with_pivots};
+use super::equations::{constant, sum};
+use super::pose::Position;
 use super::{Definition, Matrix, Vector};
 
-impl Definition {
-    /// The Euler-Lagrange equations, d/dt (dT/dqd) - dT/dq + dU/dq: tau without friction.
-    pub(super) fn euler_lagrange<R: Lift>(&self, motion: &State<R>) -> Vec<R> {
-        let n = self.dof();
-        let zero = R::lift(Number::ZERO);
-        // d/dt: q changes at the rate qd, qd at the rate qdd.
-        let moving = self.moving(&motion.q, &motion.qd);
-        let rates = motion.qd.iter().zip(&motion.qdd);
-        let speeds: Vec<_> = rates.map(|(&qd, &qdd)| Dual::new(qd, qdd)).collect();
-        let rate = |qd: &[Dual<R>]| self.kinetic_energy(&moving, qd).derivative;
-        let along_motion = rate(&speeds);
-        let force = |i: usize| {
-            // dT/dqd_i = T(qd + e_i) - T(qd) - T(e_i), for T is quadratic in qd.
-            let unit = self.unit(i);
-            let axis: Vec<_> = unit.iter().map(|&x| Dual::new(x, zero)).collect();
-            let shifted: Vec<_> = speeds.iter().zip(&axis).map(|(&a, &b)| a + b).collect();
-            let momentum_rate = rate(&shifted) - along_motion - rate(&axis);
-            let displaced = self.moving(&motion.q, &unit);
-            let still: Vec<_> = motion.qd.iter().map(|&x| Dual::new(x, zero)).collect();
-            let kinetic = self.kinetic_energy(&displaced, &still).derivative;
-            let potential = self.potential_energy(&displaced).derivative;
-            momentum_rate - kinetic + potential
-        };
-        (0..n).map(force).collect()
-    }
+/// Dual numbers over dual numbers: x + x_j e_1 + x_k e_2 + x_jk e_1 e_2.
+type Twice = Dual<Dual<Number>>;
 
+impl Definition {
     /// The first derivative of tau by time, then the second one. Coulomb friction is constant.
     pub(super) fn inverse_dynamics_rates(&self) -> Vector {
         // Two dual numbers are two steps in time: x + x' e_1 + x' e_2 + x'' e_1 e_2.
@@ -41,19 +18,17 @@ impl Definition {
             let entry = |i: usize| Dual::new(Dual::new(x[i], xd[i]), Dual::new(xd[i], xdd[i]));
             (0..self.dof()).map(entry).collect()
         };
-        let force = self.euler_lagrange(&State {
-            q: self.accelerating(),
-            qd: jet(&self.qd, &self.qdd, &self.jerk),
-            qdd: jet(&self.qdd, &self.jerk, &self.snap),
-        });
+        let qd = jet(&self.qd, &self.qdd, &self.jerk);
+        let qdd = jet(&self.qdd, &self.jerk, &self.snap);
+        let force = self.euler_lagrange(&self.accelerating(), &qd, &qdd);
         let first: Vector = force.iter().map(|x| x.derivative.value).collect();
         let second: Vector = force.iter().map(|x| x.derivative.derivative).collect();
-        let [of_friction, second_of_friction] = self.rates_of_friction();
+        let [of_friction, second_of_friction] = self.friction_rates(&self.qdd, &self.jerk);
         [sum(&first, &of_friction), sum(&second, &second_of_friction)].concat()
     }
 
     /// The positions with two steps in time.
-    pub(super) fn accelerating(&self) -> Vec<Position<Dual<Dual<Number>>>> {
+    pub(super) fn accelerating(&self) -> Vec<Position<Twice>> {
         let rates = self.qd.iter().zip(&self.qdd);
         let speeds: Vec<_> = rates.map(|(&qd, &qdd)| Dual::new(qd, qdd)).collect();
         self.moving(&self.moving(&self.q, &self.qd), &speeds)
@@ -61,36 +36,27 @@ impl Definition {
 
     /// d tau/dq and d tau/dqd at accelerations qdd, by rows. Coulomb friction is constant.
     fn force_derivatives(&self, qdd: &[Number]) -> (Matrix, Matrix) {
-        let friction = self.slopes_of_friction();
-        let constant = |x: &[Number]| -> Vec<_> { x.iter().map(|&x| Dual::lift(x)).collect() };
-        let still = |q: &Position<Number>| q.moving(Number::ZERO);
-        let derivative = |motion: State<Dual<Number>>| -> Vector {
-            let force = self.euler_lagrange(&motion);
-            force.iter().map(|x| x.derivative).collect()
+        let [friction, _] = self.friction_derivatives();
+        let (qd, qdd) = (constant(&self.qd), constant(qdd));
+        let derivative = |q: &[Position<_>], qd: &[_]| -> Vector {
+            let force = self.euler_lagrange(q, qd, &qdd);
+            force.iter().map(|x: &Dual<_>| x.derivative).collect()
         };
-        let by_position = |k: usize| {
-            derivative(State {
-                q: self.along(k),
-                qd: constant(&self.qd),
-                qdd: constant(qdd),
-            })
-        };
+        let still: Vec<_> = self.q.iter().map(|q| q.moving(Number::ZERO)).collect();
+        let by_position = |k: usize| derivative(&self.along(k), &qd);
         let by_velocity = |k: usize| {
-            let mut qd = constant(&self.qd);
+            let mut qd: Vec<Dual<_>> = qd.clone();
             qd[k].derivative = Number::ONE;
-            let mut column = derivative(State {
-                q: self.q.iter().map(still).collect(),
-                qd,
-                qdd: constant(qdd),
-            });
+            let mut column = derivative(&still, &qd);
             column[k] = column[k] + friction[k];
             column
         };
-        let n = self.dof();
-        (
-            transpose(&(0..n).map(by_position).collect()),
-            transpose(&(0..n).map(by_velocity).collect()),
-        )
+        (self.by_columns(by_position), self.by_columns(by_velocity))
+    }
+
+    /// The matrix of these columns, one for each free joint.
+    pub(super) fn by_columns(&self, column: impl Fn(usize) -> Vector) -> Matrix {
+        transpose(&(0..self.dof()).map(column).collect())
     }
 
     /// d tau/dq, then d tau/dqd.
@@ -105,18 +71,9 @@ impl Definition {
     /// M d qdd/dq + d tau/dq = 0, M d qdd/dqd + d tau/dqd = 0, M d qdd/d tau = 1. Where M is
     /// identically singular there are none, as for the forward dynamics.
     pub(super) fn forward_dynamics_derivatives(&self, computed: &[Option<Number>]) -> Vector {
-        let n = self.dof();
         let matrix = self.mass_matrix(&self.q);
         let values = self.acceleration_derivatives(&matrix);
-        let pivots = pivots(matrix.clone()).into_iter();
-        let diagonal = (0..n).map(|i| Some(matrix[i][i]));
-        let known = values.into_iter().chain(pivots).chain(diagonal);
-        // What is not known is not read: anything that the program computes there is right.
-        let expected = known.enumerate().map(|(k, known)| {
-            let computed = computed.get(k).copied().flatten();
-            known.or(computed).unwrap_or(Number::ZERO)
-        });
-        expected.collect()
+        with_pivots(values, matrix, computed)
     }
 
     /// d qdd/dq, d qdd/dqd, d qdd/d tau by rows; unknown where M is singular.
@@ -129,9 +86,58 @@ impl Definition {
             return vec![None; 3 * n * n];
         };
         let (by_position, by_velocity) = self.force_derivatives(&qdd.concat());
-        let right_sides = [negative(&by_position), negative(&by_velocity), identity(n)];
+        let identity = (0..n).map(|k| self.unit(k)).collect();
+        let right_sides = [negative(&by_position), negative(&by_velocity), identity];
         let solutions = right_sides.into_iter().filter_map(solve);
         solutions.flat_map(|x| x.concat()).map(Some).collect()
+    }
+
+    /// d2 tau_i/dq_j dq_k, d2 tau_i/dqd_j dqd_k, d2 tau_i/dq_j dqd_k and dM_ij/dq_k: for each of them i,
+    /// then j, then k. Coulomb friction is constant.
+    pub(super) fn second_derivatives(&self) -> Vector {
+        let n = self.dof();
+        let symbols = self.christoffel();
+        let pairs: Vec<Vec<Pair>> = (0..n)
+            .map(|j| (0..=j).map(|k| self.along_both(j, k)).collect())
+            .collect();
+        let pair = |j: usize, k: usize| &pairs[j.max(k)][j.min(k)];
+        let [_, curvatures] = self.friction_derivatives();
+        let by_velocity = |i: usize, j: usize, k: usize| {
+            // V_i = sum c_ijk qd_j qd_k
+            let motion = symbols[i][j][k] + symbols[i][k][j];
+            if i == j && j == k {
+                motion + curvatures[i]
+            } else {
+                motion
+            }
+        };
+        // d2 V_i/dq_j dqd_k = 2 sum dc_ikm/dq_j qd_m, from the second derivatives of M.
+        let by_both = |i: usize, j: usize, k: usize| {
+            let term = |m: usize| {
+                let slope = |a: usize, b: usize, c: usize| pair(j, c).inertia[a][b];
+                (slope(i, k, m) + slope(i, m, k) - slope(k, m, i)) * self.qd[m]
+            };
+            (0..n).fold(Number::ZERO, |sum, m| sum + term(m))
+        };
+        let by_position = |i: usize, j: usize, k: usize| pair(j, k).forces[i];
+        let inertia_slope = |i: usize, j: usize, k: usize| symbols[i][j][k] + symbols[j][i][k];
+        [
+            entries(n, by_position),
+            entries(n, by_velocity),
+            entries(n, by_both),
+            entries(n, inertia_slope),
+        ]
+        .concat()
+    }
+
+    fn along_both(&self, j: usize, k: usize) -> Pair {
+        let q = self.moving(&self.moving(&self.q, &self.unit(j)), &self.unit(k));
+        let forces = self.euler_lagrange(&q, &constant(&self.qd), &constant(&self.qdd));
+        let mixed = |row: &Vec<Twice>| row.iter().map(|x| x.derivative.derivative).collect();
+        Pair {
+            inertia: self.mass_matrix(&q).iter().map(mixed).collect(),
+            forces: mixed(&forces),
+        }
     }
 }
 
@@ -147,9 +153,16 @@ fn negative(m: &Matrix) -> Matrix {
         .collect()
 }
 
-fn identity(n: usize) -> Matrix {
-    let entry = |i, j| if i == j { Number::ONE } else { Number::ZERO };
-    (0..n)
-        .map(|i| (0..n).map(|j| entry(i, j)).collect())
-        .collect()
+/// Second derivatives by the positions of two joints.
+struct Pair {
+    /// d2M/dq_j dq_k
+    inertia: Matrix,
+    /// d2 tau/dq_j dq_k
+    forces: Vector,
+}
+
+/// All entries, the last index first to change.
+fn entries(n: usize, entry: impl Fn(usize, usize, usize) -> Number) -> Vector {
+    let indices = (0..n * n * n).map(|k| (k / (n * n), k / n % n, k % n));
+    indices.map(|(i, j, k)| entry(i, j, k)).collect()
 }

@@ -17,23 +17,31 @@ impl Definition {
         if computed.len() != 3 * n {
             return Vec::new();
         }
+        let known = computed[..n].iter().map(|x| x.unwrap_or(Number::ZERO));
+        let accelerations: Vector = known.collect();
         let matrix = self.mass_matrix(&self.q);
-        let diagonal = (0..n).map(|i| matrix[i][i]);
-        // An output without a value is unequal to every number that is expected.
-        let computed: Vector = computed.iter().map(|x| x.unwrap_or(Number::ZERO)).collect();
-        let (accelerations, computed_pivots) = (&computed[..n], &computed[n..]);
-        let pivots = pivots(matrix.clone());
-        let is_singular = pivots.contains(&Some(Number::ZERO));
-        let is_right = is_singular || self.inverse_dynamics(accelerations) == self.tau;
-        let error = if is_right { Number::ZERO } else { Number::ONE };
-        let pivots = pivots.iter().zip(computed_pivots);
-        accelerations
-            .iter()
-            .map(|&x| x + error)
-            .chain(pivots.map(|(pivot, &computed)| pivot.unwrap_or(computed)))
-            .chain(diagonal)
-            .collect()
+        let is_singular = pivots(matrix.clone()).contains(&Some(Number::ZERO));
+        let is_right = is_singular || self.inverse_dynamics(&accelerations) == self.tau;
+        let wrong = |&x: &Number| (!is_right).then_some(x + Number::ONE);
+        let values = accelerations.iter().map(wrong).collect();
+        with_pivots(values, matrix, computed)
     }
+}
+
+/// The values of what is solved for with M, the pivots and the diagonal of M. A value that is not known is not
+/// read: whatever the program computes there is right.
+pub(super) fn with_pivots(
+    values: Vec<Option<Number>>,
+    matrix: Matrix,
+    computed: &[Option<Number>],
+) -> Vector {
+    let diagonal: Vec<_> = (0..matrix.len()).map(|i| Some(matrix[i][i])).collect();
+    let known = values.into_iter().chain(pivots(matrix)).chain(diagonal);
+    let expected = known.enumerate().map(|(k, known)| {
+        let computed = computed.get(k).copied().flatten();
+        known.or(computed).unwrap_or(Number::ZERO)
+    });
+    expected.collect()
 }
 
 /// The pivots of M = U D U^T, eliminated from the last row upwards; none after one that is zero.

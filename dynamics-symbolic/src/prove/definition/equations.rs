@@ -1,8 +1,7 @@
 //! The equations of motion, from the energies.
 
-use super::super::assignment::Number;
+use super::super::assignment::{HALF, Number};
 use super::super::dual::Dual;
-use super::axis::Axis;
 use super::friction::Velocity;
 use super::pose::{Lift, Position};
 use super::row::Row;
@@ -32,39 +31,80 @@ impl Definition {
         matrix
     }
 
-    /// dM/dq_k
-    fn mass_matrix_slope(&self, k: usize) -> Matrix {
-        let matrix = self.mass_matrix(&self.along(k));
-        let slopes = |row: Vec<Dual<Number>>| row.iter().map(|x| x.derivative).collect();
-        matrix.into_iter().map(slopes).collect()
-    }
-
     /// c_ijk, Christoffel symbols of the first kind, indexed `[i][j][k]`.
     pub(super) fn christoffel(&self) -> Vec<Matrix> {
         let n = self.dof();
-        let slopes: Vec<_> = (0..n).map(|k| self.mass_matrix_slope(k)).collect();
+        let matrices: Vec<_> = (0..n).map(|k| self.mass_matrix(&self.along(k))).collect();
+        // dM_ij/dq_k
+        let slope = |i: usize, j: usize, k: usize| matrices[k][i][j].derivative;
         let symbol = |i: usize, j: usize, k: usize| {
-            self.half * (slopes[k][i][j] + slopes[j][i][k] - slopes[i][j][k])
+            HALF * (slope(i, j, k) + slope(i, k, j) - slope(j, k, i))
         };
         let row = |i, j| (0..n).map(|k| symbol(i, j, k)).collect();
         let matrix = |i| (0..n).map(|j| row(i, j)).collect();
         (0..n).map(matrix).collect()
     }
 
+    /// dT/dqd_i = T(qd + e_i) - T(qd) - T(e_i), for T is quadratic in qd.
+    pub(super) fn generalized_momentum(&self) -> Vector {
+        let energy = |qd: &[Number]| self.kinetic_energy(&self.q, qd);
+        let whole = energy(&self.qd);
+        let momentum = |i: usize| {
+            let unit: Vector = self.unit(i);
+            energy(&sum(&self.qd, &unit)) - whole - energy(&unit)
+        };
+        (0..self.dof()).map(momentum).collect()
+    }
+
+    /// dT/dq - G - K - F: by Lagrange d/dt (dT/dqd) = tau + dT/dq - dU/dq - F.
+    pub(super) fn momentum_bias(&self) -> Vector {
+        let qd = constant(&self.qd);
+        let slope = |i: usize| self.kinetic_energy(&self.along(i), &qd).derivative;
+        let forces = sum(&self.gravity_vector(), &self.joint_forces());
+        let forces = forces.into_iter().enumerate();
+        forces.map(|(i, force)| slope(i) - force).collect()
+    }
+
+    /// d/dt (dT/dqd) - dT/dq
+    fn inertial_forces<R: Lift>(&self, q: &[Position<R>], qd: &[R], qdd: &[R]) -> Vec<R> {
+        let zero = R::lift(Number::ZERO);
+        // d/dt: q changes at the rate qd, qd at the rate qdd.
+        let moving = self.moving(q, qd);
+        let rates = qd.iter().zip(qdd);
+        let speeds: Vec<_> = rates.map(|(&qd, &qdd)| Dual::new(qd, qdd)).collect();
+        let rate = |qd: &[Dual<R>]| self.kinetic_energy(&moving, qd).derivative;
+        let along_motion = rate(&speeds);
+        let still: Vec<_> = qd.iter().map(|&x| Dual::new(x, zero)).collect();
+        let force = |i: usize| {
+            // dT/dqd_i = T(qd + e_i) - T(qd) - T(e_i), for T is quadratic in qd.
+            let axis: Vec<_> = self.unit(i);
+            let shifted: Vec<_> = speeds.iter().zip(&axis).map(|(&a, &b)| a + b).collect();
+            let momentum_rate = rate(&shifted) - along_motion - rate(&axis);
+            let displaced = self.moving(q, &self.unit(i));
+            momentum_rate - self.kinetic_energy(&displaced, &still).derivative
+        };
+        (0..self.dof()).map(force).collect()
+    }
+
+    /// The Euler-Lagrange equations, d/dt (dT/dqd) - dT/dq + dU/dq: tau without friction.
+    pub(super) fn euler_lagrange<R: Lift>(&self, q: &[Position<R>], qd: &[R], qdd: &[R]) -> Vec<R> {
+        let slope = |i| {
+            self.potential_energy(&self.moving(q, &self.unit(i)))
+                .derivative
+        };
+        let inertial = self.inertial_forces(q, qd, qdd).into_iter().enumerate();
+        inertial.map(|(i, force)| force + slope(i)).collect()
+    }
+
     /// V = d/dt (dT/dqd) - dT/dq at qdd = 0, which is sum c_ijk qd_j qd_k.
     pub(super) fn coriolis_vector(&self) -> Vector {
-        let moving = self.moving(&self.q, &self.qd);
-        let rate = |qd: &[Number]| self.kinetic_energy(&moving, &constant(qd)).derivative;
-        let still = rate(&self.qd);
-        let component = |i: usize| {
-            // dT/dqd_i = T(qd + e_i) - T(qd) - T(e_i); its rate along the motion.
-            let mut unit = vec![Number::ZERO; self.dof()];
-            unit[i] = Number::ONE;
-            let momentum_rate = rate(&sum(&self.qd, &unit)) - still - rate(&unit);
-            let slope = self.kinetic_energy(&self.along(i), &constant(&self.qd));
-            momentum_rate - slope.derivative
-        };
-        (0..self.dof()).map(component).collect()
+        self.inertial_forces(&self.q, &self.qd, &vec![Number::ZERO; self.dof()])
+    }
+
+    /// M qdd + V + G
+    pub(super) fn link_forces(&self) -> Vector {
+        let inertial = self.inertial_forces(&self.q, &self.qd, &self.qdd);
+        sum(&inertial, &self.gravity_vector())
     }
 
     /// G = dU_g/dq
@@ -80,20 +120,27 @@ impl Definition {
     }
 
     /// K + F, what acts at the joints themselves.
-    pub(super) fn joint_forces(&self) -> Vector {
+    fn joint_forces(&self) -> Vector {
         sum(&self.spring_vector(), &self.friction_vector())
     }
 
     /// V + G + K + F
     pub(super) fn bias_force(&self) -> Vector {
-        let of_links = sum(&self.coriolis_vector(), &self.gravity_vector());
-        sum(&of_links, &self.joint_forces())
+        self.inverse_dynamics(&vec![Number::ZERO; self.dof()])
     }
 
     /// tau = M qdd + V + G + K + F
     pub(super) fn inverse_dynamics(&self, qdd: &[Number]) -> Vector {
-        let inertial = product(&self.mass_matrix(&self.q), qdd);
-        sum(&inertial, &self.bias_force())
+        let links_and_springs = self.euler_lagrange(&self.q, &self.qd, qdd);
+        sum(&links_and_springs, &self.friction_vector())
+    }
+
+    /// M qdd_r + C qd_r + G + K + F
+    pub(super) fn passivity_torque(&self) -> Vector {
+        let inertial = product(&self.mass_matrix(&self.q), &self.qdd_r);
+        let coriolis = product(&self.coriolis_matrix(), &self.qd_r);
+        let conservative = sum(&sum(&inertial, &coriolis), &self.gravity_vector());
+        sum(&conservative, &self.joint_forces())
     }
 
     /// C_ij = sum_k c_ijk qd_k
@@ -117,8 +164,9 @@ impl Definition {
     }
 }
 
-fn constant(x: &[Number]) -> Vec<Dual<Number>> {
-    x.iter().map(|&x| Dual::lift(x)).collect()
+/// Numbers that do not change.
+pub(super) fn constant<R: Lift>(x: &[Number]) -> Vec<R> {
+    x.iter().map(|&x| R::lift(x)).collect()
 }
 
 pub(super) fn sum(a: &[Number], b: &[Number]) -> Vector {
@@ -136,45 +184,31 @@ pub(super) fn product(matrix: &Matrix, x: &[Number]) -> Vector {
 impl Definition {
     /// F
     pub(super) fn friction_vector(&self) -> Vector {
-        let of_axis =
-            |(axis, row): (&Axis, &Row)| row.friction.force(&self.velocity(axis), self.half);
-        self.felt(self.axes().map(of_axis))
+        let force = |row: &Row| row.friction.force(&self.velocity(row));
+        self.on_free_joints(self.rows.iter().map(force))
     }
 
-    /// The diagonal of dF/dqd.
-    pub(super) fn slopes_of_friction(&self) -> Vector {
-        // The velocity of an axis changes by its factor.
-        let of_axis = |(axis, row): (&Axis, &Row)| {
-            axis.factor * row.friction.slope(&self.velocity(axis), self.half)
+    /// The diagonals of dF/dqd and d2F/dqd2: the derivatives of F along a motion of unit acceleration.
+    pub(super) fn friction_derivatives(&self) -> [Vector; 2] {
+        let [ones, zeros] = [Number::ONE, Number::ZERO].map(|x| vec![x; self.dof()]);
+        self.friction_rates(&ones, &zeros)
+    }
+
+    /// The first and the second derivative of F along a motion with these accelerations and jerks.
+    pub(super) fn friction_rates(&self, qdd: &[Number], jerk: &[Number]) -> [Vector; 2] {
+        let rates = |row: &Row| {
+            let rates = [row.joint.speed(qdd), row.joint.speed(jerk)];
+            row.friction.rates(&self.velocity(row), rates)
         };
-        self.felt(self.axes().map(of_axis))
+        let (first, second): (Vector, Vector) = self.rows.iter().map(rates).unzip();
+        [first, second].map(|forces| self.on_free_joints(forces.into_iter()))
     }
 
-    /// The first and the second derivative of F along the motion.
-    pub(super) fn rates_of_friction(&self) -> [Vector; 2] {
-        let of_axis = |(axis, row): (&Axis, &Row)| {
-            let rates = [axis.speed(&self.qdd), axis.speed(&self.jerk)];
-            row.friction.rates(&self.velocity(axis), rates, self.half)
-        };
-        let (first, second): (Vector, Vector) = self.axes().map(of_axis).unzip();
-        [first, second].map(|of_axes| self.felt(of_axes.into_iter()))
-    }
-
-    /// The diagonal of d2F/dqd2: the second derivative along a motion of unit acceleration.
-    pub(super) fn curvatures_of_friction(&self) -> Vector {
-        let unit = vec![Number::ONE; self.dof()];
-        let of_axis = |(axis, row): (&Axis, &Row)| {
-            let rates = [axis.speed(&unit), Number::ZERO];
-            row.friction.rates(&self.velocity(axis), rates, self.half).1
-        };
-        self.felt(self.axes().map(of_axis))
-    }
-
-    fn velocity(&self, axis: &Axis) -> Velocity<Number> {
+    fn velocity(&self, row: &Row) -> Velocity<Number> {
         Velocity {
-            qd: axis.speed(&self.qd),
-            sign: axis.sign,
-            exponential: axis.exponential,
+            qd: row.joint.speed(&self.qd),
+            sign: row.joint.sign,
+            exponential: row.joint.exponential,
         }
     }
 }

@@ -5,7 +5,7 @@
 //! The sign s and the exponential are symbols. (s^2 + s)/2 is 1 for positive velocities and 0 for others,
 //! (s^2 - s)/2 the same for negative ones.
 
-use super::super::assignment::{Assignment, Number};
+use super::super::assignment::{Assignment, HALF, Number};
 use super::super::dual::Dual;
 use super::pose::Lift;
 use crate::exact::Rational;
@@ -52,9 +52,9 @@ impl Friction {
     }
 
     /// F
-    pub(super) fn force<R: Lift>(&self, at: &Velocity<R>, half: Number) -> R {
+    pub(super) fn force<R: Lift>(&self, at: &Velocity<R>) -> R {
         let square = at.sign * at.sign;
-        let (forwards, backwards) = (half * (square + at.sign), half * (square - at.sign));
+        let (forwards, backwards) = (HALF * (square + at.sign), HALF * (square - at.sign));
         let forwards = self.magnitude(self.positive, at) * R::lift(forwards);
         let backwards = self.magnitude(self.negative, at) * R::lift(backwards);
         R::lift(self.viscous) * at.qd + forwards - backwards
@@ -69,28 +69,12 @@ impl Friction {
         R::lift(coulomb) + more
     }
 
-    /// dF/dqd where the sign does not change: d/dqd exp(-(qd/v)^2) = -2 qd/v^2 exp(-(qd/v)^2).
-    pub(super) fn slope(&self, at: &Velocity<Number>, half: Number) -> Number {
-        let inverse_square = self
-            .stribeck
-            .as_ref()
-            .map(|stribeck| stribeck.inverse_square);
-        let rate = at.qd * inverse_square.unwrap_or(Number::ZERO);
-        let moving = Velocity {
-            qd: Dual::new(at.qd, Number::ONE),
-            sign: at.sign,
-            exponential: Dual::new(at.exponential, -(rate + rate) * at.exponential),
-        };
-        self.force(&moving, half).derivative
-    }
-
     /// The first and the second derivative of F along a motion, where the sign does not change. Two dual
     /// numbers are two steps in time: x + x' e_1 + x' e_2 + x'' e_1 e_2.
     pub(super) fn rates(
         &self,
         at: &Velocity<Number>,
         [qdd, jerk]: [Number; 2],
-        half: Number,
     ) -> (Number, Number) {
         let stribeck = self.stribeck.as_ref();
         let inverse_square = stribeck.map_or(Number::ZERO, |stribeck| stribeck.inverse_square);
@@ -104,7 +88,7 @@ impl Friction {
             sign: at.sign,
             exponential: Dual::new(Dual::new(x, first), Dual::new(first, second)),
         };
-        let force = self.force(&moving, half);
+        let force = self.force(&moving);
         (force.derivative.value, force.derivative.derivative)
     }
 }

@@ -1,39 +1,124 @@
-//! Poses and velocities of the links.
+//! Poses and motions of the tip, of the other links and of the centre of mass: derivatives of poses.
 
 use super::super::assignment::Number;
 use super::super::dual::Dual;
-use super::pose::{Lift, Pose};
-use super::twist::angular_velocity;
+use super::derivatives::transpose;
+use super::elimination::{solve, with_pivots};
+use super::equations::product;
+use super::pose::{Lift, Pose, Position};
 use super::{Definition, Matrix, Vector};
-use crate::linear::{Matrix3, Vector3};
+use crate::linear::Vector3;
 
 impl Definition {
     /// The pose of the tip in the world.
     pub(super) fn forward_kinematics(&self) -> Vector {
-        homogeneous(&self.tip(&self.poses(&self.q)))
+        homogeneous(&self.tip(&self.q))
     }
 
     /// The poses in the world of the frames of all links whose joints move.
     pub(super) fn link_poses(&self) -> Vector {
-        let poses = self.poses(&self.q);
-        let of_joint = |(i, _): (usize, &super::Row)| homogeneous(&poses[i]);
-        self.joints().flat_map(of_joint).collect()
+        let frames = self.frames(&self.q);
+        let links = self.free_rows();
+        links.flat_map(|i| homogeneous(&frames[i].link)).collect()
     }
 
     /// By rows: vx vy vz wx wy wz of the tip's origin for unit velocity of each joint.
     pub(super) fn jacobian(&self) -> Matrix {
-        let column = |j: usize| velocity(&self.tip(&self.poses(&self.along(j))));
-        let columns: Vec<_> = (0..self.dof()).map(column).collect();
-        let row = |k: usize| columns.iter().map(|column| column[k]).collect();
-        (0..6).map(row).collect()
+        let column = |j: usize| velocity(&self.tip(&self.along(j))).to_vec();
+        self.by_columns(column)
+    }
+
+    /// By rows, link by link: the velocities of the frames of all links whose joints move.
+    pub(super) fn link_jacobians(&self) -> Vector {
+        let joints = 0..self.dof();
+        let frames: Vec<_> = joints.map(|j| self.frames(&self.along(j))).collect();
+        let column = |i: usize, j: usize| velocity(&frames[j][i].link).to_vec();
+        let jacobian = |i: usize| self.by_columns(|j| column(i, j)).concat();
+        self.free_rows().flat_map(jacobian).collect()
+    }
+
+    /// J' w
+    pub(super) fn wrench_torques(&self) -> Vector {
+        product(&transpose(&self.jacobian()), &self.wrench)
+    }
+
+    /// The rate of the tip's pose along the motion.
+    pub(super) fn tool_velocity(&self) -> Vector {
+        velocity(&self.tip(&self.moving(&self.q, &self.qd))).to_vec()
+    }
+
+    /// The rate of that velocity, where the velocities of the joints change at the rate qdd.
+    pub(super) fn tool_acceleration(&self) -> Vector {
+        let velocity = velocity(&self.tip(&self.accelerating()));
+        velocity.map(|x| x.derivative).to_vec()
+    }
+
+    /// By rows: the rate of each column of the Jacobian along the motion.
+    pub(super) fn jacobian_rate(&self) -> Vector {
+        let column = |j: usize| -> Vector {
+            let along_motion = self.moving(&self.q, &self.qd);
+            let velocity = velocity(&self.tip(&self.moving(&along_motion, &self.unit(j))));
+            velocity.iter().map(|x| x.derivative).collect()
+        };
+        self.by_columns(column).concat()
+    }
+
+    /// J M^-1 J' by rows, the pivots, and the diagonal of M. Where M is identically singular there are
+    /// no values.
+    pub(super) fn operational_inertia_inverse(&self, computed: &[Option<Number>]) -> Vector {
+        let matrix = self.mass_matrix(&self.q);
+        let jacobian = self.jacobian();
+        let values = match solve(matrix.clone(), transpose(&jacobian)) {
+            Some(x) => {
+                let columns = transpose(&x);
+                let rows = jacobian.iter().map(|row| product(&columns, row));
+                rows.flatten().map(Some).collect()
+            }
+            None => vec![None; 36],
+        };
+        with_pivots(values, matrix, computed)
+    }
+
+    /// The centre of mass, sum m c / sum m, of the links and the tool that can move; none of an arm without mass.
+    pub(super) fn center_of_mass(&self) -> Option<Vector> {
+        let mass = self.moving_mass().inverse()?;
+        let moment = self.first_moment(&self.q);
+        Some(moment.0.iter().map(|&x| x * mass).collect())
+    }
+
+    /// Its derivatives by the joint positions, by rows.
+    pub(super) fn center_of_mass_jacobian(&self) -> Option<Vector> {
+        let mass = self.moving_mass().inverse()?;
+        let column = |j: usize| -> Vector {
+            let moment = self.first_moment(&self.along(j));
+            moment.0.iter().map(|x| x.derivative * mass).collect()
+        };
+        Some(self.by_columns(column).concat())
+    }
+
+    fn moving_mass(&self) -> Number {
+        let bodies = self.moving_bodies(&self.q).into_iter();
+        bodies.fold(Number::ZERO, |sum, (body, _)| sum + body.mass)
+    }
+
+    fn first_moment<R: Lift>(&self, q: &[Position<R>]) -> Vector3<R> {
+        let none = Vector3::splat(R::lift(Number::ZERO));
+        let bodies = self.moving_bodies(q).into_iter();
+        bodies.fold(none, |sum, (body, pose)| {
+            sum + body.center(&pose) * R::lift(body.mass)
+        })
+    }
+
+    /// The rows of the free joints.
+    fn free_rows(&self) -> impl Iterator<Item = usize> {
+        (0..self.rows.len()).filter(|&i| self.rows[i].joint.is_free)
     }
 }
 
 /// vx vy vz wx wy wz of a frame in the world, from a pose with its rate.
-pub(super) fn velocity<R: Lift>(pose: &Pose<Dual<R>>) -> [R; 6] {
-    let axes = Matrix3(pose.rotation.0.map(|row| row.map(|x| x.value)));
-    let [wx, wy, wz] = axes.apply(angular_velocity(&pose.rotation)).0;
-    let [vx, vy, vz] = Vector3(pose.origin.0.map(|x| x.derivative)).0;
+fn velocity<R: Lift>(pose: &Pose<Dual<R>>) -> [R; 6] {
+    let [wx, wy, wz] = pose.axes().apply(pose.angular_velocity()).0;
+    let [vx, vy, vz] = pose.velocity().0;
     [vx, vy, vz, wx, wy, wz]
 }
 

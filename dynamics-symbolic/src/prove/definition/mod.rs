@@ -16,36 +16,27 @@
 //! Velocities are derivatives of positions by dual numbers. T is quadratic in
 //! qd, so that its second derivatives are differences, without a limit.
 
-mod axis;
 mod body;
-mod center_of_mass;
 mod derivatives;
 mod elimination;
 mod energy;
-mod energy_regressors;
 mod equations;
-mod frames;
 mod friction;
+mod joint;
 mod kinematics;
-mod momenta;
-mod passivity;
-mod placement;
+mod parameters;
+mod place;
 mod pose;
 mod regressor;
 mod row;
-mod second_derivatives;
-mod state;
-mod tip;
-mod twist;
+mod walk;
 
 use super::assignment::{Assignment, JointPoint, Number, STATES};
-use crate::exact::Rational;
 use crate::function::{Argument, Function};
-use crate::linear::Vector3;
-use crate::robot::{Convention, Interpretation, Robot};
-use axis::Axis;
-use placement::{Placement, Tool};
-use pose::Position;
+use crate::linear::{Matrix3, Vector3};
+use crate::robot::Robot;
+use body::Body;
+use pose::{Pose, Position};
 use row::Row;
 
 type Vector = Vec<Number>;
@@ -53,14 +44,12 @@ type Matrix = Vec<Vector>;
 
 /// A robot at a random point of the field.
 pub struct Definition {
-    convention: Convention,
     gravity: Vector3<Number>,
-    base: Option<Placement>,
+    base: Option<Pose<Number>>,
     rows: Vec<Row>,
-    tool: Option<Tool>,
-    half: Number,
-    axes: Vec<Axis>,
-    /// The positions of all axes.
+    /// The tool frame in the last link frame, and the tool's body.
+    tool: Option<(Pose<Number>, Body)>,
+    /// The positions of all joints.
     q: Vec<Position<Number>>,
     qd: Vector,
     qdd: Vector,
@@ -71,8 +60,10 @@ pub struct Definition {
     jerk: Vector,
     snap: Vector,
     wrench: Vector,
-    /// What is taken off the links' parameters.
-    neglected: Vec<Parameters>,
+    /// For each link, the axes of its moments as parameters, unless they are the link's own.
+    moment_axes: Vec<Option<Matrix3<Number>>>,
+    /// The values of all parameters that are neglected, or nothing.
+    neglected: Vector,
     /// The complete arm in which nothing is coupled, where something is: the arm's base parameters are among
     /// those of this one.
     uncoupled: Option<Box<Definition>>,
@@ -80,9 +71,6 @@ pub struct Definition {
     states: u64,
     unfaithful: bool,
 }
-
-/// The ten inertial parameters of a link in the frame on its joint's axis, and its motor's.
-type Parameters = [Number; 11];
 
 impl Definition {
     /// The definition at a point.
@@ -100,29 +88,23 @@ impl Definition {
     /// Reads the raw table.
     pub(super) fn read(point: &mut Assignment, robot: &Robot) -> Self {
         point.note([robot.convention as u64]);
-        let neglected = robot
+        for (row, parameter) in robot
             .neglected
             .iter()
-            .flat_map(|neglected| &neglected.columns);
-        point.note(
-            neglected.flat_map(|(row, parameter)| [*row, parameter.index()].map(|x| x as u64)),
-        );
-        let rows = robot.rows.iter().map(|row| Row::new(point, row)).collect();
+            .flat_map(|left_out| &left_out.columns)
+        {
+            point.note([*row, parameter.index()].map(|x| x as u64));
+        }
+        let rows = 0..robot.rows.len();
+        let rows: Vec<_> = rows.map(|i| Row::new(point, robot, i)).collect();
         let gravity = Vector3([0, 1, 2].map(|k| point.cell(&robot.gravity[k])));
         let base = robot.base.as_ref();
-        let base = base.map(|base| Placement::new(point, base));
-        let tool = robot.tool.as_ref();
-        let tool = tool.map(|tool| Tool::new(point, tool));
-        let dof = robot.dof();
-        let entries = |argument, count| (0..count).map(|k| point.entry(argument, k)).collect();
-        let (qd_r, qdd_r) = (
-            entries(Argument::ReferenceVelocity, dof),
-            entries(Argument::ReferenceAcceleration, dof),
-        );
-        let (jerk, snap) = (entries(Argument::Jerk, dof), entries(Argument::Snap, dof));
-        let wrench = entries(Argument::Wrench, 6);
-        let half = Interpretation::rational(point, &(Rational::ONE / Rational::from(2)));
-        let (axes, q) = axis::axes(point, robot);
+        let base = base.map(|base| place::placement(point, base));
+        let tool = robot.tool.as_ref().map(|tool| {
+            let frame = place::placement(point, &tool.placement);
+            let body = Body::new(point, &tool.mass, &tool.com, &tool.inertia);
+            (frame, body)
+        });
         let uncoupled = robot.is_coupled().then(|| {
             let complete = Robot {
                 neglected: None,
@@ -131,36 +113,36 @@ impl Definition {
             let read = |point: &mut Assignment| Definition::read(point, &complete);
             Box::new(point.with_joints_of(&complete, read))
         });
+        let dof = robot.dof();
+        let entries = |argument, count| (0..count).map(|k| point.entry(argument, k)).collect();
         let joints = &point.joints()[..dof];
         let all = |variable: fn(&JointPoint) -> Number| joints.iter().map(variable).collect();
-        Definition {
-            convention: robot.convention,
+        let mut definition = Definition {
             gravity,
             base,
-            rows,
             tool,
-            half,
-            axes,
-            q,
+            q: rows.iter().map(|row| row.joint.position).collect(),
+            rows,
             qd: all(|joint| joint.qd),
             qdd: all(|joint| joint.qdd),
             tau: all(|joint| joint.tau),
-            qd_r,
-            qdd_r,
-            jerk,
-            snap,
-            wrench,
+            qd_r: entries(Argument::ReferenceVelocity, dof),
+            qdd_r: entries(Argument::ReferenceAcceleration, dof),
+            jerk: entries(Argument::Jerk, dof),
+            snap: entries(Argument::Snap, dof),
+            wrench: entries(Argument::Wrench, 6),
+            moment_axes: Vec::new(),
             neglected: Vec::new(),
             uncoupled,
             states: point.seed_for(STATES),
             unfaithful: point.is_unfaithful(),
-        }
+        };
+        definition.moment_axes = definition.moment_axes();
+        definition
     }
 
-    /// What the outputs of a function must be, or `None` where the table has a
-    /// number without faithful image in the field. Forward dynamics is judged by
-    /// the equation that its result must satisfy: where M qdd + V + G + K + F = tau
-    /// holds for the `computed` accelerations, they are what is expected.
+    /// The right outputs of a function, or `None` if the table defines none at this point. Results of solving
+    /// with M are judged: `computed` accelerations for which M qdd + V + G + K + F = tau holds are right.
     pub fn expected(&self, function: Function, computed: &[Option<Number>]) -> Option<Vector> {
         if self.unfaithful {
             return None;
@@ -209,11 +191,5 @@ impl Definition {
     /// The number of joints that move by themselves.
     fn dof(&self) -> usize {
         self.qd.len()
-    }
-
-    /// The rows of the joints that move by themselves.
-    fn joints(&self) -> impl Iterator<Item = (usize, &Row)> {
-        let rows = self.rows.iter().enumerate();
-        rows.filter(|(_, row)| row.is_free)
     }
 }

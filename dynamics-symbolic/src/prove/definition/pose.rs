@@ -37,12 +37,7 @@ impl Position<Number> {
 }
 
 impl<R: Ring> Position<R> {
-    /// q itself.
-    pub(super) fn value(&self) -> R {
-        self.q
-    }
-
-    /// The position with its derivative where q changes at the rate `rate`.
+    /// The position with its derivative if q changes at the rate `rate`.
     pub(super) fn moving(self, rate: R) -> Position<Dual<R>> {
         Position {
             s: Dual::new(self.s, self.c * rate),
@@ -84,11 +79,64 @@ impl<R: Lift> Pose<R> {
         }
     }
 
+    /// T(xyz) Rz(yaw) Ry(pitch) Rx(roll), by sines and cosines of roll, pitch and yaw.
+    pub(super) fn placed(xyz: [R; 3], [roll, (sp, cp), yaw]: [(R, R); 3]) -> Self {
+        let (zero, one) = (R::lift(Number::ZERO), R::lift(Number::ONE));
+        let pitch = Matrix3([[cp, zero, sp], [zero, one, zero], [-sp, zero, cp]]);
+        let yaw = Pose::screw_z(yaw, zero).rotation;
+        let roll = Pose::screw_x(roll, zero).rotation;
+        Pose {
+            rotation: yaw.product(&pitch).product(&roll),
+            origin: Vector3(xyz),
+        }
+    }
+
     /// The frame that `next` describes in this one.
     pub(super) fn then(&self, next: &Pose<R>) -> Pose<R> {
         Pose {
             rotation: self.rotation.product(&next.rotation),
             origin: self.rotation.apply(next.origin) + self.origin,
         }
+    }
+
+    /// The frame that a constant transform describes in this one, or this one if there is none.
+    pub(super) fn then_fixed(&self, next: &Option<Pose<Number>>) -> Pose<R> {
+        match next {
+            Some(Pose { rotation, origin }) => self.then(&Pose {
+                rotation: Matrix3(rotation.0.map(|row| row.map(R::lift))),
+                origin: Vector3(origin.0.map(R::lift)),
+            }),
+            None => *self,
+        }
+    }
+
+    /// The other frame in this one: R^T, -R^T p.
+    pub(super) fn inverse(&self) -> Pose<R> {
+        let rotation = self.rotation.transpose();
+        Pose {
+            rotation,
+            origin: -rotation.apply(self.origin),
+        }
+    }
+}
+
+/// The velocities of a frame whose pose has a derivative.
+impl<R: Lift> Pose<Dual<R>> {
+    /// The angular velocity in the frame's own axes: w of [w]x = R^T R'.
+    pub(super) fn angular_velocity(&self) -> Vector3<R> {
+        let rate = Matrix3(self.rotation.0.map(|row| row.map(|x| x.derivative)));
+        let axes = self.axes();
+        let entry = |i: usize, j: usize| axes.column(i).dot(rate.column(j));
+        Vector3::new(entry(2, 1), entry(0, 2), entry(1, 0))
+    }
+
+    /// The velocity of the origin in the world.
+    pub(super) fn velocity(&self) -> Vector3<R> {
+        Vector3(self.origin.0.map(|x| x.derivative))
+    }
+
+    /// The rotation without its derivative.
+    pub(super) fn axes(&self) -> Matrix3<R> {
+        Matrix3(self.rotation.0.map(|row| row.map(|x| x.value)))
     }
 }

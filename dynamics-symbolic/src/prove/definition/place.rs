@@ -1,0 +1,153 @@
+//! Where frames are: the transform of a row in both conventions and of a mount, and the frames of all links.
+
+use super::super::assignment::{Assignment, Number};
+use super::Definition;
+use super::body::Body;
+use super::pose::{Lift, Pose, Position};
+use crate::robot::{self, Convention, JointType, Robot};
+
+/// The link frame of a row in the frame of the row that carries it: a constant transform, the joint
+/// Rz(turn + q) Tz(d) or Rz(turn) Tz(d + q), and another constant transform. `None` is the identity.
+pub(super) struct Place {
+    before: Option<Pose<Number>>,
+    /// Sine and cosine.
+    turn: (Number, Number),
+    d: Number,
+    behind: Option<Pose<Number>>,
+    /// For a mount, the frame that the row's cells describe, in the link frame. Parameters refer to it.
+    cells: Option<Pose<Number>>,
+}
+
+/// The frames of a row in the world.
+pub(super) struct Frames<R> {
+    pub(super) link: Pose<R>,
+    /// The frame to which the parameters of the link refer: on the joint's own axis, after its motion.
+    pub(super) parameters: Pose<R>,
+    /// The frame that the cells of the row describe.
+    cells: Pose<R>,
+}
+
+/// T(xyz) Rz(yaw) Ry(pitch) Rx(roll)
+pub(super) fn placement(point: &mut Assignment, placement: &robot::Placement) -> Pose<Number> {
+    let xyz = placement.xyz.each_ref().map(|x| point.cell(x));
+    let rpy = placement.rpy.each_ref().map(|angle| point.angle(angle));
+    Pose::placed(xyz, rpy)
+}
+
+impl Place {
+    pub(super) fn new(point: &mut Assignment, convention: Convention, row: &robot::Row) -> Self {
+        let is_turned = row.joint_type == JointType::Revolute;
+        let follows = row.follows.as_ref().filter(|_| is_turned);
+        let offset = follows.map_or(robot::Value::zero(), |coupling| coupling.offset.clone());
+        if let Some(mount) = &row.mount {
+            return Place::mounted(point, mount, &offset);
+        }
+        // Rx(alpha) Tx(a)
+        let screw = Pose::screw_x(point.angle(&row.alpha), point.cell(&row.a));
+        let (before, behind) = match convention {
+            Convention::Standard => (None, Some(screw)),
+            Convention::Modified => (Some(screw), None),
+        };
+        Place {
+            before,
+            turn: point.angle(&(row.theta.clone() + offset)),
+            d: point.cell(&row.d),
+            behind,
+            cells: None,
+        }
+    }
+
+    /// With S = Rz(azimuth) Ry(polar): the places and S, the turn of the joint, and S^-1.
+    fn mounted(point: &mut Assignment, mount: &robot::Mount, offset: &robot::Value) -> Self {
+        let mut product = |places: &[robot::Placement]| {
+            let places = places.iter().map(|place| placement(point, place));
+            places.fold(Pose::identity(), |pose, place| pose.then(&place))
+        };
+        let (places, frame) = (product(&mount.places), product(&mount.frame));
+        let [azimuth, polar] = mount.axis.each_ref().map(|angle| point.angle(angle));
+        let none = (Number::ZERO, Number::ONE);
+        let axis = Pose::placed([Number::ZERO; 3], [none, polar, azimuth]);
+        Place {
+            before: Some(places.then(&axis)),
+            turn: point.angle(offset),
+            d: Number::ZERO,
+            behind: Some(axis.inverse()),
+            cells: Some(frame.inverse()),
+        }
+    }
+
+    /// The frames of the row, if the frame in which it is written is at `base`.
+    fn frames<R: Lift>(&self, base: &Pose<R>, joint: JointType, q: &Position<R>) -> Frames<R> {
+        let (d, [s, c]) = (R::lift(self.d), [self.turn.0, self.turn.1].map(R::lift));
+        let motion = match joint {
+            // sin(turn + q), cos(turn + q)
+            JointType::Revolute => Pose::screw_z((s * q.c + c * q.s, c * q.c - s * q.s), d),
+            JointType::Prismatic => Pose::screw_z((s, c), d + q.q),
+        };
+        let joint = base.then_fixed(&self.before).then(&motion);
+        let link = joint.then_fixed(&self.behind);
+        let cells = link.then_fixed(&self.cells);
+        let parameters = if self.cells.is_some() { cells } else { joint };
+        Frames {
+            link,
+            parameters,
+            cells,
+        }
+    }
+
+    /// The link frame in the frame to which its parameters refer.
+    pub(super) fn link_in_parameters(&self) -> Pose<Number> {
+        match &self.cells {
+            Some(cells) => cells.inverse(),
+            None => Pose::identity().then_fixed(&self.behind),
+        }
+    }
+}
+
+/// The row that carries a row. Rows that only place the frames between two mounts carry no link.
+pub(super) fn parent(robot: &Robot, index: usize) -> Option<usize> {
+    let is_mounted = robot.rows[index].mount.is_some();
+    (0..index).rfind(|&k| !is_mounted || robot.rows[k].mount.is_some())
+}
+
+impl Definition {
+    /// The frames of all rows. A mount is written in the link frame before it, a row in the frame of the cells.
+    pub(super) fn frames<R: Lift>(&self, q: &[Position<R>]) -> Vec<Frames<R>> {
+        let base = Pose::identity().then_fixed(&self.base);
+        self.outward(|i, inner: Option<&Frames<R>>| {
+            let row = &self.rows[i];
+            let is_mounted = row.place.cells.is_some();
+            let frame = |inner: &Frames<R>| if is_mounted { inner.link } else { inner.cells };
+            let base = inner.map_or(base, frame);
+            row.place.frames(&base, row.joint.joint_type, &q[i])
+        })
+    }
+
+    /// The pose of the tip: the tool's, or else that of the last link.
+    pub(super) fn tip<R: Lift>(&self, q: &[Position<R>]) -> Pose<R> {
+        let frames = self.frames(q);
+        let last = frames.last().expect("a robot has links");
+        last.link
+            .then_fixed(&self.tool.as_ref().map(|(place, _)| *place))
+    }
+
+    /// Every body, the row of its link, and the pose of its frame: the links, then the tool.
+    pub(super) fn bodies<R: Lift>(&self, q: &[Position<R>]) -> Vec<(usize, &Body, Pose<R>)> {
+        let frames = self.frames(q);
+        let links = self.rows.iter().zip(&frames).enumerate();
+        let links = links.map(|(i, (row, frames))| (i, &row.body, frames.link));
+        let tool = self.tool.iter().zip(frames.last());
+        let last = self.rows.len() - 1;
+        let tool =
+            tool.map(|((place, body), frames)| (last, body, frames.link.then_fixed(&Some(*place))));
+        links.chain(tool).collect()
+    }
+
+    /// The bodies that can move: a joint that carries them is not locked.
+    pub(super) fn moving_bodies<R: Lift>(&self, q: &[Position<R>]) -> Vec<(&Body, Pose<R>)> {
+        let can_move = |row: usize| self.carriers(row).any(|k| !self.rows[k].joint.is_locked);
+        let bodies = self.bodies(q).into_iter();
+        let moving = bodies.filter(|(row, ..)| can_move(*row));
+        moving.map(|(_, body, pose)| (body, pose)).collect()
+    }
+}
