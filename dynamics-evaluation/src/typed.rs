@@ -216,10 +216,6 @@ macro_rules! impl_model {
         }
 
         impl<const N: usize> Evaluate<N> for $typed<'_, N> {
-            fn evaluate(&self, state: &State<N>, tau: &SVector<f64, N>) -> Evaluation {
-                self.$($path.)*arm.evaluation(state, tau, |x| x)
-            }
-
             fn evaluate_in<T: Scalar>(
                 &self,
                 state: &State<N>,

@@ -212,14 +212,6 @@ fn evaluate(target: &Target, evaluation: &Evaluation) -> TokenStream {
     quote! {
         #path::__with_std! {
             #header {
-                fn evaluate(
-                    &self,
-                    state: &#path::State<#n>,
-                    tau: &#path::nalgebra::SVector<f64, #n>,
-                ) -> #path::Evaluation {
-                    Self::evaluate_in(self, state, tau, |x| x)
-                }
-
                 fn evaluate_in<T: #path::Scalar>(
                     &self,
                     state: &#path::State<#n>,

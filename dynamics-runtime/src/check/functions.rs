@@ -59,8 +59,8 @@ table! { at, k;
     potential_energy: beside(at.numeric.potential_energy(at.q), (at.scale.potential_energy, None)),
     bias_force: beside(at.numeric.bias_force(at.q, at.qd), at.joint(k, at.scale.bias_force)),
     coriolis_matrix: beside(at.numeric.coriolis_matrix(at.q, at.qd), at.joint(k, at.scale.coriolis_matrix)),
-    coriolis_coefficients: beside(at.coriolis_coefficients(), at.joint(k, at.scale.coefficients)),
-    centrifugal_coefficients: beside(at.centrifugal_coefficients(), at.joint(k, at.scale.coefficients)),
+    coriolis_coefficients: beside(at.coriolis_coefficients(), at.joint(k, at.scale.mass_matrix)),
+    centrifugal_coefficients: beside(at.centrifugal_coefficients(), at.joint(k, at.scale.mass_matrix)),
     configuration_space_form: beside(
         at.numeric.coriolis_vector(at.q, at.qd), at.joint(k, at.scale.coriolis_vector)
     ),

@@ -12,10 +12,8 @@ use crate::{JointType, Spring, State, Table};
 /// large terms.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Scale {
-    /// max|M|.
+    /// max|M|: of the coefficients of V too, which are V at velocities of 1.
     pub(super) mass_matrix: f64,
-    /// max|M|, for the coefficients of V: V at velocities of 1.
-    pub(super) coefficients: f64,
     /// max|M| max|qd|^2, for V and for the kinetic energy.
     pub(super) coriolis_vector: f64,
     /// max|M| max|qd|.
@@ -67,7 +65,6 @@ impl Scale {
         let bias_force = coriolis_vector + gravity_vector + springs.force + friction_vector;
         Scale {
             mass_matrix: mass,
-            coefficients: mass,
             coriolis_vector,
             coriolis_matrix: mass * speed,
             gravity_vector,

@@ -20,8 +20,11 @@ pub(crate) use value::{flat, read};
 pub trait Evaluate<const N: usize>: Model<N> {
     /// Every function at one state; without a value where the function was not generated.
     ///
-    /// `tau` are the joint torques at which the forward dynamics is evaluated.
-    fn evaluate(&self, state: &State<N>, tau: &SVector<f64, N>) -> Evaluation;
+    /// `tau` are the joint torques at which the forward dynamics is evaluated. By default, the values are those of
+    /// [`evaluate_in`](Evaluate::evaluate_in): an arm of your own implements one of the two.
+    fn evaluate(&self, state: &State<N>, tau: &SVector<f64, N>) -> Evaluation {
+        self.evaluate_in(state, tau, |x| x)
+    }
 
     /// The same in the arithmetic `T`; `real` turns the doubles of the state into its numbers. In
     /// [`Certified`](crate::Certified) numbers the values carry bounds of their rounding errors.

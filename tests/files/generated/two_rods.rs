@@ -791,13 +791,6 @@ impl ::robot_dynamics::Model<2> for TwoRods {
         clippy::nursery
     )]
     impl ::robot_dynamics::Evaluate<2> for TwoRods {
-        fn evaluate(
-            &self,
-            state: &::robot_dynamics::State<2>,
-            tau: &::robot_dynamics::nalgebra::SVector<f64, 2>,
-        ) -> ::robot_dynamics::Evaluation {
-            Self::evaluate_in(self, state, tau, |x| x)
-        }
         fn evaluate_in<T: ::robot_dynamics::Scalar>(
             &self,
             state: &::robot_dynamics::State<2>,
