@@ -85,9 +85,9 @@ fn is_within(robot: &Robot, limit: f64) -> bool {
 /// Seconds of one expansion of the default set.
 fn expansion(robot: &Robot) -> f64 {
     let functions = Function::default_set(true);
-    let start = clock::thread_seconds();
+    let start = measuring::thread_seconds();
     let methods = expand(robot, &functions, &quote!(::robot_dynamics)).expect("proven");
-    let time = clock::thread_seconds() - start;
+    let time = measuring::thread_seconds() - start;
     assert_eq!(methods.len(), functions.len());
     time
 }
