@@ -4,12 +4,11 @@
 use dynamics_evaluation::RuntimeRobot;
 use dynamics_symbolic::Function;
 use fearless_simd::Level;
+use measuring::Effort;
+use measuring::table::{Table, nanoseconds};
 
 /// States of one batch.
 const STATES: usize = 1024;
-
-/// Batches that are timed; the fastest counts.
-const BATCHES: usize = 1000;
 
 const FUNCTIONS: [Function; 5] = [
     Function::MassMatrix,
@@ -27,11 +26,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         .map(|_| (0..STATES * arm.dof()).map(|_| random()).collect())
         .collect();
     let level = Level::new();
-    println!("{name}, {STATES} states, the fastest of {BATCHES} batches, ns a state and function");
-    println!(
-        "{:<20}{:>6}{:>7}{:>10}{:>10}",
-        "", "ops", "slots", "AVX2", "here"
-    );
+    let title = format!("{name}, {STATES} states, ns a state");
+    let mut table = Table::new(title, &["function", "operations", "slots", "AVX2", "here"]);
     for function in FUNCTIONS {
         let name = function.name();
         let arguments: Vec<&[f64]> = vector[..function.arguments().len()]
@@ -39,23 +35,26 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             .map(Vec::as_slice)
             .collect();
         let mut results = vec![0.0; STATES * arm.entries(name)?];
-        let mut time = |level: Level| -> Result<f64, Box<dyn std::error::Error>> {
-            let mut best = f64::INFINITY;
-            for _ in 0..BATCHES {
-                let start = std::time::Instant::now();
-                arm.batch_at(level, name, &arguments, &mut results)?;
-                best = best.min(start.elapsed().as_secs_f64());
-            }
-            Ok(best * 1e9 / STATES as f64)
+        let mut time = |level: Level| {
+            let batch = |_: &()| {
+                arm.batch_at(level, name, &arguments, &mut results)
+                    .expect("regular")
+            };
+            nanoseconds(Effort::FULL.nanoseconds(&[()], batch) / STATES as f64)
         };
-        let here = time(level)?;
-        let avx2 = match level.as_avx2() {
-            Some(avx2) => format!("{:.1}", time(Level::Avx2(avx2))?),
-            None => "-".to_owned(),
-        };
-        let (operations, slots) = (arm.operations(name)?.total(), arm.slots(name)?);
-        println!("{name:<20}{operations:>6}{slots:>7}{avx2:>10}{here:>10.1}");
+        let here = time(level);
+        let avx2 = level.as_avx2();
+        let avx2 = avx2.map_or("-".to_owned(), |avx2| time(Level::Avx2(avx2)));
+        let [operations, slots] = [arm.operations(name)?.total() as usize, arm.slots(name)?];
+        let counts = [operations.to_string(), slots.to_string()];
+        table.row(
+            [name.to_owned()]
+                .into_iter()
+                .chain(counts)
+                .chain([avx2, here]),
+        );
     }
+    println!("{}", table.text());
     Ok(())
 }
 

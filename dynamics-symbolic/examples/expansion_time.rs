@@ -12,6 +12,7 @@
 use dynamics_symbolic::neglect::neglect;
 use dynamics_symbolic::robot::{Robot, Value};
 use dynamics_symbolic::{Function, expand};
+use measuring::table::Table;
 use quote::quote;
 use std::process::ExitCode;
 
@@ -38,11 +39,13 @@ fn main() -> ExitCode {
         .skip(1)
         .map(|argument| argument.parse().expect("a number of joints"))
         .collect();
-    println!("robot                joints  time, s  limit, s");
+    let heads = ["robot", "joints", "time, s", "limit, s"];
+    let mut table = Table::new("Expansion of the default set", &heads);
     if !joints.is_empty() {
         for &joints in &joints {
-            is_within(&arms::generic_chain(joints), f64::INFINITY);
+            is_within(&mut table, &arms::generic_chain(joints), f64::INFINITY);
         }
+        print!("{}", table.text());
         return ExitCode::SUCCESS;
     }
     let mut robots: Vec<_> = CASES.map(|(name, limit)| (arms::robot(name), limit)).into();
@@ -59,35 +62,37 @@ fn main() -> ExitCode {
     // All of them, whatever the first ones take.
     let slow = robots
         .iter()
-        .filter(|(robot, limit)| !is_within(robot, *limit));
-    match slow.count() {
-        0 => ExitCode::SUCCESS,
-        slow => {
-            println!("{slow} above their limits in each of three expansions");
-            ExitCode::FAILURE
-        }
+        .filter(|(robot, limit)| !is_within(&mut table, robot, *limit))
+        .count();
+    print!("{}", table.text());
+    if slow == 0 {
+        return ExitCode::SUCCESS;
     }
+    println!("{slow} above their limits in each of three expansions");
+    ExitCode::FAILURE
 }
 
-/// Prints how long an expansion takes: the first time, or the least of three where the first is above the limit, on a
+/// A row with the time of an expansion: the first time, or the least of three if the first is above the limit, on a
 /// machine that does something else as well.
-fn is_within(robot: &Robot, limit: f64) -> bool {
+fn is_within(table: &mut Table, robot: &Robot, limit: f64) -> bool {
     let first = expansion(robot);
-    let time = match first <= limit {
-        true => first,
-        false => first.min(expansion(robot)).min(expansion(robot)),
+    let time = if first <= limit {
+        first
+    } else {
+        first.min(expansion(robot)).min(expansion(robot))
     };
-    let (name, joints) = (&robot.name, robot.rows.len());
-    println!("{name:20} {joints:6} {time:8.2} {limit:9.1}");
+    let joints = robot.rows.len().to_string();
+    let name = robot.name.clone();
+    table.row([name, joints, format!("{time:.2}"), format!("{limit:.1}")]);
     time <= limit
 }
 
 /// Seconds of one expansion of the default set.
 fn expansion(robot: &Robot) -> f64 {
     let functions = Function::default_set(true);
-    let start = clock::thread_seconds();
+    let start = measuring::thread_seconds();
     let methods = expand(robot, &functions, &quote!(::robot_dynamics)).expect("proven");
-    let time = clock::thread_seconds() - start;
+    let time = measuring::thread_seconds() - start;
     assert_eq!(methods.len(), functions.len());
     time
 }

@@ -1,11 +1,11 @@
 //! What tests, examples and measurements share: reference values, the dynamics of a table in 31
-//! digits, random numbers, plots and tables.
+//! digits, random numbers and plots.
 
 #![forbid(unsafe_code)]
 
+pub mod columns;
 pub mod exact;
-pub mod machine;
+pub mod five;
 pub mod plot;
 pub mod random;
 pub mod references;
-pub mod table;

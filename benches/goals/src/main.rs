@@ -1,8 +1,6 @@
 //! What the project has set itself goals for, measured: `benches/goals.sh` builds this program for the processor
 //! at hand, runs it in turn with a trial outside of Rust, and prints a table of goals, met or missed.
 
-mod columns;
-mod five;
 mod measure;
 mod second;
 mod table;

@@ -1,31 +1,19 @@
 //! Times and errors, a line each: `time ARM FUNCTION CANDIDATE NS`, `error ARM FUNCTION CANDIDATE LARGEST RMS`,
 //! and `ratio ARM FUNCTION CANDIDATE X`.
 
-use clock::Effort;
+use measuring::Effort;
 use robot_dynamics::nalgebra::{SMatrix, SVector};
-use robot_dynamics::{Batch, DoubleDouble, Scalar};
+use robot_dynamics::{Batch, DoubleDouble};
 
-use crate::columns::{Columns, zeros};
-use crate::five::{Five, NAMES, Numbers, calls, values};
 use measured_arms::*;
+use testkit::columns::{Columns, zeros};
+use testkit::five::{Five, NAMES, Numbers, calls, states, values};
 
 /// The states at which a function is evaluated in turn, and those of a batch: all fit into the first cache.
 pub(crate) const STATES: usize = 64;
 
 /// The states of a batch of derivatives.
 const MANY: usize = 1024;
-
-/// States spread over the joints' circles, in numbers that single precision holds.
-pub(crate) fn states<T: Scalar, const N: usize>(count: usize) -> Vec<Numbers<T, N>> {
-    let number = |phase: f64, state: usize, joint: usize| {
-        let x = (phase + 1.7 * state as f64 + 2.3 * joint as f64).sin() * 3.0;
-        T::from_f64(f64::from(x as f32))
-    };
-    let vector = |phase, state| SVector::from_fn(|joint, _| number(phase, state, joint));
-    (0..count)
-        .map(|state| [0.1, 0.7, 1.9].map(|phase| vector(phase, state)))
-        .collect()
-}
 
 /// What one core does.
 pub(crate) fn on_one_core() {

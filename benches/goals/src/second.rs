@@ -1,11 +1,12 @@
 //! Second derivatives of the Panda's torques, one call.
 
-use clock::Effort;
+use measuring::Effort;
 use robot_dynamics::DoubleDouble;
 use robot_dynamics::nalgebra::SMatrix;
 
-use crate::five::Numbers;
-use crate::measure::{STATES, relative, states};
+use testkit::five::{Numbers, states};
+
+use crate::measure::{STATES, relative};
 
 robot_dynamics::robot_dynamics! {
     /// The Panda with this function alone.

@@ -33,7 +33,7 @@ impl Errors {
 }
 
 /// The errors of the five functions over the states of the arm's file, angles of 1e6 rad among
-/// them, in the order of [`crate::measure::FUNCTIONS`].
+/// them, in the order of [`testkit::five::NAMES`].
 pub(crate) fn errors<const N: usize, C: Candidate<N>>(
     file: &str,
     candidate: &mut C,

@@ -10,7 +10,6 @@ mod errors;
 mod measure;
 mod others;
 mod report;
-mod timing;
 
 fn main() {
     let arguments: Vec<String> = std::env::args().skip(1).collect();

@@ -1,26 +1,24 @@
 //! Values, errors and times of every candidate, printed as lines of words.
 
-use clock::Effort;
+use measuring::Effort;
 use robot_dynamics::nalgebra::{SMatrix, SVector};
-use robot_dynamics::{
-    CoriolisVector, DoubleDouble, ForwardDynamics, GravityVector, InverseDynamics, MassMatrix,
-    NewtonEuler, State,
-};
+use robot_dynamics::{DoubleDouble, NewtonEuler, State};
 
-use crate::candidates::{Candidate, Columns, Dynibo, GENERATED, Lanes, Values};
+use crate::candidates::{Candidate, Dynibo, GENERATED, Lanes, Values};
 use crate::errors::errors;
 use crate::others::rounding_error;
-use crate::timing::{STATES, states};
 use measured_arms::*;
+use testkit::columns::Columns;
+use testkit::five::{self, Five, NAMES};
 
-/// The functions that every candidate has.
-pub(crate) const FUNCTIONS: [&str; 5] = [
-    "inverse_dynamics",
-    "mass_matrix",
-    "coriolis_vector",
-    "gravity_vector",
-    "forward_dynamics",
-];
+/// Number of states: a function is evaluated at each in turn.
+const STATES: usize = 64;
+
+/// States spread over the joints' circles; positions of sliding joints within 3 m.
+fn states<const N: usize>() -> Vec<State<N>> {
+    let states = five::states(STATES).into_iter();
+    states.map(|[q, qd, qdd]| State { q, qd, qdd }).collect()
+}
 
 /// The functions that only the generated code has, as the report groups them: those that are not
 /// measured (below) have no line there.
@@ -134,7 +132,7 @@ impl<A: Candidate<N>, const N: usize> Measured<'_, A, N> {
     fn rival<C: Candidate<N>>(&mut self, candidate: &mut C) {
         self.assert_agreement(candidate);
         let errors = errors(self.file, candidate);
-        for (function, errors) in FUNCTIONS.iter().zip(&errors) {
+        for (function, errors) in NAMES.iter().zip(&errors) {
             let (largest, rms) = (errors.largest, errors.rms());
             println!(
                 "error {} {function} {} {largest:e} {rms:e}",
@@ -143,13 +141,13 @@ impl<A: Candidate<N>, const N: usize> Measured<'_, A, N> {
             );
         }
         let c = candidate;
-        self.time(FUNCTIONS[0], C::NAME, |s| {
+        self.time(NAMES[0], C::NAME, |s| {
             c.inverse_dynamics(&s.q, &s.qd, &s.qdd)
         });
-        self.time(FUNCTIONS[1], C::NAME, |s| c.mass_matrix(&s.q));
-        self.time(FUNCTIONS[2], C::NAME, |s| c.coriolis_vector(&s.q, &s.qd));
-        self.time(FUNCTIONS[3], C::NAME, |s| c.gravity_vector(&s.q));
-        self.time(FUNCTIONS[4], C::NAME, |s| {
+        self.time(NAMES[1], C::NAME, |s| c.mass_matrix(&s.q));
+        self.time(NAMES[2], C::NAME, |s| c.coriolis_vector(&s.q, &s.qd));
+        self.time(NAMES[3], C::NAME, |s| c.gravity_vector(&s.q));
+        self.time(NAMES[4], C::NAME, |s| {
             c.forward_dynamics(&s.q, &s.qd, &s.qdd)
         });
     }
@@ -157,13 +155,12 @@ impl<A: Candidate<N>, const N: usize> Measured<'_, A, N> {
     /// The batches, by columns: errors as for every candidate, times for one state of a batch.
     fn batches(&mut self, lanes: &mut Lanes<A>)
     where
-        A: MassMatrix<N> + CoriolisVector<N> + GravityVector<N> + InverseDynamics<N>,
-        A: ForwardDynamics<N>,
+        A: Five<N>,
     {
         self.assert_agreement(lanes);
-        let mut columns = Columns::new(&self.states);
+        let mut columns = Columns::new(&five::states::<f64, N>(STATES));
         for (k, errors) in errors(self.file, lanes).iter().enumerate() {
-            let (file, function) = (self.file, format!("{}_batch", FUNCTIONS[k]));
+            let (file, function) = (self.file, format!("{}_batch", NAMES[k]));
             let (largest, rms) = (errors.largest, errors.rms());
             println!("error {file} {function} {GENERATED} {largest:e} {rms:e}");
             let time =
@@ -195,7 +192,7 @@ impl<A: Candidate<N>, const N: usize> Measured<'_, A, N> {
         for state in &self.states {
             let tau = self.arm.inverse_dynamics(&state.q, &state.qd, &state.qdd);
             let (ours, theirs) = (self.arm.values(state, &tau), candidate.values(state, &tau));
-            for (function, difference) in FUNCTIONS.iter().zip(differences(&ours, &theirs)) {
+            for (function, difference) in NAMES.iter().zip(differences(&ours, &theirs)) {
                 let (file, name) = (self.file, C::NAME);
                 let agree = difference < AGREEMENT;
                 assert!(

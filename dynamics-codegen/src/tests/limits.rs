@@ -39,11 +39,11 @@ fn errors(items: &str) -> Vec<String> {
 fn expansion(source: &str, limit: f64) -> (String, u64) {
     let tokens: TokenStream = source.parse().expect("the source lexes");
     let mut items = String::new();
-    let start = clock::thread_seconds();
+    let start = measuring::thread_seconds();
     let memory = allocation_counter::measure(|| {
         items = crate::generate_by(tokens, &derive_together).to_string();
     });
-    let time = clock::thread_seconds() - start;
+    let time = measuring::thread_seconds() - start;
     let start = &source[..source.len().min(60)];
     assert!(time < limit, "{start}: {time} s");
     assert!(

@@ -4,8 +4,9 @@ use std::{
     fs,
     path::{Path, PathBuf},
     process::{Command, Stdio},
-    time::{SystemTime, UNIX_EPOCH},
 };
+
+use measuring::children_seconds;
 
 use crate::chain::Outcome;
 
@@ -17,10 +18,12 @@ pub(crate) const RELEASE: [&str; 2] = ["-C", "opt-level=3"];
 /// The dev profile.
 pub(crate) const DEV: [&str; 4] = ["-C", "opt-level=0", "-C", "debuginfo=2"];
 
-/// rustc with the runtime at hand.
+/// rustc with the runtime and the clock at hand.
 pub(crate) struct Compiler {
     /// The compiled runtime.
     runtime: PathBuf,
+    /// The compiled clock.
+    measuring: PathBuf,
     /// Where texts and what is made of them go.
     folder: PathBuf,
 }
@@ -29,15 +32,26 @@ impl Compiler {
     /// Has cargo compile the runtime.
     pub(crate) fn new() -> Outcome<Self> {
         let output = cargo()
-            .args(["build", "--release", "--quiet", "-p", "dynamics-runtime"])
+            .args(["build", "--release", "--quiet"])
+            .args(["-p", "dynamics-runtime", "-p", "measuring"])
             .arg("--message-format=json")
             .stderr(Stdio::inherit())
             .output()?;
         let messages = String::from_utf8(output.stdout)?;
-        let runtime = messages.lines().find_map(runtime_of).ok_or("no runtime")?;
+        let library = |name| {
+            let found = messages
+                .lines()
+                .find_map(|message| library_of(message, name));
+            found.ok_or(format!("no {name}"))
+        };
+        let (runtime, measuring) = (library("dynamics_runtime")?, library("measuring")?);
         let folder = std::env::temp_dir().join(format!("growth-{}", std::process::id()));
         fs::create_dir_all(&folder)?;
-        Ok(Compiler { runtime, folder })
+        Ok(Compiler {
+            runtime,
+            measuring,
+            folder,
+        })
     }
 
     /// Compiles a library, `chain`. Seconds on a processor.
@@ -48,7 +62,9 @@ impl Compiler {
     /// Compiles a program that uses the library, runs it, and reads a number from each line.
     pub(crate) fn run(&self, source: &str) -> Outcome<Vec<f64>> {
         let library = format!("chain={}", self.folder.join("libchain.rlib").display());
-        self.compile("timing", "bin", source, &RELEASE, &["--extern", &library])?;
+        let clock = format!("measuring={}", self.measuring.display());
+        let options = ["--extern", &library, "--extern", &clock];
+        self.compile("timing", "bin", source, &RELEASE, &options)?;
         let output = Command::new(self.folder.join("timing")).output()?;
         if !output.status.success() {
             return Err("the timing program failed".into());
@@ -113,36 +129,17 @@ pub(crate) fn cargo() -> Command {
     cargo
 }
 
-/// Seconds on processors of all programs that this one has run, to 1/50 s; where the system does
-/// not tell (Linux does), the time of the day.
-fn children_seconds() -> f64 {
-    let statistics = fs::read_to_string("/proc/self/stat").unwrap_or_default();
-    // The name, in parentheses, may have spaces in it. User and system time are fields 16 and 17.
-    let fields = statistics.rsplit_once(") ").map(|(_, fields)| fields);
-    let ticks = fields.map(|fields| fields.split(' ').skip(13).take(2).map(str::parse::<f64>));
-    match ticks.and_then(|ticks| ticks.collect::<Result<Vec<_>, _>>().ok()) {
-        Some(ticks) => ticks.iter().sum::<f64>() / TICKS_IN_SECOND,
-        None => {
-            let time = SystemTime::now().duration_since(UNIX_EPOCH);
-            time.map_or(0.0, |time| time.as_secs_f64())
-        }
-    }
-}
-
-/// Of the times that Linux tells programs, on every architecture.
-const TICKS_IN_SECOND: f64 = 100.0;
-
 /// The flags that the user gave to cargo for rustc.
 pub(crate) fn flags() -> Vec<String> {
     let flags = std::env::var("RUSTFLAGS").unwrap_or_default();
     flags.split_whitespace().map(str::to_owned).collect()
 }
 
-/// The library of the runtime, where a message of cargo is about it.
-fn runtime_of(message: &str) -> Option<PathBuf> {
+/// The library of that name, if a message of cargo is about it.
+fn library_of(message: &str, name: &str) -> Option<PathBuf> {
     let message: serde_json::Value = serde_json::from_str(message).ok()?;
-    let is_runtime = message["target"]["name"] == "dynamics_runtime";
-    let files = message["filenames"].as_array().filter(|_| is_runtime)?;
+    let is_wanted = message["target"]["name"] == name;
+    let files = message["filenames"].as_array().filter(|_| is_wanted)?;
     let mut paths = files.iter().filter_map(|file| file.as_str());
     paths
         .find(|path| path.ends_with(".rlib"))

@@ -2,8 +2,8 @@
 
 use std::process::Command;
 
-use testkit::machine;
-use testkit::table::Table;
+use measuring::machine;
+use measuring::table::Table;
 
 use crate::chain::{Chain, LISTED, Outcome};
 use crate::compile::flags;
@@ -31,7 +31,7 @@ the mass matrix up to 11 joints (a cubic number of operations) and goes by artic
 set at `f64`: release profile, and dev profile with debug information. L is the number of
 operations of all of them. What grows faster than L in the release profile is LLVM's vectoriser of
 straight-line code, in the longest function, M; one function has one block of code here.",
-    "Nanoseconds, `f64`, one state after the other in a loop; medians of 51 batches. Each
+    "Nanoseconds, `f64`, one state after the other in a loop; medians of 31 batches. Each
 instruction is read once in a call: where a function outgrows the first instruction cache (32 KiB
 on the usual machines, some 1,900 operations) an operation takes up to twice as long.",
 ];

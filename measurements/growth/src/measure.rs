@@ -58,14 +58,13 @@ fn expansion(
     robot: &Robot,
     functions: &[Function],
 ) -> Outcome<(f64, Vec<dynamics_symbolic::Method>)> {
-    let mut times = Vec::new();
+    let mut times = [0.0; 3];
     let mut methods = Vec::new();
-    for _ in 0..3 {
-        let start = clock::thread_seconds();
+    for time in &mut times {
+        let start = measuring::thread_seconds();
         methods = expand(robot, functions, &quote!(::dynamics_runtime))
             .map_err(|failures| failures[0].to_string())?;
-        times.push(clock::thread_seconds() - start);
+        *time = measuring::thread_seconds() - start;
     }
-    times.sort_by(f64::total_cmp);
-    Ok((times[1], methods))
+    Ok((measuring::median(times), methods))
 }

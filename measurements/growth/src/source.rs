@@ -77,7 +77,7 @@ pub(crate) fn program(joints: usize) -> String {
             .collect();
         let (name, arguments) = (function.name(), arguments.join(", "));
         calls += &format!(
-            "    time(&states, |state| {{ let _ = black_box(chain::{name}({arguments})); }});\n"
+            "    println!(\"{{}}\", Effort::FULL.nanoseconds(&states, |state| chain::{name}({arguments})));\n"
         );
     }
     format!(
@@ -87,7 +87,7 @@ pub(crate) fn program(joints: usize) -> String {
 
 const TIMING: &str = r#"
 use dynamics_runtime::nalgebra::SVector;
-use std::{hint::black_box, time::Instant};
+use measuring::Effort;
 
 type State = [SVector<f64, JOINTS>; 3];
 
@@ -111,23 +111,4 @@ fn compare([q, qd, qdd]: &State) {
     assert!((tau - needed).norm() <= 1e-9 * tau.norm());
 }
 
-fn batch(states: &[State], rounds: usize, call: &impl Fn(&State)) -> f64 {
-    let start = Instant::now();
-    for _ in 0..rounds {
-        for state in states {
-            call(black_box(state));
-        }
-    }
-    start.elapsed().as_nanos() as f64 / (rounds * states.len()) as f64
-}
-
-/// Prints the median of 51 batches of at least 50 microseconds.
-fn time(states: &[State], call: impl Fn(&State)) {
-    batch(states, 4, &call);
-    let once = batch(states, 1, &call) * states.len() as f64;
-    let rounds = (50e3 / once).ceil() as usize;
-    let mut times: Vec<f64> = (0..51).map(|_| batch(states, rounds, &call)).collect();
-    times.sort_by(f64::total_cmp);
-    println!("{}", times[25]);
-}
 "#;

@@ -1,7 +1,8 @@
 //! What each piece of the PUMA 560 and the Panda costs, and what leaving it out does.
 
 use super::arms::*;
-use super::measure::{Arm, errors, operations, times};
+use super::measure::{errors, operations, times};
+use testkit::five::Five;
 
 /// An arm with a piece left out.
 pub struct Feature {
@@ -10,7 +11,7 @@ pub struct Feature {
     /// What is left out of it.
     pub without: &'static str,
     /// Multiplications, additions and divisions, in the order of
-    /// [`FUNCTIONS`](super::measure::FUNCTIONS).
+    /// [`NAMES`](testkit::five::NAMES).
     pub operations: [u32; 5],
     /// Nanoseconds of a call.
     pub nanoseconds: [f64; 5],
@@ -48,8 +49,8 @@ pub fn features() -> Vec<Feature> {
 fn feature<const N: usize>(
     arm: &'static str,
     without: &'static str,
-    part: &impl Arm<N>,
-    whole: &impl Arm<N>,
+    part: &impl Five<N>,
+    whole: &impl Five<N>,
     operations: [u32; 5],
 ) -> Feature {
     Feature {

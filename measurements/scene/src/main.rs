@@ -5,95 +5,87 @@
 //! cargo run --release -p scene
 //! ```
 
+use measuring::table::Table;
+use robot_dynamics::Operations;
 use robot_dynamics::nalgebra::{Vector3, Vector6};
 use scene::arms::{Puma, PumaWithoutWrist};
-use scene::features::{Feature, features};
-use scene::measure::{self, FUNCTIONS, State, operations, states, times};
+use scene::features::features;
+use scene::measure::{State, operations, states, time, times};
+use testkit::five::NAMES;
+
+const TITLE: &str = "\
+Operations / ns / error of a function: its largest difference from that of the complete arm
+at 500 random states (within pi, 3 rad/s, 10 rad/s^2) over the largest value of that";
 
 fn main() {
-    println!(
-        "Operations / ns / error of a function: its largest difference from that of the complete arm"
-    );
-    println!(
-        "at 500 random states (within pi, 3 rad/s, 10 rad/s^2) over the largest value of that.\n"
-    );
-    heading();
-    let features = features();
-    for Feature {
-        arm,
-        without,
-        operations,
-        nanoseconds,
-        errors,
-    } in &features
-    {
-        row(arm, without, operations, nanoseconds, Some(errors));
+    let mut table = Table::new(TITLE, &[&["arm", "without"][..], &NAMES].concat());
+    for feature in features() {
+        let errors = feature.errors.map(|error| format!("{error:.0e}"));
+        let names = [feature.arm, feature.without];
+        row(
+            &mut table,
+            names,
+            feature.operations,
+            feature.nanoseconds,
+            errors,
+        );
     }
-    let (count, time) = (
+    row(
+        &mut table,
+        ["PUMA 560", "wrist, which is locked"],
         operations(&PumaWithoutWrist::OPERATIONS),
         times(&PumaWithoutWrist),
+        ["-"; 5].map(str::to_owned),
     );
-    row("PUMA 560", "wrist, which is locked", &count, &time, None);
-    println!("\nWithout the wrist, beside the complete arm's first three joints:");
+    println!("{}", table.text());
+    println!("Without the wrist, beside the complete arm's first three joints:");
     println!(
         "  the wrist at rest where it is locked: tau differs by {:.0e} of its largest value,",
         wrist(0.0)
     );
     println!(
-        "  the wrist in motion (3 rad/s, 10 rad/s^2):           {:.0e}.",
+        "  the wrist in motion (3 rad/s, 10 rad/s^2):           {:.0e}.\n",
         wrist(1.0)
     );
-    articulated();
-}
-
-/// Forward dynamics by articulated bodies beside the factored mass matrix.
-fn articulated() {
-    let all = &Puma::OPERATIONS;
-    let total = |name: &str| {
-        all.iter()
-            .find(|(function, _)| *function == name)
-            .map(|(_, o)| o.total())
-    };
-    let time = |articulated: bool| {
-        measure::time(|[q, qd, tau]: &State<6>| {
-            let solution = match articulated {
-                true => Puma.forward_dynamics_aba(q, qd, tau),
-                false => Puma.forward_dynamics(q, qd, tau),
-            };
-            let _ = std::hint::black_box(solution);
-        })
-    };
-    println!("\nThe PUMA 560's accelerations:");
-    for (name, is_articulated) in [("forward_dynamics", false), ("forward_dynamics_aba", true)] {
-        println!(
-            "  {name:22}{:>6} operations{:>6.0} ns",
-            total(name).unwrap_or(0),
-            time(is_articulated)
-        );
-    }
-}
-
-fn heading() {
-    print!("{:9} {:24}", "arm", "without");
-    for function in FUNCTIONS {
-        print!("{function:>22}");
-    }
-    println!();
+    println!("{}", articulated().text());
 }
 
 fn row(
-    arm: &str,
-    without: &str,
-    operations: &[u32; 5],
-    times: &[f64; 5],
-    errors: Option<&[f64; 5]>,
+    table: &mut Table,
+    names: [&str; 2],
+    operations: [u32; 5],
+    times: [f64; 5],
+    errors: [String; 5],
 ) {
-    print!("{arm:9} {without:24}");
-    for k in 0..FUNCTIONS.len() {
-        let error = errors.map_or(String::new(), |errors| format!("{:.0e}", errors[k]));
-        print!("{:>8}{:>6.0}{error:>8}", operations[k], times[k]);
-    }
-    println!();
+    let cells = (0..5).map(|k| format!("{} / {:.0} / {}", operations[k], times[k], errors[k]));
+    table.row(names.map(str::to_owned).into_iter().chain(cells));
+}
+
+/// Forward dynamics by articulated bodies beside the factored mass matrix.
+fn articulated() -> Table {
+    let mut table = Table::new(
+        "The PUMA 560's accelerations",
+        &["function", "operations", "ns"],
+    );
+    let all: &[(&str, Operations)] = &Puma::OPERATIONS;
+    let mut row = |name: &str, time: f64| {
+        let found = all.iter().find(|(function, _)| *function == name);
+        let operations = found.map_or(0, |(_, operations)| operations.total());
+        table.row([
+            name.to_owned(),
+            operations.to_string(),
+            format!("{time:.0}"),
+        ]);
+    };
+    row(
+        "forward_dynamics",
+        time(|[q, qd, tau]: &State<6>| Puma.forward_dynamics(q, qd, tau)),
+    );
+    row(
+        "forward_dynamics_aba",
+        time(|[q, qd, tau]: &State<6>| Puma.forward_dynamics_aba(q, qd, tau)),
+    );
+    table
 }
 
 /// The largest difference of the first three joint torques of the arm without its wrist from those

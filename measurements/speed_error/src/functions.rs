@@ -1,12 +1,13 @@
 //! Every function of an arm in every variant: time and errors.
 
-use clock::Effort;
+use measuring::Effort;
 use robot_dynamics::nalgebra::{SMatrix, SVector};
 use robot_dynamics::{
     Batch, Certified, CoriolisVector, DoubleDouble, ForwardDynamics, GravityVector,
     InverseDynamics, MassMatrix, Model, NewtonEuler, SingularMassMatrix, Table, certified,
 };
 use testkit::exact::Exact;
+use testkit::five::Five;
 
 use crate::errors::{AtState, Errors};
 use crate::number::{BUILT_FUSED, Number, Otherwise, can_fuse, with_fused_instructions};
@@ -158,25 +159,9 @@ pub(crate) struct Measured {
 }
 
 /// An arm that is measured.
-pub(crate) trait Arm<const N: usize>:
-    Model<N>
-    + MassMatrix<N>
-    + CoriolisVector<N>
-    + GravityVector<N>
-    + InverseDynamics<N>
-    + ForwardDynamics<N>
-{
-}
+pub(crate) trait Arm<const N: usize>: Model<N> + Five<N> {}
 
-impl<R, const N: usize> Arm<N> for R where
-    R: Model<N>
-        + MassMatrix<N>
-        + CoriolisVector<N>
-        + GravityVector<N>
-        + InverseDynamics<N>
-        + ForwardDynamics<N>
-{
-}
+impl<R: Model<N> + Five<N>, const N: usize> Arm<N> for R {}
 
 /// The measurements of an arm.
 pub(crate) struct Measurements<const N: usize> {

@@ -2,8 +2,9 @@
 
 use std::error::Error;
 
+use measuring::median;
+use measuring::table::{Table, nanoseconds, short};
 use testkit::plot::{Mark, Plot, Series};
-use testkit::table::{Table, nanoseconds, short};
 
 use crate::functions::{Function, Measured, Variant};
 use crate::page::{Part, Section};
@@ -136,14 +137,8 @@ fn median_ratio(found: &[&Measured]) -> String {
     let ratios: Vec<f64> = found.iter().filter_map(|m| ratio(&m)).collect();
     match ratios.is_empty() {
         true => String::new(),
-        false => format!("{:.0}", median(ratios.into_iter())),
+        false => format!("{:.0}", median(ratios)),
     }
-}
-
-fn median(values: impl Iterator<Item = f64>) -> f64 {
-    let mut values: Vec<_> = values.collect();
-    values.sort_by(f64::total_cmp);
-    values[values.len() / 2]
 }
 
 fn table(robot: &str, measured: &[&Measured]) -> Table {

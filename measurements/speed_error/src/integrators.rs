@@ -1,8 +1,8 @@
 //! Integrators: the error at the end of a motion against the work that it took.
 
 use std::hint::black_box;
-use std::time::{Duration, Instant};
 
+use measuring::{median_of_runs, power};
 use robot_dynamics::nalgebra::SVector;
 use robot_dynamics::{
     Dop853, DormandPrince, DoubleDouble, ForwardDynamics, Method, Radau5, Simulation,
@@ -231,17 +231,7 @@ fn timed<const N: usize>(
     end: &SVector<DoubleDouble, N>,
     simulate: impl Fn() -> Result<Trajectory<N>, Box<SimulationError<N>>>,
 ) -> Run {
-    let run = || {
-        let start = Instant::now();
-        let outcome = simulate();
-        (start.elapsed(), outcome)
-    };
-    let (first, outcome) = run();
-    let mut times = vec![first];
-    while times.len() < 7 && times.iter().sum::<Duration>() < Duration::from_millis(15) {
-        times.push(run().0);
-    }
-    times.sort();
+    let (outcome, seconds) = median_of_runs(simulate);
     let (evaluations, error) = match outcome {
         Ok(trajectory) => {
             let found = trajectory.q.last().map(|q| q.map(DoubleDouble::from) - end);
@@ -261,7 +251,7 @@ fn timed<const N: usize>(
     };
     Run {
         parameter,
-        nanoseconds: times[times.len() / 2].as_nanos() as f64,
+        nanoseconds: 1e9 * seconds,
         evaluations,
         error,
     }
@@ -274,18 +264,10 @@ fn fitted_order(runs: &[Run], floor: f64) -> Option<f64> {
         .filter_map(|run| {
             let error = run.small_error()?;
             let usable = error < 3e-2 && error > 100.0 * floor.max(1e-15);
-            usable.then(|| ((run.evaluations as f64).ln(), error.ln()))
+            usable.then_some((run.evaluations as f64, error))
         })
         .collect();
-    if points.len() < 3 {
-        return None;
-    }
-    let count = points.len() as f64;
-    let mean = |part: fn(&(f64, f64)) -> f64| points.iter().map(part).sum::<f64>() / count;
-    let (x, y) = (mean(|p| p.0), mean(|p| p.1));
-    let covariance: f64 = points.iter().map(|p| (p.0 - x) * (p.1 - y)).sum();
-    let variance: f64 = points.iter().map(|p| (p.0 - x) * (p.0 - x)).sum();
-    Some(-covariance / variance)
+    power(&points).map(|power| -power)
 }
 
 /// The work at which a method reaches an error, between the runs on both sides of it:

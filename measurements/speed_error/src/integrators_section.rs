@@ -2,11 +2,11 @@
 
 use std::error::Error;
 
+use measuring::table::{Table, short};
 use robot_dynamics::nalgebra::{SVector, Vector2, Vector6};
 use robot_dynamics::{DoubleDouble, ForwardDynamics, TaylorDynamics};
 use testkit::plot::{Mark, Plot, Series};
 use testkit::references::MotionFile;
-use testkit::table::{Table, short};
 
 use crate::integrators::{Curve, Problem, Run, Setting, work_at};
 use crate::page::{Part, Section};

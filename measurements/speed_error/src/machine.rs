@@ -2,7 +2,7 @@
 
 use std::process::Command;
 
-use testkit::machine;
+use measuring::machine;
 
 use crate::number::BUILT_FUSED;
 

@@ -38,9 +38,9 @@ mod textbook_programs {
     include!(concat!(env!("OUT_DIR"), "/textbook_programs.rs"));
 }
 
-use clock::Effort;
 use functions::{Measured, Measurements};
 use measured_robots::for_each_measured_robot;
+use measuring::Effort;
 use robots::*;
 
 /// What the command line asks for.

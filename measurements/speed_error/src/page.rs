@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use testkit::table::{Table, escaped};
+use measuring::table::{Table, escaped};
 
 /// Something of a section, in its order.
 pub(crate) enum Part {

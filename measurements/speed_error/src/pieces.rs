@@ -1,9 +1,10 @@
 //! What each piece of a model costs, and what leaving it out does.
 
+use measuring::table::{Table, nanoseconds, short};
 use scene::arms::PumaWithoutWrist;
 use scene::features::features;
-use scene::measure::{FUNCTIONS, operations, times};
-use testkit::table::{Table, nanoseconds, short};
+use scene::measure::{operations, times};
+use testkit::five::NAMES;
 
 use crate::page::{Part, Section};
 
@@ -17,7 +18,7 @@ pub(crate) fn section() -> Section {
          locked wrist makes an arm of three joints (`lock:`).",
     );
     let features = features();
-    for (k, function) in FUNCTIONS.iter().enumerate() {
+    for (k, function) in NAMES.iter().enumerate() {
         let heads = ["without", "operations", "ns", "error"];
         let mut table = Table::new(*function, &heads);
         for feature in &features {

@@ -1,11 +1,11 @@
 //! What other numbers than doubles cost, in the same generated functions.
 
-use clock::Effort;
+use measuring::Effort;
+use measuring::table::{Table, nanoseconds};
 use num_dual::{Dual64, DualSVec64};
 use robot_dynamics::nalgebra::SVector;
 use robot_dynamics::{DoubleDouble, Scalar};
 use robots::{Panda, Puma560};
-use testkit::table::{Table, nanoseconds};
 
 use crate::functions::Arm;
 use crate::page::{Part, Section};

@@ -1,8 +1,9 @@
 //! The third part of the report: energy and structure.
 
 use std::error::Error;
-use std::time::Instant;
 
+use measuring::seconds;
+use measuring::table::{Table, short};
 use num_dual::Dual64;
 use robot_dynamics::nalgebra::{SMatrix, SVector};
 use robot_dynamics::{
@@ -11,7 +12,6 @@ use robot_dynamics::{
 };
 use robots::{Elbow3r, Panda, Puma560, Scara, Stanford, TwoLinkSaha};
 use testkit::plot::{Mark, Plot, Series};
-use testkit::table::{Table, short};
 
 use crate::functions::Arm;
 use crate::integrators::{FAMILIES, TAYLOR};
@@ -140,9 +140,7 @@ fn timed<const N: usize>(
     setting: String,
     run: impl FnOnce() -> Result<Trajectory<N>, Box<SimulationError<N>>>,
 ) -> Run<N> {
-    let start = Instant::now();
-    let ended = run();
-    let time = start.elapsed().as_secs_f64();
+    let (ended, time) = seconds(run);
     let (motion, remark) = match ended {
         Ok(motion) => (motion, String::new()),
         Err(end) => {

@@ -1,9 +1,8 @@
-//! The generated functions in the lanes of vector registers, a column for each joint.
+//! The generated functions in the lanes of vector registers.
 
+use robot_dynamics::Batch;
 use robot_dynamics::nalgebra::{SMatrix, SVector};
-use robot_dynamics::{
-    Batch, CoriolisVector, ForwardDynamics, GravityVector, InverseDynamics, MassMatrix, State,
-};
+use testkit::five::Five;
 
 use super::Candidate;
 
@@ -11,11 +10,7 @@ use super::Candidate;
 pub(crate) struct Lanes<A>(pub(crate) A);
 
 /// Batches of one state, for the errors. It takes a group of lanes like any other.
-impl<A, const N: usize> Candidate<N> for Lanes<A>
-where
-    A: MassMatrix<N> + CoriolisVector<N> + GravityVector<N> + InverseDynamics<N>,
-    A: ForwardDynamics<N>,
-{
+impl<A: Five<N>, const N: usize> Candidate<N> for Lanes<A> {
     const NAME: &'static str = "batch";
 
     fn inverse_dynamics(
@@ -69,60 +64,4 @@ where
             .ok()?;
         Some(qdd[0])
     }
-}
-
-/// Many states by columns.
-pub(crate) struct Columns<const N: usize> {
-    q: [Vec<f64>; N],
-    qd: [Vec<f64>; N],
-    /// qdd, or tau.
-    last: [Vec<f64>; N],
-    vector: [Vec<f64>; N],
-    matrix: [[Vec<f64>; N]; N],
-}
-
-impl<const N: usize> Columns<N> {
-    pub(crate) fn new(states: &[State<N>]) -> Self {
-        let columns = |vector: fn(&State<N>) -> &SVector<f64, N>| -> [Vec<f64>; N] {
-            std::array::from_fn(|joint| states.iter().map(|s| vector(s)[joint]).collect())
-        };
-        let zeros = || std::array::from_fn(|_| vec![0.0; states.len()]);
-        Columns {
-            q: columns(|s| &s.q),
-            qd: columns(|s| &s.qd),
-            last: columns(|s| &s.qdd),
-            vector: zeros(),
-            matrix: std::array::from_fn(|_| zeros()),
-        }
-    }
-
-    /// Evaluates the function of that place in [`crate::measure::FUNCTIONS`] at all states.
-    pub(crate) fn evaluate<A>(&mut self, function: usize, arm: &A)
-    where
-        A: MassMatrix<N> + CoriolisVector<N> + GravityVector<N> + InverseDynamics<N>,
-        A: ForwardDynamics<N>,
-    {
-        let (q, qd, last) = (views(&self.q), views(&self.qd), views(&self.last));
-        let vector = self.vector.each_mut().map(|column| &mut column[..]);
-        let written = match function {
-            0 => arm.inverse_dynamics_batch(q, qd, last, vector),
-            1 => {
-                let matrix = self.matrix.each_mut();
-                let matrix = matrix.map(|row| row.each_mut().map(|column| &mut column[..]));
-                arm.mass_matrix_batch(q, matrix)
-            }
-            2 => arm.coriolis_vector_batch(q, qd, vector),
-            3 => arm.gravity_vector_batch(q, vector),
-            _ => {
-                arm.forward_dynamics_batch(q, qd, last, vector)
-                    .expect("M is positive definite");
-                Ok(())
-            }
-        };
-        written.expect("columns of one length");
-    }
-}
-
-fn views<const N: usize>(columns: &[Vec<f64>; N]) -> [&[f64]; N] {
-    columns.each_ref().map(|column| &column[..])
 }

@@ -10,7 +10,7 @@ mod symplex;
 use robot_dynamics::State;
 use robot_dynamics::nalgebra::{SMatrix, SVector};
 
-pub(crate) use batch::{Columns, Lanes};
+pub(crate) use batch::Lanes;
 pub(crate) use dynibo::Dynibo;
 pub(crate) use generated::GENERATED;
 #[cfg(feature = "symplex")]

@@ -2,9 +2,9 @@
 
 use std::fmt::Write;
 
-use super::records::Records;
 use super::tables::three_digits;
 use crate::candidates::GENERATED;
+use measuring::records::Records;
 
 /// Derivatives: the function, the goal, ns, and what Pinocchio takes.
 const DERIVATIVES: [(&str, f64, f64); 2] = [
@@ -21,7 +21,7 @@ pub(super) fn section(native: &Records) -> String {
     let mut text = format!("{BEFORE}\n");
     for (function, goal, pinocchio) in DERIVATIVES {
         let time = native
-            .time("puma560", function, GENERATED)
+            .median(["time", "puma560", function, GENERATED])
             .expect("measured");
         let time = marked(time, goal);
         writeln!(

@@ -2,10 +2,9 @@
 
 mod goals;
 mod machine;
-mod records;
 mod tables;
 
-use records::Records;
+use measuring::records::Records;
 
 /// Prints the document. `files` are the lines of the plain build, those of the native build, and
 /// those of the programs that are not Rust.

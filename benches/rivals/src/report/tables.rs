@@ -2,12 +2,13 @@
 
 use std::fmt::Write;
 
-use testkit::table::Table;
+use measuring::table::Table;
 
-use super::records::Records;
 use crate::candidates::GENERATED;
-use crate::measure::{FUNCTIONS, GROUPS};
+use crate::measure::GROUPS;
 use measured_arms::for_each_arm;
+use measuring::records::Records;
+use testkit::five::NAMES;
 
 macro_rules! names {
     ($($file:ident: $arm:ident, $n:literal;)*) => { [$(stringify!($file)),*] };
@@ -21,7 +22,7 @@ pub(crate) fn overview(native: &Records, elsewhere: &Records) -> String {
         .into_iter()
         .flat_map(|records| {
             records
-                .candidates()
+                .names("time", 3)
                 .into_iter()
                 .map(move |name| (records, name))
         })
@@ -31,10 +32,14 @@ pub(crate) fn overview(native: &Records, elsewhere: &Records) -> String {
     let heads: Vec<&str> = ["arm", "function", "ns"].into_iter().chain(names).collect();
     let mut table = Table::new("", &heads);
     for arm in ARMS {
-        for function in FUNCTIONS {
-            let ours = native.time(arm, function, GENERATED).expect("measured");
+        for function in NAMES {
+            let ours = native
+                .median(["time", arm, function, GENERATED])
+                .expect("measured");
             let ratios = others.iter().map(|(records, name)| {
-                let ratio = records.time(arm, function, name).map(|time| time / ours);
+                let ratio = records
+                    .median(["time", arm, function, name])
+                    .map(|time| time / ours);
                 or_dash(ratio.map(three_digits))
             });
             let names = [arm.to_owned(), function.to_owned(), three_digits(ours)];
@@ -48,11 +53,11 @@ pub(crate) fn overview(native: &Records, elsewhere: &Records) -> String {
 pub(crate) fn details(plain: &Records, native: &Records, elsewhere: &Records) -> String {
     ARMS.map(|arm| {
         let mut table = Table::new("", &HEADS);
-        for function in FUNCTIONS {
-            for name in native.candidates() {
+        for function in NAMES {
+            for name in native.names("time", 3) {
                 row(&mut table, [arm, function, name], Some(plain), native);
             }
-            for name in elsewhere.candidates() {
+            for name in elsewhere.names("time", 3) {
                 row(&mut table, [arm, function, name], None, elsewhere);
             }
         }
@@ -78,10 +83,14 @@ fn row(
     plain: Option<&Records>,
     native: &Records,
 ) {
-    let Some(time) = native.time(arm, function, name) else {
+    let Some(time) = native.median(["time", arm, function, name]) else {
         return;
     };
-    let time_of = |records: &Records| records.time(arm, function, name).map(three_digits);
+    let time_of = |records: &Records| {
+        records
+            .median(["time", arm, function, name])
+            .map(three_digits)
+    };
     let errors_of = |records: &Records| -> [String; 2] {
         let errors = records.errors(arm, function, name);
         [0, 1].map(|k| or_dash(errors.map(|errors| format!("{:.0e}", errors[k]))))
@@ -108,7 +117,11 @@ Generated code: ns for one state, plain / native, and the largest error of the n
 pub(crate) fn groups(plain: &Records, native: &Records) -> String {
     let mut text = String::new();
     for (title, functions) in GROUPS {
-        let measured = |function: &&&str| native.time(ARMS[0], function, GENERATED).is_some();
+        let measured = |function: &&&str| {
+            native
+                .median(["time", ARMS[0], function, GENERATED])
+                .is_some()
+        };
         let functions: Vec<&&str> = functions.iter().filter(measured).collect();
         if functions.is_empty() {
             continue;
@@ -118,7 +131,7 @@ pub(crate) fn groups(plain: &Records, native: &Records) -> String {
         let mut table = Table::new("", &[&["function"][..], &ARMS[..]].concat());
         for function in functions {
             let cell = |arm: &str| {
-                let time = |records: &Records| records.time(arm, function, GENERATED);
+                let time = |records: &Records| records.median(["time", arm, function, GENERATED]);
                 let [fast, faster] = [plain, native].map(|r| or_dash(time(r).map(three_digits)));
                 let errors = native.errors(arm, function, GENERATED);
                 let error = or_dash(errors.map(|[largest, _]| format!("{largest:.0e}")));

@@ -5,14 +5,15 @@ use robot_dynamics::{Batch, Precision, Scalar};
 use crate::five::{Five, Numbers};
 
 /// Arguments and values of a batch.
-pub(crate) struct Columns<T, const N: usize> {
+pub struct Columns<T, const N: usize> {
     arguments: [[Vec<T>; N]; 3],
     vector: [Vec<T>; N],
     matrix: [[Vec<T>; N]; N],
 }
 
 impl<T: Precision, const N: usize> Columns<T, N> {
-    pub(crate) fn new(states: &[Numbers<T, N>]) -> Self {
+    /// Those of some states, with room for the values.
+    pub fn new(states: &[Numbers<T, N>]) -> Self {
         let column =
             |argument: usize, joint: usize| states.iter().map(|s| s[argument][joint]).collect();
         Columns {
@@ -25,12 +26,16 @@ impl<T: Precision, const N: usize> Columns<T, N> {
     }
 
     /// Positions, velocities, and accelerations or torques.
-    pub(crate) fn arguments(&self) -> &[[Vec<T>; N]; 3] {
+    pub fn arguments(&self) -> &[[Vec<T>; N]; 3] {
         &self.arguments
     }
 
     /// Evaluates the function of that place in [`crate::five::NAMES`] at all states.
-    pub(crate) fn evaluate<A: Five<N>>(&mut self, function: usize, arm: &A) {
+    ///
+    /// # Panics
+    ///
+    /// If the mass matrix is singular.
+    pub fn evaluate<A: Five<N>>(&mut self, function: usize, arm: &A) {
         let [q, qd, last] = &self.arguments;
         let vector = &mut self.vector;
         let written = match function {
@@ -48,7 +53,7 @@ impl<T: Precision, const N: usize> Columns<T, N> {
     }
 
     /// The values of the function that was evaluated last, at every state.
-    pub(crate) fn values(&self, function: usize) -> Vec<Vec<f64>> {
+    pub fn values(&self, function: usize) -> Vec<Vec<f64>> {
         let at = |state: usize| -> Vec<f64> {
             let value = |column: &Vec<T>| column[state].ratio_to_f64(T::from_f64(1.0));
             match function {
@@ -61,6 +66,6 @@ impl<T: Precision, const N: usize> Columns<T, N> {
 }
 
 /// Columns of zeros.
-pub(crate) fn zeros<T: Scalar, const N: usize>(states: usize) -> [Vec<T>; N] {
+pub fn zeros<T: Scalar, const N: usize>(states: usize) -> [Vec<T>; N] {
     std::array::from_fn(|_| vec![T::from_f64(0.0); states])
 }

@@ -1,4 +1,4 @@
-//! Tables, as text, Markdown and HTML.
+//! Tables as text, Markdown and HTML.
 
 /// A table: its title, its heads, its rows.
 #[derive(Clone, Debug)]
