@@ -24,7 +24,7 @@ fn unknown() -> Ranged {
     Ranged::with_error(Interval::symmetric(f64::INFINITY), f64::INFINITY)
 }
 
-/// Of a follower, what the factor makes of its leader's position or velocity.
+/// A position or velocity; that of a follower is its leader's times the factor.
 fn moved(robot: &Robot, index: usize, of_joint: impl Fn(usize) -> Interval) -> Ranged {
     match robot.followed(index) {
         None => Ranged::exact(of_joint(index)),
