@@ -35,10 +35,7 @@ impl Interval {
     }
 
     fn rounded(low: f64, high: f64) -> Self {
-        Interval {
-            low: low.next_down(),
-            high: high.next_up(),
-        }
+        Interval::new(low.next_down(), high.next_up())
     }
 
     /// Whether every number of it is positive; what is not a number is not.
@@ -59,10 +56,10 @@ impl Interval {
     /// The largest absolute value; infinite where an end is not a number.
     pub(crate) fn size(self) -> f64 {
         let [low, high] = [self.low.abs(), self.high.abs()];
-        match low.is_nan() || high.is_nan() {
-            true => f64::INFINITY,
-            false => low.max(high),
+        if low.is_nan() || high.is_nan() {
+            return f64::INFINITY;
         }
+        low.max(high)
     }
 
     /// The smallest absolute value.
@@ -83,13 +80,11 @@ impl Interval {
         // One too many does no harm.
         let mut quarters = (self.low / FRAC_PI_2 - NEAR_QUARTER).ceil();
         while quarters <= self.high / FRAC_PI_2 + NEAR_QUARTER {
-            let end = match quarters.rem_euclid(4.0) {
-                0.0 | 1.0 => 1.0,
-                _ => -1.0,
-            };
-            let extreme = match quarters.rem_euclid(2.0) {
-                1.0 => &mut sine,
-                _ => &mut cosine,
+            let (extreme, end) = match quarters.rem_euclid(4.0) {
+                0.0 => (&mut cosine, 1.0),
+                1.0 => (&mut sine, 1.0),
+                2.0 => (&mut cosine, -1.0),
+                _ => (&mut sine, -1.0),
             };
             *extreme = extreme.hull(Interval::exact(end));
             quarters += 1.0;
@@ -100,10 +95,7 @@ impl Interval {
     /// The quotient by an interval; everything where that holds zero.
     pub(crate) fn over(self, divisor: Self) -> Self {
         if divisor.low <= 0.0 && divisor.high >= 0.0 {
-            return Interval {
-                low: f64::NEG_INFINITY,
-                high: f64::INFINITY,
-            };
+            return Interval::symmetric(f64::INFINITY);
         }
         Interval::of_ends([
             self.low / divisor.low,
@@ -156,10 +148,7 @@ impl Neg for Interval {
     type Output = Self;
 
     fn neg(self) -> Self {
-        Interval {
-            low: -self.high,
-            high: -self.low,
-        }
+        Interval::new(-self.high, -self.low)
     }
 }
 

@@ -92,8 +92,8 @@ pub(crate) fn add_reduced<V: Copy + Ord>(
     coefficient: &Rational,
     cosine: &impl Fn(V) -> Option<V>,
 ) -> usize {
-    let squares = monomial.iter().filter(|(_, power)| *power > 1);
-    let mut squares = squares.filter_map(|(sine, _)| Some((*sine, cosine(*sine)?)));
+    let powers = monomial.iter().filter(|(_, power)| *power > 1);
+    let mut squares = powers.filter_map(|(sine, _)| Some((*sine, cosine(*sine)?)));
     let Some((sine, cosine_of_sine)) = squares.next() else {
         sum.add_term(monomial, coefficient);
         return 1;

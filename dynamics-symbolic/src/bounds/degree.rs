@@ -13,16 +13,11 @@ pub(super) fn degree(
     outputs: core::ops::Range<usize>,
     is_entry: impl Fn(&Symbol) -> bool,
 ) -> Option<u32> {
-    let inputs: Vec<_> = program
-        .inputs
-        .iter()
-        .map(|x| u32::from(is_entry(x)))
-        .collect();
-    // `None` of what has no power.
+    // `None` is the power of a sum whose terms have different powers.
     let mut results: Vec<Option<u32>> = Vec::with_capacity(program.instructions.len());
     let read = |results: &[Option<u32>], operand: Operand| match operand {
         Operand::Constant(_) => Some(0),
-        Operand::Input(index) => Some(inputs[index as usize]),
+        Operand::Input(index) => Some(u32::from(is_entry(&program.inputs[index as usize]))),
         Operand::Result(index) => results[index as usize],
     };
     for instruction in &program.instructions {

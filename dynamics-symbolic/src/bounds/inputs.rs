@@ -25,7 +25,7 @@ fn unknown() -> Ranged {
     Ranged::with_error(Interval::symmetric(f64::INFINITY), f64::INFINITY)
 }
 
-/// Of a follower, what the factor makes of its leader's position or velocity.
+/// A position or velocity; that of a follower is its leader's times the factor.
 fn moved(arm: &Mechanism, index: usize, of_free: impl Fn(&Joint) -> Interval) -> Ranged {
     let joint = arm.joint_of_symbol(index);
     match &joint.law {

@@ -30,8 +30,8 @@ pub fn over_limits(robot: &Robot, program: &Program, constants: &[f64]) -> Optio
     if !has_limits || arguments.next().is_none() {
         return None;
     }
-    let inputs = program.inputs.iter().map(|symbol| input(&arm, symbol));
-    let inputs: Vec<_> = inputs.collect();
+    let symbols = program.inputs.iter();
+    let inputs: Vec<_> = symbols.map(|symbol| input(&arm, symbol)).collect();
     let outputs = outputs_over(program, constants, &inputs);
     Some(outputs.into_iter().map(|output| output.error).collect())
 }

@@ -1,4 +1,4 @@
-//! What the documentation of a method says.
+//! The sentence about errors in the documentation of a method.
 
 use super::degree::degree;
 use super::over_limits;
@@ -29,13 +29,12 @@ pub(crate) fn note(
     let errors = over_limits(robot, program, constants)?;
     let sizes = sizes(robot, program, constants);
     let parts = request.parts();
-    let outputs = program.outputs.len();
     let values = |(function, span): (&Function, Range<usize>)| {
         let count = function.entries(robot.dof(), span.len());
         span.start..span.start + count
     };
-    let spans = spans(parts, robot.dof(), outputs);
-    let spans: Vec<_> = parts.iter().zip(spans).map(values).collect();
+    let outputs = spans(parts, robot.dof(), program.outputs.len());
+    let spans: Vec<_> = parts.iter().zip(outputs).map(values).collect();
     let bound = |span: &Range<usize>| useful(&errors[span.clone()], &sizes[span.clone()]);
     let bounds: Vec<_> = spans.iter().map(bound).collect();
     if bounds.iter().all(|bound| *bound == Some(0.0)) {
@@ -47,18 +46,15 @@ pub(crate) fn note(
                 .to_owned(),
         );
     }
-    let bounds = match parts {
-        [_] => at_most(bounds[0]),
-        _ => {
-            let named = parts.iter().zip(bounds);
-            let named =
-                named.map(|(part, bound)| format!("{} (`{}`)", at_most(bound), part.name()));
-            named.collect::<Vec<_>>().join(", ")
-        }
+    let named = |(part, bound): (&Function, &Option<f64>)| {
+        format!("{} (`{}`)", at_most(*bound), part.name())
     };
-    let growth = match parts {
-        [_] => growth(program, spans[0].clone()),
-        _ => String::new(),
+    let (bounds, growth) = match parts {
+        [_] => (at_most(bounds[0]), growth(program, spans[0].clone())),
+        _ => {
+            let bounds: Vec<_> = parts.iter().zip(&bounds).map(named).collect();
+            (bounds.join(", "), String::new())
+        }
     };
     let conditions = conditions(program);
     Some(format!(
@@ -116,7 +112,7 @@ fn arguments(program: &Program) -> Vec<Argument> {
     arguments
 }
 
-/// Where the bound holds.
+/// The conditions under which the bound holds.
 fn conditions(program: &Program) -> String {
     let arguments = arguments(program);
     let limits = "joints within their limits";
@@ -127,17 +123,17 @@ fn conditions(program: &Program) -> String {
         [name] => name.clone(),
         [names @ .., last] => format!("{} and {last}", names.join(", ")),
     };
-    if arguments.contains(&Argument::Position) {
-        format!("{limits} and entries of {entries} up to 1")
-    } else {
-        format!("entries of {entries} up to 1")
-    }
+    let has_position = arguments.contains(&Argument::Position);
+    let limits = has_position
+        .then(|| format!("{limits} and "))
+        .unwrap_or_default();
+    format!("{limits}entries of {entries} up to 1")
 }
 
 /// How the bound grows with the only argument beside q, where that is a power of it.
 fn growth(program: &Program, outputs: Range<usize>) -> String {
-    let others = arguments(program).into_iter();
-    let others: Vec<_> = others.filter(|x| *x != Argument::Position).collect();
+    let mut others = arguments(program);
+    others.retain(|x| *x != Argument::Position);
     let [only] = others[..] else {
         return String::new();
     };

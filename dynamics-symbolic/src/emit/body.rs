@@ -9,10 +9,8 @@ use crate::robot::Robot;
 use proc_macro2::{Ident, Literal, TokenStream, TokenTree};
 use quote::{ToTokens, quote};
 
-/// Up to so many results are declared by a `let` each, as a person would write
-/// them; more are declared by one pattern for each group. rustc crashes on
-/// about 2,900 nested scopes, which is what `let`s are to debug information
-/// (rust-lang/rust#93908).
+/// Up to so many results are declared by a `let` each, more by one pattern for each group: rustc crashes on about 2,900
+/// nested scopes, which `let`s are to debug information (rust-lang/rust#93908).
 pub(super) const MOST_LETS: usize = 500;
 const GROUP: usize = 200;
 
@@ -23,10 +21,10 @@ pub(super) struct Writer<'p> {
     pub(super) program: &'p Program,
     lines: Vec<Option<Line>>,
     constants: &'p [f64],
-    /// Of constants that a double rounds to another single, the nearest.
+    /// The nearest single of each constant whose double rounds to another one.
     singles: Vec<Option<f32>>,
     inputs: Vec<Ident>,
-    /// Of each result, the variable that holds it, if one does.
+    /// The variable of each result that has a line.
     pub(super) names: Vec<Option<Ident>>,
 }
 
@@ -72,8 +70,8 @@ impl<'p> Writer<'p> {
     }
 
     fn assignments(&self, path: &TokenStream) -> TokenStream {
-        let instructions = 0..self.program.instructions.len();
-        let named: Vec<usize> = instructions.filter(|i| self.names[*i].is_some()).collect();
+        let results = 0..self.names.len();
+        let named: Vec<usize> = results.filter(|i| self.names[*i].is_some()).collect();
         if named.len() <= MOST_LETS {
             self.lets(&named)
         } else if named.len() <= MOST_IN_ONE_FUNCTION {
@@ -144,28 +142,19 @@ impl<'p> Writer<'p> {
     /// A sum with a product in it: a b + c as `a.mul_add(b, c)`, which the
     /// runtime makes one operation where the target has it, and two elsewhere.
     fn fused(&self, (x, y): (Operand, Operand), is_subtracted: bool, rest: Rest) -> TokenStream {
-        let x = match x {
+        let (factor, y) = (self.operand(x), self.operand(y));
+        let factor = match x {
             Operand::Constant(id) if is_subtracted => self.constant(id, -1.0),
-            _ if is_subtracted => {
-                let x = self.operand(x);
-                quote!((-#x))
-            }
-            _ => self.operand(x),
+            _ if is_subtracted => quote!((-#factor)),
+            _ => factor,
         };
-        let y = self.operand(y);
-        let rest = match rest {
-            Rest::Plus(a) => self.operand(a),
-            Rest::Minus(a) => {
-                let a = self.operand(a);
-                quote!(-#a)
-            }
-            Rest::Product(a, b) => {
-                let mut tokens = Vec::new();
-                self.write_operation(a, '*', b, &mut tokens);
-                tokens.into_iter().collect()
-            }
+        let (a, b) = match rest {
+            Rest::Plus(a) | Rest::Minus(a) => (self.operand(a), None),
+            Rest::Product(a, b) => (self.operand(a), Some(self.operand(b))),
         };
-        quote!(#x.mul_add(#y, #rest))
+        let minus = matches!(rest, Rest::Minus(_)).then(|| punct('-'));
+        let times = b.is_some().then(|| punct('*'));
+        quote!(#factor.mul_add(#y, #minus #a #times #b))
     }
 
     fn write_operand(&self, operand: Operand, tokens: &mut Vec<TokenTree>) {
@@ -203,8 +192,8 @@ impl<'p> Writer<'p> {
     /// A matrix from outputs by rows; nalgebra takes columns.
     fn matrix(&self, first: usize, rows: usize, columns: usize, path: &TokenStream) -> TokenStream {
         let columns = (0..columns).map(|column| {
-            let entries = (0..rows).map(|row| first + row * columns + column);
-            let entries = entries.map(|index| self.output(self.program.outputs[index]));
+            let places = (0..rows).map(|row| first + row * columns + column);
+            let entries = places.map(|place| self.output(self.program.outputs[place]));
             quote!([#(#entries),*])
         });
         quote!(#path::nalgebra::SMatrix::from_data(#path::nalgebra::ArrayStorage([#(#columns),*])))
@@ -213,8 +202,8 @@ impl<'p> Writer<'p> {
     fn outputs(&self, robot: &Robot, request: &Request, path: &TokenStream) -> TokenStream {
         let (joints, count) = (robot.dof(), self.program.outputs.len());
         let sizes = sizes_of(request.parts(), joints, count);
-        let parts = request.parts().iter();
-        let parts = parts.zip(spans(request.parts(), joints, count));
+        let spans = spans(request.parts(), joints, count);
+        let parts = request.parts().iter().zip(spans);
         let values =
             parts.map(|(part, mut span)| self.values(part.shape(), sizes, &mut span.start, path));
         let values = match request {

@@ -63,10 +63,8 @@ pub(super) fn facts(
 /// The description of the function, in the names of this arm's frames.
 fn description(robot: &Robot, function: Function) -> String {
     let frame = robot.base.as_ref().map_or("base frame", |_| "world");
-    let tip = robot
-        .tool
-        .as_ref()
-        .map_or("last link frame", |_| "tool frame");
+    let tool = robot.tool.as_ref();
+    let tip = tool.map_or("last link frame", |_| "tool frame");
     let text = function.row().description;
     text.replace("{frame}", frame).replace("{tip}", tip)
 }
@@ -77,14 +75,15 @@ fn quantities(robot: &Robot, request: &Request) -> Vec<String> {
         Request::One(function) => return vec![format!(" {}", description(robot, *function))],
         Request::Fused(fused) => fused,
     };
-    let quoted = fused.parts.iter().map(|part| format!("`{}`", part.name()));
-    let quoted = quoted.collect::<Vec<_>>().join(", ");
+    let names = fused.parts.iter().map(|part| format!("`{}`", part.name()));
+    let quoted = names.collect::<Vec<_>>().join(", ");
     let title = [
         format!(" ({quoted}) at one state, as one program."),
         String::new(),
     ];
-    let parts = fused.parts.iter().enumerate();
-    let parts = parts.map(|(number, part)| format!(" - `{number}`: {}", description(robot, *part)));
+    let numbered = fused.parts.iter().enumerate();
+    let parts =
+        numbered.map(|(number, part)| format!(" - `{number}`: {}", description(robot, *part)));
     title.into_iter().chain(parts).collect()
 }
 
@@ -142,7 +141,7 @@ fn units(robot: &Robot, request: &Request) -> String {
     format!(" {}.", units.join("; "))
 }
 
-/// Which values are zero or constant, and what the others depend on.
+/// The values that are zero or constant, and the variables that the others depend on.
 fn structures(robot: &Robot, request: &Request, program: &Program) -> Vec<String> {
     let parts = request.parts();
     let spans = spans(parts, robot.dof(), program.outputs.len());
@@ -154,7 +153,7 @@ fn structures(robot: &Robot, request: &Request, program: &Program) -> Vec<String
     structures.flatten().collect()
 }
 
-/// Where there are formulas of a longer arm, whose values have names.
+/// The place of the formulas of a longer arm, whose values have names.
 fn formulas_elsewhere(robot: &Robot, request: &Request) -> Vec<String> {
     let has_symbol = |part: &Function| part.row().symbol.is_some();
     let is_longer = robot.dof() > MOST_JOINTS && robot.followers().next().is_none();

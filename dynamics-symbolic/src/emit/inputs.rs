@@ -1,4 +1,4 @@
-//! What a method reads before its first operation: arguments, fields, sines and cosines.
+//! The inputs that a method reads before its first operation: arguments, fields, sines and cosines.
 
 use super::names::{field, ident, plain, punct};
 use crate::function::{Argument, Request};
@@ -18,9 +18,8 @@ pub(super) fn reads_cells(robot: &Robot, program: &Program) -> bool {
     })
 }
 
-/// `real`, which makes a constant of a double in the arithmetic of the arguments, if there are any:
-/// lanes of a vector know the processor's instructions, and so how many they are, from each other
-/// alone.
+/// `real`, which makes a constant of a double in the arithmetic of the arguments, if there are any: lanes of a vector
+/// know from each other alone how many they are.
 pub(super) fn constants_of(arguments: &[Argument], path: &TokenStream) -> TokenStream {
     match arguments.first() {
         Some(argument) => constants_like(&element(*argument, 0), path),
@@ -43,8 +42,7 @@ fn element(vector: Argument, i: usize) -> TokenStream {
     quote!(#vector.data.0[0][#i])
 }
 
-/// Position or velocity behind a symbol's index: of a follower, that of the joint it follows times the
-/// factor.
+/// The position or velocity behind a symbol's index; a follower's is that of the joint it follows times the factor.
 fn of_joint(cells: &Cells, argument: Argument, i: usize) -> TokenStream {
     match cells.robot.followed(i) {
         None => element(argument, i),
@@ -140,21 +138,18 @@ pub(super) fn inputs(
     lines
 }
 
-/// The inputs that no motion changes: fields, and sines and cosines of angles made of them. They
-/// expect `real` to be defined.
+/// The inputs that no motion changes, where `real` is defined: fields, and sines and cosines of angles made of them.
 pub(super) fn constant_inputs(robot: &Robot, program: &Program, path: &TokenStream) -> TokenStream {
     let mut angles = program.angles();
     angles.retain(|angle| angle.argument().is_none());
     let cells = Cells::constant(robot, path);
-    let mut lines = sines(&cells, false, &angles, program);
-    for symbol in &program.inputs {
-        if let Symbol::Field(i) = symbol {
-            let name = ident(&input_name(robot, symbol, &angles));
-            let value = cells.field(*i);
-            lines.extend(quote!(let #name = #value;));
-        }
-    }
-    lines
+    let sines = sines(&cells, false, &angles, program);
+    let fields = program.inputs.iter().filter_map(|symbol| match symbol {
+        Symbol::Field(i) => Some((ident(&input_name(robot, symbol, &angles)), cells.field(*i))),
+        _ => None,
+    });
+    let (names, values): (Vec<_>, Vec<_>) = fields.unzip();
+    quote!(#sines #(let #names = #values;)*)
 }
 
 /// A cell that no motion changes, where `real` is defined.
@@ -176,9 +171,9 @@ fn sines(cells: &Cells, are_asked_for: bool, angles: &[&Symbol], program: &Progr
     let (mut joints, mut known, mut positions) = (Vec::new(), Vec::new(), Vec::new());
     let (mut pairs, mut arguments) = (Vec::new(), Vec::new());
     // In the order of the joints: angles that lie side by side are loaded together.
-    let mut angles = angles.to_vec();
-    angles.sort_by_key(|angle| place(angle));
-    for angle in &angles {
+    let mut in_order = angles.to_vec();
+    in_order.sort_by_key(|angle| place(angle));
+    for angle in in_order {
         match angle {
             Symbol::Sine(i) | Symbol::Cosine(i) if are_asked_for && *i < robot.dof() => {
                 joints.push(Literal::usize_unsuffixed(*i));
@@ -243,8 +238,8 @@ impl Pair {
     }
 }
 
-/// Where an input is read: fields first, then the arguments in their order.
-pub(super) fn place(symbol: &Symbol) -> (u8, usize) {
+/// The place of an input: fields first, then the arguments in their order.
+fn place(symbol: &Symbol) -> (u8, usize) {
     match symbol {
         Symbol::Pi | Symbol::AngleSine(_) | Symbol::AngleCosine(_) => (0, 0),
         Symbol::Field(i) => (1, *i),

@@ -1,8 +1,7 @@
 //! Emission: programs as Rust methods, and in other languages.
 //!
-//! Straight-line code, one assignment a line, generic over the runtime's
-//! `Scalar`. Tokens are built by hand where there are many, and are the same
-//! for the same program each time.
+//! Straight-line code, one assignment a line, generic over the runtime's `Scalar`. The same program has the same
+//! tokens each time.
 
 mod body;
 mod documentation;
@@ -62,12 +61,7 @@ pub fn taylor_series(
     let matrix = leading_matrix(dof, path, &body);
     let series = series::items(robot, equations.0, equations.1, path);
     Emitted {
-        inherent: quote! {
-            #(#[doc = #documentation])*
-            #[inline]
-            #[allow(unused_variables, clippy::all)]
-            pub #signature { #call }
-        },
+        inherent: documented(&documentation, &quote!(#[inline]), &signature, &call),
         provided: Some(quote!(#series #matrix)),
         function: None,
     }
@@ -81,10 +75,22 @@ const LEAST_CALLED: u32 = 40;
 /// rustc writes a short function into its callers, and this one is short: it hands on to a program that is inlined
 /// always. With a program at each of some hundred calls the caller takes minutes to compile.
 fn inlining(work: u32) -> TokenStream {
-    if work < LEAST_CALLED {
-        quote!(#[inline])
-    } else {
-        quote!(#[inline(never)])
+    let never = (work >= LEAST_CALLED).then(|| quote!((never)));
+    quote!(#[inline #never])
+}
+
+/// A public method with its documentation.
+fn documented(
+    documentation: &[String],
+    inlining: &TokenStream,
+    signature: &TokenStream,
+    body: &TokenStream,
+) -> TokenStream {
+    quote! {
+        #(#[doc = #documentation])*
+        #inlining
+        #[allow(unused_variables, clippy::all)]
+        pub #signature { #body }
     }
 }
 
@@ -114,30 +120,18 @@ pub fn method(
         let item = provided(function, robot.dof(), path, &body, work)?;
         Some((call(function, robot.dof(), path), item))
     });
-    let (inherent, provided, function) = match of_trait {
+    let (call, provided, function) = match of_trait {
         Some((call, item)) => (call, Some(item), None),
         None => {
-            let body = if request.refuses() {
-                body
-            } else {
-                quote!(::core::result::Result::Ok({ #body }))
-            };
-            let items = function_items(request, index, sizes, path, &body, work);
-            (
-                call_of_function(request, index, sizes, path),
-                None,
-                Some(items),
-            )
+            let result = quote!(::core::result::Result::Ok({ #body }));
+            let body = if request.refuses() { &body } else { &result };
+            let items = function_items(request, index, sizes, path, body, work);
+            let call = call_of_function(request, index, sizes, path);
+            (call, None, Some(items))
         }
     };
-    let inlining = inlining(work);
     Emitted {
-        inherent: quote! {
-            #(#[doc = #documentation])*
-            #inlining
-            #[allow(unused_variables, clippy::all)]
-            pub #signature { #inherent }
-        },
+        inherent: documented(&documentation, &inlining(work), &signature, &call),
         provided,
         function,
     }

@@ -21,15 +21,15 @@ const MOST_BITS_READ: usize = 128;
 pub(super) fn lines(robot: &Robot) -> Vec<String> {
     let observed = Observed::of(&robot.into());
     let expanded = Formulas::new(robot, &observed, false);
-    let formulas = expanded.or_else(|| Formulas::new(robot, &observed, true));
-    let formulas = formulas.expect("steps are never too long");
+    let in_steps = || Formulas::new(robot, &observed, true).expect("steps are never too long");
+    let formulas = expanded.unwrap_or_else(in_steps);
     let mut lines = [" The base parameters:", "", " ```text"]
         .map(str::to_owned)
         .to_vec();
     let columns = formulas.columns.iter().enumerate();
     lines.extend(columns.map(|(k, formula)| format!(" {:3}  {formula}", k + 1)));
-    let steps = formulas.steps.into_iter().chain(formulas.coefficients);
-    let mut steps = steps.map(|(name, formula)| format!("      {name} = {formula}"));
+    let names = formulas.steps.into_iter().chain(formulas.coefficients);
+    let mut steps = names.map(|(name, formula)| format!("      {name} = {formula}"));
     if let Some(first) = steps.next() {
         lines.extend([" where".to_owned(), first]);
         lines.extend(steps);
@@ -48,31 +48,28 @@ fn legend(robot: &Robot) -> String {
              the axis of joint i"
         }
     };
-    let motor = match robot.rows.iter().any(|row| row.has_motor()) {
-        true => "; Ii (kg m^2 or kg) is gear_ratio^2 times the inertia of motor i",
-        false => "",
-    };
-    let slides = |row: &crate::robot::Row| row.joint_type == JointType::Prismatic;
-    let is_locked = |row: &crate::robot::Row| row.locked.is_some();
-    let turn = match robot.rows.iter().any(slides) || robot.rows.iter().any(is_locked) {
-        true => ", sti, cti of its theta",
-        false => "",
-    };
-    let turn = match robot.rows.iter().any(is_locked) {
-        true => format!("{turn}; where joint i is locked, its position is added to theta or d"),
-        false => turn.to_owned(),
-    };
-    let coupled = match robot.is_coupled() {
-        true => {
-            ". Links of joints that follow others are told apart as far as the arm moves them: what the forces show of \
-             them together stands in one sum"
-        }
-        false => "",
-    };
+    let shown_if = |holds: bool, text: &'static str| if holds { text } else { "" };
+    let motor = shown_if(
+        robot.rows.iter().any(|row| row.has_motor()),
+        "; Ii (kg m^2 or kg) is gear_ratio^2 times the inertia of motor i",
+    );
+    let is_locked = robot.rows.iter().any(|row| row.locked.is_some());
+    let mut joint_types = robot.rows.iter().map(|row| row.joint_type);
+    let slides = joint_types.any(|joint_type| joint_type == JointType::Prismatic);
+    let turn = shown_if(slides || is_locked, ", sti, cti of its theta");
+    let locked = shown_if(
+        is_locked,
+        "; where joint i is locked, its position is added to theta or d",
+    );
+    let coupled = shown_if(
+        robot.is_coupled(),
+        ". Links of joints that follow others are told apart as far as the arm moves them: what the forces show of \
+         them together stands in one sum",
+    );
     format!(
         "Jixx to Jizz (kg m^2) are the entries of link i's inertia tensor about the origin of frame i, hix to hiz \
          (kg m) its first moments mass * com from there, mi (kg) its mass{motor}. Frame i is {frame}. ai, di are cells of row i, \
-         sai, cai sine and cosine of its alpha{turn}{coupled}."
+         sai, cai sine and cosine of its alpha{turn}{locked}{coupled}."
     )
 }
 
@@ -94,10 +91,8 @@ impl Formulas {
         let couplings = Couplings::new(&all, robot, observed);
         let (columns, steps) = columns(&all, robot, &observed.grouping, in_steps);
         let (columns, coefficients) = couplings.applied(observed, columns);
-        let mut used: Vec<_> = columns
-            .iter()
-            .flat_map(|column| column.variables())
-            .collect();
+        let variables = columns.iter().flat_map(|column| column.variables());
+        let mut used: Vec<_> = variables.collect();
         let mut needed = Vec::new();
         for (name, formula) in steps.into_iter().rev() {
             if used.contains(&name) {
@@ -249,9 +244,12 @@ fn named_geometry<'p>(all: &'p Polynomials, robot: &Robot) -> Geometry<Polynomia
     let graph = Graph::new();
     let arm = Mechanism::from(robot);
     let mut symbols = Symbols::new(&graph, &arm);
-    let cell = |value: Expr<'_>, name: String| match value.is_zero() {
-        true => all.number(0),
-        false => all.variable(name),
+    let cell = |value: Expr<'_>, name: String| {
+        if value.is_zero() {
+            all.number(0)
+        } else {
+            all.variable(name)
+        }
     };
     let one = graph.one();
     let turn = |turn: Turn<Expr<'_>>, letter: &str, row: usize| {

@@ -1,10 +1,9 @@
 //! The inverse dynamics over Taylor series: each line is the coefficient of one order.
 //!
-//! Sums and multiples by constants are what they are for numbers. A product of two series goes to
-//! a slot of the runtime's table of products, which knows the coefficients of lower orders; a
-//! constant that is added counts at order 0 alone. What depends on the accelerations is written
-//! twice: with accelerations of zero for the forces that they have to make up, and with the
-//! accelerations for the products of later orders.
+//! Sums and multiples by constants are written as for numbers. A product of two series goes to a slot of the runtime's
+//! table of products, which knows the coefficients of lower orders; a constant that is added counts at order 0 alone.
+//! Quantities that depend on the accelerations are written twice: with accelerations of zero for the forces that they
+//! have to make up, and with the accelerations for the products of later orders.
 
 use super::body::{MOST_LETS, declared_in_groups};
 use super::inputs;
@@ -172,8 +171,8 @@ impl<'p> Series<'p> {
                 break;
             };
             let has_common = |i: &usize| factors(*i).contains(&common);
-            let group = left.iter().copied().filter(has_common);
-            let group: Vec<usize> = group.take(LANES).collect();
+            let members = left.iter().copied().filter(has_common);
+            let group: Vec<usize> = members.take(LANES).collect();
             left.retain(|i| !group.contains(i));
             for &index in &group {
                 self.swapped[index] = factors(index)[0] != common;
@@ -250,10 +249,8 @@ impl<'p> Series<'p> {
             }
         });
         let values = self.program.outputs.iter().map(|output| {
-            let (sign, value) = (
-                output.negative.then(|| punct('-')),
-                self.series(output.operand),
-            );
+            let sign = output.negative.then(|| punct('-'));
+            let value = self.series(output.operand);
             quote!(#sign #value)
         });
         let like = self.term_call("like", quote!());
@@ -395,23 +392,20 @@ impl<'p> Series<'p> {
             Instruction::Sub(a, b) => (a, b, true),
             _ => return None,
         };
-        if let Some([x, y]) = self.inlined_product(b) {
+        if let Some((x, y)) = self.inlined_product(b) {
             let (x, y, a) = (self.number(x), self.number(y), self.series(a));
             let x = if is_difference { quote!((-#x)) } else { x };
             return Some(quote!(#x.mul_add(#y, #a)));
         }
-        let [x, y] = self.inlined_product(a)?;
+        let (x, y) = self.inlined_product(a)?;
         let (x, y, b) = (self.number(x), self.number(y), self.series(b));
         let b = if is_difference { quote!(-#b) } else { b };
         Some(quote!(#x.mul_add(#y, #b)))
     }
 
-    fn inlined_product(&self, operand: Operand) -> Option<[Operand; 2]> {
-        let Operand::Result(index) = operand else {
-            return None;
-        };
-        let index = index as usize;
-        self.inlined[index].then(|| self.program.instructions[index].operands())
+    fn inlined_product(&self, operand: Operand) -> Option<(Operand, Operand)> {
+        let product = self.program.product(operand)?;
+        matches!(operand, Operand::Result(i) if self.inlined[i as usize]).then_some(product)
     }
 
     /// A call of a method of `SeriesTerm`, by its path: behind a point, a method of that name of any trait that is

@@ -143,7 +143,7 @@ pub fn method_name(request: &Request) -> Ident {
     }
 }
 
-/// The sizes of values that are not about base parameters, or whose number could not be told.
+/// The sizes of values that are not about base parameters, or if their number is not known.
 pub(super) fn without_parameters(joints: usize) -> Sizes {
     Sizes {
         joints,
@@ -221,8 +221,8 @@ pub(super) fn call(function: Function, dof: usize, path: &TokenStream) -> TokenS
     quote!(<Self as #path::#provided<#n>>::#at(self, &#path::Evaluated #(, #names)*))
 }
 
-/// The associated constants `BASE_PARAMETERS` and `BASE_PARAMETER_NAMES`, where one of the methods
-/// is about them: none where an error left their number unknown.
+/// The associated constants `BASE_PARAMETERS` and `BASE_PARAMETER_NAMES`, if one of the methods is about them. Without a
+/// robot, because of an error, there are no base parameters.
 pub fn base_parameter_constants(requests: &[Request], robot: Option<&Robot>) -> TokenStream {
     if !requests.iter().any(Request::is_about_base_parameters) {
         return TokenStream::new();
@@ -241,10 +241,9 @@ pub fn base_parameter_constants(requests: &[Request], robot: Option<&Robot>) -> 
     }
 }
 
-/// A method of the right signature without a body: it stands in after an error
-/// in the table, so that the rest of the user's file still type-checks. Where
-/// the number of joints could not be told, `dof` is zero, and the method takes
-/// vectors of any length. There are no base parameters then, whose number could not be told.
+/// A method of the right signature without a body: it stands in after an error in the table, so that the rest of the
+/// user's file still type-checks. If the number of joints is not known, `dof` is zero, and the method takes vectors of
+/// any length. The number of base parameters is then 0.
 pub fn stub(request: &Request, dof: usize, path: &TokenStream) -> TokenStream {
     let signature = signature(request, without_parameters(dof), path);
     let documentation = format!(" `{}`, not generated because of an error.", request.name());
@@ -291,19 +290,18 @@ pub(super) fn function_items(
     let shapes = arguments.iter().filter_map(|argument| argument.shape());
     let taken = shapes.map(|shape| types.arrangement(&shape));
     let parts = request.parts().iter();
-    let values = parts.map(|part| types.arrangement(part.shape()));
+    let arrangements = parts.map(|part| types.arrangement(part.shape()));
     let values = match request {
-        Request::One(_) => values.collect(),
-        Request::Fused(_) => quote!((#(#values,)*)),
+        Request::One(_) => arrangements.collect(),
+        Request::Fused(_) => quote!((#(#arrangements,)*)),
     };
     let texts = arguments.iter().map(|argument| argument.name());
     let (result, work) = (request.result(), Literal::u32_unsuffixed(work));
     let in_lanes = !arguments.is_empty();
-    let error = if request.refuses() {
-        quote!(#path::SingularMassMatrix)
-    } else {
-        quote!(::core::convert::Infallible)
-    };
+    let mut error = quote!(::core::convert::Infallible);
+    if request.refuses() {
+        error = quote!(#path::SingularMassMatrix);
+    }
     let sines = ident("sines");
     quote! {
         type Arguments = (#(#taken,)*);

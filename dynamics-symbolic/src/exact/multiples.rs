@@ -11,7 +11,7 @@
 //! relations, and are independent otherwise, lead to the same combinations: cos 1000 x and cos 997 x count as those
 //! of two angles. If a relation is left out, every combination that is found still holds, but some may be missed.
 
-use super::Residue;
+use super::{Residue, negate_if};
 use std::collections::BTreeMap;
 
 /// The largest coefficient of a short relation.
@@ -74,7 +74,7 @@ fn sums<const P: u64>(factors: &[Residue<P>]) -> Vec<(Residue<P>, Vec<i64>)> {
         for (sum, coefficients) in &sums {
             for coefficient in -LARGEST_COEFFICIENT..=LARGEST_COEFFICIENT {
                 let size = Residue::new(coefficient.unsigned_abs()) * factor;
-                let term = if coefficient < 0 { -size } else { size };
+                let term = negate_if(size, coefficient < 0);
                 longer.push((*sum + term, [&coefficients[..], &[coefficient]].concat()));
             }
         }
@@ -94,13 +94,12 @@ fn with_relation(angles: &[Vec<i64>], relation: &[i64]) -> Option<Vec<Vec<i64>>>
     let (of_last, sign) = (part(&angles[last]), part(&angles[last]).signum());
     let without_last = |angle: &Vec<i64>| -> Vec<i64> {
         let own = part(angle);
-        let multiples = angle.iter().zip(&angles[last]);
-        let multiples: Vec<i64> = multiples
+        let pairs = angle.iter().zip(&angles[last]);
+        let multiples: Vec<i64> = pairs
             .map(|(n, n_last)| sign * (n * of_last - n_last * own))
             .collect();
-        let divisor = multiples
-            .iter()
-            .fold(0, |all, n| greatest_divisor(all, n.abs()));
+        let sizes = multiples.iter().map(|n| n.abs());
+        let divisor = sizes.fold(0, greatest_divisor);
         multiples.iter().map(|n| n / divisor.max(1)).collect()
     };
     let others = (0..angles.len()).filter(|k| *k != last);

@@ -109,12 +109,12 @@ impl Graph {
         self.len() == 0
     }
 
-    /// What the node is.
+    /// The operation of the node.
     pub fn operation(&self, id: NodeId) -> Operation {
         self.node(id).operation
     }
 
-    /// What the node depends on.
+    /// The level of the node.
     pub fn level_of(&self, id: NodeId) -> Level {
         self.node(id).level
     }
@@ -300,7 +300,7 @@ impl Arena {
         edge
     }
 
-    /// Where the number of an edge is, and whether it is its opposite; `None` where the edge is no rational number.
+    /// The index of the number of an edge, and whether its sign changes; `None` if the edge is no rational number.
     fn number_of(&self, edge: Edge) -> Option<(u32, bool)> {
         match self.node(edge).operation {
             Operation::Rational(index) => Some((index, edge.is_negative())),
@@ -308,8 +308,8 @@ impl Arena {
         }
     }
 
-    /// Where two numbers are of which sum and product are worked out. Of long ones they are not: what is computed from
-    /// decimals in many steps has more and more digits.
+    /// The indices of two numbers that are short. Sums and products of long ones are not worked out: numbers that are
+    /// computed from decimals in many steps have more and more digits.
     fn short_numbers(&self, a: Edge, b: Edge) -> Option<((u32, bool), (u32, bool))> {
         let (x, y) = (self.number_of(a)?, self.number_of(b)?);
         let [first, second] = [x, y].map(|(index, _)| &self.rationals[index as usize]);

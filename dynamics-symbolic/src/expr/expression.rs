@@ -56,7 +56,7 @@ impl<'g> Expr<'g> {
         self.edge.node() == NodeId::ZERO
     }
 
-    /// What the expression depends on.
+    /// The level of the expression.
     pub fn level(self) -> Level {
         self.graph.node(self.edge.node()).level
     }

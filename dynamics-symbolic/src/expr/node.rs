@@ -55,7 +55,7 @@ impl core::ops::Neg for Edge {
     }
 }
 
-/// What an expression depends on.
+/// The kind of symbols that an expression depends on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Level {
     /// Known at compile time: evaluated exactly, rounded once.

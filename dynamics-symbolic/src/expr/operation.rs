@@ -2,7 +2,7 @@
 
 use super::{Edge, NodeId};
 
-/// What a node is. Negation is no operation: an [`Edge`] carries a sign.
+/// The operation of a node. Negation is no operation: an [`Edge`] carries a sign.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Operation {
     /// The rational number of that index in the graph's table.

@@ -119,10 +119,8 @@ fn in_products(mut waves: Waves, group: usize, members: &[Member]) -> Polynomial
         let [c2, s2] = turn(&second, group, members);
         let difference: Multiples = first.iter().zip(&second).map(|(a, b)| a - b).collect();
         let is_backwards = difference.iter().find(|&&n| n != 0).is_some_and(|n| *n < 0);
-        let key: Multiples = difference
-            .iter()
-            .map(|n| negate_if(*n, is_backwards))
-            .collect();
+        let multiples = difference.iter().map(|n| negate_if(*n, is_backwards));
+        let key: Multiples = multiples.collect();
         let mut none = NONE;
         let [by_cosine, by_sine] = waves.get_mut(&key).unwrap_or(&mut none);
         // cos(a + b) = cos a cos b - sin a sin b

@@ -25,15 +25,13 @@ pub(super) fn collected(atoms: &Atoms, polynomial: &Polynomial<Atom>) -> Express
         let [parameters, rest] = parted(&single.monomial, Atom::is_parameter);
         let [motion, position] = parted(&rest, Atom::is_motion);
         let same_motion = by_motion.entry(Key::new(&motion)).or_default();
-        same_motion
-            .entry(Key::new(&position))
-            .or_default()
-            .push(Single {
-                monomial: parameters,
-                ..single
-            });
+        let same_position = same_motion.entry(Key::new(&position)).or_default();
+        same_position.push(Single {
+            monomial: parameters,
+            ..single
+        });
     }
-    let terms = by_motion.into_iter().flat_map(|(motion, by_position)| {
+    let sum = by_motion.into_iter().flat_map(|(motion, by_position)| {
         let motion = motion.monomial();
         let mut terms: Vec<Term> = by_position.into_iter().flat_map(with_position).collect();
         if !motion.is_empty() {
@@ -44,7 +42,7 @@ pub(super) fn collected(atoms: &Atoms, polynomial: &Polynomial<Atom>) -> Express
         }
         terms
     });
-    Expression(terms.collect())
+    Expression(sum.collect())
 }
 
 /// The factors that some atoms are, and the others.
@@ -201,8 +199,8 @@ fn numbered(atoms: &Atoms, polynomial: &Polynomial<Atom>) -> Vec<Single> {
         sum.add_term(constant, coefficient);
     }
     let numbers = rounded(atoms, by_rest.values());
-    let singles = by_rest.into_keys().zip(numbers);
-    let singles = singles.map(|(monomial, (is_negative, number))| Single {
+    let terms = by_rest.into_keys().zip(numbers);
+    let singles = terms.map(|(monomial, (is_negative, number))| Single {
         is_negative,
         number,
         monomial,
@@ -234,13 +232,13 @@ fn rounded<'a>(
         constants: ConstantPool::default(),
         factors: BTreeMap::new(),
     };
-    let constants = constants.map(|constant| match as_rational(constant) {
+    let exact = constants.map(|constant| match as_rational(constant) {
         Some(x) => Ok(x.clone()),
         None => Err(pool.sum(constant)),
     });
-    let constants: Vec<Result<_, _>> = constants.collect();
-    let sums = constants.iter().filter_map(|x| x.as_ref().err().copied());
-    let sums: Vec<ConstantId> = sums.collect();
+    let constants: Vec<Result<_, _>> = exact.collect();
+    let inexact = constants.iter().filter_map(|x| x.as_ref().err().copied());
+    let sums: Vec<ConstantId> = inexact.collect();
     let values = pool.constants.round(|id| sums.binary_search(&id).is_ok());
     let number = |constant: Result<Rational, ConstantId>| match constant {
         Ok(x) if x < Rational::ZERO => (true, Number::Exact(-x)),

@@ -33,7 +33,7 @@ pub(super) struct Factor {
     pub(super) exponent: u32,
 }
 
-/// What a power is of.
+/// The base of a power.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Base {
     Atom(Atom),

@@ -1,4 +1,4 @@
-//! Which joints have parallel axes.
+//! Groups of joints with parallel axes.
 
 use super::atom::Run;
 use crate::robot::{Angle, Convention, JointType, Robot, Value};

@@ -124,10 +124,10 @@ impl Formulas {
                 });
             }
         }
-        // Where no formula is short enough, nothing reads what it would divide by, and rounding that takes long.
+        // Divisors are read only if a formula is short enough, and to round them takes long.
         let is_read = entries.iter().any(|entry| entry.formula.is_ok());
-        let divisors = atoms.divisors.iter().filter(|_| is_read);
-        let divisors = divisors.map(|divisor| collected(divisor).1).collect();
+        let read = atoms.divisors.iter().filter(|_| is_read);
+        let divisors = read.map(|divisor| collected(divisor).1).collect();
         Formulas {
             names: Names::new(robot, groups, atoms.angles, divisors),
             entries,
@@ -161,8 +161,7 @@ impl Formulas {
         self.entries.iter().filter_map(equation).collect()
     }
 
-    /// What the short names of sines and cosines in the formulas of at most `most_terms` terms mean:
-    /// `c12 = cos(q1 + q2)`.
+    /// The meaning of the short names in the formulas of at most `most_terms` terms: `c12 = cos(q1 + q2)`.
     pub fn legend(&self, most_terms: usize) -> Vec<String> {
         let entries = self.entries.iter();
         let formulas = entries.filter_map(|entry| entry.readable(most_terms).ok());

@@ -23,7 +23,7 @@ pub struct Budget {
 const BITS_OF_ONE_MORE: usize = 256;
 
 impl Budget {
-    /// What is multiplied out before a formula that nobody asked for is given up.
+    /// The budget of a formula that nobody asked for.
     pub const UNASKED: Budget = Budget {
         terms: 300,
         products: 5_000,

@@ -1,4 +1,4 @@
-//! What can be said of the values of a function, however long their formulas are.
+//! The structure of a function's values, which is known however long their formulas are.
 
 use crate::function::{Argument, Function, Shape, Size};
 use crate::program::{Constant, Operand, Output, Program};
@@ -9,7 +9,7 @@ use std::collections::{BTreeMap, BTreeSet};
 /// More values than this are counted and not listed.
 const MOST_LISTED: usize = 49;
 
-/// Which values of a function are zero or constant, and what the others depend on.
+/// The values of a function that are zero or constant, and the variables that the others depend on.
 pub struct Structure {
     values: usize,
     zero: Vec<String>,

@@ -1,7 +1,7 @@
 //! The functions that can be generated for a robot: one row of one table for each.
 //!
-//! What is said of a function stands in its [`Row`]. Its outputs and their definition are formulas, and
-//! stand where these are derived and proven, in one exhaustive match each.
+//! A function is described by its [`Row`]. Its outputs and their definition are formulas, and stand where these are
+//! derived and proven, in one exhaustive match each.
 
 mod argument;
 mod request;

@@ -1,4 +1,4 @@
-//! What is asked for by one name: a function, or several whose values one method returns together.
+//! Requests, each with one name: a function, or several whose values one method returns together.
 
 use super::{Argument, Function, Sizes};
 use core::ops::Range;
@@ -107,8 +107,7 @@ pub fn sizes_of(parts: &[Function], joints: usize, outputs: usize) -> Sizes {
     }
 }
 
-/// Where the outputs of each of some functions are among those of one program, in which they stand one
-/// function after the other.
+/// The outputs of each of some functions among those of one program, in which one function stands after the other.
 pub fn spans(parts: &[Function], joints: usize, outputs: usize) -> Vec<Range<usize>> {
     let sizes = sizes_of(parts, joints, outputs);
     let mut start = 0;

@@ -36,7 +36,7 @@ pub struct Row {
     pub compared_with: Option<Function>,
 }
 
-/// Where a function is generated.
+/// The tables for which a function is generated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Set {
     /// In the default set.

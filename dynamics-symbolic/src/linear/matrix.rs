@@ -146,8 +146,8 @@ impl<R: Ring> Symmetric3<R> {
         }
     }
 
-    /// What a shift by r adds to the inertia of a body with the first moment h,
-    /// to first order in r: 2 (h.r) 1 - h r^T - r h^T.
+    /// The change of the inertia of a body with the first moment h by a shift by r, to first order in r:
+    /// 2 (h.r) 1 - h r^T - r h^T.
     pub fn shift(h: Vector3<R>, r: Vector3<R>) -> Self {
         let ([a, b, c], [x, y, z]) = (h.0, r.0);
         let (ax, by, cz) = (a * x, b * y, c * z);

@@ -25,9 +25,10 @@ pub fn rounded_angle(angle: &Value) -> f64 {
 /// The correct rounding; infinite where the angle is beyond what the engine's sines take.
 fn rounded(angle: &Value, less_turns: bool) -> f64 {
     until_certain(|real, is_last| {
-        let value = match less_turns {
-            true => real.less_turns(angle),
-            false => real.angle(angle),
+        let value = if less_turns {
+            real.less_turns(angle)
+        } else {
+            real.angle(angle)
         };
         let uncertain = || is_last.then(|| Approximation::nearest(&value));
         value.round().or_else(uncertain)

@@ -48,7 +48,7 @@ impl Program {
     }
 }
 
-/// Where a result is in the new program, and when it is ready.
+/// The place of a result in the new program, and the time at which it is ready.
 #[derive(Clone, Copy)]
 struct Scheduled {
     at: UpToSign,
@@ -87,7 +87,7 @@ impl Term {
     }
 }
 
-/// Which results are outputs with a changed sign.
+/// Whether each result is an output with a changed sign.
 fn negative_outputs(program: &Program) -> Vec<bool> {
     let mut negative = vec![false; program.instructions.len()];
     for output in program.outputs.iter().rev() {
@@ -108,7 +108,7 @@ struct Balance<'p> {
 }
 
 impl Balance<'_> {
-    /// Where a result is in the new program; a term of one sum comes with that sum.
+    /// The place of a result in the new program; a term of one sum comes with that sum.
     fn place(&mut self, index: usize) -> Option<Scheduled> {
         let instruction = self.program.instructions[index];
         let [a, b] = instruction.operands();
@@ -124,10 +124,8 @@ impl Balance<'_> {
         let ready = match operand {
             Operand::Constant(_) => 0,
             Operand::Input(index) => match self.program.inputs[index as usize] {
-                Symbol::Sine(_)
-                | Symbol::Cosine(_)
-                | Symbol::AngleSine(_)
-                | Symbol::AngleCosine(_) => cycles::SINE,
+                Symbol::Sine(_) | Symbol::Cosine(_) => cycles::SINE,
+                Symbol::AngleSine(_) | Symbol::AngleCosine(_) => cycles::SINE,
                 Symbol::VelocitySign(_) => cycles::SIGN,
                 Symbol::Stribeck(_) => cycles::EXPONENTIAL,
                 _ => 0,
@@ -143,10 +141,8 @@ impl Balance<'_> {
     /// Whether a result is a term of one sum and nothing else. A double stays together: c + c is
     /// exact, (a + c) + c is not.
     fn is_term_of_one_sum(&self, index: usize) -> bool {
-        let is_doubled = match self.program.instructions[index] {
-            Instruction::Add(a, b) => a == b,
-            _ => false,
-        };
+        let instruction = self.program.instructions[index];
+        let is_doubled = matches!(instruction, Instruction::Add(a, b) if a == b);
         self.readers[index] == Readers::OneSum && !is_doubled
     }
 
@@ -199,9 +195,9 @@ impl Balance<'_> {
                 Some(Instruction::Mul(a, b)) => terms.push(self.product_term(a, b, negative)),
                 Some(instruction) => open(instruction, negative, &mut stack),
                 None => {
-                    let Scheduled { at, ready } = self.read(operand);
-                    let at = at.negate_if(negative);
-                    terms.push(Scheduled { at, ready }.into());
+                    let mut term = Term::from(self.read(operand));
+                    term.negative ^= negative;
+                    terms.push(term);
                 }
             }
         }
@@ -251,15 +247,15 @@ impl Balance<'_> {
 
     /// Numbers are added exactly, at expansion.
     fn constant_sum(&mut self, a: (ConstantId, bool), b: (ConstantId, bool)) -> Scheduled {
-        let [a, b] = [a, b].map(|(id, negative)| match negative {
-            true => self.constants.push(Constant::Neg(id)),
-            false => id,
+        let [a, b] = [a, b].map(|(id, negative)| {
+            if negative {
+                self.constants.push(Constant::Neg(id))
+            } else {
+                id
+            }
         });
-        let sum = self.constants.push(Constant::Add(a, b));
-        Scheduled {
-            at: UpToSign::positive(Operand::Constant(sum)),
-            ready: 0,
-        }
+        let sum = Operand::Constant(self.constants.push(Constant::Add(a, b)));
+        self.read(sum)
     }
 }
 
@@ -269,11 +265,12 @@ fn take_earliest(terms: &mut Vec<Term>) -> (Term, Term) {
     let first = terms.remove(0);
     let both_products = first.is_product() && terms[0].is_product();
     let by_then = terms[0].ready.max(first.ready + cycles::MULTIPLY);
-    let partner = terms
-        .iter()
-        .position(|term| !term.is_product() && term.ready <= by_then)
-        .filter(|_| both_products);
-    (first, terms.remove(partner.unwrap_or(0)))
+    let is_partner = |term: &Term| !term.is_product() && term.ready <= by_then;
+    let partner = terms.iter().position(is_partner);
+    (
+        first,
+        terms.remove(partner.filter(|_| both_products).unwrap_or(0)),
+    )
 }
 
 #[cfg(test)]

@@ -7,7 +7,7 @@ use crate::robot::Symbol;
 struct Builder<'g> {
     graph: &'g Graph,
     meanings: &'g [Symbol],
-    /// What a node is taken to be: its own operation, or an equal one.
+    /// The operation by which a node is computed: its own, or an equal one.
     definition: &'g dyn Fn(NodeId) -> Operation,
     /// How a node of the graph appears in the program.
     places: Vec<Option<UpToSign>>,

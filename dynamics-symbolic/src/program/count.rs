@@ -64,7 +64,7 @@ fn angle(symbol: &Symbol) -> (Option<usize>, Option<&Value>) {
 }
 
 impl Program {
-    /// What the program costs.
+    /// The operations of the program.
     pub fn operations(&self) -> Operations {
         let mut operations = Operations::default();
         for instruction in &self.instructions {
@@ -75,9 +75,8 @@ impl Program {
             }
         }
         operations.sin_cos = self.angles().len() as u32;
-        let exponentials = self.inputs.iter();
-        let exponentials = exponentials.filter(|input| matches!(input, Symbol::Stribeck(_)));
-        operations.exponentials = exponentials.count() as u32;
+        let is_exponential = |input: &&Symbol| matches!(input, Symbol::Stribeck(_));
+        operations.exponentials = self.inputs.iter().filter(is_exponential).count() as u32;
         operations
     }
 

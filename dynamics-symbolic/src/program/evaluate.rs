@@ -15,11 +15,8 @@ impl Program {
         constants: Vec<A::Number>,
         arithmetic: &mut A,
     ) -> Vec<A::Number> {
-        let inputs: Vec<_> = self
-            .inputs
-            .iter()
-            .map(|symbol| arithmetic.symbol(symbol))
-            .collect();
+        let symbols = self.inputs.iter();
+        let inputs: Vec<_> = symbols.map(|symbol| arithmetic.symbol(symbol)).collect();
         let mut results: Vec<A::Number> = Vec::with_capacity(self.instructions.len());
         let read = |results: &[A::Number], operand: Operand| match operand {
             Operand::Constant(id) => constants[id.index()].clone(),

@@ -2,7 +2,7 @@
 
 use super::{Instruction, Operand, Program, Readers};
 
-/// What one line computes.
+/// The operations of one line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Line {
     /// An instruction by itself.
@@ -14,12 +14,12 @@ pub enum Line {
         product: (Operand, Operand),
         /// Whether the product is subtracted.
         is_subtracted: bool,
-        /// What else the sum is made of.
+        /// The other term of the sum.
         rest: Rest,
     },
 }
 
-/// What a product is added to, or subtracted from.
+/// The term that a product is added to, or subtracted from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rest {
     /// The operand.
@@ -31,7 +31,7 @@ pub enum Rest {
 }
 
 impl Line {
-    /// What the line reads.
+    /// The operands that the line reads.
     pub fn operands(&self) -> Vec<Operand> {
         match *self {
             Line::Single(instruction) => instruction.operands().to_vec(),
@@ -51,15 +51,8 @@ impl Program {
     /// The line of each instruction; `None` of a product that is written into a sum.
     pub fn lines(&self) -> Vec<Option<Line>> {
         let readers = self.readers();
-        let product = |operand: Operand| match operand {
-            Operand::Result(index) => match self.instructions[index as usize] {
-                Instruction::Mul(x, y) if readers[index as usize] == Readers::OneSum => {
-                    Some((x, y))
-                }
-                _ => None,
-            },
-            _ => None,
-        };
+        let is_read_once = |operand: Operand| matches!(operand, Operand::Result(i) if readers[i as usize] == Readers::OneSum);
+        let product = |operand| self.product(operand).filter(|_| is_read_once(operand));
         let line = |(instruction, readers): (&Instruction, &Readers)| {
             let (a, b) = match (*instruction, readers) {
                 (Instruction::Mul(..), Readers::OneSum) => return None,

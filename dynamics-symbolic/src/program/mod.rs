@@ -78,7 +78,7 @@ pub type Output = UpToSign;
 /// A program without branches: each instruction reads inputs, constants and earlier results.
 #[derive(Clone, Debug)]
 pub struct Program {
-    /// What the inputs stand for.
+    /// The meanings of the inputs.
     pub inputs: Vec<Symbol>,
     /// The exact constants.
     pub constants: ConstantPool,
@@ -107,7 +107,18 @@ impl Program {
             .round(|id| needed.get(id.index()).copied().unwrap_or(false))
     }
 
-    /// Which constants instructions and outputs read; others serve to define them.
+    /// The factors of the product that an operand is, if it is one.
+    pub(crate) fn product(&self, operand: Operand) -> Option<(Operand, Operand)> {
+        let Operand::Result(index) = operand else {
+            return None;
+        };
+        match self.instructions[index as usize] {
+            Instruction::Mul(a, b) => Some((a, b)),
+            _ => None,
+        }
+    }
+
+    /// Whether instructions or outputs read a constant; others serve to define it.
     pub(crate) fn needed_constants(&self) -> Vec<bool> {
         let read = self.instructions.iter().flat_map(Instruction::operands);
         let operands = read.chain(self.outputs.iter().map(|output| output.operand));

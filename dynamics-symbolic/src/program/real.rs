@@ -2,7 +2,7 @@
 //! correct rounding to double.
 
 use super::Arithmetic;
-use crate::exact::Rational;
+use crate::exact::{Rational, negate_if};
 use crate::robot::{Symbol, Value};
 use core::cmp::Ordering;
 use dashu_float::round::mode::HalfEven;
@@ -46,12 +46,11 @@ impl Real {
         };
         let is_exact = result.error_ref().is_none();
         let value = result.value();
-        let error = if is_exact {
-            error
-        } else {
-            error + (absolute(&value) >> (self.precision as isize - 1))
-        };
-        let error = coarse(error);
+        let mut bound = error;
+        if !is_exact {
+            bound += absolute(&value) >> (self.precision as isize - 1);
+        }
+        let error = coarse(bound);
         Approximation(Some(Ball { value, error }))
     }
 
@@ -112,11 +111,7 @@ impl Real {
 }
 
 fn absolute(x: &Float) -> Float {
-    if x.sign() == Sign::Negative {
-        -x.clone()
-    } else {
-        x.clone()
-    }
+    negate_if(x.clone(), x.sign() == Sign::Negative)
 }
 
 /// An error bound needs few digits: rounded to 32 bits and enlarged to stay a bound.
@@ -213,10 +208,10 @@ impl Approximation {
         let exact = Context::<HalfEven>::new(0);
         let x = Float::try_from(x).ok()?;
         let distance = exact.sub(value.repr(), x.repr()).ok()?.value();
-        match absolute(&distance) > *error {
-            true => distance.partial_cmp(&Float::ZERO),
-            false => (distance == Float::ZERO && *error == Float::ZERO).then_some(Ordering::Equal),
+        if absolute(&distance) > *error {
+            return distance.partial_cmp(&Float::ZERO);
         }
+        (distance == Float::ZERO && *error == Float::ZERO).then_some(Ordering::Equal)
     }
 
     /// The approximation itself, where its error is below 2^-bits.
@@ -229,18 +224,17 @@ impl Approximation {
         let significand = Rational::from(value.repr().significand().clone());
         let exponent = value.repr().exponent();
         let power = Rational::from(IBig::ONE << exponent.unsigned_abs());
-        Some(match exponent < 0 {
-            true => significand / power,
-            false => significand * power,
+        Some(if exponent < 0 {
+            significand / power
+        } else {
+            significand * power
         })
     }
 
     /// The double nearest to the approximation; infinity where nothing is known.
     pub fn nearest(&self) -> f64 {
-        match &self.0 {
-            Some(ball) => ball.value.to_f64().value() + 0.0,
-            None => f64::INFINITY,
-        }
+        let ball = self.0.as_ref();
+        ball.map_or(f64::INFINITY, |ball| ball.value.to_f64().value() + 0.0)
     }
 }
 

@@ -28,8 +28,8 @@ impl UpToSign {
         }
     }
 
-    /// The instruction that gives a + b up to sign, and whether that is minus the sum. Of a difference
-    /// both a - b and b - a do: the one that is minus the sum where `prefer_negative` holds.
+    /// The instruction that gives a + b up to sign, and whether that is minus the sum. A difference may be a - b or b - a:
+    /// it is minus the sum if `prefer_negative` holds.
     pub(super) fn sum(a: Self, b: Self, prefer_negative: bool) -> (Instruction, bool) {
         let (minuend, subtrahend) = match (a.negative, b.negative) {
             (false, false) => return (Instruction::Add(a.operand, b.operand), false),
@@ -37,9 +37,10 @@ impl UpToSign {
             (false, true) => (a.operand, b.operand),
             (true, false) => (b.operand, a.operand),
         };
-        match prefer_negative {
-            true => (Instruction::Sub(subtrahend, minuend), true),
-            false => (Instruction::Sub(minuend, subtrahend), false),
+        if prefer_negative {
+            (Instruction::Sub(subtrahend, minuend), true)
+        } else {
+            (Instruction::Sub(minuend, subtrahend), false)
         }
     }
 

@@ -17,7 +17,7 @@ pub const UNIT: f64 = f64::EPSILON / 2.0;
 /// is known.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bounded {
-    /// What is computed.
+    /// The number that is computed.
     pub value: f64,
     /// How far from the exact number that may be.
     pub error: f64,
@@ -38,11 +38,9 @@ impl Bounded {
     /// A constant: those with a mantissa of 1, which every format has, are not rounded.
     pub fn constant(value: f64) -> Self {
         const MANTISSA: u64 = (1 << (f64::MANTISSA_DIGITS - 1)) - 1;
-        if value.to_bits() & MANTISSA == 0 {
-            Bounded::exact(value)
-        } else {
-            Bounded::rounded(value)
-        }
+        let is_exact = value.to_bits() & MANTISSA == 0;
+        let error = if is_exact { 0.0 } else { UNIT * value.abs() };
+        Bounded { value, error }
     }
 
     /// A result that is rounded once, from operands that contribute `error`.

@@ -5,9 +5,10 @@ use crate::exact::{Rational, sin_cos};
 use crate::program::{Arithmetic, by_operators};
 use crate::robot::{Symbol, Value};
 
-/// Constants in doubles, with the error of evaluating them so. Most are known well enough by that;
-/// the others are evaluated in high precision.
-pub(super) struct Doubles;
+/// Doubles with the error of computing in them, where symbols have these values.
+///
+/// Most constants are known well enough by that; the others are evaluated in high precision.
+pub(super) struct Doubles<'a>(pub(super) &'a dyn Fn(&Symbol) -> Bounded);
 
 /// A constant in doubles, where it is known to six digits: enough to count roundings with.
 pub(super) fn certain(evaluated: Bounded) -> Option<f64> {
@@ -24,7 +25,17 @@ fn turned(angle: &Value, pick: impl Fn((f64, f64)) -> f64) -> Bounded {
     }
 }
 
-impl Arithmetic for Doubles {
+/// Pi, or the sine or cosine of a constant angle.
+pub(super) fn constant(symbol: &Symbol) -> Bounded {
+    match symbol {
+        Symbol::Pi => Bounded::rounded(core::f64::consts::PI),
+        Symbol::AngleSine(angle) => turned(angle, |(sine, _)| sine),
+        Symbol::AngleCosine(angle) => turned(angle, |(_, cosine)| cosine),
+        other => unreachable!("{other:?} is no constant"),
+    }
+}
+
+impl Arithmetic for Doubles<'_> {
     type Number = Bounded;
 
     fn rational(&mut self, x: &Rational) -> Bounded {
@@ -32,12 +43,7 @@ impl Arithmetic for Doubles {
     }
 
     fn symbol(&mut self, symbol: &Symbol) -> Bounded {
-        match symbol {
-            Symbol::Pi => Bounded::rounded(core::f64::consts::PI),
-            Symbol::AngleSine(angle) => turned(angle, |(sine, _)| sine),
-            Symbol::AngleCosine(angle) => turned(angle, |(_, cosine)| cosine),
-            other => unreachable!("{other:?} is no constant"),
-        }
+        (self.0)(symbol)
     }
 
     by_operators!(Bounded);

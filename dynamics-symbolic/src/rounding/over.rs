@@ -102,7 +102,8 @@ impl Walk<'_> {
     fn sum(&mut self, a: Operand, b: Operand, is_difference: bool) -> Ranged {
         let (x, y) = (self.read(a), self.read(b));
         let sum = x + negate_if(y, is_difference);
-        let (Some(first), Some(second)) = (self.factors(a), self.factors(b)) else {
+        let products = self.program.product(a).zip(self.program.product(b));
+        let Some((first, second)) = products else {
             return sum;
         };
         let products = SumOfProducts {
@@ -125,17 +126,6 @@ impl Walk<'_> {
                 .component(self.next(), turn, length, plus(roundings, last));
         }
         Ranged::from_operands(range, error)
-    }
-
-    /// The factors of a product.
-    fn factors(&self, operand: Operand) -> Option<(Operand, Operand)> {
-        let Operand::Result(index) = operand else {
-            return None;
-        };
-        match self.program.instructions[index as usize] {
-            Instruction::Mul(a, b) => Some((a, b)),
-            _ => None,
-        }
     }
 
     /// The length of a pair: what is known of it, or else of each.

@@ -20,7 +20,7 @@ pub(super) struct Length {
 }
 
 impl Length {
-    /// Of the pair of the products of each with t.
+    /// The length of the pair (a t, b t).
     fn scaled(self, t: Length) -> Self {
         Length {
             size: times(self.size, t.size),
@@ -103,7 +103,7 @@ struct Component {
     rounding: f64,
 }
 
-/// What is known of pairs.
+/// The pairs whose lengths are known.
 #[derive(Default)]
 pub(super) struct Pairs {
     lengths: BTreeMap<Pair, Length>,
@@ -126,8 +126,8 @@ impl Pairs {
         self.partners.entry(b).or_default().push(a);
     }
 
-    /// What a product adds: with that of the other one of a pair and the same factor it is a pair. `lengths` are
-    /// those of the factors, `rounded` is what the product rounds off.
+    /// Adds a product: it makes a pair with the product of its factor's partner and the same other factor. `rounded` is
+    /// the largest rounding of the product.
     pub(super) fn product(
         &mut self,
         [a, b]: [Operand; 2],
@@ -151,8 +151,8 @@ impl Pairs {
         self.products.insert(pair(a, b), result);
     }
 
-    /// What a sum of products adds: with the other component of the same turned vector it is a pair. `length` is that
-    /// of the turned vector, `rounded` what the sum and its products round off.
+    /// Adds a sum of products: it makes a pair with the other component of the same turned vector. `length` is that of
+    /// the turned vector, `rounded` the largest rounding of the sum and its products.
     pub(super) fn component(&mut self, result: Operand, turn: Turn, length: Length, rounded: f64) {
         let is_other = |other: &&Component| {
             let is_turned = other.turn.is_straight() != turn.is_straight();

@@ -1,9 +1,8 @@
 //! Finished programs with bounds on the errors of their outputs.
 
 use super::Bounded;
-use super::constants::{Doubles, certain};
-use crate::exact::Rational;
-use crate::program::{Arithmetic, Program, by_operators};
+use super::constants::{Doubles, certain, constant};
+use crate::program::Program;
 use crate::robot::Symbol;
 
 /// A program with its constants as they are emitted.
@@ -16,15 +15,14 @@ impl<'p> Rounded<'p> {
     /// The program with its constants rounded.
     pub fn new(program: &'p Program) -> Self {
         let needed = program.needed_constants();
-        let evaluated = program.constants.evaluate(&mut Doubles);
-        let doubles = evaluated.into_iter().enumerate().map(|(index, constant)| {
-            match needed.get(index).copied().unwrap_or(false) {
-                true => certain(constant),
-                false => Some(f64::NAN),
-            }
+        let evaluated = program.constants.evaluate(&mut Doubles(&constant));
+        let constants = evaluated.into_iter().enumerate();
+        let doubles = constants.map(|(index, constant)| match needed.get(index) {
+            Some(true) => certain(constant),
+            _ => Some(f64::NAN),
         });
-        let doubles = doubles.collect::<Option<Vec<_>>>();
-        let doubles = doubles.unwrap_or_else(|| program.rounded_constants());
+        let certain: Option<Vec<_>> = doubles.collect();
+        let doubles = certain.unwrap_or_else(|| program.rounded_constants());
         Rounded::with_constants(program, &doubles)
     }
 
@@ -36,26 +34,7 @@ impl<'p> Rounded<'p> {
 
     /// The outputs where the symbols have these values.
     pub fn outputs(&self, point: &dyn Fn(&Symbol) -> Bounded) -> Vec<Bounded> {
-        self.program
-            .evaluate_with(self.constants.clone(), &mut At { point })
+        let constants = self.constants.clone();
+        self.program.evaluate_with(constants, &mut Doubles(point))
     }
-}
-
-/// Arithmetic at one point.
-struct At<'a> {
-    point: &'a dyn Fn(&Symbol) -> Bounded,
-}
-
-impl Arithmetic for At<'_> {
-    type Number = Bounded;
-
-    fn rational(&mut self, x: &Rational) -> Bounded {
-        Bounded::constant(x.to_f64().value())
-    }
-
-    fn symbol(&mut self, symbol: &Symbol) -> Bounded {
-        (self.point)(symbol)
-    }
-
-    by_operators!(Bounded);
 }

@@ -37,10 +37,12 @@ pub(super) fn plus(a: f64, b: f64) -> f64 {
 
 /// a b, rounded upwards: more than zero unless one of them is. What is not known stays so, times zero too.
 pub(super) fn times(a: f64, b: f64) -> f64 {
-    match a == 0.0 || b == 0.0 {
-        true if a < f64::INFINITY && b < f64::INFINITY => 0.0,
-        true => f64::INFINITY,
-        false => (a * b).next_up(),
+    if a != 0.0 && b != 0.0 {
+        (a * b).next_up()
+    } else if a < f64::INFINITY && b < f64::INFINITY {
+        0.0
+    } else {
+        f64::INFINITY
     }
 }
 
@@ -49,7 +51,7 @@ pub(super) fn norm(a: f64, b: f64) -> f64 {
     up(plus(times(a, a), times(b, b)).sqrt())
 }
 
-/// What the rounding of a result of that size leaves out at most.
+/// The largest error of rounding a result of that size.
 pub(super) fn rounding(size: f64) -> f64 {
     times(size, UNIT)
 }
@@ -136,10 +138,12 @@ impl Div for Ranged {
         let range = self.range.over(b.range);
         let room = (b.range.least_size() - b.error).next_down();
         let passed_on = plus(self.error, times(range.size(), b.error));
-        let error = match room > 0.0 {
-            true if passed_on == 0.0 => 0.0,
-            true => (passed_on / room).next_up(),
-            false => f64::INFINITY,
+        let error = if room.is_nan() || room <= 0.0 {
+            f64::INFINITY
+        } else if passed_on == 0.0 {
+            0.0
+        } else {
+            (passed_on / room).next_up()
         };
         Ranged::from_operands(range, error)
     }

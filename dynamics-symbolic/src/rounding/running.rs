@@ -1,10 +1,10 @@
 //! The nodes of a graph at some points, each with a bound on its error.
 
-use super::constants::{Doubles, certain};
+use super::constants::{certain, constant};
 use super::{Bounded, POINTS};
 use crate::exact::negate_if;
 use crate::expr::{Edge, Graph, Level, NodeId, Operation};
-use crate::program::{Arithmetic, Operand, Program};
+use crate::program::{Operand, Program};
 use crate::robot::Symbol;
 
 /// A node at all points.
@@ -118,14 +118,16 @@ impl<'g> Running<'g> {
     fn evaluate_constant(&self, id: NodeId, operation: Operation) -> Bounded {
         let known = |id: NodeId| self.constants[id.index()].expect("operands come first");
         let signed = |edge: Edge| negate_if(known(edge.node()), edge.is_negative());
-        let evaluated = match operation {
-            Operation::Rational(index) => Doubles.rational(&self.graph.rational_of(index)),
-            Operation::Symbol(index) => Doubles.symbol(&self.meanings[index as usize]),
+        let result = match operation {
+            Operation::Rational(index) => {
+                Bounded::rounded(self.graph.rational_of(index).to_f64().value())
+            }
+            Operation::Symbol(index) => constant(&self.meanings[index as usize]),
             Operation::Add(a, b) => signed(a) + signed(b),
             Operation::Mul(a, b) => known(a) * known(b),
             Operation::Div(a, b) => known(a) / known(b),
         };
-        let evaluated = negate_if(evaluated, self.graph.is_flipped(id, operation));
+        let evaluated = negate_if(result, self.graph.is_flipped(id, operation));
         match certain(evaluated) {
             Some(_) => evaluated,
             None => Bounded::rounded(self.in_high_precision(id)),

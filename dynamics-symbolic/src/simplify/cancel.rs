@@ -1,9 +1,8 @@
 //! Operations whose results cancel in every output.
 //!
-//! Where x y is subtracted in one sum and added in a multiple of another one, no single node shows it. The
-//! derivatives of the outputs by every node do, found in one pass backwards (adjoints: A. Griewank,
-//! A. Walther, Evaluating Derivatives, 2008, section 3.2): a node by which all derivatives are zero may have
-//! any value, zero among them.
+//! If x y is subtracted in one sum and added in a multiple of another one, no single node shows it. The derivatives of
+//! the outputs by every node do, found in one pass backwards (adjoints: A. Griewank, A. Walther, Evaluating
+//! Derivatives, 2008, section 3.2): a node by which all derivatives are zero may have any value, zero among them.
 
 use super::{Judge, Network, Writer};
 use crate::exact::{SplitMix64, negate_if};
@@ -38,8 +37,8 @@ fn without_what_cancels<'g>(network: &Network<'g>) -> Option<Network<'g>> {
     }
     let mut outputs = network.outputs().iter().map(|output| output.node());
     let same = outputs.all(|id| writer.stored(id) == id.edge(false));
-    let held = order.iter().filter(|id| fixed[id.index()]);
-    let held: Vec<_> = held.map(|&id| writer.stored(id).node()).collect();
+    let kept = order.iter().filter(|id| fixed[id.index()]);
+    let held: Vec<_> = kept.map(|&id| writer.stored(id).node()).collect();
     let Writer { definitions, .. } = writer;
     same.then(|| Network::with_definitions(network.graph(), network.outputs(), definitions, &held))
 }

@@ -105,8 +105,8 @@ impl<'g> Network<'g> {
         self.cost
     }
 
-    /// What the operations take: two for an addition, three for a multiplication or a division.
-    /// Processors have as many adders as multipliers, and many an addition is fused with a product.
+    /// The work of the operations: two for an addition, which may be fused with a product, and three for a multiplication
+    /// or a division.
     pub fn work(&self) -> usize {
         let work = |(index, operation): (usize, &Operation)| match operation {
             _ if self.readers[index] == 0 || self.free[index] => 0,
@@ -233,7 +233,7 @@ impl<'g> Network<'g> {
         self.held[id.index()]
     }
 
-    /// Which nodes are held, or read one that is; `order` is [`Network::order`].
+    /// Whether each node is held, or reads one that is; `order` is [`Network::order`].
     pub(super) fn fixed(&self, order: &[NodeId]) -> Vec<bool> {
         let mut fixed = self.held.clone();
         for &id in order {

@@ -12,7 +12,7 @@ pub(super) struct Survey {
     whole: Vec<NodeId>,
     order: Vec<NodeId>,
     leaves: Vec<NodeId>,
-    /// Where a node is in the order, from 1; leaves are at 0.
+    /// The place of each node in the order, from 1; leaves are at 0.
     positions: Vec<u32>,
     index: ByValue,
 }
@@ -118,7 +118,7 @@ impl Survey {
     }
 }
 
-/// Which nodes depend on a node, by their position from that node's on, as far as they are known.
+/// Whether the nodes from a node on depend on it, as far as that is known.
 pub(super) struct Dependents {
     first: usize,
     depends: RefCell<Vec<bool>>,
@@ -154,10 +154,9 @@ impl ByValue {
 
     fn find(&self, value: Fingerprint) -> Option<NodeId> {
         let value = value.get();
-        if self.last_bits[value as usize & (self.last_bits.len() - 1)] {
-            self.nodes.get(&value).copied()
-        } else {
-            None
+        if !self.last_bits[value as usize & (self.last_bits.len() - 1)] {
+            return None;
         }
+        self.nodes.get(&value).copied()
     }
 }

@@ -6,7 +6,7 @@ use crate::expr::{Edge, Graph, NodeId, Operation};
 pub(super) struct Writer<'g> {
     graph: &'g Graph,
     pub(super) definitions: Vec<(NodeId, Operation)>,
-    /// What is computed in the place of each node, by its index.
+    /// The node that is computed in the place of each node, by its index.
     pub(super) stored: Vec<Option<Edge>>,
 }
 
@@ -19,7 +19,7 @@ impl<'g> Writer<'g> {
         }
     }
 
-    /// What is computed in the place of a node.
+    /// The node that is computed in the place of a node.
     pub(super) fn stored(&self, node: NodeId) -> Edge {
         let stored = self.stored.get(node.index()).copied().flatten();
         stored.unwrap_or(node.edge(false))

@@ -41,10 +41,11 @@ impl<'a> Body<'a> {
     pub(super) fn statements(&self, request: &Request) -> Vec<String> {
         let declaration = self.language.declaration;
         let declare = |name: &String, value: String| format!("{declaration} {name} = {value};");
-        let inputs = in_order(self.program).into_iter();
-        let inputs = inputs.map(|(index, symbol)| declare(&self.inputs[index], self.input(symbol)));
-        let results = self.lines.iter().zip(&self.names);
-        let results = results
+        let symbols = in_order(self.program).into_iter();
+        let inputs =
+            symbols.map(|(index, symbol)| declare(&self.inputs[index], self.input(symbol)));
+        let lines = self.lines.iter().zip(&self.names);
+        let results = lines
             .filter_map(|(line, name)| Some(declare(name.as_ref()?, self.line(line.as_ref()?))));
         let pivots = pivots(self.robot.dof(), request, self.program).into_iter();
         let tests = pivots.map(|(joint, outputs)| {
@@ -140,8 +141,7 @@ impl<'a> Body<'a> {
         }
     }
 
-    /// Position or velocity behind a symbol's index: of a follower, that of the joint it follows times
-    /// the factor.
+    /// The position or velocity behind a symbol's index; a follower's is that of the joint it follows times the factor.
     fn of_joint(&self, argument: &str, i: usize) -> String {
         match self.robot.followed(i) {
             None => format!("{argument}[{i}]"),

@@ -11,8 +11,7 @@ use core::fmt::Write as _;
 /// A robot in C.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CSource {
-    /// What the names of the files, and all names in them, begin with: `panda` of `panda.h` and
-    /// `panda.c`.
+    /// The beginning of the names of the files, and of all names in them: `panda` of `panda.h` and `panda.c`.
     pub name: String,
     /// The text of the header.
     pub header: String,
@@ -118,9 +117,9 @@ impl Writer<'_> {
                 .to_owned(),
         ]);
         let joints: Vec<_> = self.robot.joints().map(|row| string(&row.name)).collect();
-        let fields = self.robot.fields.iter();
-        let fields = fields.map(|field| format!("double {};", free_name(field, WORDS)));
-        let fields = match &fields.collect::<Vec<_>>()[..] {
+        let member = |field: &String| format!("double {};", free_name(field, WORDS));
+        let members: Vec<_> = self.robot.fields.iter().map(member).collect();
+        let fields = match &members[..] {
             [] => String::new(),
             fields => format!(
                 "\n/** The symbolic parameters of the table. */\ntypedef struct {{\n{}}} {name}_fields;\n",
@@ -232,7 +231,7 @@ impl Writer<'_> {
         sizes_of(request.parts(), self.robot.dof(), outputs)
     }
 
-    /// What a function writes to: nothing for a value without entries, which no array of C is.
+    /// The places that a function writes to: none for a value without entries, which no array of C is.
     fn written(&self, request: &Request, proven: &Proven) -> Vec<Written> {
         let sizes = self.sizes(request, proven);
         let mut written = Vec::new();

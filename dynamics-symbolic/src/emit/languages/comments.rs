@@ -17,8 +17,8 @@ pub fn description(
 ) -> Vec<String> {
     let refusal =
         "Refused where M(q) is not positive definite to working precision, or not finite.";
-    let formulas = Formulas::of_short_arm(robot, request.parts(), &proven.program, budget);
-    let formulas = formulas.map(|formulas| formula_lines(&formulas, budget.terms, longer));
+    let short = Formulas::of_short_arm(robot, request.parts(), &proven.program, budget);
+    let formulas = short.map(|formulas| formula_lines(&formulas, budget.terms, longer));
     function_lines(robot, request, proven, refusal, formulas)
 }
 
@@ -29,9 +29,9 @@ pub(super) fn lines(
     proven: &Proven,
     refusal: &str,
 ) -> Vec<String> {
-    let program = &proven.program;
-    let formulas = Formulas::of_short_arm(robot, request.parts(), program, Budget::UNASKED);
-    let formulas = formulas.map(|formulas| short_formula_lines(&formulas));
+    let (parts, budget) = (request.parts(), Budget::UNASKED);
+    let short = Formulas::of_short_arm(robot, parts, &proven.program, budget);
+    let formulas = short.map(|formulas| short_formula_lines(&formulas));
     function_lines(robot, request, proven, refusal, formulas)
 }
 
@@ -57,11 +57,11 @@ fn function_lines(
             ));
         }
     }
-    let fences = ["```text", "```"];
-    let lines = lines.into_iter().map(|line| line.trim_end().to_owned());
-    let lines = lines.filter(|line| !fences.contains(&line.trim()));
-    let lines = lines.map(|line| line.strip_prefix(' ').unwrap_or(&line).to_owned());
-    lines.collect()
+    lines.retain(|line| !["```text", "```"].contains(&line.trim()));
+    let texts = lines.iter().map(|line| line.trim_end());
+    texts
+        .map(|text| text.strip_prefix(' ').unwrap_or(text).to_owned())
+        .collect()
 }
 
 /// A comment of several lines, in the form that C and JavaScript share. The marks of comments and the trigraphs of C that

@@ -68,17 +68,14 @@ pub fn javascript_module(robot: &Robot, functions: &[(Request, Proven)]) -> Stri
         "matrices arrays of rows. What depends on an input that is not finite is not finite.".to_owned(),
     ]);
     let joints = robot.joints().map(|row| format!("{:?}", row.name));
-    let fields = robot
-        .fields
-        .iter()
-        .map(|field| format!("{:?}", plain(field)));
+    let quoted = |field: &String| format!("{:?}", plain(field));
     let fields = if robot.fields.is_empty() {
         String::new()
     } else {
         format!(
             "\n/** The symbolic parameters: properties of the first argument, `arm`, of every function. */\n\
              export const FIELD_NAMES = {};\n",
-            array(fields)
+            array(robot.fields.iter().map(quoted))
         )
     };
     format!(

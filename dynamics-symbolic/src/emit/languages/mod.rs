@@ -20,7 +20,7 @@ use super::pivots::pivots;
 
 /// How a language says what differs between C and JavaScript.
 struct Language {
-    /// What stands in front of the name of a number that is computed.
+    /// The words in front of the name of a number that is computed.
     declaration: &'static str,
     /// How a field of the robot is read.
     field: fn(&str) -> String,
@@ -47,11 +47,9 @@ impl Language {
 /// The name, changed if it is one of the words, which a language reserves.
 fn free_name(name: &str, words: &str) -> String {
     let name = plain(name);
-    if words.split_whitespace().any(|word| word == name) {
-        format!("{name}_")
-    } else {
-        name.to_owned()
-    }
+    let is_reserved = words.split_whitespace().any(|word| word == name);
+    let mark = if is_reserved { "_" } else { "" };
+    format!("{name}{mark}")
 }
 
 /// Lines of text behind so many spaces each.

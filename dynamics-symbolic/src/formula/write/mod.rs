@@ -86,8 +86,8 @@ fn entry(to: &dyn Notation, (symbol, indices): (&str, &[usize])) -> String {
 }
 
 fn expression(to: &dyn Notation, names: &Names, sum: &Expression) -> String {
-    let terms = sum.0.iter();
-    let terms = terms.map(|summand| (summand.is_negative, term(to, names, summand)));
+    let summands = sum.0.iter();
+    let terms = summands.map(|summand| (summand.is_negative, term(to, names, summand)));
     match &terms.collect::<Vec<_>>()[..] {
         [] => to.number(&Written::integer(0)),
         terms => to.sum(terms),
@@ -154,12 +154,12 @@ fn turn(to: &dyn Notation, names: &Names, letter: &str, function: &str, run: Run
 
 /// exp(-(qd / v)^2)
 fn stribeck(to: &dyn Notation, names: &Names, index: usize) -> String {
-    let velocity = match &names.stribeck[index] {
+    let v = match &names.stribeck[index] {
         Some(velocity) => value(to, names, velocity),
         None => to.number(&Written::integer(1)),
     };
-    let velocity = to.parentheses(&velocity);
-    let ratio = to.quotient(&joint(to, Argument::Velocity, index), &velocity, true);
+    let qd = joint(to, Argument::Velocity, index);
+    let ratio = to.quotient(&qd, &to.parentheses(&v), true);
     let square = to.power(&to.parentheses(&ratio), 2);
     to.call("exp", &to.sum(&[(true, square)]))
 }

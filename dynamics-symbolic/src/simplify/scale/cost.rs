@@ -1,4 +1,4 @@
-//! What the multiples cost: multiplications by constants.
+//! The cost of the multiples: multiplications by constants.
 
 use super::Scaling;
 use super::multiple::{Ratio, Scale};
@@ -70,10 +70,10 @@ impl Scaling<'_, '_> {
         let ratio = &mut self.sums[tally.sum].multiple.ratio;
         let old = std::mem::replace(ratio, x);
         let others = tally.others.iter();
-        let others = others.filter(|&&place| self.is_multiplied(place));
-        let products = tally.other_products.iter();
-        let products = products.filter(|&&index| self.is_product_multiplied(index));
-        let cost = tally.units.len() - saved + others.count() + products.count();
+        let terms = others.filter(|&&place| self.is_multiplied(place));
+        let others = tally.other_products.iter();
+        let products = others.filter(|&&index| self.is_product_multiplied(index));
+        let cost = tally.units.len() - saved + terms.count() + products.count();
         self.sums[tally.sum].multiple.ratio = old;
         cost
     }
@@ -81,16 +81,16 @@ impl Scaling<'_, '_> {
     /// All multiplications by constants.
     pub(super) fn total_cost(&self) -> usize {
         let sums = (0..self.sums.len()).map(|sum| self.own_cost(sum));
-        let products = 0..self.products.len();
-        let products = products.filter(|&index| self.is_product_multiplied(index));
+        let indices = 0..self.products.len();
+        let products = indices.filter(|&index| self.is_product_multiplied(index));
         sums.sum::<usize>() + products.count()
     }
 
     /// Multiplications in the terms of a sum, and at the output that it may be.
     fn own_cost(&self, sum: usize) -> usize {
         let this = &self.sums[sum];
-        let terms = 0..this.terms.len();
-        let terms = terms.filter(|&term| self.is_multiplied(TermId { sum, term }));
+        let indices = 0..this.terms.len();
+        let terms = indices.filter(|&term| self.is_multiplied(TermId { sum, term }));
         let is_corrected = this.is_output && !is_unit(this.multiple.ratio.value);
         terms.count() + usize::from(is_corrected)
     }

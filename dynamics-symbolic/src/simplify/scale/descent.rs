@@ -119,8 +119,8 @@ impl<'g> Scaling<'_, 'g> {
         let own = terms
             .filter(|(_, term)| term.node.is_some())
             .map(|(index, _)| Candidate::Own(index));
-        let readers = self.sums[sum].readers.iter();
-        let readers = readers
+        let places = self.sums[sum].readers.iter();
+        let readers = places
             .filter(|&&place| self.is_linear_reader(sum, place))
             .map(|&place| Candidate::Reader(place));
         own.chain(readers).chain([Candidate::One]).collect()

@@ -1,4 +1,4 @@
-//! Which multiple of each sum is computed.
+//! The choice of the multiple of each sum that is computed.
 //!
 //! A sum c1 x1 + c2 x2 + ... with constant coefficients may be computed as any
 //! multiple of itself: the multiple passes through products for nothing and is

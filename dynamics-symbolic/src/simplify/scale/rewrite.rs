@@ -19,12 +19,12 @@ impl<'g> Scaling<'_, 'g> {
             self.correct(&mut writer, output.node());
         }
         let fixed = order.iter().filter(|id| fixed[id.index()]);
-        let held = fixed.filter_map(|id| writer.stored[id.index()]);
-        let held = held.map(Edge::node).collect();
+        let edges = fixed.filter_map(|id| writer.stored[id.index()]);
+        let held = edges.map(Edge::node).collect();
         (writer.definitions, held)
     }
 
-    /// What is computed in the place of a node: nothing where a sum has absorbed it.
+    /// The node that is computed in the place of another one: none if a sum has absorbed that.
     fn write_node(&self, writer: &mut Writer<'g>, id: NodeId) -> Option<Edge> {
         if let Some(sum) = self.sum_of[id.index()] {
             return Some(self.write_sum(writer, sum));

@@ -19,7 +19,7 @@ pub(super) struct Term<'g> {
     pub(super) factors: Vec<Factor>,
 }
 
-/// Where a term is: in which sum, and which term of it.
+/// The place of a term: its sum, and its number there.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) struct TermId {
     pub(super) sum: usize,
