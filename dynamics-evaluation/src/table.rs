@@ -73,11 +73,6 @@ impl Cells<'_> {
         }
     }
 
-    /// Where the joint of a row is locked.
-    fn locked(&self, row: &robot::Row) -> Option<f64> {
-        row.map(&mut self.cell()).locked
-    }
-
     /// How the joint of a row moves.
     fn motion(&self, row: &robot::Row) -> JointMotion {
         let row = row.map(&mut self.cell());
