@@ -37,9 +37,9 @@ impl<const N: usize> Embedded<N> for Dop853Method {
     ) -> Result<Phase<N>, S::Refusal> {
         // Unrolled for each stage, a run of the two-link arm takes a third longer.
         for i in 1..LAST {
-            from.stage(system, (&A[i], C[i]), rates, i)?;
+            from.stage(system, (A[i], C[i]), rates, i)?;
         }
-        Ok(from.plus(&A[LAST][..LAST], rates))
+        Ok(from.plus(A[LAST], rates))
     }
 
     fn finish<S: Equations<N>>(
@@ -71,7 +71,7 @@ impl<const N: usize> Embedded<N> for Dop853Method {
         rates: &mut Self::Rates,
     ) -> Result<Self::Polynomial, S::Refusal> {
         for i in LAST + 1..STAGES {
-            from.stage(system, (&A[i], C[i]), rates, i)?;
+            from.stage(system, (A[i], C[i]), rates, i)?;
         }
         let [r1, r2, r3, r4] = from.cubic(end, [&rates[0], &rates[LAST]]);
         let [r5, r6, r7, r8] = DENSE.map(|row| combination(&row, rates).scaled(from.h));
@@ -91,6 +91,6 @@ impl<const N: usize> Embedded<N> for Dop853Method {
 #[inline(always)]
 fn third<const N: usize>(rates: &[Phase<N>; STAGES]) -> Phase<N> {
     let subtract = |sum: Phase<N>, (i, weight): &(usize, f64)| sum.plus(-weight, &rates[*i]);
-    let eighth = combination(&A[LAST][..LAST], rates);
+    let eighth = combination(A[LAST], rates);
     THIRD.iter().fold(eighth, subtract)
 }

@@ -28,24 +28,28 @@ impl<const N: usize> Jacobian<N> {
         phase: &Phase<N>,
         acceleration: &SVector<f64, N>,
     ) -> Result<Self, S::Refusal> {
-        let derivatives = |part: fn(&mut Phase<N>) -> &mut SVector<f64, N>| {
-            let mut matrix = SMatrix::<f64, N, N>::zeros();
-            for j in 0..N {
-                let mut moved = *phase;
-                let entry = &mut part(&mut moved)[j];
-                // As in the program RADAU5 of Hairer and Wanner.
-                let distance = (f64::EPSILON * entry.abs().max(1e-5)).sqrt();
-                *entry += distance;
-                let change = system.acceleration(t, &moved)? - acceleration;
-                matrix.set_column(j, &(change / distance));
-            }
-            Ok(matrix)
-        };
-        Ok(Jacobian {
-            by_q: derivatives(|phase| &mut phase.q)?,
-            by_qd: derivatives(|phase| &mut phase.qd)?,
-        })
+        let mut jacobian = Self::zeros();
+        for j in 0..N {
+            let mut moved = *phase;
+            let distance = distance(phase.q[j]);
+            moved.q[j] += distance;
+            let change = system.acceleration(t, &moved)? - acceleration;
+            jacobian.by_q.set_column(j, &(change / distance));
+        }
+        for j in 0..N {
+            let mut moved = *phase;
+            let distance = distance(phase.qd[j]);
+            moved.qd[j] += distance;
+            let change = system.acceleration(t, &moved)? - acceleration;
+            jacobian.by_qd.set_column(j, &(change / distance));
+        }
+        Ok(jacobian)
     }
+}
+
+/// The distance of a difference (Hairer and Wanner's program RADAU5).
+fn distance(x: f64) -> f64 {
+    (f64::EPSILON * x.abs().max(1e-5)).sqrt()
 }
 
 /// The equations `(mu - J) (x, v) = (r, s)` with `J = (0, 1; A, B)`, A and B the derivatives by q and
@@ -93,11 +97,16 @@ impl<const N: usize> Shifted<Complex<f64>, N> {
     pub(super) fn solve(&self, real: &Phase<N>, imaginary: &Phase<N>) -> (Phase<N>, Phase<N>) {
         let join = |re: &SVector<f64, N>, im: &SVector<f64, N>| re.zip_map(im, Complex::new);
         let (q, qd) = self.solve_parts(join(&real.q, &imaginary.q), join(&real.qd, &imaginary.qd));
-        let part = |of: fn(Complex<f64>) -> f64| Phase {
-            q: q.map(of),
-            qd: qd.map(of),
+        let (re, im) = (|z: Complex<f64>| z.re, |z: Complex<f64>| z.im);
+        let real = Phase {
+            q: q.map(re),
+            qd: qd.map(re),
         };
-        (part(|z| z.re), part(|z| z.im))
+        let imaginary = Phase {
+            q: q.map(im),
+            qd: qd.map(im),
+        };
+        (real, imaginary)
     }
 }
 

@@ -73,13 +73,15 @@ pub(super) fn order(a: &[Vec<f64>], b: &[f64]) -> usize {
 }
 
 /// The rows of an array of coefficients, each filled up with zeros to the number of stages.
-pub(super) fn square<const C: usize>(rows: &[[f64; C]], stages: usize) -> Vec<Vec<f64>> {
-    let row = |row: &[f64; C]| {
-        let mut row = row.to_vec();
-        row.resize(stages, 0.0);
-        row
+pub(super) fn square(rows: &[impl AsRef<[f64]>], stages: usize) -> Vec<Vec<f64>> {
+    let filled = |row: &[f64]| {
+        let zeros = core::iter::repeat_n(0.0, stages - row.len());
+        row.iter().copied().chain(zeros).collect()
     };
-    rows[..stages].iter().map(row).collect()
+    rows[..stages]
+        .iter()
+        .map(|row| filled(row.as_ref()))
+        .collect()
 }
 
 #[test]
