@@ -7,6 +7,7 @@
 
 mod newton;
 mod polynomial;
+mod stages;
 mod tableau;
 #[cfg(test)]
 mod tests;
@@ -14,15 +15,18 @@ mod tests;
 use super::initial_step::initial_step;
 use super::jacobian::{Jacobian, Shifted};
 use super::{Equations, Failure, Phase, StepRange, Stepper, Tolerance};
-use newton::{MOST_ITERATIONS, Matrices, Miss, Newton, Step, combination};
+use newton::{MOST_ITERATIONS, Matrices, Miss, Newton, Step};
 use polynomial::Polynomial;
+use stages::combination;
 use tableau::{C, ERROR};
 
 /// An integration under way, at the end of its last step.
 pub(crate) struct Radau<const N: usize> {
-    here: Place<N>,
-    /// The start of the last step.
-    from: Place<N>,
+    t: f64,
+    phase: Phase<N>,
+    rate: Phase<N>,
+    /// Where the last step started.
+    from: Beginning<N>,
     h: f64,
     /// The step that the motion asks for at its start.
     first: f64,
@@ -37,9 +41,9 @@ pub(crate) struct Radau<const N: usize> {
     just_rejected: bool,
 }
 
-/// A time, the phase then, and how it moves.
+/// Where a step starts: a time, the phase then, and how it moves.
 #[derive(Clone, Copy)]
-struct Place<const N: usize> {
+struct Beginning<const N: usize> {
     t: f64,
     phase: Phase<N>,
     rate: Phase<N>,
@@ -90,10 +94,11 @@ impl<const N: usize> Radau<N> {
         };
         let least = 10.0 * f64::EPSILON / relative;
         let first = initial_step(system, t, &phase, &rate, &wanted, 4.0);
-        let here = Place { t, phase, rate };
         Ok(Radau {
-            here,
-            from: here,
+            t,
+            phase,
+            rate,
+            from: Beginning { t, phase, rate },
             h: first,
             first,
             jacobian: Jacobian::zeros(),
@@ -111,16 +116,15 @@ impl<const N: usize> Radau<N> {
     /// The stages of a step of length `h` and its error.
     fn trial<S: Equations<N>>(&mut self, system: &S) -> Result<Trial<N>, Miss<S::Refusal>> {
         if self.jacobian_is == Age::Useless {
-            let Place { t, phase, rate } = &self.here;
-            self.jacobian = Jacobian::at(system, *t, phase, &rate.qd)?;
+            self.jacobian = Jacobian::at(system, self.t, &self.phase, &self.rate.qd)?;
             self.jacobian_is = Age::Fresh;
         }
         let guess = self.predicted();
         let matrices = Matrices::new(&self.jacobian, self.h);
         let step = Step {
             system,
-            t: self.here.t,
-            phase: &self.here.phase,
+            t: self.t,
+            phase: &self.phase,
             h: self.h,
             tolerance: &self.tolerance,
         };
@@ -138,13 +142,11 @@ impl<const N: usize> Radau<N> {
         let Some(polynomial) = self.polynomial.filter(|_| !self.just_rejected) else {
             return [Phase::zeros(); 3];
         };
-        let Place { t, phase, .. } = &self.here;
-        C.map(|c| polynomial.at(t + c * self.h).minus(phase))
+        C.map(|c| polynomial.at(self.t + c * self.h).minus(&self.phase))
     }
 
     fn norm(&self, value: &Phase<N>) -> f64 {
-        let phase = &self.here.phase;
-        self.tolerance.norm(value, phase, phase)
+        self.tolerance.norm(value, &self.phase, &self.phase)
     }
 
     /// (IV.8.19) and (IV.8.20): `(gamma / h - J)^-1 (f(y) + e.z / h)`, and once more from there at the
@@ -155,14 +157,14 @@ impl<const N: usize> Radau<N> {
         changes: &[Phase<N>; 3],
         real: &Shifted<f64, N>,
     ) -> Result<f64, S::Refusal> {
-        let Place { t, phase, rate } = &self.here;
         let weighted = combination(&ERROR, changes).scaled(1.0 / self.h);
-        let estimate = real.solve(&weighted.plus(1.0, rate));
+        let estimate = real.solve(&weighted.plus(1.0, &self.rate));
         let error = self.norm(&estimate).max(1e-10);
         if error < 1.0 || !(self.before.is_none() || self.just_rejected) {
             return Ok(error);
         }
-        let rate = system.rate(*t, &phase.plus(1.0, &estimate))?;
+        let ahead = self.phase.plus(1.0, &estimate);
+        let rate = system.rate(self.t, &ahead)?;
         let estimate = real.solve(&weighted.plus(1.0, &rate));
         Ok(self.norm(&estimate).max(1e-10))
     }
@@ -191,16 +193,20 @@ impl<const N: usize> Radau<N> {
         trial: &Trial<N>,
         end: f64,
     ) -> Result<(), S::Refusal> {
-        let (t, phase) = (end, self.here.phase.plus(1.0, &trial.changes[2]));
-        let rate = system.rate(t, &phase)?;
+        let phase = self.phase.plus(1.0, &trial.changes[2]);
+        let rate = system.rate(end, &phase)?;
         let quotient = self.quotient(trial);
         self.polynomial = Some(Polynomial::new(end, self.h, &phase, &trial.changes));
         self.before = Some(Accepted {
             h: self.h,
             error: trial.error.max(1e-2),
         });
-        self.from = self.here;
-        self.here = Place { t, phase, rate };
+        self.from = Beginning {
+            t: self.t,
+            phase: self.phase,
+            rate: self.rate,
+        };
+        (self.t, self.phase, self.rate) = (end, phase, rate);
         // A step that just failed is not followed by a longer one.
         let least = if self.just_rejected { 1.0 } else { QUOTIENTS.0 };
         self.h /= quotient.max(least);
@@ -223,22 +229,22 @@ impl<const N: usize> Radau<N> {
 
 impl<S: Equations<N>, const N: usize> Stepper<S, S::Refusal, N> for Radau<N> {
     fn t(&self) -> f64 {
-        self.here.t
+        self.t
     }
 
     fn phase(&self) -> &Phase<N> {
-        &self.here.phase
+        &self.phase
     }
 
     fn step(&mut self, system: &S, end: f64) -> Result<(), Failure<S::Refusal>> {
         loop {
-            let left = end - self.here.t;
+            let left = end - self.t;
             self.h = self.range.within(self.h);
             let last = 1.01 * self.h >= left;
             if last {
                 self.h = left;
             }
-            let step_end = if last { end } else { self.here.t + self.h };
+            let step_end = if last { end } else { self.t + self.h };
             let failure = match self.trial(system) {
                 Ok(trial) if trial.error < 1.0 => match self.accept(system, &trial, step_end) {
                     Ok(()) => return Ok(()),
@@ -248,8 +254,12 @@ impl<S: Equations<N>, const N: usize> Stepper<S, S::Refusal, N> for Radau<N> {
                     }
                 },
                 Ok(trial) => {
-                    let quotient = self.before.map(|_| self.quotient(&trial));
-                    let factor = quotient.map_or(0.1, |quotient| 1.0 / quotient);
+                    let first = self.before.is_none();
+                    let factor = if first {
+                        0.1
+                    } else {
+                        1.0 / self.quotient(&trial)
+                    };
                     // An error that is not a number makes none.
                     self.shorten(if factor < 1.0 { factor } else { 0.2 });
                     Failure::StepTooSmall
@@ -271,15 +281,16 @@ impl<S: Equations<N>, const N: usize> Stepper<S, S::Refusal, N> for Radau<N> {
 
     fn at(&mut self, _: &S, t: f64) -> Result<Phase<N>, Failure<S::Refusal>> {
         Ok(match self.polynomial {
-            Some(polynomial) if t < self.here.t => polynomial.at(t),
-            _ => self.here.phase,
+            Some(polynomial) if t < self.t => polynomial.at(t),
+            _ => self.phase,
         })
     }
 
     fn retake(&mut self, system: &S, end: f64) -> Result<(), Failure<S::Refusal>> {
-        self.here = self.from;
+        let Beginning { t, phase, rate } = self.from;
+        (self.t, self.phase, self.rate) = (t, phase, rate);
         let next = self.h;
-        self.h = end - self.here.t;
+        self.h = end - t;
         self.polynomial = None;
         self.jacobian_is = Age::Useless;
         match self.trial(system) {
@@ -292,8 +303,8 @@ impl<S: Equations<N>, const N: usize> Stepper<S, S::Refusal, N> for Radau<N> {
     }
 
     fn restart(&mut self, system: &S, phase: Phase<N>) -> Result<(), Failure<S::Refusal>> {
-        self.here.rate = system.rate(self.here.t, &phase)?;
-        self.here.phase = phase;
+        self.rate = system.rate(self.t, &phase)?;
+        self.phase = phase;
         self.polynomial = None;
         self.before = None;
         self.jacobian_is = Age::Useless;

@@ -2,6 +2,7 @@
 
 use nalgebra::Complex;
 
+use super::stages::transformed;
 use super::tableau::{C, COMPLEX, REAL, T, T_INVERSE};
 use crate::integrate::jacobian::{Jacobian, Shifted};
 use crate::integrate::{Equations, Phase, Tolerance};
@@ -156,17 +157,4 @@ impl<const N: usize> Matrices<N> {
         );
         [d1, d2, d3]
     }
-}
-
-/// Sum of three phases, each by its weight.
-#[inline]
-pub(super) fn combination<const N: usize>(weights: &[f64; 3], of: &[Phase<N>; 3]) -> Phase<N> {
-    let first = of[0].scaled(weights[0]);
-    first.plus(weights[1], &of[1]).plus(weights[2], &of[2])
-}
-
-/// Three such sums, by the rows of a matrix.
-#[inline]
-fn transformed<const N: usize>(by: &[[f64; 3]; 3], of: &[Phase<N>; 3]) -> [Phase<N>; 3] {
-    by.map(|row| combination(&row, of))
 }
