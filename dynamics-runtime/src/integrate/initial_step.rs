@@ -2,8 +2,7 @@
 
 use super::{Equations, Phase, Tolerance};
 
-/// A step size at which an Euler step is about as good as the tolerance asks (Hairer, Nørsett,
-/// Wanner I, section II.4, "starting step size").
+/// A step size at which an Euler step meets the tolerance (Hairer, Nørsett, Wanner I, section II.4).
 pub(super) fn initial_step<S: Equations<N>, const N: usize>(
     system: &S,
     t: f64,

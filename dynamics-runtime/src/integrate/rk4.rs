@@ -2,8 +2,8 @@
 
 use super::{Equations, Failure, OneStep, Phase, Start};
 
-/// The classical Runge-Kutta method of fourth order (W. Kutta, *Beitrag zur näherungsweisen
-/// Integration totaler Differentialgleichungen*, Z. Math. Phys. 46 (1901)).
+/// The classical Runge-Kutta method of fourth order (W. Kutta, *Beitrag zur näherungsweisen Integration totaler
+/// Differentialgleichungen*, Z. Math. Phys. 46 (1901)).
 pub(crate) struct Rk4;
 
 impl<S: Equations<N>, const N: usize> OneStep<S, S::Refusal, N> for Rk4 {

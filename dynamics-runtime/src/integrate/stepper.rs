@@ -4,8 +4,7 @@ use super::Phase;
 
 /// An integration under way, at the end of its last step.
 ///
-/// `S` are the equations that the method needs, and gives the reasons for which they may refuse
-/// an evaluation.
+/// `S` are the equations that the method needs, `E` the reasons for which they may refuse an evaluation.
 pub(crate) trait Stepper<S, E, const N: usize> {
     /// The time reached.
     fn t(&self) -> f64;

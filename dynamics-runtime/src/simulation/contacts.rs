@@ -85,8 +85,7 @@ impl<R, L, const N: usize> Motion<'_, R, L, N> {
 }
 
 impl<R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N: usize> Motion<'_, R, L, N> {
-    /// Lets go of joints that nothing holds, and that have somewhere to go; holds those at rest that would
-    /// pass a stop.
+    /// Lets go of joints that nothing holds, and holds joints at rest that would pass a stop.
     pub(super) fn settle(&self, t: f64, phase: &Phase<N>) -> Result<Held<N>, Cause> {
         let held = self.balance(t, phase)?;
         match self.driven_back(t, phase, &held)? {
@@ -156,8 +155,7 @@ impl<R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N: usize> Motion<'_, R, L, 
         balanced(&qdd, &responses, &bounds, finite_start).ok_or(Cause::Impacts { joints })
     }
 
-    /// The joint at rest that is let go one way, and driven back as soon as it moves that way, by a
-    /// torque law that jumps between the two: it neither stays nor goes.
+    /// The joint at rest that is let go one way, and driven back as soon as it moves, by a torque law that jumps there.
     fn driven_back(
         &self,
         t: f64,
@@ -182,8 +180,7 @@ impl<R: EquationsOfMotion<N>, L: TorqueLaw<N>, const N: usize> Motion<'_, R, L, 
         Ok(back.filter(|_| self.law(t, phase) != self.law(t, &moves)))
     }
 
-    /// The joint that would stop next, and chatter there. A step across that place fails by whatever is
-    /// first to notice that there is no motion beyond it.
+    /// The joint that would stop next, and chatter there: a step across that place fails for any reason.
     pub(super) fn stops_and_chatters(
         &self,
         t: f64,

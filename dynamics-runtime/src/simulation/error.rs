@@ -55,8 +55,7 @@ pub enum Cause {
     },
     /// The error stays beyond the tolerance at every step, down to those that vanish in the rounding of the time.
     StepTooSmall,
-    /// The equations of a step of an implicit method are not solved by iteration: the step is too
-    /// long.
+    /// The equations of a step of an implicit method are not solved by iteration: the step is too long.
     NoConvergence,
     /// The greatest number of steps between two samples was made.
     TooManySteps,
