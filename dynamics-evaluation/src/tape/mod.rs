@@ -76,13 +76,9 @@ pub(crate) enum Step {
 /// before what all states share, and that before slots.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Operation {
-    /// a + b
     Add(Place, Place),
-    /// a - b
     Sub(Place, Place),
-    /// a b
     Mul(Place, Place),
-    /// a / b
     Div(Place, Place),
     /// x y + c, rounded once where that is one instruction, as all that follow
     MulAdd(Place, Place, Place),

@@ -6,9 +6,8 @@ use crate::unrolled::for_each_index;
 
 /// Several vectors on which each operation is done before the next one is.
 ///
-/// The sine of an angle is a chain of operations that wait for each other, and a processor looks
-/// ahead no further than some two such chains. On a Zen 4 the sines of four angles one after the
-/// other take a tenth longer.
+/// The operations of a sine wait for each other, and a processor looks ahead no further than some two sines. On a Zen 4
+/// four angles one after the other take a tenth longer.
 #[derive(Clone, Copy)]
 struct Abreast<L: Lanes, const W: usize>([L; W]);
 

@@ -16,11 +16,8 @@ use crate::{Scalar, SingularMassMatrix};
 /// A state without a value, and why.
 pub(super) type Failure = Option<(usize, SingularMassMatrix)>;
 
-/// A function of robots `R` with `N` joints, the arms and the arguments that it is to be evaluated at, and where to,
-/// as numbers of type `E`.
-///
-/// Arguments and results stay where they are: columns of a matrix are a hundred numbers, and a processor waits before
-/// it copies what was just written.
+/// A function of robots `R` with `N` joints, the arms and the arguments that it is to be evaluated at, and room for its
+/// values, as numbers of type `E`. Arguments and results are not copied: a processor waits for numbers just written.
 pub(super) struct Task<'t, R, E, F, B, A, O, const N: usize> {
     kind: PhantomData<fn() -> (R, E)>,
     pub(super) function: F,

@@ -12,8 +12,7 @@ const HALF_PI: [f64; 4] = [
     5.562271104316826e-50,
 ];
 
-/// Up to here the number of quarter turns is a whole number that a double holds, and its products
-/// with the parts of pi/2 leave less than 1e-44.
+/// Up to here a double holds the number of quarter turns, whose products with parts of pi/2 leave less than 1e-44.
 const LARGEST: f64 = 7e15;
 
 /// Sine and cosine, rad: an angle in [-pi/4, pi/4] and a number of quarter turns.

@@ -5,8 +5,7 @@
 
 use crate::Scalar;
 
-/// log 2 in parts. The first has 21 bits to spare, so that its multiples by the exponents of doubles are
-/// exact; each of the others is the double nearest to the rest.
+/// log 2 in parts: the first with 21 bits to spare, for exact multiples, the others the double nearest to the rest.
 const LOG_2: [f64; 4] = [
     0.693_147_180_369_123_8,
     1.908_214_929_270_587_7e-10,
@@ -14,8 +13,7 @@ const LOG_2: [f64; 4] = [
     -5.711_779_795_757_43e-43,
 ];
 
-/// Halvings of the argument that is left, and terms of its series: 0.35 / 2^8 to the 13th power over 13!
-/// is 3e-48.
+/// Halvings of the argument that is left, and terms of its series: 0.35 / 2^8 to the 13th power over 13! is 3e-48.
 const HALVINGS: u32 = 8;
 const TERMS: u32 = 12;
 

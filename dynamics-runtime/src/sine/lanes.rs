@@ -100,10 +100,9 @@ pub(crate) struct Reduced<L> {
 /// take, where d is below the last place of x, or both are tiny.
 ///
 /// Where products are fused the cosine is 1 - (x - d)^2 Q, where Q = 1/2 - x^2 (C0 + ...) does not wait for d. In units
-/// of its last place, 2^-53 in double precision, it errs by at most 0.5 by its own rounding, by 0.25 by that of the
-/// square (at most 0.62, half a unit, times Q below 1/2) and by 0.16 by that of Q (a quarter of a unit, times the
-/// square); what is behind is below 0.03: by less than 0.94 units in all. Where products are rounded too it would be a
-/// quarter of a unit more, and what 1 - x^2/2 loses is made good.
+/// of its last place, 2^-53 in double precision, its own rounding is at most 0.5, that of the square 0.25 (at most 0.62,
+/// half a unit, times Q below 1/2), that of Q 0.16 (a quarter of a unit, times the square), others below 0.03: less than
+/// 0.94 units in all. Rounded products would add a quarter of a unit: there the rounding of 1 - x^2/2 is made good.
 #[inline(always)]
 pub(super) fn by_fewest_operations<L: Lanes, const K: usize>(
     x: L,

@@ -34,8 +34,7 @@ impl Part {
 
 /// Sine or cosine of one angle, with the digits that it has beside the other.
 ///
-/// Which of the two polynomials it takes is a branch: an angle stays in its quarter turn for many calls of a
-/// controller, so that a processor knows the way, and the other polynomial is not evaluated.
+/// The choice of the polynomial is a branch that a processor predicts: angles stay in their quarter turn for many calls.
 #[inline]
 pub(super) fn one<F: Sines>(x: F, part: Part) -> F {
     if !x.all_within(F::LARGEST) {

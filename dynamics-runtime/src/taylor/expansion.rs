@@ -83,8 +83,7 @@ impl<R: TaylorDynamics<N>, T: Scalar, const N: usize> Expansion<R, T, N> {
         self.motion.qdd
     }
 
-    /// Begins a series: everything of order 0, the accelerations included. The coefficients of the
-    /// series before stay until [`extend`](Self::extend).
+    /// Begins a series: order 0, with the accelerations. The coefficients before stay until [`extend`](Self::extend).
     // Inlined wherever it is compiled for more instructions than the build has.
     #[inline(always)]
     pub(crate) fn begin(

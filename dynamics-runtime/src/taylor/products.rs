@@ -78,8 +78,8 @@ pub struct Block<T, L> {
     left: [L; MAX_TAYLOR_ORDER],
 }
 
-/// Room for all products of an arm's equations: eight in a block, those of the first blocks with a
-/// common factor. Besides, sine and cosine of each angle that is a multiple of a joint's.
+/// Room for all products of an arm's equations, eight in a block, those of the first blocks with a common factor; and for
+/// sine and cosine of each angle that is a multiple of a joint's.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug)]
 pub struct ProductTable<T, const COMMON: usize, const SINGLE: usize, const MULTIPLES: usize> {

@@ -57,8 +57,8 @@ where
     rejected: u64,
 }
 
-/// The greatest difference of the accelerations at the end of a step, those of its series and those
-/// of the equations, in units of what the tolerance allows the last term, and of themselves.
+/// The greatest difference of the accelerations at the end of a step, by its series and by the equations, in units of the
+/// last term that the tolerance allows, and of themselves.
 const GREATEST_DEFECT: f64 = 1e3;
 const GREATEST_RELATIVE_DEFECT: f64 = 1e-8;
 

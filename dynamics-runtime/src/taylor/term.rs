@@ -174,9 +174,8 @@ where
 }
 
 impl<P, T: Scalar, const N: usize, const LEADING: bool> Term<'_, P, T, N, LEADING> {
-    /// The accelerations where those of some joints are zero, and the forces f that hold these:
-    /// `M qdd = lacking + f`. Rows and columns of these joints are those of the unit matrix in the
-    /// factors.
+    /// The accelerations where those of some joints are zero, and the forces f that hold these: `M qdd = lacking + f`.
+    /// Their rows and columns in the factors are those of the unit matrix.
     fn solve_beside(&mut self, held: &[bool; N], lacking: SVector<T, N>) {
         let zero = self.motion.q[0].constant(0.0);
         let of_others = SVector::from_fn(|i, _| if held[i] { zero } else { lacking[i] });

@@ -134,8 +134,7 @@ type ByColumns<E, const N: usize> = Matrix<E, Dyn, Const<N>, VecStorage<E, Dyn, 
 
 /// The vectors as slices.
 ///
-/// Not by `map`, which writes an array in parts and then reads it as a whole: a processor waits there, hundreds of
-/// cycles for a matrix.
+/// Not by `map`, which writes an array in parts and reads it as a whole: a processor waits hundreds of cycles there.
 #[inline(always)]
 fn slices<E: Precision, const R: usize, const C: usize>(
     vectors: &mut [[Vec<E>; R]; C],
