@@ -75,7 +75,7 @@ impl Interval {
         if !is_short {
             return (turn, turn);
         }
-        let [(s, c), (s_high, c_high)] = [self.low, self.high].map(circle_point);
+        let [(s, c), (s_high, c_high)] = [self.low, self.high].map(|end| circle_point(end, 0.0));
         let (mut sine, mut cosine) = (s.hull(s_high), c.hull(c_high));
         // One too many does no harm.
         let mut quarters = (self.low / FRAC_PI_2 - NEAR_QUARTER).ceil();
@@ -121,10 +121,10 @@ const LARGEST_ANGLE: f64 = 1e6;
 /// How near to a whole number of quarter turns an angle counts as there: more than is lost of it by a division.
 const NEAR_QUARTER: f64 = 1e-9;
 
-/// Sine and cosine of a double.
-fn circle_point(angle: f64) -> (Interval, Interval) {
+/// Sine and cosine of all angles that differ from a double by so much at most: the slope of both is at most 1.
+fn circle_point(angle: f64, difference: f64) -> (Interval, Interval) {
     let (s, c) = sin_cos(angle);
-    let error = SINE_ERROR * (1.0 + angle.abs());
+    let error = SINE_ERROR * (1.0 + angle.abs()) + difference;
     (Interval::around(s, error), Interval::around(c, error))
 }
 
@@ -200,11 +200,8 @@ impl Interpretation for Intervals {
 
     fn circle(&mut self, angle: &Value) -> (Interval, Interval) {
         let Interval { low, high } = self.value(angle);
-        let middle = 0.5 * low + 0.5 * high;
-        let (s, c) = sin_cos(middle);
-        // The slope of both is at most 1; taking quarter turns off an angle is rounded.
-        let error = SINE_ERROR * (1.0 + middle.abs()) + (high - low);
-        (Interval::around(s, error), Interval::around(c, error))
+        // The whole width, because taking quarter turns off an angle is rounded.
+        circle_point(0.5 * low + 0.5 * high, high - low)
     }
 }
 

@@ -3,11 +3,9 @@
 use crate::program::{Instruction, Operand, Program};
 use crate::robot::Symbol;
 
-/// The power of an argument with which some outputs grow, together with everything that is computed on the way to them:
-/// multiplied by s, the argument multiplies each of them by a power of s. `None` where sums have terms of different
-/// powers. `is_entry` tells the argument's entries, `outputs` are those of the program that count.
-///
-/// The error of such an output grows with the same power, and so does its bound (underflow apart).
+/// The power of an argument with which some outputs grow, and their errors and bounds with them (underflow apart): if the
+/// argument is multiplied by s, they and all results on the way to them are multiplied by a power of s. `None` if a sum
+/// has terms of different powers. `is_entry` tells the argument's entries, `outputs` are those that count.
 pub(super) fn degree(
     program: &Program,
     outputs: core::ops::Range<usize>,

@@ -1,10 +1,10 @@
 //! How far rounding can take a function's values from the exact ones, wherever the joints are within their limits.
 //!
 //! One walk over the finished program in intervals ([`outputs_over`](crate::rounding)) bounds the error of every
-//! output: joints anywhere within the limits of the table, velocities and all other arguments from -1 to 1. What is
-//! counted: constants that are no doubles, half a unit in the last place; sines and cosines, one unit, which the runtime
-//! proves of its kernels; exponentials, one unit; and each operation, half a unit. A product that is added without being
-//! rounded before is not worse. Bounds are rounded outwards, by operations that every platform rounds alike.
+//! output: joints within the limits of the table, all other arguments from -1 to 1. Counted are half a unit in the last
+//! place for each operation and for constants that are no doubles, and one unit for exponentials, sines and cosines,
+//! which the runtime proves of its kernels. A product that is added without being rounded before is not worse. Bounds
+//! are rounded outwards, by operations that every platform rounds alike.
 
 mod degree;
 mod inputs;

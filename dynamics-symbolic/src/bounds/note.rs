@@ -123,11 +123,11 @@ fn conditions(program: &Program) -> String {
         [name] => name.clone(),
         [names @ .., last] => format!("{} and {last}", names.join(", ")),
     };
-    let has_position = arguments.contains(&Argument::Position);
-    let limits = has_position
-        .then(|| format!("{limits} and "))
-        .unwrap_or_default();
-    format!("{limits}entries of {entries} up to 1")
+    let mut conditions = format!("entries of {entries} up to 1");
+    if arguments.contains(&Argument::Position) {
+        conditions = format!("{limits} and {conditions}");
+    }
+    conditions
 }
 
 /// How the bound grows with the only argument beside q, where that is a power of it.

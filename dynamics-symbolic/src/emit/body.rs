@@ -212,10 +212,9 @@ impl<'p> Writer<'p> {
         };
         let tests = self.pivot_tests(robot, request, path);
         if tests.is_empty() {
-            values
-        } else {
-            quote!(#tests ::core::result::Result::Ok(#values))
+            return values;
         }
+        quote!(#tests ::core::result::Result::Ok(#values))
     }
 
     /// The tests by which a method refuses a singular M.

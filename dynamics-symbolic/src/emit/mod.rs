@@ -16,12 +16,11 @@ mod series;
 mod signature;
 
 pub use languages::{CSource, c_source, description, javascript_module, snake_case};
-use signature::signature;
 pub use signature::{
     base_parameter_constants, function_type, method_name, stub, stub_of_function, stub_of_trait,
 };
 use signature::{
-    call, call_of_function, function_items, leading_matrix, provided, without_parameters,
+    call, call_of_function, function_items, leading_matrix, provided, signature, without_parameters,
 };
 
 use crate::formula::Formulas;
@@ -35,8 +34,7 @@ use quote::quote;
 pub struct Emitted {
     /// The documented item of the inherent implementation.
     pub inherent: TokenStream,
-    /// The item of the implementation of the trait that is named as the function is, where the
-    /// runtime has one.
+    /// The item of the implementation of the trait that is named as the function is, where the runtime has one.
     pub provided: Option<TokenStream>,
     /// The items of the implementation of the runtime's trait `Function`, where it has no trait of its own.
     pub function: Option<TokenStream>,
@@ -94,13 +92,11 @@ fn documented(
     }
 }
 
-/// The documented method of a function, or of several, with the rounded constants of its program; `index` is its
-/// number among the methods, `notes` and `formulas` stand in its documentation, `path` is the path of the runtime
-/// crate.
+/// The documented method of a request, which has the number `index` among the methods. `notes` and `formulas` stand in
+/// its documentation, `path` is that of the runtime crate.
 ///
-/// The body stands in the implementation of a trait of the runtime, which calls it in lanes, too: it must
-/// be compiled into the loop over the lanes, for the instructions that are chosen there. The method is a call of
-/// it, which is compiled once (`inlining`).
+/// The body stands in the implementation of a trait of the runtime, where it is compiled into loops over lanes, for the
+/// instructions that are chosen there. The method is a call of it, which is compiled once (`inlining`).
 pub fn method(
     robot: &Robot,
     (request, index): (&Request, usize),

@@ -76,8 +76,7 @@ fn legend(robot: &Robot) -> String {
 /// The formulas as text.
 struct Formulas {
     columns: Vec<String>,
-    /// Sums that the columns read: parameters with an apostrophe, those that moved inwards to the
-    /// link included.
+    /// Sums that the columns read: parameters with an apostrophe, those that moved inwards to the link included.
     steps: Vec<(String, String)>,
     /// Numbers that couplings lead to.
     coefficients: Vec<(String, String)>,
@@ -121,9 +120,8 @@ fn columns<'p>(
 ) -> (Vec<Polynomial<'p>>, Vec<Step<'p>>) {
     let geometry = named_geometry(all, robot);
     let links = geometry.tree.len();
-    let own: Vec<[Polynomial<'p>; 11]> = (1..=links)
-        .map(|i| Parameter::ALL.map(|parameter| all.variable(parameter.name(i))))
-        .collect();
+    let variables = |i| Parameter::ALL.map(|parameter| all.variable(parameter.name(i)));
+    let own: Vec<_> = (1..=links).map(variables).collect();
     let (mut columns, mut steps) = (vec![Vec::new(); links], Vec::new());
     let none = Body::splat(geometry.zero);
     geometry.tree.inward(none, Body::joined, |i, outer| {
@@ -210,11 +208,8 @@ impl<'p, 'g> Coefficients<'p, 'g> {
             return self.all.rational(x);
         }
         for &(known, name) in &self.known {
-            if known == coefficient {
-                return name;
-            }
-            if known == -coefficient {
-                return -name;
+            if [known, -known].contains(&coefficient) {
+                return negate_if(name, known != coefficient);
             }
         }
         let name = self.all.variable(format!("k{}", self.known.len() + 1));

@@ -46,8 +46,9 @@ impl Polynomials {
     }
 
     pub(super) fn variable(&self, name: String) -> Polynomial<'_> {
-        let variable = self.new_name(name);
-        self.push(Terms::variable(variable))
+        let mut names = self.names.borrow_mut();
+        names.push(name);
+        self.push(Terms::variable(names.len() - 1))
     }
 
     /// Sine and cosine of one angle.
@@ -56,12 +57,6 @@ impl Polynomials {
         self.circles.borrow_mut().push((first, first + 1));
         let [sine, cosine] = names.map(|name| self.variable(name));
         (sine, cosine)
-    }
-
-    fn new_name(&self, name: String) -> usize {
-        let mut names = self.names.borrow_mut();
-        names.push(name);
-        names.len() - 1
     }
 
     fn push(&self, mut terms: Terms) -> Polynomial<'_> {

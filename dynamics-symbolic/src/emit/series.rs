@@ -349,16 +349,10 @@ impl<'p> Series<'p> {
         named.retain(|&index| !self.inlined[index]);
         let names: Vec<_> = named.iter().map(|&index| name(index)).collect();
         let declares_each = names.len() <= MOST_LETS;
-        let mut lines = TokenStream::new();
-        if !declares_each {
-            lines = declared_in_groups(&names);
-        }
-        for (&index, name) in named.iter().zip(&names) {
-            let value = self.value(index, product);
-            let declaration = declares_each.then(|| quote!(let));
-            lines.extend(quote!(#declaration #name = #value;));
-        }
-        lines
+        let declarations = (!declares_each).then(|| declared_in_groups(&names));
+        let declaration = declares_each.then(|| quote!(let));
+        let values = named.iter().map(|&index| self.value(index, product));
+        quote!(#declarations #(#declaration #names = #values;)*)
     }
 
     /// The right-hand side of an instruction; `product` is the method for products of series.

@@ -91,11 +91,10 @@ impl<'a> Types<'a> {
             Request::One(_) => parts.collect(),
             Request::Fused(_) => quote!((#(#parts),*)),
         };
-        if request.refuses() {
-            quote!(::core::result::Result<#values, #path::SingularMassMatrix>)
-        } else {
-            values
+        if !request.refuses() {
+            return values;
         }
+        quote!(::core::result::Result<#values, #path::SingularMassMatrix>)
     }
 
     /// The arguments with their types.
@@ -254,8 +253,7 @@ pub fn stub(request: &Request, dof: usize, path: &TokenStream) -> TokenStream {
     }
 }
 
-/// The item of the runtime's trait for the function, if there is one, without a body: see
-/// [`stub`].
+/// The item of the runtime's trait for the function, if there is one, without a body: see [`stub`].
 pub fn stub_of_trait(function: Function, dof: usize, path: &TokenStream) -> Option<TokenStream> {
     provided(function, dof, path, &quote!(::core::unimplemented!()), 0)
 }
@@ -346,10 +344,9 @@ pub(super) fn call_of_function(
     };
     let values = ident("all_values");
     if request.refuses() {
-        call
-    } else {
-        quote!(let ::core::result::Result::Ok(#values) = #call; #values)
+        return call;
     }
+    quote!(let ::core::result::Result::Ok(#values) = #call; #values)
 }
 
 /// The implementation of the runtime's trait `Function` without a body, where a function has no trait of its own:

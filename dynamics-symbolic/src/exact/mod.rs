@@ -1,7 +1,6 @@
 //! Exact numbers: rationals, and residues modulo a prime; and what is the same on every platform.
 //!
-//! Rationals come from `dashu-ratio`, whose integers stay in two machine words
-//! for as long as they fit.
+//! Rationals come from `dashu-ratio`, whose integers stay in two machine words for as long as they fit.
 
 mod multiples;
 mod random;

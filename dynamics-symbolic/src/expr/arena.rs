@@ -1,8 +1,8 @@
 //! The arena of nodes, and the constructors that fold and share.
 
-use super::Operation;
 use super::fingerprint::{Fingerprint, FingerprintMap};
 use super::node::{Edge, Level, NodeId};
+use super::{Expr, Operation};
 use crate::exact::{Rational, SplitMix64, circle_point, is_short, negate_if};
 use core::cell::RefCell;
 
@@ -24,7 +24,7 @@ struct Arena {
     symbols: u32,
 }
 
-/// A graph of expressions. Its [`Expr`](super::Expr) handles are `Copy` and have operators.
+/// A graph of expressions. Its [`Expr`] handles are `Copy` and have operators.
 pub struct Graph {
     arena: RefCell<Arena>,
     random: RefCell<SplitMix64>,
@@ -58,14 +58,17 @@ impl Graph {
         arena.intern(operation, level, value)
     }
 
-    pub(super) fn new_symbol(&self, level: Level) -> Edge {
+    /// A new symbol.
+    pub fn symbol(&self, level: Level) -> Expr<'_> {
         let value = Fingerprint::random(&mut self.random.borrow_mut());
-        self.symbol_with(level, value)
+        self.expr(self.symbol_with(level, value))
     }
 
-    pub(super) fn new_circle(&self, level: Level) -> (Edge, Edge) {
+    /// Two new symbols for the sine and the cosine of one angle: a point of the unit circle.
+    pub fn circle(&self, level: Level) -> (Expr<'_>, Expr<'_>) {
         let (s, c) = circle_point(&mut self.random.borrow_mut());
-        (self.symbol_with(level, s), self.symbol_with(level, c))
+        let symbol = |value| self.expr(self.symbol_with(level, value));
+        (symbol(s), symbol(c))
     }
 
     pub(super) fn number(&self, x: &Rational) -> Edge {
@@ -99,14 +102,9 @@ impl Graph {
         self.arena.borrow_mut().write_quotient(a, b)
     }
 
-    /// How many nodes there are.
-    pub fn len(&self) -> usize {
+    /// The number of nodes.
+    pub(crate) fn len(&self) -> usize {
         self.arena.borrow().nodes.len()
-    }
-
-    /// Whether the graph has no nodes (it always has 0 and 1).
-    pub fn is_empty(&self) -> bool {
-        self.len() == 0
     }
 
     /// The operation of the node.
@@ -119,9 +117,8 @@ impl Graph {
         self.node(id).level
     }
 
-    /// Does some work; the definitions of the nodes that are new after it are held: no search for
-    /// shorter programs replaces them, nor those of nodes that read them. Steps of a solution whose
-    /// rounding errors must stay together are written so.
+    /// Does some work and holds the definitions of the nodes that are new after it: no search for shorter programs
+    /// replaces them, nor those of nodes that read them. So the rounding errors of a solution's steps stay together.
     pub fn holding<T>(&self, work: impl FnOnce() -> T) -> T {
         let first = self.len();
         let result = work();
@@ -135,8 +132,7 @@ impl Graph {
         self.arena.borrow().nodes[id.index()]
     }
 
-    /// Whether a node is minus the product or quotient of its operands: fingerprints are of the node
-    /// up to sign.
+    /// Whether a node is minus the product or quotient of its operands: fingerprints are of the node up to sign.
     pub(crate) fn is_flipped(&self, id: NodeId, operation: Operation) -> bool {
         let value = |id: NodeId| self.node(id).value;
         match operation {
@@ -281,8 +277,7 @@ impl Arena {
     }
 
     fn rational(&mut self, x: &Rational) -> Edge {
-        // A number without faithful image gets no shared node; the proof, over
-        // another prime, is what counts.
+        // A number without faithful image gets no shared node; the proof, over another prime, is what counts.
         let value = Fingerprint::from_rational(x)
             .unwrap_or_else(|| Fingerprint::random(&mut SplitMix64::new(self.nodes.len() as u64)));
         self.number(value, |_| x.clone())

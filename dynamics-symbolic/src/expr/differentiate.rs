@@ -25,8 +25,7 @@ impl<'g> Direction<'g> {
 }
 
 impl<'g> Expr<'g> {
-    /// The derivative in a direction:
-    /// (a + b)' = a' + b', (a b)' = a' b + a b', (a / b)' = (a' - (a / b) b') / b.
+    /// The derivative in a direction: (a + b)' = a' + b', (a b)' = a' b + a b', (a / b)' = (a' - (a / b) b') / b.
     pub fn derivative(self, direction: &Direction<'g>) -> Expr<'g> {
         let mut known: HashMap<NodeId, Expr<'g>> = HashMap::new();
         self.graph.visit_operands_first(

@@ -32,17 +32,6 @@ impl Graph {
     pub fn rational(&self, x: &Rational) -> Expr<'_> {
         self.expr(self.number(x))
     }
-
-    /// A new symbol.
-    pub fn symbol(&self, level: Level) -> Expr<'_> {
-        self.expr(self.new_symbol(level))
-    }
-
-    /// Two new symbols for the sine and the cosine of one angle: a point of the unit circle.
-    pub fn circle(&self, level: Level) -> (Expr<'_>, Expr<'_>) {
-        let (s, c) = self.new_circle(level);
-        (self.expr(s), self.expr(c))
-    }
 }
 
 impl<'g> Expr<'g> {
@@ -125,10 +114,6 @@ impl Neg for Expr<'_> {
     type Output = Self;
 
     fn neg(self) -> Self {
-        if self.is_zero() {
-            self
-        } else {
-            self.with(-self.edge)
-        }
+        self.with(self.edge.negate_if(!self.is_zero()))
     }
 }

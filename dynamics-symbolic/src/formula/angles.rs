@@ -1,9 +1,8 @@
 //! Angles of parallel axes, added up: sin(q1 + q2) for s1 c2 + c1 s2.
 //!
-//! In the angles of a group of parallel axes a polynomial is a Fourier polynomial: a sum of cosines and
-//! sines of whole multiples n1 q1 + n2 q2 + ... Where all multiples are 1, that is what textbooks write
-//! c12. Other multiples are written as products, cos(2 q2 + q3) = 2 c2 c23 - c3, by the identity that
-//! leaves the fewest terms.
+//! In the angles of a group of parallel axes a polynomial is a Fourier polynomial: a sum of cosines and sines of whole
+//! multiples n1 q1 + n2 q2 + ... Where all multiples are 1, that is what textbooks write c12. Other multiples are
+//! written as products, cos(2 q2 + q3) = 2 c2 c23 - c3, by the identity that leaves the fewest terms.
 
 use super::atom::{Atom, Run};
 use super::groups::{Groups, Member};

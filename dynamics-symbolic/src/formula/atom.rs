@@ -35,9 +35,8 @@ pub(super) enum Atom {
     Force(usize),
 }
 
-/// The angles of consecutive revolute joints with parallel axes, added up: those of a group of parallel
-/// axes from the one of index `first` in the group to the one of index `last`. Where axes point the
-/// other way than the first one, their angles are subtracted.
+/// The angles of consecutive revolute joints with parallel axes, added up: those with the indices `first` to `last` in
+/// a group. The angles of axes that point the other way than the first one are subtracted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(super) struct Run {
     /// The group: see [`Groups`](super::groups::Groups).

@@ -256,8 +256,7 @@ fn as_rational(constant: &Polynomial<Atom>) -> Option<&Rational> {
     rational.filter(|_| constant.len() == 1)
 }
 
-/// Constants of one polynomial, in which pi and the sines of constant angles, which take long to round, stand
-/// once.
+/// Constants of one polynomial, in which pi and the sines of constant angles, which take long to round, stand once.
 struct Pool<'a> {
     atoms: &'a Atoms,
     constants: ConstantPool,
@@ -271,12 +270,13 @@ impl Pool<'_> {
             let mut product = self.constants.push(Constant::Rational(coefficient.clone()));
             for &(atom, power) in monomial {
                 let factor = self.factor(atom);
+                let by_factor = if power > 0 {
+                    Constant::Mul
+                } else {
+                    Constant::Div
+                };
                 for _ in 0..power.unsigned_abs() {
-                    product = self.constants.push(if power > 0 {
-                        Constant::Mul(product, factor)
-                    } else {
-                        Constant::Div(product, factor)
-                    });
+                    product = self.constants.push(by_factor(product, factor));
                 }
             }
             sum = self.constants.push(Constant::Add(sum, product));

@@ -55,14 +55,11 @@ impl Groups {
 
     /// The run of one revolute joint; `None` of one that follows another.
     pub(super) fn run_of(&self, joint: usize) -> Option<Run> {
-        let found = self.0.iter().enumerate().find_map(|(group, members)| {
-            let at = members.iter().position(|member| member.joint == joint)?;
-            Some((group, at))
-        });
-        found.map(|(group, at)| Run {
-            group,
-            first: at,
-            last: at,
+        let mut groups = self.0.iter().enumerate();
+        groups.find_map(|(group, members)| {
+            let first = members.iter().position(|member| member.joint == joint)?;
+            let last = first;
+            Some(Run { group, first, last })
         })
     }
 

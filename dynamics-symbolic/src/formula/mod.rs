@@ -1,10 +1,9 @@
 //! Programs as formulas that a person can read.
 //!
-//! A program is multiplied out into polynomials (`multiply_out`), exactly, so that what is shown is what was
-//! proven. The angles of parallel axes are added up (`angles`: c12 = cos(q1 + q2)), what has factors in
-//! common is collected (`collect`), and the result is written as text, LaTeX or MathML (`write`).
-//! [`Structure`] says what can be said of a program of any length: which of its outputs are zero or
-//! constant, and what the others depend on.
+//! A program is multiplied out into polynomials (`multiply_out`), exactly, so that what is shown is what was proven.
+//! The angles of parallel axes are added up (`angles`: c12 = cos(q1 + q2)), what has factors in common is collected
+//! (`collect`), and the result is written as text, LaTeX or MathML (`write`). [`Structure`] says what can be said of a
+//! program of any length: which of its outputs are zero or constant, and what the others depend on.
 
 mod angles;
 mod atom;
@@ -14,12 +13,10 @@ mod groups;
 mod multiply_out;
 mod names;
 mod structure;
-mod too_long;
 mod write;
 
 pub use multiply_out::Budget;
 pub use structure::Structure;
-pub use too_long::TooLong;
 pub use write::Format;
 pub(crate) use write::signed_sum;
 
@@ -54,6 +51,26 @@ struct Entry {
 struct Formula {
     expression: Expression,
     terms: usize,
+}
+
+/// Why there is no formula: it has so many terms, or more.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TooLong {
+    /// The number of terms.
+    pub terms: usize,
+    /// Whether there are more.
+    pub or_more: bool,
+}
+
+impl core::fmt::Display for TooLong {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        let more = if self.or_more { "more than " } else { "" };
+        write!(
+            f,
+            "too long: {more}{} terms; `robot-dynamics show`",
+            self.terms
+        )
+    }
 }
 
 /// A value of a function, as it is shown.

@@ -1,8 +1,8 @@
 //! A program multiplied out: each output as a polynomial, exactly.
 
+use super::TooLong;
 use super::atom::Atom;
 use super::groups::Groups;
-use super::too_long::TooLong;
 use crate::exact::{MOST_BITS, Rational, bit_length, negate_if};
 use crate::polynomial::{Monomial, Polynomial, add_reduced, inverse, product};
 use crate::program::{Arithmetic, Program};
@@ -73,13 +73,12 @@ impl Expansion<'_> {
     fn angle(&mut self, angle: &Value) -> (usize, bool) {
         let opposite = -angle.clone();
         let known = |known: &Value| known == angle || *known == opposite;
-        match self.atoms.angles.iter().position(known) {
-            Some(index) => (index, self.atoms.angles[index] != *angle),
-            None => {
-                self.atoms.angles.push(angle.clone());
-                (self.atoms.angles.len() - 1, false)
-            }
-        }
+        let position = self.atoms.angles.iter().position(known);
+        let index = position.unwrap_or_else(|| {
+            self.atoms.angles.push(angle.clone());
+            self.atoms.angles.len() - 1
+        });
+        (index, self.atoms.angles[index] != *angle)
     }
 
     /// The value, unless it has too many terms or a number that is too long.

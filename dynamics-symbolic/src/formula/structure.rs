@@ -68,11 +68,8 @@ impl Structure {
         let is_counted = self.values > MOST_LISTED;
         let mut clauses = Vec::new();
         for (names, kind) in [(&self.zero, "zero"), (&self.constant, "constant")] {
-            let subject = if is_counted {
-                names.len().to_string()
-            } else {
-                names.join(", ")
-            };
+            let count = names.len().to_string();
+            let subject = if is_counted { count } else { names.join(", ") };
             match names.len() {
                 0 => {}
                 1 => clauses.push(format!("{subject} is {kind}")),

@@ -65,10 +65,7 @@ impl Function {
 
     /// The sizes in the shape, of so many joints and with so many outputs that are values.
     pub fn sizes(self, joints: usize, entries: usize) -> Sizes {
-        Sizes {
-            joints,
-            parameters: self.shape().parameters(joints, entries),
-        }
+        Sizes::with_count(joints, entries, |sizes| self.shape().entries(sizes))
     }
 
     /// Whether it divides by the mass of the arm.
@@ -86,8 +83,7 @@ impl Function {
         self.shape().entries(self.sizes(joints, outputs))
     }
 
-    /// How many outputs a program has: the values, and the pivots and the diagonal of M where these
-    /// follow.
+    /// How many outputs a program has: the values, and the pivots and the diagonal of M where these follow.
     pub fn outputs(self, sizes: Sizes) -> usize {
         let pivots = usize::from(self.has_pivots()) * 2 * sizes.joints;
         self.shape().entries(sizes) + pivots

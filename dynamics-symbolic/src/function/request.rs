@@ -68,8 +68,7 @@ impl Request {
         }
     }
 
-    /// The arguments of the generated method after `&self`: those of the parts, in the order of
-    /// [`Argument`].
+    /// The arguments of the generated method after `&self`: those of the parts, in the order of [`Argument`].
     pub fn arguments(&self) -> Vec<Argument> {
         if let Request::One(function) = self {
             return function.arguments().to_vec();
@@ -95,16 +94,8 @@ impl Request {
 
 /// The sizes in the shapes of functions, of so many joints and with so many outputs in one program.
 pub fn sizes_of(parts: &[Function], joints: usize, outputs: usize) -> Sizes {
-    let count = |parameters| {
-        let sizes = Sizes { joints, parameters };
-        parts.iter().map(|part| part.outputs(sizes)).sum::<usize>()
-    };
-    let (without, with_one) = (count(0), count(1));
-    let rest = outputs.saturating_sub(without);
-    Sizes {
-        joints,
-        parameters: rest.checked_div(with_one - without).unwrap_or(0),
-    }
+    let count = |sizes| parts.iter().map(|part| part.outputs(sizes)).sum();
+    Sizes::with_count(joints, outputs, count)
 }
 
 /// The outputs of each of some functions among those of one program, in which one function stands after the other.

@@ -24,6 +24,17 @@ pub struct Sizes {
     pub parameters: usize,
 }
 
+impl Sizes {
+    /// The sizes with which some values are so many, where `count` gives their number; no parameters where these do not
+    /// matter.
+    pub(super) fn with_count(joints: usize, values: usize, count: impl Fn(Sizes) -> usize) -> Self {
+        let [without, with_one] = [0, 1].map(|parameters| count(Sizes { joints, parameters }));
+        let rest = values.saturating_sub(without);
+        let parameters = rest.checked_div(with_one - without).unwrap_or(0);
+        Sizes { joints, parameters }
+    }
+}
+
 impl Size {
     /// The number.
     pub fn of(self, sizes: Sizes) -> usize {
@@ -66,10 +77,7 @@ impl Shape {
 
     /// The number of base parameters with which there are so many values; 0 where it does not matter.
     pub fn parameters(&self, joints: usize, entries: usize) -> usize {
-        let entries_with = |parameters| self.entries(Sizes { joints, parameters });
-        let (without, with_one) = (entries_with(0), entries_with(1));
-        let rest = entries.saturating_sub(without);
-        rest.checked_div(with_one - without).unwrap_or(0)
+        Sizes::with_count(joints, entries, |sizes| self.entries(sizes)).parameters
     }
 
     /// Whether a size is the number of base parameters.

@@ -81,7 +81,6 @@ functions! {
         symbol: Some("M"),
         set: Set::Default,
         provided: Some("MassMatrix"),
-        masses: Masses::Inertia,
         ..USUAL
     },
 
@@ -89,14 +88,12 @@ functions! {
     CoriolisVector: Row {
         name: "coriolis_vector",
         arguments: &[Position, Velocity],
-        shape: VECTOR,
         description: "Coriolis and centrifugal vector V(q, qd), N m or N: inverse dynamics without gravity, springs, \
             friction and acceleration.",
         symbol: Some("V"),
         set: Set::Default,
         provided: Some("CoriolisVector"),
         second: OF_SMALL_ARMS,
-        masses: Masses::Inertia,
         ..USUAL
     },
 
@@ -104,14 +101,12 @@ functions! {
     GravityVector: Row {
         name: "gravity_vector",
         arguments: &[Position],
-        shape: VECTOR,
         description: "Gravity vector G(q), N m or N: the gradient of the potential energy of gravity, inverse dynamics at \
             rest without springs.",
         symbol: Some("G"),
         set: Set::Default,
         provided: Some("GravityVector"),
         second: ASSEMBLED,
-        masses: Masses::Inertia,
         ..USUAL
     },
 
@@ -119,7 +114,6 @@ functions! {
     FrictionVector: Row {
         name: "friction_vector",
         arguments: &[Velocity],
-        shape: VECTOR,
         description: "Friction vector F(qd) = viscous qd + sign(qd) (C + (S - C) exp(-(qd/v)^2)), N m or N, with sign(0) = 0: \
             C is the Coulomb friction of the direction, S static friction that falls to it over the velocity v, where \
             the table has one, else C.",
@@ -133,7 +127,6 @@ functions! {
     SpringVector: Row {
         name: "spring_vector",
         arguments: &[Position],
-        shape: VECTOR,
         description: "Spring vector K(q) = stiffness (q - rest), N m or N: the gradient of the energy in the springs at the \
             joints, zero where a joint has none.",
         symbol: Some("K"),
@@ -146,14 +139,12 @@ functions! {
     InverseDynamics: Row {
         name: "inverse_dynamics",
         arguments: &[Position, Velocity, Acceleration],
-        shape: VECTOR,
         description: "Inverse dynamics tau = M(q) qdd + V(q, qd) + G(q) + K(q) + F(qd), N m or N, as one program; K is of \
             springs, F of friction.",
         symbol: Some("tau"),
         set: Set::Default,
         provided: Some("InverseDynamics"),
         second: OF_SMALL_ARMS,
-        masses: Masses::Inertia,
         ..USUAL
     },
 
@@ -161,14 +152,12 @@ functions! {
     ForwardDynamics: Row {
         name: "forward_dynamics",
         arguments: &[Position, Velocity, Force],
-        shape: VECTOR,
         refuses: true,
         description: "Forward dynamics: the accelerations qdd with M(q) qdd + V(q, qd) + G(q) + K(q) + F(qd) = tau, rad/s^2 \
             or m/s^2; K is of springs, F of friction.",
         set: Set::Default,
         provided: Some("ForwardDynamics"),
         second: Some(Second { form: Form::Articulated, up_to: ANY, trial: Trial::Promising }),
-        masses: Masses::Inertia,
         ..USUAL
     },
 
@@ -180,7 +169,6 @@ functions! {
         description: "Kinetic energy T(q, qd) = 1/2 qd^T M(q) qd, reflected motor inertias included, J.",
         symbol: Some("T"),
         set: Set::Default,
-        masses: Masses::Inertia,
         ..USUAL
     },
 
@@ -193,7 +181,6 @@ functions! {
             1/2 stiffness (q - rest)^2, J.",
         symbol: Some("U"),
         set: Set::Default,
-        masses: Masses::Inertia,
         ..USUAL
     },
 
@@ -201,11 +188,9 @@ functions! {
     BiasForce: Row {
         name: "bias_force",
         arguments: &[Position, Velocity],
-        shape: VECTOR,
         description: "Bias force V(q, qd) + G(q) + K(q) + F(qd), N m or N: inverse dynamics without acceleration; K is of \
             springs, F of friction.",
         second: OF_SMALL_ARMS,
-        masses: Masses::Inertia,
         ..USUAL
     },
 
@@ -220,7 +205,6 @@ functions! {
         // All Christoffel symbols are shorter than a recursion for up to six joints.
         second: Some(Second { form: Form::Assembled, up_to: 8, trial: Trial::Promising }),
         growth: Growth::Steep,
-        masses: Masses::Inertia,
         ..USUAL
     },
 
@@ -233,7 +217,6 @@ functions! {
             configuration-space form tau = M qdd + B [qd qd] + C [qd^2] + G.",
         symbol: Some("B"),
         growth: Growth::Steep,
-        masses: Masses::Inertia,
         ..USUAL
     },
 
@@ -246,7 +229,6 @@ functions! {
             tau = M qdd + B [qd qd] + C [qd^2] + G.",
         symbol: Some("C"),
         growth: Growth::Steep,
-        masses: Masses::Inertia,
         ..USUAL
     },
 
@@ -293,7 +275,6 @@ functions! {
             one.",
         second: OF_SMALL_ARMS,
         growth: Growth::Steep,
-        masses: Masses::Inertia,
         ..USUAL
     },
 
@@ -310,7 +291,6 @@ functions! {
         second: Some(Second { form: Form::Assembled, up_to: ANY, trial: Trial::Unsimplified }),
         search: Search::By(Function::InverseDynamicsDerivatives),
         growth: Growth::Steep,
-        masses: Masses::Inertia,
         ..USUAL
     },
 
@@ -323,7 +303,6 @@ functions! {
             Y * base_parameters = tau - K - F, the joint forces without springs and friction.",
         second: ASSEMBLED,
         growth: Growth::Steep,
-        masses: Masses::Inertia,
         compared_with: Some(Function::BaseParameters),
         ..USUAL
     },
@@ -336,7 +315,6 @@ functions! {
         description: "The P base inertial parameters: the smallest set by which the joint forces of every motion are \
             determined, regressor * base_parameters = tau - K - F.",
         search: Search::None,
-        masses: Masses::Inertia,
         compared_with: Some(Function::Regressor),
         ..USUAL
     },
@@ -345,13 +323,11 @@ functions! {
     ForwardDynamicsAba: Row {
         name: "forward_dynamics_aba",
         arguments: &[Position, Velocity, Force],
-        shape: VECTOR,
         refuses: true,
         description: "Forward dynamics by articulated bodies (Featherstone), without M(q): the accelerations qdd with \
             M(q) qdd + V(q, qd) + G(q) + K(q) + F(qd) = tau, rad/s^2 or m/s^2. Longer than `forward_dynamics`, and accurate \
             where M(q) is nearly singular: about as many digits are right as the data determine.",
         search: Search::Accuracy,
-        masses: Masses::Inertia,
         ..USUAL
     },
 
@@ -366,7 +342,6 @@ functions! {
             has at the start: the series ends where a joint reverses.",
         provided: Some("TaylorDynamics"),
         second: OF_SMALL_ARMS,
-        masses: Masses::Inertia,
         ..USUAL
     },
 
@@ -374,7 +349,6 @@ functions! {
     WrenchTorques: Row {
         name: "wrench_torques",
         arguments: &[Position, Wrench],
-        shape: VECTOR,
         description: "Joint torques J(q)^T w of a wrench at the tip, N m or N, without J: M(q) qdd + V(q, qd) + G(q) + K(q) + F(qd) = tau + J(q)^T w.",
         masses: Masses::Unread,
         ..USUAL
@@ -457,7 +431,6 @@ functions! {
             `jacobian`: the acceleration of the tip by a wrench on it. It exists for every arm whose M is regular; where it is \
             regular itself, its inverse is the operational-space inertia (Khatib).",
         search: Search::By(Function::MassMatrix),
-        masses: Masses::Inertia,
         ..USUAL
     },
 
@@ -465,11 +438,9 @@ functions! {
     GeneralizedMomentum: Row {
         name: "generalized_momentum",
         arguments: &[Position, Velocity],
-        shape: VECTOR,
         description: "Generalized momentum p = M(q) qd = dT/dqd, N m s or N s, without M.",
         symbol: Some("p"),
         second: OF_SMALL_ARMS,
-        masses: Masses::Inertia,
         ..USUAL
     },
 
@@ -477,11 +448,9 @@ functions! {
     MomentumBias: Row {
         name: "momentum_bias",
         arguments: &[Position, Velocity],
-        shape: VECTOR,
         description: "Rate of the generalized momentum without applied forces, C(q, qd)^T qd - G(q) - K(q) - F(qd), N m or N, with C from the Christoffel symbols: \
             d/dt (M qd) = tau + J^T w + momentum_bias, by which a momentum observer finds the forces that nobody has told it of.",
         second: OF_SMALL_ARMS,
-        masses: Masses::Inertia,
         ..USUAL
     },
 
@@ -489,11 +458,9 @@ functions! {
     PassivityTorque: Row {
         name: "passivity_torque",
         arguments: &[Position, Velocity, ReferenceVelocity, ReferenceAcceleration],
-        shape: VECTOR,
         description: "Torque of a passivity-based controller, M(q) qdd_r + C(q, qd) qd_r + G(q) + K(q) + F(qd), N m or N, with C from the \
             Christoffel symbols and without forming it. Also: the control of Slotine and Li.",
         second: OF_SMALL_ARMS,
-        masses: Masses::Inertia,
         ..USUAL
     },
 
@@ -507,7 +474,6 @@ functions! {
             learns (Slotine and Li).",
         search: Search::By(Function::Regressor),
         growth: Growth::Steep,
-        masses: Masses::Inertia,
         compared_with: Some(Function::BaseParameters),
         ..USUAL
     },
@@ -523,7 +489,6 @@ functions! {
         description: "Regressors of the energies, two vectors of P numbers, J for a unit of each of the P base inertial parameters: \
             the kinetic energy is the first one times base_parameters, the potential energy of gravity the second one up to a \
             constant.",
-        masses: Masses::Inertia,
         compared_with: Some(Function::BaseParameters),
         ..USUAL
     },
@@ -536,7 +501,6 @@ functions! {
         description: "First and second derivative by time of the inverse dynamics along a motion, (d tau/dt, d2 tau/dt2), N m/s and \
             N m/s^2 (N/s and N/s^2). Viscous friction counts; Coulomb friction counts as constant.",
         second: OF_SMALL_ARMS,
-        masses: Masses::Inertia,
         ..USUAL
     },
 
@@ -553,7 +517,6 @@ functions! {
         second: OF_SMALL_ARMS,
         search: Search::By(Function::InverseDynamicsDerivatives),
         growth: Growth::Cubic,
-        masses: Masses::Inertia,
         ..USUAL
     },
 }

@@ -2,12 +2,13 @@
 
 use super::Ring;
 
-/// One step of M = U D U^T with U unit upper triangular, from the last row upwards: takes row and
-/// column j out of the equations of those before them,
+/// One step of M = U D U^T with U unit upper triangular, from the last row upwards: takes row and column j out of the
+/// equations of those before them,
 ///
 ///   u_i = m_ij / d_j,   m_ki -= u_i m_kj   (k <= i < j).
 ///
-/// Afterwards m_jj is the pivot d_j, and above it stands column j of U. `over_pivot` divides by d_j. Entries below the diagonal are neither read nor written.
+/// Afterwards m_jj is the pivot d_j, and above it stands column j of U. `over_pivot` divides by d_j. Entries below the
+/// diagonal are neither read nor written.
 pub fn eliminate<R: Ring>(m: &mut [Vec<R>], j: usize, over_pivot: impl Fn(R) -> R) {
     let mut column = Vec::with_capacity(j);
     for i in (0..j).rev() {

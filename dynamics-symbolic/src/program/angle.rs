@@ -5,10 +5,8 @@ use super::constant::until_certain;
 use crate::robot::{Angle, Value};
 use core::f64::consts::{FRAC_PI_2, TAU};
 
-/// The double that means a constant angle: correctly rounded, and a multiple of a quarter turn where
-/// the engine takes the angle for one.
-///
-/// Angles beyond a turn are less whole turns: a double of 1e6 rad is known to 1e-10 rad, the engine's
+/// The double that means a constant angle: correctly rounded, or a multiple of a quarter turn if the engine takes it for
+/// one. Whole turns are taken off angles beyond a turn: a double of 1e6 rad is known to 1e-10 rad, but the engine's
 /// sines are those of the exact angle.
 pub fn rounded_angle(angle: &Value) -> f64 {
     let written = rounded(angle, false);

@@ -1,15 +1,13 @@
 //! Sums in the order in which their terms are ready.
 //!
-//! A processor executes several operations at a time, so that one call takes as long as its
-//! longest chain of dependent operations. The terms of a sum may be added in any order: those
-//! that are ready first are added first, as a Huffman tree is built, and the end of a long chain
-//! last. No operation is added, and sums keep the products that are fused into them.
+//! A processor executes several operations at a time, so that one call takes as long as its longest chain of dependent
+//! operations. Terms that are ready first are added first, as a Huffman tree is built, and the end of a long chain last.
+//! No operation is added, and sums keep the products that are fused into them.
 
 use super::{Constant, ConstantId, ConstantPool, Instruction, Operand, Program, Readers, UpToSign};
 use crate::robot::Symbol;
 
-/// How long operations take, in cycles: today's processors differ by a few, and only the
-/// proportions matter.
+/// How long operations take, in cycles: today's processors differ by a few, and only the proportions matter.
 mod cycles {
     pub(super) const SINE: u32 = 60;
     pub(super) const EXPONENTIAL: u32 = 60;
@@ -248,11 +246,8 @@ impl Balance<'_> {
     /// Numbers are added exactly, at expansion.
     fn constant_sum(&mut self, a: (ConstantId, bool), b: (ConstantId, bool)) -> Scheduled {
         let [a, b] = [a, b].map(|(id, negative)| {
-            if negative {
-                self.constants.push(Constant::Neg(id))
-            } else {
-                id
-            }
+            let opposite = negative.then_some(Constant::Neg(id));
+            opposite.map_or(id, |opposite| self.constants.push(opposite))
         });
         let sum = Operand::Constant(self.constants.push(Constant::Add(a, b)));
         self.read(sum)

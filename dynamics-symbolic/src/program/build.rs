@@ -75,9 +75,9 @@ impl Builder<'_> {
                 self.places[id.index()] = Some(place);
             } else {
                 stack.push((id, true));
-                let mut operands: Vec<_> = operation.operands().map(|id| (id, false)).collect();
-                operands.reverse();
-                stack.extend(operands);
+                let end = stack.len();
+                stack.extend(operation.operands().map(|id| (id, false)));
+                stack[end..].reverse();
             }
         }
         self.places[root.index()].expect("the root was placed")
@@ -87,14 +87,20 @@ impl Builder<'_> {
         match operation {
             Operation::Rational(_) => unreachable!("numbers are constants"),
             Operation::Symbol(index) => {
-                self.program
-                    .inputs
-                    .push(self.meanings[index as usize].clone());
-                UpToSign::positive(Operand::Input(self.program.inputs.len() as u32 - 1))
+                let inputs = &mut self.program.inputs;
+                inputs.push(self.meanings[index as usize].clone());
+                UpToSign::positive(Operand::Input(inputs.len() as u32 - 1))
             }
-            Operation::Add(a, b) => self.emit_sum(id, a, b),
+            Operation::Add(a, b) => {
+                let (a, b) = (self.read(a), self.read(b));
+                self.push(UpToSign::sum(a, b, self.preferred_negative[id.index()]))
+            }
             Operation::Mul(a, b) => self.emit_product(id, a, b),
-            Operation::Div(a, b) => self.emit_quotient(id, a, b),
+            Operation::Div(a, b) => {
+                let (a, b) = (self.read(a.edge(false)), self.read(b.edge(false)));
+                let flipped = self.graph.is_flipped(id, operation);
+                self.push(UpToSign::quotient(a, b)).negate_if(flipped)
+            }
         }
     }
 
@@ -120,11 +126,6 @@ impl Builder<'_> {
         place.negate_if(edge.is_negative())
     }
 
-    fn emit_sum(&mut self, id: NodeId, a: Edge, b: Edge) -> UpToSign {
-        let (a, b) = (self.read(a), self.read(b));
-        self.push(UpToSign::sum(a, b, self.preferred_negative[id.index()]))
-    }
-
     fn emit_product(&mut self, id: NodeId, a: NodeId, b: NodeId) -> UpToSign {
         let flipped = self.graph.is_flipped(id, Operation::Mul(a, b));
         let (mut a, mut b) = (self.read(a.edge(false)), self.read(b.edge(false)));
@@ -142,12 +143,6 @@ impl Builder<'_> {
             };
         }
         self.push(UpToSign::product(a, b)).negate_if(flipped)
-    }
-
-    fn emit_quotient(&mut self, id: NodeId, a: NodeId, b: NodeId) -> UpToSign {
-        let flipped = self.graph.is_flipped(id, Operation::Div(a, b));
-        let (a, b) = (self.read(a.edge(false)), self.read(b.edge(false)));
-        self.push(UpToSign::quotient(a, b)).negate_if(flipped)
     }
 
     fn constant_operand(&mut self, edge: Edge) -> Operand {

@@ -42,11 +42,8 @@ fn halved(x: Rational) -> Rational {
     let half = Rational::from((&x * Rational::from(2)).round()) / Rational::from(2);
     let difference = &x - &half;
     let nothing = Rational::ONE / Rational::from(2).pow(BITS as isize);
-    if -&nothing < difference && difference < nothing {
-        half
-    } else {
-        x
-    }
+    let is_half = -&nothing < difference && difference < nothing;
+    if is_half { half } else { x }
 }
 
 #[cfg(test)]

@@ -75,11 +75,9 @@ impl ConstantPool {
 
     /// The constants that `needed` asks for as correctly rounded doubles (the others as NaN).
     ///
-    /// The precision is raised until every rounding is certain. What never is
-    /// certain is a tie that the engine cannot know to be one, such as
-    /// 2 cos(pi/3) (1 + 2^-53): it rounds to either side. A constant is infinite
-    /// where it exceeds the largest double, where it is a quotient by zero, and
-    /// where it is the sine of an angle beyond 2^`MOST_BITS`.
+    /// The precision is raised until every rounding is certain. A tie that the engine cannot know to be one, such as
+    /// 2 cos(pi/3) (1 + 2^-53), rounds to either side. Numbers beyond the largest double, quotients by zero and sines of
+    /// angles beyond 2^`MOST_BITS` are infinite.
     pub fn round(&self, needed: impl Fn(ConstantId) -> bool) -> Vec<f64> {
         until_certain(|real, is_last| {
             let values = self.evaluate(real);
@@ -87,15 +85,15 @@ impl ConstantPool {
                 if !needed(ConstantId(index as u32)) {
                     return Some(f64::NAN);
                 }
-                let rounded = value.round();
-                rounded.or_else(|| is_last.then(|| value.nearest()))
+                let uncertain = || is_last.then(|| value.nearest());
+                value.round().or_else(uncertain)
             };
             values.iter().enumerate().map(round).collect()
         })
     }
 
-    /// The single-precision numbers nearest to the constants, where that is not what their correctly rounded
-    /// `doubles` round to: where a double lies in the middle between two singles and the constant beside it.
+    /// The singles nearest to the constants if their correctly rounded `doubles` round to others: a double lies in the
+    /// middle between two singles, and the constant beside it.
     pub fn singles(&self, doubles: &[f64]) -> Vec<Option<f32>> {
         let middles: Vec<usize> = (0..doubles.len())
             .filter(|index| neighbours_of_middle(doubles[*index]).is_some())

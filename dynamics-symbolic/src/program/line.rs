@@ -60,6 +60,11 @@ impl Program {
                 (instruction, _) => return Some(Line::Single(instruction)),
             };
             let is_difference = matches!(instruction, Instruction::Sub(..));
+            let signed = if is_difference {
+                Rest::Minus
+            } else {
+                Rest::Plus
+            };
             Some(match (product(a), product(b)) {
                 (first, Some(product)) => Line::Fused {
                     product,
@@ -69,11 +74,7 @@ impl Program {
                 (Some(product), None) => Line::Fused {
                     product,
                     is_subtracted: false,
-                    rest: if is_difference {
-                        Rest::Minus(b)
-                    } else {
-                        Rest::Plus(b)
-                    },
+                    rest: signed(b),
                 },
                 (None, None) => Line::Single(*instruction),
             })

@@ -1,5 +1,4 @@
-//! Real numbers in binary high precision, with a bound on their error, and one
-//! correct rounding to double.
+//! Real numbers in binary high precision, with a bound on their error, and one correct rounding to double.
 
 use super::Arithmetic;
 use crate::exact::{Rational, negate_if};
@@ -17,9 +16,8 @@ pub struct Real {
     precision: usize,
 }
 
-/// An approximation of a real number, or nothing where too little is known of
-/// it: a quotient whose divisor cannot be told from zero, or the sine of an
-/// angle that is not known to a radian.
+/// An approximation of a real number, or nothing where too little is known of it: a quotient whose divisor cannot be
+/// told from zero, or the sine of an angle that is not known to a radian.
 #[derive(Clone, Debug)]
 pub struct Approximation(Option<Ball>);
 
@@ -94,17 +92,13 @@ impl Real {
                 let a = self.angle(a);
                 self.neg(a)
             }
-            Value::Add(a, b) => {
+            Value::Add(a, b) | Value::Mul(a, b) | Value::Div(a, b) => {
                 let (a, b) = (self.angle(a), self.angle(b));
-                self.add(a, b)
-            }
-            Value::Mul(a, b) => {
-                let (a, b) = (self.angle(a), self.angle(b));
-                self.mul(a, b)
-            }
-            Value::Div(a, b) => {
-                let (a, b) = (self.angle(a), self.angle(b));
-                self.div(a, b)
+                match angle {
+                    Value::Add(..) => self.add(a, b),
+                    Value::Mul(..) => self.mul(a, b),
+                    _ => self.div(a, b),
+                }
             }
         }
     }
@@ -187,9 +181,8 @@ impl Arithmetic for Real {
 }
 
 impl Approximation {
-    /// The double nearest to every number within the error: the correct
-    /// rounding, where the error is small enough to tell. Infinite beyond the
-    /// largest double.
+    /// The double nearest to every number within the error: the correct rounding, where the error is small enough to
+    /// tell. Infinite beyond the largest double.
     pub fn round(&self) -> Option<f64> {
         let Ball { value, error } = self.0.as_ref()?;
         // Without a limit to the digits: the ends must not be rounded inwards.

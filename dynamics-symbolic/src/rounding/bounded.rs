@@ -13,8 +13,7 @@ use core::ops::{Add, Div, Mul, Neg};
 /// u, the largest relative error of one operation.
 pub const UNIT: f64 = f64::EPSILON / 2.0;
 
-/// A number as it is computed, and a bound of its distance from the exact one: infinite where nothing
-/// is known.
+/// A number as it is computed, and a bound of its distance from the exact one: infinite where nothing is known.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bounded {
     /// The number that is computed.

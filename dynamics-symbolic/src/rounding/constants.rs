@@ -5,9 +5,8 @@ use crate::exact::{Rational, sin_cos};
 use crate::program::{Arithmetic, by_operators};
 use crate::robot::{Symbol, Value};
 
-/// Doubles with the error of computing in them, where symbols have these values.
-///
-/// Most constants are known well enough by that; the others are evaluated in high precision.
+/// Doubles with the error of computing in them, where symbols have these values. Most constants are known well enough by
+/// that; the others are evaluated in high precision.
 pub(super) struct Doubles<'a>(pub(super) &'a dyn Fn(&Symbol) -> Bounded);
 
 /// A constant in doubles, where it is known to six digits: enough to count roundings with.

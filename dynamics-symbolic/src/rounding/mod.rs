@@ -1,12 +1,10 @@
 //! Counting rounding: a bound on the error of everything that a program computes.
 //!
-//! A running error analysis: at one point, every operation gives its value in doubles and, from the
-//! bounds of its operands, a bound on its own error. It costs one evaluation. No robotics in here:
-//! where the points come from, and what errors are allowed, is the caller's.
+//! A running error analysis: at one point, every operation gives its value in doubles and, from the bounds of its
+//! operands, a bound on its own error. The points and the errors that are allowed come from the caller.
 //!
-//! [`Bounded`] has the rules. [`Running`] applies them to the nodes of a graph, whose definitions may
-//! change, [`Rounded`] to finished programs. `outputs_over` applies them to a finished program over a
-//! box of points, rounded outwards: what it says is proven.
+//! [`Bounded`] has the rules. [`Running`] applies them to the nodes of a graph, whose definitions may change,
+//! [`Rounded`] to finished programs. `outputs_over` bounds them over a box of points, rounded outwards: that is proven.
 
 mod bounded;
 mod constants;

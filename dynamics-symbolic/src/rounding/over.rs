@@ -58,15 +58,12 @@ impl Walk<'_> {
 
     /// A sine and its cosine are on the unit circle.
     fn circles(&mut self) {
-        let inputs = self.program.inputs.iter().zip(0..);
-        for (symbol, sine) in inputs {
-            let Symbol::Sine(i) = symbol else {
-                continue;
-            };
-            let cosine = Symbol::Cosine(*i);
-            let mut others = self.program.inputs.iter().zip(0..);
-            if let Some((_, cosine)) = others.find(|(other, _)| **other == cosine) {
-                let [sine, cosine] = [sine, cosine].map(Operand::Input);
+        let place = |symbol: &Symbol| self.program.inputs.iter().position(|other| other == symbol);
+        for (sine, symbol) in self.program.inputs.iter().enumerate() {
+            if let Symbol::Sine(i) = symbol
+                && let Some(cosine) = place(&Symbol::Cosine(*i))
+            {
+                let [sine, cosine] = [sine, cosine].map(|place| Operand::Input(place as u32));
                 let error = norm(self.read(sine).error, self.read(cosine).error);
                 self.pairs.set(sine, cosine, Length { size: 1.0, error });
             }
@@ -131,17 +128,15 @@ impl Walk<'_> {
     /// The length of a pair: what is known of it, or else of each.
     fn length(&self, (a, b): (Operand, Operand)) -> Length {
         let (x, y) = (self.read(a), self.read(b));
-        let apart = Length {
+        let mut length = Length {
             size: norm(x.range.size(), y.range.size()),
             error: norm(x.error, y.error),
         };
-        match self.pairs.length(a, b) {
-            Some(known) => Length {
-                size: apart.size.min(known.size),
-                error: apart.error.min(known.error),
-            },
-            None => apart,
+        if let Some(known) = self.pairs.length(a, b) {
+            length.size = length.size.min(known.size);
+            length.error = length.error.min(known.error);
         }
+        length
     }
 }
 

@@ -43,7 +43,7 @@ impl Length {
 /// Two operands in the order of their names.
 type Pair = (Operand, Operand);
 
-fn pair(a: Operand, b: Operand) -> Pair {
+fn pair<T: Ord>(a: T, b: T) -> (T, T) {
     if a < b { (a, b) } else { (b, a) }
 }
 
@@ -81,12 +81,7 @@ impl Turn {
     /// The same for both components, whichever of the pairs turns the other one.
     fn key(self) -> (Pair, Pair) {
         let ((a, b), (x, y)) = (self.coefficients, self.vector);
-        let (one, other) = (pair(a, b), pair(x, y));
-        if one < other {
-            (one, other)
-        } else {
-            (other, one)
-        }
+        pair(pair(a, b), pair(x, y))
     }
 
     /// Whether a x + b y is read as b y + a x would be, and not as a y + b x.

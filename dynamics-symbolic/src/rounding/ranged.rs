@@ -1,8 +1,7 @@
 //! Numbers between two ends, with a bound on their error that holds for all of them.
 //!
 //! The rules are those of [`Bounded`](super::Bounded), over all points of a box instead of at one: |a| is the largest
-//! absolute value that the exact number has anywhere. Here nothing is left out: every bound is rounded upwards, and
-//! what may underflow is counted.
+//! absolute value of the exact number. Nothing is left out: bounds are rounded upwards, and underflow is counted.
 
 use super::UNIT;
 use crate::exact::Rational;
@@ -28,11 +27,8 @@ pub(super) fn up(x: f64) -> f64 {
 
 /// a + b, rounded upwards.
 pub(super) fn plus(a: f64, b: f64) -> f64 {
-    if a == 0.0 || b == 0.0 {
-        a + b
-    } else {
-        up(a + b)
-    }
+    let is_exact = a == 0.0 || b == 0.0;
+    if is_exact { a + b } else { up(a + b) }
 }
 
 /// a b, rounded upwards: more than zero unless one of them is. What is not known stays so, times zero too.

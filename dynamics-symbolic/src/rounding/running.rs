@@ -22,8 +22,7 @@ pub struct Running<'g> {
 }
 
 impl<'g> Running<'g> {
-    /// The nodes of a graph where the symbols, which stand for `meanings`, have the values that
-    /// `point` gives them.
+    /// The nodes of a graph where the symbols, which stand for `meanings`, have the values that `point` gives them.
     pub fn new(
         graph: &'g Graph,
         meanings: &[Symbol],

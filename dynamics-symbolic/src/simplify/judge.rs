@@ -1,8 +1,7 @@
 //! Whether a definition keeps the digits.
 //!
-//! Definitions that are equal as rational functions are not equal in doubles: a sum may cancel what
-//! the present definition never adds. So a definition is judged by the bounds on the errors of the
-//! outputs that it leads to, at some points ([`Running`]), beside those that are allowed.
+//! Definitions that are equal as rational functions are not equal in doubles: a sum may cancel terms that the present
+//! definition never adds. So bounds on the errors of the outputs, at some points ([`Running`]), decide.
 
 use super::Network;
 use super::survey::Survey;
@@ -36,9 +35,8 @@ impl<'g> Judge<'g> {
         self.running.constant(id)
     }
 
-    /// Whether the outputs keep within what is allowed now that the last of some nodes has another
-    /// definition, which reads the others, new ones. The survey is that before. What is not accepted
-    /// has to be taken back.
+    /// Whether the outputs keep within what is allowed now that the last of some nodes has another definition, which
+    /// reads the others, new ones. The survey is that before. What is not accepted has to be taken back.
     pub(super) fn accepts(
         &mut self,
         network: &Network<'_>,

@@ -1,11 +1,8 @@
 //! Shorter programs for the same outputs.
 //!
-//! Nodes of the graph are known by their value in a prime field. That makes
-//! one question cheap which rewriting rules can only approach: is this node
-//! the sum, difference or product of two others that the program computes
-//! anyway? Where the answer is yes and the node's present definition takes
-//! more operations that nothing else needs, the definition is replaced
-//! (resubstitution, as in the synthesis of logic circuits).
+//! Nodes of the graph are known by their value in a prime field. So it is cheap to ask whether a node is the sum,
+//! difference or product of two others that the program computes anyway. If its present definition takes more
+//! operations, which nothing else needs, that is replaced (resubstitution, as in the synthesis of logic circuits).
 
 mod cancel;
 mod judge;
@@ -81,8 +78,7 @@ mod tests {
         (0..symbols).map(Symbol::Position).collect()
     }
 
-    /// Shortens the program of some outputs; no output may have an error above `allowed` where symbol
-    /// i is `value(i)`.
+    /// Shortens the program of some outputs; no output may have an error above `allowed` where symbol i is `value(i)`.
     fn judged(graph: &Graph, outputs: &[Expr<'_>], values: &[f64], allowed: f64) -> Program {
         let outputs: Vec<Edge> = outputs.iter().map(|e| e.edge()).collect();
         let mut network = Network::new(graph, &outputs);

@@ -43,10 +43,8 @@ impl Pairs {
     }
 }
 
-/// Redefines every node that two operations on other active nodes can replace
-/// with fewer operations in all, as far as the errors of the outputs allow it.
-/// The table grows with the square of the program's length: long programs are
-/// left as they are.
+/// Redefines every node that two operations on other active nodes can replace with fewer operations in all, as far as
+/// the errors of the outputs allow it. Long programs are left out: the table grows with the square of the length.
 pub(super) fn resubstitute_pairs<'g>(
     network: &mut Network<'g>,
     judge: &mut Judge<'g>,

@@ -112,30 +112,24 @@ impl<'a> Body<'a> {
 
     fn input(&self, symbol: &Symbol) -> String {
         let call = |function: &str, argument: String| format!("{function}({argument})");
-        let Language {
-            sine,
-            cosine,
-            exponential,
-            sign,
-            ..
-        } = self.language;
+        let language = self.language;
         if let Some((argument, i)) = symbol.entry() {
             return format!("{}[{i}]", argument.name());
         }
         match symbol {
             Symbol::Pi => number(core::f64::consts::PI),
             Symbol::Field(i) => self.cell(&Value::Field(*i)),
-            Symbol::AngleSine(angle) => call(sine, self.cell(angle)),
-            Symbol::AngleCosine(angle) => call(cosine, self.cell(angle)),
-            Symbol::Sine(i) => call(sine, self.of_joint("q", *i)),
-            Symbol::Cosine(i) => call(cosine, self.of_joint("q", *i)),
-            Symbol::VelocitySign(i) => call(sign, self.of_joint("qd", *i)),
+            Symbol::AngleSine(angle) => call(language.sine, self.cell(angle)),
+            Symbol::AngleCosine(angle) => call(language.cosine, self.cell(angle)),
+            Symbol::Sine(i) => call(language.sine, self.of_joint("q", *i)),
+            Symbol::Cosine(i) => call(language.cosine, self.of_joint("q", *i)),
+            Symbol::VelocitySign(i) => call(language.sign, self.of_joint("qd", *i)),
             Symbol::Stribeck(i) => {
                 let row = self.robot.row_of(*i);
                 let stribeck = row.and_then(|row| row.stribeck.as_ref());
                 let v = stribeck.map_or(String::new(), |stribeck| self.cell(&stribeck.velocity));
                 let x = format!("({} / {v})", self.of_joint("qd", *i));
-                call(exponential, format!("-({x} * {x})"))
+                call(language.exponential, format!("-({x} * {x})"))
             }
             _ => unreachable!("an entry of an argument"),
         }

@@ -2,7 +2,7 @@
 
 use super::body::Body;
 use super::comments::{comment, lines};
-use super::{Language, free_name, indented, snake_case};
+use super::{Language, argument_names, free_name, indented, snake_case};
 use crate::function::{Request, Shape, Sizes, sizes_of};
 use crate::program::Proven;
 use crate::robot::Robot;
@@ -80,8 +80,7 @@ ROBOT_DYNAMICS_DEVICE static int robot_dynamics_is_pivot(double pivot, double di
 const REFUSAL: &str = "Returns 0; or, where M(q) is not positive definite to working precision or not finite, the \
                        number of the joint whose pivot failed, counted from 1, and writes nothing.";
 
-/// The functions of a robot in C99, each with its program. A method of several functions writes the
-/// values of each.
+/// The functions of a robot in C99, each with its program. A method of several functions writes the values of each.
 pub fn c_source(robot: &Robot, functions: &[(Request, Proven)]) -> CSource {
     let writer = Writer {
         robot,
@@ -167,7 +166,9 @@ impl Writer<'_> {
             let is_read = |statement: &String| reads.iter().any(|read| reads_name(statement, read));
             !statements.iter().any(is_read)
         };
-        let unread = self.arguments(request).into_iter().filter(is_unread);
+        let unread = argument_names(self.robot, request)
+            .into_iter()
+            .filter(is_unread);
         let mut lines: Vec<_> = unread
             .map(|argument| format!("(void){argument};"))
             .collect();
@@ -186,14 +187,6 @@ impl Writer<'_> {
         }
         let signature = self.signature(request, proven);
         format!("\n{signature}\n{{\n{}}}\n", indented(&lines, 4))
-    }
-
-    /// The names of what is read.
-    fn arguments(&self, request: &Request) -> Vec<&'static str> {
-        let fields = (!self.robot.fields.is_empty()).then_some("arm");
-        let arguments = request.arguments();
-        let names = arguments.iter().map(|argument| argument.name());
-        fields.into_iter().chain(names).collect()
     }
 
     fn signature(&self, request: &Request, proven: &Proven) -> String {
@@ -307,20 +300,24 @@ fn dimensions(shape: &Shape, sizes: Sizes) -> Vec<usize> {
 }
 
 impl Written {
+    /// The name without indices: a number has a pointer to it.
+    fn without_indices(&self) -> String {
+        let pointer = if self.dimensions.is_empty() { "*" } else { "" };
+        format!("{pointer}{}", self.name)
+    }
+
     fn parameter(&self) -> String {
-        if self.dimensions.is_empty() {
-            return format!("double *{}", self.name);
-        }
         let dimensions = self.dimensions.iter().map(|size| format!("[{size}]"));
-        format!("double {}{}", self.name, dimensions.collect::<String>())
+        format!(
+            "double {}{}",
+            self.without_indices(),
+            dimensions.collect::<String>()
+        )
     }
 
     /// The text of each entry, in the order of the values.
     fn entries(&self) -> Vec<String> {
-        if self.dimensions.is_empty() {
-            return vec![format!("*{}", self.name)];
-        }
-        let mut entries = vec![self.name.clone()];
+        let mut entries = vec![self.without_indices()];
         for &size in &self.dimensions {
             let indexed = |entry: &String| -> Vec<String> {
                 (0..size).map(|i| format!("{entry}[{i}]")).collect()

@@ -2,7 +2,7 @@
 
 use super::body::{Body, number};
 use super::comments::{comment, lines as documentation};
-use super::{Language, free_name, indented, plain};
+use super::{Language, argument_names, free_name, indented, plain};
 use crate::function::{Request, Shape, Size, Sizes, sizes_of};
 use crate::program::Proven;
 use crate::robot::Robot;
@@ -94,10 +94,6 @@ fn array(entries: impl Iterator<Item = String>) -> String {
 
 fn function(robot: &Robot, request: &Request, proven: &Proven) -> String {
     let body = Body::new(robot, proven, &JAVASCRIPT);
-    let fields = (!robot.fields.is_empty()).then_some("arm");
-    let arguments = request.arguments();
-    let names = arguments.iter().map(|argument| argument.name());
-    let parameters: Vec<_> = fields.into_iter().chain(names).collect();
     let sizes = sizes_of(request.parts(), robot.dof(), proven.program.outputs.len());
     let values = body.values(request);
     let parts = request.parts().iter().zip(&values);
@@ -112,7 +108,7 @@ fn function(robot: &Robot, request: &Request, proven: &Proven) -> String {
         "\n{}export function {}({}) {{\n{}}}\n",
         comment(&documentation(robot, request, proven, REFUSAL)),
         free_name(request.name(), WORDS),
-        parameters.join(", "),
+        argument_names(robot, request).join(", "),
         indented(&lines, 2)
     )
 }

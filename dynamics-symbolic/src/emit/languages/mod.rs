@@ -1,8 +1,7 @@
 //! Programs as C99 and as JavaScript: the same lines as the Rust method, without a dependency.
 //!
-//! Products and sums are rounded one by one: where a compiler does not fuse them by itself, values are
-//! those of a Rust build without fused instructions, but for sines and exponentials, which are those of
-//! the language's library.
+//! Products and sums are rounded one by one: where a compiler does not fuse them by itself, values are those of a Rust
+//! build without fused instructions, but for sines and exponentials, which are those of the language's library.
 
 mod body;
 mod c;
@@ -17,6 +16,8 @@ use super::documentation;
 use super::inputs::{in_order, input_names};
 use super::names::{line_names, plain};
 use super::pivots::pivots;
+use crate::function::Request;
+use crate::robot::Robot;
 
 /// How a language says what differs between C and JavaScript.
 struct Language {
@@ -50,6 +51,14 @@ fn free_name(name: &str, words: &str) -> String {
     let is_reserved = words.split_whitespace().any(|word| word == name);
     let mark = if is_reserved { "_" } else { "" };
     format!("{name}{mark}")
+}
+
+/// The names of what a function reads: the fields of the arm together, if there are any, and the arguments.
+fn argument_names(robot: &Robot, request: &Request) -> Vec<&'static str> {
+    let fields = (!robot.fields.is_empty()).then_some("arm");
+    let arguments = request.arguments();
+    let names = arguments.iter().map(|argument| argument.name());
+    fields.into_iter().chain(names).collect()
 }
 
 /// Lines of text behind so many spaces each.

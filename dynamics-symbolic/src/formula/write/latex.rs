@@ -2,7 +2,6 @@
 
 use super::notation::{Notation, greek};
 use super::number::Written;
-use super::text::Text;
 
 pub(super) struct Latex;
 
@@ -48,10 +47,6 @@ impl Notation for Latex {
 
     fn quotient(&self, dividend: &str, divisor: &str, _is_single: bool) -> String {
         format!("\\frac{{{dividend}}}{{{divisor}}}")
-    }
-
-    fn sum(&self, terms: &[(bool, String)]) -> String {
-        Text.sum(terms)
     }
 
     fn parentheses(&self, inner: &str) -> String {

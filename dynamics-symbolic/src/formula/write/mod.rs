@@ -4,7 +4,6 @@ mod latex;
 mod mathml;
 mod notation;
 mod number;
-mod text;
 
 use super::atom::{Atom, Run};
 use super::expression::{Base, Expression, Factor, Number, Term};
@@ -13,10 +12,9 @@ use crate::function::Argument;
 use crate::robot::Value;
 use latex::Latex;
 use mathml::MathMl;
-use notation::Notation;
 pub(crate) use notation::signed_sum;
+use notation::{Notation, Text};
 use number::Written;
-use text::Text;
 
 /// How formulas are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -2,24 +2,48 @@
 
 use super::number::Written;
 
-/// The way in which a format writes the parts of a formula.
+/// The way in which a format writes the parts of a formula: as plain text, unless it says otherwise.
 pub(super) trait Notation {
     /// A letter as it stands in text, and its parts: base, dots above it, subscript.
-    fn letter(&self, text: &str, base: &str, dots: usize, subscript: &str) -> String;
+    fn letter(&self, text: &str, _base: &str, _dots: usize, _subscript: &str) -> String {
+        text.to_owned()
+    }
     /// A number.
-    fn number(&self, number: &Written) -> String;
+    fn number(&self, number: &Written) -> String {
+        match number {
+            Written::Decimal(digits, None) => digits.clone(),
+            Written::Decimal(digits, Some(exponent)) => format!("{digits}e{exponent}"),
+            Written::Fraction(numerator, denominator) => format!("{numerator}/{denominator}"),
+        }
+    }
     /// A power; the base is an atom or in parentheses.
-    fn power(&self, base: &str, exponent: u32) -> String;
+    fn power(&self, base: &str, exponent: u32) -> String {
+        format!("{base}^{exponent}")
+    }
     /// Factors side by side.
-    fn product(&self, factors: &[String]) -> String;
+    fn product(&self, factors: &[String]) -> String {
+        factors.join(" ")
+    }
     /// A quotient; `is_single` says whether the divisor is one factor.
-    fn quotient(&self, dividend: &str, divisor: &str, is_single: bool) -> String;
+    fn quotient(&self, dividend: &str, divisor: &str, is_single: bool) -> String {
+        if is_single {
+            format!("{dividend} / {divisor}")
+        } else {
+            format!("{dividend} / ({divisor})")
+        }
+    }
     /// Terms with their signs.
-    fn sum(&self, terms: &[(bool, String)]) -> String;
+    fn sum(&self, terms: &[(bool, String)]) -> String {
+        signed_sum(terms, [" + ", " - ", "-"])
+    }
     /// In parentheses.
-    fn parentheses(&self, inner: &str) -> String;
+    fn parentheses(&self, inner: &str) -> String {
+        format!("({inner})")
+    }
     /// A function of an argument.
-    fn call(&self, function: &str, argument: &str) -> String;
+    fn call(&self, function: &str, argument: &str) -> String {
+        format!("{function}({argument})")
+    }
     /// Between the sides of an equation.
     fn equals(&self) -> &'static str {
         " = "
@@ -29,6 +53,11 @@ pub(super) trait Notation {
         inner
     }
 }
+
+/// Plain text: `2 m2 l1 l2 c2 qd1 qd2`.
+pub(super) struct Text;
+
+impl Notation for Text {}
 
 /// Terms with their signs: that between two terms, and minus in front of the first.
 pub(crate) fn signed_sum(

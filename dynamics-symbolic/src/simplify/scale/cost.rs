@@ -3,13 +3,13 @@
 use super::Scaling;
 use super::multiple::{Ratio, Scale};
 use super::terms::{Factor, TermId};
+use crate::exact::negate_if;
 use crate::expr::Fingerprint;
 
 /// The multiplications that depend on the multiple of one sum, the multiples of all others given.
 ///
-/// A coefficient with the multiple x in it, as c x or c / x, is 1 or -1 for one
-/// x up to sign, and these x are known beforehand: the cost of many x takes one
-/// look at each coefficient, however many terms read the sum.
+/// A coefficient with the multiple x in it, as c x or c / x, is 1 or -1 for one x up to sign, and these x are known
+/// beforehand: the cost of many x takes one look at each coefficient, however many terms read the sum.
 pub(super) struct Tally {
     sum: usize,
     /// The multiples, up to sign, for which a multiplication is saved: sorted, once for each.
@@ -118,10 +118,8 @@ impl Scaling<'_, '_> {
 
 /// The power in which the multiple of a sum is in a product.
 fn power(factors: &[Factor], sum: usize) -> i32 {
-    let factors = factors.iter().filter(|factor| factor.sum == sum);
-    factors
-        .map(|factor| if factor.inverted { -1 } else { 1 })
-        .sum()
+    let own = factors.iter().filter(|factor| factor.sum == sum);
+    own.map(|factor| negate_if(1, factor.inverted)).sum()
 }
 
 /// The same number for a value and its opposite.

@@ -1,11 +1,9 @@
 //! The choice of the multiple of each sum that is computed.
 //!
-//! A sum c1 x1 + c2 x2 + ... with constant coefficients may be computed as any
-//! multiple of itself: the multiple passes through products for nothing and is
-//! made good in the coefficients of the sums that read it, or at an output.
-//! Computed as x1 + (c2/c1) x2 + ..., the sum takes one multiplication less,
-//! and where its readers multiply by a constant anyway none is added. The
-//! multiples are chosen one by one for as long as coefficients become 1.
+//! A sum c1 x1 + c2 x2 + ... with constant coefficients may be computed as any multiple of itself: the multiple passes
+//! through products for nothing and is made good in the coefficients of the sums that read it, or at an output. As
+//! x1 + (c2/c1) x2 + ..., the sum takes one multiplication less, and none is added if its readers multiply by a constant
+//! anyway. The multiples are chosen one by one for as long as coefficients become 1.
 
 mod cost;
 mod descent;
