@@ -107,9 +107,9 @@ pub enum Entry {
     /// `functions: [...]`
     Functions(Option<Vec<Asked>>),
     /// `lock: [elbow = 0.3]`
-    Lock(Option<Vec<Locked>>),
+    Lock(Option<Vec<Positioned>>),
     /// `couple: [finger_2 = -finger_1 + 0.02]`
-    Couple(Option<Vec<Coupled>>),
+    Couple(Option<Vec<Positioned>>),
     /// `neglect: 1%`
     Neglect(Option<Share>),
     /// `tests: true`
@@ -148,27 +148,19 @@ pub enum Asked {
     Unreadable,
 }
 
-/// `elbow = 0.3`
+/// `elbow = 0.3`, or `finger_2 = -finger_1 + 0.02` of a joint that follows another one.
 #[derive(Debug)]
-pub struct Locked {
+pub struct Positioned {
     /// The joint.
     pub name: Name,
-    /// Where it stands still, rad or m; none where that could not be read.
+    /// Where it is, rad or m, for a follower a linear function of the name of one other joint; none if that could not be
+    /// read.
     pub position: Option<Expr>,
 }
 
-/// `finger_2 = -finger_1 + 0.02`: a joint that follows another one.
-#[derive(Debug)]
-pub struct Coupled {
-    /// The joint that follows.
-    pub follower: Name,
-    /// Where it is: a linear function of the name of one other joint; none where that could not be read.
-    pub position: Option<Expr>,
-}
-
-impl Coupled {
+impl Positioned {
     /// `follower = factor * leader + offset`
-    pub fn new(follower: Name, factor: Expr, leader: &Name, offset: Expr) -> Coupled {
+    pub fn following(name: Name, factor: Expr, leader: &Name, offset: Expr) -> Positioned {
         let leader = Expr {
             kind: ExprKind::Name(leader.plain().to_owned()),
             place: leader.into(),
@@ -178,8 +170,8 @@ impl Coupled {
             kind: ExprKind::Binary(operator, Box::new(a), Box::new(b)),
         };
         let moved = binary(Operator::Mul, factor, leader);
-        Coupled {
-            follower,
+        Positioned {
+            name,
             position: Some(binary(Operator::Add, moved, offset)),
         }
     }

@@ -146,16 +146,8 @@ fn without_others(mut names: Vec<String>, entries: &[Entry]) -> Option<Vec<Strin
     let mut others = BTreeSet::new();
     for entry in entries {
         match entry {
-            Entry::Lock(locked) => {
-                others.extend(locked.as_ref()?.iter().map(|locked| locked.name.plain()));
-            }
-            Entry::Couple(coupled) => {
-                others.extend(
-                    coupled
-                        .as_ref()?
-                        .iter()
-                        .map(|coupled| coupled.follower.plain()),
-                );
+            Entry::Lock(joints) | Entry::Couple(joints) => {
+                others.extend(joints.as_ref()?.iter().map(|joint| joint.name.plain()));
             }
             _ => {}
         }

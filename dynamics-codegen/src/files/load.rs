@@ -49,7 +49,7 @@ mod reading {
     use dynamics_symbolic::robot::Value;
 
     use crate::audience::Audience;
-    use crate::description::{Expr, ExprKind, Locked, Operator, Table};
+    use crate::description::{Expr, ExprKind, Operator, Positioned, Table};
     use crate::files::{self, Format, Request};
     use crate::limits::MOST_BYTES;
     use crate::validate::functions::read_masses;
@@ -119,7 +119,7 @@ mod reading {
                 }
                 Entry::Lock(locked) => {
                     let locked = locked.as_ref()?.iter();
-                    let lock = |locked: &Locked| {
+                    let lock = |locked: &Positioned| {
                         let position = locked.position.as_ref().and_then(constant);
                         (locked.name.clone(), position)
                     };

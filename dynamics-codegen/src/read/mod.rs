@@ -10,8 +10,7 @@ use dynamics_symbolic::Function;
 use dynamics_symbolic::robot::Convention;
 
 use crate::description::{
-    Allow, Asked, Coupled, Entry, Expr, FileName, Locked, Name, Placement, Share, Table, Tool,
-    Vector,
+    Allow, Asked, Entry, FileName, Name, Placement, Positioned, Share, Table, Tool, Vector,
 };
 use crate::diagnose::Diagnostics;
 use crate::keys::{ALLOWANCES_OF_BODY, BASE, CALL, DEFAULT, FILE, TOOL};
@@ -181,7 +180,7 @@ impl Reader<'_> {
         node: &Node,
         what: &expected::Expected,
         none: mistake::Mistake,
-    ) -> Read<Vec<(Name, Option<Expr>)>> {
+    ) -> Read<Vec<Positioned>> {
         let Kind::Table(items) = &node.kind else {
             return Err(self.instead_of(what, node));
         };
@@ -198,30 +197,24 @@ impl Reader<'_> {
                 let mistake = mistake::file::dotted_name(&key.word, &part.word);
                 return Err(self.error(key.place, mistake));
             }
-            let name = self.name(&key.word, key.place)?;
-            Ok((name, self.visit(node, Reader::value).ok()))
+            Ok(Positioned {
+                name: self.name(&key.word, key.place)?,
+                position: self.visit(node, Reader::value).ok(),
+            })
         });
         let items: Vec<_> = items.collect();
         items.into_iter().collect()
     }
 
-    fn lock(&mut self, node: &Node) -> Read<Vec<Locked>> {
+    fn lock(&mut self, node: &Node) -> Read<Vec<Positioned>> {
         let what = self.either(expected::locks(), "a table of joints and positions");
-        let locked = self.positions(node, &what, mistake::entry::no_lock())?;
-        let locked = locked.into_iter();
-        Ok(locked
-            .map(|(name, position)| Locked { name, position })
-            .collect())
+        self.positions(node, &what, mistake::entry::no_lock())
     }
 
-    fn couple(&mut self, node: &Node) -> Read<Vec<Coupled>> {
+    fn couple(&mut self, node: &Node) -> Read<Vec<Positioned>> {
         let file = "a table of joints and those that they follow";
         let what = self.either(expected::couplings(), file);
-        let coupled = self.positions(node, &what, mistake::couple::none())?;
-        let coupled = coupled.into_iter();
-        Ok(coupled
-            .map(|(follower, position)| Coupled { follower, position })
-            .collect())
+        self.positions(node, &what, mistake::couple::none())
     }
 
     fn functions(&mut self, node: &Node) -> Read<Vec<Asked>> {

@@ -69,8 +69,8 @@ impl<'d> Reader<'d> {
 
     /// Reports the faults, and returns the last of them.
     pub(super) fn report(&self, faults: &[Fault]) -> Option<Reported> {
-        let report = |(place, mistake): &Fault| self.error(*place, mistake.clone());
-        faults.iter().map(report).last()
+        let report = |_, (place, mistake): &Fault| Some(self.error(*place, mistake.clone()));
+        faults.iter().fold(None, report)
     }
 
     /// Reports that something else stands there; of what could not be told apart at all, why.

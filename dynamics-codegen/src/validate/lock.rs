@@ -23,8 +23,11 @@ struct Position {
 }
 
 /// The positions, in the scope of the place where they are written.
-pub(super) fn positions(locked: Option<&[description::Locked]>, scope: &mut Scope) -> Vec<Lock> {
-    let lock = |locked: &description::Locked| Lock {
+pub(super) fn positions(
+    locked: Option<&[description::Positioned]>,
+    scope: &mut Scope,
+) -> Vec<Lock> {
+    let lock = |locked: &description::Positioned| Lock {
         name: locked.name.clone(),
         position: locked.position.as_ref().and_then(|position| {
             let (value, odd) = scope.unjudged_angle(position)?;

@@ -7,8 +7,8 @@ use dynamics_symbolic::robot::{Convention, JointType, Value};
 
 use super::document::{Inertial, Joint, Kind, Link, Tree};
 use crate::description::{
-    Allow, Coulomb, Coupled, Entry, Expr, ExprKind, Friction, Given, Inertia, Joints, Locked,
-    Mount, Name, Operator, Part, Placement, Row,
+    Allow, Coulomb, Entry, Expr, ExprKind, Friction, Given, Inertia, Joints, Mount, Name, Operator,
+    Part, Placement, Positioned, Row,
 };
 use crate::diagnose::Diagnostics;
 use crate::files::Request;
@@ -75,9 +75,9 @@ pub(super) struct Chain<'a> {
     /// The joints of the chain, from the base outwards.
     pub(super) on_chain: Vec<usize>,
     /// Those of them that follow others of them.
-    pub(super) coupled: Vec<Coupled>,
+    pub(super) coupled: Vec<Positioned>,
     /// Those that follow joints which stand still beside the chain.
-    pub(super) locked: Vec<Locked>,
+    pub(super) locked: Vec<Positioned>,
     /// The joints of the chain that move, with what moves with each.
     moving: Vec<Moving<'a>>,
 }

@@ -8,7 +8,7 @@ use dynamics_symbolic::robot::Value;
 
 use super::chain::{Chain, expression};
 use super::document::{Joint, Kind, Mimic};
-use crate::description::{Coupled, Expr, Locked, Name};
+use crate::description::{Expr, Name, Positioned};
 use crate::limits::MOST_BITS;
 use crate::mistake::size;
 use crate::mistake::urdf::{self as mistake, Still};
@@ -30,13 +30,13 @@ impl<'a> Chain<'a> {
             let offset = expression(&mimic.offset, mimic.place);
             let leader = Name::new(&leader.name, mimic.place);
             self.coupled
-                .push(Coupled::new(name, factor, &leader, offset));
+                .push(Positioned::following(name, factor, &leader, offset));
         } else if !self.stands_still(leader) {
             let mistake = mistake::leader_off_chain(Still::of(joint), Still::of(leader));
             self.error(mimic.place, mistake);
         } else if let Some((position, _)) = self.position_beside(joint) {
             let position = Some(expression(&position, mimic.place));
-            self.locked.push(Locked { name, position });
+            self.locked.push(Positioned { name, position });
         }
     }
 

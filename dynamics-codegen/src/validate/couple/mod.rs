@@ -8,7 +8,7 @@ use dynamics_symbolic::robot::{Coupling, JointType, Row};
 
 use super::lock::report_out_of_limits;
 use super::scope::Scope;
-use crate::description::{self, Coupled, Given, Name};
+use crate::description::{self, Given, Name, Positioned};
 use crate::limits::{MOST_FOLLOWERS, MOST_JOINTS_OF_COUPLED};
 use crate::mistake::{couple as mistake, entry};
 use crate::place::Place;
@@ -27,17 +27,17 @@ type Lead<'c> = Option<(usize, &'c Law)>;
 
 /// The couplings, in the scope of the place where they are written; `joints` are the names of all joints.
 pub(super) fn couplings(
-    coupled: Option<&[Coupled]>,
+    coupled: Option<&[Positioned]>,
     joints: &[String],
     scope: &mut Scope,
 ) -> Vec<Couple> {
     let coupled = coupled.unwrap_or_default();
-    let couple = |coupled: &Coupled| Couple {
-        name: coupled.follower.clone(),
+    let couple = |coupled: &Positioned| Couple {
+        name: coupled.name.clone(),
         law: coupled
             .position
             .as_ref()
-            .and_then(|position| law(position, &coupled.follower, joints, scope)),
+            .and_then(|position| law(position, &coupled.name, joints, scope)),
     };
     coupled.iter().map(couple).collect()
 }
