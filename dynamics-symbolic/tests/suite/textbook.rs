@@ -6,10 +6,10 @@ use dynamics_symbolic::Function;
 use dynamics_symbolic::derive::functions::{Form, outputs};
 use dynamics_symbolic::derive::gauge::Gauge;
 use dynamics_symbolic::derive::symbols::Symbols;
-use dynamics_symbolic::mechanism::Mechanism;
 use dynamics_symbolic::derive::textbook::Textbook;
 use dynamics_symbolic::exact::Rational;
 use dynamics_symbolic::expr::{Direction, Expr, Graph};
+use dynamics_symbolic::mechanism::Mechanism;
 use dynamics_symbolic::robot::{Convention, Interpretation, JointType, Robot, Row, Value};
 
 /// Up to four joints, both conventions, revolute and prismatic.

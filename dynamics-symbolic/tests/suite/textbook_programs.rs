@@ -2,9 +2,9 @@
 //! `speed_error` measures beside the short ones.
 
 use dynamics_symbolic::derive::symbols::Symbols;
-use dynamics_symbolic::mechanism::Mechanism;
 use dynamics_symbolic::derive::textbook::Textbook;
 use dynamics_symbolic::expr::Graph;
+use dynamics_symbolic::mechanism::Mechanism;
 use dynamics_symbolic::program::Program;
 use dynamics_symbolic::robot::Robot;
 use dynamics_symbolic::{Function, expand_with};
