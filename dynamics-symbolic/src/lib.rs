@@ -1,9 +1,9 @@
 //! The symbolic engine of `robot-dynamics`.
 //!
 //! Data flows one way through the modules of this crate:
-//! [`robot`] (a description of an arm) is written as expressions on a graph
-//! ([`expr`]), by one of several derivations (`derive`), becomes a straight-line
-//! program (`program`), is proven equal to the textbook Lagrangian (`prove`)
+//! [`robot`] (a description of an arm) is read into a [`mechanism`] (joints on links), written as expressions on a
+//! graph ([`expr`]) by one of several derivations (`derive`), becomes a straight-line program
+//! (`program`), is proven equal to the textbook Lagrangian (`prove`)
 //! and leaves as Rust tokens (`emit`).
 #![forbid(unsafe_code)]
 

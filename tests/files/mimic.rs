@@ -5,6 +5,7 @@ use dynamics_codegen::description::{Coupled, Entry, Locked, Name, Place, Table};
 use dynamics_codegen::files::{Format, table_beside};
 use dynamics_symbolic::Function;
 use dynamics_symbolic::derive::derive_plain;
+use dynamics_symbolic::mechanism::Mechanism;
 use dynamics_symbolic::prove::prove;
 use dynamics_symbolic::robot::Robot;
 use interpreter::{Inputs, Rounded};
@@ -63,10 +64,11 @@ fn without_mimic() -> String {
 
 /// The values of the functions, each program proven.
 fn values(robot: &Robot, q: &[f64], qd: &[f64], qdd: &[f64]) -> [DMatrix<f64>; 5] {
+    let arm = Mechanism::from(robot);
     let inputs = Inputs {
         fields: &[],
-        q: &robot.with_followers(q, &[]),
-        qd: &robot.with_followers(qd, &[]),
+        q: &arm.with_followers(q, &[]),
+        qd: &arm.with_followers(qd, &[]),
         qdd,
         tau: &[],
         stribeck: &[],

@@ -12,6 +12,7 @@ use std::process::Command;
 use dynamics_evaluation::{EvaluationError, RuntimeRobot, Value};
 use dynamics_runtime::Scalar;
 use dynamics_symbolic::emit::{c_source, javascript_module};
+use dynamics_symbolic::mechanism::Mechanism;
 use dynamics_symbolic::robot::Robot;
 use dynamics_symbolic::{Function, Proven, Request, proven_program};
 
@@ -49,7 +50,7 @@ impl Case {
         let of_axes = |name: &str| -> Vec<f64> {
             let states = (0..STATES).map(|state| argument(name, dof, state));
             states
-                .flat_map(|entries| arm.robot().with_followers(&entries, fields))
+                .flat_map(|entries| Mechanism::from(arm.robot()).with_followers(&entries, fields))
                 .collect()
         };
         let mut angles = of_axes("q");

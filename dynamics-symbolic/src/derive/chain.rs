@@ -182,14 +182,14 @@ impl<R: Ring> Chain<R> {
             .outward(base, |i, before| before.enter(self.joint(i), qd[i], qdd[i]))
     }
 
-    /// For every joint what it feels of a force on link i: all of it, if the joint carries the link.
-    pub(super) fn felt(&self, i: usize, force: Force<R>) -> Vec<R> {
-        let mut felt = vec![self.zero; self.links.len()];
+    /// The component of a force on link i along every joint that carries the link; zero for the others.
+    pub(super) fn joint_forces(&self, i: usize, force: Force<R>) -> Vec<R> {
+        let mut forces = vec![self.zero; self.links.len()];
         let leave = |j: usize, force: Force<R>| force.leave(self.joint(j));
         self.tree.along_carriers(i, force, leave, |j, force| {
-            felt[j] = force.along(self.joint(j).joint_type);
+            forces[j] = force.along(self.joint(j).joint_type);
         });
-        felt
+        forces
     }
 
     /// From the tips inwards, forces: `step(i, outer)` makes of what reaches link i from the links outside it the
@@ -309,10 +309,10 @@ mod tests {
         }
     }
 
-    /// What a joint feels is the power of the force in a unit velocity of the joint: on a branch that does not carry
-    /// the link, nothing.
+    /// The component along a joint is the power of the force in a unit velocity of the joint: on a branch that does
+    /// not carry the link, zero.
     #[test]
-    fn joints_feel_the_power_of_a_force() {
+    fn joint_forces_are_the_power_of_a_force() {
         use JointType::{Prismatic, Revolute};
         let random = &mut SplitMix64::new(3);
         let types = [Revolute, Prismatic, Prismatic, Revolute];
@@ -332,10 +332,10 @@ mod tests {
             n: vector(random),
             f: vector(random),
         };
-        let felt = chain.felt(3, force);
+        let forces = chain.joint_forces(3, force);
         for (i, axis) in &chain.axes()[3] {
-            assert_eq!(felt[*i], axis.dot(force));
+            assert_eq!(forces[*i], axis.dot(force));
         }
-        assert_eq!((felt[2], chain.axes()[3].len()), (Number::ZERO, 3));
+        assert_eq!((forces[2], chain.axes()[3].len()), (Number::ZERO, 3));
     }
 }

@@ -30,7 +30,7 @@ pub(super) fn mass_matrix<R: Ring>(chain: &Chain<R>) -> Vec<Vec<R>> {
     let n = chain.links.len();
     let mut matrix = vec![vec![chain.zero; n]; n];
     composites(chain, |j, composite| {
-        let column = chain.felt(j, composite.momentum(chain.axis(j)));
+        let column = chain.joint_forces(j, composite.momentum(chain.axis(j)));
         for i in chain.tree.carriers(j) {
             matrix[i][j] = column[i];
             matrix[j][i] = column[i];
@@ -49,16 +49,16 @@ pub(super) fn gravity_vector<R: Ring>(chain: &Chain<R>) -> Vec<R> {
     let gravity: Vec<_> = links
         .map(|i| chain.tree.parent(i).is_none().then(|| on_base(i)))
         .collect();
-    let mut felt = vec![chain.zero; chain.links.len()];
+    let mut forces = vec![chain.zero; chain.links.len()];
     composites(chain, |j, composite| {
         let wrench = composite.momentum(chain.axis(j));
         chain.tree.along_carriers(j, wrench, leave, |i, force| {
             if let Some(g) = gravity[i] {
-                felt[j] = -g.dot(force.f);
+                forces[j] = -g.dot(force.f);
             }
         });
     });
-    felt
+    forces
 }
 
 /// V, or V + G where `gravity` is the chain's.

@@ -256,26 +256,6 @@ impl<R: Ring> Composite<R> {
     }
 }
 
-/// What joint i leads to, in the frame of a link that is on the way to the base.
-struct Carried<R> {
-    /// Of the forces of the joints that carry link i, by its position and by its velocity.
-    columns: [Force<R>; 2],
-    /// S_i I_i
-    inertia_row: Force<R>,
-    /// S_i 2 B_i
-    coriolis_row: Vector3<R>,
-}
-
-impl<R: Ring> Carried<R> {
-    fn leave(self, joint: &Joint<R>) -> Self {
-        Carried {
-            columns: self.columns.map(|force| force.leave(joint)),
-            inertia_row: self.inertia_row.leave(joint),
-            coriolis_row: joint.leave(self.coriolis_row),
-        }
-    }
-}
-
 impl<R: Ring> ForceDerivatives<R> {
     /// Column i down to the diagonal, and row i up to it: carried inwards from frame i.
     fn column_and_row(
@@ -292,19 +272,21 @@ impl<R: Ring> ForceDerivatives<R> {
         } = rates[i];
         let by_position =
             composite.apply(velocity.w, acceleration) + own.cross_force(composite.force);
-        let carried = Carried {
-            columns: [by_position, composite.apply(own.w, velocity + velocity)],
-            inertia_row: composite.body.momentum(own),
-            coriolis_row: composite.coriolis_row(own, chain.joint(i).joint_type),
+        let by_velocity = composite.apply(own.w, velocity + velocity);
+        // What joints feel by the position and by the velocity of joint i, and S_i I_i; behind them S_i 2 B_i.
+        let forces = [by_position, by_velocity, composite.body.momentum(own)];
+        let coriolis_row = composite.coriolis_row(own, chain.joint(i).joint_type);
+        let leave = |j: usize, (forces, row): ([Force<R>; 3], Vector3<R>)| {
+            let joint = chain.joint(j);
+            (forces.map(|force| force.leave(joint)), joint.leave(row))
         };
-        let leave = |j: usize, carried: Carried<R>| carried.leave(chain.joint(j));
+        let carried = (forces, coriolis_row);
         chain.tree.along_carriers(i, carried, leave, |j, carried| {
-            let along = |force: &Force<R>| force.along(chain.joint(j).joint_type);
-            let [by_position, by_velocity] = &carried.columns;
-            self.by_position[j][i] = along(by_position);
-            self.by_velocity[j][i] = along(by_velocity);
+            let ([by_position, by_velocity, inertia_row], coriolis_row) = *carried;
+            let joint_type = chain.joint(j).joint_type;
+            self.by_position[j][i] = by_position.along(joint_type);
+            self.by_velocity[j][i] = by_velocity.along(joint_type);
             if j != i {
-                let (inertia_row, coriolis_row) = (carried.inertia_row, carried.coriolis_row);
                 let Rates {
                     velocity,
                     acceleration,

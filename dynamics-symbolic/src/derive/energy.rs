@@ -57,17 +57,17 @@ pub(super) fn gravity_vector<'g>(chain: &Chain<Expr<'g>>) -> Vec<Expr<'g>> {
     let scale = chain.strength;
     let gravity = Vector3(chain.gravity.0.map(|component| component / scale));
     let (moments, _) = scaled_moments(chain, scale);
-    let mut felt = Vec::with_capacity(moments.len());
+    let mut forces = Vec::with_capacity(moments.len());
     chain.tree.outward(gravity, |i, &before| {
         let (joint, (mass, h)) = (chain.joint(i), moments[i]);
         let g = joint.enter(before);
-        felt.push(match joint.joint_type {
+        forces.push(match joint.joint_type {
             JointType::Revolute => g[0] * h[1] - g[1] * h[0],
             JointType::Prismatic => -(mass * g[2]),
         });
         g
     });
-    felt
+    forces
 }
 
 /// A mass and a first moment.

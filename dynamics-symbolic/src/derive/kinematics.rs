@@ -4,7 +4,7 @@ use super::place::Placed;
 use super::symbols::Symbols;
 use crate::expr::Expr;
 use crate::linear::{Matrix3, Vector3};
-use crate::mechanism::{LinkFrame, Mechanism, Origin, Screw};
+use crate::mechanism::{Mechanism, Origin, Screw};
 use crate::robot::{Interpretation, JointType, Placement};
 use crate::spatial::Turn;
 
@@ -126,10 +126,7 @@ pub(super) fn frames<'g>(symbols: &mut Symbols<'g>) -> Vec<Frame<'g>> {
         let joint = &arm.joints[i];
         let mut screw = |screw: &Screw| (symbols.value(&screw.a), symbols.sin_cos(&screw.alpha));
         // The cells in the order of the table.
-        let behind = match &joint.link_frame {
-            LinkFrame::Screw(behind) => Some(screw(behind)),
-            LinkFrame::Places(_) => None,
-        };
+        let behind = joint.link_frame.screw().map(&mut screw);
         let (a, twist) = screw(&joint.before);
         let Turn { s, c } = symbols.turn(i);
         let d = symbols.value(&joint.d);
@@ -143,15 +140,9 @@ pub(super) fn frames<'g>(symbols: &mut Symbols<'g>) -> Vec<Frame<'g>> {
             Origin::BeforeOffset => foot.origin,
             Origin::AfterOffset => axes.origin,
         };
-        let pose = match &joint.link_frame {
-            LinkFrame::Screw(_) => {
-                behind.map_or(axes.pose(), |(a, twist)| axes.screw_x(a, twist).pose())
-            }
-            LinkFrame::Places(places) => {
-                let places = places.iter();
-                places.fold(axes.pose(), |pose, place| placed(symbols, &pose, place))
-            }
-        };
+        let on_axis = behind.map_or(axes.pose(), |(a, twist)| axes.screw_x(a, twist).pose());
+        let places = joint.link_frame.places().iter();
+        let pose = places.fold(on_axis, |pose, place| placed(symbols, &pose, place));
         frames.push(Frame {
             pose,
             axis: axes.z,

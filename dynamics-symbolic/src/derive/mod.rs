@@ -29,6 +29,8 @@ mod second_derivatives;
 mod solve;
 pub(crate) mod states;
 pub mod symbols;
+#[cfg(test)]
+mod tests;
 pub mod textbook;
 mod tip;
 pub mod units;

@@ -3,7 +3,7 @@
 //! T(xyz) Rz(yaw) Ry(pitch) Rx(roll), the order of URDF.
 
 use crate::linear::{Ring, Symmetric3, Vector3};
-use crate::mechanism::{LinkFrame, Mechanism};
+use crate::mechanism::Mechanism;
 use crate::robot::{Interpretation, Placement, Tool, Value};
 use crate::spatial::{
     Central, Turn, enter_x, enter_y, enter_z, leave_x, leave_y, leave_z, tensor_leave_x,
@@ -84,20 +84,6 @@ pub(super) fn datum<I: Interpretation>(cells: &mut I, arm: &Mechanism) -> Option
 pub(super) fn body<I: Interpretation>(cells: &mut I, tool: &Tool) -> Central<I::Number> {
     let body = central(cells, &tool.mass, &tool.com, &tool.inertia);
     Placed::new(cells, &tool.placement).leave_body(body)
-}
-
-/// The places of a link frame, from the outermost on; none where a screw says where it is.
-pub(super) fn link_frame<I: Interpretation>(
-    cells: &mut I,
-    link_frame: &LinkFrame,
-) -> Vec<Placed<I::Number>> {
-    match link_frame {
-        LinkFrame::Screw(_) => Vec::new(),
-        LinkFrame::Places(places) => places
-            .iter()
-            .map(|place| Placed::new(cells, place))
-            .collect(),
-    }
 }
 
 /// A rigid body, from its cells.

@@ -28,7 +28,7 @@ pub(super) fn by_recursion<'g>(
     chain: &Chain<Expr<'g>>,
 ) -> Vec<Expr<'g>> {
     let columns = columns_of_motion(symbols, chain);
-    by_rows(chain, columns, |i, force| chain.felt(i, force))
+    by_rows(chain, columns, |i, force| chain.joint_forces(i, force))
 }
 
 /// The power of each body's force in a unit velocity of each joint (Kane's partial velocities). By
@@ -40,11 +40,11 @@ pub(super) fn by_partial_velocities<'g>(
     let axes = chain.axes();
     let columns = columns_of_motion(symbols, chain);
     by_rows(chain, columns, |i, force| {
-        let mut felt = vec![chain.zero; axes.len()];
+        let mut forces = vec![chain.zero; axes.len()];
         for (j, axis) in &axes[i] {
-            felt[*j] = axis.dot(force);
+            forces[*j] = axis.dot(force);
         }
-        felt
+        forces
     })
 }
 
@@ -61,7 +61,9 @@ pub(super) fn of_passivity<'g>(
         Some(body) => Column::OfBody(i, motions[i].force(&body, half)),
         None => Column::OfMotor(i, rates[i].qdd_r),
     });
-    by_rows(chain, columns.collect(), |i, force| chain.felt(i, force))
+    by_rows(chain, columns.collect(), |i, force| {
+        chain.joint_forces(i, force)
+    })
 }
 
 /// The kinetic energy of a unit of every base parameter, then the potential energy, zero where frame 0
@@ -100,15 +102,15 @@ fn heights<'g>(chain: &Chain<Expr<'g>>) -> Vec<(Vector3<Expr<'g>>, Expr<'g>)> {
     })
 }
 
-/// A regressor by rows. `felt` says what the joints feel of a force on link i.
+/// A regressor by rows. `joint_forces` has the component of a force on link i along each joint.
 fn by_rows<'g>(
     chain: &Chain<Expr<'g>>,
     columns: Vec<Column<'g>>,
-    felt: impl Fn(usize, Force<Expr<'g>>) -> Vec<Expr<'g>>,
+    joint_forces: impl Fn(usize, Force<Expr<'g>>) -> Vec<Expr<'g>>,
 ) -> Vec<Expr<'g>> {
     let joints = chain.links.len();
     let column = |column: Column<'g>| match column {
-        Column::OfBody(i, force) => felt(i, force),
+        Column::OfBody(i, force) => joint_forces(i, force),
         Column::OfMotor(i, acceleration) => {
             let mut forces = vec![chain.zero; joints];
             forces[i] = acceleration;

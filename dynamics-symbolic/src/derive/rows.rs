@@ -3,7 +3,7 @@
 use super::place::{self, Placed};
 use crate::exact::Rational;
 use crate::linear::{Ring, Vector3};
-use crate::mechanism::{self, Joint, LinkFrame, Mechanism};
+use crate::mechanism::{self, Joint, Mechanism};
 use crate::robot::Interpretation;
 use crate::spatial::{Body, Central, Turn, leave_x, tensor_leave_x};
 
@@ -25,6 +25,7 @@ pub(super) struct Screws<R> {
 impl<R: Ring> Screws<R> {
     /// Reads them.
     pub(super) fn new<I: Interpretation<Number = R>>(cells: &mut I, arm: &Mechanism) -> Self {
+        let joints = || arm.joints.iter();
         let mut screw = |screw: &mechanism::Screw| {
             let turn = Turn::from(cells.sin_cos(&screw.alpha));
             Screw {
@@ -33,16 +34,9 @@ impl<R: Ring> Screws<R> {
             }
         };
         Screws {
-            before: arm
-                .joints
-                .iter()
-                .map(|joint| screw(&joint.before))
-                .collect(),
-            behind: (arm.joints.iter())
-                .map(|joint| match &joint.link_frame {
-                    LinkFrame::Screw(behind) => Some(screw(behind)),
-                    LinkFrame::Places(_) => None,
-                })
+            before: joints().map(|joint| screw(&joint.before)).collect(),
+            behind: joints()
+                .map(|joint| joint.link_frame.screw().map(&mut screw))
                 .collect(),
         }
     }
@@ -55,9 +49,7 @@ impl<R: Ring> Screws<R> {
         i: usize,
         point: Vector3<R>,
     ) -> Vector3<R> {
-        let places = place::link_frame(cells, &arm.joints[i].link_frame)
-            .into_iter()
-            .rev();
+        let places = placed(cells, &arm.joints[i]).into_iter().rev();
         let point = places.fold(point, |point, place| place.leave_point(point));
         match self.behind[i] {
             Some(screw) => along_x(cells, screw.a) + leave_x(screw.turn, point),
@@ -73,9 +65,7 @@ impl<R: Ring> Screws<R> {
         i: usize,
         body: Central<R>,
     ) -> Body<R> {
-        let places = place::link_frame(cells, &arm.joints[i].link_frame)
-            .into_iter()
-            .rev();
+        let places = placed(cells, &arm.joints[i]).into_iter().rev();
         let body = places.fold(body, |body: Central<R>, place: Placed<R>| {
             place.leave_body(body)
         });
@@ -118,7 +108,7 @@ impl<R: Ring> Screws<R> {
 }
 
 /// The constant turn about a joint's axis.
-pub(crate) fn constant_turn<I: Interpretation>(cells: &mut I, joint: &Joint) -> Turn<I::Number> {
+pub(super) fn constant_turn<I: Interpretation>(cells: &mut I, joint: &Joint) -> Turn<I::Number> {
     let angles = joint
         .turn
         .iter()
@@ -126,7 +116,59 @@ pub(crate) fn constant_turn<I: Interpretation>(cells: &mut I, joint: &Joint) -> 
     angles.reduce(Turn::plus).expect("theta is one of them")
 }
 
+/// The places of a link frame, from the outermost on.
+fn placed<I: Interpretation>(cells: &mut I, joint: &Joint) -> Vec<Placed<I::Number>> {
+    let places = joint.link_frame.places().iter();
+    places.map(|place| Placed::new(cells, place)).collect()
+}
+
 fn along_x<I: Interpretation>(cells: &mut I, a: I::Number) -> Vector3<I::Number> {
     let zero = cells.rational(&Rational::ZERO);
     Vector3::new(a, zero, zero)
+}
+
+/// How a joint moves by a free one: one that moves by itself has the factor 1, and no offset.
+#[derive(Clone, Copy)]
+pub(crate) struct Moved<R> {
+    /// The number of the free joint.
+    pub(crate) joint: usize,
+    pub(crate) factor: R,
+    /// Of a joint that slides: where it is while the free joint is at zero.
+    pub(crate) offset: R,
+    /// The constant turn about the axis.
+    pub(crate) turn: Turn<R>,
+}
+
+impl<R: Ring> Moved<R> {
+    /// How joint i moves; `None` if it stands still.
+    pub(crate) fn of<I>(cells: &mut I, arm: &Mechanism, i: usize) -> Option<Self>
+    where
+        I: Interpretation<Number = R>,
+    {
+        let (joint, coupling) = arm.moved_by(i)?;
+        let turn = constant_turn(cells, &arm.joints[i]);
+        let (factor, offset) = match coupling {
+            Some(coupling) => (cells.value(&coupling.factor), cells.value(&coupling.offset)),
+            None => (
+                cells.rational(&Rational::ONE),
+                cells.rational(&Rational::ZERO),
+            ),
+        };
+        Some(Moved {
+            joint,
+            factor,
+            offset,
+            turn,
+        })
+    }
+
+    /// The same in other numbers.
+    pub(crate) fn map<S>(self, number: impl Fn(R) -> S) -> Moved<S> {
+        Moved {
+            joint: self.joint,
+            factor: number(self.factor),
+            offset: number(self.offset),
+            turn: self.turn.map(number),
+        }
+    }
 }

@@ -94,21 +94,23 @@ pub(super) fn wrench_torques<'g>(
     chain: &Chain<Expr<'g>>,
 ) -> Vec<Expr<'g>> {
     let wrench = Wrench::new(symbols, chain);
-    let mut felt = vec![None; chain.links.len()];
+    let mut forces = vec![None; chain.links.len()];
     if let Some(pivot) = chain.pivot {
-        wrench.about(chain, pivot, &mut felt);
+        wrench.about(chain, pivot, &mut forces);
     }
     let carriers: Vec<_> = chain.carriers_of_tip().collect();
     for &i in carriers.iter().rev() {
-        felt[i] = felt[i].or_else(|| Some(wrench.felt_by(i, chain.joint(i))));
+        forces[i] = forces[i].or_else(|| Some(wrench.joint_force(i, chain.joint(i))));
     }
-    let felt = felt.into_iter().map(|felt| felt.unwrap_or(chain.zero));
-    felt.collect()
+    let forces = forces
+        .into_iter()
+        .map(|forces| forces.unwrap_or(chain.zero));
+    forces.collect()
 }
 
 /// A wrench on the tip as it is in a frame.
 #[derive(Clone, Copy)]
-struct Told<'g> {
+struct LocalWrench<'g> {
     force: Vector<'g>,
     moment: Vector<'g>,
     /// Where the tip is.
@@ -117,8 +119,8 @@ struct Told<'g> {
 
 /// A wrench on the tip, in frame 0 and the frames of the links that carry the tip.
 struct Wrench<'g> {
-    in_base: Told<'g>,
-    in_links: Vec<Told<'g>>,
+    in_base: LocalWrench<'g>,
+    in_links: Vec<LocalWrench<'g>>,
 }
 
 impl<'g> Wrench<'g> {
@@ -130,12 +132,12 @@ impl<'g> Wrench<'g> {
             lever = inward(chain.joint(i), lever);
         }
         let [force, moment] = wrench(symbols);
-        let in_base = Told {
+        let in_base = LocalWrench {
             force,
             moment,
             lever,
         };
-        let in_links = chain.tree.outward(in_base, |i, before| Told {
+        let in_links = chain.tree.outward(in_base, |i, before| LocalWrench {
             force: chain.joint(i).enter(before.force),
             moment: chain.joint(i).enter(before.moment),
             lever: levers[i],
@@ -144,8 +146,8 @@ impl<'g> Wrench<'g> {
     }
 
     /// z.(n + r x f)
-    fn felt_by(&self, i: usize, joint: &Joint<Expr<'g>>) -> Expr<'g> {
-        let Told {
+    fn joint_force(&self, i: usize, joint: &Joint<Expr<'g>>) -> Expr<'g> {
+        let LocalWrench {
             force: f,
             moment: n,
             lever: r,
@@ -160,11 +162,11 @@ impl<'g> Wrench<'g> {
     /// outwards those whose axes meet there, inwards all, with joint k outside joint i at p in frame i,
     ///
     ///   m_i = R (m_k + slide z x f_k) + p x f_i.
-    fn about(&self, chain: &Chain<Expr<'g>>, pivot: usize, felt: &mut [Option<Expr<'g>>]) {
+    fn about(&self, chain: &Chain<Expr<'g>>, pivot: usize, forces: &mut [Option<Expr<'g>>]) {
         let parent = chain.tree.parent(pivot);
-        let told = parent.map_or(&self.in_base, |parent| &self.in_links[parent]);
+        let local = parent.map_or(&self.in_base, |parent| &self.in_links[parent]);
         let place = chain.joint(pivot).offset;
-        let about = told.moment + (told.lever - place).cross(told.force);
+        let about = local.moment + (local.lever - place).cross(local.force);
         let is_at_pivot = |joint: &Joint<Expr<'g>>| joint.offset.0.iter().all(|x| x.is_zero());
         let mut outer: Vec<usize> = chain.carriers_of_tip().collect();
         let inner = outer.split_off(outer.iter().take_while(|i| **i != pivot).count());
@@ -175,14 +177,14 @@ impl<'g> Wrench<'g> {
                 break;
             }
             m = joint.enter(m);
-            felt[i] = Some(m[2]);
+            forces[i] = Some(m[2]);
         }
         m = about;
         for (&i, &outside) in inner.iter().skip(1).zip(&inner) {
             let (f, joint) = (self.in_links[i].force, chain.joint(i));
             m = m + chain.joint(outside).offset.cross(f);
             if joint.joint_type == JointType::Revolute {
-                felt[i] = Some(m[2]);
+                forces[i] = Some(m[2]);
             }
             m = joint.leave(m + z_cross(chain, f, joint.slide));
         }

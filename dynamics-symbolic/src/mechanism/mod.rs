@@ -112,6 +112,22 @@ pub(crate) struct Forces {
     pub(crate) spring: Option<Spring>,
 }
 
+impl LinkFrame {
+    pub(crate) fn screw(&self) -> Option<&Screw> {
+        match self {
+            LinkFrame::Screw(screw) => Some(screw),
+            LinkFrame::Places(_) => None,
+        }
+    }
+
+    pub(crate) fn places(&self) -> &[Placement] {
+        match self {
+            LinkFrame::Screw(_) => &[],
+            LinkFrame::Places(places) => places,
+        }
+    }
+}
+
 impl Mechanism {
     /// The number of joints that move by themselves.
     pub(crate) fn dof(&self) -> usize {

@@ -7,6 +7,7 @@ impl From<&Robot> for Mechanism {
     /// A serial arm: each joint stands on the link of the row above.
     fn from(robot: &Robot) -> Self {
         let rows = 0..robot.rows.len();
+        let tree = Tree::new(rows.clone().map(|i| i.checked_sub(1)).collect());
         let (mut free, mut following) = (0.., robot.dof()..);
         let joints = rows.clone().map(|i| {
             let numbers = if robot.rows[i].is_free() {
@@ -14,14 +15,14 @@ impl From<&Robot> for Mechanism {
             } else {
                 &mut following
             };
-            joint(robot, i, numbers)
+            joint(robot, (i, tree.parent(i)), numbers)
         });
         Mechanism {
             fields: robot.fields.len(),
             gravity: robot.gravity.clone(),
             base: robot.base.clone(),
             joints: joints.collect(),
-            tree: Tree::new(rows.clone().map(|i| i.checked_sub(1)).collect()),
+            tree,
             tip: rows.last(),
             tool: robot.tool.clone(),
             neglected: robot.neglected.clone(),
@@ -30,13 +31,18 @@ impl From<&Robot> for Mechanism {
 }
 
 /// The joint of row i, with the next of the numbers if it moves.
-fn joint(robot: &Robot, i: usize, numbers: &mut impl Iterator<Item = usize>) -> Joint {
+fn joint(
+    robot: &Robot,
+    (i, parent): (usize, Option<usize>),
+    numbers: &mut impl Iterator<Item = usize>,
+) -> Joint {
     let row = &robot.rows[i];
     let own = screw(row);
     let (before, link_frame, origin) = match robot.convention {
         // The a and the alpha of a row are behind its joint.
         Convention::Standard => {
-            let before = robot.rows[..i].last().map_or(Screw::none(), screw);
+            let before = parent.map(|parent| screw(&robot.rows[parent]));
+            let before = before.unwrap_or_default();
             (before, LinkFrame::Screw(own), Origin::BeforeOffset)
         }
         Convention::Modified => {
@@ -66,12 +72,9 @@ fn joint(robot: &Robot, i: usize, numbers: &mut impl Iterator<Item = usize>) -> 
     }
 }
 
-impl Screw {
-    fn none() -> Self {
-        Screw {
-            a: Value::zero(),
-            alpha: Value::zero(),
-        }
+impl Default for Screw {
+    fn default() -> Self {
+        screw(&Row::new("", JointType::Revolute))
     }
 }
 

@@ -3,7 +3,7 @@
 use super::reals::{Reals, sin_cos};
 use crate::derive::base::{Geometry, base_parameters, columns, geometry, unit};
 use crate::derive::place;
-use crate::derive::rows::constant_turn;
+use crate::derive::rows::Moved;
 use crate::linear::Vector3;
 use crate::mechanism::Mechanism;
 use crate::robot::{Grouping, JointType, Parameter};
@@ -17,36 +17,12 @@ pub(super) struct Arm {
     dof: usize,
     geometry: Geometry<f64>,
     /// How the joints move; `None` of one that stands still.
-    motions: Vec<Option<Motion>>,
+    motions: Vec<Option<Moved<f64>>>,
     gravity: Vector3<f64>,
     /// Link and name of each base parameter.
     pub(super) columns: Vec<(usize, Parameter)>,
     /// The body that it is, or the inertia of the motor.
     parts: Vec<Result<Body<f64>, f64>>,
-}
-
-/// How the joint of a link moves: one that moves by itself has the factor 1, and no offset.
-#[derive(Clone, Copy)]
-struct Motion {
-    /// The number of the free joint by which it moves.
-    joint: usize,
-    factor: f64,
-    /// Of a joint that slides: where it is while that joint is at zero.
-    offset: f64,
-    /// The constant turn of a joint that turns.
-    turn: Turn<f64>,
-}
-
-impl Motion {
-    fn of(arm: &Mechanism, i: usize) -> Option<Self> {
-        let (joint, coupling) = arm.moved_by(i)?;
-        Some(Motion {
-            joint,
-            factor: coupling.map_or(1.0, |coupling| coupling.factor.to_f64(&[])),
-            offset: coupling.map_or(0.0, |coupling| coupling.offset.to_f64(&[])),
-            turn: constant_turn(&mut Reals, &arm.joints[i]),
-        })
-    }
 }
 
 impl Arm {
@@ -60,7 +36,7 @@ impl Arm {
             unit.map(|unit| unit.times(value)).ok_or(value)
         };
         let parts = columns.iter().zip(&values).map(part).collect();
-        let motions = (0..arm.joints.len()).map(|i| Motion::of(arm, i));
+        let motions = (0..arm.joints.len()).map(|i| Moved::of(cells, arm, i));
         Arm {
             dof: arm.dof(),
             motions: motions.collect(),
@@ -122,7 +98,7 @@ impl Arm {
 
     /// For every joint; 0 for one that stands still.
     fn of_all(&self, of_free: &[f64]) -> Vec<f64> {
-        let value = |motion: Motion| motion.factor * of_free[motion.joint];
+        let value = |motion: Moved<f64>| motion.factor * of_free[motion.joint];
         let motions = self.motions.iter();
         motions.map(|motion| motion.map_or(0.0, value)).collect()
     }
@@ -131,7 +107,7 @@ impl Arm {
     fn of_free(&self, of_all: Vec<f64>) -> Forces {
         let mut forces = vec![0.0; self.dof()];
         for (motion, force) in self.motions.iter().zip(of_all) {
-            if let Some(Motion { joint, factor, .. }) = motion {
+            if let Some(Moved { joint, factor, .. }) = motion {
                 forces[*joint] += factor * force;
             }
         }

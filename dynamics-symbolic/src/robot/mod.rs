@@ -159,20 +159,6 @@ pub struct Neglected {
 }
 
 impl Robot {
-    /// The rows of the joints that move by themselves: joint j, of those that are counted from the base
-    /// outwards everywhere in the generated functions, is row `moving()[j]`.
-    pub fn moving(&self) -> Vec<usize> {
-        let rows = self.rows.iter().enumerate();
-        let moving = rows.filter(|(_, row)| row.is_free());
-        moving.map(|(i, _)| i).collect()
-    }
-
-    /// How many links do not move at all, for all joints up to them are locked: parts of the base.
-    pub fn links_of_base(&self) -> usize {
-        let moving = self.rows.iter().position(|row| row.locked.is_none());
-        moving.unwrap_or(self.rows.len())
-    }
-
     /// The number of joints that move by themselves.
     pub fn dof(&self) -> usize {
         self.joints().count()
@@ -224,15 +210,6 @@ impl Robot {
     pub fn row_of(&self, index: usize) -> Option<&Row> {
         let followers = self.followers().map(|(row, _)| row);
         self.joints().chain(followers).nth(index)
-    }
-
-    /// Positions or velocities of the joints, then those of the followers by their factors alone, in the
-    /// order of the indices of [`Symbol`]; `fields` are the parameters' values.
-    pub fn with_followers(&self, of_joints: &[f64], fields: &[f64]) -> Vec<f64> {
-        let followers = self.followers().map(|(_, coupling)| {
-            coupling.factor.to_f64(fields) * of_joints[self.joint_of(coupling.leader)]
-        });
-        of_joints.iter().copied().chain(followers).collect()
     }
 
     /// The arm in which nothing is coupled: each follower is a joint of its own.

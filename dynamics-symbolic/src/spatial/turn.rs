@@ -28,6 +28,14 @@ impl<R: Ring> Turn<R> {
         (self.c * u + self.s * v, self.c * v - self.s * u)
     }
 
+    /// The same in other numbers.
+    pub fn map<S>(self, number: impl Fn(R) -> S) -> Turn<S> {
+        Turn {
+            s: number(self.s),
+            c: number(self.c),
+        }
+    }
+
     /// Both turns, one after the other.
     pub fn plus(self, other: Self) -> Self {
         let (c, s) = self.leave(other.c, other.s);

@@ -1,6 +1,6 @@
 //! Articulated bodies of an arm that moves under gravity (Featherstone 1983; 2008, table 7.1).
 //!
-//! With c_i the acceleration that link i owes to velocities alone, b_i the wrench that its own
+//! With c_i the part of the acceleration of link i that depends on velocities alone, b_i the wrench that its own
 //! velocity needs, and a_0 = -g,
 //!
 //!   p_i = b_i + sum of outer p',   u_i = tau_i - K_i - F_i - S.p_i,   p' = p_i + I' c_i + k u_i,
@@ -27,51 +27,55 @@ pub(in crate::derive) fn forward_dynamics<'g>(
     qd: &[Expr<'g>],
     net: &[Expr<'g>],
 ) -> (Vec<Expr<'g>>, Vec<Expr<'g>>) {
-    let owed = owed(chain, qd);
-    let joints = inward(chain, &owed, net);
+    let terms = velocity_terms(chain, qd);
+    let joints = inward(chain, &terms, net);
     let pivots = joints.iter().map(|joint| joint.pivot).collect();
-    (outward(chain, &owed, &joints), pivots)
+    (outward(chain, &terms, &joints), pivots)
 }
 
-/// What a link owes to velocities alone.
-struct Owed<'g> {
+/// The parts of a link's acceleration and force that depend on velocities alone.
+struct VelocityTerms<'g> {
     /// c
     acceleration: Motion<Expr<'g>>,
     /// b
     force: Force<Expr<'g>>,
 }
 
-fn owed<'g>(chain: &Chain<Expr<'g>>, qd: &[Expr<'g>]) -> Vec<Owed<'g>> {
+fn velocity_terms<'g>(chain: &Chain<Expr<'g>>, qd: &[Expr<'g>]) -> Vec<VelocityTerms<'g>> {
     let base = Acceleration::turning(chain.zero, Vector3::splat(chain.zero));
-    let mut owed = Vec::with_capacity(qd.len());
+    let mut terms = Vec::with_capacity(qd.len());
     chain.tree.outward(base, |i, before| {
         let Acceleration { w, wd, a } = before.enter(chain.joint(i), qd[i], chain.zero);
         let turning = Acceleration::turning(chain.zero, w);
-        owed.push(Owed {
+        terms.push(VelocityTerms {
             acceleration: Motion { w: wd, v: a },
             force: turning.force(&chain.links[i].body),
         });
         turning
     });
-    owed
+    terms
 }
 
 /// Articulated inertias and bias forces, from the tip inwards.
-fn inward<'g>(chain: &Chain<Expr<'g>>, owed: &[Owed<'g>], net: &[Expr<'g>]) -> Vec<Eliminated<'g>> {
+fn inward<'g>(
+    chain: &Chain<Expr<'g>>,
+    velocity_terms: &[VelocityTerms<'g>],
+    net: &[Expr<'g>],
+) -> Vec<Eliminated<'g>> {
     let mut joints = Vec::with_capacity(net.len());
     chain
         .tree
         .inward(Outer::none(chain.zero), Outer::joined, |i, outer| {
             let link = &chain.links[i];
             let inertia = Articulated::rigid(&link.body, chain.zero).joined(&outer.inertia);
-            let bias = owed[i].force + outer.bias;
+            let bias = velocity_terms[i].force + outer.bias;
             let force = net[i] - bias.along(link.joint.joint_type);
             let (joint, free) = passed(chain, link, &inertia, force);
             joints.push(joint);
             if chain.tree.parent(i).is_none() {
                 return outer;
             }
-            let passed = bias + free.force(owed[i].acceleration);
+            let passed = bias + free.force(velocity_terms[i].acceleration);
             Outer {
                 bias: (passed + joint.k * force).leave(&link.joint),
                 inertia: carry(&link.joint, &free),
@@ -91,7 +95,7 @@ fn carry<'g>(joint: &Joint<Expr<'g>>, inertia: &Articulated<Expr<'g>>) -> Articu
 /// Accelerations of the joints, from the base outwards.
 fn outward<'g>(
     chain: &Chain<Expr<'g>>,
-    owed: &[Owed<'g>],
+    velocity_terms: &[VelocityTerms<'g>],
     joints: &[Eliminated<'g>],
 ) -> Vec<Expr<'g>> {
     let base = Motion {
@@ -101,7 +105,7 @@ fn outward<'g>(
     let mut qdd = Vec::with_capacity(joints.len());
     chain.tree.outward(base, |i, before| {
         let joint = chain.joint(i);
-        let a = before.enter(joint) + owed[i].acceleration;
+        let a = before.enter(joint) + velocity_terms[i].acceleration;
         let x = acceleration(joint.joint_type, &joints[i], &a);
         qdd.push(x);
         a.with_joint(joint.joint_type, x)

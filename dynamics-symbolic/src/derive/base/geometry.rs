@@ -61,17 +61,13 @@ impl<R: Ring> Geometry<R> {
 
     /// The same in other numbers.
     pub(crate) fn map<S>(&self, number: impl Fn(R) -> S) -> Geometry<S> {
-        let turn = |turn: Turn<R>| Turn {
-            s: number(turn.s),
-            c: number(turn.c),
-        };
         let links = self.links.iter().map(|link| LinkGeometry {
             joint_type: link.joint_type,
             stands: link.stands,
             a: number(link.a),
             d: number(link.d),
-            twist: turn(link.twist),
-            turn: turn(link.turn),
+            twist: link.twist.map(&number),
+            turn: link.turn.map(&number),
         });
         Geometry {
             zero: number(self.zero),

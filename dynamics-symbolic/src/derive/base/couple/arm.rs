@@ -3,12 +3,13 @@
 use crate::derive::base::geometry::{Geometry, geometry};
 use crate::derive::base::observe::{Energies, rotate_moments, unit_energies};
 use crate::derive::place;
+use crate::derive::rows::Moved;
 use crate::derive::symbols::Symbols;
 use crate::exact::{SplitMix64, circle_point, common_angles};
 use crate::expr::{Expr, Fingerprint};
 use crate::linear::{Matrix3, Ring, Vector3};
 use crate::mechanism::Mechanism;
-use crate::robot::{Grouping, Interpretation, JointType, Parameter};
+use crate::robot::{Grouping, JointType, Parameter};
 use crate::spatial::{Joint, Motion, Turn};
 
 /// An arm and its base parameters without couplings.
@@ -25,19 +26,8 @@ pub(super) struct Arm<R> {
 struct Link<R> {
     /// From the link's axes to those in which its first moments are written, where these are others.
     moments: Option<Matrix3<R>>,
-    movement: Option<Movement<R>>,
-}
-
-/// How a joint moves.
-struct Movement<R> {
-    /// The joint by which it moves, of those that move by themselves.
-    joint: usize,
-    factor: R,
-    /// Of a joint that slides: where it is while that joint is at zero.
-    offset: R,
-    /// Of a joint that turns: its constant angle.
-    turn: Turn<R>,
-    /// Of a joint that turns: of which of the angles that joints have in common it is the sum, and how often.
+    moved: Option<Moved<R>>,
+    /// If the joint turns: of which of the angles that joints have in common its angle is the sum, and how often.
     angles: Vec<(usize, i64)>,
 }
 
@@ -49,23 +39,23 @@ impl<'g> Arm<Expr<'g>> {
     ) -> Self {
         let arm = symbols.arm();
         let geometry = geometry(symbols, arm);
-        let mut movements: Vec<_> = (0..arm.joints.len())
-            .map(|i| movement(symbols, i))
-            .collect();
-        let angles = number_angles(arm, &mut movements);
-        let moments = grouping.links.iter().enumerate();
-        let moments: Vec<_> = moments
-            .map(|(i, link)| geometry.rotation_of_moments(i, link.axes))
-            .collect();
-        let parts = moments.into_iter().zip(movements);
-        let links = parts.map(|(moments, movement)| Link { moments, movement });
+        let moved = (0..arm.joints.len()).map(|i| Moved::of(symbols, arm, i));
+        let moved: Vec<_> = moved.collect();
+        let (count, angles) = number_angles(arm, &moved);
+        let parts = moved.into_iter().zip(angles).zip(&grouping.links);
+        let links = parts.enumerate().map(|(i, ((moved, angles), link))| Link {
+            moments: geometry.rotation_of_moments(i, link.axes),
+            moved,
+            angles,
+        });
+        let links = links.collect();
         Arm {
             geometry,
             gravity: place::gravity(symbols, arm),
-            links: links.collect(),
+            links,
             columns,
             joints: arm.dof(),
-            angles,
+            angles: count,
         }
     }
 
@@ -77,16 +67,8 @@ impl<'g> Arm<Expr<'g>> {
                 .moments
                 .as_ref()
                 .map(|rotation| Matrix3(rotation.0.map(|row| row.map(value)))),
-            movement: link.movement.as_ref().map(|movement| Movement {
-                joint: movement.joint,
-                factor: value(movement.factor),
-                offset: value(movement.offset),
-                turn: Turn {
-                    s: value(movement.turn.s),
-                    c: value(movement.turn.c),
-                },
-                angles: movement.angles.clone(),
-            }),
+            moved: link.moved.map(|moved| moved.map(value)),
+            angles: link.angles.clone(),
         });
         Arm {
             geometry: self.geometry.map(value),
@@ -99,40 +81,33 @@ impl<'g> Arm<Expr<'g>> {
     }
 }
 
-/// How joint i moves, if it does. Its angles have no numbers.
-fn movement<'g>(symbols: &mut Symbols<'g>, i: usize) -> Option<Movement<Expr<'g>>> {
-    let (joint, coupling) = symbols.arm().moved_by(i)?;
-    let turn = symbols.constant_turn(i);
-    let offset = coupling.map(|coupling| symbols.value(&coupling.offset));
-    Some(Movement {
-        joint,
-        factor: symbols.joint(i).factor,
-        offset: offset.unwrap_or(symbols.graph().zero()),
-        turn,
-        angles: Vec::new(),
-    })
-}
-
-/// Finds the angles that the joints that turn have in common, joint by joint, and says how many they are.
-fn number_angles(arm: &Mechanism, movements: &mut [Option<Movement<Expr<'_>>>]) -> usize {
-    let mut angles = 0;
-    for joint in 0..arm.dof() {
-        let joints = arm.joints.iter().zip(movements.iter_mut());
-        let turning = joints.filter(|(joint, _)| joint.joint_type == JointType::Revolute);
-        let mut turning: Vec<_> = turning
-            .filter_map(|(_, movement)| movement.as_mut())
-            .filter(|movement| movement.joint == joint)
-            .collect();
-        let factors: Vec<_> = turning.iter().map(|m| m.factor.fingerprint()).collect();
+/// How many angles the joints that turn have in common, and of which of them, and how often, the angle of each joint
+/// is the sum.
+fn number_angles(
+    arm: &Mechanism,
+    moved: &[Option<Moved<Expr<'_>>>],
+) -> (usize, Vec<Vec<(usize, i64)>>) {
+    let mut count = 0;
+    let mut angles = vec![Vec::new(); moved.len()];
+    for free in 0..arm.dof() {
+        let turns = |i: usize| arm.joints[i].joint_type == JointType::Revolute;
+        let by_free = |(i, moved): (usize, &Option<Moved<Expr<'_>>>)| {
+            let moved = moved
+                .as_ref()
+                .filter(|moved| moved.joint == free && turns(i))?;
+            Some((i, moved.factor.fingerprint()))
+        };
+        let turning: Vec<_> = moved.iter().enumerate().filter_map(by_free).collect();
+        let factors: Vec<_> = turning.iter().map(|(_, factor)| *factor).collect();
         let common = common_angles(&factors);
-        let count = common.first().map_or(0, Vec::len);
-        for (movement, multiples) in turning.iter_mut().zip(common) {
-            let all = (angles..).zip(multiples);
-            movement.angles = all.filter(|(_, multiple)| *multiple != 0).collect();
+        let own = common.first().map_or(0, Vec::len);
+        for ((i, _), multiples) in turning.iter().zip(common) {
+            let all = (count..).zip(multiples);
+            angles[*i] = all.filter(|(_, multiple)| *multiple != 0).collect();
         }
-        angles += count;
+        count += own;
     }
-    angles
+    (count, angles)
 }
 
 /// A state of an arm.
@@ -171,8 +146,8 @@ impl<R: Ring> Arm<R> {
             let (link, joint) = (&self.links[i], self.joint(i, state));
             let above = above + g.dot(joint.position());
             let g = joint.enter(g);
-            let movement = link.movement.as_ref();
-            let qd = movement.map_or(zero, |m| m.factor * state.qd[m.joint]);
+            let moved = link.moved;
+            let qd = moved.map_or(zero, |m| m.factor * state.qd[m.joint]);
             let motion = motion.enter(&joint).with_joint(joint.joint_type, qd);
             let Energies {
                 mut kinetic,
@@ -194,21 +169,22 @@ impl<R: Ring> Arm<R> {
 
     fn joint(&self, i: usize, state: &State<R>) -> Joint<R> {
         let still = self.geometry.joint(i);
-        let Some(movement) = &self.links[i].movement else {
+        let link = &self.links[i];
+        let Some(moved) = &link.moved else {
             return still;
         };
         match still.joint_type {
             JointType::Revolute => {
-                let angles = movement.angles.iter();
+                let angles = link.angles.iter();
                 let turns = angles.map(|&(angle, n)| self.times(state.angles[angle], n));
                 let turned = turns.reduce(Turn::plus);
                 Joint {
-                    turn: turned.map_or(movement.turn, |turned| movement.turn.plus(turned)),
+                    turn: turned.map_or(moved.turn, |turned| moved.turn.plus(turned)),
                     ..still
                 }
             }
             JointType::Prismatic => Joint {
-                slide: movement.factor * state.q[movement.joint] + movement.offset,
+                slide: moved.factor * state.q[moved.joint] + moved.offset,
                 ..still
             },
         }
