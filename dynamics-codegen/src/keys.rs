@@ -1,5 +1,12 @@
 //! The words of a table: its keys, and those of each part of it.
 
+/// Words in a list.
+macro_rules! word_list {
+    ($($word:ident)*) => { &[$(stringify!($word)),*] };
+}
+
+pub(crate) use word_list;
+
 /// A part of a table with words of its own.
 pub(crate) struct Part {
     /// The part, as a message names it.
@@ -13,14 +20,14 @@ pub(crate) struct Part {
 }
 
 /// The keys of a call.
-pub(crate) const KEYS: &[&str] = words![
+pub(crate) const KEYS: &[&str] = word_list![
     file chain ignore round_angles convention gravity base joints couple tool functions lock neglect tests
     allow
 ];
 
 /// The keys of a file.
 #[cfg_attr(not(feature = "files"), allow(dead_code))]
-pub(crate) const KEYS_OF_FILES: &[&str] = words![
+pub(crate) const KEYS_OF_FILES: &[&str] = word_list![
     convention gravity base joint couple tool functions lock neglect tests allow let
 ];
 
@@ -40,21 +47,21 @@ pub(crate) const FILE: Part = Part {
 pub(crate) const TENSOR: Part = Part {
     name: "an inertia",
     item: "tensor entry",
-    keys: words![xx yy zz xy yz xz],
+    keys: word_list![xx yy zz xy yz xz],
     shape: "a tensor about the origin of the frame, of named entries: `{ xx, yy, zz, xy, yz, xz }`",
 };
 
 pub(crate) const MOTOR: Part = Part {
     name: "`motor`",
     item: "motor entry",
-    keys: words![inertia gear_ratio],
+    keys: word_list![inertia gear_ratio],
     shape: "`{ inertia: ..., gear_ratio: ... }`",
 };
 
 pub(crate) const FRICTION: Part = Part {
     name: "`friction`",
     item: "friction entry",
-    keys: words![viscous coulomb stribeck],
+    keys: word_list![viscous coulomb stribeck],
     shape: "`{ viscous: ..., coulomb: ... }`",
 };
 
@@ -62,43 +69,43 @@ pub(crate) const FRICTION: Part = Part {
 pub(crate) const DIRECTIONS: Part = Part {
     name: "`coulomb`",
     item: "direction",
-    keys: words![positive negative],
+    keys: word_list![positive negative],
     shape: "`{ positive: ..., negative: ... }`",
 };
 
 pub(crate) const STRIBECK: Part = Part {
     name: "`stribeck`",
     item: "stribeck entry",
-    keys: words![static velocity],
+    keys: word_list![static velocity],
     shape: "`{ static: ..., velocity: ... }`",
 };
 
 pub(crate) const SPRING: Part = Part {
     name: "`spring`",
     item: "spring entry",
-    keys: words![stiffness rest],
+    keys: word_list![stiffness rest],
     shape: "`{ stiffness: ..., rest: ... }`",
 };
 
 pub(crate) const BASE: Part = Part {
     name: "`base`",
     item: "base entry",
-    keys: words![xyz rpy],
+    keys: word_list![xyz rpy],
     shape: "`{ xyz: [x, y, z], rpy: [roll, pitch, yaw] }`",
 };
 
 pub(crate) const TOOL: Part = Part {
     name: "`tool`",
     item: "tool entry",
-    keys: words![xyz rpy mass com inertia inertia_at_origin allow],
+    keys: word_list![xyz rpy mass com inertia inertia_at_origin allow],
     shape: "`{ xyz: [x, y, z], rpy: [roll, pitch, yaw], mass: ..., com: ..., inertia: ... }`",
 };
 
-pub(crate) const JOINT_TYPES: &[&str] = words![revolute prismatic];
+pub(crate) const JOINT_TYPES: &[&str] = word_list![revolute prismatic];
 
 /// What a row or the tool may allow.
 pub(crate) const ALLOWANCES_OF_BODY: &[&str] =
-    words![odd_angle odd_com odd_mass unphysical_inertia];
+    word_list![odd_angle odd_com odd_mass unphysical_inertia];
 
 /// The word for the default set of functions.
 pub(crate) const DEFAULT: &str = "default";

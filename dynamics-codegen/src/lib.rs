@@ -20,11 +20,6 @@
 
 extern crate proc_macro;
 
-/// Words in a list.
-macro_rules! words {
-    ($($word:ident)*) => { &[$(stringify!($word)),*] };
-}
-
 mod audience;
 mod call;
 pub mod description;

@@ -2,6 +2,8 @@
 
 use proc_macro2::Ident;
 
+use crate::keys::word_list;
+
 /// The known word that was meant by one that is none: a near one, one of which it is the first part, or
 /// what other books call so.
 pub(crate) fn meant(word: &str, known: &[&'static str]) -> Option<&'static str> {
@@ -143,45 +145,51 @@ const OF_STD: [(&str, &str); 6] = [
 
 /// Our words, and those of other books and programs for the same.
 const ELSEWHERE: &[(&str, &[&str])] = &[
-    ("alpha", words![twist]),
-    ("a", words![length]),
-    ("d", words![offset]),
-    ("theta", words![angle]),
-    ("mass", words![m weight]),
-    ("com", words![cog center_of_mass centre_of_mass]),
-    ("inertia", words![tensor]),
-    ("inertia_at_origin", words![inertia_about_origin]),
-    ("motor", words![actuator]),
-    ("friction", words![damping]),
-    ("viscous", words![damping]),
-    ("gear_ratio", words![ratio]),
-    ("spring", words![elasticity]),
-    ("stiffness", words![k]),
-    ("rest", words![neutral]),
-    ("spring_vector", words![K]),
-    ("revolute", words![R hinge rotary rotational continuous]),
-    ("prismatic", words![P linear sliding]),
-    ("standard", words![classic classical sdh paul spong distal]),
-    ("modified", words![craig mdh khalil proximal]),
-    ("joints", words![links rows table]),
-    ("mass_matrix", words![M inertia_matrix crba]),
-    ("coriolis_vector", words![V]),
-    ("coriolis_matrix", words![C]),
-    ("gravity_vector", words![G]),
-    ("inverse_dynamics", words![tau rnea]),
-    ("forward_dynamics", words![qdd aba]),
-    ("forward_kinematics", words![fk]),
-    ("jacobian", words![J]),
-    ("jacobian_rate", words![jacobian_dot jacobian_derivative]),
+    ("alpha", word_list![twist]),
+    ("a", word_list![length]),
+    ("d", word_list![offset]),
+    ("theta", word_list![angle]),
+    ("mass", word_list![m weight]),
+    ("com", word_list![cog center_of_mass centre_of_mass]),
+    ("inertia", word_list![tensor]),
+    ("inertia_at_origin", word_list![inertia_about_origin]),
+    ("motor", word_list![actuator]),
+    ("friction", word_list![damping]),
+    ("viscous", word_list![damping]),
+    ("gear_ratio", word_list![ratio]),
+    ("spring", word_list![elasticity]),
+    ("stiffness", word_list![k]),
+    ("rest", word_list![neutral]),
+    ("spring_vector", word_list![K]),
+    ("revolute", word_list![R hinge rotary rotational continuous]),
+    ("prismatic", word_list![P linear sliding]),
+    (
+        "standard",
+        word_list![classic classical sdh paul spong distal],
+    ),
+    ("modified", word_list![craig mdh khalil proximal]),
+    ("joints", word_list![links rows table]),
+    ("mass_matrix", word_list![M inertia_matrix crba]),
+    ("coriolis_vector", word_list![V]),
+    ("coriolis_matrix", word_list![C]),
+    ("gravity_vector", word_list![G]),
+    ("inverse_dynamics", word_list![tau rnea]),
+    ("forward_dynamics", word_list![qdd aba]),
+    ("forward_kinematics", word_list![fk]),
+    ("jacobian", word_list![J]),
+    (
+        "jacobian_rate",
+        word_list![jacobian_dot jacobian_derivative],
+    ),
     (
         "operational_inertia_inverse",
-        words![operational_space_inertia task_space_inertia],
+        word_list![operational_space_inertia task_space_inertia],
     ),
-    ("cuboid", words![box]),
-    ("base", words![mount mounting world]),
-    ("tool", words![end_effector gripper payload load]),
-    ("xyz", words![position translation]),
-    ("rpy", words![orientation rotation euler]),
+    ("cuboid", word_list![box]),
+    ("base", word_list![mount mounting world]),
+    ("tool", word_list![end_effector gripper payload load]),
+    ("xyz", word_list![position translation]),
+    ("rpy", word_list![orientation rotation euler]),
 ];
 
 /// Edits within which two words count as near, the shorter having `length` letters.

@@ -8,7 +8,7 @@ use crate::description::{
 };
 use crate::keys::{
     ALLOWANCES_OF_BODY, DIRECTIONS, FRICTION, JOINT_TYPES, KEYS_OF_FILES, MOTOR, Part, SPRING,
-    STRIBECK, TENSOR,
+    STRIBECK, TENSOR, word_list,
 };
 use crate::mistake::{self, expected, file as wrong};
 use crate::tree::{Key, Kind, Language, Node};
@@ -28,7 +28,7 @@ const SOLIDS: [(&str, Solid, &[&str]); 4] = [
 /// description that is not listed.
 macro_rules! cells {
     ($($cell:ident: $read:ident($($told:expr),*)),* $(,)?) => {
-        const WORDS: &[&str] = words![name type $($cell)*];
+        const WORDS: &[&str] = word_list![name type $($cell)*];
 
         impl Reader<'_> {
             fn cell(&mut self, item: &Item, row: &mut Row) -> Read<()> {
