@@ -1,7 +1,7 @@
 //! Joints of a URDF file that follow others, beside the arm of the same file in which each of them moves by
 //! itself: with q = S q_j + c of that arm, M_j = S' M S, tau_j = S' tau and J_j = J S.
 
-use dynamics_codegen::description::{Coupled, Entry, Locked, Name, Place, Table};
+use dynamics_codegen::description::{Entry, Name, Place, Positioned, Table};
 use dynamics_codegen::files::{Format, table_beside};
 use dynamics_symbolic::Function;
 use dynamics_symbolic::derive::derive_plain;
@@ -32,7 +32,7 @@ fn finger(file: &str, last: &str, lock: &[(&str, f64)]) -> Robot {
 
 /// With an entry of the call beside those of the file.
 fn finger_beside(file: &str, last: &str, lock: &[(&str, f64)], entry: Option<Entry>) -> Robot {
-    let locked = lock.iter().map(|(joint, q)| Locked {
+    let locked = lock.iter().map(|(joint, q)| Positioned {
         name: name(joint),
         position: Some(number(*q)),
     });
@@ -207,7 +207,7 @@ fn what_follows_a_joint_that_stands_still_is_locked() {
 #[test]
 fn a_call_may_couple_more() {
     let [factor, offset] = [0.5, 0.25].map(number);
-    let coupled = Coupled::new(name("turn"), factor, &name("knuckle"), offset);
+    let coupled = Positioned::following(name("turn"), factor, &name("knuckle"), offset);
     let entry = Entry::Couple(Some(vec![coupled]));
     let robot = finger_beside(&file(), "nail", &[("bolt", 0.015)], Some(entry));
     assert_eq!(robot.dof(), 1);
