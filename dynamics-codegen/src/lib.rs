@@ -53,7 +53,13 @@ pub fn generate(call: TokenStream) -> TokenStream {
 /// The runtime's own items of the table of functions: the types by which its trait `Function` knows them.
 #[doc(hidden)]
 pub fn function_names() -> TokenStream {
-    expand::batch::function_names()
+    expand::functions::function_names()
+}
+
+/// The methods of the functions for a robot at run time.
+#[doc(hidden)]
+pub fn runtime_methods() -> TokenStream {
+    expand::functions::runtime_methods()
 }
 
 /// The same: a trait or an implementation with a method for each function that evaluates it at many states.

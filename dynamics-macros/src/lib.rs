@@ -29,3 +29,10 @@ pub fn function_names(_: proc_macro::TokenStream) -> proc_macro::TokenStream {
 pub fn batch_methods(item: proc_macro::TokenStream) -> proc_macro::TokenStream {
     dynamics_codegen::batch_methods(item.into()).into()
 }
+
+/// The methods of the functions for a robot at run time: for `dynamics-evaluation` alone.
+#[doc(hidden)]
+#[proc_macro]
+pub fn runtime_methods(_: proc_macro::TokenStream) -> proc_macro::TokenStream {
+    dynamics_codegen::runtime_methods().into()
+}

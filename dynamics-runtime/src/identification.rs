@@ -5,7 +5,7 @@ use nalgebra::{DMatrix, SVector};
 use crate::check::random::SplitMix64;
 use crate::{Evaluate, NewtonEuler, State, Table};
 
-/// The matrix K of `b = K x`: the base parameters b of [`base_parameters`] and `regressor` as combinations of the
+/// The matrix K of `b = K x`: the base parameters b of `base_parameters` and `regressor` as combinations of the
 /// links' standard parameters x.
 ///
 /// K is P x 11 (N + F) for P base parameters, N joints, and F joints that follow others. x holds, in this order,
@@ -50,8 +50,6 @@ use crate::{Evaluate, NewtonEuler, State, Table};
 /// let b = map * robot_dynamics::nalgebra::DVector::from(x);
 /// assert!((b - Rod.base_parameters::<f64>()).amax() < 1e-12);
 /// ```
-///
-/// [`base_parameters`]: crate::Evaluation::base_parameters
 pub fn base_parameter_map<R: Evaluate<N>, const N: usize>(robot: &R) -> Option<DMatrix<f64>> {
     let table = robot.table();
     let numeric = NewtonEuler::new(&table);
@@ -66,15 +64,18 @@ pub fn base_parameter_map<R: Evaluate<N>, const N: usize>(robot: &R) -> Option<D
         }
     };
     let first = state(&mut random);
-    let count = robot.evaluate(&first, &SVector::zeros()).regressor?.len();
+    let columns = |state: &State<N>| -> Option<Vec<SVector<f64, N>>> {
+        let values = robot.evaluate(state, &SVector::zeros());
+        values.get("regressor")
+    };
+    let count = columns(&first)?.len();
     // Four times as many equations as the least.
     let states = 4 * count.div_ceil(N.max(1)) + 4;
     let mut base = DMatrix::zeros(states * N, count);
     let mut standard = DMatrix::zeros(states * N, 11 * links);
     for k in 0..states {
         let state = state(&mut random);
-        let columns = robot.evaluate(&state, &SVector::zeros()).regressor?;
-        for (j, column) in columns.iter().enumerate() {
+        for (j, column) in columns(&state)?.iter().enumerate() {
             base.fixed_view_mut::<N, 1>(k * N, j).copy_from(column);
         }
         let State { q, qd, qdd } = &state;

@@ -31,6 +31,7 @@ mod dual;
 #[cfg(feature = "num-dual")]
 mod dual_scalars;
 mod equations_of_motion;
+#[cfg(feature = "std")]
 mod evaluation;
 mod exact;
 mod factorisation;
@@ -39,8 +40,6 @@ mod formula;
 mod frame;
 mod friction;
 mod function;
-#[doc(hidden)]
-pub mod functions_by_name;
 #[cfg(feature = "std")]
 mod identification;
 mod inputs;
@@ -65,6 +64,7 @@ mod simulation;
 mod sine;
 mod singular;
 mod size;
+mod state;
 mod table;
 mod taylor;
 mod trajectory;
@@ -83,7 +83,7 @@ pub use batch::{Batch, BatchError, LengthMismatch, Precision, States, StatesMut,
 pub use batch::{Each, Fields, Same, failing, on_one_core};
 pub use certified::{Certified, Rounded};
 #[cfg(feature = "std")]
-pub use check::{Check, FunctionReport, Report, check_against_rnea};
+pub use check::{Check, Checked, FunctionReport, Report, check_against_rnea};
 pub use conditioning::Conditioning;
 pub use configuration::Configuration;
 pub use double_double::DoubleDouble;
@@ -92,12 +92,11 @@ pub use dual::Dual;
 #[cfg(feature = "std")]
 pub use equations_of_motion::SizedModel;
 pub use equations_of_motion::{EquationsOfMotion, Responses};
-pub use evaluation::{AccelerationDerivatives, SecondDerivatives, State};
-#[cfg(feature = "std")]
-pub use evaluation::{Evaluate, Evaluation};
 #[cfg(feature = "std")]
 #[doc(hidden)]
-pub use evaluation::{boxed, columns, vectors};
+pub use evaluation::Arguments;
+#[cfg(feature = "std")]
+pub use evaluation::{Evaluate, Evaluation, FunctionValue};
 pub use formula::Formula;
 pub use frame::{Frame, Tool};
 #[doc(hidden)]
@@ -134,6 +133,7 @@ pub use size::{JointMatrix, JointVector, Size, SizedSecondDerivatives};
 pub use table::RuntimeTable;
 #[doc(hidden)]
 pub use table::{Arm, AsArm};
+pub use state::{AccelerationDerivatives, SecondDerivatives, SizedState, State};
 pub use table::{
     Convention, Follower, Followers, JointMotion, JointType, Row, Spring, Stribeck, Table,
 };

@@ -132,21 +132,20 @@ impl Energy<2> for CraigArm {
 }
 
 impl Evaluate<2> for CraigArm {
-    fn evaluate(&self, state: &State<2>, tau: &SVector<f64, 2>) -> Evaluation<2> {
+    fn evaluate(&self, state: &State<2>, tau: &SVector<f64, 2>) -> Evaluation {
         let State { q, qd, qdd } = state;
         let mass_matrix = self.mass_matrix(q);
         let bias_force = self.coriolis_vector(q, qd) + self.gravity_vector(q);
-        Evaluation {
-            mass_matrix: Some(mass_matrix),
-            coriolis_vector: Some(self.coriolis_vector(q, qd)),
-            gravity_vector: Some(self.gravity_vector(q)),
-            inverse_dynamics: Some(mass_matrix * qdd + bias_force),
-            forward_dynamics: Some(self.forward_dynamics(q, qd, tau)),
-            kinetic_energy: Some(self.kinetic_energy(q, qd)),
-            potential_energy: Some(self.potential_energy(q)),
-            bias_force: Some(bias_force),
-            ..Evaluation::default()
-        }
+        let mut values = Evaluation::default();
+        values.set("mass_matrix", mass_matrix);
+        values.set("coriolis_vector", self.coriolis_vector(q, qd));
+        values.set("gravity_vector", self.gravity_vector(q));
+        values.set("inverse_dynamics", mass_matrix * qdd + bias_force);
+        values.set("forward_dynamics", self.forward_dynamics(q, qd, tau));
+        values.set("kinetic_energy", self.kinetic_energy(q, qd));
+        values.set("potential_energy", self.potential_energy(q));
+        values.set("bias_force", bias_force);
+        values
     }
 }
 

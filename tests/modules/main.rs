@@ -7,22 +7,25 @@
 
 mod circles;
 mod documentation;
+mod length;
 mod names;
 mod source;
 
-use std::path::Path;
+use std::fs;
+use std::path::{Path, PathBuf};
 
 use names::Names;
 use source::Crate;
 
+/// The folder of a crate's sources.
+fn folder(name: &str) -> PathBuf {
+    let repository = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    repository.join(name).join("src")
+}
+
 /// A crate of this repository.
 fn read(name: &str) -> Crate {
-    Crate::read(
-        &Path::new(env!("CARGO_MANIFEST_DIR"))
-            .join("..")
-            .join(name)
-            .join("src"),
-    )
+    Crate::read(&folder(name))
 }
 
 /// The circles of a crate, each as the list of its files, but those of a parent and its child.
@@ -72,6 +75,31 @@ fn modules_form_no_circles() {
         let circles = circles_of(name);
         assert!(circles.is_empty(), "{name}: {circles:#?}");
     }
+}
+
+/// A longer function has more than one idea.
+const LONGEST: usize = 100;
+
+#[test]
+fn functions_of_the_product_are_short() {
+    let mut files = 0;
+    for name in [
+        "",
+        "dynamics-symbolic",
+        "dynamics-codegen",
+        "dynamics-macros",
+        "dynamics-runtime",
+        "dynamics-evaluation",
+        "dynamics-cli",
+    ] {
+        for file in read(name).files {
+            let text = fs::read_to_string(folder(name).join(&file.path)).expect("a source");
+            let long = length::long_functions(&text, LONGEST);
+            assert!(long.is_empty(), "{name}/src/{}: {long:?}", file.path);
+            files += 1;
+        }
+    }
+    assert!(files > 300, "{files} files");
 }
 
 /// Or the tests above would pass whatever the modules do.

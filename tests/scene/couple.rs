@@ -300,10 +300,8 @@ fn condition<R: Evaluate<N>, const N: usize>(robot: &R) -> f64 {
     for _ in 0..100 {
         let [q, qd, qdd] = [(); 3].map(|()| random.vector::<N>(2.0));
         let state = State { q, qd, qdd };
-        let columns = robot
-            .evaluate(&state, &SVector::zeros())
-            .regressor
-            .expect("generated");
+        let values = robot.evaluate(&state, &SVector::zeros());
+        let columns: Vec<SVector<f64, N>> = values.get("regressor").expect("generated");
         rows.extend((0..N).map(|i| columns.iter().map(|column| column[i]).collect::<Vec<_>>()));
     }
     let mut matrix = DMatrix::from_fn(rows.len(), rows[0].len(), |i, j| rows[i][j]);

@@ -1,6 +1,6 @@
 //! The functions that controllers ask for, in doubles beside the table in 31 digits.
 
-use robot_dynamics::nalgebra::{SMatrix, SVector};
+use robot_dynamics::nalgebra::{Matrix6, SMatrix, SVector};
 use robot_dynamics::{DoubleDouble, Evaluate, Evaluation, Model, State};
 use robots::*;
 use testkit::exact::Exact;
@@ -89,7 +89,7 @@ impl Magnitude {
 
 /// The error of each function at a state.
 fn errors<const N: usize>(
-    found: Evaluation<N>,
+    found: &Evaluation,
     exact: &Exact<N>,
     at: &Motion<N>,
 ) -> [(&'static str, f64); 13] {
@@ -110,7 +110,7 @@ fn errors<const N: usize>(
     };
     let torques = size.inertia * a_r + size.coriolis * v * v_r + size.own;
     let rates = exact.inverse_dynamics_rates(&[*q, *qd, *qdd, at.jerk, at.snap]);
-    let (first, second) = found.inverse_dynamics_rates.expect("asked for");
+    let (first, second) = found.get("inverse_dynamics_rates").expect("asked for");
     // Each derivative by a position leaves a product of sines, lengths and masses as large as it was.
     let of_first =
         size.inertia * jerk + size.coriolis * n * (3.0 * v * a + v.powi(3)) + size.own * (v + a);
@@ -118,8 +118,8 @@ fn errors<const N: usize>(
         + size.coriolis * n * (4.0 * v * jerk + 3.0 * a * a + 6.0 * v * v * a + v.powi(4))
         + size.own * (a + v * v + jerk);
 
-    let inverse = found.operational_inertia_inverse.expect("asked for");
-    let inverse = inverse.expect("M is positive definite");
+    let inverse = found.get("operational_inertia_inverse");
+    let inverse: Matrix6<f64> = inverse.expect("asked for, and M is positive definite");
     let of_inverse = exact.operational_inertia_inverse(q);
     let inverse_of_m = exact
         .mass_matrix(q)
@@ -129,26 +129,26 @@ fn errors<const N: usize>(
     // An error dM of M is one of M^-1 dM M^-1.
     let conditioned = size.lever * size.inertia.sqrt() * inverse_of_m.amax();
 
-    let links = found.link_jacobians.expect("asked for");
+    let links: [SMatrix<f64, 6, N>; N] = found.get("link_jacobians").expect("asked for");
     let of_links = links.iter().zip(exact.link_jacobians(q));
     let of_links = of_links.map(|(j, exact)| error(Some(*j), &exact, size.lever));
     [
         (
             "J'w",
             error(
-                found.wrench_torques,
+                found.get("wrench_torques"),
                 &jacobian.tr_mul(&wrench),
                 8.0 * size.lever,
             ),
         ),
         (
             "J qd",
-            error(found.tool_velocity, &(jacobian * qd), size.lever * v),
+            error(found.get("tool_velocity"), &(jacobian * qd), size.lever * v),
         ),
         ("d(J qd)", {
             let exact = exact.tool_acceleration(q, qd, qdd);
             error(
-                found.tool_acceleration,
+                found.get("tool_acceleration"),
                 &exact,
                 size.lever * (a + n * v * v),
             )
@@ -156,7 +156,7 @@ fn errors<const N: usize>(
         (
             "dJ",
             error(
-                found.jacobian_rate,
+                found.get("jacobian_rate"),
                 &exact.jacobian_rate(q, qd),
                 size.lever * n * v,
             ),
@@ -164,11 +164,15 @@ fn errors<const N: usize>(
         ("links", of_links.fold(0.0, f64::max)),
         (
             "com",
-            error(found.center_of_mass, &exact.center_of_mass(q), size.lever),
+            error(
+                found.get("center_of_mass"),
+                &exact.center_of_mass(q),
+                size.lever,
+            ),
         ),
         ("d com", {
             let exact = exact.center_of_mass_jacobian(q);
-            error(found.center_of_mass_jacobian, &exact, size.lever)
+            error(found.get("center_of_mass_jacobian"), &exact, size.lever)
         }),
         (
             "J M^-1 J'",
@@ -176,20 +180,23 @@ fn errors<const N: usize>(
         ),
         ("M qd", {
             let exact = exact.mass_matrix(q) * qd;
-            error(found.generalized_momentum, &exact, size.inertia * v)
+            error(found.get("generalized_momentum"), &exact, size.inertia * v)
         }),
         ("bias", {
             let exact = exact.momentum_bias(q, qd);
             error(
-                found.momentum_bias,
+                found.get("momentum_bias"),
                 &exact,
                 size.coriolis * v * v + size.own,
             )
         }),
-        ("passive", error(found.passivity_torque, &torque, torques)),
+        (
+            "passive",
+            error(found.get("passivity_torque"), &torque, torques),
+        ),
         (
             "Y_r b",
-            error(found.passivity_regressor_forces, &without_own, torques),
+            error(found.get("passivity_form"), &without_own, torques),
         ),
         ("rates", {
             let first = error(Some(first), &rates[0], of_first);
@@ -211,7 +218,7 @@ fn check<const N: usize>(name: &str, robot: &(impl Model<N> + Evaluate<N>)) {
             qdd: random.vector(5.0),
         };
         let found = robot.evaluate(&state, &SVector::zeros());
-        let errors = errors(found, &exact, &Motion::of(&state));
+        let errors = errors(&found, &exact, &Motion::of(&state));
         for ((function, error), worst) in errors.into_iter().zip(&mut worst) {
             *worst = (function, worst.1.max(error));
         }
@@ -250,7 +257,8 @@ fn energies<const N: usize>(robot: &(impl Model<N> + Evaluate<N>)) {
             qdd: SVector::zeros(),
         };
         let found = robot.evaluate(&state, &SVector::zeros());
-        let (kinetic, potential) = found.energies_of_parameters.expect("asked for");
+        let energies: Option<(f64, f64)> = found.get("energies_form");
+        let (kinetic, potential) = energies.expect("asked for");
         let Motion { q, qd, .. } = Motion::of(&state);
         let m = exact.mass_matrix(&q);
         let half = DoubleDouble::from(0.5);

@@ -45,7 +45,7 @@ impl Model<2> for Wrong {
 }
 
 impl Evaluate<2> for Wrong {
-    fn evaluate(&self, state: &State<2>, tau: &SVector<f64, 2>) -> Evaluation<2> {
+    fn evaluate(&self, state: &State<2>, tau: &SVector<f64, 2>) -> Evaluation {
         self.0.evaluate(state, tau)
     }
 }

@@ -65,6 +65,7 @@ mod among_namesakes {
         fn at(self) {}
         fn field(self) {}
         fn map(self) {}
+        fn set(self) {}
         fn table(self) {}
     }
     impl<T> Methods for T {}

@@ -9,6 +9,7 @@ use dynamics_symbolic::{Function, Request, function_type, method_name};
 use proc_macro2::{Delimiter, Group, Ident, Literal, Span, TokenStream, TokenTree};
 use quote::{ToTokens, format_ident, quote};
 
+use super::functions::{description, settings};
 use super::target::Target;
 
 /// Whose methods they are.
@@ -18,46 +19,6 @@ enum Receiver {
     Arm,
     /// An arm for each state, of type `R`.
     Each,
-}
-
-/// Of all functions the types by which the trait `Function` knows them.
-pub(crate) fn function_names() -> TokenStream {
-    let functions = Function::ALL.into_iter().map(|function| {
-        let name = format_ident!("{function:?}");
-        let documentation = format!(" `{}`.", function.name());
-        let settings = settings(function.arguments());
-        let fields = match settings.is_empty() {
-            true => quote!(;),
-            false => quote!({ #(#[doc = " As the method has it."] pub #settings: usize),* }),
-        };
-        quote! {
-            #[doc = #documentation]
-            #[derive(Clone, Copy, Debug)]
-            pub struct #name #fields
-        }
-    });
-    let first = Function::ALL.into_iter().filter_map(|function| {
-        let name = match function.arguments().first() {
-            Some(Argument::Position) => return None,
-            Some(argument) => argument.name(),
-            None => "parameters",
-        };
-        let request = Request::One(function);
-        let result = request.result();
-        Some(quote!(#result => #name,))
-    });
-    quote! {
-        #(#functions)*
-
-        /// The argument that says how many states there are, of the function with results of that name, and
-        /// of all that take positions.
-        pub fn first_argument(result: &str) -> &'static str {
-            match result {
-                #(#first)*
-                _ => "q",
-            }
-        }
-    }
 }
 
 /// A trait or an implementation with the batches of all functions among its items. In a trait they are those of
@@ -139,12 +100,9 @@ impl Batch {
             true => quote!(functions::#name),
             false => quote!(functions::#name { #(#settings),* }),
         };
-        let description = function.row().description;
         Batch {
             name: function.name().to_owned(),
-            description: description
-                .replace("{frame}", "world")
-                .replace("{tip}", "tip"),
+            description: description(function),
             arguments: function.arguments().to_vec(),
             result: format_ident!("{}", request.result()),
             refuses: request.refuses(),
@@ -325,14 +283,4 @@ impl Batch {
         ));
         lines
     }
-}
-
-/// Arguments that are the same for all states.
-fn settings(arguments: &[Argument]) -> Vec<Ident> {
-    let settings = arguments
-        .iter()
-        .filter(|argument| argument.shape().is_none());
-    settings
-        .map(|argument| format_ident!("{}", argument.name()))
-        .collect()
 }

@@ -1,9 +1,9 @@
 //! Every generated function at one state, for the checks.
 
-use dynamics_symbolic::function::{Argument, Fused, Growth, Shape, Size};
+use dynamics_symbolic::function::{Argument, Fused};
 use dynamics_symbolic::{Function, Request, method_name};
 use proc_macro2::{Ident, Span, TokenStream};
-use quote::quote;
+use quote::{format_ident, quote};
 
 use super::target::Target;
 
@@ -15,119 +15,85 @@ pub(super) struct Evaluation {
     pub(super) parts: Option<TokenStream>,
 }
 
-/// What evaluates the methods.
+/// The calls of the methods, whose values are kept by the names of the functions.
 pub(super) fn evaluation(target: &Target, requests: &[Request]) -> Evaluation {
+    let at_state = at_state(target);
     let functions = requests.iter().filter_map(Request::function);
-    let fields = functions.map(|function| {
-        let value = call(target, &Request::One(function), &quote!(T));
-        some(function, held(target, function, value))
+    let values = functions.map(|function| {
+        let value = call(&Request::One(function), &quote!(T));
+        set(target, function, &value)
     });
+    let values = evaluated(target, &quote!(#(#values)*));
     let fused = requests.iter().filter_map(|request| match request {
         Request::Fused(fused) => Some(parts(target, request, fused)),
         Request::One(_) => None,
     });
     let fused: Vec<_> = fused.collect();
     Evaluation {
-        functions: combined(target, fields),
-        parts: (!fused.is_empty()).then(|| quote!(#(#fused)*)),
+        functions: quote!(#at_state #values),
+        parts: (!fused.is_empty()).then(|| quote!(#at_state #(#fused)*)),
     }
+}
+
+/// The arguments at the state. Names of variables have a `_` in them: see [`apart`](super::names::apart).
+fn at_state(target: &Target) -> TokenStream {
+    let path = target.path;
+    quote!(let at_state = #path::Arguments::new(state, tau, real);)
 }
 
 /// Hands the parts of a method on; where it refuses, each part that is solved for is that refusal.
 fn parts(target: &Target, request: &Request, fused: &Fused) -> TokenStream {
     let name = request.name();
-    let call = call(target, request, &quote!(f64));
+    let call = call(request, &quote!(f64));
     let values: Vec<Ident> = (1..=fused.parts.len())
-        .map(|number| Ident::new(&format!("part_{number}"), Span::call_site()))
+        .map(|number| format_ident!("part_{number}"))
         .collect();
-    let solved = |part: &Function| part.row().refuses;
-    let of_parts = fused.parts.iter().zip(&values).map(|(part, value)| {
-        let value = held(target, *part, quote!(#value));
-        match solved(part) {
-            true => some(*part, quote!(::core::result::Result::Ok(#value))),
-            false => some(*part, value),
-        }
-    });
-    let of_parts = combined(target, of_parts);
-    let of_all = match request.refuses() {
-        false => quote!({ let (#(#values),*) = #call; #of_parts }),
-        true => {
-            let refused = fused.parts.iter().filter(|part| solved(part));
-            let refused = refused.map(|part| some(*part, quote!(::core::result::Result::Err(x))));
-            let refused = combined(target, refused);
-            quote! {
-                match #call {
-                    ::core::result::Result::Ok((#(#values),*)) => #of_parts,
-                    ::core::result::Result::Err(x) => #refused,
-                }
+    let of_parts = fused.parts.iter().zip(&values);
+    let of_parts = of_parts.map(|(part, value)| set(target, *part, &quote!(#value)));
+    let of_parts = quote!(#(#of_parts)*);
+    let found = if request.refuses() {
+        let refused = fused.parts.iter().filter(|part| part.row().refuses);
+        let error = quote!(::core::result::Result::<f64, _>::Err(x));
+        let refused = refused.map(|part| set(target, *part, &error));
+        quote! {
+            match #call {
+                ::core::result::Result::Ok((#(#values),*)) => { #of_parts }
+                ::core::result::Result::Err(x) => { #(#refused)* }
             }
         }
+    } else {
+        quote!(let (#(#values),*) = #call; #of_parts)
     };
-    quote!(found_parts(#name, #of_all);)
+    let found = evaluated(target, &found);
+    quote!(found_parts(#name, { #found });)
 }
 
-/// An evaluation with these fields and those that follow from them.
-fn combined(target: &Target, fields: impl Iterator<Item = TokenStream>) -> TokenStream {
-    let (path, qd) = (target.path, at_state(target, Argument::Velocity));
-    quote! {
-        #path::Evaluation::combined(
-            #path::Evaluation {
-                #(#fields)*
-                ..::core::default::Default::default()
-            },
-            #qd,
-        )
-    }
-}
-
-/// A field of the evaluation.
-fn some(function: Function, value: TokenStream) -> TokenStream {
-    let name = Ident::new(function.name(), Span::call_site());
-    quote!(#name: ::core::option::Option::Some(#value),)
-}
-
-/// The call of a method at the state, in numbers that `real` makes of its doubles.
-fn call(target: &Target, request: &Request, number: &TokenStream) -> TokenStream {
-    let name = method_name(request);
-    let arguments = request.arguments();
-    let arguments = arguments.iter().map(|argument| at_state(target, *argument));
-    // Without arguments nothing else says the type of the numbers.
-    quote!(Self::#name::<#number>(self #(, #arguments)*))
-}
-
-/// The value of a function, as the field of that name holds it.
-fn held(target: &Target, function: Function, value: TokenStream) -> TokenStream {
+/// The evaluation with these values and the forms that follow from them.
+fn evaluated(target: &Target, values: &TokenStream) -> TokenStream {
     let path = target.path;
-    match function.shape() {
-        _ if function.row().growth == Growth::Cubic => quote!(#path::boxed(#value)),
-        Shape::Matrix(Size::Parameters, Size::One) => {
-            quote!(<[_]>::to_vec(#path::nalgebra::Matrix::as_slice(&#value)))
-        }
-        Shape::Tuple([Shape::Matrix(Size::Parameters, Size::One), ..]) => {
-            quote!(#path::vectors(&#value))
-        }
-        // Numbers of columns that the type of the field cannot name.
-        Shape::Matrix(_, Size::Pairs | Size::Parameters) => quote!(#path::columns(&#value)),
-        _ => value,
+    quote! {
+        let mut found_values: #path::Evaluation<_> = ::core::default::Default::default();
+        #values
+        #path::Evaluation::combined(found_values, #path::nalgebra::Matrix::as_slice(&at_state.qd))
     }
 }
 
-/// An argument at the state that is compared. Its methods are called by their paths: behind a point, one of that name of
-/// a trait that is in scope around the table could come first.
-fn at_state(target: &Target, argument: Argument) -> TokenStream {
-    let (path, n) = (target.path, target.n());
-    let state = quote!(#path::State::<#n>);
-    let vector = match argument {
-        Argument::Position => quote!(&state.q),
-        Argument::Velocity => quote!(&state.qd),
-        Argument::Acceleration => quote!(&state.qdd),
-        Argument::Force => quote!(tau),
-        Argument::ReferenceVelocity => quote!(&#state::reference_velocity(state)),
-        Argument::ReferenceAcceleration => quote!(&#state::reference_acceleration(state)),
-        Argument::Jerk => quote!(&#state::jerk(state)),
-        Argument::Snap => quote!(&#state::snap(state)),
-        Argument::Wrench => quote!(&#state::wrench()),
-        Argument::Order => return quote!(#path::Evaluation::<#n>::TAYLOR_ORDER),
-    };
-    quote!(&#path::nalgebra::Matrix::map(#vector, real))
+/// Keeps the value of a function. The method is called by its path: behind a point, one of that name of a trait that is in
+/// scope around the table could come first.
+fn set(target: &Target, function: Function, value: &TokenStream) -> TokenStream {
+    let (path, name) = (target.path, function.name());
+    quote!(#path::Evaluation::set(&mut found_values, #name, #value);)
+}
+
+/// The call of a method at the state, in numbers of that type: without arguments nothing else says it.
+fn call(request: &Request, number: &TokenStream) -> TokenStream {
+    let name = method_name(request);
+    let arguments = request.arguments().into_iter().map(|argument| {
+        let name = Ident::new(argument.name(), Span::call_site());
+        match argument {
+            Argument::Order => quote!(at_state.#name),
+            _ => quote!(&at_state.#name),
+        }
+    });
+    quote!(Self::#name::<#number>(self #(, #arguments)*))
 }

@@ -2,6 +2,7 @@
 
 pub(crate) mod batch;
 mod evaluate;
+pub(crate) mod functions;
 pub(crate) mod names;
 mod scene;
 mod structure;

@@ -202,9 +202,9 @@ fn evaluate(target: &Target, evaluation: &Evaluation) -> TokenStream {
                 &self,
                 state: &#path::State<#n>,
                 tau: &#path::nalgebra::SVector<f64, #n>,
-                found_parts: &mut dyn ::core::ops::FnMut(&str, #path::Evaluation<#n>),
+                found_parts: &mut dyn ::core::ops::FnMut(&str, #path::Evaluation),
             ) {
-                let real = |x: f64| x;
+                let real = |x: f64| -> f64 { x };
                 #parts
             }
         }
@@ -216,7 +216,7 @@ fn evaluate(target: &Target, evaluation: &Evaluation) -> TokenStream {
                     &self,
                     state: &#path::State<#n>,
                     tau: &#path::nalgebra::SVector<f64, #n>,
-                ) -> #path::Evaluation<#n> {
+                ) -> #path::Evaluation {
                     Self::evaluate_in(self, state, tau, |x| x)
                 }
 
@@ -225,7 +225,7 @@ fn evaluate(target: &Target, evaluation: &Evaluation) -> TokenStream {
                     state: &#path::State<#n>,
                     tau: &#path::nalgebra::SVector<f64, #n>,
                     real: fn(f64) -> T,
-                ) -> #path::Evaluation<#n, T> {
+                ) -> #path::Evaluation<T> {
                     #functions
                 }
 

@@ -160,7 +160,7 @@ impl Model<1> for Misread {
 }
 
 impl Evaluate<1> for Misread {
-    fn evaluate(&self, state: &State<1>, tau: &SVector<f64, 1>) -> Evaluation<1> {
+    fn evaluate(&self, state: &State<1>, tau: &SVector<f64, 1>) -> Evaluation {
         BLOCK.evaluate(state, tau)
     }
 }

@@ -67,27 +67,6 @@ const TAIL: &str = "        }
 }
 ";
 
-/// The runtime's trait by which the compiler says what to do about a method that does not exist.
-#[test]
-fn the_compiler_names_the_way_to_every_function() {
-    let mut list = String::from(HINT);
-    for function in Function::ALL {
-        writeln!(list, "    fn {}(&self);", function.name()).expect("a string takes it");
-    }
-    list.push_str("}\n");
-    expect_file!["../../../dynamics-runtime/src/functions_by_name.rs"].assert_eq(&list);
-}
-
-const HINT: &str = "\
-//! What the compiler says about a method that was not asked for: written by the engine's test `functions`.
-
-/// No method of a robot exists that its `functions:` do not name. About `arm.jacobian(&q)` of another one
-/// the compiler says that there is no such method, and that a trait has one of this name: this trait, whose
-/// name says what to do. It is implemented by nothing, so that no method of it is ever offered.
-#[allow(missing_docs)] // The robots' own methods have the documentation.
-pub trait AddItsNameToFunctions {
-";
-
 /// Every function is explained where the notation is fixed, and listed on the macro's page.
 #[test]
 fn documents_name_every_function() {

@@ -795,7 +795,7 @@ impl ::robot_dynamics::Model<2> for TwoRods {
             &self,
             state: &::robot_dynamics::State<2>,
             tau: &::robot_dynamics::nalgebra::SVector<f64, 2>,
-        ) -> ::robot_dynamics::Evaluation<2> {
+        ) -> ::robot_dynamics::Evaluation {
             Self::evaluate_in(self, state, tau, |x| x)
         }
         fn evaluate_in<T: ::robot_dynamics::Scalar>(
@@ -803,65 +803,51 @@ impl ::robot_dynamics::Model<2> for TwoRods {
             state: &::robot_dynamics::State<2>,
             tau: &::robot_dynamics::nalgebra::SVector<f64, 2>,
             real: fn(f64) -> T,
-        ) -> ::robot_dynamics::Evaluation<2, T> {
+        ) -> ::robot_dynamics::Evaluation<T> {
+            let at_state = ::robot_dynamics::Arguments::new(state, tau, real);
+            let mut found_values: ::robot_dynamics::Evaluation<_> = ::core::default::Default::default();
+            ::robot_dynamics::Evaluation::set(
+                &mut found_values,
+                "mass_matrix",
+                Self::mass_matrix::<T>(self, &at_state.q),
+            );
+            ::robot_dynamics::Evaluation::set(
+                &mut found_values,
+                "coriolis_vector",
+                Self::coriolis_vector::<T>(self, &at_state.q, &at_state.qd),
+            );
+            ::robot_dynamics::Evaluation::set(
+                &mut found_values,
+                "gravity_vector",
+                Self::gravity_vector::<T>(self, &at_state.q),
+            );
+            ::robot_dynamics::Evaluation::set(
+                &mut found_values,
+                "inverse_dynamics",
+                Self::inverse_dynamics::<
+                    T,
+                >(self, &at_state.q, &at_state.qd, &at_state.qdd),
+            );
+            ::robot_dynamics::Evaluation::set(
+                &mut found_values,
+                "forward_dynamics",
+                Self::forward_dynamics::<
+                    T,
+                >(self, &at_state.q, &at_state.qd, &at_state.tau),
+            );
+            ::robot_dynamics::Evaluation::set(
+                &mut found_values,
+                "kinetic_energy",
+                Self::kinetic_energy::<T>(self, &at_state.q, &at_state.qd),
+            );
+            ::robot_dynamics::Evaluation::set(
+                &mut found_values,
+                "potential_energy",
+                Self::potential_energy::<T>(self, &at_state.q),
+            );
             ::robot_dynamics::Evaluation::combined(
-                ::robot_dynamics::Evaluation {
-                    mass_matrix: ::core::option::Option::Some(
-                        Self::mass_matrix::<
-                            T,
-                        >(self, &::robot_dynamics::nalgebra::Matrix::map(&state.q, real)),
-                    ),
-                    coriolis_vector: ::core::option::Option::Some(
-                        Self::coriolis_vector::<
-                            T,
-                        >(
-                            self,
-                            &::robot_dynamics::nalgebra::Matrix::map(&state.q, real),
-                            &::robot_dynamics::nalgebra::Matrix::map(&state.qd, real),
-                        ),
-                    ),
-                    gravity_vector: ::core::option::Option::Some(
-                        Self::gravity_vector::<
-                            T,
-                        >(self, &::robot_dynamics::nalgebra::Matrix::map(&state.q, real)),
-                    ),
-                    inverse_dynamics: ::core::option::Option::Some(
-                        Self::inverse_dynamics::<
-                            T,
-                        >(
-                            self,
-                            &::robot_dynamics::nalgebra::Matrix::map(&state.q, real),
-                            &::robot_dynamics::nalgebra::Matrix::map(&state.qd, real),
-                            &::robot_dynamics::nalgebra::Matrix::map(&state.qdd, real),
-                        ),
-                    ),
-                    forward_dynamics: ::core::option::Option::Some(
-                        Self::forward_dynamics::<
-                            T,
-                        >(
-                            self,
-                            &::robot_dynamics::nalgebra::Matrix::map(&state.q, real),
-                            &::robot_dynamics::nalgebra::Matrix::map(&state.qd, real),
-                            &::robot_dynamics::nalgebra::Matrix::map(tau, real),
-                        ),
-                    ),
-                    kinetic_energy: ::core::option::Option::Some(
-                        Self::kinetic_energy::<
-                            T,
-                        >(
-                            self,
-                            &::robot_dynamics::nalgebra::Matrix::map(&state.q, real),
-                            &::robot_dynamics::nalgebra::Matrix::map(&state.qd, real),
-                        ),
-                    ),
-                    potential_energy: ::core::option::Option::Some(
-                        Self::potential_energy::<
-                            T,
-                        >(self, &::robot_dynamics::nalgebra::Matrix::map(&state.q, real)),
-                    ),
-                    ..::core::default::Default::default()
-                },
-                &::robot_dynamics::nalgebra::Matrix::map(&state.qd, real),
+                found_values,
+                ::robot_dynamics::nalgebra::Matrix::as_slice(&at_state.qd),
             )
         }
     }

@@ -1,7 +1,7 @@
 //! The functions that have a reference, and what their errors are relative to.
 
-use robot_dynamics::nalgebra::SVector;
-use robot_dynamics::{Evaluation, JointType, Row, State, Table};
+use robot_dynamics::nalgebra::{Matrix4, SVector};
+use robot_dynamics::{Evaluation, JointType, Row, SingularMassMatrix, State, Table};
 use robots::Arm;
 use testkit::references::{Decimal, ReferenceState};
 
@@ -35,17 +35,17 @@ pub(super) fn quantities<const N: usize, const P: usize, R: Arm<N, P>>(
     let tau = SVector::from_fn(|i, _| torque[i].nearest());
     let found = robot.evaluate(&state, &tau);
 
-    let mut all = dynamics(&found, reference);
+    let mut all = dynamics::<N>(&found, reference);
     all.extend(energies(&found, reference));
     let table = robot.table();
     let slides = (table.rows.iter()).any(|row| row.joint_type == JointType::Prismatic);
     let reach = reach(&table, &reference.q);
-    all.extend(kinematics(&found, reference, reach, slides));
-    all.push(forward_dynamics(&found, reference, &torque));
+    all.extend(kinematics::<N>(&found, reference, reach, slides));
+    all.push(forward_dynamics::<N>(&found, reference, &torque));
     all
 }
 
-fn dynamics<const N: usize>(found: &Evaluation<N>, reference: &ReferenceState) -> Vec<Quantity> {
+fn dynamics<const N: usize>(found: &Evaluation, reference: &ReferenceState) -> Vec<Quantity> {
     let scale = &reference.scale;
     let torque = applied_torque(reference);
     let bias = sum(
@@ -56,57 +56,57 @@ fn dynamics<const N: usize>(found: &Evaluation<N>, reference: &ReferenceState) -
         Quantity::new(
             "M",
             scale.M,
-            matrix(found.mass_matrix, &reference.mass_matrix),
+            matrix::<N, N>(found.get("mass_matrix"), &reference.mass_matrix),
         ),
         Quantity::new(
             "V",
             scale.V,
-            vector(found.coriolis_vector, &reference.coriolis_vector),
+            vector::<N>(found.get("coriolis_vector"), &reference.coriolis_vector),
         ),
         Quantity::new(
             "G",
             scale.G,
-            vector(found.gravity_vector, &reference.gravity_vector),
+            vector::<N>(found.get("gravity_vector"), &reference.gravity_vector),
         ),
         Quantity::new(
             "F",
             magnitude(&reference.friction),
-            vector(found.friction_vector, &reference.friction),
+            vector::<N>(found.get("friction_vector"), &reference.friction),
         ),
         Quantity::new(
             "tau",
             scale.tau.max(magnitude(&torque)),
-            vector(found.inverse_dynamics, &torque),
+            vector::<N>(found.get("inverse_dynamics"), &torque),
         ),
         Quantity::new(
             "Y b",
             scale.tau,
-            vector(found.regressor_forces, &reference.tau),
+            vector::<N>(found.get("regressor_form"), &reference.tau),
         ),
         Quantity::new(
             "V+G+F",
             (scale.V + scale.G).max(magnitude(&bias)),
-            vector(found.bias_force, &bias),
+            vector::<N>(found.get("bias_force"), &bias),
         ),
         Quantity::new(
             "C",
             scale.C,
-            matrix(found.coriolis_matrix, &reference.coriolis_matrix),
+            matrix::<N, N>(found.get("coriolis_matrix"), &reference.coriolis_matrix),
         ),
         Quantity::new(
             "B, C",
             scale.V,
-            vector(
-                found.configuration_space_coriolis,
+            vector::<N>(
+                found.get("configuration_space_form"),
                 &reference.coriolis_vector,
             ),
         ),
     ]
 }
 
-fn energies<const N: usize>(found: &Evaluation<N>, reference: &ReferenceState) -> Vec<Quantity> {
-    let kinetic = found.kinetic_energy.expect("asked for");
-    let potential = found.potential_energy.expect("asked for");
+fn energies(found: &Evaluation, reference: &ReferenceState) -> Vec<Quantity> {
+    let kinetic = found.get("kinetic_energy").expect("asked for");
+    let potential = found.get("potential_energy").expect("asked for");
     // The files say 1e-300 for the kinetic energy of an arm at rest, which is zero.
     let at_rest = reference.scale.T < 1e-200;
     let scale = if at_rest { 0.0 } else { reference.scale.T };
@@ -122,7 +122,7 @@ fn energies<const N: usize>(found: &Evaluation<N>, reference: &ReferenceState) -
 
 /// Directions relative to 1, lengths to the reach.
 fn kinematics<const N: usize>(
-    found: &Evaluation<N>,
+    found: &Evaluation,
     reference: &ReferenceState,
     reach: f64,
     slides: bool,
@@ -130,12 +130,14 @@ fn kinematics<const N: usize>(
     let rotation =
         |pose: Vec<(f64, Decimal)>| (0..16).filter(|i| i % 4 < 3).map(|i| pose[i]).collect();
     let position = |pose: Vec<(f64, Decimal)>| (0..3).map(|i| pose[4 * i + 3]).collect();
-    let pose = matrix(found.forward_kinematics, &reference.ee_pose);
+    let pose = matrix::<4, 4>(found.get("forward_kinematics"), &reference.ee_pose);
     let last = matrix(
-        found.link_poses.map(|poses| poses[N - 1]),
+        found
+            .get("link_poses")
+            .map(|poses: [Matrix4<f64>; N]| poses[N - 1]),
         &reference.ee_pose,
     );
-    let jacobian = matrix(found.jacobian, &reference.jacobian);
+    let jacobian = matrix::<6, N>(found.get("jacobian"), &reference.jacobian);
     let (linear, angular) = jacobian.split_at(3 * N);
     // A prismatic joint moves the origin by what it moves itself.
     let lever = if slides { reach.max(1.0) } else { reach };
@@ -152,11 +154,12 @@ fn kinematics<const N: usize>(
 /// The accelerations are judged by the torques that they need beyond those that were applied,
 /// M (qdd - exact qdd), so that an ill-conditioned M is held to the same bound.
 fn forward_dynamics<const N: usize>(
-    found: &Evaluation<N>,
+    found: &Evaluation,
     reference: &ReferenceState,
     torque: &[Decimal],
 ) -> Quantity {
-    let qdd = found.forward_dynamics.expect("asked for");
+    let qdd: Result<SVector<f64, N>, SingularMassMatrix> =
+        found.get("forward_dynamics").expect("asked for");
     let qdd = qdd.expect("the mass matrix is positive definite");
     let residual = |i: usize| {
         let row = reference.mass_matrix[i].iter();

@@ -103,7 +103,7 @@ pub(super) trait AnyArm<const N: usize, const P: usize>:
     /// The name of its files in `tests/data`.
     fn file(&self) -> &'static str;
     fn table(&self) -> Table<N>;
-    fn evaluate(&self, state: &State<N>, tau: &SVector<f64, N>) -> Evaluation<N>;
+    fn evaluate(&self, state: &State<N>, tau: &SVector<f64, N>) -> Evaluation;
     fn momenta(&self) -> Option<&dyn Momenta<N>>;
 }
 
@@ -120,7 +120,7 @@ impl<R: Arm<N, P>, const N: usize, const P: usize> AnyArm<N, P> for R {
         R::table(self)
     }
 
-    fn evaluate(&self, state: &State<N>, tau: &SVector<f64, N>) -> Evaluation<N> {
+    fn evaluate(&self, state: &State<N>, tau: &SVector<f64, N>) -> Evaluation {
         R::evaluate(self, state, tau)
     }
 

@@ -18,7 +18,8 @@ pub(super) fn base_parameters_give_the_torque_without_springs_and_friction<
     for state in states() {
         let found = robot.evaluate(&state, &SVector::zeros());
         let own = robot.spring_vector(&state.q) + robot.friction_vector(&state.qd);
-        let torque = found.regressor_forces.expect("asked for") + own;
+        let forces: SVector<f64, N> = found.get("regressor_form").expect("asked for");
+        let torque = forces + own;
         let expected = robot.inverse_dynamics(&state.q, &state.qd, &state.qdd);
         assert_small(&(torque - expected), Magnitude::at(robot, &state).torque, N);
     }
@@ -43,7 +44,7 @@ fn columns<const N: usize, const P: usize>(
     state: &State<N>,
 ) -> Vec<SVector<f64, N>> {
     let found = robot.evaluate(state, &SVector::zeros());
-    found.regressor.expect("asked for")
+    found.get("regressor").expect("asked for")
 }
 
 /// The regressors of all states, one below the other, and the norm of each column, by which it is

@@ -1,0 +1,274 @@
+//! The values of all generated functions at a state.
+
+mod value;
+
+use std::collections::BTreeMap;
+
+use nalgebra::{SVector, Vector6};
+
+use crate::function::functions;
+use crate::{Model, Scalar, SingularMassMatrix, State};
+
+pub use value::FunctionValue;
+pub(crate) use value::{flat, read};
+
+/// An arm that evaluates all of its generated functions at a state, as the checks need it.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no robot that `robot_dynamics!` made",
+    note = "checks compare what the macro generated with the table that it was generated from"
+)]
+pub trait Evaluate<const N: usize>: Model<N> {
+    /// Every function at one state; without a value where the function was not generated.
+    ///
+    /// `tau` are the joint torques at which the forward dynamics is evaluated.
+    fn evaluate(&self, state: &State<N>, tau: &SVector<f64, N>) -> Evaluation;
+
+    /// The same in the arithmetic `T`; `real` turns the doubles of the state into its numbers. In
+    /// [`Certified`](crate::Certified) numbers the values carry bounds of their rounding errors.
+    ///
+    /// Generated arms implement it. By default, no function has a value.
+    fn evaluate_in<T: Scalar>(
+        &self,
+        state: &State<N>,
+        tau: &SVector<f64, N>,
+        real: fn(f64) -> T,
+    ) -> Evaluation<T> {
+        let _ = (state, tau, real);
+        Evaluation::default()
+    }
+
+    /// Calls `found` for each method that returns several functions, with its name and the values of these functions
+    /// at one state.
+    fn evaluate_parts(
+        &self,
+        state: &State<N>,
+        tau: &SVector<f64, N>,
+        found: &mut dyn FnMut(&str, Evaluation),
+    ) {
+        let _ = (state, tau, found);
+    }
+}
+
+/// The arguments of the generated functions at one state, by the names that the methods give them.
+#[doc(hidden)]
+#[derive(Clone, Copy, Debug)]
+pub struct Arguments<const N: usize, T: Scalar> {
+    pub q: SVector<T, N>,
+    pub qd: SVector<T, N>,
+    pub qdd: SVector<T, N>,
+    pub tau: SVector<T, N>,
+    pub qd_r: SVector<T, N>,
+    pub qdd_r: SVector<T, N>,
+    pub jerk: SVector<T, N>,
+    pub snap: SVector<T, N>,
+    pub wrench: Vector6<T>,
+    pub order: usize,
+}
+
+impl<const N: usize, T: Scalar> Arguments<N, T> {
+    /// The arguments at a state, in numbers that `real` makes of the state's.
+    pub fn new(state: &State<N>, tau: &SVector<f64, N>, real: fn(f64) -> T) -> Self {
+        Arguments {
+            q: state.q.map(real),
+            qd: state.qd.map(real),
+            qdd: state.qdd.map(real),
+            tau: tau.map(real),
+            qd_r: state.reference_velocity().map(real),
+            qdd_r: state.reference_acceleration().map(real),
+            jerk: state.jerk().map(real),
+            snap: state.snap().map(real),
+            wrench: State::<N>::wrench().map(real),
+            // Of a Taylor series: accelerations and jerks are compared.
+            order: 3,
+        }
+    }
+}
+
+/// Values of the generated functions at one state, by the names of the functions.
+///
+/// ```
+/// # extern crate dynamics_runtime as robot_dynamics;
+/// use robot_dynamics::nalgebra::{SMatrix, SVector, Vector1};
+/// use robot_dynamics::{Evaluate, SingularMassMatrix, State, robot_dynamics};
+///
+/// robot_dynamics! {
+///     struct Pendulum;
+///     convention: modified,
+///     gravity: [9.81, 0, 0],
+///     joints: [pivot: revolute { mass: 2, com: [3, 0, 0] }],
+/// }
+///
+/// let state = State { q: Vector1::new(0.3), qd: Vector1::zeros(), qdd: Vector1::zeros() };
+/// let values = Pendulum.evaluate(&state, &Vector1::new(36.0));
+/// let mass_matrix: SMatrix<f64, 1, 1> = values.get("mass_matrix").expect("it was generated");
+/// assert!((mass_matrix[0] - 18.0).abs() < 1e-12);
+/// assert_eq!(values.get::<f64>("kinetic_energy"), Some(0.0));
+/// // It was not asked for.
+/// assert_eq!(values.get::<SMatrix<f64, 6, 1>>("jacobian"), None);
+/// // A function that solves with M may refuse.
+/// let qdd: Option<Result<SVector<f64, 1>, SingularMassMatrix>> = values.get("forward_dynamics");
+/// assert!(qdd.expect("it was generated").is_ok());
+/// ```
+///
+/// Besides the functions there are four forms that two functions make together, if both were generated:
+///
+/// - `configuration_space_form`, the velocity terms `coriolis_coefficients [qd qd] + centrifugal_coefficients [qd^2]`;
+/// - `regressor_form`, `regressor` times `base_parameters`;
+/// - `passivity_form`, `passivity_regressor` times `base_parameters`;
+/// - `energies_form`, each of the `energy_regressors` times `base_parameters`.
+#[derive(Clone, Debug)]
+pub struct Evaluation<T: Scalar = f64> {
+    /// The numbers of each value, matrices by columns, or why there is none.
+    values: BTreeMap<&'static str, Result<Vec<T>, SingularMassMatrix>>,
+}
+
+/// What two functions make together.
+pub(crate) const FORMS: [&str; 4] = [
+    "configuration_space_form",
+    "regressor_form",
+    "passivity_form",
+    "energies_form",
+];
+
+/// Without any value.
+impl<T: Scalar> Default for Evaluation<T> {
+    fn default() -> Self {
+        Evaluation {
+            values: BTreeMap::new(),
+        }
+    }
+}
+
+impl<T: Scalar> Evaluation<T> {
+    /// The value of a function or a form, as its method returns it: a number, a matrix, an array or a tuple. `Vec`
+    /// stands for an array or for columns whose number need not be known: the `regressor` is a `Vec<SVector<f64, N>>`
+    /// too. `None` if there is no value. A function that solves with M has a `Result`; without it, a refusal is `None`.
+    ///
+    /// # Panics
+    ///
+    /// If no function has this name, or if its value has another number of entries.
+    #[track_caller]
+    pub fn get<V: FunctionValue<T>>(&self, name: &str) -> Option<V> {
+        let entries = match self.entries(known(name))? {
+            Ok(entries) => entries,
+            Err(error) => return V::refused(*error),
+        };
+        let value = read(entries);
+        assert!(
+            value.is_some(),
+            "`{name}` has {} numbers here, which are no `{}`",
+            entries.len(),
+            core::any::type_name::<V>(),
+        );
+        value
+    }
+
+    /// Gives a function or a form a value, in place of the one that it had.
+    ///
+    /// # Panics
+    ///
+    /// If no function has this name.
+    #[track_caller]
+    pub fn set(&mut self, name: &str, value: impl FunctionValue<T>) {
+        let entries = match value.refusal() {
+            Some(error) => Err(error),
+            None => Ok(flat(&value)),
+        };
+        self.values.insert(known(name), entries);
+    }
+
+    /// Takes the value of a function or a form away.
+    ///
+    /// # Panics
+    ///
+    /// If no function has this name.
+    #[track_caller]
+    pub fn remove(&mut self, name: &str) {
+        self.values.remove(known(name));
+    }
+
+    /// The numbers of a value, matrices by columns.
+    pub(crate) fn entries(&self, name: &str) -> Option<&Result<Vec<T>, SingularMassMatrix>> {
+        self.values.get(name)
+    }
+
+    /// With the forms, where both functions have a value. `qd` are the joint velocities.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn combined(mut self, qd: &[T]) -> Self {
+        let forms = [
+            self.configuration_space_form(qd),
+            self.times_parameters("regressor", qd.len()),
+            self.times_parameters("passivity_regressor", qd.len()),
+            self.energies_form(),
+        ];
+        for (name, form) in FORMS.into_iter().zip(forms) {
+            if let Some(entries) = form {
+                self.set(name, entries);
+            }
+        }
+        self
+    }
+
+    fn numbers(&self, name: &str) -> Option<&[T]> {
+        self.entries(name)?.as_deref().ok()
+    }
+
+    /// `B [qd qd] + C [qd^2]` (Craig, Introduction to Robotics, 3rd ed., equation 6.63): `[qd qd]` holds the products in
+    /// the order (1,2), (1,3), ..., (n-1,n).
+    fn configuration_space_form(&self, qd: &[T]) -> Option<Vec<T>> {
+        let n = qd.len();
+        let products = (0..n).flat_map(|i| (i + 1..n).map(move |j| qd[i] * qd[j]));
+        let coriolis = sum_of_columns(self.numbers("coriolis_coefficients")?, n, products);
+        let squares = qd.iter().map(|x| *x * *x);
+        let centrifugal = sum_of_columns(self.numbers("centrifugal_coefficients")?, n, squares);
+        Some(
+            coriolis
+                .into_iter()
+                .zip(centrifugal)
+                .map(|(a, b)| a + b)
+                .collect(),
+        )
+    }
+
+    /// A regressor of so many rows times the base parameters.
+    fn times_parameters(&self, regressor: &str, rows: usize) -> Option<Vec<T>> {
+        let parameters = self.numbers("base_parameters")?;
+        let regressor = self.numbers(regressor)?;
+        Some(sum_of_columns(regressor, rows, parameters.iter().copied()))
+    }
+
+    /// Kinetic and potential energy: each regressor is a row of its own.
+    fn energies_form(&self) -> Option<Vec<T>> {
+        let parameters = self.numbers("base_parameters")?;
+        let regressors = self.numbers("energy_regressors")?;
+        let (kinetic, potential) = regressors.split_at(regressors.len() / 2);
+        let energy = |regressor| sum_of_columns(regressor, 1, parameters.iter().copied());
+        Some([energy(kinetic), energy(potential)].concat())
+    }
+}
+
+/// The name as the table of functions, or that of the forms, has it.
+#[track_caller]
+fn known(name: &str) -> &'static str {
+    let mut names = functions::NAMES.iter().chain(&FORMS);
+    match names.find(|known| **known == name) {
+        Some(known) => known,
+        None => panic!("`{name}` is not the name of a function"),
+    }
+}
+
+/// The sum of columns of so many rows, each times its factor.
+fn sum_of_columns<T: Scalar>(
+    columns: &[T],
+    rows: usize,
+    factors: impl Iterator<Item = T>,
+) -> Vec<T> {
+    let mut sum = vec![T::from_f64(0.0); rows];
+    for (column, x) in columns.chunks_exact(rows.max(1)).zip(factors) {
+        for (sum, entry) in sum.iter_mut().zip(column) {
+            *sum = *sum + *entry * x;
+        }
+    }
+    sum
+}
