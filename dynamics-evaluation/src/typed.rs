@@ -234,10 +234,7 @@ impl RuntimeRobot {
 }
 
 /// The entries of all arguments at a state.
-fn arguments<D: Size>(
-    state: &SizedState<D>,
-    tau: &D::Vector,
-) -> impl Fn(Argument, usize) -> f64 {
+fn arguments<D: Size>(state: &SizedState<D>, tau: &D::Vector) -> impl Fn(Argument, usize) -> f64 {
     let (SizedState { q, qd, qdd }, tau) = (state.clone(), tau.clone());
     let [qd_r, qdd_r] = [state.reference_velocity(), state.reference_acceleration()];
     let ([jerk, snap], wrench) = ([state.jerk(), state.snap()], SizedState::<D>::wrench());

@@ -129,11 +129,11 @@ pub use simulation::{
 pub use sine::{Part, sin_cos_column};
 pub use singular::SingularMassMatrix;
 pub use size::{JointMatrix, JointVector, Size, SizedSecondDerivatives};
+pub use state::{AccelerationDerivatives, SecondDerivatives, SizedState, State};
 #[cfg(feature = "std")]
 pub use table::RuntimeTable;
 #[doc(hidden)]
 pub use table::{Arm, AsArm};
-pub use state::{AccelerationDerivatives, SecondDerivatives, SizedState, State};
 pub use table::{
     Convention, Follower, Followers, JointMotion, JointType, Row, Spring, Stribeck, Table,
 };

@@ -300,7 +300,10 @@ fn motions_are_those_of_generated_code() {
             .initial(start, SVector::zeros())
             .method(method);
         let found = Simulation::new(&moving)
-            .initial(DVector::from_column_slice(start.as_slice()), DVector::zeros(3))
+            .initial(
+                DVector::from_column_slice(start.as_slice()),
+                DVector::zeros(3),
+            )
             .method(method);
         let expected = expected
             .friction(Friction::Sticking)

@@ -392,7 +392,6 @@ fn the_nearest_possible_arm_fits_noisy_torques_nearly_as_well() {
     let [of_real, found] = [&real, &identified].map(|arm| residual(arm, &run));
     assert!(found < 1.1 * of_real, "{found} of {of_real}");
 
-    let six = identified.typed::<6>().expect("six joints");
     let dynamics = identified.dynamics().expect("derived");
     let falling = Simulation::new(&dynamics).friction(Friction::Sticking);
     let falling = falling.duration(0.2).samples(3).run();

@@ -104,7 +104,11 @@ pub(super) fn task_space<T: Measured>(at: &At<'_>, found: &[T]) -> Option<Vec<En
         return unreadable();
     };
     let jacobian = at.numeric.jacobian(at.q);
-    let x = at.mass_matrix.clone().cholesky()?.solve(&jacobian.transpose());
+    let x = at
+        .mass_matrix
+        .clone()
+        .cholesky()?
+        .solve(&jacobian.transpose());
     let expected = &jacobian * &x;
     let sizes = Vector6::from_fn(|i, _| x.column(i).lp_norm(1));
     let entry = |i: usize, j: usize| {
@@ -126,12 +130,12 @@ pub(super) fn series_residuals<T: Measured>(at: &At<'_>, found: &[T]) -> Option<
     let (numeric, scale) = (at.numeric, &at.scale);
     let (qdd, jerk) = (second * T::of(2.0), third * T::of(6.0));
     let doubles = DVector::from_iterator(at.joints(), qdd.iter().map(|x| x.double()));
-    let (by_position, by_velocity) =
-        numeric.inverse_dynamics_derivatives(at.q, at.qd, &doubles);
+    let (by_position, by_velocity) = numeric.inverse_dynamics_derivatives(at.q, at.qd, &doubles);
     let mass_matrix = of::<T>(&at.mass_matrix);
     let bias = of_vector(&numeric.bias_force(at.q, at.qd));
     let force = &mass_matrix * &qdd + bias - of_vector(at.tau);
-    let rate = mass_matrix * &jerk + of_vector(&(by_position * at.qd)) + of::<T>(&by_velocity) * &qdd;
+    let rate =
+        mass_matrix * &jerk + of_vector(&(by_position * at.qd)) + of::<T>(&by_velocity) * &qdd;
     let inertial = scale.mass_matrix * amax(&qdd);
     let rates = scale.mass_matrix * amax(&jerk)
         + (scale.force_by_position + inertial) * at.qd.amax()

@@ -100,7 +100,9 @@ impl<'a> At<'a> {
         let squares = self.centrifugal_coefficients();
         let pairs = (0..self.joints()).flat_map(|j| (j + 1..self.joints()).map(move |k| (j, k)));
         let column = |(j, k)| {
-            let both = self.numeric.coriolis_vector(self.q, &(self.unit(j) + self.unit(k)));
+            let both = self
+                .numeric
+                .coriolis_vector(self.q, &(self.unit(j) + self.unit(k)));
             both - squares.column(j) - squares.column(k)
         };
         pairs.map(column).collect()

@@ -82,7 +82,9 @@ pub(super) fn entries<T: Measured>(
     let rows = 0..difference.nrows();
     rows.flat_map(move |row| {
         let entries: Vec<T> = difference.row(row).iter().copied().collect();
-        entries.into_iter().map(move |entry| Entry::new(Some(row), entry, scale))
+        entries
+            .into_iter()
+            .map(move |entry| Entry::new(Some(row), entry, scale))
     })
 }
 

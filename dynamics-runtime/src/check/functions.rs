@@ -120,10 +120,7 @@ table! { at, k;
 }
 
 /// The deviation of every value, in the order of the table.
-pub(super) fn deviations<T: Measured>(
-    evaluation: &Evaluation<T>,
-    at: &At<'_>,
-) -> Vec<Deviation> {
+pub(super) fn deviations<T: Measured>(evaluation: &Evaluation<T>, at: &At<'_>) -> Vec<Deviation> {
     let rows = Row::ALL.iter();
     rows.filter_map(|row| row.deviation(evaluation, at))
         .collect()
@@ -220,6 +217,8 @@ impl<A: Flat, B: Flat> Flat for (A, B) {
 impl<A: Flat> Flat for (A, A, A, A) {
     fn write(&self, numbers: &mut Vec<f64>) {
         let (a, b, c, d) = self;
-        [a, b, c, d].into_iter().for_each(|part| part.write(numbers));
+        [a, b, c, d]
+            .into_iter()
+            .for_each(|part| part.write(numbers));
     }
 }

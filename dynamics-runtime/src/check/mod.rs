@@ -277,7 +277,8 @@ impl<R: Evaluate<N>, const N: usize> Checked for OfSize<'_, R, N> {
         tau: &DVector<f64>,
         found: &mut dyn FnMut(&str, Evaluation),
     ) {
-        self.0.evaluate_parts(&fixed_state(state), &fixed(tau), found);
+        self.0
+            .evaluate_parts(&fixed_state(state), &fixed(tau), found);
     }
 }
 
@@ -295,7 +296,10 @@ fn by_residuals<const N: usize>(
     let left = tau.map(Certified::exact) - torques;
     for name in ["forward_dynamics", "forward_dynamics_aba"] {
         if let Some(qdd) = found.get(name) {
-            found.set(name, accelerations_near((&state.qdd, &left), &mass_matrix, qdd));
+            found.set(
+                name,
+                accelerations_near((&state.qdd, &left), &mass_matrix, qdd),
+            );
         }
     }
     found

@@ -50,11 +50,7 @@ pub(super) struct Scale {
 }
 
 impl Scale {
-    pub(super) fn new(
-        table: Arm<'_>,
-        mass_matrix: &DMatrix<f64>,
-        state: &SizedState<Dyn>,
-    ) -> Self {
+    pub(super) fn new(table: Arm<'_>, mass_matrix: &DMatrix<f64>, state: &SizedState<Dyn>) -> Self {
         let mass = mass_matrix.amax();
         let speed = state.qd.amax();
         let weight = table.total_mass() * norm(&table.gravity);

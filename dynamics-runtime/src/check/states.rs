@@ -43,7 +43,9 @@ impl Check {
         add("-pi/2".into(), &|_, state| state.q.fill(-FRAC_PI_2));
         for i in 0..RIGHT_ANGLES {
             add(format!("right angles {i}"), &|random, state| {
-                state.q.apply(|q| *q = (random.next() % 4) as f64 * FRAC_PI_2);
+                state
+                    .q
+                    .apply(|q| *q = (random.next() % 4) as f64 * FRAC_PI_2);
             });
         }
         for i in 0..LARGE_ANGLES {

@@ -10,8 +10,8 @@ use crate::functions::NAMES;
 use crate::test_arms::{CRAIG_ARM, CraigArm, random_state};
 use crate::{
     AccelerationDerivatives, Check, Evaluate, Evaluation, MAX_TAYLOR_ORDER, Model, NewtonEuler,
-    NumericArm,
-    Report, RuntimeTable, SingularMassMatrix, SizedState, State, Table, TaylorCoefficients, check_against_rnea,
+    NumericArm, Report, RuntimeTable, SingularMassMatrix, SizedState, State, Table,
+    TaylorCoefficients, check_against_rnea,
 };
 
 /// The textbook arm with some values of its evaluation changed.
