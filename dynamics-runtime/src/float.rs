@@ -70,6 +70,7 @@ pub(crate) fn sin_cos(x: f64) -> (f64, f64) {
 }
 
 /// Index of the first entry that is not finite.
+#[inline(always)]
 pub(crate) fn first_non_finite(entries: &[f64]) -> Option<usize> {
     entries.iter().position(|x| !x.is_finite())
 }

@@ -115,10 +115,7 @@ pub trait JointVector:
     fn largest(&self) -> f64;
 
     /// `self + factor * other`.
-    #[inline(always)]
-    fn plus(&self, factor: f64, other: &Self) -> Self {
-        Self::from_entries(self.entries().len(), |i| self[i] + other[i] * factor)
-    }
+    fn plus(&self, factor: f64, other: &Self) -> Self;
 }
 
 /// A number for each pair of joints: `SMatrix<f64, N, N>` or `DMatrix<f64>`.
@@ -214,6 +211,11 @@ impl<const N: usize> JointVector for SVector<f64, N> {
 
     fn largest(&self) -> f64 {
         self.amax()
+    }
+
+    #[inline(always)]
+    fn plus(&self, factor: f64, other: &Self) -> Self {
+        self + other * factor
     }
 }
 
@@ -314,6 +316,10 @@ impl JointVector for DVector<f64> {
 
     fn largest(&self) -> f64 {
         self.amax()
+    }
+
+    fn plus(&self, factor: f64, other: &Self) -> Self {
+        self + other * factor
     }
 }
 

@@ -81,6 +81,7 @@ where
     }
 
     /// The solution for right sides of which some phases are the real and the imaginary parts.
+    #[inline(always)]
     fn solve_parts(
         &self,
         size: D,

@@ -39,8 +39,9 @@ impl<T: ComplexField + Copy, D: Size> Lu<T, D> {
         Lu { factors, rows }
     }
 
+    #[inline]
     pub(crate) fn solve(&self, mut x: D::Each<T>) -> D::Each<T> {
-        let size = self.rows.as_ref().len();
+        let size = x.as_ref().len();
         for (k, row) in self.rows.as_ref().iter().enumerate() {
             x.as_mut().swap(k, *row);
         }

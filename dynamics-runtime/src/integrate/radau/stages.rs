@@ -4,6 +4,7 @@ use crate::integrate::Phase;
 use crate::size::Size;
 
 /// Sum of three phases, each by its weight.
+#[inline]
 pub(super) fn combination<D: Size>(weights: &[f64; 3], of: &[Phase<D>; 3]) -> Phase<D> {
     of[0]
         .scaled(weights[0])
