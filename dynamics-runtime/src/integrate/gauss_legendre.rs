@@ -24,6 +24,9 @@ struct Tableau<const STAGES: usize> {
     ahead: [[f64; STAGES]; STAGES],
 }
 
+/// The start of a step, and a first guess of the stages' rates.
+type Begun<const STAGES: usize, D> = (Compensated<D>, [Point<D>; STAGES]);
+
 /// What a step hands on to the next one, besides the phase that it returned.
 struct Carried<const STAGES: usize, D: Size> {
     phase: Phase<D>,
@@ -98,7 +101,7 @@ impl<const STAGES: usize, D: Size> GaussLegendre<STAGES, D> {
         t: f64,
         phase: &Phase<D>,
         h: f64,
-    ) -> Result<(Compensated<D>, [Point<D>; STAGES]), S::Refusal> {
+    ) -> Result<Begun<STAGES, D>, S::Refusal> {
         if let Some(before) = &self.carried
             && before.phase == *phase
             && before.h == h

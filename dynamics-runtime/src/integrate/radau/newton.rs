@@ -32,6 +32,9 @@ pub(super) struct Matrices<D: Size> {
     complex: Shifted<Complex<f64>, D>,
 }
 
+/// The changes of the stages, and the number of iterations that they took.
+type Solved<D> = ([Phase<D>; 3], u32);
+
 /// Why a trial gave no step.
 pub(super) enum Miss<E> {
     Refused(E),
@@ -99,7 +102,7 @@ impl Newton {
         step: &Step<S, D>,
         matrices: &Matrices<D>,
         guess: [Phase<D>; 3],
-    ) -> Result<([Phase<D>; 3], u32), Miss<S::Refusal>> {
+    ) -> Result<Solved<D>, Miss<S::Refusal>> {
         let mut z = guess;
         let mut w = transformed(&T_INVERSE, &z);
         self.left_over = self.left_over.max(f64::EPSILON).powf(0.8);
