@@ -2,12 +2,13 @@
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use nalgebra::{
-    Matrix1, Matrix2, Matrix3, Matrix4, Rotation3, SMatrix, SVector, Vector1, Vector2, Vector3,
+    DVector, Dyn, Matrix1, Matrix2, Matrix3, Matrix4, Rotation3, SMatrix, SVector, Vector1,
+    Vector2, Vector3,
 };
 
-use super::NewtonEuler;
+use super::{NewtonEuler, NumericArm};
 use crate::test_arms::{CRAIG_ARM, general_table, mounted_table, random_state};
-use crate::{Convention, JointType, Model, Row, State, Table};
+use crate::{Convention, JointMotion, JointType, Model, Row, RuntimeTable, State, Table};
 
 #[track_caller]
 fn assert_near<const R: usize, const C: usize>(
@@ -418,4 +419,137 @@ fn derivatives_are_limits_of_differences() {
             assert_near(by_velocity.column(j).into_owned(), slope, 1e-6 * size);
         }
     }
+}
+
+/// Of joints q that lead, those of all rows: two follow, at factors times their leaders and offsets.
+const FACTORS: [[f64; 2]; 4] = [[1.0, 0.0], [-0.5, 0.0], [0.0, 1.0], [1.5, 0.0]];
+const OFFSETS: [f64; 4] = [0.0, 0.3, 0.0, -0.2];
+
+fn coupled(convention: Convention, seed: u64) -> (Table<4>, Table<2>) {
+    let whole = mounted_table::<4>(convention, seed);
+    let follows = |row: usize| JointMotion::Follows {
+        leader: 0,
+        factor: FACTORS[row][0],
+        offset: OFFSETS[row],
+    };
+    let motions = [JointMotion::Free, follows(1), JointMotion::Free, follows(3)];
+    let table = Table {
+        base: whole.base,
+        tool: whole.tool,
+        ..Table::couple(convention, whole.gravity, whole.rows, motions)
+    };
+    (whole, table)
+}
+
+/// By virtual work: tau of an arm with followers is S' tau of the arm in which each row moves by itself, at S q + c.
+#[test]
+fn followers_move_with_their_leaders() {
+    let s = SMatrix::<f64, 4, 2>::from_fn(|i, j| FACTORS[i][j]);
+    for seed in 1..=6 {
+        let convention = [Convention::Standard, Convention::Modified][seed as usize % 2];
+        let (whole, table) = coupled(convention, seed);
+        let (whole, arm) = (NewtonEuler::new(&whole), NewtonEuler::new(&table));
+        let State { q, qd, qdd } = random_state::<2>(seed);
+        let all = s * q + SVector::from(OFFSETS);
+        let [v, a] = [s * qd, s * qdd];
+        let tau = arm.inverse_dynamics(&q, &qd, &qdd);
+        let near = 1e-11;
+        assert_near(tau, s.tr_mul(&whole.inverse_dynamics(&all, &v, &a)), near);
+        assert_near(
+            arm.mass_matrix(&q),
+            s.tr_mul(&(whole.mass_matrix(&all) * s)),
+            near,
+        );
+        assert_near(
+            arm.coriolis_matrix(&q, &qd),
+            s.tr_mul(&(whole.coriolis_matrix(&all, &v) * s)),
+            near,
+        );
+        assert_near(arm.jacobian(&q), whole.jacobian(&all) * s, near);
+        assert_near(
+            arm.jacobian_rate(&q, &qd),
+            whole.jacobian_rate(&all, &v) * s,
+            near,
+        );
+        assert_near(
+            arm.center_of_mass_jacobian(&q),
+            whole.center_of_mass_jacobian(&all) * s,
+            near,
+        );
+        let energy = arm.potential_energy(&q) + arm.kinetic_energy(&q, &qd);
+        assert_abs_diff_eq!(
+            energy,
+            whole.potential_energy(&all) + whole.kinetic_energy(&all, &v),
+            epsilon = near
+        );
+        assert_near(arm.link_poses(&q)[1], whole.link_poses(&all)[2], near);
+        assert_near(
+            arm.link_jacobians(&q)[1],
+            whole.link_jacobians(&all)[2] * s,
+            near,
+        );
+
+        let (found, expected) = (
+            arm.inverse_dynamics_derivatives(&q, &qd, &qdd),
+            whole.inverse_dynamics_derivatives(&all, &v, &a),
+        );
+        assert_near(found.0, s.tr_mul(&(expected.0 * s)), 1e-10);
+        assert_near(found.1, s.tr_mul(&(expected.1 * s)), 1e-10);
+        let [jerk, snap] = [qd * 2.0, qdd - qd];
+        let found = arm.inverse_dynamics_rates(&q, &qd, &qdd, &jerk, &snap);
+        let expected = whole.inverse_dynamics_rates(&all, &v, &a, &(s * jerk), &(s * snap));
+        assert_near(found.0, s.tr_mul(&expected.0), 1e-9);
+        assert_near(found.1, s.tr_mul(&expected.1), 1e-8);
+        assert_near(
+            arm.inverse_dynamics(&q, &qd, &arm.forward_dynamics(&q, &qd, &tau).unwrap()),
+            tau,
+            1e-9,
+        );
+
+        let second = arm.inverse_dynamics_second_derivatives(&q, &qd, &qdd);
+        let h = 1e-5;
+        let along = |k: usize, sign: f64| {
+            SVector::<f64, 2>::from_fn(|i, _| if i == k { sign * h } else { 0.0 })
+        };
+        for k in 0..2 {
+            let [plus, minus] = [1.0, -1.0].map(|sign| q + along(k, sign));
+            let rate = (arm.mass_matrix(&plus) - arm.mass_matrix(&minus)) / (2.0 * h);
+            assert_near(
+                SMatrix::<f64, 2, 2>::from_fn(|i, j| second.3[i][(j, k)]),
+                rate,
+                1e-6,
+            );
+            let [plus, minus] =
+                [plus, minus].map(|q| arm.inverse_dynamics_derivatives(&q, &qd, &qdd).0);
+            let slope = (plus - minus) / (2.0 * h);
+            assert_near(
+                SMatrix::<f64, 2, 2>::from_fn(|i, j| second.0[i][(j, k)]),
+                slope,
+                1e-5,
+            );
+        }
+    }
+}
+
+/// The same numbers, whether the compiler knows how many joints there are.
+#[test]
+fn arms_of_a_size_known_at_run_time_are_the_same() {
+    let (_, table) = coupled(Convention::Standard, 7);
+    let (fixed, sized) = (
+        NewtonEuler::new(&table),
+        NumericArm::<Dyn>::new(&RuntimeTable::from(&table)),
+    );
+    let State { q, qd, qdd } = random_state::<2>(7);
+    let [x, v, a] = [q, qd, qdd].map(|vector| DVector::from_column_slice(vector.as_slice()));
+    let expected = fixed.inverse_dynamics(&q, &qd, &qdd);
+    assert_eq!(
+        sized.inverse_dynamics(&x, &v, &a).as_slice(),
+        expected.as_slice()
+    );
+    assert_eq!(
+        sized.mass_matrix(&x).as_slice(),
+        fixed.mass_matrix(&q).as_slice()
+    );
+    assert_eq!(sized.jacobian(&x).as_slice(), fixed.jacobian(&q).as_slice());
+    assert_eq!(sized.dof(), 2);
 }
