@@ -2,7 +2,7 @@
 //!
 //! [`RuntimeRobot`] derives and proves the functions of a robot as the macro `robot_dynamics!` does, and
 //! evaluates their programs without a compiler: at one state, or at many in the lanes of vector
-//! registers. Simulations take [`RuntimeRobot::dynamics`], checks the result of [`RuntimeRobot::typed`].
+//! registers. Checks take it as it is, simulations its [`dynamics`](RuntimeRobot::dynamics).
 #![forbid(unsafe_code)]
 
 mod at;
@@ -36,5 +36,5 @@ pub use file::{Besides, FileError, FileMistake, read_file, read_text};
 pub use identified::{IdentificationError, ImpossibleLink, JointFriction, NearestPossible};
 pub use robot::RuntimeRobot;
 pub use simulated::{RuntimeDynamics, Tip};
-pub use typed::{Typed, TypedDynamics, TypedTip};
+pub use typed::Typed;
 pub use value::Value;

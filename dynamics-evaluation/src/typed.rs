@@ -1,9 +1,9 @@
 //! A robot at run time as generic code of a fixed number of joints takes it: checks and simulations.
 
-use dynamics_runtime::nalgebra::{Matrix4, SMatrix, SVector};
+use dynamics_runtime::nalgebra::{DVector, Dyn, SVector};
 use dynamics_runtime::{
-    CoriolisVector, Energy, Evaluate, Evaluation, ForwardDynamics, GravityVector, InverseDynamics,
-    Kinematics, MassMatrix, Model, Momenta, Scalar, SingularMassMatrix, State, Table,
+    Certified, Checked, Evaluate, Evaluation, JointVector as _, Model, RuntimeTable, Scalar, Size,
+    SizedState, State, Table,
 };
 use dynamics_symbolic::function::Argument;
 use dynamics_symbolic::robot::Robot;
@@ -14,8 +14,8 @@ use crate::table::table;
 use crate::{BuildError, EvaluationError, RuntimeRobot, WrongJoints};
 
 impl RuntimeRobot {
-    /// The robot as an arm of `N` joints, which [`Check`](dynamics_runtime::Check) takes; simulations take its
-    /// [`dynamics`](Typed::dynamics).
+    /// The robot as an arm of `N` joints, which generic code takes. Checks take the robot as it is
+    /// ([`Check::run_any`](dynamics_runtime::Check::run_any)), and simulations its [`dynamics`](RuntimeRobot::dynamics).
     ///
     /// ```
     /// # use dynamics_evaluation::RuntimeRobot;
@@ -47,100 +47,9 @@ pub struct Typed<'a, const N: usize> {
     pub(crate) table: Table<N>,
 }
 
-/// A [`RuntimeRobot`] of `N` joints that has the functions by which an arm moves, as
-/// [`Simulation`](dynamics_runtime::Simulation) needs them.
-#[derive(Clone, Copy, Debug)]
-pub struct TypedDynamics<'a, const N: usize> {
-    typed: Typed<'a, N>,
-    mass_matrix: &'a Compiled,
-    coriolis_vector: &'a Compiled,
-    gravity_vector: &'a Compiled,
-    inverse_dynamics: &'a Compiled,
-    forward_dynamics: &'a Compiled,
-    kinetic_energy: &'a Compiled,
-    potential_energy: &'a Compiled,
-}
-
-/// A [`TypedDynamics`] with the kinematics of its tip: a simulation of it may have a force at the tool.
-#[derive(Clone, Copy, Debug)]
-pub struct TypedTip<'a, const N: usize> {
-    dynamics: TypedDynamics<'a, N>,
-    forward_kinematics: &'a Compiled,
-    jacobian: &'a Compiled,
-}
-
-impl<'a, const N: usize> Typed<'a, N> {
-    /// The arm with its motion, which [`Simulation`](dynamics_runtime::Simulation) takes.
-    ///
-    /// # Errors
-    ///
-    /// [`EvaluationError::NotSimulated`] unless all [`simulation_functions`](RuntimeRobot::simulation_functions) but the
-    /// two of the tip were asked for, as [`for_simulation`](RuntimeRobot::for_simulation) does.
-    pub fn dynamics(self) -> Result<TypedDynamics<'a, N>, EvaluationError> {
-        let function = |function: Function| self.arm.simulated(function);
-        Ok(TypedDynamics {
-            typed: self,
-            mass_matrix: function(Function::MassMatrix)?,
-            coriolis_vector: function(Function::CoriolisVector)?,
-            gravity_vector: function(Function::GravityVector)?,
-            inverse_dynamics: function(Function::InverseDynamics)?,
-            forward_dynamics: function(Function::ForwardDynamics)?,
-            kinetic_energy: function(Function::KineticEnergy)?,
-            potential_energy: function(Function::PotentialEnergy)?,
-        })
-    }
-
-    /// The values of a function at joint vectors, in the arithmetic of their numbers.
-    fn at<T: Scalar>(
-        &self,
-        function: &Compiled,
-        arguments: &[(Argument, &SVector<T, N>)],
-    ) -> Result<Vec<T>, SingularMassMatrix> {
-        let like = arguments.first().map(|(_, vector)| vector[0]);
-        let constant = |x: f64| like.map_or_else(|| T::from_f64(x), |like| like.constant(x));
-        let argument = |of: Argument, i: usize| {
-            let mut known = arguments.iter();
-            let vector = known.find(|(argument, _)| *argument == of);
-            vector.map_or_else(|| constant(f64::NAN), |(_, vector)| vector[i])
-        };
-        let shared = self.arm.shared(function, &constant);
-        self.arm.values(function, &shared, &argument, &constant)
-    }
-
-    /// The same of a function that does not solve with M.
-    fn vector<T: Scalar, const R: usize, const C: usize>(
-        &self,
-        function: &Compiled,
-        arguments: &[(Argument, &SVector<T, N>)],
-    ) -> SMatrix<T, R, C> {
-        let like = arguments[0].1[0];
-        match self.at(function, arguments) {
-            Ok(values) => SMatrix::from_iterator(values),
-            Err(_) => SMatrix::repeat(like.constant(f64::NAN)),
-        }
-    }
-}
-
-impl<'a, const N: usize> TypedDynamics<'a, N> {
-    /// The arm with its tip: its simulation may have a force at the tool.
-    ///
-    /// # Errors
-    ///
-    /// [`EvaluationError::NotSimulated`] where `forward_kinematics` or `jacobian` was not asked for.
-    pub fn with_tip(self) -> Result<TypedTip<'a, N>, EvaluationError> {
-        Ok(TypedTip {
-            dynamics: self,
-            forward_kinematics: self.typed.arm.simulated(Function::ForwardKinematics)?,
-            jacobian: self.typed.arm.simulated(Function::Jacobian)?,
-        })
-    }
-}
-
-/// What [`Typed::dynamics`] takes, then what [`TypedDynamics::with_tip`] takes.
-const OF_SIMULATIONS: [Function; 9] = [
+/// What [`RuntimeRobot::dynamics`] takes, then what [`RuntimeDynamics::with_tip`](crate::RuntimeDynamics::with_tip) takes.
+const OF_SIMULATIONS: [Function; 7] = [
     Function::MassMatrix,
-    Function::CoriolisVector,
-    Function::GravityVector,
     Function::InverseDynamics,
     Function::ForwardDynamics,
     Function::KineticEnergy,
@@ -163,8 +72,7 @@ impl RuntimeRobot {
     /// use robot_dynamics::evaluation::RuntimeRobot;
     ///
     /// let robot = RuntimeRobot::for_simulation(robot)?;
-    /// let arm = robot.typed::<6>()?.dynamics()?;
-    /// let motion = Simulation::new(&arm).duration(2.0).run()?;
+    /// let motion = Simulation::new(&robot.dynamics()?).duration(2.0).run()?;
     /// # Ok(())
     /// # }
     /// ```
@@ -181,7 +89,7 @@ impl RuntimeRobot {
     ///
     /// Forward dynamics moves the arm; methods that work in momenta need the mass matrix and inverse dynamics, energies
     /// are compared; the last two, `forward_kinematics` and `jacobian`, are those of a force at the tool.
-    pub fn simulation_functions() -> [Function; 9] {
+    pub fn simulation_functions() -> [Function; 7] {
         OF_SIMULATIONS
     }
 
@@ -194,61 +102,77 @@ impl RuntimeRobot {
     }
 }
 
-/// What all of them are; names of joints are known at run time alone: see `joint_names`.
-macro_rules! impl_model {
-    ($($typed:ident: [$($path:ident).*] $($energies:ident)?;)*) => {$(
-        impl<const N: usize> Model<N> for $typed<'_, N> {
-            /// The names of the joints are those of `joint_names`.
-            const JOINT_NAMES: [&'static str; N] = ["joint"; N];
+/// The names of joints are known at run time alone: see `joint_names`.
+impl<const N: usize> Model<N> for Typed<'_, N> {
+    const JOINT_NAMES: [&'static str; N] = ["joint"; N];
 
-            fn table(&self) -> Table<N> {
-                self.$($path.)*table
-            }
+    fn table(&self) -> Table<N> {
+        self.table
+    }
 
-            fn joint_names(&self) -> [&str; N] {
-                let mut names = self.$($path.)*arm.joint_names();
-                core::array::from_fn(|_| names.next().unwrap_or_default())
-            }
-
-            $(fn $energies(&self, q: &SVector<f64, N>, qd: &SVector<f64, N>) -> Option<[f64; 2]> {
-                Some([self.kinetic_energy(q, qd), self.potential_energy(q)])
-            })?
-        }
-
-        impl<const N: usize> Evaluate<N> for $typed<'_, N> {
-            fn evaluate_in<T: Scalar>(
-                &self,
-                state: &State<N>,
-                tau: &SVector<f64, N>,
-                real: fn(f64) -> T,
-            ) -> Evaluation<T> {
-                self.$($path.)*arm.evaluation(state, tau, real)
-            }
-
-            fn evaluate_parts(
-                &self,
-                state: &State<N>,
-                tau: &SVector<f64, N>,
-                found: &mut dyn FnMut(&str, Evaluation),
-            ) {
-                self.$($path.)*arm.evaluate_parts(state, tau, found);
-            }
-        }
-    )*};
+    fn joint_names(&self) -> [&str; N] {
+        let mut names = self.arm.joint_names();
+        core::array::from_fn(|_| names.next().unwrap_or_default())
+    }
 }
 
-impl_model! {
-    Typed: [];
-    TypedDynamics: [typed] energies;
-    TypedTip: [dynamics.typed] energies;
+impl<const N: usize> Evaluate<N> for Typed<'_, N> {
+    fn evaluate_in<T: Scalar>(
+        &self,
+        state: &State<N>,
+        tau: &SVector<f64, N>,
+        real: fn(f64) -> T,
+    ) -> Evaluation<T> {
+        self.arm.evaluation(state, tau, real)
+    }
+
+    fn evaluate_parts(
+        &self,
+        state: &State<N>,
+        tau: &SVector<f64, N>,
+        found: &mut dyn FnMut(&str, Evaluation),
+    ) {
+        self.arm.evaluate_parts(state, tau, found);
+    }
+}
+
+impl Checked for RuntimeRobot {
+    fn names(&self) -> Vec<String> {
+        self.joint_names().map(str::to_owned).collect()
+    }
+
+    fn runtime_table(&self) -> RuntimeTable {
+        table(self.robot(), self.fields())
+    }
+
+    fn values(&self, state: &SizedState<Dyn>, tau: &DVector<f64>) -> Evaluation {
+        self.evaluation(state, tau, |x| x)
+    }
+
+    fn certified_values(
+        &self,
+        state: &SizedState<Dyn>,
+        tau: &DVector<f64>,
+    ) -> Evaluation<Certified> {
+        self.evaluation(state, tau, Certified::exact)
+    }
+
+    fn values_of_parts(
+        &self,
+        state: &SizedState<Dyn>,
+        tau: &DVector<f64>,
+        found: &mut dyn FnMut(&str, Evaluation),
+    ) {
+        self.evaluate_parts(state, tau, found);
+    }
 }
 
 impl RuntimeRobot {
     /// The values of all functions that are evaluated by themselves, in numbers that `real` makes of the state's.
-    fn evaluation<const N: usize, T: Scalar>(
+    fn evaluation<D: Size, T: Scalar>(
         &self,
-        state: &State<N>,
-        tau: &SVector<f64, N>,
+        state: &SizedState<D>,
+        tau: &D::Vector,
         real: fn(f64) -> T,
     ) -> Evaluation<T> {
         let double = arguments(state, tau);
@@ -264,14 +188,15 @@ impl RuntimeRobot {
                 evaluation.set(one.name(), values);
             }
         }
-        evaluation.combined(state.qd.map(real).as_slice())
+        let qd: Vec<T> = state.qd.entries().iter().map(|x| real(*x)).collect();
+        evaluation.combined(&qd)
     }
 
     /// The parts of the methods that return several functions, each method by its own program.
-    fn evaluate_parts<const N: usize>(
+    fn evaluate_parts<D: Size>(
         &self,
-        state: &State<N>,
-        tau: &SVector<f64, N>,
+        state: &SizedState<D>,
+        tau: &D::Vector,
         found: &mut dyn FnMut(&str, Evaluation),
     ) {
         let argument = arguments(state, tau);
@@ -298,20 +223,17 @@ impl RuntimeRobot {
             }
             found(
                 function.request.name(),
-                evaluation.combined(state.qd.as_slice()),
+                evaluation.combined(state.qd.entries()),
             );
         }
     }
 }
 
 /// The entries of all arguments at a state.
-fn arguments<const N: usize>(
-    state: &State<N>,
-    tau: &SVector<f64, N>,
-) -> impl Fn(Argument, usize) -> f64 {
-    let (State { q, qd, qdd }, tau) = (*state, *tau);
+fn arguments<D: Size>(state: &SizedState<D>, tau: &D::Vector) -> impl Fn(Argument, usize) -> f64 {
+    let (SizedState { q, qd, qdd }, tau) = (state.clone(), tau.clone());
     let [qd_r, qdd_r] = [state.reference_velocity(), state.reference_acceleration()];
-    let ([jerk, snap], wrench) = ([state.jerk(), state.snap()], State::<N>::wrench());
+    let ([jerk, snap], wrench) = ([state.jerk(), state.snap()], SizedState::<D>::wrench());
     move |of, i| match of {
         Argument::Position => q[i],
         Argument::Velocity => qd[i],
@@ -323,97 +245,5 @@ fn arguments<const N: usize>(
         Argument::Snap => snap[i],
         Argument::Wrench => wrench[i],
         Argument::Order => f64::NAN,
-    }
-}
-
-use Argument::{Acceleration, Force, Position, Velocity};
-
-macro_rules! impl_dynamics {
-    ($($typed:ident: $($path:ident).*;)*) => {$(
-        impl<const N: usize> MassMatrix<N> for $typed<'_, N> {
-            fn mass_matrix<T: Scalar>(&self, q: &SVector<T, N>) -> SMatrix<T, N, N> {
-                let dynamics = &self$(.$path)*;
-                dynamics.typed.vector(dynamics.mass_matrix, &[(Position, q)])
-            }
-        }
-
-        impl<const N: usize> CoriolisVector<N> for $typed<'_, N> {
-            fn coriolis_vector<T: Scalar>(
-                &self,
-                q: &SVector<T, N>,
-                qd: &SVector<T, N>,
-            ) -> SVector<T, N> {
-                let dynamics = &self$(.$path)*;
-                let arguments = [(Position, q), (Velocity, qd)];
-                dynamics.typed.vector(dynamics.coriolis_vector, &arguments)
-            }
-        }
-
-        impl<const N: usize> GravityVector<N> for $typed<'_, N> {
-            fn gravity_vector<T: Scalar>(&self, q: &SVector<T, N>) -> SVector<T, N> {
-                let dynamics = &self$(.$path)*;
-                dynamics.typed.vector(dynamics.gravity_vector, &[(Position, q)])
-            }
-        }
-
-        impl<const N: usize> InverseDynamics<N> for $typed<'_, N> {
-            fn inverse_dynamics<T: Scalar>(
-                &self,
-                q: &SVector<T, N>,
-                qd: &SVector<T, N>,
-                qdd: &SVector<T, N>,
-            ) -> SVector<T, N> {
-                let dynamics = &self$(.$path)*;
-                let arguments = [(Position, q), (Velocity, qd), (Acceleration, qdd)];
-                dynamics.typed.vector(dynamics.inverse_dynamics, &arguments)
-            }
-        }
-
-        impl<const N: usize> ForwardDynamics<N> for $typed<'_, N> {
-            fn forward_dynamics<T: Scalar>(
-                &self,
-                q: &SVector<T, N>,
-                qd: &SVector<T, N>,
-                tau: &SVector<T, N>,
-            ) -> Result<SVector<T, N>, SingularMassMatrix> {
-                let dynamics = &self$(.$path)*;
-                let arguments = [(Position, q), (Velocity, qd), (Force, tau)];
-                let values = dynamics.typed.at(dynamics.forward_dynamics, &arguments)?;
-                Ok(SVector::from_iterator(values))
-            }
-
-            fn momenta(&self) -> Option<&dyn Momenta<N>> {
-                Some(self)
-            }
-        }
-
-        impl<const N: usize> Energy<N> for $typed<'_, N> {
-            fn kinetic_energy<T: Scalar>(&self, q: &SVector<T, N>, qd: &SVector<T, N>) -> T {
-                let dynamics = &self$(.$path)*;
-                let arguments = [(Position, q), (Velocity, qd)];
-                dynamics.typed.vector::<T, 1, 1>(dynamics.kinetic_energy, &arguments)[0]
-            }
-
-            fn potential_energy<T: Scalar>(&self, q: &SVector<T, N>) -> T {
-                let dynamics = &self$(.$path)*;
-                dynamics.typed.vector::<T, 1, 1>(dynamics.potential_energy, &[(Position, q)])[0]
-            }
-        }
-    )*};
-}
-
-impl_dynamics! {
-    TypedDynamics: ;
-    TypedTip: dynamics;
-}
-
-impl<const N: usize> Kinematics<N> for TypedTip<'_, N> {
-    fn forward_kinematics<T: Scalar>(&self, q: &SVector<T, N>) -> Matrix4<T> {
-        let typed = &self.dynamics.typed;
-        typed.vector(self.forward_kinematics, &[(Position, q)])
-    }
-
-    fn jacobian<T: Scalar>(&self, q: &SVector<T, N>) -> SMatrix<T, 6, N> {
-        self.dynamics.typed.vector(self.jacobian, &[(Position, q)])
     }
 }

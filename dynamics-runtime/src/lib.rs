@@ -83,7 +83,7 @@ pub use batch::{Batch, BatchError, LengthMismatch, Precision, States, StatesMut,
 pub use batch::{Fields, failing, on_one_core};
 pub use certified::{Certified, Rounded};
 #[cfg(feature = "std")]
-pub use check::{Check, FunctionReport, Report, check_against_rnea};
+pub use check::{Check, Checked, FunctionReport, Report, check_against_rnea};
 pub use conditioning::Conditioning;
 pub use configuration::Configuration;
 pub use double_double::DoubleDouble;
@@ -129,7 +129,7 @@ pub use simulation::{
 pub use sine::{Part, sin_cos_column};
 pub use singular::SingularMassMatrix;
 pub use size::{JointMatrix, JointVector, Size, SizedSecondDerivatives};
-pub use state::{AccelerationDerivatives, SecondDerivatives, State};
+pub use state::{AccelerationDerivatives, SecondDerivatives, SizedState, State};
 #[cfg(feature = "std")]
 pub use table::RuntimeTable;
 #[doc(hidden)]

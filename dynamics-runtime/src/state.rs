@@ -1,44 +1,52 @@
 //! A state of an arm, and types of the values of functions there.
 
-use nalgebra::{SMatrix, SVector, Vector6};
+use nalgebra::{Const, SMatrix, Vector6};
 
-/// Position, velocity and acceleration of all joints.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct State<const N: usize> {
+use crate::size::Size;
+
+/// Position, velocity and acceleration of all joints. [`State`] is that of an arm whose number of joints the compiler
+/// knows.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SizedState<D: Size> {
     /// Joint positions, rad or m.
-    pub q: SVector<f64, N>,
+    pub q: D::Vector,
     /// Joint velocities, rad/s or m/s.
-    pub qd: SVector<f64, N>,
+    pub qd: D::Vector,
     /// Joint accelerations, rad/s^2 or m/s^2.
-    pub qdd: SVector<f64, N>,
+    pub qdd: D::Vector,
 }
+
+/// Position, velocity and acceleration of `N` joints.
+pub type State<const N: usize> = SizedState<Const<N>>;
+
+impl<const N: usize> Copy for State<N> {}
 
 /// Some functions have arguments that a state does not hold. Checks make them of the state, so that the state is all
 /// that they choose: these arguments are as fast as the state, and none is a multiple of another argument of the same
 /// function.
-impl<const N: usize> State<N> {
+impl<D: Size> SizedState<D> {
     /// qd_r, a reference velocity.
     #[doc(hidden)]
-    pub fn reference_velocity(&self) -> SVector<f64, N> {
-        self.qdd * 0.25
+    pub fn reference_velocity(&self) -> D::Vector {
+        self.qdd.clone() * 0.25
     }
 
     /// qdd_r, a reference acceleration.
     #[doc(hidden)]
-    pub fn reference_acceleration(&self) -> SVector<f64, N> {
-        self.qd * 4.0 - self.qdd * 0.5
+    pub fn reference_acceleration(&self) -> D::Vector {
+        self.qd.clone() * 4.0 - self.qdd.clone() * 0.5
     }
 
     /// The rates of the accelerations.
     #[doc(hidden)]
-    pub fn jerk(&self) -> SVector<f64, N> {
-        self.qdd * -2.0 + self.qd * 8.0
+    pub fn jerk(&self) -> D::Vector {
+        self.qdd.clone() * -2.0 + self.qd.clone() * 8.0
     }
 
     /// The rates of the jerk.
     #[doc(hidden)]
-    pub fn snap(&self) -> SVector<f64, N> {
-        self.qdd * 8.0 - self.qd * 4.0
+    pub fn snap(&self) -> D::Vector {
+        self.qdd.clone() * 8.0 - self.qd.clone() * 4.0
     }
 
     /// A force on the tip and a moment about its origin: the same at every state.

@@ -1,6 +1,6 @@
 //! Arms of more joints than most have.
 
-use super::calls::{errors, file, output};
+use super::calls::{file, output};
 
 /// Rods of which each hangs from the one before, about axes that alternate.
 fn chain(joints: usize) -> String {
@@ -33,12 +33,10 @@ fn long_arms_are_compared_with_newton_euler() {
         text.contains("mass_matrix") && text.contains("ok"),
         "{text}"
     );
-    let arm = file("too_many.toml", chain(33));
-    let message = errors(&["check", &arm, "--functions", "gravity_vector"], 1);
-    assert!(
-        message.contains("expected 32 at most") && message.contains("--lock"),
-        "{message}"
-    );
+    let arm = file("forty.toml", chain(40));
+    let functions = ["--functions", "gravity_vector", "--samples", "2"];
+    let text = output(&[&["check", &arm][..], &functions[..]].concat());
+    assert!(text.contains("ok"), "{text}");
 }
 
 /// Twelve joints fall for a moment, and keep their energy.

@@ -392,8 +392,7 @@ fn the_nearest_possible_arm_fits_noisy_torques_nearly_as_well() {
     let [of_real, found] = [&real, &identified].map(|arm| residual(arm, &run));
     assert!(found < 1.1 * of_real, "{found} of {of_real}");
 
-    let six = identified.typed::<6>().expect("six joints");
-    let dynamics = six.dynamics().expect("derived");
+    let dynamics = identified.dynamics().expect("derived");
     let falling = Simulation::new(&dynamics).friction(Friction::Sticking);
     let falling = falling.duration(0.2).samples(3).run();
     assert_eq!(falling.expect("M is positive definite").len(), 3);
@@ -469,7 +468,7 @@ fn an_arm_without_a_positive_definite_mass_matrix_is_no_good_one() {
         text.contains("\nmass matrix: NOT positive definite, relative pivot -"),
         "{text}"
     );
-    let dynamics = typed.dynamics().expect("derived");
+    let dynamics = arm.dynamics().expect("derived");
     let error = Simulation::new(&dynamics).run().expect_err("no motion");
     let text = format!("{error:?}");
     assert!(

@@ -1,22 +1,22 @@
 //! A state at which functions are compared.
 
-use nalgebra::{SMatrix, SVector};
+use nalgebra::{DMatrix, DVector, Dyn};
 
 use super::scale::Scale;
 use crate::table::{AsArm as _, Moving};
-use crate::{JointType, NewtonEuler, State, Table};
+use crate::{JointType, NumericArm, RuntimeTable, SizedState};
 
 /// A state at which functions are compared, and the magnitudes of their values there.
-pub(super) struct At<'a, const N: usize> {
-    pub(super) numeric: &'a NewtonEuler<N>,
-    pub(super) table: &'a Table<N>,
-    pub(super) state: &'a State<N>,
-    pub(super) q: &'a SVector<f64, N>,
-    pub(super) qd: &'a SVector<f64, N>,
-    pub(super) qdd: &'a SVector<f64, N>,
-    pub(super) tau: &'a SVector<f64, N>,
+pub(super) struct At<'a> {
+    pub(super) numeric: &'a NumericArm<Dyn>,
+    pub(super) table: &'a RuntimeTable,
+    pub(super) state: &'a SizedState<Dyn>,
+    pub(super) q: &'a DVector<f64>,
+    pub(super) qd: &'a DVector<f64>,
+    pub(super) qdd: &'a DVector<f64>,
+    pub(super) tau: &'a DVector<f64>,
     /// M(q) of the numeric algorithm.
-    pub(super) mass_matrix: SMatrix<f64, N, N>,
+    pub(super) mass_matrix: DMatrix<f64>,
     pub(super) scale: Scale,
     /// The constant that the regressor of the potential energy leaves open.
     pub(super) datum: f64,
@@ -26,10 +26,15 @@ pub(super) struct At<'a, const N: usize> {
 pub(super) type Unit = (f64, Option<usize>);
 
 /// The units of entries.
-impl<const N: usize> At<'_, N> {
+impl At<'_> {
+    /// The number of joints.
+    pub(super) fn joints(&self) -> usize {
+        self.q.len()
+    }
+
     /// Row i of a matrix of N rows belongs to joint i.
     pub(super) fn joint(&self, k: usize, scale: f64) -> Unit {
-        (scale, Some(k % N))
+        (scale, Some(k % self.joints()))
     }
 
     /// Directions in a transform are of size 1.
@@ -43,7 +48,7 @@ impl<const N: usize> At<'_, N> {
 
     /// Axes in a Jacobian are of size 1, velocities of revolute joints as large as the distance from their axis.
     pub(super) fn jacobian(&self, k: usize) -> Unit {
-        let joint = k / 6 % N;
+        let joint = k / 6 % self.joints();
         let is_revolute = self.table.rows[joint].joint_type == JointType::Revolute;
         let is_lever = k % 6 < 3 && is_revolute;
         let scale = if is_lever { self.scale.position } else { 1.0 };
@@ -60,17 +65,17 @@ impl<const N: usize> At<'_, N> {
 }
 
 /// Numeric values that are put together.
-impl<'a, const N: usize> At<'a, N> {
+impl<'a> At<'a> {
     pub(super) fn new(
-        numeric: &'a NewtonEuler<N>,
-        table: &'a Table<N>,
-        state: &'a State<N>,
-        tau: &'a SVector<f64, N>,
+        numeric: &'a NumericArm<Dyn>,
+        table: &'a RuntimeTable,
+        state: &'a SizedState<Dyn>,
+        tau: &'a DVector<f64>,
     ) -> Self {
-        let State { q, qd, qdd } = state;
+        let SizedState { q, qd, qdd } = state;
         let mass_matrix = numeric.mass_matrix(q);
         At {
-            scale: Scale::new(table, &mass_matrix, state),
+            scale: Scale::new(table.arm(), &mass_matrix, state),
             datum: 0.0,
             numeric,
             table,
@@ -84,28 +89,30 @@ impl<'a, const N: usize> At<'a, N> {
     }
 
     /// d tau/dq and d tau/dqd.
-    pub(super) fn force_derivatives(&self) -> (SMatrix<f64, N, N>, SMatrix<f64, N, N>) {
+    pub(super) fn force_derivatives(&self) -> (DMatrix<f64>, DMatrix<f64>) {
         self.numeric
             .inverse_dynamics_derivatives(self.q, self.qd, self.qdd)
     }
 
     /// B(q) by columns: V is quadratic in qd, so that its polarisation `V(e_j + e_k) - V(e_j) - V(e_k)` is the column
     /// of the pair (j, k).
-    pub(super) fn coriolis_coefficients(&self) -> Vec<SVector<f64, N>> {
+    pub(super) fn coriolis_coefficients(&self) -> Vec<DVector<f64>> {
         let squares = self.centrifugal_coefficients();
-        let pairs = (0..N).flat_map(|j| (j + 1..N).map(move |k| (j, k)));
+        let pairs = (0..self.joints()).flat_map(|j| (j + 1..self.joints()).map(move |k| (j, k)));
         let column = |(j, k)| {
-            let both = self.numeric.coriolis_vector(self.q, &(unit(j) + unit(k)));
+            let both = self
+                .numeric
+                .coriolis_vector(self.q, &(self.unit(j) + self.unit(k)));
             both - squares.column(j) - squares.column(k)
         };
         pairs.map(column).collect()
     }
 
     /// C(q): column j is V at the unit velocity of joint j.
-    pub(super) fn centrifugal_coefficients(&self) -> SMatrix<f64, N, N> {
-        let mut coefficients = SMatrix::<f64, N, N>::zeros();
-        for j in 0..N {
-            let column = self.numeric.coriolis_vector(self.q, &unit(j));
+    pub(super) fn centrifugal_coefficients(&self) -> DMatrix<f64> {
+        let mut coefficients = DMatrix::zeros(self.joints(), self.joints());
+        for j in 0..self.joints() {
+            let column = self.numeric.coriolis_vector(self.q, &self.unit(j));
             coefficients.set_column(j, &column);
         }
         coefficients
@@ -122,19 +129,19 @@ impl<'a, const N: usize> At<'a, N> {
     }
 
     /// K + F.
-    pub(super) fn joint_forces(&self) -> SVector<f64, N> {
+    pub(super) fn joint_forces(&self) -> DVector<f64> {
         self.numeric.spring_vector(self.q) + self.numeric.friction_vector(self.qd)
     }
 
     /// M qdd_r + C qd_r + G for the reference motion of the state.
-    pub(super) fn passivity(&self) -> SVector<f64, N> {
+    pub(super) fn passivity(&self) -> DVector<f64> {
         let coriolis = self.numeric.coriolis_matrix(self.q, self.qd);
-        self.mass_matrix * self.state.reference_acceleration()
+        &self.mass_matrix * self.state.reference_acceleration()
             + coriolis * self.state.reference_velocity()
             + self.numeric.gravity_vector(self.q)
     }
-}
 
-fn unit<const N: usize>(joint: usize) -> SVector<f64, N> {
-    SVector::from_fn(|i, _| if i == joint { 1.0 } else { 0.0 })
+    fn unit(&self, joint: usize) -> DVector<f64> {
+        DVector::from_fn(self.joints(), |i, _| if i == joint { 1.0 } else { 0.0 })
+    }
 }

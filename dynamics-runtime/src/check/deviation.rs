@@ -1,6 +1,6 @@
 //! The difference between a generated and a numeric value, relative to its natural magnitude.
 
-use nalgebra::{ClosedAddAssign, ClosedMulAssign, ClosedSubAssign, SMatrix};
+use nalgebra::{ClosedAddAssign, ClosedMulAssign, ClosedSubAssign, DMatrix, DVector};
 use num_traits::{One, Zero};
 
 use crate::{Certified, Scalar};
@@ -48,14 +48,17 @@ impl Measured for Certified {
 }
 
 /// Numbers that are compared with.
-pub(super) fn of<T: Measured, const R: usize, const C: usize>(
-    matrix: SMatrix<f64, R, C>,
-) -> SMatrix<T, R, C> {
+pub(super) fn of<T: Measured>(matrix: &DMatrix<f64>) -> DMatrix<T> {
     matrix.map(T::of)
 }
 
+/// The same of a vector.
+pub(super) fn of_vector<T: Measured>(vector: &DVector<f64>) -> DMatrix<T> {
+    DMatrix::from_iterator(vector.len(), 1, vector.iter().map(|x| T::of(*x)))
+}
+
 /// The largest magnitude.
-pub(super) fn amax<T: Measured, const R: usize, const C: usize>(matrix: &SMatrix<T, R, C>) -> f64 {
+pub(super) fn amax<T: Measured>(matrix: &DMatrix<T>) -> f64 {
     matrix.map(T::double).amax()
 }
 
@@ -72,12 +75,16 @@ pub(super) struct Deviation {
 }
 
 /// Entries of a matrix whose row i belongs to joint i.
-pub(super) fn entries<T: Measured, const R: usize, const C: usize>(
-    difference: SMatrix<T, R, C>,
+pub(super) fn entries<T: Measured>(
+    difference: DMatrix<T>,
     scale: f64,
 ) -> impl Iterator<Item = Entry> {
-    (0..R).flat_map(move |row| {
-        (0..C).map(move |column| Entry::new(Some(row), difference[(row, column)], scale))
+    let rows = 0..difference.nrows();
+    rows.flat_map(move |row| {
+        let entries: Vec<T> = difference.row(row).iter().copied().collect();
+        entries
+            .into_iter()
+            .map(move |entry| Entry::new(Some(row), entry, scale))
     })
 }
 

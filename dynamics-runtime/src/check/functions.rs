@@ -1,25 +1,27 @@
 //! The table by which each function is compared with Newton-Euler.
 
+use nalgebra::allocator::Allocator;
+use nalgebra::{DefaultAllocator, Dim, OMatrix};
+
 use super::accelerations::{
     acceleration_derivatives, accelerations, refused, series_residuals, task_space,
 };
 use super::at::{At, Unit};
 use super::deviation::{Deviation, Entry, Measured};
-use crate::evaluation::{flat, read};
-use crate::{Evaluation, FunctionValue, State};
+use crate::{Evaluation, State};
 
 /// A row of the table: a function, or a form that two functions make together, and its comparison.
-pub(super) struct Row<T, const N: usize> {
+pub(super) struct Row<T> {
     pub(super) name: &'static str,
-    pub(super) rule: Rule<T, N>,
+    pub(super) rule: Rule<T>,
 }
 
 /// How the value of a function is compared. Values are lists of numbers, matrices by columns.
-pub(super) enum Rule<T, const N: usize> {
+pub(super) enum Rule<T> {
     /// With a numeric value, entry by entry: the unit of each entry is what its error is relative to.
-    Beside(fn(&At<N>) -> Vec<f64>, fn(&At<N>, usize) -> Unit),
+    Beside(fn(&At<'_>) -> Vec<f64>, fn(&At<'_>, usize) -> Unit),
     /// By the equations that it satisfies, as far as it does not. `None` if M cannot be solved with.
-    Solves(fn(&At<N>, &[T]) -> Option<Vec<Entry>>),
+    Solves(fn(&At<'_>, &[T]) -> Option<Vec<Entry>>),
     /// As one factor of these forms alone. Without the other factor, which is named, it is not compared.
     FactorOf(&'static [&'static str], &'static str),
 }
@@ -28,9 +30,9 @@ pub(super) enum Rule<T, const N: usize> {
 macro_rules! table {
     ($at:ident, $k:ident; $($name:ident: $rule:ident($($columns:tt)*),)*) => {
         #[allow(unused_variables, reason = "some units are the same for all entries")]
-        impl<T: Measured, const N: usize> Row<T, N> {
+        impl<T: Measured> Row<T> {
             /// Every function, in the order of the documentation.
-            pub(super) const ALL: &'static [Row<T, N>] = &[$(Row {
+            pub(super) const ALL: &'static [Row<T>] = &[$(Row {
                 name: stringify!($name),
                 rule: table!(@$rule $at $k $($columns)*),
             }),*];
@@ -40,7 +42,7 @@ macro_rules! table {
         Rule::Beside(|$at| flat(&$numeric), |$at, $k| $unit)
     };
     (@solves $at:ident $k:ident $residuals:ident) => {
-        Rule::Solves(|$at, found| judged($at, found, $residuals))
+        Rule::Solves($residuals)
     };
     (@factor_of $at:ident $k:ident $($form:ident)*, without $other:ident) => {
         Rule::FactorOf(&[$(stringify!($form)),*], stringify!($other))
@@ -48,12 +50,12 @@ macro_rules! table {
 }
 
 table! { at, k;
-    mass_matrix: beside(at.mass_matrix, at.joint(k, at.scale.mass_matrix)),
+    mass_matrix: beside(at.mass_matrix.clone(), at.joint(k, at.scale.mass_matrix)),
     coriolis_vector: beside(at.numeric.coriolis_vector(at.q, at.qd), at.joint(k, at.scale.coriolis_vector)),
     gravity_vector: beside(at.numeric.gravity_vector(at.q), at.joint(k, at.scale.gravity_vector)),
     friction_vector: beside(at.numeric.friction_vector(at.qd), at.joint(k, at.scale.friction_vector)),
     spring_vector: beside(at.numeric.spring_vector(at.q), at.joint(k, at.scale.spring_vector)),
-    inverse_dynamics: beside(*at.tau, at.joint(k, at.scale.inverse_dynamics)),
+    inverse_dynamics: beside(at.tau.clone(), at.joint(k, at.scale.inverse_dynamics)),
     forward_dynamics: solves(accelerations),
     kinetic_energy: beside(at.numeric.kinetic_energy(at.q, at.qd), (at.scale.coriolis_vector, None)),
     potential_energy: beside(at.numeric.potential_energy(at.q), (at.scale.potential_energy, None)),
@@ -65,19 +67,19 @@ table! { at, k;
         at.numeric.coriolis_vector(at.q, at.qd), at.joint(k, at.scale.coriolis_vector)
     ),
     forward_kinematics: beside(at.numeric.forward_kinematics(at.q), (at.pose(k), None)),
-    link_poses: beside(at.numeric.link_poses(at.q), (at.pose(k), Some(k / 16 % N))),
+    link_poses: beside(at.numeric.link_poses(at.q), (at.pose(k), Some(k / 16 % at.joints()))),
     jacobian: beside(at.numeric.jacobian(at.q), at.jacobian(k)),
-    regressor_form: beside(*at.tau - at.joint_forces(), at.joint(k, at.scale.inverse_dynamics)),
+    regressor_form: beside(at.tau - at.joint_forces(), at.joint(k, at.scale.inverse_dynamics)),
     inverse_dynamics_derivatives: beside(
         at.force_derivatives(),
-        at.joint(k, if k < N * N { at.scale.force_by_position } else { at.scale.force_by_velocity })
+        at.joint(k, if k < at.joints() * at.joints() { at.scale.force_by_position } else { at.scale.force_by_velocity })
     ),
     forward_dynamics_derivatives: solves(acceleration_derivatives),
     forward_dynamics_aba: solves(accelerations),
     taylor_series: solves(series_residuals),
     wrench_torques: beside(
-        at.numeric.jacobian(at.q).transpose() * State::<N>::wrench(),
-        at.joint(k, State::<N>::wrench().amax() * at.scale.position.max(1.0))
+        at.numeric.jacobian(at.q).transpose() * State::<0>::wrench(),
+        at.joint(k, State::<0>::wrench().amax() * at.scale.position.max(1.0))
     ),
     tool_velocity: beside(at.numeric.jacobian(at.q) * at.qd, at.tip(k, at.qd.amax())),
     tool_acceleration: beside(
@@ -91,7 +93,7 @@ table! { at, k;
         at.numeric.center_of_mass_jacobian(at.q), (at.scale.position.max(1.0), None)
     ),
     operational_inertia_inverse: solves(task_space),
-    generalized_momentum: beside(at.mass_matrix * at.qd, at.joint(k, at.scale.coriolis_matrix)),
+    generalized_momentum: beside(&at.mass_matrix * at.qd, at.joint(k, at.scale.coriolis_matrix)),
     momentum_bias: beside(
         at.numeric.coriolis_matrix(at.q, at.qd).transpose() * at.qd
             - (at.numeric.gravity_vector(at.q) + at.joint_forces()),
@@ -105,11 +107,11 @@ table! { at, k;
     ),
     inverse_dynamics_rates: beside(
         at.numeric.inverse_dynamics_rates(at.q, at.qd, at.qdd, &at.state.jerk(), &at.state.snap()),
-        at.joint(k, at.scale.rates(at.state)[usize::from(k >= N)])
+        at.joint(k, at.scale.rates(at.state)[usize::from(k >= at.joints())])
     ),
     inverse_dynamics_second_derivatives: beside(
         at.numeric.inverse_dynamics_second_derivatives(at.q, at.qd, at.qdd),
-        (at.scale.second_derivatives()[k / (N * N * N) % 4], Some(k / (N * N) % N))
+        (at.scale.second_derivatives()[k / at.joints().pow(3) % 4], Some(k / at.joints().pow(2) % at.joints()))
     ),
     passivity_regressor: factor_of(passivity_form, without base_parameters),
     energy_regressors: factor_of(energies_form, without base_parameters),
@@ -118,10 +120,7 @@ table! { at, k;
 }
 
 /// The deviation of every value, in the order of the table.
-pub(super) fn deviations<T: Measured, const N: usize>(
-    evaluation: &Evaluation<T>,
-    at: &At<N>,
-) -> Vec<Deviation> {
+pub(super) fn deviations<T: Measured>(evaluation: &Evaluation<T>, at: &At<'_>) -> Vec<Deviation> {
     let rows = Row::ALL.iter();
     rows.filter_map(|row| row.deviation(evaluation, at))
         .collect()
@@ -129,7 +128,7 @@ pub(super) fn deviations<T: Measured, const N: usize>(
 
 /// Why a function could be compared at no state.
 pub(super) fn reason(function: &str) -> String {
-    let mut rows = Row::<f64, 1>::ALL.iter();
+    let mut rows = Row::<f64>::ALL.iter();
     match rows.find(|row| row.name == function) {
         Some(Row {
             rule: Rule::FactorOf(_, other),
@@ -139,9 +138,9 @@ pub(super) fn reason(function: &str) -> String {
     }
 }
 
-impl<T: Measured, const N: usize> Row<T, N> {
+impl<T: Measured> Row<T> {
     /// The deviation; `None` if there is no value.
-    fn deviation(&self, evaluation: &Evaluation<T>, at: &At<N>) -> Option<Deviation> {
+    fn deviation(&self, evaluation: &Evaluation<T>, at: &At<'_>) -> Option<Deviation> {
         let found = match evaluation.entries(self.name)? {
             Ok(found) => found,
             Err(error) => return Some(refused(self.name, &at.mass_matrix, error)),
@@ -176,15 +175,50 @@ fn differences<T: Measured>(
     (0..found.len().max(expected.len())).map(entry).collect()
 }
 
-/// The residuals of a value that is solved for, as a type that its equations can be written with. Another number of
-/// entries satisfies no equation.
-fn judged<T: Measured, V: FunctionValue<T>, const N: usize>(
-    at: &At<N>,
-    found: &[T],
-    residuals: fn(&At<N>, &V) -> Option<Vec<Entry>>,
-) -> Option<Vec<Entry>> {
-    match read(found) {
-        Some(value) => residuals(at, &value),
-        None => Some(vec![Entry::new(None, T::of(f64::NAN), 1.0)]),
+/// A numeric value that is compared with, as numbers one after the other, matrices by columns.
+trait Flat {
+    fn write(&self, numbers: &mut Vec<f64>);
+}
+
+fn flat(value: &impl Flat) -> Vec<f64> {
+    let mut numbers = Vec::new();
+    value.write(&mut numbers);
+    numbers
+}
+
+impl Flat for f64 {
+    fn write(&self, numbers: &mut Vec<f64>) {
+        numbers.push(*self);
+    }
+}
+
+impl<R: Dim, C: Dim> Flat for OMatrix<f64, R, C>
+where
+    DefaultAllocator: Allocator<R, C>,
+{
+    fn write(&self, numbers: &mut Vec<f64>) {
+        numbers.extend(self.iter());
+    }
+}
+
+impl<X: Flat> Flat for Vec<X> {
+    fn write(&self, numbers: &mut Vec<f64>) {
+        self.iter().for_each(|part| part.write(numbers));
+    }
+}
+
+impl<A: Flat, B: Flat> Flat for (A, B) {
+    fn write(&self, numbers: &mut Vec<f64>) {
+        self.0.write(numbers);
+        self.1.write(numbers);
+    }
+}
+
+impl<A: Flat> Flat for (A, A, A, A) {
+    fn write(&self, numbers: &mut Vec<f64>) {
+        let (a, b, c, d) = self;
+        [a, b, c, d]
+            .into_iter()
+            .for_each(|part| part.write(numbers));
     }
 }

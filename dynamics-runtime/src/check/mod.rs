@@ -13,17 +13,17 @@ use core::f64::consts::PI;
 use core::ops::RangeInclusive;
 use std::collections::BTreeMap;
 
-use nalgebra::{SMatrix, SVector};
+use nalgebra::{DVector, Dyn, SMatrix, SVector};
 
 use crate::certified::accelerations_near;
-use crate::{Certified, Evaluate, Evaluation, NewtonEuler};
+use crate::table::AsArm as _;
+use crate::{Certified, Evaluate, Evaluation, NumericArm, RuntimeTable, SizedState, State};
 use at::At;
-use deviation::Deviation;
 use functions::deviations;
 
 pub use report::{FunctionReport, Report};
 
-/// Compares every generated function of the robot with [`NewtonEuler`] at the states of
+/// Compares every generated function of the robot with [`NewtonEuler`](crate::NewtonEuler) at the states of
 /// [`Check::new`]. The report also has proven bounds of the rounding errors ([`Check::certify`]).
 ///
 /// ```
@@ -130,7 +130,7 @@ impl Check {
 
     /// Compares every generated function of the robot at all states.
     pub fn run<R: Evaluate<N>, const N: usize>(&self, robot: &R) -> Report {
-        self.report(robot, |_| Vec::new())
+        self.run_any(&OfSize(robot))
     }
 
     /// The same, and beside the largest error of each function the largest proven bound of its rounding errors. For the
@@ -141,29 +141,35 @@ impl Check {
     /// There are no bounds for arms that were not generated, nor for the parts of a method that returns several
     /// functions.
     pub fn certify<R: Evaluate<N>, const N: usize>(&self, robot: &R) -> Report {
-        self.report(robot, |at| {
-            let evaluation = robot.evaluate_in(at.state, at.tau, Certified::exact);
-            deviations(&by_residuals(evaluation, at), at)
-        })
+        self.certify_any(&OfSize(robot))
     }
 
-    /// The report, with the roundings that `rounding` finds at a state.
-    fn report<R: Evaluate<N>, const N: usize>(
-        &self,
-        robot: &R,
-        rounding: impl Fn(&At<N>) -> Vec<Deviation>,
-    ) -> Report {
-        let table = robot.table();
-        let numeric = NewtonEuler::new(&table);
-        let mut farthest = [1.0_f64; N];
-        for follower in table.followers.iter() {
+    /// [`run`](Check::run) of a robot whose number of joints is known at run time alone.
+    pub fn run_any(&self, robot: &dyn Checked) -> Report {
+        self.report(robot, false)
+    }
+
+    /// [`certify`](Check::certify) of a robot whose number of joints is known at run time alone; accelerations have no
+    /// bounds by their residual.
+    pub fn certify_any(&self, robot: &dyn Checked) -> Report {
+        self.report(robot, true)
+    }
+
+    /// The report, with the roundings if they are asked for. It is compiled once for all robots.
+    fn report(&self, robot: &dyn Checked, is_certified: bool) -> Report {
+        let table = robot.runtime_table();
+        let arm = table.arm();
+        let numeric = NumericArm::<Dyn>::new(&table);
+        let mut farthest = vec![1.0_f64; arm.rows.len()];
+        for follower in table.followers() {
             let farthest = &mut farthest[follower.leader];
             *farthest = farthest.max(follower.factor.abs());
         }
-        let joints = table.rows.each_ref().map(|row| row.joint_type);
-        let mut states = self.states(joints, farthest);
-        states.extend(self.slow_states(&table));
-        let mut report = Report::new(&robot.joint_names(), states.len(), self.seed);
+        let joints: Vec<_> = arm.rows.iter().map(|row| row.joint_type).collect();
+        let mut states = self.states(&joints, &farthest);
+        states.extend(self.slow_states(arm));
+        let tolerance = self.tolerance * joints.len() as f64;
+        let mut report = Report::new(robot.names(), states.len(), self.seed);
         // The regressor of the potential energy leaves a constant open: that of the first state.
         let mut data = BTreeMap::new();
         for (label, state) in &states {
@@ -177,36 +183,123 @@ impl Check {
                 };
                 at.datum = *data.entry(method.map(String::from)).or_insert_with(open);
                 for deviation in deviations(&evaluation, &at) {
-                    let tolerance = self.tolerance * N as f64;
                     report.record(method, &deviation, tolerance, label, state);
                 }
             };
-            compare(None, robot.evaluate(state, &tau));
-            robot.evaluate_parts(state, &tau, &mut |method, parts| {
+            compare(None, robot.values(state, &tau));
+            robot.values_of_parts(state, &tau, &mut |method, parts| {
                 compare(Some(method), parts)
             });
-            for deviation in rounding(&at) {
-                report.note_rounding(&deviation);
+            if is_certified {
+                for deviation in deviations(&robot.certified_values(state, &tau), &at) {
+                    report.note_rounding(&deviation);
+                }
             }
         }
         report
     }
 }
 
+/// A robot that a check evaluates, whatever the number of its joints. Those with [`Evaluate`] are checked by
+/// [`Check::run`].
+pub trait Checked {
+    /// The names of the joints, from the base outwards.
+    fn names(&self) -> Vec<String>;
+
+    /// The table as numbers.
+    fn runtime_table(&self) -> RuntimeTable;
+
+    /// As [`Evaluate::evaluate`].
+    fn values(&self, state: &SizedState<Dyn>, tau: &DVector<f64>) -> Evaluation;
+
+    /// The same with bounds of the rounding errors; by default, no function has a value.
+    fn certified_values(
+        &self,
+        state: &SizedState<Dyn>,
+        tau: &DVector<f64>,
+    ) -> Evaluation<Certified> {
+        let _ = (state, tau);
+        Evaluation::default()
+    }
+
+    /// As [`Evaluate::evaluate_parts`].
+    fn values_of_parts(
+        &self,
+        state: &SizedState<Dyn>,
+        tau: &DVector<f64>,
+        found: &mut dyn FnMut(&str, Evaluation),
+    ) {
+        let _ = (state, tau, found);
+    }
+}
+
+/// A robot whose number of joints the compiler knows.
+struct OfSize<'a, R, const N: usize>(&'a R);
+
+fn fixed<const N: usize>(vector: &DVector<f64>) -> SVector<f64, N> {
+    SVector::from_column_slice(vector.as_slice())
+}
+
+fn fixed_state<const N: usize>(state: &SizedState<Dyn>) -> State<N> {
+    State {
+        q: fixed(&state.q),
+        qd: fixed(&state.qd),
+        qdd: fixed(&state.qdd),
+    }
+}
+
+impl<R: Evaluate<N>, const N: usize> Checked for OfSize<'_, R, N> {
+    fn names(&self) -> Vec<String> {
+        self.0.joint_names().map(String::from).to_vec()
+    }
+
+    fn runtime_table(&self) -> RuntimeTable {
+        (&self.0.table()).into()
+    }
+
+    fn values(&self, state: &SizedState<Dyn>, tau: &DVector<f64>) -> Evaluation {
+        self.0.evaluate(&fixed_state(state), &fixed(tau))
+    }
+
+    fn certified_values(
+        &self,
+        state: &SizedState<Dyn>,
+        tau: &DVector<f64>,
+    ) -> Evaluation<Certified> {
+        let (state, tau) = (fixed_state(state), fixed(tau));
+        let found = self.0.evaluate_in(&state, &tau, Certified::exact);
+        by_residuals(found, &state, &tau)
+    }
+
+    fn values_of_parts(
+        &self,
+        state: &SizedState<Dyn>,
+        tau: &DVector<f64>,
+        found: &mut dyn FnMut(&str, Evaluation),
+    ) {
+        self.0
+            .evaluate_parts(&fixed_state(state), &fixed(tau), found);
+    }
+}
+
 /// Bounds of accelerations by their residuals in the equations of motion.
 fn by_residuals<const N: usize>(
     mut found: Evaluation<Certified>,
-    at: &At<N>,
+    state: &State<N>,
+    tau: &SVector<f64, N>,
 ) -> Evaluation<Certified> {
     let mass_matrix: Option<SMatrix<Certified, N, N>> = found.get("mass_matrix");
     let torques: Option<SVector<Certified, N>> = found.get("inverse_dynamics");
     let (Some(mass_matrix), Some(torques)) = (mass_matrix, torques) else {
         return found;
     };
-    let left = at.tau.map(Certified::exact) - torques;
+    let left = tau.map(Certified::exact) - torques;
     for name in ["forward_dynamics", "forward_dynamics_aba"] {
         if let Some(qdd) = found.get(name) {
-            found.set(name, accelerations_near((at.qdd, &left), &mass_matrix, qdd));
+            found.set(
+                name,
+                accelerations_near((&state.qdd, &left), &mass_matrix, qdd),
+            );
         }
     }
     found

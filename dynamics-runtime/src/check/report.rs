@@ -2,11 +2,11 @@
 
 use core::fmt;
 
-use nalgebra::SVector;
+use nalgebra::Dyn;
 
 use super::deviation::Deviation;
 use super::functions::reason;
-use crate::{Conditioning, State};
+use crate::{Conditioning, SizedState};
 
 /// The largest error of every generated function, and where it occurs.
 ///
@@ -78,14 +78,14 @@ impl FunctionReport {
 }
 
 impl Report {
-    pub(super) fn new(joint_names: &[&str], states: usize, seed: u64) -> Self {
+    pub(super) fn new(joint_names: Vec<String>, states: usize, seed: u64) -> Self {
         Report {
             functions: Vec::new(),
             not_compared: Vec::new(),
             states,
             seed,
             nearest_to_singular: None,
-            joint_names: joint_names.iter().map(|&name| name.into()).collect(),
+            joint_names,
         }
     }
 
@@ -101,13 +101,13 @@ impl Report {
     }
 
     /// Takes in what was found at one state, of a function or of a part of a method.
-    pub(super) fn record<const N: usize>(
+    pub(super) fn record(
         &mut self,
         method: Option<&str>,
         deviation: &Deviation,
         tolerance: f64,
         label: &str,
-        state: &State<N>,
+        state: &SizedState<Dyn>,
     ) {
         let Some(error) = deviation.error else {
             self.miss(deviation.function);
@@ -119,8 +119,8 @@ impl Report {
             entry.error = error;
             entry.joint = deviation.joint;
             entry.label = label.into();
-            [entry.q, entry.qd, entry.qdd] = [state.q, state.qd, state.qdd]
-                .map(|values: SVector<f64, N>| values.as_slice().into());
+            [entry.q, entry.qd, entry.qdd] =
+                [&state.q, &state.qd, &state.qdd].map(|values| values.as_slice().to_vec());
         }
     }
 

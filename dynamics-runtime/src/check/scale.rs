@@ -1,10 +1,10 @@
 //! The natural magnitude of each quantity at a state: what its error is relative to.
 
-use nalgebra::{SMatrix, SVector};
+use nalgebra::{DMatrix, DVector, Dyn};
 
 use crate::friction::DryFriction;
-use crate::table::{AsArm as _, Moving};
-use crate::{JointType, Spring, State, Table};
+use crate::table::{Arm, Moving};
+use crate::{JointType, SizedState, Spring};
 
 /// Magnitudes that a quantity could have at a state of this size, whatever it cancels to there.
 ///
@@ -48,11 +48,7 @@ pub(super) struct Scale {
 }
 
 impl Scale {
-    pub(super) fn new<const N: usize>(
-        table: &Table<N>,
-        mass_matrix: &SMatrix<f64, N, N>,
-        state: &State<N>,
-    ) -> Self {
+    pub(super) fn new(table: Arm<'_>, mass_matrix: &DMatrix<f64>, state: &SizedState<Dyn>) -> Self {
         let mass = mass_matrix.amax();
         let speed = state.qd.amax();
         let weight = table.total_mass() * norm(&table.gravity);
@@ -103,10 +99,10 @@ impl Scale {
 
     /// Of the first and the second derivative of tau along a motion: of its terms with all products of
     /// the rates of the joints that have the same dimension.
-    pub(super) fn rates<const N: usize>(&self, state: &State<N>) -> [f64; 2] {
+    pub(super) fn rates(&self, state: &SizedState<Dyn>) -> [f64; 2] {
         // Of all joints; that what they do is felt by those that lead is a part of M.
-        let [v, a, jerk, snap] = [state.qd, state.qdd, state.jerk(), state.snap()]
-            .map(|rates| self.fastest * rates.amax());
+        let [v, a] = [&state.qd, &state.qdd].map(|rates| self.fastest * rates.amax());
+        let [jerk, snap] = [state.jerk(), state.snap()].map(|rates| self.fastest * rates.amax());
         let mass = self.mass_matrix / self.fastest;
         let inertial = [
             jerk + a * v + v * v * v,
@@ -130,13 +126,13 @@ struct Springs {
 }
 
 impl Springs {
-    fn new<const N: usize>(table: &Table<N>, q: &SVector<f64, N>) -> Self {
+    fn new(table: Arm<'_>, q: &DVector<f64>) -> Self {
         let none = Springs {
             stiffness: 0.0,
             force: 0.0,
             energy: 0.0,
         };
-        table.arm().chain().fold(none, |sum, moving| {
+        table.chain().fold(none, |sum, moving| {
             let Spring { stiffness, rest } = moving.row.spring;
             let (stiffness, factor) = (stiffness.abs(), moving.factor.abs());
             let stretch = factor * q[moving.joint].abs() + moving.offset.abs() + rest.abs();
@@ -150,10 +146,10 @@ impl Springs {
 }
 
 /// A bound of every frame's and every centre of mass's distance from the base.
-fn reach<const N: usize>(table: &Table<N>, q: &SVector<f64, N>) -> f64 {
+fn reach(table: Arm<'_>, q: &DVector<f64>) -> f64 {
     let mut origins = 0.0;
     let mut centre = 0.0_f64;
-    for moving in table.arm().chain() {
+    for moving in table.chain() {
         let row = moving.row;
         let d = match row.joint_type {
             JointType::Revolute => row.d,
@@ -167,39 +163,38 @@ fn reach<const N: usize>(table: &Table<N>, q: &SVector<f64, N>) -> f64 {
 }
 
 /// What turns a weight into the force or torque of a joint: the reach, and 1 at a prismatic joint.
-fn lever_arm<const N: usize>(table: &Table<N>, reach: f64) -> f64 {
+fn lever_arm(table: Arm<'_>, reach: f64) -> f64 {
     let prismatic = table
-        .arm()
         .chain()
         .any(|moving| moving.row.joint_type == JointType::Prismatic);
     if prismatic { reach.max(1.0) } else { reach }
 }
 
-fn friction<const N: usize>(table: &Table<N>, qd: &SVector<f64, N>) -> f64 {
+fn friction(table: Arm<'_>, qd: &DVector<f64>) -> f64 {
     let of_joint = |moving: Moving<'_>| {
         let viscous = moving.row.viscous * moving.factor * qd[moving.joint];
         moving.factor.abs() * (viscous.abs() + DryFriction::of(moving.row).greatest())
     };
-    table.arm().chain().map(of_joint).fold(0.0, f64::max)
+    table.chain().map(of_joint).fold(0.0, f64::max)
 }
 
-fn slope_of_friction<const N: usize>(table: &Table<N>) -> f64 {
+fn slope_of_friction(table: Arm<'_>) -> f64 {
     let slope = |moving: Moving<'_>| {
         let own = moving.row.viscous.abs() + DryFriction::of(moving.row).greatest_slope();
         moving.factor * moving.factor * own
     };
-    table.arm().chain().map(slope).fold(0.0, f64::max)
+    table.chain().map(slope).fold(0.0, f64::max)
 }
 
-fn curvature_of_friction<const N: usize>(table: &Table<N>) -> f64 {
+fn curvature_of_friction(table: Arm<'_>) -> f64 {
     let curvature = |moving: Moving<'_>| {
         moving.factor.abs().powi(3) * DryFriction::of(moving.row).greatest_curvature()
     };
-    table.arm().chain().map(curvature).fold(0.0, f64::max)
+    table.chain().map(curvature).fold(0.0, f64::max)
 }
 
-fn fastest<const N: usize>(table: &Table<N>) -> f64 {
-    let factors = table.arm().chain().map(|moving| moving.factor.abs());
+fn fastest(table: Arm<'_>) -> f64 {
+    let factors = table.chain().map(|moving| moving.factor.abs());
     factors.fold(1.0, f64::max)
 }
 
@@ -209,10 +204,11 @@ fn norm(vector: &[f64; 3]) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use nalgebra::{Matrix2, Vector2};
+    use nalgebra::{DMatrix, DVector};
 
     use super::Scale;
-    use crate::{Convention, JointType, Row, Spring, State, Table};
+    use crate::table::AsArm as _;
+    use crate::{Convention, JointType, Row, SizedState, Spring, Table};
 
     #[test]
     fn scales_of_a_small_arm() {
@@ -233,12 +229,16 @@ mod tests {
             ..Row::new(JointType::Revolute)
         };
         let table = Table::new(Convention::Standard, [0.0, 0.0, -10.0], [slide, turn]);
-        let state = State {
-            q: Vector2::new(-3.0, 100.0),
-            qd: Vector2::new(-2.0, 1.0),
-            qdd: Vector2::new(0.0, 5.0),
+        let state = SizedState {
+            q: DVector::from_vec(vec![-3.0, 100.0]),
+            qd: DVector::from_vec(vec![-2.0, 1.0]),
+            qdd: DVector::from_vec(vec![0.0, 5.0]),
         };
-        let scale = Scale::new(&table, &Matrix2::new(4.0, 0.0, 0.0, 1.0), &state);
+        let scale = Scale::new(
+            table.arm(),
+            &DMatrix::from_row_slice(2, 2, &[4.0, 0.0, 0.0, 1.0]),
+            &state,
+        );
 
         assert_eq!(scale.position, 2.0 + 0.25 + 0.5);
         assert_eq!(scale.coriolis_vector, 16.0);

@@ -2,11 +2,12 @@
 
 use core::f64::consts::FRAC_PI_2;
 
-use nalgebra::SVector;
+use nalgebra::{DVector, Dyn};
 
 use super::Check;
 use super::random::SplitMix64;
-use crate::{JointType, State, Stribeck, Table};
+use crate::table::Arm;
+use crate::{JointType, SizedState, Stribeck};
 
 /// Right angles in all combinations would be 4^N states; this many random combinations do.
 const RIGHT_ANGLES: usize = 8;
@@ -17,22 +18,22 @@ const SLOW: usize = 16;
 impl Check {
     /// The special states, then the random ones, each with a name. `farthest` says how far what follows a
     /// joint goes for each unit of it: no angle is larger than it is asked for, for its rounding is an error of its sine.
-    pub(super) fn states<const N: usize>(
+    pub(super) fn states(
         &self,
-        joints: [JointType; N],
-        farthest: [f64; N],
-    ) -> Vec<(String, State<N>)> {
+        joints: &[JointType],
+        farthest: &[f64],
+    ) -> Vec<(String, SizedState<Dyn>)> {
         let mut random = SplitMix64(self.seed);
         let mut states = vec![(
             "zero".into(),
-            State {
-                q: SVector::zeros(),
-                qd: SVector::zeros(),
-                qdd: SVector::zeros(),
+            SizedState {
+                q: DVector::zeros(joints.len()),
+                qd: DVector::zeros(joints.len()),
+                qdd: DVector::zeros(joints.len()),
             },
         )];
-        let mut add = |label: String, change: &dyn Fn(&mut SplitMix64, &mut State<N>)| {
-            let mut state = self.random_state(&mut random);
+        let mut add = |label: String, change: &dyn Fn(&mut SplitMix64, &mut SizedState<Dyn>)| {
+            let mut state = self.random_state(joints.len(), &mut random);
             change(&mut random, &mut state);
             states.push((label, state));
         };
@@ -42,7 +43,9 @@ impl Check {
         add("-pi/2".into(), &|_, state| state.q.fill(-FRAC_PI_2));
         for i in 0..RIGHT_ANGLES {
             add(format!("right angles {i}"), &|random, state| {
-                state.q = state.q.map(|_| (random.next() % 4) as f64 * FRAC_PI_2);
+                state
+                    .q
+                    .apply(|q| *q = (random.next() % 4) as f64 * FRAC_PI_2);
             });
         }
         for i in 0..LARGE_ANGLES {
@@ -51,7 +54,7 @@ impl Check {
                     let angle = random.within(&(-1e3..=1e3)) / farthest;
                     // What slides does not go a kilometre: moments of inertia over that distance cost
                     // the numeric side digits that the model has.
-                    if joint_type == JointType::Revolute {
+                    if *joint_type == JointType::Revolute {
                         *q = angle;
                     }
                 }
@@ -68,15 +71,15 @@ impl Check {
 
     /// States at which friction falls with the velocity: no joint is faster than about three times its
     /// Stribeck velocity. There are none where no joint has one.
-    pub(super) fn slow_states<const N: usize>(&self, table: &Table<N>) -> Vec<(String, State<N>)> {
-        let stribeck = table.rows.each_ref().map(|row| row.stribeck);
+    pub(super) fn slow_states(&self, table: Arm<'_>) -> Vec<(String, SizedState<Dyn>)> {
+        let stribeck: Vec<_> = table.rows.iter().map(|row| row.stribeck).collect();
         if stribeck.iter().all(Option::is_none) {
             return Vec::new();
         }
         let mut random = SplitMix64(!self.seed);
         let slow = |i| {
-            let mut state: State<N> = self.random_state(&mut random);
-            for (qd, stribeck) in state.qd.iter_mut().zip(stribeck) {
+            let mut state = self.random_state(stribeck.len(), &mut random);
+            for (qd, stribeck) in state.qd.iter_mut().zip(&stribeck) {
                 if let Some(Stribeck { velocity, .. }) = stribeck {
                     *qd = velocity * random.within(&(-3.0..=3.0));
                 }
@@ -86,9 +89,9 @@ impl Check {
         (0..SLOW).map(slow).collect()
     }
 
-    fn random_state<const N: usize>(&self, random: &mut SplitMix64) -> State<N> {
-        let mut vector = |range| SVector::from_fn(|_, _| random.within(range));
-        State {
+    fn random_state(&self, joints: usize, random: &mut SplitMix64) -> SizedState<Dyn> {
+        let mut vector = |range| DVector::from_fn(joints, |_, _| random.within(range));
+        SizedState {
             q: vector(&self.positions),
             qd: vector(&self.velocities),
             qdd: vector(&self.accelerations),
@@ -100,12 +103,14 @@ impl Check {
 mod tests {
     use core::f64::consts::FRAC_PI_2;
 
+    use nalgebra::Dyn;
+
     use crate::JointType::{Prismatic, Revolute};
-    use crate::{Check, State};
+    use crate::{Check, SizedState};
 
     #[test]
     fn equal_settings_give_equal_states() {
-        let states = |check: &Check| check.states([Revolute; 4], [1.0; 4]);
+        let states = |check: &Check| check.states(&[Revolute; 4], &[1.0; 4]);
         let check = Check::new().samples(5).seed(3);
         assert_eq!(states(&check), states(&check.clone()));
         assert_ne!(states(&check), states(&check.clone().seed(4)));
@@ -113,11 +118,11 @@ mod tests {
 
     #[test]
     fn only_what_turns_is_at_large_angles() {
-        let states = Check::new().states([Prismatic, Revolute], [1.0; 2]);
+        let states = Check::new().states(&[Prismatic, Revolute], &[1.0; 2]);
         let mut large = states
             .iter()
             .filter(|(label, _)| label.starts_with("large"));
-        let within = |(_, state): &(String, State<2>)| {
+        let within = |(_, state): &(String, SizedState<Dyn>)| {
             state.q[0].abs() <= 2.0 * FRAC_PI_2 && state.q[1].abs() <= 1e3
         };
         assert!(large.clone().count() > 0 && large.all(within));
@@ -125,9 +130,9 @@ mod tests {
 
     #[test]
     fn special_states_are_what_their_names_say() {
-        let states = Check::new().samples(2).states([Revolute; 3], [1.0; 3]);
+        let states = Check::new().samples(2).states(&[Revolute; 3], &[1.0; 3]);
         for (label, state) in &states {
-            let quarters = state.q / FRAC_PI_2;
+            let quarters = &state.q / FRAC_PI_2;
             match label.split(' ').next().unwrap() {
                 "zero" => assert!(state.qdd.amax() == 0.0 && state.q == state.qd),
                 "zero," => assert!(state.q.amax() == 0.0 && state.qd.amin() > 0.0),

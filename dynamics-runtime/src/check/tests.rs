@@ -1,6 +1,6 @@
 //! The check passes what is right and finds what is wrong.
 
-use nalgebra::{Matrix2, SVector, Vector2};
+use nalgebra::{DMatrix, DVector, Dyn, Matrix2, SVector, Vector2};
 
 use super::accelerations::refused;
 use super::at::At;
@@ -10,7 +10,8 @@ use crate::functions::NAMES;
 use crate::test_arms::{CRAIG_ARM, CraigArm, random_state};
 use crate::{
     AccelerationDerivatives, Check, Evaluate, Evaluation, MAX_TAYLOR_ORDER, Model, NewtonEuler,
-    Report, SingularMassMatrix, State, Table, TaylorCoefficients, check_against_rnea,
+    NumericArm, Report, RuntimeTable, SingularMassMatrix, SizedState, State, Table,
+    TaylorCoefficients, check_against_rnea,
 };
 
 /// The textbook arm with some values of its evaluation changed.
@@ -51,6 +52,15 @@ fn a_right_model_passes_with_room_to_spare() {
         assert!(function.error < 1e-14, "{function}");
         assert_eq!(function.states, report.states);
     }
+}
+
+fn any_vector(vector: &Vector2<f64>) -> DVector<f64> {
+    DVector::from_column_slice(vector.as_slice())
+}
+
+fn of_any_size(state: &State<2>) -> SizedState<Dyn> {
+    let [q, qd, qdd] = [&state.q, &state.qd, &state.qdd].map(any_vector);
+    SizedState { q, qd, qdd }
 }
 
 fn numeric() -> NewtonEuler<2> {
@@ -149,14 +159,14 @@ fn complete(state: &State<2>, e: &mut Evaluation) {
 }
 
 /// The rows of what is compared by itself.
-fn compared() -> impl Iterator<Item = &'static Row<f64, 2>> {
-    let rows = Row::<f64, 2>::ALL.iter();
+fn compared() -> impl Iterator<Item = &'static Row<f64>> {
+    let rows = Row::<f64>::ALL.iter();
     rows.filter(|row| !matches!(row.rule, Rule::FactorOf(..)))
 }
 
 #[test]
 fn every_function_has_a_row() {
-    let rows: Vec<_> = Row::<f64, 2>::ALL.iter().map(|row| row.name).collect();
+    let rows: Vec<_> = Row::<f64>::ALL.iter().map(|row| row.name).collect();
     let names = NAMES.iter().chain(&FORMS);
     let without: Vec<_> = names.filter(|name| !rows.contains(name)).collect();
     assert!(without.is_empty(), "no row: {without:?}");
@@ -177,7 +187,9 @@ fn every_entry_of_every_function_is_compared() {
     let (table, numeric) = (CRAIG_ARM.table(), numeric());
     let state: State<2> = random_state(5);
     let tau = numeric.inverse_dynamics(&state.q, &state.qd, &state.qdd);
-    let at = At::new(&numeric, &table, &state, &tau);
+    let (table, any_state) = (RuntimeTable::from(&table), of_any_size(&state));
+    let (numeric, torques) = (NumericArm::<Dyn>::new(&table), any_vector(&tau));
+    let at = At::new(&numeric, &table, &any_state, &torques);
     let mut right = CRAIG_ARM.evaluate(&state, &tau);
     complete(&state, &mut right);
     let wrong = |values: &Evaluation| {
@@ -365,7 +377,10 @@ fn a_refusal_fails_where_one_inertia_is_small() {
     let m = light.mass_matrix(&Vector2::zeros());
     assert!(m[(1, 1)] < 1e-9 * m[(0, 0)]);
     let refusal = SingularMassMatrix::new(1, 0.0);
-    let error = |m| refused("forward_dynamics", m, &refusal).error;
+    let error = |m: &Matrix2<f64>| {
+        let m = DMatrix::from_column_slice(2, 2, m.as_slice());
+        refused("forward_dynamics", &m, &refusal).error
+    };
     assert_eq!(error(&m), Some(f64::INFINITY));
     let vanishing = Matrix2::new(4e-33, 0.0, 0.0, 0.7);
     assert_eq!(error(&vanishing), None);
