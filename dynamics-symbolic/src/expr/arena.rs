@@ -1,9 +1,9 @@
 //! The arena of nodes, and the constructors that fold and share.
 
+use super::Operation;
 use super::fingerprint::{Fingerprint, FingerprintMap};
 use super::node::{Edge, Level, NodeId};
-use super::{Expr, Operation};
-use crate::exact::{Rational, SplitMix64, circle_point, is_short, negate_if};
+use crate::exact::{Rational, SplitMix64, is_short, negate_if};
 use core::cell::RefCell;
 
 /// A node: what it is, how deep its dependencies go, its fingerprint, and whether its definition is
@@ -24,10 +24,10 @@ struct Arena {
     symbols: u32,
 }
 
-/// A graph of expressions. Its [`Expr`] handles are `Copy` and have operators.
+/// A graph of expressions. Its [`Expr`](super::Expr) handles are `Copy` and have operators.
 pub struct Graph {
     arena: RefCell<Arena>,
-    random: RefCell<SplitMix64>,
+    pub(super) random: RefCell<SplitMix64>,
 }
 
 impl Default for Graph {
@@ -49,26 +49,13 @@ impl Graph {
     }
 
     /// A new symbol with that value at the graph's random point.
-    fn symbol_with(&self, level: Level, value: Fingerprint) -> Edge {
+    pub(super) fn symbol_with(&self, level: Level, value: Fingerprint) -> Edge {
         let mut arena = self.arena.borrow_mut();
         let operation = Operation::Symbol(arena.symbols);
         arena.symbols += 1;
         // A node is the symbol itself, not minus it; circles are symmetric to both axes.
         let value = negate_if(value, value.get() > (-value).get());
         arena.intern(operation, level, value)
-    }
-
-    /// A new symbol.
-    pub fn symbol(&self, level: Level) -> Expr<'_> {
-        let value = Fingerprint::random(&mut self.random.borrow_mut());
-        self.expr(self.symbol_with(level, value))
-    }
-
-    /// Two new symbols for the sine and the cosine of one angle: a point of the unit circle.
-    pub fn circle(&self, level: Level) -> (Expr<'_>, Expr<'_>) {
-        let (s, c) = circle_point(&mut self.random.borrow_mut());
-        let symbol = |value| self.expr(self.symbol_with(level, value));
-        (symbol(s), symbol(c))
     }
 
     pub(super) fn number(&self, x: &Rational) -> Edge {

@@ -1,7 +1,7 @@
 //! Handles of expressions, with the operators of arithmetic.
 
 use super::{Edge, Fingerprint, Graph, Level, NodeId};
-use crate::exact::Rational;
+use crate::exact::{Rational, circle_point};
 use core::fmt;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -16,6 +16,19 @@ impl Graph {
     /// The handle of an edge.
     pub fn expr(&self, edge: Edge) -> Expr<'_> {
         Expr { graph: self, edge }
+    }
+
+    /// A new symbol.
+    pub fn symbol(&self, level: Level) -> Expr<'_> {
+        let value = Fingerprint::random(&mut self.random.borrow_mut());
+        self.expr(self.symbol_with(level, value))
+    }
+
+    /// Two new symbols for the sine and the cosine of one angle: a point of the unit circle.
+    pub fn circle(&self, level: Level) -> (Expr<'_>, Expr<'_>) {
+        let (s, c) = circle_point(&mut self.random.borrow_mut());
+        let symbol = |value| self.expr(self.symbol_with(level, value));
+        (symbol(s), symbol(c))
     }
 
     /// Zero.

@@ -15,7 +15,7 @@ mod names;
 mod structure;
 mod write;
 
-pub use multiply_out::Budget;
+pub use multiply_out::{Budget, TooLong};
 pub use structure::Structure;
 pub use write::Format;
 pub(crate) use write::signed_sum;
@@ -51,26 +51,6 @@ struct Entry {
 struct Formula {
     expression: Expression,
     terms: usize,
-}
-
-/// Why there is no formula: it has so many terms, or more.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct TooLong {
-    /// The number of terms.
-    pub terms: usize,
-    /// Whether there are more.
-    pub or_more: bool,
-}
-
-impl core::fmt::Display for TooLong {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        let more = if self.or_more { "more than " } else { "" };
-        write!(
-            f,
-            "too long: {more}{} terms; `robot-dynamics show`",
-            self.terms
-        )
-    }
 }
 
 /// A value of a function, as it is shown.

@@ -1,6 +1,5 @@
 //! A program multiplied out: each output as a polynomial, exactly.
 
-use super::TooLong;
 use super::atom::Atom;
 use super::groups::Groups;
 use crate::exact::{MOST_BITS, Rational, bit_length, negate_if};
@@ -28,6 +27,26 @@ impl Budget {
         terms: 300,
         products: 5_000,
     };
+}
+
+/// Why there is no formula: it has so many terms, or more.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TooLong {
+    /// The number of terms.
+    pub terms: usize,
+    /// Whether there are more.
+    pub or_more: bool,
+}
+
+impl core::fmt::Display for TooLong {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        let more = if self.or_more { "more than " } else { "" };
+        write!(
+            f,
+            "too long: {more}{} terms; `robot-dynamics show`",
+            self.terms
+        )
+    }
 }
 
 /// The meanings of the atoms that are numbered as they come.

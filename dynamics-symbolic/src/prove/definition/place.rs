@@ -1,8 +1,6 @@
-//! Where frames are: the transform of a row in both conventions and of a mount, and the frames of all links.
+//! The transform of a row: both conventions, and a mount.
 
 use super::super::assignment::{Assignment, Number};
-use super::Definition;
-use super::body::Body;
 use super::pose::{Lift, Pose, Position};
 use crate::robot::{self, Convention, JointType, Robot};
 
@@ -15,7 +13,7 @@ pub(super) struct Place {
     d: Number,
     behind: Option<Pose<Number>>,
     /// For a mount, the frame that the row's cells describe, in the link frame. Parameters refer to it.
-    cells: Option<Pose<Number>>,
+    pub(super) cells: Option<Pose<Number>>,
 }
 
 /// The frames of a row in the world.
@@ -24,7 +22,7 @@ pub(super) struct Frames<R> {
     /// The frame to which the parameters of the link refer: on the joint's own axis, after its motion.
     pub(super) parameters: Pose<R>,
     /// The frame that the cells of the row describe.
-    cells: Pose<R>,
+    pub(super) cells: Pose<R>,
 }
 
 /// T(xyz) Rz(yaw) Ry(pitch) Rx(roll)
@@ -77,7 +75,12 @@ impl Place {
     }
 
     /// The frames of the row, if the frame in which it is written is at `base`.
-    fn frames<R: Lift>(&self, base: &Pose<R>, joint: JointType, q: &Position<R>) -> Frames<R> {
+    pub(super) fn frames<R: Lift>(
+        &self,
+        base: &Pose<R>,
+        joint: JointType,
+        q: &Position<R>,
+    ) -> Frames<R> {
         let (d, [s, c]) = (R::lift(self.d), [self.turn.0, self.turn.1].map(R::lift));
         let motion = match joint {
             // sin(turn + q), cos(turn + q)
@@ -108,46 +111,4 @@ impl Place {
 pub(super) fn parent(robot: &Robot, index: usize) -> Option<usize> {
     let is_mounted = robot.rows[index].mount.is_some();
     (0..index).rfind(|&k| !is_mounted || robot.rows[k].mount.is_some())
-}
-
-impl Definition {
-    /// The frames of all rows. A mount is written in the link frame before it, a row in the frame of the cells.
-    pub(super) fn frames<R: Lift>(&self, q: &[Position<R>]) -> Vec<Frames<R>> {
-        let base = Pose::identity().then_fixed(&self.base);
-        self.outward(|i, inner: Option<&Frames<R>>| {
-            let row = &self.rows[i];
-            let is_mounted = row.place.cells.is_some();
-            let frame = |inner: &Frames<R>| if is_mounted { inner.link } else { inner.cells };
-            let base = inner.map_or(base, frame);
-            row.place.frames(&base, row.joint.joint_type, &q[i])
-        })
-    }
-
-    /// The pose of the tip: the tool's, or else that of the last link.
-    pub(super) fn tip<R: Lift>(&self, q: &[Position<R>]) -> Pose<R> {
-        let frames = self.frames(q);
-        let last = frames.last().expect("a robot has links");
-        last.link
-            .then_fixed(&self.tool.as_ref().map(|(place, _)| *place))
-    }
-
-    /// Every body, the row of its link, and the pose of its frame: the links, then the tool.
-    pub(super) fn bodies<R: Lift>(&self, q: &[Position<R>]) -> Vec<(usize, &Body, Pose<R>)> {
-        let frames = self.frames(q);
-        let links = self.rows.iter().zip(&frames).enumerate();
-        let links = links.map(|(i, (row, frames))| (i, &row.body, frames.link));
-        let tool = self.tool.iter().zip(frames.last());
-        let last = self.rows.len() - 1;
-        let tool =
-            tool.map(|((place, body), frames)| (last, body, frames.link.then_fixed(&Some(*place))));
-        links.chain(tool).collect()
-    }
-
-    /// The bodies that can move: a joint that carries them is not locked.
-    pub(super) fn moving_bodies<R: Lift>(&self, q: &[Position<R>]) -> Vec<(&Body, Pose<R>)> {
-        let can_move = |row: usize| self.carriers(row).any(|k| !self.rows[k].joint.is_locked);
-        let bodies = self.bodies(q).into_iter();
-        let moving = bodies.filter(|(row, ..)| can_move(*row));
-        moving.map(|(_, body, pose)| (body, pose)).collect()
-    }
 }
