@@ -1,6 +1,5 @@
 //! The frames of all links and of the tip, and the bodies in them.
 
-use super::super::assignment::Number;
 use super::Definition;
 use super::body::Body;
 use super::place::Frames;
