@@ -24,6 +24,7 @@
 //! So M is factored once for all orders, and no series is divided. Inner sums depend on lower orders alone: those of all
 //! products are computed at once, in the lanes of vector registers ([`Block`]), before the straight-line code runs.
 
+mod coefficients;
 mod expansion;
 #[cfg(feature = "std")]
 mod first_root;
@@ -41,6 +42,7 @@ mod term;
 use nalgebra::{SMatrix, SVector};
 
 use crate::{Inputs, Model, Scalar, SingularMassMatrix};
+pub use coefficients::{MAX_TAYLOR_ORDER, TaylorCoefficients};
 use expansion::Expansion;
 #[cfg(feature = "std")]
 pub(crate) use expansion::mass_matrix;
@@ -52,12 +54,6 @@ pub(crate) use step_size::{FEWEST_ORDERS, order};
 #[cfg(feature = "std")]
 pub(crate) use stepper::{Refusal, SeriesStepper, Steady};
 pub use term::SeriesTerm;
-
-/// The highest order of a Taylor series.
-pub const MAX_TAYLOR_ORDER: usize = 30;
-
-/// The coefficients q_k of `q(t) = sum q_k t^k`, from q_0 on; zero beyond the order asked for.
-pub type TaylorCoefficients<T, const N: usize> = [SVector<T, N>; MAX_TAYLOR_ORDER + 1];
 
 /// An arm whose motion can be expanded in a Taylor series: `functions: [taylor_series]`.
 #[diagnostic::on_unimplemented(
