@@ -7,7 +7,7 @@ use crate::SizedKinematics;
 use crate::size::Size;
 
 /// The force at the tool in a [`Simulation`](crate::Simulation): none, or a law, which needs an arm with generated
-/// [`Kinematics`].
+/// [`Kinematics`](crate::Kinematics).
 pub trait ToolForce<R, D: Size> {
     /// The joint torques `tau` with those of the force: tau + J^T w.
     #[doc(hidden)]

@@ -11,10 +11,10 @@ pub(crate) const MOST_FOLLOWERS: usize = 8;
 pub struct Follower {
     /// Its row.
     pub row: Row,
-    /// How many of the rows in [`Table::rows`] come before this one. Followers with the same number
+    /// How many of the rows in [`Table::rows`](super::Table::rows) come before this one. Followers with the same number
     /// follow one another in their order.
     pub place: usize,
-    /// The joint that it follows, by its index in [`Table::rows`].
+    /// The joint that it follows, by its index in [`Table::rows`](super::Table::rows).
     pub leader: usize,
     /// How far it moves for each unit of that joint.
     pub factor: f64,
