@@ -1,6 +1,6 @@
 //! The mechanism that a table or a file describes: joints that stand on links, and the links that they move.
 //!
-//! Rows of both conventions, mounts of files, locked joints and couplings are read into it ([`read`]). The derivations
+//! Rows of both conventions, mounts of files, locked joints and couplings are read into it (`read`). The derivations
 //! know nothing else of an arm. The proof reads the table by itself.
 
 mod read;
