@@ -9,7 +9,7 @@ use std::error::Error;
 
 use robot_dynamics::plot::{Curve, Figure, joints};
 use robot_dynamics::{
-    Energy, Evaluate, ForwardDynamics, Simulation, check_against_rnea, nalgebra::SVector,
+    Energy, ForwardDynamics, Simulation, check::Evaluate, check_against_rnea, nalgebra::SVector,
     robot_dynamics,
 };
 

@@ -6,7 +6,7 @@
 //! ```
 
 use robot_dynamics::nalgebra::{Matrix4, Vector3, Vector6};
-use robot_dynamics::{Dop853, Simulation, SimulationError, robot_dynamics};
+use robot_dynamics::{Simulation, SimulationError, robot_dynamics, simulation::Dop853};
 
 robot_dynamics! {
     /// An elbow arm with a tool of 0.5 kg.
@@ -64,7 +64,7 @@ fn pushing() -> Outcome<f64> {
             let hand = (goal - place(&pose)) * STIFFNESS - velocity * DAMPING;
             jacobian.tr_mul(&force(hand)) + gravity
         })
-        .tool_force(|_, pose, _| force(Vector3::new(-pushed_back(pose), 0.0, 0.0)))
+        .tool_wrench(|_, pose, _| force(Vector3::new(-pushed_back(pose), 0.0, 0.0)))
         .duration(6.0)
         .run()?;
     let last = motion.q.len() - 1;
@@ -100,7 +100,7 @@ fn observed() -> Outcome<[f64; 2]> {
         .method(Dop853::with_tolerance(1e-9))
         .initial(START, Vector::zeros())
         .torque(|_, q, qd| torque(q, qd))
-        .tool_force(|t, _, _| force(if t > 1.0 { PUSH } else { Vector::zeros() }))
+        .tool_wrench(|t, _, _| force(if t > 1.0 { PUSH } else { Vector::zeros() }))
         .duration(2.0)
         .samples(2001)
         .run()?;

@@ -6,7 +6,9 @@
 //! ```
 
 use robot_dynamics::nalgebra::{SVector, Vector3};
-use robot_dynamics::{Dop853, Method, Simulation, SimulationError, Trajectory, robot_dynamics};
+use robot_dynamics::{
+    Method, Simulation, SimulationError, Trajectory, robot_dynamics, simulation::Dop853,
+};
 
 robot_dynamics! {
     /// An elbow arm that carries `load` at its tool.

@@ -12,8 +12,8 @@ use std::{
 
 use robot_dynamics::plot::{Curve, Figure, joints};
 use robot_dynamics::{
-    DormandPrince, Method, Simulation, Trajectory, check_against_rnea, nalgebra::Vector6,
-    robot_dynamics,
+    Method, Simulation, Trajectory, check_against_rnea, nalgebra::Vector6, robot_dynamics,
+    simulation::DormandPrince,
 };
 
 robot_dynamics! {

@@ -69,7 +69,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     };
     // The law is called at 0, 1 ms, 2 ms, ..., once each: it may keep what it learns.
     let mut simulation = Simulation::new(&Arm)
-        .sampled(PERIOD)
+        .control_period(PERIOD)
         .torque(|_t, q, qd| pid.torque(q, qd))
         .friction(Friction::Sticking)
         .stops(0.3)

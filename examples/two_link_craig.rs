@@ -14,7 +14,7 @@ use std::error::Error;
 
 use robot_dynamics::plot::{Curve, Figure, joints};
 use robot_dynamics::{
-    DormandPrince, Method, Simulation, Trajectory, nalgebra::Vector2, robot_dynamics,
+    Method, Simulation, Trajectory, nalgebra::Vector2, robot_dynamics, simulation::DormandPrince,
 };
 
 robot_dynamics! {

@@ -38,6 +38,9 @@
 //!   [`Conditioning`] says how many digits accelerations lose.
 //! - [`Model`], [`ForwardDynamics`], [`Kinematics`] and other traits give generic code access to a generated arm.
 //!
+//! Everything beyond a first program is in modules: [`simulation`] (settings of methods, causes of errors), [`check`]
+//! (reports, [`check::Evaluation`]), [`table`] (rows and frames as numbers), [`batch`], [`certified`].
+//!
 //! # Features
 //!
 //! | feature | default | what it adds |

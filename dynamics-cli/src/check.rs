@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::ArgMatches;
-use dynamics_runtime::Check;
+use dynamics_runtime::check::Check;
 use dynamics_symbolic::{Function, Request};
 
 use crate::compare::compare;

@@ -103,7 +103,7 @@ fn rounding(arm: &RuntimeRobot, name: &str, state: &[&[f64]]) -> Result<f64, Fai
     let size = values.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
     let differences = values.iter().zip(precise);
     let worst = differences
-        .map(|(x, exact)| f64::from(DoubleDouble::from(*x) - exact).abs())
+        .map(|(x, exact)| (DoubleDouble::from(*x) - exact).to_f64().abs())
         .fold(0.0, f64::max);
     Ok(if size > 0.0 { worst / size } else { worst })
 }

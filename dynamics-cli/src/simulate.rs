@@ -4,7 +4,8 @@ use clap::ArgMatches;
 use dynamics_evaluation::RuntimeRobot;
 use dynamics_runtime::nalgebra::{DVector, Dyn};
 use dynamics_runtime::{
-    Cause, DormandPrince, Friction, Simulation, SizedModel as _, SizedSimulationError,
+    Friction, Simulation,
+    simulation::{Cause, DormandPrince, SizedModel as _, SizedSimulationError},
 };
 use dynamics_symbolic::Function;
 use dynamics_symbolic::robot::Robot;

@@ -9,7 +9,11 @@ use core::fmt;
 use core::ops::Range;
 
 use dynamics_runtime::nalgebra::{DMatrix, DVector, Matrix3};
-use dynamics_runtime::{Convention, JointType, StandardParameters, Table, base_parameter_map};
+use dynamics_runtime::{
+    StandardParameters,
+    check::base_parameter_map,
+    table::{Convention, JointType, Table},
+};
 use dynamics_symbolic::exact::SplitMix64;
 use dynamics_symbolic::robot::{Robot, Value};
 
@@ -458,11 +462,11 @@ fn impossible(p: &[f64]) -> Option<(f64, [f64; 3])> {
 
 /// The standard parameters of a link.
 fn parameters(mass: f64, com: [f64; 3], inertia: [f64; 6]) -> StandardParameters {
-    let row = dynamics_runtime::Row {
+    let row = dynamics_runtime::table::Row {
         mass,
         com,
         inertia,
-        ..dynamics_runtime::Row::new(JointType::Revolute)
+        ..dynamics_runtime::table::Row::new(JointType::Revolute)
     };
     let [parameters] = Table::new(Convention::Modified, [0.0; 3], [row]).standard_parameters();
     parameters

@@ -2,8 +2,9 @@
 
 use dynamics_runtime::nalgebra::{DMatrix, DVector, Dyn, Matrix4, Matrix6xX};
 use dynamics_runtime::{
-    Dual, EquationsOfMotion, Responses, RuntimeTable, Scalar, SingularMassMatrix, SizedKinematics,
-    SizedModel, SizedMomenta,
+    Dual, Scalar, SingularMassMatrix, SizedKinematics, SizedMomenta,
+    simulation::{EquationsOfMotion, Responses, SizedModel},
+    table::RuntimeTable,
 };
 use dynamics_symbolic::Function;
 use dynamics_symbolic::function::Argument::{self, Acceleration, Force, Position, Velocity};

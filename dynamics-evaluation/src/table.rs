@@ -1,7 +1,8 @@
 //! The table of a robot in numbers, as a generated struct hands it out.
 
 use dynamics_runtime::{
-    Convention, Frame, JointMotion, JointType, Row, RuntimeTable, Spring, Stribeck, Tool, turned,
+    table::{Convention, Frame, JointMotion, JointType, Row, RuntimeTable, Spring, Stribeck, Tool},
+    turned,
 };
 use dynamics_symbolic::program::rounded_angle;
 use dynamics_symbolic::robot::{self, Angle, Placement, Quantity, Robot, Value};
@@ -118,9 +119,9 @@ impl Cells<'_> {
                 rest: of.rest,
             }),
             limits: row.limits,
-            mount: dynamics_runtime::Placement::IDENTITY,
-            link_frame: dynamics_runtime::Placement::of_frames(&link_frame),
-            tip: dynamics_runtime::Placement::IDENTITY,
+            mount: dynamics_runtime::table::Placement::IDENTITY,
+            link_frame: dynamics_runtime::table::Placement::of_frames(&link_frame),
+            tip: dynamics_runtime::table::Placement::IDENTITY,
         }
     }
 }

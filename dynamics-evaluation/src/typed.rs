@@ -2,8 +2,9 @@
 
 use dynamics_runtime::nalgebra::{DVector, Dyn, SVector};
 use dynamics_runtime::{
-    Certified, Checked, Evaluate, Evaluation, JointVector as _, Model, RuntimeTable, Scalar, Size,
-    SizedState, State, Table,
+    Certified, JointVector as _, Model, Scalar, Size, SizedState, State,
+    check::{Checked, Evaluate, Evaluation},
+    table::{RuntimeTable, Table},
 };
 use dynamics_symbolic::function::Argument;
 use dynamics_symbolic::robot::Robot;
@@ -15,7 +16,7 @@ use crate::{BuildError, EvaluationError, RuntimeRobot, WrongJoints};
 
 impl RuntimeRobot {
     /// The robot as an arm of `N` joints, which generic code takes. Checks take the robot as it is
-    /// ([`Check::run_any`](dynamics_runtime::Check::run_any)), and simulations its [`dynamics`](RuntimeRobot::dynamics).
+    /// ([`Check::run_any`](dynamics_runtime::check::Check::run_any)), and simulations its [`dynamics`](RuntimeRobot::dynamics).
     ///
     /// ```
     /// # use dynamics_evaluation::RuntimeRobot;

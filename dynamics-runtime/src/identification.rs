@@ -24,7 +24,7 @@ use crate::{Evaluate, NewtonEuler, State, Table};
 ///
 /// ```
 /// # extern crate dynamics_runtime as robot_dynamics;
-/// use robot_dynamics::{base_parameter_map, robot_dynamics};
+/// use robot_dynamics::{robot_dynamics, check::base_parameter_map};
 ///
 /// robot_dynamics! {
 ///     /// A rod: its torque shows the moment m c_x and the inertia J_zz with that of the motor.

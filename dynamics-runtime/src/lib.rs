@@ -20,12 +20,11 @@
 pub use nalgebra;
 
 #[cfg(feature = "std")]
-mod batch;
+pub mod batch;
 pub mod certified;
 #[cfg(feature = "std")]
-mod check;
+pub mod check;
 mod conditioning;
-mod configuration;
 mod double_double;
 mod dual;
 #[cfg(feature = "num-dual")]
@@ -59,13 +58,14 @@ mod replace;
 mod scalar;
 #[cfg(feature = "serde")]
 mod sequences;
+mod shared_sines;
 #[cfg(feature = "std")]
-mod simulation;
+pub mod simulation;
 mod sine;
 mod singular;
 mod size;
 mod state;
-mod table;
+pub mod table;
 mod taylor;
 mod trajectory;
 mod unrolled;
@@ -73,74 +73,79 @@ mod unrolled;
 #[cfg(test)]
 mod test_arms;
 
+// What a first program needs.
+#[cfg(feature = "std")]
+pub use batch::Batch;
+pub use certified::Certified;
+#[cfg(feature = "std")]
+pub use check::check_against_rnea;
+pub use conditioning::Conditioning;
+pub use double_double::DoubleDouble;
+pub use formula::Formula;
+pub use model::{
+    CoriolisVector, Energy, ForwardDynamics, GravityVector, InverseDynamics, Kinematics,
+    MassMatrix, Model,
+};
+pub use newton_euler::{NewtonEuler, NumericArm};
+pub use operations::Operations;
+pub use scalar::Scalar;
+pub use shared_sines::SharedSines;
+#[cfg(feature = "std")]
+pub use simulation::{Friction, Method, Simulation, SimulationError, TaylorSimulation, Trajectory};
+pub use singular::SingularMassMatrix;
+pub use size::Size;
+pub use state::{AccelerationDerivatives, SecondDerivatives, State};
+pub use trajectory::Cycloidal;
+
+// What generated code and other crates of this workspace name, besides.
 #[cfg(feature = "rayon")]
 #[doc(hidden)]
 pub use batch::on_all_cores;
 #[cfg(feature = "std")]
-pub use batch::{Batch, BatchError, LengthMismatch, Precision, States, StatesMut, WithParameters};
-#[cfg(feature = "std")]
 #[doc(hidden)]
-pub use batch::{Fields, failing, on_one_core};
-pub use certified::{Certified, Rounded};
-#[cfg(feature = "std")]
-pub use check::{Check, Checked, FunctionReport, Report, check_against_rnea};
-pub use conditioning::Conditioning;
-pub use configuration::Configuration;
-pub use double_double::DoubleDouble;
+pub use batch::{
+    BatchError, Fields, LengthMismatch, Precision, States, StatesMut, failing, on_one_core,
+};
 #[doc(hidden)]
 pub use dual::Dual;
 #[cfg(feature = "std")]
+#[doc(hidden)]
 pub use equations_of_motion::SizedModel;
+#[doc(hidden)]
 pub use equations_of_motion::{EquationsOfMotion, Responses};
 #[cfg(feature = "std")]
 #[doc(hidden)]
-pub use evaluation::Arguments;
-#[cfg(feature = "std")]
-pub use evaluation::{Evaluate, Evaluation, FunctionValue};
-pub use formula::Formula;
-pub use frame::{Frame, Tool};
+pub use evaluation::{Arguments, Evaluate, Evaluation, FunctionValue};
 #[doc(hidden)]
 pub use function::{Arrangement, Entries, Function, Number, functions};
-#[cfg(feature = "std")]
-pub use identification::base_parameter_map;
 #[doc(hidden)]
 pub use inputs::{Evaluated, Inputs};
-pub use model::{
-    CoriolisVector, Energy, ForwardDynamics, GravityVector, InverseDynamics, Kinematics,
-    MassMatrix, Model, Momenta, SizedKinematics, SizedMomenta,
-};
 #[doc(hidden)]
-pub use newton_euler::turned;
-pub use newton_euler::{NewtonEuler, NumericArm, StandardParameters};
-pub use operations::Operations;
-pub use placement::Placement;
+pub use model::{Momenta, SizedKinematics, SizedMomenta};
+#[doc(hidden)]
+pub use newton_euler::{StandardParameters, turned};
 #[cfg(feature = "std")]
 #[doc(hidden)]
 pub use replace::replace_files;
-pub use scalar::Scalar;
-#[cfg(feature = "std")]
-pub use simulation::{
-    Cause, Continuous, ContinuousForce, CsvError, CsvMistake, Dop853, DormandPrince, Friction,
-    HeldToolForce, HeldTorque, InvalidSetting, JointSet, Method, NoToolForce, NoTorque, Radau5,
-    Sampled, Simulation, SimulationError, SizedSimulationError, SizedTrajectory, Taylor,
-    TaylorSimulation, ToolForce, Trajectory, Work,
-};
 #[doc(hidden)]
 pub use sine::{Part, sin_cos_column};
-pub use singular::SingularMassMatrix;
-pub use size::{JointMatrix, JointVector, Size, SizedSecondDerivatives};
-pub use state::{AccelerationDerivatives, SecondDerivatives, SizedState, State};
+#[doc(hidden)]
+pub use size::{JointMatrix, JointVector, SizedSecondDerivatives};
+#[doc(hidden)]
+pub use state::SizedState;
 #[cfg(feature = "std")]
+#[doc(hidden)]
 pub use table::RuntimeTable;
 #[doc(hidden)]
-pub use table::{Arm, AsArm};
 pub use table::{
-    Convention, Follower, Followers, JointMotion, JointType, Row, Spring, Stribeck, Table,
+    Arm, AsArm, Convention, Follower, Followers, Frame, JointMotion, JointType, Placement, Row,
+    Spring, Stribeck, Table, Tool,
 };
 #[doc(hidden)]
-pub use taylor::{Block, Common, ProductTable, Products, SeriesTerm};
-pub use taylor::{MAX_TAYLOR_ORDER, TaylorCoefficients, TaylorDynamics};
-pub use trajectory::{Cycloidal, InvalidDuration};
+pub use taylor::{
+    Block, Common, MAX_TAYLOR_ORDER, ProductTable, Products, SeriesTerm, TaylorCoefficients,
+    TaylorDynamics,
+};
 
 #[doc(hidden)]
 pub mod __private {

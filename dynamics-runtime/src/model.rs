@@ -19,7 +19,7 @@ pub trait Model<const N: usize, const V: usize = N> {
     const JOINT_NAMES: [&'static str; N];
 
     /// Whether a generated function of q reads the sine and cosine of a joint's position:
-    /// [`Configuration`](crate::Configuration) evaluates no others.
+    /// [`SharedSines`](crate::SharedSines) evaluates no others.
     const READS_ANGLE: [bool; N] = [true; N];
 
     /// The table as numbers.
@@ -66,7 +66,7 @@ pub trait ForwardDynamics<const N: usize, const V: usize = N> {
         tau: &SVector<T, V>,
     ) -> Result<SVector<T, V>, SingularMassMatrix>;
     /// The same, with the sines of the joint positions from `sines`: see
-    /// [`Configuration`](crate::Configuration).
+    /// [`SharedSines`](crate::SharedSines).
     #[doc(hidden)]
     #[inline]
     fn forward_dynamics_at<T: Scalar>(
@@ -106,7 +106,7 @@ pub trait MassMatrix<const N: usize, const V: usize = N> {
     /// `q` in rad or m. Where a joint position is not finite, the entries that depend on it are not.
     fn mass_matrix<T: Scalar>(&self, q: &SVector<T, N>) -> SMatrix<T, V, V>;
     /// The same, with the sines of the joint positions from `sines`: see
-    /// [`Configuration`](crate::Configuration).
+    /// [`SharedSines`](crate::SharedSines).
     #[doc(hidden)]
     #[inline]
     fn mass_matrix_at<T: Scalar>(
@@ -135,7 +135,7 @@ pub trait CoriolisVector<const N: usize, const V: usize = N> {
     /// `q` in rad or m, `qd` per second.
     fn coriolis_vector<T: Scalar>(&self, q: &SVector<T, N>, qd: &SVector<T, V>) -> SVector<T, V>;
     /// The same, with the sines of the joint positions from `sines`: see
-    /// [`Configuration`](crate::Configuration).
+    /// [`SharedSines`](crate::SharedSines).
     #[doc(hidden)]
     #[inline]
     fn coriolis_vector_at<T: Scalar>(
@@ -165,7 +165,7 @@ pub trait GravityVector<const N: usize, const V: usize = N> {
     /// `q` in rad or m.
     fn gravity_vector<T: Scalar>(&self, q: &SVector<T, N>) -> SVector<T, V>;
     /// The same, with the sines of the joint positions from `sines`: see
-    /// [`Configuration`](crate::Configuration).
+    /// [`SharedSines`](crate::SharedSines).
     #[doc(hidden)]
     #[inline]
     fn gravity_vector_at<T: Scalar>(
@@ -199,7 +199,7 @@ pub trait InverseDynamics<const N: usize, const V: usize = N> {
         qdd: &SVector<T, V>,
     ) -> SVector<T, V>;
     /// The same, with the sines of the joint positions from `sines`: see
-    /// [`Configuration`](crate::Configuration).
+    /// [`SharedSines`](crate::SharedSines).
     #[doc(hidden)]
     #[inline]
     fn inverse_dynamics_at<T: Scalar>(

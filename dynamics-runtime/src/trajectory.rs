@@ -30,7 +30,7 @@ use crate::float::{first_non_finite, sin_cos};
 /// let halfway = turn.at(2.0);
 /// assert_eq!((halfway.q[0], halfway.qd[0]), (1.0, 1.0));
 /// assert_eq!(turn.at(5.0).q[0], 2.0);
-/// # Ok::<(), robot_dynamics::InvalidDuration>(())
+/// # Ok::<(), robot_dynamics::simulation::InvalidDuration>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cycloidal<const N: usize> {

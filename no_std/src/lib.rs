@@ -7,7 +7,7 @@ use core::hint::black_box;
 
 use robot_dynamics::nalgebra::{Matrix3, Vector3, Vector6};
 use robot_dynamics::{
-    Configuration, Cycloidal, Model, NewtonEuler, SingularMassMatrix, robot_dynamics,
+    Cycloidal, Model, NewtonEuler, SharedSines, SingularMassMatrix, robot_dynamics,
 };
 
 #[macro_use]
@@ -62,7 +62,7 @@ pub fn computed_torque(q: &Vector3<f32>, qd: &Vector3<f32>, qdd: &Vector3<f32>) 
 /// Where M is singular.
 pub fn at(q: &Vector3<f64>) -> Result<(Matrix3<f64>, Vector3<f64>), SingularMassMatrix> {
     let arm = Arm { payload: 0.5 };
-    let configuration = Configuration::new(&arm, q);
+    let configuration = SharedSines::new(&arm, q);
     let gravity = configuration.gravity_vector();
     let qdd = configuration.forward_dynamics(&Vector3::zeros(), &gravity)?;
     Ok((configuration.mass_matrix(), qdd))

@@ -1,6 +1,6 @@
 //! States by columns, a column for each joint.
 
-use robot_dynamics::{Batch, Precision, Scalar};
+use robot_dynamics::{Batch, Scalar, batch::Precision};
 
 use crate::five::{Five, Numbers};
 

@@ -9,7 +9,10 @@ mod controllers;
 use std::f64::consts::FRAC_PI_2;
 
 use robot_dynamics::nalgebra::{Matrix3, SMatrix, SVector, Vector3};
-use robot_dynamics::{Convention, DoubleDouble, JointType, Row, Scalar, Table};
+use robot_dynamics::{
+    DoubleDouble, Scalar,
+    table::{Convention, JointType, Row, Table},
+};
 
 type Vector = Vector3<DoubleDouble>;
 type Matrix = Matrix3<DoubleDouble>;
@@ -203,7 +206,7 @@ impl<const N: usize> Exact<'_, N> {
 
 impl Frame {
     /// `T(xyz) Rz(yaw) Ry(pitch) Rx(roll)`.
-    fn placed(&self, place: &robot_dynamics::Frame) -> Frame {
+    fn placed(&self, place: &robot_dynamics::table::Frame) -> Frame {
         let [zero, one] = [0.0, 1.0].map(number);
         let [roll, pitch, yaw] = place.rpy.map(of_constant);
         let (s, c) = yaw;

@@ -1,7 +1,7 @@
 //! Results of any shape beside each other.
 
 use robot_dynamics::nalgebra::SMatrix;
-use robot_dynamics::{BatchError, Scalar, SingularMassMatrix};
+use robot_dynamics::{Scalar, SingularMassMatrix, batch::BatchError};
 
 /// What a single call returns.
 pub(crate) trait Outcome {

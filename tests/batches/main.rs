@@ -12,7 +12,7 @@ mod states;
 use arms::{CRANE, Crane, Strut, Wrist};
 use compare::{Outcome, compare};
 use robot_dynamics::nalgebra::{Matrix2, Matrix3, SMatrix, Vector2, Vector3};
-use robot_dynamics::{Batch, BatchError};
+use robot_dynamics::{Batch, batch::BatchError};
 use states::States;
 
 /// Shorter than the lanes, as long, longer by one, and with a remainder, of four to sixteen lanes.

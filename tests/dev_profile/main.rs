@@ -4,7 +4,7 @@
 //! This file is compiled in the profile of the tests, which is the dev profile with debug
 //! information unless `cargo test --release` is asked for.
 
-use robot_dynamics::{Check, robot_dynamics};
+use robot_dynamics::{check::Check, robot_dynamics};
 
 robot_dynamics! {
     /// Thirty revolute joints, every cell non-zero.

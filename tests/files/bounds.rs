@@ -88,7 +88,7 @@ fn measured(robot: &Robot, function: Function, program: &Program, label: &str) -
             .take(count)
             .enumerate()
         {
-            let error = f64::from((exact - (*found).into()).abs());
+            let error = (exact - (*found).into()).abs().to_f64();
             assert!(
                 error <= bounds[k],
                 "{label}: {error:e} of {k}, {:e}",

@@ -11,7 +11,7 @@ use dynamics_evaluation::RuntimeRobot;
 use dynamics_symbolic::Function;
 use dynamics_symbolic::derive::center_of_mass::is_massless;
 use dynamics_symbolic::robot::Robot;
-use robot_dynamics::Check;
+use robot_dynamics::check::Check;
 
 /// What an arm was compared in.
 #[derive(Default)]

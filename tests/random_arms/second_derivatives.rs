@@ -6,7 +6,9 @@ use std::ops::RangeInclusive;
 use dynamics_evaluation::RuntimeRobot;
 use dynamics_symbolic::Function;
 use robot_dynamics::nalgebra::{SMatrix, SVector};
-use robot_dynamics::{DoubleDouble, Evaluate, JointType, Model, SecondDerivatives, State};
+use robot_dynamics::{
+    DoubleDouble, Model, SecondDerivatives, State, check::Evaluate, table::JointType,
+};
 use testkit::exact::Exact;
 use testkit::random::Random;
 

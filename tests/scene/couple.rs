@@ -5,9 +5,11 @@
 
 use robot_dynamics::nalgebra::{DMatrix, DVector, SMatrix, SVector};
 use robot_dynamics::{
-    Certified, DoubleDouble, Evaluate, ForwardDynamics, Friction, GravityVector, InverseDynamics,
-    MassMatrix, NewtonEuler, Scalar, Simulation, State, Table, base_parameter_map, certified,
+    Certified, DoubleDouble, ForwardDynamics, Friction, GravityVector, InverseDynamics, MassMatrix,
+    NewtonEuler, Scalar, Simulation, State, certified,
+    check::{Evaluate, base_parameter_map},
     robot_dynamics,
+    table::Table,
 };
 use robots::palletiser_table;
 use testkit::exact::Exact;
@@ -428,7 +430,7 @@ fn the_table_knows_what_follows() {
     assert_eq!(table.total_mass(), 3.0 + 1.0 + 0.2 + 0.15 + 1.5);
     // Without it the arm is another one.
     let mut alone = table;
-    alone.followers = robot_dynamics::Followers::NONE;
+    alone.followers = robot_dynamics::table::Followers::NONE;
     let q = SVector::from([0.1, 0.2, 0.03]);
     let [m, other] = [table, alone].map(|table| NewtonEuler::new(&table).mass_matrix(&q));
     assert!((m - other).amax() > 0.1);

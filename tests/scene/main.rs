@@ -8,7 +8,7 @@ mod limits;
 mod lock;
 mod neglect;
 
-use robot_dynamics::Check;
+use robot_dynamics::check::Check;
 
 /// A comparison with the numeric algorithms at fewer states than it has by default, for arms that are long to
 /// compute unoptimised.

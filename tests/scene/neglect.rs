@@ -2,8 +2,8 @@
 
 use robot_dynamics::nalgebra::{SVector, Vector6};
 use robot_dynamics::{
-    DormandPrince, Energy, ForwardDynamics, Method, Scalar, Simulation, SingularMassMatrix,
-    Trajectory, robot_dynamics,
+    Energy, ForwardDynamics, Method, Scalar, Simulation, SingularMassMatrix, Trajectory,
+    robot_dynamics, simulation::DormandPrince,
 };
 use scene::arms::{Puma, PumaAtFivePercent, PumaAtOnePercent};
 

@@ -6,8 +6,8 @@ use std::hint::black_box;
 use allocation_counter::measure;
 use robot_dynamics::nalgebra::{SMatrix, SVector};
 use robot_dynamics::{
-    Batch, Configuration, CoriolisVector, ForwardDynamics, GravityVector, InverseDynamics,
-    MassMatrix, Model, NewtonEuler, Scalar, Taylor, TaylorSimulation,
+    Batch, CoriolisVector, ForwardDynamics, GravityVector, InverseDynamics, MassMatrix, Model,
+    NewtonEuler, Scalar, SharedSines, TaylorSimulation, simulation::Taylor,
 };
 use robots::*;
 
@@ -147,7 +147,7 @@ fn numeric_algorithms<const N: usize>(robot: &impl Model<N>, q: f64) {
 fn sines_are_shared<const N: usize, R: Model<N> + Programs<N>>(robot: &R) {
     let [q, qd, qdd] = [0.3, 0.5, -2.0].map(vector::<f64, N>);
     assert_none("a configuration", || {
-        let arm = black_box(Configuration::new(robot, &q));
+        let arm = black_box(SharedSines::new(robot, &q));
         black_box(arm.mass_matrix());
         black_box(arm.coriolis_vector(&qd));
         black_box(arm.gravity_vector());

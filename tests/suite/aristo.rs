@@ -2,7 +2,7 @@
 //! from 0 to 60 degrees and joint 2 from 90 to 60; the wrist's end values are ours.
 
 use robot_dynamics::nalgebra::Vector6;
-use robot_dynamics::{Cycloidal, DormandPrince, Method, NewtonEuler, Simulation};
+use robot_dynamics::{Cycloidal, Method, NewtonEuler, Simulation, simulation::DormandPrince};
 use robots::Aristo;
 
 fn trajectory() -> Cycloidal<6> {

@@ -1,7 +1,10 @@
 //! The functions that controllers ask for, in doubles beside the table in 31 digits.
 
 use robot_dynamics::nalgebra::{Matrix6, SMatrix, SVector};
-use robot_dynamics::{DoubleDouble, Evaluate, Evaluation, Model, State};
+use robot_dynamics::{
+    DoubleDouble, Model, State,
+    check::{Evaluate, Evaluation},
+};
 use robots::*;
 use testkit::exact::Exact;
 use testkit::random::Random;

@@ -1,7 +1,10 @@
 //! Six joints that slide, stop and stick.
 
 use robot_dynamics::nalgebra::Vector6;
-use robot_dynamics::{Dop853, Friction, Method, Radau5, Simulation, Trajectory};
+use robot_dynamics::{
+    Friction, Method, Simulation, Trajectory,
+    simulation::{Dop853, Radau5},
+};
 use robots::Puma560;
 
 /// The PUMA 560 under gravity, its motors off, from a motion of all joints.

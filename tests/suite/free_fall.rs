@@ -1,7 +1,7 @@
 //! Arms fall from rest without losing energy.
 
 use robot_dynamics::nalgebra::SVector;
-use robot_dynamics::{DormandPrince, Method, Simulation};
+use robot_dynamics::{Method, Simulation, simulation::DormandPrince};
 use robots::*;
 
 /// A second from a pose in which no arm hangs. The torques cancel the friction, so that the

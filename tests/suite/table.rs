@@ -1,6 +1,6 @@
 //! The tables of `robots` are those of `tests/data/robots`, cell by cell.
 
-use robot_dynamics::{Convention, Frame, JointType, Row, Tool};
+use robot_dynamics::table::{Convention, Frame, JointType, Row, Tool};
 use robots::*;
 use testkit::references::{JointRow, PlacementFile, RobotFile, ToolFile, read};
 

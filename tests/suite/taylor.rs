@@ -7,7 +7,7 @@
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use robot_dynamics::nalgebra::SVector;
-use robot_dynamics::{DoubleDouble, Scalar, TaylorDynamics};
+use robot_dynamics::{DoubleDouble, Scalar, simulation::TaylorDynamics};
 use robots::*;
 use testkit::random::Random;
 

@@ -1,7 +1,10 @@
 //! A run that cannot go on says when and where, and keeps what it has.
 
 use robot_dynamics::nalgebra::{Vector1, Vector2};
-use robot_dynamics::{Cause, DormandPrince, Method, Simulation, robot_dynamics};
+use robot_dynamics::{
+    Method, Simulation, robot_dynamics,
+    simulation::{Cause, DormandPrince},
+};
 
 robot_dynamics! {
     /// A mass on a slide.

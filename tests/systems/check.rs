@@ -2,7 +2,10 @@
 
 use robot_dynamics::nalgebra::SVector;
 use robot_dynamics::{
-    Evaluate, Evaluation, Model, State, Table, check_against_rnea, robot_dynamics,
+    Model, State,
+    check::{Evaluate, Evaluation},
+    check_against_rnea, robot_dynamics,
+    table::Table,
 };
 
 robot_dynamics! {

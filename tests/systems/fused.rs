@@ -4,7 +4,7 @@
 use allocation_counter::measure;
 use robot_dynamics::nalgebra::{Matrix4, SMatrix, SVector};
 use robot_dynamics::{
-    Check, DoubleDouble, Scalar, SingularMassMatrix, check_against_rnea, robot_dynamics,
+    DoubleDouble, Scalar, SingularMassMatrix, check::Check, check_against_rnea, robot_dynamics,
 };
 use robots::{Panda, Puma560, Scara, TwoLinkSaha};
 use testkit::random::Random;

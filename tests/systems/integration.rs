@@ -1,7 +1,7 @@
 //! Generated arms under the methods that need more of them than forward dynamics.
 
 use robot_dynamics::nalgebra::{Vector1, Vector2};
-use robot_dynamics::{Dop853, Friction, Method, Simulation, robot_dynamics};
+use robot_dynamics::{Friction, Method, Simulation, robot_dynamics, simulation::Dop853};
 
 robot_dynamics! {
     /// A block on a floor.
@@ -78,7 +78,7 @@ fn a_stuck_elbow_does_not_move() {
 
 #[test]
 fn an_arm_without_its_mass_matrix_is_not_known_in_momenta() {
-    use robot_dynamics::{ForwardDynamics, InvalidSetting};
+    use robot_dynamics::{ForwardDynamics, simulation::InvalidSetting};
     assert!(Bare.momenta().is_none());
     assert!(DryElbow { f: 0.0 }.momenta().is_some());
     let step = 0.1;

@@ -2,7 +2,6 @@
 
 mod aborted_runs;
 mod check;
-mod configuration;
 mod contract;
 mod degenerate;
 mod fused;
@@ -11,14 +10,15 @@ mod integration;
 mod masses;
 mod names;
 mod one_link;
+mod shared_sines;
 mod solids;
 mod taylor;
-mod tool_force;
+mod tool_wrench;
 mod two_link_point_masses;
 mod two_link_rods;
 
 use robot_dynamics::nalgebra::SVector;
-use robot_dynamics::{DormandPrince, Method, Trajectory};
+use robot_dynamics::{Method, Trajectory, simulation::DormandPrince};
 use testkit::references::MotionFile;
 
 /// What a computed value may be from the true one, relative to its magnitude: 18 roundings.

@@ -4,8 +4,8 @@ use std::f64::consts::FRAC_PI_2;
 
 use robot_dynamics::nalgebra::{SVector, Vector1, Vector2, Vector6};
 use robot_dynamics::{
-    Cause, DormandPrince, InvalidSetting, Method, Simulation, Taylor, TaylorDynamics,
-    TaylorSimulation, Trajectory, robot_dynamics,
+    Method, Simulation, TaylorSimulation, Trajectory, robot_dynamics,
+    simulation::{Cause, DormandPrince, InvalidSetting, Taylor, TaylorDynamics},
 };
 use testkit::references::{MotionFile, read};
 

@@ -4,7 +4,8 @@ use arms::decimal;
 use dynamics_evaluation::{RuntimeDynamics, RuntimeRobot};
 use dynamics_runtime::nalgebra::{DVector, SVector, Vector3, Vector6};
 use dynamics_runtime::{
-    DormandPrince, Evaluate, Friction, Method, Model, Simulation, State, robot_dynamics,
+    Friction, Method, Model, Simulation, State, check::Evaluate, robot_dynamics,
+    simulation::DormandPrince,
 };
 use dynamics_symbolic::function::Fused;
 use dynamics_symbolic::robot::{
@@ -334,7 +335,7 @@ fn a_force_at_the_tool_moves_the_arm() {
     let force = Vector6::new(50.0, 0.0, 0.0, 0.0, 0.0, 0.0);
     let pushed = simulation
         .clone()
-        .tool_force(|_t, _pose, _twist| force)
+        .tool_wrench(|_t, _pose, _twist| force)
         .run();
     let free = simulation.run();
     assert_ne!(

@@ -56,7 +56,7 @@ fn a_simulation_says_which_function_it_lacks_and_what_to_write() {
         .and_then(|dynamics| dynamics.with_tip())
         .expect("all");
     let pushed = Simulation::new(&tip).friction(Friction::Sticking);
-    let pushed = pushed.tool_force(|_, _, _| Vector6::repeat(0.1));
+    let pushed = pushed.tool_wrench(|_, _, _| Vector6::repeat(0.1));
     assert_eq!(pushed.duration(0.1).run().expect("a motion").len(), 101);
 }
 

@@ -72,7 +72,7 @@ dynamics_macros::batch_methods! {
 /// let mut column = [0.0; 3];
 /// Pendulum.gravity_vector_batch([&[0.0, 0.5, 1.0][..]], [&mut column[..]])?;
 /// assert_eq!(column[1], torques[1][0]);
-/// # Ok::<(), robot_dynamics::LengthMismatch>(())
+/// # Ok::<(), robot_dynamics::batch::LengthMismatch>(())
 /// ```
 pub trait Batch {
     /// A batch in which every state has an arm of its own: `arms` has a struct for each state, which differ in

@@ -17,10 +17,12 @@ use nalgebra::{DVector, Dyn, SMatrix, SVector};
 
 use crate::certified::accelerations_near;
 use crate::table::AsArm as _;
-use crate::{Certified, Evaluate, Evaluation, NumericArm, RuntimeTable, SizedState, State};
+use crate::{Certified, NumericArm, RuntimeTable, SizedState, State};
 use at::At;
 use functions::deviations;
 
+pub use crate::evaluation::{Evaluate, Evaluation, FunctionValue};
+pub use crate::identification::base_parameter_map;
 pub use report::{FunctionReport, Report};
 
 /// Compares every generated function of the robot with [`NewtonEuler`](crate::NewtonEuler) at the states of
@@ -54,7 +56,7 @@ pub fn check_against_rnea<R: Evaluate<N>, const N: usize>(robot: &R) -> Report {
 ///
 /// ```
 /// # extern crate dynamics_runtime as robot_dynamics;
-/// # use robot_dynamics::{Check, robot_dynamics};
+/// # use robot_dynamics::{robot_dynamics, check::Check};
 /// # robot_dynamics! {
 /// #     struct Pendulum;
 /// #     convention: modified,

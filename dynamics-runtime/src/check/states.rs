@@ -7,7 +7,10 @@ use nalgebra::{DVector, Dyn};
 use super::Check;
 use super::random::SplitMix64;
 use crate::table::Arm;
-use crate::{JointType, SizedState, Stribeck};
+use crate::{
+    SizedState,
+    table::{JointType, Stribeck},
+};
 
 /// Right angles in all combinations would be 4^N states; this many random combinations do.
 const RIGHT_ANGLES: usize = 8;
@@ -105,8 +108,8 @@ mod tests {
 
     use nalgebra::Dyn;
 
-    use crate::JointType::{Prismatic, Revolute};
-    use crate::{Check, SizedState};
+    use crate::table::JointType::{Prismatic, Revolute};
+    use crate::{SizedState, check::Check};
 
     #[test]
     fn equal_settings_give_equal_states() {

@@ -9,9 +9,11 @@ use crate::evaluation::FORMS;
 use crate::functions::NAMES;
 use crate::test_arms::{CRAIG_ARM, CraigArm, random_state};
 use crate::{
-    AccelerationDerivatives, Check, Evaluate, Evaluation, MAX_TAYLOR_ORDER, Model, NewtonEuler,
-    NumericArm, Report, RuntimeTable, SingularMassMatrix, SizedState, State, Table,
-    TaylorCoefficients, check_against_rnea,
+    AccelerationDerivatives, Model, NewtonEuler, NumericArm, SingularMassMatrix, SizedState, State,
+    check::{Check, Evaluate, Evaluation, Report},
+    check_against_rnea,
+    simulation::{MAX_TAYLOR_ORDER, TaylorCoefficients},
+    table::{RuntimeTable, Table},
 };
 
 /// The textbook arm with some values of its evaluation changed.

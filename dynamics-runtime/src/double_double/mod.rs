@@ -58,6 +58,12 @@ impl DoubleDouble {
         self.low
     }
 
+    /// The nearest double.
+    #[inline]
+    pub fn to_f64(self) -> f64 {
+        self.high
+    }
+
     /// The absolute value.
     #[inline]
     pub fn abs(self) -> Self {
@@ -69,13 +75,6 @@ impl From<f64> for DoubleDouble {
     #[inline]
     fn from(x: f64) -> Self {
         DoubleDouble { high: x, low: 0.0 }
-    }
-}
-
-impl From<DoubleDouble> for f64 {
-    #[inline]
-    fn from(x: DoubleDouble) -> f64 {
-        x.high
     }
 }
 

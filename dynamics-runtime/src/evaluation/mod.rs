@@ -92,7 +92,7 @@ impl<const N: usize, T: Scalar> Arguments<N, T> {
 /// ```
 /// # extern crate dynamics_runtime as robot_dynamics;
 /// use robot_dynamics::nalgebra::{SMatrix, SVector, Vector1};
-/// use robot_dynamics::{Evaluate, SingularMassMatrix, State, robot_dynamics};
+/// use robot_dynamics::{SingularMassMatrix, State, robot_dynamics, check::Evaluate};
 ///
 /// robot_dynamics! {
 ///     struct Pendulum;

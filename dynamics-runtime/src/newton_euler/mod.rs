@@ -58,7 +58,7 @@ pub use regressor::StandardParameters;
 ///
 /// ```
 /// # extern crate dynamics_runtime as robot_dynamics;
-/// use robot_dynamics::{Convention, JointType, NewtonEuler, Row, Table, nalgebra::SVector};
+/// use robot_dynamics::{NewtonEuler, nalgebra::SVector, table::{Convention, JointType, Row, Table}};
 ///
 /// // A mass of 2 kg that hangs 3 m below a horizontal axis.
 /// let row = Row { mass: 2.0, com: [3.0, 0.0, 0.0], ..Row::new(JointType::Revolute) };
@@ -73,7 +73,7 @@ pub use regressor::StandardParameters;
 #[cfg_attr(feature = "std", doc = "```")]
 #[cfg_attr(not(feature = "std"), doc = "```ignore")]
 /// # extern crate dynamics_runtime as robot_dynamics;
-/// # use robot_dynamics::{Convention, JointType, NewtonEuler, Row, Table, nalgebra::SVector};
+/// # use robot_dynamics::{NewtonEuler, nalgebra::SVector, table::{Convention, JointType, Row, Table}};
 /// # let row = Row { mass: 2.0, com: [3.0, 0.0, 0.0], ..Row::new(JointType::Revolute) };
 /// # let gravity = [9.81, 0.0, 0.0];
 /// # let pendulum = NewtonEuler::new(&Table::new(Convention::Modified, gravity, [row]));

@@ -117,7 +117,7 @@ impl<D: Size> NumericArm<D> {
     /// the torques without friction, springs and the reflected inertias J of the motors.
     ///
     /// `q` in rad or m, `qd` per second, `qdd` per second squared. None of the columns depends on the
-    /// masses of the table. They are not independent: [`base_parameter_map`](crate::base_parameter_map) says
+    /// masses of the table. They are not independent: [`base_parameter_map`](crate::check::base_parameter_map) says
     /// which combinations a motion shows. Input that is not finite propagates; never panics, never allocates.
     ///
     /// Where joints follow others, the terms of their links belong to the sum too

@@ -7,8 +7,8 @@ use super::events::{Finder, Start, here};
 use super::friction::Contact;
 use super::motion::{Held, Motion};
 use super::torque::TorqueLaw;
-use crate::EquationsOfMotion;
 use crate::integrate::Stepper;
+use crate::simulation::EquationsOfMotion;
 use crate::size::Size;
 
 /// Margins at the ends of steps, and a step that is taken again.

@@ -8,8 +8,8 @@ use super::friction::Contact;
 use super::limits::{AtLimit, End};
 use super::motion::{Held, Motion};
 use crate::integrate::Stepper;
+use crate::simulation::{EquationsOfMotion, TaylorDynamics};
 use crate::taylor::{Polynomial, SeriesStepper, Steady};
-use crate::{EquationsOfMotion, TaylorDynamics};
 
 /// The first zero of the way to a limit, or of the force on a stop, over a step: to rounding, and however
 /// often a joint turns within the step.

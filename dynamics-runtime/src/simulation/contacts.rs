@@ -6,8 +6,8 @@ use super::friction::Contact;
 use super::limits::AtLimit;
 use super::motion::{Held, Motion};
 use super::torque::TorqueLaw;
-use crate::EquationsOfMotion;
 use crate::integrate::Phase;
+use crate::simulation::EquationsOfMotion;
 use crate::size::Size;
 
 /// What friction and stops do to joints in a phase, as far as they hold.

@@ -8,7 +8,7 @@ use nalgebra::SVector;
 use super::trajectory::{SizedTrajectory, Trajectory};
 use crate::size::{JointVector as _, Size};
 use crate::table::AsArm as _;
-use crate::{JointType, SizedModel};
+use crate::{simulation::SizedModel, table::JointType};
 
 /// What stands in the columns of a joint: the symbol, and the unit of a revolute and of a prismatic one.
 const QUANTITIES: [(&str, [&str; 2]); 4] = [

@@ -8,8 +8,8 @@ use super::recorder::Recorder;
 use super::samples::{Followed, take_here, take_within};
 use super::sampling::Instants;
 use super::torque::TorqueLaw;
-use crate::EquationsOfMotion;
 use crate::integrate::{Failure, Stepper};
+use crate::simulation::EquationsOfMotion;
 use crate::size::Size;
 
 /// Makes steps to the end of the recorder's plan, at most `max_steps` between two samples.

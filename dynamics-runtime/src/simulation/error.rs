@@ -46,7 +46,7 @@ pub enum Cause {
         joint: usize,
     },
     /// The law of the force at the tool returned one that is not finite.
-    NonFiniteToolForce {
+    NonFiniteToolWrench {
         /// The component of (fx fy fz nx ny nz), counted from 0.
         component: usize,
     },
@@ -248,7 +248,7 @@ impl fmt::Display for Cause {
             Cause::NonFiniteTorque { joint } => {
                 write!(f, "the torque of joint {} is not finite", joint + 1)
             }
-            Cause::NonFiniteToolForce { component } => {
+            Cause::NonFiniteToolWrench { component } => {
                 let names = ["fx", "fy", "fz", "nx", "ny", "nz"];
                 write!(
                     f,

@@ -13,8 +13,8 @@ use super::recorder::Recorder;
 use super::samples::{Followed, take_here, take_within};
 use super::sampling::Instants;
 use super::torque::TorqueLaw;
-use crate::EquationsOfMotion;
 use crate::integrate::{Phase, Stepper};
+use crate::simulation::EquationsOfMotion;
 use crate::size::Size;
 
 /// Where a step begins.

@@ -13,7 +13,7 @@ pub enum Friction {
     /// As in the forward dynamics: a multiple of sign(qd), with sign(0) = 0.
     ///
     /// A joint that should stick chatters about zero velocity: methods with error control end in
-    /// [`Cause::TooManySteps`](crate::Cause::TooManySteps), and methods of fixed step leave a velocity that is
+    /// [`Cause::TooManySteps`](crate::simulation::Cause::TooManySteps), and methods of fixed step leave a velocity that is
     /// proportional to the step.
     #[default]
     Sign,
@@ -30,11 +30,11 @@ pub enum Friction {
     ///
     /// A force that exceeds friction and is back below it within one step is not noticed. A torque law that jumps at zero
     /// velocity, and drives a joint back from both sides harder than friction holds it, leaves no motion that is
-    /// possible: the run ends in [`Cause::Chatter`](crate::Cause::Chatter).
+    /// possible: the run ends in [`Cause::Chatter`](crate::simulation::Cause::Chatter).
     Sticking,
     /// `tanh(qd / speed)` in place of the sign.
     ///
-    /// Smooth, but stiff where `speed` is small (use [`Radau5`](crate::Radau5)), and a joint never
+    /// Smooth, but stiff where `speed` is small (use [`Radau5`](crate::simulation::Radau5)), and a joint never
     /// sticks: under a force f below its friction it creeps at `speed atanh(f / coulomb)`. At half
     /// the friction and a speed of 1e-3 rad/s it turns 5.5e-3 rad in ten seconds.
     Regularised {

@@ -6,9 +6,10 @@ use nalgebra::{SMatrix, SVector, Vector1, Vector2};
 
 use crate::test_arms::{CRAIG_ARM, CraigArm};
 use crate::{
-    Cause, Convention, Dop853, DormandPrince, ForwardDynamics, Friction, InvalidSetting,
-    InverseDynamics, JointType, MassMatrix, Method, Model, Momenta, Radau5, Row, Scalar,
-    Simulation, SingularMassMatrix, Table, Trajectory,
+    ForwardDynamics, Friction, InverseDynamics, MassMatrix, Method, Model, Scalar, Simulation,
+    SingularMassMatrix, Trajectory,
+    simulation::{Cause, Dop853, DormandPrince, InvalidSetting, Momenta, Radau5},
+    table::{Convention, JointType, Row, Table},
 };
 
 /// A block of 1 kg on a floor with friction of 1 N.

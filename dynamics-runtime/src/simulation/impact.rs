@@ -29,8 +29,8 @@ use super::error::{Cause, JointSet};
 use super::limits::{AtLimit, End};
 use super::motion::Motion;
 use super::torque::TorqueLaw;
-use crate::EquationsOfMotion;
 use crate::integrate::Phase;
+use crate::simulation::EquationsOfMotion;
 use crate::size::{JointMatrix as _, JointVector as _, Size};
 
 /// Impacts of joints on their stops, and their result.

@@ -139,8 +139,8 @@ mod tests {
     use nalgebra::{Const, Vector2};
 
     use super::{AtLimit, Limits};
-    use crate::InvalidSetting;
     use crate::integrate::Phase;
+    use crate::simulation::InvalidSetting;
 
     fn verdict(range: [f64; 2], q: f64) -> Result<(), InvalidSetting> {
         let limits = Limits::<Const<2>> {

@@ -9,11 +9,11 @@ use super::settings::{Dop853, DormandPrince, ErrorControl, Radau5, validate_step
 use super::error::{Cause, InvalidSetting};
 use super::recorder::Recorder;
 use super::torque::TorqueLaw;
-use crate::EquationsOfMotion;
 use crate::integrate::{
     Adaptive, Dop853Method, DormandPrince54, Embedded, Euler, FixedStep, GaussLegendre, OneStep,
     Radau, Rk4,
 };
+use crate::simulation::EquationsOfMotion;
 use crate::size::Size;
 
 /// A method of integration.

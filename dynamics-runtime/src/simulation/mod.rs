@@ -19,7 +19,7 @@ mod samples;
 mod sampling;
 mod settings;
 mod taylor;
-mod tool_force;
+mod tool_wrench;
 mod torque;
 mod trajectory;
 
@@ -28,7 +28,6 @@ use nalgebra::{Matrix4, Vector6};
 use crate::integrate::Phase;
 use crate::size::Size;
 use crate::table::AsArm as _;
-use crate::{EquationsOfMotion, SizedKinematics, SizedModel};
 use friction::Law;
 use limits::{AtLimit, Limits};
 use motion::Motion;
@@ -36,6 +35,10 @@ use plan::Plan;
 use recorder::Recorder;
 use torque::{Laws, SampledLaws, TorqueLaw};
 
+pub use crate::equations_of_motion::{EquationsOfMotion, Responses, SizedModel};
+pub use crate::model::{Momenta, SizedKinematics, SizedMomenta};
+pub use crate::taylor::{MAX_TAYLOR_ORDER, TaylorCoefficients, TaylorDynamics};
+pub use crate::trajectory::InvalidDuration;
 pub use csv::{CsvError, CsvMistake};
 pub use error::{Cause, InvalidSetting, JointSet, SimulationError, SizedSimulationError};
 pub use friction::Friction;
@@ -43,7 +46,7 @@ pub use method::Method;
 pub use sampling::{Continuous, Sampled};
 pub use settings::{Dop853, DormandPrince, Radau5};
 pub use taylor::{HeldTorque, Taylor, TaylorSimulation};
-pub use tool_force::{ContinuousForce, HeldToolForce, NoToolForce, ToolForce};
+pub use tool_wrench::{ContinuousWrench, HeldToolWrench, NoToolWrench, ToolWrench};
 pub use torque::NoTorque;
 pub use trajectory::{SizedTrajectory, Trajectory, Work};
 
@@ -82,10 +85,10 @@ pub use trajectory::{SizedTrajectory, Trajectory, Work};
 /// ```
 #[derive(Clone, Debug)]
 #[must_use]
-pub struct Simulation<'a, R, L, D: Size, W = NoToolForce, S = Continuous> {
+pub struct Simulation<'a, R, L, D: Size, W = NoToolWrench, S = Continuous> {
     robot: &'a R,
     torque: L,
-    tool_force: W,
+    tool_wrench: W,
     asked: S,
     method: Method,
     friction: Law<D>,
@@ -100,7 +103,7 @@ impl<'a, R: EquationsOfMotion<D>, D: Size> Simulation<'a, R, NoTorque<D>, D> {
         Simulation {
             robot,
             torque: |_, q, _| D::of(q).vector(),
-            tool_force: NoToolForce,
+            tool_wrench: NoToolWrench,
             asked: Continuous,
             method: Method::default(),
             friction: Law::sign(size),
@@ -116,12 +119,12 @@ impl<'a, R, L, W, D: Size> Simulation<'a, R, L, D, W> {
     /// It is called wherever the integration evaluates the equations of motion: at trial stages, out of
     /// order, and in steps that are thrown away. Therefore it must be a function of its arguments alone, an
     /// `Fn`. A controller with a memory (an integrator, a filter, a log) is an `FnMut` and needs
-    /// [`sampled`](Simulation::sampled) before it: `.sampled(1e-3).torque(law)`.
+    /// [`control_period`](Simulation::control_period) before it: `.control_period(1e-3).torque(law)`.
     pub fn torque<F: Fn(f64, &D::Vector, &D::Vector) -> D::Vector>(
         self,
         law: F,
     ) -> Simulation<'a, R, F, D, W> {
-        self.with_laws(|_, tool_force, asked| (law, tool_force, asked))
+        self.with_laws(|_, tool_wrench, asked| (law, tool_wrench, asked))
     }
 }
 
@@ -136,7 +139,7 @@ impl<'a, R, L, W, S, D: Size> Simulation<'a, R, L, D, W, S> {
     /// it computed one period before. A force at the tool that was given as a function before stays a function
     /// of time and state.
     ///
-    /// The torque law that is given after `sampled` may have a memory:
+    /// The torque law that is given after `control_period` may have a memory:
     ///
     /// ```
     /// # extern crate dynamics_runtime as robot_dynamics;
@@ -154,7 +157,7 @@ impl<'a, R, L, W, S, D: Size> Simulation<'a, R, L, D, W, S> {
     /// // PID control at 1 kHz. The integral learns what gravity takes.
     /// let mut integral = Vector1::zeros();
     /// let motion = Simulation::new(&Cart)
-    ///     .sampled(1e-3)
+    ///     .control_period(1e-3)
     ///     .torque(|_t, q, qd| {
     ///         let error = Vector1::new(0.1) - q;
     ///         integral += error * 1e-3;
@@ -167,7 +170,7 @@ impl<'a, R, L, W, S, D: Size> Simulation<'a, R, L, D, W, S> {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
-    /// Without `sampled` it may not:
+    /// Without `control_period` it may not:
     ///
     /// ```compile_fail,E0594
     /// # extern crate dynamics_runtime as robot_dynamics;
@@ -185,15 +188,15 @@ impl<'a, R, L, W, S, D: Size> Simulation<'a, R, L, D, W, S> {
     ///     -q
     /// });
     /// ```
-    pub fn sampled(self, period: f64) -> Simulation<'a, R, L, D, W, Sampled> {
-        self.with_laws(|torque, tool_force, _| (torque, tool_force, Sampled { period }))
+    pub fn control_period(self, period: f64) -> Simulation<'a, R, L, D, W, Sampled> {
+        self.with_laws(|torque, tool_wrench, _| (torque, tool_wrench, Sampled { period }))
     }
 
     /// The force of the surroundings on the tool: a wrench w = (fx fy fz nx ny nz), N and N m, as a function of t
     /// in s, the tip's pose, and its twist (vx vy vz wx wy wz). The force acts at the tip's origin, the
     /// point of `forward_kinematics`; axes are those of `jacobian`. J^T w is added to the torques of the
     /// motors, by every method of integration, and counts for joints that stick too. The law is called wherever the
-    /// integration evaluates the equations of motion, also where the torques are [`sampled`](Simulation::sampled).
+    /// integration evaluates the equations of motion, also where the torques are [`control_period`](Simulation::control_period).
     ///
     /// ```
     /// # extern crate dynamics_runtime as robot_dynamics;
@@ -212,7 +215,7 @@ impl<'a, R, L, W, S, D: Size> Simulation<'a, R, L, D, W, S> {
     /// // From 1 m on a wall pushes back, 800 N for each metre.
     /// let motion = Simulation::new(&Cart)
     ///     .initial(SVector::zeros(), SVector::repeat(1.0))
-    ///     .tool_force(|_t, pose, _twist| {
+    ///     .tool_wrench(|_t, pose, _twist| {
     ///         let depth = f64::max(pose[(2, 3)] - 1.0, 0.0);
     ///         Vector6::new(0.0, 0.0, -800.0 * depth, 0.0, 0.0, 0.0)
     ///     })
@@ -237,9 +240,9 @@ impl<'a, R, L, W, S, D: Size> Simulation<'a, R, L, D, W, S> {
     ///     functions: [default, jacobian],
     /// }
     ///
-    /// Simulation::new(&Cart).tool_force(|_, _, _| Vector6::zeros()).run();
+    /// Simulation::new(&Cart).tool_wrench(|_, _, _| Vector6::zeros()).run();
     /// ```
-    pub fn tool_force<F>(self, law: F) -> Simulation<'a, R, L, D, F, S>
+    pub fn tool_wrench<F>(self, law: F) -> Simulation<'a, R, L, D, F, S>
     where
         R: SizedKinematics<D>,
         F: Fn(f64, &Matrix4<f64>, &Vector6<f64>) -> Vector6<f64>,
@@ -250,13 +253,13 @@ impl<'a, R, L, W, S, D: Size> Simulation<'a, R, L, D, W, S> {
     /// The force of the surroundings on the tool, sampled with the torques: a wrench (fx fy fz nx ny nz), N and
     /// N m, as a function of t in s, the tip's pose and its twist at a sample. It is held, in the axes of
     /// `jacobian`, until the next sample. The law may have a memory. It takes the period of
-    /// [`sampled`](Simulation::sampled), which may be called before or after.
+    /// [`control_period`](Simulation::control_period), which may be called before or after.
     ///
     /// It is for disturbances, such as random pushes, and not for contact: a wall that pushes back is stiff,
     /// and a force that is held feeds energy into the motion. Give a contact as a function of time and state, by
-    /// [`tool_force`](Simulation::tool_force).
+    /// [`tool_wrench`](Simulation::tool_wrench).
     ///
-    /// Without `sampled` there is no period:
+    /// Without `control_period` there is no period:
     ///
     /// ```compile_fail,E0277
     /// # extern crate dynamics_runtime as robot_dynamics;
@@ -269,15 +272,15 @@ impl<'a, R, L, W, S, D: Size> Simulation<'a, R, L, D, W, S> {
     /// #     joints: [rail: prismatic { mass: 2 }],
     /// #     functions: [default, forward_kinematics, jacobian],
     /// # }
-    /// Simulation::new(&Cart).held_tool_force(|_, _, _| Vector6::zeros()).run();
+    /// Simulation::new(&Cart).held_tool_wrench(|_, _, _| Vector6::zeros()).run();
     /// ```
-    pub fn held_tool_force<F>(self, law: F) -> Simulation<'a, R, L, D, HeldToolForce<F>, S>
+    pub fn held_tool_wrench<F>(self, law: F) -> Simulation<'a, R, L, D, HeldToolWrench<F>, S>
     where
         R: SizedKinematics<D>,
         F: FnMut(f64, &Matrix4<f64>, &Vector6<f64>) -> Vector6<f64>,
     {
         let wrench = Vector6::zeros();
-        self.with_laws(|torque, _, asked| (torque, HeldToolForce { law, wrench }, asked))
+        self.with_laws(|torque, _, asked| (torque, HeldToolWrench { law, wrench }, asked))
     }
 }
 
@@ -291,7 +294,7 @@ impl<'a, R, L, W, D: Size> Simulation<'a, R, L, D, W, Sampled> {
         self,
         law: F,
     ) -> Simulation<'a, R, F, D, W, Sampled> {
-        self.with_laws(|_, tool_force, asked| (law, tool_force, asked))
+        self.with_laws(|_, tool_wrench, asked| (law, tool_wrench, asked))
     }
 }
 
@@ -301,11 +304,11 @@ impl<'a, R, L, W, S, D: Size> Simulation<'a, R, L, D, W, S> {
         self,
         change: impl FnOnce(L, W, S) -> (L2, W2, S2),
     ) -> Simulation<'a, R, L2, D, W2, S2> {
-        let (torque, tool_force, asked) = change(self.torque, self.tool_force, self.asked);
+        let (torque, tool_wrench, asked) = change(self.torque, self.tool_wrench, self.asked);
         Simulation {
             robot: self.robot,
             torque,
-            tool_force,
+            tool_wrench,
             asked,
             method: self.method,
             friction: self.friction,
@@ -345,7 +348,7 @@ impl<'a, R, L, W, S, D: Size> Simulation<'a, R, L, D, W, S> {
     /// they end where they would rise by less than 1e-13 of the position (and of 1 rad or m), after a few hundred. Joints
     /// whose bounces die out together come to rest together. [`Method::ExplicitEuler`], which rises by half the
     /// acceleration times its step squared too far, ends them there. Joints that hit 100 000 times between two samples, as
-    /// elastic ones may, end the run in [`Cause::Impacts`](crate::Cause::Impacts).
+    /// elastic ones may, end the run in [`Cause::Impacts`].
     ///
     /// Cost: one more evaluation of the forward dynamics at the end of each step. Where joints lean on stops, an
     /// evaluation becomes one over dual numbers for each of these joints. An impact takes some ten steps. A joint that
@@ -381,7 +384,7 @@ impl<'a, R, L, W, S, D: Size> Simulation<'a, R, L, D, W, S> {
         self.at_limits(AtLimit::Rebounds { restitution })
     }
 
-    /// Ends the run in [`Cause::JointLimit`](crate::Cause::JointLimit) where a joint passes one of the `limits` of the
+    /// Ends the run in [`Cause::JointLimit`] where a joint passes one of the `limits` of the
     /// table. The error has the time and the state there, and all samples before.
     ///
     /// The time is found to rounding, on steps of the method itself. A joint may rest at a limit.
@@ -425,7 +428,7 @@ impl<R, L, W, D: Size> Simulation<'_, R, L, D, W>
 where
     R: EquationsOfMotion<D>,
     L: Fn(f64, &D::Vector, &D::Vector) -> D::Vector,
-    W: ToolForce<R, D>,
+    W: ToolWrench<R, D>,
 {
     /// Runs the simulation. It allocates the samples at the start and nothing later.
     ///
@@ -436,12 +439,12 @@ where
     /// not finite, reached by the motion; or an error that cannot be held. Never panics, unless a law does.
     pub fn run(&self) -> Result<SizedTrajectory<D>, Box<SizedSimulationError<D>>>
     where
-        W: ContinuousForce,
+        W: ContinuousWrench,
     {
         let laws = Laws {
             robot: self.robot,
             torque: &self.torque,
-            tool_force: &self.tool_force,
+            tool_wrench: &self.tool_wrench,
         };
         self.setting().run(self.robot, &laws)
     }
@@ -451,7 +454,7 @@ impl<R, L, W, D: Size> Simulation<'_, R, L, D, W, Sampled>
 where
     R: EquationsOfMotion<D>,
     L: FnMut(f64, &D::Vector, &D::Vector) -> D::Vector,
-    W: ToolForce<R, D>,
+    W: ToolWrench<R, D>,
 {
     /// Runs the simulation. It allocates the samples at the start and nothing later.
     ///
@@ -471,7 +474,7 @@ where
             self.robot,
             period.period,
             &mut self.torque,
-            &mut self.tool_force,
+            &mut self.tool_wrench,
         );
         setting.run(self.robot, &laws)
     }

@@ -13,7 +13,7 @@ use super::torque::{self, TorqueLaw};
 use super::trajectory::Forces;
 use crate::integrate::{Canonical, Equations, Phase, Point, first_non_finite};
 use crate::size::{JointVector, Size};
-use crate::{EquationsOfMotion, Scalar, SingularMassMatrix, SizedMomenta};
+use crate::{Scalar, SingularMassMatrix, SizedMomenta, simulation::EquationsOfMotion};
 
 pub(super) struct Motion<'a, R, L, D: Size> {
     size: D,

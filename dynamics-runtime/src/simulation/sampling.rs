@@ -13,7 +13,7 @@ pub struct Continuous;
 /// Laws that are called once each period p, at 0, p, 2 p, ..., in order, and held in between, as those of a digital
 /// controller. They may have a memory (`FnMut`).
 ///
-/// Made by [`Simulation::sampled`](crate::Simulation::sampled).
+/// Made by [`Simulation::control_period`](crate::Simulation::control_period).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sampled {
     pub(super) period: f64,

@@ -107,7 +107,7 @@ settings! {
     /// of fourth order.
     ///
     /// Dry friction is discontinuous in the velocity: a joint that sticks makes the steps minute,
-    /// and the run ends with [`Cause::TooManySteps`](crate::Cause::TooManySteps), unless stopping and
+    /// and the run ends with [`Cause::TooManySteps`](crate::simulation::Cause::TooManySteps), unless stopping and
     /// sticking are events ([`Friction::Sticking`](crate::Friction::Sticking)).
     DormandPrince
 }

@@ -23,7 +23,10 @@ use crate::factorisation::JointFactors;
 use crate::integrate::{Phase, Tolerance};
 use crate::table::AsArm as _;
 use crate::taylor::{FEWEST_ORDERS, SeriesStepper, Steady, mass_matrix, order};
-use crate::{EquationsOfMotion, Responses, SingularMassMatrix, SizedMomenta, TaylorDynamics};
+use crate::{
+    SingularMassMatrix, SizedMomenta,
+    simulation::{EquationsOfMotion, Responses, TaylorDynamics},
+};
 
 /// Settings of the Taylor method.
 ///
@@ -39,7 +42,7 @@ pub struct Taylor {
     pub relative_tolerance: f64,
     /// Absolute tolerance of a step, rad or m, and per second.
     pub absolute_tolerance: f64,
-    /// The order of the series, 8 to [`MAX_TAYLOR_ORDER`](crate::MAX_TAYLOR_ORDER); `None` for the
+    /// The order of the series, 8 to [`MAX_TAYLOR_ORDER`](crate::simulation::MAX_TAYLOR_ORDER); `None` for the
     /// one that suits the tolerance.
     pub order: Option<usize>,
     /// The longest step, s; `None` for a tenth of the duration, infinity for no bound.
@@ -79,7 +82,7 @@ impl Taylor {
 
     fn validate(&self, duration: f64) -> Result<(), InvalidSetting> {
         self.control().validate(duration)?;
-        match (FEWEST_ORDERS..=crate::MAX_TAYLOR_ORDER).contains(&self.order()) {
+        match (FEWEST_ORDERS..=crate::simulation::MAX_TAYLOR_ORDER).contains(&self.order()) {
             true => Ok(()),
             false => Err(InvalidSetting::Order(self.order())),
         }
@@ -99,7 +102,7 @@ impl Default for Taylor {
 ///
 /// The method differentiates the equations of motion along the motion. A torque law is a Rust function of time and
 /// state, whose derivatives nobody knows. Torques are therefore constant over a run, or those of a controller that
-/// samples and holds ([`sampled`](TaylorSimulation::sampled)). Viscous friction is part of the equations. Coulomb friction
+/// samples and holds ([`control_period`](TaylorSimulation::control_period)). Viscous friction is part of the equations. Coulomb friction
 /// jumps where a joint reverses, and no series continues across a jump: an arm with Coulomb friction is refused. For
 /// laws and friction of any kind use [`Simulation`](crate::Simulation).
 /// Joints pass the limits of the table, unless these are [`stops`](TaylorSimulation::stops) or
@@ -143,9 +146,9 @@ impl<'a, R: TaylorDynamics<N>, const N: usize> TaylorSimulation<'a, R, N> {
         }
     }
 
-    /// Sample and hold, as [`Simulation::sampled`](crate::Simulation::sampled): the torque law that is given next
+    /// Sample and hold, as [`Simulation::control_period`](crate::Simulation::control_period): the torque law that is given next
     /// is called at multiples of `period` in s, and a new series begins there.
-    pub fn sampled(
+    pub fn control_period(
         self,
         period: f64,
     ) -> TaylorSimulation<'a, R, N, HeldTorque<NoTorque<Const<N>>>> {
@@ -261,7 +264,7 @@ impl<'a, R: TaylorDynamics<N>, L, const N: usize> TaylorSimulation<'a, R, N, L> 
         self.at_limits(AtLimit::Rebounds { restitution })
     }
 
-    /// Ends the run in [`Cause::JointLimit`](crate::Cause::JointLimit) where a joint passes one of the `limits` of the
+    /// Ends the run in [`Cause::JointLimit`](crate::simulation::Cause::JointLimit) where a joint passes one of the `limits` of the
     /// table. The error has the time and the state there, and all samples before. A joint may rest at a limit.
     pub fn limits_are_errors(self) -> Self {
         self.at_limits(AtLimit::Ends)

@@ -8,8 +8,8 @@ use nalgebra::{SVector, Vector1, Vector2};
 
 use crate::test_arms::CRAIG_ARM;
 use crate::{
-    Cause, Dop853, DormandPrince, ForwardDynamics, InvalidSetting, Method, Radau5, Scalar,
-    Simulation, SingularMassMatrix, Trajectory,
+    ForwardDynamics, Method, Scalar, Simulation, SingularMassMatrix, Trajectory,
+    simulation::{Cause, Dop853, DormandPrince, InvalidSetting, Radau5},
 };
 
 /// A unit mass on a rail.

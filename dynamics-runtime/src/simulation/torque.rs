@@ -3,7 +3,7 @@
 use core::cell::RefCell;
 
 use super::error::Cause;
-use super::tool_force::{NoToolForce, ToolForce};
+use super::tool_wrench::{NoToolWrench, ToolWrench};
 use crate::integrate::{Phase, first_non_finite};
 use crate::size::{JointVector, Size};
 
@@ -36,16 +36,16 @@ pub(super) trait TorqueLaw<D: Size> {
 pub type NoTorque<D> = fn(f64, &<D as Size>::Vector, &<D as Size>::Vector) -> <D as Size>::Vector;
 
 /// The torques of the motors, a function of t in s, q in rad or m, and qd, and the force at the tool.
-pub(super) struct Laws<'a, R, L, W = NoToolForce> {
+pub(super) struct Laws<'a, R, L, W = NoToolWrench> {
     pub(super) robot: &'a R,
     pub(super) torque: &'a L,
-    pub(super) tool_force: &'a W,
+    pub(super) tool_wrench: &'a W,
 }
 
 impl<R, L, W, D: Size> TorqueLaw<D> for Laws<'_, R, L, W>
 where
     L: Fn(f64, &D::Vector, &D::Vector) -> D::Vector,
-    W: ToolForce<R, D>,
+    W: ToolWrench<R, D>,
 {
     #[inline]
     fn motors(&self, t: f64, phase: &Phase<D>) -> D::Vector {
@@ -54,7 +54,7 @@ where
 
     #[inline]
     fn with_tool(&self, tau: D::Vector, t: f64, phase: &Phase<D>) -> Result<D::Vector, Cause> {
-        self.tool_force
+        self.tool_wrench
             .added_to(tau, self.robot, t, &phase.q, &phase.qd)
     }
 }
@@ -64,7 +64,7 @@ pub(super) struct SampledLaws<'a, R, L, W, D: Size> {
     robot: &'a R,
     period: f64,
     torque: RefCell<&'a mut L>,
-    tool_force: RefCell<&'a mut W>,
+    tool_wrench: RefCell<&'a mut W>,
     held: RefCell<D::Vector>,
 }
 
@@ -74,13 +74,13 @@ impl<'a, R, L, W, D: Size> SampledLaws<'a, R, L, W, D> {
         robot: &'a R,
         period: f64,
         torque: &'a mut L,
-        tool_force: &'a mut W,
+        tool_wrench: &'a mut W,
     ) -> Self {
         SampledLaws {
             robot,
             period,
             torque: RefCell::new(torque),
-            tool_force: RefCell::new(tool_force),
+            tool_wrench: RefCell::new(tool_wrench),
             held: RefCell::new(size.vector()),
         }
     }
@@ -89,7 +89,7 @@ impl<'a, R, L, W, D: Size> SampledLaws<'a, R, L, W, D> {
 impl<R, L, W, D: Size> TorqueLaw<D> for SampledLaws<'_, R, L, W, D>
 where
     L: FnMut(f64, &D::Vector, &D::Vector) -> D::Vector,
-    W: ToolForce<R, D>,
+    W: ToolWrench<R, D>,
 {
     #[inline]
     fn motors(&self, _t: f64, _phase: &Phase<D>) -> D::Vector {
@@ -98,8 +98,8 @@ where
 
     #[inline]
     fn with_tool(&self, tau: D::Vector, t: f64, phase: &Phase<D>) -> Result<D::Vector, Cause> {
-        let tool_force = self.tool_force.borrow();
-        tool_force.added_to(tau, self.robot, t, &phase.q, &phase.qd)
+        let tool_wrench = self.tool_wrench.borrow();
+        tool_wrench.added_to(tau, self.robot, t, &phase.q, &phase.qd)
     }
 
     fn period(&self) -> Option<f64> {
@@ -110,8 +110,8 @@ where
         let tau = (self.torque.borrow_mut())(t, &phase.q, &phase.qd);
         *self.held.borrow_mut() = tau.clone();
         finite(tau)?;
-        let mut tool_force = self.tool_force.borrow_mut();
-        tool_force.sample(self.robot, t, &phase.q, &phase.qd)
+        let mut tool_wrench = self.tool_wrench.borrow_mut();
+        tool_wrench.sample(self.robot, t, &phase.q, &phase.qd)
     }
 }
 

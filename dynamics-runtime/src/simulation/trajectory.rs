@@ -105,7 +105,7 @@ impl<const N: usize> Trajectory<N> {
     /// where an energy is not a number.
     ///
     /// In free motion without friction the energy is constant, and this is an error of the
-    /// integration. The samples of [`DormandPrince`](crate::DormandPrince) lie between its steps:
+    /// integration. The samples of [`DormandPrince`](crate::simulation::DormandPrince) lie between its steps:
     /// the drift then includes the interpolation error of the dense output, which is of lower order
     /// than the steps and grows with their length.
     pub fn energy_drift<R: Energy<N>>(&self, robot: &R) -> f64 {

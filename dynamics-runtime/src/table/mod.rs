@@ -12,8 +12,8 @@ pub use followers::{Follower, Followers, JointMotion};
 #[cfg(feature = "std")]
 pub use runtime::RuntimeTable;
 
-use crate::frame::{Frame, Tool};
-use crate::placement::Placement;
+pub use crate::frame::{Frame, Tool};
+pub use crate::placement::Placement;
 
 /// How a row of the table places link frame i in link frame i-1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -3,9 +3,10 @@
 use allocation_counter::measure;
 use dynamics_runtime::nalgebra::{SMatrix, SVector, Vector1};
 use dynamics_runtime::{
-    Batch, Certified, Convention, Cycloidal, Dop853, DormandPrince, ForwardDynamics, Friction,
-    InverseDynamics, JointType, MassMatrix, Method, Model, Momenta, Radau5, Row, Scalar,
-    Simulation, SingularMassMatrix, Table, certified,
+    Batch, Certified, Cycloidal, ForwardDynamics, Friction, InverseDynamics, MassMatrix, Method,
+    Model, Scalar, Simulation, SingularMassMatrix, certified,
+    simulation::{Dop853, DormandPrince, Momenta, Radau5},
+    table::{Convention, JointType, Row, Table},
 };
 
 /// A pendulum with dry friction.
@@ -131,7 +132,7 @@ fn impacts_and_samples_of_a_law_do_not_allocate() {
         let mut calls = 0;
         let mut simulation = Simulation::new(&Pendulum(0.0))
             .initial(Vector1::new(-0.5), Vector1::new(0.0))
-            .sampled(0.1)
+            .control_period(0.1)
             .torque(|_, _, qd| {
                 calls += 1;
                 qd * 0.1

@@ -2,7 +2,8 @@
 
 use dynamics_runtime::nalgebra::{Matrix1, Matrix2, SMatrix, SVector, Vector1, Vector2};
 use dynamics_runtime::{
-    Energy, ForwardDynamics, InverseDynamics, MassMatrix, Momenta, Scalar, SingularMassMatrix,
+    Energy, ForwardDynamics, InverseDynamics, MassMatrix, Scalar, SingularMassMatrix,
+    simulation::Momenta,
 };
 
 const G: f64 = 9.81;

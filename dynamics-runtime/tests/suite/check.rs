@@ -1,6 +1,6 @@
 //! The check of generated robots at the edges: singular arms, robots of few functions.
 
-use dynamics_runtime::{Check, check_against_rnea, robot_dynamics};
+use dynamics_runtime::{check::Check, check_against_rnea, robot_dynamics};
 
 robot_dynamics! {
     /// Two point masses on the vertical axis of the waist wherever the elbow is upright: nothing

@@ -1,7 +1,7 @@
 //! Robots and reference values from the JSON files of `tests/data` of the workspace.
 
 use dynamics_runtime::nalgebra::{SMatrix, SVector};
-use dynamics_runtime::{Convention, JointType, Row, Table};
+use dynamics_runtime::table::{Convention, JointType, Row, Table};
 use serde_json::Value;
 
 /// The file's content.

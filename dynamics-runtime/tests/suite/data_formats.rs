@@ -2,8 +2,9 @@
 
 use dynamics_runtime::nalgebra::SVector;
 use dynamics_runtime::{
-    Dop853, Friction, Method, NewtonEuler, Simulation, Table, Taylor, Trajectory,
-    check_against_rnea, robot_dynamics,
+    Friction, Method, NewtonEuler, Simulation, Trajectory, check_against_rnea, robot_dynamics,
+    simulation::{Dop853, Taylor},
+    table::Table,
 };
 use serde::{Serialize, de::DeserializeOwned};
 

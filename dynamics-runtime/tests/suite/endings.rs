@@ -2,8 +2,8 @@
 
 use dynamics_runtime::nalgebra::{Vector1, Vector2};
 use dynamics_runtime::{
-    Cause, Dop853, DormandPrince, Friction, InvalidSetting, Method, Simulation, SimulationError,
-    TaylorSimulation, Trajectory, robot_dynamics,
+    Friction, Method, Simulation, SimulationError, TaylorSimulation, Trajectory, robot_dynamics,
+    simulation::{Cause, Dop853, DormandPrince, InvalidSetting},
 };
 
 use crate::every_method::{self, fixed};

@@ -1,6 +1,9 @@
 //! The methods of integration, all of them.
 
-use dynamics_runtime::{Dop853, DormandPrince, Method, Radau5};
+use dynamics_runtime::{
+    Method,
+    simulation::{Dop853, DormandPrince, Radau5},
+};
 
 /// Those of fixed step.
 pub(crate) fn fixed(step: f64) -> [Method; 7] {

@@ -3,8 +3,11 @@
 
 use dynamics_runtime::nalgebra::{SVector, Vector1};
 use dynamics_runtime::{
-    Batch, Check, Dop853, Evaluate, Evaluation, ForwardDynamics, Friction, Method, Model, Radau5,
-    Simulation, Spring, State, Stribeck, Table, Trajectory, check_against_rnea, robot_dynamics,
+    Batch, ForwardDynamics, Friction, Method, Model, Simulation, State, Trajectory,
+    check::{Check, Evaluate, Evaluation},
+    check_against_rnea, robot_dynamics,
+    simulation::{Dop853, Radau5},
+    table::{Spring, Stribeck, Table},
 };
 
 use crate::data::load;
@@ -147,7 +150,7 @@ fn batches_are_single_calls() {
 }
 
 /// The block with another table: what the numeric side reads.
-struct Misread(fn(&mut dynamics_runtime::Row));
+struct Misread(fn(&mut dynamics_runtime::table::Row));
 
 impl Model<1> for Misread {
     const JOINT_NAMES: [&'static str; 1] = ["slide"];
@@ -168,7 +171,7 @@ impl Evaluate<1> for Misread {
 /// A program with a wrong number in any of the cells is found by the check.
 #[test]
 fn a_wrong_cell_is_found() {
-    let changes: [fn(&mut dynamics_runtime::Row); 6] = [
+    let changes: [fn(&mut dynamics_runtime::table::Row); 6] = [
         |row| row.coulomb[0] *= 1.0 + 1e-9,
         |row| row.coulomb[1] *= 1.0 + 1e-9,
         |row| {

@@ -1,7 +1,7 @@
 //! The order of every method of fixed step on an arm.
 
 use dynamics_runtime::nalgebra::Vector2;
-use dynamics_runtime::{Dop853, ForwardDynamics, Method, Simulation};
+use dynamics_runtime::{ForwardDynamics, Method, Simulation, simulation::Dop853};
 
 use crate::arms::TwoLink;
 
@@ -71,7 +71,10 @@ fn orders_are_those_of_the_methods() {
 #[test]
 fn momenta_are_asked_for() {
     use dynamics_runtime::nalgebra::{SVector, Vector1};
-    use dynamics_runtime::{Cause, InvalidSetting, Scalar, SingularMassMatrix};
+    use dynamics_runtime::{
+        Scalar, SingularMassMatrix,
+        simulation::{Cause, InvalidSetting},
+    };
     struct Cart;
     impl ForwardDynamics<1> for Cart {
         fn forward_dynamics<T: Scalar>(

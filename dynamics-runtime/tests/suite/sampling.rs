@@ -4,8 +4,8 @@ use std::cell::Cell;
 
 use dynamics_runtime::nalgebra::{Matrix4, SVector, Vector1, Vector2, Vector6};
 use dynamics_runtime::{
-    Cause, Dop853, DormandPrince, Friction, InvalidSetting, Method, Radau5, Simulation, Taylor,
-    TaylorSimulation, robot_dynamics,
+    Friction, Method, Simulation, TaylorSimulation, robot_dynamics,
+    simulation::{Cause, Dop853, DormandPrince, InvalidSetting, Radau5, Taylor},
 };
 
 robot_dynamics! {
@@ -108,7 +108,7 @@ fn every_method_asks_at_multiples_of_the_period_and_holds_the_torque() {
         for samples in [2, 8, 101] {
             let mut controller = Controller::default();
             let run = Simulation::new(&Cart)
-                .sampled(PERIOD)
+                .control_period(PERIOD)
                 .torque(|t, q, qd| Vector1::new(controller.force(t, q[0], qd[0])))
                 .initial(Vector1::zeros(), Vector1::new(0.1))
                 .method(method)
@@ -132,7 +132,7 @@ fn every_method_asks_at_multiples_of_the_period_and_holds_the_torque() {
 fn taylor_series_begin_at_the_samples_of_a_law() {
     let mut controller = Controller::default();
     TaylorSimulation::new(&Cart)
-        .sampled(PERIOD)
+        .control_period(PERIOD)
         .torque(|t, q, qd| Vector1::new(controller.force(t, q[0], qd[0])))
         .initial(Vector1::zeros(), Vector1::new(0.1))
         .samples(8)
@@ -152,7 +152,7 @@ fn methods_agree_on_a_controlled_arm() {
     };
     let mut integral = Vector2::zeros();
     let reference = TaylorSimulation::new(&Rods)
-        .sampled(0.02)
+        .control_period(0.02)
         .torque(|t, q, qd| law(&mut integral, t, q, qd))
         .settings(Taylor::with_tolerance(1e-15))
         .initial(start, Vector2::zeros())
@@ -167,7 +167,7 @@ fn methods_agree_on_a_controlled_arm() {
     ] {
         let mut integral = Vector2::zeros();
         let run = Simulation::new(&Rods)
-            .sampled(0.02)
+            .control_period(0.02)
             .torque(|t, q, qd| law(&mut integral, t, q, qd))
             .method(method)
             .initial(start, Vector2::zeros())
@@ -188,7 +188,7 @@ fn a_jump_of_a_held_force_lets_go_and_stops() {
     for method in methods() {
         let mut on = false;
         let run = Simulation::new(&DryCart)
-            .sampled(1.0)
+            .control_period(1.0)
             .torque(|_, _, _| {
                 on = !on;
                 Vector1::new(if on { 3.0 } else { 0.5 })
@@ -213,8 +213,8 @@ fn a_jump_of_a_held_force_lets_go_and_stops() {
 fn forces_at_the_tool_are_held_where_they_are_asked_to_be() {
     let mut calls = 0;
     let held = Simulation::new(&Cart)
-        .sampled(0.1)
-        .held_tool_force(|t, pose, twist| {
+        .control_period(0.1)
+        .held_tool_wrench(|t, pose, twist| {
             calls += 1;
             assert!(t < 0.95 && pose[(2, 3)].is_finite());
             Vector6::new(7.0, 0.0, 1.0 - twist[2], 0.0, 0.0, 5.0)
@@ -228,8 +228,8 @@ fn forces_at_the_tool_are_held_where_they_are_asked_to_be() {
     assert!(held.tau.iter().all(|tau| tau[0] == 0.0));
 
     let wall = Simulation::new(&Cart)
-        .tool_force(|_, _, twist| Vector6::new(0.0, 0.0, -2.0 * twist[2], 0.0, 0.0, 0.0))
-        .sampled(0.25)
+        .tool_wrench(|_, _, twist| Vector6::new(0.0, 0.0, -2.0 * twist[2], 0.0, 0.0, 0.0))
+        .control_period(0.25)
         .torque(|_, _, _| Vector1::new(2.0))
         .method(Dop853::with_tolerance(1e-13))
         .run()
@@ -237,11 +237,11 @@ fn forces_at_the_tool_are_held_where_they_are_asked_to_be() {
     assert!((wall.qd[100][0] - (1.0 - (-1.0_f64).exp())).abs() < 1e-12);
 
     let error = Simulation::new(&Cart)
-        .sampled(0.1)
-        .held_tool_force(|t, _, _| Vector6::repeat(if t > 0.45 { f64::NAN } else { 0.0 }))
+        .control_period(0.1)
+        .held_tool_wrench(|t, _, _| Vector6::repeat(if t > 0.45 { f64::NAN } else { 0.0 }))
         .run()
         .unwrap_err();
-    assert_eq!(error.cause, Cause::NonFiniteToolForce { component: 0 });
+    assert_eq!(error.cause, Cause::NonFiniteToolWrench { component: 0 });
     assert_eq!(error.time, 0.5);
 }
 
@@ -267,25 +267,30 @@ fn the_laws_and_the_period_are_given_in_any_order() {
     };
     let p = 0.07;
     let runs = [
-        in_order!(sampled(p), torque(pull), tool_force(wall)),
-        in_order!(sampled(p), tool_force(wall), torque(pull)),
-        in_order!(torque(pull), sampled(p), tool_force(wall)),
-        in_order!(torque(pull), tool_force(wall), sampled(p)),
-        in_order!(tool_force(wall), sampled(p), torque(pull)),
-        in_order!(tool_force(wall), torque(pull), sampled(p)),
-        in_order!(sampled(1.0), tool_force(wall), sampled(p), torque(pull)),
+        in_order!(control_period(p), torque(pull), tool_wrench(wall)),
+        in_order!(control_period(p), tool_wrench(wall), torque(pull)),
+        in_order!(torque(pull), control_period(p), tool_wrench(wall)),
+        in_order!(torque(pull), tool_wrench(wall), control_period(p)),
+        in_order!(tool_wrench(wall), control_period(p), torque(pull)),
+        in_order!(tool_wrench(wall), torque(pull), control_period(p)),
+        in_order!(
+            control_period(1.0),
+            tool_wrench(wall),
+            control_period(p),
+            torque(pull)
+        ),
     ];
     assert!(runs[0].qd.iter().any(|qd| qd[0] < 0.0) && runs[0].q[100][0] != 0.0);
     for run in &runs[1..] {
         assert_eq!(*run, runs[0]);
     }
     let held = [
-        in_order!(sampled(p), torque(pull), held_tool_force(wall)),
-        in_order!(sampled(p), held_tool_force(wall), torque(pull)),
-        in_order!(torque(pull), sampled(p), held_tool_force(wall)),
-        in_order!(torque(pull), held_tool_force(wall), sampled(p)),
-        in_order!(held_tool_force(wall), sampled(p), torque(pull)),
-        in_order!(held_tool_force(wall), torque(pull), sampled(p)),
+        in_order!(control_period(p), torque(pull), held_tool_wrench(wall)),
+        in_order!(control_period(p), held_tool_wrench(wall), torque(pull)),
+        in_order!(torque(pull), control_period(p), held_tool_wrench(wall)),
+        in_order!(torque(pull), held_tool_wrench(wall), control_period(p)),
+        in_order!(held_tool_wrench(wall), control_period(p), torque(pull)),
+        in_order!(held_tool_wrench(wall), torque(pull), control_period(p)),
     ];
     assert_ne!(held[0].q, runs[0].q);
     for run in &held[1..] {
@@ -306,12 +311,12 @@ fn periods_that_make_no_sense_are_refused() {
         1e-320,
     ] {
         let cause = Simulation::new(&Cart)
-            .sampled(period)
+            .control_period(period)
             .run()
             .unwrap_err()
             .cause;
         let taylor = TaylorSimulation::new(&Cart)
-            .sampled(period)
+            .control_period(period)
             .run()
             .unwrap_err()
             .cause;
@@ -329,7 +334,7 @@ fn a_period_longer_than_the_run_asks_once() {
     for period in [1.0, 1.0 + 1e-15, 5.0, 1e300] {
         let calls = Cell::new(0);
         let run = Simulation::new(&Cart)
-            .sampled(period)
+            .control_period(period)
             .torque(|t, _, _| {
                 calls.set(calls.get() + 1);
                 Vector1::new(4.0 + t)
@@ -348,7 +353,7 @@ fn a_law_that_returns_no_number_ends_the_run() {
         for (bad, time) in [(0, 0.0), (30, 0.3)] {
             let mut calls = 0;
             let error = Simulation::new(&Cart)
-                .sampled(PERIOD)
+                .control_period(PERIOD)
                 .torque(|_, _, _| {
                     calls += 1;
                     SVector::from([if calls > bad { f64::NAN } else { 2.0 }])

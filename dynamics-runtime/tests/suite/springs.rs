@@ -2,8 +2,8 @@
 
 use dynamics_runtime::nalgebra::{Vector1, Vector2};
 use dynamics_runtime::{
-    Dop853, DoubleDouble, Method, Radau5, Simulation, TaylorSimulation, check_against_rnea,
-    robot_dynamics,
+    DoubleDouble, Method, Simulation, TaylorSimulation, check_against_rnea, robot_dynamics,
+    simulation::{Dop853, Radau5},
 };
 
 robot_dynamics! {

@@ -4,7 +4,8 @@ use std::cell::Cell;
 
 use dynamics_runtime::nalgebra::{Vector1, Vector2, Vector3};
 use dynamics_runtime::{
-    Cause, Dop853, DormandPrince, Friction, Method, Radau5, Simulation, robot_dynamics,
+    Friction, Method, Simulation, robot_dynamics,
+    simulation::{Cause, Dop853, DormandPrince, Radau5},
 };
 
 use crate::every_method::{controlled, fixed};

@@ -4,9 +4,9 @@ use std::cell::Cell;
 
 use dynamics_runtime::nalgebra::{Const, SMatrix, SVector, Vector1, Vector2, Vector3};
 use dynamics_runtime::{
-    Cause, Convention, Dop853, DormandPrince, EquationsOfMotion, Friction, InvalidSetting,
-    JointType, Method, Model, NewtonEuler, Radau5, Row, Simulation, Table, Taylor,
-    TaylorSimulation, Trajectory, robot_dynamics,
+    Friction, Method, Model, NewtonEuler, Simulation, TaylorSimulation, Trajectory, robot_dynamics,
+    simulation::{Cause, Dop853, DormandPrince, EquationsOfMotion, InvalidSetting, Radau5, Taylor},
+    table::{Convention, JointType, Row, Table},
 };
 
 robot_dynamics! {
@@ -367,7 +367,7 @@ fn stops_and_sampled_laws_meet() {
         let mut calls = 0;
         let run = Simulation::new(&Ball)
             .initial(Vector1::new(1.25), Vector1::zeros())
-            .sampled(0.3)
+            .control_period(0.3)
             .torque(|_, _, _| {
                 calls += 1;
                 // The weight, from 0.6 s on: it goes on as it is.
@@ -688,7 +688,7 @@ fn series_with_stops_take_sampled_laws_and_refuse_what_is_no_setting() {
     let run = TaylorSimulation::new(&Ball)
         .initial(Vector1::new(1.25), Vector1::zeros())
         .stops(0.8)
-        .sampled(0.3)
+        .control_period(0.3)
         .torque(|_, _, _| {
             calls += 1;
             Vector1::new(if calls > 2 { 20.0 } else { 0.0 })

@@ -4,8 +4,8 @@ use std::f64::consts::PI;
 
 use dynamics_runtime::nalgebra::{SVector, Vector1};
 use dynamics_runtime::{
-    Cycloidal, Dop853, DormandPrince, Energy, ForwardDynamics, Method, Radau5, Simulation,
-    Trajectory,
+    Cycloidal, Energy, ForwardDynamics, Method, Simulation, Trajectory,
+    simulation::{Dop853, DormandPrince, Radau5},
 };
 use serde_json::Value;
 

@@ -1,7 +1,7 @@
 //! Dry friction.
 
 use robot_dynamics::nalgebra::Vector1;
-use robot_dynamics::{Friction, Method, Radau5, Simulation};
+use robot_dynamics::{Friction, Method, Simulation, simulation::Radau5};
 
 use super::arms::*;
 use super::motion::{Counted, dop853};

@@ -4,8 +4,8 @@ use std::f64::consts::PI;
 
 use robot_dynamics::nalgebra::{SVector, Vector1, Vector2, Vector6};
 use robot_dynamics::{
-    Dop853, DormandPrince, ForwardDynamics, Method, Simulation, Taylor, TaylorSimulation,
-    Trajectory,
+    ForwardDynamics, Method, Simulation, TaylorSimulation, Trajectory,
+    simulation::{Dop853, DormandPrince, Taylor},
 };
 
 use super::arms::*;

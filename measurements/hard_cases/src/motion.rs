@@ -4,8 +4,9 @@ use std::cell::Cell;
 
 use robot_dynamics::nalgebra::SVector;
 use robot_dynamics::{
-    Dop853, DormandPrince, ForwardDynamics, Method, Model, Scalar, Simulation, SingularMassMatrix,
-    Table, Trajectory,
+    ForwardDynamics, Method, Model, Scalar, Simulation, SingularMassMatrix, Trajectory,
+    simulation::{Dop853, DormandPrince},
+    table::Table,
 };
 
 /// An arm that counts how often its accelerations are asked for.

@@ -3,7 +3,10 @@
 use std::cell::Cell;
 
 use robot_dynamics::nalgebra::{SVector, Vector1, Vector2, Vector6};
-use robot_dynamics::{Cause, DormandPrince, InvalidSetting, Method, NewtonEuler, Simulation};
+use robot_dynamics::{
+    Method, NewtonEuler, Simulation,
+    simulation::{Cause, DormandPrince, InvalidSetting},
+};
 
 use super::arms::*;
 use super::effort::Effort;

@@ -4,7 +4,7 @@ use measuring::Effort;
 use robot_dynamics::nalgebra::{SMatrix, SVector};
 use robot_dynamics::{
     Batch, Certified, CoriolisVector, DoubleDouble, ForwardDynamics, GravityVector,
-    InverseDynamics, MassMatrix, Model, NewtonEuler, SingularMassMatrix, Table, certified,
+    InverseDynamics, MassMatrix, Model, NewtonEuler, SingularMassMatrix, certified, table::Table,
 };
 use testkit::exact::Exact;
 use testkit::five::Five;

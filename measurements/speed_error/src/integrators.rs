@@ -5,8 +5,9 @@ use std::hint::black_box;
 use measuring::{median_of_runs, power};
 use robot_dynamics::nalgebra::SVector;
 use robot_dynamics::{
-    Dop853, DormandPrince, DoubleDouble, ForwardDynamics, Method, Radau5, Simulation,
-    SimulationError, Taylor, TaylorDynamics, TaylorSimulation, Trajectory,
+    DoubleDouble, ForwardDynamics, Method, Simulation, SimulationError, TaylorSimulation,
+    Trajectory,
+    simulation::{Dop853, DormandPrince, Radau5, Taylor, TaylorDynamics},
 };
 
 use crate::reference_motion::{Phase, motion};

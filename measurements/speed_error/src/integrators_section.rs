@@ -4,7 +4,7 @@ use std::error::Error;
 
 use measuring::table::{Table, short};
 use robot_dynamics::nalgebra::{SVector, Vector2, Vector6};
-use robot_dynamics::{DoubleDouble, ForwardDynamics, TaylorDynamics};
+use robot_dynamics::{DoubleDouble, ForwardDynamics, simulation::TaylorDynamics};
 use testkit::plot::{Mark, Plot, Series};
 use testkit::references::MotionFile;
 

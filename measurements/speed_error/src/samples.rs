@@ -1,7 +1,10 @@
 //! The states at which functions are measured, and their exact values there.
 
 use robot_dynamics::nalgebra::{SMatrix, SVector};
-use robot_dynamics::{DoubleDouble, JointType, Row, Scalar, Table};
+use robot_dynamics::{
+    DoubleDouble, Scalar,
+    table::{JointType, Row, Table},
+};
 use testkit::exact::Exact;
 use testkit::random::Random;
 
@@ -83,7 +86,7 @@ impl<const N: usize> Samples<N> {
     ) {
         let [at_q, at_qd, at_qdd] = [q, qd, qdd].map(|x| x.map(DoubleDouble::from));
         let inverse_dynamics = exact.inverse_dynamics(&at_q, &at_qd, &at_qdd);
-        let tau = short(&inverse_dynamics.map(f64::from));
+        let tau = short(&inverse_dynamics.map(DoubleDouble::to_f64));
         let mass_matrix = exact.mass_matrix(&at_q);
         let inertia = largest(&mass_matrix);
         let coriolis = inertia * qd.amax() * qd.amax();

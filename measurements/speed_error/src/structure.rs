@@ -7,8 +7,8 @@ use measuring::table::{Table, short};
 use num_dual::Dual64;
 use robot_dynamics::nalgebra::{SMatrix, SVector};
 use robot_dynamics::{
-    Energy, ForwardDynamics, Scalar, Simulation, SimulationError, Taylor, TaylorDynamics,
-    TaylorSimulation, Trajectory,
+    Energy, ForwardDynamics, Scalar, Simulation, SimulationError, TaylorSimulation, Trajectory,
+    simulation::{Taylor, TaylorDynamics},
 };
 use robots::{Elbow3r, Panda, Puma560, Scara, Stanford, TwoLinkSaha};
 use testkit::plot::{Mark, Plot, Series};

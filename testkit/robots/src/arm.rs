@@ -2,7 +2,7 @@
 
 use robot_dynamics::nalgebra::{Matrix4, SMatrix, SVector};
 use robot_dynamics::{
-    AccelerationDerivatives, Energy, Evaluate, ForwardDynamics, Scalar, SingularMassMatrix,
+    AccelerationDerivatives, Energy, ForwardDynamics, Scalar, SingularMassMatrix, check::Evaluate,
 };
 
 use super::*;

@@ -1,9 +1,9 @@
 //! What controllers ask for, from its definition. Derivatives by time are differences in 31 digits.
 
 use robot_dynamics::DoubleDouble;
-use robot_dynamics::JointType;
 use robot_dynamics::SecondDerivatives;
 use robot_dynamics::nalgebra::{Matrix6, SMatrix, SVector, Vector6};
+use robot_dynamics::table::JointType;
 
 use super::{Exact, Link, Vector, number, solve};
 

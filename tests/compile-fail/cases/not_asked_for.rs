@@ -27,5 +27,5 @@ fn main() {
     let _ = Simulation::new(&Arm);
     tip(&Arm);
     let _ = TaylorSimulation::new(&Arm);
-    let _ = Simulation::new(&Cart).tool_force(|_, _, _| Vector6::zeros());
+    let _ = Simulation::new(&Cart).tool_wrench(|_, _, _| Vector6::zeros());
 }

@@ -2,8 +2,8 @@
 
 use robot_dynamics::nalgebra::{SMatrix, SVector, Vector1};
 use robot_dynamics::{
-    ForwardDynamics, InverseDynamics, MassMatrix, Method, Momenta, Scalar, Simulation,
-    SingularMassMatrix, Trajectory, robot_dynamics,
+    ForwardDynamics, InverseDynamics, MassMatrix, Method, Scalar, Simulation, SingularMassMatrix,
+    Trajectory, robot_dynamics, simulation::Momenta,
 };
 
 robot_dynamics! {

@@ -4,8 +4,9 @@ use std::cell::Cell;
 
 use robot_dynamics::nalgebra::{Const, SVector, Vector1};
 use robot_dynamics::{
-    Cause, Dop853, DormandPrince, Energy, EquationsOfMotion, Friction, Method, Model, Radau5,
-    Simulation, SimulationError, Taylor, TaylorSimulation, Trajectory, robot_dynamics,
+    Energy, Friction, Method, Model, Simulation, SimulationError, TaylorSimulation, Trajectory,
+    robot_dynamics,
+    simulation::{Cause, Dop853, DormandPrince, EquationsOfMotion, Radau5, Taylor},
 };
 use testkit::random::Random;
 
@@ -173,7 +174,7 @@ fn run<const N: usize>(
 
 fn by_series(start: &Start<2>) -> (Run<2>, u64) {
     let run = TaylorSimulation::new(&Two).initial(start.q, start.qd);
-    let run = run.sampled(0.05).torque(|t, _, _| start.torque(t));
+    let run = run.control_period(0.05).torque(|t, _, _| start.torque(t));
     let run = run
         .settings(Taylor::with_tolerance(1e-11))
         .stops(start.restitution);

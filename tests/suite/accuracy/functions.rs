@@ -1,7 +1,11 @@
 //! The functions that have a reference, and what their errors are relative to.
 
 use robot_dynamics::nalgebra::{Matrix4, SVector};
-use robot_dynamics::{Evaluation, JointType, Row, SingularMassMatrix, State, Table};
+use robot_dynamics::{
+    SingularMassMatrix, State,
+    check::Evaluation,
+    table::{JointType, Row, Table},
+};
 use robots::Arm;
 use testkit::references::{Decimal, ReferenceState};
 

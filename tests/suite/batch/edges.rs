@@ -2,7 +2,10 @@
 //! not fit.
 
 use robot_dynamics::nalgebra::{Const, Dyn, OMatrix, Vector2, Vector6};
-use robot_dynamics::{Batch, BatchError, LengthMismatch};
+use robot_dynamics::{
+    Batch,
+    batch::{BatchError, LengthMismatch},
+};
 use robots::Puma560;
 
 use super::arms::Strut;

@@ -1,7 +1,7 @@
 //! All cores put out what one does.
 
 use robot_dynamics::nalgebra::{SMatrix, SVector};
-use robot_dynamics::{Batch, BatchError};
+use robot_dynamics::{Batch, batch::BatchError};
 use robots::Puma560;
 
 use super::arms::Strut;

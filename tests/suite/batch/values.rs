@@ -2,7 +2,8 @@
 
 use robot_dynamics::nalgebra::{SMatrix, SVector};
 use robot_dynamics::{
-    Batch, BatchError, CoriolisVector, ForwardDynamics, GravityVector, InverseDynamics, MassMatrix,
+    Batch, CoriolisVector, ForwardDynamics, GravityVector, InverseDynamics, MassMatrix,
+    batch::BatchError,
 };
 use testkit::random::Random;
 

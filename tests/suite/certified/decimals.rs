@@ -6,7 +6,10 @@
 //! times the distance, to some 24 digits of the function.
 
 use robot_dynamics::nalgebra::SMatrix;
-use robot_dynamics::{DoubleDouble, Row, Stribeck, Table};
+use robot_dynamics::{
+    DoubleDouble,
+    table::{Row, Stribeck, Table},
+};
 use testkit::exact::Exact;
 use testkit::references::Decimal;
 

@@ -14,7 +14,7 @@ use decimals::Decimals;
 use robot_dynamics::nalgebra::{SMatrix, SVector};
 use robot_dynamics::{
     Certified, CoriolisVector, DoubleDouble, ForwardDynamics, GravityVector, InverseDynamics,
-    MassMatrix, Model, Rounded, certified,
+    MassMatrix, Model, certified, certified::Rounded,
 };
 use robots::*;
 use testkit::exact::Exact;

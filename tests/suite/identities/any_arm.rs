@@ -4,8 +4,8 @@
 use num_dual::Dual64;
 use robot_dynamics::nalgebra::{Matrix4, SMatrix, SVector};
 use robot_dynamics::{
-    AccelerationDerivatives, DoubleDouble, Evaluation, Momenta, Scalar, SingularMassMatrix, State,
-    Table,
+    AccelerationDerivatives, DoubleDouble, Scalar, SingularMassMatrix, State, check::Evaluation,
+    simulation::Momenta, table::Table,
 };
 use robots::Arm;
 

@@ -1,7 +1,10 @@
 //! All axes of an arm: those of its joints, and those that follow them.
 
 use robot_dynamics::nalgebra::{Matrix4, SVector};
-use robot_dynamics::{Convention, Frame, JointMotion, JointType, Row, Scalar, Table};
+use robot_dynamics::{
+    Scalar,
+    table::{Convention, Frame, JointMotion, JointType, Row, Table},
+};
 
 /// An axis at `factor * q + offset`, q the position of its joint.
 #[derive(Clone, Copy)]

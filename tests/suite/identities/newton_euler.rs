@@ -1,6 +1,6 @@
 //! The check that the runtime offers to users.
 
-use robot_dynamics::{Check, Evaluate};
+use robot_dynamics::check::{Check, Evaluate};
 
 /// At the special states and at some random ones: what is wrong is wrong at most of them. The check of the
 /// PUMA 560 in `tests/systems` is the one that users call, at all its states.

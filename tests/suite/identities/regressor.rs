@@ -1,7 +1,10 @@
 //! The regressor and the base inertial parameters.
 
 use robot_dynamics::nalgebra::{DMatrix, DVector, SVector};
-use robot_dynamics::{NewtonEuler, Spring, State, Table};
+use robot_dynamics::{
+    NewtonEuler, State,
+    table::{Spring, Table},
+};
 use testkit::random::Random;
 
 use super::any_arm::AnyArm;

@@ -2,7 +2,10 @@
 
 use num_dual::Dual64;
 use robot_dynamics::nalgebra::{Dim, Matrix, RawStorage, SVector};
-use robot_dynamics::{JointType, State, Stribeck, Table};
+use robot_dynamics::{
+    State,
+    table::{JointType, Stribeck, Table},
+};
 use testkit::random::Random;
 
 use super::any_arm::AnyArm;

@@ -9,7 +9,10 @@ use std::fmt::Write;
 use dynibo::{Frame, Robot};
 use nalgebra_of_dynibo as other;
 use robot_dynamics::nalgebra::{Matrix3, Rotation3, SMatrix, SVector, Vector3};
-use robot_dynamics::{Convention, JointType, NewtonEuler, State, Table};
+use robot_dynamics::{
+    NewtonEuler, State,
+    table::{Convention, JointType, Table},
+};
 
 use super::{Candidate, Values};
 
@@ -57,7 +60,7 @@ fn urdf<const N: usize>(table: &Table<N>) -> String {
     let mut text = String::from("<robot name='arm'>\n<link name='link0'/>\n");
     for (i, row) in table.rows.iter().enumerate() {
         // Rx(alpha) Tx(a): in front of the joint, or behind it and so in front of the next.
-        let along_x = |row: &robot_dynamics::Row| {
+        let along_x = |row: &robot_dynamics::table::Row| {
             let turn = Rotation3::from_axis_angle(&Vector3::x_axis(), row.alpha);
             (turn, Vector3::new(row.a, 0.0, 0.0))
         };

@@ -120,7 +120,11 @@ impl Digits {
         let entries = function.entries(joints.len(), program.outputs.len());
         for (inputs, own) in inputs.iter().zip(&sizes) {
             let exact = precise.run(inputs);
-            let exact: Vec<f64> = exact.into_iter().take(entries).map(f64::from).collect();
+            let exact: Vec<f64> = exact
+                .into_iter()
+                .take(entries)
+                .map(|x| x.to_f64())
+                .collect();
             let scale = match function.has_pivots() {
                 true => own.clone(),
                 false => largest(&sizes),

@@ -16,8 +16,8 @@ use crate::{
 /// ```
 /// # extern crate dynamics_runtime as robot_dynamics;
 /// # use robot_dynamics::nalgebra::{SMatrix, SVector, Vector1};
-/// # use robot_dynamics::{Convention, JointType, Row, Table};
-/// use robot_dynamics::{Configuration, GravityVector, MassMatrix, Model, Scalar};
+/// # use robot_dynamics::table::{Convention, JointType, Row, Table};
+/// use robot_dynamics::{SharedSines, GravityVector, MassMatrix, Model, Scalar};
 /// # struct Pendulum;
 /// # impl Model<1> for Pendulum {
 /// #     const JOINT_NAMES: [&'static str; 1] = ["swing"];
@@ -34,7 +34,7 @@ use crate::{
 /// #     }
 /// # }
 /// # let (arm, q) = (Pendulum, Vector1::new(0.5));
-/// let here = Configuration::new(&arm, &q);
+/// let here = SharedSines::new(&arm, &q);
 /// let (m, g) = (here.mass_matrix(), here.gravity_vector());
 /// assert_eq!(g, arm.gravity_vector(&q));
 /// # assert_eq!(m[0], 1.0);
@@ -42,13 +42,13 @@ use crate::{
 ///
 /// The values are bit for bit those of the arm's own methods.
 #[derive(Clone, Copy, Debug)]
-pub struct Configuration<'a, R, T, const N: usize> {
+pub struct SharedSines<'a, R, T, const N: usize> {
     arm: &'a R,
     q: SVector<T, N>,
     sines: Known<T, N>,
 }
 
-impl<'a, R: Model<N>, T: Scalar, const N: usize> Configuration<'a, R, T, N> {
+impl<'a, R: Model<N>, T: Scalar, const N: usize> SharedSines<'a, R, T, N> {
     /// The arm at joint positions `q`, rad or m.
     #[inline]
     pub fn new(arm: &'a R, q: &SVector<T, N>) -> Self {
@@ -57,7 +57,7 @@ impl<'a, R: Model<N>, T: Scalar, const N: usize> Configuration<'a, R, T, N> {
             true => q[i],
             false => q[i].constant(0.0),
         });
-        Configuration {
+        SharedSines {
             arm,
             q: *q,
             sines: Known(T::sin_cos_array(angles)),
@@ -65,7 +65,7 @@ impl<'a, R: Model<N>, T: Scalar, const N: usize> Configuration<'a, R, T, N> {
     }
 }
 
-impl<R, T: Scalar, const N: usize> Configuration<'_, R, T, N> {
+impl<R, T: Scalar, const N: usize> SharedSines<'_, R, T, N> {
     /// Mass matrix M(q), kg m^2, kg m or kg.
     #[inline]
     pub fn mass_matrix(&self) -> SMatrix<T, N, N>

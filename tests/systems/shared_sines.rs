@@ -1,7 +1,7 @@
 //! Several functions at one configuration: the values are those of the methods, bit for bit.
 
 use robot_dynamics::nalgebra::SVector;
-use robot_dynamics::{Configuration, Model, Scalar, robot_dynamics};
+use robot_dynamics::{Model, Scalar, SharedSines, robot_dynamics};
 
 robot_dynamics! {
     /// A turning column, a slide, a tilted wrist and a tip: every kind of joint and of angle.
@@ -29,7 +29,7 @@ fn agrees<T: Scalar>() {
     for k in 0..50 {
         let phase = f64::from(k);
         let [q, qd, qdd] = [phase, phase + 0.4, phase + 0.8].map(state::<T>);
-        let here = Configuration::new(&arm, &q);
+        let here = SharedSines::new(&arm, &q);
         assert_eq!(here.mass_matrix(), arm.mass_matrix(&q));
         assert_eq!(here.gravity_vector(), arm.gravity_vector(&q));
         assert_eq!(here.coriolis_vector(&qd), arm.coriolis_vector(&q, &qd));
@@ -57,7 +57,7 @@ fn only_angles_that_are_read_are_evaluated() {
     let arm = Arm { tilt: 0.7 };
     let mut q = state::<f64>(0.2);
     q[1] = f64::MAX;
-    let here = Configuration::new(&arm, &q);
+    let here = SharedSines::new(&arm, &q);
     assert_eq!(here.gravity_vector(), arm.gravity_vector(&q));
 }
 
@@ -85,7 +85,7 @@ mod upright {
 /// `ForwardDynamics` of an arm whose only forward dynamics is by articulated bodies.
 mod by_articulated_bodies {
     use robot_dynamics::nalgebra::Vector2;
-    use robot_dynamics::{Batch, Configuration, ForwardDynamics, robot_dynamics};
+    use robot_dynamics::{Batch, ForwardDynamics, SharedSines, robot_dynamics};
 
     robot_dynamics! {
         struct Arm { m: f64 }
@@ -108,7 +108,7 @@ mod by_articulated_bodies {
         };
         let by_trait = ForwardDynamics::forward_dynamics(&light, &q, &qd, &tau);
         assert_eq!(by_trait, Ok(of_arm(light)));
-        let here = Configuration::new(&light, &q);
+        let here = SharedSines::new(&light, &q);
         assert_eq!(here.forward_dynamics(&qd, &tau), Ok(of_arm(light)));
         let arms: [Arm; 20] = std::array::from_fn(|i| if i % 2 == 0 { light } else { heavy });
         let mut found = [Vector2::zeros(); 20];

@@ -8,7 +8,7 @@ use crate::size::Size;
 
 /// The force at the tool in a [`Simulation`](crate::Simulation): none, or a law, which needs an arm with generated
 /// [`Kinematics`](crate::Kinematics).
-pub trait ToolForce<R, D: Size> {
+pub trait ToolWrench<R, D: Size> {
     /// The joint torques `tau` with those of the force: tau + J^T w.
     #[doc(hidden)]
     fn added_to(
@@ -36,20 +36,20 @@ pub trait ToolForce<R, D: Size> {
 /// A force at the tool that needs no period: none, or a function of time and state.
 #[diagnostic::on_unimplemented(
     message = "a held force at the tool needs a period",
-    label = "a law of `held_tool_force`, which is called once each period",
-    note = "call `.sampled(period)` before `.run()`, or give the law by `.tool_force(..)` as a function of time and state"
+    label = "a law of `held_tool_wrench`, which is called once each period",
+    note = "call `.control_period(period)` before `.run()`, or give the law by `.tool_wrench(..)` as a function of time and state"
 )]
-pub trait ContinuousForce {}
+pub trait ContinuousWrench {}
 
-impl ContinuousForce for NoToolForce {}
+impl ContinuousWrench for NoToolWrench {}
 
-impl<F> ContinuousForce for F where F: Fn(f64, &Matrix4<f64>, &Vector6<f64>) -> Vector6<f64> {}
+impl<F> ContinuousWrench for F where F: Fn(f64, &Matrix4<f64>, &Vector6<f64>) -> Vector6<f64> {}
 
 /// No force at the tool.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct NoToolForce;
+pub struct NoToolWrench;
 
-impl<R, D: Size> ToolForce<R, D> for NoToolForce {
+impl<R, D: Size> ToolWrench<R, D> for NoToolWrench {
     #[inline]
     fn added_to(
         &self,
@@ -63,7 +63,7 @@ impl<R, D: Size> ToolForce<R, D> for NoToolForce {
     }
 }
 
-impl<R, F, D: Size> ToolForce<R, D> for F
+impl<R, F, D: Size> ToolWrench<R, D> for F
 where
     R: SizedKinematics<D>,
     F: Fn(f64, &Matrix4<f64>, &Vector6<f64>) -> Vector6<f64>,
@@ -85,12 +85,12 @@ where
 /// A law of the force at the tool that is called once each period. In between, the force is held in the axes of
 /// `jacobian`.
 #[derive(Clone, Copy, Debug)]
-pub struct HeldToolForce<F> {
+pub struct HeldToolWrench<F> {
     pub(super) law: F,
     pub(super) wrench: Vector6<f64>,
 }
 
-impl<R, F, D: Size> ToolForce<R, D> for HeldToolForce<F>
+impl<R, F, D: Size> ToolWrench<R, D> for HeldToolWrench<F>
 where
     R: SizedKinematics<D>,
     F: FnMut(f64, &Matrix4<f64>, &Vector6<f64>) -> Vector6<f64>,
@@ -126,7 +126,7 @@ fn torques<D: Size>(jacobian: &D::Columns<6>, wrench: &Vector6<f64>, q: &D::Vect
 
 fn finite(wrench: Vector6<f64>) -> Result<Vector6<f64>, Cause> {
     match wrench.iter().position(|x| !x.is_finite()) {
-        Some(component) => Err(Cause::NonFiniteToolForce { component }),
+        Some(component) => Err(Cause::NonFiniteToolWrench { component }),
         None => Ok(wrench),
     }
 }

@@ -2,7 +2,8 @@
 
 use robot_dynamics::nalgebra::{Matrix4, SVector, Vector2, Vector3, Vector6};
 use robot_dynamics::{
-    Cause, Dop853, DormandPrince, Friction, Method, Radau5, Simulation, robot_dynamics,
+    Friction, Method, Simulation, robot_dynamics,
+    simulation::{Cause, Dop853, DormandPrince, Radau5},
 };
 
 robot_dynamics! {
@@ -69,7 +70,7 @@ fn the_force_is_handed_to_the_joints_by_the_jacobian() {
                 .samples(11)
         };
         let by_force = simulation()
-            .tool_force(|_, pose, twist| spring(pose, twist))
+            .tool_wrench(|_, pose, twist| spring(pose, twist))
             .torque(|t, _, qd| motor(t, qd))
             .run()
             .unwrap();
@@ -97,7 +98,7 @@ fn a_spring_at_the_tool_keeps_the_energy() {
     let motion = Simulation::new(&Arm)
         .method(Dop853::with_tolerance(1e-12))
         .initial(START, Vector2::new(1.0, -2.0))
-        .tool_force(|_, pose, _| {
+        .tool_wrench(|_, pose, _| {
             let f = stretch(pose) * 60.0;
             Vector6::new(f[0], f[1], f[2], 0.0, 0.0, 0.0)
         })
@@ -121,7 +122,7 @@ fn a_joint_that_sticks_feels_the_force() {
     let pushed = |force: f64| {
         let motion = Simulation::new(&Cart)
             .friction(Friction::Sticking)
-            .tool_force(move |_, _, _| Vector6::new(1.0, 1.0, force, 1.0, 1.0, 1.0))
+            .tool_wrench(move |_, _, _| Vector6::new(1.0, 1.0, force, 1.0, 1.0, 1.0))
             .duration(1.0)
             .samples(2)
             .run()
@@ -139,14 +140,14 @@ fn a_force_that_is_not_finite_is_named() {
     for method in methods() {
         let error = Simulation::new(&Arm)
             .method(method)
-            .tool_force(|t, _, _| {
+            .tool_wrench(|t, _, _| {
                 let moment = if t > 0.45 { f64::NAN } else { 0.0 };
                 Vector6::new(0.0, 0.0, 0.0, moment, 0.0, moment)
             })
             .samples(11)
             .run()
             .unwrap_err();
-        let Cause::NonFiniteToolForce { component: 3 } = error.cause else {
+        let Cause::NonFiniteToolWrench { component: 3 } = error.cause else {
             panic!("{method:?}: {error}");
         };
         assert!(
@@ -169,7 +170,7 @@ fn a_motion_in_two_runs_is_that_in_one() {
     };
     let run = |start: f64, q: SVector<f64, 2>, qd: SVector<f64, 2>, duration: f64| {
         let simulation = Simulation::new(&Arm).method(Dop853::with_tolerance(1e-12));
-        let simulation = simulation.tool_force(law(start)).initial(q, qd);
+        let simulation = simulation.tool_wrench(law(start)).initial(q, qd);
         let motion = simulation.duration(duration).samples(2).run().unwrap();
         (motion.q[1], motion.qd[1])
     };
