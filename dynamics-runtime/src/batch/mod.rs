@@ -1,6 +1,6 @@
 //! Generated functions at many states at once, in the lanes of vector registers.
 //!
-//! The program of a function is generic over its numbers; here it runs on [`wide::Wide`], as many numbers as the
+//! The program of a function is generic over its numbers; here it runs on `wide::Wide`, as many numbers as the
 //! processor's vectors hold. The loop over the states is compiled once for each instruction set, with the program in it.
 
 mod abreast;
