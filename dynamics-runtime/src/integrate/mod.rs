@@ -29,6 +29,7 @@ mod step_control;
 mod stepper;
 mod tolerance;
 
+pub(crate) use crate::float::first_non_finite;
 pub(crate) use adaptive::Adaptive;
 pub(crate) use canonical::{Canonical, Point};
 pub(crate) use dop853::Dop853Method;
@@ -40,7 +41,7 @@ pub(crate) use fixed_step::{FixedStep, OneStep};
 pub(crate) use gauss_legendre::GaussLegendre;
 pub(crate) use grid::{Grid, sample_time};
 pub(crate) use lu::Lu;
-pub(crate) use phase::{Phase, first_non_finite};
+pub(crate) use phase::{Phase, Start};
 pub(crate) use radau::Radau;
 pub(crate) use rk4::Rk4;
 pub(crate) use stepper::{Failure, Stepper};

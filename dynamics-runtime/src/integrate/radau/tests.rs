@@ -30,18 +30,21 @@ fn errors(steps: usize) -> (f64, f64) {
     run.tolerance = tolerance(1e-6);
     run.range.greatest = h;
     let mut dense = 0.0_f64;
-    while run.t < 2.0 {
-        let before = run.t;
+    while run.here.t < 2.0 {
+        let before = run.here.t;
         run.h = h;
         run.step(&ACCELERATION, 2.0).unwrap();
         assert_eq!(run.rejected, 0);
         for s in [0.25, 0.5, 0.8] {
-            let t = before + s * (run.t - before);
+            let t = before + s * (run.here.t - before);
             let at = run.at(&ACCELERATION, t).unwrap();
             dense = dense.max(distance(&at, &solution(t)));
         }
     }
-    (distance(&run.phase, &solution(2.0)).log2(), dense.log2())
+    (
+        distance(&run.here.phase, &solution(2.0)).log2(),
+        dense.log2(),
+    )
 }
 
 #[test]
@@ -59,21 +62,21 @@ fn output_meets_the_ends_of_the_step() {
     run.step(&ACCELERATION, 2.0).unwrap();
     let (start, end) = (
         run.polynomial.as_ref().unwrap().at(0.0),
-        run.polynomial.as_ref().unwrap().at(run.t),
+        run.polynomial.as_ref().unwrap().at(run.here.t),
     );
     assert!(distance(&start, &solution(0.0)) < 1e-15);
-    assert!(distance(&end, &run.phase) < 1e-15);
+    assert!(distance(&end, &run.here.phase) < 1e-15);
 }
 
 #[test]
 fn error_follows_the_tolerance() {
     for value in [1e-4, 1e-7, 1e-10] {
         let Ok(mut run) = Radau::start(&ACCELERATION, 0.0, solution(0.0), tolerance(value), RANGE);
-        while run.t < 2.0 {
+        while run.here.t < 2.0 {
             run.step(&ACCELERATION, 2.0).unwrap();
         }
-        assert_eq!(run.t, 2.0);
-        let error = distance(&run.phase, &solution(2.0));
+        assert_eq!(run.here.t, 2.0);
+        let error = distance(&run.here.phase, &solution(2.0));
         assert!((1e-3 * value..10.0 * value).contains(&error), "{error:e}");
     }
 }
@@ -92,11 +95,11 @@ fn stiff_friction_takes_few_evaluations() {
         qd: vector(0.0),
     };
     let Ok(mut run) = Radau::start(&law, 0.0, start, tolerance(1e-8), RANGE);
-    while run.t < 1.0 {
+    while run.here.t < 1.0 {
         run.step(&law, 1.0).unwrap();
     }
     let exact = 2.0 * (0.5_f64.tan() * (-1e-3_f64).exp()).atan() + 1e-9 * 1.0_f64.sin();
-    let error = run.phase.q[0] - exact;
+    let error = run.here.phase.q[0] - exact;
     assert!(error.abs() < 2e-11, "{error:e}");
     assert!(count.get() < 400, "{}", count.get());
 }
@@ -111,5 +114,9 @@ fn a_wall_is_reached_and_not_crossed() {
         }
     };
     assert_eq!(failure, Failure::Refused("wall"));
-    assert!(run.t < 1.0 && run.t > 1.0 - 1e-12, "{}", run.t);
+    assert!(
+        run.here.t < 1.0 && run.here.t > 1.0 - 1e-12,
+        "{}",
+        run.here.t
+    );
 }
