@@ -1,7 +1,6 @@
 //! The methods of integration.
 
 use super::drive::drive;
-use super::impact::settle_at_start;
 use super::motion::{InMomenta, Motion};
 use super::samples::Followed;
 use super::settings::{Dop853, DormandPrince, ErrorControl, Radau5, validate_step};
@@ -181,7 +180,7 @@ pub(super) fn begin<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size>(
     let initial = recorder.phase.clone();
     let mut begun = motion.sample(0.0, &initial).map(|()| initial.clone());
     if motion.has_events() {
-        begun = begun.and_then(|phase| settle_at_start(motion, &phase));
+        begun = begun.and_then(|phase| motion.settle_at_start(&phase));
     }
     let forces = motion.forces(0.0, &initial);
     recorder.push(0.0, initial, forces);
