@@ -34,7 +34,6 @@ pub(crate) use adaptive::Adaptive;
 pub(crate) use canonical::{Canonical, Point};
 pub(crate) use dop853::Dop853Method;
 pub(crate) use dormand_prince::DormandPrince54;
-pub(crate) use embedded::Embedded;
 pub(crate) use equations::Equations;
 pub(crate) use euler::Euler;
 pub(crate) use fixed_step::{FixedStep, OneStep};

@@ -8,7 +8,6 @@ use super::friction::Contact;
 use super::limits::AtLimit;
 use super::motion::{Held, Motion};
 use super::recorder::Recorder;
-use super::samples::{Followed, take_here, take_within};
 use super::sampling::Instants;
 use super::torque::TorqueLaw;
 use crate::integrate::{Phase, Stepper};
@@ -123,9 +122,11 @@ where
             let end = self.stopped(event);
             recorder.reach(self.stepper.t(), end)?;
             steps += 1;
-            let mut taken = take_within(self.motion, self.system, self.stepper, recorder)?;
+            let mut taken = self
+                .motion
+                .take_within(self.system, self.stepper, recorder)?;
             self.turn(event, recorder)?;
-            taken |= take_here(self.motion, recorder);
+            taken |= self.motion.take_here(recorder);
             if taken {
                 (steps, self.events) = (0, 0);
                 self.hit[1] = JointSet::default();

@@ -25,14 +25,14 @@ pub(crate) struct Adaptive<M: Embedded<D>, D: Size> {
 }
 
 impl<M: Embedded<D>, D: Size> Adaptive<M, D> {
-    /// At the start, with a first guess of the step size.
+    /// At the start, t = 0, with a first guess of the step size.
     pub(crate) fn start<S: Equations<D>>(
         system: &S,
-        t: f64,
         phase: Phase<D>,
         tolerance: Tolerance,
         range: StepRange,
     ) -> Result<Self, S::Refusal> {
+        let t = 0.0;
         let rate = system.rate(t, &phase)?;
         let first = initial_step(system, t, &phase, &rate, &tolerance, M::CONTROL.order);
         let next = Start { t, phase, h: first };

@@ -4,11 +4,10 @@ use core::convert::Infallible;
 
 use nalgebra::Const;
 
-use super::Adaptive;
+use super::{Adaptive, Embedded};
 use crate::integrate::test_problems::{ACCELERATION, Acceleration, distance, solution, vector};
 use crate::integrate::{
-    Dop853Method, DormandPrince54, Embedded, Equations, Failure, Phase, StepRange, Stepper,
-    Tolerance,
+    Dop853Method, DormandPrince54, Equations, Failure, Phase, StepRange, Stepper, Tolerance,
 };
 
 const RANGE: StepRange = StepRange {
@@ -24,7 +23,7 @@ fn tolerance(value: f64) -> Tolerance {
 }
 
 fn start<M: Embedded<Const<1>>>(value: f64) -> Adaptive<M, Const<1>> {
-    let Ok(run) = Adaptive::start(&ACCELERATION, 0.0, solution(0.0), tolerance(value), RANGE);
+    let Ok(run) = Adaptive::start(&ACCELERATION, solution(0.0), tolerance(value), RANGE);
     run
 }
 
@@ -123,8 +122,7 @@ fn failure<M: Embedded<Const<1>>, S: Equations<Const<1>>>(
     system: &S,
     start: Phase<Const<1>>,
 ) -> (f64, Failure<S::Refusal>) {
-    let Ok(mut run) = Adaptive::<M, Const<1>>::start(system, 0.0, start, tolerance(1e-6), RANGE)
-    else {
+    let Ok(mut run) = Adaptive::<M, Const<1>>::start(system, start, tolerance(1e-6), RANGE) else {
         panic!("refused at the start");
     };
     loop {
@@ -174,7 +172,7 @@ fn check_rest<M: Embedded<Const<1>>>() {
         ..RANGE
     };
     let Ok(mut run) =
-        Adaptive::<M, Const<1>>::start(&swing, 0.0, Phase::zeros(Const), tolerance(1e-9), range);
+        Adaptive::<M, Const<1>>::start(&swing, Phase::zeros(Const), tolerance(1e-9), range);
     let mut steps = 0;
     while run.next.t < 10.0 {
         run.step(&swing, 10.0).unwrap();
@@ -200,13 +198,8 @@ fn evaluations_are_those_of_the_method() {
         let acceleration: Acceleration = ACCELERATION;
         acceleration(t, phase)
     };
-    let Ok(mut run) = Adaptive::<Dop853Method, Const<1>>::start(
-        &counted,
-        0.0,
-        solution(0.0),
-        tolerance(1e6),
-        RANGE,
-    );
+    let Ok(mut run) =
+        Adaptive::<Dop853Method, Const<1>>::start(&counted, solution(0.0), tolerance(1e6), RANGE);
     count.set(0);
     run.step(&counted, 1.0).unwrap();
     assert_eq!(count.replace(0), 12);

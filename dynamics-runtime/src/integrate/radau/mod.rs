@@ -76,14 +76,14 @@ const SAFETY: f64 = 0.9;
 const QUOTIENTS: (f64, f64) = (1.0 / 8.0, 5.0);
 
 impl<D: Size> Radau<D> {
-    /// At the start, with a first guess of the step size.
+    /// At the start, t = 0, with a first guess of the step size.
     pub(crate) fn start<S: Equations<D>>(
         system: &S,
-        t: f64,
         phase: Phase<D>,
         wanted: Tolerance,
         range: StepRange,
     ) -> Result<Self, S::Refusal> {
+        let t = 0.0;
         let rate = system.rate(t, &phase)?;
         // The estimate is of order 3 and the result of order 5.
         let relative = 0.1 * wanted.relative.powf(2.0 / 3.0);

@@ -24,7 +24,7 @@ fn tolerance(value: f64) -> Tolerance {
 /// Errors of the end of two seconds and within the steps, at a fixed step size.
 fn errors(steps: usize) -> (f64, f64) {
     let h = 2.0 / steps as f64;
-    let Ok(mut run) = Radau::start(&ACCELERATION, 0.0, solution(0.0), tolerance(1e-13), RANGE);
+    let Ok(mut run) = Radau::start(&ACCELERATION, solution(0.0), tolerance(1e-13), RANGE);
     run.newton.tolerance = 1e-6;
     // No error is too large.
     run.tolerance = tolerance(1e-6);
@@ -58,7 +58,7 @@ fn is_of_fifth_order_with_output_of_local_order_four() {
 
 #[test]
 fn output_meets_the_ends_of_the_step() {
-    let Ok(mut run) = Radau::start(&ACCELERATION, 0.0, solution(0.0), tolerance(1e-6), RANGE);
+    let Ok(mut run) = Radau::start(&ACCELERATION, solution(0.0), tolerance(1e-6), RANGE);
     run.step(&ACCELERATION, 2.0).unwrap();
     let (start, end) = (
         run.polynomial.as_ref().unwrap().at(0.0),
@@ -71,7 +71,7 @@ fn output_meets_the_ends_of_the_step() {
 #[test]
 fn error_follows_the_tolerance() {
     for value in [1e-4, 1e-7, 1e-10] {
-        let Ok(mut run) = Radau::start(&ACCELERATION, 0.0, solution(0.0), tolerance(value), RANGE);
+        let Ok(mut run) = Radau::start(&ACCELERATION, solution(0.0), tolerance(value), RANGE);
         while run.here.t < 2.0 {
             run.step(&ACCELERATION, 2.0).unwrap();
         }
@@ -94,7 +94,7 @@ fn stiff_friction_takes_few_evaluations() {
         q: vector(1.0),
         qd: vector(0.0),
     };
-    let Ok(mut run) = Radau::start(&law, 0.0, start, tolerance(1e-8), RANGE);
+    let Ok(mut run) = Radau::start(&law, start, tolerance(1e-8), RANGE);
     while run.here.t < 1.0 {
         run.step(&law, 1.0).unwrap();
     }
@@ -107,7 +107,7 @@ fn stiff_friction_takes_few_evaluations() {
 #[test]
 fn a_wall_is_reached_and_not_crossed() {
     let wall = |t: f64, _: &Phase<Const<1>>| if t < 1.0 { Ok(vector(t)) } else { Err("wall") };
-    let mut run = Radau::start(&wall, 0.0, Phase::zeros(Const), tolerance(1e-6), RANGE).unwrap();
+    let mut run = Radau::start(&wall, Phase::zeros(Const), tolerance(1e-6), RANGE).unwrap();
     let failure = loop {
         if let Err(failure) = run.step(&wall, 2.0) {
             break failure;
