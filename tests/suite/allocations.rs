@@ -94,10 +94,7 @@ allocations! {
 fn taylor_runs_allocate_at_the_start() {
     with_room(|| {
         let allocations = |duration: f64| {
-            let settings = Taylor {
-                max_step: Some(0.02),
-                ..Taylor::default()
-            };
+            let settings = Taylor::default().max_step(0.02);
             let simulation = TaylorSimulation::new(&TwoLinkCraig)
                 .settings(settings)
                 .duration(duration)

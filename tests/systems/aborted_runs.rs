@@ -33,12 +33,7 @@ const METHODS: [Method; 4] = [
     Method::CraigEuler { step: 0.01 },
     Method::SemiImplicitEuler { step: 0.01 },
     Method::RungeKutta4 { step: 0.01 },
-    Method::DormandPrince(DormandPrince {
-        relative_tolerance: 1e-9,
-        absolute_tolerance: 1e-9,
-        max_step: Some(0.01),
-        max_steps: 100_000,
-    }),
+    Method::DormandPrince(DormandPrince::with_tolerance(1e-9).max_step(0.01)),
 ];
 
 #[test]

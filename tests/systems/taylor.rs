@@ -163,11 +163,8 @@ fn puma_falls() {
 fn a_start_from_rest_is_no_blind_step() {
     let file: MotionFile = read("trajectories", "two_link_free");
     for order in 8..=30 {
-        let settings = Taylor {
-            order: Some(order),
-            max_step: Some(f64::INFINITY),
-            ..Taylor::with_tolerance(1e-14)
-        };
+        let tight = Taylor::with_tolerance(1e-14);
+        let settings = tight.order(order).max_step(f64::INFINITY);
         let motion = free_motion(&TwoLink, &file, settings);
         let error = largest(&file.errors(&motion));
         assert!(error < 1e-9, "order {order}: {error:e}");
@@ -263,10 +260,7 @@ fn what_makes_no_sense_is_refused() {
     let cause = |simulation: TaylorSimulation<'_, OneLink, 1>| simulation.run().unwrap_err().cause;
     let free = || TaylorSimulation::new(&OneLink);
     let with = |settings: Taylor| cause(free().settings(settings));
-    let order = |order| Taylor {
-        order: Some(order),
-        ..Taylor::default()
-    };
+    let order = |order| Taylor::default().order(order);
     assert_eq!(with(order(7)), InvalidSetting::Order(7).into());
     assert_eq!(with(order(31)), InvalidSetting::Order(31).into());
     let tolerance = InvalidSetting::Tolerance(0.0).into();
@@ -284,10 +278,7 @@ fn what_makes_no_sense_is_refused() {
 #[test]
 fn a_singular_mass_matrix_ends_the_run_where_it_is() {
     let (q, qd) = (Vector2::new(0.0, 1.0), Vector2::new(0.0, -1.0));
-    let settings = Taylor {
-        max_step: Some(0.125),
-        ..Taylor::default()
-    };
+    let settings = Taylor::default().max_step(0.125);
     let simulation = TaylorSimulation::new(&ToTheAxis).initial(q, qd);
     let error = simulation.settings(settings).samples(9).run().unwrap_err();
     assert!(

@@ -3,9 +3,9 @@
 //! Own code for the reasons given at [`DormandPrince54`](super::DormandPrince54).
 
 use super::dop853_tableau::{A, C, DENSE, ERROR_5, LAST, STAGES, THIRD};
-use super::embedded::{Embedded, Start, combination};
+use super::embedded::{Embedded, combination};
 use super::step_control::Constants;
-use super::{Equations, Phase};
+use super::{Equations, Phase, Start};
 use crate::size::Size;
 
 /// DOP853 of Hairer, Nørsett and Wanner I, section II.5.
@@ -36,8 +36,9 @@ impl<D: Size> Embedded<D> for Dop853Method {
         from: &Start<D>,
         rates: &mut Self::Rates,
     ) -> Result<Phase<D>, S::Refusal> {
+        // Unrolled for each stage, a run of the two-link arm takes a third longer.
         for i in 1..LAST {
-            stage(system, from, rates, i)?;
+            from.stage(system, (&A[i], C[i]), rates, i)?;
         }
         Ok(from.plus(&A[LAST][..LAST], rates))
     }
@@ -71,13 +72,11 @@ impl<D: Size> Embedded<D> for Dop853Method {
         rates: &mut Self::Rates,
     ) -> Result<Self::Polynomial, S::Refusal> {
         for i in LAST + 1..STAGES {
-            stage(system, from, rates, i)?;
+            from.stage(system, (&A[i], C[i]), rates, i)?;
         }
-        let change = end.minus(&from.phase);
-        let bend = rates[0].scaled(from.h).minus(&change);
-        let twist = change.minus(&rates[LAST].scaled(from.h)).minus(&bend);
+        let [r1, r2, r3, r4] = from.cubic(end, [&rates[0], &rates[LAST]]);
         let [r5, r6, r7, r8] = DENSE.map(|row| combination(&row, rates).scaled(from.h));
-        Ok([from.phase.clone(), change, bend, twist, r5, r6, r7, r8])
+        Ok([r1, r2, r3, r4, r5, r6, r7, r8])
     }
 
     /// y = r1 + s (r2 + (1 - s) (r3 + s (r4 + (1 - s) (r5 + s (r6 + (1 - s) (r7 + s r8)))))).
@@ -89,25 +88,10 @@ impl<D: Size> Embedded<D> for Dop853Method {
     }
 }
 
-/// Evaluates a stage from those before it. Unrolled for each stage, a run of the two-link arm takes a
-/// third longer.
-#[inline(always)]
-fn stage<S: Equations<D>, D: Size>(
-    system: &S,
-    from: &Start<D>,
-    rates: &mut [Phase<D>; STAGES],
-    i: usize,
-) -> Result<(), S::Refusal> {
-    let phase = from.plus(&A[i][..i], rates);
-    rates[i] = system.rate(from.t + C[i] * from.h, &phase)?;
-    Ok(())
-}
-
 /// Result of order 8 minus that of order 3, without the factor h.
 #[inline(always)]
 fn third<D: Size>(rates: &[Phase<D>; STAGES]) -> Phase<D> {
+    let subtract = |sum: Phase<D>, (i, weight): &(usize, f64)| sum.plus(-weight, &rates[*i]);
     let eighth = combination(&A[LAST][..LAST], rates);
-    THIRD
-        .iter()
-        .fold(eighth, |sum, (i, weight)| sum.plus(-weight, &rates[*i]))
+    THIRD.iter().fold(eighth, subtract)
 }

@@ -1,15 +1,12 @@
 //! The Dormand-Prince method of order 5(4).
 //!
-//! Own code because no crate fits. `ode_solvers` 0.6.2 builds on another nalgebra.
-//! `differential-equations` 0.7.0 was tried: its right-hand side cannot fail. Standing in for a
-//! failure, a NaN at t = 1 of a pendulum cost 65,000 evaluations up to the limit of steps, and the
-//! error that came then holds none of the samples before. It also brings nalgebra's default
-//! features, two versions of syn among them, into every user's build.
+//! Own code because no crate fits: `ode_solvers` 0.6.2 builds on another nalgebra, and the right-hand side of
+//! `differential-equations` 0.7.0 cannot fail. That crate also brings nalgebra's default features into every build.
 
 use super::dormand_prince_tableau::{A, C, DENSE, ERROR, STAGES};
-use super::embedded::{Embedded, Start, combination};
+use super::embedded::{Embedded, combination};
 use super::step_control::Constants;
-use super::{Equations, Phase};
+use super::{Equations, Phase, Start};
 use crate::size::Size;
 
 /// The method RK5(4)7M of Dormand and Prince (1980).
@@ -41,12 +38,12 @@ impl<D: Size> Embedded<D> for DormandPrince54 {
         from: &Start<D>,
         rates: &mut Self::Rates,
     ) -> Result<Phase<D>, S::Refusal> {
-        stage::<1, S, D>(system, from, rates)?;
-        stage::<2, S, D>(system, from, rates)?;
-        stage::<3, S, D>(system, from, rates)?;
-        stage::<4, S, D>(system, from, rates)?;
-        stage::<5, S, D>(system, from, rates)?;
-        stage::<6, S, D>(system, from, rates)
+        from.stage(system, (&A[1], C[1]), rates, 1)?;
+        from.stage(system, (&A[2], C[2]), rates, 2)?;
+        from.stage(system, (&A[3], C[3]), rates, 3)?;
+        from.stage(system, (&A[4], C[4]), rates, 4)?;
+        from.stage(system, (&A[5], C[5]), rates, 5)?;
+        from.stage(system, (&A[6], C[6]), rates, 6)
     }
 
     #[inline]
@@ -60,11 +57,9 @@ impl<D: Size> Embedded<D> for DormandPrince54 {
         end: &Phase<D>,
         rates: &mut Self::Rates,
     ) -> Result<Self::Polynomial, S::Refusal> {
-        let change = end.minus(&from.phase);
-        let bend = rates[0].scaled(from.h).minus(&change);
-        let twist = change.minus(&rates[STAGES - 1].scaled(from.h)).minus(&bend);
-        let lift = combination(&DENSE, rates).scaled(from.h);
-        Ok([from.phase.clone(), change, bend, twist, lift])
+        let [r1, r2, r3, r4] = from.cubic(end, [&rates[0], &rates[STAGES - 1]]);
+        let r5 = combination(&DENSE, rates).scaled(from.h);
+        Ok([r1, r2, r3, r4, r5])
     }
 
     /// y = r1 + s (r2 + (1 - s) (r3 + s (r4 + (1 - s) r5))).
@@ -72,17 +67,4 @@ impl<D: Size> Embedded<D> for DormandPrince54 {
         let inner = r3.plus(s, &r4.plus(1.0 - s, r5));
         r1.plus(s, &r2.plus(1.0 - s, &inner))
     }
-}
-
-/// Evaluates stage `I` from those before it, and returns its phase; with `I` a constant the sum is
-/// unrolled.
-#[inline(always)]
-fn stage<const I: usize, S: Equations<D>, D: Size>(
-    system: &S,
-    from: &Start<D>,
-    rates: &mut [Phase<D>; STAGES],
-) -> Result<Phase<D>, S::Refusal> {
-    let phase = from.plus(&A[I][..I], rates);
-    rates[I] = system.rate(from.t + C[I] * from.h, &phase)?;
-    Ok(phase)
 }

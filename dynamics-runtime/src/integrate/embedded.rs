@@ -1,9 +1,9 @@
-//! What an explicit method with error control and dense output has to say of itself.
+//! Explicit methods with error control and dense output.
 
 use core::ops::{Index, IndexMut};
 
 use super::step_control::Constants;
-use super::{Equations, Phase};
+use super::{Equations, Phase, Start};
 use crate::size::Size;
 
 /// An explicit Runge-Kutta method with an error estimate and dense output.
@@ -55,32 +55,40 @@ pub(crate) trait Embedded<D: Size> {
     fn evaluate(polynomial: &Self::Polynomial, s: f64) -> Phase<D>;
 }
 
-/// Where a step starts, and its length.
-#[derive(Clone, Debug)]
-pub(crate) struct Start<D: Size> {
-    pub(super) t: f64,
-    pub(super) phase: Phase<D>,
-    pub(super) h: f64,
-}
-
 impl<D: Size> Start<D> {
     /// The phase plus h times the stages' rates, each by its weight.
     #[inline(always)]
-    pub(super) fn plus(
-        &self,
-        weights: &[f64],
-        rates: &impl Index<usize, Output = Phase<D>>,
-    ) -> Phase<D> {
+    pub(super) fn plus(&self, weights: &[f64], rates: &[Phase<D>]) -> Phase<D> {
         self.phase.plus(self.h, &combination(weights, rates))
+    }
+
+    /// Evaluates stage `i` from those before it, and returns its phase; with `i` a constant the sum is unrolled.
+    #[inline(always)]
+    pub(super) fn stage<S: Equations<D>>(
+        &self,
+        system: &S,
+        (a, c): (&[f64], f64),
+        rates: &mut [Phase<D>],
+        i: usize,
+    ) -> Result<Phase<D>, S::Refusal> {
+        let phase = self.plus(&a[..i], rates);
+        rates[i] = system.rate(self.t + c * self.h, &phase)?;
+        Ok(phase)
+    }
+
+    /// The first coefficients of the polynomial through the step to `end`, those of third order, from the rates at both
+    /// ends.
+    pub(super) fn cubic(&self, end: &Phase<D>, rates: [&Phase<D>; 2]) -> [Phase<D>; 4] {
+        let change = end.minus(&self.phase);
+        let bend = rates[0].scaled(self.h).minus(&change);
+        let twist = change.minus(&rates[1].scaled(self.h)).minus(&bend);
+        [self.phase.clone(), change, bend, twist]
     }
 }
 
 /// Sum of the stages' rates, each by its weight.
 #[inline(always)]
-pub(super) fn combination<D: Size>(
-    weights: &[f64],
-    rates: &impl Index<usize, Output = Phase<D>>,
-) -> Phase<D> {
+pub(super) fn combination<D: Size>(weights: &[f64], rates: &[Phase<D>]) -> Phase<D> {
     let mut sum = Phase::zeros(rates[0].size());
     for (i, weight) in weights.iter().enumerate() {
         // A product with 0 could not be left out otherwise: a rate might be infinite.

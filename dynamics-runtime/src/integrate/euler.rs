@@ -1,6 +1,6 @@
 //! Euler's method and two schemes beside it.
 
-use super::{Equations, Failure, OneStep, Phase};
+use super::{Equations, Failure, OneStep, Phase, Start};
 use crate::size::{JointVector as _, Size};
 
 /// Schemes of first order with one acceleration a step, `qd+ = qd + qdd h`. They differ in the positions.
@@ -22,13 +22,8 @@ pub(crate) enum Euler {
 
 impl<S: Equations<D>, D: Size> OneStep<S, S::Refusal, D> for Euler {
     #[inline]
-    fn step(
-        &mut self,
-        system: &S,
-        t: f64,
-        phase: &Phase<D>,
-        h: f64,
-    ) -> Result<Phase<D>, Failure<S::Refusal>> {
+    fn step(&mut self, system: &S, from: &Start<D>) -> Result<Phase<D>, Failure<S::Refusal>> {
+        let Start { t, ref phase, h } = *from;
         let qdd = system.acceleration(t, phase)?;
         let qd = phase.qd.plus(h, &qdd);
         let q = match self {
@@ -46,13 +41,18 @@ mod tests {
 
     use super::Euler;
     use crate::integrate::test_problems::{convergence_orders, vector};
-    use crate::integrate::{OneStep, Phase};
+    use crate::integrate::{OneStep, Phase, Start};
 
     #[test]
     fn positions_take_the_velocity_of_their_scheme() {
-        let start = Phase {
+        let phase = Phase {
             q: vector(1.0),
             qd: vector(2.0),
+        };
+        let start = Start {
+            t: 0.0,
+            phase,
+            h: 0.5,
         };
         let push = |_: f64, _: &Phase<Const<1>>| Ok::<_, ()>(vector(8.0));
         for (mut scheme, way) in [
@@ -60,7 +60,7 @@ mod tests {
             (Euler::Craig, 1.0 + 1.0),
             (Euler::SemiImplicit, 3.0),
         ] {
-            let next = scheme.step(&push, 0.0, &start, 0.5).unwrap();
+            let next = scheme.step(&push, &start).unwrap();
             assert_eq!((next.q[0], next.qd[0]), (1.0 + way, 6.0));
         }
     }

@@ -6,7 +6,7 @@
 //! *Achieving Brouwer's law with implicit Runge-Kutta methods*, BIT 48 (2008).
 
 use super::compensated::Compensated;
-use super::{Canonical, Failure, OneStep, Phase, Point};
+use super::{Canonical, Failure, OneStep, Phase, Point, Start};
 use crate::size::{JointVector as _, Size};
 
 /// Collocation at the zeros of the Legendre polynomial of degree `STAGES`, of order 2 `STAGES`.
@@ -98,18 +98,13 @@ impl<const STAGES: usize, D: Size> GaussLegendre<STAGES, D> {
     fn begin<S: Canonical<D>>(
         &self,
         system: &S,
-        t: f64,
-        phase: &Phase<D>,
-        h: f64,
+        Start { t, phase, h }: &Start<D>,
     ) -> Result<Begun<STAGES, D>, S::Refusal> {
         if let Some(before) = &self.carried
-            && before.phase == *phase
-            && before.h == h
+            && (&before.phase, &before.h) == (phase, h)
         {
-            let guess = self
-                .tableau
-                .ahead
-                .map(|row| combination(&row, &before.rates));
+            let ahead = self.tableau.ahead;
+            let guess = ahead.map(|row| combination(&row, &before.rates));
             return Ok((before.at.clone(), guess));
         }
         let p = system.momentum(phase)?;
@@ -117,7 +112,7 @@ impl<const STAGES: usize, D: Size> GaussLegendre<STAGES, D> {
             q: phase.q.clone(),
             p,
         };
-        let rate = system.rate(t, &at)?;
+        let rate = system.rate(*t, &at)?;
         let guess = core::array::from_fn(|_| rate.clone());
         Ok((Compensated::new(at), guess))
     }
@@ -155,15 +150,10 @@ impl<const STAGES: usize, D: Size> GaussLegendre<STAGES, D> {
 impl<S: Canonical<D>, const STAGES: usize, D: Size> OneStep<S, S::Refusal, D>
     for GaussLegendre<STAGES, D>
 {
-    fn step(
-        &mut self,
-        system: &S,
-        t: f64,
-        phase: &Phase<D>,
-        h: f64,
-    ) -> Result<Phase<D>, Failure<S::Refusal>> {
-        let (mut at, guess) = self.begin(system, t, phase, h)?;
-        let rates = self.stages(system, t, &at, h, guess)?;
+    fn step(&mut self, system: &S, from: &Start<D>) -> Result<Phase<D>, Failure<S::Refusal>> {
+        let (mut at, guess) = self.begin(system, from)?;
+        let h = from.h;
+        let rates = self.stages(system, from.t, &at, h, guess)?;
         at.add(h, &combination(&self.tableau.b, &rates));
         let phase = system.phase(&at.value)?;
         self.carried = Some(Carried {
@@ -211,10 +201,12 @@ fn change<const STAGES: usize, D: Size>(
             moved[i] / size[i]
         }
     };
-    let all = if ratio(0) >= ratio(1) {
-        ratio(0)
+    let [of_q, of_p] = [0, 1].map(ratio);
+    // NaN where either is.
+    let all = if of_q >= of_p {
+        of_q
     } else {
-        ratio(1) + 0.0 * ratio(0)
+        of_p + 0.0 * of_q
     };
     let velocities = moved[0] / (size[0] + SLOW / h);
     Change { all, velocities }
@@ -243,7 +235,7 @@ mod tests {
     use crate::integrate::canonical::InVelocities;
     use crate::integrate::order_conditions::order;
     use crate::integrate::test_problems::{Acceleration, convergence_orders};
-    use crate::integrate::{Equations, Failure, OneStep, Phase};
+    use crate::integrate::{Equations, Failure, OneStep, Phase, Start};
 
     fn order_of<const STAGES: usize>(method: GaussLegendre<STAGES, Const<1>>) -> usize {
         let a: Vec<Vec<f64>> = method.tableau.a.iter().map(|row| row.to_vec()).collect();
@@ -288,11 +280,9 @@ mod tests {
         fn step(
             &mut self,
             system: &Acceleration,
-            t: f64,
-            phase: &Phase<Const<1>>,
-            h: f64,
+            from: &Start<Const<1>>,
         ) -> Result<Phase<Const<1>>, Failure<E>> {
-            self.0.step(&InVelocities(system), t, phase, h)
+            self.0.step(&InVelocities(system), from)
         }
     }
 
@@ -312,11 +302,12 @@ mod tests {
     #[test]
     fn a_step_that_is_too_long_for_the_iteration_is_refused() {
         let stiff = |_: f64, phase: &Phase<Const<1>>| Ok::<_, ()>(-1e6 * phase.qd);
-        let start = Phase {
+        let phase = Phase {
             q: [0.0].into(),
             qd: [1.0].into(),
         };
-        let step = GaussLegendre::order_4().step(&InVelocities(&stiff), 0.0, &start, 1e-2);
+        let (t, h) = (0.0, 1e-2);
+        let step = GaussLegendre::order_4().step(&InVelocities(&stiff), &Start { t, phase, h });
         assert_eq!(step, Err(Failure::NoConvergence));
     }
 }

@@ -29,29 +29,27 @@ impl<D: Size> Jacobian<D> {
         phase: &Phase<D>,
         acceleration: &D::Vector,
     ) -> Result<Self, S::Refusal> {
-        let mut jacobian = Self::zeros(phase.size());
-        let differences = |matrix: &mut D::Matrix, part: fn(&mut Phase<D>) -> &mut D::Vector| {
-            for j in phase.size().joints() {
+        let size = phase.size();
+        let differences = |part: fn(&mut Phase<D>) -> &mut D::Vector| {
+            let mut matrix = size.matrix();
+            for j in size.joints() {
                 let mut moved = phase.clone();
                 let entry = &mut part(&mut moved)[j];
-                let distance = distance(*entry);
+                // As in the program RADAU5 of Hairer and Wanner.
+                let distance = (f64::EPSILON * entry.abs().max(1e-5)).sqrt();
                 *entry += distance;
                 let change = system.acceleration(t, &moved)? - acceleration.clone();
-                for i in phase.size().joints() {
+                for i in size.joints() {
                     matrix[(i, j)] = change[i] / distance;
                 }
             }
-            Ok(())
+            Ok(matrix)
         };
-        differences(&mut jacobian.by_q, |phase| &mut phase.q)?;
-        differences(&mut jacobian.by_qd, |phase| &mut phase.qd)?;
-        Ok(jacobian)
+        Ok(Jacobian {
+            by_q: differences(|phase| &mut phase.q)?,
+            by_qd: differences(|phase| &mut phase.qd)?,
+        })
     }
-}
-
-/// The distance of a difference (Hairer and Wanner's program RADAU5).
-fn distance(x: f64) -> f64 {
-    (f64::EPSILON * x.abs().max(1e-5)).sqrt()
 }
 
 /// The equations `(mu - J) (x, v) = (r, s)` with `J = (0, 1; A, B)`, A and B the derivatives by q and

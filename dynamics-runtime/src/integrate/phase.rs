@@ -1,5 +1,6 @@
 //! A point of the phase space.
 
+use crate::float::first_non_finite;
 use crate::size::{JointVector as _, Size};
 
 /// Positions and velocities; or a rate of change of both.
@@ -66,4 +67,10 @@ impl<D: Size> Phase<D> {
     }
 }
 
-pub(crate) use crate::float::first_non_finite;
+/// The start of a step, and its length.
+#[derive(Clone, Debug)]
+pub(crate) struct Start<D: Size> {
+    pub(super) t: f64,
+    pub(super) phase: Phase<D>,
+    pub(super) h: f64,
+}

@@ -1,6 +1,6 @@
 //! The classical Runge-Kutta method.
 
-use super::{Equations, Failure, OneStep, Phase};
+use super::{Equations, Failure, OneStep, Phase, Start};
 use crate::size::Size;
 
 /// The classical Runge-Kutta method of fourth order (W. Kutta, *Beitrag zur näherungsweisen
@@ -9,13 +9,8 @@ pub(crate) struct Rk4;
 
 impl<S: Equations<D>, D: Size> OneStep<S, S::Refusal, D> for Rk4 {
     #[inline]
-    fn step(
-        &mut self,
-        system: &S,
-        t: f64,
-        phase: &Phase<D>,
-        h: f64,
-    ) -> Result<Phase<D>, Failure<S::Refusal>> {
+    fn step(&mut self, system: &S, from: &Start<D>) -> Result<Phase<D>, Failure<S::Refusal>> {
+        let Start { t, ref phase, h } = *from;
         let k1 = system.rate(t, phase)?;
         let k2 = system.rate(t + 0.5 * h, &phase.plus(0.5 * h, &k1))?;
         let k3 = system.rate(t + 0.5 * h, &phase.plus(0.5 * h, &k2))?;

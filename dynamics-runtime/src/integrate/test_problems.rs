@@ -4,7 +4,7 @@ use core::convert::Infallible;
 
 use nalgebra::{Const, SVector, Vector1};
 
-use super::{OneStep, Phase};
+use super::{OneStep, Phase, Start};
 
 pub(super) type Acceleration = fn(f64, &Phase<Const<1>>) -> Result<SVector<f64, 1>, Infallible>;
 
@@ -41,7 +41,8 @@ pub(super) fn convergence_orders(
     let mut error = |steps: usize| {
         let h = 2.0 / steps as f64;
         let end = (0..steps).fold(solution(0.0), |phase, i| {
-            let step = method.step(&ACCELERATION, i as f64 * h, &phase, h);
+            let t = i as f64 * h;
+            let step = method.step(&ACCELERATION, &Start { t, phase, h });
             step.unwrap()
         });
         distance(&end, &solution(2.0)).log2()

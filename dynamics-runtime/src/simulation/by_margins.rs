@@ -1,7 +1,6 @@
 //! Events of a method that is known at the times at which its steps end: where the least margin of all joints
 //! passes zero.
 
-use super::contacts::least_margin;
 use super::error::Cause;
 use super::events::{Finder, Start, here};
 use super::friction::Contact;
@@ -35,7 +34,7 @@ where
         if margin >= 0.0 && !search.dips(start, &after)? {
             return Ok(Some(after));
         }
-        search.locate(start.t, least_margin(motion, &start.phase, &start.held))?;
+        search.locate(start.t, motion.least_margin(&start.phase, &start.held))?;
         Ok(None)
     }
 }

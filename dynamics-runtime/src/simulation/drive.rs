@@ -1,44 +1,36 @@
 //! An integration from sample to sample.
 
-use super::by_margins::ByMargins;
 use super::error::Cause;
-use super::events::Eventful;
+use super::events::{Eventful, Finder};
 use super::motion::Motion;
 use super::recorder::Recorder;
-use super::samples::{Followed, take_here, take_within};
 use super::sampling::Instants;
 use super::torque::TorqueLaw;
 use crate::integrate::{Failure, Stepper};
 use crate::simulation::EquationsOfMotion;
 use crate::size::Size;
 
-/// Makes steps to the end of the recorder's plan, at most `max_steps` between two samples.
+/// Makes steps to the end of the recorder's plan, at most `max_steps` between two samples. Events are those that `F`
+/// finds.
 ///
-/// The stepper is known at run time alone: a call for each step is nothing beside the step, and what is written
-/// here is compiled once for all methods.
-pub(super) fn drive<S, R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size>(
+/// Steppers of [`Simulation`](crate::Simulation) are known at run time alone: a call for each step is nothing beside the
+/// step, and this function is compiled once for all methods.
+pub(super) fn drive<F, S, R: EquationsOfMotion<D>, L: TorqueLaw<D>, K, D: Size>(
     motion: &Motion<R, L, D>,
     system: &S,
-    stepper: &mut dyn Stepper<S, Cause, D>,
+    stepper: &mut K,
     recorder: &mut Recorder<D>,
     max_steps: usize,
-) -> Result<(), Cause> {
+) -> Result<(), Cause>
+where
+    F: Finder<S, R, L, K, D>,
+    K: Stepper<S, Cause, D> + ?Sized,
+{
     if motion.has_events() {
         let duration = recorder.duration();
-        let run = Eventful::<_, _, _, _, ByMargins, D>::start(motion, system, stepper, duration)?;
+        let run = Eventful::<_, _, _, _, F, D>::start(motion, system, stepper, duration)?;
         return run.drive(recorder, max_steps);
     }
-    smooth(motion, system, stepper, recorder, max_steps)
-}
-
-/// The same without events.
-pub(super) fn smooth<M: Followed<D>, S, E: Into<Cause>, D: Size>(
-    motion: &M,
-    system: &S,
-    stepper: &mut dyn Stepper<S, E, D>,
-    recorder: &mut Recorder<D>,
-    max_steps: usize,
-) -> Result<(), Cause> {
     let mut instants = Instants::new(motion.period(), recorder.duration());
     let mut steps = 0;
     while recorder.next_sample().is_some() {
@@ -51,12 +43,12 @@ pub(super) fn smooth<M: Followed<D>, S, E: Into<Cause>, D: Size>(
         let (t, phase) = (stepper.t(), stepper.phase().clone());
         recorder.reach(t, phase.clone())?;
         steps += 1;
-        let mut taken = take_within(motion, system, stepper, recorder)?;
+        let mut taken = motion.take_within(system, stepper, recorder)?;
         if instants.begin(t) {
             motion.sample(t, &phase)?;
             stepper.restart(system, phase)?;
         }
-        taken |= take_here(motion, recorder);
+        taken |= motion.take_here(recorder);
         if taken {
             steps = 0;
         }
@@ -64,10 +56,10 @@ pub(super) fn smooth<M: Followed<D>, S, E: Into<Cause>, D: Size>(
     Ok(())
 }
 
-impl<E: Into<Cause>> From<Failure<E>> for Cause {
-    fn from(failure: Failure<E>) -> Self {
+impl From<Failure<Cause>> for Cause {
+    fn from(failure: Failure<Cause>) -> Self {
         match failure {
-            Failure::Refused(refusal) => refusal.into(),
+            Failure::Refused(cause) => cause,
             Failure::StepTooSmall => Cause::StepTooSmall,
             Failure::NoConvergence => Cause::NoConvergence,
         }
@@ -80,13 +72,17 @@ mod tests {
 
     use nalgebra::{Const, Vector1};
 
-    use super::smooth;
+    use super::drive;
     use crate::integrate::{Failure, Phase, Stepper};
+    use crate::simulation::by_margins::ByMargins;
     use crate::simulation::error::Cause;
+    use crate::simulation::friction::Law;
+    use crate::simulation::limits::Limits;
+    use crate::simulation::motion::Motion;
     use crate::simulation::plan::Plan;
     use crate::simulation::recorder::Recorder;
-    use crate::simulation::samples::Followed;
-    use crate::simulation::trajectory::Forces;
+    use crate::simulation::tests::Cart;
+    use crate::simulation::torque::TorqueLaw;
 
     /// A stepper without motion, whose steps end at the given time.
     struct Clock(f64, Phase<Const<1>>);
@@ -123,15 +119,21 @@ mod tests {
         }
     }
 
-    /// A law that knows when it is to be asked.
-    struct Asked(f64, Cell<u64>);
+    /// A law that knows when it is to be called.
+    struct Expected(f64, Cell<u64>);
 
-    impl Followed<Const<1>> for Asked {
-        fn forces(&self, _: f64, _: &Phase<Const<1>>) -> Forces<Const<1>> {
-            Forces {
-                qdd: Vector1::zeros(),
-                tau: Vector1::zeros(),
-            }
+    impl TorqueLaw<Const<1>> for Expected {
+        fn motors(&self, _: f64, _: &Phase<Const<1>>) -> Vector1<f64> {
+            Vector1::zeros()
+        }
+
+        fn with_tool(
+            &self,
+            tau: Vector1<f64>,
+            _: f64,
+            _: &Phase<Const<1>>,
+        ) -> Result<Vector1<f64>, Cause> {
+            Ok(tau)
         }
 
         fn period(&self) -> Option<f64> {
@@ -145,31 +147,23 @@ mod tests {
         }
     }
 
-    /// The last one is asked for at its time to the last bit, and no step is one of rounding: samples of
+    /// The last one is called at its time to the last bit, and no step is one of rounding: samples of
     /// the run, as many as periods or less, make none.
     #[test]
     fn a_million_periods_do_not_drift() {
-        let period = 1e-3;
         for samples in [2, 1_001, 1_000_001] {
             let mut plan = Plan::<Const<1>>::new(Const);
             (plan.duration, plan.samples) = (1e3, samples);
+            let (cart, law) = (Cart, Expected(1e-3, Cell::new(0)));
+            let motion = Motion::new(&cart, &law, Law::sign(Const), Limits::none(Const));
             let mut recorder = Recorder::new(plan.initial.clone());
             recorder.plan(&plan).unwrap();
-            recorder.push(
-                0.0,
-                plan.initial.clone(),
-                Asked(0.0, Cell::new(0)).forces(0.0, &plan.initial),
-            );
-            let asked = Asked(period, Cell::new(0));
-            smooth(
-                &asked,
-                &(),
-                &mut Clock(0.0, plan.initial.clone()),
-                &mut recorder,
-                1_000_000,
-            )
-            .unwrap();
-            assert_eq!(asked.1.get(), 999_999);
+            let forces = motion.forces(0.0, &plan.initial);
+            recorder.push(0.0, plan.initial.clone(), forces);
+            let mut clock = Clock(0.0, plan.initial.clone());
+            drive::<ByMargins, _, _, _, _, _>(&motion, &(), &mut clock, &mut recorder, 1_000_000)
+                .unwrap();
+            assert_eq!(law.1.get(), 999_999);
             assert_eq!(recorder.work.steps, 1_000_000);
             assert_eq!((recorder.t, recorder.next_sample()), (1e3, None));
         }

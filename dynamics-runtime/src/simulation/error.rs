@@ -13,6 +13,7 @@ use crate::taylor::Refusal;
 ///
 /// `{:?}`, which `unwrap` and an error of `main` print, is the sentence of `{}` and the number of samples.
 #[derive(Clone, PartialEq)]
+#[non_exhaustive]
 pub struct SizedSimulationError<D: Size> {
     /// The time reached, s.
     pub time: f64,
@@ -242,32 +243,24 @@ impl<D: Size> core::error::Error for SizedSimulationError<D> {
 
 impl fmt::Display for Cause {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut not_finite = |what: &str, joint: &usize| {
+            write!(f, "the {what} of joint {} is not finite", joint + 1)
+        };
         match self {
             Cause::InvalidSetting(setting) => setting.fmt(f),
             Cause::SingularMassMatrix(error) => error.fmt(f),
-            Cause::NonFiniteTorque { joint } => {
-                write!(f, "the torque of joint {} is not finite", joint + 1)
-            }
+            Cause::NonFiniteTorque { joint } => not_finite("torque", joint),
+            Cause::NonFiniteAcceleration { joint } => not_finite("acceleration", joint),
+            Cause::NonFiniteState { joint } => not_finite("state", joint),
             Cause::NonFiniteToolWrench { component } => {
-                let names = ["fx", "fy", "fz", "nx", "ny", "nz"];
-                write!(
-                    f,
-                    "{} of the force at the tool is not finite",
-                    names[*component % 6]
-                )
+                let name = ["fx", "fy", "fz", "nx", "ny", "nz"][component % 6];
+                write!(f, "{name} of the force at the tool is not finite")
             }
-            Cause::NonFiniteAcceleration { joint } => {
-                write!(f, "the acceleration of joint {} is not finite", joint + 1)
-            }
-            Cause::NonFiniteState { joint } => {
-                write!(f, "the state of joint {} is not finite", joint + 1)
-            }
-            Cause::StepTooSmall => write!(
-                f,
-                "no step is short enough for the tolerance: shorter ones are lost in the rounding of the time"
+            Cause::StepTooSmall => f.write_str(
+                "no step is short enough for the tolerance: shorter ones are lost in the rounding of the time",
             ),
-            Cause::NoConvergence => write!(f, "the step is too long for an implicit method"),
-            Cause::TooManySteps => write!(f, "more steps between two samples than `max_steps`"),
+            Cause::NoConvergence => f.write_str("the step is too long for an implicit method"),
+            Cause::TooManySteps => f.write_str("more steps between two samples than `max_steps`"),
             Cause::JointLimit { joint, limit } => {
                 write!(f, "joint {} passes its limit {limit:?}", joint + 1)
             }
@@ -286,25 +279,26 @@ impl fmt::Display for Cause {
 
 impl fmt::Display for InvalidSetting {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        const TIME: &str = "a finite time that is not lost in the rounding of the duration";
+        let mut impossible = |given: fmt::Arguments<'_>, expected: &str| {
+            write!(f, "{given} is not possible: expected {expected}")
+        };
         match self {
-            InvalidSetting::Duration(duration) => {
-                write!(
-                    f,
-                    "a duration of {duration:?} s is not possible: expected a finite time above 1e-292 s"
-                )
+            InvalidSetting::Duration(duration) => impossible(
+                format_args!("a duration of {duration:?} s"),
+                "a finite time above 1e-292 s",
+            ),
+            InvalidSetting::Step(step) => impossible(format_args!("a step of {step:?} s"), TIME),
+            InvalidSetting::Period(period) => {
+                impossible(format_args!("a period of {period:?} s"), TIME)
             }
+            InvalidSetting::Tolerance(tolerance) => impossible(
+                format_args!("a tolerance of {tolerance:?}"),
+                "a finite number above zero",
+            ),
             InvalidSetting::Samples(samples) => write!(
                 f,
                 "{samples} samples are not possible: expected two at least, and no more than memory holds"
-            ),
-            InvalidSetting::Step(step) => write!(
-                f,
-                "a step of {step:?} s is not possible: expected a finite time that is not lost in the rounding of the \
-                 duration"
-            ),
-            InvalidSetting::Tolerance(tolerance) => write!(
-                f,
-                "a tolerance of {tolerance:?} is not possible: expected a finite number above zero"
             ),
             InvalidSetting::Order(order) => write!(f, "series of order {order} are not possible"),
             InvalidSetting::CoulombFriction { joint } => write!(
@@ -316,41 +310,26 @@ impl fmt::Display for InvalidSetting {
                 write!(f, "the initial state of joint {} is not finite", joint + 1)
             }
             InvalidSetting::FrictionSpeed(speed) => {
-                write!(
-                    f,
-                    "friction cannot be regularised over a speed of {speed:?}"
-                )
+                write!(f, "friction cannot be regularised over a speed of {speed:?}")
             }
-            InvalidSetting::Period(period) => {
-                write!(
-                    f,
-                    "a period of {period:?} s is not possible: expected a finite time that is not lost in the \
-                     rounding of the duration"
-                )
-            }
-            InvalidSetting::Restitution(restitution) => {
-                write!(
-                    f,
-                    "a restitution of {restitution:?} is not possible: it lies between 0 and 1"
-                )
-            }
+            InvalidSetting::Restitution(restitution) => write!(
+                f,
+                "a restitution of {restitution:?} is not possible: it lies between 0 and 1"
+            ),
             InvalidSetting::Limits { joint } => write!(
                 f,
                 "the limits of joint {} are no range: the lower one first, both numbers",
                 joint + 1
             ),
-            InvalidSetting::OutsideLimits {
-                joint,
-                q,
-                limits: [lower, upper],
-            } => write!(
+            InvalidSetting::OutsideLimits { joint, q, limits } => write!(
                 f,
-                "joint {} begins at {q:?}, outside of its limits {lower:?} to {upper:?}",
-                joint + 1
+                "joint {} begins at {q:?}, outside of its limits {:?} to {:?}",
+                joint + 1,
+                limits[0],
+                limits[1]
             ),
-            InvalidSetting::NoMomenta => write!(
-                f,
-                "the method works in momenta, for which the arm lacks mass_matrix or inverse_dynamics"
+            InvalidSetting::NoMomenta => f.write_str(
+                "the method works in momenta, for which the arm lacks mass_matrix or inverse_dynamics",
             ),
         }
     }

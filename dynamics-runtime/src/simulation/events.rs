@@ -3,14 +3,11 @@
 
 use core::marker::PhantomData;
 
-use super::contacts::{least_margin, let_in, margin, settle, stops_and_chatters, way_out};
 use super::error::{Cause, JointSet};
 use super::friction::Contact;
-use super::impact::thrown_back;
 use super::limits::AtLimit;
 use super::motion::{Held, Motion};
 use super::recorder::Recorder;
-use super::samples::{Followed, take_here, take_within};
 use super::sampling::Instants;
 use super::torque::TorqueLaw;
 use crate::integrate::{Phase, Stepper};
@@ -43,7 +40,7 @@ pub(super) fn here<S, R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size>(
 ) -> Result<(f64, Held<D>), Cause> {
     let phase = stepper.phase();
     let held = motion.held(stepper.t(), phase)?;
-    Ok((least_margin(motion, phase, &held), held))
+    Ok((motion.least_margin(phase, &held), held))
 }
 
 /// An integration whose steps end at the events that `F` finds.
@@ -125,9 +122,11 @@ where
             let end = self.stopped(event);
             recorder.reach(self.stepper.t(), end)?;
             steps += 1;
-            let mut taken = take_within(self.motion, self.system, self.stepper, recorder)?;
+            let mut taken = self
+                .motion
+                .take_within(self.system, self.stepper, recorder)?;
             self.turn(event, recorder)?;
-            taken |= take_here(self.motion, recorder);
+            taken |= self.motion.take_here(recorder);
             if taken {
                 (steps, self.events) = (0, 0);
                 self.hit[1] = JointSet::default();
@@ -149,7 +148,7 @@ where
             self.motion.sample(t, &recorder.phase)?;
         }
         if event || begins {
-            self.held = settle(self.motion, t, &recorder.phase)?;
+            self.held = self.motion.settle(t, &recorder.phase)?;
             self.stepper.restart(self.system, recorder.phase.clone())?;
         }
         Ok(())
@@ -184,10 +183,9 @@ where
             return cause;
         }
         let left = next - reached.t;
-        match stops_and_chatters(self.motion, reached.t, &reached.phase, left) {
-            Some(joint) => Cause::Chatter { joint },
-            None => cause,
-        }
+        let motion = self.motion;
+        let chatters = motion.stops_and_chatters(reached.t, &reached.phase, left);
+        chatters.map_or(cause, |joint| Cause::Chatter { joint })
     }
 
     /// Makes a step, up to the first event in it; whether there was one.
@@ -225,7 +223,7 @@ where
     /// one that nothing holds is let go.
     fn change(&mut self, phase: Phase<D>) -> Result<Phase<D>, Cause> {
         self.passes(&phase)?;
-        if let Some(impact) = thrown_back(self.motion, self.stepper.t(), &phase)? {
+        if let Some(impact) = self.motion.thrown_back(self.stepper.t(), &phase)? {
             if impact.is_progress {
                 self.progress();
             }
@@ -238,12 +236,12 @@ where
         }
         let (least, held) = here(self.motion, self.stepper)?;
         let contacts = self.motion.contacts();
-        let free = |i: usize| margin(self.motion, i, &phase, &held) <= least.max(0.0);
+        let free = |i: usize| self.motion.margin(i, &phase, &held) <= least.max(0.0);
         let next = self.motion.each(|i| match contacts[i] {
             Contact::Slides(way) if way != 0.0 && phase.qd[i] == 0.0 => Contact::Sticks,
             // It was held until now by all the friction that there is.
-            Contact::Sticks if free(i) => Contact::Slides(way_out(&held, i)),
-            Contact::Leans(inwards) if free(i) => let_in(self.motion, i, inwards),
+            Contact::Sticks if free(i) => Contact::Slides(held.way_out(i)),
+            Contact::Leans(inwards) if free(i) => self.motion.let_in(i, inwards),
             contact => contact,
         });
         self.count(&contacts, &next);

@@ -17,14 +17,11 @@
 //! Bounces that die out are infinitely many in a finite time. They end where no position would tell them from
 //! rest: with restitution 0, and for all joints at their stops together. One joint that is set to rest alone throws off
 //! those that lean, which come back and throw it off in turn, for ever. Joints are set to rest that would fall back from
-//! a rise below the resolution, under the forces of the other stops (`resting`). Impulses of either sign take
-//! their velocities, and no other joint passes its stop. The result has `v = 0` for these joints and `v >= 0` for others
-//! at their stops. Of all such velocities it is the nearest to those before, as measured by the kinetic energy. They
-//! form a cone, so that the energy does not rise. The accelerations then decide which joints lean and which leave
-//! ([`contacts`](super::contacts)).
+//! a rise below the resolution (`resting`). Impulses of either sign take their velocities, and no other joint passes its
+//! stop. The result is the nearest to the velocities before, as measured by the kinetic energy, of all velocities with
+//! `v = 0` for these joints and `v >= 0` for others at their stops. They form a cone, so that the energy does not rise.
 
 use super::complementarity::{Place, balanced};
-use super::contacts::{balance_at_rest, classified, settle};
 use super::error::{Cause, JointSet};
 use super::limits::{AtLimit, End};
 use super::motion::Motion;
@@ -44,58 +41,128 @@ pub(super) struct Impact<D: Size> {
     pub(super) is_progress: bool,
 }
 
-/// Begins a motion: joints that hit a stop are thrown back, and joints at rest stick or lean on a stop, if they are
-/// held. Returns the phase after that.
-pub(super) fn settle_at_start<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size>(
-    motion: &Motion<R, L, D>,
-    phase: &Phase<D>,
-) -> Result<Phase<D>, Cause> {
-    motion.set_contacts(classified(motion, phase));
-    let impact = thrown_back(motion, 0.0, phase)?;
-    let phase = impact.map_or_else(|| phase.clone(), |impact| impact.after);
-    motion.set_contacts(classified(motion, &phase));
-    settle(motion, 0.0, &phase)?;
-    Ok(phase)
-}
-
-/// The impacts of all joints that hit their stops; `None` where none does.
-///
-/// A joint that leaves its stop may be driven back into it by the impact of another one: impacts follow
-/// each other until none is left. The contacts of the motion are those after the impacts.
-pub(super) fn thrown_back<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size>(
-    motion: &Motion<R, L, D>,
-    t: f64,
-    before: &Phase<D>,
-) -> Result<Option<Impact<D>>, Cause> {
-    let AtLimit::Rebounds { restitution } = motion.limits().kind else {
-        return Ok(None);
-    };
-    let ends: Ends<D> = motion.each(|i| motion.limits().end(i, before.q[i]));
-    if motion.joints().all(|i| !hits::<D>(&ends, &before.qd, i)) {
-        return Ok(None);
+impl<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size> Motion<'_, R, L, D> {
+    /// Begins a motion: joints that hit a stop are thrown back, and joints at rest stick or lean on a stop, if they are
+    /// held. Returns the phase after that.
+    pub(super) fn settle_at_start(&self, phase: &Phase<D>) -> Result<Phase<D>, Cause> {
+        self.set_contacts(self.classified(phase));
+        let impact = self.thrown_back(0.0, phase)?;
+        let after = impact.map_or_else(|| phase.clone(), |impact| impact.after);
+        self.set_contacts(self.classified(&after));
+        self.settle(0.0, &after)?;
+        Ok(after)
     }
-    let mut phase = before.clone();
-    for i in motion.joints() {
-        // Joints that move inwards are on their way already.
-        if let Some(end) = ends[i].filter(|end| end.inwards * phase.qd[i] <= 0.0) {
-            phase.q[i] = end.at;
+
+    /// The impacts of all joints that hit their stops; `None` where none does.
+    ///
+    /// A joint that leaves its stop may be driven back into it by the impact of another one: impacts follow
+    /// each other until none is left. The contacts of the motion are those after the impacts.
+    pub(super) fn thrown_back(
+        &self,
+        t: f64,
+        before: &Phase<D>,
+    ) -> Result<Option<Impact<D>>, Cause> {
+        let AtLimit::Rebounds { restitution } = self.limits().kind else {
+            return Ok(None);
+        };
+        let ends: Ends<D> = self.each(|i| self.limits().end(i, before.q[i]));
+        if self.joints().all(|i| !hits::<D>(&ends, &before.qd, i)) {
+            return Ok(None);
+        }
+        let mut phase = before.clone();
+        for i in self.joints() {
+            // Joints that move inwards are on their way already.
+            if let Some(end) = ends[i].filter(|end| end.inwards * phase.qd[i] <= 0.0) {
+                phase.q[i] = end.at;
+            }
+        }
+        let (tau, at_end) = (self.torques(t, &phase)?, self.each(|i| ends[i].is_some()));
+        let (qdd, responses) = self.responses(&phase, &tau, &at_end)?;
+        let is_progress = self.joints().any(|i| {
+            let fallen = |end: End| 0.5 * phase.qd[i].powi(2) > qdd[i].abs() * end.resolution();
+            hits::<D>(&ends, &phase.qd, i) && ends[i].is_some_and(fallen)
+        });
+        let mut joints = JointSet::default();
+        let rebound = rebounds::<D>(phase.qd, &ends, &responses, restitution, &mut joints);
+        phase.qd = rebound.ok_or(Cause::Impacts { joints })?;
+        let after = self.at_rest(t, phase, &ends, &responses)?;
+        Ok(Some(Impact {
+            after: after.ok_or(Cause::Impacts { joints })?,
+            joints,
+            is_progress,
+        }))
+    }
+
+    /// The phase in which joints that bounce no more are at rest, those at their stops together.
+    fn at_rest(
+        &self,
+        t: f64,
+        mut phase: Phase<D>,
+        ends: &Ends<D>,
+        responses: &D::Matrix,
+    ) -> Result<Option<Phase<D>>, Cause> {
+        loop {
+            let rest = self.resting(t, &phase, ends, responses)?;
+            for i in self.joints().filter(|i| rest[*i]) {
+                phase.q[i] = ends[i].map_or(phase.q[i], |end| end.at);
+            }
+            // Joints at rest stay so: each time there are more of them.
+            if self.joints().all(|i| !rest[i] || phase.qd[i] == 0.0) {
+                self.set_contacts(self.classified(&phase));
+                return Ok(Some(phase));
+            }
+            let wanted = self.each(|i| {
+                let least = Wanted::least(ends[i]?.inwards, 0.0);
+                Some(if rest[i] { Wanted::REST } else { least })
+            });
+            match after::<D>(&phase.qd, &wanted, responses) {
+                Some(qd) => phase.qd = qd,
+                None => return Ok(None),
+            }
         }
     }
-    let tau = motion.torques(t, &phase)?;
-    let (qdd, responses) = motion.responses(&phase, &tau, &motion.each(|i| ends[i].is_some()))?;
-    let is_progress = motion.joints().any(|i| {
-        let fallen = |end: End| 0.5 * phase.qd[i].powi(2) > qdd[i].abs() * end.resolution();
-        hits::<D>(&ends, &phase.qd, i) && ends[i].is_some_and(fallen)
-    });
-    let mut joints = JointSet::default();
-    let rebound = rebounds::<D>(phase.qd, &ends, &responses, restitution, &mut joints);
-    phase.qd = rebound.ok_or(Cause::Impacts { joints })?;
-    let after = at_rest(motion, t, phase, &ends, &responses)?.ok_or(Cause::Impacts { joints })?;
-    Ok(Some(Impact {
-        after,
-        joints,
-        is_progress,
-    }))
+
+    /// The joints at their stops that are at rest, or move inwards so slowly that they are set to rest.
+    ///
+    /// With all of them at rest, the stop and dry friction hold joint i with a force f_i, and it alone would fall back
+    /// with the acceleration f_i / m ([`inertia`](super::complementarity::Balance::inertia)) from a rise of
+    /// `v^2 m / (2 f_i)`. The joint of the greatest energy v^2 / W_ii that rises by more, or that nothing holds, is left
+    /// out, and the others are asked again.
+    fn resting(
+        &self,
+        t: f64,
+        phase: &Phase<D>,
+        ends: &Ends<D>,
+        responses: &D::Matrix,
+    ) -> Result<D::Each<bool>, Cause> {
+        let mut rest = self.each(|i| ends[i].is_some());
+        while self.joints().any(|i| rest[i] && phase.qd[i] != 0.0) {
+            let mut still = phase.clone();
+            for i in self.joints().filter(|i| rest[*i]) {
+                still.qd[i] = 0.0;
+                still.q[i] = ends[i].map_or(phase.q[i], |end| end.at);
+            }
+            self.set_contacts(self.classified(&still));
+            let balance = self.balance_at_rest(t, &still, self.each(|_| Place::Between))?;
+            let rises = |i: usize| {
+                let Some(end) = ends[i].filter(|_| balance.places[i] == Place::Between) else {
+                    return true;
+                };
+                let hold = end.inwards * balance.forces[i] + self.breakaway(i, end.inwards);
+                let mass = balance.inertia(i);
+                let least = self.limits().least_rise(&end, hold / mass);
+                0.5 * mass * phase.qd[i].powi(2) > hold * least
+            };
+            let energy = |i: &usize| phase.qd[*i].powi(2) / responses[(*i, *i)];
+            let moving = |i: &usize| rest[*i] && phase.qd[*i] != 0.0 && rises(*i);
+            let by_energy = |i: &usize, j: &usize| energy(i).total_cmp(&energy(j));
+            match self.joints().filter(moving).max_by(by_energy) {
+                Some(i) => rest[i] = false,
+                None => break,
+            }
+        }
+        Ok(rest)
+    }
 }
 
 /// The ends of their ranges where joints are.
@@ -120,11 +187,8 @@ fn rebounds<D: Size>(
             return None;
         }
         // Without restitution one impact is the last, but for rounding.
-        let e = if impacts < MOST_IMPACTS {
-            restitution
-        } else {
-            0.0
-        };
+        let is_elastic = impacts < MOST_IMPACTS;
+        let e = if is_elastic { restitution } else { 0.0 };
         let wanted = size.each(|i| {
             let end = ends[i]?;
             let rebound = -e * end.inwards * qd[i];
@@ -138,84 +202,8 @@ fn rebounds<D: Size>(
     Some(qd)
 }
 
-/// So many impacts at one time are made with restitution, and as many without.
+/// The most impacts at one time that are made with restitution, and without.
 const MOST_IMPACTS: usize = 10_000;
-
-/// The phase in which joints that bounce no more are at rest, those at their stops together.
-fn at_rest<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size>(
-    motion: &Motion<R, L, D>,
-    t: f64,
-    mut phase: Phase<D>,
-    ends: &Ends<D>,
-    responses: &D::Matrix,
-) -> Result<Option<Phase<D>>, Cause> {
-    loop {
-        let rest = resting(motion, t, &phase, ends, responses)?;
-        for i in motion.joints().filter(|i| rest[*i]) {
-            phase.q[i] = ends[i].map_or(phase.q[i], |end| end.at);
-        }
-        // Joints at rest stay so: each time there are more of them.
-        if motion.joints().all(|i| !rest[i] || phase.qd[i] == 0.0) {
-            motion.set_contacts(classified(motion, &phase));
-            return Ok(Some(phase));
-        }
-        let wanted = motion.each(|i| {
-            let inwards = ends[i]?.inwards;
-            Some(if rest[i] {
-                Wanted::REST
-            } else {
-                Wanted::least(inwards, 0.0)
-            })
-        });
-        match after::<D>(&phase.qd, &wanted, responses) {
-            Some(qd) => phase.qd = qd,
-            None => return Ok(None),
-        }
-    }
-}
-
-/// The joints at their stops that are at rest, or move inwards so slowly that they are set to rest.
-///
-/// With all of them at rest, the stop and dry friction hold joint i with a force f_i, and it alone would fall back with
-/// the acceleration f_i / m ([`inertia`](super::complementarity::Balance::inertia)) from a rise of `v^2 m / (2 f_i)`.
-/// The joint of the greatest energy v^2 / W_ii that rises by more, or that nothing holds, is left out, and the others
-/// are asked again.
-fn resting<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size>(
-    motion: &Motion<R, L, D>,
-    t: f64,
-    phase: &Phase<D>,
-    ends: &Ends<D>,
-    responses: &D::Matrix,
-) -> Result<D::Each<bool>, Cause> {
-    let mut rest = motion.each(|i| ends[i].is_some());
-    while motion.joints().any(|i| rest[i] && phase.qd[i] != 0.0) {
-        let mut still = phase.clone();
-        for i in motion.joints().filter(|i| rest[*i]) {
-            still.qd[i] = 0.0;
-            still.q[i] = ends[i].map_or(phase.q[i], |end| end.at);
-        }
-        motion.set_contacts(classified(motion, &still));
-        let balance = balance_at_rest(motion, t, &still, motion.each(|_| Place::Between))?;
-        let rises = |i: usize| {
-            let Some(end) = ends[i].filter(|_| balance.places[i] == Place::Between) else {
-                return true;
-            };
-            let hold = end.inwards * balance.forces[i] + motion.breakaway(i, end.inwards);
-            let mass = balance.inertia(i);
-            let least = motion.limits().least_rise(&end, hold / mass);
-            0.5 * mass * phase.qd[i].powi(2) > hold * least
-        };
-        let energy = |i: usize| phase.qd[i].powi(2) / responses[(i, i)];
-        let moving = motion
-            .joints()
-            .filter(|i| rest[*i] && phase.qd[*i] != 0.0 && rises(*i));
-        match moving.max_by(|i, j| energy(*i).total_cmp(&energy(*j))) {
-            Some(i) => rest[i] = false,
-            None => break,
-        }
-    }
-    Ok(rest)
-}
 
 /// The demand of an impact on a joint at a stop.
 #[derive(Clone, Copy, Debug, PartialEq)]

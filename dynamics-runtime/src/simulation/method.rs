@@ -1,17 +1,16 @@
 //! The methods of integration.
 
+use super::by_margins::ByMargins;
 use super::drive::drive;
-use super::impact::settle_at_start;
 use super::motion::{InMomenta, Motion};
-use super::samples::Followed;
 use super::settings::{Dop853, DormandPrince, ErrorControl, Radau5, validate_step};
 
 use super::error::{Cause, InvalidSetting};
 use super::recorder::Recorder;
 use super::torque::TorqueLaw;
 use crate::integrate::{
-    Adaptive, Dop853Method, DormandPrince54, Embedded, Euler, FixedStep, GaussLegendre, OneStep,
-    Radau, Rk4,
+    Adaptive, Dop853Method, DormandPrince54, Euler, FixedStep, GaussLegendre, OneStep, Phase,
+    Radau, Rk4, StepRange, Stepper, Tolerance,
 };
 use crate::simulation::EquationsOfMotion;
 use crate::size::Size;
@@ -140,11 +139,15 @@ impl Method {
                 canonical(GaussLegendre::order_6(), *step, motion, recorder)
             }
             Method::DormandPrince(settings) => {
-                adaptive::<DormandPrince54, _, _, D>(&settings.control(), motion, recorder)
+                let start = Adaptive::<DormandPrince54, D>::start;
+                controlled(settings.control(), motion, recorder, start)
             }
-            Method::Radau5(settings) => radau(&settings.control(), motion, recorder),
             Method::Dop853(settings) => {
-                adaptive::<Dop853Method, _, _, D>(&settings.control(), motion, recorder)
+                let start = Adaptive::<Dop853Method, D>::start;
+                controlled(settings.control(), motion, recorder, start)
+            }
+            Method::Radau5(settings) => {
+                controlled(settings.control(), motion, recorder, Radau::start)
             }
         }
     }
@@ -181,7 +184,7 @@ pub(super) fn begin<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size>(
     let initial = recorder.phase.clone();
     let mut begun = motion.sample(0.0, &initial).map(|()| initial.clone());
     if motion.has_events() {
-        begun = begun.and_then(|phase| settle_at_start(motion, &phase));
+        begun = begun.and_then(|phase| motion.settle_at_start(&phase));
     }
     let forces = motion.forces(0.0, &initial);
     recorder.push(0.0, initial, forces);
@@ -197,7 +200,7 @@ fn fixed<S, R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size>(
     recorder: &mut Recorder<D>,
 ) -> Result<(), Cause> {
     let mut run = FixedStep::start(method, recorder.grid(step), recorder.phase.clone());
-    drive(motion, system, &mut run, recorder, usize::MAX)
+    follow(motion, system, &mut run, recorder, usize::MAX)
 }
 
 fn canonical<R: EquationsOfMotion<D>, L: TorqueLaw<D>, const STAGES: usize, D: Size>(
@@ -210,34 +213,28 @@ fn canonical<R: EquationsOfMotion<D>, L: TorqueLaw<D>, const STAGES: usize, D: S
     fixed(method, step, motion, &system, recorder)
 }
 
-fn adaptive<M: Embedded<D>, R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size>(
-    control: &ErrorControl,
-    motion: &Motion<R, L, D>,
+/// A run under error control, by the stepper that `start` makes.
+fn controlled<'m, K, R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size>(
+    control: ErrorControl,
+    motion: &Motion<'m, R, L, D>,
     recorder: &mut Recorder<D>,
-) -> Result<(), Cause> {
-    let range = control.range(recorder.duration());
-    let mut run = Adaptive::<M, D>::start(
-        motion,
-        0.0,
-        recorder.phase.clone(),
-        control.tolerance,
-        range,
-    )?;
-    drive(motion, motion, &mut run, recorder, control.max_steps).map_err(Cause::of_long_steps)
+    start: impl FnOnce(&Motion<'m, R, L, D>, Phase<D>, Tolerance, StepRange) -> Result<K, Cause>,
+) -> Result<(), Cause>
+where
+    K: Stepper<Motion<'m, R, L, D>, Cause, D>,
+{
+    let (range, phase) = (control.range(recorder.duration()), recorder.phase.clone());
+    let mut run = start(motion, phase, control.tolerance, range)?;
+    follow(motion, motion, &mut run, recorder, control.max_steps).map_err(Cause::of_long_steps)
 }
 
-fn radau<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size>(
-    control: &ErrorControl,
+/// Follows a motion by a stepper that is known at run time alone.
+fn follow<S, R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size>(
     motion: &Motion<R, L, D>,
+    system: &S,
+    stepper: &mut dyn Stepper<S, Cause, D>,
     recorder: &mut Recorder<D>,
+    max_steps: usize,
 ) -> Result<(), Cause> {
-    let range = control.range(recorder.duration());
-    let mut run = Radau::start(
-        motion,
-        0.0,
-        recorder.phase.clone(),
-        control.tolerance,
-        range,
-    )?;
-    drive(motion, motion, &mut run, recorder, control.max_steps).map_err(Cause::of_long_steps)
+    drive::<ByMargins, _, _, _, _, _>(motion, system, stepper, recorder, max_steps)
 }

@@ -28,10 +28,11 @@ use nalgebra::{Matrix4, Vector6};
 use crate::integrate::Phase;
 use crate::size::Size;
 use crate::table::AsArm as _;
+use error::Outcome;
 use friction::Law;
 use limits::{AtLimit, Limits};
 use motion::Motion;
-use plan::Plan;
+use plan::{Plan, plan_setters};
 use recorder::Recorder;
 use torque::{Laws, SampledLaws, TorqueLaw};
 
@@ -44,11 +45,11 @@ pub use error::{Cause, InvalidSetting, JointSet, SimulationError, SizedSimulatio
 pub use friction::Friction;
 pub use method::Method;
 pub use sampling::{Continuous, Sampled};
-pub use settings::{Dop853, DormandPrince, Radau5};
-pub use taylor::{HeldTorque, Taylor, TaylorSimulation};
+pub use settings::{Dop853, DormandPrince, Radau5, Taylor};
+pub use taylor::{HeldTorque, TaylorSimulation};
 pub use tool_wrench::{ContinuousWrench, HeldToolWrench, NoToolWrench, ToolWrench};
 pub use torque::NoTorque;
-pub use trajectory::{SizedTrajectory, Trajectory, Work};
+pub use trajectory::{Sample, SizedTrajectory, Trajectory, Work};
 
 /// A simulation of an arm: set it up, then [`run`](Simulation::run) it.
 ///
@@ -90,25 +91,25 @@ pub struct Simulation<'a, R, L, D: Size, W = NoToolWrench, S = Continuous> {
     torque: L,
     tool_wrench: W,
     asked: S,
-    method: Method,
-    friction: Law<D>,
-    limits: Limits<D>,
-    plan: Plan<D>,
+    setting: Setting<D>,
 }
 
 impl<'a, R: EquationsOfMotion<D>, D: Size> Simulation<'a, R, NoTorque<D>, D> {
     /// Free motion of the arm.
     pub fn new(robot: &'a R) -> Self {
         let size = robot.size();
+        let setting = Setting {
+            method: Method::default(),
+            friction: Law::sign(size),
+            limits: Limits::none(size),
+            plan: Plan::new(size),
+        };
         Simulation {
             robot,
             torque: |_, q, _| D::of(q).vector(),
             tool_wrench: NoToolWrench,
             asked: Continuous,
-            method: Method::default(),
-            friction: Law::sign(size),
-            limits: Limits::none(size),
-            plan: Plan::new(size),
+            setting,
         }
     }
 }
@@ -310,19 +311,14 @@ impl<'a, R, L, W, S, D: Size> Simulation<'a, R, L, D, W, S> {
             torque,
             tool_wrench,
             asked,
-            method: self.method,
-            friction: self.friction,
-            limits: self.limits,
-            plan: self.plan,
+            setting: self.setting,
         }
     }
 
     /// The method of integration: a [`Method`], or the settings of [`DormandPrince`] alone.
-    pub fn method(self, method: impl Into<Method>) -> Self {
-        Simulation {
-            method: method.into(),
-            ..self
-        }
+    pub fn method(mut self, method: impl Into<Method>) -> Self {
+        self.setting.method = method.into();
+        self
     }
 
     /// How the dry friction of the arm's table is treated; by default, [`Friction::Sign`].
@@ -330,8 +326,8 @@ impl<'a, R, L, W, S, D: Size> Simulation<'a, R, L, D, W, S> {
     where
         R: SizedModel<D>,
     {
-        self.friction.dry = self.robot.sized_table().arm().dry_friction::<D>();
-        self.friction.kind = kind;
+        let dry = self.robot.sized_table().arm().dry_friction::<D>();
+        self.setting.friction = Law { kind, dry };
         self
     }
 
@@ -400,28 +396,12 @@ impl<'a, R, L, W, S, D: Size> Simulation<'a, R, L, D, W, S> {
         R: SizedModel<D>,
     {
         let table = self.robot.sized_table();
-        self.friction.dry = table.arm().dry_friction::<D>();
-        self.limits = Limits::of(table.arm(), kind);
+        self.setting.friction.dry = table.arm().dry_friction::<D>();
+        self.setting.limits = Limits::of(table.arm(), kind);
         self
     }
 
-    /// Positions and velocities at t = 0.
-    pub fn initial(mut self, q: D::Vector, qd: D::Vector) -> Self {
-        self.plan.initial = Phase { q, qd };
-        self
-    }
-
-    /// The time simulated, s.
-    pub fn duration(mut self, duration: f64) -> Self {
-        self.plan.duration = duration;
-        self
-    }
-
-    /// The number of samples, at equal intervals, the first at t = 0 and the last at the end.
-    pub fn samples(mut self, samples: usize) -> Self {
-        self.plan.samples = samples;
-        self
-    }
+    plan_setters!(D::Vector);
 }
 
 impl<R, L, W, D: Size> Simulation<'_, R, L, D, W>
@@ -446,7 +426,7 @@ where
             torque: &self.torque,
             tool_wrench: &self.tool_wrench,
         };
-        self.setting().run(self.robot, &laws)
+        self.setting.run(self.robot, &laws)
     }
 }
 
@@ -456,42 +436,21 @@ where
     L: FnMut(f64, &D::Vector, &D::Vector) -> D::Vector,
     W: ToolWrench<R, D>,
 {
-    /// Runs the simulation. It allocates the samples at the start and nothing later.
+    /// Runs the simulation, as under laws that are functions of time and state.
     ///
     /// # Errors
     ///
-    /// [`SimulationError`], with the time and the state reached and all samples up to there. Its [`Cause`] is an invalid
-    /// setting; a singular mass matrix, a limit that is an error, or a torque, force, acceleration or state that is
-    /// not finite, reached by the motion; or an error that cannot be held. Never panics, unless a law does.
+    /// [`SimulationError`], as under these.
     pub fn run(&mut self) -> Result<SizedTrajectory<D>, Box<SizedSimulationError<D>>> {
-        let (setting, period) = (self.setting(), self.asked);
-        if let Err(setting) = period.validate(self.plan.duration) {
-            let recorder = Recorder::new(self.plan.initial.clone());
-            return recorder.finished(Err(setting.into()), 0);
-        }
-        let laws = SampledLaws::new(
-            self.plan.initial.size(),
-            self.robot,
-            period.period,
-            &mut self.torque,
-            &mut self.tool_wrench,
-        );
-        setting.run(self.robot, &laws)
+        let (size, period) = (self.robot.size(), Some(self.asked.period));
+        let (torque, tool_wrench) = (&mut self.torque, &mut self.tool_wrench);
+        let laws = SampledLaws::new(size, self.robot, period, torque, tool_wrench);
+        self.setting.run(self.robot, &laws)
     }
 }
 
-impl<R, L, W, S, D: Size> Simulation<'_, R, L, D, W, S> {
-    fn setting(&self) -> Setting<D> {
-        Setting {
-            method: self.method,
-            friction: self.friction.clone(),
-            limits: self.limits.clone(),
-            plan: self.plan.clone(),
-        }
-    }
-}
-
-/// What a run is asked for, whatever moves the arm.
+/// A run that is asked for, whatever moves the arm.
+#[derive(Clone, Debug)]
 struct Setting<D: Size> {
     method: Method,
     friction: Law<D>,
@@ -500,11 +459,7 @@ struct Setting<D: Size> {
 }
 
 impl<D: Size> Setting<D> {
-    fn run<R: EquationsOfMotion<D>>(
-        &self,
-        robot: &R,
-        laws: &impl TorqueLaw<D>,
-    ) -> Result<SizedTrajectory<D>, Box<SizedSimulationError<D>>> {
+    fn run<R: EquationsOfMotion<D>>(&self, robot: &R, laws: &impl TorqueLaw<D>) -> Outcome<D> {
         let mut recorder = Recorder::new(self.plan.initial.clone());
         let mut limits = self.limits.clone();
         let interval = self.plan.duration / (self.plan.samples as f64 - 1.0);
@@ -519,7 +474,7 @@ impl<D: Size> Setting<D> {
         motion: &Motion<R, L, D>,
         recorder: &mut Recorder<D>,
     ) -> Result<(), Cause> {
-        self.plan.validate()?;
+        self.plan.validate(motion.period())?;
         self.friction.validate()?;
         self.limits.validate(&self.plan.initial)?;
         self.method.validate(self.plan.duration)?;

@@ -8,7 +8,6 @@ use super::complementarity::block;
 use super::error::Cause;
 use super::friction::{Contact, Friction, Law};
 use super::limits::Limits;
-use super::samples::Followed;
 use super::torque::{self, TorqueLaw};
 use super::trajectory::Forces;
 use crate::integrate::{Canonical, Equations, Phase, Point, first_non_finite};
@@ -240,9 +239,9 @@ impl<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size> Motion<'_, R, L, D> {
     }
 }
 
-impl<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size> Followed<D> for Motion<'_, R, L, D> {
-    /// Not a number where the laws or the equations refuse: what is recorded ends no run.
-    fn forces(&self, t: f64, phase: &Phase<D>) -> Forces<D> {
+impl<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size> Motion<'_, R, L, D> {
+    /// The accelerations and torques of a sample: NaN where the laws or the equations refuse, which ends no run.
+    pub(super) fn forces(&self, t: f64, phase: &Phase<D>) -> Forces<D> {
         let (evaluations, tau) = (self.evaluations.get(), self.torque.motors(t, phase));
         let law = torque::finite(tau.clone()).and_then(|tau| self.torque.with_tool(tau, t, phase));
         let held = law.and_then(|tau| self.held_under(phase, &self.with_friction(phase, tau)));
@@ -253,11 +252,13 @@ impl<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size> Followed<D> for Motion<'
         }
     }
 
-    fn period(&self) -> Option<f64> {
+    /// The period of laws that are sampled and held.
+    pub(super) fn period(&self) -> Option<f64> {
         self.torque.period()
     }
 
-    fn sample(&self, t: f64, phase: &Phase<D>) -> Result<(), Cause> {
+    /// Begins a period: calls the laws that are sampled.
+    pub(super) fn sample(&self, t: f64, phase: &Phase<D>) -> Result<(), Cause> {
         self.torque.sample(t, phase)
     }
 }

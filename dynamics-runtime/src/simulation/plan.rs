@@ -1,6 +1,7 @@
-//! What a run is asked for, whatever method makes it.
+//! The plan of a run, whatever method makes it.
 
 use super::error::InvalidSetting;
+use super::settings::is_possible;
 use crate::integrate::Phase;
 use crate::size::Size;
 
@@ -25,12 +26,16 @@ impl<D: Size> Plan<D> {
         }
     }
 
-    pub(super) fn validate(&self) -> Result<(), InvalidSetting> {
+    /// Whether it makes sense, with laws that are sampled at a period or not.
+    pub(super) fn validate(&self, period: Option<f64>) -> Result<(), InvalidSetting> {
         if !(self.duration >= SHORTEST && self.duration.is_finite()) {
             return Err(InvalidSetting::Duration(self.duration));
         }
         if self.samples < 2 {
             return Err(InvalidSetting::Samples(self.samples));
+        }
+        if let Some(period) = period.filter(|period| !is_possible(*period, self.duration)) {
+            return Err(InvalidSetting::Period(period));
         }
         match self.initial.first_non_finite() {
             Some(joint) => Err(InvalidSetting::InitialState { joint }),
@@ -38,3 +43,28 @@ impl<D: Size> Plan<D> {
         }
     }
 }
+
+/// The methods by which a simulation is given its plan, where the joints have vectors of a type.
+macro_rules! plan_setters {
+    ($vector:ty) => {
+        /// Positions and velocities at t = 0, rad or m, and per second.
+        pub fn initial(mut self, q: $vector, qd: $vector) -> Self {
+            self.setting.plan.initial = Phase { q, qd };
+            self
+        }
+
+        /// The time simulated, s.
+        pub fn duration(mut self, duration: f64) -> Self {
+            self.setting.plan.duration = duration;
+            self
+        }
+
+        /// The number of samples, at equal intervals, the first at t = 0 and the last at the end.
+        pub fn samples(mut self, samples: usize) -> Self {
+            self.setting.plan.samples = samples;
+            self
+        }
+    };
+}
+
+pub(super) use plan_setters;

@@ -1,7 +1,5 @@
 //! When the laws of a simulation are asked.
 
-use super::error::InvalidSetting;
-
 /// Laws that are called wherever the integration evaluates the equations of motion. They are functions of time and
 /// state alone (`Fn`).
 ///
@@ -17,16 +15,6 @@ pub struct Continuous;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sampled {
     pub(super) period: f64,
-}
-
-impl Sampled {
-    /// A period that is lost in the rounding of the time would never end.
-    pub(super) fn validate(&self, duration: f64) -> Result<(), InvalidSetting> {
-        match self.period > duration * f64::EPSILON && self.period.is_finite() {
-            true => Ok(()),
-            false => Err(InvalidSetting::Period(self.period)),
-        }
-    }
 }
 
 /// Whether a time lies before another by more than the rounding of the two.

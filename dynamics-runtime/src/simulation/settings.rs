@@ -36,9 +36,13 @@ impl ErrorControl {
     }
 }
 
-/// A step that is lost in the rounding of the time would never end.
+/// Whether a run can be made of such steps or periods: it would never end if they were lost in the rounding of the time.
+pub(super) fn is_possible(step: f64, duration: f64) -> bool {
+    step > duration * f64::EPSILON && step.is_finite()
+}
+
 pub(super) fn validate_step(step: f64, duration: f64) -> Result<(), InvalidSetting> {
-    if step > duration * f64::EPSILON && step.is_finite() {
+    if is_possible(step, duration) {
         Ok(())
     } else {
         Err(InvalidSetting::Step(step))
@@ -46,16 +50,22 @@ pub(super) fn validate_step(step: f64, duration: f64) -> Result<(), InvalidSetti
 }
 
 macro_rules! settings {
-    ($(#[$documentation:meta])* $name:ident) => {
+    (
+        $(#[$documentation:meta])*
+        $name:ident, tolerance: $tolerance:literal, steps: $least_steps:literal, longest: $longest:literal
+        $(, $(#[$about:meta])* $own:ident: $kind:ty)?
+    ) => {
         $(#[$documentation])*
         #[derive(Clone, Copy, Debug, PartialEq)]
         #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+        #[non_exhaustive]
         pub struct $name {
             /// Relative tolerance of a step.
             pub relative_tolerance: f64,
             /// Absolute tolerance of a step, rad or m, and per second.
             pub absolute_tolerance: f64,
-            /// The longest step, s; `None` for a fiftieth of the duration, infinity for no bound.
+            $($(#[$about])* pub $own: Option<$kind>,)?
+            #[doc = concat!("The longest step, s; `None` for a ", $longest, " of the duration, infinity for no bound.")]
             ///
             /// The estimate vanishes in an arm at rest, and without this bound a step could become as long as the run:
             /// a torque that comes and goes within it would never be noticed.
@@ -66,14 +76,21 @@ macro_rules! settings {
 
         impl $name {
             /// One value for both tolerances, the other settings as by default.
-            pub fn with_tolerance(tolerance: f64) -> Self {
+            pub const fn with_tolerance(tolerance: f64) -> Self {
                 $name {
                     relative_tolerance: tolerance,
                     absolute_tolerance: tolerance,
+                    $($own: None,)?
                     max_step: None,
                     max_steps: 100_000,
                 }
             }
+
+            settings! { @set relative_tolerance: f64 => relative_tolerance }
+            settings! { @set absolute_tolerance: f64 => absolute_tolerance }
+            $(settings! { @set $own: $kind => Some($own) })?
+            settings! { @set max_step: f64 => Some(max_step) }
+            settings! { @set max_steps: usize => max_steps }
 
             pub(super) fn control(&self) -> ErrorControl {
                 ErrorControl {
@@ -82,18 +99,25 @@ macro_rules! settings {
                         absolute: self.absolute_tolerance,
                     },
                     max_step: self.max_step,
-                    least_steps: 50.0,
+                    least_steps: $least_steps,
                     max_steps: self.max_steps,
                 }
             }
         }
 
         impl Default for $name {
-            /// Tolerances of 1e-9, steps of up to a fiftieth of the duration, at most 100 000 of
-            /// them between two samples.
+            #[doc = concat!("Tolerances of ", $tolerance, ", steps of up to a ", $longest, " of the duration,")]
+            /// at most 100 000 of them between two samples.
             fn default() -> Self {
-                $name::with_tolerance(1e-9)
+                $name::with_tolerance($tolerance)
             }
+        }
+    };
+    (@set $name:ident: $kind:ty => $value:expr) => {
+        #[doc = concat!("With another [`", stringify!($name), "`](field@Self::", stringify!($name), ").")]
+        pub const fn $name(mut self, $name: $kind) -> Self {
+            self.$name = $value;
+            self
         }
     };
 }
@@ -109,7 +133,7 @@ settings! {
     /// Dry friction is discontinuous in the velocity: a joint that sticks makes the steps minute,
     /// and the run ends with [`Cause::TooManySteps`](crate::simulation::Cause::TooManySteps), unless stopping and
     /// sticking are events ([`Friction::Sticking`](crate::Friction::Sticking)).
-    DormandPrince
+    DormandPrince, tolerance: 1e-9, steps: 50.0, longest: "fiftieth"
 }
 
 settings! {
@@ -120,7 +144,7 @@ settings! {
     /// fewer evaluations of forward dynamics than [`DormandPrince`]. A step takes twelve of them, and
     /// three more where a sample lies within it, which is taken from a polynomial of seventh order.
     /// The settings mean what they mean there.
-    Dop853
+    Dop853, tolerance: 1e-9, steps: 50.0, longest: "fiftieth"
 }
 
 settings! {
@@ -134,5 +158,19 @@ settings! {
     /// two for each joint where the Jacobian is renewed, which is formed by differences and so
     /// includes the torque law. Samples within the steps are taken from a polynomial of third
     /// degree. The settings mean what they mean for [`DormandPrince`].
-    Radau5
+    Radau5, tolerance: 1e-9, steps: 50.0, longest: "fiftieth"
+}
+
+settings! {
+    /// Settings of the Taylor method.
+    ///
+    /// A step is so long that the last terms of the series of each position and velocity y stay below
+    /// `absolute_tolerance + relative_tolerance |y|`; the error of a step is a few times smaller. The
+    /// error of a whole run grows with its length and with the motion's own sensitivity. Steps are added
+    /// with compensated sums, so that a tolerance of 1e-16 makes sense: what remains is the rounding of
+    /// the equations. Samples between the ends of steps are taken from the series and are as accurate as those ends.
+    Taylor, tolerance: 1e-12, steps: 10.0, longest: "tenth",
+    /// The order of the series, 8 to [`MAX_TAYLOR_ORDER`](crate::simulation::MAX_TAYLOR_ORDER); `None` for the
+    /// one that suits the tolerance.
+    order: usize
 }

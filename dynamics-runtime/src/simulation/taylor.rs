@@ -1,99 +1,45 @@
 //! Integration by Taylor series.
 
-use core::cell::{Cell, RefCell};
-
 use nalgebra::{Const, SVector};
 
 use super::by_series::BySeries;
-use super::drive::smooth;
-use super::error::{Cause, InvalidSetting, SimulationError};
-use super::events::Eventful;
+use super::drive::drive;
+use super::error::{Cause, InvalidSetting, Outcome, SimulationError};
 use super::friction::Law;
 use super::limits::{AtLimit, Limits};
 use super::method::begin;
 use super::motion::Motion;
-use super::plan::Plan;
+use super::plan::{Plan, plan_setters};
 use super::recorder::Recorder;
 use super::sampling::Sampled;
-use super::settings::ErrorControl;
-use super::torque::{NoTorque, TorqueLaw, finite};
+use super::settings::Taylor;
+use super::tool_wrench::NoToolWrench;
+use super::torque::{NoTorque, SampledLaws, TorqueLaw};
 use super::trajectory::Trajectory;
 use crate::equations_of_motion::inverse_columns;
 use crate::factorisation::JointFactors;
-use crate::integrate::{Phase, Tolerance};
+use crate::integrate::Phase;
 use crate::table::AsArm as _;
-use crate::taylor::{FEWEST_ORDERS, SeriesStepper, Steady, mass_matrix, order};
+use crate::taylor::{FEWEST_ORDERS, MAX_TAYLOR_ORDER, SeriesStepper, Steady, mass_matrix, order};
 use crate::{
     SingularMassMatrix, SizedMomenta,
     simulation::{EquationsOfMotion, Responses, TaylorDynamics},
 };
 
-/// Settings of the Taylor method.
-///
-/// A step is so long that the last terms of the series of each position and velocity y stay below
-/// `absolute_tolerance + relative_tolerance |y|`; the error of a step is a few times smaller. The
-/// error of a whole run grows with its length and with the motion's own sensitivity. Steps are added
-/// with compensated sums, so that a tolerance of 1e-16 makes sense: what remains is the rounding of
-/// the equations. Samples between the ends of steps are taken from the series and are as accurate as those ends.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct Taylor {
-    /// Relative tolerance of a step.
-    pub relative_tolerance: f64,
-    /// Absolute tolerance of a step, rad or m, and per second.
-    pub absolute_tolerance: f64,
-    /// The order of the series, 8 to [`MAX_TAYLOR_ORDER`](crate::simulation::MAX_TAYLOR_ORDER); `None` for the
-    /// one that suits the tolerance.
-    pub order: Option<usize>,
-    /// The longest step, s; `None` for a tenth of the duration, infinity for no bound.
-    pub max_step: Option<f64>,
-    /// The greatest number of steps between two samples.
-    pub max_steps: usize,
-}
-
 impl Taylor {
-    /// One value for both tolerances, the other settings as by default.
-    pub fn with_tolerance(tolerance: f64) -> Self {
-        Taylor {
-            relative_tolerance: tolerance,
-            absolute_tolerance: tolerance,
-            order: None,
-            max_step: None,
-            max_steps: 100_000,
-        }
-    }
-
-    fn order(&self) -> usize {
+    fn series_order(&self) -> usize {
         let tolerance = self.relative_tolerance.min(self.absolute_tolerance);
         self.order.unwrap_or_else(|| order(tolerance))
     }
 
-    fn control(&self) -> ErrorControl {
-        ErrorControl {
-            tolerance: Tolerance {
-                relative: self.relative_tolerance,
-                absolute: self.absolute_tolerance,
-            },
-            max_step: self.max_step,
-            least_steps: 10.0,
-            max_steps: self.max_steps,
-        }
-    }
-
     fn validate(&self, duration: f64) -> Result<(), InvalidSetting> {
         self.control().validate(duration)?;
-        match (FEWEST_ORDERS..=crate::simulation::MAX_TAYLOR_ORDER).contains(&self.order()) {
-            true => Ok(()),
-            false => Err(InvalidSetting::Order(self.order())),
+        let order = self.series_order();
+        if (FEWEST_ORDERS..=MAX_TAYLOR_ORDER).contains(&order) {
+            Ok(())
+        } else {
+            Err(InvalidSetting::Order(order))
         }
-    }
-}
-
-impl Default for Taylor {
-    /// Tolerances of 1e-12, steps of up to a tenth of the duration, at most 100 000 of them between
-    /// two samples.
-    fn default() -> Self {
-        Taylor::with_tolerance(1e-12)
     }
 }
 
@@ -114,9 +60,7 @@ impl Default for Taylor {
 pub struct TaylorSimulation<'a, R, const N: usize, L = SVector<f64, N>> {
     robot: &'a R,
     torque: L,
-    settings: Taylor,
-    limits: Limits<Const<N>>,
-    plan: Plan<Const<N>>,
+    setting: Setting<N>,
 }
 
 /// A torque law that is called once each period, and whose torque is held until the next call.
@@ -129,21 +73,21 @@ pub struct HeldTorque<F> {
 impl<'a, R: TaylorDynamics<N>, const N: usize> TaylorSimulation<'a, R, N> {
     /// Free motion of the arm.
     pub fn new(robot: &'a R) -> Self {
-        TaylorSimulation {
-            robot,
-            torque: SVector::zeros(),
+        let setting = Setting {
             settings: Taylor::default(),
             limits: Limits::none(Const),
             plan: Plan::new(Const),
+        };
+        TaylorSimulation {
+            robot,
+            torque: SVector::zeros(),
+            setting,
         }
     }
 
     /// The constant joint torques, N m or N.
-    pub fn torque(self, tau: SVector<f64, N>) -> Self {
-        TaylorSimulation {
-            torque: tau,
-            ..self
-        }
+    pub fn torque(self, torque: SVector<f64, N>) -> Self {
+        TaylorSimulation { torque, ..self }
     }
 
     /// Sample and hold, as [`Simulation::control_period`](crate::Simulation::control_period): the torque law that is given next
@@ -163,10 +107,11 @@ impl<'a, R: TaylorDynamics<N>, const N: usize> TaylorSimulation<'a, R, N> {
     /// # Errors
     ///
     /// [`SimulationError`], with the time and the state reached and all samples up to there. Its [`Cause`] is an invalid
-    /// setting, Coulomb friction among them; a singular mass matrix, or an acceleration or a state that is not finite,
-    /// reached by the motion; or that no step fits the equations. Never panics.
+    /// setting, Coulomb friction among them; a singular mass matrix, or a torque, acceleration or state that is not
+    /// finite, reached by the motion; or that no step fits the equations. Never panics, unless a torque law does.
     pub fn run(&self) -> Result<Trajectory<N>, Box<SimulationError<N>>> {
-        self.setting().run(None, |_, _| finite(self.torque))
+        let law = &mut |_: f64, _: &SVector<f64, N>, _: &SVector<f64, N>| self.torque;
+        self.setting.run(self.robot, None, law)
     }
 }
 
@@ -181,27 +126,17 @@ impl<'a, R: TaylorDynamics<N>, F, const N: usize> TaylorSimulation<'a, R, N, Hel
         self.with_torque(HeldTorque { law, asked })
     }
 
-    /// Runs the simulation. It allocates the samples and the room for one series at the start and
-    /// nothing later.
+    /// Runs the simulation, as under constant torques.
     ///
     /// # Errors
     ///
-    /// [`SimulationError`], with the time and the state reached and all samples up to there. Its [`Cause`] is an invalid
-    /// setting, Coulomb friction among them; a singular mass matrix, or a torque, acceleration or state that is not
-    /// finite, reached by the motion; or that no step fits the equations. Never panics, unless the law does.
+    /// [`SimulationError`], as under constant torques.
     pub fn run(&mut self) -> Result<Trajectory<N>, Box<SimulationError<N>>>
     where
         F: FnMut(f64, &SVector<f64, N>, &SVector<f64, N>) -> SVector<f64, N>,
     {
-        let setting = self.setting();
         let HeldTorque { law, asked } = &mut self.torque;
-        if let Err(setting) = asked.validate(self.plan.duration) {
-            let recorder = Recorder::new(self.plan.initial.clone());
-            return recorder.finished(Err(setting.into()), 0);
-        }
-        setting.run(Some(asked.period), |t, phase| {
-            finite(law(t, &phase.q, &phase.qd))
-        })
+        self.setting.run(self.robot, Some(asked.period), law)
     }
 }
 
@@ -210,24 +145,14 @@ impl<'a, R: TaylorDynamics<N>, L, const N: usize> TaylorSimulation<'a, R, N, L> 
         TaylorSimulation {
             robot: self.robot,
             torque,
-            settings: self.settings,
-            limits: self.limits,
-            plan: self.plan,
-        }
-    }
-
-    fn setting(&self) -> Setting<'a, R, N> {
-        Setting {
-            robot: self.robot,
-            settings: self.settings,
-            limits: self.limits.clone(),
-            plan: self.plan.clone(),
+            setting: self.setting,
         }
     }
 
     /// Tolerances, order and bounds of the steps.
-    pub fn settings(self, settings: Taylor) -> Self {
-        TaylorSimulation { settings, ..self }
+    pub fn settings(mut self, settings: Taylor) -> Self {
+        self.setting.settings = settings;
+        self
     }
 
     /// Makes the `limits` of the table hard stops, as [`Simulation::stops`](crate::Simulation::stops): a joint comes
@@ -271,84 +196,62 @@ impl<'a, R: TaylorDynamics<N>, L, const N: usize> TaylorSimulation<'a, R, N, L> 
     }
 
     fn at_limits(mut self, kind: AtLimit) -> Self {
-        self.limits = Limits::of(self.robot.table().arm(), kind);
+        self.setting.limits = Limits::of(self.robot.table().arm(), kind);
         self
     }
 
-    /// Positions and velocities at t = 0.
-    pub fn initial(mut self, q: SVector<f64, N>, qd: SVector<f64, N>) -> Self {
-        self.plan.initial = Phase { q, qd };
-        self
-    }
-
-    /// The time simulated, s.
-    pub fn duration(mut self, duration: f64) -> Self {
-        self.plan.duration = duration;
-        self
-    }
-
-    /// The number of samples, at equal intervals, the first at t = 0 and the last at the end.
-    pub fn samples(mut self, samples: usize) -> Self {
-        self.plan.samples = samples;
-        self
-    }
+    plan_setters!(SVector<f64, N>);
 }
 
-/// What a run is asked for, whatever the torques are.
-struct Setting<'a, R, const N: usize> {
-    robot: &'a R,
+/// A run that is asked for, whatever the torques are.
+#[derive(Clone, Debug)]
+struct Setting<const N: usize> {
     settings: Taylor,
     limits: Limits<Const<N>>,
     plan: Plan<Const<N>>,
 }
 
-impl<R: TaylorDynamics<N>, const N: usize> Setting<'_, R, N> {
+impl<const N: usize> Setting<N> {
     /// A run under a law that is called at the start, and then once each period if there is one.
-    fn run<F: FnMut(f64, &Phase<Const<N>>) -> Result<SVector<f64, N>, Cause>>(
-        &self,
-        period: Option<f64>,
-        law: F,
-    ) -> Result<Trajectory<N>, Box<SimulationError<N>>> {
-        let arm = BySteps(self.robot);
-        let law = Held {
-            tau: Cell::new(SVector::zeros()),
-            period,
-            law: RefCell::new(law),
-        };
-        let motion = Motion::new(&arm, &law, Law::sign(Const), self.limits.clone());
+    fn run<R, L>(&self, robot: &R, period: Option<f64>, law: &mut L) -> Outcome<Const<N>>
+    where
+        R: TaylorDynamics<N>,
+        L: FnMut(f64, &SVector<f64, N>, &SVector<f64, N>) -> SVector<f64, N>,
+    {
+        let (arm, mut no_wrench) = (BySteps(robot), NoToolWrench);
+        let laws = SampledLaws::new(Const, robot, period, law, &mut no_wrench);
+        let motion = Motion::new(&arm, &laws, Law::sign(Const), self.limits.clone());
         let mut recorder = Recorder::new(self.plan.initial.clone());
-        let end = self.record(&motion, &mut recorder);
+        let validated = self.validate(robot, period);
+        let end = validated.and_then(|()| self.record(&motion, &mut recorder));
         // One series for each step; impacts evaluate the equations besides.
         let evaluations = recorder.work.steps + motion.evaluations();
         recorder.finished(end, evaluations)
     }
 
-    fn record<F: FnMut(f64, &Phase<Const<N>>) -> Result<SVector<f64, N>, Cause>>(
+    fn record<'m, R, L>(
         &self,
-        motion: &Motion<BySteps<R>, Held<F, N>, Const<N>>,
+        motion: &Motion<'m, BySteps<'m, R>, L, Const<N>>,
         recorder: &mut Recorder<Const<N>>,
-    ) -> Result<(), Cause> {
-        self.validate()?;
+    ) -> Result<(), Cause>
+    where
+        R: TaylorDynamics<N>,
+        L: TorqueLaw<Const<N>>,
+        Motion<'m, BySteps<'m, R>, L, Const<N>>: Steady<N, Arm = R>,
+    {
         recorder.plan(&self.plan)?;
         begin(motion, recorder)?;
         let control = self.settings.control();
         let range = control.range(self.plan.duration);
-        let (start, order) = (recorder.phase.clone(), self.settings.order());
+        let (start, order) = (recorder.phase.clone(), self.settings.series_order());
         let mut run = SeriesStepper::start(motion, start, order, control.tolerance, range)?;
-        let (steps, duration) = (control.max_steps, recorder.duration());
-        let run = match motion.has_events() {
-            true => Eventful::<_, _, _, _, BySeries, Const<N>>::start(
-                motion, motion, &mut run, duration,
-            )
-            .and_then(|run| run.drive(recorder, steps)),
-            false => smooth::<_, _, Cause, Const<N>>(motion, motion, &mut run, recorder, steps),
-        };
-        run.map_err(Cause::of_long_steps)
+        drive::<BySeries, _, _, _, _, _>(motion, motion, &mut run, recorder, control.max_steps)
+            .map_err(Cause::of_long_steps)
     }
 
-    fn validate(&self) -> Result<(), Cause> {
-        self.plan.validate()?;
-        let dry = self.robot.table().arm().dry_friction::<Const<N>>();
+    fn validate(&self, robot: &impl TaylorDynamics<N>, period: Option<f64>) -> Result<(), Cause> {
+        self.plan.validate(period)?;
+        let dry = robot.table().arm().dry_friction::<Const<N>>();
         if let Some(joint) = dry.iter().position(|friction| !friction.is_none()) {
             return Err(InvalidSetting::CoulombFriction { joint }.into());
         }
@@ -392,41 +295,8 @@ impl<R: TaylorDynamics<N>, const N: usize> EquationsOfMotion<Const<N>> for BySte
     }
 }
 
-/// Torques that are held.
-struct Held<F, const N: usize> {
-    tau: Cell<SVector<f64, N>>,
-    period: Option<f64>,
-    law: RefCell<F>,
-}
-
-impl<F, const N: usize> TorqueLaw<Const<N>> for Held<F, N>
-where
-    F: FnMut(f64, &Phase<Const<N>>) -> Result<SVector<f64, N>, Cause>,
-{
-    fn motors(&self, _t: f64, _phase: &Phase<Const<N>>) -> SVector<f64, N> {
-        self.tau.get()
-    }
-
-    fn with_tool(
-        &self,
-        tau: SVector<f64, N>,
-        _t: f64,
-        _phase: &Phase<Const<N>>,
-    ) -> Result<SVector<f64, N>, Cause> {
-        Ok(tau)
-    }
-
-    fn period(&self) -> Option<f64> {
-        self.period
-    }
-
-    fn sample(&self, t: f64, phase: &Phase<Const<N>>) -> Result<(), Cause> {
-        self.tau.set((self.law.borrow_mut())(t, phase)?);
-        Ok(())
-    }
-}
-
-impl<R, F, const N: usize> Steady<N> for Motion<'_, BySteps<'_, R>, Held<F, N>, Const<N>>
+impl<R, L, const N: usize> Steady<N>
+    for Motion<'_, BySteps<'_, R>, SampledLaws<'_, R, L, NoToolWrench, Const<N>>, Const<N>>
 where
     R: TaylorDynamics<N>,
 {
@@ -437,7 +307,7 @@ where
     }
 
     fn torque(&self) -> SVector<f64, N> {
-        self.torque_law().tau.get()
+        self.torque_law().held()
     }
 
     fn held(&self) -> Option<[bool; N]> {

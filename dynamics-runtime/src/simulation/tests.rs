@@ -13,7 +13,7 @@ use crate::{
 };
 
 /// A unit mass on a rail.
-struct Cart;
+pub(super) struct Cart;
 
 impl ForwardDynamics<1> for Cart {
     fn forward_dynamics<T: Scalar>(
@@ -55,18 +55,12 @@ fn fixed_methods(step: f64) -> [Method; 4] {
 }
 
 fn adaptive_methods(tolerance: f64, max_step: Option<f64>) -> [Method; 3] {
-    let dormand_prince = DormandPrince {
-        max_step,
-        ..DormandPrince::with_tolerance(tolerance)
-    };
-    let dop853 = Dop853 {
-        max_step,
-        ..Dop853::with_tolerance(tolerance)
-    };
-    let radau = Radau5 {
-        max_step,
-        ..Radau5::with_tolerance(tolerance)
-    };
+    let mut dormand_prince = DormandPrince::with_tolerance(tolerance);
+    let mut dop853 = Dop853::with_tolerance(tolerance);
+    let mut radau = Radau5::with_tolerance(tolerance);
+    dormand_prince.max_step = max_step;
+    dop853.max_step = max_step;
+    radau.max_step = max_step;
     [dormand_prince.into(), dop853.into(), radau.into()]
 }
 
@@ -301,11 +295,7 @@ fn stiff_friction_is_for_radau() {
     assert!(run.work.evaluations < 1_000, "{:?}", run.work);
 
     for explicit in [
-        Dop853 {
-            max_steps: 300,
-            ..Dop853::with_tolerance(1e-3)
-        }
-        .into(),
+        Dop853::with_tolerance(1e-3).max_steps(300).into(),
         Method::RungeKutta4 { step: 1e-4 },
     ] {
         let cause = cart().method(explicit).run().unwrap_err().cause;
@@ -321,10 +311,7 @@ fn stiff_friction_is_for_radau() {
 #[test]
 fn dry_friction_that_sticks_ends_in_too_many_steps() {
     let law = |_: f64, _: &SVector<f64, 1>, qd: &SVector<f64, 1>| unit(0.5 - Scalar::sign(qd[0]));
-    let settings = DormandPrince {
-        max_steps: 1000,
-        ..DormandPrince::default()
-    };
+    let settings = DormandPrince::default().max_steps(1000);
     let start = Simulation::new(&Cart)
         .torque(law)
         .initial(unit(0.0), unit(0.1));
@@ -409,4 +396,21 @@ fn errors_say_where_and_why() {
         text.ends_with(" (q = [1.5707963267948966], qd = [0.0])"),
         "{text}"
     );
+}
+
+#[test]
+fn samples_have_what_the_lists_have() {
+    let mut run = Simulation::new(&CRAIG_ARM).samples(4).run().unwrap();
+    assert_eq!(run.samples().len(), 4);
+    for (k, sample) in run.samples().enumerate() {
+        assert_eq!((sample.t, sample.q), (run.t[k], run.q[k]));
+        let rest = (sample.qd, sample.qdd, sample.tau);
+        assert_eq!(rest, (run.qd[k], run.qdd[k], run.tau[k]));
+    }
+    assert_eq!(run.last().unwrap().q, run.q[3]);
+    run.tau.clear();
+    run.q.pop();
+    let last = run.last().unwrap();
+    assert!((last.t, last.qdd) == (run.t[2], run.qdd[2]) && last.tau[0].is_nan());
+    assert_eq!(Trajectory::<2>::default().last(), None);
 }

@@ -1,4 +1,4 @@
-//! A force at the tool: what the surroundings do to the arm.
+//! The force of the surroundings at the tool.
 
 use nalgebra::{Matrix4, Vector6};
 
@@ -6,29 +6,19 @@ use super::error::Cause;
 use crate::SizedKinematics;
 use crate::size::Size;
 
+/// A time, and the positions and velocities then.
+type At<'s, D> = (f64, &'s <D as Size>::Vector, &'s <D as Size>::Vector);
+
 /// The force at the tool in a [`Simulation`](crate::Simulation): none, or a law, which needs an arm with generated
 /// [`Kinematics`](crate::Kinematics).
 pub trait ToolWrench<R, D: Size> {
     /// The joint torques `tau` with those of the force: tau + J^T w.
     #[doc(hidden)]
-    fn added_to(
-        &self,
-        tau: D::Vector,
-        robot: &R,
-        t: f64,
-        q: &D::Vector,
-        qd: &D::Vector,
-    ) -> Result<D::Vector, Cause>;
+    fn added_to(&self, tau: D::Vector, robot: &R, at: At<'_, D>) -> Result<D::Vector, Cause>;
 
     /// Begins a period, where the law is sampled.
     #[doc(hidden)]
-    fn sample(
-        &mut self,
-        _robot: &R,
-        _t: f64,
-        _q: &D::Vector,
-        _qd: &D::Vector,
-    ) -> Result<(), Cause> {
+    fn sample(&mut self, _robot: &R, _at: At<'_, D>) -> Result<(), Cause> {
         Ok(())
     }
 }
@@ -51,14 +41,7 @@ pub struct NoToolWrench;
 
 impl<R, D: Size> ToolWrench<R, D> for NoToolWrench {
     #[inline]
-    fn added_to(
-        &self,
-        tau: D::Vector,
-        _robot: &R,
-        _t: f64,
-        _q: &D::Vector,
-        _qd: &D::Vector,
-    ) -> Result<D::Vector, Cause> {
+    fn added_to(&self, tau: D::Vector, _robot: &R, _at: At<'_, D>) -> Result<D::Vector, Cause> {
         Ok(tau)
     }
 }
@@ -68,14 +51,8 @@ where
     R: SizedKinematics<D>,
     F: Fn(f64, &Matrix4<f64>, &Vector6<f64>) -> Vector6<f64>,
 {
-    fn added_to(
-        &self,
-        tau: D::Vector,
-        robot: &R,
-        t: f64,
-        q: &D::Vector,
-        qd: &D::Vector,
-    ) -> Result<D::Vector, Cause> {
+    fn added_to(&self, tau: D::Vector, robot: &R, at: At<'_, D>) -> Result<D::Vector, Cause> {
+        let (t, q, qd) = at;
         let (pose, jacobian) = (robot.tip_pose(q), robot.tip_jacobian(q));
         let wrench = finite(self(t, &pose, &twist::<D>(&jacobian, qd)))?;
         Ok(tau + torques::<D>(&jacobian, &wrench, q))
@@ -95,18 +72,12 @@ where
     R: SizedKinematics<D>,
     F: FnMut(f64, &Matrix4<f64>, &Vector6<f64>) -> Vector6<f64>,
 {
-    fn added_to(
-        &self,
-        tau: D::Vector,
-        robot: &R,
-        _t: f64,
-        q: &D::Vector,
-        _qd: &D::Vector,
-    ) -> Result<D::Vector, Cause> {
+    fn added_to(&self, tau: D::Vector, robot: &R, at: At<'_, D>) -> Result<D::Vector, Cause> {
+        let (_, q, _) = at;
         Ok(tau + torques::<D>(&robot.tip_jacobian(q), &self.wrench, q))
     }
 
-    fn sample(&mut self, robot: &R, t: f64, q: &D::Vector, qd: &D::Vector) -> Result<(), Cause> {
+    fn sample(&mut self, robot: &R, (t, q, qd): At<'_, D>) -> Result<(), Cause> {
         let twist = twist::<D>(&robot.tip_jacobian(q), qd);
         self.wrench = finite((self.law)(t, &robot.tip_pose(q), &twist))?;
         Ok(())

@@ -3,11 +3,11 @@
 use core::cell::RefCell;
 
 use super::error::Cause;
-use super::tool_wrench::{NoToolWrench, ToolWrench};
+use super::tool_wrench::ToolWrench;
 use crate::integrate::{Phase, first_non_finite};
 use crate::size::{JointVector, Size};
 
-/// What acts on the joints from outside of the arm's own equations.
+/// The forces that act on the joints from outside of the arm's own equations.
 pub(super) trait TorqueLaw<D: Size> {
     /// The torques of the motors at a time in a finite phase, N m or N. They may be infinite or NaN.
     fn motors(&self, t: f64, phase: &Phase<D>) -> D::Vector;
@@ -36,7 +36,7 @@ pub(super) trait TorqueLaw<D: Size> {
 pub type NoTorque<D> = fn(f64, &<D as Size>::Vector, &<D as Size>::Vector) -> <D as Size>::Vector;
 
 /// The torques of the motors, a function of t in s, q in rad or m, and qd, and the force at the tool.
-pub(super) struct Laws<'a, R, L, W = NoToolWrench> {
+pub(super) struct Laws<'a, R, L, W> {
     pub(super) robot: &'a R,
     pub(super) torque: &'a L,
     pub(super) tool_wrench: &'a W,
@@ -54,15 +54,16 @@ where
 
     #[inline]
     fn with_tool(&self, tau: D::Vector, t: f64, phase: &Phase<D>) -> Result<D::Vector, Cause> {
-        self.tool_wrench
-            .added_to(tau, self.robot, t, &phase.q, &phase.qd)
+        let at = (t, &phase.q, &phase.qd);
+        self.tool_wrench.added_to(tau, self.robot, at)
     }
 }
 
 /// Torques of the motors that are sampled and held, and the force at the tool, which may be.
 pub(super) struct SampledLaws<'a, R, L, W, D: Size> {
     robot: &'a R,
-    period: f64,
+    /// The time between two calls; `None` for one call at the start.
+    period: Option<f64>,
     torque: RefCell<&'a mut L>,
     tool_wrench: RefCell<&'a mut W>,
     held: RefCell<D::Vector>,
@@ -72,7 +73,7 @@ impl<'a, R, L, W, D: Size> SampledLaws<'a, R, L, W, D> {
     pub(super) fn new(
         size: D,
         robot: &'a R,
-        period: f64,
+        period: Option<f64>,
         torque: &'a mut L,
         tool_wrench: &'a mut W,
     ) -> Self {
@@ -84,6 +85,11 @@ impl<'a, R, L, W, D: Size> SampledLaws<'a, R, L, W, D> {
             held: RefCell::new(size.vector()),
         }
     }
+
+    /// The torques since the last call.
+    pub(super) fn held(&self) -> D::Vector {
+        self.held.borrow().clone()
+    }
 }
 
 impl<R, L, W, D: Size> TorqueLaw<D> for SampledLaws<'_, R, L, W, D>
@@ -93,25 +99,25 @@ where
 {
     #[inline]
     fn motors(&self, _t: f64, _phase: &Phase<D>) -> D::Vector {
-        self.held.borrow().clone()
+        self.held()
     }
 
     #[inline]
     fn with_tool(&self, tau: D::Vector, t: f64, phase: &Phase<D>) -> Result<D::Vector, Cause> {
-        let tool_wrench = self.tool_wrench.borrow();
-        tool_wrench.added_to(tau, self.robot, t, &phase.q, &phase.qd)
+        let at = (t, &phase.q, &phase.qd);
+        self.tool_wrench.borrow().added_to(tau, self.robot, at)
     }
 
     fn period(&self) -> Option<f64> {
-        Some(self.period)
+        self.period
     }
 
     fn sample(&self, t: f64, phase: &Phase<D>) -> Result<(), Cause> {
         let tau = (self.torque.borrow_mut())(t, &phase.q, &phase.qd);
         *self.held.borrow_mut() = tau.clone();
         finite(tau)?;
-        let mut tool_wrench = self.tool_wrench.borrow_mut();
-        tool_wrench.sample(self.robot, t, &phase.q, &phase.qd)
+        let at = (t, &phase.q, &phase.qd);
+        self.tool_wrench.borrow_mut().sample(self.robot, at)
     }
 }
 

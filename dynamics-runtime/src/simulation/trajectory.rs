@@ -1,4 +1,4 @@
-//! What a run returns.
+//! The motion that a run returns.
 
 use nalgebra::Const;
 
@@ -19,6 +19,7 @@ use crate::size::Size;
     derive(serde::Serialize, serde::Deserialize),
     serde(bound = "")
 )]
+#[non_exhaustive]
 pub struct SizedTrajectory<D: Size> {
     /// Times, s.
     pub t: Vec<f64>,
@@ -56,7 +57,23 @@ impl<D: Size> Default for SizedTrajectory<D> {
     }
 }
 
-/// What is recorded of a motion beside its phase.
+/// A sample of a motion.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Sample<D: Size> {
+    /// The time, s.
+    pub t: f64,
+    /// Joint positions, rad or m.
+    pub q: D::Vector,
+    /// Joint velocities, rad/s or m/s.
+    pub qd: D::Vector,
+    /// Joint accelerations, rad/s^2 or m/s^2; NaN where the trajectory has none.
+    pub qdd: D::Vector,
+    /// Torques of the motors, N m or N; NaN where the trajectory has none.
+    pub tau: D::Vector,
+}
+
+/// The part of a sample beside the time and the phase.
 #[derive(Clone, Debug)]
 pub(super) struct Forces<D: Size> {
     /// Accelerations.
@@ -68,6 +85,7 @@ pub(super) struct Forces<D: Size> {
 /// The work of a run, for comparing methods.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub struct Work {
     /// How often the equations of motion were evaluated, including the steps that were thrown away.
     ///
@@ -92,13 +110,53 @@ impl<D: Size> SizedTrajectory<D> {
     }
 }
 
+impl<D: Size> SizedTrajectory<D> {
+    /// The samples, one after the other. There are as many as the shortest of the lists `t`, `q` and `qd` has.
+    ///
+    /// ```
+    /// # extern crate dynamics_runtime as robot_dynamics;
+    /// # use robot_dynamics::{Simulation, robot_dynamics};
+    /// # robot_dynamics! {
+    /// #     /// A stone that falls along z.
+    /// #     struct Stone;
+    /// #     convention: modified,
+    /// #     gravity: [0, 0, -8],
+    /// #     joints: [height: prismatic { mass: 2 }],
+    /// # }
+    /// let fall = Simulation::new(&Stone).samples(3).run()?;
+    /// for sample in fall.samples() {
+    ///     assert!((sample.q[0] + 4.0 * sample.t * sample.t).abs() < 1e-12);
+    /// }
+    /// // The motion goes on from its last sample.
+    /// let end = fall.last().ok_or("no sample")?;
+    /// let later = Simulation::new(&Stone).initial(end.q, end.qd).run()?;
+    /// assert!((later.q[100][0] + 16.0).abs() < 1e-12);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn samples(&self) -> impl DoubleEndedIterator<Item = Sample<D>> + ExactSizeIterator {
+        let count = self.t.len().min(self.q.len()).min(self.qd.len());
+        (0..count).map(|k| {
+            let (q, qd) = (self.q[k].clone(), self.qd[k].clone());
+            let unknown = || D::of(&q).vector_of(|_| f64::NAN);
+            let [qdd, tau] =
+                [&self.qdd, &self.tau].map(|list| list.get(k).cloned().unwrap_or_else(unknown));
+            let t = self.t[k];
+            Sample { t, q, qd, qdd, tau }
+        })
+    }
+
+    /// The last sample; `None` where there is none.
+    pub fn last(&self) -> Option<Sample<D>> {
+        self.samples().next_back()
+    }
+}
+
 impl<const N: usize> Trajectory<N> {
     /// Kinetic plus potential energy at every sample, J.
     pub fn energies<R: Energy<N>>(&self, robot: &R) -> Vec<f64> {
-        let states = self.q.iter().zip(&self.qd);
         let energy =
             |(q, qd)| robot.kinetic_energy::<f64>(q, qd) + robot.potential_energy::<f64>(q);
-        states.map(energy).collect()
+        self.q.iter().zip(&self.qd).map(energy).collect()
     }
 
     /// The largest distance of the energy from that of the first sample, J; 0 without samples, NaN

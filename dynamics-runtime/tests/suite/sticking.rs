@@ -184,10 +184,7 @@ fn events_without_end_are_an_error_of_their_joint() {
         assert!((time - 2.0 / 9.0).abs() < 0.02, "{time}");
         assert!(calls < 300_000, "{calls} calls");
     }
-    let bounded = DormandPrince {
-        max_steps: 500,
-        ..DormandPrince::with_tolerance(1e-7)
-    };
+    let bounded = DormandPrince::with_tolerance(1e-7).max_steps(500);
     let (cause, ..) = chatter(&cart, bounded.into(), 1.0, law);
     assert_eq!(cause, Some(Cause::Chatter { joint: 0 }));
 }

@@ -554,10 +554,7 @@ fn dropped_by_series(restitution: f64, duration: f64, samples: usize) -> Traject
     TaylorSimulation::new(&Ball)
         .initial(Vector1::new(1.25), Vector1::zeros())
         .stops(restitution)
-        .settings(Taylor {
-            max_step: Some(f64::INFINITY),
-            ..Taylor::default()
-        })
+        .settings(Taylor::default().max_step(f64::INFINITY))
         .duration(duration)
         .samples(samples)
         .run()
@@ -598,10 +595,7 @@ fn series_bounce_as_they_must() {
 fn series_see_a_limit_that_is_passed_and_left_within_a_step() {
     let thrown = TaylorSimulation::new(&Ball)
         .initial(Vector1::new(18.75), Vector1::new(6.0))
-        .settings(Taylor {
-            max_step: Some(f64::INFINITY),
-            ..Taylor::default()
-        })
+        .settings(Taylor::default().max_step(f64::INFINITY))
         .samples(2);
     let speed = 11.0_f64.sqrt();
     let hit = 0.6 - 0.1 * speed;

@@ -96,10 +96,7 @@ fn sticking() -> [Score; 2] {
 fn much_viscous_friction() -> [Score; 2] {
     let id = "HC21";
     let arm = Counted::new(&StiffJoint);
-    let settings = Radau5 {
-        max_step: Some(f64::INFINITY),
-        ..Radau5::with_tolerance(1e-8)
-    };
+    let settings = Radau5::with_tolerance(1e-8).max_step(f64::INFINITY);
     let simulation = Simulation::new(&arm)
         .torque(|_t, q, _qd| Vector1::new(-1e3 * q[0].sin()))
         .method(settings)

@@ -70,27 +70,18 @@ fn two_rods() -> Vec<Score> {
 fn from_rest() -> Vec<Score> {
     let rest = Vector2::zeros();
     let exact = entry("HC25").exact("q");
-    let unbounded = Some(f64::INFINITY);
     let dormand_prince = DormandPrince::with_tolerance(1e-12);
     let dop853 = Dop853::with_tolerance(1e-12);
     let runs: [(&str, Method); 4] = [
         ("Dormand-Prince", dormand_prince.into()),
         (
             "Dormand-Prince, steps of any length",
-            DormandPrince {
-                max_step: unbounded,
-                ..dormand_prince
-            }
-            .into(),
+            dormand_prince.max_step(f64::INFINITY).into(),
         ),
         ("DOP853", dop853.into()),
         (
             "DOP853, steps of any length",
-            Dop853 {
-                max_step: unbounded,
-                ..dop853
-            }
-            .into(),
+            dop853.max_step(f64::INFINITY).into(),
         ),
     ];
     let score = |(name, method): (&str, Method)| {
@@ -118,11 +109,8 @@ fn from_rest() -> Vec<Score> {
 /// integrator of this kind takes one step of 10 s at orders 8, 12 and 20.
 fn taylor_from_rest(exact: &[Decimal]) -> Score {
     let error = |order: usize| {
-        let settings = Taylor {
-            order: Some(order),
-            max_step: Some(f64::INFINITY),
-            ..Taylor::with_tolerance(1e-14)
-        };
+        let tight = Taylor::with_tolerance(1e-14);
+        let settings = tight.order(order).max_step(f64::INFINITY);
         let simulation = TaylorSimulation::new(&TwoRods).settings(settings);
         end_error(simulation.duration(10.0).samples(2).run().ok(), exact)
     };
@@ -281,10 +269,7 @@ fn pulse() -> Vec<Score> {
     let law = |t: f64, _q: &SVector<f64, 1>, _qd: &SVector<f64, 1>| {
         Vector1::new(if (5.0..5.01).contains(&t) { 1.0 } else { 0.0 })
     };
-    let settings = |longest| DormandPrince {
-        max_step: Some(longest),
-        ..DormandPrince::with_tolerance(1e-10)
-    };
+    let settings = |longest| DormandPrince::with_tolerance(1e-10).max_step(longest);
     let largest_angle = |longest: f64| {
         let simulation = Simulation::new(&OneLink).torque(law);
         let motion = simulation

@@ -154,12 +154,8 @@ fn tolerances() -> Score {
         (f64::NAN, 1e-6),
         (1e-6, f64::INFINITY),
     ];
-    let is_accepted = |(relative_tolerance, absolute_tolerance): &(f64, f64)| {
-        let settings = DormandPrince {
-            relative_tolerance: *relative_tolerance,
-            absolute_tolerance: *absolute_tolerance,
-            ..DormandPrince::default()
-        };
+    let is_accepted = |(relative, absolute): &(f64, f64)| {
+        let settings = DormandPrince::with_tolerance(*relative).absolute_tolerance(*absolute);
         let start = (Vector1::new(2.0), Vector1::zeros());
         let simulation = Simulation::new(&OneLink).method(settings);
         let cause = simulation
@@ -183,11 +179,7 @@ fn tolerances() -> Score {
 
 /// A tolerance below the rounding errors ends, with an error or without.
 fn tiny_tolerance() -> Score {
-    let settings = DormandPrince {
-        relative_tolerance: 1e-17,
-        absolute_tolerance: 1e-15,
-        ..DormandPrince::default()
-    };
+    let settings = DormandPrince::with_tolerance(1e-17).absolute_tolerance(1e-15);
     let arm = Counted::new(&OneLink);
     let simulation = Simulation::new(&arm).method(settings);
     let _ = simulation

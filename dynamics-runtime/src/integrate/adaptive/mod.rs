@@ -3,21 +3,19 @@
 #[cfg(test)]
 mod tests;
 
-use super::embedded::{Embedded, Start};
+use super::embedded::Embedded;
 use super::initial_step::initial_step;
 use super::step_control::StepControl;
-use super::{Equations, Failure, Phase, StepRange, Stepper, Tolerance};
+use super::{Equations, Failure, Phase, Start, StepRange, Stepper, Tolerance};
 use crate::size::Size;
 
 /// An integration under way, at the end of its last step.
 pub(crate) struct Adaptive<M: Embedded<D>, D: Size> {
-    t: f64,
-    phase: Phase<D>,
-    h: f64,
+    next: Start<D>,
+    last: Start<D>,
     /// The step that the motion asks for at its start.
     first: f64,
     rates: M::Rates,
-    last: Start<D>,
     fresh: bool,
     polynomial: Option<M::Polynomial>,
     tolerance: Tolerance,
@@ -27,27 +25,22 @@ pub(crate) struct Adaptive<M: Embedded<D>, D: Size> {
 }
 
 impl<M: Embedded<D>, D: Size> Adaptive<M, D> {
-    /// At the start, with a first guess of the step size.
+    /// At the start, t = 0, with a first guess of the step size.
     pub(crate) fn start<S: Equations<D>>(
         system: &S,
-        t: f64,
         phase: Phase<D>,
         tolerance: Tolerance,
         range: StepRange,
     ) -> Result<Self, S::Refusal> {
+        let t = 0.0;
         let rate = system.rate(t, &phase)?;
         let first = initial_step(system, t, &phase, &rate, &tolerance, M::CONTROL.order);
+        let next = Start { t, phase, h: first };
         Ok(Adaptive {
-            t,
-            h: first,
+            last: next.clone(),
+            next,
             first,
             rates: M::rates(rate),
-            last: Start {
-                t,
-                phase: phase.clone(),
-                h: 0.0,
-            },
-            phase,
             fresh: false,
             polynomial: None,
             tolerance,
@@ -60,40 +53,36 @@ impl<M: Embedded<D>, D: Size> Adaptive<M, D> {
     /// A step from here: its end and its error, 1 at the tolerance.
     #[inline]
     fn trial<S: Equations<D>>(&mut self, system: &S) -> Result<(Phase<D>, f64), S::Refusal> {
-        let from = Start {
-            t: self.t,
-            phase: self.phase.clone(),
-            h: self.h,
-        };
-        let end = M::trial(system, &from, &mut self.rates)?;
-        let norm = |value: &Phase<D>| self.tolerance.norm(value, &self.phase, &end);
-        let error = M::error(self.h, &self.rates, norm);
+        let from = &self.next;
+        let end = M::trial(system, from, &mut self.rates)?;
+        let norm = |value: &Phase<D>| self.tolerance.norm(value, &from.phase, &end);
+        let error = M::error(from.h, &self.rates, norm);
         if error <= 1.0 {
-            M::finish(system, &from, &end, &mut self.rates)?;
+            M::finish(system, from, &end, &mut self.rates)?;
         }
         Ok((end, error))
     }
 
     fn accept(&mut self, phase: Phase<D>, error: f64, end: Option<f64>) {
-        self.last = Start {
-            t: self.t,
-            phase: core::mem::replace(&mut self.phase, phase),
-            h: self.h,
+        let Start { t, h, .. } = self.next;
+        let next = Start {
+            t: end.unwrap_or(t + h),
+            phase,
+            h: h * self.control.accept(error),
         };
+        self.last = core::mem::replace(&mut self.next, next);
         self.fresh = true;
         self.polynomial = None;
-        self.t = end.unwrap_or(self.t + self.h);
-        self.h *= self.control.accept(error);
     }
 }
 
 impl<M: Embedded<D>, S: Equations<D>, D: Size> Stepper<S, S::Refusal, D> for Adaptive<M, D> {
     fn t(&self) -> f64 {
-        self.t
+        self.next.t
     }
 
     fn phase(&self) -> &Phase<D> {
-        &self.phase
+        &self.next.phase
     }
 
     /// Makes one step, as long as the tolerance permits.
@@ -107,12 +96,12 @@ impl<M: Embedded<D>, S: Equations<D>, D: Size> Stepper<S, S::Refusal, D> for Ada
             self.fresh = false;
         }
         loop {
-            let left = end - self.t;
-            self.h = self.range.within(self.h);
+            let left = end - self.next.t;
+            self.next.h = self.range.within(self.next.h);
             // Rather a step longer by a hundredth than a tiny one after it.
-            let last = 1.01 * self.h >= left;
+            let last = 1.01 * self.next.h >= left;
             if last {
-                self.h = left;
+                self.next.h = left;
             }
             let (error, failure) = match self.trial(system) {
                 Ok((phase, error)) => {
@@ -125,8 +114,8 @@ impl<M: Embedded<D>, S: Equations<D>, D: Size> Stepper<S, S::Refusal, D> for Ada
                 Err(refusal) => (f64::NAN, Failure::Refused(refusal)),
             };
             self.rejected += 1;
-            self.h *= self.control.reject(error);
-            if self.h < self.range.least {
+            self.next.h *= self.control.reject(error);
+            if self.next.h < self.range.least {
                 return Err(self.range.judge(failure, self.first));
             }
         }
@@ -134,12 +123,13 @@ impl<M: Embedded<D>, S: Equations<D>, D: Size> Stepper<S, S::Refusal, D> for Ada
 
     /// The phase at a time within the last step, by its polynomial.
     fn at(&mut self, system: &S, t: f64) -> Result<Phase<D>, Failure<S::Refusal>> {
-        if t >= self.t {
-            return Ok(self.phase.clone());
+        let end = &self.next;
+        if t >= end.t {
+            return Ok(end.phase.clone());
         }
         let polynomial = match self.polynomial.take() {
             Some(polynomial) => polynomial,
-            None => M::polynomial(system, &self.last, &self.phase, &mut self.rates)?,
+            None => M::polynomial(system, &self.last, &end.phase, &mut self.rates)?,
         };
         let polynomial = self.polynomial.insert(polynomial);
         Ok(M::evaluate(polynomial, (t - self.last.t) / self.last.h))
@@ -151,17 +141,17 @@ impl<M: Embedded<D>, S: Equations<D>, D: Size> Stepper<S, S::Refusal, D> for Ada
             ..self.last.clone()
         };
         // The first of the stages is still that of the step to be made again.
-        self.phase = M::trial(system, &from, &mut self.rates)?;
-        M::finish(system, &from, &self.phase, &mut self.rates)?;
-        self.t = end;
+        self.next.phase = M::trial(system, &from, &mut self.rates)?;
+        M::finish(system, &from, &self.next.phase, &mut self.rates)?;
+        self.next.t = end;
         self.last = from;
         self.polynomial = None;
         Ok(())
     }
 
     fn restart(&mut self, system: &S, phase: Phase<D>) -> Result<(), Failure<S::Refusal>> {
-        self.rates[0] = system.rate(self.t, &phase)?;
-        self.phase = phase;
+        self.rates[0] = system.rate(self.next.t, &phase)?;
+        self.next.phase = phase;
         self.fresh = false;
         Ok(())
     }

@@ -4,11 +4,10 @@ use core::convert::Infallible;
 
 use nalgebra::Const;
 
-use super::Adaptive;
+use super::{Adaptive, Embedded};
 use crate::integrate::test_problems::{ACCELERATION, Acceleration, distance, solution, vector};
 use crate::integrate::{
-    Dop853Method, DormandPrince54, Embedded, Equations, Failure, Phase, StepRange, Stepper,
-    Tolerance,
+    Dop853Method, DormandPrince54, Equations, Failure, Phase, StepRange, Stepper, Tolerance,
 };
 
 const RANGE: StepRange = StepRange {
@@ -24,7 +23,7 @@ fn tolerance(value: f64) -> Tolerance {
 }
 
 fn start<M: Embedded<Const<1>>>(value: f64) -> Adaptive<M, Const<1>> {
-    let Ok(run) = Adaptive::start(&ACCELERATION, 0.0, solution(0.0), tolerance(value), RANGE);
+    let Ok(run) = Adaptive::start(&ACCELERATION, solution(0.0), tolerance(value), RANGE);
     run
 }
 
@@ -32,7 +31,7 @@ fn start<M: Embedded<Const<1>>>(value: f64) -> Adaptive<M, Const<1>> {
 fn with_step<M: Embedded<Const<1>>>(h: f64) -> Adaptive<M, Const<1>> {
     let mut run = start::<M>(1e6);
     run.range.greatest = h;
-    run.h = h;
+    run.next.h = h;
     run
 }
 
@@ -48,15 +47,18 @@ fn at<M: Embedded<Const<1>>>(run: &mut Adaptive<M, Const<1>>, t: f64) -> Phase<C
 fn errors<M: Embedded<Const<1>>>(steps: usize) -> (f64, f64) {
     let mut run = with_step::<M>(2.0 / steps as f64);
     let mut dense = 0.0_f64;
-    while run.t < 2.0 {
-        let before = run.t;
+    while run.next.t < 2.0 {
+        let before = run.next.t;
         step(&mut run);
         for s in [0.25, 0.5, 0.8] {
-            let t = before + s * (run.t - before);
+            let t = before + s * (run.next.t - before);
             dense = dense.max(distance(&at(&mut run, t), &solution(t)));
         }
     }
-    (distance(&run.phase, &solution(2.0)).log2(), dense.log2())
+    (
+        distance(&run.next.phase, &solution(2.0)).log2(),
+        dense.log2(),
+    )
 }
 
 #[test]
@@ -81,13 +83,13 @@ fn dop853_is_of_eighth_order_with_output_of_local_order_eight() {
 fn check_output<M: Embedded<Const<1>>>() {
     let mut run = with_step::<M>(0.1);
     for before in [0.0, 0.1] {
-        let from = run.phase.clone();
+        let from = run.next.phase.clone();
         step(&mut run);
         assert_eq!(at(&mut run, before), from);
-        let end = run.t;
-        assert_eq!(at(&mut run, end), run.phase);
+        let end = run.next.t;
+        assert_eq!(at(&mut run, end), run.next.phase);
         let before_the_end = M::evaluate(run.polynomial.as_ref().unwrap(), 1.0);
-        assert!(distance(&before_the_end, &run.phase) < 1e-15);
+        assert!(distance(&before_the_end, &run.next.phase) < 1e-15);
     }
 }
 
@@ -100,11 +102,11 @@ fn output_meets_the_ends_of_the_step() {
 fn check_tolerance<M: Embedded<Const<1>>>(least: f64) {
     for value in [1e-4, 1e-7, 1e-10] {
         let mut run = start::<M>(value);
-        while run.t < 2.0 {
+        while run.next.t < 2.0 {
             step(&mut run);
         }
-        assert_eq!(run.t, 2.0);
-        let error = distance(&run.phase, &solution(2.0));
+        assert_eq!(run.next.t, 2.0);
+        let error = distance(&run.next.phase, &solution(2.0));
         assert!((least * value..10.0 * value).contains(&error), "{error:e}");
     }
 }
@@ -120,13 +122,12 @@ fn failure<M: Embedded<Const<1>>, S: Equations<Const<1>>>(
     system: &S,
     start: Phase<Const<1>>,
 ) -> (f64, Failure<S::Refusal>) {
-    let Ok(mut run) = Adaptive::<M, Const<1>>::start(system, 0.0, start, tolerance(1e-6), RANGE)
-    else {
+    let Ok(mut run) = Adaptive::<M, Const<1>>::start(system, start, tolerance(1e-6), RANGE) else {
         panic!("refused at the start");
     };
     loop {
         if let Err(failure) = run.step(system, 2.0) {
-            return (run.t, failure);
+            return (run.next.t, failure);
         }
     }
 }
@@ -171,14 +172,14 @@ fn check_rest<M: Embedded<Const<1>>>() {
         ..RANGE
     };
     let Ok(mut run) =
-        Adaptive::<M, Const<1>>::start(&swing, 0.0, Phase::zeros(Const), tolerance(1e-9), range);
+        Adaptive::<M, Const<1>>::start(&swing, Phase::zeros(Const), tolerance(1e-9), range);
     let mut steps = 0;
-    while run.t < 10.0 {
+    while run.next.t < 10.0 {
         run.step(&swing, 10.0).unwrap();
         steps += 1;
     }
     assert!(steps > 10, "{steps}");
-    let energy = 0.5 * run.phase.qd[0].powi(2) + run.phase.q[0].sin();
+    let energy = 0.5 * run.next.phase.qd[0].powi(2) + run.next.phase.q[0].sin();
     assert!(energy.abs() < 1e-7, "{energy}");
 }
 
@@ -197,18 +198,13 @@ fn evaluations_are_those_of_the_method() {
         let acceleration: Acceleration = ACCELERATION;
         acceleration(t, phase)
     };
-    let Ok(mut run) = Adaptive::<Dop853Method, Const<1>>::start(
-        &counted,
-        0.0,
-        solution(0.0),
-        tolerance(1e6),
-        RANGE,
-    );
+    let Ok(mut run) =
+        Adaptive::<Dop853Method, Const<1>>::start(&counted, solution(0.0), tolerance(1e6), RANGE);
     count.set(0);
     run.step(&counted, 1.0).unwrap();
     assert_eq!(count.replace(0), 12);
     for t in [0.3, 0.5] {
-        run.at(&counted, t * run.t).unwrap();
+        run.at(&counted, t * run.next.t).unwrap();
     }
     assert_eq!(count.get(), 3);
 }

@@ -23,11 +23,9 @@ use tableau::{C, ERROR};
 
 /// An integration under way, at the end of its last step.
 pub(crate) struct Radau<D: Size> {
-    t: f64,
-    phase: Phase<D>,
-    rate: Phase<D>,
-    /// Where the last step started.
-    from: Beginning<D>,
+    here: Place<D>,
+    /// The start of the last step.
+    from: Place<D>,
     h: f64,
     /// The step that the motion asks for at its start.
     first: f64,
@@ -42,9 +40,9 @@ pub(crate) struct Radau<D: Size> {
     just_rejected: bool,
 }
 
-/// Where a step starts: a time, the phase then, and how it moves.
+/// A time, the phase then, and its rate.
 #[derive(Clone)]
-struct Beginning<D: Size> {
+struct Place<D: Size> {
     t: f64,
     phase: Phase<D>,
     rate: Phase<D>,
@@ -78,14 +76,14 @@ const SAFETY: f64 = 0.9;
 const QUOTIENTS: (f64, f64) = (1.0 / 8.0, 5.0);
 
 impl<D: Size> Radau<D> {
-    /// At the start, with a first guess of the step size.
+    /// At the start, t = 0, with a first guess of the step size.
     pub(crate) fn start<S: Equations<D>>(
         system: &S,
-        t: f64,
         phase: Phase<D>,
         wanted: Tolerance,
         range: StepRange,
     ) -> Result<Self, S::Refusal> {
+        let t = 0.0;
         let rate = system.rate(t, &phase)?;
         // The estimate is of order 3 and the result of order 5.
         let relative = 0.1 * wanted.relative.powf(2.0 / 3.0);
@@ -95,18 +93,14 @@ impl<D: Size> Radau<D> {
         };
         let least = 10.0 * f64::EPSILON / relative;
         let first = initial_step(system, t, &phase, &rate, &wanted, 4.0);
+        let jacobian = Jacobian::zeros(phase.size());
+        let here = Place { t, phase, rate };
         Ok(Radau {
-            t,
-            from: Beginning {
-                t,
-                phase: phase.clone(),
-                rate: rate.clone(),
-            },
+            from: here.clone(),
+            here,
             h: first,
             first,
-            jacobian: Jacobian::zeros(phase.size()),
-            phase,
-            rate,
+            jacobian,
             jacobian_is: Age::Useless,
             polynomial: None,
             before: None,
@@ -121,15 +115,16 @@ impl<D: Size> Radau<D> {
     /// The stages of a step of length `h` and its error.
     fn trial<S: Equations<D>>(&mut self, system: &S) -> Result<Trial<D>, Miss<S::Refusal>> {
         if self.jacobian_is == Age::Useless {
-            self.jacobian = Jacobian::at(system, self.t, &self.phase, &self.rate.qd)?;
+            let Place { t, phase, rate } = &self.here;
+            self.jacobian = Jacobian::at(system, *t, phase, &rate.qd)?;
             self.jacobian_is = Age::Fresh;
         }
         let guess = self.predicted();
-        let matrices = Matrices::new(self.phase.size(), &self.jacobian, self.h);
+        let matrices = Matrices::new(self.here.phase.size(), &self.jacobian, self.h);
         let step = Step {
             system,
-            t: self.t,
-            phase: &self.phase,
+            t: self.here.t,
+            phase: &self.here.phase,
             h: self.h,
             tolerance: &self.tolerance,
         };
@@ -145,14 +140,16 @@ impl<D: Size> Radau<D> {
     /// The stages' changes that the polynomial of the step before predicts.
     fn predicted(&self) -> [Phase<D>; 3] {
         let polynomial = self.polynomial.as_ref().filter(|_| !self.just_rejected);
+        let Place { t, phase, .. } = &self.here;
         C.map(|c| match polynomial {
-            Some(polynomial) => polynomial.at(self.t + c * self.h).minus(&self.phase),
-            None => Phase::zeros(self.phase.size()),
+            Some(polynomial) => polynomial.at(t + c * self.h).minus(phase),
+            None => Phase::zeros(phase.size()),
         })
     }
 
     fn norm(&self, value: &Phase<D>) -> f64 {
-        self.tolerance.norm(value, &self.phase, &self.phase)
+        let phase = &self.here.phase;
+        self.tolerance.norm(value, phase, phase)
     }
 
     /// (IV.8.19) and (IV.8.20): `(gamma / h - J)^-1 (f(y) + e.z / h)`, and once more from there at the
@@ -163,14 +160,14 @@ impl<D: Size> Radau<D> {
         changes: &[Phase<D>; 3],
         real: &Shifted<f64, D>,
     ) -> Result<f64, S::Refusal> {
+        let Place { t, phase, rate } = &self.here;
         let weighted = combination(&ERROR, changes).scaled(1.0 / self.h);
-        let estimate = real.solve(&weighted.plus(1.0, &self.rate));
+        let estimate = real.solve(&weighted.plus(1.0, rate));
         let error = self.norm(&estimate).max(1e-10);
         if error < 1.0 || !(self.before.is_none() || self.just_rejected) {
             return Ok(error);
         }
-        let ahead = self.phase.plus(1.0, &estimate);
-        let rate = system.rate(self.t, &ahead)?;
+        let rate = system.rate(*t, &phase.plus(1.0, &estimate))?;
         let estimate = real.solve(&weighted.plus(1.0, &rate));
         Ok(self.norm(&estimate).max(1e-10))
     }
@@ -199,32 +196,21 @@ impl<D: Size> Radau<D> {
         trial: &Trial<D>,
         end: f64,
     ) -> Result<(), S::Refusal> {
-        let phase = self.phase.plus(1.0, &trial.changes[2]);
-        let rate = system.rate(end, &phase)?;
+        let (t, phase) = (end, self.here.phase.plus(1.0, &trial.changes[2]));
+        let rate = system.rate(t, &phase)?;
         let quotient = self.quotient(trial);
         self.polynomial = Some(Polynomial::new(end, self.h, &phase, &trial.changes));
         self.before = Some(Accepted {
             h: self.h,
             error: trial.error.max(1e-2),
         });
-        self.from = Beginning {
-            t: self.t,
-            phase: core::mem::replace(&mut self.phase, phase),
-            rate: core::mem::replace(&mut self.rate, rate),
-        };
-        self.t = end;
+        self.from = core::mem::replace(&mut self.here, Place { t, phase, rate });
         // A step that just failed is not followed by a longer one.
-        self.h /= if self.just_rejected {
-            quotient.max(1.0)
-        } else {
-            quotient
-        };
+        let least = if self.just_rejected { 1.0 } else { QUOTIENTS.0 };
+        self.h /= quotient.max(least);
         self.just_rejected = false;
-        self.jacobian_is = if self.newton.was_fast() {
-            Age::Old
-        } else {
-            Age::Useless
-        };
+        let keeps = self.newton.was_fast();
+        self.jacobian_is = if keeps { Age::Old } else { Age::Useless };
         Ok(())
     }
 
@@ -241,22 +227,22 @@ impl<D: Size> Radau<D> {
 
 impl<S: Equations<D>, D: Size> Stepper<S, S::Refusal, D> for Radau<D> {
     fn t(&self) -> f64 {
-        self.t
+        self.here.t
     }
 
     fn phase(&self) -> &Phase<D> {
-        &self.phase
+        &self.here.phase
     }
 
     fn step(&mut self, system: &S, end: f64) -> Result<(), Failure<S::Refusal>> {
         loop {
-            let left = end - self.t;
+            let left = end - self.here.t;
             self.h = self.range.within(self.h);
             let last = 1.01 * self.h >= left;
             if last {
                 self.h = left;
             }
-            let step_end = if last { end } else { self.t + self.h };
+            let step_end = if last { end } else { self.here.t + self.h };
             let failure = match self.trial(system) {
                 Ok(trial) if trial.error < 1.0 => match self.accept(system, &trial, step_end) {
                     Ok(()) => return Ok(()),
@@ -266,12 +252,8 @@ impl<S: Equations<D>, D: Size> Stepper<S, S::Refusal, D> for Radau<D> {
                     }
                 },
                 Ok(trial) => {
-                    let first = self.before.is_none();
-                    let factor = if first {
-                        0.1
-                    } else {
-                        1.0 / self.quotient(&trial)
-                    };
+                    let quotient = self.before.map(|_| self.quotient(&trial));
+                    let factor = quotient.map_or(0.1, |quotient| 1.0 / quotient);
                     // An error that is not a number makes none.
                     self.shorten(if factor < 1.0 { factor } else { 0.2 });
                     Failure::StepTooSmall
@@ -293,16 +275,15 @@ impl<S: Equations<D>, D: Size> Stepper<S, S::Refusal, D> for Radau<D> {
 
     fn at(&mut self, _: &S, t: f64) -> Result<Phase<D>, Failure<S::Refusal>> {
         Ok(match &self.polynomial {
-            Some(polynomial) if t < self.t => polynomial.at(t),
-            _ => self.phase.clone(),
+            Some(polynomial) if t < self.here.t => polynomial.at(t),
+            _ => self.here.phase.clone(),
         })
     }
 
     fn retake(&mut self, system: &S, end: f64) -> Result<(), Failure<S::Refusal>> {
-        let Beginning { t, phase, rate } = self.from.clone();
-        (self.t, self.phase, self.rate) = (t, phase, rate);
+        self.here = self.from.clone();
         let next = self.h;
-        self.h = end - t;
+        self.h = end - self.here.t;
         self.polynomial = None;
         self.jacobian_is = Age::Useless;
         match self.trial(system) {
@@ -315,8 +296,8 @@ impl<S: Equations<D>, D: Size> Stepper<S, S::Refusal, D> for Radau<D> {
     }
 
     fn restart(&mut self, system: &S, phase: Phase<D>) -> Result<(), Failure<S::Refusal>> {
-        self.rate = system.rate(self.t, &phase)?;
-        self.phase = phase;
+        self.here.rate = system.rate(self.here.t, &phase)?;
+        self.here.phase = phase;
         self.polynomial = None;
         self.before = None;
         self.jacobian_is = Age::Useless;
