@@ -10,13 +10,13 @@ use super::base::{LinkGeometry, bodies, geometry};
 use super::chain::Chain;
 use super::energy::{Moment, composite_moments};
 use super::kinematics::{Axes, base};
-use super::place::Placed;
+use super::place;
 use super::symbols::Symbols;
 use crate::expr::{Expr, Graph, Level};
 use crate::linear::{Symmetric3, Vector3};
 use crate::mechanism::Mechanism;
 use crate::robot::{Interpretation, JointType, Robot};
-use crate::spatial::{Body, Turn};
+use crate::spatial::{Axis, Body};
 
 /// Whether an arm has no mass at all, whatever its fields are: then it has no centre of mass.
 pub fn is_massless(robot: &Robot) -> bool {
@@ -38,41 +38,31 @@ pub(super) fn center<'g>(symbols: &mut Symbols<'g>, chain: &Chain<Expr<'g>>) -> 
     let moments = Moments::new(symbols, chain);
     let total = moments.of_base + moments.of_joints;
     let center = Vector3(moments.divided(total.0, chain.one));
-    let center = match &symbols.arm().base {
-        Some(base) => {
-            let base = Placed::new(symbols, base);
-            base.origin + base.leave(center)
-        }
-        None => center,
-    };
+    let base = place::base(symbols, symbols.arm());
+    let center = base.map_or(center, |base| base.leave_point(center));
     center.0.to_vec()
 }
 
 /// Its Jacobian by rows.
 pub(super) fn jacobian<'g>(symbols: &mut Symbols<'g>, chain: &Chain<Expr<'g>>) -> Vec<Expr<'g>> {
-    let zero = chain.zero;
     let moments = Moments::new(symbols, chain);
     let base = Axes::new(&base(symbols));
     let mut columns = Vec::with_capacity(chain.links.len());
     chain.tree.outward(base, |i, before| {
         let (joint, (mass, h)) = (chain.joint(i), moments.of_links[i]);
-        let axes = before.screw_z(zero, pair(joint.before));
-        let axes = axes.screw_x(zero, pair(joint.twist));
+        let before = before.clone().turned(Axis::Z, joint.before);
+        let axes = before.turned_by(&joint.twist);
         // In the axes before the joint's own turn, which the moment takes on its way inwards anyway.
         let (x, y) = joint.turn.leave(h[0], h[1]);
         columns.push(match joint.joint_type {
-            JointType::Revolute => axes.y * x - axes.x * y,
-            JointType::Prismatic => axes.z * mass,
+            JointType::Revolute => axes.columns[1] * x - axes.columns[0] * y,
+            JointType::Prismatic => axes.columns[2] * mass,
         });
-        axes.screw_z(zero, pair(joint.turn))
+        axes.turned(Axis::Z, joint.turn)
     });
     let rows = (0..3).flat_map(|k| columns.iter().map(move |column| column[k]));
     let rows: Vec<_> = rows.collect();
     moments.divided(rows, chain.one)
-}
-
-fn pair<'g>(turn: Turn<Expr<'g>>) -> (Expr<'g>, Expr<'g>) {
-    (turn.s, turn.c)
 }
 
 /// Masses and first moments, over the mass of all links where that is a number.

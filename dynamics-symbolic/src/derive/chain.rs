@@ -1,18 +1,18 @@
 //! The chain in proximal frames: every frame has its origin and its z axis on
 //! the axis of its own joint, whatever the convention of the table.
 
-use super::rows::Screws;
+use super::rows::Places;
 use super::symbols::Symbols;
 use super::{base, place};
 use crate::expr::{Expr, Level};
 use crate::linear::{Ring, Symmetric3, Vector3};
 use crate::mechanism::{Origin, Tree};
 use crate::robot::{Interpretation, JointType};
-use crate::spatial::{Acceleration, Body, Force, Joint, Keep, Motion, Turn, leave_x, leave_z};
+use crate::spatial::{Acceleration, Axis, Body, Force, Joint, Keep, Motion, Turn, leave_about};
 use core::ops::Add;
 
 /// A link in its proximal frame.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Link<R> {
     /// The joint that moves it.
     pub joint: Joint<R>,
@@ -33,7 +33,7 @@ impl<R: Ring> Link<R> {
     /// A body of the frame that turns with the link, its origin after the offset d, in this frame.
     pub fn place(&self, body: Body<R>, zero: R) -> Body<R> {
         body.moved(Vector3::new(zero, zero, -self.shift))
-            .left_z(self.behind)
+            .left(Axis::Z, self.behind)
     }
 }
 
@@ -67,7 +67,7 @@ impl<'g> Chain<Expr<'g>> {
     pub fn new(symbols: &mut Symbols<'g>, origins: &[Origin]) -> Self {
         let (graph, arm) = (symbols.graph(), symbols.arm());
         let (zero, one) = (graph.zero(), graph.one());
-        let screws = Screws::new(symbols, arm);
+        let places = Places::new(symbols, arm);
         let neglected = base::neglected(symbols);
         let mut links: Vec<Link<Expr<'g>>> = Vec::with_capacity(arm.joints.len());
         for i in 0..arm.joints.len() {
@@ -75,7 +75,7 @@ impl<'g> Chain<Expr<'g>> {
             let shift_before = parent.map_or(zero, |parent| links[parent].shift);
             let link = Link::new(
                 symbols,
-                &screws,
+                &places,
                 (i, origins[i]),
                 shift_before,
                 neglected[i],
@@ -103,21 +103,21 @@ impl<'g> Link<Expr<'g>> {
     /// of its motor.
     fn new(
         symbols: &mut Symbols<'g>,
-        screws: &Screws<Expr<'g>>,
+        places: &Places<Expr<'g>>,
         (i, origin): (usize, Origin),
         shift_before: Expr<'g>,
         (neglected, of_motor): (Body<Expr<'g>>, Expr<'g>),
     ) -> Self {
         let (graph, arm) = (symbols.graph(), symbols.arm());
-        let (joint, screw, zero) = (&arm.joints[i], screws.before[i], graph.zero());
+        let (joint, before, zero) = (&arm.joints[i], &places.before[i], graph.zero());
         let d = symbols.value(&joint.d);
         // The origin is at d + shift along the axis.
         let shift = match origin {
             Origin::AfterOffset => zero,
             Origin::BeforeOffset => -d,
         };
-        let along = leave_x(screw.turn, Vector3::new(zero, zero, d + shift));
-        let offset = along + Vector3::new(screw.a, zero, -shift_before);
+        let along = before.turns.leave(Vector3::new(zero, zero, d + shift));
+        let offset = along + before.origin.plus_z(-shift_before);
         let turn = symbols.turn(i);
         let slide = match joint.joint_type {
             JointType::Revolute => zero,
@@ -126,15 +126,16 @@ impl<'g> Link<Expr<'g>> {
         let body = if arm.is_of_base(i) {
             Body::splat(zero)
         } else {
-            let body = screws.body(symbols, arm, i).less(neglected);
+            let body = places.body(symbols, arm, i).less(neglected);
             body.moved(Vector3::new(zero, zero, -shift))
         };
         let none = Turn::none(zero, graph.one());
         Link {
             joint: Joint {
+                zero,
                 joint_type: joint.joint_type,
                 before: none,
-                twist: screw.turn,
+                twist: before.turns.clone(),
                 turn,
                 offset,
                 slide,
@@ -218,7 +219,7 @@ impl<R: Ring> Chain<R> {
                 _ if link.stands => (joint.leave_body(whole), none),
                 JointType::Revolute => {
                     let (invariant, rest) = whole.split_revolute(zero, keep[i]);
-                    (invariant.left_x(joint.twist).moved(joint.offset), rest)
+                    (joint.twist.leave_body(invariant).moved(joint.offset), rest)
                 }
                 JointType::Prismatic => {
                     let mut tensor = none;
@@ -227,7 +228,8 @@ impl<R: Ring> Chain<R> {
                         inertia: Symmetric3::splat(zero),
                         ..whole
                     };
-                    (tensor.left_z(joint.turn).left_x(joint.twist), rest)
+                    let turned = tensor.left(Axis::Z, joint.turn);
+                    (joint.twist.leave_body(turned), rest)
                 }
             };
             link.body = rest;
@@ -248,8 +250,9 @@ impl Chain<Expr<'_>> {
         self.tree.outward(none, |i, &behind| {
             let link = &mut links[i];
             let joint = &mut link.joint;
-            joint.offset = leave_z(behind, joint.offset);
-            let is_parallel = joint.twist.s.is_zero() && joint.twist.c == one;
+            joint.offset = leave_about(Axis::Z, behind, joint.offset);
+            let is_none = |turn: &Turn<Expr<'_>>| turn.s.is_zero() && turn.c == one;
+            let is_parallel = joint.twist.0.iter().all(|(_, turn)| is_none(turn));
             (joint.before, joint.turn) = if is_parallel {
                 // Rz(behind) Rz(turn): one turn about the common direction.
                 (none, behind.plus(joint.turn))
@@ -259,7 +262,7 @@ impl Chain<Expr<'_>> {
             if stays[i] && joint.joint_type == JointType::Revolute {
                 link.behind = joint.turn;
                 joint.turn = none;
-                link.body = link.body.left_z(link.behind);
+                link.body = link.body.left(Axis::Z, link.behind);
             }
             link.behind
         });
@@ -280,6 +283,7 @@ fn strength<'g>(symbols: &mut Symbols<'g>) -> Expr<'g> {
 mod tests {
     use super::*;
     use crate::exact::{Residue, SplitMix64, circle_point};
+    use crate::spatial::Turns;
 
     type Number = Residue<{ (1 << 61) - 1 }>;
 
@@ -294,9 +298,10 @@ mod tests {
     fn link(joint_type: JointType, random: &mut SplitMix64) -> Link<Number> {
         Link {
             joint: Joint {
+                zero: Number::ZERO,
                 joint_type,
                 before: turn(random),
-                twist: turn(random),
+                twist: Turns(vec![(Axis::X, turn(random))]),
                 turn: turn(random),
                 offset: vector(random),
                 slide: Number::random(random),

@@ -1,12 +1,12 @@
 //! Poses of the link frames of the table and of the tip, and the geometric Jacobian.
 
-use super::place::Placed;
+use super::place::{self, place};
 use super::symbols::Symbols;
 use crate::expr::Expr;
 use crate::linear::{Matrix3, Vector3};
-use crate::mechanism::{Mechanism, Origin, Screw};
-use crate::robot::{Interpretation, JointType, Placement};
-use crate::spatial::Turn;
+use crate::mechanism::{Mechanism, Origin};
+use crate::robot::{Interpretation, JointType};
+use crate::spatial::{Axis, Place, Turn, Turns};
 
 /// A frame in the world, which is the base frame where the table says nothing else.
 #[derive(Clone, Copy)]
@@ -30,51 +30,51 @@ pub(super) struct Frame<'g> {
 /// A column of a Jacobian: linear and angular velocity.
 pub(super) type Column<'g> = (Vector3<Expr<'g>>, Vector3<Expr<'g>>);
 
-/// The orientation that is reached so far: the columns are the axes.
+/// The frame that is reached so far.
+#[derive(Clone)]
 pub(super) struct Axes<'g> {
-    pub(super) x: Vector3<Expr<'g>>,
-    pub(super) y: Vector3<Expr<'g>>,
-    pub(super) z: Vector3<Expr<'g>>,
+    /// Its axes x, y and z.
+    pub(super) columns: [Vector3<Expr<'g>>; 3],
     origin: Vector3<Expr<'g>>,
 }
 
 impl<'g> Axes<'g> {
     pub(super) fn new(pose: &Pose<'g>) -> Self {
-        let [x, y, z] = [0, 1, 2].map(|j| pose.rotation.column(j));
         Axes {
-            x,
-            y,
-            z,
+            columns: [0, 1, 2].map(|j| pose.rotation.column(j)),
             origin: pose.origin,
         }
     }
 
     fn pose(&self) -> Pose<'g> {
-        let rows = Matrix3([self.x.0, self.y.0, self.z.0]);
+        let rows = Matrix3(self.columns.map(|column| column.0));
         Pose {
             rotation: rows.transpose(),
             origin: self.origin,
         }
     }
 
-    /// Tx(a) Rx(alpha)
-    pub(super) fn screw_x(&self, a: Expr<'g>, (s, c): (Expr<'g>, Expr<'g>)) -> Self {
-        Axes {
-            x: self.x,
-            y: self.y * c + self.z * s,
-            z: self.z * c - self.y * s,
-            origin: self.origin + self.x * a,
-        }
+    /// Turned about one of its axes.
+    pub(super) fn turned(mut self, axis: Axis, turn: Turn<Expr<'g>>) -> Self {
+        let [_, i, j] = axis.indices();
+        let [u, v] = [self.columns[i], self.columns[j]];
+        self.columns[i] = u * turn.c + v * turn.s;
+        self.columns[j] = v * turn.c - u * turn.s;
+        self
     }
 
-    /// Tz(d) Rz(theta)
-    pub(super) fn screw_z(&self, d: Expr<'g>, (s, c): (Expr<'g>, Expr<'g>)) -> Self {
-        Axes {
-            x: self.x * c + self.y * s,
-            y: self.y * c - self.x * s,
-            z: self.z,
-            origin: self.origin + self.z * d,
+    /// Turned about one of its axes after the other.
+    pub(super) fn turned_by(self, turns: &Turns<Expr<'g>>) -> Self {
+        let turns = turns.0.iter();
+        turns.fold(self, |axes, (axis, turn)| axes.turned(*axis, *turn))
+    }
+
+    /// The frame that is placed in this one.
+    fn then(mut self, place: &Place<Expr<'g>>) -> Self {
+        for (column, step) in self.columns.iter().zip(place.origin.0) {
+            self.origin = self.origin + *column * step;
         }
+        self.turned_by(&place.turns)
     }
 }
 
@@ -85,19 +85,18 @@ pub(super) fn base<'g>(symbols: &mut Symbols<'g>) -> Pose<'g> {
         rotation: Matrix3([[one, zero, zero], [zero, one, zero], [zero, zero, one]]),
         origin: Vector3::splat(zero),
     };
-    match &symbols.arm().base {
-        Some(base) => placed(symbols, &world, base),
+    match place::base(symbols, symbols.arm()) {
+        Some(base) => placed(symbols, &world, &base),
         None => world,
     }
 }
 
 /// The frame that is placed in another one.
-fn placed<'g>(symbols: &mut Symbols<'g>, frame: &Pose<'g>, placement: &Placement) -> Pose<'g> {
+fn placed<'g>(symbols: &Symbols<'g>, frame: &Pose<'g>, place: &Place<Expr<'g>>) -> Pose<'g> {
     let (zero, one) = (symbols.graph().zero(), symbols.graph().one());
-    let place = Placed::new(symbols, placement);
     // The place is multiplied out first: where it is known in numbers, it is a matrix of constants.
     let axes = [[one, zero, zero], [zero, one, zero], [zero, zero, one]]
-        .map(|axis| frame.rotation.apply(place.leave(Vector3(axis))).0);
+        .map(|axis| frame.rotation.apply(place.turns.leave(Vector3(axis))).0);
     Pose {
         rotation: Matrix3(axes).transpose(),
         origin: frame.origin + frame.rotation.apply(place.origin),
@@ -112,7 +111,10 @@ pub(super) fn tip<'g>(symbols: &mut Symbols<'g>, frames: &[Frame<'g>]) -> Pose<'
         None => base(symbols),
     };
     match &symbols.arm().tool {
-        Some(tool) => placed(symbols, &last, &tool.placement),
+        Some(tool) => {
+            let tool = place::tool(symbols, tool);
+            placed(symbols, &last, &tool)
+        }
         None => last,
     }
 }
@@ -124,28 +126,29 @@ pub(super) fn frames<'g>(symbols: &mut Symbols<'g>) -> Vec<Frame<'g>> {
     let mut frames = Vec::with_capacity(arm.joints.len());
     arm.tree.outward(base, |i, before| {
         let joint = &arm.joints[i];
-        let mut screw = |screw: &Screw| (symbols.value(&screw.a), symbols.sin_cos(&screw.alpha));
         // The cells in the order of the table.
-        let behind = joint.link_frame.screw().map(&mut screw);
-        let (a, twist) = screw(&joint.before);
-        let Turn { s, c } = symbols.turn(i);
+        let behind = place(symbols, &joint.link_frame);
+        let foot = before.clone().then(&place(symbols, &joint.before));
+        let turn = symbols.turn(i);
         let d = symbols.value(&joint.d);
         let d = match joint.joint_type {
             JointType::Revolute => d,
             JointType::Prismatic => d + symbols.joint(i).q,
         };
-        let foot = before.screw_x(a, twist);
-        let axes = foot.screw_z(d, (s, c));
+        let foot_origin = foot.origin;
+        let mut axes = foot.turned(Axis::Z, turn);
+        axes.origin = axes.origin + axes.columns[2] * d;
         let axis_origin = match joint.origin {
-            Origin::BeforeOffset => foot.origin,
+            Origin::BeforeOffset => foot_origin,
             Origin::AfterOffset => axes.origin,
         };
-        let on_axis = behind.map_or(axes.pose(), |(a, twist)| axes.screw_x(a, twist).pose());
-        let places = joint.link_frame.places().iter();
-        let pose = places.fold(on_axis, |pose, place| placed(symbols, &pose, place));
+        let pose = match &behind.turns.0[..] {
+            [] | [_] => axes.clone().then(&behind).pose(),
+            _ => placed(symbols, &axes.pose(), &behind),
+        };
         frames.push(Frame {
             pose,
-            axis: axes.z,
+            axis: axes.columns[2],
             axis_origin,
         });
         axes

@@ -10,7 +10,7 @@
 
 use crate::linear::{Matrix3, Ring, Vector3};
 use crate::robot::JointType;
-use crate::spatial::{Body, Force, Joint, Motion, Turn};
+use crate::spatial::{Axis, Body, Force, Joint, Motion, Turn};
 
 /// 2 p and 2 N about the origin of a frame.
 #[derive(Clone, Copy)]
@@ -97,11 +97,9 @@ impl<R: Ring> Momentum<R> {
     /// In the previous frame and about its origin: K' = K + p s^T with the origin at s there.
     pub(super) fn leave(self, joint: &Joint<R>) -> Self {
         let p = joint.leave(self.p);
-        let n = turned(
-            joint.before,
-            turned(joint.twist, turned(joint.turn, self.n, 2), 0),
-            2,
-        );
+        let own = turned(joint.turn, self.n, Axis::Z);
+        let n = joint.twist.fold(own, |n, axis, turn| turned(turn, n, axis));
+        let n = turned(joint.before, n, Axis::Z);
         Momentum {
             p,
             n: sum(n, trace_less(p, joint.position())),
@@ -126,8 +124,8 @@ fn sum<R: Ring>(a: Matrix3<R>, b: Matrix3<R>) -> Matrix3<R> {
 
 /// R N R^T for a turn about a coordinate axis, out of the turned frame. As
 /// [`Turn::leave_block`]; the antisymmetric part of the block does not change.
-fn turned<R: Ring>(turn: Turn<R>, n: Matrix3<R>, axis: usize) -> Matrix3<R> {
-    let (x, y, z) = ((axis + 1) % 3, (axis + 2) % 3, axis);
+fn turned<R: Ring>(turn: Turn<R>, n: Matrix3<R>, axis: Axis) -> Matrix3<R> {
+    let [z, x, y] = axis.indices();
     let mut n = n.0;
     let k = turn.s * (n[x][x] - n[y][y]) + turn.c * (n[x][y] + n[y][x]);
     let (sk, ck) = (turn.s * k, turn.c * k);
@@ -143,7 +141,7 @@ mod tests {
     use super::*;
     use crate::expr::{Expr, Graph, Level};
     use crate::linear::Symmetric3;
-    use crate::spatial::{Central, enter_x, enter_z, leave_x, leave_z};
+    use crate::spatial::{Central, enter_about, leave_about};
 
     fn symbols(graph: &Graph) -> Vector3<Expr<'_>> {
         Vector3([(); 3].map(|()| graph.symbol(Level::Variable)))
@@ -179,13 +177,9 @@ mod tests {
         let (s, c) = graph.circle(Level::Variable);
         let turn = Turn { s, c };
         let a = symbols(&graph);
-        assert_eq!(
-            turned(turn, n, 2).apply(a),
-            leave_z(turn, n.apply(enter_z(turn, a)))
-        );
-        assert_eq!(
-            turned(turn, n, 0).apply(a),
-            leave_x(turn, n.apply(enter_x(turn, a)))
-        );
+        for axis in [Axis::X, Axis::Y, Axis::Z] {
+            let outer = leave_about(axis, turn, n.apply(enter_about(axis, turn, a)));
+            assert_eq!(turned(turn, n, axis).apply(a), outer);
+        }
     }
 }

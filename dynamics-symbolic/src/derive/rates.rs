@@ -13,7 +13,7 @@ use super::symbols::Symbols;
 use crate::expr::{Direction, Expr};
 use crate::linear::{Symmetric3, Vector3};
 use crate::robot::{Interpretation, JointType};
-use crate::spatial::{Acceleration, Body, Force, Turn, enter_x, enter_z, leave_x, leave_z};
+use crate::spatial::{Acceleration, Axis, Body, Force, Turn, Turns, enter_about, leave_about};
 use core::ops::{Add, Mul, Neg, Sub};
 
 /// A value and its first two derivatives by time.
@@ -83,15 +83,17 @@ impl<'g> Turning<'g> {
     }
 
     fn enter(&self, v: Vector<'g>) -> Vector<'g> {
-        self.turned(components(v).map(|x| enter_z(self.turn, x)), |y| {
-            [y[1], -y[0]]
-        })
+        self.turned(
+            components(v).map(|x| enter_about(Axis::Z, self.turn, x)),
+            |y| [y[1], -y[0]],
+        )
     }
 
     fn leave(&self, v: Vector<'g>) -> Vector<'g> {
-        self.turned(components(v).map(|x| leave_z(self.turn, x)), |y| {
-            [-y[1], y[0]]
-        })
+        self.turned(
+            components(v).map(|x| leave_about(Axis::Z, self.turn, x)),
+            |y| [-y[1], y[0]],
+        )
     }
 
     /// The jet whose values and derivatives are turned already, in the plane of the turn by Z.
@@ -123,7 +125,7 @@ fn jet<'g>([x, xd, xdd]: Components<'g>) -> Vector<'g> {
 struct Moving<'g> {
     joint_type: JointType,
     before: Turning<'g>,
-    twist: Turn<Expr<'g>>,
+    twist: Turns<Expr<'g>>,
     turn: Turning<'g>,
     position: Vector<'g>,
     body: Body<Jet<'g>>,
@@ -133,13 +135,12 @@ struct Moving<'g> {
 impl<'g> Moving<'g> {
     fn enter(&self, v: Vector<'g>) -> Vector<'g> {
         let before = components(self.before.enter(v));
-        self.turn.enter(jet(before.map(|x| enter_x(self.twist, x))))
+        self.turn.enter(jet(before.map(|x| self.twist.enter(x))))
     }
 
     fn leave(&self, v: Vector<'g>) -> Vector<'g> {
         let turned = components(self.turn.leave(v));
-        self.before
-            .leave(jet(turned.map(|x| leave_x(self.twist, x))))
+        self.before.leave(jet(turned.map(|x| self.twist.leave(x))))
     }
 
     /// The acceleration of the link, from that of the one before.
@@ -256,7 +257,7 @@ fn moving_links<'g>(chain: &Chain<Expr<'g>>, along: &Direction<'g>) -> Vec<Movin
         links.push(Moving {
             joint_type: joint.joint_type,
             before,
-            twist: joint.twist,
+            twist: joint.twist.clone(),
             turn: turning(joint.turn),
             position: offset + before.leave(slide(chain, link, along)),
             body: body(chain, link, &frame),
@@ -269,10 +270,10 @@ fn moving_links<'g>(chain: &Chain<Expr<'g>>, along: &Direction<'g>) -> Vec<Movin
 
 /// How far the joint has slid, in the axes behind the turn about x.
 fn slide<'g>(chain: &Chain<Expr<'g>>, link: &Link<Expr<'g>>, along: &Direction<'g>) -> Vector<'g> {
-    let twist = link.joint.twist;
+    let twist = &link.joint.twist;
     let speed = link.joint.slide.derivative(along);
     let slides = [link.joint.slide, speed, speed.derivative(along)];
-    jet(slides.map(|x| Vector3::new(chain.zero, -(twist.s * x), twist.c * x)))
+    jet(slides.map(|x| twist.leave(Vector3::new(chain.zero, chain.zero, x))))
 }
 
 impl<'g> Turning<'g> {

@@ -1,86 +1,36 @@
 //! The constant geometry of a mechanism in any ring: between the axes of joints, and from these to link frames.
 
-use super::place::{self, Placed};
+use super::place::{self, place};
 use crate::exact::Rational;
 use crate::linear::{Ring, Vector3};
-use crate::mechanism::{self, Joint, Mechanism};
-use crate::robot::Interpretation;
-use crate::spatial::{Body, Central, Turn, leave_x, tensor_leave_x};
+use crate::mechanism::{Joint, Mechanism};
+use crate::robot::{Interpretation, Tool};
+use crate::spatial::{Body, Central, Place, Turn};
 
-/// A step along x and a turn about it.
-#[derive(Clone, Copy)]
-pub(super) struct Screw<R> {
-    pub(super) a: R,
-    pub(super) turn: Turn<R>,
+/// The constant places of an arm.
+pub(super) struct Places<R> {
+    /// Of each joint's axis, in the frame of the joint before.
+    pub(super) before: Vec<Place<R>>,
+    /// Of each link frame, in the frame of its joint.
+    behind: Vec<Place<R>>,
 }
 
-/// The screws of an arm.
-pub(super) struct Screws<R> {
-    /// Those before the joints.
-    pub(super) before: Vec<Screw<R>>,
-    /// Those from the joints to the link frames, where these are placed so.
-    behind: Vec<Option<Screw<R>>>,
-}
-
-impl<R: Ring> Screws<R> {
+impl<R: Ring> Places<R> {
     /// Reads them.
     pub(super) fn new<I: Interpretation<Number = R>>(cells: &mut I, arm: &Mechanism) -> Self {
-        let joints = || arm.joints.iter();
-        let mut screw = |screw: &mechanism::Screw| {
-            let turn = Turn::from(cells.sin_cos(&screw.alpha));
-            Screw {
-                a: cells.value(&screw.a),
-                turn,
-            }
-        };
-        Screws {
-            before: joints().map(|joint| screw(&joint.before)).collect(),
-            behind: joints()
-                .map(|joint| joint.link_frame.screw().map(&mut screw))
-                .collect(),
+        let joints = arm.joints.iter();
+        let before = joints.map(|joint| place(cells, &joint.before)).collect();
+        let joints = arm.joints.iter();
+        let behind = joints.map(|joint| place(cells, &joint.link_frame));
+        Places {
+            before,
+            behind: behind.collect(),
         }
     }
 
     /// A point of link frame i, in the frame of joint i.
-    pub(super) fn leave_point<I: Interpretation<Number = R>>(
-        &self,
-        cells: &mut I,
-        arm: &Mechanism,
-        i: usize,
-        point: Vector3<R>,
-    ) -> Vector3<R> {
-        let places = placed(cells, &arm.joints[i]).into_iter().rev();
-        let point = places.fold(point, |point, place| place.leave_point(point));
-        match self.behind[i] {
-            Some(screw) => along_x(cells, screw.a) + leave_x(screw.turn, point),
-            None => point,
-        }
-    }
-
-    /// A body of link frame i, in the frame of joint i.
-    fn leave_body<I: Interpretation<Number = R>>(
-        &self,
-        cells: &mut I,
-        arm: &Mechanism,
-        i: usize,
-        body: Central<R>,
-    ) -> Body<R> {
-        let places = placed(cells, &arm.joints[i]).into_iter().rev();
-        let body = places.fold(body, |body: Central<R>, place: Placed<R>| {
-            place.leave_body(body)
-        });
-        Body::new(match self.behind[i] {
-            Some(screw) => {
-                let inertia = tensor_leave_x(screw.turn, body.inertia);
-                let com = leave_x(screw.turn, body.com) + along_x(cells, screw.a);
-                Central {
-                    inertia,
-                    com,
-                    ..body
-                }
-            }
-            None => body,
-        })
+    pub(super) fn leave_point(&self, i: usize, point: Vector3<R>) -> Vector3<R> {
+        self.behind[i].leave_point(point)
     }
 
     /// The parameters of link i and of what is fixed to it, in the frame of joint i.
@@ -91,17 +41,16 @@ impl<R: Ring> Screws<R> {
         i: usize,
     ) -> Body<R> {
         let joint = &arm.joints[i];
-        let own = place::central(cells, &joint.mass, &joint.com, &joint.inertia);
-        let own = self.leave_body(cells, arm, i, own);
-        let tool = arm
-            .tool
-            .as_ref()
-            .filter(|tool| arm.tip == Some(i) && tool.has_body());
-        match tool {
-            Some(tool) => {
-                let tool = place::body(cells, tool);
-                own.joined(self.leave_body(cells, arm, i, tool))
-            }
+        let leave = |body: Central<R>| Body::new(self.behind[i].leave_body(body));
+        let own = leave(place::central(
+            cells,
+            &joint.mass,
+            &joint.com,
+            &joint.inertia,
+        ));
+        let is_here = |tool: &&Tool| arm.tip == Some(i) && tool.has_body();
+        match arm.tool.as_ref().filter(is_here) {
+            Some(tool) => own.joined(leave(place::body(cells, tool))),
             None => own,
         }
     }
@@ -114,17 +63,6 @@ pub(super) fn constant_turn<I: Interpretation>(cells: &mut I, joint: &Joint) -> 
         .iter()
         .map(|angle| Turn::from(cells.sin_cos(angle)));
     angles.reduce(Turn::plus).expect("theta is one of them")
-}
-
-/// The places of a link frame, from the outermost on.
-fn placed<I: Interpretation>(cells: &mut I, joint: &Joint) -> Vec<Placed<I::Number>> {
-    let places = joint.link_frame.places().iter();
-    places.map(|place| Placed::new(cells, place)).collect()
-}
-
-fn along_x<I: Interpretation>(cells: &mut I, a: I::Number) -> Vector3<I::Number> {
-    let zero = cells.rational(&Rational::ZERO);
-    Vector3::new(a, zero, zero)
 }
 
 /// How a joint moves by a free one: one that moves by itself has the factor 1, and no offset.

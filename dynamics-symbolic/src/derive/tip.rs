@@ -11,34 +11,34 @@
 //! to be turned back.
 
 use super::chain::Chain;
-use super::place::Placed;
-use super::rows::Screws;
+use super::place;
+use super::rows::Places;
 use super::symbols::Symbols;
 use crate::expr::Expr;
 use crate::function::Argument;
 use crate::linear::Vector3;
 use crate::robot::JointType;
-use crate::spatial::{Joint, leave_z};
+use crate::spatial::{Axis, Joint, leave_about};
 
 type Vector<'g> = Vector3<Expr<'g>>;
 
 /// Where the tip is in the frame of the link that carries it.
-fn place<'g>(symbols: &mut Symbols<'g>, chain: &Chain<Expr<'g>>) -> Vector<'g> {
+fn place_of_tip<'g>(symbols: &mut Symbols<'g>, chain: &Chain<Expr<'g>>) -> Vector<'g> {
     let (none, arm) = (Vector3::splat(chain.zero), symbols.arm());
     let tool = arm.tool.as_ref();
-    let of_tool = tool.map_or(none, |tool| Placed::new(symbols, &tool.placement).origin);
-    let screws = Screws::new(symbols, arm);
+    let of_tool = tool.map_or(none, |tool| place::tool(symbols, tool).origin);
+    let places = Places::new(symbols, arm);
     let Some(tip) = arm.tip else {
         return of_tool;
     };
-    let on_axis = screws.leave_point(symbols, arm, tip, of_tool);
+    let on_axis = places.leave_point(tip, of_tool);
     let link = &chain.links[tip];
-    leave_z(link.behind, on_axis.plus_z(-link.shift))
+    leave_about(Axis::Z, link.behind, on_axis.plus_z(-link.shift))
 }
 
 /// J qd: velocity of the tip's origin, angular velocity.
 pub(super) fn velocity<'g>(symbols: &mut Symbols<'g>, chain: &Chain<Expr<'g>>) -> Vec<Expr<'g>> {
-    let mut r = place(symbols, chain);
+    let mut r = place_of_tip(symbols, chain);
     let none = Vector3::splat(chain.zero);
     let (mut u, mut w) = (none, none);
     for i in chain.carriers_of_tip() {
@@ -61,7 +61,7 @@ pub(super) fn acceleration<'g>(
     symbols: &mut Symbols<'g>,
     chain: &Chain<Expr<'g>>,
 ) -> Vec<Expr<'g>> {
-    let mut r = place(symbols, chain);
+    let mut r = place_of_tip(symbols, chain);
     let none = Vector3::splat(chain.zero);
     let (mut u, mut a, mut w, mut e) = (none, none, none, none);
     for i in chain.carriers_of_tip() {
@@ -125,7 +125,7 @@ struct Wrench<'g> {
 
 impl<'g> Wrench<'g> {
     fn new(symbols: &mut Symbols<'g>, chain: &Chain<Expr<'g>>) -> Self {
-        let mut lever = place(symbols, chain);
+        let mut lever = place_of_tip(symbols, chain);
         let mut levers = vec![lever; chain.links.len()];
         for i in chain.carriers_of_tip() {
             levers[i] = lever;
@@ -196,22 +196,16 @@ fn wrench<'g>(symbols: &mut Symbols<'g>) -> [Vector<'g>; 2] {
     let mut vector =
         |first: usize| Vector3([0, 1, 2].map(|k| symbols.entry(Argument::Wrench, first + k)));
     let wrench = [vector(0), vector(3)];
-    match &symbols.arm().base {
-        Some(base) => {
-            let base = Placed::new(symbols, base);
-            wrench.map(|v| base.enter(v))
-        }
+    match place::base(symbols, symbols.arm()) {
+        Some(base) => wrench.map(|v| base.turns.enter(v)),
         None => wrench,
     }
 }
 
 /// Two vectors of frame 0 in the axes of the world, one after the other.
 fn in_world<'g>(symbols: &mut Symbols<'g>, vectors: [Vector<'g>; 2]) -> Vec<Expr<'g>> {
-    let vectors = match &symbols.arm().base {
-        Some(base) => {
-            let base = Placed::new(symbols, base);
-            vectors.map(|v| base.leave(v))
-        }
+    let vectors = match place::base(symbols, symbols.arm()) {
+        Some(base) => vectors.map(|v| base.turns.leave(v)),
         None => vectors,
     };
     vectors.map(|v| v.0).concat()

@@ -5,11 +5,12 @@ use crate::derive::base::{Geometry, LinkGeometry, Observed, dependent, geometry,
 use crate::derive::symbols::Symbols;
 use crate::exact::{bit_length, negate_if};
 use crate::expr::{Expr, Graph};
+use crate::linear::Vector3;
 use crate::mechanism::Mechanism;
 use crate::program::{Operand, Output};
 use crate::robot::{Convention, Grouping, JointType, Parameter, Robot, Symbol};
 use crate::simplify::Network;
-use crate::spatial::{Body, Turn};
+use crate::spatial::{Body, Place, Turn};
 
 /// A longer formula is written in steps.
 const LONGEST: usize = 250;
@@ -270,9 +271,11 @@ fn named_geometry<'p>(all: &'p Polynomials, robot: &Robot) -> Geometry<Polynomia
         LinkGeometry {
             joint_type: link.joint_type,
             stands: link.stands,
-            a: cell(link.a, format!("a{row}")),
+            before: Place {
+                origin: Vector3(link.before.origin.0.map(|x| cell(x, format!("a{row}")))),
+                turns: link.before.turns.map(|t| turn(t, "a", row)),
+            },
             d: cell(link.d, format!("d{}", i + 1)),
-            twist: turn(link.twist, "a", row),
             turn: match link.joint_type {
                 JointType::Revolute if !link.stands => Turn {
                     s: all.number(0),

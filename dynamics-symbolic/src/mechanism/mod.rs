@@ -34,13 +34,14 @@ pub struct Mechanism {
 /// A joint and the link that it moves.
 ///
 /// The joint's frame has its z axis on the joint's axis. In the joint's frame of the link that carries it, or in frame 0,
-/// it is at Tx(a) Rx(alpha) Rz(turn) Tz(d), and a position of the joint turns it about z or slides it along z.
+/// it is at `before` Rz(turn) Tz(d), and a position of the joint turns it about z or slides it along z.
 #[derive(Clone, Debug)]
 pub(crate) struct Joint {
     pub(crate) name: String,
     pub(crate) joint_type: JointType,
-    /// The step to the axis from that of the joint before.
-    pub(crate) before: Screw,
+    /// The constant place of the axis in the joint's frame of the link that carries it, each placement in the one
+    /// before it.
+    pub(crate) before: Vec<Placement>,
     /// The constant angle about the axis, as the sum of these: each has a sine of its own. The offset of an angle that
     /// follows another is among them.
     pub(crate) turn: Vec<Value>,
@@ -50,8 +51,8 @@ pub(crate) struct Joint {
     pub(crate) origin: Origin,
     /// How the joint moves.
     pub(crate) law: Law,
-    /// Where the link frame is in the joint's frame.
-    pub(crate) link_frame: LinkFrame,
+    /// Where the link frame is in the joint's frame, each placement in the one before it.
+    pub(crate) link_frame: Vec<Placement>,
     /// Mass of the link.
     pub(crate) mass: Value,
     /// Its centre of mass in the link frame.
@@ -62,13 +63,6 @@ pub(crate) struct Joint {
     pub(crate) forces: Forces,
     /// The range of positions, where it is known.
     pub(crate) limits: Option<[Value; 2]>,
-}
-
-/// A step along x and a turn about x.
-#[derive(Clone, Debug)]
-pub(crate) struct Screw {
-    pub(crate) a: Value,
-    pub(crate) alpha: Value,
 }
 
 /// Where the origin of a joint's frame is on the axis.
@@ -91,14 +85,6 @@ pub(crate) enum Law {
     Following { number: usize, coupling: Coupling },
 }
 
-/// Where a link frame is in the frame of its joint.
-#[derive(Clone, Debug)]
-pub(crate) enum LinkFrame {
-    Screw(Screw),
-    /// Each place in the one before it.
-    Places(Vec<Placement>),
-}
-
 /// What acts at a joint itself.
 #[derive(Clone, Debug)]
 pub(crate) struct Forces {
@@ -110,22 +96,6 @@ pub(crate) struct Forces {
     pub(crate) coulomb: [Value; 2],
     pub(crate) stribeck: Option<Stribeck>,
     pub(crate) spring: Option<Spring>,
-}
-
-impl LinkFrame {
-    pub(crate) fn screw(&self) -> Option<&Screw> {
-        match self {
-            LinkFrame::Screw(screw) => Some(screw),
-            LinkFrame::Places(_) => None,
-        }
-    }
-
-    pub(crate) fn places(&self) -> &[Placement] {
-        match self {
-            LinkFrame::Screw(_) => &[],
-            LinkFrame::Places(places) => places,
-        }
-    }
 }
 
 impl Mechanism {

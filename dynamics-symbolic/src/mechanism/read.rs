@@ -1,7 +1,7 @@
 //! From the rows of a table to a mechanism.
 
-use super::{Forces, Joint, Law, LinkFrame, Mechanism, Origin, Screw, Tree};
-use crate::robot::{Convention, JointType, Robot, Row, Value};
+use super::{Forces, Joint, Law, Mechanism, Origin, Tree};
+use crate::robot::{Convention, JointType, Placement, Robot, Row, Value};
 
 impl From<&Robot> for Mechanism {
     /// A serial arm: each joint stands on the link of the row above.
@@ -37,18 +37,16 @@ fn joint(
     numbers: &mut impl Iterator<Item = usize>,
 ) -> Joint {
     let row = &robot.rows[i];
-    let own = screw(row);
+    let own = vec![screw(row)];
     let (before, link_frame, origin) = match robot.convention {
         // The a and the alpha of a row are behind its joint.
         Convention::Standard => {
             let before = parent.map(|parent| screw(&robot.rows[parent]));
-            let before = before.unwrap_or_default();
-            (before, LinkFrame::Screw(own), Origin::BeforeOffset)
+            (before.into_iter().collect(), own, Origin::BeforeOffset)
         }
         Convention::Modified => {
             let frame = row.mount.as_ref().map(|mount| mount.frame.clone());
-            let frame = LinkFrame::Places(frame.unwrap_or_default());
-            (own, frame, Origin::AfterOffset)
+            (own, frame.unwrap_or_default(), Origin::AfterOffset)
         }
     };
     let law = law(row, numbers);
@@ -72,16 +70,11 @@ fn joint(
     }
 }
 
-impl Default for Screw {
-    fn default() -> Self {
-        screw(&Row::new("", JointType::Revolute))
-    }
-}
-
-fn screw(row: &Row) -> Screw {
-    Screw {
-        a: row.a.clone(),
-        alpha: row.alpha.clone(),
+/// Tx(a) Rx(alpha)
+fn screw(row: &Row) -> Placement {
+    Placement {
+        xyz: [row.a.clone(), Value::zero(), Value::zero()],
+        rpy: [row.alpha.clone(), Value::zero(), Value::zero()],
     }
 }
 

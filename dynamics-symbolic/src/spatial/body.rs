@@ -1,6 +1,6 @@
 //! Mass, first moment and inertia of a body about the origin of a frame.
 
-use super::turn::{Turn, leave_x, leave_z, tensor_leave_x, tensor_leave_z};
+use super::turn::{Axis, Turn, leave_about, tensor_leave_about};
 use super::{Force, Motion};
 use crate::linear::{Ring, Symmetric3, Vector3};
 
@@ -79,21 +79,12 @@ impl<R: Ring> Body<R> {
         half * squares + self.moment.dot(v.cross(w))
     }
 
-    /// In the frame before a turn about x.
-    pub fn left_x(self, turn: Turn<R>) -> Self {
+    /// In the frame before a turn about a coordinate axis.
+    pub fn left(self, axis: Axis, turn: Turn<R>) -> Self {
         Body {
             mass: self.mass,
-            moment: leave_x(turn, self.moment),
-            inertia: tensor_leave_x(turn, self.inertia),
-        }
-    }
-
-    /// In the frame before a turn about z.
-    pub fn left_z(self, turn: Turn<R>) -> Self {
-        Body {
-            mass: self.mass,
-            moment: leave_z(turn, self.moment),
-            inertia: tensor_leave_z(turn, self.inertia),
+            moment: leave_about(axis, turn, self.moment),
+            inertia: tensor_leave_about(axis, turn, self.inertia),
         }
     }
 

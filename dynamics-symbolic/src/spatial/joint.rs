@@ -1,19 +1,21 @@
 //! Joints: how a link's frame lies in that of the link before.
 
-use super::turn::{Turn, enter_x, enter_z, leave_x, leave_z};
-use super::{Body, Force, Motion};
+use super::turn::{Axis, Turn, enter_about, leave_about};
+use super::{Body, Force, Motion, Turns};
 use crate::linear::{Ring, Vector3};
 use crate::robot::JointType;
 
 /// A joint at some position, with the constant geometry before it.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Joint<R> {
+    /// The number zero.
+    pub zero: R,
     /// Which way it moves.
     pub joint_type: JointType,
     /// Turn about z of the previous frame, where that frame does not turn with its own link.
     pub before: Turn<R>,
-    /// Turn about x that follows.
-    pub twist: Turn<R>,
+    /// The constant rotation that follows, to the joint's axis.
+    pub twist: Turns<R>,
     /// Turn about z: variable for a revolute joint.
     pub turn: Turn<R>,
     /// Where the origin is in the previous frame (at q = 0 for a prismatic joint).
@@ -25,29 +27,28 @@ pub struct Joint<R> {
 impl<R: Ring> Joint<R> {
     /// A vector of the previous frame, in this frame.
     pub fn enter(&self, v: Vector3<R>) -> Vector3<R> {
-        enter_z(self.turn, enter_x(self.twist, enter_z(self.before, v)))
+        let v = self.twist.enter(enter_about(Axis::Z, self.before, v));
+        enter_about(Axis::Z, self.turn, v)
     }
 
     /// A vector of this frame, in the previous frame.
     pub fn leave(&self, v: Vector3<R>) -> Vector3<R> {
-        leave_z(self.before, leave_x(self.twist, leave_z(self.turn, v)))
+        let v = self.twist.leave(leave_about(Axis::Z, self.turn, v));
+        leave_about(Axis::Z, self.before, v)
     }
 
     /// A body of this frame, in the previous frame and about its origin.
     pub fn leave_body(&self, body: Body<R>) -> Body<R> {
         // What slides does so along its own axis: fewer products than in the previous frame.
-        body.left_z(self.turn)
-            .moved_z(self.slide)
-            .left_x(self.twist)
-            .left_z(self.before)
-            .moved(self.offset)
+        let slid = body.left(Axis::Z, self.turn).moved_z(self.slide);
+        let turned = self.twist.leave_body(slid).left(Axis::Z, self.before);
+        turned.moved(self.offset)
     }
 
     /// Where the origin is in the previous frame: no turn about z moves what has slid along z.
     pub fn position(&self) -> Vector3<R> {
-        let (y, z) = (-(self.twist.s * self.slide), self.twist.c * self.slide);
-        let (x, y) = (-(self.before.s * y), self.before.c * y);
-        self.offset + Vector3::new(x, y, z)
+        let slide = Vector3::new(self.zero, self.zero, self.slide);
+        self.offset + leave_about(Axis::Z, self.before, self.twist.leave(slide))
     }
 }
 
@@ -89,9 +90,10 @@ mod tests {
 
     fn joint(joint_type: JointType, random: &mut SplitMix64) -> Joint<Number> {
         Joint {
+            zero: Number::ZERO,
             joint_type,
             before: turn(random),
-            twist: turn(random),
+            twist: Turns([Axis::Y, Axis::X].map(|axis| (axis, turn(random))).to_vec()),
             turn: turn(random),
             offset: vector(random),
             slide: Number::random(random),

@@ -8,14 +8,13 @@
 mod acceleration;
 mod body;
 mod joint;
+mod place;
 mod turn;
 mod vectors;
 
 pub use acceleration::Acceleration;
 pub use body::{Body, Central, Keep};
 pub use joint::Joint;
-pub use turn::{
-    Turn, enter_x, enter_y, enter_z, leave_x, leave_y, leave_z, tensor_leave_x, tensor_leave_y,
-    tensor_leave_z,
-};
+pub use place::{Place, Turns};
+pub use turn::{Axis, Turn, enter_about, leave_about, tensor_leave_about};
 pub use vectors::{Force, Motion};

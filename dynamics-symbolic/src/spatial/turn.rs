@@ -59,80 +59,50 @@ impl<R> From<(R, R)> for Turn<R> {
     }
 }
 
-/// Rotation about x, out of the turned frame.
-pub fn leave_x<R: Ring>(turn: Turn<R>, v: Vector3<R>) -> Vector3<R> {
-    let (y, z) = turn.leave(v[1], v[2]);
-    Vector3::new(v[0], y, z)
+/// A coordinate axis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Axis {
+    /// x
+    X,
+    /// y
+    Y,
+    /// z
+    Z,
 }
 
-/// Rotation about x, into the turned frame.
-pub fn enter_x<R: Ring>(turn: Turn<R>, v: Vector3<R>) -> Vector3<R> {
-    let (y, z) = turn.enter(v[1], v[2]);
-    Vector3::new(v[0], y, z)
-}
-
-/// Rotation about y, out of the turned frame.
-pub fn leave_y<R: Ring>(turn: Turn<R>, v: Vector3<R>) -> Vector3<R> {
-    let (z, x) = turn.leave(v[2], v[0]);
-    Vector3::new(x, v[1], z)
-}
-
-/// Rotation about y, into the turned frame.
-pub fn enter_y<R: Ring>(turn: Turn<R>, v: Vector3<R>) -> Vector3<R> {
-    let (z, x) = turn.enter(v[2], v[0]);
-    Vector3::new(x, v[1], z)
-}
-
-/// Rotation about z, out of the turned frame.
-pub fn leave_z<R: Ring>(turn: Turn<R>, v: Vector3<R>) -> Vector3<R> {
-    let (x, y) = turn.leave(v[0], v[1]);
-    Vector3::new(x, y, v[2])
-}
-
-/// Rotation about z, into the turned frame.
-pub fn enter_z<R: Ring>(turn: Turn<R>, v: Vector3<R>) -> Vector3<R> {
-    let (x, y) = turn.enter(v[0], v[1]);
-    Vector3::new(x, y, v[2])
-}
-
-/// A tensor's components, out of a frame that is turned about x.
-pub fn tensor_leave_x<R: Ring>(turn: Turn<R>, j: Symmetric3<R>) -> Symmetric3<R> {
-    let (yy, zz, yz) = turn.leave_block(j.yy, j.zz, j.yz);
-    let (xy, xz) = turn.leave(j.xy, j.xz);
-    Symmetric3 {
-        xx: j.xx,
-        yy,
-        zz,
-        xy,
-        yz,
-        xz,
+impl Axis {
+    /// The indices of the axis and of the two that follow it in the order x, y, z, x, y.
+    pub fn indices(self) -> [usize; 3] {
+        [0, 1, 2].map(|k| (self as usize + k) % 3)
     }
 }
 
-/// A tensor's components, out of a frame that is turned about y.
-pub fn tensor_leave_y<R: Ring>(turn: Turn<R>, j: Symmetric3<R>) -> Symmetric3<R> {
-    let (zz, xx, xz) = turn.leave_block(j.zz, j.xx, j.xz);
-    let (yz, xy) = turn.leave(j.yz, j.xy);
-    Symmetric3 {
-        xx,
-        yy: j.yy,
-        zz,
-        xy,
-        yz,
-        xz,
-    }
+/// Rotation about a coordinate axis, out of the turned frame.
+pub fn leave_about<R: Ring>(axis: Axis, turn: Turn<R>, mut v: Vector3<R>) -> Vector3<R> {
+    let [_, i, j] = axis.indices();
+    (v.0[i], v.0[j]) = turn.leave(v[i], v[j]);
+    v
 }
 
-/// A tensor's components, out of a frame that is turned about z.
-pub fn tensor_leave_z<R: Ring>(turn: Turn<R>, j: Symmetric3<R>) -> Symmetric3<R> {
-    let (xx, yy, xy) = turn.leave_block(j.xx, j.yy, j.xy);
-    let (xz, yz) = turn.leave(j.xz, j.yz);
-    Symmetric3 {
-        xx,
-        yy,
-        zz: j.zz,
-        xy,
-        yz,
-        xz,
-    }
+/// Rotation about a coordinate axis, into the turned frame.
+pub fn enter_about<R: Ring>(axis: Axis, turn: Turn<R>, mut v: Vector3<R>) -> Vector3<R> {
+    let [_, i, j] = axis.indices();
+    (v.0[i], v.0[j]) = turn.enter(v[i], v[j]);
+    v
+}
+
+/// A tensor's components, out of a frame that is turned about a coordinate axis.
+pub fn tensor_leave_about<R: Ring>(
+    axis: Axis,
+    turn: Turn<R>,
+    tensor: Symmetric3<R>,
+) -> Symmetric3<R> {
+    let [k, i, j] = axis.indices();
+    // Entry (i, j) of the products stands at the index of the axis that is neither.
+    let mut squares = [tensor.xx, tensor.yy, tensor.zz];
+    let mut products = [tensor.yz, tensor.xz, tensor.xy];
+    (squares[i], squares[j], products[k]) = turn.leave_block(squares[i], squares[j], products[k]);
+    (products[j], products[i]) = turn.leave(products[j], products[i]);
+    let ([xx, yy, zz], [yz, xz, xy]) = (squares, products);
+    Symmetric3::from_entries([xx, yy, zz, xy, yz, xz])
 }

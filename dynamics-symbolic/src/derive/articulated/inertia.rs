@@ -1,7 +1,7 @@
 //! Articulated inertia: what a link with free joints beyond it opposes to acceleration.
 
 use crate::linear::{Matrix3, Ring, Symmetric3, Vector3};
-use crate::spatial::{Body, Force, Motion, Turn, leave_z, tensor_leave_z};
+use crate::spatial::{Axis, Body, Force, Motion, Turn, leave_about, tensor_leave_about};
 
 /// The wrench that a link needs: n = J wd + H a and f = H^T wd + M a, with wd its angular
 /// acceleration and a the acceleration of its frame's origin, about which n is (Featherstone
@@ -50,15 +50,19 @@ impl<R: Ring> Articulated<R> {
     /// In the frame before a turn about z.
     pub(super) fn left_z(&self, turn: Turn<R>) -> Self {
         Articulated {
-            angular: tensor_leave_z(turn, self.angular),
+            angular: tensor_leave_about(Axis::Z, turn, self.angular),
             coupling: matrix_left_z(turn, &self.coupling),
-            linear: tensor_leave_z(turn, self.linear),
+            linear: tensor_leave_about(Axis::Z, turn, self.linear),
         }
     }
 
-    /// In the frame before a turn about x.
-    pub(super) fn left_x(&self, turn: Turn<R>) -> Self {
-        self.renamed().left_z(turn).renamed().renamed()
+    /// Turned about a coordinate axis, by what turns an inertia about z.
+    pub(super) fn about(&self, axis: Axis, turn: impl Fn(&Self) -> Self) -> Self {
+        match axis {
+            Axis::X => turn(&self.renamed()).renamed().renamed(),
+            Axis::Y => turn(&self.renamed().renamed()).renamed(),
+            Axis::Z => turn(self),
+        }
     }
 
     /// As [`Articulated::left_z`]: no component across the axis is a difference of larger ones. A
@@ -70,11 +74,6 @@ impl<R: Ring> Articulated<R> {
             coupling: matrix_turned_z(turn, &self.coupling),
             linear: tensor_turned_z(turn, &self.linear),
         }
-    }
-
-    /// As [`Articulated::left_x`], likewise.
-    pub(super) fn turned_x(&self, turn: Turn<R>) -> Self {
-        self.renamed().turned_z(turn).renamed().renamed()
     }
 
     /// About a point from which the old origin is at r.
@@ -139,7 +138,7 @@ fn matrix_left_z<R: Ring>(turn: Turn<R>, h: &Matrix3<R>) -> Matrix3<R> {
     Matrix3([
         [xx - sk, ck - yx, xz],
         [ck - xy, yy + sk, yz],
-        leave_z(turn, Vector3(z)).0,
+        leave_about(Axis::Z, turn, Vector3(z)).0,
     ])
 }
 
@@ -172,7 +171,11 @@ fn matrix_turned_z<R: Ring>(turn: Turn<R>, h: &Matrix3<R>) -> Matrix3<R> {
     let [[xx, xy, xz], [yx, yy, yz], z] = h.0;
     let [[xx, xy], [yx, yy]] = block_turned_z(turn, [[xx, xy], [yx, yy]]);
     let (xz, yz) = turn.leave(xz, yz);
-    Matrix3([[xx, xy, xz], [yx, yy, yz], leave_z(turn, Vector3(z)).0])
+    Matrix3([
+        [xx, xy, xz],
+        [yx, yy, yz],
+        leave_about(Axis::Z, turn, Vector3(z)).0,
+    ])
 }
 
 #[cfg(test)]
@@ -218,12 +221,11 @@ mod tests {
         let (inertia, turn) = (articulated(random), turn(random));
         let [wd, a] = [(); 2].map(|()| vector(random));
         let inner = wrench(&inertia, wd, a);
-        let leave = |v| leave_z(turn, v);
-        let outer = wrench(&inertia.left_z(turn), leave(wd), leave(a));
-        assert_eq!(outer, inner.map(leave));
-        let leave = |v| crate::spatial::leave_x(turn, v);
-        let outer = wrench(&inertia.left_x(turn), leave(wd), leave(a));
-        assert_eq!(outer, inner.map(leave));
+        for axis in [Axis::X, Axis::Y, Axis::Z] {
+            let leave = |v| leave_about(axis, turn, v);
+            let turned = inertia.about(axis, |inertia| inertia.left_z(turn));
+            assert_eq!(wrench(&turned, leave(wd), leave(a)), inner.map(leave));
+        }
     }
 
     #[test]
@@ -231,7 +233,6 @@ mod tests {
         let random = &mut SplitMix64::new(4);
         let (inertia, turn) = (articulated(random), turn(random));
         assert_eq!(inertia.turned_z(turn), inertia.left_z(turn));
-        assert_eq!(inertia.turned_x(turn), inertia.left_x(turn));
     }
 
     /// At the old origin, which is at r, the acceleration is a + wd x r; the moment of f there
@@ -255,8 +256,10 @@ mod tests {
         };
         let (turn, r) = (turn(random), vector(random));
         let rigid = |body: &Body<Number>| Articulated::rigid(body, Number::ZERO);
-        assert_eq!(rigid(&body).left_x(turn), rigid(&body.left_x(turn)));
-        assert_eq!(rigid(&body).left_z(turn), rigid(&body.left_z(turn)));
+        for axis in [Axis::X, Axis::Y, Axis::Z] {
+            let turned = rigid(&body).about(axis, |inertia| inertia.left_z(turn));
+            assert_eq!(turned, rigid(&body.left(axis, turn)));
+        }
         assert_eq!(rigid(&body).moved(r), rigid(&body.moved(r)));
         let both = rigid(&body).joined(&rigid(&body));
         assert_eq!(both, rigid(&body.joined(body)));

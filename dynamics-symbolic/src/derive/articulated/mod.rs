@@ -191,8 +191,9 @@ fn free<'g>(
 /// An inertia in the previous frame, about its origin.
 fn carry<'g>(joint: &Joint<Expr<'g>>, inertia: &Articulated<Expr<'g>>) -> Articulated<Expr<'g>> {
     let slid = inertia.left_z(joint.turn).moved_z(joint.slide);
-    let turned = slid.left_x(joint.twist).left_z(joint.before);
-    turned.moved(joint.offset)
+    let left = |inertia: Articulated<_>, axis, turn| inertia.about(axis, |i| i.left_z(turn));
+    let turned = joint.twist.fold(slid, left);
+    turned.left_z(joint.before).moved(joint.offset)
 }
 
 /// Accelerations of the joints, from the base outwards.

@@ -88,8 +88,9 @@ fn inward<'g>(
 /// An inertia in the previous frame, about its origin.
 fn carry<'g>(joint: &Joint<Expr<'g>>, inertia: &Articulated<Expr<'g>>) -> Articulated<Expr<'g>> {
     let slid = inertia.turned_z(joint.turn).moved_z(joint.slide);
-    let turned = slid.turned_x(joint.twist).turned_z(joint.before);
-    turned.moved(joint.offset)
+    let turn = |inertia: Articulated<_>, axis, turn| inertia.about(axis, |i| i.turned_z(turn));
+    let turned = joint.twist.fold(slid, turn);
+    turned.turned_z(joint.before).moved(joint.offset)
 }
 
 /// Accelerations of the joints, from the base outwards.

@@ -3,7 +3,7 @@
 use super::geometry::Geometry;
 use crate::linear::{Matrix3, Ring, Vector3};
 use crate::robot::JointType;
-use crate::spatial::{leave_x, leave_z};
+use crate::spatial::{Axis, leave_about};
 
 impl<R: Ring> Geometry<R> {
     /// The last revolute joint before joint i, a prismatic one: the links between do not turn against each other.
@@ -20,7 +20,10 @@ impl<R: Ring> Geometry<R> {
     pub(super) fn rotation(&self, i: usize, to: usize) -> Matrix3<R> {
         let image = |axis: [R; 3]| {
             let between = self.tree.carriers(i).take_while(|j| *j != to);
-            let leave = |v, j: usize| leave_x(self.links[j].twist, leave_z(self.links[j].turn, v));
+            let leave = |v, j: usize| {
+                let link = &self.links[j];
+                link.before.turns.leave(leave_about(Axis::Z, link.turn, v))
+            };
             between.fold(Vector3(axis), leave).0
         };
         let (zero, one) = (self.zero, self.one);

@@ -1,24 +1,23 @@
 //! The constant geometry between the axes of an arm.
 
-use crate::derive::rows::{Screws, constant_turn};
+use crate::derive::place::place;
+use crate::derive::rows::constant_turn;
 use crate::exact::Rational;
 use crate::linear::{Ring, Vector3};
 use crate::mechanism::{Law, Mechanism, Tree};
 use crate::robot::{Interpretation, JointType};
-use crate::spatial::{Body, Joint, Turn, leave_x};
+use crate::spatial::{Axis, Body, Joint, Place, Turn};
 
 /// The constant geometry between the frames of two links.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct LinkGeometry<R> {
     pub(crate) joint_type: JointType,
     /// Whether the joint stands still: all parameters of the link then move to the link before it.
     pub(crate) stands: bool,
-    /// Distance of the joint's axis from the previous one.
-    pub(crate) a: R,
+    /// The place of the joint's axis in the frame of the link before.
+    pub(crate) before: Place<R>,
     /// Offset along the joint's axis (its constant part, if the joint is prismatic and moves).
     pub(crate) d: R,
-    /// Turn about x from the previous axis to this one.
-    pub(crate) twist: Turn<R>,
     /// Turn about z that is constant: of a prismatic joint or one that stands still, else none.
     pub(crate) turn: Turn<R>,
 }
@@ -37,9 +36,10 @@ impl<R: Ring> Geometry<R> {
     pub(crate) fn joint(&self, i: usize) -> Joint<R> {
         let link = &self.links[i];
         Joint {
+            zero: self.zero,
             joint_type: link.joint_type,
             before: Turn::none(self.zero, self.one),
-            twist: link.twist,
+            twist: link.before.turns.clone(),
             turn: link.turn,
             offset: self.offset(i),
             slide: self.zero,
@@ -49,13 +49,14 @@ impl<R: Ring> Geometry<R> {
     /// Where the origin of link i is in the frame of the link before, at q = 0 for a prismatic joint.
     pub(crate) fn offset(&self, i: usize) -> Vector3<R> {
         let (link, zero) = (&self.links[i], self.zero);
-        leave_x(link.twist, Vector3::new(zero, zero, link.d)) + Vector3::new(link.a, zero, zero)
+        let along = Vector3::new(zero, zero, link.d);
+        link.before.turns.leave(along) + link.before.origin
     }
 
     /// A body of link i as a part of the link before, where the joint's variable is zero.
     pub(crate) fn leave(&self, i: usize, body: Body<R>) -> Body<R> {
         let link = &self.links[i];
-        let turned = body.left_z(link.turn).left_x(link.twist);
+        let turned = link.before.turns.leave_body(body.left(Axis::Z, link.turn));
         turned.moved(self.offset(i))
     }
 
@@ -64,9 +65,11 @@ impl<R: Ring> Geometry<R> {
         let links = self.links.iter().map(|link| LinkGeometry {
             joint_type: link.joint_type,
             stands: link.stands,
-            a: number(link.a),
+            before: Place {
+                origin: Vector3(link.before.origin.0.map(&number)),
+                turns: link.before.turns.map(|turn| turn.map(&number)),
+            },
             d: number(link.d),
-            twist: link.twist.map(&number),
             turn: link.turn.map(&number),
         });
         Geometry {
@@ -82,9 +85,10 @@ impl<R: Ring> Geometry<R> {
 pub(crate) fn geometry<I: Interpretation>(cells: &mut I, arm: &Mechanism) -> Geometry<I::Number> {
     let zero = cells.rational(&Rational::ZERO);
     let one = cells.rational(&Rational::ONE);
-    let screws = Screws::new(cells, arm).before;
-    let joints = arm.joints.iter().zip(&screws);
-    let links = joints.map(|(joint, screw)| {
+    let joints = arm.joints.iter();
+    let places: Vec<_> = joints.map(|joint| place(cells, &joint.before)).collect();
+    let joints = arm.joints.iter().zip(places);
+    let links = joints.map(|(joint, before)| {
         let mut d = cells.value(&joint.d);
         let turn = match (joint.joint_type, &joint.law) {
             (JointType::Revolute, Law::Standing { at }) => {
@@ -102,9 +106,8 @@ pub(crate) fn geometry<I: Interpretation>(cells: &mut I, arm: &Mechanism) -> Geo
         LinkGeometry {
             joint_type: joint.joint_type,
             stands: joint.stands(),
-            a: screw.a,
+            before,
             d,
-            twist: screw.turn,
             turn,
         }
     });

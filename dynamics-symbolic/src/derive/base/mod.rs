@@ -29,7 +29,7 @@ pub(crate) use couple::dependent;
 pub(crate) use geometry::{Geometry, LinkGeometry, geometry};
 pub(crate) use group::{group, unit};
 
-use super::rows::Screws;
+use super::rows::Places;
 use super::symbols::Symbols;
 use crate::expr::{Expr, Graph};
 use crate::mechanism::{Joint, Mechanism};
@@ -47,11 +47,11 @@ pub(super) fn bodies<I: Interpretation>(
     cells: &mut I,
     arm: &Mechanism,
 ) -> Vec<(Body<I::Number>, I::Number)> {
-    let screws = Screws::new(cells, arm);
+    let places = Places::new(cells, arm);
     let joints = arm.joints.iter().enumerate();
     let body = |(i, joint): (usize, &Joint)| {
         let reflected = reflected(cells, joint);
-        (screws.body(cells, arm, i), reflected)
+        (places.body(cells, arm, i), reflected)
     };
     joints.map(body).collect()
 }

@@ -13,7 +13,7 @@ use crate::expr::{Expr, Fingerprint, Graph};
 use crate::linear::{Matrix3, Ring, Vector3};
 use crate::mechanism::Mechanism;
 use crate::robot::{Coefficient, Grouping, JointType, LinkGrouping, Parameter, Robot, Sense, Tie};
-use crate::spatial::{Joint, Motion, Turn};
+use crate::spatial::{Joint, Motion, Turn, Turns};
 
 type Vector = Vector3<Fingerprint>;
 
@@ -67,11 +67,14 @@ impl Grouping {
 fn coincides(geometry: &Geometry<Expr<'_>>, i: usize) -> Option<Sense> {
     let link = &geometry.links[i];
     geometry.tree.parent(i)?;
-    if !link.a.is_zero() || !link.twist.s.is_zero() {
+    let (zero, one) = (geometry.zero, geometry.one);
+    let [x, y, _] = link.before.origin.0;
+    let direction = link.before.turns.leave(Vector3::new(zero, zero, one));
+    let is_on_axis = [x, y, direction[0], direction[1]];
+    if is_on_axis.iter().any(|x| !x.is_zero()) {
         return None;
     }
-    let is_same = link.twist.c.fingerprint() == Fingerprint::ONE;
-    Some(if is_same {
+    Some(if direction[2].fingerprint() == Fingerprint::ONE {
         Sense::Same
     } else {
         Sense::Opposite
@@ -136,9 +139,10 @@ fn anywhere(joint_type: JointType, random: &mut SplitMix64) -> Joint<Fingerprint
         JointType::Prismatic => (none, Fingerprint::random(random)),
     };
     Joint {
+        zero,
         joint_type,
         before: none,
-        twist: none,
+        twist: Turns(Vec::new()),
         turn,
         offset: Vector3::splat(zero),
         slide,

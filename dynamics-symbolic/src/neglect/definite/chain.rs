@@ -5,7 +5,7 @@ use crate::derive::base::{Geometry, base_parameters, columns, geometry, unit};
 use crate::linear::{Matrix3, Ring, Vector3};
 use crate::mechanism::{Mechanism, Tree};
 use crate::robot::{Grouping, Interpretation, JointType};
-use crate::spatial::{Body, Motion, enter_x, enter_z};
+use crate::spatial::{Axis, Body, Motion, enter_about};
 
 /// A joint that moves, and the link behind it. Motions are (w, v), of a frame's origin.
 pub(super) struct MovingJoint<R> {
@@ -115,8 +115,8 @@ impl<R: Ring> Changes<'_, R> {
     /// To the joint's axes and origin.
     fn before(&self) -> Matrix<R> {
         let r = self.geometry.offset(self.i);
-        let twist = self.geometry.links[self.i].twist;
-        self.motions(|motion| motion.at(r).turned(|v| enter_x(twist, v)))
+        let turns = &self.geometry.links[self.i].before.turns;
+        self.motions(|motion| motion.at(r).turned(|v| turns.enter(v)))
     }
 
     /// Along the joint's axis by q.
@@ -129,7 +129,7 @@ impl<R: Ring> Changes<'_, R> {
     /// The constant turn about the joint's axis.
     fn turned(&self) -> Matrix<R> {
         let turn = self.geometry.links[self.i].turn;
-        self.motions(|motion| motion.turned(|v| enter_z(turn, v)))
+        self.motions(|motion| motion.turned(|v| enter_about(Axis::Z, turn, v)))
     }
 
     /// The matrix of a linear map of motions.
