@@ -3,7 +3,6 @@
 use std::fmt::Write as _;
 
 use dynamics_evaluation::RuntimeRobot;
-use dynamics_symbolic::function::Argument;
 
 use crate::failure::Failure;
 
@@ -24,9 +23,10 @@ pub(crate) fn compare(
         let found = Difference::of(name, one, other, samples)?;
         let is_good = found.relative <= tolerance;
         is_same &= is_good;
-        let at = match is_good {
-            true => String::new(),
-            false => format!(", most at {}", found.place(one)),
+        let at = if is_good {
+            String::new()
+        } else {
+            format!(", most at {}", found.place(one))
         };
         let _ = writeln!(text, "{name:<20} {:.1e}{at}", found.relative);
     }
@@ -92,9 +92,9 @@ impl Difference {
 }
 
 /// Up to which size the entries of an argument are.
-fn range(argument: Argument) -> f64 {
+fn range(argument: &str) -> f64 {
     match argument {
-        Argument::Position | Argument::Velocity => 3.0,
+        "q" | "qd" => 3.0,
         _ => 10.0,
     }
 }

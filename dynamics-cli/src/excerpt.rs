@@ -82,12 +82,11 @@ mod tests {
     use dynamics_evaluation::FileMistake;
 
     fn mistake(file: &str, line: usize, column: usize) -> FileMistake {
-        FileMistake {
-            file: Some(file.into()),
-            line,
-            column,
-            message: "unknown cell `mas`: did you mean `mass`?".to_owned(),
-        }
+        let mut mistake = FileMistake::default();
+        mistake.file = Some(file.into());
+        (mistake.line, mistake.column) = (line, column);
+        mistake.message = "unknown cell `mas`: did you mean `mass`?".to_owned();
+        mistake
     }
 
     #[test]

@@ -5,9 +5,9 @@ use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use clap::ArgMatches;
+use dynamics_codegen::Model;
 use dynamics_codegen::files::{Format, ends, joint_names, names_in_values};
-use dynamics_codegen::{Audience, Model};
-use dynamics_evaluation::{Besides, FileError, RuntimeRobot, read_file, read_text};
+use dynamics_evaluation::{FileError, ReadOptions, RuntimeRobot, read_file, read_text};
 use dynamics_symbolic::robot::Robot;
 use dynamics_symbolic::{Function, Proven, Request, proven_program};
 
@@ -30,7 +30,7 @@ pub(crate) fn count(given: &ArgMatches, name: &str) -> usize {
 /// The robot of a file, and what is asked for. The names of `--field` stand for their values.
 pub(crate) fn read(path: &Path, given: &ArgMatches) -> Result<Model, Failure> {
     about_links(given, &[path])?;
-    read_with(path, with_values(given, path, None, "chain")?)
+    read_with(path, with_values(given, path, None, "chain")?, Vec::new())
 }
 
 /// As [`read`], the names of `--field` being fields of the robot, of which functions are needed besides.
@@ -40,28 +40,28 @@ pub(crate) fn read_with_fields(
     needed: Vec<Function>,
 ) -> Result<Model, Failure> {
     about_links(given, &[path])?;
-    let besides = besides(given, path, None, "chain")?;
-    let fields = fields(given)?.into_iter().map(|(name, _)| name).collect();
-    let besides = Besides {
-        fields,
-        needed,
-        ..besides
-    };
-    read_with(path, besides)
+    let names = fields(given)?.into_iter().map(|(name, _)| name);
+    let options = options(given, path, None, "chain")?.fields(names);
+    read_with(path, options, needed)
 }
 
 /// The robot of the argument `FILE` and that of another one, with the same settings. A joint that only one
 /// of the files has is locked or left out there.
 pub(crate) fn read_both(other: &Path, given: &ArgMatches) -> Result<[Model; 2], Failure> {
     let path = file_of(given);
-    let chain = match given.contains_id("against-chain") {
-        true => "against-chain",
-        false => "chain",
+    let chain_of_other = if given.contains_id("against-chain") {
+        "against-chain"
+    } else {
+        "chain"
     };
     about_links(given, &[path, other])?;
+    let read = |path: &Path, other: &Path, chain: &str| {
+        let options = with_values(given, path, Some(other), chain)?;
+        read_with(path, options, Vec::new())
+    };
     Ok([
-        read_with(path, with_values(given, path, Some(other), "chain")?)?,
-        read_with(other, with_values(given, other, Some(path), chain)?)?,
+        read(path, other, "chain")?,
+        read(other, path, chain_of_other)?,
     ])
 }
 
@@ -82,8 +82,9 @@ fn about_links(given: &ArgMatches, paths: &[&Path]) -> Result<(), Failure> {
     }
 }
 
-fn read_with(path: &Path, besides: Besides) -> Result<Model, Failure> {
-    read_file(path, &besides).map_err(|error| match &error {
+/// The model of a file, of which functions are needed besides those that are asked for.
+fn read_with(path: &Path, options: ReadOptions, needed: Vec<Function>) -> Result<Model, Failure> {
+    read_file(path, &options.for_command(needed)).map_err(|error| match &error {
         // A mistake without a file is one of the command line.
         FileError::Mistakes(mistakes) if mistakes.iter().all(|mistake| mistake.file.is_none()) => {
             Failure::of_the_command_line(&error)
@@ -130,18 +131,15 @@ fn joints_of(path: &Path) -> Vec<String> {
     Format::of(path).map_or(Vec::new(), |format| joint_names(&text, format))
 }
 
-/// As [`besides`], with the names of `--field` bound to their values.
+/// As [`options`], with the names of `--field` bound to their values.
 fn with_values(
     given: &ArgMatches,
     path: &Path,
     other: Option<&Path>,
     chain: &str,
-) -> Result<Besides, Failure> {
-    let besides = besides(given, path, other, chain)?;
-    Ok(Besides {
-        entries: besides.entries + &values(given, path, other)?,
-        ..besides
-    })
+) -> Result<ReadOptions, Failure> {
+    let options = options(given, path, other, chain)?;
+    Ok(options.entries(&values(given, path, other)?))
 }
 
 /// The names and values of `--field`, as a file binds them. A name must occur in the file, or in the other one if there
@@ -172,12 +170,12 @@ fn has_name(path: &Path, name: &str) -> bool {
 
 /// What the command line says about a file besides its content. If there are two files, joints that only the other one
 /// has are left out.
-fn besides(
+fn options(
     given: &ArgMatches,
     path: &Path,
     other: Option<&Path>,
     chain: &str,
-) -> Result<Besides, Failure> {
+) -> Result<ReadOptions, Failure> {
     let elsewhere = other.map(|other| (joints_of(path), joints_of(other)));
     let is_meant = |joint: &str| match &elsewhere {
         Some((here, there)) => {
@@ -191,16 +189,14 @@ fn besides(
     let mut ignore = words(given, "ignore");
     ignore.retain(|joint| is_meant(joint));
     report_missing(given, path, chain)?;
-    let round_angles = given.try_get_one::<f64>("round-angles").ok().flatten();
-    Ok(Besides {
-        entries: entries(given, is_meant)?,
-        chain: self::chain(given, chain)?,
-        ignore,
-        round_angles: round_angles.copied(),
-        fields: Vec::new(),
-        needed: Vec::new(),
-        audience: Audience::Command,
-    })
+    let mut options = ReadOptions::new().entries(&entries(given, is_meant)?);
+    if let Some(links) = self::chain(given, chain)? {
+        options = options.chain(links);
+    }
+    if let Ok(Some(within)) = given.try_get_one::<f64>("round-angles") {
+        options = options.round_angles(*within);
+    }
+    Ok(options.ignore(ignore))
 }
 
 /// Reports the missing options of a URDF file. A file without joints has a mistake of its own, which is reported when it
@@ -218,14 +214,14 @@ fn report_missing(given: &ArgMatches, path: &Path, chain: &str) -> Result<(), Fa
         let gravity = "expected `--gravity X,Y,Z`, such as `--gravity 0,0,-9.81` where z of the first link points up";
         missing.push(gravity.to_owned());
     }
-    match missing.is_empty() {
-        true => Ok(()),
-        false => Err(Failure::of_the_command_line(format!(
-            "{} is a tree of links: {}",
-            path.display(),
-            missing.join("; ")
-        ))),
+    if missing.is_empty() {
+        return Ok(());
     }
+    Err(Failure::of_the_command_line(format!(
+        "{} is a tree of links: {}",
+        path.display(),
+        missing.join("; ")
+    )))
 }
 
 /// Most links that are listed.
@@ -366,7 +362,7 @@ pub(crate) fn arm_with(
     about_links(given, &[path])?;
     let needed: Vec<_> = functions.into_iter().collect();
     let requests: Vec<_> = needed.iter().copied().map(Request::One).collect();
-    let besides = with_values(given, path, None, "chain")?;
-    let model = read_with(path, Besides { needed, ..besides })?;
+    let options = with_values(given, path, None, "chain")?;
+    let model = read_with(path, options, needed)?;
     arm(path, &model.robot, &requests)
 }

@@ -6,7 +6,6 @@ use std::time::Instant;
 use clap::ArgMatches;
 use dynamics_evaluation::RuntimeRobot;
 use dynamics_runtime::DoubleDouble;
-use dynamics_symbolic::function::Argument;
 
 use crate::failure::Failure;
 use crate::load::{arm, file_of, read, requests};
@@ -121,10 +120,11 @@ fn seconds<E>(mut call: impl FnMut() -> Result<(), E>) -> Result<f64, E> {
 }
 
 /// Entries of an argument: within pi of positions, some per second of rates.
-fn entries(argument: Argument, count: usize, seed: usize) -> Vec<f64> {
-    let range = match argument {
-        Argument::Position => core::f64::consts::PI,
-        _ => 5.0,
+fn entries(argument: &str, count: usize, seed: usize) -> Vec<f64> {
+    let range = if argument == "q" {
+        core::f64::consts::PI
+    } else {
+        5.0
     };
     (0..count)
         .map(|i| range * ((17 * seed + 5 * i) as f64 * 0.37).sin())

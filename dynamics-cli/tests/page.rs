@@ -4,8 +4,8 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
-use dynamics_evaluation::dynamics_symbolic::robot::{JointType, Row};
-use dynamics_evaluation::{Besides, RuntimeRobot, Value};
+use dynamics_evaluation::{ReadOptions, RuntimeRobot, Value};
+use dynamics_symbolic::robot::{JointType, Row};
 
 /// What the size of a page stays below.
 const MEGABYTE: usize = 1_000_000;
@@ -39,7 +39,7 @@ struct Arm {
     name: &'static str,
     file: String,
     options: Vec<&'static str>,
-    besides: Besides,
+    besides: ReadOptions,
     /// The fields, with the values that they have at first.
     fields: Vec<(&'static str, f64)>,
 }
@@ -61,17 +61,14 @@ impl Arm {
             name,
             file: data(file),
             options: Vec::new(),
-            besides: Besides {
-                entries: format!("functions = {functions:?}\n"),
-                ..Besides::default()
-            },
+            besides: ReadOptions::new().functions(functions),
             fields: Vec::new(),
         }
     }
 
     fn with_fields(mut self, fields: &[(&'static str, f64)]) -> Arm {
         self.fields = fields.to_vec();
-        self.besides.fields = fields.iter().map(|(name, _)| (*name).to_owned()).collect();
+        self.besides = self.besides.fields(fields.iter().map(|(name, _)| *name));
         self
     }
 
@@ -92,7 +89,7 @@ impl Arm {
     }
 
     fn robot(&self) -> RuntimeRobot {
-        RuntimeRobot::from_file_with(&self.file, &self.besides).expect("a robot")
+        RuntimeRobot::from_file(&self.file, &self.besides).expect("a robot")
     }
 }
 
@@ -108,10 +105,12 @@ fn arms() -> Vec<Arm> {
         "--lock",
         "panda_finger_joint2=0.02",
     ];
-    panda.besides.entries.push_str(
-        "gravity = [0, 0, \"-9.81\"]\nlock = { panda_finger_joint1 = 0.02, panda_finger_joint2 = 0.02 }\n",
-    );
-    panda.besides.chain = Some(["panda_link0", "panda_hand_tcp"].map(str::to_owned));
+    let lock = "lock = { panda_finger_joint1 = 0.02, panda_finger_joint2 = 0.02 }";
+    let besides = panda
+        .besides
+        .entries("gravity = [0, 0, \"-9.81\"]")
+        .entries(lock);
+    panda.besides = besides.chain(["panda_link0", "panda_hand_tcp"]);
     vec![
         Arm::new("two_link", "files/two_link.toml").with_fields(&[
             ("m1", 3.0),

@@ -1,8 +1,9 @@
 //! A function of a robot, ready to be evaluated.
 
+use dynamics_runtime::Operations;
 use dynamics_symbolic::function::Argument;
 use dynamics_symbolic::robot::Robot;
-use dynamics_symbolic::{Operations, Proven, Request};
+use dynamics_symbolic::{Proven, Request};
 
 use crate::block::{Stage, stages};
 use crate::error::{BuildError, EvaluationError};
@@ -37,9 +38,16 @@ impl Compiled {
             let shape = argument.shape()?;
             Some((argument, shape.entries(layout.sizes)))
         });
+        let counted = proven.program.operations();
         Ok(Compiled {
             arguments: arguments.collect(),
-            operations: proven.program.operations(),
+            operations: Operations {
+                multiplications: counted.multiplications,
+                additions: counted.additions,
+                divisions: counted.divisions,
+                sin_cos: counted.sin_cos,
+                exponentials: counted.exponentials,
+            },
             stages: stages(&tape),
             shared: Vec::new(),
             layout,
@@ -73,12 +81,12 @@ pub(crate) fn check_length(
     found: usize,
     expected: usize,
 ) -> Result<(), EvaluationError> {
-    match found == expected {
-        true => Ok(()),
-        false => Err(EvaluationError::Length {
-            argument,
-            found,
-            expected,
-        }),
+    if found == expected {
+        return Ok(());
     }
+    Err(EvaluationError::Length {
+        argument,
+        found,
+        expected,
+    })
 }

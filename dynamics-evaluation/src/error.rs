@@ -3,10 +3,10 @@
 use core::fmt;
 
 use dynamics_runtime::SingularMassMatrix;
-use dynamics_symbolic::Failure;
 
 /// Why there is no robot.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum BuildError {
     /// No joint of the table moves.
     NoJoints,
@@ -15,7 +15,7 @@ pub enum BuildError {
     /// Two of the functions that are asked for have this name.
     Repeated(String),
     /// No program was found for a function, with the reason.
-    Failure(Failure),
+    Failure(String),
     /// The program of this function has more than 65,536 numbers of one kind, which have no room in its tape.
     TooLong(String),
 }
@@ -36,7 +36,7 @@ impl fmt::Display for BuildError {
                 )
             }
             BuildError::Repeated(name) => write!(f, "`{name}` is asked for twice"),
-            BuildError::Failure(failure) => failure.fmt(f),
+            BuildError::Failure(reason) => f.write_str(reason),
             BuildError::TooLong(name) => write!(
                 f,
                 "the program of `{name}` is too long to be evaluated: let the macro `robot_dynamics!` generate it"
@@ -49,6 +49,7 @@ impl core::error::Error for BuildError {}
 
 /// Why a call has no value.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum EvaluationError {
     /// The function of that name was not asked for when the robot was made.
     NotDerived(String),
@@ -92,8 +93,8 @@ impl fmt::Display for EvaluationError {
             }
             EvaluationError::NotSimulated(function) => write!(
                 f,
-                "a simulation needs `{function}`, which was not derived: make the robot by \
-                 `RuntimeRobot::for_simulation(robot)`, or ask for all of `RuntimeRobot::simulation_functions()`"
+                "a simulation needs `{function}`, which was not derived: ask for all of \
+                 `RuntimeRobot::simulation_functions()` when the robot is made"
             ),
             EvaluationError::Length {
                 argument,
@@ -127,6 +128,7 @@ impl core::error::Error for EvaluationError {}
 
 /// A field of that name is not among the robot's.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct UnknownField {
     /// The name.
     pub name: String,
@@ -152,6 +154,7 @@ impl core::error::Error for UnknownField {}
 
 /// The arm has another number of joints.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct WrongJoints {
     /// How many it has.
     pub found: usize,

@@ -14,6 +14,7 @@ use crate::{BuildError, RuntimeRobot};
 
 /// Why a file gives no robot.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum FileError {
     /// The file could not be read, with the system's reason.
     Unreadable(PathBuf, String),
@@ -26,9 +27,10 @@ pub enum FileError {
 }
 
 /// A mistake in a file.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct FileMistake {
-    /// The file; none where the mistake is in what was said besides.
+    /// The file, `TOML` for a text; none if the mistake is in the options.
     pub file: Option<PathBuf>,
     /// The line, counted from 1.
     pub line: usize,
@@ -75,35 +77,107 @@ impl fmt::Display for FileError {
 
 impl core::error::Error for FileError {}
 
-/// What is said of a robot besides its file.
+/// What is said of a robot besides its file, or its text.
+///
+/// ```
+/// # mod robot_dynamics {
+/// # pub use dynamics_evaluation as evaluation;
+/// # }
+/// use robot_dynamics::evaluation::ReadOptions;
+///
+/// let options = ReadOptions::new()
+///     .chain(["panda_link0", "panda_link8"])
+///     .entries("gravity = [0, 0, -9.81]")
+///     .functions(["inverse_dynamics", "mass_matrix"]);
+/// ```
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Besides {
+#[must_use]
+pub struct ReadOptions {
+    entries: String,
+    functions: Option<Vec<String>>,
+    chain: Option<[String; 2]>,
+    ignore: Vec<String>,
+    round_angles: Option<f64>,
+    fields: Vec<String>,
+    needed: Vec<Function>,
+    audience: Audience,
+}
+
+fn owned(names: impl IntoIterator<Item = impl Into<String>>) -> Vec<String> {
+    names.into_iter().map(Into::into).collect()
+}
+
+impl ReadOptions {
+    /// Nothing besides the file.
+    pub fn new() -> Self {
+        ReadOptions::default()
+    }
+
     /// Entries in TOML. `lock`, `couple` and `allow` add to those of the file: a joint that both lock at different
     /// positions is a mistake. Each of `gravity`, `functions`, `base`, `tool`, `neglect` and `tests` takes the place of
     /// the file's, and a name in `let` that of the same name. `convention` and `joint` are the file's alone.
-    pub entries: String,
+    ///
+    /// They are lines behind those that were given before.
+    pub fn entries(self, toml: &str) -> Self {
+        let entries = self.entries + toml + "\n";
+        ReadOptions { entries, ..self }
+    }
+
+    /// The names of the functions, in place of those that the file asks for: `default` are those of a file that asks for
+    /// none. A method that returns several functions is an entry, `functions = [{ control_terms = ["mass_matrix", ..] }]`.
+    pub fn functions(self, names: impl IntoIterator<Item = impl Into<String>>) -> Self {
+        let functions = Some(owned(names));
+        ReadOptions { functions, ..self }
+    }
+
     /// The first and the last link of the arm, which a URDF file needs; passed over for a table.
-    pub chain: Option<[String; 2]>,
+    pub fn chain(self, links: [impl Into<String>; 2]) -> Self {
+        let chain = Some(links.map(Into::into));
+        ReadOptions { chain, ..self }
+    }
+
     /// Joints of a URDF file that are left out, with all that hangs on them; passed over for a table. `rest`, where no
     /// joint has that name, is all joints beside the chain that are not named; it may be locked, too.
-    pub ignore: Vec<String>,
+    pub fn ignore(self, joints: impl IntoIterator<Item = impl Into<String>>) -> Self {
+        let ignore = owned(joints);
+        ReadOptions { ignore, ..self }
+    }
+
     /// How near an angle of a URDF file is to a multiple of a quarter turn that it is taken for, rad, and which share of
     /// an axis is zero; passed over for a table.
-    pub round_angles: Option<f64>,
+    pub fn round_angles(self, within: f64) -> Self {
+        let round_angles = Some(within);
+        ReadOptions {
+            round_angles,
+            ..self
+        }
+    }
+
     /// Names that cells may use without a value, as those of the fields of a struct: they become the
     /// robot's fields, in this order.
-    pub fields: Vec<String>,
-    /// Functions that are derived besides those that are asked for. If one reads masses, the file has to have them.
-    pub needed: Vec<Function>,
-    /// The reader of messages, in whose words they say what to write.
-    pub audience: Audience,
-}
+    pub fn fields(self, names: impl IntoIterator<Item = impl Into<String>>) -> Self {
+        let fields = owned(names);
+        ReadOptions { fields, ..self }
+    }
 
-impl Besides {
+    /// Functions that are derived besides those that are asked for: if one reads masses, the file has to have them.
+    /// Messages speak to somebody who typed a command line.
+    #[doc(hidden)]
+    pub fn for_command(self, needed: Vec<Function>) -> Self {
+        let audience = Audience::Command;
+        ReadOptions {
+            needed,
+            audience,
+            ..self
+        }
+    }
+
     /// As a table. Its lines are counted behind the `lines` of the file, so that a mistake in one of them is not taken for
-    /// one in the file.
+    /// one in the file; the functions are the first of them.
     fn table(&self, stem: &str, lines: usize) -> Result<Table, Vec<Error>> {
-        let entries = "\n".repeat(lines) + &self.entries;
+        let functions = self.functions.as_ref();
+        let functions = functions.map_or(String::new(), |names| format!("functions = {names:?}"));
+        let entries = "\n".repeat(lines) + &functions + "\n" + &self.entries;
         let mut table = table(stem, &entries, Format::Toml, &Request::default())?;
         table.audience = self.audience;
         table.needed.clone_from(&self.needed);
@@ -133,34 +207,40 @@ impl Besides {
 ///
 /// # Errors
 ///
-/// [`FileError`], with all mistakes of the file and of what is said besides.
-pub fn read_file(path: &Path, besides: &Besides) -> Result<Model, FileError> {
+/// [`FileError`], with all mistakes of the file and of the options.
+#[doc(hidden)]
+pub fn read_file(path: &Path, options: &ReadOptions) -> Result<Model, FileError> {
     let text = read_text(path)?;
     let format = Format::of(path).ok_or_else(|| FileError::UnknownFormat(path.to_owned()))?;
+    read(path, &text, format, options)
+}
+
+fn read(
+    path: &Path,
+    text: &str,
+    format: Format,
+    options: &ReadOptions,
+) -> Result<Model, FileError> {
     let stem = path.file_stem().and_then(|stem| stem.to_str());
+    let stem = stem.unwrap_or("robot");
     // A mistake at the end of a file may have the line behind its last one.
     let lines = text.lines().count() + 1;
-    read(stem.unwrap_or("robot"), &text, format, besides, lines).map_err(|errors| {
+    let model = options.table(stem, lines).and_then(|beside| {
+        let model = model_beside(stem, text, format, beside)?;
+        without_neglected(model).map_err(|error| vec![error])
+    });
+    model.map_err(|errors| {
         let mistakes = errors.into_iter().map(|error| mistake(path, lines, error));
         FileError::Mistakes(mistakes.collect())
     })
 }
 
-fn read(
-    stem: &str,
-    text: &str,
-    format: Format,
-    besides: &Besides,
-    lines: usize,
-) -> Result<Model, Vec<Error>> {
-    let mut model = model_beside(stem, text, format, besides.table(stem, lines)?)?;
+fn without_neglected(mut model: Model) -> Result<Model, Error> {
     if let Some((share, place)) = &model.neglect {
         let neglected = neglect(&model.robot, share.to_f64(&[]));
-        model.robot = neglected.map_err(|refused| {
-            vec![Error {
-                place: *place,
-                message: refused.to_string(),
-            }]
+        model.robot = neglected.map_err(|refused| Error {
+            place: *place,
+            message: refused.to_string(),
         })?;
     }
     Ok(model)
@@ -171,63 +251,69 @@ fn read(
 /// # Errors
 ///
 /// [`FileError::Unreadable`], and a mistake where the bytes are no text.
+#[doc(hidden)]
 pub fn read_text(path: &Path) -> Result<String, FileError> {
     let unreadable = |reason| FileError::Unreadable(path.to_owned(), reason);
     let bytes = bytes(path, MOST_BYTES).map_err(|error| unreadable(error.to_string()))?;
     text(bytes).map_err(|error| FileError::Mistakes(vec![mistake(path, usize::MAX, error)]))
 }
 
-/// A mistake with its place in a file of so many lines; one behind them is in what was said besides.
+/// A mistake with its place in a file of so many lines; behind them are the options, of which the functions are the
+/// first line.
 fn mistake(path: &Path, lines: usize, error: Error) -> FileMistake {
     let (line, column) = match error.place {
         Place::File { line, column } => (line, column),
         Place::Tokens { .. } => (1, 1),
     };
-    let is_besides = line > lines;
+    let is_of_options = line > lines;
     FileMistake {
-        file: (!is_besides).then(|| path.to_owned()),
-        line: if is_besides { line - lines } else { line },
+        file: (!is_of_options).then(|| path.to_owned()),
+        line: if is_of_options {
+            (line - lines - 1).max(1)
+        } else {
+            line
+        },
         column,
         message: error.message,
     }
 }
 
 impl RuntimeRobot {
-    /// The robot of a file, TOML in the macro's words or JSON, with the functions that the file asks
-    /// for, or else those that a table has that asks for none. A URDF file needs more: see
-    /// [`from_file_with`](Self::from_file_with).
-    ///
-    /// # Errors
-    ///
-    /// [`FileError`], with all mistakes of the file.
-    pub fn from_file(path: impl AsRef<Path>) -> Result<Self, FileError> {
-        RuntimeRobot::from_file_with(path, &Besides::default())
-    }
-
-    /// The robot of a file, with what is said besides: of a URDF file the first and the last link, and
-    /// gravity.
+    /// The robot of a file: a table in TOML, in the macro's words, or in JSON, or a URDF file. Its functions are those that
+    /// the options name, or else the file, or else those of a table that names none.
     ///
     /// ```no_run
     /// # mod robot_dynamics {
     /// # pub use dynamics_evaluation as evaluation;
     /// # }
-    /// use robot_dynamics::evaluation::{Besides, RuntimeRobot};
+    /// use robot_dynamics::evaluation::{ReadOptions, RuntimeRobot};
     ///
-    /// let besides = Besides {
-    ///     entries: "gravity = [0, 0, -9.81]".to_owned(),
-    ///     chain: Some(["panda_link0", "panda_link8"].map(str::to_owned)),
-    ///     ..Besides::default()
-    /// };
-    /// let panda = RuntimeRobot::from_file_with("panda.urdf", &besides)?;
+    /// let options = ReadOptions::new()
+    ///     .chain(["panda_link0", "panda_link8"])
+    ///     .entries("gravity = [0, 0, -9.81]");
+    /// let panda = RuntimeRobot::from_file("panda.urdf", &options)?;
     /// # Ok::<(), robot_dynamics::evaluation::FileError>(())
     /// ```
     ///
     /// # Errors
     ///
-    /// [`FileError`], with all mistakes of the file.
-    pub fn from_file_with(path: impl AsRef<Path>, besides: &Besides) -> Result<Self, FileError> {
+    /// [`FileError`], with all mistakes of the file and of the options.
+    pub fn from_file(path: impl AsRef<Path>, options: &ReadOptions) -> Result<Self, FileError> {
         let path = path.as_ref();
-        let model = read_file(path, besides)?;
+        RuntimeRobot::of_model(read_file(path, options)?, path)
+    }
+
+    /// The robot of a table in TOML, as [`from_file`](RuntimeRobot::from_file) reads it.
+    ///
+    /// # Errors
+    ///
+    /// [`FileError`], with all mistakes of the text, which is the file `TOML` in messages, and of the options.
+    pub fn from_toml(text: &str, options: &ReadOptions) -> Result<Self, FileError> {
+        let path = Path::new("TOML");
+        RuntimeRobot::of_model(read(path, text, Format::Toml, options)?, path)
+    }
+
+    fn of_model(model: Model, path: &Path) -> Result<Self, FileError> {
         let requests = model.requests.into_iter().map(|(request, _)| request);
         let arm = RuntimeRobot::new(model.robot, requests);
         arm.map_err(|error| FileError::Build(path.to_owned(), error))

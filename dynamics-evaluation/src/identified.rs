@@ -29,6 +29,7 @@ const ROUNDING: f64 = 1e-9;
 
 /// Why there is no robot with the base parameters that were identified.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum IdentificationError {
     /// The robot has no regressor, there are more or fewer base parameters than it has, or one is not a number.
     Values(EvaluationError),
@@ -52,6 +53,7 @@ pub enum IdentificationError {
 /// A link that no body is: its mass is negative, or a principal moment of its inertia is negative or greater than the
 /// sum of the other two, so that its pseudo-inertia matrix is not positive semidefinite.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct ImpossibleLink {
     /// The name of the link's joint.
     pub joint: String,
@@ -118,6 +120,7 @@ impl From<EvaluationError> for IdentificationError {
 
 /// The friction of a joint as it was identified: `viscous qd + coulomb sign(qd)`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct JointFriction {
     /// The viscous coefficient, N m s or N s/m.
     pub viscous: f64,
@@ -125,8 +128,16 @@ pub struct JointFriction {
     pub coulomb: [f64; 2],
 }
 
+impl JointFriction {
+    /// Friction with these coefficients: viscous, then Coulomb's of positive and of negative velocities.
+    pub const fn new(viscous: f64, coulomb: [f64; 2]) -> Self {
+        JointFriction { viscous, coulomb }
+    }
+}
+
 /// Base parameters that bodies have: see [`Typed::nearest_possible`].
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct NearestPossible {
     /// The base parameters, in the order of `base_parameters`.
     pub base_parameters: Vec<f64>,

@@ -9,12 +9,10 @@ mod at;
 mod block;
 mod compiled;
 mod error;
-#[cfg(feature = "files")]
 mod file;
 mod identified;
 mod layout;
 mod methods;
-
 mod possible;
 mod read;
 mod robot;
@@ -25,14 +23,12 @@ mod typed;
 mod validate;
 mod value;
 
-#[cfg(feature = "files")]
-pub use dynamics_codegen::Audience;
 pub use dynamics_runtime;
-pub use dynamics_symbolic;
 
 pub use error::{BuildError, EvaluationError, UnknownField, WrongJoints};
-#[cfg(feature = "files")]
-pub use file::{Besides, FileError, FileMistake, read_file, read_text};
+pub use file::{FileError, FileMistake, ReadOptions};
+#[doc(hidden)]
+pub use file::{read_file, read_text};
 pub use identified::{IdentificationError, ImpossibleLink, JointFriction, NearestPossible};
 pub use robot::RuntimeRobot;
 pub use simulated::{RuntimeDynamics, Tip};

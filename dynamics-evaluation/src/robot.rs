@@ -2,10 +2,10 @@
 
 use std::sync::Mutex;
 
-use dynamics_runtime::{Scalar, SingularMassMatrix};
+use dynamics_runtime::{Operations, Scalar, SingularMassMatrix};
 use dynamics_symbolic::function::Argument;
 use dynamics_symbolic::robot::Robot;
-use dynamics_symbolic::{Operations, Proven, Request, proven_program};
+use dynamics_symbolic::{Proven, Request, proven_program};
 use fearless_simd::Level;
 
 use crate::block::{Batch, Block, run};
@@ -26,25 +26,20 @@ use crate::value::Value;
 /// # mod robot_dynamics {
 /// # pub use dynamics_evaluation as evaluation;
 /// # }
-/// use robot_dynamics::evaluation::RuntimeRobot;
-/// use robot_dynamics::evaluation::dynamics_symbolic::Function;
-/// use robot_dynamics::evaluation::dynamics_symbolic::robot::{Convention, JointType, Robot, Row, Value};
+/// use robot_dynamics::evaluation::{ReadOptions, RuntimeRobot};
 ///
-/// let zero = Value::zero;
 /// // A mass that hangs from a horizontal axis: its mass is a field, its distance 1/2 m.
-/// let row = Row {
-///     mass: Value::field(0),
-///     com: [Value::integer(1).checked_div(Value::integer(2)).unwrap(), zero(), zero()],
-///     ..Row::new("pivot", JointType::Revolute)
-/// };
-/// let robot = Robot {
-///     name: "Pendulum".to_owned(),
-///     fields: vec!["mass".to_owned()],
-///     convention: Convention::Modified,
-///     gravity: [Value::from_f64(9.81).unwrap(), zero(), zero()],
-///     base: None, rows: vec![row], tool: None, neglected: None,
-/// };
-/// let mut arm = RuntimeRobot::new(robot, [Function::MassMatrix, Function::GravityVector])?;
+/// let table = r#"
+///     convention = "modified"
+///     gravity = [9.81, 0, 0]
+///     [[joint]]
+///     name = "pivot"
+///     type = "revolute"
+///     mass = "mass"
+///     com = [0.5, 0, 0]
+/// "#;
+/// let options = ReadOptions::new().fields(["mass"]).functions(["mass_matrix", "gravity_vector"]);
+/// let mut arm = RuntimeRobot::from_toml(table, &options)?;
 /// arm.set_field("mass", 4.0)?;
 /// assert_eq!(arm.mass_matrix(&[0.3])?[0], 1.0);
 /// arm.set_field("mass", 8.0)?;
@@ -92,6 +87,7 @@ impl RuntimeRobot {
     /// # Errors
     ///
     /// [`BuildError`]: the table has no joint that moves, or a function could not be proven.
+    #[doc(hidden)]
     pub fn new<R: Into<Request>>(
         robot: Robot,
         functions: impl IntoIterator<Item = R>,
@@ -100,7 +96,8 @@ impl RuntimeRobot {
         let mut programs = Vec::new();
         for request in functions {
             let request = request.into();
-            let proven = proven_program(&robot, &request).map_err(BuildError::Failure)?;
+            let proven = proven_program(&robot, &request);
+            let proven = proven.map_err(|failure| BuildError::Failure(failure.to_string()))?;
             programs.push((request, proven));
         }
         Self::of_programs(robot, &programs)
@@ -112,6 +109,7 @@ impl RuntimeRobot {
     /// # Errors
     ///
     /// [`BuildError`], as [`new`](RuntimeRobot::new).
+    #[doc(hidden)]
     pub fn of_programs(robot: Robot, programs: &[(Request, Proven)]) -> Result<Self, BuildError> {
         validate(&robot)?;
         let mut compiled: Vec<Compiled> = Vec::new();
@@ -135,6 +133,7 @@ impl RuntimeRobot {
     }
 
     /// The description that the robot was made of.
+    #[doc(hidden)]
     pub fn robot(&self) -> &Robot {
         &self.robot
     }
@@ -275,7 +274,7 @@ impl RuntimeRobot {
         values.map_err(|error| self.singular(None, error))
     }
 
-    /// The arguments of a function, each with its number of entries.
+    /// The arguments of a function by their names, `q`, `qd` and so on, each with its number of entries at a state.
     ///
     /// # Errors
     ///
@@ -283,9 +282,9 @@ impl RuntimeRobot {
     pub fn arguments(
         &self,
         function: &str,
-    ) -> Result<impl Iterator<Item = (Argument, usize)>, EvaluationError> {
-        self.function(function)
-            .map(|function| function.arguments.iter().copied())
+    ) -> Result<impl Iterator<Item = (&'static str, usize)>, EvaluationError> {
+        let arguments = self.function(function)?.arguments.iter();
+        Ok(arguments.map(|(argument, entries)| (argument.name(), *entries)))
     }
 
     /// How many entries the value of a function has at each state.

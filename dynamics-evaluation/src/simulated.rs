@@ -44,12 +44,12 @@ impl RuntimeRobot {
     /// # pub use dynamics_runtime::*;
     /// # pub use dynamics_evaluation as evaluation;
     /// # }
-    /// # use robot_dynamics::evaluation::dynamics_symbolic::robot::Robot;
-    /// # fn simulated(robot: Robot) -> Result<(), Box<dyn std::error::Error>> {
+    /// # fn simulated() -> Result<(), Box<dyn std::error::Error>> {
     /// use robot_dynamics::Simulation;
-    /// use robot_dynamics::evaluation::RuntimeRobot;
+    /// use robot_dynamics::evaluation::{ReadOptions, RuntimeRobot};
     ///
-    /// let robot = RuntimeRobot::for_simulation(robot)?;
+    /// let options = ReadOptions::new().functions(RuntimeRobot::simulation_functions());
+    /// let robot = RuntimeRobot::from_file("puma560.toml", &options)?;
     /// let motion = Simulation::new(&robot.dynamics()?).duration(2.0).run()?;
     /// # Ok(())
     /// # }
@@ -58,7 +58,7 @@ impl RuntimeRobot {
     /// # Errors
     ///
     /// [`EvaluationError::NotSimulated`] unless all [`simulation_functions`](RuntimeRobot::simulation_functions) but the
-    /// two of the tip were asked for, as [`for_simulation`](RuntimeRobot::for_simulation) does.
+    /// two of the tip were asked for.
     pub fn dynamics(&self) -> Result<RuntimeDynamics<'_>, EvaluationError> {
         Ok(RuntimeDynamics {
             arm: self,

@@ -7,12 +7,11 @@ use dynamics_runtime::{
     table::{RuntimeTable, Table},
 };
 use dynamics_symbolic::function::Argument;
-use dynamics_symbolic::robot::Robot;
 use dynamics_symbolic::{Function, Request};
 
 use crate::compiled::Compiled;
 use crate::table::table;
-use crate::{BuildError, EvaluationError, RuntimeRobot, WrongJoints};
+use crate::{EvaluationError, RuntimeRobot, WrongJoints};
 
 impl RuntimeRobot {
     /// The robot as an arm of `N` joints, which generic code takes. Checks take the robot as it is
@@ -60,38 +59,13 @@ const OF_SIMULATIONS: [Function; 7] = [
 ];
 
 impl RuntimeRobot {
-    /// The robot with the [`simulation_functions`](RuntimeRobot::simulation_functions).
-    ///
-    /// ```
-    /// # mod robot_dynamics {
-    /// # pub use dynamics_runtime::*;
-    /// # pub use dynamics_evaluation as evaluation;
-    /// # }
-    /// # use robot_dynamics::evaluation::dynamics_symbolic::robot::Robot;
-    /// # fn simulated(robot: Robot) -> Result<(), Box<dyn std::error::Error>> {
-    /// use robot_dynamics::Simulation;
-    /// use robot_dynamics::evaluation::RuntimeRobot;
-    ///
-    /// let robot = RuntimeRobot::for_simulation(robot)?;
-    /// let motion = Simulation::new(&robot.dynamics()?).duration(2.0).run()?;
-    /// # Ok(())
-    /// # }
-    /// ```
-    ///
-    /// # Errors
-    ///
-    /// [`BuildError`], as [`new`](RuntimeRobot::new).
-    pub fn for_simulation(robot: Robot) -> Result<Self, BuildError> {
-        RuntimeRobot::new(robot, RuntimeRobot::simulation_functions())
-    }
-
-    /// The functions that a simulation needs, for robots that have others as well:
-    /// `RuntimeRobot::new(robot, RuntimeRobot::simulation_functions().into_iter().chain([Function::Regressor]))`.
+    /// The names of the functions that a simulation needs: those of
+    /// [`dynamics`](RuntimeRobot::dynamics), then the two of [`with_tip`](crate::RuntimeDynamics::with_tip).
     ///
     /// Forward dynamics moves the arm; methods that work in momenta need the mass matrix and inverse dynamics, energies
     /// are compared; the last two, `forward_kinematics` and `jacobian`, are those of a force at the tool.
-    pub fn simulation_functions() -> [Function; 7] {
-        OF_SIMULATIONS
+    pub fn simulation_functions() -> [&'static str; 7] {
+        OF_SIMULATIONS.map(Function::name)
     }
 
     /// A function by itself, not a method of several that has its name.

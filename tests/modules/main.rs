@@ -9,6 +9,7 @@ mod circles;
 mod documentation;
 mod length;
 mod names;
+mod signatures;
 mod source;
 
 use std::fs;
@@ -100,6 +101,20 @@ fn functions_of_the_product_are_short() {
         }
     }
     assert!(files > 300, "{files} files");
+}
+
+#[test]
+fn robots_at_run_time_show_nothing_of_the_engine() {
+    let mut public = 0;
+    for name in ["", "dynamics-evaluation"] {
+        for file in read(name).files {
+            let text = fs::read_to_string(folder(name).join(&file.path)).expect("a source");
+            let open = signatures::open_items(&text);
+            assert!(open.is_empty(), "{name}/src/{}: {open:#?}", file.path);
+            public += text.matches("pub fn").count();
+        }
+    }
+    assert!(public > 20, "{public} public functions");
 }
 
 /// Or the tests above would pass whatever the modules do.

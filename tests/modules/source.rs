@@ -169,7 +169,7 @@ impl<'a> Item<'a> {
 }
 
 /// The first item with its attributes, and what follows: it ends in a semicolon or a block.
-fn split_item(tokens: &[TokenTree]) -> (&[TokenTree], &[TokenTree]) {
+pub(crate) fn split_item(tokens: &[TokenTree]) -> (&[TokenTree], &[TokenTree]) {
     let ends = |i: &usize| match &tokens[*i] {
         TokenTree::Punct(sign) => sign.as_char() == ';',
         TokenTree::Group(group) if group.delimiter() == Delimiter::Brace => {
@@ -190,7 +190,7 @@ fn goes_on_after_a_block(item: &[TokenTree]) -> bool {
     has(&"use") || (is_constant && !is_generic)
 }
 
-fn is_word(token: &TokenTree, word: &str) -> bool {
+pub(crate) fn is_word(token: &TokenTree, word: &str) -> bool {
     matches!(token, TokenTree::Ident(name) if name == word)
 }
 
@@ -200,16 +200,26 @@ fn is_equals(token: &TokenTree) -> bool {
 
 /// Whether an item has the attribute `#[cfg(test)]`.
 fn is_test(item: &[TokenTree]) -> bool {
+    has_attribute(item, "cfg(test)")
+}
+
+/// Whether an item has an attribute of these words.
+pub(crate) fn has_attribute(item: &[TokenTree], words: &str) -> bool {
     item.iter().any(|token| match token {
         TokenTree::Group(group) if group.delimiter() == Delimiter::Bracket => {
-            group.stream().to_string().replace(' ', "") == "cfg(test)"
+            group.stream().to_string().replace(' ', "") == words
         }
         _ => false,
     })
 }
 
 /// The names that a tree of a `use` brings in, under the path before it.
-fn read_use(tree: &[TokenTree], before: &[String], public: bool, imports: &mut Vec<Import>) {
+pub(crate) fn read_use(
+    tree: &[TokenTree],
+    before: &[String],
+    public: bool,
+    imports: &mut Vec<Import>,
+) {
     let mut path = before.to_vec();
     let mut name = None;
     let mut tokens = tree.iter();

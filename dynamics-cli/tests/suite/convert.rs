@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use dynamics_evaluation::{Besides, RuntimeRobot, read_file};
+use dynamics_evaluation::{ReadOptions, RuntimeRobot, read_file};
 use dynamics_runtime::nalgebra::SVector;
 use dynamics_runtime::{Model as _, NewtonEuler};
 use dynamics_symbolic::robot::{Convention, Robot};
@@ -16,7 +16,7 @@ struct Arm {
     name: String,
     file: String,
     options: Vec<String>,
-    besides: Besides,
+    besides: ReadOptions,
 }
 
 const GRAVITY: &str = "gravity = [0, 0, -9.81]\nallow = [\"unphysical_inertia\"]\n";
@@ -94,22 +94,20 @@ fn arm(path: &Path) -> Arm {
             .into_owned(),
         file: data(&format!("urdf/{file}")),
         options,
-        besides: Besides {
-            entries,
-            chain: Some(chain),
-            ignore,
-            ..Besides::default()
-        },
+        besides: ReadOptions::new()
+            .entries(&entries)
+            .chain(chain)
+            .ignore(ignore),
     }
 }
 
-fn read(path: &str, besides: &Besides) -> Robot {
+fn read(path: &str, besides: &ReadOptions) -> Robot {
     let model = read_file(Path::new(path), besides);
     model.unwrap_or_else(|error| panic!("{error}")).robot
 }
 
 /// Calls `convert`, and reads what it wrote to that file.
-fn converted(file: &str, options: &[&str], name: &str, besides: &Besides) -> (String, Robot) {
+fn converted(file: &str, options: &[&str], name: &str, besides: &ReadOptions) -> (String, Robot) {
     let path = folder("converted").join(name);
     let path = path.to_string_lossy().into_owned();
     output(&[&["convert", file, "--out", &path][..], options].concat());
@@ -187,19 +185,14 @@ fn arms_of_urdf_files_are_the_same_as_tables_and_back() {
         let options: Vec<&str> = arm.options.iter().map(String::as_str).collect();
         let source = read(&arm.file, &arm.besides);
         let with = |more: &[&'static str]| [options.as_slice(), more].concat();
-        let none = Besides::default();
+        let none = ReadOptions::new();
         let (standard, name) = (["--convention", "standard"], &arm.name);
         let modified = format!("{name}.toml");
         let (path, modified) = converted(&arm.file, &with(&[]), &modified, &none);
         let standard = converted(&arm.file, &with(&standard), &format!("{name}.json"), &none).1;
         assert_eq!(modified.convention, Convention::Modified);
         assert_eq!(standard.convention, Convention::Standard);
-        let back = Besides {
-            chain: Some(["base", "tip"].map(str::to_owned)),
-            ignore: Vec::new(),
-            entries: GRAVITY.to_owned(),
-            ..Besides::default()
-        };
+        let back = ReadOptions::new().chain(["base", "tip"]).entries(GRAVITY);
         let back = converted(&path, &[], &format!("{name}_back.urdf"), &back).1;
         for (kind, robot) in [
             ("modified", modified),
@@ -222,7 +215,7 @@ fn arms_of_urdf_files_are_the_same_as_tables_and_back() {
 /// the other convention and back.
 #[test]
 fn tables_are_the_same_in_both_conventions() {
-    let none = Besides::default();
+    let none = ReadOptions::new();
     for name in [
         "puma560",
         "stanford",
@@ -257,8 +250,8 @@ fn tables_are_the_same_in_both_conventions() {
 #[test]
 fn the_cells_of_a_published_table_are_found_again() {
     let path = data("robots/panda.json");
-    let robot = read(&path, &Besides::default());
-    let (_, same) = converted(&path, &["--to", "toml"], "same.toml", &Besides::default());
+    let robot = read(&path, &ReadOptions::new());
+    let (_, same) = converted(&path, &["--to", "toml"], "same.toml", &ReadOptions::new());
     for (row, expected) in same.rows.iter().zip(&robot.rows) {
         let cells = |row: &dynamics_symbolic::robot::Row| {
             let angles = [&row.alpha, &row.theta].map(dynamics_symbolic::robot::Angle::new);
@@ -290,7 +283,7 @@ fn a_table_in_its_own_convention_keeps_its_rows() {
         [[joint]]\nname = \"back\"\ntype = \"revolute\"\nalpha = 1.5707963267948966\nd = 0.2\nmass = 0.25\ncom = [0.1, 0, 0]\n\
         friction = { viscous = 0.1, coulomb = { positive = 0.5, negative = 0.4 } }\n";
     let path = file("kept.toml", text);
-    let none = Besides::default();
+    let none = ReadOptions::new();
     let source = read(&path, &none);
     for (options, name) in [
         (&["--to", "toml"][..], "kept_again.toml"),
@@ -336,11 +329,7 @@ fn axes_that_are_nearly_parallel_keep_their_digits() {
         "tilted.urdf",
         format!("<robot name=\"tilted\">\n<link name=\"l0\"/>\n{links}</robot>\n"),
     );
-    let besides = Besides {
-        entries: GRAVITY.to_owned(),
-        chain: Some(["l0", "l4"].map(str::to_owned)),
-        ..Besides::default()
-    };
+    let besides = ReadOptions::new().chain(["l0", "l4"]).entries(GRAVITY);
     let source = read(&path, &besides);
     for convention in ["standard", "modified"] {
         let options = [
@@ -352,7 +341,7 @@ fn axes_that_are_nearly_parallel_keep_their_digits() {
             "0,0,-9.81",
         ];
         let name = format!("tilted_{convention}.toml");
-        let (written, table) = converted(&path, &options, &name, &Besides::default());
+        let (written, table) = converted(&path, &options, &name, &ReadOptions::new());
         let text = std::fs::read_to_string(written).expect("a table");
         assert!(text.contains("lock = { fixed_1 = 0, fixed_2 = 0"), "{text}");
         let difference = difference(&source, &table);
@@ -381,7 +370,7 @@ fn couplings_are_kept() {
     let head = "convention = \"modified\"\ngravity = [0, 1, -9.81]\n\
                 couple = { follow = \"-2 * lead + 0.25\", slide_back = \"0.5 * slide - 0.125\" }\n";
     let path = file("coupled.toml", head.to_owned() + &rows.concat());
-    let none = Besides::default();
+    let none = ReadOptions::new();
     let source = read(&path, &none);
     assert_eq!(source.dof(), 2);
     let options = ["--convention", "standard", "--to", "toml"];
@@ -416,13 +405,13 @@ fn couplings_are_kept() {
 fn what_urdf_cannot_say_is_told() {
     let text = std::fs::read_to_string(data("files/everything.toml")).expect("a table");
     let path = file("everything.toml", text.replace("\"load\"", "1.25"));
-    let source = read(&path, &Besides::default());
+    let source = read(&path, &ReadOptions::new());
     let options = ["--convention", "standard", "--to", "toml"];
     let (written, standard) = converted(
         &path,
         &options,
         "everything_standard.toml",
-        &Besides::default(),
+        &ReadOptions::new(),
     );
     assert!(difference(&source, &standard) < 1e-12);
     for (row, expected) in standard.joints().zip(source.joints()) {
@@ -470,11 +459,7 @@ fn what_urdf_cannot_say_is_told() {
     let text = std::fs::read_to_string(&*urdf).expect("a file");
     assert!(text.contains("Left out: `turn` has a motor"), "{text}");
     // What is left of it is the arm without springs, motors and such friction.
-    let besides = Besides {
-        entries: "gravity = [0, 0, -9.81]\nallow = [\"unphysical_inertia\"]".to_owned(),
-        chain: Some(["base", "tip"].map(str::to_owned)),
-        ..Besides::default()
-    };
+    let besides = ReadOptions::new().chain(["base", "tip"]).entries(GRAVITY);
     let left = read(&urdf, &besides);
     let mut bare = source.clone();
     for row in &mut bare.rows {
@@ -635,11 +620,7 @@ fn convert_noise(cases: Range<usize>) {
         let name = format!("noisy_{case}");
         let urdf = file(&format!("{name}.urdf"), noisy_chain(&mut draws, links));
         let tip = format!("l{links}");
-        let besides = Besides {
-            entries: GRAVITY.to_owned(),
-            chain: Some(["l0", &tip].map(str::to_owned)),
-            ..Besides::default()
-        };
+        let besides = ReadOptions::new().chain(["l0", &tip]).entries(GRAVITY);
         let chain = format!("l0,{tip}");
         let options = ["--chain", &chain, "--gravity", "0,0,-9.81"];
         let kind = ["standard", "modified"][case % 2];
@@ -650,12 +631,12 @@ fn convert_noise(cases: Range<usize>) {
         for convention in ["standard", "modified"] {
             for (path, besides, options) in [
                 (&urdf, &besides, &options[..]),
-                (&table, &Besides::default(), &[]),
+                (&table, &ReadOptions::new(), &[]),
             ] {
                 let other = ["--to", "toml", "--convention", convention];
                 let to = format!("{name}_{}_{convention}.toml", options.len());
                 let (_, table) =
-                    converted(path, &[&other, options].concat(), &to, &Besides::default());
+                    converted(path, &[&other, options].concat(), &to, &ReadOptions::new());
                 // V and G of axes that are nearly parallel are small beside what they are differences of.
                 let [mass, _, _, torques, pose] = differences(&read(path, besides), &table);
                 let difference = largest([mass, torques, pose]);

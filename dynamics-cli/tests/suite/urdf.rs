@@ -1,6 +1,6 @@
 //! The options that say what a URDF file does not.
 
-use dynamics_evaluation::{Besides, RuntimeRobot};
+use dynamics_evaluation::{ReadOptions, RuntimeRobot};
 
 use super::calls::{data, errors, file, folder, output, run};
 
@@ -594,12 +594,9 @@ fn subcommands_ask_for_the_masses_that_they_read() {
 fn a_robot_at_run_time_asks_for_the_masses_that_its_functions_read() {
     let neither = bare("at_run_time.urdf", ["", ""]);
     let arm = |entries: &str| {
-        let besides = Besides {
-            entries: format!("gravity = [0, 0, 0]\n{entries}"),
-            chain: Some(["base", "lower"].map(str::to_owned)),
-            ..Besides::default()
-        };
-        RuntimeRobot::from_file_with(&neither, &besides)
+        let options = ReadOptions::new().chain(["base", "lower"]);
+        let options = options.entries("gravity = [0, 0, 0]").entries(entries);
+        RuntimeRobot::from_file(&neither, &options)
     };
     let message = arm("").map_err(|error| error.to_string()).unwrap_err();
     assert_eq!(message.lines().count(), 2, "{message}");

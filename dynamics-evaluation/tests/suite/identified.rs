@@ -265,10 +265,7 @@ fn fitted(guess: &RuntimeRobot, run: &Recorded) -> (DVector<f64>, [JointFriction
     let count = y.ncols() - 18;
     let friction = [0, 1, 2, 3, 4, 5].map(|joint| {
         let [viscous, positive, negative] = [0, 1, 2].map(|k| found[count + 3 * joint + k]);
-        JointFriction {
-            viscous,
-            coulomb: [positive, negative],
-        }
+        JointFriction::new(viscous, [positive, negative])
     });
     (found.rows(0, count).into_owned(), friction)
 }
@@ -423,10 +420,7 @@ fn friction_that_feeds_energy_is_refused_and_replaces_that_of_the_table() {
     let b = values(&guess, "base_parameters", &[]);
     let typed = guess.typed::<2>().expect("two joints");
     let none = JointFriction::default();
-    let of_first = JointFriction {
-        viscous: 2.0,
-        coulomb: [0.5, 0.25],
-    };
+    let of_first = JointFriction::new(2.0, [0.5, 0.25]);
     let arm = typed
         .identified_with_friction(&b, &[of_first, none])
         .expect("possible");
@@ -436,10 +430,7 @@ fn friction_that_feeds_energy_is_refused_and_replaces_that_of_the_table() {
         [-6.25, 0.0]
     );
     for wrong in [-0.1, f64::NAN, f64::INFINITY] {
-        let negative = JointFriction {
-            coulomb: [0.0, wrong],
-            ..none
-        };
+        let negative = JointFriction::new(0.0, [0.0, wrong]);
         let error = typed.identified_with_friction(&b, &[none, negative]);
         let text = error.expect_err("no friction").to_string();
         let expected = format!(

@@ -2,7 +2,7 @@
 
 use dynamics_evaluation::dynamics_runtime::nalgebra::Vector6;
 use dynamics_evaluation::dynamics_runtime::{Friction, Simulation};
-use dynamics_evaluation::{BuildError, EvaluationError, RuntimeRobot};
+use dynamics_evaluation::{BuildError, EvaluationError, FileError, ReadOptions, RuntimeRobot};
 use dynamics_symbolic::Function;
 use dynamics_symbolic::robot::{Mount, Placement, Value};
 
@@ -28,6 +28,7 @@ fn what_was_not_asked_for_is_no_value() {
 fn a_simulation_says_which_function_it_lacks_and_what_to_write() {
     let robot = arms::robot("elbow_3r");
     let all = RuntimeRobot::simulation_functions();
+    let all = all.map(|name| Function::from_name(name).expect("a function"));
     for (k, missing) in all.iter().enumerate().step_by(4) {
         let others = all.iter().filter(|function| *function != missing);
         let arm = RuntimeRobot::new(robot.clone(), others.copied()).expect("an arm");
@@ -46,11 +47,11 @@ fn a_simulation_says_which_function_it_lacks_and_what_to_write() {
             "{text}"
         );
         assert!(
-            text.contains("`RuntimeRobot::for_simulation(robot)`"),
+            text.contains("ask for all of `RuntimeRobot::simulation_functions()`"),
             "{text}"
         );
     }
-    let arm = RuntimeRobot::for_simulation(robot).expect("an arm");
+    let arm = RuntimeRobot::new(robot, all).expect("an arm");
     let tip = arm
         .dynamics()
         .and_then(|dynamics| dynamics.with_tip())
@@ -162,4 +163,38 @@ fn descriptions_that_make_no_sense_are_refused() {
         series.to_string().contains("no program over numbers"),
         "{series}"
     );
+}
+
+/// Files and options say which function or cell is meant, and options which line of them is wrong.
+#[test]
+fn names_that_are_unknown_are_told_with_the_nearest_one() {
+    let table = |cell: &str| {
+        format!(
+            "convention = 'modified'\ngravity = [9.81, 0, 0]\n[[joint]]\nname = 'pivot'\ntype = 'revolute'\n{cell} = 2\n"
+        )
+    };
+    let options = ReadOptions::new().functions(["mass_matrix"]);
+    let arm = RuntimeRobot::from_toml(&table("mass"), &options).expect("an arm");
+    assert_eq!(arm.function_names().collect::<Vec<_>>(), ["mass_matrix"]);
+    let told = |cell: &str, options: &ReadOptions| {
+        let error = RuntimeRobot::from_toml(&table(cell), options).expect_err("no arm");
+        let FileError::Mistakes(mistakes) = &error else {
+            panic!("{error}")
+        };
+        (mistakes[0].line, error.to_string())
+    };
+    let (line, text) = told("mas", &options);
+    assert!(
+        line == 6 && text.starts_with("TOML:6:1: ") && text.contains("`mass`"),
+        "{text}"
+    );
+    let (line, text) = told("mass", &ReadOptions::new().functions(["mass_matrx"]));
+    assert!(
+        line == 1
+            && text.contains("unknown function `mass_matrx`")
+            && text.contains("`mass_matrix`"),
+        "{text}"
+    );
+    let (line, text) = told("mass", &options.entries("base = {}\ngravitty = [0, 0, 0]"));
+    assert!(line == 2 && text.contains("`gravity`"), "{line}: {text}");
 }
