@@ -4,6 +4,7 @@ mod by_margins;
 mod by_series;
 mod complementarity;
 mod contacts;
+#[cfg(feature = "csv")]
 mod csv;
 mod drive;
 mod error;
@@ -40,7 +41,8 @@ pub use crate::equations_of_motion::{EquationsOfMotion, Responses, SizedModel};
 pub use crate::model::{Momenta, SizedKinematics, SizedMomenta};
 pub use crate::taylor::{MAX_TAYLOR_ORDER, TaylorCoefficients, TaylorDynamics};
 pub use crate::trajectory::InvalidDuration;
-pub use csv::{CsvError, CsvMistake};
+#[cfg(feature = "csv")]
+pub use csv::{CsvError, CsvMistake, shortest};
 pub use error::{Cause, InvalidSetting, JointSet, SimulationError, SizedSimulationError};
 pub use friction::Friction;
 pub use method::Method;
