@@ -142,7 +142,8 @@ impl<'a, R, L, W, S, D: Size> Simulation<'a, R, L, D, W, S> {
     /// it computed one period before. A force at the tool that was given as a function before stays a function
     /// of time and state.
     ///
-    /// The torque law that is given after `control_period` may have a memory:
+    /// The torque law that is given after `control_period` may have a memory; without `control_period` the compiler refuses
+    /// one that has:
     ///
     /// ```
     /// # extern crate dynamics_runtime as robot_dynamics;
@@ -171,25 +172,6 @@ impl<'a, R, L, W, S, D: Size> Simulation<'a, R, L, D, W, S> {
     /// assert!((motion.q[100][0] - 0.1).abs() < 1e-4);
     /// assert!((motion.tau[100][0] - 3.0).abs() < 0.05);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    ///
-    /// Without `control_period` it may not:
-    ///
-    /// ```compile_fail,E0594
-    /// # extern crate dynamics_runtime as robot_dynamics;
-    /// # use robot_dynamics::nalgebra::Vector1;
-    /// # use robot_dynamics::{Simulation, robot_dynamics};
-    /// # robot_dynamics! {
-    /// #     struct Cart;
-    /// #     convention: modified,
-    /// #     gravity: [0, -9.81, 0],
-    /// #     joints: [rail: prismatic { mass: 2 }],
-    /// # }
-    /// let mut calls = 0;
-    /// Simulation::new(&Cart).torque(|_, q, _| {
-    ///     calls += 1;
-    ///     -q
-    /// });
     /// ```
     pub fn control_period(self, period: f64) -> Simulation<'a, R, L, D, W, Sampled> {
         self.with_laws(|torque, tool_wrench, _| (torque, tool_wrench, Sampled { period }))
@@ -228,23 +210,6 @@ impl<'a, R, L, W, S, D: Size> Simulation<'a, R, L, D, W, S> {
     /// assert!((motion.qd[2][0] + 1.0).abs() < 1e-6);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    ///
-    /// An arm without `forward_kinematics` or `jacobian` is refused:
-    ///
-    /// ```compile_fail,E0277
-    /// # extern crate dynamics_runtime as robot_dynamics;
-    /// # use robot_dynamics::nalgebra::Vector6;
-    /// # use robot_dynamics::{Simulation, robot_dynamics};
-    /// robot_dynamics! {
-    ///     struct Cart;
-    ///     convention: modified,
-    ///     gravity: [0, -9.81, 0],
-    ///     joints: [rail: prismatic { mass: 2 }],
-    ///     functions: [default, jacobian],
-    /// }
-    ///
-    /// Simulation::new(&Cart).tool_wrench(|_, _, _| Vector6::zeros()).run();
-    /// ```
     pub fn tool_wrench<F>(self, law: F) -> Simulation<'a, R, L, D, F, S>
     where
         R: SizedKinematics<D>,
@@ -261,22 +226,6 @@ impl<'a, R, L, W, S, D: Size> Simulation<'a, R, L, D, W, S> {
     /// It is for disturbances, such as random pushes, and not for contact: a wall that pushes back is stiff,
     /// and a force that is held feeds energy into the motion. Give a contact as a function of time and state, by
     /// [`tool_wrench`](Simulation::tool_wrench).
-    ///
-    /// Without `control_period` there is no period:
-    ///
-    /// ```compile_fail,E0277
-    /// # extern crate dynamics_runtime as robot_dynamics;
-    /// # use robot_dynamics::nalgebra::Vector6;
-    /// # use robot_dynamics::{Simulation, robot_dynamics};
-    /// # robot_dynamics! {
-    /// #     struct Cart;
-    /// #     convention: modified,
-    /// #     gravity: [0, -9.81, 0],
-    /// #     joints: [rail: prismatic { mass: 2 }],
-    /// #     functions: [default, forward_kinematics, jacobian],
-    /// # }
-    /// Simulation::new(&Cart).held_tool_wrench(|_, _, _| Vector6::zeros()).run();
-    /// ```
     pub fn held_tool_wrench<F>(self, law: F) -> Simulation<'a, R, L, D, HeldToolWrench<F>, S>
     where
         R: SizedKinematics<D>,
@@ -487,5 +436,7 @@ impl<D: Size> Setting<D> {
 
 #[cfg(test)]
 mod friction_tests;
+#[cfg(doctest)]
+mod refused_tests;
 #[cfg(test)]
 mod tests;

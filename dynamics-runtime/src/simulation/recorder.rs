@@ -31,8 +31,12 @@ impl<D: Size> Recorder<D> {
 
     /// The run as it ended, of which `evaluations` were a part of the work.
     pub(super) fn finished(self, end: Result<(), Cause>, evaluations: u64) -> Outcome<D> {
-        let (time, Phase { q, qd }) = (self.t, self.phase.clone());
-        let trajectory = self.into_trajectory(evaluations);
+        let (time, Phase { q, qd }) = (self.t, self.phase);
+        let mut trajectory = self.trajectory;
+        trajectory.work = Work {
+            evaluations,
+            ..self.work
+        };
         match end {
             Ok(()) => Ok(trajectory),
             Err(cause) => Err(Box::new(SizedSimulationError {
@@ -87,18 +91,6 @@ impl<D: Size> Recorder<D> {
         self.phase = phase;
         self.work.steps += 1;
         Ok(())
-    }
-
-    /// The samples taken, and the work of which `evaluations` were a part.
-    fn into_trajectory(self, evaluations: u64) -> SizedTrajectory<D> {
-        let work = Work {
-            evaluations,
-            ..self.work
-        };
-        SizedTrajectory {
-            work,
-            ..self.trajectory
-        }
     }
 
     /// Takes a sample.

@@ -161,30 +161,6 @@ impl<'a, R: TaylorDynamics<N>, L, const N: usize> TaylorSimulation<'a, R, N, L> 
     /// The time of an impact, or at which a joint leaves its stop, is the first zero of a polynomial,
     /// the series of the step. It is as accurate as the motion, and is found however often a joint turns within the
     /// step. A new series begins at each such time; between them steps are as long as without stops.
-    ///
-    /// ```
-    /// # extern crate dynamics_runtime as robot_dynamics;
-    /// use robot_dynamics::nalgebra::SVector;
-    /// use robot_dynamics::{TaylorSimulation, robot_dynamics};
-    ///
-    /// robot_dynamics! {
-    ///     /// A ball that falls along z.
-    ///     struct Ball;
-    ///     convention: modified,
-    ///     gravity: [0, 0, -10],
-    ///     joints: [height: prismatic { mass: 1, limits: [0, 2] }],
-    ///     functions: [default, taylor_series],
-    /// }
-    ///
-    /// // From 1.25 m it falls for 1/2 s, and rises again with half of 5 m/s.
-    /// let motion = TaylorSimulation::new(&Ball)
-    ///     .initial(SVector::repeat(1.25), SVector::zeros())
-    ///     .stops(0.5)
-    ///     .duration(0.75)
-    ///     .run()?;
-    /// assert!((motion.q[100][0] - 0.3125).abs() < 1e-15);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
     pub fn stops(self, restitution: f64) -> Self {
         self.at_limits(AtLimit::Rebounds { restitution })
     }

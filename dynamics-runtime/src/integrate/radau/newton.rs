@@ -2,8 +2,8 @@
 
 use nalgebra::Complex;
 
-use super::stages::transformed;
 use super::tableau::{C, COMPLEX, REAL, T, T_INVERSE};
+use crate::integrate::embedded::combination;
 use crate::integrate::jacobian::{Jacobian, Shifted};
 use crate::integrate::{Equations, Phase, Tolerance};
 use crate::size::Size;
@@ -46,6 +46,11 @@ impl<E> From<E> for Miss<E> {
     fn from(refusal: E) -> Self {
         Miss::Refused(refusal)
     }
+}
+
+/// Three sums of three phases, by the rows of a matrix.
+fn transformed<D: Size>(rows: &[[f64; 3]; 3], phases: &[Phase<D>; 3]) -> [Phase<D>; 3] {
+    rows.map(|row| combination(&row, phases))
 }
 
 pub(super) const MOST_ITERATIONS: u32 = 7;
