@@ -48,14 +48,6 @@ pub(crate) fn written(
     Ok(String::from_utf8(text)?)
 }
 
-/// So many numbers.
-pub(crate) fn numbers(count: usize) -> String {
-    match count {
-        1 => "1 number".to_owned(),
-        _ => format!("{count} numbers"),
-    }
-}
-
 /// The points of a file: rows of a time and a position of every joint, with velocities where the file has them.
 pub(crate) fn read(path: &Path, joints: &[&str]) -> Result<SizedTrajectory<Dyn>, Failure> {
     let wrong = |line: usize, column: usize, message: String| {

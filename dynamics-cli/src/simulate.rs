@@ -10,7 +10,7 @@ use dynamics_runtime::{
 use dynamics_symbolic::Function;
 use dynamics_symbolic::robot::Robot;
 
-use crate::csv::{numbers, shortest, written};
+use crate::csv::{shortest, written};
 use crate::failure::Failure;
 use crate::joints::note_degrees;
 use crate::load::{arm_with, count};
@@ -114,9 +114,11 @@ fn vector(given: &ArgMatches, name: &str, dof: usize) -> Result<Vec<f64>, Failur
     };
     let entries: Vec<f64> = entries.copied().collect();
     if entries.len() != dof {
-        let found = numbers(entries.len());
-        let message =
-            format!("`--{name}` has {found}: expected {dof}, one for each joint that moves");
+        let found = entries.len();
+        let plural = if found == 1 { "" } else { "s" };
+        let message = format!(
+            "`--{name}` has {found} number{plural}: expected {dof}, one for each joint that moves"
+        );
         return Err(Failure::of_the_command_line(message));
     }
     Ok(entries)

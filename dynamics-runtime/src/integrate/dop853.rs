@@ -14,12 +14,12 @@ pub(crate) struct Dop853Method;
 impl<D: Size> Embedded<D> for Dop853Method {
     type Rates = [Phase<D>; STAGES];
 
-    /// Of seventh degree (section II.6, in the form of the program DOP853).
+    /// The polynomial of seventh degree (section II.6, in the form of the program DOP853).
     type Polynomial = [Phase<D>; 8];
 
     const LAST: usize = LAST;
 
-    /// Those of the program DOP853.
+    /// The constants of the program DOP853.
     const CONTROL: Constants = Constants {
         order: 8.0,
         beta: 0.0,

@@ -11,8 +11,8 @@ use crate::integrate::Stepper;
 use crate::simulation::{EquationsOfMotion, TaylorDynamics};
 use crate::taylor::{Polynomial, SeriesStepper, Steady};
 
-/// The first zero of the way to a limit, or of the force on a stop, over a step: to rounding, and however
-/// often a joint turns within the step.
+/// The first zero of the way to a limit, or of the force on a stop, over a step: to rounding, however often a joint
+/// turns.
 pub(super) struct BySeries;
 
 /// A force on a stop that is less than so many roundings of its greatest term is none.

@@ -61,8 +61,8 @@ impl<R, L, D: Size> Motion<'_, R, L, D> {
         inwards * held.forces[i] + self.breakaway(i, inwards)
     }
 
-    /// The margin of joint `i` to its next event: the velocity of one that slides, and its way to a limit; the
-    /// friction left of one that sticks; the force on the stop of one that leans on it.
+    /// The margin of joint `i` to its next event. If it slides, that is the lesser of velocity and way to a limit; if
+    /// it sticks, the friction left; if it leans on a stop, the force there.
     pub(super) fn margin(&self, i: usize, phase: &Phase<D>, held: &Held<D>) -> f64 {
         let limits = self.limits();
         let to_ends = limits.ends(i).map(|end| limits.margin(&end, phase.q[i]));
@@ -151,8 +151,8 @@ impl<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size> Motion<'_, R, L, D> {
         balanced::<D>(&qdd, &responses, &bounds, finite_start).ok_or(Cause::Impacts { joints })
     }
 
-    /// The joint at rest that is let go one way, and driven back as soon as it moves that way, by a
-    /// torque law that jumps between the two: it neither stays nor goes.
+    /// The joint at rest that is let go one way, and driven back as soon as it moves that way: a torque law jumps
+    /// between the two.
     fn driven_back(
         &self,
         t: f64,

@@ -57,7 +57,7 @@ impl<D: Size> SizedTrajectory<D> {
     ///
     /// # Errors
     ///
-    /// Those of the writer.
+    /// The errors of the writer.
     pub fn write_csv<R: SizedModel<D>>(&self, robot: &R, out: impl Write) -> io::Result<()> {
         let (names, table) = (robot.names(), robot.sized_table());
         let lists = [&self.q, &self.qd, &self.qdd, &self.tau];

@@ -13,8 +13,8 @@ use crate::size::Size;
 /// Makes steps to the end of the recorder's plan, at most `max_steps` between two samples. Events are those that `F`
 /// finds.
 ///
-/// Steppers of [`Simulation`](crate::Simulation) are known at run time alone: a call for each step is nothing beside the
-/// step, and this function is compiled once for all methods.
+/// Steppers of [`Simulation`](crate::Simulation) are trait objects, so that this is compiled once for all of its
+/// methods: a call is nothing beside a step.
 pub(super) fn drive<F, S, R: EquationsOfMotion<D>, L: TorqueLaw<D>, K, D: Size>(
     motion: &Motion<R, L, D>,
     system: &S,
@@ -112,10 +112,6 @@ mod tests {
 
         fn restart(&mut self, _: &(), _: Phase<Const<1>>) -> Result<(), Failure<Cause>> {
             Ok(())
-        }
-
-        fn rejected(&self) -> u64 {
-            0
         }
     }
 

@@ -55,8 +55,8 @@ impl<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size> Motion<'_, R, L, D> {
 
     /// The impacts of all joints that hit their stops; `None` where none does.
     ///
-    /// A joint that leaves its stop may be driven back into it by the impact of another one: impacts follow
-    /// each other until none is left. The contacts of the motion are those after the impacts.
+    /// The impact of one joint may drive another back into its stop: impacts follow each other until none is left. The
+    /// contacts of the motion are those after them.
     pub(super) fn thrown_back(
         &self,
         t: f64,

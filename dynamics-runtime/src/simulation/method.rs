@@ -17,11 +17,9 @@ use crate::size::Size;
 
 /// A method of integration.
 ///
-/// The methods of fixed step divide the interval between two samples into the least whole number of
-/// equal steps that are no longer than `step`, so that every sample is the end of a step. An
-/// interval of 0.2 s and a step of 1 ms give 200 steps of 1 ms. A `step` longer than the interval
-/// gives one step; an infinite one is an error all the same, for it says nothing of the accuracy
-/// that is wanted.
+/// The methods of fixed step divide the interval between two samples into the least number of equal steps that are no
+/// longer than `step`: every sample is the end of a step. An infinite `step` is an error, because it says nothing of
+/// accuracy.
 ///
 /// # Structure-preserving methods
 ///
@@ -35,12 +33,10 @@ use crate::size::Size;
 /// ([`ForwardDynamics::momenta`](crate::ForwardDynamics::momenta)). The step must be short beside the fastest of the motion's time
 /// constants, or the iteration does not converge ([`Cause::NoConvergence`]).
 ///
-/// The same methods in (q, qd) would need no momenta, and are not enough: over 10^6 steps of 10 ms
-/// the energy of a two-link arm in free fall, which exchanges 54 J, stayed within 1e-5 J by
-/// Gauss-Legendre of order 4 in (q, p), averaged over each 500 s, and walked away by 2e-4 J in
-/// (q, qd). Semi-implicit Euler is
-/// symplectic only where M is constant, which it is not for an arm: the same arm lost 80 % of its
-/// energy within 100 s, or flew away.
+/// The same methods in (q, qd) would need no momenta, and are not enough. Over 10^6 steps of 10 ms the energy of a
+/// two-link arm in free fall, which exchanges 54 J, stayed within 1e-5 J by Gauss-Legendre of order 4 in (q, p),
+/// averaged over each 500 s. In (q, qd) it walked away by 2e-4 J. By semi-implicit Euler, which is symplectic for a
+/// constant M alone, the same arm lost 80 % of its energy within 100 s, or flew away.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
@@ -120,23 +116,23 @@ impl Method {
         recorder: &mut Recorder<D>,
     ) -> Result<(), Cause> {
         begin(motion, recorder)?;
-        match self {
+        match *self {
             Method::ExplicitEuler { step } => {
-                fixed(Euler::Explicit, *step, motion, motion, recorder)
+                fixed(Euler::Explicit, step, motion, motion, recorder)
             }
-            Method::CraigEuler { step } => fixed(Euler::Craig, *step, motion, motion, recorder),
+            Method::CraigEuler { step } => fixed(Euler::Craig, step, motion, motion, recorder),
             Method::SemiImplicitEuler { step } => {
-                fixed(Euler::SemiImplicit, *step, motion, motion, recorder)
+                fixed(Euler::SemiImplicit, step, motion, motion, recorder)
             }
-            Method::RungeKutta4 { step } => fixed(Rk4, *step, motion, motion, recorder),
+            Method::RungeKutta4 { step } => fixed(Rk4, step, motion, motion, recorder),
             Method::ImplicitMidpoint { step } => {
-                canonical(GaussLegendre::order_2(), *step, motion, recorder)
+                canonical(GaussLegendre::order_2(), step, motion, recorder)
             }
             Method::GaussLegendre4 { step } => {
-                canonical(GaussLegendre::order_4(), *step, motion, recorder)
+                canonical(GaussLegendre::order_4(), step, motion, recorder)
             }
             Method::GaussLegendre6 { step } => {
-                canonical(GaussLegendre::order_6(), *step, motion, recorder)
+                canonical(GaussLegendre::order_6(), step, motion, recorder)
             }
             Method::DormandPrince(settings) => {
                 let start = Adaptive::<DormandPrince54, D>::start;

@@ -20,7 +20,7 @@ pub(super) struct Motion<'a, R, L, D: Size> {
     torque: &'a L,
     friction: Law<D>,
     limits: Limits<D>,
-    /// What friction and stops do to each joint; without meaning in a motion without events.
+    /// The contact of each joint; without meaning in a motion without events.
     contacts: RefCell<D::Each<Contact>>,
     /// How often the equations of motion were evaluated.
     evaluations: Cell<u64>,
@@ -104,7 +104,7 @@ impl<'a, R, L, D: Size> Motion<'a, R, L, D> {
         self.contacts.borrow().clone()
     }
 
-    /// What friction and stops do to joint `i`.
+    /// The contact of joint `i`.
     pub(super) fn contact(&self, i: usize) -> Contact {
         self.contacts.borrow()[i]
     }
@@ -125,7 +125,7 @@ impl<'a, R, L, D: Size> Motion<'a, R, L, D> {
 }
 
 impl<R, L: TorqueLaw<D>, D: Size> Motion<'_, R, L, D> {
-    /// What the laws say.
+    /// The torques of the laws.
     pub(super) fn law(&self, t: f64, phase: &Phase<D>) -> Result<D::Vector, Cause> {
         self.torque.torque(t, phase)
     }
@@ -147,9 +147,9 @@ impl<R, L: TorqueLaw<D>, D: Size> Motion<'_, R, L, D> {
         }
     }
 
-    /// What makes the friction of the forward dynamics that of the simulation: the magnitude in its
-    /// direction times the sign of the velocity, less that with what the law has in place of the sign.
-    // Apart from the path of those who have none of it, which is to be inlined in every stage.
+    /// The difference of the friction of the forward dynamics, magnitude times sign of the velocity, from that of the
+    /// simulation, which has another factor in place of the sign.
+    // Apart from the path without it, which is to be inlined in every stage.
     #[cold]
     #[inline(never)]
     fn instead_of_sign(&self, qd: &D::Vector) -> D::Vector {
@@ -278,8 +278,8 @@ where
     type Refusal = Cause;
 
     /// qdd, where everything on the way to it is finite.
-    // One copy for all stages of all methods: inlined, the code of a program of forward dynamics
-    // stands there some forty times, and whether it runs faster or slower for it is chance.
+    // One copy for all stages of all methods: inlined, a program of forward dynamics would be compiled some forty
+    // times, and be no faster.
     #[inline(never)]
     fn acceleration(&self, t: f64, phase: &Phase<D>) -> Result<D::Vector, Cause> {
         let tau = self.torques(t, phase)?;

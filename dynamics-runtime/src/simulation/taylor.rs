@@ -43,18 +43,16 @@ impl Taylor {
     }
 }
 
-/// A simulation of an arm by the Taylor method, of high order and with long steps: for accurate
-/// motions, of 1e-8 and better, under torques that are constant or held.
+/// A simulation by the Taylor method, of high order and with long steps: for accurate motions, of 1e-8 and better.
 ///
-/// The method differentiates the equations of motion along the motion. A torque law is a Rust function of time and
-/// state, whose derivatives nobody knows. Torques are therefore constant over a run, or those of a controller that
-/// samples and holds ([`control_period`](TaylorSimulation::control_period)). Viscous friction is part of the equations. Coulomb friction
-/// jumps where a joint reverses, and no series continues across a jump: an arm with Coulomb friction is refused. For
-/// laws and friction of any kind use [`Simulation`](crate::Simulation).
+/// The method differentiates the equations of motion along the motion. Torques are therefore constant over a run, or
+/// those of a controller that samples and holds ([`control_period`](TaylorSimulation::control_period)). Viscous
+/// friction is part of the equations. An arm with Coulomb friction is refused: no series continues across its jump
+/// where a joint reverses. For laws and friction of any kind use [`Simulation`](crate::Simulation).
+///
 /// Joints pass the limits of the table, unless these are [`stops`](TaylorSimulation::stops) or
-/// [errors](TaylorSimulation::limits_are_errors).
-///
-/// By default the arm starts from rest at q = 0, moves freely for 1 s and is sampled 101 times.
+/// [errors](TaylorSimulation::limits_are_errors). By default the arm moves freely from rest at q = 0 for 1 s, with 101
+/// samples.
 #[derive(Clone, Debug)]
 #[must_use]
 pub struct TaylorSimulation<'a, R, const N: usize, L = SVector<f64, N>> {
@@ -106,9 +104,8 @@ impl<'a, R: TaylorDynamics<N>, const N: usize> TaylorSimulation<'a, R, N> {
     ///
     /// # Errors
     ///
-    /// [`SimulationError`], with the time and the state reached and all samples up to there. Its [`Cause`] is an invalid
-    /// setting, Coulomb friction among them; a singular mass matrix, or a torque, acceleration or state that is not
-    /// finite, reached by the motion; or that no step fits the equations. Never panics, unless a torque law does.
+    /// [`SimulationError`], with the time and the state reached and all samples up to there; its [`Cause`] says why.
+    /// Coulomb friction is an invalid setting. Never panics, unless a torque law does.
     pub fn run(&self) -> Result<Trajectory<N>, Box<SimulationError<N>>> {
         let law = &mut |_: f64, _: &SVector<f64, N>, _: &SVector<f64, N>| self.torque;
         self.setting.run(self.robot, None, law)
@@ -158,9 +155,8 @@ impl<'a, R: TaylorDynamics<N>, L, const N: usize> TaylorSimulation<'a, R, N, L> 
     /// Makes the `limits` of the table hard stops, as [`Simulation::stops`](crate::Simulation::stops): a joint comes
     /// back with `restitution` times its speed, 0 to 1, or leans on its stop until the stop would have to pull it.
     ///
-    /// The time of an impact, or at which a joint leaves its stop, is the first zero of a polynomial,
-    /// the series of the step. It is as accurate as the motion, and is found however often a joint turns within the
-    /// step. A new series begins at each such time; between them steps are as long as without stops.
+    /// The time of an impact, or at which a joint leaves its stop, is the first zero of the series of the step. It is
+    /// as accurate as the motion, and is found however often a joint turns within the step.
     pub fn stops(self, restitution: f64) -> Self {
         self.at_limits(AtLimit::Rebounds { restitution })
     }

@@ -87,8 +87,8 @@ impl<M: Embedded<D>, S: Equations<D>, D: Size> Stepper<S, S::Refusal, D> for Ada
 
     /// Makes one step, as long as the tolerance permits.
     ///
-    /// A step on which the acceleration is refused is tried again shorter: the place where it is
-    /// refused may lie beyond the end of the motion, or in a stage that a good step avoids.
+    /// A step on which the acceleration is refused is tried again shorter: a stage that a good step avoids may lie
+    /// beyond the end of the motion.
     fn step(&mut self, system: &S, end: f64) -> Result<(), Failure<S::Refusal>> {
         // The stages of the last step are kept until here for its polynomial.
         if self.fresh {

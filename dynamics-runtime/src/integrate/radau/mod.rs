@@ -151,8 +151,8 @@ impl<D: Size> Radau<D> {
         self.tolerance.norm(value, phase, phase)
     }
 
-    /// (IV.8.19) and (IV.8.20): `(gamma / h - J)^-1 (f(y) + e.z / h)`, and once more from there at the
-    /// start and after a rejected step, where the estimate of a very stiff component is too large.
+    /// (IV.8.19) and (IV.8.20): `(gamma / h - J)^-1 (f(y) + e.z / h)`. At the start and after a rejected step this is
+    /// done once more from there, because the estimate of a very stiff component is too large.
     fn error<S: Equations<D>>(
         &self,
         system: &S,
