@@ -84,7 +84,7 @@ where
             ),
             _ => None,
         };
-        let limits = self.motion.limits();
+        let limits = &self.motion.limits;
         let of_position = |i: usize| {
             let ends = limits.ends(i).filter_map(move |end| {
                 lowest(

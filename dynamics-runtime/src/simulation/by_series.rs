@@ -31,7 +31,7 @@ where
         stepper: &mut SeriesStepper<A, N>,
         start: &Start<Const<N>>,
     ) -> Result<Option<Held<Const<N>>>, Cause> {
-        let limits = motion.limits();
+        let limits = &motion.limits;
         let of_joint = |i: usize| match motion.contact(i) {
             Contact::Leans(inwards) => {
                 let force = stepper.holding_force(i).less(0.0, inwards);

@@ -91,7 +91,7 @@ where
             motion,
             system,
             stepper,
-            instants: Instants::new(motion.period(), duration),
+            instants: Instants::new(motion.torque.period(), duration),
             held,
             in_a_row: Events::default(),
             since_sample: Events::default(),
@@ -145,7 +145,7 @@ where
         }
         let begins = self.instants.begin(t);
         if begins {
-            self.motion.sample(t, &recorder.phase)?;
+            self.motion.torque.sample(t, &recorder.phase)?;
         }
         if event || begins {
             self.held = self.motion.settle(t, &recorder.phase)?;
@@ -245,7 +245,7 @@ where
 
     /// Passing a limit, where that is an error.
     fn passes(&self, phase: &Phase<D>) -> Result<(), Cause> {
-        let limits = self.motion.limits();
+        let limits = &self.motion.limits;
         if limits.kind != AtLimit::Ends {
             return Ok(());
         }

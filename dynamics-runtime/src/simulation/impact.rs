@@ -62,10 +62,10 @@ impl<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size> Motion<'_, R, L, D> {
         t: f64,
         before: &Phase<D>,
     ) -> Result<Option<Impact<D>>, Cause> {
-        let AtLimit::Rebounds { restitution } = self.limits().kind else {
+        let AtLimit::Rebounds { restitution } = self.limits.kind else {
             return Ok(None);
         };
-        let ends: Ends<D> = self.each(|i| self.limits().end(i, before.q[i]));
+        let ends: Ends<D> = self.each(|i| self.limits.end(i, before.q[i]));
         if self.joints().all(|i| !hits::<D>(&ends, &before.qd, i)) {
             return Ok(None);
         }
@@ -150,7 +150,7 @@ impl<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size> Motion<'_, R, L, D> {
                 };
                 let hold = end.inwards * balance.forces[i] + self.breakaway(i, end.inwards);
                 let mass = balance.inertia(i);
-                let least = self.limits().least_rise(&end, hold / mass);
+                let least = self.limits.least_rise(&end, hold / mass);
                 0.5 * mass * phase.qd[i].powi(2) > hold * least
             };
             let energy = |i: &usize| phase.qd[*i].powi(2) / responses[(*i, *i)];

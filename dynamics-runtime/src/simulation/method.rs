@@ -2,6 +2,7 @@
 
 use super::by_margins::ByMargins;
 use super::drive::drive;
+use super::friction::Law;
 use super::motion::{InMomenta, Motion};
 use super::settings::{Dop853, DormandPrince, ErrorControl, Radau5, validate_step};
 
@@ -109,13 +110,22 @@ macro_rules! from_settings {
 
 from_settings! { DormandPrince Dop853 Radau5 }
 
-impl Method {
-    pub(super) fn integrate<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size>(
-        &self,
-        motion: &Motion<R, L, D>,
-        recorder: &mut Recorder<D>,
-    ) -> Result<(), Cause> {
-        begin(motion, recorder)?;
+/// A method, and its settings, as a run needs them.
+pub(super) trait Integrator<R, L, D: Size>: Clone {
+    /// Whether the settings make sense for a run of an arm with some friction.
+    fn validate(&self, duration: f64, friction: &Law<D>) -> Result<(), InvalidSetting>;
+
+    /// The step of a method whose positions are straight lines within a step; 0 of the others.
+    fn straight_step(&self) -> f64 {
+        0.0
+    }
+
+    /// Makes the run from where it begins.
+    fn integrate(&self, motion: &Motion<R, L, D>, recorder: &mut Recorder<D>) -> Result<(), Cause>;
+}
+
+impl<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size> Integrator<R, L, D> for Method {
+    fn integrate(&self, motion: &Motion<R, L, D>, recorder: &mut Recorder<D>) -> Result<(), Cause> {
         match *self {
             Method::ExplicitEuler { step } => {
                 fixed(Euler::Explicit, step, motion, motion, recorder)
@@ -148,15 +158,14 @@ impl Method {
         }
     }
 
-    /// The step of a method whose positions are straight lines within a step; 0 of the others.
-    pub(super) fn straight_step(&self) -> f64 {
+    fn straight_step(&self) -> f64 {
         match self {
             Method::ExplicitEuler { step } => *step,
             _ => 0.0,
         }
     }
 
-    pub(super) fn validate(&self, duration: f64) -> Result<(), InvalidSetting> {
+    fn validate(&self, duration: f64, _: &Law<D>) -> Result<(), InvalidSetting> {
         match self {
             Method::ExplicitEuler { step }
             | Method::CraigEuler { step }
@@ -178,12 +187,14 @@ pub(super) fn begin<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size>(
     recorder: &mut Recorder<D>,
 ) -> Result<(), Cause> {
     let initial = recorder.phase.clone();
-    let mut begun = motion.sample(0.0, &initial).map(|()| initial.clone());
+    let mut begun = motion
+        .torque
+        .sample(0.0, &initial)
+        .map(|()| initial.clone());
     if motion.has_events() {
         begun = begun.and_then(|phase| motion.settle_at_start(&phase));
     }
-    let forces = motion.forces(0.0, &initial);
-    recorder.push(0.0, initial, forces);
+    recorder.push(motion.sample_at(0.0, initial));
     recorder.phase = begun?;
     Ok(())
 }
@@ -219,7 +230,7 @@ fn controlled<'m, K, R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size>(
 where
     K: Stepper<Motion<'m, R, L, D>, Cause, D>,
 {
-    let (range, phase) = (control.range(recorder.duration()), recorder.phase.clone());
+    let (range, phase) = (control.range(recorder.duration), recorder.phase.clone());
     let mut run = start(motion, phase, control.tolerance, range)?;
     follow(motion, motion, &mut run, recorder, control.max_steps).map_err(Cause::of_long_steps)
 }

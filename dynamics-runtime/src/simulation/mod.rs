@@ -16,7 +16,6 @@ mod method;
 mod motion;
 mod plan;
 mod recorder;
-mod samples;
 mod sampling;
 mod settings;
 mod taylor;
@@ -32,6 +31,7 @@ use crate::table::AsArm as _;
 use error::Outcome;
 use friction::Law;
 use limits::{AtLimit, Limits};
+use method::{Integrator, begin};
 use motion::Motion;
 use plan::{Plan, plan_setters};
 use recorder::Recorder;
@@ -392,34 +392,41 @@ where
 
 /// A run that is asked for, whatever moves the arm.
 #[derive(Clone, Debug)]
-struct Setting<D: Size> {
-    method: Method,
+struct Setting<D: Size, M = Method> {
+    method: M,
     friction: Law<D>,
     limits: Limits<D>,
     plan: Plan<D>,
 }
 
-impl<D: Size> Setting<D> {
-    fn run<R: EquationsOfMotion<D>>(&self, robot: &R, laws: &impl TorqueLaw<D>) -> Outcome<D> {
+impl<D: Size, M> Setting<D, M> {
+    fn run<R: EquationsOfMotion<D>, L: TorqueLaw<D>>(&self, robot: &R, laws: &L) -> Outcome<D>
+    where
+        M: Integrator<R, L, D>,
+    {
         let mut recorder = Recorder::new(self.plan.initial.clone());
         let mut limits = self.limits.clone();
         let interval = self.plan.duration / (self.plan.samples as f64 - 1.0);
         limits.straight = self.method.straight_step().min(interval);
         let motion = Motion::new(robot, laws, self.friction.clone(), limits);
         let end = self.record(&motion, &mut recorder);
-        recorder.finished(end, motion.evaluations())
+        recorder.finished(end, motion.evaluations.get())
     }
 
     fn record<R: EquationsOfMotion<D>, L: TorqueLaw<D>>(
         &self,
         motion: &Motion<R, L, D>,
         recorder: &mut Recorder<D>,
-    ) -> Result<(), Cause> {
-        self.plan.validate(motion.period())?;
+    ) -> Result<(), Cause>
+    where
+        M: Integrator<R, L, D>,
+    {
+        self.plan.validate(motion.torque.period())?;
         self.friction.validate()?;
         self.limits.validate(&self.plan.initial)?;
-        self.method.validate(self.plan.duration)?;
+        self.method.validate(self.plan.duration, &self.friction)?;
         recorder.plan(&self.plan)?;
+        begin(motion, recorder)?;
         self.method.integrate(motion, recorder)
     }
 }

@@ -2,7 +2,7 @@
 
 use super::error::{Cause, InvalidSetting, Outcome, SizedSimulationError};
 use super::plan::Plan;
-use super::trajectory::{Forces, SizedTrajectory, Work};
+use super::trajectory::{Sample, SizedTrajectory, Work};
 use crate::integrate::{Grid, Phase, sample_time};
 use crate::size::Size;
 
@@ -12,7 +12,7 @@ pub(super) struct Recorder<D: Size> {
     pub(super) phase: Phase<D>,
     pub(super) work: Work,
     trajectory: SizedTrajectory<D>,
-    duration: f64,
+    pub(super) duration: f64,
     samples: usize,
 }
 
@@ -63,10 +63,6 @@ impl<D: Size> Recorder<D> {
             .map_err(|_| InvalidSetting::Samples(samples))
     }
 
-    pub(super) fn duration(&self) -> f64 {
-        self.duration
-    }
-
     /// The ends of steps no longer than `longest`.
     pub(super) fn grid(&self, longest: f64) -> Grid {
         Grid::new(self.duration, self.intervals(), longest)
@@ -94,11 +90,11 @@ impl<D: Size> Recorder<D> {
     }
 
     /// Takes a sample.
-    pub(super) fn push(&mut self, t: f64, phase: Phase<D>, forces: Forces<D>) {
-        self.trajectory.t.push(t);
-        self.trajectory.q.push(phase.q);
-        self.trajectory.qd.push(phase.qd);
-        self.trajectory.qdd.push(forces.qdd);
-        self.trajectory.tau.push(forces.tau);
+    pub(super) fn push(&mut self, sample: Sample<D>) {
+        self.trajectory.t.push(sample.t);
+        self.trajectory.q.push(sample.q);
+        self.trajectory.qd.push(sample.qd);
+        self.trajectory.qdd.push(sample.qdd);
+        self.trajectory.tau.push(sample.tau);
     }
 }

@@ -3,7 +3,7 @@
 /// A law with a memory needs a period:
 ///
 /// ```compile_fail,E0594
-/// extern crate dynamics_runtime as robot_dynamics;
+/// # extern crate dynamics_runtime as robot_dynamics;
 /// use robot_dynamics::nalgebra::Vector1;
 /// use robot_dynamics::{Simulation, robot_dynamics};
 /// robot_dynamics! {
@@ -23,7 +23,7 @@ struct LawWithMemory;
 /// A force at the tool needs `forward_kinematics` and `jacobian`:
 ///
 /// ```compile_fail,E0277
-/// extern crate dynamics_runtime as robot_dynamics;
+/// # extern crate dynamics_runtime as robot_dynamics;
 /// use robot_dynamics::nalgebra::Vector6;
 /// use robot_dynamics::{Simulation, robot_dynamics};
 /// robot_dynamics! {
@@ -41,7 +41,7 @@ struct ArmWithoutTip;
 /// A force that is held needs a period:
 ///
 /// ```compile_fail,E0277
-/// extern crate dynamics_runtime as robot_dynamics;
+/// # extern crate dynamics_runtime as robot_dynamics;
 /// use robot_dynamics::nalgebra::Vector6;
 /// use robot_dynamics::{Simulation, robot_dynamics};
 /// robot_dynamics! {

@@ -2,19 +2,20 @@
 
 use nalgebra::{Const, SVector};
 
+use super::Setting;
 use super::by_series::BySeries;
 use super::drive::drive;
 use super::error::{Cause, InvalidSetting, Outcome, SimulationError};
 use super::friction::Law;
 use super::limits::{AtLimit, Limits};
-use super::method::begin;
+use super::method::Integrator;
 use super::motion::Motion;
 use super::plan::{Plan, plan_setters};
 use super::recorder::Recorder;
 use super::sampling::Sampled;
 use super::settings::Taylor;
 use super::tool_wrench::NoToolWrench;
-use super::torque::{NoTorque, SampledLaws, TorqueLaw};
+use super::torque::{NoTorque, SampledLaws};
 use super::trajectory::Trajectory;
 use crate::equations_of_motion::inverse_columns;
 use crate::factorisation::JointFactors;
@@ -25,23 +26,6 @@ use crate::{
     SingularMassMatrix, SizedMomenta,
     simulation::{EquationsOfMotion, Responses, TaylorDynamics},
 };
-
-impl Taylor {
-    fn series_order(&self) -> usize {
-        let tolerance = self.relative_tolerance.min(self.absolute_tolerance);
-        self.order.unwrap_or_else(|| order(tolerance))
-    }
-
-    fn validate(&self, duration: f64) -> Result<(), InvalidSetting> {
-        self.control().validate(duration)?;
-        let order = self.series_order();
-        if (FEWEST_ORDERS..=MAX_TAYLOR_ORDER).contains(&order) {
-            Ok(())
-        } else {
-            Err(InvalidSetting::Order(order))
-        }
-    }
-}
 
 /// A simulation by the Taylor method, of high order and with long steps: for accurate motions, of 1e-8 and better.
 ///
@@ -58,7 +42,7 @@ impl Taylor {
 pub struct TaylorSimulation<'a, R, const N: usize, L = SVector<f64, N>> {
     robot: &'a R,
     torque: L,
-    setting: Setting<N>,
+    setting: Setting<Const<N>, Taylor>,
 }
 
 /// A torque law that is called once each period, and whose torque is held until the next call.
@@ -71,8 +55,13 @@ pub struct HeldTorque<F> {
 impl<'a, R: TaylorDynamics<N>, const N: usize> TaylorSimulation<'a, R, N> {
     /// Free motion of the arm.
     pub fn new(robot: &'a R) -> Self {
+        let dry = robot.table().arm().dry_friction::<Const<N>>();
         let setting = Setting {
-            settings: Taylor::default(),
+            method: Taylor::default(),
+            friction: Law {
+                dry,
+                ..Law::sign(Const)
+            },
             limits: Limits::none(Const),
             plan: Plan::new(Const),
         };
@@ -108,7 +97,7 @@ impl<'a, R: TaylorDynamics<N>, const N: usize> TaylorSimulation<'a, R, N> {
     /// Coulomb friction is an invalid setting. Never panics, unless a torque law does.
     pub fn run(&self) -> Result<Trajectory<N>, Box<SimulationError<N>>> {
         let law = &mut |_: f64, _: &SVector<f64, N>, _: &SVector<f64, N>| self.torque;
-        self.setting.run(self.robot, None, law)
+        self.setting.under(self.robot, None, law)
     }
 }
 
@@ -133,7 +122,7 @@ impl<'a, R: TaylorDynamics<N>, F, const N: usize> TaylorSimulation<'a, R, N, Hel
         F: FnMut(f64, &SVector<f64, N>, &SVector<f64, N>) -> SVector<f64, N>,
     {
         let HeldTorque { law, asked } = &mut self.torque;
-        self.setting.run(self.robot, Some(asked.period), law)
+        self.setting.under(self.robot, Some(asked.period), law)
     }
 }
 
@@ -148,7 +137,7 @@ impl<'a, R: TaylorDynamics<N>, L, const N: usize> TaylorSimulation<'a, R, N, L> 
 
     /// Tolerances, order and bounds of the steps.
     pub fn settings(mut self, settings: Taylor) -> Self {
-        self.setting.settings = settings;
+        self.setting.method = settings;
         self
     }
 
@@ -175,60 +164,61 @@ impl<'a, R: TaylorDynamics<N>, L, const N: usize> TaylorSimulation<'a, R, N, L> 
     plan_setters!(SVector<f64, N>);
 }
 
-/// A run that is asked for, whatever the torques are.
-#[derive(Clone, Debug)]
-struct Setting<const N: usize> {
-    settings: Taylor,
-    limits: Limits<Const<N>>,
-    plan: Plan<Const<N>>,
-}
-
-impl<const N: usize> Setting<N> {
+impl<const N: usize> Setting<Const<N>, Taylor> {
     /// A run under a law that is called at the start, and then once each period if there is one.
-    fn run<R, L>(&self, robot: &R, period: Option<f64>, law: &mut L) -> Outcome<Const<N>>
+    fn under<R, L>(&self, robot: &R, period: Option<f64>, law: &mut L) -> Outcome<Const<N>>
     where
         R: TaylorDynamics<N>,
         L: FnMut(f64, &SVector<f64, N>, &SVector<f64, N>) -> SVector<f64, N>,
     {
-        let (arm, mut no_wrench) = (BySteps(robot), NoToolWrench);
+        let mut no_wrench = NoToolWrench;
         let laws = SampledLaws::new(Const, robot, period, law, &mut no_wrench);
-        let motion = Motion::new(&arm, &laws, Law::sign(Const), self.limits.clone());
-        let mut recorder = Recorder::new(self.plan.initial.clone());
-        let validated = self.validate(robot, period);
-        let end = validated.and_then(|()| self.record(&motion, &mut recorder));
-        // One series for each step; impacts evaluate the equations besides.
-        let evaluations = recorder.work.steps + motion.evaluations();
-        recorder.finished(end, evaluations)
+        self.run(&BySteps(robot), &laws)
     }
+}
 
-    fn record<'m, R, L>(
-        &self,
-        motion: &Motion<'m, BySteps<'m, R>, L, Const<N>>,
-        recorder: &mut Recorder<Const<N>>,
-    ) -> Result<(), Cause>
-    where
-        R: TaylorDynamics<N>,
-        L: TorqueLaw<Const<N>>,
-        Motion<'m, BySteps<'m, R>, L, Const<N>>: Steady<N, Arm = R>,
-    {
-        recorder.plan(&self.plan)?;
-        begin(motion, recorder)?;
-        let control = self.settings.control();
-        let range = control.range(self.plan.duration);
-        let (start, order) = (recorder.phase.clone(), self.settings.series_order());
-        let mut run = SeriesStepper::start(motion, start, order, control.tolerance, range)?;
-        drive::<BySeries, _, _, _, _, _>(motion, motion, &mut run, recorder, control.max_steps)
-            .map_err(Cause::of_long_steps)
-    }
+/// The laws of a run by series.
+type Laws<'a, R, L, const N: usize> = SampledLaws<'a, R, L, NoToolWrench, Const<N>>;
 
-    fn validate(&self, robot: &impl TaylorDynamics<N>, period: Option<f64>) -> Result<(), Cause> {
-        self.plan.validate(period)?;
-        let dry = robot.table().arm().dry_friction::<Const<N>>();
-        if let Some(joint) = dry.iter().position(|friction| !friction.is_none()) {
-            return Err(InvalidSetting::CoulombFriction { joint }.into());
+impl<'a, R, L, const N: usize> Integrator<BySteps<'a, R>, Laws<'a, R, L, N>, Const<N>> for Taylor
+where
+    R: TaylorDynamics<N>,
+    L: FnMut(f64, &SVector<f64, N>, &SVector<f64, N>) -> SVector<f64, N>,
+{
+    fn validate(&self, duration: f64, friction: &Law<Const<N>>) -> Result<(), InvalidSetting> {
+        self.control().validate(duration)?;
+        if let Some(joint) = friction.dry.iter().position(|dry| !dry.is_none()) {
+            return Err(InvalidSetting::CoulombFriction { joint });
         }
-        self.limits.validate(&self.plan.initial)?;
-        Ok(self.settings.validate(self.plan.duration)?)
+        let order = self.series_order();
+        if (FEWEST_ORDERS..=MAX_TAYLOR_ORDER).contains(&order) {
+            Ok(())
+        } else {
+            Err(InvalidSetting::Order(order))
+        }
+    }
+
+    fn integrate(
+        &self,
+        motion: &Motion<BySteps<'a, R>, Laws<'a, R, L, N>, Const<N>>,
+        recorder: &mut Recorder<Const<N>>,
+    ) -> Result<(), Cause> {
+        let control = self.control();
+        let range = control.range(recorder.duration);
+        let (start, order) = (recorder.phase.clone(), self.series_order());
+        let mut run = SeriesStepper::start(motion, start, order, control.tolerance, range)?;
+        let end =
+            drive::<BySeries, _, _, _, _, _>(motion, motion, &mut run, recorder, control.max_steps);
+        // One series for each step; impacts evaluate the equations besides.
+        motion.count(recorder.work.steps);
+        end.map_err(Cause::of_long_steps)
+    }
+}
+
+impl Taylor {
+    fn series_order(&self) -> usize {
+        let tolerance = self.relative_tolerance.min(self.absolute_tolerance);
+        self.order.unwrap_or_else(|| order(tolerance))
     }
 }
 
@@ -267,19 +257,18 @@ impl<R: TaylorDynamics<N>, const N: usize> EquationsOfMotion<Const<N>> for BySte
     }
 }
 
-impl<R, L, const N: usize> Steady<N>
-    for Motion<'_, BySteps<'_, R>, SampledLaws<'_, R, L, NoToolWrench, Const<N>>, Const<N>>
+impl<R, L, const N: usize> Steady<N> for Motion<'_, BySteps<'_, R>, Laws<'_, R, L, N>, Const<N>>
 where
     R: TaylorDynamics<N>,
 {
     type Arm = R;
 
     fn arm(&self) -> &R {
-        self.robot().0
+        self.robot.0
     }
 
     fn torque(&self) -> SVector<f64, N> {
-        self.torque_law().held()
+        self.torque.held()
     }
 
     fn held(&self) -> Option<[bool; N]> {

@@ -72,15 +72,6 @@ pub struct Sample<D: Size> {
     pub tau: D::Vector,
 }
 
-/// The part of a sample beside the time and the phase.
-#[derive(Clone, Debug)]
-pub(super) struct Forces<D: Size> {
-    /// Accelerations.
-    pub(super) qdd: D::Vector,
-    /// Torques of the motors.
-    pub(super) tau: D::Vector,
-}
-
 /// The work of a run, for comparing methods.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
