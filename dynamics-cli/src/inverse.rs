@@ -5,16 +5,21 @@ use std::path::{Path, PathBuf};
 use clap::ArgMatches;
 use dynamics_evaluation::RuntimeRobot;
 use dynamics_runtime::Cycloidal;
-use dynamics_runtime::nalgebra::Vector1;
+use dynamics_runtime::check::Checked;
+use dynamics_runtime::nalgebra::{DVector, Dyn, Vector1};
+use dynamics_runtime::simulation::{SizedModel, SizedTrajectory};
+use dynamics_runtime::table::RuntimeTable;
 use dynamics_symbolic::Function;
 use dynamics_symbolic::robot::Robot;
 
-use crate::csv::{Csv, read, shortest};
+use crate::csv::{read, shortest, written};
 use crate::failure::Failure;
 use crate::joints::note_degrees;
 use crate::load::{arm_with, count};
 use crate::simulate::positions;
 use crate::spline::Spline;
+
+type Motion = SizedTrajectory<Dyn>;
 
 /// The motion and its torques as CSV.
 pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
@@ -24,30 +29,44 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
         Some(path) => through_waypoints(path, arm.robot(), samples)?,
         None => cycloidal(given, arm.robot(), samples)?,
     };
-    Ok(torques(&arm, motion)?.text())
+    torques(&arm, motion)
 }
 
-/// Times, and positions, velocities and accelerations at each of them, one after the other.
-#[derive(Default)]
-struct Motion {
-    t: Vec<f64>,
-    q: Vec<f64>,
-    qd: Vec<f64>,
-    qdd: Vec<f64>,
+/// The columns of an arm of which there are no energies.
+struct Columns<'a>(&'a RuntimeRobot);
+
+impl SizedModel<Dyn> for Columns<'_> {
+    fn sized_table(&self) -> RuntimeTable {
+        self.0.runtime_table()
+    }
+
+    fn names(&self) -> Vec<String> {
+        Checked::names(self.0)
+    }
+
+    fn sized_energies(&self, _: &DVector<f64>, _: &DVector<f64>) -> Option<[f64; 2]> {
+        None
+    }
 }
 
-fn torques(arm: &RuntimeRobot, motion: Motion) -> Result<Csv, Failure> {
-    let Motion { t, q, qd, qdd } = motion;
+fn torques(arm: &RuntimeRobot, mut motion: Motion) -> Result<String, Failure> {
+    let flat = |list: &Vec<DVector<f64>>| list.iter().flatten().copied().collect::<Vec<f64>>();
+    let [q, qd, qdd] = [&motion.q, &motion.qd, &motion.qdd].map(flat);
     let mut tau = vec![0.0; q.len()];
     arm.inverse_dynamics_batch(&q, &qd, &qdd, &mut tau)?;
-    let mut csv = Csv::new("t", &["q", "qd", "qdd", "tau"], arm.joint_names());
     let dof = arm.dof();
-    for (sample, t) in t.iter().enumerate() {
-        let entries = [&q, &qd, &qdd, &tau].into_iter();
-        let entries = entries.flat_map(|vector| vector[sample * dof..(sample + 1) * dof].iter());
-        csv.row([*t].into_iter().chain(entries.copied()))?;
-    }
-    Ok(csv)
+    let sample = |k: usize| DVector::from_column_slice(&tau[k * dof..(k + 1) * dof]);
+    motion.tau = (0..motion.len()).map(sample).collect();
+    written(&motion, &Columns(arm))
+}
+
+/// Adds a sample: position, velocity and acceleration of each joint.
+fn add(motion: &mut Motion, t: f64, states: &[[f64; 3]]) {
+    let vector = |k: usize| DVector::from_iterator(states.len(), states.iter().map(|x| x[k]));
+    motion.t.push(t);
+    motion.q.push(vector(0));
+    motion.qd.push(vector(1));
+    motion.qdd.push(vector(2));
 }
 
 /// The times of equal steps from one to another.
@@ -67,42 +86,50 @@ fn cycloidal(given: &ArgMatches, robot: &Robot, samples: usize) -> Result<Motion
     };
     let paths: Vec<Cycloidal<1>> = from.iter().zip(&to).map(path).collect::<Result<_, _>>()?;
     let mut motion = Motion::default();
-    let mut joints: Vec<_> = paths.iter().map(|path| path.samples(samples)).collect();
-    for _ in 0..samples {
-        let mut t = 0.0;
-        for joint in &mut joints {
-            let Some((time, state)) = joint.next() else {
-                return Ok(motion);
-            };
-            t = time;
-            motion.q.push(state.q[0]);
-            motion.qd.push(state.qd[0]);
-            motion.qdd.push(state.qdd[0]);
-        }
-        motion.t.push(t);
+    // The samples of one path have the times of all.
+    for (t, _) in paths.iter().take(1).flat_map(|path| path.samples(samples)) {
+        let states = paths.iter().map(|path| path.at(t));
+        let states: Vec<_> = states
+            .map(|state| [state.q[0], state.qd[0], state.qdd[0]])
+            .collect();
+        add(&mut motion, t, &states);
     }
     Ok(motion)
 }
 
-/// Cubic splines through the rows of a file, at rest at both ends.
+/// Through the points of a file: with its velocities and accelerations if it has both, else by cubic splines with its
+/// velocities at both ends, or at rest there.
 fn through_waypoints(path: &Path, robot: &Robot, samples: usize) -> Result<Motion, Failure> {
     let joints: Vec<_> = robot.joints().map(|row| row.name.as_str()).collect();
-    let rows = read(path, &joints)?;
-    for row in &rows {
-        if note_degrees(&path.display().to_string(), robot, &row[1..]) {
+    let points = read(path, &joints)?;
+    for q in &points.q {
+        if note_degrees(&path.display().to_string(), robot, q.as_slice()) {
             break;
         }
     }
-    let times_of_rows: Vec<f64> = rows.iter().map(|row| row[0]).collect();
-    let splines = (1..=joints.len()).map(|joint| {
-        let positions: Vec<f64> = rows.iter().map(|row| row[joint]).collect();
-        Spline::new(&times_of_rows, positions)
+    let splines = (0..joints.len()).map(|joint| {
+        let lists = [&points.q, &points.qd, &points.qdd];
+        let [positions, slopes, second_derivatives] = lists.map(|list| {
+            list.iter()
+                .map(|vector| vector[joint])
+                .collect::<Vec<f64>>()
+        });
+        if points.qdd.is_empty() {
+            let ends = [slopes.first(), slopes.last()].map(|end| end.copied().unwrap_or(0.0));
+            return Spline::cubic(&points.t, positions, ends);
+        }
+        Spline {
+            times: &points.t,
+            positions,
+            slopes,
+            second_derivatives: Some(second_derivatives),
+        }
     });
     let splines: Vec<_> = splines.collect();
     let mut motion = Motion::default();
-    let is_finite = |spline: &Spline, t: f64| spline.at(t).iter().all(|x| x.is_finite());
-    for t in times(times_of_rows[0], times_of_rows[rows.len() - 1], samples) {
-        if !splines.iter().all(|spline| is_finite(spline, t)) {
+    for t in times(points.t[0], points.t[points.len() - 1], samples) {
+        let states: Vec<_> = splines.iter().map(|spline| spline.at(t)).collect();
+        if !states.iter().flatten().all(|x| x.is_finite()) {
             let message = format!(
                 "rates or accelerations between the rows are not finite at t = {}: the times are too short for the \
                  positions, or the positions too large",
@@ -110,13 +137,7 @@ fn through_waypoints(path: &Path, robot: &Robot, samples: usize) -> Result<Motio
             );
             return Err(Failure::of_file(path, message));
         }
-        motion.t.push(t);
-        for spline in &splines {
-            let [q, qd, qdd] = spline.at(t);
-            motion.q.push(q);
-            motion.qd.push(qd);
-            motion.qdd.push(qdd);
-        }
+        add(&mut motion, t, &states);
     }
     Ok(motion)
 }

@@ -5,12 +5,12 @@ use dynamics_evaluation::RuntimeRobot;
 use dynamics_runtime::nalgebra::{DVector, Dyn};
 use dynamics_runtime::{
     Friction, Simulation,
-    simulation::{Cause, DormandPrince, SizedModel as _, SizedSimulationError},
+    simulation::{Cause, DormandPrince, SizedSimulationError},
 };
 use dynamics_symbolic::Function;
 use dynamics_symbolic::robot::Robot;
 
-use crate::csv::{Csv, numbers, shortest};
+use crate::csv::{shortest, written};
 use crate::failure::Failure;
 use crate::joints::note_degrees;
 use crate::load::{arm_with, count};
@@ -20,7 +20,7 @@ use crate::progress::Progress;
 pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
     let arm = arm_with(given, Function::default_set(false))?;
     let start = Start::of(given, arm.robot())?;
-    Ok(motion(&arm, &start, given)?.text())
+    motion(&arm, &start, given)
 }
 
 /// Where a motion starts, and what drives it.
@@ -43,7 +43,7 @@ impl Start {
 /// Steps in which progress is shown.
 const STEPS: usize = 1000;
 
-fn motion(arm: &RuntimeRobot, start: &Start, given: &ArgMatches) -> Result<Csv, Failure> {
+fn motion(arm: &RuntimeRobot, start: &Start, given: &ArgMatches) -> Result<String, Failure> {
     let number = |name: &str| given.get_one::<f64>(name).copied().unwrap_or(1.0);
     let [q, qd, torque] =
         [&start.q, &start.qd, &start.torque].map(|entries| DVector::from_column_slice(entries));
@@ -63,14 +63,7 @@ fn motion(arm: &RuntimeRobot, start: &Start, given: &ArgMatches) -> Result<Csv, 
         .samples(count(given, "samples"))
         .run()
         .map_err(|error| Failure::after(String::new(), told(&error, duration)))?;
-    let mut csv = Csv::new("t", &["q", "qd"], arm.joint_names()).with("energy");
-    for ((t, q), qd) in motion.t.iter().zip(&motion.q).zip(&motion.qd) {
-        let energies = arm_in_motion.sized_energies(q, qd);
-        let energy = energies.map(|[kinetic, potential]| kinetic + potential);
-        let entries = q.iter().chain(qd).copied();
-        csv.row([*t].into_iter().chain(entries).chain(energy))?;
-    }
-    Ok(csv)
+    written(&motion, &arm_in_motion)
 }
 
 /// Why a motion of so many seconds was not followed to its end, and which option is to blame.
@@ -121,9 +114,11 @@ fn vector(given: &ArgMatches, name: &str, dof: usize) -> Result<Vec<f64>, Failur
     };
     let entries: Vec<f64> = entries.copied().collect();
     if entries.len() != dof {
-        let found = numbers(entries.len());
-        let message =
-            format!("`--{name}` has {found}: expected {dof}, one for each joint that moves");
+        let found = entries.len();
+        let plural = if found == 1 { "" } else { "s" };
+        let message = format!(
+            "`--{name}` has {found} number{plural}: expected {dof}, one for each joint that moves"
+        );
         return Err(Failure::of_the_command_line(message));
     }
     Ok(entries)

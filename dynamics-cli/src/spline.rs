@@ -1,19 +1,21 @@
 //! Smooth curves through points.
 
-/// A cubic spline with slopes of zero at both ends (de Boor, A Practical Guide to Splines, 1978,
-/// chapter IV): on each piece a cubic that has the given positions and slopes at its ends, slopes such
-/// that the second derivative is continuous.
+/// Polynomials between points that have the positions and slopes of both ends, and their second derivatives where these
+/// are given: of third degree, or of fifth.
 pub(crate) struct Spline<'t> {
-    times: &'t [f64],
-    positions: Vec<f64>,
-    slopes: Vec<f64>,
+    pub(crate) times: &'t [f64],
+    pub(crate) positions: Vec<f64>,
+    pub(crate) slopes: Vec<f64>,
+    pub(crate) second_derivatives: Option<Vec<f64>>,
 }
 
 impl<'t> Spline<'t> {
-    /// Through positions at growing times, two or more.
-    pub(crate) fn new(times: &'t [f64], positions: Vec<f64>) -> Self {
+    /// The cubic spline through positions at growing times, two or more, with the slopes of both ends: its second
+    /// derivative is continuous (de Boor, A Practical Guide to Splines, 1978, chapter IV).
+    pub(crate) fn cubic(times: &'t [f64], positions: Vec<f64>, ends: [f64; 2]) -> Self {
         let n = times.len();
         let (mut upper, mut slopes) = (vec![0.0; n], vec![0.0; n]);
+        (slopes[0], slopes[n - 1]) = (ends[0], ends[1]);
         // s[i-1] / h + 2 s[i] (1/h + 1/k) + s[i+1] / k = 3 (dp/h^2 + dp'/k^2), solved from the left.
         for i in 1..n - 1 {
             let (h, k) = (times[i] - times[i - 1], times[i + 1] - times[i]);
@@ -33,6 +35,7 @@ impl<'t> Spline<'t> {
             times,
             positions,
             slopes,
+            second_derivatives: None,
         }
     }
 
@@ -44,13 +47,22 @@ impl<'t> Spline<'t> {
         let h = self.times[i + 1] - self.times[i];
         let (u, p) = ((t - self.times[i]) / h, &self.positions);
         let (rise, s, e) = (p[i + 1] - p[i], self.slopes[i] * h, self.slopes[i + 1] * h);
-        // p + s u + b u^2 + c u^3 with u from 0 to 1: the squares of long and short times are no numbers.
-        let b = 3.0 * rise - 2.0 * s - e;
-        let c = s + e - 2.0 * rise;
+        // p + s u + b u^2 + c u^3 + d u^4 + f u^5, u from 0 to 1: the squares of long and short times are no numbers.
+        let [b, c, d, f] = match &self.second_derivatives {
+            None => [3.0 * rise - 2.0 * s - e, s + e - 2.0 * rise, 0.0, 0.0],
+            Some(given) => {
+                let [b, end] = [given[i], given[i + 1]].map(|x| 0.5 * x * h * h);
+                let (r, v, w) = (rise - s - b, e - s - 2.0 * b, end - b);
+                let c = 10.0 * r - 4.0 * v + w;
+                [b, c, 7.0 * v - 15.0 * r - 2.0 * w, 6.0 * r - 3.0 * v + w]
+            }
+        };
+        let rate = 2.0 * b + u * (3.0 * c + u * (4.0 * d + u * 5.0 * f));
+        let second = 2.0 * b + u * (6.0 * c + u * (12.0 * d + u * 20.0 * f));
         [
-            p[i] + u * (s + u * (b + u * c)),
-            (s + u * (2.0 * b + u * 3.0 * c)) / h,
-            (2.0 * b + u * 6.0 * c) / h / h,
+            p[i] + u * (s + u * (b + u * (c + u * (d + u * f)))),
+            (s + u * rate) / h,
+            second / h / h,
         ]
     }
 }
@@ -59,12 +71,37 @@ impl<'t> Spline<'t> {
 mod tests {
     use super::Spline;
 
-    /// Positions are met, ends are at rest, and no derivative up to the second jumps.
+    /// A polynomial of fifth degree is the one through its values.
+    #[test]
+    fn motions_are_followed_between_their_samples() {
+        let motion = |t: f64| {
+            [
+                t.powi(5) - t * t,
+                5.0 * t.powi(4) - 2.0 * t,
+                20.0 * t.powi(3) - 2.0,
+            ]
+        };
+        let times = [-1.0, 0.5, 1.5];
+        let list = |k: usize| times.map(|t| motion(t)[k]).to_vec();
+        let spline = Spline {
+            times: &times,
+            positions: list(0),
+            slopes: list(1),
+            second_derivatives: Some(list(2)),
+        };
+        for t in [-1.0, -0.3, 0.4, 0.5, 1.1, 1.5] {
+            for (found, expected) in spline.at(t).iter().zip(motion(t)) {
+                assert!((found - expected).abs() < 1e-12, "{t}: {found} {expected}");
+            }
+        }
+    }
+
+    /// Positions are met, ends have their slopes, and no derivative up to the second jumps.
     #[test]
     fn splines_are_smooth() {
         let times = [0.0, 0.5, 1.5, 2.0, 4.0];
         let positions = [0.0, 1.0, -0.5, 0.25, 2.0];
-        let spline = Spline::new(&times, positions.to_vec());
+        let spline = Spline::cubic(&times, positions.to_vec(), [0.5, -2.0]);
         for (t, q) in times.iter().zip(positions) {
             let (before, here, after) = (spline.at(t - 1e-9), spline.at(*t), spline.at(t + 1e-9));
             assert!((here[0] - q).abs() < 1e-12);
@@ -73,6 +110,7 @@ mod tests {
                 assert!(jump(0) < 1e-7 && jump(1) < 1e-6 && jump(2) < 1e-6, "{t}");
             }
         }
-        assert!(spline.at(0.0)[1].abs() < 1e-12 && spline.at(4.0)[1].abs() < 1e-12);
+        let [start, end] = [0.0, 4.0].map(|t| spline.at(t)[1]);
+        assert!((start - 0.5).abs() < 1e-12 && (end + 2.0).abs() < 1e-12);
     }
 }

@@ -321,14 +321,14 @@ fn states(arm: &Arm) -> String {
     format!("[{}]", states.collect::<Vec<_>>().join(", "))
 }
 
-/// Rows of a table that the command has written: the time, and numbers by the names of a page.
-fn rows(csv: &str, groups: &[&str]) -> Vec<(f64, Numbers)> {
+/// Rows of a table that the command has written, from an arm of so many joints: the time, and numbers by the names of a
+/// page.
+fn rows(csv: &str, dof: usize, groups: &[&str]) -> Vec<(f64, Numbers)> {
     let rows = csv.lines().skip(1).map(|line| {
         let cells: Vec<f64> = line
             .split(',')
             .map(|x| x.parse().expect("a number"))
             .collect();
-        let dof = (cells.len() - 1) / groups.len();
         let named = groups.iter().enumerate();
         let found =
             named.flat_map(|(k, group)| indexed(group, &cells[1 + k * dof..1 + (k + 1) * dof]));
@@ -412,14 +412,11 @@ fn motions(arm: &Arm) -> String {
     };
     let inverse = rows(
         &call("inverse", &["--to", &to_list]),
+        from.len(),
         &["q", "qd", "qdd", "tau"],
     );
     let simulated = call("simulate", &["--tolerance", "1e-12"]);
-    let without_energy: Vec<_> = simulated
-        .lines()
-        .map(|line| line.rsplit_once(',').expect("energies").0)
-        .collect();
-    let free = rows(&without_energy.join("\n"), &["q", "qd"]);
+    let free = rows(&simulated, from.len(), &["q", "qd"]);
     let start = |name: &str, values: &[f64]| [indexed("q", &from), indexed(name, values)].concat();
     let still = vec![0.0; from.len()];
     let prescribed = [start("end", &to), vec![duration.clone()]].concat();

@@ -85,7 +85,7 @@ function between(found, t) {
   };
 }
 
-/** The samples as text, a row for each, as the commands `simulate` and `inverse` write theirs. */
+/** The samples as text, a row for each, which the command `inverse` reads. */
 export function csv(trajectory, names) {
   const vectors = ["q", "qd", "qdd", "tau"];
   const columns = vectors.flatMap((vector) => names.map((name) => `${vector}_${name}`));

@@ -93,8 +93,8 @@ fn generate() -> Command {
 fn simulate() -> Command {
     of_a_file("simulate", "Move the arm, and write its motion as CSV")
         .long_about(
-            "Move the arm under constant torques by Dormand and Prince's method, and write time, positions, velocities \
-             and energy as CSV. Joints with dry friction stick; limits are passed as if they were not there.",
+            "Move the arm under constant torques by Dormand and Prince's method, and write time, positions, velocities, \
+             accelerations, torques and energies as CSV. Joints with dry friction stick; limits are passed as if they were not there.",
         )
         .arg(functions().help(BESIDES))
         .arg(vector("from", "Positions at the start, rad or m; zeros where this is left out"))
@@ -112,7 +112,8 @@ fn inverse() -> Command {
         .long_about(
             "Find the torques of a motion, and write time, positions, velocities, accelerations and torques as CSV. The \
              motion is cycloidal from --from to --to, or passes the rows of a CSV file: a time and a position of each joint, \
-             joined by cubic splines at rest at both ends.",
+             joined by cubic splines at rest at both ends. A file that `simulate` wrote also has the \
+             velocities and accelerations to pass.",
         )
         .arg(functions().help(BESIDES))
         .arg(vector("from", "Positions at the start of a cycloidal motion, rad or m; zeros where this is left out"))

@@ -220,19 +220,49 @@ fn a_free_fall_keeps_its_energy() {
         "11",
     ]);
     assert!(
-        text.starts_with("t,q_pivot,q_knee,qd_pivot,qd_knee,energy\n"),
+        text.starts_with("t [s],q.pivot [rad],q.knee [rad],qd.pivot [rad/s],"),
         "{text}"
     );
-    let rows = rows(&text, 6);
+    let rows = rows(&text, 11);
     assert_eq!((rows.len(), rows[10][0]), (11, 2.0));
+    let energy = |row: &Vec<f64>| row[9] + row[10];
     assert!(
-        rows.iter().all(|row| (row[5] - rows[0][5]).abs() < 1e-6),
+        rows.iter()
+            .all(|row| (energy(row) - energy(&rows[0])).abs() < 1e-6),
         "{text}"
     );
     assert!(
         rows.iter().any(|row| (row[1] - rows[0][1]).abs() > 0.5),
         "{text}"
     );
+}
+
+/// The torques of a motion that `simulate` wrote are those that it was made by.
+#[test]
+fn inverse_reads_what_simulate_writes() {
+    let pendulum = file("both_ways.toml", PENDULUM);
+    let options = [
+        "--from",
+        "-1,0.5",
+        "--velocity",
+        "0.5,1",
+        "--torque",
+        "3,-1",
+    ];
+    let motion = output(&[&["simulate", &pendulum, "--samples", "21"][..], &options].concat());
+    let way = file("both_ways.csv", &*motion);
+    let found = output(&["inverse", &pendulum, "--waypoints", &way, "--samples", "21"]);
+    assert!(
+        motion.starts_with(found.lines().next().expect("a header")),
+        "{found}"
+    );
+    for (row, expected) in rows(&found, 9).iter().zip(rows(&motion, 11)) {
+        assert_eq!(row[0], expected[0]);
+        for column in 1..9 {
+            let error = (row[column] - expected[column]).abs();
+            assert!(error < 1e-10, "{column}: {error:e} at {}", row[0]);
+        }
+    }
 }
 
 #[test]

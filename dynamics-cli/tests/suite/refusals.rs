@@ -310,7 +310,7 @@ fn numbers_that_are_too_large_are_told() {
                 "--samples",
                 "3",
             ],
-            "`tau_pivot` at t = 0.5 s is beyond the largest number",
+            "`tau.pivot` at t = 0.5 s is beyond the largest number",
         ),
         (
             [

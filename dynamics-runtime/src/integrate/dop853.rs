@@ -14,12 +14,12 @@ pub(crate) struct Dop853Method;
 impl<D: Size> Embedded<D> for Dop853Method {
     type Rates = [Phase<D>; STAGES];
 
-    /// Of seventh degree (section II.6, in the form of the program DOP853).
+    /// The polynomial of seventh degree (section II.6, in the form of the program DOP853).
     type Polynomial = [Phase<D>; 8];
 
     const LAST: usize = LAST;
 
-    /// Those of the program DOP853.
+    /// The constants of the program DOP853.
     const CONTROL: Constants = Constants {
         order: 8.0,
         beta: 0.0,
@@ -38,9 +38,9 @@ impl<D: Size> Embedded<D> for Dop853Method {
     ) -> Result<Phase<D>, S::Refusal> {
         // Unrolled for each stage, a run of the two-link arm takes a third longer.
         for i in 1..LAST {
-            from.stage(system, (&A[i], C[i]), rates, i)?;
+            from.stage(system, (A[i], C[i]), rates, i)?;
         }
-        Ok(from.plus(&A[LAST][..LAST], rates))
+        Ok(from.plus(A[LAST], rates))
     }
 
     fn finish<S: Equations<D>>(
@@ -72,7 +72,7 @@ impl<D: Size> Embedded<D> for Dop853Method {
         rates: &mut Self::Rates,
     ) -> Result<Self::Polynomial, S::Refusal> {
         for i in LAST + 1..STAGES {
-            from.stage(system, (&A[i], C[i]), rates, i)?;
+            from.stage(system, (A[i], C[i]), rates, i)?;
         }
         let [r1, r2, r3, r4] = from.cubic(end, [&rates[0], &rates[LAST]]);
         let [r5, r6, r7, r8] = DENSE.map(|row| combination(&row, rates).scaled(from.h));
@@ -92,6 +92,6 @@ impl<D: Size> Embedded<D> for Dop853Method {
 #[inline(always)]
 fn third<D: Size>(rates: &[Phase<D>; STAGES]) -> Phase<D> {
     let subtract = |sum: Phase<D>, (i, weight): &(usize, f64)| sum.plus(-weight, &rates[*i]);
-    let eighth = combination(&A[LAST][..LAST], rates);
+    let eighth = combination(A[LAST], rates);
     THIRD.iter().fold(eighth, subtract)
 }

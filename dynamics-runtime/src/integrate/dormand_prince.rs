@@ -15,13 +15,12 @@ pub(crate) struct DormandPrince54;
 impl<D: Size> Embedded<D> for DormandPrince54 {
     type Rates = [Phase<D>; STAGES];
 
-    /// Of fourth degree (Hairer, Nørsett, Wanner I, section II.6, in the form of their program
-    /// DOPRI5).
+    /// The polynomial of fourth degree (Hairer, Nørsett, Wanner I, section II.6, in the form of their program DOPRI5).
     type Polynomial = [Phase<D>; 5];
 
     const LAST: usize = STAGES - 1;
 
-    /// Those of the program DOPRI5.
+    /// The constants of the program DOPRI5.
     const CONTROL: Constants = Constants {
         order: 5.0,
         beta: 0.04,

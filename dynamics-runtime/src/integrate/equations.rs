@@ -1,4 +1,4 @@
-//! What a method of integration asks of the motion that it follows.
+//! The equations of the motion that a method of integration follows.
 
 use super::Phase;
 use crate::size::Size;

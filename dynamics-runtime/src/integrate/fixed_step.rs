@@ -92,8 +92,4 @@ impl<S, E, M: OneStep<S, E, D>, D: Size> Stepper<S, E, D> for FixedStep<M, D> {
         debug_assert!(same(t, self.next.t), "{t} {}", self.next.t);
         Ok(self.next.phase.clone())
     }
-
-    fn rejected(&self) -> u64 {
-        0
-    }
 }

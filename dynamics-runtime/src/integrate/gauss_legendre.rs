@@ -27,7 +27,7 @@ struct Tableau<const STAGES: usize> {
 /// The start of a step, and a first guess of the stages' rates.
 type Begun<const STAGES: usize, D> = (Compensated<D>, [Point<D>; STAGES]);
 
-/// What a step hands on to the next one, besides the phase that it returned.
+/// The numbers that a step hands on to the next one, besides the phase that it returned.
 struct Carried<const STAGES: usize, D: Size> {
     phase: Phase<D>,
     h: f64,
@@ -36,14 +36,14 @@ struct Carried<const STAGES: usize, D: Size> {
 }
 
 impl<D: Size> GaussLegendre<1, D> {
-    /// Of order 2: the implicit midpoint rule.
+    /// The implicit midpoint rule, of order 2.
     pub(crate) fn order_2() -> Self {
         Self::new([[0.5]], [1.0], [0.5])
     }
 }
 
 impl<D: Size> GaussLegendre<2, D> {
-    /// Of order 4.
+    /// The method of order 4.
     pub(crate) fn order_4() -> Self {
         let r = 3.0_f64.sqrt() / 6.0;
         let a = [[0.25, 0.25 - r], [0.25 + r, 0.25]];
@@ -52,7 +52,7 @@ impl<D: Size> GaussLegendre<2, D> {
 }
 
 impl<D: Size> GaussLegendre<3, D> {
-    /// Of order 6.
+    /// The method of order 6.
     pub(crate) fn order_6() -> Self {
         let r = 15.0_f64.sqrt();
         let (outer, inner) = (5.0 / 36.0, 2.0 / 9.0);
@@ -66,11 +66,10 @@ impl<D: Size> GaussLegendre<3, D> {
     }
 }
 
-/// A change of the stages' velocities, relative to them, that is rounding if it does not become
-/// smaller.
+/// A relative change of the stages' velocities that is rounding if it does not become smaller.
 const ROUNDING: f64 = 1e-10;
 
-/// A way in a step beside which changes are measured where the velocities are less, rad or m.
+/// The way in a step to which changes are relative if it is more than that by the velocities, rad or m.
 const SLOW: f64 = 1e-4;
 
 /// An iteration that takes longer does not converge: the step is too long for it.
@@ -170,12 +169,11 @@ impl<S: Canonical<D>, const STAGES: usize, D: Size> OneStep<S, S::Refusal, D>
     }
 }
 
-/// How much an iteration changed the rates of the stages. NaN where a rate is.
+/// Change of the rates of the stages by an iteration, relative to them. NaN where a rate is.
 struct Change {
-    /// Of positions or of momenta, whichever is more beside what it changed.
+    /// The greater of those of positions and of momenta.
     all: f64,
-    /// Of positions, beside what it changed and [`SLOW`] a step. In an arm at rest the others are
-    /// rounding beside rounding.
+    /// That of positions, relative to [`SLOW`] a step besides: in an arm at rest, the other is rounding over rounding.
     velocities: f64,
 }
 
@@ -194,13 +192,8 @@ fn change<const STAGES: usize, D: Size>(
         let [q, p] = [&new.q, &new.p].map(|vector| sum(vector.entries()));
         size = [size[0] + q, size[1] + p];
     }
-    let ratio = |i: usize| {
-        if moved[i] == 0.0 {
-            0.0
-        } else {
-            moved[i] / size[i]
-        }
-    };
+    // Nothing moved of nothing is no change.
+    let ratio = |i: usize| moved[i] / if moved[i] == 0.0 { 1.0 } else { size[i] };
     let [of_q, of_p] = [0, 1].map(ratio);
     // NaN where either is.
     let all = if of_q >= of_p {

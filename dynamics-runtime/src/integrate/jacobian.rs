@@ -21,8 +21,8 @@ impl<D: Size> Jacobian<D> {
         }
     }
 
-    /// By differences over the square root of the rounding, 2 N evaluations: enough for a simplified
-    /// Newton iteration, and they see whatever a torque law does.
+    /// By differences over the square root of the rounding, in 2 N evaluations: enough for a simplified Newton
+    /// iteration under any torque law.
     pub(super) fn at<S: Equations<D>>(
         system: &S,
         t: f64,

@@ -7,10 +7,9 @@ use crate::size::Size;
 /// A matrix as the product of a lower and an upper triangle, with rows exchanged so that each pivot
 /// is the largest of its column (Golub and Van Loan, *Matrix Computations*, algorithm 3.4.1).
 ///
-/// Where a pivot is 0 the solutions are not finite.
+/// The solutions are not finite if a pivot is 0.
 ///
-/// It is not nalgebra's, whose factorisations ask for bounds on the number of joints that would stand in the signature of
-/// everything that is generic over it, up to the simulation's `run`.
+/// It is not nalgebra's: the bounds of its factorisations would stand in every signature up to the simulation's `run`.
 #[derive(Clone)]
 pub(crate) struct Lu<T: ComplexField + Copy, D: Size> {
     factors: D::Each<D::Each<T>>,

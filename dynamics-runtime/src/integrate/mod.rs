@@ -1,10 +1,9 @@
 //! Methods of integration for equations of motion q'' = a(t, q, q').
 //!
-//! They know nothing of robots: [`Equations`] are any function of time and phase that may refuse.
-//! Every method is a [`Stepper`]. A method of fixed step says what a step is ([`OneStep`]), and
-//! [`FixedStep`] makes them; where it preserves the structure of a motion, it asks for the equations in
-//! positions and momenta ([`Canonical`]); a method with an embedded error estimate says what its stages are
-//! ([`Embedded`]), and [`Adaptive`] chooses the steps.
+//! They know nothing of robots: [`Equations`] are any function of time and phase that may refuse. Every method is a
+//! [`Stepper`]. [`FixedStep`] makes equal steps of a method ([`OneStep`]), some of them in positions and momenta
+//! ([`Canonical`]). [`Adaptive`] chooses the steps of a method with an error estimate
+//! ([`Embedded`](embedded::Embedded)).
 
 mod adaptive;
 mod canonical;

@@ -73,9 +73,9 @@ pub(super) fn order(a: &[Vec<f64>], b: &[f64]) -> usize {
 }
 
 /// The rows of an array of coefficients, each filled up with zeros to the number of stages.
-pub(super) fn square<const C: usize>(rows: &[[f64; C]], stages: usize) -> Vec<Vec<f64>> {
-    let row = |row: &[f64; C]| {
-        let mut row = row.to_vec();
+pub(super) fn square(rows: &[impl AsRef<[f64]>], stages: usize) -> Vec<Vec<f64>> {
+    let row = |row: &_| {
+        let mut row = AsRef::<[f64]>::as_ref(row).to_vec();
         row.resize(stages, 0.0);
         row
     };

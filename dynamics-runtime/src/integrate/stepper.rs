@@ -28,7 +28,9 @@ pub(crate) trait Stepper<S, E, D: Size> {
     fn restart(&mut self, system: &S, phase: Phase<D>) -> Result<(), Failure<E>>;
 
     /// The number of steps that were tried and thrown away.
-    fn rejected(&self) -> u64;
+    fn rejected(&self) -> u64 {
+        0
+    }
 }
 
 /// Why a step could not be made.

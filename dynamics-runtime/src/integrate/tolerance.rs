@@ -31,23 +31,26 @@ pub(crate) struct StepRange {
 }
 
 impl StepRange {
-    /// The step of the range that is nearest to one that is wished for.
+    /// The length of the next step, and whether it is the last, where one is wished for and a way is left.
     ///
-    /// The shortest is tried before a run ends for want of a short one: steps shorter than it, good
-    /// as they may be, never arrive.
-    pub(super) fn within(&self, wish: f64) -> f64 {
-        wish.max(self.least).min(self.greatest)
+    /// The shortest of the range is tried before a run fails: shorter steps never arrive. Rather a step longer by a
+    /// hundredth than a tiny one after it.
+    pub(super) fn choose(&self, wish: f64, left: f64) -> (f64, bool) {
+        let step = wish.max(self.least).min(self.greatest);
+        let is_last = 1.01 * step >= left;
+        (if is_last { left } else { step }, is_last)
     }
 
-    /// Why no step of the range was good, of which the shortest failed so, where the motion asked for steps of length
-    /// `wish` at its start.
+    /// The reason that no step of the range was good, where the shortest failed, and the motion asked for steps of
+    /// length `wish` at its start.
     ///
-    /// What was wrong with the equations is told where steps could be that short. Where none can, it was met at stages
-    /// far beyond what the motion reaches.
+    /// A refusal of the equations counts where steps could be that short. Where none can, it was met at stages far beyond
+    /// the states that the motion reaches.
     pub(super) fn judge<E>(&self, failure: Failure<E>, wish: f64) -> Failure<E> {
-        match self.least > wish {
-            true => Failure::StepTooSmall,
-            false => failure,
+        if self.least > wish {
+            Failure::StepTooSmall
+        } else {
+            failure
         }
     }
 }

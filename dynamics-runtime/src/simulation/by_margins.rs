@@ -67,9 +67,8 @@ where
         Ok(false)
     }
 
-    /// The time at which a velocity that keeps its sign from one end of the step to the other dips
-    /// below zero, or a position passes a limit and comes back, by the cubic through values and slopes at
-    /// the ends.
+    /// The time within the step at which a velocity dips below zero, or a position passes a limit, that is back at the
+    /// end. It is that of the cubic through values and slopes at both ends.
     fn dip(&self, start: &Start<D>, after: &Held<D>) -> Option<f64> {
         let Start {
             t,
@@ -85,7 +84,7 @@ where
             ),
             _ => None,
         };
-        let limits = self.motion.limits();
+        let limits = &self.motion.limits;
         let of_position = |i: usize| {
             let ends = limits.ends(i).filter_map(move |end| {
                 lowest(
@@ -102,9 +101,9 @@ where
         dips.flatten().reduce(f64::min).map(|s| t + s * h)
     }
 
-    /// Takes the step again, so that it ends where the least margin, which was `margin` at `start`
-    /// and is negative here, passes zero: false position after Illinois (M. Dowell, P. Jarratt, BIT
-    /// 11 (1971)), by halves where that does not apply.
+    /// Takes the step again, so that it ends where the least margin passes zero: it was `margin` at `start` and is
+    /// negative here. False position after Illinois (M. Dowell, P. Jarratt, BIT 11 (1971)), by halves where that does
+    /// not apply.
     fn locate(&mut self, start: f64, margin: f64) -> Result<(), Cause> {
         let (mut a, mut at_a) = (start, margin);
         let (mut b, mut at_b) = (self.stepper.t(), here(self.motion, self.stepper)?.0);

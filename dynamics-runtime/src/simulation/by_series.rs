@@ -11,8 +11,8 @@ use crate::integrate::Stepper;
 use crate::simulation::{EquationsOfMotion, TaylorDynamics};
 use crate::taylor::{Polynomial, SeriesStepper, Steady};
 
-/// The first zero of the way to a limit, or of the force on a stop, over a step: to rounding, and however
-/// often a joint turns within the step.
+/// The first zero of the way to a limit, or of the force on a stop, over a step: to rounding, however often a joint
+/// turns.
 pub(super) struct BySeries;
 
 /// A force on a stop that is less than so many roundings of its greatest term is none.
@@ -31,7 +31,7 @@ where
         stepper: &mut SeriesStepper<A, N>,
         start: &Start<Const<N>>,
     ) -> Result<Option<Held<Const<N>>>, Cause> {
-        let limits = motion.limits();
+        let limits = &motion.limits;
         let of_joint = |i: usize| match motion.contact(i) {
             Contact::Leans(inwards) => {
                 let force = stepper.holding_force(i).less(0.0, inwards);

@@ -17,7 +17,7 @@
 use crate::integrate::Lu;
 use crate::size::{JointMatrix as _, JointVector as _, Size};
 
-/// Where the force of a contact is.
+/// The place of a contact's force among its bounds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Place {
     Low,
@@ -110,8 +110,8 @@ impl<D: Size> Balance<D> {
         }
     }
 
-    /// The inertia of joint `i`, whose force is between its bounds, if it alone is let go: one over
-    /// `(W_bb^-1)_ii`, with b the joints whose forces are between their bounds, is what a force does to it.
+    /// The inertia of joint `i`, whose force is between its bounds, if it alone is let go: `(W_bb^-1)_ii`, with b the
+    /// joints whose forces are between their bounds.
     pub(super) fn inertia(&self, i: usize) -> f64 {
         let size = D::of(&self.forces);
         let unit = size.vector_of(|j| f64::from(u8::from(i == j)));

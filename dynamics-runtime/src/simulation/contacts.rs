@@ -33,8 +33,8 @@ impl<R, L, D: Size> Motion<'_, R, L, D> {
 
     /// The way into its range of joint `i`, where it is at rest at a stop.
     fn leaning_place(&self, i: usize, phase: &Phase<D>) -> Option<f64> {
-        let rebounds = matches!(self.limits().kind, AtLimit::Rebounds { .. });
-        let end = self.limits().end(i, phase.q[i])?;
+        let rebounds = matches!(self.limits.kind, AtLimit::Rebounds { .. });
+        let end = self.limits.end(i, phase.q[i])?;
         (rebounds && phase.qd[i] == 0.0).then_some(end.inwards)
     }
 
@@ -61,10 +61,10 @@ impl<R, L, D: Size> Motion<'_, R, L, D> {
         inwards * held.forces[i] + self.breakaway(i, inwards)
     }
 
-    /// The margin of joint `i` to its next event: the velocity of one that slides, and its way to a limit; the
-    /// friction left of one that sticks; the force on the stop of one that leans on it.
+    /// The margin of joint `i` to its next event. If it slides, that is the lesser of velocity and way to a limit; if
+    /// it sticks, the friction left; if it leans on a stop, the force there.
     pub(super) fn margin(&self, i: usize, phase: &Phase<D>, held: &Held<D>) -> f64 {
-        let limits = self.limits();
+        let limits = &self.limits;
         let to_ends = limits.ends(i).map(|end| limits.margin(&end, phase.q[i]));
         match self.contact(i) {
             Contact::Slides(0.0) => to_ends.fold(f64::INFINITY, f64::min),
@@ -151,8 +151,8 @@ impl<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size> Motion<'_, R, L, D> {
         balanced::<D>(&qdd, &responses, &bounds, finite_start).ok_or(Cause::Impacts { joints })
     }
 
-    /// The joint at rest that is let go one way, and driven back as soon as it moves that way, by a
-    /// torque law that jumps between the two: it neither stays nor goes.
+    /// The joint at rest that is let go one way, and driven back as soon as it moves that way: a torque law jumps
+    /// between the two.
     fn driven_back(
         &self,
         t: f64,
@@ -175,7 +175,7 @@ impl<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size> Motion<'_, R, L, D> {
         let after = self.held(t, &moves)?;
         let turns_back = |i: &usize| way(*i) * held.qdd[*i] >= 0.0 && way(*i) * after.qdd[*i] < 0.0;
         let back = self.joints().find(turns_back);
-        Ok(back.filter(|_| self.law(t, phase) != self.law(t, &moves)))
+        Ok(back.filter(|_| self.torque.torque(t, phase) != self.torque.torque(t, &moves)))
     }
 
     /// The joint that would stop next, within a time in s, and chatter there. A step across that place fails by

@@ -1,16 +1,16 @@
 //! Trajectories as tables of comma-separated values.
 
 use core::fmt;
-use std::io::{self, BufRead, BufReader, Read, Write};
+use std::io::{self, Read, Write};
 
-use nalgebra::SVector;
+use nalgebra::{Const, Dyn};
 
 use super::trajectory::{SizedTrajectory, Trajectory};
 use crate::size::{JointVector as _, Size};
 use crate::table::AsArm as _;
 use crate::{simulation::SizedModel, table::JointType};
 
-/// What stands in the columns of a joint: the symbol, and the unit of a revolute and of a prismatic one.
+/// The columns of a joint: the symbol, and the unit of a revolute and of a prismatic one.
 const QUANTITIES: [(&str, [&str; 2]); 4] = [
     ("q", ["rad", "m"]),
     ("qd", ["rad/s", "m/s"]),
@@ -26,6 +26,8 @@ impl<D: Size> SizedTrajectory<D> {
     /// the robot knows them ([`Model::energies`](crate::Model::energies)). Numbers have as many digits as it takes to read the same
     /// ones back, with a decimal point whatever the language; a number that is not finite is `NaN`, `inf` or `-inf`.
     /// Accelerations or torques have no columns where the trajectory does not have one for each time.
+    ///
+    /// It needs the feature `csv`.
     ///
     /// ```
     /// # extern crate dynamics_runtime as robot_dynamics;
@@ -55,62 +57,44 @@ impl<D: Size> SizedTrajectory<D> {
     ///
     /// # Errors
     ///
-    /// Those of the writer. Writes in small pieces: hand over a buffered one.
-    pub fn write_csv<R: SizedModel<D>>(&self, robot: &R, mut out: impl Write) -> io::Result<()> {
+    /// The errors of the writer.
+    pub fn write_csv<R: SizedModel<D>>(&self, robot: &R, out: impl Write) -> io::Result<()> {
         let (names, table) = (robot.names(), robot.sized_table());
-        let kinds = table.arm().rows.iter().map(|row| row.joint_type);
-        let joints: Vec<_> = names
-            .as_ref()
-            .iter()
-            .map(String::as_str)
-            .zip(kinds)
-            .collect();
-        let rest = D::from_usize(joints.len()).vector();
-        let has_energies = robot.sized_energies(&rest, &rest).is_some();
         let lists = [&self.q, &self.qd, &self.qdd, &self.tau];
-        let has = |list: &&&Vec<D::Vector>| list.len() == self.len();
-        let quantities = lists.each_ref().map(|list| has(&list));
-        self.write_header(&joints, &quantities, has_energies, &mut out)?;
+        let is_there = |k: &usize| lists[*k].len() == self.len();
+        let mut header = vec!["t [s]".to_owned()];
+        for (symbol, units) in (0..4).filter(is_there).map(|k| QUANTITIES[k]) {
+            for (name, row) in names.as_ref().iter().zip(table.arm().rows) {
+                let unit = units[usize::from(row.joint_type == JointType::Prismatic)];
+                header.push(format!("{symbol}.{name} [{unit}]"));
+            }
+        }
+        let rest = D::from_usize(names.as_ref().len()).vector();
+        if robot.sized_energies(&rest, &rest).is_some() {
+            header.extend(["kinetic", "potential"].map(|kind| format!("{kind} energy [J]")));
+        }
+        let mut rows = csv::Writer::from_writer(out);
+        rows.write_record(header)?;
         for k in 0..self.len() {
-            write!(out, "{}", self.t[k])?;
-            for vector in lists.iter().filter(has).map(|list| &list[k]) {
-                for entry in vector.entries() {
-                    write!(out, ",{entry}")?;
-                }
-            }
-            if let Some(energies) = robot.sized_energies(&self.q[k], &self.qd[k]) {
-                write!(out, ",{},{}", energies[0], energies[1])?;
-            }
-            writeln!(out)?;
+            let vectors = (0..4)
+                .filter(is_there)
+                .flat_map(|list| lists[list][k].entries());
+            let energies = robot.sized_energies(&self.q[k], &self.qd[k]);
+            let numbers = [&self.t[k]].into_iter().chain(vectors).copied();
+            rows.write_record(numbers.chain(energies.into_iter().flatten()).map(shortest))?;
         }
-        out.flush()
+        rows.flush()
     }
+}
 
-    fn write_header(
-        &self,
-        joints: &[(&str, JointType)],
-        quantities: &[bool; 4],
-        has_energies: bool,
-        out: &mut impl Write,
-    ) -> io::Result<()> {
-        write!(out, "t [s]")?;
-        let there = QUANTITIES
-            .iter()
-            .zip(quantities)
-            .filter(|(_, there)| **there);
-        for ((symbol, [of_angle, of_length]), _) in there {
-            for (name, joint_type) in joints {
-                let unit = match joint_type {
-                    JointType::Revolute => of_angle,
-                    JointType::Prismatic => of_length,
-                };
-                write!(out, ",{symbol}.{} [{unit}]", plain(name))?;
-            }
-        }
-        if has_energies {
-            write!(out, ",kinetic energy [J],potential energy [J]")?;
-        }
-        writeln!(out)
+/// A number in as few letters as it takes: `0.5`, `1e-17`.
+#[doc(hidden)]
+pub fn shortest(x: f64) -> String {
+    let (decimal, scientific) = (x.to_string(), format!("{x:e}"));
+    if decimal.len() <= scientific.len() {
+        decimal
+    } else {
+        scientific
     }
 }
 
@@ -119,138 +103,232 @@ impl<const N: usize> Trajectory<N> {
     /// them, `qdd` and `tau` of `N` joints. Columns after these are passed over, and so are empty lines. The
     /// work of the run is not in the table.
     ///
+    /// It needs the feature `csv`.
+    ///
     /// # Errors
     ///
     /// [`CsvError`] with the line and the column, where the header is not that of a trajectory of `N` joints,
-    /// a line is too short, or a cell holds no number; and where the reader fails.
+    /// a line has too few or too many cells, or a cell holds no number; and where the reader fails.
     pub fn read_csv(input: impl Read) -> Result<Self, CsvError> {
-        let mut lines = BufReader::new(input).lines().enumerate();
-        let header = match lines.next() {
-            Some((_, line)) => line.map_err(|error| CsvError::of_reader(1, error))?,
-            None => {
-                return Err(CsvError::new(
-                    1,
-                    1,
-                    CsvMistake::Header {
-                        expected: "t".into(),
-                    },
-                ));
+        read(Const, None, input)
+    }
+}
+
+impl SizedTrajectory<Dyn> {
+    /// Reads points for an arm to pass: rows of a time in s and a position of each of the `joints`, in rad or m.
+    ///
+    /// A first row without numbers is a header. It may be that of [`write_csv`](SizedTrajectory::write_csv): velocities,
+    /// accelerations and torques are read where they follow, and columns after these are passed over.
+    /// Otherwise the lists `qd`, `qdd` and `tau` are empty.
+    ///
+    /// It needs the feature `csv`.
+    ///
+    /// # Errors
+    ///
+    /// [`CsvError`] with the line and the column, where the header has the joints in another order, a line has too few or
+    /// too many cells, a cell holds no finite number, times do not grow, or there are fewer than two rows; and where the
+    /// reader fails.
+    pub fn read_points(joints: &[&str], input: impl Read) -> Result<Self, CsvError> {
+        read(Dyn(joints.len()), Some(joints), input)
+    }
+}
+
+/// A trajectory of samples; or of points to pass, for the joints with these names.
+fn read<D: Size>(
+    size: D,
+    points_of: Option<&[&str]>,
+    mut input: impl Read,
+) -> Result<SizedTrajectory<D>, CsvError> {
+    let mut bytes = Vec::new();
+    let unread = |good: &[u8], reason: String| CsvError {
+        line: 1 + good.iter().filter(|byte| **byte == b'\n').count(),
+        column: 1,
+        letter: 1,
+        mistake: CsvMistake::Reader(reason),
+    };
+    if let Err(error) = input.read_to_end(&mut bytes) {
+        return Err(unread(&bytes, error.to_string()));
+    }
+    let text = core::str::from_utf8(&bytes)
+        .map_err(|error| unread(&bytes[..error.valid_up_to()], error.to_string()))?;
+    let mut rows = Rows::new(text.trim_start_matches('\u{feff}'));
+    let (joints, mut is_row) = (size.value(), rows.advance());
+    let (mut quantities, mut width) = (1, 1 + joints);
+    if points_of.is_none() || rows.row.iter().all(|cell| cell.parse::<f64>().is_err()) {
+        quantities = rows.quantities(joints, points_of)?;
+        width = rows.row.len();
+        is_row = rows.advance();
+    }
+    let mut trajectory = SizedTrajectory::default();
+    while is_row {
+        let found = rows.row.len();
+        let number = |cell: usize| rows.number(cell, points_of.is_some());
+        if found < 1 + quantities * joints || found > width {
+            // Cells between other separators are one that is no number.
+            number(0)?;
+            let (expected, end) = (width, found.min(width));
+            let place = if points_of.is_some() { 0 } else { end };
+            return Err(rows.mistake(place, CsvMistake::Cells { found, expected }));
+        }
+        let (t, last) = (number(0)?, trajectory.t.last());
+        if points_of.is_some() && last.is_some_and(|last| *last >= t) {
+            return Err(rows.mistake(0, CsvMistake::Order));
+        }
+        trajectory.t.push(t);
+        let SizedTrajectory {
+            q, qd, qdd, tau, ..
+        } = &mut trajectory;
+        for (k, list) in [q, qd, qdd, tau].into_iter().take(quantities).enumerate() {
+            let cells = 1 + k * joints..1 + (k + 1) * joints;
+            let entries = cells.map(number).collect::<Result<Vec<f64>, _>>()?;
+            list.push(size.vector_of(|i| entries[i]));
+        }
+        is_row = rows.advance();
+    }
+    if points_of.is_some() && trajectory.len() < 2 {
+        return Err(Rows::new("").mistake(0, CsvMistake::TooFew));
+    }
+    Ok(trajectory)
+}
+
+/// The rows of a text.
+struct Rows<'t> {
+    text: &'t str,
+    reader: csv::Reader<&'t [u8]>,
+    row: csv::StringRecord,
+}
+
+impl<'t> Rows<'t> {
+    fn new(text: &'t str) -> Self {
+        let mut settings = csv::ReaderBuilder::new();
+        settings
+            .has_headers(false)
+            .flexible(true)
+            .trim(csv::Trim::All);
+        Rows {
+            text,
+            reader: settings.from_reader(text.as_bytes()),
+            row: csv::StringRecord::new(),
+        }
+    }
+
+    /// Goes on to the next row that is not empty; whether there is one.
+    fn advance(&mut self) -> bool {
+        // A text in memory can be read to its end.
+        while self.reader.read_record(&mut self.row).unwrap_or(false) {
+            if self.row.len() > 1 || !self.row[0].is_empty() {
+                return true;
             }
+        }
+        false
+    }
+
+    /// A mistake in a cell, counted from 0.
+    ///
+    /// The reader tells the byte at which a row begins, or the end of the line before or an empty line before. The lines
+    /// that it counts are others where lines end in `\r\n` or are empty.
+    fn mistake(&self, cell: usize, mistake: CsvMistake) -> CsvError {
+        let byte = self.row.position().map_or(0, |place| place.byte() as usize);
+        let rest = self.text[byte..].trim_start_matches(['\r', '\n']);
+        let before = &self.text[..self.text.len() - rest.len()];
+        let row = rest.lines().next().unwrap_or_default();
+        let mut is_quoted = false;
+        let mut ends = row.chars().enumerate().filter(|(_, letter)| {
+            is_quoted ^= *letter == '"';
+            *letter == ',' && !is_quoted
+        });
+        let end_before = cell.checked_sub(1).map(|end| ends.nth(end));
+        CsvError {
+            line: 1 + before.matches('\n').count(),
+            column: cell + 1,
+            letter: end_before.map_or(1, |end| {
+                end.map_or_else(|| row.chars().count() + 1, |(comma, _)| comma + 2)
+            }),
+            mistake,
+        }
+    }
+
+    /// How many quantities of the joints a header has: `q` and `qd` at least, or `q` where names of joints are given.
+    fn quantities(&self, joints: usize, names: Option<&[&str]>) -> Result<usize, CsvError> {
+        let cell = |index: usize| self.row.get(index).unwrap_or_default();
+        let has = |index: usize, symbol: &str| {
+            cell(index).split(['.', '_', ' ', '[']).next() == Some(symbol)
         };
-        let quantities = quantities::<N>(&header)?;
-        let mut trajectory = Trajectory::default();
-        for (k, line) in lines {
-            let line = line.map_err(|error| CsvError::of_reader(k + 1, error))?;
-            if line.trim().is_empty() {
-                continue;
-            }
-            let mut cells = Cells::new(&line, k + 1);
-            trajectory.t.push(cells.number()?);
-            let Trajectory {
-                q, qd, qdd, tau, ..
-            } = &mut trajectory;
-            for list in [q, qd, qdd, tau].into_iter().take(quantities) {
-                list.push(cells.vector()?);
-            }
-        }
-        Ok(trajectory)
-    }
-}
-
-/// A name without what means something in a table.
-fn plain(name: &str) -> String {
-    name.replace([',', '"', '\n', '\r'], "_")
-}
-
-/// How many quantities of `N` joints a header has, at least `q` and `qd`.
-fn quantities<const N: usize>(header: &str) -> Result<usize, CsvError> {
-    let mut cells = Cells::new(header.trim_start_matches('\u{feff}'), 1);
-    cells.symbol("t")?;
-    for (k, (symbol, _)) in QUANTITIES.iter().enumerate() {
-        for i in 0..N {
-            match cells.symbol(symbol) {
-                // The last two may be missing, as a whole.
-                Err(_) if k >= 2 && i == 0 => return Ok(k),
-                found => found?,
-            }
-        }
-        let mut beyond = cells.clone();
-        if beyond.symbol(symbol).is_ok() {
-            let expected = QUANTITIES.get(k + 1).map_or("", |next| next.0).into();
-            return Err(beyond.mistake(CsvMistake::Header { expected }));
-        }
-    }
-    Ok(QUANTITIES.len())
-}
-
-/// The cells of a line.
-#[derive(Clone)]
-struct Cells<'a> {
-    cells: core::str::Split<'a, char>,
-    line: usize,
-    /// Cells read.
-    column: usize,
-}
-
-impl<'a> Cells<'a> {
-    fn new(line: &'a str, number: usize) -> Self {
-        Cells {
-            cells: line.split(','),
-            line: number,
-            column: 0,
-        }
-    }
-
-    fn mistake(&self, mistake: CsvMistake) -> CsvError {
-        CsvError::new(self.line, self.column.max(1), mistake)
-    }
-
-    fn next(&mut self) -> Option<&'a str> {
-        self.column += 1;
-        self.cells.next().map(str::trim)
-    }
-
-    /// A column of the header that begins with a symbol.
-    fn symbol(&mut self, symbol: &str) -> Result<(), CsvError> {
-        let found = self.next().unwrap_or_default();
-        let name = found.split(['.', ' ', '[']).next();
-        match name == Some(symbol) {
-            true => Ok(()),
-            false => Err(self.mistake(CsvMistake::Header {
-                expected: symbol.into(),
-            })),
-        }
-    }
-
-    fn number(&mut self) -> Result<f64, CsvError> {
-        let Some(cell) = self.next() else {
-            return Err(self.mistake(CsvMistake::TooShort));
+        let expected = |index: usize, symbol: &str| {
+            let expected = symbol.to_owned();
+            Err(self.mistake(index, CsvMistake::Header { expected }))
         };
-        cell.parse()
-            .map_err(|_| self.mistake(CsvMistake::Number(cell.into())))
+        match names {
+            None if !has(0, "t") => return expected(0, "t"),
+            None => {}
+            Some(names) => self.in_order(names)?,
+        }
+        let least = if names.is_some() { 1 } else { 2 };
+        for (k, (symbol, _)) in QUANTITIES.iter().enumerate() {
+            let first = 1 + k * joints;
+            // Columns of positions may have other names; the last quantities may be missing, as a whole.
+            let is_free = names.is_some() && k == 0;
+            if let Some(i) = (0..joints).find(|i| !is_free && !has(first + i, symbol)) {
+                let is_end = i == 0 && k >= least;
+                return if is_end {
+                    Ok(k)
+                } else {
+                    expected(first + i, symbol)
+                };
+            }
+            if has(first + joints, symbol) {
+                return expected(
+                    first + joints,
+                    QUANTITIES.get(k + 1).map_or("", |next| next.0),
+                );
+            }
+        }
+        Ok(QUANTITIES.len())
     }
 
-    fn vector<const N: usize>(&mut self) -> Result<SVector<f64, N>, CsvError> {
-        let mut vector = SVector::zeros();
-        for i in 0..N {
-            vector[i] = self.number()?;
+    /// Refuses a header that has another joint in the place of one.
+    fn in_order(&self, names: &[&str]) -> Result<(), CsvError> {
+        let names_joint = |cell: &str, name: &str| {
+            let word = cell.split(" [").next().unwrap_or_default();
+            word == name
+                || word
+                    .strip_prefix(['q'])
+                    .and_then(|w| w.strip_prefix(['.', '_']))
+                    == Some(name)
+        };
+        for (i, (cell, expected)) in self.row.iter().skip(1).zip(names).enumerate() {
+            let is_right = names_joint(cell, expected);
+            let other = names.iter().find(|name| names_joint(cell, name));
+            if let Some(found) = other.filter(|_| !is_right) {
+                let [found, expected] = [found, expected].map(|name| (*name).to_owned());
+                return Err(self.mistake(i + 1, CsvMistake::Joint { found, expected }));
+            }
         }
-        Ok(vector)
+        Ok(())
+    }
+
+    fn number(&self, cell: usize, is_finite: bool) -> Result<f64, CsvError> {
+        let number = self.row[cell].parse::<f64>().ok();
+        let number = number.filter(|x| !is_finite || x.is_finite());
+        number.ok_or_else(|| self.mistake(cell, CsvMistake::Number(self.row[cell].to_owned())))
     }
 }
 
 /// Why a table could not be read as a trajectory.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct CsvError {
     /// The line, counted from 1.
     pub line: usize,
     /// The column, a cell, counted from 1.
     pub column: usize,
-    /// What is wrong there.
+    /// The letter of the line at which the cell begins, counted from 1.
+    pub letter: usize,
+    /// The mistake there.
     pub mistake: CsvMistake,
 }
 
-/// What is wrong with a cell.
+/// A mistake in a cell.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum CsvMistake {
@@ -259,40 +337,63 @@ pub enum CsvMistake {
         /// The symbol expected: `t`, `q`, `qd`, ...
         expected: String,
     },
-    /// The cell holds this, which is no number.
+    /// The header has the joints in another order than the arm.
+    Joint {
+        /// The name of the joint in the header.
+        found: String,
+        /// The name of the arm's joint.
+        expected: String,
+    },
+    /// The cell holds this, which is no number, or no finite one in a point to pass.
     Number(String),
-    /// The line ends before the cell.
-    TooShort,
+    /// The line has too few cells, or too many.
+    Cells {
+        /// The number of cells of the line.
+        found: usize,
+        /// The number of columns.
+        expected: usize,
+    },
+    /// The time of a point to pass is not after the one before.
+    Order,
+    /// There are fewer than two points to pass.
+    TooFew,
     /// The line could not be read.
     Reader(String),
 }
 
-impl CsvError {
-    fn new(line: usize, column: usize, mistake: CsvMistake) -> Self {
-        CsvError {
-            line,
-            column,
-            mistake,
+impl fmt::Display for CsvMistake {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            CsvMistake::Header { expected } if expected.is_empty() => {
+                write!(f, "there are more joints than the trajectory has")
+            }
+            CsvMistake::Header { expected } => write!(f, "a column `{expected}` was expected"),
+            CsvMistake::Joint { found, expected } => write!(
+                f,
+                "a column of `{found}`, expected one of `{expected}`: columns are in the order of the joints"
+            ),
+            CsvMistake::Number(found) => write!(f, "`{found}`: expected a number"),
+            CsvMistake::Cells { found, expected } => {
+                let plural = if *found == 1 { "" } else { "s" };
+                write!(
+                    f,
+                    "found {found} number{plural}, expected {expected} separated by commas"
+                )
+            }
+            CsvMistake::Order => write!(f, "times must grow from row to row"),
+            CsvMistake::TooFew => write!(f, "expected two rows of numbers or more"),
+            CsvMistake::Reader(error) => write!(f, "{error}"),
         }
-    }
-
-    fn of_reader(line: usize, error: io::Error) -> Self {
-        CsvError::new(line, 1, CsvMistake::Reader(error.to_string()))
     }
 }
 
 impl fmt::Display for CsvError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "line {}, column {}: ", self.line, self.column)?;
-        match &self.mistake {
-            CsvMistake::Header { expected } if expected.is_empty() => {
-                write!(f, "there are more joints than the trajectory has")
-            }
-            CsvMistake::Header { expected } => write!(f, "a column `{expected}` was expected"),
-            CsvMistake::Number(found) => write!(f, "`{found}` is no number"),
-            CsvMistake::TooShort => write!(f, "the line ends here"),
-            CsvMistake::Reader(error) => write!(f, "{error}"),
-        }
+        write!(
+            f,
+            "line {}, column {}: {}",
+            self.line, self.column, self.mistake
+        )
     }
 }
 
@@ -302,7 +403,7 @@ impl core::error::Error for CsvError {}
 mod tests {
     use nalgebra::Vector2;
 
-    use super::{CsvError, CsvMistake, Trajectory};
+    use super::{CsvMistake, SizedTrajectory, Trajectory};
     use crate::test_arms::CRAIG_ARM;
 
     fn trajectory() -> Trajectory<2> {
@@ -380,6 +481,7 @@ mod tests {
         let expected = |symbol: &str| CsvMistake::Header {
             expected: symbol.into(),
         };
+        let cells = |found: usize| CsvMistake::Cells { found, expected: 5 };
         for (text, line, column, mistake) in [
             ("".into(), 1, 1, expected("t")),
             ("x,y".into(), 1, 1, expected("t")),
@@ -392,12 +494,19 @@ mod tests {
                 CsvMistake::Number("x".into()),
             ),
             (
+                format!("{header}\r\n\r\n0,1,2,3,4\r\n\"0\", 1,x,3,4"),
+                4,
+                3,
+                CsvMistake::Number("x".into()),
+            ),
+            (
                 format!("{header}\n0,1,2,3,"),
                 2,
                 5,
                 CsvMistake::Number(String::new()),
             ),
-            (format!("{header}\n0,1,2,3"), 2, 5, CsvMistake::TooShort),
+            (format!("{header}\n0,1,2,3"), 2, 5, cells(4)),
+            (format!("{header}\n0,1,2,3,4,5"), 2, 6, cells(6)),
             (
                 format!("{header}\n0;1;2;3;4"),
                 2,
@@ -405,11 +514,61 @@ mod tests {
                 CsvMistake::Number("0;1;2;3;4".into()),
             ),
         ] {
-            assert_eq!(found(&text), CsvError::new(line, column, mistake), "{text}");
+            let error = found(&text);
+            let place = (error.line, error.column);
+            assert_eq!((place, error.mistake), ((line, column), mistake), "{text}");
         }
         assert_eq!(
             found("0").to_string(),
             "line 1, column 1: a column `t` was expected"
         );
+    }
+
+    #[test]
+    fn points_have_a_header_or_none() {
+        let read = |text: &str| SizedTrajectory::read_points(&["a", "b,c"], text.as_bytes());
+        for header in [
+            "",
+            "t,a,\"b,c\"\n",
+            "time,q_a,x\n",
+            "t [s],q.a [rad],\"q.b,c [m]\"\n",
+        ] {
+            let points = read(&format!("{header}0,1,2\n \n1,3,4\n")).unwrap();
+            assert_eq!((points.len(), points.q[1][1], points.qd.len()), (2, 4.0, 0));
+        }
+        let points = read("t,q.a,q.b,qd.a,qd.b,energy\n0,1,2,3,4,no\n1,1,2,5,6,x\n").unwrap();
+        assert_eq!((points.qd[1][1], points.qdd.len()), (6.0, 0));
+        for (text, place, letter, message) in [
+            (
+                "0,1\n",
+                (1, 1),
+                1,
+                "found 2 numbers, expected 3 separated by commas",
+            ),
+            ("\"0\",\"1\",fast\n", (1, 3), 9, "`fast`: expected a number"),
+            ("0,1,2\n1,inf,2\n", (2, 2), 3, "`inf`: expected a number"),
+            (
+                "0,1,2\r\n\r\n0,1,2\n",
+                (3, 1),
+                1,
+                "times must grow from row to row",
+            ),
+            (
+                "t,a,b\n0,1,2\n",
+                (1, 1),
+                1,
+                "expected two rows of numbers or more",
+            ),
+            ("t,q_a,q_b,qd_a\n", (1, 5), 15, "a column `qd` was expected"),
+        ] {
+            let error = read(text).unwrap_err();
+            let found = ((error.line, error.column), error.letter);
+            assert_eq!(found, (place, letter), "{text}");
+            assert_eq!(error.mistake.to_string(), message, "{text}");
+        }
+        let error = read("t,q.\u{e4},\"q.a [m]\"\n").unwrap_err();
+        assert_eq!((error.line, error.column, error.letter), (1, 3, 7));
+        let expected = "line 1, column 3: a column of `a`, expected one of `b,c`: columns are in the order of the joints";
+        assert_eq!(error.to_string(), expected);
     }
 }

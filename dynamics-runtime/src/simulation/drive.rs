@@ -13,8 +13,8 @@ use crate::size::Size;
 /// Makes steps to the end of the recorder's plan, at most `max_steps` between two samples. Events are those that `F`
 /// finds.
 ///
-/// Steppers of [`Simulation`](crate::Simulation) are known at run time alone: a call for each step is nothing beside the
-/// step, and this function is compiled once for all methods.
+/// Steppers of [`Simulation`](crate::Simulation) are trait objects, so that this is compiled once for all of its
+/// methods: a call is nothing beside a step.
 pub(super) fn drive<F, S, R: EquationsOfMotion<D>, L: TorqueLaw<D>, K, D: Size>(
     motion: &Motion<R, L, D>,
     system: &S,
@@ -27,11 +27,11 @@ where
     K: Stepper<S, Cause, D> + ?Sized,
 {
     if motion.has_events() {
-        let duration = recorder.duration();
+        let duration = recorder.duration;
         let run = Eventful::<_, _, _, _, F, D>::start(motion, system, stepper, duration)?;
         return run.drive(recorder, max_steps);
     }
-    let mut instants = Instants::new(motion.period(), recorder.duration());
+    let mut instants = Instants::new(motion.torque.period(), recorder.duration);
     let mut steps = 0;
     while recorder.next_sample().is_some() {
         if steps == max_steps {
@@ -45,7 +45,7 @@ where
         steps += 1;
         let mut taken = motion.take_within(system, stepper, recorder)?;
         if instants.begin(t) {
-            motion.sample(t, &phase)?;
+            motion.torque.sample(t, &phase)?;
             stepper.restart(system, phase)?;
         }
         taken |= motion.take_here(recorder);
@@ -113,10 +113,6 @@ mod tests {
         fn restart(&mut self, _: &(), _: Phase<Const<1>>) -> Result<(), Failure<Cause>> {
             Ok(())
         }
-
-        fn rejected(&self) -> u64 {
-            0
-        }
     }
 
     /// A law that knows when it is to be called.
@@ -158,8 +154,7 @@ mod tests {
             let motion = Motion::new(&cart, &law, Law::sign(Const), Limits::none(Const));
             let mut recorder = Recorder::new(plan.initial.clone());
             recorder.plan(&plan).unwrap();
-            let forces = motion.forces(0.0, &plan.initial);
-            recorder.push(0.0, plan.initial.clone(), forces);
+            recorder.push(motion.sample_at(0.0, plan.initial.clone()));
             let mut clock = Clock(0.0, plan.initial.clone());
             drive::<ByMargins, _, _, _, _, _>(&motion, &(), &mut clock, &mut recorder, 1_000_000)
                 .unwrap();

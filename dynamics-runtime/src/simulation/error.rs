@@ -30,7 +30,7 @@ pub struct SizedSimulationError<D: Size> {
 /// A simulation of an arm of `N` joints that could not reach its end.
 pub type SimulationError<const N: usize> = SizedSimulationError<Const<N>>;
 
-/// What a simulation returns.
+/// The result of a simulation.
 pub(super) type Outcome<D> = Result<SizedTrajectory<D>, Box<SizedSimulationError<D>>>;
 
 /// Why a simulation ended early.
@@ -76,9 +76,8 @@ pub enum Cause {
         /// The end of its range, rad or m.
         limit: f64,
     },
-    /// A joint of [`Friction::Sticking`](crate::Friction::Sticking), or at a stop, stops and is let go
-    /// again and again: the torques drive it back to rest whichever way it moves, and at rest friction
-    /// does not hold it.
+    /// A joint of [`Friction::Sticking`](crate::Friction::Sticking), or at a stop, stops and is let go again and again.
+    /// The torques drive it back to rest whichever way it moves, and friction does not hold it there.
     ///
     /// Torque laws that jump where the velocity passes zero, such as those with `signum`, do that. Make the law continuous
     /// there, by a boundary layer for example.
@@ -86,8 +85,8 @@ pub enum Cause {
         /// The joint, counted from 0.
         joint: usize,
     },
-    /// Joints hit their stops, or stop and are let go, so often that the motion does not get on: 100 000 times between
-    /// two samples, or 1 000 times within distances that positions do not resolve.
+    /// Joints hit their stops, or stop and are let go, too often: 100 000 times between two samples, or 1 000 times
+    /// within distances that positions do not resolve.
     ///
     /// Elastic stops (a restitution of 1) under a strong force, and torque laws that jump at a stop, do that. A lower
     /// restitution, a continuous law, or more samples help.
@@ -149,8 +148,8 @@ impl fmt::Display for JointSet {
 }
 
 impl Cause {
-    /// The cause under error control, where no state is reached that is not finite: the stage that
-    /// asks for one belongs to a step that is too long, the shortest that there is.
+    /// The cause under error control, where every state that is reached is finite: a stage that is not belongs to a
+    /// step that is too long.
     pub(super) fn of_long_steps(self) -> Self {
         match self {
             Cause::NonFiniteState { .. } => Cause::StepTooSmall,
@@ -163,13 +162,13 @@ impl Cause {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum InvalidSetting {
-    /// The duration is not a positive finite number of seconds, or so short, below 1e-292 s, that no
-    /// number is left for the rounding of the time.
+    /// The duration is not a finite number of seconds above 1e-292 s, at which the rounding of the time is the least
+    /// number.
     Duration(f64),
     /// There are fewer than two samples, or more than memory holds.
     Samples(usize),
-    /// The step, or the longest step, is not positive, or lost in the rounding of the time; or the
-    /// step of a method of fixed step is not finite.
+    /// The step, or the longest step, is not positive, or lost in the rounding of the time; or a fixed step is not
+    /// finite.
     Step(f64),
     /// A tolerance is not a positive finite number.
     Tolerance(f64),

@@ -1,11 +1,10 @@
-//! An integration between events: of friction, which stops joints, holds them and lets them go, and of the
-//! ends of their ranges.
+//! An integration between events: friction stops joints, holds them and lets them go, and ranges have ends.
 
 use core::marker::PhantomData;
 
 use super::error::{Cause, JointSet};
 use super::friction::Contact;
-use super::limits::AtLimit;
+use super::limits::{AtLimit, End};
 use super::motion::{Held, Motion};
 use super::recorder::Recorder;
 use super::sampling::Instants;
@@ -52,22 +51,25 @@ pub(super) struct Eventful<'a, S, R, L, K: ?Sized, F, D: Size> {
     held: Held<D>,
     /// Events since the last progress: a step without one, or an impact of a joint that came from farther than
     /// positions resolve.
-    in_a_row: usize,
-    /// Events since the last sample.
-    events: usize,
+    in_a_row: Events,
+    since_sample: Events,
     /// The joint of the last event that was no impact.
     joint: usize,
-    /// The joints that hit their stops since the last progress, and those since the last sample.
-    hit: [JointSet; 2],
     finder: PhantomData<F>,
 }
 
-/// So many events without a step between them that has none are chatter: no event is that short of
-/// the next one in a motion that a step of the method can follow.
+/// The number of events since a time, and the joints that hit their stops since then.
+#[derive(Clone, Copy, Default)]
+struct Events {
+    count: usize,
+    hit: JointSet,
+}
+
+/// The most events without a step between them that has none. More are chatter: steps of the method cannot follow such
+/// a motion.
 const MOST_IN_A_ROW: usize = 1_000;
 
-/// So many events between two samples end a run of any method: a bound for those whose steps have none, and for
-/// elastic bounces that go on for ever.
+/// The most events between two samples: a bound for methods without one of steps, and for elastic bounces without end.
 const MOST_BETWEEN_SAMPLES: usize = 100_000;
 
 impl<'a, S, R, L, K: ?Sized, F, D: Size> Eventful<'a, S, R, L, K, F, D>
@@ -89,12 +91,11 @@ where
             motion,
             system,
             stepper,
-            instants: Instants::new(motion.period(), duration),
+            instants: Instants::new(motion.torque.period(), duration),
             held,
-            in_a_row: 0,
-            events: 0,
+            in_a_row: Events::default(),
+            since_sample: Events::default(),
             joint: 0,
-            hit: [JointSet::default(); 2],
             finder: PhantomData,
         })
     }
@@ -107,11 +108,11 @@ where
     ) -> Result<(), Cause> {
         let mut steps = 0;
         while let Some(next) = recorder.next_sample() {
-            if self.in_a_row >= MOST_IN_A_ROW {
-                return Err(self.endless(self.hit[0]));
+            if self.in_a_row.count >= MOST_IN_A_ROW {
+                return Err(self.endless(self.in_a_row.hit));
             }
-            if self.events >= MOST_BETWEEN_SAMPLES {
-                return Err(self.endless(self.hit[1]));
+            if self.since_sample.count >= MOST_BETWEEN_SAMPLES {
+                return Err(self.endless(self.since_sample.hit));
             }
             if steps == max_steps {
                 return Err(self.too_many(steps));
@@ -128,8 +129,7 @@ where
             self.turn(event, recorder)?;
             taken |= self.motion.take_here(recorder);
             if taken {
-                (steps, self.events) = (0, 0);
-                self.hit[1] = JointSet::default();
+                (steps, self.since_sample) = (0, Events::default());
             }
         }
         Ok(())
@@ -141,11 +141,11 @@ where
         if event {
             recorder.phase = self.change(recorder.phase.clone())?;
         } else {
-            self.progress();
+            self.in_a_row = Events::default();
         }
         let begins = self.instants.begin(t);
         if begins {
-            self.motion.sample(t, &recorder.phase)?;
+            self.motion.torque.sample(t, &recorder.phase)?;
         }
         if event || begins {
             self.held = self.motion.settle(t, &recorder.phase)?;
@@ -154,11 +154,12 @@ where
         Ok(())
     }
 
-    /// Where a run of steps that does not get on ends: by a joint's events, if most of them had one.
+    /// The end of a run whose steps do not get on: by a joint's events, if most of them had one.
     fn too_many(&self, steps: usize) -> Cause {
-        match 2 * self.events > steps {
-            true => self.endless(self.hit[1]),
-            false => Cause::TooManySteps,
+        if 2 * self.since_sample.count > steps {
+            self.endless(self.since_sample.hit)
+        } else {
+            Cause::TooManySteps
         }
     }
 
@@ -171,13 +172,8 @@ where
         }
     }
 
-    fn progress(&mut self) {
-        self.in_a_row = 0;
-        self.hit[0] = JointSet::default();
-    }
-
-    /// What makes a step fail for which the method has no better reason than that it fails: a joint
-    /// that would stop before the next sample, and chatter.
+    /// The cause of a step that fails for no better reason of the method: chatter, if a joint would stop before the
+    /// next sample.
     fn blamed(&self, cause: Cause, reached: &Recorder<D>, next: f64) -> Cause {
         if !matches!(cause, Cause::NoConvergence | Cause::StepTooSmall) {
             return cause;
@@ -219,19 +215,15 @@ where
         phase
     }
 
-    /// The phase after an event: joints that hit a stop are thrown back; else one that stopped sticks, and
-    /// one that nothing holds is let go.
+    /// The phase after an event: joints that hit a stop are thrown back. Otherwise one that stopped sticks, and one
+    /// that nothing holds is let go.
     fn change(&mut self, phase: Phase<D>) -> Result<Phase<D>, Cause> {
         self.passes(&phase)?;
         if let Some(impact) = self.motion.thrown_back(self.stepper.t(), &phase)? {
             if impact.is_progress {
-                self.progress();
+                self.in_a_row = Events::default();
             }
-            self.in_a_row += 1;
-            self.events += 1;
-            self.hit
-                .iter_mut()
-                .for_each(|hit| hit.extend(impact.joints.iter()));
+            self.count(impact.joints);
             return Ok(impact.after);
         }
         let (least, held) = here(self.motion, self.stepper)?;
@@ -244,33 +236,34 @@ where
             Contact::Leans(inwards) if free(i) => self.motion.let_in(i, inwards),
             contact => contact,
         });
-        self.count(&contacts, &next);
+        self.count(JointSet::default());
+        let changed = self.motion.joints().find(|i| contacts[*i] != next[*i]);
+        self.joint = changed.unwrap_or(self.joint);
         self.motion.set_contacts(next);
         Ok(phase)
     }
 
     /// Passing a limit, where that is an error.
     fn passes(&self, phase: &Phase<D>) -> Result<(), Cause> {
-        let limits = self.motion.limits();
+        let limits = &self.motion.limits;
         if limits.kind != AtLimit::Ends {
             return Ok(());
         }
-        let beyond = |i: usize| {
-            let ends = limits
-                .ends(i)
-                .filter(|end| end.inwards * phase.qd[i] < 0.0 && end.gap(phase.q[i]) <= 0.0);
-            ends.map(|end| end.at).next()
-        };
-        match self.motion.joints().find_map(|i| Some((i, beyond(i)?))) {
-            Some((joint, limit)) => Err(Cause::JointLimit { joint, limit }),
-            None => Ok(()),
+        for joint in self.motion.joints() {
+            let (q, qd) = (phase.q[joint], phase.qd[joint]);
+            let is_beyond = |end: &End| end.inwards * qd < 0.0 && end.gap(q) <= 0.0;
+            if let Some(End { at: limit, .. }) = limits.ends(joint).find(is_beyond) {
+                return Err(Cause::JointLimit { joint, limit });
+            }
         }
+        Ok(())
     }
 
-    fn count(&mut self, before: &D::Each<Contact>, after: &D::Each<Contact>) {
-        self.in_a_row += 1;
-        self.events += 1;
-        let changed = self.motion.joints().find(|i| before[*i] != after[*i]);
-        self.joint = changed.unwrap_or(self.joint);
+    /// Counts an event, in which some joints hit their stops.
+    fn count(&mut self, hit: JointSet) {
+        for events in [&mut self.in_a_row, &mut self.since_sample] {
+            events.count += 1;
+            events.hit.extend(hit.iter());
+        }
     }
 }

@@ -12,25 +12,23 @@ use crate::size::Size;
 pub enum Friction {
     /// As in the forward dynamics: a multiple of sign(qd), with sign(0) = 0.
     ///
-    /// A joint that should stick chatters about zero velocity: methods with error control end in
-    /// [`Cause::TooManySteps`](crate::simulation::Cause::TooManySteps), and methods of fixed step leave a velocity that is
+    /// A joint that should stick chatters about zero velocity. Methods with error control end in
+    /// [`Cause::TooManySteps`](crate::simulation::Cause::TooManySteps); those of fixed step leave a velocity
     /// proportional to the step.
     #[default]
     Sign,
     /// With stopping and sticking as events.
     ///
-    /// The time at which a joint's velocity crosses zero is found to rounding. From there the joint
-    /// sticks, at a velocity of exactly zero, as long as the force that holds it is no greater than
-    /// friction against the motion that it prevents (static friction where the table has one, else
-    /// that of Coulomb in its direction), and lets go at the time at which it becomes greater. Between
-    /// events the equations are smooth and every method has its order.
+    /// The time at which a joint's velocity crosses zero is found to rounding. From there the joint sticks, at a
+    /// velocity of exactly zero, until the force that holds it exceeds friction: static friction where the table has
+    /// one, else that of Coulomb. Between events the equations are smooth and every method has its order.
     ///
     /// Cost: one more evaluation of the forward dynamics at the end of each step. Where joints stick, an evaluation
     /// becomes one over dual numbers for each of these joints. An event takes some ten steps.
     ///
-    /// A force that exceeds friction and is back below it within one step is not noticed. A torque law that jumps at zero
-    /// velocity, and drives a joint back from both sides harder than friction holds it, leaves no motion that is
-    /// possible: the run ends in [`Cause::Chatter`](crate::simulation::Cause::Chatter).
+    /// A force that exceeds friction and is back below it within one step is not noticed. A torque law that drives a
+    /// joint back to rest from both sides, harder than friction holds it, ends the run in
+    /// [`Cause::Chatter`](crate::simulation::Cause::Chatter).
     Sticking,
     /// `tanh(qd / speed)` in place of the sign.
     ///
@@ -43,7 +41,7 @@ pub enum Friction {
     },
 }
 
-/// What friction and stops do to each joint.
+/// The contact of a joint with friction or a stop.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Contact {
     /// It slides one way, 1 or -1, with friction the other way; or it has no friction, 0.

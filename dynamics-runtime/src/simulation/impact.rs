@@ -55,17 +55,17 @@ impl<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size> Motion<'_, R, L, D> {
 
     /// The impacts of all joints that hit their stops; `None` where none does.
     ///
-    /// A joint that leaves its stop may be driven back into it by the impact of another one: impacts follow
-    /// each other until none is left. The contacts of the motion are those after the impacts.
+    /// The impact of one joint may drive another back into its stop: impacts follow each other until none is left. The
+    /// contacts of the motion are those after them.
     pub(super) fn thrown_back(
         &self,
         t: f64,
         before: &Phase<D>,
     ) -> Result<Option<Impact<D>>, Cause> {
-        let AtLimit::Rebounds { restitution } = self.limits().kind else {
+        let AtLimit::Rebounds { restitution } = self.limits.kind else {
             return Ok(None);
         };
-        let ends: Ends<D> = self.each(|i| self.limits().end(i, before.q[i]));
+        let ends: Ends<D> = self.each(|i| self.limits.end(i, before.q[i]));
         if self.joints().all(|i| !hits::<D>(&ends, &before.qd, i)) {
             return Ok(None);
         }
@@ -150,7 +150,7 @@ impl<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size> Motion<'_, R, L, D> {
                 };
                 let hold = end.inwards * balance.forces[i] + self.breakaway(i, end.inwards);
                 let mass = balance.inertia(i);
-                let least = self.limits().least_rise(&end, hold / mass);
+                let least = self.limits.least_rise(&end, hold / mass);
                 0.5 * mass * phase.qd[i].powi(2) > hold * least
             };
             let energy = |i: &usize| phase.qd[*i].powi(2) / responses[(*i, *i)];

@@ -5,7 +5,7 @@ use crate::integrate::Phase;
 use crate::size::Size;
 use crate::table::Arm;
 
-/// What becomes of a joint that reaches an end of its range.
+/// The fate of a joint that reaches an end of its range.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum AtLimit {
     /// Nothing: it goes on.
@@ -65,7 +65,7 @@ impl<D: Size> Limits<D> {
         }
     }
 
-    /// Those of a table.
+    /// The limits of a table.
     pub(super) fn of(arm: Arm<'_>, kind: AtLimit) -> Self {
         let size = D::from_usize(arm.rows.len());
         Limits {
@@ -102,9 +102,8 @@ impl<D: Size> Limits<D> {
         }
     }
 
-    /// The least rise of a bounce under an acceleration back to the stop, rad or m: the resolution of positions, and
-    /// the `a h^2 / 2` that straight steps of length h leave out. Steps of Euler's explicit method throw each bounce that
-    /// high again, so that it would never end.
+    /// The least rise of a bounce under an acceleration a back to the stop, rad or m: the resolution of positions, and
+    /// `a h^2 / 2`. By so much steps of Euler's explicit method throw each bounce too high, so that it would never end.
     pub(super) fn least_rise(&self, end: &End, acceleration: f64) -> f64 {
         end.resolution() + 0.5 * acceleration * self.straight.powi(2)
     }

@@ -2,6 +2,7 @@
 
 use super::by_margins::ByMargins;
 use super::drive::drive;
+use super::friction::Law;
 use super::motion::{InMomenta, Motion};
 use super::settings::{Dop853, DormandPrince, ErrorControl, Radau5, validate_step};
 
@@ -17,11 +18,9 @@ use crate::size::Size;
 
 /// A method of integration.
 ///
-/// The methods of fixed step divide the interval between two samples into the least whole number of
-/// equal steps that are no longer than `step`, so that every sample is the end of a step. An
-/// interval of 0.2 s and a step of 1 ms give 200 steps of 1 ms. A `step` longer than the interval
-/// gives one step; an infinite one is an error all the same, for it says nothing of the accuracy
-/// that is wanted.
+/// The methods of fixed step divide the interval between two samples into the least number of equal steps that are no
+/// longer than `step`: every sample is the end of a step. An infinite `step` is an error, because it says nothing of
+/// accuracy.
 ///
 /// # Structure-preserving methods
 ///
@@ -35,12 +34,10 @@ use crate::size::Size;
 /// ([`ForwardDynamics::momenta`](crate::ForwardDynamics::momenta)). The step must be short beside the fastest of the motion's time
 /// constants, or the iteration does not converge ([`Cause::NoConvergence`]).
 ///
-/// The same methods in (q, qd) would need no momenta, and are not enough: over 10^6 steps of 10 ms
-/// the energy of a two-link arm in free fall, which exchanges 54 J, stayed within 1e-5 J by
-/// Gauss-Legendre of order 4 in (q, p), averaged over each 500 s, and walked away by 2e-4 J in
-/// (q, qd). Semi-implicit Euler is
-/// symplectic only where M is constant, which it is not for an arm: the same arm lost 80 % of its
-/// energy within 100 s, or flew away.
+/// The same methods in (q, qd) would need no momenta, and are not enough. Over 10^6 steps of 10 ms the energy of a
+/// two-link arm in free fall, which exchanges 54 J, stayed within 1e-5 J by Gauss-Legendre of order 4 in (q, p),
+/// averaged over each 500 s. In (q, qd) it walked away by 2e-4 J. By semi-implicit Euler, which is symplectic for a
+/// constant M alone, the same arm lost 80 % of its energy within 100 s, or flew away.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
@@ -113,30 +110,39 @@ macro_rules! from_settings {
 
 from_settings! { DormandPrince Dop853 Radau5 }
 
-impl Method {
-    pub(super) fn integrate<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size>(
-        &self,
-        motion: &Motion<R, L, D>,
-        recorder: &mut Recorder<D>,
-    ) -> Result<(), Cause> {
-        begin(motion, recorder)?;
-        match self {
+/// A method, and its settings, as a run needs them.
+pub(super) trait Integrator<R, L, D: Size>: Clone {
+    /// Whether the settings make sense for a run of an arm with some friction.
+    fn validate(&self, duration: f64, friction: &Law<D>) -> Result<(), InvalidSetting>;
+
+    /// The step of a method whose positions are straight lines within a step; 0 of the others.
+    fn straight_step(&self) -> f64 {
+        0.0
+    }
+
+    /// Makes the run from where it begins.
+    fn integrate(&self, motion: &Motion<R, L, D>, recorder: &mut Recorder<D>) -> Result<(), Cause>;
+}
+
+impl<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size> Integrator<R, L, D> for Method {
+    fn integrate(&self, motion: &Motion<R, L, D>, recorder: &mut Recorder<D>) -> Result<(), Cause> {
+        match *self {
             Method::ExplicitEuler { step } => {
-                fixed(Euler::Explicit, *step, motion, motion, recorder)
+                fixed(Euler::Explicit, step, motion, motion, recorder)
             }
-            Method::CraigEuler { step } => fixed(Euler::Craig, *step, motion, motion, recorder),
+            Method::CraigEuler { step } => fixed(Euler::Craig, step, motion, motion, recorder),
             Method::SemiImplicitEuler { step } => {
-                fixed(Euler::SemiImplicit, *step, motion, motion, recorder)
+                fixed(Euler::SemiImplicit, step, motion, motion, recorder)
             }
-            Method::RungeKutta4 { step } => fixed(Rk4, *step, motion, motion, recorder),
+            Method::RungeKutta4 { step } => fixed(Rk4, step, motion, motion, recorder),
             Method::ImplicitMidpoint { step } => {
-                canonical(GaussLegendre::order_2(), *step, motion, recorder)
+                canonical(GaussLegendre::order_2(), step, motion, recorder)
             }
             Method::GaussLegendre4 { step } => {
-                canonical(GaussLegendre::order_4(), *step, motion, recorder)
+                canonical(GaussLegendre::order_4(), step, motion, recorder)
             }
             Method::GaussLegendre6 { step } => {
-                canonical(GaussLegendre::order_6(), *step, motion, recorder)
+                canonical(GaussLegendre::order_6(), step, motion, recorder)
             }
             Method::DormandPrince(settings) => {
                 let start = Adaptive::<DormandPrince54, D>::start;
@@ -152,15 +158,14 @@ impl Method {
         }
     }
 
-    /// The step of a method whose positions are straight lines within a step; 0 of the others.
-    pub(super) fn straight_step(&self) -> f64 {
+    fn straight_step(&self) -> f64 {
         match self {
             Method::ExplicitEuler { step } => *step,
             _ => 0.0,
         }
     }
 
-    pub(super) fn validate(&self, duration: f64) -> Result<(), InvalidSetting> {
+    fn validate(&self, duration: f64, _: &Law<D>) -> Result<(), InvalidSetting> {
         match self {
             Method::ExplicitEuler { step }
             | Method::CraigEuler { step }
@@ -182,12 +187,14 @@ pub(super) fn begin<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size>(
     recorder: &mut Recorder<D>,
 ) -> Result<(), Cause> {
     let initial = recorder.phase.clone();
-    let mut begun = motion.sample(0.0, &initial).map(|()| initial.clone());
+    let mut begun = motion
+        .torque
+        .sample(0.0, &initial)
+        .map(|()| initial.clone());
     if motion.has_events() {
         begun = begun.and_then(|phase| motion.settle_at_start(&phase));
     }
-    let forces = motion.forces(0.0, &initial);
-    recorder.push(0.0, initial, forces);
+    recorder.push(motion.sample_at(0.0, initial));
     recorder.phase = begun?;
     Ok(())
 }
@@ -223,7 +230,7 @@ fn controlled<'m, K, R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size>(
 where
     K: Stepper<Motion<'m, R, L, D>, Cause, D>,
 {
-    let (range, phase) = (control.range(recorder.duration()), recorder.phase.clone());
+    let (range, phase) = (control.range(recorder.duration), recorder.phase.clone());
     let mut run = start(motion, phase, control.tolerance, range)?;
     follow(motion, motion, &mut run, recorder, control.max_steps).map_err(Cause::of_long_steps)
 }

@@ -4,6 +4,7 @@ mod by_margins;
 mod by_series;
 mod complementarity;
 mod contacts;
+#[cfg(feature = "csv")]
 mod csv;
 mod drive;
 mod error;
@@ -15,7 +16,6 @@ mod method;
 mod motion;
 mod plan;
 mod recorder;
-mod samples;
 mod sampling;
 mod settings;
 mod taylor;
@@ -31,6 +31,7 @@ use crate::table::AsArm as _;
 use error::Outcome;
 use friction::Law;
 use limits::{AtLimit, Limits};
+use method::{Integrator, begin};
 use motion::Motion;
 use plan::{Plan, plan_setters};
 use recorder::Recorder;
@@ -40,7 +41,8 @@ pub use crate::equations_of_motion::{EquationsOfMotion, Responses, SizedModel};
 pub use crate::model::{Momenta, SizedKinematics, SizedMomenta};
 pub use crate::taylor::{MAX_TAYLOR_ORDER, TaylorCoefficients, TaylorDynamics};
 pub use crate::trajectory::InvalidDuration;
-pub use csv::{CsvError, CsvMistake};
+#[cfg(feature = "csv")]
+pub use csv::{CsvError, CsvMistake, shortest};
 pub use error::{Cause, InvalidSetting, JointSet, SimulationError, SizedSimulationError};
 pub use friction::Friction;
 pub use method::Method;
@@ -53,8 +55,8 @@ pub use trajectory::{Sample, SizedTrajectory, Trajectory, Work};
 
 /// A simulation of an arm: set it up, then [`run`](Simulation::run) it.
 ///
-/// By default the arm starts from rest at q = 0 and moves freely for 1 s, is sampled 101 times,
-/// and is integrated by [`DormandPrince`] with its default tolerance.
+/// By default the arm moves freely from rest at q = 0 for 1 s, with 101 samples, by [`DormandPrince`] with its default
+/// tolerance.
 ///
 /// ```
 /// # extern crate dynamics_runtime as robot_dynamics;
@@ -117,10 +119,10 @@ impl<'a, R: EquationsOfMotion<D>, D: Size> Simulation<'a, R, NoTorque<D>, D> {
 impl<'a, R, L, W, D: Size> Simulation<'a, R, L, D, W> {
     /// The joint torques as a function of t in s, q in rad or m, and qd; in N m or N.
     ///
-    /// It is called wherever the integration evaluates the equations of motion: at trial stages, out of
-    /// order, and in steps that are thrown away. Therefore it must be a function of its arguments alone, an
-    /// `Fn`. A controller with a memory (an integrator, a filter, a log) is an `FnMut` and needs
-    /// [`control_period`](Simulation::control_period) before it: `.control_period(1e-3).torque(law)`.
+    /// It is called wherever the integration evaluates the equations of motion: at trial stages, out of order, and in
+    /// steps that are thrown away. Therefore it must be a function of its arguments alone, an `Fn`. A controller with a
+    /// memory is an `FnMut` and needs [`control_period`](Simulation::control_period):
+    /// `.control_period(1e-3).torque(law)`.
     pub fn torque<F: Fn(f64, &D::Vector, &D::Vector) -> D::Vector>(
         self,
         law: F,
@@ -130,17 +132,15 @@ impl<'a, R, L, W, D: Size> Simulation<'a, R, L, D, W> {
 }
 
 impl<'a, R, L, W, S, D: Size> Simulation<'a, R, L, D, W, S> {
-    /// Sample and hold, as a digital controller works: with the period p in s, the torque law is called at the times
-    /// 0, p, 2 p, ... before the end of the run, once each and in order, and its torque is held until the next
-    /// of them.
+    /// Sample and hold, as a digital controller works. With the period p in s, the torque law is called at the times 0,
+    /// p, 2 p, ... before the end of the run, once each and in order. Its torque is held until the next of them.
     ///
-    /// Every time is k p, rounded once, so that rounding does not add up. All methods end a step at each of these
-    /// times: within a step the torques are constant, so that the method keeps its order. The law sees the state
-    /// at that time. A real controller answers with a delay; to simulate it, let the law return the torque that
-    /// it computed one period before. A force at the tool that was given as a function before stays a function
-    /// of time and state.
+    /// Every time is k p, rounded once. All methods end a step at each of these times, so that they keep their order.
+    /// The law sees the state at that time; to simulate the delay of a controller, let it return the torque of one
+    /// period before. A force at the tool that was given as a function before stays a function of time and state.
     ///
-    /// The torque law that is given after `control_period` may have a memory:
+    /// The torque law that is given after `control_period` may have a memory; without `control_period` the compiler refuses
+    /// one that has:
     ///
     /// ```
     /// # extern crate dynamics_runtime as robot_dynamics;
@@ -170,34 +170,15 @@ impl<'a, R, L, W, S, D: Size> Simulation<'a, R, L, D, W, S> {
     /// assert!((motion.tau[100][0] - 3.0).abs() < 0.05);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    ///
-    /// Without `control_period` it may not:
-    ///
-    /// ```compile_fail,E0594
-    /// # extern crate dynamics_runtime as robot_dynamics;
-    /// # use robot_dynamics::nalgebra::Vector1;
-    /// # use robot_dynamics::{Simulation, robot_dynamics};
-    /// # robot_dynamics! {
-    /// #     struct Cart;
-    /// #     convention: modified,
-    /// #     gravity: [0, -9.81, 0],
-    /// #     joints: [rail: prismatic { mass: 2 }],
-    /// # }
-    /// let mut calls = 0;
-    /// Simulation::new(&Cart).torque(|_, q, _| {
-    ///     calls += 1;
-    ///     -q
-    /// });
-    /// ```
     pub fn control_period(self, period: f64) -> Simulation<'a, R, L, D, W, Sampled> {
         self.with_laws(|torque, tool_wrench, _| (torque, tool_wrench, Sampled { period }))
     }
 
-    /// The force of the surroundings on the tool: a wrench w = (fx fy fz nx ny nz), N and N m, as a function of t
-    /// in s, the tip's pose, and its twist (vx vy vz wx wy wz). The force acts at the tip's origin, the
-    /// point of `forward_kinematics`; axes are those of `jacobian`. J^T w is added to the torques of the
-    /// motors, by every method of integration, and counts for joints that stick too. The law is called wherever the
-    /// integration evaluates the equations of motion, also where the torques are [`control_period`](Simulation::control_period).
+    /// The force of the surroundings on the tool: a wrench w = (fx fy fz nx ny nz), N and N m, as a function of t in s,
+    /// the tip's pose, and its twist (vx vy vz wx wy wz). The force acts at the tip's origin, the point of
+    /// `forward_kinematics`; axes are those of `jacobian`. J^T w is added to the torques of the motors, for joints that
+    /// stick too. The law is called wherever the integration evaluates the equations of motion, also with a
+    /// [`control_period`](Simulation::control_period).
     ///
     /// ```
     /// # extern crate dynamics_runtime as robot_dynamics;
@@ -226,23 +207,6 @@ impl<'a, R, L, W, S, D: Size> Simulation<'a, R, L, D, W, S> {
     /// assert!((motion.qd[2][0] + 1.0).abs() < 1e-6);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    ///
-    /// An arm without `forward_kinematics` or `jacobian` is refused:
-    ///
-    /// ```compile_fail,E0277
-    /// # extern crate dynamics_runtime as robot_dynamics;
-    /// # use robot_dynamics::nalgebra::Vector6;
-    /// # use robot_dynamics::{Simulation, robot_dynamics};
-    /// robot_dynamics! {
-    ///     struct Cart;
-    ///     convention: modified,
-    ///     gravity: [0, -9.81, 0],
-    ///     joints: [rail: prismatic { mass: 2 }],
-    ///     functions: [default, jacobian],
-    /// }
-    ///
-    /// Simulation::new(&Cart).tool_wrench(|_, _, _| Vector6::zeros()).run();
-    /// ```
     pub fn tool_wrench<F>(self, law: F) -> Simulation<'a, R, L, D, F, S>
     where
         R: SizedKinematics<D>,
@@ -251,30 +215,12 @@ impl<'a, R, L, W, S, D: Size> Simulation<'a, R, L, D, W, S> {
         self.with_laws(|torque, _, asked| (torque, law, asked))
     }
 
-    /// The force of the surroundings on the tool, sampled with the torques: a wrench (fx fy fz nx ny nz), N and
-    /// N m, as a function of t in s, the tip's pose and its twist at a sample. It is held, in the axes of
-    /// `jacobian`, until the next sample. The law may have a memory. It takes the period of
-    /// [`control_period`](Simulation::control_period), which may be called before or after.
+    /// The force of the surroundings on the tool, sampled with the torques: a wrench (fx fy fz nx ny nz), N and N m, as
+    /// a function of t in s, the tip's pose and its twist. It is held, in the axes of `jacobian`, for the period of
+    /// [`control_period`](Simulation::control_period), which may be called before or after. The law may have a memory.
     ///
-    /// It is for disturbances, such as random pushes, and not for contact: a wall that pushes back is stiff,
-    /// and a force that is held feeds energy into the motion. Give a contact as a function of time and state, by
-    /// [`tool_wrench`](Simulation::tool_wrench).
-    ///
-    /// Without `control_period` there is no period:
-    ///
-    /// ```compile_fail,E0277
-    /// # extern crate dynamics_runtime as robot_dynamics;
-    /// # use robot_dynamics::nalgebra::Vector6;
-    /// # use robot_dynamics::{Simulation, robot_dynamics};
-    /// # robot_dynamics! {
-    /// #     struct Cart;
-    /// #     convention: modified,
-    /// #     gravity: [0, -9.81, 0],
-    /// #     joints: [rail: prismatic { mass: 2 }],
-    /// #     functions: [default, forward_kinematics, jacobian],
-    /// # }
-    /// Simulation::new(&Cart).held_tool_wrench(|_, _, _| Vector6::zeros()).run();
-    /// ```
+    /// It is for disturbances, such as random pushes. Contact is stiff, and a force that is held feeds energy into the
+    /// motion: give it as a function of time and state, by [`tool_wrench`](Simulation::tool_wrench).
     pub fn held_tool_wrench<F>(self, law: F) -> Simulation<'a, R, L, D, HeldToolWrench<F>, S>
     where
         R: SizedKinematics<D>,
@@ -286,11 +232,9 @@ impl<'a, R, L, W, S, D: Size> Simulation<'a, R, L, D, W, S> {
 }
 
 impl<'a, R, L, W, D: Size> Simulation<'a, R, L, D, W, Sampled> {
-    /// The joint torques, N m or N, as a function of t in s, q in rad or m, and qd at a sample. They are held
-    /// until the next sample. The law may have a memory: it is called once each period, in order.
-    ///
-    /// Nothing resets that memory: a second run of the same simulation begins with the memory that the first one
-    /// left.
+    /// The joint torques, N m or N, as a function of t in s, q in rad or m, and qd. They are held for a period. The law
+    /// may have a memory: it is called once each period, in order. A second run begins with the memory that the first
+    /// one left.
     pub fn torque<F: FnMut(f64, &D::Vector, &D::Vector) -> D::Vector>(
         self,
         law: F,
@@ -331,25 +275,23 @@ impl<'a, R, L, W, S, D: Size> Simulation<'a, R, L, D, W, S> {
         self
     }
 
-    /// Makes the `limits` of the table hard stops, which throw a joint back with `restitution` times its speed: from
-    /// 0 (it stays there) to 1 (no energy is lost). By default, joints pass their limits as if there were none.
+    /// Makes the `limits` of the table hard stops, which throw a joint back with `restitution` times its speed, from 0
+    /// to 1. By default, joints pass their limits as if there were none.
     ///
-    /// The time of an impact is found to rounding, on steps of the method itself, and so are those of the bounces that
-    /// follow. With the restitution e, an impact of joint i changes the velocities of the whole arm:
-    /// `qd+ = qd- - (1 + e) M^-1 e_i qd_i- / (M^-1)_ii`. Several joints at once obey Newton's law of restitution,
-    /// and no stop pulls. An impact overcomes friction that sticks.
+    /// The times of impacts are found to rounding, on steps of the method itself. With the restitution e, an impact of
+    /// joint i changes the velocities of the whole arm: `qd+ = qd- - (1 + e) M^-1 e_i qd_i- / (M^-1)_ii`. Several
+    /// joints at once obey Newton's law of restitution, and no stop pulls. An impact overcomes friction that sticks.
     ///
-    /// A joint that comes to rest at a stop leans on it, with an acceleration of exactly zero, until the stop would have
-    /// to pull it; dry friction holds it there besides. Bounces that die out are infinitely many in a finite time:
-    /// they end where they would rise by less than 1e-13 of the position (and of 1 rad or m), after a few hundred. Joints
-    /// whose bounces die out together come to rest together. [`Method::ExplicitEuler`], which rises by half the
-    /// acceleration times its step squared too far, ends them there. Joints that hit 100 000 times between two samples, as
+    /// A joint at rest at a stop leans on it, with an acceleration of exactly zero, until the stop would have to pull
+    /// it; dry friction holds it there besides. Bounces that die out end where they would rise by less than 1e-13 of
+    /// the position (and of 1 rad or m), those of several joints together. With [`Method::ExplicitEuler`] they end at a
+    /// rise of half the acceleration times its step squared. Joints that hit 100 000 times between two samples, as
     /// elastic ones may, end the run in [`Cause::Impacts`].
     ///
-    /// Cost: one more evaluation of the forward dynamics at the end of each step. Where joints lean on stops, an
-    /// evaluation becomes one over dual numbers for each of these joints. An impact takes some ten steps. A joint that
-    /// passes a limit and comes back within one step is noticed where a cubic through the ends of the step shows
-    /// it. Structure-preserving methods preserve the structure between impacts.
+    /// Cost: one more evaluation of the forward dynamics at the end of each step, and some ten steps for an impact.
+    /// Where joints lean on stops, an evaluation becomes one over dual numbers for each of these joints. A joint that
+    /// passes a limit and comes back within one step is noticed where a cubic through the ends of the step shows it.
+    /// Structure-preserving methods preserve the structure between impacts.
     ///
     /// ```
     /// # extern crate dynamics_runtime as robot_dynamics;
@@ -414,9 +356,8 @@ where
     ///
     /// # Errors
     ///
-    /// [`SimulationError`], with the time and the state reached and all samples up to there. Its [`Cause`] is an invalid
-    /// setting; a singular mass matrix, a limit that is an error, or a torque, force, acceleration or state that is
-    /// not finite, reached by the motion; or an error that cannot be held. Never panics, unless a law does.
+    /// [`SimulationError`], with the time and the state reached and all samples up to there; its [`Cause`] says why.
+    /// Never panics, unless a law does.
     pub fn run(&self) -> Result<SizedTrajectory<D>, Box<SizedSimulationError<D>>>
     where
         W: ContinuousWrench,
@@ -451,39 +392,48 @@ where
 
 /// A run that is asked for, whatever moves the arm.
 #[derive(Clone, Debug)]
-struct Setting<D: Size> {
-    method: Method,
+struct Setting<D: Size, M = Method> {
+    method: M,
     friction: Law<D>,
     limits: Limits<D>,
     plan: Plan<D>,
 }
 
-impl<D: Size> Setting<D> {
-    fn run<R: EquationsOfMotion<D>>(&self, robot: &R, laws: &impl TorqueLaw<D>) -> Outcome<D> {
+impl<D: Size, M> Setting<D, M> {
+    fn run<R: EquationsOfMotion<D>, L: TorqueLaw<D>>(&self, robot: &R, laws: &L) -> Outcome<D>
+    where
+        M: Integrator<R, L, D>,
+    {
         let mut recorder = Recorder::new(self.plan.initial.clone());
         let mut limits = self.limits.clone();
         let interval = self.plan.duration / (self.plan.samples as f64 - 1.0);
         limits.straight = self.method.straight_step().min(interval);
         let motion = Motion::new(robot, laws, self.friction.clone(), limits);
         let end = self.record(&motion, &mut recorder);
-        recorder.finished(end, motion.evaluations())
+        recorder.finished(end, motion.evaluations.get())
     }
 
     fn record<R: EquationsOfMotion<D>, L: TorqueLaw<D>>(
         &self,
         motion: &Motion<R, L, D>,
         recorder: &mut Recorder<D>,
-    ) -> Result<(), Cause> {
-        self.plan.validate(motion.period())?;
+    ) -> Result<(), Cause>
+    where
+        M: Integrator<R, L, D>,
+    {
+        self.plan.validate(motion.torque.period())?;
         self.friction.validate()?;
         self.limits.validate(&self.plan.initial)?;
-        self.method.validate(self.plan.duration)?;
+        self.method.validate(self.plan.duration, &self.friction)?;
         recorder.plan(&self.plan)?;
+        begin(motion, recorder)?;
         self.method.integrate(motion, recorder)
     }
 }
 
 #[cfg(test)]
 mod friction_tests;
+#[cfg(doctest)]
+mod refused_tests;
 #[cfg(test)]
 mod tests;

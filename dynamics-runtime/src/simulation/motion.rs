@@ -8,22 +8,24 @@ use super::complementarity::block;
 use super::error::Cause;
 use super::friction::{Contact, Friction, Law};
 use super::limits::Limits;
+use super::recorder::Recorder;
+use super::sampling::before;
 use super::torque::{self, TorqueLaw};
-use super::trajectory::Forces;
-use crate::integrate::{Canonical, Equations, Phase, Point, first_non_finite};
+use super::trajectory::Sample;
+use crate::integrate::{Canonical, Equations, Phase, Point, Stepper, first_non_finite};
 use crate::size::{JointVector, Size};
 use crate::{Scalar, SingularMassMatrix, SizedMomenta, simulation::EquationsOfMotion};
 
 pub(super) struct Motion<'a, R, L, D: Size> {
     size: D,
-    robot: &'a R,
-    torque: &'a L,
+    pub(super) robot: &'a R,
+    pub(super) torque: &'a L,
     friction: Law<D>,
-    limits: Limits<D>,
-    /// What friction and stops do to each joint; without meaning in a motion without events.
+    pub(super) limits: Limits<D>,
+    /// The contact of each joint; without meaning in a motion without events.
     contacts: RefCell<D::Each<Contact>>,
     /// How often the equations of motion were evaluated.
-    evaluations: Cell<u64>,
+    pub(super) evaluations: Cell<u64>,
 }
 
 /// Accelerations, and the forces that hold the joints that stick or lean on a stop.
@@ -57,24 +59,9 @@ impl<'a, R, L, D: Size> Motion<'a, R, L, D> {
         self.size.each(entry)
     }
 
-    pub(super) fn robot(&self) -> &R {
-        self.robot
-    }
-
-    pub(super) fn torque_law(&self) -> &L {
-        self.torque
-    }
-
-    pub(super) fn evaluations(&self) -> u64 {
-        self.evaluations.get()
-    }
-
-    fn count(&self) {
-        self.evaluations.set(self.evaluations.get() + 1);
-    }
-
-    pub(super) fn limits(&self) -> &Limits<D> {
-        &self.limits
+    /// Counts evaluations of the equations of motion.
+    pub(super) fn count(&self, evaluations: u64) {
+        self.evaluations.set(self.evaluations.get() + evaluations);
     }
 
     /// Whether joints stop and stick.
@@ -104,7 +91,7 @@ impl<'a, R, L, D: Size> Motion<'a, R, L, D> {
         self.contacts.borrow().clone()
     }
 
-    /// What friction and stops do to joint `i`.
+    /// The contact of joint `i`.
     pub(super) fn contact(&self, i: usize) -> Contact {
         self.contacts.borrow()[i]
     }
@@ -125,18 +112,13 @@ impl<'a, R, L, D: Size> Motion<'a, R, L, D> {
 }
 
 impl<R, L: TorqueLaw<D>, D: Size> Motion<'_, R, L, D> {
-    /// What the laws say.
-    pub(super) fn law(&self, t: f64, phase: &Phase<D>) -> Result<D::Vector, Cause> {
-        self.torque.torque(t, phase)
-    }
-
     /// The torques at a time in a phase, where both are finite. In place of the friction that the
     /// forward dynamics takes off, a multiple of sign(qd), they have that of the simulation.
     pub(super) fn torques(&self, t: f64, phase: &Phase<D>) -> Result<D::Vector, Cause> {
         if let Some(joint) = phase.first_non_finite() {
             return Err(Cause::NonFiniteState { joint });
         }
-        Ok(self.with_friction(phase, self.law(t, phase)?))
+        Ok(self.with_friction(phase, self.torque.torque(t, phase)?))
     }
 
     #[inline]
@@ -147,9 +129,9 @@ impl<R, L: TorqueLaw<D>, D: Size> Motion<'_, R, L, D> {
         }
     }
 
-    /// What makes the friction of the forward dynamics that of the simulation: the magnitude in its
-    /// direction times the sign of the velocity, less that with what the law has in place of the sign.
-    // Apart from the path of those who have none of it, which is to be inlined in every stage.
+    /// The difference of the friction of the forward dynamics, magnitude times sign of the velocity, from that of the
+    /// simulation, which has another factor in place of the sign.
+    // Apart from the path without it, which is to be inlined in every stage.
     #[cold]
     #[inline(never)]
     fn instead_of_sign(&self, qd: &D::Vector) -> D::Vector {
@@ -184,7 +166,7 @@ impl<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size> Motion<'_, R, L, D> {
 
     #[inline]
     fn free(&self, phase: &Phase<D>, tau: &D::Vector) -> Result<D::Vector, Cause> {
-        self.count();
+        self.count(1);
         let qdd = self.robot.accelerations(&phase.q, &phase.qd, tau)?;
         finite(qdd)
     }
@@ -226,13 +208,8 @@ impl<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size> Motion<'_, R, L, D> {
         tau: &D::Vector,
         joints: &D::Each<bool>,
     ) -> Result<(D::Vector, D::Matrix), Cause> {
-        let evaluations = joints
-            .as_ref()
-            .iter()
-            .filter(|joint| **joint)
-            .count()
-            .max(1);
-        (0..evaluations).for_each(|_| self.count());
+        let columns = joints.as_ref().iter().filter(|joint| **joint).count();
+        self.count(columns.max(1) as u64);
         let Phase { q, qd } = phase;
         let (qdd, columns) = self.robot.accelerations_and_responses(q, qd, tau, joints)?;
         Ok((finite(qdd)?, columns))
@@ -240,26 +217,41 @@ impl<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size> Motion<'_, R, L, D> {
 }
 
 impl<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size> Motion<'_, R, L, D> {
-    /// The accelerations and torques of a sample: NaN where the laws or the equations refuse, which ends no run.
-    pub(super) fn forces(&self, t: f64, phase: &Phase<D>) -> Forces<D> {
-        let (evaluations, tau) = (self.evaluations.get(), self.torque.motors(t, phase));
-        let law = torque::finite(tau.clone()).and_then(|tau| self.torque.with_tool(tau, t, phase));
-        let held = law.and_then(|tau| self.held_under(phase, &self.with_friction(phase, tau)));
+    /// A sample. Its accelerations are NaN where the laws or the equations refuse, which ends no run.
+    pub(super) fn sample_at(&self, t: f64, phase: Phase<D>) -> Sample<D> {
+        let (evaluations, tau) = (self.evaluations.get(), self.torque.motors(t, &phase));
+        let law = torque::finite(tau.clone()).and_then(|tau| self.torque.with_tool(tau, t, &phase));
+        let held = law.and_then(|tau| self.held_under(&phase, &self.with_friction(&phase, tau)));
         self.evaluations.set(evaluations);
-        Forces {
-            qdd: held.map_or_else(|_| self.size.vector_of(|_| f64::NAN), |held| held.qdd),
-            tau,
+        let unknown = |_| self.size.vector_of(|_| f64::NAN);
+        let (qdd, Phase { q, qd }) = (held.map_or_else(unknown, |held| held.qdd), phase);
+        Sample { t, q, qd, qdd, tau }
+    }
+
+    /// Takes the samples that lie within the last step; whether there were any.
+    pub(super) fn take_within<S>(
+        &self,
+        system: &S,
+        stepper: &mut (impl Stepper<S, Cause, D> + ?Sized),
+        recorder: &mut Recorder<D>,
+    ) -> Result<bool, Cause> {
+        let (end, mut taken) = (stepper.t(), false);
+        while let Some(t) = recorder.next_sample().filter(|t| before(*t, end)) {
+            recorder.push(self.sample_at(t, stepper.at(system, t)?));
+            taken = true;
         }
+        Ok(taken)
     }
 
-    /// The period of laws that are sampled and held.
-    pub(super) fn period(&self) -> Option<f64> {
-        self.torque.period()
-    }
-
-    /// Begins a period: calls the laws that are sampled.
-    pub(super) fn sample(&self, t: f64, phase: &Phase<D>) -> Result<(), Cause> {
-        self.torque.sample(t, phase)
+    /// Takes the samples where the recorder is: one or none, or more where they are nearer to each other than
+    /// the rounding of the time. Whether there were any.
+    pub(super) fn take_here(&self, recorder: &mut Recorder<D>) -> bool {
+        let (reached, phase, mut taken) = (recorder.t, recorder.phase.clone(), false);
+        while let Some(t) = recorder.next_sample().filter(|t| !before(reached, *t)) {
+            recorder.push(self.sample_at(t, phase.clone()));
+            taken = true;
+        }
+        taken
     }
 }
 
@@ -278,8 +270,8 @@ where
     type Refusal = Cause;
 
     /// qdd, where everything on the way to it is finite.
-    // One copy for all stages of all methods: inlined, the code of a program of forward dynamics
-    // stands there some forty times, and whether it runs faster or slower for it is chance.
+    // One copy for all stages of all methods: inlined, a program of forward dynamics would be compiled some forty
+    // times, and be no faster.
     #[inline(never)]
     fn acceleration(&self, t: f64, phase: &Phase<D>) -> Result<D::Vector, Cause> {
         let tau = self.torques(t, phase)?;
@@ -355,7 +347,7 @@ where
         let still = self.motion.still();
         let phase = self.phase_beside(still.as_ref(), at)?;
         let tau = self.motion.torques(t, &phase)?;
-        self.motion.count();
+        self.motion.count(1);
         let mut p = finite(self.arm.force(&phase.q, &phase.qd, &tau))?;
         // The forces that hold a joint act on its momentum alone, which nothing reads.
         for (i, still) in still.iter().flat_map(AsRef::as_ref).enumerate() {

@@ -2,7 +2,7 @@
 
 use super::error::{Cause, InvalidSetting, Outcome, SizedSimulationError};
 use super::plan::Plan;
-use super::trajectory::{Forces, SizedTrajectory, Work};
+use super::trajectory::{Sample, SizedTrajectory, Work};
 use crate::integrate::{Grid, Phase, sample_time};
 use crate::size::Size;
 
@@ -12,7 +12,7 @@ pub(super) struct Recorder<D: Size> {
     pub(super) phase: Phase<D>,
     pub(super) work: Work,
     trajectory: SizedTrajectory<D>,
-    duration: f64,
+    pub(super) duration: f64,
     samples: usize,
 }
 
@@ -31,8 +31,12 @@ impl<D: Size> Recorder<D> {
 
     /// The run as it ended, of which `evaluations` were a part of the work.
     pub(super) fn finished(self, end: Result<(), Cause>, evaluations: u64) -> Outcome<D> {
-        let (time, Phase { q, qd }) = (self.t, self.phase.clone());
-        let trajectory = self.into_trajectory(evaluations);
+        let (time, Phase { q, qd }) = (self.t, self.phase);
+        let mut trajectory = self.trajectory;
+        trajectory.work = Work {
+            evaluations,
+            ..self.work
+        };
         match end {
             Ok(()) => Ok(trajectory),
             Err(cause) => Err(Box::new(SizedSimulationError {
@@ -57,10 +61,6 @@ impl<D: Size> Recorder<D> {
         t.try_reserve_exact(samples)
             .and_then(|()| vectors.try_for_each(|list| list.try_reserve_exact(samples)))
             .map_err(|_| InvalidSetting::Samples(samples))
-    }
-
-    pub(super) fn duration(&self) -> f64 {
-        self.duration
     }
 
     /// The ends of steps no longer than `longest`.
@@ -89,24 +89,12 @@ impl<D: Size> Recorder<D> {
         Ok(())
     }
 
-    /// The samples taken, and the work of which `evaluations` were a part.
-    fn into_trajectory(self, evaluations: u64) -> SizedTrajectory<D> {
-        let work = Work {
-            evaluations,
-            ..self.work
-        };
-        SizedTrajectory {
-            work,
-            ..self.trajectory
-        }
-    }
-
     /// Takes a sample.
-    pub(super) fn push(&mut self, t: f64, phase: Phase<D>, forces: Forces<D>) {
-        self.trajectory.t.push(t);
-        self.trajectory.q.push(phase.q);
-        self.trajectory.qd.push(phase.qd);
-        self.trajectory.qdd.push(forces.qdd);
-        self.trajectory.tau.push(forces.tau);
+    pub(super) fn push(&mut self, sample: Sample<D>) {
+        self.trajectory.t.push(sample.t);
+        self.trajectory.q.push(sample.q);
+        self.trajectory.qd.push(sample.qd);
+        self.trajectory.qdd.push(sample.qdd);
+        self.trajectory.tau.push(sample.tau);
     }
 }

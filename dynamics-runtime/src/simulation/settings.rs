@@ -3,7 +3,7 @@
 use super::error::InvalidSetting;
 use crate::integrate::{StepRange, Tolerance};
 
-/// What the settings of all of them say.
+/// The settings of all of them.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ErrorControl {
     pub(super) tolerance: Tolerance,
@@ -67,8 +67,8 @@ macro_rules! settings {
             $($(#[$about])* pub $own: Option<$kind>,)?
             #[doc = concat!("The longest step, s; `None` for a ", $longest, " of the duration, infinity for no bound.")]
             ///
-            /// The estimate vanishes in an arm at rest, and without this bound a step could become as long as the run:
-            /// a torque that comes and goes within it would never be noticed.
+            /// The estimate vanishes in an arm at rest. Without this bound a torque that comes and goes within one long
+            /// step would never be noticed.
             pub max_step: Option<f64>,
             /// The greatest number of steps between two samples.
             pub max_steps: usize,
@@ -130,9 +130,9 @@ settings! {
     /// and with the motion's own sensitivity. Samples between the steps are taken from a polynomial
     /// of fourth order.
     ///
-    /// Dry friction is discontinuous in the velocity: a joint that sticks makes the steps minute,
-    /// and the run ends with [`Cause::TooManySteps`](crate::simulation::Cause::TooManySteps), unless stopping and
-    /// sticking are events ([`Friction::Sticking`](crate::Friction::Sticking)).
+    /// Under dry friction a joint that sticks makes the steps minute, and the run ends with
+    /// [`Cause::TooManySteps`](crate::simulation::Cause::TooManySteps), unless stopping and sticking are events
+    /// ([`Friction::Sticking`](crate::Friction::Sticking)).
     DormandPrince, tolerance: 1e-9, steps: 50.0, longest: "fiftieth"
 }
 
@@ -140,10 +140,9 @@ settings! {
     /// Settings of DOP853, the method of order 8(5,3) of Dormand and Prince (Hairer, Nørsett,
     /// Wanner, *Solving Ordinary Differential Equations I*, section II.5).
     ///
-    /// Of the explicit methods it is the one for accurate runs: at tolerances below 1e-8 it takes
-    /// fewer evaluations of forward dynamics than [`DormandPrince`]. A step takes twelve of them, and
-    /// three more where a sample lies within it, which is taken from a polynomial of seventh order.
-    /// The settings mean what they mean there.
+    /// It is the explicit method for accurate runs: at tolerances below 1e-8 it takes fewer evaluations of forward
+    /// dynamics than [`DormandPrince`]. A step takes twelve of them, and three more where a sample lies within it,
+    /// which is taken from a polynomial of seventh order. The settings mean the same.
     Dop853, tolerance: 1e-9, steps: 50.0, longest: "fiftieth"
 }
 
@@ -152,23 +151,22 @@ settings! {
     /// Equations II*, section IV.8), for stiff arms: strong viscous friction at a small inertia,
     /// stiff controllers.
     ///
-    /// An explicit method takes steps shorter than the fastest of the motion's time constants,
-    /// whatever the tolerance; this one takes those that the motion itself asks for. It is
-    /// implicit: a step takes some three to seven times three evaluations of forward dynamics, and
-    /// two for each joint where the Jacobian is renewed, which is formed by differences and so
-    /// includes the torque law. Samples within the steps are taken from a polynomial of third
-    /// degree. The settings mean what they mean for [`DormandPrince`].
+    /// The steps of an explicit method are shorter than the fastest of the motion's time constants, whatever the
+    /// tolerance; those of this one are not. It is implicit: a step takes 9 to 21 evaluations of forward dynamics, and
+    /// two for each joint where the Jacobian is renewed. That is formed by differences and so includes the torque law.
+    /// Samples within the steps are taken from a polynomial of third degree. The settings mean the same as for
+    /// [`DormandPrince`].
     Radau5, tolerance: 1e-9, steps: 50.0, longest: "fiftieth"
 }
 
 settings! {
     /// Settings of the Taylor method.
     ///
-    /// A step is so long that the last terms of the series of each position and velocity y stay below
-    /// `absolute_tolerance + relative_tolerance |y|`; the error of a step is a few times smaller. The
-    /// error of a whole run grows with its length and with the motion's own sensitivity. Steps are added
-    /// with compensated sums, so that a tolerance of 1e-16 makes sense: what remains is the rounding of
-    /// the equations. Samples between the ends of steps are taken from the series and are as accurate as those ends.
+    /// The last terms of the series of each position and velocity y stay below `absolute_tolerance + relative_tolerance
+    /// |y|`; the error of a step is a few times smaller. The error of a whole run grows with its length and with the
+    /// motion's own sensitivity. Steps are added with compensated sums, so that a tolerance of 1e-16 makes sense: the
+    /// rounding of the equations remains. Samples within steps are taken from the series and are as accurate as the
+    /// ends.
     Taylor, tolerance: 1e-12, steps: 10.0, longest: "tenth",
     /// The order of the series, 8 to [`MAX_TAYLOR_ORDER`](crate::simulation::MAX_TAYLOR_ORDER); `None` for the
     /// one that suits the tolerance.

@@ -2,19 +2,20 @@
 
 use nalgebra::{Const, SVector};
 
+use super::Setting;
 use super::by_series::BySeries;
 use super::drive::drive;
 use super::error::{Cause, InvalidSetting, Outcome, SimulationError};
 use super::friction::Law;
 use super::limits::{AtLimit, Limits};
-use super::method::begin;
+use super::method::Integrator;
 use super::motion::Motion;
 use super::plan::{Plan, plan_setters};
 use super::recorder::Recorder;
 use super::sampling::Sampled;
 use super::settings::Taylor;
 use super::tool_wrench::NoToolWrench;
-use super::torque::{NoTorque, SampledLaws, TorqueLaw};
+use super::torque::{NoTorque, SampledLaws};
 use super::trajectory::Trajectory;
 use crate::equations_of_motion::inverse_columns;
 use crate::factorisation::JointFactors;
@@ -26,41 +27,22 @@ use crate::{
     simulation::{EquationsOfMotion, Responses, TaylorDynamics},
 };
 
-impl Taylor {
-    fn series_order(&self) -> usize {
-        let tolerance = self.relative_tolerance.min(self.absolute_tolerance);
-        self.order.unwrap_or_else(|| order(tolerance))
-    }
-
-    fn validate(&self, duration: f64) -> Result<(), InvalidSetting> {
-        self.control().validate(duration)?;
-        let order = self.series_order();
-        if (FEWEST_ORDERS..=MAX_TAYLOR_ORDER).contains(&order) {
-            Ok(())
-        } else {
-            Err(InvalidSetting::Order(order))
-        }
-    }
-}
-
-/// A simulation of an arm by the Taylor method, of high order and with long steps: for accurate
-/// motions, of 1e-8 and better, under torques that are constant or held.
+/// A simulation by the Taylor method, of high order and with long steps: for accurate motions, of 1e-8 and better.
 ///
-/// The method differentiates the equations of motion along the motion. A torque law is a Rust function of time and
-/// state, whose derivatives nobody knows. Torques are therefore constant over a run, or those of a controller that
-/// samples and holds ([`control_period`](TaylorSimulation::control_period)). Viscous friction is part of the equations. Coulomb friction
-/// jumps where a joint reverses, and no series continues across a jump: an arm with Coulomb friction is refused. For
-/// laws and friction of any kind use [`Simulation`](crate::Simulation).
+/// The method differentiates the equations of motion along the motion. Torques are therefore constant over a run, or
+/// those of a controller that samples and holds ([`control_period`](TaylorSimulation::control_period)). Viscous
+/// friction is part of the equations. An arm with Coulomb friction is refused: no series continues across its jump
+/// where a joint reverses. For laws and friction of any kind use [`Simulation`](crate::Simulation).
+///
 /// Joints pass the limits of the table, unless these are [`stops`](TaylorSimulation::stops) or
-/// [errors](TaylorSimulation::limits_are_errors).
-///
-/// By default the arm starts from rest at q = 0, moves freely for 1 s and is sampled 101 times.
+/// [errors](TaylorSimulation::limits_are_errors). By default the arm moves freely from rest at q = 0 for 1 s, with 101
+/// samples.
 #[derive(Clone, Debug)]
 #[must_use]
 pub struct TaylorSimulation<'a, R, const N: usize, L = SVector<f64, N>> {
     robot: &'a R,
     torque: L,
-    setting: Setting<N>,
+    setting: Setting<Const<N>, Taylor>,
 }
 
 /// A torque law that is called once each period, and whose torque is held until the next call.
@@ -73,8 +55,13 @@ pub struct HeldTorque<F> {
 impl<'a, R: TaylorDynamics<N>, const N: usize> TaylorSimulation<'a, R, N> {
     /// Free motion of the arm.
     pub fn new(robot: &'a R) -> Self {
+        let dry = robot.table().arm().dry_friction::<Const<N>>();
         let setting = Setting {
-            settings: Taylor::default(),
+            method: Taylor::default(),
+            friction: Law {
+                dry,
+                ..Law::sign(Const)
+            },
             limits: Limits::none(Const),
             plan: Plan::new(Const),
         };
@@ -106,12 +93,11 @@ impl<'a, R: TaylorDynamics<N>, const N: usize> TaylorSimulation<'a, R, N> {
     ///
     /// # Errors
     ///
-    /// [`SimulationError`], with the time and the state reached and all samples up to there. Its [`Cause`] is an invalid
-    /// setting, Coulomb friction among them; a singular mass matrix, or a torque, acceleration or state that is not
-    /// finite, reached by the motion; or that no step fits the equations. Never panics, unless a torque law does.
+    /// [`SimulationError`], with the time and the state reached and all samples up to there; its [`Cause`] says why.
+    /// Coulomb friction is an invalid setting. Never panics, unless a torque law does.
     pub fn run(&self) -> Result<Trajectory<N>, Box<SimulationError<N>>> {
         let law = &mut |_: f64, _: &SVector<f64, N>, _: &SVector<f64, N>| self.torque;
-        self.setting.run(self.robot, None, law)
+        self.setting.under(self.robot, None, law)
     }
 }
 
@@ -136,7 +122,7 @@ impl<'a, R: TaylorDynamics<N>, F, const N: usize> TaylorSimulation<'a, R, N, Hel
         F: FnMut(f64, &SVector<f64, N>, &SVector<f64, N>) -> SVector<f64, N>,
     {
         let HeldTorque { law, asked } = &mut self.torque;
-        self.setting.run(self.robot, Some(asked.period), law)
+        self.setting.under(self.robot, Some(asked.period), law)
     }
 }
 
@@ -151,40 +137,15 @@ impl<'a, R: TaylorDynamics<N>, L, const N: usize> TaylorSimulation<'a, R, N, L> 
 
     /// Tolerances, order and bounds of the steps.
     pub fn settings(mut self, settings: Taylor) -> Self {
-        self.setting.settings = settings;
+        self.setting.method = settings;
         self
     }
 
     /// Makes the `limits` of the table hard stops, as [`Simulation::stops`](crate::Simulation::stops): a joint comes
     /// back with `restitution` times its speed, 0 to 1, or leans on its stop until the stop would have to pull it.
     ///
-    /// The time of an impact, or at which a joint leaves its stop, is the first zero of a polynomial,
-    /// the series of the step. It is as accurate as the motion, and is found however often a joint turns within the
-    /// step. A new series begins at each such time; between them steps are as long as without stops.
-    ///
-    /// ```
-    /// # extern crate dynamics_runtime as robot_dynamics;
-    /// use robot_dynamics::nalgebra::SVector;
-    /// use robot_dynamics::{TaylorSimulation, robot_dynamics};
-    ///
-    /// robot_dynamics! {
-    ///     /// A ball that falls along z.
-    ///     struct Ball;
-    ///     convention: modified,
-    ///     gravity: [0, 0, -10],
-    ///     joints: [height: prismatic { mass: 1, limits: [0, 2] }],
-    ///     functions: [default, taylor_series],
-    /// }
-    ///
-    /// // From 1.25 m it falls for 1/2 s, and rises again with half of 5 m/s.
-    /// let motion = TaylorSimulation::new(&Ball)
-    ///     .initial(SVector::repeat(1.25), SVector::zeros())
-    ///     .stops(0.5)
-    ///     .duration(0.75)
-    ///     .run()?;
-    /// assert!((motion.q[100][0] - 0.3125).abs() < 1e-15);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
+    /// The time of an impact, or at which a joint leaves its stop, is the first zero of the series of the step. It is
+    /// as accurate as the motion, and is found however often a joint turns within the step.
     pub fn stops(self, restitution: f64) -> Self {
         self.at_limits(AtLimit::Rebounds { restitution })
     }
@@ -203,60 +164,61 @@ impl<'a, R: TaylorDynamics<N>, L, const N: usize> TaylorSimulation<'a, R, N, L> 
     plan_setters!(SVector<f64, N>);
 }
 
-/// A run that is asked for, whatever the torques are.
-#[derive(Clone, Debug)]
-struct Setting<const N: usize> {
-    settings: Taylor,
-    limits: Limits<Const<N>>,
-    plan: Plan<Const<N>>,
-}
-
-impl<const N: usize> Setting<N> {
+impl<const N: usize> Setting<Const<N>, Taylor> {
     /// A run under a law that is called at the start, and then once each period if there is one.
-    fn run<R, L>(&self, robot: &R, period: Option<f64>, law: &mut L) -> Outcome<Const<N>>
+    fn under<R, L>(&self, robot: &R, period: Option<f64>, law: &mut L) -> Outcome<Const<N>>
     where
         R: TaylorDynamics<N>,
         L: FnMut(f64, &SVector<f64, N>, &SVector<f64, N>) -> SVector<f64, N>,
     {
-        let (arm, mut no_wrench) = (BySteps(robot), NoToolWrench);
+        let mut no_wrench = NoToolWrench;
         let laws = SampledLaws::new(Const, robot, period, law, &mut no_wrench);
-        let motion = Motion::new(&arm, &laws, Law::sign(Const), self.limits.clone());
-        let mut recorder = Recorder::new(self.plan.initial.clone());
-        let validated = self.validate(robot, period);
-        let end = validated.and_then(|()| self.record(&motion, &mut recorder));
-        // One series for each step; impacts evaluate the equations besides.
-        let evaluations = recorder.work.steps + motion.evaluations();
-        recorder.finished(end, evaluations)
+        self.run(&BySteps(robot), &laws)
     }
+}
 
-    fn record<'m, R, L>(
-        &self,
-        motion: &Motion<'m, BySteps<'m, R>, L, Const<N>>,
-        recorder: &mut Recorder<Const<N>>,
-    ) -> Result<(), Cause>
-    where
-        R: TaylorDynamics<N>,
-        L: TorqueLaw<Const<N>>,
-        Motion<'m, BySteps<'m, R>, L, Const<N>>: Steady<N, Arm = R>,
-    {
-        recorder.plan(&self.plan)?;
-        begin(motion, recorder)?;
-        let control = self.settings.control();
-        let range = control.range(self.plan.duration);
-        let (start, order) = (recorder.phase.clone(), self.settings.series_order());
-        let mut run = SeriesStepper::start(motion, start, order, control.tolerance, range)?;
-        drive::<BySeries, _, _, _, _, _>(motion, motion, &mut run, recorder, control.max_steps)
-            .map_err(Cause::of_long_steps)
-    }
+/// The laws of a run by series.
+type Laws<'a, R, L, const N: usize> = SampledLaws<'a, R, L, NoToolWrench, Const<N>>;
 
-    fn validate(&self, robot: &impl TaylorDynamics<N>, period: Option<f64>) -> Result<(), Cause> {
-        self.plan.validate(period)?;
-        let dry = robot.table().arm().dry_friction::<Const<N>>();
-        if let Some(joint) = dry.iter().position(|friction| !friction.is_none()) {
-            return Err(InvalidSetting::CoulombFriction { joint }.into());
+impl<'a, R, L, const N: usize> Integrator<BySteps<'a, R>, Laws<'a, R, L, N>, Const<N>> for Taylor
+where
+    R: TaylorDynamics<N>,
+    L: FnMut(f64, &SVector<f64, N>, &SVector<f64, N>) -> SVector<f64, N>,
+{
+    fn validate(&self, duration: f64, friction: &Law<Const<N>>) -> Result<(), InvalidSetting> {
+        self.control().validate(duration)?;
+        if let Some(joint) = friction.dry.iter().position(|dry| !dry.is_none()) {
+            return Err(InvalidSetting::CoulombFriction { joint });
         }
-        self.limits.validate(&self.plan.initial)?;
-        Ok(self.settings.validate(self.plan.duration)?)
+        let order = self.series_order();
+        if (FEWEST_ORDERS..=MAX_TAYLOR_ORDER).contains(&order) {
+            Ok(())
+        } else {
+            Err(InvalidSetting::Order(order))
+        }
+    }
+
+    fn integrate(
+        &self,
+        motion: &Motion<BySteps<'a, R>, Laws<'a, R, L, N>, Const<N>>,
+        recorder: &mut Recorder<Const<N>>,
+    ) -> Result<(), Cause> {
+        let control = self.control();
+        let range = control.range(recorder.duration);
+        let (start, order) = (recorder.phase.clone(), self.series_order());
+        let mut run = SeriesStepper::start(motion, start, order, control.tolerance, range)?;
+        let end =
+            drive::<BySeries, _, _, _, _, _>(motion, motion, &mut run, recorder, control.max_steps);
+        // One series for each step; impacts evaluate the equations besides.
+        motion.count(recorder.work.steps);
+        end.map_err(Cause::of_long_steps)
+    }
+}
+
+impl Taylor {
+    fn series_order(&self) -> usize {
+        let tolerance = self.relative_tolerance.min(self.absolute_tolerance);
+        self.order.unwrap_or_else(|| order(tolerance))
     }
 }
 
@@ -295,19 +257,18 @@ impl<R: TaylorDynamics<N>, const N: usize> EquationsOfMotion<Const<N>> for BySte
     }
 }
 
-impl<R, L, const N: usize> Steady<N>
-    for Motion<'_, BySteps<'_, R>, SampledLaws<'_, R, L, NoToolWrench, Const<N>>, Const<N>>
+impl<R, L, const N: usize> Steady<N> for Motion<'_, BySteps<'_, R>, Laws<'_, R, L, N>, Const<N>>
 where
     R: TaylorDynamics<N>,
 {
     type Arm = R;
 
     fn arm(&self) -> &R {
-        self.robot().0
+        self.robot.0
     }
 
     fn torque(&self) -> SVector<f64, N> {
-        self.torque_law().held()
+        self.torque.held()
     }
 
     fn held(&self) -> Option<[bool; N]> {

@@ -8,9 +8,8 @@ use crate::size::Size;
 /// A sampled motion: sample k is `(t[k], q[k], qd[k])`, with the accelerations `qdd[k]` and the torques
 /// `tau[k]` there.
 ///
-/// Where velocities, accelerations or torques jump at the time of a sample, at an impact or where a
-/// controller begins a period, they are those after it; the first sample is the initial state as it was
-/// given.
+/// Velocities, accelerations and torques that jump at the time of a sample, by an impact or a controller, are those
+/// after it. The first sample is the initial state as it was given.
 ///
 /// [`Trajectory`] is that of an arm whose number of joints the compiler knows.
 #[derive(Clone, Debug, PartialEq)]
@@ -37,7 +36,7 @@ pub struct SizedTrajectory<D: Size> {
     /// samples. They do not include the force at the tool.
     #[cfg_attr(feature = "serde", serde(with = "crate::sequences::vectors"))]
     pub tau: Vec<D::Vector>,
-    /// What the run took.
+    /// The work of the run.
     pub work: Work,
 }
 
@@ -73,15 +72,6 @@ pub struct Sample<D: Size> {
     pub tau: D::Vector,
 }
 
-/// The part of a sample beside the time and the phase.
-#[derive(Clone, Debug)]
-pub(super) struct Forces<D: Size> {
-    /// Accelerations.
-    pub(super) qdd: D::Vector,
-    /// Torques of the motors.
-    pub(super) tau: D::Vector,
-}
-
 /// The work of a run, for comparing methods.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -89,8 +79,8 @@ pub(super) struct Forces<D: Size> {
 pub struct Work {
     /// How often the equations of motion were evaluated, including the steps that were thrown away.
     ///
-    /// One evaluation is one call of the forward dynamics; for methods that work in positions and
-    /// momenta, one of their derivatives; for the Taylor method, one series of the motion.
+    /// One evaluation is one call of the forward dynamics, of the derivatives of positions and momenta, or of a Taylor
+    /// series.
     pub evaluations: u64,
     /// Steps made.
     pub steps: u64,
@@ -162,10 +152,9 @@ impl<const N: usize> Trajectory<N> {
     /// The largest distance of the energy from that of the first sample, J; 0 without samples, NaN
     /// where an energy is not a number.
     ///
-    /// In free motion without friction the energy is constant, and this is an error of the
-    /// integration. The samples of [`DormandPrince`](crate::simulation::DormandPrince) lie between its steps:
-    /// the drift then includes the interpolation error of the dense output, which is of lower order
-    /// than the steps and grows with their length.
+    /// In free motion without friction the energy is constant, and this is an error of the integration. It includes the
+    /// interpolation error of samples between steps, which is of lower order than that of the steps and grows with
+    /// their length.
     pub fn energy_drift<R: Energy<N>>(&self, robot: &R) -> f64 {
         let energies = self.energies(robot);
         let distances = energies.iter().map(|energy| (energy - energies[0]).abs());

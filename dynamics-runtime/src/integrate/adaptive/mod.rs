@@ -87,8 +87,8 @@ impl<M: Embedded<D>, S: Equations<D>, D: Size> Stepper<S, S::Refusal, D> for Ada
 
     /// Makes one step, as long as the tolerance permits.
     ///
-    /// A step on which the acceleration is refused is tried again shorter: the place where it is
-    /// refused may lie beyond the end of the motion, or in a stage that a good step avoids.
+    /// A step on which the acceleration is refused is tried again shorter: a stage that a good step avoids may lie
+    /// beyond the end of the motion.
     fn step(&mut self, system: &S, end: f64) -> Result<(), Failure<S::Refusal>> {
         // The stages of the last step are kept until here for its polynomial.
         if self.fresh {
@@ -96,17 +96,12 @@ impl<M: Embedded<D>, S: Equations<D>, D: Size> Stepper<S, S::Refusal, D> for Ada
             self.fresh = false;
         }
         loop {
-            let left = end - self.next.t;
-            self.next.h = self.range.within(self.next.h);
-            // Rather a step longer by a hundredth than a tiny one after it.
-            let last = 1.01 * self.next.h >= left;
-            if last {
-                self.next.h = left;
-            }
+            let (step, is_last) = self.range.choose(self.next.h, end - self.next.t);
+            self.next.h = step;
             let (error, failure) = match self.trial(system) {
                 Ok((phase, error)) => {
                     if error <= 1.0 {
-                        self.accept(phase, error, last.then_some(end));
+                        self.accept(phase, error, is_last.then_some(end));
                         return Ok(());
                     }
                     (error, Failure::StepTooSmall)

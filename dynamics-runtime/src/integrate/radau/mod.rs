@@ -7,18 +7,17 @@
 
 mod newton;
 mod polynomial;
-mod stages;
 mod tableau;
 #[cfg(test)]
 mod tests;
 
+use super::embedded::combination;
 use super::initial_step::initial_step;
 use super::jacobian::{Jacobian, Shifted};
 use super::{Equations, Failure, Phase, StepRange, Stepper, Tolerance};
 use crate::size::Size;
 use newton::{MOST_ITERATIONS, Matrices, Miss, Newton, Step};
 use polynomial::Polynomial;
-use stages::combination;
 use tableau::{C, ERROR};
 
 /// An integration under way, at the end of its last step.
@@ -152,8 +151,8 @@ impl<D: Size> Radau<D> {
         self.tolerance.norm(value, phase, phase)
     }
 
-    /// (IV.8.19) and (IV.8.20): `(gamma / h - J)^-1 (f(y) + e.z / h)`, and once more from there at the
-    /// start and after a rejected step, where the estimate of a very stiff component is too large.
+    /// (IV.8.19) and (IV.8.20): `(gamma / h - J)^-1 (f(y) + e.z / h)`. At the start and after a rejected step this is
+    /// done once more from there, because the estimate of a very stiff component is too large.
     fn error<S: Equations<D>>(
         &self,
         system: &S,
@@ -236,13 +235,9 @@ impl<S: Equations<D>, D: Size> Stepper<S, S::Refusal, D> for Radau<D> {
 
     fn step(&mut self, system: &S, end: f64) -> Result<(), Failure<S::Refusal>> {
         loop {
-            let left = end - self.here.t;
-            self.h = self.range.within(self.h);
-            let last = 1.01 * self.h >= left;
-            if last {
-                self.h = left;
-            }
-            let step_end = if last { end } else { self.here.t + self.h };
+            let (step, is_last) = self.range.choose(self.h, end - self.here.t);
+            self.h = step;
+            let step_end = if is_last { end } else { self.here.t + step };
             let failure = match self.trial(system) {
                 Ok(trial) if trial.error < 1.0 => match self.accept(system, &trial, step_end) {
                     Ok(()) => return Ok(()),

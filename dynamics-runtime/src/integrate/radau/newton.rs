@@ -2,8 +2,8 @@
 
 use nalgebra::Complex;
 
-use super::stages::transformed;
 use super::tableau::{C, COMPLEX, REAL, T, T_INVERSE};
+use crate::integrate::embedded::combination;
 use crate::integrate::jacobian::{Jacobian, Shifted};
 use crate::integrate::{Equations, Phase, Tolerance};
 use crate::size::Size;
@@ -11,7 +11,7 @@ use crate::size::Size;
 /// The iteration, and what it knows of its speed from one step to the next.
 pub(super) struct Newton {
     pub(super) tolerance: f64,
-    /// What is left of an error over the last correction.
+    /// The error that a correction leaves, over the correction.
     left_over: f64,
     /// The ratio of the last two corrections.
     theta: f64,
@@ -46,6 +46,11 @@ impl<E> From<E> for Miss<E> {
     fn from(refusal: E) -> Self {
         Miss::Refused(refusal)
     }
+}
+
+/// Three sums of three phases, by the rows of a matrix.
+fn transformed<D: Size>(rows: &[[f64; 3]; 3], phases: &[Phase<D>; 3]) -> [Phase<D>; 3] {
+    rows.map(|row| combination(&row, phases))
 }
 
 pub(super) const MOST_ITERATIONS: u32 = 7;
@@ -94,9 +99,8 @@ impl Newton {
         self.theta <= FAST
     }
 
-    /// Solves `z = h A f(y + z)` for the stages' changes z, from a guess on, by the transformed
-    /// equations, in which the stages come apart: `D / h w = T^-1 f(y + T w)`. Also the number of
-    /// iterations.
+    /// Solves `z = h A f(y + z)` for the stages' changes z, from a guess on, and counts the iterations. The transformed
+    /// equations `D / h w = T^-1 f(y + T w)` are two separate systems.
     pub(super) fn solve<S: Equations<D>, D: Size>(
         &mut self,
         step: &Step<S, D>,
@@ -151,7 +155,7 @@ impl Newton {
 }
 
 impl<D: Size> Matrices<D> {
-    /// What the transformed changes `w` lack, where the stages move at `rates`.
+    /// The corrections of the transformed changes `w`, where the stages move at `rates`.
     fn correction(&self, w: &[Phase<D>; 3], rates: &[Phase<D>; 3], h: f64) -> [Phase<D>; 3] {
         let (gamma, alpha, beta) = (REAL / h, COMPLEX.re / h, COMPLEX.im / h);
         let [f1, f2, f3] = transformed(&T_INVERSE, rates);
