@@ -151,22 +151,3 @@ impl fmt::Display for UnknownField {
 }
 
 impl core::error::Error for UnknownField {}
-
-/// The arm has another number of joints.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub struct WrongJoints {
-    /// How many it has.
-    pub found: usize,
-    /// How many were expected.
-    pub expected: usize,
-}
-
-impl fmt::Display for WrongJoints {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let WrongJoints { found, expected } = self;
-        write!(f, "{found} joints move where {expected} are expected")
-    }
-}
-
-impl core::error::Error for WrongJoints {}

@@ -2,7 +2,7 @@
 
 use std::sync::Mutex;
 
-use dynamics_runtime::{Operations, Scalar, SingularMassMatrix};
+use dynamics_runtime::{Operations, Scalar, SingularMassMatrix, table::RuntimeTable};
 use dynamics_symbolic::function::Argument;
 use dynamics_symbolic::robot::Robot;
 use dynamics_symbolic::{Proven, Request, proven_program};
@@ -12,6 +12,7 @@ use crate::block::{Batch, Block, run};
 use crate::compiled::{Compiled, check_length};
 use crate::error::{BuildError, EvaluationError, UnknownField};
 use crate::read::{Axis, Reader, at_state, axes};
+use crate::table::table;
 use crate::validate::validate;
 use crate::value::Value;
 
@@ -136,6 +137,11 @@ impl RuntimeRobot {
     #[doc(hidden)]
     pub fn robot(&self) -> &Robot {
         &self.robot
+    }
+
+    /// The table as numbers, with the present values of the fields: without a value for each, some are NaN.
+    pub fn table(&self) -> RuntimeTable {
+        table(&self.robot, &self.fields)
     }
 
     /// Number of joints that move.

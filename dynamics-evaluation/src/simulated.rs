@@ -6,11 +6,10 @@ use dynamics_runtime::{
     simulation::{EquationsOfMotion, Responses, SizedModel},
     table::RuntimeTable,
 };
-use dynamics_symbolic::Function;
 use dynamics_symbolic::function::Argument::{self, Acceleration, Force, Position, Velocity};
+use dynamics_symbolic::{Function, Request};
 
 use crate::compiled::Compiled;
-use crate::table::table;
 use crate::{EvaluationError, RuntimeRobot};
 
 /// A [`RuntimeRobot`] that has the functions by which an arm moves, as
@@ -36,7 +35,35 @@ pub struct Tip<'a> {
     jacobian: &'a Compiled,
 }
 
+/// What [`RuntimeRobot::dynamics`] takes, then what [`RuntimeDynamics::with_tip`] takes.
+const OF_SIMULATIONS: [Function; 7] = [
+    Function::MassMatrix,
+    Function::InverseDynamics,
+    Function::ForwardDynamics,
+    Function::KineticEnergy,
+    Function::PotentialEnergy,
+    Function::ForwardKinematics,
+    Function::Jacobian,
+];
+
 impl RuntimeRobot {
+    /// The names of the functions that a simulation needs: those of [`dynamics`](RuntimeRobot::dynamics), then the two of
+    /// [`with_tip`](RuntimeDynamics::with_tip).
+    ///
+    /// Forward dynamics moves the arm; methods that work in momenta need the mass matrix and inverse dynamics, energies
+    /// are compared; the last two, `forward_kinematics` and `jacobian`, are those of a force at the tool.
+    pub fn simulation_functions() -> [&'static str; 7] {
+        OF_SIMULATIONS.map(Function::name)
+    }
+
+    /// A function by itself, not a method of several that has its name.
+    fn simulated(&self, function: Function) -> Result<&Compiled, EvaluationError> {
+        let mut known = self.functions().iter();
+        known
+            .find(|known| known.request == Request::One(function))
+            .ok_or_else(|| EvaluationError::NotSimulated(function.name().to_owned()))
+    }
+
     /// The arm with its motion, which [`Simulation`](dynamics_runtime::Simulation) takes.
     ///
     /// ```
@@ -62,7 +89,7 @@ impl RuntimeRobot {
     pub fn dynamics(&self) -> Result<RuntimeDynamics<'_>, EvaluationError> {
         Ok(RuntimeDynamics {
             arm: self,
-            table: table(self.robot(), self.fields()),
+            table: self.table(),
             mass_matrix: self.simulated(Function::MassMatrix)?,
             inverse_dynamics: self.simulated(Function::InverseDynamics)?,
             forward_dynamics: self.simulated(Function::ForwardDynamics)?,
