@@ -75,7 +75,7 @@ fn largest_error<const N: usize>(arm: &RuntimeRobot, states: usize) -> f64 {
     let mut random = Random::seeded(31);
     let mut worst = 0.0_f64;
     for _ in 0..states {
-        let state = state(&mut random);
+        let state: State<N> = state(&mut random);
         let sized = of_any_size(&state);
         let found = arm.values(&sized, &DVector::zeros(N));
         let found: Option<SecondDerivatives<f64, N>> =

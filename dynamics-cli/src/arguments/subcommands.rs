@@ -3,7 +3,7 @@
 use clap::{ArgAction, ArgGroup, Command};
 
 use super::options::{
-    chain_of_other, choice, count, functions, number, number_between, of_a_file, out, path, vector,
+    choice, count, functions, number, number_between, of_a_file, out, path, vector, words,
 };
 use crate::convert::WITHOUT;
 
@@ -52,7 +52,11 @@ fn check() -> Command {
         )
         .arg(functions())
         .arg(path("against", "Another file of the same arm").long("against"))
-        .arg(chain_of_other())
+        .arg(
+            words("against-chain", "BASE,TIP")
+                .requires("against")
+                .help("The first and the last link of the arm in the other file, where they have other names there"),
+        )
         .arg(count("samples", "100", 1, 1_000_000, "Random states"))
         .arg(
             number("tolerance", "Largest difference to the other file, relative to the largest entry")

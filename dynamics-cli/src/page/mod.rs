@@ -16,7 +16,7 @@ use dynamics_symbolic::{Function, Request};
 use crate::failure::Failure;
 use crate::load::{fields, file_of, programs, read, read_with_fields};
 use crate::simulate::positions;
-use html::Page;
+use html::html;
 use literal::module_with_a_global;
 
 /// What the page evaluates.
@@ -40,14 +40,11 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
     // The values that the fields have at first are judged as those of a file without fields.
     read(path, given)?;
     let programs = programs(path, &robot, &FUNCTIONS.map(Request::One))?;
-    let page = Page {
-        name: &robot.name,
-        equations: module_with_a_global(&javascript_module(&robot, &programs), "robotEquations"),
-        table: table::script(&robot, &fields(given)?, &start),
-    };
-    let equations = page.equations.len();
-    let html = page.html();
-    if let Some(remark) = remark(html.len(), equations, robot.dof()) {
+    let module = javascript_module(&robot, &programs);
+    let equations = module_with_a_global(&module, "robotEquations");
+    let table = table::script(&robot, &fields(given)?, &start);
+    let html = html(&robot.name, &equations, &table);
+    if let Some(remark) = remark(html.len(), equations.len(), robot.dof()) {
         let _ = writeln!(std::io::stderr(), "{remark}");
     }
     Ok(html)

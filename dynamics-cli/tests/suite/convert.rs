@@ -5,8 +5,8 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use dynamics_evaluation::{ReadOptions, RuntimeRobot, read_file};
+use dynamics_runtime::NewtonEuler;
 use dynamics_runtime::nalgebra::SVector;
-use dynamics_runtime::{Model as _, NewtonEuler};
 use dynamics_symbolic::robot::{Convention, Robot};
 
 use super::calls::{data, errors, file, folder, output};
